@@ -1,0 +1,38 @@
+# smile_room(NAME [MAY_INCLUDE room...] [PUBLIC lib...] [PRIVATE lib...])
+#
+# One folder under src/ = one room = one target smile::NAME. Its sources are src/NAME/*.cc, its tests
+# src/NAME/test/*_test.cc. MAY_INCLUDE is the include table of docs/architecture.md; a test reads this
+# file's calls and compares them with the #include lines it finds. Third-party libraries have one home:
+# PRIVATE keeps their headers there, PUBLIC is for the two that everybody speaks (Eigen, JSON).
+function(smile_room NAME)
+  cmake_parse_arguments(ROOM "" "" "MAY_INCLUDE;PUBLIC;PRIVATE" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${NAME}/*.cc)
+  list(TRANSFORM ROOM_MAY_INCLUDE PREPEND smile_)
+
+  if(NOT sources)
+    set(sources ${PROJECT_SOURCE_DIR}/cmake/empty.cc)
+  endif()
+  add_library(smile_${NAME} STATIC ${sources})
+  add_library(smile::${NAME} ALIAS smile_${NAME})
+  set_target_properties(smile_${NAME} PROPERTIES LINKER_LANGUAGE CXX)
+  target_include_directories(smile_${NAME} PUBLIC ${PROJECT_SOURCE_DIR}/src)
+  target_link_libraries(smile_${NAME} PUBLIC ${ROOM_MAY_INCLUDE} ${ROOM_PUBLIC}
+                                      PRIVATE ${ROOM_PRIVATE})
+  smile_warnings(smile_${NAME})
+
+  file(GLOB test_sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${NAME}/test/*_test.cc)
+  if(SMILE_TESTS AND test_sources)
+    add_executable(smile_${NAME}_test ${test_sources})
+    target_link_libraries(smile_${NAME}_test PRIVATE smile_${NAME} GTest::gtest_main)
+    target_compile_definitions(smile_${NAME}_test PRIVATE
+                               SMILE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+    smile_warnings(smile_${NAME}_test)
+    gtest_discover_tests(smile_${NAME}_test TEST_PREFIX ${NAME}. DISCOVERY_MODE PRE_TEST
+                         PROPERTIES TIMEOUT 300)
+  endif()
+endfunction()
+
+function(smile_warnings TARGET)
+  target_compile_options(${TARGET} PRIVATE -Wall -Wextra -Wshadow -Wnon-virtual-dtor
+                         $<$<BOOL:${SMILE_WARNINGS_AS_ERRORS}>:-Werror>)
+endfunction()

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+namespace smile {
+
+static_assert(std::endian::native == std::endian::little,
+              "files and messages are little-endian and written as they lie in memory");
+
+/// Appends plain values to a byte string, field by field, little-endian, without padding.
+class ByteWriter {
+ public:
+  template <class T>
+  requires std::is_arithmetic_v<T> || std::is_enum_v<T>
+  void Put(T value) { PutBytes({reinterpret_cast<const std::byte*>(&value), sizeof value}); }
+  void PutBytes(std::span<const std::byte> bytes) {
+    bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
+  }
+  /// Length as u32, then the letters.
+  void PutString(std::string_view text) {
+    Put(static_cast<std::uint32_t>(text.size()));
+    PutBytes(std::as_bytes(std::span(text.data(), text.size())));
+  }
+
+  std::size_t size() const { return bytes_.size(); }
+  const std::vector<std::byte>& bytes() const { return bytes_; }
+  std::vector<std::byte> Take() { return std::move(bytes_); }
+
+ private:
+  std::vector<std::byte> bytes_;
+};
+
+/// Reads what ByteWriter wrote. Never reads past the end: from the first read that would, `ok()` is
+/// false and every read returns zeros, so a caller checks once, after reading.
+class ByteReader {
+ public:
+  explicit ByteReader(std::span<const std::byte> bytes) : rest_(bytes) {}
+
+  template <class T>
+  requires std::is_arithmetic_v<T> || std::is_enum_v<T> T Get() {
+    T value{};
+    std::span<const std::byte> bytes = GetBytes(sizeof value);
+    if (!bytes.empty()) std::memcpy(&value, bytes.data(), sizeof value);
+    return value;
+  }
+  /// The next `count` bytes; empty, and not `ok()`, when fewer are left.
+  std::span<const std::byte> GetBytes(std::size_t count) {
+    if (count > rest_.size()) {
+      is_ok_ = false;
+      rest_ = {};
+      return {};
+    }
+    std::span<const std::byte> bytes = rest_.first(count);
+    rest_ = rest_.subspan(count);
+    return bytes;
+  }
+  std::string GetString() {
+    std::span<const std::byte> bytes = GetBytes(Get<std::uint32_t>());
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+  }
+
+  bool ok() const { return is_ok_; }
+  std::size_t remaining() const { return rest_.size(); }
+
+ private:
+  std::span<const std::byte> rest_;
+  bool is_ok_ = true;
+};
+
+}  // namespace smile

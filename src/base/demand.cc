@@ -1,0 +1,13 @@
+#include "base/demand.h"
+
+#include <cstdio>
+#include <cstdlib>
+
+namespace smile::internal {
+
+void FailDemand(const char* condition, const char* file, int line) {
+  std::fprintf(stderr, "%s:%d: this must hold: %s (a bug in SMILE)\n", file, line, condition);
+  std::abort();
+}
+
+}  // namespace smile::internal

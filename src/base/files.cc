@@ -1,0 +1,83 @@
+#include "base/files.h"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <memory>
+#include <stdexcept>
+#include <system_error>
+#include <vector>
+
+namespace smile {
+namespace {
+
+[[noreturn]] void Fail(const std::filesystem::path& path, const std::string& what) {
+  throw std::runtime_error(path.string() + ": " + what);
+}
+
+std::string SystemReason() { return std::strerror(errno); }
+
+}  // namespace
+
+std::string ReadFile(const std::filesystem::path& path, std::size_t max_bytes) {
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (status.type() == std::filesystem::file_type::not_found) Fail(path, "no such file");
+  if (error) Fail(path, "cannot be read: " + error.message());
+  if (!std::filesystem::is_regular_file(status)) Fail(path, "is not a plain file");
+
+  std::unique_ptr<FILE, int (*)(FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
+  if (!file) Fail(path, "cannot be opened: " + SystemReason());
+  std::string text;
+  char buffer[1 << 16];
+  while (const std::size_t count = std::fread(buffer, 1, sizeof buffer, file.get())) {
+    if (text.size() + count > max_bytes) {
+      Fail(path, "is larger than " + std::to_string(max_bytes) + " bytes");
+    }
+    text.append(buffer, count);
+  }
+  if (std::ferror(file.get())) Fail(path, "cannot be read: " + SystemReason());
+  return text;
+}
+
+void WriteFile(const std::filesystem::path& path, std::string_view text) {
+  const std::filesystem::path neighbour = path.string() + ".part";
+  {
+    std::ofstream file(neighbour, std::ios::binary | std::ios::trunc);
+    if (!file) Fail(path, "cannot be written: " + SystemReason());
+    file.write(text.data(), static_cast<std::streamsize>(text.size()));
+    file.flush();
+    if (!file) Fail(path, "cannot be written: " + SystemReason());
+  }
+  std::error_code error;
+  std::filesystem::rename(neighbour, path, error);
+  if (error) Fail(path, "cannot be written: " + error.message());
+}
+
+void MakeDirectories(const std::filesystem::path& path) {
+  std::error_code error;
+  std::filesystem::create_directories(path, error);
+  if (error) Fail(path, "cannot be created: " + error.message());
+}
+
+std::filesystem::path DataFile(std::string_view relative_path) {
+  std::vector<std::filesystem::path> roots;
+  if (const char* named = std::getenv("SMILE_DATA_DIR")) roots.emplace_back(named);
+  std::error_code error;
+  const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
+  if (!error) roots.push_back(program.parent_path().parent_path() / "share" / "smile");
+  roots.emplace_back(SMILE_SOURCE_DIR);
+
+  std::string looked_at;
+  for (const auto& root : roots) {
+    if (std::filesystem::exists(root / relative_path, error)) return root / relative_path;
+    looked_at += "\n  " + (root / relative_path).string();
+  }
+  throw std::runtime_error(std::string(relative_path) + ": not found; looked at" + looked_at);
+}
+
+}  // namespace smile

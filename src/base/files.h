@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace smile {
+
+/// The whole file as text.
+/// @throws std::runtime_error naming the path and the reason when it cannot be read, is not a plain
+///         file, or is larger than `max_bytes`.
+std::string ReadFile(const std::filesystem::path& path, std::size_t max_bytes);
+
+/// Writes a small file whole: to a neighbour first, then renamed over, so that a reader or a crash
+/// sees the old file or the new one, never half of it.
+/// @throws std::runtime_error naming the path and the reason.
+void WriteFile(const std::filesystem::path& path, std::string_view text);
+
+/// Creates a directory and its parents.
+/// @throws std::runtime_error naming the path and the reason.
+void MakeDirectories(const std::filesystem::path& path);
+
+/// A file that ships with SMILE (`robots/baxter.urdf`, `scenes/…`, `matlab/…`): looked for under
+/// the environment variable SMILE_DATA_DIR, beside the program in `../share/smile`, and in the
+/// source tree the program was built from.
+/// @throws std::runtime_error naming all places looked at.
+std::filesystem::path DataFile(std::string_view relative_path);
+
+}  // namespace smile

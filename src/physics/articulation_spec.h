@@ -1,0 +1,47 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "scene/solid.h"
+
+namespace smile::physics {
+
+enum class JointType { kRevolute, kPrismatic };
+
+/// One moving link L of an articulation and the joint that carries it.
+///
+/// L's frame in its parent's is X_PJ * Motion(axis, q): the joint frame, then a turn about (or a
+/// slide along) `axis` by q.
+struct LinkSpec {
+  std::string name;
+  std::string joint_name;
+  int parent = -1;  ///< index into ArticulationSpec::links, smaller than one's own; -1 = the base
+  JointType joint_type = JointType::kRevolute;
+  RigidTransform X_PJ;
+  Vector3 axis = Vector3::UnitZ();  ///< unit vector in J
+  double lower = 0, upper = 0;      ///< [rad or m]
+  double max_velocity = 0;          ///< [rad/s or m/s]
+  double max_effort = 0;            ///< [N m or N]
+
+  double mass = 0;                    ///< [kg], > 0
+  Vector3 p_LLcm = Vector3::Zero();   ///< centre of mass [m]
+  Matrix3 inertia = Matrix3::Zero();  ///< about the centre of mass, along L's axes [kg m2]
+  std::vector<scene::Solid> solids;   ///< what it collides with; Solid::X_BS is X_LS
+
+  bool operator==(const LinkSpec&) const = default;
+};
+
+/// Links joined by joints on a base that is fixed in the world.
+struct ArticulationSpec {
+  RigidTransform X_WBase;
+  std::vector<scene::Solid> base_solids;  ///< what the base collides with; Solid::X_BS is X_BaseS
+  std::vector<LinkSpec> links;            ///< parents before children
+  /// Pairs of links that always touch and therefore never collide; -1 is the base.
+  std::vector<std::pair<int, int>> never_collide;
+
+  bool operator==(const ArticulationSpec&) const = default;
+};
+
+}  // namespace smile::physics

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scene/shape.h"
+
+namespace smile::scene {
+
+/// Files use the original's unit; C++ uses metres. 1 unit = 0.1 m unless the scene says otherwise.
+inline constexpr double kMetersPerUnit = 0.1;
+
+/// A free name and value that goes into the recording's symbolic log.
+struct Description {
+  std::string name, value;
+  bool operator==(const Description&) const = default;
+};
+
+/// One whole object: a rigid body that can be grasped and is listed in recordings.
+struct ObjectSpec {
+  Part whole;                             ///< its parent frame is the world W
+  double mass = 1.0;                      ///< [kg]; 0 = static, it never moves
+  std::vector<Description> descriptions;  ///< `shape` first, then as in the file
+
+  const std::string& id() const { return whole.id; }
+  const RigidTransform& pose_in_world() const { return whole.X_PE; }
+  bool is_static() const { return mass == 0; }
+  bool operator==(const ObjectSpec&) const = default;
+};
+
+/// The table top: z = 0 is its surface, the world origin its centre.
+struct TableSpec {
+  double x_span = 2.0;     ///< [m]
+  double y_span = 1.2;     ///< [m]
+  double thickness = 0.4;  ///< [m]
+  bool operator==(const TableSpec&) const = default;
+};
+
+/// What is on the table, as plain values: world frame W, SI units.
+struct SceneSpec {
+  std::string name;
+  double meters_per_unit = kMetersPerUnit;  ///< the file's unit [m]
+  TableSpec table;
+  std::vector<ObjectSpec> objects;  ///< in the order of the file; ids are unique
+
+  bool operator==(const SceneSpec&) const = default;
+};
+
+}  // namespace smile::scene

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "math/color.h"
+#include "math/rigid_transform.h"
+
+namespace smile::scene {
+
+/// A cuboid about the origin.
+struct Block {
+  Vector3 size{0.1, 0.1, 0.1};  ///< full lengths along x, y, z [m]
+  bool operator==(const Block&) const = default;
+};
+
+/// A cylinder about the origin, its axis along **y**.
+struct Cylinder {
+  double radius = 0.05;  ///< [m]
+  double length = 0.1;   ///< along y [m]
+  int sides = 32;        ///< facets of its picture
+  bool operator==(const Cylinder&) const = default;
+};
+
+struct Sphere {
+  double radius = 0.05;  ///< [m]
+  bool operator==(const Sphere&) const = default;
+};
+
+/// A container, open at the top (+z); the origin is the centre of the outer cuboid.
+struct Box {
+  Vector3 size{0.1, 0.1, 0.1};  ///< outer lengths [m]
+  double thickness = 0.005;     ///< of floor and walls [m]
+  bool operator==(const Box&) const = default;
+};
+
+struct Part;
+
+/// Parts joined rigidly; its origin is its centre of mass, wherever the parts are.
+struct Composite {
+  std::vector<Part> parts;
+  bool operator==(const Composite&) const;
+};
+
+using Shape = std::variant<Block, Cylinder, Sphere, Box, Composite>;
+
+/// A shape in its place: the whole of an object, or a part of a composite.
+struct Part {
+  std::string id;             ///< as in the file; empty for an anonymous part
+  RigidTransform X_PE;        ///< this element E in its parent P (the world for a whole object)
+  bool is_pointable = false;  ///< the demonstrator may point at it
+  Color color;                ///< of a simple shape; composites have none of their own
+  Shape shape;
+
+  bool operator==(const Part&) const = default;
+};
+
+inline bool Composite::operator==(const Composite& other) const { return parts == other.parts; }
+
+}  // namespace smile::scene

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "scene/scene_spec.h"
+
+namespace smile::scene {
+
+/// A convex shape that physics collides and a camera draws as it is.
+using SolidShape = std::variant<Block, Cylinder, Sphere>;
+
+/// A convex piece of a body B.
+struct Solid {
+  SolidShape shape;
+  RigidTransform X_BS;
+  Color color;
+  std::string part_id;  ///< of the part it belongs to; a container's walls are `id(floor)`, …
+
+  bool operator==(const Solid&) const = default;
+};
+
+/// All convex pieces of an object in its own frame, in the order of the file. A box becomes its
+/// floor and four walls, a composite the pieces of its parts.
+std::vector<Solid> SolidsOf(const Part& whole);
+
+/// Mass, and rotational inertia about the body's origin, which is its centre of mass whatever its
+/// shape looks like (scene files rely on this). The mass is spread evenly over the pieces' volume.
+struct MassProperties {
+  double mass = 0;                    ///< [kg]
+  Matrix3 inertia = Matrix3::Zero();  ///< about the origin, along the body's axes [kg m2]
+};
+MassProperties MassPropertiesOf(const std::vector<Solid>& solids, double mass);
+
+}  // namespace smile::scene

@@ -24,6 +24,8 @@ function(smile_room NAME)
   if(SMILE_TESTS AND test_sources)
     add_executable(smile_${NAME}_test ${test_sources})
     target_link_libraries(smile_${NAME}_test PRIVATE smile_${NAME} GTest::gtest_main)
+    target_include_directories(smile_${NAME}_test PRIVATE
+                               ${CMAKE_CURRENT_SOURCE_DIR}/${NAME}/test)
     target_compile_definitions(smile_${NAME}_test PRIVATE
                                SMILE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
     smile_warnings(smile_${NAME}_test)
@@ -33,6 +35,8 @@ function(smile_room NAME)
 endfunction()
 
 function(smile_warnings TARGET)
+  # Every field of our structs has a default, so naming only some of them is what we want.
   target_compile_options(${TARGET} PRIVATE -Wall -Wextra -Wshadow -Wnon-virtual-dtor
+                         -Wno-missing-field-initializers
                          $<$<BOOL:${SMILE_WARNINGS_AS_ERRORS}>:-Werror>)
 endfunction()

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -43,5 +44,9 @@ struct ArticulationSpec {
 
   bool operator==(const ArticulationSpec&) const = default;
 };
+
+/// Forward kinematics: X_WL of every link at joint positions `q` [rad or m], one per link.
+std::vector<RigidTransform> LinkPoses(std::span<const LinkSpec> links,
+                                      const RigidTransform& X_WBase, std::span<const double> q);
 
 }  // namespace smile::physics

@@ -30,6 +30,8 @@ std::vector<Solid> SolidsOf(const Part& whole);
 struct MassProperties {
   double mass = 0;                    ///< [kg]
   Matrix3 inertia = Matrix3::Zero();  ///< about the origin, along the body's axes [kg m2]
+
+  bool operator==(const MassProperties&) const = default;
 };
 MassProperties MassPropertiesOf(const std::vector<Solid>& solids, double mass);
 

@@ -1,0 +1,82 @@
+#include "base/wording.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstddef>
+#include <vector>
+
+namespace smile {
+namespace {
+
+constexpr std::size_t kMaxQuotedBytes = 60;
+constexpr std::size_t kMaxWordBytes = 40;  // no name of ours is near; keeps the table below small
+
+bool SameLetter(char a, char b) {
+  return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
+}
+
+/// How many letters must be added, dropped, changed or swapped with their neighbour to turn one
+/// word into the other (the restricted Damerau-Levenshtein distance); capitals do not count.
+std::size_t EditDistance(std::string_view a, std::string_view b) {
+  std::vector<std::vector<std::size_t>> cost(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+  for (std::size_t i = 0; i <= a.size(); ++i) {
+    for (std::size_t j = 0; j <= b.size(); ++j) {
+      if (i == 0 || j == 0) {
+        cost[i][j] = i + j;
+        continue;
+      }
+      const std::size_t change = SameLetter(a[i - 1], b[j - 1]) ? 0 : 1;
+      cost[i][j] = std::min({cost[i - 1][j] + 1, cost[i][j - 1] + 1, cost[i - 1][j - 1] + change});
+      if (i > 1 && j > 1 && SameLetter(a[i - 1], b[j - 2]) && SameLetter(a[i - 2], b[j - 1])) {
+        cost[i][j] = std::min(cost[i][j], cost[i - 2][j - 2] + 1);
+      }
+    }
+  }
+  return cost[a.size()][b.size()];
+}
+
+}  // namespace
+
+std::string Quoted(std::string_view text) {
+  std::string_view shown = text;
+  if (text.size() > kMaxQuotedBytes) {
+    std::size_t end = kMaxQuotedBytes;
+    // Never cut inside a UTF-8 letter: its later bytes all look like 10xxxxxx.
+    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
+    shown = text.substr(0, end);
+  }
+  std::string quoted = "\"";
+  for (char letter : shown) {
+    const bool is_control = static_cast<unsigned char>(letter) < 0x20 || letter == 0x7F;
+    quoted += is_control ? '?' : letter;
+  }
+  return quoted + (shown.size() < text.size() ? "…\"" : "\"");
+}
+
+std::string OneOf(std::span<const std::string_view> words) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (i > 0) text += i + 1 == words.size() ? " or " : ", ";
+    text += words[i];
+  }
+  return text;
+}
+
+std::string DidYouMean(std::string_view word, std::span<const std::string_view> known) {
+  if (word.empty() || word.size() > kMaxWordBytes) return {};
+  // A third of the letters may be wrong: enough for typing slips, too few to mix up two words.
+  const std::size_t allowed = std::max<std::size_t>(1, word.size() / 3);
+  std::string_view best;
+  std::size_t best_distance = allowed + 1;
+  for (std::string_view candidate : known) {
+    const std::size_t distance = EditDistance(word, candidate);
+    if (distance < best_distance && distance < candidate.size()) {
+      best = candidate;
+      best_distance = distance;
+    }
+  }
+  if (best.empty()) return {};
+  return "; did you mean " + Quoted(best) + "?";
+}
+
+}  // namespace smile

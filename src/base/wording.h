@@ -1,0 +1,20 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace smile {
+
+// Pieces of the messages that tell people what was found in their input and what was expected.
+
+/// The text in quotation marks, for a message: cut to a readable length, control characters as `?`.
+std::string Quoted(std::string_view text);
+
+/// `block, box or sphere`.
+std::string OneOf(std::span<const std::string_view> words);
+
+/// `; did you mean "block"?` when one of `known` looks like what was meant by `word`, else empty.
+std::string DidYouMean(std::string_view word, std::span<const std::string_view> known);
+
+}  // namespace smile

@@ -1,0 +1,98 @@
+#include "demonstrator/demonstrator.h"
+
+#include "math/angles.h"
+
+namespace smile::demonstrator {
+namespace {
+
+std::string Quoted(std::string_view text) { return "'" + std::string(text) + "'"; }
+
+std::string NameOf(HandName hand) { return "the " + std::string(ToString(hand)) + " hand"; }
+
+}  // namespace
+
+Demonstrator::Demonstrator(physics::World* world, const world::Tabletop* tabletop)
+    : world_(world), tabletop_(tabletop) {}
+
+std::optional<Refusal> Demonstrator::Grasp(HandName name, std::string_view object_id,
+                                           const std::optional<Vector3>& p_WQ) {
+  const world::Object* object = tabletop_->Find(object_id);
+  if (object == nullptr) return "there is no object " + Quoted(object_id);
+  const Hand& own = hand(name);
+  if (own.is_holding()) {
+    return NameOf(name) + " already holds " + Quoted(tabletop_->Find(own.held)->id()) +
+           "; release it first";
+  }
+  for (HandName other : kHandNames) {
+    if (hand(other).held == object->body) {
+      return Quoted(object_id) + " is already held by " + NameOf(other);
+    }
+  }
+  physics::Body& body = world_->body(object->body);
+  if (body.is_static()) return Quoted(object_id) + " is fixed (its mass is 0)";
+  if (body.is_carried()) return Quoted(object_id) + " is held by the robot";
+
+  const RigidTransform X_WB = body.pose_in_world();
+  body.SetCarried(true);
+  MutableHand(name) = {.held = object->body,
+                       .X_WB_goal = X_WB,
+                       .p_BH = p_WQ ? X_WB.inverse() * *p_WQ : Vector3(0, 0, 0),
+                       .speed = servo_.max_speed};
+  return std::nullopt;
+}
+
+std::optional<Refusal> Demonstrator::RefuseIfEmpty(HandName name) const {
+  if (hand(name).is_holding()) return std::nullopt;
+  return NameOf(name) + " holds nothing";
+}
+
+std::optional<Refusal> Demonstrator::MoveTo(HandName name, const Vector3& p_WH,
+                                            const std::optional<double>& speed) {
+  if (auto refusal = RefuseIfEmpty(name)) return refusal;
+  Hand& mover = MutableHand(name);
+  const Matrix3 R_WB = mover.X_WB_goal.rotation();
+  mover.X_WB_goal = RigidTransform(R_WB, p_WH - R_WB * mover.p_BH);
+  mover.speed = speed.value_or(servo_.max_speed);
+  return std::nullopt;
+}
+
+std::optional<Refusal> Demonstrator::Rotate(HandName name, const Vector3& angles_deg) {
+  if (auto refusal = RefuseIfEmpty(name)) return refusal;
+  Hand& turner = MutableHand(name);
+  turner.X_WB_goal =
+      RigidTransform(Matrix3(RotationFromFixedAxes(angles_deg) * turner.X_WB_goal.rotation()),
+                     turner.X_WB_goal.translation());
+  return std::nullopt;
+}
+
+std::optional<Refusal> Demonstrator::Release(HandName name) {
+  if (auto refusal = RefuseIfEmpty(name)) return refusal;
+  physics::Body& body = world_->body(hand(name).held);
+  body.SetCarried(false);
+  body.SetVelocity(Vector3::Zero(), Vector3::Zero());
+  MutableHand(name) = Hand();
+  return std::nullopt;
+}
+
+void Demonstrator::BeforeStep() {
+  for (const Hand& hand : state_.hands) {
+    if (!hand.is_holding()) continue;
+    DriveTowards(hand.X_WB_goal, hand.speed, world_->config().step_seconds, servo_,
+                 &world_->body(hand.held));
+  }
+}
+
+bool Demonstrator::has_arrived() const {
+  constexpr double kNear = 0.0005, kAligned = DegreesToRadians(0.5);
+  for (const Hand& hand : state_.hands) {
+    if (!hand.is_holding()) continue;
+    const RigidTransform X_WB = world_->body(hand.held).pose_in_world();
+    if ((X_WB.translation() - hand.X_WB_goal.translation()).norm() > kNear) return false;
+    if (RotationVectorBetween(X_WB.quaternion(), hand.X_WB_goal.quaternion()).norm() > kAligned) {
+      return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace smile::demonstrator

@@ -1,0 +1,32 @@
+#include "demonstrator/servo.h"
+
+#include <algorithm>
+
+#include "math/angles.h"
+
+namespace smile::demonstrator {
+namespace {
+
+Vector3 Limited(const Vector3& v, double max_length) {
+  const double length = v.norm();
+  return length > max_length ? Vector3(v * (max_length / length)) : v;
+}
+
+}  // namespace
+
+void DriveTowards(const RigidTransform& X_WB_goal, double speed, double step_seconds,
+                  const ServoConfig& config, physics::Body* body) {
+  const RigidTransform X_WB = body->pose_in_world();
+  const Vector3 gap = X_WB_goal.translation() - X_WB.translation();
+  const Vector3 turn = RotationVectorBetween(X_WB.quaternion(), X_WB_goal.quaternion());
+
+  const Vector3 v_wanted =
+      Limited(gap / config.response_seconds, std::min(speed, config.max_speed));
+  const Vector3 w_wanted = Limited(turn / config.response_seconds, config.max_angular_speed);
+  const Vector3 v = body->linear_velocity();
+  const Vector3 w = body->angular_velocity();
+  body->SetVelocity(v + Limited(v_wanted - v, config.max_acceleration * step_seconds),
+                    w + Limited(w_wanted - w, config.max_angular_acceleration * step_seconds));
+}
+
+}  // namespace smile::demonstrator

@@ -1,0 +1,73 @@
+#include "physics/body.h"
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "physics/internal_body_shapes.h"
+
+namespace smile::physics {
+namespace {
+
+/// Keeps balls and rollers from rolling for ever [m].
+constexpr double kRollingResistance = 0.001;
+
+bool IsRound(const BodySpec& spec) {
+  for (const scene::Solid& solid : spec.solids) {
+    if (!std::holds_alternative<scene::Block>(solid.shape)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+Body::Body(BodyId id, std::shared_ptr<const BodySpec> spec)
+    : id_(id), spec_(std::move(spec)), shapes_(std::make_unique<Shapes>()) {
+  PrincipalInertia inertia;
+  if (!is_static()) inertia = PrincipalInertiaOf(spec_->mass.inertia);
+  X_BcmB_ = RigidTransform(Matrix3(inertia.axes.transpose()), Vector3::Zero());
+  shapes_->collision = MakeCollisionShape(spec_->solids, X_BcmB_);
+
+  btRigidBody::btRigidBodyConstructionInfo info(
+      spec_->mass.mass, nullptr, shapes_->collision.shape(), ToBullet(inertia.moments));
+  info.m_startWorldTransform = ToBullet(spec_->X_WB * X_BcmB_.inverse());
+  info.m_friction = spec_->friction;
+  info.m_restitution = spec_->restitution;
+  if (IsRound(*spec_)) info.m_rollingFriction = kRollingResistance;
+  bullet_ = std::make_unique<btRigidBody>(info);
+  bullet_->setUserIndex(static_cast<int>(id_.value));
+  // Friction anchors remember where a contact first stuck: without them stacks creep.
+  bullet_->setCollisionFlags(bullet_->getCollisionFlags() |
+                             btCollisionObject::CF_HAS_FRICTION_ANCHOR);
+}
+
+Body::~Body() = default;
+
+RigidTransform Body::pose_in_world() const {
+  return FromBullet(bullet_->getWorldTransform()) * X_BcmB_;
+}
+Vector3 Body::linear_velocity() const { return FromBullet(bullet_->getLinearVelocity()); }
+Vector3 Body::angular_velocity() const { return FromBullet(bullet_->getAngularVelocity()); }
+bool Body::is_awake() const { return !is_static() && bullet_->isActive(); }
+
+void Body::SetCarried(bool is_carried) {
+  if (is_static()) {
+    throw std::logic_error("body " + std::to_string(id_.value) + " is static, it can't be carried");
+  }
+  is_carried_ = is_carried;
+  WakeUp();
+}
+
+void Body::SetVelocity(const Vector3& linear, const Vector3& angular) {
+  WakeUp();
+  bullet_->setLinearVelocity(ToBullet(linear));
+  bullet_->setAngularVelocity(ToBullet(angular));
+}
+
+void Body::WakeUp() {
+  if (is_static()) return;
+  bullet_->forceActivationState(is_carried_ ? DISABLE_DEACTIVATION : ACTIVE_TAG);
+  bullet_->setDeactivationTime(0);
+}
+
+}  // namespace smile::physics

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "physics/ids.h"
+#include "scene/solid.h"
+
+class btRigidBody;
+
+namespace smile::physics {
+
+/// What a rigid body is, and where it starts.
+struct BodySpec {
+  std::vector<scene::Solid> solids;  ///< what it collides with, in its own frame B
+  scene::MassProperties mass;        ///< about B's origin, its centre of mass; mass 0 = static
+  RigidTransform X_WB;               ///< where it starts
+  double friction = 0.6;
+  double restitution = 0.0;
+
+  bool operator==(const BodySpec&) const = default;
+};
+
+/// A rigid body of a World. Reached through World::body(); the World owns it.
+class Body {
+ public:
+  ~Body();
+  Body(const Body&) = delete;
+  Body& operator=(const Body&) = delete;
+
+  BodyId id() const { return id_; }
+  const BodySpec& spec() const { return *spec_; }
+  bool is_static() const { return spec_->mass.mass == 0; }
+
+  RigidTransform pose_in_world() const;  ///< X_WB
+  Vector3 linear_velocity() const;       ///< v_WB of the origin [m/s]
+  Vector3 angular_velocity() const;      ///< w_WB [rad/s]
+  /// False when it came to rest: it costs nothing until something touches it.
+  bool is_awake() const;
+  /// A hand or a gripper has it: it weighs nothing and never falls asleep.
+  bool is_carried() const { return is_carried_; }
+
+  /// Starts or ends being carried; both wake it and what it touches, both keep its velocity.
+  /// @throws std::logic_error if the body is static.
+  void SetCarried(bool is_carried);
+  /// Sets v_WB [m/s] and w_WB [rad/s] and wakes the body.
+  void SetVelocity(const Vector3& linear, const Vector3& angular);
+  void WakeUp();
+
+ private:
+  friend class World;
+  Body(BodyId id, std::shared_ptr<const BodySpec> spec);
+
+  BodyId id_;
+  /// Shared with snapshots: a spec never changes, and a snapshot may outlive the body.
+  std::shared_ptr<const BodySpec> spec_;
+  struct Shapes;
+  std::unique_ptr<Shapes> shapes_;
+  std::unique_ptr<btRigidBody> bullet_;
+  RigidTransform X_BcmB_;  ///< B in the frame of its principal axes of inertia
+  bool is_carried_ = false;
+};
+
+}  // namespace smile::physics

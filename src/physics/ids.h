@@ -1,0 +1,14 @@
+#pragma once
+
+#include "base/strong_id.h"
+
+namespace smile::physics {
+
+/// Names a body of one World. Ids count up from 1 in order of creation and are not used twice,
+/// except that World::Restore() also takes the counter back: ids handed out since the snapshot are
+/// then void.
+using BodyId = StrongId<struct BodyTag>;
+using JointId = StrongId<struct JointTag>;
+using ArticulationId = StrongId<struct ArticulationTag>;
+
+}  // namespace smile::physics

@@ -1,0 +1,36 @@
+#pragma once
+
+// Bullet's types and ours. Only src/physics/*.cc include this.
+
+#include <btBulletDynamicsCommon.h>
+
+#include "math/rigid_transform.h"
+
+static_assert(sizeof(btScalar) == sizeof(double), "Bullet must be the double-precision build");
+
+namespace smile::physics {
+
+inline btVector3 ToBullet(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
+inline Vector3 FromBullet(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
+
+inline btMatrix3x3 ToBullet(const Matrix3& m) {
+  return {m(0, 0), m(0, 1), m(0, 2), m(1, 0), m(1, 1), m(1, 2), m(2, 0), m(2, 1), m(2, 2)};
+}
+inline Matrix3 FromBullet(const btMatrix3x3& m) {
+  Matrix3 result;
+  result << m[0][0], m[0][1], m[0][2], m[1][0], m[1][1], m[1][2], m[2][0], m[2][1], m[2][2];
+  return result;
+}
+
+inline btTransform ToBullet(const RigidTransform& X) {
+  return btTransform(ToBullet(X.rotation()), ToBullet(X.translation()));
+}
+inline RigidTransform FromBullet(const btTransform& X) {
+  return {FromBullet(X.getBasis()), FromBullet(X.getOrigin())};
+}
+
+/// Every collision object carries its place in the order of creation as user index; pairs, islands,
+/// contacts and world arrays are all sorted by it.
+inline int OrderOf(const btCollisionObject* object) { return object->getUserIndex(); }
+
+}  // namespace smile::physics

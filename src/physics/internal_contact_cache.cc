@@ -1,0 +1,157 @@
+#include "physics/internal_contact_cache.h"
+
+#include <array>
+#include <map>
+#include <stdexcept>
+#include <tuple>
+#include <vector>
+
+#include "physics/internal_compound_pairs.h"
+
+namespace smile::physics {
+namespace {
+
+/// Applies `field` to every number of a contact point that outlives a step. Saving and restoring
+/// walk the same list, so they cannot disagree. Bullet's struct has padding, hence not byte by
+/// byte.
+template <class Point, class Field>
+void ForEachField(Point& point, Field field) {
+  for (auto* v : {&point.m_localPointA, &point.m_localPointB, &point.m_positionWorldOnA,
+                  &point.m_positionWorldOnB, &point.m_normalWorldOnB, &point.m_lateralFrictionDir1,
+                  &point.m_lateralFrictionDir2}) {
+    for (int i = 0; i < 3; ++i) field((*v)[i]);
+  }
+  for (auto* number :
+       {&point.m_distance1, &point.m_combinedFriction, &point.m_combinedRollingFriction,
+        &point.m_combinedSpinningFriction, &point.m_combinedRestitution, &point.m_appliedImpulse,
+        &point.m_prevRHS, &point.m_appliedImpulseLateral1, &point.m_appliedImpulseLateral2,
+        &point.m_contactMotion1, &point.m_contactMotion2, &point.m_contactCFM, &point.m_contactERP,
+        &point.m_frictionCFM}) {
+    field(*number);
+  }
+  for (auto* number : {&point.m_partId0, &point.m_partId1, &point.m_index0, &point.m_index1,
+                       &point.m_contactPointFlags, &point.m_lifeTime}) {
+    field(*number);
+  }
+}
+
+using ManifoldKey = std::tuple<int, int, int>;  ///< the orders of both objects, the pair of parts
+
+ManifoldKey KeyOf(const btPersistentManifold* manifold) {
+  return {OrderOf(manifold->getBody0()), OrderOf(manifold->getBody1()), PartPairOf(manifold)};
+}
+
+struct SavedManifold {
+  ManifoldKey key;
+  int count = 0;
+  std::array<btManifoldPoint, MANIFOLD_CACHE_SIZE> points;
+};
+
+std::vector<SavedManifold> ReadManifolds(ByteReader* in) {
+  std::vector<SavedManifold> manifolds;
+  const auto num_manifolds = in->Get<std::uint32_t>();
+  for (std::uint32_t i = 0; i < num_manifolds && in->ok(); ++i) {
+    SavedManifold& manifold = manifolds.emplace_back();
+    std::get<0>(manifold.key) = in->Get<int>();
+    std::get<1>(manifold.key) = in->Get<int>();
+    std::get<2>(manifold.key) = in->Get<int>();
+    manifold.count = in->Get<int>();
+    if (manifold.count < 1 || manifold.count > MANIFOLD_CACHE_SIZE) {
+      throw std::invalid_argument("snapshot: a contact manifold has " +
+                                  std::to_string(manifold.count) + " points, expected 1 to 4");
+    }
+    for (int k = 0; k < manifold.count; ++k) {
+      manifold.points[k] =
+          btManifoldPoint(btVector3(0, 0, 0), btVector3(0, 0, 0), btVector3(0, 0, 0), 0);
+      ForEachField(manifold.points[k], [in]<class T>(T& value) { value = in->Get<T>(); });
+    }
+  }
+  if (!in->ok()) throw std::invalid_argument("snapshot: its contacts are cut short");
+  return manifolds;
+}
+
+void DropAllPairs(ExactWorld& world, StatelessBroadphase& broadphase) {
+  auto* cache = broadphase.getOverlappingPairCache();
+  auto& pairs = cache->getOverlappingPairArray();
+  while (pairs.size() > 0) {
+    cache->removeOverlappingPair(pairs[0].m_pProxy0, pairs[0].m_pProxy1, world.getDispatcher());
+  }
+}
+
+/// Makes the (empty) manifolds of the saved pairs by colliding them once.
+void MakeManifolds(ExactWorld& world, StatelessBroadphase& broadphase,
+                   const std::vector<SavedManifold>& saved) {
+  std::map<int, btBroadphaseProxy*> proxies;
+  auto& objects = world.getCollisionObjectArray();
+  for (int i = 0; i < objects.size(); ++i) {
+    proxies[OrderOf(objects[i])] = objects[i]->getBroadphaseHandle();
+  }
+  auto* cache = broadphase.getOverlappingPairCache();
+  for (const SavedManifold& manifold : saved) {
+    const auto a = proxies.find(std::get<0>(manifold.key));
+    const auto b = proxies.find(std::get<1>(manifold.key));
+    if (a == proxies.end() || b == proxies.end()) {
+      throw std::invalid_argument("snapshot: a contact belongs to an unknown object");
+    }
+    cache->addOverlappingPair(a->second, b->second);
+  }
+  // Bullet collides no pair of sleepers: keep all awake for this moment.
+  std::vector<int> activation;
+  for (int i = 0; i < objects.size(); ++i) {
+    activation.push_back(objects[i]->getActivationState());
+    objects[i]->forceActivationState(ACTIVE_TAG);
+  }
+  {
+    const CompoundPairAlgorithm::LookAtAllPairs look_at_all_pairs;
+    world.getDispatcher()->dispatchAllCollisionPairs(cache, world.getDispatchInfo(),
+                                                     world.getDispatcher());
+  }
+  for (int i = 0; i < objects.size(); ++i) objects[i]->forceActivationState(activation[i]);
+}
+
+}  // namespace
+
+void SaveContacts(ExactWorld& world, ByteWriter* out) {
+  world.SortManifolds();
+  btDispatcher* dispatcher = world.getDispatcher();
+  std::vector<btPersistentManifold*> touching;
+  for (int i = 0; i < dispatcher->getNumManifolds(); ++i) {
+    btPersistentManifold* manifold = dispatcher->getManifoldByIndexInternal(i);
+    if (manifold->getNumContacts() > 0) touching.push_back(manifold);
+  }
+  out->Put(static_cast<std::uint32_t>(touching.size()));
+  for (btPersistentManifold* manifold : touching) {
+    const auto [a, b, parts] = KeyOf(manifold);
+    out->Put(a);
+    out->Put(b);
+    out->Put(parts);
+    out->Put(manifold->getNumContacts());
+    for (int k = 0; k < manifold->getNumContacts(); ++k) {
+      ForEachField(manifold->getContactPoint(k), [out](const auto& value) { out->Put(value); });
+    }
+  }
+}
+
+void RestoreContacts(ExactWorld& world, StatelessBroadphase& broadphase, ByteReader* in) {
+  const std::vector<SavedManifold> saved = ReadManifolds(in);
+  DropAllPairs(world, broadphase);
+  MakeManifolds(world, broadphase, saved);
+
+  std::map<ManifoldKey, btPersistentManifold*> manifolds;
+  btDispatcher* dispatcher = world.getDispatcher();
+  for (int i = 0; i < dispatcher->getNumManifolds(); ++i) {
+    btPersistentManifold* manifold = dispatcher->getManifoldByIndexInternal(i);
+    manifolds[KeyOf(manifold)] = manifold;
+    manifold->clearManifold();
+  }
+  for (const SavedManifold& from : saved) {
+    const auto to = manifolds.find(from.key);
+    if (to == manifolds.end()) {
+      throw std::invalid_argument("snapshot: a contact fits no pair of shapes in this world");
+    }
+    to->second->setNumContacts(from.count);
+    for (int k = 0; k < from.count; ++k) to->second->getContactPoint(k) = from.points[k];
+  }
+}
+
+}  // namespace smile::physics

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <BulletDynamics/Featherstone/btMultiBodyConstraintSolver.h>
+#include <BulletDynamics/Featherstone/btMultiBodyFixedConstraint.h>
+
+#include <map>
+#include <memory>
+
+#include "physics/internal_compound_pairs.h"
+#include "physics/internal_exact_world.h"
+#include "physics/internal_stateless_broadphase.h"
+#include "physics/world.h"
+
+namespace smile::physics {
+
+/// The Bullet objects behind a World, set to its configuration.
+struct World::Engine {
+  explicit Engine(const WorldConfig& config);
+
+  btDefaultCollisionConfiguration collision_configuration;
+  CompoundPairAlgorithm::CreateFunc compound_pairs;
+  btCollisionDispatcher dispatcher;
+  StatelessBroadphase broadphase;
+  btMultiBodyConstraintSolver solver;
+  ExactWorld world;
+  std::map<JointId, std::unique_ptr<btMultiBodyFixedConstraint>> welds;
+};
+
+}  // namespace smile::physics

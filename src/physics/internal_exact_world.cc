@@ -1,0 +1,60 @@
+#include "physics/internal_exact_world.h"
+
+#include <BulletCollision/CollisionDispatch/btSimulationIslandManager.h>
+
+#include <algorithm>
+#include <limits>
+#include <tuple>
+
+#include "physics/internal_compound_pairs.h"
+
+namespace smile::physics {
+
+void ExactWorld::SortObjects() {
+  const auto by_order = [](const btCollisionObject* a, const btCollisionObject* b) {
+    return OrderOf(a) < OrderOf(b);
+  };
+  auto& objects = getCollisionObjectArray();
+  if (objects.size() > 0) std::sort(&objects[0], &objects[0] + objects.size(), by_order);
+  for (int i = 0; i < objects.size(); ++i) objects[i]->setWorldArrayIndex(i);
+  auto& movable = m_nonStaticRigidBodies;
+  if (movable.size() > 0) std::sort(&movable[0], &movable[0] + movable.size(), by_order);
+}
+
+void ExactWorld::SortManifolds() {
+  const int count = getDispatcher()->getNumManifolds();
+  if (count == 0) return;
+  const auto key = [](const btPersistentManifold* manifold) {
+    return std::tuple(OrderOf(manifold->getBody0()), OrderOf(manifold->getBody1()),
+                      PartPairOf(manifold));
+  };
+  btPersistentManifold** manifolds = getDispatcher()->getInternalManifoldPointer();
+  std::sort(manifolds, manifolds + count,
+            [&key](const auto* a, const auto* b) { return key(a) < key(b); });
+  for (int i = 0; i < count; ++i) manifolds[i]->m_index1a = i;
+}
+
+void ExactWorld::RemoveConstraintInOrder(btMultiBodyConstraint* constraint) {
+  auto& constraints = m_multiBodyConstraints;
+  const int index = constraints.findLinearSearch(constraint);
+  for (int i = index; i + 1 < constraints.size(); ++i) constraints[i] = constraints[i + 1];
+  if (index < constraints.size()) constraints.pop_back();
+}
+
+void ExactWorld::calculateSimulationIslands() {
+  btMultiBodyDynamicsWorld::calculateSimulationIslands();
+  // Which member stands for an island depends on the order of merging; let it be the smallest.
+  btUnionFind& islands = getSimulationIslandManager()->getUnionFind();
+  const int count = islands.getNumElements();
+  smallest_in_island_.assign(count, std::numeric_limits<int>::max());
+  std::vector<int> root(count);
+  for (int i = 0; i < count; ++i) {
+    root[i] = islands.find(i);
+    smallest_in_island_[root[i]] = std::min(smallest_in_island_[root[i]], i);
+  }
+  for (int i = 0; i < count; ++i) islands.getElement(i).m_id = smallest_in_island_[root[i]];
+  getSimulationIslandManager()->storeIslandActivationState(getCollisionWorld());
+  SortManifolds();
+}
+
+}  // namespace smile::physics

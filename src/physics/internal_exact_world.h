@@ -1,0 +1,31 @@
+#pragma once
+
+#include <BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.h>
+
+#include <vector>
+
+#include "physics/internal_bullet.h"
+
+namespace smile::physics {
+
+/// Bullet's multibody world in a canonical order: its arrays, islands and contact manifolds are
+/// sorted by the objects' order of creation, so that the order in which a step works through them,
+/// and with it every rounding, follows from the state alone and not from how it came about.
+class ExactWorld : public btMultiBodyDynamicsWorld {
+ public:
+  using btMultiBodyDynamicsWorld::btMultiBodyDynamicsWorld;
+
+  /// Call after objects were added or removed.
+  void SortObjects();
+  void SortManifolds();
+  /// Bullet's own removal fills the gap with the last constraint; this one keeps the order.
+  void RemoveConstraintInOrder(btMultiBodyConstraint* constraint);
+
+ protected:
+  void calculateSimulationIslands() override;
+
+ private:
+  std::vector<int> smallest_in_island_;
+};
+
+}  // namespace smile::physics

@@ -1,0 +1,58 @@
+#include "physics/internal_shapes.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+
+#include "base/overloaded.h"
+
+namespace smile::physics {
+namespace {
+
+/// Bullet rounds cylinders by its margin, 40 mm unless told: more than our parts are thick.
+constexpr double kCylinderMargin = 0.0005;
+
+std::unique_ptr<btCollisionShape> MakePart(const scene::SolidShape& solid) {
+  return std::visit(
+      Overloaded{[](const scene::Block& block) -> std::unique_ptr<btCollisionShape> {
+                   return std::make_unique<btBoxShape>(ToBullet(Vector3(block.size / 2)));
+                 },
+                 [](const scene::Cylinder& cylinder) -> std::unique_ptr<btCollisionShape> {
+                   auto shape = std::make_unique<btCylinderShape>(
+                       btVector3(cylinder.radius, cylinder.length / 2, cylinder.radius));
+                   shape->setMargin(
+                       std::min({kCylinderMargin, 0.1 * cylinder.radius, 0.05 * cylinder.length}));
+                   return shape;
+                 },
+                 [](const scene::Sphere& sphere) -> std::unique_ptr<btCollisionShape> {
+                   return std::make_unique<btSphereShape>(sphere.radius);
+                 }},
+      solid);
+}
+
+}  // namespace
+
+CollisionShape MakeCollisionShape(const std::vector<scene::Solid>& solids,
+                                  const RigidTransform& X_AB) {
+  CollisionShape result;
+  for (const scene::Solid& solid : solids) result.parts.push_back(MakePart(solid.shape));
+  if (solids.size() == 1 && X_AB * solids.front().X_BS == RigidTransform()) return result;
+
+  result.compound = std::make_unique<btCompoundShape>(/*enableDynamicAabbTree=*/false);
+  for (std::size_t i = 0; i < solids.size(); ++i) {
+    result.compound->addChildShape(ToBullet(X_AB * solids[i].X_BS), result.parts[i].get());
+  }
+  return result;
+}
+
+PrincipalInertia PrincipalInertiaOf(const Matrix3& inertia) {
+  const Matrix3 off_diagonal = inertia - Matrix3(inertia.diagonal().asDiagonal());
+  if (off_diagonal.cwiseAbs().maxCoeff() <= 1e-12 * inertia.trace()) {
+    return {.moments = inertia.diagonal()};
+  }
+  const Eigen::SelfAdjointEigenSolver<Matrix3> solver(inertia);
+  PrincipalInertia result{.axes = solver.eigenvectors(), .moments = solver.eigenvalues()};
+  if (result.axes.determinant() < 0) result.axes.col(0) *= -1;
+  return result;
+}
+
+}  // namespace smile::physics

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "physics/internal_bullet.h"
+#include "scene/solid.h"
+
+namespace smile::physics {
+
+/// Bullet's collision shape for a set of solids, and the parts it is made of.
+struct CollisionShape {
+  std::vector<std::unique_ptr<btCollisionShape>> parts;
+  std::unique_ptr<btCompoundShape> compound;  ///< null when one centred part is enough
+
+  btCollisionShape* shape() const { return compound ? compound.get() : parts.front().get(); }
+};
+
+/// @param X_AB  the solids' frame B in the frame A that Bullet moves (its principal axes).
+CollisionShape MakeCollisionShape(const std::vector<scene::Solid>& solids,
+                                  const RigidTransform& X_AB);
+
+/// Axes along which an inertia tensor is diagonal, and its diagonal. Already diagonal tensors keep
+/// their axes, so that a plain block is not turned.
+struct PrincipalInertia {
+  Matrix3 axes = Matrix3::Identity();  ///< R_BA, columns are the axes in B
+  Vector3 moments = Vector3::Zero();   ///< [kg m2]
+};
+PrincipalInertia PrincipalInertiaOf(const Matrix3& inertia);
+
+}  // namespace smile::physics

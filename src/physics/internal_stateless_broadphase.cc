@@ -1,0 +1,102 @@
+#include "physics/internal_stateless_broadphase.h"
+
+#include <algorithm>
+
+namespace smile::physics {
+namespace {
+
+const btCollisionObject* ObjectOf(const btBroadphaseProxy* proxy) {
+  return static_cast<const btCollisionObject*>(proxy->m_clientObject);
+}
+
+bool Overlap(const btBroadphaseProxy* a, const btBroadphaseProxy* b) {
+  return TestAabbAgainstAabb2(a->m_aabbMin, a->m_aabbMax, b->m_aabbMin, b->m_aabbMax);
+}
+
+std::pair<int, int> Ordered(int a, int b) { return a < b ? std::pair(a, b) : std::pair(b, a); }
+
+}  // namespace
+
+bool PairFilter::needBroadphaseCollision(btBroadphaseProxy* a, btBroadphaseProxy* b) const {
+  const btCollisionObject* object_a = ObjectOf(a);
+  const btCollisionObject* object_b = ObjectOf(b);
+  if (object_a->isStaticObject() && object_b->isStaticObject()) return false;
+  return excluded_.empty() || !excluded_.contains(Ordered(OrderOf(object_a), OrderOf(object_b)));
+}
+
+void PairFilter::Exclude(int order_a, int order_b) { excluded_.insert(Ordered(order_a, order_b)); }
+void PairFilter::Include(int order_a, int order_b) { excluded_.erase(Ordered(order_a, order_b)); }
+
+StatelessBroadphase::StatelessBroadphase() { pairs_.setOverlapFilterCallback(&filter_); }
+
+btBroadphaseProxy* StatelessBroadphase::createProxy(const btVector3& aabb_min,
+                                                    const btVector3& aabb_max, int, void* object,
+                                                    int group, int mask, btDispatcher*) {
+  auto proxy = std::make_unique<btBroadphaseProxy>(aabb_min, aabb_max, object, group, mask);
+  proxy->m_uniqueId = OrderOf(ObjectOf(proxy.get()));
+  proxies_.push_back(std::move(proxy));
+  return proxies_.back().get();
+}
+
+void StatelessBroadphase::destroyProxy(btBroadphaseProxy* proxy, btDispatcher* dispatcher) {
+  pairs_.removeOverlappingPairsContainingProxy(proxy, dispatcher);
+  std::erase_if(proxies_, [proxy](const auto& owned) { return owned.get() == proxy; });
+}
+
+void StatelessBroadphase::setAabb(btBroadphaseProxy* proxy, const btVector3& aabb_min,
+                                  const btVector3& aabb_max, btDispatcher*) {
+  proxy->m_aabbMin = aabb_min;
+  proxy->m_aabbMax = aabb_max;
+}
+
+void StatelessBroadphase::getAabb(btBroadphaseProxy* proxy, btVector3& aabb_min,
+                                  btVector3& aabb_max) const {
+  aabb_min = proxy->m_aabbMin;
+  aabb_max = proxy->m_aabbMax;
+}
+
+void StatelessBroadphase::rayTest(const btVector3&, const btVector3&,
+                                  btBroadphaseRayCallback& callback, const btVector3&,
+                                  const btVector3&) {
+  for (const auto& proxy : proxies_) callback.process(proxy.get());
+}
+
+void StatelessBroadphase::aabbTest(const btVector3& aabb_min, const btVector3& aabb_max,
+                                   btBroadphaseAabbCallback& callback) {
+  for (const auto& proxy : proxies_) {
+    if (TestAabbAgainstAabb2(aabb_min, aabb_max, proxy->m_aabbMin, proxy->m_aabbMax)) {
+      callback.process(proxy.get());
+    }
+  }
+}
+
+void StatelessBroadphase::calculateOverlappingPairs(btDispatcher* dispatcher) {
+  struct RemoveSeparated : btOverlapCallback {
+    bool processOverlap(btBroadphasePair& pair) override {
+      return !Overlap(pair.m_pProxy0, pair.m_pProxy1);
+    }
+  } remove_separated;
+  pairs_.processAllOverlappingPairs(&remove_separated, dispatcher);
+
+  sorted_.clear();
+  for (const auto& proxy : proxies_) sorted_.push_back(proxy.get());
+  std::sort(sorted_.begin(), sorted_.end(), [](const auto* a, const auto* b) {
+    return a->m_aabbMin.x() != b->m_aabbMin.x() ? a->m_aabbMin.x() < b->m_aabbMin.x()
+                                                : a->m_uniqueId < b->m_uniqueId;
+  });
+  for (std::size_t i = 0; i < sorted_.size(); ++i) {
+    const btScalar end = sorted_[i]->m_aabbMax.x();
+    for (std::size_t j = i + 1; j < sorted_.size() && sorted_[j]->m_aabbMin.x() <= end; ++j) {
+      // The cache asks the filter and keeps each pair once.
+      if (Overlap(sorted_[i], sorted_[j])) pairs_.addOverlappingPair(sorted_[i], sorted_[j]);
+    }
+  }
+}
+
+void StatelessBroadphase::getBroadphaseAabb(btVector3& aabb_min, btVector3& aabb_max) const {
+  constexpr btScalar kEverywhere = 1e9;
+  aabb_min = btVector3(-kEverywhere, -kEverywhere, -kEverywhere);
+  aabb_max = -aabb_min;
+}
+
+}  // namespace smile::physics

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <memory>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "physics/internal_bullet.h"
+
+namespace smile::physics {
+
+/// Decides which pairs may collide at all: not two static things, and no pair that is excluded.
+class PairFilter : public btOverlapFilterCallback {
+ public:
+  bool needBroadphaseCollision(btBroadphaseProxy* a, btBroadphaseProxy* b) const override;
+
+  void Exclude(int order_a, int order_b);
+  void Include(int order_a, int order_b);
+
+ private:
+  std::set<std::pair<int, int>> excluded_;
+};
+
+/// Finds overlapping bounding boxes by sweeping along x.
+///
+/// The set of pairs is a function of the present boxes and the objects' order alone. Bullet's own
+/// dynamic tree keeps fattened boxes whose history decides which pairs exist, so that a restored
+/// world would differ from the one that went on.
+class StatelessBroadphase : public btBroadphaseInterface {
+ public:
+  StatelessBroadphase();
+
+  PairFilter& filter() { return filter_; }
+
+  btBroadphaseProxy* createProxy(const btVector3& aabb_min, const btVector3& aabb_max,
+                                 int shape_type, void* object, int group, int mask,
+                                 btDispatcher* dispatcher) override;
+  void destroyProxy(btBroadphaseProxy* proxy, btDispatcher* dispatcher) override;
+  void setAabb(btBroadphaseProxy* proxy, const btVector3& aabb_min, const btVector3& aabb_max,
+               btDispatcher* dispatcher) override;
+  void getAabb(btBroadphaseProxy* proxy, btVector3& aabb_min, btVector3& aabb_max) const override;
+  void rayTest(const btVector3& from, const btVector3& to, btBroadphaseRayCallback& callback,
+               const btVector3& aabb_min, const btVector3& aabb_max) override;
+  void aabbTest(const btVector3& aabb_min, const btVector3& aabb_max,
+                btBroadphaseAabbCallback& callback) override;
+  void calculateOverlappingPairs(btDispatcher* dispatcher) override;
+  btOverlappingPairCache* getOverlappingPairCache() override { return &pairs_; }
+  const btOverlappingPairCache* getOverlappingPairCache() const override { return &pairs_; }
+  void getBroadphaseAabb(btVector3& aabb_min, btVector3& aabb_max) const override;
+  void printStats() override {}
+
+ private:
+  PairFilter filter_;
+  btHashedOverlappingPairCache pairs_;
+  std::vector<std::unique_ptr<btBroadphaseProxy>> proxies_;
+  std::vector<btBroadphaseProxy*> sorted_;  ///< along x; kept to reuse its memory
+};
+
+}  // namespace smile::physics

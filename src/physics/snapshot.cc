@@ -1,0 +1,216 @@
+#include "physics/snapshot.h"
+
+#include <array>
+#include <stdexcept>
+#include <string>
+
+#include "base/bytes.h"
+
+namespace smile::physics {
+namespace {
+
+constexpr std::array kMagic = {'S', 'M', 'I', 'L', 'E', 'S', 'N', 'P'};
+constexpr std::uint32_t kVersion = 1;
+/// More of anything than this is not one of ours.
+constexpr std::uint32_t kMaxCount = 1'000'000;
+
+// Each type is written and read by one list of its fields: Walk(archive, value). A Writer puts
+// them, a Reader gets them, so the two cannot drift apart.
+
+struct Writer {
+  ByteWriter bytes;
+  template <class T>
+  requires std::is_arithmetic_v<T> || std::is_enum_v<T>
+  void operator()(const T& value) { bytes.Put(value); }
+  void operator()(const std::string& text) { bytes.PutString(text); }
+  std::uint32_t Count(std::size_t count) {
+    bytes.Put(static_cast<std::uint32_t>(count));
+    return static_cast<std::uint32_t>(count);
+  }
+};
+
+struct Reader {
+  ByteReader bytes;
+  template <class T>
+  requires std::is_arithmetic_v<T> || std::is_enum_v<T>
+  void operator()(T& value) { value = bytes.Get<T>(); }
+  void operator()(std::string& text) { text = bytes.GetString(); }
+  std::uint32_t Count(std::size_t) {
+    const auto count = bytes.Get<std::uint32_t>();
+    if (!bytes.ok() || count > kMaxCount) throw std::runtime_error("snapshot: it is cut short");
+    return count;
+  }
+};
+
+template <class Archive, class Derived>
+void WalkMatrix(Archive& archive, Derived& matrix) {
+  for (int i = 0; i < matrix.size(); ++i) archive(matrix.data()[i]);
+}
+
+template <class Archive>
+void Walk(Archive& archive, RigidTransform& X) {
+  Matrix3 R = X.rotation();
+  Vector3 p = X.translation();
+  WalkMatrix(archive, R);
+  WalkMatrix(archive, p);
+  X = RigidTransform(R, p);
+}
+
+template <class Archive, class T>
+void WalkEach(Archive& archive, std::vector<T>& values) {
+  const std::uint32_t count = archive.Count(values.size());
+  values.resize(count);
+  for (T& value : values) {
+    if constexpr (std::is_arithmetic_v<T>) {
+      archive(value);
+    } else {
+      Walk(archive, value);
+    }
+  }
+}
+
+template <class Archive>
+void Walk(Archive& archive, scene::Block& block) {
+  WalkMatrix(archive, block.size);
+}
+template <class Archive>
+void Walk(Archive& archive, scene::Cylinder& cylinder) {
+  archive(cylinder.radius);
+  archive(cylinder.length);
+  archive(cylinder.sides);
+}
+template <class Archive>
+void Walk(Archive& archive, scene::Sphere& sphere) {
+  archive(sphere.radius);
+}
+
+template <class Archive>
+void Walk(Archive& archive, scene::Solid& solid) {
+  auto kind = static_cast<std::uint8_t>(solid.shape.index());
+  archive(kind);
+  if (kind != solid.shape.index()) {  // reading
+    switch (kind) {
+      case 1:
+        solid.shape = scene::Cylinder();
+        break;
+      case 2:
+        solid.shape = scene::Sphere();
+        break;
+      default:
+        throw std::runtime_error("snapshot: it has an unknown shape");
+    }
+  }
+  std::visit([&archive](auto& shape) { Walk(archive, shape); }, solid.shape);
+  Walk(archive, solid.X_BS);
+  archive(solid.color.red);
+  archive(solid.color.green);
+  archive(solid.color.blue);
+  archive(solid.part_id);
+}
+
+template <class Archive>
+void Walk(Archive& archive, BodySpec& spec) {
+  WalkEach(archive, spec.solids);
+  archive(spec.mass.mass);
+  WalkMatrix(archive, spec.mass.inertia);
+  Walk(archive, spec.X_WB);
+  archive(spec.friction);
+  archive(spec.restitution);
+}
+
+template <class Archive>
+void Walk(Archive& archive, LinkSpec& link) {
+  archive(link.name);
+  archive(link.joint_name);
+  archive(link.parent);
+  archive(link.joint_type);
+  Walk(archive, link.X_PJ);
+  WalkMatrix(archive, link.axis);
+  for (double* number :
+       {&link.lower, &link.upper, &link.max_velocity, &link.max_effort, &link.mass}) {
+    archive(*number);
+  }
+  WalkMatrix(archive, link.p_LLcm);
+  WalkMatrix(archive, link.inertia);
+  WalkEach(archive, link.solids);
+}
+
+template <class Archive>
+void Walk(Archive& archive, std::pair<int, int>& pair) {
+  archive(pair.first);
+  archive(pair.second);
+}
+
+template <class Archive>
+void Walk(Archive& archive, ArticulationSpec& spec) {
+  Walk(archive, spec.X_WBase);
+  WalkEach(archive, spec.base_solids);
+  WalkEach(archive, spec.links);
+  WalkEach(archive, spec.never_collide);
+}
+
+template <class Archive>
+void Walk(Archive& archive, Joint& joint) {
+  archive(joint.id.value);
+  archive(joint.spec.articulation.value);
+  archive(joint.spec.link);
+  archive(joint.spec.body.value);
+  Walk(archive, joint.spec.X_LB);
+  WalkEach(archive, joint.spec.links_not_colliding);
+}
+
+/// An id and the spec it shares with the world it came from.
+template <class Archive, class Entry>
+void WalkEntries(Archive& archive, std::vector<Entry>& entries) {
+  const std::uint32_t count = archive.Count(entries.size());
+  entries.resize(count);
+  for (Entry& entry : entries) {
+    using Spec = std::remove_const_t<typename decltype(entry.spec)::element_type>;
+    auto spec = entry.spec ? std::make_shared<Spec>(*entry.spec) : std::make_shared<Spec>();
+    archive(entry.id.value);
+    Walk(archive, *spec);
+    entry.spec = std::move(spec);
+  }
+}
+
+template <class Archive>
+void Walk(Archive& archive, Snapshot& snapshot) {
+  archive(snapshot.next_id);
+  archive(snapshot.next_joint_id);
+  WalkEntries(archive, snapshot.bodies);
+  WalkEntries(archive, snapshot.articulations);
+  WalkEach(archive, snapshot.joints);
+}
+
+}  // namespace
+
+std::vector<std::byte> Serialize(const Snapshot& snapshot) {
+  Writer writer;
+  for (char letter : kMagic) writer(letter);
+  writer(kVersion);
+  Snapshot copy = snapshot;
+  Walk(writer, copy);
+  writer.bytes.Put(static_cast<std::uint64_t>(snapshot.state.size()));
+  writer.bytes.PutBytes(snapshot.state);
+  return writer.bytes.Take();
+}
+
+Snapshot ParseSnapshot(std::span<const std::byte> bytes) {
+  Reader reader{ByteReader(bytes)};
+  for (char letter : kMagic) {
+    if (reader.bytes.Get<char>() != letter) throw std::runtime_error("snapshot: this is not one");
+  }
+  const auto version = reader.bytes.Get<std::uint32_t>();
+  if (version != kVersion) {
+    throw std::runtime_error("snapshot: its format is version " + std::to_string(version) +
+                             ", expected " + std::to_string(kVersion));
+  }
+  Snapshot snapshot;
+  Walk(reader, snapshot);
+  const auto state = reader.bytes.GetBytes(reader.bytes.Get<std::uint64_t>());
+  if (!reader.bytes.ok()) throw std::runtime_error("snapshot: it is cut short");
+  snapshot.state.assign(state.begin(), state.end());
+  return snapshot;
+}
+
+}  // namespace smile::physics

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "physics/articulation.h"
+#include "physics/body.h"
+#include "physics/joint.h"
+
+namespace smile::physics {
+
+/// Everything a World needs to go on exactly as it would have: restored into the same world, a
+/// fresh one, or one in another process, the next steps give the same bits.
+///
+/// `state` holds numbers field by field (no padding): per body and link the poses, velocities,
+/// sleep state and bounds; per articulation q, v, references and targets; all contact points with
+/// the impulses they start from. What bodies *are* is kept by reference to their unchanging specs.
+struct Snapshot {
+  struct BodyEntry {
+    BodyId id;
+    std::shared_ptr<const BodySpec> spec;
+  };
+  struct ArticulationEntry {
+    ArticulationId id;
+    std::shared_ptr<const ArticulationSpec> spec;
+  };
+
+  std::uint32_t next_id = 1;
+  std::uint32_t next_joint_id = 1;
+  std::vector<BodyEntry> bodies;
+  std::vector<ArticulationEntry> articulations;
+  std::vector<Joint> joints;
+  std::vector<std::byte> state;
+};
+
+/// A self-contained byte string, for a file or another process of the same build.
+std::vector<std::byte> Serialize(const Snapshot& snapshot);
+
+/// @throws std::runtime_error if the bytes are not a whole snapshot of this format version.
+Snapshot ParseSnapshot(std::span<const std::byte> bytes);
+
+}  // namespace smile::physics

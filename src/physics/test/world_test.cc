@@ -1,0 +1,85 @@
+#include "physics/world.h"
+
+#include <gtest/gtest.h>
+
+#include "physics_fixture.h"
+
+namespace smile::physics {
+namespace {
+
+class WorldTest : public PhysicsFixture {};
+
+TEST_F(WorldTest, ATenHighStackStandsForAMinute) {
+  constexpr double kMaxDrift = 0.0001;  // [m]
+  AddTable();
+  const std::vector<BodyId> stack = AddStack({0, 0, 0}, 10);
+  StepSeconds(1);
+  const std::vector<RigidTransform> settled = PosesOf(stack);
+  StepSeconds(59);
+  for (std::size_t i = 0; i < stack.size(); ++i) {
+    EXPECT_LT((PosesOf(stack)[i].translation() - settled[i].translation()).norm(), kMaxDrift) << i;
+  }
+  EXPECT_NEAR(settled.back().translation().z(), 0.95, 0.001);
+}
+
+TEST_F(WorldTest, AStackFallsAsleepAndStaysExactlyWhereItIs) {
+  AddTable();
+  const std::vector<BodyId> stack = AddStack({0, 0, 0}, 3);
+  StepSeconds(4);
+  EXPECT_TRUE(world_.is_at_rest());
+  const std::uint64_t asleep = world_.state_hash();
+  StepSeconds(1);
+  EXPECT_EQ(world_.state_hash(), asleep);
+}
+
+TEST_F(WorldTest, ABlockFallsLikeAStone) {
+  const BodyId block = AddCube({0, 0, 10}, 0.1);
+  StepSeconds(1);
+  // 0.2 of the velocity is lost per second, hence a little less than g/2.
+  EXPECT_NEAR(10 - world_.body(block).pose_in_world().translation().z(), 9.81 / 2, 0.35);
+}
+
+TEST_F(WorldTest, WhatLeanedOnARemovedBodyWakesUp) {
+  AddTable();
+  const std::vector<BodyId> stack = AddStack({0, 0, 0}, 3);
+  StepSeconds(4);
+  world_.RemoveBody(stack[0]);
+  StepSeconds(2);
+  EXPECT_NEAR(world_.body(stack[1]).pose_in_world().translation().z(), 0.05, 0.001);
+}
+
+TEST_F(WorldTest, ACompositeTurnsAboutItsOriginNotItsShape) {
+  // The only piece lies off the origin: thrown, the origin flies straight and the piece circles it.
+  const std::vector<scene::Solid> solids = {
+      {scene::Block{}, RigidTransform(Vector3(0.3, 0.1, 0)), Color{}, ""}};
+  const BodyId id =
+      world_.AddBody({.solids = solids, .mass = scene::MassPropertiesOf(solids, 1.0)});
+  world_.body(id).SetCarried(true);  // weightless
+  world_.body(id).SetVelocity(Vector3(0, 0, 0), Vector3(0, 0, 3));
+  StepSeconds(0.5);
+  EXPECT_LT(world_.body(id).pose_in_world().translation().norm(), 1e-9);
+  EXPECT_GT(world_.body(id).pose_in_world().rotation()(1, 0), 0.9);
+}
+
+TEST_F(WorldTest, SameInputsGiveTheSameBits) {
+  const auto run = [] {
+    PhysicsWorldBuilder builder;
+    builder.AddTable();
+    builder.AddRobot();
+    builder.AddPile(12, /*seed=*/7);
+    builder.StepSeconds(2);
+    return builder.world_.state_hash();
+  };
+  EXPECT_EQ(run(), run());
+}
+
+TEST_F(WorldTest, RefusesWhatIsNotABody) {
+  EXPECT_THROW(world_.AddBody({}), std::invalid_argument);
+  BodySpec bad = CubeSpec({0, 0, 0}, 0.1);
+  bad.mass.mass = -1;
+  EXPECT_THROW(world_.AddBody(bad), std::invalid_argument);
+  EXPECT_THROW(world_.body(BodyId{99}), std::logic_error);
+}
+
+}  // namespace
+}  // namespace smile::physics

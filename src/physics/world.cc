@@ -1,0 +1,284 @@
+#include "physics/world.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "base/state_hash.h"
+#include "physics/internal_articulation_links.h"
+#include "physics/internal_engine.h"
+
+namespace smile::physics {
+namespace {
+
+/// Farther apart than this, two things do not touch [m].
+constexpr double kTouching = 1e-4;
+/// Force and torque a weld may use against what the held body runs into [N s per second of step].
+constexpr double kWeldEffort = 2000.0;
+
+template <class Things, class Id>
+auto FindById(Things& things, Id id) {
+  const auto found = std::lower_bound(things.begin(), things.end(), id,
+                                      [](const auto& thing, Id key) { return thing->id() < key; });
+  return found != things.end() && (*found)->id() == id ? found : things.end();
+}
+
+template <class Things, class Thing>
+void InsertSorted(Things& things, std::unique_ptr<Thing> thing) {
+  const auto place = std::lower_bound(things.begin(), things.end(), thing->id(),
+                                      [](const auto& other, auto id) { return other->id() < id; });
+  things.insert(place, std::move(thing));
+}
+
+void CheckFinite(const RigidTransform& X) {
+  if (!X.rotation().allFinite() || !X.translation().allFinite()) {
+    throw std::invalid_argument("body: its pose is not finite");
+  }
+}
+
+}  // namespace
+
+World::World(const WorldConfig& config)
+    : config_(config), engine_(std::make_unique<Engine>(config)) {}
+
+World::~World() {
+  while (!joints_.empty()) RemoveJoint(joints_.back().id);
+  while (!bodies_.empty()) Erase(*bodies_.back());
+  for (const auto& articulation : articulations_) {
+    for (const auto& link : articulation->links_->links) {
+      engine_->world.removeMultiBodyConstraint(link.motor.get());
+      engine_->world.removeMultiBodyConstraint(link.limits.get());
+      if (link.collider) engine_->world.removeCollisionObject(link.collider.get());
+    }
+    if (auto* base = articulation->links_->collider(-1)) engine_->world.removeCollisionObject(base);
+    engine_->world.removeMultiBody(articulation->bullet_.get());
+  }
+}
+
+BodyId World::AddBody(const BodySpec& spec) {
+  CheckFinite(spec.X_WB);
+  if (spec.solids.empty()) throw std::invalid_argument("body: it has no solid");
+  if (!(spec.mass.mass >= 0) || !spec.mass.inertia.allFinite()) {
+    throw std::invalid_argument("body: mass is " + std::to_string(spec.mass.mass) +
+                                " kg, expected at least 0");
+  }
+  const BodyId id{next_id_++};
+  Insert(std::unique_ptr<Body>(new Body(id, std::make_shared<const BodySpec>(spec))));
+  return id;
+}
+
+void World::Insert(std::unique_ptr<Body> body) {
+  btRigidBody* bullet = body->bullet_.get();
+  bullet->setSleepingThresholds(config_.sleep_linear_speed, config_.sleep_angular_speed);
+  bullet->setDamping(config_.damping, config_.damping);
+  engine_->world.addRigidBody(bullet);
+  engine_->world.SortObjects();
+  InsertSorted(bodies_, std::move(body));
+}
+
+void World::RemoveBody(BodyId id) {
+  Body& gone = body(id);
+  std::vector<JointId> ended;
+  for (const Joint& joint : joints_) {
+    if (joint.spec.body == id) ended.push_back(joint.id);
+  }
+  for (JointId joint : ended) RemoveJoint(joint);
+  // What leaned on it must notice.
+  for (int i = 0; i < engine_->dispatcher.getNumManifolds(); ++i) {
+    const auto* manifold = engine_->dispatcher.getManifoldByIndexInternal(i);
+    if (manifold->getNumContacts() == 0) continue;
+    const auto* a = manifold->getBody0();
+    const auto* b = manifold->getBody1();
+    if (a != gone.bullet_.get() && b != gone.bullet_.get()) continue;
+    const int other = OrderOf(a == gone.bullet_.get() ? b : a);
+    const auto neighbour = FindById(bodies_, BodyId{static_cast<std::uint32_t>(other)});
+    if (neighbour != bodies_.end()) (*neighbour)->WakeUp();
+  }
+  Erase(gone);
+}
+
+void World::Erase(Body& gone) {
+  engine_->world.removeRigidBody(gone.bullet_.get());
+  engine_->world.SortObjects();
+  bodies_.erase(FindById(bodies_, gone.id()));
+}
+
+ArticulationId World::AddArticulation(const ArticulationSpec& spec) {
+  const ArticulationId id{next_id_};
+  next_id_ += 1 + static_cast<std::uint32_t>(spec.links.size());
+  Insert(std::unique_ptr<Articulation>(
+      new Articulation(id, std::make_shared<const ArticulationSpec>(spec), config_.motor)));
+  return id;
+}
+
+void World::Insert(std::unique_ptr<Articulation> articulation) {
+  ExactWorld& world = engine_->world;
+  const Articulation::Links& links = *articulation->links_;
+  const int base_order = static_cast<int>(articulation->id().value);
+  for (const auto& [a, b] : articulation->spec().never_collide) {
+    engine_->broadphase.filter().Exclude(base_order + 1 + a, base_order + 1 + b);
+  }
+  world.addMultiBody(articulation->bullet_.get());
+  if (auto* base = links.collider(-1)) world.addCollisionObject(base);
+  for (const auto& link : links.links) {
+    if (link.collider) world.addCollisionObject(link.collider.get());
+    world.addMultiBodyConstraint(link.motor.get());
+    world.addMultiBodyConstraint(link.limits.get());
+  }
+  world.SortObjects();
+  InsertSorted(articulations_, std::move(articulation));
+}
+
+JointId World::AddWeld(const WeldSpec& spec) {
+  const Articulation& holder = articulation(spec.articulation);
+  holder.CheckJoint(spec.link);
+  body(spec.body).SetCarried(true);
+  const Joint joint{JointId{next_joint_id_++}, spec};
+  AddBulletWeld(joint);
+  joints_.push_back(joint);
+  return joint.id;
+}
+
+void World::AddBulletWeld(const Joint& joint) {
+  const WeldSpec& spec = joint.spec;
+  const Articulation& holder = articulation(spec.articulation);
+  const Body& held = body(spec.body);
+  for (int link : spec.links_not_colliding) {
+    engine_->broadphase.filter().Exclude(static_cast<int>(holder.id().value) + 1 + link,
+                                         static_cast<int>(held.id().value));
+    auto* collider = holder.links_->collider(link);
+    if (collider == nullptr) continue;
+    engine_->broadphase.getOverlappingPairCache()->removeOverlappingPair(
+        collider->getBroadphaseHandle(), held.bullet_->getBroadphaseHandle(), &engine_->dispatcher);
+  }
+  const RigidTransform X_LcmBcm =
+      holder.links_->links[spec.link].X_LLcm.inverse() * spec.X_LB * held.X_BcmB_.inverse();
+  auto weld = std::make_unique<btMultiBodyFixedConstraint>(
+      holder.bullet_.get(), spec.link, held.bullet_.get(), ToBullet(X_LcmBcm.translation()),
+      btVector3(0, 0, 0), ToBullet(X_LcmBcm.rotation()), btMatrix3x3::getIdentity());
+  weld->setMaxAppliedImpulse(kWeldEffort * config_.step_seconds);
+  engine_->world.addMultiBodyConstraint(weld.get());
+  engine_->welds[joint.id] = std::move(weld);
+}
+
+void World::RemoveJoint(JointId id) {
+  const auto joint = std::find_if(joints_.begin(), joints_.end(),
+                                  [id](const Joint& other) { return other.id == id; });
+  if (joint == joints_.end()) {
+    throw std::logic_error("joint " + std::to_string(id.value) + " does not exist");
+  }
+  for (int link : joint->spec.links_not_colliding) {
+    engine_->broadphase.filter().Include(
+        static_cast<int>(joint->spec.articulation.value) + 1 + link,
+        static_cast<int>(joint->spec.body.value));
+  }
+  engine_->world.RemoveConstraintInOrder(engine_->welds.at(id).get());
+  engine_->welds.erase(id);
+  body(joint->spec.body).SetCarried(false);
+  joints_.erase(joint);
+}
+
+bool World::Has(BodyId id) const { return FindById(bodies_, id) != bodies_.end(); }
+
+Body& World::body(BodyId id) { return const_cast<Body&>(std::as_const(*this).body(id)); }
+
+const Body& World::body(BodyId id) const {
+  const auto found = FindById(bodies_, id);
+  if (found == bodies_.end()) {
+    throw std::logic_error("body " + std::to_string(id.value) + " does not exist");
+  }
+  return **found;
+}
+
+Articulation& World::articulation(ArticulationId id) {
+  return const_cast<Articulation&>(std::as_const(*this).articulation(id));
+}
+
+const Articulation& World::articulation(ArticulationId id) const {
+  const auto found = FindById(articulations_, id);
+  if (found == articulations_.end()) {
+    throw std::logic_error("articulation " + std::to_string(id.value) + " does not exist");
+  }
+  return **found;
+}
+
+const std::vector<Joint>& World::joints() const { return joints_; }
+
+std::vector<Contact> World::ContactsWith(ArticulationId id, int link) const {
+  const btCollisionObject* collider = articulation(id).links_->collider(link);
+  engine_->world.SortManifolds();
+  std::vector<Contact> contacts;
+  for (int i = 0; i < engine_->dispatcher.getNumManifolds(); ++i) {
+    const auto* manifold = engine_->dispatcher.getManifoldByIndexInternal(i);
+    const bool link_is_a = manifold->getBody0() == collider;
+    if (!link_is_a && manifold->getBody1() != collider) continue;
+    const auto* other = link_is_a ? manifold->getBody1() : manifold->getBody0();
+    const BodyId body_id{static_cast<std::uint32_t>(OrderOf(other))};
+    if (!Has(body_id)) continue;
+    for (int k = 0; k < manifold->getNumContacts(); ++k) {
+      const btManifoldPoint& point = manifold->getContactPoint(k);
+      if (point.getDistance() > kTouching) continue;
+      contacts.push_back(
+          {.body = body_id,
+           .p_WQ = FromBullet(link_is_a ? point.m_positionWorldOnA : point.m_positionWorldOnB),
+           .normal_in_world = FromBullet(point.m_normalWorldOnB) * (link_is_a ? 1.0 : -1.0),
+           .distance = point.getDistance()});
+    }
+  }
+  std::stable_sort(contacts.begin(), contacts.end(),
+                   [](const Contact& a, const Contact& b) { return a.body < b.body; });
+  return contacts;
+}
+
+bool World::is_at_rest() const {
+  return std::none_of(bodies_.begin(), bodies_.end(),
+                      [](const auto& b) { return b->is_awake(); }) &&
+         std::all_of(articulations_.begin(), articulations_.end(),
+                     [](const auto& a) { return a->is_at_rest(); });
+}
+
+void World::Step() {
+  if (is_at_rest()) return;
+  for (const auto& body : bodies_) {
+    if (body->is_static()) continue;
+    const double gravity = body->is_carried() ? 0.0 : -config_.gravity;
+    body->bullet_->setGravity(btVector3(0, 0, gravity));
+  }
+  for (const auto& articulation : articulations_) {
+    articulation->DriveMotors(config_.step_seconds, config_.gravity);
+  }
+  engine_->world.stepSimulation(config_.step_seconds, /*maxSubSteps=*/0);
+}
+
+std::uint64_t World::state_hash() const {
+  StateHash hash;
+  const auto add_vector = [&hash](const btVector3& v) {
+    for (int i = 0; i < 3; ++i) hash.Add(static_cast<double>(v[i]));
+  };
+  for (const auto& body : bodies_) {
+    const btRigidBody& bullet = *body->bullet_;
+    hash.Add(std::uint64_t{body->id().value});
+    for (int row = 0; row < 3; ++row) add_vector(bullet.getWorldTransform().getBasis()[row]);
+    add_vector(bullet.getWorldTransform().getOrigin());
+    add_vector(bullet.getLinearVelocity());
+    add_vector(bullet.getAngularVelocity());
+    hash.Add(static_cast<std::uint64_t>(bullet.getActivationState()));
+    hash.Add(static_cast<double>(bullet.getDeactivationTime()));
+  }
+  for (const auto& articulation : articulations_) {
+    hash.Add(std::uint64_t{articulation->id().value});
+    hash.Add(articulation->positions());
+    hash.Add(articulation->velocities());
+    hash.Add(articulation->velocity_targets_);
+    hash.Add(articulation->position_references_);
+  }
+  for (const Joint& joint : joints_) {
+    hash.Add(std::uint64_t{joint.id.value});
+    hash.Add(std::uint64_t{joint.spec.body.value});
+  }
+  return hash.value();
+}
+
+}  // namespace smile::physics

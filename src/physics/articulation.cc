@@ -132,6 +132,12 @@ void Articulation::SetVelocityTarget(int joint, double velocity) {
   velocity_targets_[joint] = std::clamp(velocity, -link.max_velocity, link.max_velocity);
 }
 
+void Articulation::HoldStill(int joint) {
+  CheckJoint(joint);
+  velocity_targets_[joint] = 0;
+  position_references_[joint] = bullet_->getJointPos(joint);
+}
+
 void Articulation::SetPositions(std::span<const double> positions) {
   if (static_cast<int>(positions.size()) != num_joints()) {
     throw std::invalid_argument("joint count is " + std::to_string(positions.size()) +
@@ -170,9 +176,11 @@ void Articulation::DriveMotors(double step_seconds, double gravity) {
   for (int i = 0; i < num_joints(); ++i) {
     const LinkSpec& link = spec_->links[i];
     const double q = bullet_->getJointPos(i);
+    const double max_lead =
+        link.joint_type == JointType::kRevolute ? config_.max_lead_angle : config_.max_lead_length;
     const double wanted = position_references_[i] + velocity_targets_[i] * step_seconds;
-    const double reference = std::clamp(
-        std::clamp(wanted, q - config_.max_lead, q + config_.max_lead), link.lower, link.upper);
+    const double reference =
+        std::clamp(std::clamp(wanted, q - max_lead, q + max_lead), link.lower, link.upper);
     // At a limit or when blocked the reference stands still, and so does the commanded speed.
     const double speed = reference == wanted ? velocity_targets_[i]
                                              : (reference - position_references_[i]) / step_seconds;

@@ -15,9 +15,10 @@ namespace smile::physics {
 struct MotorConfig {
   /// Share of the position error that is taken back in every physics step.
   double position_gain = 0.1;
-  /// The reference never runs farther ahead of the joint than this [rad or m]: a blocked arm stays
-  /// gentle and resumes without a jump.
-  double max_lead = 0.05;
+  /// The reference never runs farther ahead of the joint than this: a blocked arm stays gentle and
+  /// resumes without a jump.
+  double max_lead_angle = 0.05;    ///< of a turning joint [rad]
+  double max_lead_length = 0.002;  ///< of a sliding one [m]
   /// Motors may use this multiple of the listed effort: velocity commands arrive without
   /// acceleration limits, which the real controller would smooth.
   double effort_scale = 4.0;
@@ -46,6 +47,8 @@ class Articulation {
   /// velocity limit; at a position limit the joint stops.
   /// @throws std::invalid_argument if there is no such joint or the velocity is not finite.
   void SetVelocityTarget(int joint, double velocity);
+  /// Stops a joint where it is now, forgetting how far its reference had run ahead.
+  void HoldStill(int joint);
   /// Puts the joints there at once, at rest; angles are clamped to their limits.
   /// @throws std::invalid_argument if the count is wrong or a value is not finite.
   void SetPositions(std::span<const double> positions);

@@ -58,6 +58,13 @@ void Body::SetCarried(bool is_carried) {
   WakeUp();
 }
 
+void Body::SetPose(const RigidTransform& X_WB) {
+  const btTransform X_WBcm = ToBullet(X_WB * X_BcmB_.inverse());
+  bullet_->setWorldTransform(X_WBcm);
+  bullet_->setInterpolationWorldTransform(X_WBcm);
+  SetVelocity(Vector3::Zero(), Vector3::Zero());
+}
+
 void Body::SetVelocity(const Vector3& linear, const Vector3& angular) {
   WakeUp();
   bullet_->setLinearVelocity(ToBullet(linear));

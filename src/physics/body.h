@@ -43,6 +43,8 @@ class Body {
   /// Starts or ends being carried; both wake it and what it touches, both keep its velocity.
   /// @throws std::logic_error if the body is static.
   void SetCarried(bool is_carried);
+  /// Puts the body there at once, at rest, and wakes it.
+  void SetPose(const RigidTransform& X_WB);
   /// Sets v_WB [m/s] and w_WB [rad/s] and wakes the body.
   void SetVelocity(const Vector3& linear, const Vector3& angular);
   void WakeUp();

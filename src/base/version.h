@@ -1,0 +1,10 @@
+#pragma once
+
+#include <string>
+
+namespace smile {
+
+/// `smile 0.1.0`.
+std::string ProgramName();
+
+}  // namespace smile

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "math/camera_projection.h"
+#include "scene/scene_spec.h"
+#include "sim/simulation.h"
+
+namespace smile::record {
+
+inline constexpr int kFormatVersion = 1;
+/// The robot a recording was made with, copied into it, with its side file beside it.
+inline constexpr const char* kRobotFile = "robot.urdf";
+
+struct RobotInfo {
+  std::string name;
+  double gap = 0, height = 0;  ///< where it stands, see sim::RobotPlacement [m]
+
+  bool operator==(const RobotInfo&) const = default;
+};
+
+/// `demo.json`: what a recording is.
+struct DemoInfo {
+  int format = kFormatVersion;
+  std::string program;  ///< that made it; empty = this one
+  std::string scene;    ///< name
+  std::string title, notes;
+  double meters_per_unit = scene::kMetersPerUnit;
+  double frames_per_second = 4;    ///< of the classic view
+  std::optional<RobotInfo> robot;  ///< nullopt for a table without one
+  std::optional<CameraView> eye;   ///< of the pictures; nullopt for text only
+
+  bool operator==(const DemoInfo&) const = default;
+};
+
+std::string ToJsonText(const DemoInfo& info);
+
+struct LoggedCommand {
+  std::uint64_t tick = 0;
+  sim::Command command;
+};
+
+/// A recording, opened. It stands for itself: the scene file it was made from is not needed.
+struct Recording {
+  std::filesystem::path directory;
+  DemoInfo info;
+  scene::SceneSpec scene;
+  std::optional<sim::RobotPlacement> robot;
+  std::vector<LoggedCommand> commands;  ///< in order
+  /// What had to be left out, in words: a last line or tick cut by whatever ended the program.
+  std::vector<std::string> cuts;
+};
+
+/// True when the directory looks like a recording.
+bool IsRecording(const std::filesystem::path& directory);
+
+/// @throws InputError with all findings, each with file and line.
+Recording OpenRecording(const std::filesystem::path& directory);
+
+}  // namespace smile::record

@@ -1,0 +1,99 @@
+#include "record/replay.h"
+
+#include <cstdio>
+
+#include "base/diagnostic.h"
+
+#include "math/angles.h"
+#include "scene/units.h"
+
+namespace smile::record {
+namespace {
+
+std::string Written(double number) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.17g", number);
+  return text;
+}
+std::string Written(const Vector3& v) {
+  return "(" + Written(v.x()) + ", " + Written(v.y()) + ", " + Written(v.z()) + ")";
+}
+std::string WrittenHash(std::uint64_t hash) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
+  return text;
+}
+
+/// What differs first: an object, a joint, else something that cannot be seen (yet).
+Difference Compare(const TraceTick& recorded, const TraceTick& replayed,
+                   const sim::Simulation& simulation) {
+  const double unit = simulation.scene().meters_per_unit;
+  for (std::size_t i = 0; i < replayed.objects.size(); ++i) {
+    const TracePose& a = recorded.objects[i];
+    const TracePose& b = replayed.objects[i];
+    const std::string& id = simulation.tabletop().objects()[i].id();
+    if (a.position != b.position) {
+      return {recorded.tick, id, "position", Written(scene::ToFileUnits(a.position, unit)),
+              Written(scene::ToFileUnits(b.position, unit))};
+    }
+    if (a.rotation != b.rotation) {
+      return {recorded.tick, id, "rotation", Written(FixedAxesAngles(a.pose_in_world().rotation())),
+              Written(FixedAxesAngles(b.pose_in_world().rotation()))};
+    }
+  }
+  for (std::size_t i = 0; i < replayed.joints.size(); ++i) {
+    if (recorded.joints[i] == replayed.joints[i]) continue;
+    return {recorded.tick, simulation.robot()->model().links[i].joint_name, "angle",
+            Written(recorded.joints[i]), Written(replayed.joints[i])};
+  }
+  return {recorded.tick, "simulation", "state_hash", WrittenHash(recorded.hash),
+          WrittenHash(replayed.hash)};
+}
+
+void CheckNames(const TraceReader& trace, const sim::Simulation& simulation,
+                const std::filesystem::path& path) {
+  const auto& objects = simulation.tabletop().objects();
+  bool fits = trace.object_names().size() == objects.size();
+  for (std::size_t i = 0; fits && i < objects.size(); ++i) {
+    fits = trace.object_names()[i] == objects[i].id();
+  }
+  const std::size_t joints = simulation.robot() ? simulation.robot()->model().links.size() : 0;
+  if (!fits || trace.joint_names().size() != joints) {
+    throw InputError({path.string(), 0, "", "is of another scene or robot than scene.xml"});
+  }
+}
+
+}  // namespace
+
+ReplayReport Replay(const Recording& recording, const Progress& progress) {
+  const std::filesystem::path trace_path = recording.directory / "trace.bin";
+  TraceReader trace(trace_path);
+  sim::Simulation simulation(recording.scene, recording.robot);
+  CheckNames(trace, simulation, trace_path);
+
+  ReplayReport report;
+  std::size_t next = 0;
+  while (const std::optional<TraceTick> recorded = trace.Next()) {
+    // The first record is the start, before any tick.
+    if (recorded->tick > 0) simulation.Tick();
+    const TraceTick replayed = Observe(simulation);
+    report.ticks = recorded->tick;
+    report.hash = replayed.hash;
+    if (replayed.tick != recorded->tick || replayed.hash != recorded->hash) {
+      report.first_difference = Compare(*recorded, replayed, simulation);
+      return report;
+    }
+    for (; next < recording.commands.size() && recording.commands[next].tick == recorded->tick;
+         ++next) {
+      if (auto refusal = simulation.Apply(recording.commands[next].command)) {
+        report.first_difference =
+            Difference{recorded->tick, "simulation", "command", "carried out", *refusal};
+        return report;
+      }
+    }
+    if (progress) progress(recorded->tick);
+  }
+  return report;
+}
+
+}  // namespace smile::record

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "record/recording.h"
+#include "record/trace.h"
+
+namespace smile::record {
+
+/// Where a replay first departs from its recording.
+struct Difference {
+  std::uint64_t tick = 0;
+  std::string object;              ///< id, a joint's name, or `simulation`
+  std::string quantity;            ///< `position`, `rotation`, `angle`, `state_hash`, `command`
+  std::string recorded, replayed;  ///< lengths in units, angles in degrees, joints in radians
+};
+
+struct ReplayReport {
+  std::uint64_t ticks = 0;  ///< compared
+  std::optional<Difference> first_difference;
+  std::uint64_t hash = 0;  ///< of the last tick replayed
+};
+
+/// Told how far the replay is: ticks done.
+using Progress = std::function<void(std::uint64_t)>;
+
+/// Runs a recording again, command by command, and compares every tick's state hash.
+/// @throws InputError if the recording's trace cannot be read.
+ReplayReport Replay(const Recording& recording, const Progress& progress = {});
+
+}  // namespace smile::record

@@ -1,0 +1,136 @@
+#include "record/trace.h"
+
+#include <array>
+
+#include "base/diagnostic.h"
+#include "base/files.h"
+
+namespace smile::record {
+namespace {
+
+constexpr std::array kMagic = {'S', 'M', 'I', 'L', 'E', 'T', 'R', 'C'};
+constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kMaxNames = 1'000'000;
+constexpr std::size_t kMaxBytes = std::size_t{4} << 30;
+
+// What a record says besides tick, hash and moved objects.
+constexpr std::uint8_t kJointsChanged = 1;
+constexpr std::uint8_t kRobotHidden = 2;
+
+void PutNames(const std::vector<std::string>& names, ByteWriter* out) {
+  out->Put(static_cast<std::uint32_t>(names.size()));
+  for (const std::string& name : names) out->PutString(name);
+}
+
+std::vector<std::string> GetNames(ByteReader* in) {
+  std::vector<std::string> names;
+  const auto count = in->Get<std::uint32_t>();
+  for (std::uint32_t i = 0; i < count && count <= kMaxNames && in->ok(); ++i) {
+    names.push_back(in->GetString());
+  }
+  return names;
+}
+
+}  // namespace
+
+TraceTick Observe(const sim::Simulation& simulation) {
+  TraceTick now{.tick = simulation.tick(),
+                .hash = simulation.state_hash(),
+                .is_robot_shown = simulation.is_robot_shown()};
+  for (const world::Object& object : simulation.tabletop().objects()) {
+    const RigidTransform X_WB = simulation.physics().body(object.body).pose_in_world();
+    const Quaternion q = X_WB.quaternion();
+    now.objects.push_back({X_WB.translation(), {q.w(), q.x(), q.y(), q.z()}});
+  }
+  if (simulation.robot() != nullptr) now.joints = simulation.robot()->positions();
+  return now;
+}
+
+TraceWriter::TraceWriter(const std::filesystem::path& path, const sim::Simulation& simulation)
+    : file_(path) {
+  ByteWriter out;
+  for (char letter : kMagic) out.Put(letter);
+  out.Put(kVersion);
+  std::vector<std::string> names;
+  for (const world::Object& object : simulation.tabletop().objects()) names.push_back(object.id());
+  PutNames(names, &out);
+  names.clear();
+  if (simulation.robot() != nullptr) {
+    for (const auto& link : simulation.robot()->model().links) names.push_back(link.joint_name);
+  }
+  PutNames(names, &out);
+  file_.Append(out.bytes());
+}
+
+void TraceWriter::Add(const TraceTick& tick) {
+  ByteWriter record;
+  record.Put(tick.tick);
+  record.Put(tick.hash);
+  const bool joints_changed = !last_ || tick.joints != last_->joints;
+  record.Put(static_cast<std::uint8_t>((joints_changed ? kJointsChanged : 0) |
+                                       (tick.is_robot_shown ? 0 : kRobotHidden)));
+  std::vector<std::uint32_t> moved;
+  for (std::uint32_t i = 0; i < tick.objects.size(); ++i) {
+    if (!last_ || tick.objects[i] != last_->objects[i]) moved.push_back(i);
+  }
+  record.Put(static_cast<std::uint32_t>(moved.size()));
+  for (std::uint32_t i : moved) {
+    record.Put(i);
+    for (double number : tick.objects[i].position) record.Put(number);
+    for (double number : tick.objects[i].rotation) record.Put(number);
+  }
+  if (joints_changed) {
+    for (double q : tick.joints) record.Put(q);
+  }
+  file_.Append(record.bytes());
+  last_ = tick;
+}
+
+TraceReader::TraceReader(const std::filesystem::path& path)
+    : bytes_(ReadFile(path, kMaxBytes)),
+      rest_(std::as_bytes(std::span(bytes_.data(), bytes_.size()))) {
+  for (char letter : kMagic) {
+    if (rest_.Get<char>() != letter) {
+      throw InputError({path.string(), 0, "", "this is not a trace of a recording"});
+    }
+  }
+  const auto version = rest_.Get<std::uint32_t>();
+  if (version != kVersion) {
+    throw InputError({path.string(), 0, "",
+                      "its format is version " + std::to_string(version) + ", expected " +
+                          std::to_string(kVersion)});
+  }
+  object_names_ = GetNames(&rest_);
+  joint_names_ = GetNames(&rest_);
+  if (!rest_.ok()) throw InputError({path.string(), 0, "", "its header is cut short"});
+  now_.objects.resize(object_names_.size());
+  now_.joints.resize(joint_names_.size());
+}
+
+std::optional<TraceTick> TraceReader::Next() {
+  if (rest_.remaining() == 0) return std::nullopt;
+  TraceTick next = now_;
+  next.tick = rest_.Get<std::uint64_t>();
+  next.hash = rest_.Get<std::uint64_t>();
+  const auto flags = rest_.Get<std::uint8_t>();
+  next.is_robot_shown = (flags & kRobotHidden) == 0;
+  const auto num_moved = rest_.Get<std::uint32_t>();
+  for (std::uint32_t k = 0; k < num_moved && rest_.ok(); ++k) {
+    const auto i = rest_.Get<std::uint32_t>();
+    TracePose pose;
+    for (double& number : pose.position) number = rest_.Get<double>();
+    for (double& number : pose.rotation) number = rest_.Get<double>();
+    if (i >= next.objects.size()) break;
+    next.objects[i] = pose;
+  }
+  if ((flags & kJointsChanged) != 0) {
+    for (double& q : next.joints) q = rest_.Get<double>();
+  }
+  if (!rest_.ok()) {
+    is_cut_ = true;
+    return std::nullopt;
+  }
+  return now_ = std::move(next);
+}
+
+}  // namespace smile::record

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/bytes.h"
+#include "record/append_file.h"
+#include "sim/simulation.h"
+
+namespace smile::record {
+
+/// Where something is: position [m] and unit quaternion (w, x, y, z).
+struct TracePose {
+  Vector3 position = Vector3::Zero();
+  Eigen::Vector4d rotation{1, 0, 0, 0};
+
+  RigidTransform pose_in_world() const {
+    return {Quaternion(rotation[0], rotation[1], rotation[2], rotation[3]), position};
+  }
+  bool operator==(const TracePose&) const = default;
+};
+
+/// One moment of a recording, as far as it can be seen.
+struct TraceTick {
+  std::uint64_t tick = 0;
+  std::uint64_t hash = 0;          ///< Simulation::state_hash()
+  std::vector<TracePose> objects;  ///< in scene order
+  std::vector<double> joints;      ///< q of the robot [rad or m]; empty without one
+  bool is_robot_shown = true;
+};
+
+/// The present moment of a simulation.
+TraceTick Observe(const sim::Simulation& simulation);
+
+/// `trace.bin`: look and render without physics. docs/recording-format.md describes every byte.
+///
+/// A header names objects and joints; one record per tick follows with what changed since the one
+/// before.
+class TraceWriter {
+ public:
+  /// @throws std::runtime_error with path and reason, as Add() does.
+  TraceWriter(const std::filesystem::path& path, const sim::Simulation& simulation);
+
+  void Add(const TraceTick& tick);
+
+ private:
+  AppendFile file_;
+  std::optional<TraceTick> last_;
+};
+
+/// Reads a trace, tick by tick. A file cut in the middle of a record ends with the last whole one.
+class TraceReader {
+ public:
+  /// @throws InputError if this is not a trace of this format version.
+  explicit TraceReader(const std::filesystem::path& path);
+
+  const std::vector<std::string>& object_names() const { return object_names_; }
+  const std::vector<std::string>& joint_names() const { return joint_names_; }
+
+  /// The next moment; nullopt after the last one.
+  std::optional<TraceTick> Next();
+  /// True when bytes were left over at the end: the recording was interrupted.
+  bool is_cut() const { return is_cut_; }
+
+ private:
+  std::string bytes_;
+  ByteReader rest_;
+  std::vector<std::string> object_names_, joint_names_;
+  TraceTick now_;
+  bool is_cut_ = false;
+};
+
+}  // namespace smile::record

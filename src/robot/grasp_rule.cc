@@ -1,0 +1,34 @@
+#include "robot/grasp_rule.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace smile::robot {
+namespace {
+
+/// How well a contact normal must agree with the closing direction: within 45 degrees.
+constexpr double kFacing = 0.7071;
+
+}  // namespace
+
+std::vector<physics::BodyId> GraspedBodies(std::span<const physics::Contact> left,
+                                           std::span<const physics::Contact> right,
+                                           const RigidTransform& X_WG, double opening) {
+  const Vector3 across = X_WG.rotation().col(1), along = X_WG.rotation().col(2);
+  const double max_offset = opening * std::tan(std::numbers::pi / 16);
+  std::vector<physics::BodyId> bodies;
+  for (const physics::Contact& a : left) {
+    if (a.normal_in_world.dot(across) < kFacing) continue;
+    for (const physics::Contact& b : right) {
+      if (b.body != a.body || b.normal_in_world.dot(across) > -kFacing) continue;
+      if (std::abs((a.p_WQ - b.p_WQ).dot(along)) > max_offset) continue;
+      bodies.push_back(a.body);
+    }
+  }
+  std::sort(bodies.begin(), bodies.end());
+  bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
+  return bodies;
+}
+
+}  // namespace smile::robot

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "physics/world.h"
+
+namespace smile::robot {
+
+/// Which bodies a closing gripper has got hold of: one-shot, no friction involved.
+///
+/// A body counts when it touches both fingers, its contact normals face each other across the
+/// opening, and the two points lie at nearly the same depth along the fingers: the line between
+/// them leaves the finger's normal by less than pi/16.
+///
+/// @param left, right  what touches each finger; the left one is on the +y side of the tool.
+/// @param X_WG         the tool frame: y across the opening, z along the fingers.
+/// @param opening      between the fingers [m].
+/// @returns ids in ascending order, each once.
+std::vector<physics::BodyId> GraspedBodies(std::span<const physics::Contact> left,
+                                           std::span<const physics::Contact> right,
+                                           const RigidTransform& X_WG, double opening);
+
+}  // namespace smile::robot

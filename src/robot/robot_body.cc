@@ -1,0 +1,158 @@
+#include "robot/robot_body.h"
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "robot/grasp_rule.h"
+
+namespace smile::robot {
+namespace {
+
+void CheckCount(std::span<const double> values, std::size_t expected, const std::string& arm) {
+  if (values.size() == expected) return;
+  throw std::invalid_argument(arm + " arm: " + std::to_string(values.size()) +
+                              " values, expected " + std::to_string(expected));
+}
+
+}  // namespace
+
+RobotBody::RobotBody(physics::World* world, RobotModel model, const RigidTransform& X_WBase)
+    : world_(world), model_(std::move(model)), X_WBase_(X_WBase) {
+  articulation_ = world_->AddArticulation(MakeArticulationSpec(model_, X_WBase));
+  articulation().SetPositions(model_.q_start);
+  state_.grippers.resize(model_.arms.size());
+}
+
+void RobotBody::SetArmVelocities(int arm, std::span<const double> velocities) {
+  const Arm& which = model_.arms.at(arm);
+  CheckCount(velocities, which.joints.size(), which.name);
+  for (std::size_t i = 0; i < velocities.size(); ++i) {
+    articulation().SetVelocityTarget(which.joints[i], velocities[i]);
+  }
+}
+
+void RobotBody::SetGripperVelocity(int arm, double velocity) {
+  if (!model_.arms.at(arm).gripper) return;
+  state_.grippers[arm].opening_velocity = velocity;
+  if (velocity > 0) LetGo(arm);
+  CommandFingers(arm);
+}
+
+/// Both fingers share the motion. A gripper that holds something keeps its opening.
+void RobotBody::CommandFingers(int arm) {
+  const Gripper& gripper = *model_.arms[arm].gripper;
+  const GripperState& state = state_.grippers[arm];
+  const double velocity = state.welds.empty() ? state.opening_velocity / 2 : 0.0;
+  articulation().SetVelocityTarget(gripper.left_finger, velocity);
+  articulation().SetVelocityTarget(gripper.right_finger, velocity);
+}
+
+void RobotBody::SetHeadVelocity(double velocity) {
+  if (model_.head) articulation().SetVelocityTarget(model_.head->joint, velocity);
+}
+
+void RobotBody::SetArmAngles(int arm, std::span<const double> angles) {
+  const Arm& which = model_.arms.at(arm);
+  CheckCount(angles, which.joints.size(), which.name);
+  std::vector<double> q = positions();
+  for (std::size_t i = 0; i < angles.size(); ++i) q[which.joints[i]] = angles[i];
+  articulation().SetPositions(q);
+
+  const std::vector<RigidTransform> X_WL = articulation().link_poses();
+  for (const physics::Joint& joint : world_->joints()) {
+    world_->body(joint.spec.body).SetPose(X_WL[joint.spec.link] * joint.spec.X_LB);
+  }
+}
+
+void RobotBody::SetHeadAngle(double angle) {
+  if (!model_.head) return;
+  std::vector<double> q = positions();
+  q[model_.head->joint] = angle;
+  articulation().SetPositions(q);
+}
+
+void RobotBody::AfterStep() {
+  for (int arm = 0; arm < num_arms(); ++arm) {
+    const GripperState& state = state_.grippers[arm];
+    if (state.opening_velocity < 0 && state.welds.empty()) CloseAround(arm);
+  }
+}
+
+void RobotBody::CloseAround(int arm) {
+  const Gripper& gripper = *model_.arms[arm].gripper;
+  const auto left = world_->ContactsWith(articulation_, gripper.left_finger);
+  const auto right = world_->ContactsWith(articulation_, gripper.right_finger);
+  if (left.empty() || right.empty()) return;
+
+  const int palm = model_.frames[model_.arms[arm].tool].link;
+  const RigidTransform X_LW = articulation().link_poses()[palm].inverse();
+  for (physics::BodyId id : GraspedBodies(left, right, ToolPose(arm), GripperOpening(arm))) {
+    const physics::Body& body = world_->body(id);
+    if (body.is_static() || body.is_carried()) continue;
+    state_.grippers[arm].welds.push_back(world_->AddWeld(
+        {.articulation = articulation_,
+         .link = palm,
+         .body = id,
+         .X_LB = X_LW * body.pose_in_world(),
+         .links_not_colliding = {palm, gripper.left_finger, gripper.right_finger}}));
+  }
+  if (state_.grippers[arm].welds.empty()) return;
+  articulation().HoldStill(gripper.left_finger);
+  articulation().HoldStill(gripper.right_finger);
+}
+
+void RobotBody::LetGo(int arm) {
+  for (physics::JointId weld : std::exchange(state_.grippers[arm].welds, {})) {
+    for (const physics::Joint& joint : world_->joints()) {
+      if (joint.id != weld) continue;
+      const physics::BodyId held = joint.spec.body;
+      world_->RemoveJoint(weld);
+      world_->body(held).SetVelocity(Vector3::Zero(), Vector3::Zero());
+      break;
+    }
+  }
+}
+
+std::vector<double> RobotBody::ArmAngles(int arm) const {
+  const std::vector<double> q = positions();
+  std::vector<double> angles;
+  for (int joint : model_.arms.at(arm).joints) angles.push_back(q[joint]);
+  return angles;
+}
+
+double RobotBody::HeadAngle() const { return model_.head ? positions()[model_.head->joint] : 0.0; }
+
+double RobotBody::GripperOpening(int arm) const {
+  const auto& gripper = model_.arms.at(arm).gripper;
+  if (!gripper) return 0.0;
+  const std::vector<double> q = positions();
+  return q[gripper->left_finger] + q[gripper->right_finger];
+}
+
+RigidTransform RobotBody::FrameInWorld(int frame) const {
+  const Frame& which = model_.frames.at(frame);
+  if (which.link < 0) return X_WBase_ * which.X_LF;
+  return articulation().link_poses()[which.link] * which.X_LF;
+}
+
+RigidTransform RobotBody::ToolPose(int arm) const { return FrameInWorld(model_.arms.at(arm).tool); }
+
+RigidTransform RobotBody::CameraPose() const {
+  if (!model_.head) throw std::logic_error(model_.name + " has no head camera");
+  return FrameInWorld(model_.head->camera);
+}
+
+std::vector<physics::BodyId> RobotBody::HeldBodies(int arm) const {
+  std::vector<physics::BodyId> held;
+  for (physics::JointId weld : state_.grippers.at(arm).welds) {
+    for (const physics::Joint& joint : world_->joints()) {
+      if (joint.id == weld) held.push_back(joint.spec.body);
+    }
+  }
+  return held;
+}
+
+std::vector<double> RobotBody::positions() const { return articulation().positions(); }
+
+}  // namespace smile::robot

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "physics/world.h"
+#include "robot/robot_model.h"
+
+namespace smile::robot {
+
+/// What one gripper was told, and what it holds.
+struct GripperState {
+  double opening_velocity = 0;          ///< > 0 opens [m/s]
+  std::vector<physics::JointId> welds;  ///< to the bodies it holds
+
+  bool operator==(const GripperState&) const = default;
+};
+
+/// What a RobotBody remembers beside its articulation; part of every saved state.
+struct RobotBodyState {
+  std::vector<GripperState> grippers;  ///< one per arm
+
+  bool operator==(const RobotBodyState&) const = default;
+};
+
+/// A robot that stands in a physics World and does what it is told.
+///
+/// Arms and head keep a commanded velocity until the next one. A gripper that closes on a body
+/// holds it (see GraspedBodies()) and keeps its opening until it is told to open.
+class RobotBody {
+ public:
+  /// Adds the robot to `world`, which must outlive this, in its start configuration.
+  RobotBody(physics::World* world, RobotModel model, const RigidTransform& X_WBase);
+
+  const RobotModel& model() const { return model_; }
+  int num_arms() const { return static_cast<int>(model_.arms.size()); }
+
+  /// @param velocities  one per joint of the arm [rad/s]; clamped to the joints' limits.
+  /// @throws std::invalid_argument if the count is wrong or one is not finite.
+  void SetArmVelocities(int arm, std::span<const double> velocities);
+  /// @param velocity  rate of change of the opening [m/s]; any positive one lets go of what is
+  /// held.
+  void SetGripperVelocity(int arm, double velocity);
+  /// @param velocity  of the head's pan [rad/s].
+  void SetHeadVelocity(double velocity);
+  /// Puts an arm there at once, with what it holds [rad]; clamped to the limits.
+  void SetArmAngles(int arm, std::span<const double> angles);
+  void SetHeadAngle(double angle);
+
+  /// To be called after each physics step: looks whether a closing gripper has got something.
+  void AfterStep();
+
+  std::vector<double> ArmAngles(int arm) const;  ///< [rad]
+  double HeadAngle() const;                      ///< [rad]; 0 without a head
+  double GripperOpening(int arm) const;          ///< [m]; 0 without a gripper
+  RigidTransform ToolPose(int arm) const;        ///< X_WG, between the fingers
+  RigidTransform CameraPose() const;             ///< X_WC: x right, y down, z forward
+  std::vector<physics::BodyId> HeldBodies(int arm) const;
+  std::vector<double> positions() const;  ///< q of all joints, as in model()
+  const RigidTransform& base_pose() const { return X_WBase_; }
+
+  const RobotBodyState& state() const { return state_; }
+  void Restore(const RobotBodyState& state) { state_ = state; }
+
+ private:
+  physics::Articulation& articulation() { return world_->articulation(articulation_); }
+  const physics::Articulation& articulation() const { return world_->articulation(articulation_); }
+  RigidTransform FrameInWorld(int frame) const;
+  void CloseAround(int arm);
+  void LetGo(int arm);
+  void CommandFingers(int arm);
+
+  physics::World* world_;
+  RobotModel model_;
+  RigidTransform X_WBase_;
+  physics::ArticulationId articulation_;
+  RobotBodyState state_;
+};
+
+}  // namespace smile::robot

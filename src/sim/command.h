@@ -1,0 +1,68 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "demonstrator/hand.h"
+
+namespace smile::sim {
+
+using demonstrator::HandName;
+
+// What somebody wants. Mouse, brain, script, replay and tests all send these; the simulation
+// applies them between ticks, in order. SI units and the world frame; see command_json.h for the
+// written form.
+
+struct Grasp {
+  HandName hand = HandName::kAny;
+  std::string object;
+  std::optional<Vector3> p_WQ;  ///< where the hand takes hold; the object's origin if not given [m]
+  bool operator==(const Grasp&) const = default;
+};
+
+struct MoveTo {
+  HandName hand = HandName::kAny;
+  Vector3 p_WH = Vector3::Zero();  ///< where the grasped point shall go [m]
+  std::optional<double> speed;     ///< at most this fast [m/s]
+  bool operator==(const MoveTo&) const = default;
+};
+
+struct Rotate {
+  HandName hand = HandName::kAny;
+  Vector3 angles_deg = Vector3::Zero();  ///< about the world's x, then y, then z axis
+  bool operator==(const Rotate&) const = default;
+};
+
+struct Release {
+  HandName hand = HandName::kAny;
+  bool operator==(const Release&) const = default;
+};
+
+/// Velocities the robot keeps until the next command; what is not given stays as it was.
+struct JointVelocities {
+  std::optional<std::vector<double>> left, right;  ///< one per arm joint [rad/s]
+  std::optional<std::array<double, 2>> grippers;   ///< rates of the openings, left, right [m/s]
+  std::optional<double> head;                      ///< [rad/s]
+  bool operator==(const JointVelocities&) const = default;
+};
+
+/// Angles the robot takes at once; what is not given stays as it was.
+struct JointAngles {
+  std::optional<std::vector<double>> left, right;  ///< one per arm joint [rad]
+  std::optional<double> head;                      ///< [rad]
+  bool operator==(const JointAngles&) const = default;
+};
+
+/// Shows or hides the robot: what people and cameras see, never the physics.
+struct ShowRobot {
+  bool is_shown = true;
+  bool operator==(const ShowRobot&) const = default;
+};
+
+using Command =
+    std::variant<Grasp, MoveTo, Rotate, Release, JointVelocities, JointAngles, ShowRobot>;
+
+}  // namespace smile::sim

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "base/json.h"
+#include "sim/command.h"
+
+namespace smile::sim {
+
+/// The written form of a command, used alike by logs, scripts and the studio: one object whose `do`
+/// names the kind. Lengths are in the scene's file unit, object angles in degrees, joints in
+/// radians.
+///
+///     {"hand": "left", "do": "grasp", "object": "b3"}
+///
+/// @param meters_per_unit  of the scene.
+Json ToJson(const Command& command, double meters_per_unit);
+
+/// Reads the written form.
+/// @throws std::invalid_argument saying what was found and what was expected; unknown keys are
+/// errors.
+Command ParseCommand(const Json& json, double meters_per_unit);
+
+/// The nearest command whose written form reads back to the same bits. The simulation applies
+/// commands in this form, so that a log replays exactly.
+Command OnFileGrid(Command command, double meters_per_unit);
+
+/// A JSON Schema (draft 2020-12) of every command. docs/commands.md is made from it.
+Json CommandSchema();
+
+}  // namespace smile::sim

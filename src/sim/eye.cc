@@ -1,0 +1,48 @@
+#include "sim/eye.h"
+
+#include <cmath>
+#include <numeric>
+
+#include "math/angles.h"
+
+namespace smile::sim {
+namespace {
+
+/// Baxter's eye in its base frame at pan 0: lifted 0.2 m above the real camera and tilted down by
+/// 56.05 degrees, as the original's was, to overlook the table.
+RigidTransform EyeInBase() {
+  const double tilt = DegreesToRadians(56.05);
+  Matrix3 R_BaseC;  // x right, y down, z forward, seen from a base with x forward, y left, z up
+  R_BaseC << 0, -std::sin(tilt), std::cos(tilt),  //
+      -1, 0, 0,                                   //
+      0, -std::cos(tilt), -std::sin(tilt);
+  return {R_BaseC, Vector3(0.18832, 0, 0.95921)};
+}
+
+}  // namespace
+
+CameraView EyeView(const Simulation& simulation, const EyeSpec& spec) {
+  const RobotPlacement usual;
+  const RigidTransform X_WC =
+      simulation.robot() != nullptr && simulation.robot()->model().head
+          ? simulation.robot()->CameraPose()
+          : RobotBasePose(simulation.scene().table, usual.gap, usual.height) * EyeInBase();
+  return {.intrinsics = CameraIntrinsics::FromVerticalFieldOfView(spec.width_px, spec.height_px,
+                                                                  spec.vertical_field_of_view),
+          .X_WC = X_WC};
+}
+
+std::vector<int> FramesHiddenFromEye(const Simulation& simulation) {
+  const robot::RobotBody* robot = simulation.robot();
+  if (robot == nullptr) return {};
+  const int base = simulation.first_robot_frame();
+  if (simulation.is_robot_shown()) {
+    if (!robot->model().head) return {};
+    return {base + 1 + robot->model().frames[robot->model().head->camera].link};
+  }
+  std::vector<int> frames(1 + robot->model().num_joints());
+  std::iota(frames.begin(), frames.end(), base);
+  return frames;
+}
+
+}  // namespace smile::sim

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "sim/command.h"
+#include "sim/simulation.h"
+
+namespace smile::sim {
+
+/// Lets time pass between two lines of a script; not a command: it reaches no log.
+struct Wait {
+  enum class Until { kSeconds, kArrived, kStill };
+  Until until = Until::kSeconds;
+  double seconds = 10;  ///< how long; for the other two how long at most
+
+  bool operator==(const Wait&) const = default;
+};
+
+struct ScriptLine {
+  int line = 0;                       ///< in the file, 1 is the first
+  std::optional<std::uint64_t> tick;  ///< not before this tick
+  std::variant<Command, Wait> what;
+};
+
+/// A demonstration or a test, written down: one command per line as JSON, blank lines and lines
+/// that begin with # between them. Lines without a `tick` follow one another.
+struct Script {
+  std::string file;  ///< as the user named it, for messages
+  std::vector<ScriptLine> lines;
+};
+
+/// @throws InputError with all findings.
+Script ParseScript(std::string_view text, std::string file, double meters_per_unit);
+/// @throws InputError with all findings; std::runtime_error if the file cannot be read.
+Script ReadScript(const std::filesystem::path& path, double meters_per_unit);
+
+/// Speaks a script to a simulation, line by line, at its pace.
+class ScriptPlayer {
+ public:
+  explicit ScriptPlayer(Script script) : script_(std::move(script)) {}
+
+  /// Applies what is due now. To be called before each tick.
+  /// @throws InputError naming the line when a command is refused or a wait takes too long.
+  void Advance(Simulation* simulation);
+
+  bool is_finished() const { return next_ == script_.lines.size(); }
+
+ private:
+  bool IsOver(const Wait& wait, const ScriptLine& line, const Simulation& simulation);
+  [[noreturn]] void Fail(const ScriptLine& line, const std::string& message) const;
+
+  Script script_;
+  std::size_t next_ = 0;
+  std::optional<std::uint64_t> wait_start_;  ///< tick at which the current wait began
+  int still_ticks_ = 0;
+};
+
+}  // namespace smile::sim

@@ -1,0 +1,203 @@
+#include "sim/simulation.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/state_hash.h"
+#include "robot/robot_visuals.h"
+#include "sim/command_json.h"
+
+namespace smile::sim {
+
+RigidTransform RobotBasePose(const scene::TableSpec& table, double gap, double height) {
+  Matrix3 R_WBase;  // forward is the table's y, left its -x
+  R_WBase << 0, -1, 0, 1, 0, 0, 0, 0, 1;
+  return {R_WBase, Vector3(0, -table.y_span / 2 - gap, height)};
+}
+
+Simulation::Simulation(scene::SceneSpec scene, std::optional<RobotPlacement> robot)
+    : scene_(std::move(scene)), tabletop_(&physics_, scene_), demonstrator_(&physics_, &tabletop_) {
+  tabletop_.AppendVisuals(&visual_model_);
+  if (!robot) return;
+  robot_ = std::make_unique<robot::RobotBody>(
+      &physics_, std::move(robot->model), RobotBasePose(scene_.table, robot->gap, robot->height));
+  first_robot_frame_ = visual_model_.num_frames;
+  visual_model_.object_names.push_back("robot");
+  robot::AppendVisuals(robot_->model(), first_robot_frame_,
+                       static_cast<std::uint32_t>(visual_model_.object_names.size() - 1),
+                       &visual_model_);
+}
+
+scene::FramePoses Simulation::frame_poses() const {
+  scene::FramePoses poses(1);
+  tabletop_.AppendPoses(&poses);
+  if (robot_) {
+    const auto robot_poses =
+        robot::FramePosesOf(robot_->model(), robot_->base_pose(), robot_->positions());
+    poses.insert(poses.end(), robot_poses.begin(), robot_poses.end());
+  }
+  return poses;
+}
+
+std::optional<Refusal> Simulation::Apply(const Command& wanted) {
+  const Command command = OnFileGrid(wanted, scene_.meters_per_unit);
+  const auto before = HeldByGrippers();
+  auto refusal = std::visit([this](const auto& what) { return Carry(what); }, command);
+  if (refusal) {
+    Tell({.kind = EventKind::kCommandRefused, .reason = *refusal});
+    return refusal;
+  }
+  for (Listener* listener : listeners_) listener->OnCommand(*this, command);
+  if (const auto* grasp = std::get_if<Grasp>(&command)) {
+    Tell({.kind = EventKind::kGrasped, .hand = grasp->hand, .object = grasp->object});
+  } else if (const auto* release = std::get_if<Release>(&command)) {
+    Tell({.kind = EventKind::kReleased, .hand = release->hand});
+  }
+  TellOfGrippers(before);
+  return std::nullopt;
+}
+
+std::optional<Refusal> Simulation::Carry(const Grasp& grasp) {
+  return demonstrator_.Grasp(grasp.hand, grasp.object, grasp.p_WQ);
+}
+std::optional<Refusal> Simulation::Carry(const MoveTo& move) {
+  return demonstrator_.MoveTo(move.hand, move.p_WH, move.speed);
+}
+std::optional<Refusal> Simulation::Carry(const Rotate& rotate) {
+  return demonstrator_.Rotate(rotate.hand, rotate.angles_deg);
+}
+std::optional<Refusal> Simulation::Carry(const Release& release) {
+  return demonstrator_.Release(release.hand);
+}
+
+std::optional<Refusal> Simulation::RefuseArm(const std::optional<std::vector<double>>& values,
+                                             int arm) const {
+  if (!robot_) return "there is no robot in this simulation";
+  if (!values) return std::nullopt;
+  if (arm >= robot_->num_arms()) return "the robot has no such arm";
+  const robot::Arm& which = robot_->model().arms[arm];
+  if (values->size() == which.joints.size()) return std::nullopt;
+  return "the " + which.name + " arm has " + std::to_string(which.joints.size()) +
+         " joints, found " + std::to_string(values->size()) + " numbers";
+}
+
+std::optional<Refusal> Simulation::Carry(const JointVelocities& velocities) {
+  if (auto refusal = RefuseArm(velocities.left, 0)) return refusal;
+  if (auto refusal = RefuseArm(velocities.right, 1)) return refusal;
+  if (velocities.left) robot_->SetArmVelocities(0, *velocities.left);
+  if (velocities.right) robot_->SetArmVelocities(1, *velocities.right);
+  if (velocities.grippers) {
+    for (int arm = 0; arm < robot_->num_arms() && arm < 2; ++arm) {
+      robot_->SetGripperVelocity(arm, (*velocities.grippers)[arm]);
+    }
+  }
+  if (velocities.head) robot_->SetHeadVelocity(*velocities.head);
+  return std::nullopt;
+}
+
+std::optional<Refusal> Simulation::Carry(const JointAngles& angles) {
+  if (auto refusal = RefuseArm(angles.left, 0)) return refusal;
+  if (auto refusal = RefuseArm(angles.right, 1)) return refusal;
+  if (angles.left) robot_->SetArmAngles(0, *angles.left);
+  if (angles.right) robot_->SetArmAngles(1, *angles.right);
+  if (angles.head) robot_->SetHeadAngle(*angles.head);
+  return std::nullopt;
+}
+
+std::optional<Refusal> Simulation::Carry(const ShowRobot& show) {
+  if (!robot_) return "there is no robot in this simulation";
+  is_robot_shown_ = show.is_shown;
+  return std::nullopt;
+}
+
+void Simulation::Tick() {
+  const auto before = HeldByGrippers();
+  for (int step = 0; step < kStepsPerTick; ++step) {
+    demonstrator_.BeforeStep();
+    physics_.Step();
+    if (robot_) robot_->AfterStep();
+  }
+  ++tick_;
+  TellOfGrippers(before);
+  for (Listener* listener : listeners_) listener->OnTick(*this);
+}
+
+std::vector<std::vector<physics::BodyId>> Simulation::HeldByGrippers() const {
+  std::vector<std::vector<physics::BodyId>> held;
+  for (int arm = 0; robot_ && arm < robot_->num_arms(); ++arm) {
+    held.push_back(robot_->HeldBodies(arm));
+  }
+  return held;
+}
+
+void Simulation::TellOfGrippers(const std::vector<std::vector<physics::BodyId>>& before) {
+  const auto after = HeldByGrippers();
+  if (after == before) return;
+  for (std::size_t arm = 0; arm < after.size(); ++arm) {
+    const auto tell_of_missing = [&](const auto& from, const auto& in, EventKind kind) {
+      for (physics::BodyId body : from) {
+        if (std::find(in.begin(), in.end(), body) != in.end()) continue;
+        Tell({.kind = kind,
+              .arm = robot_->model().arms[arm].name,
+              .object = tabletop_.Find(body)->id()});
+      }
+    };
+    tell_of_missing(before[arm], after[arm], EventKind::kGripperLetGo);
+    tell_of_missing(after[arm], before[arm], EventKind::kGripperHolds);
+  }
+}
+
+void Simulation::Tell(const Event& event) {
+  for (Listener* listener : listeners_) listener->OnEvent(*this, event);
+}
+
+bool Simulation::is_still() const {
+  constexpr double kSpeed = 0.002, kAngularSpeed = 0.02;
+  for (const world::Object& object : tabletop_.objects()) {
+    const physics::Body& body = physics_.body(object.body);
+    if (body.is_carried() || !body.is_awake()) continue;
+    if (body.linear_velocity().norm() > kSpeed || body.angular_velocity().norm() > kAngularSpeed) {
+      return false;
+    }
+  }
+  return true;
+}
+
+std::uint64_t Simulation::state_hash() const {
+  StateHash hash;
+  hash.Add(tick_);
+  hash.Add(physics_.state_hash());
+  for (const demonstrator::Hand& hand : demonstrator_.state().hands) {
+    hash.Add(std::uint64_t{hand.held.value});
+    if (!hand.is_holding()) continue;
+    for (double number : hand.X_WB_goal.rotation().reshaped()) hash.Add(number);
+    for (double number : hand.X_WB_goal.translation()) hash.Add(number);
+    for (double number : hand.p_BH) hash.Add(number);
+    hash.Add(hand.speed);
+  }
+  if (robot_) {
+    for (const robot::GripperState& gripper : robot_->state().grippers) {
+      hash.Add(gripper.opening_velocity);
+      for (physics::JointId weld : gripper.welds) hash.Add(std::uint64_t{weld.value});
+    }
+  }
+  return hash.value();
+}
+
+SimulationState Simulation::Save() const {
+  return {.tick = tick_,
+          .physics = physics_.Save(),
+          .demonstrator = demonstrator_.state(),
+          .robot = robot_ ? robot_->state() : robot::RobotBodyState(),
+          .is_robot_shown = is_robot_shown_};
+}
+
+void Simulation::Restore(const SimulationState& state) {
+  physics_.Restore(state.physics);
+  demonstrator_.Restore(state.demonstrator);
+  if (robot_) robot_->Restore(state.robot);
+  is_robot_shown_ = state.is_robot_shown;
+  tick_ = state.tick;
+}
+
+}  // namespace smile::sim

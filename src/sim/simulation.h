@@ -1,0 +1,133 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "demonstrator/demonstrator.h"
+#include "physics/world.h"
+#include "robot/robot_body.h"
+#include "scene/scene_spec.h"
+#include "scene/visual_model.h"
+#include "sim/command.h"
+#include "sim/event.h"
+#include "world/tabletop.h"
+
+namespace smile::sim {
+
+using demonstrator::Refusal;
+
+/// One tick = 1/60 s = 8 physics steps.
+inline constexpr int kTicksPerSecond = 60;
+inline constexpr int kStepsPerTick = 8;
+
+/// Where a robot stands at a table, and which.
+struct RobotPlacement {
+  robot::RobotModel model;
+  std::filesystem::path urdf;  ///< the file it was read from, for whoever records it
+  double gap = 0.20;           ///< from its base to the table's near edge [m]
+  double height = 0.20;        ///< of its base above the table top [m]
+};
+
+class Simulation;
+
+/// Somebody who watches a simulation. Called on its thread, after the fact; must not change it.
+class Listener {
+ public:
+  virtual ~Listener() = default;
+  /// A command was carried out at the present tick.
+  virtual void OnCommand(const Simulation&, const Command&) {}
+  virtual void OnEvent(const Simulation&, const Event&) {}
+  /// A tick is over.
+  virtual void OnTick(const Simulation&) {}
+};
+
+/// Everything a simulation needs to go on exactly as it would have.
+struct SimulationState {
+  std::uint64_t tick = 0;
+  physics::Snapshot physics;
+  demonstrator::DemonstratorState demonstrator;
+  robot::RobotBodyState robot;
+  bool is_robot_shown = true;
+};
+
+/// The one owner of a running world: applies commands between ticks, keeps time, tells listeners.
+///
+/// Same scene, same commands at the same ticks: same bits. Used from one thread.
+class Simulation {
+ public:
+  /// @param robot  nullopt for a table without one.
+  explicit Simulation(scene::SceneSpec scene, std::optional<RobotPlacement> robot = std::nullopt);
+  Simulation(const Simulation&) = delete;
+  Simulation& operator=(const Simulation&) = delete;
+
+  /// The one door. Applies the command at once, before the next tick.
+  /// @returns why it was refused; the world is then as before.
+  std::optional<Refusal> Apply(const Command& command);
+  /// Advances by 1/60 s.
+  void Tick();
+
+  std::uint64_t tick() const { return tick_; }
+  double seconds() const { return static_cast<double>(tick_) / kTicksPerSecond; }
+  /// Of everything that decides what happens next, the tick included.
+  std::uint64_t state_hash() const;
+
+  const scene::SceneSpec& scene() const { return scene_; }
+  const world::Tabletop& tabletop() const { return tabletop_; }
+  const physics::World& physics() const { return physics_; }
+  const demonstrator::Demonstrator& demonstrator() const { return demonstrator_; }
+  /// As given; its model is the robot's.
+  const std::optional<RobotPlacement>& robot_placement() const { return placement_; }
+  /// nullptr without one.
+  const robot::RobotBody* robot() const { return robot_.get(); }
+  bool is_robot_shown() const { return is_robot_shown_; }
+
+  /// True when nothing but what hands hold moves faster than 2 mm/s or 0.02 rad/s.
+  bool is_still() const;
+
+  /// Frame 0 is the world; then one per object in scene order; then the robot's base and links.
+  const scene::VisualModel& visual_model() const { return visual_model_; }
+  scene::FramePoses frame_poses() const;
+  /// First frame of the robot in the visual model; 0 without a robot.
+  int first_robot_frame() const { return first_robot_frame_; }
+
+  /// Listeners are told in the order they were added; each must outlive the simulation.
+  void AddListener(Listener* listener) { listeners_.push_back(listener); }
+
+  SimulationState Save() const;
+  void Restore(const SimulationState& state);
+
+ private:
+  std::optional<Refusal> Carry(const Grasp& grasp);
+  std::optional<Refusal> Carry(const MoveTo& move);
+  std::optional<Refusal> Carry(const Rotate& rotate);
+  std::optional<Refusal> Carry(const Release& release);
+  std::optional<Refusal> Carry(const JointVelocities& velocities);
+  std::optional<Refusal> Carry(const JointAngles& angles);
+  std::optional<Refusal> Carry(const ShowRobot& show);
+  std::optional<Refusal> RefuseArm(const std::optional<std::vector<double>>& values, int arm) const;
+  void Tell(const Event& event);
+  /// Notices what grippers got or lost since `before`.
+  void TellOfGrippers(const std::vector<std::vector<physics::BodyId>>& before);
+  std::vector<std::vector<physics::BodyId>> HeldByGrippers() const;
+
+  scene::SceneSpec scene_;
+  physics::World physics_;
+  world::Tabletop tabletop_;
+  demonstrator::Demonstrator demonstrator_;
+  std::optional<RobotPlacement> placement_;
+  std::unique_ptr<robot::RobotBody> robot_;
+  bool is_robot_shown_ = true;
+  std::uint64_t tick_ = 0;
+  scene::VisualModel visual_model_;
+  int first_robot_frame_ = 0;
+  std::vector<Listener*> listeners_;
+};
+
+/// Base frame of a robot (x forward, z up) that stands at the near edge of a table and faces it.
+RigidTransform RobotBasePose(const scene::TableSpec& table, double gap, double height);
+
+}  // namespace smile::sim

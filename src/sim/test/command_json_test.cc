@@ -1,0 +1,80 @@
+#include "sim/command_json.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace smile::sim {
+namespace {
+
+constexpr double kUnit = 0.1;
+
+std::string MessageOf(const char* text) {
+  try {
+    ParseCommand(Json::parse(text), kUnit);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(CommandJson, ReadsLengthsInFileUnits) {
+  const Command command = ParseCommand(
+      Json::parse(R"({"hand":"left","do":"move_to","position":[1,-2.5,3],"speed":2})"), kUnit);
+  const auto& move = std::get<MoveTo>(command);
+  EXPECT_EQ(move.hand, HandName::kLeft);
+  EXPECT_EQ(move.p_WH, Vector3(1 * kUnit, -2.5 * kUnit, 3 * kUnit));
+  EXPECT_EQ(move.speed, 2 * kUnit);
+}
+
+TEST(CommandJson, RoundTripsEveryKindToTheLastBit) {
+  std::mt19937_64 random(5);
+  const auto number = [&random] { return std::uniform_real_distribution<>(-3, 3)(random); };
+  const auto point = [&number] { return Vector3(number(), number(), number()); };
+  for (int i = 0; i < 2000; ++i) {
+    const std::vector<Command> commands = {
+        Grasp{.hand = HandName::kRight, .object = "b#3", .p_WQ = point()},
+        Grasp{.object = "b"},
+        MoveTo{.p_WH = point(), .speed = std::abs(number()) + 0.01},
+        Rotate{.hand = HandName::kBoth, .angles_deg = point() * 60},
+        Release{.hand = HandName::kLeft},
+        JointVelocities{
+            .left = {{number(), number()}}, .grippers = {{number(), number()}}, .head = number()},
+        JointAngles{.right = {{number()}}},
+        ShowRobot{.is_shown = false},
+    };
+    for (const Command& command : commands) {
+      const Command on_grid = OnFileGrid(command, kUnit);
+      const std::string text = ToJson(on_grid, kUnit).dump();
+      EXPECT_EQ(ParseCommand(Json::parse(text), kUnit), on_grid) << text;
+      EXPECT_EQ(OnFileGrid(on_grid, kUnit), on_grid) << text;
+    }
+  }
+}
+
+TEST(CommandJson, SaysWhatWasFoundAndExpected) {
+  EXPECT_EQ(MessageOf(R"({"do":"grasp","object":"b"})"),
+            "\"grasp\" lacks \"hand\": which of the demonstrator's hands");
+  EXPECT_EQ(MessageOf(R"({"do":"grab","hand":"left"})"),
+            "\"do\" is \"grab\", expected one of grasp, move_to, rotate, release, "
+            "joint_velocities, joint_angles, robot");
+  EXPECT_EQ(MessageOf(R"({"hand":"third","do":"release"})"),
+            "\"hand\" is \"third\", expected left, right, both or any");
+  EXPECT_EQ(MessageOf(R"({"hand":"left","do":"move_to","position":[1,2]})"),
+            "\"position\" is [1,2], expected three numbers [x, y, z]");
+  EXPECT_EQ(MessageOf(R"({"hand":"left","do":"release","force":3})"),
+            "\"release\" has an unknown key \"force\"");
+}
+
+TEST(CommandJson, TheSchemaNamesEveryCommandItReads) {
+  const Json schema = CommandSchema();
+  for (const Json& form : schema.at("oneOf")) {
+    Json empty = {{"do", form.at("title")}};
+    const bool needs_more = form.at("required").size() > 1;
+    EXPECT_EQ(!MessageOf(empty.dump().c_str()).empty(), needs_more) << form.at("title");
+  }
+  EXPECT_EQ(schema.at("oneOf").size(), std::variant_size_v<Command>);
+}
+
+}  // namespace
+}  // namespace smile::sim

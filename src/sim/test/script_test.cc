@@ -1,0 +1,78 @@
+#include "sim/script.h"
+
+#include "base/diagnostic.h"
+#include "simulation_fixture.h"
+
+namespace smile::sim {
+namespace {
+
+constexpr double kUnit = 0.1;
+
+class ScriptTest : public SimulationFixture {
+ protected:
+  /// Plays to the end; returns the first complaint.
+  std::string Play(std::string_view text) {
+    try {
+      ScriptPlayer player(ParseScript(text, "demo.jsonl", kUnit));
+      for (int i = 0; i < 3000; ++i) {
+        player.Advance(simulation_.get());
+        if (player.is_finished()) return "";
+        simulation_->Tick();
+      }
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "it never ended";
+  }
+
+  std::unique_ptr<Simulation> simulation_ =
+      MakeSimulation({BlockAt("a", {0, 0, 0.05}), BlockAt("b", {0.3, 0, 0.05})}, false);
+};
+
+TEST_F(ScriptTest, StacksABlock) {
+  EXPECT_EQ(Play(R"(# put a on b
+{"hand": "any", "do": "grasp", "object": "a"}
+{"hand": "any", "do": "move_to", "position": [0, 0, 3]}
+{"do": "wait", "until": "arrived"}
+
+{"hand": "any", "do": "move_to", "position": [3, 0, 3]}
+{"do": "wait", "until": "arrived"}
+{"hand": "any", "do": "move_to", "position": [3, 0, 1.51]}
+{"do": "wait", "until": "arrived"}
+{"hand": "any", "do": "release"}
+{"do": "wait", "until": "still"}
+)"),
+            "");
+  EXPECT_LT((PositionOf(*simulation_, "a") - Vector3(0.3, 0, 0.15)).norm(), 0.001);
+}
+
+TEST_F(ScriptTest, WaitsForSecondsAndTicks) {
+  EXPECT_EQ(Play(R"({"do": "wait", "seconds": 0.5}
+{"tick": 45, "hand": "any", "do": "grasp", "object": "a"})"),
+            "");
+  EXPECT_EQ(simulation_->tick(), 45u);
+}
+
+TEST_F(ScriptTest, NamesTheLineOfARefusedCommand) {
+  EXPECT_EQ(Play("\n{\"hand\": \"any\", \"do\": \"grasp\", \"object\": \"x\"}"),
+            "demo.jsonl:2: there is no object 'x'");
+}
+
+TEST_F(ScriptTest, SaysWhenAHandCannotArrive) {
+  EXPECT_EQ(Play(R"({"hand": "any", "do": "grasp", "object": "a"}
+{"hand": "any", "do": "move_to", "position": [0, 0, -1]}
+{"do": "wait", "until": "arrived", "seconds": 2})"),
+            "demo.jsonl:3: waited 2 s, but a hand has not arrived: something is in its way");
+}
+
+TEST_F(ScriptTest, CollectsEveryFindingBeforeAnythingMoves) {
+  EXPECT_EQ(Play("{\"do\": \"wait\"}\n[1, 2]\nnonsense\n{\"do\": \"wait\", \"seconds\": -1}"),
+            "demo.jsonl:1: \"wait\" lacks \"seconds\" or \"until\"\n"
+            "demo.jsonl:2: found array, expected an object like {\"hand\": \"left\", \"do\": …}\n"
+            "demo.jsonl:3: this is not a JSON object on one line\n"
+            "demo.jsonl:4: \"seconds\" is -1, expected a number from 0 to 86400");
+  EXPECT_EQ(simulation_->tick(), 0u);
+}
+
+}  // namespace
+}  // namespace smile::sim

@@ -16,11 +16,15 @@ RigidTransform RobotBasePose(const scene::TableSpec& table, double gap, double h
 }
 
 Simulation::Simulation(scene::SceneSpec scene, std::optional<RobotPlacement> robot)
-    : scene_(std::move(scene)), tabletop_(&physics_, scene_), demonstrator_(&physics_, &tabletop_) {
+    : scene_(std::move(scene)),
+      tabletop_(&physics_, scene_),
+      demonstrator_(&physics_, &tabletop_),
+      placement_(std::move(robot)) {
   tabletop_.AppendVisuals(&visual_model_);
-  if (!robot) return;
+  if (!placement_) return;
   robot_ = std::make_unique<robot::RobotBody>(
-      &physics_, std::move(robot->model), RobotBasePose(scene_.table, robot->gap, robot->height));
+      &physics_, placement_->model,
+      RobotBasePose(scene_.table, placement_->gap, placement_->height));
   first_robot_frame_ = visual_model_.num_frames;
   visual_model_.object_names.push_back("robot");
   robot::AppendVisuals(robot_->model(), first_robot_frame_,

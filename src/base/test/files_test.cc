@@ -1,0 +1,78 @@
+#include "base/files.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <stdexcept>
+
+namespace smile {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder of its own for each test.
+class Files : public testing::Test {
+ protected:
+  Files() { fs::create_directories(folder_); }
+  ~Files() override { fs::remove_all(folder_); }
+
+  /// What the function says when it fails.
+  template <class Function>
+  static std::string ReasonOf(Function function) {
+    try {
+      function();
+    } catch (const std::runtime_error& error) {
+      return error.what();
+    }
+    ADD_FAILURE() << "expected a std::runtime_error";
+    return {};
+  }
+
+  const fs::path folder_ = fs::path(testing::TempDir()) /
+                           ("smile-files-" + std::to_string(getpid()) + "-" +
+                            testing::UnitTest::GetInstance()->current_test_info()->name());
+};
+
+TEST_F(Files, ComeBackAsWritten) {
+  const std::string text("any\0bytes\r\n", 11);
+  WriteFile(folder_ / "a", text);
+  EXPECT_EQ(ReadFile(folder_ / "a", 11), text);
+  WriteFile(folder_ / "a", "");
+  EXPECT_EQ(ReadFile(folder_ / "a", 0), "");
+}
+
+TEST_F(Files, LeaveNothingBesideThem) {
+  WriteFile(folder_ / "a", "text");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1);
+}
+
+TEST_F(Files, LargerThanAllowedAreNotRead) {
+  WriteFile(folder_ / "a", "12345");
+  EXPECT_EQ(ReasonOf([&] { ReadFile(folder_ / "a", 4); }),
+            (folder_ / "a").string() + ": is larger than 4 bytes");
+}
+
+TEST_F(Files, ThatCannotBeReadSayWhy) {
+  EXPECT_EQ(ReasonOf([&] { ReadFile(folder_ / "none", 9); }),
+            (folder_ / "none").string() + ": no such file");
+  EXPECT_EQ(ReasonOf([&] { ReadFile(folder_, 9); }), folder_.string() + ": is not a plain file");
+}
+
+TEST_F(Files, ThatCannotBeWrittenSayWhy) {
+  EXPECT_EQ(ReasonOf([&] { WriteFile(folder_ / "none" / "a", "text"); }),
+            (folder_ / "none" / "a").string() + ": cannot be written: No such file or directory");
+  WriteFile(folder_ / "a", "text");
+  EXPECT_TRUE(ReasonOf([&] {
+                MakeDirectories(folder_ / "a" / "b");
+              }).starts_with((folder_ / "a" / "b").string() + ": cannot be created: "));
+}
+
+TEST_F(Files, ThatShipWithUsAreFound) {
+  EXPECT_TRUE(fs::exists(DataFile("scenes/tower.xml")));
+  EXPECT_TRUE(ReasonOf([] {
+                DataFile("scenes/none.xml");
+              }).starts_with("scenes/none.xml: not found; looked at\n"));
+}
+
+}  // namespace
+}  // namespace smile

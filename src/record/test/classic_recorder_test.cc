@@ -1,0 +1,97 @@
+#include "record/classic_recorder.h"
+
+#include <cstdio>
+#include <sstream>
+
+#include "record/classic_text.h"
+#include "record/png.h"
+#include "recording_fixture.h"
+
+namespace smile::record {
+namespace {
+
+/// An eye that paints what it is told: the number of looks, so that pictures can be told apart.
+class PaintedEye : public sim::Eye {
+ public:
+  const Image& Look(const sim::Simulation&) override {
+    ++looks_;
+    image_.color.assign(static_cast<std::size_t>(spec_.width_px) * spec_.height_px * 3,
+                        static_cast<std::uint8_t>(looks_));
+    return image_;
+  }
+  const sim::EyeSpec& spec() const override { return spec_; }
+  int looks() const { return looks_; }
+
+ private:
+  sim::EyeSpec spec_{.width_px = 8, .height_px = 6};
+  Image image_{.width_px = 8, .height_px = 6};
+  int looks_ = 0;
+};
+
+class ClassicRecorderTest : public RecordingFixture {
+ protected:
+  static std::vector<std::string> Lines(const std::filesystem::path& path) {
+    std::istringstream text(ReadFile(path, 1 << 20));
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(text, line);) lines.push_back(line);
+    return lines;
+  }
+};
+
+TEST_F(ClassicRecorderTest, SegmentZeroDescribesTheSceneInItsOrder) {
+  const auto demo = Record();
+  const auto lines = Lines(demo / "0.txt");
+  ASSERT_GE(lines.size(), 4u);
+  EXPECT_EQ(lines[0], "0,create,a,shape,block,color,red");
+  EXPECT_EQ(lines[1], "0,create,b,shape,block,label,tall\\, blue");
+  EXPECT_EQ(lines[2], "0,move,a,0.0,-2.0,0.5,0.0,-0.0,0.0");
+  EXPECT_EQ(lines[3], "0,move,b,3.0,-2.0,0.5,0.0,-0.0,30.0");
+}
+
+TEST_F(ClassicRecorderTest, EveryActionOpensASegmentWithItselfAsFirstLine) {
+  const auto demo = Record();
+  EXPECT_EQ(Lines(demo / "1.txt")[0].substr(2), "grasp,LeftHand,a");
+  EXPECT_NE(Lines(demo / "2.txt")[0].find(",release,LeftHand"), std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(demo / "3.txt"));
+  // The release segment ends with the exact pose of rest.
+  std::string last;
+  for (const std::string& line : Lines(demo / "2.txt")) {
+    if (line.find(",move,a,") != std::string::npos) last = line;
+  }
+  double x = 0, y = 0, z = 0;
+  ASSERT_EQ(std::sscanf(last.c_str(), "%*d,move,a,%lf,%lf,%lf", &x, &y, &z), 3) << last;
+  EXPECT_LT((Vector3(x, y, z) - Vector3(3, -2, 1.5)).norm(), 0.01);
+}
+
+TEST_F(ClassicRecorderTest, OnlyFramesInWhichSomethingMovedHaveAPicture) {
+  PaintedEye eye;
+  const auto demo = Record(kStackAOnB, false, &eye);
+  const auto index = Lines(demo / "frames.csv");
+  EXPECT_EQ(index[0], "frame,tick,image");
+  int pictures = 0;
+  for (std::size_t i = 1; i < index.size(); ++i) {
+    const std::string frame = std::to_string(i - 1);
+    EXPECT_EQ(index[i].substr(0, frame.size() + 1), frame + ",");
+    EXPECT_NE(index[i].find("," + std::to_string((i - 1) * 15) + ","), std::string::npos);
+    const std::string image = index[i].substr(index[i].rfind(',') + 1);
+    if (image.empty()) continue;
+    ++pictures;
+    EXPECT_EQ(ReadPng(demo / image).color[0], pictures) << image;
+  }
+  EXPECT_EQ(pictures, eye.looks());
+  EXPECT_GT(pictures, 4);
+  EXPECT_LT(pictures, static_cast<int>(index.size()) - 4);
+}
+
+TEST(ClassicNumber, IsTheOriginalsShortestSinglePrecision) {
+  EXPECT_EQ(ClassicNumber(2), "2.0");
+  EXPECT_EQ(ClassicNumber(-0.0), "-0.0");
+  EXPECT_EQ(ClassicNumber(0.50038415), "0.50038415");
+  EXPECT_EQ(ClassicNumber(3.4144908e-4), "3.4144908E-4");
+  EXPECT_EQ(ClassicNumber(1e7), "1.0E7");
+  EXPECT_EQ(ClassicNumber(1234567), "1234567.0");
+  EXPECT_EQ(ClassicNumber(0.001), "0.001");
+}
+
+}  // namespace
+}  // namespace smile::record

@@ -1,0 +1,118 @@
+#include "record/replay.h"
+
+#include <fstream>
+#include <random>
+
+#include "base/diagnostic.h"
+#include "recording_fixture.h"
+
+namespace smile::record {
+namespace {
+
+class ReplayTest : public RecordingFixture {
+ protected:
+  static std::string Text(const std::filesystem::path& path) { return ReadFile(path, 1 << 26); }
+  static void Overwrite(const std::filesystem::path& path, const std::string& text) {
+    std::ofstream(path, std::ios::binary | std::ios::trunc) << text;
+  }
+  static std::string Complaint(const std::filesystem::path& directory) {
+    try {
+      OpenRecording(directory);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  }
+};
+
+TEST_F(ReplayTest, IsIdenticalToTheLastBit) {
+  const ReplayReport report = Replay(OpenRecording(Record()));
+  EXPECT_FALSE(report.first_difference.has_value());
+  EXPECT_GT(report.ticks, 150u);
+  EXPECT_EQ(report.hash, final_hash_);
+}
+
+TEST_F(ReplayTest, IsIdenticalWithARobotThatMoves) {
+  const ReplayReport report = Replay(OpenRecording(Record(
+      R"({"do":"joint_angles","left":[0.1,-0.5,0,0.9,0,1.1,0]}
+{"do":"joint_velocities","left":[0.2,0.1,-0.3,0,0,0.1,0.5],"grippers":[-0.7,0.3],"head":0.3}
+{"do":"wait","seconds":1}
+{"do":"joint_velocities","left":[0,0,0,0,0,0,0],"head":0}
+{"do":"wait","seconds":0.5})",
+      /*with_robot=*/true)));
+  EXPECT_FALSE(report.first_difference.has_value());
+  EXPECT_EQ(report.hash, final_hash_);
+}
+
+TEST_F(ReplayTest, NamesTheFirstTickObjectAndQuantityThatDiffers) {
+  const auto directory = Record();
+  std::string commands = Text(directory / "commands.jsonl");
+  const std::string target = "[3.0,-2.0,3.0]";
+  ASSERT_NE(commands.find(target), std::string::npos) << commands;
+  commands.replace(commands.find(target), target.size(), "[3.0,-2.1,3.0]");
+  Overwrite(directory / "commands.jsonl", commands);
+
+  const Recording recording = OpenRecording(directory);
+  const ReplayReport report = Replay(recording);
+  ASSERT_TRUE(report.first_difference.has_value());
+  // Its target goes elsewhere at once (the hash sees that), the block itself a moment later.
+  EXPECT_EQ(report.first_difference->tick, recording.commands[2].tick + 1);
+  EXPECT_EQ(report.first_difference->object, "a");
+  EXPECT_EQ(report.first_difference->quantity, "position");
+}
+
+TEST_F(ReplayTest, OpensWhatACrashCutShortAndSaysSo) {
+  const auto directory = Record();
+  const std::string commands = Text(directory / "commands.jsonl");
+  Overwrite(directory / "commands.jsonl", commands.substr(0, commands.size() - 5));
+  const std::string trace = Text(directory / "trace.bin");
+  Overwrite(directory / "trace.bin", trace.substr(0, trace.size() / 4 + 3));
+
+  const Recording recording = OpenRecording(directory);
+  EXPECT_EQ(recording.cuts,
+            (std::vector<std::string>{"the last line of commands.jsonl was cut and is left out"}));
+  const ReplayReport report = Replay(recording);
+  EXPECT_FALSE(report.first_difference.has_value());
+  EXPECT_GT(report.ticks, 20u);
+}
+
+TEST_F(ReplayTest, SaysWhatIsWrongWithAFileThatIsNoRecording) {
+  EXPECT_EQ(Complaint(root_),
+            root_.string() + ": is not a recording; expected a directory with a demo.json in it");
+  const auto directory = Record();
+  Overwrite(directory / "commands.jsonl", "{\"tick\":3,\"do\":\"fly\"}\n");
+  EXPECT_EQ(Complaint(directory).substr(0, Complaint(directory).find(", expected")),
+            (directory / "commands.jsonl").string() + ":1: \"do\" is \"fly\"");
+}
+
+TEST_F(ReplayTest, NeverCrashesOnDamagedTraces) {
+  const auto directory = Record();
+  const std::string trace = Text(directory / "trace.bin");
+  std::mt19937 random(3);
+  for (int i = 0; i < 200; ++i) {
+    std::string damaged = trace.substr(0, 400 + random() % 4000);
+    for (int k = 0; k < 3; ++k) damaged[random() % damaged.size()] = static_cast<char>(random());
+    Overwrite(directory / "trace.bin", damaged);
+    try {
+      TraceReader reader(directory / "trace.bin");
+      while (reader.Next()) {
+      }
+    } catch (const InputError&) {
+    }
+  }
+}
+
+TEST_F(ReplayTest, NeverOverwritesARecording) {
+  const auto directory = Record();
+  auto simulation = MakeSimulation(false);
+  try {
+    Recorder again(directory, {}, nullptr, *simulation);
+    FAIL() << "it overwrote a recording";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.diagnostics().front().message,
+              "exists already; a recording is never overwritten, name a new directory");
+  }
+}
+
+}  // namespace
+}  // namespace smile::record

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <urdf_model/model.h>
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "base/diagnostic.h"
+#include "robot/internal_tag_scan.h"
+
+namespace smile::robot::internal {
+
+/// A URDF as its parser understood it, together with where things stand in the text.
+class UrdfDocument {
+ public:
+  /// @throws InputError when it is not well formed, too large, or its links are not one tree.
+  UrdfDocument(const std::string& text, std::string file);
+
+  const urdf::ModelInterface& model() const { return *model_; }
+
+  /// Throws the InputError of one `<element name="name">`, with its line.
+  [[noreturn]] void Fail(std::string_view element, std::string_view name,
+                         const std::string& message) const;
+
+ private:
+  void CheckTree() const;
+  void CheckCount(const std::string& element) const;
+  int LineOf(std::string_view element, std::string_view name) const;
+  [[noreturn]] void FailLikeParser(const std::string& log) const;
+
+  std::string file_;
+  std::vector<XmlTag> tags_;
+  std::shared_ptr<const urdf::ModelInterface> model_;
+};
+
+}  // namespace smile::robot::internal

@@ -1,0 +1,111 @@
+#include "robot/internal_urdf_values.h"
+
+#include <cmath>
+#include <cstdio>
+
+namespace smile::robot::internal {
+namespace {
+
+// Far beyond any robot, near enough that products stay finite.
+constexpr double kMaxLength = 100;   // [m]
+constexpr double kMaxMass = 1e5;     // [kg]
+constexpr double kMaxInertia = 1e6;  // [kg m2]
+constexpr double kMaxAngle = 100;    // [rad]
+constexpr double kMaxRate = 1e4;     // [rad/s or m/s]
+constexpr double kMaxEffort = 1e6;   // [N m or N]
+
+std::string Text(double number) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%g", number);
+  return text;
+}
+
+}  // namespace
+
+RigidTransform UrdfElement::ReadPose(const urdf::Pose& pose) const {
+  const Vector3 position(pose.position.x, pose.position.y, pose.position.z);
+  for (double part : position) Within(part, -kMaxLength, kMaxLength, "origin");
+  const Quaternion q(pose.rotation.w, pose.rotation.x, pose.rotation.y, pose.rotation.z);
+  if (!(std::abs(q.norm() - 1) < 1e-6)) Fail("rpy is not a rotation");
+  return {q.normalized(), position};
+}
+
+UrdfInertial UrdfElement::ReadInertial(const urdf::Inertial& inertial) const {
+  UrdfInertial read{.mass = Within(inertial.mass, 0, kMaxMass, "mass"),
+                    .X_FI = ReadPose(inertial.origin)};
+  read.inertia << inertial.ixx, inertial.ixy, inertial.ixz,  //
+      inertial.ixy, inertial.iyy, inertial.iyz,              //
+      inertial.ixz, inertial.iyz, inertial.izz;
+  for (double part : read.inertia.reshaped()) {
+    Within(part, -kMaxInertia, kMaxInertia, "inertia");
+  }
+  return read;
+}
+
+scene::Solid UrdfElement::ReadSolid(const urdf::Geometry* geometry,
+                                    const urdf::Pose& origin) const {
+  scene::Solid solid{.X_BS = ReadPose(origin)};
+  if (const auto* box = dynamic_cast<const urdf::Box*>(geometry)) {
+    solid.shape = scene::Block{{Positive(box->dim.x, kMaxLength, "box size"),
+                                Positive(box->dim.y, kMaxLength, "box size"),
+                                Positive(box->dim.z, kMaxLength, "box size")}};
+  } else if (const auto* cylinder = dynamic_cast<const urdf::Cylinder*>(geometry)) {
+    solid.shape =
+        scene::Cylinder{.radius = Positive(cylinder->radius, kMaxLength, "cylinder radius"),
+                        .length = Positive(cylinder->length, kMaxLength, "cylinder length")};
+    // URDF's cylinders stand along z, ours lie along y.
+    Matrix3 R_zy;
+    R_zy << 1, 0, 0, 0, 0, -1, 0, 1, 0;
+    solid.X_BS = solid.X_BS * RigidTransform(R_zy, Vector3::Zero());
+  } else if (const auto* sphere = dynamic_cast<const urdf::Sphere*>(geometry)) {
+    solid.shape = scene::Sphere{Positive(sphere->radius, kMaxLength, "sphere radius")};
+  } else {
+    Fail("found a mesh or no shape, expected box, cylinder or sphere");
+  }
+  return solid;
+}
+
+Color UrdfElement::ReadColor(const urdf::Color& color) const {
+  return {Within(color.r, 0, 1, "red"), Within(color.g, 0, 1, "green"),
+          Within(color.b, 0, 1, "blue")};
+}
+
+void UrdfElement::ReadMotion(const urdf::Joint& joint, physics::LinkSpec* link) const {
+  const bool is_revolute = joint.type == urdf::Joint::REVOLUTE;
+  if (!is_revolute && joint.type != urdf::Joint::PRISMATIC) {
+    Fail("this type of joint is not supported, expected revolute, prismatic or fixed");
+  }
+  if (joint.mimic) Fail("found <mimic>, expected a joint that moves by itself");
+  link->joint_type = is_revolute ? physics::JointType::kRevolute : physics::JointType::kPrismatic;
+
+  const Vector3 axis(joint.axis.x, joint.axis.y, joint.axis.z);
+  if (!(axis.norm() > 1e-9 && axis.norm() < kMaxLength)) {
+    Fail("axis has the length " + Text(axis.norm()) + ", expected a direction");
+  }
+  link->axis = axis.normalized();
+
+  if (!joint.limits) Fail("has no <limit>, expected lower, upper, velocity and effort");
+  const double reach = is_revolute ? kMaxAngle : kMaxLength;
+  link->lower = Within(joint.limits->lower, -reach, reach, "lower limit");
+  link->upper = Within(joint.limits->upper, -reach, reach, "upper limit");
+  if (!(link->lower < link->upper)) {
+    Fail("lower limit is " + Text(link->lower) + ", expected less than the upper, " +
+         Text(link->upper));
+  }
+  link->max_velocity = Positive(joint.limits->velocity, kMaxRate, "velocity limit");
+  link->max_effort = Positive(joint.limits->effort, kMaxEffort, "effort limit");
+}
+
+// Both comparisons are written so that NaN is outside.
+
+double UrdfElement::Within(double value, double low, double high, const char* what) const {
+  if (value >= low && value <= high) return value;
+  Fail(std::string(what) + " is " + Text(value) + ", expected " + Text(low) + " to " + Text(high));
+}
+
+double UrdfElement::Positive(double value, double high, const char* what) const {
+  if (value > 0 && value <= high) return value;
+  Fail(std::string(what) + " is " + Text(value) + ", expected above 0 to " + Text(high));
+}
+
+}  // namespace smile::robot::internal

@@ -1,0 +1,80 @@
+#include "robot/kinematics.h"
+
+#include <stdexcept>
+#include <string>
+
+namespace smile::robot {
+namespace {
+
+using physics::JointType;
+using physics::LinkSpec;
+
+void CheckSize(const RobotModel& model, std::span<const double> q) {
+  if (q.size() == model.links.size()) return;
+  throw std::invalid_argument("q has " + std::to_string(q.size()) +
+                              " values, expected one for each of the " +
+                              std::to_string(model.links.size()) + " joints of " + model.name);
+}
+
+const Frame& CheckedFrame(const RobotModel& model, int frame) {
+  if (frame < 0 || frame >= static_cast<int>(model.frames.size())) {
+    throw std::invalid_argument("frame is " + std::to_string(frame) + ", expected 0 to " +
+                                std::to_string(static_cast<int>(model.frames.size()) - 1));
+  }
+  return model.frames[frame];
+}
+
+void CheckJoints(const RobotModel& model, std::span<const int> joints) {
+  for (int joint : joints) {
+    if (joint >= 0 && joint < model.num_joints()) continue;
+    throw std::invalid_argument("joint is " + std::to_string(joint) + ", expected 0 to " +
+                                std::to_string(model.num_joints() - 1));
+  }
+}
+
+/// X_WF, when the links are at `X_WL`.
+RigidTransform PoseOf(const Frame& F, const RigidTransform& X_WBase,
+                      const std::vector<RigidTransform>& X_WL) {
+  return (F.link < 0 ? X_WBase : X_WL[F.link]) * F.X_LF;
+}
+
+}  // namespace
+
+std::vector<RigidTransform> LinkPoses(const RobotModel& model, const RigidTransform& X_WBase,
+                                      std::span<const double> q) {
+  CheckSize(model, q);
+  return physics::LinkPoses(model.links, X_WBase, q);
+}
+
+RigidTransform FramePose(const RobotModel& model, const RigidTransform& X_WBase,
+                         std::span<const double> q, int frame) {
+  return PoseOf(CheckedFrame(model, frame), X_WBase, LinkPoses(model, X_WBase, q));
+}
+
+Eigen::MatrixXd GeometricJacobian(const RobotModel& model, std::span<const double> q, int frame,
+                                  std::span<const int> joints) {
+  CheckJoints(model, joints);
+  const Frame& F = CheckedFrame(model, frame);
+  const std::vector<RigidTransform> X_BaseL = LinkPoses(model, {}, q);
+  const Vector3 p_BaseF = PoseOf(F, {}, X_BaseL).translation();
+
+  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(6, static_cast<Eigen::Index>(joints.size()));
+  // From the frame's link down to the base: these joints carry it.
+  for (int carrier = F.link; carrier >= 0; carrier = model.links[carrier].parent) {
+    const LinkSpec& link = model.links[carrier];
+    // The joint's own motion leaves its axis where it was, so L's axes do as well as J's.
+    const Vector3 axis_Base = X_BaseL[carrier].rotation() * link.axis;
+    Eigen::Matrix<double, 6, 1> column;
+    if (link.joint_type == JointType::kRevolute) {
+      column << axis_Base.cross(p_BaseF - X_BaseL[carrier].translation()), axis_Base;
+    } else {
+      column << axis_Base, Vector3::Zero();
+    }
+    for (std::size_t j = 0; j < joints.size(); ++j) {
+      if (joints[j] == carrier) J.col(static_cast<Eigen::Index>(j)) = column;
+    }
+  }
+  return J;
+}
+
+}  // namespace smile::robot

@@ -1,0 +1,98 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "physics/articulation_spec.h"
+
+namespace smile::robot {
+
+/// A named frame F that moves with a link L. Every link of the description has one of its own
+/// name, links that were merged into their parent too.
+struct Frame {
+  std::string name;
+  int link = -1;  ///< index into RobotModel::links; -1 = the base
+  RigidTransform X_LF;
+
+  bool operator==(const Frame&) const = default;
+};
+
+/// A piece to draw. Solid::X_BS is its pose in its link, X_LS; its part_id is empty.
+struct LinkVisual {
+  int link = -1;  ///< index into RobotModel::links; -1 = the base
+  scene::Solid solid;
+
+  bool operator==(const LinkVisual&) const = default;
+};
+
+/// Two fingers that slide apart along +y and -y of the tool frame. Their joint positions are 0
+/// when they meet in the middle; the opening between them is the sum of both [m].
+struct Gripper {
+  int left_finger = -1;   ///< joint index; slides along +y
+  int right_finger = -1;  ///< joint index; slides along -y
+
+  bool operator==(const Gripper&) const = default;
+};
+
+struct Arm {
+  std::string name;         ///< `left`, `right`
+  std::vector<int> joints;  ///< joint indexes from the shoulder to the wrist
+  int tool = -1;            ///< frame index of the tool G; z is the approach direction
+  std::optional<Gripper> gripper;
+
+  bool operator==(const Arm&) const = default;
+};
+
+struct Head {
+  int joint = -1;   ///< joint index of the pan; positive turns to the robot's left
+  int camera = -1;  ///< frame index of the robot's eye: x right, y down, z forward
+
+  bool operator==(const Head&) const = default;
+};
+
+/// A configuration somebody gave a name, one value per joint [rad or m].
+struct NamedPose {
+  std::string name;
+  std::vector<double> q;
+
+  bool operator==(const NamedPose&) const = default;
+};
+
+/// A robot as its description tells it: plain values, independent of where it stands.
+///
+/// Joint i carries link i, so one index serves both; a configuration q has one value per joint.
+struct RobotModel {
+  std::string name;
+  std::vector<physics::LinkSpec> links;   ///< the moving ones, parents before children
+  std::vector<scene::Solid> base_solids;  ///< what the base collides with; X_BS is X_BaseS
+  std::vector<LinkVisual> visuals;        ///< base and links, what is fixed together side by side
+  std::vector<Frame> frames;              ///< unique names
+  std::vector<Arm> arms;                  ///< left first
+  std::optional<Head> head;
+  /// Links that touch by construction; -1 is the base.
+  std::vector<std::pair<int, int>> never_collide;
+  std::vector<NamedPose> poses;
+  std::vector<double> q_start;  ///< one value per joint, within limits
+
+  int num_joints() const { return static_cast<int>(links.size()); }
+  bool operator==(const RobotModel&) const = default;
+};
+
+/// Lookups by name, for the border where names come in; nullopt or nullptr when there is none.
+[[nodiscard]] std::optional<int> FindJoint(const RobotModel& model, std::string_view name);
+[[nodiscard]] std::optional<int> FindFrame(const RobotModel& model, std::string_view name);
+[[nodiscard]] const Arm* FindArm(const RobotModel& model, std::string_view name);
+[[nodiscard]] const NamedPose* FindPose(const RobotModel& model, std::string_view name);
+
+/// True when `q` has one value per joint, each within its limits widened by `tolerance` [rad, m].
+bool IsWithinLimits(const RobotModel& model, std::span<const double> q, double tolerance = 0);
+
+/// What physics needs of a robot whose base stands at `X_WBase`.
+physics::ArticulationSpec MakeArticulationSpec(const RobotModel& model,
+                                               const RigidTransform& X_WBase);
+
+}  // namespace smile::robot

@@ -1,0 +1,39 @@
+#include "robot/robot_visuals.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+#include "robot/kinematics.h"
+
+namespace smile::robot {
+
+void AppendVisuals(const RobotModel& model, int first_frame, std::uint32_t object_id,
+                   scene::VisualModel* visual_model) {
+  if (first_frame < 1) {
+    throw std::invalid_argument("first_frame is " + std::to_string(first_frame) +
+                                ", expected at least 1: frame 0 is the world");
+  }
+  if (object_id == 0 || object_id >= visual_model->object_names.size()) {
+    throw std::invalid_argument("object_id is " + std::to_string(object_id) +
+                                ", expected the index of a named object");
+  }
+  for (const LinkVisual& visual : model.visuals) {
+    visual_model->visuals.push_back({.shape = visual.solid.shape,
+                                     .color = visual.solid.color,
+                                     .X_FV = visual.solid.X_BS,
+                                     .frame = first_frame + 1 + visual.link,
+                                     .object_id = object_id});
+  }
+  visual_model->num_frames =
+      std::max(visual_model->num_frames, first_frame + NumVisualFrames(model));
+}
+
+scene::FramePoses FramePosesOf(const RobotModel& model, const RigidTransform& X_WBase,
+                               std::span<const double> q) {
+  scene::FramePoses poses = LinkPoses(model, X_WBase, q);
+  poses.insert(poses.begin(), X_WBase);
+  return poses;
+}
+
+}  // namespace smile::robot

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "robot/robot_model.h"
+#include "scene/visual_model.h"
+
+namespace smile::robot {
+
+/// How many frames of a VisualModel a robot takes: one for the base, then one for each link in the
+/// order of `model.links`.
+inline int NumVisualFrames(const RobotModel& model) { return 1 + model.num_joints(); }
+
+/// Appends all a robot shows, as frames `first_frame` (the base), `first_frame` + 1 (link 0), …
+///
+/// @param first_frame  at least 1, since frame 0 is the world; `visual_model->num_frames` grows to
+///                     hold the robot's frames when they lie beyond it.
+/// @param object_id    what the robot's pixels are known by, an index into
+///                     `visual_model->object_names`.
+/// @throws std::invalid_argument if the frame or the id is out of range.
+void AppendVisuals(const RobotModel& model, int first_frame, std::uint32_t object_id,
+                   scene::VisualModel* visual_model);
+
+/// The poses X_WF that belong to the frames AppendVisuals() made: the base, then every link.
+/// @throws std::invalid_argument if `q` has the wrong size.
+scene::FramePoses FramePosesOf(const RobotModel& model, const RigidTransform& X_WBase,
+                               std::span<const double> q);
+
+}  // namespace smile::robot

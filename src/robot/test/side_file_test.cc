@@ -1,0 +1,95 @@
+#include <gtest/gtest.h>
+
+#include "robot/test/robot_files.h"
+
+namespace smile::robot {
+namespace {
+
+class SideFile : public RobotFiles {
+ protected:
+  /// A robot whose link `arm` carries the fingers `f1` and `f2`.
+  static std::string Urdf() {
+    std::string fingers;
+    for (const std::string name : {"f1", "f2"}) {
+      fingers += "<link name=\"" + name + "\">" + SmallRobot().inertial + "</link><joint name=\"" +
+                 name + "\" type=\"prismatic\"><parent link=\"arm\"/><child link=\"" + name +
+                 "\"/><limit lower=\"0\" upper=\"0.1\" velocity=\"1\" effort=\"1\"/></joint>";
+    }
+    return SmallRobot{.extra = fingers}.Text();
+  }
+  static std::string WithArm(const std::string& more = "") {
+    return R"({"format": 1,
+"arms": {"only": {"joints": ["turn"], "tool": "arm", "fingers": ["f1", "f2"]}})" +
+           more + "}";
+  }
+  std::string ComplaintAbout(const std::string& side_file) { return Complaint(Urdf(), side_file); }
+};
+
+TEST_F(SideFile, NamesArmsGrippersPosesAndTheStart) {
+  const RobotModel model = Read(Urdf(), WithArm(R"(,
+"head": {"joint": "turn", "camera": "base"},
+"never_collide": [["f1", "base"], ["f1", "f2"]],
+"poses": {"up": {"only": [1.5], "opening": 0.1}}, "start": "up")"));
+  ASSERT_EQ(model.arms.size(), 1u);
+  const Arm& arm = model.arms[0];
+  EXPECT_EQ(arm.name, "only");
+  EXPECT_EQ(arm.joints, std::vector<int>{0});
+  EXPECT_EQ(model.frames[arm.tool].name, "arm");
+  EXPECT_EQ(arm.gripper, (Gripper{1, 2}));
+  EXPECT_EQ(model.head->joint, 0);
+  EXPECT_EQ(model.never_collide, (std::vector<std::pair<int, int>>{{-1, 1}, {1, 2}}));
+  EXPECT_EQ(model.q_start, (std::vector<double>{1.5, 0.05, 0.05}));
+}
+
+TEST_F(SideFile, MayBeMissing) {
+  const RobotModel model = Read(Urdf());
+  EXPECT_TRUE(model.arms.empty());
+  EXPECT_FALSE(model.head.has_value());
+}
+
+TEST_F(SideFile, ComplaintsNameThePlace) {
+  EXPECT_EQ(ComplaintAbout("[]"), "r.robot.json: found array, expected an object");
+  EXPECT_EQ(ComplaintAbout("{}"), "r.robot.json: has no member \"format\"");
+  EXPECT_EQ(ComplaintAbout(R"({"format": 2})"), "r.robot.json: <format>: found 2, expected 1");
+  EXPECT_EQ(ComplaintAbout(WithArm(R"(, "posse": {})")),
+            "r.robot.json: unknown member \"posse\", expected format, arms, head, never_collide, "
+            "poses or start; did you mean \"poses\"?");
+  EXPECT_EQ(ComplaintAbout(R"({"format": 1, "arms": {"a": {"joints": ["spin"], "tool": "arm"}}})"),
+            "r.robot.json: <arms/a/joints/0>: found \"spin\", expected a joint that moves");
+  EXPECT_EQ(ComplaintAbout(R"({"format": 1, "arms": {"a": {"joints": [7], "tool": "arm"}}})"),
+            "r.robot.json: <arms/a/joints/0>: found number, expected a text");
+  EXPECT_EQ(ComplaintAbout(R"({"format": 1, "arms": {"a": {"joints": [], "tool": "leg"}}})"),
+            "r.robot.json: <arms/a/tool>: found \"leg\", expected the name of a link");
+  EXPECT_EQ(ComplaintAbout(WithArm(R"(, "never_collide": [["arm", "arm"]])")),
+            "r.robot.json: <never_collide/0>: both move as one, expected two links that move "
+            "apart");
+  EXPECT_EQ(ComplaintAbout(WithArm(R"(, "start": "nowhere")")),
+            "r.robot.json: <start>: found \"nowhere\", expected one of the poses");
+}
+
+TEST_F(SideFile, RefusesFingersThatAreNone) {
+  EXPECT_EQ(ComplaintAbout(R"({"format": 1, "arms": {"a":
+{"joints": [], "tool": "arm", "fingers": ["f1", "turn"]}}})"),
+            "r.robot.json: <arms/a/fingers>: joint \"turn\" does not slide from 0 on, expected "
+            "a finger that does");
+  EXPECT_EQ(ComplaintAbout(R"({"format": 1, "arms": {"a":
+{"joints": [], "tool": "arm", "fingers": ["f1"]}}})"),
+            "r.robot.json: <arms/a/fingers>: length is 1, expected 2");
+}
+
+TEST_F(SideFile, RefusesPosesTheRobotCannotTake) {
+  EXPECT_EQ(ComplaintAbout(WithArm(R"(, "poses": {"p": {"only": [3]}})")),
+            "r.robot.json: <poses/p/only/0>: joint \"turn\" would stand at 3, expected -1 to 2");
+  EXPECT_EQ(ComplaintAbout(WithArm(R"(, "poses": {"p": {"only": [0, 0]}})")),
+            "r.robot.json: <poses/p/only>: length is 2, expected 1");
+  EXPECT_EQ(ComplaintAbout(WithArm(R"(, "poses": {"p": {"tail": 1}})")),
+            "r.robot.json: <poses/p/tail>: expected the name of an arm, head or opening");
+}
+
+TEST_F(SideFile, NamesTheLineWhereJsonEnds) {
+  const std::string message = ComplaintAbout("{\"format\": 1,\n\"arms\": }");
+  EXPECT_TRUE(message.starts_with("r.robot.json:2: not JSON: ")) << message;
+}
+
+}  // namespace
+}  // namespace smile::robot

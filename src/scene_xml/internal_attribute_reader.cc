@@ -1,0 +1,198 @@
+#include "scene_xml/internal_attribute_reader.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/wording.h"
+#include "math/angles.h"
+#include "scene_xml/internal_units.h"
+#include "scene_xml/internal_values.h"
+
+namespace smile::scene_xml {
+namespace {
+
+// Far beyond any table, near enough that no sum or square of them leaves the numbers.
+constexpr Range<long double> kSpanUnits{0.001L, 1e6L};
+constexpr Range<long double> kLocationUnits{-1e6L, 1e6L};
+// Beyond, a double holds too few digits of an angle to make a clean rotation of it.
+constexpr Range<double> kAngleDegrees{-1e6, 1e6};
+// How far the columns of a rotation matrix may be from unit length and right angles.
+constexpr double kRotationTolerance = 1e-9;
+
+template <class Number>
+bool Contains(const Range<Number>& range, Number value) {
+  return value >= range.least && value <= range.most;
+}
+
+bool Contains(const std::vector<std::string_view>& names, std::string_view name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+template <class Number>
+std::string Wording(const Range<Number>& range) {
+  return "from " + PlainNumberText(static_cast<double>(range.least)) + " to " +
+         PlainNumberText(static_cast<double>(range.most));
+}
+
+bool IsRotation(const Matrix3& R) {
+  const Matrix3 error = R * R.transpose() - Matrix3::Identity();
+  return error.cwiseAbs().maxCoeff() <= kRotationTolerance && R.determinant() > 0;
+}
+
+/// Without negative zeros, which the formulas make of plain angles: equal matrices, equal bits.
+Matrix3 WithoutNegativeZeros(const Matrix3& R) { return R.array() + 0.0; }
+
+}  // namespace
+
+void AttributeReader::AddFinding(const std::string& message) {
+  has_findings_ = true;
+  reading_.findings->Add(element_.line, AddressOf(element_), message);
+}
+
+void AttributeReader::Refuse(std::string_view name, const std::string& expected) {
+  const std::string* text = element_.FindAttribute(name);
+  const std::string found =
+      text ? std::string(name) + "=" + Quoted(*text) : "the default of " + std::string(name);
+  AddFinding("found " + found + ", expected " + expected);
+}
+
+const std::string* AttributeReader::Text(std::string_view name) {
+  if (!Contains(known_, name)) known_.push_back(name);
+  return element_.FindAttribute(name);
+}
+
+std::string AttributeReader::RequiredText(std::string_view name) {
+  if (const std::string* text = Text(name)) return *text;
+  AddFinding("found no " + std::string(name) + ", expected " + std::string(name) + "=\"…\"");
+  return {};
+}
+
+std::string AttributeReader::Id() {
+  const std::string* text = Text("id");
+  if (!text || IsId(*text) || IsRenamedId(*text)) return text ? *text : "";
+  Refuse("id", "letters A-Z and a-z, digits and _, at most 100");
+  return {};
+}
+
+bool AttributeReader::Boolean(std::string_view name, bool fallback) {
+  const std::string* text = Text(name);
+  if (!text) return fallback;
+  const std::optional<bool> value = ParseBoolean(*text);
+  if (!value) Refuse(name, "true, false, 1 or 0");
+  return value.value_or(fallback);
+}
+
+int AttributeReader::Count(std::string_view name, int fallback, Range<int> range) {
+  const std::string* text = Text(name);
+  if (!text) return fallback;
+  const std::optional<int> value = ParseCount(*text);
+  if (value && Contains(range, *value)) return *value;
+  Refuse(name, "a whole number " + Wording(range));
+  return fallback;
+}
+
+double AttributeReader::Number(std::string_view name, double fallback, Range<double> range) {
+  const std::string* text = Text(name);
+  if (!text) return fallback;
+  const std::optional<double> value = ParseNumber<double>(*text);
+  if (value && Contains(range, *value)) return *value;
+  Refuse(name, "a number " + Wording(range));
+  return fallback;
+}
+
+Color AttributeReader::Color() {
+  const std::string* text = Text("color");
+  if (!text) return {};
+  if (const std::optional<smile::Color> color = ParseColor(*text)) return *color;
+  const std::vector<std::string_view> names = ColorNames();
+  Refuse("color", "#RRGGBB, " + OneOf(names) + DidYouMean(*text, names));
+  return {};
+}
+
+double AttributeReader::Span(std::string_view name, double fallback_units) {
+  long double units = fallback_units;
+  if (const std::string* text = Text(name)) {
+    const std::optional<long double> value = ParseNumber<long double>(*text);
+    if (value && Contains(kSpanUnits, *value)) {
+      units = *value;
+    } else {
+      Refuse(name, "a length " + Wording(kSpanUnits) + " units");
+    }
+  }
+  return MetersFromUnits(units, reading_.meters_per_unit);
+}
+
+Vector3 AttributeReader::Spans(double fallback_units) {
+  // One by one: the order of findings is that of these lines.
+  const double x = Span("xspan", fallback_units);
+  const double y = Span("yspan", fallback_units);
+  const double z = Span("zspan", fallback_units);
+  return {x, y, z};
+}
+
+RigidTransform AttributeReader::Pose() {
+  const Vector3 p_PE = Location();
+  return {Rotation(), p_PE};
+}
+
+Vector3 AttributeReader::Location() {
+  const std::string* text = Text("location");
+  if (!text) {
+    AddFinding("found no location, expected location=\"(x,y,z)\"");
+    return Vector3::Zero();
+  }
+  const auto units = ParseNumbers<3, long double>(*text);
+  const auto is_in_range = [](long double value) { return Contains(kLocationUnits, value); };
+  if (!units || !std::all_of(units->begin(), units->end(), is_in_range)) {
+    Refuse("location", "(x,y,z), three numbers " + Wording(kLocationUnits));
+    return Vector3::Zero();
+  }
+  const auto meters = [&](int i) { return MetersFromUnits((*units)[i], reading_.meters_per_unit); };
+  return {meters(0), meters(1), meters(2)};
+}
+
+Matrix3 AttributeReader::Rotation() {
+  const std::string* text = Text("rotation");
+  if (Text("rotationMatrix")) {
+    if (text) Refuse("rotation", "either rotation or rotationMatrix, not both");
+    return RotationMatrix();
+  }
+  if (!text) return Matrix3::Identity();
+  const auto angles_deg = ParseNumbers<3, double>(*text);
+  const auto is_in_range = [](double angle) { return Contains(kAngleDegrees, angle); };
+  if (!angles_deg || !std::all_of(angles_deg->begin(), angles_deg->end(), is_in_range)) {
+    Refuse("rotation", "(a,b,c), three angles in degrees " + Wording(kAngleDegrees));
+    return Matrix3::Identity();
+  }
+  return WithoutNegativeZeros(
+      RotationFromFixedAxes({(*angles_deg)[0], (*angles_deg)[1], (*angles_deg)[2]}));
+}
+
+Matrix3 AttributeReader::RotationMatrix() {
+  const auto numbers = ParseNumbers<9, double>(*Text("rotationMatrix"));
+  if (numbers) {
+    const Matrix3 R =
+        Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(numbers->data());
+    if (IsRotation(R)) return R;
+  }
+  Refuse("rotationMatrix", "nine numbers in parentheses, row by row, that make a rotation");
+  return Matrix3::Identity();
+}
+
+void AttributeReader::Forbid(std::string_view name, const std::string& expected) {
+  forbidden_.push_back(name);
+  if (element_.FindAttribute(name)) Refuse(name, expected);
+}
+
+void AttributeReader::RefuseUnknown() {
+  std::sort(known_.begin(), known_.end());
+  for (const XmlAttribute& attribute : element_.attributes) {
+    if (Contains(known_, attribute.name) || Contains(forbidden_, attribute.name)) continue;
+    if (reading_.findings->is_full()) return AddFinding("");  // only notes that there are more
+    AddFinding("found attribute " + Quoted(attribute.name) + ", expected " + OneOf(known_) +
+               DidYouMean(attribute.name, known_));
+  }
+}
+
+}  // namespace smile::scene_xml

@@ -1,0 +1,39 @@
+#include "scene_xml/internal_element_choice.h"
+
+#include <string>
+#include <vector>
+
+#include "base/wording.h"
+
+namespace smile::scene_xml {
+
+bool CheckNamespace(const XmlElement& element, Reading* reading) {
+  if (element.is_in_scene_namespace) return true;
+  const std::string found = element.found_namespace.empty()
+                                ? "found no namespace"
+                                : "found namespace " + element.found_namespace;
+  reading->findings->Add(element.line, AddressOf(element),
+                         found + ", expected xmlns=" + Quoted(kSceneNamespace));
+  return false;
+}
+
+const ShapeElement* FindShape(const XmlElement& element, Reading* reading) {
+  if (!CheckNamespace(element, reading)) return nullptr;
+  std::vector<std::string_view> names;
+  for (const ShapeElement& shape : ShapeElements()) {
+    if (shape.name == element.name) return &shape;
+    names.push_back(shape.name);
+  }
+  RefuseElement(element, names, reading);
+  return nullptr;
+}
+
+void RefuseElement(const XmlElement& element, std::span<const std::string_view> expected,
+                   Reading* reading) {
+  const std::string what = expected.empty() ? "nothing inside this element" : OneOf(expected);
+  reading->findings->Add(
+      element.line, AddressOf(element),
+      "found an unknown element, expected " + what + DidYouMean(element.name, expected));
+}
+
+}  // namespace smile::scene_xml

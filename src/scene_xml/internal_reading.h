@@ -1,0 +1,16 @@
+#pragma once
+
+#include "scene/scene_spec.h"
+#include "scene_xml/internal_findings.h"
+#include "scene_xml/internal_id_registry.h"
+
+namespace smile::scene_xml {
+
+/// What the readers of a scene's elements share while it is read.
+struct Reading {
+  Findings* findings;
+  IdRegistry ids;
+  double meters_per_unit = scene::kMetersPerUnit;
+};
+
+}  // namespace smile::scene_xml

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "scene/shape.h"
+#include "scene_xml/internal_attribute_reader.h"
+
+namespace smile::scene_xml {
+
+/// One line of the table of shapes: a new shape of the language is a reader and a line.
+struct ShapeElement {
+  std::string_view name;
+  /// Reads the attributes that this kind of shape has of its own.
+  scene::Shape (*read)(AttributeReader* attributes);
+  /// A composite has parts, and no color of its own.
+  bool is_composite = false;
+};
+
+/// In alphabetic order.
+std::span<const ShapeElement> ShapeElements();
+
+}  // namespace smile::scene_xml

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/diagnostic.h"
+#include "scene/scene_spec.h"
+
+namespace smile::scene_xml {
+
+/// What a scene file may cost: files come from anywhere. Each limit, when passed, is a diagnostic.
+struct SceneLimits {
+  std::size_t max_file_bytes = 32u << 20;
+  int max_depth = 256;          ///< elements inside one another; at most 256
+  int max_elements = 100'000;   ///< in the whole file
+  int max_attributes = 256;     ///< of one element
+  int max_diagnostics = 1'000;  ///< listed, at least 1; one more says that there are more
+};
+
+struct SceneReaderOptions {
+  SceneLimits limits;
+};
+
+/// A scene, or everything that is wrong with it.
+struct SceneReading {
+  std::optional<scene::SceneSpec> scene;  ///< empty when there is any diagnostic
+  std::vector<Diagnostic> diagnostics;    ///< in the order of the file; lines start at 1
+};
+
+/// Reads a scene file (docs/scene-format.md), looking at all of it: five faults, five diagnostics.
+/// The scene is named after the file, without folder and extension. A file that cannot be opened is
+/// a diagnostic too.
+SceneReading ReadScene(const std::filesystem::path& path, const SceneReaderOptions& options = {});
+
+/// The same for a text at hand; `file_name` names it in diagnostics and names the scene.
+SceneReading ReadSceneText(std::string_view xml, const std::string& file_name,
+                           const SceneReaderOptions& options = {});
+
+/// For callers who cannot go on without the scene.
+/// @throws InputError with all diagnostics.
+scene::SceneSpec LoadScene(const std::filesystem::path& path,
+                           const SceneReaderOptions& options = {});
+
+}  // namespace smile::scene_xml

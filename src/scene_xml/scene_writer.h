@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+
+#include "scene/scene_spec.h"
+
+namespace smile::scene_xml {
+
+/// The scene as a file that stands for itself: everything expanded, every value written out, ids
+/// as they were given, in the unit of the scene.
+///
+/// Reading the text back gives the same scene, exactly: every length, mass, angle and matrix to the
+/// last bit (negative zeros become zeros). So a simulation of the text is a simulation of `scene`,
+/// which is what recordings rely on. Not kept, because a scene file has no words for them:
+/// - the name, which is that of the file;
+/// - a table thickness other than 4 units;
+/// - colors finer than 8 bits per channel that have no name;
+/// - descriptions that do not begin with `shape`.
+///
+/// Lengths are written with as many digits as metres need (internal_units.h). A rotation is written
+/// as `rotation` when its three angles give back the same matrix, as they do for nearly everything
+/// that was read from angles; else, for poses out of a simulation, as `rotationMatrix`.
+///
+/// @param scene  one the reader could have made: finite numbers, valid and unique ids, rotations
+///               within 1e-9 of a rotation matrix.
+std::string WriteScene(const scene::SceneSpec& scene);
+
+}  // namespace smile::scene_xml

@@ -1,0 +1,53 @@
+#include <gtest/gtest.h>
+
+#include "base/files.h"
+#include "scene_xml/test/scene_text.h"
+
+namespace smile::scene_xml {
+namespace {
+
+/// The blocks of code in docs/scene-format.md that begin with ``` and `kind`.
+std::vector<std::string> ExamplesOf(const std::string& kind) {
+  const std::string page = ReadFile(DataFile("docs/scene-format.md"), 1 << 20);
+  const std::string begin_mark = "\n```" + kind + "\n";
+  std::vector<std::string> examples;
+  for (std::size_t at = 0; (at = page.find(begin_mark, at)) != std::string::npos;) {
+    at += begin_mark.size();
+    const std::size_t end = page.find("\n```", at);
+    if (end == std::string::npos) break;
+    examples.push_back(page.substr(at, end + 1 - at));
+    at = end + 4;
+  }
+  return examples;
+}
+
+std::string ShippedScene(const std::string& name) {
+  return ReadFile(DataFile("scenes/" + name), 1 << 20);
+}
+
+TEST(SceneFormatPage, ShowsTheTowerAsItShips) {
+  ASSERT_EQ(ExamplesOf("xml").size(), 2u);
+  EXPECT_EQ(ExamplesOf("xml")[0], ShippedScene("tower.xml"));
+}
+
+TEST(SceneFormatPage, ShowsTheMalletAsItShips) {
+  const scene::ObjectSpec shown = MustReadObject(ExamplesOf("xml")[1]);
+  bool is_shipped = false;
+  for (const scene::ObjectSpec& object : MustRead(ShippedScene("shapes.xml")).objects) {
+    is_shipped |= object == shown;
+  }
+  EXPECT_TRUE(is_shipped);
+}
+
+TEST(SceneFormatPage, ShowsErrorsAsTheyAre) {
+  const SceneReading reading =
+      ReadSceneText(SceneText("<blok id='B1' location='(0,0,0)'/>\n<block id='B2'/>\n"
+                              "<block id='B3' location='(0,0,0)' mass='-1'/>"),
+                    "table.xml");
+  std::string said;
+  for (const Diagnostic& diagnostic : reading.diagnostics) said += ToString(diagnostic) + "\n";
+  EXPECT_EQ(ExamplesOf("text").at(0), said);
+}
+
+}  // namespace
+}  // namespace smile::scene_xml

@@ -1,0 +1,165 @@
+function smile_brain()
+%SMILE_BRAIN  Runs a robot program for the SMILE simulator until the simulator says goodbye.
+%
+%   The simulator starts this, in Octave or Matlab, and tells it in the environment
+%     SMILE_BRAIN_TRANSPORT  'socket' (through the compiled SMILELINK) or 'pipes' (SMILE_LINK_PLAIN)
+%     SMILE_BRAIN_ADDRESS    the socket, or the folder with the two pipes
+%     SMILE_BRAIN_FOLDER     the folder with agentBehavior.m
+%     SMILE_BRAIN_SCRATCH    a folder for temporary files; the simulator removes it
+%
+%   agentBehavior returns handles of two scripts, init and callback. Both run in the base
+%   workspace, so that their variables, and sensor, motor and aux, live on between calls.
+%   docs/brain-protocol.md describes the messages.
+
+  mlock();  % "clear all" in a program clears the program's things, not ours
+  prepare_session();
+  if strcmp(getenv('SMILE_BRAIN_TRANSPORT'), 'socket')
+    link = @smilelink;
+  else
+    link = @smile_link_plain;
+  end
+  message = message_types();
+  link('open', getenv('SMILE_BRAIN_ADDRESS'));
+  link('send', message.hello, 0, hello());
+
+  callback = '';
+  while true
+    [type, sequence, values] = link('receive');
+    switch type
+      case message.nothing  % a moment for Ctrl-C
+      case message.init
+        callback = answer_init(link, message, sequence, values);
+      case message.step
+        answer_step(link, message, sequence, values, callback);
+      case message.bye
+        return
+    end
+  end
+end
+
+function message = message_types()
+  message = struct('nothing', 0, 'hello', 1, 'init', 2, 'init_done', 3, 'step', 4, ...
+                   'motor', 5, 'final_motor', 6, 'error', 7, 'bye', 8);
+end
+
+function yes = is_octave()
+  persistent answer
+  if isempty(answer), answer = exist('OCTAVE_VERSION', 'builtin') ~= 0; end
+  yes = answer;
+end
+
+function prepare_session()
+  addpath(getenv('SMILE_BRAIN_FOLDER'));
+  more off
+  if is_octave()
+    struct_levels_to_print(0);  % or printing a sensor prints its whole image
+    if isempty(getenv('DISPLAY'))
+      if any(strcmp(available_graphics_toolkits(), 'gnuplot')), graphics_toolkit('gnuplot'); end
+      set(0, 'defaultfigurevisible', 'off');
+    end
+  end
+end
+
+function values = hello()
+  values = struct('version', 1, 'language', version(), 'guard', false);
+  if is_octave()
+    values.client = 'octave';
+    if exist('smile_guard') == 3  % lets the simulator end an endless loop with an error
+      smile_guard();
+      values.guard = true;
+    end
+  else
+    values.client = 'matlab';
+  end
+end
+
+function callback = answer_init(link, message, sequence, aux)
+  callback = '';
+  script = 'agentBehavior';
+  try
+    [init, callback, files] = load_scripts();
+    assignin('base', 'aux', aux);
+    script = init;
+    run_script(init);
+    assignin('base', 'motor', ...
+             struct('jointVelocities', zeros(2, 7), 'gripperVelocities', zeros(2, 1)));
+    link('send', message.init_done, sequence, wishes(base_aux(), files));
+  catch err
+    link('send', message.error, sequence, smile_describe_error(err, script, 'aux'));
+  end
+  show_output();
+end
+
+function answer_step(link, message, sequence, sensor, callback)
+  try
+    if isfield(sensor, 'trackerNames'), sensor = with_tracker_map(sensor); end
+    assignin('base', 'sensor', sensor);
+    run_script(callback);
+    motor = evalin('base', 'motor');
+    if ~isstruct(motor) || ~isscalar(motor)
+      error('motor is not a struct any more');
+    end
+    if wants_exit(base_aux()), type = message.final_motor; else, type = message.motor; end
+    link('send', type, sequence, motor);
+  catch err
+    link('send', message.error, sequence, smile_describe_error(err, callback, 'motor'));
+  end
+  show_output();
+end
+
+function run_script(name)
+  evalin('base', [name ';']);
+end
+
+function [init, callback, files] = load_scripts()
+  % Octave reads a script when it meets its name: a mistake in it shows before anything moves.
+  try
+    [init_handle, callback_handle] = agentBehavior();
+    init = script_name(init_handle, 'first');
+    callback = script_name(callback_handle, 'second');
+    files = struct('initFile', script_file(init), 'callbackFile', script_file(callback));
+  catch err
+    if ~smile_mend_break(err), rethrow(err); end
+    [init, callback, files] = load_scripts();
+  end
+end
+
+function name = script_name(handle, which_one)
+  if ischar(handle), name = handle; else, name = func2str(handle); end
+  name = strrep(name, '@', '');
+  if ~isvarname(name)
+    error('the %s output of agentBehavior is not the handle of a script, like @myInit', which_one);
+  end
+end
+
+function file = script_file(name)
+  file = strrep(which(name), getenv('SMILE_BRAIN_SCRATCH'), getenv('SMILE_BRAIN_FOLDER'));
+  if isempty(file), error('agentBehavior names %s, but there is no %s.m', name, name); end
+end
+
+function sensor = with_tracker_map(sensor)
+  names = regexp(sensor.trackerNames, '\n', 'split');
+  positions = num2cell(sensor.trackerPositions, 2);
+  sensor = rmfield(sensor, {'trackerNames', 'trackerPositions'});
+  sensor.trackerLoc = containers.Map(names(:), positions(:), 'UniformValues', false);
+end
+
+function aux = base_aux()
+  % A program may have cleared it: then it wishes nothing.
+  aux = struct();
+  if evalin('base', 'exist(''aux'', ''var'')'), aux = evalin('base', 'aux'); end
+  if ~isstruct(aux) || ~isscalar(aux), error('aux is not a struct any more'); end
+end
+
+function values = wishes(aux, values)
+  if isfield(aux, 'initJointAngles'), values.initJointAngles = aux.initJointAngles; end
+  if isfield(aux, 'drawMarkers'), values.drawMarkers = aux.drawMarkers; end
+end
+
+function yes = wants_exit(aux)
+  yes = isfield(aux, 'exit') && any(aux.exit(:) ~= 0);
+end
+
+function show_output()
+  if is_octave(), fflush(stdout); end
+end

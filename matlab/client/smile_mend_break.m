@@ -1,0 +1,29 @@
+function mended = smile_mend_break(err)
+%SMILE_MEND_BREAK  Makes a script with a `break` outside any loop acceptable to Octave.
+%   Matlab takes such a `break` as the end of the script; Octave calls it a parse error, ERR. A copy
+%   that says `return` there is put before the original on the path. TRUE when another try is
+%   worthwhile. To be used before the program runs, so that nothing happens twice.
+
+  mended = false;
+  place = regexp(err.message, 'parse error near line (\d+) of file ([^\n]*)', 'tokens', 'once');
+  if isempty(place) || isempty(strfind(err.message, 'break must appear within a loop')), return; end
+  file = strtrim(place{2});
+
+  lines = regexp(fileread(file), '\n', 'split');
+  number = str2double(place{1});
+  if number > numel(lines), return; end
+  line = regexprep(lines{number}, '\<break\>', 'return');
+  if strcmp(line, lines{number}), return; end
+  lines{number} = line;
+
+  [~, script] = fileparts(file);
+  copy = fullfile(getenv('SMILE_BRAIN_SCRATCH'), [script '.m']);
+  out = fopen(copy, 'w');
+  if out < 0, return; end
+  fwrite(out, strjoin(lines, '\n'));
+  fclose(out);
+  addpath(getenv('SMILE_BRAIN_SCRATCH'));
+  clear(script);
+  rehash();
+  mended = true;
+end

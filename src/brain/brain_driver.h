@@ -1,0 +1,60 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "brain/brain_process.h"
+#include "sim/eye.h"
+#include "sim/simulation.h"
+
+namespace smile::brain {
+
+struct BrainDriverOptions {
+  sim::Eye* eye = nullptr;              ///< takes its pictures; nullptr for a blind brain
+  double image_seconds = 0.25;          ///< between fresh pictures, in simulated time
+  std::filesystem::path demonstration;  ///< the recording to imitate; empty for none
+  /// Told the points a brain marks for people [m]; they are in no picture the robot sees.
+  std::function<void(const std::vector<Vector3>&)> on_markers;
+};
+
+enum class BrainStatus { kRunning, kExited, kFailed };
+std::string_view ToString(BrainStatus status);
+
+/// Lets a brain drive the robot of a simulation, in lock-step: before each tick it is told what the
+/// robot senses, and what it wants is sent through the simulation's door. So its run is in the log
+/// and replays without it.
+class BrainDriver {
+ public:
+  /// `process` and the options' eye must outlive this.
+  BrainDriver(BrainProcess* process, BrainDriverOptions options);
+
+  /// Starts the brain and puts the robot where it wants to begin.
+  /// @throws std::invalid_argument if the simulation has no robot with two arms of seven joints.
+  BrainStatus Start(sim::Simulation* simulation);
+  /// One step of the brain; to be called before each tick while it is running. When the brain ends,
+  /// by itself or not, the robot stops.
+  BrainStatus Drive(sim::Simulation* simulation);
+
+  BrainStatus status() const { return status_; }
+  /// Why it failed; empty unless it did.
+  const std::optional<BrainError>& error() const { return error_; }
+
+ private:
+  Aux Describe(const sim::Simulation& simulation) const;
+  Sensor Sense(const sim::Simulation& simulation);
+  void Send(const Motor& motor, sim::Simulation* simulation);
+  BrainStatus Fail(BrainError error, sim::Simulation* simulation);
+  void StopRobot(sim::Simulation* simulation);
+
+  BrainProcess* process_;
+  BrainDriverOptions options_;
+  BrainStatus status_ = BrainStatus::kRunning;
+  std::optional<BrainError> error_;
+  std::uint64_t num_images_ = 0;
+  std::optional<sim::JointVelocities> sent_velocities_;
+  std::optional<sim::JointAngles> sent_angles_;
+};
+
+}  // namespace smile::brain

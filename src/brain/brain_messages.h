@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "brain/brain_values.h"
+#include "brain/wire.h"
+
+/// The values of brain_values.h as messages, under the names the scripts know. Reading checks
+/// names, shapes and numbers; a WireError names the variable, what was found and what was expected.
+namespace smile::brain {
+
+/// The fields of `aux`; `path` ends in `/`.
+/// @throws std::invalid_argument when the camera is larger than a message.
+std::vector<std::byte> EncodeAux(std::uint32_t sequence, const Aux& aux, std::string_view path);
+
+/// The fields of `sensor`.
+/// @throws std::invalid_argument if the image does not have width x height x 3 colors, or a
+///         tracker's name holds a line break.
+std::vector<std::byte> EncodeSensor(std::uint32_t sequence, const Sensor& sensor);
+
+std::variant<InitReply, WireError> DecodeInitReply(const Message& message);
+
+/// From kMotor or kFinalMotor.
+std::variant<StepReply, WireError> DecodeStepReply(const Message& message);
+
+/// What a kError message tells, its file as the brain named it.
+BrainError DecodeError(const Message& message);
+
+/// Text from a brain, fit for a terminal: control characters replaced, cut after `max_letters`.
+std::string PrintableText(std::string_view text, std::size_t max_letters);
+
+}  // namespace smile::brain

@@ -1,0 +1,305 @@
+#include "brain/brain_process.h"
+
+#include <signal.h>
+
+#include <cmath>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+#include "brain/brain_messages.h"
+#include "brain/internal_brain_program.h"
+#include "brain/internal_channel.h"
+#include "brain/internal_child_process.h"
+#include "brain/internal_output_drain.h"
+#include "brain/internal_rendezvous.h"
+
+namespace smile::brain {
+namespace {
+
+constexpr int kMeetSliceMs = 20;
+constexpr double kGoodbyeSeconds = 1.0;    ///< from BYE to SIGKILL
+constexpr double kGuardSeconds = 0.5;      ///< from SIGUSR2 to SIGINT
+constexpr double kInterruptSeconds = 0.3;  ///< from SIGINT to SIGKILL
+
+using Phase = BrainError::Phase;
+
+std::string Name(Phase phase) {
+  switch (phase) {
+    case Phase::kStart:
+      return "the start";
+    case Phase::kInit:
+      return "init";
+    case Phase::kCallback:
+      return "the callback";
+  }
+  return {};
+}
+
+std::string SecondsText(double seconds) {
+  std::ostringstream text;
+  text << seconds << " s";
+  return text.str();
+}
+
+std::string TextOf(const Message& message, std::string_view name) {
+  const NamedArray* array = message.Find(name);
+  return array ? array->Text().value_or("") : "";
+}
+
+/// A logical or number that is there and not zero.
+bool IsTrue(const Message& message, std::string_view name) {
+  const NamedArray* array = message.Find(name);
+  const auto numbers = array ? array->Numbers() : std::nullopt;
+  return numbers && numbers->size() == 1 && numbers->front() != 0;
+}
+
+}  // namespace
+
+/// One life of a brain. What was made last is destroyed first: child, its output, the folder.
+class BrainProcess::Impl {
+ public:
+  Impl(const std::filesystem::path& brain, BrainOptions options)
+      : options_(std::move(options)), program_(FindBrainProgram(brain, options_.transport)) {}
+  ~Impl() { Stop(); }
+
+  OrError<InitReply> Init(const Aux& aux);
+  OrError<StepReply> Step(const Sensor& sensor);
+  void Stop();
+  bool is_running() const { return state_ == State::kRunning; }
+
+ private:
+  enum class State { kNew, kStarting, kRunning, kEnded };
+
+  void Start();
+  std::optional<BrainError> Meet(const WaitLimit& limit);
+  std::optional<BrainError> ReadHello(const WaitLimit& limit);
+  /// Sends a question and waits for its answer, which is of type `expected` (or kFinalMotor).
+  OrError<Message> Ask(const std::vector<std::byte>& question, MessageType expected, Phase phase,
+                       const WaitLimit& limit, double limit_seconds);
+  WaitLimit LimitOf(double seconds) const;
+
+  BrainError ExplainFault(const ChannelFault& fault, Phase phase, double limit_seconds);
+  BrainError ExplainTimeout(Phase phase, double limit_seconds);
+  BrainError ExplainReport(const Message& report, Phase phase) const;
+  /// Ends the process for this reason, and adds what was printed last.
+  BrainError EndWith(BrainError error);
+  void EndProcess();
+  /// About the script of this phase.
+  BrainError ErrorIn(Phase phase, std::string message) const;
+  std::string ScriptOf(Phase phase) const;
+  std::string Displayed(const std::string& file) const;
+
+  BrainOptions options_;
+  BrainProgram program_;
+  State state_ = State::kNew;
+  std::uint32_t sequence_ = 0;
+  bool has_guard_ = false;                 ///< SIGUSR2 raises an error inside the program
+  std::string init_file_, callback_file_;  ///< as the brain named them; empty when it did not
+
+  std::optional<Rendezvous> rendezvous_;
+  std::optional<ChildProcess> child_;
+  std::optional<OutputDrain> drain_;
+  std::optional<Channel> channel_;
+};
+
+OrError<InitReply> BrainProcess::Impl::Init(const Aux& aux) {
+  if (state_ != State::kNew) throw std::logic_error("BrainProcess::Init: it was started before");
+  state_ = State::kStarting;
+  Start();
+  const WaitLimit limit = LimitOf(options_.start_seconds);
+  if (auto error = Meet(limit)) return EndWith(std::move(*error));
+  if (auto error = ReadHello(limit)) return EndWith(std::move(*error));
+
+  auto answer = Ask(EncodeAux(++sequence_, aux, program_.folder_name), MessageType::kInitDone,
+                    Phase::kInit, limit, options_.start_seconds);
+  if (auto* error = std::get_if<BrainError>(&answer)) return EndWith(std::move(*error));
+  const Message& message = std::get<Message>(answer);
+  init_file_ = TextOf(message, "initFile");
+  callback_file_ = TextOf(message, "callbackFile");
+  auto reply = DecodeInitReply(message);
+  if (const auto* error = std::get_if<WireError>(&reply)) {
+    return EndWith(ErrorIn(Phase::kInit, error->message));
+  }
+  state_ = State::kRunning;
+  return std::move(std::get<InitReply>(reply));
+}
+
+OrError<StepReply> BrainProcess::Impl::Step(const Sensor& sensor) {
+  if (!is_running()) throw std::logic_error("BrainProcess::Step: the brain is not running");
+  auto answer = Ask(EncodeSensor(++sequence_, sensor), MessageType::kMotor, Phase::kCallback,
+                    LimitOf(options_.callback_seconds), options_.callback_seconds);
+  if (auto* error = std::get_if<BrainError>(&answer)) return EndWith(std::move(*error));
+  auto reply = DecodeStepReply(std::get<Message>(answer));
+  if (const auto* error = std::get_if<WireError>(&reply)) {
+    return EndWith(ErrorIn(Phase::kCallback, error->message));
+  }
+  if (std::get<StepReply>(reply).exit) Stop();
+  return std::get<StepReply>(reply);
+}
+
+void BrainProcess::Impl::Stop() {
+  if (channel_ && child_) {
+    const WaitLimit limit(kGoodbyeSeconds);
+    const auto fault =
+        channel_->Send(MessageWriter(MessageType::kBye, ++sequence_).Finish(), limit);
+    channel_.reset();  // who does not understand the word understands the end of the file
+    if (!fault) child_->WaitForEnd(limit);
+  }
+  EndProcess();
+}
+
+void BrainProcess::Impl::Start() {
+  rendezvous_.emplace(program_.rendezvous);
+  ChildCommand command = program_.command;
+  const bool is_socket = program_.rendezvous == Rendezvous::Kind::kSocket;
+  command.environment.insert(command.environment.end(),
+                             {{"SMILE_BRAIN_TRANSPORT", is_socket ? "socket" : "pipes"},
+                              {"SMILE_BRAIN_ADDRESS", rendezvous_->address()},
+                              {"SMILE_BRAIN_SCRATCH", rendezvous_->folder()},
+                              {"SMILE_BRAIN_FOLDER", program_.folder}});
+  child_.emplace(command);
+  drain_.emplace(child_->TakeOutput(), options_.on_output);
+}
+
+std::optional<BrainError> BrainProcess::Impl::Meet(const WaitLimit& limit) {
+  while (!(channel_ = rendezvous_->Meet(kMeetSliceMs))) {
+    if (limit.HasPassed()) return ExplainTimeout(Phase::kStart, options_.start_seconds);
+    if (limit.IsCancelled()) {
+      return ExplainFault({ChannelFault::Kind::kCancelled, {}}, Phase::kStart, 0);
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<BrainError> BrainProcess::Impl::ReadHello(const WaitLimit& limit) {
+  auto received = channel_->Receive(limit);
+  if (const auto* fault = std::get_if<ChannelFault>(&received)) {
+    return ExplainFault(*fault, Phase::kStart, options_.start_seconds);
+  }
+  const Message& hello = std::get<Message>(received);
+  if (hello.type == MessageType::kError) return ExplainReport(hello, Phase::kStart);
+  const NamedArray* version = hello.Find("version");
+  const auto numbers = version ? version->Numbers() : std::nullopt;
+  if (hello.type != MessageType::kHello || !numbers || numbers->size() != 1 ||
+      numbers->front() != kProtocolVersion) {
+    return ErrorIn(Phase::kStart, "the brain does not speak version " +
+                                      std::to_string(kProtocolVersion) + " of the protocol");
+  }
+  has_guard_ = IsTrue(hello, "guard");
+  return std::nullopt;
+}
+
+OrError<Message> BrainProcess::Impl::Ask(const std::vector<std::byte>& question,
+                                         MessageType expected, Phase phase, const WaitLimit& limit,
+                                         double limit_seconds) {
+  if (const auto fault = channel_->Send(question, limit)) {
+    return ExplainFault(*fault, phase, limit_seconds);
+  }
+  auto received = channel_->Receive(limit);
+  if (const auto* fault = std::get_if<ChannelFault>(&received)) {
+    return ExplainFault(*fault, phase, limit_seconds);
+  }
+  Message& answer = std::get<Message>(received);
+  if (answer.type == MessageType::kError) return ExplainReport(answer, phase);
+  const bool is_expected = answer.type == expected || (expected == MessageType::kMotor &&
+                                                       answer.type == MessageType::kFinalMotor);
+  if (!is_expected || answer.sequence != sequence_) {
+    return ExplainFault({ChannelFault::Kind::kNonsense, "this is not an answer to what was asked"},
+                        phase, limit_seconds);
+  }
+  return std::move(answer);
+}
+
+/// A child that has ended is not waited for, even when a grandchild holds its pipes open.
+WaitLimit BrainProcess::Impl::LimitOf(double seconds) const {
+  return WaitLimit(seconds, [this] {
+    return child_->HasEnded() || (options_.is_cancelled && options_.is_cancelled());
+  });
+}
+
+BrainError BrainProcess::Impl::ExplainFault(const ChannelFault& fault, Phase phase,
+                                            double limit_seconds) {
+  if (fault.kind == ChannelFault::Kind::kTimedOut) return ExplainTimeout(phase, limit_seconds);
+  const std::string during = " during " + Name(phase);
+  if (fault.kind == ChannelFault::Kind::kNonsense) {
+    return ErrorIn(phase, "the brain sent nonsense" + during + ": " + fault.message);
+  }
+  const bool is_closed = fault.kind == ChannelFault::Kind::kClosed;
+  if (child_->WaitForEnd(WaitLimit(is_closed ? kGoodbyeSeconds : 0))) {
+    return ErrorIn(phase, "the brain ended" + during + ": " + child_->End());
+  }
+  return ErrorIn(phase, is_closed ? "the brain closed its connection" + during
+                                  : "the brain was stopped" + during);
+}
+
+/// First asks for an error from inside, which knows its line; then interrupts; the rest is killed.
+BrainError BrainProcess::Impl::ExplainTimeout(Phase phase, double limit_seconds) {
+  BrainError error = ErrorIn(
+      phase, Name(phase) + " took longer than " + SecondsText(limit_seconds) + " and was stopped");
+  if (has_guard_ && channel_) {
+    child_->SignalGroup(SIGUSR2);  // a child it waits for ends, too
+    auto received = channel_->Receive(LimitOf(kGuardSeconds));
+    const Message* report = std::get_if<Message>(&received);
+    if (report && report->type == MessageType::kError) {
+      const BrainError found = ExplainReport(*report, phase);
+      error.file = found.file;
+      error.line = found.line;
+      return error;
+    }
+  }
+  child_->SignalGroup(SIGINT);
+  child_->WaitForEnd(WaitLimit(kInterruptSeconds));
+  return error;
+}
+
+BrainError BrainProcess::Impl::ExplainReport(const Message& report, Phase phase) const {
+  BrainError error = DecodeError(report);
+  error.phase = phase;
+  error.file = Displayed(error.file.empty() ? ScriptOf(phase) : error.file);
+  return error;
+}
+
+BrainError BrainProcess::Impl::ErrorIn(Phase phase, std::string message) const {
+  return {.phase = phase, .message = std::move(message), .file = Displayed(ScriptOf(phase))};
+}
+
+BrainError BrainProcess::Impl::EndWith(BrainError error) {
+  EndProcess();
+  if (drain_) error.output = drain_->LastLines();
+  return error;
+}
+
+void BrainProcess::Impl::EndProcess() {
+  if (state_ != State::kNew) state_ = State::kEnded;
+  channel_.reset();
+  if (child_) child_->End();
+  if (drain_) drain_->Finish();
+  rendezvous_.reset();
+}
+
+std::string BrainProcess::Impl::ScriptOf(Phase phase) const {
+  if (phase == Phase::kInit && !init_file_.empty()) return init_file_;
+  if (phase == Phase::kCallback && !callback_file_.empty()) return callback_file_;
+  return program_.main_file;
+}
+
+/// Relative to the working directory where possible: `wave/waveInit.m`.
+std::string BrainProcess::Impl::Displayed(const std::string& file) const {
+  const std::string prefix = (program_.working_directory / "").string();
+  return PrintableText(file.starts_with(prefix) ? file.substr(prefix.size()) : file, 1000);
+}
+
+BrainProcess::BrainProcess(const std::filesystem::path& brain, BrainOptions options)
+    : impl_(std::make_unique<Impl>(brain, std::move(options))) {}
+BrainProcess::BrainProcess(BrainProcess&&) noexcept = default;
+BrainProcess& BrainProcess::operator=(BrainProcess&&) noexcept = default;
+BrainProcess::~BrainProcess() = default;
+
+OrError<InitReply> BrainProcess::Init(const Aux& aux) { return impl_->Init(aux); }
+OrError<StepReply> BrainProcess::Step(const Sensor& sensor) { return impl_->Step(sensor); }
+void BrainProcess::Stop() { impl_->Stop(); }
+bool BrainProcess::is_running() const { return impl_->is_running(); }
+
+}  // namespace smile::brain

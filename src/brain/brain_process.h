@@ -1,0 +1,71 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string_view>
+
+#include "brain/brain_values.h"
+
+namespace smile::brain {
+
+/// How an Octave program is connected.
+enum class BrainTransport {
+  kAutomatic,  ///< kMex when it was built, else kPlain
+  kMex,        ///< a socket and a small compiled client
+  kPlain,      ///< a pair of pipes and a client in plain .m
+};
+
+struct BrainOptions {
+  double start_seconds = 60;    ///< from the start to the end of init, wall clock
+  double callback_seconds = 2;  ///< for each callback, wall clock
+  BrainTransport transport = BrainTransport::kAutomatic;
+  /// What the program prints, line by line, cleaned for a terminal and limited in rate. Called on
+  /// another thread; must not throw.
+  std::function<void(std::string_view line)> on_output;
+  /// Asked every 50 ms or so while waiting for the program; true stops it.
+  std::function<bool()> is_cancelled;
+};
+
+/// A robot program, running in a process of its own.
+///
+/// A brain is a folder with `agentBehavior.m` (run by GNU Octave), or an executable file that
+/// speaks the protocol of docs/brain-protocol.md. It works in its folder's parent, in a process
+/// group of its own, and whatever it does (crash, endless loop, nonsense, floods of output) becomes
+/// a BrainError in bounded time. After an error the process is gone; it is never started again by
+/// itself. The wall clock is used by the watchdog only: answers do not depend on it.
+///
+/// The process dies with the thread that called Init(), so that nothing outlives a crash: call from
+/// the thread that runs the simulation.
+class BrainProcess {
+ public:
+  /// Looks at the brain; starts nothing yet.
+  /// @throws InputError when there is no such brain or it is of no known kind.
+  /// @throws std::runtime_error when what runs it is not installed.
+  explicit BrainProcess(const std::filesystem::path& brain, BrainOptions options = {});
+  BrainProcess(BrainProcess&&) noexcept;
+  BrainProcess& operator=(BrainProcess&&) noexcept;
+  /// Says goodbye, waits a second, then kills: the whole group.
+  ~BrainProcess();
+
+  /// Starts the program and runs its init script.
+  /// @throws std::logic_error when it was started before.
+  /// @throws std::runtime_error when the machine gives no process, pipe or folder.
+  OrError<InitReply> Init(const Aux& aux);
+
+  /// Runs its callback script once.
+  /// @throws std::logic_error unless is_running().
+  OrError<StepReply> Step(const Sensor& sensor);
+
+  /// Ends the program as the destructor does.
+  void Stop();
+
+  /// From a successful Init() until an error, a step with `exit`, or Stop().
+  bool is_running() const;
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace smile::brain

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "brain/brain_process.h"
+#include "brain/internal_child_process.h"
+#include "brain/internal_rendezvous.h"
+
+namespace smile::brain {
+
+/// Where a brain lies and how it is started.
+struct BrainProgram {
+  std::filesystem::path folder;             ///< absolute
+  std::filesystem::path working_directory;  ///< the folder's parent
+  std::string folder_name;                  ///< within the working directory, ending in `/`
+  std::filesystem::path main_file;          ///< absolute: agentBehavior.m, or the program
+  Rendezvous::Kind rendezvous = Rendezvous::Kind::kSocket;
+  ChildCommand command;  ///< without the address, which is not known yet
+};
+
+/// @throws InputError when there is no such brain, or none that can be run.
+/// @throws std::runtime_error when what runs it (Octave, our client) is not installed.
+BrainProgram FindBrainProgram(const std::filesystem::path& brain, BrainTransport transport);
+
+}  // namespace smile::brain

@@ -1,0 +1,189 @@
+#include "brain/internal_child_process.h"
+
+#include <fcntl.h>
+#include <linux/close_range.h>
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+
+#include <cerrno>
+#include <cstring>
+#include <stdexcept>
+#include <system_error>
+
+extern char** environ;
+
+namespace smile::brain {
+namespace {
+
+constexpr int kFirstOwnFd = 3;
+constexpr int kPollSliceMs = 2;
+
+[[noreturn]] void Fail(const std::string& program, const char* what, int error) {
+  throw std::runtime_error(program + ": " + what + ": " + std::strerror(error));
+}
+
+struct Pipe {
+  UniqueFd read_end, write_end;
+};
+
+Pipe MakePipe(const std::string& program) {
+  int ends[2];
+  if (::pipe2(ends, O_CLOEXEC) != 0) Fail(program, "no pipe", errno);
+  return {UniqueFd(ends[0]), UniqueFd(ends[1])};
+}
+
+/// Everything the child needs between fork and exec, made before: there it may not allocate.
+struct Launch {
+  std::vector<char*> arguments;
+  std::vector<char*> environment;
+  const char* working_directory;
+  int input;
+  int output;
+  int failure;
+  pid_t parent;
+};
+
+/// Runs in the child; calls only functions that are safe after fork in a program with threads.
+[[noreturn]] void RunChild(const Launch& launch) {
+  ::setpgid(0, 0);
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  bool is_ready = ::getppid() == launch.parent;  // else the parent has died already
+
+  struct sigaction plain = {};
+  plain.sa_handler = SIG_DFL;
+  for (int number = 1; number < NSIG; ++number) ::sigaction(number, &plain, nullptr);
+  sigset_t none;
+  sigemptyset(&none);
+  ::sigprocmask(SIG_SETMASK, &none, nullptr);
+
+  is_ready = is_ready && ::dup2(launch.input, STDIN_FILENO) >= 0 &&
+             ::dup2(launch.output, STDOUT_FILENO) >= 0 &&
+             ::dup2(launch.output, STDERR_FILENO) >= 0 && ::chdir(launch.working_directory) == 0;
+  if (is_ready) {
+    ::close_range(kFirstOwnFd, ~0u, CLOSE_RANGE_CLOEXEC);
+    ::execve(launch.arguments[0], launch.arguments.data(), launch.environment.data());
+  }
+  const int error = errno;
+  (void)!::write(launch.failure, &error, sizeof error);
+  ::_exit(127);
+}
+
+std::vector<char*> Pointers(std::vector<std::string>& texts) {
+  std::vector<char*> pointers;
+  for (std::string& text : texts) pointers.push_back(text.data());
+  pointers.push_back(nullptr);
+  return pointers;
+}
+
+std::vector<std::string> EnvironmentWith(
+    const std::vector<std::pair<std::string, std::string>>& added) {
+  std::vector<std::string> lines;
+  for (char** line = environ; *line; ++line) {
+    const std::string_view inherited(*line);
+    bool is_replaced = false;
+    for (const auto& [name, value] : added) is_replaced |= inherited.starts_with(name + "=");
+    if (!is_replaced) lines.emplace_back(inherited);
+  }
+  for (const auto& [name, value] : added) lines.push_back(name + "=" + value);
+  return lines;
+}
+
+/// fork() with all signals held back, so that none of our handlers runs in the child.
+pid_t ForkQuietly(const Launch& launch) {
+  sigset_t all, before;
+  sigfillset(&all);
+  ::pthread_sigmask(SIG_SETMASK, &all, &before);
+  const pid_t pid = ::fork();
+  if (pid == 0) RunChild(launch);
+  const int error = errno;
+  ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  errno = error;
+  return pid;
+}
+
+std::string DescribeEnd(int status) {
+  if (WIFSIGNALED(status)) {
+    return "it was ended by signal " + std::to_string(WTERMSIG(status)) + " (" +
+           ::strsignal(WTERMSIG(status)) + ")";
+  }
+  return "it ended with exit code " + std::to_string(WEXITSTATUS(status));
+}
+
+}  // namespace
+
+ChildProcess::ChildProcess(const ChildCommand& command) {
+  const std::string& program = command.arguments.at(0);
+  std::vector<std::string> arguments = command.arguments;
+  std::vector<std::string> environment = EnvironmentWith(command.environment);
+  const std::string directory = command.working_directory.string();
+
+  UniqueFd input(::open("/dev/null", O_RDONLY | O_CLOEXEC));
+  if (!input) Fail(program, "/dev/null", errno);
+  Pipe output = MakePipe(program);
+  Pipe failure = MakePipe(program);
+  pid_ = ForkQuietly({.arguments = Pointers(arguments),
+                      .environment = Pointers(environment),
+                      .working_directory = directory.c_str(),
+                      .input = input.get(),
+                      .output = output.write_end.get(),
+                      .failure = failure.write_end.get(),
+                      .parent = ::getpid()});
+  if (pid_ < 0) Fail(program, "cannot be started", errno);
+  ::setpgid(pid_, pid_);  // whoever comes first; the child does the same
+
+  // The pipe closes by itself when exec succeeds.
+  failure.write_end.Close();
+  int error = 0;
+  ssize_t count = 0;
+  do {
+    count = ::read(failure.read_end.get(), &error, sizeof error);
+  } while (count < 0 && errno == EINTR);
+  if (count > 0) {
+    End();
+    Fail(program, "cannot be started", error);
+  }
+  ::fcntl(output.read_end.get(), F_SETFL, O_NONBLOCK);
+  output_ = std::move(output.read_end);
+}
+
+bool ChildProcess::HasEnded() const {
+  if (pid_ < 0) return true;
+  siginfo_t info = {};
+  const int result = ::waitid(P_PID, static_cast<id_t>(pid_), &info, WEXITED | WNOHANG | WNOWAIT);
+  return result == 0 ? info.si_pid == pid_ : errno == ECHILD;
+}
+
+bool ChildProcess::WaitForEnd(const WaitLimit& limit) const {
+  while (!HasEnded()) {
+    if (limit.HasPassed() || limit.IsCancelled()) return false;
+    const timespec slice{.tv_sec = 0, .tv_nsec = kPollSliceMs * 1'000'000};
+    ::nanosleep(&slice, nullptr);
+  }
+  return true;
+}
+
+void ChildProcess::Signal(int signal_number) const {
+  if (pid_ > 0) ::kill(pid_, signal_number);
+}
+
+void ChildProcess::SignalGroup(int signal_number) const {
+  if (pid_ > 0) ::kill(-pid_, signal_number);
+}
+
+const std::string& ChildProcess::End() {
+  if (pid_ < 0) return how_it_ended_;
+  // Until it is collected, the child keeps its number and with it the group's: nobody else is hit.
+  SignalGroup(SIGKILL);
+  Signal(SIGKILL);
+  int status = 0;
+  pid_t collected = -1;
+  do {
+    collected = ::waitpid(pid_, &status, 0);
+  } while (collected < 0 && errno == EINTR);
+  how_it_ended_ = collected == pid_ ? DescribeEnd(status) : "it ended";
+  pid_ = -1;
+  return how_it_ended_;
+}
+
+}  // namespace smile::brain

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "brain/internal_unique_fd.h"
+#include "brain/internal_wait_limit.h"
+
+namespace smile::brain {
+
+struct ChildCommand {
+  std::vector<std::string> arguments;                            ///< the program's path first
+  std::vector<std::pair<std::string, std::string>> environment;  ///< beside our own
+  std::filesystem::path working_directory;
+};
+
+/// A program in a process group of its own, with nothing on its standard input and its output in a
+/// pipe. It dies with the thread that started it, and with this object.
+class ChildProcess {
+ public:
+  /// @throws std::runtime_error naming the program and the reason it could not be started.
+  explicit ChildProcess(const ChildCommand& command);
+  ChildProcess(const ChildProcess&) = delete;
+  ChildProcess& operator=(const ChildProcess&) = delete;
+  ~ChildProcess() { End(); }
+
+  /// Standard output and standard error; non-blocking; to be taken once, and read without pause.
+  UniqueFd TakeOutput() { return std::move(output_); }
+
+  /// Whether the program itself has ended (its own children may live on).
+  bool HasEnded() const;
+  /// @returns HasEnded(), at the latest when the limit has passed.
+  bool WaitForEnd(const WaitLimit& limit) const;
+
+  void Signal(int signal_number) const;
+  void SignalGroup(int signal_number) const;
+
+  /// Kills the whole group, collects the child, and says how it ended: `it ended with exit code 3`.
+  const std::string& End();
+
+ private:
+  pid_t pid_ = -1;
+  UniqueFd output_;
+  std::string how_it_ended_;
+};
+
+}  // namespace smile::brain

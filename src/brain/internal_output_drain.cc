@@ -1,0 +1,124 @@
+#include "brain/internal_output_drain.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+
+#include <cerrno>
+#include <cstring>
+#include <limits>
+#include <stdexcept>
+
+#include "brain/brain_messages.h"
+
+namespace smile::brain {
+namespace {
+
+/// A grandchild that escaped and prints forever shall not keep us at the end.
+constexpr std::size_t kMaxLastBytes = std::size_t{1} << 20;
+
+}  // namespace
+
+OutputDrain::OutputDrain(UniqueFd pipe, std::function<void(std::string_view)> on_line)
+    : pipe_(std::move(pipe)),
+      on_line_(std::move(on_line)),
+      second_began_(std::chrono::steady_clock::now()) {
+  int ends[2];
+  if (::pipe2(ends, O_CLOEXEC) != 0) {
+    throw std::runtime_error(std::string("no pipe: ") + std::strerror(errno));
+  }
+  wake_read_ = UniqueFd(ends[0]);
+  wake_write_ = UniqueFd(ends[1]);
+
+  // Signals belong to the program's own threads.
+  sigset_t all, before;
+  sigfillset(&all);
+  ::pthread_sigmask(SIG_SETMASK, &all, &before);
+  thread_ = std::thread([this] { Run(); });
+  ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
+}
+
+void OutputDrain::Finish() {
+  if (!thread_.joinable()) return;
+  wake_write_.Close();
+  thread_.join();
+  pipe_.Close();
+}
+
+std::vector<std::string> OutputDrain::LastLines() const {
+  const std::lock_guard lock(mutex_);
+  return {last_lines_.begin(), last_lines_.end()};
+}
+
+void OutputDrain::Run() {
+  pollfd watched[] = {{pipe_.get(), POLLIN, 0}, {wake_read_.get(), POLLIN, 0}};
+  while (watched[1].revents == 0) {
+    if (::poll(watched, 2, -1) < 0 && errno != EINTR) break;
+    // At its end the pipe is always readable; from then on only the wake-up counts.
+    if (watched[0].revents != 0 && !ReadAvailable(kMaxLastBytes)) watched[0].fd = -1;
+  }
+  if (watched[0].fd >= 0) ReadAvailable(kMaxLastBytes);
+  if (!line_.empty()) EndLine();
+  TellLeftOut();
+}
+
+bool OutputDrain::ReadAvailable(std::size_t max_bytes) {
+  char buffer[1 << 16];
+  std::size_t total = 0;
+  while (total < max_bytes) {
+    const ssize_t count = ::read(pipe_.get(), buffer, sizeof buffer);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return errno == EAGAIN;
+    if (count == 0) return false;
+    TakeText({buffer, static_cast<std::size_t>(count)});
+    total += static_cast<std::size_t>(count);
+  }
+  return true;
+}
+
+void OutputDrain::TakeText(std::string_view text) {
+  while (!text.empty()) {
+    const std::size_t length = std::min(text.find('\n'), text.size());
+    // One letter more than the limit tells PrintableText() that the line was cut.
+    const std::size_t room = kMaxLineLetters + 1 - line_.size();
+    line_.append(text.substr(0, std::min(length, room)));
+    if (length == text.size()) return;
+    EndLine();
+    text.remove_prefix(length + 1);
+  }
+}
+
+void OutputDrain::EndLine() {
+  if (!line_.empty() && line_.back() == '\r') line_.pop_back();
+  const std::string line = PrintableText(line_, kMaxLineLetters);
+  line_.clear();
+  {
+    const std::lock_guard lock(mutex_);
+    last_lines_.push_back(line);
+    if (last_lines_.size() > kLinesKept) last_lines_.pop_front();
+  }
+  HandOn(line);
+}
+
+void OutputDrain::HandOn(const std::string& line) {
+  const auto now = std::chrono::steady_clock::now();
+  if (now - second_began_ >= std::chrono::seconds(1)) {
+    TellLeftOut();
+    second_began_ = now;
+    lines_this_second_ = 0;
+  }
+  if (++lines_this_second_ > kMaxLinesPerSecond) {
+    ++lines_left_out_;
+  } else if (on_line_) {
+    on_line_(line);
+  }
+}
+
+void OutputDrain::TellLeftOut() {
+  if (lines_left_out_ > 0 && on_line_) {
+    on_line_("... " + std::to_string(lines_left_out_) + " more lines were not shown");
+  }
+  lines_left_out_ = 0;
+}
+
+}  // namespace smile::brain

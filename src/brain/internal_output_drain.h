@@ -1,0 +1,63 @@
+#pragma once
+
+#include <chrono>
+#include <deque>
+#include <functional>
+#include <mutex>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <vector>
+
+#include "brain/internal_unique_fd.h"
+
+namespace smile::brain {
+
+/// Reads what a program prints, on a thread of its own, so that the program never waits for us.
+///
+/// However much there is: a line is cut after kMaxLineLetters, at most kMaxLinesPerSecond are
+/// handed on (with a note how many were left out), and the last kLinesKept are remembered.
+class OutputDrain {
+ public:
+  static constexpr std::size_t kMaxLineLetters = 1000;
+  static constexpr int kMaxLinesPerSecond = 200;
+  static constexpr std::size_t kLinesKept = 20;
+
+  /// @param pipe     non-blocking.
+  /// @param on_line  called on the thread, line by line, without line ends; must not throw. May be
+  ///                 empty.
+  OutputDrain(UniqueFd pipe, std::function<void(std::string_view)> on_line);
+  OutputDrain(const OutputDrain&) = delete;
+  OutputDrain& operator=(const OutputDrain&) = delete;
+  ~OutputDrain() { Finish(); }
+
+  /// Takes what is in the pipe now, and ends the thread. To be called once the program has ended.
+  void Finish();
+
+  std::vector<std::string> LastLines() const;
+
+ private:
+  void Run();
+  /// @returns false at the end of the pipe.
+  bool ReadAvailable(std::size_t max_bytes);
+  void TakeText(std::string_view text);
+  void EndLine();
+  void HandOn(const std::string& line);
+  void TellLeftOut();
+
+  UniqueFd pipe_;
+  UniqueFd wake_read_, wake_write_;
+  std::function<void(std::string_view)> on_line_;
+
+  std::string line_;  ///< the line that has not ended yet, cut
+  std::chrono::steady_clock::time_point second_began_;
+  int lines_this_second_ = 0;
+  std::size_t lines_left_out_ = 0;
+
+  mutable std::mutex mutex_;
+  std::deque<std::string> last_lines_;  ///< guarded by mutex_
+
+  std::thread thread_;
+};
+
+}  // namespace smile::brain

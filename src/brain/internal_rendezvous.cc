@@ -1,0 +1,98 @@
+#include "brain/internal_rendezvous.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <stdlib.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/un.h>
+
+#include <cerrno>
+#include <chrono>
+#include <cstring>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+#include <thread>
+
+namespace smile::brain {
+namespace {
+
+constexpr std::string_view kFolderName = "/smile-brain-XXXXXX";
+constexpr std::string_view kSocketName = "/socket";
+
+[[noreturn]] void Fail(const std::filesystem::path& path) {
+  throw std::runtime_error(path.string() + ": " + std::strerror(errno));
+}
+
+/// A socket's path has little room (108 letters on Linux); then the short place is taken.
+std::string FolderTemplate() {
+  std::error_code error;
+  std::string base = std::filesystem::temp_directory_path(error).string();
+  const std::size_t needed = base.size() + kFolderName.size() + kSocketName.size() + 1;
+  if (error || needed > sizeof(sockaddr_un::sun_path)) base = "/tmp";
+  return base + std::string(kFolderName);
+}
+
+}  // namespace
+
+Rendezvous::Rendezvous(Kind kind) : kind_(kind) {
+  std::string name = FolderTemplate();
+  if (!::mkdtemp(name.data())) Fail(name);
+  folder_ = name;
+  try {
+    kind == Kind::kSocket ? Listen() : MakePipes();
+  } catch (...) {
+    std::error_code ignored;
+    std::filesystem::remove_all(folder_, ignored);
+    throw;
+  }
+}
+
+Rendezvous::~Rendezvous() {
+  std::error_code ignored;
+  std::filesystem::remove_all(folder_, ignored);
+}
+
+std::filesystem::path Rendezvous::address() const {
+  return kind_ == Kind::kSocket ? folder_ / "socket" : folder_;
+}
+
+void Rendezvous::Listen() {
+  listener_ = UniqueFd(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
+  sockaddr_un name = {};
+  name.sun_family = AF_UNIX;
+  const std::string path = address();
+  path.copy(name.sun_path, sizeof name.sun_path - 1);
+  if (!listener_ ||
+      ::bind(listener_.get(), reinterpret_cast<const sockaddr*>(&name), sizeof name) != 0 ||
+      ::listen(listener_.get(), 1) != 0) {
+    Fail(path);
+  }
+}
+
+void Rendezvous::MakePipes() {
+  for (const char* name : {"to_brain", "from_brain"}) {
+    if (::mkfifo((folder_ / name).c_str(), 0600) != 0) Fail(folder_ / name);
+  }
+  from_brain_ =
+      UniqueFd(::open((folder_ / "from_brain").c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
+  if (!from_brain_) Fail(folder_ / "from_brain");
+}
+
+std::optional<Channel> Rendezvous::Meet(int slice_ms) {
+  if (kind_ == Kind::kSocket) {
+    pollfd watched{listener_.get(), POLLIN, 0};
+    ::poll(&watched, 1, slice_ms);
+    UniqueFd socket(::accept4(listener_.get(), nullptr, nullptr, SOCK_CLOEXEC));
+    if (!socket) return std::nullopt;
+    return Channel(std::move(socket));
+  }
+  // This open fails until the brain has opened the other end; nothing can be polled for that.
+  UniqueFd to_brain(::open((folder_ / "to_brain").c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC));
+  if (to_brain) return Channel(std::move(from_brain_), std::move(to_brain));
+  std::this_thread::sleep_for(std::chrono::milliseconds(std::min(slice_ms, 5)));
+  return std::nullopt;
+}
+
+}  // namespace smile::brain

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "brain/internal_channel.h"
+#include "brain/internal_unique_fd.h"
+
+namespace smile::brain {
+
+/// The place where a brain finds us: a folder only this user can enter, with a socket or a pair of
+/// pipes inside. The folder goes with this object, whatever the brain left in it.
+class Rendezvous {
+ public:
+  enum class Kind { kSocket, kPipes };
+
+  /// @throws std::runtime_error naming the folder and the reason.
+  explicit Rendezvous(Kind kind);
+  Rendezvous(const Rendezvous&) = delete;
+  Rendezvous& operator=(const Rendezvous&) = delete;
+  ~Rendezvous();
+
+  const std::filesystem::path& folder() const { return folder_; }
+  /// What the brain is told: the socket, or the folder with the pipes `to_brain` and `from_brain`.
+  std::filesystem::path address() const;
+
+  /// Waits up to `slice_ms` for the brain to come; nullopt when it has not.
+  std::optional<Channel> Meet(int slice_ms);
+
+ private:
+  void Listen();
+  void MakePipes();
+
+  Kind kind_;
+  std::filesystem::path folder_;
+  UniqueFd listener_;    ///< for the socket
+  UniqueFd from_brain_;  ///< for pipes
+};
+
+}  // namespace smile::brain

@@ -1,0 +1,172 @@
+#include "brain/brain_messages.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <limits>
+#include <stdexcept>
+
+namespace smile::brain {
+namespace {
+
+constexpr std::array kTwoBySeven{2u, 7u};
+constexpr std::array kTwoByOne{2u, 1u};
+
+Message Decoded(const std::vector<std::byte>& frame) {
+  return std::get<Message>(DecodeFrame(frame));
+}
+
+/// A motor message that is right, for tests to spoil.
+class MotorMessage {
+ public:
+  MotorMessage& Velocities(std::span<const std::uint32_t> dims, std::span<const double> values) {
+    writer_.AddDoubles("jointVelocities", dims, values);
+    return *this;
+  }
+  MotorMessage& Velocities() { return Velocities(kTwoBySeven, std::array<double, 14>{}); }
+  MotorMessage& Grippers(std::span<const std::uint32_t> dims, std::span<const double> values) {
+    writer_.AddDoubles("gripperVelocities", dims, values);
+    return *this;
+  }
+  MotorMessage& Grippers() { return Grippers(kTwoByOne, std::array{0.5, -0.5}); }
+  MotorMessage& Text(std::string_view name, std::string_view text) {
+    writer_.AddText(name, text);
+    return *this;
+  }
+  MotorMessage& Scalar(std::string_view name, double value) {
+    writer_.AddScalar(name, value);
+    return *this;
+  }
+
+  StepReply Reply() { return std::get<StepReply>(Decode()); }
+  std::string Error() { return std::get<WireError>(Decode()).message; }
+
+ private:
+  std::variant<StepReply, WireError> Decode() { return DecodeStepReply(Decoded(writer_.Finish())); }
+
+  MessageWriter writer_{MessageType::kMotor, 1};
+};
+
+TEST(DecodeStepReply, ReadsColumnMajorVelocities) {
+  std::array<double, 14> velocities{};
+  velocities[1] = 2;  // the right arm's first joint
+  const StepReply reply = MotorMessage().Velocities(kTwoBySeven, velocities).Grippers().Reply();
+  EXPECT_EQ(reply.motor.joint_velocities(1, 0), 2);
+  EXPECT_EQ(reply.motor.joint_velocities.norm(), 2);
+  EXPECT_EQ(reply.motor.gripper_velocities, Eigen::Vector2d(0.5, -0.5));
+  EXPECT_FALSE(reply.motor.joint_angles);
+  EXPECT_FALSE(reply.motor.head_velocity);
+  EXPECT_FALSE(reply.exit);
+}
+
+TEST(DecodeStepReply, TakesGripperVelocitiesAsARowToo) {
+  const std::array dims{1u, 2u};
+  const StepReply reply = MotorMessage().Velocities().Grippers(dims, std::array{3.0, 4.0}).Reply();
+  EXPECT_EQ(reply.motor.gripper_velocities, Eigen::Vector2d(3, 4));
+}
+
+TEST(DecodeStepReply, TakesTheHead) {
+  EXPECT_EQ(
+      MotorMessage().Velocities().Grippers().Scalar("headVelocity", 1).Reply().motor.head_velocity,
+      1.0);
+}
+
+TEST(DecodeStepReply, NamesTheVariableAndBothShapes) {
+  const std::array wrong{7u, 2u};
+  EXPECT_EQ(MotorMessage().Velocities(wrong, std::array<double, 14>{}).Grippers().Error(),
+            "motor.jointVelocities is 7x2, expected 2x7");
+  const std::array scalar{1u, 1u};
+  EXPECT_EQ(MotorMessage().Velocities().Grippers(scalar, std::array{1.0}).Error(),
+            "motor.gripperVelocities is 1x1, expected 2x1");
+  EXPECT_EQ(MotorMessage().Text("jointVelocities", "fast").Grippers().Error(),
+            "motor.jointVelocities is text, expected a 2x7 matrix");
+}
+
+TEST(DecodeStepReply, RefusesNumbersThatAreNotFinite) {
+  std::array<double, 14> velocities{};
+  velocities[5] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(MotorMessage().Velocities(kTwoBySeven, velocities).Grippers().Error(),
+            "motor.jointVelocities(2,3) is NaN, expected a finite number");
+  const std::array grippers{0.0, -std::numeric_limits<double>::infinity()};
+  EXPECT_EQ(MotorMessage().Velocities().Grippers(kTwoByOne, grippers).Error(),
+            "motor.gripperVelocities(2,1) is -Inf, expected a finite number");
+}
+
+TEST(DecodeStepReply, RefusesUnknownAndMissingFields) {
+  EXPECT_EQ(MotorMessage().Velocities().Grippers().Scalar("jointVelocity", 1).Error(),
+            "motor.jointVelocity is unknown, expected jointVelocities, gripperVelocities, "
+            "jointAngles or headVelocity");
+  EXPECT_EQ(MotorMessage().Grippers().Error(), "motor.jointVelocities is missing, expected 2x7");
+  EXPECT_EQ(MotorMessage().Velocities().Error(),
+            "motor.gripperVelocities is missing, expected 2x1");
+}
+
+TEST(DecodeInitReply, TakesMarkersAndAngles) {
+  MessageWriter writer(MessageType::kInitDone, 1);
+  writer.AddDoubles("initJointAngles", kTwoBySeven, std::array<double, 14>{1, 2});
+  writer.AddDoubles("drawMarkers", std::array{2u, 3u}, std::array<double, 6>{1, 2, 3, 4, 5, 6});
+  const auto reply = std::get<InitReply>(DecodeInitReply(Decoded(writer.Finish())));
+  EXPECT_EQ((*reply.init_joint_angles)(1, 0), 2);
+  EXPECT_EQ(reply.draw_markers.row(1), Eigen::RowVector3d(2, 4, 6));
+}
+
+TEST(DecodeInitReply, TakesAnEmptyMatrixAsNoMarkers) {
+  MessageWriter writer(MessageType::kInitDone, 1);
+  writer.AddDoubles("drawMarkers", std::array{0u, 0u}, {});
+  const auto reply = std::get<InitReply>(DecodeInitReply(Decoded(writer.Finish())));
+  EXPECT_EQ(reply.draw_markers.rows(), 0);
+}
+
+TEST(DecodeInitReply, RefusesMarkersThatAreNotPoints) {
+  MessageWriter writer(MessageType::kInitDone, 1);
+  writer.AddDoubles("drawMarkers", std::array{1u, 4u}, std::array<double, 4>{});
+  const auto reply = DecodeInitReply(Decoded(writer.Finish()));
+  EXPECT_EQ(std::get<WireError>(reply).message, "aux.drawMarkers is 1x4, expected Nx3");
+}
+
+TEST(DecodeError, MakesTextFitForATerminal) {
+  MessageWriter writer(MessageType::kError, 1);
+  writer.AddText("message", "red \x1b[31m\nalert");
+  writer.AddText("file", "a.m");
+  writer.AddScalar("line", 1e300);
+  const BrainError error = DecodeError(Decoded(writer.Finish()));
+  EXPECT_EQ(ToString(error), "a.m: red ?[31m alert");
+}
+
+TEST(EncodeSensor, TurnsRowsOfPixelsIntoPlanesOfColumns) {
+  Image image{
+      .width_px = 2, .height_px = 1, .color = {10, 20, 30, 40, 50, 60}, .depth = {}, .ids = {}};
+  const Message message = Decoded(EncodeSensor(1, {.rgb_vision = image}));
+  const NamedArray* array = message.Find("rgbVision");
+  ASSERT_NE(array, nullptr);
+  EXPECT_EQ(ShapeText(array->dims), "1x2x3");
+  EXPECT_TRUE(array->is_fraction);
+  const std::array<int, 6> expected{10, 40, 20, 50, 30, 60};
+  for (int k = 0; k < 6; ++k) EXPECT_EQ(std::to_integer<int>(array->data[k]), expected[k]);
+}
+
+TEST(EncodeSensor, SendsAnImageOnlyWhenThereIsOne) {
+  EXPECT_EQ(Decoded(EncodeSensor(1, {})).Find("rgbVision"), nullptr);
+}
+
+TEST(EncodeSensor, RefusesAnImageThatDoesNotFitItsSize) {
+  Image image{.width_px = 2, .height_px = 2, .color = {1, 2, 3}, .depth = {}, .ids = {}};
+  EXPECT_THROW(EncodeSensor(1, {.rgb_vision = image}), std::invalid_argument);
+}
+
+TEST(EncodeAux, DescribesTheCamera) {
+  const CameraDescription camera{
+      .width_px = 640, .height_px = 480, .fx = 400, .fy = 401, .cx = 320, .cy = 240};
+  const Message message =
+      Decoded(EncodeAux(1, {.camera = camera, .demonstration = "out/demo"}, "wave/"));
+  EXPECT_EQ(message.Find("path")->Text(), "wave/");
+  EXPECT_EQ(message.Find("demonstration")->Text(), "out/demo");
+  EXPECT_EQ(message.Find("numJoints")->Numbers(), std::vector{7.0});
+  EXPECT_EQ(message.Find("cameraSize")->Numbers(), (std::vector{480.0, 640.0}));
+  EXPECT_EQ(message.Find("cameraIntrinsics")->Numbers(),
+            (std::vector{400.0, 0.0, 0.0, 0.0, 401.0, 0.0, 320.0, 240.0, 1.0}));
+  EXPECT_EQ(ShapeText(message.Find("cameraPose")->dims), "4x4");
+}
+
+}  // namespace
+}  // namespace smile::brain

@@ -1,0 +1,498 @@
+#include "brain/brain_process.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <mutex>
+#include <string>
+#include <thread>
+
+#include "base/diagnostic.h"
+#include "base/files.h"
+#include "brain/wire.h"
+
+namespace smile::brain {
+namespace {
+
+namespace fs = std::filesystem;
+
+double SecondsOf(const std::function<void()>& work) {
+  const auto begin = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+std::size_t CountIn(const fs::path& folder) {
+  return static_cast<std::size_t>(
+      std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+}
+
+/// A place of its own for each test; everything a brain may leave behind lies in it and is counted.
+class BrainProcessTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string name = (fs::temp_directory_path() / "brain-test-XXXXXX").string();
+    ASSERT_NE(::mkdtemp(name.data()), nullptr);
+    root_ = name;
+    fs::create_directory(root_ / "tmp");
+    ::setenv("TMPDIR", (root_ / "tmp").c_str(), 1);
+    fds_before_ = CountIn("/proc/self/fd");
+    threads_before_ = CountIn("/proc/self/task");
+  }
+
+  void TearDown() override {
+    EXPECT_EQ(CountIn(root_ / "tmp"), 0u) << "a temporary folder was left behind";
+    EXPECT_EQ(CountIn("/proc/self/fd"), fds_before_) << "a file descriptor was left open";
+    EXPECT_EQ(CountIn("/proc/self/task"), threads_before_) << "a thread was left running";
+    ::unsetenv("TMPDIR");
+    fs::remove_all(root_);
+  }
+
+  /// A brain of two scripts in the folder `agent`.
+  fs::path Brain(const std::string& init, const std::string& callback) {
+    const fs::path folder = root_ / "agent";
+    MakeDirectories(folder);
+    WriteFile(folder / "agentBehavior.m",
+              "function [a, b] = agentBehavior()\na = @begin;\nb = @act;\nend\n");
+    WriteFile(folder / "begin.m", init);
+    WriteFile(folder / "act.m", callback);
+    return folder;
+  }
+
+  /// A shell script that speaks over pipes: what it sends lies in the file `frames`.
+  fs::path Talker(const std::string& script, std::span<const std::byte> frames) {
+    const fs::path file = root_ / "talker";
+    WriteFile(root_ / "frames", {reinterpret_cast<const char*>(frames.data()), frames.size()});
+    WriteFile(file,
+              "#!/bin/sh\nexec 3<\"$SMILE_BRAIN_ADDRESS/to_brain\" "
+              "4>\"$SMILE_BRAIN_ADDRESS/from_brain\"\n" +
+                  script + "\n");
+    fs::permissions(file, fs::perms::owner_all);
+    return file;
+  }
+
+  fs::path root_;
+
+ private:
+  std::size_t fds_before_ = 0;
+  std::size_t threads_before_ = 0;
+};
+
+template <class Reply>
+std::string ErrorIn(const OrError<Reply>& reply) {
+  const auto* error = std::get_if<BrainError>(&reply);
+  return error ? ToString(*error) : "no error";
+}
+
+InitReply Started(BrainProcess& brain, const Aux& aux = {}) {
+  auto reply = brain.Init(aux);
+  EXPECT_EQ(ErrorIn(reply), "no error");
+  return testing::Test::HasFailure() ? InitReply{} : std::get<InitReply>(reply);
+}
+
+StepReply Stepped(BrainProcess& brain, const Sensor& sensor = {}) {
+  if (!brain.is_running()) return {};
+  auto reply = brain.Step(sensor);
+  EXPECT_EQ(ErrorIn(reply), "no error");
+  return testing::Test::HasFailure() ? StepReply{} : std::get<StepReply>(reply);
+}
+
+std::string ErrorOfStep(const fs::path& folder, const BrainOptions& options = {}) {
+  BrainProcess brain(folder, options);
+  Started(brain);
+  if (testing::Test::HasFailure()) return "did not start";
+  const std::string error = ErrorIn(brain.Step({}));
+  EXPECT_FALSE(brain.is_running());
+  return error;
+}
+
+std::string ErrorOfInit(const fs::path& folder, const BrainOptions& options = {}) {
+  BrainProcess brain(folder, options);
+  const std::string error = ErrorIn(brain.Init({}));
+  EXPECT_FALSE(brain.is_running());
+  return error;
+}
+
+Image Gradient(int width_px, int height_px) {
+  Image image{.width_px = width_px, .height_px = height_px, .color = {}, .depth = {}, .ids = {}};
+  for (int k = 0; k < width_px * height_px * 3; ++k) {
+    image.color.push_back(static_cast<std::uint8_t>(k * 7 % 256));
+  }
+  return image;
+}
+
+// ---- the life of a good brain -------------------------------------------------------------------
+
+TEST_F(BrainProcessTest, MovesJointsByWhatItSenses) {
+  BrainProcess brain(Brain("gain = 2;",
+                           "motor.jointVelocities = gain * sensor.jointAngles;\n"
+                           "motor.gripperVelocities = [1; -1];"));
+  Started(brain);
+  Sensor sensor;
+  sensor.joint_angles(1, 2) = 0.5;
+  const StepReply reply = Stepped(brain, sensor);
+  EXPECT_EQ(reply.motor.joint_velocities, LimbJoints(2 * sensor.joint_angles));
+  EXPECT_EQ(reply.motor.gripper_velocities, Eigen::Vector2d(1, -1));
+  EXPECT_FALSE(reply.exit);
+}
+
+TEST_F(BrainProcessTest, KeepsVariablesAndMotorBetweenSteps) {
+  BrainProcess brain(Brain("count = 0;",
+                           "count = count + 1;\n"
+                           "if count == 1, motor.jointVelocities(1, 1) = 3; end\n"
+                           "motor.gripperVelocities = [count; 0];"));
+  Started(brain);
+  Stepped(brain);
+  const StepReply reply = Stepped(brain);
+  EXPECT_EQ(reply.motor.gripper_velocities(0), 2);
+  EXPECT_EQ(reply.motor.joint_velocities(0, 0), 3);
+}
+
+TEST_F(BrainProcessTest, TellsAuxAndTakesItsAnswer) {
+  Aux aux;
+  aux.min_joint_angles.setConstant(-1);
+  aux.max_joint_angles(1, 6) = 3;
+  aux.camera = CameraDescription{.width_px = 200, .height_px = 150, .fx = 130};
+  aux.demonstration = "out/demo";
+  BrainProcess brain(
+      Brain("assert(aux.path, 'agent/'); assert(exist([aux.path 'begin.m'], 'file') == 2);\n"
+            "assert([aux.numLimbs aux.numJoints], [2 7]);\n"
+            "assert(aux.cameraSize, [150 200]); assert(aux.cameraIntrinsics(1, 1), 130);\n"
+            "assert(aux.cameraPose, eye(4)); assert(aux.demonstration, 'out/demo');\n"
+            "aux.initJointAngles = aux.minJointAngles + aux.maxJointAngles;\n"
+            "aux.drawMarkers = [1 2 3; 4 5 6];",
+            "assert(isfield(aux, 'drawMarkers'));"));
+  const InitReply reply = Started(brain, aux);
+  ASSERT_TRUE(reply.init_joint_angles);
+  EXPECT_EQ((*reply.init_joint_angles)(1, 6), 2);
+  EXPECT_EQ((*reply.init_joint_angles)(0, 0), -1);
+  EXPECT_EQ(reply.draw_markers, (Eigen::Matrix<double, 2, 3>() << 1, 2, 3, 4, 5, 6).finished());
+  Stepped(brain);
+}
+
+TEST_F(BrainProcessTest, SensorHasTheShapesOfTheScripts) {
+  BrainProcess brain(
+      Brain("",
+            "assert(size(sensor.timeElapsed), [1 1]); assert(sensor.simTime, 2);\n"
+            "assert(size(sensor.jointAngles), [2 7]); assert(sensor.endEffPos, [1 2 3; 4 5 6]);\n"
+            "assert(sensor.gripperOpening, [0.5 2]); assert(islogical(sensor.demoCue));\n"
+            "assert(sensor.demoCue);\n"
+            "assert(sensor.trackerLoc('r-S1'), [7 8 9]);\n"
+            "assert(keys(sensor.trackerLoc), {'l-S1', 'r-S1'});\n"
+            "assert(!isfield(sensor, 'rgbVision'));"));
+  Started(brain);
+  Sensor sensor{.time_elapsed = 0.25, .sim_time = 2, .demo_cue = true};
+  sensor.end_effector_positions << 1, 2, 3, 4, 5, 6;
+  sensor.gripper_openings << 0.5, 2;
+  sensor.tracker_locations = {{"l-S1", {1, 1, 1}}, {"r-S1", {7, 8, 9}}};
+  Stepped(brain, sensor);
+}
+
+TEST_F(BrainProcessTest, EndsWhenTheScriptSaysSo) {
+  BrainProcess brain(Brain("aux.exit = false;",
+                           "if sensor.simTime > 1, aux.exit = true; end\n"
+                           "motor.gripperVelocities = [5; 5];"));
+  Started(brain);
+  EXPECT_FALSE(Stepped(brain, {.sim_time = 1}).exit);
+  const StepReply last = Stepped(brain, {.sim_time = 2});
+  EXPECT_TRUE(last.exit);
+  EXPECT_EQ(last.motor.gripper_velocities(0), 5);
+  EXPECT_FALSE(brain.is_running());
+  EXPECT_THROW(static_cast<void>(brain.Step({})), std::logic_error);
+}
+
+TEST_F(BrainProcessTest, SurvivesAScriptThatClearsEverything) {
+  BrainProcess brain(
+      Brain("clear all; close all; k = 1;", "clear functions; motor.gripperVelocities = [k; k];"));
+  Started(brain);
+  EXPECT_EQ(Stepped(brain).motor.gripper_velocities(0), 1);
+  EXPECT_EQ(Stepped(brain).motor.gripper_velocities(0), 1);
+}
+
+TEST_F(BrainProcessTest, TakesABreakOutsideALoopAsTheEndOfTheScript) {
+  BrainProcess brain(Brain("",
+                           "motor.gripperVelocities = [1; 1];\nif true, break; end\n"
+                           "motor.gripperVelocities = [2; 2];"));
+  Started(brain);
+  EXPECT_EQ(Stepped(brain).motor.gripper_velocities(0), 1);
+  EXPECT_EQ(Stepped(brain).motor.gripper_velocities(0), 1);
+}
+
+TEST_F(BrainProcessTest, BothTransportsGiveTheSameAnswer) {
+  const fs::path folder =
+      Brain("",
+            "v = sensor.rgbVision;\n"
+            "motor.jointVelocities(1, 1:4) = [size(v, 1) size(v, 2) v(2, 3, 1) v(20, 30, 3)];\n"
+            "motor.jointVelocities(2, 1:3) = [sum(v(:)) std(v(:)) sensor.simTime / 3];\n"
+            "motor.headVelocity = single(0.25); motor.gripperVelocities = sensor.gripperOpening;");
+  Sensor sensor{.sim_time = 1.0, .rgb_vision = Gradient(200, 150)};
+  sensor.gripper_openings << 1.0 / 3, 2;
+  std::vector<Motor> motors;
+  for (const auto transport : {BrainTransport::kMex, BrainTransport::kPlain}) {
+    BrainProcess brain(folder, {.transport = transport});
+    Started(brain);
+    motors.push_back(Stepped(brain, sensor).motor);
+  }
+  EXPECT_EQ(motors[0].joint_velocities, motors[1].joint_velocities);
+  EXPECT_EQ(motors[0].gripper_velocities, motors[1].gripper_velocities);
+  EXPECT_EQ(motors[0].head_velocity, motors[1].head_velocity);
+  EXPECT_EQ(motors[0].joint_velocities(0, 0), 150);
+  // Row 2, column 3, red: the 202nd pixel of the image.
+  EXPECT_EQ(motors[0].joint_velocities(0, 2), (3 * 202 * 7 % 256) / 255.0);
+}
+
+// ---- mistakes in scripts ------------------------------------------------------------------------
+
+TEST_F(BrainProcessTest, NamesTheLineOfAnUndefinedVariable) {
+  EXPECT_EQ(ErrorOfStep(Brain("", "y = 1;\n\nz = y + lost;")), "agent/act.m:3: 'lost' undefined");
+}
+
+TEST_F(BrainProcessTest, PlainClientNamesTheLineToo) {
+  EXPECT_EQ(
+      ErrorOfStep(Brain("", "y = 1;\n\nz = y + lost;"), {.transport = BrainTransport::kPlain}),
+      "agent/act.m:3: 'lost' undefined");
+}
+
+TEST_F(BrainProcessTest, NamesTheLineOfAMistakeInInit) {
+  EXPECT_EQ(ErrorOfInit(Brain("x = 1;\nerror('no luck');", "")), "agent/begin.m:2: no luck");
+}
+
+TEST_F(BrainProcessTest, NamesTheLineOfAParseError) {
+  EXPECT_EQ(ErrorOfInit(Brain("", "x = 1;\nx = = 2;")), "agent/act.m:2: syntax error: x = = 2;");
+}
+
+TEST_F(BrainProcessTest, BlamesTheScriptAndNotTheLibrary) {
+  EXPECT_EQ(ErrorOfStep(Brain("", "x = 1;\nstrjoin(5);")).substr(0, 14), "agent/act.m:2:");
+}
+
+TEST_F(BrainProcessTest, NamesAScriptThatIsMissing) {
+  const fs::path folder = Brain("", "");
+  fs::remove(folder / "act.m");
+  EXPECT_EQ(ErrorOfInit(folder),
+            "agent/agentBehavior.m: agentBehavior names act, but there is no act.m");
+}
+
+TEST_F(BrainProcessTest, RefusesWrongShapesWithBothShapesNamed) {
+  EXPECT_EQ(ErrorOfStep(Brain("", "motor.jointVelocities = zeros(7, 2);")),
+            "agent/act.m: motor.jointVelocities is 7x2, expected 2x7");
+  EXPECT_EQ(ErrorOfInit(Brain("aux.initJointAngles = 1;", "")),
+            "agent/begin.m: aux.initJointAngles is 1x1, expected 2x7");
+}
+
+TEST_F(BrainProcessTest, RefusesWhatIsNotANumberByName) {
+  for (const auto transport : {BrainTransport::kMex, BrainTransport::kPlain}) {
+    const BrainOptions options{.transport = transport};
+    EXPECT_EQ(ErrorOfStep(Brain("", "motor.jointVelocities = {1};"), options),
+              "agent/act.m: motor.jointVelocities is a cell, expected real numbers");
+    EXPECT_EQ(ErrorOfStep(Brain("", "motor = 7;"), options),
+              "agent/act.m: motor is not a struct any more");
+  }
+}
+
+// ---- programs that misbehave --------------------------------------------------------------------
+
+TEST_F(BrainProcessTest, StopsAnEndlessLoopAndNamesItsLine) {
+  const fs::path folder = Brain("", "x = 1;\nwhile true\n  x = x + 1;\nend");
+  std::string error;
+  EXPECT_LT(SecondsOf([&] { error = ErrorOfStep(folder, {.callback_seconds = 0.5}); }), 3);
+  EXPECT_TRUE(error == "agent/act.m:2: the callback took longer than 0.5 s and was stopped" ||
+              error == "agent/act.m:3: the callback took longer than 0.5 s and was stopped")
+      << error;
+}
+
+TEST_F(BrainProcessTest, StopsASleeperAndItsChildren) {
+  const fs::path folder = Brain("", "system('sleep 30 & sleep 30');");
+  std::string error;
+  EXPECT_LT(SecondsOf([&] { error = ErrorOfStep(folder, {.callback_seconds = 0.3}); }), 3);
+  EXPECT_EQ(error, "agent/act.m:1: the callback took longer than 0.3 s and was stopped");
+}
+
+TEST_F(BrainProcessTest, KillsWhatRefusesToListen) {
+  const fs::path folder = Brain("", "while true\n  try\n    while true, end\n  catch\n  end\nend");
+  std::string error;
+  EXPECT_LT(SecondsOf([&] { error = ErrorOfStep(folder, {.callback_seconds = 0.3}); }), 4);
+  EXPECT_NE(error.find("the callback took longer than 0.3 s"), std::string::npos) << error;
+}
+
+TEST_F(BrainProcessTest, StopsAnEndlessInit) {
+  const fs::path folder = Brain("while true, end", "");
+  EXPECT_EQ(ErrorOfInit(folder, {.start_seconds = 1}),
+            "agent/begin.m:1: init took longer than 1 s and was stopped");
+}
+
+TEST_F(BrainProcessTest, TellsHowACrashedProgramEnded) {
+  for (const auto transport : {BrainTransport::kMex, BrainTransport::kPlain}) {
+    EXPECT_EQ(ErrorOfStep(Brain("", "kill(getpid(), 9);"), {.transport = transport}),
+              "agent/act.m: the brain ended during the callback: it was ended by signal 9 "
+              "(Killed)");
+  }
+  EXPECT_EQ(ErrorOfStep(Brain("", "exit(3);")),
+            "agent/act.m: the brain ended during the callback: it ended with exit code 3");
+}
+
+TEST_F(BrainProcessTest, ShowsTheLastLinesBesideAnError) {
+  BrainProcess brain(Brain("", "disp('nearly there'); error('oh');"));
+  Started(brain);
+  const auto reply = brain.Step({});
+  ASSERT_TRUE(std::holds_alternative<BrainError>(reply));
+  const auto& output = std::get<BrainError>(reply).output;
+  ASSERT_FALSE(output.empty());
+  EXPECT_EQ(output.front(), "nearly there");
+}
+
+TEST_F(BrainProcessTest, AChattyProgramNeitherBlocksNorFloods) {
+  std::mutex mutex;
+  std::vector<std::string> lines;
+  BrainOptions options;
+  options.on_output = [&](std::string_view line) {
+    const std::lock_guard lock(mutex);
+    lines.emplace_back(line);
+  };
+  BrainProcess brain(Brain("text = repmat(sprintf('%s\\n', repmat('x', 1, 99)), 1, 30000);",
+                           "fputs(stdout, text);"),
+                     options);
+  Started(brain);
+  for (int k = 0; k < 3; ++k) Stepped(brain);
+  brain.Stop();
+  // 90 000 lines were printed; 200 a second are shown, and a note about the others.
+  EXPECT_GE(lines.size(), 200u);
+  EXPECT_LT(lines.size(), 5000u);
+  EXPECT_EQ(lines.front(), std::string(99, 'x'));
+  EXPECT_NE(lines.back().find("more lines were not shown"), std::string::npos) << lines.back();
+}
+
+TEST_F(BrainProcessTest, IsCalledOffAtOnce) {
+  BrainOptions options;
+  options.is_cancelled = [] { return true; };
+  const fs::path folder = Brain("", "");
+  EXPECT_EQ(ErrorOfInit(folder, options),
+            "agent/agentBehavior.m: the brain was stopped during the start");
+}
+
+// ---- hostile bytes ------------------------------------------------------------------------------
+
+std::vector<std::byte> Hello() {
+  MessageWriter writer(MessageType::kHello, 0);
+  writer.AddScalar("version", kProtocolVersion);
+  return writer.Finish();
+}
+
+std::vector<std::byte> Joined(std::vector<std::byte> first, const std::vector<std::byte>& second) {
+  first.insert(first.end(), second.begin(), second.end());
+  return first;
+}
+
+constexpr const char* kSendAll = "cat \"$SMILE_BRAIN_FOLDER/frames\" >&4; sleep 5";
+const BrainOptions kOverPipes{.transport = BrainTransport::kPlain};
+
+TEST_F(BrainProcessTest, RefusesNoise) {
+  EXPECT_EQ(ErrorOfInit(Talker("head -c 100000 /dev/zero >&4; sleep 5", {}), kOverPipes),
+            root_.filename().string() +
+                "/talker: the brain sent nonsense during the start: "
+                "what arrived is not a message");
+}
+
+TEST_F(BrainProcessTest, RefusesAGiantLength) {
+  auto frame = Hello();
+  frame[15] = std::byte{0x7f};
+  EXPECT_NE(ErrorOfInit(Talker(kSendAll, frame), kOverPipes).find("expected at most 67108864"),
+            std::string::npos);
+}
+
+TEST_F(BrainProcessTest, RefusesAnotherVersion) {
+  MessageWriter writer(MessageType::kHello, 0);
+  writer.AddScalar("version", 2);
+  EXPECT_NE(ErrorOfInit(Talker(kSendAll, writer.Finish()), kOverPipes)
+                .find("the brain does not speak version 1 of the protocol"),
+            std::string::npos);
+}
+
+TEST_F(BrainProcessTest, RefusesAnswersToWhatWasNotAsked) {
+  const auto frames = Joined(Hello(), MessageWriter(MessageType::kInitDone, 77).Finish());
+  EXPECT_NE(ErrorOfInit(Talker(kSendAll, frames), kOverPipes)
+                .find("this is not an answer to what was asked"),
+            std::string::npos);
+}
+
+TEST_F(BrainProcessTest, AnExecutableMaySpeakTheProtocol) {
+  auto frames = Joined(Hello(), MessageWriter(MessageType::kInitDone, 1).Finish());
+  MessageWriter motor(MessageType::kFinalMotor, 2);
+  motor.AddDoubles("jointVelocities", std::array{2u, 7u}, std::array<double, 14>{1});
+  motor.AddDoubles("gripperVelocities", std::array{2u, 1u}, std::array<double, 2>{});
+  frames = Joined(std::move(frames), motor.Finish());
+  BrainProcess brain(Talker("cat \"$SMILE_BRAIN_FOLDER/frames\" >&4; cat <&3 >/dev/null", frames),
+                     kOverPipes);
+  Started(brain);
+  const StepReply reply = Stepped(brain);
+  EXPECT_EQ(reply.motor.joint_velocities(0, 0), 1);
+  EXPECT_TRUE(reply.exit);
+}
+
+TEST_F(BrainProcessTest, NoticesAProgramThatSaysNothing) {
+  BrainOptions options = kOverPipes;
+  options.start_seconds = 0.3;
+  EXPECT_NE(ErrorOfInit(Talker("sleep 30", {}), options).find("the start took longer than 0.3 s"),
+            std::string::npos);
+}
+
+TEST_F(BrainProcessTest, NoticesAProgramThatEndsAtOnce) {
+  EXPECT_NE(ErrorOfInit(Talker("exit 4", {}), kOverPipes)
+                .find("the brain ended during the start: it ended with exit code 4"),
+            std::string::npos);
+}
+
+// ---- brains that are none -----------------------------------------------------------------------
+
+TEST_F(BrainProcessTest, RefusesWhatIsNoBrain) {
+  const auto error_for = [&](const fs::path& path) -> std::string {
+    try {
+      BrainProcess brain(path);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "no error";
+  };
+  const std::string root = root_.string();
+  EXPECT_EQ(error_for(root_ / "nothing"),
+            root + "/nothing: no such brain, expected a folder with agentBehavior.m or a program");
+  EXPECT_EQ(error_for(root_), root + ": the folder has no agentBehavior.m");
+  WriteFile(root_ / "notes.txt", "hello");
+  EXPECT_EQ(error_for(root_ / "notes.txt"),
+            root +
+                "/notes.txt: not a program, expected a folder with agentBehavior.m or an "
+                "executable file");
+  WriteFile(root_ / "agent.py", "");
+  EXPECT_EQ(error_for(root_ / "agent.py"),
+            root +
+                "/agent.py: Python brains cannot be run yet, expected a folder with "
+                "agentBehavior.m");
+}
+
+TEST_F(BrainProcessTest, SaysWhenOctaveIsMissing) {
+  const fs::path folder = Brain("", "");
+  ::setenv("SMILE_OCTAVE", "/nowhere/octave-cli", 1);
+  EXPECT_THROW(
+      {
+        try {
+          BrainProcess brain(folder);
+        } catch (const std::runtime_error& error) {
+          EXPECT_STREQ(error.what(), "SMILE_OCTAVE: /nowhere/octave-cli is not a program");
+          throw;
+        }
+      },
+      std::runtime_error);
+  ::unsetenv("SMILE_OCTAVE");
+}
+
+TEST_F(BrainProcessTest, TheWaveExampleWaves) {
+  BrainProcess brain(fs::path(SMILE_SOURCE_DIR) / "matlab/examples/wave/");
+  EXPECT_TRUE(Started(brain).init_joint_angles);
+  const StepReply reply = Stepped(brain);
+  EXPECT_EQ(reply.motor.joint_velocities(0, 0), 0.4);
+  EXPECT_EQ(reply.motor.joint_velocities(1, 0), -0.4);
+}
+
+}  // namespace
+}  // namespace smile::brain

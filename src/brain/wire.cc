@@ -1,0 +1,246 @@
+#include "brain/wire.h"
+
+#include <algorithm>
+#include <cstring>
+#include <stdexcept>
+
+#include "base/bytes.h"
+
+namespace smile::brain {
+namespace {
+
+constexpr std::size_t kAlignment = 8;
+constexpr std::uint8_t kFractionFlag = 1;
+
+std::size_t ElementBytes(ElementType type) { return type == ElementType::kDouble ? 8 : 1; }
+
+std::size_t Padding(std::size_t size) { return (kAlignment - size % kAlignment) % kAlignment; }
+
+/// Bytes the elements take; nullopt when more than a body may hold.
+std::optional<std::size_t> DataBytes(ElementType type, std::span<const std::uint32_t> dims) {
+  // A zero anywhere means no elements, however large the other dimensions are.
+  if (std::ranges::find(dims, 0u) != dims.end()) return 0;
+  std::size_t bytes = ElementBytes(type);
+  for (const std::uint32_t dim : dims) {
+    if (dim > kMaxBodyBytes / bytes) return std::nullopt;
+    bytes *= dim;
+  }
+  return bytes;
+}
+
+bool IsIdentifier(std::string_view name) {
+  const auto is_letter = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+  };
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  return !name.empty() && name.size() <= kMaxNameLetters && is_letter(name[0]) &&
+         std::ranges::all_of(name, [&](char c) { return is_letter(c) || is_digit(c); });
+}
+
+/// Why this array cannot be sent, or empty. Shared by both directions, so that they agree.
+std::string WhyUnfit(std::string_view name, ElementType type, std::uint8_t flags,
+                     std::span<const std::uint32_t> dims) {
+  if (!IsIdentifier(name)) return "an array's name is not an identifier";
+  const std::string whose = "array '" + std::string(name) + "' ";
+  if (type > ElementType::kText) return whose + "has an unknown element type";
+  if (flags > (type == ElementType::kByte ? kFractionFlag : 0)) return whose + "has unknown flags";
+  if (dims.size() < 2 || dims.size() > kMaxDimensions) {
+    return whose + "has " + std::to_string(dims.size()) + " dimensions, expected 2 to " +
+           std::to_string(kMaxDimensions);
+  }
+  if (!DataBytes(type, dims)) return whose + "is too large: " + ShapeText(dims);
+  return {};
+}
+
+void SkipPadding(ByteReader& reader, std::size_t body_bytes) {
+  reader.GetBytes(Padding(body_bytes - reader.remaining()));
+}
+
+std::variant<NamedArray, WireError> DecodeArray(ByteReader& reader, std::size_t body_bytes) {
+  NamedArray array;
+  const auto name_letters = reader.Get<std::uint8_t>();
+  array.type = reader.Get<ElementType>();
+  const auto dim_count = reader.Get<std::uint8_t>();
+  const auto flags = reader.Get<std::uint8_t>();
+  for (int k = 0; k < dim_count && reader.ok(); ++k) {
+    array.dims.push_back(reader.Get<std::uint32_t>());
+  }
+  const std::span<const std::byte> letters = reader.GetBytes(name_letters);
+  array.name.assign(reinterpret_cast<const char*>(letters.data()), letters.size());
+  SkipPadding(reader, body_bytes);
+  if (!reader.ok()) return WireError{"the body ends inside an array's head"};
+
+  const std::string unfit = WhyUnfit(array.name, array.type, flags, array.dims);
+  if (!unfit.empty()) return WireError{unfit};
+  array.is_fraction = flags == kFractionFlag;
+
+  const std::span<const std::byte> data = reader.GetBytes(*DataBytes(array.type, array.dims));
+  SkipPadding(reader, body_bytes);
+  if (!reader.ok()) return WireError{"the body ends inside array '" + array.name + "'"};
+  array.data.assign(data.begin(), data.end());
+  return array;
+}
+
+}  // namespace
+
+std::string ShapeText(std::span<const std::uint32_t> dims) {
+  std::string text;
+  for (const std::uint32_t dim : dims) text += (text.empty() ? "" : "x") + std::to_string(dim);
+  return text;
+}
+
+std::optional<std::vector<double>> NamedArray::Numbers() const {
+  if (type == ElementType::kText) return std::nullopt;
+  std::vector<double> numbers(data.size() / ElementBytes(type));
+  if (type == ElementType::kDouble) {
+    if (!numbers.empty()) std::memcpy(numbers.data(), data.data(), data.size());
+    return numbers;
+  }
+  const double scale = is_fraction ? 255.0 : 1.0;
+  std::ranges::transform(data, numbers.begin(),
+                         [scale](std::byte value) { return std::to_integer<int>(value) / scale; });
+  return numbers;
+}
+
+std::optional<std::string> NamedArray::Text() const {
+  if (type != ElementType::kText) return std::nullopt;
+  return std::string(reinterpret_cast<const char*>(data.data()), data.size());
+}
+
+const NamedArray* Message::Find(std::string_view name) const {
+  const auto found = std::ranges::find(arrays, name, &NamedArray::name);
+  return found == arrays.end() ? nullptr : &*found;
+}
+
+MessageWriter::MessageWriter(MessageType type, std::uint32_t sequence) {
+  ByteWriter head;
+  head.Put(kMagic);
+  head.Put(type);
+  head.Put(sequence);
+  head.Put(std::uint32_t{0});  // length of the body, known at the end
+  head.Put(std::uint32_t{0});  // number of arrays, known at the end
+  head.Put(std::uint32_t{0});
+  frame_ = head.Take();
+}
+
+void MessageWriter::AddDoubles(std::string_view name, std::span<const std::uint32_t> dims,
+                               std::span<const double> values) {
+  if (DataBytes(ElementType::kDouble, dims) != values.size_bytes()) {
+    throw std::invalid_argument("message array '" + std::string(name) +
+                                "': " + std::to_string(values.size()) + " values do not make a " +
+                                ShapeText(dims));
+  }
+  const std::span<std::byte> space = AddSpace(name, ElementType::kDouble, false, dims);
+  if (!space.empty()) std::memcpy(space.data(), values.data(), space.size());
+}
+
+void MessageWriter::AddScalar(std::string_view name, double value) {
+  AddDoubles(name, std::array{1u, 1u}, {&value, 1});
+}
+
+void MessageWriter::AddLogical(std::string_view name, bool value) {
+  AddSpace(name, ElementType::kLogical, false, std::array{1u, 1u})[0] = std::byte{value};
+}
+
+void MessageWriter::AddText(std::string_view name, std::string_view text) {
+  if (text.size() > kMaxBodyBytes) throw std::invalid_argument("message text is too long");
+  const std::array dims{1u, static_cast<std::uint32_t>(text.size())};
+  std::ranges::copy(std::as_bytes(std::span(text)),
+                    AddSpace(name, ElementType::kText, false, dims).begin());
+}
+
+void MessageWriter::AddArray(const NamedArray& array) {
+  const auto space = AddSpace(array.name, array.type, array.is_fraction, array.dims);
+  if (space.size() != array.data.size()) {
+    throw std::invalid_argument("message array '" + array.name + "': data does not make a " +
+                                ShapeText(array.dims));
+  }
+  std::ranges::copy(array.data, space.begin());
+}
+
+std::span<std::byte> MessageWriter::AddSpace(std::string_view name, ElementType type,
+                                             bool is_fraction,
+                                             std::span<const std::uint32_t> dims) {
+  const std::uint8_t flags = is_fraction ? kFractionFlag : 0;
+  std::string unfit = WhyUnfit(name, type, flags, dims);
+  if (std::ranges::find(names_, name) != names_.end()) unfit = "is there twice";
+  if (array_count_ == kMaxArrays) unfit = "is one array too many";
+  if (!unfit.empty()) {
+    throw std::invalid_argument("message array '" + std::string(name) + "': " + unfit);
+  }
+
+  ByteWriter head;
+  head.Put(static_cast<std::uint8_t>(name.size()));
+  head.Put(type);
+  head.Put(static_cast<std::uint8_t>(dims.size()));
+  head.Put(flags);
+  for (const std::uint32_t dim : dims) head.Put(dim);
+  head.PutBytes(std::as_bytes(std::span(name)));
+  frame_.insert(frame_.end(), head.bytes().begin(), head.bytes().end());
+  frame_.resize(frame_.size() + Padding(frame_.size()));
+
+  const std::size_t begin = frame_.size();
+  const std::size_t size = *DataBytes(type, dims);
+  frame_.resize(begin + size + Padding(size));
+  if (frame_.size() - kHeaderBytes > kMaxBodyBytes) {
+    throw std::invalid_argument("message array '" + std::string(name) + "': body is too large");
+  }
+  names_.emplace_back(name);
+  ++array_count_;
+  return std::span(frame_).subspan(begin, size);
+}
+
+std::vector<std::byte> MessageWriter::Finish() {
+  const auto body_bytes = static_cast<std::uint32_t>(frame_.size() - kHeaderBytes);
+  std::memcpy(&frame_[12], &body_bytes, sizeof body_bytes);
+  std::memcpy(&frame_[kHeaderBytes], &array_count_, sizeof array_count_);
+  return std::move(frame_);
+}
+
+std::variant<FrameHeader, WireError> DecodeHeader(std::span<const std::byte, kHeaderBytes> bytes) {
+  ByteReader reader(bytes);
+  if (reader.Get<std::uint32_t>() != kMagic) return WireError{"what arrived is not a message"};
+  FrameHeader header;
+  header.type = reader.Get<MessageType>();
+  header.sequence = reader.Get<std::uint32_t>();
+  header.body_bytes = reader.Get<std::uint32_t>();
+  if (header.type < MessageType::kHello || header.type > MessageType::kBye) {
+    return WireError{"unknown message type " +
+                     std::to_string(static_cast<std::uint32_t>(header.type))};
+  }
+  if (header.body_bytes > kMaxBodyBytes) {
+    return WireError{"a message of " + std::to_string(header.body_bytes) +
+                     " bytes, expected at most " + std::to_string(kMaxBodyBytes)};
+  }
+  return header;
+}
+
+std::variant<Message, WireError> DecodeBody(const FrameHeader& header,
+                                            std::span<const std::byte> body) {
+  if (body.size() != header.body_bytes) return WireError{"the body is not as long as announced"};
+  ByteReader reader(body);
+  const auto count = reader.Get<std::uint32_t>();
+  reader.Get<std::uint32_t>();
+  if (!reader.ok()) return WireError{"the body ends before its first array"};
+  if (count > kMaxArrays) return WireError{std::to_string(count) + " arrays in one message"};
+
+  Message message{.type = header.type, .sequence = header.sequence, .arrays = {}};
+  for (std::uint32_t k = 0; k < count; ++k) {
+    auto decoded = DecodeArray(reader, body.size());
+    if (auto* error = std::get_if<WireError>(&decoded)) return std::move(*error);
+    auto& array = std::get<NamedArray>(decoded);
+    if (message.Find(array.name)) return WireError{"array '" + array.name + "' is there twice"};
+    message.arrays.push_back(std::move(array));
+  }
+  if (reader.remaining() > 0) return WireError{"bytes are left over after the last array"};
+  return message;
+}
+
+std::variant<Message, WireError> DecodeFrame(std::span<const std::byte> frame) {
+  if (frame.size() < kHeaderBytes) return WireError{"the frame ends inside its header"};
+  const auto header = DecodeHeader(frame.first<kHeaderBytes>());
+  if (const auto* error = std::get_if<WireError>(&header)) return *error;
+  return DecodeBody(std::get<FrameHeader>(header), frame.subspan(kHeaderBytes));
+}
+
+}  // namespace smile::brain

@@ -1,0 +1,120 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+/// The binary protocol between the simulator and a brain, as docs/brain-protocol.md describes it:
+/// a frame is a 16-byte header and a body of named arrays. What arrives is hostile until decoded.
+namespace smile::brain {
+
+inline constexpr std::uint32_t kMagic = 0x31424d53;  ///< the letters SMB1
+inline constexpr int kProtocolVersion = 1;
+inline constexpr std::size_t kHeaderBytes = 16;
+inline constexpr std::size_t kMaxBodyBytes = std::size_t{64} << 20;
+inline constexpr std::size_t kMaxArrays = 64;
+inline constexpr std::size_t kMaxDimensions = 8;
+inline constexpr std::size_t kMaxNameLetters = 63;
+
+enum class MessageType : std::uint32_t {
+  kHello = 1,       ///< brain to simulator: who I am
+  kInit = 2,        ///< to the brain: the fields of `aux`
+  kInitDone = 3,    ///< to the simulator: what init left in `aux`
+  kStep = 4,        ///< to the brain: the fields of `sensor`
+  kMotor = 5,       ///< to the simulator: the fields of `motor`
+  kFinalMotor = 6,  ///< the same, from a brain that wants to end here
+  kError = 7,       ///< to the simulator: message, file, line
+  kBye = 8,         ///< to the brain: please end
+};
+
+enum class ElementType : std::uint8_t { kDouble = 0, kByte = 1, kLogical = 2, kText = 3 };
+
+/// `2x7`.
+std::string ShapeText(std::span<const std::uint32_t> dims);
+
+/// One array with a name, elements in column-major order.
+struct NamedArray {
+  std::string name;  ///< a letter or _, then letters, digits, _; at most kMaxNameLetters
+  ElementType type = ElementType::kDouble;
+  bool is_fraction = false;         ///< bytes 0 to 255 that stand for 0 to 1
+  std::vector<std::uint32_t> dims;  ///< 2 to kMaxDimensions of them
+  std::vector<std::byte> data;      ///< 8 bytes for each double, else 1 byte for each element
+
+  /// The elements as numbers; nullopt for text. Fractions are divided by 255.
+  std::optional<std::vector<double>> Numbers() const;
+  /// The letters; nullopt when this is not text.
+  std::optional<std::string> Text() const;
+
+  bool operator==(const NamedArray&) const = default;
+};
+
+struct Message {
+  MessageType type = MessageType::kHello;
+  std::uint32_t sequence = 0;  ///< an answer carries the number of its question
+  std::vector<NamedArray> arrays;
+
+  /// Null when there is none of this name.
+  const NamedArray* Find(std::string_view name) const;
+
+  bool operator==(const Message&) const = default;
+};
+
+/// Writes one frame, array by array.
+///
+/// Wrong names, shapes that do not fit their data, or too much of anything are mistakes of the
+/// caller and throw std::invalid_argument.
+class MessageWriter {
+ public:
+  MessageWriter(MessageType type, std::uint32_t sequence);
+
+  /// Column-major.
+  void AddDoubles(std::string_view name, std::span<const std::uint32_t> dims,
+                  std::span<const double> values);
+  void AddScalar(std::string_view name, double value);
+  void AddLogical(std::string_view name, bool value);
+  /// One row of letters.
+  void AddText(std::string_view name, std::string_view text);
+  void AddArray(const NamedArray& array);
+  /// Makes room for the elements and returns it, for the caller to fill before the next call.
+  std::span<std::byte> AddSpace(std::string_view name, ElementType type, bool is_fraction,
+                                std::span<const std::uint32_t> dims);
+
+  /// The whole frame; the writer is spent.
+  std::vector<std::byte> Finish();
+
+ private:
+  std::vector<std::byte> frame_;
+  std::uint32_t array_count_ = 0;
+  std::vector<std::string> names_;
+};
+
+/// What is wrong with bytes that were received.
+struct WireError {
+  std::string message;
+
+  bool operator==(const WireError&) const = default;
+};
+
+struct FrameHeader {
+  MessageType type = MessageType::kHello;
+  std::uint32_t sequence = 0;
+  std::uint32_t body_bytes = 0;  ///< at most kMaxBodyBytes
+};
+
+/// Checks magic, type and length. Never throws.
+std::variant<FrameHeader, WireError> DecodeHeader(std::span<const std::byte, kHeaderBytes> bytes);
+
+/// Checks every bound; memory used is at most in proportion to the body. Never throws on any bytes.
+std::variant<Message, WireError> DecodeBody(const FrameHeader& header,
+                                            std::span<const std::byte> body);
+
+/// Header and body of exactly one frame.
+std::variant<Message, WireError> DecodeFrame(std::span<const std::byte> frame);
+
+}  // namespace smile::brain

@@ -1,0 +1,76 @@
+#include "camera/internal_eye_pass.h"
+
+namespace smile::camera::internal {
+namespace {
+
+// How bright a face is depends on where it looks and on nothing else, so that every face of a block
+// has one color. A face that looks up shows the color of the scene file itself; one that looks to
+// the side is darker, and differently dark for each of the four sides: -y, -x, +x, +y from bright
+// to dark. The numbers keep any two neighboring faces of a cube at least 20 of 255 steps apart.
+// Brightness scales the color as it is shown on a screen, which leaves hue and saturation alone.
+constexpr char kVertexShader[] = R"(
+uniform mat4 clip_from_world;
+out vec3 shade;
+flat out uint id;
+
+float Brightness(vec3 n) {
+  float side = 0.62 + dot(n.xy, vec2(-0.05, -0.17));
+  float brightness = n.z > 0.0 ? mix(side, 1.0, n.z) : mix(side, 0.35, -n.z);
+  return min(brightness, 1.0);
+}
+
+void main() {
+  shade = screen_color * Brightness(NormalInWorld());
+  id = object_id;
+  gl_Position = clip_from_world * vec4(PositionInWorld(), 1.0);
+}
+)";
+
+constexpr char kFragmentShader[] = R"(
+in vec3 shade;
+flat in uint id;
+layout(location = 0) out vec4 color;
+layout(location = 1) out uint seen_id;
+
+void main() {
+  color = vec4(shade, 1.0);
+  seen_id = id;
+}
+)";
+
+void Clear(const Color& background) {
+  const GLfloat color[] = {static_cast<GLfloat>(background.red),
+                           static_cast<GLfloat>(background.green),
+                           static_cast<GLfloat>(background.blue), 1};
+  const GLuint no_object[] = {0, 0, 0, 0};
+  const GLfloat far_plane = 1;
+  glClearBufferfv(GL_COLOR, 0, color);
+  glClearBufferuiv(GL_COLOR, 1, no_object);
+  glClearBufferfv(GL_DEPTH, 0, &far_plane);
+}
+
+}  // namespace
+
+EyePass::EyePass()
+    : program_(std::string(kVertexShaderInputs) + kVertexShader, kFragmentShader),
+      clip_from_world_(program_.Uniform("clip_from_world")) {}
+
+const Framebuffer& EyePass::Draw(const std::vector<Piece>& visible, const CameraView& view,
+                                 const RenderOptions& options, MeshStore* meshes,
+                                 FramebufferPool* pool) {
+  const Framebuffer& picture = pool->Get({.width_px = view.intrinsics.width_px,
+                                          .height_px = view.intrinsics.height_px,
+                                          .color_formats = {GL_RGBA8, GL_R32UI}});
+  picture.BindForDrawing();
+  const GLenum outputs[] = {options.color ? GLenum{GL_COLOR_ATTACHMENT0} : GLenum{GL_NONE},
+                            options.ids ? GLenum{GL_COLOR_ATTACHMENT1} : GLenum{GL_NONE}};
+  glDrawBuffers(2, outputs);
+  Clear(options.background.value_or(Color{0, 0, 0}));
+
+  program_.Use();
+  glUniformMatrix4fv(clip_from_world_, 1, GL_FALSE, ClipFromWorld(view).data());
+  meshes->Draw(visible);
+  return picture;
+}
+
+}  // namespace smile::camera::internal

@@ -1,0 +1,105 @@
+#include "camera/internal_mesh_store.h"
+
+#include <cstddef>
+
+namespace smile::camera::internal {
+
+const char* const kVertexShaderInputs = R"(
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in vec4 row_x;
+layout(location = 3) in vec4 row_y;
+layout(location = 4) in vec4 row_z;
+layout(location = 5) in vec3 screen_color;
+layout(location = 6) in uint object_id;
+
+vec3 PositionInWorld() {
+  vec4 p = vec4(position, 1.0);
+  return vec3(dot(row_x, p), dot(row_y, p), dot(row_z, p));
+}
+
+// The columns of the matrix are a rotation's, each stretched; a normal stretches the other way.
+vec3 NormalInWorld() {
+  mat3 stretched = transpose(mat3(row_x.xyz, row_y.xyz, row_z.xyz));
+  vec3 stretch_squared = vec3(dot(stretched[0], stretched[0]), dot(stretched[1], stretched[1]),
+                              dot(stretched[2], stretched[2]));
+  return normalize(stretched * (normal / stretch_squared));
+}
+)";
+
+namespace {
+
+struct Corner {
+  Eigen::Vector3f position, normal;
+};
+
+const void* Offset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }
+
+void DescribeCorners() {
+  glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Corner), Offset(0));
+  glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, sizeof(Corner), Offset(sizeof(float) * 3));
+  for (const GLuint location : {0u, 1u}) glEnableVertexAttribArray(location);
+}
+
+void DescribeInstances() {
+  for (GLuint row = 0; row < 3; ++row) {
+    glVertexAttribPointer(2 + row, 4, GL_FLOAT, GL_FALSE, sizeof(Instance),
+                          Offset(offsetof(Instance, rows) + row * sizeof(float) * 4));
+  }
+  glVertexAttribPointer(5, 3, GL_FLOAT, GL_FALSE, sizeof(Instance),
+                        Offset(offsetof(Instance, color)));
+  glVertexAttribIPointer(6, 1, GL_UNSIGNED_INT, sizeof(Instance),
+                         Offset(offsetof(Instance, object_id)));
+  for (GLuint location = 2; location <= 6; ++location) {
+    glEnableVertexAttribArray(location);
+    glVertexAttribDivisor(location, 1);
+  }
+}
+
+template <class T>
+GLsizeiptr BytesOf(const std::vector<T>& values) {
+  return static_cast<GLsizeiptr>(values.size() * sizeof(T));
+}
+
+}  // namespace
+
+MeshStore::Entry MeshStore::Upload(const mesh::UnitMesh& unit_mesh) {
+  const mesh::TriangleMesh mesh = mesh::MakeMesh(unit_mesh);
+  std::vector<Corner> corners;
+  for (std::size_t k = 0; k < mesh.positions.size(); ++k) {
+    corners.push_back({mesh.positions[k], mesh.normals[k]});
+  }
+  Entry entry;
+  entry.num_indices = static_cast<GLsizei>(3 * mesh.triangles.size());
+  glBindVertexArray(entry.vertex_array.name());
+  glBindBuffer(GL_ARRAY_BUFFER, entry.corners.name());
+  glBufferData(GL_ARRAY_BUFFER, BytesOf(corners), corners.data(), GL_STATIC_DRAW);
+  DescribeCorners();
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, entry.triangles.name());
+  glBufferData(GL_ELEMENT_ARRAY_BUFFER, BytesOf(mesh.triangles), mesh.triangles.data(),
+               GL_STATIC_DRAW);
+  glBindBuffer(GL_ARRAY_BUFFER, entry.instances.name());
+  DescribeInstances();
+  return entry;
+}
+
+MeshStore::Entry& MeshStore::EntryFor(const mesh::UnitMesh& unit_mesh) {
+  const auto found = entries_.find(unit_mesh);
+  if (found != entries_.end()) return found->second;
+  return entries_.emplace(unit_mesh, Upload(unit_mesh)).first->second;
+}
+
+void MeshStore::Draw(const std::vector<Piece>& pieces) {
+  for (const Piece& piece : pieces) EntryFor(piece.unit_mesh).waiting.push_back(piece.instance);
+  for (auto& [unit_mesh, entry] : entries_) {
+    if (entry.waiting.empty()) continue;
+    glBindVertexArray(entry.vertex_array.name());
+    glBindBuffer(GL_ARRAY_BUFFER, entry.instances.name());
+    glBufferData(GL_ARRAY_BUFFER, BytesOf(entry.waiting), entry.waiting.data(), GL_STREAM_DRAW);
+    glDrawElementsInstanced(GL_TRIANGLES, entry.num_indices, GL_UNSIGNED_INT, nullptr,
+                            static_cast<GLsizei>(entry.waiting.size()));
+    entry.waiting.clear();
+  }
+}
+
+}  // namespace smile::camera::internal

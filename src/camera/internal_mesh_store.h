@@ -1,0 +1,38 @@
+#pragma once
+
+#include <map>
+
+#include "camera/internal_gl.h"
+#include "camera/internal_pieces.h"
+
+namespace smile::camera::internal {
+
+/// The unit meshes on the graphics card, brought there when first drawn.
+///
+/// Vertex shaders read: 0 position, 1 normal (of the unit mesh), 2 to 4 the rows of the instance's
+/// matrix, 5 its color as shown on a screen, 6 its object id.
+class MeshStore {
+ public:
+  /// Draws with the program in use; pieces that share a unit mesh at one stroke.
+  void Draw(const std::vector<Piece>& pieces);
+
+ private:
+  struct Entry {
+    VertexArray vertex_array;
+    Buffer corners, triangles, instances;
+    GLsizei num_indices = 0;
+    std::vector<Instance> waiting;  // to be drawn
+  };
+
+  static Entry Upload(const mesh::UnitMesh& unit_mesh);
+
+  Entry& EntryFor(const mesh::UnitMesh& unit_mesh);
+
+  std::map<mesh::UnitMesh, Entry> entries_;
+};
+
+/// What every vertex shader begins with: the inputs above, and
+/// `vec3 PositionInWorld()`, `vec3 NormalInWorld()` of unit length.
+extern const char* const kVertexShaderInputs;
+
+}  // namespace smile::camera::internal

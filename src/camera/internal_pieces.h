@@ -1,0 +1,46 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "math/camera_projection.h"
+#include "mesh/primitives.h"
+#include "scene/visual_model.h"
+
+namespace smile::camera::internal {
+
+/// What the graphics card gets to know about one visual; laid out as the shaders read it.
+struct Instance {
+  float rows[3][4] = {};  ///< world from unit mesh: the upper three rows
+  float color[3] = {};    ///< red, green, blue as shown on a screen
+  std::uint32_t object_id = 0;
+};
+static_assert(sizeof(Instance) == 64);
+
+/// A visual in its place.
+struct Piece {
+  mesh::UnitMesh unit_mesh;
+  Instance instance;
+  Vector3 p_WV = Vector3::Zero();
+  double bounding_radius = 0;  ///< about p_WV [m]
+};
+
+/// All visuals of the model in their places, apart from those of excluded frames.
+/// @throws std::invalid_argument unless there is one pose for each frame and every frame a visual
+///         or the exclusion names exists.
+std::vector<Piece> PlacePieces(const scene::VisualModel& model, const scene::FramePoses& poses,
+                               const std::vector<int>& excluded_frames);
+
+/// The pieces the camera may see. Spheres get as many facets as the picture needs.
+std::vector<Piece> VisiblePieces(const std::vector<Piece>& pieces, const CameraView& view);
+
+/// The matrix from world to OpenGL's clip space, such that row 0 of the picture is the first row in
+/// memory: +y in clip space is down in the picture.
+Eigen::Matrix4f ClipFromWorld(const CameraView& view);
+
+/// @throws std::invalid_argument unless sizes are 1 to 8192, focal lengths are above 0, all numbers
+///         are finite and 0 < near < far.
+void CheckIntrinsics(const CameraIntrinsics& intrinsics);
+
+}  // namespace smile::camera::internal

@@ -1,0 +1,172 @@
+#include "camera/internal_presentation_pass.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace smile::camera::internal {
+namespace {
+
+// IEC 61966-2-1: the light that a screen gives off when told to show a color.
+constexpr char kLightOfScreen[] = R"(
+vec3 LightOfScreen(vec3 color) {
+  return mix(pow((color + 0.055) / 1.055, vec3(2.4)), color / 12.92,
+             lessThan(color, vec3(0.04045)));
+}
+)";
+
+// One triangle that covers the picture behind everything; +y in clip space is down in the picture.
+constexpr char kBackgroundVertexShader[] = R"(
+uniform vec3 top, bottom;
+out vec3 light;
+void main() {
+  vec2 corner = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);
+  light = mix(LightOfScreen(bottom), LightOfScreen(top), 0.5 - 0.5 * corner.y);
+  gl_Position = vec4(corner, 1.0, 1.0);
+}
+)";
+
+constexpr char kBackgroundFragmentShader[] = R"(
+in vec3 light;
+out vec4 color;
+void main() { color = vec4(light, 1.0); }
+)";
+
+constexpr char kVertexShader[] = R"(
+uniform mat4 clip_from_world, map_from_world;
+uniform float normal_offset;
+out vec3 position_W, normal_W, position_map;
+flat out vec3 own_color;
+
+void main() {
+  position_W = PositionInWorld();
+  normal_W = NormalInWorld();
+  position_map = (map_from_world * vec4(position_W + normal_offset * normal_W, 1.0)).xyz;
+  own_color = LightOfScreen(screen_color);
+  gl_Position = clip_from_world * vec4(position_W, 1.0);
+}
+)";
+
+// A lamp with soft shadows, a bright sky above and a dimmer floor below, and a little gloss.
+constexpr char kFragmentShader[] = R"(
+uniform vec3 p_WC, to_lamp;
+uniform sampler2DShadow shadow_map;
+in vec3 position_W, normal_W, position_map;
+flat in vec3 own_color;
+out vec4 color;
+
+// The mean of four neighboring texels, weighted by nearness.
+float Sample(float x, float y) {
+  vec2 offset = vec2(x, y) / vec2(textureSize(shadow_map, 0));
+  return texture(shadow_map, position_map + vec3(offset, 0.0));
+}
+
+// The share of the lamp that is seen from here: the mean of 4 x 4 samples, of which the outermost
+// four tell already where there is nothing but light or shadow.
+float SeenOfLamp() {
+  float corners = Sample(-1.5, -1.5) + Sample(1.5, -1.5) + Sample(-1.5, 1.5) + Sample(1.5, 1.5);
+  if (corners == 0.0 || corners == 4.0) return 0.25 * corners;
+  float rest = 0.0;
+  for (float k = -0.5; k < 1.0; k += 1.0) {
+    rest += Sample(k, -1.5) + Sample(k, 1.5) + Sample(-1.5, k) + Sample(1.5, k);
+    rest += Sample(k, -0.5) + Sample(k, 0.5);
+  }
+  return (corners + rest) / 16.0;
+}
+
+void main() {
+  vec3 n = normalize(normal_W);
+  float facing = dot(n, to_lamp);
+  float lamp = facing > 0.0 ? facing * SeenOfLamp() : 0.0;
+  vec3 sky = mix(vec3(0.17, 0.165, 0.16), vec3(0.36, 0.38, 0.41), 0.5 + 0.5 * n.z);
+  vec3 halfway = normalize(to_lamp + normalize(p_WC - position_W));
+  float gloss = 0.10 * pow(max(dot(n, halfway), 0.0), 48.0) * min(4.0 * lamp, 1.0);
+  color = vec4(own_color * (sky + vec3(0.62, 0.60, 0.56) * lamp) + gloss, 1.0);
+}
+)";
+
+void SetVector(const Program& program, const char* name, const Vector3& value) {
+  const Eigen::Vector3f floats = value.cast<float>();
+  glUniform3fv(program.Uniform(name), 1, floats.data());
+}
+
+void SetMatrix(const Program& program, const char* name, const Eigen::Matrix4f& value) {
+  glUniformMatrix4fv(program.Uniform(name), 1, GL_FALSE, value.data());
+}
+
+/// Averages the samples of each pixel.
+const Framebuffer& Resolve(const Framebuffer& picture, FramebufferPool* pool) {
+  const auto [width, height] = std::pair(picture.layout().width_px, picture.layout().height_px);
+  const Framebuffer& resolved = pool->Get({.width_px = width,
+                                           .height_px = height,
+                                           .color_formats = {GL_SRGB8_ALPHA8},
+                                           .has_depth = false});
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, picture.name());
+  glReadBuffer(GL_COLOR_ATTACHMENT0);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved.name());
+  glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  return resolved;
+}
+
+}  // namespace
+
+PresentationPass::PresentationPass()
+    : background_program_(std::string(kLightOfScreen) + kBackgroundVertexShader,
+                          kBackgroundFragmentShader),
+      program_(std::string(kVertexShaderInputs) + kLightOfScreen + kVertexShader, kFragmentShader) {
+  constexpr int kSamples = 4;
+  glGetIntegerv(GL_MAX_SAMPLES, &samples_);
+  samples_ = std::min(samples_, kSamples);
+}
+
+const Framebuffer& PresentationPass::Draw(const std::vector<Piece>& pieces,
+                                          const std::vector<Piece>& visible, const CameraView& view,
+                                          const RenderOptions& options, MeshStore* meshes,
+                                          FramebufferPool* pool) {
+  shadow_map_.Draw(pieces, visible, meshes);
+
+  const Framebuffer& picture = pool->Get({.width_px = view.intrinsics.width_px,
+                                          .height_px = view.intrinsics.height_px,
+                                          .color_formats = {GL_SRGB8_ALPHA8},
+                                          .samples = samples_});
+  picture.BindForDrawing();
+  glEnable(GL_FRAMEBUFFER_SRGB);  // shaders speak of light; the card encodes and averages it
+  const GLfloat far_plane = 1;
+  glClearBufferfv(GL_DEPTH, 0, &far_plane);
+  DrawPieces(visible, view, meshes);
+  DrawBackground(options.background);
+  const Framebuffer& resolved = Resolve(picture, pool);
+  glDisable(GL_FRAMEBUFFER_SRGB);
+  return resolved;
+}
+
+void PresentationPass::DrawBackground(const std::optional<Color>& background) {
+  const auto set = [&](const char* name, const Color& color) {
+    SetVector(background_program_, name, {color.red, color.green, color.blue});
+  };
+  background_program_.Use();
+  set("top", background.value_or(Color{0.72, 0.78, 0.85}));
+  set("bottom", background.value_or(Color{0.88, 0.90, 0.92}));
+  glBindVertexArray(no_vertices_.name());
+  glDepthFunc(GL_LEQUAL);
+  glDisable(GL_CULL_FACE);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glEnable(GL_CULL_FACE);
+  glDepthFunc(GL_LESS);
+}
+
+void PresentationPass::DrawPieces(const std::vector<Piece>& visible, const CameraView& view,
+                                  MeshStore* meshes) {
+  program_.Use();
+  SetMatrix(program_, "clip_from_world", ClipFromWorld(view));
+  SetMatrix(program_, "map_from_world", shadow_map_.map_from_world());
+  SetVector(program_, "p_WC", view.X_WC.translation());
+  SetVector(program_, "to_lamp", DirectionToLamp());
+  // A little below the surface, or light would leak in where a block stands on the table: its far
+  // side, which casts the shadow, lies on the table too.
+  glUniform1f(program_.Uniform("normal_offset"),
+              static_cast<float>(-0.5 * shadow_map_.texel_span()));
+  shadow_map_.BindTexture();
+  meshes->Draw(visible);
+}
+
+}  // namespace smile::camera::internal

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "camera/internal_framebuffer.h"
+#include "camera/internal_mesh_store.h"
+#include "camera/internal_shadow_map.h"
+#include "camera/renderer.h"
+
+namespace smile::camera::internal {
+
+/// Draws pictures for people, light worked out per pixel.
+class PresentationPass {
+ public:
+  PresentationPass();
+
+  /// The picture holds sRGB colors (attachment 0) and nothing else.
+  /// @param pieces   everything that is there, seen or casting shadows into view.
+  /// @param visible  what of it the camera may see.
+  const Framebuffer& Draw(const std::vector<Piece>& pieces, const std::vector<Piece>& visible,
+                          const CameraView& view, const RenderOptions& options, MeshStore* meshes,
+                          FramebufferPool* pool);
+
+ private:
+  void DrawBackground(const std::optional<Color>& background);
+  void DrawPieces(const std::vector<Piece>& visible, const CameraView& view, MeshStore* meshes);
+
+  ShadowMap shadow_map_;
+  Program background_program_;
+  Program program_;
+  VertexArray no_vertices_;
+  int samples_ = 0;
+};
+
+}  // namespace smile::camera::internal

@@ -1,0 +1,58 @@
+#include "camera/internal_read_back.h"
+
+#include <cstring>
+
+namespace smile::camera::internal {
+namespace {
+
+std::size_t NumPixels(const Framebuffer& picture) {
+  return static_cast<std::size_t>(picture.layout().width_px) * picture.layout().height_px;
+}
+
+void ReadPixels(const Framebuffer& picture, GLenum format, GLenum type, void* pixels) {
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadPixels(0, 0, picture.layout().width_px, picture.layout().height_px, format, type, pixels);
+}
+
+}  // namespace
+
+void ReadBack::ReadColor(const Framebuffer& picture, Image* image) {
+  // Four bytes per pixel are copied as they lie; three would be converted slowly by the driver.
+  const std::size_t num_pixels = NumPixels(picture);
+  rgba_.resize(4 * num_pixels);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, picture.name());
+  glReadBuffer(GL_COLOR_ATTACHMENT0);
+  ReadPixels(picture, GL_RGBA, GL_UNSIGNED_BYTE, rgba_.data());
+
+  image->color.resize(3 * num_pixels);
+  const std::uint8_t* from = rgba_.data();
+  std::uint8_t* to = image->color.data();
+  // Each pixel is copied with one byte too many, which the next pixel covers.
+  for (std::size_t k = 0; k + 1 < num_pixels; ++k, from += 4, to += 3) std::memcpy(to, from, 4);
+  std::memcpy(to, from, 3);
+}
+
+void ReadBack::ReadIds(const Framebuffer& picture, Image* image) {
+  image->ids.resize(NumPixels(picture));
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, picture.name());
+  glReadBuffer(GL_COLOR_ATTACHMENT1);
+  ReadPixels(picture, GL_RED_INTEGER, GL_UNSIGNED_INT, image->ids.data());
+}
+
+void ReadBack::ReadDepth(const Framebuffer& picture, double near, double far, Image* image) {
+  image->depth.resize(NumPixels(picture));
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, picture.name());
+  ReadPixels(picture, GL_DEPTH_COMPONENT, GL_FLOAT, image->depth.data());
+
+  // OpenGL keeps d = far / (far - near) * (1 - near / z). Solved for z by way of 1 - d, which is
+  // exact where d is near 1, that is for nearly everything.
+  const auto n = static_cast<float>(near), product = static_cast<float>(near * far),
+             span = static_cast<float>(far - near);
+  for (float& value : image->depth) {
+    const float rest = 1.0f - value;
+    const float depth = product / (n + rest * span);
+    value = rest > 0.0f ? depth : 0.0f;
+  }
+}
+
+}  // namespace smile::camera::internal

@@ -1,0 +1,112 @@
+#include "camera/internal_shadow_map.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace smile::camera::internal {
+namespace {
+
+constexpr int kSize = 1024;
+
+constexpr char kVertexShader[] = R"(
+uniform mat4 clip_from_world;
+void main() { gl_Position = clip_from_world * vec4(PositionInWorld(), 1.0); }
+)";
+
+constexpr char kFragmentShader[] = "void main() {}";
+
+/// The lamp's frame: z towards the lamp.
+Matrix3 AxesOfLamp() {
+  const Vector3 z = DirectionToLamp();
+  const Vector3 x = Vector3::UnitZ().cross(z).normalized();
+  Matrix3 R_WL;
+  R_WL << x, z.cross(x), z;
+  return R_WL;
+}
+
+/// Grown outwards to whole steps, so that the map keeps its place, and shadows their edges, while
+/// things move.
+Eigen::AlignedBox3d BoundsAlongLamp(const std::vector<Piece>& pieces) {
+  constexpr double kStep = 0.25;  // [m]
+  const Matrix3 R_LW = AxesOfLamp().transpose();
+  Eigen::AlignedBox3d bounds;
+  for (const Piece& piece : pieces) {
+    const Vector3 p_LV = R_LW * piece.p_WV;
+    if (!p_LV.allFinite()) continue;
+    bounds.extend(p_LV - Vector3::Constant(piece.bounding_radius));
+    bounds.extend(p_LV + Vector3::Constant(piece.bounding_radius));
+  }
+  if (bounds.isEmpty()) return {Vector3::Constant(-kStep), Vector3::Constant(kStep)};
+  return {(bounds.min() / kStep).array().floor() * kStep,
+          (bounds.max() / kStep).array().ceil() * kStep};
+}
+
+}  // namespace
+
+Vector3 DirectionToLamp() { return Vector3(-0.45, -0.5, 1.0).normalized(); }
+
+ShadowMap::ShadowMap()
+    : program_(std::string(kVertexShaderInputs) + kVertexShader, kFragmentShader),
+      clip_from_world_(program_.Uniform("clip_from_world")) {
+  glBindTexture(GL_TEXTURE_2D, texture_.name());
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, kSize, kSize, 0, GL_DEPTH_COMPONENT,
+               GL_UNSIGNED_INT, nullptr);
+  // Whatever lies outside the map is lit.
+  const GLfloat lit[] = {1, 1, 1, 1};
+  glTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, lit);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, texture_.name(), 0);
+  glDrawBuffer(GL_NONE);
+  glReadBuffer(GL_NONE);
+  if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
+    throw std::runtime_error("OpenGL: glCheckFramebufferStatus: no shadow map can be made");
+  }
+}
+
+void ShadowMap::FitTo(const std::vector<Piece>& casters, const std::vector<Piece>& receivers) {
+  constexpr double kFarthestCaster = 4.0;  // above what is seen; keeps depth precise [m]
+  Eigen::AlignedBox3d bounds = BoundsAlongLamp(receivers);
+  bounds.max().z() = std::clamp(BoundsAlongLamp(casters).max().z(), bounds.max().z(),
+                                bounds.max().z() + kFarthestCaster);
+
+  const Vector3 span = bounds.sizes();
+  texel_span_ = std::max(span.x(), span.y()) / kSize;
+  // Depth grows away from the lamp.
+  const Vector3 scale(1 / span.x(), 1 / span.y(), -1 / span.z());
+  const Vector3 corner_L(bounds.min().x(), bounds.min().y(), bounds.max().z());
+  Eigen::Matrix4d map_from_world = Eigen::Matrix4d::Identity();
+  map_from_world.topLeftCorner<3, 3>() = scale.asDiagonal() * AxesOfLamp().transpose();
+  map_from_world.topRightCorner<3, 1>() = -scale.cwiseProduct(corner_L);
+  map_from_world_ = map_from_world.cast<float>();
+}
+
+void ShadowMap::Draw(const std::vector<Piece>& casters, const std::vector<Piece>& receivers,
+                     MeshStore* meshes) {
+  FitTo(casters, receivers);
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
+  glViewport(0, 0, kSize, kSize);
+  const GLfloat far_plane = 1;
+  glClearBufferfv(GL_DEPTH, 0, &far_plane);
+
+  // The far sides of the solids cast the shadows: their near sides, which are lit, then never
+  // shade themselves through rounding.
+  glFrontFace(GL_CCW);
+  glCullFace(GL_FRONT);
+  program_.Use();
+  Eigen::Matrix4f clip_from_map = Eigen::Matrix4f::Identity();
+  clip_from_map.diagonal() << 2, 2, 2, 1;
+  clip_from_map.topRightCorner<3, 1>().setConstant(-1);
+  const Eigen::Matrix4f clip_from_world = clip_from_map * map_from_world_;
+  glUniformMatrix4fv(clip_from_world_, 1, GL_FALSE, clip_from_world.data());
+  meshes->Draw(casters);
+  glCullFace(GL_BACK);
+  glFrontFace(GL_CW);
+}
+
+}  // namespace smile::camera::internal

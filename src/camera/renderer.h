@@ -1,0 +1,70 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "math/camera_projection.h"
+#include "math/color.h"
+#include "math/image.h"
+#include "scene/visual_model.h"
+
+namespace smile::camera {
+
+/// How a picture is lit.
+enum class Look {
+  /// For programs that see: black background, no shadows, no gloss. Each face of a block has one
+  /// color: the scene file's where it looks up, the same hue but darker at the sides.
+  kRobotEye,
+  /// For people: light background, soft shadows, gloss, smooth edges.
+  kPresentation,
+};
+
+/// What a picture shall show.
+struct RenderOptions {
+  bool color = true;
+  bool depth = false;
+  bool ids = false;
+  Look look = Look::kRobotEye;
+  std::optional<Color> background;   ///< in place of the look's own
+  std::vector<int> excluded_frames;  ///< nothing fixed to these is there, nor casts a shadow
+};
+
+/// Draws pictures of a scene without window or screen: a simulated camera.
+///
+/// Depth and ids belong to the center of their pixel, in either look; ids are never mixed. The same
+/// input gives the same bytes on one machine, in any renderer and process; graphics cards differ
+/// among themselves by rounding.
+///
+/// Draws on the graphics card if there is one, else in software; the environment variable
+/// SMILE_EGL_PLATFORM = `device` or `surfaceless` allows only the one or the other. Belongs to the
+/// thread that made it: that thread makes all calls and destroys it.
+class Renderer {
+ public:
+  /// @throws std::runtime_error naming the call and the reason when nothing can draw here.
+  Renderer();
+  ~Renderer();
+  Renderer(const Renderer&) = delete;
+  Renderer& operator=(const Renderer&) = delete;
+
+  /// @param poses  X_WF of each frame of the model; size model.num_frames.
+  /// @throws std::invalid_argument if the poses are not as many as the frames, a frame does not
+  ///         exist, or the camera is impossible (see CameraIntrinsics; sizes are 1 to 8192).
+  /// @throws std::runtime_error if the graphics card gives up, for example for want of memory.
+  Image Render(const scene::VisualModel& model, const scene::FramePoses& poses,
+               const CameraView& view, const RenderOptions& options = {});
+
+  /// The same into an image of the caller's, whose memory is used again.
+  void Render(const scene::VisualModel& model, const scene::FramePoses& poses,
+              const CameraView& view, const RenderOptions& options, Image* image);
+
+  /// What draws, for example `llvmpipe (LLVM 15.0.6, 256 bits)`.
+  std::string device_name() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace smile::camera

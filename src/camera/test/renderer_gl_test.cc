@@ -1,0 +1,372 @@
+#include "camera/renderer.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <memory>
+#include <set>
+#include <stdexcept>
+#include <thread>
+
+#include "camera/test/scene_fixture.h"
+
+namespace smile::camera {
+namespace {
+
+const RenderOptions kAllChannels{.color = true, .depth = true, .ids = true};
+const RenderOptions kPresented{.look = Look::kPresentation};
+
+std::array<int, 3> ColorAt(const Image& image, int u, int v) {
+  const std::uint8_t* pixel = &image.color[3 * (static_cast<std::size_t>(v) * image.width_px + u)];
+  return {pixel[0], pixel[1], pixel[2]};
+}
+
+std::uint32_t IdAt(const Image& image, int u, int v) {
+  return image.ids[static_cast<std::size_t>(v) * image.width_px + u];
+}
+
+/// The smallest rectangle around an object's pixels.
+Eigen::AlignedBox2d PixelsOf(const Image& image, std::uint32_t id) {
+  Eigen::AlignedBox2d box;
+  for (int v = 0; v < image.height_px; ++v) {
+    for (int u = 0; u < image.width_px; ++u) {
+      if (IdAt(image, u, v) == id) {
+        box.extend(Eigen::Vector2d(u, v));
+        box.extend(Eigen::Vector2d(u + 1, v + 1));
+      }
+    }
+  }
+  return box;
+}
+
+std::array<int, 3> ColorAtPoint(const Image& image, const CameraView& view, const Vector3& p_WQ) {
+  const auto pixel = ProjectToPixel(view.intrinsics, view.X_WC.inverse() * p_WQ);
+  return ColorAt(image, static_cast<int>(pixel.x()), static_cast<int>(pixel.y()));
+}
+
+/// Making a renderer takes a tenth of a second: these tests share one.
+class RendererTest : public testing::Test {
+ protected:
+  static void SetUpTestSuite() { renderer_ = std::make_unique<Renderer>(); }
+  static void TearDownTestSuite() { renderer_.reset(); }
+
+  static Image Render(const SmallScene& scene, const CameraView& view,
+                      const RenderOptions& options = kAllChannels) {
+    return renderer_->Render(scene.model, scene.poses, view, options);
+  }
+
+ private:
+  static inline std::unique_ptr<Renderer> renderer_;
+};
+
+TEST_F(RendererTest, CubeCoversThePixelsItProjectsTo) {
+  SmallScene scene;
+  const RigidTransform X_WF(RotationFromFixedAxes({20, 30, 40}), {0.1, 0.2, 0.3});
+  const std::uint32_t id = scene.Add(scene::Block{kCubeSize}, kRed, X_WF);
+  const CameraView view = HeadView(640, 480);
+  Eigen::AlignedBox2d expected;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vector3 sides(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
+    const Vector3 p_WQ = X_WF * Vector3(0.5 * kCubeSize.cwiseProduct(sides));
+    expected.extend(ProjectToPixel(view.intrinsics, view.X_WC.inverse() * p_WQ));
+  }
+  const Eigen::AlignedBox2d seen = PixelsOf(Render(scene, view), id);
+  EXPECT_LT((seen.min() - expected.min()).cwiseAbs().maxCoeff(), 1.0);
+  EXPECT_LT((seen.max() - expected.max()).cwiseAbs().maxCoeff(), 1.0);
+}
+
+TEST_F(RendererTest, CubeSeenStraightFromAboveIsAFilledSquareOfItsColor) {
+  SmallScene scene;
+  scene.Add(scene::Block{kCubeSize}, kRed, Vector3(0, 0, 0));
+  CameraView view = HeadView(200, 150);
+  view.X_WC = LookAt({0, 0, 1.05}, {0, 0, 0});  // the top face is 1 m away
+  const Image image = Render(scene, view);
+  const double half_px = 0.05 * view.intrinsics.fx;
+  for (int v = 0; v < 150; ++v) {
+    for (int u = 0; u < 200; ++u) {
+      const double outside_px = std::max(std::abs(u + 0.5 - 100), std::abs(v + 0.5 - 75)) - half_px;
+      if (std::abs(outside_px) < 1) continue;
+      const auto expected = outside_px < 0 ? std::array{255, 0, 0} : std::array{0, 0, 0};
+      ASSERT_EQ(ColorAt(image, u, v), expected) << "at (" << u << ", " << v << ")";
+    }
+  }
+}
+
+TEST_F(RendererTest, DepthOfTheTableAgreesWithGeometry) {
+  constexpr double kTolerance = 0.0005;  // [m]
+  SmallScene scene;
+  const std::uint32_t table = scene.Add(scene::Block{{2, 1.2, 0.4}}, kWhite, Vector3(0, 0, -0.2));
+  for (const auto& p_WC :
+       {Vector3(0, -0.71, 1.16), Vector3(1.5, -3, 0.8), Vector3(0.5, 0.2, 0.3)}) {
+    CameraView view = HeadView(320, 240);
+    view.X_WC = LookAt(p_WC, {0, 0, 0});
+    const Image image = Render(scene, view);
+    int num_checked = 0;
+    for (int v = 0; v < 240; ++v) {
+      for (int u = 0; u < 320; ++u) {
+        const auto& c = view.intrinsics;
+        const Vector3 ray_C((u + 0.5 - c.cx) / c.fx, (v + 0.5 - c.cy) / c.fy, 1);
+        const Vector3 ray_W = view.X_WC.rotation() * ray_C;
+        const double depth = -p_WC.z() / ray_W.z();
+        const Vector3 p_WQ = p_WC + depth * ray_W;
+        if (depth < 0 || std::abs(p_WQ.x()) > 0.99 || std::abs(p_WQ.y()) > 0.59) continue;
+        ASSERT_EQ(IdAt(image, u, v), table);
+        ASSERT_NEAR(image.depth[v * 320 + u], depth, kTolerance);
+        ++num_checked;
+      }
+    }
+    EXPECT_GT(num_checked, 1000);
+  }
+}
+
+TEST_F(RendererTest, DepthIsZeroWhereNothingIs) {
+  const Image image = Render(TableScene(), HeadView(200, 150));
+  EXPECT_EQ(IdAt(image, 0, 0), 0u);
+  for (std::size_t k = 0; k < image.ids.size(); ++k) {
+    EXPECT_EQ(image.depth[k] == 0, image.ids[k] == 0);
+  }
+}
+
+TEST_F(RendererTest, DepthAndIdsAreTheSameAndPureInTheSmoothLook) {
+  const Image eye = Render(TableScene(), HeadView(321, 241));
+  RenderOptions options = kAllChannels;
+  options.look = Look::kPresentation;
+  const Image presented = Render(TableScene(), HeadView(321, 241), options);
+  EXPECT_EQ(presented.ids, eye.ids);
+  EXPECT_EQ(presented.depth, eye.depth);
+  EXPECT_NE(presented.color, eye.color);
+  EXPECT_EQ(std::set(eye.ids.begin(), eye.ids.end()), (std::set<std::uint32_t>{0, 1, 2, 3, 4}));
+}
+
+TEST_F(RendererTest, RowZeroIsTheTopAndColumnZeroTheLeft) {
+  SmallScene scene;
+  const auto high = scene.Add(scene::Sphere{0.1}, kRed, Vector3(0, 0, 0.3));
+  const auto low = scene.Add(scene::Sphere{0.1}, kBlue, Vector3(0, 0, -0.3));
+  const auto right = scene.Add(scene::Sphere{0.1}, kGreen, Vector3(0.3, 0, 0));
+  CameraView view = HeadView(100, 100);
+  view.X_WC = LookAt({0, -1, 0}, {0, 0, 0});
+  const Image image = Render(scene, view);
+  EXPECT_EQ(IdAt(image, 50, 24), high);
+  EXPECT_EQ(IdAt(image, 50, 75), low);
+  EXPECT_EQ(IdAt(image, 75, 50), right);
+  const Image presented = Render(scene, view, kPresented);
+  EXPECT_GT(ColorAt(presented, 50, 24)[0], ColorAt(presented, 50, 24)[2]);
+}
+
+TEST_F(RendererTest, TwoRenderersDrawTheSameBytes) {
+  Renderer other;
+  const SmallScene scene = TableScene();
+  for (const Look look : {Look::kRobotEye, Look::kPresentation}) {
+    RenderOptions options = kAllChannels;
+    options.look = look;
+    const Image first = Render(scene, HeadView(320, 240), options);
+    EXPECT_TRUE(first == Render(scene, HeadView(320, 240), options));
+    EXPECT_TRUE(first == other.Render(scene.model, scene.poses, HeadView(320, 240), options));
+  }
+}
+
+TEST_F(RendererTest, WhatWasDrawnBeforeLeavesNoTrace) {
+  const Image first = Render(TableScene(), HeadView(320, 240));
+  SmallScene other;
+  other.Add(scene::Cylinder{.sides = 5}, kGreen, Vector3(0, 0, 0));
+  for (const int size : {10, 50, 100, 200, 320, 400, 500}) {
+    Render(other, HeadView(size, 240), kPresented);
+    Render(other, HeadView(size, 240), {.color = false, .ids = true});
+  }
+  EXPECT_TRUE(first == Render(TableScene(), HeadView(320, 240)));
+}
+
+TEST_F(RendererTest, MovedPrincipalPointMovesTheImage) {
+  constexpr int kRight = 7, kDown = -5;
+  const CameraView view = HeadView(320, 240);
+  CameraView moved = view;
+  moved.intrinsics.cx += kRight;
+  moved.intrinsics.cy += kDown;
+  const Image image = Render(TableScene(), view), moved_image = Render(TableScene(), moved);
+  int num_different = 0;
+  for (int v = 10; v < 230; ++v) {
+    for (int u = 10; u < 310; ++u) {
+      num_different += IdAt(image, u, v) != IdAt(moved_image, u + kRight, v + kDown);
+    }
+  }
+  EXPECT_LE(num_different, 5);  // where an edge runs through a pixel's center
+}
+
+TEST_F(RendererTest, DifferentFocalLengthsStretchTheImage) {
+  CameraView view = HeadView(200, 100);
+  view.intrinsics.fx *= 2;
+  SmallScene scene;
+  const auto ball = scene.Add(scene::Sphere{0.05}, kRed, Vector3(0, 0.05, 0));
+  const Eigen::Vector2d size_px = PixelsOf(Render(scene, view), ball).sizes();
+  EXPECT_NEAR(size_px.x(), 2 * size_px.y(), 2);
+}
+
+TEST_F(RendererTest, AnySizeWorks) {
+  for (const auto& [width, height] :
+       {std::pair{1, 1}, {7, 3}, {641, 479}, {8192, 1}, {1, 8192}, {1023, 2}}) {
+    for (const Look look : {Look::kRobotEye, Look::kPresentation}) {
+      RenderOptions options = kAllChannels;
+      options.look = look;
+      const Image image = Render(TableScene(), HeadView(width, height), options);
+      const auto num_pixels = static_cast<std::size_t>(width) * height;
+      EXPECT_EQ(image.width_px, width);
+      EXPECT_EQ(image.height_px, height);
+      EXPECT_EQ(image.color.size(), 3 * num_pixels);
+      EXPECT_EQ(image.depth.size(), num_pixels);
+      EXPECT_EQ(image.ids.size(), num_pixels);
+    }
+  }
+  EXPECT_EQ(Render(TableScene(), HeadView(1, 1)).ids.at(0), 1u) << "the camera looks at the table";
+}
+
+TEST_F(RendererTest, ChannelsThatWereNotAskedForAreEmpty) {
+  const Image image = Render(TableScene(), HeadView(20, 20), {.color = false, .ids = true});
+  EXPECT_TRUE(image.color.empty());
+  EXPECT_TRUE(image.depth.empty());
+  EXPECT_EQ(image.ids, Render(TableScene(), HeadView(20, 20)).ids);
+}
+
+TEST_F(RendererTest, ExcludedFramesAreNotSeen) {
+  const SmallScene scene = TableScene();
+  RenderOptions options = kAllChannels;
+  options.excluded_frames = {2, 4};
+  const Image image = Render(scene, HeadView(200, 150), options);
+  EXPECT_EQ(std::set(image.ids.begin(), image.ids.end()), (std::set<std::uint32_t>{0, 1, 3}));
+}
+
+TEST_F(RendererTest, NothingNearerThanNearOrFartherThanFarIsSeen) {
+  CameraView view = HeadView(20, 20);
+  view.intrinsics.near = 1.0;
+  view.intrinsics.far = 1.1;
+  view.X_WC = LookAt({0, 0, 1}, {0, 0, 0});
+  for (const auto& [height, is_seen] : {std::pair{-0.12, false}, {-0.08, true}, {0.02, false}}) {
+    SmallScene scene;
+    // Its top face alone could be seen.
+    scene.Add(scene::Block{{5, 5, 1e-4}}, kRed, Vector3(0, 0, height));
+    EXPECT_EQ(IdAt(Render(scene, view), 10, 10), is_seen ? 1u : 0u) << height;
+  }
+}
+
+TEST_F(RendererTest, FacesOfACubeDifferInBrightnessAndKeepTheirHue) {
+  constexpr int kLeastDifference = 20;
+  for (const double yaw : {0.0, 90.0, 180.0, 270.0}) {
+    SmallScene scene;
+    scene.Add(scene::Block{kCubeSize}, Color{1, 0.5, 0.25}, Vector3::Zero());
+    CameraView view = HeadView(200, 150);
+    const Matrix3 turn = RotationFromFixedAxes({0, 0, yaw});
+    view.X_WC = LookAt(turn * Vector3(0.3, -0.3, 0.3), {0, 0, 0});
+    const Image image = Render(scene, view);
+    const auto top = ColorAtPoint(image, view, {0, 0, 0.05});
+    const auto right = ColorAtPoint(image, view, turn * Vector3(0.05, 0, 0));
+    const auto front = ColorAtPoint(image, view, turn * Vector3(0, -0.05, 0));
+    EXPECT_EQ(top, (std::array{255, 128, 64})) << "a face that looks up has the scene's color";
+    EXPECT_LT(std::max(right[0], front[0]), top[0] - kLeastDifference);
+    EXPECT_GT(std::abs(right[0] - front[0]), kLeastDifference);
+    for (const auto& face : {right, front}) {
+      EXPECT_GT(face[0], 100) << "no side is lost in the dark";
+      EXPECT_NEAR(face[1] / double(face[0]), 0.5, 0.01);
+      EXPECT_NEAR(face[2] / double(face[0]), 0.25, 0.01);
+    }
+  }
+}
+
+TEST_F(RendererTest, BackgroundIsBlackForTheRobotUnlessChosen) {
+  const SmallScene nothing;
+  EXPECT_EQ(ColorAt(Render(nothing, HeadView(3, 3)), 1, 1), (std::array{0, 0, 0}));
+  for (const Look look : {Look::kRobotEye, Look::kPresentation}) {
+    const RenderOptions options{.look = look, .background = Color{1, 0.5, 0}};
+    const auto color = ColorAt(Render(nothing, HeadView(3, 3), options), 1, 1);
+    EXPECT_EQ(color[0], 255);
+    EXPECT_NEAR(color[1], 128, 1);
+    EXPECT_EQ(color[2], 0);
+  }
+}
+
+TEST_F(RendererTest, PresentationHasShadowsAndTheRobotsEyeHasNone) {
+  SmallScene scene;
+  scene.Add(scene::Block{{2, 1.2, 0.4}}, kWhite, Vector3(0, 0, -0.2));
+  const auto cube = scene.Add(scene::Block{kCubeSize}, kRed, Vector3(0, 0, 0.3));
+  const CameraView view = HeadView(320, 240);
+  // The lamp shines from the left and from the front: the shadow falls to the right, behind.
+  const Vector3 shaded = 0.3 * Vector3(0.45, 0.5, 0), lit(-0.3, 0, 0);
+  const auto brightness = [&](const Image& image, const Vector3& p_WQ) {
+    return ColorAtPoint(image, view, p_WQ)[1];
+  };
+  const Image presented = Render(scene, view, kPresented);
+  EXPECT_LT(brightness(presented, shaded), brightness(presented, lit) - 30);
+  EXPECT_GT(brightness(presented, shaded), 100) << "a shadow is not a hole";
+  const Image eye = Render(scene, view);
+  EXPECT_EQ(brightness(eye, shaded), brightness(eye, lit));
+  RenderOptions without_cube = kPresented;
+  without_cube.excluded_frames = {static_cast<int>(cube)};
+  const Image alone = Render(scene, view, without_cube);
+  EXPECT_NEAR(brightness(alone, shaded), brightness(alone, lit), 8);
+}
+
+TEST_F(RendererTest, RefusesWhatCannotBeDrawnAndDrawsOn) {
+  SmallScene scene = TableScene();
+  const auto refuses = [&](const CameraView& view, const RenderOptions& options = {}) {
+    EXPECT_THROW(Render(scene, view, options), std::invalid_argument);
+  };
+  CameraView view = HeadView(20, 20);
+  view.intrinsics.width_px = 0;
+  refuses(view);
+  view = HeadView(20, 20);
+  view.intrinsics.height_px = 8193;
+  refuses(view);
+  view = HeadView(20, 20);
+  view.intrinsics.fx = 0;
+  refuses(view);
+  view = HeadView(20, 20);
+  view.intrinsics.cy = std::nan("");
+  refuses(view);
+  view = HeadView(20, 20);
+  view.intrinsics.near = view.intrinsics.far;
+  refuses(view);
+  refuses(HeadView(20, 20), {.excluded_frames = {99}});
+  scene.poses.pop_back();
+  refuses(HeadView(20, 20));
+  scene = TableScene();
+  scene.model.visuals[0].frame = -1;
+  refuses(HeadView(20, 20));
+  EXPECT_EQ(IdAt(Render(TableScene(), HeadView(20, 20)), 10, 10), 1u);
+}
+
+TEST_F(RendererTest, EachThreadMayHaveItsOwn) {
+  const SmallScene scene = TableScene();
+  const Image here = Render(scene, HeadView(64, 48));
+  for (int round = 0; round < 3; ++round) {
+    Image there;
+    std::thread([&] {
+      there = Renderer().Render(scene.model, scene.poses, HeadView(64, 48), kAllChannels);
+    }).join();
+    EXPECT_TRUE(there == here);
+  }
+  { Renderer short_lived; }
+  EXPECT_TRUE(Render(scene, HeadView(64, 48)) == here);
+}
+
+TEST_F(RendererTest, SurvivesPosesThatAreNoNumbers) {
+  SmallScene scene = TableScene();
+  scene.poses[2] = RigidTransform(Vector3::Constant(std::nan("")));
+  scene.poses[3] = RigidTransform(Vector3(0, 0, -1e300));
+  const Image image = Render(scene, HeadView(64, 48), kPresented);
+  EXPECT_EQ(image.color.size(), 3u * 64 * 48);
+}
+
+TEST(Renderer, NamesTheVariableThatAsksForAnUnknownPlatform) {
+  setenv("SMILE_EGL_PLATFORM", "window", 1);
+  try {
+    Renderer renderer;
+    ADD_FAILURE() << "was made";
+  } catch (const std::runtime_error& error) {
+    EXPECT_STREQ(error.what(), "SMILE_EGL_PLATFORM: is \"window\", expected device or surfaceless");
+  }
+  unsetenv("SMILE_EGL_PLATFORM");
+}
+
+}  // namespace
+}  // namespace smile::camera

@@ -1,0 +1,209 @@
+#include "dataset/video_writer.h"
+
+#include <algorithm>
+#include <cstring>
+#include <stdexcept>
+#include <utility>
+
+#include "dataset/internal_libav.h"
+
+namespace smile::dataset {
+
+using internal::Check;
+using internal::CheckMade;
+
+/// The steps of libav from a picture to a piece of the file: pad, convert, encode, interleave.
+class VideoWriter::Encoder {
+ public:
+  Encoder(std::filesystem::path path, int width_px, int height_px, double frames_per_second)
+      : path_(std::move(path)), width_px_(width_px), height_px_(height_px) {
+    av_log_set_level(AV_LOG_ERROR);  // x264 tells its life story otherwise
+    OpenOutput();
+    OpenCodec(av_d2q(frames_per_second, 1'000'000));
+    OpenFile();
+    MakeFrames();
+  }
+
+  void Add(const Image& image) {
+    if (is_finished_)
+      throw std::logic_error(path_.string() + ": is finished, no more can be added");
+    const std::size_t row_bytes = std::size_t{3} * width_px_;
+    if (image.width_px != width_px_ || image.height_px != height_px_ ||
+        image.color.size() != row_bytes * height_px_) {
+      throw std::invalid_argument(
+          path_.string() + ": a picture has " + std::to_string(image.width_px) + "x" +
+          std::to_string(image.height_px) + " pixels and " + std::to_string(image.color.size()) +
+          " bytes of color, expected " + std::to_string(width_px_) + "x" +
+          std::to_string(height_px_) + " pixels with 3 bytes each");
+    }
+    CopyPadded(image, row_bytes);
+    Check(av_frame_make_writable(yuv_.get()), path_, "av_frame_make_writable");
+    sws_scale(scaler_.get(), rgb_->data, rgb_->linesize, 0, rgb_->height, yuv_->data,
+              yuv_->linesize);
+    yuv_->pts = num_frames_++;
+    Encode(yuv_.get());
+  }
+
+  void Finish() {
+    if (is_finished_) return;
+    if (num_frames_ == 0) throw std::logic_error(path_.string() + ": a film needs a picture");
+    is_finished_ = true;
+    Encode(nullptr);
+    Check(av_write_trailer(output_.get()), path_, "av_write_trailer");
+    // A full disk may show only now.
+    Check(avio_closep(&output_->pb), path_, "avio_close");
+  }
+
+  int num_frames() const { return num_frames_; }
+
+ private:
+  void OpenOutput() {
+    AVFormatContext* output = nullptr;
+    Check(avformat_alloc_output_context2(&output, nullptr, "mp4", internal::UrlOf(path_).c_str()),
+          path_, "avformat_alloc_output_context2");
+    output_.reset(output);
+    output_->flags |= AVFMT_FLAG_BITEXACT;  // no date, no version of the library
+    stream_ = CheckMade(avformat_new_stream(output_.get(), nullptr), path_, "avformat_new_stream");
+  }
+
+  void OpenCodec(AVRational rate) {
+    const AVCodec* x264 = CheckMade(avcodec_find_encoder_by_name("libx264"), path_,
+                                    "avcodec_find_encoder_by_name(libx264)");
+    codec_.reset(CheckMade(avcodec_alloc_context3(x264), path_, "avcodec_alloc_context3"));
+    codec_->width = width_px_ + width_px_ % 2;
+    codec_->height = height_px_ + height_px_ % 2;
+    codec_->pix_fmt = AV_PIX_FMT_YUV420P;
+    codec_->framerate = rate;
+    codec_->time_base = av_inv_q(rate);
+    codec_->color_range = AVCOL_RANGE_MPEG;
+    codec_->colorspace = AVCOL_SPC_BT709;
+    codec_->color_primaries = AVCOL_PRI_BT709;
+    codec_->color_trc = AVCOL_TRC_BT709;
+    codec_->thread_count = 1;  // the bytes depend on the number of threads
+    codec_->flags |= AV_CODEC_FLAG_GLOBAL_HEADER | AV_CODEC_FLAG_BITEXACT;
+    AVDictionary* options = nullptr;
+    av_dict_set(&options, "preset", "veryfast", 0);
+    av_dict_set(&options, "crf", "20", 0);
+    const int result = avcodec_open2(codec_.get(), x264, &options);
+    av_dict_free(&options);
+    Check(result, path_, "avcodec_open2");
+
+    stream_->time_base = codec_->time_base;
+    stream_->avg_frame_rate = rate;
+    Check(avcodec_parameters_from_context(stream_->codecpar, codec_.get()), path_,
+          "avcodec_parameters_from_context");
+  }
+
+  void OpenFile() {
+    Check(avio_open(&output_->pb, output_->url, AVIO_FLAG_WRITE), path_, "avio_open");
+    AVDictionary* options = nullptr;
+    av_dict_set(&options, "movflags", "+faststart", 0);
+    const int result = avformat_write_header(output_.get(), &options);
+    av_dict_free(&options);
+    Check(result, path_, "avformat_write_header");
+  }
+
+  void MakeFrames() {
+    rgb_ = MakeFrame(AV_PIX_FMT_RGB24);
+    yuv_ = MakeFrame(AV_PIX_FMT_YUV420P);
+    packet_.reset(CheckMade(av_packet_alloc(), path_, "av_packet_alloc"));
+    scaler_.reset(CheckMade(
+        sws_getContext(codec_->width, codec_->height, AV_PIX_FMT_RGB24, codec_->width,
+                       codec_->height, AV_PIX_FMT_YUV420P,
+                       SWS_BILINEAR | SWS_ACCURATE_RND | SWS_BITEXACT, nullptr, nullptr, nullptr),
+        path_, "sws_getContext"));
+    const int* bt709 = sws_getCoefficients(SWS_CS_ITU709);
+    sws_setColorspaceDetails(scaler_.get(), bt709, 1, bt709, 0, 0, 1 << 16, 1 << 16);
+  }
+
+  internal::Frame MakeFrame(AVPixelFormat format) const {
+    internal::Frame frame(CheckMade(av_frame_alloc(), path_, "av_frame_alloc"));
+    frame->format = format;
+    frame->width = codec_->width;
+    frame->height = codec_->height;
+    Check(av_frame_get_buffer(frame.get(), 0), path_, "av_frame_get_buffer");
+    return frame;
+  }
+
+  void CopyPadded(const Image& image, std::size_t row_bytes) {
+    for (int v = 0; v < rgb_->height; ++v) {
+      const std::uint8_t* from = image.color.data() + row_bytes * std::min(v, height_px_ - 1);
+      std::uint8_t* to = rgb_->data[0] + static_cast<std::ptrdiff_t>(v) * rgb_->linesize[0];
+      std::memcpy(to, from, row_bytes);
+      if (rgb_->width > width_px_) std::memcpy(to + row_bytes, from + row_bytes - 3, 3);
+    }
+  }
+
+  /// Hands a frame to the encoder, nullptr for the end, and writes what comes out.
+  void Encode(const AVFrame* frame) {
+    Check(avcodec_send_frame(codec_.get(), frame), path_, "avcodec_send_frame");
+    for (;;) {
+      const int result = avcodec_receive_packet(codec_.get(), packet_.get());
+      if (result == AVERROR(EAGAIN) || result == AVERROR_EOF) return;
+      Check(result, path_, "avcodec_receive_packet");
+      packet_->duration = 1;
+      av_packet_rescale_ts(packet_.get(), codec_->time_base, stream_->time_base);
+      packet_->stream_index = stream_->index;
+      Check(av_interleaved_write_frame(output_.get(), packet_.get()), path_,
+            "av_interleaved_write_frame");
+    }
+  }
+
+  std::filesystem::path path_;
+  int width_px_, height_px_;
+  int num_frames_ = 0;
+  bool is_finished_ = false;
+  internal::Output output_;
+  AVStream* stream_ = nullptr;  // of output_
+  internal::Codec codec_;
+  internal::Scaler scaler_;
+  internal::Frame rgb_, yuv_;
+  internal::Packet packet_;
+};
+
+VideoWriter::VideoWriter(std::filesystem::path path, int width_px, int height_px,
+                         double frames_per_second) {
+  constexpr int kMaxSize = 8192;
+  if (width_px < 1 || width_px > kMaxSize || height_px < 1 || height_px > kMaxSize) {
+    throw std::invalid_argument(path.string() + ": size is " + std::to_string(width_px) + "x" +
+                                std::to_string(height_px) + ", expected 1 to " +
+                                std::to_string(kMaxSize) + " pixels each");
+  }
+  if (!(frames_per_second > 0 && frames_per_second <= 1000)) {
+    throw std::invalid_argument(path.string() + ": rate is " + std::to_string(frames_per_second) +
+                                " frames per second, expected above 0 and at most 1000");
+  }
+  encoder_ = std::make_unique<Encoder>(std::move(path), width_px, height_px, frames_per_second);
+}
+
+VideoWriter::~VideoWriter() {
+  try {
+    Finish();
+  } catch (const std::exception&) {
+    // A destructor has nobody to tell; who wants to know calls Finish().
+  }
+}
+
+void VideoWriter::Add(const Image& image) { encoder_->Add(image); }
+void VideoWriter::Finish() { encoder_->Finish(); }
+int VideoWriter::num_frames() const { return encoder_->num_frames(); }
+
+VideoInfo ReadVideoInfo(const std::filesystem::path& path) {
+  av_log_set_level(AV_LOG_FATAL);
+  const AVInputFormat* mp4 =
+      CheckMade(av_find_input_format("mp4"), path, "av_find_input_format(mp4)");
+  AVFormatContext* opened = nullptr;
+  Check(avformat_open_input(&opened, internal::UrlOf(path).c_str(), mp4, nullptr), path,
+        "avformat_open_input");
+  const internal::Input input(opened);
+  const int index = Check(av_find_best_stream(input.get(), AVMEDIA_TYPE_VIDEO, -1, -1, nullptr, 0),
+                          path, "a film");
+  const AVStream* stream = input->streams[index];
+  const AVRational rate = stream->avg_frame_rate;
+  return {.width_px = stream->codecpar->width,
+          .height_px = stream->codecpar->height,
+          .frames_per_second = rate.den == 0 ? 0 : av_q2d(rate),
+          .num_frames = stream->nb_frames};
+}
+
+}  // namespace smile::dataset

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+
+#include "math/image.h"
+
+namespace smile::dataset {
+
+/// Writes pictures as an mp4 film that browsers and players show at once: H.264, 4:2:0, BT.709,
+/// the index in front. Equal pictures give equal bytes.
+///
+/// The format wants even sizes: an odd picture gets its last column or row a second time.
+class VideoWriter {
+ public:
+  /// @param frames_per_second  above 0, at most 1000.
+  /// @throws std::invalid_argument if sizes are not 1 to 8192 or the rate is out of range.
+  /// @throws std::runtime_error naming the path and the reason.
+  VideoWriter(std::filesystem::path path, int width_px, int height_px, double frames_per_second);
+  /// Finishes the film if nobody did, so that what was added can be watched; swallows errors.
+  ~VideoWriter();
+  VideoWriter(const VideoWriter&) = delete;
+  VideoWriter& operator=(const VideoWriter&) = delete;
+
+  /// Appends one picture, of which only the color is used.
+  /// @throws std::invalid_argument if it has another size, or no color.
+  /// @throws std::logic_error after Finish().
+  /// @throws std::runtime_error naming the path and the reason.
+  void Add(const Image& image);
+
+  /// Completes the file. Calling it again does nothing.
+  /// @throws std::logic_error if no picture was added: players refuse such a film.
+  /// @throws std::runtime_error naming the path and the reason.
+  void Finish();
+
+  int num_frames() const;
+
+ private:
+  class Encoder;
+  std::unique_ptr<Encoder> encoder_;
+};
+
+/// What a film says of itself.
+struct VideoInfo {
+  int width_px = 0;
+  int height_px = 0;
+  double frames_per_second = 0;
+  std::int64_t num_frames = 0;
+
+  bool operator==(const VideoInfo&) const = default;
+};
+
+/// Reads an mp4 film's index.
+/// @throws std::runtime_error naming the path and the reason.
+VideoInfo ReadVideoInfo(const std::filesystem::path& path);
+
+}  // namespace smile::dataset

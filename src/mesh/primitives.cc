@@ -1,0 +1,154 @@
+#include "mesh/primitives.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+#include "base/overloaded.h"
+
+namespace smile::mesh {
+namespace {
+
+using Eigen::Vector3f;
+
+std::uint32_t AddCorner(const Vector3f& position, const Vector3f& normal, TriangleMesh* mesh) {
+  mesh->positions.push_back(position);
+  mesh->normals.push_back(normal);
+  return static_cast<std::uint32_t>(mesh->positions.size() - 1);
+}
+
+TriangleMesh MakeBlock() {
+  TriangleMesh mesh;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const float side : {-1.0f, 1.0f}) {
+      const Vector3f normal = side * Vector3f::Unit(axis);
+      // Two edges of the face with edge x other_edge = normal.
+      const Vector3f edge = Vector3f::Unit((axis + 1) % 3);
+      const Vector3f other_edge = normal.cross(edge);
+      const auto corner = [&](float u, float v) {
+        return AddCorner(0.5f * (normal + u * edge + v * other_edge), normal, &mesh);
+      };
+      const std::uint32_t a = corner(-1, -1), b = corner(1, -1), c = corner(1, 1),
+                          d = corner(-1, 1);
+      mesh.triangles.push_back({a, b, c});
+      mesh.triangles.push_back({a, c, d});
+    }
+  }
+  return mesh;
+}
+
+/// Points of the unit circle in the plane of z and x, counter-clockwise seen from +y.
+std::vector<Vector3f> CircleAboutY(int facets) {
+  std::vector<Vector3f> circle;
+  for (int k = 0; k < facets; ++k) {
+    const double angle = 2 * std::numbers::pi * k / facets;
+    circle.emplace_back(static_cast<float>(std::sin(angle)), 0.0f,
+                        static_cast<float>(std::cos(angle)));
+  }
+  return circle;
+}
+
+void AddCap(const std::vector<Vector3f>& circle, float side, TriangleMesh* mesh) {
+  const Vector3f normal = side * Vector3f::UnitY();
+  const std::uint32_t center = AddCorner(0.5f * normal, normal, mesh);
+  for (const Vector3f& point : circle) AddCorner(0.5f * (point + normal), normal, mesh);
+  const auto facets = static_cast<std::uint32_t>(circle.size());
+  for (std::uint32_t k = 0; k < facets; ++k) {
+    const std::uint32_t here = center + 1 + k, next = center + 1 + (k + 1) % facets;
+    mesh->triangles.push_back({center, side > 0 ? here : next, side > 0 ? next : here});
+  }
+}
+
+TriangleMesh MakeCylinder(int facets) {
+  TriangleMesh mesh;
+  const std::vector<Vector3f> circle = CircleAboutY(facets);
+  for (const Vector3f& point : circle) {
+    AddCorner(0.5f * (point - Vector3f::UnitY()), point, &mesh);
+    AddCorner(0.5f * (point + Vector3f::UnitY()), point, &mesh);
+  }
+  const auto num_corners = static_cast<std::uint32_t>(mesh.positions.size());
+  for (std::uint32_t low = 0; low < num_corners; low += 2) {
+    const std::uint32_t next_low = (low + 2) % num_corners;
+    mesh.triangles.push_back({low, next_low, next_low + 1});
+    mesh.triangles.push_back({low, next_low + 1, low + 1});
+  }
+  AddCap(circle, -1, &mesh);
+  AddCap(circle, 1, &mesh);
+  return mesh;
+}
+
+TriangleMesh MakeSphere(int facets) {
+  TriangleMesh mesh;
+  const std::vector<Vector3f> circle = CircleAboutY(facets);
+  const int num_rings = std::max(1, facets / 2 - 1);  // between the poles
+  const auto add = [&mesh](const Vector3f& normal) {
+    return AddCorner(0.5f * normal, normal, &mesh);
+  };
+
+  const std::uint32_t south = add(-Vector3f::UnitY());
+  for (int ring = 1; ring <= num_rings; ++ring) {
+    const double latitude = std::numbers::pi * (static_cast<double>(ring) / (num_rings + 1) - 0.5);
+    const auto width = static_cast<float>(std::cos(latitude));
+    const auto height = static_cast<float>(std::sin(latitude));
+    for (const Vector3f& point : circle) add(width * point + height * Vector3f::UnitY());
+  }
+  const std::uint32_t north = add(Vector3f::UnitY());
+
+  const auto n = static_cast<std::uint32_t>(facets);
+  const std::uint32_t last_ring = north - n;
+  for (std::uint32_t k = 0; k < n; ++k) {
+    const std::uint32_t next = (k + 1) % n;
+    mesh.triangles.push_back({south, 1 + next, 1 + k});
+    for (std::uint32_t low = 1; low < last_ring; low += n) {
+      mesh.triangles.push_back({low + k, low + next, low + n + next});
+      mesh.triangles.push_back({low + k, low + n + next, low + n + k});
+    }
+    mesh.triangles.push_back({last_ring + k, last_ring + next, north});
+  }
+  return mesh;
+}
+
+}  // namespace
+
+UnitMesh UnitMeshOf(const scene::SolidShape& shape, int sphere_facets) {
+  return std::visit(
+      Overloaded{
+          [](const scene::Block&) { return UnitMesh{}; },
+          [](const scene::Cylinder& cylinder) {
+            return UnitMesh{UnitMesh::Kind::kCylinder, std::clamp(cylinder.sides, 3, kMaxFacets)};
+          },
+          [&](const scene::Sphere&) {
+            return UnitMesh{UnitMesh::Kind::kSphere, sphere_facets};
+          }},
+      shape);
+}
+
+Vector3 ExtentsOf(const scene::SolidShape& shape) {
+  return std::visit(Overloaded{[](const scene::Block& block) { return block.size; },
+                               [](const scene::Cylinder& cylinder) {
+                                 return Vector3(2 * cylinder.radius, cylinder.length,
+                                                2 * cylinder.radius);
+                               },
+                               [](const scene::Sphere& sphere) {
+                                 return Vector3(Vector3::Constant(2 * sphere.radius));
+                               }},
+                    shape);
+}
+
+TriangleMesh MakeMesh(const UnitMesh& unit_mesh) {
+  if (unit_mesh.kind == UnitMesh::Kind::kBlock) return MakeBlock();
+  if (unit_mesh.facets < 3 || unit_mesh.facets > kMaxFacets) {
+    throw std::invalid_argument("a round mesh has " + std::to_string(unit_mesh.facets) +
+                                " facets, expected 3 to " + std::to_string(kMaxFacets));
+  }
+  return unit_mesh.kind == UnitMesh::Kind::kCylinder ? MakeCylinder(unit_mesh.facets)
+                                                     : MakeSphere(unit_mesh.facets);
+}
+
+TriangleMesh MeshOf(const scene::SolidShape& shape) {
+  return Scaled(MakeMesh(UnitMeshOf(shape)), ExtentsOf(shape).cast<float>());
+}
+
+}  // namespace smile::mesh

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <compare>
+
+#include "mesh/triangle_mesh.h"
+#include "scene/solid.h"
+
+namespace smile::mesh {
+
+/// A mesh that spans one metre along x, y and z about the origin. Shapes that differ in size only
+/// share one, stretched by their ExtentsOf(), so that many are drawn at one stroke.
+struct UnitMesh {
+  enum class Kind { kBlock, kCylinder, kSphere };
+
+  Kind kind = Kind::kBlock;
+  int facets = 0;  ///< once around the axis, at least 3; a block has none: 0
+
+  auto operator<=>(const UnitMesh&) const = default;
+};
+
+/// More facets than this cannot be told apart at any image size we draw.
+inline constexpr int kMaxFacets = 1024;
+inline constexpr int kSphereFacets = 32;
+
+/// The unit mesh of a shape. A cylinder has the `sides` it asks for, within 3 and kMaxFacets; a
+/// sphere has `sphere_facets`.
+UnitMesh UnitMeshOf(const scene::SolidShape& shape, int sphere_facets = kSphereFacets);
+
+/// Full lengths of a shape along its own x, y, z [m].
+Vector3 ExtentsOf(const scene::SolidShape& shape);
+
+/// A block has 12 flat triangles; a cylinder (axis y) `facets` smooth ones around and two flat
+/// caps; a sphere `facets` meridians from pole (+y) to pole. Corners of round shapes lie on the
+/// true surface.
+/// @throws std::invalid_argument unless a round shape's facets are within 3 and kMaxFacets.
+TriangleMesh MakeMesh(const UnitMesh& unit_mesh);
+
+/// The shape's own mesh, in its true size.
+TriangleMesh MeshOf(const scene::SolidShape& shape);
+
+}  // namespace smile::mesh

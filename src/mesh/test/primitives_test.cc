@@ -1,0 +1,127 @@
+#include "mesh/primitives.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <numbers>
+#include <stdexcept>
+#include <tuple>
+
+namespace smile::mesh {
+namespace {
+
+const scene::SolidShape kBlock = scene::Block{{0.1, 0.2, 0.3}};
+const scene::SolidShape kCylinder = scene::Cylinder{.radius = 0.05, .length = 0.3, .sides = 32};
+const scene::SolidShape kPrism = scene::Cylinder{.radius = 0.05, .length = 0.3, .sides = 3};
+const scene::SolidShape kSphere = scene::Sphere{0.08};
+
+class MeshOfShape : public testing::TestWithParam<scene::SolidShape> {};
+
+INSTANTIATE_TEST_SUITE_P(Primitives, MeshOfShape,
+                         testing::Values(kBlock, kCylinder, kPrism, kSphere));
+
+/// A number for each place, whatever the number of corners there.
+std::vector<int> Places(const TriangleMesh& mesh) {
+  std::map<std::tuple<float, float, float>, int> known;
+  std::vector<int> places;
+  for (const auto& p : mesh.positions) {
+    const auto next = static_cast<int>(known.size());
+    places.push_back(known.try_emplace({p.x(), p.y(), p.z()}, next).first->second);
+  }
+  return places;
+}
+
+double VolumeOf(const TriangleMesh& mesh) {
+  double volume = 0;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    volume += mesh.positions[a].cross(mesh.positions[b]).dot(mesh.positions[c]) / 6.0;
+  }
+  return volume;
+}
+
+TEST_P(MeshOfShape, IsAClosedSurface) {
+  const TriangleMesh mesh = MeshOf(GetParam());
+  const std::vector<int> places = Places(mesh);
+  std::map<std::pair<int, int>, int> uses_of_edge;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    ++uses_of_edge[{places[a], places[b]}];
+    ++uses_of_edge[{places[b], places[c]}];
+    ++uses_of_edge[{places[c], places[a]}];
+  }
+  for (const auto& [edge, uses] : uses_of_edge) {
+    EXPECT_EQ(uses, 1);
+    EXPECT_TRUE(uses_of_edge.contains({edge.second, edge.first}));
+  }
+}
+
+TEST_P(MeshOfShape, TurnsTrianglesAndNormalsOutwards) {
+  const TriangleMesh mesh = MeshOf(GetParam());
+  ASSERT_EQ(mesh.normals.size(), mesh.positions.size());
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const auto& [p, q, r] = std::tie(mesh.positions[a], mesh.positions[b], mesh.positions[c]);
+    const Eigen::Vector3f across = (q - p).cross(r - p);
+    EXPECT_GT(across.norm(), 0) << "a triangle without area";
+    EXPECT_GT(across.dot(p + q + r), 0) << "the shapes are convex about the origin";
+    for (const auto corner : {a, b, c}) {
+      EXPECT_NEAR(mesh.normals[corner].norm(), 1, 1e-6);
+      EXPECT_GT(mesh.normals[corner].dot(across), 0);
+    }
+  }
+}
+
+TEST_P(MeshOfShape, StaysWithinItsExtents) {
+  const Eigen::Vector3f half = 0.5f * ExtentsOf(GetParam()).cast<float>();
+  for (const auto& position : MeshOf(GetParam()).positions) {
+    EXPECT_TRUE((position.cwiseAbs().array() <= half.array() + 1e-7f).all());
+  }
+}
+
+TEST(Primitives, ReachTheExtentsOfTheirShape) {
+  for (const auto& shape : {kBlock, kCylinder, kSphere}) {
+    Eigen::Vector3f most = Eigen::Vector3f::Zero();
+    for (const auto& position : MeshOf(shape).positions) most = most.cwiseMax(position);
+    EXPECT_TRUE(most.isApprox(0.5f * ExtentsOf(shape).cast<float>(), 1e-6f));
+  }
+}
+
+TEST(Primitives, HaveTheVolumeOfTheirShape) {
+  using std::numbers::pi;
+  EXPECT_NEAR(VolumeOf(MeshOf(kBlock)), 0.1 * 0.2 * 0.3, 1e-8);
+  // A round shape's corners lie on it, so its mesh is a little smaller.
+  const double cylinder = pi * 0.05 * 0.05 * 0.3, sphere = 4.0 / 3.0 * pi * 0.08 * 0.08 * 0.08;
+  EXPECT_NEAR(VolumeOf(MeshOf(kCylinder)) / cylinder, 0.9936, 1e-4);
+  EXPECT_NEAR(VolumeOf(MeshOf(kSphere)) / sphere, 1, 0.02);
+  EXPECT_LT(VolumeOf(MeshOf(kSphere)), sphere);
+}
+
+TEST(Primitives, UseAsFewTrianglesAsTheShapeNeeds) {
+  EXPECT_EQ(MeshOf(kBlock).triangles.size(), 12u);
+  EXPECT_EQ(MeshOf(kCylinder).triangles.size(), 4u * 32u);
+  EXPECT_EQ(MakeMesh({UnitMesh::Kind::kSphere, 16}).triangles.size(), 2u * 16u * 7u);
+}
+
+TEST(Primitives, SideNormalsOfACylinderPointAwayFromItsAxis) {
+  const TriangleMesh mesh = MeshOf(kCylinder);
+  for (std::size_t k = 0; k < 2 * 32; ++k) {
+    EXPECT_EQ(mesh.normals[k].y(), 0);
+    EXPECT_NEAR(mesh.normals[k].dot(mesh.positions[k]), 0.05, 1e-6);
+  }
+}
+
+TEST(Primitives, ShareAUnitMeshWhenOnlyTheSizeDiffers) {
+  EXPECT_EQ(UnitMeshOf(scene::Block{{1, 2, 3}}), UnitMeshOf(scene::Block{{3, 2, 1}}));
+  EXPECT_NE(UnitMeshOf(kCylinder), UnitMeshOf(kPrism));
+}
+
+TEST(Primitives, BoundTheFacetsOfHostileCylinders) {
+  EXPECT_EQ(UnitMeshOf(scene::Cylinder{.sides = 0}).facets, 3);
+  EXPECT_EQ(UnitMeshOf(scene::Cylinder{.sides = 2'000'000'000}).facets, kMaxFacets);
+  EXPECT_THROW(MakeMesh({UnitMesh::Kind::kSphere, 2}), std::invalid_argument);
+}
+
+TEST(Scaled, RefusesToFlattenAMesh) {
+  EXPECT_THROW(Scaled(MakeMesh({}), {1, 0, 1}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace smile::mesh

@@ -1,0 +1,181 @@
+// `smile bench`: the numbers we claim, measured on the machine at hand.
+
+#include <benchmark/benchmark.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <memory>
+
+#include "app/commands.h"
+#include "app/exit_code.h"
+#include "app/options.h"
+#include "app/rendered_eye.h"
+#include "base/files.h"
+#include "brain/brain_driver.h"
+#include "scene_xml/scene_reader.h"
+#include "sim/simulation.h"
+
+namespace smile::app {
+namespace {
+
+scene::SceneSpec UmScene() { return scene_xml::LoadScene(DataFile("scenes/um.xml")); }
+
+std::unique_ptr<sim::Simulation> MakeUm(bool with_robot) {
+  auto simulation =
+      std::make_unique<sim::Simulation>(UmScene(), PlaceRobot({.no_robot = !with_robot}));
+  for (int i = 0; i < 3 * sim::kTicksPerSecond; ++i) simulation->Tick();  // falls asleep
+  return simulation;
+}
+
+/// Keeps a world of blocks awake: at rest, but never allowed to sleep.
+std::unique_ptr<physics::World> MakeAwakeBlocks() {
+  auto world = std::make_unique<physics::World>(
+      physics::WorldConfig{.sleep_linear_speed = 0, .sleep_angular_speed = 0});
+  const world::Tabletop tabletop(world.get(), UmScene());
+  for (int i = 0; i < 480; ++i) world->Step();
+  return world;
+}
+
+/// Moves both arms to and fro.
+void Swing(sim::Simulation* simulation) {
+  const double speed = simulation->tick() / 30 % 2 == 0 ? 0.3 : -0.3;
+  if (simulation->tick() % 30 != 0) return;
+  const std::vector<double> velocities(7, speed);
+  simulation->Apply(sim::JointVelocities{.left = velocities, .right = velocities});
+}
+
+/// Simulated seconds per second of CPU time.
+void ReportRealTime(benchmark::State& state, double seconds_per_iteration) {
+  state.counters["x_real_time"] = benchmark::Counter(
+      seconds_per_iteration * static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
+}
+
+void TwelveBlocksAwake(benchmark::State& state) {
+  const auto world = MakeAwakeBlocks();
+  for (auto _ : state) world->Step();
+  ReportRealTime(state, world->config().step_seconds);
+}
+
+void TwelveBlocksAsleep(benchmark::State& state) {
+  const auto simulation = MakeUm(false);
+  for (auto _ : state) {
+    simulation->Tick();
+    benchmark::DoNotOptimize(simulation->state_hash());
+  }
+  ReportRealTime(state, 1.0 / sim::kTicksPerSecond);
+}
+
+void TwelveBlocksAndAMovingRobot(benchmark::State& state) {
+  const auto simulation = MakeUm(true);
+  for (auto _ : state) {
+    Swing(simulation.get());
+    simulation->Tick();
+  }
+  ReportRealTime(state, 1.0 / sim::kTicksPerSecond);
+}
+
+void TwelveBlocksAndARestingRobot(benchmark::State& state) {
+  const auto simulation = MakeUm(true);
+  for (auto _ : state) simulation->Tick();
+  ReportRealTime(state, 1.0 / sim::kTicksPerSecond);
+}
+
+void SnapshotSave(benchmark::State& state) {
+  const auto simulation = MakeUm(true);
+  for (auto _ : state) benchmark::DoNotOptimize(simulation->Save());
+  state.counters["bytes"] =
+      static_cast<double>(physics::Serialize(simulation->Save().physics).size());
+}
+
+void SnapshotRestore(benchmark::State& state) {
+  const auto simulation = MakeUm(true);
+  const sim::SimulationState saved = simulation->Save();
+  for (auto _ : state) simulation->Restore(saved);
+}
+
+/// Color, depth and id in one pass.
+void EyePicture(benchmark::State& state, bool with_robot) {
+  const auto simulation = MakeUm(with_robot);
+  const CameraView view = EyeView(*simulation, {.width_px = static_cast<int>(state.range(0)),
+                                                .height_px = static_cast<int>(state.range(1))});
+  const camera::RenderOptions options{
+      .depth = true, .ids = true, .excluded_frames = FramesHiddenFromEye(*simulation)};
+  const scene::FramePoses poses = simulation->frame_poses();
+  camera::Renderer renderer;
+  Image image;
+  for (auto _ : state) {
+    renderer.Render(simulation->visual_model(), poses, view, options, &image);
+  }
+  state.SetLabel(renderer.device_name());
+}
+
+void BrainRoundTrip(benchmark::State& state) {
+  const auto simulation = MakeUm(true);
+  RenderedEye eye({.width_px = static_cast<int>(state.range(0)),
+                   .height_px = static_cast<int>(state.range(1))});
+  brain::Sensor sensor;
+  if (state.range(0) > 1) sensor.rgb_vision = eye.Look(*simulation);
+  brain::BrainProcess process(DataFile("matlab/examples/wave"));
+  auto reply = process.Init({});
+  if (const auto* error = std::get_if<brain::BrainError>(&reply)) {
+    state.SkipWithError(ToString(*error).c_str());
+    return;
+  }
+  for (auto _ : state) benchmark::DoNotOptimize(process.Step(sensor));
+}
+
+void RegisterAll() {
+  using benchmark::kMicrosecond;
+  using benchmark::kMillisecond;
+  using benchmark::RegisterBenchmark;
+  RegisterBenchmark("12 blocks awake, a step", &TwelveBlocksAwake)->Unit(kMicrosecond);
+  RegisterBenchmark("12 blocks asleep, a tick", &TwelveBlocksAsleep)->Unit(kMicrosecond);
+  RegisterBenchmark("12 blocks and a moving robot, a tick", &TwelveBlocksAndAMovingRobot)
+      ->Unit(kMicrosecond);
+  RegisterBenchmark("12 blocks and a resting robot, a tick", &TwelveBlocksAndARestingRobot)
+      ->Unit(kMicrosecond);
+  RegisterBenchmark("snapshot save, UM with robot", &SnapshotSave)->Unit(kMicrosecond);
+  RegisterBenchmark("snapshot restore, UM with robot", &SnapshotRestore)->Unit(kMicrosecond);
+  for (const bool with_robot : {false, true}) {
+    RegisterBenchmark(with_robot ? "eye, UM with robot" : "eye, UM", &EyePicture, with_robot)
+        ->Args({200, 150})
+        ->Args({640, 480})
+        ->MeasureProcessCPUTime()
+        ->Unit(kMillisecond);
+  }
+  RegisterBenchmark("brain round trip", &BrainRoundTrip)
+      ->Args({1, 1})
+      ->Args({200, 150})
+      ->Args({640, 480})
+      ->UseRealTime()
+      ->Unit(kMillisecond);
+}
+
+int Bench(const std::string& filter, bool json) {
+  std::vector<std::string> words{"smile bench"};
+  if (!filter.empty()) words.push_back("--benchmark_filter=" + filter);
+  if (json) words.push_back("--benchmark_format=json");
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  int count = static_cast<int>(arguments.size());
+  RegisterAll();
+  benchmark::Initialize(&count, arguments.data());
+  benchmark::RunSpecifiedBenchmarks();
+  return kDone;
+}
+
+}  // namespace
+
+void AddBench(CLI::App* program, ExitAnswer answer) {
+  struct Options {
+    std::string filter;
+    bool json = false;
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* bench = program->add_subcommand("bench", "Measure the numbers we claim, here and now");
+  bench->add_option("--filter", options->filter, "only those whose name matches this expression");
+  bench->add_flag("--json", options->json, "print JSON on stdout");
+  bench->callback([options, answer] { *answer = Bench(options->filter, options->json); });
+}
+
+}  // namespace smile::app

@@ -1,0 +1,145 @@
+// `smile experiment`: the main job. A person shows a tower, the robot builds one.
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdio>
+#include <memory>
+
+#include "app/commands.h"
+#include "app/exit_code.h"
+#include "app/film.h"
+#include "app/imitation.h"
+#include "app/interrupt.h"
+#include "app/run_loop.h"
+#include "base/files.h"
+#include "scene_xml/scene_reader.h"
+#include "task/layout.h"
+
+namespace smile::app {
+namespace {
+
+/// What an experiment is made of, all of it shipped.
+struct Experiment {
+  const char* name;
+  const char* demonstration_scene;
+  const char* demonstration_script;
+  const char* robot_scene;
+  const char* brain;
+};
+
+constexpr Experiment kTower{"tower", "scenes/tower.xml", "examples/tower.jsonl",
+                            "scenes/tower_robot.xml", "matlab/examples/tower"};
+
+struct ExperimentOptions {
+  std::string name = kTower.name, out;
+  std::optional<std::uint64_t> seed;
+  bool no_films = false, json = false;
+};
+
+/// Results are never overwritten: an earlier one moves aside, to `tower.1`, `tower.2`, …
+void MoveAside(const std::filesystem::path& directory) {
+  std::error_code error;
+  if (!std::filesystem::exists(directory, error)) return;
+  for (int i = 1;; ++i) {
+    const std::filesystem::path aside = directory.string() + "." + std::to_string(i);
+    if (std::filesystem::exists(aside, error)) continue;
+    std::filesystem::rename(directory, aside, error);
+    if (error) {
+      throw std::runtime_error(directory.string() + ": cannot be moved aside: " + error.message());
+    }
+    std::fprintf(stderr, "%s: the earlier result is now %s\n", directory.c_str(), aside.c_str());
+    return;
+  }
+}
+
+void RecordDemonstration(const Experiment& experiment, const std::filesystem::path& directory) {
+  RunPlan plan{.scene = scene_xml::LoadScene(DataFile(experiment.demonstration_scene)),
+               .robot = PlaceRobot({})};
+  plan.script =
+      sim::ReadScript(DataFile(experiment.demonstration_script), plan.scene.meters_per_unit);
+  plan.record = directory;
+  plan.recording.title = experiment.name;
+  plan.label = "showing the " + std::string(experiment.name);
+  Run(plan);
+}
+
+void FilmBoth(const std::filesystem::path& out) {
+  for (const char* name : {"demonstration", "imitation"}) {
+    if (IsInterrupted()) return;
+    Film(record::OpenRecording(out / name), (out / name).string() + ".mp4",
+         {.progress = std::string("filming the ") + name});
+  }
+}
+
+void PrintSummary(const ImitationOutcome& outcome, const std::filesystem::path& out,
+                  bool has_films) {
+  const Json& result = outcome.result;
+  std::printf("\nThe robot watched a %s and %s.\n", result["task"].get<std::string>().c_str(),
+              outcome.is_rebuilt ? "built one of its own" : "did not manage to rebuild it");
+  for (const auto& [id, goal] : result["goal"]["objects"].items()) {
+    const std::string scene_id = result["match"][id];
+    const Json& at = result["final"]["objects"][scene_id]["position"];
+    const Json& wanted = goal["position"];
+    std::printf("  %-12s is at (%6.2f, %6.2f, %5.2f), wanted at (%6.2f, %6.2f, %5.2f)\n",
+                scene_id.c_str(), at[0].get<double>(), at[1].get<double>(), at[2].get<double>(),
+                wanted[0].get<double>(), wanted[1].get<double>(), wanted[2].get<double>());
+  }
+  std::printf("  mean error %.1f mm; %.1f s of robot time, %.1f x faster than real time\n\n",
+              result["mean_error_mm"].get<double>(), result["seconds"].get<double>(),
+              result["realtime_factor"].get<double>());
+  std::printf("  %s/demonstration   the recording of the hands\n", out.c_str());
+  std::printf("  %s/imitation       the recording of the robot\n", out.c_str());
+  if (has_films) {
+    std::printf("  %s/demonstration.mp4, %s/imitation.mp4\n", out.c_str(), out.c_str());
+  }
+  std::printf("  %s/result.json\n", out.c_str());
+}
+
+int RunExperiment(const ExperimentOptions& options) {
+  const Experiment& experiment = kTower;
+  const std::filesystem::path out = options.out.empty()
+                                        ? std::filesystem::path("out") / experiment.name
+                                        : std::filesystem::path(options.out);
+  MoveAside(out);
+  MakeDirectories(out);
+  RecordDemonstration(experiment, out / "demonstration");
+
+  scene::SceneSpec scene = scene_xml::LoadScene(DataFile(experiment.robot_scene));
+  if (options.seed) scene = task::RandomLayout(std::move(scene), *options.seed);
+  const ImitationOutcome outcome = Imitate({.task = experiment.name,
+                                            .demonstration = out / "demonstration",
+                                            .scene = std::move(scene),
+                                            .brain = DataFile(experiment.brain),
+                                            .record = out / "imitation"});
+  WriteFile(out / "result.json", outcome.result.dump(2) + "\n");
+  if (!options.no_films) FilmBoth(out);
+  if (options.json) {
+    std::printf("%s\n", outcome.result.dump(2).c_str());
+  } else {
+    PrintSummary(outcome, out, !options.no_films);
+  }
+  if (outcome.brain_error) {
+    std::fprintf(stderr, "%s\n", ToString(*outcome.brain_error).c_str());
+    return kInputWrong;
+  }
+  return outcome.is_rebuilt ? kDone : kInputWrong;
+}
+
+}  // namespace
+
+void AddExperiment(CLI::App* program, ExitAnswer answer) {
+  auto options = std::make_shared<ExperimentOptions>();
+  CLI::App* experiment = program->add_subcommand(
+      "experiment", "Show a task with invisible hands, let the robot do it elsewhere, score it");
+  experiment->add_option("NAME", options->name, "which one")
+      ->capture_default_str()
+      ->check(CLI::IsMember({kTower.name}));
+  experiment->add_option("--out", options->out, "directory for the results; out/NAME if not given");
+  experiment->add_option("--seed", options->seed,
+                         "random starting positions for the robot instead of the shipped ones");
+  experiment->add_flag("--no-films", options->no_films, "leave out the mp4 files");
+  experiment->add_flag("--json", options->json, "print result.json on stdout");
+  experiment->callback([options, answer] { *answer = RunExperiment(*options); });
+}
+
+}  // namespace smile::app

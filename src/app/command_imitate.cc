@@ -1,0 +1,68 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+
+#include "app/commands.h"
+#include "app/exit_code.h"
+#include "app/imitation.h"
+#include "base/files.h"
+#include "scene_xml/scene_reader.h"
+
+namespace smile::app {
+namespace {
+
+struct ImitateOptions {
+  std::string demo, scene, brain, out, size = "640x480";
+  double max_seconds = 600;
+  bool json = false;
+  RobotOptions robot;
+};
+
+int ImitateDemo(const ImitateOptions& options) {
+  const std::filesystem::path out = options.out;
+  const ImitationOutcome outcome =
+      Imitate({.task = std::filesystem::path(options.scene).stem().string(),
+               .demonstration = options.demo,
+               .scene = scene_xml::LoadScene(options.scene),
+               .brain = options.brain,
+               .record = out / "imitation",
+               .max_seconds = options.max_seconds,
+               .eye = ParseSize(options.size),
+               .robot = options.robot});
+  WriteFile(out / "result.json", outcome.result.dump(2) + "\n");
+  if (options.json) {
+    std::printf("%s\n", outcome.result.dump(2).c_str());
+  } else {
+    std::printf("%s after %.1f s: %.0f %% of the structure, mean error %.1f mm\n%s\n",
+                outcome.is_rebuilt ? "rebuilt" : "not rebuilt",
+                outcome.result["seconds"].get<double>(),
+                100 * outcome.result["score"].get<double>(),
+                outcome.result["mean_error_mm"].get<double>(), (out / "result.json").c_str());
+  }
+  if (!outcome.brain_error) return kDone;
+  std::fprintf(stderr, "%s\n", ToString(*outcome.brain_error).c_str());
+  return kInputWrong;
+}
+
+}  // namespace
+
+void AddImitate(CLI::App* program, ExitAnswer answer) {
+  auto options = std::make_shared<ImitateOptions>();
+  CLI::App* imitate = program->add_subcommand(
+      "imitate", "The robot watches a recording and acts in a scene; the result is scored");
+  imitate->add_option("DEMO", options->demo, "directory of a recording")->required();
+  imitate->add_option("SCENE", options->scene, "scene file the robot has never seen")->required();
+  imitate->add_option("--brain", options->brain, "robot program: a folder with agentBehavior.m")
+      ->required();
+  imitate->add_option("--out", options->out, "directory for imitation/ and result.json")
+      ->required();
+  imitate->add_option("--seconds", options->max_seconds, "simulated, at most")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 86400.0));
+  imitate->add_option("--size", options->size, "of the robot's pictures")->capture_default_str();
+  imitate->add_flag("--json", options->json, "print result.json on stdout");
+  imitate->add_flag("--classic", options->robot.classic, "the robot where the original put it");
+  imitate->callback([options, answer] { *answer = ImitateDemo(*options); });
+}
+
+}  // namespace smile::app

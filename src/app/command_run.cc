@@ -1,0 +1,86 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+#include <stdexcept>
+
+#include "app/commands.h"
+#include "app/exit_code.h"
+#include "app/options.h"
+#include "app/run_loop.h"
+#include "scene_xml/scene_reader.h"
+
+namespace smile::app {
+namespace {
+
+struct RunOptions {
+  std::string scene, brain, commands, record, size = "640x480";
+  std::optional<double> seconds;
+  double rate = 4;
+  std::string title, notes;
+  bool realtime = false, json = false;
+  RobotOptions robot;
+};
+
+int RunScene(const RunOptions& options) {
+  RunPlan plan{.scene = scene_xml::LoadScene(options.scene)};
+  if (!options.seconds && options.brain.empty() && options.commands.empty()) {
+    throw std::invalid_argument(
+        "nothing says when the run ends: give --seconds, --commands or --brain");
+  }
+  plan.robot = PlaceRobot(options.robot);
+  if (!options.brain.empty() && !plan.robot) {
+    throw std::invalid_argument("--brain needs a robot, but --no-robot was given");
+  }
+  if (!options.commands.empty()) {
+    plan.script = sim::ReadScript(options.commands, plan.scene.meters_per_unit);
+  }
+  plan.brain = options.brain;
+  plan.seconds = options.seconds;
+  plan.record = options.record;
+  plan.recording = {
+      .frames_per_second = options.rate, .title = options.title, .notes = options.notes};
+  plan.eye = ParseSize(options.size);
+  plan.is_realtime = options.realtime;
+  plan.label = "running " + plan.scene.name;
+
+  const RunOutcome outcome = Run(plan);
+  if (options.json) {
+    std::printf("%s\n", outcome.json.dump(2).c_str());
+  } else {
+    std::printf("%s: %.2f s simulated in %.2f s (%.1f x real time), state %s\n",
+                plan.scene.name.c_str(), outcome.json["seconds"].get<double>(),
+                outcome.wall_seconds, outcome.json["realtime_factor"].get<double>(),
+                outcome.json["hash"].get<std::string>().c_str());
+    if (!options.record.empty()) std::printf("recorded in %s\n", options.record.c_str());
+  }
+  if (!outcome.brain_error) return kDone;
+  std::fprintf(stderr, "%s\n", ToString(*outcome.brain_error).c_str());
+  return kInputWrong;
+}
+
+}  // namespace
+
+void AddRun(CLI::App* program, ExitAnswer answer) {
+  auto options = std::make_shared<RunOptions>();
+  CLI::App* run = program->add_subcommand("run", "Run a scene without a window");
+  run->add_option("SCENE", options->scene, "scene file")->required();
+  run->add_option("--commands", options->commands,
+                  "script of commands, one JSON object a line (see: smile commands)");
+  run->add_option("--brain", options->brain, "robot program: a folder with agentBehavior.m");
+  run->add_option("--seconds", options->seconds,
+                  "exactly this long; otherwise until the script or the brain ends")
+      ->check(CLI::Range(0.0, 86400.0));
+  run->add_option("--record", options->record, "record into this new directory");
+  run->add_option("--title", options->title, "of the recording");
+  run->add_option("--notes", options->notes, "about the recording");
+  run->add_option("--rate", options->rate, "pictures per second of the recording")
+      ->capture_default_str();
+  run->add_option("--size", options->size, "of the robot's pictures")->capture_default_str();
+  run->add_flag("--realtime", options->realtime, "as fast as the clock, not faster");
+  run->add_flag("--json", options->json, "print one JSON object on stdout");
+  run->add_flag("--no-robot", options->robot.no_robot, "a table without a robot");
+  run->add_flag("--classic", options->robot.classic, "the robot where the original put it");
+  run->callback([options, answer] { *answer = RunScene(*options); });
+}
+
+}  // namespace smile::app

@@ -1,0 +1,22 @@
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace smile::app {
+
+/// The exit code of the command that ran; each Add…() stores its answer here.
+using ExitAnswer = int*;
+
+// Each adds one command of the program, with its options, help and action.
+void AddCheck(CLI::App* program, ExitAnswer answer);
+void AddRun(CLI::App* program, ExitAnswer answer);
+void AddReplay(CLI::App* program, ExitAnswer answer);
+void AddRender(CLI::App* program, ExitAnswer answer);
+void AddImitate(CLI::App* program, ExitAnswer answer);
+void AddExperiment(CLI::App* program, ExitAnswer answer);
+void AddCommands(CLI::App* program, ExitAnswer answer);
+void AddBench(CLI::App* program, ExitAnswer answer);
+
+}  // namespace smile::app

@@ -1,0 +1,73 @@
+#include "app/film.h"
+
+#include <numeric>
+
+#include "app/interrupt.h"
+#include "app/progress.h"
+#include "app/viewpoint.h"
+#include "camera/renderer.h"
+#include "dataset/video_writer.h"
+#include "robot/robot_visuals.h"
+
+namespace smile::app {
+namespace {
+
+/// Frames of a robot that was hidden at that moment.
+std::vector<int> HiddenFrames(const record::TraceTick& moment, const sim::Simulation& simulation) {
+  if (moment.is_robot_shown || simulation.robot() == nullptr) return {};
+  std::vector<int> frames(robot::NumVisualFrames(simulation.robot()->model()));
+  std::iota(frames.begin(), frames.end(), simulation.first_robot_frame());
+  return frames;
+}
+
+}  // namespace
+
+scene::FramePoses PosesAt(const record::TraceTick& moment, const sim::Simulation& simulation) {
+  scene::FramePoses poses(1);
+  for (const record::TracePose& object : moment.objects) poses.push_back(object.pose_in_world());
+  if (const robot::RobotBody* robot = simulation.robot()) {
+    const auto robot_poses = robot::FramePosesOf(robot->model(), robot->base_pose(), moment.joints);
+    poses.insert(poses.end(), robot_poses.begin(), robot_poses.end());
+  }
+  return poses;
+}
+
+void Film(const record::Recording& recording, const std::filesystem::path& mp4,
+          const FilmOptions& options) {
+  const sim::Simulation simulation(recording.scene, recording.robot);
+  const CameraView view = FindView(options.camera, simulation, options.size);
+  const bool is_eye = options.camera == "eye";
+  camera::Renderer renderer;
+  dataset::VideoWriter video(mp4, options.size.width_px, options.size.height_px,
+                             options.frames_per_second);
+  record::TraceReader trace(recording.directory / "trace.bin");
+  ProgressLine progress(options.progress);
+  Image image;
+  while (const auto moment = trace.Next()) {
+    if (IsInterrupted()) break;
+    const double seconds = static_cast<double>(moment->tick) / sim::kTicksPerSecond;
+    const double due = video.num_frames() * options.speed / options.frames_per_second;
+    if (seconds + 1e-9 < due) continue;
+    std::vector<int> hidden = HiddenFrames(*moment, simulation);
+    if (is_eye && hidden.empty()) hidden = sim::FramesHiddenFromEye(simulation);
+    renderer.Render(simulation.visual_model(), PosesAt(*moment, simulation), view,
+                    {.look = is_eye ? camera::Look::kRobotEye : camera::Look::kPresentation,
+                     .excluded_frames = hidden},
+                    &image);
+    // A rate above the ticks' shows a moment more than once.
+    while (video.num_frames() * options.speed / options.frames_per_second <= seconds + 1e-9) {
+      video.Add(image);
+    }
+    progress.Show(seconds, 0);
+  }
+  video.Finish();
+}
+
+std::optional<record::TraceTick> LastMoment(const record::Recording& recording) {
+  record::TraceReader trace(recording.directory / "trace.bin");
+  std::optional<record::TraceTick> last;
+  while (auto moment = trace.Next()) last = std::move(moment);
+  return last;
+}
+
+}  // namespace smile::app

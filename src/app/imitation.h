@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "app/options.h"
+#include "base/json.h"
+#include "brain/brain_values.h"
+#include "scene/scene_spec.h"
+
+namespace smile::app {
+
+/// A robot that watched a demonstration acts in a scene of its own.
+struct ImitationPlan {
+  std::string task;                     ///< its name in the result
+  std::filesystem::path demonstration;  ///< a recording
+  scene::SceneSpec scene;
+  std::filesystem::path brain;
+  std::filesystem::path record;  ///< new directory for the robot's run
+  double max_seconds = 600;      ///< simulated
+  sim::EyeSpec eye;
+  RobotOptions robot;
+};
+
+struct ImitationOutcome {
+  Json result;  ///< `result.json`, see docs/results.md
+  bool is_rebuilt = false;
+  std::optional<brain::BrainError> brain_error;
+};
+
+/// Runs it and scores how close it came.
+/// @throws InputError if demonstration, scene and brain do not fit together.
+ImitationOutcome Imitate(const ImitationPlan& plan);
+
+}  // namespace smile::app

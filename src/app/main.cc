@@ -1,0 +1,44 @@
+// The `smile` program: `smile --help`.
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+#include "app/commands.h"
+#include "app/exit_code.h"
+#include "app/interrupt.h"
+#include "base/diagnostic.h"
+#include "base/version.h"
+
+int main(int argc, char** argv) {
+  using namespace smile;
+  CLI::App program("SMILE: show a robot a tabletop task with invisible hands.", "smile");
+  program.set_version_flag("--version", ProgramName());
+  program.require_subcommand(1);
+  program.set_help_all_flag("--help-all", "Show the help of every command");
+  int answer = app::kDone;
+  app::AddCheck(&program, &answer);
+  app::AddRun(&program, &answer);
+  app::AddReplay(&program, &answer);
+  app::AddRender(&program, &answer);
+  // app::AddImitate(&program, &answer);
+  // app::AddExperiment(&program, &answer);
+  app::AddCommands(&program, &answer);
+  // app::AddBench(&program, &answer);
+
+  app::CatchInterrupts();
+  try {
+    program.parse(argc, argv);
+    return answer;
+  } catch (const CLI::ParseError& error) {
+    return program.exit(error) == 0 ? app::kDone : app::kUsedWrongly;
+  } catch (const InputError& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return app::kInputWrong;
+  } catch (const std::invalid_argument& error) {
+    std::fprintf(stderr, "smile: %s\n", error.what());
+    return app::kUsedWrongly;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "smile: %s\n", error.what());
+    return app::kMachineNo;
+  }
+}

@@ -1,0 +1,148 @@
+#include "app/run_loop.h"
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <thread>
+
+#include "app/interrupt.h"
+#include "app/progress.h"
+#include "app/rendered_eye.h"
+#include "math/angles.h"
+#include "scene/units.h"
+
+namespace smile::app {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+Json ArrayOf(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
+
+Json DescribeRobot(const sim::Simulation& simulation) {
+  const robot::RobotBody* robot = simulation.robot();
+  if (robot == nullptr) return nullptr;
+  const double unit = simulation.scene().meters_per_unit;
+  Json json;
+  for (int arm = 0; arm < robot->num_arms(); ++arm) {
+    json[robot->model().arms[arm].name] = {
+        {"joints", robot->ArmAngles(arm)},
+        {"gripper", robot->GripperOpening(arm) / unit},
+        {"end_effector", ArrayOf(robot->ToolPose(arm).translation() / unit)}};
+  }
+  json["head"] = robot->HeadAngle();
+  return json;
+}
+
+std::string HashText(std::uint64_t hash) {
+  char text[17];
+  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
+  return text;
+}
+
+/// Everything alive during one run, in the order in which it must be taken down.
+class LiveRun {
+ public:
+  explicit LiveRun(const RunPlan& plan) : plan_(plan), simulation_(plan.scene, plan.robot) {
+    const bool needs_eye = !plan.record.empty() || !plan.brain.empty();
+    if (needs_eye) eye_.emplace(plan.eye);
+    if (!plan.record.empty()) {
+      recorder_.emplace(plan.record, plan.recording, &*eye_, simulation_);
+      simulation_.AddListener(&*recorder_);
+    }
+    if (plan.script) player_.emplace(*plan.script);
+    if (!plan.brain.empty()) StartBrain();
+  }
+
+  RunOutcome Go() {
+    const auto start = Clock::now();
+    ProgressLine progress(plan_.label);
+    while (!IsOver()) {
+      simulation_.Tick();
+      progress.Show(simulation_.seconds(), plan_.seconds.value_or(0));
+      if (plan_.is_realtime) {
+        std::this_thread::sleep_until(start + std::chrono::duration<double>(simulation_.seconds()));
+      }
+    }
+    const std::chrono::duration<double> wall = Clock::now() - start;
+    return Describe(wall.count());
+  }
+
+ private:
+  void StartBrain() {
+    process_.emplace(plan_.brain, brain::BrainOptions{.on_output =
+                                                          [](std::string_view line) {
+                                                            std::fprintf(
+                                                                stderr, "brain: %.*s\n",
+                                                                static_cast<int>(line.size()),
+                                                                line.data());
+                                                          },
+                                                      .is_cancelled = &IsInterrupted});
+    driver_.emplace(&*process_, brain::BrainDriverOptions{.eye = &*eye_,
+                                                          .image_seconds = plan_.image_seconds,
+                                                          .demonstration = plan_.demonstration});
+    driver_->Start(&simulation_);
+  }
+
+  bool is_brain_running() const {
+    return driver_ && driver_->status() == brain::BrainStatus::kRunning;
+  }
+
+  /// Lets script and brain speak; true when nothing more is to come.
+  bool IsOver() {
+    if (IsInterrupted()) return true;
+    const auto limit = static_cast<std::uint64_t>(
+        std::llround(plan_.seconds.value_or(plan_.max_seconds) * sim::kTicksPerSecond));
+    if (simulation_.tick() >= limit) return true;
+    if (player_) player_->Advance(&simulation_);
+    if (is_brain_running()) driver_->Drive(&simulation_);
+    if (driver_ && driver_->status() == brain::BrainStatus::kFailed) return true;
+    if (plan_.seconds) return false;
+    return (!player_ || player_->is_finished()) && !is_brain_running();
+  }
+
+  RunOutcome Describe(double wall_seconds) {
+    RunOutcome outcome{.ticks = simulation_.tick(), .wall_seconds = wall_seconds};
+    outcome.objects = DescribeObjects(simulation_);
+    Json brain = {{"status", "none"}, {"message", ""}};
+    if (driver_) {
+      brain["status"] = ToString(driver_->status());
+      outcome.brain_error = driver_->error();
+      if (outcome.brain_error) brain["message"] = ToString(*outcome.brain_error);
+    }
+    outcome.json = {
+        {"ticks", simulation_.tick()},
+        {"seconds", simulation_.seconds()},
+        {"hash", HashText(simulation_.state_hash())},
+        {"realtime_factor", wall_seconds > 0 ? simulation_.seconds() / wall_seconds : 0.0},
+        {"objects", outcome.objects},
+        {"controls", Json::object()},
+        {"robot", DescribeRobot(simulation_)},
+        {"brain", brain}};
+    return outcome;
+  }
+
+  const RunPlan& plan_;
+  std::optional<RenderedEye> eye_;
+  std::optional<record::Recorder> recorder_;
+  sim::Simulation simulation_;
+  std::optional<sim::ScriptPlayer> player_;
+  std::optional<brain::BrainProcess> process_;
+  std::optional<brain::BrainDriver> driver_;
+};
+
+}  // namespace
+
+Json DescribeObjects(const sim::Simulation& simulation) {
+  Json json = Json::object();
+  for (const world::Object& object : simulation.tabletop().objects()) {
+    const RigidTransform X_WB = simulation.physics().body(object.body).pose_in_world();
+    json[object.id()] = {
+        {"position", ArrayOf(X_WB.translation() / simulation.scene().meters_per_unit)},
+        {"rotation", ArrayOf(FixedAxesAngles(X_WB.rotation()))}};
+  }
+  return json;
+}
+
+RunOutcome Run(const RunPlan& plan) { return LiveRun(plan).Go(); }
+
+}  // namespace smile::app

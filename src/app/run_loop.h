@@ -1,0 +1,51 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "base/json.h"
+#include "brain/brain_driver.h"
+#include "record/recorder.h"
+#include "scene/scene_spec.h"
+#include "sim/eye.h"
+#include "sim/script.h"
+#include "sim/simulation.h"
+
+namespace smile::app {
+
+/// A run without a window: a scene, who acts in it, how long, what is kept.
+struct RunPlan {
+  scene::SceneSpec scene;
+  std::optional<sim::RobotPlacement> robot;
+  std::optional<sim::Script> script;
+  std::filesystem::path brain;          ///< empty for none
+  std::filesystem::path demonstration;  ///< for the brain to imitate
+  std::optional<double> seconds;        ///< exactly this long; else until script or brain end
+  double max_seconds = 86400;           ///< for runs that end by themselves
+  std::filesystem::path record;         ///< new directory; empty for none
+  record::RecorderOptions recording;
+  sim::EyeSpec eye;
+  double image_seconds = 0.25;
+  bool is_realtime = false;
+  std::string label;  ///< shown while it runs; empty for silence
+};
+
+struct RunOutcome {
+  std::uint64_t ticks = 0;
+  double wall_seconds = 0;
+  Json json;  ///< as docs/commands.md describes `run --json`
+  std::optional<brain::BrainError> brain_error;
+  Json objects;  ///< id -> {position, rotation}, at the end
+};
+
+/// Objects of a simulation as results tell them: id -> {position [units], rotation [degrees]}.
+Json DescribeObjects(const sim::Simulation& simulation);
+
+/// Runs the plan to its end, or until the user interrupts.
+/// @throws InputError if the script fails or the brain does not exist; what was recorded is kept.
+RunOutcome Run(const RunPlan& plan);
+
+}  // namespace smile::app

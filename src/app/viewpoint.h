@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "math/camera_projection.h"
+#include "sim/eye.h"
+#include "sim/simulation.h"
+
+namespace smile::app {
+
+/// The names FindView() knows: `eye` and the presets for people.
+std::vector<std::string> ViewNames();
+
+/// A camera by name: `eye` is the robot's; the others look at the table from outside.
+/// @throws std::invalid_argument if there is no such camera.
+CameraView FindView(std::string_view name, const sim::Simulation& simulation,
+                    const sim::EyeSpec& size);
+
+}  // namespace smile::app

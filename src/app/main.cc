@@ -20,10 +20,10 @@ int main(int argc, char** argv) {
   app::AddRun(&program, &answer);
   app::AddReplay(&program, &answer);
   app::AddRender(&program, &answer);
-  // app::AddImitate(&program, &answer);
-  // app::AddExperiment(&program, &answer);
+  app::AddImitate(&program, &answer);
+  app::AddExperiment(&program, &answer);
   app::AddCommands(&program, &answer);
-  // app::AddBench(&program, &answer);
+  app::AddBench(&program, &answer);
 
   app::CatchInterrupts();
   try {

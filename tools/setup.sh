@@ -1,0 +1,70 @@
+# Shared by ./run and ./test: installs missing packages and builds. Sourced, not run.
+# Says what it does; shows the output of a step only when the step fails.
+
+project=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+
+# say WORDS: one line on stderr, so that stdout stays the program's own.
+say() { echo "smile: $*" >&2; }
+
+# quietly WHAT COMMAND...: runs it; on failure shows all it printed and ends.
+quietly() {
+  local what=$1 log started=$SECONDS
+  shift
+  log=$(mktemp)
+  if ! "$@" >"$log" 2>&1; then
+    cat "$log" >&2
+    rm -f "$log"
+    say "$what failed: $*"
+    exit 3
+  fi
+  rm -f "$log"
+  if ((SECONDS - started > 1)); then say "$what took $((SECONDS - started)) s"; fi
+}
+
+# list_packages [test]: names from packages.txt, without the [test] part unless asked for.
+list_packages() {
+  awk -v with_test="${1:-}" '
+    /^\[test\]/ { in_test = 1; next }
+    /^[^#[:space:]]/ { if (!in_test || with_test == "test") print $1 }' "$project/packages.txt"
+}
+
+# install_packages [test]: installs what is missing, as root or through sudo.
+install_packages() {
+  local missing=() package installed
+  installed=" $(dpkg-query -W -f '${Package}/${Status} ' 2>/dev/null) "
+  for package in $(list_packages "${1:-}"); do
+    [[ $installed == *" $package/install ok installed "* ]] || missing+=("$package")
+  done
+  ((${#missing[@]})) || return 0
+  local as_root=()
+  if ((EUID != 0)); then
+    if ! command -v sudo >/dev/null; then
+      say "these Debian packages are missing, and there is no sudo to install them:"
+      say "  ${missing[*]}"
+      exit 3
+    fi
+    as_root=(sudo)
+  fi
+  say "installing ${#missing[@]} Debian packages: ${missing[*]}"
+  quietly "apt-get update" "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get update
+  quietly "apt-get install" "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+    apt-get install -y --no-install-recommends "${missing[@]}"
+}
+
+# build PRESET [TARGET...]: configures once, then builds what changed.
+build() {
+  local preset=$1 dir="$project/build/$1" targets=()
+  shift
+  (($# == 0)) || targets=(--target "$@")
+  mkdir -p "$dir"
+  exec 9>"$dir/.lock"
+  flock 9
+  if [[ ! -f $dir/build.ninja ]]; then
+    say "configuring ($preset)"
+    (cd "$project" && quietly "configuring" cmake --preset "$preset")
+  fi
+  if [[ ! -f $dir/.built ]]; then say "building ($preset); the first time takes a few minutes"; fi
+  (cd "$project" && quietly "building" cmake --build --preset "$preset" "${targets[@]}")
+  touch "$dir/.built"
+  exec 9>&-
+}

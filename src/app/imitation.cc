@@ -3,6 +3,7 @@
 #include "app/film.h"
 #include "app/run_loop.h"
 #include "math/angles.h"
+#include "scene/units.h"
 #include "task/goal.h"
 #include "task/score.h"
 
@@ -12,7 +13,7 @@ namespace {
 Json DescribePoses(const task::ObjectPoses& poses, double meters_per_unit) {
   Json json = Json::object();
   for (const auto& [id, X_WB] : poses) {
-    const Vector3 p = X_WB.translation() / meters_per_unit;
+    const Vector3 p = scene::ToFileUnits(X_WB.translation(), meters_per_unit);
     const Vector3 angles = FixedAxesAngles(X_WB.rotation());
     json[id] = {{"position", {p.x(), p.y(), p.z()}},
                 {"rotation", {angles.x(), angles.y(), angles.z()}}};

@@ -26,8 +26,8 @@ Json DescribeRobot(const sim::Simulation& simulation) {
   for (int arm = 0; arm < robot->num_arms(); ++arm) {
     json[robot->model().arms[arm].name] = {
         {"joints", robot->ArmAngles(arm)},
-        {"gripper", robot->GripperOpening(arm) / unit},
-        {"end_effector", ArrayOf(robot->ToolPose(arm).translation() / unit)}};
+        {"gripper", scene::ToFileUnits(robot->GripperOpening(arm), unit)},
+        {"end_effector", ArrayOf(scene::ToFileUnits(robot->ToolPose(arm).translation(), unit))}};
   }
   json["head"] = robot->HeadAngle();
   return json;
@@ -136,9 +136,9 @@ Json DescribeObjects(const sim::Simulation& simulation) {
   Json json = Json::object();
   for (const world::Object& object : simulation.tabletop().objects()) {
     const RigidTransform X_WB = simulation.physics().body(object.body).pose_in_world();
-    json[object.id()] = {
-        {"position", ArrayOf(X_WB.translation() / simulation.scene().meters_per_unit)},
-        {"rotation", ArrayOf(FixedAxesAngles(X_WB.rotation()))}};
+    json[object.id()] = {{"position", ArrayOf(scene::ToFileUnits(
+                                          X_WB.translation(), simulation.scene().meters_per_unit))},
+                         {"rotation", ArrayOf(FixedAxesAngles(X_WB.rotation()))}};
   }
   return json;
 }

@@ -10,7 +10,7 @@ namespace smile::brain {
 namespace {
 
 Eigen::RowVector3d InUnits(const Vector3& p, const sim::Simulation& simulation) {
-  return p.transpose() / simulation.scene().meters_per_unit;
+  return scene::ToFileUnits(p, simulation.scene().meters_per_unit).transpose();
 }
 
 LimbJoints AnglesOf(const robot::RobotBody& robot) {
@@ -104,7 +104,8 @@ Sensor BrainDriver::Sense(const sim::Simulation& simulation) {
   sensor.joint_angles = AnglesOf(robot);
   for (int arm = 0; arm < kLimbCount; ++arm) {
     sensor.end_effector_positions.row(arm) = InUnits(robot.ToolPose(arm).translation(), simulation);
-    sensor.gripper_openings(arm) = robot.GripperOpening(arm) / simulation.scene().meters_per_unit;
+    sensor.gripper_openings(arm) =
+        scene::ToFileUnits(robot.GripperOpening(arm), simulation.scene().meters_per_unit);
   }
   sensor.tracker_locations = TrackersOf(simulation);
   if (options_.eye != nullptr &&
@@ -135,7 +136,8 @@ BrainStatus BrainDriver::Start(sim::Simulation* simulation) {
   if (options_.on_markers) {
     std::vector<Vector3> markers;
     for (Eigen::Index i = 0; i < init.draw_markers.rows(); ++i) {
-      markers.push_back(init.draw_markers.row(i).transpose() * simulation->scene().meters_per_unit);
+      markers.push_back(scene::FromFileUnits(Vector3(init.draw_markers.row(i).transpose()),
+                                             simulation->scene().meters_per_unit));
     }
     options_.on_markers(markers);
   }

@@ -7,6 +7,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "base/wording.h"
+
 namespace smile::brain {
 namespace {
 
@@ -68,14 +70,6 @@ void AddImage(MessageWriter& writer, const Image& image) {
       out[2 * plane] = std::byte{pixel[2]};
     }
   }
-}
-
-std::string NumberText(double number) {
-  if (std::isnan(number)) return "NaN";
-  if (std::isinf(number)) return number > 0 ? "Inf" : "-Inf";
-  std::ostringstream text;
-  text << number;
-  return text.str();
 }
 
 /// A finite matrix from outside. `variable` is what the script calls it, for example `motor.`.
@@ -143,11 +137,6 @@ void ReadMotorField(MatrixReader& reader, const NamedArray& field, Motor* motor)
                 " is unknown, expected jointVelocities, gripperVelocities, jointAngles or "
                 "headVelocity");
   }
-}
-
-std::string TextOf(const Message& message, std::string_view name) {
-  const NamedArray* array = message.Find(name);
-  return PrintableText(array ? array->Text().value_or("") : "", kMaxErrorLetters);
 }
 
 int LineOf(const Message& message) {
@@ -219,9 +208,9 @@ std::variant<StepReply, WireError> DecodeStepReply(const Message& message) {
 
 BrainError DecodeError(const Message& message) {
   BrainError error;
-  error.message = TextOf(message, "message");
+  error.message = PrintableText(message.TextOf("message"), kMaxErrorLetters);
   if (error.message.empty()) error.message = "an error without a message";
-  error.file = TextOf(message, "file");
+  error.file = PrintableText(message.TextOf("file"), kMaxErrorLetters);
   error.line = LineOf(message);
   return error;
 }

@@ -43,11 +43,6 @@ std::string SecondsText(double seconds) {
   return text.str();
 }
 
-std::string TextOf(const Message& message, std::string_view name) {
-  const NamedArray* array = message.Find(name);
-  return array ? array->Text().value_or("") : "";
-}
-
 /// A logical or number that is there and not zero.
 bool IsTrue(const Message& message, std::string_view name) {
   const NamedArray* array = message.Find(name);
@@ -116,8 +111,8 @@ OrError<InitReply> BrainProcess::Impl::Init(const Aux& aux) {
                     Phase::kInit, limit, options_.start_seconds);
   if (auto* error = std::get_if<BrainError>(&answer)) return EndWith(std::move(*error));
   const Message& message = std::get<Message>(answer);
-  init_file_ = TextOf(message, "initFile");
-  callback_file_ = TextOf(message, "callbackFile");
+  init_file_ = message.TextOf("initFile");
+  callback_file_ = message.TextOf("callbackFile");
   auto reply = DecodeInitReply(message);
   if (const auto* error = std::get_if<WireError>(&reply)) {
     return EndWith(ErrorIn(Phase::kInit, error->message));

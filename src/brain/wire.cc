@@ -107,6 +107,11 @@ std::optional<std::string> NamedArray::Text() const {
   return std::string(reinterpret_cast<const char*>(data.data()), data.size());
 }
 
+std::string Message::TextOf(std::string_view name) const {
+  const NamedArray* array = Find(name);
+  return array ? array->Text().value_or("") : "";
+}
+
 const NamedArray* Message::Find(std::string_view name) const {
   const auto found = std::ranges::find(arrays, name, &NamedArray::name);
   return found == arrays.end() ? nullptr : &*found;

@@ -61,6 +61,8 @@ struct Message {
 
   /// Null when there is none of this name.
   const NamedArray* Find(std::string_view name) const;
+  /// Empty when there is no such array or it is no text.
+  std::string TextOf(std::string_view name) const;
 
   bool operator==(const Message&) const = default;
 };

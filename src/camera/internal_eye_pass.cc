@@ -8,7 +8,7 @@ namespace {
 // the side is darker, and differently dark for each of the four sides: -y, -x, +x, +y from bright
 // to dark. The numbers keep any two neighboring faces of a cube at least 20 of 255 steps apart.
 // Brightness scales the color as it is shown on a screen, which leaves hue and saturation alone.
-constexpr char kVertexShader[] = R"(
+constexpr char kEyeVertexShader[] = R"(
 uniform mat4 clip_from_world;
 out vec3 shade;
 flat out uint id;
@@ -26,7 +26,7 @@ void main() {
 }
 )";
 
-constexpr char kFragmentShader[] = R"(
+constexpr char kEyeFragmentShader[] = R"(
 in vec3 shade;
 flat in uint id;
 layout(location = 0) out vec4 color;
@@ -52,7 +52,7 @@ void Clear(const Color& background) {
 }  // namespace
 
 EyePass::EyePass()
-    : program_(std::string(kVertexShaderInputs) + kVertexShader, kFragmentShader),
+    : program_(std::string(kVertexShaderInputs) + kEyeVertexShader, kEyeFragmentShader),
       clip_from_world_(program_.Uniform("clip_from_world")) {}
 
 const Framebuffer& EyePass::Draw(const std::vector<Piece>& visible, const CameraView& view,

@@ -31,7 +31,7 @@ out vec4 color;
 void main() { color = vec4(light, 1.0); }
 )";
 
-constexpr char kVertexShader[] = R"(
+constexpr char kPresentationVertexShader[] = R"(
 uniform mat4 clip_from_world, map_from_world;
 uniform float normal_offset;
 out vec3 position_W, normal_W, position_map;
@@ -47,7 +47,7 @@ void main() {
 )";
 
 // A lamp with soft shadows, a bright sky above and a dimmer floor below, and a little gloss.
-constexpr char kFragmentShader[] = R"(
+constexpr char kPresentationFragmentShader[] = R"(
 uniform vec3 p_WC, to_lamp;
 uniform sampler2DShadow shadow_map;
 in vec3 position_W, normal_W, position_map;
@@ -112,7 +112,8 @@ const Framebuffer& Resolve(const Framebuffer& picture, FramebufferPool* pool) {
 PresentationPass::PresentationPass()
     : background_program_(std::string(kLightOfScreen) + kBackgroundVertexShader,
                           kBackgroundFragmentShader),
-      program_(std::string(kVertexShaderInputs) + kLightOfScreen + kVertexShader, kFragmentShader) {
+      program_(std::string(kVertexShaderInputs) + kLightOfScreen + kPresentationVertexShader,
+               kPresentationFragmentShader) {
   constexpr int kSamples = 4;
   glGetIntegerv(GL_MAX_SAMPLES, &samples_);
   samples_ = std::min(samples_, kSamples);

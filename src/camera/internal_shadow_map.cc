@@ -8,12 +8,12 @@ namespace {
 
 constexpr int kSize = 1024;
 
-constexpr char kVertexShader[] = R"(
+constexpr char kShadowVertexShader[] = R"(
 uniform mat4 clip_from_world;
 void main() { gl_Position = clip_from_world * vec4(PositionInWorld(), 1.0); }
 )";
 
-constexpr char kFragmentShader[] = "void main() {}";
+constexpr char kShadowFragmentShader[] = "void main() {}";
 
 /// The lamp's frame: z towards the lamp.
 Matrix3 AxesOfLamp() {
@@ -46,7 +46,7 @@ Eigen::AlignedBox3d BoundsAlongLamp(const std::vector<Piece>& pieces) {
 Vector3 DirectionToLamp() { return Vector3(-0.45, -0.5, 1.0).normalized(); }
 
 ShadowMap::ShadowMap()
-    : program_(std::string(kVertexShaderInputs) + kVertexShader, kFragmentShader),
+    : program_(std::string(kVertexShaderInputs) + kShadowVertexShader, kShadowFragmentShader),
       clip_from_world_(program_.Uniform("clip_from_world")) {
   glBindTexture(GL_TEXTURE_2D, texture_.name());
   glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, kSize, kSize, 0, GL_DEPTH_COMPONENT,

@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "base/diagnostic.h"
+#include "base/wording.h"
 
 #include "math/angles.h"
 #include "scene/units.h"
@@ -10,13 +11,11 @@
 namespace smile::record {
 namespace {
 
-std::string Written(double number) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.17g", number);
-  return text;
-}
+/// The quantity of a difference that only the hash sees.
+constexpr const char* kHidden = "state_hash";
+
 std::string Written(const Vector3& v) {
-  return "(" + Written(v.x()) + ", " + Written(v.y()) + ", " + Written(v.z()) + ")";
+  return "(" + NumberText(v.x()) + ", " + NumberText(v.y()) + ", " + NumberText(v.z()) + ")";
 }
 std::string WrittenHash(std::uint64_t hash) {
   char text[32];
@@ -44,9 +43,9 @@ Difference Compare(const TraceTick& recorded, const TraceTick& replayed,
   for (std::size_t i = 0; i < replayed.joints.size(); ++i) {
     if (recorded.joints[i] == replayed.joints[i]) continue;
     return {recorded.tick, simulation.robot()->model().links[i].joint_name, "angle",
-            Written(recorded.joints[i]), Written(replayed.joints[i])};
+            NumberText(recorded.joints[i]), NumberText(replayed.joints[i])};
   }
-  return {recorded.tick, "simulation", "state_hash", WrittenHash(recorded.hash),
+  return {recorded.tick, "simulation", kHidden, WrittenHash(recorded.hash),
           WrittenHash(replayed.hash)};
 }
 
@@ -80,14 +79,20 @@ ReplayReport Replay(const Recording& recording, const Progress& progress) {
     report.ticks = recorded->tick;
     report.hash = replayed.hash;
     if (replayed.tick != recorded->tick || replayed.hash != recorded->hash) {
-      report.first_difference = Compare(*recorded, replayed, simulation);
-      return report;
+      // What a hand wants differs before anything moves differently: look on until it shows, so
+      // that the report can name an object.
+      const Difference difference = Compare(*recorded, replayed, simulation);
+      const bool is_visible = difference.quantity != kHidden;
+      if (is_visible || !report.first_difference) report.first_difference = difference;
+      if (is_visible) return report;
     }
     for (; next < recording.commands.size() && recording.commands[next].tick == recorded->tick;
          ++next) {
       if (auto refusal = simulation.Apply(recording.commands[next].command)) {
-        report.first_difference =
-            Difference{recorded->tick, "simulation", "command", "carried out", *refusal};
+        if (!report.first_difference) {
+          report.first_difference =
+              Difference{recorded->tick, "simulation", "command", "carried out", *refusal};
+        }
         return report;
       }
     }

@@ -9,7 +9,8 @@
 
 namespace smile::record {
 
-/// Where a replay first departs from its recording.
+/// Where a replay first departs from its recording as far as can be seen; where nothing can be seen
+/// to the end, the first tick whose state hash differs.
 struct Difference {
   std::uint64_t tick = 0;
   std::string object;              ///< id, a joint's name, or `simulation`

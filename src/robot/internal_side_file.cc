@@ -22,12 +22,6 @@ constexpr std::array<std::string_view, 6> kFileMembers{"format",        "arms", 
 constexpr std::array<std::string_view, 3> kArmMembers{"joints", "tool", "fingers"};
 constexpr std::array<std::string_view, 2> kHeadMembers{"joint", "camera"};
 
-std::string Text(double number) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%g", number);
-  return text;
-}
-
 /// A value together with its place in the file.
 class Node {
  public:
@@ -100,7 +94,7 @@ class SideFileReader {
   void Read(const Node& root) {
     root.ExpectMembers(kFileMembers);
     const double format = root.Member("format").Number();
-    if (format != 1) root.Member("format").Fail("found " + Text(format) + ", expected 1");
+    if (format != 1) root.Member("format").Fail("found " + NumberText(format) + ", expected 1");
     if (root.Has("arms")) {
       for (const auto& [name, arm] : root.Member("arms").Members()) ReadArm(name, arm);
     }
@@ -183,8 +177,8 @@ class SideFileReader {
   void SetJoint(int joint, double q, const Node& node, NamedPose* pose) const {
     const physics::LinkSpec& link = model_.links[joint];
     if (!(q >= link.lower && q <= link.upper)) {
-      node.Fail("joint \"" + link.joint_name + "\" would stand at " + Text(q) + ", expected " +
-                Text(link.lower) + " to " + Text(link.upper));
+      node.Fail("joint \"" + link.joint_name + "\" would stand at " + NumberText(q) +
+                ", expected " + NumberText(link.lower) + " to " + NumberText(link.upper));
     }
     pose->q[joint] = q;
   }

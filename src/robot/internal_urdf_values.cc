@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/wording.h"
+
 namespace smile::robot::internal {
 namespace {
 
@@ -13,12 +15,6 @@ constexpr double kMaxInertia = 1e6;  // [kg m2]
 constexpr double kMaxAngle = 100;    // [rad]
 constexpr double kMaxRate = 1e4;     // [rad/s or m/s]
 constexpr double kMaxEffort = 1e6;   // [N m or N]
-
-std::string Text(double number) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%g", number);
-  return text;
-}
 
 }  // namespace
 
@@ -80,7 +76,7 @@ void UrdfElement::ReadMotion(const urdf::Joint& joint, physics::LinkSpec* link) 
 
   const Vector3 axis(joint.axis.x, joint.axis.y, joint.axis.z);
   if (!(axis.norm() > 1e-9 && axis.norm() < kMaxLength)) {
-    Fail("axis has the length " + Text(axis.norm()) + ", expected a direction");
+    Fail("axis has the length " + NumberText(axis.norm()) + ", expected a direction");
   }
   link->axis = axis.normalized();
 
@@ -89,8 +85,8 @@ void UrdfElement::ReadMotion(const urdf::Joint& joint, physics::LinkSpec* link) 
   link->lower = Within(joint.limits->lower, -reach, reach, "lower limit");
   link->upper = Within(joint.limits->upper, -reach, reach, "upper limit");
   if (!(link->lower < link->upper)) {
-    Fail("lower limit is " + Text(link->lower) + ", expected less than the upper, " +
-         Text(link->upper));
+    Fail("lower limit is " + NumberText(link->lower) + ", expected less than the upper, " +
+         NumberText(link->upper));
   }
   link->max_velocity = Positive(joint.limits->velocity, kMaxRate, "velocity limit");
   link->max_effort = Positive(joint.limits->effort, kMaxEffort, "effort limit");
@@ -100,12 +96,14 @@ void UrdfElement::ReadMotion(const urdf::Joint& joint, physics::LinkSpec* link) 
 
 double UrdfElement::Within(double value, double low, double high, const char* what) const {
   if (value >= low && value <= high) return value;
-  Fail(std::string(what) + " is " + Text(value) + ", expected " + Text(low) + " to " + Text(high));
+  Fail(std::string(what) + " is " + NumberText(value) + ", expected " + NumberText(low) + " to " +
+       NumberText(high));
 }
 
 double UrdfElement::Positive(double value, double high, const char* what) const {
   if (value > 0 && value <= high) return value;
-  Fail(std::string(what) + " is " + Text(value) + ", expected above 0 to " + Text(high));
+  Fail(std::string(what) + " is " + NumberText(value) + ", expected above 0 to " +
+       NumberText(high));
 }
 
 }  // namespace smile::robot::internal

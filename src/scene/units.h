@@ -4,21 +4,21 @@
 
 namespace smile::scene {
 
-// Files, the classic recording and brains speak the scene's unit (0.1 m unless it says otherwise);
-// C++ speaks metres. These are the only conversions of lengths that may be written down and read
-// again.
+// Commands, the classic recording, brains and results speak the scene's unit (0.1 m unless it says
+// otherwise); C++ speaks metres. These are the conversions between the two. (Scene files have their
+// own, with more digits: any scene must come back from its file to the last bit.)
 
-/// A length from a file [units] in metres.
+/// A length [units] in metres. Divides by 10 rather than multiplying by 0.1, which no double is: 12
+/// units are exactly 1.2 m.
 inline double FromFileUnits(double length, double meters_per_unit) {
-  return length * meters_per_unit;
+  return length / (1.0 / meters_per_unit);
 }
 inline Vector3 FromFileUnits(const Vector3& p, double meters_per_unit) {
-  return p * meters_per_unit;
+  return p / (1.0 / meters_per_unit);
 }
 
-/// A length [m] in the file's unit, chosen so that FromFileUnits() gives the same bits again
-/// whenever `length` itself came out of FromFileUnits(): what was read, simulated and logged reads
-/// the same.
+/// A length [m] in units, chosen so that FromFileUnits() gives the same bits again whenever
+/// `length` itself came out of FromFileUnits(): what was read, simulated and logged reads the same.
 double ToFileUnits(double length, double meters_per_unit);
 Vector3 ToFileUnits(const Vector3& p, double meters_per_unit);
 

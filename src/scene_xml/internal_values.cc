@@ -92,12 +92,6 @@ bool IsRenamedId(std::string_view text) {
          std::all_of(number.begin(), number.end(), IsDigit);
 }
 
-std::string NumberText(double number) {
-  char buffer[64];
-  const auto result = std::to_chars(buffer, buffer + sizeof buffer, number);
-  return {buffer, result.ptr};
-}
-
 std::string PlainNumberText(double number) {
   char buffer[400];  // the largest double has 309 digits
   const auto result =

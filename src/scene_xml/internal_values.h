@@ -37,10 +37,8 @@ bool IsId(std::string_view text);
 /// An id as the program makes it when it has to rename: an id, `#` and digits, as in `obj#3`.
 bool IsRenamedId(std::string_view text);
 
-/// The shortest text that ParseNumber<double>() reads back to the same number.
-std::string NumberText(double number);
-
-/// The same, but never with an exponent: for people.
+/// The shortest text that ParseNumber<double>() reads back to the same number, never with an
+/// exponent: for people.
 std::string PlainNumberText(double number);
 
 }  // namespace smile::scene_xml

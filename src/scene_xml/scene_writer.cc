@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "base/overloaded.h"
+#include "base/wording.h"
 #include "math/angles.h"
 #include "scene_xml/internal_units.h"
 #include "scene_xml/internal_values.h"

@@ -6,15 +6,12 @@
 #include <limits>
 #include <stdexcept>
 
+#include "wire_verbs.h"
+
 namespace smile::brain {
 namespace {
 
-constexpr std::array kTwoBySeven{2u, 7u};
 constexpr std::array kTwoByOne{2u, 1u};
-
-Message Decoded(const std::vector<std::byte>& frame) {
-  return std::get<Message>(DecodeFrame(frame));
-}
 
 /// A motor message that is right, for tests to spoil.
 class MotorMessage {

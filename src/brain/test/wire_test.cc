@@ -7,10 +7,10 @@
 #include <random>
 #include <stdexcept>
 
+#include "wire_verbs.h"
+
 namespace smile::brain {
 namespace {
-
-constexpr std::array kTwoBySeven{2u, 7u};
 
 /// One of everything.
 std::vector<std::byte> SampleFrame() {
@@ -25,12 +25,6 @@ std::vector<std::byte> SampleFrame() {
   const auto image = writer.AddSpace("rgbVision", ElementType::kByte, true, std::array{2u, 3u, 3u});
   for (std::size_t k = 0; k < image.size(); ++k) image[k] = std::byte(k * 15);
   return writer.Finish();
-}
-
-Message Decoded(std::span<const std::byte> frame) {
-  auto decoded = DecodeFrame(frame);
-  if (const auto* error = std::get_if<WireError>(&decoded)) ADD_FAILURE() << error->message;
-  return std::get<Message>(decoded);
 }
 
 std::string ErrorOf(std::span<const std::byte> frame) {

@@ -4,10 +4,12 @@
 
 #include <random>
 
+#include "scene/scene_spec.h"
+
 namespace smile::sim {
 namespace {
 
-constexpr double kUnit = 0.1;
+constexpr double kUnit = scene::kMetersPerUnit;
 
 std::string MessageOf(const char* text) {
   try {
@@ -23,8 +25,8 @@ TEST(CommandJson, ReadsLengthsInFileUnits) {
       Json::parse(R"({"hand":"left","do":"move_to","position":[1,-2.5,3],"speed":2})"), kUnit);
   const auto& move = std::get<MoveTo>(command);
   EXPECT_EQ(move.hand, HandName::kLeft);
-  EXPECT_EQ(move.p_WH, Vector3(1 * kUnit, -2.5 * kUnit, 3 * kUnit));
-  EXPECT_EQ(move.speed, 2 * kUnit);
+  EXPECT_EQ(move.p_WH, Vector3(0.1, -0.25, 0.3));
+  EXPECT_EQ(move.speed, 0.2);
 }
 
 TEST(CommandJson, RoundTripsEveryKindToTheLastBit) {

@@ -6,14 +6,12 @@
 namespace smile::sim {
 namespace {
 
-constexpr double kUnit = 0.1;
-
 class ScriptTest : public SimulationFixture {
  protected:
   /// Plays to the end; returns the first complaint.
   std::string Play(std::string_view text) {
     try {
-      ScriptPlayer player(ParseScript(text, "demo.jsonl", kUnit));
+      ScriptPlayer player(ParseScript(text, "demo.jsonl", scene::kMetersPerUnit));
       for (int i = 0; i < 3000; ++i) {
         player.Advance(simulation_.get());
         if (player.is_finished()) return "";

@@ -1,0 +1,142 @@
+// The walls of the house: who includes whom is what src/CMakeLists.txt and docs/architecture.md
+// say.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+
+#include "base/files.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+using Rooms = std::map<std::string, std::set<std::string>>;
+
+const fs::path kRoot = SMILE_SOURCE_DIR;
+
+std::string Text(const fs::path& path) { return smile::ReadFile(path, 1 << 24); }
+
+/// Who may include whom directly, as the build says.
+Rooms TableOfTheBuild() {
+  Rooms table;
+  const std::string text = Text(kRoot / "src/CMakeLists.txt");
+  const std::regex call(R"(smile_room\((\w+)([^)]*)\))");
+  for (std::sregex_iterator it(text.begin(), text.end(), call), end; it != end; ++it) {
+    std::set<std::string>& neighbours = table[(*it)[1]];
+    std::istringstream words((*it)[2]);
+    bool is_neighbour = false;
+    for (std::string word; words >> word;) {
+      if (word == "MAY_INCLUDE" || word == "PUBLIC" || word == "PRIVATE") {
+        is_neighbour = word == "MAY_INCLUDE";
+      } else if (is_neighbour) {
+        neighbours.insert(word);
+      }
+    }
+  }
+  return table;
+}
+
+/// The same as docs/architecture.md says: rows `| room | may include |`.
+Rooms TableOfTheDocument() {
+  Rooms table;
+  std::istringstream lines(Text(kRoot / "docs/architecture.md"));
+  const std::regex row(R"(\| `(\w+)` \| ([^|]*) \|.*)");
+  std::smatch match;
+  for (std::string line; std::getline(lines, line);) {
+    if (!std::regex_match(line, match, row)) continue;
+    std::set<std::string>& neighbours = table[match[1]];
+    std::istringstream words(match[2]);
+    for (std::string word; words >> word;) {
+      while (!word.empty() && word.back() == ',') word.pop_back();
+      if (word != "–") neighbours.insert(word);
+    }
+  }
+  return table;
+}
+
+/// A room also sees what its neighbours see.
+std::set<std::string> VisibleFrom(const std::string& room, const Rooms& table) {
+  std::set<std::string> seen{room};
+  for (const std::string& neighbour : table.at(room)) {
+    seen.merge(VisibleFrom(neighbour, table));
+  }
+  return seen;
+}
+
+template <class Visit>
+void ForEachSource(const std::string& room, Visit visit) {
+  for (const auto& entry : fs::recursive_directory_iterator(kRoot / "src" / room)) {
+    const std::string extension = entry.path().extension();
+    if (extension == ".h" || extension == ".cc") visit(entry.path());
+  }
+}
+
+std::set<std::string> IncludesOf(const fs::path& file) {
+  std::set<std::string> includes;
+  const std::string text = Text(file);
+  const std::regex include(R"re(#include ["<]([^">]+)[">])re");
+  for (std::sregex_iterator it(text.begin(), text.end(), include), end; it != end; ++it) {
+    includes.insert((*it)[1]);
+  }
+  return includes;
+}
+
+TEST(Architecture, TheDocumentAndTheBuildNameTheSameArrows) {
+  EXPECT_EQ(TableOfTheDocument(), TableOfTheBuild());
+}
+
+TEST(Architecture, EveryIncludeFollowsAnArrow) {
+  const Rooms table = TableOfTheBuild();
+  ASSERT_GE(table.size(), 14u);
+  for (const auto& [room, neighbours] : table) {
+    const std::set<std::string> visible = VisibleFrom(room, table);
+    ForEachSource(room, [&](const fs::path& file) {
+      for (const std::string& include : IncludesOf(file)) {
+        const std::string target = include.substr(0, include.find('/'));
+        if (!table.contains(target)) continue;
+        EXPECT_TRUE(visible.contains(target)) << file << " includes " << include;
+      }
+    });
+  }
+}
+
+TEST(Architecture, InternalHeadersStayInTheirRoom) {
+  for (const auto& [room, neighbours] : TableOfTheBuild()) {
+    ForEachSource(room, [&room = room](const fs::path& file) {
+      for (const std::string& include : IncludesOf(file)) {
+        if (include.find("/internal_") == std::string::npos) continue;
+        EXPECT_EQ(include.substr(0, include.find('/')), room) << file << " includes " << include;
+      }
+    });
+  }
+}
+
+TEST(Architecture, EveryLibraryHasOneHome) {
+  const std::map<std::string, std::string> homes = {
+      {"bt", "physics"},    {"Bullet", "physics"}, {"libxml/", "scene_xml"}, {"epoxy/", "camera"},
+      {"EGL/", "camera"},   {"png.h", "record"},   {"urdf_", "robot"},       {"libav", "dataset"},
+      {"libsw", "dataset"}, {"CLI/", "app"},       {"benchmark/", "app"},    {"nlohmann/", "base"}};
+  Rooms table = TableOfTheBuild();
+  table["app"];
+  for (const auto& [room, neighbours] : table) {
+    ForEachSource(room, [&, &room = room](const fs::path& file) {
+      for (const std::string& include : IncludesOf(file)) {
+        for (const auto& [prefix, home] : homes) {
+          if (include.rfind(prefix, 0) != 0) continue;
+          EXPECT_EQ(room, home) << file << " includes " << include;
+          const bool is_public =
+              file.extension() == ".h" && file.filename().string().rfind("internal_", 0) != 0;
+          EXPECT_TRUE(!is_public || home == "base") << file << " shows " << include << " to all";
+        }
+      }
+    });
+  }
+}
+
+}  // namespace

@@ -1,0 +1,52 @@
+#include "program.h"
+
+namespace smile {
+namespace {
+
+class Check : public ProgramTest {};
+
+TEST_F(Check, AcceptsEveryShippedScene) {
+  const Answer answer = Smile("check --json " + Shipped("scenes/*.xml"));
+  EXPECT_EQ(answer.exit_code, 0) << answer.err;
+  EXPECT_TRUE(answer.json()["ok"]);
+  EXPECT_GT(answer.json()["objects"], 20);
+}
+
+TEST_F(Check, NamesEveryFaultWithItsAddress) {
+  Write("bad.xml", SceneOf("<block id=\"a\" location=\"(0, 0)\"/>\n"
+                           "<blok id=\"b\" location=\"(0,0,0)\"/>\n"
+                           "<block id=\"c\" location=\"(0,0,0)\" mass=\"-1\"/>"));
+  const Answer answer = Smile("check bad.xml --json");
+  EXPECT_EQ(answer.exit_code, 1);
+  const Json result = answer.json();
+  EXPECT_FALSE(result["ok"]);
+  ASSERT_EQ(result["diagnostics"].size(), 3u);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(result["diagnostics"][i]["file"], "bad.xml");
+    EXPECT_EQ(result["diagnostics"][i]["line"], i + 2);
+  }
+  EXPECT_NE(answer.err.find("bad.xml:3: <blok id=\"b\">: "), std::string::npos) << answer.err;
+}
+
+TEST_F(Check, AMissingFileIsAnErrorWithALine) {
+  const Answer answer = Smile("check nowhere.xml --json");
+  EXPECT_EQ(answer.exit_code, 1);
+  EXPECT_FALSE(answer.json()["ok"]);
+  EXPECT_GT(answer.json()["diagnostics"][0]["line"], 0);
+}
+
+TEST_F(Check, ExpandedScenesReadBackTheSame) {
+  const Answer first = Smile("check --expand " + Shipped("scenes/shapes.xml"));
+  Write("shapes.xml", first.out);
+  EXPECT_EQ(Smile("check --expand shapes.xml").out, first.out);
+}
+
+TEST_F(Check, WrongUseIsExitCodeTwo) {
+  EXPECT_EQ(Smile("").exit_code, 2);
+  EXPECT_EQ(Smile("chekc x.xml").exit_code, 2);
+  EXPECT_EQ(Smile("check").exit_code, 2);
+  EXPECT_EQ(Smile("--help").exit_code, 0);
+}
+
+}  // namespace
+}  // namespace smile

@@ -1,0 +1,79 @@
+#include "program.h"
+
+namespace smile {
+namespace {
+
+class RecordingAsUsed : public ProgramTest {
+ protected:
+  RecordingAsUsed() {
+    Write("pair.xml", PairOfBlocks());
+    Write("stack.jsonl", StackPair());
+  }
+};
+
+TEST_F(RecordingAsUsed, ReplaysIdenticallyWithoutItsScene) {
+  ASSERT_EQ(Smile("run pair.xml --commands stack.jsonl --record demo").exit_code, 0);
+  std::filesystem::remove(directory_ / "pair.xml");
+  const Answer answer = Smile("replay demo --verify --json");
+  EXPECT_EQ(answer.exit_code, 0) << answer.err;
+  EXPECT_TRUE(answer.json()["identical"]);
+  EXPECT_GT(answer.json()["ticks"], 40);
+  EXPECT_TRUE(answer.json()["first_difference"].is_null());
+}
+
+TEST_F(RecordingAsUsed, HoldsTheClassicView) {
+  ASSERT_EQ(Smile("run pair.xml --commands stack.jsonl --record demo").exit_code, 0);
+  EXPECT_EQ(Read("demo/0.txt").rfind("0,create,a,shape,block\n0,create,b,shape,block\n", 0), 0u);
+  EXPECT_TRUE(Exists("demo/0/0.png"));
+  EXPECT_NE(Read("demo/1.txt").find(",grasp,RightHand,a\n"), std::string::npos);
+  EXPECT_NE(Read("demo/2.txt").find(",release,RightHand\n"), std::string::npos);
+}
+
+TEST_F(RecordingAsUsed, ADifferenceIsNamedAndIsExitCodeOne) {
+  ASSERT_EQ(Smile("run pair.xml --commands stack.jsonl --record demo").exit_code, 0);
+  ASSERT_EQ(Shell("sed -i 's/-3.0,2.5/-3.0,2.6/' demo/commands.jsonl").exit_code, 0);
+  const Answer answer = Smile("replay demo --verify --json");
+  EXPECT_EQ(answer.exit_code, 1);
+  EXPECT_EQ(answer.json()["first_difference"]["object"], "a");
+  EXPECT_EQ(Smile("replay demo").exit_code, 0);
+}
+
+TEST_F(RecordingAsUsed, IsNeverOverwritten) {
+  ASSERT_EQ(Smile("run pair.xml --seconds 1 --record demo").exit_code, 0);
+  const Answer again = Smile("run pair.xml --seconds 1 --record demo");
+  EXPECT_EQ(again.exit_code, 1);
+  EXPECT_EQ(again.err,
+            "demo: exists already; a recording is never overwritten, name a new directory\n");
+}
+
+TEST_F(RecordingAsUsed, AFailedScriptKeepsWhatWasRecorded) {
+  Write("bad.jsonl", StackPair() + "{\"hand\":\"left\",\"do\":\"grasp\",\"object\":\"z\"}\n");
+  EXPECT_EQ(Smile("run pair.xml --commands bad.jsonl --record demo").exit_code, 1);
+  const Answer answer = Smile("replay demo --verify --json");
+  EXPECT_EQ(answer.exit_code, 0) << answer.err;
+  EXPECT_GT(answer.json()["ticks"], 40);
+}
+
+TEST_F(RecordingAsUsed, SurvivesBeingKilledAndEndsCleanlyWhenAsked) {
+  const Answer killed =
+      Shell("\"" SMILE_PROGRAM
+            "\" run pair.xml --seconds 600 --realtime --record killed & sleep 1.5; "
+            "kill -9 $!; wait");
+  EXPECT_GT(Smile("replay killed --verify --json").json()["ticks"], 10);
+
+  const Answer asked = Shell("\"" SMILE_PROGRAM
+                             "\" run pair.xml --seconds 600 --realtime --record asked --json & "
+                             "sleep 1.5; kill -TERM $!; wait $!");
+  EXPECT_EQ(asked.exit_code, 0) << asked.err;
+  EXPECT_LT(asked.json()["ticks"], 600);
+  EXPECT_EQ(Smile("replay asked --verify").exit_code, 0);
+}
+
+TEST_F(RecordingAsUsed, WhatIsNoRecordingIsSaidSo) {
+  const Answer answer = Smile("replay . --verify");
+  EXPECT_EQ(answer.exit_code, 1);
+  EXPECT_EQ(answer.err, ".: is not a recording; expected a directory with a demo.json in it\n");
+}
+
+}  // namespace
+}  // namespace smile

@@ -1,0 +1,77 @@
+#include "program.h"
+
+namespace smile {
+namespace {
+
+class Run : public ProgramTest {
+ protected:
+  Run() {
+    Write("pair.xml", PairOfBlocks());
+    Write("stack.jsonl", StackPair());
+  }
+};
+
+TEST_F(Run, SecondsAreExactTicks) {
+  EXPECT_EQ(Smile("run pair.xml --seconds 5 --json").json()["ticks"], 300);
+  const Json start = Smile("run pair.xml --seconds 0 --json").json();
+  EXPECT_EQ(start["ticks"], 0);
+  EXPECT_EQ(start["objects"]["b"]["position"], Json({2.0, -3.0, 0.5}));
+  EXPECT_EQ(start["robot"]["left"]["joints"].size(), 7u);
+}
+
+TEST_F(Run, AScriptStacksABlock) {
+  const Answer answer = Smile("run pair.xml --commands stack.jsonl --json");
+  ASSERT_EQ(answer.exit_code, 0) << answer.err;
+  const Json position = answer.json()["objects"]["a"]["position"];
+  EXPECT_NEAR(position[0].get<double>(), 2, 0.01);
+  EXPECT_NEAR(position[2].get<double>(), 1.5, 0.01);
+}
+
+TEST_F(Run, RecordingPacingAndProcessesNeverChangeTheHash) {
+  const std::string base = "run pair.xml --commands stack.jsonl --seconds 4 --json";
+  const std::string hash = Smile(base).json()["hash"];
+  EXPECT_EQ(Smile(base).json()["hash"], hash);
+  EXPECT_EQ(Smile(base + " --record demo").json()["hash"], hash);
+  EXPECT_EQ(Smile(base + " --realtime").json()["hash"], hash);
+}
+
+TEST_F(Run, StdoutIsOneJsonObjectAndNothingElse) {
+  const Answer answer = Smile("run pair.xml --seconds 1 --record demo --json");
+  EXPECT_NO_THROW(answer.json()) << answer.out;
+}
+
+TEST_F(Run, WrongInputIsOneClearMessageAndExitCodeOne) {
+  EXPECT_EQ(Smile("run nowhere.xml --seconds 1").exit_code, 1);
+  Write("unknown.jsonl", "{\"hand\":\"left\",\"do\":\"grasp\",\"object\":\"z\"}\n");
+  const Answer unknown = Smile("run pair.xml --commands unknown.jsonl");
+  EXPECT_EQ(unknown.exit_code, 1);
+  EXPECT_EQ(unknown.err, "unknown.jsonl:1: there is no object 'z'\n");
+
+  Write("twice.jsonl",
+        "{\"hand\":\"left\",\"do\":\"grasp\",\"object\":\"a\"}\n"
+        "{\"hand\":\"right\",\"do\":\"grasp\",\"object\":\"a\"}\n");
+  const Answer twice = Smile("run pair.xml --commands twice.jsonl");
+  EXPECT_EQ(twice.exit_code, 1);
+  EXPECT_EQ(twice.err, "twice.jsonl:2: 'a' is already held by the left hand\n");
+}
+
+TEST_F(Run, WrongUseIsExitCodeTwo) {
+  EXPECT_EQ(Smile("run pair.xml").exit_code, 2);
+  EXPECT_EQ(Smile("run pair.xml --seconds -1").exit_code, 2);
+  EXPECT_EQ(Smile("run pair.xml --seconds 1 --record x --size big").exit_code, 2);
+  EXPECT_EQ(Smile("run pair.xml --seconds 1 --brain x --no-robot").exit_code, 2);
+}
+
+TEST_F(Run, AnUnwritablePlaceIsExitCodeThree) {
+  const Answer answer = Smile("run pair.xml --seconds 1 --record /dev/null/demo");
+  EXPECT_EQ(answer.exit_code, 3);
+  EXPECT_NE(answer.err.find("/dev/null/demo"), std::string::npos) << answer.err;
+}
+
+TEST_F(Run, TheSchemaIsJson) {
+  EXPECT_EQ(Smile("commands --schema").json()["title"], "SMILE command");
+  EXPECT_NE(Smile("commands").out.find("move_to: "), std::string::npos);
+}
+
+}  // namespace
+}  // namespace smile

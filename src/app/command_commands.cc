@@ -9,7 +9,7 @@
 namespace smile::app {
 namespace {
 
-/// docs/commands.md, made from the schema.
+/// For people, made from the schema; docs/commands.md quotes it.
 std::string Describe(const Json& schema) {
   std::string text;
   for (const Json& form : schema.at("oneOf")) {

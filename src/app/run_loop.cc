@@ -77,9 +77,11 @@ class LiveRun {
                                                                 line.data());
                                                           },
                                                       .is_cancelled = &IsInterrupted});
-    driver_.emplace(&*process_, brain::BrainDriverOptions{.eye = &*eye_,
-                                                          .image_seconds = plan_.image_seconds,
-                                                          .demonstration = plan_.demonstration});
+    driver_.emplace(&*process_,
+                    brain::BrainDriverOptions{.eye = &*eye_,
+                                              .image_seconds = plan_.image_seconds,
+                                              .has_trackers = brain::MayReadTrackers(plan_.brain),
+                                              .demonstration = plan_.demonstration});
     driver_->Start(&simulation_);
   }
 

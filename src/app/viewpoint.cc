@@ -17,7 +17,7 @@ struct Preset {
 
 const std::array<Preset, 5>& Presets() {
   static const std::array<Preset, 5> kPresets{{
-      {"nice", {1.55, 1.45, 1.15}, {0, -0.35, 0.12}},
+      {"nice", {1.75, 1.75, 1.3}, {0, -0.5, 0.22}},
       {"front", {0, 2.3, 0.9}, {0, -0.3, 0.2}},
       {"left", {-2.3, -0.2, 0.9}, {0, -0.3, 0.2}},
       {"right", {2.3, -0.2, 0.9}, {0, -0.3, 0.2}},

@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "base/files.h"
 #include "robot/robot_visuals.h"
 #include "scene/units.h"
 
@@ -54,6 +55,19 @@ std::map<std::string, Eigen::RowVector3d, std::less<>> TrackersOf(
 }
 
 }  // namespace
+
+bool MayReadTrackers(const std::filesystem::path& brain) {
+  constexpr std::size_t kMaxScriptBytes = 4u << 20;
+  std::error_code error;
+  if (!std::filesystem::is_directory(brain, error)) return true;
+  for (const auto& entry : std::filesystem::directory_iterator(brain, error)) {
+    if (entry.path().extension() != ".m" || !entry.is_regular_file(error)) continue;
+    if (entry.file_size(error) > kMaxScriptBytes) return true;
+    const std::string script = ReadFile(entry.path(), kMaxScriptBytes);
+    if (script.find("trackerLoc") != std::string::npos) return true;
+  }
+  return false;
+}
 
 std::string_view ToString(BrainStatus status) {
   switch (status) {
@@ -107,7 +121,7 @@ Sensor BrainDriver::Sense(const sim::Simulation& simulation) {
     sensor.gripper_openings(arm) =
         scene::ToFileUnits(robot.GripperOpening(arm), simulation.scene().meters_per_unit);
   }
-  sensor.tracker_locations = TrackersOf(simulation);
+  if (options_.has_trackers) sensor.tracker_locations = TrackersOf(simulation);
   if (options_.eye != nullptr &&
       simulation.seconds() + 1e-9 >= static_cast<double>(num_images_) * options_.image_seconds) {
     sensor.rgb_vision = options_.eye->Look(simulation);

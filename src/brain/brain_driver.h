@@ -14,10 +14,15 @@ namespace smile::brain {
 struct BrainDriverOptions {
   sim::Eye* eye = nullptr;              ///< takes its pictures; nullptr for a blind brain
   double image_seconds = 0.25;          ///< between fresh pictures, in simulated time
+  bool has_trackers = true;             ///< tell it `sensor.trackerLoc` too; see MayReadTrackers()
   std::filesystem::path demonstration;  ///< the recording to imitate; empty for none
   /// Told the points a brain marks for people [m]; they are in no picture the robot sees.
   std::function<void(const std::vector<Vector3>&)> on_markers;
 };
+
+/// False for a folder none of whose scripts names `trackerLoc`. In Octave its map costs more time
+/// than all the rest of a step, so only those pay who read it.
+bool MayReadTrackers(const std::filesystem::path& brain);
 
 enum class BrainStatus { kRunning, kExited, kFailed };
 std::string_view ToString(BrainStatus status);

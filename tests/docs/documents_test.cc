@@ -58,6 +58,12 @@ TEST_P(Documents, ScenesAreRight) {
   }
 }
 
+TEST_F(ProgramTest, TheListOfCommandsIsTheProgramsOwn) {
+  const std::vector<std::string> blocks = BlocksOf("docs/commands.md", "text");
+  ASSERT_EQ(blocks.size(), 1u);
+  EXPECT_EQ(blocks.front(), Smile("commands").out);
+}
+
 INSTANTIATE_TEST_SUITE_P(All, Documents,
                          ::testing::Values("README.md", "docs/architecture.md", "docs/brains.md",
                                            "docs/brain-protocol.md", "docs/commands.md",

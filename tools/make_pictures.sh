@@ -1,0 +1,11 @@
+#!/usr/bin/env bash
+# Makes the pictures of the documents anew, with the program itself. Needs ./run once.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+program=build/release/bin/smile
+[[ -x $program ]] || { echo "run ./run once, it builds $program" >&2; exit 2; }
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+mkdir -p docs/images
+"$program" experiment tower --out "$scratch/tower" --no-films
+"$program" render "$scratch/tower/imitation" --out docs/images/tower.png --size 960x540

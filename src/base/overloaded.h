@@ -8,4 +8,8 @@ struct Overloaded : Visitors... {
   using Visitors::operator()...;
 };
 
+/// C++20 needs no guide here, but some compilers and tools still do.
+template <class... Visitors>
+Overloaded(Visitors...) -> Overloaded<Visitors...>;
+
 }  // namespace smile

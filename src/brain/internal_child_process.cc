@@ -157,7 +157,7 @@ bool ChildProcess::HasEnded() const {
 bool ChildProcess::WaitForEnd(const WaitLimit& limit) const {
   while (!HasEnded()) {
     if (limit.HasPassed() || limit.IsCancelled()) return false;
-    const timespec slice{.tv_sec = 0, .tv_nsec = kPollSliceMs * 1'000'000};
+    const timespec slice{.tv_sec = 0, .tv_nsec = kPollSliceMs * 1'000'000L};
     ::nanosleep(&slice, nullptr);
   }
   return true;

@@ -184,7 +184,7 @@ class SceneWriter {
   void Attribute(std::string_view name, std::string_view value) {
     text_ += " " + std::string(name) + "=\"" + Escaped(value) + "\"";
   }
-  void Indent(int depth) { text_.append(2 * depth, ' '); }
+  void Indent(int depth) { text_.append(std::size_t{2} * depth, ' '); }
 
   double meters_per_unit_;
   std::string text_;

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdio>
 #include <memory>
+#include <stdexcept>
 
 #include "app/commands.h"
 #include "app/exit_code.h"
@@ -29,6 +30,9 @@ struct Experiment {
 
 constexpr Experiment kTower{"tower", "scenes/tower.xml", "examples/tower.jsonl",
                             "scenes/tower_robot.xml", "matlab/examples/tower"};
+
+/// Films show two seconds in one: the robot takes its time.
+constexpr double kFilmSpeed = 2;
 
 struct ExperimentOptions {
   std::string name = kTower.name, out;
@@ -67,7 +71,10 @@ void FilmBoth(const std::filesystem::path& out) {
   for (const char* name : {"demonstration", "imitation"}) {
     if (IsInterrupted()) return;
     Film(record::OpenRecording(out / name), (out / name).string() + ".mp4",
-         {.progress = std::string("filming the ") + name});
+         {.size = {.width_px = 854, .height_px = 480},
+          .frames_per_second = 20,
+          .speed = kFilmSpeed,
+          .progress = std::string("filming the ") + name});
   }
 }
 
@@ -90,7 +97,8 @@ void PrintSummary(const ImitationOutcome& outcome, const std::filesystem::path& 
   std::printf("  %s/demonstration   the recording of the hands\n", out.c_str());
   std::printf("  %s/imitation       the recording of the robot\n", out.c_str());
   if (has_films) {
-    std::printf("  %s/demonstration.mp4, %s/imitation.mp4\n", out.c_str(), out.c_str());
+    std::printf("  %s/demonstration.mp4, %s/imitation.mp4   films, at %gx speed\n", out.c_str(),
+                out.c_str(), kFilmSpeed);
   }
   std::printf("  %s/result.json\n", out.c_str());
 }
@@ -103,6 +111,7 @@ int RunExperiment(const ExperimentOptions& options) {
   MoveAside(out);
   MakeDirectories(out);
   RecordDemonstration(experiment, out / "demonstration");
+  if (IsInterrupted()) throw std::runtime_error("interrupted; what was recorded is kept");
 
   scene::SceneSpec scene = scene_xml::LoadScene(DataFile(experiment.robot_scene));
   if (options.seed) scene = task::RandomLayout(std::move(scene), *options.seed);

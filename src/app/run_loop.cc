@@ -43,6 +43,8 @@ std::string HashText(std::uint64_t hash) {
 class LiveRun {
  public:
   explicit LiveRun(const RunPlan& plan) : plan_(plan), simulation_(plan.scene, plan.robot) {
+    // A brain that does not exist must not leave an empty recording behind.
+    if (!plan.brain.empty()) FindBrain();
     const bool needs_eye = !plan.record.empty() || !plan.brain.empty();
     if (needs_eye) eye_.emplace(plan.eye);
     if (!plan.record.empty()) {
@@ -50,7 +52,7 @@ class LiveRun {
       simulation_.AddListener(&*recorder_);
     }
     if (plan.script) player_.emplace(*plan.script);
-    if (!plan.brain.empty()) StartBrain();
+    if (process_) StartBrain();
   }
 
   RunOutcome Go() {
@@ -68,7 +70,7 @@ class LiveRun {
   }
 
  private:
-  void StartBrain() {
+  void FindBrain() {
     process_.emplace(plan_.brain, brain::BrainOptions{.on_output =
                                                           [](std::string_view line) {
                                                             std::fprintf(
@@ -77,6 +79,9 @@ class LiveRun {
                                                                 line.data());
                                                           },
                                                       .is_cancelled = &IsInterrupted});
+  }
+
+  void StartBrain() {
     driver_.emplace(&*process_,
                     brain::BrainDriverOptions{.eye = &*eye_,
                                               .image_seconds = plan_.image_seconds,

@@ -50,19 +50,19 @@ std::filesystem::path WithTag(std::filesystem::path path, const std::string& tag
   return path.replace_extension("." + tag + path.extension().string());
 }
 
-void RenderPicture(const sim::Simulation& simulation, const scene::FramePoses& poses,
+void RenderPicture(const sim::Simulation& simulation, const record::TraceTick& moment,
                    const RenderCommandOptions& options) {
   const Channels channels = ParseChannels(options.channels);
   const bool is_eye = options.camera == "eye";
-  camera::RenderOptions render{
+  const camera::RenderOptions render{
       .color = channels.rgb,
       .depth = channels.depth,
       .ids = channels.id,
-      .look = is_eye ? camera::Look::kRobotEye : camera::Look::kPresentation};
-  if (is_eye) render.excluded_frames = sim::FramesHiddenFromEye(simulation);
+      .look = is_eye ? camera::Look::kRobotEye : camera::Look::kPresentation,
+      .excluded_frames = HiddenFrames(moment, simulation, is_eye)};
   const Image image = camera::Renderer().Render(
-      simulation.visual_model(), poses,
-      FindView(options.camera, simulation, ParseSize(options.size)), render);
+      simulation.visual_model(), PosesAt(moment, simulation),
+      FindView(options.camera, simulation, moment.joints, ParseSize(options.size)), render);
   const auto write = [](auto writer, const std::filesystem::path& path, const Image& what) {
     writer(path, what);
     std::printf("%s\n", path.c_str());
@@ -84,7 +84,7 @@ int Render(const RenderCommandOptions& options) {
       throw std::invalid_argument("a film needs a recording, but '" + options.subject +
                                   "' is none");
     }
-    RenderPicture(simulation, simulation.frame_poses(), options);
+    RenderPicture(simulation, record::Observe(simulation), options);
     return kDone;
   }
   const record::Recording recording = record::OpenRecording(options.subject);
@@ -102,7 +102,7 @@ int Render(const RenderCommandOptions& options) {
   const sim::Simulation simulation(recording.scene, recording.robot);
   const auto last = LastMoment(recording);
   if (!last) throw InputError({options.subject, 0, "", "its trace holds no moment"});
-  RenderPicture(simulation, PosesAt(*last, simulation), options);
+  RenderPicture(simulation, *last, options);
   return kDone;
 }
 

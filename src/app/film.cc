@@ -10,17 +10,17 @@
 #include "robot/robot_visuals.h"
 
 namespace smile::app {
-namespace {
 
-/// Frames of a robot that was hidden at that moment.
-std::vector<int> HiddenFrames(const record::TraceTick& moment, const sim::Simulation& simulation) {
-  if (moment.is_robot_shown || simulation.robot() == nullptr) return {};
+std::vector<int> HiddenFrames(const record::TraceTick& moment, const sim::Simulation& simulation,
+                              bool is_eye) {
+  if (simulation.robot() == nullptr) return {};
+  if (moment.is_robot_shown) {
+    return is_eye ? sim::FramesHiddenFromEye(simulation) : std::vector<int>();
+  }
   std::vector<int> frames(robot::NumVisualFrames(simulation.robot()->model()));
   std::iota(frames.begin(), frames.end(), simulation.first_robot_frame());
   return frames;
 }
-
-}  // namespace
 
 scene::FramePoses PosesAt(const record::TraceTick& moment, const sim::Simulation& simulation) {
   scene::FramePoses poses(1);
@@ -35,7 +35,6 @@ scene::FramePoses PosesAt(const record::TraceTick& moment, const sim::Simulation
 void Film(const record::Recording& recording, const std::filesystem::path& mp4,
           const FilmOptions& options) {
   const sim::Simulation simulation(recording.scene, recording.robot);
-  const CameraView view = FindView(options.camera, simulation, options.size);
   const bool is_eye = options.camera == "eye";
   camera::Renderer renderer;
   dataset::VideoWriter video(mp4, options.size.width_px, options.size.height_px,
@@ -48,11 +47,10 @@ void Film(const record::Recording& recording, const std::filesystem::path& mp4,
     const double seconds = static_cast<double>(moment->tick) / sim::kTicksPerSecond;
     const double due = video.num_frames() * options.speed / options.frames_per_second;
     if (seconds + 1e-9 < due) continue;
-    std::vector<int> hidden = HiddenFrames(*moment, simulation);
-    if (is_eye && hidden.empty()) hidden = sim::FramesHiddenFromEye(simulation);
-    renderer.Render(simulation.visual_model(), PosesAt(*moment, simulation), view,
+    renderer.Render(simulation.visual_model(), PosesAt(*moment, simulation),
+                    FindView(options.camera, simulation, moment->joints, options.size),
                     {.look = is_eye ? camera::Look::kRobotEye : camera::Look::kPresentation,
-                     .excluded_frames = hidden},
+                     .excluded_frames = HiddenFrames(*moment, simulation, is_eye)},
                     &image);
     // A rate above the ticks' shows a moment more than once.
     while (video.num_frames() * options.speed / options.frames_per_second <= seconds + 1e-9) {

@@ -22,6 +22,11 @@ struct FilmOptions {
 /// scene and robot.
 scene::FramePoses PosesAt(const record::TraceTick& moment, const sim::Simulation& simulation);
 
+/// Frames that were not to be seen at that moment: a hidden robot's; from the eye, the head it sits
+/// in.
+std::vector<int> HiddenFrames(const record::TraceTick& moment, const sim::Simulation& simulation,
+                              bool is_eye);
+
 /// Films a recording from outside, from its trace, without physics.
 /// @throws InputError if the trace cannot be read; std::runtime_error if the film cannot be
 /// written.

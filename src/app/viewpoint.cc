@@ -35,8 +35,8 @@ std::vector<std::string> ViewNames() {
 }
 
 CameraView FindView(std::string_view name, const sim::Simulation& simulation,
-                    const sim::EyeSpec& size) {
-  if (name == "eye") return EyeView(simulation, size);
+                    std::span<const double> q, const sim::EyeSpec& size) {
+  if (name == "eye") return EyeView(simulation, q, size);
   for (const Preset& preset : Presets()) {
     if (preset.name != name) continue;
     return {.intrinsics = CameraIntrinsics::FromVerticalFieldOfView(size.width_px, size.height_px,

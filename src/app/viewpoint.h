@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,9 +14,10 @@ namespace smile::app {
 /// The names FindView() knows: `eye` and the presets for people.
 std::vector<std::string> ViewNames();
 
-/// A camera by name: `eye` is the robot's; the others look at the table from outside.
+/// A camera by name: `eye` is the robot's, when its joints are at `q`; the others look at the table
+/// from outside.
 /// @throws std::invalid_argument if there is no such camera.
 CameraView FindView(std::string_view name, const sim::Simulation& simulation,
-                    const sim::EyeSpec& size);
+                    std::span<const double> q, const sim::EyeSpec& size);
 
 }  // namespace smile::app

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "robot/grasp_rule.h"
+#include "robot/kinematics.h"
 
 namespace smile::robot {
 namespace {
@@ -130,17 +131,8 @@ double RobotBody::GripperOpening(int arm) const {
   return q[gripper->left_finger] + q[gripper->right_finger];
 }
 
-RigidTransform RobotBody::FrameInWorld(int frame) const {
-  const Frame& which = model_.frames.at(frame);
-  if (which.link < 0) return X_WBase_ * which.X_LF;
-  return articulation().link_poses()[which.link] * which.X_LF;
-}
-
-RigidTransform RobotBody::ToolPose(int arm) const { return FrameInWorld(model_.arms.at(arm).tool); }
-
-RigidTransform RobotBody::CameraPose() const {
-  if (!model_.head) throw std::logic_error(model_.name + " has no head camera");
-  return FrameInWorld(model_.head->camera);
+RigidTransform RobotBody::ToolPose(int arm) const {
+  return FramePose(model_, X_WBase_, positions(), model_.arms.at(arm).tool);
 }
 
 std::vector<physics::BodyId> RobotBody::HeldBodies(int arm) const {

@@ -55,7 +55,6 @@ class RobotBody {
   double HeadAngle() const;                      ///< [rad]; 0 without a head
   double GripperOpening(int arm) const;          ///< [m]; 0 without a gripper
   RigidTransform ToolPose(int arm) const;        ///< X_WG, between the fingers
-  RigidTransform CameraPose() const;             ///< X_WC: x right, y down, z forward
   std::vector<physics::BodyId> HeldBodies(int arm) const;
   std::vector<double> positions() const;  ///< q of all joints, as in model()
   const RigidTransform& base_pose() const { return X_WBase_; }
@@ -66,7 +65,6 @@ class RobotBody {
  private:
   physics::Articulation& articulation() { return world_->articulation(articulation_); }
   const physics::Articulation& articulation() const { return world_->articulation(articulation_); }
-  RigidTransform FrameInWorld(int frame) const;
   void CloseAround(int arm);
   void LetGo(int arm);
   void CommandFingers(int arm);

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "math/angles.h"
+#include "robot/kinematics.h"
 
 namespace smile::sim {
 namespace {
@@ -22,10 +23,17 @@ RigidTransform EyeInBase() {
 }  // namespace
 
 CameraView EyeView(const Simulation& simulation, const EyeSpec& spec) {
+  std::vector<double> q;
+  if (simulation.robot() != nullptr) q = simulation.robot()->positions();
+  return EyeView(simulation, q, spec);
+}
+
+CameraView EyeView(const Simulation& simulation, std::span<const double> q, const EyeSpec& spec) {
+  const robot::RobotBody* robot = simulation.robot();
   const RobotPlacement usual;
   const RigidTransform X_WC =
-      simulation.robot() != nullptr && simulation.robot()->model().head
-          ? simulation.robot()->CameraPose()
+      robot != nullptr && robot->model().head
+          ? robot::FramePose(robot->model(), robot->base_pose(), q, robot->model().head->camera)
           : RobotBasePose(simulation.scene().table, usual.gap, usual.height) * EyeInBase();
   return {.intrinsics = CameraIntrinsics::FromVerticalFieldOfView(spec.width_px, spec.height_px,
                                                                   spec.vertical_field_of_view),

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "math/camera_projection.h"
@@ -20,6 +21,9 @@ struct EyeSpec {
 /// Where the eye is now. Without a robot it stays where Baxter's would be, so that a demonstration
 /// on an empty table is seen from the same place.
 CameraView EyeView(const Simulation& simulation, const EyeSpec& spec);
+/// Where it is when the robot's joints are at `q` [rad or m], for recorded moments; `q` is empty
+/// without a robot.
+CameraView EyeView(const Simulation& simulation, std::span<const double> q, const EyeSpec& spec);
 
 /// Frames of the visual model the eye must not see: the head it sits in; all of a hidden robot.
 std::vector<int> FramesHiddenFromEye(const Simulation& simulation);

@@ -1,27 +1,42 @@
-function [position, rotation] = forwardKinematics(q, arm)
-% Where the tool is for any seven angles, from the arm's mount, along the table's axes [units].
-% rotation is 3x3: its columns are the tool's axes, y across the fingers and z along them.
-  s = armShape(arm);
-  %     out      turn     along                 zero
-  dh = [s.out,   -pi/2,   s.up,                 0      % S0
-        0,        pi/2,   0,                    pi/2   % S1
-        s.elbow, -pi/2,   s.upper,              0      % E0
-        0,        pi/2,   0,                    0      % E1
-        s.wrist, -pi/2,   s.fore,               0      % W0
-        0,        pi/2,   0,                    0      % W1
-        0,        0,      s.hand,               0];    % W2
-  pose = turnAboutZ(s.heading);
-  for i = 1:7
-    % Denavit-Hartenberg: turn about z, go along z, go out along x, turn about x.
-    c = cos(dh(i, 2));
-    n = sin(dh(i, 2));
-    link = [1 0 0 dh(i, 1); 0 c -n 0; 0 n c dh(i, 3); 0 0 0 1];
-    pose = pose * turnAboutZ(q(i) + dh(i, 4)) * link;
-  end
-  position = pose(1:3, 4)';
-  rotation = pose(1:3, 1:3);
-end
+function [position, rotation, jacobian, elbow] = forwardKinematics(q, arm)
+% Where the tool, the point between the fingers, is at these seven angles.
+%   position  from the arm's mount, along the table's axes, 1x3 [units]
+%   rotation  3x3: its columns are the tool's axes, y across the fingers and z along them
+%   jacobian  6x7: how fast the tool moves (rows 1 to 3) and turns (4 to 6) for each joint's rate
+%   elbow     where the joint E1 is, 1x3 [units]
+  shape = armShape(arm);
+  % Each step from joint to joint, after Denavit and Hartenberg: turn about z by the joint's angle, go
+  % along z and out along x, turn about x. All seven at once, as that is quicker here.
+  c = cos(q + shape.zero);
+  s = sin(q + shape.zero);
+  step = zeros(4, 4, 7);
+  step(1, 1, :) = c;
+  step(2, 1, :) = s;
+  step(1, 2, :) = -s .* shape.cos_turn;
+  step(2, 2, :) = c .* shape.cos_turn;
+  step(3, 2, :) = shape.sin_turn;
+  step(1, 3, :) = s .* shape.sin_turn;
+  step(2, 3, :) = -c .* shape.sin_turn;
+  step(3, 3, :) = shape.cos_turn;
+  step(1, 4, :) = shape.out .* c;
+  step(2, 4, :) = shape.out .* s;
+  step(3, 4, :) = shape.along;
+  step(4, 4, :) = 1;
 
-function pose = turnAboutZ(angle)
-  pose = [cos(angle) -sin(angle) 0 0; sin(angle) cos(angle) 0 0; 0 0 1 0; 0 0 0 1];
+  pose = zeros(4, 4, 8);  % of the seven joints and of the tool
+  pose(:, :, 1) = [cos(shape.heading), -sin(shape.heading), 0, 0
+                   sin(shape.heading), cos(shape.heading), 0, 0
+                   0, 0, 1, 0
+                   0, 0, 0, 1];
+  for i = 1:7
+    pose(:, :, i + 1) = pose(:, :, i) * step(:, :, i);
+  end
+  position = pose(1:3, 4, 8)';
+  rotation = pose(1:3, 1:3, 8);
+  elbow = pose(1:3, 4, 4)';
+
+  % Each joint turns the tool about its z axis, and moves it at right angles to axis and lever.
+  axis = reshape(pose(1:3, 3, 1:7), 3, 7);
+  lever = position' - reshape(pose(1:3, 4, 1:7), 3, 7);
+  jacobian = [axis([2 3 1], :) .* lever([3 1 2], :) - axis([3 1 2], :) .* lever([2 3 1], :); axis];
 end

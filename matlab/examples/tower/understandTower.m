@@ -13,14 +13,15 @@ function steps = understandTower(demo)
     end
   end
 
-  % First what others stand on and nothing carries; then what was put onto something, in the order
-  % in which it was let go for the last time. A block that stands alone is no part of the tower.
-  is_base = support == 0 & ismember(1:n, support);
-  order = find(is_base);
-  for k = 1:numel(demo.placed)
-    i = demo.placed(k);
-    if support(i) > 0 && ~ismember(i, demo.placed(k + 1:end)), order(end + 1) = i; end
-  end
+  % First what others stand on and nothing carries; then what stands on something, in the order in
+  % which it was let go for the last time, and where no hand did that, from the bottom upwards. A block
+  % that stands alone is no part of the tower.
+  bases = find(support == 0 & ismember(1:n, support));
+  last = zeros(1, n);
+  for k = 1:numel(demo.placed), last(demo.placed(k)) = k; end
+  stacked = find(support > 0);
+  [~, by_time] = sortrows([last(stacked)', demo.poses(stacked, 3)]);
+  order = [bases, stacked(by_time)];
   if isempty(order), error('the demonstration ends with no block on another one'); end
 
   for k = 1:numel(order)

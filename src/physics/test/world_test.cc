@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <thread>
+
 #include "physics_fixture.h"
 
 namespace smile::physics {
@@ -10,16 +12,21 @@ namespace {
 class WorldTest : public PhysicsFixture {};
 
 TEST_F(WorldTest, ATenHighStackStandsForAMinute) {
-  constexpr double kMaxDrift = 0.0001;  // [m]
+  constexpr double kMaxDrift = 0.0001, kMaxSag = 0.0002;  // [m]
   AddTable();
   const std::vector<BodyId> stack = AddStack({0, 0, 0}, 10);
+  const std::vector<RigidTransform> built = PosesOf(stack);
   StepSeconds(1);
   const std::vector<RigidTransform> settled = PosesOf(stack);
   StepSeconds(59);
+  const std::vector<RigidTransform> after = PosesOf(stack);
   for (std::size_t i = 0; i < stack.size(); ++i) {
-    EXPECT_LT((PosesOf(stack)[i].translation() - settled[i].translation()).norm(), kMaxDrift) << i;
+    // Under its own weight it sags a little in the first moments; sideways it never moves.
+    const Vector3 moved = after[i].translation() - built[i].translation();
+    EXPECT_LT(moved.head<2>().norm(), kMaxDrift) << i;
+    EXPECT_LT(std::abs(moved.z()), kMaxSag) << i;
+    EXPECT_LT((after[i].translation() - settled[i].translation()).norm(), kMaxDrift) << i;
   }
-  EXPECT_NEAR(settled.back().translation().z(), 0.95, 0.001);
 }
 
 TEST_F(WorldTest, AStackFallsAsleepAndStaysExactlyWhereItIs) {
@@ -71,6 +78,26 @@ TEST_F(WorldTest, SameInputsGiveTheSameBits) {
     return builder.world_.state_hash();
   };
   EXPECT_EQ(run(), run());
+}
+
+TEST_F(WorldTest, WorldsInThreadsDoNotDisturbOneAnother) {
+  const auto run = [](std::uint64_t* hash) {
+    PhysicsWorldBuilder builder;
+    builder.AddTable();
+    builder.AddRobot();
+    builder.AddPile(12, /*seed=*/7);
+    builder.SwingRobot(1);
+    builder.StepSeconds(1);
+    builder.world_.Restore(builder.world_.Save());
+    builder.StepSeconds(1);
+    *hash = builder.world_.state_hash();
+  };
+  std::uint64_t alone = 0, together[3] = {};
+  run(&alone);
+  std::vector<std::thread> threads;
+  for (std::uint64_t& hash : together) threads.emplace_back(run, &hash);
+  for (std::thread& thread : threads) thread.join();
+  for (std::uint64_t hash : together) EXPECT_EQ(hash, alone);
 }
 
 TEST_F(WorldTest, RefusesWhatIsNotABody) {

@@ -12,19 +12,17 @@ namespace {
 class WorldTest : public PhysicsFixture {};
 
 TEST_F(WorldTest, ATenHighStackStandsForAMinute) {
-  constexpr double kMaxDrift = 0.0001, kMaxSag = 0.0002;  // [m]
+  constexpr double kMaxSettling = 0.0002, kMaxDrift = 0.0001;  // [m]
   AddTable();
   const std::vector<BodyId> stack = AddStack({0, 0, 0}, 10);
   const std::vector<RigidTransform> built = PosesOf(stack);
-  StepSeconds(1);
+  StepSeconds(0.5);
   const std::vector<RigidTransform> settled = PosesOf(stack);
-  StepSeconds(59);
+  StepSeconds(59.5);
   const std::vector<RigidTransform> after = PosesOf(stack);
   for (std::size_t i = 0; i < stack.size(); ++i) {
-    // Under its own weight it sags a little in the first moments; sideways it never moves.
-    const Vector3 moved = after[i].translation() - built[i].translation();
-    EXPECT_LT(moved.head<2>().norm(), kMaxDrift) << i;
-    EXPECT_LT(std::abs(moved.z()), kMaxSag) << i;
+    // Built in the air without a gap, it takes its weight in the first tenths of a second.
+    EXPECT_LT((after[i].translation() - built[i].translation()).norm(), kMaxSettling) << i;
     EXPECT_LT((after[i].translation() - settled[i].translation()).norm(), kMaxDrift) << i;
   }
 }

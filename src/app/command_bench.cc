@@ -4,7 +4,9 @@
 
 #include <CLI/CLI.hpp>
 #include <cmath>
+#include <csignal>
 #include <memory>
+#include <stdexcept>
 
 #include "app/commands.h"
 #include "app/exit_code.h"
@@ -158,10 +160,13 @@ int Bench(const std::string& filter, bool json) {
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   int count = static_cast<int>(arguments.size());
+  // Nothing to be kept: Ctrl-C may simply end it.
+  std::signal(SIGINT, SIG_DFL);
+  std::signal(SIGTERM, SIG_DFL);
   RegisterAll();
   benchmark::Initialize(&count, arguments.data());
-  benchmark::RunSpecifiedBenchmarks();
-  return kDone;
+  if (benchmark::RunSpecifiedBenchmarks() > 0) return kDone;
+  throw std::invalid_argument("no benchmark is called like '" + filter + "'");
 }
 
 }  // namespace

@@ -58,7 +58,7 @@ int Check(const CheckOptions& options) {
       std::printf("%s: ok, %zu objects (%zu fixed)\n", file.c_str(), objects.size(), fixed);
     }
   }
-  if (options.json) std::printf("%s\n", ToJson(findings).dump(2).c_str());
+  if (options.json) std::printf("%s\n", ToText(ToJson(findings), 2).c_str());
   return findings.diagnostics.empty() ? kDone : kInputWrong;
 }
 

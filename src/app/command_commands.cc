@@ -35,7 +35,8 @@ void AddCommands(CLI::App* program, ExitAnswer answer) {
   commands->add_flag("--schema", *wants_schema, "as a JSON Schema");
   commands->callback([wants_schema, answer] {
     const Json schema = sim::CommandSchema();
-    std::printf("%s", *wants_schema ? (schema.dump(2) + "\n").c_str() : Describe(schema).c_str());
+    std::printf("%s",
+                *wants_schema ? (ToText(schema, 2) + "\n").c_str() : Describe(schema).c_str());
     *answer = kDone;
   });
 }

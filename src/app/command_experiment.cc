@@ -120,10 +120,10 @@ int RunExperiment(const ExperimentOptions& options) {
                                             .scene = std::move(scene),
                                             .brain = DataFile(experiment.brain),
                                             .record = out / "imitation"});
-  WriteFile(out / "result.json", outcome.result.dump(2) + "\n");
+  WriteFile(out / "result.json", ToText(outcome.result, 2) + "\n");
   if (!options.no_films) FilmBoth(out);
   if (options.json) {
-    std::printf("%s\n", outcome.result.dump(2).c_str());
+    std::printf("%s\n", ToText(outcome.result, 2).c_str());
   } else {
     PrintSummary(outcome, out, !options.no_films);
   }
@@ -144,8 +144,10 @@ void AddExperiment(CLI::App* program, ExitAnswer answer) {
       ->capture_default_str()
       ->check(CLI::IsMember({kTower.name}));
   experiment->add_option("--out", options->out, "directory for the results; out/NAME if not given");
-  experiment->add_option("--seed", options->seed,
-                         "random starting positions for the robot instead of the shipped ones");
+  experiment
+      ->add_option("--seed", options->seed,
+                   "random starting positions for the robot instead of the shipped ones")
+      ->check(CLI::NonNegativeNumber);
   experiment->add_flag("--no-films", options->no_films, "leave out the mp4 files");
   experiment->add_flag("--json", options->json, "print result.json on stdout");
   experiment->callback([options, answer] { *answer = RunExperiment(*options); });

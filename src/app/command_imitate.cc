@@ -5,6 +5,7 @@
 #include "app/commands.h"
 #include "app/exit_code.h"
 #include "app/imitation.h"
+#include "app/interrupt.h"
 #include "base/files.h"
 #include "scene_xml/scene_reader.h"
 
@@ -29,9 +30,9 @@ int ImitateDemo(const ImitateOptions& options) {
                .max_seconds = options.max_seconds,
                .eye = ParseSize(options.size),
                .robot = options.robot});
-  WriteFile(out / "result.json", outcome.result.dump(2) + "\n");
+  WriteFile(out / "result.json", ToText(outcome.result, 2) + "\n");
   if (options.json) {
-    std::printf("%s\n", outcome.result.dump(2).c_str());
+    std::printf("%s\n", ToText(outcome.result, 2).c_str());
   } else {
     std::printf("%s after %.1f s: %.0f %% of the structure, mean error %.1f mm\n%s\n",
                 outcome.is_rebuilt ? "rebuilt" : "not rebuilt",
@@ -39,7 +40,7 @@ int ImitateDemo(const ImitateOptions& options) {
                 100 * outcome.result["score"].get<double>(),
                 outcome.result["mean_error_mm"].get<double>(), (out / "result.json").c_str());
   }
-  if (!outcome.brain_error) return kDone;
+  if (!outcome.brain_error || IsInterrupted()) return kDone;
   std::fprintf(stderr, "%s\n", ToString(*outcome.brain_error).c_str());
   return kInputWrong;
 }
@@ -58,7 +59,7 @@ void AddImitate(CLI::App* program, ExitAnswer answer) {
       ->required();
   imitate->add_option("--seconds", options->max_seconds, "simulated, at most")
       ->capture_default_str()
-      ->check(CLI::Range(0.0, 86400.0));
+      ->check(NumberBetween(0.0, 86400.0));
   imitate->add_option("--size", options->size, "of the robot's pictures")->capture_default_str();
   imitate->add_flag("--json", options->json, "print result.json on stdout");
   imitate->add_flag("--classic", options->robot.classic, "the robot where the original put it");

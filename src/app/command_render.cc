@@ -123,10 +123,10 @@ void AddRender(CLI::App* program, ExitAnswer answer) {
       ->capture_default_str();
   render->add_option("--rate", options->rate, "film frames per second")
       ->capture_default_str()
-      ->check(CLI::Range(1.0, 240.0));
+      ->check(NumberBetween(1.0, 240.0));
   render->add_option("--speed", options->speed, "of a film: 2 is twice as fast")
       ->capture_default_str()
-      ->check(CLI::Range(0.01, 100.0));
+      ->check(NumberBetween(0.01, 100.0));
   render->add_flag("--no-robot", options->robot.no_robot, "a scene without the robot");
   render->add_flag("--classic", options->robot.classic, "the robot where the original put it");
   render->callback([options, answer] { *answer = Render(*options); });

@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
+#include <stdexcept>
 
 #include "app/commands.h"
 #include "app/exit_code.h"
@@ -46,10 +47,16 @@ int ReplayDemo(const ReplayOptions& options) {
     ProgressLine progress("replaying");
     report = record::Replay(recording, [&progress](std::uint64_t ticks) {
       progress.Show(static_cast<double>(ticks) / sim::kTicksPerSecond, 0);
+      return !IsInterrupted();
     });
   }
+  if (IsInterrupted()) throw std::runtime_error("interrupted");
+  if (report.is_cut) {
+    std::fprintf(stderr, "%s: the last tick of trace.bin was cut and is left out\n",
+                 options.demo.c_str());
+  }
   if (options.json) {
-    std::printf("%s\n", ToJson(report).dump(2).c_str());
+    std::printf("%s\n", ToText(ToJson(report), 2).c_str());
   } else if (!report.first_difference) {
     std::printf("%s: identical, %llu ticks\n", options.demo.c_str(),
                 static_cast<unsigned long long>(report.ticks));

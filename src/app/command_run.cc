@@ -5,6 +5,7 @@
 
 #include "app/commands.h"
 #include "app/exit_code.h"
+#include "app/interrupt.h"
 #include "app/options.h"
 #include "app/run_loop.h"
 #include "scene_xml/scene_reader.h"
@@ -45,7 +46,7 @@ int RunScene(const RunOptions& options) {
 
   const RunOutcome outcome = Run(plan);
   if (options.json) {
-    std::printf("%s\n", outcome.json.dump(2).c_str());
+    std::printf("%s\n", ToText(outcome.json, 2).c_str());
   } else {
     std::printf("%s: %.2f s simulated in %.2f s (%.1f x real time), state %s\n",
                 plan.scene.name.c_str(), outcome.json["seconds"].get<double>(),
@@ -53,7 +54,7 @@ int RunScene(const RunOptions& options) {
                 outcome.json["hash"].get<std::string>().c_str());
     if (!options.record.empty()) std::printf("recorded in %s\n", options.record.c_str());
   }
-  if (!outcome.brain_error) return kDone;
+  if (!outcome.brain_error || IsInterrupted()) return kDone;
   std::fprintf(stderr, "%s\n", ToString(*outcome.brain_error).c_str());
   return kInputWrong;
 }
@@ -69,12 +70,13 @@ void AddRun(CLI::App* program, ExitAnswer answer) {
   run->add_option("--brain", options->brain, "robot program: a folder with agentBehavior.m");
   run->add_option("--seconds", options->seconds,
                   "exactly this long; otherwise until the script or the brain ends")
-      ->check(CLI::Range(0.0, 86400.0));
+      ->check(NumberBetween(0.0, 86400.0));
   run->add_option("--record", options->record, "record into this new directory");
   run->add_option("--title", options->title, "of the recording");
   run->add_option("--notes", options->notes, "about the recording");
   run->add_option("--rate", options->rate, "pictures per second of the recording")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->check(NumberBetween(0.001, sim::kTicksPerSecond));
   run->add_option("--size", options->size, "of the robot's pictures")->capture_default_str();
   run->add_flag("--realtime", options->realtime, "as fast as the clock, not faster");
   run->add_flag("--json", options->json, "print one JSON object on stdout");

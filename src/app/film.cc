@@ -39,7 +39,7 @@ void Film(const record::Recording& recording, const std::filesystem::path& mp4,
   camera::Renderer renderer;
   dataset::VideoWriter video(mp4, options.size.width_px, options.size.height_px,
                              options.frames_per_second);
-  record::TraceReader trace(recording.directory / "trace.bin");
+  record::TraceReader trace(recording);
   ProgressLine progress(options.progress);
   Image image;
   while (const auto moment = trace.Next()) {
@@ -53,7 +53,8 @@ void Film(const record::Recording& recording, const std::filesystem::path& mp4,
                      .excluded_frames = HiddenFrames(*moment, simulation, is_eye)},
                     &image);
     // A rate above the ticks' shows a moment more than once.
-    while (video.num_frames() * options.speed / options.frames_per_second <= seconds + 1e-9) {
+    while (video.num_frames() * options.speed / options.frames_per_second <= seconds + 1e-9 &&
+           !IsInterrupted()) {
       video.Add(image);
     }
     progress.Show(seconds, 0);
@@ -62,7 +63,7 @@ void Film(const record::Recording& recording, const std::filesystem::path& mp4,
 }
 
 std::optional<record::TraceTick> LastMoment(const record::Recording& recording) {
-  record::TraceReader trace(recording.directory / "trace.bin");
+  record::TraceReader trace(recording);
   std::optional<record::TraceTick> last;
   while (auto moment = trace.Next()) last = std::move(moment);
   return last;

@@ -1,13 +1,29 @@
 // The `smile` program: `smile --help`.
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <stdexcept>
 
 #include "app/commands.h"
 #include "app/exit_code.h"
 #include "app/interrupt.h"
 #include "base/diagnostic.h"
 #include "base/version.h"
+
+namespace {
+
+/// A program started without stdin, stdout or stderr would open its files in their place, and write
+/// its messages into a recording.
+void FillStandardStreams() {
+  int fd = 0;
+  while (fd >= 0 && fd <= STDERR_FILENO) fd = open("/dev/null", O_RDWR);
+  if (fd > STDERR_FILENO) close(fd);
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   using namespace smile;
@@ -25,9 +41,14 @@ int main(int argc, char** argv) {
   app::AddCommands(&program, &answer);
   app::AddBench(&program, &answer);
 
+  FillStandardStreams();
   app::CatchInterrupts();
   try {
     program.parse(argc, argv);
+    if (app::IsInterrupted()) std::fprintf(stderr, "smile: interrupted\n");
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+      throw std::runtime_error("stdout cannot be written");
+    }
     return answer;
   } catch (const CLI::ParseError& error) {
     return program.exit(error) == 0 ? app::kDone : app::kUsedWrongly;

@@ -1,9 +1,10 @@
 #include "app/options.h"
 
-#include <cstdio>
+#include <charconv>
 #include <stdexcept>
 
 #include "base/files.h"
+#include "base/wording.h"
 #include "robot/urdf_reader.h"
 
 namespace smile::app {
@@ -22,11 +23,27 @@ std::optional<sim::RobotPlacement> PlaceRobot(const RobotOptions& options) {
   return placement;
 }
 
+CLI::Validator NumberBetween(double low, double high) {
+  const auto check = [low, high](const std::string& text) -> std::string {
+    double number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error == std::errc() && end == text.data() + text.size() && number >= low &&
+        number <= high) {
+      return "";
+    }
+    return Quoted(text) + " is not a number from " + NumberText(low) + " to " + NumberText(high);
+  };
+  return CLI::Validator(check, "FROM " + NumberText(low) + " TO " + NumberText(high));
+}
+
 sim::EyeSpec ParseSize(const std::string& text) {
   sim::EyeSpec spec;
-  char rest = 0;
-  if (std::sscanf(text.c_str(), "%dx%d%c", &spec.width_px, &spec.height_px, &rest) != 2 ||
-      spec.width_px < 1 || spec.height_px < 1 || spec.width_px > 8192 || spec.height_px > 8192) {
+  const char* end = text.data() + text.size();
+  auto read = std::from_chars(text.data(), end, spec.width_px);
+  const bool has_width = read.ec == std::errc() && read.ptr != end && *read.ptr == 'x';
+  if (has_width) read = std::from_chars(read.ptr + 1, end, spec.height_px);
+  if (!has_width || read.ec != std::errc() || read.ptr != end || spec.width_px < 1 ||
+      spec.height_px < 1 || spec.width_px > 8192 || spec.height_px > 8192) {
     throw std::invalid_argument("size is '" + text +
                                 "', expected WIDTHxHEIGHT like 640x480, 1 to "
                                 "8192 each");

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -21,5 +22,8 @@ std::optional<sim::RobotPlacement> PlaceRobot(const RobotOptions& options);
 /// `640x480`.
 /// @throws std::invalid_argument saying what was found and expected.
 sim::EyeSpec ParseSize(const std::string& text);
+
+/// Accepts finite numbers from `low` to `high`; CLI::Range would let NaN pass.
+CLI::Validator NumberBetween(double low, double high);
 
 }  // namespace smile::app

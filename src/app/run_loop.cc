@@ -66,6 +66,9 @@ class LiveRun {
       }
     }
     const std::chrono::duration<double> wall = Clock::now() - start;
+    if (player_ && !player_->is_finished() && !IsInterrupted()) {
+      std::fprintf(stderr, "%s: time was up before this line\n", player_->place().c_str());
+    }
     return Describe(wall.count());
   }
 

@@ -12,6 +12,8 @@
 #include <system_error>
 #include <vector>
 
+#include "base/diagnostic.h"
+
 namespace smile {
 namespace {
 
@@ -24,11 +26,14 @@ std::string SystemReason() { return std::strerror(errno); }
 }  // namespace
 
 std::string ReadFile(const std::filesystem::path& path, std::size_t max_bytes) {
+  const auto wrong = [&path](const std::string& what) {
+    return InputError({path.string(), 0, "", what});
+  };
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
-  if (status.type() == std::filesystem::file_type::not_found) Fail(path, "no such file");
+  if (status.type() == std::filesystem::file_type::not_found) throw wrong("no such file");
   if (error) Fail(path, "cannot be read: " + error.message());
-  if (!std::filesystem::is_regular_file(status)) Fail(path, "is not a plain file");
+  if (!std::filesystem::is_regular_file(status)) throw wrong("is not a plain file");
 
   std::unique_ptr<FILE, int (*)(FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
   if (!file) Fail(path, "cannot be opened: " + SystemReason());
@@ -36,7 +41,7 @@ std::string ReadFile(const std::filesystem::path& path, std::size_t max_bytes) {
   char buffer[1 << 16];
   while (const std::size_t count = std::fread(buffer, 1, sizeof buffer, file.get())) {
     if (text.size() + count > max_bytes) {
-      Fail(path, "is larger than " + std::to_string(max_bytes) + " bytes");
+      throw wrong("is larger than " + std::to_string(max_bytes) + " bytes");
     }
     text.append(buffer, count);
   }
@@ -51,7 +56,11 @@ void WriteFile(const std::filesystem::path& path, std::string_view text) {
     if (!file) Fail(path, "cannot be written: " + SystemReason());
     file.write(text.data(), static_cast<std::streamsize>(text.size()));
     file.flush();
-    if (!file) Fail(path, "cannot be written: " + SystemReason());
+    if (!file) {
+      const std::string reason = SystemReason();
+      std::remove(neighbour.c_str());
+      Fail(path, "cannot be written: " + reason);
+    }
   }
   std::error_code error;
   std::filesystem::rename(neighbour, path, error);

@@ -8,8 +8,8 @@
 namespace smile {
 
 /// The whole file as text.
-/// @throws std::runtime_error naming the path and the reason when it cannot be read, is not a plain
-///         file, or is larger than `max_bytes`.
+/// @throws InputError when there is no such file, it is no plain file or larger than `max_bytes`;
+///         std::runtime_error with path and reason when the machine does not let us read it.
 std::string ReadFile(const std::filesystem::path& path, std::size_t max_bytes);
 
 /// Writes a small file whole: to a neighbour first, then renamed over, so that a reader or a crash

@@ -1,10 +1,20 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
 
 namespace smile {
 
 /// JSON with the order of keys as written: logs and results read the way they were meant.
 using Json = nlohmann::ordered_json;
+
+/// Reads JSON that nobody vouches for: at most 32 levels deep and 10,000 keys.
+/// @throws std::invalid_argument saying what is wrong with it.
+Json ParseJson(std::string_view text);
+
+/// The text of a value; bytes that are not UTF-8 become replacement characters.
+/// @param indent  spaces per level; -1 for one line.
+std::string ToText(const Json& json, int indent = -1);
 
 }  // namespace smile

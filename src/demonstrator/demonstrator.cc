@@ -87,10 +87,10 @@ bool Demonstrator::has_arrived() const {
   for (const Hand& hand : state_.hands) {
     if (!hand.is_holding()) continue;
     const RigidTransform X_WB = world_->body(hand.held).pose_in_world();
-    if ((X_WB.translation() - hand.X_WB_goal.translation()).norm() > kNear) return false;
-    if (RotationVectorBetween(X_WB.quaternion(), hand.X_WB_goal.quaternion()).norm() > kAligned) {
-      return false;
-    }
+    const double gap = (X_WB.translation() - hand.X_WB_goal.translation()).norm();
+    const double turn =
+        RotationVectorBetween(X_WB.quaternion(), hand.X_WB_goal.quaternion()).norm();
+    if (!(gap <= kNear && turn <= kAligned)) return false;
   }
   return true;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -91,11 +92,9 @@ Articulation::Articulation(ArticulationId id, std::shared_ptr<const Articulation
     link.limits = std::make_unique<btMultiBodyJointLimitConstraint>(
         bullet_.get(), i, spec_of_link.lower, spec_of_link.upper);
   }
-  std::vector<double> start(count);
-  for (int i = 0; i < count; ++i) {
-    start[i] = std::clamp(0.0, spec_->links[i].lower, spec_->links[i].upper);
-  }
-  SetPositions(start);
+  std::vector<int> joints(count);
+  std::iota(joints.begin(), joints.end(), 0);
+  SetPositions(joints, std::vector<double>(count, 0.0));
 }
 
 Articulation::~Articulation() = default;
@@ -138,19 +137,22 @@ void Articulation::HoldStill(int joint) {
   position_references_[joint] = bullet_->getJointPos(joint);
 }
 
-void Articulation::SetPositions(std::span<const double> positions) {
-  if (static_cast<int>(positions.size()) != num_joints()) {
-    throw std::invalid_argument("joint count is " + std::to_string(positions.size()) +
-                                ", expected " + std::to_string(num_joints()));
+void Articulation::SetPositions(std::span<const int> joints, std::span<const double> positions) {
+  if (positions.size() != joints.size()) {
+    throw std::invalid_argument("positions are " + std::to_string(positions.size()) +
+                                ", expected one for each of " + std::to_string(joints.size()) +
+                                " joints");
   }
-  for (int i = 0; i < num_joints(); ++i) {
-    const LinkSpec& link = spec_->links[i];
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    CheckJoint(joints[i]);
+    const LinkSpec& link = spec_->links[joints[i]];
     if (!std::isfinite(positions[i])) {
       throw std::invalid_argument(link.joint_name + ": position is not finite");
     }
-    position_references_[i] = std::clamp(positions[i], link.lower, link.upper);
-    bullet_->setJointPos(i, position_references_[i]);
-    bullet_->setJointVel(i, 0);
+    const double q = std::clamp(positions[i], link.lower, link.upper);
+    position_references_[joints[i]] = q;
+    bullet_->setJointPos(joints[i], q);
+    bullet_->setJointVel(joints[i], 0);
   }
   UpdateLinkTransforms();
 }

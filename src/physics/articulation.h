@@ -49,9 +49,11 @@ class Articulation {
   void SetVelocityTarget(int joint, double velocity);
   /// Stops a joint where it is now, forgetting how far its reference had run ahead.
   void HoldStill(int joint);
-  /// Puts the joints there at once, at rest; angles are clamped to their limits.
-  /// @throws std::invalid_argument if the count is wrong or a value is not finite.
-  void SetPositions(std::span<const double> positions);
+  /// Puts these joints there at once, at rest, clamped to their limits; the others go on. Bodies
+  /// near by notice only if they are awake: see World::WakeAll().
+  /// @throws std::invalid_argument if the counts differ, a joint does not exist or a value is not
+  /// finite.
+  void SetPositions(std::span<const int> joints, std::span<const double> positions);
 
   /// True when nothing is commanded and nothing moves.
   bool is_at_rest() const;

@@ -14,11 +14,18 @@ void ExactWorld::SortObjects() {
   const auto by_order = [](const btCollisionObject* a, const btCollisionObject* b) {
     return OrderOf(a) < OrderOf(b);
   };
+  const auto sort = [&by_order](auto& objects) {
+    if (objects.size() == 0) return false;
+    auto* begin = &objects[0];
+    if (std::is_sorted(begin, begin + objects.size(), by_order)) return false;
+    std::sort(begin, begin + objects.size(), by_order);
+    return true;
+  };
   auto& objects = getCollisionObjectArray();
-  if (objects.size() > 0) std::sort(&objects[0], &objects[0] + objects.size(), by_order);
-  for (int i = 0; i < objects.size(); ++i) objects[i]->setWorldArrayIndex(i);
-  auto& movable = m_nonStaticRigidBodies;
-  if (movable.size() > 0) std::sort(&movable[0], &movable[0] + movable.size(), by_order);
+  if (sort(objects)) {
+    for (int i = 0; i < objects.size(); ++i) objects[i]->setWorldArrayIndex(i);
+  }
+  sort(m_nonStaticRigidBodies);
 }
 
 void ExactWorld::SortManifolds() {

@@ -239,6 +239,10 @@ bool World::is_at_rest() const {
                      [](const auto& a) { return a->is_at_rest(); });
 }
 
+void World::WakeAll() {
+  for (const auto& body : bodies_) body->WakeUp();
+}
+
 void World::Step() {
   if (is_at_rest()) return;
   for (const auto& body : bodies_) {

@@ -71,6 +71,8 @@ class World {
   /// True when every body sleeps and no articulation moves: a step would change nothing.
   bool is_at_rest() const;
 
+  /// Lets every body look around again, after something was put among them at once.
+  void WakeAll();
   /// Advances by config().step_seconds.
   void Step();
 

@@ -69,7 +69,7 @@ Recorder::Recorder(const std::filesystem::path& directory, const RecorderOptions
 void Recorder::OnCommand(const sim::Simulation& simulation, const sim::Command& command) {
   Json line = {{"tick", simulation.tick()}};
   line.update(sim::ToJson(command, simulation.scene().meters_per_unit));
-  commands_.Append(line.dump() + "\n");
+  commands_.Append(ToText(line) + "\n");
   classic_.Begin(command);
 }
 

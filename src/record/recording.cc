@@ -4,6 +4,7 @@
 #include "base/files.h"
 #include "base/json.h"
 #include "base/version.h"
+#include "base/wording.h"
 #include "robot/urdf_reader.h"
 #include "scene_xml/scene_reader.h"
 #include "sim/command_json.h"
@@ -11,7 +12,8 @@
 namespace smile::record {
 namespace {
 
-constexpr std::size_t kMaxInfoBytes = 1u << 20;
+constexpr std::size_t kMaxInfoBytes = 64u << 10;
+constexpr std::size_t kMaxLineBytes = 64u << 10;
 constexpr std::size_t kMaxCommandBytes = std::size_t{1} << 30;
 
 Json ToJson(const CameraView& view) {
@@ -43,10 +45,27 @@ CameraView ParseView(const Json& json) {
   return view;
 }
 
+void CheckInfo(const DemoInfo& info) {
+  const auto check = [](const char* key, double value, double low, double high) {
+    if (value >= low && value <= high) return;
+    throw std::invalid_argument("\"" + std::string(key) + "\" is " + NumberText(value) +
+                                ", expected " + NumberText(low) + " to " + NumberText(high));
+  };
+  check("meters_per_unit", info.meters_per_unit, 1e-9, 1e9);
+  check("frames_per_second", info.frames_per_second, 1e-6, sim::kTicksPerSecond);
+  if (info.robot) {
+    check("gap_m", info.robot->gap, -100, 100);
+    check("height_m", info.robot->height, -100, 100);
+  }
+  if (!info.eye) return;
+  check("width_px", info.eye->intrinsics.width_px, 1, 8192);
+  check("height_px", info.eye->intrinsics.height_px, 1, 8192);
+}
+
 DemoInfo ReadInfo(const std::filesystem::path& path) {
   const std::string text = ReadFile(path, kMaxInfoBytes);
   try {
-    const Json json = Json::parse(text);
+    const Json json = ParseJson(text);
     DemoInfo info{.format = json.at("format"), .program = json.at("program")};
     if (info.format != kFormatVersion) {
       throw InputError({path.string(), 1, "",
@@ -62,9 +81,12 @@ DemoInfo ReadInfo(const std::filesystem::path& path) {
       info.robot = RobotInfo{robot.at("name"), robot.at("gap_m"), robot.at("height_m")};
     }
     if (const Json& eye = json.at("eye"); !eye.is_null()) info.eye = ParseView(eye);
+    CheckInfo(info);
     return info;
-  } catch (const Json::exception& error) {
+  } catch (const Json::exception& error) {  // a key is missing or of another type
     throw InputError({path.string(), 1, "", std::string("is not a recording's: ") + error.what()});
+  } catch (const std::invalid_argument& error) {
+    throw InputError({path.string(), 1, "", error.what()});
   }
 }
 
@@ -81,9 +103,13 @@ std::vector<LoggedCommand> ReadCommands(const std::filesystem::path& path, doubl
       break;
     }
     try {
-      const Json json = Json::parse(text.substr(start, end - start));
+      if (end - start > kMaxLineBytes)
+        throw std::invalid_argument("this line is longer than 64 KiB");
+      const Json json = ParseJson(std::string_view(text).substr(start, end - start));
       LoggedCommand logged{.command = sim::ParseCommand(json, meters_per_unit)};
-      logged.tick = json.at("tick").get<std::uint64_t>();
+      const auto tick = sim::ParseTick(json);
+      if (!tick) throw std::invalid_argument("\"tick\" is missing, expected when it was applied");
+      logged.tick = *tick;
       if (!commands.empty() && logged.tick < commands.back().tick) {
         throw std::invalid_argument("\"tick\" goes back, expected at least " +
                                     std::to_string(commands.back().tick));
@@ -117,7 +143,7 @@ std::string ToJsonText(const DemoInfo& info) {
                      {"frames_per_second", info.frames_per_second},
                      {"robot", robot},
                      {"eye", eye}};
-  return json.dump(2) + "\n";
+  return ToText(json, 2) + "\n";
 }
 
 bool IsRecording(const std::filesystem::path& directory) {

@@ -23,53 +23,44 @@ std::string WrittenHash(std::uint64_t hash) {
   return text;
 }
 
-/// What differs first: an object, a joint, else something that cannot be seen (yet).
-Difference Compare(const TraceTick& recorded, const TraceTick& replayed,
-                   const sim::Simulation& simulation) {
+/// What differs first: an object, a joint, what is shown, else something that cannot be seen (yet).
+std::optional<Difference> Compare(const TraceTick& recorded, const TraceTick& replayed,
+                                  const sim::Simulation& simulation) {
   const double unit = simulation.scene().meters_per_unit;
   for (std::size_t i = 0; i < replayed.objects.size(); ++i) {
     const TracePose& a = recorded.objects[i];
     const TracePose& b = replayed.objects[i];
     const std::string& id = simulation.tabletop().objects()[i].id();
     if (a.position != b.position) {
-      return {recorded.tick, id, "position", Written(scene::ToFileUnits(a.position, unit)),
-              Written(scene::ToFileUnits(b.position, unit))};
+      return Difference{recorded.tick, id, "position",
+                        Written(scene::ToFileUnits(a.position, unit)),
+                        Written(scene::ToFileUnits(b.position, unit))};
     }
     if (a.rotation != b.rotation) {
-      return {recorded.tick, id, "rotation", Written(FixedAxesAngles(a.pose_in_world().rotation())),
-              Written(FixedAxesAngles(b.pose_in_world().rotation()))};
+      return Difference{recorded.tick, id, "rotation",
+                        Written(FixedAxesAngles(a.pose_in_world().rotation())),
+                        Written(FixedAxesAngles(b.pose_in_world().rotation()))};
     }
   }
   for (std::size_t i = 0; i < replayed.joints.size(); ++i) {
     if (recorded.joints[i] == replayed.joints[i]) continue;
-    return {recorded.tick, simulation.robot()->model().links[i].joint_name, "angle",
-            NumberText(recorded.joints[i]), NumberText(replayed.joints[i])};
+    return Difference{recorded.tick, simulation.robot()->model().links[i].joint_name, "angle",
+                      NumberText(recorded.joints[i]), NumberText(replayed.joints[i])};
   }
-  return {recorded.tick, "simulation", kHidden, WrittenHash(recorded.hash),
-          WrittenHash(replayed.hash)};
-}
-
-void CheckNames(const TraceReader& trace, const sim::Simulation& simulation,
-                const std::filesystem::path& path) {
-  const auto& objects = simulation.tabletop().objects();
-  bool fits = trace.object_names().size() == objects.size();
-  for (std::size_t i = 0; fits && i < objects.size(); ++i) {
-    fits = trace.object_names()[i] == objects[i].id();
+  if (recorded.is_robot_shown != replayed.is_robot_shown) {
+    return Difference{recorded.tick, "robot", "shown", recorded.is_robot_shown ? "true" : "false",
+                      replayed.is_robot_shown ? "true" : "false"};
   }
-  const std::size_t joints = simulation.robot() ? simulation.robot()->model().links.size() : 0;
-  if (!fits || trace.joint_names().size() != joints) {
-    throw InputError({path.string(), 0, "", "is of another scene or robot than scene.xml"});
-  }
+  if (recorded.hash == replayed.hash) return std::nullopt;
+  return Difference{recorded.tick, "simulation", kHidden, WrittenHash(recorded.hash),
+                    WrittenHash(replayed.hash)};
 }
 
 }  // namespace
 
 ReplayReport Replay(const Recording& recording, const Progress& progress) {
-  const std::filesystem::path trace_path = recording.directory / "trace.bin";
-  TraceReader trace(trace_path);
+  TraceReader trace(recording);
   sim::Simulation simulation(recording.scene, recording.robot);
-  CheckNames(trace, simulation, trace_path);
-
   ReplayReport report;
   std::size_t next = 0;
   while (const std::optional<TraceTick> recorded = trace.Next()) {
@@ -78,25 +69,29 @@ ReplayReport Replay(const Recording& recording, const Progress& progress) {
     const TraceTick replayed = Observe(simulation);
     report.ticks = recorded->tick;
     report.hash = replayed.hash;
-    if (replayed.tick != recorded->tick || replayed.hash != recorded->hash) {
+    if (const auto difference = Compare(*recorded, replayed, simulation)) {
       // What a hand wants differs before anything moves differently: look on until it shows, so
       // that the report can name an object.
-      const Difference difference = Compare(*recorded, replayed, simulation);
-      const bool is_visible = difference.quantity != kHidden;
+      const bool is_visible = difference->quantity != kHidden;
       if (is_visible || !report.first_difference) report.first_difference = difference;
       if (is_visible) return report;
     }
     for (; next < recording.commands.size() && recording.commands[next].tick == recorded->tick;
          ++next) {
-      if (auto refusal = simulation.Apply(recording.commands[next].command)) {
-        if (!report.first_difference) {
-          report.first_difference =
-              Difference{recorded->tick, "simulation", "command", "carried out", *refusal};
-        }
-        return report;
+      const auto refusal = simulation.Apply(recording.commands[next].command);
+      if (!refusal) continue;
+      if (!report.first_difference) {
+        report.first_difference =
+            Difference{recorded->tick, "simulation", "command", "carried out", *refusal};
       }
+      return report;
     }
-    if (progress) progress(recorded->tick);
+    if (progress && !progress(recorded->tick)) return report;
+  }
+  report.is_cut = trace.is_cut();
+  if (next < recording.commands.size() && !report.is_cut && !report.first_difference) {
+    report.first_difference = Difference{recording.commands[next].tick, "simulation", "command",
+                                         "carried out", "the trace ends before"};
   }
   return report;
 }

@@ -19,15 +19,16 @@ struct Difference {
 };
 
 struct ReplayReport {
+  bool is_cut = false;      ///< the trace ends in the middle of a record
   std::uint64_t ticks = 0;  ///< compared
   std::optional<Difference> first_difference;
   std::uint64_t hash = 0;  ///< of the last tick replayed
 };
 
-/// Told how far the replay is: ticks done.
-using Progress = std::function<void(std::uint64_t)>;
+/// Told how far the replay is, in ticks; answers whether it shall go on.
+using Progress = std::function<bool(std::uint64_t)>;
 
-/// Runs a recording again, command by command, and compares every tick's state hash.
+/// Runs a recording again, command by command, and compares every tick: poses, joints, state hash.
 /// @throws InputError if the recording's trace cannot be read.
 ReplayReport Replay(const Recording& recording, const Progress& progress = {});
 

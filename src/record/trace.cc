@@ -1,6 +1,7 @@
 #include "record/trace.h"
 
 #include <array>
+#include <cmath>
 
 #include "base/diagnostic.h"
 #include "base/files.h"
@@ -11,6 +12,8 @@ namespace {
 constexpr std::array kMagic = {'S', 'M', 'I', 'L', 'E', 'T', 'R', 'C'};
 constexpr std::uint32_t kVersion = 1;
 constexpr std::uint32_t kMaxNames = 1'000'000;
+/// How far a quaternion's length may be from 1.
+constexpr double kUnitLength = 1e-6;
 constexpr std::size_t kMaxBytes = std::size_t{4} << 30;
 
 // What a record says besides tick, hash and moved objects.
@@ -86,23 +89,33 @@ void TraceWriter::Add(const TraceTick& tick) {
   last_ = tick;
 }
 
-TraceReader::TraceReader(const std::filesystem::path& path)
-    : bytes_(ReadFile(path, kMaxBytes)),
+TraceReader::TraceReader(const Recording& recording)
+    : path_(recording.directory / "trace.bin"),
+      bytes_(ReadFile(path_, kMaxBytes)),
       rest_(std::as_bytes(std::span(bytes_.data(), bytes_.size()))) {
+  const auto fail = [this](const std::string& message) {
+    throw InputError({path_.string(), 0, "", message});
+  };
   for (char letter : kMagic) {
-    if (rest_.Get<char>() != letter) {
-      throw InputError({path.string(), 0, "", "this is not a trace of a recording"});
-    }
+    if (rest_.Get<char>() != letter) fail("this is not a trace of a recording");
   }
   const auto version = rest_.Get<std::uint32_t>();
   if (version != kVersion) {
-    throw InputError({path.string(), 0, "",
-                      "its format is version " + std::to_string(version) + ", expected " +
-                          std::to_string(kVersion)});
+    fail("its format is version " + std::to_string(version) + ", expected " +
+         std::to_string(kVersion));
   }
   object_names_ = GetNames(&rest_);
   joint_names_ = GetNames(&rest_);
-  if (!rest_.ok()) throw InputError({path.string(), 0, "", "its header is cut short"});
+  if (!rest_.ok()) fail("its header is cut short");
+
+  bool fits = object_names_.size() == recording.scene.objects.size();
+  for (std::size_t i = 0; fits && i < object_names_.size(); ++i) {
+    fits = object_names_[i] == recording.scene.objects[i].id();
+  }
+  const std::size_t num_joints = recording.robot ? recording.robot->model.links.size() : 0;
+  if (!fits || joint_names_.size() != num_joints) {
+    fail("is of another scene or robot than scene.xml and robot.urdf");
+  }
   now_.objects.resize(object_names_.size());
   now_.joints.resize(joint_names_.size());
 }
@@ -115,13 +128,16 @@ std::optional<TraceTick> TraceReader::Next() {
   const auto flags = rest_.Get<std::uint8_t>();
   next.is_robot_shown = (flags & kRobotHidden) == 0;
   const auto num_moved = rest_.Get<std::uint32_t>();
-  for (std::uint32_t k = 0; k < num_moved && rest_.ok(); ++k) {
+  bool is_sound = (flags & ~(kJointsChanged | kRobotHidden)) == 0 &&
+                  num_moved <= next.objects.size() && next.tick == (has_begun_ ? now_.tick + 1 : 0);
+  for (std::uint32_t k = 0; k < num_moved && rest_.ok() && is_sound; ++k) {
     const auto i = rest_.Get<std::uint32_t>();
-    TracePose pose;
-    for (double& number : pose.position) number = rest_.Get<double>();
-    for (double& number : pose.rotation) number = rest_.Get<double>();
-    if (i >= next.objects.size()) break;
-    next.objects[i] = pose;
+    is_sound = i < next.objects.size();
+    if (!is_sound) break;
+    for (double& number : next.objects[i].position) number = rest_.Get<double>();
+    for (double& number : next.objects[i].rotation) number = rest_.Get<double>();
+    is_sound = next.objects[i].position.allFinite() &&
+               std::abs(next.objects[i].rotation.norm() - 1) < kUnitLength;
   }
   if ((flags & kJointsChanged) != 0) {
     for (double& q : next.joints) q = rest_.Get<double>();
@@ -130,6 +146,12 @@ std::optional<TraceTick> TraceReader::Next() {
     is_cut_ = true;
     return std::nullopt;
   }
+  for (double q : next.joints) is_sound = is_sound && std::isfinite(q);
+  if (!is_sound) {
+    throw InputError({path_.string(), 0, "",
+                      "is damaged in the record after tick " + std::to_string(now_.tick)});
+  }
+  has_begun_ = true;
   return now_ = std::move(next);
 }
 

@@ -8,6 +8,7 @@
 
 #include "base/bytes.h"
 #include "record/append_file.h"
+#include "record/recording.h"
 #include "sim/simulation.h"
 
 namespace smile::record {
@@ -54,22 +55,27 @@ class TraceWriter {
 /// Reads a trace, tick by tick. A file cut in the middle of a record ends with the last whole one.
 class TraceReader {
  public:
-  /// @throws InputError if this is not a trace of this format version.
-  explicit TraceReader(const std::filesystem::path& path);
+  /// @throws InputError if this is not a trace of this format version, or not one of the
+  /// recording's
+  ///         objects and robot.
+  explicit TraceReader(const Recording& recording);
 
   const std::vector<std::string>& object_names() const { return object_names_; }
   const std::vector<std::string>& joint_names() const { return joint_names_; }
 
   /// The next moment; nullopt after the last one.
+  /// @throws InputError if a record contradicts the header or the record before it.
   std::optional<TraceTick> Next();
   /// True when bytes were left over at the end: the recording was interrupted.
   bool is_cut() const { return is_cut_; }
 
  private:
+  std::filesystem::path path_;
   std::string bytes_;
   ByteReader rest_;
   std::vector<std::string> object_names_, joint_names_;
   TraceTick now_;
+  bool has_begun_ = false;
   bool is_cut_ = false;
 };
 

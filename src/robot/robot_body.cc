@@ -1,5 +1,7 @@
 #include "robot/robot_body.h"
 
+#include <algorithm>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -21,7 +23,9 @@ void CheckCount(std::span<const double> values, std::size_t expected, const std:
 RobotBody::RobotBody(physics::World* world, RobotModel model, const RigidTransform& X_WBase)
     : world_(world), model_(std::move(model)), X_WBase_(X_WBase) {
   articulation_ = world_->AddArticulation(MakeArticulationSpec(model_, X_WBase));
-  articulation().SetPositions(model_.q_start);
+  std::vector<int> joints(model_.num_joints());
+  std::iota(joints.begin(), joints.end(), 0);
+  articulation().SetPositions(joints, model_.q_start);
   state_.grippers.resize(model_.arms.size());
 }
 
@@ -56,21 +60,21 @@ void RobotBody::SetHeadVelocity(double velocity) {
 void RobotBody::SetArmAngles(int arm, std::span<const double> angles) {
   const Arm& which = model_.arms.at(arm);
   CheckCount(angles, which.joints.size(), which.name);
-  std::vector<double> q = positions();
-  for (std::size_t i = 0; i < angles.size(); ++i) q[which.joints[i]] = angles[i];
-  articulation().SetPositions(q);
+  articulation().SetPositions(which.joints, angles);
 
   const std::vector<RigidTransform> X_WL = articulation().link_poses();
+  const std::vector<physics::JointId>& welds = state_.grippers[arm].welds;
   for (const physics::Joint& joint : world_->joints()) {
+    if (std::find(welds.begin(), welds.end(), joint.id) == welds.end()) continue;
     world_->body(joint.spec.body).SetPose(X_WL[joint.spec.link] * joint.spec.X_LB);
   }
+  world_->WakeAll();
 }
 
 void RobotBody::SetHeadAngle(double angle) {
   if (!model_.head) return;
-  std::vector<double> q = positions();
-  q[model_.head->joint] = angle;
-  articulation().SetPositions(q);
+  articulation().SetPositions(std::span(&model_.head->joint, 1), std::span(&angle, 1));
+  world_->WakeAll();
 }
 
 void RobotBody::AfterStep() {

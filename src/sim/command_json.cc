@@ -18,6 +18,8 @@ namespace {
 /// Longer names and arrays than these are nobody's.
 constexpr std::size_t kMaxText = 256;
 constexpr std::size_t kMaxJoints = 64;
+/// No length, angle or speed is larger, and no speed limit smaller [units, degrees, rad, per s].
+constexpr double kMaxNumber = 1e6, kMinSpeed = 1e-6;
 
 enum class Kind { kHand, kText, kPoint, kAngles, kSpeed, kJoints, kGrippers, kNumber, kFlag };
 
@@ -125,12 +127,16 @@ const std::vector<Form>& Forms() {
 }
 
 [[noreturn]] void Expected(const std::string& key, const Json& found, const std::string& expected) {
-  std::string text = found.dump(-1, ' ', false, Json::error_handler_t::replace);
+  // A container may be deep and long: its kind says enough.
+  std::string text = found.is_structured() && found.size() > 4 ? found.type_name() : ToText(found);
   if (text.size() > 60) text = text.substr(0, 57) + "...";
   throw std::invalid_argument("\"" + key + "\" is " + text + ", expected " + expected);
 }
 
-bool IsNumber(const Json& json) { return json.is_number() && std::isfinite(json.get<double>()); }
+/// A number of a size that can mean something on a table.
+bool IsNumber(const Json& json) {
+  return json.is_number() && std::abs(json.get<double>()) <= kMaxNumber;
+}
 
 bool IsNumbers(const Json& json, std::size_t min_count, std::size_t max_count) {
   if (!json.is_array() || json.size() < min_count || json.size() > max_count) return false;
@@ -155,11 +161,11 @@ void CheckField(const Field& field, const Json& value) {
       return;
     case Kind::kPoint:
     case Kind::kAngles:
-      if (!IsNumbers(value, 3, 3)) Expected(key, value, "three numbers [x, y, z]");
+      if (!IsNumbers(value, 3, 3)) Expected(key, value, "three numbers [x, y, z] of at most 1e6");
       return;
     case Kind::kSpeed:
-      if (!IsNumber(value) || !(value.get<double>() > 0)) {
-        Expected(key, value, "a number above 0");
+      if (!IsNumber(value) || !(value.get<double>() >= kMinSpeed)) {
+        Expected(key, value, "a number above 0, from 1e-6 to 1e6");
       }
       return;
     case Kind::kJoints:
@@ -200,7 +206,7 @@ const Form& FormOf(const Json& json) {
 Json ToArray(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
 
 Json FieldSchema(const Field& field) {
-  const Json number = {{"type", "number"}};
+  const Json number = {{"type", "number"}, {"minimum", -kMaxNumber}, {"maximum", kMaxNumber}};
   const auto array = [&number](std::size_t min_count, std::size_t max_count) -> Json {
     return {{"type", "array"}, {"items", number}, {"minItems", min_count}, {"maxItems", max_count}};
   };
@@ -218,7 +224,7 @@ Json FieldSchema(const Field& field) {
       schema = array(3, 3);
       break;
     case Kind::kSpeed:
-      schema = {{"type", "number"}, {"exclusiveMinimum", 0}};
+      schema = {{"type", "number"}, {"minimum", kMinSpeed}, {"maximum", kMaxNumber}};
       break;
     case Kind::kJoints:
       schema = array(1, kMaxJoints);
@@ -327,6 +333,13 @@ Command OnFileGrid(Command command, double unit) {
                         [](auto&) {}},
              command);
   return command;
+}
+
+std::optional<std::uint64_t> ParseTick(const Json& json) {
+  if (!json.is_object() || !json.contains("tick")) return std::nullopt;
+  const Json& tick = json.at("tick");
+  if (!tick.is_number_unsigned()) Expected("tick", tick, "a whole number from 0");
+  return tick.get<std::uint64_t>();
 }
 
 Json CommandSchema() {

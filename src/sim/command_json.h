@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
+
 #include "base/json.h"
 #include "sim/command.h"
 
@@ -18,6 +21,10 @@ Json ToJson(const Command& command, double meters_per_unit);
 /// @throws std::invalid_argument saying what was found and what was expected; unknown keys are
 /// errors.
 Command ParseCommand(const Json& json, double meters_per_unit);
+
+/// The tick of a line of a script or log; nullopt without one.
+/// @throws std::invalid_argument if it is no whole number from 0.
+std::optional<std::uint64_t> ParseTick(const Json& json);
 
 /// The nearest command whose written form reads back to the same bits. The simulation applies
 /// commands in this form, so that a log replays exactly.

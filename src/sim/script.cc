@@ -12,6 +12,7 @@ namespace smile::sim {
 namespace {
 
 constexpr std::size_t kMaxBytes = 256u << 20;
+constexpr std::size_t kMaxLineBytes = 64u << 10;
 constexpr std::size_t kMaxFindings = 100;
 constexpr double kMaxWaitSeconds = 86400;
 /// Things count as still after a quarter of a second without motion.
@@ -31,7 +32,7 @@ Wait ParseWait(const Json& json) {
     const Json& seconds = json.at("seconds");
     if (!seconds.is_number() || !(seconds.get<double>() >= 0) ||
         seconds.get<double>() > kMaxWaitSeconds) {
-      throw std::invalid_argument("\"seconds\" is " + seconds.dump() +
+      throw std::invalid_argument("\"seconds\" is " + ToText(seconds) +
                                   ", expected a number from 0 to 86400");
     }
     wait.seconds = seconds.get<double>();
@@ -43,29 +44,16 @@ Wait ParseWait(const Json& json) {
     } else if (until == "still") {
       wait.until = Wait::Until::kStill;
     } else {
-      throw std::invalid_argument("\"until\" is " + until.dump() +
+      throw std::invalid_argument("\"until\" is " + ToText(until) +
                                   ", expected \"arrived\" or \"still\"");
     }
   }
   return wait;
 }
 
-std::optional<std::uint64_t> ParseTick(const Json& json) {
-  if (!json.contains("tick")) return std::nullopt;
-  const Json& tick = json.at("tick");
-  if (!tick.is_number_unsigned()) {
-    throw std::invalid_argument("\"tick\" is " + tick.dump() + ", expected a whole number from 0");
-  }
-  return tick.get<std::uint64_t>();
-}
-
 ScriptLine ParseLine(std::string_view text, int line, double meters_per_unit) {
-  Json json;
-  try {
-    json = Json::parse(text);
-  } catch (const Json::exception&) {
-    throw std::invalid_argument("this is not a JSON object on one line");
-  }
+  if (text.size() > kMaxLineBytes) throw std::invalid_argument("this line is longer than 64 KiB");
+  const Json json = ParseJson(text);
   if (json.is_object() && json.contains("do") && json.at("do") == "wait") {
     return {.line = line, .tick = ParseTick(json), .what = ParseWait(json)};
   }

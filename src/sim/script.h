@@ -49,6 +49,10 @@ class ScriptPlayer {
   void Advance(Simulation* simulation);
 
   bool is_finished() const { return next_ == script_.lines.size(); }
+  /// Where it stands: the file and line of what comes next; only while not finished.
+  std::string place() const {
+    return script_.file + ":" + std::to_string(script_.lines[next_].line);
+  }
 
  private:
   bool IsOver(const Wait& wait, const ScriptLine& line, const Simulation& simulation);

@@ -73,28 +73,24 @@ std::vector<scene::Solid> LooksOf(const scene::ObjectSpec& object) {
 }  // namespace
 
 Goal GoalOf(const record::Recording& demonstration) {
-  const std::filesystem::path trace_path = demonstration.directory / "trace.bin";
-  record::TraceReader trace(trace_path);
+  record::TraceReader trace(demonstration);
   std::vector<scene::ObjectSpec> objects = demonstration.scene.objects;
-  bool has_moment = false;
   while (const auto moment = trace.Next()) {
-    has_moment = moment->objects.size() == objects.size();
-    for (std::size_t i = 0; has_moment && i < objects.size(); ++i) {
+    for (std::size_t i = 0; i < objects.size(); ++i) {
       objects[i].whole.X_PE = moment->objects[i].pose_in_world();
     }
   }
-  if (!has_moment) throw InputError({trace_path.string(), 0, "", "does not fit its scene.xml"});
 
   std::set<std::string> moved;
   for (const record::LoggedCommand& logged : demonstration.commands) {
     if (const auto* grasp = std::get_if<sim::Grasp>(&logged.command)) moved.insert(grasp->object);
   }
-  if (moved.empty()) {
+  const std::set<std::string> ids = WithSupports(std::move(moved), objects);
+  std::erase_if(objects, [&ids](const auto& object) { return !ids.contains(object.id()); });
+  if (objects.empty()) {
     throw InputError({demonstration.directory.string(), 0, "",
                       "no hand moved anything in this recording, there is nothing to imitate"});
   }
-  const std::set<std::string> ids = WithSupports(std::move(moved), objects);
-  std::erase_if(objects, [&ids](const auto& object) { return !ids.contains(object.id()); });
   return {std::move(objects)};
 }
 

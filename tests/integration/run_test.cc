@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "program.h"
 
 namespace smile {
@@ -66,6 +68,41 @@ TEST_F(Run, AnUnwritablePlaceIsExitCodeThree) {
   const Answer answer = Smile("run pair.xml --seconds 1 --record /dev/null/demo");
   EXPECT_EQ(answer.exit_code, 3);
   EXPECT_NE(answer.err.find("/dev/null/demo"), std::string::npos) << answer.err;
+}
+
+TEST_F(Run, AMissingScriptIsWrongInputAndAFullStdoutIsTheMachinesNo) {
+  const Answer missing = Smile("run pair.xml --commands nowhere.jsonl");
+  EXPECT_EQ(missing.exit_code, 1);
+  EXPECT_EQ(missing.err, "nowhere.jsonl: no such file\n");
+  EXPECT_EQ(Smile("run pair.xml --seconds 0 --json >/dev/full").exit_code, 3);
+  EXPECT_EQ(Smile("run pair.xml --seconds nan").exit_code, 2);
+}
+
+TEST_F(Run, BytesThatAreNoTextNeverReachTheJson) {
+  const Answer answer = Smile("check $'nope\\xff.xml' --json");
+  EXPECT_EQ(answer.exit_code, 1);
+  EXPECT_FALSE(answer.json()["ok"]);
+}
+
+TEST_F(Run, AnArmPutAmongSleepingBlocksPushesThemAside) {
+  const std::string pose = R"({"do":"joint_angles","left":[0.25,0.2,-1.527,2.4,1.529,1.3,0]})";
+  Write("arm.jsonl",
+        "{\"do\":\"wait\",\"seconds\":5}\n" + pose + "\n{\"do\":\"wait\",\"seconds\":1}\n");
+  const Json tool =
+      Smile("run pair.xml --commands arm.jsonl --json").json()["robot"]["left"]["end_effector"];
+  // A block that sleeps just where the fingers will be.
+  Write("there.xml", SceneOf("<block id=\"c\" xspan=\"2.2\" yspan=\"2.2\" zspan=\"" +
+                             std::to_string(tool[2].get<double>()) + "\" location=\"(" +
+                             std::to_string(tool[0].get<double>()) + "," +
+                             std::to_string(tool[1].get<double>()) + "," +
+                             std::to_string(tool[2].get<double>() / 2) + ")\"/>"));
+  const Json before = Smile("run there.xml --seconds 5 --json").json()["objects"]["c"]["position"];
+  const Json after =
+      Smile("run there.xml --commands arm.jsonl --json").json()["objects"]["c"]["position"];
+  EXPECT_GT(std::abs(before[0].get<double>() - after[0].get<double>()) +
+                std::abs(before[1].get<double>() - after[1].get<double>()) +
+                std::abs(before[2].get<double>() - after[2].get<double>()),
+            0.05);
 }
 
 TEST_F(Run, TheSchemaIsJson) {

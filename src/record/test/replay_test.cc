@@ -1,5 +1,6 @@
 #include "record/replay.h"
 
+#include <cstring>
 #include <fstream>
 #include <random>
 
@@ -73,7 +74,29 @@ TEST_F(ReplayTest, OpensWhatACrashCutShortAndSaysSo) {
             (std::vector<std::string>{"the last line of commands.jsonl was cut and is left out"}));
   const ReplayReport report = Replay(recording);
   EXPECT_FALSE(report.first_difference.has_value());
+  EXPECT_TRUE(report.is_cut);
   EXPECT_GT(report.ticks, 20u);
+}
+
+TEST_F(ReplayTest, NoticesAPoseThatWasChangedInTheTrace) {
+  const auto directory = Record();
+  std::string trace = Text(directory / "trace.bin");
+  // The height of the first object in the first record, after the header and the record's head.
+  const std::size_t header = 8 + 4 + 4 + 2 * (4 + 1) + 4, head = 8 + 8 + 1 + 4;
+  const double lower = 0.04;
+  std::memcpy(&trace[header + head + 4 + 2 * sizeof(double)], &lower, sizeof lower);
+  Overwrite(directory / "trace.bin", trace);
+  const auto difference = Replay(OpenRecording(directory)).first_difference;
+  ASSERT_TRUE(difference.has_value());
+  EXPECT_EQ(difference->object, "a");
+  EXPECT_EQ(difference->recorded, "(0, -2, 0.4)");
+}
+
+TEST_F(ReplayTest, NoticesACommandAfterTheEnd) {
+  const auto directory = Record();
+  std::ofstream(directory / "commands.jsonl", std::ios::app)
+      << "{\"tick\":99999,\"hand\":\"left\",\"do\":\"release\"}\n";
+  EXPECT_EQ(Replay(OpenRecording(directory)).first_difference->quantity, "command");
 }
 
 TEST_F(ReplayTest, SaysWhatIsWrongWithAFileThatIsNoRecording) {
@@ -87,6 +110,7 @@ TEST_F(ReplayTest, SaysWhatIsWrongWithAFileThatIsNoRecording) {
 
 TEST_F(ReplayTest, NeverCrashesOnDamagedTraces) {
   const auto directory = Record();
+  const Recording recording = OpenRecording(directory);
   const std::string trace = Text(directory / "trace.bin");
   std::mt19937 random(3);
   for (int i = 0; i < 200; ++i) {
@@ -94,7 +118,7 @@ TEST_F(ReplayTest, NeverCrashesOnDamagedTraces) {
     for (int k = 0; k < 3; ++k) damaged[random() % damaged.size()] = static_cast<char>(random());
     Overwrite(directory / "trace.bin", damaged);
     try {
-      TraceReader reader(directory / "trace.bin");
+      TraceReader reader(recording);
       while (reader.Next()) {
       }
     } catch (const InputError&) {

@@ -63,9 +63,17 @@ TEST(CommandJson, SaysWhatWasFoundAndExpected) {
   EXPECT_EQ(MessageOf(R"({"hand":"third","do":"release"})"),
             "\"hand\" is \"third\", expected left, right, both or any");
   EXPECT_EQ(MessageOf(R"({"hand":"left","do":"move_to","position":[1,2]})"),
-            "\"position\" is [1,2], expected three numbers [x, y, z]");
+            "\"position\" is [1,2], expected three numbers [x, y, z] of at most 1e6");
   EXPECT_EQ(MessageOf(R"({"hand":"left","do":"release","force":3})"),
             "\"release\" has an unknown key \"force\"");
+}
+
+TEST(CommandJson, RefusesNumbersThatMeanNothingAndDepthsThatKill) {
+  EXPECT_NE(MessageOf(R"({"hand":"left","do":"move_to","position":[2e307,0,0]})"), "");
+  EXPECT_NE(MessageOf(R"({"hand":"left","do":"move_to","position":[0,0,0],"speed":5e-324})"), "");
+  const std::string deep = R"({"do":"grasp","hand":"left","object":)" + std::string(200'000, '[') +
+                           std::string(200'000, ']') + "}";
+  EXPECT_THROW(ParseJson(deep), std::invalid_argument);
 }
 
 TEST(CommandJson, TheSchemaNamesEveryCommandItReads) {

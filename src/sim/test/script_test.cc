@@ -67,7 +67,7 @@ TEST_F(ScriptTest, CollectsEveryFindingBeforeAnythingMoves) {
   EXPECT_EQ(Play("{\"do\": \"wait\"}\n[1, 2]\nnonsense\n{\"do\": \"wait\", \"seconds\": -1}"),
             "demo.jsonl:1: \"wait\" lacks \"seconds\" or \"until\"\n"
             "demo.jsonl:2: found array, expected an object like {\"hand\": \"left\", \"do\": …}\n"
-            "demo.jsonl:3: this is not a JSON object on one line\n"
+            "demo.jsonl:3: this is not JSON\n"
             "demo.jsonl:4: \"seconds\" is -1, expected a number from 0 to 86400");
   EXPECT_EQ(simulation_->tick(), 0u);
 }

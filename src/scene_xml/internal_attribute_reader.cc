@@ -47,7 +47,7 @@ Matrix3 WithoutNegativeZeros(const Matrix3& R) { return R.array() + 0.0; }
 
 void AttributeReader::AddFinding(const std::string& message) {
   has_findings_ = true;
-  reading_.findings->Add(element_.line, AddressOf(element_), message);
+  reading_.findings->Add(element_.place, AddressOf(element_), message);
 }
 
 void AttributeReader::Refuse(std::string_view name, const std::string& expected) {

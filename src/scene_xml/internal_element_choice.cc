@@ -12,7 +12,7 @@ bool CheckNamespace(const XmlElement& element, Reading* reading) {
   const std::string found = element.found_namespace.empty()
                                 ? "found no namespace"
                                 : "found namespace " + element.found_namespace;
-  reading->findings->Add(element.line, AddressOf(element),
+  reading->findings->Add(element.place, AddressOf(element),
                          found + ", expected xmlns=" + Quoted(kSceneNamespace));
   return false;
 }
@@ -32,7 +32,7 @@ void RefuseElement(const XmlElement& element, std::span<const std::string_view> 
                    Reading* reading) {
   const std::string what = expected.empty() ? "nothing inside this element" : OneOf(expected);
   reading->findings->Add(
-      element.line, AddressOf(element),
+      element.place, AddressOf(element),
       "found an unknown element, expected " + what + DidYouMean(element.name, expected));
 }
 

@@ -84,7 +84,7 @@ Part ReadPart(const XmlElement& element, const ShapeElement& shape, Reading* rea
   auto* composite = std::get_if<scene::Composite>(&part.shape);
   for (const XmlElement& child : element.children) {
     if (IsDescription(child)) {
-      reading->findings->Add(child.line, AddressOf(child),
+      reading->findings->Add(child.place, AddressOf(child),
                              "found a description of a part, expected it in the whole object");
     } else if (composite) {
       ReadPartInto(composite, child, reading);

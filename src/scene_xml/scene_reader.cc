@@ -33,7 +33,7 @@ scene::SceneSpec ReadRoot(const XmlElement& root, Findings* findings) {
   Reading reading{.findings = findings, .ids = {}};
   if (!CheckNamespace(root, &reading)) return scene;
   if (root.name != "tabletop") {
-    findings->Add(root.line, AddressOf(root), "found this element, expected <tabletop>");
+    findings->Add(root.place, AddressOf(root), "found this element, expected <tabletop>");
     return scene;
   }
   ReadTable(root, &reading, &scene);
@@ -57,7 +57,9 @@ SceneReading ReadSceneText(std::string_view xml, const std::string& file_name,
                            const SceneReaderOptions& options) {
   Findings findings(file_name, options.limits.max_diagnostics);
   SceneReading reading;
-  if (const std::optional<XmlElement> root = ParseXml(xml, options.limits, &findings)) {
+  int num_elements = 0;
+  if (const std::optional<XmlElement> root =
+          ParseXml(xml, /*file=*/0, options.limits, &num_elements, &findings)) {
     reading.scene = ReadRoot(*root, &findings);
     reading.scene->name = std::filesystem::path(file_name).stem().string();
   }

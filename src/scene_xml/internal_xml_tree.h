@@ -16,6 +16,7 @@ inline constexpr std::string_view kSceneNamespace = "http://synapse.cs.umd.edu/t
 struct XmlAttribute {
   std::string name;  ///< with its prefix, if it has one
   std::string value;
+  bool is_faulty = false;  ///< its expression has a fault, which has been reported
 };
 
 /// An element of a well-formed file. Comments, blanks and the attributes that only speak to XML
@@ -28,6 +29,10 @@ struct XmlElement {
   std::vector<XmlAttribute> attributes;
   std::vector<XmlElement> children;
 
+  /// Whether it is this element of the scene language.
+  bool Is(std::string_view element_name) const {
+    return is_in_scene_namespace && name == element_name;
+  }
   const std::string* FindAttribute(std::string_view attribute_name) const;
 };
 

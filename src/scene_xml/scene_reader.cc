@@ -14,20 +14,23 @@ namespace smile::scene_xml {
 namespace {
 
 /// @param path  nullptr for a text without a file.
-scene::SceneSpec ReadTree(XmlElement root, const std::filesystem::path* path,
-                          const SceneReaderOptions& options, const ReadCounts& counts,
-                          Findings* findings) {
-  scene::SceneSpec scene;
+SceneReading ReadTree(XmlElement root, const std::filesystem::path* path,
+                      const SceneReaderOptions& options, const ReadCounts& counts,
+                      Findings* findings) {
+  SceneReading result;
+  scene::SceneSpec& scene = result.scene.emplace();
   Reading reading{.findings = findings, .ids = {}};
-  if (!ReadRoot(root, &reading, &scene)) return scene;
+  if (!ReadRoot(root, &reading, &scene)) return result;
   const bool has_all_files = ResolveIncludes(path, options, counts, &root, &reading);
   ExpandTemplates(options.limits, has_all_files, &root, &reading);
   for (const XmlElement& child : root.children) {
     if (const ShapeElement* shape = FindShape(child, &reading)) {
       scene.objects.push_back(ReadObject(child, *shape, &reading));
+      const Sources& sources = findings->sources();
+      result.origins.push_back(sources.Address(child.place) + sources.ExpansionNote(child.place));
     }
   }
-  return scene;
+  return result;
 }
 
 /// @param path  nullptr for a text without a file.
@@ -38,11 +41,11 @@ SceneReading Read(std::string_view xml, const std::filesystem::path* path,
   SceneReading reading;
   if (std::optional<XmlElement> root =
           ParseXml(xml, /*file=*/0, options.limits, &counts.num_elements, &findings)) {
-    reading.scene = ReadTree(*std::move(root), path, options, counts, &findings);
+    reading = ReadTree(*std::move(root), path, options, counts, &findings);
     reading.scene->name = std::filesystem::path(file_name).stem().string();
   }
   reading.diagnostics = findings.Take();
-  if (!reading.diagnostics.empty()) reading.scene.reset();
+  if (!reading.diagnostics.empty()) reading = {.diagnostics = std::move(reading.diagnostics)};
   return reading;
 }
 
@@ -59,7 +62,7 @@ SceneReading ReadScene(const std::filesystem::path& path, const SceneReaderOptio
     text = ReadFile(path, options.limits.max_file_bytes);
   } catch (const std::runtime_error& error) {
     // Line 1: programs that read diagnostics are promised a line.
-    return {{}, {{path.string(), 1, "", WithoutPath(error.what(), path.string())}}};
+    return {.diagnostics = {{path.string(), 1, "", WithoutPath(error.what(), path.string())}}};
   }
   return Read(text, &path, path.string(), options);
 }

@@ -34,6 +34,9 @@ struct SceneReading {
   std::optional<scene::SceneSpec> scene;  ///< empty when there is any diagnostic
   /// In the order of the files, as they were read, and of their lines, which start at 1.
   std::vector<Diagnostic> diagnostics;
+  /// Where each object of the scene was written, for people: `parts/letters.xml:7 (in the instance
+  /// at letters.xml:6)`.
+  std::vector<std::string> origins;
 };
 
 /// Reads a scene file (docs/scene-format.md), looking at all of it: five faults, five diagnostics.

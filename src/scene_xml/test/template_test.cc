@@ -123,6 +123,19 @@ TEST(Template, MeansTheSameWhenWrittenAndReadAgain) {
   EXPECT_TRUE(MustRead(WriteScene(scene)).objects == scene.objects);
 }
 
+TEST(Template, LeavesATraceOfWhereEachObjectCameFrom) {
+  const SceneReading reading = ReadSceneText(
+      SceneText("<def name='t'>\n<block location='(0,0,0)'/></def>\n<instance def='t'/>\n"
+                "<block location='(0,0,0)'/>"),
+      "a--b.xml");
+  EXPECT_EQ(reading.origins, (Texts{"a--b.xml:4 (in the instance at a--b.xml:5)", "a--b.xml:6"}));
+  const std::string text = WriteScene(*reading.scene, reading.origins);
+  EXPECT_NE(text.find("\n  <!-- a- -b.xml:4 (in the instance at a- -b.xml:5) -->\n  <block"),
+            std::string::npos)
+      << text;
+  EXPECT_TRUE(MustRead(text).objects == reading.scene->objects);
+}
+
 TEST(TemplateFaults, NameTheTemplateAndTheInstance) {
   EXPECT_EQ(
       FaultsOf(SceneText("<def name='cube'>\n<block location='(0,0,0)' colour='$color$'/>\n</def>\n"

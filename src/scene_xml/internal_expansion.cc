@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
 #include <map>
 #include <string>
 #include <string_view>
@@ -18,7 +17,7 @@
 namespace smile::scene_xml {
 namespace {
 
-constexpr std::size_t kMaxSuggestedNames = 100;
+constexpr std::size_t kMaxSuggestedTemplates = 100;
 
 struct Template {
   std::vector<VariableText> defaults;
@@ -197,7 +196,7 @@ class Expander {
     if (!has_all_files_ || reading_.findings->is_full()) return;
     std::vector<std::string_view> names;
     for (const auto& [known, unused] : templates_) {
-      if (names.size() < kMaxSuggestedNames) names.push_back(known);
+      if (names.size() < kMaxSuggestedTemplates) names.push_back(known);
     }
     Fail(instance, "found def=" + Quoted(name) + ", expected the name of a def in this scene" +
                        DidYouMean(name, names));

@@ -1,31 +1,28 @@
 #include "scene_xml/internal_expression.h"
 
 #include <charconv>
-#include <cstring>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "base/wording.h"
+#include "scene_xml/internal_letters.h"
 
 namespace smile::scene_xml {
 namespace {
 
 constexpr int kMaxParentheses = 64;  // inside one another
-constexpr std::size_t kMaxNumberBytes = 100;
+constexpr std::size_t kMaxOperandBytes = 100;
 
-bool IsBlank(char letter) { return letter == ' ' || letter == '\t'; }
-bool IsDigit(char letter) { return letter >= '0' && letter <= '9'; }
-bool IsTokenLetter(char letter) {
-  return IsDigit(letter) || (letter >= 'A' && letter <= 'Z') || (letter >= 'a' && letter <= 'z') ||
-         letter == '.' || letter == '_';
-}
+bool IsGap(char letter) { return letter == ' ' || letter == '\t'; }
+bool IsTokenLetter(char letter) { return IsIdLetter(letter) || letter == '.'; }
 bool IsOneOf(char letter, std::string_view letters) {
   return letters.find(letter) != std::string_view::npos;
 }
 
-std::string_view Trimmed(std::string_view text) {
-  while (!text.empty() && IsBlank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && IsBlank(text.back())) text.remove_suffix(1);
+std::string_view WithoutGaps(std::string_view text) {
+  while (!text.empty() && IsGap(text.front())) text.remove_prefix(1);
+  while (!text.empty() && IsGap(text.back())) text.remove_suffix(1);
   return text;
 }
 
@@ -48,7 +45,7 @@ std::optional<float> ParseDecimal(std::string_view text) {
 
 /// A number without sign, as the original reads it: `2`, `.5`, `5.`, `1e-3`, `2d`, `Infinity`.
 std::optional<float> ParseUnsigned(std::string_view text) {
-  if (text.size() > kMaxNumberBytes) return std::nullopt;
+  if (text.size() > kMaxOperandBytes) return std::nullopt;
   if (text == "NaN") return std::numeric_limits<float>::quiet_NaN();
   if (text == "Infinity") return std::numeric_limits<float>::infinity();
   if (!text.empty() && IsOneOf(text.back(), "dDfF")) text.remove_suffix(1);
@@ -57,7 +54,7 @@ std::optional<float> ParseUnsigned(std::string_view text) {
 
 /// A variable's value in arithmetic.
 std::optional<float> ParseValue(std::string_view text) {
-  text = Trimmed(text);
+  text = WithoutGaps(text);
   const bool is_negative = !text.empty() && text[0] == '-';
   if (!text.empty() && IsOneOf(text[0], "+-")) text.remove_prefix(1);
   const std::optional<float> size = ParseUnsigned(text);
@@ -85,7 +82,7 @@ class ExpressionReader {
 
  private:
   const std::string* ValueOfLoneName() {
-    const std::string_view name = Trimmed(text_);
+    const std::string_view name = WithoutGaps(text_);
     for (char letter : name) {
       if (!IsTokenLetter(letter)) return nullptr;
     }
@@ -178,7 +175,7 @@ class ExpressionReader {
   }
 
   void SkipBlanks() {
-    while (!text_.empty() && IsBlank(text_[0])) text_.remove_prefix(1);
+    while (!text_.empty() && IsGap(text_[0])) text_.remove_prefix(1);
   }
 
   std::string WhatFollows() const { return text_.empty() ? "an early end" : Quoted(text_); }

@@ -9,7 +9,7 @@ namespace smile::scene_xml {
 namespace {
 
 constexpr std::size_t kMaxInWork = 64;
-constexpr std::size_t kMaxSuggestedNames = 100;
+constexpr std::size_t kMaxSuggestedVariables = 100;
 
 }  // namespace
 
@@ -61,7 +61,7 @@ std::vector<std::string_view> Scope::SomeNames() const {
   std::vector<std::string_view> names;
   for (const Scope* scope = this; scope; scope = scope->enclosing_) {
     for (const Entry& entry : scope->variables_) {
-      if (names.size() < kMaxSuggestedNames) names.push_back(entry.first);
+      if (names.size() < kMaxSuggestedVariables) names.push_back(entry.first);
     }
   }
   return names;

@@ -47,10 +47,16 @@ Matrix3 WithoutNegativeZeros(const Matrix3& R) { return R.array() + 0.0; }
 
 void AttributeReader::AddFinding(const std::string& message) {
   has_findings_ = true;
-  reading_.findings->Add(element_.line, AddressOf(element_), message);
+  reading_.findings->Add(element_.place, AddressOf(element_), message);
 }
 
 void AttributeReader::Refuse(std::string_view name, const std::string& expected) {
+  for (const XmlAttribute& attribute : element_.attributes) {
+    if (attribute.name == name && attribute.is_faulty) {
+      has_findings_ = true;
+      return;
+    }
+  }
   const std::string* text = element_.FindAttribute(name);
   const std::string found =
       text ? std::string(name) + "=" + Quoted(*text) : "the default of " + std::string(name);
@@ -66,6 +72,14 @@ std::string AttributeReader::RequiredText(std::string_view name) {
   if (const std::string* text = Text(name)) return *text;
   AddFinding("found no " + std::string(name) + ", expected " + std::string(name) + "=\"…\"");
   return {};
+}
+
+std::string AttributeReader::RequiredName(std::string_view name) {
+  std::string text = RequiredText(name);
+  if (Text(name) && (text.empty() || !IsId(text))) {
+    Refuse(name, "letters A-Z and a-z, digits and _, 1 to 100");
+  }
+  return text;
 }
 
 std::string AttributeReader::Id() {

@@ -32,6 +32,8 @@ class AttributeReader {
   const std::string* Text(std::string_view name);
   /// As written, for one that must be there.
   std::string RequiredText(std::string_view name);
+  /// As written, for one that must be there and must be a name: letters, digits and `_`.
+  std::string RequiredName(std::string_view name);
   /// Letters, digits and `_`, or a name the program gave (`obj#3`).
   std::string Id();
 
@@ -49,7 +51,8 @@ class AttributeReader {
   /// Refuses an attribute that belongs elsewhere, with better words than RefuseUnknown() has.
   void Forbid(std::string_view name, const std::string& expected);
   void RefuseUnknown();
-  /// Adds `found name="value", expected …`, or `found the default of name, …`.
+  /// Adds `found name="value", expected …`, or `found the default of name, …`; nothing for a value
+  /// whose expression has been reported.
   void Refuse(std::string_view name, const std::string& expected);
   /// Whether anything was wrong so far: then values are defaults and need not fit together.
   bool has_findings() const { return has_findings_; }

@@ -6,13 +6,25 @@
 #include "base/wording.h"
 
 namespace smile::scene_xml {
+namespace {
+
+using Names = std::span<const std::string_view>;
+
+void Refuse(const XmlElement& element, Names expected, Names possible, Reading* reading) {
+  const std::string what = expected.empty() ? "nothing inside this element" : OneOf(expected);
+  reading->findings->Add(
+      element.place, AddressOf(element),
+      "found an unknown element, expected " + what + DidYouMean(element.name, possible));
+}
+
+}  // namespace
 
 bool CheckNamespace(const XmlElement& element, Reading* reading) {
   if (element.is_in_scene_namespace) return true;
   const std::string found = element.found_namespace.empty()
                                 ? "found no namespace"
                                 : "found namespace " + element.found_namespace;
-  reading->findings->Add(element.line, AddressOf(element),
+  reading->findings->Add(element.place, AddressOf(element),
                          found + ", expected xmlns=" + Quoted(kSceneNamespace));
   return false;
 }
@@ -24,16 +36,16 @@ const ShapeElement* FindShape(const XmlElement& element, Reading* reading) {
     if (shape.name == element.name) return &shape;
     names.push_back(shape.name);
   }
-  RefuseElement(element, names, reading);
+  // Not listed, to keep the message short, but possibly meant.
+  std::vector<std::string_view> words = names;
+  words.insert(words.end(), {"def", "include", "instance", "var"});
+  Refuse(element, names, words, reading);
   return nullptr;
 }
 
 void RefuseElement(const XmlElement& element, std::span<const std::string_view> expected,
                    Reading* reading) {
-  const std::string what = expected.empty() ? "nothing inside this element" : OneOf(expected);
-  reading->findings->Add(
-      element.line, AddressOf(element),
-      "found an unknown element, expected " + what + DidYouMean(element.name, expected));
+  Refuse(element, expected, expected, reading);
 }
 
 }  // namespace smile::scene_xml

@@ -1,49 +1,47 @@
 #pragma once
 
-#include <algorithm>
+#include <set>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "base/diagnostic.h"
+#include "scene_xml/internal_place.h"
 
 namespace smile::scene_xml {
 
-/// Collects the diagnostics of one file. It takes a limited number of them, so that a file with a
+/// Collects the diagnostics of one scene. It takes a limited number of them, so that a file with a
 /// million faults does not become a million messages.
 class Findings {
  public:
-  Findings(std::string file, int max_count) : file_(std::move(file)), max_count_(max_count) {}
+  Findings(std::string main_file, int max_count)
+      : sources_(std::move(main_file)), max_count_(max_count) {}
 
+  /// A fault of a template is taken once, however often the template is used.
+  ///
   /// @param element  as it is shown between angle brackets; may be empty.
-  void Add(int line, std::string element, std::string message) {
-    if (is_full()) {
-      has_dropped_ = true;
-    } else {
-      diagnostics_.push_back({file_, line, std::move(element), std::move(message)});
-    }
-  }
+  void Add(const Place& place, std::string element, std::string message);
 
   /// Then it is not worth the time to word another one.
-  bool is_full() const { return static_cast<int>(diagnostics_.size()) >= max_count_; }
+  bool is_full() const { return static_cast<int>(findings_.size()) >= max_count_; }
+  bool is_empty() const { return findings_.empty(); }
 
-  /// All of them, by line; those of one line in the order they were added.
-  std::vector<Diagnostic> Take() {
-    std::stable_sort(diagnostics_.begin(), diagnostics_.end(),
-                     [](const Diagnostic& a, const Diagnostic& b) { return a.line < b.line; });
-    if (has_dropped_) {
-      diagnostics_.push_back(
-          {file_, diagnostics_.back().line, "",
-           "found more faults than the " + std::to_string(max_count_) + " listed, expected none"});
-    }
-    return std::move(diagnostics_);
-  }
+  /// All of them: files in the order they were read, by line, those of one line in the order they
+  /// were added.
+  std::vector<Diagnostic> Take();
+
+  Sources& sources() { return sources_; }
 
  private:
-  std::string file_;
+  struct Finding {
+    int file;
+    Diagnostic diagnostic;
+  };
+
+  Sources sources_;
   int max_count_;
   bool has_dropped_ = false;
-  std::vector<Diagnostic> diagnostics_;
+  std::vector<Finding> findings_;
+  std::set<std::string> in_templates_;  // what was said of places that instances brought
 };
 
 }  // namespace smile::scene_xml

@@ -37,10 +37,7 @@ void Describe(Description description, std::vector<Description>* descriptions) {
 
 Description ReadDescription(const XmlElement& element, Reading* reading) {
   AttributeReader attributes(element, reading);
-  Description description{attributes.RequiredText("name"), attributes.RequiredText("value")};
-  if (attributes.Text("name") && (description.name.empty() || !IsId(description.name))) {
-    attributes.Refuse("name", "letters A-Z and a-z, digits and _, 1 to 100");
-  }
+  Description description{attributes.RequiredName("name"), attributes.RequiredText("value")};
   attributes.RefuseUnknown();
   for (const XmlElement& child : element.children) RefuseElement(child, {}, reading);
   return description;
@@ -84,7 +81,7 @@ Part ReadPart(const XmlElement& element, const ShapeElement& shape, Reading* rea
   auto* composite = std::get_if<scene::Composite>(&part.shape);
   for (const XmlElement& child : element.children) {
     if (IsDescription(child)) {
-      reading->findings->Add(child.line, AddressOf(child),
+      reading->findings->Add(child.place, AddressOf(child),
                              "found a description of a part, expected it in the whole object");
     } else if (composite) {
       ReadPartInto(composite, child, reading);

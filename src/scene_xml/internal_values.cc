@@ -4,19 +4,14 @@
 #include <charconv>
 #include <cmath>
 
+#include "scene_xml/internal_letters.h"
+
 namespace smile::scene_xml {
 namespace {
 
 constexpr std::size_t kMaxIdBytes = 100;  // ids stand in every log line and label
 constexpr std::size_t kMaxRenameDigits = 10;
 constexpr std::size_t kMaxNumberBytes = 100;  // a number nobody writes longer; bounds the work
-
-bool IsDigit(char letter) { return letter >= '0' && letter <= '9'; }
-
-bool IsIdLetter(char letter) {
-  return IsDigit(letter) || (letter >= 'A' && letter <= 'Z') || (letter >= 'a' && letter <= 'z') ||
-         letter == '_';
-}
 
 std::string_view Trimmed(std::string_view text) {
   const auto first = text.find_first_not_of(" \t\r\n");

@@ -36,7 +36,8 @@ std::size_t SkipTag(std::string_view text, std::size_t offset, int* num_attribut
   return text.size();
 }
 
-bool HasOverloadedTag(std::string_view text, const SceneLimits& limits, Findings* findings) {
+bool HasOverloadedTag(std::string_view text, int file, const SceneLimits& limits,
+                      Findings* findings) {
   std::size_t offset = 0;
   while ((offset = text.find('<', offset)) != std::string_view::npos) {
     const std::string_view rest = text.substr(offset);
@@ -50,7 +51,7 @@ bool HasOverloadedTag(std::string_view text, const SceneLimits& limits, Findings
       int num_attributes = 0;
       const std::size_t end = SkipTag(text, offset, &num_attributes);
       if (num_attributes > limits.max_attributes) {
-        findings->Add(LineAt(text, offset), "",
+        findings->Add({file, LineAt(text, offset)}, "",
                       "found a tag with " + std::to_string(num_attributes) +
                           " attributes, expected at most " + std::to_string(limits.max_attributes));
         return true;
@@ -63,30 +64,31 @@ bool HasOverloadedTag(std::string_view text, const SceneLimits& limits, Findings
 
 }  // namespace
 
-bool PassesPrecheck(std::string_view text, const SceneLimits& limits, Findings* findings) {
+bool PassesPrecheck(std::string_view text, int file, const SceneLimits& limits,
+                    Findings* findings) {
   if (text.size() > limits.max_file_bytes) {
-    findings->Add(1, "",
+    findings->Add({file, 1}, "",
                   "found " + std::to_string(text.size()) + " bytes, expected at most " +
                       std::to_string(limits.max_file_bytes));
     return false;
   }
   if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos) {
-    findings->Add(LineAt(text, nul), "", "found a NUL byte, expected XML text in UTF-8");
+    findings->Add({file, LineAt(text, nul)}, "", "found a NUL byte, expected XML text in UTF-8");
     return false;
   }
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   if (first == std::string_view::npos) {
-    findings->Add(1, "", "found an empty file, expected a <tabletop> element");
+    findings->Add({file, 1}, "", "found an empty file, expected a <tabletop> element");
     return false;
   }
   if (text[first] != '<') {
-    findings->Add(LineAt(text, first), "",
+    findings->Add({file, LineAt(text, first)}, "",
                   "found something that is not XML, expected a <tabletop> element");
     return false;
   }
-  return !HasOverloadedTag(text, limits, findings);
+  return !HasOverloadedTag(text, file, limits, findings);
 }
 
 }  // namespace smile::scene_xml

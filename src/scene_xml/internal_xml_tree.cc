@@ -32,13 +32,20 @@ std::string_view NamespaceView(const xmlChar* uri) {
   return {text, strnlen(text, kMaxBytes)};
 }
 
+/// The attribute by which a person knows an element.
+std::string_view NameOfKey(const XmlElement& element) {
+  if (element.name == "def" || element.name == "var") return "name";
+  if (element.name == "instance") return "def";
+  return "id";
+}
+
 bool IsBlank(char letter) { return std::strchr(" \t\r\n", letter) != nullptr; }
 
 /// Builds the tree from the parser's events. A finding that makes the tree useless stops it.
 class TreeBuilder {
  public:
-  TreeBuilder(const SceneLimits& limits, Findings* findings)
-      : limits_(limits), findings_(findings) {}
+  TreeBuilder(int file, const SceneLimits& limits, int* num_elements, Findings* findings)
+      : file_(file), limits_(limits), num_elements_(*num_elements), findings_(findings) {}
 
   std::optional<XmlElement> Parse(std::string_view text) {
     struct FreeContext {
@@ -47,7 +54,8 @@ class TreeBuilder {
     std::unique_ptr<xmlParserCtxt, FreeContext> context(
         xmlCreateMemoryParserCtxt(text.data(), static_cast<int>(text.size())));
     if (!context) {
-      findings_->Add(1, "", "found something that is not XML, expected a <tabletop> element");
+      findings_->Add({file_, 1}, "",
+                     "found something that is not XML, expected a <tabletop> element");
       return std::nullopt;
     }
     context_ = context.get();
@@ -94,7 +102,7 @@ class TreeBuilder {
   void Fail(const std::string& element, const std::string& message) {
     if (has_failed_) return;
     has_failed_ = true;
-    findings_->Add(current_line(), element, message);
+    findings_->Add({file_, current_line()}, element, message);
     xmlStopParser(context_);
   }
 
@@ -129,7 +137,7 @@ class TreeBuilder {
                     const xmlChar** attributes) {
     XmlElement element;
     element.name = View(name);
-    element.line = LineOfOpenTag();
+    element.place = {file_, LineOfOpenTag()};
     element.is_in_scene_namespace = NamespaceView(uri) == kSceneNamespace;
     if (uri && !element.is_in_scene_namespace) element.found_namespace = Quoted(NamespaceView(uri));
     TakeAttributes(num_attributes, attributes, &element);
@@ -190,7 +198,7 @@ class TreeBuilder {
     const int line = current_line() - static_cast<int>(std::count(first, text.end(), '\n'));
     std::string_view shown = text.substr(first - text.begin());
     shown = shown.substr(0, shown.find_first_of("\r\n"));
-    findings_->Add(line, AddressOf(*open_.back()),
+    findings_->Add({file_, line}, AddressOf(*open_.back()),
                    "found text " + Quoted(shown) + ", expected only elements");
   }
 
@@ -202,19 +210,20 @@ class TreeBuilder {
     while (!reason.empty() && IsBlank(reason.back())) reason.pop_back();
     std::replace(reason.begin(), reason.end(), '\n', ' ');
     if (reason.size() > kMaxReasonBytes) reason = reason.substr(0, kMaxReasonBytes) + "…";
-    findings_->Add(std::max(1, error.line), "",
+    findings_->Add({file_, std::max(1, error.line)}, "",
                    "found a fault in the XML (" + reason + "), expected well-formed XML");
     xmlStopParser(context_);
   }
 
   static constexpr std::size_t kMaxReasonBytes = 200;
 
+  int file_;
   const SceneLimits& limits_;
+  int& num_elements_;
   Findings* findings_;
   xmlParserCtxt* context_ = nullptr;
   std::optional<XmlElement> root_;
   std::vector<XmlElement*> open_;  // from the root inwards
-  int num_elements_ = 0;
   bool has_refused_text_ = false;  // since the last tag
   bool has_failed_ = false;
 };
@@ -231,14 +240,17 @@ const std::string* XmlElement::FindAttribute(std::string_view attribute_name) co
 std::string AddressOf(const XmlElement& element) {
   constexpr std::size_t kMaxNameBytes = 60;
   std::string address = element.name.substr(0, kMaxNameBytes);
-  if (const std::string* id = element.FindAttribute("id")) address += " id=" + Quoted(*id);
+  const std::string_view key = NameOfKey(element);
+  if (const std::string* value = element.FindAttribute(key)) {
+    address += " " + std::string(key) + "=" + Quoted(*value);
+  }
   return address;
 }
 
-std::optional<XmlElement> ParseXml(std::string_view text, const SceneLimits& limits,
-                                   Findings* findings) {
-  if (!PassesPrecheck(text, limits, findings)) return std::nullopt;
-  return TreeBuilder(limits, findings).Parse(text);
+std::optional<XmlElement> ParseXml(std::string_view text, int file, const SceneLimits& limits,
+                                   int* num_elements, Findings* findings) {
+  if (!PassesPrecheck(text, file, limits, findings)) return std::nullopt;
+  return TreeBuilder(file, limits, num_elements, findings).Parse(text);
 }
 
 }  // namespace smile::scene_xml

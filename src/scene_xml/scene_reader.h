@@ -14,29 +14,41 @@ namespace smile::scene_xml {
 
 /// What a scene file may cost: files come from anywhere. Each limit, when passed, is a diagnostic.
 struct SceneLimits {
-  std::size_t max_file_bytes = 32u << 20;
-  int max_depth = 256;          ///< elements inside one another; at most 256
-  int max_elements = 100'000;   ///< in the whole file
+  std::size_t max_file_bytes = 32u << 20;  ///< of all files together
+  int max_depth = 256;                     ///< elements inside one another; at most 256
+  int max_elements = 100'000;   ///< in all files together; as many again out of templates
   int max_attributes = 256;     ///< of one element
+  int max_files = 256;          ///< the scene and all it includes
+  int max_instances = 64;       ///< of templates inside one another
   int max_diagnostics = 1'000;  ///< listed, at least 1; one more says that there are more
 };
 
 struct SceneReaderOptions {
+  /// Where included files are looked for after the folder of the file that includes them.
+  std::vector<std::filesystem::path> search_roots;
   SceneLimits limits;
 };
 
 /// A scene, or everything that is wrong with it.
 struct SceneReading {
   std::optional<scene::SceneSpec> scene;  ///< empty when there is any diagnostic
-  std::vector<Diagnostic> diagnostics;    ///< in the order of the file; lines start at 1
+  /// In the order of the files, as they were read, and of their lines, which start at 1.
+  std::vector<Diagnostic> diagnostics;
+  /// Where each object of the scene was written, for people: `parts/letters.xml:7 (in the instance
+  /// at letters.xml:6)`.
+  std::vector<std::string> origins;
 };
 
 /// Reads a scene file (docs/scene-format.md), looking at all of it: five faults, five diagnostics.
 /// The scene is named after the file, without folder and extension. A file that cannot be opened is
 /// a diagnostic too.
+///
+/// Included files are read only from the folder of the scene, what is below it, and the same of
+/// `search_roots`; a link that leads elsewhere is not followed.
 SceneReading ReadScene(const std::filesystem::path& path, const SceneReaderOptions& options = {});
 
-/// The same for a text at hand; `file_name` names it in diagnostics and names the scene.
+/// The same for a text at hand; `file_name` names it in diagnostics and names the scene. A text
+/// lies in no folder: the files it includes are looked for in `search_roots` alone.
 SceneReading ReadSceneText(std::string_view xml, const std::string& file_name,
                            const SceneReaderOptions& options = {});
 

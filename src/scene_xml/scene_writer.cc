@@ -72,7 +72,7 @@ class SceneWriter {
  public:
   explicit SceneWriter(double meters_per_unit) : meters_per_unit_(meters_per_unit) {}
 
-  std::string Write(const scene::SceneSpec& scene) {
+  std::string Write(const scene::SceneSpec& scene, std::span<const std::string> origins) {
     text_ = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<tabletop";
     Attribute("xmlns", kSceneNamespace);
     Length("xspan", scene.table.x_span);
@@ -82,13 +82,25 @@ class SceneWriter {
       Attribute("metersPerUnit", NumberText(meters_per_unit_));
     }
     text_ += ">\n";
-    for (const scene::ObjectSpec& object : scene.objects) {
-      Element(object.whole, &object, 1);
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+      if (i < origins.size()) Comment(origins[i], 1);
+      Element(scene.objects[i].whole, &scene.objects[i], 1);
     }
     return std::move(text_) + "</tabletop>\n";
   }
 
  private:
+  /// File names come from anywhere: two hyphens would end the comment, or break it.
+  void Comment(std::string_view text, int depth) {
+    Indent(depth);
+    text_ += "<!-- ";
+    for (char letter : text) {
+      if (letter == '-' && text_.back() == '-') text_ += ' ';
+      text_ += static_cast<unsigned char>(letter) < 0x20 ? '?' : letter;
+    }
+    text_ += " -->\n";
+  }
+
   /// @param object  the whole object when `part` is one, else nullptr.
   void Element(const scene::Part& part, const scene::ObjectSpec* object, int depth) {
     const std::string_view name = NameOf(part.shape);
@@ -192,8 +204,8 @@ class SceneWriter {
 
 }  // namespace
 
-std::string WriteScene(const scene::SceneSpec& scene) {
-  return SceneWriter(scene.meters_per_unit).Write(scene);
+std::string WriteScene(const scene::SceneSpec& scene, std::span<const std::string> origins) {
+  return SceneWriter(scene.meters_per_unit).Write(scene, origins);
 }
 
 }  // namespace smile::scene_xml

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "scene/scene_spec.h"
@@ -23,6 +24,7 @@ namespace smile::scene_xml {
 ///
 /// @param scene  one the reader could have made: finite numbers, valid and unique ids, rotations
 ///               within 1e-9 of a rotation matrix.
-std::string WriteScene(const scene::SceneSpec& scene);
+/// @param origins  a comment before each object, such as SceneReading::origins; empty for none.
+std::string WriteScene(const scene::SceneSpec& scene, std::span<const std::string> origins = {});
 
 }  // namespace smile::scene_xml

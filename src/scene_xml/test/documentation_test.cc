@@ -26,7 +26,7 @@ std::string ShippedScene(const std::string& name) {
 }
 
 TEST(SceneFormatPage, ShowsTheTowerAsItShips) {
-  ASSERT_EQ(ExamplesOf("xml").size(), 2u);
+  ASSERT_EQ(ExamplesOf("xml").size(), 3u);
   EXPECT_EQ(ExamplesOf("xml")[0], ShippedScene("tower.xml"));
 }
 
@@ -37,6 +37,14 @@ TEST(SceneFormatPage, ShowsTheMalletAsItShips) {
     is_shipped |= object == shown;
   }
   EXPECT_TRUE(is_shipped);
+}
+
+TEST(SceneFormatPage, ShowsATemplateThatWorks) {
+  const scene::SceneSpec scene = MustRead(SceneText(ExamplesOf("xml").at(2)));
+  ASSERT_EQ(scene.objects.size(), 2u);
+  EXPECT_EQ(scene.objects[1].id(), "Step2");
+  EXPECT_EQ(scene.objects[1].whole.color, Color(1, 0, 0));
+  EXPECT_EQ(scene.objects[1].pose_in_world().translation().z(), 0.025);
 }
 
 TEST(SceneFormatPage, ShowsErrorsAsTheyAre) {

@@ -127,8 +127,7 @@ TEST(HostileInput, RefusesFoldersAndMissingFiles) {
 }
 
 /// Random bytes, cut, doubled and overwritten in a good file: any answer is right but a crash.
-TEST(HostileInput, SurvivesDamagedFiles) {
-  const std::string good = ReadFile(DataFile("scenes/shapes.xml"), 1 << 20);
+void SurviveDamagesOf(const std::string& good) {
   std::mt19937 random(7);
   const auto pick = [&random](std::size_t count) { return random() % count; };
   for (int round = 0; round < 3'000; ++round) {
@@ -146,7 +145,7 @@ TEST(HostileInput, SurvivesDamagedFiles) {
           text.insert(pick(text.size()), text.substr(at, size));
           break;
         case 3:
-          text[at] = "<>\"'&=/#(),.-0 "[pick(15)];
+          text[at] = "<>\"'&=/#(),.-0$ "[pick(16)];
           break;
       }
       if (text.empty()) text = "<";
@@ -155,6 +154,17 @@ TEST(HostileInput, SurvivesDamagedFiles) {
     EXPECT_EQ(reading.scene.has_value(), reading.diagnostics.empty());
     for (const Diagnostic& diagnostic : reading.diagnostics) EXPECT_GE(diagnostic.line, 1);
   }
+}
+
+TEST(HostileInput, SurvivesDamagedFiles) {
+  SurviveDamagesOf(ReadFile(DataFile("scenes/shapes.xml"), 1 << 20));
+}
+
+TEST(HostileInput, SurvivesDamagedTemplates) {
+  const std::string templates = ReadFile(DataFile("scenes/parts/letters.xml"), 1 << 20);
+  const std::string instances = ReadFile(DataFile("scenes/letters.xml"), 1 << 20);
+  SurviveDamagesOf(templates.substr(0, templates.find("</tabletop>")) +
+                   instances.substr(instances.find("<instance")));
 }
 
 }  // namespace

@@ -149,9 +149,9 @@ TEST(SceneFaults, RefusesIncompleteDescriptions) {
                                "<description name='two words'/></block>")),
             (std::vector<std::string>{
                 "test.xml:4: <description>: found no name, expected name=\"…\"",
-                "test.xml:5: <description>: found no value, expected value=\"…\"",
                 "test.xml:5: <description>: found name=\"two words\", expected letters A-Z and "
-                "a-z, digits and _, 1 to 100"}));
+                "a-z, digits and _, 1 to 100",
+                "test.xml:5: <description>: found no value, expected value=\"…\""}));
 }
 
 TEST(SceneFaults, RefusesAUnitOfNothing) {

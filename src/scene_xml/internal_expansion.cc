@@ -1,0 +1,253 @@
+#include "scene_xml/internal_expansion.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "base/wording.h"
+#include "scene_xml/internal_attribute_reader.h"
+#include "scene_xml/internal_element_choice.h"
+#include "scene_xml/internal_expansion_budget.h"
+#include "scene_xml/internal_scope.h"
+
+namespace smile::scene_xml {
+namespace {
+
+constexpr std::size_t kMaxSuggestedTemplates = 100;
+
+struct Template {
+  std::vector<VariableText> defaults;
+  std::vector<XmlElement> content;
+  Place place;
+  // What one instance costs.
+  int num_elements = 0;
+  std::size_t num_bytes = 0;
+};
+
+using Templates = std::map<std::string, Template, std::less<>>;
+
+/// What is around an element while it is expanded.
+struct Surroundings {
+  Scope* scope;
+  int expansion;  // of Sources
+  int depth;      // of the element around, the root being 1
+};
+
+void AddCost(const XmlElement& element, Template* target) {
+  ++target->num_elements;
+  for (const XmlAttribute& attribute : element.attributes) {
+    target->num_bytes += attribute.name.size() + attribute.value.size();
+  }
+  for (const XmlElement& child : element.children) AddCost(child, target);
+}
+
+VariableText ReadVariable(const XmlElement& element, Reading* reading) {
+  AttributeReader attributes(element, reading);
+  // One by one: the order of findings is that of these lines.
+  VariableText variable{.place = element.place};
+  variable.name = attributes.RequiredName("name");
+  variable.value = attributes.RequiredText("value");
+  variable.is_derived = attributes.Boolean("derived", false);
+  attributes.RefuseUnknown();
+  for (const XmlElement& child : element.children) RefuseElement(child, {}, reading);
+  return variable;
+}
+
+void ReadTemplate(XmlElement def, Reading* reading, Templates* templates) {
+  AttributeReader attributes(def, reading);
+  const std::string name = attributes.RequiredName("name");
+  attributes.RefuseUnknown();
+  Template result{.place = def.place};
+  for (XmlElement& child : def.children) {
+    AddCost(child, &result);
+    if (child.Is("var")) {
+      result.defaults.push_back(ReadVariable(child, reading));
+    } else {
+      result.content.push_back(std::move(child));
+    }
+  }
+  const auto [entry, is_new] = templates->try_emplace(name, std::move(result));
+  if (is_new || name.empty()) return;
+  const std::string first = reading->findings->sources().Address(entry->second.place);
+  reading->findings->Add(def.place, AddressOf(def),
+                         "found a second def of this name, expected one; the first is at " + first);
+}
+
+/// The templates of the scene, taken out of the root.
+Templates TakeTemplates(XmlElement* root, Reading* reading) {
+  Templates templates;
+  std::vector<XmlElement> content;
+  for (XmlElement& child : root->children) {
+    if (child.Is("def")) {
+      ReadTemplate(std::move(child), reading, &templates);
+    } else {
+      content.push_back(std::move(child));
+    }
+  }
+  root->children = std::move(content);
+  return templates;
+}
+
+class Expander {
+ public:
+  Expander(const SceneLimits& limits, bool has_all_files, Templates templates, Reading* reading)
+      : limits_(limits),
+        has_all_files_(has_all_files),
+        templates_(std::move(templates)),
+        reading_(*reading),
+        budget_(limits, reading->findings) {}
+
+  void Expand(XmlElement* root) {
+    Scope scope(&budget_, reading_.findings);
+    root->children = Expanded(std::move(root->children), {&scope, /*expansion=*/-1, /*depth=*/1});
+  }
+
+ private:
+  std::vector<XmlElement> Expanded(std::vector<XmlElement> content, const Surroundings& around) {
+    std::vector<XmlElement> result;
+    ExpandInto(&result, std::move(content), around);
+    return result;
+  }
+
+  void ExpandInto(std::vector<XmlElement>* target, std::vector<XmlElement> content,
+                  const Surroundings& around) {
+    for (XmlElement& element : content) {
+      if (budget_.is_spent()) return;
+      element.place.expansion = around.expansion;
+      if (element.Is("instance")) {
+        ExpandInstance(std::move(element), around, target);
+      } else if (!IsMisplaced(element)) {
+        ExpandElement(std::move(element), around, target);
+      }
+    }
+  }
+
+  void ExpandElement(XmlElement element, const Surroundings& around,
+                     std::vector<XmlElement>* target) {
+    if (around.depth >= limits_.max_depth) {
+      return Fail(element, "found more than " + std::to_string(limits_.max_depth) +
+                               " elements inside one another, expected fewer");
+    }
+    SubstituteAttributes(&element, around.scope);
+    element.children =
+        Expanded(std::move(element.children), {around.scope, around.expansion, around.depth + 1});
+    target->push_back(std::move(element));
+  }
+
+  void ExpandInstance(XmlElement instance, const Surroundings& around,
+                      std::vector<XmlElement>* target) {
+    SubstituteAttributes(&instance, around.scope);
+    AttributeReader attributes(instance, &reading_);
+    const std::string name = attributes.RequiredName("def");
+    attributes.RefuseUnknown();
+    const std::vector<VariableText> variables = ReadVariables(&instance, around);
+    if (attributes.has_findings()) return;
+    const auto found = templates_.find(name);
+    if (found == templates_.end()) return RefuseName(instance, name);
+    if (!CanOpen(instance, name)) return;
+
+    const Template& used = found->second;
+    if (!budget_.Spend(1 + used.num_elements, used.num_bytes, instance.place)) return;
+    const int expansion = reading_.findings->sources().AddExpansion(instance.place);
+    std::vector<VariableText> defaults = used.defaults;
+    for (VariableText& variable : defaults) variable.place.expansion = expansion;
+    Scope scope(around.scope, variables, defaults, &budget_, reading_.findings);
+    open_.push_back(name);
+    ExpandInto(target, used.content, {&scope, expansion, around.depth});
+    open_.pop_back();
+  }
+
+  std::vector<VariableText> ReadVariables(XmlElement* instance, const Surroundings& around) {
+    std::vector<VariableText> variables;
+    for (XmlElement& child : instance->children) {
+      child.place.expansion = around.expansion;
+      if (child.Is("var")) {
+        variables.push_back(ReadVariable(child, &reading_));
+      } else if (CheckNamespace(child, &reading_)) {
+        RefuseElement(child, std::array<std::string_view, 1>{"var"}, &reading_);
+      }
+    }
+    return variables;
+  }
+
+  /// Whether the template of this name may be used inside those that are open.
+  bool CanOpen(const XmlElement& instance, const std::string& name) {
+    const auto outer = std::find(open_.begin(), open_.end(), name);
+    if (outer != open_.end()) {
+      std::string circle;
+      for (auto it = outer; it != open_.end(); ++it) circle += *it + ", ";
+      Fail(instance, "found templates that hold each other in a circle (" + circle + name +
+                         "), expected an end");
+      return false;
+    }
+    if (static_cast<int>(open_.size()) >= limits_.max_instances) {
+      Fail(instance, "found more than " + std::to_string(limits_.max_instances) +
+                         " instances inside one another, expected fewer");
+      return false;
+    }
+    return true;
+  }
+
+  void RefuseName(const XmlElement& instance, const std::string& name) {
+    if (!has_all_files_ || reading_.findings->is_full()) return;
+    std::vector<std::string_view> names;
+    for (const auto& [known, unused] : templates_) {
+      if (names.size() < kMaxSuggestedTemplates) names.push_back(known);
+    }
+    Fail(instance, "found def=" + Quoted(name) + ", expected the name of a def in this scene" +
+                       DidYouMean(name, names));
+  }
+
+  bool IsMisplaced(const XmlElement& element) {
+    if (element.Is("include") || element.Is("def")) {
+      Fail(element, "found this element here, expected it directly in <tabletop>");
+      return true;
+    }
+    if (element.Is("var")) {
+      Fail(element, "found this element here, expected it directly in a def or an instance");
+      return true;
+    }
+    return false;
+  }
+
+  void SubstituteAttributes(XmlElement* element, Scope* scope) {
+    for (XmlAttribute& attribute : element->attributes) {
+      if (budget_.is_spent()) return;
+      if (!HoldsExpression(attribute.value)) continue;
+      Substitution result = Substitute(attribute.value, budget_.bytes_left(), scope);
+      attribute.is_faulty = result.has_fault;
+      if (!result.has_fault) {
+        budget_.Spend(0, result.text.size(), element->place);
+        attribute.value = std::move(result.text);
+      } else if (!result.fault.empty()) {
+        Fail(*element,
+             "found " + attribute.name + "=" + Quoted(attribute.value) + " " + result.fault);
+      }
+    }
+  }
+
+  void Fail(const XmlElement& element, const std::string& message) {
+    reading_.findings->Add(element.place, AddressOf(element), message);
+  }
+
+  const SceneLimits& limits_;
+  bool has_all_files_;
+  Templates templates_;
+  Reading& reading_;
+  ExpansionBudget budget_;
+  std::vector<std::string> open_;  // the templates being expanded, from the outside inwards
+};
+
+}  // namespace
+
+void ExpandTemplates(const SceneLimits& limits, bool has_all_files, XmlElement* root,
+                     Reading* reading) {
+  Templates templates = TakeTemplates(root, reading);
+  Expander(limits, has_all_files, std::move(templates), reading).Expand(root);
+}
+
+}  // namespace smile::scene_xml

@@ -1,0 +1,245 @@
+#include "scene_xml/internal_expression.h"
+
+#include <charconv>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "base/wording.h"
+#include "scene_xml/internal_letters.h"
+
+namespace smile::scene_xml {
+namespace {
+
+constexpr int kMaxParentheses = 64;  // inside one another
+constexpr std::size_t kMaxOperandBytes = 100;
+
+bool IsGap(char letter) { return letter == ' ' || letter == '\t'; }
+bool IsTokenLetter(char letter) { return IsIdLetter(letter) || letter == '.'; }
+bool IsOneOf(char letter, std::string_view letters) {
+  return letters.find(letter) != std::string_view::npos;
+}
+
+std::string_view WithoutGaps(std::string_view text) {
+  while (!text.empty() && IsGap(text.front())) text.remove_prefix(1);
+  while (!text.empty() && IsGap(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+/// Digits, perhaps with a point and an exponent, to the nearest float.
+std::optional<float> ParseDecimal(std::string_view text) {
+  if (text.empty() || !(IsDigit(text[0]) || text[0] == '.')) return std::nullopt;
+  // Wider than needed only to tell too large from too small, which a float answers with infinity
+  // and zero.
+  long double wide = 0;
+  float number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [narrow_end, narrow_error] = std::from_chars(text.data(), end, number);
+  if (narrow_error == std::errc()) {
+    return narrow_end == end ? std::optional(number) : std::nullopt;
+  }
+  const auto [wide_end, wide_error] = std::from_chars(text.data(), end, wide);
+  if (wide_error != std::errc() || wide_end != end) return std::nullopt;
+  return wide > 1 ? std::numeric_limits<float>::infinity() : 0.0f;
+}
+
+/// A number without sign, as the original reads it: `2`, `.5`, `5.`, `1e-3`, `2d`, `Infinity`.
+std::optional<float> ParseUnsigned(std::string_view text) {
+  if (text.size() > kMaxOperandBytes) return std::nullopt;
+  if (text == "NaN") return std::numeric_limits<float>::quiet_NaN();
+  if (text == "Infinity") return std::numeric_limits<float>::infinity();
+  if (!text.empty() && IsOneOf(text.back(), "dDfF")) text.remove_suffix(1);
+  return ParseDecimal(text);
+}
+
+/// A variable's value in arithmetic.
+std::optional<float> ParseValue(std::string_view text) {
+  text = WithoutGaps(text);
+  const bool is_negative = !text.empty() && text[0] == '-';
+  if (!text.empty() && IsOneOf(text[0], "+-")) text.remove_prefix(1);
+  const std::optional<float> size = ParseUnsigned(text);
+  return size && is_negative ? -*size : size;
+}
+
+/// Evaluates one expression from left to right. After the first fault all that follows is idle.
+class ExpressionReader {
+ public:
+  ExpressionReader(std::string_view text, Variables* variables)
+      : text_(text), variables_(*variables) {}
+
+  /// The text of the value; meaningless when there was a fault.
+  std::string Read() {
+    if (const std::string* value = ValueOfLoneName()) return *value;
+    if (has_fault_) return {};
+    const float number = Expression();
+    SkipBlanks();
+    if (!text_.empty()) Fail(Quoted(text_) + " behind a value", "an operator + - * /");
+    return has_fault_ ? std::string() : SinglePrecisionText(number);
+  }
+
+  bool has_fault() const { return has_fault_; }
+  const std::string& fault() const { return fault_; }
+
+ private:
+  const std::string* ValueOfLoneName() {
+    const std::string_view name = WithoutGaps(text_);
+    for (char letter : name) {
+      if (!IsTokenLetter(letter)) return nullptr;
+    }
+    if (name.empty() || ParseUnsigned(name)) return nullptr;
+    return Find(name);
+  }
+
+  const std::string* Find(std::string_view name) {
+    const Variables::Binding binding = variables_.Find(name);
+    if (binding.is_faulty) {
+      has_fault_ = true;
+      return nullptr;
+    }
+    if (!binding.value) {
+      Fail("the unknown variable " + Quoted(name),
+           "one of the instance, of its def or of an instance around it" +
+               DidYouMean(name, variables_.SomeNames()));
+    }
+    return binding.value;
+  }
+
+  float Expression() {
+    float sum = Term();
+    while (Accept("+-")) sum = accepted_ == '+' ? sum + Term() : sum - Term();
+    return sum;
+  }
+
+  float Term() {
+    float product = Factor();
+    while (Accept("*/")) product = accepted_ == '*' ? product * Factor() : product / Factor();
+    return product;
+  }
+
+  float Factor() {
+    SkipBlanks();
+    const bool is_negative = !text_.empty() && text_[0] == '-';
+    if (!text_.empty() && IsOneOf(text_[0], "+-")) text_.remove_prefix(1);
+    const float size = !text_.empty() && text_[0] == '(' ? Parenthesis() : Token();
+    return is_negative ? -size : size;
+  }
+
+  float Parenthesis() {
+    if (++num_parentheses_ > kMaxParentheses) {
+      Fail("more than " + std::to_string(kMaxParentheses) + " parentheses inside one another",
+           "fewer");
+      return 0;
+    }
+    text_.remove_prefix(1);
+    const float value = Expression();
+    if (!Accept(")")) Fail(WhatFollows(), "an operator + - * / or )");
+    --num_parentheses_;
+    return value;
+  }
+
+  float Token() {
+    const std::string_view token = TakeToken();
+    if (token.empty()) {
+      Fail(WhatFollows(), "a number, a variable or (");
+      return 0;
+    }
+    if (const std::optional<float> number = ParseUnsigned(token)) return *number;
+    const std::string* value = has_fault_ ? nullptr : Find(token);
+    if (!value) return 0;
+    const std::optional<float> number = ParseValue(*value);
+    if (!number) Fail(std::string(token) + "=" + Quoted(*value) + " in arithmetic", "a number");
+    return number.value_or(0);
+  }
+
+  std::string_view TakeToken() {
+    std::size_t size = 0;
+    while (size < text_.size() && IsTokenLetter(text_[size])) ++size;
+    // The sign of an exponent: `1e-3`.
+    const bool ends_in_e = size > 1 && IsOneOf(text_[size - 1], "eE") &&
+                           ParseDecimal(text_.substr(0, size - 1)).has_value();
+    if (ends_in_e && size + 1 < text_.size() && IsOneOf(text_[size], "+-") &&
+        IsDigit(text_[size + 1])) {
+      for (++size; size < text_.size() && IsTokenLetter(text_[size]);) ++size;
+    }
+    const std::string_view token = text_.substr(0, size);
+    text_.remove_prefix(size);
+    return token;
+  }
+
+  bool Accept(std::string_view letters) {
+    SkipBlanks();
+    if (has_fault_ || text_.empty() || !IsOneOf(text_[0], letters)) return false;
+    accepted_ = text_[0];
+    text_.remove_prefix(1);
+    return true;
+  }
+
+  void SkipBlanks() {
+    while (!text_.empty() && IsGap(text_[0])) text_.remove_prefix(1);
+  }
+
+  std::string WhatFollows() const { return text_.empty() ? "an early end" : Quoted(text_); }
+
+  void Fail(const std::string& found, const std::string& expected) {
+    if (has_fault_) return;
+    has_fault_ = true;
+    fault_ = "with " + found + ", expected " + expected;
+  }
+
+  std::string_view text_;  // what is left of it
+  Variables& variables_;
+  char accepted_ = 0;
+  int num_parentheses_ = 0;
+  bool has_fault_ = false;
+  std::string fault_;
+};
+
+struct Group {
+  std::size_t begin, end;  // of the two $
+};
+
+std::optional<Group> FindGroup(std::string_view text, std::size_t from) {
+  std::size_t begin = text.find('$', from);
+  while (begin != std::string_view::npos) {
+    const std::size_t end = text.find_first_of("$\r\n", begin + 1);
+    if (end == std::string_view::npos) return std::nullopt;
+    if (text[end] == '$') return Group{begin, end};
+    begin = text.find('$', end);
+  }
+  return std::nullopt;
+}
+
+Substitution Faulty(std::string_view text, std::string fault) {
+  return {std::string(text), true, std::move(fault)};
+}
+
+}  // namespace
+
+bool HoldsExpression(std::string_view text) { return FindGroup(text, 0).has_value(); }
+
+Substitution Substitute(std::string_view text, std::size_t max_bytes, Variables* variables) {
+  std::string result;
+  std::size_t from = 0;
+  while (const std::optional<Group> group = FindGroup(text, from)) {
+    ExpressionReader reader(text.substr(group->begin + 1, group->end - group->begin - 1),
+                            variables);
+    const std::string value = reader.Read();
+    if (reader.has_fault()) return Faulty(text, reader.fault());
+    result += text.substr(from, group->begin - from);
+    result += value;
+    from = group->end + 1;
+    if (result.size() > max_bytes) break;
+  }
+  result += text.substr(from);
+  if (result.size() > max_bytes) {
+    return Faulty(text, "with more text than fits the scene, expected less");
+  }
+  // So that a scene, once expanded, means the same when it is written and read again.
+  if (HoldsExpression(result)) {
+    return Faulty(text, "with $ in the value of a variable, expected none that makes another " +
+                            std::string("expression"));
+  }
+  return {std::move(result)};
+}
+
+}  // namespace smile::scene_xml

@@ -1,0 +1,39 @@
+#include "scene_xml/internal_findings.h"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+namespace smile::scene_xml {
+
+void Findings::Add(const Place& place, std::string element, std::string message) {
+  if (is_full()) {
+    has_dropped_ = true;
+    return;
+  }
+  if (place.expansion >= 0) {
+    const std::string said = sources_.Address(place) + element + message;
+    if (!in_templates_.insert(said).second) return;
+    message += sources_.ExpansionNote(place);
+  }
+  findings_.push_back(
+      {place.file, {sources_.FileOf(place), place.line, std::move(element), std::move(message)}});
+}
+
+std::vector<Diagnostic> Findings::Take() {
+  const auto place_of = [](const Finding& finding) {
+    return std::tuple(finding.file, finding.diagnostic.line);
+  };
+  std::stable_sort(findings_.begin(), findings_.end(),
+                   [&](const Finding& a, const Finding& b) { return place_of(a) < place_of(b); });
+  std::vector<Diagnostic> diagnostics;
+  for (Finding& finding : findings_) diagnostics.push_back(std::move(finding.diagnostic));
+  if (has_dropped_) {
+    diagnostics.push_back(
+        {diagnostics.back().file, diagnostics.back().line, "",
+         "found more faults than the " + std::to_string(max_count_) + " listed, expected none"});
+  }
+  return diagnostics;
+}
+
+}  // namespace smile::scene_xml

@@ -1,0 +1,167 @@
+#include "scene_xml/internal_inclusion.h"
+
+#include <algorithm>
+#include <iterator>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "base/files.h"
+#include "base/wording.h"
+#include "scene_xml/internal_attribute_reader.h"
+#include "scene_xml/internal_element_choice.h"
+#include "scene_xml/internal_root_reader.h"
+
+namespace smile::scene_xml {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMaxPathBytes = 1000;
+
+/// The folder of a file, as it can be opened.
+fs::path FolderOf(const fs::path& file) {
+  return file.has_parent_path() ? file.parent_path() : fs::path(".");
+}
+
+/// @param folder, path  without links and dots.
+bool IsInside(const fs::path& folder, const fs::path& path) {
+  return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first ==
+         folder.end();
+}
+
+class IncludeResolver {
+ public:
+  IncludeResolver(const fs::path* main_file, const SceneReaderOptions& options,
+                  const ReadCounts& counts, Reading* reading)
+      : options_(options), counts_(counts), reading_(*reading) {
+    for (const fs::path& root : options.search_roots) Allow(root);
+    if (!main_file) return;
+    Allow(FolderOf(*main_file));
+    std::error_code error;
+    seen_.insert(fs::canonical(*main_file, error));
+  }
+
+  /// @param folder  of the file, nullptr when it has none.
+  void Resolve(const fs::path* folder, XmlElement* root) {
+    std::vector<XmlElement> content;
+    for (XmlElement& child : root->children) {
+      if (!child.Is("include")) {
+        content.push_back(std::move(child));
+        continue;
+      }
+      std::vector<XmlElement> included = Include(folder, child);
+      std::move(included.begin(), included.end(), std::back_inserter(content));
+    }
+    root->children = std::move(content);
+  }
+
+  bool has_all() const { return has_all_; }
+
+ private:
+  struct FoundFile {
+    fs::path name;  // for people
+    fs::path canonical;
+  };
+
+  void Allow(const fs::path& folder) {
+    std::error_code error;
+    fs::path canonical = fs::canonical(folder, error);
+    if (!error) allowed_.push_back(std::move(canonical));
+  }
+
+  void Fail(const XmlElement& include, const std::string& message) {
+    has_all_ = false;
+    reading_.findings->Add(include.place, AddressOf(include), message);
+  }
+
+  /// What the file holds; nothing when it was included before.
+  std::vector<XmlElement> Include(const fs::path* folder, const XmlElement& include) {
+    AttributeReader attributes(include, &reading_);
+    const std::string file = attributes.RequiredText("file");
+    attributes.RefuseUnknown();
+    for (const XmlElement& child : include.children) RefuseElement(child, {}, &reading_);
+    if (!attributes.Text("file")) {
+      has_all_ = false;
+      return {};
+    }
+    const std::optional<FoundFile> found = Find(folder, file, include);
+    if (!found || !seen_.insert(found->canonical).second) return {};
+    if (static_cast<int>(seen_.size()) > options_.limits.max_files) {
+      Fail(include, "found more than " + std::to_string(options_.limits.max_files) +
+                        " files, expected fewer");
+      return {};
+    }
+    return ContentOf(*found, include);
+  }
+
+  std::optional<FoundFile> Find(const fs::path* folder, const std::string& file,
+                                const XmlElement& include) {
+    std::vector<fs::path> folders = options_.search_roots;
+    if (folder) folders.insert(folders.begin(), *folder);
+    bool is_outside = false;
+    if (!file.empty() && file.size() <= kMaxPathBytes) {
+      for (const fs::path& base : folders) {
+        const fs::path name = base / file;
+        std::error_code error;
+        const fs::path canonical = fs::canonical(name, error);
+        if (error) continue;
+        const auto holds = [&](const fs::path& allowed) { return IsInside(allowed, canonical); };
+        if (std::any_of(allowed_.begin(), allowed_.end(), holds)) return FoundFile{name, canonical};
+        is_outside = true;
+      }
+    }
+    Fail(include, "found file=" + Quoted(file) +
+                      (is_outside ? " elsewhere, expected it in " : ", expected a file in ") +
+                      (folder ? "the folder of the scene, in a --path folder or below these"
+                              : "a --path folder or below it"));
+    return std::nullopt;
+  }
+
+  std::vector<XmlElement> ContentOf(const FoundFile& file, const XmlElement& include) {
+    std::string text;
+    try {
+      text = ReadFile(file.canonical, options_.limits.max_file_bytes - counts_.num_bytes);
+    } catch (const std::runtime_error& error) {
+      Fail(include, "found file=" + Quoted(*include.FindAttribute("file")) + ", which " +
+                        WithoutPath(error.what(), file.canonical.string()) +
+                        ", expected a scene file that fits the limit of " +
+                        std::to_string(options_.limits.max_file_bytes) + " bytes for all files");
+      return {};
+    }
+    counts_.num_bytes += text.size();
+    const int id = reading_.findings->sources().AddFile(file.name.string());
+    std::optional<XmlElement> root =
+        ParseXml(text, id, options_.limits, &counts_.num_elements, reading_.findings);
+    if (!root || !CheckIncludedRoot(*root, &reading_)) {
+      has_all_ = false;
+      return {};
+    }
+    const fs::path folder = FolderOf(file.name);
+    Resolve(&folder, &*root);
+    return std::move(root->children);
+  }
+
+  const SceneReaderOptions& options_;
+  ReadCounts counts_;
+  Reading& reading_;
+  std::vector<fs::path> allowed_;  // canonical
+  std::set<fs::path> seen_;        // canonical
+  bool has_all_ = true;
+};
+
+}  // namespace
+
+bool ResolveIncludes(const fs::path* main_file, const SceneReaderOptions& options,
+                     const ReadCounts& counts, XmlElement* root, Reading* reading) {
+  IncludeResolver resolver(main_file, options, counts, reading);
+  const fs::path folder = main_file ? FolderOf(*main_file) : fs::path();
+  resolver.Resolve(main_file ? &folder : nullptr, root);
+  return resolver.has_all();
+}
+
+}  // namespace smile::scene_xml

@@ -1,0 +1,31 @@
+#include "scene_xml/internal_place.h"
+
+namespace smile::scene_xml {
+
+int Sources::AddFile(std::string name) {
+  files_.push_back(std::move(name));
+  return static_cast<int>(files_.size()) - 1;
+}
+
+int Sources::AddExpansion(const Place& instance) {
+  expansions_.push_back(instance);
+  return static_cast<int>(expansions_.size()) - 1;
+}
+
+std::string Sources::Address(const Place& place) const {
+  return FileOf(place) + ":" + std::to_string(place.line);
+}
+
+std::string Sources::ExpansionNote(const Place& place) const {
+  if (place.expansion < 0) return {};
+  const Place& inner = expansions_[place.expansion];
+  std::string note = " (in the instance at " + Address(inner);
+  if (inner.expansion >= 0) {
+    Place outer = inner;
+    while (outer.expansion >= 0) outer = expansions_[outer.expansion];
+    note += ", within that at " + Address(outer);
+  }
+  return note + ")";
+}
+
+}  // namespace smile::scene_xml

@@ -1,0 +1,107 @@
+#include "scene_xml/internal_scope.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/wording.h"
+
+namespace smile::scene_xml {
+namespace {
+
+constexpr std::size_t kMaxInWork = 64;
+constexpr std::size_t kMaxSuggestedVariables = 100;
+
+}  // namespace
+
+Scope::Scope(Scope* enclosing, const std::vector<VariableText>& of_instance,
+             const std::vector<VariableText>& of_template, ExpansionBudget* budget,
+             Findings* findings)
+    : enclosing_(enclosing), budget_(*budget), findings_(*findings) {
+  for (const VariableText& text : of_instance) {
+    Entry& entry = *variables_.insert_or_assign(text.name, Variable{text.value, text.place}).first;
+    if (!text.is_derived) Evaluate(&entry, enclosing);
+  }
+  // Backwards, so that of two with the same name the later one is there first.
+  for (auto text = of_template.rbegin(); text != of_template.rend(); ++text) {
+    variables_.try_emplace(text->name, Variable{text->value, text->place});
+  }
+  // In the order of the file, where one usually stands behind those it needs.
+  for (const std::vector<VariableText>* texts : {&of_template, &of_instance}) {
+    for (const VariableText& text : *texts) {
+      Entry& entry = *variables_.find(text.name);
+      if (entry.second.state == State::kText) EvaluateInOrder(&entry);
+    }
+  }
+}
+
+Variables::Binding Scope::Find(std::string_view name) {
+  const auto found = variables_.find(name);
+  if (found == variables_.end()) return FindAround(name);
+  Entry& entry = *found;
+  if (entry.second.state == State::kInWork) {
+    if (in_work_.back() == &entry) return FindAround(name);
+    std::string circle;
+    for (auto it = std::find(in_work_.begin(), in_work_.end(), &entry); it != in_work_.end();
+         ++it) {
+      circle += (*it)->first + ", ";
+    }
+    Fail(&entry, "found variables that need each other in a circle (" + circle + entry.first +
+                     "), expected one of them to have a value of its own");
+  }
+  if (entry.second.state == State::kText) EvaluateInOrder(&entry);
+  if (entry.second.state == State::kDone) return {.value = &entry.second.value};
+  return {.is_faulty = true};
+}
+
+Variables::Binding Scope::FindAround(std::string_view name) {
+  return enclosing_ ? enclosing_->Find(name) : Binding{};
+}
+
+std::vector<std::string_view> Scope::SomeNames() const {
+  std::vector<std::string_view> names;
+  for (const Scope* scope = this; scope; scope = scope->enclosing_) {
+    for (const Entry& entry : scope->variables_) {
+      if (names.size() < kMaxSuggestedVariables) names.push_back(entry.first);
+    }
+  }
+  return names;
+}
+
+void Scope::EvaluateInOrder(Entry* entry) {
+  if (in_work_.size() >= kMaxInWork) {
+    return Fail(entry, "found more than " + std::to_string(kMaxInWork) +
+                           " variables that need one another, expected fewer");
+  }
+  in_work_.push_back(entry);
+  entry->second.state = State::kInWork;
+  Evaluate(entry, this);
+  in_work_.pop_back();
+}
+
+void Scope::Evaluate(Entry* entry, Variables* variables) {
+  Variable& variable = entry->second;
+  if (budget_.is_spent()) {
+    variable.state = State::kFaulty;
+    return;
+  }
+  Substitution result = Substitute(variable.value, budget_.bytes_left(), variables);
+  if (variable.state == State::kFaulty) return;  // a circle, closed while it was in work
+  if (result.has_fault) {
+    if (result.fault.empty()) {
+      variable.state = State::kFaulty;
+    } else {
+      Fail(entry, "found value=" + Quoted(variable.value) + " " + result.fault);
+    }
+    return;
+  }
+  variable.value = std::move(result.text);
+  variable.state =
+      budget_.Spend(0, variable.value.size(), variable.place) ? State::kDone : State::kFaulty;
+}
+
+void Scope::Fail(Entry* entry, const std::string& message) {
+  entry->second.state = State::kFaulty;
+  findings_.Add(entry->second.place, "var name=" + Quoted(entry->first), message);
+}
+
+}  // namespace smile::scene_xml

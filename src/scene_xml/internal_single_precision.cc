@@ -1,0 +1,73 @@
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+
+#include "scene_xml/internal_expression.h"
+
+namespace smile::scene_xml {
+namespace {
+
+/// 0.d1d2d3… times ten to the `exponent`.
+struct Decimal {
+  std::string digits;
+  int exponent;
+};
+
+/// A large integer, rounded to its significant digits. They can be one more than it takes to tell a
+/// float from its neighbours: so the original's runtime (Java 8) counts them.
+Decimal DigitsOfInteger(float number) {
+  constexpr double kDigitsPerBit = 0.30102999566398120;  // log10(2)
+  constexpr int kFloatBits = 24;
+  const int num_dropped = static_cast<int>((std::ilogb(number) - kFloatBits - 1) * kDigitsPerBit);
+  std::int64_t power = 1;
+  for (int i = 0; i < num_dropped; ++i) power *= 10;
+  const std::int64_t kept = (static_cast<std::int64_t>(number) + power / 2) / power;
+  std::string digits = std::to_string(kept);
+  const int exponent = static_cast<int>(digits.size()) + num_dropped;
+  digits.erase(digits.find_last_not_of('0') + 1);
+  return {digits, exponent};
+}
+
+/// The fewest digits that tell a float from its neighbours.
+Decimal ShortestDigits(float number) {
+  char buffer[32];
+  const auto result =
+      std::to_chars(buffer, buffer + sizeof buffer, number, std::chars_format::scientific);
+  const std::string_view text(buffer, result.ptr - buffer);
+  const std::size_t mark = text.find('e');
+  std::string digits(text.substr(0, mark));
+  if (digits.size() > 1) digits.erase(1, 1);  // the point
+  const char* exponent_text = buffer + mark + 1 + (text[mark + 1] == '+' ? 1 : 0);
+  int exponent = 0;
+  std::from_chars(exponent_text, result.ptr, exponent);
+  return {digits, exponent + 1};
+}
+
+/// With a point and at least one digit on each side of it.
+std::string WithPoint(std::string digits, int exponent) {
+  if (exponent <= 0) digits.insert(0, 1 - exponent, '0');
+  const auto before = static_cast<std::size_t>(std::max(exponent, 1));
+  if (digits.size() <= before) digits.append(before + 1 - digits.size(), '0');
+  return digits.insert(before, ".");
+}
+
+}  // namespace
+
+std::string SinglePrecisionText(float number) {
+  constexpr float kIntegerLimit = 2147483648.0f, kLongLimit = 4.6e18f;
+  if (std::isnan(number)) return "NaN";
+  const std::string sign = number < 0 ? "-" : "";
+  const float size = std::abs(number);
+  if (std::isinf(number)) return sign + "Infinity";
+  if (size < kIntegerLimit) {
+    const double nearest = std::round(static_cast<double>(number));
+    if (std::abs(number - nearest) < 1e-6) return std::to_string(static_cast<long long>(nearest));
+  }
+  const bool is_long = size >= kIntegerLimit && size < kLongLimit;
+  const Decimal decimal = is_long ? DigitsOfInteger(size) : ShortestDigits(size);
+  if (size >= 1e-3f && size < 1e7f) return sign + WithPoint(decimal.digits, decimal.exponent);
+  return sign + WithPoint(decimal.digits, 1) + "E" + std::to_string(decimal.exponent - 1);
+}
+
+}  // namespace smile::scene_xml

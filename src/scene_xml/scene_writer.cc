@@ -135,6 +135,8 @@ class SceneWriter {
                                  [](const scene::Cylinder&) { return "cylinder"; },
                                  [](const scene::Sphere&) { return "sphere"; },
                                  [](const scene::Box&) { return "box"; },
+                                 [](const scene::Frustum&) { return "frustum"; },
+                                 [](const scene::Ring&) { return "ring"; },
                                  [](const scene::Composite&) { return "composite"; }},
                       shape);
   }
@@ -149,6 +151,18 @@ class SceneWriter {
   void Sizes(const scene::Box& box) {
     Spans(box.size);
     Length("thickness", box.thickness);
+  }
+  void Sizes(const scene::Frustum& frustum) {
+    Length("radiusTop", frustum.radius_top);
+    Length("radiusBottom", frustum.radius_bottom);
+    Length("zspan", frustum.height);
+    Attribute("sides", std::to_string(frustum.sides));
+  }
+  void Sizes(const scene::Ring& ring) {
+    Length("radiusOuter", ring.radius_outer);
+    Length("radiusInner", ring.radius_inner);
+    Length("zspan", ring.height);
+    Attribute("sides", std::to_string(ring.sides));
   }
   void Sizes(const scene::Composite&) {}
 

@@ -82,4 +82,16 @@ constexpr std::array<ShapeElement, 7> kShapeElements{{
 
 std::span<const ShapeElement> ShapeElements() { return kShapeElements; }
 
+scene::Surface ReadSurface(AttributeReader* attributes) {
+  constexpr Range<double> kFriction{0, 10}, kRestitution{0, 1};
+  const scene::Surface usual;
+  scene::Surface surface{
+      .friction = attributes->Number("friction", usual.friction, kFriction),
+      .restitution = attributes->Number("restitution", usual.restitution, kRestitution)};
+  if (attributes->Text("rollingFriction")) {
+    surface.rolling_friction = SpanOrZero("rollingFriction", 0.01, attributes);
+  }
+  return surface;
+}
+
 }  // namespace smile::scene_xml

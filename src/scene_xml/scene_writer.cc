@@ -99,7 +99,10 @@ class SceneWriter {
     std::visit([this](const auto& shape) { Sizes(shape); }, part.shape);
     const auto* composite = std::get_if<scene::Composite>(&part.shape);
     if (!composite) Attribute("color", ToString(part.color));
-    if (object) Attribute("mass", NumberText(object->mass));
+    if (object) {
+      Attribute("mass", NumberText(object->mass));
+      Touch(object->surface);
+    }
     if (part.is_pointable) Attribute("pointable", "true");
 
     const std::size_t length_of_tag = text_.size();
@@ -116,6 +119,16 @@ class SceneWriter {
       Indent(depth);
       text_ += "</" + std::string(name) + ">\n";
     }
+  }
+
+  /// Only what is not as usual: older programs refuse these attributes.
+  void Touch(const scene::Surface& surface) {
+    const scene::Surface usual;
+    if (surface.friction != usual.friction) Attribute("friction", NumberText(surface.friction));
+    if (surface.restitution != usual.restitution) {
+      Attribute("restitution", NumberText(surface.restitution));
+    }
+    if (surface.rolling_friction) Length("rollingFriction", *surface.rolling_friction);
   }
 
   /// All but the `shape` the reader adds by itself.

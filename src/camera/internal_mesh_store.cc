@@ -86,6 +86,9 @@ MeshStore::Entry MeshStore::Upload(const mesh::UnitMesh& unit_mesh) {
 MeshStore::Entry& MeshStore::EntryFor(const mesh::UnitMesh& unit_mesh) {
   const auto found = entries_.find(unit_mesh);
   if (found != entries_.end()) return found->second;
+  if (entries_.size() >= kMaxMeshes) {
+    std::erase_if(entries_, [](const auto& entry) { return entry.second.waiting.empty(); });
+  }
   return entries_.emplace(unit_mesh, Upload(unit_mesh)).first->second;
 }
 

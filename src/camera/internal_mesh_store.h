@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <map>
 
 #include "camera/internal_gl.h"
@@ -23,6 +24,9 @@ class MeshStore {
     GLsizei num_indices = 0;
     std::vector<Instance> waiting;  // to be drawn
   };
+
+  /// There is no end to the hulls a long session may show.
+  static constexpr std::size_t kMaxMeshes = 4096;
 
   static Entry Upload(const mesh::UnitMesh& unit_mesh);
 

@@ -110,6 +110,21 @@ TriangleMesh MakeSphere(int facets) {
   return mesh;
 }
 
+TriangleMesh MakeHull(const scene::Polyhedron& polyhedron) {
+  TriangleMesh mesh;
+  for (const scene::Polyhedron::Face& face : polyhedron.faces) {
+    const Vector3f normal = polyhedron.AreaVectorOf(face).normalized().cast<float>();
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    for (const std::uint32_t corner : face) {
+      AddCorner(polyhedron.corners[corner].cast<float>(), normal, &mesh);
+    }
+    for (std::uint32_t k = 2; k < face.size(); ++k) {
+      mesh.triangles.push_back({first, first + k - 1, first + k});
+    }
+  }
+  return mesh;
+}
+
 }  // namespace
 
 UnitMesh UnitMeshOf(const scene::SolidShape& shape, int sphere_facets) {
@@ -121,24 +136,36 @@ UnitMesh UnitMeshOf(const scene::SolidShape& shape, int sphere_facets) {
           },
           [&](const scene::Sphere&) {
             return UnitMesh{UnitMesh::Kind::kSphere, sphere_facets};
+          },
+          [](const scene::Hull& hull) {
+            return UnitMesh{UnitMesh::Kind::kHull, 0, hull};
           }},
       shape);
 }
 
-Vector3 ExtentsOf(const scene::SolidShape& shape) {
-  return std::visit(Overloaded{[](const scene::Block& block) { return block.size; },
-                               [](const scene::Cylinder& cylinder) {
-                                 return Vector3(2 * cylinder.radius, cylinder.length,
-                                                2 * cylinder.radius);
-                               },
-                               [](const scene::Sphere& sphere) {
-                                 return Vector3(Vector3::Constant(2 * sphere.radius));
-                               }},
-                    shape);
+Vector3 StretchOf(const scene::SolidShape& shape) {
+  return std::visit(
+      Overloaded{
+          [](const scene::Block& block) { return block.size; },
+          [](const scene::Cylinder& cylinder) {
+            return Vector3(2 * cylinder.radius, cylinder.length, 2 * cylinder.radius);
+          },
+          [](const scene::Sphere& sphere) { return Vector3(Vector3::Constant(2 * sphere.radius)); },
+          [](const scene::Hull&) { return Vector3(Vector3::Ones()); }},
+      shape);
+}
+
+double BoundingRadiusOf(const scene::SolidShape& shape) {
+  const auto* hull = std::get_if<scene::Hull>(&shape);
+  if (!hull) return StretchOf(shape).norm() / 2;
+  double radius = 0;
+  for (const Vector3& corner : hull->polyhedron().corners) radius = std::max(radius, corner.norm());
+  return radius;
 }
 
 TriangleMesh MakeMesh(const UnitMesh& unit_mesh) {
   if (unit_mesh.kind == UnitMesh::Kind::kBlock) return MakeBlock();
+  if (unit_mesh.kind == UnitMesh::Kind::kHull) return MakeHull(unit_mesh.hull.polyhedron());
   if (unit_mesh.facets < 3 || unit_mesh.facets > kMaxFacets) {
     throw std::invalid_argument("a round mesh has " + std::to_string(unit_mesh.facets) +
                                 " facets, expected 3 to " + std::to_string(kMaxFacets));
@@ -148,7 +175,7 @@ TriangleMesh MakeMesh(const UnitMesh& unit_mesh) {
 }
 
 TriangleMesh MeshOf(const scene::SolidShape& shape) {
-  return Scaled(MakeMesh(UnitMeshOf(shape)), ExtentsOf(shape).cast<float>());
+  return Scaled(MakeMesh(UnitMeshOf(shape)), StretchOf(shape).cast<float>());
 }
 
 }  // namespace smile::mesh

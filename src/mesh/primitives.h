@@ -8,12 +8,14 @@
 namespace smile::mesh {
 
 /// A mesh that spans one metre along x, y and z about the origin. Shapes that differ in size only
-/// share one, stretched by their ExtentsOf(), so that many are drawn at one stroke.
+/// share one, stretched by their StretchOf(), so that many are drawn at one stroke. A hull is a
+/// unit mesh of its own, in its true size.
 struct UnitMesh {
-  enum class Kind { kBlock, kCylinder, kSphere };
+  enum class Kind { kBlock, kCylinder, kSphere, kHull };
 
   Kind kind = Kind::kBlock;
-  int facets = 0;  ///< once around the axis, at least 3; a block has none: 0
+  int facets = 0;    ///< of a round shape: once around the axis, at least 3; else 0
+  scene::Hull hull;  ///< of a hull
 
   auto operator<=>(const UnitMesh&) const = default;
 };
@@ -26,12 +28,16 @@ inline constexpr int kSphereFacets = 32;
 /// sphere has `sphere_facets`.
 UnitMesh UnitMeshOf(const scene::SolidShape& shape, int sphere_facets = kSphereFacets);
 
-/// Full lengths of a shape along its own x, y, z [m].
-Vector3 ExtentsOf(const scene::SolidShape& shape);
+/// What a shape's unit mesh is stretched by along its own x, y, z: its full lengths [m]; a hull by
+/// nothing: 1.
+Vector3 StretchOf(const scene::SolidShape& shape);
+
+/// Of a sphere about the shape's origin that holds all of it [m].
+double BoundingRadiusOf(const scene::SolidShape& shape);
 
 /// A block has 12 flat triangles; a cylinder (axis y) `facets` smooth ones around and two flat
-/// caps; a sphere `facets` meridians from pole (+y) to pole. Corners of round shapes lie on the
-/// true surface.
+/// caps; a sphere `facets` meridians from pole (+y) to pole; a hull flat faces. Corners of round
+/// shapes lie on the true surface.
 /// @throws std::invalid_argument unless a round shape's facets are within 3 and kMaxFacets.
 TriangleMesh MakeMesh(const UnitMesh& unit_mesh);
 

@@ -9,9 +9,10 @@
 namespace smile::physics {
 namespace {
 
-/// Keeps balls and rollers from rolling for ever [m].
+/// Of balls, rollers and rings [m].
 constexpr double kRollingResistance = 0.001;
 
+/// Hulls count as round: a ring's segments are, and the resistance does no harm to the others.
 bool IsRound(const BodySpec& spec) {
   for (const scene::Solid& solid : spec.solids) {
     if (!std::holds_alternative<scene::Block>(solid.shape)) return true;
@@ -33,7 +34,8 @@ Body::Body(BodyId id, std::shared_ptr<const BodySpec> spec)
   info.m_startWorldTransform = ToBullet(spec_->X_WB * X_BcmB_.inverse());
   info.m_friction = spec_->friction;
   info.m_restitution = spec_->restitution;
-  if (IsRound(*spec_)) info.m_rollingFriction = kRollingResistance;
+  info.m_rollingFriction =
+      spec_->rolling_friction.value_or(IsRound(*spec_) ? kRollingResistance : 0.0);
   bullet_ = std::make_unique<btRigidBody>(info);
   bullet_->setUserIndex(static_cast<int>(id_.value));
   // Friction anchors remember where a contact first stuck: without them stacks creep.

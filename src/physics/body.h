@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "physics/ids.h"
@@ -17,6 +18,9 @@ struct BodySpec {
   RigidTransform X_WB;               ///< where it starts
   double friction = 0.6;
   double restitution = 0.0;
+  /// Keeps what rolls from rolling for ever: how far before the middle of its footprint it is
+  /// supported [m]. Unset: 1 mm for all but blocks.
+  std::optional<double> rolling_friction;
 
   bool operator==(const BodySpec&) const = default;
 };

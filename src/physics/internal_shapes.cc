@@ -4,12 +4,24 @@
 #include <algorithm>
 
 #include "base/overloaded.h"
+#include "physics/internal_shrunk_hull.h"
 
 namespace smile::physics {
 namespace {
 
 /// Bullet rounds cylinders by its margin, 40 mm unless told: more than our parts are thick.
 constexpr double kCylinderMargin = 0.0005;
+
+std::unique_ptr<btCollisionShape> MakeHull(const scene::Polyhedron& polyhedron) {
+  const ShrunkHull shrunk = Shrink(polyhedron);
+  auto shape = std::make_unique<btConvexHullShape>();
+  for (const Vector3& corner : shrunk.corners) {
+    shape->addPoint(ToBullet(corner), /*recalculateLocalAabb=*/false);
+  }
+  shape->setMargin(shrunk.margin);
+  shape->recalcLocalAabb();
+  return shape;
+}
 
 std::unique_ptr<btCollisionShape> MakePart(const scene::SolidShape& solid) {
   return std::visit(
@@ -25,7 +37,8 @@ std::unique_ptr<btCollisionShape> MakePart(const scene::SolidShape& solid) {
                  },
                  [](const scene::Sphere& sphere) -> std::unique_ptr<btCollisionShape> {
                    return std::make_unique<btSphereShape>(sphere.radius);
-                 }},
+                 },
+                 [](const scene::Hull& hull) { return MakeHull(hull.polyhedron()); }},
       solid);
 }
 

@@ -1,6 +1,7 @@
 #include "physics/snapshot.h"
 
 #include <array>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -10,7 +11,7 @@ namespace smile::physics {
 namespace {
 
 constexpr std::array kMagic = {'S', 'M', 'I', 'L', 'E', 'S', 'N', 'P'};
-constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kVersion = 2;
 /// More of anything than this is not one of ours.
 constexpr std::uint32_t kMaxCount = 1'000'000;
 
@@ -85,6 +86,35 @@ void Walk(Archive& archive, scene::Sphere& sphere) {
 }
 
 template <class Archive>
+void Walk(Archive& archive, Vector3& v) {
+  WalkMatrix(archive, v);
+}
+template <class Archive>
+void Walk(Archive& archive, scene::Polyhedron::Face& face) {
+  WalkEach(archive, face);
+}
+template <class Archive>
+void Walk(Archive& archive, scene::Hull& hull) {
+  scene::Polyhedron polyhedron = hull.polyhedron();
+  WalkEach(archive, polyhedron.corners);
+  WalkEach(archive, polyhedron.faces);
+  if (polyhedron == hull.polyhedron()) return;
+  try {
+    hull = scene::Hull(std::move(polyhedron));  // reading
+  } catch (const std::invalid_argument& error) {
+    throw std::runtime_error("snapshot: " + std::string(error.what()));
+  }
+}
+
+template <class Archive>
+void Walk(Archive& archive, std::optional<double>& number) {
+  auto has_value = static_cast<std::uint8_t>(number.has_value());
+  archive(has_value);
+  if (has_value != 0 && !number) number = 0;  // reading
+  if (number) archive(*number);
+}
+
+template <class Archive>
 void Walk(Archive& archive, scene::Solid& solid) {
   auto kind = static_cast<std::uint8_t>(solid.shape.index());
   archive(kind);
@@ -95,6 +125,9 @@ void Walk(Archive& archive, scene::Solid& solid) {
         break;
       case 2:
         solid.shape = scene::Sphere();
+        break;
+      case 3:
+        solid.shape = scene::Hull();
         break;
       default:
         throw std::runtime_error("snapshot: it has an unknown shape");
@@ -116,6 +149,7 @@ void Walk(Archive& archive, BodySpec& spec) {
   Walk(archive, spec.X_WB);
   archive(spec.friction);
   archive(spec.restitution);
+  Walk(archive, spec.rolling_friction);
 }
 
 template <class Archive>

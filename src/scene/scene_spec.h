@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,11 +17,25 @@ struct Description {
   bool operator==(const Description&) const = default;
 };
 
+/// What an object is like to the touch of others.
+struct Surface {
+  /// Of two things that touch, the coefficient of friction is the product; the table has 0.6.
+  double friction = 0.6;
+  /// The share of its speed with which it bounces off the table; of two objects, the product.
+  double restitution = 0;
+  /// How far before the middle of its footprint a thing that rolls is supported, which slows it
+  /// [m]. Unset: 1 mm for all that has other parts than blocks and boxes, 0 else.
+  std::optional<double> rolling_friction;
+
+  bool operator==(const Surface&) const = default;
+};
+
 /// One whole object: a rigid body that can be grasped and is listed in recordings.
 struct ObjectSpec {
   Part whole;                             ///< its parent frame is the world W
   double mass = 1.0;                      ///< [kg]; 0 = static, it never moves
   std::vector<Description> descriptions;  ///< `shape` first, then as in the file
+  Surface surface;
 
   const std::string& id() const { return whole.id; }
   const RigidTransform& pose_in_world() const { return whole.X_PE; }

@@ -35,6 +35,26 @@ struct Box {
   bool operator==(const Box&) const = default;
 };
 
+/// A pyramid cut off at the top, closed at both ends: two regular polygons about the **z** axis,
+/// their first corners towards +x. One radius may be 0, then it comes to a point.
+struct Frustum {
+  double radius_top = 0.05;     ///< to the corners at z = +height / 2 [m]
+  double radius_bottom = 0.05;  ///< to the corners at z = -height / 2 [m]
+  double height = 0.1;          ///< along z [m]
+  int sides = 3;
+  bool operator==(const Frustum&) const = default;
+};
+
+/// A ring about the **z** axis with flat ends, really hollow: the space between two regular
+/// polygons, their first corners towards +x. Without an inner radius it is a disc.
+struct Ring {
+  double radius_outer = 0.1;   ///< to the corners [m]
+  double radius_inner = 0.05;  ///< to the corners, less than the outer one [m]
+  double height = 0.1;         ///< along z [m]
+  int sides = 32;
+  bool operator==(const Ring&) const = default;
+};
+
 struct Part;
 
 /// Parts joined rigidly; its origin is its centre of mass, wherever the parts are.
@@ -43,7 +63,7 @@ struct Composite {
   bool operator==(const Composite&) const;
 };
 
-using Shape = std::variant<Block, Cylinder, Sphere, Box, Composite>;
+using Shape = std::variant<Block, Cylinder, Sphere, Box, Frustum, Ring, Composite>;
 
 /// A shape in its place: the whole of an object, or a part of a composite.
 struct Part {

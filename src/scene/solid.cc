@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "base/overloaded.h"
+#include "scene/internal_prisms.h"
 
 namespace smile::scene {
 namespace {
@@ -32,34 +33,39 @@ void AppendSolids(const Part& part, const RigidTransform& X_BE, std::vector<Soli
                             AppendSolids(child, X_BE * child.X_PE, solids);
                           }
                         },
+                        [&](const Frustum& frustum) { simple(HullOf(frustum)); },
+                        [&](const Ring& ring) {
+                          for (const RingPiece& piece : PiecesOf(ring)) {
+                            solids->push_back({piece.hull, X_BE * piece.X_RP, part.color, part.id});
+                          }
+                        },
                         simple},
              part.shape);
 }
 
-double VolumeOf(const SolidShape& shape) {
-  return std::visit(
-      Overloaded{
-          [](const Block& block) { return block.size.prod(); },
-          [](const Cylinder& c) { return std::numbers::pi * c.radius * c.radius * c.length; },
-          [](const Sphere& s) {
-            return 4.0 / 3.0 * std::numbers::pi * s.radius * s.radius * s.radius;
-          }},
-      shape);
+/// Of a shape about its own origin, along its own axes.
+VolumeMoments AboutOrigin(double volume, const Vector3& unit_inertia) {
+  return {.volume = volume, .unit_inertia = unit_inertia.asDiagonal()};
 }
 
-/// About the shape's own centre, along its own axes, for unit mass [m2].
-Vector3 UnitInertiaOf(const SolidShape& shape) {
+VolumeMoments VolumeMomentsOf(const SolidShape& shape) {
+  using std::numbers::pi;
   return std::visit(
-      Overloaded{
-          [](const Block& block) {
-            const Vector3 square = block.size.cwiseAbs2();
-            return Vector3((Vector3::Constant(square.sum()) - square) / 12.0);
-          },
-          [](const Cylinder& c) {
-            const double across = (3 * c.radius * c.radius + c.length * c.length) / 12.0;
-            return Vector3(across, c.radius * c.radius / 2.0, across);
-          },
-          [](const Sphere& s) { return Vector3(Vector3::Constant(0.4 * s.radius * s.radius)); }},
+      Overloaded{[](const Block& block) {
+                   const Vector3 square = block.size.cwiseAbs2();
+                   return AboutOrigin(block.size.prod(),
+                                      (Vector3::Constant(square.sum()) - square) / 12.0);
+                 },
+                 [](const Cylinder& c) {
+                   const double across = (3 * c.radius * c.radius + c.length * c.length) / 12.0;
+                   return AboutOrigin(pi * c.radius * c.radius * c.length,
+                                      {across, c.radius * c.radius / 2.0, across});
+                 },
+                 [](const Sphere& s) {
+                   return AboutOrigin(4.0 / 3.0 * pi * s.radius * s.radius * s.radius,
+                                      Vector3::Constant(0.4 * s.radius * s.radius));
+                 },
+                 [](const Hull& hull) { return MomentsOf(hull); }},
       shape);
 }
 
@@ -73,15 +79,19 @@ std::vector<Solid> SolidsOf(const Part& whole) {
 
 MassProperties MassPropertiesOf(const std::vector<Solid>& solids, double mass) {
   MassProperties properties{.mass = mass};
+  std::vector<VolumeMoments> moments;
   double volume = 0;
-  for (const Solid& solid : solids) volume += VolumeOf(solid.shape);
-  if (volume <= 0) return properties;
   for (const Solid& solid : solids) {
-    const double share = mass * VolumeOf(solid.shape) / volume;
-    const Matrix3& R = solid.X_BS.rotation();
-    const Vector3& p = solid.X_BS.translation();
+    moments.push_back(VolumeMomentsOf(solid.shape));
+    volume += moments.back().volume;
+  }
+  if (volume <= 0) return properties;
+  for (std::size_t i = 0; i < solids.size(); ++i) {
+    const double share = mass * moments[i].volume / volume;
+    const Matrix3& R = solids[i].X_BS.rotation();
+    const Vector3 p = solids[i].X_BS * moments[i].center;
     // Parallel-axis theorem: the piece's own inertia, turned, plus that of its mass at its centre.
-    properties.inertia += share * (R * UnitInertiaOf(solid.shape).asDiagonal() * R.transpose());
+    properties.inertia += share * (R * moments[i].unit_inertia * R.transpose());
     properties.inertia += share * (p.squaredNorm() * Matrix3::Identity() - p * p.transpose());
   }
   return properties;

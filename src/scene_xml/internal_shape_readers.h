@@ -3,7 +3,7 @@
 #include <span>
 #include <string_view>
 
-#include "scene/shape.h"
+#include "scene/scene_spec.h"
 #include "scene_xml/internal_attribute_reader.h"
 
 namespace smile::scene_xml {
@@ -19,5 +19,8 @@ struct ShapeElement {
 
 /// In alphabetic order.
 std::span<const ShapeElement> ShapeElements();
+
+/// `friction`, `restitution`, `rollingFriction`: of whole objects only.
+scene::Surface ReadSurface(AttributeReader* attributes);
 
 }  // namespace smile::scene_xml

@@ -111,7 +111,10 @@ class SceneWriter {
     std::visit([this](const auto& shape) { Sizes(shape); }, part.shape);
     const auto* composite = std::get_if<scene::Composite>(&part.shape);
     if (!composite) Attribute("color", ToString(part.color));
-    if (object) Attribute("mass", NumberText(object->mass));
+    if (object) {
+      Attribute("mass", NumberText(object->mass));
+      Touch(object->surface);
+    }
     if (part.is_pointable) Attribute("pointable", "true");
 
     const std::size_t length_of_tag = text_.size();
@@ -128,6 +131,16 @@ class SceneWriter {
       Indent(depth);
       text_ += "</" + std::string(name) + ">\n";
     }
+  }
+
+  /// Only what is not as usual: older programs refuse these attributes.
+  void Touch(const scene::Surface& surface) {
+    const scene::Surface usual;
+    if (surface.friction != usual.friction) Attribute("friction", NumberText(surface.friction));
+    if (surface.restitution != usual.restitution) {
+      Attribute("restitution", NumberText(surface.restitution));
+    }
+    if (surface.rolling_friction) Length("rollingFriction", *surface.rolling_friction);
   }
 
   /// All but the `shape` the reader adds by itself.
@@ -147,6 +160,8 @@ class SceneWriter {
                                  [](const scene::Cylinder&) { return "cylinder"; },
                                  [](const scene::Sphere&) { return "sphere"; },
                                  [](const scene::Box&) { return "box"; },
+                                 [](const scene::Frustum&) { return "frustum"; },
+                                 [](const scene::Ring&) { return "ring"; },
                                  [](const scene::Composite&) { return "composite"; }},
                       shape);
   }
@@ -161,6 +176,18 @@ class SceneWriter {
   void Sizes(const scene::Box& box) {
     Spans(box.size);
     Length("thickness", box.thickness);
+  }
+  void Sizes(const scene::Frustum& frustum) {
+    Length("radiusTop", frustum.radius_top);
+    Length("radiusBottom", frustum.radius_bottom);
+    Length("zspan", frustum.height);
+    Attribute("sides", std::to_string(frustum.sides));
+  }
+  void Sizes(const scene::Ring& ring) {
+    Length("radiusOuter", ring.radius_outer);
+    Length("radiusInner", ring.radius_inner);
+    Length("zspan", ring.height);
+    Attribute("sides", std::to_string(ring.sides));
   }
   void Sizes(const scene::Composite&) {}
 

@@ -20,21 +20,32 @@ struct Bounds {
   Vector3 high = -low;
 };
 
-Vector3 HalfExtentsOf(const scene::SolidShape& shape) {
-  if (const auto* block = std::get_if<scene::Block>(&shape)) return block->size / 2;
-  if (const auto* cylinder = std::get_if<scene::Cylinder>(&shape)) {
-    return {cylinder->radius, cylinder->length / 2, cylinder->radius};
+Vector3 HalfExtentsOf(const scene::Block& block) { return block.size / 2; }
+Vector3 HalfExtentsOf(const scene::Cylinder& cylinder) {
+  return {cylinder.radius, cylinder.length / 2, cylinder.radius};
+}
+Vector3 HalfExtentsOf(const scene::Sphere& sphere) { return Vector3::Constant(sphere.radius); }
+
+template <class Shape>
+void Extend(const Shape& shape, const RigidTransform& X_WS, Bounds* bounds) {
+  const Vector3 reach = X_WS.rotation().cwiseAbs() * HalfExtentsOf(shape);
+  bounds->low = bounds->low.cwiseMin(X_WS.translation() - reach);
+  bounds->high = bounds->high.cwiseMax(X_WS.translation() + reach);
+}
+
+void Extend(const scene::Hull& hull, const RigidTransform& X_WS, Bounds* bounds) {
+  for (const Vector3& p_SQ : hull.polyhedron().corners) {
+    const Vector3 p_WQ = X_WS * p_SQ;
+    bounds->low = bounds->low.cwiseMin(p_WQ);
+    bounds->high = bounds->high.cwiseMax(p_WQ);
   }
-  return Vector3::Constant(std::get<scene::Sphere>(shape).radius);
 }
 
 Bounds BoundsOf(const scene::ObjectSpec& object) {
   Bounds bounds;
   for (const scene::Solid& solid : scene::SolidsOf(object.whole)) {
     const RigidTransform X_WS = object.pose_in_world() * solid.X_BS;
-    const Vector3 reach = X_WS.rotation().cwiseAbs() * HalfExtentsOf(solid.shape);
-    bounds.low = bounds.low.cwiseMin(X_WS.translation() - reach);
-    bounds.high = bounds.high.cwiseMax(X_WS.translation() + reach);
+    std::visit([&](const auto& shape) { Extend(shape, X_WS, &bounds); }, solid.shape);
   }
   return bounds;
 }

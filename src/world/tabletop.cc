@@ -6,6 +6,8 @@ namespace smile::world {
 namespace {
 
 constexpr Color kTableColor{1, 1, 1};
+/// Bodies bounce with the product of both restitutions: with 1 here, an object's own one counts.
+constexpr double kGroundRestitution = 1;
 
 scene::Solid TableSolid(const scene::TableSpec& table) {
   return {scene::Block{{table.x_span, table.y_span, table.thickness}},
@@ -22,14 +24,17 @@ scene::Solid FloorSolid() {
 
 Tabletop::Tabletop(physics::World* world, const scene::SceneSpec& scene)
     : world_(world), table_(scene.table) {
-  world_->AddBody({.solids = {TableSolid(table_)}});
-  world_->AddBody({.solids = {FloorSolid()}});
+  world_->AddBody({.solids = {TableSolid(table_)}, .restitution = kGroundRestitution});
+  world_->AddBody({.solids = {FloorSolid()}, .restitution = kGroundRestitution});
   for (const scene::ObjectSpec& object : scene.objects) {
     const std::vector<scene::Solid> solids = scene::SolidsOf(object.whole);
     const physics::BodyId body =
         world_->AddBody({.solids = solids,
                          .mass = scene::MassPropertiesOf(solids, object.mass),
-                         .X_WB = object.pose_in_world()});
+                         .X_WB = object.pose_in_world(),
+                         .friction = object.surface.friction,
+                         .restitution = object.surface.restitution,
+                         .rolling_friction = object.surface.rolling_friction});
     objects_.push_back({std::make_shared<const scene::ObjectSpec>(object), body});
   }
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <memory>
+#include <numbers>
 #include <set>
 #include <stdexcept>
 #include <thread>
@@ -61,6 +62,34 @@ class RendererTest : public testing::Test {
  private:
   static inline std::unique_ptr<Renderer> renderer_;
 };
+
+TEST_F(RendererTest, ShowsTheTableThroughTheHoleOfARing) {
+  SmallScene scene;
+  const std::uint32_t table = scene.Add(scene::Block{{2, 1.2, 0.4}}, kWhite, Vector3(0, 0, -0.2));
+  const scene::Part ring{
+      .color = kRed,
+      .shape = scene::Ring{.radius_outer = 0.1, .radius_inner = 0.06, .height = 0.02}};
+  const std::uint32_t id = scene.AddPart(ring, Vector3(0, 0, 0.01));
+  const CameraView view{CameraIntrinsics::FromVerticalFieldOfView(640, 480, std::numbers::pi / 6),
+                        LookAt({0, -0.001, 1}, {0, 0, 0})};
+  const Image image = Render(scene, view);
+  for (int degrees = 0; degrees < 360; degrees += 3) {
+    const double angle = degrees * std::numbers::pi / 180;
+    const auto id_at = [&](double radius, double z) {
+      const Vector3 p_WQ(radius * std::cos(angle), radius * std::sin(angle), z);
+      const auto pixel = ProjectToPixel(view.intrinsics, view.X_WC.inverse() * p_WQ);
+      return IdAt(image, static_cast<int>(pixel.x()), static_cast<int>(pixel.y()));
+    };
+    EXPECT_EQ(id_at(0.02, 0), table) << degrees;
+    EXPECT_EQ(id_at(0.055, 0), table) << degrees;
+    EXPECT_EQ(id_at(0.065, 0.02), id) << degrees;
+    EXPECT_EQ(id_at(0.08, 0.02), id) << degrees;
+    EXPECT_EQ(id_at(0.095, 0.02), id) << degrees;
+    EXPECT_EQ(id_at(0.11, 0), table) << degrees;
+  }
+  EXPECT_EQ(ColorAt(image, 320, 240), ColorAtPoint(image, view, {0.2, 0, 0}))
+      << "white as beside it";
+}
 
 TEST_F(RendererTest, CubeCoversThePixelsItProjectsTo) {
   SmallScene scene;

@@ -26,6 +26,17 @@ struct SmallScene {
     poses.push_back(X_WF);
     return id;
   }
+  /// All pieces of a part in one frame.
+  std::uint32_t AddPart(const scene::Part& part, const Vector3& p_WF) {
+    const auto id = static_cast<std::uint32_t>(model.num_frames);
+    for (const scene::Solid& solid : scene::SolidsOf(part)) {
+      model.visuals.push_back({solid.shape, solid.color, solid.X_BS, model.num_frames, id});
+    }
+    ++model.num_frames;
+    model.object_names.push_back("object " + std::to_string(id));
+    poses.emplace_back(p_WF);
+    return id;
+  }
   std::uint32_t Add(const scene::SolidShape& shape, const Color& color, const Vector3& p_WF) {
     return Add(shape, color, RigidTransform(p_WF));
   }

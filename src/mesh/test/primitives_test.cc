@@ -15,10 +15,18 @@ const scene::SolidShape kCylinder = scene::Cylinder{.radius = 0.05, .length = 0.
 const scene::SolidShape kPrism = scene::Cylinder{.radius = 0.05, .length = 0.3, .sides = 3};
 const scene::SolidShape kSphere = scene::Sphere{0.08};
 
+scene::SolidShape HullOf(const scene::Shape& shape) {
+  return scene::SolidsOf({.shape = shape}).at(0).shape;
+}
+const scene::SolidShape kStump =
+    HullOf(scene::Frustum{.radius_top = 0.02, .radius_bottom = 0.06, .height = 0.1, .sides = 5});
+const scene::SolidShape kCone = HullOf(scene::Frustum{.radius_top = 0, .sides = 24});
+const scene::SolidShape kRingPiece = HullOf(scene::Ring{.sides = 6});
+
 class MeshOfShape : public testing::TestWithParam<scene::SolidShape> {};
 
 INSTANTIATE_TEST_SUITE_P(Primitives, MeshOfShape,
-                         testing::Values(kBlock, kCylinder, kPrism, kSphere));
+                         testing::Values(kBlock, kCylinder, kPrism, kSphere, kStump, kCone));
 
 /// A number for each place, whatever the number of corners there.
 std::vector<int> Places(const TriangleMesh& mesh) {
@@ -69,18 +77,17 @@ TEST_P(MeshOfShape, TurnsTrianglesAndNormalsOutwards) {
   }
 }
 
-TEST_P(MeshOfShape, StaysWithinItsExtents) {
-  const Eigen::Vector3f half = 0.5f * ExtentsOf(GetParam()).cast<float>();
+TEST_P(MeshOfShape, StaysWithinItsBoundingRadius) {
   for (const auto& position : MeshOf(GetParam()).positions) {
-    EXPECT_TRUE((position.cwiseAbs().array() <= half.array() + 1e-7f).all());
+    EXPECT_LE(position.norm(), BoundingRadiusOf(GetParam()) + 1e-7);
   }
 }
 
 TEST(Primitives, ReachTheExtentsOfTheirShape) {
   for (const auto& shape : {kBlock, kCylinder, kSphere}) {
     Eigen::Vector3f most = Eigen::Vector3f::Zero();
-    for (const auto& position : MeshOf(shape).positions) most = most.cwiseMax(position);
-    EXPECT_TRUE(most.isApprox(0.5f * ExtentsOf(shape).cast<float>(), 1e-6f));
+    for (const auto& position : MeshOf(shape).positions) most = most.cwiseMax(position.cwiseAbs());
+    EXPECT_TRUE(most.isApprox(0.5f * StretchOf(shape).cast<float>(), 1e-6f));
   }
 }
 
@@ -92,6 +99,9 @@ TEST(Primitives, HaveTheVolumeOfTheirShape) {
   EXPECT_NEAR(VolumeOf(MeshOf(kCylinder)) / cylinder, 0.9936, 1e-4);
   EXPECT_NEAR(VolumeOf(MeshOf(kSphere)) / sphere, 1, 0.02);
   EXPECT_LT(VolumeOf(MeshOf(kSphere)), sphere);
+  for (const auto& shape : {kStump, kCone, kRingPiece}) {
+    EXPECT_NEAR(VolumeOf(MeshOf(shape)), MomentsOf(std::get<scene::Hull>(shape)).volume, 1e-9);
+  }
 }
 
 TEST(Primitives, UseAsFewTrianglesAsTheShapeNeeds) {
@@ -111,6 +121,16 @@ TEST(Primitives, SideNormalsOfACylinderPointAwayFromItsAxis) {
 TEST(Primitives, ShareAUnitMeshWhenOnlyTheSizeDiffers) {
   EXPECT_EQ(UnitMeshOf(scene::Block{{1, 2, 3}}), UnitMeshOf(scene::Block{{3, 2, 1}}));
   EXPECT_NE(UnitMeshOf(kCylinder), UnitMeshOf(kPrism));
+}
+
+TEST(Primitives, ShareTheMeshOfEqualHulls) {
+  const auto ring_of = [](double height) {
+    return scene::SolidsOf({.shape = scene::Ring{.height = height, .sides = 8}});
+  };
+  const UnitMesh first = UnitMeshOf(ring_of(0.1).front().shape);
+  EXPECT_EQ(UnitMeshOf(ring_of(0.1).back().shape), first) << "a ring's pieces are equal";
+  EXPECT_NE(UnitMeshOf(ring_of(0.2).front().shape), first);
+  EXPECT_TRUE((UnitMeshOf(ring_of(0.2).front().shape) <=> first) != 0);
 }
 
 TEST(Primitives, BoundTheFacetsOfHostileCylinders) {

@@ -32,7 +32,8 @@ class PhysicsWorldBuilder {
     }
     return stack;
   }
-  /// Blocks, cylinders, balls and composites, dropped at random places above the table.
+  /// Blocks, cylinders, balls, composites, frusta and rings, dropped at random places above the
+  /// table.
   std::vector<BodyId> AddPile(int count, unsigned seed) {
     std::mt19937 random(seed);
     const auto uniform = [&random](double low, double high) {
@@ -44,7 +45,7 @@ class PhysicsWorldBuilder {
       const RigidTransform X_WB(q.normalized(),
                                 {uniform(-0.2, 0.2), uniform(-0.2, 0.2), 0.2 + 0.12 * i});
       std::vector<scene::Solid> solids;
-      switch (i % 4) {
+      switch (i % 6) {
         case 0:
           solids = {{scene::Block{}, {}, {}, ""}};
           break;
@@ -53,6 +54,12 @@ class PhysicsWorldBuilder {
           break;
         case 2:
           solids = {{scene::Sphere{}, {}, {}, ""}};
+          break;
+        case 3:
+          solids = scene::SolidsOf({.shape = scene::Frustum{.radius_top = 0.03, .sides = 5}});
+          break;
+        case 4:
+          solids = scene::SolidsOf({.shape = scene::Ring{.height = 0.04, .sides = 12}});
           break;
         default:
           solids = {{scene::Block{{0.2, 0.05, 0.05}}, {}, {}, ""},

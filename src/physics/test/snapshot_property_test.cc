@@ -60,7 +60,7 @@ class SnapshotProperty : public ::testing::TestWithParam<unsigned> {
   void SetUp() override {
     builder_.AddTable();
     builder_.AddRobot();
-    pile_ = builder_.AddPile(14, GetParam());
+    pile_ = builder_.AddPile(18, GetParam());
     builder_.AddStack({0.6, 0.2, 0}, 4);
     builder_.SwingRobot(GetParam());
     builder_.StepSeconds(1.0);
@@ -129,7 +129,7 @@ TEST(Snapshot, RefusesBytesThatAreNotAWholeSnapshot) {
   PhysicsWorldBuilder builder;
   builder.AddTable();
   builder.AddRobot();
-  builder.AddPile(4, 1);
+  builder.AddPile(6, 1);
   builder.StepSeconds(0.2);
   const std::vector<std::byte> whole = Serialize(builder.world_.Save());
   for (std::size_t size = 0; size < whole.size(); size += 97) {

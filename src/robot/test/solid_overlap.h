@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -20,7 +21,17 @@ inline double DepthInside(const scene::SolidShape& shape, const Vector3& p_SQ) {
                    return std::min(cylinder.radius - std::hypot(p_SQ.x(), p_SQ.z()),
                                    cylinder.length / 2 - std::abs(p_SQ.y()));
                  },
-                 [&](const scene::Sphere& sphere) { return sphere.radius - p_SQ.norm(); }},
+                 [&](const scene::Sphere& sphere) { return sphere.radius - p_SQ.norm(); },
+                 [&](const scene::Hull& hull) {
+                   const scene::Polyhedron& polyhedron = hull.polyhedron();
+                   double depth = std::numeric_limits<double>::infinity();
+                   for (const auto& face : polyhedron.faces) {
+                     const Vector3 p_QFace = polyhedron.corners[face[0]] - p_SQ;
+                     const Vector3 normal = polyhedron.AreaVectorOf(face).normalized();
+                     depth = std::min(depth, normal.dot(p_QFace));
+                   }
+                   return depth;
+                 }},
       shape);
 }
 
@@ -30,7 +41,14 @@ inline double BoundingRadius(const scene::SolidShape& shape) {
                                [](const scene::Cylinder& cylinder) {
                                  return std::hypot(cylinder.radius, cylinder.length / 2);
                                },
-                               [](const scene::Sphere& sphere) { return sphere.radius; }},
+                               [](const scene::Sphere& sphere) { return sphere.radius; },
+                               [](const scene::Hull& hull) {
+                                 double radius = 0;
+                                 for (const Vector3& corner : hull.polyhedron().corners) {
+                                   radius = std::max(radius, corner.norm());
+                                 }
+                                 return radius;
+                               }},
                     shape);
 }
 
@@ -69,6 +87,10 @@ inline std::vector<Vector3> SamplePoints(const scene::SolidShape& shape) {
                      const double angle = std::numbers::pi * i / kSteps;
                      add_ring(sphere.radius * std::sin(angle), sphere.radius * std::cos(angle));
                    }
+                 },
+                 [&](const scene::Hull& hull) {
+                   const auto& corners = hull.polyhedron().corners;
+                   points.insert(points.end(), corners.begin(), corners.end());
                  }},
       shape);
   return points;

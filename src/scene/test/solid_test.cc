@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 #include "base/overloaded.h"
@@ -71,6 +72,12 @@ TEST(MassProperties, OfNothingIsMassWithoutInertia) {
   EXPECT_EQ(properties.inertia, Matrix3(Matrix3::Zero()));
 }
 
+bool IsWithin(const Polyhedron& polyhedron, const Vector3& p) {
+  return std::ranges::all_of(polyhedron.faces, [&](const Polyhedron::Face& face) {
+    return polyhedron.AreaVectorOf(face).dot(p - polyhedron.corners[face[0]]) <= 0;
+  });
+}
+
 /// The pieces as they are added up by MassPropertiesOf(): each with its own volume, overlaps twice.
 class BruteForce {
  public:
@@ -101,7 +108,14 @@ class BruteForce {
     return std::visit(
         Overloaded{[](const Block& block) { return Vector3(block.size / 2); },
                    [](const Cylinder& c) { return Vector3(c.radius, c.length / 2, c.radius); },
-                   [](const Sphere& s) { return Vector3(Vector3::Constant(s.radius)); }},
+                   [](const Sphere& s) { return Vector3(Vector3::Constant(s.radius)); },
+                   [](const Hull& hull) {
+                     Vector3 most = Vector3::Zero();
+                     for (const Vector3& corner : hull.polyhedron().corners) {
+                       most = most.cwiseMax(corner.cwiseAbs());
+                     }
+                     return most;
+                   }},
         shape);
   }
 
@@ -110,7 +124,8 @@ class BruteForce {
                                  [&](const Cylinder& c) {
                                    return p.x() * p.x() + p.z() * p.z() <= c.radius * c.radius;
                                  },
-                                 [&](const Sphere& s) { return p.norm() <= s.radius; }},
+                                 [&](const Sphere& s) { return p.norm() <= s.radius; },
+                                 [&](const Hull& hull) { return IsWithin(hull.polyhedron(), p); }},
                       shape);
   }
 };
@@ -130,6 +145,34 @@ TEST(MassProperties, OfACompositeAgreeWithCountingCells) {
   const Matrix3 inertia = MassPropertiesOf(solids, 3).inertia;
   EXPECT_LT((inertia - BruteForce::InertiaOf(solids, 3)).norm() / inertia.norm(), 2e-3);
   EXPECT_LT((inertia - inertia.transpose()).norm(), 1e-15);
+}
+
+TEST(MassProperties, OfFrustaAndRingsAgreeWithCountingCells) {
+  const auto at = [](const Vector3& angles_deg, const Vector3& p) {
+    return RigidTransform(RotationFromFixedAxes(angles_deg), p);
+  };
+  const Part whole{
+      .shape = Composite{{
+          Part{.X_PE = at({10, 20, 30}, {0.2, 0, 0}), .shape = Frustum{0.05, 0.2, 0.3, 5}},
+          Part{.X_PE = at({0, 50, 0}, {-0.3, 0, 0}), .shape = Frustum{0, 0.2, 0.2, 3}},
+          Part{.X_PE = at({0, 0, 70}, {0, 0.3, 0}), .shape = Ring{0.2, 0.12, 0.1, 7}},
+      }}};
+  const std::vector<Solid> solids = SolidsOf(whole);
+  const Matrix3 inertia = MassPropertiesOf(solids, 3).inertia;
+  EXPECT_LT((inertia - BruteForce::InertiaOf(solids, 3)).norm() / inertia.norm(), 5e-3);
+  EXPECT_LT((inertia - inertia.transpose()).norm(), 1e-15);
+}
+
+TEST(MassProperties, OfManySidesAreThoseOfRoundThings) {
+  const auto inertia_of = [](const Shape& shape) {
+    return Vector3(MassPropertiesOf(SolidsOf(Part{.shape = shape}), 12).inertia.diagonal());
+  };
+  // A cylinder, a cone (base 1, height 2, about the middle of its height) and a tube, axis z.
+  EXPECT_LT((inertia_of(Frustum{1, 1, 4, 1024}) - Vector3(19, 19, 6)).norm(), 1e-3);
+  const double across_cone = 12 * (3.0 / 20 + 3.0 / 80 * 4 + 0.25);
+  EXPECT_LT((inertia_of(Frustum{0, 1, 2, 1024}) - Vector3(across_cone, across_cone, 3.6)).norm(),
+            1e-3);
+  EXPECT_LT((inertia_of(Ring{2, 1, 1, 1024}) - Vector3(16, 16, 30)).norm(), 0.02);
 }
 
 }  // namespace

@@ -37,6 +37,51 @@ TEST(Tabletop, AStaticObjectStaysInTheAir) {
   EXPECT_EQ(world.body(tabletop.Find("shelf")->body).pose_in_world().translation().z(), 0.5);
 }
 
+/// Where an object is after so many seconds; `push` is its velocity at the start [m/s].
+Vector3 PlaceAfter(double seconds, const scene::ObjectSpec& object, const Vector3& push,
+                   const Vector3& spin = Vector3::Zero()) {
+  physics::World world;
+  const Tabletop tabletop(&world, SceneWith({object}));
+  physics::Body& body = world.body(tabletop.Find(object.id())->body);
+  body.SetVelocity(push, spin);
+  for (int i = 0; i < seconds * 480; ++i) world.Step();
+  return body.pose_in_world().translation();
+}
+
+TEST(Tabletop, FrictionSaysHowFarABlockSlides) {
+  scene::ObjectSpec block = BlockAt("b", {-0.5, 0, 0.05});
+  const auto slides = [&] { return PlaceAfter(1, block, {1, 0, 0}).x() + 0.5; };
+  // v2 / (2 mu g) with the product of 0.6 and the table's 0.6.
+  EXPECT_NEAR(slides(), 1 / (2 * 0.36 * 9.81), 0.01);
+  block.surface.friction = 0.05;
+  EXPECT_GT(slides(), 0.6);
+  block.surface.friction = 1;
+  EXPECT_NEAR(slides(), 1 / (2 * 0.6 * 9.81), 0.01);
+}
+
+TEST(Tabletop, RestitutionSaysHowHighABallBounces) {
+  scene::ObjectSpec ball = BlockAt("b", {0, 0, 0.55});
+  ball.whole.shape = scene::Sphere{0.05};
+  // It falls 0.5 m in 0.32 s; 0.8 of the speed takes it up 0.32 m within 0.26 s more.
+  const auto bounces_to = [&] { return PlaceAfter(0.58, ball, Vector3::Zero()).z() - 0.05; };
+  EXPECT_NEAR(bounces_to(), 0, 0.005);
+  ball.surface.restitution = 0.8;
+  EXPECT_NEAR(bounces_to(), 0.32, 0.05);
+}
+
+TEST(Tabletop, RollingFrictionSaysHowFarABallRolls) {
+  scene::ObjectSpec ball = BlockAt("b", {-0.8, 0, 0.05});
+  ball.whole.shape = scene::Sphere{0.05};
+  const auto rolls = [&] { return PlaceAfter(3, ball, {0.5, 0, 0}, {0, 10, 0}).x() + 0.8; };
+  const double as_ever = rolls();
+  ball.surface.rolling_friction = 0.001;
+  EXPECT_EQ(rolls(), as_ever);
+  ball.surface.rolling_friction = 0.01;
+  EXPECT_LT(rolls(), 0.6 * as_ever);
+  ball.surface.rolling_friction = 0;
+  EXPECT_GT(rolls(), 1.05 * as_ever);
+}
+
 TEST(Tabletop, PosesAndPicturesCountTheSameFrames) {
   physics::World world;
   const Tabletop tabletop(&world, SceneWith({BlockAt("a", {0, 0, 1}), BlockAt("b", {1, 0, 1})}));

@@ -5,6 +5,7 @@
 
 #include "app/commands.h"
 #include "app/exit_code.h"
+#include "app/options.h"
 #include "base/json.h"
 #include "scene_xml/scene_reader.h"
 #include "scene_xml/scene_writer.h"
@@ -15,6 +16,7 @@ namespace {
 struct CheckOptions {
   std::vector<std::string> scenes;
   bool json = false, expand = false;
+  PathOptions path;
 };
 
 /// The sums over all files asked for.
@@ -42,7 +44,7 @@ Json ToJson(const Findings& findings) {
 int Check(const CheckOptions& options) {
   Findings findings;
   for (const std::string& file : options.scenes) {
-    const scene_xml::SceneReading reading = scene_xml::ReadScene(file);
+    const scene_xml::SceneReading reading = scene_xml::ReadScene(file, options.path.reader());
     for (const Diagnostic& diagnostic : reading.diagnostics) {
       std::fprintf(stderr, "%s\n", ToString(diagnostic).c_str());
       findings.diagnostics.push_back(diagnostic);
@@ -53,7 +55,8 @@ int Check(const CheckOptions& options) {
         objects.begin(), objects.end(), [](const auto& object) { return object.is_static(); }));
     findings.objects += objects.size();
     findings.fixed += fixed;
-    if (options.expand) std::printf("%s", scene_xml::WriteScene(*reading.scene).c_str());
+    if (options.expand)
+      std::printf("%s", scene_xml::WriteScene(*reading.scene, reading.origins).c_str());
     if (!options.json && !options.expand) {
       std::printf("%s: ok, %zu objects (%zu fixed)\n", file.c_str(), objects.size(), fixed);
     }
@@ -72,6 +75,7 @@ void AddCheck(CLI::App* program, ExitAnswer answer) {
   auto* json = check->add_flag("--json", options->json, "print one JSON object on stdout");
   check->add_flag("--expand", options->expand, "print the scene with every value written out")
       ->excludes(json);
+  AddPathOption(check, &options->path);
   check->callback([options, answer] { *answer = Check(*options); });
 }
 

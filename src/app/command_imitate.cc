@@ -17,6 +17,7 @@ struct ImitateOptions {
   double max_seconds = 600;
   bool json = false;
   RobotOptions robot;
+  PathOptions path;
 };
 
 int ImitateDemo(const ImitateOptions& options) {
@@ -24,7 +25,7 @@ int ImitateDemo(const ImitateOptions& options) {
   const ImitationOutcome outcome =
       Imitate({.task = std::filesystem::path(options.scene).stem().string(),
                .demonstration = options.demo,
-               .scene = scene_xml::LoadScene(options.scene),
+               .scene = scene_xml::LoadScene(options.scene, options.path.reader()),
                .brain = options.brain,
                .record = out / "imitation",
                .max_seconds = options.max_seconds,
@@ -63,6 +64,7 @@ void AddImitate(CLI::App* program, ExitAnswer answer) {
   imitate->add_option("--size", options->size, "of the robot's pictures")->capture_default_str();
   imitate->add_flag("--json", options->json, "print result.json on stdout");
   imitate->add_flag("--classic", options->robot.classic, "the robot where the original put it");
+  AddPathOption(imitate, &options->path);
   imitate->callback([options, answer] { *answer = ImitateDemo(*options); });
 }
 

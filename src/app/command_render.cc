@@ -20,6 +20,7 @@ struct RenderCommandOptions {
   std::string subject, camera = "nice", size = "1280x720", channels = "rgb", out;
   double rate = 30, speed = 1;
   RobotOptions robot;
+  PathOptions path;
 };
 
 struct Channels {
@@ -78,7 +79,7 @@ int Render(const RenderCommandOptions& options) {
     throw std::invalid_argument("--out is '" + options.out + "', expected a .png or .mp4 file");
   }
   if (!record::IsRecording(options.subject)) {
-    const sim::Simulation simulation(scene_xml::LoadScene(options.subject),
+    const sim::Simulation simulation(scene_xml::LoadScene(options.subject, options.path.reader()),
                                      PlaceRobot(options.robot));
     if (is_film) {
       throw std::invalid_argument("a film needs a recording, but '" + options.subject +
@@ -129,6 +130,7 @@ void AddRender(CLI::App* program, ExitAnswer answer) {
       ->check(NumberBetween(0.01, 100.0));
   render->add_flag("--no-robot", options->robot.no_robot, "a scene without the robot");
   render->add_flag("--classic", options->robot.classic, "the robot where the original put it");
+  AddPathOption(render, &options->path);
   render->callback([options, answer] { *answer = Render(*options); });
 }
 

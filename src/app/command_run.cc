@@ -20,10 +20,11 @@ struct RunOptions {
   std::string title, notes;
   bool realtime = false, json = false;
   RobotOptions robot;
+  PathOptions path;
 };
 
 int RunScene(const RunOptions& options) {
-  RunPlan plan{.scene = scene_xml::LoadScene(options.scene)};
+  RunPlan plan{.scene = scene_xml::LoadScene(options.scene, options.path.reader())};
   if (!options.seconds && options.brain.empty() && options.commands.empty()) {
     throw std::invalid_argument(
         "nothing says when the run ends: give --seconds, --commands or --brain");
@@ -82,6 +83,7 @@ void AddRun(CLI::App* program, ExitAnswer answer) {
   run->add_flag("--json", options->json, "print one JSON object on stdout");
   run->add_flag("--no-robot", options->robot.no_robot, "a table without a robot");
   run->add_flag("--classic", options->robot.classic, "the robot where the original put it");
+  AddPathOption(run, &options->path);
   run->callback([options, answer] { *answer = RunScene(*options); });
 }
 

@@ -23,6 +23,14 @@ std::optional<sim::RobotPlacement> PlaceRobot(const RobotOptions& options) {
   return placement;
 }
 
+void AddPathOption(CLI::App* command, PathOptions* options) {
+  command
+      ->add_option("--path", options->roots,
+                   "folder to look in for included files, after the scene's own; may be repeated")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
 CLI::Validator NumberBetween(double low, double high) {
   const auto check = [low, high](const std::string& text) -> std::string {
     double number = 0;

@@ -4,11 +4,23 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "scene_xml/scene_reader.h"
 #include "sim/eye.h"
 #include "sim/simulation.h"
 
 namespace smile::app {
+
+/// `--path DIR…`: where scene files look for what they include, after their own folder.
+struct PathOptions {
+  std::vector<std::string> roots;
+
+  scene_xml::SceneReaderOptions reader() const {
+    return {.search_roots = {roots.begin(), roots.end()}};
+  }
+};
+void AddPathOption(CLI::App* command, PathOptions* options);
 
 /// Options that several commands share.
 struct RobotOptions {

@@ -76,7 +76,9 @@ void ReadPartInto(scene::Composite* composite, const XmlElement& element, Readin
 Part ReadPart(const XmlElement& element, const ShapeElement& shape, Reading* reading) {
   AttributeReader attributes(element, reading);
   Part part = ReadPartAttributes(shape, /*is_whole=*/false, &attributes, reading);
-  attributes.Forbid("mass", "mass only on the whole object");
+  for (const char* name : {"mass", "friction", "restitution", "rollingFriction"}) {
+    attributes.Forbid(name, std::string(name) + " only on the whole object");
+  }
   attributes.RefuseUnknown();
   auto* composite = std::get_if<scene::Composite>(&part.shape);
   for (const XmlElement& child : element.children) {
@@ -99,6 +101,7 @@ ObjectSpec ReadObject(const XmlElement& element, const ShapeElement& shape, Read
   ObjectSpec object;
   object.whole = ReadPartAttributes(shape, /*is_whole=*/true, &attributes, reading);
   object.mass = attributes.Number("mass", 1, kMassKilograms);
+  object.surface = ReadSurface(&attributes);
   attributes.RefuseUnknown();
   object.descriptions = {{"shape", std::string(shape.name)}};
   auto* composite = std::get_if<scene::Composite>(&object.whole.shape);

@@ -19,7 +19,7 @@ TEST(SceneFaults, ReportsAllFaultsInOnePassInTheOrderOfTheFile) {
                          "</composite>")),
       (std::vector<std::string>{
           "test.xml:3: <blok id=\"B1\">: found an unknown element, expected block, box, "
-          "composite, cylinder or sphere; did you mean \"block\"?",
+          "composite, cylinder, frustum, ring or sphere; did you mean \"block\"?",
           "test.xml:4: <block id=\"B2\">: found no location, expected location=\"(x,y,z)\"",
           "test.xml:5: <block id=\"B3\">: found color=\"rde\", expected #RRGGBB, black, blue, "
           "brown, cyan, darkgray, gray, green, lightgray, magenta, orange, pink, red, white "
@@ -33,8 +33,9 @@ TEST(SceneFaults, ReportsAllFaultsInOnePassInTheOrderOfTheFile) {
 
 TEST(SceneFaults, SuggestsTheAttributeThatWasMeant) {
   EXPECT_EQ(FaultOfObject("<sphere location='(0,0,0)' colour='red'/>"),
-            "test.xml:3: <sphere>: found attribute \"colour\", expected color, id, location, mass, "
-            "pointable, radius, rotation or rotationMatrix; did you mean \"color\"?");
+            "test.xml:3: <sphere>: found attribute \"colour\", expected color, friction, id, "
+            "location, mass, pointable, radius, restitution, rollingFriction, rotation or "
+            "rotationMatrix; did you mean \"color\"?");
 }
 
 TEST(SceneFaults, NamesTheLineWhereALongTagBegins) {

@@ -143,8 +143,9 @@ TEST(TemplateFaults, NameTheTemplateAndTheInstance) {
       (Texts{"test.xml:4: <block>: found colour=\"$color$\" with the unknown variable \"color\", "
              "expected one of the instance, of its def or of an instance around it (in the "
              "instance at test.xml:6)",
-             "test.xml:4: <block>: found attribute \"colour\", expected color, id, location, mass, "
-             "pointable, rotation, rotationMatrix, xspan, yspan or zspan; did you mean \"color\"? "
+             "test.xml:4: <block>: found attribute \"colour\", expected color, friction, id, "
+             "location, mass, pointable, restitution, rollingFriction, rotation, rotationMatrix, "
+             "xspan, yspan or zspan; did you mean \"color\"? "
              "(in the instance at test.xml:6)",
              "test.xml:8: <instance def=\"cub\">: found def=\"cub\", expected the name of a def "
              "in this scene; did you mean \"cube\"?"}));

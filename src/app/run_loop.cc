@@ -112,7 +112,6 @@ class LiveRun {
 
   RunOutcome Describe(double wall_seconds) {
     RunOutcome outcome{.ticks = simulation_.tick(), .wall_seconds = wall_seconds};
-    outcome.objects = DescribeObjects(simulation_);
     Json brain = {{"status", "none"}, {"message", ""}};
     if (driver_) {
       brain["status"] = ToString(driver_->status());
@@ -124,7 +123,7 @@ class LiveRun {
         {"seconds", simulation_.seconds()},
         {"hash", HashText(simulation_.state_hash())},
         {"realtime_factor", wall_seconds > 0 ? simulation_.seconds() / wall_seconds : 0.0},
-        {"objects", outcome.objects},
+        {"objects", DescribeObjects(simulation_)},
         {"controls", Json::object()},
         {"robot", DescribeRobot(simulation_)},
         {"brain", brain}};

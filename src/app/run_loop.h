@@ -38,7 +38,6 @@ struct RunOutcome {
   double wall_seconds = 0;
   Json json;  ///< as docs/commands.md describes `run --json`
   std::optional<brain::BrainError> brain_error;
-  Json objects;  ///< id -> {position, rotation}, at the end
 };
 
 /// Objects of a simulation as results tell them: id -> {position [units], rotation [degrees]}.

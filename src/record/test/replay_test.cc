@@ -92,6 +92,19 @@ TEST_F(ReplayTest, NoticesAPoseThatWasChangedInTheTrace) {
   EXPECT_EQ(difference->recorded, "(0, -2, 0.4)");
 }
 
+TEST_F(ReplayTest, ATraceThatJumpsAheadIsDamaged) {
+  const auto directory = Record();
+  ByteWriter jump;
+  jump.Put(std::uint64_t{1'000'000'000'000});
+  jump.Put(std::uint64_t{0});
+  jump.Put(std::uint8_t{0});
+  jump.Put(std::uint32_t{0});
+  std::ofstream(directory / "trace.bin", std::ios::binary | std::ios::app)
+      .write(reinterpret_cast<const char*>(jump.bytes().data()),
+             static_cast<std::streamsize>(jump.size()));
+  EXPECT_THROW(Replay(OpenRecording(directory)), InputError);
+}
+
 TEST_F(ReplayTest, NoticesACommandAfterTheEnd) {
   const auto directory = Record();
   std::ofstream(directory / "commands.jsonl", std::ios::app)

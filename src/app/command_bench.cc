@@ -102,11 +102,11 @@ void EyePicture(benchmark::State& state, bool with_robot) {
                                                 .height_px = static_cast<int>(state.range(1))});
   const camera::RenderOptions options{
       .depth = true, .ids = true, .excluded_frames = FramesHiddenFromEye(*simulation)};
-  const scene::FramePoses poses = simulation->frame_poses();
+  const scene::VisualState seen = simulation->visual_state();
   camera::Renderer renderer;
   Image image;
   for (auto _ : state) {
-    renderer.Render(simulation->visual_model(), poses, view, options, &image);
+    renderer.Render(simulation->visual_model(), seen, view, options, &image);
   }
   state.SetLabel(renderer.device_name());
 }

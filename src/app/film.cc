@@ -22,14 +22,17 @@ std::vector<int> HiddenFrames(const record::TraceTick& moment, const sim::Simula
   return frames;
 }
 
-scene::FramePoses PosesAt(const record::TraceTick& moment, const sim::Simulation& simulation) {
-  scene::FramePoses poses(1);
-  for (const record::TracePose& object : moment.objects) poses.push_back(object.pose_in_world());
+scene::VisualState VisualStateAt(const record::TraceTick& moment,
+                                 const sim::Simulation& simulation) {
+  scene::VisualState state{.poses = {RigidTransform()}};
+  for (const record::TracePose& object : moment.objects) {
+    state.poses.push_back(object.pose_in_world());
+  }
   if (const robot::RobotBody* robot = simulation.robot()) {
     const auto robot_poses = robot::FramePosesOf(robot->model(), robot->base_pose(), moment.joints);
-    poses.insert(poses.end(), robot_poses.begin(), robot_poses.end());
+    state.poses.insert(state.poses.end(), robot_poses.begin(), robot_poses.end());
   }
-  return poses;
+  return state;
 }
 
 void Film(const record::Recording& recording, const std::filesystem::path& mp4,
@@ -47,7 +50,7 @@ void Film(const record::Recording& recording, const std::filesystem::path& mp4,
     const double seconds = static_cast<double>(moment->tick) / sim::kTicksPerSecond;
     const double due = video.num_frames() * options.speed / options.frames_per_second;
     if (seconds + 1e-9 < due) continue;
-    renderer.Render(simulation.visual_model(), PosesAt(*moment, simulation),
+    renderer.Render(simulation.visual_model(), VisualStateAt(*moment, simulation),
                     FindView(options.camera, simulation, moment->joints, options.size),
                     {.look = is_eye ? camera::Look::kRobotEye : camera::Look::kPresentation,
                      .excluded_frames = HiddenFrames(*moment, simulation, is_eye)},

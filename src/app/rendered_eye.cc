@@ -3,12 +3,12 @@
 namespace smile::app {
 
 const Image& RenderedEye::Look(const sim::Simulation& simulation) {
-  scene::FramePoses poses = simulation.frame_poses();
+  scene::VisualState state = simulation.visual_state();
   std::vector<int> hidden = sim::FramesHiddenFromEye(simulation);
-  if (poses == seen_poses_ && hidden == seen_hidden_) return image_;
-  renderer_.Render(simulation.visual_model(), poses, sim::EyeView(simulation, spec_),
+  if (state == seen_ && hidden == seen_hidden_) return image_;
+  renderer_.Render(simulation.visual_model(), state, sim::EyeView(simulation, spec_),
                    {.look = camera::Look::kRobotEye, .excluded_frames = hidden}, &image_);
-  seen_poses_ = std::move(poses);
+  seen_ = std::move(state);
   seen_hidden_ = std::move(hidden);
   return image_;
 }

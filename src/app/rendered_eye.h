@@ -17,7 +17,7 @@ class RenderedEye : public sim::Eye {
   sim::EyeSpec spec_;
   camera::Renderer renderer_;
   Image image_;
-  scene::FramePoses seen_poses_;
+  scene::VisualState seen_;
   std::vector<int> seen_hidden_;
 };
 

@@ -78,12 +78,18 @@ int SphereFacetsFor(double radius_px) {
 
 }  // namespace
 
-std::vector<Piece> PlacePieces(const scene::VisualModel& model, const scene::FramePoses& poses,
+std::vector<Piece> PlacePieces(const scene::VisualModel& model, const scene::VisualState& state,
                                const std::vector<int>& excluded_frames) {
+  const scene::FramePoses& poses = state.poses;
   if (poses.size() != static_cast<std::size_t>(model.num_frames)) {
     throw std::invalid_argument("a model of " + std::to_string(model.num_frames) +
                                 " frames is drawn with " + std::to_string(poses.size()) +
                                 " poses, expected one for each");
+  }
+  if (state.looks.size() != static_cast<std::size_t>(model.num_choices)) {
+    throw std::invalid_argument("a model of " + std::to_string(model.num_choices) +
+                                " choices is drawn with " + std::to_string(state.looks.size()) +
+                                " looks, expected one for each");
   }
   std::vector<bool> is_excluded(poses.size());
   for (const int frame : excluded_frames) {
@@ -94,6 +100,11 @@ std::vector<Piece> PlacePieces(const scene::VisualModel& model, const scene::Fra
   pieces.reserve(model.visuals.size());
   for (const scene::Visual& visual : model.visuals) {
     CheckFrame(visual.frame, model, "a visual's");
+    if (visual.choice >= model.num_choices) {
+      throw std::invalid_argument("a visual's choice is " + std::to_string(visual.choice) +
+                                  ", expected less than " + std::to_string(model.num_choices));
+    }
+    if (visual.choice >= 0 && state.looks[visual.choice] != visual.look) continue;
     if (!is_excluded[visual.frame]) pieces.push_back(Place(visual, poses[visual.frame]));
   }
   return pieces;

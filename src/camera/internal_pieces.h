@@ -26,10 +26,11 @@ struct Piece {
   double bounding_radius = 0;  ///< about p_WV [m]
 };
 
-/// All visuals of the model in their places, apart from those of excluded frames.
-/// @throws std::invalid_argument unless there is one pose for each frame and every frame a visual
-///         or the exclusion names exists.
-std::vector<Piece> PlacePieces(const scene::VisualModel& model, const scene::FramePoses& poses,
+/// All visuals of the model that are there in this state, in their places, apart from those of
+/// excluded frames.
+/// @throws std::invalid_argument unless there is one pose for each frame, one look for each choice,
+///         and every frame and choice that a visual or the exclusion names exists.
+std::vector<Piece> PlacePieces(const scene::VisualModel& model, const scene::VisualState& state,
                                const std::vector<int>& excluded_frames);
 
 /// The pieces the camera may see. Spheres get as many facets as the picture needs.

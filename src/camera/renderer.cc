@@ -27,17 +27,17 @@ Renderer::Renderer() : state_(std::make_unique<State>()) {
 
 Renderer::~Renderer() = default;
 
-Image Renderer::Render(const scene::VisualModel& model, const scene::FramePoses& poses,
+Image Renderer::Render(const scene::VisualModel& model, const scene::VisualState& state,
                        const CameraView& view, const RenderOptions& options) {
   Image image;
-  Render(model, poses, view, options, &image);
+  Render(model, state, view, options, &image);
   return image;
 }
 
-void Renderer::Render(const scene::VisualModel& model, const scene::FramePoses& poses,
+void Renderer::Render(const scene::VisualModel& model, const scene::VisualState& state,
                       const CameraView& view, const RenderOptions& options, Image* image) {
   internal::CheckIntrinsics(view.intrinsics);
-  const auto pieces = internal::PlacePieces(model, poses, options.excluded_frames);
+  const auto pieces = internal::PlacePieces(model, state, options.excluded_frames);
   const auto visible = internal::VisiblePieces(pieces, view);
   image->width_px = view.intrinsics.width_px;
   image->height_px = view.intrinsics.height_px;

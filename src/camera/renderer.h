@@ -48,15 +48,15 @@ class Renderer {
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
 
-  /// @param poses  X_WF of each frame of the model; size model.num_frames.
-  /// @throws std::invalid_argument if the poses are not as many as the frames, a frame does not
+  /// @param state  of the model: one pose for each of its frames, one look for each of its choices.
+  /// @throws std::invalid_argument if poses or looks are not that many, a frame or choice does not
   ///         exist, or the camera is impossible (see CameraIntrinsics; sizes are 1 to 8192).
   /// @throws std::runtime_error if the graphics card gives up, for example for want of memory.
-  Image Render(const scene::VisualModel& model, const scene::FramePoses& poses,
+  Image Render(const scene::VisualModel& model, const scene::VisualState& state,
                const CameraView& view, const RenderOptions& options = {});
 
   /// The same into an image of the caller's, whose memory is used again.
-  void Render(const scene::VisualModel& model, const scene::FramePoses& poses,
+  void Render(const scene::VisualModel& model, const scene::VisualState& state,
               const CameraView& view, const RenderOptions& options, Image* image);
 
   /// What draws, for example `llvmpipe (LLVM 15.0.6, 256 bits)`.

@@ -127,7 +127,7 @@ TriangleMesh MakeHull(const scene::Polyhedron& polyhedron) {
 
 }  // namespace
 
-UnitMesh UnitMeshOf(const scene::SolidShape& shape, int sphere_facets) {
+UnitMesh UnitMeshOf(const scene::VisualShape& shape, int sphere_facets) {
   return std::visit(
       Overloaded{
           [](const scene::Block&) { return UnitMesh{}; },
@@ -139,11 +139,12 @@ UnitMesh UnitMeshOf(const scene::SolidShape& shape, int sphere_facets) {
           },
           [](const scene::Hull& hull) {
             return UnitMesh{UnitMesh::Kind::kHull, 0, hull};
-          }},
+          },
+          [](const scene::DrawnMesh&) -> UnitMesh { throw std::logic_error("not drawn yet"); }},
       shape);
 }
 
-Vector3 StretchOf(const scene::SolidShape& shape) {
+Vector3 StretchOf(const scene::VisualShape& shape) {
   return std::visit(
       Overloaded{
           [](const scene::Block& block) { return block.size; },
@@ -151,11 +152,12 @@ Vector3 StretchOf(const scene::SolidShape& shape) {
             return Vector3(2 * cylinder.radius, cylinder.length, 2 * cylinder.radius);
           },
           [](const scene::Sphere& sphere) { return Vector3(Vector3::Constant(2 * sphere.radius)); },
-          [](const scene::Hull&) { return Vector3(Vector3::Ones()); }},
+          [](const scene::Hull&) { return Vector3(Vector3::Ones()); },
+          [](const scene::DrawnMesh& mesh) { return Vector3(Vector3::Constant(mesh.scale)); }},
       shape);
 }
 
-double BoundingRadiusOf(const scene::SolidShape& shape) {
+double BoundingRadiusOf(const scene::VisualShape& shape) {
   const auto* hull = std::get_if<scene::Hull>(&shape);
   if (!hull) return StretchOf(shape).norm() / 2;
   double radius = 0;
@@ -174,7 +176,7 @@ TriangleMesh MakeMesh(const UnitMesh& unit_mesh) {
                                                      : MakeSphere(unit_mesh.facets);
 }
 
-TriangleMesh MeshOf(const scene::SolidShape& shape) {
+TriangleMesh MeshOf(const scene::VisualShape& shape) {
   return Scaled(MakeMesh(UnitMeshOf(shape)), StretchOf(shape).cast<float>());
 }
 

@@ -3,7 +3,7 @@
 #include <compare>
 
 #include "mesh/triangle_mesh.h"
-#include "scene/solid.h"
+#include "scene/visual_model.h"
 
 namespace smile::mesh {
 
@@ -26,14 +26,14 @@ inline constexpr int kSphereFacets = 32;
 
 /// The unit mesh of a shape. A cylinder has the `sides` it asks for, within 3 and kMaxFacets; a
 /// sphere has `sphere_facets`.
-UnitMesh UnitMeshOf(const scene::SolidShape& shape, int sphere_facets = kSphereFacets);
+UnitMesh UnitMeshOf(const scene::VisualShape& shape, int sphere_facets = kSphereFacets);
 
 /// What a shape's unit mesh is stretched by along its own x, y, z: its full lengths [m]; a hull by
 /// nothing: 1.
-Vector3 StretchOf(const scene::SolidShape& shape);
+Vector3 StretchOf(const scene::VisualShape& shape);
 
 /// Of a sphere about the shape's origin that holds all of it [m].
-double BoundingRadiusOf(const scene::SolidShape& shape);
+double BoundingRadiusOf(const scene::VisualShape& shape);
 
 /// A block has 12 flat triangles; a cylinder (axis y) `facets` smooth ones around and two flat
 /// caps; a sphere `facets` meridians from pole (+y) to pole; a hull flat faces. Corners of round
@@ -42,6 +42,6 @@ double BoundingRadiusOf(const scene::SolidShape& shape);
 TriangleMesh MakeMesh(const UnitMesh& unit_mesh);
 
 /// The shape's own mesh, in its true size.
-TriangleMesh MeshOf(const scene::SolidShape& shape);
+TriangleMesh MeshOf(const scene::VisualShape& shape);
 
 }  // namespace smile::mesh

@@ -67,6 +67,12 @@ std::weak_ordering Hull::operator<=>(const Hull& other) const {
   return corners != 0 ? corners : a.faces <=> b.faces;
 }
 
+Hull Scaled(const Hull& hull, double factor) {
+  Polyhedron scaled = hull.polyhedron();
+  for (Vector3& corner : scaled.corners) corner *= factor;
+  return Hull(std::move(scaled));
+}
+
 VolumeMoments MomentsOf(const Hull& hull) {
   const Polyhedron& polyhedron = hull.polyhedron();
   // About a point in the middle, O, so that a body far from its frame loses no digits.

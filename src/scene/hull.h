@@ -46,6 +46,9 @@ class Hull {
   std::shared_ptr<const Polyhedron> shared_;
 };
 
+/// `factor` times as large, about the origin.
+Hull Scaled(const Hull& hull, double factor);
+
 /// How the volume of a body lies about its frame S.
 struct VolumeMoments {
   double volume = 0;                       ///< [m3]

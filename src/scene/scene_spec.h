@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/mechanism.h"
 #include "scene/shape.h"
 
 namespace smile::scene {
@@ -56,7 +57,10 @@ struct SceneSpec {
   std::string name;
   double meters_per_unit = kMetersPerUnit;  ///< the file's unit [m]
   TableSpec table;
-  std::vector<ObjectSpec> objects;  ///< in the order of the file; ids are unique
+  /// In the order of the file, members of sliders and pieces of chains among them; ids are unique.
+  std::vector<ObjectSpec> objects;
+  std::vector<SliderSpec> sliders;  ///< in the order of the file
+  std::vector<ChainSpec> chains;    ///< in the order of the file
 
   bool operator==(const SceneSpec&) const = default;
 };

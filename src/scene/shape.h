@@ -1,11 +1,16 @@
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "math/color.h"
 #include "math/rigid_transform.h"
+#include "scene/bond.h"
+#include "scene/control.h"
+#include "scene/custom_mesh.h"
 
 namespace smile::scene {
 
@@ -55,27 +60,56 @@ struct Ring {
   bool operator==(const Ring&) const = default;
 };
 
-struct Part;
+/// A triangle mesh from a file, its origin where the file has it.
+struct Custom {
+  std::string file;    ///< as written in the scene
+  double scale = 0.1;  ///< length of the mesh's unit [m]
+  /// Shared by all that are made of the same file; never null in a scene that was read.
+  std::shared_ptr<const CustomMesh> mesh;
+  bool operator==(const Custom& other) const;  ///< compares the meshes, not where they are
+};
 
 /// Parts joined rigidly; its origin is its centre of mass, wherever the parts are.
 struct Composite {
-  std::vector<Part> parts;
+  std::vector<Part> parts;  ///< controls among them
+  std::vector<GuestPoint> guests;
+  std::vector<HostPoint> hosts;
   bool operator==(const Composite&) const;
 };
 
-using Shape = std::variant<Block, Cylinder, Sphere, Box, Frustum, Ring, Composite>;
+using Shape = std::variant<Block, Cylinder, Sphere, Box, Frustum, Ring, Custom, Composite,
+                           ToggleSwitch, IndicatorLights, CustomControl>;
 
 /// A shape in its place: the whole of an object, or a part of a composite.
 struct Part {
-  std::string id;             ///< as in the file; empty for an anonymous part
+  /// Unique for whole objects, controls and what is pointable; else as in the file, or empty.
+  std::string id;
   RigidTransform X_PE;        ///< this element E in its parent P (the world for a whole object)
   bool is_pointable = false;  ///< the demonstrator may point at it
-  Color color;                ///< of a simple shape; composites have none of their own
+  /// Inside a state of a custom control: the state it leads to when triggered; -1 leads nowhere.
+  /// Unset: what its parent says.
+  std::optional<int> next_state;
+  Color color;  ///< of a simple shape or switch; the others have none of their own
   Shape shape;
 
   bool operator==(const Part&) const = default;
 };
 
-inline bool Composite::operator==(const Composite& other) const { return parts == other.parts; }
+inline bool Custom::operator==(const Custom& other) const {
+  return file == other.file && scale == other.scale &&
+         (mesh == other.mesh || (mesh && other.mesh && *mesh == *other.mesh));
+}
+inline bool Composite::operator==(const Composite& other) const {
+  return parts == other.parts && guests == other.guests && hosts == other.hosts;
+}
+inline bool CustomControl::State::operator==(const State& other) const {
+  return name == other.name && parts == other.parts;
+}
+
+inline bool IsControl(const Shape& shape) {
+  return std::holds_alternative<ToggleSwitch>(shape) ||
+         std::holds_alternative<IndicatorLights>(shape) ||
+         std::holds_alternative<CustomControl>(shape);
+}
 
 }  // namespace smile::scene

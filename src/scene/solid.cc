@@ -1,47 +1,113 @@
 #include "scene/solid.h"
 
+#include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "base/overloaded.h"
+#include "scene/internal_lights.h"
 #include "scene/internal_prisms.h"
 
 namespace smile::scene {
 namespace {
 
-void AppendContainer(const Box& box, const Part& part, const RigidTransform& X_BE,
-                     std::vector<Solid>* solids) {
-  const double X = box.size.x(), Y = box.size.y(), Z = box.size.z(), t = box.thickness;
-  const auto wall = [&](const char* name, const Vector3& size, const Vector3& center) {
-    solids->push_back(
-        {Block{size}, X_BE * RigidTransform(center), part.color, part.id + "(" + name + ")"});
-  };
-  // The floor spans the full area; the side walls stand on it.
-  wall("floor", {X, Y, t}, {0, 0, -Z / 2 + t / 2});
-  wall("left", {t, Y - 2 * t, Z - t}, {-(X / 2 - t / 2), 0, t / 2});
-  wall("right", {t, Y - 2 * t, Z - t}, {X / 2 - t / 2, 0, t / 2});
-  wall("near", {X, t, Z - t}, {0, Y / 2 - t / 2, t / 2});
-  wall("far", {X, t, Z - t}, {0, -(Y / 2 - t / 2), t / 2});
-}
+/// Where a piece belongs: its place in the body, and to which look of which control.
+struct Belonging {
+  RigidTransform X_BE;
+  int control = -1;
+  int look = 0;
 
-void AppendSolids(const Part& part, const RigidTransform& X_BE, std::vector<Solid>* solids) {
-  const auto simple = [&](const auto& shape) {
-    solids->push_back({shape, X_BE, part.color, part.id});
-  };
-  std::visit(Overloaded{[&](const Box& box) { AppendContainer(box, part, X_BE, solids); },
-                        [&](const Composite& composite) {
-                          for (const Part& child : composite.parts) {
-                            AppendSolids(child, X_BE * child.X_PE, solids);
-                          }
-                        },
-                        [&](const Frustum& frustum) { simple(HullOf(frustum)); },
-                        [&](const Ring& ring) {
-                          for (const RingPiece& piece : PiecesOf(ring)) {
-                            solids->push_back({piece.hull, X_BE * piece.X_RP, part.color, part.id});
-                          }
-                        },
-                        simple},
-             part.shape);
-}
+  Belonging Child(const RigidTransform& X_EC) const { return {X_BE * X_EC, control, look}; }
+};
+
+/// Goes through the pieces of a body in the order of the file.
+class SolidCollector {
+ public:
+  void Append(const Part& part, const Belonging& place) {
+    std::visit(
+        Overloaded{[&](const Box& box) { AppendContainer(box, part, place); },
+                   [&](const Composite& composite) {
+                     for (const Part& child : composite.parts) {
+                       Append(child, place.Child(child.X_PE));
+                     }
+                   },
+                   [&](const Frustum& frustum) { Add(HullOf(frustum), part, place); },
+                   [&](const Ring& ring) {
+                     for (const RingPiece& piece : PiecesOf(ring)) {
+                       Add(piece.hull, part, place.Child(piece.X_RP));
+                     }
+                   },
+                   [&](const Custom& custom) {
+                     for (const Hull& hull : custom.mesh->pieces) {
+                       Add(Scaled(hull, custom.scale), part, place);
+                     }
+                   },
+                   [&](const ToggleSwitch& toggle) { AppendSwitch(toggle, part, place); },
+                   [&](const IndicatorLights& lights) {
+                     ++num_controls_;
+                     for (int i = 0; i < lights.num_lights; ++i) {
+                       Add(DiscOf(lights), part, place.Child(PoseOfLight(lights, i)));
+                     }
+                   },
+                   [&](const CustomControl& control) {
+                     const int number = num_controls_++;
+                     for (std::size_t look = 0; look < control.states.size(); ++look) {
+                       for (const Part& child : control.states[look].parts) {
+                         Append(child, {place.X_BE * child.X_PE, number, static_cast<int>(look)});
+                       }
+                     }
+                   },
+                   [&](const auto& simple) { Add(simple, part, place); }},
+        part.shape);
+  }
+
+  std::vector<Solid> Take() { return std::move(solids_); }
+
+ private:
+  void Add(const SolidShape& shape, const Part& part, const Belonging& place) {
+    solids_.push_back({shape, place.X_BE, part.color, part.id, place.control, place.look});
+  }
+
+  void AppendContainer(const Box& box, const Part& part, const Belonging& place) {
+    const double X = box.size.x(), Y = box.size.y(), Z = box.size.z(), t = box.thickness;
+    const auto wall = [&](const char* name, const Vector3& size, const Vector3& center) {
+      const Belonging at = place.Child(RigidTransform(center));
+      solids_.push_back(
+          {Block{size}, at.X_BE, part.color, part.id + "(" + name + ")", at.control, at.look});
+    };
+    // The floor spans the full area; the side walls stand on it.
+    wall("floor", {X, Y, t}, {0, 0, -Z / 2 + t / 2});
+    wall("left", {t, Y - 2 * t, Z - t}, {-(X / 2 - t / 2), 0, t / 2});
+    wall("right", {t, Y - 2 * t, Z - t}, {X / 2 - t / 2, 0, t / 2});
+    wall("near", {X, t, Z - t}, {0, Y / 2 - t / 2, t / 2});
+    wall("far", {X, t, Z - t}, {0, -(Y / 2 - t / 2), t / 2});
+  }
+
+  void AppendSwitch(const ToggleSwitch& toggle, const Part& part, const Belonging& place) {
+    const int number = num_controls_++;
+    const double width = toggle.size.x() / (1 + std::cos(toggle.angle)), height = toggle.size.z();
+    const Block button{{width, toggle.size.y(), height}};
+    const RigidTransform X_flat(Vector3(-width / 2, 0, height / 2));
+    const RigidTransform X_raised =
+        AboutY(-toggle.angle) * RigidTransform(Vector3(width / 2, 0, height / 2));
+    for (int position : {0, 1}) {
+      const RigidTransform X_ERocker = position == 0 ? RigidTransform() : AboutY(toggle.angle);
+      const auto add = [&](const char* suffix, const RigidTransform& X_RockerButton) {
+        solids_.push_back({button, place.X_BE * (X_ERocker * X_RockerButton), part.color,
+                           part.id + suffix, number, position});
+      };
+      add("-b1", X_flat);
+      add("-b2", X_raised);
+    }
+  }
+
+  static RigidTransform AboutY(double angle) {
+    return {Matrix3(Eigen::AngleAxisd(angle, Vector3::UnitY())), Vector3::Zero()};
+  }
+
+  std::vector<Solid> solids_;
+  int num_controls_ = 0;
+};
 
 /// Of a shape about its own origin, along its own axes.
 VolumeMoments AboutOrigin(double volume, const Vector3& unit_inertia) {
@@ -72,9 +138,9 @@ VolumeMoments VolumeMomentsOf(const SolidShape& shape) {
 }  // namespace
 
 std::vector<Solid> SolidsOf(const Part& whole) {
-  std::vector<Solid> solids;
-  AppendSolids(whole, RigidTransform(), &solids);
-  return solids;
+  SolidCollector collector;
+  collector.Append(whole, {});
+  return collector.Take();
 }
 
 MassProperties MassPropertiesOf(const std::vector<Solid>& solids, double mass) {
@@ -85,7 +151,11 @@ MassProperties MassPropertiesOf(const std::vector<Solid>& solids, double mass) {
     moments.push_back(VolumeMomentsOf(solid.shape));
     volume += moments.back().volume;
   }
-  if (volume <= 0) return properties;
+  if (volume <= 0) {
+    // Nothing to be felt, as an empty composite: it turns like a ball of one unit.
+    properties.inertia = mass * 0.4 * 0.05 * 0.05 * Matrix3::Identity();
+    return properties;
+  }
   for (std::size_t i = 0; i < solids.size(); ++i) {
     const double share = mass * moments[i].volume / volume;
     const Matrix3& R = solids[i].X_BS.rotation();

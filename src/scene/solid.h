@@ -18,12 +18,15 @@ struct Solid {
   RigidTransform X_BS;
   Color color;
   std::string part_id;  ///< of the part it belongs to; a container's walls are `id(floor)`, …
+  int control = -1;     ///< the control it belongs to, numbered as ControlsOf() has them; -1: none
+  int look = 0;         ///< it is there only while the control looks so
 
   bool operator==(const Solid&) const = default;
 };
 
-/// All convex pieces of an object in its own frame, in the order of the file. A box becomes its
-/// floor and four walls, a ring its segments, a composite the pieces of its parts.
+/// All convex pieces of an object in its own frame, in the order of the file: what collides. A box
+/// becomes its floor and four walls, a ring its segments, a composite the pieces of its parts, a
+/// control the pieces of all its looks. Lights collide whether they are on or not.
 ///
 /// A ring of more than 64 sides has 64 pieces; its outside stays exact, its hole is round within
 /// half a percent.

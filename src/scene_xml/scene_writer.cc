@@ -156,14 +156,16 @@ class SceneWriter {
   }
 
   static std::string_view NameOf(const scene::Shape& shape) {
-    return std::visit(Overloaded{[](const scene::Block&) { return "block"; },
-                                 [](const scene::Cylinder&) { return "cylinder"; },
-                                 [](const scene::Sphere&) { return "sphere"; },
-                                 [](const scene::Box&) { return "box"; },
-                                 [](const scene::Frustum&) { return "frustum"; },
-                                 [](const scene::Ring&) { return "ring"; },
-                                 [](const scene::Composite&) { return "composite"; }},
-                      shape);
+    return std::visit(
+        Overloaded{[](const scene::Block&) { return "block"; },
+                   [](const scene::Cylinder&) { return "cylinder"; },
+                   [](const scene::Sphere&) { return "sphere"; },
+                   [](const scene::Box&) { return "box"; },
+                   [](const scene::Frustum&) { return "frustum"; },
+                   [](const scene::Ring&) { return "ring"; },
+                   [](const scene::Composite&) { return "composite"; },
+                   [](const auto&) -> const char* { throw std::logic_error("not written yet"); }},
+        shape);
   }
 
   void Sizes(const scene::Block& block) { Spans(block.size); }
@@ -190,6 +192,8 @@ class SceneWriter {
     Attribute("sides", std::to_string(ring.sides));
   }
   void Sizes(const scene::Composite&) {}
+  template <class Other>
+  void Sizes(const Other&) {}
 
   void Spans(const Vector3& size) {
     Length("xspan", size.x());

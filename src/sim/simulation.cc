@@ -32,15 +32,15 @@ Simulation::Simulation(scene::SceneSpec scene, std::optional<RobotPlacement> rob
                        &visual_model_);
 }
 
-scene::FramePoses Simulation::frame_poses() const {
-  scene::FramePoses poses(1);
-  tabletop_.AppendPoses(&poses);
+scene::VisualState Simulation::visual_state() const {
+  scene::VisualState state;
+  tabletop_.AppendVisualState(&state);
   if (robot_) {
     const auto robot_poses =
         robot::FramePosesOf(robot_->model(), robot_->base_pose(), robot_->positions());
-    poses.insert(poses.end(), robot_poses.begin(), robot_poses.end());
+    state.poses.insert(state.poses.end(), robot_poses.begin(), robot_poses.end());
   }
-  return poses;
+  return state;
 }
 
 std::optional<Refusal> Simulation::Apply(const Command& wanted) {

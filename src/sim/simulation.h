@@ -90,7 +90,7 @@ class Simulation {
 
   /// Frame 0 is the world; then one per object in scene order; then the robot's base and links.
   const scene::VisualModel& visual_model() const { return visual_model_; }
-  scene::FramePoses frame_poses() const;
+  scene::VisualState visual_state() const;
   /// First frame of the robot in the visual model; 0 without a robot.
   int first_robot_frame() const { return first_robot_frame_; }
 

@@ -58,22 +58,25 @@ void Tabletop::AppendVisuals(scene::VisualModel* model) const {
     model->object_names.push_back(name);
     return static_cast<std::uint32_t>(model->object_names.size() - 1);
   };
-  const auto append = [model](const scene::Solid& solid, int frame, std::uint32_t object_id) {
-    model->visuals.push_back({solid.shape, solid.color, solid.X_BS, frame, object_id});
-  };
-  append(TableSolid(table_), 0, name_object("table"));
+  const scene::Solid table = TableSolid(table_);
+  model->visuals.push_back({.shape = scene::VisualShapeOf(table.shape),
+                            .color = table.color,
+                            .X_FV = table.X_BS,
+                            .object_id = name_object("table")});
   for (const Object& object : objects_) {
-    const int frame = model->num_frames++;
     const std::uint32_t object_id = name_object(object.id());
-    for (const scene::Solid& solid : scene::SolidsOf(object.spec->whole)) {
-      append(solid, frame, object_id);
+    for (scene::Visual visual : scene::VisualsOf(object.spec->whole)) {
+      visual.frame = model->num_frames;
+      visual.object_id = object_id;
+      model->visuals.push_back(visual);
     }
+    ++model->num_frames;
   }
 }
 
-void Tabletop::AppendPoses(scene::FramePoses* poses) const {
+void Tabletop::AppendVisualState(scene::VisualState* state) const {
   for (const Object& object : objects_) {
-    poses->push_back(world_->body(object.body).pose_in_world());
+    state->poses.push_back(world_->body(object.body).pose_in_world());
   }
 }
 

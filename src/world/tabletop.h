@@ -38,7 +38,7 @@ class Tabletop {
   /// What there is to see: the table (drawn in the world's frame) and one frame per object.
   void AppendVisuals(scene::VisualModel* model) const;
   /// One pose per object, in scene order.
-  void AppendPoses(scene::FramePoses* poses) const;
+  void AppendVisualState(scene::VisualState* state) const;
 
  private:
   physics::World* world_;

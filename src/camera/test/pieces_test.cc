@@ -8,7 +8,7 @@
 namespace smile::camera::internal {
 namespace {
 
-scene::VisualModel ModelOf(const scene::SolidShape& shape) {
+scene::VisualModel ModelOf(const scene::VisualShape& shape) {
   return {.visuals = {{.shape = shape, .frame = 1, .object_id = 1}},
           .object_names = {"", "thing"},
           .num_frames = 2};
@@ -18,14 +18,14 @@ scene::VisualModel ModelOf(const scene::SolidShape& shape) {
 const CameraView kView{CameraIntrinsics::FromVerticalFieldOfView(640, 480, std::numbers::pi / 3),
                        LookAt({0, 0, 0}, {0, 1, 0})};
 
-std::size_t NumVisible(const scene::SolidShape& shape, const Vector3& p_WF) {
-  const auto pieces = PlacePieces(ModelOf(shape), {{}, RigidTransform(p_WF)}, {});
+std::size_t NumVisible(const scene::VisualShape& shape, const Vector3& p_WF) {
+  const auto pieces = PlacePieces(ModelOf(shape), {.poses = {{}, RigidTransform(p_WF)}}, {});
   return VisiblePieces(pieces, kView).size();
 }
 
 int FacetsOfSphereAt(double distance) {
-  const auto pieces =
-      PlacePieces(ModelOf(scene::Sphere{0.05}), {{}, RigidTransform(Vector3(0, distance, 0))}, {});
+  const auto pieces = PlacePieces(ModelOf(scene::Sphere{0.05}),
+                                  {.poses = {{}, RigidTransform(Vector3(0, distance, 0))}}, {});
   return VisiblePieces(pieces, kView).at(0).unit_mesh.facets;
 }
 

@@ -56,7 +56,7 @@ class RendererTest : public testing::Test {
 
   static Image Render(const SmallScene& scene, const CameraView& view,
                       const RenderOptions& options = kAllChannels) {
-    return renderer_->Render(scene.model, scene.poses, view, options);
+    return renderer_->Render(scene.model, scene.state, view, options);
   }
 
  private:
@@ -193,7 +193,7 @@ TEST_F(RendererTest, TwoRenderersDrawTheSameBytes) {
     options.look = look;
     const Image first = Render(scene, HeadView(320, 240), options);
     EXPECT_TRUE(first == Render(scene, HeadView(320, 240), options));
-    EXPECT_TRUE(first == other.Render(scene.model, scene.poses, HeadView(320, 240), options));
+    EXPECT_TRUE(first == other.Render(scene.model, scene.state, HeadView(320, 240), options));
   }
 }
 
@@ -356,7 +356,7 @@ TEST_F(RendererTest, RefusesWhatCannotBeDrawnAndDrawsOn) {
   view.intrinsics.near = view.intrinsics.far;
   refuses(view);
   refuses(HeadView(20, 20), {.excluded_frames = {99}});
-  scene.poses.pop_back();
+  scene.state.poses.pop_back();
   refuses(HeadView(20, 20));
   scene = TableScene();
   scene.model.visuals[0].frame = -1;
@@ -370,7 +370,7 @@ TEST_F(RendererTest, EachThreadMayHaveItsOwn) {
   for (int round = 0; round < 3; ++round) {
     Image there;
     std::thread([&] {
-      there = Renderer().Render(scene.model, scene.poses, HeadView(64, 48), kAllChannels);
+      there = Renderer().Render(scene.model, scene.state, HeadView(64, 48), kAllChannels);
     }).join();
     EXPECT_TRUE(there == here);
   }
@@ -380,8 +380,8 @@ TEST_F(RendererTest, EachThreadMayHaveItsOwn) {
 
 TEST_F(RendererTest, SurvivesPosesThatAreNoNumbers) {
   SmallScene scene = TableScene();
-  scene.poses[2] = RigidTransform(Vector3::Constant(std::nan("")));
-  scene.poses[3] = RigidTransform(Vector3(0, 0, -1e300));
+  scene.state.poses[2] = RigidTransform(Vector3::Constant(std::nan("")));
+  scene.state.poses[3] = RigidTransform(Vector3(0, 0, -1e300));
   const Image image = Render(scene, HeadView(64, 48), kPresented);
   EXPECT_EQ(image.color.size(), 3u * 64 * 48);
 }

@@ -11,10 +11,10 @@ namespace smile::camera {
 /// A model that grows object by object; each has its own frame.
 struct SmallScene {
   scene::VisualModel model;
-  scene::FramePoses poses{RigidTransform()};
+  scene::VisualState state;
 
   /// @returns the object's id, which is its frame too.
-  std::uint32_t Add(const scene::SolidShape& shape, const Color& color,
+  std::uint32_t Add(const scene::VisualShape& shape, const Color& color,
                     const RigidTransform& X_WF) {
     const auto id = static_cast<std::uint32_t>(model.num_frames);
     model.visuals.push_back({.shape = shape,
@@ -23,21 +23,23 @@ struct SmallScene {
                              .frame = model.num_frames++,
                              .object_id = id});
     model.object_names.push_back("object " + std::to_string(id));
-    poses.push_back(X_WF);
+    state.poses.push_back(X_WF);
     return id;
   }
   /// All pieces of a part in one frame.
   std::uint32_t AddPart(const scene::Part& part, const Vector3& p_WF) {
     const auto id = static_cast<std::uint32_t>(model.num_frames);
-    for (const scene::Solid& solid : scene::SolidsOf(part)) {
-      model.visuals.push_back({solid.shape, solid.color, solid.X_BS, model.num_frames, id});
+    for (scene::Visual visual : scene::VisualsOf(part)) {
+      visual.frame = model.num_frames;
+      visual.object_id = id;
+      model.visuals.push_back(visual);
     }
     ++model.num_frames;
     model.object_names.push_back("object " + std::to_string(id));
-    poses.emplace_back(p_WF);
+    state.poses.emplace_back(p_WF);
     return id;
   }
-  std::uint32_t Add(const scene::SolidShape& shape, const Color& color, const Vector3& p_WF) {
+  std::uint32_t Add(const scene::VisualShape& shape, const Color& color, const Vector3& p_WF) {
     return Add(shape, color, RigidTransform(p_WF));
   }
 };

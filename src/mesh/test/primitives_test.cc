@@ -10,20 +10,20 @@
 namespace smile::mesh {
 namespace {
 
-const scene::SolidShape kBlock = scene::Block{{0.1, 0.2, 0.3}};
-const scene::SolidShape kCylinder = scene::Cylinder{.radius = 0.05, .length = 0.3, .sides = 32};
-const scene::SolidShape kPrism = scene::Cylinder{.radius = 0.05, .length = 0.3, .sides = 3};
-const scene::SolidShape kSphere = scene::Sphere{0.08};
+const scene::VisualShape kBlock = scene::Block{{0.1, 0.2, 0.3}};
+const scene::VisualShape kCylinder = scene::Cylinder{.radius = 0.05, .length = 0.3, .sides = 32};
+const scene::VisualShape kPrism = scene::Cylinder{.radius = 0.05, .length = 0.3, .sides = 3};
+const scene::VisualShape kSphere = scene::Sphere{0.08};
 
-scene::SolidShape HullOf(const scene::Shape& shape) {
-  return scene::SolidsOf({.shape = shape}).at(0).shape;
+scene::VisualShape HullOf(const scene::Shape& shape) {
+  return scene::VisualsOf({.shape = shape}).at(0).shape;
 }
-const scene::SolidShape kStump =
+const scene::VisualShape kStump =
     HullOf(scene::Frustum{.radius_top = 0.02, .radius_bottom = 0.06, .height = 0.1, .sides = 5});
-const scene::SolidShape kCone = HullOf(scene::Frustum{.radius_top = 0, .sides = 24});
-const scene::SolidShape kRingPiece = HullOf(scene::Ring{.sides = 6});
+const scene::VisualShape kCone = HullOf(scene::Frustum{.radius_top = 0, .sides = 24});
+const scene::VisualShape kRingPiece = HullOf(scene::Ring{.sides = 6});
 
-class MeshOfShape : public testing::TestWithParam<scene::SolidShape> {};
+class MeshOfShape : public testing::TestWithParam<scene::VisualShape> {};
 
 INSTANTIATE_TEST_SUITE_P(Primitives, MeshOfShape,
                          testing::Values(kBlock, kCylinder, kPrism, kSphere, kStump, kCone));
@@ -125,7 +125,7 @@ TEST(Primitives, ShareAUnitMeshWhenOnlyTheSizeDiffers) {
 
 TEST(Primitives, ShareTheMeshOfEqualHulls) {
   const auto ring_of = [](double height) {
-    return scene::SolidsOf({.shape = scene::Ring{.height = height, .sides = 8}});
+    return scene::VisualsOf({.shape = scene::Ring{.height = height, .sides = 8}});
   };
   const UnitMesh first = UnitMeshOf(ring_of(0.1).front().shape);
   EXPECT_EQ(UnitMeshOf(ring_of(0.1).back().shape), first) << "a ring's pieces are equal";

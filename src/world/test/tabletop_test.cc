@@ -86,10 +86,10 @@ TEST(Tabletop, PosesAndPicturesCountTheSameFrames) {
   physics::World world;
   const Tabletop tabletop(&world, SceneWith({BlockAt("a", {0, 0, 1}), BlockAt("b", {1, 0, 1})}));
   scene::VisualModel model;
-  scene::FramePoses poses(1);
+  scene::VisualState state;
   tabletop.AppendVisuals(&model);
-  tabletop.AppendPoses(&poses);
-  EXPECT_EQ(model.num_frames, static_cast<int>(poses.size()));
+  tabletop.AppendVisualState(&state);
+  EXPECT_EQ(model.num_frames, static_cast<int>(state.poses.size()));
   EXPECT_EQ(model.object_names, (std::vector<std::string>{"", "table", "a", "b"}));
   EXPECT_EQ(tabletop.Find("c"), nullptr);
 }

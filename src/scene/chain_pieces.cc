@@ -1,0 +1,65 @@
+#include <string>
+
+#include "base/wording.h"
+#include "scene/mechanism.h"
+#include "scene/scene_spec.h"
+
+namespace smile::scene {
+namespace {
+
+/// y from start to end, z as far up as may be, x level.
+Matrix3 Orientation(const Vector3& along) {
+  const Vector3 y = along.normalized();
+  Vector3 x = y.cross(Vector3::UnitZ());
+  if (x.norm() < 1e-9) x = Vector3::UnitX();
+  x.normalize();
+  Matrix3 R;
+  R << x, y, x.cross(y);
+  return R;
+}
+
+void Describe(const std::string& shape, const Vector3& size_units, ObjectSpec* piece) {
+  piece->descriptions = {{"shape", shape},
+                         {"xspan", NumberText(size_units.x())},
+                         {"yspan", NumberText(size_units.y())},
+                         {"zspan", NumberText(size_units.z())}};
+}
+
+}  // namespace
+
+std::vector<ObjectSpec> PiecesOf(const ChainSpec& chain, double meters_per_unit) {
+  constexpr double kEndUnits = 0.1;
+  const Vector3 along = chain.p_WEnd - chain.p_WStart;
+  const Matrix3 R_WPiece = Orientation(along);
+  std::vector<ObjectSpec> pieces;
+
+  const auto add_end = [&](const std::string& id, const Vector3& p_WPiece) {
+    ObjectSpec end;
+    end.whole = {.id = id,
+                 .X_PE = {R_WPiece, p_WPiece},
+                 .color = {1, 1, 1},
+                 .shape = Block{Vector3::Constant(kEndUnits * meters_per_unit)}};
+    end.mass = 0;
+    Describe("chain-endpoint", Vector3::Constant(kEndUnits), &end);
+    pieces.push_back(end);
+  };
+  add_end(chain.start_id, chain.p_WStart);
+  add_end(chain.end_id, chain.p_WEnd);
+
+  const auto num_links = static_cast<double>(chain.link_ids.size());
+  for (std::size_t i = 0; i < chain.link_ids.size(); ++i) {
+    const double share = (static_cast<double>(i) + 0.5) / num_links;
+    ObjectSpec link;
+    link.whole = {.id = chain.link_ids[i],
+                  .X_PE = {R_WPiece, chain.p_WStart + along * share},
+                  .color = chain.color,
+                  .shape = Block{chain.link_size}};
+    link.mass = chain.link_mass;
+    Describe("chain-link", chain.link_size / meters_per_unit, &link);
+    link.descriptions.push_back({"color", ToString(chain.color)});
+    pieces.push_back(link);
+  }
+  return pieces;
+}
+
+}  // namespace smile::scene

@@ -1,0 +1,69 @@
+#include "scene/controls_of.h"
+
+#include <stdexcept>
+
+#include "base/overloaded.h"
+
+namespace smile::scene {
+namespace {
+
+void AppendControls(const Part& part, std::vector<const Part*>* controls) {
+  if (IsControl(part.shape)) controls->push_back(&part);
+  if (const auto* composite = std::get_if<Composite>(&part.shape)) {
+    for (const Part& child : composite->parts) AppendControls(child, controls);
+  }
+}
+
+/// Calls `of` with the control's own type.
+template <class Result, class Function>
+Result Ask(const Part& control, Function of) {
+  return std::visit(
+      [&](const auto& shape) -> Result {
+        if constexpr (requires { shape.initial_state; }) {
+          return of(shape);
+        } else {
+          throw std::logic_error("part '" + control.id + "' is no control");
+        }
+      },
+      control.shape);
+}
+
+}  // namespace
+
+std::vector<const Part*> ControlsOf(const Part& whole) {
+  std::vector<const Part*> controls;
+  AppendControls(whole, &controls);
+  return controls;
+}
+
+std::string KindOf(const Part& control) {
+  return Ask<std::string>(
+      control, Overloaded{[](const ToggleSwitch&) -> std::string { return "toggleSwitch"; },
+                          [](const IndicatorLights&) -> std::string { return "indicatorLights"; },
+                          [](const CustomControl& custom) { return custom.name; }});
+}
+
+int NumStatesOf(const Part& control) {
+  return Ask<int>(
+      control, Overloaded{[](const ToggleSwitch& toggle) { return toggle.num_states; },
+                          [](const auto& other) { return static_cast<int>(other.states.size()); }});
+}
+
+int InitialStateOf(const Part& control) {
+  return Ask<int>(control, [](const auto& any) { return any.initial_state; });
+}
+
+const std::vector<std::string>& DownstreamOf(const Part& control) {
+  return Ask<const std::vector<std::string>&>(
+      control, [](const auto& any) -> const std::vector<std::string>& { return any.downstream; });
+}
+
+std::vector<Solid> SolidsWith(const std::vector<int>& looks, const std::vector<Solid>& solids) {
+  std::vector<Solid> present;
+  for (const Solid& solid : solids) {
+    if (solid.control < 0 || looks.at(solid.control) == solid.look) present.push_back(solid);
+  }
+  return present;
+}
+
+}  // namespace smile::scene

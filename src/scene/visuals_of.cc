@@ -1,0 +1,94 @@
+#include <cstddef>
+
+#include "base/overloaded.h"
+#include "scene/internal_lights.h"
+#include "scene/solid.h"
+#include "scene/visual_model.h"
+
+namespace smile::scene {
+namespace {
+
+/// What is drawn otherwise than it is felt: meshes and lights.
+class VisualCollector {
+ public:
+  void Append(const Part& part, Visual place) {
+    std::visit(Overloaded{[&](const Composite& composite) { AppendAll(composite.parts, place); },
+                          [&](const Custom& custom) {
+                            place.shape = DrawnMesh{custom.mesh, custom.scale};
+                            place.color = part.color;
+                            visuals_.push_back(place);
+                          },
+                          [&](const IndicatorLights& lights) {
+                            place.choice = num_controls_++;
+                            for (std::size_t look = 0; look < lights.states.size(); ++look) {
+                              place.look = static_cast<int>(look);
+                              AppendLights(lights, lights.states[look], place);
+                            }
+                          },
+                          [&](const CustomControl& control) {
+                            place.choice = num_controls_++;
+                            for (std::size_t look = 0; look < control.states.size(); ++look) {
+                              place.look = static_cast<int>(look);
+                              AppendAll(control.states[look].parts, place);
+                            }
+                          },
+                          [&](const ToggleSwitch&) {
+                            const int number = num_controls_++;
+                            AppendAsFelt(part, place, number);
+                          },
+                          [&](const auto&) { AppendAsFelt(part, place, place.choice); }},
+               part.shape);
+  }
+
+  std::vector<Visual> Take() { return std::move(visuals_); }
+
+ private:
+  void AppendAll(const std::vector<Part>& parts, const Visual& place) {
+    for (const Part& child : parts) {
+      Visual there = place;
+      there.X_FV = place.X_FV * child.X_PE;
+      Append(child, there);
+    }
+  }
+
+  /// The part's own solids; a switch has a look of its own for each of its positions.
+  void AppendAsFelt(const Part& part, const Visual& place, int choice) {
+    for (const Solid& solid : SolidsOf(part)) {
+      Visual visual = place;
+      visual.shape = VisualShapeOf(solid.shape);
+      visual.color = solid.color;
+      visual.X_FV = place.X_FV * solid.X_BS;
+      visual.choice = choice;
+      if (solid.control >= 0) visual.look = solid.look;
+      visuals_.push_back(visual);
+    }
+  }
+
+  void AppendLights(const IndicatorLights& lights, const IndicatorLights::State& state,
+                    const Visual& place) {
+    for (const Light& light : state.lights) {
+      Visual visual = place;
+      visual.shape = DiscOf(lights);
+      visual.color = light.color;
+      visual.X_FV = place.X_FV * PoseOfLight(lights, light.number);
+      visuals_.push_back(visual);
+    }
+  }
+
+  std::vector<Visual> visuals_;
+  int num_controls_ = 0;
+};
+
+}  // namespace
+
+VisualShape VisualShapeOf(const SolidShape& shape) {
+  return std::visit([](const auto& solid) { return VisualShape(solid); }, shape);
+}
+
+std::vector<Visual> VisualsOf(const Part& whole) {
+  VisualCollector collector;
+  collector.Append(whole, {});
+  return collector.Take();
+}
+
+}  // namespace smile::scene

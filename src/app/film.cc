@@ -24,10 +24,13 @@ std::vector<int> HiddenFrames(const record::TraceTick& moment, const sim::Simula
 
 scene::VisualState VisualStateAt(const record::TraceTick& moment,
                                  const sim::Simulation& simulation) {
-  scene::VisualState state{.poses = {RigidTransform()}};
+  scene::VisualState state;
+  std::vector<bool> is_present;
   for (const record::TracePose& object : moment.objects) {
     state.poses.push_back(object.pose_in_world());
+    is_present.push_back(object.is_present);
   }
+  state.looks = simulation.tabletop().LooksAt(moment.controls, is_present);
   if (const robot::RobotBody* robot = simulation.robot()) {
     const auto robot_poses = robot::FramePosesOf(robot->model(), robot->base_pose(), moment.joints);
     state.poses.insert(state.poses.end(), robot_poses.begin(), robot_poses.end());

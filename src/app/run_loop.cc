@@ -124,7 +124,7 @@ class LiveRun {
         {"hash", HashText(simulation_.state_hash())},
         {"realtime_factor", wall_seconds > 0 ? simulation_.seconds() / wall_seconds : 0.0},
         {"objects", DescribeObjects(simulation_)},
-        {"controls", Json::object()},
+        {"controls", DescribeControls(simulation_)},
         {"robot", DescribeRobot(simulation_)},
         {"brain", brain}};
     return outcome;
@@ -141,9 +141,21 @@ class LiveRun {
 
 }  // namespace
 
+Json DescribeControls(const sim::Simulation& simulation) {
+  Json json = Json::object();
+  const world::Tabletop& tabletop = simulation.tabletop();
+  for (std::size_t i = 0; i < tabletop.controls().all().size(); ++i) {
+    const world::Control& control = tabletop.controls().all()[i];
+    if (!tabletop.IsPresent(control)) continue;
+    json[control.id()] = RecordedState(control, tabletop.controls().states()[i]);
+  }
+  return json;
+}
+
 Json DescribeObjects(const sim::Simulation& simulation) {
   Json json = Json::object();
   for (const world::Object& object : simulation.tabletop().objects()) {
+    if (!simulation.tabletop().IsPresent(object)) continue;
     const RigidTransform X_WB = simulation.physics().body(object.body).pose_in_world();
     json[object.id()] = {{"position", ArrayOf(scene::ToFileUnits(
                                           X_WB.translation(), simulation.scene().meters_per_unit))},

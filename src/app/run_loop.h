@@ -43,6 +43,9 @@ struct RunOutcome {
 /// Objects of a simulation as results tell them: id -> {position [units], rotation [degrees]}.
 Json DescribeObjects(const sim::Simulation& simulation);
 
+/// Controls as results tell them: id -> state, as recordings have it (world::RecordedState()).
+Json DescribeControls(const sim::Simulation& simulation);
+
 /// Runs the plan to its end, or until the user interrupts.
 /// @throws InputError if the script fails or the brain does not exist; what was recorded is kept.
 RunOutcome Run(const RunPlan& plan);

@@ -1,17 +1,16 @@
 #include "demonstrator/demonstrator.h"
 
+#include "base/wording.h"
 #include "math/angles.h"
 
 namespace smile::demonstrator {
 namespace {
 
-std::string Quoted(std::string_view text) { return "'" + std::string(text) + "'"; }
-
 std::string NameOf(HandName hand) { return "the " + std::string(ToString(hand)) + " hand"; }
 
 }  // namespace
 
-Demonstrator::Demonstrator(physics::World* world, const world::Tabletop* tabletop)
+Demonstrator::Demonstrator(physics::World* world, world::Tabletop* tabletop)
     : world_(world), tabletop_(tabletop) {}
 
 std::optional<Refusal> Demonstrator::Grasp(HandName name, std::string_view object_id,
@@ -71,6 +70,71 @@ std::optional<Refusal> Demonstrator::Release(HandName name) {
   body.SetCarried(false);
   body.SetVelocity(Vector3::Zero(), Vector3::Zero());
   MutableHand(name) = Hand();
+  return std::nullopt;
+}
+
+std::optional<Refusal> Demonstrator::Destroy(HandName name) {
+  if (auto refusal = RefuseIfEmpty(name)) return refusal;
+  const world::Object& object = *tabletop_->Find(hand(name).held);
+  MutableHand(name) = Hand();
+  tabletop_->Destroy(object);
+  return std::nullopt;
+}
+
+std::optional<Refusal> Demonstrator::RefuseIfHolding(HandName name, const char* what) const {
+  if (!hand(name).is_holding()) return std::nullopt;
+  return NameOf(name) + " holds " + Quoted(tabletop_->Find(hand(name).held)->id()) +
+         "; it must be empty to " + what;
+}
+
+std::optional<Refusal> Demonstrator::PointAt(HandName name, std::string_view part_id) const {
+  if (auto refusal = RefuseIfHolding(name, "point")) return refusal;
+  if (tabletop_->FindPointable(part_id) != nullptr) return std::nullopt;
+  return "there is no object " + Quoted(part_id) + ", nor a part so called that is pointable";
+}
+
+std::optional<Refusal> Demonstrator::Trigger(HandName name, std::string_view control,
+                                             std::string_view part) {
+  if (auto refusal = RefuseIfHolding(name, "trigger a control")) return refusal;
+  return tabletop_->Trigger(control, part);
+}
+
+std::optional<Refusal> Demonstrator::Fasten(HandName name, std::string_view object_id,
+                                            const std::optional<Vector3>& p_WQ) {
+  return Turn(name, object_id, p_WQ, &world::Tabletop::Fasten);
+}
+
+std::optional<Refusal> Demonstrator::Loosen(HandName name, std::string_view object_id,
+                                            const std::optional<Vector3>& p_WQ) {
+  return Turn(name, object_id, p_WQ, &world::Tabletop::Loosen);
+}
+
+std::optional<Refusal> Demonstrator::Turn(HandName name, std::string_view object_id,
+                                          const std::optional<Vector3>& p_WQ, Turning turning) {
+  const world::Object* object = tabletop_->Find(object_id);
+  if (object == nullptr) return "there is no object " + Quoted(object_id);
+  const Hand& own = hand(name);
+  if (own.is_holding() && own.held != object->body) {
+    return RefuseIfHolding(name, "fasten or loosen anything else");
+  }
+  const physics::Body& body = world_->body(object->body);
+  bool is_in_hand = false;
+  for (const Hand& any : state_.hands) is_in_hand = is_in_hand || any.held == object->body;
+  if (body.is_carried() && !is_in_hand) return Quoted(object_id) + " is held by the robot";
+
+  std::array<RigidTransform, kHandNames.size()> before;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    if (state_.hands[i].is_holding())
+      before[i] = world_->body(state_.hands[i].held).pose_in_world();
+  }
+  const Vector3 p_WPoint = p_WQ.value_or(body.pose_in_world().translation());
+  if (auto refusal = (tabletop_->*turning)(*object, p_WPoint)) return refusal;
+  // A hand wants what it holds where it was put just now.
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    if (!state_.hands[i].is_holding()) continue;
+    const RigidTransform X_WB = world_->body(state_.hands[i].held).pose_in_world();
+    if (!(X_WB == before[i])) state_.hands[i].X_WB_goal = X_WB;
+  }
   return std::nullopt;
 }
 

@@ -11,8 +11,7 @@
 
 namespace smile::demonstrator {
 
-/// Why something was not done; an ordinary answer, in words for people.
-using Refusal = std::string;
+using world::Refusal;
 
 /// What the demonstrator's four hands hold and want; a plain value, part of every saved state.
 struct DemonstratorState {
@@ -28,7 +27,7 @@ struct DemonstratorState {
 class Demonstrator {
  public:
   /// Both must outlive this.
-  Demonstrator(physics::World* world, const world::Tabletop* tabletop);
+  Demonstrator(physics::World* world, world::Tabletop* tabletop);
 
   /// Takes an object, at point `p_WQ` or at its origin.
   [[nodiscard]] std::optional<Refusal> Grasp(HandName hand, std::string_view object_id,
@@ -40,6 +39,21 @@ class Demonstrator {
   [[nodiscard]] std::optional<Refusal> Rotate(HandName hand, const Vector3& angles_deg);
   /// Lets go: the object is at rest for a moment, then gravity has it.
   [[nodiscard]] std::optional<Refusal> Release(HandName hand);
+
+  /// Takes the held object out of the world.
+  [[nodiscard]] std::optional<Refusal> Destroy(HandName hand);
+  /// Shows an object, or a part of one that may be pointed at; nothing else happens.
+  [[nodiscard]] std::optional<Refusal> PointAt(HandName hand, std::string_view part_id) const;
+  /// Presses a switch or triggers a custom control; see world::Controls::Trigger().
+  [[nodiscard]] std::optional<Refusal> Trigger(HandName hand, std::string_view control,
+                                               std::string_view part);
+  /// One stage tighter or looser, of the guest point of the object that is nearest to `p_WQ`, or to
+  /// its origin. A hand that holds something can only fasten and loosen that; see
+  /// world::Bonds::Fasten().
+  [[nodiscard]] std::optional<Refusal> Fasten(HandName hand, std::string_view object_id,
+                                              const std::optional<Vector3>& p_WQ);
+  [[nodiscard]] std::optional<Refusal> Loosen(HandName hand, std::string_view object_id,
+                                              const std::optional<Vector3>& p_WQ);
 
   /// To be called before each physics step.
   void BeforeStep();
@@ -54,9 +68,13 @@ class Demonstrator {
  private:
   Hand& MutableHand(HandName name) { return state_.hands[static_cast<std::size_t>(name)]; }
   std::optional<Refusal> RefuseIfEmpty(HandName name) const;
+  std::optional<Refusal> RefuseIfHolding(HandName name, const char* what) const;
+  using Turning = std::optional<Refusal> (world::Tabletop::*)(const world::Object&, const Vector3&);
+  std::optional<Refusal> Turn(HandName name, std::string_view object_id,
+                              const std::optional<Vector3>& p_WQ, Turning turning);
 
   physics::World* world_;
-  const world::Tabletop* tabletop_;
+  world::Tabletop* tabletop_;
   ServoConfig servo_;
   DemonstratorState state_;
 };

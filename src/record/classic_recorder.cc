@@ -1,11 +1,13 @@
 #include "record/classic_recorder.h"
 
 #include <cmath>
+#include <utility>
 
 #include "base/files.h"
 #include "math/angles.h"
 #include "record/classic_text.h"
 #include "record/png.h"
+#include "scene/controls_of.h"
 #include "scene/units.h"
 
 namespace smile::record {
@@ -34,14 +36,27 @@ ClassicRecorder::ClassicRecorder(const std::filesystem::path& directory, double 
       written_(simulation.tabletop().objects().size()) {
   index_.Append("frame,tick,image\n");
   OpenSegment();
-  for (const world::Object& object : simulation.tabletop().objects()) {
+  WriteStart(simulation);
+  Watch(simulation);
+}
+
+void ClassicRecorder::WriteStart(const sim::Simulation& simulation) {
+  const world::Tabletop& tabletop = simulation.tabletop();
+  for (const world::Object& object : tabletop.objects()) {
+    if (!tabletop.IsPresent(object)) continue;
     std::string line = "create," + object.id();
     for (const scene::Description& description : object.spec->descriptions) {
       line += "," + description.name + "," + ClassicValue(description.value);
     }
     WriteLine(line);
   }
-  Watch(simulation);
+  for (std::size_t i = 0; i < tabletop.controls().all().size(); ++i) {
+    const world::Control& control = tabletop.controls().all()[i];
+    if (!tabletop.IsPresent(control)) continue;
+    WriteLine("initializeControl," + control.id() + "," + scene::KindOf(*control.part) + "," +
+              tabletop.objects()[control.object].id() + "," +
+              RecordedState(control, tabletop.controls().states()[i]));
+  }
 }
 
 void ClassicRecorder::OpenSegment() {
@@ -55,13 +70,47 @@ void ClassicRecorder::WriteLine(const std::string& fields) {
   text_->Append(std::to_string(frame_) + "," + fields + "\n");
 }
 
-void ClassicRecorder::Begin(const sim::Command& action) {
-  if (const auto* grasp = std::get_if<sim::Grasp>(&action)) {
-    OpenSegment();
-    WriteLine("grasp," + std::string(ClassicHandName(grasp->hand)) + "," + grasp->object);
-  } else if (const auto* release = std::get_if<sim::Release>(&action)) {
-    OpenSegment();
-    WriteLine("release," + std::string(ClassicHandName(release->hand)));
+void ClassicRecorder::Begin(const std::string& action, const sim::Event& event,
+                            const std::string& fields) {
+  OpenSegment();
+  WriteLine(action + "," + std::string(ClassicHandName(*event.hand)) +
+            (fields.empty() ? "" : "," + fields));
+}
+
+void ClassicRecorder::Note(const sim::Event& event, const sim::Simulation& simulation) {
+  using enum sim::EventKind;
+  if (event.kind == kControlChanged) {
+    WriteLine("changeControlState," + event.control + "," + event.state);
+    has_news_ = true;
+    return;
+  }
+  if (!event.hand) return;
+  switch (event.kind) {
+    case kGrasped:
+      return Begin("grasp", event, event.object);
+    case kReleased:
+      return Begin("release", event);
+    case kDestroyed:
+      Begin("destroy", event);
+      WriteLine("delete," + event.object);
+      has_news_ = true;
+      return;
+    case kPointed:
+      return Begin("pointTo", event, event.part + "," + event.object);
+    case kTriggered:
+      return Begin("trigger", event, event.control);
+    case kFastened:
+    case kLoosened: {
+      const world::Tabletop& tabletop = simulation.tabletop();
+      const world::Host& host = tabletop.bonds().hosts()[static_cast<std::size_t>(event.host)];
+      const world::Guest& guest = tabletop.bonds().guests()[static_cast<std::size_t>(event.guest)];
+      return Begin(event.kind == kFastened ? "fasten" : "loosen", event,
+                   host.point->id + "," + tabletop.objects()[host.object].id() + "," +
+                       guest.point->id + "," + event.object + "," +
+                       std::to_string(event.tightness));
+    }
+    default:
+      return;
   }
 }
 
@@ -73,8 +122,9 @@ void ClassicRecorder::Watch(const sim::Simulation& simulation) {
 }
 
 void ClassicRecorder::WriteFrame(const sim::Simulation& simulation) {
-  bool has_changed = false;
+  bool has_changed = std::exchange(has_news_, false);
   for (std::size_t i = 0; i < written_.size(); ++i) {
+    if (!simulation.tabletop().IsPresent(simulation.tabletop().objects()[i])) continue;
     has_changed = WriteMove(simulation, i) || has_changed;
   }
   std::string image;

@@ -25,8 +25,8 @@ class ClassicRecorder {
   ClassicRecorder(const std::filesystem::path& directory, double frames_per_second, sim::Eye* eye,
                   const sim::Simulation& simulation);
 
-  /// A hand took or let go of something: a new segment begins.
-  void Begin(const sim::Command& action);
+  /// A hand did something: a new segment begins. What that changed goes into it.
+  void Note(const sim::Event& event, const sim::Simulation& simulation);
   /// To be called after each tick, and once at the start: writes a frame when one is due.
   void Watch(const sim::Simulation& simulation);
 
@@ -38,6 +38,9 @@ class ClassicRecorder {
   };
 
   void OpenSegment();
+  void WriteStart(const sim::Simulation& simulation);
+  /// Opens a segment with its action, which is its first line.
+  void Begin(const std::string& action, const sim::Event& event, const std::string& fields = {});
   void WriteLine(const std::string& fields);
   void WriteFrame(const sim::Simulation& simulation);
   bool WriteMove(const sim::Simulation& simulation, std::size_t object);
@@ -51,6 +54,7 @@ class ClassicRecorder {
   std::optional<AppendFile> text_;
   AppendFile index_;
   std::vector<std::optional<Written>> written_;
+  bool has_news_ = false;  ///< something looks different, though nothing moved
 };
 
 }  // namespace smile::record

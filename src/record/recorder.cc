@@ -70,7 +70,10 @@ void Recorder::OnCommand(const sim::Simulation& simulation, const sim::Command& 
   Json line = {{"tick", simulation.tick()}};
   line.update(sim::ToJson(command, simulation.scene().meters_per_unit));
   commands_.Append(ToText(line) + "\n");
-  classic_.Begin(command);
+}
+
+void Recorder::OnEvent(const sim::Simulation& simulation, const sim::Event& event) {
+  classic_.Note(event, simulation);
 }
 
 void Recorder::OnTick(const sim::Simulation& simulation) {

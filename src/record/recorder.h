@@ -32,6 +32,7 @@ class Recorder : public sim::Listener {
            const sim::Simulation& simulation);
 
   void OnCommand(const sim::Simulation& simulation, const sim::Command& command) override;
+  void OnEvent(const sim::Simulation& simulation, const sim::Event& event) override;
   void OnTick(const sim::Simulation& simulation) override;
 
  private:

@@ -17,6 +17,16 @@ constexpr const char* kHidden = "state_hash";
 std::string Written(const Vector3& v) {
   return "(" + NumberText(v.x()) + ", " + NumberText(v.y()) + ", " + NumberText(v.z()) + ")";
 }
+std::string Written(const world::ControlState& control) {
+  std::string text =
+      std::to_string(control.state) + " in position " + std::to_string(control.position);
+  if (control.override_state >= 0) text += ", shows " + std::to_string(control.override_state);
+  return text;
+}
+std::string Written(const TraceBond& bond) {
+  return std::to_string(bond.tightness) + (bond.is_locked ? ", locked" : "") +
+         (bond.guest >= 0 ? ", of guest point " + std::to_string(bond.guest) : "");
+}
 std::string WrittenHash(std::uint64_t hash) {
   char text[32];
   std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
@@ -31,6 +41,10 @@ std::optional<Difference> Compare(const TraceTick& recorded, const TraceTick& re
     const TracePose& a = recorded.objects[i];
     const TracePose& b = replayed.objects[i];
     const std::string& id = simulation.tabletop().objects()[i].id();
+    if (a.is_present != b.is_present) {
+      return Difference{recorded.tick, id, "present", a.is_present ? "true" : "false",
+                        b.is_present ? "true" : "false"};
+    }
     if (a.position != b.position) {
       return Difference{recorded.tick, id, "position",
                         Written(scene::ToFileUnits(a.position, unit)),
@@ -41,6 +55,16 @@ std::optional<Difference> Compare(const TraceTick& recorded, const TraceTick& re
                         Written(FixedAxesAngles(a.pose_in_world().rotation())),
                         Written(FixedAxesAngles(b.pose_in_world().rotation()))};
     }
+  }
+  for (std::size_t i = 0; i < replayed.controls.size(); ++i) {
+    if (recorded.controls[i] == replayed.controls[i]) continue;
+    return Difference{recorded.tick, simulation.tabletop().controls().all()[i].id(), "state",
+                      Written(recorded.controls[i]), Written(replayed.controls[i])};
+  }
+  for (std::size_t i = 0; i < replayed.bonds.size(); ++i) {
+    if (recorded.bonds[i] == replayed.bonds[i]) continue;
+    return Difference{recorded.tick, simulation.tabletop().bonds().hosts()[i].point->id,
+                      "tightness", Written(recorded.bonds[i]), Written(replayed.bonds[i])};
   }
   for (std::size_t i = 0; i < replayed.joints.size(); ++i) {
     if (recorded.joints[i] == replayed.joints[i]) continue;

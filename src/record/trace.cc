@@ -5,12 +5,14 @@
 
 #include "base/diagnostic.h"
 #include "base/files.h"
+#include "scene/bond_points.h"
+#include "scene/controls_of.h"
 
 namespace smile::record {
 namespace {
 
 constexpr std::array kMagic = {'S', 'M', 'I', 'L', 'E', 'T', 'R', 'C'};
-constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kVersion = 2;
 constexpr std::uint32_t kMaxNames = 1'000'000;
 /// How far a quaternion's length may be from 1.
 constexpr double kUnitLength = 1e-6;
@@ -19,6 +21,9 @@ constexpr std::size_t kMaxBytes = std::size_t{4} << 30;
 // What a record says besides tick, hash and moved objects.
 constexpr std::uint8_t kJointsChanged = 1;
 constexpr std::uint8_t kRobotHidden = 2;
+constexpr std::uint8_t kControlsChanged = 4;
+constexpr std::uint8_t kBondsChanged = 8;
+constexpr std::uint8_t kAllFlags = 15;
 
 void PutNames(const std::vector<std::string>& names, ByteWriter* out) {
   out->Put(static_cast<std::uint32_t>(names.size()));
@@ -41,9 +46,19 @@ TraceTick Observe(const sim::Simulation& simulation) {
                 .hash = simulation.state_hash(),
                 .is_robot_shown = simulation.is_robot_shown()};
   for (const world::Object& object : simulation.tabletop().objects()) {
+    if (!simulation.tabletop().IsPresent(object)) {
+      now.objects.push_back({.is_present = false});
+      continue;
+    }
     const RigidTransform X_WB = simulation.physics().body(object.body).pose_in_world();
     const Quaternion q = X_WB.quaternion();
-    now.objects.push_back({X_WB.translation(), {q.w(), q.x(), q.y(), q.z()}});
+    now.objects.push_back(
+        {.position = X_WB.translation(), .rotation = {q.w(), q.x(), q.y(), q.z()}});
+  }
+  now.controls = simulation.tabletop().controls().states();
+  for (const world::BondState& bond : simulation.tabletop().bonds().states()) {
+    now.bonds.push_back(
+        {.guest = bond.guest, .tightness = bond.tightness, .is_locked = bond.is_locked});
   }
   if (simulation.robot() != nullptr) now.joints = simulation.robot()->positions();
   return now;
@@ -70,8 +85,11 @@ void TraceWriter::Add(const TraceTick& tick) {
   record.Put(tick.tick);
   record.Put(tick.hash);
   const bool joints_changed = !last_ || tick.joints != last_->joints;
-  record.Put(static_cast<std::uint8_t>((joints_changed ? kJointsChanged : 0) |
-                                       (tick.is_robot_shown ? 0 : kRobotHidden)));
+  const bool controls_changed = !last_ || tick.controls != last_->controls;
+  const bool bonds_changed = !last_ || tick.bonds != last_->bonds;
+  record.Put(static_cast<std::uint8_t>(
+      (joints_changed ? kJointsChanged : 0) | (tick.is_robot_shown ? 0 : kRobotHidden) |
+      (controls_changed ? kControlsChanged : 0) | (bonds_changed ? kBondsChanged : 0)));
   std::vector<std::uint32_t> moved;
   for (std::uint32_t i = 0; i < tick.objects.size(); ++i) {
     if (!last_ || tick.objects[i] != last_->objects[i]) moved.push_back(i);
@@ -79,20 +97,58 @@ void TraceWriter::Add(const TraceTick& tick) {
   record.Put(static_cast<std::uint32_t>(moved.size()));
   for (std::uint32_t i : moved) {
     record.Put(i);
+    record.Put(tick.objects[i].is_present);
     for (double number : tick.objects[i].position) record.Put(number);
     for (double number : tick.objects[i].rotation) record.Put(number);
   }
   if (joints_changed) {
     for (double q : tick.joints) record.Put(q);
   }
+  if (controls_changed) {
+    for (const world::ControlState& control : tick.controls) {
+      record.Put(control.state);
+      record.Put(control.override_state);
+      record.Put(control.position);
+    }
+  }
+  if (bonds_changed) {
+    for (const TraceBond& bond : tick.bonds) {
+      record.Put(bond.guest);
+      record.Put(bond.tightness);
+      record.Put(bond.is_locked);
+    }
+  }
   file_.Append(record.bytes());
   last_ = tick;
+}
+
+TraceLimits::TraceLimits(const scene::SceneSpec& scene) {
+  for (const scene::ObjectSpec& object : scene.objects) {
+    for (const scene::Part* control : scene::ControlsOf(object.whole)) {
+      num_states.push_back(scene::NumStatesOf(*control));
+    }
+    for (const auto& host : scene::HostsOf(object.whole)) {
+      max_tightness.push_back(static_cast<int>(host.point->stages.size()));
+    }
+    num_guests += static_cast<int>(scene::GuestsOf(object.whole).size());
+  }
+}
+
+bool TraceLimits::Allow(std::size_t control, const world::ControlState& state) const {
+  return state.state >= 0 && state.state < num_states[control] && state.override_state >= -1 &&
+         state.override_state < num_states[control] && state.position >= 0 && state.position <= 1;
+}
+
+bool TraceLimits::Allow(std::size_t host, const TraceBond& bond) const {
+  return bond.guest >= -1 && bond.guest < num_guests && bond.tightness >= 0 &&
+         bond.tightness <= max_tightness[host] && (bond.guest < 0) == (bond.tightness == 0);
 }
 
 TraceReader::TraceReader(const Recording& recording)
     : path_(recording.directory / "trace.bin"),
       bytes_(ReadFile(path_, kMaxBytes)),
-      rest_(std::as_bytes(std::span(bytes_.data(), bytes_.size()))) {
+      rest_(std::as_bytes(std::span(bytes_.data(), bytes_.size()))),
+      limits_(recording.scene) {
   const auto fail = [this](const std::string& message) {
     throw InputError({path_.string(), 0, "", message});
   };
@@ -118,6 +174,8 @@ TraceReader::TraceReader(const Recording& recording)
   }
   now_.objects.resize(object_names_.size());
   now_.joints.resize(joint_names_.size());
+  now_.controls.resize(limits_.num_states.size());
+  now_.bonds.resize(limits_.max_tightness.size());
 }
 
 std::optional<TraceTick> TraceReader::Next() {
@@ -128,12 +186,13 @@ std::optional<TraceTick> TraceReader::Next() {
   const auto flags = rest_.Get<std::uint8_t>();
   next.is_robot_shown = (flags & kRobotHidden) == 0;
   const auto num_moved = rest_.Get<std::uint32_t>();
-  bool is_sound = (flags & ~(kJointsChanged | kRobotHidden)) == 0 &&
-                  num_moved <= next.objects.size() && next.tick == (has_begun_ ? now_.tick + 1 : 0);
+  bool is_sound = (flags & ~kAllFlags) == 0 && num_moved <= next.objects.size() &&
+                  next.tick == (has_begun_ ? now_.tick + 1 : 0);
   for (std::uint32_t k = 0; k < num_moved && rest_.ok() && is_sound; ++k) {
     const auto i = rest_.Get<std::uint32_t>();
     is_sound = i < next.objects.size();
     if (!is_sound) break;
+    next.objects[i].is_present = rest_.Get<std::uint8_t>() != 0;
     for (double& number : next.objects[i].position) number = rest_.Get<double>();
     for (double& number : next.objects[i].rotation) number = rest_.Get<double>();
     is_sound = next.objects[i].position.allFinite() &&
@@ -141,6 +200,24 @@ std::optional<TraceTick> TraceReader::Next() {
   }
   if ((flags & kJointsChanged) != 0) {
     for (double& q : next.joints) q = rest_.Get<double>();
+  }
+  if ((flags & kControlsChanged) != 0) {
+    for (std::size_t i = 0; i < next.controls.size(); ++i) {
+      world::ControlState& control = next.controls[i];
+      control.state = rest_.Get<int>();
+      control.override_state = rest_.Get<int>();
+      control.position = rest_.Get<int>();
+      is_sound = is_sound && limits_.Allow(i, control);
+    }
+  }
+  if ((flags & kBondsChanged) != 0) {
+    for (std::size_t i = 0; i < next.bonds.size(); ++i) {
+      TraceBond& bond = next.bonds[i];
+      bond.guest = rest_.Get<int>();
+      bond.tightness = rest_.Get<int>();
+      bond.is_locked = rest_.Get<std::uint8_t>() != 0;
+      is_sound = is_sound && limits_.Allow(i, bond);
+    }
   }
   if (!rest_.ok()) {
     is_cut_ = true;

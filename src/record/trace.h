@@ -13,8 +13,9 @@
 
 namespace smile::record {
 
-/// Where something is: position [m] and unit quaternion (w, x, y, z).
+/// Where an object is: position [m] and unit quaternion (w, x, y, z).
 struct TracePose {
+  bool is_present = true;  ///< false once it is destroyed; position and rotation are then the last
   Vector3 position = Vector3::Zero();
   Eigen::Vector4d rotation{1, 0, 0, 0};
 
@@ -24,12 +25,23 @@ struct TracePose {
   bool operator==(const TracePose&) const = default;
 };
 
+/// What a host point holds.
+struct TraceBond {
+  int guest = -1;  ///< index of the guest point, in scene order; -1: none
+  int tightness = 0;
+  bool is_locked = false;
+
+  bool operator==(const TraceBond&) const = default;
+};
+
 /// One moment of a recording, as far as it can be seen.
 struct TraceTick {
   std::uint64_t tick = 0;
-  std::uint64_t hash = 0;          ///< Simulation::state_hash()
-  std::vector<TracePose> objects;  ///< in scene order
-  std::vector<double> joints;      ///< q of the robot [rad or m]; empty without one
+  std::uint64_t hash = 0;                     ///< Simulation::state_hash()
+  std::vector<TracePose> objects;             ///< in scene order
+  std::vector<world::ControlState> controls;  ///< in scene order
+  std::vector<TraceBond> bonds;               ///< one per host point, in scene order
+  std::vector<double> joints;                 ///< q of the robot [rad or m]; empty without one
   bool is_robot_shown = true;
 };
 
@@ -50,6 +62,17 @@ class TraceWriter {
  private:
   AppendFile file_;
   std::optional<TraceTick> last_;
+};
+
+/// What a trace of a scene may say of its controls and bonds.
+struct TraceLimits {
+  std::vector<int> num_states;     ///< of each control
+  std::vector<int> max_tightness;  ///< of each host point
+  int num_guests = 0;
+
+  explicit TraceLimits(const scene::SceneSpec& scene);
+  bool Allow(std::size_t control, const world::ControlState& state) const;
+  bool Allow(std::size_t host, const TraceBond& bond) const;
 };
 
 /// Reads a trace, tick by tick. A file cut in the middle of a record ends with the last whole one.
@@ -74,6 +97,7 @@ class TraceReader {
   std::string bytes_;
   ByteReader rest_;
   std::vector<std::string> object_names_, joint_names_;
+  TraceLimits limits_;
   TraceTick now_;
   bool has_begun_ = false;
   bool is_cut_ = false;

@@ -41,6 +41,41 @@ struct Release {
   bool operator==(const Release&) const = default;
 };
 
+/// Takes the held object out of the world.
+struct Destroy {
+  HandName hand = HandName::kAny;
+  bool operator==(const Destroy&) const = default;
+};
+
+/// Shows an object or a pointable part; only the log knows.
+struct Point {
+  HandName hand = HandName::kAny;
+  std::string part;  ///< id of the object or part
+  bool operator==(const Point&) const = default;
+};
+
+struct Trigger {
+  HandName hand = HandName::kAny;
+  std::string control;
+  std::string part;  ///< the button, or the part of a custom control; empty: whatever leads on
+  bool operator==(const Trigger&) const = default;
+};
+
+/// One stage tighter, of the object's guest point nearest to a point.
+struct Fasten {
+  HandName hand = HandName::kAny;
+  std::string object;
+  std::optional<Vector3> p_WQ;  ///< the object's origin if not given [m]
+  bool operator==(const Fasten&) const = default;
+};
+
+struct Loosen {
+  HandName hand = HandName::kAny;
+  std::string object;
+  std::optional<Vector3> p_WQ;  ///< the object's origin if not given [m]
+  bool operator==(const Loosen&) const = default;
+};
+
 /// Velocities the robot keeps until the next command; what is not given stays as it was.
 struct JointVelocities {
   std::optional<std::vector<double>> left, right;  ///< one per arm joint [rad/s]
@@ -62,7 +97,7 @@ struct ShowRobot {
   bool operator==(const ShowRobot&) const = default;
 };
 
-using Command =
-    std::variant<Grasp, MoveTo, Rotate, Release, JointVelocities, JointAngles, ShowRobot>;
+using Command = std::variant<Grasp, MoveTo, Rotate, Release, Destroy, Point, Trigger, Fasten,
+                             Loosen, JointVelocities, JointAngles, ShowRobot>;
 
 }  // namespace smile::sim

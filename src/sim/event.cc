@@ -8,6 +8,18 @@ std::string_view ToString(EventKind kind) {
       return "grasped";
     case EventKind::kReleased:
       return "released";
+    case EventKind::kDestroyed:
+      return "destroyed";
+    case EventKind::kPointed:
+      return "pointed";
+    case EventKind::kTriggered:
+      return "triggered";
+    case EventKind::kControlChanged:
+      return "control_changed";
+    case EventKind::kFastened:
+      return "fastened";
+    case EventKind::kLoosened:
+      return "loosened";
     case EventKind::kGripperHolds:
       return "gripper_holds";
     case EventKind::kGripperLetGo:

@@ -12,6 +12,12 @@ namespace smile::sim {
 enum class EventKind {
   kGrasped,         ///< a hand took an object
   kReleased,        ///< a hand let go of it
+  kDestroyed,       ///< a hand took an object out of the world
+  kPointed,         ///< a hand pointed at `part` of an object
+  kTriggered,       ///< a hand pressed or triggered `control`
+  kControlChanged,  ///< `control` shows another `state`
+  kFastened,        ///< `object` is fastened one stage tighter, to `tightness`
+  kLoosened,        ///< `object` is loosened one stage, to `tightness`; 0: it came free
   kGripperHolds,    ///< a closing gripper got hold of an object
   kGripperLetGo,    ///< an opening gripper let go of it
   kCommandRefused,  ///< a command was not carried out; `reason` says why
@@ -26,6 +32,12 @@ struct Event {
   std::string arm;                             ///< `left` or `right`, where a gripper's
   std::string object;                          ///< id of the object it happened to
   std::string reason;
+
+  std::string part;           ///< id of what was pointed at
+  std::string control;        ///< id of the control it happened to
+  std::string state;          ///< as recordings have it, see world::RecordedState()
+  int guest = -1, host = -1;  ///< of Bonds::guests() and Bonds::hosts(), where a bond's
+  int tightness = 0;
 
   bool operator==(const Event&) const = default;
 };

@@ -1,6 +1,5 @@
 #include "sim/simulation.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "base/state_hash.h"
@@ -43,21 +42,42 @@ scene::VisualState Simulation::visual_state() const {
   return state;
 }
 
+namespace {
+
+/// Whose doing a command is, where a hand's.
+std::optional<HandName> HandOf(const Command& command) {
+  return std::visit(
+      [](const auto& what) -> std::optional<HandName> {
+        if constexpr (requires { what.hand; }) {
+          return what.hand;
+        } else {
+          return std::nullopt;
+        }
+      },
+      command);
+}
+
+}  // namespace
+
 std::optional<Refusal> Simulation::Apply(const Command& wanted) {
   const Command command = OnFileGrid(wanted, scene_.meters_per_unit);
-  const auto before = HeldByGrippers();
+  const auto held_by_grippers = HeldByGrippers();
+  const world::TabletopState before = tabletop_.state();
+  const std::optional<HandName> hand = HandOf(command);
+  const world::Object* held = hand ? tabletop_.Find(demonstrator_.hand(*hand).held) : nullptr;
+  const std::string held_before = held != nullptr ? held->id() : "";
   auto refusal = std::visit([this](const auto& what) { return Carry(what); }, command);
   if (refusal) {
     Tell({.kind = EventKind::kCommandRefused, .reason = *refusal});
     return refusal;
   }
   for (Listener* listener : listeners_) listener->OnCommand(*this, command);
-  if (const auto* grasp = std::get_if<Grasp>(&command)) {
-    Tell({.kind = EventKind::kGrasped, .hand = grasp->hand, .object = grasp->object});
-  } else if (const auto* release = std::get_if<Release>(&command)) {
-    Tell({.kind = EventKind::kReleased, .hand = release->hand});
-  }
-  TellOfGrippers(before);
+  TellOfCommand(command, held_before);
+  const bool is_of_bonds =
+      std::holds_alternative<Fasten>(command) || std::holds_alternative<Loosen>(command);
+  TellOfBonds(before.bonds, is_of_bonds ? hand : std::nullopt);
+  TellOfControls(before.controls);
+  TellOfGrippers(held_by_grippers);
   return std::nullopt;
 }
 
@@ -72,6 +92,22 @@ std::optional<Refusal> Simulation::Carry(const Rotate& rotate) {
 }
 std::optional<Refusal> Simulation::Carry(const Release& release) {
   return demonstrator_.Release(release.hand);
+}
+
+std::optional<Refusal> Simulation::Carry(const Destroy& destroy) {
+  return demonstrator_.Destroy(destroy.hand);
+}
+std::optional<Refusal> Simulation::Carry(const Point& point) {
+  return demonstrator_.PointAt(point.hand, point.part);
+}
+std::optional<Refusal> Simulation::Carry(const Trigger& trigger) {
+  return demonstrator_.Trigger(trigger.hand, trigger.control, trigger.part);
+}
+std::optional<Refusal> Simulation::Carry(const Fasten& fasten) {
+  return demonstrator_.Fasten(fasten.hand, fasten.object, fasten.p_WQ);
+}
+std::optional<Refusal> Simulation::Carry(const Loosen& loosen) {
+  return demonstrator_.Loosen(loosen.hand, loosen.object, loosen.p_WQ);
 }
 
 std::optional<Refusal> Simulation::RefuseArm(const std::optional<std::vector<double>>& values,
@@ -126,38 +162,10 @@ void Simulation::Tick() {
   for (Listener* listener : listeners_) listener->OnTick(*this);
 }
 
-std::vector<std::vector<physics::BodyId>> Simulation::HeldByGrippers() const {
-  std::vector<std::vector<physics::BodyId>> held;
-  for (int arm = 0; robot_ && arm < robot_->num_arms(); ++arm) {
-    held.push_back(robot_->HeldBodies(arm));
-  }
-  return held;
-}
-
-void Simulation::TellOfGrippers(const std::vector<std::vector<physics::BodyId>>& before) {
-  const auto after = HeldByGrippers();
-  if (after == before) return;
-  for (std::size_t arm = 0; arm < after.size(); ++arm) {
-    const auto tell_of_missing = [&](const auto& from, const auto& in, EventKind kind) {
-      for (physics::BodyId body : from) {
-        if (std::find(in.begin(), in.end(), body) != in.end()) continue;
-        Tell({.kind = kind,
-              .arm = robot_->model().arms[arm].name,
-              .object = tabletop_.Find(body)->id()});
-      }
-    };
-    tell_of_missing(before[arm], after[arm], EventKind::kGripperLetGo);
-    tell_of_missing(after[arm], before[arm], EventKind::kGripperHolds);
-  }
-}
-
-void Simulation::Tell(const Event& event) {
-  for (Listener* listener : listeners_) listener->OnEvent(*this, event);
-}
-
 bool Simulation::is_still() const {
   constexpr double kSpeed = 0.002, kAngularSpeed = 0.02;
   for (const world::Object& object : tabletop_.objects()) {
+    if (!tabletop_.IsPresent(object)) continue;
     const physics::Body& body = physics_.body(object.body);
     if (body.is_carried() || !body.is_awake()) continue;
     if (body.linear_velocity().norm() > kSpeed || body.angular_velocity().norm() > kAngularSpeed) {
@@ -171,6 +179,7 @@ std::uint64_t Simulation::state_hash() const {
   StateHash hash;
   hash.Add(tick_);
   hash.Add(physics_.state_hash());
+  tabletop_.AddToHash(&hash);
   for (const demonstrator::Hand& hand : demonstrator_.state().hands) {
     hash.Add(std::uint64_t{hand.held.value});
     if (!hand.is_holding()) continue;
@@ -191,6 +200,7 @@ std::uint64_t Simulation::state_hash() const {
 SimulationState Simulation::Save() const {
   return {.tick = tick_,
           .physics = physics_.Save(),
+          .tabletop = tabletop_.state(),
           .demonstrator = demonstrator_.state(),
           .robot = robot_ ? robot_->state() : robot::RobotBodyState(),
           .is_robot_shown = is_robot_shown_};
@@ -198,6 +208,7 @@ SimulationState Simulation::Save() const {
 
 void Simulation::Restore(const SimulationState& state) {
   physics_.Restore(state.physics);
+  tabletop_.Restore(state.tabletop);
   demonstrator_.Restore(state.demonstrator);
   if (robot_) robot_->Restore(state.robot);
   is_robot_shown_ = state.is_robot_shown;

@@ -49,6 +49,7 @@ class Listener {
 struct SimulationState {
   std::uint64_t tick = 0;
   physics::Snapshot physics;
+  world::TabletopState tabletop;
   demonstrator::DemonstratorState demonstrator;
   robot::RobotBodyState robot;
   bool is_robot_shown = true;
@@ -105,11 +106,22 @@ class Simulation {
   std::optional<Refusal> Carry(const MoveTo& move);
   std::optional<Refusal> Carry(const Rotate& rotate);
   std::optional<Refusal> Carry(const Release& release);
+  std::optional<Refusal> Carry(const Destroy& destroy);
+  std::optional<Refusal> Carry(const Point& point);
+  std::optional<Refusal> Carry(const Trigger& trigger);
+  std::optional<Refusal> Carry(const Fasten& fasten);
+  std::optional<Refusal> Carry(const Loosen& loosen);
   std::optional<Refusal> Carry(const JointVelocities& velocities);
   std::optional<Refusal> Carry(const JointAngles& angles);
   std::optional<Refusal> Carry(const ShowRobot& show);
   std::optional<Refusal> RefuseArm(const std::optional<std::vector<double>>& values, int arm) const;
   void Tell(const Event& event);
+  /// What a command did to the object it is about.
+  void TellOfCommand(const Command& command, const std::string& held_before);
+  /// Notice what changed since `before`. A bond that ended because an object was destroyed is no
+  /// hand's.
+  void TellOfBonds(const std::vector<world::BondState>& before, std::optional<HandName> hand);
+  void TellOfControls(const std::vector<world::ControlState>& before);
   /// Notices what grippers got or lost since `before`.
   void TellOfGrippers(const std::vector<std::vector<physics::BodyId>>& before);
   std::vector<std::vector<physics::BodyId>> HeldByGrippers() const;

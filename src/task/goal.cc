@@ -86,11 +86,15 @@ std::vector<scene::Solid> LooksOf(const scene::ObjectSpec& object) {
 Goal GoalOf(const record::Recording& demonstration) {
   record::TraceReader trace(demonstration);
   std::vector<scene::ObjectSpec> objects = demonstration.scene.objects;
+  std::set<std::string> destroyed;
   while (const auto moment = trace.Next()) {
+    destroyed.clear();
     for (std::size_t i = 0; i < objects.size(); ++i) {
+      if (!moment->objects[i].is_present) destroyed.insert(objects[i].id());
       objects[i].whole.X_PE = moment->objects[i].pose_in_world();
     }
   }
+  std::erase_if(objects, [&](const auto& object) { return destroyed.contains(object.id()); });
 
   std::set<std::string> moved;
   for (const record::LoggedCommand& logged : demonstration.commands) {

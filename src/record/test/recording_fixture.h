@@ -44,8 +44,9 @@ class RecordingFixture : public ::testing::Test {
 {"hand":"left","do":"release"}
 {"do":"wait","seconds":2})";
 
-  static std::unique_ptr<sim::Simulation> MakeSimulation(bool with_robot) {
-    auto scene = scene_xml::ReadSceneText(kScene, "pair.xml").scene;
+  static std::unique_ptr<sim::Simulation> MakeSimulation(bool with_robot,
+                                                         const char* xml = kScene) {
+    auto scene = scene_xml::ReadSceneText(xml, "pair.xml").scene;
     if (!with_robot) return std::make_unique<sim::Simulation>(*scene);
     const auto urdf = DataFile("robots/baxter.urdf");
     return std::make_unique<sim::Simulation>(
@@ -54,9 +55,9 @@ class RecordingFixture : public ::testing::Test {
 
   /// Plays the script to its end in front of a recorder; returns the recording's directory.
   std::filesystem::path Record(const char* script = kStackAOnB, bool with_robot = false,
-                               sim::Eye* eye = nullptr) {
+                               sim::Eye* eye = nullptr, const char* xml = kScene) {
     const auto directory = root_ / "demo";
-    auto simulation = MakeSimulation(with_robot);
+    auto simulation = MakeSimulation(with_robot, xml);
     Recorder recorder(directory, {}, eye, *simulation);
     simulation->AddListener(&recorder);
     sim::ScriptPlayer player(sim::ParseScript(script, "script", 0.1));

@@ -66,10 +66,10 @@ TEST(MassProperties, OfSimpleShapesFollowTheTextbook) {
       << "the axis is y";
 }
 
-TEST(MassProperties, OfNothingIsMassWithoutInertia) {
+TEST(MassProperties, OfNothingAreThoseOfABallOfOneUnit) {
   const MassProperties properties = MassPropertiesOf({}, 2);
   EXPECT_EQ(properties.mass, 2);
-  EXPECT_EQ(properties.inertia, Matrix3(Matrix3::Zero()));
+  EXPECT_TRUE(properties.inertia.isApprox(0.4 * 2 * 0.05 * 0.05 * Matrix3::Identity()));
 }
 
 bool IsWithin(const Polyhedron& polyhedron, const Vector3& p) {

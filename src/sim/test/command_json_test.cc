@@ -40,6 +40,12 @@ TEST(CommandJson, RoundTripsEveryKindToTheLastBit) {
         MoveTo{.p_WH = point(), .speed = std::abs(number()) + 0.01},
         Rotate{.hand = HandName::kBoth, .angles_deg = point() * 60},
         Release{.hand = HandName::kLeft},
+        Destroy{.hand = HandName::kRight},
+        Point{.hand = HandName::kAny, .part = "knob"},
+        Trigger{.hand = HandName::kLeft, .control = "S1"},
+        Trigger{.hand = HandName::kLeft, .control = "S1", .part = "S1-b2"},
+        Fasten{.hand = HandName::kLeft, .object = "screw", .p_WQ = point()},
+        Loosen{.hand = HandName::kRight, .object = "screw"},
         JointVelocities{
             .left = {{number(), number()}}, .grippers = {{number(), number()}}, .head = number()},
         JointAngles{.right = {{number()}}},

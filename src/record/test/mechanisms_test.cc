@@ -1,0 +1,118 @@
+// Controls, bonds, sliders, chains and destroyed things in a recording.
+
+#include <sstream>
+
+#include "record/replay.h"
+#include "record/trace.h"
+#include "recording_fixture.h"
+
+namespace smile::record {
+namespace {
+
+constexpr const char* kWorkshop =
+    R"xml(<tabletop xmlns="http://synapse.cs.umd.edu/tabletop-xml">
+  <composite id="panel" location="(0,3,0.21)">
+    <block xspan="4" yspan="2" zspan="0.4" location="(0,0,0)"/>
+    <toggleSwitch id="power" location="(-1,0,0.2)" numStates="3"><downstream id="lamps"/></toggleSwitch>
+    <indicatorLights id="lamps" location="(0,0,0.2)"><downstream id="dial"/>
+      <state descriptionName="off"/><state descriptionName="on"><light id="0"/></state>
+    </indicatorLights>
+    <customControl id="dial" name="knob" location="(1,0,0.2)">
+      <state descriptionName="low"><block id="cap" pointable="true" zspan="0.2" location="(0,0,0.1)" nextStateWhenTriggered="1"/></state>
+      <state descriptionName="high"><block zspan="0.6" location="(0,0,0.3)" nextStateWhenTriggered="0"/></state>
+    </customControl>
+  </composite>
+  <composite id="nut" location="(-4,0,0.25)">
+    <ring radiusOuter="0.6" radiusInner="0.3" zspan="0.5" location="(0,0,0)"/>
+    <hostBondPoint id="hole" type="m8">
+      <tightness location="(0,0,0.8)"/><tightness location="(0,0,0.5)" rotation="(0,0,45)"/>
+    </hostBondPoint>
+  </composite>
+  <composite id="screw" location="(-4,0,3)">
+    <block xspan="0.2" yspan="0.2" zspan="1" location="(0,0,0)"/>
+    <guestBondPoint id="tip" type="m8" location="(0,0,-0.5)" initBondHostId="hole" initBondTightness="1"/>
+  </composite>
+  <sliderJoint location="(4,0,0.5)" max="2" init="1">
+    <block id="case" xspan="3" location="(0,0,0)"/>
+    <block id="drawer" xspan="2" yspan="0.8" zspan="0.8" location="(0,0,0)"/>
+  </sliderJoint>
+  <chain id="rope" start="(-3,-4,5)" end="(3,-4,5)" linkCount="7"/>
+</tabletop>)xml";
+
+constexpr const char* kWork = R"({"do":"wait","seconds":0.5}
+{"hand":"left","do":"trigger","control":"power"}
+{"do":"wait","seconds":0.2}
+{"hand":"left","do":"trigger","control":"dial"}
+{"hand":"right","do":"point","part":"panel"}
+{"hand":"right","do":"fasten","object":"screw"}
+{"do":"wait","seconds":0.2}
+{"hand":"right","do":"loosen","object":"screw"}
+{"hand":"right","do":"loosen","object":"screw"}
+{"hand":"left","do":"grasp","object":"rope-link3"}
+{"do":"wait","seconds":0.2}
+{"hand":"left","do":"destroy"}
+{"do":"wait","seconds":1})";
+
+class MechanismsRecordingTest : public RecordingFixture {
+ protected:
+  std::filesystem::path RecordWork() { return Record(kWork, false, nullptr, kWorkshop); }
+
+  static std::string FirstLine(const std::filesystem::path& path) {
+    std::istringstream text(ReadFile(path, 1 << 20));
+    std::string line;
+    std::getline(text, line);
+    return line.substr(line.find(',') + 1);
+  }
+  static bool HasLine(const std::filesystem::path& path, const std::string& fields) {
+    return ReadFile(path, 1 << 20).find("," + fields + "\n") != std::string::npos;
+  }
+};
+
+TEST_F(MechanismsRecordingTest, ReplaysIdentically) {
+  const ReplayReport report = Replay(OpenRecording(RecordWork()));
+  EXPECT_EQ(report.first_difference, std::nullopt);
+  EXPECT_EQ(report.hash, final_hash_);
+}
+
+TEST_F(MechanismsRecordingTest, TellsEveryActionAndEveryControlInTheClassicView) {
+  const auto demo = RecordWork();
+  EXPECT_TRUE(HasLine(demo / "0.txt", "initializeControl,power,toggleSwitch,panel,0"));
+  EXPECT_TRUE(HasLine(demo / "0.txt", "initializeControl,lamps,indicatorLights,panel,off"));
+  EXPECT_TRUE(HasLine(demo / "0.txt", "initializeControl,dial,knob,panel,low"));
+  EXPECT_TRUE(HasLine(demo / "0.txt",
+                      "create,rope-link3,shape,chain-link,xspan,0.1,yspan,1,zspan,0.1,color,gray"));
+  EXPECT_EQ(FirstLine(demo / "1.txt"), "trigger,LeftHand,power");
+  EXPECT_TRUE(HasLine(demo / "1.txt", "changeControlState,power,1"));
+  EXPECT_TRUE(HasLine(demo / "1.txt", "changeControlState,lamps,on"));
+  EXPECT_TRUE(HasLine(demo / "1.txt", "changeControlState,dial,high"));
+  EXPECT_EQ(FirstLine(demo / "2.txt"), "trigger,LeftHand,dial");
+  EXPECT_EQ(FirstLine(demo / "3.txt"), "pointTo,RightHand,panel,panel");
+  EXPECT_EQ(FirstLine(demo / "4.txt"), "fasten,RightHand,hole,nut,tip,screw,2");
+  EXPECT_EQ(FirstLine(demo / "6.txt"), "loosen,RightHand,hole,nut,tip,screw,0");
+  EXPECT_EQ(FirstLine(demo / "8.txt"), "destroy,LeftHand");
+  EXPECT_TRUE(HasLine(demo / "8.txt", "delete,rope-link3"));
+  EXPECT_FALSE(HasLine(demo / "8.txt", "move,rope-link3"));
+}
+
+TEST_F(MechanismsRecordingTest, TheTraceShowsControlsBondsAndWhatIsGone) {
+  TraceReader trace(OpenRecording(RecordWork()));
+  TraceTick first = *trace.Next(), last = first;
+  int max_tightness = 0;
+  while (auto moment = trace.Next()) {
+    last = *moment;
+    max_tightness = std::max(max_tightness, last.bonds.at(0).tightness);
+  }
+  EXPECT_EQ(first.controls.at(0).state, 0);
+  EXPECT_EQ(last.controls.at(0).state, 1);
+  EXPECT_EQ(first.bonds.at(0).tightness, 1);
+  EXPECT_EQ(max_tightness, 2);
+  EXPECT_EQ(last.bonds.at(0).guest, -1);
+  std::vector<std::string> gone;
+  for (std::size_t i = 0; i < last.objects.size(); ++i) {
+    if (!last.objects[i].is_present) gone.push_back(trace.object_names()[i]);
+  }
+  EXPECT_EQ(gone, std::vector<std::string>{"rope-link3"});
+}
+
+}  // namespace
+}  // namespace smile::record

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+#include "scene/scene_spec.h"
+
+namespace smile::scene {
+
+/// A guest or host point in the frame B of the whole object it belongs to.
+template <class Point>
+struct PlacedPoint {
+  const Point* point;
+  RigidTransform X_BP;
+};
+
+/// The bond points of an object, in the order of the file: of a composite first its own, then those
+/// of its parts.
+std::vector<PlacedPoint<GuestPoint>> GuestsOf(const Part& whole);
+std::vector<PlacedPoint<HostPoint>> HostsOf(const Part& whole);
+
+}  // namespace smile::scene

@@ -1,0 +1,74 @@
+#include "sim/command_json.h"
+#include "sim/internal_command_forms.h"
+
+namespace smile::sim {
+namespace {
+
+Json FieldSchema(const Field& field) {
+  const Json number = {{"type", "number"}, {"minimum", -kMaxNumber}, {"maximum", kMaxNumber}};
+  const auto array = [&number](std::size_t min_count, std::size_t max_count) -> Json {
+    return {{"type", "array"}, {"items", number}, {"minItems", min_count}, {"maxItems", max_count}};
+  };
+  Json schema;
+  switch (field.kind) {
+    case Kind::kHand:
+      schema = {{"enum", Json::array()}};
+      for (HandName hand : demonstrator::kHandNames) schema["enum"].push_back(ToString(hand));
+      break;
+    case Kind::kText:
+      schema = {{"type", "string"}, {"maxLength", kMaxText}};
+      break;
+    case Kind::kPoint:
+    case Kind::kAngles:
+      schema = array(3, 3);
+      break;
+    case Kind::kSpeed:
+      schema = {{"type", "number"}, {"minimum", kMinSpeed}, {"maximum", kMaxNumber}};
+      break;
+    case Kind::kJoints:
+      schema = array(1, kMaxJoints);
+      break;
+    case Kind::kGrippers:
+      schema = array(2, 2);
+      break;
+    case Kind::kNumber:
+      schema = number;
+      break;
+    case Kind::kFlag:
+      schema = {{"type", "boolean"}};
+      break;
+  }
+  schema["description"] = field.meaning;
+  return schema;
+}
+
+}  // namespace
+
+Json CommandSchema() {
+  Json forms = Json::array();
+  for (const Form& form : Forms()) {
+    Json properties = {{"do", {{"const", form.name}}},
+                       {"tick",
+                        {{"type", "integer"},
+                         {"minimum", 0},
+                         {"description",
+                          "when it is applied, in ticks of 1/60 s; scripts "
+                          "may leave it out"}}}};
+    Json required = {"do"};
+    for (const Field& field : form.fields) {
+      properties[field.name] = FieldSchema(field);
+      if (field.is_required) required.push_back(field.name);
+    }
+    forms.push_back({{"title", form.name},
+                     {"description", form.meaning},
+                     {"type", "object"},
+                     {"properties", properties},
+                     {"required", required},
+                     {"additionalProperties", false}});
+  }
+  return {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+          {"title", "SMILE command"},
+          {"oneOf", forms}};
+}
+
+}  // namespace smile::sim

@@ -1,0 +1,147 @@
+#include "sim/internal_command_forms.h"
+
+#include "scene/units.h"
+
+namespace smile::sim {
+namespace {
+
+using scene::FromFileUnits;
+
+constexpr const char* kGripperMeaning = "rate of change of each opening, left and right [units/s]";
+
+constexpr const char* kGuestMeaning =
+    "near its guest point that is meant; the object's origin if not given [units]";
+
+Vector3 VectorOf(const Json& json) {
+  return {json[0].get<double>(), json[1].get<double>(), json[2].get<double>()};
+}
+HandName HandOf(const Json& json) {
+  return *demonstrator::ParseHandName(json.at("hand").get<std::string>());
+}
+template <class T>
+std::optional<T> OptionalOf(const Json& json, const char* key) {
+  return json.contains(key) ? std::optional<T>(json.at(key).get<T>()) : std::nullopt;
+}
+
+std::optional<Vector3> OptionalPointOf(const Json& json, double unit) {
+  if (!json.contains("point")) return std::nullopt;
+  return FromFileUnits(VectorOf(json.at("point")), unit);
+}
+
+}  // namespace
+
+const std::vector<Form>& Forms() {
+  static const Field kHandField{"hand", Kind::kHand, true, "which of the demonstrator's hands"};
+  static const std::vector<Form> kForms = {
+      {"grasp",
+       "takes hold of an object",
+       {kHandField,
+        {"object", Kind::kText, true, "id of a whole object"},
+        {"point", Kind::kPoint, false,
+         "where to take hold of it; its origin if not given [units]"}},
+       [](const Json& json, double unit) -> Command {
+         return Grasp{.hand = HandOf(json),
+                      .object = json.at("object"),
+                      .p_WQ = OptionalPointOf(json, unit)};
+       }},
+      {"move_to",
+       "carries the held object",
+       {kHandField,
+        {"position", Kind::kPoint, true, "where the grasped point shall go [units]"},
+        {"speed", Kind::kSpeed, false, "at most this fast; 10 if not given [units/s]"}},
+       [](const Json& json, double unit) -> Command {
+         MoveTo move{.hand = HandOf(json),
+                     .p_WH = FromFileUnits(VectorOf(json.at("position")), unit)};
+         if (json.contains("speed"))
+           move.speed = FromFileUnits(json.at("speed").get<double>(), unit);
+         return move;
+       }},
+      {"rotate",
+       "turns the held object about its origin",
+       {kHandField,
+        {"angles", Kind::kAngles, true, "about the world's x, then y, then z axis [degrees]"}},
+       [](const Json& json, double) -> Command {
+         return Rotate{.hand = HandOf(json), .angles_deg = VectorOf(json.at("angles"))};
+       }},
+      {"release",
+       "lets go of the held object",
+       {kHandField},
+       [](const Json& json, double) -> Command { return Release{.hand = HandOf(json)}; }},
+      {"destroy",
+       "takes the held object out of the world",
+       {kHandField},
+       [](const Json& json, double) -> Command { return Destroy{.hand = HandOf(json)}; }},
+      {"point",
+       "points at an object or a pointable part; only the log knows",
+       {kHandField, {"part", Kind::kText, true, "id of the object or part"}},
+       [](const Json& json, double) -> Command {
+         return Point{.hand = HandOf(json), .part = json.at("part")};
+       }},
+      {"trigger",
+       "presses a switch or triggers a custom control, with an empty hand",
+       {kHandField,
+        {"control", Kind::kText, true, "id of the control"},
+        {"part", Kind::kText, false,
+         "its button (ID-b1 or ID-b2) or part; whatever leads on if not given"}},
+       [](const Json& json, double) -> Command {
+         return Trigger{
+             .hand = HandOf(json), .control = json.at("control"), .part = json.value("part", "")};
+       }},
+      {"fasten",
+       "fastens an object one stage tighter",
+       {kHandField,
+        {"object", Kind::kText, true, "id of the object; the held one if the hand holds any"},
+        {"point", Kind::kPoint, false, kGuestMeaning}},
+       [](const Json& json, double unit) -> Command {
+         return Fasten{.hand = HandOf(json),
+                       .object = json.at("object"),
+                       .p_WQ = OptionalPointOf(json, unit)};
+       }},
+      {"loosen",
+       "loosens an object one stage",
+       {kHandField,
+        {"object", Kind::kText, true, "id of the object; the held one if the hand holds any"},
+        {"point", Kind::kPoint, false, kGuestMeaning}},
+       [](const Json& json, double unit) -> Command {
+         return Loosen{.hand = HandOf(json),
+                       .object = json.at("object"),
+                       .p_WQ = OptionalPointOf(json, unit)};
+       }},
+      {"joint_velocities",
+       "sets the robot's speeds until the next such command",
+       {{"left", Kind::kJoints, false, "left arm, s0 s1 e0 e1 w0 w1 w2 [rad/s]"},
+        {"right", Kind::kJoints, false, "right arm [rad/s]"},
+        {"grippers", Kind::kGrippers, false, kGripperMeaning},
+        {"head", Kind::kNumber, false, "pan [rad/s]"}},
+       [](const Json& json, double unit) -> Command {
+         JointVelocities command{.left = OptionalOf<std::vector<double>>(json, "left"),
+                                 .right = OptionalOf<std::vector<double>>(json, "right"),
+                                 .head = OptionalOf<double>(json, "head")};
+         if (json.contains("grippers")) {
+           const Json& rates = json.at("grippers");
+           command.grippers = {FromFileUnits(rates[0].get<double>(), unit),
+                               FromFileUnits(rates[1].get<double>(), unit)};
+         }
+         return command;
+       }},
+      {"joint_angles",
+       "puts the robot's joints there at once",
+       {{"left", Kind::kJoints, false, "left arm, s0 s1 e0 e1 w0 w1 w2 [rad]"},
+        {"right", Kind::kJoints, false, "right arm [rad]"},
+        {"head", Kind::kNumber, false, "pan [rad]"}},
+       [](const Json& json, double) -> Command {
+         return JointAngles{.left = OptionalOf<std::vector<double>>(json, "left"),
+                            .right = OptionalOf<std::vector<double>>(json, "right"),
+                            .head = OptionalOf<double>(json, "head")};
+       }},
+      {"robot",
+       "shows or hides the robot; physics is not changed",
+       {{"shown", Kind::kFlag, true, "true or false"}},
+       [](const Json& json, double) -> Command {
+         return ShowRobot{.is_shown = json.at("shown").get<bool>()};
+       }},
+  };
+  return kForms;
+}
+
+}  // namespace smile::sim

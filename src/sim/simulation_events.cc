@@ -1,0 +1,100 @@
+// What a simulation tells its listeners.
+
+#include <algorithm>
+
+#include "base/overloaded.h"
+#include "sim/simulation.h"
+
+namespace smile::sim {
+
+std::vector<std::vector<physics::BodyId>> Simulation::HeldByGrippers() const {
+  std::vector<std::vector<physics::BodyId>> held;
+  for (int arm = 0; robot_ && arm < robot_->num_arms(); ++arm) {
+    held.push_back(robot_->HeldBodies(arm));
+  }
+  return held;
+}
+
+void Simulation::TellOfGrippers(const std::vector<std::vector<physics::BodyId>>& before) {
+  const auto after = HeldByGrippers();
+  if (after == before) return;
+  for (std::size_t arm = 0; arm < after.size(); ++arm) {
+    const auto tell_of_missing = [&](const auto& from, const auto& in, EventKind kind) {
+      for (physics::BodyId body : from) {
+        if (std::find(in.begin(), in.end(), body) != in.end()) continue;
+        Tell({.kind = kind,
+              .arm = robot_->model().arms[arm].name,
+              .object = tabletop_.Find(body)->id()});
+      }
+    };
+    tell_of_missing(before[arm], after[arm], EventKind::kGripperLetGo);
+    tell_of_missing(after[arm], before[arm], EventKind::kGripperHolds);
+  }
+}
+
+void Simulation::TellOfCommand(const Command& command, const std::string& held_before) {
+  std::visit(
+      Overloaded{
+          [this](const Grasp& grasp) {
+            Tell({.kind = EventKind::kGrasped, .hand = grasp.hand, .object = grasp.object});
+          },
+          [&](const Release& release) {
+            Tell({.kind = EventKind::kReleased, .hand = release.hand, .object = held_before});
+          },
+          [&](const Destroy& destroy) {
+            Tell({.kind = EventKind::kDestroyed, .hand = destroy.hand, .object = held_before});
+          },
+          [this](const Point& point) {
+            Tell({.kind = EventKind::kPointed,
+                  .hand = point.hand,
+                  .object = tabletop_.FindPointable(point.part)->id(),
+                  .part = point.part});
+          },
+          [this](const Trigger& trigger) {
+            const auto control = tabletop_.controls().Find(trigger.control);
+            const auto object = tabletop_.controls().all()[*control].object;
+            Tell({.kind = EventKind::kTriggered,
+                  .hand = trigger.hand,
+                  .object = tabletop_.objects()[object].id(),
+                  .control = trigger.control});
+          },
+          [](const auto&) {}},
+      command);
+}
+
+void Simulation::TellOfBonds(const std::vector<world::BondState>& before,
+                             std::optional<HandName> hand) {
+  const world::Bonds& bonds = tabletop_.bonds();
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const world::BondState& was = before[i];
+    const world::BondState& is = bonds.states()[i];
+    if (was.tightness == is.tightness) continue;
+    const int guest = is.guest >= 0 ? is.guest : was.guest;
+    const std::size_t object = bonds.guests()[static_cast<std::size_t>(guest)].object;
+    Tell({.kind = is.tightness > was.tightness ? EventKind::kFastened : EventKind::kLoosened,
+          .hand = hand,
+          .object = tabletop_.objects()[object].id(),
+          .guest = guest,
+          .host = static_cast<int>(i),
+          .tightness = is.tightness});
+  }
+}
+
+void Simulation::TellOfControls(const std::vector<world::ControlState>& before) {
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const world::Control& control = tabletop_.controls().all()[i];
+    if (!tabletop_.IsPresent(control)) continue;
+    const std::string state = RecordedState(control, tabletop_.controls().states()[i]);
+    if (state == RecordedState(control, before[i])) continue;
+    Tell({.kind = EventKind::kControlChanged,
+          .object = tabletop_.objects()[control.object].id(),
+          .control = control.id(),
+          .state = state});
+  }
+}
+
+void Simulation::Tell(const Event& event) {
+  for (Listener* listener : listeners_) listener->OnEvent(*this, event);
+}
+
+}  // namespace smile::sim

@@ -1,0 +1,232 @@
+#include "world/bonds.h"
+
+#include <algorithm>
+#include <set>
+
+#include "base/wording.h"
+#include "scene/bond_points.h"
+
+namespace smile::world {
+namespace {
+
+/// How far a guest may be from a host to be fastened [units].
+constexpr double kReachUnits = 2.0;
+/// What a guest may cut into where it is put, apart from its host [m].
+constexpr double kMaxOverlap = 0.002;
+
+const scene::TightnessStage& StageOf(const Host& host, int tightness) {
+  return host.point->stages[static_cast<std::size_t>(tightness) - 1];
+}
+
+}  // namespace
+
+Bonds::Bonds(physics::World* world, const std::vector<Object>* objects, Controls* controls)
+    : world_(world), objects_(objects), controls_(controls) {
+  for (std::size_t i = 0; i < objects_->size(); ++i) {
+    const scene::Part& whole = (*objects_)[i].spec->whole;
+    for (const auto& [point, X_BG] : scene::GuestsOf(whole)) guests_.push_back({point, i, X_BG});
+    for (const auto& [point, X_BH] : scene::HostsOf(whole)) {
+      hosts_.push_back({point, i, X_BH, controls_->Find(point->downstream),
+                        controls_->Find(point->downstream_override), std::nullopt});
+    }
+  }
+  const auto find_host = [this](const std::string& id) -> std::optional<std::size_t> {
+    for (std::size_t i = 0; i < hosts_.size(); ++i) {
+      if (hosts_[i].point->id == id) return i;
+    }
+    return std::nullopt;
+  };
+  for (Host& host : hosts_) host.downstream_lock = find_host(host.point->downstream_lock);
+
+  states_.resize(hosts_.size());
+  for (std::size_t guest = 0; guest < guests_.size(); ++guest) {
+    const auto host = find_host(guests_[guest].point->initial_host);
+    const int tightness = guests_[guest].point->initial_tightness;
+    if (!host || tightness < 1) continue;
+    MoveWithAssembly(guest, *host, GuestBodyAt(guest, *host, tightness));
+    Join(guest, *host, tightness);
+  }
+}
+
+std::optional<std::size_t> Bonds::HostOf(std::size_t guest) const {
+  for (std::size_t host = 0; host < states_.size(); ++host) {
+    if (states_[host].guest == static_cast<int>(guest)) return host;
+  }
+  return std::nullopt;
+}
+
+std::optional<std::size_t> Bonds::NearestGuest(std::size_t object, const Vector3& p_WQ) const {
+  std::optional<std::size_t> nearest;
+  double nearest_distance = 0;
+  const RigidTransform X_WB = world_->body((*objects_)[object].body).pose_in_world();
+  for (std::size_t guest = 0; guest < guests_.size(); ++guest) {
+    if (guests_[guest].object != object) continue;
+    const double distance = (X_WB * guests_[guest].X_BG.translation() - p_WQ).norm();
+    if (nearest && distance >= nearest_distance) continue;
+    nearest = guest;
+    nearest_distance = distance;
+  }
+  return nearest;
+}
+
+bool Bonds::AreConnected(std::size_t object_a, std::size_t object_b) const {
+  std::set<std::size_t> connected{object_a};
+  for (std::size_t size = 0; size != connected.size();) {
+    size = connected.size();
+    for (std::size_t host = 0; host < hosts_.size(); ++host) {
+      if (states_[host].guest < 0) continue;
+      const std::size_t a = hosts_[host].object;
+      const std::size_t b = guests_[static_cast<std::size_t>(states_[host].guest)].object;
+      if (connected.contains(a) || connected.contains(b)) connected.insert({a, b});
+    }
+  }
+  return connected.contains(object_b);
+}
+
+std::optional<std::size_t> Bonds::FindHost(std::size_t guest, double reach,
+                                           Refusal* refusal) const {
+  const Guest& plug = guests_[guest];
+  const auto point_in_world = [this](std::size_t object, const RigidTransform& X_BPoint) {
+    return world_->body((*objects_)[object].body).pose_in_world() * X_BPoint.translation();
+  };
+  const Vector3 p_WG = point_in_world(plug.object, plug.X_BG);
+  std::optional<std::size_t> nearest;
+  double nearest_distance = reach;
+  bool is_any_locked = false;
+  for (std::size_t host = 0; host < hosts_.size(); ++host) {
+    const Host& hole = hosts_[host];
+    if (hole.point->type != plug.point->type || states_[host].guest >= 0 ||
+        !IsPresent(hole.object) || AreConnected(plug.object, hole.object)) {
+      continue;
+    }
+    const double distance = (point_in_world(hole.object, hole.X_BH) - p_WG).norm();
+    if (distance >= nearest_distance) continue;
+    if (states_[host].is_locked) {
+      is_any_locked = true;
+      continue;
+    }
+    nearest = host;
+    nearest_distance = distance;
+  }
+  if (!nearest) {
+    *refusal = is_any_locked ? "what fits " + Quoted(plug.point->id) + " is locked"
+                             : "nothing that fits " + Quoted(plug.point->id) +
+                                   " and is free is less than two units away";
+  }
+  return nearest;
+}
+
+RigidTransform Bonds::GuestBodyAt(std::size_t guest, std::size_t host, int tightness) const {
+  const Host& hole = hosts_[host];
+  const RigidTransform X_WHost = world_->body((*objects_)[hole.object].body).pose_in_world();
+  const RigidTransform X_HStage = tightness > 0 ? StageOf(hole, tightness).X_HS : RigidTransform();
+  return X_WHost * (hole.X_BH * (X_HStage * guests_[guest].X_BG.inverse()));
+}
+
+std::optional<Refusal> Bonds::Fasten(std::size_t object, const Vector3& p_WQ,
+                                     double meters_per_unit) {
+  const std::string name = Quoted((*objects_)[object].id());
+  const auto guest = NearestGuest(object, p_WQ);
+  if (!guest) return name + " has nothing to fasten it by";
+  if (const auto host = HostOf(*guest)) {
+    const int tightness = states_[*host].tightness;
+    if (tightness == static_cast<int>(hosts_[*host].point->stages.size())) {
+      return name + " is fastened as tightly as it can be";
+    }
+    return Tighten(*guest, *host, tightness + 1);
+  }
+  Refusal refusal;
+  const auto host = FindHost(*guest, kReachUnits * meters_per_unit, &refusal);
+  if (!host) return refusal;
+  return Tighten(*guest, *host, 1);
+}
+
+std::optional<Refusal> Bonds::Loosen(std::size_t object, const Vector3& p_WQ) {
+  const auto guest = NearestGuest(object, p_WQ);
+  const auto host = guest ? HostOf(*guest) : std::nullopt;
+  if (!host) return Quoted((*objects_)[object].id()) + " is not fastened there";
+  return Tighten(*guest, *host, states_[*host].tightness - 1);
+}
+
+/// Goes to another stage, or refuses and leaves everything as it was.
+std::optional<Refusal> Bonds::Tighten(std::size_t guest, std::size_t host, int tightness) {
+  const Object& object = (*objects_)[guests_[guest].object];
+  const Object& holder = (*objects_)[hosts_[host].object];
+  if (states_[host].is_locked) return Quoted(hosts_[host].point->id) + " is locked";
+  if (world_->body(object.body).is_static())
+    return Quoted(object.id()) + " is fixed (its mass is 0)";
+
+  const RigidTransform X_WB = GuestBodyAt(guest, host, tightness);
+  const std::vector<physics::BodyId> own = world_->Assembly(object.body);
+  for (physics::BodyId blocker : world_->OverlapsAt(object.body, X_WB, kMaxOverlap)) {
+    if (blocker == holder.body || std::ranges::binary_search(own, blocker)) continue;
+    const auto other = std::ranges::find(*objects_, blocker, &Object::body);
+    return "there is no room for " + Quoted(object.id()) + ": " +
+           (other != objects_->end() ? Quoted(other->id()) : "the table or the robot") +
+           " is in the way";
+  }
+  if (states_[host].joint) world_->RemoveJoint(states_[host].joint);
+  states_[host].joint = {};
+  MoveWithAssembly(guest, host, X_WB);
+  Join(guest, host, tightness);
+  return std::nullopt;
+}
+
+/// Puts the guest's body there at once, and what hangs on it with it. The host stays.
+void Bonds::MoveWithAssembly(std::size_t guest, std::size_t host, const RigidTransform& X_WB) {
+  const physics::BodyId body = (*objects_)[guests_[guest].object].body;
+  const physics::BodyId holder = (*objects_)[hosts_[host].object].body;
+  const RigidTransform X_moved = X_WB * world_->body(body).pose_in_world().inverse();
+  std::vector<physics::BodyId> moved = world_->Assembly(body);
+  // A loop through other joints would carry the host away.
+  if (std::ranges::binary_search(moved, holder)) moved = {body};
+  for (physics::BodyId id : moved) {
+    physics::Body& one = world_->body(id);
+    one.SetPose(id == body ? X_WB : X_moved * one.pose_in_world());
+  }
+}
+
+void Bonds::Join(std::size_t guest, std::size_t host, int tightness) {
+  const physics::BodyId holder = (*objects_)[hosts_[host].object].body;
+  const physics::BodyId body = (*objects_)[guests_[guest].object].body;
+  BondState& state = states_[host];
+  state.tightness = tightness;
+  state.guest = tightness > 0 ? static_cast<int>(guest) : -1;
+  if (tightness > 0 && !(world_->body(holder).is_static() && world_->body(body).is_static())) {
+    state.joint = world_->AddJoint(physics::FixedJointSpec{
+        .a = holder,
+        .b = body,
+        .X_AB = hosts_[host].X_BH *
+                (StageOf(hosts_[host], tightness).X_HS * guests_[guest].X_BG.inverse())});
+  } else if (tightness == 0) {
+    // Still inside the hole, it must not be thrown out.
+    world_->LetPass(holder, body);
+  }
+  TellDownstream(host);
+}
+
+void Bonds::TellDownstream(std::size_t index) {
+  const Host& host = hosts_[index];
+  const int tightness = states_[index].tightness;
+  const scene::TightnessStage stage =
+      tightness > 0 ? StageOf(host, tightness) : scene::TightnessStage();
+  if (host.downstream) controls_->Set(*host.downstream, tightness);
+  if (host.downstream_override) {
+    controls_->Override(*host.downstream_override, stage.downstream_state.value_or(-1));
+  }
+  if (host.downstream_lock) states_[*host.downstream_lock].is_locked = stage.locks_downstream;
+}
+
+void Bonds::EndBondsOf(std::size_t object) {
+  for (std::size_t host = 0; host < states_.size(); ++host) {
+    BondState& state = states_[host];
+    if (state.guest < 0) continue;
+    const std::size_t guest_object = guests_[static_cast<std::size_t>(state.guest)].object;
+    if (hosts_[host].object != object && guest_object != object) continue;
+    if (state.joint) world_->RemoveJoint(state.joint);
+    state = {.is_locked = state.is_locked};
+    TellDownstream(host);
+  }
+}
+
+}  // namespace smile::world

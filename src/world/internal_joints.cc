@@ -1,0 +1,50 @@
+#include "world/internal_joints.h"
+
+namespace smile::world {
+namespace {
+
+/// How far from the middle of an end piece the chain hangs on it, towards the other end [units].
+constexpr double kEndAnchorUnits = 0.1;
+
+void AddBall(physics::BodyId a, const Vector3& p_AQ, physics::BodyId b, const Vector3& p_BQ,
+             physics::World* world) {
+  if (world->body(a).is_static() && world->body(b).is_static()) return;
+  world->AddJoint(physics::BallJointSpec{.a = a, .b = b, .p_AQ = p_AQ, .p_BQ = p_BQ});
+}
+
+}  // namespace
+
+void AddChainJoints(const scene::ChainSpec& chain, double meters_per_unit,
+                    const std::vector<Object>& objects, physics::World* world) {
+  const physics::BodyId start = objects[chain.first_object].body;
+  const physics::BodyId end = objects[chain.first_object + 1].body;
+  const Vector3 to_end(0, chain.link_size.y() / 2, 0);
+  const Vector3 anchor(0, kEndAnchorUnits * meters_per_unit, 0);
+  const std::size_t first_link = chain.first_object + 2;
+  physics::BodyId previous = start;
+  Vector3 p_PreviousQ = anchor;
+  for (std::size_t i = 0; i < chain.link_ids.size(); ++i) {
+    const physics::BodyId link = objects[first_link + i].body;
+    AddBall(previous, p_PreviousQ, link, -to_end, world);
+    previous = link;
+    p_PreviousQ = to_end;
+  }
+  AddBall(previous, p_PreviousQ, end, -anchor, world);
+}
+
+void AddSliderJoint(const scene::SliderSpec& slider, const std::vector<Object>& objects,
+                    physics::World* world) {
+  // The scene counts the offset along -x of the rail, physics along +x.
+  world->AddJoint(physics::SliderJointSpec{.a = objects[slider.first_object].body,
+                                           .b = objects[slider.first_object + 1].body,
+                                           .X_AJ = slider.X_JA.inverse(),
+                                           .X_BK = slider.X_JB.inverse(),
+                                           .lower = -slider.max_offset,
+                                           .upper = -slider.min_offset,
+                                           .do_collide = slider.do_members_collide,
+                                           .damping = slider.damping,
+                                           .restitution = slider.restitution,
+                                           .softness = slider.softness});
+}
+
+}  // namespace smile::world

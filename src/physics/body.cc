@@ -26,6 +26,7 @@ Body::Body(BodyId id, std::shared_ptr<const BodySpec> spec)
     : id_(id), spec_(std::move(spec)), shapes_(std::make_unique<Shapes>()) {
   PrincipalInertia inertia;
   if (!is_static()) inertia = PrincipalInertiaOf(spec_->mass.inertia);
+  moments_ = inertia.moments;
   X_BcmB_ = RigidTransform(Matrix3(inertia.axes.transpose()), Vector3::Zero());
   shapes_->collision = MakeCollisionShape(spec_->solids, X_BcmB_);
 
@@ -58,6 +59,13 @@ void Body::SetCarried(bool is_carried) {
   }
   is_carried_ = is_carried;
   WakeUp();
+}
+
+void Body::ScaleInertia(double scale) {
+  if (scale == inertia_scale_) return;
+  inertia_scale_ = scale;
+  bullet_->setMassProps(spec_->mass.mass * scale, ToBullet(Vector3(moments_ * scale)));
+  bullet_->updateInertiaTensor();
 }
 
 void Body::SetPose(const RigidTransform& X_WB) {

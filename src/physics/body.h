@@ -21,6 +21,8 @@ struct BodySpec {
   /// Keeps what rolls from rolling for ever: how far before the middle of its footprint it is
   /// supported [m]. Unset: 1 mm for all but blocks.
   std::optional<double> rolling_friction;
+  /// Share of its spin lost in a second; unset: WorldConfig::damping.
+  std::optional<double> angular_damping;
 
   bool operator==(const BodySpec&) const = default;
 };
@@ -55,6 +57,8 @@ class Body {
 
  private:
   friend class World;
+  /// Makes it this many times as heavy as it is, for the time being.
+  void ScaleInertia(double scale);
   Body(BodyId id, std::shared_ptr<const BodySpec> spec);
 
   BodyId id_;
@@ -63,8 +67,10 @@ class Body {
   struct Shapes;
   std::unique_ptr<Shapes> shapes_;
   std::unique_ptr<btRigidBody> bullet_;
+  Vector3 moments_;        ///< principal moments of inertia, unscaled
   RigidTransform X_BcmB_;  ///< B in the frame of its principal axes of inertia
   bool is_carried_ = false;
+  double inertia_scale_ = 1;  ///< set anew in every step
 };
 
 }  // namespace smile::physics

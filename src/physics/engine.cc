@@ -5,10 +5,7 @@ namespace smile::physics {
 World::Engine::Engine(const WorldConfig& config)
     : dispatcher(&collision_configuration),
       world(&dispatcher, &broadphase, &solver, &collision_configuration) {
-  for (int type = 0; type < MAX_BROADPHASE_COLLISION_TYPES; ++type) {
-    dispatcher.registerCollisionCreateFunc(COMPOUND_SHAPE_PROXYTYPE, type, &compound_pairs);
-    dispatcher.registerCollisionCreateFunc(type, COMPOUND_SHAPE_PROXYTYPE, &compound_pairs);
-  }
+  compound_pairs.RegisterWith(&dispatcher);
   world.setGravity(btVector3(0, 0, -config.gravity));
   world.getDispatchInfo().m_deterministicOverlappingPairs = true;
 

@@ -56,6 +56,13 @@ btCollisionAlgorithm* CompoundPairAlgorithm::CreateFunc::CreateCollisionAlgorith
   return new (memory) CompoundPairAlgorithm(info);
 }
 
+void CompoundPairAlgorithm::CreateFunc::RegisterWith(btCollisionDispatcher* dispatcher) {
+  for (int type = 0; type < MAX_BROADPHASE_COLLISION_TYPES; ++type) {
+    dispatcher->registerCollisionCreateFunc(COMPOUND_SHAPE_PROXYTYPE, type, this);
+    dispatcher->registerCollisionCreateFunc(type, COMPOUND_SHAPE_PROXYTYPE, this);
+  }
+}
+
 CompoundPairAlgorithm::~CompoundPairAlgorithm() {
   for (const PartPair& pair : pairs_) {
     pair.algorithm->~btCollisionAlgorithm();

@@ -16,6 +16,8 @@ class CompoundPairAlgorithm : public btCollisionAlgorithm {
     btCollisionAlgorithm* CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info,
                                                    const btCollisionObjectWrapper* a,
                                                    const btCollisionObjectWrapper* b) override;
+    /// Lets the dispatcher use this for every pair with a compound; must outlive it.
+    void RegisterWith(btCollisionDispatcher* dispatcher);
   };
 
   /// While alive, algorithms look at all pairs of parts, also at those whose boxes do not overlap,

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <BulletDynamics/Featherstone/btMultiBodyConstraintSolver.h>
 #include <BulletDynamics/Featherstone/btMultiBodyFixedConstraint.h>
 
 #include <map>
@@ -8,6 +7,9 @@
 
 #include "physics/internal_compound_pairs.h"
 #include "physics/internal_exact_world.h"
+#include "physics/internal_joint_constraint.h"
+#include "physics/internal_joint_solver.h"
+#include "physics/internal_overlap_probe.h"
 #include "physics/internal_stateless_broadphase.h"
 #include "physics/world.h"
 
@@ -21,9 +23,11 @@ struct World::Engine {
   CompoundPairAlgorithm::CreateFunc compound_pairs;
   btCollisionDispatcher dispatcher;
   StatelessBroadphase broadphase;
-  btMultiBodyConstraintSolver solver;
+  JointSolver solver;
   ExactWorld world;
   std::map<JointId, std::unique_ptr<btMultiBodyFixedConstraint>> welds;
+  std::map<JointId, std::unique_ptr<JointConstraint>> joints;  ///< between bodies
+  OverlapProbe overlap_probe;
 };
 
 }  // namespace smile::physics

@@ -9,6 +9,23 @@
 #include "physics/internal_compound_pairs.h"
 
 namespace smile::physics {
+namespace {
+
+template <class Constraint>
+void RemoveInOrder(btAlignedObjectArray<Constraint*>& constraints, Constraint* constraint) {
+  const int index = constraints.findLinearSearch(constraint);
+  for (int i = index; i + 1 < constraints.size(); ++i) constraints[i] = constraints[i + 1];
+  if (index < constraints.size()) constraints.pop_back();
+}
+
+template <class Constraint>
+void Replace(btAlignedObjectArray<Constraint*>& constraints, Constraint* constraint,
+             Constraint* with) {
+  const int index = constraints.findLinearSearch(constraint);
+  if (index < constraints.size()) constraints[index] = with;
+}
+
+}  // namespace
 
 void ExactWorld::SortObjects() {
   const auto by_order = [](const btCollisionObject* a, const btCollisionObject* b) {
@@ -42,10 +59,16 @@ void ExactWorld::SortManifolds() {
 }
 
 void ExactWorld::RemoveConstraintInOrder(btMultiBodyConstraint* constraint) {
-  auto& constraints = m_multiBodyConstraints;
-  const int index = constraints.findLinearSearch(constraint);
-  for (int i = index; i + 1 < constraints.size(); ++i) constraints[i] = constraints[i + 1];
-  if (index < constraints.size()) constraints.pop_back();
+  RemoveInOrder(m_multiBodyConstraints, constraint);
+}
+void ExactWorld::RemoveConstraintInOrder(btTypedConstraint* constraint) {
+  RemoveInOrder(m_constraints, constraint);
+}
+void ExactWorld::ReplaceConstraint(btMultiBodyConstraint* constraint, btMultiBodyConstraint* with) {
+  Replace(m_multiBodyConstraints, constraint, with);
+}
+void ExactWorld::ReplaceConstraint(btTypedConstraint* constraint, btTypedConstraint* with) {
+  Replace(m_constraints, constraint, with);
 }
 
 void ExactWorld::calculateSimulationIslands() {

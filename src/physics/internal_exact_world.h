@@ -21,6 +21,10 @@ class ExactWorld : public btMultiBodyDynamicsWorld {
   void SortManifolds();
   /// Bullet's own removal fills the gap with the last constraint; this one keeps the order.
   void RemoveConstraintInOrder(btMultiBodyConstraint* constraint);
+  void RemoveConstraintInOrder(btTypedConstraint* constraint);
+  /// Puts a constraint in the place of another, which is then no longer part of the world.
+  void ReplaceConstraint(btMultiBodyConstraint* constraint, btMultiBodyConstraint* with);
+  void ReplaceConstraint(btTypedConstraint* constraint, btTypedConstraint* with);
 
  protected:
   void calculateSimulationIslands() override;

@@ -11,7 +11,8 @@ namespace smile::physics {
 /// Bullet's collision shape for a set of solids, and the parts it is made of.
 struct CollisionShape {
   std::vector<std::unique_ptr<btCollisionShape>> parts;
-  std::unique_ptr<btCompoundShape> compound;  ///< null when one centred part is enough
+  std::unique_ptr<btCompoundShape>
+      compound;  ///< null when one centred part is enough; may be empty
 
   btCollisionShape* shape() const { return compound ? compound.get() : parts.front().get(); }
 };

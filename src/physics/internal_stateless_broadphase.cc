@@ -21,13 +21,27 @@ bool PairFilter::needBroadphaseCollision(btBroadphaseProxy* a, btBroadphaseProxy
   const btCollisionObject* object_a = ObjectOf(a);
   const btCollisionObject* object_b = ObjectOf(b);
   if (object_a->isStaticObject() && object_b->isStaticObject()) return false;
-  return excluded_.empty() || !excluded_.contains(Ordered(OrderOf(object_a), OrderOf(object_b)));
+  return !IsExcluded(OrderOf(object_a), OrderOf(object_b));
 }
 
-void PairFilter::Exclude(int order_a, int order_b) { excluded_.insert(Ordered(order_a, order_b)); }
-void PairFilter::Include(int order_a, int order_b) { excluded_.erase(Ordered(order_a, order_b)); }
+void PairFilter::Exclude(int order_a, int order_b) { ++excluded_[Ordered(order_a, order_b)]; }
+void PairFilter::Include(int order_a, int order_b) {
+  const auto pair = excluded_.find(Ordered(order_a, order_b));
+  if (pair != excluded_.end() && --pair->second == 0) excluded_.erase(pair);
+}
+bool PairFilter::IsExcluded(int order_a, int order_b) const {
+  return !excluded_.empty() && excluded_.contains(Ordered(order_a, order_b));
+}
 
 StatelessBroadphase::StatelessBroadphase() { pairs_.setOverlapFilterCallback(&filter_); }
+
+void StatelessBroadphase::Exclude(const btCollisionObject& a, const btCollisionObject& b,
+                                  btDispatcher* dispatcher) {
+  filter_.Exclude(OrderOf(&a), OrderOf(&b));
+  // The cache wants to change the proxies' pointers to pairs, which it does not keep itself.
+  pairs_.removeOverlappingPair(const_cast<btBroadphaseProxy*>(a.getBroadphaseHandle()),
+                               const_cast<btBroadphaseProxy*>(b.getBroadphaseHandle()), dispatcher);
+}
 
 btBroadphaseProxy* StatelessBroadphase::createProxy(const btVector3& aabb_min,
                                                     const btVector3& aabb_max, int, void* object,

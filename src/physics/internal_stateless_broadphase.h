@@ -1,7 +1,7 @@
 #pragma once
 
+#include <map>
 #include <memory>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -9,16 +9,18 @@
 
 namespace smile::physics {
 
-/// Decides which pairs may collide at all: not two static things, and no pair that is excluded.
+/// Decides which pairs may collide at all: not two static things, and no pair that is excluded. A
+/// pair that was excluded for several reasons collides again when the last of them ends.
 class PairFilter : public btOverlapFilterCallback {
  public:
   bool needBroadphaseCollision(btBroadphaseProxy* a, btBroadphaseProxy* b) const override;
 
   void Exclude(int order_a, int order_b);
-  void Include(int order_a, int order_b);
+  void Include(int order_a, int order_b);  ///< takes one Exclude() back
+  bool IsExcluded(int order_a, int order_b) const;
 
  private:
-  std::set<std::pair<int, int>> excluded_;
+  std::map<std::pair<int, int>, int> excluded_;  ///< and for how many reasons
 };
 
 /// Finds overlapping bounding boxes by sweeping along x.
@@ -31,6 +33,8 @@ class StatelessBroadphase : public btBroadphaseInterface {
   StatelessBroadphase();
 
   PairFilter& filter() { return filter_; }
+  /// Excludes two objects of this broadphase and drops the contacts they have.
+  void Exclude(const btCollisionObject& a, const btCollisionObject& b, btDispatcher* dispatcher);
 
   btBroadphaseProxy* createProxy(const btVector3& aabb_min, const btVector3& aabb_max,
                                  int shape_type, void* object, int group, int mask,

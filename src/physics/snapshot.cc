@@ -4,6 +4,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <variant>
 
 #include "base/bytes.h"
 
@@ -11,7 +12,7 @@ namespace smile::physics {
 namespace {
 
 constexpr std::array kMagic = {'S', 'M', 'I', 'L', 'E', 'S', 'N', 'P'};
-constexpr std::uint32_t kVersion = 2;
+constexpr std::uint32_t kVersion = 3;
 /// More of anything than this is not one of ours.
 constexpr std::uint32_t kMaxCount = 1'000'000;
 
@@ -114,26 +115,24 @@ void Walk(Archive& archive, std::optional<double>& number) {
   if (number) archive(*number);
 }
 
+/// Reads or writes which alternative a variant holds, then its fields.
+template <class Archive, class... Kinds>
+void WalkAlternatives(Archive& archive, std::variant<Kinds...>& value, const char* what) {
+  auto kind = static_cast<std::uint8_t>(value.index());
+  archive(kind);
+  if (kind >= sizeof...(Kinds)) {
+    throw std::runtime_error(std::string("snapshot: it has an unknown ") + what);
+  }
+  if (kind != value.index()) {  // reading
+    const std::array<std::variant<Kinds...>, sizeof...(Kinds)> fresh = {Kinds()...};
+    value = fresh[kind];
+  }
+  std::visit([&archive](auto& alternative) { Walk(archive, alternative); }, value);
+}
+
 template <class Archive>
 void Walk(Archive& archive, scene::Solid& solid) {
-  auto kind = static_cast<std::uint8_t>(solid.shape.index());
-  archive(kind);
-  if (kind != solid.shape.index()) {  // reading
-    switch (kind) {
-      case 1:
-        solid.shape = scene::Cylinder();
-        break;
-      case 2:
-        solid.shape = scene::Sphere();
-        break;
-      case 3:
-        solid.shape = scene::Hull();
-        break;
-      default:
-        throw std::runtime_error("snapshot: it has an unknown shape");
-    }
-  }
-  std::visit([&archive](auto& shape) { Walk(archive, shape); }, solid.shape);
+  WalkAlternatives(archive, solid.shape, "shape");
   Walk(archive, solid.X_BS);
   archive(solid.color.red);
   archive(solid.color.green);
@@ -150,6 +149,7 @@ void Walk(Archive& archive, BodySpec& spec) {
   archive(spec.friction);
   archive(spec.restitution);
   Walk(archive, spec.rolling_friction);
+  Walk(archive, spec.angular_damping);
 }
 
 template <class Archive>
@@ -184,13 +184,49 @@ void Walk(Archive& archive, ArticulationSpec& spec) {
 }
 
 template <class Archive>
+void Walk(Archive& archive, WeldSpec& weld) {
+  archive(weld.articulation.value);
+  archive(weld.link);
+  archive(weld.body.value);
+  Walk(archive, weld.X_LB);
+  WalkEach(archive, weld.links_not_colliding);
+}
+template <class Archive>
+void Walk(Archive& archive, FixedJointSpec& fixed) {
+  archive(fixed.a.value);
+  archive(fixed.b.value);
+  Walk(archive, fixed.X_AB);
+}
+template <class Archive>
+void Walk(Archive& archive, SliderJointSpec& slider) {
+  archive(slider.a.value);
+  archive(slider.b.value);
+  Walk(archive, slider.X_AJ);
+  Walk(archive, slider.X_BK);
+  archive(slider.do_collide);
+  for (double* number :
+       {&slider.lower, &slider.upper, &slider.damping, &slider.restitution, &slider.softness}) {
+    archive(*number);
+  }
+}
+template <class Archive>
+void Walk(Archive& archive, BallJointSpec& ball) {
+  archive(ball.a.value);
+  archive(ball.b.value);
+  WalkMatrix(archive, ball.p_AQ);
+  WalkMatrix(archive, ball.p_BQ);
+}
+
+template <class Archive>
 void Walk(Archive& archive, Joint& joint) {
   archive(joint.id.value);
-  archive(joint.spec.articulation.value);
-  archive(joint.spec.link);
-  archive(joint.spec.body.value);
-  Walk(archive, joint.spec.X_LB);
-  WalkEach(archive, joint.spec.links_not_colliding);
+  WalkAlternatives(archive, joint.spec, "joint");
+}
+
+template <class Archive>
+void Walk(Archive& archive, std::pair<BodyId, BodyId>& pair) {
+  archive(pair.first.value);
+  archive(pair.second.value);
 }
 
 /// An id and the spec it shares with the world it came from.
@@ -214,6 +250,7 @@ void Walk(Archive& archive, Snapshot& snapshot) {
   WalkEntries(archive, snapshot.bodies);
   WalkEntries(archive, snapshot.articulations);
   WalkEach(archive, snapshot.joints);
+  WalkEach(archive, snapshot.passing);
 }
 
 }  // namespace

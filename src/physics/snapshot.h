@@ -15,8 +15,9 @@ namespace smile::physics {
 /// fresh one, or one in another process, the next steps give the same bits.
 ///
 /// `state` holds numbers field by field (no padding): per body and link the poses, velocities,
-/// sleep state and bounds; per articulation q, v, references and targets; all contact points with
-/// the impulses they start from. What bodies *are* is kept by reference to their unchanging specs.
+/// sleep state and bounds; per articulation q, v, references and targets; all joints and
+/// contact points with the impulses they start from. What bodies *are* is kept by reference to
+/// their unchanging specs.
 struct Snapshot {
   struct BodyEntry {
     BodyId id;
@@ -32,6 +33,7 @@ struct Snapshot {
   std::vector<BodyEntry> bodies;
   std::vector<ArticulationEntry> articulations;
   std::vector<Joint> joints;
+  std::vector<std::pair<BodyId, BodyId>> passing;  ///< those that pass through each other
   std::vector<std::byte> state;
 };
 

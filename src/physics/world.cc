@@ -15,8 +15,6 @@ namespace {
 
 /// Farther apart than this, two things do not touch [m].
 constexpr double kTouching = 1e-4;
-/// Force and torque a weld may use against what the held body runs into [N s per second of step].
-constexpr double kWeldEffort = 2000.0;
 
 template <class Things, class Id>
 auto FindById(Things& things, Id id) {
@@ -32,9 +30,17 @@ void InsertSorted(Things& things, std::unique_ptr<Thing> thing) {
   things.insert(place, std::move(thing));
 }
 
-void CheckFinite(const RigidTransform& X) {
-  if (!X.rotation().allFinite() || !X.translation().allFinite()) {
+void Check(const BodySpec& spec) {
+  if (!spec.X_WB.rotation().allFinite() || !spec.X_WB.translation().allFinite()) {
     throw std::invalid_argument("body: its pose is not finite");
+  }
+  if (!(spec.mass.mass >= 0) || !std::isfinite(spec.mass.mass) || !spec.mass.inertia.allFinite()) {
+    throw std::invalid_argument("body: mass is " + std::to_string(spec.mass.mass) +
+                                " kg, expected at least 0");
+  }
+  if (spec.angular_damping && !(*spec.angular_damping >= 0 && *spec.angular_damping <= 1)) {
+    throw std::invalid_argument("body: angular damping is " +
+                                std::to_string(*spec.angular_damping) + ", expected 0 to 1");
   }
 }
 
@@ -58,12 +64,7 @@ World::~World() {
 }
 
 BodyId World::AddBody(const BodySpec& spec) {
-  CheckFinite(spec.X_WB);
-  if (spec.solids.empty()) throw std::invalid_argument("body: it has no solid");
-  if (!(spec.mass.mass >= 0) || !spec.mass.inertia.allFinite()) {
-    throw std::invalid_argument("body: mass is " + std::to_string(spec.mass.mass) +
-                                " kg, expected at least 0");
-  }
+  Check(spec);
   const BodyId id{next_id_++};
   Insert(std::unique_ptr<Body>(new Body(id, std::make_shared<const BodySpec>(spec))));
   return id;
@@ -72,7 +73,7 @@ BodyId World::AddBody(const BodySpec& spec) {
 void World::Insert(std::unique_ptr<Body> body) {
   btRigidBody* bullet = body->bullet_.get();
   bullet->setSleepingThresholds(config_.sleep_linear_speed, config_.sleep_angular_speed);
-  bullet->setDamping(config_.damping, config_.damping);
+  bullet->setDamping(config_.damping, body->spec_->angular_damping.value_or(config_.damping));
   engine_->world.addRigidBody(bullet);
   engine_->world.SortObjects();
   InsertSorted(bodies_, std::move(body));
@@ -82,21 +83,57 @@ void World::RemoveBody(BodyId id) {
   Body& gone = body(id);
   std::vector<JointId> ended;
   for (const Joint& joint : joints_) {
-    if (joint.spec.body == id) ended.push_back(joint.id);
+    if (Joins(joint.spec, id)) ended.push_back(joint.id);
   }
   for (JointId joint : ended) RemoveJoint(joint);
-  // What leaned on it must notice.
+  EndPassingOf(id);
+  WakeTouching(gone);
+  Erase(gone);
+}
+
+/// What leans on a body must notice when it changes.
+void World::WakeTouching(const Body& body) {
   for (int i = 0; i < engine_->dispatcher.getNumManifolds(); ++i) {
     const auto* manifold = engine_->dispatcher.getManifoldByIndexInternal(i);
     if (manifold->getNumContacts() == 0) continue;
     const auto* a = manifold->getBody0();
     const auto* b = manifold->getBody1();
-    if (a != gone.bullet_.get() && b != gone.bullet_.get()) continue;
-    const int other = OrderOf(a == gone.bullet_.get() ? b : a);
+    if (a != body.bullet_.get() && b != body.bullet_.get()) continue;
+    const int other = OrderOf(a == body.bullet_.get() ? b : a);
     const auto neighbour = FindById(bodies_, BodyId{static_cast<std::uint32_t>(other)});
     if (neighbour != bodies_.end()) (*neighbour)->WakeUp();
   }
-  Erase(gone);
+}
+
+void World::ChangeForm(BodyId id, const std::vector<scene::Solid>& solids,
+                       const scene::MassProperties& mass) {
+  Body& old = body(id);
+  auto spec = std::make_shared<BodySpec>(old.spec());
+  spec->solids = solids;
+  spec->mass = mass;
+  Check(*spec);
+  if ((mass.mass == 0) != old.is_static()) {
+    throw std::invalid_argument("body: another form cannot make it static, or end that");
+  }
+  auto fresh = std::unique_ptr<Body>(new Body(id, spec));
+  fresh->is_carried_ = old.is_carried_;
+  fresh->SetPose(old.pose_in_world());
+  fresh->SetVelocity(old.linear_velocity(), old.angular_velocity());
+  WakeTouching(old);
+  Erase(old);
+  Insert(std::move(fresh));
+  WakeNear(body(id));
+  RejoinBullet(id);
+}
+
+void World::WakeNear(const Body& body) {
+  btVector3 min, max;
+  body.bullet_->getAabb(min, max);
+  for (const auto& other : bodies_) {
+    btVector3 other_min, other_max;
+    other->bullet_->getAabb(other_min, other_max);
+    if (TestAabbAgainstAabb2(min, max, other_min, other_max)) other->WakeUp();
+  }
 }
 
 void World::Erase(Body& gone) {
@@ -129,55 +166,6 @@ void World::Insert(std::unique_ptr<Articulation> articulation) {
   }
   world.SortObjects();
   InsertSorted(articulations_, std::move(articulation));
-}
-
-JointId World::AddWeld(const WeldSpec& spec) {
-  const Articulation& holder = articulation(spec.articulation);
-  holder.CheckJoint(spec.link);
-  body(spec.body).SetCarried(true);
-  const Joint joint{JointId{next_joint_id_++}, spec};
-  AddBulletWeld(joint);
-  joints_.push_back(joint);
-  return joint.id;
-}
-
-void World::AddBulletWeld(const Joint& joint) {
-  const WeldSpec& spec = joint.spec;
-  const Articulation& holder = articulation(spec.articulation);
-  const Body& held = body(spec.body);
-  for (int link : spec.links_not_colliding) {
-    engine_->broadphase.filter().Exclude(static_cast<int>(holder.id().value) + 1 + link,
-                                         static_cast<int>(held.id().value));
-    auto* collider = holder.links_->collider(link);
-    if (collider == nullptr) continue;
-    engine_->broadphase.getOverlappingPairCache()->removeOverlappingPair(
-        collider->getBroadphaseHandle(), held.bullet_->getBroadphaseHandle(), &engine_->dispatcher);
-  }
-  const RigidTransform X_LcmBcm =
-      holder.links_->links[spec.link].X_LLcm.inverse() * spec.X_LB * held.X_BcmB_.inverse();
-  auto weld = std::make_unique<btMultiBodyFixedConstraint>(
-      holder.bullet_.get(), spec.link, held.bullet_.get(), ToBullet(X_LcmBcm.translation()),
-      btVector3(0, 0, 0), ToBullet(X_LcmBcm.rotation()), btMatrix3x3::getIdentity());
-  weld->setMaxAppliedImpulse(kWeldEffort * config_.step_seconds);
-  engine_->world.addMultiBodyConstraint(weld.get());
-  engine_->welds[joint.id] = std::move(weld);
-}
-
-void World::RemoveJoint(JointId id) {
-  const auto joint = std::find_if(joints_.begin(), joints_.end(),
-                                  [id](const Joint& other) { return other.id == id; });
-  if (joint == joints_.end()) {
-    throw std::logic_error("joint " + std::to_string(id.value) + " does not exist");
-  }
-  for (int link : joint->spec.links_not_colliding) {
-    engine_->broadphase.filter().Include(
-        static_cast<int>(joint->spec.articulation.value) + 1 + link,
-        static_cast<int>(joint->spec.body.value));
-  }
-  engine_->world.RemoveConstraintInOrder(engine_->welds.at(id).get());
-  engine_->welds.erase(id);
-  body(joint->spec.body).SetCarried(false);
-  joints_.erase(joint);
 }
 
 bool World::Has(BodyId id) const { return FindById(bodies_, id) != bodies_.end(); }
@@ -245,6 +233,9 @@ void World::WakeAll() {
 
 void World::Step() {
   if (is_at_rest()) return;
+  ScaleCarriedInertia();
+  if (!engine_->joints.empty()) DampSliders();
+  if (!passing_.empty()) EndPassingApart();
   for (const auto& body : bodies_) {
     if (body->is_static()) continue;
     const double gravity = body->is_carried() ? 0.0 : -config_.gravity;
@@ -280,7 +271,19 @@ std::uint64_t World::state_hash() const {
   }
   for (const Joint& joint : joints_) {
     hash.Add(std::uint64_t{joint.id.value});
-    hash.Add(std::uint64_t{joint.spec.body.value});
+    hash.Add(std::uint64_t{joint.spec.index()});
+    if (const auto* weld = std::get_if<WeldSpec>(&joint.spec)) {
+      hash.Add(std::uint64_t{weld->body.value});
+      continue;
+    }
+    const auto [a, b] = *BodyPairOf(joint.spec);
+    hash.Add(std::uint64_t{a.value});
+    hash.Add(std::uint64_t{b.value});
+    hash.Add(engine_->joints.at(joint.id)->held_offset());
+  }
+  for (const auto& [a, b] : passing_) {
+    hash.Add(std::uint64_t{a.value});
+    hash.Add(std::uint64_t{b.value});
   }
   return hash.value();
 }

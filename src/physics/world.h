@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "physics/articulation.h"
@@ -10,7 +11,12 @@
 #include "physics/joint.h"
 #include "physics/snapshot.h"
 
+class btMultiBodyFixedConstraint;
+class btTransform;
+
 namespace smile::physics {
+
+class JointConstraint;
 
 /// The numbers of the simulation; how they were found stands in docs/decisions/physics.md.
 struct WorldConfig {
@@ -48,15 +54,34 @@ class World {
 
   const WorldConfig& config() const { return config_; }
 
-  /// @throws std::invalid_argument if a number is not finite, a mass negative or there is no solid.
+  /// A body without solids passes through everything.
+  /// @throws std::invalid_argument if a number is not finite or a mass negative.
   BodyId AddBody(const BodySpec& spec);
   /// Wakes what it touched; ends the joints it was part of.
   void RemoveBody(BodyId id);
   ArticulationId AddArticulation(const ArticulationSpec& spec);
-  /// Starts to hold `spec.body`; it becomes carried.
-  JointId AddWeld(const WeldSpec& spec);
-  /// Ends it; the body is no longer carried.
+  /// Gives a body another form in its place; it keeps its velocity, its joints and who carries it.
+  /// Wakes it and what is near.
+  /// @throws std::invalid_argument like AddBody(), or if it would become static or cease to be.
+  void ChangeForm(BodyId id, const std::vector<scene::Solid>& solids,
+                  const scene::MassProperties& mass);
+
+  /// Starts to hold together. What a weld holds becomes carried. Wakes the bodies.
+  /// @throws std::invalid_argument if a number is not finite, limits are the wrong way round, or
+  ///         both bodies are static or the same; std::logic_error if one does not exist.
+  JointId AddJoint(const JointSpec& spec);
+  /// Ends it, and wakes the bodies; what a weld held is no longer carried.
   void RemoveJoint(JointId id);
+  /// All bodies that hang together with this one through joints other than welds, not through
+  /// static bodies; static ones are not among them, the body itself is. By id.
+  std::vector<BodyId> Assembly(BodyId id) const;
+
+  /// Lets the two pass through each other until they have come apart: for what was inside the
+  /// other when its joint ended. Who overlaps by less than 0.5 mm counts as apart.
+  void LetPass(BodyId a, BodyId b);
+  /// The bodies, static ones too, that this one would overlap by more than `depth` [m] if it stood
+  /// there. Not those it may pass through. By id.
+  std::vector<BodyId> OverlapsAt(BodyId id, const RigidTransform& X_WB, double depth) const;
 
   bool Has(BodyId id) const;
   Body& body(BodyId id);  ///< @throws std::logic_error if there is no such body
@@ -76,7 +101,7 @@ class World {
   /// Advances by config().step_seconds.
   void Step();
 
-  /// Of all poses, velocities, sleep states, joint positions and targets.
+  /// Of all poses, velocities, sleep states, joints, joint positions and targets.
   std::uint64_t state_hash() const;
 
   Snapshot Save() const;
@@ -90,8 +115,32 @@ class World {
   void Insert(std::unique_ptr<Body> body);
   void Insert(std::unique_ptr<Articulation> articulation);
   void Erase(Body& body);
-  void AddBulletWeld(const Joint& joint);
+  void WakeTouching(const Body& body);
+  void WakeNear(const Body& body);
+
+  void CheckJoint(const JointSpec& spec) const;
+  void Insert(const Joint& joint);
+  void ExcludeLinks(const WeldSpec& weld);
+  std::unique_ptr<btMultiBodyFixedConstraint> MakeBulletWeld(const WeldSpec& spec);
+  std::unique_ptr<JointConstraint> MakeBulletJoint(const Joint& joint);
+  void RejoinBullet(BodyId id);
+  void WakeJoined(const JointSpec& spec);
+  /// Itself and those that hang on it through joints, up to and with static ones; by id.
+  std::vector<BodyId> BodiesJoinedWith(BodyId id, bool only_fixed) const;
+  double MassOfRigidGroup(BodyId id) const;
+  /// A carried body moves what hangs on it as if it had the mass of all of it; see the decisions.
+  void ScaleCarriedInertia();
+  void DampSliders();
+
+  template <class IsOver>
+  void EndPassing(IsOver is_over);
+  void EndPassingOf(BodyId id);
+  void EndPassingApart();
+  void EndAllPassing();
+  double OverlapDepth(const Body& a, const btTransform& X_WAcm, const Body& b) const;
+
   void MatchObjects(const Snapshot& snapshot);
+  void MatchJoints(const Snapshot& snapshot);
 
   WorldConfig config_;
   std::unique_ptr<Engine> engine_;  ///< Bullet's objects; outlives what follows
@@ -99,7 +148,8 @@ class World {
   std::uint32_t next_joint_id_ = 1;
   std::vector<std::unique_ptr<Articulation>> articulations_;
   std::vector<std::unique_ptr<Body>> bodies_;
-  std::vector<Joint> joints_;
+  std::vector<Joint> joints_;                       ///< by id
+  std::vector<std::pair<BodyId, BodyId>> passing_;  ///< sorted, the smaller id first
 };
 
 }  // namespace smile::physics

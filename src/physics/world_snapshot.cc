@@ -57,7 +57,8 @@ void RestoreObject(ByteReader* in, btCollisionObject* object) {
 }  // namespace
 
 Snapshot World::Save() const {
-  Snapshot snapshot{.next_id = next_id_, .next_joint_id = next_joint_id_, .joints = joints_};
+  Snapshot snapshot{
+      .next_id = next_id_, .next_joint_id = next_joint_id_, .joints = joints_, .passing = passing_};
   ByteWriter out;
   for (const auto& body : bodies_) {
     snapshot.bodies.push_back({body->id(), body->spec_});
@@ -79,6 +80,7 @@ Snapshot World::Save() const {
       if (const auto* collider = articulation->links_->collider(i)) SaveObject(*collider, &out);
     }
   }
+  for (const auto& [id, joint] : engine_->joints) joint->Save(&out);
   out.Put(static_cast<std::uint64_t>(engine_->solver.getRandSeed()));
   SaveContacts(engine_->world, &out);
   snapshot.state = out.Take();
@@ -109,6 +111,7 @@ void World::Restore(const Snapshot& snapshot) {
       if (auto* collider = articulation->links_->collider(i)) RestoreObject(&in, collider);
     }
   }
+  for (const auto& [id, joint] : engine_->joints) joint->Restore(&in);
   engine_->solver.setRandSeed(static_cast<unsigned long>(in.Get<std::uint64_t>()));
   RestoreContacts(engine_->world, engine_->broadphase, &in);
   if (!in.ok() || in.remaining() > 0) {
@@ -117,9 +120,10 @@ void World::Restore(const Snapshot& snapshot) {
 }
 
 /// Adds, removes and rebuilds until the world holds the snapshot's objects and joints, nothing
-/// else.
+/// else. Joints are made anew: they read their own state later.
 void World::MatchObjects(const Snapshot& snapshot) {
   while (!joints_.empty()) RemoveJoint(joints_.back().id);
+  EndAllPassing();
 
   const auto is_saved = [&snapshot](const Body& body) {
     return std::any_of(snapshot.bodies.begin(), snapshot.bodies.end(), [&](const auto& entry) {
@@ -146,12 +150,33 @@ void World::MatchObjects(const Snapshot& snapshot) {
     Insert(std::unique_ptr<Articulation>(new Articulation(entry.id, entry.spec, config_.motor)));
   }
 
-  for (const Joint& joint : snapshot.joints) {
-    AddBulletWeld(joint);
-    joints_.push_back(joint);
-  }
+  MatchJoints(snapshot);
   next_id_ = snapshot.next_id;
   next_joint_id_ = snapshot.next_joint_id;
+}
+
+void World::MatchJoints(const Snapshot& snapshot) {
+  const auto check = [this](BodyId id) {
+    if (!Has(id)) throw std::invalid_argument("snapshot: a joint is of an unknown body");
+  };
+  for (const Joint& joint : snapshot.joints) {
+    if (!joints_.empty() && !(joints_.back().id < joint.id)) {
+      throw std::invalid_argument("snapshot: its joints are out of order");
+    }
+    if (const auto pair = BodyPairOf(joint.spec)) {
+      check(pair->first);
+      check(pair->second);
+    } else {
+      check(std::get<WeldSpec>(joint.spec).body);
+    }
+    CheckJoint(joint.spec);
+    Insert(joint);
+  }
+  for (const auto& [a, b] : snapshot.passing) {
+    check(a);
+    check(b);
+    LetPass(a, b);
+  }
 }
 
 }  // namespace smile::physics

@@ -66,7 +66,8 @@ void RobotBody::SetArmAngles(int arm, std::span<const double> angles) {
   const std::vector<physics::JointId>& welds = state_.grippers[arm].welds;
   for (const physics::Joint& joint : world_->joints()) {
     if (std::find(welds.begin(), welds.end(), joint.id) == welds.end()) continue;
-    world_->body(joint.spec.body).SetPose(X_WL[joint.spec.link] * joint.spec.X_LB);
+    const auto& weld = std::get<physics::WeldSpec>(joint.spec);
+    world_->body(weld.body).SetPose(X_WL[weld.link] * weld.X_LB);
   }
   world_->WakeAll();
 }
@@ -95,12 +96,12 @@ void RobotBody::CloseAround(int arm) {
   for (physics::BodyId id : GraspedBodies(left, right, ToolPose(arm), GripperOpening(arm))) {
     const physics::Body& body = world_->body(id);
     if (body.is_static() || body.is_carried()) continue;
-    state_.grippers[arm].welds.push_back(world_->AddWeld(
-        {.articulation = articulation_,
-         .link = palm,
-         .body = id,
-         .X_LB = X_LW * body.pose_in_world(),
-         .links_not_colliding = {palm, gripper.left_finger, gripper.right_finger}}));
+    state_.grippers[arm].welds.push_back(world_->AddJoint(physics::WeldSpec{
+        .articulation = articulation_,
+        .link = palm,
+        .body = id,
+        .X_LB = X_LW * body.pose_in_world(),
+        .links_not_colliding = {palm, gripper.left_finger, gripper.right_finger}}));
   }
   if (state_.grippers[arm].welds.empty()) return;
   articulation().HoldStill(gripper.left_finger);
@@ -111,7 +112,7 @@ void RobotBody::LetGo(int arm) {
   for (physics::JointId weld : std::exchange(state_.grippers[arm].welds, {})) {
     for (const physics::Joint& joint : world_->joints()) {
       if (joint.id != weld) continue;
-      const physics::BodyId held = joint.spec.body;
+      const physics::BodyId held = std::get<physics::WeldSpec>(joint.spec).body;
       world_->RemoveJoint(weld);
       world_->body(held).SetVelocity(Vector3::Zero(), Vector3::Zero());
       break;
@@ -143,7 +144,7 @@ std::vector<physics::BodyId> RobotBody::HeldBodies(int arm) const {
   std::vector<physics::BodyId> held;
   for (physics::JointId weld : state_.grippers.at(arm).welds) {
     for (const physics::Joint& joint : world_->joints()) {
-      if (joint.id == weld) held.push_back(joint.spec.body);
+      if (joint.id == weld) held.push_back(std::get<physics::WeldSpec>(joint.spec).body);
     }
   }
   return held;

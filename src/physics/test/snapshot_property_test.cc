@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <thread>
 
 #include "base/files.h"
 #include "base/state_hash.h"
@@ -42,11 +43,11 @@ std::uint64_t GoOn(World& world, ArticulationId robot, BodyId held, BodyId remov
     if (tick == 100) world.RemoveBody(removed);
     if (tick == 150) world.AddBody(verbs.CubeSpec({0.05, 0.02, 0.9}, 0.1));
     if (tick == 200) {
-      world.AddWeld({.articulation = robot,
-                     .link = 2,
-                     .body = held,
-                     .X_LB = RigidTransform(Vector3(0.02, 0.3, 0)),
-                     .links_not_colliding = {2, 3}});
+      world.AddJoint(WeldSpec{.articulation = robot,
+                              .link = 2,
+                              .body = held,
+                              .X_LB = RigidTransform(Vector3(0.02, 0.3, 0)),
+                              .links_not_colliding = {2, 3}});
     }
     for (int i = 0; i < kStepsPerTick; ++i) world.Step();
     way.Add(world.state_hash());
@@ -64,11 +65,11 @@ class SnapshotProperty : public ::testing::TestWithParam<unsigned> {
     builder_.AddStack({0.6, 0.2, 0}, 4);
     builder_.SwingRobot(GetParam());
     builder_.StepSeconds(1.0);
-    builder_.world_.AddWeld({.articulation = builder_.robot_,
-                             .link = 6,
-                             .body = pile_[4],
-                             .X_LB = RigidTransform(Vector3(0, 0.35, 0)),
-                             .links_not_colliding = {6, 7}});
+    builder_.world_.AddJoint(WeldSpec{.articulation = builder_.robot_,
+                                      .link = 6,
+                                      .body = pile_[4],
+                                      .X_LB = RigidTransform(Vector3(0, 0.35, 0)),
+                                      .links_not_colliding = {6, 7}});
     builder_.SwingRobot(GetParam() + 1);
     builder_.StepSeconds(0.4);
     snapshot_ = builder_.world_.Save();
@@ -124,6 +125,156 @@ TEST_P(SnapshotProperty, GoesOnExactlyInAnotherProcess) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, SnapshotProperty, ::testing::Values(1u, 2u));
+
+/// A world in which everything is jointed: a chain between posts, a damped drawer, a soft slider
+/// bouncing at its limits, a held lid, fixed rows, a hand that carries a lid, a robot that carries
+/// a box by its lid, and a loop.
+class JointedWorld : public PhysicsWorldBuilder {
+ public:
+  explicit JointedWorld(unsigned seed) : random_(seed) {
+    AddTable();
+    AddRobot();
+    AddPile(6, seed);
+    HangChain();
+    for (int i = 0; i < 3; ++i) AddBoxWithLid(i);
+    StepSeconds(0.3);
+    Carry();
+    SwingRobot(seed);
+    StepSeconds(0.4);
+  }
+
+  /// Goes on while joints come and go, forms change, hands take and let go.
+  static std::uint64_t GoOn(World& world, const JointedWorld& made) {
+    StateHash way;
+    const auto& lids = made.lids_;
+    for (int tick = 0; tick < 400; ++tick) {
+      if (tick == 20) world.RemoveJoint(made.fixed_);
+      if (tick == 20) world.LetPass(made.posts_[0], made.links_[0]);
+      if (tick == 60) Widen(world, made.boxes_[1]);
+      if (tick == 90) world.body(lids[0]).SetCarried(false);
+      if (tick == 120) world.RemoveBody(made.links_[4]);
+      if (tick == 150) world.RemoveJoint(world.joints().front().id);
+      if (tick == 180) {
+        world.AddJoint(BallJointSpec{.a = made.boxes_[2], .b = lids[1], .p_AQ = {0, 0, 0.4}});
+      }
+      if (tick == 210) world.body(made.boxes_[2]).SetCarried(true);
+      for (int i = 0; i < kStepsPerTick; ++i) {
+        for (BodyId id : {lids[0], made.boxes_[2]}) {
+          if (!world.body(id).is_carried()) continue;
+          world.body(id).SetVelocity({0.1 * std::sin(0.1 * tick), 0, 0.3 * std::sin(0.05 * tick)},
+                                     {0, 0, 0.5});
+        }
+        world.Step();
+      }
+      way.Add(world.state_hash());
+    }
+    way.Add(FullHash(world));
+    return way.value();
+  }
+
+ private:
+  static void Widen(World& world, BodyId id) {
+    const std::vector<scene::Solid> solids = {
+        {scene::Block{{0.24, 0.1, 0.1}}, {}, {}, ""},
+        {scene::Block{{0.05, 0.05, 0.2}}, RigidTransform(Vector3(0.1, 0.03, 0)), {}, ""}};
+    world.ChangeForm(id, solids, scene::MassPropertiesOf(solids, 2.0));
+  }
+  double Uniform(double low, double high) {
+    return low + (high - low) * (random_() / 4294967296.0);
+  }
+  BodyId AddBlock(const Vector3& size, const Vector3& p_WB, double mass) {
+    return world_.AddBody(BlockSpec(size, RigidTransform(p_WB), mass));
+  }
+  void HangChain() {
+    posts_.push_back(AddBlock({0.05, 0.05, 0.05}, {-0.6, 0.4, 0.5}, 0));
+    for (int i = 0; i < 10; ++i) {
+      links_.push_back(AddBlock({0.09, 0.03, 0.03}, {-0.55 + 0.1 * i, 0.4, 0.5}, 0.2));
+    }
+    posts_.push_back(AddBlock({0.05, 0.05, 0.05}, {0.4, 0.4, 0.5}, 0));
+    const auto join = [this](BodyId a, BodyId b, double a_x, double b_x) {
+      world_.AddJoint(BallJointSpec{.a = a, .b = b, .p_AQ = {a_x, 0, 0}, .p_BQ = {b_x, 0, 0}});
+    };
+    for (int i = 0; i + 1 < 10; ++i) join(links_[i], links_[i + 1], 0.05, -0.05);
+    join(links_.back(), posts_[1], 0.05, 0);
+    fixed_ = world_.AddJoint(FixedJointSpec{
+        .a = posts_[0], .b = links_[0], .X_AB = RigidTransform(Vector3(0.05, 0, 0))});
+    // A second fetter between two links: a loop of redundant joints.
+    world_.AddJoint(
+        FixedJointSpec{.a = links_[6], .b = links_[7], .X_AB = RigidTransform(Vector3(0.1, 0, 0))});
+  }
+  void AddBoxWithLid(int i) {
+    const Vector3 place(-0.5 + 0.3 * i, -0.2, 0.15 + Uniform(0, 0.2));
+    boxes_.push_back(AddBlock({0.2, 0.1, 0.1}, place, Uniform(0.5, 5)));
+    lids_.push_back(AddBlock({0.2, 0.1, 0.02}, place + Vector3(0, 0, 0.07), Uniform(0.2, 2)));
+    const Matrix3 R_AJ(Quaternion::FromTwoVectors(
+        Vector3::UnitX(), i == 2 ? Vector3(Vector3::UnitZ()) : Vector3(Vector3::UnitX())));
+    world_.AddJoint(SliderJointSpec{.a = boxes_.back(),
+                                    .b = lids_.back(),
+                                    .X_AJ = RigidTransform(R_AJ, Vector3(0, 0, 0.07)),
+                                    .X_BK = RigidTransform(R_AJ, Vector3::Zero()),
+                                    .lower = -0.02,
+                                    .upper = 0.05,
+                                    .do_collide = i == 1,
+                                    .damping = i == 2 ? 1.0 : 0.3 * i,
+                                    .restitution = i == 0 ? 0.7 : 0.0,
+                                    .softness = i == 1 ? 0.4 : 1.0});
+    world_.body(lids_.back()).SetVelocity({Uniform(-1, 1), 0, 0}, {0, 0, 0});
+  }
+  void Carry() {
+    world_.body(lids_[0]).SetCarried(true);
+    world_.AddJoint(WeldSpec{.articulation = robot_,
+                             .link = 2,
+                             .body = lids_[1],
+                             .X_LB = RigidTransform(Vector3(0.02, 0.3, 0)),
+                             .links_not_colliding = {2, 3}});
+    world_.LetPass(boxes_[0], boxes_[2]);
+    world_.body(boxes_[2]).SetPose(RigidTransform(
+        Vector3(world_.body(boxes_[0]).pose_in_world().translation() + Vector3(0.05, 0.02, 0.03))));
+  }
+
+  std::mt19937 random_;
+  std::vector<BodyId> posts_, links_, boxes_, lids_;
+  JointId fixed_;
+};
+
+class JointedSnapshotProperty : public ::testing::TestWithParam<unsigned> {};
+
+TEST_P(JointedSnapshotProperty, GoesOnExactlyInPlaceInAFreshWorldFromBytesAndInAThread) {
+  JointedWorld made(GetParam());
+  const Snapshot saved = made.world_.Save();
+  const std::uint64_t full_hash = FullHash(made.world_);
+  const std::uint64_t way = JointedWorld::GoOn(made.world_, made);
+
+  made.world_.Restore(saved);
+  EXPECT_EQ(FullHash(made.world_), full_hash);
+  EXPECT_EQ(JointedWorld::GoOn(made.world_, made), way) << "in place";
+  const auto go_on_fresh = [&](std::uint64_t* fresh_way) {
+    World fresh;
+    fresh.Restore(ParseSnapshot(Serialize(saved)));
+    *fresh_way = JointedWorld::GoOn(fresh, made);
+  };
+  std::uint64_t ways[2] = {};
+  std::thread thread(go_on_fresh, &ways[0]);
+  go_on_fresh(&ways[1]);
+  thread.join();
+  EXPECT_EQ(ways[0], way) << "in a fresh world, in a thread";
+  EXPECT_EQ(ways[1], way) << "in a fresh world";
+}
+
+TEST_P(JointedSnapshotProperty, SavesWhatItRestored) {
+  JointedWorld made(GetParam());
+  for (int i = 0; i < 40; ++i) {
+    World fresh;
+    const Snapshot saved = made.world_.Save();
+    fresh.Restore(saved);
+    ASSERT_EQ(Serialize(fresh.Save()), Serialize(saved));
+    fresh.Step();
+    made.world_.Step();
+    ASSERT_EQ(FullHash(fresh), FullHash(made.world_)) << i;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, JointedSnapshotProperty, ::testing::Range(1u, 7u));
 
 TEST(Snapshot, RefusesBytesThatAreNotAWholeSnapshot) {
   PhysicsWorldBuilder builder;

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <utility>
+
+#include "base/bytes.h"
+#include "physics/internal_bullet.h"
+#include "physics/joint.h"
+
+namespace smile::physics {
+
+/// The two bodies that a joint holds together; none for a weld, which holds one on a link.
+std::optional<std::pair<BodyId, BodyId>> BodyPairOf(const JointSpec& spec);
+
+/// False when the bodies of the joint pass through each other while it lasts.
+bool DoCollide(const JointSpec& spec);
+
+/// Fixed, slider and ball joint as rows for Bullet's solver: frame K of B against frame J of A.
+///
+/// All its rows hold exactly (JointSolver) but those of limits that were not pressed in the last
+/// step. Which were is state: part of a snapshot.
+class JointConstraint : public btTypedConstraint {
+ public:
+  /// @param order  its place among all joints.
+  /// @param X_AcmA, X_BcmB  the bodies' own frames in those that Bullet moves.
+  JointConstraint(int order, const JointSpec& spec, btRigidBody& a, const RigidTransform& X_AcmA,
+                  btRigidBody& b, const RigidTransform& X_BcmB);
+
+  /// Before a step: a slider that stays where it is put is held, unless a hand moves it.
+  void HoldUnless(bool is_carried);
+
+  double offset() const;         ///< of a slider [m]
+  double sliding_speed() const;  ///< of K along the rail [m/s]
+  /// Changes the sliding speed by equal and opposite impulses [N s] along the rail.
+  void Push(double impulse);
+
+  /// True for rows that hold in both directions, and for a limit that was pressed.
+  bool IsHeld(int row) const;
+  /// What a row did in a step.
+  void NoteImpulse(int row, double impulse);
+  double held_offset() const { return held_offset_; }
+  void Save(ByteWriter* out) const;
+  void Restore(ByteReader* in);
+
+  void getInfo1(btConstraintInfo1* info) override;
+  void getInfo2(btConstraintInfo2* info) override;
+  void setParam(int, btScalar, int) override {}
+  btScalar getParam(int, int) const override { return 0; }
+
+ private:
+  enum class Kind { kFixed, kSlider, kBall };
+  struct Pose;
+
+  Pose PoseNow() const;
+  void LockPoint(const Pose& pose, int axis, double error, int row, btConstraintInfo2* info) const;
+  void LockTurning(const Pose& pose, int first_row, btConstraintInfo2* info) const;
+  void StopAtLimits(const Pose& pose, int first_row, btConstraintInfo2* info);
+  bool has_one_place() const { return is_held_ || rail_.lower == rail_.upper; }
+
+  Kind kind_ = Kind::kBall;
+  btTransform X_AcmJ_, X_BcmK_;
+  SliderJointSpec rail_;
+  bool is_held_ = false;
+  double held_offset_ = 0;
+  bool bounces_ = false;              ///< off a limit, in this step
+  std::array<bool, 2> is_pressed_{};  ///< the lower and the upper limit, in the last step
+};
+
+}  // namespace smile::physics

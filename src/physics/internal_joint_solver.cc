@@ -1,0 +1,66 @@
+#include "physics/internal_joint_solver.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "physics/internal_joint_constraint.h"
+
+namespace smile::physics {
+namespace {
+
+/// A row of a joint, and which of the joint's it is.
+struct NumberedRow {
+  btSolverConstraint* row;
+  JointConstraint* joint;
+  int number;
+};
+
+/// All rows, in the order of their joints.
+std::vector<NumberedRow> RowsOf(btConstraintArray& pool) {
+  std::vector<NumberedRow> rows;
+  for (int i = 0; i < pool.size(); ++i) {
+    auto* joint = static_cast<JointConstraint*>(
+        static_cast<btTypedConstraint*>(pool[i].m_originalContactPoint));
+    const bool is_next = !rows.empty() && rows.back().joint == joint;
+    rows.push_back({&pool[i], joint, is_next ? rows.back().number + 1 : 0});
+  }
+  std::stable_sort(rows.begin(), rows.end(), [](const auto& a, const auto& b) {
+    return a.joint->getUserConstraintId() < b.joint->getUserConstraintId();
+  });
+  return rows;
+}
+
+}  // namespace
+
+void JointSolver::convertJoints(btTypedConstraint** joints, int num_joints,
+                                const btContactSolverInfo& info) {
+  btMultiBodyConstraintSolver::convertJoints(joints, num_joints, info);
+  block_.Begin();
+  if (num_joints == 0) return;
+  for (const auto& [row, joint, number] : RowsOf(m_tmpSolverNonContactConstraintPool)) {
+    if (!joint->IsHeld(number)) continue;
+    row->m_overrideNumSolverIterations = 0;  // Bullet leaves it alone
+    block_.AddRow(row);
+  }
+  block_.Factor(m_tmpSolverBodyPool);
+}
+
+btScalar JointSolver::solveSingleIteration(int iteration, btCollisionObject** bodies,
+                                           int num_bodies, btPersistentManifold** manifolds,
+                                           int num_manifolds, btTypedConstraint** joints,
+                                           int num_joints, const btContactSolverInfo& info,
+                                           btIDebugDraw* draw) {
+  if (num_joints > 0) block_.Solve(m_tmpSolverBodyPool);
+  return btMultiBodyConstraintSolver::solveSingleIteration(
+      iteration, bodies, num_bodies, manifolds, num_manifolds, joints, num_joints, info, draw);
+}
+
+btScalar JointSolver::solveGroupCacheFriendlyFinish(btCollisionObject** bodies, int num_bodies,
+                                                    const btContactSolverInfo& info) {
+  for (const auto& [row, joint, number] : RowsOf(m_tmpSolverNonContactConstraintPool)) {
+    joint->NoteImpulse(number, row->m_appliedImpulse);
+  }
+  return btMultiBodyConstraintSolver::solveGroupCacheFriendlyFinish(bodies, num_bodies, info);
+}
+
+}  // namespace smile::physics

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <BulletDynamics/Featherstone/btMultiBodyConstraintSolver.h>
+
+#include "physics/internal_joint_block.h"
+
+namespace smile::physics {
+
+/// Bullet's solver, but joints between bodies are solved exactly in each of its iterations. Limits
+/// out of reach stay with Bullet; one that was pressed in the last step counts as a joint's row.
+/// All typed constraints must be JointConstraints with their place in the order as user id.
+class JointSolver : public btMultiBodyConstraintSolver {
+ public:
+  btScalar solveGroupCacheFriendlyFinish(btCollisionObject** bodies, int num_bodies,
+                                         const btContactSolverInfo& info) override;
+
+ protected:
+  void convertJoints(btTypedConstraint** joints, int num_joints,
+                     const btContactSolverInfo& info) override;
+  btScalar solveSingleIteration(int iteration, btCollisionObject** bodies, int num_bodies,
+                                btPersistentManifold** manifolds, int num_manifolds,
+                                btTypedConstraint** joints, int num_joints,
+                                const btContactSolverInfo& info, btIDebugDraw* draw) override;
+
+ private:
+  JointBlock block_;
+};
+
+}  // namespace smile::physics

@@ -1,0 +1,287 @@
+// Joints of a World: how they come, go, and act before a step.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include "base/overloaded.h"
+#include "physics/internal_articulation_links.h"
+#include "physics/internal_engine.h"
+#include "physics/world.h"
+
+namespace smile::physics {
+namespace {
+
+/// Force and torque a weld may use against what the held body runs into [N s per second of step].
+constexpr double kWeldEffort = 2000.0;
+
+bool IsFinite(const RigidTransform& X) {
+  return X.rotation().allFinite() && X.translation().allFinite();
+}
+
+void CheckShare(double share, const char* name) {
+  if (share >= 0 && share <= 1) return;
+  throw std::invalid_argument("joint: " + std::string(name) + " is " + std::to_string(share) +
+                              ", expected 0 to 1");
+}
+
+void CheckNumbers(const WeldSpec& weld) {
+  if (!IsFinite(weld.X_LB)) throw std::invalid_argument("joint: its frame is not finite");
+}
+void CheckNumbers(const FixedJointSpec& fixed) {
+  if (!IsFinite(fixed.X_AB)) throw std::invalid_argument("joint: its frame is not finite");
+}
+void CheckNumbers(const BallJointSpec& ball) {
+  if (ball.p_AQ.allFinite() && ball.p_BQ.allFinite()) return;
+  throw std::invalid_argument("joint: its point is not finite");
+}
+void CheckNumbers(const SliderJointSpec& slider) {
+  if (!IsFinite(slider.X_AJ) || !IsFinite(slider.X_BK)) {
+    throw std::invalid_argument("joint: its frame is not finite");
+  }
+  if (!std::isfinite(slider.lower) || !std::isfinite(slider.upper) || slider.lower > slider.upper) {
+    throw std::invalid_argument("joint: limits are " + std::to_string(slider.lower) + " and " +
+                                std::to_string(slider.upper) + ", expected the lower first");
+  }
+  CheckShare(slider.damping, "damping");
+  CheckShare(slider.restitution, "restitution");
+  CheckShare(slider.softness, "softness");
+}
+
+/// Share of the speed that a soft slider keeps in this step: in the outer part of its way the speed
+/// towards the limit falls in proportion to the way that remains.
+double SoftShareKept(const SliderJointSpec& slider, double offset, double speed, double seconds) {
+  const double middle = (slider.lower + slider.upper) / 2;
+  const double half = (slider.upper - slider.lower) / 2;
+  const double from_middle = std::abs(offset - middle);
+  const double approach = offset > middle ? speed : -speed;
+  const double remaining = half - from_middle;
+  if (from_middle <= slider.softness * half || remaining <= 0 || approach <= 0) return 1;
+  return 1 / (1 + approach * seconds / remaining);
+}
+
+double InverseMassOf(double mass) { return std::isinf(mass) ? 0.0 : 1 / mass; }
+
+}  // namespace
+
+void World::CheckJoint(const JointSpec& spec) const {
+  std::visit([](const auto& joint) { CheckNumbers(joint); }, spec);
+  if (const auto* weld = std::get_if<WeldSpec>(&spec)) {
+    articulation(weld->articulation).CheckJoint(weld->link);
+    if (body(weld->body).is_static()) {
+      throw std::invalid_argument("joint: body " + std::to_string(weld->body.value) +
+                                  " is static, it can't be held");
+    }
+    return;
+  }
+  const auto [a, b] = *BodyPairOf(spec);
+  if (a == b) throw std::invalid_argument("joint: it joins a body with itself");
+  if (body(a).is_static() && body(b).is_static()) {
+    throw std::invalid_argument("joint: both its bodies are static");
+  }
+}
+
+JointId World::AddJoint(const JointSpec& spec) {
+  CheckJoint(spec);
+  if (const auto* weld = std::get_if<WeldSpec>(&spec)) body(weld->body).SetCarried(true);
+  WakeJoined(spec);
+  Insert(Joint{JointId{next_joint_id_++}, spec});
+  return joints_.back().id;
+}
+
+/// The joint is the newest.
+void World::Insert(const Joint& joint) {
+  if (const auto* weld = std::get_if<WeldSpec>(&joint.spec)) {
+    ExcludeLinks(*weld);
+    auto& bullet = engine_->welds[joint.id] = MakeBulletWeld(*weld);
+    engine_->world.addMultiBodyConstraint(bullet.get());
+  } else {
+    if (!DoCollide(joint.spec)) {
+      const auto [a, b] = *BodyPairOf(joint.spec);
+      engine_->broadphase.Exclude(*body(a).bullet_, *body(b).bullet_, &engine_->dispatcher);
+    }
+    auto& bullet = engine_->joints[joint.id] = MakeBulletJoint(joint);
+    engine_->world.addConstraint(bullet.get());
+  }
+  joints_.push_back(joint);
+}
+
+void World::ExcludeLinks(const WeldSpec& weld) {
+  const Articulation& holder = articulation(weld.articulation);
+  const Body& held = body(weld.body);
+  for (int link : weld.links_not_colliding) {
+    if (const auto* collider = holder.links_->collider(link)) {
+      engine_->broadphase.Exclude(*collider, *held.bullet_, &engine_->dispatcher);
+    }
+  }
+}
+
+std::unique_ptr<btMultiBodyFixedConstraint> World::MakeBulletWeld(const WeldSpec& spec) {
+  const Articulation& holder = articulation(spec.articulation);
+  const Body& held = body(spec.body);
+  const RigidTransform X_LcmBcm =
+      holder.links_->links[spec.link].X_LLcm.inverse() * spec.X_LB * held.X_BcmB_.inverse();
+  auto weld = std::make_unique<btMultiBodyFixedConstraint>(
+      holder.bullet_.get(), spec.link, held.bullet_.get(), ToBullet(X_LcmBcm.translation()),
+      btVector3(0, 0, 0), ToBullet(X_LcmBcm.rotation()), btMatrix3x3::getIdentity());
+  weld->setMaxAppliedImpulse(kWeldEffort * config_.step_seconds);
+  return weld;
+}
+
+std::unique_ptr<JointConstraint> World::MakeBulletJoint(const Joint& joint) {
+  const auto pair = *BodyPairOf(joint.spec);
+  const Body &a = body(pair.first), &b = body(pair.second);
+  return std::make_unique<JointConstraint>(static_cast<int>(joint.id.value), joint.spec, *a.bullet_,
+                                           a.X_BcmB_, *b.bullet_, b.X_BcmB_);
+}
+
+void World::RemoveJoint(JointId id) {
+  const auto found = std::find_if(joints_.begin(), joints_.end(),
+                                  [id](const Joint& other) { return other.id == id; });
+  if (found == joints_.end()) {
+    throw std::logic_error("joint " + std::to_string(id.value) + " does not exist");
+  }
+  const Joint joint = *found;
+  joints_.erase(found);
+  PairFilter& filter = engine_->broadphase.filter();
+  if (const auto* weld = std::get_if<WeldSpec>(&joint.spec)) {
+    const Articulation& holder = articulation(weld->articulation);
+    for (int link : weld->links_not_colliding) {
+      const auto* collider = holder.links_->collider(link);
+      if (collider) filter.Include(OrderOf(collider), static_cast<int>(weld->body.value));
+    }
+    engine_->world.RemoveConstraintInOrder(engine_->welds.at(id).get());
+    engine_->welds.erase(id);
+    const bool is_held_still =
+        std::any_of(joints_.begin(), joints_.end(), [weld](const Joint& other) {
+          return std::holds_alternative<WeldSpec>(other.spec) && Joins(other.spec, weld->body);
+        });
+    body(weld->body).SetCarried(is_held_still);
+  } else {
+    const auto [a, b] = *BodyPairOf(joint.spec);
+    if (!DoCollide(joint.spec))
+      filter.Include(static_cast<int>(a.value), static_cast<int>(b.value));
+    engine_->world.RemoveConstraintInOrder(engine_->joints.at(id).get());
+    engine_->joints.erase(id);
+  }
+  WakeJoined(joint.spec);
+}
+
+void World::WakeJoined(const JointSpec& spec) {
+  if (const auto pair = BodyPairOf(spec)) {
+    body(pair->first).WakeUp();
+    body(pair->second).WakeUp();
+  } else {
+    body(std::get<WeldSpec>(spec).body).WakeUp();
+  }
+}
+
+/// Ties the joints of a body that was rebuilt to the new one, each in its place in the order.
+void World::RejoinBullet(BodyId id) {
+  for (const Joint& joint : joints_) {
+    if (!Joins(joint.spec, id)) continue;
+    if (const auto* weld = std::get_if<WeldSpec>(&joint.spec)) {
+      auto& old = engine_->welds.at(joint.id);
+      auto fresh = MakeBulletWeld(*weld);
+      engine_->world.ReplaceConstraint(old.get(), fresh.get());
+      old = std::move(fresh);
+    } else {
+      auto& old = engine_->joints.at(joint.id);
+      auto fresh = MakeBulletJoint(joint);
+      ByteWriter state;
+      old->Save(&state);
+      const std::vector<std::byte> bytes = state.Take();
+      ByteReader in(bytes);
+      fresh->Restore(&in);
+      engine_->world.ReplaceConstraint(old.get(), fresh.get());
+      old = std::move(fresh);
+    }
+  }
+}
+
+std::vector<BodyId> World::BodiesJoinedWith(BodyId id, bool only_fixed) const {
+  std::vector<std::pair<BodyId, BodyId>> ties;
+  for (const Joint& joint : joints_) {
+    if (only_fixed && !std::holds_alternative<FixedJointSpec>(joint.spec)) continue;
+    const auto pair = BodyPairOf(joint.spec);
+    if (!pair) continue;
+    ties.push_back(*pair);
+    ties.emplace_back(pair->second, pair->first);
+  }
+  std::sort(ties.begin(), ties.end());
+  std::vector<BodyId> found = {id};  // sorted
+  std::vector<BodyId> to_visit = {id};
+  while (!to_visit.empty()) {
+    const BodyId from = to_visit.back();
+    to_visit.pop_back();
+    if (body(from).is_static()) continue;
+    for (auto tie = std::lower_bound(ties.begin(), ties.end(), std::pair(from, BodyId{0}));
+         tie != ties.end() && tie->first == from; ++tie) {
+      const auto place = std::lower_bound(found.begin(), found.end(), tie->second);
+      if (place != found.end() && *place == tie->second) continue;
+      found.insert(place, tie->second);
+      to_visit.push_back(tie->second);
+    }
+  }
+  return found;
+}
+
+std::vector<BodyId> World::Assembly(BodyId id) const {
+  std::vector<BodyId> members = BodiesJoinedWith(id, /*only_fixed=*/false);
+  std::erase_if(members,
+                [this, id](BodyId member) { return member != id && body(member).is_static(); });
+  return members;
+}
+
+/// Of the body and all that is fixed to it, as Bullet has it now; infinite with a static one.
+double World::MassOfRigidGroup(BodyId id) const {
+  double mass = 0;
+  for (BodyId member : BodiesJoinedWith(id, /*only_fixed=*/true)) {
+    const Body& one = body(member);
+    mass += one.is_static() ? std::numeric_limits<double>::infinity()
+                            : one.spec().mass.mass * one.inertia_scale_;
+  }
+  return mass;
+}
+
+void World::ScaleCarriedInertia() {
+  const bool has_pairs = !engine_->joints.empty();
+  for (const auto& one : bodies_) {
+    if (one->is_static()) continue;
+    double scale = 1;
+    if (has_pairs && one->is_carried()) {
+      double mass = 0;
+      for (BodyId id : Assembly(one->id())) {
+        Body& member = body(id);
+        mass += member.spec().mass.mass;
+        member.WakeUp();
+      }
+      if (mass != one->spec().mass.mass) scale = mass / one->spec().mass.mass;
+    }
+    one->ScaleInertia(scale);
+  }
+}
+
+void World::DampSliders() {
+  for (const Joint& joint : joints_) {
+    const auto* slider = std::get_if<SliderJointSpec>(&joint.spec);
+    if (slider == nullptr) continue;
+    const Body &a = body(slider->a), &b = body(slider->b);
+    const bool is_carried = a.is_carried() || b.is_carried();
+    JointConstraint& bullet = *engine_->joints.at(joint.id);
+    bullet.HoldUnless(is_carried);
+    if (slider->damping >= 1 && !is_carried) continue;
+    const double speed = bullet.sliding_speed();
+    if (speed == 0) continue;
+    double kept = SoftShareKept(*slider, bullet.offset(), speed, config_.step_seconds);
+    if (!is_carried) kept *= std::pow(1 - slider->damping, config_.step_seconds);
+    if (kept == 1) continue;
+    const double inverse_mass =
+        InverseMassOf(MassOfRigidGroup(slider->a)) + InverseMassOf(MassOfRigidGroup(slider->b));
+    if (inverse_mass > 0) bullet.Push(speed * (kept - 1) / inverse_mass);
+  }
+}
+
+}  // namespace smile::physics

@@ -66,10 +66,11 @@ TEST(MassProperties, OfSimpleShapesFollowTheTextbook) {
       << "the axis is y";
 }
 
-TEST(MassProperties, OfNothingIsMassWithoutInertia) {
+TEST(MassProperties, OfNothingAreThoseOfABallOfOneUnit) {
   const MassProperties properties = MassPropertiesOf({}, 2);
   EXPECT_EQ(properties.mass, 2);
-  EXPECT_EQ(properties.inertia, Matrix3(Matrix3::Zero()));
+  const Part ball{.shape = Sphere{0.05}};
+  EXPECT_LT((properties.inertia - MassPropertiesOf(SolidsOf(ball), 2).inertia).norm(), 1e-15);
 }
 
 bool IsWithin(const Polyhedron& polyhedron, const Vector3& p) {

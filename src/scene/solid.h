@@ -20,8 +20,8 @@ struct Solid {
   Color color;
   std::string part_id;  ///< of the part it belongs to; `id(floor)`, … of a container, `id-b1` and
                         ///< `id-b2` of a switch, `id-light0`, … of lights
-  int control = -1;  ///< the control it belongs to, numbered as ControlsOf() has them; -1: none
-  int look = 0;      ///< it is there only while the control looks so
+  int control = -1;     ///< the control it belongs to, numbered as ControlsOf() has them; -1: none
+  int look = 0;         ///< it is there only while the control looks so
 
   bool operator==(const Solid&) const = default;
 };

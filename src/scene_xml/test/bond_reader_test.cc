@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "scene_xml/scene_writer.h"
 #include "scene_xml/test/scene_text.h"
 
 namespace smile::scene_xml {
@@ -35,6 +36,7 @@ TEST(BondReader, ReadsGuestsHostsAndStages) {
   EXPECT_EQ(host.stages,
             (std::vector<scene::TightnessStage>{{RigidTransform(Vector3(0, 0, 0.1)), 1, false},
                                                 {RigidTransform(), std::nullopt, true}}));
+  EXPECT_TRUE(MustRead(WriteScene(scene)) == scene);
 }
 
 TEST(BondReader, GivesPointsIdsInTheOrderOfTheFile) {

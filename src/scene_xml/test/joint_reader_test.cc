@@ -74,6 +74,7 @@ TEST(ChainReader, MakesObjectsOfItsPieces) {
   EXPECT_EQ(scene.objects.back().id(), "obj#1-link3") << "four links of 0.1 reach over 0.35";
   EXPECT_EQ(scene.objects.back().mass, 0.5);
   EXPECT_TRUE(scene.objects[23].is_static());
+  EXPECT_TRUE(MustRead(WriteScene(scene)) == scene);
 }
 
 TEST(ChainReader, CountsTheLinksThatFit) {

@@ -1,5 +1,4 @@
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <cstdio>
 #include <memory>
 
@@ -7,6 +6,7 @@
 #include "app/exit_code.h"
 #include "app/options.h"
 #include "base/json.h"
+#include "scene/controls_of.h"
 #include "scene_xml/scene_reader.h"
 #include "scene_xml/scene_writer.h"
 
@@ -19,9 +19,43 @@ struct CheckOptions {
   PathOptions path;
 };
 
+/// What there is in a scene.
+struct SceneCounts {
+  std::size_t objects = 0, fixed = 0, controls = 0;
+  /// Sliders, those between the pieces of chains, and the bonds there are at the start.
+  std::size_t joints = 0;
+
+  void operator+=(const SceneCounts& other) {
+    objects += other.objects;
+    fixed += other.fixed;
+    controls += other.controls;
+    joints += other.joints;
+  }
+};
+
+std::size_t NumInitialBonds(const scene::Part& part) {
+  const auto* composite = std::get_if<scene::Composite>(&part.shape);
+  if (!composite) return 0;
+  std::size_t count = 0;
+  for (const scene::GuestPoint& guest : composite->guests) count += guest.initial_tightness > 0;
+  for (const scene::Part& child : composite->parts) count += NumInitialBonds(child);
+  return count;
+}
+
+SceneCounts CountsOf(const scene::SceneSpec& scene) {
+  SceneCounts counts{.objects = scene.objects.size(), .joints = scene.sliders.size()};
+  for (const scene::ObjectSpec& object : scene.objects) {
+    counts.fixed += object.is_static();
+    counts.controls += scene::ControlsOf(object.whole).size();
+    counts.joints += NumInitialBonds(object.whole);
+  }
+  for (const scene::ChainSpec& chain : scene.chains) counts.joints += chain.link_ids.size() + 1;
+  return counts;
+}
+
 /// The sums over all files asked for.
 struct Findings {
-  std::size_t objects = 0, fixed = 0;
+  SceneCounts counts;
   std::vector<Diagnostic> diagnostics;
 };
 
@@ -33,12 +67,9 @@ Json ToJson(const Findings& findings) {
                            {"element", diagnostic.element},
                            {"message", diagnostic.message}});
   }
-  return {{"ok", findings.diagnostics.empty()},
-          {"objects", findings.objects},
-          {"static", findings.fixed},
-          {"controls", 0},
-          {"joints", 0},
-          {"diagnostics", diagnostics}};
+  return {{"ok", findings.diagnostics.empty()}, {"objects", findings.counts.objects},
+          {"static", findings.counts.fixed},    {"controls", findings.counts.controls},
+          {"joints", findings.counts.joints},   {"diagnostics", diagnostics}};
 }
 
 int Check(const CheckOptions& options) {
@@ -50,15 +81,13 @@ int Check(const CheckOptions& options) {
       findings.diagnostics.push_back(diagnostic);
     }
     if (!reading.scene) continue;
-    const auto& objects = reading.scene->objects;
-    const auto fixed = static_cast<std::size_t>(std::count_if(
-        objects.begin(), objects.end(), [](const auto& object) { return object.is_static(); }));
-    findings.objects += objects.size();
-    findings.fixed += fixed;
+    const SceneCounts counts = CountsOf(*reading.scene);
+    findings.counts += counts;
     if (options.expand)
       std::printf("%s", scene_xml::WriteScene(*reading.scene, reading.origins).c_str());
     if (!options.json && !options.expand) {
-      std::printf("%s: ok, %zu objects (%zu fixed)\n", file.c_str(), objects.size(), fixed);
+      std::printf("%s: ok, %zu objects (%zu fixed), %zu controls, %zu joints\n", file.c_str(),
+                  counts.objects, counts.fixed, counts.controls, counts.joints);
     }
   }
   if (options.json) std::printf("%s\n", ToText(ToJson(findings), 2).c_str());

@@ -3,6 +3,7 @@
 #include "base/wording.h"
 #include "scene/mechanism.h"
 #include "scene/scene_spec.h"
+#include "scene/units.h"
 
 namespace smile::scene {
 namespace {
@@ -11,7 +12,7 @@ namespace {
 Matrix3 Orientation(const Vector3& along) {
   const Vector3 y = along.normalized();
   Vector3 x = y.cross(Vector3::UnitZ());
-  if (x.norm() < 1e-9) x = Vector3::UnitX();
+  if (x.norm() < 1e-9) x = Vector3::UnitX() - y * y.x();
   x.normalize();
   Matrix3 R;
   R << x, y, x.cross(y);
@@ -38,7 +39,7 @@ std::vector<ObjectSpec> PiecesOf(const ChainSpec& chain, double meters_per_unit)
     end.whole = {.id = id,
                  .X_PE = {R_WPiece, p_WPiece},
                  .color = {1, 1, 1},
-                 .shape = Block{Vector3::Constant(kEndUnits * meters_per_unit)}};
+                 .shape = Block{FromFileUnits(Vector3::Constant(kEndUnits), meters_per_unit)}};
     end.mass = 0;
     Describe("chain-endpoint", Vector3::Constant(kEndUnits), &end);
     pieces.push_back(end);
@@ -55,7 +56,7 @@ std::vector<ObjectSpec> PiecesOf(const ChainSpec& chain, double meters_per_unit)
                   .color = chain.color,
                   .shape = Block{chain.link_size}};
     link.mass = chain.link_mass;
-    Describe("chain-link", chain.link_size / meters_per_unit, &link);
+    Describe("chain-link", ToFileUnits(chain.link_size, meters_per_unit), &link);
     link.descriptions.push_back({"color", ToString(chain.color)});
     pieces.push_back(link);
   }

@@ -79,6 +79,10 @@ Hull HullOf(const Frustum& frustum) {
                      RegularPolygon(frustum.radius_top, frustum.sides), frustum.height);
 }
 
+std::size_t NumPiecesOf(const Ring& ring) {
+  return ring.radius_inner == 0 ? 1 : std::min(ring.sides, kMaxRingPieces);
+}
+
 std::vector<RingPiece> PiecesOf(const Ring& ring) {
   if (ring.radius_inner == 0) {
     const Polygon disc = RegularPolygon(ring.radius_outer, ring.sides);
@@ -86,7 +90,7 @@ std::vector<RingPiece> PiecesOf(const Ring& ring) {
   }
   std::vector<RingPiece> pieces;
   std::map<int, Hull> segments;  // by their number of sides, of which there are two at most
-  const int num_pieces = std::min(ring.sides, kMaxRingPieces);
+  const auto num_pieces = static_cast<int>(NumPiecesOf(ring));
   for (int i = 0; i < num_pieces; ++i) {
     const int begin = i * ring.sides / num_pieces, end = (i + 1) * ring.sides / num_pieces;
     Hull& segment = segments[end - begin];

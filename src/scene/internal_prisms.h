@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "scene/hull.h"
@@ -17,5 +18,6 @@ struct RingPiece {
 
 /// Convex pieces that fill a ring; pieces of the same form share one hull.
 std::vector<RingPiece> PiecesOf(const Ring& ring);
+std::size_t NumPiecesOf(const Ring& ring);
 
 }  // namespace smile::scene

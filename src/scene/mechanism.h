@@ -41,6 +41,7 @@ struct SliderSpec {
 
 /// A string of links between two fixed ends. Each link is an object of its own.
 struct ChainSpec {
+  std::string id;                     ///< unique; those of its pieces begin with it
   std::string start_id, end_id;       ///< of the fixed end pieces
   std::vector<std::string> link_ids;  ///< one per link, from start to end; at least one
   Color color;                        ///< of the links

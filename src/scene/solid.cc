@@ -46,7 +46,10 @@ class SolidCollector {
                    [&](const IndicatorLights& lights) {
                      ++num_controls_;
                      for (int i = 0; i < lights.num_lights; ++i) {
-                       Add(DiscOf(lights), part, place.Child(PoseOfLight(lights, i)));
+                       const Belonging at = place.Child(PoseOfLight(lights, i));
+                       solids_.push_back({DiscOf(lights), at.X_BE, part.color,
+                                          part.id + "-light" + std::to_string(i), at.control,
+                                          at.look});
                      }
                    },
                    [&](const CustomControl& control) {
@@ -141,6 +144,30 @@ std::vector<Solid> SolidsOf(const Part& whole) {
   SolidCollector collector;
   collector.Append(whole, {});
   return collector.Take();
+}
+
+std::size_t NumSolidsOf(const Part& whole) {
+  const auto sum = [](const std::vector<Part>& parts) {
+    std::size_t count = 0;
+    for (const Part& part : parts) count += NumSolidsOf(part);
+    return count;
+  };
+  return std::visit(
+      Overloaded{[](const Box&) -> std::size_t { return 5; },
+                 [](const Ring& ring) { return NumPiecesOf(ring); },
+                 [](const Custom& custom) { return custom.mesh ? custom.mesh->pieces.size() : 0; },
+                 [&](const Composite& composite) { return sum(composite.parts); },
+                 [](const ToggleSwitch&) -> std::size_t { return 4; },
+                 [](const IndicatorLights& lights) -> std::size_t { return lights.num_lights; },
+                 [&](const CustomControl& control) {
+                   std::size_t count = 0;
+                   for (const CustomControl::State& state : control.states) {
+                     count += sum(state.parts);
+                   }
+                   return count;
+                 },
+                 [](const auto&) -> std::size_t { return 1; }},
+      whole.shape);
 }
 
 MassProperties MassPropertiesOf(const std::vector<Solid>& solids, double mass) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <variant>
 #include <vector>
@@ -17,7 +18,8 @@ struct Solid {
   SolidShape shape;
   RigidTransform X_BS;
   Color color;
-  std::string part_id;  ///< of the part it belongs to; a container's walls are `id(floor)`, …
+  std::string part_id;  ///< of the part it belongs to; `id(floor)`, … of a container, `id-b1` and
+                        ///< `id-b2` of a switch, `id-light0`, … of lights
   int control = -1;     ///< the control it belongs to, numbered as ControlsOf() has them; -1: none
   int look = 0;         ///< it is there only while the control looks so
 
@@ -31,6 +33,9 @@ struct Solid {
 /// A ring of more than 64 sides has 64 pieces; its outside stays exact, its hole is round within
 /// half a percent.
 std::vector<Solid> SolidsOf(const Part& whole);
+
+/// How many SolidsOf() would make, without making them.
+std::size_t NumSolidsOf(const Part& whole);
 
 /// Mass, and rotational inertia about the body's origin, which is its centre of mass whatever its
 /// shape looks like (scene files rely on this). The mass is spread evenly over the pieces' volume.

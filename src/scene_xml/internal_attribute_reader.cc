@@ -82,11 +82,27 @@ std::string AttributeReader::RequiredName(std::string_view name) {
   return text;
 }
 
-std::string AttributeReader::Id() {
-  const std::string* text = Text("id");
+std::string AttributeReader::OptionalName(std::string_view name) {
+  const std::string* text = Text(name);
+  return text && !text->empty() ? RequiredName(name) : "";
+}
+
+std::string AttributeReader::Id() { return Reference("id"); }
+
+std::string AttributeReader::Reference(std::string_view name) {
+  const std::string* text = Text(name);
   if (!text || IsId(*text) || IsRenamedId(*text)) return text ? *text : "";
-  Refuse("id", "letters A-Z and a-z, digits and _, at most 100");
+  Refuse(name, "letters A-Z and a-z, digits and _, at most 100");
   return {};
+}
+
+std::string AttributeReader::ClaimedId() {
+  std::string wanted = Id();
+  if (!IsRenamedId(wanted)) return reading_.ids.Claim(wanted);
+  if (!reading_.ids.ClaimExactly(wanted)) {
+    Refuse("id", "one that is not used yet: an id with # is never changed");
+  }
+  return wanted;
 }
 
 bool AttributeReader::Boolean(std::string_view name, bool fallback) {
@@ -115,9 +131,9 @@ double AttributeReader::Number(std::string_view name, double fallback, Range<dou
   return fallback;
 }
 
-Color AttributeReader::Color() {
+Color AttributeReader::Color(std::string_view fallback) {
   const std::string* text = Text("color");
-  if (!text) return {};
+  if (!text) return *ParseColor(fallback);
   if (const std::optional<smile::Color> color = ParseColor(*text)) return *color;
   const std::vector<std::string_view> names = ColorNames();
   Refuse("color", "#RRGGBB, " + OneOf(names) + DidYouMean(*text, names));
@@ -145,21 +161,46 @@ Vector3 AttributeReader::Spans(double fallback_units) {
   return {x, y, z};
 }
 
+double AttributeReader::SpanOrZero(std::string_view name, double fallback_units) {
+  const std::string* text = Text(name);
+  if (text && ParseNumber<double>(*text) == 0.0) return 0;
+  return Span(name, fallback_units);
+}
+
+double AttributeReader::Distance(std::string_view name, double fallback_units) {
+  long double units = fallback_units;
+  if (const std::string* text = Text(name)) {
+    const std::optional<long double> value = ParseNumber<long double>(*text);
+    if (value && Contains(kLocationUnits, *value)) {
+      units = *value;
+    } else {
+      Refuse(name, "a number " + Wording(kLocationUnits));
+    }
+  }
+  return MetersFromUnits(units, reading_.meters_per_unit);
+}
+
 RigidTransform AttributeReader::Pose() {
-  const Vector3 p_PE = Location();
+  const Vector3 p_PE = Point("location");
   return {Rotation(), p_PE};
 }
 
-Vector3 AttributeReader::Location() {
-  const std::string* text = Text("location");
+RigidTransform AttributeReader::PoseOrOrigin() {
+  if (Text("location")) return Pose();
+  return {Rotation(), Vector3::Zero()};
+}
+
+Vector3 AttributeReader::Point(std::string_view name) {
+  const std::string* text = Text(name);
   if (!text) {
-    AddFinding("found no location, expected location=\"(x,y,z)\"");
+    AddFinding("found no " + std::string(name) + ", expected " + std::string(name) +
+               "=\"(x,y,z)\"");
     return Vector3::Zero();
   }
   const auto units = ParseNumbers<3, long double>(*text);
   const auto is_in_range = [](long double value) { return Contains(kLocationUnits, value); };
   if (!units || !std::all_of(units->begin(), units->end(), is_in_range)) {
-    Refuse("location", "(x,y,z), three numbers " + Wording(kLocationUnits));
+    Refuse(name, "(x,y,z), three numbers " + Wording(kLocationUnits));
     return Vector3::Zero();
   }
   const auto meters = [&](int i) { return MetersFromUnits((*units)[i], reading_.meters_per_unit); };

@@ -34,19 +34,33 @@ class AttributeReader {
   std::string RequiredText(std::string_view name);
   /// As written, for one that must be there and must be a name: letters, digits and `_`.
   std::string RequiredName(std::string_view name);
+  /// As written, and a name, if it is there.
+  std::string OptionalName(std::string_view name);
   /// Letters, digits and `_`, or a name the program gave (`obj#3`).
   std::string Id();
+  /// The id of an element that must have one of its own: what the registry makes of Id().
+  std::string ClaimedId();
+  /// The id of another element, as Id() has them; may be empty.
+  std::string Reference(std::string_view name);
 
   bool Boolean(std::string_view name, bool fallback);
   int Count(std::string_view name, int fallback, Range<int> range);
   double Number(std::string_view name, double fallback, Range<double> range);
-  smile::Color Color();
+  smile::Color Color(std::string_view fallback = "gray");
 
   /// A positive length; units in the file, metres here.
   double Span(std::string_view name, double fallback_units);
   Vector3 Spans(double fallback_units);  ///< `xspan`, `yspan`, `zspan`
+  /// A length that may be 0 as well.
+  double SpanOrZero(std::string_view name, double fallback_units);
+  /// A length that may be negative.
+  double Distance(std::string_view name, double fallback_units);
+  /// `(x,y,z)` that must be there.
+  Vector3 Point(std::string_view name);
   /// `location` and `rotation`: this element in its parent.
   RigidTransform Pose();
+  /// The same; without a `location` it is at the parent's origin.
+  RigidTransform PoseOrOrigin();
 
   /// Refuses an attribute that belongs elsewhere, with better words than RefuseUnknown() has.
   void Forbid(std::string_view name, const std::string& expected);
@@ -54,12 +68,12 @@ class AttributeReader {
   /// Adds `found name="value", expected …`, or `found the default of name, …`; nothing for a value
   /// whose expression has been reported.
   void Refuse(std::string_view name, const std::string& expected);
+  /// Adds a fault of the whole element.
+  void AddFinding(const std::string& message);
   /// Whether anything was wrong so far: then values are defaults and need not fit together.
   bool has_findings() const { return has_findings_; }
 
  private:
-  void AddFinding(const std::string& message);
-  Vector3 Location();
   Matrix3 Rotation();
   Matrix3 RotationMatrix();
 

@@ -1,5 +1,6 @@
 #include "scene_xml/internal_element_choice.h"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -29,13 +30,19 @@ bool CheckNamespace(const XmlElement& element, Reading* reading) {
   return false;
 }
 
-const ShapeElement* FindShape(const XmlElement& element, Reading* reading) {
+const ShapeElement* FindShape(const XmlElement& element, Container container, Reading* reading) {
   if (!CheckNamespace(element, reading)) return nullptr;
   std::vector<std::string_view> names;
   for (const ShapeElement& shape : ShapeElements()) {
+    if (shape.is_control && container == Container::kState) continue;
     if (shape.name == element.name) return &shape;
     names.push_back(shape.name);
   }
+  if (container == Container::kTabletop) names.insert(names.end(), {"chain", "sliderJoint"});
+  if (container == Container::kComposite) {
+    names.insert(names.end(), {"guestBondPoint", "hostBondPoint"});
+  }
+  std::sort(names.begin(), names.end());
   // Not listed, to keep the message short, but possibly meant.
   std::vector<std::string_view> words = names;
   words.insert(words.end(), {"def", "include", "instance", "var"});
@@ -45,7 +52,11 @@ const ShapeElement* FindShape(const XmlElement& element, Reading* reading) {
 
 void RefuseElement(const XmlElement& element, std::span<const std::string_view> expected,
                    Reading* reading) {
-  Refuse(element, expected, expected, reading);
+  if (CheckNamespace(element, reading)) Refuse(element, expected, expected, reading);
+}
+
+void RefuseContent(const XmlElement& element, Reading* reading) {
+  for (const XmlElement& child : element.children) RefuseElement(child, {}, reading);
 }
 
 }  // namespace smile::scene_xml

@@ -4,25 +4,21 @@
 #include <string>
 #include <string_view>
 #include <utility>
-#include <variant>
 #include <vector>
 
-#include "scene_xml/internal_element_choice.h"
-#include "scene_xml/internal_values.h"
+#include "scene/solid.h"
+#include "scene_xml/internal_part_reader.h"
 
 namespace smile::scene_xml {
 namespace {
 
 using scene::Description;
 using scene::ObjectSpec;
-using scene::Part;
 
 constexpr Range<double> kMassKilograms{0, 1e6};
-constexpr std::string_view kDescription = "description";
-
-bool IsDescription(const XmlElement& element) {
-  return element.is_in_scene_namespace && element.name == kDescription;
-}
+/// Physics pairs the pieces of a body with those of others; see world.
+constexpr std::size_t kMaxPieces = 4096;
+constexpr std::array<std::string_view, 1> kDescription{"description"};
 
 /// A later value of the same name takes the place of the earlier one.
 void Describe(Description description, std::vector<Description>* descriptions) {
@@ -39,81 +35,47 @@ Description ReadDescription(const XmlElement& element, Reading* reading) {
   AttributeReader attributes(element, reading);
   Description description{attributes.RequiredName("name"), attributes.RequiredText("value")};
   attributes.RefuseUnknown();
-  for (const XmlElement& child : element.children) RefuseElement(child, {}, reading);
+  RefuseContent(element, reading);
   return description;
 }
 
-std::string ClaimId(AttributeReader* attributes, Reading* reading) {
-  std::string wanted = attributes->Id();
-  if (!IsRenamedId(wanted)) return reading->ids.Claim(wanted);
-  if (!reading->ids.ClaimExactly(wanted)) {
-    attributes->Refuse("id", "one that is not used yet: an id with # is never changed");
-  }
-  return wanted;
+/// What an object is called in its first description.
+std::string ShapeNameOf(const ShapeElement& shape, const scene::Part& part) {
+  const auto* custom = std::get_if<scene::CustomControl>(&part.shape);
+  return custom ? custom->name : std::string(shape.name);
 }
 
-/// What wholes and parts have in common: all but children, mass and the check for unknown
-/// attributes. Whole objects and what can be pointed at get an id of their own.
-Part ReadPartAttributes(const ShapeElement& shape, bool is_whole, AttributeReader* attributes,
-                        Reading* reading) {
-  Part part;
-  part.is_pointable = attributes->Boolean("pointable", false);
-  part.id = is_whole || part.is_pointable ? ClaimId(attributes, reading) : attributes->Id();
-  part.X_PE = attributes->Pose();
-  if (!shape.is_composite) part.color = attributes->Color();
-  part.shape = shape.read(attributes);
-  return part;
-}
-
-Part ReadPart(const XmlElement& element, const ShapeElement& shape, Reading* reading);
-
-void ReadPartInto(scene::Composite* composite, const XmlElement& element, Reading* reading) {
-  if (const ShapeElement* shape = FindShape(element, reading)) {
-    composite->parts.push_back(ReadPart(element, *shape, reading));
-  }
-}
-
-Part ReadPart(const XmlElement& element, const ShapeElement& shape, Reading* reading) {
-  AttributeReader attributes(element, reading);
-  Part part = ReadPartAttributes(shape, /*is_whole=*/false, &attributes, reading);
-  for (const char* name : {"mass", "friction", "restitution", "rollingFriction"}) {
-    attributes.Forbid(name, std::string(name) + " only on the whole object");
-  }
-  attributes.RefuseUnknown();
-  auto* composite = std::get_if<scene::Composite>(&part.shape);
-  for (const XmlElement& child : element.children) {
-    if (IsDescription(child)) {
-      reading->findings->Add(child.place, AddressOf(child),
-                             "found a description of a part, expected it in the whole object");
-    } else if (composite) {
-      ReadPartInto(composite, child, reading);
-    } else if (CheckNamespace(child, reading)) {
-      RefuseElement(child, {}, reading);
-    }
-  }
-  return part;
+void CheckPieces(const scene::Part& whole, AttributeReader* attributes) {
+  const std::size_t count = scene::NumSolidsOf(whole);
+  if (count <= kMaxPieces) return;
+  attributes->AddFinding("found " + std::to_string(count) +
+                         " convex pieces, a ring having one for each side up to 64, expected at "
+                         "most " +
+                         std::to_string(kMaxPieces) + " in an object");
 }
 
 }  // namespace
 
-ObjectSpec ReadObject(const XmlElement& element, const ShapeElement& shape, Reading* reading) {
+ObjectSpec ReadObject(const XmlElement& element, const ShapeElement& shape, Container container,
+                      Reading* reading) {
   AttributeReader attributes(element, reading);
+  const PartPlace place{.container = container};
   ObjectSpec object;
-  object.whole = ReadPartAttributes(shape, /*is_whole=*/true, &attributes, reading);
+  object.whole = ReadPartAttributes(element, shape, place, &attributes, reading);
   object.mass = attributes.Number("mass", 1, kMassKilograms);
   object.surface = ReadSurface(&attributes);
   attributes.RefuseUnknown();
-  object.descriptions = {{"shape", std::string(shape.name)}};
-  auto* composite = std::get_if<scene::Composite>(&object.whole.shape);
+  object.descriptions = {{"shape", ShapeNameOf(shape, object.whole)}};
+  std::vector<const XmlElement*> content;
   for (const XmlElement& child : element.children) {
-    if (IsDescription(child)) {
+    if (child.Is(kDescription[0])) {
       Describe(ReadDescription(child, reading), &object.descriptions);
-    } else if (composite) {
-      ReadPartInto(composite, child, reading);
-    } else if (CheckNamespace(child, reading)) {
-      RefuseElement(child, std::array{kDescription}, reading);
+    } else {
+      content.push_back(&child);
     }
   }
+  ReadContent(place, content, kDescription, &attributes, &object.whole, reading);
+  CheckPieces(object.whole, &attributes);
   return object;
 }
 

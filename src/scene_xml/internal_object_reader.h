@@ -1,12 +1,15 @@
 #pragma once
 
 #include "scene/scene_spec.h"
+#include "scene_xml/internal_element_choice.h"
 #include "scene_xml/internal_shape_readers.h"
 
 namespace smile::scene_xml {
 
 /// Reads a whole object with its parts and descriptions.
+///
+/// @param container  of whole objects.
 scene::ObjectSpec ReadObject(const XmlElement& element, const ShapeElement& shape,
-                             Reading* reading);
+                             Container container, Reading* reading);
 
 }  // namespace smile::scene_xml

@@ -3,13 +3,15 @@
 #include "scene/scene_spec.h"
 #include "scene_xml/internal_findings.h"
 #include "scene_xml/internal_id_registry.h"
+#include "scene_xml/internal_references.h"
 
 namespace smile::scene_xml {
 
 /// What the readers of a scene's elements share while it is read.
 struct Reading {
-  Findings* findings;
+  Findings* findings = nullptr;
   IdRegistry ids;
+  References references;
   double meters_per_unit = scene::kMetersPerUnit;
 };
 

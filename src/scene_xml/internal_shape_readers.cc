@@ -4,7 +4,7 @@
 #include <array>
 #include <string>
 
-#include "scene_xml/internal_values.h"
+#include "scene_xml/internal_control_reader.h"
 
 namespace smile::scene_xml {
 namespace {
@@ -35,16 +35,9 @@ Shape ReadCylinder(AttributeReader* attributes) {
 
 constexpr Range<int> kPolygonSides{3, 1024};
 
-/// A length that may be 0 as well.
-double SpanOrZero(std::string_view name, double fallback_units, AttributeReader* attributes) {
-  const std::string* text = attributes->Text(name);
-  if (text && ParseNumber<double>(*text) == 0.0) return 0;
-  return attributes->Span(name, fallback_units);
-}
-
 Shape ReadFrustum(AttributeReader* attributes) {
-  const scene::Frustum frustum{.radius_top = SpanOrZero("radiusTop", 0.5, attributes),
-                               .radius_bottom = SpanOrZero("radiusBottom", 0.5, attributes),
+  const scene::Frustum frustum{.radius_top = attributes->SpanOrZero("radiusTop", 0.5),
+                               .radius_bottom = attributes->SpanOrZero("radiusBottom", 0.5),
                                .height = attributes->Span("zspan", 1),
                                .sides = attributes->Count("sides", 3, kPolygonSides)};
   if (frustum.radius_top == 0 && frustum.radius_bottom == 0) {
@@ -55,7 +48,7 @@ Shape ReadFrustum(AttributeReader* attributes) {
 
 Shape ReadRing(AttributeReader* attributes) {
   const scene::Ring ring{.radius_outer = attributes->Span("radiusOuter", 1),
-                         .radius_inner = SpanOrZero("radiusInner", 0.5, attributes),
+                         .radius_inner = attributes->SpanOrZero("radiusInner", 0.5),
                          .height = attributes->Span("zspan", 1),
                          .sides = attributes->Count("sides", 32, kPolygonSides)};
   if (ring.radius_inner >= ring.radius_outer && !attributes->has_findings()) {
@@ -68,14 +61,17 @@ Shape ReadSphere(AttributeReader* attributes) {
   return scene::Sphere{.radius = attributes->Span("radius", 0.5)};
 }
 
-constexpr std::array<ShapeElement, 7> kShapeElements{{
+constexpr std::array<ShapeElement, 10> kShapeElements{{
     {"block", ReadBlock},
     {"box", ReadBox},
-    {"composite", ReadComposite, /*is_composite=*/true},
+    {"composite", ReadComposite, /*default_color=*/""},
+    {"customControl", ReadCustomControl, /*default_color=*/"", /*is_control=*/true},
     {"cylinder", ReadCylinder},
     {"frustum", ReadFrustum},
+    {"indicatorLights", ReadIndicatorLights, /*default_color=*/"", /*is_control=*/true},
     {"ring", ReadRing},
     {"sphere", ReadSphere},
+    {"toggleSwitch", ReadToggleSwitch, /*default_color=*/"darkgray", /*is_control=*/true},
 }};
 
 }  // namespace
@@ -89,7 +85,7 @@ scene::Surface ReadSurface(AttributeReader* attributes) {
       .friction = attributes->Number("friction", usual.friction, kFriction),
       .restitution = attributes->Number("restitution", usual.restitution, kRestitution)};
   if (attributes->Text("rollingFriction")) {
-    surface.rolling_friction = SpanOrZero("rollingFriction", 0.01, attributes);
+    surface.rolling_friction = attributes->SpanOrZero("rollingFriction", 0.01);
   }
   return surface;
 }

@@ -13,8 +13,9 @@ struct ShapeElement {
   std::string_view name;
   /// Reads the attributes that this kind of shape has of its own.
   scene::Shape (*read)(AttributeReader* attributes);
-  /// A composite has parts, and no color of its own.
-  bool is_composite = false;
+  /// Empty: it has no color of its own.
+  std::string_view default_color = "gray";
+  bool is_control = false;
 };
 
 /// In alphabetic order.

@@ -7,11 +7,24 @@
 #include "scene_xml/internal_element_choice.h"
 #include "scene_xml/internal_expansion.h"
 #include "scene_xml/internal_inclusion.h"
+#include "scene_xml/internal_joint_reader.h"
+#include "scene_xml/internal_mechanisms.h"
 #include "scene_xml/internal_object_reader.h"
 #include "scene_xml/internal_root_reader.h"
 
 namespace smile::scene_xml {
 namespace {
+
+void ReadElement(const XmlElement& element, Reading* reading, ObjectList* objects) {
+  if (element.Is("chain")) {
+    ReadChain(element, reading, objects);
+  } else if (element.Is("sliderJoint")) {
+    ReadSlider(element, reading, objects);
+  } else if (const ShapeElement* shape = FindShape(element, Container::kTabletop, reading)) {
+    scene::ObjectSpec object = ReadObject(element, *shape, Container::kTabletop, reading);
+    if (objects->HasRoomFor(1, element.place)) objects->Add(std::move(object), element.place);
+  }
+}
 
 /// @param path  nullptr for a text without a file.
 SceneReading ReadTree(XmlElement root, const std::filesystem::path* path,
@@ -19,16 +32,17 @@ SceneReading ReadTree(XmlElement root, const std::filesystem::path* path,
                       Findings* findings) {
   SceneReading result;
   scene::SceneSpec& scene = result.scene.emplace();
-  Reading reading{.findings = findings, .ids = {}};
+  Reading reading{.findings = findings};
   if (!ReadRoot(root, &reading, &scene)) return result;
   const bool has_all_files = ResolveIncludes(path, options, counts, &root, &reading);
   ExpandTemplates(options.limits, has_all_files, &root, &reading);
-  for (const XmlElement& child : root.children) {
-    if (const ShapeElement* shape = FindShape(child, &reading)) {
-      scene.objects.push_back(ReadObject(child, *shape, &reading));
-      const Sources& sources = findings->sources();
-      result.origins.push_back(sources.Address(child.place) + sources.ExpansionNote(child.place));
-    }
+  ObjectList objects(options.limits, &scene, findings);
+  for (const XmlElement& child : root.children) ReadElement(child, &reading, &objects);
+  // What is missing may just be in a missing file.
+  if (has_all_files) ConnectMechanisms(&scene, &reading);
+  const Sources& sources = findings->sources();
+  for (const Place& place : objects.places()) {
+    result.origins.push_back(sources.Address(place) + sources.ExpansionNote(place));
   }
   return result;
 }

@@ -17,6 +17,7 @@ struct SceneLimits {
   std::size_t max_file_bytes = 32u << 20;  ///< of all files together
   int max_depth = 256;                     ///< elements inside one another; at most 256
   int max_elements = 100'000;   ///< in all files together; as many again out of templates
+  int max_objects = 100'000;    ///< whole objects, pieces of chains among them
   int max_attributes = 256;     ///< of one element
   int max_files = 256;          ///< the scene and all it includes
   int max_instances = 64;       ///< of templates inside one another

@@ -12,6 +12,25 @@ TEST_F(Check, AcceptsEveryShippedScene) {
   EXPECT_GT(answer.json()["objects"], 20);
 }
 
+TEST_F(Check, CountsWhatIsInAScene) {
+  Write("mechanisms.xml",
+        SceneOf("<sliderJoint location=\"(0,0,1)\"><block location=\"(0,0,0)\" mass=\"0\"/>"
+                "<composite location=\"(0,0,0)\"><composite location=\"(0,0,0)\">"
+                "<toggleSwitch location=\"(0,0,0)\"/><guestBondPoint type=\"a\" "
+                "initBondHostId=\"H\" initBondTightness=\"1\"/></composite></composite>"
+                "</sliderJoint>"
+                "<composite location=\"(0,0,0)\"><hostBondPoint id=\"H\" type=\"a\">"
+                "<tightness/></hostBondPoint></composite>"
+                "<chain start=\"(0,0,1)\" end=\"(0,3,1)\"/>"));
+  const Json result = Smile("check mechanisms.xml --json").json();
+  EXPECT_EQ(result["objects"], 3 + 5);
+  EXPECT_EQ(result["static"], 1 + 2);
+  EXPECT_EQ(result["controls"], 1);
+  EXPECT_EQ(result["joints"], 1 + 1 + 4);
+  EXPECT_EQ(Smile("check mechanisms.xml").out,
+            "mechanisms.xml: ok, 8 objects (3 fixed), 1 controls, 6 joints\n");
+}
+
 TEST_F(Check, NamesEveryFaultWithItsAddress) {
   Write("bad.xml", SceneOf("<block id=\"a\" location=\"(0, 0)\"/>\n"
                            "<blok id=\"b\" location=\"(0,0,0)\"/>\n"

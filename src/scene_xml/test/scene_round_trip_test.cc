@@ -33,9 +33,21 @@ class SceneMaker {
     for (int i = 0; i < 8; ++i) {
       scene::ObjectSpec object{.whole = Part(3), .mass = Uniform(0, 100)};
       object.whole.id = "object#" + std::to_string(i);
+      if (scene::IsControl(object.whole.shape)) controls_.back() = object.whole.id;
       object.descriptions = {{"shape", "thing & <\"part\">\n"}, {"size", "ü 3\t"}};
       scene.objects.push_back(object);
+      switch (random_() % 4) {
+        case 0:
+          AddChain(i, &scene);
+          break;
+        case 1:
+          AddSlider(i, &scene);
+          break;
+        default:
+          break;
+      }
     }
+    ConnectMechanisms(&scene);
     return scene;
   }
 
@@ -67,14 +79,133 @@ class SceneMaker {
   double Length() { return unit_ * std::exp2(Uniform(-7, 9)); }
   Vector3 Size() { return {Length(), Length(), Length()}; }
 
+  int Below(int limit) { return static_cast<int>(random_() % limit); }
+  RigidTransform Pose() { return {Rotation(), Vector3(Length(), -Length(), 0)}; }
+  Color AnyColor() { return *ParseColor(random_() % 2 ? "pink" : "#12ab9f"); }
+  std::string NewId(const std::string& kind) { return kind + "#" + std::to_string(num_ids_++); }
+
   scene::Part Part(int depth) {
     scene::Part part;
-    part.X_PE = {Rotation(), Vector3(Length(), -Length(), 0)};
-    part.shape = Shape(depth);
-    if (!std::holds_alternative<scene::Composite>(part.shape)) {
-      part.color = *ParseColor(random_() % 2 ? "pink" : "#12ab9f");
-    }
+    part.X_PE = Pose();
+    part.shape = depth > 0 && Below(4) == 0 ? Control() : Shape(depth);
+    if (scene::IsControl(part.shape)) part.id = controls_.emplace_back(NewId("control"));
+    const bool has_color = !std::holds_alternative<scene::Composite>(part.shape) &&
+                           !std::holds_alternative<scene::IndicatorLights>(part.shape) &&
+                           !std::holds_alternative<scene::CustomControl>(part.shape);
+    if (has_color) part.color = AnyColor();
     return part;
+  }
+
+  /// Its downstreams are chosen when all controls are there.
+  scene::Shape Control() {
+    const int num_states = 1 + Below(3);
+    switch (random_() % 3) {
+      case 0:
+        return scene::ToggleSwitch{.size = Size(),
+                                   .angle = DegreesToRadians(Uniform(0, 90)),
+                                   .is_left_pressed = Below(2) == 0,
+                                   .num_states = num_states,
+                                   .initial_state = Below(num_states)};
+      case 1: {
+        scene::IndicatorLights lights{.light_radius = Length(),
+                                      .light_height = Length(),
+                                      .num_lights = 2,
+                                      .x_span = Length()};
+        for (int i = 0; i < num_states; ++i) lights.states.push_back({"", {{1, AnyColor()}}});
+        lights.initial_state = Below(num_states);
+        return lights;
+      }
+      default: {
+        scene::CustomControl control{.name = "dial", .initial_state = Below(num_states)};
+        for (int i = 0; i < num_states; ++i) {
+          scene::Part part = Part(0), group{.X_PE = Pose(), .shape = scene::Composite{{Part(0)}}};
+          part.next_state = Below(num_states + 1) - 1;
+          control.states.push_back({i == 0 ? "on" : "", {part, group}});
+        }
+        return control;
+      }
+    }
+  }
+
+  scene::Composite Composite(int depth) {
+    scene::Composite composite{{Part(depth - 1), Part(depth - 1)}};
+    if (Below(2) == 0) composite.guests.push_back({NewId("guest"), "M-3.a:b", Pose()});
+    if (Below(2) == 0) {
+      scene::HostPoint host{NewId("host"), "M-3.a:b", Pose()};
+      for (int i = 0; i <= Below(3); ++i) host.stages.push_back({Pose(), {}, Below(2) == 0});
+      composite.hosts.push_back(host);
+      hosts_.push_back(host.id);
+    }
+    return composite;
+  }
+
+  void AddSlider(int number, scene::SceneSpec* scene) {
+    scene::SliderSpec slider{.id = Below(2) ? "rail" : "",
+                             .X_WJ = Pose(),
+                             .X_JA = Pose(),
+                             .X_JB = Pose(),
+                             .first_object = scene->objects.size()};
+    slider.min_offset = -Length();
+    slider.max_offset = Length();
+    slider.initial_offset = slider.max_offset * Uniform(0, 1);
+    slider.do_members_collide = Below(2) == 0;
+    slider.damping = Uniform(0, 1);
+    slider.restitution = Uniform(0, 1);
+    slider.softness = Uniform(0, 1);
+    for (const char* member : {"a", "b"}) {
+      scene::ObjectSpec object{.whole = Part(2), .mass = Uniform(0.1, 100)};
+      object.whole.id = member + std::to_string(number);
+      if (scene::IsControl(object.whole.shape)) controls_.back() = object.whole.id;
+      object.whole.X_PE = *member == 'a' ? slider.pose_of_first() : slider.pose_of_second();
+      object.descriptions = {{"shape", "member"}};
+      scene->objects.push_back(object);
+    }
+    scene->sliders.push_back(slider);
+  }
+
+  void AddChain(int number, scene::SceneSpec* scene) {
+    scene::ChainSpec chain{.id = "chain#" + std::to_string(number),
+                           .color = AnyColor(),
+                           .p_WStart = {Length(), -Length(), Length()},
+                           .p_WEnd = {-Length(), Length(), 0},
+                           .link_padding = Length(),
+                           .link_mass = Uniform(0.001, 2),
+                           .first_object = scene->objects.size()};
+    chain.start_id = chain.id + "-start";
+    chain.end_id = chain.id + "-end";
+    const int num_links = 1 + Below(30);
+    const double length = (chain.p_WEnd - chain.p_WStart).norm() / num_links;
+    chain.link_size = {Length(), length * Uniform(1, 1.2), Length()};
+    for (int i = 0; i < num_links; ++i) {
+      chain.link_ids.push_back(chain.id + "-link" + std::to_string(i));
+    }
+    for (const scene::ObjectSpec& piece : PiecesOf(chain, unit_)) scene->objects.push_back(piece);
+    scene->chains.push_back(chain);
+  }
+
+  /// References to anything there is, before and behind.
+  void ConnectMechanisms(scene::SceneSpec* scene) {
+    for (scene::ObjectSpec& object : scene->objects) Connect(&object.whole);
+  }
+  void Connect(scene::Part* part) {
+    std::visit(
+        [this](auto& shape) {
+          if constexpr (requires { shape.downstream; }) {
+            for (int i = 0; i < Below(3); ++i) shape.downstream.push_back(AnyOf(controls_));
+          }
+        },
+        part->shape);
+    auto* composite = std::get_if<scene::Composite>(&part->shape);
+    if (!composite) return;
+    for (scene::Part& child : composite->parts) Connect(&child);
+    for (scene::HostPoint& host : composite->hosts) {
+      host.downstream_lock = AnyOf(hosts_);
+      if (!controls_.empty()) host.downstream = host.downstream_override = AnyOf(controls_);
+      host.stages[0].downstream_state = 0;
+    }
+  }
+  const std::string& AnyOf(const std::vector<std::string>& ids) {
+    return ids[random_() % ids.size()];
   }
 
   scene::Shape Shape(int depth) {
@@ -90,12 +221,14 @@ class SceneMaker {
         return scene::Box{size, size.minCoeff() * 0.3};
       }
       default:
-        return scene::Composite{{Part(depth - 1), Part(depth - 1)}};
+        return Composite(depth);
     }
   }
 
   std::mt19937 random_;
   double unit_ = 0.1;
+  int num_ids_ = 0;
+  std::vector<std::string> controls_, hosts_;
 };
 
 TEST(SceneRoundTrip, GivesBackEveryShippedSceneAndItsText) {
@@ -123,6 +256,8 @@ TEST(SceneRoundTrip, GivesBackRandomScenesToTheLastBit) {
     EXPECT_EQ(again.meters_per_unit, scene.meters_per_unit);
     EXPECT_EQ(again.table.x_span, scene.table.x_span);
     EXPECT_EQ(again.table.y_span, scene.table.y_span);
+    EXPECT_TRUE(again.sliders == scene.sliders);
+    EXPECT_TRUE(again.chains == scene.chains);
     EXPECT_TRUE(WrittenAndRead(again) == again);
   }
 }

@@ -1,0 +1,108 @@
+#include "scene_xml/internal_bond_reader.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "scene_xml/internal_attribute_reader.h"
+#include "scene_xml/internal_control_reader.h"
+#include "scene_xml/internal_element_choice.h"
+#include "scene_xml/internal_letters.h"
+
+namespace smile::scene_xml {
+namespace {
+
+constexpr int kMaxStages = 256;
+constexpr std::size_t kMaxTypeBytes = 100;
+
+/// A token as XML has them, in ASCII.
+std::string ReadType(AttributeReader* attributes) {
+  const auto is_token_letter = [](char letter) {
+    return IsIdLetter(letter) || letter == '.' || letter == '-' || letter == ':';
+  };
+  std::string type = attributes->RequiredText("type");
+  if (!attributes->Text("type")) return type;
+  if (type.empty() || type.size() > kMaxTypeBytes || !std::ranges::all_of(type, is_token_letter)) {
+    attributes->Refuse("type", "a word of letters A-Z and a-z, digits, _, -, . and :, at most 100");
+  }
+  return type;
+}
+
+/// The ticket of a reference; empty when there is none.
+std::string ReadReference(const XmlElement& element, const char* name, Target target,
+                          AttributeReader* attributes, Reading* reading) {
+  const std::string id = attributes->Reference(name);
+  if (id.empty()) return {};
+  return reading->references.Add({target, name, id, element.place, AddressOf(element)});
+}
+
+scene::TightnessStage ReadStage(const XmlElement& element, Reading* reading) {
+  AttributeReader attributes(element, reading);
+  scene::TightnessStage stage{.X_HS = attributes.PoseOrOrigin()};
+  if (attributes.Text("downstreamState")) {
+    stage.downstream_state = attributes.Count("downstreamState", 0, {0, kMaxStates - 1});
+  }
+  stage.locks_downstream = attributes.Boolean("downstreamLock", false);
+  attributes.RefuseUnknown();
+  RefuseContent(element, reading);
+  return stage;
+}
+
+void CheckInitialBond(const scene::GuestPoint& guest, AttributeReader* attributes) {
+  if (guest.initial_host.empty() || guest.initial_tightness > 0 || attributes->has_findings()) {
+    return;
+  }
+  attributes->Refuse("initBondTightness",
+                     "1 or more with an initBondHostId: at 0 they are not fastened");
+}
+
+}  // namespace
+
+scene::GuestPoint ReadGuestPoint(const XmlElement& element, Reading* reading) {
+  AttributeReader attributes(element, reading);
+  scene::GuestPoint guest{.id = attributes.ClaimedId(),
+                          .type = ReadType(&attributes),
+                          .X_PG = attributes.PoseOrOrigin()};
+  guest.initial_host =
+      ReadReference(element, "initBondHostId", Target::kHost, &attributes, reading);
+  guest.initial_tightness = attributes.Count("initBondTightness", 0, {0, kMaxStages});
+  // A guest has nothing downstream; templates for both kinds of points say so all the same.
+  for (const char* name : {"downstream", "downstreamOverride", "downstreamLock"}) {
+    attributes.Reference(name);
+  }
+  attributes.RefuseUnknown();
+  RefuseContent(element, reading);
+  CheckInitialBond(guest, &attributes);
+  if (guest.initial_host.empty()) guest.initial_tightness = 0;
+  return guest;
+}
+
+scene::HostPoint ReadHostPoint(const XmlElement& element, Reading* reading) {
+  AttributeReader attributes(element, reading);
+  scene::HostPoint host{.id = attributes.ClaimedId(),
+                        .type = ReadType(&attributes),
+                        .X_PH = attributes.PoseOrOrigin()};
+  const auto read_reference = [&](const char* name, Target target) {
+    return ReadReference(element, name, target, &attributes, reading);
+  };
+  host.downstream = read_reference("downstream", Target::kControl);
+  host.downstream_override = read_reference("downstreamOverride", Target::kControl);
+  host.downstream_lock = read_reference("downstreamLock", Target::kHost);
+  attributes.RefuseUnknown();
+  for (const XmlElement& child : element.children) {
+    if (child.Is("tightness")) {
+      host.stages.push_back(ReadStage(child, reading));
+    } else {
+      RefuseElement(child, std::array<std::string_view, 1>{"tightness"}, reading);
+    }
+  }
+  if (host.stages.empty() || host.stages.size() > kMaxStages) {
+    attributes.AddFinding("found " + std::to_string(host.stages.size()) +
+                          " tightness elements, expected 1 to " + std::to_string(kMaxStages));
+  }
+  const std::string* written = element.FindAttribute("id");
+  reading->references.Declare(Target::kHost, written ? *written : "", host.id);
+  return host;
+}
+
+}  // namespace smile::scene_xml

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "scene_xml/internal_object_list.h"
+#include "scene_xml/internal_reading.h"
+#include "scene_xml/internal_xml_tree.h"
+
+namespace smile::scene_xml {
+
+/// Reads a `sliderJoint` and its two members, which join the objects.
+void ReadSlider(const XmlElement& element, Reading* reading, ObjectList* objects);
+
+/// Reads a `chain`; its pieces join the objects.
+void ReadChain(const XmlElement& element, Reading* reading, ObjectList* objects);
+
+}  // namespace smile::scene_xml

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "scene/scene_spec.h"
+#include "scene_xml/internal_xml_text.h"
+
+namespace smile::scene_xml {
+
+// What each kind of control has of its own.
+void WriteControlAttributes(const scene::ToggleSwitch& toggle, XmlText* text);
+void WriteControlAttributes(const scene::IndicatorLights& lights, XmlText* text);
+void WriteControlAttributes(const scene::CustomControl& control, XmlText* text);
+
+/// Downstreams and states.
+void WriteControlContent(const scene::Shape& control, XmlText* text);
+
+void WriteBondPoints(const scene::Composite& composite, XmlText* text);
+
+void WriteSlider(const scene::SliderSpec& slider, const scene::ObjectSpec& first,
+                 const scene::ObjectSpec& second, XmlText* text);
+
+void WriteChain(const scene::ChainSpec& chain, XmlText* text);
+
+}  // namespace smile::scene_xml

@@ -1,0 +1,88 @@
+#include "scene_xml/internal_part_reader.h"
+
+#include <string>
+#include <variant>
+
+#include "scene_xml/internal_bond_reader.h"
+#include "scene_xml/internal_control_reader.h"
+
+namespace smile::scene_xml {
+namespace {
+
+using scene::Part;
+
+void ReadNextState(const PartPlace& place, AttributeReader* attributes, Part* part) {
+  constexpr std::string_view kName = "nextStateWhenTriggered";
+  if (place.container != Container::kState) {
+    attributes->Forbid(kName, std::string(kName) + " only inside a state of a customControl");
+  } else if (attributes->Text(kName)) {
+    part->next_state = attributes->Count(kName, -1, {-1, place.num_states - 1});
+  }
+}
+
+void ReadMember(const XmlElement& element, const PartPlace& inside, scene::Composite* composite,
+                Reading* reading) {
+  if (inside.container == Container::kComposite && element.Is("guestBondPoint")) {
+    composite->guests.push_back(ReadGuestPoint(element, reading));
+  } else if (inside.container == Container::kComposite && element.Is("hostBondPoint")) {
+    composite->hosts.push_back(ReadHostPoint(element, reading));
+  } else if (const ShapeElement* shape = FindShape(element, inside.container, reading)) {
+    composite->parts.push_back(ReadPart(element, *shape, inside, reading));
+  }
+}
+
+}  // namespace
+
+Part ReadPartAttributes(const XmlElement& element, const ShapeElement& shape,
+                        const PartPlace& place, AttributeReader* attributes, Reading* reading) {
+  Part part;
+  part.is_pointable = attributes->Boolean("pointable", false);
+  const bool has_own_id = HoldsWholes(place.container) || part.is_pointable || shape.is_control;
+  part.id = has_own_id ? attributes->ClaimedId() : attributes->Id();
+  part.X_PE = attributes->Pose();
+  if (!shape.default_color.empty()) part.color = attributes->Color(shape.default_color);
+  part.shape = shape.read(attributes);
+  ReadNextState(place, attributes, &part);
+  if (shape.is_control) {
+    const std::string* written = element.FindAttribute("id");
+    reading->references.Declare(Target::kControl, written ? *written : "", part.id);
+  }
+  return part;
+}
+
+void ReadContent(const PartPlace& place, std::span<const XmlElement* const> content,
+                 std::span<const std::string_view> others, AttributeReader* attributes, Part* part,
+                 Reading* reading) {
+  if (auto* composite = std::get_if<scene::Composite>(&part->shape)) {
+    PartPlace inside = place;
+    if (place.container != Container::kState) inside.container = Container::kComposite;
+    for (const XmlElement* child : content) ReadMember(*child, inside, composite, reading);
+  } else if (scene::IsControl(part->shape)) {
+    ReadControlContent(content, others, attributes, &part->shape, reading);
+  } else {
+    for (const XmlElement* child : content) RefuseElement(*child, others, reading);
+  }
+}
+
+Part ReadPart(const XmlElement& element, const ShapeElement& shape, const PartPlace& place,
+              Reading* reading) {
+  AttributeReader attributes(element, reading);
+  Part part = ReadPartAttributes(element, shape, place, &attributes, reading);
+  for (const char* name : {"mass", "friction", "restitution", "rollingFriction"}) {
+    attributes.Forbid(name, std::string(name) + " only on the whole object");
+  }
+  attributes.RefuseUnknown();
+  std::vector<const XmlElement*> content;
+  for (const XmlElement& child : element.children) {
+    if (child.Is("description")) {
+      reading->findings->Add(child.place, AddressOf(child),
+                             "found a description of a part, expected it in the whole object");
+    } else {
+      content.push_back(&child);
+    }
+  }
+  ReadContent(place, content, {}, &attributes, &part, reading);
+  return part;
+}
+
+}  // namespace smile::scene_xml

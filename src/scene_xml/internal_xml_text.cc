@@ -1,0 +1,180 @@
+#include "scene_xml/internal_xml_text.h"
+
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "base/wording.h"
+#include "math/angles.h"
+#include "scene_xml/internal_units.h"
+#include "scene_xml/internal_values.h"
+
+namespace smile::scene_xml {
+namespace {
+
+std::string Escaped(std::string_view text) {
+  std::string escaped;
+  for (char letter : text) {
+    switch (letter) {
+      case '&':
+        escaped += "&amp;";
+        break;
+      case '<':
+        escaped += "&lt;";
+        break;
+      case '>':
+        escaped += "&gt;";
+        break;
+      case '"':
+        escaped += "&quot;";
+        break;
+      // A parser would turn these into blanks.
+      case '\t':
+        escaped += "&#9;";
+        break;
+      case '\n':
+        escaped += "&#10;";
+        break;
+      case '\r':
+        escaped += "&#13;";
+        break;
+      default:
+        escaped += letter;
+    }
+  }
+  return escaped;
+}
+
+// Angles come back with an error in their last digits; the number that was meant is round.
+constexpr int kAngleDigits[] = {9, 12, 13, 14, 15, 17};
+
+std::string Rounded(double angle_deg, int num_digits) {
+  char buffer[64];
+  const auto end = std::to_chars(buffer, buffer + sizeof buffer, angle_deg + 0.0,
+                                 std::chars_format::general, num_digits);
+  return {buffer, end.ptr};
+}
+
+/// The angles as text, when reading it gives back exactly `R`.
+std::optional<std::string> AnglesText(const Matrix3& R) {
+  const Vector3 angles_deg = FixedAxesAngles(R);
+  for (int num_digits : kAngleDigits) {
+    std::string text = "(";
+    Vector3 read_back;
+    for (int i = 0; i < 3; ++i) {
+      const std::string angle = Rounded(angles_deg[i], num_digits);
+      read_back[i] = *ParseNumber<double>(angle);
+      text += (i ? "," : "") + angle;
+    }
+    if (RotationFromFixedAxes(read_back) == R) return text + ")";
+  }
+  return std::nullopt;
+}
+
+/// The angle in degrees, so that reading it gives back the same radians if any number does.
+std::string AngleText(double angle) {
+  const double angle_deg = RadiansToDegrees(angle);
+  for (int num_digits : kAngleDigits) {
+    std::string text = Rounded(angle_deg, num_digits);
+    if (DegreesToRadians(*ParseNumber<double>(text)) == angle) return text;
+  }
+  constexpr int kNeighbours = 8;
+  double below = angle_deg, above = angle_deg;
+  for (int i = 0; i < kNeighbours; ++i) {
+    below = std::nextafter(below, -std::numeric_limits<double>::infinity());
+    above = std::nextafter(above, std::numeric_limits<double>::infinity());
+    if (DegreesToRadians(below) == angle) return NumberText(below);
+    if (DegreesToRadians(above) == angle) return NumberText(above);
+  }
+  return NumberText(angle_deg);
+}
+
+std::string MatrixText(const Matrix3& R) {
+  std::string text;
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) {
+      text += (text.empty() ? "(" : ",") + NumberText(R(row, column));
+    }
+  }
+  return text + ")";
+}
+
+}  // namespace
+
+XmlText::XmlText(double meters_per_unit)
+    : meters_per_unit_(meters_per_unit), text_("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n") {}
+
+void XmlText::Open(std::string_view name) {
+  EndTag();
+  Indent();
+  text_ += "<" + std::string(name);
+  open_.emplace_back(name);
+  is_tag_open_ = true;
+}
+
+void XmlText::Close() {
+  const std::string name = std::move(open_.back());
+  open_.pop_back();
+  if (is_tag_open_) {
+    text_ += "/>\n";
+  } else {
+    Indent();
+    text_ += "</" + name + ">\n";
+  }
+  is_tag_open_ = false;
+}
+
+void XmlText::Comment(std::string_view text) {
+  EndTag();
+  Indent();
+  text_ += "<!-- ";
+  for (char letter : text) {
+    if (letter == '-' && text_.back() == '-') text_ += ' ';
+    text_ += static_cast<unsigned char>(letter) < 0x20 ? '?' : letter;
+  }
+  text_ += " -->\n";
+}
+
+void XmlText::Attribute(std::string_view name, std::string_view value) {
+  text_ += " " + std::string(name) + "=\"" + Escaped(value) + "\"";
+}
+
+void XmlText::Boolean(std::string_view name, bool value) {
+  Attribute(name, value ? "true" : "false");
+}
+
+void XmlText::Count(std::string_view name, int value) { Attribute(name, std::to_string(value)); }
+void XmlText::Number(std::string_view name, double value) { Attribute(name, NumberText(value)); }
+void XmlText::Length(std::string_view name, double meters) { Attribute(name, Units(meters)); }
+void XmlText::Angle(std::string_view name, double angle) { Attribute(name, AngleText(angle)); }
+
+void XmlText::Spans(const Vector3& size) {
+  Length("xspan", size.x());
+  Length("yspan", size.y());
+  Length("zspan", size.z());
+}
+
+void XmlText::Point(std::string_view name, const Vector3& p) {
+  Attribute(name, "(" + Units(p.x()) + "," + Units(p.y()) + "," + Units(p.z()) + ")");
+}
+
+void XmlText::Pose(const RigidTransform& X_PE) {
+  Point("location", X_PE.translation());
+  if (const std::optional<std::string> angles = AnglesText(X_PE.rotation())) {
+    Attribute("rotation", *angles);
+  } else {
+    Attribute("rotationMatrix", MatrixText(X_PE.rotation()));
+  }
+}
+
+void XmlText::Indent() { text_.append(2 * open_.size(), ' '); }
+
+void XmlText::EndTag() {
+  if (is_tag_open_) text_ += ">\n";
+  is_tag_open_ = false;
+}
+
+std::string XmlText::Units(double meters) const { return UnitsText(meters, meters_per_unit_); }
+
+}  // namespace smile::scene_xml

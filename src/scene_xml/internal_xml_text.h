@@ -1,0 +1,47 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "math/rigid_transform.h"
+
+namespace smile::scene_xml {
+
+/// Writes elements, indented, in the unit of a scene: metres here, units in the text.
+class XmlText {
+ public:
+  explicit XmlText(double meters_per_unit);
+
+  void Open(std::string_view name);
+  void Close();
+  /// File names come from anywhere: two hyphens would end the comment, or break it.
+  void Comment(std::string_view text);
+
+  // Of the element opened last, before anything is put into it.
+  void Attribute(std::string_view name, std::string_view value);
+  void Boolean(std::string_view name, bool value);
+  void Count(std::string_view name, int value);
+  void Number(std::string_view name, double value);
+  void Length(std::string_view name, double meters);
+  void Spans(const Vector3& size);
+  void Point(std::string_view name, const Vector3& p);
+  /// `location` and `rotation`, or `rotationMatrix` where angles lose bits.
+  void Pose(const RigidTransform& X_PE);
+  void Angle(std::string_view name, double angle);  ///< [rad]; degrees in the text
+
+  std::string Take() { return std::move(text_); }
+
+ private:
+  void Indent();
+  /// The tag opened last gets its end, because something is put into the element.
+  void EndTag();
+  std::string Units(double meters) const;
+
+  double meters_per_unit_;
+  std::vector<std::string> open_;
+  bool is_tag_open_ = false;
+  std::string text_;
+};
+
+}  // namespace smile::scene_xml

@@ -171,6 +171,10 @@ class JointedWorld : public PhysicsWorldBuilder {
       way.Add(world.state_hash());
     }
     way.Add(FullHash(world));
+    for (BodyId id : made.boxes_) {
+      // Numbers that are not numbers would be equal too. One may fall off the table.
+      EXPECT_LT(world.body(id).pose_in_world().translation().head<2>().norm(), 10);
+    }
     return way.value();
   }
 

@@ -38,7 +38,8 @@ void JointSolver::convertJoints(btTypedConstraint** joints, int num_joints,
   block_.Begin();
   if (num_joints == 0) return;
   for (const auto& [row, joint, number] : RowsOf(m_tmpSolverNonContactConstraintPool)) {
-    if (!joint->IsHeld(number)) continue;
+    // A body without inertia does not answer to a torque; Bullet passes over such a row.
+    if (!joint->IsHeld(number) || row->m_jacDiagABInv == 0) continue;
     row->m_overrideNumSolverIterations = 0;  // Bullet leaves it alone
     block_.AddRow(row);
   }

@@ -69,7 +69,11 @@ double InverseMassOf(double mass) { return std::isinf(mass) ? 0.0 : 1 / mass; }
 void World::CheckJoint(const JointSpec& spec) const {
   std::visit([](const auto& joint) { CheckNumbers(joint); }, spec);
   if (const auto* weld = std::get_if<WeldSpec>(&spec)) {
-    articulation(weld->articulation).CheckJoint(weld->link);
+    const Articulation& holder = articulation(weld->articulation);
+    holder.CheckJoint(weld->link);
+    for (int link : weld->links_not_colliding) {
+      if (link != -1) holder.CheckJoint(link);  // -1 is the base
+    }
     if (body(weld->body).is_static()) {
       throw std::invalid_argument("joint: body " + std::to_string(weld->body.value) +
                                   " is static, it can't be held");

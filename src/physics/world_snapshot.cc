@@ -167,7 +167,12 @@ void World::MatchJoints(const Snapshot& snapshot) {
       check(pair->first);
       check(pair->second);
     } else {
-      check(std::get<WeldSpec>(joint.spec).body);
+      const auto& weld = std::get<WeldSpec>(joint.spec);
+      check(weld.body);
+      const bool has_holder =
+          std::any_of(articulations_.begin(), articulations_.end(),
+                      [&weld](const auto& one) { return one->id() == weld.articulation; });
+      if (!has_holder) throw std::invalid_argument("snapshot: a weld is to an unknown robot");
     }
     CheckJoint(joint.spec);
     Insert(joint);

@@ -387,6 +387,15 @@ TEST_F(JointTest, AngularDampingIsItsOwn) {
   EXPECT_NEAR(world_.body(id).angular_velocity().z(), 0.5, 1e-6);
 }
 
+TEST_F(JointTest, WhatHasNoInertiaMayBeJoined) {
+  const BodyId post = Add({0, 0, 1}, 0);
+  const BodyId point =
+      world_.AddBody({.mass = {.mass = 1}, .X_WB = RigidTransform(Vector3(0.1, 0, 1))});
+  Fix(post, point);
+  StepSeconds(0.5);
+  EXPECT_NEAR(Place(point).z(), 1, 1e-6);
+}
+
 TEST_F(JointTest, RefusesWhatIsNotAJoint) {
   const BodyId post = Add({0, 0, 1}, 0), wall = Add({1, 0, 1}, 0), b = Add({0.2, 0, 1}, 1);
   EXPECT_THROW(world_.AddJoint(FixedJointSpec{.a = b, .b = b}), std::invalid_argument);

@@ -1,9 +1,11 @@
 #include "demonstrator/demonstrator.h"
 
-#include "base/wording.h"
 #include "math/angles.h"
 
 namespace smile::demonstrator {
+
+using world::Named;
+
 namespace {
 
 std::string NameOf(HandName hand) { return "the " + std::string(ToString(hand)) + " hand"; }
@@ -16,20 +18,20 @@ Demonstrator::Demonstrator(physics::World* world, world::Tabletop* tabletop)
 std::optional<Refusal> Demonstrator::Grasp(HandName name, std::string_view object_id,
                                            const std::optional<Vector3>& p_WQ) {
   const world::Object* object = tabletop_->Find(object_id);
-  if (object == nullptr) return "there is no object " + Quoted(object_id);
+  if (object == nullptr) return "there is no object " + Named(object_id);
   const Hand& own = hand(name);
   if (own.is_holding()) {
-    return NameOf(name) + " already holds " + Quoted(tabletop_->Find(own.held)->id()) +
+    return NameOf(name) + " already holds " + Named(tabletop_->Find(own.held)->id()) +
            "; release it first";
   }
   for (HandName other : kHandNames) {
     if (hand(other).held == object->body) {
-      return Quoted(object_id) + " is already held by " + NameOf(other);
+      return Named(object_id) + " is already held by " + NameOf(other);
     }
   }
   physics::Body& body = world_->body(object->body);
-  if (body.is_static()) return Quoted(object_id) + " is fixed (its mass is 0)";
-  if (body.is_carried()) return Quoted(object_id) + " is held by the robot";
+  if (body.is_static()) return Named(object_id) + " is fixed (its mass is 0)";
+  if (body.is_carried()) return Named(object_id) + " is held by the robot";
 
   const RigidTransform X_WB = body.pose_in_world();
   body.SetCarried(true);
@@ -83,14 +85,14 @@ std::optional<Refusal> Demonstrator::Destroy(HandName name) {
 
 std::optional<Refusal> Demonstrator::RefuseIfHolding(HandName name, const char* what) const {
   if (!hand(name).is_holding()) return std::nullopt;
-  return NameOf(name) + " holds " + Quoted(tabletop_->Find(hand(name).held)->id()) +
+  return NameOf(name) + " holds " + Named(tabletop_->Find(hand(name).held)->id()) +
          "; it must be empty to " + what;
 }
 
 std::optional<Refusal> Demonstrator::PointAt(HandName name, std::string_view part_id) const {
   if (auto refusal = RefuseIfHolding(name, "point")) return refusal;
   if (tabletop_->FindPointable(part_id) != nullptr) return std::nullopt;
-  return "there is no object " + Quoted(part_id) + ", nor a part so called that is pointable";
+  return "there is no object " + Named(part_id) + ", nor a part so called that is pointable";
 }
 
 std::optional<Refusal> Demonstrator::Trigger(HandName name, std::string_view control,
@@ -112,7 +114,7 @@ std::optional<Refusal> Demonstrator::Loosen(HandName name, std::string_view obje
 std::optional<Refusal> Demonstrator::Turn(HandName name, std::string_view object_id,
                                           const std::optional<Vector3>& p_WQ, Turning turning) {
   const world::Object* object = tabletop_->Find(object_id);
-  if (object == nullptr) return "there is no object " + Quoted(object_id);
+  if (object == nullptr) return "there is no object " + Named(object_id);
   const Hand& own = hand(name);
   if (own.is_holding() && own.held != object->body) {
     return RefuseIfHolding(name, "fasten or loosen anything else");
@@ -120,7 +122,7 @@ std::optional<Refusal> Demonstrator::Turn(HandName name, std::string_view object
   const physics::Body& body = world_->body(object->body);
   bool is_in_hand = false;
   for (const Hand& any : state_.hands) is_in_hand = is_in_hand || any.held == object->body;
-  if (body.is_carried() && !is_in_hand) return Quoted(object_id) + " is held by the robot";
+  if (body.is_carried() && !is_in_hand) return Named(object_id) + " is held by the robot";
 
   std::array<RigidTransform, kHandNames.size()> before;
   for (std::size_t i = 0; i < before.size(); ++i) {

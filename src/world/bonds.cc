@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <set>
 
-#include "base/wording.h"
 #include "scene/bond_points.h"
 
 namespace smile::world {
@@ -109,8 +108,8 @@ std::optional<std::size_t> Bonds::FindHost(std::size_t guest, double reach,
     nearest_distance = distance;
   }
   if (!nearest) {
-    *refusal = is_any_locked ? "what fits " + Quoted(plug.point->id) + " is locked"
-                             : "nothing that fits " + Quoted(plug.point->id) +
+    *refusal = is_any_locked ? "what fits " + Named(plug.point->id) + " is locked"
+                             : "nothing that fits " + Named(plug.point->id) +
                                    " and is free is less than two units away";
   }
   return nearest;
@@ -125,7 +124,7 @@ RigidTransform Bonds::GuestBodyAt(std::size_t guest, std::size_t host, int tight
 
 std::optional<Refusal> Bonds::Fasten(std::size_t object, const Vector3& p_WQ,
                                      double meters_per_unit) {
-  const std::string name = Quoted((*objects_)[object].id());
+  const std::string name = Named((*objects_)[object].id());
   const auto guest = NearestGuest(object, p_WQ);
   if (!guest) return name + " has nothing to fasten it by";
   if (const auto host = HostOf(*guest)) {
@@ -144,7 +143,7 @@ std::optional<Refusal> Bonds::Fasten(std::size_t object, const Vector3& p_WQ,
 std::optional<Refusal> Bonds::Loosen(std::size_t object, const Vector3& p_WQ) {
   const auto guest = NearestGuest(object, p_WQ);
   const auto host = guest ? HostOf(*guest) : std::nullopt;
-  if (!host) return Quoted((*objects_)[object].id()) + " is not fastened there";
+  if (!host) return Named((*objects_)[object].id()) + " is not fastened there";
   return Tighten(*guest, *host, states_[*host].tightness - 1);
 }
 
@@ -152,17 +151,17 @@ std::optional<Refusal> Bonds::Loosen(std::size_t object, const Vector3& p_WQ) {
 std::optional<Refusal> Bonds::Tighten(std::size_t guest, std::size_t host, int tightness) {
   const Object& object = (*objects_)[guests_[guest].object];
   const Object& holder = (*objects_)[hosts_[host].object];
-  if (states_[host].is_locked) return Quoted(hosts_[host].point->id) + " is locked";
+  if (states_[host].is_locked) return Named(hosts_[host].point->id) + " is locked";
   if (world_->body(object.body).is_static())
-    return Quoted(object.id()) + " is fixed (its mass is 0)";
+    return Named(object.id()) + " is fixed (its mass is 0)";
 
   const RigidTransform X_WB = GuestBodyAt(guest, host, tightness);
   const std::vector<physics::BodyId> own = world_->Assembly(object.body);
   for (physics::BodyId blocker : world_->OverlapsAt(object.body, X_WB, kMaxOverlap)) {
     if (blocker == holder.body || std::ranges::binary_search(own, blocker)) continue;
     const auto other = std::ranges::find(*objects_, blocker, &Object::body);
-    return "there is no room for " + Quoted(object.id()) + ": " +
-           (other != objects_->end() ? Quoted(other->id()) : "the table or the robot") +
+    return "there is no room for " + Named(object.id()) + ": " +
+           (other != objects_->end() ? Named(other->id()) : "the table or the robot") +
            " is in the way";
   }
   if (states_[host].joint) world_->RemoveJoint(states_[host].joint);

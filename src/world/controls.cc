@@ -42,7 +42,7 @@ std::vector<Target> TargetsOf(const CustomControl& control, int state) {
 std::string NamesOf(const std::vector<Target>& targets) {
   std::set<std::string> names;
   for (const Target& target : targets) {
-    if (!target.part.empty()) names.insert(Quoted(target.part));
+    if (!target.part.empty()) names.insert(Named(target.part));
   }
   const std::vector<std::string_view> words(names.begin(), names.end());
   return names.empty() ? "" : ": " + OneOf(words);
@@ -55,7 +55,7 @@ Controls::Controls(const std::vector<Object>& objects) {
   for (std::size_t object = 0; object < objects.size(); ++object) {
     for (const scene::Part* part : scene::ControlsOf(objects[object].spec->whole)) {
       index_of[part->id] = controls_.size();
-      controls_.push_back({.part = part, .object = object, .downstream = {}});
+      controls_.push_back({.part = {objects[object].spec, part}, .object = object, .downstream = {}});
       const auto* toggle = std::get_if<ToggleSwitch>(&part->shape);
       states_.push_back({.state = scene::InitialStateOf(*part),
                          .position = toggle && !toggle->is_left_pressed ? 1 : 0});
@@ -113,15 +113,15 @@ void Controls::DriveDownstream(std::size_t control) {
 std::optional<Refusal> Controls::Trigger(std::size_t index, std::string_view part) {
   const Control& control = controls_[index];
   ControlState& state = states_[index];
-  const std::string name = Quoted(control.id());
+  const std::string name = Named(control.id());
   const auto press = [&](const ToggleSwitch& toggle) -> std::optional<Refusal> {
     const std::string left = control.id() + "-b1", right = control.id() + "-b2";
     const std::string& raised = state.position == 0 ? right : left;
     if (!part.empty() && part != left && part != right) {
-      return name + " has no button " + Quoted(part) + ", expected " + left + " or " + right;
+      return name + " has no button " + Named(part) + ", expected " + left + " or " + right;
     }
     if (!part.empty() && part != raised) {
-      return Quoted(part) + " is pressed already; press " + Quoted(raised);
+      return Named(part) + " is pressed already; press " + Named(raised);
     }
     state.position = 1 - state.position;
     state.state = (state.state + 1) % toggle.num_states;
@@ -132,7 +132,7 @@ std::optional<Refusal> Controls::Trigger(std::size_t index, std::string_view par
     if (!part.empty()) {
       std::erase_if(targets, [part](const Target& target) { return target.part != part; });
       if (targets.empty()) {
-        return "nothing would happen: " + Quoted(part) + " is no part of " + name +
+        return "nothing would happen: " + Named(part) + " is no part of " + name +
                " as it is now, or leads nowhere";
       }
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -23,9 +24,9 @@ struct ControlState {
 
 /// A control of the scene, alive.
 struct Control {
-  const scene::Part* part;              ///< belongs to the object's spec
-  std::size_t object;                   ///< index of its object
-  std::vector<std::size_t> downstream;  ///< indices of the controls it drives
+  std::shared_ptr<const scene::Part> part;  ///< shares the object's spec
+  std::size_t object;                       ///< index of its object
+  std::vector<std::size_t> downstream;      ///< indices of the controls it drives
 
   const std::string& id() const { return part->id; }
 };

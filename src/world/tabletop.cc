@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "base/wording.h"
 #include "scene/solid.h"
 #include "world/internal_ground.h"
 #include "world/internal_joints.h"
@@ -124,7 +123,7 @@ bool Tabletop::HasControls(std::size_t object) const {
 std::optional<Refusal> Tabletop::Trigger(std::string_view id, std::string_view part) {
   const auto control = controls_.Find(id);
   if (!control || !IsPresent(controls_.all()[*control])) {
-    return "there is no control " + Quoted(id);
+    return "there is no control " + Named(id);
   }
   if (auto refusal = controls_.Trigger(*control, part)) return refusal;
   UpdateForms();

@@ -81,10 +81,11 @@ TEST_F(ReplayTest, OpensWhatACrashCutShortAndSaysSo) {
 TEST_F(ReplayTest, NoticesAPoseThatWasChangedInTheTrace) {
   const auto directory = Record();
   std::string trace = Text(directory / "trace.bin");
-  // The height of the first object in the first record, after the header and the record's head.
+  // The height of the first object in the first record, after the header, the record's head, the
+  // object's index and whether it is there.
   const std::size_t header = 8 + 4 + 4 + 2 * (4 + 1) + 4, head = 8 + 8 + 1 + 4;
   const double lower = 0.04;
-  std::memcpy(&trace[header + head + 4 + 2 * sizeof(double)], &lower, sizeof lower);
+  std::memcpy(&trace[header + head + 4 + 1 + 2 * sizeof(double)], &lower, sizeof lower);
   Overwrite(directory / "trace.bin", trace);
   const auto difference = Replay(OpenRecording(directory)).first_difference;
   ASSERT_TRUE(difference.has_value());

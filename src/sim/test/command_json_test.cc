@@ -64,7 +64,8 @@ TEST(CommandJson, SaysWhatWasFoundAndExpected) {
   EXPECT_EQ(MessageOf(R"({"do":"grasp","object":"b"})"),
             "\"grasp\" lacks \"hand\": which of the demonstrator's hands");
   EXPECT_EQ(MessageOf(R"({"do":"grab","hand":"left"})"),
-            "\"do\" is \"grab\", expected one of grasp, move_to, rotate, release, "
+            "\"do\" is \"grab\", expected one of grasp, move_to, rotate, release, destroy, "
+            "point, trigger, fasten, loosen, "
             "joint_velocities, joint_angles, robot");
   EXPECT_EQ(MessageOf(R"({"hand":"third","do":"release"})"),
             "\"hand\" is \"third\", expected left, right, both or any");

@@ -42,24 +42,6 @@ class Schema {
 
 const std::string kPoint = " location='(0, -.5,1.0E-4)'";
 
-/// One of everything there is, as a person would write it.
-std::string SceneOfEverything() {
-  return SceneText(
-      "<sliderJoint" + kPoint + " init='0.5' softness='1'><box" + kPoint +
-      "/><cylinder radius='.4'" + kPoint + " mass='0'/></sliderJoint>" +
-      "<chain start='(0,0,1)' end='(0,3,1)' linkCount='0' linkPadding='0'/>" + "<composite" +
-      kPoint + "><description name='a' value='b'/><ring radiusInner='0'" + kPoint +
-      "/><toggleSwitch id='S' angle='20'" + kPoint + "><downstream id='L'/></toggleSwitch>" +
-      "<guestBondPoint type='M3' initBondHostId='H' initBondTightness='1'/>" +
-      "<indicatorLights id='L'" + kPoint + "><state><light id='1' color=' #12aBcD'/></state>" +
-      "</indicatorLights></composite>" + "<composite" + kPoint +
-      "><hostBondPoint id='H' type='M3' downstream='S'><tightness downstreamLock='1'/>" +
-      "</hostBondPoint></composite>" + "<customControl name='dial'" + kPoint +
-      "><state descriptionName='on'><composite" + kPoint + "><frustum" + kPoint +
-      " nextStateWhenTriggered='-1'/></composite></state></customControl>" + "<sphere id='a#1'" +
-      kPoint + " friction='1' rollingFriction='0.1'/>");
-}
-
 TEST(Schemas, AcceptWhatTheReaderAccepts) {
   const Schema written("scene.xsd"), expanded("expanded.xsd");
   EXPECT_TRUE(written.Accepts(SceneOfEverything()));

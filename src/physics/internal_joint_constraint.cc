@@ -139,22 +139,31 @@ void JointConstraint::Restore(ByteReader* in) {
   for (bool& is_pressed : is_pressed_) is_pressed = in->Get<bool>();
 }
 
-void JointConstraint::getInfo1(btConstraintInfo1* info) {
-  info->nub = 0;
+int JointConstraint::num_rows() const {
   switch (kind_) {
     case Kind::kFixed:
-      info->m_numConstraintRows = 6;
-      break;
+      return 6;
     case Kind::kSlider:
-      info->m_numConstraintRows = has_one_place() ? 6 : 7;
-      break;
+      return has_one_place() ? 6 : 7;
     case Kind::kBall:
-      info->m_numConstraintRows = 3;
-      break;
+      return 3;
   }
+  return 0;
+}
+
+void JointConstraint::getInfo1(btConstraintInfo1* info) {
+  info->nub = 0;
+  info->m_numConstraintRows = num_rows();
 }
 
 void JointConstraint::getInfo2(btConstraintInfo2* info) {
+  FillRows(info);
+  for (int row = 0; row < num_rows(); ++row) {
+    return_speeds_[static_cast<std::size_t>(row)] = info->m_constraintError[row * info->rowskip];
+  }
+}
+
+void JointConstraint::FillRows(btConstraintInfo2* info) {
   const Pose pose = PoseNow();
   const btVector3 p_JK = pose.p_JK();
   int row = 0;

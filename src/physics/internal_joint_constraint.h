@@ -37,6 +37,8 @@ class JointConstraint : public btTypedConstraint {
 
   /// True for rows that hold in both directions, and for a limit that was pressed.
   bool IsHeld(int row) const;
+  /// The speed with which a row takes back what came apart, in this step [m/s] or [rad/s].
+  double return_speed(int row) const { return return_speeds_[static_cast<std::size_t>(row)]; }
   /// What a row did in a step.
   void NoteImpulse(int row, double impulse);
   double held_offset() const { return held_offset_; }
@@ -53,6 +55,8 @@ class JointConstraint : public btTypedConstraint {
   struct Pose;
 
   Pose PoseNow() const;
+  int num_rows() const;
+  void FillRows(btConstraintInfo2* info);
   void LockPoint(const Pose& pose, int axis, double error, int row, btConstraintInfo2* info) const;
   void LockTurning(const Pose& pose, int first_row, btConstraintInfo2* info) const;
   void StopAtLimits(const Pose& pose, int first_row, btConstraintInfo2* info);
@@ -63,8 +67,9 @@ class JointConstraint : public btTypedConstraint {
   SliderJointSpec rail_;
   bool is_held_ = false;
   double held_offset_ = 0;
-  bool bounces_ = false;              ///< off a limit, in this step
-  std::array<bool, 2> is_pressed_{};  ///< the lower and the upper limit, in the last step
+  std::array<double, 7> return_speeds_{};  ///< in this step
+  bool bounces_ = false;                   ///< off a limit, in this step
+  std::array<bool, 2> is_pressed_{};       ///< the lower and the upper limit, in the last step
 };
 
 }  // namespace smile::physics

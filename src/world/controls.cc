@@ -55,7 +55,8 @@ Controls::Controls(const std::vector<Object>& objects) {
   for (std::size_t object = 0; object < objects.size(); ++object) {
     for (const scene::Part* part : scene::ControlsOf(objects[object].spec->whole)) {
       index_of[part->id] = controls_.size();
-      controls_.push_back({.part = {objects[object].spec, part}, .object = object, .downstream = {}});
+      controls_.push_back(
+          {.part = {objects[object].spec, part}, .object = object, .downstream = {}});
       const auto* toggle = std::get_if<ToggleSwitch>(&part->shape);
       states_.push_back({.state = scene::InitialStateOf(*part),
                          .position = toggle && !toggle->is_left_pressed ? 1 : 0});

@@ -55,8 +55,11 @@ int Check(const CheckOptions& options) {
         objects.begin(), objects.end(), [](const auto& object) { return object.is_static(); }));
     findings.objects += objects.size();
     findings.fixed += fixed;
-    if (options.expand)
-      std::printf("%s", scene_xml::WriteScene(*reading.scene, reading.origins).c_str());
+    if (options.expand) {
+      std::printf("%s", scene_xml::WriteScene(*reading.scene, reading.origins,
+                                              scene_xml::MeshNames::kWhereTheyAre)
+                            .c_str());
+    }
     if (!options.json && !options.expand) {
       std::printf("%s: ok, %zu objects (%zu fixed)\n", file.c_str(), objects.size(), fixed);
     }

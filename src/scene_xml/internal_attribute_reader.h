@@ -45,6 +45,8 @@ class AttributeReader {
   /// A positive length; units in the file, metres here.
   double Span(std::string_view name, double fallback_units);
   Vector3 Spans(double fallback_units);  ///< `xspan`, `yspan`, `zspan`
+  /// `file`, which must be there, and `scale`: a mesh as large as scenes may have things.
+  scene::Custom Custom();
   /// `location` and `rotation`: this element in its parent.
   RigidTransform Pose();
 

@@ -9,6 +9,7 @@
 
 #include "scene_xml/internal_element_choice.h"
 #include "scene_xml/internal_values.h"
+#include "scene_xml/mesh_files.h"
 
 namespace smile::scene_xml {
 namespace {
@@ -103,7 +104,7 @@ ObjectSpec ReadObject(const XmlElement& element, const ShapeElement& shape, Read
   object.mass = attributes.Number("mass", 1, kMassKilograms);
   object.surface = ReadSurface(&attributes);
   attributes.RefuseUnknown();
-  object.descriptions = {{"shape", std::string(shape.name)}};
+  object.descriptions = {{"shape", ShapeWordOf(object.whole.shape, shape.name)}};
   auto* composite = std::get_if<scene::Composite>(&object.whole.shape);
   for (const XmlElement& child : element.children) {
     if (IsDescription(child)) {

@@ -3,6 +3,7 @@
 #include "scene/scene_spec.h"
 #include "scene_xml/internal_findings.h"
 #include "scene_xml/internal_id_registry.h"
+#include "scene_xml/internal_mesh_shelf.h"
 
 namespace smile::scene_xml {
 
@@ -10,6 +11,7 @@ namespace smile::scene_xml {
 struct Reading {
   Findings* findings;
   IdRegistry ids;
+  MeshShelf* meshes = nullptr;
   double meters_per_unit = scene::kMetersPerUnit;
 };
 

@@ -27,6 +27,8 @@ Shape ReadBox(AttributeReader* attributes) {
 
 Shape ReadComposite(AttributeReader*) { return scene::Composite{}; }
 
+Shape ReadCustom(AttributeReader* attributes) { return attributes->Custom(); }
+
 Shape ReadCylinder(AttributeReader* attributes) {
   return scene::Cylinder{.radius = attributes->Span("radius", 0.5),
                          .length = attributes->Span("yspan", 1),
@@ -68,10 +70,11 @@ Shape ReadSphere(AttributeReader* attributes) {
   return scene::Sphere{.radius = attributes->Span("radius", 0.5)};
 }
 
-constexpr std::array<ShapeElement, 7> kShapeElements{{
+constexpr std::array<ShapeElement, 8> kShapeElements{{
     {"block", ReadBlock},
     {"box", ReadBox},
     {"composite", ReadComposite, /*is_composite=*/true},
+    {"custom", ReadCustom},
     {"cylinder", ReadCylinder},
     {"frustum", ReadFrustum},
     {"ring", ReadRing},

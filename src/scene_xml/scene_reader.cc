@@ -7,6 +7,7 @@
 #include "scene_xml/internal_element_choice.h"
 #include "scene_xml/internal_expansion.h"
 #include "scene_xml/internal_inclusion.h"
+#include "scene_xml/internal_mesh_shelf.h"
 #include "scene_xml/internal_object_reader.h"
 #include "scene_xml/internal_root_reader.h"
 
@@ -19,7 +20,8 @@ SceneReading ReadTree(XmlElement root, const std::filesystem::path* path,
                       Findings* findings) {
   SceneReading result;
   scene::SceneSpec& scene = result.scene.emplace();
-  Reading reading{.findings = findings, .ids = {}};
+  MeshShelf meshes(path, options.search_roots, options.limits);
+  Reading reading{.findings = findings, .ids = {}, .meshes = &meshes};
   if (!ReadRoot(root, &reading, &scene)) return result;
   const bool has_all_files = ResolveIncludes(path, options, counts, &root, &reading);
   ExpandTemplates(options.limits, has_all_files, &root, &reading);

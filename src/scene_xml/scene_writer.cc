@@ -12,6 +12,7 @@
 #include "scene_xml/internal_units.h"
 #include "scene_xml/internal_values.h"
 #include "scene_xml/internal_xml_tree.h"
+#include "scene_xml/mesh_files.h"
 
 namespace smile::scene_xml {
 namespace {
@@ -70,7 +71,8 @@ std::optional<std::string> AnglesText(const Matrix3& R) {
 
 class SceneWriter {
  public:
-  explicit SceneWriter(double meters_per_unit) : meters_per_unit_(meters_per_unit) {}
+  SceneWriter(double meters_per_unit, std::vector<MeshFile> mesh_files)
+      : meters_per_unit_(meters_per_unit), mesh_files_(std::move(mesh_files)) {}
 
   std::string Write(const scene::SceneSpec& scene, std::span<const std::string> origins) {
     text_ = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<tabletop";
@@ -120,7 +122,7 @@ class SceneWriter {
     const std::size_t length_of_tag = text_.size();
     text_ += ">\n";
     const std::size_t length_when_empty = text_.size();
-    if (object) Descriptions(*object, name, depth + 1);
+    if (object) Descriptions(*object, ShapeWord(part.shape, name), depth + 1);
     if (composite) {
       for (const scene::Part& child : composite->parts) Element(child, nullptr, depth + 1);
     }
@@ -143,8 +145,14 @@ class SceneWriter {
     if (surface.rolling_friction) Length("rollingFriction", *surface.rolling_friction);
   }
 
+  /// What the reader will say of the shape when nothing is written.
+  std::string ShapeWord(const scene::Shape& shape, std::string_view element) const {
+    const auto* custom = std::get_if<scene::Custom>(&shape);
+    return custom ? WordOfMeshFile(FileOf(*custom)) : ShapeWordOf(shape, element);
+  }
+
   /// All but the `shape` the reader adds by itself.
-  void Descriptions(const scene::ObjectSpec& object, std::string_view shape, int depth) {
+  void Descriptions(const scene::ObjectSpec& object, const std::string& shape, int depth) {
     for (const scene::Description& description : object.descriptions) {
       if (description.name == "shape" && description.value == shape) continue;
       Indent(depth);
@@ -163,6 +171,7 @@ class SceneWriter {
                    [](const scene::Box&) { return "box"; },
                    [](const scene::Frustum&) { return "frustum"; },
                    [](const scene::Ring&) { return "ring"; },
+                   [](const scene::Custom&) { return "custom"; },
                    [](const scene::Composite&) { return "composite"; },
                    [](const auto&) -> const char* { throw std::logic_error("not written yet"); }},
         shape);
@@ -191,9 +200,20 @@ class SceneWriter {
     Length("zspan", ring.height);
     Attribute("sides", std::to_string(ring.sides));
   }
+  void Sizes(const scene::Custom& custom) {
+    Attribute("file", FileOf(custom));
+    Length("scale", custom.scale);
+  }
   void Sizes(const scene::Composite&) {}
   template <class Other>
   void Sizes(const Other&) {}
+
+  std::string FileOf(const scene::Custom& custom) const {
+    for (const MeshFile& file : mesh_files_) {
+      if (file.mesh == custom.mesh) return std::string(kMeshFolder) + "/" + file.name;
+    }
+    return custom.file;
+  }
 
   void Spans(const Vector3& size) {
     Length("xspan", size.x());
@@ -230,13 +250,17 @@ class SceneWriter {
   void Indent(int depth) { text_.append(std::size_t{2} * depth, ' '); }
 
   double meters_per_unit_;
+  std::vector<MeshFile> mesh_files_;  // none: meshes are where they are
   std::string text_;
 };
 
 }  // namespace
 
-std::string WriteScene(const scene::SceneSpec& scene, std::span<const std::string> origins) {
-  return SceneWriter(scene.meters_per_unit).Write(scene, origins);
+std::string WriteScene(const scene::SceneSpec& scene, std::span<const std::string> origins,
+                       MeshNames mesh_names) {
+  std::vector<MeshFile> files;
+  if (mesh_names == MeshNames::kBeside) files = MeshFilesOf(scene);
+  return SceneWriter(scene.meters_per_unit, std::move(files)).Write(scene, origins);
 }
 
 }  // namespace smile::scene_xml

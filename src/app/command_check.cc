@@ -83,8 +83,11 @@ int Check(const CheckOptions& options) {
     if (!reading.scene) continue;
     const SceneCounts counts = CountsOf(*reading.scene);
     findings.counts += counts;
-    if (options.expand)
-      std::printf("%s", scene_xml::WriteScene(*reading.scene, reading.origins).c_str());
+    if (options.expand) {
+      std::printf("%s", scene_xml::WriteScene(*reading.scene, reading.origins,
+                                              scene_xml::MeshNames::kWhereTheyAre)
+                            .c_str());
+    }
     if (!options.json && !options.expand) {
       std::printf("%s: ok, %zu objects (%zu fixed), %zu controls, %zu joints\n", file.c_str(),
                   counts.objects, counts.fixed, counts.controls, counts.joints);

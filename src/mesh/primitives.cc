@@ -7,6 +7,7 @@
 #include <string>
 
 #include "base/overloaded.h"
+#include "mesh/internal_smooth_surface.h"
 
 namespace smile::mesh {
 namespace {
@@ -125,7 +126,24 @@ TriangleMesh MakeHull(const scene::Polyhedron& polyhedron) {
   return mesh;
 }
 
+std::weak_ordering Compare(const Vector3f& a, const Vector3f& b) {
+  for (int i = 0; i < 3; ++i) {
+    if (const auto order = std::weak_order(a[i], b[i]); order != 0) return order;
+  }
+  return std::weak_ordering::equivalent;
+}
+
 }  // namespace
+
+std::weak_ordering SharedSurface::operator<=>(const SharedSurface& other) const {
+  if (mesh == other.mesh) return std::weak_ordering::equivalent;
+  if (!mesh || !other.mesh) return !mesh <=> !other.mesh;
+  const scene::SurfaceMesh &a = mesh->surface, &b = other.mesh->surface;
+  if (const auto order = a.vertices.size() <=> b.vertices.size(); order != 0) return order;
+  const auto vertices = std::lexicographical_compare_three_way(
+      a.vertices.begin(), a.vertices.end(), b.vertices.begin(), b.vertices.end(), Compare);
+  return vertices != 0 ? vertices : a.triangles <=> b.triangles;
+}
 
 UnitMesh UnitMeshOf(const scene::VisualShape& shape, int sphere_facets) {
   return std::visit(
@@ -140,7 +158,9 @@ UnitMesh UnitMeshOf(const scene::VisualShape& shape, int sphere_facets) {
           [](const scene::Hull& hull) {
             return UnitMesh{UnitMesh::Kind::kHull, 0, hull};
           },
-          [](const scene::DrawnMesh&) -> UnitMesh { throw std::logic_error("not drawn yet"); }},
+          [](const scene::DrawnMesh& drawn) {
+            return UnitMesh{UnitMesh::Kind::kSurface, 0, {}, {drawn.mesh}};
+          }},
       shape);
 }
 
@@ -158,9 +178,15 @@ Vector3 StretchOf(const scene::VisualShape& shape) {
 }
 
 double BoundingRadiusOf(const scene::VisualShape& shape) {
+  double radius = 0;
+  if (const auto* drawn = std::get_if<scene::DrawnMesh>(&shape)) {
+    for (const Vector3f& vertex : drawn->mesh->surface.vertices) {
+      radius = std::max(radius, vertex.cast<double>().norm());
+    }
+    return radius * drawn->scale;
+  }
   const auto* hull = std::get_if<scene::Hull>(&shape);
   if (!hull) return StretchOf(shape).norm() / 2;
-  double radius = 0;
   for (const Vector3& corner : hull->polyhedron().corners) radius = std::max(radius, corner.norm());
   return radius;
 }
@@ -168,6 +194,9 @@ double BoundingRadiusOf(const scene::VisualShape& shape) {
 TriangleMesh MakeMesh(const UnitMesh& unit_mesh) {
   if (unit_mesh.kind == UnitMesh::Kind::kBlock) return MakeBlock();
   if (unit_mesh.kind == UnitMesh::Kind::kHull) return MakeHull(unit_mesh.hull.polyhedron());
+  if (unit_mesh.kind == UnitMesh::Kind::kSurface) {
+    return SmoothSurface(unit_mesh.surface.mesh->surface);
+  }
   if (unit_mesh.facets < 3 || unit_mesh.facets > kMaxFacets) {
     throw std::invalid_argument("a round mesh has " + std::to_string(unit_mesh.facets) +
                                 " facets, expected 3 to " + std::to_string(kMaxFacets));

@@ -1,21 +1,32 @@
 #pragma once
 
 #include <compare>
+#include <memory>
 
 #include "mesh/triangle_mesh.h"
 #include "scene/visual_model.h"
 
 namespace smile::mesh {
 
+/// The surface of a mesh file, shared; equal surfaces are equal wherever they lie.
+struct SharedSurface {
+  std::shared_ptr<const scene::CustomMesh> mesh;
+
+  bool operator==(const SharedSurface& other) const { return (*this <=> other) == 0; }
+  /// Some order, for maps, that is the same in every run.
+  std::weak_ordering operator<=>(const SharedSurface& other) const;
+};
+
 /// A mesh that spans one metre along x, y and z about the origin. Shapes that differ in size only
 /// share one, stretched by their StretchOf(), so that many are drawn at one stroke. A hull is a
-/// unit mesh of its own, in its true size.
+/// unit mesh of its own, in its true size; the surface of a mesh file is one in the file's unit.
 struct UnitMesh {
-  enum class Kind { kBlock, kCylinder, kSphere, kHull };
+  enum class Kind { kBlock, kCylinder, kSphere, kHull, kSurface };
 
   Kind kind = Kind::kBlock;
-  int facets = 0;    ///< of a round shape: once around the axis, at least 3; else 0
-  scene::Hull hull;  ///< of a hull
+  int facets = 0;         ///< of a round shape: once around the axis, at least 3; else 0
+  scene::Hull hull;       ///< of a hull
+  SharedSurface surface;  ///< of a surface
 
   auto operator<=>(const UnitMesh&) const = default;
 };
@@ -29,7 +40,7 @@ inline constexpr int kSphereFacets = 32;
 UnitMesh UnitMeshOf(const scene::VisualShape& shape, int sphere_facets = kSphereFacets);
 
 /// What a shape's unit mesh is stretched by along its own x, y, z: its full lengths [m]; a hull by
-/// nothing: 1.
+/// nothing: 1; a surface by the length of its unit.
 Vector3 StretchOf(const scene::VisualShape& shape);
 
 /// Of a sphere about the shape's origin that holds all of it [m].
@@ -37,7 +48,7 @@ double BoundingRadiusOf(const scene::VisualShape& shape);
 
 /// A block has 12 flat triangles; a cylinder (axis y) `facets` smooth ones around and two flat
 /// caps; a sphere `facets` meridians from pole (+y) to pole; a hull flat faces. Corners of round
-/// shapes lie on the true surface.
+/// shapes lie on the true surface. A surface is smooth over edges of less than 30 degrees.
 /// @throws std::invalid_argument unless a round shape's facets are within 3 and kMaxFacets.
 TriangleMesh MakeMesh(const UnitMesh& unit_mesh);
 

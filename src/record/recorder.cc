@@ -5,7 +5,9 @@
 
 #include "base/diagnostic.h"
 #include "base/files.h"
+#include "mesh/import_mesh.h"
 #include "record/recording.h"
+#include "scene_xml/mesh_files.h"
 #include "scene_xml/scene_writer.h"
 #include "sim/command_json.h"
 
@@ -14,6 +16,15 @@ namespace {
 
 void CopyFile(const std::filesystem::path& from, const std::filesystem::path& to) {
   WriteFile(to, ReadFile(from, 64u << 20));
+}
+
+/// What the scene is made of belongs to the recording, which may outlive the original.
+void WriteMeshes(const scene::SceneSpec& scene, const std::filesystem::path& folder) {
+  const std::vector<scene_xml::MeshFile> files = scene_xml::MeshFilesOf(scene);
+  if (!files.empty()) MakeDirectories(folder);
+  for (const scene_xml::MeshFile& file : files) {
+    mesh::WriteStl(file.mesh->surface, folder / file.name);
+  }
 }
 
 /// Makes the directory with everything that stands there before the first tick; returns it.
@@ -34,6 +45,7 @@ const std::filesystem::path& Prepare(const std::filesystem::path& directory,
                       "exists already; a recording is never overwritten, name a new directory"});
   }
   MakeDirectories(directory);
+  WriteMeshes(simulation.scene(), directory / scene_xml::kMeshFolder);
   WriteFile(directory / "scene.xml", scene_xml::WriteScene(simulation.scene()));
 
   DemoInfo info{.scene = simulation.scene().name,

@@ -62,7 +62,9 @@ struct Ring {
 
 /// A triangle mesh from a file, its origin where the file has it.
 struct Custom {
-  std::string file;    ///< as written in the scene
+  /// Where it was read, seen from the scene's folder or a search root. Not compared: copies of a
+  /// scene and its meshes are equal.
+  std::string file;
   double scale = 0.1;  ///< length of the mesh's unit [m]
   /// Shared by all that are made of the same file; never null in a scene that was read.
   std::shared_ptr<const CustomMesh> mesh;
@@ -96,7 +98,7 @@ struct Part {
 };
 
 inline bool Custom::operator==(const Custom& other) const {
-  return file == other.file && scale == other.scale &&
+  return scale == other.scale &&
          (mesh == other.mesh || (mesh && other.mesh && *mesh == *other.mesh));
 }
 inline bool Composite::operator==(const Composite& other) const {

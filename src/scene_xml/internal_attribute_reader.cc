@@ -180,6 +180,28 @@ double AttributeReader::Distance(std::string_view name, double fallback_units) {
   return MetersFromUnits(units, reading_.meters_per_unit);
 }
 
+scene::Custom AttributeReader::Custom() {
+  scene::Custom custom{.file = RequiredText("file")};
+  custom.scale = Span("scale", 1);
+  if (!Text("file")) return custom;
+  if (std::string fault;
+      !reading_.meshes->Fetch(reading_.findings->sources(), element_.place, &custom, &fault)) {
+    AddFinding("found file=" + Quoted(custom.file) + fault);
+    return custom;
+  }
+  double farthest_units = 0;
+  for (const Eigen::Vector3f& vertex : custom.mesh->surface.vertices) {
+    farthest_units = std::max(farthest_units, vertex.cast<double>().cwiseAbs().maxCoeff());
+  }
+  farthest_units *= custom.scale / reading_.meters_per_unit;
+  if (!Contains(kSpanUnits, static_cast<long double>(farthest_units))) {
+    Refuse("scale", "one with which the mesh reaches " + Wording(kSpanUnits) +
+                        " units from its origin; its own reach and scale make " +
+                        PlainNumberText(farthest_units));
+  }
+  return custom;
+}
+
 RigidTransform AttributeReader::Pose() {
   const Vector3 p_PE = Point("location");
   return {Rotation(), p_PE};

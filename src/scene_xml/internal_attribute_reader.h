@@ -57,6 +57,8 @@ class AttributeReader {
   double Distance(std::string_view name, double fallback_units);
   /// `(x,y,z)` that must be there.
   Vector3 Point(std::string_view name);
+  /// `file`, which must be there, and `scale`: a mesh as large as scenes may have things.
+  scene::Custom Custom();
   /// `location` and `rotation`: this element in its parent.
   RigidTransform Pose();
   /// The same; without a `location` it is at the parent's origin.

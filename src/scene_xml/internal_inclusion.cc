@@ -1,6 +1,5 @@
 #include "scene_xml/internal_inclusion.h"
 
-#include <algorithm>
 #include <iterator>
 #include <optional>
 #include <set>
@@ -12,6 +11,7 @@
 
 #include "base/files.h"
 #include "base/wording.h"
+#include "scene_xml/internal_allowed_folders.h"
 #include "scene_xml/internal_attribute_reader.h"
 #include "scene_xml/internal_element_choice.h"
 #include "scene_xml/internal_root_reader.h"
@@ -21,27 +21,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMaxPathBytes = 1000;
-
-/// The folder of a file, as it can be opened.
-fs::path FolderOf(const fs::path& file) {
-  return file.has_parent_path() ? file.parent_path() : fs::path(".");
-}
-
-/// @param folder, path  without links and dots.
-bool IsInside(const fs::path& folder, const fs::path& path) {
-  return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first ==
-         folder.end();
-}
-
 class IncludeResolver {
  public:
   IncludeResolver(const fs::path* main_file, const SceneReaderOptions& options,
                   const ReadCounts& counts, Reading* reading)
-      : options_(options), counts_(counts), reading_(*reading) {
-    for (const fs::path& root : options.search_roots) Allow(root);
+      : options_(options),
+        counts_(counts),
+        reading_(*reading),
+        folders_(main_file, options.search_roots) {
     if (!main_file) return;
-    Allow(FolderOf(*main_file));
     std::error_code error;
     seen_.insert(fs::canonical(*main_file, error));
   }
@@ -63,16 +51,7 @@ class IncludeResolver {
   bool has_all() const { return has_all_; }
 
  private:
-  struct FoundFile {
-    fs::path name;  // for people
-    fs::path canonical;
-  };
-
-  void Allow(const fs::path& folder) {
-    std::error_code error;
-    fs::path canonical = fs::canonical(folder, error);
-    if (!error) allowed_.push_back(std::move(canonical));
-  }
+  using FoundFile = AllowedFolders::FoundFile;
 
   void Fail(const XmlElement& include, const std::string& message) {
     has_all_ = false;
@@ -101,24 +80,9 @@ class IncludeResolver {
 
   std::optional<FoundFile> Find(const fs::path* folder, const std::string& file,
                                 const XmlElement& include) {
-    std::vector<fs::path> folders = options_.search_roots;
-    if (folder) folders.insert(folders.begin(), *folder);
-    bool is_outside = false;
-    if (!file.empty() && file.size() <= kMaxPathBytes) {
-      for (const fs::path& base : folders) {
-        const fs::path name = base / file;
-        std::error_code error;
-        const fs::path canonical = fs::canonical(name, error);
-        if (error) continue;
-        const auto holds = [&](const fs::path& allowed) { return IsInside(allowed, canonical); };
-        if (std::any_of(allowed_.begin(), allowed_.end(), holds)) return FoundFile{name, canonical};
-        is_outside = true;
-      }
-    }
-    Fail(include, "found file=" + Quoted(file) +
-                      (is_outside ? " elsewhere, expected it in " : ", expected a file in ") +
-                      (folder ? "the folder of the scene, in a --path folder or below these"
-                              : "a --path folder or below it"));
+    AllowedFolders::Search search = folders_.Find(folder, file);
+    if (search.found) return std::move(search.found);
+    Fail(include, "found file=" + Quoted(file) + search.expected);
     return std::nullopt;
   }
 
@@ -149,8 +113,8 @@ class IncludeResolver {
   const SceneReaderOptions& options_;
   ReadCounts counts_;
   Reading& reading_;
-  std::vector<fs::path> allowed_;  // canonical
-  std::set<fs::path> seen_;        // canonical
+  AllowedFolders folders_;
+  std::set<fs::path> seen_;  // canonical
   bool has_all_ = true;
 };
 

@@ -8,6 +8,7 @@
 
 #include "scene/solid.h"
 #include "scene_xml/internal_part_reader.h"
+#include "scene_xml/mesh_files.h"
 
 namespace smile::scene_xml {
 namespace {
@@ -42,7 +43,7 @@ Description ReadDescription(const XmlElement& element, Reading* reading) {
 /// What an object is called in its first description.
 std::string ShapeNameOf(const ShapeElement& shape, const scene::Part& part) {
   const auto* custom = std::get_if<scene::CustomControl>(&part.shape);
-  return custom ? custom->name : std::string(shape.name);
+  return custom ? custom->name : ShapeWordOf(part.shape, shape.name);
 }
 
 void CheckPieces(const scene::Part& whole, AttributeReader* attributes) {

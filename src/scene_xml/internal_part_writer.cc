@@ -1,6 +1,5 @@
 #include "scene_xml/internal_part_writer.h"
 
-#include <stdexcept>
 #include <string_view>
 #include <variant>
 
@@ -21,11 +20,11 @@ std::string_view NameOf(const scene::Shape& shape) {
                  [](const scene::Box&) { return "box"; },
                  [](const scene::Frustum&) { return "frustum"; },
                  [](const scene::Ring&) { return "ring"; },
+                 [](const scene::Custom&) { return "custom"; },
                  [](const scene::Composite&) { return "composite"; },
                  [](const scene::ToggleSwitch&) { return "toggleSwitch"; },
                  [](const scene::IndicatorLights&) { return "indicatorLights"; },
-                 [](const scene::CustomControl&) { return "customControl"; },
-                 [](const auto&) -> const char* { throw std::logic_error("not written yet"); }},
+                 [](const scene::CustomControl&) { return "customControl"; }},
       shape);
 }
 
@@ -52,10 +51,14 @@ void Sizes(const scene::Ring& ring, XmlText* text) {
   text->Length("zspan", ring.height);
   text->Count("sides", ring.sides);
 }
+void Sizes(const scene::Custom& custom, XmlText* text) {
+  text->Attribute("file", text->FileOf(custom));
+  text->Length("scale", custom.scale);
+}
 void Sizes(const scene::Composite&, XmlText*) {}
-template <class Other>
-void Sizes(const Other& control, XmlText* text) {
-  if constexpr (requires { control.downstream; }) WriteControlAttributes(control, text);
+template <class Control>
+void Sizes(const Control& control, XmlText* text) {
+  WriteControlAttributes(control, text);
 }
 
 bool HasColor(const scene::Shape& shape) {
@@ -88,10 +91,18 @@ void WriteSurface(const scene::Surface& surface, XmlText* text) {
   if (surface.rolling_friction) text->Length("rollingFriction", *surface.rolling_friction);
 }
 
+/// What the reader calls the shape when nothing is written.
+std::string ShapeWord(const scene::Shape& shape, const XmlText& text) {
+  if (const auto* custom = std::get_if<scene::Custom>(&shape)) {
+    return WordOfMeshFile(text.FileOf(*custom));
+  }
+  const auto* control = std::get_if<scene::CustomControl>(&shape);
+  return control ? control->name : std::string(NameOf(shape));
+}
+
 /// All but the `shape` the reader adds by itself.
 void WriteDescriptions(const ObjectSpec& object, XmlText* text) {
-  const auto* custom = std::get_if<scene::CustomControl>(&object.whole.shape);
-  const std::string_view shape = custom ? custom->name : NameOf(object.whole.shape);
+  const std::string shape = ShapeWord(object.whole.shape, *text);
   for (const scene::Description& description : object.descriptions) {
     if (description.name == "shape" && description.value == shape) continue;
     text->Open("description");

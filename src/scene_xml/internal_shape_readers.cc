@@ -27,6 +27,8 @@ Shape ReadBox(AttributeReader* attributes) {
 
 Shape ReadComposite(AttributeReader*) { return scene::Composite{}; }
 
+Shape ReadCustom(AttributeReader* attributes) { return attributes->Custom(); }
+
 Shape ReadCylinder(AttributeReader* attributes) {
   return scene::Cylinder{.radius = attributes->Span("radius", 0.5),
                          .length = attributes->Span("yspan", 1),
@@ -61,10 +63,11 @@ Shape ReadSphere(AttributeReader* attributes) {
   return scene::Sphere{.radius = attributes->Span("radius", 0.5)};
 }
 
-constexpr std::array<ShapeElement, 10> kShapeElements{{
+constexpr std::array<ShapeElement, 11> kShapeElements{{
     {"block", ReadBlock},
     {"box", ReadBox},
     {"composite", ReadComposite, /*default_color=*/""},
+    {"custom", ReadCustom},
     {"customControl", ReadCustomControl, /*default_color=*/"", /*is_control=*/true},
     {"cylinder", ReadCylinder},
     {"frustum", ReadFrustum},

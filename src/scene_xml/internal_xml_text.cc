@@ -102,8 +102,15 @@ std::string MatrixText(const Matrix3& R) {
 
 }  // namespace
 
-XmlText::XmlText(double meters_per_unit)
-    : meters_per_unit_(meters_per_unit), text_("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n") {}
+XmlText::XmlText(double meters_per_unit, std::vector<MeshFile> mesh_files)
+    : meters_per_unit_(meters_per_unit), mesh_files_(std::move(mesh_files)), text_("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n") {}
+
+std::string XmlText::FileOf(const scene::Custom& custom) const {
+  for (const MeshFile& file : mesh_files_) {
+    if (file.mesh == custom.mesh) return std::string(kMeshFolder) + "/" + file.name;
+  }
+  return custom.file;
+}
 
 void XmlText::Open(std::string_view name) {
   EndTag();

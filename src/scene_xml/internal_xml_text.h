@@ -5,13 +5,16 @@
 #include <vector>
 
 #include "math/rigid_transform.h"
+#include "scene_xml/mesh_files.h"
 
 namespace smile::scene_xml {
 
-/// Writes elements, indented, in the unit of a scene: metres here, units in the text.
+/// Writes elements, indented, in the unit of a scene: metres here, units in the text. Knows under
+/// which names the text finds its meshes.
 class XmlText {
  public:
-  explicit XmlText(double meters_per_unit);
+  /// @param mesh_files  that are to stand beside the text; others are where they were found.
+  XmlText(double meters_per_unit, std::vector<MeshFile> mesh_files);
 
   void Open(std::string_view name);
   void Close();
@@ -30,6 +33,9 @@ class XmlText {
   void Pose(const RigidTransform& X_PE);
   void Angle(std::string_view name, double angle);  ///< [rad]; degrees in the text
 
+  /// How the text names a mesh.
+  std::string FileOf(const scene::Custom& custom) const;
+
   std::string Take() { return std::move(text_); }
 
  private:
@@ -39,6 +45,7 @@ class XmlText {
   std::string Units(double meters) const;
 
   double meters_per_unit_;
+  std::vector<MeshFile> mesh_files_;
   std::vector<std::string> open_;
   bool is_tag_open_ = false;
   std::string text_;

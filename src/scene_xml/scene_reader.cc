@@ -9,6 +9,7 @@
 #include "scene_xml/internal_inclusion.h"
 #include "scene_xml/internal_joint_reader.h"
 #include "scene_xml/internal_mechanisms.h"
+#include "scene_xml/internal_mesh_shelf.h"
 #include "scene_xml/internal_object_reader.h"
 #include "scene_xml/internal_root_reader.h"
 
@@ -32,7 +33,8 @@ SceneReading ReadTree(XmlElement root, const std::filesystem::path* path,
                       Findings* findings) {
   SceneReading result;
   scene::SceneSpec& scene = result.scene.emplace();
-  Reading reading{.findings = findings};
+  MeshShelf meshes(path, options.search_roots, options.limits);
+  Reading reading{.findings = findings, .meshes = &meshes};
   if (!ReadRoot(root, &reading, &scene)) return result;
   const bool has_all_files = ResolveIncludes(path, options, counts, &root, &reading);
   ExpandTemplates(options.limits, has_all_files, &root, &reading);

@@ -16,16 +16,18 @@ namespace smile::scene_xml {
 struct SceneLimits {
   std::size_t max_file_bytes = 32u << 20;  ///< of all files together
   int max_depth = 256;                     ///< elements inside one another; at most 256
-  int max_elements = 100'000;   ///< in all files together; as many again out of templates
-  int max_objects = 100'000;    ///< whole objects, pieces of chains among them
-  int max_attributes = 256;     ///< of one element
-  int max_files = 256;          ///< the scene and all it includes
-  int max_instances = 64;       ///< of templates inside one another
+  int max_elements = 100'000;  ///< in all files together; as many again out of templates
+  int max_objects = 100'000;   ///< whole objects, pieces of chains among them
+  int max_attributes = 256;    ///< of one element
+  int max_files = 256;         ///< the scene and all it includes; as many meshes
+  std::size_t max_mesh_bytes = 128u << 20;   ///< of all mesh files together
+  std::size_t max_mesh_triangles = 400'000;  ///< of all mesh files together
+  int max_instances = 64;                    ///< of templates inside one another
   int max_diagnostics = 1'000;  ///< listed, at least 1; one more says that there are more
 };
 
 struct SceneReaderOptions {
-  /// Where included files are looked for after the folder of the file that includes them.
+  /// Where included files and meshes are looked for after the folder of the file that names them.
   std::vector<std::filesystem::path> search_roots;
   SceneLimits limits;
 };
@@ -44,12 +46,12 @@ struct SceneReading {
 /// The scene is named after the file, without folder and extension. A file that cannot be opened is
 /// a diagnostic too.
 ///
-/// Included files are read only from the folder of the scene, what is below it, and the same of
-/// `search_roots`; a link that leads elsewhere is not followed.
+/// Included files and meshes are read only from the folder of the scene, what is below it, and the
+/// same of `search_roots`; a link that leads elsewhere is not followed.
 SceneReading ReadScene(const std::filesystem::path& path, const SceneReaderOptions& options = {});
 
 /// The same for a text at hand; `file_name` names it in diagnostics and names the scene. A text
-/// lies in no folder: the files it includes are looked for in `search_roots` alone.
+/// lies in no folder: the files it names are looked for in `search_roots` alone.
 SceneReading ReadSceneText(std::string_view xml, const std::string& file_name,
                            const SceneReaderOptions& options = {});
 

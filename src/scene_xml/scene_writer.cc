@@ -4,6 +4,7 @@
 #include "scene_xml/internal_part_writer.h"
 #include "scene_xml/internal_xml_text.h"
 #include "scene_xml/internal_xml_tree.h"
+#include "scene_xml/mesh_files.h"
 
 namespace smile::scene_xml {
 namespace {
@@ -50,8 +51,10 @@ class ElementWriter {
 
 }  // namespace
 
-std::string WriteScene(const scene::SceneSpec& scene, std::span<const std::string> origins) {
-  XmlText text(scene.meters_per_unit);
+std::string WriteScene(const scene::SceneSpec& scene, std::span<const std::string> origins,
+                       MeshNames mesh_names) {
+  XmlText text(scene.meters_per_unit,
+               mesh_names == MeshNames::kBeside ? MeshFilesOf(scene) : std::vector<MeshFile>());
   text.Open("tabletop");
   text.Attribute("xmlns", kSceneNamespace);
   text.Length("xspan", scene.table.x_span);

@@ -397,5 +397,25 @@ TEST(Renderer, NamesTheVariableThatAsksForAnUnknownPlatform) {
   unsetenv("SMILE_EGL_PLATFORM");
 }
 
+TEST_F(RendererTest, ShowsAMeshOfACubeAsABlock) {
+  scene::CustomMesh cube;
+  for (int i = 0; i < 8; ++i) {
+    cube.surface.vertices.emplace_back(i & 1 ? 0.5f : -0.5f, i & 2 ? 0.5f : -0.5f,
+                                       i & 4 ? 0.5f : -0.5f);
+  }
+  cube.surface.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                            {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+  const auto shared = std::make_shared<const scene::CustomMesh>(cube);
+  const auto picture = [&](const scene::VisualShape& shape) {
+    SmallScene scene;
+    scene.Add(shape, kRed, RigidTransform(RotationFromFixedAxes({10, 20, 30}), {0, 0, 0.1}));
+    return Render(scene, HeadView(160, 120));
+  };
+  const Image block = picture(scene::Block{{0.2, 0.2, 0.2}});
+  const Image mesh = picture(scene::DrawnMesh{shared, 0.2});
+  EXPECT_EQ(mesh.color, block.color);
+  EXPECT_EQ(mesh.ids, block.ids);
+}
+
 }  // namespace
 }  // namespace smile::camera

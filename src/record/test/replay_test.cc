@@ -152,5 +152,24 @@ TEST_F(ReplayTest, NeverOverwritesARecording) {
   }
 }
 
+TEST_F(ReplayTest, OfASceneWithAMeshNeedsNoOtherFile) {
+  const auto original = root_ / "original";
+  std::filesystem::create_directories(original);
+  std::filesystem::copy(DataFile("scenes/meshes"), original / "meshes");
+  std::filesystem::copy(DataFile("scenes/meshes.xml"), original / "meshes.xml");
+  {
+    sim::Simulation simulation(scene_xml::LoadScene(original / "meshes.xml"));
+    Recorder recorder(root_ / "demo", {}, nullptr, simulation);
+    simulation.AddListener(&recorder);
+    while (simulation.tick() < 120) simulation.Tick();
+    final_hash_ = simulation.state_hash();
+  }
+  std::filesystem::remove_all(original);
+  const ReplayReport report = Replay(OpenRecording(root_ / "demo"));
+  EXPECT_FALSE(report.first_difference);
+  EXPECT_EQ(report.ticks, 120u);
+  EXPECT_EQ(report.hash, final_hash_);
+}
+
 }  // namespace
 }  // namespace smile::record

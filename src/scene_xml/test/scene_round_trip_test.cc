@@ -13,8 +13,10 @@
 namespace smile::scene_xml {
 namespace {
 
+/// Written without its meshes, which are looked for where they were.
 scene::SceneSpec WrittenAndRead(const scene::SceneSpec& scene) {
-  SceneReading reading = ReadSceneText(WriteScene(scene), scene.name + ".xml");
+  SceneReading reading = ReadSceneText(WriteScene(scene, {}, MeshNames::kWhereTheyAre),
+                                       scene.name + ".xml", {.search_roots = {DataFile("scenes")}});
   for (const Diagnostic& diagnostic : reading.diagnostics) ADD_FAILURE() << ToString(diagnostic);
   return reading.scene.value_or(scene::SceneSpec{});
 }

@@ -1,0 +1,229 @@
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+#include <assimp/IOStream.hpp>
+#include <assimp/IOSystem.hpp>
+#include <assimp/Importer.hpp>
+
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <exception>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "base/wording.h"
+#include "mesh/internal_mesh_formats.h"
+
+namespace smile::mesh {
+namespace {
+
+constexpr const char* kOnlyFile = "mesh.dae";
+
+/// A file in memory, which is never written.
+class MemoryStream : public Assimp::IOStream {
+ public:
+  explicit MemoryStream(std::string_view bytes) : bytes_(bytes) {}
+
+  std::size_t Read(void* to, std::size_t size, std::size_t count) override {
+    if (size == 0) return 0;
+    const std::size_t whole = std::min(count, (bytes_.size() - position_) / size);
+    std::memcpy(to, bytes_.data() + position_, whole * size);
+    position_ += whole * size;
+    return whole;
+  }
+  std::size_t Write(const void*, std::size_t, std::size_t) override { return 0; }
+  aiReturn Seek(std::size_t offset, aiOrigin origin) override {
+    const std::size_t base = origin == aiOrigin_CUR   ? position_
+                             : origin == aiOrigin_END ? bytes_.size()
+                                                      : 0;
+    const std::size_t target = origin == aiOrigin_END ? base - offset : base + offset;
+    if (target > bytes_.size()) return aiReturn_FAILURE;
+    position_ = target;
+    return aiReturn_SUCCESS;
+  }
+  std::size_t Tell() const override { return position_; }
+  std::size_t FileSize() const override { return bytes_.size(); }
+  void Flush() override {}
+
+ private:
+  std::string_view bytes_;
+  std::size_t position_ = 0;
+};
+
+/// A disk on which there is one file: whatever that file names, nothing else is opened.
+class OneFileSystem : public Assimp::IOSystem {
+ public:
+  explicit OneFileSystem(std::string_view bytes) : bytes_(bytes) {}
+
+  bool Exists(const char* file) const override { return std::strcmp(file, kOnlyFile) == 0; }
+  char getOsSeparator() const override { return '/'; }
+  Assimp::IOStream* Open(const char* file, const char* mode) override {
+    return Exists(file) && mode[0] == 'r' ? new MemoryStream(bytes_) : nullptr;
+  }
+  void Close(Assimp::IOStream* stream) override { delete stream; }
+
+ private:
+  std::string_view bytes_;
+};
+
+/// What the library would not bound: elements, how deep they are, parts by reference (of which a
+/// few lines make millions).
+void CheckCost(std::string_view xml) {
+  constexpr int kMaxElements = 200'000, kMaxDepth = 100;
+  int num_elements = 0, depth = 0;
+  const auto skip_to = [&](std::size_t at, std::string_view end) {
+    const std::size_t found = xml.find(end, at);
+    if (found == std::string_view::npos) {
+      throw BadMesh("found the end in the middle of an element: it is cut short");
+    }
+    return found + end.size();
+  };
+  for (std::size_t at = xml.find('<'); at != std::string_view::npos; at = xml.find('<', at)) {
+    const std::string_view tag = xml.substr(at + 1, 24);
+    if (tag.starts_with("!--")) {
+      at = skip_to(at + 4, "-->");
+    } else if (tag.starts_with("![CDATA[")) {
+      at = skip_to(at, "]]>");
+    } else if (tag.starts_with('?')) {
+      at = skip_to(at, "?>");
+    } else if (tag.starts_with('!')) {
+      throw BadMesh("found a DOCTYPE, expected none");
+    } else if (tag.starts_with('/')) {
+      --depth;
+      at = skip_to(at, ">");
+    } else {
+      if (tag.starts_with("instance_node")) {
+        throw BadMesh("found <instance_node>, expected each node in its place");
+      }
+      // Values may hold what looks like the end.
+      char quote = 0;
+      for (++at; at < xml.size() && (quote || xml[at] != '>'); ++at) {
+        if (quote ? xml[at] == quote : xml[at] == '"' || xml[at] == '\'') {
+          quote = quote ? '\0' : xml[at];
+        }
+      }
+      if (at >= xml.size()) skip_to(at, ">");
+      if (xml[at - 1] != '/') ++depth;
+    }
+    if (++num_elements > kMaxElements || depth > kMaxDepth) {
+      throw BadMesh("found more than " + std::to_string(kMaxElements) + " elements or " +
+                    std::to_string(kMaxDepth) + " inside one another, expected fewer");
+    }
+  }
+}
+
+using Corners = std::vector<TriangleSoup::Corner>;  // three for each triangle
+
+void AddNode(const aiScene& scene, const aiNode& node, const aiMatrix4x4& X_SP, Corners* corners) {
+  const aiMatrix4x4 X_SN = X_SP * node.mTransformation;
+  const bool is_mirrored = aiMatrix3x3(X_SN).Determinant() < 0;
+  for (unsigned i = 0; i < node.mNumMeshes; ++i) {
+    const aiMesh& mesh = *scene.mMeshes[node.mMeshes[i]];
+    for (unsigned k = 0; k < mesh.mNumFaces; ++k) {
+      const aiFace& face = mesh.mFaces[k];
+      if (face.mNumIndices != 3) continue;  // points and lines
+      for (const int c : {0, is_mirrored ? 2 : 1, is_mirrored ? 1 : 2}) {
+        const unsigned number = face.mIndices[c];
+        if (number >= mesh.mNumVertices) throw BadMesh("found a corner that is none");
+        const aiVector3D p = X_SN * mesh.mVertices[number];
+        corners->push_back({p.x, p.y, p.z});
+      }
+    }
+  }
+  for (unsigned i = 0; i < node.mNumChildren; ++i) {
+    AddNode(scene, *node.mChildren[i], X_SN, corners);
+  }
+}
+
+Corners CornersOf(std::string_view bytes) {
+  Assimp::Importer importer;
+  importer.SetIOHandler(new OneFileSystem(bytes));  // the importer's own from here on
+  const aiScene* scene = importer.ReadFile(kOnlyFile, aiProcess_Triangulate);
+  if (!scene || !scene->mRootNode) {
+    throw BadMesh("is no DAE that can be read: " + Quoted(importer.GetErrorString()));
+  }
+  Corners corners;
+  AddNode(*scene, *scene->mRootNode, aiMatrix4x4(), &corners);
+  return corners;
+}
+
+void WriteAll(int to, const void* bytes, std::size_t size) {
+  const char* next = static_cast<const char*>(bytes);
+  while (size > 0) {
+    const ssize_t count = write(to, next, size);
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return;
+    next += count;
+    size -= static_cast<std::size_t>(count);
+  }
+}
+
+std::string ReadAll(int from, std::size_t max_bytes) {
+  std::string bytes;
+  char buffer[1 << 16];
+  while (bytes.size() <= max_bytes) {
+    const ssize_t count = read(from, buffer, sizeof buffer);
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) break;
+    bytes.append(buffer, static_cast<std::size_t>(count));
+  }
+  return bytes;
+}
+
+/// The child's work: corners, or what is wrong, into the pipe.
+[[noreturn]] void AnswerAndExit(std::string_view bytes, int to) {
+  const rlimit seconds{2, 2}, no_core{0, 0};
+  setrlimit(RLIMIT_CPU, &seconds);
+  setrlimit(RLIMIT_CORE, &no_core);
+  for (const int fault : {SIGSEGV, SIGABRT, SIGBUS, SIGFPE}) std::signal(fault, SIG_DFL);
+  try {
+    const Corners corners = CornersOf(bytes);
+    WriteAll(to, corners.data(), corners.size() * sizeof corners[0]);
+    _exit(0);
+  } catch (const std::exception& error) {
+    WriteAll(to, error.what(), std::strlen(error.what()));
+  }
+  _exit(1);
+}
+
+}  // namespace
+
+void ReadCollada(std::string_view bytes, TriangleSoup* soup) {
+  constexpr std::size_t kMaxBytes = 16u << 20, kMaxAnswer = 64u << 20;
+  if (bytes.size() > kMaxBytes) {
+    throw BadMesh("is larger than " + std::to_string(kMaxBytes) + " bytes, the most for DAE");
+  }
+  CheckCost(bytes);
+  // The library falls over some damaged files (seen with 5.2.5): only its own process then.
+  int ends[2];
+  if (pipe(ends) != 0) throw std::runtime_error("no pipe to read a DAE with");
+  const pid_t child = fork();
+  if (child == 0) {
+    close(ends[0]);
+    AnswerAndExit(bytes, ends[1]);
+  }
+  close(ends[1]);
+  const std::string answer = child > 0 ? ReadAll(ends[0], kMaxAnswer) : "";
+  close(ends[0]);
+  if (child < 0) throw std::runtime_error("no process to read a DAE in");
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 1) throw BadMesh(answer);
+  Corners corners(answer.size() / sizeof(TriangleSoup::Corner));
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || corners.size() % 3 != 0) {
+    throw BadMesh("is no DAE that can be read: it is damaged or takes too much to read");
+  }
+  std::memcpy(corners.data(), answer.data(), corners.size() * sizeof corners[0]);
+  for (std::size_t k = 0; k < corners.size(); k += 3) {
+    soup->Add(corners[k], corners[k + 1], corners[k + 2]);
+  }
+}
+
+}  // namespace smile::mesh

@@ -1,0 +1,334 @@
+#include "mesh/internal_lattice_hull.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <map>
+#include <tuple>
+#include <utility>
+
+namespace smile::mesh {
+namespace {
+
+bool IsBefore(const LatticePoint& a, const LatticePoint& b) {
+  return std::tuple(a.x(), a.y(), a.z()) < std::tuple(b.x(), b.y(), b.z());
+}
+
+double LengthOf(const LatticePoint& v) { return v.cast<double>().norm(); }
+
+class Quickhull {
+ public:
+  Quickhull(std::vector<LatticePoint> points, double tolerance)
+      : points_(std::move(points)), tolerance_(tolerance) {
+    std::sort(points_.begin(), points_.end(), IsBefore);
+    points_.erase(std::unique(points_.begin(), points_.end()), points_.end());
+  }
+
+  std::optional<LatticeHull> Run(int max_corners) {
+    if (!Begin()) return std::nullopt;
+    for (int num_corners = 4; num_corners < max_corners; ++num_corners) {
+      std::optional<Farthest> farthest = FarthestOutside();
+      if (!farthest) {
+        // A point near the plane of its face may be far from another's.
+        Reassign();
+        farthest = FarthestOutside();
+      }
+      if (!farthest) break;
+      Extend(*farthest);
+    }
+    return Result();
+  }
+
+ private:
+  struct Face {
+    std::array<int, 3> corners;
+    std::array<int, 3> neighbours;  // across the edge from corner i to the next
+    LatticePoint normal;
+    double length;
+    std::vector<std::pair<double, int>> outside;  // how far, which point
+    bool is_alive = true;
+  };
+  struct Farthest {
+    int face, point;
+  };
+  struct Edge {
+    int from, to, beyond;  // the face that stays
+  };
+
+  std::int64_t Height(const Face& face, int point) const {
+    return face.normal.dot(points_[point] - points_[face.corners[0]]);
+  }
+
+  int AddFace(int a, int b, int c) {
+    const LatticePoint normal = NormalOf(points_[a], points_[b], points_[c]);
+    faces_.push_back({{a, b, c}, {-1, -1, -1}, normal, LengthOf(normal), {}});
+    return static_cast<int>(faces_.size()) - 1;
+  }
+
+  template <class Measure>
+  int ArgMax(Measure measure) const {
+    int best = 0;
+    for (int i = 1; i < static_cast<int>(points_.size()); ++i) {
+      if (measure(points_[i]) > measure(points_[best])) best = i;
+    }
+    return best;
+  }
+
+  /// Four points that span a body.
+  bool Begin() {
+    if (points_.size() < 4) return false;
+    const LatticePoint a = points_.front();
+    const int ib = ArgMax([&](const LatticePoint& p) { return (p - a).squaredNorm(); });
+    const LatticePoint b = points_[ib];
+    const int ic = ArgMax([&](const LatticePoint& p) { return LengthOf(NormalOf(a, b, p)); });
+    const LatticePoint c = points_[ic];
+    const LatticePoint normal = NormalOf(a, b, c);
+    const auto height = [&](const LatticePoint& p) { return std::abs(normal.dot(p - a)); };
+    const int id = ArgMax(height);
+    if (static_cast<double>(height(points_[id])) <= tolerance_ * LengthOf(normal)) return false;
+    if (height(points_[id]) == 0) return false;
+    const bool is_above = normal.dot(points_[id] - a) > 0;
+    const int p = 0, q = is_above ? ic : ib, r = is_above ? ib : ic, s = id;
+    AddFace(p, q, r);
+    AddFace(p, s, q);
+    AddFace(q, s, r);
+    AddFace(r, s, p);
+    faces_[0].neighbours = {1, 2, 3};
+    faces_[1].neighbours = {3, 2, 0};
+    faces_[2].neighbours = {1, 3, 0};
+    faces_[3].neighbours = {2, 1, 0};
+    std::vector<int> all;
+    for (int i = 0; i < static_cast<int>(points_.size()); ++i) all.push_back(i);
+    Assign(all, 0);
+    return true;
+  }
+
+  /// Each point to the face it is farthest outside of, of those from `first` on.
+  void Assign(const std::vector<int>& points, std::size_t first) {
+    for (const int point : points) {
+      double most = 0;
+      Face* best = nullptr;
+      for (std::size_t i = first; i < faces_.size(); ++i) {
+        Face& face = faces_[i];
+        if (!face.is_alive) continue;
+        const std::int64_t height = Height(face, point);
+        if (height <= 0) continue;
+        const double distance = static_cast<double>(height) / face.length;
+        if (distance > most) {
+          most = distance;
+          best = &face;
+        }
+      }
+      if (best) best->outside.emplace_back(most, point);
+    }
+  }
+
+  void Reassign() {
+    std::vector<int> left;
+    for (Face& face : faces_) {
+      for (const auto& [distance, point] : face.outside) left.push_back(point);
+      face.outside.clear();
+    }
+    Assign(left, 0);
+  }
+
+  std::optional<Farthest> FarthestOutside() const {
+    double most = tolerance_;
+    std::optional<Farthest> farthest;
+    for (std::size_t i = 0; i < faces_.size(); ++i) {
+      for (const auto& [distance, point] : faces_[i].outside) {
+        if (distance <= most) continue;
+        most = distance;
+        farthest = {static_cast<int>(i), point};
+      }
+    }
+    return farthest;
+  }
+
+  /// Takes away the faces that see the point and closes the hole with a cone to it.
+  void Extend(const Farthest& farthest) {
+    std::vector<int> visible{farthest.face};
+    faces_[farthest.face].is_alive = false;
+    std::vector<Edge> horizon;
+    for (std::size_t k = 0; k < visible.size(); ++k) {
+      for (int side = 0; side < 3; ++side) {
+        const Face& face = faces_[visible[k]];
+        const int neighbour = face.neighbours[side];
+        if (!faces_[neighbour].is_alive) continue;  // seen already
+        if (Height(faces_[neighbour], farthest.point) > 0) {
+          faces_[neighbour].is_alive = false;
+          visible.push_back(neighbour);
+        }
+      }
+    }
+    for (const int gone : visible) {
+      for (int side = 0; side < 3; ++side) {
+        const int neighbour = faces_[gone].neighbours[side];
+        if (!faces_[neighbour].is_alive) continue;
+        horizon.push_back(
+            {faces_[gone].corners[side], faces_[gone].corners[(side + 1) % 3], neighbour});
+      }
+    }
+    const std::size_t first = faces_.size();
+    std::map<int, int> starting_at, ending_at;  // the new face at a corner of the horizon
+    for (const Edge& edge : horizon) {
+      const int face = AddFace(edge.from, edge.to, farthest.point);
+      faces_[face].neighbours[0] = edge.beyond;
+      Face& beyond = faces_[edge.beyond];
+      for (int side = 0; side < 3; ++side) {
+        if (beyond.corners[side] == edge.to && beyond.corners[(side + 1) % 3] == edge.from) {
+          beyond.neighbours[side] = face;
+        }
+      }
+      starting_at[edge.from] = ending_at[edge.to] = face;
+    }
+    for (const Edge& edge : horizon) {
+      const int face = starting_at[edge.from];
+      faces_[face].neighbours[1] = starting_at[edge.to];
+      faces_[face].neighbours[2] = ending_at[edge.from];
+    }
+    std::vector<int> orphans;
+    for (const int gone : visible) {
+      for (const auto& [distance, point] : faces_[gone].outside) {
+        if (point != farthest.point) orphans.push_back(point);
+      }
+      faces_[gone].outside = {};
+    }
+    Assign(orphans, first);
+  }
+
+  LatticeHull Result() const {
+    LatticeHull hull;
+    std::map<int, int> numbers;
+    for (const Face& face : faces_) {
+      if (!face.is_alive) continue;
+      Eigen::Vector3i triangle;
+      for (int i = 0; i < 3; ++i) {
+        const auto [entry, is_new] =
+            numbers.try_emplace(face.corners[i], static_cast<int>(hull.corners.size()));
+        if (is_new) hull.corners.push_back(points_[face.corners[i]]);
+        triangle[i] = entry->second;
+      }
+      hull.triangles.push_back(triangle);
+      hull.volume +=
+          static_cast<double>(face.normal.dot(points_[face.corners[0]] - points_.front())) / 6;
+    }
+    return hull;
+  }
+
+  std::vector<LatticePoint> points_;
+  double tolerance_;
+  std::vector<Face> faces_;
+};
+
+/// Grows flat faces over the triangles of a hull.
+class FaceJoiner {
+ public:
+  explicit FaceJoiner(const LatticeHull& hull) : hull_(hull), face_of_(hull.triangles.size(), -1) {
+    for (int t = 0; t < static_cast<int>(hull.triangles.size()); ++t) {
+      const Eigen::Vector3i& corners = hull.triangles[t];
+      for (int i = 0; i < 3; ++i) across_[{corners[i], corners[(i + 1) % 3]}] = t;
+    }
+  }
+
+  std::vector<std::vector<std::uint32_t>> Run() {
+    std::vector<std::pair<double, int>> by_area;
+    for (int t = 0; t < static_cast<int>(face_of_.size()); ++t) {
+      by_area.emplace_back(-LengthOf(Normal(t)), t);
+    }
+    std::sort(by_area.begin(), by_area.end());  // the largest have the best planes
+    std::vector<std::vector<std::uint32_t>> faces;
+    for (const auto& [area, seed] : by_area) {
+      if (face_of_[seed] >= 0) continue;
+      const std::vector<int> members = Grow(seed);
+      std::vector<std::uint32_t> outline = OutlineOf(members);
+      if (!outline.empty()) {
+        faces.push_back(std::move(outline));
+        continue;
+      }
+      for (const int member : members) faces.push_back(Corners(member));
+    }
+    return faces;
+  }
+
+ private:
+  LatticePoint Normal(int t) const {
+    const Eigen::Vector3i& c = hull_.triangles[t];
+    return NormalOf(hull_.corners[c[0]], hull_.corners[c[1]], hull_.corners[c[2]]);
+  }
+
+  std::vector<std::uint32_t> Corners(int t) const {
+    const Eigen::Vector3i& c = hull_.triangles[t];
+    return {static_cast<std::uint32_t>(c[0]), static_cast<std::uint32_t>(c[1]),
+            static_cast<std::uint32_t>(c[2])};
+  }
+
+  std::vector<int> Grow(int seed) {
+    constexpr double kFlatSteps = 3;
+    const LatticePoint normal = Normal(seed);
+    const double allowed = kFlatSteps * LengthOf(normal);
+    const LatticePoint& origin = hull_.corners[hull_.triangles[seed][0]];
+    std::vector<int> members{seed};
+    face_of_[seed] = seed;
+    for (std::size_t k = 0; k < members.size(); ++k) {
+      const Eigen::Vector3i corners = hull_.triangles[members[k]];
+      for (int i = 0; i < 3; ++i) {
+        const int next = across_.at({corners[(i + 1) % 3], corners[i]});
+        const Eigen::Vector3i& others = hull_.triangles[next];
+        const auto is_flat = [&](int corner) {
+          return std::abs(static_cast<double>(normal.dot(hull_.corners[corner] - origin))) <=
+                 allowed;
+        };
+        if (face_of_[next] >= 0 || Normal(next).cast<double>().dot(normal.cast<double>()) <= 0 ||
+            !is_flat(others[0]) || !is_flat(others[1]) || !is_flat(others[2])) {
+          continue;
+        }
+        face_of_[next] = seed;
+        members.push_back(next);
+      }
+    }
+    return members;
+  }
+
+  /// The corners around some triangles; empty when they go around in more than one circle.
+  std::vector<std::uint32_t> OutlineOf(const std::vector<int>& members) const {
+    std::map<int, int> next;
+    for (const int t : members) {
+      const Eigen::Vector3i& corners = hull_.triangles[t];
+      for (int i = 0; i < 3; ++i) {
+        const int from = corners[i], to = corners[(i + 1) % 3];
+        if (face_of_[across_.at({to, from})] == face_of_[t]) continue;
+        if (!next.emplace(from, to).second) return {};
+      }
+    }
+    std::vector<std::uint32_t> outline;
+    int corner = next.begin()->first;
+    do {
+      outline.push_back(static_cast<std::uint32_t>(corner));
+      corner = next.at(corner);
+    } while (corner != next.begin()->first && outline.size() <= next.size());
+    if (outline.size() != next.size()) outline.clear();
+    return outline;
+  }
+
+  const LatticeHull& hull_;
+  std::vector<int> face_of_;                   // the seed of each triangle's face
+  std::map<std::pair<int, int>, int> across_;  // the triangle left of an edge
+};
+
+}  // namespace
+
+LatticePoint NormalOf(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c) {
+  return (b - a).cross(c - a);
+}
+
+std::optional<LatticeHull> HullOf(std::vector<LatticePoint> points, int max_corners,
+                                  double tolerance) {
+  return Quickhull(std::move(points), tolerance).Run(max_corners);
+}
+
+std::vector<std::vector<std::uint32_t>> FacesOf(const LatticeHull& hull) {
+  return FaceJoiner(hull).Run();
+}
+
+}  // namespace smile::mesh

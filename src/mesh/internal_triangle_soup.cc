@@ -1,0 +1,57 @@
+#include "mesh/internal_triangle_soup.h"
+
+#include <cmath>
+#include <utility>
+
+#include "base/wording.h"
+
+namespace smile::mesh {
+namespace {
+
+/// Squares and cubes of it are still numbers, and nothing on a table is as large.
+constexpr float kMaxCoordinate = 1e9f;
+
+/// From the file's axes; negative zeros become zeros, so that equal places are equal bits.
+Eigen::Vector3f FromFileAxes(const TriangleSoup::Corner& corner) {
+  for (const float coordinate : corner) {
+    if (std::abs(coordinate) <= kMaxCoordinate) continue;  // not so for what is no number
+    throw BadMesh("found the coordinate " + NumberText(coordinate) + ", expected -1e9 to 1e9");
+  }
+  return {corner[0] + 0.0f, -corner[2] + 0.0f, corner[1] + 0.0f};
+}
+
+}  // namespace
+
+void TriangleSoup::Add(const Corner& a, const Corner& b, const Corner& c) {
+  if (++num_seen_ > limits_.max_triangles) {
+    throw BadMesh("found more than " + std::to_string(limits_.max_triangles) +
+                  " triangles, expected fewer");
+  }
+  const Eigen::Vector3f places[] = {FromFileAxes(a), FromFileAxes(b), FromFileAxes(c)};
+  if (places[0] == places[1] || places[1] == places[2] || places[2] == places[0]) return;
+  // One by one: the order in which vertices get their numbers is that of these lines.
+  const std::uint32_t first = Weld(places[0]), second = Weld(places[1]), third = Weld(places[2]);
+  mesh_.triangles.push_back({first, second, third});
+}
+
+std::uint32_t TriangleSoup::Weld(const Eigen::Vector3f& vertex) {
+  const auto number = static_cast<std::uint32_t>(mesh_.vertices.size());
+  const auto [entry, is_new] = numbers_.try_emplace({vertex.x(), vertex.y(), vertex.z()}, number);
+  if (!is_new) return entry->second;
+  if (mesh_.vertices.size() >= limits_.max_vertices) {
+    throw BadMesh("found more than " + std::to_string(limits_.max_vertices) +
+                  " vertices, expected fewer");
+  }
+  mesh_.vertices.push_back(vertex);
+  return number;
+}
+
+scene::SurfaceMesh TriangleSoup::Take() {
+  if (mesh_.triangles.empty()) {
+    throw BadMesh(num_seen_ == 0 ? "found no triangles, expected at least one"
+                                 : "found only triangles without area, expected a surface");
+  }
+  return std::move(mesh_);
+}
+
+}  // namespace smile::mesh

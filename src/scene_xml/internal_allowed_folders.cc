@@ -1,0 +1,79 @@
+#include "scene_xml/internal_allowed_folders.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <system_error>
+#include <utility>
+
+namespace smile::scene_xml {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMaxPathBytes = 1000;
+
+/// @param folder, path  without links and dots.
+bool IsInside(const fs::path& folder, const fs::path& path) {
+  return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first ==
+         folder.end();
+}
+
+}  // namespace
+
+fs::path FolderOf(const fs::path& file) {
+  return file.has_parent_path() ? file.parent_path() : fs::path(".");
+}
+
+AllowedFolders::AllowedFolders(const fs::path* main_file, std::vector<fs::path> search_roots)
+    : roots_(std::move(search_roots)) {
+  std::vector<fs::path> folders = roots_;
+  if (main_file) folders.insert(folders.begin(), FolderOf(*main_file));
+  for (const fs::path& folder : folders) {
+    std::error_code error;
+    fs::path canonical = fs::canonical(folder, error);
+    if (!error) allowed_.push_back(std::move(canonical));
+  }
+}
+
+bool AllowedFolders::Contain(const fs::path& canonical) const {
+  return std::ranges::any_of(allowed_,
+                             [&](const fs::path& allowed) { return IsInside(allowed, canonical); });
+}
+
+AllowedFolders::Search AllowedFolders::Find(const fs::path* folder, const std::string& file) const {
+  std::vector<fs::path> folders = roots_;
+  if (folder) folders.insert(folders.begin(), *folder);
+  bool is_outside = false;
+  if (!file.empty() && file.size() <= kMaxPathBytes) {
+    for (const fs::path& base : folders) {
+      const fs::path name = base / file;
+      std::error_code error;
+      const fs::path canonical = fs::canonical(name, error);
+      if (error) continue;
+      if (Contain(canonical)) return {.found = FoundFile{name, canonical}};
+      is_outside = true;
+    }
+  }
+  return {.expected =
+              std::string(is_outside ? " elsewhere, expected it in " : ", expected a file in ") +
+              (folder ? "the folder of the scene, in a --path folder or below these"
+                      : "a --path folder or below it")};
+}
+
+std::string AllowedFolders::NameFromScene(const fs::path& canonical) const {
+  for (const fs::path& folder : allowed_) {
+    if (!IsInside(folder, canonical)) continue;
+    const fs::path name = canonical.lexically_relative(folder);
+    // Another file of that name may be found first.
+    for (const fs::path& earlier : allowed_) {
+      std::error_code error;
+      const fs::path there = fs::canonical(earlier / name, error);
+      if (error || !Contain(there)) continue;
+      if (there == canonical) return name.string();
+      break;
+    }
+  }
+  return canonical.string();
+}
+
+}  // namespace smile::scene_xml

@@ -1,0 +1,76 @@
+#include "scene_xml/internal_mesh_shelf.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+#include "base/diagnostic.h"
+#include "mesh/convex_pieces.h"
+#include "mesh/import_mesh.h"
+#include "scene_xml/internal_root_reader.h"
+#include "scene_xml/scene_reader.h"
+
+namespace smile::scene_xml {
+
+namespace fs = std::filesystem;
+
+MeshShelf::MeshShelf(const fs::path* main_file, const std::vector<fs::path>& search_roots,
+                     const SceneLimits& limits)
+    : has_folder_(main_file != nullptr), folders_(main_file, search_roots), limits_(limits) {}
+
+bool MeshShelf::Fetch(const Sources& sources, const Place& place, scene::Custom* custom,
+                      std::string* fault) {
+  const bool is_text = place.file == 0 && !has_folder_;
+  const fs::path folder = FolderOf(sources.FileOf(place));
+  AllowedFolders::Search search = folders_.Find(is_text ? nullptr : &folder, custom->file);
+  if (!search.found) {
+    *fault = search.expected;
+    return false;
+  }
+  auto entry = entries_.find(search.found->canonical);
+  if (entry == entries_.end()) {
+    entry = entries_.emplace(search.found->canonical, Read(*search.found)).first;
+  }
+  if (!entry->second.mesh) {
+    *fault = " (" + search.found->name.string() + "): " + entry->second.fault;
+    return false;
+  }
+  custom->mesh = entry->second.mesh;
+  custom->file = folders_.NameFromScene(search.found->canonical);
+  return true;
+}
+
+MeshShelf::Entry MeshShelf::Read(const AllowedFolders::FoundFile& file) {
+  if (entries_.size() >= static_cast<std::size_t>(limits_.max_files)) {
+    return {.fault = "found more than " + std::to_string(limits_.max_files) +
+                     " mesh files in the scene, expected fewer"};
+  }
+  std::error_code error;
+  const std::uintmax_t size = fs::file_size(file.canonical, error);
+  if (!error && size > limits_.max_mesh_bytes - num_bytes_) {
+    return {.fault = "found more than " + std::to_string(limits_.max_mesh_bytes) +
+                     " bytes in the scene's mesh files, expected fewer"};
+  }
+  try {
+    mesh::MeshLimits mesh_limits;
+    mesh_limits.max_file_bytes =
+        std::min(mesh_limits.max_file_bytes, limits_.max_mesh_bytes - num_bytes_);
+    scene::SurfaceMesh surface = mesh::ImportMesh(file.canonical, mesh_limits);
+    if (!error) num_bytes_ += size;
+    num_triangles_ += surface.triangles.size();
+    if (num_triangles_ > limits_.max_mesh_triangles) {
+      return {.fault = "found more than " + std::to_string(limits_.max_mesh_triangles) +
+                       " triangles in the scene's mesh files, expected fewer"};
+    }
+    std::vector<scene::Hull> pieces = mesh::ConvexPieces(surface);
+    return {.mesh = std::make_shared<const scene::CustomMesh>(
+                scene::CustomMesh{std::move(surface), std::move(pieces)})};
+  } catch (const InputError& wrong) {
+    return {.fault = wrong.diagnostics().front().message};
+  } catch (const std::exception& wrong) {  // no volume; the machine said no
+    return {.fault = WithoutPath(wrong.what(), file.canonical.string())};
+  }
+}
+
+}  // namespace smile::scene_xml

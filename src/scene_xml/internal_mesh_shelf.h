@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "scene/shape.h"
+#include "scene_xml/internal_allowed_folders.h"
+#include "scene_xml/internal_place.h"
+
+namespace smile::scene_xml {
+
+struct SceneLimits;
+
+/// The mesh files of a scene, each read and taken apart once.
+class MeshShelf {
+ public:
+  /// @param main_file  nullptr for a text without a file; must outlive this, as the limits.
+  MeshShelf(const std::filesystem::path* main_file,
+            const std::vector<std::filesystem::path>& search_roots, const SceneLimits& limits);
+
+  /// Looks for `custom->file` as for an included file, puts its mesh there and the name by which
+  /// the scene's own file would find it.
+  ///
+  /// @param place  of the element that names it.
+  /// @returns false, with `fault` in words that follow the file's name, when there is none.
+  bool Fetch(const Sources& sources, const Place& place, scene::Custom* custom, std::string* fault);
+
+ private:
+  struct Entry {
+    std::shared_ptr<const scene::CustomMesh> mesh;  // null: there was a fault
+    std::string fault;
+  };
+
+  Entry Read(const AllowedFolders::FoundFile& file);
+
+  bool has_folder_;
+  AllowedFolders folders_;
+  const SceneLimits& limits_;
+  std::map<std::filesystem::path, Entry> entries_;  // by canonical name
+  std::size_t num_bytes_ = 0, num_triangles_ = 0;
+};
+
+}  // namespace smile::scene_xml

@@ -40,38 +40,43 @@ fail() {
   grep -vE '^(#[0-9]|INFO:|NEW_FUNC)|^Running:|^Executed' "$1" | head -60 >&2
 }
 
-# replay SUBJECT FILE...: one process for each, so that one finding does not hide the next.
+# replay SUBJECT CORPUS FILE...: copies those that are taken well to CORPUS, to begin with.
 replay() {
-  local program=build/fuzz/bin/smile_$1_fuzzer file
-  shift
-  # Nearly always all is well.
-  "$program" "${limits[@]}" "$@" >"$scratch/log" 2>&1 && return
+  local program=build/fuzz/bin/smile_$1_fuzzer corpus=$2 file
+  shift 2
+  # Nearly always all is well; else one process for each, so that one finding does not hide the next.
+  if "$program" "${limits[@]}" -artifact_prefix="$scratch/" "$@" >"$scratch/log" 2>&1; then
+    cp --backup=numbered "$@" "$corpus"
+    return
+  fi
   for file in "$@"; do
-    "$program" "${limits[@]}" -artifact_prefix="$scratch/" "$file" >"$scratch/log" 2>&1 && continue
-    say "finding: $file"
-    fail "$scratch/log"
+    if "$program" "${limits[@]}" -artifact_prefix="$scratch/" "$file" >"$scratch/log" 2>&1; then
+      cp --backup=numbered "$file" "$corpus"
+    else
+      say "finding: $file"
+      fail "$scratch/log"
+    fi
   done
 }
 
 # fuzz SUBJECT: replays, then looks for new findings; one line on stdout.
 fuzz() {
-  local subject=$1 corpus="$scratch/$1" found="tests/fuzz/found/$1" log="$scratch/$1.log"
-  local before=$findings options=() files=()
-  mkdir -p "$corpus" "$found"
-  seeds_of "$subject" "$corpus"
-  mapfile -t files < <(find "$corpus" "tests/fuzz/corpus/$subject" "$found" -type f | sort)
-  replay "$subject" "${files[@]}"
+  local subject=$1 corpus="$scratch/corpus/$1" seeds="$scratch/seeds/$1" log="$scratch/$1.log"
+  local found="tests/fuzz/found/$1" before=$findings options=() files=() runs covered
+  mkdir -p "$corpus" "$seeds" "$found"
+  seeds_of "$subject" "$seeds"
+  mapfile -t files < <(find "$seeds" "tests/fuzz/corpus/$subject" "$found" -type f | sort)
+  replay "$subject" "$corpus" "${files[@]}"
   if [[ -f tests/fuzz/$subject.dict ]]; then options+=(-dict="tests/fuzz/$subject.dict"); fi
   if ! "build/fuzz/bin/smile_${subject}_fuzzer" "${limits[@]}" "${options[@]}" -max_len=65536 \
       -max_total_time="$seconds" -print_final_stats=1 -artifact_prefix="$found/" \
-      "$corpus" "tests/fuzz/corpus/$subject" "$found" >"$log" 2>&1; then
+      "$corpus" >"$log" 2>&1; then
     fail "$log"
     say "finding: kept in $found"
   fi
-  local runs covered
   runs=$(sed -n 's/^stat::number_of_executed_units: //p' "$log")
-  covered=$(grep -oE 'cov: [0-9]+' "$log" | tail -1)
-  echo "$subject: ${#files[@]} kept inputs, ${runs:-0} new ones, ${covered#cov: } edges covered," \
+  covered=$(sed -nE 's/^#.* cov: ([0-9]+).*/\1/p' "$log" | tail -1)
+  echo "$subject: ${#files[@]} kept inputs, ${runs:-0} made and tried, ${covered:-0} edges covered," \
        "$((findings - before)) findings"
 }
 

@@ -23,6 +23,7 @@ findings=0
 seeds_of() {
   local file format
   case $1 in
+    json) find examples robots -name '*.json*' ;;
     scene) find scenes -name '*.xml' ;;
     mesh) find scenes \( -name '*.stl' -o -name '*.obj' -o -name '*.dae' -o -name '*.gltf' -o -name '*.glb' \) -size -128k ;;
   esac | while read -r file; do

@@ -20,7 +20,7 @@ function(smile_room NAME)
   file(GLOB test_sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${NAME}/test/*_test.cc)
   if(SMILE_TESTS AND test_sources)
     add_executable(smile_${NAME}_test ${test_sources})
-    target_link_libraries(smile_${NAME}_test PRIVATE smile_${NAME} GTest::gtest_main)
+    target_link_libraries(smile_${NAME}_test PRIVATE smile_${NAME} ${ROOM_PRIVATE} GTest::gtest_main)
     target_include_directories(smile_${NAME}_test PRIVATE
                                ${CMAKE_CURRENT_SOURCE_DIR}/${NAME}/test)
     target_compile_definitions(smile_${NAME}_test PRIVATE

@@ -16,7 +16,7 @@ using scene::Description;
 using scene::ObjectSpec;
 
 constexpr Range<double> kMassKilograms{0, 1e6};
-/// Physics pairs the pieces of a body with those of others; see world.
+/// Physics takes no body of more.
 constexpr std::size_t kMaxPieces = 4096;
 constexpr std::array<std::string_view, 1> kDescription{"description"};
 

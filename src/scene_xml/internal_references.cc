@@ -9,7 +9,7 @@ namespace smile::scene_xml {
 namespace {
 
 constexpr std::size_t kMaxNamesShown = 3;
-constexpr std::size_t kMaxSuggestedIds = 1000;
+constexpr std::size_t kMaxSuggestedIds = 100;
 
 std::string_view NameOf(Target target) {
   return target == Target::kControl ? "control" : "hostBondPoint";

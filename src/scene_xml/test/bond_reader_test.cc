@@ -52,6 +52,19 @@ TEST(BondReader, GivesPointsIdsInTheOrderOfTheFile) {
   EXPECT_EQ(points.hosts[0].id + " " + points.hosts[1].id, "hole#5 hole#6");
 }
 
+TEST(BondReader, TakesPointsAndStagesFromTemplates) {
+  const scene::SceneSpec scene = MustRead(SceneText(
+      "<def name='thread'><tightness location='(0,0,$z$)'/><tightness/></def>"
+      "<def name='hole'><hostBondPoint type='M3'><instance def='thread'><var name='z' value='2'/>"
+      "</instance></hostBondPoint></def>" +
+      Body("<instance def='hole'/><instance def='hole'/>")));
+  const auto& hosts = std::get<scene::Composite>(scene.objects[0].whole.shape).hosts;
+  ASSERT_EQ(hosts.size(), 2u);
+  EXPECT_EQ(hosts[1].id, "obj#1");
+  ASSERT_EQ(hosts[1].stages.size(), 2u);
+  EXPECT_EQ(hosts[1].stages[0].X_HS, RigidTransform(Vector3(0, 0, 0.2)));
+}
+
 TEST(BondFaults, TellWhyABondCannotBe) {
   EXPECT_EQ(FaultOfBond(GuestBody("initBondHostId='H'")),
             "test.xml:3: <guestBondPoint>: found the default of initBondTightness, expected 1 or "

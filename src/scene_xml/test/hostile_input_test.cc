@@ -4,6 +4,7 @@
 #include <random>
 
 #include "base/files.h"
+#include "scene_xml/scene_writer.h"
 #include "scene_xml/test/scene_text.h"
 
 namespace smile::scene_xml {
@@ -153,12 +154,19 @@ void SurviveDamagesOf(const std::string& good) {
     const SceneReading reading = ReadSceneText(text, "damaged.xml");
     EXPECT_EQ(reading.scene.has_value(), reading.diagnostics.empty());
     for (const Diagnostic& diagnostic : reading.diagnostics) EXPECT_GE(diagnostic.line, 1);
+    if (reading.scene) {
+      EXPECT_TRUE(ReadSceneText(WriteScene(*reading.scene), "damaged.xml").scene == reading.scene)
+          << "what it still means comes back:\n"
+          << text;
+    }
   }
 }
 
 TEST(HostileInput, SurvivesDamagedFiles) {
   SurviveDamagesOf(ReadFile(DataFile("scenes/shapes.xml"), 1 << 20));
 }
+
+TEST(HostileInput, SurvivesDamagedMechanisms) { SurviveDamagesOf(SceneOfEverything()); }
 
 TEST(HostileInput, SurvivesDamagedTemplates) {
   const std::string templates = ReadFile(DataFile("scenes/parts/letters.xml"), 1 << 20);

@@ -246,6 +246,12 @@ TEST(SceneRoundTrip, GivesBackEveryShippedSceneAndItsText) {
   EXPECT_GE(num_scenes, 4);
 }
 
+TEST(SceneRoundTrip, GivesBackOneOfEverything) {
+  scene::SceneSpec scene = MustRead(SceneOfEverything());
+  EXPECT_EQ(scene.objects.size(), 2u + 5 + 2 + 2);
+  EXPECT_TRUE(WrittenAndRead(scene) == scene);
+}
+
 TEST(SceneRoundTrip, GivesBackRandomScenesToTheLastBit) {
   for (unsigned seed = 0; seed < 300; ++seed) {
     const scene::SceneSpec scene = SceneMaker(seed).Scene();

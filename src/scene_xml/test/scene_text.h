@@ -16,6 +16,39 @@ inline std::string SceneText(std::string_view content, std::string_view root_att
          std::string(root_attributes) + ">\n" + std::string(content) + "\n</tabletop>\n";
 }
 
+/// A scene with one of everything there is, as a person would write it.
+inline std::string SceneOfEverything() {
+  return SceneText(R"(
+    <sliderJoint location='(0, -.5,1.0E-4)' init='0.5' softness='1'>
+      <box location='(0,0,0)'/>
+      <cylinder radius='.4' location='(0,0,0)' mass='0'/>
+    </sliderJoint>
+    <chain start='(0,0,1)' end='(0,3,1)' linkCount='0' linkPadding='0'/>
+    <composite location='(0,0,1)'>
+      <description name='a' value='b'/>
+      <ring radiusInner='0' location='(0,0,0)' pointable='1'/>
+      <toggleSwitch id='S' angle='20' location='(0,0,0)'><downstream id='L'/></toggleSwitch>
+      <guestBondPoint type='M3' initBondHostId='H' initBondTightness='1'/>
+      <indicatorLights id='L' location='(0,0,0)'>
+        <state><light id='1' color=' #12aBcD'/></state>
+      </indicatorLights>
+    </composite>
+    <composite location='(2,0,1)' rotation='(0,0,30)'>
+      <hostBondPoint id='H' type='M3' downstream='S' downstreamOverride='L' downstreamLock='H'>
+        <tightness downstreamLock='1'/>
+        <tightness location='(0,0,1)' downstreamState='0'/>
+      </hostBondPoint>
+    </composite>
+    <customControl name='dial' location='(0,0,0)'>
+      <state descriptionName='on'>
+        <composite location='(0,0,0)'>
+          <frustum location='(0,0,0)' nextStateWhenTriggered='-1'/>
+        </composite>
+      </state>
+    </customControl>
+    <sphere id='a#1' location='(0,0,0)' friction='1' rollingFriction='0.1'/>)");
+}
+
 /// The scene of a text that must be free of faults.
 inline scene::SceneSpec MustRead(std::string_view text) {
   SceneReading reading = ReadSceneText(text, "test.xml");

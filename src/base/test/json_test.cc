@@ -1,0 +1,46 @@
+#include "base/json.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+namespace smile {
+namespace {
+
+std::string Repeated(const std::string& text, int count) {
+  std::string repeated;
+  for (int i = 0; i < count; ++i) repeated += text;
+  return repeated;
+}
+
+std::string FaultOf(const std::string& text) {
+  try {
+    ParseJson(text);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(Json, IsBoundedInDepthAndKeys) {
+  EXPECT_EQ(FaultOf(Repeated("[", 32) + "1" + Repeated("]", 32)), "");
+  EXPECT_EQ(FaultOf(Repeated("[", 33) + Repeated("]", 33)),
+            "this JSON is nested deeper than 32 levels");
+  EXPECT_EQ(FaultOf(Repeated("[", 1'000'000)), "this JSON is nested deeper than 32 levels");
+  EXPECT_EQ(FaultOf("[{}" + Repeated(",{\"a\":1}", 10'000) + "]"), "");
+  EXPECT_EQ(FaultOf("[{}" + Repeated(",{\"a\":1}", 10'001) + "]"),
+            "this JSON has more than 10000 keys");
+}
+
+TEST(Json, TakesTimeInProportionToItsLength) {
+  EXPECT_EQ(ParseJson("[1" + Repeated(",{}", 1'000'000) + "]").size(), 1'000'001u);
+}
+
+TEST(Json, RefusesWhatIsNone) {
+  for (const char* text : {"", "[1,]", "{\"a\":1", "1e999", "\"\xFF\"", "[] []", "[NaN]"}) {
+    EXPECT_EQ(FaultOf(text), "this is not JSON") << text;
+  }
+}
+
+}  // namespace
+}  // namespace smile

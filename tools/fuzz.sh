@@ -1,0 +1,90 @@
+#!/usr/bin/env bash
+# tools/fuzz.sh [SECONDS]: feeds the readers of outside files with broken ones, SECONDS (600) for each.
+#
+# First the inputs kept in tests/fuzz are run again, then libFuzzer makes new ones of them. An input
+# that crashes, hangs, leaks, takes 500 MB or breaks a claim is kept in tests/fuzz/found, from where
+# every later run and ./test take it up. Exits 1 when there is one.
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
+
+seconds=${1:-600}
+[[ $seconds =~ ^[1-9][0-9]*$ ]] || { say "usage: tools/fuzz.sh [SECONDS]"; exit 2; }
+install_packages test
+cd "$project"
+build fuzz
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+# A small quarantine, so that the limit is about our memory, not about that of the sanitizer.
+export ASAN_OPTIONS=quarantine_size_mb=16
+limits=(-timeout=5 -rss_limit_mb=500)
+findings=0
+
+# seeds_of SUBJECT DIRECTORY: puts what the project itself ships there, the way the target takes it.
+seeds_of() {
+  local file format
+  case $1 in
+    json) find examples robots -name '*.json*' ;;
+    scene) find scenes -name '*.xml' ;;
+    mesh) find scenes \( -name '*.stl' -o -name '*.obj' -o -name '*.dae' -o -name '*.gltf' -o -name '*.glb' \) -size -128k ;;
+  esac | while read -r file; do
+    format=
+    case $1/${file##*.} in
+      mesh/stl) format=0 ;; mesh/obj) format=1 ;; mesh/dae) format=2 ;; mesh/gltf) format=3 ;; mesh/glb) format=4 ;;
+    esac
+    { printf %s "$format"; cat "$file"; } >"$2/$(tr / _ <<<"$file")"
+  done
+}
+
+# fail LOG: shows what the fuzzer said of a finding, but not all of its progress.
+fail() {
+  findings=$((findings + 1))
+  grep -vE '^(#[0-9]|INFO:|NEW_FUNC)|^Running:|^Executed' "$1" | head -60 >&2
+}
+
+# replay SUBJECT CORPUS FILE...: copies those that are taken well to CORPUS, to begin with.
+replay() {
+  local program=build/fuzz/bin/smile_$1_fuzzer corpus=$2 file
+  shift 2
+  # Nearly always all is well; else one process for each, so that one finding does not hide the next.
+  if "$program" "${limits[@]}" -artifact_prefix="$scratch/" "$@" >"$scratch/log" 2>&1; then
+    cp --backup=numbered "$@" "$corpus"
+    return
+  fi
+  for file in "$@"; do
+    if "$program" "${limits[@]}" -artifact_prefix="$scratch/" "$file" >"$scratch/log" 2>&1; then
+      cp --backup=numbered "$file" "$corpus"
+    else
+      say "finding: $file"
+      fail "$scratch/log"
+    fi
+  done
+}
+
+# fuzz SUBJECT: replays, then looks for new findings; one line on stdout.
+fuzz() {
+  local subject=$1 corpus="$scratch/corpus/$1" seeds="$scratch/seeds/$1" log="$scratch/$1.log" new="$scratch/new/$1"
+  local found="tests/fuzz/found/$1" before=$findings options=() files=() runs covered
+  mkdir -p "$corpus" "$seeds" "$new" "$found"
+  seeds_of "$subject" "$seeds"
+  mapfile -t files < <(find "$seeds" "tests/fuzz/corpus/$subject" "$found" -type f | sort)
+  replay "$subject" "$corpus" "${files[@]}"
+  if [[ -f tests/fuzz/$subject.dict ]]; then options+=(-dict="tests/fuzz/$subject.dict"); fi
+  if ! "build/fuzz/bin/smile_${subject}_fuzzer" "${limits[@]}" "${options[@]}" -max_len=65536 \
+      -max_total_time="$seconds" -print_final_stats=1 -artifact_prefix="$new/" \
+      "$corpus" >"$log" 2>&1; then
+    fail "$log"
+    # A process that the importer of DAE files gives up leaves inputs too; it is no finding.
+    cp "$new"/* "$found/" || true
+    say "finding: kept in $found"
+  fi
+  runs=$(sed -n 's/^stat::number_of_executed_units: //p' "$log")
+  covered=$(sed -nE 's/^#.* cov: ([0-9]+).*/\1/p' "$log" | tail -1)
+  echo "$subject: ${#files[@]} kept inputs, ${runs:-0} made and tried, ${covered:-0} edges covered," \
+       "$((findings - before)) findings"
+}
+
+for target in build/fuzz/bin/smile_*_fuzzer; do
+  subject=${target##*/smile_}
+  fuzz "${subject%_fuzzer}"
+done
+((findings == 0))

@@ -13,6 +13,7 @@
 #include <csignal>
 #include <cstring>
 #include <exception>
+#include <fstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -24,6 +25,8 @@ namespace smile::mesh {
 namespace {
 
 constexpr const char* kOnlyFile = "mesh.dae";
+constexpr const char* kTooMuch =
+    "is no DAE that can be read: it is damaged or takes too much time or memory";
 
 /// A file in memory, which is never written.
 class MemoryStream : public Assimp::IOStream {
@@ -146,7 +149,9 @@ Corners CornersOf(std::string_view bytes) {
   importer.SetIOHandler(new OneFileSystem(bytes));  // the importer's own from here on
   const aiScene* scene = importer.ReadFile(kOnlyFile, aiProcess_Triangulate);
   if (!scene || !scene->mRootNode) {
-    throw BadMesh("is no DAE that can be read: " + Quoted(importer.GetErrorString()));
+    const std::string reason = importer.GetErrorString();
+    if (reason.find("bad_alloc") != std::string::npos) throw BadMesh(kTooMuch);
+    throw BadMesh("is no DAE that can be read: " + Quoted(reason));
   }
   Corners corners;
   AddNode(*scene, *scene->mRootNode, aiMatrix4x4(), &corners);
@@ -176,11 +181,28 @@ std::string ReadAll(int from, std::size_t max_bytes) {
   return bytes;
 }
 
-/// The child's work: corners, or what is wrong, into the pipe.
-[[noreturn]] void AnswerAndExit(std::string_view bytes, int to) {
+/// Memory this process has for itself now: heap and the like.
+std::size_t BytesInUse() {
+  std::size_t pages[6] = {};  // the sixth number of statm, see proc(5)
+  std::ifstream statm("/proc/self/statm");
+  for (std::size_t& count : pages) statm >> count;
+  return pages[5] * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+}
+
+/// A file may promise any number of numbers: so much time and memory, and no more.
+void LimitThisProcess() {
+  constexpr std::size_t kMaxMore = 320u << 20;
   const rlimit seconds{2, 2}, no_core{0, 0};
+  const std::size_t bytes = BytesInUse() + kMaxMore;
+  const rlimit memory{bytes, bytes};
   setrlimit(RLIMIT_CPU, &seconds);
   setrlimit(RLIMIT_CORE, &no_core);
+  setrlimit(RLIMIT_DATA, &memory);
+}
+
+/// The child's work: corners, or what is wrong, into the pipe.
+[[noreturn]] void AnswerAndExit(std::string_view bytes, int to) {
+  LimitThisProcess();
   for (const int fault : {SIGSEGV, SIGABRT, SIGBUS, SIGFPE}) std::signal(fault, SIG_DFL);
   try {
     const Corners corners = CornersOf(bytes);
@@ -218,7 +240,7 @@ void ReadCollada(std::string_view bytes, TriangleSoup* soup) {
   if (WIFEXITED(status) && WEXITSTATUS(status) == 1) throw BadMesh(answer);
   Corners corners(answer.size() / sizeof(TriangleSoup::Corner));
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || corners.size() % 3 != 0) {
-    throw BadMesh("is no DAE that can be read: it is damaged or takes too much to read");
+    throw BadMesh(kTooMuch);
   }
   std::memcpy(corners.data(), answer.data(), corners.size() * sizeof corners[0]);
   for (std::size_t k = 0; k < corners.size(); k += 3) {

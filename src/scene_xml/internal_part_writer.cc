@@ -13,19 +13,18 @@ using scene::ObjectSpec;
 using scene::Part;
 
 std::string_view NameOf(const scene::Shape& shape) {
-  return std::visit(
-      Overloaded{[](const scene::Block&) { return "block"; },
-                 [](const scene::Cylinder&) { return "cylinder"; },
-                 [](const scene::Sphere&) { return "sphere"; },
-                 [](const scene::Box&) { return "box"; },
-                 [](const scene::Frustum&) { return "frustum"; },
-                 [](const scene::Ring&) { return "ring"; },
-                 [](const scene::Custom&) { return "custom"; },
-                 [](const scene::Composite&) { return "composite"; },
-                 [](const scene::ToggleSwitch&) { return "toggleSwitch"; },
-                 [](const scene::IndicatorLights&) { return "indicatorLights"; },
-                 [](const scene::CustomControl&) { return "customControl"; }},
-      shape);
+  return std::visit(Overloaded{[](const scene::Block&) { return "block"; },
+                               [](const scene::Cylinder&) { return "cylinder"; },
+                               [](const scene::Sphere&) { return "sphere"; },
+                               [](const scene::Box&) { return "box"; },
+                               [](const scene::Frustum&) { return "frustum"; },
+                               [](const scene::Ring&) { return "ring"; },
+                               [](const scene::Custom&) { return "custom"; },
+                               [](const scene::Composite&) { return "composite"; },
+                               [](const scene::ToggleSwitch&) { return "toggleSwitch"; },
+                               [](const scene::IndicatorLights&) { return "indicatorLights"; },
+                               [](const scene::CustomControl&) { return "customControl"; }},
+                    shape);
 }
 
 void Sizes(const scene::Block& block, XmlText* text) { text->Spans(block.size); }

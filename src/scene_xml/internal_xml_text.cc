@@ -103,7 +103,9 @@ std::string MatrixText(const Matrix3& R) {
 }  // namespace
 
 XmlText::XmlText(double meters_per_unit, std::vector<MeshFile> mesh_files)
-    : meters_per_unit_(meters_per_unit), mesh_files_(std::move(mesh_files)), text_("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n") {}
+    : meters_per_unit_(meters_per_unit),
+      mesh_files_(std::move(mesh_files)),
+      text_("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n") {}
 
 std::string XmlText::FileOf(const scene::Custom& custom) const {
   for (const MeshFile& file : mesh_files_) {

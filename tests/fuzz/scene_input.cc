@@ -20,6 +20,8 @@ scene_xml::SceneReaderOptions TightOptions() {
                      .max_objects = 500,
                      .max_attributes = 32,
                      .max_files = 8,
+                     .max_mesh_bytes = 1u << 16,
+                     .max_mesh_triangles = 500,
                      .max_instances = 16,
                      .max_diagnostics = 50}};
 }
@@ -39,14 +41,18 @@ std::string FaultOf(const std::vector<Diagnostic>& diagnostics) {
 }
 
 std::string RoundTripFaultOf(const scene_xml::SceneReading& reading) {
-  const std::string text = scene_xml::WriteScene(*reading.scene, reading.origins);
+  const auto written = [&reading](const scene::SceneSpec& scene) {
+    return scene_xml::WriteScene(scene, reading.origins, scene_xml::MeshNames::kWhereTheyAre);
+  };
+  const std::string text = written(*reading.scene);
   // With the usual limits: written out, templates and numbers take more room.
-  const scene_xml::SceneReading again = scene_xml::ReadSceneText(text, kFileName);
+  const scene_xml::SceneReading again =
+      scene_xml::ReadSceneText(text, kFileName, {.search_roots = TightOptions().search_roots});
   if (!again.scene) {
     return "a written scene is refused: " + ToString(again.diagnostics.front()) + "\n" + text;
   }
   if (*again.scene != *reading.scene) return "a written scene reads differently:\n" + text;
-  if (scene_xml::WriteScene(*again.scene, reading.origins) != text) {
+  if (written(*again.scene) != text) {
     return "the same scene is written differently:\n" + text;
   }
   return {};

@@ -136,11 +136,11 @@ TEST(ControlFaults, TellWhatMayStandWhere) {
   EXPECT_EQ(FaultOfControl("<customControl" + kAtOrigin + "><state>" + toggle +
                            "</state></customControl>"),
             "test.xml:3: <toggleSwitch>: found an unknown element, expected block, box, composite, "
-            "cylinder, frustum, ring or sphere");
+            "custom, cylinder, frustum, ring or sphere");
   EXPECT_EQ(FaultOfControl("<customControl" + kAtOrigin + "><state><composite" + kAtOrigin +
                            "><hostBondPoint type='a'/></composite></state></customControl>"),
             "test.xml:3: <hostBondPoint>: found an unknown element, expected block, box, "
-            "composite, cylinder, frustum, ring or sphere");
+            "composite, custom, cylinder, frustum, ring or sphere");
   EXPECT_EQ(FaultOfControl("<toggleSwitch" + kAtOrigin + "><state/></toggleSwitch>"),
             "test.xml:3: <state>: found an unknown element, expected description or downstream");
   EXPECT_EQ(FaultOfControl("<block" + kAtOrigin + " nextStateWhenTriggered='0'/>"),

@@ -22,7 +22,7 @@ TEST_F(RenderAsUsed, SaysWhatItCannotDo) {
   const Answer camera = Smile("render pair.xml --out x.png --camera moon");
   EXPECT_EQ(camera.exit_code, 2);
   EXPECT_EQ(camera.err,
-            "smile: camera is 'moon', expected one of eye, nice, front, left, right, top\n");
+            "smile: camera is 'moon', expected one of eye, close, nice, front, left, right, top\n");
   EXPECT_EQ(Smile("render pair.xml --out x.gif").exit_code, 2);
   EXPECT_EQ(Smile("render pair.xml --out x.mp4").exit_code, 2);
   EXPECT_EQ(Smile("render nowhere --out x.png").exit_code, 1);

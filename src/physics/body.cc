@@ -27,7 +27,8 @@ Body::Body(BodyId id, std::shared_ptr<const BodySpec> spec)
   PrincipalInertia inertia;
   if (!is_static()) inertia = PrincipalInertiaOf(spec_->mass.inertia);
   moments_ = inertia.moments;
-  X_BcmB_ = RigidTransform(Matrix3(inertia.axes.transpose()), Vector3::Zero());
+  X_BcmB_ =
+      RigidTransform(inertia.axes, is_static() ? Vector3::Zero() : spec_->mass.center).inverse();
   shapes_->collision = MakeCollisionShape(spec_->solids, X_BcmB_);
 
   btRigidBody::btRigidBodyConstructionInfo info(
@@ -49,7 +50,12 @@ Body::~Body() = default;
 RigidTransform Body::pose_in_world() const {
   return FromBullet(bullet_->getWorldTransform()) * X_BcmB_;
 }
-Vector3 Body::linear_velocity() const { return FromBullet(bullet_->getLinearVelocity()); }
+Vector3 Body::p_BcmB_W() const {
+  return FromBullet(bullet_->getWorldTransform().getBasis()) * X_BcmB_.translation();
+}
+Vector3 Body::linear_velocity() const {
+  return FromBullet(bullet_->getLinearVelocity()) + angular_velocity().cross(p_BcmB_W());
+}
 Vector3 Body::angular_velocity() const { return FromBullet(bullet_->getAngularVelocity()); }
 bool Body::is_awake() const { return !is_static() && bullet_->isActive(); }
 
@@ -77,7 +83,7 @@ void Body::SetPose(const RigidTransform& X_WB) {
 
 void Body::SetVelocity(const Vector3& linear, const Vector3& angular) {
   WakeUp();
-  bullet_->setLinearVelocity(ToBullet(linear));
+  bullet_->setLinearVelocity(ToBullet(Vector3(linear - angular.cross(p_BcmB_W()))));
   bullet_->setAngularVelocity(ToBullet(angular));
 }
 

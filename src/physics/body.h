@@ -14,7 +14,7 @@ namespace smile::physics {
 /// What a rigid body is, and where it starts.
 struct BodySpec {
   std::vector<scene::Solid> solids;  ///< what it collides with, in its own frame B
-  scene::MassProperties mass;        ///< about B's origin, its centre of mass; mass 0 = static
+  scene::MassProperties mass;        ///< mass 0 = static
   RigidTransform X_WB;               ///< where it starts
   double friction = 0.6;
   double restitution = 0.0;
@@ -67,8 +67,11 @@ class Body {
   struct Shapes;
   std::unique_ptr<Shapes> shapes_;
   std::unique_ptr<btRigidBody> bullet_;
-  Vector3 moments_;        ///< principal moments of inertia, unscaled
-  RigidTransform X_BcmB_;  ///< B in the frame of its principal axes of inertia
+  Vector3 moments_;  ///< principal moments of inertia, unscaled
+  /// From the centre of mass to the body's origin, along the world's axes [m].
+  Vector3 p_BcmB_W() const;
+
+  RigidTransform X_BcmB_;  ///< B in the frame of its centre of mass and principal axes of inertia
   bool is_carried_ = false;
   double inertia_scale_ = 1;  ///< set anew in every step
 };

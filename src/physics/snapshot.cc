@@ -144,6 +144,7 @@ template <class Archive>
 void Walk(Archive& archive, BodySpec& spec) {
   WalkEach(archive, spec.solids);
   archive(spec.mass.mass);
+  WalkMatrix(archive, spec.mass.center);
   WalkMatrix(archive, spec.mass.inertia);
   Walk(archive, spec.X_WB);
   archive(spec.friction);

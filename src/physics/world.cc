@@ -34,7 +34,8 @@ void Check(const BodySpec& spec) {
   if (!spec.X_WB.rotation().allFinite() || !spec.X_WB.translation().allFinite()) {
     throw std::invalid_argument("body: its pose is not finite");
   }
-  if (!(spec.mass.mass >= 0) || !std::isfinite(spec.mass.mass) || !spec.mass.inertia.allFinite()) {
+  if (!(spec.mass.mass >= 0) || !std::isfinite(spec.mass.mass) || !spec.mass.inertia.allFinite() ||
+      !spec.mass.center.allFinite()) {
     throw std::invalid_argument("body: mass is " + std::to_string(spec.mass.mass) +
                                 " kg, expected at least 0");
   }

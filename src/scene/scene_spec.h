@@ -33,8 +33,10 @@ struct Surface {
 
 /// One whole object: a rigid body that can be grasped and is listed in recordings.
 struct ObjectSpec {
-  Part whole;                             ///< its parent frame is the world W
-  double mass = 1.0;                      ///< [kg]; 0 = static, it never moves
+  Part whole;         ///< its parent frame is the world W
+  double mass = 1.0;  ///< [kg]; 0 = static, it never moves
+  /// Of mass, in the object's frame: its origin unless the author moves it [m].
+  Vector3 center_of_mass = Vector3::Zero();
   std::vector<Description> descriptions;  ///< `shape` first, then as in the file
   Surface surface;
 

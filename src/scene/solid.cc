@@ -170,8 +170,9 @@ std::size_t NumSolidsOf(const Part& whole) {
       whole.shape);
 }
 
-MassProperties MassPropertiesOf(const std::vector<Solid>& solids, double mass) {
-  MassProperties properties{.mass = mass};
+MassProperties MassPropertiesOf(const std::vector<Solid>& solids, double mass,
+                                const Vector3& center) {
+  MassProperties properties{.mass = mass, .center = center};
   std::vector<VolumeMoments> moments;
   double volume = 0;
   for (const Solid& solid : solids) {
@@ -186,7 +187,7 @@ MassProperties MassPropertiesOf(const std::vector<Solid>& solids, double mass) {
   for (std::size_t i = 0; i < solids.size(); ++i) {
     const double share = mass * moments[i].volume / volume;
     const Matrix3& R = solids[i].X_BS.rotation();
-    const Vector3 p = solids[i].X_BS * moments[i].center;
+    const Vector3 p = solids[i].X_BS * moments[i].center - center;
     // Parallel-axis theorem: the piece's own inertia, turned, plus that of its mass at its centre.
     properties.inertia += share * (R * moments[i].unit_inertia * R.transpose());
     properties.inertia += share * (p.squaredNorm() * Matrix3::Identity() - p * p.transpose());

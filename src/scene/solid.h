@@ -37,14 +37,17 @@ std::vector<Solid> SolidsOf(const Part& whole);
 /// How many SolidsOf() would make, without making them.
 std::size_t NumSolidsOf(const Part& whole);
 
-/// Mass, and rotational inertia about the body's origin, which is its centre of mass whatever its
+/// Mass, and rotational inertia about the centre of mass: the body's origin, whatever its
 /// shape looks like (scene files rely on this). The mass is spread evenly over the pieces' volume.
 struct MassProperties {
   double mass = 0;                    ///< [kg]
-  Matrix3 inertia = Matrix3::Zero();  ///< about the origin, along the body's axes [kg m2]
+  Vector3 center = Vector3::Zero();   ///< of mass, in the body's frame [m]
+  Matrix3 inertia = Matrix3::Zero();  ///< about the center, along the body's axes [kg m2]
 
   bool operator==(const MassProperties&) const = default;
 };
-MassProperties MassPropertiesOf(const std::vector<Solid>& solids, double mass);
+/// @param center  of mass, where it is not the origin [m].
+MassProperties MassPropertiesOf(const std::vector<Solid>& solids, double mass,
+                                const Vector3& center = Vector3::Zero());
 
 }  // namespace smile::scene

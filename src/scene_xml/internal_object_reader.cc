@@ -64,6 +64,7 @@ ObjectSpec ReadObject(const XmlElement& element, const ShapeElement& shape, Cont
   ObjectSpec object;
   object.whole = ReadPartAttributes(element, shape, place, &attributes, reading);
   object.mass = attributes.Number("mass", 1, kMassKilograms);
+  if (attributes.Text("centerOfMass")) object.center_of_mass = attributes.Point("centerOfMass");
   object.surface = ReadSurface(&attributes);
   attributes.RefuseUnknown();
   object.descriptions = {{"shape", ShapeNameOf(shape, object.whole)}};

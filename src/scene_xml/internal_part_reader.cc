@@ -68,7 +68,7 @@ Part ReadPart(const XmlElement& element, const ShapeElement& shape, const PartPl
               Reading* reading) {
   AttributeReader attributes(element, reading);
   Part part = ReadPartAttributes(element, shape, place, &attributes, reading);
-  for (const char* name : {"mass", "friction", "restitution", "rollingFriction"}) {
+  for (const char* name : {"mass", "centerOfMass", "friction", "restitution", "rollingFriction"}) {
     attributes.Forbid(name, std::string(name) + " only on the whole object");
   }
   attributes.RefuseUnknown();

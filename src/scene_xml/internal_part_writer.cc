@@ -117,6 +117,9 @@ void WriteObject(const ObjectSpec& object, const RigidTransform& X_PE, XmlText* 
   text->Open(NameOf(object.whole.shape));
   WriteShapeAttributes(object.whole, X_PE, text);
   text->Number("mass", object.mass);
+  if (object.center_of_mass != Vector3(Vector3::Zero())) {
+    text->Point("centerOfMass", object.center_of_mass);
+  }
   WriteSurface(object.surface, text);
   if (object.whole.is_pointable) text->Boolean("pointable", true);
   WriteDescriptions(object, text);

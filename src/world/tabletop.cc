@@ -64,15 +64,15 @@ void Tabletop::AddBodiesAndJoints(const scene::SceneSpec& scene) {
   for (std::size_t i = 0; i < objects_.size(); ++i) {
     const scene::ObjectSpec& spec = *objects_[i].spec;
     const std::vector<scene::Solid> solids = SolidsNow(i);
-    objects_[i].body = world_->AddBody({.solids = solids,
-                                        .mass = scene::MassPropertiesOf(solids, spec.mass),
-                                        .X_WB = spec.pose_in_world(),
-                                        .friction = spec.surface.friction,
-                                        .restitution = spec.surface.restitution,
-                                        .rolling_friction = spec.surface.rolling_friction,
-                                        .angular_damping = link_padding_[i] > 0
-                                                               ? std::optional(kLinkAngularDamping)
-                                                               : std::nullopt});
+    objects_[i].body = world_->AddBody(
+        {.solids = solids,
+         .mass = scene::MassPropertiesOf(solids, spec.mass, spec.center_of_mass),
+         .X_WB = spec.pose_in_world(),
+         .friction = spec.surface.friction,
+         .restitution = spec.surface.restitution,
+         .rolling_friction = spec.surface.rolling_friction,
+         .angular_damping =
+             link_padding_[i] > 0 ? std::optional(kLinkAngularDamping) : std::nullopt});
   }
   for (const scene::SliderSpec& slider : scene.sliders) AddSliderJoint(slider, objects_, world_);
   for (const scene::ChainSpec& chain : scene.chains) {
@@ -112,7 +112,9 @@ void Tabletop::UpdateForm(std::size_t object) {
   const std::vector<scene::Solid> solids = SolidsNow(object);
   const physics::BodySpec& now = world_->body(changed.body).spec();
   if (solids == now.solids) return;
-  world_->ChangeForm(changed.body, solids, scene::MassPropertiesOf(solids, changed.spec->mass));
+  world_->ChangeForm(
+      changed.body, solids,
+      scene::MassPropertiesOf(solids, changed.spec->mass, changed.spec->center_of_mass));
 }
 
 bool Tabletop::HasControls(std::size_t object) const {

@@ -65,7 +65,8 @@ std::string FaultOf(const scene::ObjectSpec& object) {
   for (const scene::Solid& solid : solids) {
     if (!IsFinite(solid.X_BS)) return name + "a solid at a pose that is none";
   }
-  const scene::MassProperties properties = scene::MassPropertiesOf(solids, object.mass);
+  const scene::MassProperties properties =
+      scene::MassPropertiesOf(solids, object.mass, object.center_of_mass);
   if (!std::isfinite(properties.mass) || !properties.inertia.allFinite()) {
     return name + "mass or inertia that is no number";
   }

@@ -35,7 +35,8 @@ TEST(SceneFaults, ReportsAllFaultsInOnePassInTheOrderOfTheFile) {
 
 TEST(SceneFaults, SuggestsTheAttributeThatWasMeant) {
   EXPECT_EQ(FaultOfObject("<sphere location='(0,0,0)' colour='red'/>"),
-            "test.xml:3: <sphere>: found attribute \"colour\", expected color, friction, id, "
+            "test.xml:3: <sphere>: found attribute \"colour\", expected centerOfMass, color, "
+            "friction, id, "
             "location, mass, pointable, radius, restitution, rollingFriction, rotation or "
             "rotationMatrix; did you mean \"color\"?");
 }

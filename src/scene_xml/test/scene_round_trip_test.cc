@@ -34,6 +34,7 @@ class SceneMaker {
     scene.table = {Length(), Length(), 4 * unit_};
     for (int i = 0; i < 8; ++i) {
       scene::ObjectSpec object{.whole = Part(3), .mass = Uniform(0, 100)};
+      if (random_() % 2) object.center_of_mass = {Length(), -Length(), Length()};
       object.whole.id = "object#" + std::to_string(i);
       if (scene::IsControl(object.whole.shape)) controls_.back() = object.whole.id;
       object.descriptions = {{"shape", "thing & <\"part\">\n"}, {"size", "ü 3\t"}};

@@ -28,6 +28,21 @@ TEST(SurfaceOfAnObject, ComesBackAsItWasWritten) {
       << "programs without these attributes can still read ordinary scenes";
 }
 
+TEST(CenterOfMass, IsTheOriginUnlessTheFileMovesItAndComesBack) {
+  EXPECT_EQ(MustReadObject("<block location='(0,0,0)'/>").center_of_mass, Vector3(0, 0, 0));
+  const scene::SceneSpec scene =
+      MustRead(SceneText("<ring location='(0,0,1)' centerOfMass='(0.1,-2,0.3)'/>"));
+  EXPECT_EQ(scene.objects.at(0).center_of_mass, Vector3(0.01, -0.2, 0.03));
+  EXPECT_TRUE(MustRead(WriteScene(scene)).objects == scene.objects);
+  EXPECT_EQ(FaultOf(SceneText("<block location='(0,0,0)' centerOfMass='low'/>")),
+            "test.xml:3: <block>: found centerOfMass=\"low\", expected (x,y,z), three numbers from "
+            "-1000000 to 1000000");
+  EXPECT_EQ(FaultOf(SceneText("<composite location='(0,0,0)'><block location='(0,0,0)' "
+                              "centerOfMass='(0,0,0)'/></composite>")),
+            "test.xml:3: <block>: found centerOfMass=\"(0,0,0)\", expected centerOfMass only on "
+            "the whole object");
+}
+
 TEST(SurfaceOfAnObject, IsRefusedOutOfRangeAndOnParts) {
   EXPECT_EQ(FaultOf(SceneText("<block location='(0,0,0)' friction='-1'/>")),
             "test.xml:3: <block>: found friction=\"-1\", expected a number from 0 to 10");

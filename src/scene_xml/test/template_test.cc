@@ -143,7 +143,8 @@ TEST(TemplateFaults, NameTheTemplateAndTheInstance) {
       (Texts{"test.xml:4: <block>: found colour=\"$color$\" with the unknown variable \"color\", "
              "expected one of the instance, of its def or of an instance around it (in the "
              "instance at test.xml:6)",
-             "test.xml:4: <block>: found attribute \"colour\", expected color, friction, id, "
+             "test.xml:4: <block>: found attribute \"colour\", expected centerOfMass, color, "
+             "friction, id, "
              "location, mass, pointable, restitution, rollingFriction, rotation, rotationMatrix, "
              "xspan, yspan or zspan; did you mean \"color\"? "
              "(in the instance at test.xml:6)",

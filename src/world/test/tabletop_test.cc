@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "math/angles.h"
+
 namespace smile::world {
 namespace {
 
@@ -35,6 +37,22 @@ TEST(Tabletop, AStaticObjectStaysInTheAir) {
   const Tabletop tabletop(&world, SceneWith({BlockAt("shelf", {0, 0, 0.5}, /*mass=*/0)}));
   for (int i = 0; i < 480; ++i) world.Step();
   EXPECT_EQ(world.body(tabletop.Find("shelf")->body).pose_in_world().translation().z(), 0.5);
+}
+
+TEST(Tabletop, ABallWhoseMassIsBelowItsMiddleStandsUp) {
+  physics::World world;
+  scene::ObjectSpec ball = BlockAt("ball", {0, 0, 0.05});
+  ball.whole.shape = scene::Sphere{0.05};
+  ball.whole.X_PE = {RotationFromFixedAxes({60, 0, 0}), Vector3(0, 0, 0.05)};
+  ball.center_of_mass = {0, 0, -0.03};
+  const Tabletop tabletop(&world, SceneWith({ball}));
+  physics::Body& body = world.body(tabletop.Find("ball")->body);
+  EXPECT_TRUE(body.pose_in_world().translation().isApprox(Vector3(0, 0, 0.05)))
+      << "its origin is where the scene says";
+  for (int i = 0; i < 4800; ++i) world.Step();
+  EXPECT_GT(body.pose_in_world().rotation()(2, 2), 0.99) << "its own z points up";
+  body.SetVelocity({0.1, 0.2, 0.3}, {1, 2, 3});
+  EXPECT_TRUE(body.linear_velocity().isApprox(Vector3(0.1, 0.2, 0.3))) << "of the origin";
 }
 
 /// Where an object is after so many seconds; `push` is its velocity at the start [m/s].

@@ -4,6 +4,7 @@
 #include <assimp/IOSystem.hpp>
 #include <assimp/Importer.hpp>
 
+#include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -224,7 +225,7 @@ void ReadCollada(std::string_view bytes, TriangleSoup* soup) {
   CheckCost(bytes);
   // The library falls over some damaged files (seen with 5.2.5): only its own process then.
   int ends[2];
-  if (pipe(ends) != 0) throw std::runtime_error("no pipe to read a DAE with");
+  if (pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error("no pipe to read a DAE with");
   const pid_t child = fork();
   if (child == 0) {
     close(ends[0]);

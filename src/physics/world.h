@@ -74,7 +74,12 @@ class World {
   void RemoveJoint(JointId id);
   /// All bodies that hang together with this one through joints other than welds, not through
   /// static bodies; static ones are not among them, the body itself is. By id.
-  std::vector<BodyId> Assembly(BodyId id) const;
+  /// @param without  a joint that does not count.
+  std::vector<BodyId> Assembly(BodyId id, JointId without = {}) const;
+  /// True when a joint other than `without` ties its assembly to a static body.
+  bool IsAnchored(BodyId id, JointId without = {}) const;
+  /// Puts a body there at once, at rest, and all that hangs together with it likewise.
+  void MoveAssembly(BodyId id, const RigidTransform& X_WB);
 
   /// Lets the two pass through each other until they have come apart: for what was inside the
   /// other when its joint ended. Who overlaps by less than 0.5 mm counts as apart.
@@ -126,7 +131,7 @@ class World {
   void RejoinBullet(BodyId id);
   void WakeJoined(const JointSpec& spec);
   /// Itself and those that hang on it through joints, up to and with static ones; by id.
-  std::vector<BodyId> BodiesJoinedWith(BodyId id, bool only_fixed) const;
+  std::vector<BodyId> BodiesJoinedWith(BodyId id, bool only_fixed, JointId without = {}) const;
   double MassOfRigidGroup(BodyId id) const;
   /// A carried body moves what hangs on it as if it had the mass of all of it; see the decisions.
   void ScaleCarriedInertia();

@@ -205,9 +205,10 @@ void World::RejoinBullet(BodyId id) {
   }
 }
 
-std::vector<BodyId> World::BodiesJoinedWith(BodyId id, bool only_fixed) const {
+std::vector<BodyId> World::BodiesJoinedWith(BodyId id, bool only_fixed, JointId without) const {
   std::vector<std::pair<BodyId, BodyId>> ties;
   for (const Joint& joint : joints_) {
+    if (joint.id == without) continue;
     if (only_fixed && !std::holds_alternative<FixedJointSpec>(joint.spec)) continue;
     const auto pair = BodyPairOf(joint.spec);
     if (!pair) continue;
@@ -232,11 +233,26 @@ std::vector<BodyId> World::BodiesJoinedWith(BodyId id, bool only_fixed) const {
   return found;
 }
 
-std::vector<BodyId> World::Assembly(BodyId id) const {
-  std::vector<BodyId> members = BodiesJoinedWith(id, /*only_fixed=*/false);
+std::vector<BodyId> World::Assembly(BodyId id, JointId without) const {
+  std::vector<BodyId> members = BodiesJoinedWith(id, /*only_fixed=*/false, without);
   std::erase_if(members,
                 [this, id](BodyId member) { return member != id && body(member).is_static(); });
   return members;
+}
+
+bool World::IsAnchored(BodyId id, JointId without) const {
+  const std::vector<BodyId> members = BodiesJoinedWith(id, /*only_fixed=*/false, without);
+  return std::any_of(members.begin(), members.end(), [this, id](BodyId member) {
+    return member != id && body(member).is_static();
+  });
+}
+
+void World::MoveAssembly(BodyId id, const RigidTransform& X_WB) {
+  const RigidTransform X_moved = X_WB * body(id).pose_in_world().inverse();
+  for (BodyId member : Assembly(id)) {
+    Body& one = body(member);
+    one.SetPose(member == id ? X_WB : X_moved * one.pose_in_world());
+  }
 }
 
 /// Of the body and all that is fixed to it, as Bullet has it now; infinite with a static one.

@@ -15,7 +15,7 @@ namespace smile::record {
 
 /// Where an object is: position [m] and unit quaternion (w, x, y, z).
 struct TracePose {
-  bool is_present = true;  ///< false once it is destroyed; position and rotation are then the last
+  bool is_present = true;  ///< false once it is destroyed; position and rotation then say nothing
   Vector3 position = Vector3::Zero();
   Eigen::Vector4d rotation{1, 0, 0, 0};
 

@@ -67,7 +67,7 @@ void RobotBody::SetArmAngles(int arm, std::span<const double> angles) {
   for (const physics::Joint& joint : world_->joints()) {
     if (std::find(welds.begin(), welds.end(), joint.id) == welds.end()) continue;
     const auto& weld = std::get<physics::WeldSpec>(joint.spec);
-    world_->body(weld.body).SetPose(X_WL[weld.link] * weld.X_LB);
+    world_->MoveAssembly(weld.body, X_WL[weld.link] * weld.X_LB);
   }
   world_->WakeAll();
 }

@@ -17,7 +17,8 @@ enum class EventKind {
   kTriggered,       ///< a hand pressed or triggered `control`
   kControlChanged,  ///< `control` shows another `state`
   kFastened,        ///< `object` is fastened one stage tighter, to `tightness`
-  kLoosened,        ///< `object` is loosened one stage, to `tightness`; 0: it came free
+  kLoosened,        ///< `object` is loosened one stage, to `tightness`; 0: it came free, by no
+                    ///< hand when one of the two was destroyed
   kGripperHolds,    ///< a closing gripper got hold of an object
   kGripperLetGo,    ///< an opening gripper let go of it
   kCommandRefused,  ///< a command was not carried out; `reason` says why

@@ -62,7 +62,12 @@ std::optional<HandName> HandOf(const Command& command) {
 std::optional<Refusal> Simulation::Apply(const Command& wanted) {
   const Command command = OnFileGrid(wanted, scene_.meters_per_unit);
   const auto held_by_grippers = HeldByGrippers();
-  const world::TabletopState before = tabletop_.state();
+  const bool is_of_bonds =
+      std::holds_alternative<Fasten>(command) || std::holds_alternative<Loosen>(command);
+  const bool changes_mechanisms = is_of_bonds || std::holds_alternative<Trigger>(command) ||
+                                  std::holds_alternative<Destroy>(command);
+  const world::TabletopState before =
+      changes_mechanisms ? tabletop_.state() : world::TabletopState();
   const std::optional<HandName> hand = HandOf(command);
   const world::Object* held = hand ? tabletop_.Find(demonstrator_.hand(*hand).held) : nullptr;
   const std::string held_before = held != nullptr ? held->id() : "";
@@ -73,8 +78,6 @@ std::optional<Refusal> Simulation::Apply(const Command& wanted) {
   }
   for (Listener* listener : listeners_) listener->OnCommand(*this, command);
   TellOfCommand(command, held_before);
-  const bool is_of_bonds =
-      std::holds_alternative<Fasten>(command) || std::holds_alternative<Loosen>(command);
   TellOfBonds(before.bonds, is_of_bonds ? hand : std::nullopt);
   TellOfControls(before.controls);
   TellOfGrippers(held_by_grippers);

@@ -82,6 +82,7 @@ void Simulation::TellOfBonds(const std::vector<world::BondState>& before,
 
 void Simulation::TellOfControls(const std::vector<world::ControlState>& before) {
   for (std::size_t i = 0; i < before.size(); ++i) {
+    if (before[i] == tabletop_.controls().states()[i]) continue;
     const world::Control& control = tabletop_.controls().all()[i];
     if (!tabletop_.IsPresent(control)) continue;
     const std::string state = RecordedState(control, tabletop_.controls().states()[i]);

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "base/diagnostic.h"
+#include "base/overloaded.h"
 #include "record/trace.h"
 #include "scene/solid.h"
 
@@ -98,13 +99,18 @@ Goal GoalOf(const record::Recording& demonstration) {
 
   std::set<std::string> moved;
   for (const record::LoggedCommand& logged : demonstration.commands) {
-    if (const auto* grasp = std::get_if<sim::Grasp>(&logged.command)) moved.insert(grasp->object);
+    std::visit(Overloaded{[&](const sim::Grasp& grasp) { moved.insert(grasp.object); },
+                          [&](const sim::Fasten& fasten) { moved.insert(fasten.object); },
+                          [&](const sim::Loosen& loosen) { moved.insert(loosen.object); },
+                          [](const auto&) {}},
+               logged.command);
   }
   const std::set<std::string> ids = WithSupports(std::move(moved), objects);
   std::erase_if(objects, [&ids](const auto& object) { return !ids.contains(object.id()); });
   if (objects.empty()) {
     throw InputError({demonstration.directory.string(), 0, "",
-                      "no hand moved anything in this recording, there is nothing to imitate"});
+                      "no hand moved anything in this recording that is still there, so there is "
+                      "nothing to imitate"});
   }
   return {std::move(objects)};
 }

@@ -1,7 +1,7 @@
 #include "world/bonds.h"
 
 #include <algorithm>
-#include <set>
+#include <map>
 
 #include "scene/bond_points.h"
 
@@ -29,22 +29,25 @@ Bonds::Bonds(physics::World* world, const std::vector<Object>* objects, Controls
                         controls_->Find(point->downstream_override), std::nullopt});
     }
   }
-  const auto find_host = [this](const std::string& id) -> std::optional<std::size_t> {
-    for (std::size_t i = 0; i < hosts_.size(); ++i) {
-      if (hosts_[i].point->id == id) return i;
-    }
-    return std::nullopt;
-  };
-  for (Host& host : hosts_) host.downstream_lock = find_host(host.point->downstream_lock);
-
+  for (std::size_t host = 0; host < hosts_.size(); ++host)
+    host_of_id_[hosts_[host].point->id] = host;
+  for (Host& host : hosts_) host.downstream_lock = FindHost(host.point->downstream_lock);
   states_.resize(hosts_.size());
+}
+
+void Bonds::FastenInitially() {
   for (std::size_t guest = 0; guest < guests_.size(); ++guest) {
-    const auto host = find_host(guests_[guest].point->initial_host);
+    const auto host = FindHost(guests_[guest].point->initial_host);
     const int tightness = guests_[guest].point->initial_tightness;
     if (!host || tightness < 1) continue;
-    MoveWithAssembly(guest, *host, GuestBodyAt(guest, *host, tightness));
+    world_->MoveAssembly(BodyOf(guests_[guest]), GuestBodyAt(guest, *host, tightness));
     Join(guest, *host, tightness);
   }
+}
+
+std::optional<std::size_t> Bonds::FindHost(const std::string& id) const {
+  const auto found = host_of_id_.find(id);
+  return found != host_of_id_.end() ? std::optional(found->second) : std::nullopt;
 }
 
 std::optional<std::size_t> Bonds::HostOf(std::size_t guest) const {
@@ -68,34 +71,47 @@ std::optional<std::size_t> Bonds::NearestGuest(std::size_t object, const Vector3
   return nearest;
 }
 
-bool Bonds::AreConnected(std::size_t object_a, std::size_t object_b) const {
-  std::set<std::size_t> connected{object_a};
-  for (std::size_t size = 0; size != connected.size();) {
-    size = connected.size();
-    for (std::size_t host = 0; host < hosts_.size(); ++host) {
-      if (states_[host].guest < 0) continue;
-      const std::size_t a = hosts_[host].object;
-      const std::size_t b = guests_[static_cast<std::size_t>(states_[host].guest)].object;
-      if (connected.contains(a) || connected.contains(b)) connected.insert({a, b});
-    }
+std::vector<bool> Bonds::ConnectedWith(std::size_t object) const {
+  // Bonds between static objects have no joint, other joints have no bond.
+  std::multimap<std::size_t, std::size_t> neighbours;
+  for (std::size_t host = 0; host < hosts_.size(); ++host) {
+    if (states_[host].guest < 0) continue;
+    const std::size_t a = hosts_[host].object;
+    const std::size_t b = guests_[static_cast<std::size_t>(states_[host].guest)].object;
+    neighbours.insert({{a, b}, {b, a}});
   }
-  return connected.contains(object_b);
+  std::vector<bool> is_connected(objects_->size());
+  std::vector<std::size_t> to_visit{object};
+  const std::vector<physics::BodyId> assembly = world_->Assembly((*objects_)[object].body);
+  for (std::size_t i = 0; i < objects_->size(); ++i) {
+    if (std::ranges::binary_search(assembly, (*objects_)[i].body)) to_visit.push_back(i);
+  }
+  while (!to_visit.empty()) {
+    const std::size_t next = to_visit.back();
+    to_visit.pop_back();
+    if (is_connected[next]) continue;
+    is_connected[next] = true;
+    const auto [first, last] = neighbours.equal_range(next);
+    for (auto other = first; other != last; ++other) to_visit.push_back(other->second);
+  }
+  return is_connected;
 }
 
-std::optional<std::size_t> Bonds::FindHost(std::size_t guest, double reach,
-                                           Refusal* refusal) const {
+std::optional<std::size_t> Bonds::HostInReach(std::size_t guest, double reach,
+                                              Refusal* refusal) const {
   const Guest& plug = guests_[guest];
   const auto point_in_world = [this](std::size_t object, const RigidTransform& X_BPoint) {
     return world_->body((*objects_)[object].body).pose_in_world() * X_BPoint.translation();
   };
   const Vector3 p_WG = point_in_world(plug.object, plug.X_BG);
+  const std::vector<bool> is_connected = ConnectedWith(plug.object);
   std::optional<std::size_t> nearest;
   double nearest_distance = reach;
   bool is_any_locked = false;
   for (std::size_t host = 0; host < hosts_.size(); ++host) {
     const Host& hole = hosts_[host];
     if (hole.point->type != plug.point->type || states_[host].guest >= 0 ||
-        !IsPresent(hole.object) || AreConnected(plug.object, hole.object)) {
+        is_connected[hole.object] || !IsPresent(hole.object)) {
       continue;
     }
     const double distance = (point_in_world(hole.object, hole.X_BH) - p_WG).norm();
@@ -135,7 +151,7 @@ std::optional<Refusal> Bonds::Fasten(std::size_t object, const Vector3& p_WQ,
     return Tighten(*guest, *host, tightness + 1);
   }
   Refusal refusal;
-  const auto host = FindHost(*guest, kReachUnits * meters_per_unit, &refusal);
+  const auto host = HostInReach(*guest, kReachUnits * meters_per_unit, &refusal);
   if (!host) return refusal;
   return Tighten(*guest, *host, 1);
 }
@@ -149,45 +165,55 @@ std::optional<Refusal> Bonds::Loosen(std::size_t object, const Vector3& p_WQ) {
 
 /// Goes to another stage, or refuses and leaves everything as it was.
 std::optional<Refusal> Bonds::Tighten(std::size_t guest, std::size_t host, int tightness) {
-  const Object& object = (*objects_)[guests_[guest].object];
-  const Object& holder = (*objects_)[hosts_[host].object];
   if (states_[host].is_locked) return Named(hosts_[host].point->id) + " is locked";
-  if (world_->body(object.body).is_static())
-    return Named(object.id()) + " is fixed (its mass is 0)";
-
   const RigidTransform X_WB = GuestBodyAt(guest, host, tightness);
-  const std::vector<physics::BodyId> own = world_->Assembly(object.body);
-  for (physics::BodyId blocker : world_->OverlapsAt(object.body, X_WB, kMaxOverlap)) {
-    if (blocker == holder.body || std::ranges::binary_search(own, blocker)) continue;
-    const auto other = std::ranges::find(*objects_, blocker, &Object::body);
-    return "there is no room for " + Named(object.id()) + ": " +
-           (other != objects_->end() ? Named(other->id()) : "the table or the robot") +
-           " is in the way";
-  }
+  if (auto refusal = RefuseToMove(guest, host, X_WB)) return refusal;
+
   if (states_[host].joint) world_->RemoveJoint(states_[host].joint);
   states_[host].joint = {};
-  MoveWithAssembly(guest, host, X_WB);
+  world_->MoveAssembly(BodyOf(guests_[guest]), X_WB);
   Join(guest, host, tightness);
   return std::nullopt;
 }
 
-/// Puts the guest's body there at once, and what hangs on it with it. The host stays.
-void Bonds::MoveWithAssembly(std::size_t guest, std::size_t host, const RigidTransform& X_WB) {
-  const physics::BodyId body = (*objects_)[guests_[guest].object].body;
-  const physics::BodyId holder = (*objects_)[hosts_[host].object].body;
-  const RigidTransform X_moved = X_WB * world_->body(body).pose_in_world().inverse();
-  std::vector<physics::BodyId> moved = world_->Assembly(body);
-  // A loop through other joints would carry the host away.
-  if (std::ranges::binary_search(moved, holder)) moved = {body};
-  for (physics::BodyId id : moved) {
-    physics::Body& one = world_->body(id);
-    one.SetPose(id == body ? X_WB : X_moved * one.pose_in_world());
+std::optional<Refusal> Bonds::RefuseToMove(std::size_t guest, std::size_t host,
+                                           const RigidTransform& X_WB) const {
+  const physics::BodyId body = BodyOf(guests_[guest]), holder = BodyOf(hosts_[host]);
+  const physics::JointId bond = states_[host].joint;
+  if (world_->body(body).is_static()) return NameOf(body) + " is fixed (its mass is 0)";
+  if (world_->IsAnchored(body, bond)) {
+    return NameOf(body) + " hangs on something fixed and cannot be put there";
   }
+  const std::vector<physics::BodyId> moved = world_->Assembly(body, bond);
+  if (std::ranges::binary_search(moved, holder)) {
+    return NameOf(body) + " and " + NameOf(holder) + " are joined in another way too";
+  }
+  const RigidTransform X_moved = X_WB * world_->body(body).pose_in_world().inverse();
+  for (physics::BodyId member : moved) {
+    if (IsHeldByRobot(member)) return NameOf(member) + " is held by the robot";
+    const RigidTransform X_there = X_moved * world_->body(member).pose_in_world();
+    for (physics::BodyId blocker : world_->OverlapsAt(member, X_there, kMaxOverlap)) {
+      const bool is_hole = member == body && blocker == holder;
+      if (is_hole || std::ranges::binary_search(moved, blocker)) continue;
+      return "there is no room for " + NameOf(member) + ": " + NameOf(blocker) + " is in the way";
+    }
+  }
+  return std::nullopt;
+}
+
+bool Bonds::IsHeldByRobot(physics::BodyId body) const {
+  return std::ranges::any_of(world_->joints(), [body](const physics::Joint& joint) {
+    return std::holds_alternative<physics::WeldSpec>(joint.spec) && Joins(joint.spec, body);
+  });
+}
+
+std::string Bonds::NameOf(physics::BodyId body) const {
+  const auto object = std::ranges::find(*objects_, body, &Object::body);
+  return object != objects_->end() ? Named(object->id()) : "the table";
 }
 
 void Bonds::Join(std::size_t guest, std::size_t host, int tightness) {
-  const physics::BodyId holder = (*objects_)[hosts_[host].object].body;
-  const physics::BodyId body = (*objects_)[guests_[guest].object].body;
+  const physics::BodyId holder = BodyOf(hosts_[host]), body = BodyOf(guests_[guest]);
   BondState& state = states_[host];
   state.tightness = tightness;
   state.guest = tightness > 0 ? static_cast<int>(guest) : -1;

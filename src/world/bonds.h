@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -41,8 +42,10 @@ struct BondState {
 /// The bond points of a scene: which guest is fastened to which host, and how tightly.
 class Bonds {
  public:
-  /// All must outlive this. Fastens what is fastened from the start.
+  /// All must outlive this.
   Bonds(physics::World* world, const std::vector<Object>* objects, Controls* controls);
+  /// Fastens what is fastened from the start. The objects must have bodies by now.
+  void FastenInitially();
 
   const std::vector<Guest>& guests() const { return guests_; }
   const std::vector<Host>& hosts() const { return hosts_; }
@@ -61,15 +64,24 @@ class Bonds {
   void EndBondsOf(std::size_t object);
 
  private:
+  std::optional<std::size_t> FindHost(const std::string& id) const;
   std::optional<std::size_t> HostOf(std::size_t guest) const;
   std::optional<std::size_t> NearestGuest(std::size_t object, const Vector3& p_WQ) const;
   /// The host a free guest would go to; or why there is none.
-  std::optional<std::size_t> FindHost(std::size_t guest, double reach, Refusal* refusal) const;
-  bool AreConnected(std::size_t object_a, std::size_t object_b) const;
+  std::optional<std::size_t> HostInReach(std::size_t guest, double reach, Refusal* refusal) const;
+  /// Of each object, whether it hangs together with this one through bonds or other joints.
+  std::vector<bool> ConnectedWith(std::size_t object) const;
+  physics::BodyId BodyOf(const Guest& guest) const { return (*objects_)[guest.object].body; }
+  physics::BodyId BodyOf(const Host& host) const { return (*objects_)[host.object].body; }
+  /// The object of a body, as refusals name it.
+  std::string NameOf(physics::BodyId body) const;
   RigidTransform GuestBodyAt(std::size_t guest, std::size_t host, int tightness) const;
   std::optional<Refusal> Tighten(std::size_t guest, std::size_t host, int tightness);
   void Join(std::size_t guest, std::size_t host, int tightness);
-  void MoveWithAssembly(std::size_t guest, std::size_t host, const RigidTransform& X_WB);
+  /// Why a guest, with all that hangs on it, cannot be put there.
+  std::optional<Refusal> RefuseToMove(std::size_t guest, std::size_t host,
+                                      const RigidTransform& X_WB) const;
+  bool IsHeldByRobot(physics::BodyId body) const;
   void TellDownstream(std::size_t host);
   bool IsPresent(std::size_t object) const { return world_->Has((*objects_)[object].body); }
 
@@ -79,6 +91,7 @@ class Bonds {
   std::vector<Guest> guests_;
   std::vector<Host> hosts_;
   std::vector<BondState> states_;
+  std::map<std::string, std::size_t> host_of_id_;
 };
 
 }  // namespace smile::world

@@ -1,7 +1,6 @@
 #include "world/controls.h"
 
 #include <algorithm>
-#include <map>
 #include <set>
 
 #include "base/overloaded.h"
@@ -51,10 +50,10 @@ std::string NamesOf(const std::vector<Target>& targets) {
 }  // namespace
 
 Controls::Controls(const std::vector<Object>& objects) {
-  std::map<std::string_view, std::size_t> index_of;
   for (std::size_t object = 0; object < objects.size(); ++object) {
+    first_of_.push_back(controls_.size());
     for (const scene::Part* part : scene::ControlsOf(objects[object].spec->whole)) {
-      index_of[part->id] = controls_.size();
+      index_of_[part->id] = controls_.size();
       controls_.push_back(
           {.part = {objects[object].spec, part}, .object = object, .downstream = {}});
       const auto* toggle = std::get_if<ToggleSwitch>(&part->shape);
@@ -62,20 +61,18 @@ Controls::Controls(const std::vector<Object>& objects) {
                          .position = toggle && !toggle->is_left_pressed ? 1 : 0});
     }
   }
+  first_of_.push_back(controls_.size());
   for (Control& control : controls_) {
     for (const std::string& id : scene::DownstreamOf(*control.part)) {
-      const auto found = index_of.find(id);
-      if (found != index_of.end()) control.downstream.push_back(found->second);
+      if (const auto driven = Find(id)) control.downstream.push_back(*driven);
     }
   }
   for (std::size_t i = 0; i < controls_.size(); ++i) DriveDownstream(i);
 }
 
 std::optional<std::size_t> Controls::Find(std::string_view id) const {
-  for (std::size_t i = 0; i < controls_.size(); ++i) {
-    if (controls_[i].id() == id) return i;
-  }
-  return std::nullopt;
+  const auto found = index_of_.find(id);
+  return found != index_of_.end() ? std::optional(found->second) : std::nullopt;
 }
 
 bool Controls::Take(std::size_t control, int state) {

@@ -1,10 +1,13 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "scene/controls_of.h"
@@ -47,6 +50,10 @@ class Controls {
   const std::vector<ControlState>& states() const { return states_; }
   void Restore(std::vector<ControlState> states) { states_ = std::move(states); }
   std::optional<std::size_t> Find(std::string_view id) const;
+  /// Indices of an object's own controls: from the first up to, not including, the second.
+  std::pair<std::size_t, std::size_t> RangeOf(std::size_t object) const {
+    return {first_of_[object], first_of_[object + 1]};
+  }
 
   /// A hand presses a switch, or triggers a custom control. `part` is the button (`ID-b1`, `ID-b2`)
   /// or the id of a part of the control's present state; empty: whatever leads on.
@@ -62,6 +69,8 @@ class Controls {
   void DriveDownstream(std::size_t control);
 
   std::vector<Control> controls_;
+  std::vector<std::size_t> first_of_;  ///< of each object, its first control; one more at the end
+  std::map<std::string, std::size_t, std::less<>> index_of_;
   std::vector<ControlState> states_;
 };
 

@@ -9,7 +9,7 @@
 namespace smile::world {
 namespace {
 
-/// Of a chain's links: they swing, but do not spin.
+/// Of a chain's links, which shall swing but hardly spin. With 1 they would not even swing.
 constexpr double kLinkAngularDamping = 0.9;
 
 /// Without bodies yet.
@@ -21,22 +21,8 @@ std::vector<Object> ObjectsOf(const scene::SceneSpec& scene) {
   return objects;
 }
 
-bool HasPointable(const scene::Part& part, std::string_view id) {
-  if (part.is_pointable && part.id == id) return true;
-  const auto any = [id](const std::vector<scene::Part>& parts) {
-    return std::ranges::any_of(parts,
-                               [id](const scene::Part& child) { return HasPointable(child, id); });
-  };
-  if (const auto* composite = std::get_if<scene::Composite>(&part.shape)) {
-    return any(composite->parts);
-  }
-  const auto* control = std::get_if<scene::CustomControl>(&part.shape);
-  return control != nullptr &&
-         std::ranges::any_of(control->states, any, &scene::CustomControl::State::parts);
-}
-
-std::vector<double> LinkPaddings(const scene::SceneSpec& scene) {
-  std::vector<double> paddings(scene.objects.size());
+std::vector<std::optional<double>> LinkPaddings(const scene::SceneSpec& scene) {
+  std::vector<std::optional<double>> paddings(scene.objects.size());
   for (const scene::ChainSpec& chain : scene.chains) {
     const auto first_link = paddings.begin() + static_cast<std::ptrdiff_t>(chain.first_object + 2);
     std::fill_n(first_link, chain.link_ids.size(), chain.link_padding);
@@ -53,9 +39,11 @@ Tabletop::Tabletop(physics::World* world, const scene::SceneSpec& scene)
       objects_(ObjectsOf(scene)),
       link_padding_(LinkPaddings(scene)),
       controls_(objects_),
-      bonds_((AddBodiesAndJoints(scene), world), &objects_, &controls_) {
-  // Bonds set controls from the start.
-  for (std::size_t i = 0; i < objects_.size(); ++i) UpdateForm(i);
+      bonds_(world, &objects_, &controls_) {
+  AddBodiesAndJoints(scene);
+  const std::vector<ControlState> before = controls_.states();
+  bonds_.FastenInitially();
+  FollowControls(before);
 }
 
 void Tabletop::AddBodiesAndJoints(const scene::SceneSpec& scene) {
@@ -71,8 +59,7 @@ void Tabletop::AddBodiesAndJoints(const scene::SceneSpec& scene) {
          .friction = spec.surface.friction,
          .restitution = spec.surface.restitution,
          .rolling_friction = spec.surface.rolling_friction,
-         .angular_damping =
-             link_padding_[i] > 0 ? std::optional(kLinkAngularDamping) : std::nullopt});
+         .angular_damping = link_padding_[i] ? std::optional(kLinkAngularDamping) : std::nullopt});
   }
   for (const scene::SliderSpec& slider : scene.sliders) AddSliderJoint(slider, objects_, world_);
   for (const scene::ChainSpec& chain : scene.chains) {
@@ -96,30 +83,52 @@ const Object* Tabletop::Find(physics::BodyId body) const {
 
 const Object* Tabletop::FindPointable(std::string_view id) const {
   if (const Object* object = Find(id)) return object;
-  for (const Object& object : objects_) {
-    if (IsPresent(object) && HasPointable(object.spec->whole, id)) return &object;
+  for (std::size_t i = 0; i < objects_.size(); ++i) {
+    if (IsPresent(objects_[i]) && HasPointable(i, id)) return &objects_[i];
   }
   return nullptr;
+}
+
+bool Tabletop::HasPointable(std::size_t object, std::string_view id) const {
+  std::size_t next_control = controls_.RangeOf(object).first;
+  const auto has = [&](const auto& self, const scene::Part& part) -> bool {
+    const auto any = [&](const std::vector<scene::Part>& parts) {
+      return std::ranges::any_of(parts,
+                                 [&](const scene::Part& child) { return self(self, child); });
+    };
+    if (part.is_pointable && part.id == id) return true;
+    if (const auto* composite = std::get_if<scene::Composite>(&part.shape)) {
+      return any(composite->parts);
+    }
+    if (!scene::IsControl(part.shape)) return false;
+    const auto state = static_cast<std::size_t>(controls_.states()[next_control++].state);
+    const auto* custom = std::get_if<scene::CustomControl>(&part.shape);
+    return custom != nullptr && any(custom->states[state].parts);
+  };
+  return has(has, objects_[object].spec->whole);
 }
 
 std::vector<scene::Solid> Tabletop::SolidsNow(std::size_t object) const {
   return scene::SolidsWith(LooksOf(object), scene::SolidsOf(objects_[object].spec->whole));
 }
 
-void Tabletop::UpdateForm(std::size_t object) {
-  const Object& changed = objects_[object];
-  if (!IsPresent(changed) || !HasControls(object)) return;
-  const std::vector<scene::Solid> solids = SolidsNow(object);
-  const physics::BodySpec& now = world_->body(changed.body).spec();
-  if (solids == now.solids) return;
-  world_->ChangeForm(
-      changed.body, solids,
-      scene::MassPropertiesOf(solids, changed.spec->mass, changed.spec->center_of_mass));
-}
-
-bool Tabletop::HasControls(std::size_t object) const {
-  return std::ranges::any_of(controls_.all(),
-                             [object](const Control& control) { return control.object == object; });
+void Tabletop::FollowControls(const std::vector<ControlState>& before) {
+  std::optional<std::size_t> done;  // controls are in the order of their objects
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const Control& control = controls_.all()[i];
+    const Object& object = objects_[control.object];
+    if (control.object == done || !IsPresent(object) ||
+        LookOf(control, before[i]) == LookOf(control, controls_.states()[i])) {
+      continue;
+    }
+    done = control.object;
+    const std::vector<scene::Solid> solids = SolidsNow(control.object);
+    // Lights look otherwise and feel the same.
+    if (solids == world_->body(object.body).spec().solids) continue;
+    world_->ChangeForm(
+        object.body, solids,
+        scene::MassPropertiesOf(solids, object.spec->mass, object.spec->center_of_mass));
+  }
 }
 
 std::optional<Refusal> Tabletop::Trigger(std::string_view id, std::string_view part) {
@@ -127,32 +136,31 @@ std::optional<Refusal> Tabletop::Trigger(std::string_view id, std::string_view p
   if (!control || !IsPresent(controls_.all()[*control])) {
     return "there is no control " + Named(id);
   }
+  const std::vector<ControlState> before = controls_.states();
   if (auto refusal = controls_.Trigger(*control, part)) return refusal;
-  UpdateForms();
+  FollowControls(before);
   return std::nullopt;
 }
 
 std::optional<Refusal> Tabletop::Fasten(const Object& object, const Vector3& p_WQ) {
+  const std::vector<ControlState> before = controls_.states();
   if (auto refusal = bonds_.Fasten(IndexOf(object), p_WQ, meters_per_unit_)) return refusal;
-  UpdateForms();
+  FollowControls(before);
   return std::nullopt;
 }
 
 std::optional<Refusal> Tabletop::Loosen(const Object& object, const Vector3& p_WQ) {
+  const std::vector<ControlState> before = controls_.states();
   if (auto refusal = bonds_.Loosen(IndexOf(object), p_WQ)) return refusal;
-  UpdateForms();
+  FollowControls(before);
   return std::nullopt;
 }
 
 void Tabletop::Destroy(const Object& object) {
+  const std::vector<ControlState> before = controls_.states();
   bonds_.EndBondsOf(IndexOf(object));
   world_->RemoveBody(object.body);
-  UpdateForms();
-}
-
-void Tabletop::UpdateForms() {
-  if (controls_.all().empty()) return;
-  for (std::size_t i = 0; i < objects_.size(); ++i) UpdateForm(i);
+  FollowControls(before);
 }
 
 void Tabletop::Restore(const TabletopState& state) {

@@ -80,18 +80,18 @@ class Tabletop {
   std::vector<int> LooksOf(std::size_t object) const;
   /// Adds everything that bonds may join.
   void AddBodiesAndJoints(const scene::SceneSpec& scene);
-  bool HasControls(std::size_t object) const;
   /// The solids that are there while its controls look as they do.
   std::vector<scene::Solid> SolidsNow(std::size_t object) const;
-  /// Gives objects the form that their controls now have.
-  void UpdateForms();
-  void UpdateForm(std::size_t object);
+  /// Gives objects another form whose controls looked otherwise before.
+  void FollowControls(const std::vector<ControlState>& before);
+  bool HasPointable(std::size_t object, std::string_view id) const;
 
   physics::World* world_;
   scene::TableSpec table_;
   double meters_per_unit_;
   std::vector<Object> objects_;
-  std::vector<double> link_padding_;  ///< of each object that is a chain's link; 0: it is none [m]
+  /// Of each object that is a chain's link: by how much it is drawn longer at both ends [m].
+  std::vector<std::optional<double>> link_padding_;
   Controls controls_;
   Bonds bonds_;
 };

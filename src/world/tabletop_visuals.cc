@@ -35,7 +35,7 @@ void Tabletop::AppendVisuals(scene::VisualModel* model) const {
       visual.frame = model->num_frames;
       visual.object_id = object_id;
       visual.choice = visual.choice < 0 ? presence : presence + 1 + visual.choice;
-      Lengthen(link_padding_[i], &visual);
+      if (link_padding_[i]) Lengthen(*link_padding_[i], &visual);
       model->visuals.push_back(visual);
     }
     ++model->num_frames;
@@ -55,9 +55,9 @@ void Tabletop::AppendVisualState(scene::VisualState* state) const {
 
 std::vector<int> Tabletop::LooksOf(std::size_t object) const {
   std::vector<int> looks;
-  for (std::size_t i = 0; i < controls_.all().size(); ++i) {
-    const Control& control = controls_.all()[i];
-    if (control.object == object) looks.push_back(LookOf(control, controls_.states()[i]));
+  const auto [first, last] = controls_.RangeOf(object);
+  for (std::size_t i = first; i < last; ++i) {
+    looks.push_back(LookOf(controls_.all()[i], controls_.states()[i]));
   }
   return looks;
 }

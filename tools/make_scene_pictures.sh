@@ -17,6 +17,14 @@ picture() {
 scene() {
   for name in "${@:2}"; do picture "scenes/$name.xml" "$name" "$1"; done
 }
+# settled CAMERA NAME…: three seconds later
+settled() {
+  for name in "${@:2}"; do
+    "$program" run "scenes/$name.xml" --seconds 3 --no-robot --record "$scratch/$name-settled" \
+      >"$scratch/$name.txt"
+    picture "$scratch/$name-settled" "$name" "$1"
+  done
+}
 # after CAMERA NAME…: when the script that belongs to it is done
 after() {
   for name in "${@:2}"; do
@@ -26,8 +34,9 @@ after() {
   done
 }
 
-scene nice shapes rings mallet stacks walls
-scene eye tower letters um um_robot workbench containers lidbox controls dial screws valve dock panel everything
+scene nice shapes rings mallet stacks walls meshes
+scene eye tower letters um um_robot workbench containers lidbox controls dial screws valve dock panel
+settled eye strings everything
 scene nice trapdoor
 after nice trapdoor
 after eye lidbox strings controls dial screws valve dock panel

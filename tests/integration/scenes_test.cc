@@ -105,14 +105,14 @@ TEST_F(Scenes, ACutStringLetsItsWeightFall) {
 }
 
 TEST_F(Scenes, TheDrawerMovesTheCaseOnlyAtItsLimit) {
-  const std::string shut = Grasp("DockDrawer") + MoveTo(-6.2, 3.3, 0.5);
-  const std::string open = shut + MoveTo(-6.2, -1.1, 0.5);
+  const std::string shut = Grasp("DockDrawer") + MoveTo(-5.9, 3.3, 0.5);
+  const std::string open = shut + MoveTo(-5.9, -1.1, 0.5);
   EXPECT_NEAR(At(After("dock", shut), "DockCase", 1), 3.4, 0.02);
   const Json opened = After("dock", open);
   EXPECT_NEAR(At(opened, "DockCase", 1), 3.4, 0.02);
   EXPECT_NEAR(At(opened, "DockDrawer", 1), -1.1, 0.02);
   EXPECT_NEAR(At(opened, "Drive1", 1), -0.5, 0.2) << "drives ride in their slots";
-  EXPECT_NEAR(At(After("dock", open + MoveTo(-6.2, -2.2, 0.5)), "DockCase", 1), 2.4, 0.05);
+  EXPECT_NEAR(At(After("dock", open + MoveTo(-5.9, -2.2, 0.5)), "DockCase", 1), 2.4, 0.05);
 }
 
 TEST_F(Scenes, ALampKeepsItsStateWhenItHasNoneOfThatNumber) {

@@ -58,7 +58,9 @@ TEST_F(Scenes, StayOnTheTable) {
   for (const auto& file : files) {
     const Answer answer = Smile("run '" + file.string() + "' --seconds 2 --no-robot --json");
     ASSERT_EQ(answer.exit_code, 0) << answer.err;
-    for (const auto& [id, object] : answer.json()["objects"].items()) {
+    const Json objects = answer.json()["objects"];
+    EXPECT_FALSE(objects.empty()) << file;
+    for (const auto& [id, object] : objects.items()) {
       const Json& p = object["position"];
       const bool is_on_table = std::abs(p[0].get<double>()) <= 10 &&
                                std::abs(p[1].get<double>()) <= 6 && p[2].get<double>() > 0 &&

@@ -68,7 +68,8 @@ INSTANTIATE_TEST_SUITE_P(All, Documents,
                          ::testing::Values("README.md", "docs/architecture.md", "docs/brains.md",
                                            "docs/brain-protocol.md", "docs/commands.md",
                                            "docs/recording-format.md", "docs/results.md",
-                                           "docs/robot.md", "docs/scene-format.md"));
+                                           "docs/robot.md", "docs/scene-format.md",
+                                           "docs/scenes.md"));
 
 }  // namespace
 }  // namespace smile

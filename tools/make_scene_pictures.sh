@@ -1,0 +1,31 @@
+#!/usr/bin/env bash
+# Makes the pictures of docs/scenes.md anew, with the program itself. Needs ./run once, or SMILE=path/to/smile.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+program=${SMILE:-build/release/bin/smile}
+[[ -x $program ]] || { echo "run ./run once, it builds $program" >&2; exit 2; }
+pictures=docs/images/scenes
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+mkdir -p "$pictures"
+
+picture() {  # SUBJECT NAME
+  "$program" render "$1" --out "$pictures/$2.png" --camera close --size 640x400 --no-robot
+}
+for file in scenes/*.xml; do
+  name=$(basename "$file" .xml)
+  case $name in
+    tower_robot) continue ;;
+    strings | everything)  # strings sink before they are seen
+      "$program" run "$file" --seconds 3 --no-robot --record "$scratch/$name-settled" >"$scratch/$name.txt"
+      picture "$scratch/$name-settled" "$name"
+      ;;
+    *) picture "$file" "$name" ;;
+  esac
+done
+# and when the script that belongs to a scene is done
+for script in examples/scenes/*.jsonl; do
+  name=$(basename "$script" .jsonl)
+  "$program" run "scenes/$name.xml" --commands "$script" --no-robot --record "$scratch/$name" >"$scratch/$name.txt"
+  picture "$scratch/$name" "${name}_after"
+done

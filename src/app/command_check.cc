@@ -59,6 +59,10 @@ struct Findings {
   std::vector<Diagnostic> diagnostics;
 };
 
+std::string Counted(std::size_t count, const std::string& noun) {
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
 Json ToJson(const Findings& findings) {
   Json diagnostics = Json::array();
   for (const Diagnostic& diagnostic : findings.diagnostics) {
@@ -89,8 +93,10 @@ int Check(const CheckOptions& options) {
                             .c_str());
     }
     if (!options.json && !options.expand) {
-      std::printf("%s: ok, %zu objects (%zu fixed), %zu controls, %zu joints\n", file.c_str(),
-                  counts.objects, counts.fixed, counts.controls, counts.joints);
+      std::printf("%s: ok, %s (%zu fixed), %s, %s\n", file.c_str(),
+                  Counted(counts.objects, "object").c_str(), counts.fixed,
+                  Counted(counts.controls, "control").c_str(),
+                  Counted(counts.joints, "joint").c_str());
     }
   }
   if (options.json) std::printf("%s\n", ToText(ToJson(findings), 2).c_str());

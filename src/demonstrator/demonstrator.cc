@@ -131,11 +131,13 @@ std::optional<Refusal> Demonstrator::Turn(HandName name, std::string_view object
   }
   const Vector3 p_WPoint = p_WQ.value_or(body.pose_in_world().translation());
   if (auto refusal = (tabletop_->*turning)(*object, p_WPoint)) return refusal;
-  // A hand wants what it holds where it was put just now.
+  // What a hand holds was put elsewhere: where the hand wants it goes along.
   for (std::size_t i = 0; i < before.size(); ++i) {
-    if (!state_.hands[i].is_holding()) continue;
-    const RigidTransform X_WB = world_->body(state_.hands[i].held).pose_in_world();
-    if (!(X_WB == before[i])) state_.hands[i].X_WB_goal = X_WB;
+    Hand& hand_of = state_.hands[i];
+    if (!hand_of.is_holding()) continue;
+    const RigidTransform X_WB = world_->body(hand_of.held).pose_in_world();
+    if (X_WB == before[i]) continue;
+    hand_of.X_WB_goal = X_WB * (before[i].inverse() * hand_of.X_WB_goal);
   }
   return std::nullopt;
 }

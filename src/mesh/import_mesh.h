@@ -14,7 +14,7 @@ namespace smile::mesh {
 struct MeshLimits {
   std::size_t max_file_bytes = 64u << 20;  ///< of the file and what belongs to it together
   std::size_t max_triangles = 200'000;
-  std::size_t max_vertices = 200'000;  ///< after those at the same place became one
+  std::size_t max_vertices = 600'000;  ///< after those at the same place became one
 
   bool operator==(const MeshLimits&) const = default;
 };

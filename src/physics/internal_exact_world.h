@@ -27,9 +27,12 @@ class ExactWorld : public btMultiBodyDynamicsWorld {
   void ReplaceConstraint(btTypedConstraint* constraint, btTypedConstraint* with);
 
  protected:
+  /// The last thing before the solver: here contacts are put in order and limited.
   void calculateSimulationIslands() override;
 
  private:
+  void LimitDepths();
+
   std::vector<int> smallest_in_island_;
 };
 

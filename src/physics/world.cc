@@ -239,7 +239,9 @@ void World::Step() {
   if (!passing_.empty()) EndPassingApart();
   for (const auto& body : bodies_) {
     if (body->is_static()) continue;
-    const double gravity = body->is_carried() ? 0.0 : -config_.gravity;
+    // What touches nothing would fall for ever.
+    const bool floats = body->is_carried() || body->spec().solids.empty();
+    const double gravity = floats ? 0.0 : -config_.gravity;
     body->bullet_->setGravity(btVector3(0, 0, gravity));
   }
   for (const auto& articulation : articulations_) {

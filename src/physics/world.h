@@ -54,7 +54,7 @@ class World {
 
   const WorldConfig& config() const { return config_; }
 
-  /// A body without solids passes through everything.
+  /// A body without solids passes through everything, and floats.
   /// @throws std::invalid_argument if a number is not finite or a mass negative.
   BodyId AddBody(const BodySpec& spec);
   /// Wakes what it touched; ends the joints it was part of.

@@ -1,6 +1,7 @@
 #include "scene_xml/internal_element_choice.h"
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <vector>
 
@@ -11,11 +12,27 @@ namespace {
 
 using Names = std::span<const std::string_view>;
 
+/// Whether the language has such an element, if not here.
+bool IsOfTheLanguage(std::string_view name) {
+  constexpr std::array kOthers{
+      std::string_view("chain"),          std::string_view("def"),
+      std::string_view("description"),    std::string_view("downstream"),
+      std::string_view("guestBondPoint"), std::string_view("hostBondPoint"),
+      std::string_view("include"),        std::string_view("instance"),
+      std::string_view("light"),          std::string_view("sliderJoint"),
+      std::string_view("state"),          std::string_view("tabletop"),
+      std::string_view("tightness"),      std::string_view("var")};
+  return std::ranges::find(kOthers, name) != kOthers.end() ||
+         std::ranges::find(ShapeElements(), name, &ShapeElement::name) != ShapeElements().end();
+}
+
 void Refuse(const XmlElement& element, Names expected, Names possible, Reading* reading) {
   const std::string what = expected.empty() ? "nothing inside this element" : OneOf(expected);
-  reading->findings->Add(
-      element.place, AddressOf(element),
-      "found an unknown element, expected " + what + DidYouMean(element.name, possible));
+  const bool is_misplaced = IsOfTheLanguage(element.name);
+  reading->findings->Add(element.place, AddressOf(element),
+                         (is_misplaced ? "found an element that does not belong here, expected "
+                                       : "found an unknown element, expected ") +
+                             what + (is_misplaced ? "" : DidYouMean(element.name, possible)));
 }
 
 }  // namespace

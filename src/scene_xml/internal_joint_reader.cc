@@ -87,7 +87,8 @@ void ReadSlider(const XmlElement& element, Reading* reading, ObjectList* objects
   }
   if (members.size() != 2) {
     return attributes.AddFinding("found " + std::to_string(members.size()) +
-                                 " objects inside, expected two: one slides on the other");
+                                 (members.size() == 1 ? " object" : " objects") +
+                                 " inside, expected two: one slides on the other");
   }
   if (members[0].is_static() && members[1].is_static()) {
     attributes.AddFinding("found two objects of mass 0, expected one that can move");

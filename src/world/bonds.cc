@@ -142,7 +142,7 @@ std::optional<Refusal> Bonds::Fasten(std::size_t object, const Vector3& p_WQ,
                                      double meters_per_unit) {
   const std::string name = Named((*objects_)[object].id());
   const auto guest = NearestGuest(object, p_WQ);
-  if (!guest) return name + " has nothing to fasten it by";
+  if (!guest) return name + " has no guestBondPoint to fasten it by";
   if (const auto host = HostOf(*guest)) {
     const int tightness = states_[*host].tightness;
     if (tightness == static_cast<int>(hosts_[*host].point->stages.size())) {

@@ -146,7 +146,7 @@ std::optional<Refusal> Controls::Trigger(std::size_t index, std::string_view par
   auto refusal = std::visit(
       Overloaded{press, go_on,
                  [&](const auto&) -> std::optional<Refusal> {
-                   return name + " are lights: they follow others and cannot be triggered";
+                   return name + " is a row of lights: it follows others and cannot be triggered";
                  }},
       control.part->shape);
   if (!refusal) DriveDownstream(index);

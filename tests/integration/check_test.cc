@@ -28,7 +28,7 @@ TEST_F(Check, CountsWhatIsInAScene) {
   EXPECT_EQ(result["controls"], 1);
   EXPECT_EQ(result["joints"], 1 + 1 + 4);
   EXPECT_EQ(Smile("check mechanisms.xml").out,
-            "mechanisms.xml: ok, 8 objects (3 fixed), 1 controls, 6 joints\n");
+            "mechanisms.xml: ok, 8 objects (3 fixed), 1 control, 6 joints\n");
 }
 
 TEST_F(Check, NamesEveryFaultWithItsAddress) {

@@ -112,7 +112,8 @@ TEST(BondFaults, TellWhatBondPointsMustHave) {
             "test.xml:3: <guestBondPoint>: found no type, expected type=\"…\"");
   EXPECT_NE(FaultOf(SceneText(Body("<guestBondPoint type='a b'/>"))).find("expected a word"),
             std::string::npos);
-  EXPECT_NE(FaultOf(SceneText("<guestBondPoint type='a'/>")).find("found an unknown element"),
+  EXPECT_NE(FaultOf(SceneText("<guestBondPoint type='a'/>"))
+                .find("found an element that does not belong"),
             std::string::npos)
       << "bond points are parts of composites";
 }

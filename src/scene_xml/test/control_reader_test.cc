@@ -135,14 +135,17 @@ TEST(ControlFaults, TellWhatMayStandWhere) {
   const std::string toggle = "<toggleSwitch" + kAtOrigin + "/>";
   EXPECT_EQ(FaultOfControl("<customControl" + kAtOrigin + "><state>" + toggle +
                            "</state></customControl>"),
-            "test.xml:3: <toggleSwitch>: found an unknown element, expected block, box, composite, "
+            "test.xml:3: <toggleSwitch>: found an element that does not belong here, expected "
+            "block, box, composite, "
             "custom, cylinder, frustum, ring or sphere");
   EXPECT_EQ(FaultOfControl("<customControl" + kAtOrigin + "><state><composite" + kAtOrigin +
                            "><hostBondPoint type='a'/></composite></state></customControl>"),
-            "test.xml:3: <hostBondPoint>: found an unknown element, expected block, box, "
+            "test.xml:3: <hostBondPoint>: found an element that does not belong here, expected "
+            "block, box, "
             "composite, custom, cylinder, frustum, ring or sphere");
   EXPECT_EQ(FaultOfControl("<toggleSwitch" + kAtOrigin + "><state/></toggleSwitch>"),
-            "test.xml:3: <state>: found an unknown element, expected description or downstream");
+            "test.xml:3: <state>: found an element that does not belong here, expected description "
+            "or downstream");
   EXPECT_EQ(FaultOfControl("<block" + kAtOrigin + " nextStateWhenTriggered='0'/>"),
             "test.xml:3: <block>: found nextStateWhenTriggered=\"0\", expected "
             "nextStateWhenTriggered only inside a state of a customControl");

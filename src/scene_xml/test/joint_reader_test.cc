@@ -49,12 +49,12 @@ TEST(SliderFaults, NameWhatDoesNotFit) {
   EXPECT_EQ(FaultOf(Slider("init='1.1'")), at + "init=\"1.1\", expected min to max");
   EXPECT_EQ(FaultOf(Slider("softness='2'")), at + "softness=\"2\", expected a number from 0 to 1");
   EXPECT_EQ(FaultOf(Slider("", "<block location='(0,0,0)'/>")),
-            at + "1 objects inside, expected two: one slides on the other");
+            at + "1 object inside, expected two: one slides on the other");
   const std::string fixed = "<block mass='0' location='(0,0,0)'/>";
   EXPECT_EQ(FaultOf(Slider("", fixed + fixed)),
             at + "two objects of mass 0, expected one that can move");
   EXPECT_NE(FaultOf(Slider("", "<chain start='(0,0,0)' end='(0,0,1)'/>" + kTwoBlocks))
-                .find("<chain>: found an unknown element"),
+                .find("<chain>: found an element that does not belong"),
             std::string::npos);
 }
 

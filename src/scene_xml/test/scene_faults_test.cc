@@ -145,7 +145,8 @@ TEST(SceneFaults, RefusesElementsInsideSimpleShapes) {
             "mean \"description\"?");
   EXPECT_EQ(FaultOfObject("<composite location='(0,0,0)'><block location='(0,0,0)'><block/>"
                           "</block></composite>"),
-            "test.xml:3: <block>: found an unknown element, expected nothing inside this element");
+            "test.xml:3: <block>: found an element that does not belong here, expected nothing "
+            "inside this element");
 }
 
 TEST(SceneFaults, RefusesIncompleteDescriptions) {

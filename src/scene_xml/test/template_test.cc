@@ -185,21 +185,22 @@ TEST(TemplateFaults, NameTheCircle) {
 }
 
 TEST(TemplateFaults, NameASecondDefAndMisplacedOnes) {
-  EXPECT_EQ(FaultsOf(SceneText("<def name='a'/>\n<def name='a'/>\n<var name='x' value='1'/>\n"
-                               "<composite location='(0,0,0)'>\n<def name='b'/>\n"
-                               "<include file='x.xml'/></composite>\n<def/>\n"
-                               "<instance def='a' id='x'><block/></instance>")),
-            (Texts{"test.xml:4: <def name=\"a\">: found a second def of this name, expected one; "
-                   "the first is at test.xml:3",
-                   "test.xml:5: <var name=\"x\">: found this element here, expected it directly "
-                   "in a def or an instance",
-                   "test.xml:7: <def name=\"b\">: found this element here, expected it directly "
-                   "in <tabletop>",
-                   "test.xml:8: <include>: found this element here, expected it directly in "
-                   "<tabletop>",
-                   "test.xml:9: <def>: found no name, expected name=\"…\"",
-                   "test.xml:10: <instance def=\"a\">: found attribute \"id\", expected def",
-                   "test.xml:10: <block>: found an unknown element, expected var"}));
+  EXPECT_EQ(
+      FaultsOf(SceneText("<def name='a'/>\n<def name='a'/>\n<var name='x' value='1'/>\n"
+                         "<composite location='(0,0,0)'>\n<def name='b'/>\n"
+                         "<include file='x.xml'/></composite>\n<def/>\n"
+                         "<instance def='a' id='x'><block/></instance>")),
+      (Texts{"test.xml:4: <def name=\"a\">: found a second def of this name, expected one; "
+             "the first is at test.xml:3",
+             "test.xml:5: <var name=\"x\">: found this element here, expected it directly "
+             "in a def or an instance",
+             "test.xml:7: <def name=\"b\">: found this element here, expected it directly "
+             "in <tabletop>",
+             "test.xml:8: <include>: found this element here, expected it directly in "
+             "<tabletop>",
+             "test.xml:9: <def>: found no name, expected name=\"…\"",
+             "test.xml:10: <instance def=\"a\">: found attribute \"id\", expected def",
+             "test.xml:10: <block>: found an element that does not belong here, expected var"}));
 }
 
 TEST(TemplateFaults, SuggestTheWordsOfTheLanguage) {

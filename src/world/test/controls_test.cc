@@ -69,7 +69,8 @@ TEST(Controls, AreSetByThoseUpstreamAtTheStart) {
 
 TEST(Controls, OfAKindThatCannotBeTriggeredSaySo) {
   Controls controls = TrafficLights();
-  EXPECT_EQ(controls.Trigger(1, ""), "'L1' are lights: they follow others and cannot be triggered");
+  EXPECT_EQ(controls.Trigger(1, ""),
+            "'L1' is a row of lights: it follows others and cannot be triggered");
   EXPECT_EQ(controls.Trigger(0, "S1-b2"), "'S1-b2' is pressed already; press 'S1-b1'");
   EXPECT_EQ(controls.Trigger(0, "left"), "'S1' has no button 'left', expected S1-b1 or S1-b2");
   EXPECT_EQ(Recorded(controls), (Words{"1", "stop", "red"})) << "a refusal changes nothing";

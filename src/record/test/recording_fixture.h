@@ -5,6 +5,9 @@
 
 #include <filesystem>
 #include <memory>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include "base/files.h"
 #include "record/recorder.h"
@@ -67,6 +70,13 @@ class RecordingFixture : public ::testing::Test {
     }
     final_hash_ = simulation->state_hash();
     return directory;
+  }
+
+  static std::vector<std::string> Lines(const std::filesystem::path& path) {
+    std::istringstream text(ReadFile(path, 1 << 20));
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(text, line);) lines.push_back(line);
+    return lines;
   }
 
   std::filesystem::path root_;

@@ -57,6 +57,19 @@ TEST_F(ClassicRecorderTest, OnlyFramesInWhichSomethingMovedHaveAPicture) {
   EXPECT_LT(pictures, static_cast<int>(index.size()) - 4);
 }
 
+TEST_F(ClassicRecorderTest, WhatMovedAndCameToRestBetweenTwoFramesHasALine) {
+  // Frames every 4 s: it sleeps at 4 s, goes a unit to the left, and sleeps again at 8 s.
+  const auto demo = Record(R"({"do":"wait","seconds":4.2}
+{"hand":"left","do":"grasp","object":"a"}
+{"hand":"left","do":"move_to","position":[-1,-2,0.5]}
+{"do":"wait","until":"arrived"}
+{"hand":"left","do":"release"}
+{"do":"wait","seconds":5})",
+                           false, nullptr, kScene, {.frames_per_second = 0.25});
+  const std::string text = ReadFile(demo / "2.txt", 1 << 20);
+  EXPECT_NE(text.find(",move,a,"), std::string::npos) << text;
+}
+
 TEST(ClassicNumber, IsTheOriginalsShortestSinglePrecision) {
   EXPECT_EQ(ClassicNumber(2), "2.0");
   EXPECT_EQ(ClassicNumber(-0.0), "-0.0");

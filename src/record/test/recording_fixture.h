@@ -58,10 +58,11 @@ class RecordingFixture : public ::testing::Test {
 
   /// Plays the script to its end in front of a recorder; returns the recording's directory.
   std::filesystem::path Record(const char* script = kStackAOnB, bool with_robot = false,
-                               sim::Eye* eye = nullptr, const char* xml = kScene) {
+                               sim::Eye* eye = nullptr, const char* xml = kScene,
+                               const RecorderOptions& options = {}) {
     const auto directory = root_ / "demo";
     auto simulation = MakeSimulation(with_robot, xml);
-    Recorder recorder(directory, {}, eye, *simulation);
+    Recorder recorder(directory, options, eye, *simulation);
     simulation->AddListener(&recorder);
     sim::ScriptPlayer player(sim::ParseScript(script, "script", 0.1));
     for (player.Advance(simulation.get()); !player.is_finished();

@@ -1,8 +1,8 @@
 #include "record/classic_recorder.h"
 
 #include <cstdio>
-#include <sstream>
 
+#include "painted_eye.h"
 #include "record/classic_text.h"
 #include "record/png.h"
 #include "recording_fixture.h"
@@ -10,33 +10,7 @@
 namespace smile::record {
 namespace {
 
-/// An eye that paints what it is told: the number of looks, so that pictures can be told apart.
-class PaintedEye : public sim::Eye {
- public:
-  const Image& Look(const sim::Simulation&) override {
-    ++looks_;
-    image_.color.assign(static_cast<std::size_t>(spec_.width_px) * spec_.height_px * 3,
-                        static_cast<std::uint8_t>(looks_));
-    return image_;
-  }
-  const sim::EyeSpec& spec() const override { return spec_; }
-  int looks() const { return looks_; }
-
- private:
-  sim::EyeSpec spec_{.width_px = 8, .height_px = 6};
-  Image image_{.width_px = 8, .height_px = 6};
-  int looks_ = 0;
-};
-
-class ClassicRecorderTest : public RecordingFixture {
- protected:
-  static std::vector<std::string> Lines(const std::filesystem::path& path) {
-    std::istringstream text(ReadFile(path, 1 << 20));
-    std::vector<std::string> lines;
-    for (std::string line; std::getline(text, line);) lines.push_back(line);
-    return lines;
-  }
-};
+class ClassicRecorderTest : public RecordingFixture {};
 
 TEST_F(ClassicRecorderTest, SegmentZeroDescribesTheSceneInItsOrder) {
   const auto demo = Record();
@@ -81,6 +55,19 @@ TEST_F(ClassicRecorderTest, OnlyFramesInWhichSomethingMovedHaveAPicture) {
   EXPECT_EQ(pictures, eye.looks());
   EXPECT_GT(pictures, 4);
   EXPECT_LT(pictures, static_cast<int>(index.size()) - 4);
+}
+
+TEST_F(ClassicRecorderTest, WhatMovedAndCameToRestBetweenTwoFramesHasALine) {
+  // Frames every 4 s: it sleeps at 4 s, goes a unit to the left, and sleeps again at 8 s.
+  const auto demo = Record(R"({"do":"wait","seconds":4.2}
+{"hand":"left","do":"grasp","object":"a"}
+{"hand":"left","do":"move_to","position":[-1,-2,0.5]}
+{"do":"wait","until":"arrived"}
+{"hand":"left","do":"release"}
+{"do":"wait","seconds":5})",
+                           false, nullptr, kScene, {.frames_per_second = 0.25});
+  const std::string text = ReadFile(demo / "2.txt", 1 << 20);
+  EXPECT_NE(text.find(",move,a,"), std::string::npos) << text;
 }
 
 TEST(ClassicNumber, IsTheOriginalsShortestSinglePrecision) {

@@ -5,6 +5,9 @@
 
 #include <filesystem>
 #include <memory>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include "base/files.h"
 #include "record/recorder.h"
@@ -55,10 +58,11 @@ class RecordingFixture : public ::testing::Test {
 
   /// Plays the script to its end in front of a recorder; returns the recording's directory.
   std::filesystem::path Record(const char* script = kStackAOnB, bool with_robot = false,
-                               sim::Eye* eye = nullptr, const char* xml = kScene) {
+                               sim::Eye* eye = nullptr, const char* xml = kScene,
+                               const RecorderOptions& options = {}) {
     const auto directory = root_ / "demo";
     auto simulation = MakeSimulation(with_robot, xml);
-    Recorder recorder(directory, {}, eye, *simulation);
+    Recorder recorder(directory, options, eye, *simulation);
     simulation->AddListener(&recorder);
     sim::ScriptPlayer player(sim::ParseScript(script, "script", 0.1));
     for (player.Advance(simulation.get()); !player.is_finished();
@@ -67,6 +71,13 @@ class RecordingFixture : public ::testing::Test {
     }
     final_hash_ = simulation->state_hash();
     return directory;
+  }
+
+  static std::vector<std::string> Lines(const std::filesystem::path& path) {
+    std::istringstream text(ReadFile(path, 1 << 20));
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(text, line);) lines.push_back(line);
+    return lines;
   }
 
   std::filesystem::path root_;

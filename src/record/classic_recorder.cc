@@ -147,9 +147,9 @@ bool ClassicRecorder::WriteMove(const sim::Simulation& simulation, std::size_t i
       .is_awake = body.is_awake()};
   std::optional<Written>& last = written_[i];
   const bool fell_asleep = last && last->is_awake && !now.is_awake;
-  const bool has_moved = last && now.is_awake &&
-                         ((now.position - last->position).squaredNorm() > kMovedSquared ||
-                          HasTurned(last->angles_deg, now.angles_deg));
+  // Also when it moved between two frames and sleeps again.
+  const bool has_moved = last && ((now.position - last->position).squaredNorm() > kMovedSquared ||
+                                  HasTurned(last->angles_deg, now.angles_deg));
   if (last && !fell_asleep && !has_moved) return false;
 
   std::string line = "move," + object.id();

@@ -11,6 +11,7 @@
 #include "physics/joint.h"
 #include "physics/snapshot.h"
 
+class btCollisionObject;
 class btMultiBodyFixedConstraint;
 class btTransform;
 
@@ -38,6 +39,14 @@ struct Contact {
   Vector3 p_WQ;             ///< on the link's surface [m]
   Vector3 normal_in_world;  ///< unit, pointing from the body to the link
   double distance = 0;      ///< [m], negative when they overlap
+};
+
+/// What a body overlaps.
+struct Overlaps {
+  std::vector<BodyId> bodies;      ///< static ones too, by id
+  bool with_articulation = false;  ///< a link or the base of one
+
+  bool operator==(const Overlaps&) const = default;
 };
 
 /// Rigid bodies and articulations under gravity, stepped at a fixed rate.
@@ -84,9 +93,9 @@ class World {
   /// Lets the two pass through each other until they have come apart: for what was inside the
   /// other when its joint ended. Who overlaps by less than 0.5 mm counts as apart.
   void LetPass(BodyId a, BodyId b);
-  /// The bodies, static ones too, that this one would overlap by more than `depth` [m] if it stood
-  /// there. Not those it may pass through. By id.
-  std::vector<BodyId> OverlapsAt(BodyId id, const RigidTransform& X_WB, double depth) const;
+  /// What this body would overlap by more than `depth` [m] if it stood there. Not what it may pass
+  /// through.
+  Overlaps OverlapsAt(BodyId id, const RigidTransform& X_WB, double depth) const;
 
   bool Has(BodyId id) const;
   Body& body(BodyId id);  ///< @throws std::logic_error if there is no such body
@@ -142,7 +151,7 @@ class World {
   void EndPassingOf(BodyId id);
   void EndPassingApart();
   void EndAllPassing();
-  double OverlapDepth(const Body& a, const btTransform& X_WAcm, const Body& b) const;
+  double OverlapDepth(const Body& a, const btTransform& X_WAcm, const btCollisionObject& b) const;
 
   void MatchObjects(const Snapshot& snapshot);
   void MatchJoints(const Snapshot& snapshot);

@@ -382,7 +382,7 @@ TEST_F(JointTest, JoinedBodiesDoNotCollideUntilTheLastReasonEnds) {
   world_.RemoveJoint(first);
   StepSeconds(0.5);
   EXPECT_NEAR(Place(b).x(), 0.05, 1e-6);
-  EXPECT_TRUE(world_.OverlapsAt(b, Pose(b), 0).empty());
+  EXPECT_TRUE(world_.OverlapsAt(b, Pose(b), 0).bodies.empty());
   world_.LetPass(b, a);
   world_.RemoveJoint(second);
   world_.body(b).SetCarried(true);
@@ -402,7 +402,7 @@ TEST_F(JointTest, WhatOverlapsElsewhereIsToldWithoutATrace) {
   const std::vector<std::byte> before = Serialize(world_.Save());
   const std::uint64_t hash = world_.state_hash();
   const auto overlaps = [&](double x, double z) {
-    return world_.OverlapsAt(cube, RigidTransform(Vector3(x, 0, z)), 0.002);
+    return world_.OverlapsAt(cube, RigidTransform(Vector3(x, 0, z)), 0.002).bodies;
   };
   EXPECT_EQ(overlaps(0, 0.05), std::vector<BodyId>{}) << "it only rests on the table";
   EXPECT_EQ(overlaps(0.12, 0.05), std::vector<BodyId>{box});
@@ -410,6 +410,27 @@ TEST_F(JointTest, WhatOverlapsElsewhereIsToldWithoutATrace) {
   EXPECT_EQ(overlaps(0.101, 0.05), std::vector<BodyId>{});
   EXPECT_EQ(world_.state_hash(), hash);
   EXPECT_EQ(Serialize(world_.Save()), before);
+}
+
+TEST_F(JointTest, ARobotMayBeInTheWayToo) {
+  PhysicsWorldBuilder builder;
+  builder.AddRobot();
+  World& world = builder.world_;
+  const BodyId cube = builder.AddCube({0, 0.5, 0.3}, 0.1);
+  const auto at = [&](const Vector3& p_WB) {
+    return world.OverlapsAt(cube, RigidTransform(p_WB), 0.002);
+  };
+  EXPECT_EQ(at({0, 0.5, 0.3}), Overlaps{});
+  const Overlaps robot{.with_articulation = true};
+  EXPECT_EQ(at({0, -0.5, 0.3}), robot) << "its base";
+  const Vector3 p_WL = world.articulation(builder.robot_).link_poses()[1].translation();
+  EXPECT_EQ(at(p_WL + Vector3(0, 0.1, 0)), robot) << "a link";
+  world.AddJoint(WeldSpec{.articulation = builder.robot_,
+                          .link = 1,
+                          .body = cube,
+                          .X_LB = RigidTransform(Vector3(0, 0.1, 0.2)),
+                          .links_not_colliding = {0, 1, 2}});
+  EXPECT_EQ(at(p_WL + Vector3(0, 0.1, 0)), Overlaps{}) << "it may pass through what holds it";
 }
 
 TEST_F(JointTest, AnotherFormKeepsPlaceSpeedAndJoints) {

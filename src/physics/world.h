@@ -18,6 +18,7 @@ class btTransform;
 namespace smile::physics {
 
 class JointConstraint;
+class JointGroups;
 
 /// The numbers of the simulation; how they were found stands in docs/decisions/physics.md.
 struct WorldConfig {
@@ -140,11 +141,11 @@ class World {
   void RejoinBullet(BodyId id);
   void WakeJoined(const JointSpec& spec);
   /// Itself and those that hang on it through joints, up to and with static ones; by id.
-  std::vector<BodyId> BodiesJoinedWith(BodyId id, bool only_fixed, JointId without = {}) const;
-  double MassOfRigidGroup(BodyId id) const;
+  std::vector<BodyId> BodiesJoinedWith(BodyId id, JointId without) const;
   /// A carried body moves what hangs on it as if it had the mass of all of it; see the decisions.
   void ScaleCarriedInertia();
   void DampSliders();
+  std::vector<double> InverseMassesOf(const JointGroups& rigid) const;
 
   template <class IsOver>
   void EndPassing(IsOver is_over);

@@ -116,12 +116,16 @@ class World {
   /// Advances by config().step_seconds.
   void Step();
 
-  /// Of all poses, velocities, sleep states, joints, joint positions and targets.
+  /// Of all poses, velocities and sleep states, of articulations' positions, targets and
+  /// references, of joints with what they remember, and of who passes through whom. Not of what
+  /// bodies are, nor of contact points: those are in Save().
   std::uint64_t state_hash() const;
 
   Snapshot Save() const;
-  /// @throws std::invalid_argument if the snapshot contradicts itself; the world is then unchanged
-  ///         unless its bodies had to be rebuilt.
+  /// @throws std::invalid_argument if the snapshot's objects or joints contradict themselves or
+  ///         lack an articulation of this world: the world is then unchanged. The same if its
+  ///         `state` does not fit its objects: the world then has these objects, but in no state
+  ///         to go on from, until it is restored from another snapshot.
   void Restore(const Snapshot& snapshot);
 
  private:
@@ -155,7 +159,6 @@ class World {
   double OverlapDepth(const Body& a, const btTransform& X_WAcm, const btCollisionObject& b) const;
 
   void MatchObjects(const Snapshot& snapshot);
-  void MatchJoints(const Snapshot& snapshot);
 
   WorldConfig config_;
   std::unique_ptr<Engine> engine_;  ///< Bullet's objects; outlives what follows

@@ -1,11 +1,11 @@
 // Joints of a World: how they come and go, and what they hold together.
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 #include <string>
 
 #include "physics/internal_articulation_links.h"
+#include "physics/internal_checks.h"
 #include "physics/internal_engine.h"
 #include "physics/world.h"
 
@@ -15,60 +15,12 @@ namespace {
 /// Force and torque a weld may use against what the held body runs into [N s per second of step].
 constexpr double kWeldEffort = 2000.0;
 
-bool IsFinite(const RigidTransform& X) {
-  return X.rotation().allFinite() && X.translation().allFinite();
-}
-
-void CheckShare(double share, const char* name) {
-  if (share >= 0 && share <= 1) return;
-  throw std::invalid_argument("joint: " + std::string(name) + " is " + std::to_string(share) +
-                              ", expected 0 to 1");
-}
-
-void CheckNumbers(const WeldSpec& weld) {
-  if (!IsFinite(weld.X_LB)) throw std::invalid_argument("joint: its frame is not finite");
-}
-void CheckNumbers(const FixedJointSpec& fixed) {
-  if (!IsFinite(fixed.X_AB)) throw std::invalid_argument("joint: its frame is not finite");
-}
-void CheckNumbers(const BallJointSpec& ball) {
-  if (ball.p_AQ.allFinite() && ball.p_BQ.allFinite()) return;
-  throw std::invalid_argument("joint: its point is not finite");
-}
-void CheckNumbers(const SliderJointSpec& slider) {
-  if (!IsFinite(slider.X_AJ) || !IsFinite(slider.X_BK)) {
-    throw std::invalid_argument("joint: its frame is not finite");
-  }
-  if (!std::isfinite(slider.lower) || !std::isfinite(slider.upper) || slider.lower > slider.upper) {
-    throw std::invalid_argument("joint: limits are " + std::to_string(slider.lower) + " and " +
-                                std::to_string(slider.upper) + ", expected the lower first");
-  }
-  CheckShare(slider.damping, "damping");
-  CheckShare(slider.restitution, "restitution");
-  CheckShare(slider.softness, "softness");
-}
-
 }  // namespace
 
 void World::CheckJoint(const JointSpec& spec) const {
-  std::visit([](const auto& joint) { CheckNumbers(joint); }, spec);
-  if (const auto* weld = std::get_if<WeldSpec>(&spec)) {
-    const Articulation& holder = articulation(weld->articulation);
-    holder.CheckJoint(weld->link);
-    for (int link : weld->links_not_colliding) {
-      if (link != -1) holder.CheckJoint(link);  // -1 is the base
-    }
-    if (body(weld->body).is_static()) {
-      throw std::invalid_argument("joint: body " + std::to_string(weld->body.value) +
-                                  " is static, it can't be held");
-    }
-    return;
-  }
-  const auto [a, b] = *BodyPairOf(spec);
-  if (a == b) throw std::invalid_argument("joint: it joins a body with itself");
-  if (body(a).is_static() && body(b).is_static()) {
-    throw std::invalid_argument("joint: both its bodies are static");
-  }
+  physics::CheckJoint(
+      spec, [this](BodyId id) { return body(id).is_static(); },
+      [this](ArticulationId id) { return articulation(id).num_joints(); });
 }
 
 JointId World::AddJoint(const JointSpec& spec) {

@@ -40,7 +40,6 @@ void JointSolver::convertJoints(btTypedConstraint** joints, int num_joints,
   for (const auto& [row, joint, number] : RowsOf(m_tmpSolverNonContactConstraintPool)) {
     // A body without inertia does not answer to a torque; Bullet passes over such a row.
     if (!joint->IsHeld(number) || row->m_jacDiagABInv == 0) continue;
-    row->m_overrideNumSolverIterations = 0;  // Bullet leaves it alone
     block_.AddRow(row, joint->return_speed(number));
   }
   block_.Factor(m_tmpSolverBodyPool);

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "base/bytes.h"
+#include "physics/internal_joint_bytes.h"
 
 namespace smile::physics {
 namespace {
@@ -255,6 +256,13 @@ void Walk(Archive& archive, Snapshot& snapshot) {
 }
 
 }  // namespace
+
+void PutJoint(const Joint& joint, ByteWriter* out) {
+  Writer writer;
+  Joint copy = joint;
+  Walk(writer, copy);
+  out->PutBytes(writer.bytes.bytes());
+}
 
 std::vector<std::byte> Serialize(const Snapshot& snapshot) {
   Writer writer;

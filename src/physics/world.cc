@@ -1,13 +1,12 @@
 #include "physics/world.h"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
-#include "base/state_hash.h"
 #include "physics/internal_articulation_links.h"
+#include "physics/internal_checks.h"
 #include "physics/internal_engine.h"
 
 namespace smile::physics {
@@ -30,21 +29,6 @@ void InsertSorted(Things& things, std::unique_ptr<Thing> thing) {
   things.insert(place, std::move(thing));
 }
 
-void Check(const BodySpec& spec) {
-  if (!spec.X_WB.rotation().allFinite() || !spec.X_WB.translation().allFinite()) {
-    throw std::invalid_argument("body: its pose is not finite");
-  }
-  if (!(spec.mass.mass >= 0) || !std::isfinite(spec.mass.mass) || !spec.mass.inertia.allFinite() ||
-      !spec.mass.center.allFinite()) {
-    throw std::invalid_argument("body: mass is " + std::to_string(spec.mass.mass) +
-                                " kg, expected at least 0");
-  }
-  if (spec.angular_damping && !(*spec.angular_damping >= 0 && *spec.angular_damping <= 1)) {
-    throw std::invalid_argument("body: angular damping is " +
-                                std::to_string(*spec.angular_damping) + ", expected 0 to 1");
-  }
-}
-
 }  // namespace
 
 World::World(const WorldConfig& config)
@@ -65,7 +49,7 @@ World::~World() {
 }
 
 BodyId World::AddBody(const BodySpec& spec) {
-  Check(spec);
+  CheckBody(spec);
   const BodyId id{next_id_++};
   Insert(std::unique_ptr<Body>(new Body(id, std::make_shared<const BodySpec>(spec))));
   return id;
@@ -112,7 +96,7 @@ void World::ChangeForm(BodyId id, const std::vector<scene::Solid>& solids,
   auto spec = std::make_shared<BodySpec>(old.spec());
   spec->solids = solids;
   spec->mass = mass;
-  Check(*spec);
+  CheckBody(*spec);
   if ((mass.mass == 0) != old.is_static()) {
     throw std::invalid_argument("body: another form cannot make it static, or end that");
   }
@@ -248,47 +232,6 @@ void World::Step() {
     articulation->DriveMotors(config_.step_seconds, config_.gravity);
   }
   engine_->world.stepSimulation(config_.step_seconds, /*maxSubSteps=*/0);
-}
-
-std::uint64_t World::state_hash() const {
-  StateHash hash;
-  const auto add_vector = [&hash](const btVector3& v) {
-    for (int i = 0; i < 3; ++i) hash.Add(static_cast<double>(v[i]));
-  };
-  for (const auto& body : bodies_) {
-    const btRigidBody& bullet = *body->bullet_;
-    hash.Add(std::uint64_t{body->id().value});
-    for (int row = 0; row < 3; ++row) add_vector(bullet.getWorldTransform().getBasis()[row]);
-    add_vector(bullet.getWorldTransform().getOrigin());
-    add_vector(bullet.getLinearVelocity());
-    add_vector(bullet.getAngularVelocity());
-    hash.Add(static_cast<std::uint64_t>(bullet.getActivationState()));
-    hash.Add(static_cast<double>(bullet.getDeactivationTime()));
-  }
-  for (const auto& articulation : articulations_) {
-    hash.Add(std::uint64_t{articulation->id().value});
-    hash.Add(articulation->positions());
-    hash.Add(articulation->velocities());
-    hash.Add(articulation->velocity_targets_);
-    hash.Add(articulation->position_references_);
-  }
-  for (const Joint& joint : joints_) {
-    hash.Add(std::uint64_t{joint.id.value});
-    hash.Add(std::uint64_t{joint.spec.index()});
-    if (const auto* weld = std::get_if<WeldSpec>(&joint.spec)) {
-      hash.Add(std::uint64_t{weld->body.value});
-      continue;
-    }
-    const auto [a, b] = *BodyPairOf(joint.spec);
-    hash.Add(std::uint64_t{a.value});
-    hash.Add(std::uint64_t{b.value});
-    hash.Add(engine_->joints.at(joint.id)->held_offset());
-  }
-  for (const auto& [a, b] : passing_) {
-    hash.Add(std::uint64_t{a.value});
-    hash.Add(std::uint64_t{b.value});
-  }
-  return hash.value();
 }
 
 }  // namespace smile::physics

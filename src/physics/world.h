@@ -11,12 +11,14 @@
 #include "physics/joint.h"
 #include "physics/snapshot.h"
 
+class btCollisionObject;
 class btMultiBodyFixedConstraint;
 class btTransform;
 
 namespace smile::physics {
 
 class JointConstraint;
+class JointGroups;
 
 /// The numbers of the simulation; how they were found stands in docs/decisions/physics.md.
 struct WorldConfig {
@@ -38,6 +40,14 @@ struct Contact {
   Vector3 p_WQ;             ///< on the link's surface [m]
   Vector3 normal_in_world;  ///< unit, pointing from the body to the link
   double distance = 0;      ///< [m], negative when they overlap
+};
+
+/// What a body overlaps.
+struct Overlaps {
+  std::vector<BodyId> bodies;      ///< static ones too, by id
+  bool with_articulation = false;  ///< a link or the base of one
+
+  bool operator==(const Overlaps&) const = default;
 };
 
 /// Rigid bodies and articulations under gravity, stepped at a fixed rate.
@@ -84,9 +94,9 @@ class World {
   /// Lets the two pass through each other until they have come apart: for what was inside the
   /// other when its joint ended. Who overlaps by less than 0.5 mm counts as apart.
   void LetPass(BodyId a, BodyId b);
-  /// The bodies, static ones too, that this one would overlap by more than `depth` [m] if it stood
-  /// there. Not those it may pass through. By id.
-  std::vector<BodyId> OverlapsAt(BodyId id, const RigidTransform& X_WB, double depth) const;
+  /// What this body would overlap by more than `depth` [m] if it stood there. Not what it may pass
+  /// through.
+  Overlaps OverlapsAt(BodyId id, const RigidTransform& X_WB, double depth) const;
 
   bool Has(BodyId id) const;
   Body& body(BodyId id);  ///< @throws std::logic_error if there is no such body
@@ -106,12 +116,16 @@ class World {
   /// Advances by config().step_seconds.
   void Step();
 
-  /// Of all poses, velocities, sleep states, joints, joint positions and targets.
+  /// Of all poses, velocities and sleep states, of articulations' positions, targets and
+  /// references, of joints with what they remember, and of who passes through whom. Not of what
+  /// bodies are, nor of contact points: those are in Save().
   std::uint64_t state_hash() const;
 
   Snapshot Save() const;
-  /// @throws std::invalid_argument if the snapshot contradicts itself; the world is then unchanged
-  ///         unless its bodies had to be rebuilt.
+  /// @throws std::invalid_argument if the snapshot's objects or joints contradict themselves or
+  ///         lack an articulation of this world: the world is then unchanged. The same if its
+  ///         `state` does not fit its objects: the world then has these objects, but in no state
+  ///         to go on from, until it is restored from another snapshot.
   void Restore(const Snapshot& snapshot);
 
  private:
@@ -131,21 +145,20 @@ class World {
   void RejoinBullet(BodyId id);
   void WakeJoined(const JointSpec& spec);
   /// Itself and those that hang on it through joints, up to and with static ones; by id.
-  std::vector<BodyId> BodiesJoinedWith(BodyId id, bool only_fixed, JointId without = {}) const;
-  double MassOfRigidGroup(BodyId id) const;
+  std::vector<BodyId> BodiesJoinedWith(BodyId id, JointId without) const;
   /// A carried body moves what hangs on it as if it had the mass of all of it; see the decisions.
   void ScaleCarriedInertia();
   void DampSliders();
+  std::vector<double> InverseMassesOf(const JointGroups& rigid) const;
 
   template <class IsOver>
   void EndPassing(IsOver is_over);
   void EndPassingOf(BodyId id);
   void EndPassingApart();
   void EndAllPassing();
-  double OverlapDepth(const Body& a, const btTransform& X_WAcm, const Body& b) const;
+  double OverlapDepth(const Body& a, const btTransform& X_WAcm, const btCollisionObject& b) const;
 
   void MatchObjects(const Snapshot& snapshot);
-  void MatchJoints(const Snapshot& snapshot);
 
   WorldConfig config_;
   std::unique_ptr<Engine> engine_;  ///< Bullet's objects; outlives what follows

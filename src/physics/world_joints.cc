@@ -1,13 +1,11 @@
-// Joints of a World: how they come, go, and act before a step.
+// Joints of a World: how they come and go, and what they hold together.
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <string>
 
-#include "base/overloaded.h"
 #include "physics/internal_articulation_links.h"
+#include "physics/internal_checks.h"
 #include "physics/internal_engine.h"
 #include "physics/world.h"
 
@@ -17,74 +15,12 @@ namespace {
 /// Force and torque a weld may use against what the held body runs into [N s per second of step].
 constexpr double kWeldEffort = 2000.0;
 
-bool IsFinite(const RigidTransform& X) {
-  return X.rotation().allFinite() && X.translation().allFinite();
-}
-
-void CheckShare(double share, const char* name) {
-  if (share >= 0 && share <= 1) return;
-  throw std::invalid_argument("joint: " + std::string(name) + " is " + std::to_string(share) +
-                              ", expected 0 to 1");
-}
-
-void CheckNumbers(const WeldSpec& weld) {
-  if (!IsFinite(weld.X_LB)) throw std::invalid_argument("joint: its frame is not finite");
-}
-void CheckNumbers(const FixedJointSpec& fixed) {
-  if (!IsFinite(fixed.X_AB)) throw std::invalid_argument("joint: its frame is not finite");
-}
-void CheckNumbers(const BallJointSpec& ball) {
-  if (ball.p_AQ.allFinite() && ball.p_BQ.allFinite()) return;
-  throw std::invalid_argument("joint: its point is not finite");
-}
-void CheckNumbers(const SliderJointSpec& slider) {
-  if (!IsFinite(slider.X_AJ) || !IsFinite(slider.X_BK)) {
-    throw std::invalid_argument("joint: its frame is not finite");
-  }
-  if (!std::isfinite(slider.lower) || !std::isfinite(slider.upper) || slider.lower > slider.upper) {
-    throw std::invalid_argument("joint: limits are " + std::to_string(slider.lower) + " and " +
-                                std::to_string(slider.upper) + ", expected the lower first");
-  }
-  CheckShare(slider.damping, "damping");
-  CheckShare(slider.restitution, "restitution");
-  CheckShare(slider.softness, "softness");
-}
-
-/// Share of the speed that a soft slider keeps in this step: in the outer part of its way the speed
-/// towards the limit falls in proportion to the way that remains.
-double SoftShareKept(const SliderJointSpec& slider, double offset, double speed, double seconds) {
-  const double middle = (slider.lower + slider.upper) / 2;
-  const double half = (slider.upper - slider.lower) / 2;
-  const double from_middle = std::abs(offset - middle);
-  const double approach = offset > middle ? speed : -speed;
-  const double remaining = half - from_middle;
-  if (from_middle <= slider.softness * half || remaining <= 0 || approach <= 0) return 1;
-  return 1 / (1 + approach * seconds / remaining);
-}
-
-double InverseMassOf(double mass) { return std::isinf(mass) ? 0.0 : 1 / mass; }
-
 }  // namespace
 
 void World::CheckJoint(const JointSpec& spec) const {
-  std::visit([](const auto& joint) { CheckNumbers(joint); }, spec);
-  if (const auto* weld = std::get_if<WeldSpec>(&spec)) {
-    const Articulation& holder = articulation(weld->articulation);
-    holder.CheckJoint(weld->link);
-    for (int link : weld->links_not_colliding) {
-      if (link != -1) holder.CheckJoint(link);  // -1 is the base
-    }
-    if (body(weld->body).is_static()) {
-      throw std::invalid_argument("joint: body " + std::to_string(weld->body.value) +
-                                  " is static, it can't be held");
-    }
-    return;
-  }
-  const auto [a, b] = *BodyPairOf(spec);
-  if (a == b) throw std::invalid_argument("joint: it joins a body with itself");
-  if (body(a).is_static() && body(b).is_static()) {
-    throw std::invalid_argument("joint: both its bodies are static");
-  }
+  physics::CheckJoint(
+      spec, [this](BodyId id) { return body(id).is_static(); },
+      [this](ArticulationId id) { return articulation(id).num_joints(); });
 }
 
 JointId World::AddJoint(const JointSpec& spec) {
@@ -205,11 +141,10 @@ void World::RejoinBullet(BodyId id) {
   }
 }
 
-std::vector<BodyId> World::BodiesJoinedWith(BodyId id, bool only_fixed, JointId without) const {
+std::vector<BodyId> World::BodiesJoinedWith(BodyId id, JointId without) const {
   std::vector<std::pair<BodyId, BodyId>> ties;
   for (const Joint& joint : joints_) {
     if (joint.id == without) continue;
-    if (only_fixed && !std::holds_alternative<FixedJointSpec>(joint.spec)) continue;
     const auto pair = BodyPairOf(joint.spec);
     if (!pair) continue;
     ties.push_back(*pair);
@@ -234,14 +169,14 @@ std::vector<BodyId> World::BodiesJoinedWith(BodyId id, bool only_fixed, JointId 
 }
 
 std::vector<BodyId> World::Assembly(BodyId id, JointId without) const {
-  std::vector<BodyId> members = BodiesJoinedWith(id, /*only_fixed=*/false, without);
+  std::vector<BodyId> members = BodiesJoinedWith(id, without);
   std::erase_if(members,
                 [this, id](BodyId member) { return member != id && body(member).is_static(); });
   return members;
 }
 
 bool World::IsAnchored(BodyId id, JointId without) const {
-  const std::vector<BodyId> members = BodiesJoinedWith(id, /*only_fixed=*/false, without);
+  const std::vector<BodyId> members = BodiesJoinedWith(id, without);
   return std::any_of(members.begin(), members.end(), [this, id](BodyId member) {
     return member != id && body(member).is_static();
   });
@@ -252,55 +187,6 @@ void World::MoveAssembly(BodyId id, const RigidTransform& X_WB) {
   for (BodyId member : Assembly(id)) {
     Body& one = body(member);
     one.SetPose(member == id ? X_WB : X_moved * one.pose_in_world());
-  }
-}
-
-/// Of the body and all that is fixed to it, as Bullet has it now; infinite with a static one.
-double World::MassOfRigidGroup(BodyId id) const {
-  double mass = 0;
-  for (BodyId member : BodiesJoinedWith(id, /*only_fixed=*/true)) {
-    const Body& one = body(member);
-    mass += one.is_static() ? std::numeric_limits<double>::infinity()
-                            : one.spec().mass.mass * one.inertia_scale_;
-  }
-  return mass;
-}
-
-void World::ScaleCarriedInertia() {
-  const bool has_pairs = !engine_->joints.empty();
-  for (const auto& one : bodies_) {
-    if (one->is_static()) continue;
-    double scale = 1;
-    if (has_pairs && one->is_carried()) {
-      double mass = 0;
-      for (BodyId id : Assembly(one->id())) {
-        Body& member = body(id);
-        mass += member.spec().mass.mass;
-        member.WakeUp();
-      }
-      if (mass != one->spec().mass.mass) scale = mass / one->spec().mass.mass;
-    }
-    one->ScaleInertia(scale);
-  }
-}
-
-void World::DampSliders() {
-  for (const Joint& joint : joints_) {
-    const auto* slider = std::get_if<SliderJointSpec>(&joint.spec);
-    if (slider == nullptr) continue;
-    const Body &a = body(slider->a), &b = body(slider->b);
-    const bool is_carried = a.is_carried() || b.is_carried();
-    JointConstraint& bullet = *engine_->joints.at(joint.id);
-    bullet.HoldUnless(is_carried);
-    if (slider->damping >= 1 && !is_carried) continue;
-    const double speed = bullet.sliding_speed();
-    if (speed == 0) continue;
-    double kept = SoftShareKept(*slider, bullet.offset(), speed, config_.step_seconds);
-    if (!is_carried) kept *= std::pow(1 - slider->damping, config_.step_seconds);
-    if (kept == 1) continue;
-    const double inverse_mass =
-        InverseMassOf(MassOfRigidGroup(slider->a)) + InverseMassOf(MassOfRigidGroup(slider->b));
-    if (inverse_mass > 0) bullet.Push(speed * (kept - 1) / inverse_mass);
   }
 }
 

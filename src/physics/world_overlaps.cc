@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "physics/internal_articulation_links.h"
 #include "physics/internal_engine.h"
 #include "physics/world.h"
 
@@ -47,27 +48,35 @@ void World::EndPassingApart() {
   EndPassing([this](const auto& pair) {
     const Body &a = body(pair.first), &b = body(pair.second);
     if (!a.is_awake() && !b.is_awake()) return false;
-    return OverlapDepth(a, a.bullet_->getWorldTransform(), b) <= kApart;
+    return OverlapDepth(a, a.bullet_->getWorldTransform(), *b.bullet_) <= kApart;
   });
 }
 
-double World::OverlapDepth(const Body& a, const btTransform& X_WAcm, const Body& b) const {
+double World::OverlapDepth(const Body& a, const btTransform& X_WAcm,
+                           const btCollisionObject& b) const {
   return engine_->overlap_probe.Depth(a.bullet_->getCollisionShape(), X_WAcm,
-                                      b.bullet_->getCollisionShape(),
-                                      b.bullet_->getWorldTransform());
+                                      const_cast<btCollisionShape*>(b.getCollisionShape()),
+                                      b.getWorldTransform());
 }
 
-std::vector<BodyId> World::OverlapsAt(BodyId id, const RigidTransform& X_WB, double depth) const {
+Overlaps World::OverlapsAt(BodyId id, const RigidTransform& X_WB, double depth) const {
   const Body& moved = body(id);
   const btTransform X_WBcm = ToBullet(X_WB * moved.X_BcmB_.inverse());
   const PairFilter& filter = engine_->broadphase.filter();
-  std::vector<BodyId> overlaps;
+  const auto is_in_the_way = [&](const btCollisionObject& other) {
+    return !filter.IsExcluded(static_cast<int>(id.value), OrderOf(&other)) &&
+           OverlapDepth(moved, X_WBcm, other) > depth;
+  };
+  Overlaps overlaps;
   for (const auto& other : bodies_) {
     if (other->id() == id) continue;
-    if (filter.IsExcluded(static_cast<int>(id.value), static_cast<int>(other->id().value))) {
-      continue;
+    if (is_in_the_way(*other->bullet_)) overlaps.bodies.push_back(other->id());
+  }
+  for (const auto& articulation : articulations_) {
+    for (int link = -1; link < articulation->num_joints(); ++link) {
+      const auto* collider = articulation->links_->collider(link);
+      if (collider && is_in_the_way(*collider)) overlaps.with_articulation = true;
     }
-    if (OverlapDepth(moved, X_WBcm, *other) > depth) overlaps.push_back(other->id());
   }
   return overlaps;
 }

@@ -5,6 +5,7 @@
 
 #include "base/bytes.h"
 #include "physics/internal_articulation_links.h"
+#include "physics/internal_checks.h"
 #include "physics/internal_contact_cache.h"
 #include "physics/internal_engine.h"
 #include "physics/world.h"
@@ -54,6 +55,13 @@ void RestoreObject(ByteReader* in, btCollisionObject* object) {
   object->getBroadphaseHandle()->m_aabbMax = GetVector(in);
 }
 
+/// True when the entry is of this very thing.
+template <class Thing, class Entry>
+bool Is(const Thing& thing, const Entry& entry) {
+  return thing.id() == entry.id &&
+         (&thing.spec() == entry.spec.get() || thing.spec() == *entry.spec);
+}
+
 }  // namespace
 
 Snapshot World::Save() const {
@@ -88,6 +96,7 @@ Snapshot World::Save() const {
 }
 
 void World::Restore(const Snapshot& snapshot) {
+  CheckSnapshot(snapshot);
   MatchObjects(snapshot);
   ByteReader in(snapshot.state);
   for (const auto& body : bodies_) {
@@ -120,68 +129,42 @@ void World::Restore(const Snapshot& snapshot) {
 }
 
 /// Adds, removes and rebuilds until the world holds the snapshot's objects and joints, nothing
-/// else. Joints are made anew: they read their own state later.
+/// else. Joints are made anew: they read their own state later. What can fail comes first.
 void World::MatchObjects(const Snapshot& snapshot) {
+  std::vector<std::unique_ptr<Articulation>> fresh_articulations;
+  for (std::size_t i = 0; i < std::max(articulations_.size(), snapshot.articulations.size()); ++i) {
+    if (i >= articulations_.size()) {
+      const auto& entry = snapshot.articulations[i];
+      fresh_articulations.emplace_back(new Articulation(entry.id, entry.spec, config_.motor));
+    } else if (i >= snapshot.articulations.size() ||
+               !Is(*articulations_[i], snapshot.articulations[i])) {
+      throw std::invalid_argument("snapshot: it is of a world without this robot");
+    }
+  }
+  std::vector<std::unique_ptr<Body>> fresh_bodies;
+  std::vector<BodyId> gone;
+  auto old = bodies_.begin();
+  for (const auto& entry : snapshot.bodies) {
+    while (old != bodies_.end() && (*old)->id() < entry.id) gone.push_back((*old++)->id());
+    const bool is_there = old != bodies_.end() && (*old)->id() == entry.id;
+    if (is_there && Is(**old++, entry)) continue;
+    if (is_there) gone.push_back(entry.id);
+    fresh_bodies.emplace_back(new Body(entry.id, entry.spec));
+  }
+  while (old != bodies_.end()) gone.push_back((*old++)->id());
+
   while (!joints_.empty()) RemoveJoint(joints_.back().id);
   EndAllPassing();
-
-  const auto is_saved = [&snapshot](const Body& body) {
-    return std::any_of(snapshot.bodies.begin(), snapshot.bodies.end(), [&](const auto& entry) {
-      return entry.id == body.id() && (entry.spec == body.spec_ || *entry.spec == *body.spec_);
-    });
-  };
-  for (std::size_t i = bodies_.size(); i-- > 0;) {
-    if (!is_saved(*bodies_[i])) Erase(*bodies_[i]);
+  while (!gone.empty()) {
+    Erase(body(gone.back()));
+    gone.pop_back();
   }
-  for (const auto& entry : snapshot.bodies) {
-    if (!Has(entry.id)) Insert(std::unique_ptr<Body>(new Body(entry.id, entry.spec)));
-  }
-
-  for (const auto& articulation : articulations_) {
-    const bool is_same = std::any_of(
-        snapshot.articulations.begin(), snapshot.articulations.end(), [&](const auto& entry) {
-          return entry.id == articulation->id() &&
-                 (entry.spec == articulation->spec_ || *entry.spec == *articulation->spec_);
-        });
-    if (!is_same) throw std::invalid_argument("snapshot: it is of a world without this robot");
-  }
-  for (std::size_t i = articulations_.size(); i < snapshot.articulations.size(); ++i) {
-    const auto& entry = snapshot.articulations[i];
-    Insert(std::unique_ptr<Articulation>(new Articulation(entry.id, entry.spec, config_.motor)));
-  }
-
-  MatchJoints(snapshot);
+  for (auto& fresh : fresh_bodies) Insert(std::move(fresh));
+  for (auto& fresh : fresh_articulations) Insert(std::move(fresh));
+  for (const Joint& joint : snapshot.joints) Insert(joint);
+  for (const auto& [a, b] : snapshot.passing) LetPass(a, b);
   next_id_ = snapshot.next_id;
   next_joint_id_ = snapshot.next_joint_id;
-}
-
-void World::MatchJoints(const Snapshot& snapshot) {
-  const auto check = [this](BodyId id) {
-    if (!Has(id)) throw std::invalid_argument("snapshot: a joint is of an unknown body");
-  };
-  for (const Joint& joint : snapshot.joints) {
-    if (!joints_.empty() && !(joints_.back().id < joint.id)) {
-      throw std::invalid_argument("snapshot: its joints are out of order");
-    }
-    if (const auto pair = BodyPairOf(joint.spec)) {
-      check(pair->first);
-      check(pair->second);
-    } else {
-      const auto& weld = std::get<WeldSpec>(joint.spec);
-      check(weld.body);
-      const bool has_holder =
-          std::any_of(articulations_.begin(), articulations_.end(),
-                      [&weld](const auto& one) { return one->id() == weld.articulation; });
-      if (!has_holder) throw std::invalid_argument("snapshot: a weld is to an unknown robot");
-    }
-    CheckJoint(joint.spec);
-    Insert(joint);
-  }
-  for (const auto& [a, b] : snapshot.passing) {
-    check(a);
-    check(b);
-    LetPass(a, b);
-  }
 }
 
 }  // namespace smile::physics

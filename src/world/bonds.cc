@@ -192,10 +192,14 @@ std::optional<Refusal> Bonds::RefuseToMove(std::size_t guest, std::size_t host,
   for (physics::BodyId member : moved) {
     if (IsHeldByRobot(member)) return NameOf(member) + " is held by the robot";
     const RigidTransform X_there = X_moved * world_->body(member).pose_in_world();
-    for (physics::BodyId blocker : world_->OverlapsAt(member, X_there, kMaxOverlap)) {
+    const physics::Overlaps overlaps = world_->OverlapsAt(member, X_there, kMaxOverlap);
+    for (physics::BodyId blocker : overlaps.bodies) {
       const bool is_hole = member == body && blocker == holder;
       if (is_hole || std::ranges::binary_search(moved, blocker)) continue;
       return "there is no room for " + NameOf(member) + ": " + NameOf(blocker) + " is in the way";
+    }
+    if (overlaps.with_articulation) {
+      return "there is no room for " + NameOf(member) + ": the robot is in the way";
     }
   }
   return std::nullopt;

@@ -1,6 +1,7 @@
 // Joints between bodies: how stiff they are, and that a slider does what its numbers say.
 
 #include <cmath>
+#include <numbers>
 
 #include "physics_fixture.h"
 
@@ -106,6 +107,64 @@ TEST_F(JointTest, AChainBetweenTwoPostsSettles) {
   }
   EXPECT_LT(widest, 1e-3) << "while it swings";
   EXPECT_LT(widest_gap(), 1e-4) << "when it hangs";
+}
+
+TEST_F(JointTest, AHubHoldsThreeHundredGuests) {
+  const BodyId post = Add({0, 0, 2}, 0), hub = Add({0.2, 0, 2}, 1);
+  Fix(post, hub);
+  std::vector<BodyId> guests;
+  for (int i = 0; i < 300; ++i) {
+    const double angle = 2 * std::numbers::pi * i / 300;
+    guests.push_back(Add({2 * std::cos(angle), 2 * std::sin(angle), 2 + 0.01 * i}, 1, 0.01));
+    Fix(hub, guests.back());
+  }
+  // As a full matrix, one of these steps would take seconds.
+  StepSeconds(0.25);
+  for (std::size_t i = 0; i < guests.size(); ++i) {
+    EXPECT_NEAR(Place(guests[i]).z(), 2 + 0.01 * static_cast<double>(i), 1e-6) << i;
+  }
+  EXPECT_NEAR(Place(hub).z(), 2, 1e-6);
+}
+
+TEST_F(JointTest, ATumblingRingOfHubsStaysWhole) {
+  // Three guests on each of 12 hubs, which close a ring; nothing holds it.
+  std::vector<BodyId> hubs;
+  std::vector<std::pair<BodyId, BodyId>> pairs;
+  for (int i = 0; i < 12; ++i) {
+    const double angle = 2 * std::numbers::pi * i / 12;
+    const Vector3 outwards(std::cos(angle), std::sin(angle), 0);
+    hubs.push_back(Add(outwards, 1 + i));
+    for (int k = 0; k < 3; ++k) {
+      pairs.emplace_back(hubs.back(), Add(Vector3(outwards * (1.2 + 0.2 * k)), 0.1 + k));
+    }
+    if (i > 0) pairs.emplace_back(hubs[i - 1], hubs[i]);
+  }
+  pairs.emplace_back(hubs.back(), hubs.front());
+  std::vector<RigidTransform> between;
+  for (const auto& [a, b] : pairs) {
+    between.push_back(Between(a, b));
+    Fix(a, b);
+  }
+  world_.body(hubs[0]).SetVelocity({0, 0, 30}, {0, 0, 0});
+  StepSeconds(1);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const RigidTransform now = Between(pairs[i].first, pairs[i].second);
+    EXPECT_LT((now.translation() - between[i].translation()).norm(), 1e-4) << i;
+  }
+  EXPECT_GT(world_.body(hubs[0]).angular_velocity().norm(), 0.1);
+}
+
+TEST_F(JointTest, WhatIsTooTangledToSolveAtOnceStillHoldsSomehow) {
+  std::vector<BodyId> tangle;
+  for (int i = 0; i < 90; ++i) {
+    tangle.push_back(Add({0.2 * (i % 10), 0.2 * (i / 10), 1}, 1, 0.1));
+    for (int k = 0; k < i; ++k) Fix(tangle[k], tangle[i]);
+  }
+  const BodyId post = Add({9, 0, 1}, 0), arm = Add({9.2, 0, 1}, 1);
+  Fix(post, arm);
+  StepSeconds(0.02);
+  EXPECT_NEAR(Between(tangle.front(), tangle.back()).translation().x(), 1.8, 1e-3);
+  EXPECT_NEAR(Place(arm).z(), 1, 1e-9) << "what is not part of it holds exactly";
 }
 
 class SliderTest : public JointTest {
@@ -323,7 +382,7 @@ TEST_F(JointTest, JoinedBodiesDoNotCollideUntilTheLastReasonEnds) {
   world_.RemoveJoint(first);
   StepSeconds(0.5);
   EXPECT_NEAR(Place(b).x(), 0.05, 1e-6);
-  EXPECT_TRUE(world_.OverlapsAt(b, Pose(b), 0).empty());
+  EXPECT_TRUE(world_.OverlapsAt(b, Pose(b), 0).bodies.empty());
   world_.LetPass(b, a);
   world_.RemoveJoint(second);
   world_.body(b).SetCarried(true);
@@ -343,7 +402,7 @@ TEST_F(JointTest, WhatOverlapsElsewhereIsToldWithoutATrace) {
   const std::vector<std::byte> before = Serialize(world_.Save());
   const std::uint64_t hash = world_.state_hash();
   const auto overlaps = [&](double x, double z) {
-    return world_.OverlapsAt(cube, RigidTransform(Vector3(x, 0, z)), 0.002);
+    return world_.OverlapsAt(cube, RigidTransform(Vector3(x, 0, z)), 0.002).bodies;
   };
   EXPECT_EQ(overlaps(0, 0.05), std::vector<BodyId>{}) << "it only rests on the table";
   EXPECT_EQ(overlaps(0.12, 0.05), std::vector<BodyId>{box});
@@ -351,6 +410,27 @@ TEST_F(JointTest, WhatOverlapsElsewhereIsToldWithoutATrace) {
   EXPECT_EQ(overlaps(0.101, 0.05), std::vector<BodyId>{});
   EXPECT_EQ(world_.state_hash(), hash);
   EXPECT_EQ(Serialize(world_.Save()), before);
+}
+
+TEST_F(JointTest, ARobotMayBeInTheWayToo) {
+  PhysicsWorldBuilder builder;
+  builder.AddRobot();
+  World& world = builder.world_;
+  const BodyId cube = builder.AddCube({0, 0.5, 0.3}, 0.1);
+  const auto at = [&](const Vector3& p_WB) {
+    return world.OverlapsAt(cube, RigidTransform(p_WB), 0.002);
+  };
+  EXPECT_EQ(at({0, 0.5, 0.3}), Overlaps{});
+  const Overlaps robot{.with_articulation = true};
+  EXPECT_EQ(at({0, -0.5, 0.3}), robot) << "its base";
+  const Vector3 p_WL = world.articulation(builder.robot_).link_poses()[1].translation();
+  EXPECT_EQ(at(p_WL + Vector3(0, 0.1, 0)), robot) << "a link";
+  world.AddJoint(WeldSpec{.articulation = builder.robot_,
+                          .link = 1,
+                          .body = cube,
+                          .X_LB = RigidTransform(Vector3(0, 0.1, 0.2)),
+                          .links_not_colliding = {0, 1, 2}});
+  EXPECT_EQ(at(p_WL + Vector3(0, 0.1, 0)), Overlaps{}) << "it may pass through what holds it";
 }
 
 TEST_F(JointTest, AnotherFormKeepsPlaceSpeedAndJoints) {

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <thread>
 
 #include "base/files.h"
@@ -128,7 +129,7 @@ INSTANTIATE_TEST_SUITE_P(Seeds, SnapshotProperty, ::testing::Values(1u, 2u));
 
 /// A world in which everything is jointed: a chain between posts, a damped drawer, a soft slider
 /// bouncing at its limits, a held lid, fixed rows, a hand that carries a lid, a robot that carries
-/// a box by its lid, and a loop.
+/// a box by its lid, a hub with guests, and a loop.
 class JointedWorld : public PhysicsWorldBuilder {
  public:
   explicit JointedWorld(unsigned seed) : random_(seed) {
@@ -137,6 +138,7 @@ class JointedWorld : public PhysicsWorldBuilder {
     AddPile(6, seed);
     HangChain();
     for (int i = 0; i < 3; ++i) AddBoxWithLid(i);
+    AddHub();
     StepSeconds(0.3);
     Carry();
     SwingRobot(seed);
@@ -155,6 +157,7 @@ class JointedWorld : public PhysicsWorldBuilder {
       if (tick == 60) Widen(world, made.boxes_[1]);
       if (tick == 90) world.body(lids[0]).SetCarried(false);
       if (tick == 120) world.RemoveBody(made.links_[4]);
+      if (tick == 40) world.RemoveBody(made.links_.back());
       if (tick == 150) world.RemoveJoint(world.joints().front().id);
       if (tick == 180) {
         world.AddJoint(BallJointSpec{.a = made.boxes_[2], .b = lids[1], .p_AQ = {0, 0, 0.4}});
@@ -227,6 +230,16 @@ class JointedWorld : public PhysicsWorldBuilder {
                                     .softness = i == 1 ? 0.4 : 1.0});
     world_.body(lids_.back()).SetVelocity({Uniform(-1, 1), 0, 0}, {0, 0, 0});
   }
+  /// Guests on a bar that falls onto the pile.
+  void AddHub() {
+    const Vector3 place(0.3, 0, 0.9);
+    const BodyId hub = AddBlock({0.3, 0.05, 0.05}, place, 2);
+    for (int i = 0; i < 6; ++i) {
+      const Vector3 p_HG(-0.125 + 0.05 * i, i % 2 == 0 ? 0.08 : -0.08, Uniform(0, 0.02));
+      links_.push_back(AddBlock({0.04, 0.04, 0.04}, place + p_HG, Uniform(0.1, 1)));
+      world_.AddJoint(FixedJointSpec{.a = hub, .b = links_.back(), .X_AB = RigidTransform(p_HG)});
+    }
+  }
   void Carry() {
     world_.body(lids_[0]).SetCarried(true);
     world_.AddJoint(WeldSpec{.articulation = robot_,
@@ -286,6 +299,94 @@ TEST_P(JointedSnapshotProperty, SavesWhatItRestored) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, JointedSnapshotProperty, ::testing::Range(1u, 7u));
+
+TEST(StateHash, ToldFromAnotherByAPressedLimit) {
+  World world;
+  PhysicsWorldBuilder verbs;
+  const BodyId a = world.AddBody(verbs.CubeSpec({0, 0, 1}, 0.1));
+  const BodyId b = world.AddBody(verbs.CubeSpec({0.5, 0, 1}, 0.1));
+  world.AddJoint(SliderJointSpec{.a = a, .b = b, .lower = 0, .upper = 1});
+  const Snapshot saved = world.Save();
+  Snapshot pressed = saved;
+  // Before the random number (8 bytes) and the number of contacts (4): the upper limit.
+  std::byte& is_pressed = pressed.state[pressed.state.size() - 13];
+  ASSERT_EQ(is_pressed, std::byte{0});
+  is_pressed = std::byte{1};
+  world.Restore(saved);
+  const std::uint64_t hash = world.state_hash();
+  world.Restore(pressed);
+  EXPECT_NE(world.state_hash(), hash);
+  EXPECT_EQ(world.Save().state, pressed.state) << "nothing else was touched";
+}
+
+TEST(StateHash, ToldFromAnotherByHowAWeldHolds) {
+  const auto hash_of = [](double y, const std::vector<int>& links_not_colliding) {
+    PhysicsWorldBuilder builder;
+    builder.AddRobot();
+    const BodyId cube = builder.AddCube({0, 0.5, 0.3}, 0.1);
+    builder.world_.AddJoint(WeldSpec{.articulation = builder.robot_,
+                                     .link = 1,
+                                     .body = cube,
+                                     .X_LB = RigidTransform(Vector3(0, y, 0)),
+                                     .links_not_colliding = links_not_colliding});
+    return builder.world_.state_hash();
+  };
+  EXPECT_EQ(hash_of(0.3, {1}), hash_of(0.3, {1}));
+  EXPECT_NE(hash_of(0.3, {1}), hash_of(0.31, {1}));
+  EXPECT_NE(hash_of(0.3, {1}), hash_of(0.3, {1, 2}));
+}
+
+TEST(Snapshot, RefusesWhatContradictsItselfAndLeavesTheWorldAsItWas) {
+  PhysicsWorldBuilder builder;
+  builder.AddTable();
+  const BodyId cube = builder.AddCube({0, 0, 0.5}, 0.1), other = builder.AddCube({0, 0, 0.7}, 0.1);
+  builder.AddRobot();
+  World& world = builder.world_;
+  world.AddJoint(FixedJointSpec{.a = cube, .b = other});
+  world.AddJoint(WeldSpec{.articulation = builder.robot_, .link = 1, .body = cube});
+  const Snapshot good = world.Save();
+  world.RemoveBody(other);
+  world.AddBody(PhysicsWorldBuilder::CubeSpec({0.3, 0, 0.5}, 0.1));
+  builder.StepSeconds(0.1);
+  const std::vector<std::byte> before = Serialize(world.Save());
+  const double nan = std::nan("");
+  const std::vector<std::function<void(Snapshot*)>> spoilers = {
+      [](Snapshot* s) { std::swap(s->bodies[0], s->bodies[1]); },
+      [](Snapshot* s) { s->bodies[1].id = s->bodies[0].id; },
+      [](Snapshot* s) { s->bodies.back().id = BodyId{s->articulations[0].id.value + 2}; },
+      [](Snapshot* s) { s->bodies[1].spec = nullptr; },
+      [](Snapshot* s) { s->next_id = 3; },
+      [](Snapshot* s) { s->next_joint_id = 1; },
+      [](Snapshot* s) { s->articulations.clear(); },
+      [](Snapshot* s) { std::swap(s->joints[0], s->joints[1]); },
+      [](Snapshot* s) { std::get<FixedJointSpec>(s->joints[0].spec).b = BodyId{999}; },
+      [](Snapshot* s) { std::get<WeldSpec>(s->joints[1].spec).link = 99; },
+      [](Snapshot* s) { std::get<WeldSpec>(s->joints[1].spec).articulation.value = 99; },
+      [](Snapshot* s) { std::get<WeldSpec>(s->joints[1].spec).links_not_colliding = {-2}; },
+      [nan](Snapshot* s) {
+        std::get<WeldSpec>(s->joints[1].spec).X_LB = RigidTransform(Vector3(nan, 0, 0));
+      },
+      [](Snapshot* s) {
+        s->passing = {{BodyId{1}, BodyId{1}}};
+      },
+      [](Snapshot* s) {
+        s->passing = {{BodyId{1}, BodyId{999}}};
+      },
+      [](Snapshot* s) {
+        auto spec = std::make_shared<ArticulationSpec>(*s->articulations[0].spec);
+        spec->links[1].parent = 5;
+        s->articulations[0].spec = spec;
+      },
+  };
+  for (std::size_t i = 0; i < spoilers.size(); ++i) {
+    Snapshot spoilt = good;
+    spoilers[i](&spoilt);
+    EXPECT_THROW(world.Restore(spoilt), std::invalid_argument) << i;
+    EXPECT_TRUE(Serialize(world.Save()) == before) << i;
+  }
+  world.Restore(good);
+  EXPECT_TRUE(Serialize(world.Save()) == Serialize(good));
+}
 
 TEST(Snapshot, RefusesBytesThatAreNotAWholeSnapshot) {
   PhysicsWorldBuilder builder;

@@ -1,0 +1,178 @@
+#include "physics/internal_checks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include "physics/internal_joint_constraint.h"
+
+namespace smile::physics {
+namespace {
+
+bool IsFinite(const RigidTransform& X) {
+  return X.rotation().allFinite() && X.translation().allFinite();
+}
+
+void CheckShare(double share, const char* name) {
+  if (share >= 0 && share <= 1) return;
+  throw std::invalid_argument("joint: " + std::string(name) + " is " + std::to_string(share) +
+                              ", expected 0 to 1");
+}
+
+void CheckNumbers(const WeldSpec& weld) {
+  if (!IsFinite(weld.X_LB)) throw std::invalid_argument("joint: its frame is not finite");
+}
+void CheckNumbers(const FixedJointSpec& fixed) {
+  if (!IsFinite(fixed.X_AB)) throw std::invalid_argument("joint: its frame is not finite");
+}
+void CheckNumbers(const BallJointSpec& ball) {
+  if (ball.p_AQ.allFinite() && ball.p_BQ.allFinite()) return;
+  throw std::invalid_argument("joint: its point is not finite");
+}
+void CheckNumbers(const SliderJointSpec& slider) {
+  if (!IsFinite(slider.X_AJ) || !IsFinite(slider.X_BK)) {
+    throw std::invalid_argument("joint: its frame is not finite");
+  }
+  if (!std::isfinite(slider.lower) || !std::isfinite(slider.upper) || slider.lower > slider.upper) {
+    throw std::invalid_argument("joint: limits are " + std::to_string(slider.lower) + " and " +
+                                std::to_string(slider.upper) + ", expected the lower first");
+  }
+  CheckShare(slider.damping, "damping");
+  CheckShare(slider.restitution, "restitution");
+  CheckShare(slider.softness, "softness");
+}
+
+void CheckLink(int link, int least, int num_links) {
+  if (link >= least && link < num_links) return;
+  throw std::invalid_argument("joint: link " + std::to_string(link) + " does not exist, expected " +
+                              std::to_string(least) + " to " + std::to_string(num_links - 1));
+}
+
+void DemandOfSnapshot(bool holds, const char* complaint) {
+  if (!holds) throw std::invalid_argument("snapshot: " + std::string(complaint));
+}
+
+template <class Entry, class Id>
+const Entry& Find(const std::vector<Entry>& entries, Id id, const char* complaint) {
+  const auto found = std::lower_bound(entries.begin(), entries.end(), id,
+                                      [](const Entry& entry, Id key) { return entry.id < key; });
+  DemandOfSnapshot(found != entries.end() && found->id == id, complaint);
+  return *found;
+}
+
+template <class Entry>
+bool IsAscending(const std::vector<Entry>& entries) {
+  return std::adjacent_find(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+           return !(a.id < b.id);
+         }) == entries.end();
+}
+
+void CheckArticulation(const ArticulationSpec& spec) {
+  const int count = static_cast<int>(spec.links.size());
+  bool is_sound = IsFinite(spec.X_WBase);
+  for (int i = 0; i < count; ++i) {
+    const LinkSpec& link = spec.links[i];
+    is_sound = is_sound && link.parent >= -1 && link.parent < i && IsFinite(link.X_PJ) &&
+               link.axis.allFinite() && link.p_LLcm.allFinite() && link.inertia.allFinite() &&
+               std::isfinite(link.mass) && link.mass > 0;
+  }
+  for (const auto& [a, b] : spec.never_collide) {
+    is_sound = is_sound && a >= -1 && b >= -1 && a < count && b < count;
+  }
+  DemandOfSnapshot(is_sound, "a robot's links contradict each other");
+}
+
+/// Bodies and links share one counter.
+void CheckIds(const Snapshot& snapshot) {
+  DemandOfSnapshot(snapshot.next_id <= std::numeric_limits<int>::max(), "its ids run out");
+  DemandOfSnapshot(IsAscending(snapshot.bodies) && IsAscending(snapshot.articulations) &&
+                       IsAscending(snapshot.joints),
+                   "its things are out of order");
+  std::vector<bool> is_link;
+  const auto demand_free = [&snapshot, &is_link](std::uint64_t first, std::uint64_t count) {
+    DemandOfSnapshot(first > 0 && first + count <= snapshot.next_id, "an id was never given");
+    for (std::uint64_t id = first; id < std::min<std::uint64_t>(first + count, is_link.size());
+         ++id) {
+      DemandOfSnapshot(!is_link[id], "two things have the same id");
+    }
+  };
+  for (const auto& [id, spec] : snapshot.articulations) {
+    DemandOfSnapshot(spec != nullptr, "a robot is nothing");
+    const std::uint64_t end = id.value + std::uint64_t{spec->links.size()} + 1;
+    demand_free(id.value, spec->links.size() + 1);
+    is_link.resize(std::max<std::uint64_t>(is_link.size(), end), false);
+    for (std::uint64_t link = id.value; link < end; ++link) is_link[link] = true;
+  }
+  for (const auto& entry : snapshot.bodies) demand_free(entry.id.value, 1);
+  if (snapshot.joints.empty()) return;
+  DemandOfSnapshot(snapshot.joints.front().id.value > 0 &&
+                       snapshot.joints.back().id.value < snapshot.next_joint_id,
+                   "a joint's id was never given");
+}
+
+}  // namespace
+
+void CheckBody(const BodySpec& spec) {
+  if (!spec.X_WB.rotation().allFinite() || !spec.X_WB.translation().allFinite()) {
+    throw std::invalid_argument("body: its pose is not finite");
+  }
+  if (!(spec.mass.mass >= 0) || !std::isfinite(spec.mass.mass) || !spec.mass.inertia.allFinite() ||
+      !spec.mass.center.allFinite()) {
+    throw std::invalid_argument("body: mass is " + std::to_string(spec.mass.mass) +
+                                " kg, expected at least 0");
+  }
+  if (spec.angular_damping && !(*spec.angular_damping >= 0 && *spec.angular_damping <= 1)) {
+    throw std::invalid_argument("body: angular damping is " +
+                                std::to_string(*spec.angular_damping) + ", expected 0 to 1");
+  }
+}
+
+void CheckJoint(const JointSpec& spec, const std::function<bool(BodyId)>& is_static,
+                const std::function<int(ArticulationId)>& num_links) {
+  std::visit([](const auto& joint) { CheckNumbers(joint); }, spec);
+  if (const auto* weld = std::get_if<WeldSpec>(&spec)) {
+    const int count = num_links(weld->articulation);
+    CheckLink(weld->link, 0, count);
+    for (int link : weld->links_not_colliding) CheckLink(link, -1, count);  // -1 is the base
+    if (is_static(weld->body)) {
+      throw std::invalid_argument("joint: body " + std::to_string(weld->body.value) +
+                                  " is static, it can't be held");
+    }
+    return;
+  }
+  const auto [a, b] = *BodyPairOf(spec);
+  if (a == b) throw std::invalid_argument("joint: it joins a body with itself");
+  const bool is_a_static = is_static(a), is_b_static = is_static(b);  // both must exist
+  if (is_a_static && is_b_static) {
+    throw std::invalid_argument("joint: both its bodies are static");
+  }
+}
+
+void CheckSnapshot(const Snapshot& snapshot) {
+  CheckIds(snapshot);
+  const auto find_body = [&snapshot](BodyId id) {
+    return Find(snapshot.bodies, id, "a joint is of an unknown body").spec;
+  };
+  for (const auto& [id, spec] : snapshot.bodies) {
+    DemandOfSnapshot(spec != nullptr, "a body is nothing");
+    CheckBody(*spec);
+  }
+  for (const auto& [id, spec] : snapshot.articulations) CheckArticulation(*spec);
+  for (const Joint& joint : snapshot.joints) {
+    CheckJoint(
+        joint.spec, [&find_body](BodyId id) { return find_body(id)->mass.mass == 0; },
+        [&snapshot](ArticulationId id) {
+          const auto& entry = Find(snapshot.articulations, id, "a weld is to an unknown robot");
+          return static_cast<int>(entry.spec->links.size());
+        });
+  }
+  for (const auto& [a, b] : snapshot.passing) {
+    DemandOfSnapshot(a != b, "a body passes through itself");
+    find_body(a);
+    find_body(b);
+  }
+}
+
+}  // namespace smile::physics

@@ -1,0 +1,44 @@
+#include "physics/internal_joint_groups.h"
+
+#include <algorithm>
+
+#include "physics/internal_joint_constraint.h"
+
+namespace smile::physics {
+
+JointGroups::JointGroups(const std::vector<std::unique_ptr<Body>>& bodies,
+                         const std::vector<Joint>& joints, bool only_fixed) {
+  std::vector<bool> is_static;
+  for (const auto& body : bodies) {
+    parents_.push_back(static_cast<int>(ids_.size()));
+    ids_.push_back(body->id());
+    is_static.push_back(body->is_static());
+  }
+  is_anchored_ = is_static;
+  for (const Joint& joint : joints) {
+    if (only_fixed && !std::holds_alternative<FixedJointSpec>(joint.spec)) continue;
+    const auto pair = BodyPairOf(joint.spec);
+    if (!pair) continue;
+    const int a = IndexOf(pair->first), b = IndexOf(pair->second);
+    const int root_a = FindRoot(a), root_b = FindRoot(b);
+    const int first = std::min(root_a, root_b), second = std::max(root_a, root_b);
+    if (is_static[a] || is_static[b]) {
+      is_anchored_[first] = is_anchored_[second] = true;
+    } else {
+      parents_[second] = first;
+      if (is_anchored_[second]) is_anchored_[first] = true;
+    }
+  }
+  for (int i = 0; i < static_cast<int>(parents_.size()); ++i) parents_[i] = FindRoot(i);
+}
+
+int JointGroups::IndexOf(BodyId id) const {
+  return static_cast<int>(std::lower_bound(ids_.begin(), ids_.end(), id) - ids_.begin());
+}
+
+int JointGroups::FindRoot(int index) {
+  while (parents_[index] != index) index = parents_[index] = parents_[parents_[index]];
+  return index;
+}
+
+}  // namespace smile::physics

@@ -237,13 +237,15 @@ void Bonds::Join(std::size_t guest, std::size_t host, int tightness) {
 void Bonds::TellDownstream(std::size_t index) {
   const Host& host = hosts_[index];
   const int tightness = states_[index].tightness;
-  const scene::TightnessStage stage =
-      tightness > 0 ? StageOf(host, tightness) : scene::TightnessStage();
+  const scene::TightnessStage* stage = tightness > 0 ? &StageOf(host, tightness) : nullptr;
   if (host.downstream) controls_->Set(*host.downstream, tightness);
   if (host.downstream_override) {
-    controls_->Override(*host.downstream_override, stage.downstream_state.value_or(-1));
+    const bool forces = stage != nullptr && stage->downstream_state.has_value();
+    controls_->Override(*host.downstream_override, forces ? *stage->downstream_state : -1);
   }
-  if (host.downstream_lock) states_[*host.downstream_lock].is_locked = stage.locks_downstream;
+  if (host.downstream_lock) {
+    states_[*host.downstream_lock].is_locked = stage != nullptr && stage->locks_downstream;
+  }
 }
 
 void Bonds::EndBondsOf(std::size_t object) {

@@ -67,10 +67,11 @@ void Body::SetCarried(bool is_carried) {
   WakeUp();
 }
 
-void Body::ScaleInertia(double scale) {
-  if (scale == inertia_scale_) return;
-  inertia_scale_ = scale;
-  bullet_->setMassProps(spec_->mass.mass * scale, ToBullet(Vector3(moments_ * scale)));
+void Body::Load(double mass, double moment) {
+  if (mass == load_mass_ && moment == load_moment_) return;
+  load_mass_ = mass;
+  load_moment_ = moment;
+  bullet_->setMassProps(loaded_mass(), ToBullet(Vector3(moments_.array() + moment)));
   bullet_->updateInertiaTensor();
 }
 

@@ -57,8 +57,11 @@ class Body {
 
  private:
   friend class World;
-  /// Makes it this many times as heavy as it is, for the time being.
-  void ScaleInertia(double scale);
+  /// What hangs on a carried body, for the time being: so much mass [kg], and so much resistance to
+  /// turning about any axis [kg m2], are added to its own.
+  void Load(double mass, double moment);
+  /// Its own mass and what hangs on it [kg].
+  double loaded_mass() const { return spec_->mass.mass + load_mass_; }
   Body(BodyId id, std::shared_ptr<const BodySpec> spec);
 
   BodyId id_;
@@ -67,13 +70,13 @@ class Body {
   struct Shapes;
   std::unique_ptr<Shapes> shapes_;
   std::unique_ptr<btRigidBody> bullet_;
-  Vector3 moments_;  ///< principal moments of inertia, unscaled
+  Vector3 moments_;  ///< principal moments of inertia, without load
   /// From the centre of mass to the body's origin, along the world's axes [m].
   Vector3 p_BcmB_W() const;
 
   RigidTransform X_BcmB_;  ///< B in the frame of its centre of mass and principal axes of inertia
   bool is_carried_ = false;
-  double inertia_scale_ = 1;  ///< set anew in every step
+  double load_mass_ = 0, load_moment_ = 0;  ///< set anew in every step
 };
 
 }  // namespace smile::physics

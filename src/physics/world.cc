@@ -218,7 +218,7 @@ void World::WakeAll() {
 
 void World::Step() {
   if (is_at_rest()) return;
-  ScaleCarriedInertia();
+  LoadCarriedBodies();
   if (!engine_->joints.empty()) DampSliders();
   if (!passing_.empty()) EndPassingApart();
   for (const auto& body : bodies_) {

@@ -147,7 +147,7 @@ class World {
   /// Itself and those that hang on it through joints, up to and with static ones; by id.
   std::vector<BodyId> BodiesJoinedWith(BodyId id, JointId without) const;
   /// A carried body moves what hangs on it as if it had the mass of all of it; see the decisions.
-  void ScaleCarriedInertia();
+  void LoadCarriedBodies();
   void DampSliders();
   std::vector<double> InverseMassesOf(const JointGroups& rigid) const;
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "physics/internal_engine.h"
 #include "physics/internal_joint_groups.h"
@@ -23,31 +24,39 @@ double SoftShareKept(const SliderJointSpec& slider, double offset, double speed,
   return 1 / (1 + approach * seconds / remaining);
 }
 
+/// What a carried body has to bear of another that hangs on it, as if the two were one.
+double MomentAbout(const Body& carried, const Body& other) {
+  const Vector3 arm = other.pose_in_world() * other.spec().mass.center -
+                      carried.pose_in_world() * carried.spec().mass.center;
+  // No axis has more than half the trace.
+  return other.spec().mass.inertia.trace() / 2 + other.spec().mass.mass * arm.squaredNorm();
+}
+
 }  // namespace
 
-void World::ScaleCarriedInertia() {
+void World::LoadCarriedBodies() {
   const bool is_any_carried = std::any_of(bodies_.begin(), bodies_.end(),
                                           [](const auto& one) { return one->is_carried(); });
-  std::vector<double> scales(bodies_.size(), 1.0);
+  std::vector<std::pair<double, double>> loads(bodies_.size());  // mass, moment
   if (is_any_carried && !engine_->joints.empty()) {
     const JointGroups groups(bodies_, joints_, /*only_fixed=*/false);
-    std::vector<double> masses(bodies_.size(), 0.0);
-    std::vector<bool> is_carried(bodies_.size(), false);
-    for (const auto& one : bodies_) {
-      const int group = groups.group_of(one->id());
-      masses[group] += one->spec().mass.mass;
-      if (one->is_carried()) is_carried[group] = true;
+    std::vector<std::vector<std::size_t>> carried_in(bodies_.size());
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      if (bodies_[i]->is_carried()) carried_in[groups.group_of(bodies_[i]->id())].push_back(i);
     }
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
       Body& one = *bodies_[i];
-      const int group = groups.group_of(one.id());
-      if (is_carried[group]) one.WakeUp();
-      const double mass = one.spec().mass.mass;
-      if (one.is_carried() && masses[group] != mass) scales[i] = masses[group] / mass;
+      if (one.is_static()) continue;
+      for (std::size_t carried : carried_in[groups.group_of(one.id())]) {
+        one.WakeUp();
+        if (carried == i) continue;
+        loads[carried].first += one.spec().mass.mass;
+        loads[carried].second += MomentAbout(*bodies_[carried], one);
+      }
     }
   }
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    if (!bodies_[i]->is_static()) bodies_[i]->ScaleInertia(scales[i]);
+    if (!bodies_[i]->is_static()) bodies_[i]->Load(loads[i].first, loads[i].second);
   }
 }
 
@@ -55,7 +64,7 @@ void World::ScaleCarriedInertia() {
 std::vector<double> World::InverseMassesOf(const JointGroups& rigid) const {
   std::vector<double> masses(bodies_.size(), 0.0);
   for (const auto& one : bodies_) {
-    masses[rigid.group_of(one->id())] += one->spec().mass.mass * one->inertia_scale_;
+    masses[rigid.group_of(one->id())] += one->loaded_mass();
   }
   for (std::size_t i = 0; i < masses.size(); ++i) {
     masses[i] = rigid.is_anchored(static_cast<int>(i)) ? 0 : 1 / masses[i];

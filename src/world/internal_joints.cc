@@ -1,10 +1,14 @@
 #include "world/internal_joints.h"
 
+#include <algorithm>
+
 namespace smile::world {
 namespace {
 
 /// How far from the middle of an end piece the chain hangs on it, towards the other end [units].
 constexpr double kEndAnchorUnits = 0.1;
+/// Members of a slider that begin deeper in one another than this do not collide [m].
+constexpr double kMaxOverlap = 0.001;
 
 void AddBall(physics::BodyId a, const Vector3& p_AQ, physics::BodyId b, const Vector3& p_BQ,
              physics::World* world) {
@@ -34,9 +38,11 @@ void AddChainJoints(const scene::ChainSpec& chain, double meters_per_unit,
 
 void AddSliderJoint(const scene::SliderSpec& slider, const std::vector<Object>& objects,
                     physics::World* world) {
+  const physics::BodyId a = objects[slider.first_object].body;
+  const physics::BodyId b = objects[slider.first_object + 1].body;
   // The scene counts the offset along -x of the rail, physics along +x.
-  world->AddJoint(physics::SliderJointSpec{.a = objects[slider.first_object].body,
-                                           .b = objects[slider.first_object + 1].body,
+  world->AddJoint(physics::SliderJointSpec{.a = a,
+                                           .b = b,
                                            .X_AJ = slider.X_JA.inverse(),
                                            .X_BK = slider.X_JB.inverse(),
                                            .lower = -slider.max_offset,
@@ -45,6 +51,10 @@ void AddSliderJoint(const scene::SliderSpec& slider, const std::vector<Object>& 
                                            .damping = slider.damping,
                                            .restitution = slider.restitution,
                                            .softness = slider.softness});
+  if (!slider.do_members_collide) return;
+  // Contact would push apart what the rail holds together, for ever.
+  const auto blockers = world->OverlapsAt(b, world->body(b).pose_in_world(), kMaxOverlap).bodies;
+  if (std::ranges::find(blockers, a) != blockers.end()) world->LetPass(a, b);
 }
 
 }  // namespace smile::world

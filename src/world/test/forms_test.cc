@@ -65,7 +65,7 @@ TEST_F(FormsTest, ASwitchIsFeltInItsPosition) {
   const auto is_felt_at = [&](double x) {
     // The outer end of a raised button is some 5 cm higher than that of a pressed one.
     const RigidTransform X_WProbe(Vector3(x, 0, 0.1 + 0.05));
-    return !world_->OverlapsAt(probe, X_WProbe, 0.001).empty();
+    return !world_->OverlapsAt(probe, X_WProbe, 0.001).bodies.empty();
   };
   EXPECT_FALSE(is_felt_at(-0.08)) << "left lies flat";
   EXPECT_TRUE(is_felt_at(0.08)) << "right is raised";

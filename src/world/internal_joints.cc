@@ -8,7 +8,7 @@ namespace {
 /// How far from the middle of an end piece the chain hangs on it, towards the other end [units].
 constexpr double kEndAnchorUnits = 0.1;
 /// Members of a slider that begin deeper in one another than this do not collide [m].
-constexpr double kMaxOverlap = 0.001;
+constexpr double kMaxMemberOverlap = 0.001;
 
 void AddBall(physics::BodyId a, const Vector3& p_AQ, physics::BodyId b, const Vector3& p_BQ,
              physics::World* world) {
@@ -53,7 +53,8 @@ void AddSliderJoint(const scene::SliderSpec& slider, const std::vector<Object>& 
                                            .softness = slider.softness});
   if (!slider.do_members_collide) return;
   // Contact would push apart what the rail holds together, for ever.
-  const auto blockers = world->OverlapsAt(b, world->body(b).pose_in_world(), kMaxOverlap).bodies;
+  const auto blockers =
+      world->OverlapsAt(b, world->body(b).pose_in_world(), kMaxMemberOverlap).bodies;
   if (std::ranges::find(blockers, a) != blockers.end()) world->LetPass(a, b);
 }
 

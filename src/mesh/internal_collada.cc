@@ -26,6 +26,8 @@ namespace smile::mesh {
 namespace {
 
 constexpr const char* kOnlyFile = "mesh.dae";
+/// How the child ends when its answer is what is wrong; unlike any ending of a library's.
+constexpr int kRefused = 42;
 constexpr const char* kTooMuch =
     "is no DAE that can be read: it is damaged or takes too much time or memory";
 
@@ -212,7 +214,7 @@ void LimitThisProcess() {
   } catch (const std::exception& error) {
     WriteAll(to, error.what(), std::strlen(error.what()));
   }
-  _exit(1);
+  _exit(kRefused);
 }
 
 }  // namespace
@@ -238,7 +240,8 @@ void ReadCollada(std::string_view bytes, TriangleSoup* soup) {
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
-  if (WIFEXITED(status) && WEXITSTATUS(status) == 1) throw BadMesh(answer);
+  if (WIFEXITED(status) && WEXITSTATUS(status) == kRefused && !answer.empty())
+    throw BadMesh(answer);
   Corners corners(answer.size() / sizeof(TriangleSoup::Corner));
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || corners.size() % 3 != 0) {
     throw BadMesh(kTooMuch);

@@ -1,5 +1,6 @@
 // Whatever hands do to a scene with one of every mechanism, it can be taken back exactly.
 
+#include <map>
 #include <random>
 
 #include "everything_scene.h"
@@ -18,20 +19,22 @@ class RandomHands {
     switch (random_() % 10) {
       case 0:
       case 1:
-        return Grasp{.hand = hand, .object = object};
+        // The panel stays: whoever destroys it takes all controls away.
+        return Grasp{.hand = hand, .object = object == "panel" ? "ball" : object};
       case 2:
         return MoveTo{.hand = hand, .p_WH = {Uniform(0.6), Uniform(0.4), 0.1 + Uniform(0.1)}};
       case 3:
         return Rotate{.hand = hand, .angles_deg = {Uniform(90), Uniform(90), Uniform(90)}};
       case 4:
         return Release{.hand = hand};
+      // The hand that never holds anything, so that it can.
       case 5:
-        return Trigger{.hand = hand,
+        return Trigger{.hand = HandName::kAny,
                        .control = Pick(std::vector<std::string>{"power", "lamps", "dial"})};
       case 6:
-        return Fasten{.hand = hand, .object = Pick(kScrews)};
+        return Fasten{.hand = HandName::kAny, .object = Pick(kScrews)};
       case 7:
-        return Loosen{.hand = hand, .object = Pick(kScrews)};
+        return Loosen{.hand = HandName::kAny, .object = Pick(kScrews)};
       case 8:
         return Point{.hand = hand, .part = object};
       default:
@@ -55,7 +58,7 @@ class RandomHands {
 class MechanismsProperty : public SimulationFixture,
                            public ::testing::WithParamInterface<unsigned> {};
 
-INSTANTIATE_TEST_SUITE_P(Seeds, MechanismsProperty, testing::Range(1u, 6u));
+INSTANTIATE_TEST_SUITE_P(Seeds, MechanismsProperty, testing::Range(11u, 16u));
 
 TEST_P(MechanismsProperty, EverythingDoneCanBeTakenBackAndDoneAgain) {
   struct Moment {
@@ -66,7 +69,7 @@ TEST_P(MechanismsProperty, EverythingDoneCanBeTakenBackAndDoneAgain) {
   Simulation simulation(EverythingScene::Make());
   RandomHands hands(GetParam());
   std::vector<Moment> moments;
-  int num_done = 0;
+  std::map<std::size_t, int> num_done;  // of each kind of command
   for (int i = 0; i < 80; ++i) {
     const Command command = hands.Next(simulation);
     moments.push_back({simulation.Save(), simulation.state_hash(), command});
@@ -74,11 +77,12 @@ TEST_P(MechanismsProperty, EverythingDoneCanBeTakenBackAndDoneAgain) {
     if (simulation.Apply(command)) {
       EXPECT_EQ(simulation.state_hash(), before) << "a refused command changed something";
     } else {
-      ++num_done;
+      ++num_done[command.index()];
     }
     for (int tick = 0; tick < 5; ++tick) simulation.Tick();
   }
-  EXPECT_GT(num_done, 15);
+  EXPECT_GT(num_done[Command(Trigger{}).index()], 0);
+  EXPECT_GT(num_done[Command(Fasten{}).index()] + num_done[Command(Loosen{}).index()], 0);
   const std::uint64_t end = simulation.state_hash();
 
   for (auto moment = moments.rbegin(); moment != moments.rend(); ++moment) {

@@ -18,7 +18,7 @@ enum class BrainTransport {
 
 struct BrainOptions {
   double start_seconds = 60;    ///< from the start to the end of init, wall clock
-  double callback_seconds = 2;  ///< for each callback, wall clock
+  double callback_seconds = 5;  ///< for each callback, wall clock: busy machines are slow
   BrainTransport transport = BrainTransport::kAutomatic;
   /// What the program prints, line by line, cleaned for a terminal and limited in rate. Called on
   /// another thread; must not throw.

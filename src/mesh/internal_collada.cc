@@ -246,6 +246,7 @@ void ReadCollada(std::string_view bytes, TriangleSoup* soup) {
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || corners.size() % 3 != 0) {
     throw BadMesh(kTooMuch);
   }
+  if (corners.empty()) return;
   std::memcpy(corners.data(), answer.data(), corners.size() * sizeof corners[0]);
   for (std::size_t k = 0; k < corners.size(); k += 3) {
     soup->Add(corners[k], corners[k + 1], corners[k + 2]);

@@ -195,7 +195,9 @@ class TreeBuilder {
     if (first == text.end() || open_.empty() || has_refused_text_) return;
     has_refused_text_ = true;
     // The parser stands behind the text.
-    const int line = current_line() - static_cast<int>(std::count(first, text.end(), '\n'));
+    // The parser counts no further once it has met an error.
+    const int line =
+        std::max(1, current_line() - static_cast<int>(std::count(first, text.end(), '\n')));
     std::string_view shown = text.substr(first - text.begin());
     shown = shown.substr(0, shown.find_first_of("\r\n"));
     findings_->Add({file_, line}, AddressOf(*open_.back()),

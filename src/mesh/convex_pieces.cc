@@ -215,17 +215,17 @@ class Decomposition {
   void Join() {
     while (cells_.size() > 1) {
       std::optional<std::pair<std::size_t, std::size_t>> best;
-      double least = kPieceExcess;
+      // Not more than the pieces fill too much already, and a little.
+      double least = 0.01;
       LatticeHull joined;
       for (std::size_t i = 0; i < cells_.size(); ++i) {
         for (std::size_t j = i + 1; j < cells_.size(); ++j) {
           if (!DoTouch(cells_[i].box, cells_[j].box)) continue;
           auto hull = HullOfBoth(cells_[i].hull, cells_[j].hull);
           if (!hull) continue;
-          // Not more than the pieces fill too much already, and a little.
           const double filled = cells_[i].hull.volume + cells_[j].hull.volume;
           const double excess = (hull->volume - filled) / hull->volume;
-          if (excess >= std::min(least, 0.01)) continue;
+          if (excess >= least) continue;
           least = excess;
           best = {i, j};
           joined = *std::move(hull);

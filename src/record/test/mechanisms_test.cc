@@ -1,7 +1,5 @@
 // Controls, bonds, sliders, chains and destroyed things in a recording.
 
-#include <sstream>
-
 #include "record/replay.h"
 #include "record/trace.h"
 #include "recording_fixture.h"
@@ -57,10 +55,9 @@ class MechanismsRecordingTest : public RecordingFixture {
  protected:
   std::filesystem::path RecordWork() { return Record(kWork, false, nullptr, kWorkshop); }
 
+  /// Without its frame number.
   static std::string FirstLine(const std::filesystem::path& path) {
-    std::istringstream text(ReadFile(path, 1 << 20));
-    std::string line;
-    std::getline(text, line);
+    const std::string line = Lines(path).at(0);
     return line.substr(line.find(',') + 1);
   }
   static bool HasLine(const std::filesystem::path& path, const std::string& fields) {

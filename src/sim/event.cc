@@ -20,6 +20,10 @@ std::string_view ToString(EventKind kind) {
       return "fastened";
     case EventKind::kLoosened:
       return "loosened";
+    case EventKind::kAttended:
+      return "attended";
+    case EventKind::kFell:
+      return "fell";
     case EventKind::kGripperHolds:
       return "gripper_holds";
     case EventKind::kGripperLetGo:

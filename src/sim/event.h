@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "demonstrator/hand.h"
 
@@ -19,6 +20,8 @@ enum class EventKind {
   kFastened,        ///< `object` is fastened one stage tighter, to `tightness`
   kLoosened,        ///< `object` is loosened one stage, to `tightness`; 0: it came free, by no
                     ///< hand when one of the two was destroyed
+  kAttended,        ///< a hand told which `properties` of the object it holds matter
+  kFell,            ///< an object left the table and lies on the floor, out of play
   kGripperHolds,    ///< a closing gripper got hold of an object
   kGripperLetGo,    ///< an opening gripper let go of it
   kCommandRefused,  ///< a command was not carried out; `reason` says why
@@ -39,6 +42,7 @@ struct Event {
   std::string state;          ///< as recordings have it, see world::RecordedState()
   int guest = -1, host = -1;  ///< of Bonds::guests() and Bonds::hosts(), where a bond's
   int tightness = 0;
+  std::vector<std::string> properties;  ///< that matter; none: nothing in particular
 
   bool operator==(const Event&) const = default;
 };

@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -97,7 +98,40 @@ struct ShowRobot {
   bool operator==(const ShowRobot&) const = default;
 };
 
+/// Takes back the last action of a hand, with everything since; see IsAction().
+struct Undo {
+  bool operator==(const Undo&) const = default;
+};
+
+/// Does the last undone action again, up to the moment at which it was undone.
+struct Redo {
+  bool operator==(const Redo&) const = default;
+};
+
+/// From now on everything is recorded, into a new directory.
+struct StartRecording {
+  std::string name;  ///< of the directory; a number is added if it is taken
+  std::string title, notes;
+  bool operator==(const StartRecording&) const = default;
+};
+
+struct FinishRecording {
+  bool operator==(const FinishRecording&) const = default;
+};
+
 using Command = std::variant<Grasp, MoveTo, Rotate, Release, Destroy, Point, Trigger, Fasten,
-                             Loosen, JointVelocities, JointAngles, ShowRobot>;
+                             Loosen, JointVelocities, JointAngles, ShowRobot, Undo, Redo,
+                             StartRecording, FinishRecording>;
+
+/// True of what a hand does to the world or shows: it begins a new segment of a recording, and can
+/// be undone.
+template <class Kind>
+inline constexpr bool kIsAction =
+    std::is_same_v<Kind, Grasp> || std::is_same_v<Kind, Release> || std::is_same_v<Kind, Destroy> ||
+    std::is_same_v<Kind, Point> || std::is_same_v<Kind, Trigger> || std::is_same_v<Kind, Fasten> ||
+    std::is_same_v<Kind, Loosen>;
+inline bool IsAction(const Command& command) {
+  return std::visit([]<class Kind>(const Kind&) { return kIsAction<Kind>; }, command);
+}
 
 }  // namespace smile::sim

@@ -75,6 +75,22 @@ Json ToJson(const Command& command, double unit) {
                  },
                  [&](const ShowRobot& show) {
                    return Json{{"do", "robot"}, {"shown", show.is_shown}};
+                 },
+                 [](const Undo&) {
+                   return Json{{"do", "undo"}};
+                 },
+                 [](const Redo&) {
+                   return Json{{"do", "redo"}};
+                 },
+                 [](const StartRecording& start) {
+                   Json json = {{"do", "start"}};
+                   if (!start.name.empty()) json["name"] = start.name;
+                   if (!start.title.empty()) json["title"] = start.title;
+                   if (!start.notes.empty()) json["notes"] = start.notes;
+                   return json;
+                 },
+                 [](const FinishRecording&) {
+                   return Json{{"do", "finish"}};
                  }},
       command);
 }

@@ -140,6 +140,28 @@ const std::vector<Form>& Forms() {
        [](const Json& json, double) -> Command {
          return ShowRobot{.is_shown = json.at("shown").get<bool>()};
        }},
+      {"undo",
+       "takes back the last action of a hand, with everything since",
+       {},
+       [](const Json&, double) -> Command { return Undo(); }},
+      {"redo",
+       "does what was undone last again, up to when it was undone",
+       {},
+       [](const Json&, double) -> Command { return Redo(); }},
+      {"start",
+       "records from now on, into a new directory",
+       {{"name", Kind::kText, false, "of the directory; the scene's if not given"},
+        {"title", Kind::kText, false, "of the recording"},
+        {"notes", Kind::kText, false, "about the recording"}},
+       [](const Json& json, double) -> Command {
+         return StartRecording{.name = json.value("name", ""),
+                               .title = json.value("title", ""),
+                               .notes = json.value("notes", "")};
+       }},
+      {"finish",
+       "finishes the recording",
+       {},
+       [](const Json&, double) -> Command { return FinishRecording(); }},
   };
   return kForms;
 }

@@ -57,10 +57,56 @@ std::optional<HandName> HandOf(const Command& command) {
       command);
 }
 
+bool ChangesWorld(const Command& command) {
+  return !std::holds_alternative<Undo>(command) && !std::holds_alternative<Redo>(command) &&
+         !std::holds_alternative<StartRecording>(command) &&
+         !std::holds_alternative<FinishRecording>(command);
+}
+
 }  // namespace
 
 std::optional<Refusal> Simulation::Apply(const Command& wanted) {
   const Command command = OnFileGrid(wanted, scene_.meters_per_unit);
+  std::optional<Refusal> refusal;
+  for (Listener* listener : listeners_) {
+    if (!refusal) refusal = listener->Refuse(*this, command);
+  }
+  if (!refusal) refusal = ChangesWorld(command) ? Perform(command) : Carry(command);
+  if (refusal) Tell({.kind = EventKind::kCommandRefused, .reason = *refusal});
+  return refusal;
+}
+
+std::optional<Refusal> Simulation::Carry(const Command& command) {
+  return std::visit([this](const auto& what) { return Carry(what); }, command);
+}
+
+std::optional<Refusal> Simulation::Carry(const Undo&) {
+  if (!history_.can_undo()) return "there is nothing to undo";
+  Restore(history_.Undo(Save()));
+  for (Listener* listener : listeners_) listener->OnUndo(*this);
+  return std::nullopt;
+}
+
+std::optional<Refusal> Simulation::Carry(const Redo&) {
+  if (!history_.can_redo()) return "there is nothing to do again";
+  Restore(history_.Redo());
+  for (Listener* listener : listeners_) listener->OnRedo(*this);
+  return std::nullopt;
+}
+
+std::optional<Refusal> Simulation::Carry(const StartRecording& start) {
+  if (recording_control_ == nullptr) return "nobody records this simulation";
+  return recording_control_->Start(*this, start);
+}
+
+std::optional<Refusal> Simulation::Carry(const FinishRecording&) {
+  if (recording_control_ == nullptr) return "nobody records this simulation";
+  return recording_control_->Finish(*this);
+}
+
+std::optional<Refusal> Simulation::Perform(const Command& command) {
+  std::optional<SimulationState> before_action;
+  if (IsAction(command)) before_action = Save();
   const auto held_by_grippers = HeldByGrippers();
   const bool is_of_bonds =
       std::holds_alternative<Fasten>(command) || std::holds_alternative<Loosen>(command);
@@ -71,10 +117,13 @@ std::optional<Refusal> Simulation::Apply(const Command& wanted) {
   const std::optional<HandName> hand = HandOf(command);
   const world::Object* held = hand ? tabletop_.Find(demonstrator_.hand(*hand).held) : nullptr;
   const std::string held_before = held != nullptr ? held->id() : "";
-  auto refusal = std::visit([this](const auto& what) { return Carry(what); }, command);
-  if (refusal) {
-    Tell({.kind = EventKind::kCommandRefused, .reason = *refusal});
-    return refusal;
+  auto refusal = Carry(command);
+  if (refusal) return refusal;
+  has_begun_ = true;
+  if (before_action) {
+    history_.Add(*std::move(before_action));
+  } else {
+    history_.ForgetUndone();
   }
   for (Listener* listener : listeners_) listener->OnCommand(*this, command);
   TellOfCommand(command, held_before);
@@ -154,6 +203,7 @@ std::optional<Refusal> Simulation::Carry(const ShowRobot& show) {
 }
 
 void Simulation::Tick() {
+  has_begun_ = true;
   const auto before = HeldByGrippers();
   for (int step = 0; step < kStepsPerTick; ++step) {
     demonstrator_.BeforeStep();

@@ -14,6 +14,8 @@
 #include "scene/visual_model.h"
 #include "sim/command.h"
 #include "sim/event.h"
+#include "sim/history.h"
+#include "sim/simulation_state.h"
 #include "world/tabletop.h"
 
 namespace smile::sim {
@@ -38,21 +40,25 @@ class Simulation;
 class Listener {
  public:
   virtual ~Listener() = default;
-  /// A command was carried out at the present tick.
+  /// Asked before a command is carried out: why it must not be.
+  virtual std::optional<Refusal> Refuse(const Simulation&, const Command&) { return std::nullopt; }
+  /// A command was carried out at the present tick. Not told of Undo, Redo and of recording.
   virtual void OnCommand(const Simulation&, const Command&) {}
   virtual void OnEvent(const Simulation&, const Event&) {}
+  /// The last action was undone: the world, and its tick, are as they were before it.
+  virtual void OnUndo(const Simulation&) {}
+  /// It was done again: they are as they were when it was undone.
+  virtual void OnRedo(const Simulation&) {}
   /// A tick is over.
   virtual void OnTick(const Simulation&) {}
 };
 
-/// Everything a simulation needs to go on exactly as it would have.
-struct SimulationState {
-  std::uint64_t tick = 0;
-  physics::Snapshot physics;
-  world::TabletopState tabletop;
-  demonstrator::DemonstratorState demonstrator;
-  robot::RobotBodyState robot;
-  bool is_robot_shown = true;
+/// Who records when told to; see record/recording_desk.h.
+class RecordingControl {
+ public:
+  virtual ~RecordingControl() = default;
+  virtual std::optional<Refusal> Start(const Simulation&, const StartRecording&) = 0;
+  virtual std::optional<Refusal> Finish(const Simulation&) = 0;
 };
 
 /// The one owner of a running world: applies commands between ticks, keeps time, tells listeners.
@@ -72,6 +78,10 @@ class Simulation {
   void Tick();
 
   std::uint64_t tick() const { return tick_; }
+  /// False until the first command or tick.
+  bool has_begun() const { return has_begun_; }
+  bool can_undo() const { return history_.can_undo(); }
+  bool can_redo() const { return history_.can_redo(); }
   double seconds() const { return static_cast<double>(tick_) / kTicksPerSecond; }
   /// Of everything that decides what happens next, the tick included.
   std::uint64_t state_hash() const;
@@ -97,11 +107,17 @@ class Simulation {
 
   /// Listeners are told in the order they were added; each must outlive the simulation.
   void AddListener(Listener* listener) { listeners_.push_back(listener); }
+  void RemoveListener(Listener* listener) { std::erase(listeners_, listener); }
+  /// Without one, commands to record are refused. Must outlive the simulation.
+  void SetRecordingControl(RecordingControl* control) { recording_control_ = control; }
 
   SimulationState Save() const;
   void Restore(const SimulationState& state);
 
  private:
+  /// Carries out a command that changes the world, and tells what came of it.
+  std::optional<Refusal> Perform(const Command& command);
+  std::optional<Refusal> Carry(const Command& command);
   std::optional<Refusal> Carry(const Grasp& grasp);
   std::optional<Refusal> Carry(const MoveTo& move);
   std::optional<Refusal> Carry(const Rotate& rotate);
@@ -114,6 +130,10 @@ class Simulation {
   std::optional<Refusal> Carry(const JointVelocities& velocities);
   std::optional<Refusal> Carry(const JointAngles& angles);
   std::optional<Refusal> Carry(const ShowRobot& show);
+  std::optional<Refusal> Carry(const Undo& undo);
+  std::optional<Refusal> Carry(const Redo& redo);
+  std::optional<Refusal> Carry(const StartRecording& start);
+  std::optional<Refusal> Carry(const FinishRecording& finish);
   std::optional<Refusal> RefuseArm(const std::optional<std::vector<double>>& values, int arm) const;
   void Tell(const Event& event);
   /// What a command did to the object it is about.
@@ -134,9 +154,12 @@ class Simulation {
   std::unique_ptr<robot::RobotBody> robot_;
   bool is_robot_shown_ = true;
   std::uint64_t tick_ = 0;
+  bool has_begun_ = false;
+  History history_;
   scene::VisualModel visual_model_;
   int first_robot_frame_ = 0;
   std::vector<Listener*> listeners_;
+  RecordingControl* recording_control_ = nullptr;
 };
 
 /// Base frame of a robot (x forward, z up) that stands at the near edge of a table and faces it.

@@ -50,6 +50,10 @@ TEST(CommandJson, RoundTripsEveryKindToTheLastBit) {
             .left = {{number(), number()}}, .grippers = {{number(), number()}}, .head = number()},
         JointAngles{.right = {{number()}}},
         ShowRobot{.is_shown = false},
+        Undo(),
+        Redo(),
+        StartRecording{.name = "um", .title = "UM", .notes = "twice, \"quickly\""},
+        FinishRecording(),
     };
     for (const Command& command : commands) {
       const Command on_grid = OnFileGrid(command, kUnit);
@@ -66,7 +70,7 @@ TEST(CommandJson, SaysWhatWasFoundAndExpected) {
   EXPECT_EQ(MessageOf(R"({"do":"grab","hand":"left"})"),
             "\"do\" is \"grab\", expected one of grasp, move_to, rotate, release, destroy, "
             "point, trigger, fasten, loosen, "
-            "joint_velocities, joint_angles, robot");
+            "joint_velocities, joint_angles, robot, undo, redo, start, finish");
   EXPECT_EQ(MessageOf(R"({"hand":"third","do":"release"})"),
             "\"hand\" is \"third\", expected left, right, both or any");
   EXPECT_EQ(MessageOf(R"({"hand":"left","do":"move_to","position":[1,2]})"),

@@ -11,6 +11,7 @@
 #include "base/diagnostic.h"
 #include "camera/renderer.h"
 #include "record/png.h"
+#include "record/sight.h"
 #include "scene_xml/scene_reader.h"
 
 namespace smile::app {
@@ -62,7 +63,7 @@ void RenderPicture(const sim::Simulation& simulation, const record::TraceTick& m
       .look = is_eye ? camera::Look::kRobotEye : camera::Look::kPresentation,
       .excluded_frames = HiddenFrames(moment, simulation, is_eye)};
   const Image image = camera::Renderer().Render(
-      simulation.visual_model(), VisualStateAt(moment, simulation),
+      simulation.visual_model(), record::VisualStateAt(moment, simulation),
       FindView(options.camera, simulation, moment.joints, ParseSize(options.size)), render);
   const auto write = [](auto writer, const std::filesystem::path& path, const Image& what) {
     writer(path, what);

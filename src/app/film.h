@@ -18,11 +18,6 @@ struct FilmOptions {
   std::string progress;  ///< shown while it works; empty for silence
 };
 
-/// A recorded moment, for the visual model of `simulation`, which runs the recording's scene and
-/// robot.
-scene::VisualState VisualStateAt(const record::TraceTick& moment,
-                                 const sim::Simulation& simulation);
-
 /// Frames that were not to be seen at that moment: a hidden robot's; from the eye, the head it sits
 /// in.
 std::vector<int> HiddenFrames(const record::TraceTick& moment, const sim::Simulation& simulation,

@@ -2,14 +2,12 @@
 
 namespace smile::app {
 
-const Image& RenderedEye::Look(const sim::Simulation& simulation) {
-  scene::VisualState state = simulation.visual_state();
-  std::vector<int> hidden = sim::FramesHiddenFromEye(simulation);
-  if (state == seen_ && hidden == seen_hidden_) return image_;
-  renderer_.Render(simulation.visual_model(), state, sim::EyeView(simulation, spec_),
-                   {.look = camera::Look::kRobotEye, .excluded_frames = hidden}, &image_);
-  seen_ = std::move(state);
-  seen_hidden_ = std::move(hidden);
+const Image& RenderedEye::Draw(const scene::VisualModel& model, const sim::Sight& sight) {
+  if (sight == seen_) return image_;
+  renderer_.Render(model, sight.state, sight.view,
+                   {.look = camera::Look::kRobotEye, .excluded_frames = sight.hidden_frames},
+                   &image_);
+  seen_ = sight;
   return image_;
 }
 

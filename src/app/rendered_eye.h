@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "camera/renderer.h"
 #include "sim/eye.h"
 
@@ -10,15 +12,14 @@ class RenderedEye : public sim::Eye {
  public:
   explicit RenderedEye(const sim::EyeSpec& spec) : spec_(spec) {}
 
-  const Image& Look(const sim::Simulation& simulation) override;
+  const Image& Draw(const scene::VisualModel& model, const sim::Sight& sight) override;
   const sim::EyeSpec& spec() const override { return spec_; }
 
  private:
   sim::EyeSpec spec_;
   camera::Renderer renderer_;
   Image image_;
-  scene::VisualState seen_;
-  std::vector<int> seen_hidden_;
+  std::optional<sim::Sight> seen_;
 };
 
 }  // namespace smile::app

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 
 namespace smile::record {
 namespace {
@@ -19,6 +20,17 @@ AppendFile::AppendFile(const std::filesystem::path& path)
   if (!file_) Fail(path_);
 }
 
+AppendFile::AppendFile(const std::filesystem::path& path, std::uint64_t size)
+    : path_(path), file_(nullptr, &std::fclose), size_(size) {
+  std::error_code error;
+  std::filesystem::resize_file(path_, size, error);
+  if (error) {
+    throw std::runtime_error(path.string() + ": cannot be cut: " + error.message());
+  }
+  file_.reset(std::fopen(path.c_str(), "abe"));
+  if (!file_) Fail(path_);
+}
+
 void AppendFile::Append(std::string_view text) {
   Append(std::as_bytes(std::span(text.data(), text.size())));
 }
@@ -28,6 +40,7 @@ void AppendFile::Append(std::span<const std::byte> bytes) {
       std::fflush(file_.get()) != 0) {
     Fail(path_);
   }
+  size_ += bytes.size();
 }
 
 }  // namespace smile::record

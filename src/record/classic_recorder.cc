@@ -7,6 +7,7 @@
 #include "math/angles.h"
 #include "record/classic_text.h"
 #include "record/png.h"
+#include "record/sight.h"
 #include "scene/controls_of.h"
 #include "scene/units.h"
 
@@ -24,65 +25,95 @@ bool HasTurned(const Vector3& from_deg, const Vector3& to_deg) {
   return false;
 }
 
-}  // namespace
-
-ClassicRecorder::ClassicRecorder(const std::filesystem::path& directory, double frames_per_second,
-                                 sim::Eye* eye, const sim::Simulation& simulation)
-    : directory_(directory),
-      frames_per_second_(frames_per_second),
-      eye_(eye),
-      first_tick_(simulation.tick()),
-      index_(directory / "frames.csv"),
-      written_(simulation.tabletop().objects().size()) {
-  index_.Append("frame,tick,image\n");
-  OpenSegment();
-  WriteStart(simulation);
-  Watch(simulation);
+std::string Joined(const std::vector<std::string>& texts) {
+  std::string joined;
+  for (const std::string& text : texts) joined += "," + ClassicValue(text);
+  return joined;
 }
 
-void ClassicRecorder::WriteStart(const sim::Simulation& simulation) {
-  const world::Tabletop& tabletop = simulation.tabletop();
-  for (const world::Object& object : tabletop.objects()) {
-    if (!tabletop.IsPresent(object)) continue;
+}  // namespace
+
+ClassicRecorder::ClassicRecorder(const std::filesystem::path& directory,
+                                 const ClassicOptions& options, sim::Eye* eye,
+                                 const sim::Simulation& stage, const TraceTick& first,
+                                 const std::vector<sim::Event>& holds)
+    : directory_(directory),
+      options_(options),
+      eye_(eye),
+      stage_(&stage),
+      first_tick_(first.tick),
+      index_(directory / "frames.csv") {
+  state_.written.resize(first.objects.size());
+  state_.is_gone.resize(first.objects.size());
+  index_.Append("frame,tick,image\n");
+  OpenSegment();
+  WriteStart(first, holds);
+  Watch(first);
+}
+
+std::filesystem::path ClassicRecorder::TextPath(int segment) const {
+  return directory_ / (std::to_string(segment) + ".txt");
+}
+
+std::filesystem::path ClassicRecorder::PictureFolder(int segment) const {
+  return directory_ / std::to_string(segment);
+}
+
+void ClassicRecorder::OpenSegment() {
+  MakeDirectories(PictureFolder(state_.segment));
+  if (options_.has_symbols) text_.emplace(TextPath(state_.segment));
+}
+
+void ClassicRecorder::WriteStart(const TraceTick& first, const std::vector<sim::Event>& holds) {
+  const world::Tabletop& tabletop = stage_->tabletop();
+  for (std::size_t i = 0; i < first.objects.size(); ++i) {
+    const world::Object& object = tabletop.objects()[i];
+    if (!first.objects[i].is_present) continue;
     std::string line = "create," + object.id();
     for (const scene::Description& description : object.spec->descriptions) {
       line += "," + description.name + "," + ClassicValue(description.value);
     }
     WriteLine(line);
   }
-  for (std::size_t i = 0; i < tabletop.controls().all().size(); ++i) {
+  for (std::size_t i = 0; i < first.controls.size(); ++i) {
     const world::Control& control = tabletop.controls().all()[i];
-    if (!tabletop.IsPresent(control)) continue;
+    if (!first.objects[control.object].is_present) continue;
     WriteLine("initializeControl," + control.id() + "," + scene::KindOf(*control.part) + "," +
               tabletop.objects()[control.object].id() + "," +
-              RecordedState(control, tabletop.controls().states()[i]));
+              RecordedState(control, first.controls[i]));
+  }
+  for (const sim::Event& hold : holds) {
+    WriteLine("grasp," + std::string(ClassicHandName(*hold.hand)) + "," + hold.object);
   }
 }
 
-void ClassicRecorder::OpenSegment() {
-  ++segment_;
-  const std::string name = std::to_string(segment_);
-  MakeDirectories(directory_ / name);
-  text_.emplace(directory_ / (name + ".txt"));
-}
-
 void ClassicRecorder::WriteLine(const std::string& fields) {
-  text_->Append(std::to_string(frame_) + "," + fields + "\n");
+  if (text_) text_->Append(std::to_string(state_.frame) + "," + fields + "\n");
 }
 
 void ClassicRecorder::Begin(const std::string& action, const sim::Event& event,
                             const std::string& fields) {
+  ++state_.segment;
   OpenSegment();
   WriteLine(action + "," + std::string(ClassicHandName(*event.hand)) +
             (fields.empty() ? "" : "," + fields));
 }
 
-void ClassicRecorder::Note(const sim::Event& event, const sim::Simulation& simulation) {
+void ClassicRecorder::Note(const sim::Event& event) {
   using enum sim::EventKind;
-  if (event.kind == kControlChanged) {
-    WriteLine("changeControlState," + event.control + "," + event.state);
-    has_news_ = true;
-    return;
+  const world::Tabletop& tabletop = stage_->tabletop();
+  switch (event.kind) {
+    case kControlChanged:
+      WriteLine("changeControlState," + event.control + "," + event.state);
+      state_.has_news = true;
+      return;
+    case kFell:
+      for (std::size_t i = 0; i < tabletop.objects().size(); ++i) {
+        if (tabletop.objects()[i].id() == event.object) state_.falling.push_back(i);
+      }
+      return;
+    default:
+      break;
   }
   if (!event.hand) return;
   switch (event.kind) {
@@ -93,7 +124,7 @@ void ClassicRecorder::Note(const sim::Event& event, const sim::Simulation& simul
     case kDestroyed:
       Begin("destroy", event);
       WriteLine("delete," + event.object);
-      has_news_ = true;
+      state_.has_news = true;
       return;
     case kPointed:
       return Begin("pointTo", event, event.part + "," + event.object);
@@ -101,7 +132,6 @@ void ClassicRecorder::Note(const sim::Event& event, const sim::Simulation& simul
       return Begin("trigger", event, event.control);
     case kFastened:
     case kLoosened: {
-      const world::Tabletop& tabletop = simulation.tabletop();
       const world::Host& host = tabletop.bonds().hosts()[static_cast<std::size_t>(event.host)];
       const world::Guest& guest = tabletop.bonds().guests()[static_cast<std::size_t>(event.guest)];
       return Begin(event.kind == kFastened ? "fasten" : "loosen", event,
@@ -109,55 +139,80 @@ void ClassicRecorder::Note(const sim::Event& event, const sim::Simulation& simul
                        guest.point->id + "," + event.object + "," +
                        std::to_string(event.tightness));
     }
+    case kAttended:
+      return WriteLine("attend," + std::string(ClassicHandName(*event.hand)) + "," + event.object +
+                       Joined(event.properties));
     default:
       return;
   }
 }
 
-void ClassicRecorder::Watch(const sim::Simulation& simulation) {
+void ClassicRecorder::Watch(const TraceTick& now) {
   // Frame k is due at the first tick that is at least k / frames_per_second after the start.
-  const auto elapsed = static_cast<double>(simulation.tick() - first_tick_);
-  const double due = static_cast<double>(frame_) * sim::kTicksPerSecond / frames_per_second_;
-  if (elapsed + 1e-9 >= due) WriteFrame(simulation);
+  const auto elapsed = static_cast<double>(now.tick - first_tick_);
+  const double due =
+      static_cast<double>(state_.frame) * sim::kTicksPerSecond / options_.frames_per_second;
+  if (elapsed + 1e-9 >= due) WriteFrame(now);
 }
 
-void ClassicRecorder::WriteFrame(const sim::Simulation& simulation) {
-  bool has_changed = std::exchange(has_news_, false);
-  for (std::size_t i = 0; i < written_.size(); ++i) {
-    if (!simulation.tabletop().IsPresent(simulation.tabletop().objects()[i])) continue;
-    has_changed = WriteMove(simulation, i) || has_changed;
+std::string ClassicRecorder::PathOf(std::uint64_t frame) const {
+  return std::to_string(state_.segment) + "/" + std::to_string(frame) + ".png";
+}
+
+void ClassicRecorder::WriteFrame(const TraceTick& now) {
+  bool has_changed = std::exchange(state_.has_news, false);
+  for (std::size_t i = 0; i < now.objects.size(); ++i) {
+    if (!now.objects[i].is_present || state_.is_gone[i]) continue;
+    has_changed = WriteMove(i, now.objects[i]) || has_changed;
+  }
+  for (std::size_t i : std::exchange(state_.falling, {})) {
+    if (!now.objects[i].is_present || state_.is_gone[i]) continue;
+    WriteMove(i, now.objects[i], /*is_last=*/true);
+    WriteLine("delete," + stage_->tabletop().objects()[i].id());
+    state_.is_gone[i] = true;
   }
   std::string image;
   if (has_changed && eye_ != nullptr) {
-    image = std::to_string(segment_) + "/" + std::to_string(frame_) + ".png";
-    WritePng(directory_ / image, eye_->Look(simulation));
+    image = PathOf(state_.frame);
+    WritePng(directory_ / image,
+             eye_->Draw(stage_->visual_model(), SightAt(now, *stage_, eye_->spec())));
   }
-  index_.Append(std::to_string(frame_) + "," + std::to_string(simulation.tick()) + "," + image +
-                "\n");
-  ++frame_;
+  index_.Append(std::to_string(state_.frame) + "," + std::to_string(now.tick) + "," + image + "\n");
+  ++state_.frame;
 }
 
-bool ClassicRecorder::WriteMove(const sim::Simulation& simulation, std::size_t i) {
-  const world::Object& object = simulation.tabletop().objects()[i];
-  const physics::Body& body = simulation.physics().body(object.body);
-  const RigidTransform X_WB = body.pose_in_world();
+bool ClassicRecorder::WriteMove(std::size_t i, const TracePose& pose, bool is_last) {
+  const RigidTransform X_WB = pose.pose_in_world();
   const Written now{
-      .position = scene::ToFileUnits(X_WB.translation(), simulation.scene().meters_per_unit),
+      .position = scene::ToFileUnits(X_WB.translation(), stage_->scene().meters_per_unit),
       .angles_deg = FixedAxesAngles(X_WB.rotation()),
-      .is_awake = body.is_awake()};
-  std::optional<Written>& last = written_[i];
+      .is_awake = pose.is_awake};
+  std::optional<Written>& last = state_.written[i];
   const bool fell_asleep = last && last->is_awake && !now.is_awake;
   // Also when it moved between two frames and sleeps again.
   const bool has_moved = last && ((now.position - last->position).squaredNorm() > kMovedSquared ||
                                   HasTurned(last->angles_deg, now.angles_deg));
-  if (last && !fell_asleep && !has_moved) return false;
+  if (last && !fell_asleep && !has_moved && !is_last) return false;
 
-  std::string line = "move," + object.id();
+  std::string line = "move," + stage_->tabletop().objects()[i].id();
   for (double number : now.position) line += "," + ClassicNumber(number);
   for (double number : now.angles_deg) line += "," + ClassicNumber(number);
   WriteLine(line);
   last = now;
   return true;
+}
+
+void ClassicRecorder::Return(const Mark& mark) {
+  for (std::uint64_t frame = mark.state.frame; frame < state_.frame; ++frame) {
+    std::filesystem::remove(PictureFolder(mark.state.segment) / (std::to_string(frame) + ".png"));
+  }
+  for (int segment = state_.segment; segment > mark.state.segment; --segment) {
+    std::filesystem::remove(TextPath(segment));
+    std::filesystem::remove_all(PictureFolder(segment));
+  }
+  if (text_) text_.emplace(TextPath(mark.state.segment), mark.text_size);
+  index_ = AppendFile(directory_ / "frames.csv", mark.index_size);
+  state_ = mark.state;
 }
 
 }  // namespace smile::record

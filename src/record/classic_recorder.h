@@ -1,18 +1,26 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "record/append_file.h"
+#include "record/trace.h"
 #include "sim/eye.h"
 #include "sim/simulation.h"
 
 namespace smile::record {
 
-/// Writes the classic view of a recording while it happens: numbered text segments, one action in
-/// each, and a picture of the robot's eye for every frame in which something moved.
+struct ClassicOptions {
+  double frames_per_second = 4;  ///< at most 60
+  bool has_symbols = true;       ///< false: pictures only
+};
+
+/// Writes the classic view of a recording, while it happens or from its trace: numbered text
+/// segments, one action in each, and a picture of the robot's eye for every frame in which
+/// something changed.
 ///
 ///     0.txt  0/0.png      what is there
 ///     1.txt  1/4.png …    `4,grasp,AnyHand,b01`, then what moved
@@ -21,14 +29,19 @@ namespace smile::record {
 /// picture of every frame.
 class ClassicRecorder {
  public:
-  /// @param eye  takes the pictures; nullptr for text only.
-  ClassicRecorder(const std::filesystem::path& directory, double frames_per_second, sim::Eye* eye,
-                  const sim::Simulation& simulation);
+  /// @param eye    takes the pictures; nullptr for text only.
+  /// @param stage  a simulation of the recording's scene and robot; only what never changes is
+  ///               asked of it. Must outlive this, as the eye.
+  /// @param first  the moment it begins with.
+  /// @param holds  what hands hold then, as grasps.
+  ClassicRecorder(const std::filesystem::path& directory, const ClassicOptions& options,
+                  sim::Eye* eye, const sim::Simulation& stage, const TraceTick& first,
+                  const std::vector<sim::Event>& holds);
 
-  /// A hand did something: a new segment begins. What that changed goes into it.
-  void Note(const sim::Event& event, const sim::Simulation& simulation);
-  /// To be called after each tick, and once at the start: writes a frame when one is due.
-  void Watch(const sim::Simulation& simulation);
+  /// Something happened. An action of a hand begins a new segment.
+  void Note(const sim::Event& event);
+  /// To be called after each tick: writes a frame when one is due.
+  void Watch(const TraceTick& now);
 
  private:
   struct Written {                       ///< an object's last `move` line
@@ -36,25 +49,47 @@ class ClassicRecorder {
     Vector3 angles_deg = Vector3::Zero();
     bool is_awake = false;
   };
+  /// What the lines to come depend on.
+  struct State {
+    int segment = 0;
+    std::uint64_t frame = 0;  ///< the next one to be written
+    std::vector<std::optional<Written>> written;
+    std::vector<std::size_t> falling;  ///< objects on the floor that have no last line yet
+    std::vector<bool> is_gone;         ///< fell: has no lines any more
+    bool has_news = false;             ///< something looks different, though nothing moved
+  };
 
+ public:
+  /// Where it stands, to return to.
+  struct Mark {
+    State state;
+    std::uint64_t text_size = 0, index_size = 0;
+  };
+  Mark mark() const { return {state_, text_ ? text_->size() : 0, index_.size()}; }
+  /// Takes out everything that was written since.
+  void Return(const Mark& mark);
+
+ private:
+  std::filesystem::path TextPath(int segment) const;
+  std::filesystem::path PictureFolder(int segment) const;
   void OpenSegment();
-  void WriteStart(const sim::Simulation& simulation);
+  void WriteStart(const TraceTick& first, const std::vector<sim::Event>& holds);
   /// Opens a segment with its action, which is its first line.
   void Begin(const std::string& action, const sim::Event& event, const std::string& fields = {});
   void WriteLine(const std::string& fields);
-  void WriteFrame(const sim::Simulation& simulation);
-  bool WriteMove(const sim::Simulation& simulation, std::size_t object);
+  void WriteFrame(const TraceTick& now);
+  /// Writes where an object is, if that is news.
+  bool WriteMove(std::size_t object, const TracePose& pose, bool is_last = false);
+  std::string PathOf(std::uint64_t frame) const;
 
   std::filesystem::path directory_;
-  double frames_per_second_;
+  ClassicOptions options_;
   sim::Eye* eye_;
+  const sim::Simulation* stage_;
   std::uint64_t first_tick_;
-  int segment_ = -1;
-  std::uint64_t frame_ = 0;  ///< the next one to be written
+  State state_;
   std::optional<AppendFile> text_;
   AppendFile index_;
-  std::vector<std::optional<Written>> written_;
-  bool has_news_ = false;  ///< something looks different, though nothing moved
 };
 
 }  // namespace smile::record

@@ -2,14 +2,14 @@
 
 #include <stdexcept>
 #include <system_error>
+#include <utility>
 
 #include "base/diagnostic.h"
 #include "base/files.h"
 #include "mesh/import_mesh.h"
-#include "record/recording.h"
+#include "record/trace_reader.h"
 #include "scene_xml/mesh_files.h"
 #include "scene_xml/scene_writer.h"
-#include "sim/command_json.h"
 
 namespace smile::record {
 namespace {
@@ -27,13 +27,7 @@ void WriteMeshes(const scene::SceneSpec& scene, const std::filesystem::path& fol
   }
 }
 
-/// Makes the directory with everything that stands there before the first tick; returns it.
-const std::filesystem::path& Prepare(const std::filesystem::path& directory,
-                                     const RecorderOptions& options, const sim::Eye* eye,
-                                     const sim::Simulation& simulation) {
-  if (simulation.tick() != 0) {
-    throw std::invalid_argument("recording: the simulation has already begun");
-  }
+void CheckBefore(const std::filesystem::path& directory, const RecorderOptions& options) {
   if (!(options.frames_per_second > 0 && options.frames_per_second <= sim::kTicksPerSecond)) {
     throw std::invalid_argument("recording: frames per second are " +
                                 std::to_string(options.frames_per_second) +
@@ -44,53 +38,160 @@ const std::filesystem::path& Prepare(const std::filesystem::path& directory,
     throw InputError({directory.string(), 0, "",
                       "exists already; a recording is never overwritten, name a new directory"});
   }
+}
+
+/// Makes the directory with scene, meshes and robot.
+void WriteWorld(const std::filesystem::path& directory, const sim::Simulation& simulation) {
   MakeDirectories(directory);
   WriteMeshes(simulation.scene(), directory / scene_xml::kMeshFolder);
   WriteFile(directory / "scene.xml", scene_xml::WriteScene(simulation.scene()));
+  const auto& placement = simulation.robot_placement();
+  if (!placement) return;
+  CopyFile(placement->urdf, directory / kRobotFile);
+  const auto side_file = std::filesystem::path(placement->urdf).replace_extension(".robot.json");
+  std::error_code error;
+  if (!std::filesystem::exists(side_file, error)) return;
+  CopyFile(side_file,
+           directory / std::filesystem::path(kRobotFile).replace_extension(".robot.json"));
+}
 
+DemoInfo InfoOf(const RecorderOptions& options, const sim::Eye* eye,
+                const sim::Simulation& simulation, const Moment& start) {
   DemoInfo info{.scene = simulation.scene().name,
                 .title = options.title,
                 .notes = options.notes,
                 .meters_per_unit = simulation.scene().meters_per_unit,
-                .frames_per_second = options.frames_per_second};
+                .origin = options.origin,
+                .start = start,
+                .frames_per_second = options.frames_per_second,
+                .has_symbols = options.has_symbols};
   if (const auto& placement = simulation.robot_placement()) {
     info.robot = RobotInfo{
         .name = placement->model.name, .gap = placement->gap, .height = placement->height};
-    CopyFile(placement->urdf, directory / kRobotFile);
-    const auto side_file = std::filesystem::path(placement->urdf).replace_extension(".robot.json");
-    if (std::filesystem::exists(side_file, error)) {
-      CopyFile(side_file,
-               directory / std::filesystem::path(kRobotFile).replace_extension(".robot.json"));
-    }
   }
   if (eye != nullptr) info.eye = EyeView(simulation, eye->spec());
-  WriteFile(directory / "demo.json", ToJsonText(info));
-  return directory;
+  return info;
+}
+
+ClassicOptions ClassicOptionsOf(const RecorderOptions& options) {
+  return {.frames_per_second = options.frames_per_second, .has_symbols = options.has_symbols};
+}
+
+/// What hands hold now, as grasps.
+std::vector<sim::Event> HoldsOf(const sim::Simulation& simulation) {
+  std::vector<sim::Event> holds;
+  for (demonstrator::HandName name : demonstrator::kHandNames) {
+    const demonstrator::Hand& hand = simulation.demonstrator().hand(name);
+    if (!hand.is_holding()) continue;
+    holds.push_back({.kind = sim::EventKind::kGrasped,
+                     .hand = name,
+                     .object = simulation.tabletop().Find(hand.held)->id()});
+  }
+  return holds;
 }
 
 }  // namespace
 
 Recorder::Recorder(const std::filesystem::path& directory, const RecorderOptions& options,
-                   sim::Eye* eye, const sim::Simulation& simulation)
-    : commands_(Prepare(directory, options, eye, simulation) / "commands.jsonl"),
-      trace_(directory / "trace.bin", simulation),
-      classic_(directory, options.frames_per_second, eye, simulation) {
-  trace_.Add(Observe(simulation));
+                   sim::Eye* eye, const sim::Simulation& simulation,
+                   const std::optional<std::vector<LoggedCommand>>& past)
+    : directory_(directory), tick_(simulation.tick()) {
+  if (simulation.has_begun() && !past) {
+    throw std::invalid_argument("recording: the simulation has already begun");
+  }
+  CheckBefore(directory, options);
+  WriteWorld(directory, simulation);
+  const TraceTick first = Observe(simulation);
+  const std::vector<sim::Event> holds = HoldsOf(simulation);
+  log_.emplace(directory / "commands.jsonl");
+  for (const LoggedCommand& logged : past.value_or(std::vector<LoggedCommand>())) {
+    Write({.tick = logged.tick, .what = logged.command}, simulation.scene().meters_per_unit);
+  }
+  trace_.emplace(directory / "trace.bin", simulation);
+  for (const sim::Event& hold : holds) trace_->Add(hold);
+  trace_->Add(first);
+  classic_.emplace(directory, ClassicOptionsOf(options), eye, simulation, first, holds);
+  // Last: whatever has it can be opened.
+  const Moment start{.line = num_lines_, .tick = tick_};
+  WriteFile(directory / "demo.json", ToJsonText(InfoOf(options, eye, simulation, start)));
+}
+
+void Recorder::Write(const LogLine& line, double meters_per_unit) {
+  log_->Append(ToJsonLine(line, meters_per_unit));
+  ++num_lines_;
+}
+
+Recorder::Mark Recorder::MarkNow() const {
+  return {.moment = {.line = num_lines_, .tick = tick_},
+          .place = trace_->place(),
+          .classic = classic_->mark()};
+}
+
+std::optional<sim::Refusal> Recorder::Refuse(const sim::Simulation&, const sim::Command& command) {
+  if (std::holds_alternative<sim::Undo>(command) && before_action_.empty()) {
+    return "there is nothing to undo in this recording; what was before its start can be undone "
+           "when it is finished";
+  }
+  if (std::holds_alternative<sim::Redo>(command) && undone_.empty()) {
+    return "there is nothing to do again in this recording";
+  }
+  return std::nullopt;
 }
 
 void Recorder::OnCommand(const sim::Simulation& simulation, const sim::Command& command) {
-  Json line = {{"tick", simulation.tick()}};
-  line.update(sim::ToJson(command, simulation.scene().meters_per_unit));
-  commands_.Append(ToText(line) + "\n");
+  undone_.clear();
+  if (IsAction(command)) before_action_.push_back(MarkNow());
+  Write({.tick = simulation.tick(), .what = command}, simulation.scene().meters_per_unit);
 }
 
-void Recorder::OnEvent(const sim::Simulation& simulation, const sim::Event& event) {
-  classic_.Note(event, simulation);
+void Recorder::OnEvent(const sim::Simulation&, const sim::Event& event) {
+  if (event.kind == sim::EventKind::kCommandRefused) return;
+  trace_->Add(event);
+  classic_->Note(event);
 }
 
 void Recorder::OnTick(const sim::Simulation& simulation) {
-  trace_.Add(Observe(simulation));
-  classic_.Watch(simulation);
+  tick_ = simulation.tick();
+  const TraceTick now = Observe(simulation);
+  trace_->Add(now);
+  classic_->Watch(now);
+}
+
+void Recorder::OnUndo(const sim::Simulation& simulation) {
+  undone_.push_back({.before = std::move(before_action_.back()), .after = MarkNow()});
+  before_action_.pop_back();
+  const Mark& to = undone_.back().before;
+  Return(ReturnKind::kUndo, to, simulation);
+  classic_->Return(to.classic);
+}
+
+void Recorder::OnRedo(const sim::Simulation& simulation) {
+  const Undone redone = std::move(undone_.back());
+  undone_.pop_back();
+  Return(ReturnKind::kRedo, redone.after, simulation);
+  classic_->Return(redone.before.classic);
+  ShowAgain(redone, simulation);
+  before_action_.push_back(redone.before);
+}
+
+void Recorder::Return(ReturnKind kind, const Mark& to, const sim::Simulation& simulation) {
+  Write({.tick = tick_, .what = record::Return{.kind = kind, .to = to.moment}},
+        simulation.scene().meters_per_unit);
+  tick_ = simulation.tick();
+  trace_->Return(to.place, num_lines_, tick_);
+}
+
+void Recorder::ShowAgain(const Undone& undone, const sim::Simulation& simulation) {
+  TraceReader trace(
+      {.directory = directory_, .scene = simulation.scene(), .robot = simulation.robot_placement()},
+      undone.after.place);
+  // Along one way, what comes later is farther behind in the file.
+  while (const auto moment = trace.Next()) {
+    if (trace.places()[0] > undone.before.place) classic_->Watch(*moment);
+    for (std::size_t i = 0; i < moment->events.size(); ++i) {
+      if (trace.places()[i + 1] > undone.before.place) classic_->Note(moment->events[i]);
+    }
+  }
 }
 
 }  // namespace smile::record

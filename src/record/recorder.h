@@ -1,12 +1,15 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "record/append_file.h"
 #include "record/classic_recorder.h"
-#include "record/trace.h"
+#include "record/recording.h"
+#include "record/trace_writer.h"
 #include "sim/eye.h"
 #include "sim/simulation.h"
 
@@ -14,31 +17,76 @@ namespace smile::record {
 
 struct RecorderOptions {
   double frames_per_second = 4;  ///< of the classic view, at most 60
+  bool has_symbols = true;       ///< false: the classic view has pictures only
   std::string title, notes;
+  Origin origin = Origin::kRecorded;
 };
 
-/// Records a simulation from its first tick on, into a new directory (DESIGN of it:
-/// docs/recording-format.md). Everything is written as it happens: whatever ends the program, what
-/// was complete stays readable.
+/// Records a simulation into a new directory (what is in it: docs/recording-format.md). Everything
+/// is written as it happens: whatever ends the program, what was complete stays readable.
+///
+/// Undo and redo lead the recording back and forth with the simulation. What was undone leaves the
+/// classic view and stays in log and trace.
 class Recorder : public sim::Listener {
  public:
-  /// @param eye  takes the pictures of the classic view; nullptr for text only. Must outlive this.
+  /// Begins a recording at the present moment, also while hands hold something.
+  /// @param eye   takes the pictures of the classic view; nullptr for text only. Must outlive this.
+  /// @param past  what was commanded since the simulation began, as it stands.
   /// @throws InputError if the directory exists and is not empty: a recording is never overwritten.
-  /// @throws std::invalid_argument if the simulation has already begun or the rate is not in (0,
-  /// 60].
+  /// @throws std::invalid_argument if the rate is not in (0, 60], or the simulation has begun and
+  ///         nothing is said of its past.
   /// @throws std::runtime_error with path and reason if something cannot be written, as do all
-  /// members.
+  ///         members.
   Recorder(const std::filesystem::path& directory, const RecorderOptions& options, sim::Eye* eye,
-           const sim::Simulation& simulation);
+           const sim::Simulation& simulation,
+           const std::optional<std::vector<LoggedCommand>>& past = std::nullopt);
 
+  /// Goes on with a recording from any moment of its history, as a new branch if that is not its
+  /// end. The classic view is made anew.
+  /// @param simulation  fresh, of the recording's scene and robot; is run to the moment.
+  /// @throws InputError if there is no such moment, the recording has no commands, or they do not
+  ///         lead there any more. Nothing is changed then.
+  static std::unique_ptr<Recorder> Continue(const Recording& recording, const Moment& from,
+                                            sim::Eye* eye, sim::Simulation* simulation);
+
+  std::optional<sim::Refusal> Refuse(const sim::Simulation& simulation,
+                                     const sim::Command& command) override;
   void OnCommand(const sim::Simulation& simulation, const sim::Command& command) override;
   void OnEvent(const sim::Simulation& simulation, const sim::Event& event) override;
+  void OnUndo(const sim::Simulation& simulation) override;
+  void OnRedo(const sim::Simulation& simulation) override;
   void OnTick(const sim::Simulation& simulation) override;
 
  private:
-  AppendFile commands_;
-  TraceWriter trace_;
-  ClassicRecorder classic_;
+  /// Where log, trace and classic view stood at a moment.
+  struct Mark {
+    Moment moment;
+    TracePlace place = 0;
+    ClassicRecorder::Mark classic;
+  };
+  struct Undone {
+    Mark before, after;
+  };
+
+  explicit Recorder(const std::filesystem::path& directory) : directory_(directory) {}
+  void Write(const LogLine& line, double meters_per_unit);
+  Mark MarkNow() const;
+  /// Leads log and trace to another moment, where the simulation already is.
+  void Return(ReturnKind kind, const Mark& to, const sim::Simulation& simulation);
+  /// Shows again in the classic view what was undone.
+  void ShowAgain(const Undone& undone, const sim::Simulation& simulation);
+  /// Makes the classic view anew along a trace, whose actions are those of `way`.
+  void Rebuild(const Recording& recording, const std::vector<LoggedCommand>& way,
+               const Moment& until, sim::Eye* eye, const sim::Simulation& simulation);
+
+  std::filesystem::path directory_;
+  std::optional<AppendFile> log_;
+  std::optional<TraceWriter> trace_;
+  std::optional<ClassicRecorder> classic_;
+  std::size_t num_lines_ = 0;
+  std::uint64_t tick_ = 0;           ///< of the last moment
+  std::vector<Mark> before_action_;  ///< one for each action that can be undone
+  std::vector<Undone> undone_;
 };
 
 }  // namespace smile::record

@@ -1,20 +1,30 @@
 #include "record/recording.h"
 
+#include <array>
+
 #include "base/diagnostic.h"
 #include "base/files.h"
 #include "base/json.h"
 #include "base/version.h"
 #include "base/wording.h"
+#include "record/trace_reader.h"
 #include "robot/urdf_reader.h"
 #include "scene_xml/scene_reader.h"
-#include "sim/command_json.h"
 
 namespace smile::record {
 namespace {
 
 constexpr std::size_t kMaxInfoBytes = 64u << 10;
-constexpr std::size_t kMaxLineBytes = 64u << 10;
-constexpr std::size_t kMaxCommandBytes = std::size_t{1} << 30;
+
+constexpr std::array kOriginNames = {"recorded", "edited", "imported"};
+
+Origin ParseOrigin(const std::string& name) {
+  for (std::size_t i = 0; i < kOriginNames.size(); ++i) {
+    if (name == kOriginNames[i]) return static_cast<Origin>(i);
+  }
+  throw std::invalid_argument("\"origin\" is \"" + name +
+                              "\", expected recorded, edited or imported");
+}
 
 Json ToJson(const CameraView& view) {
   const CameraIntrinsics& intrinsics = view.intrinsics;
@@ -67,9 +77,10 @@ DemoInfo ReadInfo(const std::filesystem::path& path) {
   try {
     const Json json = ParseJson(text);
     DemoInfo info{.format = json.at("format"), .program = json.at("program")};
-    if (info.format != kFormatVersion) {
+    if (info.format < kOldestFormatVersion || info.format > kFormatVersion) {
       throw InputError({path.string(), 1, "",
                         "\"format\" is " + std::to_string(info.format) + ", expected " +
+                            std::to_string(kOldestFormatVersion) + " to " +
                             std::to_string(kFormatVersion) + " (made by " + info.program + ")"});
     }
     info.scene = json.at("scene");
@@ -77,6 +88,11 @@ DemoInfo ReadInfo(const std::filesystem::path& path) {
     info.notes = json.at("notes");
     info.meters_per_unit = json.at("meters_per_unit");
     info.frames_per_second = json.at("frames_per_second");
+    if (info.format >= 2) {
+      info.origin = ParseOrigin(json.at("origin"));
+      info.start = {.line = json.at("start").at("line"), .tick = json.at("start").at("tick")};
+      info.has_symbols = json.at("has_symbols");
+    }
     if (const Json& robot = json.at("robot"); !robot.is_null()) {
       info.robot = RobotInfo{robot.at("name"), robot.at("gap_m"), robot.at("height_m")};
     }
@@ -90,38 +106,16 @@ DemoInfo ReadInfo(const std::filesystem::path& path) {
   }
 }
 
-std::vector<LoggedCommand> ReadCommands(const std::filesystem::path& path, double meters_per_unit,
-                                        std::vector<std::string>* cuts) {
-  const std::string text = ReadFile(path, kMaxCommandBytes);
-  std::vector<LoggedCommand> commands;
-  std::vector<Diagnostic> findings;
-  std::size_t start = 0;
-  for (int line = 1; start < text.size(); ++line) {
-    const std::size_t end = text.find('\n', start);
-    if (end == std::string::npos) {
-      cuts->push_back("the last line of commands.jsonl was cut and is left out");
-      break;
-    }
-    try {
-      if (end - start > kMaxLineBytes)
-        throw std::invalid_argument("this line is longer than 64 KiB");
-      const Json json = ParseJson(std::string_view(text).substr(start, end - start));
-      LoggedCommand logged{.command = sim::ParseCommand(json, meters_per_unit)};
-      const auto tick = sim::ParseTick(json);
-      if (!tick) throw std::invalid_argument("\"tick\" is missing, expected when it was applied");
-      logged.tick = *tick;
-      if (!commands.empty() && logged.tick < commands.back().tick) {
-        throw std::invalid_argument("\"tick\" goes back, expected at least " +
-                                    std::to_string(commands.back().tick));
-      }
-      commands.push_back(std::move(logged));
-    } catch (const std::exception& error) {  // of the JSON library or ours
-      findings.push_back({path.string(), line, "", error.what()});
-    }
-    start = end + 1;
-  }
-  if (!findings.empty()) throw InputError(std::move(findings));
-  return commands;
+/// The last undo, redo or checkout is in the log before it is in the trace. What ended the program
+/// between the two undid it.
+void LeaveOutUnfinishedReturn(Recording* recording) {
+  const auto& lines = recording->log.lines();
+  if (lines.empty() || !std::holds_alternative<Return>(lines.back().what)) return;
+  if (TraceReader(*recording).last_return() >= lines.size()) return;
+  recording->cuts.push_back("the last " +
+                            std::string(ToString(std::get<Return>(lines.back().what).kind)) +
+                            " was cut and is left out");
+  recording->log.RemoveLast();
 }
 
 }  // namespace
@@ -140,7 +134,10 @@ std::string ToJsonText(const DemoInfo& info) {
                      {"notes", info.notes},
                      {"meters_per_unit", info.meters_per_unit},
                      {"ticks_per_second", sim::kTicksPerSecond},
+                     {"origin", kOriginNames[static_cast<std::size_t>(info.origin)]},
+                     {"start", {{"line", info.start.line}, {"tick", info.start.tick}}},
                      {"frames_per_second", info.frames_per_second},
+                     {"has_symbols", info.has_symbols},
                      {"robot", robot},
                      {"eye", eye}};
   return ToText(json, 2) + "\n";
@@ -165,8 +162,16 @@ Recording OpenRecording(const std::filesystem::path& directory) {
     recording.robot = sim::RobotPlacement{
         .model = robot::ReadRobot(urdf), .urdf = urdf, .gap = robot->gap, .height = robot->height};
   }
-  recording.commands =
-      ReadCommands(directory / "commands.jsonl", recording.scene.meters_per_unit, &recording.cuts);
+  std::optional<std::string> cut;
+  recording.log =
+      ReadCommandLog(directory / "commands.jsonl", recording.scene.meters_per_unit, &cut);
+  if (cut) recording.cuts.push_back(*cut);
+  if (recording.info.start.line > recording.log.lines().size()) {
+    throw InputError({(directory / "demo.json").string(), 1, "",
+                      "\"start\" is behind the end of commands.jsonl"});
+  }
+  LeaveOutUnfinishedReturn(&recording);
+  recording.commands = recording.log.WayTo(recording.log.lines().size());
   return recording;
 }
 

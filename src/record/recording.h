@@ -6,14 +6,23 @@
 #include <vector>
 
 #include "math/camera_projection.h"
+#include "record/command_log.h"
 #include "scene/scene_spec.h"
 #include "sim/simulation.h"
 
 namespace smile::record {
 
-inline constexpr int kFormatVersion = 1;
+/// Written; those from kOldestFormatVersion on are read.
+inline constexpr int kFormatVersion = 2, kOldestFormatVersion = 1;
 /// The robot a recording was made with, copied into it, with its side file beside it.
 inline constexpr const char* kRobotFile = "robot.urdf";
+
+/// Where a recording comes from.
+enum class Origin {
+  kRecorded,  ///< a simulation
+  kEdited,    ///< another recording, and a simulation
+  kImported,  ///< a classic recording: what was seen, without commands
+};
 
 struct RobotInfo {
   std::string name;
@@ -29,7 +38,10 @@ struct DemoInfo {
   std::string scene;    ///< name
   std::string title, notes;
   double meters_per_unit = scene::kMetersPerUnit;
+  Origin origin = Origin::kRecorded;
+  Moment start;                    ///< what was done before is no part of the demonstration
   double frames_per_second = 4;    ///< of the classic view
+  bool has_symbols = true;         ///< in the classic view
   std::optional<RobotInfo> robot;  ///< nullopt for a table without one
   std::optional<CameraView> eye;   ///< of the pictures; nullopt for text only
 
@@ -38,18 +50,15 @@ struct DemoInfo {
 
 std::string ToJsonText(const DemoInfo& info);
 
-struct LoggedCommand {
-  std::uint64_t tick = 0;
-  sim::Command command;
-};
-
 /// A recording, opened. It stands for itself: the scene file it was made from is not needed.
 struct Recording {
   std::filesystem::path directory;
   DemoInfo info;
   scene::SceneSpec scene;
   std::optional<sim::RobotPlacement> robot;
-  std::vector<LoggedCommand> commands;  ///< in order
+  CommandLog log;  ///< the whole history
+  /// The way the recording ends with, from the first tick of the simulation on, in order.
+  std::vector<LoggedCommand> commands;
   /// What had to be left out, in words: a last line or tick cut by whatever ended the program.
   std::vector<std::string> cuts;
 };
@@ -57,7 +66,7 @@ struct Recording {
 /// True when the directory looks like a recording.
 bool IsRecording(const std::filesystem::path& directory);
 
-/// @throws InputError with all findings, each with file and line.
+/// @throws InputError with all findings, each with its file.
 Recording OpenRecording(const std::filesystem::path& directory);
 
 }  // namespace smile::record

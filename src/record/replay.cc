@@ -6,6 +6,8 @@
 #include "base/wording.h"
 
 #include "math/angles.h"
+#include "record/log_player.h"
+#include "record/trace_reader.h"
 #include "scene/units.h"
 
 namespace smile::record {
@@ -83,15 +85,29 @@ std::optional<Difference> Compare(const TraceTick& recorded, const TraceTick& re
 }  // namespace
 
 ReplayReport Replay(const Recording& recording, const Progress& progress) {
+  if (recording.info.origin == Origin::kImported) {
+    throw InputError({recording.directory.string(), 0, "",
+                      "was imported from a classic recording; it has no commands to run again"});
+  }
   TraceReader trace(recording);
   sim::Simulation simulation(recording.scene, recording.robot);
+  LogPlayer player(recording.commands, recording.info.start);
   ReplayReport report;
-  std::size_t next = 0;
-  while (const std::optional<TraceTick> recorded = trace.Next()) {
+  const auto refused = [&](const LogPlayer::Failure& failure) {
+    if (report.first_difference) return;
+    report.first_difference =
+        Difference{failure.command.tick, "simulation", "command", "carried out", failure.refusal};
+  };
+  if (const auto failure = player.RunToStart(&simulation)) {
+    refused(*failure);
+    return report;
+  }
+  for (bool has_begun = false; const std::optional<TraceTick> recorded = trace.Next();
+       has_begun = true) {
     // The first record is the start, before any tick.
-    if (recorded->tick > 0) simulation.Tick();
+    if (has_begun) simulation.Tick();
     const TraceTick replayed = Observe(simulation);
-    report.ticks = recorded->tick;
+    report.ticks = recorded->tick - recording.info.start.tick;
     report.hash = replayed.hash;
     if (const auto difference = Compare(*recorded, replayed, simulation)) {
       // What a hand wants differs before anything moves differently: look on until it shows, so
@@ -100,21 +116,15 @@ ReplayReport Replay(const Recording& recording, const Progress& progress) {
       if (is_visible || !report.first_difference) report.first_difference = difference;
       if (is_visible) return report;
     }
-    for (; next < recording.commands.size() && recording.commands[next].tick == recorded->tick;
-         ++next) {
-      const auto refusal = simulation.Apply(recording.commands[next].command);
-      if (!refusal) continue;
-      if (!report.first_difference) {
-        report.first_difference =
-            Difference{recorded->tick, "simulation", "command", "carried out", *refusal};
-      }
+    if (const auto failure = player.ApplyDue(&simulation)) {
+      refused(*failure);
       return report;
     }
     if (progress && !progress(recorded->tick)) return report;
   }
   report.is_cut = trace.is_cut();
-  if (next < recording.commands.size() && !report.is_cut && !report.first_difference) {
-    report.first_difference = Difference{recording.commands[next].tick, "simulation", "command",
+  if (player.next() != nullptr && !report.is_cut && !report.first_difference) {
+    report.first_difference = Difference{player.next()->tick, "simulation", "command",
                                          "carried out", "the trace ends before"};
   }
   return report;

@@ -5,7 +5,6 @@
 #include <string>
 
 #include "record/recording.h"
-#include "record/trace.h"
 
 namespace smile::record {
 
@@ -20,7 +19,7 @@ struct Difference {
 
 struct ReplayReport {
   bool is_cut = false;      ///< the trace ends in the middle of a record
-  std::uint64_t ticks = 0;  ///< compared
+  std::uint64_t ticks = 0;  ///< compared, since the demonstration began
   std::optional<Difference> first_difference;
   std::uint64_t hash = 0;  ///< of the last tick replayed
 };

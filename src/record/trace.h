@@ -1,21 +1,18 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
-#include <optional>
-#include <string>
 #include <vector>
 
-#include "base/bytes.h"
-#include "record/append_file.h"
-#include "record/recording.h"
+#include "math/rigid_transform.h"
+#include "sim/event.h"
 #include "sim/simulation.h"
 
 namespace smile::record {
 
 /// Where an object is: position [m] and unit quaternion (w, x, y, z).
 struct TracePose {
-  bool is_present = true;  ///< false once it is destroyed; position and rotation then say nothing
+  bool is_present = true;  ///< false once it is destroyed; the rest then says nothing
+  bool is_awake = false;   ///< may move
   Vector3 position = Vector3::Zero();
   Eigen::Vector4d rotation{1, 0, 0, 0};
 
@@ -43,64 +40,17 @@ struct TraceTick {
   std::vector<TraceBond> bonds;               ///< one per host point, in scene order
   std::vector<double> joints;                 ///< q of the robot [rad or m]; empty without one
   bool is_robot_shown = true;
+  /// What happened from this moment on, until the next one. Observe() leaves it empty.
+  std::vector<sim::Event> events;
 };
 
 /// The present moment of a simulation.
 TraceTick Observe(const sim::Simulation& simulation);
 
-/// `trace.bin`: look and render without physics. docs/recording-format.md describes every byte.
-///
-/// A header names objects and joints; one record per tick follows with what changed since the one
-/// before.
-class TraceWriter {
- public:
-  /// @throws std::runtime_error with path and reason, as Add() does.
-  TraceWriter(const std::filesystem::path& path, const sim::Simulation& simulation);
+/// True of what a hand did that begins a new segment: the trace of a sim::IsAction() command.
+bool BeginsSegment(const sim::Event& event);
 
-  void Add(const TraceTick& tick);
-
- private:
-  AppendFile file_;
-  std::optional<TraceTick> last_;
-};
-
-/// What a trace of a scene may say of its controls and bonds.
-struct TraceLimits {
-  std::vector<int> num_states;     ///< of each control
-  std::vector<int> max_tightness;  ///< of each host point
-  int num_guests = 0;
-
-  explicit TraceLimits(const scene::SceneSpec& scene);
-  bool Allow(std::size_t control, const world::ControlState& state) const;
-  bool Allow(std::size_t host, const TraceBond& bond) const;
-};
-
-/// Reads a trace, tick by tick. A file cut in the middle of a record ends with the last whole one.
-class TraceReader {
- public:
-  /// @throws InputError if this is not a trace of this format version, or not one of the
-  /// recording's
-  ///         objects and robot.
-  explicit TraceReader(const Recording& recording);
-
-  const std::vector<std::string>& object_names() const { return object_names_; }
-  const std::vector<std::string>& joint_names() const { return joint_names_; }
-
-  /// The next moment; nullopt after the last one.
-  /// @throws InputError if a record contradicts the header or the record before it.
-  std::optional<TraceTick> Next();
-  /// True when bytes were left over at the end: the recording was interrupted.
-  bool is_cut() const { return is_cut_; }
-
- private:
-  std::filesystem::path path_;
-  std::string bytes_;
-  ByteReader rest_;
-  std::vector<std::string> object_names_, joint_names_;
-  TraceLimits limits_;
-  TraceTick now_;
-  bool has_begun_ = false;
-  bool is_cut_ = false;
-};
+/// A place in a trace, between two of its records: how many bytes are before it.
+using TracePlace = std::uint64_t;
 
 }  // namespace smile::record

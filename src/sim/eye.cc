@@ -40,17 +40,23 @@ CameraView EyeView(const Simulation& simulation, std::span<const double> q, cons
           .X_WC = X_WC};
 }
 
-std::vector<int> FramesHiddenFromEye(const Simulation& simulation) {
+std::vector<int> FramesHiddenFromEye(const Simulation& simulation, bool is_robot_shown) {
   const robot::RobotBody* robot = simulation.robot();
   if (robot == nullptr) return {};
   const int base = simulation.first_robot_frame();
-  if (simulation.is_robot_shown()) {
+  if (is_robot_shown) {
     if (!robot->model().head) return {};
     return {base + 1 + robot->model().frames[robot->model().head->camera].link};
   }
   std::vector<int> frames(1 + robot->model().num_joints());
   std::iota(frames.begin(), frames.end(), base);
   return frames;
+}
+
+Sight SightOf(const Simulation& simulation, const EyeSpec& spec) {
+  return {.state = simulation.visual_state(),
+          .view = EyeView(simulation, spec),
+          .hidden_frames = FramesHiddenFromEye(simulation, simulation.is_robot_shown())};
 }
 
 }  // namespace smile::sim

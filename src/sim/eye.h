@@ -26,16 +26,32 @@ CameraView EyeView(const Simulation& simulation, const EyeSpec& spec);
 CameraView EyeView(const Simulation& simulation, std::span<const double> q, const EyeSpec& spec);
 
 /// Frames of the visual model the eye must not see: the head it sits in; all of a hidden robot.
-std::vector<int> FramesHiddenFromEye(const Simulation& simulation);
+std::vector<int> FramesHiddenFromEye(const Simulation& simulation, bool is_robot_shown);
+
+/// One moment of a simulation's visual model, as its eye sees it.
+struct Sight {
+  scene::VisualState state;
+  CameraView view;
+  std::vector<int> hidden_frames;
+
+  bool operator==(const Sight&) const = default;
+};
+/// The present moment.
+Sight SightOf(const Simulation& simulation, const EyeSpec& spec);
 
 /// Takes pictures with the robot's eye. Fulfilled by whoever can draw, so that recorders and brains
 /// need no graphics.
 class Eye {
  public:
   virtual ~Eye() = default;
-  /// The picture of the present state; color only.
-  virtual const Image& Look(const Simulation& simulation) = 0;
+  /// The picture of a moment; color only. It lasts until the next one is drawn.
+  virtual const Image& Draw(const scene::VisualModel& model, const Sight& sight) = 0;
   virtual const EyeSpec& spec() const = 0;
+
+  /// The picture of the present state.
+  const Image& Look(const Simulation& simulation) {
+    return Draw(simulation.visual_model(), SightOf(simulation, spec()));
+  }
 };
 
 }  // namespace smile::sim

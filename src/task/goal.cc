@@ -6,7 +6,7 @@
 
 #include "base/diagnostic.h"
 #include "base/overloaded.h"
-#include "record/trace.h"
+#include "record/trace_reader.h"
 #include "scene/solid.h"
 
 namespace smile::task {

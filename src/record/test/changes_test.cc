@@ -3,7 +3,7 @@
 
 #include "painted_eye.h"
 #include "record/replay.h"
-#include "record/trace.h"
+#include "record/trace_reader.h"
 #include "recording_fixture.h"
 
 namespace smile::record {

@@ -1,7 +1,7 @@
 // Controls, bonds, sliders, chains and destroyed things in a recording.
 
 #include "record/replay.h"
-#include "record/trace.h"
+#include "record/trace_reader.h"
 #include "recording_fixture.h"
 
 namespace smile::record {

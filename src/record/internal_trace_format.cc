@@ -1,0 +1,44 @@
+#include "record/internal_trace_format.h"
+
+namespace smile::record {
+namespace {
+
+constexpr std::uint8_t kNoHand = 255;
+/// More properties than these nobody names.
+constexpr std::uint32_t kMaxProperties = 256;
+
+}  // namespace
+
+void Put(const sim::Event& event, ByteWriter* out) {
+  out->Put(static_cast<std::uint8_t>(event.kind));
+  out->Put(event.hand ? static_cast<std::uint8_t>(*event.hand) : kNoHand);
+  for (const std::string* text :
+       {&event.arm, &event.object, &event.reason, &event.part, &event.control, &event.state}) {
+    out->PutString(*text);
+  }
+  for (int number : {event.guest, event.host, event.tightness}) out->Put(number);
+  out->Put(static_cast<std::uint32_t>(event.properties.size()));
+  for (const std::string& property : event.properties) out->PutString(property);
+}
+
+sim::Event GetEvent(ByteReader* in) {
+  sim::Event event;
+  const auto kind = in->Get<std::uint8_t>();
+  const auto hand = in->Get<std::uint8_t>();
+  if (kind <= static_cast<std::uint8_t>(sim::EventKind::kCommandRefused)) {
+    event.kind = static_cast<sim::EventKind>(kind);
+  }
+  if (hand < demonstrator::kHandNames.size()) event.hand = demonstrator::kHandNames[hand];
+  for (std::string* text :
+       {&event.arm, &event.object, &event.reason, &event.part, &event.control, &event.state}) {
+    *text = in->GetString();
+  }
+  for (int* number : {&event.guest, &event.host, &event.tightness}) *number = in->Get<int>();
+  const auto num_properties = in->Get<std::uint32_t>();
+  for (std::uint32_t i = 0; i < num_properties && i < kMaxProperties && in->ok(); ++i) {
+    event.properties.push_back(in->GetString());
+  }
+  return event;
+}
+
+}  // namespace smile::record

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "record/recording.h"
+#include "sim/simulation.h"
+
+namespace smile::record {
+
+/// Runs the commands of a recording again, each at its tick.
+class LogPlayer {
+ public:
+  /// @param commands  in order.
+  /// @param start     where the demonstration begins; see DemoInfo::start.
+  LogPlayer(std::vector<LoggedCommand> commands, const Moment& start)
+      : commands_(std::move(commands)), start_(start) {}
+
+  /// A command that was carried out when it was recorded.
+  struct Failure {
+    LoggedCommand command;
+    sim::Refusal refusal;
+  };
+
+  /// Runs a fresh simulation to where the demonstration begins.
+  [[nodiscard]] std::optional<Failure> RunToStart(sim::Simulation* simulation);
+  /// Applies what is due at the present tick.
+  [[nodiscard]] std::optional<Failure> ApplyDue(sim::Simulation* simulation);
+
+  /// What comes next; nullptr after the last one.
+  const LoggedCommand* next() const {
+    return next_ < commands_.size() ? &commands_[next_] : nullptr;
+  }
+
+ private:
+  std::optional<Failure> ApplyNext(sim::Simulation* simulation);
+
+  std::vector<LoggedCommand> commands_;
+  Moment start_;
+  std::size_t next_ = 0;
+};
+
+}  // namespace smile::record

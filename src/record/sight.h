@@ -1,0 +1,17 @@
+#pragma once
+
+#include <vector>
+
+#include "record/trace.h"
+#include "sim/eye.h"
+
+namespace smile::record {
+
+/// A recorded moment, for the visual model of `stage`, a simulation of the recording's scene and
+/// robot that need not run.
+scene::VisualState VisualStateAt(const TraceTick& moment, const sim::Simulation& stage);
+
+/// The same as the robot's eye saw it.
+sim::Sight SightAt(const TraceTick& moment, const sim::Simulation& stage, const sim::EyeSpec& spec);
+
+}  // namespace smile::record

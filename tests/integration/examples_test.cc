@@ -61,6 +61,23 @@ void TheTowerStands(const Json& end) {
   ExpectAligned(end, "BlueBlock", "RedBlock", {0, 0, 2});
 }
 
+void TheLettersStand(const Json& end) {
+  EXPECT_NEAR(PositionOf(end, "ShortPlank")[2], 0.5, kMillimeter);
+  ExpectNear(RotationOf(end, "ShortPlank"), {0, 0, 0}, kOneDegree, "ShortPlank");
+  ExpectAligned(end, "Red1", "ShortPlank", {-1.5, 0, 1});
+  ExpectAligned(end, "Cyan1", "ShortPlank", {-1.5, 0, 2});
+  ExpectAligned(end, "Green1", "ShortPlank", {1.5, 0, 1});
+  ExpectAligned(end, "Red2", "ShortPlank", {1.5, 0, 2});
+
+  ExpectAligned(end, "LongPlank", "ShortPlank", {6, 0, 2});
+  ExpectAligned(end, "Blue1", "LongPlank", {-2, 0, -2});
+  ExpectAligned(end, "Green2", "LongPlank", {-2, 0, -1});
+  ExpectAligned(end, "Magenta1", "LongPlank", {0, 0, -2});
+  ExpectAligned(end, "Blue2", "LongPlank", {0, 0, -1});
+  ExpectAligned(end, "Orange1", "LongPlank", {2, 0, -2});
+  ExpectAligned(end, "Magenta2", "LongPlank", {2, 0, -1});
+}
+
 void TheBlocksHaveDropped(const Json& end) {
   EXPECT_NEAR(PositionOf(end, "HopperLid")[0], -3, 0.02) << "the door is open";
   for (const char* block : {"Rust", "Moss"}) EXPECT_LT(PositionOf(end, block)[2], 1.3);
@@ -114,6 +131,8 @@ void TheSignalIsGreen(const Json& end) {
 const std::vector<Example>& AllExamples() {
   static const std::vector<Example> kExamples{
       {"tower", "", TheTowerStands},
+      {"um", "", TheLettersStand},
+      {"um", "--no-robot", TheLettersStand},
       {"scenes/controls", "--no-robot", TheSignalIsGreen},
       {"scenes/dial", "--no-robot", TheDigitIsSeven},
       {"scenes/dock", "--no-robot", TheSpareHasReplacedTheFailedDrive},

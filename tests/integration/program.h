@@ -4,6 +4,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -26,9 +27,10 @@ struct Answer {
 class ProgramTest : public ::testing::Test {
  protected:
   ProgramTest() {
-    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    directory_ = std::filesystem::temp_directory_path() /
-                 ("smile_" + std::to_string(getpid()) + "_" + test->name());
+    std::string test = ::testing::UnitTest::GetInstance()->current_test_info()->name();
+    std::ranges::replace(test, '/', '_');  // of a test with parameters
+    directory_ =
+        std::filesystem::temp_directory_path() / ("smile_" + std::to_string(getpid()) + "_" + test);
     std::filesystem::create_directories(directory_);
   }
   ~ProgramTest() override { std::filesystem::remove_all(directory_); }

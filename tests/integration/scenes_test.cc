@@ -1,4 +1,5 @@
-// What docs/scenes.md says of the scenes we ship, done by scripts.
+// What docs/scenes.md says of the scenes we ship, done by scripts. What their scripts in examples/
+// do, examples_test.cc claims.
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +18,6 @@ std::string MoveTo(double x, double y, double z) {
 std::string Grasp(const std::string& object) {
   return "{\"hand\":\"right\",\"do\":\"grasp\",\"object\":\"" + object + "\"}\n";
 }
-std::string Do(const std::string& what) { return "{\"hand\":\"right\",\"do\":\"" + what + "\"}\n"; }
 std::string Do(const std::string& what, const std::string& object) {
   const std::string key = what == "trigger" ? "control" : "object";
   return "{\"hand\":\"right\",\"do\":\"" + what + "\",\"" + key + "\":\"" + object + "\"}\n";
@@ -87,23 +87,13 @@ TEST_F(Scenes, LiftingTheLidLiftsTheBox) {
   EXPECT_NEAR(At(lifted, "Chest", 2), 4, 0.1);
 }
 
-TEST_F(Scenes, TheTrapDoorDropsItsBlocks) {
+TEST_F(Scenes, TheTrapDoorHoldsItsBlocksWhileItIsShut) {
   const Json shut = After("trapdoor", Wait(2));
-  const Json pulled = After("trapdoor", Grasp("HopperLid") + MoveTo(-3, 0, 3.275) + Wait(2));
-  for (const char* block : {"Rust", "Sky", "Moss"}) {
-    EXPECT_NEAR(At(shut, block, 2), 3.8, 0.02);
-    EXPECT_LT(At(pulled, block, 2), 1.3);
-  }
+  for (const char* block : {"Rust", "Sky", "Moss"}) EXPECT_NEAR(At(shut, block, 2), 3.8, 0.02);
 }
 
-TEST_F(Scenes, ACutStringLetsItsWeightFall) {
-  const std::string hang = Wait(2);
-  EXPECT_GT(At(After("strings", hang), "Weight", 2), 1.5);
-  const std::string cut = hang + Grasp("Cord-link3") + Do("destroy");
-  const Json after = After("strings", cut + Wait(2));
-  EXPECT_FALSE(after["objects"].contains("Cord-link3"));
-  EXPECT_LT(At(after, "Weight", 2), 1.2);
-  EXPECT_GT(At(after, "Weight", 2), 0.5);
+TEST_F(Scenes, TheWeightHangsOnItsString) {
+  EXPECT_GT(At(After("strings", Wait(2)), "Weight", 2), 1.5);
 }
 
 TEST_F(Scenes, TheDrawerMovesTheCaseOnlyAtItsLimit) {
@@ -164,15 +154,6 @@ TEST_F(Scenes, ValvesSetOverrideAndLock) {
   EXPECT_EQ(Play("valve", lock + red).exit_code, 1);
   EXPECT_EQ(Play("valve", lock + Do("loosen", "Red")).exit_code, 1);
   EXPECT_EQ(gauge(lock + Do("loosen", "Green") + red), "normal");
-}
-
-TEST_F(Scenes, ThePanelsCoverComesOffWithoutItsScrew) {
-  const std::string lift = Grasp("Cover") + MoveTo(0, 1.19, 3.37) + MoveTo(0, -1.53, 4.64);
-  const Json off =
-      After("panel", Grasp("PanelScrew") + Times(3, Do("loosen", "PanelScrew")) +
-                         MoveTo(0, -2.8, 4.57) + MoveTo(-5, -2.8, 4.57) + Do("release") + lift);
-  EXPECT_NEAR(At(off, "Cover", 1), -1.53, 0.05);
-  EXPECT_NEAR(At(off, "Cabinet", 1), 2, 0.02);
 }
 
 }  // namespace

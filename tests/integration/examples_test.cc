@@ -1,0 +1,181 @@
+// The scripts of examples/: each is recorded with its scene, ends as a demonstration should, and
+// replays to the last bit.
+
+#include <algorithm>
+#include <array>
+#include <ostream>
+#include <vector>
+
+#include "program.h"
+
+namespace smile {
+namespace {
+
+/// What a script must have brought about; end is what `run --json` answers.
+using Claim = void (*)(const Json& end);
+
+struct Example {
+  const char* script;  ///< in examples/, without .jsonl; its scene in scenes/ has the same name
+  const char* options;
+  Claim claim;
+};
+
+/// For a test: of letters, digits and `_`.
+std::string NameOf(const Example& example) {
+  std::string name = std::string(example.script) + example.options;
+  std::ranges::replace_if(
+      name, [](char c) { return c == '/' || c == '-'; }, '_');
+  return name;
+}
+/// So that GoogleTest says which, not its bytes.
+void PrintTo(const Example& example, std::ostream* out) { *out << NameOf(example); }
+
+using Vector = std::array<double, 3>;
+constexpr double kMillimeter = 0.01;  ///< [units]
+constexpr double kOneDegree = 1;
+
+Vector PositionOf(const Json& end, const std::string& object) {
+  return end.at("objects").at(object).at("position").get<Vector>();
+}
+Vector RotationOf(const Json& end, const std::string& object) {
+  return end.at("objects").at(object).at("rotation").get<Vector>();
+}
+
+void ExpectNear(const Vector& found, const Vector& expected, double tolerance,
+                const std::string& what) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    EXPECT_NEAR(found[axis], expected[axis], tolerance) << what << ", axis " << axis;
+  }
+}
+
+/// `object` is there as seen from `base` [units], and stands along the table's axes.
+void ExpectAligned(const Json& end, const std::string& object, const std::string& base,
+                   const Vector& offset) {
+  const Vector from = PositionOf(end, base), to = PositionOf(end, object);
+  ExpectNear({to[0] - from[0], to[1] - from[1], to[2] - from[2]}, offset, kMillimeter, object);
+  ExpectNear(RotationOf(end, object), {0, 0, 0}, kOneDegree, object);
+}
+
+void TheTowerStands(const Json& end) {
+  ExpectAligned(end, "GreenBlock", "RedBlock", {0, 0, 1});
+  ExpectAligned(end, "BlueBlock", "RedBlock", {0, 0, 2});
+}
+
+void TheLettersStand(const Json& end) {
+  EXPECT_NEAR(PositionOf(end, "ShortPlank")[2], 0.5, kMillimeter);
+  ExpectNear(RotationOf(end, "ShortPlank"), {0, 0, 0}, kOneDegree, "ShortPlank");
+  ExpectAligned(end, "Red1", "ShortPlank", {-1.5, 0, 1});
+  ExpectAligned(end, "Cyan1", "ShortPlank", {-1.5, 0, 2});
+  ExpectAligned(end, "Green1", "ShortPlank", {1.5, 0, 1});
+  ExpectAligned(end, "Red2", "ShortPlank", {1.5, 0, 2});
+
+  ExpectAligned(end, "LongPlank", "ShortPlank", {6, 0, 2});
+  ExpectAligned(end, "Blue1", "LongPlank", {-2, 0, -2});
+  ExpectAligned(end, "Green2", "LongPlank", {-2, 0, -1});
+  ExpectAligned(end, "Magenta1", "LongPlank", {0, 0, -2});
+  ExpectAligned(end, "Blue2", "LongPlank", {0, 0, -1});
+  ExpectAligned(end, "Orange1", "LongPlank", {2, 0, -2});
+  ExpectAligned(end, "Magenta2", "LongPlank", {2, 0, -1});
+}
+
+void TheBlocksHaveDropped(const Json& end) {
+  EXPECT_NEAR(PositionOf(end, "HopperLid")[0], -3, 0.02) << "the door is open";
+  for (const char* block : {"Rust", "Moss"}) EXPECT_LT(PositionOf(end, block)[2], 1.3);
+}
+
+void TheWeightLiesOnTheAnvil(const Json& end) {
+  EXPECT_FALSE(end["objects"].contains("Cord-link10")) << "the string is cut";
+  ExpectNear(PositionOf(end, "Weight"), {0, 0, 1.1}, 0.3, "Weight");
+}
+
+void TheSpareHasReplacedTheFailedDrive(const Json& end) {
+  const Vector drawer = PositionOf(end, "DockDrawer"), spare = PositionOf(end, "Spare");
+  EXPECT_NEAR(drawer[1], 3.4, 0.02) << "the drawer is shut";
+  ExpectNear(PositionOf(end, "DockCase"), {-5.9, 3.4, 1.4}, 0.02, "DockCase");
+  // The slot leaves the drive 0.07 to the sides, 0.15 to the front and the back.
+  EXPECT_NEAR(spare[0] - drawer[0], 0.8, 0.07);
+  EXPECT_NEAR(spare[1] - drawer[1], 0.6, 0.15);
+  EXPECT_NEAR(spare[2] - drawer[2], 0.8, kMillimeter);
+  ExpectNear(PositionOf(end, "Drive3"), {2.8, 1.2, 0.95}, 0.1, "Drive3 in the bin");
+  const Json& controls = end["controls"];
+  EXPECT_EQ(controls["DockLight3"], "ready");
+  EXPECT_EQ(controls["DockLight2"], "busy") << "the others are not touched";
+}
+
+void TheScrewIsOutAndTheCoverOff(const Json& end) {
+  EXPECT_EQ(end["controls"]["LampOff"], "lit") << "first of all it was switched off";
+  ExpectNear(PositionOf(end, "PanelScrew"), {3.9, -1.2, 1.02}, 0.02, "PanelScrew on its head");
+  ExpectNear(PositionOf(end, "Cover"), {-1.2, -1.5, 0.15}, 0.02, "Cover flat on the table");
+  ExpectNear(PositionOf(end, "Cabinet"), {0, 2, 2.55}, 0.02, "Cabinet");
+}
+
+void TheRedBlockIsOutAndTheLidShut(const Json& end) {
+  ExpectNear(PositionOf(end, "Cherry"), {5.5, 1, 0.5}, 0.02, "Cherry");
+  ExpectNear(PositionOf(end, "ChestLid"), {1, -0.5, 2.125}, 0.02, "ChestLid");
+}
+
+void BothScrewsAreTight(const Json& end) {
+  ExpectNear(PositionOf(end, "BrassScrew"), {-4.5, -2, 1.4}, kMillimeter, "BrassScrew");
+  ExpectNear(PositionOf(end, "SteelScrew"), {2.8, -0.5, 1.9}, kMillimeter, "SteelScrew");
+}
+
+void TheGaugeIsFull(const Json& end) { EXPECT_EQ(end["controls"]["Gauge"], "full"); }
+
+void TheDigitIsSeven(const Json& end) { EXPECT_EQ(end["controls"]["Digit"], "seven"); }
+
+void TheSignalIsGreen(const Json& end) {
+  EXPECT_EQ(end["controls"]["Signal"], "drive");
+  EXPECT_EQ(end["controls"]["Lamp"], "blue");
+}
+
+const std::vector<Example>& AllExamples() {
+  static const std::vector<Example> kExamples{
+      {"tower", "", TheTowerStands},
+      {"um", "", TheLettersStand},
+      {"um", "--no-robot", TheLettersStand},
+      {"scenes/controls", "--no-robot", TheSignalIsGreen},
+      {"scenes/dial", "--no-robot", TheDigitIsSeven},
+      {"scenes/dock", "--no-robot", TheSpareHasReplacedTheFailedDrive},
+      {"scenes/dock", "", TheSpareHasReplacedTheFailedDrive},
+      {"scenes/lidbox", "--no-robot", TheRedBlockIsOutAndTheLidShut},
+      {"scenes/panel", "--no-robot", TheScrewIsOutAndTheCoverOff},
+      {"scenes/screws", "--no-robot", BothScrewsAreTight},
+      {"scenes/strings", "--no-robot", TheWeightLiesOnTheAnvil},
+      {"scenes/trapdoor", "--no-robot", TheBlocksHaveDropped},
+      {"scenes/valve", "--no-robot", TheGaugeIsFull},
+  };
+  return kExamples;
+}
+
+class Examples : public ProgramTest, public ::testing::WithParamInterface<Example> {};
+
+TEST_P(Examples, EndAsTheyShouldAndReplayIdentically) {
+  const std::string script = GetParam().script;
+  const std::string scene = std::filesystem::path(script).filename().string();
+  // Few and small pictures: nobody looks at them.
+  const Answer run = Smile("run '" + Shipped("scenes/" + scene + ".xml") + "' --commands '" +
+                           Shipped("examples/" + script + ".jsonl") +
+                           "' --record demo --rate 0.5 --size 80x60 --json " + GetParam().options);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  GetParam().claim(run.json());
+  const Answer replay = Smile("replay demo --verify");
+  EXPECT_EQ(replay.exit_code, 0) << replay.out << replay.err;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Examples, ::testing::ValuesIn(AllExamples()),
+                         [](const auto& parameter) { return NameOf(parameter.param); });
+
+TEST_F(ProgramTest, EveryExampleHasItsClaim) {
+  const std::filesystem::path root = Shipped("examples");
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(root)) {
+    if (!entry.is_regular_file()) continue;
+    const std::string script =
+        entry.path().lexically_relative(root).replace_extension().generic_string();
+    EXPECT_TRUE(std::ranges::any_of(AllExamples(), [&](const Example& example) {
+      return example.script == script;
+    })) << entry.path();
+  }
+}
+
+}  // namespace
+}  // namespace smile

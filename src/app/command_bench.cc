@@ -98,15 +98,15 @@ void SnapshotRestore(benchmark::State& state) {
 /// Color, depth and id in one pass.
 void EyePicture(benchmark::State& state, bool with_robot) {
   const auto simulation = MakeUm(with_robot);
-  const CameraView view = EyeView(*simulation, {.width_px = static_cast<int>(state.range(0)),
-                                                .height_px = static_cast<int>(state.range(1))});
+  const sim::Sight sight =
+      sim::SightOf(*simulation, {.width_px = static_cast<int>(state.range(0)),
+                                 .height_px = static_cast<int>(state.range(1))});
   const camera::RenderOptions options{
-      .depth = true, .ids = true, .excluded_frames = FramesHiddenFromEye(*simulation)};
-  const scene::VisualState seen = simulation->visual_state();
+      .depth = true, .ids = true, .excluded_frames = sight.hidden_frames};
   camera::Renderer renderer;
   Image image;
   for (auto _ : state) {
-    renderer.Render(simulation->visual_model(), seen, view, options, &image);
+    renderer.Render(simulation->visual_model(), sight.state, sight.view, options, &image);
   }
   state.SetLabel(renderer.device_name());
 }

@@ -14,11 +14,11 @@ namespace smile::app {
 namespace {
 
 struct RunOptions {
-  std::string scene, brain, commands, record, size = "640x480";
+  std::string scene, brain, commands, record, recordings = "recordings", size = "640x480";
   std::optional<double> seconds;
   double rate = 4;
   std::string title, notes;
-  bool realtime = false, json = false;
+  bool no_pictures = false, no_symbols = false, realtime = false, json = false;
   RobotOptions robot;
   PathOptions path;
 };
@@ -39,8 +39,12 @@ int RunScene(const RunOptions& options) {
   plan.brain = options.brain;
   plan.seconds = options.seconds;
   plan.record = options.record;
-  plan.recording = {
-      .frames_per_second = options.rate, .title = options.title, .notes = options.notes};
+  plan.recordings = options.recordings;
+  plan.recording = {.frames_per_second = options.rate,
+                    .has_symbols = !options.no_symbols,
+                    .title = options.title,
+                    .notes = options.notes};
+  plan.has_pictures = !options.no_pictures;
   plan.eye = ParseSize(options.size);
   plan.is_realtime = options.realtime;
   plan.label = "running " + plan.scene.name;
@@ -53,7 +57,9 @@ int RunScene(const RunOptions& options) {
                 plan.scene.name.c_str(), outcome.json["seconds"].get<double>(),
                 outcome.wall_seconds, outcome.json["realtime_factor"].get<double>(),
                 outcome.json["hash"].get<std::string>().c_str());
-    if (!options.record.empty()) std::printf("recorded in %s\n", options.record.c_str());
+    for (const auto& directory : outcome.recordings) {
+      std::printf("recorded in %s\n", directory.c_str());
+    }
   }
   if (!outcome.brain_error || IsInterrupted()) return kDone;
   std::fprintf(stderr, "%s\n", ToString(*outcome.brain_error).c_str());
@@ -73,6 +79,12 @@ void AddRun(CLI::App* program, ExitAnswer answer) {
                   "exactly this long; otherwise until the script or the brain ends")
       ->check(NumberBetween(0.0, 86400.0));
   run->add_option("--record", options->record, "record into this new directory");
+  run->add_option("--recordings", options->recordings,
+                  "where recordings go that the script starts, by their names")
+      ->capture_default_str();
+  run->add_flag("--no-pictures", options->no_pictures, "recordings without the robot's pictures");
+  run->add_flag("--no-symbols", options->no_symbols,
+                "recordings whose classic view has pictures only");
   run->add_option("--title", options->title, "of the recording");
   run->add_option("--notes", options->notes, "about the recording");
   run->add_option("--rate", options->rate, "pictures per second of the recording")

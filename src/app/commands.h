@@ -13,6 +13,8 @@ using ExitAnswer = int*;
 void AddCheck(CLI::App* program, ExitAnswer answer);
 void AddRun(CLI::App* program, ExitAnswer answer);
 void AddReplay(CLI::App* program, ExitAnswer answer);
+void AddHistory(CLI::App* program, ExitAnswer answer);
+void AddCheckout(CLI::App* program, ExitAnswer answer);
 void AddRender(CLI::App* program, ExitAnswer answer);
 void AddImitate(CLI::App* program, ExitAnswer answer);
 void AddExperiment(CLI::App* program, ExitAnswer answer);

@@ -1,6 +1,7 @@
 // The `smile` program: `smile --help`.
 
 #include <fcntl.h>
+#include <signal.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -35,6 +36,8 @@ int main(int argc, char** argv) {
   app::AddCheck(&program, &answer);
   app::AddRun(&program, &answer);
   app::AddReplay(&program, &answer);
+  app::AddHistory(&program, &answer);
+  app::AddCheckout(&program, &answer);
   app::AddRender(&program, &answer);
   app::AddImitate(&program, &answer);
   app::AddExperiment(&program, &answer);
@@ -42,6 +45,8 @@ int main(int argc, char** argv) {
   app::AddBench(&program, &answer);
 
   FillStandardStreams();
+  // A file that may not grow is an error like a full disk, not the program's end.
+  signal(SIGXFSZ, SIG_IGN);
   app::CatchInterrupts();
   try {
     program.parse(argc, argv);

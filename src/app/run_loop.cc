@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <stdexcept>
 #include <thread>
 
 #include "app/interrupt.h"
@@ -45,12 +46,20 @@ class LiveRun {
   explicit LiveRun(const RunPlan& plan) : plan_(plan), simulation_(plan.scene, plan.robot) {
     // A brain that does not exist must not leave an empty recording behind.
     if (!plan.brain.empty()) FindBrain();
-    const bool needs_eye = !plan.record.empty() || !plan.brain.empty();
-    if (needs_eye) eye_.emplace(plan.eye);
-    if (!plan.record.empty()) {
-      recorder_.emplace(plan.record, plan.recording, &*eye_, simulation_);
-      simulation_.AddListener(&*recorder_);
+    const bool records = !plan.record.empty() || plan.continuation || StartsRecordings();
+    const bool takes_pictures = records && plan.has_pictures;
+    if (takes_pictures || !plan.brain.empty()) eye_.emplace(plan.eye);
+    if (records) {
+      desk_.emplace(&simulation_,
+                    record::RecordingDesk::Options{.root = plan.recordings,
+                                                   .recording = plan.recording,
+                                                   .eye = takes_pictures ? &*eye_ : nullptr});
     }
+    if (!plan.record.empty()) desk_->StartIn(plan.record, simulation_);
+    if (plan.continuation) {
+      desk_->Continue(plan.continuation->recording, plan.continuation->from, &simulation_);
+    }
+    first_tick_ = simulation_.tick();
     if (plan.script) player_.emplace(*plan.script);
     if (process_) StartBrain();
   }
@@ -58,14 +67,18 @@ class LiveRun {
   RunOutcome Go() {
     const auto start = Clock::now();
     ProgressLine progress(plan_.label);
+    // Time passes evenly, also when the simulation's goes back by an undo.
+    double passed = 0;
     while (!IsOver()) {
       simulation_.Tick();
+      passed += 1.0 / sim::kTicksPerSecond;
       progress.Show(simulation_.seconds(), plan_.seconds.value_or(0));
       if (plan_.is_realtime) {
-        std::this_thread::sleep_until(start + std::chrono::duration<double>(simulation_.seconds()));
+        std::this_thread::sleep_until(start + std::chrono::duration<double>(passed));
       }
     }
     const std::chrono::duration<double> wall = Clock::now() - start;
+    ThrowIfNotRecorded();
     if (player_ && !player_->is_finished() && !IsInterrupted()) {
       std::fprintf(stderr, "%s: time was up before this line\n", player_->place().c_str());
     }
@@ -93,6 +106,19 @@ class LiveRun {
     driver_->Start(&simulation_);
   }
 
+  bool StartsRecordings() const {
+    if (!plan_.script) return false;
+    for (const sim::ScriptLine& line : plan_.script->lines) {
+      const auto* command = std::get_if<sim::Command>(&line.what);
+      if (command != nullptr && std::holds_alternative<sim::StartRecording>(*command)) return true;
+    }
+    return false;
+  }
+
+  void ThrowIfNotRecorded() const {
+    if (desk_ && desk_->failure()) throw std::runtime_error(*desk_->failure());
+  }
+
   bool is_brain_running() const {
     return driver_ && driver_->status() == brain::BrainStatus::kRunning;
   }
@@ -100,9 +126,10 @@ class LiveRun {
   /// Lets script and brain speak; true when nothing more is to come.
   bool IsOver() {
     if (IsInterrupted()) return true;
+    ThrowIfNotRecorded();
     const auto limit = static_cast<std::uint64_t>(
         std::llround(plan_.seconds.value_or(plan_.max_seconds) * sim::kTicksPerSecond));
-    if (simulation_.tick() >= limit) return true;
+    if (simulation_.tick() >= first_tick_ + limit) return true;
     if (player_) player_->Advance(&simulation_);
     if (is_brain_running()) driver_->Drive(&simulation_);
     if (driver_ && driver_->status() == brain::BrainStatus::kFailed) return true;
@@ -127,13 +154,19 @@ class LiveRun {
         {"controls", DescribeControls(simulation_)},
         {"robot", DescribeRobot(simulation_)},
         {"brain", brain}};
+    if (desk_) outcome.recordings = desk_->directories();
+    outcome.json["recordings"] = Json::array();
+    for (const auto& directory : outcome.recordings) {
+      outcome.json["recordings"].push_back(directory.string());
+    }
     return outcome;
   }
 
   const RunPlan& plan_;
   std::optional<RenderedEye> eye_;
-  std::optional<record::Recorder> recorder_;
+  std::optional<record::RecordingDesk> desk_;
   sim::Simulation simulation_;
+  std::uint64_t first_tick_ = 0;
   std::optional<sim::ScriptPlayer> player_;
   std::optional<brain::BrainProcess> process_;
   std::optional<brain::BrainDriver> driver_;

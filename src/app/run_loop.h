@@ -8,7 +8,7 @@
 
 #include "base/json.h"
 #include "brain/brain_driver.h"
-#include "record/recorder.h"
+#include "record/recording_desk.h"
 #include "scene/scene_spec.h"
 #include "sim/eye.h"
 #include "sim/script.h"
@@ -26,7 +26,16 @@ struct RunPlan {
   std::optional<double> seconds;        ///< exactly this long; else until script or brain end
   double max_seconds = 86400;           ///< for runs that end by themselves
   std::filesystem::path record;         ///< new directory; empty for none
+  std::filesystem::path recordings = "recordings";  ///< where those go that the script starts
+  /// Goes on with a recording from here, in place of starting one. It has the plan's scene and
+  /// robot.
+  struct Continuation {
+    record::Recording recording;
+    record::Moment from;
+  };
+  std::optional<Continuation> continuation;
   record::RecorderOptions recording;
+  bool has_pictures = true;
   sim::EyeSpec eye;
   double image_seconds = 0.25;
   bool is_realtime = false;
@@ -38,6 +47,7 @@ struct RunOutcome {
   double wall_seconds = 0;
   Json json;  ///< as docs/commands.md describes `run --json`
   std::optional<brain::BrainError> brain_error;
+  std::vector<std::filesystem::path> recordings;  ///< that were made or gone on with
 };
 
 /// Objects of a simulation as results tell them: id -> {position [units], rotation [degrees]}.

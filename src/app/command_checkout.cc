@@ -1,0 +1,104 @@
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <stdexcept>
+
+#include "app/commands.h"
+#include "app/exit_code.h"
+#include "app/options.h"
+#include "app/run_loop.h"
+#include "base/diagnostic.h"
+#include "base/wording.h"
+#include "record/recording_history.h"
+
+namespace smile::app {
+namespace {
+
+struct CheckoutOptions {
+  std::string demo, commands;
+  std::optional<std::size_t> at;
+  std::optional<double> after, seconds;
+  bool json = false;
+};
+
+/// The moment that is meant; the end of the recording if nothing is said.
+record::Moment MomentOf(const CheckoutOptions& options, const record::Recording& recording) {
+  const std::vector<record::HistoryStep> steps = record::HistoryOf(recording);
+  std::size_t at = steps.size() - 1;
+  while (!options.at && !steps[at].is_on_way) --at;
+  if (options.at) at = *options.at;
+  if (at >= steps.size()) {
+    throw InputError({options.demo, 0, "",
+                      "has no step " + std::to_string(at) + ", expected 0 to " +
+                          std::to_string(steps.size() - 1) + " (see: smile history)"});
+  }
+  if (!options.after) return steps[at].end;
+  const auto ticks =
+      static_cast<std::uint64_t>(std::llround(*options.after * sim::kTicksPerSecond));
+  if (const auto moment = MomentIn(recording, steps[at], ticks)) return *moment;
+  const double lasted =
+      static_cast<double>(steps[at].end.tick - steps[at].begin.tick) / sim::kTicksPerSecond;
+  throw InputError({options.demo, 0, "",
+                    "step " + std::to_string(at) + " lasted " + NumberText(lasted) +
+                        " s, expected --after to be at most that"});
+}
+
+sim::EyeSpec EyeOf(const record::DemoInfo& info) {
+  if (!info.eye) return {};
+  return {.width_px = info.eye->intrinsics.width_px, .height_px = info.eye->intrinsics.height_px};
+}
+
+int CheckOut(const CheckoutOptions& options) {
+  record::Recording recording = record::OpenRecording(options.demo);
+  for (const std::string& cut : recording.cuts) {
+    std::fprintf(stderr, "%s: %s\n", options.demo.c_str(), cut.c_str());
+  }
+  const record::Moment from = MomentOf(options, recording);
+  RunPlan plan{.scene = recording.scene,
+               .robot = recording.robot,
+               .seconds = options.commands.empty() ? std::optional(options.seconds.value_or(0))
+                                                   : options.seconds,
+               .has_pictures = recording.info.eye.has_value(),
+               .eye = EyeOf(recording.info),
+               .label = "going on"};
+  if (!options.commands.empty()) {
+    plan.script = sim::ReadScript(options.commands, plan.scene.meters_per_unit);
+  }
+  plan.continuation = {std::move(recording), from};
+  const RunOutcome outcome = Run(plan);
+  if (options.json) {
+    std::printf("%s\n", ToText(outcome.json, 2).c_str());
+  } else {
+    std::printf("%s: went on from %.2f s, ends at %.2f s, state %s\n", options.demo.c_str(),
+                static_cast<double>(from.tick) / sim::kTicksPerSecond,
+                outcome.json["seconds"].get<double>(),
+                outcome.json["hash"].get<std::string>().c_str());
+  }
+  return kDone;
+}
+
+}  // namespace
+
+void AddCheckout(CLI::App* program, ExitAnswer answer) {
+  auto options = std::make_shared<CheckoutOptions>();
+  CLI::App* checkout = program->add_subcommand(
+      "checkout",
+      "Go on with a recording from any of its steps; what followed stays in its history");
+  checkout->add_option("DEMO", options->demo, "directory of a recording")->required();
+  checkout->add_option("--at", options->at,
+                       "step to go on from, as smile history numbers them; the last if not given");
+  checkout
+      ->add_option("--after", options->after,
+                   "so many seconds after that step began; its end if not given")
+      ->check(NumberBetween(0.0, 86400.0));
+  checkout->add_option("--commands", options->commands, "script of commands to go on with");
+  checkout
+      ->add_option("--seconds", options->seconds,
+                   "go on for exactly so long; otherwise until the script ends")
+      ->check(NumberBetween(0.0, 86400.0));
+  checkout->add_flag("--json", options->json, "print one JSON object on stdout");
+  checkout->callback([options, answer] { *answer = CheckOut(*options); });
+}
+
+}  // namespace smile::app

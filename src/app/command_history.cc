@@ -1,0 +1,96 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+
+#include "app/commands.h"
+#include "app/exit_code.h"
+#include "base/json.h"
+#include "record/recording_history.h"
+#include "sim/simulation.h"
+
+namespace smile::app {
+namespace {
+
+/// Branches of branches farther right than this share a column.
+constexpr int kMaxDepth = 20;
+
+struct HistoryOptions {
+  std::string demo;
+  bool json = false;
+};
+
+double SecondsOf(const record::Recording& recording, const record::Moment& moment) {
+  return static_cast<double>(moment.tick - recording.info.start.tick) / sim::kTicksPerSecond;
+}
+
+Json ToJson(const record::Recording& recording, const std::vector<record::HistoryStep>& steps) {
+  Json list = Json::array();
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    list.push_back({{"step", i},
+                    {"parent", steps[i].parent ? Json(*steps[i].parent) : Json()},
+                    {"words", steps[i].words},
+                    {"begin", SecondsOf(recording, steps[i].begin)},
+                    {"end", SecondsOf(recording, steps[i].end)},
+                    {"on_way", steps[i].is_on_way}});
+  }
+  return {{"title", recording.info.title}, {"steps", list}};
+}
+
+/// Prints a step and everything that followed upon it: first what was left, one column farther
+/// right each time, then the way on.
+void PrintTree(const record::Recording& recording, const std::vector<record::HistoryStep>& steps) {
+  std::vector<std::vector<std::size_t>> children(steps.size());
+  for (std::size_t i = 1; i < steps.size(); ++i) children[*steps[i].parent].push_back(i);
+  struct Row {
+    std::size_t step = 0;
+    int depth = 0;
+  };
+  std::vector<Row> rows{{}};  // to be printed, the next one last
+  while (!rows.empty()) {
+    const Row row = rows.back();
+    rows.pop_back();
+    const record::HistoryStep& step = steps[row.step];
+    std::printf("%s%s %3zu  %7.2f s  %s%s\n",
+                std::string(2 * std::min(row.depth, kMaxDepth), ' ').c_str(),
+                step.is_on_way ? "*" : "-", row.step, SecondsOf(recording, step.begin),
+                step.words.c_str(), step.is_on_way ? "" : " (undone)");
+    // The newest child goes on in the same column; it is the one on the way, where there is one.
+    const auto& next = children[row.step];
+    for (std::size_t k = next.size(); k-- > 0;) {
+      const bool is_main = steps[next[k]].is_on_way || (k + 1 == next.size() && !step.is_on_way);
+      if (is_main) rows.push_back({next[k], row.depth});
+    }
+    for (std::size_t k = next.size(); k-- > 0;) {
+      const bool is_main = steps[next[k]].is_on_way || (k + 1 == next.size() && !step.is_on_way);
+      if (!is_main) rows.push_back({next[k], row.depth + 1});
+    }
+  }
+}
+
+int ShowHistory(const HistoryOptions& options) {
+  const record::Recording recording = record::OpenRecording(options.demo);
+  for (const std::string& cut : recording.cuts) {
+    std::fprintf(stderr, "%s: %s\n", options.demo.c_str(), cut.c_str());
+  }
+  const std::vector<record::HistoryStep> steps = record::HistoryOf(recording);
+  if (options.json) {
+    std::printf("%s\n", ToText(ToJson(recording, steps), 2).c_str());
+  } else {
+    PrintTree(recording, steps);
+  }
+  return kDone;
+}
+
+}  // namespace
+
+void AddHistory(CLI::App* program, ExitAnswer answer) {
+  auto options = std::make_shared<HistoryOptions>();
+  CLI::App* history = program->add_subcommand(
+      "history", "Show the steps of a recording, also those that were undone");
+  history->add_option("DEMO", options->demo, "directory of a recording")->required();
+  history->add_flag("--json", options->json, "print one JSON object on stdout");
+  history->callback([options, answer] { *answer = ShowHistory(*options); });
+}
+
+}  // namespace smile::app

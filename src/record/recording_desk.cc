@@ -1,0 +1,140 @@
+#include "record/recording_desk.h"
+
+#include <cctype>
+#include <stdexcept>
+#include <utility>
+
+namespace smile::record {
+namespace {
+
+constexpr std::size_t kMaxNameBytes = 100;
+constexpr int kMaxSameNames = 100'000;
+
+/// True of a name that stays in its folder on every system.
+bool IsFileName(const std::string& name) {
+  if (name.empty() || name.size() > kMaxNameBytes || name.front() == '.') return false;
+  for (const char letter : name) {
+    const auto byte = static_cast<unsigned char>(letter);
+    const bool is_ordinary = byte >= 0x80 || std::isalnum(byte) != 0;
+    if (!is_ordinary && std::string_view(" -_.").find(letter) == std::string_view::npos) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// `um`, or `um-2` if that is taken, …
+std::filesystem::path NewDirectory(const std::filesystem::path& root, const std::string& name) {
+  std::filesystem::path directory = root / name;
+  for (int number = 2; std::filesystem::exists(directory) && number < kMaxSameNames; ++number) {
+    directory = root / (name + "-" + std::to_string(number));
+  }
+  return directory;
+}
+
+}  // namespace
+
+RecordingDesk::RecordingDesk(sim::Simulation* simulation, Options options)
+    : options_(std::move(options)) {
+  if (simulation->has_begun()) {
+    throw std::invalid_argument("recording desk: the simulation has already begun");
+  }
+  simulation->AddListener(this);
+  simulation->SetRecordingControl(this);
+}
+
+std::optional<sim::Refusal> RecordingDesk::Start(const sim::Simulation& simulation,
+                                                 const sim::StartRecording& start) {
+  if (recorder_) {
+    return "already recording into " + directories_.back().string() + "; finish that first";
+  }
+  std::string name = start.name.empty() ? simulation.scene().name : start.name;
+  if (start.name.empty() && !IsFileName(name)) name = "recording";
+  if (!IsFileName(name)) {
+    return "\"name\" is \"" + name +
+           "\", expected up to 100 letters, digits, spaces, - _ and ., not . first";
+  }
+  RecorderOptions options = options_.recording;
+  if (!start.title.empty()) options.title = start.title;
+  if (!start.notes.empty()) options.notes = start.notes;
+  try {
+    Start(NewDirectory(options_.root, name), options, simulation);
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return std::nullopt;
+}
+
+void RecordingDesk::Start(const std::filesystem::path& directory, const RecorderOptions& options,
+                          const sim::Simulation& simulation) {
+  recorder_ = std::make_unique<Recorder>(directory, options, options_.eye, simulation, past_);
+  directories_.push_back(directory);
+}
+
+void RecordingDesk::StartIn(const std::filesystem::path& directory,
+                            const sim::Simulation& simulation) {
+  Start(directory, options_.recording, simulation);
+}
+
+void RecordingDesk::Continue(const Recording& recording, const Moment& from,
+                             sim::Simulation* simulation) {
+  // What is run again on the way there is remembered, too, so that it can be undone.
+  recorder_ = Recorder::Continue(recording, from, options_.eye, simulation);
+  directories_.push_back(recording.directory);
+}
+
+std::optional<sim::Refusal> RecordingDesk::Finish(const sim::Simulation&) {
+  if (!recorder_) return "nothing is being recorded";
+  recorder_.reset();
+  return std::nullopt;
+}
+
+template <class Part>
+void RecordingDesk::Record(const Part& part) {
+  if (!recorder_) return;
+  try {
+    part(*recorder_);
+  } catch (const std::exception& error) {
+    failure_ = error.what();
+    recorder_.reset();
+  }
+}
+
+std::optional<sim::Refusal> RecordingDesk::Refuse(const sim::Simulation& simulation,
+                                                  const sim::Command& command) {
+  return recorder_ ? recorder_->Refuse(simulation, command) : std::nullopt;
+}
+
+void RecordingDesk::OnCommand(const sim::Simulation& simulation, const sim::Command& command) {
+  undone_.clear();
+  if (IsAction(command)) before_action_.push_back(past_.size());
+  past_.push_back({.tick = simulation.tick(), .command = command});
+  Record([&](Recorder& recorder) { recorder.OnCommand(simulation, command); });
+}
+
+void RecordingDesk::OnEvent(const sim::Simulation& simulation, const sim::Event& event) {
+  Record([&](Recorder& recorder) { recorder.OnEvent(simulation, event); });
+}
+
+void RecordingDesk::OnUndo(const sim::Simulation& simulation) {
+  const std::size_t before = before_action_.back();
+  const auto first = past_.begin() + static_cast<std::ptrdiff_t>(before);
+  undone_.push_back({before, {first, past_.end()}});
+  past_.erase(first, past_.end());
+  before_action_.pop_back();
+  Record([&](Recorder& recorder) { recorder.OnUndo(simulation); });
+}
+
+void RecordingDesk::OnRedo(const sim::Simulation& simulation) {
+  const Undone& redone = undone_.back();
+  past_.insert(past_.end(), redone.commands.begin(), redone.commands.end());
+  before_action_.push_back(redone.before);
+  undone_.pop_back();
+  Record([&](Recorder& recorder) { recorder.OnRedo(simulation); });
+}
+
+void RecordingDesk::OnTick(const sim::Simulation& simulation) {
+  Record([&](Recorder& recorder) { recorder.OnTick(simulation); });
+}
+
+}  // namespace smile::record

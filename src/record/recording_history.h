@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "record/recording.h"
+
+namespace smile::record {
+
+/// One action of a recording's history and what followed upon it, up to the next one.
+struct HistoryStep {
+  std::optional<std::size_t> parent;  ///< the step before; nullopt for the start
+  Moment begin;                       ///< just before the action
+  /// As far as it went: to the next action, to where it was left by an undo, or to the recording's
+  /// end. If it was gone on with in several ways, the last of them counts.
+  Moment end;
+  std::string words;       ///< `left hand takes b03`
+  bool is_on_way = false;  ///< false of what was undone or left, and not done again
+};
+
+/// Everything that was ever done in a recording, also what was undone. Step 0 is the start; the
+/// others are in the order in which they were done, each after its parent. The recording ends with
+/// the last one on the way.
+/// @throws InputError if the recording's trace cannot be read.
+std::vector<HistoryStep> HistoryOf(const Recording& recording);
+
+/// The moment some ticks after a step's begin; nullopt if it did not last that long.
+std::optional<Moment> MomentIn(const Recording& recording, const HistoryStep& step,
+                               std::uint64_t ticks);
+
+}  // namespace smile::record

@@ -1,0 +1,145 @@
+// Whatever ends the program, what was complete opens again.
+
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+
+#include <fstream>
+#include <random>
+
+#include "record/recording_desk.h"
+#include "record/recording_history.h"
+#include "record/replay.h"
+#include "record/trace_reader.h"
+#include "recording_fixture.h"
+
+namespace smile::record {
+namespace {
+
+class CrashTest : public RecordingFixture {
+ protected:
+  /// Two hands at work on the pair of blocks, who often change their mind.
+  static void Work(sim::Simulation* simulation, unsigned seed, int num_steps) {
+    std::mt19937 random(seed);
+    for (int i = 0; i < num_steps; ++i) {
+      const sim::HandName hand = random() % 2 ? sim::HandName::kLeft : sim::HandName::kRight;
+      switch (random() % 6) {
+        case 0:
+          (void)simulation->Apply(sim::Grasp{.hand = hand, .object = random() % 2 ? "a" : "b"});
+          break;
+        case 1:
+          (void)simulation->Apply(sim::Release{.hand = hand});
+          break;
+        case 2:
+          (void)simulation->Apply(sim::Undo());
+          break;
+        case 3:
+          (void)simulation->Apply(sim::Redo());
+          break;
+        default: {
+          const double x = std::uniform_real_distribution(-0.5, 0.5)(random);
+          (void)simulation->Apply(sim::MoveTo{.hand = hand, .p_WH = {x, -0.2, 0.3}});
+        }
+      }
+      for (unsigned ticks = random() % 4; ticks > 0; --ticks) simulation->Tick();
+    }
+  }
+
+  /// Runs something in a process of its own; answers its id.
+  template <class Part>
+  static pid_t Fork(const Part& part) {
+    const pid_t child = fork();
+    if (child != 0) return child;
+    part();
+    _exit(0);
+  }
+
+  /// Opens what is there, and shows that it is sound.
+  /// @returns the number of ticks; nullopt if the recording had not begun.
+  std::optional<std::uint64_t> CheckSound(const std::filesystem::path& demo) {
+    if (!IsRecording(demo)) return std::nullopt;
+    const Recording recording = OpenRecording(demo);
+    const ReplayReport report = Replay(recording);
+    EXPECT_EQ(report.first_difference, std::nullopt);
+    EXPECT_FALSE(HistoryOf(recording).empty());
+
+    // And it can be gone on with.
+    auto simulation = MakeSimulation(false);
+    const std::vector<HistoryStep> steps = HistoryOf(recording);
+    std::size_t last = steps.size() - 1;
+    while (!steps[last].is_on_way) --last;
+    const auto recorder = Recorder::Continue(recording, steps[last].end, nullptr, simulation.get());
+    simulation->AddListener(recorder.get());
+    Work(simulation.get(), 7, 6);
+    simulation->Tick();  // what was done last shows in its hash
+    const Recording longer = OpenRecording(demo);
+    EXPECT_TRUE(longer.cuts.empty());
+    const ReplayReport again = Replay(longer);
+    EXPECT_EQ(again.first_difference, std::nullopt);
+    EXPECT_EQ(again.hash, simulation->state_hash());
+    return report.ticks;
+  }
+};
+
+TEST_F(CrashTest, AKilledProcessLosesNothingThatWasComplete) {
+  std::mt19937 random(1);
+  int num_begun = 0;
+  std::uint64_t most_ticks = 0;
+  for (int i = 0; i < 50; ++i) {
+    const auto demo = root_ / ("killed" + std::to_string(i));
+    const pid_t child = Fork([&] {
+      auto simulation = MakeSimulation(false);
+      Recorder recorder(demo, {}, nullptr, *simulation);
+      simulation->AddListener(&recorder);
+      Work(simulation.get(), static_cast<unsigned>(i), 1'000'000);
+    });
+    usleep(1000 + random() % 60'000);
+    ASSERT_EQ(kill(child, SIGKILL), 0);
+    int status = 0;
+    ASSERT_EQ(waitpid(child, &status, 0), child);
+    ASSERT_TRUE(WIFSIGNALED(status)) << "it ended by itself";
+    const auto ticks = CheckSound(demo);
+    if (!ticks) continue;
+    ++num_begun;
+    most_ticks = std::max(most_ticks, *ticks);
+  }
+  EXPECT_GT(num_begun, 10);
+  EXPECT_GT(most_ticks, 5u);
+}
+
+TEST_F(CrashTest, AFullDiskEndsTheRecordingNotTheSimulation) {
+  // No file may grow beyond these many bytes; what was meant to is cut there.
+  for (const rlim_t limit : {9000, 20'000, 31'007, 50'123}) {
+    const auto demo = root_ / ("full" + std::to_string(limit));
+    const pid_t child = Fork([&] {
+      signal(SIGXFSZ, SIG_IGN);
+      const rlimit size{limit, limit};
+      setrlimit(RLIMIT_FSIZE, &size);
+      auto simulation = MakeSimulation(false);
+      RecordingDesk desk(simulation.get(), {});
+      desk.StartIn(demo, *simulation);
+      Work(simulation.get(), 3, 2000);
+      const bool told =
+          desk.failure() && desk.failure()->find("File too large") != std::string::npos;
+      _exit(told && !desk.is_recording() ? 42 : 1);
+    });
+    int status = 0;
+    ASSERT_EQ(waitpid(child, &status, 0), child);
+    EXPECT_EQ(WEXITSTATUS(status), 42) << limit;
+    EXPECT_TRUE(CheckSound(demo).has_value()) << limit;
+  }
+}
+
+TEST_F(CrashTest, ADirectoryThatCannotBeWrittenIsARefusal) {
+  auto simulation = MakeSimulation(false);
+  std::filesystem::create_directories(root_ / "file");
+  std::ofstream(root_ / "notafolder") << "x";
+  RecordingDesk desk(simulation.get(), {.root = root_ / "notafolder"});
+  const auto refusal = simulation->Apply(sim::StartRecording{.name = "demo"});
+  ASSERT_TRUE(refusal.has_value());
+  EXPECT_NE(refusal->find("notafolder"), std::string::npos) << *refusal;
+  EXPECT_FALSE(desk.is_recording());
+}
+
+}  // namespace
+}  // namespace smile::record

@@ -1,0 +1,100 @@
+#include "record/recording_desk.h"
+
+#include "record/recording_history.h"
+#include "record/replay.h"
+#include "recording_fixture.h"
+
+namespace smile::record {
+namespace {
+
+using sim::HandName;
+
+class RecordingDeskTest : public RecordingFixture {
+ protected:
+  RecordingDeskTest()
+      : simulation_(MakeSimulation(false)), desk_(simulation_.get(), {.root = root_}) {}
+
+  void Do(const sim::Command& command, int ticks = 0) {
+    const auto refusal = simulation_->Apply(command);
+    ASSERT_EQ(refusal, std::nullopt) << *refusal;
+    for (int i = 0; i < ticks; ++i) simulation_->Tick();
+  }
+
+  std::unique_ptr<sim::Simulation> simulation_;
+  RecordingDesk desk_;
+};
+
+TEST_F(RecordingDeskTest, EveryRecordingHasADirectoryOfItsOwn) {
+  EXPECT_EQ(*simulation_->Apply(sim::FinishRecording()), "nothing is being recorded");
+  Do(sim::StartRecording{.name = "take", .title = "first"}, 3);
+  EXPECT_NE(simulation_->Apply(sim::StartRecording())->find("already recording"),
+            std::string::npos);
+  Do(sim::FinishRecording());
+  Do(sim::StartRecording{.name = "take"}, 5);
+  Do(sim::FinishRecording());
+  Do(sim::StartRecording(), 1);
+  EXPECT_EQ(desk_.directories(),
+            (std::vector<std::filesystem::path>{root_ / "take", root_ / "take-2", root_ / "pair"}));
+  EXPECT_EQ(OpenRecording(root_ / "take").info.title, "first");
+  EXPECT_EQ(OpenRecording(root_ / "take-2").info.title, "");
+  EXPECT_EQ(OpenRecording(root_ / "take-2").info.start.tick, 3u);
+}
+
+TEST_F(RecordingDeskTest, NoNameLeadsOutOfItsFolder) {
+  for (const char* name : {"../up", "/tmp/x", ".hidden", "a/b", "a\\b", "a\nb", ".."}) {
+    const auto refusal = simulation_->Apply(sim::StartRecording{.name = name});
+    ASSERT_TRUE(refusal.has_value()) << name;
+    EXPECT_NE(refusal->find("expected up to 100 letters"), std::string::npos);
+  }
+  EXPECT_TRUE(std::filesystem::is_empty(root_));
+}
+
+TEST_F(RecordingDeskTest, WhatWasUndoneBeforeTheStartIsNoPartOfThePast) {
+  Do(sim::Grasp{.hand = HandName::kLeft, .object = "a"}, 20);
+  Do(sim::Undo());
+  Do(sim::Grasp{.hand = HandName::kRight, .object = "b"}, 20);
+  Do(sim::Release{.hand = HandName::kRight}, 5);
+  Do(sim::Undo());
+  Do(sim::Redo(), 7);
+  Do(sim::StartRecording{.name = "take"}, 10);
+  const Recording recording = OpenRecording(root_ / "take");
+  EXPECT_EQ(recording.commands.size(), 2u);
+  EXPECT_EQ(recording.info.start, (Moment{.line = 2, .tick = 32}));
+  const ReplayReport report = Replay(recording);
+  EXPECT_EQ(report.first_difference, std::nullopt);
+  EXPECT_EQ(report.hash, simulation_->state_hash());
+}
+
+TEST_F(RecordingDeskTest, AfterTheFinishTheWorldCanBeUndoneButNotTheRecording) {
+  Do(sim::Grasp{.hand = HandName::kLeft, .object = "a"}, 20);
+  Do(sim::StartRecording{.name = "take"}, 5);
+  EXPECT_NE(simulation_->Apply(sim::Undo()), std::nullopt);
+  Do(sim::FinishRecording());
+  Do(sim::Undo());
+  EXPECT_EQ(simulation_->tick(), 0u);
+  EXPECT_EQ(Replay(OpenRecording(root_ / "take")).ticks, 5u);
+}
+
+TEST_F(RecordingDeskTest, TheHistoryTellsEveryStepAlsoWhatWasUndone) {
+  Do(sim::StartRecording{.name = "take"}, 10);
+  Do(sim::Grasp{.hand = HandName::kLeft, .object = "a"}, 10);
+  Do(sim::Release{.hand = HandName::kLeft}, 10);
+  Do(sim::Undo(), 2);
+  Do(sim::Point{.hand = HandName::kRight, .part = "b"}, 10);
+  Do(sim::FinishRecording());
+  const std::vector<HistoryStep> steps = HistoryOf(OpenRecording(root_ / "take"));
+  ASSERT_EQ(steps.size(), 4u);
+  EXPECT_EQ(steps[0].words, "the start");
+  EXPECT_EQ(steps[1].words, "left hand takes a");
+  EXPECT_EQ(steps[2].words, "left hand releases a");
+  EXPECT_EQ(steps[3].words, "right hand points at b");
+  EXPECT_EQ(steps[3].parent, 1u);
+  EXPECT_FALSE(steps[2].is_on_way);
+  EXPECT_TRUE(steps[1].is_on_way && steps[3].is_on_way);
+  EXPECT_EQ(steps[2].end, (Moment{.line = 2, .tick = 30}));
+  EXPECT_EQ(steps[1].end, (Moment{.line = 3, .tick = 22}));
+  EXPECT_EQ(steps[3].end, (Moment{.line = 4, .tick = 32}));
+}
+
+}  // namespace
+}  // namespace smile::record

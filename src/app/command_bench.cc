@@ -8,6 +8,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "app/bench_recording.h"
 #include "app/commands.h"
 #include "app/exit_code.h"
 #include "app/options.h"
@@ -145,6 +146,7 @@ void RegisterAll() {
         ->MeasureProcessCPUTime()
         ->Unit(kMillisecond);
   }
+  RegisterRecordingBenchmarks();
   RegisterBenchmark("brain round trip", &BrainRoundTrip)
       ->Args({1, 1})
       ->Args({200, 150})

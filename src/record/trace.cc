@@ -6,6 +6,7 @@ TraceTick Observe(const sim::Simulation& simulation) {
   TraceTick now{.tick = simulation.tick(),
                 .hash = simulation.state_hash(),
                 .is_robot_shown = simulation.is_robot_shown()};
+  now.objects.reserve(simulation.tabletop().objects().size());
   for (const world::Object& object : simulation.tabletop().objects()) {
     if (!simulation.tabletop().IsPresent(object)) {
       now.objects.push_back({.is_present = false});

@@ -1,5 +1,6 @@
 // What undo, redo and going on do to a recording.
 
+#include <cstdlib>
 #include <fstream>
 #include <map>
 #include <random>
@@ -142,6 +143,59 @@ TEST_P(UndoProperty, GoesOnFromAnyMomentAsIfItHadNeverStopped) {
     ASSERT_EQ(report.first_difference, std::nullopt) << "went on after line " << line;
     ASSERT_EQ(report.hash, simulation.state_hash());
     ASSERT_EQ(ViewOf(root_ / "demo"), ViewWithoutUndo(now, simulation.tick()));
+  }
+}
+
+int NumberFrom(const char* variable, int usual) {
+  const char* text = std::getenv(variable);
+  return text != nullptr ? std::atoi(text) : usual;
+}
+
+/// tools/random_sessions.sh asks for more and longer ones.
+TEST_F(UndoTest, RandomSessionsReplayIdenticallyAndUndoExactly) {
+  const int num_sessions = NumberFrom("SMILE_SESSIONS", 1);
+  const int num_ticks = NumberFrom("SMILE_SESSION_SECONDS", 6) * sim::kTicksPerSecond;
+  for (int session = 1; session <= num_sessions; ++session) {
+    SCOPED_TRACE("session " + std::to_string(session));
+    const auto demo = root_ / ("session" + std::to_string(session));
+    sim::Simulation simulation(Everything());
+    Recorder recorder(demo, {}, nullptr, simulation);
+    simulation.AddListener(&recorder);
+    sim::RandomHands hands(static_cast<unsigned>(session));
+    std::mt19937 random(static_cast<unsigned>(session));
+    struct Undone {
+      std::uint64_t before, after;
+    };
+    std::vector<std::uint64_t> befores;
+    std::vector<Undone> undone;
+    int num_undone = 0;
+    for (int i = 0; i < num_ticks; ++i) {
+      const std::uint64_t now = simulation.state_hash();
+      const auto dice = random() % 40;
+      if (dice == 0 && !befores.empty()) {
+        ASSERT_EQ(simulation.Apply(sim::Undo()), std::nullopt);
+        undone.push_back({befores.back(), now});
+        befores.pop_back();
+        ASSERT_EQ(simulation.state_hash(), undone.back().before);
+        ++num_undone;
+      } else if (dice == 1 && !undone.empty()) {
+        ASSERT_EQ(simulation.Apply(sim::Redo()), std::nullopt);
+        ASSERT_EQ(simulation.state_hash(), undone.back().after);
+        befores.push_back(undone.back().before);
+        undone.pop_back();
+      } else if (dice < 8) {
+        const sim::Command command = hands.Next(simulation);
+        if (!simulation.Apply(command)) {
+          undone.clear();
+          if (IsAction(command)) befores.push_back(now);
+        }
+      }
+      simulation.Tick();
+    }
+    EXPECT_GT(num_undone, 0);
+    const ReplayReport report = Replay(OpenRecording(demo));
+    ASSERT_EQ(report.first_difference, std::nullopt);
+    ASSERT_EQ(report.hash, simulation.state_hash());
   }
 }
 

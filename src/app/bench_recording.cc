@@ -1,0 +1,149 @@
+#include "app/bench_recording.h"
+
+#include <benchmark/benchmark.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+
+#include "app/options.h"
+#include "base/files.h"
+#include "record/recorder.h"
+#include "record/replay.h"
+#include "scene_xml/scene_reader.h"
+#include "sim/script.h"
+#include "sim/simulation.h"
+
+namespace smile::app {
+namespace {
+
+using sim::HandName;
+
+/// A folder that goes with its benchmark.
+class ScratchFolder {
+ public:
+  ScratchFolder()
+      : path_(std::filesystem::temp_directory_path() /
+              ("smile_bench_" + std::to_string(getpid()) + "_" + std::to_string(num_made_++))) {
+    std::filesystem::create_directories(path_);
+  }
+  ~ScratchFolder() {
+    std::error_code error;
+    std::filesystem::remove_all(path_, error);
+  }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  inline static int num_made_ = 0;
+  std::filesystem::path path_;
+};
+
+scene::SceneSpec LettersScene() { return scene_xml::LoadScene(DataFile("scenes/um.xml")); }
+
+/// A hand carries a block to and fro, and the others lie still.
+void CarryOn(sim::Simulation* simulation) {
+  const std::uint64_t tick = simulation->tick();
+  if (tick % 60 != 0) return;
+  if (tick == 0) {
+    simulation->Apply(sim::Grasp{.hand = HandName::kLeft, .object = "Blue1"});
+  }
+  const double x = tick / 60 % 2 == 0 ? 0.3 : -0.3;
+  simulation->Apply(sim::MoveTo{.hand = HandName::kLeft, .p_WH = {x, -0.1, 0.3}, .speed = 0.4});
+}
+
+void TickOfAHandAtWork(benchmark::State& state, bool is_recorded) {
+  const ScratchFolder folder;
+  sim::Simulation simulation(LettersScene());
+  std::optional<record::Recorder> recorder;
+  if (is_recorded) {
+    recorder.emplace(folder.path() / "demo", record::RecorderOptions(), nullptr, simulation);
+    simulation.AddListener(&*recorder);
+  }
+  for (auto _ : state) {
+    CarryOn(&simulation);
+    simulation.Tick();
+  }
+}
+
+/// Fifty blocks in rows.
+scene::SceneSpec FiftyBlocks() {
+  scene::SceneSpec scene{.name = "fifty"};
+  for (int i = 0; i < 50; ++i) {
+    scene::ObjectSpec object;
+    object.whole = {
+        .id = "b" + std::to_string(i),
+        .X_PE = RigidTransform(Vector3(-0.8 + 0.16 * (i % 10), -0.4 + 0.16 * (i / 10.0), 0.05)),
+        .shape = scene::Block{{0.1, 0.1, 0.1}}};
+    scene.objects.push_back(std::move(object));
+  }
+  return scene;
+}
+
+/// Only what the undo takes, of a grasp and a second of carrying.
+void UndoAmongFiftyBlocks(benchmark::State& state) {
+  const ScratchFolder folder;
+  sim::Simulation simulation(FiftyBlocks());
+  record::Recorder recorder(folder.path() / "demo", {}, nullptr, simulation);
+  simulation.AddListener(&recorder);
+  for (auto _ : state) {
+    simulation.Apply(sim::Grasp{.hand = HandName::kLeft, .object = "b22"});
+    simulation.Apply(sim::MoveTo{.hand = HandName::kLeft, .p_WH = {0, 0, 0.3}});
+    for (int i = 0; i < sim::kTicksPerSecond; ++i) simulation.Tick();
+    const auto start = std::chrono::steady_clock::now();
+    if (simulation.Apply(sim::Undo())) state.SkipWithError("there was nothing to undo");
+    state.SetIterationTime(
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  }
+}
+
+void ReplayUm(benchmark::State& state, bool with_robot) {
+  const ScratchFolder folder;
+  const auto demo = folder.path() / "demo";
+  sim::Simulation simulation(LettersScene(), PlaceRobot({.no_robot = !with_robot}));
+  {
+    record::Recorder recorder(demo, {}, nullptr, simulation);
+    simulation.AddListener(&recorder);
+    sim::ScriptPlayer player(
+        sim::ReadScript(DataFile("examples/um.jsonl"), simulation.scene().meters_per_unit));
+    for (player.Advance(&simulation); !player.is_finished(); player.Advance(&simulation)) {
+      simulation.Tick();
+    }
+    simulation.RemoveListener(&recorder);
+  }
+  const record::Recording recording = record::OpenRecording(demo);
+  for (auto _ : state) {
+    if (record::Replay(recording).first_difference) state.SkipWithError("the replay differs");
+  }
+  std::uintmax_t bytes = 0;
+  for (const auto& file : std::filesystem::recursive_directory_iterator(demo)) {
+    if (file.is_regular_file()) bytes += file.file_size();
+  }
+  state.counters["x_real_time"] = benchmark::Counter(
+      simulation.seconds() * static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
+  state.counters["MB_per_hour"] = static_cast<double>(bytes) / 1e6 / simulation.seconds() * 3600;
+}
+
+}  // namespace
+
+void RegisterRecordingBenchmarks() {
+  using benchmark::RegisterBenchmark;
+  for (const bool is_recorded : {false, true}) {
+    RegisterBenchmark(is_recorded ? "a hand at work, recorded, a tick" : "a hand at work, a tick",
+                      &TickOfAHandAtWork, is_recorded)
+        ->Unit(benchmark::kMicrosecond);
+  }
+  RegisterBenchmark("undo among 50 blocks, recorded", &UndoAmongFiftyBlocks)
+      ->UseManualTime()
+      ->Unit(benchmark::kMillisecond);
+  for (const bool with_robot : {false, true}) {
+    RegisterBenchmark(with_robot ? "replay of UM with robot" : "replay of UM", &ReplayUm,
+                      with_robot)
+        ->Unit(benchmark::kMillisecond);
+  }
+}
+
+}  // namespace smile::app

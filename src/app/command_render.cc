@@ -7,11 +7,9 @@
 #include "app/exit_code.h"
 #include "app/film.h"
 #include "app/options.h"
+#include "app/photographer.h"
 #include "app/viewpoint.h"
 #include "base/diagnostic.h"
-#include "camera/renderer.h"
-#include "record/png.h"
-#include "record/sight.h"
 #include "scene_xml/scene_reader.h"
 
 namespace smile::app {
@@ -19,92 +17,98 @@ namespace {
 
 struct RenderCommandOptions {
   std::string subject, camera = "nice", size = "1280x720", channels = "rgb", out;
+  std::optional<double> at;
+  record::TimeRange range;
   double rate = 30, speed = 1;
+  bool as_pictures = false;
   RobotOptions robot;
   PathOptions path;
 };
 
-struct Channels {
-  bool rgb = false, depth = false, id = false;
-};
+enum class Product { kPicture, kFilm, kPictures };
 
-Channels ParseChannels(const std::string& text) {
-  Channels channels;
-  for (std::size_t start = 0; start <= text.size();) {
-    const std::size_t end = std::min(text.find(',', start), text.size());
-    const std::string name = text.substr(start, end - start);
-    if (name == "rgb") {
-      channels.rgb = true;
-    } else if (name == "depth") {
-      channels.depth = true;
-    } else if (name == "id") {
-      channels.id = true;
-    } else {
-      throw std::invalid_argument("channel is '" + name + "', expected rgb, depth or id");
-    }
-    start = end + 1;
+/// What shall be made, from the look of the path.
+Product ProductOf(const RenderCommandOptions& options) {
+  const std::filesystem::path out = options.out;
+  std::error_code error;
+  if (options.as_pictures || !out.has_filename() || std::filesystem::is_directory(out, error)) {
+    return Product::kPictures;
   }
-  return channels;
+  if (out.extension() == ".mp4") return Product::kFilm;
+  if (out.extension() == ".png") return Product::kPicture;
+  throw std::invalid_argument("--out is '" + options.out +
+                              "', expected a .png or .mp4 file, or a directory: DIR/");
 }
 
-/// `out/um.png` and "depth" make `out/um.depth.png`.
-std::filesystem::path WithTag(std::filesystem::path path, const std::string& tag) {
-  return path.replace_extension("." + tag + path.extension().string());
+void CheckTimes(const RenderCommandOptions& options, Product product) {
+  if (options.at && product != Product::kPicture) {
+    throw std::invalid_argument("--at is for a picture; a film has --from and --to");
+  }
+  if (options.range != record::TimeRange() && product == Product::kPicture) {
+    throw std::invalid_argument("--from and --to are for films; a picture has --at");
+  }
 }
 
-void RenderPicture(const sim::Simulation& simulation, const record::TraceTick& moment,
+Shot ShotOf(const RenderCommandOptions& options) {
+  return {.camera = options.camera,
+          .size = ParseSize(options.size),
+          .channels = ParseChannels(options.channels)};
+}
+
+void RenderPicture(const sim::Simulation& stage, const record::TraceTick& moment,
                    const RenderCommandOptions& options) {
-  const Channels channels = ParseChannels(options.channels);
-  const bool is_eye = options.camera == "eye";
-  const camera::RenderOptions render{
-      .color = channels.rgb,
-      .depth = channels.depth,
-      .ids = channels.id,
-      .look = is_eye ? camera::Look::kRobotEye : camera::Look::kPresentation,
-      .excluded_frames = HiddenFrames(moment, simulation, is_eye)};
-  const Image image = camera::Renderer().Render(
-      simulation.visual_model(), record::VisualStateAt(moment, simulation),
-      FindView(options.camera, simulation, moment.joints, ParseSize(options.size)), render);
-  const auto write = [](auto writer, const std::filesystem::path& path, const Image& what) {
-    writer(path, what);
+  const Shot shot = ShotOf(options);
+  Photographer photographer(stage, shot);
+  for (const auto& path : WriteChannels(options.out, photographer.Take(moment), shot.channels)) {
     std::printf("%s\n", path.c_str());
-  };
-  if (channels.rgb) write(&record::WritePng, options.out, image);
-  if (channels.depth) write(&record::WriteDepthPng, WithTag(options.out, "depth"), image);
-  if (channels.id) write(&record::WriteIdPng, WithTag(options.out, "id"), image);
+  }
+}
+
+void RenderScene(const RenderCommandOptions& options, Product product) {
+  const sim::Simulation simulation(scene_xml::LoadScene(options.subject, options.path.reader()),
+                                   PlaceRobot(options.robot));
+  const std::string but = ", but '" + options.subject + "' is none";
+  if (product != Product::kPicture) throw std::invalid_argument("a film needs a recording" + but);
+  if (options.at) throw std::invalid_argument("--at needs a recording" + but);
+  RenderPicture(simulation, record::Observe(simulation), options);
+}
+
+void RenderMoment(const record::Recording& recording, const RenderCommandOptions& options) {
+  const record::TickRange whole = TicksOf(recording);
+  const std::uint64_t tick = options.at ? TickAt(*options.at, whole, "at") : whole.last;
+  const auto moment = MomentAt(recording, tick);
+  if (!moment) throw InputError({options.subject, 0, "", "its trace holds no moment"});
+  const sim::Simulation stage(recording.scene, recording.robot);
+  RenderPicture(stage, *moment, options);
+}
+
+void RenderFilm(const record::Recording& recording, const RenderCommandOptions& options,
+                Product product) {
+  if (product == Product::kFilm && options.channels != "rgb") {
+    throw std::invalid_argument("a film has the channel rgb only; pictures, DIR/, have all");
+  }
+  const FilmOptions film{.shot = ShotOf(options),
+                         .frames_per_second = options.rate,
+                         .speed = options.speed,
+                         .range = options.range,
+                         .progress = "filming"};
+  (product == Product::kFilm ? Film : FilmAsPictures)(recording, options.out, film);
+  std::printf("%s\n", options.out.c_str());
 }
 
 int Render(const RenderCommandOptions& options) {
-  const bool is_film = std::filesystem::path(options.out).extension() == ".mp4";
-  if (!is_film && std::filesystem::path(options.out).extension() != ".png") {
-    throw std::invalid_argument("--out is '" + options.out + "', expected a .png or .mp4 file");
-  }
+  const Product product = ProductOf(options);
+  CheckTimes(options, product);
   if (!record::IsRecording(options.subject)) {
-    const sim::Simulation simulation(scene_xml::LoadScene(options.subject, options.path.reader()),
-                                     PlaceRobot(options.robot));
-    if (is_film) {
-      throw std::invalid_argument("a film needs a recording, but '" + options.subject +
-                                  "' is none");
-    }
-    RenderPicture(simulation, record::Observe(simulation), options);
+    RenderScene(options, product);
     return kDone;
   }
   const record::Recording recording = record::OpenRecording(options.subject);
-  if (is_film) {
-    if (options.channels != "rgb") throw std::invalid_argument("a film has the channel rgb only");
-    Film(recording, options.out,
-         {.camera = options.camera,
-          .size = ParseSize(options.size),
-          .frames_per_second = options.rate,
-          .speed = options.speed,
-          .progress = "filming"});
-    std::printf("%s\n", options.out.c_str());
-    return kDone;
+  if (product == Product::kPicture) {
+    RenderMoment(recording, options);
+  } else {
+    RenderFilm(recording, options, product);
   }
-  const sim::Simulation simulation(recording.scene, recording.robot);
-  const auto last = LastMoment(recording);
-  if (!last) throw InputError({options.subject, 0, "", "its trace holds no moment"});
-  RenderPicture(simulation, *last, options);
   return kDone;
 }
 
@@ -113,15 +117,25 @@ int Render(const RenderCommandOptions& options) {
 void AddRender(CLI::App* program, ExitAnswer answer) {
   auto options = std::make_shared<RenderCommandOptions>();
   CLI::App* render = program->add_subcommand(
-      "render", "Draw a scene or the end of a recording as .png, or film a recording as .mp4");
+      "render", "Draw a scene or a moment of a recording, or film a recording");
   render->add_option("SUBJECT", options->subject, "scene file or directory of a recording")
       ->required();
-  render->add_option("--out", options->out, "file to write: .png or .mp4")->required();
+  render
+      ->add_option("--out", options->out,
+                   "what to write: .png, .mp4, or DIR/ for a film as numbered pictures")
+      ->required();
+  render->add_flag("--frames", options->as_pictures, "a film as numbered pictures, also in DIR");
+  render->add_option("--at", options->at, "moment of a picture [s]; the end if not given");
+  render->add_option("--from", options->range.from, "begin of a film [s]");
+  render->add_option("--to", options->range.to, "end of a film [s]");
   std::string names;
   for (const std::string& name : ViewNames()) names += (names.empty() ? "" : ", ") + name;
-  render->add_option("--camera", options->camera, "one of " + names)->capture_default_str();
+  render
+      ->add_option("--camera", options->camera,
+                   "one of " + names + ", or FROM:TO[:FOV] with points x,y,z and degrees")
+      ->capture_default_str();
   render->add_option("--size", options->size, "WIDTHxHEIGHT")->capture_default_str();
-  render->add_option("--channels", options->channels, "of a picture: rgb,depth,id")
+  render->add_option("--channels", options->channels, "of pictures: rgb,depth,id")
       ->capture_default_str();
   render->add_option("--rate", options->rate, "film frames per second")
       ->capture_default_str()

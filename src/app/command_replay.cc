@@ -9,31 +9,132 @@
 #include "app/progress.h"
 #include "base/json.h"
 #include "base/version.h"
+#include "math/angles.h"
 #include "record/replay.h"
 
 namespace smile::app {
 namespace {
 
-struct ReplayOptions {
+struct ReplayCommandOptions {
   std::string demo;
+  record::TimeRange range;
   bool verify = false, json = false;
 };
 
-Json ToJson(const record::ReplayReport& report) {
-  Json difference;
-  if (const auto& first = report.first_difference) {
-    difference = {{"tick", first->tick},
-                  {"object", first->object},
-                  {"quantity", first->quantity},
-                  {"recorded", first->recorded},
-                  {"replayed", first->replayed}};
-  }
-  return {{"identical", !report.first_difference},
-          {"ticks", report.ticks},
-          {"first_difference", difference}};
+/// More lines than these of a kind are for programs to read.
+constexpr std::size_t kMaxLines = 10;
+
+double Millimeters(const record::Separation& separation) { return separation.distance * 1000; }
+double Degrees(const record::Separation& separation) { return RadiansToDegrees(separation.angle); }
+
+Json ToJson(const record::Difference& difference) {
+  return {{"tick", difference.tick},
+          {"object", difference.object},
+          {"quantity", difference.quantity},
+          {"recorded", difference.recorded},
+          {"replayed", difference.replayed}};
 }
 
-int ReplayDemo(const ReplayOptions& options) {
+Json ToJson(const record::Departure& departure) {
+  const auto& end = departure.end;
+  return {{"object", departure.object},
+          {"largest_mm", Millimeters(departure.largest)},
+          {"largest_degrees", Degrees(departure.largest)},
+          {"at_tick", departure.tick},
+          {"end_mm", end ? Json(Millimeters(*end)) : Json()},
+          {"end_degrees", end ? Json(Degrees(*end)) : Json()}};
+}
+
+Json ToJson(const record::RefusedCommand& command) {
+  return {{"tick", command.tick}, {"line", command.line}, {"reason", command.reason}};
+}
+
+template <typename T>
+Json ArrayOf(const std::vector<T>& all) {
+  Json array = Json::array();
+  for (const T& one : all) array.push_back(ToJson(one));
+  return array;
+}
+
+Json ToJson(const record::ReplayReport& report, const record::Recording& recording) {
+  const auto& first = report.first_difference;
+  return {{"identical", !first},
+          {"ticks", report.ticks()},
+          {"from", SecondsInto(recording, report.compared.first)},
+          {"to", SecondsInto(recording, report.compared.last)},
+          {"first_difference", first ? ToJson(*first) : Json()},
+          {"differences", ArrayOf(report.departures)},
+          {"state_differences", ArrayOf(report.state_differences)},
+          {"refused", ArrayOf(report.refused)}};
+}
+
+std::string SeparationText(const record::Separation& separation) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.3g mm and %.3g degrees", Millimeters(separation),
+                Degrees(separation));
+  return text;
+}
+
+std::string LineOf(const record::Departure& departure) {
+  return departure.object + ": " + SeparationText(departure.largest) + " apart at tick " +
+         std::to_string(departure.tick) + ", " +
+         (departure.end ? SeparationText(*departure.end) + " in the end" : "gone in the end");
+}
+std::string LineOf(const record::Difference& difference) {
+  return difference.object + ": " + difference.quantity + ": ends as " + difference.replayed +
+         ", recorded " + difference.recorded;
+}
+std::string LineOf(const record::RefusedCommand& command) {
+  return "commands.jsonl:" + std::to_string(command.line) + ": at tick " +
+         std::to_string(command.tick) + ": " + command.reason;
+}
+
+template <typename T>
+void PrintSome(const std::vector<T>& all) {
+  for (std::size_t i = 0; i < all.size() && i < kMaxLines; ++i) {
+    std::printf("  %s\n", LineOf(all[i]).c_str());
+  }
+  if (all.size() > kMaxLines) std::printf("  and %zu more\n", all.size() - kMaxLines);
+}
+
+void Print(const record::ReplayReport& report, const record::Recording& recording,
+           const ReplayCommandOptions& options) {
+  const auto ticks = static_cast<unsigned long long>(report.ticks());
+  if (!report.first_difference) {
+    std::printf("%s: identical, %llu ticks", options.demo.c_str(), ticks);
+    if (options.range != record::TimeRange()) {
+      std::printf(" from %.2f s to %.2f s", SecondsInto(recording, report.compared.first),
+                  SecondsInto(recording, report.compared.last));
+    }
+    std::printf("\n");
+    return;
+  }
+  const record::Difference& first = *report.first_difference;
+  std::printf("%s: differs at tick %llu: %s: %s: recorded %s, replayed %s\n", options.demo.c_str(),
+              static_cast<unsigned long long>(first.tick), first.object.c_str(),
+              first.quantity.c_str(), first.recorded.c_str(), first.replayed.c_str());
+  std::printf("compared from %.2f s to %.2f s, %llu ticks\n",
+              SecondsInto(recording, report.compared.first),
+              SecondsInto(recording, report.compared.last), ticks);
+  PrintSome(report.refused);
+  PrintSome(report.state_differences);
+  PrintSome(report.departures);
+}
+
+record::ReplayReport ReplayIt(const record::Recording& recording,
+                              const ReplayCommandOptions& options) {
+  // That another program runs differently is no surprise; how, is what one wants to know.
+  const bool is_ours = recording.info.program == ProgramName();
+  ProgressLine progress("replaying");
+  return record::Replay(recording,
+                        {.range = options.range, .stops_at_difference = options.verify && is_ours},
+                        [&progress](double done, double total) {
+                          progress.Show(done, total);
+                          return !IsInterrupted();
+                        });
+}
+
+int ReplayDemo(const ReplayCommandOptions& options) {
   const record::Recording recording = record::OpenRecording(options.demo);
   for (const std::string& cut : recording.cuts) {
     std::fprintf(stderr, "%s: %s\n", options.demo.c_str(), cut.c_str());
@@ -42,30 +143,16 @@ int ReplayDemo(const ReplayOptions& options) {
     std::fprintf(stderr, "%s: was made by %s, this is %s\n", options.demo.c_str(),
                  recording.info.program.c_str(), ProgramName().c_str());
   }
-  record::ReplayReport report;
-  {
-    ProgressLine progress("replaying");
-    report = record::Replay(recording, [&progress](std::uint64_t ticks) {
-      progress.Show(static_cast<double>(ticks) / sim::kTicksPerSecond, 0);
-      return !IsInterrupted();
-    });
-  }
+  const record::ReplayReport report = ReplayIt(recording, options);
   if (IsInterrupted()) throw std::runtime_error("interrupted");
   if (report.is_cut) {
     std::fprintf(stderr, "%s: the last tick of trace.bin was cut and is left out\n",
                  options.demo.c_str());
   }
   if (options.json) {
-    std::printf("%s\n", ToText(ToJson(report), 2).c_str());
-  } else if (!report.first_difference) {
-    std::printf("%s: identical, %llu ticks\n", options.demo.c_str(),
-                static_cast<unsigned long long>(report.ticks));
+    std::printf("%s\n", ToText(ToJson(report, recording), 2).c_str());
   } else {
-    const record::Difference& first = *report.first_difference;
-    std::printf("%s: differs at tick %llu: %s: %s: recorded %s, replayed %s\n",
-                options.demo.c_str(), static_cast<unsigned long long>(first.tick),
-                first.object.c_str(), first.quantity.c_str(), first.recorded.c_str(),
-                first.replayed.c_str());
+    Print(report, recording, options);
   }
   return options.verify && report.first_difference ? kInputWrong : kDone;
 }
@@ -73,11 +160,14 @@ int ReplayDemo(const ReplayOptions& options) {
 }  // namespace
 
 void AddReplay(CLI::App* program, ExitAnswer answer) {
-  auto options = std::make_shared<ReplayOptions>();
+  auto options = std::make_shared<ReplayCommandOptions>();
   CLI::App* replay = program->add_subcommand(
       "replay", "Run a recording again and compare it with what was recorded, tick by tick");
   replay->add_option("DEMO", options->demo, "directory of a recording")->required();
-  replay->add_flag("--verify", options->verify, "exit 1 on a difference");
+  replay->add_flag("--verify", options->verify,
+                   "exit 1 on a difference, and stop at the first one that can be seen");
+  replay->add_option("--from", options->range.from, "compare from here on [s]");
+  replay->add_option("--to", options->range.to, "compare to here [s]");
   replay->add_flag("--json", options->json, "print one JSON object on stdout");
   replay->callback([options, answer] { *answer = ReplayDemo(*options); });
 }

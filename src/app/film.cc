@@ -1,56 +1,92 @@
 #include "app/film.h"
 
+#include <cstdio>
+#include <functional>
+#include <system_error>
+
 #include "app/interrupt.h"
 #include "app/progress.h"
-#include "app/viewpoint.h"
-#include "camera/renderer.h"
+#include "base/diagnostic.h"
+#include "base/files.h"
+#include "base/wording.h"
 #include "dataset/video_writer.h"
-#include "record/sight.h"
+#include "record/append_file.h"
 #include "record/trace_reader.h"
 
 namespace smile::app {
+namespace {
 
-std::vector<int> HiddenFrames(const record::TraceTick& moment, const sim::Simulation& simulation,
-                              bool is_eye) {
-  if (!is_eye && moment.is_robot_shown) return {};
-  return sim::FramesHiddenFromEye(simulation, moment.is_robot_shown);
+/// Takes a picture of a frame.
+using AddFrame = std::function<void(std::uint64_t frame, std::uint64_t tick, const Image& image)>;
+
+/// Shows a range of a recording, frame by frame.
+void ForEachFrame(const record::Recording& recording, const record::TickRange& range,
+                  const FilmOptions& options, Photographer* photographer, const AddFrame& add) {
+  const double rate = options.frames_per_second / options.speed;
+  const auto is_due = [&](std::uint64_t frame, std::uint64_t tick) {
+    return record::IsFrameDue(frame, tick - range.first, rate);
+  };
+  ProgressLine progress(options.progress);
+  record::TraceReader trace(recording);
+  std::uint64_t frame = 0;
+  while (const auto moment = trace.Next()) {
+    if (IsInterrupted() || moment->tick > range.last) break;
+    if (moment->tick < range.first || !is_due(frame, moment->tick)) continue;
+    const Image& image = photographer->Take(*moment);
+    // A rate above the ticks' shows a moment more than once.
+    for (; is_due(frame, moment->tick) && !IsInterrupted(); ++frame) {
+      add(frame, moment->tick, image);
+    }
+    progress.Show(record::SecondsInto(recording, moment->tick),
+                  record::SecondsInto(recording, range.last));
+  }
 }
+
+void MakeNewDirectory(const std::filesystem::path& directory) {
+  std::error_code error;
+  if (std::filesystem::exists(directory, error) && !std::filesystem::is_empty(directory, error)) {
+    throw InputError({directory.string(), 0, "",
+                      "exists already; pictures are never overwritten, name a new directory"});
+  }
+  MakeDirectories(directory);
+}
+
+std::string NumberedName(std::uint64_t frame) {
+  char name[40];
+  std::snprintf(name, sizeof name, "%06llu.png", static_cast<unsigned long long>(frame));
+  return name;
+}
+
+}  // namespace
 
 void Film(const record::Recording& recording, const std::filesystem::path& mp4,
           const FilmOptions& options) {
-  const sim::Simulation simulation(recording.scene, recording.robot);
-  const bool is_eye = options.camera == "eye";
-  camera::Renderer renderer;
-  dataset::VideoWriter video(mp4, options.size.width_px, options.size.height_px,
+  const record::TickRange range = TicksOf(options.range, recording);
+  const sim::Simulation stage(recording.scene, recording.robot);
+  Photographer photographer(stage, options.shot);
+  dataset::VideoWriter video(mp4, options.shot.size.width_px, options.shot.size.height_px,
                              options.frames_per_second);
-  record::TraceReader trace(recording);
-  ProgressLine progress(options.progress);
-  Image image;
-  while (const auto moment = trace.Next()) {
-    if (IsInterrupted()) break;
-    const double seconds = static_cast<double>(moment->tick) / sim::kTicksPerSecond;
-    const double due = video.num_frames() * options.speed / options.frames_per_second;
-    if (seconds + 1e-9 < due) continue;
-    renderer.Render(simulation.visual_model(), record::VisualStateAt(*moment, simulation),
-                    FindView(options.camera, simulation, moment->joints, options.size),
-                    {.look = is_eye ? camera::Look::kRobotEye : camera::Look::kPresentation,
-                     .excluded_frames = HiddenFrames(*moment, simulation, is_eye)},
-                    &image);
-    // A rate above the ticks' shows a moment more than once.
-    while (video.num_frames() * options.speed / options.frames_per_second <= seconds + 1e-9 &&
-           !IsInterrupted()) {
-      video.Add(image);
-    }
-    progress.Show(seconds, 0);
-  }
+  ForEachFrame(recording, range, options, &photographer,
+               [&video](std::uint64_t, std::uint64_t, const Image& image) { video.Add(image); });
   video.Finish();
 }
 
-std::optional<record::TraceTick> LastMoment(const record::Recording& recording) {
-  record::TraceReader trace(recording);
-  std::optional<record::TraceTick> last;
-  while (auto moment = trace.Next()) last = std::move(moment);
-  return last;
+void FilmAsPictures(const record::Recording& recording, const std::filesystem::path& directory,
+                    const FilmOptions& options) {
+  const record::TickRange range = TicksOf(options.range, recording);
+  const sim::Simulation stage(recording.scene, recording.robot);
+  Photographer photographer(stage, options.shot);
+  MakeNewDirectory(directory);
+  record::AppendFile index(directory / "frames.csv");
+  index.Append("frame,tick,seconds,image\n");
+  ForEachFrame(recording, range, options, &photographer,
+               [&](std::uint64_t frame, std::uint64_t tick, const Image& image) {
+                 const auto written =
+                     WriteChannels(directory / NumberedName(frame), image, options.shot.channels);
+                 index.Append(std::to_string(frame) + "," + std::to_string(tick) + "," +
+                              NumberText(record::SecondsInto(recording, tick)) + "," +
+                              written.front().filename().string() + "\n");
+               });
 }
 
 }  // namespace smile::app

@@ -1,35 +1,39 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <string>
 
+#include "app/photographer.h"
 #include "record/recording.h"
-#include "record/trace.h"
-#include "sim/eye.h"
+#include "record/time_range.h"
 
 namespace smile::app {
 
 struct FilmOptions {
-  std::string camera = "nice";  ///< see ViewNames()
-  sim::EyeSpec size{.width_px = 1280, .height_px = 720};
+  Shot shot;
   double frames_per_second = 30;
-  double speed = 1;      ///< 2 shows two seconds in one
-  std::string progress;  ///< shown while it works; empty for silence
+  double speed = 1;         ///< 2 shows two seconds in one
+  record::TimeRange range;  ///< of the demonstration
+  std::string progress;     ///< shown while it works; empty for silence
 };
 
-/// Frames that were not to be seen at that moment: a hidden robot's; from the eye, the head it sits
-/// in.
-std::vector<int> HiddenFrames(const record::TraceTick& moment, const sim::Simulation& simulation,
-                              bool is_eye);
+// Both film a recording from its trace, without physics. Frame k shows the first tick that is at
+// least k / frames_per_second * speed after the range's start, as the classic view does. When the
+// user asks to end, what was filmed until then is whole.
 
-/// Films a recording from outside, from its trace, without physics.
+/// Makes one file that players show.
+/// @throws std::invalid_argument if the range is none of the recording's, or there is no such
+///         camera.
 /// @throws InputError if the trace cannot be read; std::runtime_error if the film cannot be
 /// written.
 void Film(const record::Recording& recording, const std::filesystem::path& mp4,
           const FilmOptions& options = {});
 
-/// The last moment of a recording; nullopt when its trace holds none.
-std::optional<record::TraceTick> LastMoment(const record::Recording& recording);
+/// Makes a new directory of numbered pictures `000000.png`, one for each frame and channel, with a
+/// `frames.csv` that tells tick, seconds since the demonstration began and picture of every frame.
+/// Throws as Film() does, and
+/// @throws InputError if the directory is there and not empty.
+void FilmAsPictures(const record::Recording& recording, const std::filesystem::path& directory,
+                    const FilmOptions& options = {});
 
 }  // namespace smile::app

@@ -1,8 +1,8 @@
 #include "app/imitation.h"
 
-#include "app/film.h"
 #include "app/run_loop.h"
 #include "math/angles.h"
+#include "record/time_range.h"
 #include "scene/units.h"
 #include "task/goal.h"
 #include "task/score.h"
@@ -31,7 +31,7 @@ task::ObjectPoses StartOf(const scene::SceneSpec& scene) {
 
 task::ObjectPoses EndOf(const record::Recording& recording) {
   task::ObjectPoses poses = StartOf(recording.scene);
-  const auto last = LastMoment(recording);
+  const auto last = record::LastMoment(recording);
   for (std::size_t i = 0; last && i < recording.scene.objects.size(); ++i) {
     poses[recording.scene.objects[i].id()] = last->objects[i].pose_in_world();
   }

@@ -1,10 +1,13 @@
 #include "app/viewpoint.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <stdexcept>
 
+#include "base/wording.h"
 #include "math/angles.h"
 #include "mesh/primitives.h"
 #include "scene/visual_model.h"
@@ -76,29 +79,82 @@ RigidTransform ClosePose(const std::vector<Ball>& balls, const CameraIntrinsics&
   return LookAt(center + away * distance, center);
 }
 
+std::vector<std::string_view> Split(std::string_view text, char separator) {
+  std::vector<std::string_view> words;
+  for (std::size_t start = 0; start <= text.size();) {
+    const std::size_t end = std::min(text.find(separator, start), text.size());
+    words.push_back(text.substr(start, end - start));
+    start = end + 1;
+  }
+  return words;
+}
+
+/// A camera anywhere, as it was asked for.
+CameraView FreeView(std::string_view camera, double meters_per_unit, const sim::EyeSpec& size) {
+  constexpr double kFarthest = 1000;  // from the middle of the table [m]
+  const auto fail = [camera](const std::string& what) {
+    throw std::invalid_argument("camera is " + Quoted(camera) + ": " + what);
+  };
+  const auto number_in = [&fail](std::string_view text, double low, double high) {
+    double number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error != std::errc() || end != text.data() + text.size() ||
+        !(number >= low && number <= high)) {
+      fail(Quoted(text) + " is not a number from " + NumberText(low) + " to " + NumberText(high));
+    }
+    return number;
+  };
+  const auto point_in = [&](std::string_view text) {
+    const std::vector<std::string_view> words = Split(text, ',');
+    if (words.size() != 3) fail(Quoted(text) + " is not a point x,y,z");
+    const double most = kFarthest / meters_per_unit;
+    Vector3 p;
+    for (int i = 0; i < 3; ++i) p[i] = number_in(words[static_cast<std::size_t>(i)], -most, most);
+    return Vector3(p * meters_per_unit);
+  };
+  const std::vector<std::string_view> words = Split(camera, ':');
+  if (words.size() != 2 && words.size() != 3) {
+    fail("expected FROM:TO or FROM:TO:FOV like 8,4,6:0,-3,1:40");
+  }
+  const Vector3 p_WC = point_in(words[0]), p_WQ = point_in(words[1]);
+  if (p_WC == p_WQ) fail("it looks at its own position");
+  const double angle =
+      words.size() == 3 ? DegreesToRadians(number_in(words[2], 1, 170)) : kFieldOfView;
+  CameraView view{
+      .intrinsics = CameraIntrinsics::FromVerticalFieldOfView(size.width_px, size.height_px, angle),
+      .X_WC = LookAt(p_WC, p_WQ)};
+  // What it looks at shall be seen from any distance.
+  view.intrinsics.far = std::max(view.intrinsics.far, 2 * (p_WQ - p_WC).norm());
+  return view;
+}
+
 }  // namespace
 
 std::vector<std::string> ViewNames() {
-  std::vector<std::string> names{"eye", kClose};
+  std::vector<std::string> names{kEye, kClose};
   for (const Preset& preset : Presets()) names.emplace_back(preset.name);
   return names;
 }
 
-CameraView FindView(std::string_view name, const sim::Simulation& simulation,
-                    std::span<const double> q, const sim::EyeSpec& size) {
-  if (name == "eye") return EyeView(simulation, q, size);
+std::optional<CameraView> FindView(std::string_view camera, const scene::SceneSpec& scene,
+                                   const sim::EyeSpec& size) {
+  if (camera == kEye) return std::nullopt;
+  if (camera.find_first_of(":,") != std::string_view::npos) {
+    return FreeView(camera, scene.meters_per_unit, size);
+  }
   const auto intrinsics =
       CameraIntrinsics::FromVerticalFieldOfView(size.width_px, size.height_px, kFieldOfView);
-  if (name == kClose) {
-    return {.intrinsics = intrinsics, .X_WC = ClosePose(BallsOf(simulation.scene()), intrinsics)};
+  if (camera == kClose) {
+    return CameraView{.intrinsics = intrinsics, .X_WC = ClosePose(BallsOf(scene), intrinsics)};
   }
   for (const Preset& preset : Presets()) {
-    if (preset.name != name) continue;
-    return {.intrinsics = intrinsics, .X_WC = LookAt(preset.p_WC, preset.p_WQ)};
+    if (preset.name != camera) continue;
+    return CameraView{.intrinsics = intrinsics, .X_WC = LookAt(preset.p_WC, preset.p_WQ)};
   }
   std::string names;
   for (const std::string& known : ViewNames()) names += (names.empty() ? "" : ", ") + known;
-  throw std::invalid_argument("camera is '" + std::string(name) + "', expected one of " + names);
+  throw std::invalid_argument("camera is " + Quoted(camera) + ", expected one of " + names +
+                              " or FROM:TO[:FOV] like 8,4,6:0,-3,1:40");
 }
 
 }  // namespace smile::app

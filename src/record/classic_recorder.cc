@@ -8,6 +8,7 @@
 #include "record/classic_text.h"
 #include "record/png.h"
 #include "record/sight.h"
+#include "record/time_range.h"
 #include "scene/controls_of.h"
 #include "scene/units.h"
 
@@ -148,11 +149,7 @@ void ClassicRecorder::Note(const sim::Event& event) {
 }
 
 void ClassicRecorder::Watch(const TraceTick& now) {
-  // Frame k is due at the first tick that is at least k / frames_per_second after the start.
-  const auto elapsed = static_cast<double>(now.tick - first_tick_);
-  const double due =
-      static_cast<double>(state_.frame) * sim::kTicksPerSecond / options_.frames_per_second;
-  if (elapsed + 1e-9 >= due) WriteFrame(now);
+  if (IsFrameDue(state_.frame, now.tick - first_tick_, options_.frames_per_second)) WriteFrame(now);
 }
 
 std::string ClassicRecorder::PathOf(std::uint64_t frame) const {

@@ -1,133 +1,114 @@
 #include "record/replay.h"
 
-#include <cstdio>
-
 #include "base/diagnostic.h"
-#include "base/wording.h"
-
-#include "math/angles.h"
+#include "record/internal_comparison.h"
 #include "record/log_player.h"
 #include "record/trace_reader.h"
-#include "scene/units.h"
 
 namespace smile::record {
 namespace {
 
-/// The quantity of a difference that only the hash sees.
-constexpr const char* kHidden = "state_hash";
+/// One replay, on its way.
+class ReplayRun {
+ public:
+  ReplayRun(const Recording& recording, const ReplayOptions& options)
+      : options_(options),
+        range_(TicksOf(options.range, recording)),
+        trace_(recording),
+        simulation_(recording.scene, recording.robot),
+        player_(recording.commands, recording.info.start),
+        meter_(simulation_) {
+    report_.compared = {.first = range_.first, .last = range_.first};
+  }
 
-std::string Written(const Vector3& v) {
-  return "(" + NumberText(v.x()) + ", " + NumberText(v.y()) + ", " + NumberText(v.z()) + ")";
-}
-std::string Written(const world::ControlState& control) {
-  std::string text =
-      std::to_string(control.state) + " in position " + std::to_string(control.position);
-  if (control.override_state >= 0) text += ", shows " + std::to_string(control.override_state);
-  return text;
-}
-std::string Written(const TraceBond& bond) {
-  return std::to_string(bond.tightness) + (bond.is_locked ? ", locked" : "") +
-         (bond.guest >= 0 ? ", of guest point " + std::to_string(bond.guest) : "");
-}
-std::string WrittenHash(std::uint64_t hash) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
-  return text;
-}
+  ReplayReport Go(const std::function<bool(std::uint64_t tick)>& goes_on) {
+    while (const auto failure = player_.RunToStart(&simulation_)) Note(*failure);
+    while (!is_over() && Step() && !is_over() && goes_on(simulation_.tick())) {
+    }
+    report_.departures = meter_.Departures();
+    return std::move(report_);
+  }
+  const TickRange& range() const { return range_; }
 
-/// What differs first: an object, a joint, what is shown, else something that cannot be seen (yet).
-std::optional<Difference> Compare(const TraceTick& recorded, const TraceTick& replayed,
-                                  const sim::Simulation& simulation) {
-  const double unit = simulation.scene().meters_per_unit;
-  for (std::size_t i = 0; i < replayed.objects.size(); ++i) {
-    const TracePose& a = recorded.objects[i];
-    const TracePose& b = replayed.objects[i];
-    const std::string& id = simulation.tabletop().objects()[i].id();
-    if (a.is_present != b.is_present) {
-      return Difference{recorded.tick, id, "present", a.is_present ? "true" : "false",
-                        b.is_present ? "true" : "false"};
+ private:
+  bool is_over() const { return options_.stops_at_difference && has_visible_difference_; }
+
+  /// Goes on by one moment, and compares it; false after the last one.
+  bool Step() {
+    const auto recorded = trace_.Next();
+    if (!recorded) {
+      NoteTheEnd();
+      return false;
     }
-    if (a.position != b.position) {
-      return Difference{recorded.tick, id, "position",
-                        Written(scene::ToFileUnits(a.position, unit)),
-                        Written(scene::ToFileUnits(b.position, unit))};
+    // The first record is the start, before any tick.
+    if (has_begun_) simulation_.Tick();
+    has_begun_ = true;
+    if (recorded->tick >= range_.first) Compare(*recorded);
+    if (is_over()) return false;
+    const bool is_last = recorded->tick == range_.last;
+    while (const auto failure = player_.ApplyDue(&simulation_)) Note(*failure);
+    if (!is_last) return true;
+    if (!trace_.Next()) NoteTheEnd();
+    return false;
+  }
+
+  void Compare(const TraceTick& recorded) {
+    const TraceTick replayed = Observe(simulation_);
+    report_.compared.last = recorded.tick;
+    report_.hash = replayed.hash;
+    const Comparison comparison(recorded, replayed, simulation_);
+    if (const auto difference = comparison.First()) Note(*difference);
+    if (!has_visible_difference_ || is_over()) return;
+    meter_.Watch(recorded, replayed);
+    report_.state_differences = comparison.States();
+  }
+
+  /// What a hand wants differs before anything moves differently: what shows comes first, so that
+  /// the report can name an object.
+  void Note(const Difference& difference) {
+    const bool is_visible = IsVisible(difference);
+    if (!report_.first_difference || (is_visible && !has_visible_difference_)) {
+      report_.first_difference = difference;
     }
-    if (a.rotation != b.rotation) {
-      return Difference{recorded.tick, id, "rotation",
-                        Written(FixedAxesAngles(a.pose_in_world().rotation())),
-                        Written(FixedAxesAngles(b.pose_in_world().rotation()))};
-    }
+    has_visible_difference_ = has_visible_difference_ || is_visible;
   }
-  for (std::size_t i = 0; i < replayed.controls.size(); ++i) {
-    if (recorded.controls[i] == replayed.controls[i]) continue;
-    return Difference{recorded.tick, simulation.tabletop().controls().all()[i].id(), "state",
-                      Written(recorded.controls[i]), Written(replayed.controls[i])};
+  void Note(const LogPlayer::Failure& failure) {
+    const LoggedCommand& command = failure.command;
+    report_.refused.push_back({command.tick, command.line, failure.refusal});
+    Note(Difference{command.tick, "simulation", "command", "carried out", failure.refusal});
   }
-  for (std::size_t i = 0; i < replayed.bonds.size(); ++i) {
-    if (recorded.bonds[i] == replayed.bonds[i]) continue;
-    return Difference{recorded.tick, simulation.tabletop().bonds().hosts()[i].point->id,
-                      "tightness", Written(recorded.bonds[i]), Written(replayed.bonds[i])};
+
+  /// The trace has ended.
+  void NoteTheEnd() {
+    report_.is_cut = trace_.is_cut();
+    if (player_.next() == nullptr || report_.is_cut) return;
+    Note(Difference{player_.next()->tick, "simulation", "command", "carried out",
+                    "the trace ends before"});
   }
-  for (std::size_t i = 0; i < replayed.joints.size(); ++i) {
-    if (recorded.joints[i] == replayed.joints[i]) continue;
-    return Difference{recorded.tick, simulation.robot()->model().links[i].joint_name, "angle",
-                      NumberText(recorded.joints[i]), NumberText(replayed.joints[i])};
-  }
-  if (recorded.is_robot_shown != replayed.is_robot_shown) {
-    return Difference{recorded.tick, "robot", "shown", recorded.is_robot_shown ? "true" : "false",
-                      replayed.is_robot_shown ? "true" : "false"};
-  }
-  if (recorded.hash == replayed.hash) return std::nullopt;
-  return Difference{recorded.tick, "simulation", kHidden, WrittenHash(recorded.hash),
-                    WrittenHash(replayed.hash)};
-}
+
+  const ReplayOptions& options_;
+  TickRange range_;
+  TraceReader trace_;
+  sim::Simulation simulation_;
+  LogPlayer player_;
+  DepartureMeter meter_;
+  ReplayReport report_;
+  bool has_begun_ = false, has_visible_difference_ = false;
+};
 
 }  // namespace
 
-ReplayReport Replay(const Recording& recording, const Progress& progress) {
+ReplayReport Replay(const Recording& recording, const ReplayOptions& options,
+                    const Progress& progress) {
   if (recording.info.origin == Origin::kImported) {
     throw InputError({recording.directory.string(), 0, "",
                       "was imported from a classic recording; it has no commands to run again"});
   }
-  TraceReader trace(recording);
-  sim::Simulation simulation(recording.scene, recording.robot);
-  LogPlayer player(recording.commands, recording.info.start);
-  ReplayReport report;
-  const auto refused = [&](const LogPlayer::Failure& failure) {
-    if (report.first_difference) return;
-    report.first_difference =
-        Difference{failure.command.tick, "simulation", "command", "carried out", failure.refusal};
-  };
-  if (const auto failure = player.RunToStart(&simulation)) {
-    refused(*failure);
-    return report;
-  }
-  for (bool has_begun = false; const std::optional<TraceTick> recorded = trace.Next();
-       has_begun = true) {
-    // The first record is the start, before any tick.
-    if (has_begun) simulation.Tick();
-    const TraceTick replayed = Observe(simulation);
-    report.ticks = recorded->tick - recording.info.start.tick;
-    report.hash = replayed.hash;
-    if (const auto difference = Compare(*recorded, replayed, simulation)) {
-      // What a hand wants differs before anything moves differently: look on until it shows, so
-      // that the report can name an object.
-      const bool is_visible = difference->quantity != kHidden;
-      if (is_visible || !report.first_difference) report.first_difference = difference;
-      if (is_visible) return report;
-    }
-    if (const auto failure = player.ApplyDue(&simulation)) {
-      refused(*failure);
-      return report;
-    }
-    if (progress && !progress(recorded->tick)) return report;
-  }
-  report.is_cut = trace.is_cut();
-  if (player.next() != nullptr && !report.is_cut && !report.first_difference) {
-    report.first_difference = Difference{player.next()->tick, "simulation", "command",
-                                         "carried out", "the trace ends before"};
-  }
-  return report;
+  ReplayRun run(recording, options);
+  const double total = SecondsInto(recording, run.range().last);
+  return run.Go([&](std::uint64_t tick) {
+    return !progress || progress(SecondsInto(recording, tick), total);
+  });
 }
 
 }  // namespace smile::record

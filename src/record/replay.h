@@ -3,32 +3,77 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "record/recording.h"
+#include "record/time_range.h"
 
 namespace smile::record {
 
-/// Where a replay first departs from its recording as far as can be seen; where nothing can be seen
-/// to the end, the first tick whose state hash differs.
+/// Where a replay departs from its recording.
 struct Difference {
   std::uint64_t tick = 0;
-  std::string object;              ///< id, a joint's name, or `simulation`
-  std::string quantity;            ///< `position`, `rotation`, `angle`, `state_hash`, `command`
+  std::string object;    ///< id, a joint's name, or `simulation`
+  std::string quantity;  ///< `position`, `rotation`, `angle`, `state_hash`, `command`, …
   std::string recorded, replayed;  ///< lengths in units, angles in degrees, joints in radians
+
+  bool operator==(const Difference&) const = default;
+};
+
+/// How far apart something is, recorded and replayed.
+struct Separation {
+  double distance = 0;  ///< [m]
+  double angle = 0;     ///< [rad]
+
+  /// To say which of two is the larger: one degree counts as one millimeter, about what it moves
+  /// the corner of a block.
+  double size() const;
+  bool operator==(const Separation&) const = default;
+};
+
+/// How far something that moves departs from its recording.
+struct Departure {
+  std::string object;  ///< id, or a joint's name
+  Separation largest;  ///< at `tick`
+  std::uint64_t tick = 0;
+  std::optional<Separation> end;  ///< nullopt if it is not there any more in one of the two
+};
+
+/// A command that was carried out when it was recorded.
+struct RefusedCommand {
+  std::uint64_t tick = 0;
+  std::size_t line = 0;  ///< of commands.jsonl
+  std::string reason;
+};
+
+struct ReplayOptions {
+  TimeRange range;                   ///< what is compared
+  bool stops_at_difference = false;  ///< at the first that can be seen, and measures nothing
 };
 
 struct ReplayReport {
-  bool is_cut = false;      ///< the trace ends in the middle of a record
-  std::uint64_t ticks = 0;  ///< compared, since the demonstration began
+  bool is_cut = false;  ///< the trace ends in the middle of a record
+  TickRange compared;   ///< ends early where the replay did
+  /// As far as can be seen; where nothing can be seen to the end, the first tick whose state hash
+  /// differs. A command that is refused is one too, also before the range.
   std::optional<Difference> first_difference;
+  std::vector<Departure> departures;          ///< largest first
+  std::vector<Difference> state_differences;  ///< what ends otherwise, besides where things are
+  std::vector<RefusedCommand> refused;
   std::uint64_t hash = 0;  ///< of the last tick replayed
+
+  std::uint64_t ticks() const { return compared.last - compared.first; }
 };
 
-/// Told how far the replay is, in ticks; answers whether it shall go on.
-using Progress = std::function<bool(std::uint64_t)>;
+/// Told how far the replay is, and of how much [s since the demonstration began]; answers whether
+/// it shall go on.
+using Progress = std::function<bool(double done, double total)>;
 
-/// Runs a recording again, command by command, and compares every tick: poses, joints, state hash.
-/// @throws InputError if the recording's trace cannot be read.
-ReplayReport Replay(const Recording& recording, const Progress& progress = {});
+/// Runs a recording again, command by command, and compares every tick: poses, states, joints,
+/// state hash.
+/// @throws std::invalid_argument if the range is none of the recording's.
+/// @throws InputError if the recording has no commands or its trace cannot be read.
+ReplayReport Replay(const Recording& recording, const ReplayOptions& options = {},
+                    const Progress& progress = {});
 
 }  // namespace smile::record

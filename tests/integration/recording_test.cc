@@ -38,6 +38,32 @@ TEST_F(RecordingAsUsed, ADifferenceIsNamedAndIsExitCodeOne) {
   EXPECT_EQ(Smile("replay demo").exit_code, 0);
 }
 
+TEST_F(RecordingAsUsed, AnotherProgramsRecordingIsToldHowItDiffers) {
+  ASSERT_EQ(Smile("run pair.xml --commands stack.jsonl --record demo").exit_code, 0);
+  ASSERT_EQ(Shell("sed -i 's/-3.0,2.5/-3.0,2.6/' demo/commands.jsonl").exit_code, 0);
+  // This program's own recording ends at the first difference.
+  EXPECT_TRUE(Smile("replay demo --verify --json").json()["differences"].empty());
+  ASSERT_EQ(Shell("sed -i 's/\"smile [^\"]*/\"smile 0.0.1/' demo/demo.json").exit_code, 0);
+  const Answer answer = Smile("replay demo --verify --json");
+  EXPECT_EQ(answer.exit_code, 1);
+  EXPECT_EQ(answer.err.find("demo: was made by smile 0.0.1, this is smile "), 0u);
+  const Json difference = answer.json()["differences"][0];
+  EXPECT_EQ(difference["object"], "a");
+  EXPECT_NEAR(difference["largest_mm"].get<double>(), 10, 0.5);
+  EXPECT_LT(difference["end_mm"], 1);
+  EXPECT_NE(Smile("replay demo").out.find("\n  a: 10 mm and 0 degrees apart at tick "),
+            std::string::npos);
+}
+
+TEST_F(RecordingAsUsed, ComparesARangeAndSaysWhich) {
+  ASSERT_EQ(Smile("run pair.xml --seconds 2 --record demo").exit_code, 0);
+  EXPECT_EQ(Smile("replay demo --verify --from 0.5 --to 1.5").out,
+            "demo: identical, 60 ticks from 0.50 s to 1.50 s\n");
+  const Answer answer = Smile("replay demo --to 3");
+  EXPECT_EQ(answer.exit_code, 2);
+  EXPECT_EQ(answer.err, "smile: to is 3 s, but the recording is 2 s long\n");
+}
+
 TEST_F(RecordingAsUsed, IsNeverOverwritten) {
   ASSERT_EQ(Smile("run pair.xml --seconds 1 --record demo").exit_code, 0);
   const Answer again = Smile("run pair.xml --seconds 1 --record demo");

@@ -77,7 +77,7 @@ class CrashTest : public RecordingFixture {
     const ReplayReport again = Replay(longer);
     EXPECT_EQ(again.first_difference, std::nullopt);
     EXPECT_EQ(again.hash, simulation->state_hash());
-    return report.ticks;
+    return report.ticks();
   }
 };
 

@@ -1,5 +1,8 @@
 // Controls, bonds, sliders, chains and destroyed things in a recording.
 
+#include <cstring>
+
+#include "record/internal_trace_format.h"
 #include "record/replay.h"
 #include "record/trace_reader.h"
 #include "recording_fixture.h"
@@ -69,6 +72,72 @@ TEST_F(MechanismsRecordingTest, ReplaysIdentically) {
   const ReplayReport report = Replay(OpenRecording(RecordWork()));
   EXPECT_EQ(report.first_difference, std::nullopt);
   EXPECT_EQ(report.hash, final_hash_);
+}
+
+/// A trace of today as version 2 had it: without events and what is awake, else the same.
+std::string AsVersion2(std::string trace, const TraceReader& reader, const TraceTick& shape) {
+  const auto number_at = [&trace](std::uint64_t place) {
+    std::uint32_t number = 0;
+    std::memcpy(&number, &trace[place], sizeof number);
+    return number;
+  };
+  std::uint64_t place = kTraceMagic.size() + 3 * sizeof(std::uint32_t);
+  for (const auto* names : {&reader.object_names(), &reader.joint_names()}) {
+    for (const std::string& name : *names) place += sizeof(std::uint32_t) + name.size();
+  }
+  trace[kTraceMagic.size()] = 2;
+  std::string old = trace.substr(0, place);
+  while (place < trace.size()) {
+    const auto flags = static_cast<std::uint8_t>(trace[place + kRecordHead - 1]);
+    const std::uint32_t count = number_at(place + kRecordHead);
+    std::uint64_t size = kRecordHead + 4;
+    if (flags == kIsEvent) {
+      place += size + count;
+      continue;
+    }
+    for (std::uint32_t i = 0; i < count; ++i, size += kMovedObject) {
+      trace[place + size + 4] &= static_cast<char>(kIsPresent);
+    }
+    if ((flags & kJointsChanged) != 0) size += 8 * shape.joints.size();
+    if ((flags & kControlsChanged) != 0) size += kControlRecord * shape.controls.size();
+    if ((flags & kBondsChanged) != 0) size += kBondRecord * shape.bonds.size();
+    old += trace.substr(place, size);
+    place += size;
+  }
+  return old;
+}
+
+TEST_F(MechanismsRecordingTest, ReplaysFromFilesAsTheyUsedToBe) {
+  const auto demo = RecordWork();
+  {
+    const std::string trace = ReadFile(demo / "trace.bin", 1 << 26);
+    const Recording recording = OpenRecording(demo);
+    const std::string old = AsVersion2(trace, TraceReader(recording), *LastMoment(recording));
+    ASSERT_LT(old.size(), trace.size());
+    WriteFile(demo / "trace.bin", old);
+  }
+  Json info = Json::parse(ReadFile(demo / "demo.json", 1 << 20));
+  info["format"] = 1;
+  for (const char* key : {"origin", "start", "has_symbols"}) info.erase(key);
+  WriteFile(demo / "demo.json", info.dump());
+
+  const ReplayReport report = Replay(OpenRecording(demo));
+  EXPECT_EQ(report.first_difference, std::nullopt);
+  EXPECT_EQ(report.hash, final_hash_);
+}
+
+TEST_F(MechanismsRecordingTest, TellsWhatEndsOtherwise) {
+  const auto demo = RecordWork();
+  std::string commands = ReadFile(demo / "commands.jsonl", 1 << 20);
+  // Another knob is turned: the switch stays as it was.
+  const std::string words = "\"control\":\"power\"";
+  commands.replace(commands.find(words), words.size(), "\"control\":\"dial\"");
+  WriteFile(demo / "commands.jsonl", commands);
+  std::vector<std::string> otherwise;
+  for (const Difference& difference : Replay(OpenRecording(demo)).state_differences) {
+    otherwise.push_back(difference.object + "." + difference.quantity);
+  }
+  EXPECT_EQ(otherwise, (std::vector<std::string>{"power.state", "lamps.state"}));
 }
 
 TEST_F(MechanismsRecordingTest, TellsEveryActionAndEveryControlInTheClassicView) {

@@ -72,7 +72,7 @@ TEST_F(RecordingDeskTest, AfterTheFinishTheWorldCanBeUndoneButNotTheRecording) {
   Do(sim::FinishRecording());
   Do(sim::Undo());
   EXPECT_EQ(simulation_->tick(), 0u);
-  EXPECT_EQ(Replay(OpenRecording(root_ / "take")).ticks, 5u);
+  EXPECT_EQ(Replay(OpenRecording(root_ / "take")).ticks(), 5u);
 }
 
 TEST_F(RecordingDeskTest, TheHistoryTellsEveryStepAlsoWhatWasUndone) {

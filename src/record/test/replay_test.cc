@@ -1,5 +1,6 @@
 #include "record/replay.h"
 
+#include <cmath>
 #include <cstring>
 #include <fstream>
 #include <random>
@@ -24,12 +25,30 @@ class ReplayTest : public RecordingFixture {
     }
     return "";
   }
+  /// A recording, and then other words in its commands.
+  Recording RecordAndReword(const std::string& words, const std::string& others) {
+    const auto directory = Record();
+    std::string commands = Text(directory / "commands.jsonl");
+    const std::size_t place = commands.find(words);
+    EXPECT_NE(place, std::string::npos) << commands;
+    commands.replace(place, words.size(), others);
+    Overwrite(directory / "commands.jsonl", commands);
+    return OpenRecording(directory);
+  }
+  static std::string ComplaintAbout(const TimeRange& range, const Recording& recording) {
+    try {
+      TicksOf(range, recording);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "";
+  }
 };
 
 TEST_F(ReplayTest, IsIdenticalToTheLastBit) {
   const ReplayReport report = Replay(OpenRecording(Record()));
   EXPECT_FALSE(report.first_difference.has_value());
-  EXPECT_GT(report.ticks, 150u);
+  EXPECT_GT(report.ticks(), 150u);
   EXPECT_EQ(report.hash, final_hash_);
 }
 
@@ -46,20 +65,89 @@ TEST_F(ReplayTest, IsIdenticalWithARobotThatMoves) {
 }
 
 TEST_F(ReplayTest, NamesTheFirstTickObjectAndQuantityThatDiffers) {
-  const auto directory = Record();
-  std::string commands = Text(directory / "commands.jsonl");
-  const std::string target = "[3.0,-2.0,3.0]";
-  ASSERT_NE(commands.find(target), std::string::npos) << commands;
-  commands.replace(commands.find(target), target.size(), "[3.0,-2.1,3.0]");
-  Overwrite(directory / "commands.jsonl", commands);
-
-  const Recording recording = OpenRecording(directory);
-  const ReplayReport report = Replay(recording);
+  const Recording recording = RecordAndReword("[3.0,-2.0,3.0]", "[3.0,-2.1,3.0]");
+  const ReplayReport report = Replay(recording, {.stops_at_difference = true});
   ASSERT_TRUE(report.first_difference.has_value());
   // Its target goes elsewhere at once (the hash sees that), the block itself a moment later.
-  EXPECT_EQ(report.first_difference->tick, recording.commands[2].tick + 1);
+  const std::uint64_t tick = recording.commands[2].tick + 1;
+  EXPECT_EQ(report.first_difference->tick, tick);
   EXPECT_EQ(report.first_difference->object, "a");
   EXPECT_EQ(report.first_difference->quantity, "position");
+  EXPECT_EQ(report.compared, (TickRange{0, tick}));
+}
+
+TEST_F(ReplayTest, TellsHowFarEverythingDepartsAndWhereItEnds) {
+  const Recording recording = RecordAndReword("[3.0,-2.0,1.51]", "[3.3,-2.0,1.51]");
+  const ReplayReport report = Replay(recording);
+  EXPECT_EQ(report.compared, TicksOf(recording));
+  ASSERT_GE(report.departures.size(), 1u);
+  // On its way down it lags behind; set down, it is as far away as it was sent.
+  const Departure& a = report.departures[0];
+  EXPECT_EQ(a.object, "a");
+  EXPECT_NEAR(a.end->distance, 0.03, 0.002);
+  EXPECT_GE(a.largest.size(), a.end->size());
+  EXPECT_GT(a.tick, report.first_difference->tick);
+  EXPECT_TRUE(report.refused.empty());
+}
+
+TEST_F(ReplayTest, GoesOnAfterCommandsThatAreRefusedAndTellsThem) {
+  const Recording recording = RecordAndReword("\"object\":\"a\"", "\"object\":\"z\"");
+  const ReplayReport report = Replay(recording);
+  EXPECT_EQ(report.first_difference->quantity, "command");
+  // Nothing was grasped: there is nothing to move or release either.
+  ASSERT_EQ(report.refused.size(), recording.commands.size());
+  EXPECT_EQ(report.refused[0].line, 1u);
+  EXPECT_EQ(report.refused[0].reason, report.first_difference->replayed);
+  EXPECT_EQ(report.compared, TicksOf(recording));
+  ASSERT_FALSE(report.departures.empty());
+  EXPECT_EQ(report.departures[0].object, "a");
+  EXPECT_GT(report.departures[0].end->distance, 0.3);
+}
+
+TEST_F(ReplayTest, ComparesOnlyTheRangeAskedFor) {
+  const Recording recording = RecordAndReword("[3.0,-2.0,1.51]", "[3.3,-2.0,1.51]");
+  const std::uint64_t tick = Replay(recording).first_difference->tick;
+  const double seconds = SecondsInto(recording, tick);
+  const ReplayReport before = Replay(recording, {.range = {.to = seconds - 0.1}});
+  EXPECT_EQ(before.first_difference, std::nullopt);
+  EXPECT_EQ(before.compared, (TickRange{0, tick - 6}));
+  const ReplayReport after =
+      Replay(recording, {.range = {.from = seconds + 0.1, .to = seconds + 0.2}});
+  EXPECT_EQ(after.first_difference->tick, tick + 6);
+  EXPECT_EQ(after.compared, (TickRange{tick + 6, tick + 12}));
+  EXPECT_LE(after.departures.at(0).tick, tick + 12);
+}
+
+TEST_F(ReplayTest, SaysWhatIsWrongWithARange) {
+  const Recording recording = OpenRecording(Record("{\"do\":\"wait\",\"seconds\":2.05}"));
+  EXPECT_EQ(ComplaintAbout({.from = 1, .to = 2.05}, recording), "");
+  EXPECT_EQ(ComplaintAbout({.from = 2, .to = 1}, recording), "from is 2 s, which is after to, 1 s");
+  EXPECT_EQ(ComplaintAbout({.from = -0.5}, recording), "from is -0.5 s, expected 0 or more");
+  EXPECT_EQ(ComplaintAbout({.to = 3}, recording), "to is 3 s, but the recording is 2.05 s long");
+  EXPECT_EQ(ComplaintAbout({.to = std::nan("")}, recording), "to is NaN s, expected 0 or more");
+}
+
+TEST_F(ReplayTest, CountsSecondsFromWhereTheDemonstrationBegan) {
+  auto simulation = MakeSimulation(false);
+  while (simulation->tick() < 30) simulation->Tick();
+  {
+    Recorder recorder(root_ / "demo", {}, nullptr, *simulation, std::vector<LoggedCommand>());
+    simulation->AddListener(&recorder);
+    while (simulation->tick() < 120) simulation->Tick();
+  }
+  const Recording recording = OpenRecording(root_ / "demo");
+  EXPECT_EQ(TicksOf(recording), (TickRange{30, 120}));
+  const ReplayReport report = Replay(recording, {.range = {.from = 0.5, .to = 1}});
+  EXPECT_EQ(report.compared, (TickRange{60, 90}));
+  EXPECT_EQ(report.first_difference, std::nullopt);
+}
+
+TEST_F(ReplayTest, ABeginningThatIsNotTheTracesIsDamage) {
+  const auto directory = Record();
+  Json info = Json::parse(Text(directory / "demo.json"));
+  info["start"]["tick"] = 1'000'000'000'000;
+  Overwrite(directory / "demo.json", info.dump());
+  EXPECT_THROW(Replay(OpenRecording(directory)), InputError);
 }
 
 TEST_F(ReplayTest, OpensWhatACrashCutShortAndSaysSo) {
@@ -75,7 +163,7 @@ TEST_F(ReplayTest, OpensWhatACrashCutShortAndSaysSo) {
   const ReplayReport report = Replay(recording);
   EXPECT_FALSE(report.first_difference.has_value());
   EXPECT_TRUE(report.is_cut);
-  EXPECT_GT(report.ticks, 20u);
+  EXPECT_GT(report.ticks(), 20u);
 }
 
 TEST_F(ReplayTest, NoticesAPoseThatWasChangedInTheTrace) {
@@ -167,7 +255,7 @@ TEST_F(ReplayTest, OfASceneWithAMeshNeedsNoOtherFile) {
   std::filesystem::remove_all(original);
   const ReplayReport report = Replay(OpenRecording(root_ / "demo"));
   EXPECT_FALSE(report.first_difference);
-  EXPECT_EQ(report.ticks, 120u);
+  EXPECT_EQ(report.ticks(), 120u);
   EXPECT_EQ(report.hash, final_hash_);
 }
 

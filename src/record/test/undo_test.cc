@@ -247,7 +247,7 @@ TEST_F(UndoTest, BeginsAnyTimeAlsoWhileHolding) {
   EXPECT_EQ(recording.info.start, (Moment{.line = 2, .tick = 47}));
   const ReplayReport report = Replay(recording);
   EXPECT_EQ(report.first_difference, std::nullopt);
-  EXPECT_EQ(report.ticks, 60u);
+  EXPECT_EQ(report.ticks(), 60u);
   EXPECT_EQ(report.hash, simulation->state_hash());
 }
 

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "record/replay.h"
+#include "record/trace.h"
+
+namespace smile::record {
+
+/// One moment, as it was recorded and as it is replayed.
+class Comparison {
+ public:
+  /// @param stage  a simulation of the recording's scene and robot, for names and units. All must
+  ///               outlive this.
+  Comparison(const TraceTick& recorded, const TraceTick& replayed, const sim::Simulation& stage)
+      : recorded_(recorded), replayed_(replayed), stage_(stage) {}
+
+  /// What differs first: an object, what is shown, a joint, else something that cannot be seen
+  /// (yet).
+  std::optional<Difference> First() const;
+  /// Everything besides poses and joints that differs: what is there, states, bonds.
+  std::vector<Difference> States() const;
+
+  /// How far apart an object is; nullopt if one of the two has none.
+  std::optional<Separation> SeparationOfObject(std::size_t object) const;
+  Separation SeparationOfJoint(std::size_t joint) const;
+
+ private:
+  std::optional<Difference> Presence(std::size_t object) const;
+  std::optional<Difference> Pose(std::size_t object) const;
+  std::optional<Difference> Control(std::size_t control) const;
+  std::optional<Difference> Bond(std::size_t host) const;
+  std::optional<Difference> Joint(std::size_t joint) const;
+  std::optional<Difference> RobotShown() const;
+
+  const TraceTick& recorded_;
+  const TraceTick& replayed_;
+  const sim::Simulation& stage_;
+};
+
+/// True unless only the state hash tells.
+bool IsVisible(const Difference& difference);
+
+/// Keeps how far what moves departs from a recording, moment by moment.
+class DepartureMeter {
+ public:
+  /// @param stage  as Comparison's.
+  explicit DepartureMeter(const sim::Simulation& stage);
+
+  void Watch(const TraceTick& recorded, const TraceTick& replayed);
+  /// Of what ever departed, largest first.
+  std::vector<Departure> Departures() const;
+
+ private:
+  void Note(std::size_t index, std::uint64_t tick, const std::optional<Separation>& separation);
+
+  const sim::Simulation& stage_;
+  std::vector<Departure> all_;  ///< objects, then joints
+};
+
+}  // namespace smile::record

@@ -83,9 +83,8 @@ TEST_F(MechanismHandsTest, WhatIsDestroyedIsGoneAndTheHandFree) {
   EXPECT_EQ(tabletop_->Find("base"), nullptr);
   EXPECT_FALSE(hands_->hand(kLeft).is_holding());
   EXPECT_TRUE(hands_->hand(kRight).is_holding());
-  EXPECT_EQ(hands_->Grasp(kLeft, "base", std::nullopt), "there is no object 'base'");
-  EXPECT_EQ(hands_->PointAt(kLeft, "base"),
-            "there is no object 'base', nor a part so called that is pointable");
+  EXPECT_EQ(hands_->Grasp(kLeft, "base", std::nullopt), "'base' is gone: it was destroyed");
+  EXPECT_EQ(hands_->PointAt(kLeft, "base"), "'base' is gone: it was destroyed");
   Grasp(kLeft, "nut");
   StepSeconds(1);
   EXPECT_NEAR(PositionOf("top").z(), 0.05, 0.001) << "nothing carries it any more";
@@ -178,7 +177,8 @@ TEST_F(MechanismHandsTest, HandOverLeavesBondsAndPlaces) {
   Grasp(kLeft, "peg");
   ASSERT_EQ(hands_->MoveTo(kLeft, {0, 0, 0.4}, std::nullopt), std::nullopt);
   StepSeconds(1.5);
-  EXPECT_EQ(hands_->Grasp(kRight, "peg", std::nullopt), "'peg' is already held by the left hand");
+  EXPECT_EQ(hands_->Grasp(kRight, "peg", std::nullopt),
+            "the left hand holds 'peg'; it must let go first");
   EXPECT_TRUE(hands_->hand(kLeft).is_holding()) << "a refusal lets nothing fall";
   ASSERT_EQ(hands_->Release(kLeft), std::nullopt);
   Grasp(kRight, "peg");

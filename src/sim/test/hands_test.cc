@@ -142,6 +142,30 @@ TEST_F(HandsTest, WhatIsHandedOverStaysWhereItIs) {
   }
 }
 
+TEST_F(HandsTest, TwoHandsInterleavedCarryAsEachAlone) {
+  const auto carry = [this](std::vector<HandName> hands) {
+    const SimulationState start = simulation_->Save();
+    const auto object_of = [](HandName hand) { return hand == kLeft ? "c" : "b"; };
+    for (HandName hand : hands) EXPECT_EQ(Grab(hand, object_of(hand)), "");
+    for (int i = 0; i < 40; ++i) {
+      for (HandName hand : hands) {
+        const double side = hand == kLeft ? -1 : 1;
+        const Vector3 p_WH(side * (0.3 + 0.01 * i), 0.1 * side * (i % 3), 0.05 + 0.01 * i);
+        EXPECT_EQ(Do(MoveTo{.hand = hand, .p_WH = p_WH, .speed = 0.2 + 0.1 * (i % 4)}), "");
+        simulation_->Tick();
+      }
+      if (hands.size() == 1) simulation_->Tick();
+    }
+    std::pair<Vector3, Vector3> places = {PoseOf("c").translation(), PoseOf("b").translation()};
+    simulation_->Restore(start);
+    return places;
+  };
+  const auto both = carry({kLeft, kRight});
+  EXPECT_LT((both.first - carry({kLeft}).first).norm(), 1e-9);
+  EXPECT_GT(both.first.z(), 0.3);
+  EXPECT_GT(both.second.z(), 0.3);
+}
+
 TEST_F(HandsTest, ADragGoesWhereTheRayMeetsThePlane) {
   ASSERT_EQ(Do(Grasp{.hand = kLeft, .object = "a", .p_WQ = Vector3(0, 0, 0.1)}), "");
   const auto drag = [this](const Vector3& origin, const Vector3& direction) {

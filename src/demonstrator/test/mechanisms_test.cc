@@ -219,5 +219,44 @@ TEST_F(MechanismHandsTest, ALidLiftedByAHandLiftsItsHeavyBox) {
   EXPECT_LT((PositionOf("box") - Vector3(0.05, 0, 0.35)).norm(), 0.008) << "it hangs on its lid";
 }
 
+TEST_F(MechanismHandsTest, HandsCannotReachWhatFellToTheFloor) {
+  const auto fall = [this](std::string_view id, double x) {
+    world_->body(tabletop_->Find(id)->body).SetPose(RigidTransform(Vector3(x, 0, -0.7)));
+    for (int i = 0; i < 480; ++i) {
+      world_->Step();
+      tabletop_->NoticeFallen();
+    }
+    ASSERT_TRUE(tabletop_->HasFallen(*tabletop_->Find(id)));
+  };
+  const std::string nut_fell = "'nut' fell to the floor; undo brings it back";
+  fall("nut", 1.5);
+  EXPECT_EQ(hands_->Grasp(kLeft, "nut", std::nullopt), nut_fell);
+  EXPECT_EQ(hands_->PointAt(kLeft, "nut"), nut_fell);
+  EXPECT_EQ(hands_->Fasten(kLeft, "nut", std::nullopt), nut_fell);
+  EXPECT_EQ(hands_->Loosen(kLeft, "nut", std::nullopt), nut_fell);
+  // Nor fasten anything to it, however near.
+  Grasp(kLeft, "peg");
+  ASSERT_EQ(hands_->MoveTo(kLeft, {1.5, 0, 0}, std::nullopt), std::nullopt);
+  StepSeconds(2);
+  ASSERT_EQ(hands_->MoveTo(kLeft, {1.5, 0, -0.65}, std::nullopt), std::nullopt);
+  StepSeconds(2);
+  EXPECT_EQ(hands_->Fasten(kLeft, "peg", std::nullopt),
+            "nothing that fits 'peg_tip' and is free is less than two units away");
+}
+
+TEST_F(MechanismHandsTest, WhatIsFastenedToSomethingFixedCanBeGrasped) {
+  scene::SceneSpec scene{.name = "test"};
+  for (const world::Object& object : tabletop_->objects()) scene.objects.push_back(*object.spec);
+  scene.objects[0].mass = 0;
+  Start(scene);
+  ASSERT_EQ(Fasten(kLeft, "peg"), "");
+  EXPECT_EQ(hands_->Grasp(kLeft, "nut", std::nullopt), "'nut' is fixed (its mass is 0)");
+  Grasp(kLeft, "peg");
+  EXPECT_EQ(hands_->Loosen(kLeft, "peg", std::nullopt), std::nullopt);
+  ASSERT_EQ(hands_->MoveTo(kLeft, {0, 0, 0.5}, std::nullopt), std::nullopt);
+  StepSeconds(1);
+  EXPECT_GT(PositionOf("peg").z(), 0.49);
+}
+
 }  // namespace
 }  // namespace smile::demonstrator

@@ -236,10 +236,11 @@ TEST_F(MechanismHandsTest, HandsCannotReachWhatFellToTheFloor) {
   EXPECT_EQ(hands_->Loosen(kLeft, "nut", std::nullopt), nut_fell);
   // Nor fasten anything to it, however near.
   Grasp(kLeft, "peg");
-  ASSERT_EQ(hands_->MoveTo(kLeft, {1.5, 0, 0}, std::nullopt), std::nullopt);
-  StepSeconds(2);
-  ASSERT_EQ(hands_->MoveTo(kLeft, {1.5, 0, -0.65}, std::nullopt), std::nullopt);
-  StepSeconds(2);
+  for (const Vector3& p_WH : {Vector3(0.1, 0, 0.6), Vector3(1.5, 0, 0.6), Vector3(1.5, 0, -0.65)}) {
+    ASSERT_EQ(hands_->MoveTo(kLeft, p_WH, std::nullopt), std::nullopt);
+    StepSeconds(2);
+    ASSERT_TRUE(hands_->has_arrived());
+  }
   EXPECT_EQ(hands_->Fasten(kLeft, "peg", std::nullopt),
             "nothing that fits 'peg_tip' and is free is less than two units away");
 }

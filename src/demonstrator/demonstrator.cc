@@ -1,5 +1,9 @@
 #include "demonstrator/demonstrator.h"
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
 #include "math/angles.h"
 
 namespace smile::demonstrator {
@@ -15,27 +19,72 @@ std::string NameOf(HandName hand) { return "the " + std::string(ToString(hand)) 
 Demonstrator::Demonstrator(physics::World* world, world::Tabletop* tabletop)
     : world_(world), tabletop_(tabletop) {}
 
-std::optional<Refusal> Demonstrator::Grasp(HandName name, std::string_view object_id,
-                                           const std::optional<Vector3>& p_WQ) {
-  const world::Object* object = tabletop_->Find(object_id);
-  if (object == nullptr) return "there is no object " + Named(object_id);
+std::string Demonstrator::WhatHolds(HandName name) const {
+  return NameOf(name) + " holds " + Named(tabletop_->Find(hand(name).held)->id());
+}
+
+bool Demonstrator::IsInAHand(physics::BodyId body) const {
+  return std::ranges::any_of(state_.hands, [body](const Hand& one) { return one.held == body; });
+}
+
+std::optional<Refusal> Demonstrator::RefuseToTake(HandName name, std::string_view object_id) const {
+  if (auto refusal = tabletop_->RefuseToReach(object_id)) return refusal;
   const Hand& own = hand(name);
   if (own.is_holding()) {
     return NameOf(name) + " already holds " + Named(tabletop_->Find(own.held)->id()) +
            "; release it first";
   }
-  for (HandName other : kHandNames) {
-    if (hand(other).held == object->body) {
-      return Named(object_id) + " is already held by " + NameOf(other);
-    }
-  }
-  physics::Body& body = world_->body(object->body);
+  const physics::Body& body = world_->body(tabletop_->Find(object_id)->body);
   if (body.is_static()) return Named(object_id) + " is fixed (its mass is 0)";
-  if (body.is_carried()) return Named(object_id) + " is held by the robot";
+  if (body.is_carried() && !IsInAHand(body.id())) return Named(object_id) + " is held by the robot";
+  return std::nullopt;
+}
 
+GraspPlan Demonstrator::PlanGrasp(HandName name, std::string_view object_id) const {
+  if (auto refusal = RefuseToTake(name, object_id)) return {.refusal = std::move(refusal)};
+  GraspPlan plan;
+  const physics::BodyId body = tabletop_->Find(object_id)->body;
+  for (HandName other : kHandNames) {
+    if (hand(other).held == body) plan.to_release.push_back(other);
+  }
+  // The rules ask who holds what once the object is handed over.
+  const auto holds = [&](HandName other) {
+    return hand(other).is_holding() && hand(other).held != body;
+  };
+  const auto let_go = [&](HandName other) {
+    if (holds(other)) plan.to_release.push_back(other);
+  };
+  using enum HandName;
+  switch (name) {
+    case kLeft:
+    case kRight:
+      let_go(kBoth);
+      if (holds(name == kLeft ? kRight : kLeft)) let_go(kAny);
+      break;
+    case kBoth:
+      for (HandName other : {kLeft, kRight, kAny}) let_go(other);
+      break;
+    case kAny:
+      if (holds(kBoth)) return {.refusal = "both hands are occupied: " + WhatHolds(kBoth)};
+      if (holds(kLeft) && holds(kRight)) {
+        return {.refusal =
+                    "both hands are occupied: " + WhatHolds(kLeft) + ", " + WhatHolds(kRight)};
+      }
+      break;
+  }
+  return plan;
+}
+
+std::optional<Refusal> Demonstrator::Grasp(HandName name, std::string_view object_id,
+                                           const std::optional<Vector3>& p_WQ) {
+  const GraspPlan plan = PlanGrasp(name, object_id);
+  if (plan.refusal) return plan.refusal;
+  if (!plan.to_release.empty())
+    return WhatHolds(plan.to_release.front()) + "; it must let go first";
+  physics::Body& body = world_->body(tabletop_->Find(object_id)->body);
   const RigidTransform X_WB = body.pose_in_world();
   body.SetCarried(true);
-  MutableHand(name) = {.held = object->body,
+  MutableHand(name) = {.held = body.id(),
                        .X_WB_goal = X_WB,
                        .p_BH = p_WQ ? X_WB.inverse() * *p_WQ : Vector3(0, 0, 0),
                        .speed = servo_.max_speed};
@@ -55,6 +104,34 @@ std::optional<Refusal> Demonstrator::MoveTo(HandName name, const Vector3& p_WH,
   mover.X_WB_goal = RigidTransform(R_WB, p_WH - R_WB * mover.p_BH);
   mover.speed = speed.value_or(servo_.max_speed);
   return std::nullopt;
+}
+
+void Demonstrator::TurnPlane(HandName name, double angle_deg) {
+  state_.plane_angles_deg[static_cast<std::size_t>(name)] = angle_deg;
+}
+
+std::optional<Vector3> Demonstrator::PointOnPlane(HandName name, const Ray& ray,
+                                                  Refusal* refusal) const {
+  constexpr double kParallel = 1e-9, kFar = 100;  // sine of an angle, [m]
+  const auto no = [refusal](Refusal why) {
+    *refusal = std::move(why);
+    return std::nullopt;
+  };
+  if (auto empty = RefuseIfEmpty(name)) return no(*empty);
+  const Vector3 direction = ray.direction_in_world.stableNormalized();
+  if (!(direction.norm() > 0.5)) return no("the ray has no direction");
+
+  const double angle = DegreesToRadians(plane_angle_deg(name));
+  const Vector3 normal(-std::sin(angle), std::cos(angle), 0);
+  const Vector3 p_WH = hand(name).X_WB_goal * hand(name).p_BH;
+  const double approach = normal.dot(direction);
+  const std::string plane = "the motion plane of " + NameOf(name);
+  if (!(std::abs(approach) > kParallel)) return no("the ray is parallel to " + plane);
+  const double distance = normal.dot(p_WH - ray.p_WOrigin) / approach;
+  if (!(distance >= 0)) return no("the ray runs away from " + plane);
+  const Vector3 p_WHit = ray.p_WOrigin + distance * direction;
+  if (!(distance <= kFar)) return no("the ray meets " + plane + " more than 100 m away");
+  return p_WHit;
 }
 
 std::optional<Refusal> Demonstrator::Rotate(HandName name, const Vector3& angles_deg) {
@@ -79,20 +156,19 @@ std::optional<Refusal> Demonstrator::Destroy(HandName name) {
   if (auto refusal = RefuseIfEmpty(name)) return refusal;
   const world::Object& object = *tabletop_->Find(hand(name).held);
   MutableHand(name) = Hand();
+  state_.attention.erase(object.body);
   tabletop_->Destroy(object);
   return std::nullopt;
 }
 
 std::optional<Refusal> Demonstrator::RefuseIfHolding(HandName name, const char* what) const {
   if (!hand(name).is_holding()) return std::nullopt;
-  return NameOf(name) + " holds " + Named(tabletop_->Find(hand(name).held)->id()) +
-         "; it must be empty to " + what;
+  return WhatHolds(name) + "; it must be empty to " + what;
 }
 
 std::optional<Refusal> Demonstrator::PointAt(HandName name, std::string_view part_id) const {
   if (auto refusal = RefuseIfHolding(name, "point")) return refusal;
-  if (tabletop_->FindPointable(part_id) != nullptr) return std::nullopt;
-  return "there is no object " + Named(part_id) + ", nor a part so called that is pointable";
+  return tabletop_->RefuseToPoint(part_id);
 }
 
 std::optional<Refusal> Demonstrator::Trigger(HandName name, std::string_view control,
@@ -113,16 +189,14 @@ std::optional<Refusal> Demonstrator::Loosen(HandName name, std::string_view obje
 
 std::optional<Refusal> Demonstrator::Turn(HandName name, std::string_view object_id,
                                           const std::optional<Vector3>& p_WQ, Turning turning) {
+  if (auto refusal = tabletop_->RefuseToReach(object_id)) return refusal;
   const world::Object* object = tabletop_->Find(object_id);
-  if (object == nullptr) return "there is no object " + Named(object_id);
   const Hand& own = hand(name);
   if (own.is_holding() && own.held != object->body) {
     return RefuseIfHolding(name, "fasten or loosen anything else");
   }
   const physics::Body& body = world_->body(object->body);
-  bool is_in_hand = false;
-  for (const Hand& any : state_.hands) is_in_hand = is_in_hand || any.held == object->body;
-  if (body.is_carried() && !is_in_hand) return Named(object_id) + " is held by the robot";
+  if (body.is_carried() && !IsInAHand(body.id())) return Named(object_id) + " is held by the robot";
 
   std::array<RigidTransform, kHandNames.size()> before;
   for (std::size_t i = 0; i < before.size(); ++i) {
@@ -161,6 +235,23 @@ bool Demonstrator::has_arrived() const {
     if (!(gap <= kNear && turn <= kAligned)) return false;
   }
   return true;
+}
+
+void Demonstrator::AddToHash(StateHash* hash) const {
+  for (const Hand& hand : state_.hands) {
+    hash->Add(std::uint64_t{hand.held.value});
+    if (!hand.is_holding()) continue;
+    for (double number : hand.X_WB_goal.rotation().reshaped()) hash->Add(number);
+    for (double number : hand.X_WB_goal.translation()) hash->Add(number);
+    for (double number : hand.p_BH) hash->Add(number);
+    hash->Add(hand.speed);
+  }
+  hash->Add(state_.plane_angles_deg);
+  for (const auto& [body, properties] : state_.attention) {
+    hash->Add(std::uint64_t{body.value});
+    hash->Add(std::uint64_t{properties.size()});
+    for (const std::string& property : properties) hash->Add(property);
+  }
 }
 
 }  // namespace smile::demonstrator

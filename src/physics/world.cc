@@ -205,6 +205,28 @@ std::vector<Contact> World::ContactsWith(ArticulationId id, int link) const {
   return contacts;
 }
 
+std::vector<BodyId> World::BodiesTouching(BodyId id) const {
+  const btCollisionObject* touched = body(id).bullet_.get();
+  const auto is_touch = [](const btManifoldPoint& point) {
+    return point.getDistance() <= kTouching || point.getAppliedImpulse() > 0;
+  };
+  std::vector<BodyId> bodies;
+  for (int i = 0; i < engine_->dispatcher.getNumManifolds(); ++i) {
+    const auto* manifold = engine_->dispatcher.getManifoldByIndexInternal(i);
+    const bool is_a = manifold->getBody0() == touched;
+    if (!is_a && manifold->getBody1() != touched) continue;
+    const BodyId other{
+        static_cast<std::uint32_t>(OrderOf(is_a ? manifold->getBody1() : manifold->getBody0()))};
+    if (!Has(other)) continue;  // a link
+    for (int k = 0; k < manifold->getNumContacts(); ++k) {
+      if (is_touch(manifold->getContactPoint(k))) bodies.push_back(other);
+    }
+  }
+  std::sort(bodies.begin(), bodies.end());
+  bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
+  return bodies;
+}
+
 bool World::is_at_rest() const {
   return std::none_of(bodies_.begin(), bodies_.end(),
                       [](const auto& b) { return b->is_awake(); }) &&

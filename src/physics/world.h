@@ -107,6 +107,9 @@ class World {
 
   /// Everything that touches a link now, nearest ids first. Contacts up to 0.1 mm apart count.
   std::vector<Contact> ContactsWith(ArticulationId id, int link) const;
+  /// All bodies that touch this one, static ones too, by id: those up to 0.1 mm apart, and those
+  /// that bounced off it in the last step.
+  std::vector<BodyId> BodiesTouching(BodyId id) const;
 
   /// True when every body sleeps and no articulation moves: a step would change nothing.
   bool is_at_rest() const;

@@ -31,6 +31,23 @@ struct MoveTo {
   bool operator==(const MoveTo&) const = default;
 };
 
+/// Turns the vertical plane in which the hand is dragged.
+struct Plane {
+  HandName hand = HandName::kAny;
+  double angle_deg = 0;  ///< from the x axis, counterclockwise seen from above
+  bool operator==(const Plane&) const = default;
+};
+
+/// A mouse that drags: a MoveTo to where its ray meets the hand's motion plane. It is this MoveTo
+/// that is told and logged.
+struct Drag {
+  HandName hand = HandName::kAny;
+  Vector3 p_WOrigin = Vector3::Zero();           ///< of the ray [m]
+  Vector3 direction_in_world = Vector3::Zero();  ///< of any length but 0
+  std::optional<double> speed;                   ///< at most this fast [m/s]
+  bool operator==(const Drag&) const = default;
+};
+
 struct Rotate {
   HandName hand = HandName::kAny;
   Vector3 angles_deg = Vector3::Zero();  ///< about the world's x, then y, then z axis
@@ -46,6 +63,13 @@ struct Release {
 struct Destroy {
   HandName hand = HandName::kAny;
   bool operator==(const Destroy&) const = default;
+};
+
+/// Tells which properties of the held object matter; none: nothing in particular.
+struct Attend {
+  HandName hand = HandName::kAny;
+  std::vector<std::string> properties;  ///< see Demonstrator::Attend()
+  bool operator==(const Attend&) const = default;
 };
 
 /// Shows an object or a pointable part; only the log knows.
@@ -119,9 +143,9 @@ struct FinishRecording {
   bool operator==(const FinishRecording&) const = default;
 };
 
-using Command = std::variant<Grasp, MoveTo, Rotate, Release, Destroy, Point, Trigger, Fasten,
-                             Loosen, JointVelocities, JointAngles, ShowRobot, Undo, Redo,
-                             StartRecording, FinishRecording>;
+using Command = std::variant<Grasp, MoveTo, Plane, Drag, Rotate, Release, Destroy, Attend, Point,
+                             Trigger, Fasten, Loosen, JointVelocities, JointAngles, ShowRobot, Undo,
+                             Redo, StartRecording, FinishRecording>;
 
 /// True of what a hand does to the world or shows: it begins a new segment of a recording, and can
 /// be undone.

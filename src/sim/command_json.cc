@@ -1,9 +1,11 @@
 #include "sim/command_json.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
 
+#include "demonstrator/demonstrator.h"
 #include "sim/internal_command_forms.h"
 
 namespace smile::sim {
@@ -29,6 +31,16 @@ bool IsNumbers(const Json& json, std::size_t min_count, std::size_t max_count) {
   return true;
 }
 
+bool IsText(const Json& json, std::size_t max_length) {
+  return json.is_string() && json.get_ref<const std::string&>().size() <= max_length;
+}
+
+bool IsProperties(const Json& json) {
+  if (!json.is_array() || json.size() > demonstrator::kMaxProperties) return false;
+  return std::ranges::all_of(
+      json, [](const Json& name) { return IsText(name, demonstrator::kMaxPropertyLength); });
+}
+
 void CheckField(const Field& field, const Json& value) {
   const std::string key = field.name;
   switch (field.kind) {
@@ -38,13 +50,16 @@ void CheckField(const Field& field, const Json& value) {
       }
       return;
     case Kind::kText:
-      if (!value.is_string() || value.get<std::string>().size() > kMaxText) {
-        Expected(key, value, "a text of at most 256 letters");
-      }
+      if (!IsText(value, kMaxText)) Expected(key, value, "a text of at most 256 letters");
       return;
     case Kind::kPoint:
     case Kind::kAngles:
       if (!IsNumbers(value, 3, 3)) Expected(key, value, "three numbers [x, y, z] of at most 1e6");
+      return;
+    case Kind::kDirection:
+      if (!IsNumbers(value, 3, 3) || value == Json{0, 0, 0}) {
+        Expected(key, value, "three numbers [x, y, z] of at most 1e6, not all 0");
+      }
       return;
     case Kind::kSpeed:
       if (!IsNumber(value) || !(value.get<double>() >= kMinSpeed)) {
@@ -62,6 +77,11 @@ void CheckField(const Field& field, const Json& value) {
       return;
     case Kind::kFlag:
       if (!value.is_boolean()) Expected(key, value, "true or false");
+      return;
+    case Kind::kProperties:
+      if (!IsProperties(value)) {
+        Expected(key, value, "at most 32 names of properties of at most 256 letters");
+      }
       return;
   }
 }

@@ -49,6 +49,23 @@ Json ToJson(const Command& command, double unit) {
                    if (move.speed) json["speed"] = ToFileUnits(*move.speed, unit);
                    return json;
                  },
+                 [&](const Plane& plane) {
+                   Json json = hand(plane.hand, "plane");
+                   json["angle"] = plane.angle_deg;
+                   return json;
+                 },
+                 [&](const Drag& drag) {
+                   Json json = hand(drag.hand, "drag");
+                   json["origin"] = ToArray(ToFileUnits(drag.p_WOrigin, unit));
+                   json["direction"] = ToArray(drag.direction_in_world);
+                   if (drag.speed) json["speed"] = ToFileUnits(*drag.speed, unit);
+                   return json;
+                 },
+                 [&](const Attend& attend) {
+                   Json json = hand(attend.hand, "attend");
+                   json["properties"] = attend.properties;
+                   return json;
+                 },
                  [&](const Rotate& rotate) {
                    Json json = hand(rotate.hand, "rotate");
                    json["angles"] = ToArray(rotate.angles_deg);
@@ -105,6 +122,10 @@ Command OnFileGrid(Command command, double unit) {
                         [unit](MoveTo& move) {
                           move.p_WH = scene::OnFileGrid(move.p_WH, unit);
                           if (move.speed) move.speed = scene::OnFileGrid(*move.speed, unit);
+                        },
+                        [unit](Drag& drag) {
+                          drag.p_WOrigin = scene::OnFileGrid(drag.p_WOrigin, unit);
+                          if (drag.speed) drag.speed = scene::OnFileGrid(*drag.speed, unit);
                         },
                         [unit](JointVelocities& velocities) {
                           if (!velocities.grippers) return;

@@ -1,3 +1,4 @@
+#include "demonstrator/demonstrator.h"
 #include "sim/command_json.h"
 #include "sim/internal_command_forms.h"
 
@@ -20,6 +21,7 @@ Json FieldSchema(const Field& field) {
       break;
     case Kind::kPoint:
     case Kind::kAngles:
+    case Kind::kDirection:
       schema = array(3, 3);
       break;
     case Kind::kSpeed:
@@ -36,6 +38,11 @@ Json FieldSchema(const Field& field) {
       break;
     case Kind::kFlag:
       schema = {{"type", "boolean"}};
+      break;
+    case Kind::kProperties:
+      schema = {{"type", "array"},
+                {"items", {{"type", "string"}, {"maxLength", demonstrator::kMaxPropertyLength}}},
+                {"maxItems", demonstrator::kMaxProperties}};
       break;
   }
   schema["description"] = field.meaning;

@@ -9,6 +9,8 @@ using scene::FromFileUnits;
 
 constexpr const char* kGripperMeaning = "rate of change of each opening, left and right [units/s]";
 
+constexpr const char* kSpeedMeaning = "at most this fast; 10 if not given [units/s]";
+
 constexpr const char* kGuestMeaning =
     "near its guest point that is meant; the object's origin if not given [units]";
 
@@ -26,6 +28,11 @@ std::optional<T> OptionalOf(const Json& json, const char* key) {
 std::optional<Vector3> OptionalPointOf(const Json& json, double unit) {
   if (!json.contains("point")) return std::nullopt;
   return FromFileUnits(VectorOf(json.at("point")), unit);
+}
+
+std::optional<double> OptionalSpeedOf(const Json& json, double unit) {
+  if (!json.contains("speed")) return std::nullopt;
+  return FromFileUnits(json.at("speed").get<double>(), unit);
 }
 
 }  // namespace
@@ -48,13 +55,32 @@ const std::vector<Form>& Forms() {
        "carries the held object",
        {kHandField,
         {"position", Kind::kPoint, true, "where the grasped point shall go [units]"},
-        {"speed", Kind::kSpeed, false, "at most this fast; 10 if not given [units/s]"}},
+        {"speed", Kind::kSpeed, false, kSpeedMeaning}},
        [](const Json& json, double unit) -> Command {
-         MoveTo move{.hand = HandOf(json),
-                     .p_WH = FromFileUnits(VectorOf(json.at("position")), unit)};
-         if (json.contains("speed"))
-           move.speed = FromFileUnits(json.at("speed").get<double>(), unit);
-         return move;
+         return MoveTo{.hand = HandOf(json),
+                       .p_WH = FromFileUnits(VectorOf(json.at("position")), unit),
+                       .speed = OptionalSpeedOf(json, unit)};
+       }},
+      {"plane",
+       "turns the vertical plane in which the hand is dragged",
+       {kHandField,
+        {"angle", Kind::kNumber, true,
+         "of its horizontal direction from the x axis, counterclockwise seen from above "
+         "[degrees]"}},
+       [](const Json& json, double) -> Command {
+         return Plane{.hand = HandOf(json), .angle_deg = json.at("angle").get<double>()};
+       }},
+      {"drag",
+       "carries the held object to where a ray meets the hand's plane; logs have the move_to",
+       {kHandField,
+        {"origin", Kind::kPoint, true, "where the ray begins [units]"},
+        {"direction", Kind::kDirection, true, "of the ray, of any length but 0"},
+        {"speed", Kind::kSpeed, false, kSpeedMeaning}},
+       [](const Json& json, double unit) -> Command {
+         return Drag{.hand = HandOf(json),
+                     .p_WOrigin = FromFileUnits(VectorOf(json.at("origin")), unit),
+                     .direction_in_world = VectorOf(json.at("direction")),
+                     .speed = OptionalSpeedOf(json, unit)};
        }},
       {"rotate",
        "turns the held object about its origin",
@@ -71,6 +97,15 @@ const std::vector<Form>& Forms() {
        "takes the held object out of the world",
        {kHandField},
        [](const Json& json, double) -> Command { return Destroy{.hand = HandOf(json)}; }},
+      {"attend",
+       "tells which properties of the held object matter, instead of what was told before",
+       {kHandField,
+        {"properties", Kind::kProperties, true,
+         "color, shape, size, position, orientation, order, names of its descriptions; [] = none "
+         "in particular"}},
+       [](const Json& json, double) -> Command {
+         return Attend{.hand = HandOf(json), .properties = json.at("properties")};
+       }},
       {"point",
        "points at an object or a pointable part; only the log knows",
        {kHandField, {"part", Kind::kText, true, "id of the object or part"}},

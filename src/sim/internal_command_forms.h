@@ -16,7 +16,19 @@ inline constexpr std::size_t kMaxJoints = 64;
 inline constexpr double kMaxNumber = 1e6, kMinSpeed = 1e-6;
 
 /// What a value of a command is, and with that what is allowed.
-enum class Kind { kHand, kText, kPoint, kAngles, kSpeed, kJoints, kGrippers, kNumber, kFlag };
+enum class Kind {
+  kHand,
+  kText,
+  kPoint,
+  kAngles,
+  kDirection,
+  kSpeed,
+  kJoints,
+  kGrippers,
+  kNumber,
+  kFlag,
+  kProperties
+};
 
 /// One value of a command.
 struct Field {

@@ -1,10 +1,14 @@
 #include "sim/simulation.h"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "base/state_hash.h"
 #include "robot/robot_visuals.h"
+#include "scene/units.h"
 #include "sim/command_json.h"
+#include "sim/internal_command_forms.h"
 
 namespace smile::sim {
 
@@ -66,6 +70,7 @@ bool ChangesWorld(const Command& command) {
 }  // namespace
 
 std::optional<Refusal> Simulation::Apply(const Command& wanted) {
+  if (const auto* drag = std::get_if<Drag>(&wanted)) return Carry(*drag);
   const Command command = OnFileGrid(wanted, scene_.meters_per_unit);
   std::optional<Refusal> refusal;
   for (Listener* listener : listeners_) {
@@ -105,6 +110,7 @@ std::optional<Refusal> Simulation::Carry(const FinishRecording&) {
 }
 
 std::optional<Refusal> Simulation::Perform(const Command& command) {
+  if (const auto* grasp = std::get_if<Grasp>(&command)) ReleaseFor(*grasp);
   std::optional<SimulationState> before_action;
   if (IsAction(command)) before_action = Save();
   const auto held_by_grippers = HeldByGrippers();
@@ -133,6 +139,35 @@ std::optional<Refusal> Simulation::Perform(const Command& command) {
   return std::nullopt;
 }
 
+void Simulation::ReleaseFor(const Grasp& grasp) {
+  const demonstrator::GraspPlan plan = demonstrator_.PlanGrasp(grasp.hand, grasp.object);
+  if (plan.refusal) return;
+  for (HandName hand : plan.to_release) (void)Apply(Release{.hand = hand});
+}
+
+std::optional<Refusal> Simulation::Carry(const Drag& drag) {
+  Refusal refusal;
+  const auto p_WH = demonstrator_.PointOnPlane(
+      drag.hand, {.p_WOrigin = drag.p_WOrigin, .direction_in_world = drag.direction_in_world},
+      &refusal);
+  // Where units are tiny, a log could not say it.
+  const double limit = scene::FromFileUnits(kMaxNumber, scene_.meters_per_unit);
+  if (p_WH && !(p_WH->cwiseAbs().maxCoeff() <= limit)) {
+    refusal = "the ray meets the motion plane more than 1e6 units away";
+  } else if (p_WH) {
+    return Apply(MoveTo{.hand = drag.hand, .p_WH = *p_WH, .speed = drag.speed});
+  }
+  Tell({.kind = EventKind::kCommandRefused, .reason = refusal});
+  return refusal;
+}
+
+std::optional<Refusal> Simulation::Carry(const Plane& plane) {
+  demonstrator_.TurnPlane(plane.hand, plane.angle_deg);
+  return std::nullopt;
+}
+std::optional<Refusal> Simulation::Carry(const Attend& attend) {
+  return demonstrator_.Attend(attend.hand, attend.properties);
+}
 std::optional<Refusal> Simulation::Carry(const Grasp& grasp) {
   return demonstrator_.Grasp(grasp.hand, grasp.object, grasp.p_WQ);
 }
@@ -205,13 +240,18 @@ std::optional<Refusal> Simulation::Carry(const ShowRobot& show) {
 void Simulation::Tick() {
   has_begun_ = true;
   const auto before = HeldByGrippers();
+  std::vector<const world::Object*> fallen;
   for (int step = 0; step < kStepsPerTick; ++step) {
     demonstrator_.BeforeStep();
     physics_.Step();
     if (robot_) robot_->AfterStep();
+    std::ranges::copy(tabletop_.NoticeFallen(), std::back_inserter(fallen));
   }
   ++tick_;
   TellOfGrippers(before);
+  for (const world::Object* object : fallen) {
+    Tell({.kind = EventKind::kFell, .object = object->id()});
+  }
   for (Listener* listener : listeners_) listener->OnTick(*this);
 }
 
@@ -233,14 +273,7 @@ std::uint64_t Simulation::state_hash() const {
   hash.Add(tick_);
   hash.Add(physics_.state_hash());
   tabletop_.AddToHash(&hash);
-  for (const demonstrator::Hand& hand : demonstrator_.state().hands) {
-    hash.Add(std::uint64_t{hand.held.value});
-    if (!hand.is_holding()) continue;
-    for (double number : hand.X_WB_goal.rotation().reshaped()) hash.Add(number);
-    for (double number : hand.X_WB_goal.translation()) hash.Add(number);
-    for (double number : hand.p_BH) hash.Add(number);
-    hash.Add(hand.speed);
-  }
+  demonstrator_.AddToHash(&hash);
   if (robot_) {
     for (const robot::GripperState& gripper : robot_->state().grippers) {
       hash.Add(gripper.opening_velocity);

@@ -120,6 +120,10 @@ class Simulation {
   std::optional<Refusal> Carry(const Command& command);
   std::optional<Refusal> Carry(const Grasp& grasp);
   std::optional<Refusal> Carry(const MoveTo& move);
+  /// As the move it means: only that is told and logged.
+  std::optional<Refusal> Carry(const Drag& drag);
+  std::optional<Refusal> Carry(const Plane& plane);
+  std::optional<Refusal> Carry(const Attend& attend);
   std::optional<Refusal> Carry(const Rotate& rotate);
   std::optional<Refusal> Carry(const Release& release);
   std::optional<Refusal> Carry(const Destroy& destroy);
@@ -135,6 +139,8 @@ class Simulation {
   std::optional<Refusal> Carry(const StartRecording& start);
   std::optional<Refusal> Carry(const FinishRecording& finish);
   std::optional<Refusal> RefuseArm(const std::optional<std::vector<double>>& values, int arm) const;
+  /// Applies the releases a grasp implies, as commands of their own; none if it will be refused.
+  void ReleaseFor(const Grasp& grasp);
   void Tell(const Event& event);
   /// What a command did to the object it is about.
   void TellOfCommand(const Command& command, const std::string& held_before);

@@ -44,6 +44,13 @@ void Simulation::TellOfCommand(const Command& command, const std::string& held_b
           [&](const Destroy& destroy) {
             Tell({.kind = EventKind::kDestroyed, .hand = destroy.hand, .object = held_before});
           },
+          [&](const Attend& attend) {
+            const world::Object& object = *tabletop_.Find(held_before);
+            Tell({.kind = EventKind::kAttended,
+                  .hand = attend.hand,
+                  .object = object.id(),
+                  .properties = demonstrator_.PropertiesThatMatter(object)});
+          },
           [this](const Point& point) {
             Tell({.kind = EventKind::kPointed,
                   .hand = point.hand,

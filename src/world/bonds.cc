@@ -19,8 +19,9 @@ const scene::TightnessStage& StageOf(const Host& host, int tightness) {
 
 }  // namespace
 
-Bonds::Bonds(physics::World* world, const std::vector<Object>* objects, Controls* controls)
-    : world_(world), objects_(objects), controls_(controls) {
+Bonds::Bonds(physics::World* world, const std::vector<Object>* objects,
+             const std::vector<ObjectState>* object_states, Controls* controls)
+    : world_(world), objects_(objects), object_states_(object_states), controls_(controls) {
   for (std::size_t i = 0; i < objects_->size(); ++i) {
     const scene::Part& whole = (*objects_)[i].spec->whole;
     for (const auto& [point, X_BG] : scene::GuestsOf(whole)) guests_.push_back({point, i, X_BG});
@@ -111,7 +112,7 @@ std::optional<std::size_t> Bonds::HostInReach(std::size_t guest, double reach,
   for (std::size_t host = 0; host < hosts_.size(); ++host) {
     const Host& hole = hosts_[host];
     if (hole.point->type != plug.point->type || states_[host].guest >= 0 ||
-        is_connected[hole.object] || !IsPresent(hole.object)) {
+        is_connected[hole.object] || !IsInPlay(hole.object)) {
       continue;
     }
     const double distance = (point_in_world(hole.object, hole.X_BH) - p_WG).norm();

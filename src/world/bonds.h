@@ -43,7 +43,8 @@ struct BondState {
 class Bonds {
  public:
   /// All must outlive this.
-  Bonds(physics::World* world, const std::vector<Object>* objects, Controls* controls);
+  Bonds(physics::World* world, const std::vector<Object>* objects,
+        const std::vector<ObjectState>* object_states, Controls* controls);
   /// Fastens what is fastened from the start. The objects must have bodies by now.
   void FastenInitially();
 
@@ -53,9 +54,9 @@ class Bonds {
   void Restore(std::vector<BondState> states) { states_ = std::move(states); }
 
   /// One stage tighter: of the object's guest point nearest to `p_WQ`. A free one goes to the
-  /// nearest host that fits, is free, not locked, less than two units away and not connected with
-  /// the object already. The guest, and all that hangs on it, is put where the stage has it; the
-  /// host stays.
+  /// nearest host that fits, is free, not locked, not on the floor, less than two units away and
+  /// not connected with the object already. The guest, and all that hangs on it, is put where the
+  /// stage has it; the host stays.
   [[nodiscard]] std::optional<Refusal> Fasten(std::size_t object, const Vector3& p_WQ,
                                               double meters_per_unit);
   /// One stage looser; from the first stage the guest comes free.
@@ -83,10 +84,13 @@ class Bonds {
                                       const RigidTransform& X_WB) const;
   bool IsHeldByRobot(physics::BodyId body) const;
   void TellDownstream(std::size_t host);
-  bool IsPresent(std::size_t object) const { return world_->Has((*objects_)[object].body); }
+  bool IsInPlay(std::size_t object) const {
+    return world_->Has((*objects_)[object].body) && !(*object_states_)[object].has_fallen;
+  }
 
   physics::World* world_;
   const std::vector<Object>* objects_;
+  const std::vector<ObjectState>* object_states_;
   Controls* controls_;
   std::vector<Guest> guests_;
   std::vector<Host> hosts_;

@@ -17,4 +17,12 @@ struct Object {
   const std::string& id() const { return spec->id(); }
 };
 
+/// Where an object has been.
+struct ObjectState {
+  bool was_raised = false;  ///< a hand or a gripper carried it above the table top
+  bool has_fallen = false;  ///< to the floor: it is out of play
+
+  bool operator==(const ObjectState&) const = default;
+};
+
 }  // namespace smile::world

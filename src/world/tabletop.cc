@@ -39,7 +39,8 @@ Tabletop::Tabletop(physics::World* world, const scene::SceneSpec& scene)
       objects_(ObjectsOf(scene)),
       link_padding_(LinkPaddings(scene)),
       controls_(objects_),
-      bonds_(world, &objects_, &controls_) {
+      object_states_(objects_.size()),
+      bonds_(world, &objects_, &object_states_, &controls_) {
   AddBodiesAndJoints(scene);
   const std::vector<ControlState> before = controls_.states();
   bonds_.FastenInitially();
@@ -48,7 +49,7 @@ Tabletop::Tabletop(physics::World* world, const scene::SceneSpec& scene)
 
 void Tabletop::AddBodiesAndJoints(const scene::SceneSpec& scene) {
   world_->AddBody({.solids = {TableSolid(table_)}, .restitution = kGroundRestitution});
-  world_->AddBody({.solids = {FloorSolid()}, .restitution = kGroundRestitution});
+  floor_ = world_->AddBody({.solids = {FloorSolid()}, .restitution = kGroundRestitution});
   for (std::size_t i = 0; i < objects_.size(); ++i) {
     const scene::ObjectSpec& spec = *objects_[i].spec;
     const std::vector<scene::Solid> solids = SolidsNow(i);
@@ -136,6 +137,7 @@ std::optional<Refusal> Tabletop::Trigger(std::string_view id, std::string_view p
   if (!control || !IsPresent(controls_.all()[*control])) {
     return "there is no control " + Named(id);
   }
+  if (auto refusal = RefuseToReach(objects_[controls_.all()[*control].object])) return refusal;
   const std::vector<ControlState> before = controls_.states();
   if (auto refusal = controls_.Trigger(*control, part)) return refusal;
   FollowControls(before);
@@ -166,6 +168,7 @@ void Tabletop::Destroy(const Object& object) {
 void Tabletop::Restore(const TabletopState& state) {
   controls_.Restore(state.controls);
   bonds_.Restore(state.bonds);
+  object_states_ = state.objects;
 }
 
 void Tabletop::AddToHash(StateHash* hash) const {
@@ -179,6 +182,10 @@ void Tabletop::AddToHash(StateHash* hash) const {
     hash->Add(static_cast<std::uint64_t>(bond.tightness));
     hash->Add(std::uint64_t{bond.is_locked});
     hash->Add(std::uint64_t{bond.joint.value});
+  }
+  for (const ObjectState& object : object_states_) {
+    hash->Add(std::uint64_t{object.was_raised});
+    hash->Add(std::uint64_t{object.has_fallen});
   }
 }
 

@@ -23,6 +23,7 @@ inline constexpr double kFloorDepth = 0.9;
 struct TabletopState {
   std::vector<ControlState> controls;  ///< in scene order
   std::vector<BondState> bonds;        ///< one per host point, in scene order
+  std::vector<ObjectState> objects;    ///< in scene order
 
   bool operator==(const TabletopState&) const = default;
 };
@@ -45,6 +46,19 @@ class Tabletop {
   /// The object itself, or the one with a pointable part of this id.
   const Object* FindPointable(std::string_view id) const;
 
+  /// It came to the floor, and is out of play ever since.
+  bool HasFallen(const Object& object) const { return object_states_[IndexOf(object)].has_fallen; }
+  /// Why hands cannot reach an object: it is destroyed, or has fallen.
+  std::optional<Refusal> RefuseToReach(const Object& object) const;
+  /// Or there is none of this id.
+  std::optional<Refusal> RefuseToReach(std::string_view id) const;
+  /// Why hands cannot point at an object or a part.
+  std::optional<Refusal> RefuseToPoint(std::string_view id) const;
+  /// Notices what touches the floor by now, neither held itself nor hanging on something held; to
+  /// be called after each physics step. What stood down there from the start has to fall first.
+  /// @returns those that had not fallen before, in scene order.
+  std::vector<const Object*> NoticeFallen();
+
   const Controls& controls() const { return controls_; }
   const Bonds& bonds() const { return bonds_; }
   /// False once the object it belongs to is destroyed.
@@ -58,7 +72,7 @@ class Tabletop {
   /// Takes the object away, with its joints, bonds and controls. It must be present.
   void Destroy(const Object& object);
 
-  TabletopState state() const { return {controls_.states(), bonds_.states()}; }
+  TabletopState state() const { return {controls_.states(), bonds_.states(), object_states_}; }
   /// To be called after the physics world has been restored.
   void Restore(const TabletopState& state);
   void AddToHash(StateHash* hash) const;
@@ -85,14 +99,19 @@ class Tabletop {
   /// Gives objects another form whose controls looked otherwise before.
   void FollowControls(const std::vector<ControlState>& before);
   bool HasPointable(std::size_t object, std::string_view id) const;
+  bool HasComeDown(std::size_t object) const;
+  /// By a hand or a gripper; or something is that it hangs on.
+  bool IsHeld(const Object& object) const;
 
   physics::World* world_;
   scene::TableSpec table_;
   double meters_per_unit_;
+  physics::BodyId floor_;
   std::vector<Object> objects_;
   /// Of each object that is a chain's link: by how much it is drawn longer at both ends [m].
   std::vector<std::optional<double>> link_padding_;
   Controls controls_;
+  std::vector<ObjectState> object_states_;  ///< one per object
   Bonds bonds_;
 };
 

@@ -51,10 +51,10 @@ TEST_F(Run, WrongInputIsOneClearMessageAndExitCodeOne) {
 
   Write("twice.jsonl",
         "{\"hand\":\"left\",\"do\":\"grasp\",\"object\":\"a\"}\n"
-        "{\"hand\":\"right\",\"do\":\"grasp\",\"object\":\"a\"}\n");
+        "{\"hand\":\"left\",\"do\":\"grasp\",\"object\":\"a\"}\n");
   const Answer twice = Smile("run pair.xml --commands twice.jsonl");
   EXPECT_EQ(twice.exit_code, 1);
-  EXPECT_EQ(twice.err, "twice.jsonl:2: 'a' is already held by the left hand\n");
+  EXPECT_EQ(twice.err, "twice.jsonl:2: the left hand already holds 'a'; release it first\n");
 }
 
 TEST_F(Run, WrongUseIsExitCodeTwo) {

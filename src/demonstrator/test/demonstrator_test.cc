@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <random>
 
 namespace smile::demonstrator {
 namespace {
@@ -94,6 +95,83 @@ TEST_F(DemonstratorTest, RammingAStackDoesNotExplodeIt) {
   EXPECT_LT(fastest, 3.0);  // [m/s]
 }
 
+TEST_F(DemonstratorTest, NoDragPutsAnObjectIntoTheTableOrThroughAThinWall) {
+  std::vector<scene::ObjectSpec> objects = {
+      BlockAt("a", {-0.3, 0, 0.05}),
+      BlockAt("wall", {0.2, 0, 0.5}, {0.02, 4, 1}, /*mass=*/0),
+  };
+  for (int i = 0; i < 5; ++i) {
+    objects.push_back(BlockAt("s" + std::to_string(i), {-0.6, 0, 0.05 + 0.1 * i}));
+  }
+  Start(std::move(objects));
+  Grasp("a");
+  std::mt19937 random(3);
+  const auto uniform = [&random](double low, double high) {
+    return low + (high - low) * (random() / 4294967296.0);
+  };
+  double lowest = 1, farthest = -1, fastest = 0;
+  for (int i = 0; i < 1000; ++i) {
+    // Into the table, through the wall, through the stack; turned or not.
+    const Vector3 goals[] = {{uniform(-0.8, 0.1), uniform(-0.4, 0.4), uniform(-1, 0)},
+                             {uniform(0.3, 3), uniform(-0.4, 0.4), uniform(0, 0.6)},
+                             {-0.6, 0, uniform(0, 0.5)},
+                             {uniform(-0.9, 0.1), uniform(-0.4, 0.4), uniform(0.05, 0.5)}};
+    MoveTo(goals[i % 4]);
+    if (i % 5 == 0) {
+      const Vector3 angles(uniform(-90, 90), uniform(-90, 90), uniform(-90, 90));
+      ASSERT_EQ(hands_->Rotate(HandName::kAny, angles), std::nullopt);
+    }
+    const int num_steps = 24 + static_cast<int>(random() % 192);
+    for (int step = 0; step < num_steps; ++step) {
+      StepSeconds(1.0 / 480);
+      const RigidTransform X_WB = world_->body(tabletop_->Find("a")->body).pose_in_world();
+      for (int corner = 0; corner < 8; ++corner) {
+        const Vector3 p_BQ(corner & 1 ? 0.05 : -0.05, corner & 2 ? 0.05 : -0.05,
+                           corner & 4 ? 0.05 : -0.05);
+        const Vector3 p_WQ = X_WB * p_BQ;
+        lowest = std::min(lowest, p_WQ.z());
+        farthest = std::max(farthest, p_WQ.x());
+      }
+      for (const world::Object& object : tabletop_->objects()) {
+        fastest = std::max(fastest, world_->body(object.body).linear_velocity().norm());
+      }
+    }
+  }
+  EXPECT_GT(lowest, -0.005) << "m, of a corner: hardly into the table";
+  EXPECT_LT(farthest, 0.195) << "m, of a corner: hardly into the wall";
+  EXPECT_LT(fastest, 4.0) << "m/s, of anything: nothing explodes";
+}
+
+TEST_F(DemonstratorTest, HandsThatPushAgainstEachOtherDoNotExplode) {
+  ASSERT_EQ(hands_->Grasp(HandName::kLeft, "a", std::nullopt), std::nullopt);
+  ASSERT_EQ(hands_->Grasp(HandName::kRight, "b", std::nullopt), std::nullopt);
+  // Each wants to be where the other is; then both at the same place.
+  const std::pair<Vector3, Vector3> goals[] = {{{0.3, 0, 0.3}, {0, 0, 0.3}},
+                                               {{0.15, 0, 0.3}, {0.15, 0, 0.3}},
+                                               {{0.15, 0.01, 0.3}, {0.15, 0, 0.3}}};
+  double fastest = 0, nearest = 1;
+  for (const auto& [left, right] : goals) {
+    ASSERT_EQ(hands_->MoveTo(HandName::kLeft, left, std::nullopt), std::nullopt);
+    ASSERT_EQ(hands_->MoveTo(HandName::kRight, right, std::nullopt), std::nullopt);
+    for (int step = 0; step < 960; ++step) {
+      StepSeconds(1.0 / 480);
+      for (const char* id : {"a", "b"}) {
+        const physics::Body& body = world_->body(tabletop_->Find(id)->body);
+        fastest = std::max(fastest, body.linear_velocity().norm());
+      }
+      nearest = std::min(nearest, (PositionOf("a") - PositionOf("b")).norm());
+    }
+  }
+  EXPECT_LT(fastest, 1.5) << "m/s";
+  EXPECT_GT(nearest, 0.095) << "m: hardly into each other";
+  const Vector3 p_WA = PositionOf("a"), p_WB = PositionOf("b");
+  StepSeconds(1);
+  EXPECT_LT((PositionOf("a") - p_WA).norm() + (PositionOf("b") - p_WB).norm(), 0.001) << "at rest";
+  ASSERT_EQ(hands_->Release(HandName::kLeft), std::nullopt);
+  StepSeconds(1.0 / 60);
+  EXPECT_LT((PositionOf("a") - p_WA).norm(), 0.005) << "no jump";
+}
+
 TEST_F(DemonstratorTest, TurnsAboutTheWorldsAxesByWhatIsAsked) {
   Grasp("a");
   MoveTo({0, 0, 0.3});
@@ -123,6 +201,21 @@ TEST_F(DemonstratorTest, AReleasedObjectDoesNotJump) {
   EXPECT_LE(PositionOf("a").z(), height);
 }
 
+TEST_F(DemonstratorTest, WhatWasPressedOnTheTableSettlesWithoutAJump) {
+  Grasp("a");
+  MoveTo({0, 0, -1});
+  StepSeconds(1);
+  const Vector3 pressed = PositionOf("a");
+  Release();
+  double farthest = 0;
+  for (int step = 0; step < 480; ++step) {
+    StepSeconds(1.0 / 480);
+    farthest = std::max(farthest, (PositionOf("a") - pressed).norm());
+  }
+  EXPECT_LT(farthest, 0.003);
+  EXPECT_NEAR(PositionOf("a").z(), 0.05, 0.0005);
+}
+
 TEST_F(DemonstratorTest, RefusesWithAReason) {
   EXPECT_EQ(hands_->Grasp(HandName::kAny, "nothing", std::nullopt), "there is no object 'nothing'");
   EXPECT_EQ(hands_->Grasp(HandName::kAny, "shelf", std::nullopt),
@@ -130,7 +223,7 @@ TEST_F(DemonstratorTest, RefusesWithAReason) {
   EXPECT_EQ(hands_->Release(HandName::kLeft), "the left hand holds nothing");
   Grasp("a");
   EXPECT_EQ(hands_->Grasp(HandName::kLeft, "a", std::nullopt),
-            "'a' is already held by the any hand");
+            "the any hand holds 'a'; it must let go first");
   EXPECT_EQ(hands_->Grasp(HandName::kAny, "b", std::nullopt),
             "the any hand already holds 'a'; release it first");
 }

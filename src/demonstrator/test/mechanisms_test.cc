@@ -83,9 +83,8 @@ TEST_F(MechanismHandsTest, WhatIsDestroyedIsGoneAndTheHandFree) {
   EXPECT_EQ(tabletop_->Find("base"), nullptr);
   EXPECT_FALSE(hands_->hand(kLeft).is_holding());
   EXPECT_TRUE(hands_->hand(kRight).is_holding());
-  EXPECT_EQ(hands_->Grasp(kLeft, "base", std::nullopt), "there is no object 'base'");
-  EXPECT_EQ(hands_->PointAt(kLeft, "base"),
-            "there is no object 'base', nor a part so called that is pointable");
+  EXPECT_EQ(hands_->Grasp(kLeft, "base", std::nullopt), "'base' is gone: it was destroyed");
+  EXPECT_EQ(hands_->PointAt(kLeft, "base"), "'base' is gone: it was destroyed");
   Grasp(kLeft, "nut");
   StepSeconds(1);
   EXPECT_NEAR(PositionOf("top").z(), 0.05, 0.001) << "nothing carries it any more";
@@ -178,7 +177,8 @@ TEST_F(MechanismHandsTest, HandOverLeavesBondsAndPlaces) {
   Grasp(kLeft, "peg");
   ASSERT_EQ(hands_->MoveTo(kLeft, {0, 0, 0.4}, std::nullopt), std::nullopt);
   StepSeconds(1.5);
-  EXPECT_EQ(hands_->Grasp(kRight, "peg", std::nullopt), "'peg' is already held by the left hand");
+  EXPECT_EQ(hands_->Grasp(kRight, "peg", std::nullopt),
+            "the left hand holds 'peg'; it must let go first");
   EXPECT_TRUE(hands_->hand(kLeft).is_holding()) << "a refusal lets nothing fall";
   ASSERT_EQ(hands_->Release(kLeft), std::nullopt);
   Grasp(kRight, "peg");
@@ -217,6 +217,46 @@ TEST_F(MechanismHandsTest, ALidLiftedByAHandLiftsItsHeavyBox) {
   StepSeconds(2);
   EXPECT_LT((PositionOf("lid") - Vector3(0.05, 0, 0.5)).norm(), 0.002);
   EXPECT_LT((PositionOf("box") - Vector3(0.05, 0, 0.35)).norm(), 0.008) << "it hangs on its lid";
+}
+
+TEST_F(MechanismHandsTest, HandsCannotReachWhatFellToTheFloor) {
+  const auto fall = [this](std::string_view id, double x) {
+    world_->body(tabletop_->Find(id)->body).SetPose(RigidTransform(Vector3(x, 0, -0.7)));
+    for (int i = 0; i < 480; ++i) {
+      world_->Step();
+      tabletop_->NoticeFallen();
+    }
+    ASSERT_TRUE(tabletop_->HasFallen(*tabletop_->Find(id)));
+  };
+  const std::string nut_fell = "'nut' fell to the floor; undo brings it back";
+  fall("nut", 1.5);
+  EXPECT_EQ(hands_->Grasp(kLeft, "nut", std::nullopt), nut_fell);
+  EXPECT_EQ(hands_->PointAt(kLeft, "nut"), nut_fell);
+  EXPECT_EQ(hands_->Fasten(kLeft, "nut", std::nullopt), nut_fell);
+  EXPECT_EQ(hands_->Loosen(kLeft, "nut", std::nullopt), nut_fell);
+  // Nor fasten anything to it, however near.
+  Grasp(kLeft, "peg");
+  for (const Vector3& p_WH : {Vector3(0.1, 0, 0.6), Vector3(1.5, 0, 0.6), Vector3(1.5, 0, -0.65)}) {
+    ASSERT_EQ(hands_->MoveTo(kLeft, p_WH, std::nullopt), std::nullopt);
+    StepSeconds(2);
+    ASSERT_TRUE(hands_->has_arrived());
+  }
+  EXPECT_EQ(hands_->Fasten(kLeft, "peg", std::nullopt),
+            "nothing that fits 'peg_tip' and is free is less than two units away");
+}
+
+TEST_F(MechanismHandsTest, WhatIsFastenedToSomethingFixedCanBeGrasped) {
+  scene::SceneSpec scene{.name = "test"};
+  for (const world::Object& object : tabletop_->objects()) scene.objects.push_back(*object.spec);
+  scene.objects[0].mass = 0;
+  Start(scene);
+  ASSERT_EQ(Fasten(kLeft, "peg"), "");
+  EXPECT_EQ(hands_->Grasp(kLeft, "nut", std::nullopt), "'nut' is fixed (its mass is 0)");
+  Grasp(kLeft, "peg");
+  EXPECT_EQ(hands_->Loosen(kLeft, "peg", std::nullopt), std::nullopt);
+  ASSERT_EQ(hands_->MoveTo(kLeft, {0, 0, 0.5}, std::nullopt), std::nullopt);
+  StepSeconds(1);
+  EXPECT_GT(PositionOf("peg").z(), 0.49);
 }
 
 }  // namespace

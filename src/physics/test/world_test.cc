@@ -98,6 +98,31 @@ TEST_F(WorldTest, WorldsInThreadsDoNotDisturbOneAnother) {
   for (std::uint64_t hash : together) EXPECT_EQ(hash, alone);
 }
 
+TEST_F(WorldTest, KnowsWhoTouchesWhom) {
+  const BodyId table =
+      world_.AddBody(BlockSpec({2, 1.2, 0.4}, RigidTransform(Vector3(0, 0, -0.2)), 0));
+  const BodyId low = AddCube({0, 0, 0.05}, 0.1), high = AddCube({0, 0, 0.15}, 0.1);
+  AddCube({0.5, 0, 0.06}, 0.1);
+  StepSeconds(1.0 / 480);
+  EXPECT_EQ(world_.BodiesTouching(table), std::vector{low}) << "one is still 10 mm above it";
+  EXPECT_EQ(world_.BodiesTouching(low), (std::vector{table, high}));
+}
+
+TEST_F(WorldTest, WhatBouncesHasTouchedHoweverShortly) {
+  for (int i = 0; i < 30; ++i) {
+    World world;
+    BodySpec ground = BlockSpec({1, 1, 0.1}, RigidTransform(Vector3(0, 0, -0.05)), 0);
+    BodySpec cube = CubeSpec({0, 0, 0.2 + 0.03 * i}, 0.1);
+    ground.restitution = cube.restitution = 1;
+    const BodyId ground_id = world.AddBody(ground), cube_id = world.AddBody(cube);
+    while (world.body(cube_id).linear_velocity().z() <= 0) {
+      EXPECT_TRUE(world.BodiesTouching(ground_id).empty());
+      world.Step();
+    }
+    EXPECT_EQ(world.BodiesTouching(ground_id), std::vector{cube_id}) << "dropped from " << i;
+  }
+}
+
 TEST_F(WorldTest, RefusesWhatIsNotABody) {
   BodySpec bad = CubeSpec({0, 0, 0}, 0.1);
   bad.mass.mass = -1;

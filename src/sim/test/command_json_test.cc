@@ -38,6 +38,11 @@ TEST(CommandJson, RoundTripsEveryKindToTheLastBit) {
         Grasp{.hand = HandName::kRight, .object = "b#3", .p_WQ = point()},
         Grasp{.object = "b"},
         MoveTo{.p_WH = point(), .speed = std::abs(number()) + 0.01},
+        Plane{.hand = HandName::kRight, .angle_deg = number() * 90},
+        Drag{.hand = HandName::kLeft, .p_WOrigin = point(), .direction_in_world = point() * 1e-3},
+        Drag{.p_WOrigin = point(), .direction_in_world = {0, 1, 0}, .speed = 0.3},
+        Attend{.hand = HandName::kLeft, .properties = {"color", "maker's \"name\""}},
+        Attend{},
         Rotate{.hand = HandName::kBoth, .angles_deg = point() * 60},
         Release{.hand = HandName::kLeft},
         Destroy{.hand = HandName::kRight},
@@ -68,8 +73,8 @@ TEST(CommandJson, SaysWhatWasFoundAndExpected) {
   EXPECT_EQ(MessageOf(R"({"do":"grasp","object":"b"})"),
             "\"grasp\" lacks \"hand\": which of the demonstrator's hands");
   EXPECT_EQ(MessageOf(R"({"do":"grab","hand":"left"})"),
-            "\"do\" is \"grab\", expected one of grasp, move_to, rotate, release, destroy, "
-            "point, trigger, fasten, loosen, "
+            "\"do\" is \"grab\", expected one of grasp, move_to, plane, drag, rotate, release, "
+            "destroy, attend, point, trigger, fasten, loosen, "
             "joint_velocities, joint_angles, robot, undo, redo, start, finish");
   EXPECT_EQ(MessageOf(R"({"hand":"third","do":"release"})"),
             "\"hand\" is \"third\", expected left, right, both or any");

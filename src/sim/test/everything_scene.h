@@ -12,7 +12,8 @@ namespace smile::sim {
 /// One of every mechanism, in 0.1 m units made of plain values:
 /// a panel with a switch `power`, lamps `lamps` and a dial `dial`; a nut with a host `thread` and
 /// three stages that drive the lamps, override them and lock the nut `other`; a screw with the
-/// guest `tip`, a spare screw; a drawer in a case; a chain of five links; a loose ball.
+/// guest `tip`, a spare screw; a drawer in a case; a chain of five links; a loose ball; a block
+/// beyond the table's edge that falls for 0.7 s.
 class EverythingScene {
  public:
   static scene::SceneSpec Make() {
@@ -25,6 +26,7 @@ class EverythingScene {
                      Simple("ball", scene::Sphere{0.04}, {0.3, -0.4, 0.3})};
     AddDrawer(&scene);
     AddChain(&scene);
+    scene.objects.push_back(Simple("stray", scene::Block{}, {1.3, 0, 1.5}));
     return scene;
   }
 

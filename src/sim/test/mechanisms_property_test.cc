@@ -14,6 +14,12 @@ class MechanismsProperty : public SimulationFixture,
 
 INSTANTIATE_TEST_SUITE_P(Seeds, MechanismsProperty, testing::Range(11u, 16u));
 
+/// Counts what it is told.
+struct Counter : Listener {
+  void OnEvent(const Simulation&, const Event& event) override { ++num_told[event.kind]; }
+  std::map<EventKind, int> num_told;
+};
+
 TEST_P(MechanismsProperty, EverythingDoneCanBeTakenBackAndDoneAgain) {
   struct Moment {
     SimulationState state;
@@ -24,6 +30,8 @@ TEST_P(MechanismsProperty, EverythingDoneCanBeTakenBackAndDoneAgain) {
   RandomHands hands(GetParam());
   std::vector<Moment> moments;
   std::map<std::size_t, int> num_done;  // of each kind of command
+  Counter counter;
+  simulation.AddListener(&counter);
   for (int i = 0; i < 80; ++i) {
     const Command command = hands.Next(simulation);
     moments.push_back({simulation.Save(), simulation.state_hash(), command});
@@ -37,6 +45,12 @@ TEST_P(MechanismsProperty, EverythingDoneCanBeTakenBackAndDoneAgain) {
   }
   EXPECT_GT(num_done[Command(Trigger{}).index()], 0);
   EXPECT_GT(num_done[Command(Fasten{}).index()] + num_done[Command(Loosen{}).index()], 0);
+  EXPECT_GT(num_done[Command(Plane{}).index()], 0);
+  EXPECT_GT(num_done[Command(Drag{}).index()], 0);
+  // Some release because another hand needs them.
+  EXPECT_GT(counter.num_told[EventKind::kReleased], num_done[Command(Release{}).index()]);
+  EXPECT_GT(counter.num_told[EventKind::kFell], 0);
+  EXPECT_GT(counter.num_told[EventKind::kAttended], 0);
   const std::uint64_t end = simulation.state_hash();
 
   for (auto moment = moments.rbegin(); moment != moments.rend(); ++moment) {

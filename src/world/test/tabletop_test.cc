@@ -32,6 +32,77 @@ TEST(Tabletop, TheFloorCatchesWhatLeavesTheTable) {
               -kFloorDepth + 0.05, 1e-3);
 }
 
+/// Ids of what came to the floor within so many steps.
+std::vector<std::string> FallenWithin(int steps, physics::World* world, Tabletop* tabletop) {
+  std::vector<std::string> ids;
+  for (int i = 0; i < steps; ++i) {
+    world->Step();
+    for (const Object* object : tabletop->NoticeFallen()) ids.push_back(object->id());
+  }
+  return ids;
+}
+
+TEST(Tabletop, NoticesOnceWhatFellToTheFloor) {
+  physics::World world;
+  scene::ObjectSpec ball = BlockAt("ball", {1.4, 0.5, 0.1});
+  ball.whole.shape = scene::Sphere{0.05};
+  ball.surface.restitution = 1;
+  Tabletop tabletop(
+      &world, SceneWith({BlockAt("stays", {0, 0, 0.05}), BlockAt("falls", {1.5, 0, 0.1}), ball,
+                         BlockAt("fixed", {-1.5, 0, -0.85}, /*mass=*/0),
+                         BlockAt("stands_there", {-1.5, 0.5, -0.848}),
+                         BlockAt("comes_down", {1.5, -0.5, -0.6})}));
+  EXPECT_EQ(FallenWithin(2400, &world, &tabletop),
+            (std::vector<std::string>{"comes_down", "falls", "ball"}));
+  EXPECT_TRUE(tabletop.HasFallen(*tabletop.Find("falls")));
+  EXPECT_EQ(tabletop.RefuseToReach("falls"), "'falls' fell to the floor; undo brings it back");
+  EXPECT_EQ(tabletop.RefuseToReach("stands_there"), std::nullopt);
+}
+
+TEST(Tabletop, WhatIsHeldOrHangsOnSomethingHeldHasNotFallen) {
+  physics::World world;
+  const scene::SceneSpec scene =
+      SceneWith({BlockAt("held", {1.5, 0, -0.5}), BlockAt("low", {1.5, 0, -0.7})});
+  Tabletop tabletop(&world, scene);
+  const physics::BodyId held = tabletop.objects()[0].body, low = tabletop.objects()[1].body;
+  world.AddJoint(
+      physics::FixedJointSpec{.a = held, .b = low, .X_AB = RigidTransform(Vector3(0, 0, -0.2))});
+  world.body(held).SetCarried(true);
+  for (int i = 0; i < 240; ++i) {
+    world.body(held).SetVelocity({0, 0, -0.5}, {0, 0, 0});
+    world.Step();
+  }
+  EXPECT_EQ(world.BodiesTouching(low).size(), 1u);
+  EXPECT_EQ(FallenWithin(1, &world, &tabletop), std::vector<std::string>{});
+  world.body(held).SetCarried(false);
+  EXPECT_EQ(FallenWithin(1, &world, &tabletop), std::vector<std::string>{"low"});
+}
+
+TEST(Tabletop, WhatStoodOnTheFloorFallsOnceItWasCarriedUp) {
+  physics::World world;
+  Tabletop tabletop(&world, SceneWith({BlockAt("b", {1.5, 0, -0.85})}));
+  physics::Body& body = world.body(tabletop.Find("b")->body);
+  body.SetCarried(true);
+  body.SetPose(RigidTransform(Vector3(1.5, 0, 0.2)));
+  EXPECT_EQ(FallenWithin(1, &world, &tabletop), std::vector<std::string>{});
+  body.SetCarried(false);
+  EXPECT_EQ(FallenWithin(480, &world, &tabletop), std::vector<std::string>{"b"});
+}
+
+TEST(Tabletop, SaysWhyAnObjectCannotBeReached) {
+  physics::World world;
+  scene::Composite tray;
+  tray.parts = {{.id = "rim", .X_PE = {}, .shape = scene::Block{}}};
+  scene::ObjectSpec whole = BlockAt("tray", {0.5, 0, 0.05});
+  whole.whole.shape = tray;
+  Tabletop tabletop(&world, SceneWith({BlockAt("b01", {0, 0, 0.05}), whole}));
+  EXPECT_EQ(tabletop.RefuseToReach("b01"), std::nullopt);
+  EXPECT_EQ(tabletop.RefuseToReach("b1"), "there is no object 'b1'; did you mean \"b01\"?");
+  EXPECT_EQ(tabletop.RefuseToReach("rim"), "'rim' is a part of 'tray', which goes as a whole");
+  tabletop.Destroy(*tabletop.Find("b01"));
+  EXPECT_EQ(tabletop.RefuseToReach("b01"), "'b01' is gone: it was destroyed");
+}
+
 TEST(Tabletop, AStaticObjectStaysInTheAir) {
   physics::World world;
   const Tabletop tabletop(&world, SceneWith({BlockAt("shelf", {0, 0, 0.5}, /*mass=*/0)}));

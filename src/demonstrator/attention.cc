@@ -1,0 +1,60 @@
+// What hands say of the objects they hold.
+
+#include <algorithm>
+
+#include "base/wording.h"
+#include "demonstrator/demonstrator.h"
+
+namespace smile::demonstrator {
+
+using world::Named;
+
+namespace {
+
+/// Those that every object has, and those described of this one.
+std::vector<std::string_view> PropertiesOf(const scene::ObjectSpec& object) {
+  std::vector<std::string_view> known = {"color",    "shape",       "size",
+                                         "position", "orientation", "order"};
+  for (const scene::Description& description : object.descriptions) {
+    const bool is_new = std::ranges::find(known, description.name) == known.end();
+    if (is_new && description.name.size() <= kMaxPropertyLength) known.push_back(description.name);
+  }
+  return known;
+}
+
+}  // namespace
+
+std::optional<Refusal> Demonstrator::Attend(HandName name,
+                                            const std::vector<std::string>& properties) {
+  if (auto refusal = RefuseIfEmpty(name)) return refusal;
+  if (properties.size() > kMaxProperties) {
+    return "found " + std::to_string(properties.size()) + " properties, expected at most " +
+           std::to_string(kMaxProperties);
+  }
+  const world::Object& object = *tabletop_->Find(hand(name).held);
+  const std::vector<std::string_view> known = PropertiesOf(*object.spec);
+  std::vector<std::string> told;
+  for (const std::string& word : properties) {
+    const std::string property = word == "colour" ? "color" : word;
+    if (std::ranges::find(known, property) == known.end()) {
+      return Named(object.id()) + " has no property " + Quoted(word) + ", expected " +
+             OneOf(known) + DidYouMean(word, known);
+    }
+    if (std::ranges::find(told, property) == told.end()) told.push_back(property);
+  }
+  if (told.empty()) {
+    state_.attention.erase(object.body);
+  } else {
+    state_.attention[object.body] = std::move(told);
+  }
+  return std::nullopt;
+}
+
+const std::vector<std::string>& Demonstrator::PropertiesThatMatter(
+    const world::Object& object) const {
+  static const std::vector<std::string> kNone;
+  const auto told = state_.attention.find(object.body);
+  return told != state_.attention.end() ? told->second : kNone;
+}
+
+}  // namespace smile::demonstrator

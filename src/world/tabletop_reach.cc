@@ -1,0 +1,86 @@
+// Which objects hands can reach, and which have fallen to the floor.
+
+#include <algorithm>
+
+#include "base/wording.h"
+#include "world/tabletop.h"
+
+namespace smile::world {
+namespace {
+
+/// What stands this much lower than at the start has come down [m].
+constexpr double kFall = 0.1;
+
+bool HasPart(const scene::Part& part, std::string_view id) {
+  const auto any_of = [id](const std::vector<scene::Part>& parts) {
+    return std::ranges::any_of(parts, [id](const auto& child) { return HasPart(child, id); });
+  };
+  if (part.id == id) return true;
+  if (const auto* composite = std::get_if<scene::Composite>(&part.shape)) {
+    return any_of(composite->parts);
+  }
+  const auto* custom = std::get_if<scene::CustomControl>(&part.shape);
+  return custom != nullptr && std::ranges::any_of(custom->states, [&any_of](const auto& state) {
+           return any_of(state.parts);
+         });
+}
+
+}  // namespace
+
+std::optional<Refusal> Tabletop::RefuseToReach(const Object& object) const {
+  if (!IsPresent(object)) return Named(object.id()) + " is gone: it was destroyed";
+  if (HasFallen(object)) return Named(object.id()) + " fell to the floor; undo brings it back";
+  return std::nullopt;
+}
+
+std::optional<Refusal> Tabletop::RefuseToReach(std::string_view id) const {
+  std::vector<std::string_view> known;
+  for (const Object& object : objects_) {
+    if (object.id() == id) return RefuseToReach(object);
+    if (IsPresent(object)) known.push_back(object.id());
+  }
+  for (const Object& object : objects_) {
+    if (!id.empty() && IsPresent(object) && HasPart(object.spec->whole, id)) {
+      return Named(id) + " is a part of " + Named(object.id()) + ", which goes as a whole";
+    }
+  }
+  return "there is no object " + Named(id) + DidYouMean(id, known);
+}
+
+std::optional<Refusal> Tabletop::RefuseToPoint(std::string_view id) const {
+  if (const Object* object = FindPointable(id)) return RefuseToReach(*object);
+  const auto gone = std::ranges::find(objects_, id, &Object::id);
+  if (gone != objects_.end()) return RefuseToReach(*gone);
+  return "there is no object " + Named(id) + ", nor a part so called that is pointable";
+}
+
+std::vector<const Object*> Tabletop::NoticeFallen() {
+  const std::vector<physics::BodyId> on_floor = world_->BodiesTouching(floor_);
+  std::vector<const Object*> fallen;
+  for (std::size_t i = 0; i < objects_.size(); ++i) {
+    const Object& object = objects_[i];
+    ObjectState& state = object_states_[i];
+    if (!IsPresent(object) || state.has_fallen) continue;
+    const physics::Body& body = world_->body(object.body);
+    if (body.is_carried() && body.pose_in_world().translation().z() > 0) state.was_raised = true;
+    if (!std::ranges::binary_search(on_floor, object.body)) continue;
+    if (IsHeld(object) || !HasComeDown(i)) continue;
+    state.has_fallen = true;
+    fallen.push_back(&object);
+  }
+  return fallen;
+}
+
+bool Tabletop::HasComeDown(std::size_t object) const {
+  const double start = objects_[object].spec->pose_in_world().translation().z();
+  const double now = world_->body(objects_[object].body).pose_in_world().translation().z();
+  return object_states_[object].was_raised || now < start - kFall;
+}
+
+bool Tabletop::IsHeld(const Object& object) const {
+  return std::ranges::any_of(world_->Assembly(object.body), [this](physics::BodyId body) {
+    return world_->body(body).is_carried();
+  });
+}
+
+}  // namespace smile::world

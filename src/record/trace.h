@@ -22,6 +22,18 @@ struct TracePose {
   bool operator==(const TracePose&) const = default;
 };
 
+/// How far apart two poses are.
+struct PoseGap {
+  double distance = 0;  ///< [m]
+  double angle = 0;     ///< [rad]
+
+  bool IsBeyond(const PoseGap& limits) const {
+    return distance > limits.distance || angle > limits.angle;
+  }
+  bool operator==(const PoseGap&) const = default;
+};
+PoseGap GapBetween(const TracePose& from, const TracePose& to);
+
 /// What a host point holds.
 struct TraceBond {
   int guest = -1;  ///< index of the guest point, in scene order; -1: none

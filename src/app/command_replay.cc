@@ -9,7 +9,6 @@
 #include "app/progress.h"
 #include "base/json.h"
 #include "base/version.h"
-#include "math/angles.h"
 #include "record/replay.h"
 
 namespace smile::app {
@@ -24,9 +23,6 @@ struct ReplayCommandOptions {
 /// More lines than these of a kind are for programs to read.
 constexpr std::size_t kMaxLines = 10;
 
-double Millimeters(const record::Separation& separation) { return separation.distance * 1000; }
-double Degrees(const record::Separation& separation) { return RadiansToDegrees(separation.angle); }
-
 Json ToJson(const record::Difference& difference) {
   return {{"tick", difference.tick},
           {"object", difference.object},
@@ -38,11 +34,11 @@ Json ToJson(const record::Difference& difference) {
 Json ToJson(const record::Departure& departure) {
   const auto& end = departure.end;
   return {{"object", departure.object},
-          {"largest_mm", Millimeters(departure.largest)},
-          {"largest_degrees", Degrees(departure.largest)},
+          {"largest_mm", departure.largest.millimeters()},
+          {"largest_degrees", departure.largest.degrees()},
           {"at_tick", departure.tick},
-          {"end_mm", end ? Json(Millimeters(*end)) : Json()},
-          {"end_degrees", end ? Json(Degrees(*end)) : Json()}};
+          {"end_mm", end ? Json(end->millimeters()) : Json()},
+          {"end_degrees", end ? Json(end->degrees()) : Json()}};
 }
 
 Json ToJson(const record::RefusedCommand& command) {
@@ -68,17 +64,16 @@ Json ToJson(const record::ReplayReport& report, const record::Recording& recordi
           {"refused", ArrayOf(report.refused)}};
 }
 
-std::string SeparationText(const record::Separation& separation) {
+std::string GapText(const record::PoseGap& gap) {
   char text[64];
-  std::snprintf(text, sizeof text, "%.3g mm and %.3g degrees", Millimeters(separation),
-                Degrees(separation));
+  std::snprintf(text, sizeof text, "%.3g mm and %.3g degrees", gap.millimeters(), gap.degrees());
   return text;
 }
 
 std::string LineOf(const record::Departure& departure) {
-  return departure.object + ": " + SeparationText(departure.largest) + " apart at tick " +
+  return departure.object + ": " + GapText(departure.largest) + " apart at tick " +
          std::to_string(departure.tick) + ", " +
-         (departure.end ? SeparationText(*departure.end) + " in the end" : "gone in the end");
+         (departure.end ? GapText(*departure.end) + " in the end" : "gone in the end");
 }
 std::string LineOf(const record::Difference& difference) {
   return difference.object + ": " + difference.quantity + ": ends as " + difference.replayed +

@@ -38,6 +38,7 @@ int main(int argc, char** argv) {
   app::AddReplay(&program, &answer);
   app::AddHistory(&program, &answer);
   app::AddCheckout(&program, &answer);
+  app::AddEdit(&program, &answer);
   app::AddRender(&program, &answer);
   app::AddImitate(&program, &answer);
   app::AddExperiment(&program, &answer);

@@ -36,8 +36,6 @@ std::string WrittenHash(std::uint64_t hash) {
 
 }  // namespace
 
-double Separation::size() const { return distance * 1000 + RadiansToDegrees(angle); }
-
 bool IsVisible(const Difference& difference) { return difference.quantity != kHidden; }
 
 std::optional<Difference> Comparison::Presence(std::size_t i) const {
@@ -121,18 +119,15 @@ std::vector<Difference> Comparison::States() const {
   return all;
 }
 
-std::optional<Separation> Comparison::SeparationOfObject(std::size_t i) const {
+std::optional<PoseGap> Comparison::GapOfObject(std::size_t i) const {
   if (!recorded_.objects[i].is_present || !replayed_.objects[i].is_present) return std::nullopt;
-  const RigidTransform was = recorded_.objects[i].pose_in_world();
-  const RigidTransform is = replayed_.objects[i].pose_in_world();
-  return Separation{.distance = (is.translation() - was.translation()).norm(),
-                    .angle = was.quaternion().angularDistance(is.quaternion())};
+  return GapBetween(recorded_.objects[i], replayed_.objects[i]);
 }
 
-Separation Comparison::SeparationOfJoint(std::size_t i) const {
-  const double separation = std::abs(replayed_.joints[i] - recorded_.joints[i]);
+PoseGap Comparison::GapOfJoint(std::size_t i) const {
+  const double gap = std::abs(replayed_.joints[i] - recorded_.joints[i]);
   const bool slides = stage_.robot()->model().links[i].joint_type == physics::JointType::kPrismatic;
-  return slides ? Separation{.distance = separation} : Separation{.angle = separation};
+  return slides ? PoseGap{.distance = gap} : PoseGap{.angle = gap};
 }
 
 DepartureMeter::DepartureMeter(const sim::Simulation& stage) : stage_(stage) {
@@ -144,11 +139,11 @@ DepartureMeter::DepartureMeter(const sim::Simulation& stage) : stage_(stage) {
 }
 
 void DepartureMeter::Note(std::size_t index, std::uint64_t tick,
-                          const std::optional<Separation>& separation) {
+                          const std::optional<PoseGap>& gap) {
   Departure& departure = all_[index];
-  departure.end = separation;
-  if (!separation || separation->size() <= departure.largest.size()) return;
-  departure.largest = *separation;
+  departure.end = gap;
+  if (!gap || gap->size() <= departure.largest.size()) return;
+  departure.largest = *gap;
   departure.tick = tick;
 }
 
@@ -156,10 +151,10 @@ void DepartureMeter::Watch(const TraceTick& recorded, const TraceTick& replayed)
   const Comparison comparison(recorded, replayed, stage_);
   const std::size_t num_objects = recorded.objects.size();
   for (std::size_t i = 0; i < num_objects; ++i) {
-    Note(i, recorded.tick, comparison.SeparationOfObject(i));
+    Note(i, recorded.tick, comparison.GapOfObject(i));
   }
   for (std::size_t i = 0; i < recorded.joints.size(); ++i) {
-    Note(num_objects + i, recorded.tick, comparison.SeparationOfJoint(i));
+    Note(num_objects + i, recorded.tick, comparison.GapOfJoint(i));
   }
 }
 

@@ -23,8 +23,8 @@ class Comparison {
   std::vector<Difference> States() const;
 
   /// How far apart an object is; nullopt if one of the two has none.
-  std::optional<Separation> SeparationOfObject(std::size_t object) const;
-  Separation SeparationOfJoint(std::size_t joint) const;
+  std::optional<PoseGap> GapOfObject(std::size_t object) const;
+  PoseGap GapOfJoint(std::size_t joint) const;
 
  private:
   std::optional<Difference> Presence(std::size_t object) const;
@@ -53,7 +53,7 @@ class DepartureMeter {
   std::vector<Departure> Departures() const;
 
  private:
-  void Note(std::size_t index, std::uint64_t tick, const std::optional<Separation>& separation);
+  void Note(std::size_t index, std::uint64_t tick, const std::optional<PoseGap>& gap);
 
   const sim::Simulation& stage_;
   std::vector<Departure> all_;  ///< objects, then joints

@@ -20,23 +20,12 @@ struct Difference {
   bool operator==(const Difference&) const = default;
 };
 
-/// How far apart something is, recorded and replayed.
-struct Separation {
-  double distance = 0;  ///< [m]
-  double angle = 0;     ///< [rad]
-
-  /// To say which of two is the larger: one degree counts as one millimeter, about what it moves
-  /// the corner of a block.
-  double size() const;
-  bool operator==(const Separation&) const = default;
-};
-
 /// How far something that moves departs from its recording.
 struct Departure {
   std::string object;  ///< id, or a joint's name
-  Separation largest;  ///< at `tick`
+  PoseGap largest;     ///< at `tick`
   std::uint64_t tick = 0;
-  std::optional<Separation> end;  ///< nullopt if it is not there any more in one of the two
+  std::optional<PoseGap> end;  ///< nullopt if it is not there any more in one of the two
 };
 
 /// A command that was carried out when it was recorded.

@@ -1,6 +1,14 @@
 #include "record/trace.h"
 
+#include "math/angles.h"
+
 namespace smile::record {
+
+PoseGap GapBetween(const TracePose& from, const TracePose& to) {
+  const Vector3 turn =
+      RotationVectorBetween(from.pose_in_world().quaternion(), to.pose_in_world().quaternion());
+  return {.distance = (to.position - from.position).norm(), .angle = turn.norm()};
+}
 
 TraceTick Observe(const sim::Simulation& simulation) {
   TraceTick now{.tick = simulation.tick(),

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "math/angles.h"
 #include "math/rigid_transform.h"
 #include "sim/event.h"
 #include "sim/simulation.h"
@@ -21,6 +22,24 @@ struct TracePose {
   }
   bool operator==(const TracePose&) const = default;
 };
+
+/// How far apart two poses are, or what a joint does to them.
+struct PoseGap {
+  double distance = 0;  ///< [m]
+  double angle = 0;     ///< [rad]
+
+  /// To say which of two is the larger: one degree counts as one millimeter, about what it moves
+  /// the corner of a block.
+  double size() const { return millimeters() + degrees(); }
+  double millimeters() const { return 1000 * distance; }
+  double degrees() const { return RadiansToDegrees(angle); }
+
+  bool IsBeyond(const PoseGap& limits) const {
+    return distance > limits.distance || angle > limits.angle;
+  }
+  bool operator==(const PoseGap&) const = default;
+};
+PoseGap GapBetween(const TracePose& from, const TracePose& to);
 
 /// What a host point holds.
 struct TraceBond {

@@ -1,0 +1,281 @@
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cstdio>
+#include <memory>
+#include <stdexcept>
+
+#include "app/commands.h"
+#include "app/interrupt.h"
+#include "app/progress.h"
+#include "app/rendered_eye.h"
+#include "base/json.h"
+#include "base/version.h"
+#include "base/wording.h"
+#include "record/edit.h"
+#include "record/re_simulation.h"
+
+namespace smile::app {
+namespace {
+
+/// An edit, as somebody typed it.
+struct TypedEdit {
+  std::string text;
+  record::Edit edit;
+};
+
+struct EditOptions {
+  std::string demo, out;
+  std::vector<TypedEdit> edits;  ///< in the order of the command line
+  bool dry_run = false, no_pictures = false, json = false;
+};
+
+/// Reads numbers and the signs between them, as in `3:0.5-2`.
+class EditText {
+ public:
+  /// @param form  what the text should be like.
+  EditText(const std::string& text, const char* form)
+      : text_(text), form_(form), rest_(text_.data()) {}
+
+  template <class T>
+  T Number() {
+    T number{};
+    const auto [end, error] = std::from_chars(rest_, this->end(), number);
+    if (error != std::errc()) Fail();
+    rest_ = end;
+    return number;
+  }
+  bool Take(char sign) {
+    if (rest_ == end() || *rest_ != sign) return false;
+    ++rest_;
+    return true;
+  }
+  void Expect(char sign) {
+    if (!Take(sign)) Fail();
+  }
+  void ExpectEnd() {
+    if (rest_ != end()) Fail();
+  }
+
+ private:
+  const char* end() const { return text_.data() + text_.size(); }
+  [[noreturn]] void Fail() const {
+    throw std::invalid_argument("found " + Quoted(text_) + ", expected " + form_);
+  }
+
+  const std::string& text_;
+  const char* form_;
+  const char* rest_;
+};
+
+record::Edit ParseDrop(const std::string& text) {
+  EditText in(text, "the number of a segment, or two like 2-4");
+  record::Drop drop{.first = in.Number<int>()};
+  drop.last = in.Take('-') ? in.Number<int>() : drop.first;
+  in.ExpectEnd();
+  return drop;
+}
+
+record::Edit ParseMove(const std::string& text) {
+  EditText in(text, "the number of a segment and its place, like 5:2");
+  record::Move move{.segment = in.Number<int>()};
+  in.Expect(':');
+  move.place = in.Number<int>();
+  in.ExpectEnd();
+  return move;
+}
+
+record::Edit ParseTrim(const std::string& text) {
+  EditText in(text, "the number of a segment and the seconds to keep, like 3:0.5-2");
+  record::Trim trim{.segment = in.Number<int>()};
+  in.Expect(':');
+  trim.from = in.Number<double>();
+  in.Expect('-');
+  trim.to = in.Number<double>();
+  in.ExpectEnd();
+  return trim;
+}
+
+record::Edit ParseMaxPause(const std::string& text) {
+  EditText in(text, "seconds, like 0.5");
+  const record::MaxPause longest{in.Number<double>()};
+  in.ExpectEnd();
+  return longest;
+}
+
+record::Edit ParseRetime(const std::string& text) {
+  EditText in(text, "the number of a segment and its seconds, like 3:1.5");
+  record::Retime retime{.segment = in.Number<int>()};
+  in.Expect(':');
+  retime.seconds = in.Number<double>();
+  in.ExpectEnd();
+  return retime;
+}
+
+record::Edit ParseSpeed(const std::string& text) {
+  EditText in(text, "a factor, like 1.5");
+  const record::Speed speed{in.Number<double>()};
+  in.ExpectEnd();
+  return speed;
+}
+
+struct EditOption {
+  const char* name;
+  const char* form;
+  const char* meaning;
+  record::Edit (*parse)(const std::string& text);
+};
+
+constexpr EditOption kEditOptions[] = {
+    {"--drop", "N[-M]", "leave out segments", &ParseDrop},
+    {"--move", "N:K", "put segment N elsewhere: it becomes the K-th action", &ParseMove},
+    {"--trim", "N:FROM-TO", "keep only these seconds of segment N, and its action", &ParseTrim},
+    {"--max-pause", "S", "shorten every longer pause to S seconds", &ParseMaxPause},
+    {"--retime", "N:SECONDS", "make segment N last that long", &ParseRetime},
+    {"--speed", "F", "make everything F times as fast", &ParseSpeed},
+};
+
+double Seconds(std::uint64_t ticks) { return static_cast<double>(ticks) / sim::kTicksPerSecond; }
+
+Json ToJson(const std::vector<record::ChangedState>& changes) {
+  Json json = Json::array();
+  for (const record::ChangedState& change : changes) {
+    json.push_back({{"id", change.id}, {"before", change.before}, {"after", change.after}});
+  }
+  return json;
+}
+
+Json ToJson(const record::EditReport& report) {
+  Json left_out = Json::array(), displaced = Json::array();
+  for (const record::LeftOut& command : report.left_out) {
+    left_out.push_back({{"line", command.line}, {"reason", command.reason}});
+  }
+  for (const record::Displaced& object : report.displaced) {
+    displaced.push_back({{"id", object.id},
+                         {"distance_mm", object.gap.millimeters()},
+                         {"rotation_deg", object.gap.degrees()}});
+  }
+  return {{"ends_the_same", report.ends_the_same()},
+          {"seconds_before", Seconds(report.ticks_before)},
+          {"seconds_after", Seconds(report.ticks_after)},
+          {"left_out", left_out},
+          {"displaced", displaced},
+          {"gone", report.gone},
+          {"there_again", report.there_again},
+          {"controls", ToJson(report.controls)},
+          {"host_points", ToJson(report.host_points)}};
+}
+
+void Print(const record::EditReport& report) {
+  std::printf("lasts %.2f s, was %.2f s\n", Seconds(report.ticks_after),
+              Seconds(report.ticks_before));
+  for (const record::LeftOut& command : report.left_out) {
+    std::printf("line %zu of the log is left out: %s\n", command.line, command.reason.c_str());
+  }
+  for (const record::Displaced& object : report.displaced) {
+    std::printf("%s ends %.1f mm and %.1f degrees from where it did\n", object.id.c_str(),
+                object.gap.millimeters(), object.gap.degrees());
+  }
+  for (const std::string& id : report.gone) {
+    std::printf("%s is gone in the end\n", id.c_str());
+  }
+  for (const std::string& id : report.there_again) {
+    std::printf("%s was gone in the end, and is there\n", id.c_str());
+  }
+  for (const record::ChangedState& control : report.controls) {
+    std::printf("%s ends in state %s, was %s\n", control.id.c_str(), control.after.c_str(),
+                control.before.c_str());
+  }
+  for (const record::ChangedState& host : report.host_points) {
+    std::printf("%s ends with tightness %s, was %s\n", host.id.c_str(), host.after.c_str(),
+                host.before.c_str());
+  }
+  if (report.ends_the_same()) std::printf("everything ends as it did\n");
+}
+
+record::Demonstration Perform(const std::vector<TypedEdit>& edits,
+                              record::Demonstration demonstration) {
+  for (const TypedEdit& typed : edits) {
+    try {
+      demonstration = Edited(std::move(demonstration), typed.edit);
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument(typed.text + ": " + error.what());
+    }
+  }
+  return demonstration;
+}
+
+record::EditReport Simulate(const record::Recording& recording, const record::Demonstration& edited,
+                            const EditOptions& options) {
+  std::optional<RenderedEye> eye;
+  std::optional<record::EditOutput> output;
+  if (!options.dry_run) {
+    if (const auto& view = recording.info.eye; view && !options.no_pictures) {
+      eye.emplace(sim::EyeSpec{.width_px = view->intrinsics.width_px,
+                               .height_px = view->intrinsics.height_px});
+    }
+    output = {.directory = options.out, .eye = eye ? &*eye : nullptr};
+  }
+  ProgressLine progress("simulating");
+  const auto report = ReSimulate(recording, edited, output, [&](double done, double total) {
+    progress.Show(done, total);
+    return !IsInterrupted();
+  });
+  if (IsInterrupted()) throw std::runtime_error("interrupted");
+  return report;
+}
+
+void EditDemo(const EditOptions& options) {
+  if (options.out.empty() && !options.dry_run) {
+    throw std::invalid_argument("nothing says where the result goes: give --out or --dry-run");
+  }
+  const record::Recording recording = record::OpenRecording(options.demo);
+  for (const std::string& cut : recording.cuts) {
+    std::fprintf(stderr, "%s: %s\n", options.demo.c_str(), cut.c_str());
+  }
+  if (recording.info.program != ProgramName()) {
+    std::fprintf(stderr, "%s: was made by %s, this is %s, where it may end differently\n",
+                 options.demo.c_str(), recording.info.program.c_str(), ProgramName().c_str());
+  }
+  const auto edited = Perform(options.edits, DemonstrationOf(recording));
+  const record::EditReport report = Simulate(recording, edited, options);
+  if (options.json) {
+    std::printf("%s\n", ToText(ToJson(report), 2).c_str());
+  } else {
+    Print(report);
+    if (!options.dry_run) std::printf("recorded in %s\n", options.out.c_str());
+  }
+}
+
+/// Takes edits down in the order in which they are typed.
+void AddEditOptions(CLI::App* edit, const std::shared_ptr<EditOptions>& options) {
+  for (const EditOption& option : kEditOptions) {
+    const auto take = [options, option](const std::string& text) {
+      const std::string typed = std::string(option.name) + " " + text;
+      try {
+        options->edits.push_back({typed, option.parse(text)});
+      } catch (const std::invalid_argument& error) {
+        throw std::invalid_argument(std::string(option.name) + ": " + error.what());
+      }
+    };
+    edit->add_option_function<std::string>(option.name, take, option.meaning)
+        ->type_name(option.form)
+        ->trigger_on_parse();
+  }
+}
+
+}  // namespace
+
+void AddEdit(CLI::App* program, ExitAnswer) {
+  auto options = std::make_shared<EditOptions>();
+  CLI::App* edit = program->add_subcommand(
+      "edit", "Edit a recording into a new one; segments are those of its N.txt");
+  edit->add_option("DEMO", options->demo, "directory of a recording; stays as it is")->required();
+  edit->add_option("--out", options->out, "new directory for the result");
+  AddEditOptions(edit, options);
+  edit->add_flag("--dry-run", options->dry_run, "only say what would come of it, write nothing");
+  edit->add_flag("--no-pictures", options->no_pictures, "text only");
+  edit->add_flag("--json", options->json, "print one JSON object on stdout");
+  edit->callback([options] { EditDemo(*options); });
+}
+
+}  // namespace smile::app

@@ -1,0 +1,165 @@
+#include "record/edit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <stdexcept>
+#include <string>
+
+#include "base/wording.h"
+#include "sim/command_json.h"
+#include "sim/simulation.h"
+
+namespace smile::record {
+namespace {
+
+using SegmentPlace = std::vector<Segment>::iterator;
+
+double SecondsOf(std::uint64_t ticks) { return static_cast<double>(ticks) / sim::kTicksPerSecond; }
+
+std::uint64_t TicksOf(double seconds) {
+  if (!(seconds >= 0 && seconds <= kMaxSeconds)) {
+    throw std::invalid_argument("time is " + NumberText(seconds) + " s, expected 0 to " +
+                                NumberText(kMaxSeconds));
+  }
+  return static_cast<std::uint64_t>(std::llround(seconds * sim::kTicksPerSecond));
+}
+
+void CheckNumber(const char* what, int found, int low, int high) {
+  if (found >= low && found <= high) return;
+  throw std::invalid_argument(std::string(what) + " is " + std::to_string(found) + ", expected " +
+                              std::to_string(low) + " to " + std::to_string(high));
+}
+
+SegmentPlace Find(int number, Demonstration* demonstration) {
+  CheckNumber("segment", number, 0, demonstration->num_recorded - 1);
+  auto& segments = demonstration->segments;
+  const auto found = std::find_if(segments.begin(), segments.end(),
+                                  [&](const Segment& s) { return s.number == number; });
+  if (found == segments.end()) {
+    throw std::invalid_argument("segment " + std::to_string(number) + " is dropped already");
+  }
+  return found;
+}
+
+/// Where each moment of a segment goes, in ticks from its begin. What was earlier stays earlier.
+using TimeMap = std::function<std::uint64_t(std::uint64_t)>;
+
+void Warp(const TimeMap& map, Segment* segment) {
+  for (SegmentCommand& command : segment->commands) command.offset = map(command.offset);
+  for (TickSpan& pause : segment->pauses) pause = {map(pause.begin), map(pause.end)};
+  std::erase_if(segment->pauses, [](const TickSpan& pause) { return pause.length() == 0; });
+  segment->duration = map(segment->duration);
+}
+
+TimeMap Scaled(double factor) {
+  return [factor](std::uint64_t offset) {
+    return static_cast<std::uint64_t>(std::llround(static_cast<double>(offset) * factor));
+  };
+}
+
+void Perform(const Drop& drop, Demonstration* demonstration) {
+  CheckNumber("segment", drop.first, 0, demonstration->num_recorded - 1);
+  CheckNumber("last segment", drop.last, drop.first, demonstration->num_recorded - 1);
+  for (int number = drop.first; number <= drop.last; ++number) {
+    demonstration->segments.erase(Find(number, demonstration));
+  }
+}
+
+void Perform(const Move& move, Demonstration* demonstration) {
+  if (demonstration->num_recorded == 1) {
+    throw std::invalid_argument("no segment can be moved: the recording has no action");
+  }
+  CheckNumber("segment", move.segment, 1, demonstration->num_recorded - 1);
+  const SegmentPlace from = Find(move.segment, demonstration);
+  auto& segments = demonstration->segments;
+  const int first_action = segments.front().number == 0 ? 1 : 0;
+  CheckNumber("place", move.place, 1, static_cast<int>(segments.size()) - first_action);
+  const SegmentPlace to = segments.begin() + first_action + move.place - 1;
+  if (from < to) {
+    std::rotate(from, from + 1, to + 1);
+  } else {
+    std::rotate(to, from, from + 1);
+  }
+}
+
+void Perform(const Trim& trim, Demonstration* demonstration) {
+  Segment& segment = *Find(trim.segment, demonstration);
+  const std::uint64_t from = TicksOf(trim.from);
+  const std::uint64_t to = std::min(TicksOf(trim.to), segment.duration);
+  if (from > to) {
+    throw std::invalid_argument("what is to be kept is from " + NumberText(trim.from) + " to " +
+                                NumberText(trim.to) + " s, expected a part of the segment's " +
+                                NumberText(SecondsOf(segment.duration)) + " s");
+  }
+  std::erase_if(segment.commands, [&](const SegmentCommand& command) {
+    return !IsAction(command.command) && (command.offset < from || command.offset > to);
+  });
+  Warp([&](std::uint64_t offset) { return std::clamp(offset, from, to) - from; }, &segment);
+}
+
+void Perform(const MaxPause& longest, Demonstration* demonstration) {
+  const std::uint64_t kept = TicksOf(longest.seconds);
+  for (Segment& segment : demonstration->segments) {
+    const std::vector<TickSpan> pauses = segment.pauses;
+    const auto without_rest_of_pauses = [&](std::uint64_t offset) {
+      std::uint64_t removed = 0;
+      for (const TickSpan& pause : pauses) {
+        const std::uint64_t waited = std::clamp(offset, pause.begin, pause.end) - pause.begin;
+        removed += waited - std::min(waited, kept);
+      }
+      return offset - removed;
+    };
+    Warp(without_rest_of_pauses, &segment);
+  }
+}
+
+void Perform(const Retime& retime, Demonstration* demonstration) {
+  Segment& segment = *Find(retime.segment, demonstration);
+  const std::uint64_t wanted = TicksOf(retime.seconds);
+  if (segment.duration > 0) {
+    Warp(Scaled(static_cast<double>(wanted) / static_cast<double>(segment.duration)), &segment);
+  }
+  segment.duration = wanted;
+}
+
+/// @throws std::invalid_argument if the hand's speed becomes none that can be written down.
+void SpeedUp(double factor, double meters_per_unit, SegmentCommand* command) {
+  auto* move = std::get_if<sim::MoveTo>(&command->command);
+  if (move == nullptr || !move->speed) return;
+  *move->speed *= factor;
+  try {
+    (void)sim::ParseCommand(sim::ToJson(command->command, meters_per_unit), meters_per_unit);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument("line " + std::to_string(command->line) +
+                                " of the log: " + error.what());
+  }
+}
+
+void Perform(const Speed& speed, Demonstration* demonstration) {
+  if (!(speed.factor >= kMinFactor && speed.factor <= 1 / kMinFactor)) {
+    throw std::invalid_argument("factor is " + NumberText(speed.factor) + ", expected " +
+                                NumberText(kMinFactor) + " to " + NumberText(1 / kMinFactor));
+  }
+  for (Segment& segment : demonstration->segments) {
+    Warp(Scaled(1 / speed.factor), &segment);
+    for (SegmentCommand& command : segment.commands) {
+      SpeedUp(speed.factor, demonstration->meters_per_unit, &command);
+    }
+  }
+}
+
+}  // namespace
+
+Demonstration Edited(Demonstration demonstration, const Edit& edit) {
+  const std::uint64_t before = demonstration.duration();
+  std::visit([&](const auto& what) { Perform(what, &demonstration); }, edit);
+  const std::uint64_t after = demonstration.duration();
+  if (after > std::max(before, TicksOf(kMaxSeconds))) {
+    throw std::invalid_argument("the demonstration would last " + NumberText(SecondsOf(after)) +
+                                " s, expected at most " + NumberText(kMaxSeconds));
+  }
+  return demonstration;
+}
+
+}  // namespace smile::record

@@ -1,0 +1,118 @@
+#include "record/re_simulation.h"
+
+#include "base/diagnostic.h"
+#include "record/log_player.h"
+#include "record/recorder.h"
+
+namespace smile::record {
+namespace {
+
+RecorderOptions OptionsFor(const Recording& recording) {
+  return {.frames_per_second = recording.info.frames_per_second,
+          .has_symbols = recording.info.has_symbols,
+          .title = recording.info.title,
+          .notes = recording.info.notes,
+          .origin = Origin::kEdited};
+}
+
+void CompareObjects(const TraceTick& before, const TraceTick& after, const world::Tabletop& table,
+                    EditReport* report) {
+  for (std::size_t i = 0; i < after.objects.size(); ++i) {
+    const TracePose &was = before.objects[i], &is = after.objects[i];
+    const std::string& id = table.objects()[i].id();
+    if (was.is_present && is.is_present) {
+      const PoseGap gap = GapBetween(was, is);
+      if (gap.IsBeyond(kSamePlace)) report->displaced.push_back({id, gap});
+    } else if (was.is_present) {
+      report->gone.push_back(id);
+    } else if (is.is_present) {
+      report->there_again.push_back(id);
+    }
+  }
+}
+
+/// Of objects that are there before and after.
+void CompareControls(const TraceTick& before, const TraceTick& after, const world::Tabletop& table,
+                     EditReport* report) {
+  for (std::size_t i = 0; i < after.controls.size(); ++i) {
+    const world::Control& control = table.controls().all()[i];
+    const auto object = static_cast<std::size_t>(control.object);
+    if (!before.objects[object].is_present || !after.objects[object].is_present) continue;
+    const std::string was = RecordedState(control, before.controls[i]);
+    const std::string is = RecordedState(control, after.controls[i]);
+    if (was != is) report->controls.push_back({control.id(), was, is});
+  }
+}
+
+void CompareHostPoints(const TraceTick& before, const TraceTick& after,
+                       const world::Tabletop& table, EditReport* report) {
+  for (std::size_t i = 0; i < after.bonds.size(); ++i) {
+    const int was = before.bonds[i].tightness, is = after.bonds[i].tightness;
+    if (was == is) continue;
+    report->host_points.push_back(
+        {table.bonds().hosts()[i].point->id, std::to_string(was), std::to_string(is)});
+  }
+}
+
+/// Runs a fresh simulation to where the demonstration begins.
+void RunToStart(const Recording& recording, LogPlayer* player, sim::Simulation* simulation) {
+  const auto failure = player->RunToStart(simulation);
+  if (!failure) return;
+  throw InputError(
+      {(recording.directory / "commands.jsonl").string(), static_cast<int>(failure->command.line),
+       "", "was carried out when it was recorded, and is refused now: " + failure->refusal});
+}
+
+double Seconds(std::uint64_t ticks) { return static_cast<double>(ticks) / sim::kTicksPerSecond; }
+
+/// Goes on for so many ticks, and carries out what is due then.
+/// @returns what was refused.
+std::vector<LeftOut> RunFor(std::uint64_t ticks, LogPlayer* player, sim::Simulation* simulation,
+                            const Progress& progress) {
+  std::vector<LeftOut> left_out;
+  for (std::uint64_t tick = 0;; ++tick) {
+    while (auto refused = player->ApplyDue(simulation)) {
+      left_out.push_back({refused->command.line, std::move(refused->refusal)});
+    }
+    if (tick == ticks) return left_out;
+    simulation->Tick();
+    if (progress && !progress(Seconds(tick + 1), Seconds(ticks))) return left_out;
+  }
+}
+
+/// How the recording ends. A trace does not tell what the commands of its last tick changed; then
+/// it takes another run.
+TraceTick EndOf(const Recording& recording, const Demonstration& edited, const Progress& progress) {
+  const bool is_told =
+      recording.commands.empty() || recording.commands.back().tick < edited.recorded_end.tick;
+  if (is_told) return edited.recorded_end;
+  sim::Simulation simulation(recording.scene, recording.robot);
+  LogPlayer player(recording.commands, recording.info.start);
+  RunToStart(recording, &player, &simulation);
+  RunFor(edited.recorded_duration(), &player, &simulation, progress);
+  return Observe(simulation);
+}
+
+}  // namespace
+
+EditReport ReSimulate(const Recording& recording, const Demonstration& edited,
+                      const std::optional<EditOutput>& output, const Progress& progress) {
+  std::optional<Recorder> recorder;  // outlives what it listens to
+  sim::Simulation simulation(recording.scene, recording.robot);
+  LogPlayer player(edited.Schedule(), edited.start);
+  RunToStart(recording, &player, &simulation);
+  if (output) {
+    recorder.emplace(output->directory, OptionsFor(recording), output->eye, simulation,
+                     edited.past);
+    simulation.AddListener(&*recorder);
+  }
+  EditReport report{.ticks_before = edited.recorded_duration(), .ticks_after = edited.duration()};
+  report.left_out = RunFor(report.ticks_after, &player, &simulation, progress);
+  const TraceTick before = EndOf(recording, edited, progress), after = Observe(simulation);
+  CompareObjects(before, after, simulation.tabletop(), &report);
+  CompareControls(before, after, simulation.tabletop(), &report);
+  CompareHostPoints(before, after, simulation.tabletop(), &report);
+  return report;
+}
+
+}  // namespace smile::record

@@ -13,6 +13,7 @@ using ExitAnswer = int*;
 void AddCheck(CLI::App* program, ExitAnswer answer);
 void AddRun(CLI::App* program, ExitAnswer answer);
 void AddReplay(CLI::App* program, ExitAnswer answer);
+void AddImport(CLI::App* program, ExitAnswer answer);
 void AddRender(CLI::App* program, ExitAnswer answer);
 void AddImitate(CLI::App* program, ExitAnswer answer);
 void AddExperiment(CLI::App* program, ExitAnswer answer);

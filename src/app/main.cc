@@ -35,6 +35,7 @@ int main(int argc, char** argv) {
   app::AddCheck(&program, &answer);
   app::AddRun(&program, &answer);
   app::AddReplay(&program, &answer);
+  app::AddImport(&program, &answer);
   app::AddRender(&program, &answer);
   app::AddImitate(&program, &answer);
   app::AddExperiment(&program, &answer);

@@ -14,6 +14,7 @@
 #include "record/recording.h"
 #include "record/stand_ins.h"
 #include "record/trace_writer.h"
+#include "sim/eye.h"
 
 namespace smile::record {
 namespace {

@@ -8,6 +8,7 @@
 
 #include "base/diagnostic.h"
 #include "base/files.h"
+#include "damage.h"
 #include "record/png.h"
 #include "record/stand_ins.h"
 #include "scene_xml/scene_reader.h"
@@ -278,38 +279,14 @@ class DamagedTexts : public ::testing::TestWithParam<unsigned> {};
 
 INSTANTIATE_TEST_SUITE_P(Seeds, DamagedTexts, testing::Range(1u, 9u));
 
-/// What happens to files: letters change, lines vanish, come twice or in another order.
-void Damage(std::vector<ClassicText>* texts, std::mt19937* random) {
-  std::string& text = (*texts)[(*random)() % texts->size()].text;
-  if (text.empty()) return;
-  const std::size_t at = (*random)() % text.size();
-  const std::size_t line = text.rfind('\n', at) + 1;
-  const std::size_t size = std::min(text.find('\n', at), text.size() - 1) + 1 - line;
-  constexpr std::string_view kLetters = ",\\\n0919E-.aCup\xff";
-  switch ((*random)() % 5) {
-    case 0:
-      text[at] = kLetters[(*random)() % kLetters.size()];
-      return;
-    case 1:
-      text.insert(at, 1, kLetters[(*random)() % kLetters.size()]);
-      return;
-    case 2:
-      text.erase(at, 1);
-      return;
-    case 3:
-      text.erase(line, size);
-      return;
-    default:
-      text += text.substr(line, size);
-  }
-}
-
 TEST_P(DamagedTexts, AreRefusedWithAPlaceOrRead) {
   std::mt19937 random(GetParam());
   int num_read = 0;
   for (int round = 0; round < 300; ++round) {
     std::vector<ClassicText> texts = kEvening;
-    for (unsigned i = 0; i <= random() % 3; ++i) Damage(&texts, &random);
+    for (unsigned i = 0; i <= random() % 3; ++i) {
+      Damage(&texts[random() % texts.size()].text, &random);
+    }
     try {
       const scene::SceneSpec scene = MakeStandIns(ReadClassicTexts(texts));
       const auto reading = scene_xml::ReadSceneText(scene_xml::WriteScene(scene), "stand_ins.xml");

@@ -1,8 +1,8 @@
 #include <fstream>
-#include <map>
 #include <random>
 
 #include "base/diagnostic.h"
+#include "damage.h"
 #include "math/angles.h"
 #include "painted_eye.h"
 #include "record/import_classic.h"
@@ -310,6 +310,30 @@ TEST_F(ImportTest, TheSceneMustHaveWhatTheRecordingIsAbout) {
   EXPECT_EQ(moments[0].controls[2].state, 1);
   EXPECT_TRUE(moments[0].objects[0].is_present);
   EXPECT_FALSE(moments[0].objects[1].is_present);
+}
+
+TEST_F(ImportTest, DamagedTextsAreRefusedOrMakeASoundRecording) {
+  const auto classic = Strip(Record(kShift, false, nullptr, kWorkbench));
+  const scene::SceneSpec scene = SceneFrom(kWorkbench);
+  std::mt19937 random(1);
+  int num_imported = 0;
+  for (int round = 0; round < 30; ++round) {
+    const auto path = classic / (std::to_string(random() % 10) + ".txt");
+    const std::string sound = ReadFile(path, 1 << 20);
+    std::string text = sound;
+    for (unsigned i = 0; i <= random() % 2; ++i) Damage(&text, &random);
+    WriteFile(path, text);
+    try {
+      EXPECT_GT(Moments(Import(classic, {.scene = scene})).size(), 1u);
+      ++num_imported;
+      std::filesystem::remove_all(root_ / "imported");
+    } catch (const InputError&) {
+      EXPECT_FALSE(std::filesystem::exists(root_ / "imported"));
+    }
+    WriteFile(path, sound);
+  }
+  EXPECT_GT(num_imported, 5);
+  EXPECT_LT(num_imported, 25);
 }
 
 TEST_F(ImportTest, NeverOverwrites) {

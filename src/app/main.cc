@@ -39,6 +39,7 @@ int main(int argc, char** argv) {
   app::AddHistory(&program, &answer);
   app::AddCheckout(&program, &answer);
   app::AddEdit(&program, &answer);
+  app::AddImport(&program, &answer);
   app::AddRender(&program, &answer);
   app::AddImitate(&program, &answer);
   app::AddExperiment(&program, &answer);

@@ -26,6 +26,8 @@ struct PngImage : png_image {
   }
 };
 
+constexpr png_uint_32 kMaxSize = 8192;  ///< [pixels]
+
 std::size_t NumPixels(const Image& image) {
   return static_cast<std::size_t>(image.width_px) * image.height_px;
 }
@@ -91,7 +93,6 @@ void WriteIdPng(const std::filesystem::path& path, const Image& image) {
 
 Image ReadPng(const std::filesystem::path& path) {
   constexpr std::size_t kMaxBytes = std::size_t{512} << 20;
-  constexpr png_uint_32 kMaxSize = 8192;
   const std::string bytes = ReadFile(path, kMaxBytes);
   PngImage png;
   if (!png_image_begin_read_from_memory(&png, bytes.data(), bytes.size())) {
@@ -115,6 +116,13 @@ Image ReadPng(const std::filesystem::path& path) {
     std::memcpy(&image.color[3 * k], &pixels[4 * k], 3);
   }
   return image;
+}
+
+std::optional<PngSize> PngSizeOf(const std::filesystem::path& path) {
+  PngImage png;
+  if (!png_image_begin_read_from_file(&png, path.c_str())) return std::nullopt;
+  if (png.width > kMaxSize || png.height > kMaxSize) return std::nullopt;
+  return PngSize{static_cast<int>(png.width), static_cast<int>(png.height)};
 }
 
 }  // namespace smile::record

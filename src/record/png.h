@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include "math/image.h"
 
@@ -24,5 +25,12 @@ void WriteIdPng(const std::filesystem::path& path, const Image& image);
 /// @throws std::runtime_error naming the path and the reason when the file cannot be read, is no
 ///         sound PNG or has more than 8192 pixels along a side.
 Image ReadPng(const std::filesystem::path& path);
+
+struct PngSize {
+  int width_px = 0, height_px = 0;
+};
+
+/// Looks at the beginning of the file only; nullopt when that is not of a picture ReadPng() reads.
+std::optional<PngSize> PngSizeOf(const std::filesystem::path& path);
 
 }  // namespace smile::record

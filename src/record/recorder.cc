@@ -1,31 +1,14 @@
 #include "record/recorder.h"
 
 #include <stdexcept>
-#include <system_error>
 #include <utility>
 
-#include "base/diagnostic.h"
 #include "base/files.h"
-#include "mesh/import_mesh.h"
+#include "record/internal_recording_files.h"
 #include "record/trace_reader.h"
-#include "scene_xml/mesh_files.h"
-#include "scene_xml/scene_writer.h"
 
 namespace smile::record {
 namespace {
-
-void CopyFile(const std::filesystem::path& from, const std::filesystem::path& to) {
-  WriteFile(to, ReadFile(from, 64u << 20));
-}
-
-/// What the scene is made of belongs to the recording, which may outlive the original.
-void WriteMeshes(const scene::SceneSpec& scene, const std::filesystem::path& folder) {
-  const std::vector<scene_xml::MeshFile> files = scene_xml::MeshFilesOf(scene);
-  if (!files.empty()) MakeDirectories(folder);
-  for (const scene_xml::MeshFile& file : files) {
-    mesh::WriteStl(file.mesh->surface, folder / file.name);
-  }
-}
 
 void CheckBefore(const std::filesystem::path& directory, const RecorderOptions& options) {
   if (!(options.frames_per_second > 0 && options.frames_per_second <= sim::kTicksPerSecond)) {
@@ -33,26 +16,7 @@ void CheckBefore(const std::filesystem::path& directory, const RecorderOptions& 
                                 std::to_string(options.frames_per_second) +
                                 ", expected more than 0 and at most 60");
   }
-  std::error_code error;
-  if (std::filesystem::exists(directory, error) && !std::filesystem::is_empty(directory, error)) {
-    throw InputError({directory.string(), 0, "",
-                      "exists already; a recording is never overwritten, name a new directory"});
-  }
-}
-
-/// Makes the directory with scene, meshes and robot.
-void WriteWorld(const std::filesystem::path& directory, const sim::Simulation& simulation) {
-  MakeDirectories(directory);
-  WriteMeshes(simulation.scene(), directory / scene_xml::kMeshFolder);
-  WriteFile(directory / "scene.xml", scene_xml::WriteScene(simulation.scene()));
-  const auto& placement = simulation.robot_placement();
-  if (!placement) return;
-  CopyFile(placement->urdf, directory / kRobotFile);
-  const auto side_file = std::filesystem::path(placement->urdf).replace_extension(".robot.json");
-  std::error_code error;
-  if (!std::filesystem::exists(side_file, error)) return;
-  CopyFile(side_file,
-           directory / std::filesystem::path(kRobotFile).replace_extension(".robot.json"));
+  RequireNewDirectory(directory);
 }
 
 DemoInfo InfoOf(const RecorderOptions& options, const sim::Eye* eye,

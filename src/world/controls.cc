@@ -182,4 +182,23 @@ std::string RecordedState(const Control& control, const ControlState& state) {
       control.part->shape);
 }
 
+std::optional<ControlState> WithRecordedState(const Control& control, const ControlState& state,
+                                              std::string_view recorded) {
+  if (const auto* toggle = std::get_if<ToggleSwitch>(&control.part->shape)) {
+    if (recorded != "0" && recorded != "1") return std::nullopt;
+    const int position = recorded == "1" ? 1 : 0;
+    if (position == state.position) return state;
+    return ControlState{.state = (state.state + 1) % toggle->num_states, .position = position};
+  }
+  const int num_states = scene::NumStatesOf(*control.part);
+  for (int number = 0; number < num_states; ++number) {
+    if (RecordedState(control, {.state = number}) == recorded) return ControlState{.state = number};
+  }
+  // The original gave the numbers of custom controls also where their states have names.
+  for (int number = 0; number < num_states; ++number) {
+    if (std::to_string(number) == recorded) return ControlState{.state = number};
+  }
+  return std::nullopt;
+}
+
 }  // namespace smile::world

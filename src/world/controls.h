@@ -81,5 +81,11 @@ int LookOf(const Control& control, const ControlState& state);
 /// As recordings have it: the position of a switch, else the name of the state, or its number where
 /// it has no name.
 std::string RecordedState(const Control& control, const ControlState& state);
+/// What becomes of a state when a recording says this: RecordedState() of it is `recorded`. Of
+/// states with one name it is the first. A switch goes on by one state with every change of its
+/// position.
+/// @returns nullopt if the control has no such state.
+std::optional<ControlState> WithRecordedState(const Control& control, const ControlState& state,
+                                              std::string_view recorded);
 
 }  // namespace smile::world

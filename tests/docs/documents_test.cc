@@ -67,9 +67,10 @@ TEST_F(ProgramTest, TheListOfCommandsIsTheProgramsOwn) {
 INSTANTIATE_TEST_SUITE_P(All, Documents,
                          ::testing::Values("README.md", "docs/architecture.md", "docs/brains.md",
                                            "docs/brain-protocol.md", "docs/commands.md",
-                                           "docs/editing.md", "docs/recording-format.md",
-                                           "docs/results.md", "docs/robot.md",
-                                           "docs/scene-format.md", "docs/scenes.md"));
+                                           "docs/editing.md", "docs/importing.md",
+                                           "docs/recording-format.md", "docs/results.md",
+                                           "docs/robot.md", "docs/scene-format.md",
+                                           "docs/scenes.md"));
 
 }  // namespace
 }  // namespace smile

@@ -95,6 +95,28 @@ TEST_F(RecordingAsUsed, SurvivesBeingKilledAndEndsCleanlyWhenAsked) {
   EXPECT_EQ(Smile("replay asked --verify").exit_code, 0);
 }
 
+TEST_F(RecordingAsUsed, WhatTheOriginalWouldHaveLeftCanBeImportedAndRendered) {
+  ASSERT_EQ(Smile("run pair.xml --commands stack.jsonl --record demo").exit_code, 0);
+  ASSERT_EQ(Shell("mkdir classic; cp -r demo/[0-9]* classic").exit_code, 0);
+  const Answer blocks = Smile("import classic --out blocks");
+  EXPECT_EQ(blocks.exit_code, 0);
+  EXPECT_EQ(blocks.err,
+            "classic: without its scene, every object is shown as a block; name the scene with "
+            "--scene\n");
+  const Answer imported = Smile("import classic --scene pair.xml --out imported --json");
+  EXPECT_EQ(imported.exit_code, 0) << imported.err;
+  EXPECT_EQ(imported.json()["objects"], 2);
+  EXPECT_EQ(imported.json()["segments"], 3);
+  EXPECT_EQ(Smile("render imported --out end.png --size 64x48").exit_code, 0);
+  EXPECT_EQ(Smile("replay imported").exit_code, 1);
+
+  ASSERT_EQ(Shell("echo 99,vanish,a >>classic/2.txt").exit_code, 0);
+  const Answer wrong = Smile("import classic --out wrong");
+  EXPECT_EQ(wrong.exit_code, 1);
+  EXPECT_NE(wrong.err.find("classic/2.txt:"), std::string::npos) << wrong.err;
+  EXPECT_FALSE(Exists("wrong"));
+}
+
 TEST_F(RecordingAsUsed, WhatIsNoRecordingIsSaidSo) {
   const Answer answer = Smile("replay . --verify");
   EXPECT_EQ(answer.exit_code, 1);

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "record/classic_reader.h"
+#include "record/trace.h"
+
+namespace smile::record {
+
+/// A frame of a classic recording, as far as it is known.
+struct ClassicFrame {
+  TraceTick moment;                ///< without tick
+  std::vector<sim::Event> holds;   ///< before the first frame
+  std::vector<sim::Event> events;  ///< since the frame before; of the first, since then
+};
+
+/// Shows a classic recording on a stage, frame by frame. What is not told in a frame is as it was.
+class ClassicPlayer {
+ public:
+  /// @param stage       a simulation of its scene, or of stand-ins; need not run. Must outlive
+  /// this,
+  ///                    as the recording.
+  /// @param objects     for each of the recording's, its place in the scene.
+  /// @param has_scene   false for stand-ins, which have neither controls nor bond points.
+  ClassicPlayer(const ClassicRecording& recording, const sim::Simulation& stage,
+                std::map<std::string, std::size_t> objects, bool has_scene);
+
+  /// The next frame; nullopt after the last one.
+  /// @throws InputError if a line names what the scene does not have.
+  std::optional<ClassicFrame> Next();
+
+ private:
+  [[noreturn]] void Fail(const std::string& message) const;
+  void Follow(const ClassicCreate& create);
+  void Follow(const ClassicDelete& gone);
+  void Follow(const ClassicMove& move);
+  void Follow(const ClassicControl& control);
+  void Follow(const ClassicControlChange& change);
+  void Follow(const ClassicAction& action);
+  /// What the objects of the scene are called may differ from what the recording calls them.
+  const std::string& NameOf(const std::string& object) const;
+  std::size_t FindControl(const std::string& id) const;
+  void SetControl(std::size_t control, const std::string& recorded);
+  /// Fastens or loosens, and tells host and guest.
+  void FollowBond(const ClassicAction& action, sim::Event* event);
+  void SetBond(std::size_t host, const TraceBond& bond);
+
+  const ClassicRecording& recording_;
+  const sim::Simulation& stage_;
+  std::map<std::string, std::size_t> objects_;
+  bool has_scene_;
+  std::uint64_t last_frame_;
+  std::uint64_t frame_ = 0;             ///< the next one
+  std::size_t segment_ = 0, line_ = 0;  ///< the next line
+  ClassicFrame now_;
+};
+
+}  // namespace smile::record

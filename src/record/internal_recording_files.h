@@ -1,0 +1,15 @@
+#pragma once
+
+#include <filesystem>
+
+#include "sim/simulation.h"
+
+namespace smile::record {
+
+/// @throws InputError if there is something where a recording is to be written.
+void RequireNewDirectory(const std::filesystem::path& directory);
+
+/// Makes the directory of a recording, with scene, meshes and robot.
+void WriteWorld(const std::filesystem::path& directory, const sim::Simulation& simulation);
+
+}  // namespace smile::record

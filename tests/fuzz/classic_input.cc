@@ -1,0 +1,40 @@
+#include "classic_input.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "base/diagnostic.h"
+#include "record/stand_ins.h"
+#include "scene_xml/scene_reader.h"
+#include "scene_xml/scene_writer.h"
+
+namespace smile::fuzz {
+
+record::ClassicRecording ReadSegments(std::string_view text) {
+  std::vector<record::ClassicText> texts;
+  for (std::size_t start = 0; start <= text.size();) {
+    const std::size_t end = std::min(text.find('\f', start), text.size());
+    texts.push_back(
+        {std::to_string(texts.size()) + ".txt", std::string(text.substr(start, end - start))});
+    start = end + 1;
+  }
+  return record::ReadClassicTexts(texts);
+}
+
+std::string FaultWithClassic(std::string_view text) {
+  scene::SceneSpec scene;
+  try {
+    scene = record::MakeStandIns(ReadSegments(text));
+  } catch (const InputError& error) {
+    for (const Diagnostic& finding : error.diagnostics()) {
+      if (!finding.file.ends_with(".txt")) return "refused without a place";
+      if (finding.message.empty()) return "refused without a reason";
+    }
+    return {};
+  }
+  const auto reading = scene_xml::ReadSceneText(scene_xml::WriteScene(scene), "stand_ins.xml");
+  if (!reading.scene) return "stand-ins are no scene: " + ToString(reading.diagnostics.front());
+  return reading.scene->objects == scene.objects ? "" : "stand-ins come back as others";
+}
+
+}  // namespace smile::fuzz

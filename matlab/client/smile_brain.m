@@ -78,6 +78,7 @@ function callback = answer_init(link, message, sequence, aux)
   script = 'agentBehavior';
   try
     [init, callback, files] = load_scripts();
+    aux.attention = with_properties(aux.attention);
     assignin('base', 'aux', aux);
     script = init;
     run_script(init);
@@ -142,6 +143,18 @@ function sensor = with_tracker_map(sensor)
   positions = num2cell(sensor.trackerPositions, 2);
   sensor = rmfield(sensor, {'trackerNames', 'trackerPositions'});
   sensor.trackerLoc = containers.Map(names(:), positions(:), 'UniformValues', false);
+end
+
+function attention = with_properties(lines)
+  % 'b01,color,size' of each line becomes a struct.
+  attention = struct('object', {}, 'properties', {});
+  if isempty(lines), return; end
+  lines = regexp(lines, '\n', 'split');
+  for k = 1:numel(lines)
+    words = regexp(lines{k}, ',', 'split');
+    attention(k).object = words{1};
+    attention(k).properties = words(2:end);
+  end
 end
 
 function aux = base_aux()

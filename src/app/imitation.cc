@@ -2,6 +2,7 @@
 
 #include "app/run_loop.h"
 #include "math/angles.h"
+#include "record/attention.h"
 #include "record/time_range.h"
 #include "scene/units.h"
 #include "task/goal.h"
@@ -41,12 +42,14 @@ task::ObjectPoses EndOf(const record::Recording& recording) {
 }  // namespace
 
 ImitationOutcome Imitate(const ImitationPlan& plan) {
-  const task::Goal goal = task::GoalOf(record::OpenRecording(plan.demonstration));
+  const record::Recording demonstration = record::OpenRecording(plan.demonstration);
+  const task::Goal goal = task::GoalOf(demonstration);
   const auto match = task::MatchObjects(goal, plan.scene);
   const RunOutcome run = Run({.scene = plan.scene,
                               .robot = PlaceRobot(plan.robot),
                               .brain = plan.brain,
                               .demonstration = plan.demonstration,
+                              .attention = record::AttentionOf(demonstration),
                               .max_seconds = plan.max_seconds,
                               .record = plan.record,
                               .recording = {.title = plan.task + ", imitated"},

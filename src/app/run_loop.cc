@@ -102,7 +102,8 @@ class LiveRun {
                     brain::BrainDriverOptions{.eye = &*eye_,
                                               .image_seconds = plan_.image_seconds,
                                               .has_trackers = brain::MayReadTrackers(plan_.brain),
-                                              .demonstration = plan_.demonstration});
+                                              .demonstration = plan_.demonstration,
+                                              .attention = plan_.attention});
     driver_->Start(&simulation_);
   }
 

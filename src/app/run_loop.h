@@ -23,6 +23,7 @@ struct RunPlan {
   std::optional<sim::Script> script;
   std::filesystem::path brain;          ///< empty for none
   std::filesystem::path demonstration;  ///< for the brain to imitate
+  brain::Attention attention;           ///< of it
   std::optional<double> seconds;        ///< exactly this long; else until script or brain end
   double max_seconds = 86400;           ///< for runs that end by themselves
   std::filesystem::path record;         ///< new directory; empty for none

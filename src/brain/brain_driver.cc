@@ -108,6 +108,7 @@ Aux BrainDriver::Describe(const sim::Simulation& simulation) const {
   }
   if (!options_.demonstration.empty()) {
     aux.demonstration = std::filesystem::absolute(options_.demonstration).string();
+    aux.attention = options_.attention;
   }
   return aux;
 }

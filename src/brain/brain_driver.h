@@ -16,6 +16,7 @@ struct BrainDriverOptions {
   double image_seconds = 0.25;          ///< between fresh pictures, in simulated time
   bool has_trackers = true;             ///< tell it `sensor.trackerLoc` too; see MayReadTrackers()
   std::filesystem::path demonstration;  ///< the recording to imitate; empty for none
+  Attention attention;                  ///< of it
   /// Told the points a brain marks for people [m]; they are in no picture the robot sees.
   std::function<void(const std::vector<Vector3>&)> on_markers;
 };

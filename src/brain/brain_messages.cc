@@ -48,6 +48,22 @@ void AddTrackers(MessageWriter& writer, const Sensor& sensor) {
   AddMatrix(writer, "trackerPositions", positions);
 }
 
+/// One object a line, with its properties behind it, between commas.
+void AddAttention(MessageWriter& writer, const Attention& attention) {
+  std::string text;
+  for (const auto& [object, properties] : attention) {
+    std::string line = object;
+    for (const std::string& property : properties) line += "," + property;
+    const auto num_commas = static_cast<std::size_t>(std::count(line.begin(), line.end(), ','));
+    if (line.find('\n') != std::string::npos || num_commas != properties.size()) {
+      throw std::invalid_argument("'" + object +
+                                  "' or a property of it holds a comma or line break");
+    }
+    text += (text.empty() ? "" : "\n") + line;
+  }
+  writer.AddText("attention", text);
+}
+
 /// From rows of interleaved pixels to Matlab's columns of one color after the other.
 void AddImage(MessageWriter& writer, const Image& image) {
   const auto width = static_cast<std::size_t>(std::max(0, image.width_px));
@@ -158,6 +174,7 @@ std::vector<std::byte> EncodeAux(std::uint32_t sequence, const Aux& aux, std::st
   AddMatrix(writer, "maxJointAngles", aux.max_joint_angles);
   if (aux.camera) AddCamera(writer, *aux.camera);
   if (!aux.demonstration.empty()) writer.AddText("demonstration", aux.demonstration);
+  AddAttention(writer, aux.attention);
   return writer.Finish();
 }
 

@@ -32,12 +32,17 @@ struct CameraDescription {
   Eigen::Matrix4d X_WC = Eigen::Matrix4d::Identity();
 };
 
+/// Of objects of a demonstration, by id: which of their properties matter, as the demonstrator
+/// told.
+using Attention = std::map<std::string, std::vector<std::string>>;
+
 /// What a program is told once, before it starts. (`aux.path` is added by BrainProcess.)
 struct Aux {
   LimbJoints min_joint_angles = LimbJoints::Zero();  ///< [rad]
   LimbJoints max_joint_angles = LimbJoints::Zero();  ///< [rad]
   std::optional<CameraDescription> camera;           ///< absent when there are no images
   std::string demonstration;  ///< folder of the recording to imitate; empty when there is none
+  Attention attention;        ///< of that demonstration
 };
 
 /// What a program is told at every step.

@@ -1,5 +1,6 @@
 #include "record/classic_recorder.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -37,7 +38,7 @@ std::string Joined(const std::vector<std::string>& texts) {
 ClassicRecorder::ClassicRecorder(const std::filesystem::path& directory,
                                  const ClassicOptions& options, sim::Eye* eye,
                                  const sim::Simulation& stage, const TraceTick& first,
-                                 const std::vector<sim::Event>& holds)
+                                 const std::vector<sim::Event>& standing)
     : directory_(directory),
       options_(options),
       eye_(eye),
@@ -48,7 +49,7 @@ ClassicRecorder::ClassicRecorder(const std::filesystem::path& directory,
   state_.is_gone.resize(first.objects.size());
   index_.Append("frame,tick,image\n");
   OpenSegment();
-  WriteStart(first, holds);
+  WriteStart(first, standing);
   Watch(first);
 }
 
@@ -65,11 +66,14 @@ void ClassicRecorder::OpenSegment() {
   if (options_.has_symbols) text_.emplace(TextPath(state_.segment));
 }
 
-void ClassicRecorder::WriteStart(const TraceTick& first, const std::vector<sim::Event>& holds) {
+void ClassicRecorder::WriteStart(const TraceTick& first, const std::vector<sim::Event>& standing) {
   const world::Tabletop& tabletop = stage_->tabletop();
+  for (const sim::Event& event : standing) {
+    if (event.kind == sim::EventKind::kFell) state_.is_gone[IndexOf(event.object)] = true;
+  }
   for (std::size_t i = 0; i < first.objects.size(); ++i) {
     const world::Object& object = tabletop.objects()[i];
-    if (!first.objects[i].is_present) continue;
+    if (!first.objects[i].is_present || state_.is_gone[i]) continue;
     std::string line = "create," + object.id();
     for (const scene::Description& description : object.spec->descriptions) {
       line += "," + description.name + "," + ClassicValue(description.value);
@@ -78,14 +82,27 @@ void ClassicRecorder::WriteStart(const TraceTick& first, const std::vector<sim::
   }
   for (std::size_t i = 0; i < first.controls.size(); ++i) {
     const world::Control& control = tabletop.controls().all()[i];
-    if (!first.objects[control.object].is_present) continue;
+    if (!first.objects[control.object].is_present || state_.is_gone[control.object]) continue;
     WriteLine("initializeControl," + control.id() + "," + scene::KindOf(*control.part) + "," +
               tabletop.objects()[control.object].id() + "," +
               RecordedState(control, first.controls[i]));
   }
-  for (const sim::Event& hold : holds) {
-    WriteLine("grasp," + std::string(ClassicHandName(*hold.hand)) + "," + hold.object);
+  for (const sim::Event& event : standing) {
+    if (event.kind == sim::EventKind::kAttended) WriteAttention(event);
+    if (event.kind != sim::EventKind::kGrasped) continue;
+    WriteLine("grasp," + std::string(ClassicHandName(*event.hand)) + "," + event.object);
   }
+}
+
+std::size_t ClassicRecorder::IndexOf(const std::string& object) const {
+  const auto& objects = stage_->tabletop().objects();
+  const auto found = std::ranges::find(objects, object, &world::Object::id);
+  return static_cast<std::size_t>(found - objects.begin());
+}
+
+void ClassicRecorder::WriteAttention(const sim::Event& event) {
+  WriteLine("attend," + std::string(ClassicHandName(*event.hand)) + "," + event.object +
+            Joined(event.properties));
 }
 
 void ClassicRecorder::WriteLine(const std::string& fields) {
@@ -109,9 +126,7 @@ void ClassicRecorder::Note(const sim::Event& event) {
       state_.has_news = true;
       return;
     case kFell:
-      for (std::size_t i = 0; i < tabletop.objects().size(); ++i) {
-        if (tabletop.objects()[i].id() == event.object) state_.falling.push_back(i);
-      }
+      state_.falling.push_back(IndexOf(event.object));
       return;
     default:
       break;
@@ -141,8 +156,7 @@ void ClassicRecorder::Note(const sim::Event& event) {
                        std::to_string(event.tightness));
     }
     case kAttended:
-      return WriteLine("attend," + std::string(ClassicHandName(*event.hand)) + "," + event.object +
-                       Joined(event.properties));
+      return WriteAttention(event);
     default:
       return;
   }

@@ -32,11 +32,11 @@ class ClassicRecorder {
   /// @param eye    takes the pictures; nullptr for text only.
   /// @param stage  a simulation of the recording's scene and robot; only what never changes is
   ///               asked of it. Must outlive this, as the eye.
-  /// @param first  the moment it begins with.
-  /// @param holds  what hands hold then, as grasps.
+  /// @param first     the moment it begins with.
+  /// @param standing  see TraceReader::events_before_start().
   ClassicRecorder(const std::filesystem::path& directory, const ClassicOptions& options,
                   sim::Eye* eye, const sim::Simulation& stage, const TraceTick& first,
-                  const std::vector<sim::Event>& holds);
+                  const std::vector<sim::Event>& standing);
 
   /// Something happened. An action of a hand begins a new segment.
   void Note(const sim::Event& event);
@@ -73,7 +73,9 @@ class ClassicRecorder {
   std::filesystem::path TextPath(int segment) const;
   std::filesystem::path PictureFolder(int segment) const;
   void OpenSegment();
-  void WriteStart(const TraceTick& first, const std::vector<sim::Event>& holds);
+  void WriteStart(const TraceTick& first, const std::vector<sim::Event>& standing);
+  std::size_t IndexOf(const std::string& object) const;
+  void WriteAttention(const sim::Event& event);
   /// Opens a segment with its action, which is its first line.
   void Begin(const std::string& action, const sim::Event& event, const std::string& fields = {});
   void WriteLine(const std::string& fields);

@@ -41,17 +41,29 @@ ClassicOptions ClassicOptionsOf(const RecorderOptions& options) {
   return {.frames_per_second = options.frames_per_second, .has_symbols = options.has_symbols};
 }
 
-/// What hands hold now, as grasps.
-std::vector<sim::Event> HoldsOf(const sim::Simulation& simulation) {
-  std::vector<sim::Event> holds;
+/// What happened before a recording begins, as far as it still matters: what lies on the floor,
+/// what hands hold and what was said of objects.
+std::vector<sim::Event> StandingOf(const sim::Simulation& simulation) {
+  using enum sim::EventKind;
+  std::vector<sim::Event> standing;
+  for (const world::Object& object : simulation.tabletop().objects()) {
+    if (simulation.tabletop().HasFallen(object)) {
+      standing.push_back({.kind = kFell, .object = object.id()});
+    }
+    const auto& properties = simulation.demonstrator().PropertiesThatMatter(object);
+    if (properties.empty()) continue;
+    standing.push_back({.kind = kAttended,
+                        .hand = demonstrator::HandName::kAny,
+                        .object = object.id(),
+                        .properties = properties});
+  }
   for (demonstrator::HandName name : demonstrator::kHandNames) {
     const demonstrator::Hand& hand = simulation.demonstrator().hand(name);
     if (!hand.is_holding()) continue;
-    holds.push_back({.kind = sim::EventKind::kGrasped,
-                     .hand = name,
-                     .object = simulation.tabletop().Find(hand.held)->id()});
+    standing.push_back(
+        {.kind = kGrasped, .hand = name, .object = simulation.tabletop().Find(hand.held)->id()});
   }
-  return holds;
+  return standing;
 }
 
 }  // namespace
@@ -66,15 +78,15 @@ Recorder::Recorder(const std::filesystem::path& directory, const RecorderOptions
   CheckBefore(directory, options);
   WriteWorld(directory, simulation);
   const TraceTick first = Observe(simulation);
-  const std::vector<sim::Event> holds = HoldsOf(simulation);
+  const std::vector<sim::Event> standing = StandingOf(simulation);
   log_.emplace(directory / "commands.jsonl");
   for (const LoggedCommand& logged : past.value_or(std::vector<LoggedCommand>())) {
     Write({.tick = logged.tick, .what = logged.command}, simulation.scene().meters_per_unit);
   }
   trace_.emplace(directory / "trace.bin", simulation);
-  for (const sim::Event& hold : holds) trace_->Add(hold);
+  for (const sim::Event& event : standing) trace_->Add(event);
   trace_->Add(first);
-  classic_.emplace(directory, ClassicOptionsOf(options), eye, simulation, first, holds);
+  classic_.emplace(directory, ClassicOptionsOf(options), eye, simulation, first, standing);
   // Last: whatever has it can be opened.
   const Moment start{.line = num_lines_, .tick = tick_};
   WriteFile(directory / "demo.json", ToJsonText(InfoOf(options, eye, simulation, start)));

@@ -271,22 +271,38 @@ void TraceReader::ReadTick() {
   place_ += *SizeAt(place_);
 }
 
-sim::Event TraceReader::ReadEvent() {
-  ByteReader in = BytesAt(place_);
-  in.GetBytes(kRecordHead + 4);
-  const sim::Event event = GetEvent(&in);
-  const bool has_bond =
-      event.kind == sim::EventKind::kFastened || event.kind == sim::EventKind::kLoosened;
+bool TraceReader::IsSound(const sim::Event& event) const {
+  using enum sim::EventKind;
   const auto is_one_of = [](int index, std::size_t count) {
     return index >= 0 && static_cast<std::size_t>(index) < count;
   };
+  if (std::ranges::find(object_names_, event.object) == object_names_.end()) return false;
+  switch (event.kind) {
+    case kFastened:
+    case kLoosened:
+      return (event.hand || event.kind == kLoosened) && is_one_of(event.host, now_.bonds.size()) &&
+             is_one_of(event.guest, static_cast<std::size_t>(limits_.num_guests));
+    case kGrasped:
+    case kReleased:
+    case kDestroyed:
+    case kPointed:
+    case kTriggered:
+    case kAttended:
+      return event.hand.has_value();
+    case kCommandRefused:
+      return false;
+    default:
+      return true;
+  }
+}
+
+sim::Event TraceReader::ReadEvent() {
+  ByteReader in = BytesAt(place_);
+  in.GetBytes(kRecordHead + 4);
+  sim::Event event = GetEvent(&in);
   const std::uint64_t size = *SizeAt(place_);
-  const bool is_known =
-      std::find(object_names_.begin(), object_names_.end(), event.object) != object_names_.end();
   const std::uint64_t read = bytes_.size() - place_ - in.remaining();
-  if (!in.ok() || read != size || (!event.object.empty() && !is_known) ||
-      (has_bond && !(is_one_of(event.host, now_.bonds.size()) &&
-                     is_one_of(event.guest, static_cast<std::size_t>(limits_.num_guests))))) {
+  if (!in.ok() || read != size || !IsSound(event)) {
     Fail("is damaged in an event after tick " + std::to_string(now_.tick));
   }
   place_ += size;

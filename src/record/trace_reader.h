@@ -37,7 +37,8 @@ class TraceReader {
 
   const std::vector<std::string>& object_names() const { return object_names_; }
   const std::vector<std::string>& joint_names() const { return joint_names_; }
-  /// What the demonstrator's hands held when the recording began, as grasps.
+  /// What happened before and still mattered when the recording began: falls to the floor, grasps
+  /// of what hands held, and what had been said of objects.
   const std::vector<sim::Event>& events_before_start() const { return events_before_start_; }
 
   /// The next moment; nullopt after the last one.
@@ -80,6 +81,7 @@ class TraceReader {
   ByteReader BytesAt(TracePlace place) const;
   void ReadTick();
   sim::Event ReadEvent();
+  bool IsSound(const sim::Event& event) const;
   [[noreturn]] void Fail(const std::string& message) const;
 
   std::filesystem::path path_;

@@ -87,8 +87,18 @@ std::vector<scene::Solid> LooksOf(const scene::ObjectSpec& object) {
 Goal GoalOf(const record::Recording& demonstration) {
   record::TraceReader trace(demonstration);
   std::vector<scene::ObjectSpec> objects = demonstration.scene.objects;
-  std::set<std::string> destroyed;
+  std::set<std::string> destroyed, moved;
+  const auto note = [&moved](const std::vector<sim::Event>& events) {
+    for (const sim::Event& event : events) {
+      const bool moves = event.kind == sim::EventKind::kGrasped ||
+                         event.kind == sim::EventKind::kFastened ||
+                         event.kind == sim::EventKind::kLoosened;
+      if (moves && event.hand) moved.insert(event.object);
+    }
+  };
+  note(trace.events_before_start());
   while (const auto moment = trace.Next()) {
+    note(moment->events);
     destroyed.clear();
     for (std::size_t i = 0; i < objects.size(); ++i) {
       if (!moment->objects[i].is_present) destroyed.insert(objects[i].id());
@@ -96,8 +106,7 @@ Goal GoalOf(const record::Recording& demonstration) {
     }
   }
   std::erase_if(objects, [&](const auto& object) { return destroyed.contains(object.id()); });
-
-  std::set<std::string> moved;
+  // The traces of old recordings have no events.
   for (const record::LoggedCommand& logged : demonstration.commands) {
     std::visit(Overloaded{[&](const sim::Grasp& grasp) { moved.insert(grasp.object); },
                           [&](const sim::Fasten& fasten) { moved.insert(fasten.object); },
@@ -105,6 +114,7 @@ Goal GoalOf(const record::Recording& demonstration) {
                           [](const auto&) {}},
                logged.command);
   }
+
   const std::set<std::string> ids = WithSupports(std::move(moved), objects);
   std::erase_if(objects, [&ids](const auto& object) { return !ids.contains(object.id()); });
   if (objects.empty()) {

@@ -165,5 +165,12 @@ TEST(EncodeAux, DescribesTheCamera) {
   EXPECT_EQ(ShapeText(message.Find("cameraPose")->dims), "4x4");
 }
 
+TEST(EncodeAux, TellsWhatMatters) {
+  const Message message =
+      Decoded(EncodeAux(1, {.attention = {{"a", {"color", "size"}}, {"b", {"shape"}}}}, "wave/"));
+  EXPECT_EQ(message.Find("attention")->Text(), "a,color,size\nb,shape");
+  EXPECT_THROW(EncodeAux(1, {.attention = {{"a,b", {"color"}}}}, "wave/"), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace smile::brain

@@ -156,11 +156,14 @@ TEST_F(BrainProcessTest, TellsAuxAndTakesItsAnswer) {
   aux.max_joint_angles(1, 6) = 3;
   aux.camera = CameraDescription{.width_px = 200, .height_px = 150, .fx = 130};
   aux.demonstration = "out/demo";
+  aux.attention = {{"a", {"color", "size"}}, {"b", {"shape"}}};
   BrainProcess brain(
       Brain("assert(aux.path, 'agent/'); assert(exist([aux.path 'begin.m'], 'file') == 2);\n"
             "assert([aux.numLimbs aux.numJoints], [2 7]);\n"
             "assert(aux.cameraSize, [150 200]); assert(aux.cameraIntrinsics(1, 1), 130);\n"
             "assert(aux.cameraPose, eye(4)); assert(aux.demonstration, 'out/demo');\n"
+            "assert(numel(aux.attention), 2); assert(aux.attention(1).object, 'a');\n"
+            "assert(aux.attention(1).properties, {'color', 'size'});\n"
             "aux.initJointAngles = aux.minJointAngles + aux.maxJointAngles;\n"
             "aux.drawMarkers = [1 2 3; 4 5 6];",
             "assert(isfield(aux, 'drawMarkers'));"));

@@ -1,10 +1,13 @@
 #include "record/classic_recorder.h"
 
+#include <algorithm>
 #include <cstdio>
 
 #include "painted_eye.h"
+#include "record/attention.h"
 #include "record/classic_text.h"
 #include "record/png.h"
+#include "record/recording_desk.h"
 #include "recording_fixture.h"
 
 namespace smile::record {
@@ -68,6 +71,51 @@ TEST_F(ClassicRecorderTest, WhatMovedAndCameToRestBetweenTwoFramesHasALine) {
                            false, nullptr, kScene, {.frames_per_second = 0.25});
   const std::string text = ReadFile(demo / "2.txt", 1 << 20);
   EXPECT_NE(text.find(",move,a,"), std::string::npos) << text;
+}
+
+constexpr const char* kThrowAway = R"({"hand":"left","do":"grasp","object":"a"}
+{"hand":"left","do":"attend","properties":["color","size"]}
+{"do":"wait","seconds":0.3}
+{"hand":"left","do":"move_to","position":[-12,-2,3]}
+{"do":"wait","until":"arrived"}
+{"hand":"left","do":"release"}
+{"do":"wait","seconds":2})";
+
+TEST_F(ClassicRecorderTest, WhatMattersAndWhatFellIsTold) {
+  const auto demo = Record(kThrowAway);
+  EXPECT_EQ(Lines(demo / "1.txt")[1], "1,attend,LeftHand,a,color,size");
+  // One last move, then it is gone.
+  const auto lines = Lines(demo / "2.txt");
+  ASSERT_GE(lines.size(), 3u);
+  const auto is_delete = [](const std::string& line) {
+    return line.find(",delete,a") != std::string::npos;
+  };
+  EXPECT_TRUE(is_delete(lines.back())) << lines.back();
+  EXPECT_NE(lines[lines.size() - 2].find(",move,a,"), std::string::npos);
+  EXPECT_EQ(std::ranges::count_if(lines, is_delete), 1);
+  EXPECT_EQ(AttentionOf(OpenRecording(demo)),
+            (std::map<std::string, std::vector<std::string>>{{"a", {"color", "size"}}}));
+}
+
+TEST_F(ClassicRecorderTest, BeginsWithWhatMattersAndWithoutWhatFell) {
+  auto simulation = MakeSimulation(false);
+  RecordingDesk desk(simulation.get(), {.root = root_});
+  sim::ScriptPlayer player(sim::ParseScript(kThrowAway, "script", 0.1));
+  for (player.Advance(simulation.get()); !player.is_finished(); player.Advance(simulation.get())) {
+    simulation->Tick();
+  }
+  ASSERT_FALSE(simulation->Apply(sim::Grasp{.hand = sim::HandName::kRight, .object = "b"}));
+  ASSERT_FALSE(
+      simulation->Apply(sim::Attend{.hand = sim::HandName::kRight, .properties = {"label"}}));
+  ASSERT_FALSE(simulation->Apply(sim::StartRecording{.name = "late"}));
+  for (int i = 0; i < 30; ++i) simulation->Tick();
+  const auto lines = Lines(root_ / "late" / "0.txt");
+  ASSERT_GE(lines.size(), 4u);
+  EXPECT_EQ(lines[0], "0,create,b,shape,block,label,tall\\, blue");
+  EXPECT_EQ(lines[1], "0,attend,AnyHand,a,color,size");
+  EXPECT_EQ(lines[2], "0,attend,AnyHand,b,label");
+  EXPECT_EQ(lines[3], "0,grasp,RightHand,b");
+  EXPECT_EQ(AttentionOf(OpenRecording(root_ / "late")).size(), 2u);
 }
 
 TEST(ClassicNumber, IsTheOriginalsShortestSinglePrecision) {

@@ -50,7 +50,7 @@ sim::EyeSpec EyeOf(const record::DemoInfo& info) {
 }
 
 int CheckOut(const CheckoutOptions& options) {
-  record::Recording recording = record::OpenRecording(options.demo);
+  const record::Recording recording = record::OpenRecording(options.demo);
   for (const std::string& cut : recording.cuts) {
     std::fprintf(stderr, "%s: %s\n", options.demo.c_str(), cut.c_str());
   }
@@ -65,7 +65,7 @@ int CheckOut(const CheckoutOptions& options) {
   if (!options.commands.empty()) {
     plan.script = sim::ReadScript(options.commands, plan.scene.meters_per_unit);
   }
-  plan.continuation = {std::move(recording), from};
+  plan.continuation = {options.demo, from};
   const RunOutcome outcome = Run(plan);
   if (options.json) {
     std::printf("%s\n", ToText(outcome.json, 2).c_str());

@@ -31,7 +31,7 @@ struct RunPlan {
   /// Goes on with a recording from here, in place of starting one. It has the plan's scene and
   /// robot.
   struct Continuation {
-    record::Recording recording;
+    std::filesystem::path recording;
     record::Moment from;
   };
   std::optional<Continuation> continuation;

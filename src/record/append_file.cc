@@ -1,10 +1,12 @@
 #include "record/append_file.h"
 
+#include <sys/file.h>
+#include <unistd.h>
+
 #include <cerrno>
 #include <cstring>
 #include <stdexcept>
 #include <string>
-#include <system_error>
 
 namespace smile::record {
 namespace {
@@ -15,20 +17,23 @@ namespace {
 
 }  // namespace
 
-AppendFile::AppendFile(const std::filesystem::path& path)
-    : path_(path), file_(std::fopen(path.c_str(), "wbxe"), &std::fclose) {
+AppendFile::AppendFile(const std::filesystem::path& path, Existence existence)
+    : path_(path),
+      file_(std::fopen(path.c_str(), existence == kNew ? "wbxe" : "r+be"), &std::fclose) {
   if (!file_) Fail(path_);
+  if (flock(fileno(file_.get()), LOCK_EX | LOCK_NB) != 0) {
+    throw std::runtime_error(path_.string() + ": is being written by another program");
+  }
+  if (std::fseek(file_.get(), 0, SEEK_END) != 0) Fail(path_);
+  size_ = static_cast<std::uint64_t>(std::ftell(file_.get()));
 }
 
-AppendFile::AppendFile(const std::filesystem::path& path, std::uint64_t size)
-    : path_(path), file_(nullptr, &std::fclose), size_(size) {
-  std::error_code error;
-  std::filesystem::resize_file(path_, size, error);
-  if (error) {
-    throw std::runtime_error(path.string() + ": cannot be cut: " + error.message());
+void AppendFile::Cut(std::uint64_t size) {
+  if (ftruncate(fileno(file_.get()), static_cast<off_t>(size)) != 0 ||
+      std::fseek(file_.get(), 0, SEEK_END) != 0) {
+    Fail(path_);
   }
-  file_.reset(std::fopen(path.c_str(), "abe"));
-  if (!file_) Fail(path_);
+  size_ = size;
 }
 
 void AppendFile::Append(std::string_view text) {

@@ -10,16 +10,18 @@
 
 namespace smile::record {
 
-/// A file that grows. What Append() wrote is with the operating system when it returns, so a
-/// process that dies loses nothing that was complete.
+/// A file that grows, and that nobody else makes grow meanwhile. What Append() wrote is with the
+/// operating system when it returns, so a process that dies loses nothing that was complete.
 class AppendFile {
  public:
-  /// Creates the file.
-  /// @throws std::runtime_error with path and reason; so does every other member.
-  explicit AppendFile(const std::filesystem::path& path);
-  /// Goes on with an existing one; what is behind its first `size` bytes is cut off.
-  AppendFile(const std::filesystem::path& path, std::uint64_t size);
+  enum Existence { kNew, kExisting };
 
+  /// @throws std::runtime_error with path and reason, as every other member does: if a new one
+  ///         exists already, or an existing one is being written by somebody else.
+  explicit AppendFile(const std::filesystem::path& path, Existence existence = kNew);
+
+  /// Takes away what is behind the first `size` bytes.
+  void Cut(std::uint64_t size);
   void Append(std::string_view text);
   void Append(std::span<const std::byte> bytes);
   std::uint64_t size() const { return size_; }

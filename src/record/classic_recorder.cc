@@ -221,8 +221,11 @@ void ClassicRecorder::Return(const Mark& mark) {
     std::filesystem::remove(TextPath(segment));
     std::filesystem::remove_all(PictureFolder(segment));
   }
-  if (text_) text_.emplace(TextPath(mark.state.segment), mark.text_size);
-  index_ = AppendFile(directory_ / "frames.csv", mark.index_size);
+  if (text_) {
+    text_.emplace(TextPath(mark.state.segment), AppendFile::kExisting);
+    text_->Cut(mark.text_size);
+  }
+  index_.Cut(mark.index_size);
   state_ = mark.state;
 }
 

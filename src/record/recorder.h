@@ -46,8 +46,10 @@ class Recorder : public sim::Listener {
   /// @param simulation  fresh, of the recording's scene and robot; is run to the moment.
   /// @throws InputError if there is no such moment, the recording has no commands, or they do not
   ///         lead there any more. Nothing is changed then.
-  static std::unique_ptr<Recorder> Continue(const Recording& recording, const Moment& from,
-                                            sim::Eye* eye, sim::Simulation* simulation);
+  /// @throws std::runtime_error if another program is recording into it.
+  static std::unique_ptr<Recorder> Continue(const std::filesystem::path& directory,
+                                            const Moment& from, sim::Eye* eye,
+                                            sim::Simulation* simulation);
 
   std::optional<sim::Refusal> Refuse(const sim::Simulation& simulation,
                                      const sim::Command& command) override;

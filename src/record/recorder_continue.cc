@@ -58,31 +58,35 @@ void RemoveClassicView(const std::filesystem::path& directory) {
 
 }  // namespace
 
-std::unique_ptr<Recorder> Recorder::Continue(const Recording& recording, const Moment& from,
-                                             sim::Eye* eye, sim::Simulation* simulation) {
+std::unique_ptr<Recorder> Recorder::Continue(const std::filesystem::path& directory,
+                                             const Moment& from, sim::Eye* eye,
+                                             sim::Simulation* simulation) {
+  // First the log is ours, then it is read.
+  std::unique_ptr<Recorder> recorder(new Recorder(directory));
+  const auto log_path = directory / "commands.jsonl";
+  recorder->log_.emplace(log_path, AppendFile::kExisting);
+  const Recording recording = OpenRecording(directory);
   if (recording.info.origin == Origin::kImported) {
     Fail(recording, "was imported from a classic recording; it has no commands to go on from");
   }
-  if (from.line > recording.log.lines().size()) {
+  const std::size_t num_lines = recording.log.lines().size();
+  if (from.line > num_lines) {
     Fail(recording, "has no line " + std::to_string(from.line) + " in its log");
   }
   const std::vector<LoggedCommand> way = recording.log.WayTo(from.line);
   const TracePlace place = RunTo(from, recording, way, simulation);
 
-  std::unique_ptr<Recorder> recorder(new Recorder(recording.directory));
-  const std::size_t num_lines = recording.log.lines().size();
-  const auto log_path = recording.directory / "commands.jsonl";
-  recorder->log_.emplace(log_path, BytesOfLines(log_path, num_lines));
+  recorder->log_->Cut(BytesOfLines(log_path, num_lines));
   recorder->num_lines_ = num_lines;
   recorder->tick_ = recording.log.After(num_lines).tick;
   const TracePlace end = TraceReader(recording).size();
-  recorder->trace_.emplace(recording.directory / "trace.bin", end, from.tick);
+  recorder->trace_.emplace(directory / "trace.bin", end, from.tick);
   const CommandLog& log = recording.log;
   if (log.LineBefore(num_lines + 1) != log.LineBefore(from.line + 1) || place != end) {
     recorder->Return(ReturnKind::kCheckout, {.moment = from, .place = place}, *simulation);
   }
   recorder->tick_ = from.tick;
-  RemoveClassicView(recording.directory);
+  RemoveClassicView(directory);
   recorder->Rebuild(recording, way, from, eye, *simulation);
   return recorder;
 }

@@ -76,11 +76,11 @@ void RecordingDesk::StartIn(const std::filesystem::path& directory,
   Start(directory, options_.recording, simulation);
 }
 
-void RecordingDesk::Continue(const Recording& recording, const Moment& from,
+void RecordingDesk::Continue(const std::filesystem::path& directory, const Moment& from,
                              sim::Simulation* simulation) {
   // What is run again on the way there is remembered, too, so that it can be undone.
-  recorder_ = Recorder::Continue(recording, from, options_.eye, simulation);
-  directories_.push_back(recording.directory);
+  recorder_ = Recorder::Continue(directory, from, options_.eye, simulation);
+  directories_.push_back(directory);
 }
 
 std::optional<sim::Refusal> RecordingDesk::Finish(const sim::Simulation&) {

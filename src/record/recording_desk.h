@@ -35,7 +35,8 @@ class RecordingDesk : public sim::Listener, public sim::RecordingControl {
   /// Into this very directory. Throws as Recorder does.
   void StartIn(const std::filesystem::path& directory, const sim::Simulation& simulation);
   /// Goes on with a recording, see Recorder::Continue(). To be called before anything else is done.
-  void Continue(const Recording& recording, const Moment& from, sim::Simulation* simulation);
+  void Continue(const std::filesystem::path& directory, const Moment& from,
+                sim::Simulation* simulation);
 
   bool is_recording() const { return recorder_ != nullptr; }
   /// All that were begun, in order.

@@ -29,7 +29,9 @@ TraceWriter::TraceWriter(const std::filesystem::path& path, const sim::Simulatio
 }
 
 TraceWriter::TraceWriter(const std::filesystem::path& path, std::uint64_t size, std::uint64_t tick)
-    : file_(path, size), tick_(tick) {}
+    : file_(path, AppendFile::kExisting), tick_(tick) {
+  file_.Cut(size);
+}
 
 void TraceWriter::Add(const TraceTick& tick) {
   ByteWriter record;

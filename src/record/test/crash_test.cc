@@ -68,7 +68,7 @@ class CrashTest : public RecordingFixture {
     const std::vector<HistoryStep> steps = HistoryOf(recording);
     std::size_t last = steps.size() - 1;
     while (!steps[last].is_on_way) --last;
-    const auto recorder = Recorder::Continue(recording, steps[last].end, nullptr, simulation.get());
+    const auto recorder = Recorder::Continue(demo, steps[last].end, nullptr, simulation.get());
     simulation->AddListener(recorder.get());
     Work(simulation.get(), 7, 6);
     simulation->Tick();  // what was done last shows in its hash

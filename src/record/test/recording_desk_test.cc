@@ -75,6 +75,18 @@ TEST_F(RecordingDeskTest, AfterTheFinishTheWorldCanBeUndoneButNotTheRecording) {
   EXPECT_EQ(Replay(OpenRecording(root_ / "take")).ticks(), 5u);
 }
 
+TEST_F(RecordingDeskTest, NobodyGoesOnWithWhatIsBeingRecorded) {
+  Do(sim::StartRecording{.name = "take"}, 10);
+  auto other = MakeSimulation(false);
+  const auto go_on = [&] {
+    return Recorder::Continue(root_ / "take", {.line = 0, .tick = 5}, nullptr, other.get());
+  };
+  EXPECT_THROW(go_on(), std::runtime_error);
+  Do(sim::FinishRecording());
+  EXPECT_EQ(OpenRecording(root_ / "take").log.lines().size(), 0u);
+  EXPECT_NE(go_on(), nullptr);
+}
+
 TEST_F(RecordingDeskTest, TheHistoryTellsEveryStepAlsoWhatWasUndone) {
   Do(sim::StartRecording{.name = "take"}, 10);
   Do(sim::Grasp{.hand = HandName::kLeft, .object = "a"}, 10);

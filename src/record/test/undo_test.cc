@@ -134,7 +134,7 @@ TEST_P(UndoProperty, GoesOnFromAnyMomentAsIfItHadNeverStopped) {
     const Moment from = recording.log.After(line);
     HashingEye eye;
     sim::Simulation simulation(recording.scene);
-    const auto recorder = Recorder::Continue(recording, from, &eye, &simulation);
+    const auto recorder = Recorder::Continue(root_ / "demo", from, &eye, &simulation);
     EXPECT_EQ(simulation.tick(), from.tick);
     simulation.AddListener(recorder.get());
     ActAtRandom(&simulation, 100 * GetParam() + static_cast<unsigned>(i), 12);

@@ -76,7 +76,7 @@ scene::SceneSpec FiftyBlocks() {
     scene::ObjectSpec object;
     object.whole = {
         .id = "b" + std::to_string(i),
-        .X_PE = RigidTransform(Vector3(-0.8 + 0.16 * (i % 10), -0.4 + 0.16 * (i / 10.0), 0.05)),
+        .X_PE = RigidTransform(Vector3(-0.8 + 0.16 * (i % 10), -0.4 + 0.16 * (i / 10), 0.05)),
         .shape = scene::Block{{0.1, 0.1, 0.1}}};
     scene.objects.push_back(std::move(object));
   }

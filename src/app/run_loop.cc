@@ -57,7 +57,12 @@ class LiveRun {
     }
     if (!plan.record.empty()) desk_->StartIn(plan.record, simulation_);
     if (plan.continuation) {
-      desk_->Continue(plan.continuation->recording, plan.continuation->from, &simulation_);
+      ProgressLine progress(plan.label);
+      desk_->Continue(plan.continuation->recording, plan.continuation->from, &simulation_,
+                      [&progress](double done, double total) {
+                        progress.Show(done, total);
+                        return !IsInterrupted();
+                      });
     }
     first_tick_ = simulation_.tick();
     if (plan.script) player_.emplace(*plan.script);
@@ -68,13 +73,12 @@ class LiveRun {
     const auto start = Clock::now();
     ProgressLine progress(plan_.label);
     // Time passes evenly, also when the simulation's goes back by an undo.
-    double passed = 0;
     while (!IsOver()) {
       simulation_.Tick();
-      passed += 1.0 / sim::kTicksPerSecond;
-      progress.Show(simulation_.seconds(), plan_.seconds.value_or(0));
+      passed_ += 1.0 / sim::kTicksPerSecond;
+      progress.Show(passed_, plan_.seconds.value_or(0));
       if (plan_.is_realtime) {
-        std::this_thread::sleep_until(start + std::chrono::duration<double>(passed));
+        std::this_thread::sleep_until(start + std::chrono::duration<double>(passed_));
       }
     }
     const std::chrono::duration<double> wall = Clock::now() - start;
@@ -146,15 +150,14 @@ class LiveRun {
       outcome.brain_error = driver_->error();
       if (outcome.brain_error) brain["message"] = ToString(*outcome.brain_error);
     }
-    outcome.json = {
-        {"ticks", simulation_.tick()},
-        {"seconds", simulation_.seconds()},
-        {"hash", HashText(simulation_.state_hash())},
-        {"realtime_factor", wall_seconds > 0 ? simulation_.seconds() / wall_seconds : 0.0},
-        {"objects", DescribeObjects(simulation_)},
-        {"controls", DescribeControls(simulation_)},
-        {"robot", DescribeRobot(simulation_)},
-        {"brain", brain}};
+    outcome.json = {{"ticks", simulation_.tick()},
+                    {"seconds", simulation_.seconds()},
+                    {"hash", HashText(simulation_.state_hash())},
+                    {"realtime_factor", wall_seconds > 0 ? passed_ / wall_seconds : 0.0},
+                    {"objects", DescribeObjects(simulation_)},
+                    {"controls", DescribeControls(simulation_)},
+                    {"robot", DescribeRobot(simulation_)},
+                    {"brain", brain}};
     if (desk_) outcome.recordings = desk_->directories();
     outcome.json["recordings"] = Json::array();
     for (const auto& directory : outcome.recordings) {
@@ -168,6 +171,7 @@ class LiveRun {
   std::optional<record::RecordingDesk> desk_;
   sim::Simulation simulation_;
   std::uint64_t first_tick_ = 0;
+  double passed_ = 0;  ///< simulated since then, also what was undone [s]
   std::optional<sim::ScriptPlayer> player_;
   std::optional<brain::BrainProcess> process_;
   std::optional<brain::BrainDriver> driver_;

@@ -13,7 +13,6 @@ namespace {
 
 constexpr std::size_t kMaxLineBytes = 64u << 10;
 constexpr std::size_t kMaxLogBytes = std::size_t{1} << 30;
-constexpr std::size_t kMaxFindings = 100;
 
 constexpr std::array kReturnKinds = {ReturnKind::kUndo, ReturnKind::kRedo, ReturnKind::kCheckout};
 
@@ -47,9 +46,9 @@ LogLine ParseLogLine(std::string_view text, double meters_per_unit) {
   }
   sim::Command command = sim::ParseCommand(json, meters_per_unit);
   if (std::holds_alternative<sim::StartRecording>(command) ||
-      std::holds_alternative<sim::FinishRecording>(command)) {
-    throw std::invalid_argument("\"do\" is " + ToText(json.at("do")) +
-                                ", which changes nothing in the world and is in no log");
+      std::holds_alternative<sim::FinishRecording>(command) ||
+      std::holds_alternative<sim::Drag>(command)) {
+    throw std::invalid_argument("\"do\" is " + ToText(json.at("do")) + ", which is in no log");
   }
   return {.tick = *tick, .what = std::move(command)};
 }
@@ -132,9 +131,8 @@ CommandLog ReadCommandLog(const std::filesystem::path& path, double meters_per_u
                           std::optional<std::string>* cut) {
   const std::string text = ReadFile(path, kMaxLogBytes);
   CommandLog log;
-  std::vector<Diagnostic> findings;
   std::size_t start = 0;
-  for (int number = 1; start < text.size() && findings.size() < kMaxFindings; ++number) {
+  for (int number = 1; start < text.size(); ++number) {
     const std::size_t end = text.find('\n', start);
     if (end == std::string::npos) {
       *cut = "the last line of commands.jsonl was cut and is left out";
@@ -143,11 +141,11 @@ CommandLog ReadCommandLog(const std::filesystem::path& path, double meters_per_u
     try {
       log.Add(ParseLogLine(std::string_view(text).substr(start, end - start), meters_per_unit));
     } catch (const std::exception& error) {  // of the JSON library or ours
-      findings.push_back({path.string(), number, "", error.what()});
+      // What follows counts this line: more findings would be none.
+      throw InputError({path.string(), number, "", error.what()});
     }
     start = end + 1;
   }
-  if (!findings.empty()) throw InputError(std::move(findings));
   return log;
 }
 

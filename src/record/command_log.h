@@ -71,7 +71,7 @@ class CommandLog {
 std::string ToJsonLine(const LogLine& line, double meters_per_unit);
 
 /// Reads a log. A last line without its end is left out, and `cut` says so.
-/// @throws InputError with all findings.
+/// @throws InputError with the first line that is wrong.
 CommandLog ReadCommandLog(const std::filesystem::path& path, double meters_per_unit,
                           std::optional<std::string>* cut);
 

@@ -21,14 +21,13 @@ void Put(const sim::Event& event, ByteWriter* out) {
   for (const std::string& property : event.properties) out->PutString(property);
 }
 
-sim::Event GetEvent(ByteReader* in) {
-  sim::Event event;
+std::optional<sim::Event> GetEvent(ByteReader* in) {
   const auto kind = in->Get<std::uint8_t>();
   const auto hand = in->Get<std::uint8_t>();
-  if (kind <= static_cast<std::uint8_t>(sim::EventKind::kCommandRefused)) {
-    event.kind = static_cast<sim::EventKind>(kind);
-  }
-  if (hand < demonstrator::kHandNames.size()) event.hand = demonstrator::kHandNames[hand];
+  if (kind > static_cast<std::uint8_t>(sim::EventKind::kCommandRefused)) return std::nullopt;
+  if (hand != kNoHand && hand >= demonstrator::kHandNames.size()) return std::nullopt;
+  sim::Event event{.kind = static_cast<sim::EventKind>(kind)};
+  if (hand != kNoHand) event.hand = demonstrator::kHandNames[hand];
   for (std::string* text :
        {&event.arm, &event.object, &event.reason, &event.part, &event.control, &event.state}) {
     *text = in->GetString();
@@ -38,6 +37,7 @@ sim::Event GetEvent(ByteReader* in) {
   for (std::uint32_t i = 0; i < num_properties && i < kMaxProperties && in->ok(); ++i) {
     event.properties.push_back(in->GetString());
   }
+  if (!in->ok()) return std::nullopt;
   return event;
 }
 

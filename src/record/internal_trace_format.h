@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 #include "base/bytes.h"
 #include "sim/event.h"
@@ -33,7 +34,9 @@ inline constexpr std::uint64_t kControlRecord = 3 * 4;
 inline constexpr std::uint64_t kBondRecord = 2 * 4 + 1;
 
 void Put(const sim::Event& event, ByteWriter* out);
-/// Anything may be wrong with it but its kind and hand. Check `in->ok()`.
-sim::Event GetEvent(ByteReader* in);
+/// @returns nullopt if it is cut short, or of no kind or hand there is; what its texts and numbers
+/// say
+///          is not checked.
+std::optional<sim::Event> GetEvent(ByteReader* in);
 
 }  // namespace smile::record

@@ -9,12 +9,21 @@ std::optional<LogPlayer::Failure> LogPlayer::ApplyNext(sim::Simulation* simulati
   return Failure{logged, *std::move(refusal)};
 }
 
-std::optional<LogPlayer::Failure> LogPlayer::RunToStart(sim::Simulation* simulation) {
+bool LogPlayer::RunToTick(std::uint64_t tick, sim::Simulation* simulation, const GoesOn& goes_on) {
+  while (simulation->tick() < tick) {
+    if (goes_on && !goes_on(simulation->tick())) return false;
+    simulation->Tick();
+  }
+  return true;
+}
+
+std::optional<LogPlayer::Failure> LogPlayer::RunToStart(sim::Simulation* simulation,
+                                                        const GoesOn& goes_on) {
   while (next() != nullptr && next()->line <= start_.line) {
-    while (simulation->tick() < next()->tick) simulation->Tick();
+    if (!RunToTick(next()->tick, simulation, goes_on)) return std::nullopt;
     if (auto failure = ApplyNext(simulation)) return failure;
   }
-  while (simulation->tick() < start_.tick) simulation->Tick();
+  RunToTick(start_.tick, simulation, goes_on);
   return std::nullopt;
 }
 

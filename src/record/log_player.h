@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -22,8 +23,13 @@ class LogPlayer {
     sim::Refusal refusal;
   };
 
-  /// Runs a fresh simulation to where the demonstration begins.
-  [[nodiscard]] std::optional<Failure> RunToStart(sim::Simulation* simulation);
+  /// Asked at every tick whether to go on.
+  using GoesOn = std::function<bool(std::uint64_t tick)>;
+
+  /// Runs a fresh simulation to where the demonstration begins. If it shall not go on, it is left
+  /// before that tick.
+  [[nodiscard]] std::optional<Failure> RunToStart(sim::Simulation* simulation,
+                                                  const GoesOn& goes_on = {});
   /// Applies what is due at the present tick.
   [[nodiscard]] std::optional<Failure> ApplyDue(sim::Simulation* simulation);
 
@@ -34,6 +40,8 @@ class LogPlayer {
 
  private:
   std::optional<Failure> ApplyNext(sim::Simulation* simulation);
+  /// False if it shall not go on.
+  static bool RunToTick(std::uint64_t tick, sim::Simulation* simulation, const GoesOn& goes_on);
 
   std::vector<LoggedCommand> commands_;
   Moment start_;

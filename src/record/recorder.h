@@ -8,6 +8,7 @@
 
 #include "record/append_file.h"
 #include "record/classic_recorder.h"
+#include "record/progress.h"
 #include "record/recording.h"
 #include "record/trace_writer.h"
 #include "sim/eye.h"
@@ -49,7 +50,11 @@ class Recorder : public sim::Listener {
   /// @throws std::runtime_error if another program is recording into it.
   static std::unique_ptr<Recorder> Continue(const std::filesystem::path& directory,
                                             const Moment& from, sim::Eye* eye,
-                                            sim::Simulation* simulation);
+                                            sim::Simulation* simulation,
+                                            const Progress& progress = {});
+
+  Recorder(const Recorder&) = delete;
+  Recorder& operator=(const Recorder&) = delete;
 
   std::optional<sim::Refusal> Refuse(const sim::Simulation& simulation,
                                      const sim::Command& command) override;
@@ -77,9 +82,8 @@ class Recorder : public sim::Listener {
   void Return(ReturnKind kind, const Mark& to, const sim::Simulation& simulation);
   /// Shows again in the classic view what was undone.
   void ShowAgain(const Undone& undone, const sim::Simulation& simulation);
-  /// Makes the classic view anew along a trace, whose actions are those of `way`.
-  void Rebuild(const Recording& recording, const std::vector<LoggedCommand>& way,
-               const Moment& until, sim::Eye* eye, const sim::Simulation& simulation);
+  /// Makes the classic view anew along the trace, and the marks of its actions.
+  void Rebuild(const Recording& recording, sim::Eye* eye, const sim::Simulation& simulation);
 
   std::filesystem::path directory_;
   std::optional<AppendFile> log_;

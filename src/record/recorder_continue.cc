@@ -1,9 +1,16 @@
 // Going on with a recording.
 
+#include <algorithm>
+#include <cctype>
+#include <ranges>
+#include <stdexcept>
+
 #include "base/diagnostic.h"
 #include "base/files.h"
+#include "record/internal_event_collector.h"
 #include "record/log_player.h"
 #include "record/recorder.h"
+#include "record/time_range.h"
 #include "record/trace_reader.h"
 
 namespace smile::record {
@@ -13,29 +20,68 @@ namespace {
   throw InputError({recording.directory.string(), 0, "", message});
 }
 
+/// A moment that was run to again.
+struct Reached {
+  TracePlace place = 0;  ///< in the trace
+  /// What the trace does not tell of what the log says was done then: the program ended between the
+  /// two.
+  std::vector<sim::Event> untold;
+};
+
+/// Counts the actions of a way, as the trace tells them.
+std::size_t NumActions(const std::vector<sim::Event>& events) {
+  return static_cast<std::size_t>(std::ranges::count_if(events, &BeginsSegment));
+}
+
 /// Runs a fresh simulation along the recording to a moment, and makes sure that it is the same.
-/// @returns its place in the trace.
-TracePlace RunTo(const Moment& until, const Recording& recording,
-                 const std::vector<LoggedCommand>& way, sim::Simulation* simulation) {
+Reached RunTo(const Moment& until, const Recording& recording,
+              const std::vector<LoggedCommand>& way, sim::Simulation* simulation,
+              const Progress& progress) {
   const auto differs = [&](std::uint64_t tick) {
     Fail(recording, "cannot go on: run again, it differs at tick " + std::to_string(tick) +
                         " (it was made by " + recording.info.program + ")");
   };
+  const auto goes_on = [&](std::uint64_t tick) {
+    const bool does = !progress || progress(sim::SecondsOf(tick), sim::SecondsOf(until.tick));
+    if (!does) throw std::runtime_error("interrupted");
+    return does;
+  };
+  EventCollector collector;
+  simulation->AddListener(&collector);
   LogPlayer player(way, recording.info.start);
   TraceReader trace(recording, until);
-  if (player.RunToStart(simulation)) differs(simulation->tick());
-  bool has_begun = false;
-  while (const auto moment = trace.Next()) {
-    if (has_begun) simulation->Tick();
-    has_begun = true;
+  if (!trace.has_events()) Fail(recording, "is of an older format, which cannot be gone on with");
+  if (player.RunToStart(simulation, goes_on)) differs(simulation->tick());
+  collector.Forget();
+  std::optional<TraceTick> last;
+  std::size_t num_actions = 0;
+  while (auto moment = trace.Next()) {
+    if (last && last->events != collector.events()) differs(last->tick);
+    if (last) simulation->Tick();
     if (simulation->state_hash() != moment->hash) differs(moment->tick);
     if (player.ApplyDue(simulation)) differs(moment->tick);
+    num_actions += NumActions(collector.events());
+    goes_on(moment->tick);
+    last = std::move(moment);
   }
-  if (!has_begun || simulation->tick() != until.tick || player.next() != nullptr) {
+  const auto& events = collector.events();
+  if (!last || last->tick != until.tick || player.next() != nullptr) {
     Fail(recording, "has no moment at tick " + std::to_string(until.tick) + " after line " +
                         std::to_string(until.line) + " of its log");
   }
-  return trace.places().back();
+  const std::size_t num_told = last->events.size();
+  if (num_told > events.size() ||
+      !std::ranges::equal(last->events, events | std::views::take(num_told))) {
+    differs(last->tick);
+  }
+  const auto num_logged =
+      static_cast<std::size_t>(std::ranges::count_if(way, [&](const auto& logged) {
+        return logged.line > recording.info.start.line && IsAction(logged.command);
+      }));
+  if (num_actions != num_logged) Fail(recording, "has other actions in its trace than in its log");
+  simulation->RemoveListener(&collector);
+  return {trace.places().back(),
+          {events.begin() + static_cast<std::ptrdiff_t>(num_told), events.end()}};
 }
 
 /// How many bytes the first lines of a file are.
@@ -46,21 +92,40 @@ std::uint64_t BytesOfLines(const std::filesystem::path& path, std::size_t num_li
   return end;
 }
 
+/// `12`, `12.txt` and `frames.csv` are parts of the classic view.
+bool IsOfClassicView(const std::filesystem::path& file) {
+  if (file.filename() == "frames.csv") return true;
+  const std::string stem = file.stem().string();
+  const bool is_number = !stem.empty() && std::ranges::all_of(stem, [](unsigned char letter) {
+    return std::isdigit(letter) != 0;
+  });
+  return is_number && (file.extension().empty() || file.extension() == ".txt");
+}
+
 void RemoveClassicView(const std::filesystem::path& directory) {
-  for (int segment = 0;; ++segment) {
-    const auto folder = directory / std::to_string(segment);
-    const bool had_text =
-        std::filesystem::remove(directory / (folder.filename().string() + ".txt"));
-    if (std::filesystem::remove_all(folder) == 0 && !had_text) break;
+  std::vector<std::filesystem::path> view;
+  for (const auto& entry : std::filesystem::directory_iterator(directory)) {
+    if (IsOfClassicView(entry.path())) view.push_back(entry.path());
   }
-  std::filesystem::remove(directory / "frames.csv");
+  for (const auto& path : view) std::filesystem::remove_all(path);
+}
+
+/// What is written to shall be the recording's own.
+void RefuseLinks(const std::filesystem::path& directory) {
+  for (const auto& entry : std::filesystem::directory_iterator(directory)) {
+    if (!entry.is_symlink()) continue;
+    throw InputError({entry.path().string(), 0, "",
+                      "is a link; expected a recording whose files are its own to go on with it"});
+  }
 }
 
 }  // namespace
 
 std::unique_ptr<Recorder> Recorder::Continue(const std::filesystem::path& directory,
                                              const Moment& from, sim::Eye* eye,
-                                             sim::Simulation* simulation) {
+                                             sim::Simulation* simulation,
+                                             const Progress& progress) {
+  if (IsRecording(directory)) RefuseLinks(directory);
   // First the log is ours, then it is read.
   std::unique_ptr<Recorder> recorder(new Recorder(directory));
   const auto log_path = directory / "commands.jsonl";
@@ -74,31 +139,33 @@ std::unique_ptr<Recorder> Recorder::Continue(const std::filesystem::path& direct
     Fail(recording, "has no line " + std::to_string(from.line) + " in its log");
   }
   const std::vector<LoggedCommand> way = recording.log.WayTo(from.line);
-  const TracePlace place = RunTo(from, recording, way, simulation);
+  const Reached reached = RunTo(from, recording, way, simulation, progress);
 
+  // Made anew, whatever happens on the way: first it is gone, then log and trace go on.
+  RemoveClassicView(directory);
   recorder->log_->Cut(BytesOfLines(log_path, num_lines));
   recorder->num_lines_ = num_lines;
-  recorder->tick_ = recording.log.After(num_lines).tick;
+  recorder->tick_ = TicksOf(recording).last;
   const TracePlace end = TraceReader(recording).size();
   recorder->trace_.emplace(directory / "trace.bin", end, from.tick);
   const CommandLog& log = recording.log;
-  if (log.LineBefore(num_lines + 1) != log.LineBefore(from.line + 1) || place != end) {
-    recorder->Return(ReturnKind::kCheckout, {.moment = from, .place = place}, *simulation);
+  if (log.LineBefore(num_lines + 1) != log.LineBefore(from.line + 1) || reached.place != end) {
+    recorder->Return(ReturnKind::kCheckout, {.moment = from, .place = reached.place}, *simulation);
   }
+  for (const sim::Event& event : reached.untold) recorder->trace_->Add(event);
   recorder->tick_ = from.tick;
-  RemoveClassicView(directory);
-  recorder->Rebuild(recording, way, from, eye, *simulation);
+  recorder->Rebuild(OpenRecording(directory), eye, *simulation);
   return recorder;
 }
 
-void Recorder::Rebuild(const Recording& recording, const std::vector<LoggedCommand>& way,
-                       const Moment& until, sim::Eye* eye, const sim::Simulation& simulation) {
+void Recorder::Rebuild(const Recording& recording, sim::Eye* eye,
+                       const sim::Simulation& simulation) {
   std::vector<Moment> before_actions;
-  for (const LoggedCommand& logged : way) {
+  for (const LoggedCommand& logged : recording.commands) {
     if (logged.line <= recording.info.start.line || !IsAction(logged.command)) continue;
     before_actions.push_back({.line = logged.line - 1, .tick = logged.tick});
   }
-  TraceReader trace(recording, until);
+  TraceReader trace(recording);
   while (const auto moment = trace.Next()) {
     if (classic_) {
       classic_->Watch(*moment);
@@ -110,9 +177,7 @@ void Recorder::Rebuild(const Recording& recording, const std::vector<LoggedComma
     }
     for (std::size_t i = 0; i < moment->events.size(); ++i) {
       if (BeginsSegment(moment->events[i])) {
-        const std::size_t action = before_action_.size();
-        if (action == before_actions.size()) Fail(recording, "has more actions than its log");
-        before_action_.push_back({.moment = before_actions[action],
+        before_action_.push_back({.moment = before_actions.at(before_action_.size()),
                                   .place = trace.places()[i],
                                   .classic = classic_->mark()});
       }

@@ -15,6 +15,8 @@ namespace smile::record {
 namespace {
 
 constexpr std::size_t kMaxInfoBytes = 64u << 10;
+/// Nobody begins a recording after more than a month.
+constexpr double kMaxStartTick = 31.0 * 86400 * sim::kTicksPerSecond;
 
 constexpr std::array kOriginNames = {"recorded", "edited", "imported"};
 
@@ -63,6 +65,7 @@ void CheckInfo(const DemoInfo& info) {
   };
   check("meters_per_unit", info.meters_per_unit, 1e-9, 1e9);
   check("frames_per_second", info.frames_per_second, 1e-6, sim::kTicksPerSecond);
+  check("tick", static_cast<double>(info.start.tick), 0, kMaxStartTick);
   if (info.robot) {
     check("gap_m", info.robot->gap, -100, 100);
     check("height_m", info.robot->height, -100, 100);
@@ -118,6 +121,32 @@ void LeaveOutUnfinishedReturn(Recording* recording) {
   recording->log.RemoveLast();
 }
 
+/// What was commanded before the demonstration is fixed: nothing leads back to it.
+void CheckStart(const Recording& recording) {
+  const Moment& start = recording.info.start;
+  const auto& lines = recording.log.lines();
+  const auto fail = [&recording](const std::string& message) {
+    throw InputError({(recording.directory / "demo.json").string(), 1, "", message});
+  };
+  if (start.line > lines.size()) fail("\"start\" is behind the end of commands.jsonl");
+  if (recording.log.After(start.line).tick > start.tick) {
+    fail("\"start\" is tick " + std::to_string(start.tick) + ", but its line is later");
+  }
+  for (std::size_t line = 1; line <= lines.size(); ++line) {
+    const auto* back = std::get_if<Return>(&lines[line - 1].what);
+    const bool is_before = line <= start.line;
+    if (back != nullptr &&
+        (is_before || back->to.line < start.line || back->to.tick < start.tick)) {
+      throw InputError({(recording.directory / "commands.jsonl").string(), static_cast<int>(line),
+                        "", "leads back to before the start of the demonstration"});
+    }
+    if (!is_before && lines[line - 1].tick < start.tick) {
+      throw InputError({(recording.directory / "commands.jsonl").string(), static_cast<int>(line),
+                        "", "is before the start of the demonstration"});
+    }
+  }
+}
+
 }  // namespace
 
 std::string ToJsonText(const DemoInfo& info) {
@@ -166,11 +195,8 @@ Recording OpenRecording(const std::filesystem::path& directory) {
   recording.log =
       ReadCommandLog(directory / "commands.jsonl", recording.scene.meters_per_unit, &cut);
   if (cut) recording.cuts.push_back(*cut);
-  if (recording.info.start.line > recording.log.lines().size()) {
-    throw InputError({(directory / "demo.json").string(), 1, "",
-                      "\"start\" is behind the end of commands.jsonl"});
-  }
   LeaveOutUnfinishedReturn(&recording);
+  CheckStart(recording);
   recording.commands = recording.log.WayTo(recording.log.lines().size());
   return recording;
 }

@@ -67,6 +67,7 @@ std::optional<sim::Refusal> RecordingDesk::Start(const sim::Simulation& simulati
 
 void RecordingDesk::Start(const std::filesystem::path& directory, const RecorderOptions& options,
                           const sim::Simulation& simulation) {
+  failure_.reset();
   recorder_ = std::make_unique<Recorder>(directory, options, options_.eye, simulation, past_);
   directories_.push_back(directory);
 }
@@ -77,9 +78,9 @@ void RecordingDesk::StartIn(const std::filesystem::path& directory,
 }
 
 void RecordingDesk::Continue(const std::filesystem::path& directory, const Moment& from,
-                             sim::Simulation* simulation) {
+                             sim::Simulation* simulation, const Progress& progress) {
   // What is run again on the way there is remembered, too, so that it can be undone.
-  recorder_ = Recorder::Continue(directory, from, options_.eye, simulation);
+  recorder_ = Recorder::Continue(directory, from, options_.eye, simulation, progress);
   directories_.push_back(directory);
 }
 

@@ -26,6 +26,8 @@ class RecordingDesk : public sim::Listener, public sim::RecordingControl {
 
   /// @param simulation  fresh; this listens to it from now on, and must outlive it, as the eye.
   RecordingDesk(sim::Simulation* simulation, Options options);
+  RecordingDesk(const RecordingDesk&) = delete;
+  RecordingDesk& operator=(const RecordingDesk&) = delete;
 
   /// Into a new directory under the root; a number is added to its name if it is taken.
   std::optional<sim::Refusal> Start(const sim::Simulation& simulation,
@@ -36,7 +38,7 @@ class RecordingDesk : public sim::Listener, public sim::RecordingControl {
   void StartIn(const std::filesystem::path& directory, const sim::Simulation& simulation);
   /// Goes on with a recording, see Recorder::Continue(). To be called before anything else is done.
   void Continue(const std::filesystem::path& directory, const Moment& from,
-                sim::Simulation* simulation);
+                sim::Simulation* simulation, const Progress& progress = {});
 
   bool is_recording() const { return recorder_ != nullptr; }
   /// All that were begun, in order.

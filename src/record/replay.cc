@@ -1,7 +1,10 @@
 #include "record/replay.h"
 
+#include <algorithm>
+
 #include "base/diagnostic.h"
 #include "record/internal_comparison.h"
+#include "record/internal_event_collector.h"
 #include "record/log_player.h"
 #include "record/trace_reader.h"
 
@@ -15,14 +18,18 @@ class ReplayRun {
       : options_(options),
         range_(TicksOf(options.range, recording)),
         trace_(recording),
+        start_tick_(recording.info.start.tick),
         simulation_(recording.scene, recording.robot),
         player_(recording.commands, recording.info.start),
         meter_(simulation_) {
     report_.compared = {.first = range_.first, .last = range_.first};
+    simulation_.AddListener(&collector_);
   }
 
   ReplayReport Go(const std::function<bool(std::uint64_t tick)>& goes_on) {
-    while (const auto failure = player_.RunToStart(&simulation_)) Note(*failure);
+    while (const auto failure = player_.RunToStart(&simulation_, goes_on)) Note(*failure);
+    if (simulation_.tick() < start_tick_) return std::move(report_);  // it shall not go on
+    collector_.Forget();
     while (!is_over() && Step() && !is_over() && goes_on(simulation_.tick())) {
     }
     report_.departures = meter_.Departures();
@@ -47,9 +54,28 @@ class ReplayRun {
     if (is_over()) return false;
     const bool is_last = recorded->tick == range_.last;
     while (const auto failure = player_.ApplyDue(&simulation_)) Note(*failure);
-    if (!is_last) return true;
-    if (!trace_.Next()) NoteTheEnd();
-    return false;
+    const bool has_more = is_last && trace_.Next().has_value();
+    if (recorded->tick >= range_.first) CompareEvents(*recorded, is_last && !has_more);
+    if (is_last && !has_more) NoteTheEnd();
+    return !is_last;
+  }
+
+  /// What happened from a moment on. Where the trace ends, some of it may be missing.
+  void CompareEvents(const TraceTick& recorded, bool is_end) {
+    if (!trace_.has_events()) return;
+    const std::vector<sim::Event>& replayed = collector_.events();
+    const auto words = [](const std::vector<sim::Event>& events, std::size_t i) {
+      if (i >= events.size()) return std::string("nothing");
+      return events[i].object + " is " + std::string(ToString(events[i].kind));
+    };
+    for (std::size_t i = 0; i < std::max(recorded.events.size(), replayed.size()); ++i) {
+      const bool was_recorded = i < recorded.events.size();
+      if (was_recorded && i < replayed.size() && recorded.events[i] == replayed[i]) continue;
+      if (!was_recorded && is_end) return;
+      const std::string& object = was_recorded ? recorded.events[i].object : replayed[i].object;
+      return Note(Difference{recorded.tick, object, "event", words(recorded.events, i),
+                             words(replayed, i)});
+    }
   }
 
   void Compare(const TraceTick& recorded) {
@@ -89,8 +115,10 @@ class ReplayRun {
   const ReplayOptions& options_;
   TickRange range_;
   TraceReader trace_;
+  std::uint64_t start_tick_;
   sim::Simulation simulation_;
   LogPlayer player_;
+  EventCollector collector_;
   DepartureMeter meter_;
   ReplayReport report_;
   bool has_begun_ = false, has_visible_difference_ = false;

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "record/progress.h"
 #include "record/recording.h"
 #include "record/time_range.h"
 
@@ -53,10 +53,6 @@ struct ReplayReport {
 
   std::uint64_t ticks() const { return compared.last - compared.first; }
 };
-
-/// Told how far the replay is, and of how much [s since the demonstration began]; answers whether
-/// it shall go on.
-using Progress = std::function<bool(double done, double total)>;
 
 /// Runs a recording again, command by command, and compares every tick: poses, states, joints,
 /// state hash.

@@ -54,7 +54,7 @@ TickRange TicksOf(const TimeRange& range, const Recording& recording) {
 }
 
 double SecondsInto(const Recording& recording, std::uint64_t tick) {
-  return static_cast<double>(tick - recording.info.start.tick) / sim::kTicksPerSecond;
+  return sim::SecondsOf(tick) - sim::SecondsOf(recording.info.start.tick);
 }
 
 bool IsFrameDue(std::uint64_t frame, std::uint64_t ticks_since_first, double frames_per_second) {

@@ -38,7 +38,7 @@ TickRange TicksOf(const TimeRange& range, const Recording& recording);
 /// @throws std::invalid_argument if it is negative or beyond the end.
 std::uint64_t TickAt(double seconds, const TickRange& whole, const std::string& name);
 
-/// How late a tick is [s since the demonstration began].
+/// How late a tick is [s since the demonstration began]; negative before.
 double SecondsInto(const Recording& recording, std::uint64_t tick);
 
 /// True when frame k is due: at the first tick that is at least k / frames_per_second after the

@@ -100,9 +100,9 @@ void TraceReader::ReadHeader(const Recording& recording) {
   for (char letter : kTraceMagic) {
     if (in.Get<char>() != letter) Fail("this is not a trace of a recording");
   }
-  const auto version = in.Get<std::uint32_t>();
-  if (version < kOldestTraceVersion || version > kTraceVersion) {
-    Fail("its format is version " + std::to_string(version) + ", expected " +
+  version_ = in.Get<std::uint32_t>();
+  if (version_ < kOldestTraceVersion || version_ > kTraceVersion) {
+    Fail("its format is version " + std::to_string(version_) + ", expected " +
          std::to_string(kOldestTraceVersion) + " to " + std::to_string(kTraceVersion));
   }
   object_names_ = GetNames(&in);
@@ -276,7 +276,10 @@ bool TraceReader::IsSound(const sim::Event& event) const {
   const auto is_one_of = [](int index, std::size_t count) {
     return index >= 0 && static_cast<std::size_t>(index) < count;
   };
-  if (std::ranges::find(object_names_, event.object) == object_names_.end()) return false;
+  // An imported release may not know of what.
+  const bool may_be_nameless = event.kind == kReleased && event.object.empty();
+  const bool is_known = std::ranges::find(object_names_, event.object) != object_names_.end();
+  if (!is_known && !may_be_nameless) return false;
   switch (event.kind) {
     case kFastened:
     case kLoosened:
@@ -299,14 +302,14 @@ bool TraceReader::IsSound(const sim::Event& event) const {
 sim::Event TraceReader::ReadEvent() {
   ByteReader in = BytesAt(place_);
   in.GetBytes(kRecordHead + 4);
-  sim::Event event = GetEvent(&in);
+  std::optional<sim::Event> event = GetEvent(&in);
   const std::uint64_t size = *SizeAt(place_);
   const std::uint64_t read = bytes_.size() - place_ - in.remaining();
-  if (!in.ok() || read != size || !IsSound(event)) {
+  if (!event || read != size || !IsSound(*event)) {
     Fail("is damaged in an event after tick " + std::to_string(now_.tick));
   }
   place_ += size;
-  return event;
+  return *std::move(event);
 }
 
 }  // namespace smile::record

@@ -41,6 +41,9 @@ class TraceReader {
   /// of what hands held, and what had been said of objects.
   const std::vector<sim::Event>& events_before_start() const { return events_before_start_; }
 
+  /// False of traces of old versions, which tell of nothing that happened between two moments.
+  bool has_events() const { return version_ >= 3; }
+
   /// The next moment; nullopt after the last one.
   /// @throws InputError if a record contradicts the header or the record before it.
   std::optional<TraceTick> Next();
@@ -88,6 +91,7 @@ class TraceReader {
   std::string bytes_;
   std::vector<std::string> object_names_, joint_names_;
   TraceLimits limits_;
+  std::uint32_t version_ = 0;
   std::vector<Stretch> stretches_;          ///< in the order of the file
   std::vector<Stretch> way_;                ///< still to be read, the next one last
   std::optional<std::uint64_t> last_tick_;  ///< to be read, when not all is

@@ -10,6 +10,7 @@
 
 namespace smile::sim {
 
+/// Traces hold these as numbers: new kinds go to the end.
 enum class EventKind {
   kGrasped,         ///< a hand took an object
   kReleased,        ///< a hand let go of it

@@ -87,14 +87,14 @@ std::optional<Refusal> Simulation::Carry(const Command& command) {
 
 std::optional<Refusal> Simulation::Carry(const Undo&) {
   if (!history_.can_undo()) return "there is nothing to undo";
-  Restore(history_.Undo(Save()));
+  PutBack(history_.Undo(Save()));
   for (Listener* listener : listeners_) listener->OnUndo(*this);
   return std::nullopt;
 }
 
 std::optional<Refusal> Simulation::Carry(const Redo&) {
   if (!history_.can_redo()) return "there is nothing to do again";
-  Restore(history_.Redo());
+  PutBack(history_.Redo());
   for (Listener* listener : listeners_) listener->OnRedo(*this);
   return std::nullopt;
 }
@@ -248,11 +248,11 @@ void Simulation::Tick() {
     std::ranges::copy(tabletop_.NoticeFallen(), std::back_inserter(fallen));
   }
   ++tick_;
+  for (Listener* listener : listeners_) listener->OnTick(*this);
   TellOfGrippers(before);
   for (const world::Object* object : fallen) {
     Tell({.kind = EventKind::kFell, .object = object->id()});
   }
-  for (Listener* listener : listeners_) listener->OnTick(*this);
 }
 
 bool Simulation::is_still() const {
@@ -293,6 +293,12 @@ SimulationState Simulation::Save() const {
 }
 
 void Simulation::Restore(const SimulationState& state) {
+  PutBack(state);
+  has_begun_ = true;
+  history_ = History();
+}
+
+void Simulation::PutBack(const SimulationState& state) {
   physics_.Restore(state.physics);
   tabletop_.Restore(state.tabletop);
   demonstrator_.Restore(state.demonstrator);

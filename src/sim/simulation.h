@@ -25,6 +25,10 @@ using demonstrator::Refusal;
 /// One tick = 1/60 s = 8 physics steps.
 inline constexpr int kTicksPerSecond = 60;
 inline constexpr int kStepsPerTick = 8;
+/// How long so many ticks are [s].
+inline double SecondsOf(std::uint64_t ticks) {
+  return static_cast<double>(ticks) / kTicksPerSecond;
+}
 
 /// Where a robot stands at a table, and which.
 struct RobotPlacement {
@@ -37,6 +41,7 @@ struct RobotPlacement {
 class Simulation;
 
 /// Somebody who watches a simulation. Called on its thread, after the fact; must not change it.
+/// What it throws goes to whoever sent the command; the world has changed all the same.
 class Listener {
  public:
   virtual ~Listener() = default;
@@ -49,7 +54,7 @@ class Listener {
   virtual void OnUndo(const Simulation&) {}
   /// It was done again: they are as they were when it was undone.
   virtual void OnRedo(const Simulation&) {}
-  /// A tick is over.
+  /// A tick is over. What happened during it is told after this.
   virtual void OnTick(const Simulation&) {}
 };
 
@@ -82,7 +87,7 @@ class Simulation {
   bool has_begun() const { return has_begun_; }
   bool can_undo() const { return history_.can_undo(); }
   bool can_redo() const { return history_.can_redo(); }
-  double seconds() const { return static_cast<double>(tick_) / kTicksPerSecond; }
+  double seconds() const { return SecondsOf(tick_); }
   /// Of everything that decides what happens next, the tick included.
   std::uint64_t state_hash() const;
 
@@ -105,16 +110,20 @@ class Simulation {
   /// First frame of the robot in the visual model; 0 without a robot.
   int first_robot_frame() const { return first_robot_frame_; }
 
-  /// Listeners are told in the order they were added; each must outlive the simulation.
+  /// Listeners are told in the order they were added, until they are removed.
   void AddListener(Listener* listener) { listeners_.push_back(listener); }
   void RemoveListener(Listener* listener) { std::erase(listeners_, listener); }
-  /// Without one, commands to record are refused. Must outlive the simulation.
+  /// Without one, commands to record are refused. nullptr takes it away.
   void SetRecordingControl(RecordingControl* control) { recording_control_ = control; }
 
   SimulationState Save() const;
+  /// Goes on from a saved state of this or of another simulation of the same scene and robot. What
+  /// was done before can no more be undone.
   void Restore(const SimulationState& state);
 
  private:
+  /// The state alone.
+  void PutBack(const SimulationState& state);
   /// Carries out a command that changes the world, and tells what came of it.
   std::optional<Refusal> Perform(const Command& command);
   std::optional<Refusal> Carry(const Command& command);

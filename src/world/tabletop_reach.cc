@@ -64,7 +64,7 @@ std::vector<const Object*> Tabletop::NoticeFallen() {
     const physics::Body& body = world_->body(object.body);
     if (body.is_carried() && body.pose_in_world().translation().z() > 0) state.was_raised = true;
     if (!std::ranges::binary_search(on_floor, object.body)) continue;
-    if (IsHeld(object) || !HasComeDown(i)) continue;
+    if (!HasComeDown(i) || IsHeld(object)) continue;
     state.has_fallen = true;
     fallen.push_back(&object);
   }

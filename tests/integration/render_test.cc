@@ -20,27 +20,6 @@ class RenderAsUsed : public ProgramTest {
     }
     return table;
   }
-
-  /// Lets a recording of two blocks and no robot begin later.
-  void Delay(const std::string& demo, std::uint64_t ticks) const {
-    Json info = Json::parse(Read(demo + "/demo.json"));
-    info["start"]["tick"] = ticks;
-    Write(demo + "/demo.json", info.dump());
-    std::string trace = Read(demo + "/trace.bin");
-    const std::size_t header = 8 + 4 + 4 + 2 * (4 + 1) + 4, head = 8 + 8 + 1 + 4,
-                      moved = 4 + 1 + 56;
-    for (std::size_t place = header; place < trace.size();) {
-      const bool is_event = trace[place + 16] == 32;
-      std::uint64_t tick = 0;
-      std::memcpy(&tick, &trace[place], sizeof tick);
-      tick += ticks;
-      std::memcpy(&trace[place], &tick, sizeof tick);
-      std::uint32_t count = 0;
-      std::memcpy(&count, &trace[place + 17], sizeof count);
-      place += head + count * (is_event ? 1 : moved);
-    }
-    Write(demo + "/trace.bin", trace);
-  }
 };
 
 TEST_F(RenderAsUsed, DrawsScenesAndFilmsRecordings) {
@@ -86,7 +65,9 @@ TEST_F(RenderAsUsed, FilmsARangeOfARecordingThatBeganLate) {
   ASSERT_EQ(Smile("run pair.xml --no-robot --commands stack.jsonl --record demo").exit_code, 0);
   const std::string film = "render demo --camera 0,-12,6:1,-3,0.5:30 --size 64x48 ";
   ASSERT_EQ(Smile(film + "--out early/ --from 0.5 --to 1 --rate 10").exit_code, 0);
-  Delay("demo", 1000);
+  std::filesystem::rename(directory_ / "demo", directory_ / "at_once");
+  Write("late.jsonl", "{\"tick\":1000,\"do\":\"start\",\"name\":\"demo\"}\n" + StackPair());
+  ASSERT_EQ(Smile("run pair.xml --no-robot --commands late.jsonl --recordings .").exit_code, 0);
   ASSERT_EQ(
       Smile(film + "--out late/ --from 0.5 --to 1 --rate 10 --channels rgb,depth,id").exit_code, 0);
   const auto late = Table("late/frames.csv");

@@ -107,6 +107,65 @@ TEST_F(CrashTest, AKilledProcessLosesNothingThatWasComplete) {
   EXPECT_GT(most_ticks, 5u);
 }
 
+/// Notes how long log and trace are after every single thing that is written.
+class SizeNoter : public sim::Listener {
+ public:
+  struct Sizes {
+    std::uintmax_t log = 0, trace = 0;
+    bool operator==(const Sizes&) const = default;
+  };
+
+  explicit SizeNoter(std::filesystem::path demo) : demo_(std::move(demo)) { Note(); }
+  void OnCommand(const sim::Simulation&, const sim::Command&) override { Note(); }
+  void OnEvent(const sim::Simulation&, const sim::Event&) override { Note(); }
+  void OnUndo(const sim::Simulation&) override { NoteReturn(); }
+  void OnRedo(const sim::Simulation&) override { NoteReturn(); }
+  void OnTick(const sim::Simulation&) override { Note(); }
+
+  const std::vector<Sizes>& sizes() const { return sizes_; }
+
+ private:
+  void Note() {
+    const Sizes now{std::filesystem::file_size(demo_ / "commands.jsonl"),
+                    std::filesystem::file_size(demo_ / "trace.bin")};
+    if (sizes_.empty() || sizes_.back() != now) sizes_.push_back(now);
+  }
+  /// Its line is in the log before it is in the trace.
+  void NoteReturn() {
+    const std::uintmax_t trace = sizes_.back().trace;
+    Note();
+    const Sizes after = sizes_.back();
+    sizes_.back().trace = trace;
+    sizes_.push_back(after);
+  }
+
+  std::filesystem::path demo_;
+  std::vector<Sizes> sizes_;
+};
+
+TEST_F(CrashTest, WhateverWasWrittenLastIsTheEnd) {
+  const auto demo = root_ / "demo", cut = root_ / "cut";
+  std::vector<SizeNoter::Sizes> sizes;
+  {
+    auto simulation = MakeSimulation(false);
+    Recorder recorder(demo, {}, nullptr, *simulation);
+    simulation->AddListener(&recorder);
+    SizeNoter noter(demo);
+    simulation->AddListener(&noter);
+    Work(simulation.get(), 5, 60);
+    sizes = noter.sizes();
+  }
+  for (std::size_t i = 0; i < sizes.size(); i += 2) {
+    SCOPED_TRACE("log of " + std::to_string(sizes[i].log) + " and trace of " +
+                 std::to_string(sizes[i].trace) + " bytes");
+    std::filesystem::remove_all(cut);
+    std::filesystem::copy(demo, cut, std::filesystem::copy_options::recursive);
+    std::filesystem::resize_file(cut / "commands.jsonl", sizes[i].log);
+    std::filesystem::resize_file(cut / "trace.bin", sizes[i].trace);
+    ASSERT_TRUE(CheckSound(cut).has_value());
+  }
+}
+
 TEST_F(CrashTest, AFullDiskEndsTheRecordingNotTheSimulation) {
   // No file may grow beyond these many bytes; what was meant to is cut there.
   for (const rlim_t limit : {9000, 20'000, 31'007, 50'123}) {

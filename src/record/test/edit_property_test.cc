@@ -5,6 +5,7 @@
 
 #include "record/edit.h"
 #include "record/re_simulation.h"
+#include "record/recording_desk.h"
 #include "recording_fixture.h"
 #include "scene_xml/scene_writer.h"
 #include "sim/test/everything_scene.h"
@@ -20,15 +21,12 @@ class EditProperty : public RecordingFixture, public ::testing::WithParamInterfa
     const std::string xml = scene_xml::WriteScene(sim::EverythingScene::Make());
     sim::Simulation simulation(*scene_xml::ReadSceneText(xml, "everything.xml").scene);
     sim::RandomHands hands(GetParam());
-    std::vector<LoggedCommand> past;
+    RecordingDesk desk(&simulation, {.recording = {.frames_per_second = 12}});
     for (int i = 0; i < 12; ++i) {
-      const sim::Command command = hands.Next(simulation);
-      const std::uint64_t tick = simulation.tick();
-      if (!simulation.Apply(command)) past.push_back({past.size() + 1, tick, command});
+      (void)simulation.Apply(hands.Next(simulation));
       Wait(&simulation);
     }
-    Recorder recorder(root_ / "demo", {.frames_per_second = 12}, nullptr, simulation, past);
-    simulation.AddListener(&recorder);
+    desk.StartIn(root_ / "demo", simulation);
     for (int i = 0; i < 40; ++i) {
       const bool undoes = random_() % 8 == 0;
       (void)simulation.Apply(undoes ? sim::Command(sim::Undo()) : hands.Next(simulation));

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "base/state_hash.h"
+#include "record/recording_history.h"
 #include "record/replay.h"
 #include "record/trace_reader.h"
 #include "recording_fixture.h"
@@ -91,8 +92,9 @@ class UndoTest : public RecordingFixture {
       } else {
         (void)simulation->Apply(hands.Next(*simulation));
       }
-      for (int tick = 0; tick < 5; ++tick) simulation->Tick();
+      for (unsigned ticks = random() % 3 * 4; ticks > 0; --ticks) simulation->Tick();
     }
+    simulation->Tick();  // what was done last shows in its hash
   }
 
   int num_straight_ = 0;
@@ -129,9 +131,14 @@ TEST_P(UndoProperty, GoesOnFromAnyMomentAsIfItHadNeverStopped) {
   std::mt19937 random(GetParam());
   for (int i = 0; i < 4; ++i) {
     const Recording recording = OpenRecording(root_ / "demo");
-    // A moment after any line, also of an undone branch.
+    // A moment after any line, or within any step, also of an undone branch.
     const std::size_t line = random() % (recording.log.lines().size() + 1);
-    const Moment from = recording.log.After(line);
+    Moment from = recording.log.After(line);
+    if (i % 2 == 1) {
+      const std::vector<HistoryStep> steps = HistoryOf(recording);
+      const HistoryStep& step = steps[random() % steps.size()];
+      from = *MomentIn(recording, step, random() % (step.end.tick - step.begin.tick + 1));
+    }
     HashingEye eye;
     sim::Simulation simulation(recording.scene);
     const auto recorder = Recorder::Continue(root_ / "demo", from, &eye, &simulation);
@@ -141,7 +148,8 @@ TEST_P(UndoProperty, GoesOnFromAnyMomentAsIfItHadNeverStopped) {
 
     const Recording now = OpenRecording(root_ / "demo");
     const ReplayReport report = Replay(now);
-    ASSERT_EQ(report.first_difference, std::nullopt) << "went on after line " << line;
+    ASSERT_EQ(report.first_difference, std::nullopt)
+        << "went on after line " << from.line << " at tick " << from.tick;
     ASSERT_EQ(report.hash, simulation.state_hash());
     ASSERT_EQ(ViewOf(root_ / "demo"), ViewWithoutUndo(now, simulation.tick()));
   }

@@ -79,6 +79,7 @@ void Body::SetPose(const RigidTransform& X_WB) {
   const btTransform X_WBcm = ToBullet(X_WB * X_BcmB_.inverse());
   bullet_->setWorldTransform(X_WBcm);
   bullet_->setInterpolationWorldTransform(X_WBcm);
+  bullet_->updateInertiaTensor();  // it turns with the body: the next step begins with it
   SetVelocity(Vector3::Zero(), Vector3::Zero());
 }
 

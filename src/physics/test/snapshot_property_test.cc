@@ -11,6 +11,7 @@
 
 #include "base/files.h"
 #include "base/state_hash.h"
+#include "math/angles.h"
 #include "physics_fixture.h"
 
 namespace smile::physics {
@@ -283,6 +284,25 @@ TEST_P(JointedSnapshotProperty, GoesOnExactlyInPlaceInAFreshWorldFromBytesAndInA
   thread.join();
   EXPECT_EQ(ways[0], way) << "in a fresh world, in a thread";
   EXPECT_EQ(ways[1], way) << "in a fresh world";
+}
+
+/// Nothing of a step is needed to make a state whole.
+TEST(Snapshot, OfABodyThatWasJustPlacedGoesOnTheSame) {
+  World world;
+  const auto block = [](const Vector3& size, const Vector3& p_WB) {
+    return PhysicsWorldBuilder::BlockSpec(size, RigidTransform(p_WB), 0.2);
+  };
+  const BodyId plank = world.AddBody(block({0.6, 0.05, 0.02}, {0, 0, 1}));
+  const BodyId cube = world.AddBody(block({0.1, 0.1, 0.1}, {0, 0.3, 1}));
+  world.body(plank).SetPose(
+      {Matrix3(RotationFromFixedAxes(Vector3(20, 50, 70))), Vector3(0, 0, 1)});
+  world.AddJoint(
+      FixedJointSpec{.a = plank, .b = cube, .X_AB = RigidTransform(Vector3(0.3, 0.1, 0))});
+  World fresh;
+  fresh.Restore(world.Save());
+  world.Step();
+  fresh.Step();
+  EXPECT_EQ(FullHash(fresh), FullHash(world));
 }
 
 TEST_P(JointedSnapshotProperty, SavesWhatItRestored) {

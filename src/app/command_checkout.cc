@@ -6,17 +6,18 @@
 
 #include "app/commands.h"
 #include "app/exit_code.h"
+#include "app/open_recording.h"
 #include "app/options.h"
 #include "app/run_loop.h"
-#include "base/diagnostic.h"
 #include "base/wording.h"
 #include "record/recording_history.h"
+#include "record/time_range.h"
 
 namespace smile::app {
 namespace {
 
 struct CheckoutOptions {
-  std::string demo, commands;
+  std::string demo, commands, recordings = "recordings";
   std::optional<std::size_t> at;
   std::optional<double> after, seconds;
   bool json = false;
@@ -29,19 +30,18 @@ record::Moment MomentOf(const CheckoutOptions& options, const record::Recording&
   while (!options.at && !steps[at].is_on_way) --at;
   if (options.at) at = *options.at;
   if (at >= steps.size()) {
-    throw InputError({options.demo, 0, "",
-                      "has no step " + std::to_string(at) + ", expected 0 to " +
-                          std::to_string(steps.size() - 1) + " (see: smile history)"});
+    throw std::invalid_argument(options.demo + " has no step " + std::to_string(at) +
+                                ", expected 0 to " + std::to_string(steps.size() - 1) +
+                                " (see: smile history)");
   }
   if (!options.after) return steps[at].end;
   const auto ticks =
       static_cast<std::uint64_t>(std::llround(*options.after * sim::kTicksPerSecond));
   if (const auto moment = MomentIn(recording, steps[at], ticks)) return *moment;
-  const double lasted =
-      static_cast<double>(steps[at].end.tick - steps[at].begin.tick) / sim::kTicksPerSecond;
-  throw InputError({options.demo, 0, "",
-                    "step " + std::to_string(at) + " lasted " + NumberText(lasted) +
-                        " s, expected --after to be at most that"});
+  throw std::invalid_argument(
+      "step " + std::to_string(at) + " lasted " +
+      NumberText(sim::SecondsOf(steps[at].end.tick - steps[at].begin.tick)) +
+      " s, expected --after to be at most that");
 }
 
 sim::EyeSpec EyeOf(const record::DemoInfo& info) {
@@ -50,10 +50,7 @@ sim::EyeSpec EyeOf(const record::DemoInfo& info) {
 }
 
 int CheckOut(const CheckoutOptions& options) {
-  const record::Recording recording = record::OpenRecording(options.demo);
-  for (const std::string& cut : recording.cuts) {
-    std::fprintf(stderr, "%s: %s\n", options.demo.c_str(), cut.c_str());
-  }
+  const record::Recording recording = OpenAndTell(options.demo);
   const record::Moment from = MomentOf(options, recording);
   RunPlan plan{.scene = recording.scene,
                .robot = recording.robot,
@@ -62,6 +59,7 @@ int CheckOut(const CheckoutOptions& options) {
                .has_pictures = recording.info.eye.has_value(),
                .eye = EyeOf(recording.info),
                .label = "going on"};
+  plan.recordings = options.recordings;
   if (!options.commands.empty()) {
     plan.script = sim::ReadScript(options.commands, plan.scene.meters_per_unit);
   }
@@ -71,9 +69,12 @@ int CheckOut(const CheckoutOptions& options) {
     std::printf("%s\n", ToText(outcome.json, 2).c_str());
   } else {
     std::printf("%s: went on from %.2f s, ends at %.2f s, state %s\n", options.demo.c_str(),
-                static_cast<double>(from.tick) / sim::kTicksPerSecond,
-                outcome.json["seconds"].get<double>(),
+                record::SecondsInto(recording, from.tick),
+                record::SecondsInto(recording, outcome.ticks),
                 outcome.json["hash"].get<std::string>().c_str());
+    for (std::size_t i = 1; i < outcome.recordings.size(); ++i) {
+      std::printf("recorded in %s\n", outcome.recordings[i].c_str());
+    }
   }
   return kDone;
 }
@@ -86,8 +87,10 @@ void AddCheckout(CLI::App* program, ExitAnswer answer) {
       "checkout",
       "Go on with a recording from any of its steps; what followed stays in its history");
   checkout->add_option("DEMO", options->demo, "directory of a recording")->required();
-  checkout->add_option("--at", options->at,
-                       "step to go on from, as smile history numbers them; the last if not given");
+  checkout
+      ->add_option("--at", options->at,
+                   "step to go on from, as smile history numbers them; the last if not given")
+      ->check(NumberBetween(0, 1e9));
   checkout
       ->add_option("--after", options->after,
                    "so many seconds after that step began; its end if not given")
@@ -97,6 +100,11 @@ void AddCheckout(CLI::App* program, ExitAnswer answer) {
       ->add_option("--seconds", options->seconds,
                    "go on for exactly so long; otherwise until the script ends")
       ->check(NumberBetween(0.0, 86400.0));
+  checkout
+      ->add_option("--recordings", options->recordings,
+                   "where recordings go that the script starts, by their names")
+      ->capture_default_str()
+      ->check(NotEmpty());
   checkout->add_flag("--json", options->json, "print one JSON object on stdout");
   checkout->callback([options, answer] { *answer = CheckOut(*options); });
 }

@@ -1,11 +1,14 @@
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <stdexcept>
 
 #include "app/commands.h"
 #include "app/interrupt.h"
+#include "app/open_recording.h"
+#include "app/options.h"
 #include "app/progress.h"
 #include "app/rendered_eye.h"
 #include "base/json.h"
@@ -134,8 +137,6 @@ constexpr EditOption kEditOptions[] = {
     {"--speed", "F", "make everything F times as fast", &ParseSpeed},
 };
 
-double Seconds(std::uint64_t ticks) { return static_cast<double>(ticks) / sim::kTicksPerSecond; }
-
 Json ToJson(const std::vector<record::ChangedState>& changes) {
   Json json = Json::array();
   for (const record::ChangedState& change : changes) {
@@ -155,8 +156,8 @@ Json ToJson(const record::EditReport& report) {
                          {"rotation_deg", object.gap.degrees()}});
   }
   return {{"ends_the_same", report.ends_the_same()},
-          {"seconds_before", Seconds(report.ticks_before)},
-          {"seconds_after", Seconds(report.ticks_after)},
+          {"seconds_before", sim::SecondsOf(report.ticks_before)},
+          {"seconds_after", sim::SecondsOf(report.ticks_after)},
           {"left_out", left_out},
           {"displaced", displaced},
           {"gone", report.gone},
@@ -166,8 +167,8 @@ Json ToJson(const record::EditReport& report) {
 }
 
 void Print(const record::EditReport& report) {
-  std::printf("lasts %.2f s, was %.2f s\n", Seconds(report.ticks_after),
-              Seconds(report.ticks_before));
+  std::printf("lasts %.2f s, was %.2f s\n", sim::SecondsOf(report.ticks_after),
+              sim::SecondsOf(report.ticks_before));
   for (const record::LeftOut& command : report.left_out) {
     std::printf("line %zu of the log is left out: %s\n", command.line, command.reason.c_str());
   }
@@ -216,26 +217,27 @@ record::EditReport Simulate(const record::Recording& recording, const record::De
     output = {.directory = options.out, .eye = eye ? &*eye : nullptr};
   }
   ProgressLine progress("simulating");
-  const auto report = ReSimulate(recording, edited, output, [&](double done, double total) {
-    progress.Show(done, total);
-    return !IsInterrupted();
-  });
-  if (IsInterrupted()) throw std::runtime_error("interrupted");
-  return report;
+  const bool was_there = std::filesystem::exists(options.out);
+  try {
+    const auto report = ReSimulate(recording, edited, output, [&](double done, double total) {
+      progress.Show(done, total);
+      return !IsInterrupted();
+    });
+    if (IsInterrupted()) throw std::runtime_error("interrupted");
+    return report;
+  } catch (...) {
+    // Half of it would look like a whole one; the original is still there.
+    std::error_code error;
+    if (output && !was_there) std::filesystem::remove_all(options.out, error);
+    throw;
+  }
 }
 
 void EditDemo(const EditOptions& options) {
   if (options.out.empty() && !options.dry_run) {
     throw std::invalid_argument("nothing says where the result goes: give --out or --dry-run");
   }
-  const record::Recording recording = record::OpenRecording(options.demo);
-  for (const std::string& cut : recording.cuts) {
-    std::fprintf(stderr, "%s: %s\n", options.demo.c_str(), cut.c_str());
-  }
-  if (recording.info.program != ProgramName()) {
-    std::fprintf(stderr, "%s: was made by %s, this is %s, where it may end differently\n",
-                 options.demo.c_str(), recording.info.program.c_str(), ProgramName().c_str());
-  }
+  const record::Recording recording = OpenAndTell(options.demo);
   const auto edited = Perform(options.edits, DemonstrationOf(recording));
   const record::EditReport report = Simulate(recording, edited, options);
   if (options.json) {
@@ -270,7 +272,7 @@ void AddEdit(CLI::App* program, ExitAnswer) {
   CLI::App* edit = program->add_subcommand(
       "edit", "Edit a recording into a new one; segments are those of its N.txt");
   edit->add_option("DEMO", options->demo, "directory of a recording; stays as it is")->required();
-  edit->add_option("--out", options->out, "new directory for the result");
+  edit->add_option("--out", options->out, "new directory for the result")->check(NotEmpty());
   AddEditOptions(edit, options);
   edit->add_flag("--dry-run", options->dry_run, "only say what would come of it, write nothing");
   edit->add_flag("--no-pictures", options->no_pictures, "text only");

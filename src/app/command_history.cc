@@ -5,9 +5,11 @@
 
 #include "app/commands.h"
 #include "app/exit_code.h"
+#include "app/open_recording.h"
 #include "base/json.h"
+#include "base/wording.h"
 #include "record/recording_history.h"
-#include "sim/simulation.h"
+#include "record/time_range.h"
 
 namespace smile::app {
 namespace {
@@ -20,18 +22,14 @@ struct HistoryOptions {
   bool json = false;
 };
 
-double SecondsOf(const record::Recording& recording, const record::Moment& moment) {
-  return static_cast<double>(moment.tick - recording.info.start.tick) / sim::kTicksPerSecond;
-}
-
 Json ToJson(const record::Recording& recording, const std::vector<record::HistoryStep>& steps) {
   Json list = Json::array();
   for (std::size_t i = 0; i < steps.size(); ++i) {
     list.push_back({{"step", i},
                     {"parent", steps[i].parent ? Json(*steps[i].parent) : Json()},
                     {"words", steps[i].words},
-                    {"begin", SecondsOf(recording, steps[i].begin)},
-                    {"end", SecondsOf(recording, steps[i].end)},
+                    {"begin", SecondsInto(recording, steps[i].begin.tick)},
+                    {"end", SecondsInto(recording, steps[i].end.tick)},
                     {"on_way", steps[i].is_on_way}});
   }
   return {{"title", recording.info.title}, {"steps", list}};
@@ -53,8 +51,8 @@ void PrintTree(const record::Recording& recording, const std::vector<record::His
     const record::HistoryStep& step = steps[row.step];
     std::printf("%s%s %3zu  %7.2f s  %s%s\n",
                 std::string(2 * std::min(row.depth, kMaxDepth), ' ').c_str(),
-                step.is_on_way ? "*" : "-", row.step, SecondsOf(recording, step.begin),
-                step.words.c_str(), step.is_on_way ? "" : " (undone)");
+                step.is_on_way ? "*" : "-", row.step, SecondsInto(recording, step.begin.tick),
+                Printable(step.words).c_str(), step.is_on_way ? "" : " (undone)");
     // The newest child goes on in the same column; it is the one on the way, where there is one.
     const auto& next = children[row.step];
     for (std::size_t k = next.size(); k-- > 0;) {
@@ -69,10 +67,7 @@ void PrintTree(const record::Recording& recording, const std::vector<record::His
 }
 
 int ShowHistory(const HistoryOptions& options) {
-  const record::Recording recording = record::OpenRecording(options.demo);
-  for (const std::string& cut : recording.cuts) {
-    std::fprintf(stderr, "%s: %s\n", options.demo.c_str(), cut.c_str());
-  }
+  const record::Recording recording = OpenAndTell(options.demo);
   const std::vector<record::HistoryStep> steps = record::HistoryOf(recording);
   if (options.json) {
     std::printf("%s\n", ToText(ToJson(recording, steps), 2).c_str());

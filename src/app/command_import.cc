@@ -48,7 +48,7 @@ void AddImport(CLI::App* program, ExitAnswer answer) {
   CLI::App* import = program->add_subcommand(
       "import", "Make a recording of a classic one, to look at and render it");
   import->add_option("CLASSIC", options->classic, "directory with 0.txt, 0/, 1.txt, …")->required();
-  import->add_option("--out", options->out, "directory to make")->required();
+  import->add_option("--out", options->out, "directory to make")->required()->check(NotEmpty());
   import->add_option("--scene", options->scene,
                      "scene file it was made with; without it, objects are shown as blocks");
   AddPathOption(import, &options->path);

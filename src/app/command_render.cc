@@ -6,6 +6,7 @@
 #include "app/commands.h"
 #include "app/exit_code.h"
 #include "app/film.h"
+#include "app/open_recording.h"
 #include "app/options.h"
 #include "app/photographer.h"
 #include "app/viewpoint.h"
@@ -98,12 +99,17 @@ void RenderFilm(const record::Recording& recording, const RenderCommandOptions& 
 
 int Render(const RenderCommandOptions& options) {
   const Product product = ProductOf(options);
+  RequireOutsideOfRecordings(options.out);
   CheckTimes(options, product);
   if (!record::IsRecording(options.subject)) {
     RenderScene(options, product);
     return kDone;
   }
-  const record::Recording recording = record::OpenRecording(options.subject);
+  if (options.robot.no_robot || options.robot.classic || !options.path.roots.empty()) {
+    throw std::invalid_argument(
+        "--no-robot, --classic and --path are of scenes; a recording has its own robot and files");
+  }
+  const record::Recording recording = OpenAndTell(options.subject);
   if (product == Product::kPicture) {
     RenderMoment(recording, options);
   } else {
@@ -123,7 +129,8 @@ void AddRender(CLI::App* program, ExitAnswer answer) {
   render
       ->add_option("--out", options->out,
                    "what to write: .png, .mp4, or DIR/ for a film as numbered pictures")
-      ->required();
+      ->required()
+      ->check(NotEmpty());
   render->add_flag("--frames", options->as_pictures, "a film as numbered pictures, also in DIR");
   render->add_option("--at", options->at, "moment of a picture [s]; the end if not given");
   render->add_option("--from", options->range.from, "begin of a film [s]");
@@ -139,7 +146,7 @@ void AddRender(CLI::App* program, ExitAnswer answer) {
       ->capture_default_str();
   render->add_option("--rate", options->rate, "film frames per second")
       ->capture_default_str()
-      ->check(NumberBetween(1.0, 240.0));
+      ->check(NumberBetween(0.001, 240.0));
   render->add_option("--speed", options->speed, "of a film: 2 is twice as fast")
       ->capture_default_str()
       ->check(NumberBetween(0.01, 100.0));

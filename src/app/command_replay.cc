@@ -6,6 +6,7 @@
 #include "app/commands.h"
 #include "app/exit_code.h"
 #include "app/interrupt.h"
+#include "app/open_recording.h"
 #include "app/progress.h"
 #include "base/json.h"
 #include "base/version.h"
@@ -130,14 +131,7 @@ record::ReplayReport ReplayIt(const record::Recording& recording,
 }
 
 int ReplayDemo(const ReplayCommandOptions& options) {
-  const record::Recording recording = record::OpenRecording(options.demo);
-  for (const std::string& cut : recording.cuts) {
-    std::fprintf(stderr, "%s: %s\n", options.demo.c_str(), cut.c_str());
-  }
-  if (recording.info.program != ProgramName()) {
-    std::fprintf(stderr, "%s: was made by %s, this is %s\n", options.demo.c_str(),
-                 recording.info.program.c_str(), ProgramName().c_str());
-  }
+  const record::Recording recording = OpenAndTell(options.demo);
   const record::ReplayReport report = ReplayIt(recording, options);
   if (IsInterrupted()) throw std::runtime_error("interrupted");
   if (report.is_cut) {

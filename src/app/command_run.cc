@@ -78,10 +78,11 @@ void AddRun(CLI::App* program, ExitAnswer answer) {
   run->add_option("--seconds", options->seconds,
                   "exactly this long; otherwise until the script or the brain ends")
       ->check(NumberBetween(0.0, 86400.0));
-  run->add_option("--record", options->record, "record into this new directory");
+  run->add_option("--record", options->record, "record into this new directory")->check(NotEmpty());
   run->add_option("--recordings", options->recordings,
                   "where recordings go that the script starts, by their names")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->check(NotEmpty());
   run->add_flag("--no-pictures", options->no_pictures, "recordings without the robot's pictures");
   run->add_flag("--no-symbols", options->no_symbols,
                 "recordings whose classic view has pictures only");

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <functional>
+#include <stdexcept>
 #include <system_error>
 
 #include "app/interrupt.h"
@@ -57,6 +58,17 @@ std::string NumberedName(std::uint64_t frame) {
   return name;
 }
 
+void FilmInto(const std::filesystem::path& mp4, const record::Recording& recording,
+              const record::TickRange& range, const FilmOptions& options,
+              Photographer* photographer) {
+  dataset::VideoWriter video(mp4, options.shot.size.width_px, options.shot.size.height_px,
+                             options.frames_per_second);
+  ForEachFrame(recording, range, options, photographer,
+               [&video](std::uint64_t, std::uint64_t, const Image& image) { video.Add(image); });
+  if (IsInterrupted()) throw std::runtime_error("interrupted");
+  video.Finish();
+}
+
 }  // namespace
 
 void Film(const record::Recording& recording, const std::filesystem::path& mp4,
@@ -64,11 +76,16 @@ void Film(const record::Recording& recording, const std::filesystem::path& mp4,
   const record::TickRange range = TicksOf(options.range, recording);
   const sim::Simulation stage(recording.scene, recording.robot);
   Photographer photographer(stage, options.shot);
-  dataset::VideoWriter video(mp4, options.shot.size.width_px, options.shot.size.height_px,
-                             options.frames_per_second);
-  ForEachFrame(recording, range, options, &photographer,
-               [&video](std::uint64_t, std::uint64_t, const Image& image) { video.Add(image); });
-  video.Finish();
+  // Under another name until it is whole: an older film is not lost to half a new one.
+  const std::filesystem::path part = mp4.string() + ".part.mp4";
+  try {
+    FilmInto(part, recording, range, options, &photographer);
+    std::filesystem::rename(part, mp4);
+  } catch (...) {
+    std::error_code error;
+    std::filesystem::remove(part, error);
+    throw;
+  }
 }
 
 void FilmAsPictures(const record::Recording& recording, const std::filesystem::path& directory,

@@ -17,6 +17,7 @@ void CatchInterrupts() {
   action.sa_flags = SA_RESETHAND;
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
+  sigaction(SIGHUP, &action, nullptr);
   // Writing to a program that went away is an error to report, not a reason to die.
   std::signal(SIGPIPE, SIG_IGN);
 }

@@ -59,4 +59,12 @@ sim::EyeSpec ParseSize(const std::string& text) {
   return spec;
 }
 
+CLI::Validator NotEmpty() {
+  return CLI::Validator(
+      [](const std::string& text) {
+        return text.empty() ? std::string("is empty, expected a name") : std::string();
+      },
+      "");
+}
+
 }  // namespace smile::app

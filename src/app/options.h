@@ -38,4 +38,7 @@ sim::EyeSpec ParseSize(const std::string& text);
 /// Accepts finite numbers from `low` to `high`; CLI::Range would let NaN pass.
 CLI::Validator NumberBetween(double low, double high);
 
+/// Accepts any text but the empty one, which a forgotten variable of a shell leaves.
+CLI::Validator NotEmpty();
+
 }  // namespace smile::app

@@ -42,18 +42,18 @@ Photographer::Photographer(const sim::Simulation& stage, Shot shot)
       fixed_view_(FindView(shot_.camera, stage.scene(), shot_.size)) {}
 
 const Image& Photographer::Take(const record::TraceTick& moment) {
-  const bool is_eye = !fixed_view_;
-  camera::RenderOptions options{
-      .color = shot_.channels.rgb,
-      .depth = shot_.channels.depth,
-      .ids = shot_.channels.id,
-      .look = is_eye ? camera::Look::kRobotEye : camera::Look::kPresentation};
-  // The eye does not see the head it sits in, and nobody a hidden robot.
-  if (is_eye || !moment.is_robot_shown) {
-    options.excluded_frames = sim::FramesHiddenFromEye(stage_, moment.is_robot_shown);
+  sim::Sight sight = record::SightAt(moment, stage_, shot_.size);
+  if (fixed_view_) {
+    sight.view = *fixed_view_;
+    // Only the eye does not see the head it sits in.
+    if (moment.is_robot_shown) sight.hidden_frames.clear();
   }
-  renderer_.Render(stage_.visual_model(), record::VisualStateAt(moment, stage_),
-                   is_eye ? sim::EyeView(stage_, moment.joints, shot_.size) : *fixed_view_, options,
+  renderer_.Render(stage_.visual_model(), sight.state, sight.view,
+                   {.color = shot_.channels.rgb,
+                    .depth = shot_.channels.depth,
+                    .ids = shot_.channels.id,
+                    .look = fixed_view_ ? camera::Look::kPresentation : camera::Look::kRobotEye,
+                    .excluded_frames = sight.hidden_frames},
                    &image_);
   return image_;
 }

@@ -9,6 +9,7 @@
 #include "app/interrupt.h"
 #include "app/progress.h"
 #include "app/rendered_eye.h"
+#include "base/diagnostic.h"
 #include "math/angles.h"
 #include "scene/units.h"
 
@@ -120,6 +121,20 @@ class LiveRun {
     return false;
   }
 
+  void AdvanceScript() {
+    try {
+      player_->Advance(&simulation_);
+    } catch (const InputError&) {
+      ThrowIfNotRecorded();  // then that is why
+      if (desk_) {
+        for (const auto& directory : desk_->directories()) {
+          std::fprintf(stderr, "recorded in %s\n", directory.c_str());
+        }
+      }
+      throw;
+    }
+  }
+
   void ThrowIfNotRecorded() const {
     if (desk_ && desk_->failure()) throw std::runtime_error(*desk_->failure());
   }
@@ -135,7 +150,7 @@ class LiveRun {
     const auto limit = static_cast<std::uint64_t>(
         std::llround(plan_.seconds.value_or(plan_.max_seconds) * sim::kTicksPerSecond));
     if (simulation_.tick() >= first_tick_ + limit) return true;
-    if (player_) player_->Advance(&simulation_);
+    if (player_) AdvanceScript();
     if (is_brain_running()) driver_->Drive(&simulation_);
     if (driver_ && driver_->status() == brain::BrainStatus::kFailed) return true;
     if (plan_.seconds) return false;

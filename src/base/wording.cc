@@ -47,6 +47,15 @@ std::string NumberText(double number) {
   return {buffer, result.ptr};
 }
 
+std::string Printable(std::string_view text) {
+  std::string printable(text);
+  for (char& letter : printable) {
+    const bool is_control = static_cast<unsigned char>(letter) < 0x20 || letter == 0x7F;
+    if (is_control) letter = '?';
+  }
+  return printable;
+}
+
 std::string Quoted(std::string_view text) {
   std::string_view shown = text;
   if (text.size() > kMaxQuotedBytes) {
@@ -55,12 +64,7 @@ std::string Quoted(std::string_view text) {
     while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
     shown = text.substr(0, end);
   }
-  std::string quoted = "\"";
-  for (char letter : shown) {
-    const bool is_control = static_cast<unsigned char>(letter) < 0x20 || letter == 0x7F;
-    quoted += is_control ? '?' : letter;
-  }
-  return quoted + (shown.size() < text.size() ? "…\"" : "\"");
+  return "\"" + Printable(shown) + (shown.size() < text.size() ? "…\"" : "\"");
 }
 
 std::string OneOf(std::span<const std::string_view> words) {

@@ -11,6 +11,9 @@ namespace smile {
 /// The text in quotation marks, for a message: cut to a readable length, control characters as `?`.
 std::string Quoted(std::string_view text);
 
+/// The text with control characters as `?`, so that a terminal only shows it.
+std::string Printable(std::string_view text);
+
 /// The shortest decimal text that reads back to the same number; `NaN`, `Inf`, `-Inf` for those.
 std::string NumberText(double number);
 

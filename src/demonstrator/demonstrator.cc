@@ -12,7 +12,11 @@ using world::Named;
 
 namespace {
 
-std::string NameOf(HandName hand) { return "the " + std::string(ToString(hand)) + " hand"; }
+/// As one thing, of which is said what it holds.
+std::string NameOf(HandName hand) {
+  if (hand == HandName::kBoth) return "the pair of hands";
+  return "the " + std::string(ToString(hand)) + " hand";
+}
 
 }  // namespace
 

@@ -7,6 +7,7 @@
 #include "base/files.h"
 #include "math/angles.h"
 #include "record/classic_text.h"
+#include "record/internal_classic_files.h"
 #include "record/png.h"
 #include "record/sight.h"
 #include "record/time_range.h"
@@ -53,17 +54,9 @@ ClassicRecorder::ClassicRecorder(const std::filesystem::path& directory,
   Watch(first);
 }
 
-std::filesystem::path ClassicRecorder::TextPath(int segment) const {
-  return directory_ / (std::to_string(segment) + ".txt");
-}
-
-std::filesystem::path ClassicRecorder::PictureFolder(int segment) const {
-  return directory_ / std::to_string(segment);
-}
-
 void ClassicRecorder::OpenSegment() {
-  MakeDirectories(PictureFolder(state_.segment));
-  if (options_.has_symbols) text_.emplace(TextPath(state_.segment));
+  MakeDirectories(SegmentPictures(directory_, state_.segment));
+  if (options_.has_symbols) text_.emplace(SegmentText(directory_, state_.segment));
 }
 
 void ClassicRecorder::WriteStart(const TraceTick& first, const std::vector<sim::Event>& standing) {
@@ -215,14 +208,14 @@ bool ClassicRecorder::WriteMove(std::size_t i, const TracePose& pose, bool is_la
 
 void ClassicRecorder::Return(const Mark& mark) {
   for (std::uint64_t frame = mark.state.frame; frame < state_.frame; ++frame) {
-    std::filesystem::remove(PictureFolder(mark.state.segment) / (std::to_string(frame) + ".png"));
+    std::filesystem::remove(SegmentPictures(directory_, mark.state.segment) /
+                            (std::to_string(frame) + ".png"));
   }
   for (int segment = state_.segment; segment > mark.state.segment; --segment) {
-    std::filesystem::remove(TextPath(segment));
-    std::filesystem::remove_all(PictureFolder(segment));
+    RemoveSegment(directory_, segment);
   }
   if (text_) {
-    text_.emplace(TextPath(mark.state.segment), AppendFile::kExisting);
+    text_.emplace(SegmentText(directory_, mark.state.segment), AppendFile::kExisting);
     text_->Cut(mark.text_size);
   }
   index_.Cut(mark.index_size);

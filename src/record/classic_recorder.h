@@ -70,8 +70,6 @@ class ClassicRecorder {
   void Return(const Mark& mark);
 
  private:
-  std::filesystem::path TextPath(int segment) const;
-  std::filesystem::path PictureFolder(int segment) const;
   void OpenSegment();
   void WriteStart(const TraceTick& first, const std::vector<sim::Event>& standing);
   std::size_t IndexOf(const std::string& object) const;

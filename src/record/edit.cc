@@ -15,8 +15,6 @@ namespace {
 
 using SegmentPlace = std::vector<Segment>::iterator;
 
-double SecondsOf(std::uint64_t ticks) { return static_cast<double>(ticks) / sim::kTicksPerSecond; }
-
 std::uint64_t TicksOf(double seconds) {
   if (!(seconds >= 0 && seconds <= kMaxSeconds)) {
     throw std::invalid_argument("time is " + NumberText(seconds) + " s, expected 0 to " +
@@ -90,7 +88,7 @@ void Perform(const Trim& trim, Demonstration* demonstration) {
   if (from > to) {
     throw std::invalid_argument("what is to be kept is from " + NumberText(trim.from) + " to " +
                                 NumberText(trim.to) + " s, expected a part of the segment's " +
-                                NumberText(SecondsOf(segment.duration)) + " s");
+                                NumberText(sim::SecondsOf(segment.duration)) + " s");
   }
   std::erase_if(segment.commands, [&](const SegmentCommand& command) {
     return !IsAction(command.command) && (command.offset < from || command.offset > to);
@@ -156,8 +154,9 @@ Demonstration Edited(Demonstration demonstration, const Edit& edit) {
   std::visit([&](const auto& what) { Perform(what, &demonstration); }, edit);
   const std::uint64_t after = demonstration.duration();
   if (after > std::max(before, TicksOf(kMaxSeconds))) {
-    throw std::invalid_argument("the demonstration would last " + NumberText(SecondsOf(after)) +
-                                " s, expected at most " + NumberText(kMaxSeconds));
+    throw std::invalid_argument("the demonstration would last " +
+                                NumberText(sim::SecondsOf(after)) + " s, expected at most " +
+                                NumberText(kMaxSeconds));
   }
   return demonstration;
 }

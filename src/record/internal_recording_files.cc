@@ -29,6 +29,10 @@ void WriteMeshes(const scene::SceneSpec& scene, const std::filesystem::path& fol
 }  // namespace
 
 void RequireNewDirectory(const std::filesystem::path& directory) {
+  if (const auto around = RecordingAround(directory)) {
+    throw InputError({directory.string(), 0, "",
+                      "lies within the recording " + around->string() + ", which stays as it is"});
+  }
   std::error_code error;
   if (std::filesystem::exists(directory, error) && !std::filesystem::is_empty(directory, error)) {
     throw InputError({directory.string(), 0, "",

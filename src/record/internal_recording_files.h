@@ -6,7 +6,8 @@
 
 namespace smile::record {
 
-/// @throws InputError if there is something where a recording is to be written.
+/// @throws InputError if there is something where a recording is to be written, or another
+///         recording around it.
 void RequireNewDirectory(const std::filesystem::path& directory);
 
 /// Makes the directory of a recording, with scene, meshes and robot.

@@ -63,8 +63,6 @@ void RunToStart(const Recording& recording, LogPlayer* player, sim::Simulation* 
        "", "was carried out when it was recorded, and is refused now: " + failure->refusal});
 }
 
-double Seconds(std::uint64_t ticks) { return static_cast<double>(ticks) / sim::kTicksPerSecond; }
-
 /// Goes on for so many ticks, and carries out what is due then.
 /// @returns what was refused.
 std::vector<LeftOut> RunFor(std::uint64_t ticks, LogPlayer* player, sim::Simulation* simulation,
@@ -76,7 +74,7 @@ std::vector<LeftOut> RunFor(std::uint64_t ticks, LogPlayer* player, sim::Simulat
     }
     if (tick == ticks) return left_out;
     simulation->Tick();
-    if (progress && !progress(Seconds(tick + 1), Seconds(ticks))) return left_out;
+    if (progress && !progress(sim::SecondsOf(tick + 1), sim::SecondsOf(ticks))) return left_out;
   }
 }
 

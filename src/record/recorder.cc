@@ -76,20 +76,32 @@ Recorder::Recorder(const std::filesystem::path& directory, const RecorderOptions
     throw std::invalid_argument("recording: the simulation has already begun");
   }
   CheckBefore(directory, options);
-  WriteWorld(directory, simulation);
+  try {
+    Begin(options, eye, simulation, past.value_or(std::vector<LoggedCommand>()));
+  } catch (...) {
+    // It never began: nothing is to be left of it.
+    std::error_code error;
+    std::filesystem::remove_all(directory, error);
+    throw;
+  }
+}
+
+void Recorder::Begin(const RecorderOptions& options, sim::Eye* eye,
+                     const sim::Simulation& simulation, const std::vector<LoggedCommand>& past) {
+  WriteWorld(directory_, simulation);
   const TraceTick first = Observe(simulation);
   const std::vector<sim::Event> standing = StandingOf(simulation);
-  log_.emplace(directory / "commands.jsonl");
-  for (const LoggedCommand& logged : past.value_or(std::vector<LoggedCommand>())) {
+  log_.emplace(directory_ / "commands.jsonl");
+  for (const LoggedCommand& logged : past) {
     Write({.tick = logged.tick, .what = logged.command}, simulation.scene().meters_per_unit);
   }
-  trace_.emplace(directory / "trace.bin", simulation);
+  trace_.emplace(directory_ / "trace.bin", simulation);
   for (const sim::Event& event : standing) trace_->Add(event);
   trace_->Add(first);
-  classic_.emplace(directory, ClassicOptionsOf(options), eye, simulation, first, standing);
+  classic_.emplace(directory_, ClassicOptionsOf(options), eye, simulation, first, standing);
   // Last: whatever has it can be opened.
   const Moment start{.line = num_lines_, .tick = tick_};
-  WriteFile(directory / "demo.json", ToJsonText(InfoOf(options, eye, simulation, start)));
+  WriteFile(directory_ / "demo.json", ToJsonText(InfoOf(options, eye, simulation, start)));
 }
 
 void Recorder::Write(const LogLine& line, double meters_per_unit) {
@@ -103,10 +115,11 @@ Recorder::Mark Recorder::MarkNow() const {
           .classic = classic_->mark()};
 }
 
-std::optional<sim::Refusal> Recorder::Refuse(const sim::Simulation&, const sim::Command& command) {
+std::optional<sim::Refusal> Recorder::Refuse(const sim::Simulation& simulation,
+                                             const sim::Command& command) {
   if (std::holds_alternative<sim::Undo>(command) && before_action_.empty()) {
-    return "there is nothing to undo in this recording; what was before its start can be undone "
-           "when it is finished";
+    return std::string("there is nothing to undo in this recording") +
+           (simulation.can_undo() ? "; finish it to undo what was before its start" : "");
   }
   if (std::holds_alternative<sim::Redo>(command) && undone_.empty()) {
     return "there is nothing to do again in this recording";

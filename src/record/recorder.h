@@ -76,6 +76,8 @@ class Recorder : public sim::Listener {
   };
 
   explicit Recorder(const std::filesystem::path& directory) : directory_(directory) {}
+  void Begin(const RecorderOptions& options, sim::Eye* eye, const sim::Simulation& simulation,
+             const std::vector<LoggedCommand>& past);
   void Write(const LogLine& line, double meters_per_unit);
   Mark MarkNow() const;
   /// Leads log and trace to another moment, where the simulation already is.

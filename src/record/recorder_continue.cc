@@ -1,12 +1,12 @@
 // Going on with a recording.
 
 #include <algorithm>
-#include <cctype>
 #include <ranges>
 #include <stdexcept>
 
 #include "base/diagnostic.h"
 #include "base/files.h"
+#include "record/internal_classic_files.h"
 #include "record/internal_event_collector.h"
 #include "record/log_player.h"
 #include "record/recorder.h"
@@ -90,24 +90,6 @@ std::uint64_t BytesOfLines(const std::filesystem::path& path, std::size_t num_li
   std::size_t end = 0;
   for (std::size_t i = 0; i < num_lines; ++i) end = text.find('\n', end) + 1;
   return end;
-}
-
-/// `12`, `12.txt` and `frames.csv` are parts of the classic view.
-bool IsOfClassicView(const std::filesystem::path& file) {
-  if (file.filename() == "frames.csv") return true;
-  const std::string stem = file.stem().string();
-  const bool is_number = !stem.empty() && std::ranges::all_of(stem, [](unsigned char letter) {
-    return std::isdigit(letter) != 0;
-  });
-  return is_number && (file.extension().empty() || file.extension() == ".txt");
-}
-
-void RemoveClassicView(const std::filesystem::path& directory) {
-  std::vector<std::filesystem::path> view;
-  for (const auto& entry : std::filesystem::directory_iterator(directory)) {
-    if (IsOfClassicView(entry.path())) view.push_back(entry.path());
-  }
-  for (const auto& path : view) std::filesystem::remove_all(path);
 }
 
 /// What is written to shall be the recording's own.

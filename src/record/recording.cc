@@ -178,6 +178,16 @@ bool IsRecording(const std::filesystem::path& directory) {
          std::filesystem::exists(directory / "demo.json", error);
 }
 
+std::optional<std::filesystem::path> RecordingAround(const std::filesystem::path& path) {
+  std::error_code error;
+  std::filesystem::path around = std::filesystem::weakly_canonical(path, error);
+  while (!error && around.has_relative_path()) {
+    around = around.parent_path();
+    if (IsRecording(around)) return around;
+  }
+  return std::nullopt;
+}
+
 Recording OpenRecording(const std::filesystem::path& directory) {
   if (!IsRecording(directory)) {
     throw InputError({directory.string(), 0, "",

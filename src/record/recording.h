@@ -66,6 +66,9 @@ struct Recording {
 /// True when the directory looks like a recording.
 bool IsRecording(const std::filesystem::path& directory);
 
+/// The recording within whose directory a path lies, or would lie; nullopt if in none.
+std::optional<std::filesystem::path> RecordingAround(const std::filesystem::path& path);
+
 /// @throws InputError with all findings, each with its file.
 Recording OpenRecording(const std::filesystem::path& directory);
 

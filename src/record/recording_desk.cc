@@ -4,6 +4,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "base/diagnostic.h"
+#include "base/wording.h"
+
 namespace smile::record {
 namespace {
 
@@ -51,16 +54,19 @@ std::optional<sim::Refusal> RecordingDesk::Start(const sim::Simulation& simulati
   std::string name = start.name.empty() ? simulation.scene().name : start.name;
   if (start.name.empty() && !IsFileName(name)) name = "recording";
   if (!IsFileName(name)) {
-    return "\"name\" is \"" + name +
-           "\", expected up to 100 letters, digits, spaces, - _ and ., not . first";
+    return "\"name\" is " + Quoted(name) +
+           ", expected up to 100 letters, digits, spaces, - _ and ., not . first";
   }
   RecorderOptions options = options_.recording;
   if (!start.title.empty()) options.title = start.title;
   if (!start.notes.empty()) options.notes = start.notes;
   try {
     Start(NewDirectory(options_.root, name), options, simulation);
-  } catch (const std::exception& error) {
+  } catch (const InputError& error) {
     return error.what();
+  } catch (const std::exception& error) {
+    failure_ = error.what();
+    return failure_;
   }
   return std::nullopt;
 }

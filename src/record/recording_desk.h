@@ -43,7 +43,7 @@ class RecordingDesk : public sim::Listener, public sim::RecordingControl {
   bool is_recording() const { return recorder_ != nullptr; }
   /// All that were begun, in order.
   const std::vector<std::filesystem::path>& directories() const { return directories_; }
-  /// Why the last recording ended by itself: path and reason.
+  /// Why the last recording ended by itself or could not begin: path and reason.
   const std::optional<std::string>& failure() const { return failure_; }
 
   std::optional<sim::Refusal> Refuse(const sim::Simulation& simulation,

@@ -54,7 +54,8 @@ TickRange TicksOf(const TimeRange& range, const Recording& recording) {
 }
 
 double SecondsInto(const Recording& recording, std::uint64_t tick) {
-  return sim::SecondsOf(tick) - sim::SecondsOf(recording.info.start.tick);
+  const std::uint64_t start = recording.info.start.tick;
+  return tick >= start ? sim::SecondsOf(tick - start) : -sim::SecondsOf(start - tick);
 }
 
 bool IsFrameDue(std::uint64_t frame, std::uint64_t ticks_since_first, double frames_per_second) {

@@ -73,7 +73,7 @@ void CheckField(const Field& field, const Json& value) {
       if (!IsNumbers(value, 2, 2)) Expected(key, value, "two numbers [left, right]");
       return;
     case Kind::kNumber:
-      if (!IsNumber(value)) Expected(key, value, "a number");
+      if (!IsNumber(value)) Expected(key, value, "a number of at most 1e6");
       return;
     case Kind::kFlag:
       if (!value.is_boolean()) Expected(key, value, "true or false");

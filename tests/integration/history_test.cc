@@ -64,7 +64,7 @@ TEST_F(HistoryAsUsed, ACheckoutGoesOnFromAnyStepAndLosesNone) {
   ASSERT_EQ(Smile("checkout take --at 1 --after 0.25").exit_code, 0);
   EXPECT_EQ(Smile("replay take --verify --json").json()["ticks"], 15);
   EXPECT_EQ(Smile("checkout take --at 9").err,
-            "take: has no step 9, expected 0 to 4 (see: smile history)\n");
+            "smile: take has no step 9, expected 0 to 4 (see: smile history)\n");
 }
 
 TEST_F(HistoryAsUsed, PicturesAndSymbolsMayBeLeftOut) {

@@ -1,0 +1,29 @@
+#include "app/open_recording.h"
+
+#include <cstdio>
+
+#include "base/diagnostic.h"
+#include "base/version.h"
+
+namespace smile::app {
+
+record::Recording OpenAndTell(const std::string& demo) {
+  record::Recording recording = record::OpenRecording(demo);
+  for (const std::string& cut : recording.cuts) {
+    std::fprintf(stderr, "%s: %s\n", demo.c_str(), cut.c_str());
+  }
+  if (recording.info.program != ProgramName()) {
+    std::fprintf(stderr, "%s: was made by %s, this is %s\n", demo.c_str(),
+                 recording.info.program.c_str(), ProgramName().c_str());
+  }
+  return recording;
+}
+
+void RequireOutsideOfRecordings(const std::string& out) {
+  const auto around = record::RecordingAround(out);
+  if (!around) return;
+  throw InputError(
+      {out, 0, "", "lies within the recording " + around->string() + ", which stays as it is"});
+}
+
+}  // namespace smile::app

@@ -243,6 +243,8 @@ void FindPictures(const std::filesystem::path& directory, const ClassicLimits& l
     const std::filesystem::directory_entry folder(directory / std::to_string(segment), error);
     if (!folder.exists(error)) continue;
     RequireNoLink(folder);
+    if (!folder.is_directory(error))
+      Refuse(folder.path(), "is no folder, expected one of pictures");
     for (const auto& entry : FilesIn(folder.path())) {
       const auto frame = NumberOf(entry.path(), ".png");
       if (!frame) continue;

@@ -19,7 +19,7 @@ constexpr std::size_t kMaxIdBytes = 100;
 constexpr double kMaxPosition = 1e9;  ///< [units]
 constexpr double kMaxAngle_deg = 1e6;
 constexpr std::uint64_t kMaxTightness = 1'000'000;
-constexpr std::size_t kMaxAttended = 256;
+constexpr std::size_t kMaxAttended = 256, kMaxDescriptions = 256;
 
 [[noreturn]] void Malformed(const std::string& what) { throw std::invalid_argument(what); }
 
@@ -123,6 +123,9 @@ ClassicCreate TakeCreate(Fields* fields) {
   ClassicCreate create{.object = fields->TakeId("an object")};
   while (fields->remaining() > 0) {
     const std::string name = fields->Take("a description");
+    if (create.descriptions.size() == kMaxDescriptions) {
+      Malformed("the object has more than " + std::to_string(kMaxDescriptions) + " descriptions");
+    }
     create.descriptions.push_back({name, fields->Take("the value of " + Quoted(name))});
   }
   return create;

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
-#include <random>
 
 #include "base/diagnostic.h"
 #include "recording_fixture.h"
@@ -208,24 +207,6 @@ TEST_F(ReplayTest, SaysWhatIsWrongWithAFileThatIsNoRecording) {
   Overwrite(directory / "commands.jsonl", "{\"tick\":3,\"do\":\"fly\"}\n");
   EXPECT_EQ(Complaint(directory).substr(0, Complaint(directory).find(", expected")),
             (directory / "commands.jsonl").string() + ":1: \"do\" is \"fly\"");
-}
-
-TEST_F(ReplayTest, NeverCrashesOnDamagedTraces) {
-  const auto directory = Record();
-  const Recording recording = OpenRecording(directory);
-  const std::string trace = Text(directory / "trace.bin");
-  std::mt19937 random(3);
-  for (int i = 0; i < 200; ++i) {
-    std::string damaged = trace.substr(0, 400 + random() % 4000);
-    for (int k = 0; k < 3; ++k) damaged[random() % damaged.size()] = static_cast<char>(random());
-    Overwrite(directory / "trace.bin", damaged);
-    try {
-      TraceReader reader(recording);
-      while (reader.Next()) {
-      }
-    } catch (const InputError&) {
-    }
-  }
 }
 
 TEST_F(ReplayTest, NeverOverwritesARecording) {

@@ -28,61 +28,90 @@ struct Reached {
   std::vector<sim::Event> untold;
 };
 
-/// Counts the actions of a way, as the trace tells them.
-std::size_t NumActions(const std::vector<sim::Event>& events) {
-  return static_cast<std::size_t>(std::ranges::count_if(events, &BeginsSegment));
-}
-
 /// Runs a fresh simulation along the recording to a moment, and makes sure that it is the same.
-Reached RunTo(const Moment& until, const Recording& recording,
-              const std::vector<LoggedCommand>& way, sim::Simulation* simulation,
-              const Progress& progress) {
-  const auto differs = [&](std::uint64_t tick) {
-    Fail(recording, "cannot go on: run again, it differs at tick " + std::to_string(tick) +
-                        " (it was made by " + recording.info.program + ")");
-  };
-  const auto goes_on = [&](std::uint64_t tick) {
-    const bool does = !progress || progress(sim::SecondsOf(tick), sim::SecondsOf(until.tick));
-    if (!does) throw std::runtime_error("interrupted");
-    return does;
-  };
-  EventCollector collector;
-  simulation->AddListener(&collector);
-  LogPlayer player(way, recording.info.start);
-  TraceReader trace(recording, until);
-  if (!trace.has_events()) Fail(recording, "is of an older format, which cannot be gone on with");
-  if (player.RunToStart(simulation, goes_on)) differs(simulation->tick());
-  collector.Forget();
-  std::optional<TraceTick> last;
-  std::size_t num_actions = 0;
-  while (auto moment = trace.Next()) {
-    if (last && last->events != collector.events()) differs(last->tick);
-    if (last) simulation->Tick();
-    if (simulation->state_hash() != moment->hash) differs(moment->tick);
-    if (player.ApplyDue(simulation)) differs(moment->tick);
-    num_actions += NumActions(collector.events());
-    goes_on(moment->tick);
-    last = std::move(moment);
+class RunAlong {
+ public:
+  RunAlong(const Recording& recording, const std::vector<LoggedCommand>& way, const Moment& until,
+           sim::Simulation* simulation)
+      : recording_(recording),
+        way_(way),
+        until_(until),
+        simulation_(simulation),
+        player_(way, recording.info.start),
+        trace_(recording, until) {
+    simulation_->AddListener(&collector_);
   }
-  const auto& events = collector.events();
-  if (!last || last->tick != until.tick || player.next() != nullptr) {
-    Fail(recording, "has no moment at tick " + std::to_string(until.tick) + " after line " +
-                        std::to_string(until.line) + " of its log");
+  ~RunAlong() { simulation_->RemoveListener(&collector_); }
+  RunAlong(const RunAlong&) = delete;
+  RunAlong& operator=(const RunAlong&) = delete;
+
+  Reached Go(const Progress& progress) {
+    const auto goes_on = [&](std::uint64_t tick) {
+      const bool does = !progress || progress(sim::SecondsOf(tick), sim::SecondsOf(until_.tick));
+      if (!does) throw std::runtime_error("interrupted");
+      return does;
+    };
+    if (!trace_.has_events())
+      Fail(recording_, "is of an older format, which cannot be gone on with");
+    if (player_.RunToStart(simulation_, goes_on)) SayThatItDiffers();
+    collector_.Forget();
+    while (Step()) goes_on(simulation_->tick());
+    CheckThatItIsThere();
+    const auto& events = collector_.events();
+    const auto num_told = static_cast<std::ptrdiff_t>(last_->events.size());
+    return {trace_.places().back(), {events.begin() + num_told, events.end()}};
   }
-  const std::size_t num_told = last->events.size();
-  if (num_told > events.size() ||
-      !std::ranges::equal(last->events, events | std::views::take(num_told))) {
-    differs(last->tick);
+
+ private:
+  [[noreturn]] void SayThatItDiffers() const {
+    Fail(recording_, "cannot go on: run again, it differs at tick " +
+                         std::to_string(simulation_->tick()) + " (it was made by " +
+                         recording_.info.program + ")");
   }
-  const auto num_logged =
-      static_cast<std::size_t>(std::ranges::count_if(way, [&](const auto& logged) {
-        return logged.line > recording.info.start.line && IsAction(logged.command);
-      }));
-  if (num_actions != num_logged) Fail(recording, "has other actions in its trace than in its log");
-  simulation->RemoveListener(&collector);
-  return {trace.places().back(),
-          {events.begin() + static_cast<std::ptrdiff_t>(num_told), events.end()}};
-}
+
+  /// Goes on by one moment; false after the last one.
+  bool Step() {
+    auto moment = trace_.Next();
+    if (!moment) return false;
+    if (last_ && last_->events != collector_.events()) SayThatItDiffers();
+    if (last_) simulation_->Tick();
+    if (simulation_->state_hash() != moment->hash) SayThatItDiffers();
+    if (player_.ApplyDue(simulation_)) SayThatItDiffers();
+    num_actions_ += std::ranges::count_if(collector_.events(), &BeginsSegment);
+    last_ = std::move(moment);
+    return true;
+  }
+
+  /// Of the last moment the trace may tell only a part.
+  void CheckThatItIsThere() const {
+    if (!last_ || last_->tick != until_.tick || player_.next() != nullptr) {
+      Fail(recording_, "has no moment at tick " + std::to_string(until_.tick) + " after line " +
+                           std::to_string(until_.line) + " of its log");
+    }
+    const auto& events = collector_.events();
+    const std::size_t num_told = last_->events.size();
+    if (num_told > events.size() ||
+        !std::ranges::equal(last_->events, events | std::views::take(num_told))) {
+      SayThatItDiffers();
+    }
+    const auto is_action = [this](const LoggedCommand& logged) {
+      return logged.line > recording_.info.start.line && IsAction(logged.command);
+    };
+    if (std::ranges::count_if(way_, is_action) != num_actions_) {
+      Fail(recording_, "has other actions in its trace than in its log");
+    }
+  }
+
+  const Recording& recording_;
+  const std::vector<LoggedCommand>& way_;
+  Moment until_;
+  sim::Simulation* simulation_;
+  LogPlayer player_;
+  TraceReader trace_;
+  EventCollector collector_;
+  std::optional<TraceTick> last_;
+  std::ptrdiff_t num_actions_ = 0;
+};
 
 /// How many bytes the first lines of a file are.
 std::uint64_t BytesOfLines(const std::filesystem::path& path, std::size_t num_lines) {
@@ -121,7 +150,7 @@ std::unique_ptr<Recorder> Recorder::Continue(const std::filesystem::path& direct
     Fail(recording, "has no line " + std::to_string(from.line) + " in its log");
   }
   const std::vector<LoggedCommand> way = recording.log.WayTo(from.line);
-  const Reached reached = RunTo(from, recording, way, simulation, progress);
+  const Reached reached = RunAlong(recording, way, from, simulation).Go(progress);
 
   // Made anew, whatever happens on the way: first it is gone, then log and trace go on.
   RemoveClassicView(directory);

@@ -73,11 +73,11 @@ void TickOfAHandAtWork(benchmark::State& state, bool is_recorded) {
 scene::SceneSpec FiftyBlocks() {
   scene::SceneSpec scene{.name = "fifty"};
   for (int i = 0; i < 50; ++i) {
+    const int row = i / 10, column = i % 10;
     scene::ObjectSpec object;
-    object.whole = {
-        .id = "b" + std::to_string(i),
-        .X_PE = RigidTransform(Vector3(-0.8 + 0.16 * (i % 10), -0.4 + 0.16 * (i / 10), 0.05)),
-        .shape = scene::Block{{0.1, 0.1, 0.1}}};
+    object.whole = {.id = "b" + std::to_string(i),
+                    .X_PE = RigidTransform(Vector3(-0.8 + 0.16 * column, -0.4 + 0.16 * row, 0.05)),
+                    .shape = scene::Block{{0.1, 0.1, 0.1}}};
     scene.objects.push_back(std::move(object));
   }
   return scene;

@@ -189,7 +189,7 @@ ImportReport ImportClassic(const std::filesystem::path& classic,
   for (ClassicPlayer rehearsal = player; rehearsal.Next();) continue;
 
   WriteWorld(directory, stage);
-  AppendFile(directory / "commands.jsonl");
+  WriteFile(directory / "commands.jsonl", "");
   WriteTrace(directory / "trace.bin", player, stage);
   CopyView(classic, recording, directory);
   // Last: whatever has it can be opened.

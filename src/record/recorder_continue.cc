@@ -1,7 +1,6 @@
 // Going on with a recording.
 
 #include <algorithm>
-#include <ranges>
 #include <stdexcept>
 
 #include "base/diagnostic.h"
@@ -91,7 +90,7 @@ class RunAlong {
     const auto& events = collector_.events();
     const std::size_t num_told = last_->events.size();
     if (num_told > events.size() ||
-        !std::ranges::equal(last_->events, events | std::views::take(num_told))) {
+        !std::equal(last_->events.begin(), last_->events.end(), events.begin())) {
       SayThatItDiffers();
     }
     const auto is_action = [this](const LoggedCommand& logged) {

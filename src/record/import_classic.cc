@@ -8,7 +8,6 @@
 #include "base/diagnostic.h"
 #include "base/files.h"
 #include "base/wording.h"
-#include "record/append_file.h"
 #include "record/internal_classic_player.h"
 #include "record/internal_recording_files.h"
 #include "record/recording.h"

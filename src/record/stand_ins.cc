@@ -67,6 +67,12 @@ std::string Letters(std::string_view text) {
   return letters;
 }
 
+/// Without what a scene file would take for an expression.
+std::string Plain(std::string value) {
+  std::ranges::replace(value, '$', '_');
+  return value;
+}
+
 /// As scene files have them: `shape` first; a later value of the same name holds.
 std::vector<scene::Description> DescriptionsOf(const ClassicCreate& create) {
   std::vector<scene::Description> descriptions{{"shape", "block"}};
@@ -74,9 +80,9 @@ std::vector<scene::Description> DescriptionsOf(const ClassicCreate& create) {
     const std::string name = given.name.empty() ? "_" : Letters(given.name).substr(0, kMaxName);
     const auto earlier = std::ranges::find(descriptions, name, &scene::Description::name);
     if (earlier != descriptions.end()) {
-      earlier->value = given.value;
+      earlier->value = Plain(given.value);
     } else {
-      descriptions.push_back({name, given.value});
+      descriptions.push_back({name, Plain(given.value)});
     }
   }
   return descriptions;

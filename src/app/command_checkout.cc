@@ -44,11 +44,6 @@ record::Moment MomentOf(const CheckoutOptions& options, const record::Recording&
       " s, expected --after to be at most that");
 }
 
-sim::EyeSpec EyeOf(const record::DemoInfo& info) {
-  if (!info.eye) return {};
-  return {.width_px = info.eye->intrinsics.width_px, .height_px = info.eye->intrinsics.height_px};
-}
-
 int CheckOut(const CheckoutOptions& options) {
   const record::Recording recording = OpenAndTell(options.demo);
   const record::Moment from = MomentOf(options, recording);
@@ -57,7 +52,7 @@ int CheckOut(const CheckoutOptions& options) {
                .seconds = options.commands.empty() ? std::optional(options.seconds.value_or(0))
                                                    : options.seconds,
                .has_pictures = recording.info.eye.has_value(),
-               .eye = EyeOf(recording.info),
+               .eye = EyeOf(recording.info).value_or(sim::EyeSpec()),
                .label = "going on"};
   plan.recordings = options.recordings;
   if (!options.commands.empty()) {

@@ -12,7 +12,6 @@
 #include "app/progress.h"
 #include "app/rendered_eye.h"
 #include "base/json.h"
-#include "base/version.h"
 #include "base/wording.h"
 #include "record/edit.h"
 #include "record/re_simulation.h"
@@ -210,10 +209,8 @@ record::EditReport Simulate(const record::Recording& recording, const record::De
   std::optional<RenderedEye> eye;
   std::optional<record::EditOutput> output;
   if (!options.dry_run) {
-    if (const auto& view = recording.info.eye; view && !options.no_pictures) {
-      eye.emplace(sim::EyeSpec{.width_px = view->intrinsics.width_px,
-                               .height_px = view->intrinsics.height_px});
-    }
+    const auto spec = EyeOf(recording.info);
+    if (spec && !options.no_pictures) eye.emplace(*spec);
     output = {.directory = options.out, .eye = eye ? &*eye : nullptr};
   }
   ProgressLine progress("simulating");

@@ -63,7 +63,7 @@ void AddImitate(CLI::App* program, ExitAnswer answer) {
       ->check(NumberBetween(0.0, 86400.0));
   imitate->add_option("--size", options->size, "of the robot's pictures")->capture_default_str();
   imitate->add_flag("--json", options->json, "print result.json on stdout");
-  imitate->add_flag("--classic", options->robot.classic, "the robot where the original put it");
+  AddRobotOptions(imitate, /*may_be_absent=*/false, &options->robot);
   AddPathOption(imitate, &options->path);
   imitate->callback([options, answer] { *answer = ImitateDemo(*options); });
 }

@@ -150,8 +150,7 @@ void AddRender(CLI::App* program, ExitAnswer answer) {
   render->add_option("--speed", options->speed, "of a film: 2 is twice as fast")
       ->capture_default_str()
       ->check(NumberBetween(0.01, 100.0));
-  render->add_flag("--no-robot", options->robot.no_robot, "a scene without the robot");
-  render->add_flag("--classic", options->robot.classic, "the robot where the original put it");
+  AddRobotOptions(render, /*may_be_absent=*/true, &options->robot);
   AddPathOption(render, &options->path);
   render->callback([options, answer] { *answer = Render(*options); });
 }

@@ -94,8 +94,7 @@ void AddRun(CLI::App* program, ExitAnswer answer) {
   run->add_option("--size", options->size, "of the robot's pictures")->capture_default_str();
   run->add_flag("--realtime", options->realtime, "as fast as the clock, not faster");
   run->add_flag("--json", options->json, "print one JSON object on stdout");
-  run->add_flag("--no-robot", options->robot.no_robot, "a table without a robot");
-  run->add_flag("--classic", options->robot.classic, "the robot where the original put it");
+  AddRobotOptions(run, /*may_be_absent=*/true, &options->robot);
   AddPathOption(run, &options->path);
   run->callback([options, answer] { *answer = RunScene(*options); });
 }

@@ -15,6 +15,13 @@ constexpr double kClassicGap = 0.30;
 
 }  // namespace
 
+void AddRobotOptions(CLI::App* command, bool may_be_absent, RobotOptions* options) {
+  if (may_be_absent) {
+    command->add_flag("--no-robot", options->no_robot, "a table without a robot");
+  }
+  command->add_flag("--classic", options->classic, "the robot where the original put it");
+}
+
 std::optional<sim::RobotPlacement> PlaceRobot(const RobotOptions& options) {
   if (options.no_robot) return std::nullopt;
   const std::filesystem::path urdf = DataFile("robots/baxter.urdf");

@@ -22,11 +22,14 @@ struct PathOptions {
 };
 void AddPathOption(CLI::App* command, PathOptions* options);
 
-/// Options that several commands share.
+/// Which robot stands where.
 struct RobotOptions {
   bool no_robot = false;
   bool classic = false;  ///< the robot stands where the original put it
 };
+
+/// `--no-robot` (where a table without one makes sense) and `--classic`.
+void AddRobotOptions(CLI::App* command, bool may_be_absent, RobotOptions* options);
 
 /// Baxter in its place; nullopt when it is not wanted.
 std::optional<sim::RobotPlacement> PlaceRobot(const RobotOptions& options);

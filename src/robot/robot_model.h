@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "physics/articulation_spec.h"
+#include "scene/visual_model.h"
 
 namespace smile::robot {
 
@@ -21,10 +22,12 @@ struct Frame {
   bool operator==(const Frame&) const = default;
 };
 
-/// A piece to draw. Solid::X_BS is its pose in its link, X_LS; its part_id is empty.
+/// A piece to draw, fixed to a link L.
 struct LinkVisual {
   int link = -1;  ///< index into RobotModel::links; -1 = the base
-  scene::Solid solid;
+  scene::VisualShape shape;
+  Color color;
+  RigidTransform X_LV;
 
   bool operator==(const LinkVisual&) const = default;
 };

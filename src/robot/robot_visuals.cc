@@ -19,9 +19,9 @@ void AppendVisuals(const RobotModel& model, int first_frame, std::uint32_t objec
                                 ", expected the index of a named object");
   }
   for (const LinkVisual& visual : model.visuals) {
-    visual_model->visuals.push_back({.shape = scene::VisualShapeOf(visual.solid.shape),
-                                     .color = visual.solid.color,
-                                     .X_FV = visual.solid.X_BS,
+    visual_model->visuals.push_back({.shape = visual.shape,
+                                     .color = visual.color,
+                                     .X_FV = visual.X_LV,
                                      .frame = first_frame + 1 + visual.link,
                                      .object_id = object_id});
   }

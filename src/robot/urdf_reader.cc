@@ -82,14 +82,15 @@ class ModelBuilder {
       (carrier < 0 ? model_.base_solids : model_.links[carrier].solids).push_back(solid);
     }
     for (const auto& visual : link.visual_array) {
-      scene::Solid solid = element.ReadSolid(visual->geometry.get(), visual->origin);
-      solid.X_BS = X_LF * solid.X_BS;
+      const scene::Solid solid = element.ReadSolid(visual->geometry.get(), visual->origin);
+      LinkVisual drawn{
+          .link = carrier, .shape = scene::VisualShapeOf(solid.shape), .X_LV = X_LF * solid.X_BS};
       const std::string& material = visual->material_name;
       if (!material.empty() && !document_.model().getMaterial(material)) {
         element.Fail("material " + Quoted(material) + " is nowhere defined");
       }
-      if (visual->material) solid.color = element.ReadColor(visual->material->color);
-      model_.visuals.push_back({carrier, std::move(solid)});
+      if (visual->material) drawn.color = element.ReadColor(visual->material->color);
+      model_.visuals.push_back(std::move(drawn));
     }
   }
 

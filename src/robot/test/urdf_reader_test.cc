@@ -63,8 +63,8 @@ TEST_F(UrdfReader, MergesWhatIsFixedIntoTheLinkThatCarriesIt) {
   EXPECT_EQ(model.frames[hand].X_LF.translation(), Vector3(1, 0, 0));
   ASSERT_EQ(model.visuals.size(), 1u);
   EXPECT_EQ(model.visuals[0].link, 0);
-  EXPECT_EQ(model.visuals[0].solid.X_BS.translation(), Vector3(1, 0, 0));
-  EXPECT_EQ(model.visuals[0].solid.color, (Color{1, 0, 0}));
+  EXPECT_EQ(model.visuals[0].X_LV.translation(), Vector3(1, 0, 0));
+  EXPECT_EQ(model.visuals[0].color, (Color{1, 0, 0}));
 }
 
 TEST_F(UrdfReader, ListsParentsBeforeChildrenWhateverTheFilesOrder) {

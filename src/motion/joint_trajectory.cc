@@ -1,0 +1,124 @@
+#include "motion/joint_trajectory.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "base/wording.h"
+
+namespace smile::motion {
+namespace {
+
+/// The cubic with these values and slopes at both ends of a span of time, at `u` of its length.
+struct Cubic {
+  double from, to, from_slope, to_slope, seconds;
+
+  double At(double u) const {
+    const double u2 = u * u, u3 = u2 * u;
+    return (2 * u3 - 3 * u2 + 1) * from + (u3 - 2 * u2 + u) * seconds * from_slope +
+           (-2 * u3 + 3 * u2) * to + (u3 - u2) * seconds * to_slope;
+  }
+  double SlopeAt(double u) const {
+    const double u2 = u * u;
+    return (6 * u2 - 6 * u) * (from - to) / seconds + (3 * u2 - 4 * u + 1) * from_slope +
+           (3 * u2 - 2 * u) * to_slope;
+  }
+};
+
+TrajectoryPoint AtRest(TrajectoryPoint point) {
+  std::fill(point.velocities.begin(), point.velocities.end(), 0.0);
+  return point;
+}
+
+void CheckMove(std::span<const double> from, std::span<const double> to,
+               std::span<const JointLimits> limits, double speed) {
+  if (from.size() != limits.size() || to.size() != limits.size()) {
+    throw std::invalid_argument("a move from " + std::to_string(from.size()) + " values to " +
+                                std::to_string(to.size()) + ", expected " +
+                                std::to_string(limits.size()) + " each");
+  }
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    for (const double q : {from[i], to[i]}) {
+      if (q >= limits[i].lower && q <= limits[i].upper) continue;
+      throw std::invalid_argument("joint " + std::to_string(i) + " would stand at " +
+                                  NumberText(q) + ", expected " + NumberText(limits[i].lower) +
+                                  " to " + NumberText(limits[i].upper));
+    }
+  }
+  if (!(speed > 0 && speed <= 1)) {
+    throw std::invalid_argument("speed is " + NumberText(speed) + ", expected above 0, at most 1");
+  }
+}
+
+}  // namespace
+
+TrajectoryPoint SampleAt(const JointTrajectory& trajectory, double seconds) {
+  const auto& points = trajectory.points;
+  if (points.empty()) throw std::invalid_argument("the trajectory has no points");
+  const auto after =
+      std::upper_bound(points.begin(), points.end(), seconds,
+                       [](double t, const TrajectoryPoint& point) { return t < point.seconds; });
+  if (after == points.begin()) return AtRest(points.front());
+  if (after == points.end()) return AtRest(points.back());
+
+  const TrajectoryPoint &from = *(after - 1), &to = *after;
+  const double span = to.seconds - from.seconds;
+  const double u = (seconds - from.seconds) / span;
+  TrajectoryPoint sample{.seconds = seconds};
+  for (std::size_t i = 0; i < from.positions.size(); ++i) {
+    const Cubic cubic{from.positions[i], to.positions[i], from.velocities[i], to.velocities[i],
+                      span};
+    sample.positions.push_back(cubic.At(u));
+    sample.velocities.push_back(cubic.SlopeAt(u));
+  }
+  return sample;
+}
+
+std::vector<JointLimits> LimitsOf(const robot::RobotModel& model, std::span<const int> joints) {
+  std::vector<JointLimits> limits;
+  for (const int joint : joints) {
+    if (joint < 0 || joint >= model.num_joints()) {
+      throw std::invalid_argument("there is no joint " + std::to_string(joint));
+    }
+    const physics::LinkSpec& link = model.links[joint];
+    limits.push_back(
+        {link.lower, link.upper, link.max_velocity, link.max_velocity / kSecondsToFullSpeed});
+  }
+  return limits;
+}
+
+std::vector<TrajectoryPoint> MoveStraight(std::span<const double> from, std::span<const double> to,
+                                          std::span<const JointLimits> limits, double speed) {
+  CheckMove(from, to, limits, speed);
+  // The way as a share s from 0 to 1: the joint with the longest way for its limits decides.
+  double rate = std::numeric_limits<double>::infinity(), growth = rate;
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    const double way = std::abs(to[i] - from[i]);
+    if (way == 0) continue;
+    rate = std::min(rate, speed * limits[i].max_velocity / way);
+    growth = std::min(growth, limits[i].max_acceleration / way);
+  }
+  const auto point = [&](double seconds, double s, double s_rate) {
+    TrajectoryPoint made{.seconds = seconds};
+    for (std::size_t i = 0; i < limits.size(); ++i) {
+      // The end is hit exactly, not up to rounding.
+      made.positions.push_back(s == 1 ? to[i] : from[i] + s * (to[i] - from[i]));
+      made.velocities.push_back(s_rate * (to[i] - from[i]));
+    }
+    return made;
+  };
+  if (!std::isfinite(rate)) return {point(0, 0, 0)};
+
+  // Faster and faster, evenly, slower and slower; a short way never gets to the even part.
+  const bool has_even_part = rate < std::sqrt(growth);
+  const double top = has_even_part ? rate : std::sqrt(growth);
+  const double ramp = top / growth;
+  const double even = has_even_part ? std::max(0.0, 1 / top - ramp) : 0.0;
+  std::vector<TrajectoryPoint> points{point(0, 0, 0), point(ramp, top * ramp / 2, top)};
+  if (has_even_part) points.push_back(point(ramp + even, 1 - top * ramp / 2, top));
+  points.push_back(point(2 * ramp + even, 1, 0));
+  return points;
+}
+
+}  // namespace smile::motion

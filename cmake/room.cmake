@@ -7,12 +7,15 @@
 function(smile_room NAME)
   cmake_parse_arguments(ROOM "" "" "MAY_INCLUDE;PUBLIC;PRIVATE" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${NAME}/*.cc)
+  set_property(GLOBAL PROPERTY smile_room_${NAME} ${ROOM_MAY_INCLUDE})
   list(TRANSFORM ROOM_MAY_INCLUDE PREPEND smile_)
 
   add_library(smile_${NAME} STATIC ${sources})
   add_library(smile::${NAME} ALIAS smile_${NAME})
-  set_target_properties(smile_${NAME} PROPERTIES LINKER_LANGUAGE CXX)
-  target_include_directories(smile_${NAME} PUBLIC ${PROJECT_SOURCE_DIR}/src)
+  set_target_properties(smile_${NAME} PROPERTIES LINKER_LANGUAGE CXX EXPORT_NAME ${NAME})
+  target_compile_features(smile_${NAME} PUBLIC cxx_std_20)
+  target_include_directories(smile_${NAME} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>
+                                                  $<INSTALL_INTERFACE:include/smile>)
   target_link_libraries(smile_${NAME} PUBLIC ${ROOM_MAY_INCLUDE} ${ROOM_PUBLIC}
                                       PRIVATE ${ROOM_PRIVATE})
   smile_warnings(smile_${NAME})

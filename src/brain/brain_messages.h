@@ -8,11 +8,19 @@
 #include <vector>
 
 #include "brain/brain_values.h"
-#include "brain/wire.h"
+#include "wire/wire.h"
 
 /// The values of brain_values.h as messages, under the names the scripts know. Reading checks
 /// names, shapes and numbers; a WireError names the variable, what was found and what was expected.
 namespace smile::brain {
+
+using wire::ElementType;
+using wire::Message;
+using wire::MessageType;
+using wire::MessageWriter;
+using wire::NamedArray;
+using wire::ShapeText;
+using wire::WireError;
 
 /// The fields of `aux`; `path` ends in `/`.
 /// @throws std::invalid_argument when the camera is larger than a message.

@@ -19,6 +19,7 @@ namespace smile::brain {
 namespace {
 
 constexpr int kMeetSliceMs = 20;
+constexpr double kForeverSeconds = 1e6;    ///< the longest that WaitLimit takes
 constexpr double kGoodbyeSeconds = 1.0;    ///< from BYE to SIGKILL
 constexpr double kGuardSeconds = 0.5;      ///< from SIGUSR2 to SIGINT
 constexpr double kInterruptSeconds = 0.3;  ///< from SIGINT to SIGKILL
@@ -68,6 +69,8 @@ class BrainProcess::Impl {
   enum class State { kNew, kStarting, kRunning, kEnded };
 
   void Start();
+  ChildCommand CommandWithAddress() const;
+  bool HasChildEnded() const { return child_ && child_->HasEnded(); }
   std::optional<BrainError> Meet(const WaitLimit& limit);
   std::optional<BrainError> ReadHello(const WaitLimit& limit);
   /// Sends a question and waits for its answer, which is of type `expected` (or kFinalMotor).
@@ -135,18 +138,27 @@ OrError<StepReply> BrainProcess::Impl::Step(const Sensor& sensor) {
 }
 
 void BrainProcess::Impl::Stop() {
-  if (channel_ && child_) {
+  if (channel_) {
     const WaitLimit limit(kGoodbyeSeconds);
     const auto fault =
         channel_->Send(MessageWriter(MessageType::kBye, ++sequence_).Finish(), limit);
     channel_.reset();  // who does not understand the word understands the end of the file
-    if (!fault) child_->WaitForEnd(limit);
+    if (!fault && child_) child_->WaitForEnd(limit);
   }
   EndProcess();
 }
 
 void BrainProcess::Impl::Start() {
   rendezvous_.emplace(program_.rendezvous);
+  if (options_.is_attached) {
+    if (options_.on_waiting) options_.on_waiting(HowToAttach(program_, CommandWithAddress()));
+    return;
+  }
+  child_.emplace(CommandWithAddress());
+  drain_.emplace(child_->TakeOutput(), options_.on_output);
+}
+
+ChildCommand BrainProcess::Impl::CommandWithAddress() const {
   ChildCommand command = program_.command;
   const bool is_socket = program_.rendezvous == Rendezvous::Kind::kSocket;
   command.environment.insert(command.environment.end(),
@@ -154,8 +166,7 @@ void BrainProcess::Impl::Start() {
                               {"SMILE_BRAIN_ADDRESS", rendezvous_->address()},
                               {"SMILE_BRAIN_SCRATCH", rendezvous_->folder()},
                               {"SMILE_BRAIN_FOLDER", program_.folder}});
-  child_.emplace(command);
-  drain_.emplace(child_->TakeOutput(), options_.on_output);
+  return command;
 }
 
 std::optional<BrainError> BrainProcess::Impl::Meet(const WaitLimit& limit) {
@@ -178,9 +189,9 @@ std::optional<BrainError> BrainProcess::Impl::ReadHello(const WaitLimit& limit) 
   const NamedArray* version = hello.Find("version");
   const auto numbers = version ? version->Numbers() : std::nullopt;
   if (hello.type != MessageType::kHello || !numbers || numbers->size() != 1 ||
-      numbers->front() != kProtocolVersion) {
+      numbers->front() != wire::kProtocolVersion) {
     return ErrorIn(Phase::kStart, "the brain does not speak version " +
-                                      std::to_string(kProtocolVersion) + " of the protocol");
+                                      std::to_string(wire::kProtocolVersion) + " of the protocol");
   }
   has_guard_ = IsTrue(hello, "guard");
   return std::nullopt;
@@ -207,10 +218,10 @@ OrError<Message> BrainProcess::Impl::Ask(const std::vector<std::byte>& question,
   return std::move(answer);
 }
 
-/// A child that has ended is not waited for, even when a grandchild holds its pipes open.
+/// A child that has ended is not waited for, and whoever is under a debugger as long as it takes.
 WaitLimit BrainProcess::Impl::LimitOf(double seconds) const {
-  return WaitLimit(seconds, [this] {
-    return child_->HasEnded() || (options_.is_cancelled && options_.is_cancelled());
+  return WaitLimit(options_.is_attached ? kForeverSeconds : seconds, [this] {
+    return HasChildEnded() || (options_.is_cancelled && options_.is_cancelled());
   });
 }
 
@@ -222,7 +233,7 @@ BrainError BrainProcess::Impl::ExplainFault(const ChannelFault& fault, Phase pha
     return ErrorIn(phase, "the brain sent nonsense" + during + ": " + fault.message);
   }
   const bool is_closed = fault.kind == ChannelFault::Kind::kClosed;
-  if (child_->WaitForEnd(WaitLimit(is_closed ? kGoodbyeSeconds : 0))) {
+  if (child_ && child_->WaitForEnd(WaitLimit(is_closed ? kGoodbyeSeconds : 0))) {
     return ErrorIn(phase, "the brain ended" + during + ": " + child_->End());
   }
   return ErrorIn(phase, is_closed ? "the brain closed its connection" + during
@@ -233,6 +244,7 @@ BrainError BrainProcess::Impl::ExplainFault(const ChannelFault& fault, Phase pha
 BrainError BrainProcess::Impl::ExplainTimeout(Phase phase, double limit_seconds) {
   BrainError error = ErrorIn(
       phase, Name(phase) + " took longer than " + SecondsText(limit_seconds) + " and was stopped");
+  if (!child_) return error;
   if (has_guard_ && channel_) {
     child_->SignalGroup(SIGUSR2);  // a child it waits for ends, too
     auto received = channel_->Receive(LimitOf(kGuardSeconds));

@@ -9,7 +9,7 @@
 
 namespace smile::brain {
 
-/// How an Octave program is connected.
+/// How an Octave or Matlab program is connected.
 enum class BrainTransport {
   kAutomatic,  ///< kMex when it was built, else kPlain
   kMex,        ///< a socket and a small compiled client
@@ -25,15 +25,21 @@ struct BrainOptions {
   std::function<void(std::string_view line)> on_output;
   /// Asked every 50 ms or so while waiting for the program; true stops it.
   std::function<bool()> is_cancelled;
+  /// For debuggers: the program is not started here but by a person, as `on_waiting` is told, and
+  /// may take all the time it likes.
+  bool is_attached = false;
+  /// Told, when attached, what to type in another terminal: several lines.
+  std::function<void(std::string_view instructions)> on_waiting;
 };
 
 /// A robot program, running in a process of its own.
 ///
-/// A brain is a folder with `agentBehavior.m` (run by GNU Octave), or an executable file that
-/// speaks the protocol of docs/brain-protocol.md. It works in its folder's parent, in a process
-/// group of its own, and whatever it does (crash, endless loop, nonsense, floods of output) becomes
-/// a BrainError in bounded time. After an error the process is gone; it is never started again by
-/// itself. The wall clock is used by the watchdog only: answers do not depend on it.
+/// A brain is a folder with `agentBehavior.m` (run by GNU Octave or Matlab), a Python file, or an
+/// executable file that speaks the protocol of docs/brain-protocol.md (smile::agent does, for
+/// C++). It works in its folder's parent, in a process group of its own, and whatever it does
+/// (crash, endless loop, nonsense, floods of output) becomes a BrainError in bounded time. After an
+/// error the process is gone; it is never started again by itself. The wall clock is used by the
+/// watchdog only: answers do not depend on it.
 ///
 /// The process dies with the thread that called Init(), so that nothing outlives a crash: call from
 /// the thread that runs the simulation.

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <cstdlib>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <system_error>
@@ -20,6 +21,13 @@ constexpr const char* kMainScript = "agentBehavior.m";
 /// The client needs no quoting this way: every path travels in the environment.
 constexpr const char* kStartClient =
     "addpath(getenv('SMILE_BRAIN_MEX')); addpath(getenv('SMILE_BRAIN_CLIENT')); smile_brain";
+constexpr const char* kPrepareClient =
+    "addpath(getenv('SMILE_BRAIN_MEX')); addpath(getenv('SMILE_BRAIN_CLIENT')); "
+    "addpath(getenv('SMILE_BRAIN_FOLDER'));";
+constexpr const char* kOctaveHint =
+    "at its prompt, for example:  dbstop in myCallback at 1  and then  smile_brain";
+constexpr const char* kPythonHint = "at its prompt, for example:  b ";
+constexpr const char* kProgramHint = "at its prompt, for example:  break FILE:LINE  and then  run";
 
 [[noreturn]] void Reject(const fs::path& brain, const std::string& message) {
   throw InputError(
@@ -31,49 +39,115 @@ bool IsExecutable(const fs::path& file) {
   return fs::is_regular_file(file, error) && ::access(file.c_str(), X_OK) == 0;
 }
 
-/// `SMILE_OCTAVE` where it is set, else octave-cli on the PATH.
-fs::path FindOctave() {
-  if (const char* named = std::getenv("SMILE_OCTAVE")) {
-    if (IsExecutable(named)) return fs::absolute(named);
-    throw std::runtime_error(std::string("SMILE_OCTAVE: ") + named + " is not a program");
-  }
+/// The program that an environment variable names; nullopt when there is no such variable.
+std::optional<fs::path> NamedProgram(const char* variable) {
+  const char* named = std::getenv(variable);
+  if (named == nullptr || *named == '\0') return std::nullopt;
+  if (IsExecutable(named)) return fs::absolute(named);
+  throw std::runtime_error(std::string(variable) + ": " + named + " is not a program");
+}
+
+std::optional<fs::path> ProgramOnPath(const std::string& name) {
   const char* path = std::getenv("PATH");
   std::istringstream folders(path ? path : "/usr/local/bin:/usr/bin:/bin");
   for (std::string folder; std::getline(folders, folder, ':');) {
-    const fs::path candidate = fs::path(folder) / "octave-cli";
+    const fs::path candidate = fs::path(folder) / name;
     if (!folder.empty() && IsExecutable(candidate)) return fs::absolute(candidate);
   }
+  return std::nullopt;
+}
+
+/// `SMILE_OCTAVE` where it is set, else octave-cli on the PATH.
+fs::path FindOctave() {
+  if (const auto named = NamedProgram("SMILE_OCTAVE")) return *named;
+  if (const auto found = ProgramOnPath("octave-cli")) return *found;
   throw std::runtime_error(
       "octave-cli: not found on the PATH; install GNU Octave, or name it in SMILE_OCTAVE");
 }
 
-/// Where smilelink.mex lies when it was built; SMILE_BRAIN_MEX_DIR overrides.
-fs::path MexFolder() {
-  const char* named = std::getenv("SMILE_BRAIN_MEX_DIR");
-  return named ? fs::absolute(named) : fs::path(SMILE_MEX_DIR);
+/// `SMILE_PYTHON`, else that of the virtual environment we are in, else the system's: the one that
+/// the system's numpy and our own compiled modules are for. Then whatever is on the PATH.
+fs::path FindPython() {
+  if (const auto named = NamedProgram("SMILE_PYTHON")) return *named;
+  const char* environment = std::getenv("VIRTUAL_ENV");
+  if (environment != nullptr && *environment != '\0') {
+    const fs::path python = fs::path(environment) / "bin/python3";
+    if (IsExecutable(python)) return fs::absolute(python);
+  }
+  if (IsExecutable("/usr/bin/python3")) return "/usr/bin/python3";
+  if (const auto found = ProgramOnPath("python3")) return *found;
+  throw std::runtime_error(
+      "python3: not found on the PATH; install Python and numpy, or name it in SMILE_PYTHON");
 }
 
-void UseOctave(BrainTransport transport, BrainProgram* program) {
+/// Where our compiled client lies: where it was built, or beside the plain one when installed.
+/// SMILE_BRAIN_MEX_DIR overrides.
+fs::path MexFolder() {
+  if (const char* named = std::getenv("SMILE_BRAIN_MEX_DIR")) return fs::absolute(named);
+  std::error_code error;
+  return fs::exists(SMILE_MEX_DIR, error) ? fs::path(SMILE_MEX_DIR) : DataFile("matlab/client");
+}
+
+/// Scripts are run by Octave, or by the Matlab that `SMILE_MATLAB` names.
+void UseScripts(BrainTransport transport, BrainProgram* program) {
+  const auto matlab = NamedProgram("SMILE_MATLAB");
   const fs::path mex_folder = MexFolder();
-  const bool has_mex = fs::exists(mex_folder / "smilelink.mex");
+  const char* mex = matlab ? "smilelink.mexa64" : "smilelink.mex";
+  const bool has_mex = fs::exists(mex_folder / mex);
   if (transport == BrainTransport::kMex && !has_mex) {
-    throw std::runtime_error((mex_folder / "smilelink.mex").string() + ": not found");
+    throw std::runtime_error((mex_folder / mex).string() + ": not found");
   }
   const bool uses_mex = has_mex && transport != BrainTransport::kPlain;
   program->rendezvous = uses_mex ? Rendezvous::Kind::kSocket : Rendezvous::Kind::kPipes;
 
   const fs::path client = DataFile("matlab/client");
-  program->command.arguments = {FindOctave().string(), "-q",     "--norc",
-                                "--no-history",        "--eval", kStartClient};
+  if (matlab) {
+    program->command.arguments = {matlab->string(), "-batch", kStartClient};
+    program->debug_arguments = {matlab->string(), "-nodesktop", "-nosplash", "-r", kPrepareClient};
+  } else {
+    const std::string octave = FindOctave().string();
+    program->command.arguments = {octave, "-q", "--norc", "--no-history", "--eval", kStartClient};
+    program->debug_arguments = {octave, "-q", "--norc", "--eval", kPrepareClient, "--persist"};
+  }
+  program->debug_hint = kOctaveHint;
   // The guard that ends endless loops serves both ways to talk, so its folder is always given.
   program->command.environment = {{"SMILE_BRAIN_CLIENT", client.string()},
                                   {"SMILE_BRAIN_MEX", (has_mex ? mex_folder : client).string()}};
+}
+
+/// Our own modules come before those that the person has named.
+std::string PythonPath() {
+  std::string path = DataFile("python").string() + ":" SMILE_PYTHON_BUILD_DIR;
+  const char* before = std::getenv("PYTHONPATH");
+  return before != nullptr && *before != '\0' ? path + ":" + before : path;
+}
+
+void UsePython(const fs::path& file, BrainProgram* program) {
+  const std::string python = FindPython().string();
+  program->command.arguments = {python, "-u", "-m", "smile.brain"};
+  program->debug_arguments = {python, "-m", "pdb", "-m", "smile.brain"};
+  program->debug_hint = kPythonHint + file.string() + ":1  and then  c";
+  program->command.environment = {{"SMILE_BRAIN_PROGRAM", file.string()},
+                                  {"PYTHONPATH", PythonPath()},
+                                  {"PYTHONSAFEPATH", "1"}};
 }
 
 void UseExecutable(const fs::path& file, BrainTransport transport, BrainProgram* program) {
   program->rendezvous =
       transport == BrainTransport::kPlain ? Rendezvous::Kind::kPipes : Rendezvous::Kind::kSocket;
   program->command.arguments = {file.string()};
+  program->debug_arguments = {"gdb", "--args", file.string()};
+  program->debug_hint = kProgramHint;
+}
+
+/// As one word for a shell.
+std::string ShellQuoted(const std::string& text) {
+  constexpr std::string_view kPlain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=./:,@%";
+  if (!text.empty() && text.find_first_not_of(kPlain) == std::string::npos) return text;
+  std::string quoted = "'";
+  for (const char letter : text) quoted += letter == '\'' ? "'\\''" : std::string(1, letter);
+  return quoted + "'";
 }
 
 /// Absolute, without `.`, `..` or a trailing slash.
@@ -88,7 +162,8 @@ BrainProgram FindBrainProgram(const fs::path& brain, BrainTransport transport) {
   std::error_code error;
   const fs::path path = Tidy(brain);
   if (brain.empty() || !fs::exists(path, error)) {
-    Reject(brain, "no such brain, expected a folder with agentBehavior.m or a program");
+    Reject(brain,
+           "no such brain, expected a folder with agentBehavior.m, a Python file or a program");
   }
   const bool is_folder = fs::is_directory(path, error);
   BrainProgram program;
@@ -101,16 +176,27 @@ BrainProgram FindBrainProgram(const fs::path& brain, BrainTransport transport) {
     if (!fs::is_regular_file(program.main_file, error)) {
       Reject(brain, "the folder has no agentBehavior.m");
     }
-    UseOctave(transport, &program);
+    UseScripts(transport, &program);
   } else if (path.extension() == ".py") {
-    Reject(brain, "Python brains cannot be run yet, expected a folder with agentBehavior.m");
+    UsePython(path, &program);
   } else if (IsExecutable(path)) {
     UseExecutable(path, transport, &program);
   } else {
-    Reject(brain, "not a program, expected a folder with agentBehavior.m or an executable file");
+    Reject(brain,
+           "not a program, expected a folder with agentBehavior.m, a Python file or an "
+           "executable file");
   }
   program.command.working_directory = program.working_directory;
   return program;
+}
+
+std::string HowToAttach(const BrainProgram& program, const ChildCommand& command) {
+  std::string line = "cd " + ShellQuoted(program.working_directory.string()) + " && env";
+  for (const auto& [name, value] : command.environment) {
+    line += " " + ShellQuoted(name + "=" + value);
+  }
+  for (const std::string& argument : program.debug_arguments) line += " " + ShellQuoted(argument);
+  return "start the brain in another terminal:\n\n" + line + "\n\n" + program.debug_hint;
 }
 
 }  // namespace smile::brain

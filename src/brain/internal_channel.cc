@@ -101,20 +101,20 @@ std::optional<ChannelFault> Channel::ReadAll(std::span<std::byte> bytes, const W
   return std::nullopt;
 }
 
-std::variant<Message, ChannelFault> Channel::Receive(const WaitLimit& limit) {
-  std::array<std::byte, kHeaderBytes> head;
+std::variant<wire::Message, ChannelFault> Channel::Receive(const WaitLimit& limit) {
+  std::array<std::byte, wire::kHeaderBytes> head;
   if (auto fault = ReadAll(head, limit)) return std::move(*fault);
-  const auto header = DecodeHeader(head);
-  if (const auto* error = std::get_if<WireError>(&header)) {
+  const auto header = wire::DecodeHeader(head);
+  if (const auto* error = std::get_if<wire::WireError>(&header)) {
     return ChannelFault{ChannelFault::Kind::kNonsense, error->message};
   }
-  std::vector<std::byte> body(std::get<FrameHeader>(header).body_bytes);
+  std::vector<std::byte> body(std::get<wire::FrameHeader>(header).body_bytes);
   if (auto fault = ReadAll(body, limit)) return std::move(*fault);
-  auto message = DecodeBody(std::get<FrameHeader>(header), body);
-  if (const auto* error = std::get_if<WireError>(&message)) {
+  auto message = wire::DecodeBody(std::get<wire::FrameHeader>(header), body);
+  if (const auto* error = std::get_if<wire::WireError>(&message)) {
     return ChannelFault{ChannelFault::Kind::kNonsense, error->message};
   }
-  return std::move(std::get<Message>(message));
+  return std::move(std::get<wire::Message>(message));
 }
 
 }  // namespace smile::brain

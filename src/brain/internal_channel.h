@@ -7,7 +7,7 @@
 
 #include "brain/internal_unique_fd.h"
 #include "brain/internal_wait_limit.h"
-#include "brain/wire.h"
+#include "wire/wire.h"
 
 namespace smile::brain {
 
@@ -28,7 +28,7 @@ class Channel {
   explicit Channel(UniqueFd socket);
 
   std::optional<ChannelFault> Send(std::span<const std::byte> frame, const WaitLimit& limit);
-  std::variant<Message, ChannelFault> Receive(const WaitLimit& limit);
+  std::variant<wire::Message, ChannelFault> Receive(const WaitLimit& limit);
 
  private:
   std::optional<ChannelFault> ReadAll(std::span<std::byte> bytes, const WaitLimit& limit);

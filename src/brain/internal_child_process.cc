@@ -8,6 +8,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <stdexcept>
 #include <system_error>
 
@@ -18,6 +19,7 @@ namespace {
 
 constexpr int kFirstOwnFd = 3;
 constexpr int kPollSliceMs = 2;
+constexpr double kKeeperSeconds = 2;  ///< for ending all that it keeps; a busy machine is slow
 
 [[noreturn]] void Fail(const std::string& program, const char* what, int error) {
   throw std::runtime_error(program + ": " + what + ": " + std::strerror(error));
@@ -44,10 +46,22 @@ struct Launch {
   pid_t parent;
 };
 
+/// `smile-keeper`: beside the program that runs, or where it was built.
+/// @throws std::runtime_error when there is none.
+std::string FindKeeper() {
+  std::error_code error;
+  const auto self = std::filesystem::read_symlink("/proc/self/exe", error);
+  const auto beside = self.parent_path() / "smile-keeper";
+  if (std::filesystem::exists(beside, error)) return beside.string();
+  if (std::filesystem::exists(SMILE_KEEPER, error)) return SMILE_KEEPER;
+  throw std::runtime_error("smile-keeper: found neither as " + beside.string() +
+                           " nor as " SMILE_KEEPER);
+}
+
 /// Runs in the child; calls only functions that are safe after fork in a program with threads.
 [[noreturn]] void RunChild(const Launch& launch) {
   ::setpgid(0, 0);
-  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  ::prctl(PR_SET_PDEATHSIG, SIGTERM);            // by which a keeper ends all it keeps
   bool is_ready = ::getppid() == launch.parent;  // else the parent has died already
 
   struct sigaction plain = {};
@@ -62,6 +76,7 @@ struct Launch {
              ::dup2(launch.output, STDERR_FILENO) >= 0 && ::chdir(launch.working_directory) == 0;
   if (is_ready) {
     ::close_range(kFirstOwnFd, ~0u, CLOSE_RANGE_CLOEXEC);
+    ::fcntl(launch.failure, F_SETFD, 0);  // the keeper tells on it, too
     ::execve(launch.arguments[0], launch.arguments.data(), launch.environment.data());
   }
   const int error = errno;
@@ -114,7 +129,6 @@ std::string DescribeEnd(int status) {
 
 ChildProcess::ChildProcess(const ChildCommand& command) {
   const std::string& program = command.arguments.at(0);
-  std::vector<std::string> arguments = command.arguments;
   std::vector<std::string> environment = EnvironmentWith(command.environment);
   const std::string directory = command.working_directory.string();
 
@@ -122,6 +136,8 @@ ChildProcess::ChildProcess(const ChildCommand& command) {
   if (!input) Fail(program, "/dev/null", errno);
   Pipe output = MakePipe(program);
   Pipe failure = MakePipe(program);
+  std::vector<std::string> arguments{FindKeeper(), std::to_string(failure.write_end.get())};
+  arguments.insert(arguments.end(), command.arguments.begin(), command.arguments.end());
   pid_ = ForkQuietly({.arguments = Pointers(arguments),
                       .environment = Pointers(environment),
                       .working_directory = directory.c_str(),
@@ -132,7 +148,7 @@ ChildProcess::ChildProcess(const ChildCommand& command) {
   if (pid_ < 0) Fail(program, "cannot be started", errno);
   ::setpgid(pid_, pid_);  // whoever comes first; the child does the same
 
-  // The pipe closes by itself when exec succeeds.
+  // The pipe closes by itself when both have become what they shall be.
   failure.write_end.Close();
   int error = 0;
   ssize_t count = 0;
@@ -163,19 +179,16 @@ bool ChildProcess::WaitForEnd(const WaitLimit& limit) const {
   return true;
 }
 
-void ChildProcess::Signal(int signal_number) const {
-  if (pid_ > 0) ::kill(pid_, signal_number);
-}
-
 void ChildProcess::SignalGroup(int signal_number) const {
-  if (pid_ > 0) ::kill(-pid_, signal_number);
+  if (pid_ > 0) ::kill(pid_, signal_number);  // the keeper hands it on
 }
 
 const std::string& ChildProcess::End() {
   if (pid_ < 0) return how_it_ended_;
-  // Until it is collected, the child keeps its number and with it the group's: nobody else is hit.
-  SignalGroup(SIGKILL);
-  Signal(SIGKILL);
+  // Until it is collected, the child keeps its number: nobody else is hit.
+  ::kill(pid_, SIGTERM);
+  ::kill(pid_, SIGCONT);  // a program may have stopped its keeper
+  if (!WaitForEnd(WaitLimit(kKeeperSeconds))) ::kill(pid_, SIGKILL);
   int status = 0;
   pid_t collected = -1;
   do {

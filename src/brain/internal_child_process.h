@@ -20,7 +20,9 @@ struct ChildCommand {
 };
 
 /// A program in a process group of its own, with nothing on its standard input and its output in a
-/// pipe. It dies with the thread that started it, and with this object.
+/// pipe. It dies with the thread that started it, and with this object; so does every process that
+/// it started, wherever that hid: between us and the program stands `smile-keeper`, which all of
+/// them become children of.
 class ChildProcess {
  public:
   /// @throws std::runtime_error naming the program and the reason it could not be started.
@@ -32,19 +34,19 @@ class ChildProcess {
   /// Standard output and standard error; non-blocking; to be taken once, and read without pause.
   UniqueFd TakeOutput() { return std::move(output_); }
 
-  /// Whether the program itself has ended (its own children may live on).
+  /// Whether the program has ended, and its own children with it.
   bool HasEnded() const;
   /// @returns HasEnded(), at the latest when the limit has passed.
   bool WaitForEnd(const WaitLimit& limit) const;
 
-  void Signal(int signal_number) const;
+  /// Sends SIGUSR2 or SIGINT to the program's group.
   void SignalGroup(int signal_number) const;
 
-  /// Kills the whole group, collects the child, and says how it ended: `it ended with exit code 3`.
+  /// Kills what is left, collects the child, and says how it ended: `it ended with exit code 3`.
   const std::string& End();
 
  private:
-  pid_t pid_ = -1;
+  pid_t pid_ = -1;  ///< of its keeper
   UniqueFd output_;
   std::string how_it_ended_;
 };

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <stdlib.h>
+#include <sys/file.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/un.h>
@@ -18,7 +19,9 @@
 namespace smile::brain {
 namespace {
 
+constexpr std::string_view kPrefix = "smile-brain-";
 constexpr std::string_view kFolderName = "/smile-brain-XXXXXX";
+constexpr auto kLockTime = std::chrono::minutes(1);  ///< from making a folder to locking it
 constexpr std::string_view kSocketName = "/socket";
 
 [[noreturn]] void Fail(const std::filesystem::path& path) {
@@ -34,13 +37,41 @@ std::string FolderTemplate() {
   return base + std::string(kFolderName);
 }
 
+UniqueFd Locked(const std::filesystem::path& folder) {
+  UniqueFd fd(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
+  if (!fd || ::flock(fd.get(), LOCK_EX | LOCK_NB) != 0) return {};
+  return fd;
+}
+
+/// Folders of ours that nobody holds any more. The lock of a process goes when it ends in whatever
+/// way; a number of a process would mean another one in another container.
+void RemoveStaleFolders(const std::filesystem::path& base) {
+  std::error_code error;
+  for (auto entry = std::filesystem::directory_iterator(base, error);
+       !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
+    const std::filesystem::path& folder = entry->path();
+    if (!folder.filename().string().starts_with(kPrefix)) continue;
+    struct stat status = {};
+    if (::lstat(folder.c_str(), &status) != 0 || !S_ISDIR(status.st_mode) ||
+        status.st_uid != ::geteuid()) {
+      continue;
+    }
+    const auto age =
+        std::chrono::system_clock::now() - std::chrono::system_clock::from_time_t(status.st_mtime);
+    std::error_code ignored;
+    if (age > kLockTime && Locked(folder)) std::filesystem::remove_all(folder, ignored);
+  }
+}
+
 }  // namespace
 
 Rendezvous::Rendezvous(Kind kind) : kind_(kind) {
   std::string name = FolderTemplate();
+  RemoveStaleFolders(std::filesystem::path(name).parent_path());
   if (!::mkdtemp(name.data())) Fail(name);
   folder_ = name;
   try {
+    LockFolder();
     kind == Kind::kSocket ? Listen() : MakePipes();
   } catch (...) {
     std::error_code ignored;
@@ -56,6 +87,11 @@ Rendezvous::~Rendezvous() {
 
 std::filesystem::path Rendezvous::address() const {
   return kind_ == Kind::kSocket ? folder_ / "socket" : folder_;
+}
+
+void Rendezvous::LockFolder() {
+  lock_ = Locked(folder_);
+  if (!lock_) Fail(folder_);
 }
 
 void Rendezvous::Listen() {

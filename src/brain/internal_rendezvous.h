@@ -9,7 +9,8 @@
 namespace smile::brain {
 
 /// The place where a brain finds us: a folder only this user can enter, with a socket or a pair of
-/// pipes inside. The folder goes with this object, whatever the brain left in it.
+/// pipes inside. The folder goes with this object, whatever the brain left in it; what a simulator
+/// left that was killed goes with the next one made.
 class Rendezvous {
  public:
   enum class Kind { kSocket, kPipes };
@@ -28,11 +29,13 @@ class Rendezvous {
   std::optional<Channel> Meet(int slice_ms);
 
  private:
+  void LockFolder();
   void Listen();
   void MakePipes();
 
   Kind kind_;
   std::filesystem::path folder_;
+  UniqueFd lock_;        ///< on the folder; says that somebody still needs it
   UniqueFd listener_;    ///< for the socket
   UniqueFd from_brain_;  ///< for pipes
 };

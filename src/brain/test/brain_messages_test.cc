@@ -6,10 +6,13 @@
 #include <limits>
 #include <stdexcept>
 
-#include "wire_verbs.h"
+#include "wire/test/wire_verbs.h"
 
 namespace smile::brain {
 namespace {
+
+using wire::Decoded;
+using wire::kTwoBySeven;
 
 constexpr std::array kTwoByOne{2u, 1u};
 

@@ -1,4 +1,4 @@
-#include "brain/wire.h"
+#include "wire/wire.h"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <random>
 #include <stdexcept>
 
-#include "wire_verbs.h"
+#include "wire/test/wire_verbs.h"
 
-namespace smile::brain {
+namespace smile::wire {
 namespace {
 
 /// One of everything.
@@ -196,4 +196,4 @@ TEST(WireProperty, RandomMessagesComeBackUnchanged) {
 }
 
 }  // namespace
-}  // namespace smile::brain
+}  // namespace smile::wire

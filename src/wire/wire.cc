@@ -1,4 +1,4 @@
-#include "brain/wire.h"
+#include "wire/wire.h"
 
 #include <algorithm>
 #include <cstring>
@@ -6,7 +6,7 @@
 
 #include "base/bytes.h"
 
-namespace smile::brain {
+namespace smile::wire {
 namespace {
 
 constexpr std::size_t kAlignment = 8;
@@ -248,4 +248,4 @@ std::variant<Message, WireError> DecodeFrame(std::span<const std::byte> frame) {
   return DecodeBody(std::get<FrameHeader>(header), frame.subspan(kHeaderBytes));
 }
 
-}  // namespace smile::brain
+}  // namespace smile::wire

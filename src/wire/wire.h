@@ -10,9 +10,10 @@
 #include <variant>
 #include <vector>
 
-/// The binary protocol between the simulator and a brain, as docs/brain-protocol.md describes it:
-/// a frame is a 16-byte header and a body of named arrays. What arrives is hostile until decoded.
-namespace smile::brain {
+/// The binary protocol between the simulator and a brain, which both sides speak, as
+/// docs/brain-protocol.md describes it: a frame is a 16-byte header and a body of named arrays.
+/// What arrives is hostile until decoded.
+namespace smile::wire {
 
 inline constexpr std::uint32_t kMagic = 0x31424d53;  ///< the letters SMB1
 inline constexpr int kProtocolVersion = 1;
@@ -119,4 +120,4 @@ std::variant<Message, WireError> DecodeBody(const FrameHeader& header,
 /// Header and body of exactly one frame.
 std::variant<Message, WireError> DecodeFrame(std::span<const std::byte> frame);
 
-}  // namespace smile::brain
+}  // namespace smile::wire

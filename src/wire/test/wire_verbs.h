@@ -5,9 +5,9 @@
 #include <array>
 #include <span>
 
-#include "brain/wire.h"
+#include "wire/wire.h"
 
-namespace smile::brain {
+namespace smile::wire {
 
 /// The shape of anything that has a value for every joint of both arms.
 inline constexpr std::array kTwoBySeven{2u, 7u};
@@ -19,4 +19,4 @@ inline Message Decoded(std::span<const std::byte> frame) {
   return std::get<Message>(decoded);
 }
 
-}  // namespace smile::brain
+}  // namespace smile::wire

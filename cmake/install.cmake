@@ -1,0 +1,34 @@
+# cmake --install BUILD --prefix P: the program with what it reads, and the rooms that robot programs
+# in C++ link to. `--component agent` leaves out the program.
+
+# smile_rooms_below(ROOM OUT): the room, and whom it may include, down to the ground.
+function(smile_rooms_below ROOM OUT)
+  get_property(rooms GLOBAL PROPERTY smile_room_${ROOM})
+  set(all ${ROOM})
+  foreach(room IN LISTS rooms)
+    smile_rooms_below(${room} below)
+    list(APPEND all ${below})
+  endforeach()
+  list(REMOVE_DUPLICATES all)
+  set(${OUT} ${all} PARENT_SCOPE)
+endfunction()
+
+smile_rooms_below(agent agent_rooms)
+smile_rooms_below(motion motion_rooms)
+set(installed_rooms ${agent_rooms} ${motion_rooms})
+list(REMOVE_DUPLICATES installed_rooms)
+foreach(room IN LISTS installed_rooms)
+  install(TARGETS smile_${room} EXPORT smile ARCHIVE DESTINATION lib COMPONENT agent)
+  install(DIRECTORY src/${room} DESTINATION include/smile COMPONENT agent FILES_MATCHING PATTERN "*.h"
+          PATTERN "internal_*" EXCLUDE PATTERN "test" EXCLUDE)
+endforeach()
+install(EXPORT smile NAMESPACE smile:: FILE smileTargets.cmake DESTINATION lib/cmake/smile
+        COMPONENT agent)
+install(FILES cmake/smileConfig.cmake DESTINATION lib/cmake/smile COMPONENT agent)
+
+install(TARGETS smile smile_keeper RUNTIME DESTINATION bin)
+install(DIRECTORY robots scenes examples matlab python DESTINATION share/smile
+        PATTERN "__pycache__" EXCLUDE)
+install(FILES ${CMAKE_BINARY_DIR}/matlab/smilelink.mex
+              ${CMAKE_BINARY_DIR}/matlab/smile_guard.oct
+        DESTINATION share/smile/matlab/client OPTIONAL)

@@ -1,0 +1,9 @@
+# find_package(smile): smile::agent, for robot programs in C++, and smile::motion, for planning.
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(EIGEN REQUIRED QUIET IMPORTED_TARGET eigen3)
+pkg_check_modules(JSON REQUIRED QUIET IMPORTED_TARGET nlohmann_json)
+# Only smile::motion needs these.
+pkg_check_modules(ASSIMP QUIET IMPORTED_TARGET assimp)
+pkg_check_modules(BULLET QUIET IMPORTED_TARGET bullet-float64)
+pkg_check_modules(URDF QUIET IMPORTED_TARGET urdfdom)
+include("${CMAKE_CURRENT_LIST_DIR}/smileTargets.cmake")

@@ -1,0 +1,349 @@
+"""Runs a robot program in Python for the SMILE simulator until the simulator says goodbye.
+
+The simulator starts `python3 -m smile.brain` and tells it in the environment
+
+    SMILE_BRAIN_TRANSPORT  `socket`
+    SMILE_BRAIN_ADDRESS    the Unix socket to connect to
+    SMILE_BRAIN_PROGRAM    the robot program, a .py file
+    SMILE_BRAIN_FOLDER     the folder it lies in
+
+The program is a module with a function `step(sensor, motor, aux)` and, if it likes, `init(aux)`.
+docs/brains.md tells what these are, docs/brain-protocol.md describes the messages. Needs numpy only.
+"""
+
+import importlib.util
+import os
+import platform
+import signal
+import socket
+import struct
+import sys
+import traceback
+
+try:
+    import numpy as np
+except ImportError:
+    sys.exit(f"{sys.executable} has no numpy; install it, or name another Python in SMILE_PYTHON")
+
+MAGIC = 0x31424D53
+HEADER = struct.Struct("<4I")
+MAX_BODY_BYTES = 64 << 20
+HELLO, INIT, INIT_DONE, STEP, MOTOR, FINAL_MOTOR, ERROR, BYE = range(1, 9)
+DOUBLE, BYTE, LOGICAL, TEXT = range(4)
+NUMPY_TYPES = {DOUBLE: "<f8", BYTE: "u1", LOGICAL: "?", TEXT: "u1"}
+
+
+class TookTooLong(BaseException):
+    """Raised in a program that is late. No Exception: `except Exception` shall not swallow it."""
+
+
+# ---- what a program sees ---------------------------------------------------------------------------
+
+
+class Fields:
+    """What the simulator tells, each array as an attribute: `sensor.jointAngles`.
+
+    A field that comes only sometimes is asked for with `"rgbVision" in sensor`.
+    """
+
+    def __init__(self, values):
+        self.__dict__.update(values)
+
+    def __contains__(self, name):
+        return name in self.__dict__
+
+    def __getattr__(self, name):  # only asked when there is none
+        raise AttributeError(f"there is no {name}, only {', '.join(self.__dict__) or 'nothing'}")
+
+    def __repr__(self):
+        return "\n".join(f"{name}: {brief(value)}" for name, value in self.__dict__.items())
+
+
+class Motor:
+    """What the robot shall do. Keeps its fields until they are changed; others cannot be made.
+
+    jointVelocities    limbs x joints [rad/s]
+    gripperVelocities  a number for each limb [units/s]
+    jointAngles        None, or limbs x joints: be there at once [rad]
+    headVelocity       None, or a number [rad/s]
+    """
+
+    def __init__(self, num_limbs, num_joints):
+        arms = (num_limbs, num_joints)
+        self.__dict__["shapes"] = {
+            "jointVelocities": arms,
+            "gripperVelocities": (num_limbs,),
+            "jointAngles": arms,
+            "headVelocity": (),
+        }
+        self.jointVelocities = np.zeros(arms)
+        self.gripperVelocities = np.zeros(num_limbs)
+        self.jointAngles = None
+        self.headVelocity = None
+
+    def __setattr__(self, name, value):
+        if name not in self.shapes:
+            raise AttributeError(f"motor.{name} is unknown, expected {', '.join(self.shapes)}")
+        if value is None and name in ("jointVelocities", "gripperVelocities"):
+            raise ValueError(f"motor.{name} is None, expected numbers")
+        self.__dict__[name] = None if value is None else self.numbers(name, value)
+
+    def __delattr__(self, name):
+        setattr(self, name, None)
+
+    def numbers(self, name, value):
+        expected = self.shapes[name]
+        array = real_numbers(f"motor.{name}", value)
+        if name == "gripperVelocities" and array.size == expected[0]:
+            array = array.reshape(expected)  # a row, a column: all the same
+        if name == "headVelocity" and array.size == 1:
+            array = array.reshape(())
+        if array.shape != expected:
+            raise ValueError(f"motor.{name} is {shape_text(array.shape)}, "
+                             f"expected {shape_text(expected)}")
+        return array
+
+    def values(self):
+        """As the message has them; checked once more, since elements can be set as well."""
+        values = {}
+        for name in self.shapes:
+            if getattr(self, name) is None:
+                continue
+            array = self.numbers(name, getattr(self, name))
+            check_finite(f"motor.{name}", array)
+            values[name] = array.reshape(-1, 1) if array.ndim < 2 else array
+        return values
+
+
+def real_numbers(name, value):
+    array = np.asarray(value)
+    if array.dtype.kind not in "fiub":
+        raise TypeError(f"{name} is {type(value).__name__} of {array.dtype}, expected real numbers")
+    return array.astype(float)
+
+
+def check_finite(name, array):
+    wrong = np.argwhere(~np.isfinite(array))
+    if len(wrong):
+        place = f"[{', '.join(map(str, wrong[0]))}]" if array.ndim else ""
+        raise ValueError(f"{name}{place} is {array[tuple(wrong[0])]}, expected a finite number")
+
+
+def shape_text(shape):
+    return "x".join(map(str, shape)) or "one number"
+
+
+def brief(value):
+    if isinstance(value, np.ndarray) and value.size > 20:
+        return f"{shape_text(value.shape)} {value.dtype}"
+    return repr(value)
+
+
+# ---- messages --------------------------------------------------------------------------------------
+
+
+class Connection:
+    def __init__(self, address):
+        self.socket = socket.socket(socket.AF_UNIX)
+        self.socket.connect(address)
+
+    def receive(self):
+        """Type, sequence and arrays of the next message; a goodbye when the simulator has gone."""
+        header = self.read(HEADER.size)
+        if header is None:
+            return BYE, 0, {}
+        magic, kind, sequence, size = HEADER.unpack(header)
+        if magic != MAGIC or size > MAX_BODY_BYTES:
+            sys.exit("what arrived is not a message")
+        body = self.read(size)
+        return (BYE, 0, {}) if body is None else (kind, sequence, decode(body))
+
+    def send(self, kind, sequence, values):
+        body = encode(values)
+        self.socket.sendall(HEADER.pack(MAGIC, kind, sequence, len(body)) + body)
+
+    def read(self, size):
+        data = bytearray(size)
+        rest = memoryview(data)
+        while rest:
+            count = self.socket.recv_into(rest)
+            if count == 0:
+                return None
+            rest = rest[count:]
+        return data
+
+
+def padded(size):
+    return (size + 7) & ~7
+
+
+def decode(body):
+    values = {}
+    (count,) = struct.unpack_from("<I", body)
+    at = 8
+    for _ in range(count):
+        letters, kind, num_dims, _ = struct.unpack_from("4B", body, at)
+        dims = struct.unpack_from(f"<{num_dims}I", body, at + 4)
+        at += 4 + 4 * num_dims
+        name = body[at:at + letters].decode()
+        at = padded(at + letters)
+        array = np.frombuffer(body, NUMPY_TYPES[kind], int(np.prod(dims)), at)
+        at = padded(at + array.nbytes)
+        values[name] = as_python(kind, array, dims)
+    return values
+
+
+def as_python(kind, array, dims):
+    """Text as str, 1x1 as a plain number, all else as an array in numpy's own order."""
+    if kind == TEXT:
+        return array.tobytes().decode(errors="replace")
+    if array.size == 1 and len(dims) == 2:
+        return array[0].item()
+    return np.ascontiguousarray(array.reshape(dims, order="F"))
+
+
+def encode(values):
+    parts = [struct.pack("<II", len(values), 0)]
+    for name, value in values.items():
+        if isinstance(value, str):
+            kind, array = TEXT, np.frombuffer(value.encode(), "u1").reshape(1, -1)
+        else:
+            kind, array = DOUBLE, np.atleast_2d(np.asarray(value, "<f8"))
+        head = struct.pack(f"<4B{array.ndim}I", len(name), kind, array.ndim, 0, *array.shape)
+        for part in (head + name.encode(), array.tobytes(order="F")):
+            parts.append(part + bytes(padded(len(part)) - len(part)))
+    return b"".join(parts)
+
+
+# ---- from messages to what a program sees ----------------------------------------------------------
+
+
+def sensor_of(values):
+    names = values.pop("trackerNames", None)
+    if names is not None:
+        values["trackerLoc"] = dict(zip(names.split("\n"), values.pop("trackerPositions")))
+    return Fields(values)
+
+
+def aux_of(values):
+    lines = [line.split(",") for line in values.get("attention", "").split("\n") if line]
+    values["attention"] = {words[0]: words[1:] for words in lines}
+    for name in ("numLimbs", "numJoints"):
+        values[name] = int(values[name])
+    return Fields(values)
+
+
+def wishes_of(aux):
+    """What init left in aux for the simulator."""
+    values = {}
+    for name in ("initJointAngles", "drawMarkers"):
+        if name in aux:
+            values[name] = real_numbers(f"aux.{name}", getattr(aux, name))
+            check_finite(f"aux.{name}", values[name])
+    return values
+
+
+# ---- running the program ---------------------------------------------------------------------------
+
+
+class Guard:
+    """Turns SIGUSR2 into TookTooLong, while the program runs and not in the middle of a message."""
+
+    def __init__(self):
+        self.is_watching = False
+        signal.signal(signal.SIGUSR2, self.on_signal)
+
+    def on_signal(self, *_):
+        if self.is_watching:
+            self.is_watching = False
+            raise TookTooLong("this took too long and was stopped")
+
+    def __enter__(self):
+        self.is_watching = True
+
+    def __exit__(self, *_):
+        self.is_watching = False
+
+
+class Program:
+    """The robot program, and what it has been told and has answered so far."""
+
+    def __init__(self):
+        self.file = os.environ["SMILE_BRAIN_PROGRAM"]
+        self.folder = os.path.join(os.environ["SMILE_BRAIN_FOLDER"], "")
+
+    def start(self, values):
+        """INIT -> INIT_DONE"""
+        # The name of the file, so that its classes can be pickled and its helpers import it.
+        name = os.path.splitext(os.path.basename(self.file))[0]
+        spec = importlib.util.spec_from_file_location(name, self.file)
+        self.module = importlib.util.module_from_spec(spec)
+        sys.modules[name] = self.module
+        spec.loader.exec_module(self.module)
+        if not callable(getattr(self.module, "step", None)):
+            raise NameError("there is no function step(sensor, motor, aux)")
+        self.aux = aux_of(values)
+        self.motor = Motor(self.aux.numLimbs, self.aux.numJoints)
+        if hasattr(self.module, "init"):
+            self.module.init(self.aux)
+        return INIT_DONE, wishes_of(self.aux)
+
+    def step(self, values):
+        """STEP -> MOTOR or FINAL_MOTOR"""
+        self.module.step(sensor_of(values), self.motor, self.aux)
+        is_last = "exit" in self.aux and bool(np.any(self.aux.exit))
+        return FINAL_MOTOR if is_last else MOTOR, self.motor.values()
+
+    def describe(self, error):
+        """An exception as the arrays of ERROR: what, and where in the program's own folder."""
+        file, line = self.place_of(error)
+        message = f"{type(error).__name__}: {error}" if str(error) else type(error).__name__
+        if isinstance(error, SyntaxError):
+            message = f"{type(error).__name__}: {error.msg}"
+        if isinstance(error, SystemExit):
+            message = f"the program called exit({error.code})"
+        return {"message": message, "file": file, "line": line}
+
+    def place_of(self, error):
+        if isinstance(error, SyntaxError) and error.filename and error.lineno:
+            return os.path.abspath(error.filename), error.lineno
+        for frame in reversed(traceback.extract_tb(error.__traceback__)):
+            file = os.path.abspath(frame.filename)
+            if file.startswith(self.folder):
+                return file, frame.lineno
+        return self.file, 0
+
+    def show(self, error):
+        """Prints the traceback, from the program's own first line on."""
+        trace = error.__traceback__
+        while trace and not trace.tb_frame.f_code.co_filename.startswith(self.folder):
+            trace = trace.tb_next
+        traceback.print_exception(type(error), error, trace)
+
+
+def serve(connection, program, guard):
+    connection.send(HELLO, 0, {
+        "version": 1, "guard": 1, "client": "python", "language": platform.python_version()})
+    while True:
+        kind, sequence, values = connection.receive()
+        if kind == BYE:
+            return
+        try:
+            with guard:
+                kind, values = program.start(values) if kind == INIT else program.step(values)
+        except BaseException as error:  # whatever it is, the simulator is told
+            program.show(error)
+            kind, values = ERROR, program.describe(error)
+        connection.send(kind, sequence, values)
+
+
+def main():
+    # Modules come from the program's folder, not from the one it happens to be started in.
+    os.environ.pop("PYTHONSAFEPATH", None)
+    sys.path[:] = [path for path in sys.path if path not in ("", os.getcwd())]
+    sys.path.insert(0, os.environ["SMILE_BRAIN_FOLDER"])
+    serve(Connection(os.environ["SMILE_BRAIN_ADDRESS"]), Program(), Guard())
+
+
+if __name__ == "__main__":
+    main()

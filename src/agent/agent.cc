@@ -1,0 +1,116 @@
+#include "agent/agent.h"
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <stdexcept>
+#include <string_view>
+#include <vector>
+
+#include "agent/internal_connection.h"
+
+namespace smile::agent {
+namespace {
+
+using wire::MessageType;
+using wire::MessageWriter;
+
+void AddMatrix(MessageWriter& writer, std::string_view name, const Eigen::MatrixXd& matrix) {
+  const std::array dims{static_cast<std::uint32_t>(matrix.rows()),
+                        static_cast<std::uint32_t>(matrix.cols())};
+  writer.AddDoubles(name, dims, {matrix.data(), static_cast<std::size_t>(matrix.size())});
+}
+
+std::vector<std::byte> HelloFrame() {
+  MessageWriter writer(MessageType::kHello, 0);
+  writer.AddScalar("version", wire::kProtocolVersion);
+  writer.AddText("client", "c++");
+  return writer.Finish();
+}
+
+std::vector<std::byte> ErrorFrame(std::uint32_t sequence, std::string_view message) {
+  MessageWriter writer(MessageType::kError, sequence);
+  writer.AddText("message", message);
+  return writer.Finish();
+}
+
+/// One program in conversation with one simulator.
+class Conversation {
+ public:
+  Conversation(Program* program, Connection* connection)
+      : program_(program), connection_(connection) {}
+
+  void Go() {
+    connection_->Send(HelloFrame());
+    while (auto message = connection_->Receive()) {
+      if (message->type == MessageType::kBye) return;
+      connection_->Send(AnswerTo(std::move(*message)));
+    }
+  }
+
+ private:
+  std::vector<std::byte> AnswerTo(wire::Message message) {
+    const std::uint32_t sequence = message.sequence;
+    try {
+      return message.type == MessageType::kInit ? Init(std::move(message))
+                                                : Step(std::move(message));
+    } catch (const std::exception& error) {
+      return ErrorFrame(sequence, error.what());
+    } catch (...) {
+      return ErrorFrame(sequence, "something was thrown that is no std::exception");
+    }
+  }
+
+  std::vector<std::byte> Init(wire::Message message) {
+    MessageWriter writer(MessageType::kInitDone, message.sequence);
+    aux_ = Aux(std::move(message));
+    const auto limbs = static_cast<Eigen::Index>(aux_.Number("numLimbs"));
+    const auto joints = static_cast<Eigen::Index>(aux_.Number("numJoints"));
+    motor_.joint_velocities.setZero(limbs, joints);
+    motor_.gripper_velocities.setZero(limbs);
+    program_->Init(aux_);
+    if (aux_.init_joint_angles) AddMatrix(writer, "initJointAngles", *aux_.init_joint_angles);
+    if (aux_.draw_markers) AddMatrix(writer, "drawMarkers", *aux_.draw_markers);
+    return writer.Finish();
+  }
+
+  std::vector<std::byte> Step(wire::Message message) {
+    const std::uint32_t sequence = message.sequence;
+    program_->Step(Sensor(std::move(message)), motor_, aux_);
+    MessageWriter writer(aux_.exit ? MessageType::kFinalMotor : MessageType::kMotor, sequence);
+    AddMatrix(writer, "jointVelocities", motor_.joint_velocities);
+    AddMatrix(writer, "gripperVelocities", motor_.gripper_velocities);
+    if (motor_.joint_angles) AddMatrix(writer, "jointAngles", *motor_.joint_angles);
+    if (motor_.head_velocity) writer.AddScalar("headVelocity", *motor_.head_velocity);
+    return writer.Finish();
+  }
+
+  Program* program_;
+  Connection* connection_;
+  Aux aux_;
+  Motor motor_;
+};
+
+}  // namespace
+
+int Run(Program& program) {
+  // What a program prints shall be seen when it happens; into a pipe it would come in lumps.
+  std::setvbuf(stdout, nullptr, _IOLBF, 0);
+  try {
+    const char* address = std::getenv("SMILE_BRAIN_ADDRESS");
+    if (address == nullptr) {
+      throw std::runtime_error(
+          "a robot program is started by the simulator: smile run SCENE "
+          "--brain PROGRAM");
+    }
+    Connection connection(address);
+    Conversation(&program, &connection).Go();
+    return 0;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
+}
+
+}  // namespace smile::agent

@@ -1,0 +1,69 @@
+#include "agent/fields.h"
+
+#include <stdexcept>
+
+namespace smile::agent {
+namespace {
+
+[[noreturn]] void Reject(const wire::NamedArray& array, const char* expected) {
+  const bool is_text = array.type == wire::ElementType::kText;
+  throw std::invalid_argument(array.name + " is " +
+                              (is_text ? "text" : wire::ShapeText(array.dims)) + ", expected " +
+                              expected);
+}
+
+}  // namespace
+
+const wire::NamedArray& Fields::At(std::string_view name) const {
+  if (const wire::NamedArray* array = message_.Find(name)) return *array;
+  std::string names;
+  for (const wire::NamedArray& array : message_.arrays) {
+    names += (names.empty() ? "" : ", ") + array.name;
+  }
+  throw std::invalid_argument("there is no " + std::string(name) + ", only " +
+                              (names.empty() ? "nothing" : names));
+}
+
+double Fields::Number(std::string_view name) const {
+  const wire::NamedArray& array = At(name);
+  const auto numbers = array.Numbers();
+  if (!numbers || numbers->size() != 1) Reject(array, "one number");
+  return numbers->front();
+}
+
+Eigen::MatrixXd Fields::Matrix(std::string_view name) const {
+  const wire::NamedArray& array = At(name);
+  const auto numbers = array.Numbers();
+  if (!numbers || array.dims.size() != 2) Reject(array, "a matrix");
+  return Eigen::Map<const Eigen::MatrixXd>(numbers->data(), array.dims[0], array.dims[1]);
+}
+
+std::string Fields::Text(std::string_view name) const {
+  const wire::NamedArray& array = At(name);
+  if (array.type != wire::ElementType::kText) Reject(array, "text");
+  return array.Text().value_or("");
+}
+
+Image Fields::Picture(std::string_view name) const {
+  const wire::NamedArray& array = At(name);
+  if (array.type != wire::ElementType::kByte || array.dims.size() != 3 || array.dims[2] != 3) {
+    Reject(array, "HxWx3 bytes");
+  }
+  // From Matlab's columns of one color after the other.
+  const std::size_t height = array.dims[0], width = array.dims[1], plane = height * width;
+  Image image{.width_px = static_cast<int>(width),
+              .height_px = static_cast<int>(height),
+              .color = std::vector<std::uint8_t>(3 * plane),
+              .depth = {},
+              .ids = {}};
+  for (std::size_t row = 0; row < height; ++row) {
+    for (std::size_t column = 0; column < width; ++column) {
+      const std::byte* red = array.data.data() + column * height + row;
+      std::uint8_t* pixel = image.color.data() + 3 * (row * width + column);
+      for (std::size_t k = 0; k < 3; ++k) pixel[k] = std::to_integer<std::uint8_t>(red[k * plane]);
+    }
+  }
+  return image;
+}
+
+}  // namespace smile::agent

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "math/image.h"
+#include "wire/wire.h"
+
+namespace smile::agent {
+
+/// What the simulator tells: arrays by the names, shapes and units of docs/brains.md, the same for
+/// all languages. Fields that a newer simulator adds are simply there.
+///
+/// Asking for what is not there, or is of another kind, throws std::invalid_argument saying what
+/// there is.
+class Fields {
+ public:
+  Fields() = default;
+  explicit Fields(wire::Message message) : message_(std::move(message)) {}
+
+  bool Has(std::string_view name) const { return message_.Find(name) != nullptr; }
+  double Number(std::string_view name) const;
+  Eigen::MatrixXd Matrix(std::string_view name) const;
+  std::string Text(std::string_view name) const;
+  /// Colors, row by row from the top: height x width x 3 bytes.
+  Image Picture(std::string_view name) const;
+
+ private:
+  const wire::NamedArray& At(std::string_view name) const;
+
+  wire::Message message_;
+};
+
+}  // namespace smile::agent

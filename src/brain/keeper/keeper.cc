@@ -1,0 +1,140 @@
+// smile-keeper FD PROGRAM ARGUMENTS...: runs a robot program and leaves nothing of it behind.
+//
+// Whatever the program starts becomes a child of this process when its parent ends, also what left
+// the program's process group. So all of it can be found and ended: when the program ends, at
+// SIGTERM, and when the simulator dies. SIGINT and SIGUSR2 are handed on to the program's group. FD
+// is told the error number when the program cannot be run, and closed otherwise. Ends as the
+// program ended.
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <system_error>
+
+namespace {
+
+constexpr auto kKillTime = std::chrono::milliseconds(1500);
+
+sigset_t KeptSignals() {
+  sigset_t signals;
+  sigemptyset(&signals);
+  for (const int number : {SIGCHLD, SIGTERM, SIGINT, SIGUSR2}) sigaddset(&signals, number);
+  return signals;
+}
+
+[[noreturn]] void BecomeProgram(char** command, pid_t keeper, int failure) {
+  ::setpgid(0, 0);
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  sigset_t none;
+  sigemptyset(&none);
+  ::sigprocmask(SIG_SETMASK, &none, nullptr);
+  if (::getppid() == keeper) ::execv(command[0], command);
+  const int error = errno;
+  (void)!::write(failure, &error, sizeof error);
+  ::_exit(127);
+}
+
+/// Collects ended orphans. The program itself is not collected: while it is not, nobody else gets
+/// its number, which is that of its group.
+/// @returns whether the program has ended.
+bool CollectUpTo(pid_t program) {
+  for (;;) {
+    siginfo_t info = {};
+    if (::waitid(P_ALL, 0, &info, WEXITED | WNOHANG | WNOWAIT) != 0) return true;
+    if (info.si_pid == 0 || info.si_pid == program) return info.si_pid == program;
+    ::waitpid(info.si_pid, nullptr, 0);
+  }
+}
+
+void WaitForTheEnd(pid_t program) {
+  const sigset_t signals = KeptSignals();
+  for (;;) {
+    const int number = ::sigwaitinfo(&signals, nullptr);
+    if (number == SIGTERM || (number == SIGCHLD && CollectUpTo(program))) return;
+    if (number == SIGINT || number == SIGUSR2) ::kill(-program, number);
+  }
+}
+
+void KillChildren() {
+  const std::string self = std::to_string(::getpid());
+  std::ifstream children("/proc/self/task/" + self + "/children");
+  for (pid_t child = 0; children >> child;) ::kill(child, SIGKILL);
+}
+
+/// Kills and collects everything, down to the last orphan.
+/// @returns how the program ended, as wait() tells.
+int EndAll(pid_t program) {
+  int status = SIGKILL;
+  const auto deadline = std::chrono::steady_clock::now() + kKillTime;
+  ::kill(-program, SIGKILL);
+  while (std::chrono::steady_clock::now() < deadline) {
+    KillChildren();
+    int ended_status = 0;
+    pid_t ended = 0;
+    while ((ended = ::waitpid(-1, &ended_status, WNOHANG)) > 0) {
+      if (ended == program) status = ended_status;
+    }
+    if (ended < 0 && errno == ECHILD) break;
+    ::usleep(500);
+  }
+  return status;
+}
+
+/// A simulator that was killed could not.
+void RemoveScratch() {
+  const char* named = std::getenv("SMILE_BRAIN_SCRATCH");
+  const std::filesystem::path folder = named ? named : "";
+  std::error_code ignored;
+  if (folder.filename().string().starts_with("smile-brain-")) {
+    std::filesystem::remove_all(folder, ignored);
+  }
+}
+
+[[noreturn]] void EndLike(int status) {
+  if (!WIFSIGNALED(status)) ::_exit(WEXITSTATUS(status));
+  const rlimit no_core{0, 0};
+  ::setrlimit(RLIMIT_CORE, &no_core);
+  sigset_t none;
+  sigemptyset(&none);
+  ::sigprocmask(SIG_SETMASK, &none, nullptr);
+  ::raise(WTERMSIG(status));
+  ::_exit(128 + WTERMSIG(status));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc < 3) return 2;
+  const pid_t simulator = ::getppid();
+  const int failure = std::atoi(argv[1]);
+  ::fcntl(failure, F_SETFD, FD_CLOEXEC);
+  ::prctl(PR_SET_CHILD_SUBREAPER, 1);
+  const sigset_t signals = KeptSignals();
+  ::sigprocmask(SIG_BLOCK, &signals, nullptr);
+
+  const pid_t keeper = ::getpid();
+  const pid_t program = ::fork();
+  if (program == 0) BecomeProgram(argv + 2, keeper, failure);
+  if (program < 0) {
+    const int error = errno;
+    (void)!::write(failure, &error, sizeof error);
+    return 127;
+  }
+  ::setpgid(program, program);  // whoever comes first; the program does the same
+  ::close(failure);
+
+  WaitForTheEnd(program);
+  const int status = EndAll(program);
+  if (::getppid() != simulator) RemoveScratch();
+  EndLike(status);
+}

@@ -1,0 +1,163 @@
+// Robot programs in Python, through the client in python/smile/brain.py.
+
+#include <mutex>
+#include <vector>
+
+#include "brain_fixture.h"
+
+namespace smile::brain {
+namespace {
+
+class PythonBrainTest : public BrainProcessTest {
+ protected:
+  fs::path Python(const std::string& text) {
+    return Program("think.py", "import numpy as np\n" + text);
+  }
+  /// One whose step is this, from the third line on.
+  fs::path Step(const std::string& lines) {
+    return Python("def step(sensor, motor, aux):\n" + lines);
+  }
+};
+
+TEST_F(PythonBrainTest, MovesJointsByWhatItSenses) {
+  BrainProcess brain(
+      Python("gain = 2\n"
+             "def step(sensor, motor, aux):\n"
+             "  motor.jointVelocities = gain * sensor.jointAngles\n"
+             "  motor.gripperVelocities[:] = [1, -1]\n"
+             "  if sensor.simTime > 0: motor.headVelocity = 0.25\n"
+             "  if sensor.simTime > 1: motor.jointAngles = np.ones((2, 7)); aux.exit = True\n"));
+  Started(brain);
+  Sensor sensor;
+  sensor.joint_angles(1, 2) = 0.5;
+  const Motor first = Stepped(brain, sensor).motor;
+  EXPECT_EQ(first.joint_velocities(1, 2), 1);
+  EXPECT_EQ(first.gripper_velocities, Eigen::Vector2d(1, -1));
+  EXPECT_FALSE(first.head_velocity || first.joint_angles);
+  sensor.sim_time = 2;
+  const StepReply last = Stepped(brain, sensor);
+  EXPECT_EQ(last.motor.head_velocity, 0.25);
+  EXPECT_EQ(*last.motor.joint_angles, LimbJoints::Ones());
+  EXPECT_TRUE(last.exit);
+  EXPECT_FALSE(brain.is_running());
+}
+
+TEST_F(PythonBrainTest, IsToldWhatTheScriptsAreTold) {
+  Aux aux;
+  aux.max_joint_angles(1, 6) = 3;
+  aux.camera = CameraDescription{.width_px = 4, .height_px = 3};
+  aux.demonstration = "out/demo";
+  aux.attention = {{"a", {"color", "size"}}, {"b", {}}};
+  BrainProcess brain(Python(
+      "def init(aux):\n"
+      "  assert aux.path == 'agent/' and (aux.numLimbs, aux.numJoints) == (2, 7)\n"
+      "  assert aux.maxJointAngles[1, 6] == 3 and aux.minJointAngles.shape == (2, 7)\n"
+      "  assert aux.cameraSize.tolist() == [[3, 4]] and (aux.cameraPose == np.eye(4)).all()\n"
+      "  assert aux.demonstration == 'out/demo'\n"
+      "  assert aux.attention == {'a': ['color', 'size'], 'b': []}\n"
+      "  aux.initJointAngles = aux.maxJointAngles\n"
+      "  aux.drawMarkers = [[1, 2, 3]]\n"
+      "def step(sensor, motor, aux):\n"
+      "  assert (sensor.timeElapsed, sensor.simTime, sensor.demoCue) == (0.25, 2, True)\n"
+      "  assert sensor.endEffPos.tolist() == [[1, 2, 3], [4, 5, 6]]\n"
+      "  assert sensor.trackerLoc['r-S1'].tolist() == [7, 8, 9]\n"
+      "  picture = sensor.rgbVision\n"
+      "  assert picture.shape == (150, 200, 3) and picture.dtype == np.uint8\n"
+      "  assert picture.flags.c_contiguous and picture[1, 2, 0] == 3 * 202 * 7 % 256\n"
+      "  assert 'rgbVision' in sensor and 'depth' not in sensor\n"));
+  const InitReply reply = Started(brain, aux);
+  ASSERT_TRUE(reply.init_joint_angles);
+  EXPECT_EQ(*reply.init_joint_angles, aux.max_joint_angles);
+  EXPECT_EQ(reply.draw_markers, Eigen::RowVector3d(1, 2, 3));
+
+  Sensor sensor{.time_elapsed = 0.25, .sim_time = 2, .demo_cue = true};
+  sensor.end_effector_positions << 1, 2, 3, 4, 5, 6;
+  sensor.tracker_locations = {{"l-S1", {1, 1, 1}}, {"r-S1", {7, 8, 9}}};
+  sensor.rgb_vision = Gradient(200, 150);
+  Stepped(brain, sensor);
+}
+
+TEST_F(PythonBrainTest, NamesTheLineOfItsOwnFiles) {
+  EXPECT_EQ(ErrorOfStep(Step("  y = 1\n  return y + lost\n")),
+            "agent/think.py:4: NameError: name 'lost' is not defined");
+  EXPECT_EQ(ErrorOfInit(Python("def init(aux): raise ValueError('no luck')\ndef step(*_): pass")),
+            "agent/think.py:2: ValueError: no luck");
+  EXPECT_EQ(ErrorOfInit(Python("x = = 2")), "agent/think.py:2: SyntaxError: invalid syntax");
+  EXPECT_EQ(ErrorOfInit(Python("x = 1")),
+            "agent/think.py: NameError: there is no function step(sensor, motor, aux)");
+  // The line that called numpy, not one inside it; and that of a module beside the program.
+  EXPECT_EQ(ErrorOfStep(Step("  x = 1\n  np.linalg.inv(np.zeros((2, 2)))\n")),
+            "agent/think.py:4: LinAlgError: Singular matrix");
+  Program("helper.py", "def help():\n  return 1 / 0\n");
+  EXPECT_EQ(ErrorOfStep(Step("  import helper\n  helper.help()\n")),
+            "agent/helper.py:2: ZeroDivisionError: division by zero");
+}
+
+TEST_F(PythonBrainTest, RefusesWhatNoMotorTakes) {
+  const std::pair<const char*, const char*> mistakes[] = {
+      {"motor.jointVelocities = np.zeros((7, 2))",
+       ":3: ValueError: motor.jointVelocities is 7x2, expected 2x7"},
+      {"motor.jointVelocities[0, 1] = np.nan",
+       ": ValueError: motor.jointVelocities[0, 1] is nan, expected a finite number"},
+      {"motor.gripperVelocities = 'open'",
+       ":3: TypeError: motor.gripperVelocities is str of <U4, expected real numbers"},
+      {"motor.jointVelocity = 1",
+       ":3: AttributeError: motor.jointVelocity is unknown, expected jointVelocities, "
+       "gripperVelocities, jointAngles, headVelocity"},
+      {"sensor.jointAngels", ":3: AttributeError: there is no jointAngels, only timeElapsed, "},
+      {"aux.exit = motor.jointVelocities = None",
+       ":3: ValueError: motor.jointVelocities is None, expected numbers"},
+  };
+  for (const auto& [line, message] : mistakes) {
+    const std::string error = ErrorOfStep(Step(std::string("  ") + line + "\n"));
+    EXPECT_TRUE(error.starts_with(std::string("agent/think.py") + message)) << error;
+  }
+}
+
+TEST_F(PythonBrainTest, StopsEndlessLoopsAndNamesTheirLine) {
+  const BrainOptions hasty{.callback_seconds = 0.3};
+  const std::string late = ": the callback took longer than 0.3 s and was stopped";
+  EXPECT_EQ(ErrorOfStep(Step("  while True: pass\n"), hasty), "agent/think.py:3" + late);
+  EXPECT_EQ(ErrorOfStep(Step("  import time\n  time.sleep(30)\n"), hasty),
+            "agent/think.py:4" + late);
+  // One that swallows what it can is ended all the same.
+  const fs::path stubborn =
+      Step("  while True:\n    try:\n      while True: pass\n    except BaseException: pass\n");
+  EXPECT_NE(ErrorOfStep(stubborn, hasty).find(late), std::string::npos);
+}
+
+TEST_F(PythonBrainTest, ShowsWhatItPrintsAndItsTraceback) {
+  BrainProcess brain(Step("  print('nearly there')\n  lost()\n"));
+  Started(brain);
+  const auto reply = brain.Step({});
+  ASSERT_TRUE(std::holds_alternative<BrainError>(reply));
+  const auto& output = std::get<BrainError>(reply).output;
+  ASSERT_GE(output.size(), 4u);
+  EXPECT_EQ(output[0], "nearly there");
+  EXPECT_EQ(output[1], "Traceback (most recent call last):");
+  EXPECT_NE(output[2].find("agent/think.py\", line 4, in step"), std::string::npos) << output[2];
+}
+
+TEST_F(PythonBrainTest, SaysWhichPythonHasNoNumpy) {
+  const fs::path bare = Program("bare", "#!/bin/sh\nexec /usr/bin/python3 -S \"$@\"\n");
+  ::setenv("SMILE_PYTHON", bare.c_str(), 1);
+  BrainProcess brain(Step("  pass\n"));
+  const auto reply = brain.Init({});
+  ::unsetenv("SMILE_PYTHON");
+  ASSERT_TRUE(std::holds_alternative<BrainError>(reply));
+  const auto& output = std::get<BrainError>(reply).output;
+  ASSERT_FALSE(output.empty());
+  EXPECT_NE(output.back().find("has no numpy; install it, or name another Python"),
+            std::string::npos);
+}
+
+TEST_F(PythonBrainTest, TheWaveExampleWaves) {
+  BrainProcess brain(fs::path(SMILE_SOURCE_DIR) / "python/examples/wave.py");
+  EXPECT_TRUE(Started(brain).init_joint_angles);
+  const StepReply reply = Stepped(brain);
+  EXPECT_EQ(reply.motor.joint_velocities(0, 0), 0.4);
+  EXPECT_EQ(reply.motor.joint_velocities(1, 0), -0.4);
+}
+
+}  // namespace
+}  // namespace smile::brain

@@ -49,6 +49,8 @@ function yes = is_octave()
 end
 
 function prepare_session()
+  motion = fullfile(fileparts(fileparts(mfilename('fullpath'))), 'motion');
+  if exist(motion, 'dir'), addpath(motion); end
   addpath(getenv('SMILE_BRAIN_FOLDER'));
   more off
   if is_octave()

@@ -338,6 +338,8 @@ def serve(connection, program, guard):
 
 
 def main():
+    if "SMILE_BRAIN_ADDRESS" not in os.environ:
+        sys.exit("a robot program is started by the simulator: smile run SCENE --brain PROGRAM.py")
     # Modules come from the program's folder, not from the one it happens to be started in.
     os.environ.pop("PYTHONSAFEPATH", None)
     sys.path[:] = [path for path in sys.path if path not in ("", os.getcwd())]

@@ -112,13 +112,28 @@ void EyePicture(benchmark::State& state, bool with_robot) {
   state.SetLabel(renderer.device_name());
 }
 
-void BrainRoundTrip(benchmark::State& state) {
+struct MeasuredBrain {
+  const char* language;
+  std::filesystem::path brain;
+  brain::BrainTransport transport = brain::BrainTransport::kAutomatic;
+};
+
+/// The same waving in every language.
+std::vector<MeasuredBrain> MeasuredBrains() {
+  const std::filesystem::path octave = DataFile("matlab/examples/wave");
+  return {{"Octave", octave, brain::BrainTransport::kMex},
+          {"Octave without compiled client", octave, brain::BrainTransport::kPlain},
+          {"Python", DataFile("python/examples/wave.py")},
+          {"C++", SMILE_CPP_BRAIN}};
+}
+
+void BrainRoundTrip(benchmark::State& state, const MeasuredBrain& measured) {
   const auto simulation = MakeUm(true);
   RenderedEye eye({.width_px = static_cast<int>(state.range(0)),
                    .height_px = static_cast<int>(state.range(1))});
   brain::Sensor sensor;
   if (state.range(0) > 1) sensor.rgb_vision = eye.Look(*simulation);
-  brain::BrainProcess process(DataFile("matlab/examples/wave"));
+  brain::BrainProcess process(measured.brain, {.transport = measured.transport});
   auto reply = process.Init({});
   if (const auto* error = std::get_if<brain::BrainError>(&reply)) {
     state.SkipWithError(ToString(*error).c_str());
@@ -147,12 +162,15 @@ void RegisterAll() {
         ->Unit(kMillisecond);
   }
   RegisterRecordingBenchmarks();
-  RegisterBenchmark("brain round trip", &BrainRoundTrip)
-      ->Args({1, 1})
-      ->Args({200, 150})
-      ->Args({640, 480})
-      ->UseRealTime()
-      ->Unit(kMillisecond);
+  for (const MeasuredBrain& measured : MeasuredBrains()) {
+    const std::string name = std::string("brain round trip, ") + measured.language;
+    RegisterBenchmark(name.c_str(), &BrainRoundTrip, measured)
+        ->Args({1, 1})
+        ->Args({200, 150})
+        ->Args({640, 480})
+        ->UseRealTime()
+        ->Unit(kMillisecond);
+  }
 }
 
 int Bench(const std::string& filter, bool json) {

@@ -13,10 +13,11 @@ namespace smile::app {
 namespace {
 
 struct ImitateOptions {
-  std::string demo, scene, brain, out, size = "640x480";
+  std::string demo, scene, out, size = "640x480";
   double max_seconds = 600;
   bool json = false;
   RobotOptions robot;
+  BrainOptions brain;
   PathOptions path;
 };
 
@@ -26,7 +27,9 @@ int ImitateDemo(const ImitateOptions& options) {
       Imitate({.task = std::filesystem::path(options.scene).stem().string(),
                .demonstration = options.demo,
                .scene = scene_xml::LoadScene(options.scene, options.path.reader()),
-               .brain = options.brain,
+               .brain = options.brain.brain,
+               .patience = options.brain.patience,
+               .is_attached = options.brain.attach,
                .record = out / "imitation",
                .max_seconds = options.max_seconds,
                .eye = ParseSize(options.size),
@@ -54,8 +57,7 @@ void AddImitate(CLI::App* program, ExitAnswer answer) {
       "imitate", "The robot watches a recording and acts in a scene; the result is scored");
   imitate->add_option("DEMO", options->demo, "directory of a recording")->required();
   imitate->add_option("SCENE", options->scene, "scene file the robot has never seen")->required();
-  imitate->add_option("--brain", options->brain, "robot program: a folder with agentBehavior.m")
-      ->required();
+  AddBrainOptions(imitate, &options->brain)->required();
   imitate->add_option("--out", options->out, "directory for imitation/ and result.json")
       ->required();
   imitate->add_option("--seconds", options->max_seconds, "simulated, at most")

@@ -14,29 +14,32 @@ namespace smile::app {
 namespace {
 
 struct RunOptions {
-  std::string scene, brain, commands, record, recordings = "recordings", size = "640x480";
+  std::string scene, commands, record, recordings = "recordings", size = "640x480";
   std::optional<double> seconds;
   double rate = 4;
   std::string title, notes;
   bool no_pictures = false, no_symbols = false, realtime = false, json = false;
   RobotOptions robot;
+  BrainOptions brain;
   PathOptions path;
 };
 
 int RunScene(const RunOptions& options) {
   RunPlan plan{.scene = scene_xml::LoadScene(options.scene, options.path.reader())};
-  if (!options.seconds && options.brain.empty() && options.commands.empty()) {
+  if (!options.seconds && options.brain.brain.empty() && options.commands.empty()) {
     throw std::invalid_argument(
         "nothing says when the run ends: give --seconds, --commands or --brain");
   }
   plan.robot = PlaceRobot(options.robot);
-  if (!options.brain.empty() && !plan.robot) {
+  if (!options.brain.brain.empty() && !plan.robot) {
     throw std::invalid_argument("--brain needs a robot, but --no-robot was given");
   }
   if (!options.commands.empty()) {
     plan.script = sim::ReadScript(options.commands, plan.scene.meters_per_unit);
   }
-  plan.brain = options.brain;
+  plan.brain = options.brain.brain;
+  plan.patience = options.brain.patience;
+  plan.is_attached = options.brain.attach;
   plan.seconds = options.seconds;
   plan.record = options.record;
   plan.recordings = options.recordings;
@@ -57,6 +60,11 @@ int RunScene(const RunOptions& options) {
                 plan.scene.name.c_str(), outcome.json["seconds"].get<double>(),
                 outcome.wall_seconds, outcome.json["realtime_factor"].get<double>(),
                 outcome.json["hash"].get<std::string>().c_str());
+    if (outcome.late_ticks > 0) {
+      std::printf("%llu of %llu ticks came late, by up to %.0f ms\n",
+                  static_cast<unsigned long long>(outcome.late_ticks),
+                  static_cast<unsigned long long>(outcome.ticks), 1000 * outcome.worst_delay);
+    }
     for (const auto& directory : outcome.recordings) {
       std::printf("recorded in %s\n", directory.c_str());
     }
@@ -74,7 +82,7 @@ void AddRun(CLI::App* program, ExitAnswer answer) {
   run->add_option("SCENE", options->scene, "scene file")->required();
   run->add_option("--commands", options->commands,
                   "script of commands, one JSON object a line (see: smile commands)");
-  run->add_option("--brain", options->brain, "robot program: a folder with agentBehavior.m");
+  AddBrainOptions(run, &options->brain);
   run->add_option("--seconds", options->seconds,
                   "exactly this long; otherwise until the script or the brain ends")
       ->check(NumberBetween(0.0, 86400.0));

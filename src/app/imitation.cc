@@ -48,6 +48,8 @@ ImitationOutcome Imitate(const ImitationPlan& plan) {
   const RunOutcome run = Run({.scene = plan.scene,
                               .robot = PlaceRobot(plan.robot),
                               .brain = plan.brain,
+                              .patience = plan.patience,
+                              .is_attached = plan.is_attached,
                               .demonstration = plan.demonstration,
                               .attention = record::AttentionOf(demonstration),
                               .max_seconds = plan.max_seconds,

@@ -16,6 +16,8 @@ struct ImitationPlan {
   std::filesystem::path demonstration;  ///< a recording
   scene::SceneSpec scene;
   std::filesystem::path brain;
+  double patience = 5;           ///< a callback of it may take this long, wall clock [s]
+  bool is_attached = false;      ///< somebody starts it in a debugger
   std::filesystem::path record;  ///< new directory for the robot's run
   double max_seconds = 600;      ///< simulated
   sim::EyeSpec eye;

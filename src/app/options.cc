@@ -22,6 +22,25 @@ void AddRobotOptions(CLI::App* command, bool may_be_absent, RobotOptions* option
   command->add_flag("--classic", options->classic, "the robot where the original put it");
 }
 
+CLI::Option* AddBrainOptions(CLI::App* command, BrainOptions* options) {
+  CLI::Option* brain = command->add_option(
+      "--brain", options->brain,
+      "robot program: a folder with agentBehavior.m, a Python file, or an executable");
+  command
+      ->add_option("--patience", options->patience,
+                   "seconds by the clock on the wall that a callback of the brain may take; its "
+                   "init may take twelve times as long")
+      ->capture_default_str()
+      ->check(NumberBetween(0.01, 86400.0))
+      ->needs(brain);
+  command
+      ->add_flag("--attach", options->attach,
+                 "do not start the brain: say how to start it in a debugger, and wait for it as "
+                 "long as it takes")
+      ->needs(brain);
+  return brain;
+}
+
 std::optional<sim::RobotPlacement> PlaceRobot(const RobotOptions& options) {
   if (options.no_robot) return std::nullopt;
   const std::filesystem::path urdf = DataFile("robots/baxter.urdf");

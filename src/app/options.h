@@ -34,6 +34,17 @@ void AddRobotOptions(CLI::App* command, bool may_be_absent, RobotOptions* option
 /// Baxter in its place; nullopt when it is not wanted.
 std::optional<sim::RobotPlacement> PlaceRobot(const RobotOptions& options);
 
+/// Which robot program, and how it is run.
+struct BrainOptions {
+  std::string brain;
+  double patience = 5;
+  bool attach = false;
+};
+
+/// `--brain`, `--patience` and `--attach`.
+/// @returns the option `--brain`, which some commands require.
+CLI::Option* AddBrainOptions(CLI::App* command, BrainOptions* options);
+
 /// `640x480`.
 /// @throws std::invalid_argument saying what was found and expected.
 sim::EyeSpec ParseSize(const std::string& text);

@@ -1,11 +1,13 @@
 #include "app/run_loop.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <stdexcept>
 #include <thread>
 
+#include "app/brain_log.h"
 #include "app/interrupt.h"
 #include "app/progress.h"
 #include "app/rendered_eye.h"
@@ -41,10 +43,17 @@ std::string HashText(std::uint64_t hash) {
   return text;
 }
 
+constexpr double kInitPatience = 12;  ///< as much more for init as for a callback
+
+std::filesystem::path RecordingOf(const RunPlan& plan) {
+  return plan.continuation ? plan.continuation->recording : plan.record;
+}
+
 /// Everything alive during one run, in the order in which it must be taken down.
 class LiveRun {
  public:
-  explicit LiveRun(const RunPlan& plan) : plan_(plan), simulation_(plan.scene, plan.robot) {
+  explicit LiveRun(const RunPlan& plan)
+      : plan_(plan), simulation_(plan.scene, plan.robot), brain_log_(RecordingOf(plan)) {
     // A brain that does not exist must not leave an empty recording behind.
     if (!plan.brain.empty()) FindBrain();
     const bool records = !plan.record.empty() || plan.continuation || StartsRecordings();
@@ -78,9 +87,7 @@ class LiveRun {
       simulation_.Tick();
       passed_ += 1.0 / sim::kTicksPerSecond;
       progress.Show(passed_, plan_.seconds.value_or(0));
-      if (plan_.is_realtime) {
-        std::this_thread::sleep_until(start + std::chrono::duration<double>(passed_));
-      }
+      if (plan_.is_realtime) WaitUntil(start + std::chrono::duration<double>(passed_));
     }
     const std::chrono::duration<double> wall = Clock::now() - start;
     ThrowIfNotRecorded();
@@ -92,14 +99,34 @@ class LiveRun {
 
  private:
   void FindBrain() {
-    process_.emplace(plan_.brain, brain::BrainOptions{.on_output =
-                                                          [](std::string_view line) {
-                                                            std::fprintf(
-                                                                stderr, "brain: %.*s\n",
-                                                                static_cast<int>(line.size()),
-                                                                line.data());
-                                                          },
-                                                      .is_cancelled = &IsInterrupted});
+    process_.emplace(plan_.brain,
+                     brain::BrainOptions{.start_seconds = kInitPatience * plan_.patience,
+                                         .callback_seconds = plan_.patience,
+                                         .on_output =
+                                             [this](std::string_view line) {
+                                               std::fprintf(stderr, "brain: %.*s\n",
+                                                            static_cast<int>(line.size()),
+                                                            line.data());
+                                               brain_log_.Write(line);
+                                             },
+                                         .is_cancelled = &IsInterrupted,
+                                         .is_attached = plan_.is_attached,
+                                         .on_waiting = &TellHowToAttach});
+  }
+
+  static void TellHowToAttach(std::string_view instructions) {
+    std::fprintf(stderr, "smile: waiting for the brain (Ctrl-C ends); %.*s\n",
+                 static_cast<int>(instructions.size()), instructions.data());
+  }
+
+  template <class Time>
+  void WaitUntil(Time due) {
+    const std::chrono::duration<double> delay = Clock::now() - due;
+    if (delay.count() > 0) {
+      ++late_ticks_;
+      worst_delay_ = std::max(worst_delay_, delay.count());
+    }
+    std::this_thread::sleep_until(due);
   }
 
   void StartBrain() {
@@ -110,6 +137,11 @@ class LiveRun {
                                               .demonstration = plan_.demonstration,
                                               .attention = plan_.attention});
     driver_->Start(&simulation_);
+    LogBrainError();
+  }
+
+  void LogBrainError() {
+    if (driver_->error()) brain_log_.Write(ToString(*driver_->error()));
   }
 
   bool StartsRecordings() const {
@@ -151,14 +183,20 @@ class LiveRun {
         std::llround(plan_.seconds.value_or(plan_.max_seconds) * sim::kTicksPerSecond));
     if (simulation_.tick() >= first_tick_ + limit) return true;
     if (player_) AdvanceScript();
-    if (is_brain_running()) driver_->Drive(&simulation_);
+    if (is_brain_running()) {
+      driver_->Drive(&simulation_);
+      LogBrainError();
+    }
     if (driver_ && driver_->status() == brain::BrainStatus::kFailed) return true;
     if (plan_.seconds) return false;
     return (!player_ || player_->is_finished()) && !is_brain_running();
   }
 
   RunOutcome Describe(double wall_seconds) {
-    RunOutcome outcome{.ticks = simulation_.tick(), .wall_seconds = wall_seconds};
+    RunOutcome outcome{.ticks = simulation_.tick(),
+                       .wall_seconds = wall_seconds,
+                       .late_ticks = late_ticks_,
+                       .worst_delay = worst_delay_};
     Json brain = {{"status", "none"}, {"message", ""}};
     if (driver_) {
       brain["status"] = ToString(driver_->status());
@@ -173,6 +211,10 @@ class LiveRun {
                     {"controls", DescribeControls(simulation_)},
                     {"robot", DescribeRobot(simulation_)},
                     {"brain", brain}};
+    if (plan_.is_realtime) {
+      outcome.json["late_ticks"] = late_ticks_;
+      outcome.json["worst_delay"] = worst_delay_;
+    }
     if (desk_) outcome.recordings = desk_->directories();
     outcome.json["recordings"] = Json::array();
     for (const auto& directory : outcome.recordings) {
@@ -187,7 +229,10 @@ class LiveRun {
   sim::Simulation simulation_;
   std::uint64_t first_tick_ = 0;
   double passed_ = 0;  ///< simulated since then, also what was undone [s]
+  std::uint64_t late_ticks_ = 0;
+  double worst_delay_ = 0;
   std::optional<sim::ScriptPlayer> player_;
+  BrainLog brain_log_;  ///< written to by the process's thread
   std::optional<brain::BrainProcess> process_;
   std::optional<brain::BrainDriver> driver_;
 };

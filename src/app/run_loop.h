@@ -22,6 +22,8 @@ struct RunPlan {
   std::optional<sim::RobotPlacement> robot;
   std::optional<sim::Script> script;
   std::filesystem::path brain;          ///< empty for none
+  double patience = 5;                  ///< a callback of it may take this long, wall clock [s]
+  bool is_attached = false;             ///< somebody starts it in a debugger, as told on stderr
   std::filesystem::path demonstration;  ///< for the brain to imitate
   brain::Attention attention;           ///< of it
   std::optional<double> seconds;        ///< exactly this long; else until script or brain end
@@ -46,7 +48,9 @@ struct RunPlan {
 struct RunOutcome {
   std::uint64_t ticks = 0;
   double wall_seconds = 0;
-  Json json;  ///< as docs/commands.md describes `run --json`
+  std::uint64_t late_ticks = 0;  ///< of a run in real time: those not done when they were due
+  double worst_delay = 0;        ///< the most by which one was late [s]
+  Json json;                     ///< as docs/commands.md describes `run --json`
   std::optional<brain::BrainError> brain_error;
   std::vector<std::filesystem::path> recordings;  ///< that were made or gone on with
 };

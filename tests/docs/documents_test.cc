@@ -31,7 +31,7 @@ class Documents : public ProgramTest, public ::testing::WithParamInterface<const
  protected:
   /// A directory that looks like the project's root, with a ./run that does not build.
   Documents() {
-    for (const char* name : {"scenes", "examples", "matlab", "robots", "docs"}) {
+    for (const char* name : {"scenes", "examples", "matlab", "python", "robots", "docs"}) {
       std::filesystem::create_symlink(Shipped(name), directory_ / name);
     }
     Write("run",

@@ -10,9 +10,7 @@
 namespace smile::brain {
 namespace {
 
-constexpr double kPatience = 0.5;      ///< for a callback [s]
-constexpr double kStartPatience = 3;   ///< [s]
-constexpr double kSecondsAtMost = 12;  ///< for start, patience, warnings and the end of it all
+constexpr double kSecondsAtMost = 30;  ///< for an end that a busy machine delays; none lasts 60
 const std::string kTooLong = "took longer than 0.5 s and was stopped";
 
 struct Hostile {
@@ -64,7 +62,7 @@ const std::vector<Hostile>& AllHostile() {
       Step("Crashes", "ctypes.string_at(0)", "it was ended by signal 11 (Segmentation fault)"),
       Step("Aborts", "os.abort()", "it was ended by signal 6 (Aborted)"),
       Step("Loops", "while True: pass", ".py:4: the callback " + kTooLong),
-      Step("MultipliesForMinutes", "np.ones((9000, 9000)) @ np.ones((9000, 9000))", kTooLong),
+      Step("ComputesForMinutes", "np.linalg.svd(np.ones((2500, 2500)))", kTooLong),
       Step("Sleeps", "time.sleep(60)", ".py:4: the callback " + kTooLong),
       Step("WaitsForAChild", "os.system('sleep 60')", kTooLong),
       Step("IgnoresSignals",
@@ -102,7 +100,8 @@ const std::vector<Hostile>& AllHostile() {
       Raw("SendsTooMuch", "s.sendall(frame(5, q, array(b'jointVelocities', 2000, 2000)))",
           "motor.jointVelocities is 2000x2000, expected 2x7"),
       Raw("AnswersAnotherQuestion", "s.sendall(motor(q + 1))", "not an answer to what was asked"),
-      Raw("AnswersTwice", "s.sendall(motor(q) + motor(q))", "not an answer to what was asked"),
+      Raw("AnswersTwice", "s.sendall(motor(q) + motor(q)); read(s)",
+          "not an answer to what was asked"),
       Raw("AnswersSomethingElse", "s.sendall(hello())", "not an answer to what was asked"),
       Raw("HangsUp", "s.close()", "the brain closed its connection during the callback"),
       Raw("DoesNotRead", "time.sleep(60)", "the callback " + kTooLong),
@@ -116,8 +115,13 @@ class HostileBrains : public BrainProcessTest, public testing::WithParamInterfac
   /// What became of two steps of it, each with a picture, so that pipes fill up.
   std::string ErrorOf(const Hostile& hostile) {
     const bool is_raw = hostile.text.starts_with("#!");
+    // Who is not late has all the time that a busy machine may take.
+    const auto is_late = [&](const char* what) {
+      return hostile.message.find(what) != std::string::npos;
+    };
     BrainProcess brain(Program(is_raw ? "hostile" : "hostile.py", hostile.text),
-                       {.start_seconds = kStartPatience, .callback_seconds = kPatience});
+                       {.start_seconds = is_late("the start took longer") ? 3.0 : 20.0,
+                        .callback_seconds = is_late("took longer") ? 0.5 : 20.0});
     const auto begun = brain.Init({});
     if (std::holds_alternative<BrainError>(begun)) return ErrorIn(begun);
     const Sensor sensor{.rgb_vision = Gradient(640, 480)};
@@ -136,7 +140,7 @@ TEST_P(HostileBrains, EndSoonAndAreExplained) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, HostileBrains, testing::ValuesIn(AllHostile()),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& brain) { return std::string(brain.param.name); });
 
 class BrainLeftovers : public BrainProcessTest {};
 

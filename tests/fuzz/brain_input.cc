@@ -1,0 +1,73 @@
+#include "brain_input.h"
+
+#include <cmath>
+#include <span>
+
+#include "brain/brain_messages.h"
+
+namespace smile::fuzz {
+namespace {
+
+std::variant<wire::Message, wire::WireError> Decode(std::string_view bytes) {
+  return wire::DecodeFrame(std::as_bytes(std::span(bytes)));
+}
+
+std::vector<std::byte> Encode(const wire::Message& message) {
+  wire::MessageWriter writer(message.type, message.sequence);
+  for (const wire::NamedArray& array : message.arrays) writer.AddArray(array);
+  return writer.Finish();
+}
+
+bool IsPrintable(const std::string& text) {
+  return text.find_first_of(std::string("\0\a\b\n\r\x1b\x7f", 7)) == std::string::npos;
+}
+
+/// Whatever kind of answer it says it is: a program lies.
+std::string FaultWithAnswer(const wire::Message& message) {
+  const auto init = brain::DecodeInitReply(message);
+  if (const auto* error = std::get_if<wire::WireError>(&init)) {
+    if (error->message.empty()) return "an init is refused without a reason";
+  } else {
+    const auto& reply = std::get<brain::InitReply>(init);
+    if (reply.init_joint_angles && !reply.init_joint_angles->allFinite())
+      return "angles: no number";
+    if (!reply.draw_markers.allFinite()) return "a marker is no number";
+  }
+  const auto step = brain::DecodeStepReply(message);
+  if (const auto* error = std::get_if<wire::WireError>(&step)) {
+    if (error->message.empty()) return "a motor is refused without a reason";
+  } else {
+    const brain::Motor& motor = std::get<brain::StepReply>(step).motor;
+    if (!motor.joint_velocities.allFinite() || !motor.gripper_velocities.allFinite() ||
+        (motor.joint_angles && !motor.joint_angles->allFinite()) ||
+        (motor.head_velocity && !std::isfinite(*motor.head_velocity))) {
+      return "a motor is told what is no number";
+    }
+  }
+  const brain::BrainError error = brain::DecodeError(message);
+  if (error.message.empty()) return "an error has no words";
+  if (!IsPrintable(error.message + error.file)) return "an error would move the cursor";
+  return error.line < 0 ? "an error is at a negative line" : "";
+}
+
+}  // namespace
+
+std::string ReasonAgainstBrainMessage(std::string_view bytes) {
+  const auto decoded = Decode(bytes);
+  const auto* error = std::get_if<wire::WireError>(&decoded);
+  return error ? error->message : "";
+}
+
+std::string FaultWithBrainMessage(std::string_view bytes) {
+  const auto decoded = Decode(bytes);
+  if (const auto* error = std::get_if<wire::WireError>(&decoded)) {
+    return error->message.empty() ? "refused without a reason" : "";
+  }
+  const auto& message = std::get<wire::Message>(decoded);
+  const auto again = wire::DecodeFrame(Encode(message));
+  const auto* same = std::get_if<wire::Message>(&again);
+  if (same == nullptr || *same != message) return "a message comes back differently";
+  return FaultWithAnswer(message);
+}
+
+}  // namespace smile::fuzz

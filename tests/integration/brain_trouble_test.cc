@@ -1,0 +1,120 @@
+// Robot programs that are slow, that fail, that somebody looks at with a debugger.
+
+#include "program.h"
+
+namespace smile {
+namespace {
+
+class BrainTrouble : public ProgramTest {
+ protected:
+  BrainTrouble() { Write("pair.xml", PairOfBlocks()); }
+
+  /// A program whose step is this.
+  void WriteStep(const std::string& lines) const {
+    Write("agent/think.py",
+          "import os, signal, sys, time\nimport numpy as np\n"
+          "def step(sensor, motor, aux):\n  motor.jointVelocities[0, 0] = 0.1\n" +
+              lines);
+  }
+
+  /// The program waits for its brain, as `smile run ... --attach` says; meanwhile somebody types
+  /// what it told, and `typed` at the debugger's prompt.
+  Answer Attached(const std::string& brain, const std::string& typed) const {
+    Write("typed", typed);
+    return Shell("timeout 60 " SMILE_PROGRAM
+                 " run pair.xml --attach --record demo --seconds 0.1 --json --brain " +
+                 brain +
+                 " >result.json 2>told.txt & simulator=$!\n"
+                 "for k in $(seq 600); do grep -q '^cd ' told.txt && break; sleep 0.05; done\n"
+                 "line=$(grep '^cd ' told.txt)\n"
+                 "(eval \"$line\") <typed >debugger.txt 2>&1\n"
+                 "wait $simulator");
+  }
+};
+
+TEST_F(BrainTrouble, EveryFailureLeavesARecordingThatReplays) {
+  const std::pair<const char*, const char*> failures[] = {
+      {"os.kill(os.getpid(), signal.SIGSEGV)", "signal 11"},
+      {"os.kill(os.getpid(), signal.SIGSTOP)", "took longer than 0.4 s"},
+      {"[None for _ in iter(int, 1)]", "took longer than 0.4 s"},
+      {"motor.jointVelocities[0, 0] = np.nan", "expected a finite number"},
+      {"os.write(3, b'x' * 100); os.write(4, b'x' * 100)", "agent/think.py"},
+      {"os._exit(0)", "exit code 0"},
+  };
+  for (const auto& [line, message] : failures) {
+    WriteStep(std::string("  if sensor.simTime > 0.2: ") + line + "\n");
+    const bool is_late = std::string(message).starts_with("took longer");
+    const Answer answer =
+        Shell(std::string("rm -rf demo; smile run pair.xml --brain agent/think.py --patience ") +
+              (is_late ? "0.4" : "20") + " --seconds 2 --record demo --no-pictures --json");
+    EXPECT_EQ(answer.exit_code, 1) << line;
+    EXPECT_EQ(answer.json()["brain"]["status"], "failed") << line;
+    EXPECT_NE(answer.json()["brain"]["message"].get<std::string>().find(message), std::string::npos)
+        << answer.err;
+    EXPECT_EQ(answer.json()["ticks"], 13) << line;
+    EXPECT_EQ(Smile("replay demo --verify").exit_code, 0) << line;
+  }
+}
+
+TEST_F(BrainTrouble, WhatTheBrainPrintedAndWhyItFailedIsKept) {
+  WriteStep("  print('at', sensor.simTime)\n  if sensor.simTime > 0.03: lost\n");
+  const Answer answer = Smile("run pair.xml --brain agent/think.py --record demo --seconds 1");
+  EXPECT_EQ(answer.exit_code, 1);
+  const std::string log = Read("demo/brain.log");
+  EXPECT_TRUE(log.starts_with("at 0.0\nat 0.016666666666666666\n")) << log;
+  EXPECT_TRUE(log.ends_with("agent/think.py:6: NameError: name 'lost' is not defined\n")) << log;
+  EXPECT_NE(answer.err.find("brain: at 0.0\n"), std::string::npos) << answer.err;
+  EXPECT_EQ(Smile("replay demo --verify").exit_code, 0);
+}
+
+TEST_F(BrainTrouble, ASlowBrainIsWaitedForAndItsLateTicksAreCounted) {
+  WriteStep(
+      "  aux.steps = getattr(aux, 'steps', -1) + 1\n"
+      "  assert round(sensor.simTime * 60) == aux.steps\n"
+      "  if aux.steps < 5: time.sleep(0.05)\n"
+      "  if aux.steps == 19: print('all steps')\n");
+  const Answer answer =
+      Smile("run pair.xml --brain agent/think.py --seconds 0.3333333 --realtime --json");
+  ASSERT_EQ(answer.exit_code, 0) << answer.err;
+  EXPECT_NE(answer.err.find("brain: all steps"), std::string::npos) << answer.err;
+  EXPECT_GE(answer.json()["late_ticks"], 5);
+  EXPECT_GE(answer.json()["worst_delay"], 0.1);
+}
+
+TEST_F(BrainTrouble, APythonBrainStopsAtABreakPointAndTheSimulationWaits) {
+  WriteStep("  aux.exit = sensor.simTime > 0.05\n");
+  const Answer answer = Attached("agent/think.py", "b " + (directory_ / "agent/think.py").string() +
+                                                       ":5\nc\nc\np 'time is', sensor.simTime\n"
+                                                       "motor.headVelocity = 0.5\n"
+                                                       "cl 1\nc\nq\n");
+  EXPECT_EQ(answer.exit_code, 0) << Read("told.txt") << Read("debugger.txt");
+  EXPECT_EQ(Json::parse(Read("result.json"))["brain"]["status"], "exited");
+  EXPECT_NE(Read("debugger.txt").find("('time is', 0.0166"), std::string::npos)
+      << Read("debugger.txt");
+  EXPECT_NE(Read("demo/commands.jsonl").find("\"head\":0.5"), std::string::npos);
+}
+
+TEST_F(BrainTrouble, AnOctaveBrainStopsAtABreakPointAndTheSimulationWaits) {
+  Write("agent/agentBehavior.m",
+        "function [init, callback] = agentBehavior()\ninit = @begin;\ncallback = @act;\n");
+  Write("agent/begin.m", "k = 0;\n");
+  Write("agent/act.m", "k = k + 1;\nmotor.headVelocity = 0.25 * k;\n");
+  const Answer answer = Attached("agent",
+                                 "dbstop in act at 2\nsmile_brain\n"
+                                 "printf('time is %d\\n', sensor.simTime)\nk = 2;\n"
+                                 "dbclear all\ndbcont\nexit\n");
+  EXPECT_EQ(answer.exit_code, 0) << Read("told.txt") << Read("debugger.txt");
+  EXPECT_NE(Read("debugger.txt").find("time is 0"), std::string::npos) << Read("debugger.txt");
+  EXPECT_NE(Read("demo/commands.jsonl").find("\"head\":0.5"), std::string::npos);
+}
+
+TEST_F(BrainTrouble, AnAttachedBrainThatHangsUpIsNoticed) {
+  WriteStep("  os._exit(1)\n");
+  const Answer answer = Attached("agent/think.py", "c\n");
+  EXPECT_EQ(answer.exit_code, 1);
+  EXPECT_NE(Read("told.txt").find("closed its connection during the callback"), std::string::npos)
+      << Read("told.txt") << Read("debugger.txt");
+}
+
+}  // namespace
+}  // namespace smile

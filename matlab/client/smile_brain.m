@@ -56,6 +56,7 @@ function prepare_session()
   if is_octave()
     struct_levels_to_print(0);  % or printing a sensor prints its whole image
     if isempty(getenv('DISPLAY'))
+      warning('off', 'Octave:gnuplot-graphics');  % that it is discouraged; there is no other
       if any(strcmp(available_graphics_toolkits(), 'gnuplot')), graphics_toolkit('gnuplot'); end
       set(0, 'defaultfigurevisible', 'off');
     end

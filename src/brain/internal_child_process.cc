@@ -186,7 +186,7 @@ void ChildProcess::SignalGroup(int signal_number) const {
 const std::string& ChildProcess::End() {
   if (pid_ < 0) return how_it_ended_;
   // Until it is collected, the child keeps its number: nobody else is hit.
-  ::kill(pid_, SIGTERM);
+  ::kill(pid_, SIGHUP);
   ::kill(pid_, SIGCONT);  // a program may have stopped its keeper
   if (!WaitForEnd(WaitLimit(kKeeperSeconds))) ::kill(pid_, SIGKILL);
   int status = 0;

@@ -81,6 +81,26 @@ TEST_F(BrainTrouble, ASlowBrainIsWaitedForAndItsLateTicksAreCounted) {
   EXPECT_GE(answer.json()["worst_delay"], 0.1);
 }
 
+TEST_F(BrainTrouble, NothingIsLeftOfABrainWhoseSimulatorWasKilled) {
+  WriteStep(
+      "  import subprocess\n"
+      "  child = subprocess.Popen(['sleep', '60'], start_new_session=True)\n"
+      "  open('pids.part', 'w').write(f'{os.getpid()} {child.pid}')\n"
+      "  os.rename('pids.part', 'pids')\n"
+      "  time.sleep(60)\n");
+  const Answer answer = Shell(
+      "mkdir tmp; export TMPDIR=$PWD/tmp\n"
+      "\"" SMILE_PROGRAM
+      "\" run pair.xml --brain agent/think.py --patience 60 & simulator=$!\n"
+      "for k in $(seq 600); do [ -e pids ] && break; sleep 0.05; done\n"
+      "pids=$(cat pids) && kill -0 $pids && ls tmp | grep -q smile-brain || exit 8\n"
+      "kill -KILL $simulator\n"
+      "for k in $(seq 600); do\n"
+      "  [ -z \"$(ls tmp)$(ps -o pid= -p ${pids// /,})\" ] && exit 0; sleep 0.05\n"
+      "done; exit 9");
+  EXPECT_EQ(answer.exit_code, 0) << answer.out << answer.err;
+}
+
 TEST_F(BrainTrouble, APythonBrainStopsAtABreakPointAndTheSimulationWaits) {
   WriteStep("  aux.exit = sensor.simTime > 0.05\n");
   const Answer answer = Attached("agent/think.py", "b " + (directory_ / "agent/think.py").string() +

@@ -2,9 +2,9 @@
 //
 // Whatever the program starts becomes a child of this process when its parent ends, also what left
 // the program's process group. So all of it can be found and ended: when the program ends, at
-// SIGTERM, and when the simulator dies. SIGINT and SIGUSR2 are handed on to the program's group. FD
-// is told the error number when the program cannot be run, and closed otherwise. Ends as the
-// program ended.
+// SIGHUP, and at SIGTERM, which comes when the simulator dies. SIGINT and SIGUSR2 are handed on to
+// the program's group. FD is told the error number when the program cannot be run, and closed
+// otherwise. Ends as the program ended.
 
 #include <fcntl.h>
 #include <signal.h>
@@ -28,7 +28,7 @@ constexpr auto kKillTime = std::chrono::milliseconds(1500);
 sigset_t KeptSignals() {
   sigset_t signals;
   sigemptyset(&signals);
-  for (const int number : {SIGCHLD, SIGTERM, SIGINT, SIGUSR2}) sigaddset(&signals, number);
+  for (const int number : {SIGCHLD, SIGTERM, SIGHUP, SIGINT, SIGUSR2}) sigaddset(&signals, number);
   return signals;
 }
 
@@ -56,11 +56,13 @@ bool CollectUpTo(pid_t program) {
   }
 }
 
-void WaitForTheEnd(pid_t program) {
+/// @returns SIGCHLD when the program has ended, else SIGHUP or SIGTERM.
+int WaitForTheEnd(pid_t program) {
   const sigset_t signals = KeptSignals();
   for (;;) {
     const int number = ::sigwaitinfo(&signals, nullptr);
-    if (number == SIGTERM || (number == SIGCHLD && CollectUpTo(program))) return;
+    if (number == SIGTERM || number == SIGHUP) return number;
+    if (number == SIGCHLD && CollectUpTo(program)) return number;
     if (number == SIGINT || number == SIGUSR2) ::kill(-program, number);
   }
 }
@@ -115,7 +117,6 @@ void RemoveScratch() {
 
 int main(int argc, char** argv) {
   if (argc < 3) return 2;
-  const pid_t simulator = ::getppid();
   const int failure = std::atoi(argv[1]);
   ::fcntl(failure, F_SETFD, FD_CLOEXEC);
   ::prctl(PR_SET_CHILD_SUBREAPER, 1);
@@ -133,8 +134,8 @@ int main(int argc, char** argv) {
   ::setpgid(program, program);  // whoever comes first; the program does the same
   ::close(failure);
 
-  WaitForTheEnd(program);
+  const int reason = WaitForTheEnd(program);
   const int status = EndAll(program);
-  if (::getppid() != simulator) RemoveScratch();
+  if (reason == SIGTERM) RemoveScratch();
   EndLike(status);
 }

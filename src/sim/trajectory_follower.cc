@@ -147,6 +147,9 @@ std::optional<Refusal> TrajectoryFollower::Follow(const motion::JointTrajectory&
 std::optional<Refusal> TrajectoryFollower::MoveTo(const std::string& pose, double speed,
                                                   std::uint64_t tick) {
   const robot::RobotModel& model = robot_.model();
+  if (!(speed > 0 && speed <= 1)) {
+    return "the speed is " + NumberText(speed) + ", expected above 0, at most 1";
+  }
   const robot::NamedPose* found = FindPose(model, pose);
   if (found == nullptr) {
     std::vector<std::string_view> names;

@@ -8,13 +8,14 @@
 #include "app/interrupt.h"
 #include "app/options.h"
 #include "app/run_loop.h"
+#include "motion/trajectory_files.h"
 #include "scene_xml/scene_reader.h"
 
 namespace smile::app {
 namespace {
 
 struct RunOptions {
-  std::string scene, commands, record, recordings = "recordings", size = "640x480";
+  std::string scene, commands, trajectory, record, recordings = "recordings", size = "640x480";
   std::optional<double> seconds;
   double rate = 4;
   std::string title, notes;
@@ -26,16 +27,22 @@ struct RunOptions {
 
 int RunScene(const RunOptions& options) {
   RunPlan plan{.scene = scene_xml::LoadScene(options.scene, options.path.reader())};
-  if (!options.seconds && options.brain.brain.empty() && options.commands.empty()) {
+  if (!options.seconds && options.brain.brain.empty() && options.commands.empty() &&
+      options.trajectory.empty()) {
     throw std::invalid_argument(
-        "nothing says when the run ends: give --seconds, --commands or --brain");
+        "nothing says when the run ends: give --seconds, --commands, --trajectory or --brain");
   }
   plan.robot = PlaceRobot(options.robot);
   if (!options.brain.brain.empty() && !plan.robot) {
     throw std::invalid_argument("--brain needs a robot, but --no-robot was given");
   }
   if (!options.commands.empty()) {
-    plan.script = sim::ReadScript(options.commands, plan.scene.meters_per_unit);
+    const auto& roots = options.path.roots;
+    plan.script =
+        sim::ReadScript(options.commands, plan.scene.meters_per_unit, {roots.begin(), roots.end()});
+  }
+  if (!options.trajectory.empty()) {
+    plan.script = sim::ScriptOf(motion::ReadTrajectory(options.trajectory), options.trajectory);
   }
   plan.brain = options.brain.brain;
   plan.patience = options.brain.patience;
@@ -82,6 +89,9 @@ void AddRun(CLI::App* program, ExitAnswer answer) {
   run->add_option("SCENE", options->scene, "scene file")->required();
   run->add_option("--commands", options->commands,
                   "script of commands, one JSON object a line (see: smile commands)");
+  run->add_option("--trajectory", options->trajectory,
+                  "lets the robot follow the .csv or .json file (see: smile export)")
+      ->excludes("--commands");
   AddBrainOptions(run, &options->brain);
   run->add_option("--seconds", options->seconds,
                   "exactly this long; otherwise until the script or the brain ends")

@@ -17,6 +17,7 @@ void AddHistory(CLI::App* program, ExitAnswer answer);
 void AddCheckout(CLI::App* program, ExitAnswer answer);
 void AddEdit(CLI::App* program, ExitAnswer answer);
 void AddImport(CLI::App* program, ExitAnswer answer);
+void AddExport(CLI::App* program, ExitAnswer answer);
 void AddRender(CLI::App* program, ExitAnswer answer);
 void AddImitate(CLI::App* program, ExitAnswer answer);
 void AddExperiment(CLI::App* program, ExitAnswer answer);

@@ -40,6 +40,7 @@ int main(int argc, char** argv) {
   app::AddCheckout(&program, &answer);
   app::AddEdit(&program, &answer);
   app::AddImport(&program, &answer);
+  app::AddExport(&program, &answer);
   app::AddRender(&program, &answer);
   app::AddImitate(&program, &answer);
   app::AddExperiment(&program, &answer);

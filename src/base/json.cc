@@ -1,6 +1,9 @@
 #include "base/json.h"
 
+#include <algorithm>
+#include <array>
 #include <stdexcept>
+#include <string>
 
 namespace smile {
 namespace {
@@ -9,6 +12,8 @@ namespace {
 /// looks through the whole array around each of them that ends: hours, for ten megabytes.)
 class LimitCheck : public Json::json_sax_t {
  public:
+  explicit LimitCheck(int max_keys) : max_keys_(max_keys) {}
+
   bool null() override { return true; }
   bool boolean(bool) override { return true; }
   bool number_integer(number_integer_t) override { return true; }
@@ -17,9 +22,14 @@ class LimitCheck : public Json::json_sax_t {
   bool string(string_t&) override { return true; }
   bool binary(binary_t&) override { return true; }
   bool key(string_t&) override {
-    constexpr int kMaxKeys = 10'000;
-    if (++num_keys_ <= kMaxKeys) return true;
-    throw std::invalid_argument("this JSON has more than 10000 keys");
+    // Each key of an object is looked for among all before it.
+    const int limit = std::min(max_keys_, kMaxJsonKeys);
+    if (++num_keys_ > max_keys_ || ++keys_of_object_[depth_] > limit) {
+      throw std::invalid_argument("this JSON has more than " +
+                                  std::to_string(num_keys_ > max_keys_ ? max_keys_ : limit) +
+                                  " keys");
+    }
+    return true;
   }
   bool start_object(std::size_t) override { return Begin(); }
   bool start_array(std::size_t) override { return Begin(); }
@@ -31,23 +41,29 @@ class LimitCheck : public Json::json_sax_t {
 
  private:
   bool Begin() {
-    constexpr int kMaxDepth = 32;
-    if (++depth_ <= kMaxDepth) return true;
-    throw std::invalid_argument("this JSON is nested deeper than 32 levels");
+    if (++depth_ > kMaxDepth) {
+      throw std::invalid_argument("this JSON is nested deeper than 32 levels");
+    }
+    keys_of_object_[depth_] = 0;
+    return true;
   }
   bool End() {
     --depth_;
     return true;
   }
 
+  static constexpr int kMaxDepth = 32;
+
+  int max_keys_;
   int depth_ = 0;
   int num_keys_ = 0;
+  std::array<int, kMaxDepth + 1> keys_of_object_{};
 };
 
 }  // namespace
 
-Json ParseJson(std::string_view text) {
-  LimitCheck limits;
+Json ParseJson(std::string_view text, int max_keys) {
+  LimitCheck limits(max_keys);
   Json::sax_parse(text, &limits);
   return Json::parse(text);
 }

@@ -9,9 +9,12 @@ namespace smile {
 /// JSON with the order of keys as written: logs and results read the way they were meant.
 using Json = nlohmann::ordered_json;
 
-/// Reads JSON that nobody vouches for: at most 32 levels deep and 10,000 keys.
+inline constexpr int kMaxJsonKeys = 10'000;
+
+/// Reads JSON that nobody vouches for: at most 32 levels deep, and 10,000 keys in any one object.
+/// @param max_keys  in all objects together.
 /// @throws std::invalid_argument saying what is wrong with it.
-Json ParseJson(std::string_view text);
+Json ParseJson(std::string_view text, int max_keys = kMaxJsonKeys);
 
 /// The text of a value; bytes that are not UTF-8 become replacement characters.
 /// @param indent  spaces per level; -1 for one line.

@@ -11,7 +11,6 @@
 namespace smile::record {
 namespace {
 
-constexpr std::size_t kMaxLineBytes = 64u << 10;
 constexpr std::size_t kMaxLogBytes = std::size_t{1} << 30;
 
 constexpr std::array kReturnKinds = {ReturnKind::kUndo, ReturnKind::kRedo, ReturnKind::kCheckout};
@@ -33,8 +32,7 @@ std::uint64_t ParseNumber(const Json& json, const char* key) {
 }
 
 LogLine ParseLogLine(std::string_view text, double meters_per_unit) {
-  if (text.size() > kMaxLineBytes) throw std::invalid_argument("this line is longer than 64 KiB");
-  const Json json = ParseJson(text);
+  const Json json = sim::ParseLineJson(text);
   const auto tick = sim::ParseTick(json);
   if (!tick) throw std::invalid_argument("\"tick\" is missing, expected when it was applied");
   if (const auto kind = ParseReturnKind(json)) {

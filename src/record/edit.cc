@@ -6,7 +6,9 @@
 #include <stdexcept>
 #include <string>
 
+#include "base/overloaded.h"
 #include "base/wording.h"
+#include "motion/trajectory_shape.h"
 #include "sim/command_json.h"
 #include "sim/simulation.h"
 
@@ -121,11 +123,28 @@ void Perform(const Retime& retime, Demonstration* demonstration) {
   segment.duration = wanted;
 }
 
-/// @throws std::invalid_argument if the hand's speed becomes none that can be written down.
+/// A hand where a speed is given, and a robot that follows, are so many times as fast.
+/// @returns true if that changes the command.
+bool SpeedUp(double factor, sim::Command* command) {
+  return std::visit(Overloaded{[&](sim::MoveTo& move) {
+                                 if (move.speed) *move.speed *= factor;
+                                 return move.speed.has_value();
+                               },
+                               [&](sim::TakePose& pose) {
+                                 pose.speed = std::min(1.0, pose.speed * factor);
+                                 return true;
+                               },
+                               [&](sim::FollowTrajectory& follow) {
+                                 motion::Stretch(1 / factor, &follow.trajectory);
+                                 return true;
+                               },
+                               [](auto&) { return false; }},
+                    *command);
+}
+
+/// @throws std::invalid_argument if a speed or time becomes none that can be written down.
 void SpeedUp(double factor, double meters_per_unit, SegmentCommand* command) {
-  auto* move = std::get_if<sim::MoveTo>(&command->command);
-  if (move == nullptr || !move->speed) return;
-  *move->speed *= factor;
+  if (!SpeedUp(factor, &command->command)) return;
   try {
     (void)sim::ParseCommand(sim::ToJson(command->command, meters_per_unit), meters_per_unit);
   } catch (const std::invalid_argument& error) {

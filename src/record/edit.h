@@ -37,7 +37,8 @@ struct Retime {
   double seconds = 0;
 };
 
-/// Makes everything so many times as fast, and the hands where a speed is given.
+/// Makes everything so many times as fast, also the hands where a speed is given, and a robot that
+/// follows a trajectory; to a pose at most at full speed.
 struct Speed {
   double factor = 1;
 };

@@ -53,6 +53,10 @@ void RobotBody::CommandFingers(int arm) {
   articulation().SetVelocityTarget(gripper.right_finger, velocity);
 }
 
+void RobotBody::SetJointVelocity(int joint, double velocity) {
+  articulation().SetVelocityTarget(joint, velocity);
+}
+
 void RobotBody::SetHeadVelocity(double velocity) {
   if (model_.head) articulation().SetVelocityTarget(model_.head->joint, velocity);
 }

@@ -42,6 +42,10 @@ class RobotBody {
   /// @param velocity  rate of change of the opening [m/s]; any positive one lets go of what is
   /// held.
   void SetGripperVelocity(int arm, double velocity);
+  /// Of one joint, whichever, but not of a finger, which its gripper moves [rad/s or m/s]; clamped
+  /// to its limits.
+  /// @throws std::invalid_argument if there is no such joint or the velocity is not finite.
+  void SetJointVelocity(int joint, double velocity);
   /// @param velocity  of the head's pan [rad/s].
   void SetHeadVelocity(double velocity);
   /// Puts an arm there at once, with what it holds [rad]; clamped to the limits.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "demonstrator/hand.h"
+#include "motion/joint_trajectory.h"
 
 namespace smile::sim {
 
@@ -116,6 +117,36 @@ struct JointAngles {
   bool operator==(const JointAngles&) const = default;
 };
 
+/// Turns one joint, and keeps the others as they are.
+struct TurnJoint {
+  std::string joint;    ///< by its name; no finger
+  double velocity = 0;  ///< [rad/s or m/s]; 0 stops it
+  bool operator==(const TurnJoint&) const = default;
+};
+
+/// Opens or closes a gripper.
+struct MoveGripper {
+  enum class Which { kLeft, kRight, kBoth };
+  Which which = Which::kBoth;
+  double velocity = 0;  ///< rate of change of the opening, > 0 opens [m/s]
+  bool operator==(const MoveGripper&) const = default;
+};
+
+/// Moves arms and head to a named pose of the robot, all joints straight there. Grippers stay as
+/// they are, so that nothing is dropped.
+struct TakePose {
+  static constexpr double kSpeed = 0.5;
+  std::string name;
+  double speed = kSpeed;  ///< share of the joints' limits of velocity, 0 < speed <= 1
+  bool operator==(const TakePose&) const = default;
+};
+
+/// Lets joints follow a trajectory, see TrajectoryFollower. A gripper's column is its opening.
+struct FollowTrajectory {
+  motion::JointTrajectory trajectory;
+  bool operator==(const FollowTrajectory&) const = default;
+};
+
 /// Shows or hides the robot: what people and cameras see, never the physics.
 struct ShowRobot {
   bool is_shown = true;
@@ -143,9 +174,10 @@ struct FinishRecording {
   bool operator==(const FinishRecording&) const = default;
 };
 
-using Command = std::variant<Grasp, MoveTo, Plane, Drag, Rotate, Release, Destroy, Attend, Point,
-                             Trigger, Fasten, Loosen, JointVelocities, JointAngles, ShowRobot, Undo,
-                             Redo, StartRecording, FinishRecording>;
+using Command =
+    std::variant<Grasp, MoveTo, Plane, Drag, Rotate, Release, Destroy, Attend, Point, Trigger,
+                 Fasten, Loosen, JointVelocities, JointAngles, TurnJoint, MoveGripper, TakePose,
+                 FollowTrajectory, ShowRobot, Undo, Redo, StartRecording, FinishRecording>;
 
 /// True of what a hand does to the world or shows: it begins a new segment of a recording, and can
 /// be undone.

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "demonstrator/demonstrator.h"
+#include "motion/trajectory_shape.h"
 #include "sim/internal_command_forms.h"
 
 namespace smile::sim {
@@ -39,6 +40,39 @@ bool IsProperties(const Json& json) {
   if (!json.is_array() || json.size() > demonstrator::kMaxProperties) return false;
   return std::ranges::all_of(
       json, [](const Json& name) { return IsText(name, demonstrator::kMaxPropertyLength); });
+}
+
+bool IsShare(const Json& json) {
+  return IsNumber(json) && json.get<double>() >= kMinSpeed && json.get<double>() <= 1;
+}
+
+bool IsJointNames(const Json& json) {
+  if (!json.is_array() || json.empty() || json.size() > kMaxJoints) return false;
+  return std::ranges::all_of(json, [](const Json& name) { return IsText(name, kMaxText); });
+}
+
+/// The form of a point; how many numbers it takes is a matter of the whole.
+bool IsTrajectoryPoint(const Json& json) {
+  if (!json.is_object() || !json.contains("seconds") || !json.contains("positions")) return false;
+  for (const auto& [key, value] : json.items()) {
+    const bool is_right = key == "seconds" ? IsNumber(value)
+                          : key == "positions" || key == "velocities"
+                              ? IsNumbers(value, 1, kMaxJoints)
+                              : false;
+    if (!is_right) return false;
+  }
+  return true;
+}
+
+void CheckTrajectoryPoints(const Json& json) {
+  if (!json.is_array() || json.empty() || json.size() > motion::kMaxTrajectoryPoints) {
+    Expected("points", json, "1 to 10000 points");
+  }
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    if (IsTrajectoryPoint(json[i])) continue;
+    Expected("points[" + std::to_string(i) + "]", json[i],
+             R"(a point like {"seconds": 0, "positions": [0], "velocities": [0]})");
+  }
 }
 
 void CheckField(const Field& field, const Json& value) {
@@ -83,6 +117,20 @@ void CheckField(const Field& field, const Json& value) {
         Expected(key, value, "at most 32 names of properties of at most 256 letters");
       }
       return;
+    case Kind::kArm:
+      if (std::ranges::none_of(kArmNames, [&](const char* name) { return value == name; })) {
+        Expected(key, value, "left, right or both");
+      }
+      return;
+    case Kind::kShare:
+      if (!IsShare(value)) Expected(key, value, "a number above 0, at most 1");
+      return;
+    case Kind::kJointNames:
+      if (!IsJointNames(value)) Expected(key, value, "1 to 64 names of joints");
+      return;
+    case Kind::kTrajectoryPoints:
+      CheckTrajectoryPoints(value);
+      return;
   }
 }
 
@@ -107,6 +155,11 @@ const Form& FormOf(const Json& json) {
 }
 
 }  // namespace
+
+Json ParseLineJson(std::string_view line) {
+  if (line.size() > kMaxLineBytes) throw std::invalid_argument("this line is longer than 32 MiB");
+  return ParseJson(line, kMaxLineKeys);
+}
 
 Command ParseCommand(const Json& json, double meters_per_unit) {
   const Form& form = FormOf(json);

@@ -8,6 +8,13 @@
 
 namespace smile::sim {
 
+/// No line of a script or log is longer, or has more keys: enough for the longest trajectory.
+inline constexpr std::size_t kMaxLineBytes = std::size_t{32} << 20;
+inline constexpr int kMaxLineKeys = 40'000;
+/// Reads such a line.
+/// @throws std::invalid_argument saying what is wrong with it.
+Json ParseLineJson(std::string_view line);
+
 /// The written form of a command, used alike by logs, scripts and the studio: one object whose `do`
 /// names the kind. Lengths are in the scene's file unit, object angles in degrees, joints in
 /// radians.

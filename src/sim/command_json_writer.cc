@@ -1,8 +1,11 @@
 // Commands in their written form, and rounded to it.
 
+#include <utility>
+
 #include "base/overloaded.h"
 #include "scene/units.h"
 #include "sim/command_json.h"
+#include "sim/internal_command_forms.h"
 
 namespace smile::sim {
 
@@ -11,6 +14,16 @@ using scene::ToFileUnits;
 namespace {
 
 Json ToArray(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
+
+Json ToJson(const motion::JointTrajectory& trajectory) {
+  Json points = Json::array();
+  for (const motion::TrajectoryPoint& point : trajectory.points) {
+    points.push_back({{"seconds", point.seconds},
+                      {"positions", point.positions},
+                      {"velocities", point.velocities}});
+  }
+  return {{"do", "trajectory"}, {"joints", trajectory.joint_names}, {"points", std::move(points)}};
+}
 
 }  // namespace
 
@@ -90,6 +103,18 @@ Json ToJson(const Command& command, double unit) {
                    put(&json, "head", angles.head);
                    return json;
                  },
+                 [](const TurnJoint& turn) {
+                   return Json{{"do", "turn"}, {"joint", turn.joint}, {"velocity", turn.velocity}};
+                 },
+                 [&](const MoveGripper& move) {
+                   return Json{{"do", "gripper"},
+                               {"arm", kArmNames[static_cast<std::size_t>(move.which)]},
+                               {"velocity", ToFileUnits(move.velocity, unit)}};
+                 },
+                 [](const TakePose& pose) {
+                   return Json{{"do", "pose"}, {"name", pose.name}, {"speed", pose.speed}};
+                 },
+                 [](const FollowTrajectory& follow) { return ToJson(follow.trajectory); },
                  [&](const ShowRobot& show) {
                    return Json{{"do", "robot"}, {"shown", show.is_shown}};
                  },
@@ -116,25 +141,27 @@ Command OnFileGrid(Command command, double unit) {
   const auto round = [unit](auto& at_point) {
     if (at_point.p_WQ) at_point.p_WQ = scene::OnFileGrid(*at_point.p_WQ, unit);
   };
-  std::visit(Overloaded{[&round](Grasp& grasp) { round(grasp); },
-                        [&round](Fasten& fasten) { round(fasten); },
-                        [&round](Loosen& loosen) { round(loosen); },
-                        [unit](MoveTo& move) {
-                          move.p_WH = scene::OnFileGrid(move.p_WH, unit);
-                          if (move.speed) move.speed = scene::OnFileGrid(*move.speed, unit);
-                        },
-                        [unit](Drag& drag) {
-                          drag.p_WOrigin = scene::OnFileGrid(drag.p_WOrigin, unit);
-                          if (drag.speed) drag.speed = scene::OnFileGrid(*drag.speed, unit);
-                        },
-                        [unit](JointVelocities& velocities) {
-                          if (!velocities.grippers) return;
-                          for (double& rate : *velocities.grippers) {
-                            rate = scene::OnFileGrid(rate, unit);
-                          }
-                        },
-                        [](auto&) {}},
-             command);
+  std::visit(
+      Overloaded{
+          [&round](Grasp& grasp) { round(grasp); }, [&round](Fasten& fasten) { round(fasten); },
+          [&round](Loosen& loosen) { round(loosen); },
+          [unit](MoveTo& move) {
+            move.p_WH = scene::OnFileGrid(move.p_WH, unit);
+            if (move.speed) move.speed = scene::OnFileGrid(*move.speed, unit);
+          },
+          [unit](Drag& drag) {
+            drag.p_WOrigin = scene::OnFileGrid(drag.p_WOrigin, unit);
+            if (drag.speed) drag.speed = scene::OnFileGrid(*drag.speed, unit);
+          },
+          [unit](JointVelocities& velocities) {
+            if (!velocities.grippers) return;
+            for (double& rate : *velocities.grippers) {
+              rate = scene::OnFileGrid(rate, unit);
+            }
+          },
+          [unit](MoveGripper& move) { move.velocity = scene::OnFileGrid(move.velocity, unit); },
+          [](auto&) {}},
+      command);
   return command;
 }
 

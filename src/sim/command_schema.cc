@@ -1,4 +1,5 @@
 #include "demonstrator/demonstrator.h"
+#include "motion/trajectory_shape.h"
 #include "sim/command_json.h"
 #include "sim/internal_command_forms.h"
 
@@ -43,6 +44,33 @@ Json FieldSchema(const Field& field) {
       schema = {{"type", "array"},
                 {"items", {{"type", "string"}, {"maxLength", demonstrator::kMaxPropertyLength}}},
                 {"maxItems", demonstrator::kMaxProperties}};
+      break;
+    case Kind::kArm:
+      schema = {{"enum", kArmNames}};
+      break;
+    case Kind::kShare:
+      schema = {{"type", "number"}, {"minimum", kMinSpeed}, {"maximum", 1}};
+      break;
+    case Kind::kJointNames:
+      schema = {{"type", "array"},
+                {"items", {{"type", "string"}, {"maxLength", kMaxText}}},
+                {"minItems", 1},
+                {"maxItems", kMaxJoints}};
+      break;
+    case Kind::kTrajectoryPoints:
+      schema = {
+          {"type", "array"},
+          {"items",
+           {{"type", "object"},
+            {"properties",
+             {{"seconds",
+               {{"type", "number"}, {"minimum", 0}, {"maximum", motion::kMaxTrajectorySeconds}}},
+              {"positions", array(1, kMaxJoints)},
+              {"velocities", array(1, kMaxJoints)}}},
+            {"required", {"seconds", "positions"}},
+            {"additionalProperties", false}}},
+          {"minItems", 1},
+          {"maxItems", motion::kMaxTrajectoryPoints}};
       break;
   }
   schema["description"] = field.meaning;

@@ -1,5 +1,8 @@
 #include "sim/internal_command_forms.h"
 
+#include <algorithm>
+
+#include "motion/trajectory_shape.h"
 #include "scene/units.h"
 
 namespace smile::sim {
@@ -33,6 +36,26 @@ std::optional<Vector3> OptionalPointOf(const Json& json, double unit) {
 std::optional<double> OptionalSpeedOf(const Json& json, double unit) {
   if (!json.contains("speed")) return std::nullopt;
   return FromFileUnits(json.at("speed").get<double>(), unit);
+}
+
+MoveGripper::Which GripperOf(const Json& json) {
+  const auto name = std::ranges::find(kArmNames, json.at("arm").get<std::string>());
+  return static_cast<MoveGripper::Which>(name - kArmNames.begin());
+}
+
+motion::JointTrajectory TrajectoryOf(const Json& json) {
+  motion::JointTrajectory trajectory{.joint_names = json.at("joints")};
+  bool has_velocities = false;
+  for (const Json& point : json.at("points")) {
+    trajectory.points.push_back({.seconds = point.at("seconds").get<double>(),
+                                 .positions = point.at("positions"),
+                                 .velocities = point.value("velocities", std::vector<double>())});
+    has_velocities = has_velocities || point.contains("velocities");
+  }
+  motion::CheckShape(trajectory, has_velocities);
+  if (!has_velocities) motion::SetVelocitiesFromPositions(&trajectory);
+  motion::CheckShape(trajectory);
+  return trajectory;
 }
 
 }  // namespace
@@ -169,6 +192,37 @@ const std::vector<Form>& Forms() {
                             .right = OptionalOf<std::vector<double>>(json, "right"),
                             .head = OptionalOf<double>(json, "head")};
        }},
+      {"turn",
+       "turns one joint of the robot until it is told otherwise; the others go on",
+       {{"joint", Kind::kText, true, "its name, like left_e1; no finger"},
+        {"velocity", Kind::kNumber, true, "0 stops it [rad/s]"}},
+       [](const Json& json, double) -> Command {
+         return TurnJoint{.joint = json.at("joint"), .velocity = json.at("velocity").get<double>()};
+       }},
+      {"gripper",
+       "opens or closes a gripper of the robot until it is told otherwise",
+       {{"arm", Kind::kArm, true, "left, right or both"},
+        {"velocity", Kind::kNumber, true,
+         "rate of change of the opening; above 0 opens [units/s]"}},
+       [](const Json& json, double unit) -> Command {
+         return MoveGripper{.which = GripperOf(json),
+                            .velocity = FromFileUnits(json.at("velocity").get<double>(), unit)};
+       }},
+      {"pose",
+       "moves the robot's arms and head straight to a named pose; grippers stay",
+       {{"name", Kind::kText, true, "one of the poses in the robot's side file"},
+        {"speed", Kind::kShare, false, "share of the joints' full speed; 0.5 if not given"}},
+       [](const Json& json, double) -> Command {
+         return TakePose{.name = json.at("name"), .speed = json.value("speed", TakePose::kSpeed)};
+       }},
+      {"trajectory",
+       "lets joints of the robot follow a trajectory; a script may name a file in place of it",
+       {{"joints", Kind::kJointNames, true,
+         "their names; left_gripper and right_gripper are openings"},
+        {"points", Kind::kTrajectoryPoints, true,
+         "seconds since it began, positions [rad; an opening in m], velocities (in all points or "
+         "in none)"}},
+       [](const Json& json, double) -> Command { return FollowTrajectory{TrajectoryOf(json)}; }},
       {"robot",
        "shows or hides the robot; physics is not changed",
        {{"shown", Kind::kFlag, true, "true or false"}},

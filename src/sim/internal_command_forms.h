@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <string>
 #include <vector>
@@ -12,6 +13,8 @@ namespace smile::sim {
 /// Longer names and arrays than these are nobody's.
 inline constexpr std::size_t kMaxText = 256;
 inline constexpr std::size_t kMaxJoints = 64;
+/// What `arm` of a gripper may be.
+inline constexpr std::array<const char*, 3> kArmNames{"left", "right", "both"};
 /// No length, angle or speed is larger, and no speed limit smaller [units, degrees, rad, per s].
 inline constexpr double kMaxNumber = 1e6, kMinSpeed = 1e-6;
 
@@ -27,7 +30,11 @@ enum class Kind {
   kGrippers,
   kNumber,
   kFlag,
-  kProperties
+  kProperties,
+  kArm,
+  kShare,
+  kJointNames,
+  kTrajectoryPoints
 };
 
 /// One value of a command.

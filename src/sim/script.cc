@@ -2,17 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <stdexcept>
+#include <system_error>
 
 #include "base/diagnostic.h"
 #include "base/files.h"
+#include "base/wording.h"
+#include "motion/trajectory_files.h"
 #include "sim/command_json.h"
 
 namespace smile::sim {
 namespace {
 
 constexpr std::size_t kMaxBytes = 256u << 20;
-constexpr std::size_t kMaxLineBytes = 64u << 10;
 constexpr std::size_t kMaxFindings = 100;
 constexpr double kMaxWaitSeconds = 86400;
 /// Things count as still after a quarter of a second without motion.
@@ -51,40 +54,118 @@ Wait ParseWait(const Json& json) {
   return wait;
 }
 
-ScriptLine ParseLine(std::string_view text, int line, double meters_per_unit) {
-  if (text.size() > kMaxLineBytes) throw std::invalid_argument("this line is longer than 64 KiB");
-  const Json json = ParseJson(text);
-  if (json.is_object() && json.contains("do") && json.at("do") == "wait") {
-    return {.line = line, .tick = ParseTick(json), .what = ParseWait(json)};
-  }
-  Command command = ParseCommand(json, meters_per_unit);
-  return {.line = line, .tick = ParseTick(json), .what = std::move(command)};
+/// True when a path, without links and dots, lies in a folder or below it.
+bool IsBelow(const std::filesystem::path& folder, const std::filesystem::path& path) {
+  return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first ==
+         folder.end();
 }
 
-}  // namespace
+std::string WhyNotOver(const Wait& wait, const Simulation& simulation) {
+  if (wait.until == Wait::Until::kStill) return "something still moves";
+  if (!simulation.demonstrator().has_arrived()) {
+    return "a hand has not arrived: something is in its way";
+  }
+  return "the robot is still on its way: its trajectory takes longer";
+}
 
-Script ParseScript(std::string_view text, std::string file, double meters_per_unit) {
+/// The file that a script means: in one of these folders or below it, all links followed.
+/// @throws std::invalid_argument if there is none.
+std::filesystem::path FindFile(const std::string& name,
+                               const std::vector<std::filesystem::path>& folders) {
+  for (const std::filesystem::path& folder : folders) {
+    std::error_code error;
+    const auto canonical_folder = std::filesystem::canonical(folder, error);
+    if (error) continue;
+    const auto file = std::filesystem::canonical(folder / name, error);
+    if (!error && IsBelow(canonical_folder, file)) return folder / name;
+  }
+  throw std::invalid_argument("\"file\" is " + Quoted(name) +
+                              ", expected a file in the folder of the script, in a --path folder "
+                              "or below these");
+}
+
+/// Reads the lines of one script.
+class LineReader {
+ public:
+  /// @param folders  where the files are that it may name; none: it may name none.
+  LineReader(double meters_per_unit, std::vector<std::filesystem::path> folders)
+      : meters_per_unit_(meters_per_unit), folders_(std::move(folders)) {}
+
+  ScriptLine Read(std::string_view text, int line) const {
+    const Json json = ParseLineJson(text);
+    ScriptLine read{.line = line, .tick = ParseTick(json), .what = Wait()};
+    const bool has_do = json.is_object() && json.contains("do");
+    if (has_do && json.at("do") == "wait") {
+      read.what = ParseWait(json);
+    } else if (has_do && json.at("do") == "trajectory" && json.contains("file")) {
+      read.what = ReadTrajectoryOf(json);
+    } else {
+      read.what = ParseCommand(json, meters_per_unit_);
+    }
+    return read;
+  }
+
+ private:
+  Command ReadTrajectoryOf(const Json& json) const {
+    for (const auto& [key, value] : json.items()) {
+      if (key != "do" && key != "tick" && key != "file") {
+        throw std::invalid_argument("\"trajectory\" with a \"file\" has an unknown key \"" + key +
+                                    "\"");
+      }
+    }
+    const Json& file = json.at("file");
+    if (!file.is_string() || folders_.empty()) {
+      throw std::invalid_argument("\"file\" is " + ToText(file) +
+                                  ", expected the name of a file, in a script that is one");
+    }
+    return FollowTrajectory{motion::ReadTrajectory(FindFile(file.get<std::string>(), folders_))};
+  }
+
+  double meters_per_unit_;
+  std::vector<std::filesystem::path> folders_;
+};
+
+Script ParseWith(const LineReader& reader, std::string_view text, std::string file) {
   Script script{.file = std::move(file)};
   std::vector<Diagnostic> findings;
-  for (int line = 1; !text.empty(); ++line) {
+  for (int line = 1; !text.empty() && findings.size() < kMaxFindings; ++line) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     std::string_view content = text.substr(0, end);
     text.remove_prefix(std::min(end + 1, text.size()));
     const std::size_t first = content.find_first_not_of(" \t\r");
     if (first == std::string_view::npos || content[first] == '#') continue;
     try {
-      script.lines.push_back(ParseLine(content, line, meters_per_unit));
+      script.lines.push_back(reader.Read(content, line));
     } catch (const std::invalid_argument& error) {
       findings.push_back({script.file, line, "", error.what()});
-      if (findings.size() == kMaxFindings) break;
+    } catch (const InputError& error) {  // of a file that it names
+      std::ranges::copy(error.diagnostics(), std::back_inserter(findings));
     }
   }
   if (!findings.empty()) throw InputError(std::move(findings));
   return script;
 }
 
-Script ReadScript(const std::filesystem::path& path, double meters_per_unit) {
-  return ParseScript(ReadFile(path, kMaxBytes), path.string(), meters_per_unit);
+}  // namespace
+
+Script ParseScript(std::string_view text, std::string file, double meters_per_unit) {
+  return ParseWith(LineReader(meters_per_unit, {}), text, std::move(file));
+}
+
+Script ReadScript(const std::filesystem::path& path, double meters_per_unit,
+                  const std::vector<std::filesystem::path>& roots) {
+  std::vector<std::filesystem::path> folders = roots;
+  folders.insert(folders.begin(), path.has_parent_path() ? path.parent_path() : ".");
+  return ParseWith(LineReader(meters_per_unit, std::move(folders)), ReadFile(path, kMaxBytes),
+                   path.string());
+}
+
+Script ScriptOf(motion::JointTrajectory trajectory, std::string file) {
+  // A robot that follows comes to an end of it, whatever is in its way.
+  const Wait to_the_end{.until = Wait::Until::kArrived, .seconds = kMaxWaitSeconds};
+  return {
+      .file = std::move(file),
+      .lines = {{.what = Command(FollowTrajectory{std::move(trajectory)})}, {.what = to_the_end}}};
 }
 
 void ScriptPlayer::Advance(Simulation* simulation) {
@@ -111,16 +192,14 @@ bool ScriptPlayer::IsOver(const Wait& wait, const ScriptLine& line, const Simula
 
   bool is_over = false;
   if (wait.until == Wait::Until::kArrived) {
-    is_over = simulation.demonstrator().has_arrived();
+    is_over = simulation.demonstrator().has_arrived() && !simulation.is_robot_following();
   } else {
     still_ticks_ = simulation.is_still() ? still_ticks_ + 1 : 0;
     is_over = still_ticks_ > kStillTicks;
   }
   if (!is_over && is_time_up) {
-    Fail(line, std::string("waited ") + std::to_string(static_cast<int>(wait.seconds)) +
-                   (wait.until == Wait::Until::kArrived
-                        ? " s, but a hand has not arrived: something is in its way"
-                        : " s, but something still moves"));
+    Fail(line, "waited " + std::to_string(static_cast<int>(wait.seconds)) + " s, but " +
+                   WhyNotOver(wait, simulation));
   }
   return is_over;
 }

@@ -34,10 +34,17 @@ struct Script {
   std::vector<ScriptLine> lines;
 };
 
+/// A script that is in no file; its trajectories have their points with them.
 /// @throws InputError with all findings.
 Script ParseScript(std::string_view text, std::string file, double meters_per_unit);
-/// @throws InputError with all findings; std::runtime_error if the file cannot be read.
-Script ReadScript(const std::filesystem::path& path, double meters_per_unit);
+/// @param roots  folders in which, or below which, the trajectory files may lie that the script
+///               names, after its own folder.
+/// @throws InputError with all findings; std::runtime_error if a file cannot be read.
+Script ReadScript(const std::filesystem::path& path, double meters_per_unit,
+                  const std::vector<std::filesystem::path>& roots = {});
+
+/// A script that plays a trajectory, from now to its end.
+Script ScriptOf(motion::JointTrajectory trajectory, std::string file);
 
 /// Speaks a script to a simulation, line by line, at its pace.
 class ScriptPlayer {

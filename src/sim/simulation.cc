@@ -28,6 +28,7 @@ Simulation::Simulation(scene::SceneSpec scene, std::optional<RobotPlacement> rob
   robot_ = std::make_unique<robot::RobotBody>(
       &physics_, placement_->model,
       RobotBasePose(scene_.table, placement_->gap, placement_->height));
+  follower_.emplace(robot_.get());
   first_robot_frame_ = visual_model_.num_frames;
   visual_model_.object_names.push_back("robot");
   robot::AppendVisuals(robot_->model(), first_robot_frame_,
@@ -197,50 +198,11 @@ std::optional<Refusal> Simulation::Carry(const Loosen& loosen) {
   return demonstrator_.Loosen(loosen.hand, loosen.object, loosen.p_WQ);
 }
 
-std::optional<Refusal> Simulation::RefuseArm(const std::optional<std::vector<double>>& values,
-                                             int arm) const {
-  if (!robot_) return "there is no robot in this simulation";
-  if (!values) return std::nullopt;
-  if (arm >= robot_->num_arms()) return "the robot has no such arm";
-  const robot::Arm& which = robot_->model().arms[arm];
-  if (values->size() == which.joints.size()) return std::nullopt;
-  return "the " + which.name + " arm has " + std::to_string(which.joints.size()) +
-         " joints, found " + std::to_string(values->size()) + " numbers";
-}
-
-std::optional<Refusal> Simulation::Carry(const JointVelocities& velocities) {
-  if (auto refusal = RefuseArm(velocities.left, 0)) return refusal;
-  if (auto refusal = RefuseArm(velocities.right, 1)) return refusal;
-  if (velocities.left) robot_->SetArmVelocities(0, *velocities.left);
-  if (velocities.right) robot_->SetArmVelocities(1, *velocities.right);
-  if (velocities.grippers) {
-    for (int arm = 0; arm < robot_->num_arms() && arm < 2; ++arm) {
-      robot_->SetGripperVelocity(arm, (*velocities.grippers)[arm]);
-    }
-  }
-  if (velocities.head) robot_->SetHeadVelocity(*velocities.head);
-  return std::nullopt;
-}
-
-std::optional<Refusal> Simulation::Carry(const JointAngles& angles) {
-  if (auto refusal = RefuseArm(angles.left, 0)) return refusal;
-  if (auto refusal = RefuseArm(angles.right, 1)) return refusal;
-  if (angles.left) robot_->SetArmAngles(0, *angles.left);
-  if (angles.right) robot_->SetArmAngles(1, *angles.right);
-  if (angles.head) robot_->SetHeadAngle(*angles.head);
-  return std::nullopt;
-}
-
-std::optional<Refusal> Simulation::Carry(const ShowRobot& show) {
-  if (!robot_) return "there is no robot in this simulation";
-  is_robot_shown_ = show.is_shown;
-  return std::nullopt;
-}
-
 void Simulation::Tick() {
   has_begun_ = true;
   const auto before = HeldByGrippers();
   std::vector<const world::Object*> fallen;
+  if (follower_) follower_->BeforeTick(tick_);
   for (int step = 0; step < kStepsPerTick; ++step) {
     demonstrator_.BeforeStep();
     physics_.Step();
@@ -279,6 +241,7 @@ std::uint64_t Simulation::state_hash() const {
       hash.Add(gripper.opening_velocity);
       for (physics::JointId weld : gripper.welds) hash.Add(std::uint64_t{weld.value});
     }
+    follower_->AddToHash(&hash);
   }
   return hash.value();
 }
@@ -289,6 +252,7 @@ SimulationState Simulation::Save() const {
           .tabletop = tabletop_.state(),
           .demonstrator = demonstrator_.state(),
           .robot = robot_ ? robot_->state() : robot::RobotBodyState(),
+          .follower = follower_ ? follower_->state() : FollowerState(),
           .is_robot_shown = is_robot_shown_};
 }
 
@@ -302,7 +266,10 @@ void Simulation::PutBack(const SimulationState& state) {
   physics_.Restore(state.physics);
   tabletop_.Restore(state.tabletop);
   demonstrator_.Restore(state.demonstrator);
-  if (robot_) robot_->Restore(state.robot);
+  if (robot_) {
+    robot_->Restore(state.robot);
+    follower_->Restore(state.follower);
+  }
   is_robot_shown_ = state.is_robot_shown;
   tick_ = state.tick;
 }

@@ -16,6 +16,7 @@
 #include "sim/event.h"
 #include "sim/history.h"
 #include "sim/simulation_state.h"
+#include "sim/trajectory_follower.h"
 #include "world/tabletop.h"
 
 namespace smile::sim {
@@ -100,6 +101,8 @@ class Simulation {
   /// nullptr without one.
   const robot::RobotBody* robot() const { return robot_.get(); }
   bool is_robot_shown() const { return is_robot_shown_; }
+  /// True while joints of the robot are on their way to a pose or along a trajectory.
+  bool is_robot_following() const { return follower_ && follower_->is_following(); }
 
   /// True when nothing but what hands hold moves faster than 2 mm/s or 0.02 rad/s.
   bool is_still() const;
@@ -142,11 +145,19 @@ class Simulation {
   std::optional<Refusal> Carry(const Loosen& loosen);
   std::optional<Refusal> Carry(const JointVelocities& velocities);
   std::optional<Refusal> Carry(const JointAngles& angles);
+  std::optional<Refusal> Carry(const TurnJoint& turn);
+  std::optional<Refusal> Carry(const MoveGripper& move);
+  std::optional<Refusal> Carry(const TakePose& pose);
+  std::optional<Refusal> Carry(const FollowTrajectory& follow);
   std::optional<Refusal> Carry(const ShowRobot& show);
   std::optional<Refusal> Carry(const Undo& undo);
   std::optional<Refusal> Carry(const Redo& redo);
   std::optional<Refusal> Carry(const StartRecording& start);
   std::optional<Refusal> Carry(const FinishRecording& finish);
+  /// An arm's joints are commanded by somebody: they follow nothing any more.
+  void LeaveArm(int arm);
+  void LeaveGripper(int arm);
+  void LeaveHead();
   std::optional<Refusal> RefuseArm(const std::optional<std::vector<double>>& values, int arm) const;
   /// Applies the releases a grasp implies, as commands of their own; none if it will be refused.
   void ReleaseFor(const Grasp& grasp);
@@ -167,6 +178,7 @@ class Simulation {
   demonstrator::Demonstrator demonstrator_;
   std::optional<RobotPlacement> placement_;
   std::unique_ptr<robot::RobotBody> robot_;
+  std::optional<TrajectoryFollower> follower_;  ///< of the robot, where there is one
   bool is_robot_shown_ = true;
   std::uint64_t tick_ = 0;
   bool has_begun_ = false;

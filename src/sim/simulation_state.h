@@ -5,6 +5,7 @@
 #include "demonstrator/demonstrator.h"
 #include "physics/snapshot.h"
 #include "robot/robot_body.h"
+#include "sim/trajectory_follower.h"
 #include "world/tabletop.h"
 
 namespace smile::sim {
@@ -16,6 +17,7 @@ struct SimulationState {
   world::TabletopState tabletop;
   demonstrator::DemonstratorState demonstrator;
   robot::RobotBodyState robot;
+  FollowerState follower;
   bool is_robot_shown = true;
 };
 

@@ -15,9 +15,10 @@ namespace {
 using Claim = void (*)(const Json& end);
 
 struct Example {
-  const char* script;  ///< in examples/, without .jsonl; its scene in scenes/ has the same name
+  const char* script;  ///< in examples/, without .jsonl
   const char* options;
   Claim claim;
+  const char* scene = "";  ///< in scenes/, without .xml; of the same name as the script if empty
 };
 
 /// For a test: of letters, digits and `_`.
@@ -128,11 +129,27 @@ void TheSignalIsGreen(const Json& end) {
   EXPECT_EQ(end["controls"]["Lamp"], "blue");
 }
 
+void TheRobotIsReadyAndHasTouchedNothing(const Json& end) {
+  const std::array ready{-0.08, -1.0, -1.19, 1.94, 0.67, 1.03, -0.5};
+  for (std::size_t i = 0; i < ready.size(); ++i) {
+    EXPECT_NEAR(end["robot"]["left"]["joints"][i].get<double>(), ready[i], 1e-3) << i;
+    const double mirrored = i % 2 == 0 ? -ready[i] : ready[i];
+    EXPECT_NEAR(end["robot"]["right"]["joints"][i].get<double>(), mirrored, 1e-3) << i;
+  }
+  EXPECT_NEAR(end["robot"]["head"].get<double>(), 0, 1e-3);
+  EXPECT_NEAR(end["robot"]["left"]["gripper"].get<double>(), 1, kMillimeter);
+  EXPECT_NEAR(end["robot"]["right"]["gripper"].get<double>(), 2, kMillimeter);
+  ExpectNear(PositionOf(end, "RedBlock"), {-3, -2.5, 0.5}, kMillimeter, "RedBlock");
+  ExpectNear(PositionOf(end, "GreenBlock"), {0.4, -3.8, 0.5}, kMillimeter, "GreenBlock");
+  ExpectNear(PositionOf(end, "BlueBlock"), {3.2, -2, 0.5}, kMillimeter, "BlueBlock");
+}
+
 const std::vector<Example>& AllExamples() {
   static const std::vector<Example> kExamples{
       {"tower", "", TheTowerStands},
       {"um", "", TheLettersStand},
       {"um", "--no-robot", TheLettersStand},
+      {"robot_poses", "", TheRobotIsReadyAndHasTouchedNothing, "tower"},
       {"scenes/controls", "--no-robot", TheSignalIsGreen},
       {"scenes/dial", "--no-robot", TheDigitIsSeven},
       {"scenes/dock", "--no-robot", TheSpareHasReplacedTheFailedDrive},
@@ -151,7 +168,8 @@ class Examples : public ProgramTest, public ::testing::WithParamInterface<Exampl
 
 TEST_P(Examples, EndAsTheyShouldAndReplayIdentically) {
   const std::string script = GetParam().script;
-  const std::string scene = std::filesystem::path(script).filename().string();
+  std::string scene = GetParam().scene;
+  if (scene.empty()) scene = std::filesystem::path(script).filename().string();
   // Few and small pictures: nobody looks at them.
   const Answer run = Smile("run '" + Shipped("scenes/" + scene + ".xml") + "' --commands '" +
                            Shipped("examples/" + script + ".jsonl") +

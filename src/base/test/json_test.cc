@@ -30,6 +30,10 @@ TEST(Json, IsBoundedInDepthAndKeys) {
   EXPECT_EQ(FaultOf("[{}" + Repeated(",{\"a\":1}", 10'000) + "]"), "");
   EXPECT_EQ(FaultOf("[{}" + Repeated(",{\"a\":1}", 10'001) + "]"),
             "this JSON has more than 10000 keys");
+  EXPECT_NO_THROW(ParseJson("[{}" + Repeated(",{\"a\":1}", 10'001) + "]", 20'000));
+  EXPECT_THROW(ParseJson("{\"b\":1" + Repeated(",\"a\":1", 10'000) + "}", 20'000),
+               std::invalid_argument)
+      << "in one object";
 }
 
 TEST(Json, TakesTimeInProportionToItsLength) {

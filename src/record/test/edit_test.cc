@@ -128,6 +128,19 @@ TEST_F(EditTest, SaysWhatItFoundAndExpected) {
   EXPECT_THROW(Edited(Edited(Short(), Drop{1, 1}), Trim{1, 0, 1}), std::invalid_argument);
 }
 
+TEST_F(EditTest, SpeedIsAlsoThatOfARobotThatFollows) {
+  Demonstration robot = Short();
+  robot.segments[0].commands = {
+      {1, 0, sim::TakePose{.name = "ready", .speed = 0.3}},
+      {2, 10, sim::FollowTrajectory{{{"head_pan"}, {{0, {0}, {0.1}}, {4, {1}, {0.2}}}}}}};
+  const Segment twice = Edited(robot, Speed{2}).segments[0];
+  EXPECT_EQ(std::get<sim::TakePose>(twice.commands[0].command).speed, 0.6);
+  EXPECT_EQ(std::get<sim::FollowTrajectory>(twice.commands[1].command).trajectory.points,
+            (std::vector<motion::TrajectoryPoint>{{0, {0}, {0.2}}, {2, {1}, {0.4}}}));
+  const Segment fastest = Edited(robot, Speed{10}).segments[0];
+  EXPECT_EQ(std::get<sim::TakePose>(fastest.commands[0].command).speed, 1);
+}
+
 TEST_F(EditTest, AHandsSpeedStaysOneThatCanBeRead) {
   Demonstration slow = Short();
   std::get<sim::MoveTo>(slow.segments[1].commands[1].command).speed = 1e-6;

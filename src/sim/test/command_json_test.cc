@@ -54,6 +54,12 @@ TEST(CommandJson, RoundTripsEveryKindToTheLastBit) {
         JointVelocities{
             .left = {{number(), number()}}, .grippers = {{number(), number()}}, .head = number()},
         JointAngles{.right = {{number()}}},
+        TurnJoint{.joint = "left_e1", .velocity = number()},
+        MoveGripper{.which = MoveGripper::Which::kRight, .velocity = number()},
+        TakePose{.name = "ready", .speed = 0.25},
+        FollowTrajectory{{{"left_s0", "left_gripper"},
+                          {{0, {number(), number()}, {number(), number()}},
+                           {0.1, {number(), number()}, {number(), number()}}}}},
         ShowRobot{.is_shown = false},
         Undo(),
         Redo(),
@@ -75,7 +81,8 @@ TEST(CommandJson, SaysWhatWasFoundAndExpected) {
   EXPECT_EQ(MessageOf(R"({"do":"grab","hand":"left"})"),
             "\"do\" is \"grab\", expected one of grasp, move_to, plane, drag, rotate, release, "
             "destroy, attend, point, trigger, fasten, loosen, "
-            "joint_velocities, joint_angles, robot, undo, redo, start, finish");
+            "joint_velocities, joint_angles, turn, gripper, pose, trajectory, robot, undo, redo, "
+            "start, finish");
   EXPECT_EQ(MessageOf(R"({"hand":"third","do":"release"})"),
             "\"hand\" is \"third\", expected left, right, both or any");
   EXPECT_EQ(MessageOf(R"({"hand":"left","do":"move_to","position":[1,2]})"),
@@ -90,6 +97,31 @@ TEST(CommandJson, RefusesNumbersThatMeanNothingAndDepthsThatKill) {
   const std::string deep = R"({"do":"grasp","hand":"left","object":)" + std::string(200'000, '[') +
                            std::string(200'000, ']') + "}";
   EXPECT_THROW(ParseJson(deep), std::invalid_argument);
+}
+
+TEST(CommandJson, ATrajectoryWithoutVelocitiesGetsThoseOfItsPositions) {
+  const Command command = ParseCommand(
+      Json::parse(R"({"do":"trajectory","joints":["a"],"points":[{"seconds":0,"positions":[0]},
+          {"seconds":1,"positions":[1]},{"seconds":2,"positions":[2]}]})"),
+      kUnit);
+  for (const auto& point : std::get<FollowTrajectory>(command).trajectory.points) {
+    EXPECT_EQ(point.velocities, std::vector<double>{1});
+  }
+}
+
+TEST(CommandJson, SaysWhatIsWrongWithATrajectory) {
+  const auto with_points = [](const std::string& points) {
+    return MessageOf((R"({"do":"trajectory","joints":["a"],"points":)" + points + "}").c_str());
+  };
+  EXPECT_EQ(with_points("[]"), "\"points\" is [], expected 1 to 10000 points");
+  EXPECT_EQ(with_points(R"([{"seconds":0,"positions":[0]},{"seconds":1,"position":[0]}])"),
+            "\"points[1]\" is {\"seconds\":1,\"position\":[0]}, expected a point like "
+            "{\"seconds\": 0, \"positions\": [0], \"velocities\": [0]}");
+  EXPECT_EQ(with_points(R"([{"seconds":1,"positions":[0]},{"seconds":1,"positions":[0]}])"),
+            "points[1]: the time is 1 s, expected more than the 1 s before");
+  EXPECT_EQ(with_points(R"([{"seconds":0,"positions":[0],"velocities":[0]},
+                            {"seconds":1,"positions":[0]}])"),
+            "points[1]: there are 0 velocities, expected 1");
 }
 
 TEST(CommandJson, TheSchemaNamesEveryCommandItReads) {

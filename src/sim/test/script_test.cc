@@ -1,5 +1,7 @@
 #include "sim/script.h"
 
+#include <unistd.h>
+
 #include "base/diagnostic.h"
 #include "simulation_fixture.h"
 
@@ -61,6 +63,53 @@ TEST_F(ScriptTest, SaysWhenAHandCannotArrive) {
 {"hand": "any", "do": "move_to", "position": [0, 0, -1]}
 {"do": "wait", "until": "arrived", "seconds": 2})"),
             "demo.jsonl:3: waited 2 s, but a hand has not arrived: something is in its way");
+}
+
+TEST_F(ScriptTest, ReadsTheTrajectoriesItNamesInItsFolderOnly) {
+  const auto folder =
+      std::filesystem::temp_directory_path() / ("smile_script_" + std::to_string(getpid()));
+  MakeDirectories(folder / "robot");
+  WriteFile(folder / "robot/nod.csv", "time,head_pan\n0,0\n0.5,0.3\n1,0\n");
+  WriteFile(folder / "broken.csv", "time,head_pan\n0,x\n");
+  WriteFile(folder / "nod.jsonl", R"({"do": "trajectory", "file": "robot/nod.csv"}
+{"do": "wait", "until": "arrived"})");
+  WriteFile(folder / "robot/bad.jsonl", R"({"do": "trajectory", "file": "../broken.csv"}
+{"do": "trajectory", "file": "nod.csv", "speed": 2})");
+  simulation_ = MakeSimulation({}, true);
+  ScriptPlayer player(ReadScript(folder / "nod.jsonl", scene::kMetersPerUnit));
+  for (player.Advance(simulation_.get()); !player.is_finished();
+       player.Advance(simulation_.get())) {
+    simulation_->Tick();
+  }
+  EXPECT_EQ(simulation_->tick(), 61u);
+
+  const std::string bad = (folder / "robot/bad.jsonl").string();
+  const auto fault = [&](const std::vector<std::filesystem::path>& roots) -> std::string {
+    try {
+      ReadScript(bad, scene::kMetersPerUnit, roots);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const std::string second =
+      bad + ":2: \"trajectory\" with a \"file\" has an unknown key \"speed\"";
+  EXPECT_EQ(fault({}),
+            bad +
+                ":1: \"file\" is \"../broken.csv\", expected a file in the folder of the "
+                "script, in a --path folder or below these\n" +
+                second);
+  // A root is where names begin, too.
+  EXPECT_EQ(fault({folder / "robot"}), fault({})) << "../broken.csv is above it";
+  std::filesystem::remove_all(folder);
+}
+
+TEST_F(ScriptTest, SaysThatATrajectoryTakesLongerThanTheWait) {
+  simulation_ = MakeSimulation({}, true);
+  EXPECT_EQ(Play(R"({"do": "pose", "name": "ready", "speed": 0.05}
+{"do": "wait", "until": "arrived", "seconds": 2})"),
+            "demo.jsonl:2: waited 2 s, but the robot is still on its way: its trajectory takes "
+            "longer");
 }
 
 TEST_F(ScriptTest, CollectsEveryFindingBeforeAnythingMoves) {

@@ -1,0 +1,173 @@
+#include <CLI/CLI.hpp>
+#include <array>
+#include <cstdio>
+#include <memory>
+#include <stdexcept>
+#include <string_view>
+
+#include "app/commands.h"
+#include "app/exit_code.h"
+#include "app/open_recording.h"
+#include "app/options.h"
+#include "base/files.h"
+#include "base/wording.h"
+#include "motion/limit_check.h"
+#include "motion/trajectory_files.h"
+#include "motion/trajectory_shape.h"
+#include "record/joint_motion.h"
+
+namespace smile::app {
+namespace {
+
+struct ExportOptions {
+  std::string demo, format, out, part = "all";
+  record::TimeRange range;
+  double rate = sim::kTicksPerSecond;
+  bool no_grippers = false, slow_down = false, allow_breaches = false;
+};
+
+/// A trajectory and what its robot can do.
+struct Motion {
+  motion::JointTrajectory trajectory;
+  std::vector<motion::Channel> channels;
+
+  std::vector<motion::LimitBreach> Breaches() const {
+    std::vector<motion::JointLimits> limits;
+    for (const motion::Channel& channel : channels) limits.push_back(channel.limits);
+    return CheckLimits(trajectory, limits);
+  }
+};
+
+/// What a recording can be exported to.
+struct Format {
+  const char* name;
+  const char* meaning;
+  std::string (*text_of)(const motion::JointTrajectory&);
+};
+constexpr std::array kFormats{
+    Format{"trajectory-csv", "time and joint positions, a line a moment", &motion::ToCsv},
+    Format{"ros-trajectory", "trajectory_msgs/JointTrajectory as JSON", &motion::ToRosJson}};
+
+const Format& FormatOf(const ExportOptions& options) {
+  std::vector<std::string_view> names;
+  for (const Format& format : kFormats) {
+    if (options.format == format.name) return format;
+    names.emplace_back(format.name);
+  }
+  throw std::invalid_argument("--to is " + Quoted(options.format) + ", expected " + OneOf(names));
+}
+
+bool IsOfPart(const motion::Channel& channel, const robot::RobotModel& model,
+              const std::string& part) {
+  if (part == "all") return true;
+  if (model.head && channel.joint == model.head->joint) return part == "head";
+  for (int arm = 0; arm < static_cast<int>(model.arms.size()); ++arm) {
+    const auto& joints = model.arms[arm].joints;
+    const bool is_of_arm = channel.gripper_of == arm ||
+                           std::find(joints.begin(), joints.end(), channel.joint) != joints.end();
+    if (is_of_arm) return part == "both" || part == model.arms[arm].name;
+  }
+  return false;
+}
+
+std::vector<motion::Channel> ChosenChannels(const robot::RobotModel& model,
+                                            const ExportOptions& options) {
+  std::vector<motion::Channel> chosen;
+  for (const motion::Channel& channel : motion::ChannelsOf(model)) {
+    if (options.no_grippers && channel.is_gripper()) continue;
+    if (IsOfPart(channel, model, options.part)) chosen.push_back(channel);
+  }
+  return chosen;
+}
+
+/// Stretches a motion so much that no joint is too fast.
+/// @returns how many times as long it takes.
+double SlowDown(Motion* motion) {
+  constexpr double kRounding = 1 + 1e-9;
+  double factor = 1;
+  for (const motion::LimitBreach& breach : motion->Breaches()) {
+    if (breach.quantity != motion::LimitedQuantity::kVelocity) continue;
+    factor = std::max(factor, breach.value / breach.limit * kRounding);
+  }
+  motion::Stretch(factor, &motion->trajectory);
+  return factor;
+}
+
+/// Tells on stderr where the motion is beyond what the robot can do.
+/// @returns true if a robot would refuse it. Accelerations are only a remark: descriptions of
+///          robots do not limit them.
+bool TellBreaches(const Motion& motion, const std::string& demo) {
+  bool is_refused = false;
+  std::size_t num_jerky = 0;
+  for (const motion::LimitBreach& breach : motion.Breaches()) {
+    if (breach.quantity == motion::LimitedQuantity::kAcceleration) {
+      ++num_jerky;
+      continue;
+    }
+    std::fprintf(stderr, "%s: %.3f s: %s: %s is %s, the limit is %s\n", demo.c_str(),
+                 breach.seconds, breach.joint_name.c_str(),
+                 std::string(NameOf(breach.quantity)).c_str(), NumberText(breach.value).c_str(),
+                 NumberText(breach.limit).c_str());
+    is_refused = true;
+  }
+  if (num_jerky > 0) {
+    std::fprintf(stderr, "%s: %zu joints change their speed faster than in %s s to full speed\n",
+                 demo.c_str(), num_jerky, NumberText(motion::kSecondsToFullSpeed).c_str());
+  }
+  return is_refused;
+}
+
+int Export(const ExportOptions& options) {
+  const Format& format = FormatOf(options);
+  RequireOutsideOfRecordings(options.out);
+  const record::Recording recording = OpenAndTell(options.demo);
+  Motion motion;
+  if (recording.robot) motion.channels = ChosenChannels(recording.robot->model, options);
+  if (recording.robot && motion.channels.empty()) {
+    throw std::invalid_argument("the robot of " + Quoted(options.demo) + " has no " + options.part);
+  }
+  motion.trajectory = JointMotionOf(recording, motion.channels, options.range, options.rate);
+  const double factor = options.slow_down ? SlowDown(&motion) : 1;
+  const bool is_refused = TellBreaches(motion, options.demo);
+  if (is_refused && !options.allow_breaches) {
+    std::fprintf(stderr, "%s: a robot would refuse this; see --slow-down and --allow-breaches\n",
+                 options.demo.c_str());
+    return kInputWrong;
+  }
+  WriteFile(options.out, format.text_of(motion.trajectory));
+  std::printf("%s: %zu joints, %zu points, %.2f s", options.out.c_str(), motion.channels.size(),
+              motion.trajectory.points.size(), motion.trajectory.seconds());
+  std::printf(factor > 1 ? ", slowed down %.3f times\n" : "\n", factor);
+  return kDone;
+}
+
+}  // namespace
+
+void AddExport(CLI::App* program, ExitAnswer answer) {
+  auto options = std::make_shared<ExportOptions>();
+  CLI::App* command = program->add_subcommand(
+      "export", "Make a file of what a recording holds, for other programs");
+  command->add_option("DEMO", options->demo, "directory of a recording")->required();
+  std::string formats;
+  for (const Format& format : kFormats) {
+    formats += (formats.empty() ? "" : "; ") + std::string(format.name) + ": " + format.meaning;
+  }
+  command->add_option("--to", options->format, formats)->required();
+  command->add_option("--out", options->out, "file to write")->required()->check(NotEmpty());
+  command->add_option("--from", options->range.from, "begin [s]");
+  command->add_option("--to-time", options->range.to, "end [s]");
+  command->add_option("--arm", options->part, "left, right, both, head, or all that moves")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"left", "right", "both", "head", "all"}));
+  command->add_flag("--no-grippers", options->no_grippers, "without the grippers' openings");
+  command->add_option("--rate", options->rate, "points per second")
+      ->capture_default_str()
+      ->check(NumberBetween(0.001, sim::kTicksPerSecond));
+  command->add_flag("--slow-down", options->slow_down,
+                    "stretch the time until no joint is faster than it can");
+  command->add_flag("--allow-breaches", options->allow_breaches,
+                    "also write what the robot would refuse");
+  command->callback([options, answer] { *answer = Export(*options); });
+}
+
+}  // namespace smile::app

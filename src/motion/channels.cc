@@ -1,0 +1,66 @@
+#include "motion/channels.h"
+
+#include <algorithm>
+
+namespace smile::motion {
+namespace {
+
+JointLimits LimitsOfJoint(const robot::RobotModel& model, int joint) {
+  return LimitsOf(model, std::span(&joint, 1)).front();
+}
+
+Channel JointChannel(const robot::RobotModel& model, int joint) {
+  return {
+      .name = model.links[joint].joint_name, .joint = joint, .limits = LimitsOfJoint(model, joint)};
+}
+
+/// Both fingers share the motion.
+Channel GripperChannel(const robot::RobotModel& model, int arm) {
+  const robot::Gripper& gripper = *model.arms[arm].gripper;
+  const JointLimits left = LimitsOfJoint(model, gripper.left_finger);
+  const JointLimits right = LimitsOfJoint(model, gripper.right_finger);
+  return {
+      .name = model.arms[arm].name + "_gripper",
+      .joint = gripper.left_finger,
+      .gripper_of = arm,
+      .limits = {.lower = left.lower + right.lower,
+                 .upper = left.upper + right.upper,
+                 .max_velocity = 2 * std::min(left.max_velocity, right.max_velocity),
+                 .max_acceleration = 2 * std::min(left.max_acceleration, right.max_acceleration)}};
+}
+
+}  // namespace
+
+std::vector<Channel> ChannelsOf(const robot::RobotModel& model) {
+  std::vector<Channel> channels;
+  std::vector<bool> has_channel(model.links.size());
+  const auto add_joint = [&](int joint) {
+    if (has_channel[joint]) return;
+    channels.push_back(JointChannel(model, joint));
+    has_channel[joint] = true;
+  };
+  for (int arm = 0; arm < static_cast<int>(model.arms.size()); ++arm) {
+    for (const int joint : model.arms[arm].joints) add_joint(joint);
+    const auto& gripper = model.arms[arm].gripper;
+    if (!gripper) continue;
+    channels.push_back(GripperChannel(model, arm));
+    has_channel[gripper->left_finger] = has_channel[gripper->right_finger] = true;
+  }
+  if (model.head) add_joint(model.head->joint);
+  for (int joint = 0; joint < model.num_joints(); ++joint) add_joint(joint);
+  return channels;
+}
+
+const Channel* FindChannel(std::span<const Channel> channels, std::string_view name) {
+  const auto found = std::ranges::find(channels, name, &Channel::name);
+  return found == channels.end() ? nullptr : &*found;
+}
+
+double PositionOf(const Channel& channel, const robot::RobotModel& model,
+                  std::span<const double> q) {
+  if (!channel.is_gripper()) return q[channel.joint];
+  const robot::Gripper& gripper = *model.arms[channel.gripper_of].gripper;
+  return q[gripper.left_finger] + q[gripper.right_finger];
+}
+
+}  // namespace smile::motion

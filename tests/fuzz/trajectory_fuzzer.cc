@@ -1,0 +1,7 @@
+#include "fuzz_target.h"
+#include "trajectory_input.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
+  return smile::fuzz::StopAtFault(
+      smile::fuzz::FaultWithTrajectory(smile::fuzz::AsText(data, size)));
+}

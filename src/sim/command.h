@@ -122,6 +122,16 @@ struct ShowRobot {
   bool operator==(const ShowRobot&) const = default;
 };
 
+/// More points than these are nobody's.
+inline constexpr std::size_t kMaxMarkers = 500;
+
+/// Marks points for people, in place of those marked before. They are in views for people only:
+/// no state, no trace and no picture of a robot's camera knows of them.
+struct Markers {
+  std::vector<Vector3> points_in_world;  ///< at most kMaxMarkers [m]
+  bool operator==(const Markers&) const = default;
+};
+
 /// Takes back the last action of a hand, with everything since; see IsAction().
 struct Undo {
   bool operator==(const Undo&) const = default;
@@ -144,8 +154,8 @@ struct FinishRecording {
 };
 
 using Command = std::variant<Grasp, MoveTo, Plane, Drag, Rotate, Release, Destroy, Attend, Point,
-                             Trigger, Fasten, Loosen, JointVelocities, JointAngles, ShowRobot, Undo,
-                             Redo, StartRecording, FinishRecording>;
+                             Trigger, Fasten, Loosen, JointVelocities, JointAngles, ShowRobot,
+                             Markers, Undo, Redo, StartRecording, FinishRecording>;
 
 /// True of what a hand does to the world or shows: it begins a new segment of a recording, and can
 /// be undone.

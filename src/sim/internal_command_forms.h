@@ -20,6 +20,7 @@ enum class Kind {
   kHand,
   kText,
   kPoint,
+  kPoints,
   kAngles,
   kDirection,
   kSpeed,

@@ -237,6 +237,11 @@ std::optional<Refusal> Simulation::Carry(const ShowRobot& show) {
   return std::nullopt;
 }
 
+std::optional<Refusal> Simulation::Carry(const Markers& markers) {
+  if (markers.points_in_world.size() <= kMaxMarkers) return std::nullopt;
+  return "there are more than " + std::to_string(kMaxMarkers) + " markers";
+}
+
 void Simulation::Tick() {
   has_begun_ = true;
   const auto before = HeldByGrippers();

@@ -143,6 +143,7 @@ class Simulation {
   std::optional<Refusal> Carry(const JointVelocities& velocities);
   std::optional<Refusal> Carry(const JointAngles& angles);
   std::optional<Refusal> Carry(const ShowRobot& show);
+  std::optional<Refusal> Carry(const Markers& markers);
   std::optional<Refusal> Carry(const Undo& undo);
   std::optional<Refusal> Carry(const Redo& redo);
   std::optional<Refusal> Carry(const StartRecording& start);

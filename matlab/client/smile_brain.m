@@ -82,12 +82,16 @@ function callback = answer_init(link, message, sequence, aux)
   try
     [init, callback, files] = load_scripts();
     aux.attention = with_properties(aux.attention);
+    aux.cameraNames = lines_of(aux.cameraNames);
     assignin('base', 'aux', aux);
     script = init;
     run_script(init);
     assignin('base', 'motor', ...
              struct('jointVelocities', zeros(2, 7), 'gripperVelocities', zeros(2, 1)));
-    link('send', message.init_done, sequence, wishes(base_aux(), files));
+    aux = base_aux();
+    new_markers(aux);
+    has_cameras(aux);
+    link('send', message.init_done, sequence, wishes(aux, files));
   catch err
     link('send', message.error, sequence, smile_describe_error(err, script, 'aux'));
   end
@@ -96,14 +100,21 @@ end
 
 function answer_step(link, message, sequence, sensor, callback)
   try
+    newline = find(sensor.heldObject == 10, 1);
+    sensor.heldObject = {sensor.heldObject(1:newline - 1), sensor.heldObject(newline + 1:end)};
     if isfield(sensor, 'trackerNames'), sensor = with_tracker_map(sensor); end
+    if isfield(sensor, 'segmentNames'), sensor.segmentNames = lines_of(sensor.segmentNames); end
+    if isfield(sensor, 'cameraPose') && has_cameras(), sensor = with_cameras(sensor); end
     assignin('base', 'sensor', sensor);
     run_script(callback);
     motor = evalin('base', 'motor');
     if ~isstruct(motor) || ~isscalar(motor)
       error('motor is not a struct any more');
     end
-    if wants_exit(base_aux()), type = message.final_motor; else, type = message.motor; end
+    aux = base_aux();
+    [is_new, markers] = new_markers(aux);
+    if is_new, motor.drawMarkers = markers; end
+    if wants_exit(aux), type = message.final_motor; else, type = message.motor; end
     link('send', type, sequence, motor);
   catch err
     link('send', message.error, sequence, smile_describe_error(err, callback, 'motor'));
@@ -148,6 +159,36 @@ function sensor = with_tracker_map(sensor)
   sensor.trackerLoc = containers.Map(names(:), positions(:), 'UniformValues', false);
 end
 
+function lines = lines_of(text)
+  if isempty(text), lines = {}; else, lines = regexp(text, '\n', 'split'); end
+end
+
+function sensor = with_cameras(sensor)
+  % cameras_overhead_rgb becomes cameras.overhead.rgb.
+  names = fieldnames(sensor);
+  for k = find(strncmp(names, 'cameras_', 8)).'
+    last = find(names{k} == '_', 1, 'last');
+    cameras.(names{k}(9:last - 1)).(names{k}(last + 1:end)) = sensor.(names{k});
+    sensor = rmfield(sensor, names{k});
+  end
+  sensor.cameras = cameras;
+end
+
+function yes = has_cameras(aux)
+  % Whether the program asked for more cameras than the eye; remembered from init.
+  persistent answer
+  if nargin > 0, answer = isfield(aux, 'cameras') && ~isempty(aux.cameras); end
+  yes = answer;
+end
+
+function [is_new, markers] = new_markers(aux)
+  % Whether the program's markers are others than when this was last asked.
+  persistent last
+  if isfield(aux, 'drawMarkers'), markers = aux.drawMarkers; else, markers = []; end
+  is_new = ~isequal(markers, last);
+  last = markers;
+end
+
 function attention = with_properties(lines)
   % 'b01,color,size' of each line becomes a struct.
   attention = struct('object', {}, 'properties', {});
@@ -170,6 +211,20 @@ end
 function values = wishes(aux, values)
   if isfield(aux, 'initJointAngles'), values.initJointAngles = aux.initJointAngles; end
   if isfield(aux, 'drawMarkers'), values.drawMarkers = aux.drawMarkers; end
+  if isfield(aux, 'imageSeconds'), values.imageSeconds = aux.imageSeconds; end
+  for name = {'channels', 'cameras'}
+    if isfield(aux, name{1}), values.(name{1}) = in_one_line(aux.(name{1}), name{1}); end
+  end
+end
+
+function text = in_one_line(names, field)
+  % Of a cell of names, or of one name; numbers are left for the simulator to refuse.
+  text = names;
+  if isempty(names), text = ''; end
+  if iscell(names) && ~isempty(names)
+    if ~iscellstr(names), error('aux.%s is a cell of other things than names', field); end
+    text = strjoin(names(:).', ',');
+  end
 end
 
 function yes = wants_exit(aux)

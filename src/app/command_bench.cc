@@ -132,7 +132,7 @@ void BrainRoundTrip(benchmark::State& state, const MeasuredBrain& measured) {
   RenderedEye eye({.width_px = static_cast<int>(state.range(0)),
                    .height_px = static_cast<int>(state.range(1))});
   brain::Sensor sensor;
-  if (state.range(0) > 1) sensor.rgb_vision = eye.Look(*simulation);
+  if (state.range(0) > 1) sensor.pictures.push_back({.image = eye.Look(*simulation)});
   brain::BrainProcess process(measured.brain, {.transport = measured.transport});
   auto reply = process.Init({});
   if (const auto* error = std::get_if<brain::BrainError>(&reply)) {

@@ -71,7 +71,7 @@ void FilmBoth(const std::filesystem::path& out) {
   for (const char* name : {"demonstration", "imitation"}) {
     if (IsInterrupted()) return;
     Film(record::OpenRecording(out / name), (out / name).string() + ".mp4",
-         {.shot = {.size = {.width_px = 854, .height_px = 480}},
+         {.shot = {.width_px = 854, .height_px = 480},
           .frames_per_second = 20,
           .speed = kFilmSpeed,
           .progress = std::string("filming the ") + name});

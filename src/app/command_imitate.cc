@@ -13,9 +13,11 @@ namespace smile::app {
 namespace {
 
 struct ImitateOptions {
-  std::string demo, scene, out, size = "640x480";
+  std::string demo, scene, out;
   double max_seconds = 600;
   bool json = false;
+  EyeOptions eye;
+  std::string noise;
   RobotOptions robot;
   BrainOptions brain;
   PathOptions path;
@@ -32,7 +34,8 @@ int ImitateDemo(const ImitateOptions& options) {
                .is_attached = options.brain.attach,
                .record = out / "imitation",
                .max_seconds = options.max_seconds,
-               .eye = ParseSize(options.size),
+               .eye = EyeSpecOf(options.eye),
+               .noise = ParseNoise(options.noise),
                .robot = options.robot});
   WriteFile(out / "result.json", ToText(outcome.result, 2) + "\n");
   if (options.json) {
@@ -63,7 +66,8 @@ void AddImitate(CLI::App* program, ExitAnswer answer) {
   imitate->add_option("--seconds", options->max_seconds, "simulated, at most")
       ->capture_default_str()
       ->check(NumberBetween(0.0, 86400.0));
-  imitate->add_option("--size", options->size, "of the robot's pictures")->capture_default_str();
+  AddEyeOptions(imitate, &options->eye);
+  AddNoiseOption(imitate, &options->noise);
   imitate->add_flag("--json", options->json, "print result.json on stdout");
   AddRobotOptions(imitate, /*may_be_absent=*/false, &options->robot);
   AddPathOption(imitate, &options->path);

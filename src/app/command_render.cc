@@ -11,6 +11,7 @@
 #include "app/photographer.h"
 #include "app/viewpoint.h"
 #include "base/diagnostic.h"
+#include "record/markers.h"
 #include "scene_xml/scene_reader.h"
 
 namespace smile::app {
@@ -50,17 +51,23 @@ void CheckTimes(const RenderCommandOptions& options, Product product) {
   }
 }
 
-Shot ShotOf(const RenderCommandOptions& options) {
+/// @param eye  the camera that is meant by `eye`.
+Shot ShotOf(const RenderCommandOptions& options, const std::string& eye) {
+  const PictureSize size = ParseSize(options.size);
   return {.camera = options.camera,
-          .size = ParseSize(options.size),
+          .eye = eye,
+          .width_px = size.width_px,
+          .height_px = size.height_px,
           .channels = ParseChannels(options.channels)};
 }
 
 void RenderPicture(const sim::Simulation& stage, const record::TraceTick& moment,
-                   const RenderCommandOptions& options) {
-  const Shot shot = ShotOf(options);
+                   const std::vector<Vector3>& markers, const RenderCommandOptions& options,
+                   const std::string& eye) {
+  const Shot shot = ShotOf(options, eye);
   Photographer photographer(stage, shot);
-  for (const auto& path : WriteChannels(options.out, photographer.Take(moment), shot.channels)) {
+  for (const auto& path :
+       WriteChannels(options.out, photographer.Take(moment, markers), shot.channels)) {
     std::printf("%s\n", path.c_str());
   }
 }
@@ -71,7 +78,7 @@ void RenderScene(const RenderCommandOptions& options, Product product) {
   const std::string but = ", but '" + options.subject + "' is none";
   if (product != Product::kPicture) throw std::invalid_argument("a film needs a recording" + but);
   if (options.at) throw std::invalid_argument("--at needs a recording" + but);
-  RenderPicture(simulation, record::Observe(simulation), options);
+  RenderPicture(simulation, record::Observe(simulation), {}, options, sim::kEyeCamera);
 }
 
 void RenderMoment(const record::Recording& recording, const RenderCommandOptions& options) {
@@ -80,7 +87,8 @@ void RenderMoment(const record::Recording& recording, const RenderCommandOptions
   const auto moment = MomentAt(recording, tick);
   if (!moment) throw InputError({options.subject, 0, "", "its trace holds no moment"});
   const sim::Simulation stage(recording.scene, recording.robot);
-  RenderPicture(stage, *moment, options);
+  RenderPicture(stage, *moment, record::MarkerTrack(recording).At(tick), options,
+                recording.info.eye_camera);
 }
 
 void RenderFilm(const record::Recording& recording, const RenderCommandOptions& options,
@@ -88,7 +96,7 @@ void RenderFilm(const record::Recording& recording, const RenderCommandOptions& 
   if (product == Product::kFilm && options.channels != "rgb") {
     throw std::invalid_argument("a film has the channel rgb only; pictures, DIR/, have all");
   }
-  const FilmOptions film{.shot = ShotOf(options),
+  const FilmOptions film{.shot = ShotOf(options, recording.info.eye_camera),
                          .frames_per_second = options.rate,
                          .speed = options.speed,
                          .range = options.range,
@@ -136,10 +144,12 @@ void AddRender(CLI::App* program, ExitAnswer answer) {
   render->add_option("--from", options->range.from, "begin of a film [s]");
   render->add_option("--to", options->range.to, "end of a film [s]");
   std::string names;
-  for (const std::string& name : ViewNames()) names += (names.empty() ? "" : ", ") + name;
+  for (const std::string& name : ViewNames()) names += name + ", ";
   render
       ->add_option("--camera", options->camera,
-                   "one of " + names + ", or FROM:TO[:FOV] with points x,y,z and degrees")
+                   "for people: " + names +
+                       "or FROM:TO[:FOV] with points x,y,z and degrees; the robot's: eye, head, "
+                       "left_hand, right_hand; or the id of one in the scene")
       ->capture_default_str();
   render->add_option("--size", options->size, "WIDTHxHEIGHT")->capture_default_str();
   render->add_option("--channels", options->channels, "of pictures: rgb,depth,id")

@@ -15,11 +15,13 @@ namespace smile::app {
 namespace {
 
 struct RunOptions {
-  std::string scene, commands, trajectory, record, recordings = "recordings", size = "640x480";
+  std::string scene, commands, trajectory, record, recordings = "recordings";
   std::optional<double> seconds;
   double rate = 4;
   std::string title, notes;
   bool no_pictures = false, no_symbols = false, realtime = false, json = false;
+  EyeOptions eye;
+  std::string noise;
   RobotOptions robot;
   BrainOptions brain;
   PathOptions path;
@@ -55,7 +57,8 @@ int RunScene(const RunOptions& options) {
                     .title = options.title,
                     .notes = options.notes};
   plan.has_pictures = !options.no_pictures;
-  plan.eye = ParseSize(options.size);
+  plan.eye = EyeSpecOf(options.eye);
+  plan.noise = ParseNoise(options.noise);
   plan.is_realtime = options.realtime;
   plan.label = "running " + plan.scene.name;
 
@@ -109,7 +112,8 @@ void AddRun(CLI::App* program, ExitAnswer answer) {
   run->add_option("--rate", options->rate, "pictures per second of the recording")
       ->capture_default_str()
       ->check(NumberBetween(0.001, sim::kTicksPerSecond));
-  run->add_option("--size", options->size, "of the robot's pictures")->capture_default_str();
+  AddEyeOptions(run, &options->eye);
+  AddNoiseOption(run, &options->noise);
   run->add_flag("--realtime", options->realtime, "as fast as the clock, not faster");
   run->add_flag("--json", options->json, "print one JSON object on stdout");
   AddRobotOptions(run, /*may_be_absent=*/true, &options->robot);

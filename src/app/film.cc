@@ -12,6 +12,7 @@
 #include "base/wording.h"
 #include "dataset/video_writer.h"
 #include "record/append_file.h"
+#include "record/markers.h"
 #include "record/trace_reader.h"
 
 namespace smile::app {
@@ -29,11 +30,12 @@ void ForEachFrame(const record::Recording& recording, const record::TickRange& r
   };
   ProgressLine progress(options.progress);
   record::TraceReader trace(recording);
+  const record::MarkerTrack markers(recording);
   std::uint64_t frame = 0;
   while (const auto moment = trace.Next()) {
     if (IsInterrupted() || moment->tick > range.last) break;
     if (moment->tick < range.first || !is_due(frame, moment->tick)) continue;
-    const Image& image = photographer->Take(*moment);
+    const Image& image = photographer->Take(*moment, markers.At(moment->tick));
     // A rate above the ticks' shows a moment more than once.
     for (; is_due(frame, moment->tick) && !IsInterrupted(); ++frame) {
       add(frame, moment->tick, image);
@@ -61,7 +63,7 @@ std::string NumberedName(std::uint64_t frame) {
 void FilmInto(const std::filesystem::path& mp4, const record::Recording& recording,
               const record::TickRange& range, const FilmOptions& options,
               Photographer* photographer) {
-  dataset::VideoWriter video(mp4, options.shot.size.width_px, options.shot.size.height_px,
+  dataset::VideoWriter video(mp4, options.shot.width_px, options.shot.height_px,
                              options.frames_per_second);
   ForEachFrame(recording, range, options, photographer,
                [&video](std::uint64_t, std::uint64_t, const Image& image) { video.Add(image); });

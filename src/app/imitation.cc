@@ -56,6 +56,7 @@ ImitationOutcome Imitate(const ImitationPlan& plan) {
                               .record = plan.record,
                               .recording = {.title = plan.task + ", imitated"},
                               .eye = plan.eye,
+                              .noise = plan.noise,
                               .label = "the robot builds"});
   const task::ObjectPoses final_poses = EndOf(record::OpenRecording(plan.record));
   const task::Score score = task::ScoreOutcome(goal, match, final_poses);

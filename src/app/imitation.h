@@ -6,6 +6,7 @@
 #include "app/options.h"
 #include "base/json.h"
 #include "brain/brain_values.h"
+#include "brain/sensor_noise.h"
 #include "scene/scene_spec.h"
 
 namespace smile::app {
@@ -21,6 +22,7 @@ struct ImitationPlan {
   std::filesystem::path record;  ///< new directory for the robot's run
   double max_seconds = 600;      ///< simulated
   sim::EyeSpec eye;
+  brain::SensorNoise noise;  ///< in what the brain is told
   RobotOptions robot;
 };
 

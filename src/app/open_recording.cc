@@ -22,7 +22,8 @@ record::Recording OpenAndTell(const std::string& demo) {
 std::optional<sim::EyeSpec> EyeOf(const record::DemoInfo& info) {
   if (!info.eye) return std::nullopt;
   return sim::EyeSpec{.width_px = info.eye->intrinsics.width_px,
-                      .height_px = info.eye->intrinsics.height_px};
+                      .height_px = info.eye->intrinsics.height_px,
+                      .camera = info.eye_camera};
 }
 
 void RequireOutsideOfRecordings(const std::string& out) {

@@ -1,6 +1,8 @@
 #include "app/options.h"
 
+#include <array>
 #include <charconv>
+#include <sstream>
 #include <stdexcept>
 
 #include "base/files.h"
@@ -12,6 +14,17 @@ namespace {
 
 /// The original put its robot this far behind the table [m].
 constexpr double kClassicGap = 0.30;
+
+/// `text` as a number from 0 to `most`.
+template <class Number>
+Number NumberUpTo(Number most, const std::string& text, const std::string& what) {
+  Number number = 0;
+  const char* end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, number);
+  if (error == std::errc() && rest == end && number >= 0 && number <= most) return number;
+  throw std::invalid_argument(what + " is " + Quoted(text) + ", expected a number from 0 to " +
+                              NumberText(static_cast<double>(most)));
+}
 
 }  // namespace
 
@@ -70,19 +83,70 @@ CLI::Validator NumberBetween(double low, double high) {
   return CLI::Validator(check, "FROM " + NumberText(low) + " TO " + NumberText(high));
 }
 
-sim::EyeSpec ParseSize(const std::string& text) {
-  sim::EyeSpec spec;
+PictureSize ParseSize(const std::string& text) {
+  PictureSize size;
   const char* end = text.data() + text.size();
-  auto read = std::from_chars(text.data(), end, spec.width_px);
+  auto read = std::from_chars(text.data(), end, size.width_px);
   const bool has_width = read.ec == std::errc() && read.ptr != end && *read.ptr == 'x';
-  if (has_width) read = std::from_chars(read.ptr + 1, end, spec.height_px);
-  if (!has_width || read.ec != std::errc() || read.ptr != end || spec.width_px < 1 ||
-      spec.height_px < 1 || spec.width_px > 8192 || spec.height_px > 8192) {
+  if (has_width) read = std::from_chars(read.ptr + 1, end, size.height_px);
+  if (!has_width || read.ec != std::errc() || read.ptr != end || size.width_px < 1 ||
+      size.height_px < 1 || size.width_px > 8192 || size.height_px > 8192) {
     throw std::invalid_argument("size is '" + text +
                                 "', expected WIDTHxHEIGHT like 640x480, 1 to "
                                 "8192 each");
   }
-  return spec;
+  return size;
+}
+
+void AddEyeOptions(CLI::App* command, EyeOptions* options) {
+  command
+      ->add_option("--eye", options->camera,
+                   "the robot's eye: `eye` as in 2015, above its head, or `head`, the real camera")
+      ->capture_default_str()
+      ->check(CLI::IsMember({sim::kEyeCamera, sim::kHeadCamera}));
+  command->add_option("--size", options->size,
+                      "of the robot's pictures [640x480; 640x400 for the eye `head`]");
+}
+
+sim::EyeSpec EyeSpecOf(const EyeOptions& options) {
+  const bool is_head = options.camera == sim::kHeadCamera;
+  const PictureSize size = ParseSize(!options.size.empty() ? options.size
+                                     : is_head             ? "640x400"
+                                                           : "640x480");
+  return {.width_px = size.width_px, .height_px = size.height_px, .camera = options.camera};
+}
+
+brain::SensorNoise ParseNoise(const std::string& text) {
+  constexpr double kMost = 1000;
+  constexpr std::uint64_t kMostSeed = std::uint64_t{1} << 53;
+  constexpr std::array<std::string_view, 4> kKeys{"depth", "image", "joints", "seed"};
+  brain::SensorNoise noise;
+  std::istringstream parts(text);
+  for (std::string part; std::getline(parts, part, ',');) {
+    const std::size_t equals = std::min(part.find('='), part.size());
+    const std::string key = part.substr(0, equals);
+    const std::string value = part.substr(std::min(equals + 1, part.size()));
+    const std::string what = "noise: " + key;
+    if (key == "joints") {
+      noise.joints = NumberUpTo(kMost, value, what);
+    } else if (key == "image") {
+      noise.image = NumberUpTo(kMost, value, what);
+    } else if (key == "depth") {
+      noise.depth = NumberUpTo(kMost, value, what);
+    } else if (key == "seed") {
+      noise.seed = NumberUpTo(kMostSeed, value, what);
+    } else {
+      throw std::invalid_argument("noise: found " + Quoted(key) + ", expected " + OneOf(kKeys) +
+                                  DidYouMean(key, kKeys));
+    }
+  }
+  return noise;
+}
+
+void AddNoiseOption(CLI::App* command, std::string* text) {
+  command->add_option("--noise", *text,
+                      "Gaussian noise in what the brain is told: standard deviations "
+                      "joints=RAD,image=SHARE,depth=UNITS and seed=N, or some of them");
 }
 
 CLI::Validator NotEmpty() {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "brain/sensor_noise.h"
 #include "scene_xml/scene_reader.h"
 #include "sim/eye.h"
 #include "sim/simulation.h"
@@ -45,9 +46,31 @@ struct BrainOptions {
 /// @returns the option `--brain`, which some commands require.
 CLI::Option* AddBrainOptions(CLI::App* command, BrainOptions* options);
 
+struct PictureSize {
+  int width_px = 0, height_px = 0;
+};
 /// `640x480`.
 /// @throws std::invalid_argument saying what was found and expected.
-sim::EyeSpec ParseSize(const std::string& text);
+PictureSize ParseSize(const std::string& text);
+
+/// Which of its cameras is the robot's eye.
+struct EyeOptions {
+  std::string camera = sim::kEyeCamera;
+  std::string size;  ///< empty: what is usual for the camera
+};
+
+/// `--eye` and `--size`.
+void AddEyeOptions(CLI::App* command, EyeOptions* options);
+
+/// @throws std::invalid_argument if the size is none.
+sim::EyeSpec EyeSpecOf(const EyeOptions& options);
+
+/// `joints=0.001,image=0.007,depth=0.02,seed=3`, or some of them; empty for none.
+/// @throws std::invalid_argument saying what was found and expected.
+brain::SensorNoise ParseNoise(const std::string& text);
+
+/// `--noise`.
+void AddNoiseOption(CLI::App* command, std::string* text);
 
 /// Accepts finite numbers from `low` to `high`; CLI::Range would let NaN pass.
 CLI::Validator NumberBetween(double low, double high);

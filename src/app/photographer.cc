@@ -1,5 +1,6 @@
 #include "app/photographer.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "app/viewpoint.h"
@@ -39,23 +40,55 @@ Channels ParseChannels(const std::string& text) {
 Photographer::Photographer(const sim::Simulation& stage, Shot shot)
     : stage_(stage),
       shot_(std::move(shot)),
-      fixed_view_(FindView(shot_.camera, stage.scene(), shot_.size)) {}
+      eye_{.width_px = shot_.width_px, .height_px = shot_.height_px} {
+  const std::vector<std::string> names = sim::CameraNames(stage);
+  if (std::ranges::find(names, shot_.camera) != names.end()) {
+    eye_.camera = shot_.camera == sim::kEyeCamera ? shot_.eye : shot_.camera;
+  } else {
+    view_for_people_ = FindView(shot_.camera, stage.scene(), eye_, names);
+  }
+}
 
-const Image& Photographer::Take(const record::TraceTick& moment) {
-  sim::Sight sight = record::SightAt(moment, stage_, shot_.size);
-  if (fixed_view_) {
-    sight.view = *fixed_view_;
+const Image& Photographer::Take(const record::TraceTick& moment,
+                                const std::vector<Vector3>& markers) {
+  sim::Sight sight = record::SightAt(moment, stage_, eye_);
+  if (view_for_people_) {
+    sight.view = *view_for_people_;
     // Only the eye does not see the head it sits in.
     if (moment.is_robot_shown) sight.hidden_frames.clear();
   }
-  renderer_.Render(stage_.visual_model(), sight.state, sight.view,
-                   {.color = shot_.channels.rgb,
-                    .depth = shot_.channels.depth,
-                    .ids = shot_.channels.id,
-                    .look = fixed_view_ ? camera::Look::kPresentation : camera::Look::kRobotEye,
-                    .excluded_frames = sight.hidden_frames},
-                   &image_);
+  Render(stage_.visual_model(), sight, shot_.channels, &image_);
+  if (view_for_people_ && shot_.channels.rgb && !markers.empty()) AddMarkers(sight, markers);
   return image_;
+}
+
+void Photographer::Render(const scene::VisualModel& model, const sim::Sight& sight,
+                          const Channels& channels, Image* image) {
+  renderer_.Render(
+      model, sight.state, sight.view,
+      {.color = channels.rgb,
+       .depth = channels.depth,
+       .ids = channels.id,
+       .look = view_for_people_ ? camera::Look::kPresentation : camera::Look::kRobotEye,
+       .excluded_frames = sight.hidden_frames},
+      image);
+}
+
+/// Half of what is seen is the markers, half what is behind them. Depth and ids are without.
+void Photographer::AddMarkers(const sim::Sight& sight, const std::vector<Vector3>& markers) {
+  constexpr double kRadiusUnits = 0.15;
+  scene::VisualModel model = stage_.visual_model();
+  for (const Vector3& p_WM : markers) {
+    model.visuals.push_back(
+        {.shape = scene::Sphere{.radius = kRadiusUnits * stage_.scene().meters_per_unit},
+         .color = {.red = 1, .green = 0, .blue = 1},
+         .X_FV = RigidTransform(p_WM),
+         .object_id = 1});
+  }
+  Render(model, sight, {}, &marked_image_);
+  for (std::size_t i = 0; i < image_.color.size(); ++i) {
+    image_.color[i] = static_cast<std::uint8_t>((image_.color[i] + marked_image_.color[i] + 1) / 2);
+  }
 }
 
 std::vector<std::filesystem::path> WriteChannels(const std::filesystem::path& png,

@@ -12,10 +12,7 @@
 
 namespace smile::app {
 
-/// What of a picture is wanted.
-struct Channels {
-  bool rgb = true, depth = false, id = false;
-};
+using sim::Channels;
 
 /// `rgb,depth,id` or some of them.
 /// @throws std::invalid_argument saying what was found and expected.
@@ -23,13 +20,14 @@ Channels ParseChannels(const std::string& text);
 
 /// How something is to be seen.
 struct Shot {
-  std::string camera = "nice";  ///< see FindView()
-  sim::EyeSpec size{.width_px = 1280, .height_px = 720};
+  std::string camera = "nice";        ///< one of sim::CameraNames(), or see FindView()
+  std::string eye = sim::kEyeCamera;  ///< which camera is meant by `eye`: a recording has its own
+  int width_px = 1280, height_px = 720;
   Channels channels;
 };
 
-/// Takes pictures of recorded moments from anywhere, without physics. What the robot's eye saw, it
-/// sees to the last bit.
+/// Takes pictures of recorded moments from anywhere, without physics. What the robot's cameras saw,
+/// it sees to the last bit; the scene's see as they do.
 class Photographer {
  public:
   /// @param stage  a simulation of the recording's scene and robot that need not run. Must outlive
@@ -37,15 +35,21 @@ class Photographer {
   /// @throws std::invalid_argument if there is no such camera.
   Photographer(const sim::Simulation& stage, Shot shot);
 
+  /// @param markers  points that views for people show as translucent balls [m].
   /// The picture lasts until the next one.
-  const Image& Take(const record::TraceTick& moment);
+  const Image& Take(const record::TraceTick& moment, const std::vector<Vector3>& markers = {});
 
  private:
+  void Render(const scene::VisualModel& model, const sim::Sight& sight, const Channels& channels,
+              Image* image);
+  void AddMarkers(const sim::Sight& sight, const std::vector<Vector3>& markers);
+
   const sim::Simulation& stage_;
   Shot shot_;
-  std::optional<CameraView> fixed_view_;  ///< nullopt: the eye's
+  sim::EyeSpec eye_;
+  std::optional<CameraView> view_for_people_;  ///< nullopt: the eye's
   camera::Renderer renderer_;
-  Image image_;
+  Image image_, marked_image_;
 };
 
 /// Writes the channels of a picture beside one another: for `um.png`, `um.depth.png` and

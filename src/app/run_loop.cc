@@ -58,7 +58,10 @@ class LiveRun {
     if (!plan.brain.empty()) FindBrain();
     const bool records = !plan.record.empty() || plan.continuation || StartsRecordings();
     const bool takes_pictures = records && plan.has_pictures;
-    if (takes_pictures || !plan.brain.empty()) eye_.emplace(plan.eye);
+    if (takes_pictures || !plan.brain.empty()) {
+      sim::EyeView(simulation_, plan.eye);  // refuses a camera that is not there
+      eye_.emplace(plan.eye);
+    }
     if (records) {
       desk_.emplace(&simulation_,
                     record::RecordingDesk::Options{.root = plan.recordings,
@@ -135,7 +138,8 @@ class LiveRun {
                                               .image_seconds = plan_.image_seconds,
                                               .has_trackers = brain::MayReadTrackers(plan_.brain),
                                               .demonstration = plan_.demonstration,
-                                              .attention = plan_.attention});
+                                              .attention = plan_.attention,
+                                              .noise = plan_.noise});
     driver_->Start(&simulation_);
     LogBrainError();
   }

@@ -40,6 +40,7 @@ struct RunPlan {
   record::RecorderOptions recording;
   bool has_pictures = true;
   sim::EyeSpec eye;
+  brain::SensorNoise noise;  ///< in what the brain is told
   double image_seconds = 0.25;
   bool is_realtime = false;
   std::string label;  ///< shown while it runs; empty for silence

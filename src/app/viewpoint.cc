@@ -131,14 +131,13 @@ CameraView FreeView(std::string_view camera, double meters_per_unit, const sim::
 }  // namespace
 
 std::vector<std::string> ViewNames() {
-  std::vector<std::string> names{kEye, kClose};
+  std::vector<std::string> names{kClose};
   for (const Preset& preset : Presets()) names.emplace_back(preset.name);
   return names;
 }
 
-std::optional<CameraView> FindView(std::string_view camera, const scene::SceneSpec& scene,
-                                   const sim::EyeSpec& size) {
-  if (camera == kEye) return std::nullopt;
+CameraView FindView(std::string_view camera, const scene::SceneSpec& scene,
+                    const sim::EyeSpec& size, const std::vector<std::string>& cameras) {
   if (camera.find_first_of(":,") != std::string_view::npos) {
     return FreeView(camera, scene.meters_per_unit, size);
   }
@@ -151,10 +150,12 @@ std::optional<CameraView> FindView(std::string_view camera, const scene::SceneSp
     if (preset.name != camera) continue;
     return CameraView{.intrinsics = intrinsics, .X_WC = LookAt(preset.p_WC, preset.p_WQ)};
   }
-  std::string names;
-  for (const std::string& known : ViewNames()) names += (names.empty() ? "" : ", ") + known;
-  throw std::invalid_argument("camera is " + Quoted(camera) + ", expected one of " + names +
-                              " or FROM:TO[:FOV] like 8,4,6:0,-3,1:40");
+  std::vector<std::string> names = cameras;
+  for (const std::string& view : ViewNames()) names.push_back(view);
+  const std::vector<std::string_view> words(names.begin(), names.end());
+  throw std::invalid_argument("camera is " + Quoted(camera) + ", expected " + OneOf(words) +
+                              ", or FROM:TO[:FOV] like 8,4,6:0,-3,1:40" +
+                              DidYouMean(camera, words));
 }
 
 }  // namespace smile::app

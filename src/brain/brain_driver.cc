@@ -1,5 +1,6 @@
 #include "brain/brain_driver.h"
 
+#include <array>
 #include <stdexcept>
 #include <utility>
 
@@ -21,6 +22,55 @@ LimbJoints AnglesOf(const robot::RobotBody& robot) {
     for (int i = 0; i < kJointCount; ++i) angles(arm, i) = q[i];
   }
   return angles;
+}
+
+LimbJoints VelocitiesOf(const robot::RobotBody& robot) {
+  LimbJoints velocities;
+  for (int arm = 0; arm < kLimbCount; ++arm) {
+    const std::vector<double> v = robot.ArmVelocities(arm);
+    for (int i = 0; i < kJointCount; ++i) velocities(arm, i) = v[i];
+  }
+  return velocities;
+}
+
+/// A pose with its translation in units.
+Eigen::Matrix4d MatrixInUnits(const RigidTransform& X_WF, const sim::Simulation& simulation) {
+  Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
+  matrix.topLeftCorner<3, 3>() = X_WF.rotation();
+  matrix.topRightCorner<3, 1>() = InUnits(X_WF.translation(), simulation).transpose();
+  return matrix;
+}
+
+CameraDescription DescribeCamera(const CameraView& view, const sim::Simulation& simulation) {
+  return {.width_px = view.intrinsics.width_px,
+          .height_px = view.intrinsics.height_px,
+          .fx = view.intrinsics.fx,
+          .fy = view.intrinsics.fy,
+          .cx = view.intrinsics.cx,
+          .cy = view.intrinsics.cy,
+          .X_WC = MatrixInUnits(view.X_WC, simulation)};
+}
+
+/// A copy of what was asked for, depth in units.
+Image InUnits(const Image& image, const sim::Channels& channels, double meters_per_unit) {
+  Image copy{.width_px = image.width_px, .height_px = image.height_px};
+  if (channels.rgb) copy.color = image.color;
+  if (channels.depth) copy.depth = image.depth;
+  if (channels.id) copy.ids = image.ids;
+  for (float& depth : copy.depth) {
+    depth = static_cast<float>(scene::ToFileUnits(static_cast<double>(depth), meters_per_unit));
+  }
+  return copy;
+}
+
+/// A gripper may hold several; programs are told of the first.
+std::array<std::string, kLimbCount> HeldObjects(const sim::Simulation& simulation) {
+  std::array<std::string, kLimbCount> ids;
+  for (int arm = 0; arm < kLimbCount; ++arm) {
+    const std::vector<physics::BodyId> bodies = simulation.robot()->HeldBodies(arm);
+    if (!bodies.empty()) ids[arm] = simulation.tabletop().Find(bodies.front())->id();
+  }
+  return ids;
 }
 
 std::vector<double> RowOf(const LimbJoints& joints, int arm) {
@@ -92,19 +142,17 @@ Aux BrainDriver::Describe(const sim::Simulation& simulation) const {
       const physics::LinkSpec& link = model.links[model.arms[arm].joints[i]];
       aux.min_joint_angles(arm, i) = link.lower;
       aux.max_joint_angles(arm, i) = link.upper;
+      aux.max_joint_velocities(arm, i) = link.max_velocity;
     }
   }
+  aux.meters_per_unit = simulation.scene().meters_per_unit;
+  aux.X_WBase = MatrixInUnits(simulation.robot()->base_pose(), simulation);
+  if (const auto& placement = simulation.robot_placement(); placement && !placement->urdf.empty()) {
+    aux.robot = std::filesystem::absolute(placement->urdf).lexically_normal().string();
+  }
   if (options_.eye != nullptr) {
-    const CameraView view = EyeView(simulation, options_.eye->spec());
-    aux.camera = CameraDescription{.width_px = view.intrinsics.width_px,
-                                   .height_px = view.intrinsics.height_px,
-                                   .fx = view.intrinsics.fx,
-                                   .fy = view.intrinsics.fy,
-                                   .cx = view.intrinsics.cx,
-                                   .cy = view.intrinsics.cy};
-    aux.camera->X_WC.topLeftCorner<3, 3>() = view.X_WC.rotation();
-    aux.camera->X_WC.topRightCorner<3, 1>() =
-        InUnits(view.X_WC.translation(), simulation).transpose();
+    aux.camera = DescribeCamera(EyeView(simulation, options_.eye->spec()), simulation);
+    aux.camera_names = CameraNames(simulation);
   }
   if (!options_.demonstration.empty()) {
     aux.demonstration = std::filesystem::absolute(options_.demonstration).string();
@@ -123,12 +171,43 @@ Sensor BrainDriver::Sense(const sim::Simulation& simulation) {
         scene::ToFileUnits(robot.GripperOpening(arm), simulation.scene().meters_per_unit);
   }
   if (options_.has_trackers) sensor.tracker_locations = TrackersOf(simulation);
-  if (options_.eye != nullptr &&
-      simulation.seconds() + 1e-9 >= static_cast<double>(num_images_) * options_.image_seconds) {
-    sensor.rgb_vision = options_.eye->Look(simulation);
+  sensor.joint_velocities = VelocitiesOf(robot);
+  sensor.head_angle = robot.HeadAngle();
+  sensor.held_objects = HeldObjects(simulation);
+  if (IsPictureDue(simulation)) {
+    Look(simulation, &sensor);
     ++num_images_;
   }
+  AddNoise(options_.noise, simulation.tick(), &sensor);
   return sensor;
+}
+
+bool BrainDriver::IsPictureDue(const sim::Simulation& simulation) const {
+  if (options_.eye == nullptr || wishes_.channels == sim::Channels{.rgb = false}) return false;
+  const double period = wishes_.image_seconds.value_or(options_.image_seconds);
+  return simulation.seconds() + 1e-9 >= static_cast<double>(num_images_) * period;
+}
+
+void BrainDriver::Look(const sim::Simulation& simulation, Sensor* sensor) {
+  const scene::VisualModel& model = simulation.visual_model();
+  const auto add = [&](const sim::EyeSpec& spec, const std::string& name) {
+    sim::Sight sight = SightOf(simulation, spec);
+    sight.channels = wishes_.channels;
+    const Image& image = options_.eye->Draw(model, sight);
+    sensor->pictures.push_back(
+        {.camera = DescribeCamera(sight.view, simulation),
+         .image = InUnits(image, wishes_.channels, simulation.scene().meters_per_unit),
+         .name = name});
+  };
+  sim::EyeSpec spec = options_.eye->spec();
+  add(spec, "");
+  for (const std::string& camera : wishes_.cameras) {
+    spec.camera = camera;
+    add(spec, camera);
+  }
+  if (wishes_.channels.id) {
+    sensor->segment_names.assign(model.object_names.begin() + 1, model.object_names.end());
+  }
 }
 
 BrainStatus BrainDriver::Start(sim::Simulation* simulation) {
@@ -148,21 +227,27 @@ BrainStatus BrainDriver::Start(sim::Simulation* simulation) {
     simulation->Apply(sim::JointAngles{.left = RowOf(*init.init_joint_angles, 0),
                                        .right = RowOf(*init.init_joint_angles, 1)});
   }
-  if (options_.on_markers) {
-    std::vector<Vector3> markers;
-    for (Eigen::Index i = 0; i < init.draw_markers.rows(); ++i) {
-      markers.push_back(scene::FromFileUnits(Vector3(init.draw_markers.row(i).transpose()),
-                                             simulation->scene().meters_per_unit));
-    }
-    options_.on_markers(markers);
-  }
+  wishes_ = init.pictures;
+  ShowMarkers(init.draw_markers, simulation);
   return status_;
+}
+
+void BrainDriver::ShowMarkers(const Points& markers, sim::Simulation* simulation) {
+  if (markers.rows() == 0 && !has_markers_) return;
+  sim::Markers shown;
+  for (Eigen::Index i = 0; i < markers.rows(); ++i) {
+    shown.points_in_world.push_back(scene::FromFileUnits(Vector3(markers.row(i).transpose()),
+                                                         simulation->scene().meters_per_unit));
+  }
+  has_markers_ = markers.rows() > 0;
+  simulation->Apply(shown);
 }
 
 BrainStatus BrainDriver::Drive(sim::Simulation* simulation) {
   auto reply = process_->Step(Sense(*simulation));
   if (auto* error = std::get_if<BrainError>(&reply)) return Fail(std::move(*error), simulation);
   const auto& step = std::get<StepReply>(reply);
+  if (step.draw_markers) ShowMarkers(*step.draw_markers, simulation);
   Send(step.motor, simulation);
   if (step.exit) {
     status_ = BrainStatus::kExited;
@@ -204,7 +289,7 @@ BrainStatus BrainDriver::Fail(BrainError error, sim::Simulation* simulation) {
   status_ = BrainStatus::kFailed;
   error_ = std::move(error);
   StopRobot(simulation);
-  if (options_.on_markers) options_.on_markers({});
+  ShowMarkers(Points(0, 3), simulation);
   return status_;
 }
 

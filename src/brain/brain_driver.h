@@ -1,11 +1,11 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <optional>
 #include <string>
 
 #include "brain/brain_process.h"
+#include "brain/sensor_noise.h"
 #include "sim/eye.h"
 #include "sim/simulation.h"
 
@@ -13,12 +13,11 @@ namespace smile::brain {
 
 struct BrainDriverOptions {
   sim::Eye* eye = nullptr;              ///< takes its pictures; nullptr for a blind brain
-  double image_seconds = 0.25;          ///< between fresh pictures, in simulated time
+  double image_seconds = 0.25;          ///< between fresh pictures, unless the brain wishes another
   bool has_trackers = true;             ///< tell it `sensor.trackerLoc` too; see MayReadTrackers()
   std::filesystem::path demonstration;  ///< the recording to imitate; empty for none
   Attention attention;                  ///< of it
-  /// Told the points a brain marks for people [m]; they are in no picture the robot sees.
-  std::function<void(const std::vector<Vector3>&)> on_markers;
+  SensorNoise noise;                    ///< in all it is told
 };
 
 /// False for a folder none of whose scripts names `trackerLoc`. In Octave its map costs more time
@@ -50,6 +49,10 @@ class BrainDriver {
  private:
   Aux Describe(const sim::Simulation& simulation) const;
   Sensor Sense(const sim::Simulation& simulation);
+  bool IsPictureDue(const sim::Simulation& simulation) const;
+  /// Adds fresh pictures of the eye and the cameras the brain asked for.
+  void Look(const sim::Simulation& simulation, Sensor* sensor);
+  void ShowMarkers(const Points& markers, sim::Simulation* simulation);
   void Send(const Motor& motor, sim::Simulation* simulation);
   BrainStatus Fail(BrainError error, sim::Simulation* simulation);
   void StopRobot(sim::Simulation* simulation);
@@ -58,7 +61,9 @@ class BrainDriver {
   BrainDriverOptions options_;
   BrainStatus status_ = BrainStatus::kRunning;
   std::optional<BrainError> error_;
+  PictureWishes wishes_;
   std::uint64_t num_images_ = 0;
+  bool has_markers_ = false;  ///< to be taken away when it fails
   std::optional<sim::JointVelocities> sent_velocities_;
   std::optional<sim::JointAngles> sent_angles_;
 };

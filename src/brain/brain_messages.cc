@@ -12,8 +12,13 @@
 namespace smile::brain {
 namespace {
 
-constexpr std::size_t kMaxMarkers = 10'000;
+/// Beyond this, nothing is on a table [units].
+constexpr double kFarthest = 1e6;
 constexpr std::size_t kMaxErrorLetters = 2'000;
+constexpr std::size_t kMaxExtraCameras = 8;
+constexpr double kMaxImageSeconds = 3600;
+/// Of the pictures in one message; the rest is for names and numbers.
+constexpr std::size_t kMaxPictureBytes = kMaxBodyBytes - (std::size_t{12} << 20);
 
 template <class Matrix>
 void AddMatrix(MessageWriter& writer, std::string_view name, const Matrix& matrix) {
@@ -24,27 +29,40 @@ void AddMatrix(MessageWriter& writer, std::string_view name, const Matrix& matri
                     {column_major.data(), static_cast<std::size_t>(column_major.size())});
 }
 
-void AddCamera(MessageWriter& writer, const CameraDescription& camera) {
+Eigen::Matrix3d IntrinsicsOf(const CameraDescription& camera) {
   Eigen::Matrix3d K;
   K << camera.fx, 0, camera.cx, 0, camera.fy, camera.cy, 0, 0, 1;
-  AddMatrix(writer, "cameraIntrinsics", K);
+  return K;
+}
+
+void AddCamera(MessageWriter& writer, const CameraDescription& camera) {
+  AddMatrix(writer, "cameraIntrinsics", IntrinsicsOf(camera));
   AddMatrix(writer, "cameraSize", Eigen::RowVector2d(camera.height_px, camera.width_px));
   AddMatrix(writer, "cameraPose", camera.X_WC);
 }
 
-/// Names in one text, a line each; positions in the same order.
-void AddTrackers(MessageWriter& writer, const Sensor& sensor) {
-  std::string names;
-  Eigen::MatrixX3d positions(sensor.tracker_locations.size(), 3);
-  Eigen::Index row = 0;
-  for (const auto& [name, p_WQ] : sensor.tracker_locations) {
+/// Names in one text, a line each.
+void AddLines(MessageWriter& writer, std::string_view field, std::span<const std::string> names) {
+  std::string text;
+  for (const std::string& name : names) {
     if (name.find('\n') != std::string::npos) {
-      throw std::invalid_argument("tracker name '" + name + "' holds a line break");
+      throw std::invalid_argument(std::string(field) + ": '" + name + "' holds a line break");
     }
-    names += (row > 0 ? "\n" : "") + name;
-    positions.row(row++) = p_WQ;
+    if (&name != &names.front()) text += "\n";
+    text += name;
   }
-  writer.AddText("trackerNames", names);
+  writer.AddText(field, text);
+}
+
+/// Positions in the order of the names.
+void AddTrackers(MessageWriter& writer, const Sensor& sensor) {
+  std::vector<std::string> names;
+  Eigen::MatrixX3d positions(sensor.tracker_locations.size(), 3);
+  for (const auto& [name, p_WQ] : sensor.tracker_locations) {
+    positions.row(static_cast<Eigen::Index>(names.size())) = p_WQ;
+    names.push_back(name);
+  }
+  AddLines(writer, "trackerNames", names);
   AddMatrix(writer, "trackerPositions", positions);
 }
 
@@ -64,17 +82,23 @@ void AddAttention(MessageWriter& writer, const Attention& attention) {
   writer.AddText("attention", text);
 }
 
-/// From rows of interleaved pixels to Matlab's columns of one color after the other.
-void AddImage(MessageWriter& writer, const Image& image) {
+/// That a channel has as many values as its picture needs.
+void CheckChannel(const std::string& field, std::size_t found, const Image& image, int depth) {
   const auto width = static_cast<std::size_t>(std::max(0, image.width_px));
   const auto height = static_cast<std::size_t>(std::max(0, image.height_px));
-  if (image.color.empty() || image.color.size() != width * height * 3) {
-    throw std::invalid_argument("rgb_vision: " + std::to_string(image.color.size()) +
-                                " bytes do not make " + std::to_string(height) + "x" +
-                                std::to_string(width) + "x3");
-  }
+  if (found > 0 && found == width * height * depth) return;
+  throw std::invalid_argument(field + ": " + std::to_string(found) + " values do not make " +
+                              std::to_string(height) + "x" + std::to_string(width) + "x" +
+                              std::to_string(depth));
+}
+
+/// From rows of interleaved pixels to Matlab's columns of one color after the other.
+void AddColors(MessageWriter& writer, const std::string& field, const Image& image) {
+  CheckChannel(field, image.color.size(), image, 3);
+  const auto width = static_cast<std::size_t>(image.width_px);
+  const auto height = static_cast<std::size_t>(image.height_px);
   const std::array dims{static_cast<std::uint32_t>(height), static_cast<std::uint32_t>(width), 3u};
-  const auto planes = writer.AddSpace("rgbVision", ElementType::kByte, true, dims);
+  const auto planes = writer.AddSpace(field, ElementType::kByte, true, dims);
   const std::uint8_t* pixels = image.color.data();
   std::byte* out = planes.data();
   const std::size_t plane = width * height;
@@ -86,6 +110,50 @@ void AddImage(MessageWriter& writer, const Image& image) {
       out[2 * plane] = std::byte{pixel[2]};
     }
   }
+}
+
+/// From rows of values to Matlab's columns of numbers.
+template <class Value>
+void AddValues(MessageWriter& writer, const std::string& field, const std::vector<Value>& values,
+               const Image& image) {
+  using Rows = Eigen::Matrix<Value, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  CheckChannel(field, values.size(), image, 1);
+  AddMatrix(writer, field,
+            Eigen::Map<const Rows>(values.data(), image.height_px, image.width_px)
+                .template cast<double>());
+}
+
+/// How the channels of a picture are called.
+struct PictureFields {
+  std::string rgb, depth, segments, pose;
+};
+
+PictureFields FieldsOf(const std::string& camera) {
+  if (camera.empty()) return {"rgbVision", "depthVision", "segmentVision", "cameraPose"};
+  const std::string prefix = "cameras_" + camera + "_";
+  return {prefix + "rgb", prefix + "depth", prefix + "segments", prefix + "pose"};
+}
+
+void AddPicture(MessageWriter& writer, const CameraPicture& picture) {
+  const PictureFields fields = FieldsOf(picture.name);
+  const Image& image = picture.image;
+  if (!image.color.empty()) AddColors(writer, fields.rgb, image);
+  if (!image.depth.empty()) AddValues(writer, fields.depth, image.depth, image);
+  if (!image.ids.empty()) AddValues(writer, fields.segments, image.ids, image);
+  AddMatrix(writer, fields.pose, picture.camera.X_WC);
+  // The eye's are in `aux`.
+  if (!picture.name.empty()) {
+    AddMatrix(writer, "cameras_" + picture.name + "_intrinsics", IntrinsicsOf(picture.camera));
+  }
+}
+
+void AddHeld(MessageWriter& writer, const Sensor& sensor) {
+  const std::array dims{1u, static_cast<std::uint32_t>(kLimbCount)};
+  const auto flags = writer.AddSpace("isHolding", ElementType::kLogical, false, dims);
+  for (std::size_t arm = 0; arm < flags.size(); ++arm) {
+    flags[arm] = std::byte{!sensor.held_objects[arm].empty()};
+  }
+  AddLines(writer, "heldObject", sensor.held_objects);
 }
 
 /// A finite matrix from outside. `variable` is what the script calls it, for example `motor.`.
@@ -155,6 +223,112 @@ void ReadMotorField(MatrixReader& reader, const NamedArray& field, Motor* motor)
   }
 }
 
+/// The words of a text from outside, between line breaks, commas or blanks.
+std::vector<std::string> ReadWords(const NamedArray& array, MatrixReader& reader) {
+  const auto text = array.Text();
+  if (!text && !array.data.empty()) {
+    reader.Fail(array.name + " is " + ShapeText(array.dims) + " numbers, expected names");
+    return {};
+  }
+  if (text && !text->empty() && (array.dims.size() != 2 || array.dims[0] != 1)) {
+    reader.Fail(array.name + " is " + ShapeText(array.dims) + " letters, expected one line");
+    return {};
+  }
+  std::vector<std::string> words(1);
+  for (const char letter : text.value_or("")) {
+    if (letter != '\n' && letter != ',' && letter != ' ') {
+      words.back() += letter;
+    } else if (!words.back().empty()) {
+      words.emplace_back();
+    }
+  }
+  if (words.back().empty()) words.pop_back();
+  return words;
+}
+
+/// The words, each one of those there are; the first that is not, or is there twice, is an error.
+std::vector<std::string> ReadChoice(const NamedArray& array,
+                                    std::span<const std::string_view> known, MatrixReader& reader) {
+  std::vector<std::string> words = ReadWords(array, reader);
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::string named = array.name + " names " + Quoted(PrintableText(words[i], 100));
+    if (std::ranges::find(known, words[i]) == known.end()) {
+      reader.Fail(named + ", expected " + OneOf(known) + DidYouMean(words[i], known));
+    } else if (std::find(words.begin(), words.begin() + static_cast<std::ptrdiff_t>(i), words[i]) !=
+               words.begin() + static_cast<std::ptrdiff_t>(i)) {
+      reader.Fail(named + " twice, expected it once");
+    }
+    if (!reader.ok()) return {};
+  }
+  return words;
+}
+
+sim::Channels ReadChannels(const NamedArray& array, MatrixReader& reader) {
+  constexpr std::array<std::string_view, 3> kNames{"rgb", "depth", "segmentation"};
+  sim::Channels channels{.rgb = false};
+  for (const std::string& name : ReadChoice(array, kNames, reader)) {
+    (name == kNames[0] ? channels.rgb : name == kNames[1] ? channels.depth : channels.id) = true;
+  }
+  return channels;
+}
+
+double ReadImageSeconds(const NamedArray& array, MatrixReader& reader) {
+  const double seconds = reader.Read(array, 1, 1)(0, 0);
+  if (reader.ok() && !(seconds >= 0 && seconds <= kMaxImageSeconds)) {
+    reader.Fail(array.name + " is " + NumberText(seconds) + ", expected a number from 0 to " +
+                NumberText(kMaxImageSeconds));
+  }
+  return seconds;
+}
+
+void CheckSize(const PictureWishes& wishes, const Aux& aux, MatrixReader& reader) {
+  if (!aux.camera) return;
+  const std::size_t pixel_bytes =
+      3 * wishes.channels.rgb + sizeof(double) * (wishes.channels.depth + wishes.channels.id);
+  const std::size_t bytes = pixel_bytes * static_cast<std::size_t>(aux.camera->width_px) *
+                            static_cast<std::size_t>(aux.camera->height_px) *
+                            (1 + wishes.cameras.size());
+  if (bytes <= kMaxPictureBytes) return;
+  reader.Fail("channels and cameras ask for " + std::to_string(bytes >> 20) +
+              " MiB at a time, expected at most " + std::to_string(kMaxPictureBytes >> 20) +
+              ": smaller pictures, or fewer of them");
+}
+
+PictureWishes ReadPictureWishes(const Message& message, const Aux& aux, MatrixReader& reader) {
+  PictureWishes wishes;
+  if (const NamedArray* channels = message.Find("channels")) {
+    wishes.channels = ReadChannels(*channels, reader);
+  }
+  if (const NamedArray* cameras = message.Find("cameras")) {
+    const std::vector<std::string_view> known(aux.camera_names.begin(), aux.camera_names.end());
+    wishes.cameras = ReadChoice(*cameras, known, reader);
+    if (wishes.cameras.size() > kMaxExtraCameras) {
+      reader.Fail("cameras names " + std::to_string(wishes.cameras.size()) + ", expected at most " +
+                  std::to_string(kMaxExtraCameras));
+    }
+  }
+  if (const NamedArray* seconds = message.Find("imageSeconds")) {
+    wishes.image_seconds = ReadImageSeconds(*seconds, reader);
+  }
+  CheckSize(wishes, aux, reader);
+  return wishes;
+}
+
+Points ReadMarkers(const NamedArray& markers, MatrixReader& reader) {
+  // `[]` has no columns; it means no markers.
+  if (markers.data.empty() && markers.dims.back() != 3) return Points(0, 3);
+  if (markers.dims[0] > sim::kMaxMarkers) {
+    reader.Fail("drawMarkers has " + std::to_string(markers.dims[0]) + " rows, expected at most " +
+                std::to_string(sim::kMaxMarkers));
+    return Points(0, 3);
+  }
+  Points points = reader.Read(markers, -1, 3);
+  if (reader.ok() && points.size() > 0 && points.cwiseAbs().maxCoeff() > kFarthest) {
+    reader.Fail("drawMarkers has a number beyond " + NumberText(kFarthest));
+  }
+  return points;
+}
+
 int LineOf(const Message& message) {
   const NamedArray* array = message.Find("line");
   const auto numbers = array ? array->Numbers() : std::nullopt;
@@ -172,6 +346,11 @@ std::vector<std::byte> EncodeAux(std::uint32_t sequence, const Aux& aux, std::st
   writer.AddScalar("numJoints", kJointCount);
   AddMatrix(writer, "minJointAngles", aux.min_joint_angles);
   AddMatrix(writer, "maxJointAngles", aux.max_joint_angles);
+  AddMatrix(writer, "maxJointVelocities", aux.max_joint_velocities);
+  writer.AddScalar("unit", aux.meters_per_unit);
+  AddMatrix(writer, "robotBase", aux.X_WBase);
+  if (!aux.robot.empty()) writer.AddText("robot", aux.robot);
+  AddLines(writer, "cameraNames", aux.camera_names);
   if (aux.camera) AddCamera(writer, *aux.camera);
   if (!aux.demonstration.empty()) writer.AddText("demonstration", aux.demonstration);
   AddAttention(writer, aux.attention);
@@ -187,39 +366,45 @@ std::vector<std::byte> EncodeSensor(std::uint32_t sequence, const Sensor& sensor
   AddMatrix(writer, "gripperOpening", sensor.gripper_openings);
   writer.AddLogical("demoCue", sensor.demo_cue);
   if (!sensor.tracker_locations.empty()) AddTrackers(writer, sensor);
-  if (sensor.rgb_vision) AddImage(writer, *sensor.rgb_vision);
+  AddMatrix(writer, "jointVelocities", sensor.joint_velocities);
+  writer.AddScalar("headAngle", sensor.head_angle);
+  AddHeld(writer, sensor);
+  for (const CameraPicture& picture : sensor.pictures) AddPicture(writer, picture);
+  if (!sensor.segment_names.empty()) AddLines(writer, "segmentNames", sensor.segment_names);
   return writer.Finish();
 }
 
-std::variant<InitReply, WireError> DecodeInitReply(const Message& message) {
+std::variant<InitReply, WireError> DecodeInitReply(const Message& message, const Aux& aux) {
   MatrixReader reader("aux.");
   InitReply reply;
   if (const NamedArray* angles = message.Find("initJointAngles")) {
     reply.init_joint_angles = reader.Read(*angles, kLimbCount, kJointCount);
   }
-  // `[]` has no columns; it means no markers.
-  const NamedArray* markers = message.Find("drawMarkers");
-  if (markers && (!markers->data.empty() || markers->dims.back() == 3)) {
-    reply.draw_markers = reader.Read(*markers, -1, 3);
-    if (reply.draw_markers.rows() > static_cast<Eigen::Index>(kMaxMarkers)) {
-      reader.Fail("drawMarkers has " + std::to_string(reply.draw_markers.rows()) +
-                  " rows, expected at most " + std::to_string(kMaxMarkers));
-    }
+  if (const NamedArray* markers = message.Find("drawMarkers")) {
+    reply.draw_markers = ReadMarkers(*markers, reader);
   }
+  reply.pictures = ReadPictureWishes(message, aux, reader);
   if (!reader.ok()) return reader.error();
   return reply;
 }
 
 std::variant<StepReply, WireError> DecodeStepReply(const Message& message) {
-  MatrixReader reader("motor.");
+  MatrixReader reader("motor."), aux_reader("aux.");
   StepReply reply;
   reply.exit = message.type == MessageType::kFinalMotor;
-  for (const NamedArray& field : message.arrays) ReadMotorField(reader, field, &reply.motor);
+  for (const NamedArray& field : message.arrays) {
+    if (field.name == "drawMarkers") {
+      reply.draw_markers = ReadMarkers(field, aux_reader);
+    } else {
+      ReadMotorField(reader, field, &reply.motor);
+    }
+  }
   if (!message.Find("jointVelocities") && !reply.motor.joint_angles) {
     reader.Fail("jointVelocities is missing, expected 2x7");
   }
   if (!message.Find("gripperVelocities")) reader.Fail("gripperVelocities is missing, expected 2x1");
   if (!reader.ok()) return reader.error();
+  if (!aux_reader.ok()) return aux_reader.error();
   return reply;
 }
 

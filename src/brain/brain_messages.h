@@ -27,11 +27,12 @@ using wire::WireError;
 std::vector<std::byte> EncodeAux(std::uint32_t sequence, const Aux& aux, std::string_view path);
 
 /// The fields of `sensor`.
-/// @throws std::invalid_argument if the image does not have width x height x 3 colors, or a
-///         tracker's name holds a line break.
+/// @throws std::invalid_argument if a channel of a picture does not have its size, or a name holds
+///         a line break.
 std::vector<std::byte> EncodeSensor(std::uint32_t sequence, const Sensor& sensor);
 
-std::variant<InitReply, WireError> DecodeInitReply(const Message& message);
+/// @param aux  what was told: there may be no wishes beyond it.
+std::variant<InitReply, WireError> DecodeInitReply(const Message& message, const Aux& aux);
 
 /// From kMotor or kFinalMotor.
 std::variant<StepReply, WireError> DecodeStepReply(const Message& message);

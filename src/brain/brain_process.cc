@@ -116,7 +116,7 @@ OrError<InitReply> BrainProcess::Impl::Init(const Aux& aux) {
   const Message& message = std::get<Message>(answer);
   init_file_ = message.TextOf("initFile");
   callback_file_ = message.TextOf("callbackFile");
-  auto reply = DecodeInitReply(message);
+  auto reply = DecodeInitReply(message, aux);
   if (const auto* error = std::get_if<WireError>(&reply)) {
     return EndWith(ErrorIn(Phase::kInit, error->message));
   }

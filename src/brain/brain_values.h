@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "math/image.h"
+#include "sim/eye.h"
 
 /// What a robot program is told and what it answers, exactly as its scripts see it: lengths are in
 /// file units (1 unit = 0.1 m) in the world frame of the scene file, angles in radians, row 1 of a
@@ -22,7 +24,7 @@ using LimbJoints = Eigen::Matrix<double, kLimbCount, kJointCount>;
 using LimbPoints = Eigen::Matrix<double, kLimbCount, 3>;
 using Points = Eigen::Matrix<double, Eigen::Dynamic, 3>;
 
-/// The head camera, as `aux` describes it.
+/// A camera, as `aux` and `sensor` describe it.
 struct CameraDescription {
   int width_px = 0;
   int height_px = 0;
@@ -32,15 +34,28 @@ struct CameraDescription {
   Eigen::Matrix4d X_WC = Eigen::Matrix4d::Identity();
 };
 
+/// A picture that a camera has just taken; channels nobody asked for are empty.
+struct CameraPicture {
+  CameraDescription camera;
+  Image image;       ///< its depth is in units
+  std::string name;  ///< of the camera; empty for the robot's eye
+};
+
 /// Of objects of a demonstration, by id: which of their properties matter, as the demonstrator
 /// told.
 using Attention = std::map<std::string, std::vector<std::string>>;
 
 /// What a program is told once, before it starts. (`aux.path` is added by BrainProcess.)
 struct Aux {
-  LimbJoints min_joint_angles = LimbJoints::Zero();  ///< [rad]
-  LimbJoints max_joint_angles = LimbJoints::Zero();  ///< [rad]
-  std::optional<CameraDescription> camera;           ///< absent when there are no images
+  LimbJoints min_joint_angles = LimbJoints::Zero();      ///< [rad]
+  LimbJoints max_joint_angles = LimbJoints::Zero();      ///< [rad]
+  LimbJoints max_joint_velocities = LimbJoints::Zero();  ///< [rad/s]
+  std::optional<CameraDescription> camera;               ///< absent when there are no images
+  std::vector<std::string> camera_names;                 ///< of all cameras a program may ask for
+  std::string robot;                                     ///< the URDF file; empty when unknown
+  /// Pose of the robot's base (x forward, z up) in the world, translation in units.
+  Eigen::Matrix4d X_WBase = Eigen::Matrix4d::Identity();
+  double meters_per_unit = 0.1;
   std::string demonstration;  ///< folder of the recording to imitate; empty when there is none
   Attention attention;        ///< of that demonstration
 };
@@ -53,8 +68,15 @@ struct Sensor {
   LimbPoints end_effector_positions = LimbPoints::Zero();            ///< gripper origins [units]
   Eigen::RowVector2d gripper_openings = Eigen::RowVector2d::Zero();  ///< left, right [units]
   std::map<std::string, Eigen::RowVector3d, std::less<>> tracker_locations;  ///< [units]
-  bool demo_cue = false;            ///< a demonstration is being shown
-  std::optional<Image> rgb_vision;  ///< the head image (color only), when a fresh one exists
+  bool demo_cue = false;                             ///< a demonstration is being shown
+  LimbJoints joint_velocities = LimbJoints::Zero();  ///< [rad/s]
+  double head_angle = 0;                             ///< [rad]
+  /// What each gripper holds, by id; empty when it holds nothing.
+  std::array<std::string, kLimbCount> held_objects;
+  /// Fresh ones, in the order in which they were asked for; the eye's first.
+  std::vector<CameraPicture> pictures;
+  /// Of the numbers in their ids, from 1 on; empty unless somebody asked for segmentation.
+  std::vector<std::string> segment_names;
 };
 
 /// What a program wants its robot to do until the next step.
@@ -65,16 +87,27 @@ struct Motor {
   std::optional<double> head_velocity;     ///< [rad/s]
 };
 
+/// Which pictures a program wants.
+struct PictureWishes {
+  sim::Channels channels;
+  std::vector<std::string> cameras;     ///< beside the eye, of those in Aux::camera_names
+  std::optional<double> image_seconds;  ///< between fresh pictures; 0: at every step
+
+  bool operator==(const PictureWishes&) const = default;
+};
+
 /// What the init script answered.
 struct InitReply {
   std::optional<LimbJoints> init_joint_angles;  ///< where to start [rad]
   Points draw_markers = Points(0, 3);           ///< points to show to people [units]
+  PictureWishes pictures;
 };
 
 /// What the callback answered.
 struct StepReply {
   Motor motor;
-  bool exit = false;  ///< the program set aux.exit: this was its last step
+  std::optional<Points> draw_markers;  ///< other points to show to people from now on [units]
+  bool exit = false;                   ///< the program set aux.exit: this was its last step
 };
 
 /// Why a program was stopped.

@@ -7,19 +7,24 @@
 
 namespace smile {
 
-CameraIntrinsics CameraIntrinsics::FromVerticalFieldOfView(int width_px, int height_px,
-                                                           double angle) {
+namespace {
+
+void CheckSize(int width_px, int height_px) {
   constexpr int kMaxSize = 8192;
-  if (width_px < 1 || width_px > kMaxSize || height_px < 1 || height_px > kMaxSize) {
-    throw std::invalid_argument("image size is " + std::to_string(width_px) + "x" +
-                                std::to_string(height_px) + ", expected 1 to " +
-                                std::to_string(kMaxSize) + " pixels each");
-  }
-  if (!(angle > 0 && angle < std::numbers::pi)) {
-    throw std::invalid_argument("vertical field of view is " + std::to_string(angle) +
-                                " rad, expected between 0 and pi");
-  }
-  const double focal_length = 0.5 * height_px / std::tan(0.5 * angle);
+  if (width_px >= 1 && width_px <= kMaxSize && height_px >= 1 && height_px <= kMaxSize) return;
+  throw std::invalid_argument("image size is " + std::to_string(width_px) + "x" +
+                              std::to_string(height_px) + ", expected 1 to " +
+                              std::to_string(kMaxSize) + " pixels each");
+}
+
+/// Of a camera that sees `angle` [rad] across `size_px` [px].
+double FocalLength(const std::string& direction, int size_px, double angle) {
+  if (angle > 0 && angle < std::numbers::pi) return 0.5 * size_px / std::tan(0.5 * angle);
+  throw std::invalid_argument(direction + " field of view is " + std::to_string(angle) +
+                              " rad, expected between 0 and pi");
+}
+
+CameraIntrinsics Centered(int width_px, int height_px, double focal_length) {
   return {.width_px = width_px,
           .height_px = height_px,
           .fx = focal_length,
@@ -28,13 +33,30 @@ CameraIntrinsics CameraIntrinsics::FromVerticalFieldOfView(int width_px, int hei
           .cy = 0.5 * height_px};
 }
 
-RigidTransform LookAt(const Vector3& p_WC, const Vector3& p_WQ) {
+}  // namespace
+
+CameraIntrinsics CameraIntrinsics::FromVerticalFieldOfView(int width_px, int height_px,
+                                                           double angle) {
+  CheckSize(width_px, height_px);
+  return Centered(width_px, height_px, FocalLength("vertical", height_px, angle));
+}
+
+CameraIntrinsics CameraIntrinsics::FromHorizontalFieldOfView(int width_px, int height_px,
+                                                             double angle) {
+  CheckSize(width_px, height_px);
+  return Centered(width_px, height_px, FocalLength("horizontal", width_px, angle));
+}
+
+RigidTransform LookAt(const Vector3& p_WC, const Vector3& p_WQ, const Vector3& up_in_world) {
   const Vector3 sight = p_WQ - p_WC;
   if (sight.norm() == 0) throw std::invalid_argument("a camera cannot look at its own position");
   const Vector3 z = sight.normalized();
-  Vector3 x = z.cross(Vector3::UnitZ());
-  // Straight up or down: the image's right side is world x.
-  x = x.norm() < 1e-9 ? Vector3::UnitX() : Vector3(x.normalized());
+  Vector3 x = z.cross(up_in_world);
+  if (x.norm() < 1e-9 * up_in_world.norm()) {
+    x = Vector3::UnitX();
+    if (std::abs(z.dot(x)) > 1e-9) throw std::invalid_argument("a camera's top points forward");
+  }
+  x.normalize();
   Matrix3 R_WC;
   R_WC << x, z.cross(x), z;
   return {R_WC, p_WC};

@@ -20,6 +20,8 @@ struct CameraIntrinsics {
   /// Square pixels, axis in the middle of the image.
   /// @throws std::invalid_argument unless sizes are 1 to 8192 and the angle is in (0, pi).
   static CameraIntrinsics FromVerticalFieldOfView(int width_px, int height_px, double angle);
+  /// The same for the angle from left to right.
+  static CameraIntrinsics FromHorizontalFieldOfView(int width_px, int height_px, double angle);
 
   bool operator==(const CameraIntrinsics&) const = default;
 };
@@ -32,9 +34,12 @@ struct CameraView {
   bool operator==(const CameraView&) const = default;
 };
 
-/// The pose of a camera at `p_WC` that looks at `p_WQ` with the image's top towards world +z.
-/// @throws std::invalid_argument if the two points coincide.
-RigidTransform LookAt(const Vector3& p_WC, const Vector3& p_WQ);
+/// The pose of a camera at `p_WC` that looks at `p_WQ` with the image's top towards `up_in_world`.
+/// Straight up or down at a vertical `up_in_world`, the image's right side is world +x.
+/// @throws std::invalid_argument if the two points coincide, or another `up_in_world` points from
+///         one to the other.
+RigidTransform LookAt(const Vector3& p_WC, const Vector3& p_WQ,
+                      const Vector3& up_in_world = Vector3::UnitZ());
 
 /// Pixel coordinates (u, v) of a point in the camera frame with z > 0.
 Eigen::Vector2d ProjectToPixel(const CameraIntrinsics& intrinsics, const Vector3& p_CQ);

@@ -33,7 +33,10 @@ DemoInfo InfoOf(const RecorderOptions& options, const sim::Eye* eye,
     info.robot = RobotInfo{
         .name = placement->model.name, .gap = placement->gap, .height = placement->height};
   }
-  if (eye != nullptr) info.eye = EyeView(simulation, eye->spec());
+  if (eye != nullptr) {
+    info.eye = EyeView(simulation, eye->spec());
+    info.eye_camera = eye->spec().camera;
+  }
   return info;
 }
 

@@ -73,6 +73,10 @@ void CheckInfo(const DemoInfo& info) {
   if (!info.eye) return;
   check("width_px", info.eye->intrinsics.width_px, 1, 8192);
   check("height_px", info.eye->intrinsics.height_px, 1, 8192);
+  if (info.eye_camera != sim::kEyeCamera && info.eye_camera != sim::kHeadCamera) {
+    throw std::invalid_argument("\"camera\" is " + Quoted(info.eye_camera) +
+                                ", expected \"eye\" or \"head\"");
+  }
 }
 
 DemoInfo ReadInfo(const std::filesystem::path& path) {
@@ -99,7 +103,11 @@ DemoInfo ReadInfo(const std::filesystem::path& path) {
     if (const Json& robot = json.at("robot"); !robot.is_null()) {
       info.robot = RobotInfo{robot.at("name"), robot.at("gap_m"), robot.at("height_m")};
     }
-    if (const Json& eye = json.at("eye"); !eye.is_null()) info.eye = ParseView(eye);
+    if (const Json& eye = json.at("eye"); !eye.is_null()) {
+      info.eye = ParseView(eye);
+      // There was only one camera once.
+      info.eye_camera = eye.value("camera", sim::kEyeCamera);
+    }
     CheckInfo(info);
     return info;
   } catch (const Json::exception& error) {  // a key is missing or of another type
@@ -155,7 +163,10 @@ std::string ToJsonText(const DemoInfo& info) {
     robot = {
         {"name", info.robot->name}, {"gap_m", info.robot->gap}, {"height_m", info.robot->height}};
   }
-  if (info.eye) eye = ToJson(*info.eye);
+  if (info.eye) {
+    eye = ToJson(*info.eye);
+    eye["camera"] = info.eye_camera;
+  }
   const Json json = {{"format", info.format},
                      {"program", info.program.empty() ? ProgramName() : info.program},
                      {"scene", info.scene},

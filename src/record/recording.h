@@ -8,6 +8,7 @@
 #include "math/camera_projection.h"
 #include "record/command_log.h"
 #include "scene/scene_spec.h"
+#include "sim/eye.h"
 #include "sim/simulation.h"
 
 namespace smile::record {
@@ -44,6 +45,7 @@ struct DemoInfo {
   bool has_symbols = true;         ///< in the classic view
   std::optional<RobotInfo> robot;  ///< nullopt for a table without one
   std::optional<CameraView> eye;   ///< of the pictures; nullopt for text only
+  std::string eye_camera = sim::kEyeCamera;  ///< which camera that is; see sim::CameraNames()
 
   bool operator==(const DemoInfo&) const = default;
 };

@@ -23,7 +23,7 @@ sim::Sight SightAt(const TraceTick& moment, const sim::Simulation& stage,
                    const sim::EyeSpec& spec) {
   return {.state = VisualStateAt(moment, stage),
           .view = sim::EyeView(stage, moment.joints, spec),
-          .hidden_frames = sim::FramesHiddenFromEye(stage, moment.is_robot_shown)};
+          .hidden_frames = sim::FramesHiddenFromEye(stage, moment.is_robot_shown, spec.camera)};
 }
 
 }  // namespace smile::record

@@ -11,7 +11,7 @@ namespace smile::record {
 /// robot that need not run.
 scene::VisualState VisualStateAt(const TraceTick& moment, const sim::Simulation& stage);
 
-/// The same as the robot's eye saw it.
+/// The same as a camera saw it: one of the robot's is where its joints were.
 sim::Sight SightAt(const TraceTick& moment, const sim::Simulation& stage, const sim::EyeSpec& spec);
 
 }  // namespace smile::record

@@ -131,6 +131,13 @@ std::vector<double> RobotBody::ArmAngles(int arm) const {
   return angles;
 }
 
+std::vector<double> RobotBody::ArmVelocities(int arm) const {
+  const std::vector<double> v = articulation().velocities();
+  std::vector<double> velocities;
+  for (int joint : model_.arms.at(arm).joints) velocities.push_back(v[joint]);
+  return velocities;
+}
+
 double RobotBody::HeadAngle() const { return model_.head ? positions()[model_.head->joint] : 0.0; }
 
 double RobotBody::GripperOpening(int arm) const {

@@ -55,10 +55,11 @@ class RobotBody {
   /// To be called after each physics step: looks whether a closing gripper has got something.
   void AfterStep();
 
-  std::vector<double> ArmAngles(int arm) const;  ///< [rad]
-  double HeadAngle() const;                      ///< [rad]; 0 without a head
-  double GripperOpening(int arm) const;          ///< [m]; 0 without a gripper
-  RigidTransform ToolPose(int arm) const;        ///< X_WG, between the fingers
+  std::vector<double> ArmAngles(int arm) const;      ///< [rad]
+  std::vector<double> ArmVelocities(int arm) const;  ///< [rad/s]
+  double HeadAngle() const;                          ///< [rad]; 0 without a head
+  double GripperOpening(int arm) const;              ///< [m]; 0 without a gripper
+  RigidTransform ToolPose(int arm) const;            ///< X_WG, between the fingers
   std::vector<physics::BodyId> HeldBodies(int arm) const;
   std::vector<double> positions() const;  ///< q of all joints, as in model()
   const RigidTransform& base_pose() const { return X_WBase_; }

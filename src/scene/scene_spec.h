@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/camera_spec.h"
 #include "scene/mechanism.h"
 #include "scene/shape.h"
 
@@ -63,6 +64,7 @@ struct SceneSpec {
   std::vector<ObjectSpec> objects;
   std::vector<SliderSpec> sliders;  ///< in the order of the file
   std::vector<ChainSpec> chains;    ///< in the order of the file
+  std::vector<CameraSpec> cameras;  ///< in the order of the file; ids are unique among them
 
   bool operator==(const SceneSpec&) const = default;
 };

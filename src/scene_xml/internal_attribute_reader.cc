@@ -17,6 +17,8 @@ constexpr Range<long double> kSpanUnits{0.001L, 1e6L};
 constexpr Range<long double> kLocationUnits{-1e6L, 1e6L};
 // Beyond, a double holds too few digits of an angle to make a clean rotation of it.
 constexpr Range<double> kAngleDegrees{-1e6, 1e6};
+// Of the largest number in a direction: its length can be calculated.
+constexpr Range<double> kDirectionSize{1e-6, 1e6};
 // How far the columns of a rotation matrix may be from unit length and right angles.
 constexpr double kRotationTolerance = 1e-9;
 
@@ -227,6 +229,19 @@ Vector3 AttributeReader::Point(std::string_view name) {
   }
   const auto meters = [&](int i) { return MetersFromUnits((*units)[i], reading_.meters_per_unit); };
   return {meters(0), meters(1), meters(2)};
+}
+
+Vector3 AttributeReader::Direction(std::string_view name, const Vector3& fallback) {
+  const std::string* text = Text(name);
+  if (!text) return fallback;
+  const auto numbers = ParseNumbers<3, double>(*text);
+  if (numbers) {
+    const Vector3 direction((*numbers)[0], (*numbers)[1], (*numbers)[2]);
+    const double size = direction.cwiseAbs().maxCoeff();
+    if (Contains(kDirectionSize, size)) return direction;
+  }
+  Refuse(name, "(x,y,z), three numbers, the largest of which is " + Wording(kDirectionSize));
+  return fallback;
 }
 
 Matrix3 AttributeReader::Rotation() {

@@ -57,6 +57,8 @@ class AttributeReader {
   double Distance(std::string_view name, double fallback_units);
   /// `(x,y,z)` that must be there.
   Vector3 Point(std::string_view name);
+  /// `(x,y,z)` of any length but 0; no unit.
+  Vector3 Direction(std::string_view name, const Vector3& fallback);
   /// `file`, which must be there, and `scale`: a mesh as large as scenes may have things.
   scene::Custom Custom();
   /// `location` and `rotation`: this element in its parent.

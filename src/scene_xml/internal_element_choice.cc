@@ -14,14 +14,21 @@ using Names = std::span<const std::string_view>;
 
 /// Whether the language has such an element, if not here.
 bool IsOfTheLanguage(std::string_view name) {
-  constexpr std::array kOthers{
-      std::string_view("chain"),          std::string_view("def"),
-      std::string_view("description"),    std::string_view("downstream"),
-      std::string_view("guestBondPoint"), std::string_view("hostBondPoint"),
-      std::string_view("include"),        std::string_view("instance"),
-      std::string_view("light"),          std::string_view("sliderJoint"),
-      std::string_view("state"),          std::string_view("tabletop"),
-      std::string_view("tightness"),      std::string_view("var")};
+  constexpr std::array kOthers{std::string_view("camera"),
+                               std::string_view("chain"),
+                               std::string_view("def"),
+                               std::string_view("description"),
+                               std::string_view("downstream"),
+                               std::string_view("guestBondPoint"),
+                               std::string_view("hostBondPoint"),
+                               std::string_view("include"),
+                               std::string_view("instance"),
+                               std::string_view("light"),
+                               std::string_view("sliderJoint"),
+                               std::string_view("state"),
+                               std::string_view("tabletop"),
+                               std::string_view("tightness"),
+                               std::string_view("var")};
   return std::ranges::find(kOthers, name) != kOthers.end() ||
          std::ranges::find(ShapeElements(), name, &ShapeElement::name) != ShapeElements().end();
 }
@@ -55,7 +62,8 @@ const ShapeElement* FindShape(const XmlElement& element, Container container, Re
     if (shape.name == element.name) return &shape;
     names.push_back(shape.name);
   }
-  if (container == Container::kTabletop) names.insert(names.end(), {"chain", "sliderJoint"});
+  if (container == Container::kTabletop)
+    names.insert(names.end(), {"camera", "chain", "sliderJoint"});
   if (container == Container::kComposite) {
     names.insert(names.end(), {"guestBondPoint", "hostBondPoint"});
   }

@@ -168,6 +168,11 @@ void XmlText::Point(std::string_view name, const Vector3& p) {
   Attribute(name, "(" + Units(p.x()) + "," + Units(p.y()) + "," + Units(p.z()) + ")");
 }
 
+void XmlText::Direction(std::string_view name, const Vector3& direction) {
+  Attribute(name, "(" + NumberText(direction.x()) + "," + NumberText(direction.y()) + "," +
+                      NumberText(direction.z()) + ")");
+}
+
 void XmlText::Pose(const RigidTransform& X_PE) {
   Point("location", X_PE.translation());
   if (const std::optional<std::string> angles = AnglesText(X_PE.rotation())) {

@@ -29,6 +29,7 @@ class XmlText {
   void Length(std::string_view name, double meters);
   void Spans(const Vector3& size);
   void Point(std::string_view name, const Vector3& p);
+  void Direction(std::string_view name, const Vector3& direction);  ///< without unit
   /// `location` and `rotation`, or `rotationMatrix` where angles lose bits.
   void Pose(const RigidTransform& X_PE);
   void Angle(std::string_view name, double angle);  ///< [rad]; degrees in the text

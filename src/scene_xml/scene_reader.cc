@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/files.h"
+#include "scene_xml/internal_camera_reader.h"
 #include "scene_xml/internal_element_choice.h"
 #include "scene_xml/internal_expansion.h"
 #include "scene_xml/internal_inclusion.h"
@@ -21,6 +22,8 @@ void ReadElement(const XmlElement& element, Reading* reading, ObjectList* object
     ReadChain(element, reading, objects);
   } else if (element.Is("sliderJoint")) {
     ReadSlider(element, reading, objects);
+  } else if (element.Is("camera")) {
+    ReadCamera(element, reading, &objects->scene().cameras);
   } else if (const ShapeElement* shape = FindShape(element, Container::kTabletop, reading)) {
     scene::ObjectSpec object = ReadObject(element, *shape, Container::kTabletop, reading);
     if (objects->HasRoomFor(1, element.place)) objects->Add(std::move(object), element.place);

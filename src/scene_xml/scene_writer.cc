@@ -49,6 +49,18 @@ class ElementWriter {
   std::size_t next_slider_ = 0, next_chain_ = 0;
 };
 
+void WriteCamera(const scene::CameraSpec& camera, XmlText* text) {
+  text->Open("camera");
+  text->Attribute("id", camera.id);
+  text->Point("location", camera.p_WC);
+  text->Point("target", camera.p_WQ);
+  if (camera.up_in_world != scene::CameraSpec().up_in_world) {
+    text->Direction("up", camera.up_in_world);
+  }
+  text->Angle("fov", camera.vertical_field_of_view);
+  text->Close();
+}
+
 }  // namespace
 
 std::string WriteScene(const scene::SceneSpec& scene, std::span<const std::string> origins,
@@ -64,6 +76,7 @@ std::string WriteScene(const scene::SceneSpec& scene, std::span<const std::strin
     text.Number("metersPerUnit", scene.meters_per_unit);
   }
   ElementWriter(scene, origins, &text).WriteAll();
+  for (const scene::CameraSpec& camera : scene.cameras) WriteCamera(camera, &text);
   text.Close();
   return text.Take();
 }

@@ -153,6 +153,16 @@ struct ShowRobot {
   bool operator==(const ShowRobot&) const = default;
 };
 
+/// More points than these are nobody's.
+inline constexpr std::size_t kMaxMarkers = 500;
+
+/// Marks points for people, in place of those marked before. They are in views for people only:
+/// no state, no trace and no picture of a robot's camera knows of them.
+struct Markers {
+  std::vector<Vector3> points_in_world;  ///< at most kMaxMarkers [m]
+  bool operator==(const Markers&) const = default;
+};
+
 /// Takes back the last action of a hand, with everything since; see IsAction().
 struct Undo {
   bool operator==(const Undo&) const = default;
@@ -177,7 +187,7 @@ struct FinishRecording {
 using Command =
     std::variant<Grasp, MoveTo, Plane, Drag, Rotate, Release, Destroy, Attend, Point, Trigger,
                  Fasten, Loosen, JointVelocities, JointAngles, TurnJoint, MoveGripper, TakePose,
-                 FollowTrajectory, ShowRobot, Undo, Redo, StartRecording, FinishRecording>;
+                 FollowTrajectory, ShowRobot, Markers, Undo, Redo, StartRecording, FinishRecording>;
 
 /// True of what a hand does to the world or shows: it begins a new segment of a recording, and can
 /// be undone.

@@ -32,6 +32,11 @@ bool IsNumbers(const Json& json, std::size_t min_count, std::size_t max_count) {
   return true;
 }
 
+bool IsPoints(const Json& json) {
+  return json.is_array() && json.size() <= kMaxMarkers &&
+         std::ranges::all_of(json, [](const Json& point) { return IsNumbers(point, 3, 3); });
+}
+
 bool IsText(const Json& json, std::size_t max_length) {
   return json.is_string() && json.get_ref<const std::string&>().size() <= max_length;
 }
@@ -89,6 +94,11 @@ void CheckField(const Field& field, const Json& value) {
     case Kind::kPoint:
     case Kind::kAngles:
       if (!IsNumbers(value, 3, 3)) Expected(key, value, "three numbers [x, y, z] of at most 1e6");
+      return;
+    case Kind::kPoints:
+      if (!IsPoints(value)) {
+        Expected(key, value, "at most 500 points [x, y, z] of numbers of at most 1e6");
+      }
       return;
     case Kind::kDirection:
       if (!IsNumbers(value, 3, 3) || value == Json{0, 0, 0}) {

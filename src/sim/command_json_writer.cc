@@ -118,6 +118,13 @@ Json ToJson(const Command& command, double unit) {
                  [&](const ShowRobot& show) {
                    return Json{{"do", "robot"}, {"shown", show.is_shown}};
                  },
+                 [&](const Markers& markers) {
+                   Json points = Json::array();
+                   for (const Vector3& p : markers.points_in_world) {
+                     points.push_back(ToArray(ToFileUnits(p, unit)));
+                   }
+                   return Json{{"do", "markers"}, {"points", points}};
+                 },
                  [](const Undo&) {
                    return Json{{"do", "undo"}};
                  },
@@ -160,6 +167,9 @@ Command OnFileGrid(Command command, double unit) {
             }
           },
           [unit](MoveGripper& move) { move.velocity = scene::OnFileGrid(move.velocity, unit); },
+          [unit](Markers& markers) {
+            for (Vector3& p : markers.points_in_world) p = scene::OnFileGrid(p, unit);
+          },
           [](auto&) {}},
       command);
   return command;

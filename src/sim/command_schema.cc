@@ -25,6 +25,9 @@ Json FieldSchema(const Field& field) {
     case Kind::kDirection:
       schema = array(3, 3);
       break;
+    case Kind::kPoints:
+      schema = {{"type", "array"}, {"items", array(3, 3)}, {"maxItems", kMaxMarkers}};
+      break;
     case Kind::kSpeed:
       schema = {{"type", "number"}, {"minimum", kMinSpeed}, {"maximum", kMaxNumber}};
       break;

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "math/camera_projection.h"
@@ -9,46 +11,70 @@
 
 namespace smile::sim {
 
-/// What the robot's eye is like: the original's camera has 60 degrees from top to bottom.
+/// The eye of the 2015 program, raised above the robot's head; where there is no robot, too.
+inline constexpr const char* kEyeCamera = "eye";
+/// The camera in the robot's screen.
+inline constexpr const char* kHeadCamera = "head";
+
+/// Which camera takes pictures, and how large. The angle it sees is the camera's own: 60 degrees
+/// from top to bottom for `eye`, 80 from left to right for the robot's others, as told for the
+/// scene's. Pixels are square.
 struct EyeSpec {
   int width_px = 640;
   int height_px = 480;
-  double vertical_field_of_view = 1.0471975511965976;  ///< [rad]
+  std::string camera = kEyeCamera;  ///< one of CameraNames()
 
   bool operator==(const EyeSpec&) const = default;
 };
 
-/// Where the eye is now. Without a robot it stays where Baxter's would be, so that a demonstration
-/// on an empty table is seen from the same place.
+/// Of the cameras there are: `eye`, then the robot's `head` and one in each hand (`left_hand`),
+/// then those that stand in the scene.
+std::vector<std::string> CameraNames(const Simulation& simulation);
+
+/// Where a camera is now. Without a robot the eye stays where Baxter's would be, so that a
+/// demonstration on an empty table is seen from the same place.
+/// @throws std::invalid_argument naming the cameras there are, if it is none of them.
 CameraView EyeView(const Simulation& simulation, const EyeSpec& spec);
 /// Where it is when the robot's joints are at `q` [rad or m], for recorded moments; `q` is empty
 /// without a robot.
 CameraView EyeView(const Simulation& simulation, std::span<const double> q, const EyeSpec& spec);
 
-/// Frames of the visual model the eye must not see: the head it sits in; all of a hidden robot.
-std::vector<int> FramesHiddenFromEye(const Simulation& simulation, bool is_robot_shown);
+/// Frames of the visual model a camera must not see: the link it is fixed to; all of a hidden
+/// robot.
+std::vector<int> FramesHiddenFromEye(const Simulation& simulation, bool is_robot_shown,
+                                     std::string_view camera);
 
-/// One moment of a simulation's visual model, as its eye sees it.
+/// What of a picture is wanted.
+struct Channels {
+  bool rgb = true, depth = false, id = false;
+
+  bool operator==(const Channels&) const = default;
+};
+
+/// One moment of a simulation's visual model, as a camera sees it.
 struct Sight {
   scene::VisualState state;
   CameraView view;
   std::vector<int> hidden_frames;
+  Channels channels;
 
   bool operator==(const Sight&) const = default;
 };
 /// The present moment.
 Sight SightOf(const Simulation& simulation, const EyeSpec& spec);
 
-/// Takes pictures with the robot's eye. Fulfilled by whoever can draw, so that recorders and brains
-/// need no graphics.
+/// Takes pictures with the robot's cameras. Fulfilled by whoever can draw, so that recorders and
+/// brains need no graphics.
 class Eye {
  public:
   virtual ~Eye() = default;
-  /// The picture of a moment; color only. It lasts until the next one is drawn.
+  /// The picture of a moment, with the channels it asks for or more. It lasts until the next one is
+  /// drawn.
   virtual const Image& Draw(const scene::VisualModel& model, const Sight& sight) = 0;
+  /// The camera that is the robot's eye.
   virtual const EyeSpec& spec() const = 0;
 
-  /// The picture of the present state.
+  /// The eye's picture of the present state; color only.
   const Image& Look(const Simulation& simulation) {
     return Draw(simulation.visual_model(), SightOf(simulation, spec()));
   }

@@ -229,6 +229,16 @@ const std::vector<Form>& Forms() {
        [](const Json& json, double) -> Command {
          return ShowRobot{.is_shown = json.at("shown").get<bool>()};
        }},
+      {"markers",
+       "marks points for people, in place of those before; the robot does not see them",
+       {{"points", Kind::kPoints, true, "where; [] = none [units]"}},
+       [](const Json& json, double unit) -> Command {
+         Markers markers;
+         for (const Json& point : json.at("points")) {
+           markers.points_in_world.push_back(FromFileUnits(VectorOf(point), unit));
+         }
+         return markers;
+       }},
       {"undo",
        "takes back the last action of a hand, with everything since",
        {},

@@ -23,6 +23,7 @@ enum class Kind {
   kHand,
   kText,
   kPoint,
+  kPoints,
   kAngles,
   kDirection,
   kSpeed,

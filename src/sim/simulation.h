@@ -150,6 +150,7 @@ class Simulation {
   std::optional<Refusal> Carry(const TakePose& pose);
   std::optional<Refusal> Carry(const FollowTrajectory& follow);
   std::optional<Refusal> Carry(const ShowRobot& show);
+  std::optional<Refusal> Carry(const Markers& markers);
   std::optional<Refusal> Carry(const Undo& undo);
   std::optional<Refusal> Carry(const Redo& redo);
   std::optional<Refusal> Carry(const StartRecording& start);

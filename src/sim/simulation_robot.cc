@@ -122,4 +122,9 @@ std::optional<Refusal> Simulation::Carry(const ShowRobot& show) {
   return std::nullopt;
 }
 
+std::optional<Refusal> Simulation::Carry(const Markers& markers) {
+  if (markers.points_in_world.size() <= kMaxMarkers) return std::nullopt;
+  return "there are more than " + std::to_string(kMaxMarkers) + " markers";
+}
+
 }  // namespace smile::sim

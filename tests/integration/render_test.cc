@@ -59,6 +59,47 @@ TEST_F(RenderAsUsed, FilmsAgainWhatTheEyeSawToTheLastBit) {
   EXPECT_GT(num_pictures, 5);
 }
 
+TEST_F(RenderAsUsed, DrawsAgainWhatTheRealEyeSaw) {
+  Write("pair.xml", PairOfBlocks());
+  Write("stack.jsonl", StackPair() + "{\"do\":\"joint_angles\",\"head\":0.3}\n");
+  ASSERT_EQ(Smile("run pair.xml --commands stack.jsonl --eye head --record demo").exit_code, 0);
+  EXPECT_EQ(Json::parse(Read("demo/demo.json"))["eye"]["camera"], "head");
+  EXPECT_EQ(Json::parse(Read("demo/demo.json"))["eye"]["height_px"], 400);
+  ASSERT_EQ(Smile("edit demo --speed 1 --out edited").exit_code, 0);
+  ASSERT_EQ(Smile("render demo --out again/ --camera eye --size 640x400 --rate 4").exit_code, 0);
+  ASSERT_EQ(Smile("render demo --out head/ --camera head --size 640x400 --rate 4").exit_code, 0);
+  const auto recorded = Table("demo/frames.csv"), again = Table("again/frames.csv");
+  ASSERT_EQ(again.size(), recorded.size());
+  int num_pictures = 0;
+  for (std::size_t k = 0; k < again.size(); ++k) {
+    const std::string& picture = recorded[k][2];
+    if (picture.empty()) continue;
+    ++num_pictures;
+    EXPECT_TRUE(Read("again/" + again[k][3]) == Read("demo/" + picture)) << picture;
+    EXPECT_TRUE(Read("head/" + again[k][3]) == Read("demo/" + picture)) << picture;
+    EXPECT_TRUE(Read("edited/" + picture) == Read("demo/" + picture)) << picture;
+  }
+  EXPECT_GT(num_pictures, 5);
+}
+
+TEST_F(RenderAsUsed, SeesThroughEveryCamera) {
+  Write("pair.xml", SceneOf("<block id='a' location='(0,-3,0.5)'/>"
+                            "<camera id='overhead' location='(0,0,20)' target='(0,0,0)'/>"));
+  for (const std::string camera : {"eye", "head", "left_hand", "right_hand", "overhead"}) {
+    const Answer answer =
+        Smile("render pair.xml --size 64x40 --camera " + camera + " --out " + camera + ".png");
+    EXPECT_EQ(answer.exit_code, 0) << answer.err;
+  }
+  EXPECT_NE(Read("eye.png"), Read("head.png"));
+  EXPECT_NE(Read("left_hand.png"), Read("right_hand.png"));
+  EXPECT_EQ(Smile("render pair.xml --no-robot --camera overhed --out x.png").err,
+            "smile: camera is \"overhed\", expected eye, overhead, close, nice, front, left, right "
+            "or top, or FROM:TO[:FOV] like 8,4,6:0,-3,1:40; did you mean \"overhead\"?\n");
+  EXPECT_EQ(Smile("run pair.xml --no-robot --eye head --record x --seconds 0").err,
+            "smile: camera is \"head\", expected eye or overhead\n");
+  EXPECT_FALSE(Exists("x"));
+}
+
 TEST_F(RenderAsUsed, FilmsARangeOfARecordingThatBeganLate) {
   Write("pair.xml", PairOfBlocks());
   Write("stack.jsonl", StackPair());
@@ -87,9 +128,10 @@ TEST_F(RenderAsUsed, SaysWhatItCannotDo) {
   Write("pair.xml", PairOfBlocks());
   const Answer camera = Smile("render pair.xml --out x.png --camera moon");
   EXPECT_EQ(camera.exit_code, 2);
-  EXPECT_EQ(camera.err,
-            "smile: camera is \"moon\", expected one of eye, close, nice, front, left, right, top "
-            "or FROM:TO[:FOV] like 8,4,6:0,-3,1:40\n");
+  EXPECT_EQ(
+      camera.err,
+      "smile: camera is \"moon\", expected eye, head, left_hand, right_hand, close, nice, front, "
+      "left, right or top, or FROM:TO[:FOV] like 8,4,6:0,-3,1:40\n");
   const auto complaint = [this](const std::string& arguments) {
     return Smile("render " + arguments + " --size 64x48").err;
   };

@@ -105,7 +105,7 @@ TEST(DecodeInitReply, TakesMarkersAndAngles) {
   MessageWriter writer(MessageType::kInitDone, 1);
   writer.AddDoubles("initJointAngles", kTwoBySeven, std::array<double, 14>{1, 2});
   writer.AddDoubles("drawMarkers", std::array{2u, 3u}, std::array<double, 6>{1, 2, 3, 4, 5, 6});
-  const auto reply = std::get<InitReply>(DecodeInitReply(Decoded(writer.Finish())));
+  const auto reply = std::get<InitReply>(DecodeInitReply(Decoded(writer.Finish()), {}));
   EXPECT_EQ((*reply.init_joint_angles)(1, 0), 2);
   EXPECT_EQ(reply.draw_markers.row(1), Eigen::RowVector3d(2, 4, 6));
 }
@@ -113,15 +113,90 @@ TEST(DecodeInitReply, TakesMarkersAndAngles) {
 TEST(DecodeInitReply, TakesAnEmptyMatrixAsNoMarkers) {
   MessageWriter writer(MessageType::kInitDone, 1);
   writer.AddDoubles("drawMarkers", std::array{0u, 0u}, {});
-  const auto reply = std::get<InitReply>(DecodeInitReply(Decoded(writer.Finish())));
+  const auto reply = std::get<InitReply>(DecodeInitReply(Decoded(writer.Finish()), {}));
   EXPECT_EQ(reply.draw_markers.rows(), 0);
 }
 
 TEST(DecodeInitReply, RefusesMarkersThatAreNotPoints) {
   MessageWriter writer(MessageType::kInitDone, 1);
   writer.AddDoubles("drawMarkers", std::array{1u, 4u}, std::array<double, 4>{});
-  const auto reply = DecodeInitReply(Decoded(writer.Finish()));
+  const auto reply = DecodeInitReply(Decoded(writer.Finish()), {});
   EXPECT_EQ(std::get<WireError>(reply).message, "aux.drawMarkers is 1x4, expected Nx3");
+}
+
+/// What a program is told that has an eye and two more cameras.
+Aux AuxWithCameras() {
+  Aux aux{.camera = CameraDescription{.width_px = 640, .height_px = 480}};
+  aux.camera_names = {"eye", "head", "overhead"};
+  return aux;
+}
+
+/// What an init script wished of pictures.
+class WishMessage {
+ public:
+  WishMessage& Text(std::string_view name, std::string_view text) {
+    writer_.AddText(name, text);
+    return *this;
+  }
+  WishMessage& Seconds(double seconds) {
+    writer_.AddScalar("imageSeconds", seconds);
+    return *this;
+  }
+  PictureWishes Wishes() { return std::get<InitReply>(Decode(AuxWithCameras())).pictures; }
+  std::string Error(const Aux& aux = AuxWithCameras()) {
+    return std::get<WireError>(Decode(aux)).message;
+  }
+
+ private:
+  std::variant<InitReply, WireError> Decode(const Aux& aux) {
+    return DecodeInitReply(Decoded(writer_.Finish()), aux);
+  }
+
+  MessageWriter writer_{MessageType::kInitDone, 1};
+};
+
+TEST(DecodeInitReply, TakesWishesForPictures) {
+  EXPECT_EQ(WishMessage().Wishes(), PictureWishes()) << "the eye's colors";
+  EXPECT_EQ(WishMessage()
+                .Text("channels", "depth,segmentation")
+                .Text("cameras", "overhead\nhead\n")
+                .Seconds(0.5)
+                .Wishes(),
+            (PictureWishes{.channels = {.rgb = false, .depth = true, .id = true},
+                           .cameras = {"overhead", "head"},
+                           .image_seconds = 0.5}));
+  EXPECT_EQ(WishMessage().Text("channels", "").Wishes().channels, sim::Channels{.rgb = false});
+}
+
+TEST(DecodeInitReply, RefusesWishesThatCannotBe) {
+  EXPECT_EQ(WishMessage().Text("cameras", "overhed").Error(),
+            "aux.cameras names \"overhed\", expected eye, head or overhead; did you mean "
+            "\"overhead\"?");
+  EXPECT_EQ(WishMessage().Text("cameras", "head head").Error(),
+            "aux.cameras names \"head\" twice, expected it once");
+  EXPECT_EQ(WishMessage().Text("channels", "rgb,color").Error(),
+            "aux.channels names \"color\", expected rgb, depth or segmentation");
+  EXPECT_EQ(WishMessage().Seconds(-1).Error(),
+            "aux.imageSeconds is -1, expected a number from 0 to 3600");
+  MessageWriter numbers(MessageType::kInitDone, 1);
+  numbers.AddScalar("channels", 3);
+  EXPECT_EQ(std::get<WireError>(DecodeInitReply(Decoded(numbers.Finish()), {})).message,
+            "aux.channels is 1x1 numbers, expected names");
+  Aux large = AuxWithCameras();
+  large.camera->width_px = large.camera->height_px = 2000;
+  EXPECT_EQ(WishMessage().Text("channels", "rgb,depth").Text("cameras", "head").Error(large),
+            "aux.channels and cameras ask for 83 MiB at a time, expected at most 52: smaller "
+            "pictures, or fewer of them");
+}
+
+TEST(DecodeStepReply, TakesMarkersThatChanged) {
+  MessageWriter writer(MessageType::kMotor, 1);
+  writer.AddDoubles("jointVelocities", kTwoBySeven, std::array<double, 14>{});
+  writer.AddDoubles("gripperVelocities", kTwoByOne, std::array{0.0, 0.0});
+  writer.AddDoubles("drawMarkers", std::array{1u, 3u}, std::array{1.0, 2.0, 3.0});
+  const auto reply = std::get<StepReply>(DecodeStepReply(Decoded(writer.Finish())));
+  ASSERT_TRUE(reply.draw_markers);
+  EXPECT_EQ(reply.draw_markers->row(0), Eigen::RowVector3d(1, 2, 3));
 }
 
 TEST(DecodeError, MakesTextFitForATerminal) {
@@ -136,7 +211,7 @@ TEST(DecodeError, MakesTextFitForATerminal) {
 TEST(EncodeSensor, TurnsRowsOfPixelsIntoPlanesOfColumns) {
   Image image{
       .width_px = 2, .height_px = 1, .color = {10, 20, 30, 40, 50, 60}, .depth = {}, .ids = {}};
-  const Message message = Decoded(EncodeSensor(1, {.rgb_vision = image}));
+  const Message message = Decoded(EncodeSensor(1, {.pictures = {{.image = image}}}));
   const NamedArray* array = message.Find("rgbVision");
   ASSERT_NE(array, nullptr);
   EXPECT_EQ(ShapeText(array->dims), "1x2x3");
@@ -151,7 +226,30 @@ TEST(EncodeSensor, SendsAnImageOnlyWhenThereIsOne) {
 
 TEST(EncodeSensor, RefusesAnImageThatDoesNotFitItsSize) {
   Image image{.width_px = 2, .height_px = 2, .color = {1, 2, 3}, .depth = {}, .ids = {}};
-  EXPECT_THROW(EncodeSensor(1, {.rgb_vision = image}), std::invalid_argument);
+  EXPECT_THROW(EncodeSensor(1, {.pictures = {{.image = image}}}), std::invalid_argument);
+}
+
+TEST(EncodeSensor, NamesTheChannelsOfEachCamera) {
+  Image image{.width_px = 2, .height_px = 2, .depth = {1, 2, 3, 4}, .ids = {0, 1, 2, 1}};
+  Sensor sensor{.segment_names = {"table", "a"}};
+  sensor.pictures = {{.image = image}, {.camera = {.fx = 7}, .image = image, .name = "left_hand"}};
+  const Message message = Decoded(EncodeSensor(1, sensor));
+  EXPECT_EQ(message.Find("depthVision")->Numbers(), (std::vector{1.0, 3.0, 2.0, 4.0}));
+  EXPECT_EQ(message.Find("segmentVision")->Numbers(), (std::vector{0.0, 2.0, 1.0, 1.0}));
+  EXPECT_EQ(message.TextOf("segmentNames"), "table\na");
+  EXPECT_EQ(ShapeText(message.Find("cameraPose")->dims), "4x4");
+  EXPECT_EQ(message.Find("rgbVision"), nullptr);
+  for (const char* field : {"depth", "segments", "pose", "intrinsics"}) {
+    EXPECT_NE(message.Find("cameras_left_hand_" + std::string(field)), nullptr) << field;
+  }
+}
+
+TEST(EncodeSensor, TellsWhatTheGrippersHold) {
+  Sensor sensor;
+  sensor.held_objects[1] = "cube";
+  const Message message = Decoded(EncodeSensor(1, sensor));
+  EXPECT_EQ(message.Find("isHolding")->Numbers(), (std::vector{0.0, 1.0}));
+  EXPECT_EQ(message.TextOf("heldObject"), "\ncube");
 }
 
 TEST(EncodeAux, DescribesTheCamera) {

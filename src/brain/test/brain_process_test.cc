@@ -124,7 +124,7 @@ TEST_F(BrainProcessTest, BothTransportsGiveTheSameAnswer) {
             "motor.jointVelocities(1, 1:4) = [size(v, 1) size(v, 2) v(2, 3, 1) v(20, 30, 3)];\n"
             "motor.jointVelocities(2, 1:3) = [sum(v(:)) std(v(:)) sensor.simTime / 3];\n"
             "motor.headVelocity = single(0.25); motor.gripperVelocities = sensor.gripperOpening;");
-  Sensor sensor{.sim_time = 1.0, .rgb_vision = Gradient(200, 150)};
+  Sensor sensor{.sim_time = 1.0, .pictures = {{.image = Gradient(200, 150)}}};
   sensor.gripper_openings << 1.0 / 3, 2;
   std::vector<Motor> motors;
   for (const auto transport : {BrainTransport::kMex, BrainTransport::kPlain}) {
@@ -138,6 +138,59 @@ TEST_F(BrainProcessTest, BothTransportsGiveTheSameAnswer) {
   EXPECT_EQ(motors[0].joint_velocities(0, 0), 150);
   // Row 2, column 3, red: the 202nd pixel of the image.
   EXPECT_EQ(motors[0].joint_velocities(0, 2), (3 * 202 * 7 % 256) / 255.0);
+}
+
+TEST_F(BrainProcessTest, BothTransportsBringWhatItAskedFor) {
+  const fs::path folder = Brain(
+      "assert(aux.cameraNames, {'eye', 'overhead'}); assert(aux.unit, 0.5);\n"
+      "assert(aux.robotBase, eye(4)); assert(aux.robot, '/r.urdf');\n"
+      "assert(aux.maxJointVelocities, zeros(2, 7));\n"
+      "aux.channels = {'depth', 'segmentation'}; aux.cameras = {'overhead'};\n"
+      "aux.imageSeconds = 2;",
+      "assert(sensor.jointVelocities(2, 7), 3); assert(sensor.headAngle, 0.25);\n"
+      "assert(sensor.isHolding, [false true]); assert(islogical(sensor.isHolding));\n"
+      "assert(isempty(sensor.heldObject{1})); assert(sensor.heldObject{2}, 'cube');\n"
+      "assert(isempty(strfind([fieldnames(sensor){:}], 'cameras_')));\n"
+      "if isfield(sensor, 'cameraPose')\n"
+      "  assert(sensor.depthVision, [1 2; 3 4]); assert(sensor.segmentVision, [0 1; 2 1]);\n"
+      "  assert(sensor.segmentNames, {'table', 'cube'}); assert(~isfield(sensor, 'rgbVision'));\n"
+      "  assert(sensor.cameraPose, eye(4)); overhead = sensor.cameras.overhead;\n"
+      "  assert(overhead.depth, [1 2; 3 4]); assert(overhead.intrinsics(1, 1), 7);\n"
+      "  assert(overhead.pose, eye(4)); assert(overhead.segments(2, 1), 2);\n"
+      "else\n"
+      "  assert(~isfield(sensor, 'cameras'));\n"
+      "end");
+  Aux aux{.camera = CameraDescription{.width_px = 2, .height_px = 2}};
+  aux.camera_names = {"eye", "overhead"};
+  aux.robot = "/r.urdf";
+  aux.meters_per_unit = 0.5;
+  const Image image{.width_px = 2, .height_px = 2, .depth = {1, 2, 3, 4}, .ids = {0, 1, 2, 1}};
+  Sensor sensor{.head_angle = 0.25};
+  sensor.joint_velocities(1, 6) = 3;
+  sensor.held_objects[1] = "cube";
+  Sensor seeing = sensor;
+  seeing.pictures = {{.image = image}, {.camera = {.fx = 7}, .image = image, .name = "overhead"}};
+  seeing.segment_names = {"table", "cube"};
+  for (const auto transport : {BrainTransport::kMex, BrainTransport::kPlain}) {
+    BrainProcess brain(folder, {.transport = transport});
+    EXPECT_EQ(Started(brain, aux).pictures,
+              (PictureWishes{.channels = {.rgb = false, .depth = true, .id = true},
+                             .cameras = {"overhead"},
+                             .image_seconds = 2}));
+    Stepped(brain, seeing);
+    Stepped(brain, sensor);
+  }
+}
+
+TEST_F(BrainProcessTest, TellsOfMarkersWhenTheyChange) {
+  BrainProcess brain(Brain("aux.drawMarkers = [1 2 3];",
+                           "if sensor.simTime == 2, aux.drawMarkers = [4 5 6; 7 8 9]; end\n"
+                           "if sensor.simTime == 4, aux = rmfield(aux, 'drawMarkers'); end"));
+  EXPECT_EQ(Started(brain).draw_markers.rows(), 1);
+  EXPECT_FALSE(Stepped(brain, {.sim_time = 1}).draw_markers);
+  EXPECT_EQ(Stepped(brain, {.sim_time = 2}).draw_markers->rows(), 2);
+  EXPECT_FALSE(Stepped(brain, {.sim_time = 3}).draw_markers);
+  EXPECT_EQ(Stepped(brain, {.sim_time = 4}).draw_markers->rows(), 0);
 }
 
 // ---- mistakes in scripts ------------------------------------------------------------------------

@@ -37,6 +37,14 @@ TEST(CameraIntrinsics, RefuseImpossibleCameras) {
   EXPECT_THROW(make(640, 480, std::numeric_limits<double>::quiet_NaN()), std::invalid_argument);
 }
 
+TEST(CameraIntrinsics, SeeAnAngleFromLeftToRight) {
+  const auto camera = CameraIntrinsics::FromHorizontalFieldOfView(640, 400, DegreesToRadians(80.0));
+  EXPECT_NEAR(ProjectToPixel(camera, {std::tan(DegreesToRadians(40.0)), 0, 1}).x(), 640,
+              kPixelTolerance);
+  EXPECT_EQ(camera.fx, camera.fy);
+  EXPECT_EQ(camera.cy, 200);
+}
+
 TEST(LookAt, ShowsThePointInTheMiddleAndTheWorldUpright) {
   const Vector3 p_WQ(0.3, -0.2, 0.1);
   const RigidTransform X_WC = LookAt({1, -2, 1.5}, p_WQ);
@@ -65,6 +73,12 @@ TEST(LookAt, WorksStraightDownAndRefusesItsOwnPlace) {
   EXPECT_EQ(Vector3(X_WC.rotation().col(0)), Vector3::UnitX());
   EXPECT_EQ(Vector3(X_WC.rotation().col(2)), -Vector3::UnitZ());
   EXPECT_THROW(LookAt({1, 1, 1}, {1, 1, 1}), std::invalid_argument);
+}
+
+TEST(LookAt, TurnsTheImageUntilItsTopIsUp) {
+  const RigidTransform X_WC = LookAt({0, 0, 2}, {0, 0, 0}, {3, 0, 1});
+  EXPECT_LT((X_WC.rotation().col(1) + Vector3::UnitX()).norm(), 1e-15);
+  EXPECT_THROW(LookAt({0, 0, 0}, {2, 0, 0}, {1, 0, 0}), std::invalid_argument);
 }
 
 }  // namespace

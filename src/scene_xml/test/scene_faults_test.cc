@@ -18,7 +18,7 @@ TEST(SceneFaults, ReportsAllFaultsInOnePassInTheOrderOfTheFile) {
                          "  <sphere location='(0,0,0)' radius='0'/>\n"
                          "</composite>")),
       (std::vector<std::string>{
-          "test.xml:3: <blok id=\"B1\">: found an unknown element, expected block, box, "
+          "test.xml:3: <blok id=\"B1\">: found an unknown element, expected block, box, camera, "
           "chain, composite, custom, customControl, cylinder, frustum, indicatorLights, ring, "
           "sliderJoint, "
           "sphere or toggleSwitch; did you mean \"block\"?",

@@ -51,6 +51,7 @@ class SceneMaker {
       }
     }
     ConnectMechanisms(&scene);
+    AddCameras(&scene);
     return scene;
   }
 
@@ -184,6 +185,17 @@ class SceneMaker {
     }
     for (const scene::ObjectSpec& piece : PiecesOf(chain, unit_)) scene->objects.push_back(piece);
     scene->chains.push_back(chain);
+  }
+
+  void AddCameras(scene::SceneSpec* scene) {
+    for (int i = 0; i < Below(3); ++i) {
+      scene::CameraSpec camera{.id = "camera" + std::to_string(i),
+                               .p_WC = {Length(), -Length(), Length()},
+                               .p_WQ = {-Length(), Length(), 0},
+                               .vertical_field_of_view = DegreesToRadians(Uniform(1, 170))};
+      if (Below(2) == 0) camera.up_in_world = {Uniform(-1, 1), Uniform(-1, 1), Uniform(1, 1e5)};
+      scene->cameras.push_back(camera);
+    }
   }
 
   /// References to anything there is, before and behind.

@@ -23,6 +23,7 @@ inline std::string SceneOfEverything() {
       <box location='(0,0,0)'/>
       <cylinder radius='.4' location='(0,0,0)' mass='0'/>
     </sliderJoint>
+    <camera id='overhead' location='(0,0,12)' target='(0,0, .5)' up='(0,1,0)' fov='45'/>
     <chain start='(0,0,1)' end='(0,3,1)' linkCount='0' linkPadding='0'/>
     <composite location='(0,0,1)'>
       <description name='a' value='b'/>

@@ -92,6 +92,7 @@ TEST(Schemas, RefuseWhatTheReaderRefuses) {
            "<customControl" + kPoint + "><state><toggleSwitch" + kPoint +
                "/></state></customControl>",
            "<chain start='(0,0,1)'/>",
+           "<camera id='c' target='(0,0,1)'/>",
            "<guestBondPoint type='a'/>",
            "<sliderJoint" + kPoint + "/>",
            "<toggleSwitch" + kPoint + " numStates='0'/>",

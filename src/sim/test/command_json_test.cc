@@ -61,6 +61,8 @@ TEST(CommandJson, RoundTripsEveryKindToTheLastBit) {
                           {{0, {number(), number()}, {number(), number()}},
                            {0.1, {number(), number()}, {number(), number()}}}}},
         ShowRobot{.is_shown = false},
+        Markers{.points_in_world = {point(), point()}},
+        Markers(),
         Undo(),
         Redo(),
         StartRecording{.name = "um", .title = "UM", .notes = "twice, \"quickly\""},
@@ -81,14 +83,22 @@ TEST(CommandJson, SaysWhatWasFoundAndExpected) {
   EXPECT_EQ(MessageOf(R"({"do":"grab","hand":"left"})"),
             "\"do\" is \"grab\", expected one of grasp, move_to, plane, drag, rotate, release, "
             "destroy, attend, point, trigger, fasten, loosen, "
-            "joint_velocities, joint_angles, turn, gripper, pose, trajectory, robot, undo, redo, "
-            "start, finish");
+            "joint_velocities, joint_angles, turn, gripper, pose, trajectory, robot, markers, "
+            "undo, redo, start, finish");
   EXPECT_EQ(MessageOf(R"({"hand":"third","do":"release"})"),
             "\"hand\" is \"third\", expected left, right, both or any");
   EXPECT_EQ(MessageOf(R"({"hand":"left","do":"move_to","position":[1,2]})"),
             "\"position\" is [1,2], expected three numbers [x, y, z] of at most 1e6");
   EXPECT_EQ(MessageOf(R"({"hand":"left","do":"release","force":3})"),
             "\"release\" has an unknown key \"force\"");
+}
+
+TEST(CommandJson, RefusesMarkersThatAreNoPoints) {
+  EXPECT_EQ(
+      MessageOf(R"({"do":"markers","points":[[1,2]]})"),
+      "\"points\" is [[1,2]], expected at most 500 points [x, y, z] of numbers of at most 1e6");
+  Json many = {{"do", "markers"}, {"points", std::vector(501, std::vector{1, 2, 3})}};
+  EXPECT_NE(MessageOf(many.dump().c_str()), "");
 }
 
 TEST(CommandJson, RefusesNumbersThatMeanNothingAndDepthsThatKill) {

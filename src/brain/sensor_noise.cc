@@ -1,0 +1,100 @@
+#include "brain/sensor_noise.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <span>
+
+namespace smile::brain {
+namespace {
+
+/// What measures; part of the seed, so that two sensors never share their noise.
+enum class Measurement : std::uint64_t { kJoints, kColor, kDepth };
+
+/// Nothing is nearer to a camera than this, since 0 stands for nothing [units].
+constexpr float kNearest = 1e-6F;
+
+/// Source: G. Steele, D. Lea, C. Flood, "Fast splittable pseudorandom number generators" (2014),
+/// SplitMix64.
+class Generator {
+ public:
+  explicit Generator(std::uint64_t state) : state_(state) {}
+
+  std::uint64_t Next() {
+    state_ += 0x9e3779b97f4a7c15;
+    std::uint64_t z = state_;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
+    return z ^ (z >> 31);
+  }
+  /// In (0, 1].
+  double Share() { return (static_cast<double>(Next() >> 11) + 1) * 0x1p-53; }
+
+ private:
+  std::uint64_t state_;
+};
+
+/// Numbers of mean 0 and standard deviation 1.
+/// Source: G. Box, M. Muller, "A note on the generation of random normal deviates" (1958).
+class Gaussian {
+ public:
+  Gaussian(std::uint64_t seed, std::uint64_t tick, Measurement what, std::uint64_t which)
+      : generator_(0) {
+    std::uint64_t state = seed;
+    for (const std::uint64_t part : {tick, static_cast<std::uint64_t>(what), which}) {
+      state = Generator(state ^ part).Next();
+    }
+    generator_ = Generator(state);
+  }
+
+  double Next() {
+    has_spare_ = !has_spare_;
+    if (!has_spare_) return spare_;
+    const double radius = std::sqrt(-2 * std::log(generator_.Share()));
+    const double angle = 2 * std::numbers::pi * generator_.Share();
+    spare_ = radius * std::sin(angle);
+    return radius * std::cos(angle);
+  }
+
+ private:
+  Generator generator_;
+  double spare_ = 0;
+  bool has_spare_ = false;
+};
+
+void AddToColors(double deviation, Gaussian gaussian, std::span<std::uint8_t> colors) {
+  for (std::uint8_t& color : colors) {
+    const double noisy = color + 255 * deviation * gaussian.Next();
+    color = static_cast<std::uint8_t>(std::lround(std::clamp(noisy, 0.0, 255.0)));
+  }
+}
+
+void AddToDepths(double deviation, Gaussian gaussian, std::span<float> depths) {
+  for (float& depth : depths) {
+    const double error = deviation * gaussian.Next();
+    if (depth > 0) depth = std::max(kNearest, static_cast<float>(depth + error));
+  }
+}
+
+}  // namespace
+
+void AddNoise(const SensorNoise& noise, std::uint64_t tick, Sensor* sensor) {
+  const auto gaussian = [&](Measurement what, std::uint64_t which) {
+    return Gaussian(noise.seed, tick, what, which);
+  };
+  if (noise.joints > 0) {
+    Gaussian errors = gaussian(Measurement::kJoints, 0);
+    for (int arm = 0; arm < kLimbCount; ++arm) {
+      for (int i = 0; i < kJointCount; ++i) {
+        sensor->joint_angles(arm, i) += noise.joints * errors.Next();
+      }
+    }
+  }
+  for (std::size_t k = 0; k < sensor->pictures.size(); ++k) {
+    Image& image = sensor->pictures[k].image;
+    if (noise.image > 0) AddToColors(noise.image, gaussian(Measurement::kColor, k), image.color);
+    if (noise.depth > 0) AddToDepths(noise.depth, gaussian(Measurement::kDepth, k), image.depth);
+  }
+}
+
+}  // namespace smile::brain

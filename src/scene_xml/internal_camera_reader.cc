@@ -1,0 +1,69 @@
+#include "scene_xml/internal_camera_reader.h"
+
+#include <algorithm>
+#include <string>
+
+#include "base/wording.h"
+#include "math/angles.h"
+#include "scene_xml/internal_attribute_reader.h"
+#include "scene_xml/internal_element_choice.h"
+#include "scene_xml/internal_letters.h"
+
+namespace smile::scene_xml {
+namespace {
+
+constexpr Range<double> kFieldOfViewDegrees{1, 170};
+/// Sine of the angle below which two directions count as one.
+constexpr double kParallel = 1e-6;
+
+void CheckName(const std::string& id, const std::vector<scene::CameraSpec>& cameras,
+               AttributeReader* attributes) {
+  if (attributes->has_findings()) return;
+  if (IsDigit(id[0]) || id.size() > scene::kMaxCameraLetters) {
+    attributes->Refuse("id", "a letter first, and at most " +
+                                 std::to_string(scene::kMaxCameraLetters) + " letters");
+  } else if (std::ranges::find(scene::kTakenCameraNames, id) != scene::kTakenCameraNames.end()) {
+    attributes->Refuse(
+        "id", "none of " + OneOf(scene::kTakenCameraNames) + ", which there are without it");
+  } else if (std::ranges::find(cameras, id, &scene::CameraSpec::id) != cameras.end()) {
+    attributes->Refuse("id", "one that no other camera has");
+  }
+}
+
+void CheckSight(const scene::CameraSpec& camera, AttributeReader* attributes) {
+  if (attributes->has_findings()) return;
+  const Vector3 sight = camera.p_WQ - camera.p_WC;
+  if (!(sight.norm() > 0)) {
+    attributes->Refuse("target", "another place than location");
+  } else if (attributes->Text("up") &&
+             sight.normalized().cross(camera.up_in_world.normalized()).norm() < kParallel) {
+    attributes->Refuse("up", "another direction than that from location to target");
+  }
+}
+
+}  // namespace
+
+void ReadCamera(const XmlElement& element, Reading* reading,
+                std::vector<scene::CameraSpec>* cameras) {
+  AttributeReader attributes(element, reading);
+  scene::CameraSpec camera{.id = attributes.RequiredName("id")};
+  CheckName(camera.id, *cameras, &attributes);
+  camera.p_WC = attributes.Point("location");
+  camera.p_WQ = attributes.Point("target");
+  camera.up_in_world = attributes.Direction("up", camera.up_in_world);
+  if (attributes.Text("fov")) {
+    camera.vertical_field_of_view =
+        DegreesToRadians(attributes.Number("fov", 60, kFieldOfViewDegrees));
+  }
+  CheckSight(camera, &attributes);
+  attributes.RefuseUnknown();
+  RefuseContent(element, reading);
+  if (attributes.has_findings()) return;
+  if (cameras->size() == scene::kMaxCameras) {
+    return attributes.AddFinding("found one camera more than " +
+                                 std::to_string(scene::kMaxCameras));
+  }
+  cameras->push_back(std::move(camera));
+}
+
+}  // namespace smile::scene_xml

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <vector>
+
+#include "scene/camera_spec.h"
+#include "scene_xml/internal_reading.h"
+#include "scene_xml/internal_xml_tree.h"
+
+namespace smile::scene_xml {
+
+/// Appends the camera of an element, unless it has faults.
+void ReadCamera(const XmlElement& element, Reading* reading,
+                std::vector<scene::CameraSpec>* cameras);
+
+}  // namespace smile::scene_xml

@@ -6,25 +6,10 @@
 #include <stdexcept>
 
 #include "base/wording.h"
+#include "motion/internal_cubic.h"
 
 namespace smile::motion {
 namespace {
-
-/// The cubic with these values and slopes at both ends of a span of time, at `u` of its length.
-struct Cubic {
-  double from, to, from_slope, to_slope, seconds;
-
-  double At(double u) const {
-    const double u2 = u * u, u3 = u2 * u;
-    return (2 * u3 - 3 * u2 + 1) * from + (u3 - 2 * u2 + u) * seconds * from_slope +
-           (-2 * u3 + 3 * u2) * to + (u3 - u2) * seconds * to_slope;
-  }
-  double SlopeAt(double u) const {
-    const double u2 = u * u;
-    return (6 * u2 - 6 * u) * (from - to) / seconds + (3 * u2 - 4 * u + 1) * from_slope +
-           (3 * u2 - 2 * u) * to_slope;
-  }
-};
 
 TrajectoryPoint AtRest(TrajectoryPoint point) {
   std::fill(point.velocities.begin(), point.velocities.end(), 0.0);

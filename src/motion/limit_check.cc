@@ -1,0 +1,132 @@
+#include "motion/limit_check.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+
+#include "motion/internal_cubic.h"
+
+namespace smile::motion {
+namespace {
+
+/// Rounding is no breach.
+constexpr double kRoundingShare = 1e-9;
+
+void CheckPoint(const TrajectoryPoint& point, std::size_t num_joints, double seconds_before) {
+  const auto is_finite = [](double x) { return std::isfinite(x); };
+  if (point.positions.size() != num_joints || point.velocities.size() != num_joints) {
+    throw std::invalid_argument("a point of the trajectory has " +
+                                std::to_string(point.positions.size()) + " positions and " +
+                                std::to_string(point.velocities.size()) + " velocities, expected " +
+                                std::to_string(num_joints) + " each");
+  }
+  if (!is_finite(point.seconds) || !std::ranges::all_of(point.positions, is_finite) ||
+      !std::ranges::all_of(point.velocities, is_finite)) {
+    throw std::invalid_argument("a point of the trajectory is not finite");
+  }
+  if (point.seconds <= seconds_before) {
+    throw std::invalid_argument("the points of the trajectory are not in order of time");
+  }
+}
+
+void Check(const JointTrajectory& trajectory, std::size_t num_limits) {
+  if (trajectory.joint_names.size() != num_limits) {
+    throw std::invalid_argument("there are " + std::to_string(num_limits) + " limits, expected " +
+                                std::to_string(trajectory.joint_names.size()));
+  }
+  double before = -HUGE_VAL;
+  for (const TrajectoryPoint& point : trajectory.points) {
+    CheckPoint(point, num_limits, before);
+    before = point.seconds;
+  }
+}
+
+/// The worst breach of one limit so far, if any.
+class WorstBreach {
+ public:
+  WorstBreach(const std::string& joint, LimitedQuantity quantity, double lower, double upper)
+      : joint_(joint), quantity_(quantity), lower_(lower), upper_(upper) {}
+
+  void See(double seconds, double value) {
+    const double limit = value > upper_ ? upper_ : lower_;
+    const double beyond = std::max(value - upper_, lower_ - value);
+    const double size = std::max({1e-3, std::abs(lower_), std::abs(upper_)});
+    if (beyond <= std::max(beyond_, kRoundingShare * size)) return;
+    beyond_ = beyond;
+    breach_ = LimitBreach{seconds, joint_, quantity_, value, limit};
+  }
+  const std::optional<LimitBreach>& breach() const { return breach_; }
+
+ private:
+  std::string joint_;
+  LimitedQuantity quantity_;
+  double lower_, upper_;
+  double beyond_ = 0;
+  std::optional<LimitBreach> breach_;
+};
+
+/// The moments within a cubic at which its value or its slope may be extreme, as shares.
+std::vector<double> TurningPoints(const Cubic& cubic) {
+  // SlopeAt(u) = a u^2 + b u + c.
+  const double way = 6 * (cubic.from - cubic.to) / cubic.seconds;
+  const double a = way + 3 * (cubic.from_slope + cubic.to_slope);
+  const double b = -way - 4 * cubic.from_slope - 2 * cubic.to_slope;
+  const double c = cubic.from_slope;
+  std::vector<double> shares{0, 1};
+  const auto add = [&](double u) {
+    if (u > 0 && u < 1) shares.push_back(u);  // false for NaN, too
+  };
+  add(-b / (2 * a));
+  const double root = std::sqrt(std::max(0.0, b * b - 4 * a * c));
+  // Both roots, neither as a difference of nearly equal numbers.
+  const double q = -0.5 * (b + std::copysign(root, b));
+  add(q / a);
+  add(c / q);
+  return shares;
+}
+
+}  // namespace
+
+std::string_view NameOf(LimitedQuantity quantity) {
+  constexpr std::array<std::string_view, 3> kNames{"position", "velocity", "acceleration"};
+  return kNames[static_cast<std::size_t>(quantity)];
+}
+
+std::vector<LimitBreach> CheckLimits(const JointTrajectory& trajectory,
+                                     std::span<const JointLimits> limits) {
+  Check(trajectory, limits.size());
+  std::vector<LimitBreach> breaches;
+  const auto& points = trajectory.points;
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    const JointLimits& limit = limits[i];
+    const std::string& name = trajectory.joint_names[i];
+    WorstBreach position(name, LimitedQuantity::kPosition, limit.lower, limit.upper);
+    WorstBreach velocity(name, LimitedQuantity::kVelocity, -limit.max_velocity, limit.max_velocity);
+    WorstBreach acceleration(name, LimitedQuantity::kAcceleration, -limit.max_acceleration,
+                             limit.max_acceleration);
+    if (!points.empty()) {
+      position.See(points[0].seconds, points[0].positions[i]);
+      velocity.See(points[0].seconds, points[0].velocities[i]);
+    }
+    for (std::size_t k = 1; k < points.size(); ++k) {
+      const TrajectoryPoint &from = points[k - 1], &to = points[k];
+      const Cubic cubic{from.positions[i], to.positions[i], from.velocities[i], to.velocities[i],
+                        to.seconds - from.seconds};
+      for (const double u : TurningPoints(cubic)) {
+        const double seconds = from.seconds + u * cubic.seconds;
+        position.See(seconds, cubic.At(u));
+        velocity.See(seconds, cubic.SlopeAt(u));
+        acceleration.See(seconds, cubic.CurveAt(u));
+      }
+    }
+    for (const WorstBreach* worst : {&position, &velocity, &acceleration}) {
+      if (worst->breach()) breaches.push_back(*worst->breach());
+    }
+  }
+  std::ranges::stable_sort(breaches, {}, &LimitBreach::seconds);
+  return breaches;
+}
+
+}  // namespace smile::motion

@@ -10,6 +10,9 @@ namespace {
 
 /// The attempt from which on starts lie anywhere within limits.
 constexpr int kAnywhere = 8;
+/// So many answers of further attempts are compared, if they are found soon after the first.
+constexpr int kCandidates = 4;
+constexpr int kIterationsForNearer = 100;
 
 /// Between 0 and 1, the same on every machine.
 double Share(std::mt19937_64* random) { return static_cast<double>((*random)() >> 11) * 0x1.0p-53; }
@@ -37,13 +40,20 @@ std::optional<std::vector<double>> SolveInverseKinematics(const ArmKinematics& a
   CheckOptions(options);
   const ArmVector start = WithinLimits(arm, q_start);
   const Descent descent(arm, X_WG_goal, options);
-  std::mt19937_64 random(options.seed);
   int iterations_left = options.max_iterations;
   ArmVector q = start;
-  for (int attempt = 1; iterations_left > 0; ++attempt) {
-    if (descent.Run(&q, &iterations_left)) return std::vector<double>(q.begin(), q.end());
+  if (descent.Run(&q, &iterations_left)) return std::vector<double>(q.begin(), q.end());
+
+  // From here on an answer may lie anywhere: of a few, the nearest.
+  std::mt19937_64 random(options.seed);
+  std::optional<ArmVector> nearest;
+  for (int attempt = 1, num_found = 0; iterations_left > 0 && num_found < kCandidates; ++attempt) {
     q = Elsewhere(arm, start, attempt, &random);
+    if (!descent.Run(&q, &iterations_left)) continue;
+    if (num_found++ == 0) iterations_left = std::min(iterations_left, kIterationsForNearer);
+    if (!nearest || (q - start).squaredNorm() < (*nearest - start).squaredNorm()) nearest = q;
   }
+  if (nearest) return std::vector<double>(nearest->begin(), nearest->end());
   return std::nullopt;
 }
 

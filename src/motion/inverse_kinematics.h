@@ -22,8 +22,8 @@ struct IkOptions {
 /// Finds joint angles that bring the tool to a wanted pose.
 ///
 /// Damped least squares on the geometric Jacobian, started at `q_start`. When that ends nowhere, it
-/// is tried again from elsewhere, at first near `q_start`, later anywhere within limits: of many
-/// solutions, one near `q_start` is likely.
+/// is tried again from elsewhere, at first near `q_start`, later anywhere within limits, and the
+/// nearest to `q_start` of the first few answers is taken.
 /// Sources: S. R. Buss, "Introduction to Inverse Kinematics with Jacobian Transpose, Pseudoinverse
 /// and Damped Least Squares methods" (2004); T. Sugihara, "Solvability-Unconcerned Inverse
 /// Kinematics by the Levenberg-Marquardt Method" (2011), for the damping that shrinks with the

@@ -19,7 +19,8 @@ constexpr const char* kMainScript = "agentBehavior.m";
 
 /// The client needs no quoting this way: every path travels in the environment.
 constexpr const char* kStartClient =
-    "addpath(getenv('SMILE_BRAIN_MEX')); addpath(getenv('SMILE_BRAIN_CLIENT')); smile_brain";
+    "addpath(getenv('SMILE_BRAIN_MEX')); addpath(getenv('SMILE_BRAIN_MOTION')); "
+    "addpath(getenv('SMILE_BRAIN_CLIENT')); smile_brain";
 
 [[noreturn]] void Reject(const fs::path& brain, const std::string& message) {
   throw InputError(
@@ -67,6 +68,7 @@ void UseOctave(BrainTransport transport, BrainProgram* program) {
                                 "--no-history",        "--eval", kStartClient};
   // The guard that ends endless loops serves both ways to talk, so its folder is always given.
   program->command.environment = {{"SMILE_BRAIN_CLIENT", client.string()},
+                                  {"SMILE_BRAIN_MOTION", DataFile("matlab/motion").string()},
                                   {"SMILE_BRAIN_MEX", (has_mex ? mex_folder : client).string()}};
 }
 

@@ -8,6 +8,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "app/bench_motion.h"
 #include "app/bench_recording.h"
 #include "app/commands.h"
 #include "app/exit_code.h"
@@ -147,6 +148,7 @@ void RegisterAll() {
         ->Unit(kMillisecond);
   }
   RegisterRecordingBenchmarks();
+  RegisterMotionBenchmarks();
   RegisterBenchmark("brain round trip", &BrainRoundTrip)
       ->Args({1, 1})
       ->Args({200, 150})

@@ -3,7 +3,7 @@
 # tools/check_format.sh --fix lays them out.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-mapfile -t files < <(find src tests matlab -name '*.h' -o -name '*.cc' | sort)
+mapfile -t files < <(find src tests matlab python -name '*.h' -o -name '*.cc' | sort)
 if [[ ${1:-} == --fix ]]; then
   clang-format -i "${files[@]}"
 else

@@ -8,6 +8,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "app/bench_motion.h"
 #include "app/bench_recording.h"
 #include "app/commands.h"
 #include "app/exit_code.h"
@@ -162,6 +163,7 @@ void RegisterAll() {
         ->Unit(kMillisecond);
   }
   RegisterRecordingBenchmarks();
+  RegisterMotionBenchmarks();
   for (const MeasuredBrain& measured : MeasuredBrains()) {
     const std::string name = std::string("brain round trip, ") + measured.language;
     RegisterBenchmark(name.c_str(), &BrainRoundTrip, measured)

@@ -34,6 +34,8 @@ class Documents : public ProgramTest, public ::testing::WithParamInterface<const
     for (const char* name : {"scenes", "examples", "matlab", "python", "robots", "docs"}) {
       std::filesystem::create_symlink(Shipped(name), directory_ / name);
     }
+    std::filesystem::create_directories(directory_ / "build");
+    std::filesystem::create_symlink(SMILE_BUILD_DIR, directory_ / "build/release");
     Write("run",
           "#!/bin/bash\n[ $# = 0 ] && set -- experiment\nexec \"" SMILE_PROGRAM "\" \"$@\"\n");
     std::filesystem::permissions(directory_ / "run", std::filesystem::perms::owner_all);
@@ -64,10 +66,15 @@ TEST_F(ProgramTest, TheListOfCommandsIsTheProgramsOwn) {
   EXPECT_EQ(blocks.front(), Smile("commands").out);
 }
 
+TEST_F(ProgramTest, TheCppExampleOfMotionIsCompiled) {
+  EXPECT_EQ(BlocksOf("docs/motion.md", "cpp").front(),
+            ReadFile(SMILE_SOURCE_DIR "/tests/motion/example.cc", 1 << 16));
+}
+
 INSTANTIATE_TEST_SUITE_P(All, Documents,
                          ::testing::Values("README.md", "docs/architecture.md", "docs/brains.md",
                                            "docs/brain-protocol.md", "docs/commands.md",
-                                           "docs/editing.md", "docs/importing.md",
+                                           "docs/editing.md", "docs/importing.md", "docs/motion.md",
                                            "docs/recording-format.md", "docs/results.md",
                                            "docs/robot.md", "docs/scene-format.md",
                                            "docs/scenes.md"));

@@ -19,6 +19,21 @@ using wire::MessageWriter;
 
 // ---- the life of a good brain -------------------------------------------------------------------
 
+TEST_F(BrainProcessTest, AnOctaveBrainFindsTheFunctionsForMoving) {
+  const std::string urdf = DataFile("robots/baxter.urdf").string();
+  const fs::path folder = Brain(
+      "assert(~isempty(which('smileForward')));\n"
+      "if exist('smilemotion') == 3\n"  // not with sanitizers
+      "  pose = smileForward(smileRobot('" +
+          urdf +
+          "'), 'left', zeros(1, 7));\n"
+          "  assert(abs(pose(3, 4) - 0.32098) < 1e-5);\n"
+          "end\n",
+      "");
+  BrainProcess brain(folder);
+  Started(brain);
+}
+
 TEST_F(BrainProcessTest, MovesJointsByWhatItSenses) {
   BrainProcess brain(Brain("gain = 2;",
                            "motor.jointVelocities = gain * sensor.jointAngles;\n"

@@ -1,0 +1,12 @@
+function pose = smileForward(robot, arm, q)
+%SMILEFORWARD  Where an arm's joints bring its tool.
+%
+%   pose = smileForward(robot, arm, q)
+%
+%   robot  from smileRobot
+%   arm    'left' or 'right'
+%   q      1x7 angles [rad]
+%   pose   4x4, of the tool in the world [units]: z is the approach direction, y goes across the
+%          fingers
+  pose = smilemotion('smileForward', robot, arm, q);
+end

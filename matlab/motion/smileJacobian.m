@@ -1,0 +1,10 @@
+function jacobian = smileJacobian(robot, arm, q)
+%SMILEJACOBIAN  How fast each joint of an arm moves its tool.
+%
+%   jacobian = smileJacobian(robot, arm, q)
+%
+%   q         1x7 angles [rad]
+%   jacobian  6x7: rows 1 to 3 the velocity along x y z of the world [units/s per rad/s], rows 4 to 6
+%             the angular velocity about x y z
+  jacobian = smilemotion('smileJacobian', robot, arm, q);
+end

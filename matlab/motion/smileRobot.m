@@ -1,0 +1,30 @@
+function robot = smileRobot(aux, base, unit)
+%SMILEROBOT  The robot, for smileForward, smileInverse, smileMoveJoints, smileMoveLine, ...
+%
+%   robot = smileRobot(aux)                in a brain: the robot that aux tells of, where it stands
+%   robot = smileRobot(file)               a URDF file; lengths in metres, the world is its base
+%   robot = smileRobot(file, base, unit)   base 4x4 where it stands in the world [units],
+%                                          unit metres per unit
+%
+%   robot.minJointAngles, robot.maxJointAngles   2x7 limits [rad]; row 1 left, row 2 right
+%   robot.poses.untucked, ...                    2x7 poses that come with the robot [rad]
+%
+%   Lengths are in the scene's unit, angles in radians. A pose is 4x4, of the tool in the world: z is
+%   the approach direction, y goes across the fingers. Arms are 'left' and 'right'.
+  if nargin < 1, error('smileRobot: expected aux, or file, base, unit'); end
+  if isstruct(aux)
+    for name = {'robot', 'robotBase', 'unit'}
+      if ~isfield(aux, name{1}), error('smileRobot: aux has no field %s', name{1}); end
+    end
+    file = aux.robot;
+    base = aux.robotBase;
+    unit = aux.unit;
+  else
+    file = aux;
+    if nargin < 2, base = eye(4); end
+    if nargin < 3, unit = 1; end
+  end
+  robot = smilemotion('smileRobot', file, base, unit);
+  robot.poses = cell2struct(robot.poseAngles, robot.poseNames, 2);
+  robot = rmfield(robot, {'poseAngles', 'poseNames'});
+end

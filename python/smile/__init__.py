@@ -1,0 +1,1 @@
+"""What robot programs written in Python use of SMILE."""

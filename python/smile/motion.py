@@ -1,0 +1,31 @@
+"""Kinematics and motions of a robot's arms, for robot programs.
+
+    from smile.motion import Robot
+    robot = Robot("robots/baxter.urdf", unit=0.1)
+    q = robot.inverse("left", goal, q_start)
+
+All runs in this process, without a simulator. Lengths are in the scene's unit, angles in radians,
+poses 4x4 matrices in the world; docs/motion.md teaches it.
+"""
+
+try:
+    from smile_motion_native import InvalidMoment, LineFault, Robot, Trajectory
+except ImportError as error:
+    raise ImportError(
+        "smile.motion needs its compiled half, smile_motion_native: build SMILE, then put "
+        "build/release/python on PYTHONPATH (%s)" % error
+    ) from error
+
+__all__ = ["InvalidMoment", "LineFault", "Robot", "Trajectory", "robot_of"]
+
+
+def robot_of(aux):
+    """The robot that a brain's `aux` tells of: aux.robot, aux.robotBase and aux.unit.
+
+    `aux` may be an object with these attributes or a dict.
+    """
+    value = aux.get if isinstance(aux, dict) else lambda name: getattr(aux, name, None)
+    missing = [name for name in ("robot", "robotBase", "unit") if value(name) is None]
+    if missing:
+        raise ValueError("aux has no " + ", ".join(missing))
+    return Robot(str(value("robot")), base=value("robotBase"), unit=float(value("unit")))

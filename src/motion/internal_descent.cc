@@ -1,0 +1,139 @@
+#include "motion/internal_descent.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+#include "base/wording.h"
+#include "math/angles.h"
+
+namespace smile::motion {
+namespace {
+
+using Vector6 = Eigen::Matrix<double, 6, 1>;
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
+
+/// An error of a metre counts like one of so many radians: about an arm's length.
+constexpr double kRadiansPerMeter = 2;
+/// Damping: this share of the squared error, and never nothing, so that a singular arm stays still
+/// rather than jumps. Found by trying: success within few iterations over random poses.
+constexpr double kDampingShare = 0.02;
+constexpr double kLeastDamping = 1e-10;
+/// No joint moves further in one iteration [rad or m]; the linear picture is not true for longer.
+constexpr double kLongestStep = 0.8;
+/// An attempt is given up when so many iterations did not make the error clearly smaller.
+constexpr int kPatience = 8;
+constexpr double kClearlySmaller = 0.8;
+
+/// The rotation vector that turns the direction `from` into `to`, the short way.
+Vector3 TurnBetween(const Matrix3& R_from, const Vector3& to) {
+  const Vector3 from = R_from.col(2);
+  const Vector3 axis = from.cross(to);
+  const double sine = axis.norm(), cosine = from.dot(to);
+  if (sine > 1e-12) return axis * (std::atan2(sine, cosine) / sine);
+  // Opposite: any axis across will do.
+  return cosine > 0 ? Vector3(axis) : Vector3(R_from.col(0) * std::numbers::pi);
+}
+
+}  // namespace
+
+void CheckGoal(const RigidTransform& X_WG_goal) {
+  constexpr double kLoose = 1e-6;
+  const Matrix3& R = X_WG_goal.rotation();
+  const bool is_pose = X_WG_goal.translation().allFinite() && R.allFinite() &&
+                       (R * R.transpose() - Matrix3::Identity()).cwiseAbs().maxCoeff() < kLoose &&
+                       R.determinant() > 0;
+  if (!is_pose) throw std::invalid_argument("the goal is no pose: not finite, or no rotation");
+}
+
+void CheckOptions(const IkOptions& options) {
+  const auto check_tolerance = [](const char* name, double value) {
+    if (value > 0 && std::isfinite(value)) return;
+    throw std::invalid_argument(std::string(name) + " is " + NumberText(value) +
+                                ", expected above 0");
+  };
+  check_tolerance("position_tolerance", options.position_tolerance);
+  check_tolerance("angle_tolerance", options.angle_tolerance);
+  if (options.max_iterations < 1 || options.max_iterations > 1'000'000) {
+    throw std::invalid_argument("max_iterations is " + std::to_string(options.max_iterations) +
+                                ", expected 1 to 1000000");
+  }
+}
+
+ArmVector WithinLimits(const ArmKinematics& arm, std::span<const double> q) {
+  if (static_cast<int>(q.size()) != arm.num_joints()) {
+    throw std::invalid_argument("q has " + std::to_string(q.size()) + " values, expected " +
+                                std::to_string(arm.num_joints()));
+  }
+  ArmVector within(arm.num_joints());
+  for (int i = 0; i < arm.num_joints(); ++i) {
+    if (!std::isfinite(q[i])) throw std::invalid_argument("q is not finite");
+    within[i] = std::clamp(q[i], arm.limits()[i].lower, arm.limits()[i].upper);
+  }
+  return within;
+}
+
+Descent::Descent(const ArmKinematics& arm, const RigidTransform& X_WG_goal,
+                 const IkOptions& options)
+    : arm_(&arm), X_WG_goal_(X_WG_goal), q_WG_goal_(X_WG_goal.quaternion()), options_(options) {}
+
+Descent::Error Descent::ErrorOf(const RigidTransform& X_WG) const {
+  const Vector3 way = X_WG_goal_.translation() - X_WG.translation();
+  const Vector3 turn = options_.any_turn
+                           ? TurnBetween(X_WG.rotation(), X_WG_goal_.rotation().col(2))
+                           : RotationVectorBetween(Quaternion(X_WG.rotation()), q_WG_goal_);
+  Error error;
+  error.weighted << way * kRadiansPerMeter, turn;
+  error.is_met =
+      way.norm() <= options_.position_tolerance && turn.norm() <= options_.angle_tolerance;
+  return error;
+}
+
+void Descent::HoldAtLimits(const ArmVector& q, const Vector6& error, ArmJacobian* J) const {
+  for (int i = 0; i < arm_->num_joints(); ++i) {
+    const JointLimits& limit = arm_->limits()[i];
+    const double push = J->col(i).dot(error);
+    if ((q[i] <= limit.lower && push < 0) || (q[i] >= limit.upper && push > 0)) {
+      J->col(i).setZero();
+    }
+  }
+}
+
+bool Descent::Run(ArmVector* q, int* iterations_left) const {
+  ArmJacobian J;
+  const auto configuration = [q] { return std::span<const double>(q->data(), q->size()); };
+  double best = HUGE_VAL;
+  for (int waited = 0; waited < kPatience; ++waited) {
+    const RigidTransform X_WG = arm_->ToolPose(configuration(), &J);
+    const Error error = ErrorOf(X_WG);
+    if (error.is_met) return true;
+    if (--*iterations_left < 0) return false;
+    const double size = error.weighted.squaredNorm();
+    if (size < kClearlySmaller * best) {
+      best = size;
+      waited = -1;
+    }
+
+    J.topRows<3>() *= kRadiansPerMeter;
+    if (options_.any_turn) {
+      const Vector3 z = X_WG.rotation().col(2);
+      J.bottomRows<3>() -= z * (z.transpose() * J.bottomRows<3>()).eval();
+    }
+    HoldAtLimits(*q, error.weighted, &J);
+    Matrix6 A = (kDampingShare * size + kLeastDamping) * Matrix6::Identity();
+    for (int i = 0; i < J.cols(); ++i) A.noalias() += J.col(i) * J.col(i).transpose();
+    const Vector6 pull = A.llt().solve(error.weighted);
+    ArmVector step = J.transpose() * pull;
+    const double longest = step.cwiseAbs().maxCoeff();
+    if (longest > kLongestStep) step *= kLongestStep / longest;
+    for (int i = 0; i < step.size(); ++i) {
+      (*q)[i] = std::clamp((*q)[i] + step[i], arm_->limits()[i].lower, arm_->limits()[i].upper);
+    }
+  }
+  return false;
+}
+
+}  // namespace smile::motion

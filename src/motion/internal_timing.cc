@@ -1,0 +1,77 @@
+#include "motion/internal_timing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "base/wording.h"
+#include "motion/internal_cubic.h"
+
+namespace smile::motion {
+namespace {
+
+/// The largest slope of a cubic, without its sign.
+double TopSlope(const Cubic& cubic) {
+  double top = std::max(std::abs(cubic.from_slope), std::abs(cubic.to_slope));
+  const double from_curve = cubic.CurveAt(0), to_curve = cubic.CurveAt(1);
+  if (from_curve * to_curve < 0) {
+    top = std::max(top, std::abs(cubic.SlopeAt(from_curve / (from_curve - to_curve))));
+  }
+  return top;
+}
+
+}  // namespace
+
+double SlownessNeeded(const TrajectoryPoint& from, const TrajectoryPoint& to,
+                      std::span<const JointLimits> limits, double speed) {
+  double needed = 0;
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    const Cubic cubic{from.positions[i], to.positions[i], from.velocities[i], to.velocities[i],
+                      to.seconds - from.seconds};
+    const double curve = std::max(std::abs(cubic.CurveAt(0)), std::abs(cubic.CurveAt(1)));
+    needed = std::max({needed, TopSlope(cubic) / (speed * limits[i].max_velocity),
+                       std::sqrt(curve / limits[i].max_acceleration)});
+  }
+  return needed;
+}
+
+void SlowDownToLimits(std::span<const JointLimits> limits, double speed,
+                      std::vector<TrajectoryPoint>* points) {
+  double factor = 1;
+  for (std::size_t k = 1; k < points->size(); ++k) {
+    factor = std::max(factor, SlownessNeeded((*points)[k - 1], (*points)[k], limits, speed));
+  }
+  if (factor == 1) return;
+  for (TrajectoryPoint& point : *points) {
+    point.seconds *= factor;
+    for (double& velocity : point.velocities) velocity /= factor;
+  }
+}
+
+double CalmSlope(double before, double after, double seconds_before, double seconds_after) {
+  if (before * after <= 0) return 0;
+  const double weight_before = 2 * seconds_after + seconds_before;
+  const double weight_after = seconds_after + 2 * seconds_before;
+  return (weight_before + weight_after) / (weight_before / before + weight_after / after);
+}
+
+void CheckSpeed(double speed) {
+  if (speed > 0 && speed <= 1) return;
+  throw std::invalid_argument("speed is " + NumberText(speed) + ", expected above 0, at most 1");
+}
+
+void CheckConfiguration(std::span<const double> q, std::span<const JointLimits> limits,
+                        const std::string& what) {
+  if (q.size() != limits.size()) {
+    throw std::invalid_argument(what + " has " + std::to_string(q.size()) + " values, expected " +
+                                std::to_string(limits.size()));
+  }
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    if (q[i] >= limits[i].lower && q[i] <= limits[i].upper) continue;
+    throw std::invalid_argument(what + ": joint " + std::to_string(i) + " would stand at " +
+                                NumberText(q[i]) + ", expected " + NumberText(limits[i].lower) +
+                                " to " + NumberText(limits[i].upper));
+  }
+}
+
+}  // namespace smile::motion

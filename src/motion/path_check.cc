@@ -1,0 +1,118 @@
+#include "motion/path_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "base/wording.h"
+#include "motion/limit_check.h"
+
+namespace smile::motion {
+namespace {
+
+/// What is thinner than a joint's motion in between may be missed [rad or m].
+constexpr double kLookEvery = 0.02;
+/// A trajectory that runs to and fro without end is not looked at for ever.
+constexpr int kMostLooksPerSpan = 10'000;
+
+std::vector<int> JointsOf(const robot::RobotModel& model, const JointTrajectory& trajectory) {
+  std::vector<int> joints;
+  for (const std::string& name : trajectory.joint_names) {
+    const std::optional<int> joint = robot::FindJoint(model, name);
+    if (!joint) throw std::invalid_argument("the robot has no joint " + Quoted(name));
+    joints.push_back(*joint);
+  }
+  return joints;
+}
+
+std::string Tell(const LimitBreach& breach) {
+  const bool is_above = breach.value > breach.limit;
+  return breach.joint_name + ": " + std::string(NameOf(breach.quantity)) + " is " +
+         NumberText(breach.value) + ", expected at " + (is_above ? "most " : "least ") +
+         NumberText(breach.limit);
+}
+
+std::string Tell(const robot::RobotModel& model, const physics::LinkOverlap& overlap) {
+  const auto name = [&](int link) -> std::string {
+    if (link == physics::kSurroundings) return "what stands around";
+    return link < 0 ? "the base" : model.links[link].name;
+  };
+  return name(overlap.link) + " would touch " + name(overlap.other);
+}
+
+/// How often to look between two points: no joint's way is longer than the sides of its cubic's
+/// control polygon.
+int NumLooks(const TrajectoryPoint& from, const TrajectoryPoint& to) {
+  const double third = (to.seconds - from.seconds) / 3;
+  double longest = 0;
+  for (std::size_t i = 0; i < from.positions.size(); ++i) {
+    const double out = third * from.velocities[i], in = third * to.velocities[i];
+    const double between = to.positions[i] - from.positions[i] - out - in;
+    longest = std::max(longest, std::abs(out) + std::abs(between) + std::abs(in));
+  }
+  return static_cast<int>(
+      std::clamp(std::ceil(longest / kLookEvery), 1.0, double{kMostLooksPerSpan}));
+}
+
+/// The first moment up to `until` at which something touches.
+std::optional<InvalidMoment> FirstTouch(const robot::RobotModel& model,
+                                        const JointTrajectory& trajectory, std::vector<double> q,
+                                        double until, physics::ArticulationProbe* probe) {
+  const std::vector<int> joints = JointsOf(model, trajectory);
+  const auto look = [&](double seconds) -> std::optional<InvalidMoment> {
+    const TrajectoryPoint now = SampleAt(trajectory, seconds);
+    for (std::size_t i = 0; i < joints.size(); ++i) q[joints[i]] = now.positions[i];
+    const auto overlap = probe->FirstOverlap(q);
+    if (!overlap) return std::nullopt;
+    return InvalidMoment{seconds, Tell(model, *overlap)};
+  };
+  const auto& points = trajectory.points;
+  if (auto touch = look(points.front().seconds)) return touch;
+  for (std::size_t k = 1; k < points.size(); ++k) {
+    const int num_looks = NumLooks(points[k - 1], points[k]);
+    const double span = points[k].seconds - points[k - 1].seconds;
+    for (int look_number = 1; look_number <= num_looks; ++look_number) {
+      const double seconds = look_number == num_looks
+                                 ? points[k].seconds
+                                 : points[k - 1].seconds + span * look_number / num_looks;
+      if (seconds > until) return std::nullopt;
+      if (auto touch = look(seconds)) return touch;
+    }
+  }
+  return std::nullopt;
+}
+
+/// When each breach begins is not told by CheckLimits(), which knows the worst moments: the first
+/// span between points that has one is where to look.
+std::optional<InvalidMoment> FirstBreach(const JointTrajectory& trajectory,
+                                         std::span<const JointLimits> limits) {
+  if (CheckLimits(trajectory, limits).empty()) return std::nullopt;
+  const auto& points = trajectory.points;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    JointTrajectory span{trajectory.joint_names, {points[k]}};
+    if (k + 1 < points.size()) span.points.push_back(points[k + 1]);
+    const std::vector<LimitBreach> breaches = CheckLimits(span, limits);
+    if (!breaches.empty()) return InvalidMoment{breaches[0].seconds, Tell(breaches[0])};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<InvalidMoment> FirstInvalid(const robot::RobotModel& model,
+                                          const JointTrajectory& trajectory,
+                                          std::span<const double> q_others,
+                                          physics::ArticulationProbe* probe) {
+  if (q_others.size() != model.links.size()) {
+    throw std::invalid_argument("q_others has " + std::to_string(q_others.size()) +
+                                " values, expected " + std::to_string(model.links.size()));
+  }
+  const std::vector<int> joints = JointsOf(model, trajectory);
+  const auto breach = FirstBreach(trajectory, LimitsOf(model, joints));
+  if (trajectory.points.empty()) return breach;
+  auto touch = FirstTouch(model, trajectory, {q_others.begin(), q_others.end()},
+                          breach ? breach->seconds : HUGE_VAL, probe);
+  return touch ? touch : breach;
+}
+
+}  // namespace smile::motion

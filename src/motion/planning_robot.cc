@@ -1,0 +1,178 @@
+#include "motion/planning_robot.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "base/wording.h"
+#include "robot/urdf_reader.h"
+#include "scene/units.h"
+
+namespace smile::motion {
+namespace {
+
+constexpr std::string_view kBoth = "both";
+
+/// As thick as the table of scenes may be [m].
+constexpr double kTableThickness = 0.4;
+/// What people write with three digits is still a rotation.
+constexpr double kLooseRotation = 1e-3;
+
+double CheckedUnit(double meters_per_unit) {
+  if (meters_per_unit > 0 && std::isfinite(meters_per_unit)) return meters_per_unit;
+  throw std::invalid_argument("unit is " + NumberText(meters_per_unit) +
+                              ", expected metres per unit, above 0");
+}
+
+scene::Solid TableOf(double width, double depth, double meters_per_unit) {
+  const auto is_size = [](double x) { return x > 0 && std::isfinite(x); };
+  if (!is_size(width) || !is_size(depth)) {
+    throw std::invalid_argument("table is " + NumberText(width) + " x " + NumberText(depth) +
+                                ", expected width and depth above 0");
+  }
+  return {.shape = scene::Block{{scene::FromFileUnits(width, meters_per_unit),
+                                 scene::FromFileUnits(depth, meters_per_unit), kTableThickness}},
+          .X_BS = RigidTransform(Vector3(0, 0, -kTableThickness / 2))};
+}
+
+}  // namespace
+
+PlanningRobot::PlanningRobot(robot::RobotModel model, const Eigen::Matrix4d& base_pose,
+                             double meters_per_unit)
+    : model_(std::move(model)), meters_per_unit_(CheckedUnit(meters_per_unit)) {
+  X_WBase_ = FromUnits(base_pose, "base");
+  for (const robot::Arm& arm : model_.arms) arms_.emplace_back(model_, arm, X_WBase_);
+}
+
+const ArmKinematics& PlanningRobot::Find(std::string_view arm) const {
+  std::vector<std::string_view> names;
+  for (std::size_t i = 0; i < model_.arms.size(); ++i) {
+    if (model_.arms[i].name == arm) return arms_[i];
+    names.push_back(model_.arms[i].name);
+  }
+  throw std::invalid_argument("arm is " + Quoted(arm) + ", expected " +
+                              (names.empty() ? "none: the robot has no arms" : OneOf(names)));
+}
+
+RigidTransform PlanningRobot::FromUnits(const Eigen::Matrix4d& pose, const char* what) const {
+  const Matrix3 R = pose.topLeftCorner<3, 3>();
+  const bool is_pose =
+      pose.allFinite() && pose.row(3) == Eigen::RowVector4d(0, 0, 0, 1) &&
+      (R * R.transpose() - Matrix3::Identity()).cwiseAbs().maxCoeff() < kLooseRotation &&
+      R.determinant() > 0;
+  if (!is_pose) {
+    throw std::invalid_argument(std::string(what) +
+                                " is no pose, expected 4x4 with a rotation, a place and a last row "
+                                "0 0 0 1");
+  }
+  return {Quaternion(R).normalized(),
+          scene::FromFileUnits(Vector3(pose.topRightCorner<3, 1>()), meters_per_unit_)};
+}
+
+Eigen::Matrix4d PlanningRobot::InUnits(const RigidTransform& X_WF) const {
+  Eigen::Matrix4d pose = Eigen::Matrix4d::Identity();
+  pose.topLeftCorner<3, 3>() = X_WF.rotation();
+  pose.topRightCorner<3, 1>() = scene::ToFileUnits(X_WF.translation(), meters_per_unit_);
+  return pose;
+}
+
+std::vector<std::string> PlanningRobot::JointNames(std::string_view arm) const {
+  if (arm != kBoth) return Find(arm).joint_names();
+  std::vector<std::string> names;
+  for (const ArmKinematics& each : arms_) {
+    names.insert(names.end(), each.joint_names().begin(), each.joint_names().end());
+  }
+  return names;
+}
+
+std::vector<JointLimits> PlanningRobot::Limits(std::string_view arm) const {
+  if (arm != kBoth) return Find(arm).limits();
+  std::vector<JointLimits> limits;
+  for (const ArmKinematics& each : arms_) {
+    limits.insert(limits.end(), each.limits().begin(), each.limits().end());
+  }
+  return limits;
+}
+
+int PlanningRobot::NumRows(std::string_view arm) const {
+  if (arm != kBoth) return 1;
+  const bool are_alike = std::ranges::all_of(
+      arms_, [&](const ArmKinematics& each) { return each.num_joints() == arms_[0].num_joints(); });
+  return are_alike && !arms_.empty() ? static_cast<int>(arms_.size()) : 1;
+}
+
+std::optional<std::vector<double>> PlanningRobot::NamedPose(std::string_view arm,
+                                                            std::string_view name) const {
+  const robot::NamedPose* pose = robot::FindPose(model_, name);
+  if (!pose) return std::nullopt;
+  std::vector<double> q;
+  for (const std::string& joint : JointNames(arm)) {
+    q.push_back(pose->q[robot::FindJoint(model_, joint).value()]);
+  }
+  return q;
+}
+
+Eigen::Matrix4d PlanningRobot::Forward(std::string_view arm, std::span<const double> q) const {
+  const ArmKinematics& kinematics = Find(arm);
+  if (!std::ranges::all_of(q, [](double x) { return std::isfinite(x); })) {
+    throw std::invalid_argument("q is not finite");
+  }
+  return InUnits(kinematics.ToolPose(q));
+}
+
+Eigen::MatrixXd PlanningRobot::Jacobian(std::string_view arm, std::span<const double> q) const {
+  ArmJacobian J;
+  Find(arm).ToolPose(q, &J);
+  J.topRows<3>() /= meters_per_unit_;
+  if (!J.allFinite()) throw std::invalid_argument("q is not finite");
+  return J;
+}
+
+std::optional<std::vector<double>> PlanningRobot::Inverse(std::string_view arm,
+                                                          const Eigen::Matrix4d& goal,
+                                                          std::span<const double> q_start,
+                                                          IkOptions options) const {
+  options.position_tolerance *= meters_per_unit_;
+  return SolveInverseKinematics(Find(arm), FromUnits(goal, "goal"), q_start, options);
+}
+
+JointTrajectory PlanningRobot::MoveJoints(std::string_view arm,
+                                          std::span<const std::vector<double>> waypoints,
+                                          double speed) const {
+  return {JointNames(arm), MoveThrough(waypoints, Limits(arm), speed)};
+}
+
+std::variant<JointTrajectory, LineFault> PlanningRobot::MoveLine(std::string_view arm,
+                                                                 std::span<const double> q_from,
+                                                                 const Eigen::Matrix4d& goal,
+                                                                 LineOptions options) const {
+  options.tool_speed *= meters_per_unit_;
+  return MoveAlongLine(Find(arm), q_from, FromUnits(goal, "goal"), options);
+}
+
+std::optional<InvalidMoment> PlanningRobot::FirstInvalid(
+    const JointTrajectory& trajectory, std::span<const double> q_both,
+    std::optional<std::pair<double, double>> table) const {
+  std::vector<double> q = model_.q_start;
+  if (!q_both.empty()) {
+    const std::vector<std::string> names = JointNames(kBoth);
+    if (q_both.size() != names.size()) {
+      throw std::invalid_argument("q_both has " + std::to_string(q_both.size()) +
+                                  " values, expected " + std::to_string(names.size()));
+    }
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      q[robot::FindJoint(model_, names[i]).value()] = q_both[i];
+    }
+  }
+  std::vector<scene::Solid> surroundings;
+  if (table) surroundings.push_back(TableOf(table->first, table->second, meters_per_unit_));
+  physics::ArticulationProbe probe(robot::MakeArticulationSpec(model_, X_WBase_), surroundings);
+  return motion::FirstInvalid(model_, trajectory, q, &probe);
+}
+
+PlanningRobot ReadPlanningRobot(const std::filesystem::path& urdf, const Eigen::Matrix4d& base_pose,
+                                double meters_per_unit) {
+  return {robot::ReadRobot(urdf), base_pose, meters_per_unit};
+}
+
+}  // namespace smile::motion

@@ -30,7 +30,7 @@ int ImitateDemo(const ImitateOptions& options) {
                .record = out / "imitation",
                .max_seconds = options.max_seconds,
                .eye = ParseSize(options.size),
-               .robot = options.robot});
+               .robot = PlaceRobot(options.robot, options.path)});
   WriteFile(out / "result.json", ToText(outcome.result, 2) + "\n");
   if (options.json) {
     std::printf("%s\n", ToText(outcome.result, 2).c_str());

@@ -3,10 +3,11 @@
 #include <filesystem>
 #include <string>
 
-#include "app/options.h"
 #include "base/json.h"
 #include "brain/brain_values.h"
 #include "scene/scene_spec.h"
+#include "sim/eye.h"
+#include "sim/simulation.h"
 
 namespace smile::app {
 
@@ -19,7 +20,7 @@ struct ImitationPlan {
   std::filesystem::path record;  ///< new directory for the robot's run
   double max_seconds = 600;      ///< simulated
   sim::EyeSpec eye;
-  RobotOptions robot;
+  std::optional<sim::RobotPlacement> robot;
 };
 
 struct ImitationOutcome {

@@ -28,7 +28,7 @@ robot::RobotReading ReadFrom(const robot::OpenRobotFile& open, const std::string
   return robot::LoadKeptRobot(kUrdf, gripper, open);
 }
 
-bool IsFinite(const RigidTransform& X) {
+bool IsSomewhere(const RigidTransform& X) {
   return X.translation().allFinite() && X.rotation().allFinite();
 }
 
@@ -38,7 +38,7 @@ std::string FaultOf(const robot::RobotModel& model) {
   for (int i = 0; i < model.num_joints(); ++i) {
     const physics::LinkSpec& link = model.links[static_cast<std::size_t>(i)];
     if (link.parent < -1 || link.parent >= i) return link.name + ": a parent that comes later";
-    if (!IsFinite(link.X_PJ) || std::abs(link.axis.norm() - 1) > 1e-9) {
+    if (!IsSomewhere(link.X_PJ) || std::abs(link.axis.norm() - 1) > 1e-9) {
       return link.name + ": a joint that is nowhere";
     }
     if (!(link.lower < link.upper) || !(link.max_velocity > 0) || !(link.max_effort > 0)) {
@@ -48,11 +48,11 @@ std::string FaultOf(const robot::RobotModel& model) {
       return link.name + ": a mass that is none";
     }
     for (const scene::Solid& solid : link.solids) {
-      if (!IsFinite(solid.X_BS)) return link.name + ": a solid that is nowhere";
+      if (!IsSomewhere(solid.X_BS)) return link.name + ": a solid that is nowhere";
     }
   }
   for (const robot::Frame& frame : model.frames) {
-    if (!IsFinite(frame.X_LF)) return frame.name + ": a frame that is nowhere";
+    if (!IsSomewhere(frame.X_LF)) return frame.name + ": a frame that is nowhere";
   }
   for (const robot::Arm& arm : model.arms) {
     for (int joint : arm.joints) {

@@ -249,7 +249,7 @@ class OfficialBaxter : public ProgramTest {
     Write("pair.xml", PairOfBlocks());
     Write("move.jsonl",
           "{\"do\":\"wait\",\"seconds\":0.5}\n"
-          "{\"do\":\"joint_velocities\",\"left\":[0.1,0,0,0,0,0,0],\"grippers\":[-0.1,-0.1],"
+          "{\"do\":\"joint_velocities\",\"left\":[0.1,0,0,0,0,0,0],\"grippers\":[-1,-1],"
           "\"head\":0.5}\n{\"do\":\"wait\",\"seconds\":0.5}\n");
   }
 
@@ -271,7 +271,7 @@ class OfficialBaxter : public ProgramTest {
   static void ExpectFreeMotion(const Json& robot) {
     const std::vector<double> expected{0.25 + 0.05, 0, -1.527, 2.618, 1.529, 1.5, 0};
     for (std::size_t i = 0; i < expected.size(); ++i) {
-      EXPECT_NEAR(robot["left"]["joints"][i].get<double>(), expected[i], 0.005) << i;
+      EXPECT_NEAR(robot["left"]["joints"][i].get<double>(), expected[i], 0.01) << i;
     }
     EXPECT_NEAR(robot["head"].get<double>(), 0.25, 0.01);
   }

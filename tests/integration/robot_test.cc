@@ -104,7 +104,7 @@ TEST_F(AnyRobot, OfOlderRecordingsIsStillFound) {
                 .exit_code,
             0);
   Write("my/arm.urdf", ArmUrdf());
-  ASSERT_EQ(Shell("cd demo && sed -i 's|package://arm_parts/||' robot/arm.urdf && "
+  ASSERT_EQ(Shell("cd demo && sed -i 's|package://arm_parts/||g' robot/arm.urdf && "
                   "mv robot/arm.urdf robot.urdf && mv robot/arm.robot.json robot.robot.json && "
                   "mv robot/packages/arm_parts/wedge.obj . && rm -r robot && "
                   "sed -i '/\"urdf\"/d; /\"gripper\"/d; s/\\(\"height_m\": [0-9.]*\\),/\\1/' "

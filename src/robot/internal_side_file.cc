@@ -42,8 +42,10 @@ Json ParsedWithLimits(const std::string& text, const std::string& file) {
                                   .line = 1 + static_cast<int>(std::count(text.begin(), end, '\n')),
                                   .element = {},
                                   .message = std::string("not JSON: ") + error.what()});
+    } catch (const Json::exception& error) {  // a number beyond all numbers
+      throw InputError({file, 0, "", std::string("not JSON: ") + error.what()});
     }
-    throw InputError({file, 0, "", refusal.what()});
+    throw InputError({file, 0, "", refusal.what()});  // too deep, too much
   }
 }
 

@@ -25,6 +25,7 @@ seeds_of() {
   case $1 in
     json) find examples robots -name '*.json*' ;;
     scene) find scenes -name '*.xml' ;;
+    robot) find robots -name '*.urdf' ;;
     mesh) find scenes \( -name '*.stl' -o -name '*.obj' -o -name '*.dae' -o -name '*.gltf' -o -name '*.glb' \) -size -128k ;;
   esac | while read -r file; do
     format=

@@ -11,6 +11,7 @@
 #include "app/film.h"
 #include "app/imitation.h"
 #include "app/interrupt.h"
+#include "app/options.h"
 #include "app/run_loop.h"
 #include "base/files.h"
 #include "scene_xml/scene_reader.h"
@@ -119,7 +120,8 @@ int RunExperiment(const ExperimentOptions& options) {
                                             .demonstration = out / "demonstration",
                                             .scene = std::move(scene),
                                             .brain = DataFile(experiment.brain),
-                                            .record = out / "imitation"});
+                                            .record = out / "imitation",
+                                            .robot = PlaceRobot({})});
   WriteFile(out / "result.json", ToText(outcome.result, 2) + "\n");
   if (!options.no_films) FilmBoth(out);
   if (options.json) {

@@ -36,7 +36,7 @@ int ImitateDemo(const ImitateOptions& options) {
                .max_seconds = options.max_seconds,
                .eye = EyeSpecOf(options.eye),
                .noise = ParseNoise(options.noise),
-               .robot = options.robot});
+               .robot = PlaceRobot(options.robot, options.path)});
   WriteFile(out / "result.json", ToText(outcome.result, 2) + "\n");
   if (options.json) {
     std::printf("%s\n", ToText(outcome.result, 2).c_str());

@@ -74,7 +74,7 @@ void RenderPicture(const sim::Simulation& stage, const record::TraceTick& moment
 
 void RenderScene(const RenderCommandOptions& options, Product product) {
   const sim::Simulation simulation(scene_xml::LoadScene(options.subject, options.path.reader()),
-                                   PlaceRobot(options.robot));
+                                   PlaceRobot(options.robot, options.path));
   const std::string but = ", but '" + options.subject + "' is none";
   if (product != Product::kPicture) throw std::invalid_argument("a film needs a recording" + but);
   if (options.at) throw std::invalid_argument("--at needs a recording" + but);
@@ -113,9 +113,9 @@ int Render(const RenderCommandOptions& options) {
     RenderScene(options, product);
     return kDone;
   }
-  if (options.robot.no_robot || options.robot.classic || !options.path.roots.empty()) {
+  if (options.robot != RobotOptions() || !options.path.roots.empty()) {
     throw std::invalid_argument(
-        "--no-robot, --classic and --path are of scenes; a recording has its own robot and files");
+        "the robot's options and --path are of scenes; a recording has its own robot and files");
   }
   const record::Recording recording = OpenAndTell(options.subject);
   if (product == Product::kPicture) {

@@ -34,7 +34,7 @@ int RunScene(const RunOptions& options) {
     throw std::invalid_argument(
         "nothing says when the run ends: give --seconds, --commands, --trajectory or --brain");
   }
-  plan.robot = PlaceRobot(options.robot);
+  plan.robot = PlaceRobot(options.robot, options.path);
   if (!options.brain.brain.empty() && !plan.robot) {
     throw std::invalid_argument("--brain needs a robot, but --no-robot was given");
   }

@@ -46,7 +46,7 @@ ImitationOutcome Imitate(const ImitationPlan& plan) {
   const task::Goal goal = task::GoalOf(demonstration);
   const auto match = task::MatchObjects(goal, plan.scene);
   const RunOutcome run = Run({.scene = plan.scene,
-                              .robot = PlaceRobot(plan.robot),
+                              .robot = plan.robot,
                               .brain = plan.brain,
                               .patience = plan.patience,
                               .is_attached = plan.is_attached,

@@ -3,11 +3,12 @@
 #include <filesystem>
 #include <string>
 
-#include "app/options.h"
 #include "base/json.h"
 #include "brain/brain_values.h"
 #include "brain/sensor_noise.h"
 #include "scene/scene_spec.h"
+#include "sim/eye.h"
+#include "sim/simulation.h"
 
 namespace smile::app {
 
@@ -23,7 +24,7 @@ struct ImitationPlan {
   double max_seconds = 600;      ///< simulated
   sim::EyeSpec eye;
   brain::SensorNoise noise;  ///< in what the brain is told
-  RobotOptions robot;
+  std::optional<sim::RobotPlacement> robot;
 };
 
 struct ImitationOutcome {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <charconv>
+#include <cstdio>
 #include <sstream>
 #include <stdexcept>
 
@@ -33,6 +34,17 @@ void AddRobotOptions(CLI::App* command, bool may_be_absent, RobotOptions* option
     command->add_flag("--no-robot", options->no_robot, "a table without a robot");
   }
   command->add_flag("--classic", options->classic, "the robot where the original put it");
+  command->add_option("--robot", options->urdf, "another robot than Baxter: a URDF file")
+      ->check(NotEmpty());
+  command
+      ->add_option("--side-file", options->side_file,
+                   "what names its arms, grippers and poses; NAME.robot.json beside NAME.urdf if "
+                   "not given")
+      ->check(NotEmpty());
+  command
+      ->add_option("--gripper", options->gripper,
+                   "which of the robot's grippers; Baxter's are classic, electric and none")
+      ->check(NotEmpty());
 }
 
 CLI::Option* AddBrainOptions(CLI::App* command, BrainOptions* options) {
@@ -54,18 +66,36 @@ CLI::Option* AddBrainOptions(CLI::App* command, BrainOptions* options) {
   return brain;
 }
 
-std::optional<sim::RobotPlacement> PlaceRobot(const RobotOptions& options) {
-  if (options.no_robot) return std::nullopt;
-  const std::filesystem::path urdf = DataFile("robots/baxter.urdf");
-  sim::RobotPlacement placement{.model = robot::ReadRobot(urdf), .urdf = urdf};
+std::optional<sim::RobotPlacement> PlaceRobot(const RobotOptions& options,
+                                              const PathOptions& path) {
+  if (options.no_robot) {
+    if (options == RobotOptions{.no_robot = true}) return std::nullopt;
+    throw std::invalid_argument("--no-robot leaves nothing to choose of a robot");
+  }
+  const std::filesystem::path urdf =
+      options.urdf.empty() ? DataFile("robots/baxter.urdf") : std::filesystem::path(options.urdf);
+  robot::RobotReading reading =
+      robot::LoadRobot(urdf, {.side_file = options.side_file,
+                              .package_roots = {path.roots.begin(), path.roots.end()},
+                              .gripper = options.gripper});
+  if (!reading.has_side_file) {
+    std::fprintf(stderr, "%s: without a side file, the robot stands there and nothing moves it\n",
+                 urdf.c_str());
+  }
+  sim::RobotPlacement placement{.model = std::move(reading.model),
+                                .gripper = std::move(reading.gripper),
+                                .files = std::move(reading.files)};
+  placement.gap = reading.gap.value_or(placement.gap);
+  placement.height = reading.height.value_or(placement.height);
   if (options.classic) placement.gap = kClassicGap;
   return placement;
 }
 
 void AddPathOption(CLI::App* command, PathOptions* options) {
   command
-      ->add_option("--path", options->roots,
-                   "folder to look in for included files, after the scene's own; may be repeated")
+      ->add_option(
+          "--path", options->roots,
+          "folder to look in for files a scene or a robot names, after their own; may be repeated")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }

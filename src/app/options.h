@@ -27,13 +27,20 @@ void AddPathOption(CLI::App* command, PathOptions* options);
 struct RobotOptions {
   bool no_robot = false;
   bool classic = false;  ///< the robot stands where the original put it
+  std::string urdf;      ///< empty: Baxter
+  std::string side_file, gripper;
+
+  bool operator==(const RobotOptions&) const = default;
 };
 
-/// `--no-robot` (where a table without one makes sense) and `--classic`.
+/// `--no-robot` (where a table without one makes sense), `--classic`, `--robot`, `--side-file` and
+/// `--gripper`.
 void AddRobotOptions(CLI::App* command, bool may_be_absent, RobotOptions* options);
 
-/// Baxter in its place; nullopt when it is not wanted.
-std::optional<sim::RobotPlacement> PlaceRobot(const RobotOptions& options);
+/// The robot in its place; nullopt when it is not wanted. Tells on stderr when nothing moves it.
+/// @param path  where the packages of its meshes are.
+std::optional<sim::RobotPlacement> PlaceRobot(const RobotOptions& options,
+                                              const PathOptions& path = {});
 
 /// Which robot program, and how it is run.
 struct BrainOptions {

@@ -60,12 +60,12 @@ bool IsKnown(std::string_view extension) {
 
 scene::SurfaceMesh ParseMesh(std::string_view bytes, std::string_view extension,
                              const MeshLimits& limits, const std::string& name,
-                             const OpenNeighbour& open) {
+                             const OpenNeighbour& open, MeshAxes axes) {
   try {
     if (bytes.size() > limits.max_file_bytes) {
       throw BadMesh("is larger than " + std::to_string(limits.max_file_bytes) + " bytes");
     }
-    TriangleSoup soup(limits);
+    TriangleSoup soup(limits, axes);
     ReadInto(bytes, extension, open, limits, &soup);
     return soup.Take();
   } catch (const BadMesh& error) {

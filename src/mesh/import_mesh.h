@@ -19,6 +19,12 @@ struct MeshLimits {
   bool operator==(const MeshLimits&) const = default;
 };
 
+/// How a mesh lies in its file.
+enum class MeshAxes {
+  kStanding,  ///< what stands along Y there stands along z here, as scenes have it: (X, -Z, Y)
+  kAsWritten  ///< (X, Y, Z), whatever the file says is up, as descriptions of robots have it
+};
+
 /// Reads a file that belongs to a mesh file, by its plain name, at most so many bytes.
 /// @throws InputError when there is none that may be read.
 using OpenNeighbour = std::function<std::string(const std::string& name, std::size_t max_bytes)>;
@@ -26,11 +32,10 @@ using OpenNeighbour = std::function<std::string(const std::string& name, std::si
 /// Reads STL (text or binary; the first solid), OBJ, DAE, glTF or GLB, as the file's extension
 /// says.
 ///
-/// Lengths are those of the file; its axes (X, Y, Z) become (X, -Z, Y), so what stands along Y in
-/// the file stands along z here. Vertices at the same place are one, in the order in which
-/// triangles first name them; triangles without an area between their corners' numbers are left
-/// out. Colors, normals and pictures are not read. No file is opened but this one and, for glTF,
-/// those it names in its own folder.
+/// Lengths are those of the file, axes as MeshAxes::kStanding. Vertices at the same place are one,
+/// in the order in which triangles first name them; triangles without an area between their
+/// corners' numbers are left out. Colors, normals and pictures are not read. No file is opened but
+/// this one and, for glTF, those it names in its own folder.
 ///
 /// @throws InputError whose file is `path`: no such file, an unknown extension, more than the
 ///         limits allow, cut short, damaged, empty, numbers that are none.
@@ -42,7 +47,7 @@ scene::SurfaceMesh ImportMesh(const std::filesystem::path& path, const MeshLimit
 /// @param open       for what belongs to it; without, there is nothing.
 scene::SurfaceMesh ParseMesh(std::string_view bytes, std::string_view extension,
                              const MeshLimits& limits = {}, const std::string& name = "mesh",
-                             const OpenNeighbour& open = {});
+                             const OpenNeighbour& open = {}, MeshAxes axes = MeshAxes::kStanding);
 
 /// Binary STL: importing it gives back the same mesh, to the last bit, if each of its vertices is
 /// named by a triangle, in the order of the triangles, as those of an imported mesh are.

@@ -1,3 +1,4 @@
+#include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <assimp/IOStream.hpp>
@@ -147,8 +148,10 @@ void AddNode(const aiScene& scene, const aiNode& node, const aiMatrix4x4& X_SP, 
   }
 }
 
-Corners CornersOf(std::string_view bytes) {
+Corners CornersOf(std::string_view bytes, MeshAxes axes) {
   Assimp::Importer importer;
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION,
+                           axes == MeshAxes::kAsWritten);
   importer.SetIOHandler(new OneFileSystem(bytes));  // the importer's own from here on
   const aiScene* scene = importer.ReadFile(kOnlyFile, aiProcess_Triangulate);
   if (!scene || !scene->mRootNode) {
@@ -204,11 +207,11 @@ void LimitThisProcess() {
 }
 
 /// The child's work: corners, or what is wrong, into the pipe.
-[[noreturn]] void AnswerAndExit(std::string_view bytes, int to) {
+[[noreturn]] void AnswerAndExit(std::string_view bytes, MeshAxes axes, int to) {
   LimitThisProcess();
   for (const int fault : {SIGSEGV, SIGABRT, SIGBUS, SIGFPE}) std::signal(fault, SIG_DFL);
   try {
-    const Corners corners = CornersOf(bytes);
+    const Corners corners = CornersOf(bytes, axes);
     WriteAll(to, corners.data(), corners.size() * sizeof corners[0]);
     _exit(0);
   } catch (const std::exception& error) {
@@ -231,7 +234,7 @@ void ReadCollada(std::string_view bytes, TriangleSoup* soup) {
   const pid_t child = fork();
   if (child == 0) {
     close(ends[0]);
-    AnswerAndExit(bytes, ends[1]);
+    AnswerAndExit(bytes, soup->axes(), ends[1]);
   }
   close(ends[1]);
   const std::string answer = child > 0 ? ReadAll(ends[0], kMaxAnswer) : "";

@@ -19,7 +19,8 @@ void ReadObj(std::string_view bytes, TriangleSoup* soup);
 void ReadGltf(std::string_view bytes, const OpenNeighbour& open, std::size_t max_bytes,
               TriangleSoup* soup);
 
-/// The same of a DAE file; what its `up_axis` says is up is along Y.
+/// The same of a DAE file; what its `up_axis` says is up is along Y, unless the soup wants it as it
+/// is written.
 void ReadCollada(std::string_view bytes, TriangleSoup* soup);
 
 }  // namespace smile::mesh

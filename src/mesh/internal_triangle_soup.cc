@@ -11,16 +11,19 @@ namespace {
 /// Squares and cubes of it are still numbers, and nothing on a table is as large.
 constexpr float kMaxCoordinate = 1e9f;
 
-/// From the file's axes; negative zeros become zeros, so that equal places are equal bits.
-Eigen::Vector3f FromFileAxes(const TriangleSoup::Corner& corner) {
+}  // namespace
+
+/// Negative zeros become zeros, so that equal places are equal bits.
+Eigen::Vector3f TriangleSoup::FromFileAxes(const Corner& corner) const {
   for (const float coordinate : corner) {
     if (std::abs(coordinate) <= kMaxCoordinate) continue;  // not so for what is no number
     throw BadMesh("found the coordinate " + NumberText(coordinate) + ", expected -1e9 to 1e9");
   }
+  if (axes_ == MeshAxes::kAsWritten) {
+    return {corner[0] + 0.0f, corner[1] + 0.0f, corner[2] + 0.0f};
+  }
   return {corner[0] + 0.0f, -corner[2] + 0.0f, corner[1] + 0.0f};
 }
-
-}  // namespace
 
 void TriangleSoup::Add(const Corner& a, const Corner& b, const Corner& c) {
   if (++num_seen_ > limits_.max_triangles) {

@@ -22,7 +22,10 @@ class TriangleSoup {
  public:
   using Corner = std::array<float, 3>;  ///< (X, Y, Z) of the file
 
-  explicit TriangleSoup(const MeshLimits& limits) : limits_(limits) {}
+  explicit TriangleSoup(const MeshLimits& limits, MeshAxes axes = MeshAxes::kStanding)
+      : limits_(limits), axes_(axes) {}
+
+  MeshAxes axes() const { return axes_; }
 
   /// @throws BadMesh beyond the limits, or for a coordinate that is no number or beyond all bounds.
   void Add(const Corner& a, const Corner& b, const Corner& c);
@@ -31,9 +34,11 @@ class TriangleSoup {
   scene::SurfaceMesh Take();
 
  private:
+  Eigen::Vector3f FromFileAxes(const Corner& corner) const;
   std::uint32_t Weld(const Eigen::Vector3f& vertex);
 
   MeshLimits limits_;
+  MeshAxes axes_;
   std::size_t num_seen_ = 0;
   scene::SurfaceMesh mesh_;
   std::map<std::array<float, 3>, std::uint32_t> numbers_;

@@ -83,11 +83,10 @@ Articulation::Articulation(ArticulationId id, std::shared_ptr<const Articulation
   for (int i = 0; i < count; ++i) {
     const LinkSpec& spec_of_link = spec_->links[i];
     Links::Link& link = links_->links[i];
-    if (!spec_of_link.solids.empty()) {
-      link.collision = MakeCollisionShape(spec_of_link.solids, link.X_LLcm.inverse());
-      link.collider = MakeCollider(bullet_.get(), i, link.collision, order + 1 + i);
-      bullet_->getLink(i).m_collider = link.collider.get();
-    }
+    // Without solids, too: Bullet finds the motor of a joint by its link's collider.
+    link.collision = MakeCollisionShape(spec_of_link.solids, link.X_LLcm.inverse());
+    link.collider = MakeCollider(bullet_.get(), i, link.collision, order + 1 + i);
+    bullet_->getLink(i).m_collider = link.collider.get();
     link.motor = std::make_unique<btMultiBodyJointMotor>(bullet_.get(), i, 0.0, 0.0);
     link.limits = std::make_unique<btMultiBodyJointLimitConstraint>(
         bullet_.get(), i, spec_of_link.lower, spec_of_link.upper);

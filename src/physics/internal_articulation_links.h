@@ -19,7 +19,7 @@ struct Articulation::Links {
   struct Link {
     RigidTransform X_LLcm;
     CollisionShape collision;
-    std::unique_ptr<btMultiBodyLinkCollider> collider;  ///< null without solids
+    std::unique_ptr<btMultiBodyLinkCollider> collider;
     std::unique_ptr<btMultiBodyJointMotor> motor;
     std::unique_ptr<btMultiBodyJointLimitConstraint> limits;
   };
@@ -27,7 +27,7 @@ struct Articulation::Links {
   std::unique_ptr<btMultiBodyLinkCollider> base_collider;
   std::vector<Link> links;
 
-  /// -1 is the base; null without solids.
+  /// -1 is the base, null without solids.
   btMultiBodyLinkCollider* collider(int link) const {
     return link < 0 ? base_collider.get() : links[link].collider.get();
   }

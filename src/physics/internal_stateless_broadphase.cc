@@ -13,6 +13,13 @@ bool Overlap(const btBroadphaseProxy* a, const btBroadphaseProxy* b) {
   return TestAabbAgainstAabb2(a->m_aabbMin, a->m_aabbMax, b->m_aabbMin, b->m_aabbMax);
 }
 
+/// A link without solids.
+bool IsEmpty(const btCollisionObject* object) {
+  const btCollisionShape* shape = object->getCollisionShape();
+  return shape->isCompound() &&
+         static_cast<const btCompoundShape*>(shape)->getNumChildShapes() == 0;
+}
+
 std::pair<int, int> Ordered(int a, int b) { return a < b ? std::pair(a, b) : std::pair(b, a); }
 
 }  // namespace
@@ -21,6 +28,7 @@ bool PairFilter::needBroadphaseCollision(btBroadphaseProxy* a, btBroadphaseProxy
   const btCollisionObject* object_a = ObjectOf(a);
   const btCollisionObject* object_b = ObjectOf(b);
   if (object_a->isStaticObject() && object_b->isStaticObject()) return false;
+  if (IsEmpty(object_a) || IsEmpty(object_b)) return false;
   return !IsExcluded(OrderOf(object_a), OrderOf(object_b));
 }
 

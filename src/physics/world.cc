@@ -41,7 +41,7 @@ World::~World() {
     for (const auto& link : articulation->links_->links) {
       engine_->world.removeMultiBodyConstraint(link.motor.get());
       engine_->world.removeMultiBodyConstraint(link.limits.get());
-      if (link.collider) engine_->world.removeCollisionObject(link.collider.get());
+      engine_->world.removeCollisionObject(link.collider.get());
     }
     if (auto* base = articulation->links_->collider(-1)) engine_->world.removeCollisionObject(base);
     engine_->world.removeMultiBody(articulation->bullet_.get());
@@ -145,7 +145,7 @@ void World::Insert(std::unique_ptr<Articulation> articulation) {
   world.addMultiBody(articulation->bullet_.get());
   if (auto* base = links.collider(-1)) world.addCollisionObject(base);
   for (const auto& link : links.links) {
-    if (link.collider) world.addCollisionObject(link.collider.get());
+    world.addCollisionObject(link.collider.get());
     world.addMultiBodyConstraint(link.motor.get());
     world.addMultiBodyConstraint(link.limits.get());
   }

@@ -13,10 +13,6 @@
 namespace smile::record {
 namespace {
 
-void CopyFile(const std::filesystem::path& from, const std::filesystem::path& to) {
-  WriteFile(to, ReadFile(from, 64u << 20));
-}
-
 /// What the scene is made of belongs to the recording, which may outlive the original.
 void WriteMeshes(const scene::SceneSpec& scene, const std::filesystem::path& folder) {
   const std::vector<scene_xml::MeshFile> files = scene_xml::MeshFilesOf(scene);
@@ -46,12 +42,11 @@ void WriteWorld(const std::filesystem::path& directory, const sim::Simulation& s
   WriteFile(directory / "scene.xml", scene_xml::WriteScene(simulation.scene()));
   const auto& placement = simulation.robot_placement();
   if (!placement) return;
-  CopyFile(placement->urdf, directory / kRobotFile);
-  const auto side_file = std::filesystem::path(placement->urdf).replace_extension(".robot.json");
-  std::error_code error;
-  if (!std::filesystem::exists(side_file, error)) return;
-  CopyFile(side_file,
-           directory / std::filesystem::path(kRobotFile).replace_extension(".robot.json"));
+  for (const robot::RobotFile& file : placement->files) {
+    const std::filesystem::path path = directory / kRobotFolder / file.name;
+    MakeDirectories(path.parent_path());
+    WriteFile(path, *file.bytes);
+  }
 }
 
 }  // namespace smile::record

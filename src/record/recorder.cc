@@ -31,7 +31,11 @@ DemoInfo InfoOf(const RecorderOptions& options, const sim::Eye* eye,
                 .has_symbols = options.has_symbols};
   if (const auto& placement = simulation.robot_placement()) {
     info.robot = RobotInfo{
-        .name = placement->model.name, .gap = placement->gap, .height = placement->height};
+        .name = placement->model.name,
+        .gap = placement->gap,
+        .height = placement->height,
+        .urdf = (std::filesystem::path(kRobotFolder) / placement->files.at(0).name).string(),
+        .gripper = placement->gripper};
   }
   if (eye != nullptr) {
     info.eye = EyeView(simulation, eye->spec());

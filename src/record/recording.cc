@@ -69,6 +69,14 @@ void CheckInfo(const DemoInfo& info) {
   if (info.robot) {
     check("gap_m", info.robot->gap, -100, 100);
     check("height_m", info.robot->height, -100, 100);
+    const std::filesystem::path urdf = info.robot->urdf;
+    const bool is_inside =
+        urdf == kOldRobotFile ||
+        (urdf.parent_path() == kRobotFolder && urdf.has_filename() && urdf.filename() != "..");
+    if (!is_inside) {
+      throw std::invalid_argument("\"urdf\" is " + Quoted(info.robot->urdf) +
+                                  ", expected a file in " + kRobotFolder + "/");
+    }
   }
   if (!info.eye) return;
   check("width_px", info.eye->intrinsics.width_px, 1, 8192);
@@ -101,7 +109,8 @@ DemoInfo ReadInfo(const std::filesystem::path& path) {
       info.has_symbols = json.at("has_symbols");
     }
     if (const Json& robot = json.at("robot"); !robot.is_null()) {
-      info.robot = RobotInfo{robot.at("name"), robot.at("gap_m"), robot.at("height_m")};
+      info.robot = RobotInfo{robot.at("name"), robot.at("gap_m"), robot.at("height_m"),
+                             robot.value("urdf", kOldRobotFile), robot.value("gripper", "")};
     }
     if (const Json& eye = json.at("eye"); !eye.is_null()) {
       info.eye = ParseView(eye);
@@ -127,6 +136,20 @@ void LeaveOutUnfinishedReturn(Recording* recording) {
                             std::string(ToString(std::get<Return>(lines.back().what).kind)) +
                             " was cut and is left out");
   recording->log.RemoveLast();
+}
+
+/// From the folder of its URDF and from nowhere else, links followed.
+robot::RobotReading ReadKeptRobot(const std::filesystem::path& urdf, const std::string& gripper) {
+  std::error_code error;
+  const auto folder = std::filesystem::canonical(urdf.parent_path(), error);
+  const auto open = [&](const std::string& name,
+                        std::size_t max_bytes) -> std::optional<std::string> {
+    std::error_code missing;
+    const auto path = std::filesystem::canonical(folder / name, missing);
+    if (missing || path.lexically_relative(folder).begin()->string() == "..") return std::nullopt;
+    return ReadFile(path, max_bytes);
+  };
+  return robot::LoadKeptRobot(urdf, gripper, open);
 }
 
 /// What was commanded before the demonstration is fixed: nothing leads back to it.
@@ -160,8 +183,11 @@ void CheckStart(const Recording& recording) {
 std::string ToJsonText(const DemoInfo& info) {
   Json robot, eye;
   if (info.robot) {
-    robot = {
-        {"name", info.robot->name}, {"gap_m", info.robot->gap}, {"height_m", info.robot->height}};
+    robot = {{"name", info.robot->name},
+             {"gap_m", info.robot->gap},
+             {"height_m", info.robot->height},
+             {"urdf", info.robot->urdf},
+             {"gripper", info.robot->gripper}};
   }
   if (info.eye) {
     eye = ToJson(*info.eye);
@@ -208,9 +234,12 @@ Recording OpenRecording(const std::filesystem::path& directory) {
   recording.scene = scene_xml::LoadScene(directory / "scene.xml");
   recording.scene.name = recording.info.scene;
   if (const auto& robot = recording.info.robot) {
-    const auto urdf = directory / kRobotFile;
-    recording.robot = sim::RobotPlacement{
-        .model = robot::ReadRobot(urdf), .urdf = urdf, .gap = robot->gap, .height = robot->height};
+    robot::RobotReading reading = ReadKeptRobot(directory / robot->urdf, robot->gripper);
+    recording.robot = sim::RobotPlacement{.model = std::move(reading.model),
+                                          .gripper = std::move(reading.gripper),
+                                          .files = std::move(reading.files),
+                                          .gap = robot->gap,
+                                          .height = robot->height};
   }
   std::optional<std::string> cut;
   recording.log =

@@ -15,8 +15,10 @@ namespace smile::record {
 
 /// Written; those from kOldestFormatVersion on are read.
 inline constexpr int kFormatVersion = 2, kOldestFormatVersion = 1;
-/// The robot a recording was made with, copied into it, with its side file beside it.
-inline constexpr const char* kRobotFile = "robot.urdf";
+/// The folder in a recording with all files its robot was read from.
+inline constexpr const char* kRobotFolder = "robot";
+/// Before there was the folder: the robot, its side file beside it.
+inline constexpr const char* kOldRobotFile = "robot.urdf";
 
 /// Where a recording comes from.
 enum class Origin {
@@ -27,7 +29,9 @@ enum class Origin {
 
 struct RobotInfo {
   std::string name;
-  double gap = 0, height = 0;  ///< where it stands, see sim::RobotPlacement [m]
+  double gap = 0, height = 0;        ///< where it stands, see sim::RobotPlacement [m]
+  std::string urdf = kOldRobotFile;  ///< from the recording's directory
+  std::string gripper;               ///< see sim::RobotPlacement
 
   bool operator==(const RobotInfo&) const = default;
 };

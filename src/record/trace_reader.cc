@@ -116,7 +116,7 @@ void TraceReader::ReadHeader(const Recording& recording) {
   }
   const std::size_t num_joints = recording.robot ? recording.robot->model.links.size() : 0;
   if (!fits || joint_names_.size() != num_joints) {
-    Fail("is of another scene or robot than scene.xml and robot.urdf");
+    Fail("is of another scene or robot than scene.xml and the robot's files");
   }
   now_.objects.resize(object_names_.size());
   now_.joints.resize(joint_names_.size());

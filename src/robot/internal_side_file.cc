@@ -1,112 +1,91 @@
 #include "robot/internal_side_file.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
-#include <cstdio>
-#include <span>
-#include <string>
+#include <cmath>
 #include <string_view>
 
 #include "base/diagnostic.h"
-#include "base/files.h"
-#include "base/json.h"
 #include "base/wording.h"
+#include "robot/kinematics.h"
 
 namespace smile::robot::internal {
 namespace {
 
-constexpr std::size_t kMaxFileBytes = 1 << 20;
+constexpr std::size_t kMaxPlaces = 100, kMaxArms = 16;  // of a robot
+constexpr std::size_t kMaxParts = 16;                   // of a gripper
 
-constexpr std::array<std::string_view, 6> kFileMembers{"format",        "arms",  "head",
-                                                       "never_collide", "poses", "start"};
-constexpr std::array<std::string_view, 3> kArmMembers{"joints", "tool", "fingers"};
+constexpr std::array<std::string_view, 11> kFileMembers{
+    "format", "frames",        "arms",  "grippers", "gripper", "head",
+    "limits", "never_collide", "poses", "start",    "stands"};
+constexpr std::array<std::string_view, 7> kArmMembers{
+    "joints", "tool", "fingers", "closed_opening", "pads", "flange", "prefix"};
+constexpr std::array<std::string_view, 7> kGripperMembers{
+    "parts", "choices", "tool", "fingers", "closed_opening", "pads", "never_collide"};
+constexpr std::array<std::string_view, 3> kPartMembers{"urdf", "to", "prefix"};
 constexpr std::array<std::string_view, 2> kHeadMembers{"joint", "camera"};
+constexpr std::array<std::string_view, 2> kPlaceMembers{"gap", "height"};
+constexpr std::array<std::string_view, 3> kFrameMembers{"on", "xyz", "rpy"};
+constexpr std::array<std::string_view, 4> kLimitMembers{"lower", "upper", "velocity", "effort"};
 
-/// A value together with its place in the file.
-class Node {
- public:
-  Node(const Json& value, const std::string& file, std::string place)
-      : value_(value), file_(file), place_(std::move(place)) {}
-
-  [[noreturn]] void Fail(const std::string& message) const {
-    throw InputError(Diagnostic{.file = file_, .element = place_, .message = message});
-  }
-
-  /// Refuses members nobody reads: a typing mistake must not pass in silence.
-  void ExpectMembers(std::span<const std::string_view> names) const {
-    ExpectObject();
-    for (const auto& [key, value] : value_.items()) {
-      if (std::ranges::find(names, key) != names.end()) continue;
-      Fail("unknown member " + Quoted(key) + ", expected " + OneOf(names) + DidYouMean(key, names));
+Json ParsedWithLimits(const std::string& text, const std::string& file) {
+  try {
+    return ParseJson(text);
+  } catch (const std::invalid_argument& refusal) {
+    try {
+      [[maybe_unused]] const Json none = Json::parse(text);  // says where
+    } catch (const Json::parse_error& error) {
+      const auto end =
+          text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
+      throw InputError(Diagnostic{.file = file,
+                                  .line = 1 + static_cast<int>(std::count(text.begin(), end, '\n')),
+                                  .element = {},
+                                  .message = std::string("not JSON: ") + error.what()});
+    } catch (const Json::exception& error) {  // a number beyond all numbers
+      throw InputError({file, 0, "", std::string("not JSON: ") + error.what()});
     }
+    throw InputError({file, 0, "", refusal.what()});  // too deep, too much
   }
-  bool Has(const std::string& name) const { return value_.contains(name); }
-  Node Member(const std::string& name) const {
-    ExpectObject();
-    if (!Has(name)) Fail("has no member " + Quoted(name));
-    return {value_[name], file_, place_.empty() ? name : place_ + "/" + name};
-  }
-  /// Names and values of an object.
-  std::vector<std::pair<std::string, Node>> Members() const {
-    ExpectObject();
-    std::vector<std::pair<std::string, Node>> members;
-    for (const auto& [key, value] : value_.items()) members.emplace_back(key, Member(key));
-    return members;
-  }
-  std::vector<Node> Items() const {
-    if (!value_.is_array()) Fail("found " + Kind() + ", expected a list");
-    std::vector<Node> items;
-    for (std::size_t i = 0; i < value_.size(); ++i) {
-      items.emplace_back(value_[i], file_, place_ + "/" + std::to_string(i));
-    }
-    return items;
-  }
-  /// A list of exactly `count` items.
-  std::vector<Node> Items(std::size_t count) const {
-    std::vector<Node> items = Items();
-    if (items.size() == count) return items;
-    Fail("length is " + std::to_string(items.size()) + ", expected " + std::to_string(count));
-  }
-  std::string String() const {
-    if (!value_.is_string()) Fail("found " + Kind() + ", expected a text");
-    return value_.get<std::string>();
-  }
-  double Number() const {
-    if (!value_.is_number()) Fail("found " + Kind() + ", expected a number");
-    return value_.get<double>();
-  }
+}
 
- private:
-  void ExpectObject() const {
-    if (!value_.is_object()) Fail("found " + Kind() + ", expected an object");
-  }
-  std::string Kind() const { return value_.type_name(); }
-
-  const Json& value_;
-  const std::string& file_;
-  std::string place_;
-};
+/// What comes before the names of what hangs on an arm.
+std::string PrefixOf(const std::string& arm, const SideNode& node) {
+  return node.Has("prefix") ? node.Member("prefix").String() : arm + "_";
+}
 
 class SideFileReader {
  public:
-  explicit SideFileReader(RobotModel* model) : model_(*model) {}
+  SideFileReader(const SideNode* gripper, BuiltModel* built)
+      : gripper_(gripper), built_(*built), model_(built->model) {}
 
-  void Read(const Node& root) {
-    root.ExpectMembers(kFileMembers);
-    const double format = root.Member("format").Number();
-    if (format != 1) root.Member("format").Fail("found " + NumberText(format) + ", expected 1");
+  void Read(const SideNode& root) {
+    if (root.Has("frames")) {
+      const auto frames = root.Member("frames").Members();
+      if (frames.size() > kMaxPlaces) root.Member("frames").Fail("are more than 100");
+      for (const auto& [name, frame] : frames) ReadFrame(name, frame);
+    }
+    if (root.Has("limits")) {
+      for (const auto& [name, limits] : root.Member("limits").Members()) ReadLimits(name, limits);
+    }
     if (root.Has("arms")) {
       for (const auto& [name, arm] : root.Member("arms").Members()) ReadArm(name, arm);
     }
     if (root.Has("head")) ReadHead(root.Member("head"));
     if (root.Has("never_collide")) {
-      for (const Node& pair : root.Member("never_collide").Items()) ReadPair(pair);
+      for (const SideNode& pair : root.Member("never_collide").Items()) ReadPair(pair, "");
     }
+    // In one order, whatever the order in the files.
+    std::ranges::sort(model_.never_collide);
+    const auto same = std::ranges::unique(model_.never_collide);
+    model_.never_collide.erase(same.begin(), same.end());
+    CheckMimics(root);
+    model_.q_start = NeutralPose();
     if (root.Has("poses")) {
       for (const auto& [name, pose] : root.Member("poses").Members()) ReadPose(name, pose);
     }
     if (root.Has("start")) {
-      const Node name = root.Member("start");
+      const SideNode name = root.Member("start");
       const NamedPose* start = FindPose(model_, name.String());
       if (!start) name.Fail("found " + Quoted(name.String()) + ", expected one of the poses");
       model_.q_start = start->q;
@@ -114,48 +93,203 @@ class SideFileReader {
   }
 
  private:
-  void ReadArm(const std::string& name, const Node& node) {
+  /// A place on a link, for which the URDF has no name.
+  void ReadFrame(const std::string& name, const SideNode& node) {
+    node.ExpectMembers(kFrameMembers);
+    if (FindFrame(model_, name)) node.Fail("there is a link or frame of that name already");
+    const Frame link = model_.frames[FrameNamedBy(node.Member("on"))];
+    const Vector3 p = ReadVector(node, "xyz"), rpy = ReadVector(node, "rpy");
+    const Matrix3 R = (Eigen::AngleAxisd(rpy.z(), Vector3::UnitZ()) *
+                       Eigen::AngleAxisd(rpy.y(), Vector3::UnitY()) *
+                       Eigen::AngleAxisd(rpy.x(), Vector3::UnitX()))
+                          .toRotationMatrix();
+    model_.frames.push_back({name, link.link, link.X_LF * RigidTransform(R, p)});
+  }
+  /// Three numbers, or 0.
+  static Vector3 ReadVector(const SideNode& node, const std::string& member) {
+    Vector3 vector = Vector3::Zero();
+    if (!node.Has(member)) return vector;
+    const std::vector<SideNode> numbers = node.Member(member).Items(3);
+    for (int i = 0; i < 3; ++i) {
+      vector[i] = numbers[static_cast<std::size_t>(i)].Number();
+      if (std::abs(vector[i]) <= 100) continue;
+      numbers[static_cast<std::size_t>(i)].Fail("found " + NumberText(vector[i]) +
+                                                ", expected -100 to 100");
+    }
+    return vector;
+  }
+
+  /// Descriptions have placeholders where the real robot has limits of its own.
+  void ReadLimits(const std::string& name, const SideNode& node) {
+    node.ExpectMembers(kLimitMembers);
+    const auto joint = FindJoint(model_, name);
+    if (!joint) node.Fail("found " + Quoted(name) + ", expected a joint that moves");
+    physics::LinkSpec& link = model_.links[*joint];
+    const auto narrow = [&](const char* member, double low, double high, double* limit) {
+      if (!node.Has(member)) return;
+      const SideNode value = node.Member(member);
+      *limit = value.Number();
+      if (*limit >= low && *limit <= high) return;
+      value.Fail("found " + NumberText(*limit) + ", expected " + NumberText(low) + " to " +
+                 NumberText(high) + ", as the URDF has it");
+    };
+    narrow("lower", link.lower, link.upper, &link.lower);
+    narrow("upper", link.lower, link.upper, &link.upper);
+    narrow("velocity", 0, link.max_velocity, &link.max_velocity);
+    narrow("effort", 0, link.max_effort, &link.max_effort);
+    const bool moves = link.lower < link.upper && link.max_velocity > 0 && link.max_effort > 0;
+    if (!moves) node.Fail("it leaves no motion, expected lower below upper, the others above 0");
+  }
+
+  void ReadArm(const std::string& name, const SideNode& node) {
     node.ExpectMembers(kArmMembers);
-    Arm arm{.name = name, .tool = FrameNamedBy(node.Member("tool"))};
-    for (const Node& joint : node.Member("joints").Items())
+    Arm arm{.name = name, .joints = {}, .tool = -1, .gripper = {}};
+    for (const SideNode& joint : node.Member("joints").Items())
       arm.joints.push_back(JointNamedBy(joint));
-    if (node.Has("fingers")) {
-      const std::vector<Node> fingers = node.Member("fingers").Items(2);
-      arm.gripper = Gripper{JointNamedBy(fingers[0]), JointNamedBy(fingers[1])};
-      for (int finger : {arm.gripper->left_finger, arm.gripper->right_finger}) {
-        const physics::LinkSpec& link = model_.links[finger];
-        if (link.joint_type != physics::JointType::kPrismatic || link.lower != 0) {
-          node.Member("fingers").Fail("joint \"" + link.joint_name +
-                                      "\" does not slide from 0 on, expected a finger that does");
+    if (!node.Has("flange")) {
+      arm.tool = FrameNamedBy(node.Member("tool"));
+      arm.gripper = ReadGripper(node, "", arm.tool);
+    } else {
+      ExpectNothingOfItsOwn(node);
+      const std::string prefix = PrefixOf(name, node);
+      arm.tool = gripper_->Has("tool") ? FrameNamedBy(gripper_->Member("tool"), prefix)
+                                       : FrameNamedBy(node.Member("flange"));
+      arm.gripper = ReadGripper(*gripper_, prefix, arm.tool);
+      if (gripper_->Has("never_collide")) {
+        for (const SideNode& pair : gripper_->Member("never_collide").Items()) {
+          ReadPair(pair, prefix);
         }
       }
     }
     model_.arms.push_back(std::move(arm));
   }
 
-  void ReadHead(const Node& node) {
+  static void ExpectNothingOfItsOwn(const SideNode& arm) {
+    for (const char* own : {"tool", "fingers", "closed_opening", "pads"}) {
+      if (arm.Has(own))
+        arm.Member(own).Fail("the arm has a flange, expected the gripper to say it");
+    }
+  }
+
+  /// Of an arm or a gripper.
+  std::optional<Gripper> ReadGripper(const SideNode& node, const std::string& prefix, int tool) {
+    if (!node.Has("fingers")) return std::nullopt;
+    const SideNode fingers = node.Member("fingers");
+    const std::vector<SideNode> names = fingers.Items(2);
+    Gripper gripper{.left_finger = JointNamedBy(names[0], prefix),
+                    .right_finger = JointNamedBy(names[1], prefix)};
+    if (gripper.left_finger == gripper.right_finger) fingers.Fail("both are one, expected two");
+    for (int finger : {gripper.left_finger, gripper.right_finger}) {
+      LetSlideFromZero(&model_.links[finger], fingers);
+    }
+    if (node.Has("closed_opening")) {
+      gripper.closed_opening = node.Member("closed_opening").Number();
+    } else if (node.Has("pads")) {
+      gripper.closed_opening = GapBetween(node.Member("pads"), prefix, tool);
+    }
+    if (!(std::abs(gripper.closed_opening) < 100)) {
+      fingers.Fail("would stand " + NumberText(gripper.closed_opening) +
+                   " m apart when closed, expected less than 100");
+    }
+    if (gripper.closed_opening < 0) LetMeetAtZero(&gripper, fingers);
+    return gripper;
+  }
+
+  /// A finger whose joint runs from 0 down is one that runs from 0 up along the other direction.
+  void LetSlideFromZero(physics::LinkSpec* link, const SideNode& node) {
+    if (link->joint_type == physics::JointType::kPrismatic && link->upper == 0) {
+      link->axis = -link->axis;
+      link->upper = -link->lower;
+      link->lower = 0;
+      turned_.push_back(link->joint_name);
+    }
+    if (link->joint_type == physics::JointType::kPrismatic && link->lower == 0) return;
+    node.Fail("joint \"" + link->joint_name +
+              "\" does not slide from 0 on, expected a finger that does");
+  }
+
+  /// Fingers that would go through each other when closed are closed where they meet.
+  void LetMeetAtZero(Gripper* gripper, const SideNode& node) {
+    const double way = -gripper->closed_opening / 2;
+    for (int finger : {gripper->left_finger, gripper->right_finger}) {
+      physics::LinkSpec& link = model_.links[finger];
+      if (!(link.upper > way)) node.Fail("never open, expected joints that slide farther");
+      link.X_PJ = link.X_PJ * RigidTransform(Vector3(link.axis * way));
+      link.upper -= way;
+    }
+    gripper->closed_opening = 0;
+  }
+
+  /// From the right to the left of two frames along y of the tool, all joints at 0 [m].
+  double GapBetween(const SideNode& pads, const std::string& prefix, int tool) const {
+    const std::vector<SideNode> names = pads.Items(2);
+    const std::vector<double> q(model_.links.size(), 0.0);
+    const RigidTransform X_GBase = FramePose(model_, {}, q, tool).inverse();
+    const auto y_of = [&](const SideNode& name) {
+      return (X_GBase * FramePose(model_, {}, q, FrameNamedBy(name, prefix))).translation().y();
+    };
+    return y_of(names[0]) - y_of(names[1]);
+  }
+
+  void ReadHead(const SideNode& node) {
     node.ExpectMembers(kHeadMembers);
     model_.head = Head{JointNamedBy(node.Member("joint")), FrameNamedBy(node.Member("camera"))};
   }
 
-  void ReadPair(const Node& node) {
-    const std::vector<Node> names = node.Items(2);
-    const int first = model_.frames[FrameNamedBy(names[0])].link;
-    const int second = model_.frames[FrameNamedBy(names[1])].link;
+  void ReadPair(const SideNode& node, const std::string& prefix) {
+    const std::vector<SideNode> names = node.Items(2);
+    const int first = model_.frames[FrameNamedBy(names[0], prefix)].link;
+    const int second = model_.frames[FrameNamedBy(names[1], prefix)].link;
     if (first == second) node.Fail("both move as one, expected two links that move apart");
     model_.never_collide.emplace_back(std::min(first, second), std::max(first, second));
   }
 
+  /// A joint that shall move as another does may only be one of two fingers: these share a motion
+  /// anyhow. Joints that nothing moves may say what they like.
+  void CheckMimics(const SideNode& root) const {
+    for (const Mimic& mimic : built_.mimics) {
+      if (!IsDriven(mimic.joint) && !IsDriven(mimic.master)) continue;
+      const double sign = std::ranges::count(turned_, mimic.joint) == 0 ? 1 : -1;
+      const double master_sign = std::ranges::count(turned_, mimic.master) == 0 ? 1 : -1;
+      const bool mirrors = std::ranges::any_of(model_.arms, [&](const Arm& arm) {
+        if (!arm.gripper) return false;
+        const std::string& left = model_.links[arm.gripper->left_finger].joint_name;
+        const std::string& right = model_.links[arm.gripper->right_finger].joint_name;
+        return (mimic.joint == left && mimic.master == right) ||
+               (mimic.joint == right && mimic.master == left);
+      });
+      if (mirrors && mimic.offset == 0 && sign * master_sign * mimic.multiplier == 1) continue;
+      root.Fail("joint " + Quoted(mimic.joint) + " mimics " + Quoted(mimic.master) +
+                ", expected that only of two fingers that open alike");
+    }
+  }
+  bool IsDriven(const std::string& name) const {
+    const auto joint = FindJoint(model_, name);
+    if (!joint) return false;
+    if (model_.head && model_.head->joint == *joint) return true;
+    return std::ranges::any_of(model_.arms, [&](const Arm& arm) {
+      return std::ranges::count(arm.joints, *joint) > 0 ||
+             (arm.gripper &&
+              (arm.gripper->left_finger == *joint || arm.gripper->right_finger == *joint));
+    });
+  }
+
+  /// 0, or the limit next to it.
+  std::vector<double> NeutralPose() const {
+    std::vector<double> q;
+    for (const physics::LinkSpec& link : model_.links) {
+      q.push_back(std::clamp(0.0, link.lower, link.upper));
+    }
+    return q;
+  }
+
   /// One list of joint values for each arm, `head`, and the `opening` of all grippers; what a
   /// pose leaves out stays at 0 or at the limit next to it.
-  void ReadPose(const std::string& name, const Node& node) {
-    NamedPose pose{name, {}};
-    for (const physics::LinkSpec& link : model_.links) {
-      pose.q.push_back(std::clamp(0.0, link.lower, link.upper));
-    }
+  void ReadPose(const std::string& name, const SideNode& node) {
+    NamedPose pose{name, NeutralPose()};
     for (const auto& [key, value] : node.Members()) {
       if (const Arm* arm = FindArm(model_, key)) {
-        const std::vector<Node> values = value.Items(arm->joints.size());
+        const std::vector<SideNode> values = value.Items(arm->joints.size());
         for (std::size_t i = 0; i < values.size(); ++i) {
           SetJoint(arm->joints[i], values[i].Number(), values[i], &pose);
         }
@@ -163,9 +297,7 @@ class SideFileReader {
         SetJoint(model_.head->joint, value.Number(), value, &pose);
       } else if (key == "opening") {
         for (const Arm& each : model_.arms) {
-          if (!each.gripper) continue;
-          SetJoint(each.gripper->left_finger, value.Number() / 2, value, &pose);
-          SetJoint(each.gripper->right_finger, value.Number() / 2, value, &pose);
+          if (each.gripper) SetOpening(*each.gripper, value, &pose);
         }
       } else {
         value.Fail("expected the name of an arm, head or opening");
@@ -174,7 +306,20 @@ class SideFileReader {
     model_.poses.push_back(std::move(pose));
   }
 
-  void SetJoint(int joint, double q, const Node& node, NamedPose* pose) const {
+  /// A width between the fingers, or `open` or `closed`, which suit any gripper.
+  void SetOpening(const Gripper& gripper, const SideNode& node, NamedPose* pose) const {
+    for (int finger : {gripper.left_finger, gripper.right_finger}) {
+      if (!node.IsString()) {
+        SetJoint(finger, (node.Number() - gripper.closed_opening) / 2, node, pose);
+      } else if (node.String() == "open") {
+        pose->q[finger] = model_.links[finger].upper;
+      } else if (node.String() != "closed") {
+        node.Fail("found " + Quoted(node.String()) + ", expected open, closed or a width");
+      }
+    }
+  }
+
+  void SetJoint(int joint, double q, const SideNode& node, NamedPose* pose) const {
     const physics::LinkSpec& link = model_.links[joint];
     if (!(q >= link.lower && q <= link.upper)) {
       node.Fail("joint \"" + link.joint_name + "\" would stand at " + NumberText(q) +
@@ -183,35 +328,93 @@ class SideFileReader {
     pose->q[joint] = q;
   }
 
-  int JointNamedBy(const Node& node) const {
-    const auto joint = FindJoint(model_, node.String());
-    if (!joint) node.Fail("found " + Quoted(node.String()) + ", expected a joint that moves");
+  int JointNamedBy(const SideNode& node, const std::string& prefix = "") const {
+    const auto joint = FindJoint(model_, prefix + node.String());
+    if (!joint) {
+      node.Fail("found " + Quoted(prefix + node.String()) + ", expected a joint that moves");
+    }
     return *joint;
   }
-  int FrameNamedBy(const Node& node) const {
-    const auto frame = FindFrame(model_, node.String());
-    if (!frame) node.Fail("found " + Quoted(node.String()) + ", expected the name of a link");
-    return *frame;
+  int FrameNamedBy(const SideNode& node, const std::string& prefix = "") const {
+    const std::string name = prefix + node.String();
+    if (const auto frame = FindFrame(model_, name)) return *frame;
+    for (const auto& [root, frame] : built_.part_roots) {
+      if (root == name) return frame;
+    }
+    node.Fail("found " + Quoted(name) + ", expected the name of a link");
   }
 
+  const SideNode* gripper_;  // of all flanges
+  BuiltModel& built_;
   RobotModel& model_;
+  std::vector<std::string> turned_;  // fingers whose axis was turned
 };
 
 }  // namespace
 
-void ReadSideFile(const std::filesystem::path& path, RobotModel* model) {
-  const std::string file = path.string();
-  const std::string text = ReadFile(path, kMaxFileBytes);
-  Json root;
-  try {
-    root = Json::parse(text);
-  } catch (const Json::parse_error& error) {
-    const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
-    throw InputError(Diagnostic{.file = file,
-                                .line = 1 + static_cast<int>(std::count(text.begin(), end, '\n')),
-                                .message = std::string("not JSON: ") + error.what()});
+SideFile::SideFile(const FoundFile& file, const std::string& gripper) : file_(file.path.string()) {
+  const std::string& text = *file.bytes;
+  root_ = ParsedWithLimits(text, file_);
+  const SideNode root(root_, file_, "");
+  root.ExpectMembers(kFileMembers);
+  const double format = root.Member("format").Number();
+  if (format != 1) root.Member("format").Fail("found " + NumberText(format) + ", expected 1");
+  if (root.Has("grippers")) {
+    const std::string wanted = gripper.empty() ? root.Member("gripper").String() : gripper;
+    gripper_ = ChooseGripper(root.Member("grippers"), wanted);
+    SideNode(gripper_->value, file_, gripper_->place).ExpectMembers(kGripperMembers);
+  } else if (!gripper.empty()) {
+    root.Fail("offers no grippers, found the wish for " + Quoted(gripper));
   }
-  SideFileReader(model).Read(Node(root, file, ""));
+}
+
+void SideFile::Fail(const std::string& place, const std::string& message) const {
+  SideNode(root_, file_, place).Fail(message);
+}
+
+std::optional<double> SideFile::Place(const std::string& member) const {
+  const SideNode root(root_, file_, "");
+  if (!root.Has("stands")) return std::nullopt;
+  const SideNode place = root.Member("stands");
+  place.ExpectMembers(kPlaceMembers);
+  if (!place.Has(member)) return std::nullopt;
+  const double length = place.Member(member).Number();
+  if (std::abs(length) <= 100) return length;
+  place.Member(member).Fail("found " + NumberText(length) + ", expected -100 to 100");
+}
+
+std::vector<Mounting> SideFile::Mountings() const {
+  std::vector<Mounting> mountings;
+  const SideNode root(root_, file_, "");
+  if (!root.Has("arms")) return mountings;
+  const auto arms = root.Member("arms").Members();
+  if (arms.size() > kMaxArms) root.Member("arms").Fail("are more than 16, expected fewer");
+  for (const auto& [arm, node] : arms) {
+    node.ExpectMembers(kArmMembers);
+    if (!node.Has("flange")) continue;
+    const SideNode flange = node.Member("flange");
+    if (!gripper_) flange.Fail("there are no grippers, expected the member grippers");
+    const std::string prefix = PrefixOf(arm, node);
+    const SideNode gripper(gripper_->value, file_, gripper_->place);
+    if (!gripper.Has("parts")) continue;
+    const std::vector<SideNode> parts = gripper.Member("parts").Items();
+    if (parts.size() > kMaxParts) gripper.Member("parts").Fail("are more than 16, expected fewer");
+    for (const SideNode& part : parts) {
+      part.ExpectMembers(kPartMembers);
+      mountings.push_back(
+          {.urdf = part.Member("urdf").String(),
+           .prefix = prefix + (part.Has("prefix") ? part.Member("prefix").String() : ""),
+           .to = part.Has("to") ? prefix + part.Member("to").String() : flange.String(),
+           .place = part.place()});
+    }
+  }
+  return mountings;
+}
+
+void SideFile::Apply(BuiltModel* built) const {
+  const std::optional<SideNode> gripper =
+      gripper_ ? std::optional(SideNode(gripper_->value, file_, gripper_->place)) : std::nullopt;
+  SideFileReader(gripper ? &*gripper : nullptr, built).Read(SideNode(root_, file_, ""));
 }
 
 }  // namespace smile::robot::internal

@@ -13,8 +13,10 @@ constexpr double kMaxLength = 100;   // [m]
 constexpr double kMaxMass = 1e5;     // [kg]
 constexpr double kMaxInertia = 1e6;  // [kg m2]
 constexpr double kMaxAngle = 100;    // [rad]
-constexpr double kMaxRate = 1e4;     // [rad/s or m/s]
-constexpr double kMaxEffort = 1e6;   // [N m or N]
+constexpr double kContinuous = 1e4;  // how far a joint without limits turns [rad]
+constexpr double kMaxScale = 1e4;
+constexpr double kMaxRate = 1e4;    // [rad/s or m/s]
+constexpr double kMaxEffort = 1e6;  // [N m or N]
 
 }  // namespace
 
@@ -56,9 +58,18 @@ scene::Solid UrdfElement::ReadSolid(const urdf::Geometry* geometry,
   } else if (const auto* sphere = dynamic_cast<const urdf::Sphere*>(geometry)) {
     solid.shape = scene::Sphere{Positive(sphere->radius, kMaxLength, "sphere radius")};
   } else {
-    Fail("found a mesh or no shape, expected box, cylinder or sphere");
+    Fail("found no shape, expected box, cylinder, sphere or mesh");
   }
   return solid;
+}
+
+Vector3 UrdfElement::ReadScale(const urdf::Mesh& mesh) const {
+  const Vector3 scale(mesh.scale.x, mesh.scale.y, mesh.scale.z);
+  for (double factor : scale) {
+    Within(factor, -kMaxScale, kMaxScale, "mesh scale");
+    if (factor == 0) Fail("mesh scale is 0, expected another number");
+  }
+  return scale;
 }
 
 Color UrdfElement::ReadColor(const urdf::Color& color) const {
@@ -67,11 +78,11 @@ Color UrdfElement::ReadColor(const urdf::Color& color) const {
 }
 
 void UrdfElement::ReadMotion(const urdf::Joint& joint, physics::LinkSpec* link) const {
-  const bool is_revolute = joint.type == urdf::Joint::REVOLUTE;
+  const bool is_continuous = joint.type == urdf::Joint::CONTINUOUS;
+  const bool is_revolute = is_continuous || joint.type == urdf::Joint::REVOLUTE;
   if (!is_revolute && joint.type != urdf::Joint::PRISMATIC) {
-    Fail("this type of joint is not supported, expected revolute, prismatic or fixed");
+    Fail("this type of joint is not supported, expected revolute, continuous, prismatic or fixed");
   }
-  if (joint.mimic) Fail("found <mimic>, expected a joint that moves by itself");
   link->joint_type = is_revolute ? physics::JointType::kRevolute : physics::JointType::kPrismatic;
 
   const Vector3 axis(joint.axis.x, joint.axis.y, joint.axis.z);
@@ -81,6 +92,13 @@ void UrdfElement::ReadMotion(const urdf::Joint& joint, physics::LinkSpec* link) 
   link->axis = axis.normalized();
 
   if (!joint.limits) Fail("has no <limit>, expected lower, upper, velocity and effort");
+  link->max_velocity = Positive(joint.limits->velocity, kMaxRate, "velocity limit");
+  link->max_effort = Positive(joint.limits->effort, kMaxEffort, "effort limit");
+  if (is_continuous) {
+    link->lower = -kContinuous;
+    link->upper = kContinuous;
+    return;
+  }
   const double reach = is_revolute ? kMaxAngle : kMaxLength;
   link->lower = Within(joint.limits->lower, -reach, reach, "lower limit");
   link->upper = Within(joint.limits->upper, -reach, reach, "upper limit");
@@ -88,8 +106,6 @@ void UrdfElement::ReadMotion(const urdf::Joint& joint, physics::LinkSpec* link) 
     Fail("lower limit is " + NumberText(link->lower) + ", expected less than the upper, " +
          NumberText(link->upper));
   }
-  link->max_velocity = Positive(joint.limits->velocity, kMaxRate, "velocity limit");
-  link->max_effort = Positive(joint.limits->effort, kMaxEffort, "effort limit");
 }
 
 // Both comparisons are written so that NaN is outside.

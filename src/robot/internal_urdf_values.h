@@ -29,10 +29,11 @@ class UrdfElement {
 
   RigidTransform ReadPose(const urdf::Pose& pose) const;
   UrdfInertial ReadInertial(const urdf::Inertial& inertial) const;
-  /// A shape in its place in the link's frame F: Solid::X_BS is X_FS.
+  /// A shape that is no mesh, in its place in the link's frame F: Solid::X_BS is X_FS.
   scene::Solid ReadSolid(const urdf::Geometry* geometry, const urdf::Pose& origin) const;
+  Vector3 ReadScale(const urdf::Mesh& mesh) const;
   Color ReadColor(const urdf::Color& color) const;
-  /// Type, axis and limits of a joint that moves.
+  /// Type, axis and limits of a joint that moves; a continuous one has limits far away.
   void ReadMotion(const urdf::Joint& joint, physics::LinkSpec* link) const;
 
  private:

@@ -144,7 +144,7 @@ double RobotBody::GripperOpening(int arm) const {
   const auto& gripper = model_.arms.at(arm).gripper;
   if (!gripper) return 0.0;
   const std::vector<double> q = positions();
-  return q[gripper->left_finger] + q[gripper->right_finger];
+  return q[gripper->left_finger] + q[gripper->right_finger] + gripper->closed_opening;
 }
 
 RigidTransform RobotBody::ToolPose(int arm) const {

@@ -33,10 +33,12 @@ struct LinkVisual {
 };
 
 /// Two fingers that slide apart along +y and -y of the tool frame. Their joint positions are 0
-/// when they meet in the middle; the opening between them is the sum of both [m].
+/// when the gripper is closed; the opening between them is the sum of both [m], and what is left
+/// between them then.
 struct Gripper {
-  int left_finger = -1;   ///< joint index; slides along +y
-  int right_finger = -1;  ///< joint index; slides along -y
+  int left_finger = -1;       ///< joint index; slides along +y
+  int right_finger = -1;      ///< joint index; slides along -y
+  double closed_opening = 0;  ///< [m]
 
   bool operator==(const Gripper&) const = default;
 };

@@ -1,147 +1,114 @@
 #include "robot/urdf_reader.h"
 
-#include <Eigen/Eigenvalues>
-#include <algorithm>
-#include <string>
+#include <map>
 #include <utility>
 
+#include "base/diagnostic.h"
 #include "base/files.h"
 #include "base/wording.h"
+#include "robot/internal_model_builder.h"
+#include "robot/internal_robot_shelf.h"
 #include "robot/internal_side_file.h"
-#include "robot/internal_urdf_parse.h"
-#include "robot/internal_urdf_values.h"
 
 namespace smile::robot {
 namespace {
 
+using internal::FoundFile;
+using internal::Mounting;
+using internal::RobotShelf;
+using internal::SideFile;
 using internal::UrdfDocument;
-using internal::UrdfElement;
-using internal::UrdfInertial;
+using internal::UrdfPart;
 
-constexpr std::size_t kMaxFileBytes = 4 << 20;
-constexpr std::size_t kMaxSolids = 4096;
+constexpr std::size_t kMaxUrdfBytes = 4 << 20, kMaxSideFileBytes = 1 << 20;
 
-/// What hangs rigidly together on one moving link L, summed up about L's origin.
-struct MassSum {
-  double mass = 0;                    ///< [kg]
-  Vector3 moment = Vector3::Zero();   ///< sum of mass * p_LLcm [kg m]
-  Matrix3 inertia = Matrix3::Zero();  ///< along L's axes [kg m2]
-
-  static Matrix3 OfPoint(double mass, const Vector3& p) {
-    return mass * (p.squaredNorm() * Matrix3::Identity() - p * p.transpose());
-  }
-  void Add(const UrdfInertial& piece, const RigidTransform& X_LI) {
-    const Matrix3& R_LI = X_LI.rotation();
-    const Vector3& p_LI = X_LI.translation();
-    mass += piece.mass;
-    moment += piece.mass * p_LI;
-    inertia += R_LI * piece.inertia * R_LI.transpose() + OfPoint(piece.mass, p_LI);
-  }
-};
-
-/// Walks the tree from the root and puts everything where it belongs.
-class ModelBuilder {
+/// Parts that hang where the side file says.
+class PartReader {
  public:
-  explicit ModelBuilder(const UrdfDocument& document) : document_(document) {}
+  PartReader(const SideFile& side_file, const FoundFile& from, RobotShelf* shelf)
+      : side_file_(side_file), from_(from), shelf_(*shelf) {}
 
-  RobotModel Build() {
-    model_.name = document_.model().getName();
-    AddLink(*document_.model().getRoot(), -1, RigidTransform());
-    for (std::size_t i = 0; i < masses_.size(); ++i) FinishMass(masses_[i], &model_.links[i]);
-    for (const physics::LinkSpec& link : model_.links) {
-      model_.q_start.push_back(std::clamp(0.0, link.lower, link.upper));
+  UrdfPart Read(const Mounting& mounting) {
+    auto entry = documents_.find(mounting.urdf);
+    if (entry == documents_.end()) {
+      const FoundFile file = Fetch(mounting);
+      entry = documents_
+                  .emplace(mounting.urdf, std::pair(file, std::make_shared<const UrdfDocument>(
+                                                              *file.bytes, file.path.string())))
+                  .first;
     }
-    return std::move(model_);
+    const auto& [file, document] = entry->second;
+    return {file, document, mounting.prefix, mounting.to};
   }
 
  private:
-  /// @param carrier  the moving link L that carries this one, whose frame is F; -1 = the base.
-  void AddLink(const urdf::Link& link, int carrier, const RigidTransform& X_LF) {
-    const UrdfElement element(document_, "link", link.name);
-    model_.frames.push_back({link.name, carrier, X_LF});
-    AddShapes(link, element, carrier, X_LF);
-    // The base never moves: what it weighs does not matter.
-    if (link.inertial && carrier >= 0) {
-      const UrdfInertial piece = element.ReadInertial(*link.inertial);
-      masses_[static_cast<std::size_t>(carrier)].Add(piece, X_LF * piece.X_FI);
-    }
-    for (std::size_t i = 0; i < link.child_joints.size(); ++i) {
-      AddJoint(*link.child_joints[i], *link.child_links[i], carrier, X_LF);
+  FoundFile Fetch(const Mounting& mounting) {
+    try {
+      return shelf_.Fetch(from_, mounting.urdf, kMaxUrdfBytes);
+    } catch (const internal::BadReference& error) {
+      side_file_.Fail(mounting.place + "/urdf", "found " + Quoted(mounting.urdf) + error.what());
     }
   }
 
-  void AddShapes(const urdf::Link& link, const UrdfElement& element, int carrier,
-                 const RigidTransform& X_LF) {
-    num_solids_ += link.collision_array.size() + link.visual_array.size();
-    if (num_solids_ > kMaxSolids) {
-      element.Fail("the robot has more than " + std::to_string(kMaxSolids) + " shapes");
-    }
-    for (const auto& collision : link.collision_array) {
-      scene::Solid solid = element.ReadSolid(collision->geometry.get(), collision->origin);
-      solid.X_BS = X_LF * solid.X_BS;
-      (carrier < 0 ? model_.base_solids : model_.links[carrier].solids).push_back(solid);
-    }
-    for (const auto& visual : link.visual_array) {
-      const scene::Solid solid = element.ReadSolid(visual->geometry.get(), visual->origin);
-      LinkVisual drawn{
-          .link = carrier, .shape = scene::VisualShapeOf(solid.shape), .X_LV = X_LF * solid.X_BS};
-      const std::string& material = visual->material_name;
-      if (!material.empty() && !document_.model().getMaterial(material)) {
-        element.Fail("material " + Quoted(material) + " is nowhere defined");
-      }
-      if (visual->material) drawn.color = element.ReadColor(visual->material->color);
-      model_.visuals.push_back(std::move(drawn));
-    }
-  }
-
-  void AddJoint(const urdf::Joint& joint, const urdf::Link& child, int parent,
-                const RigidTransform& X_PF) {
-    const UrdfElement element(document_, "joint", joint.name);
-    const RigidTransform X_PJ = X_PF * element.ReadPose(joint.parent_to_joint_origin_transform);
-    if (joint.type == urdf::Joint::FIXED) return AddLink(child, parent, X_PJ);
-
-    physics::LinkSpec link;
-    link.name = child.name;
-    link.joint_name = joint.name;
-    link.parent = parent;
-    link.X_PJ = X_PJ;
-    element.ReadMotion(joint, &link);
-    model_.links.push_back(std::move(link));
-    masses_.emplace_back();
-    AddLink(child, model_.num_joints() - 1, RigidTransform());
-  }
-
-  /// From the sum about the link's origin to the centre of mass (parallel-axis theorem).
-  void FinishMass(const MassSum& sum, physics::LinkSpec* link) const {
-    const UrdfElement element(document_, "link", link->name);
-    if (!(sum.mass > 0)) {
-      element.Fail("it moves but has no mass, expected <inertial> with a mass above 0");
-    }
-    link->mass = sum.mass;
-    link->p_LLcm = sum.moment / sum.mass;
-    link->inertia = sum.inertia - MassSum::OfPoint(sum.mass, link->p_LLcm);
-    const Eigen::SelfAdjointEigenSolver<Matrix3> solver(link->inertia, Eigen::EigenvaluesOnly);
-    if (!(solver.eigenvalues().minCoeff() > 0)) {
-      element.Fail("inertia is not positive definite, expected that of a body");
-    }
-  }
-
-  const UrdfDocument& document_;
-  RobotModel model_;
-  std::vector<MassSum> masses_;  ///< one for each moving link
-  std::size_t num_solids_ = 0;
+  const SideFile& side_file_;
+  const FoundFile& from_;
+  RobotShelf& shelf_;
+  std::map<std::string, std::pair<FoundFile, std::shared_ptr<const UrdfDocument>>> documents_;
 };
+
+RobotReading Read(const FoundFile& urdf, const std::string& gripper, RobotShelf* shelf) {
+  shelf->Keep(urdf);
+  std::vector<UrdfPart> parts{
+      {urdf, std::make_shared<const UrdfDocument>(*urdf.bytes, urdf.path.string()), "", ""}};
+  const std::optional<FoundFile> side = shelf->FetchSideFile(urdf, kMaxSideFileBytes);
+  std::optional<SideFile> side_file;
+  std::vector<Mounting> mountings;
+  if (side) {
+    side_file.emplace(*side, gripper);
+    mountings = side_file->Mountings();
+    PartReader reader(*side_file, *side, shelf);
+    for (const Mounting& mounting : mountings) parts.push_back(reader.Read(mounting));
+  } else if (!gripper.empty()) {
+    throw InputError(
+        {urdf.path.string(), 0, "",
+         "has no side file that offers grippers, found the wish for " + Quoted(gripper)});
+  }
+  internal::BuiltModel built = internal::BuildModel(parts, shelf);
+  for (std::size_t i = 0; i < mountings.size(); ++i) {
+    if (built.is_used[i + 1]) continue;
+    side_file->Fail(mountings[i].place,
+                    "would hang on " + Quoted(mountings[i].to) + ", expected the name of a link");
+  }
+  if (side_file) side_file->Apply(&built);
+  return {.model = std::move(built.model),
+          .has_side_file = side.has_value(),
+          .gripper = side_file ? side_file->gripper() : "",
+          .gap = side_file ? side_file->Place("gap") : std::nullopt,
+          .height = side_file ? side_file->Place("height") : std::nullopt,
+          .files = shelf->TakeFiles()};
+}
+
+FoundFile UrdfAt(const std::filesystem::path& path, std::string bytes) {
+  return {path.filename().string(), path, std::make_shared<const std::string>(std::move(bytes))};
+}
 
 }  // namespace
 
-RobotModel ReadRobot(const std::filesystem::path& urdf_path) {
-  const UrdfDocument document(ReadFile(urdf_path, kMaxFileBytes), urdf_path.string());
-  RobotModel model = ModelBuilder(document).Build();
+RobotReading LoadRobot(const std::filesystem::path& urdf_path, const RobotReaderOptions& options) {
+  RobotShelf shelf(internal::MakeOriginalFinder(urdf_path, options));
+  return Read(UrdfAt(urdf_path, ReadFile(urdf_path, kMaxUrdfBytes)), options.gripper, &shelf);
+}
 
-  std::filesystem::path side_path = urdf_path;
-  side_path.replace_extension(".robot.json");
-  if (std::filesystem::exists(side_path)) internal::ReadSideFile(side_path, &model);
-  return model;
+RobotModel ReadRobot(const std::filesystem::path& urdf_path, const RobotReaderOptions& options) {
+  return LoadRobot(urdf_path, options).model;
+}
+
+RobotReading LoadKeptRobot(const std::filesystem::path& urdf_path, const std::string& gripper,
+                           const OpenRobotFile& open) {
+  RobotShelf shelf(internal::MakeKeptFinder(open));
+  std::optional<std::string> bytes = open(urdf_path.filename().string(), kMaxUrdfBytes);
+  if (!bytes) throw InputError({urdf_path.string(), 0, "", "no such file"});
+  return Read(UrdfAt(urdf_path, *std::move(bytes)), gripper, &shelf);
 }
 
 }  // namespace smile::robot

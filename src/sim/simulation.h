@@ -10,6 +10,7 @@
 #include "demonstrator/demonstrator.h"
 #include "physics/world.h"
 #include "robot/robot_body.h"
+#include "robot/urdf_reader.h"
 #include "scene/scene_spec.h"
 #include "scene/visual_model.h"
 #include "sim/command.h"
@@ -34,9 +35,10 @@ inline double SecondsOf(std::uint64_t ticks) {
 /// Where a robot stands at a table, and which.
 struct RobotPlacement {
   robot::RobotModel model;
-  std::filesystem::path urdf;  ///< the file it was read from, for whoever records it
-  double gap = 0.20;           ///< from its base to the table's near edge [m]
-  double height = 0.20;        ///< of its base above the table top [m]
+  std::string gripper;                  ///< as robot::RobotReading tells it
+  std::vector<robot::RobotFile> files;  ///< it was read from, for whoever records it
+  double gap = 0.20;                    ///< from its base to the table's near edge [m]
+  double height = 0.20;                 ///< of its base above the table top [m]
 };
 
 class Simulation;

@@ -123,6 +123,23 @@ TEST_F(WorldTest, WhatBouncesHasTouchedHoweverShortly) {
   }
 }
 
+TEST_F(WorldTest, AJointTurnsThoughItsLinkHasNothingToTouch) {
+  LinkSpec link{.max_velocity = 2, .max_effort = 50, .mass = 1};
+  link.lower = -2;
+  link.upper = 2;
+  link.inertia = 0.01 * Matrix3::Identity();
+  // One link in the way of another, if it had a shape.
+  ArticulationSpec spec{.links = {link, link}};
+  spec.links[1].parent = 0;
+  spec.links[1].solids = {{scene::Block{{0.1, 0.1, 0.1}}, {}, {}, ""}};
+  Articulation& arm = world_.articulation(world_.AddArticulation(spec));
+  arm.SetVelocityTarget(0, 1);
+  arm.SetVelocityTarget(1, -0.5);
+  StepSeconds(1);
+  EXPECT_NEAR(arm.positions()[0], 1, 0.01);
+  EXPECT_NEAR(arm.positions()[1], -0.5, 0.01);
+}
+
 TEST_F(WorldTest, RefusesWhatIsNotABody) {
   BodySpec bad = CubeSpec({0, 0, 0}, 0.1);
   bad.mass.mass = -1;

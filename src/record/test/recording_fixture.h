@@ -51,9 +51,11 @@ class RecordingFixture : public ::testing::Test {
                                                          const char* xml = kScene) {
     auto scene = scene_xml::ReadSceneText(xml, "pair.xml").scene;
     if (!with_robot) return std::make_unique<sim::Simulation>(*scene);
-    const auto urdf = DataFile("robots/baxter.urdf");
+    robot::RobotReading robot = robot::LoadRobot(DataFile("robots/baxter.urdf"));
     return std::make_unique<sim::Simulation>(
-        *scene, sim::RobotPlacement{.model = robot::ReadRobot(urdf), .urdf = urdf});
+        *scene, sim::RobotPlacement{.model = std::move(robot.model),
+                                    .gripper = std::move(robot.gripper),
+                                    .files = std::move(robot.files)});
   }
 
   /// Plays the script to its end in front of a recorder; returns the recording's directory.

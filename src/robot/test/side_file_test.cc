@@ -41,6 +41,18 @@ TEST_F(SideFile, NamesArmsGrippersPosesAndTheStart) {
   EXPECT_EQ(model.q_start, (std::vector<double>{1.5, 0.05, 0.05}));
 }
 
+TEST_F(SideFile, NamesPlacesTheUrdfHasNoNameFor) {
+  const RobotModel model = Read(Urdf(), WithArm(R"(,
+"frames": {"eye": {"on": "arm", "xyz": [1, 2, 3], "rpy": [0, 0, 1.5707963267948966]}},
+"head": {"joint": "turn", "camera": "eye"})"));
+  const Frame& eye = model.frames[model.head->camera];
+  EXPECT_EQ(eye.link, 0);
+  EXPECT_EQ(eye.X_LF.translation(), Vector3(1, 2, 3));
+  EXPECT_LT((eye.X_LF.rotation().col(0) - Vector3::UnitY()).norm(), 1e-12);
+  EXPECT_EQ(ComplaintAbout(R"({"format": 1, "frames": {"arm": {"on": "base"}}})"),
+            "r.robot.json: <frames/arm>: there is a link or frame of that name already");
+}
+
 TEST_F(SideFile, MayBeMissing) {
   const RobotModel model = Read(Urdf());
   EXPECT_TRUE(model.arms.empty());
@@ -51,9 +63,10 @@ TEST_F(SideFile, ComplaintsNameThePlace) {
   EXPECT_EQ(ComplaintAbout("[]"), "r.robot.json: found array, expected an object");
   EXPECT_EQ(ComplaintAbout("{}"), "r.robot.json: has no member \"format\"");
   EXPECT_EQ(ComplaintAbout(R"({"format": 2})"), "r.robot.json: <format>: found 2, expected 1");
-  EXPECT_EQ(ComplaintAbout(WithArm(R"(, "posse": {})")),
-            "r.robot.json: unknown member \"posse\", expected format, arms, head, never_collide, "
-            "poses or start; did you mean \"poses\"?");
+  EXPECT_EQ(
+      ComplaintAbout(WithArm(R"(, "posse": {})")),
+      "r.robot.json: unknown member \"posse\", expected format, frames, arms, grippers, "
+      "gripper, head, limits, never_collide, poses, start or stands; did you mean \"poses\"?");
   EXPECT_EQ(ComplaintAbout(R"({"format": 1, "arms": {"a": {"joints": ["spin"], "tool": "arm"}}})"),
             "r.robot.json: <arms/a/joints/0>: found \"spin\", expected a joint that moves");
   EXPECT_EQ(ComplaintAbout(R"({"format": 1, "arms": {"a": {"joints": [7], "tool": "arm"}}})"),

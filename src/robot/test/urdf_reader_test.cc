@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "robot/test/robot_files.h"
 
 namespace smile::robot {
@@ -125,16 +127,18 @@ TEST_F(UrdfReader, RefusesAMovingLinkWithoutARealMass) {
 }
 
 TEST_F(UrdfReader, RefusesWhatItCannotBuild) {
-  EXPECT_EQ(Complaint(SmallRobot{.type = "continuous"}.Text()),
+  EXPECT_EQ(Complaint(SmallRobot{.type = "planar"}.Text()),
             "r.urdf:7: <joint name=\"turn\">: this type of joint is not supported, expected "
-            "revolute, prismatic or fixed");
-  EXPECT_EQ(
-      Complaint(SmallRobot{.limit = SmallRobot().limit + R"(<mimic joint="turn"/>)"}.Text()),
-      "r.urdf:7: <joint name=\"turn\">: found <mimic>, expected a joint that moves by itself");
-  EXPECT_EQ(
-      Complaint(SmallRobot{.shape = R"(<geometry><mesh filename="a.stl"/></geometry>)"}.Text()),
-      "r.urdf:4: <link name=\"arm\">: found a mesh or no shape, expected box, cylinder or "
-      "sphere");
+            "revolute, continuous, prismatic or fixed");
+}
+
+TEST_F(UrdfReader, TurnsOnAndOnWhatHasNoLimits) {
+  const RobotModel model =
+      Read(SmallRobot{.limit = R"(<limit velocity="3" effort="4"/>)", .type = "continuous"}.Text());
+  EXPECT_EQ(model.links[0].joint_type, physics::JointType::kRevolute);
+  EXPECT_GT(model.links[0].upper, 1000 * 2 * std::numbers::pi);
+  EXPECT_EQ(model.links[0].lower, -model.links[0].upper);
+  EXPECT_EQ(model.links[0].max_velocity, 3);
 }
 
 TEST_F(UrdfReader, RefusesLinksThatAreNoTree) {

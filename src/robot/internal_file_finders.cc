@@ -1,0 +1,201 @@
+#include <algorithm>
+#include <functional>
+#include <system_error>
+
+#include "base/diagnostic.h"
+#include "base/files.h"
+#include "base/wording.h"
+#include "robot/internal_robot_shelf.h"
+
+namespace smile::robot::internal {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMaxReference = 1000;
+constexpr std::string_view kPackageScheme = "package://", kFileScheme = "file://";
+/// Where files are kept that no other folder's name belongs to.
+constexpr const char* kPackages = "packages";
+constexpr const char* kElsewhere = "elsewhere";
+
+/// What is written, without what does not matter.
+struct Reference {
+  enum class Kind { kPackage, kAbsolute, kRelative } kind = Kind::kRelative;
+  std::string package;
+  fs::path path;  ///< in the package, from the root, or from the folder of the file that names it
+};
+
+bool HasStepsUp(const fs::path& path) { return std::ranges::find(path, "..") != path.end(); }
+
+Reference Parse(const std::string& text) {
+  if (text.empty() || text.size() > kMaxReference || text.find('\0') != std::string::npos) {
+    throw BadReference(": expected the name of a file");
+  }
+  if (text.starts_with(kPackageScheme)) {
+    const std::string rest = text.substr(kPackageScheme.size());
+    const std::size_t slash = rest.find('/');
+    const std::string package = rest.substr(0, slash);
+    const fs::path path = slash == std::string::npos ? "" : rest.substr(slash + 1);
+    if (package.empty() || package == "." || package == ".." || path.empty() ||
+        path.is_absolute() || HasStepsUp(path)) {
+      throw BadReference(": expected package://PACKAGE/PATH without steps up");
+    }
+    return {Reference::Kind::kPackage, package, path.lexically_normal()};
+  }
+  const bool is_url = text.starts_with(kFileScheme);
+  if (!is_url && text.find("://") != std::string::npos) {
+    throw BadReference(": expected package://, file:// or a path");
+  }
+  const fs::path path = is_url ? text.substr(kFileScheme.size()) : text;
+  if (is_url && !path.is_absolute()) throw BadReference(": expected file:///PATH from the root");
+  return {path.is_absolute() ? Reference::Kind::kAbsolute : Reference::Kind::kRelative,
+          {},
+          path.lexically_normal()};
+}
+
+/// The same for the same reference wherever the files lie: a kept robot finds its own files.
+std::string NameOfKept(const FoundFile& from, const Reference& reference) {
+  if (reference.kind == Reference::Kind::kPackage) {
+    return (fs::path(kPackages) / reference.package / reference.path).string();
+  }
+  const fs::path place = fs::path(from.name).parent_path() / reference.path;
+  const fs::path normal = place.lexically_normal();
+  if (reference.kind == Reference::Kind::kRelative && !HasStepsUp(normal)) return normal.string();
+  // Somewhere above: the steps up become folders.
+  fs::path name = kElsewhere;
+  for (const fs::path& step : normal.relative_path()) name /= step == ".." ? "up" : step;
+  return name.string();
+}
+
+fs::path FolderOf(const fs::path& file) {
+  return file.has_parent_path() ? file.parent_path() : fs::path(".");
+}
+
+class OriginalFinder : public FileFinder {
+ public:
+  OriginalFinder(const fs::path& urdf_path, const RobotReaderOptions& options)
+      : side_file_(options.side_file), roots_(options.package_roots) {
+    Allow(FolderOf(urdf_path));
+    if (!side_file_.empty()) Allow(FolderOf(side_file_));
+    for (const fs::path& root : roots_) Allow(root);
+  }
+
+  FoundFile Find(const FoundFile& from, const std::string& text,
+                 std::size_t max_bytes) const override {
+    const Reference reference = Parse(text);
+    bool is_outside = false;
+    for (const fs::path& path : PlacesOf(from, reference)) {
+      std::error_code error;
+      const fs::path canonical = fs::canonical(path, error);
+      if (error) continue;
+      if (IsAllowed(canonical)) {
+        return {NameOfKept(from, reference), path, Read(canonical, max_bytes)};
+      }
+      is_outside = true;
+    }
+    const bool is_package = reference.kind == Reference::Kind::kPackage;
+    throw BadReference(
+        std::string(is_outside ? " lies elsewhere, expected it in " : ": expected a file in ") +
+        (is_package ? "a --path folder that holds the folder " + Quoted(reference.package)
+                    : "the folder of the robot, in a --path folder or below these"));
+  }
+
+  std::optional<FoundFile> FindSideFile(const FoundFile& urdf,
+                                        std::size_t max_bytes) const override {
+    fs::path path = side_file_;
+    if (path.empty()) {
+      path = urdf.path;
+      path.replace_extension(".robot.json");
+      std::error_code error;
+      if (!fs::exists(path, error)) return std::nullopt;
+    }
+    // Kept beside the URDF, wherever it lies.
+    const std::string name = fs::path(urdf.name).replace_extension(".robot.json").string();
+    return FoundFile{name, path, std::make_shared<const std::string>(ReadFile(path, max_bytes))};
+  }
+
+ private:
+  void Allow(const fs::path& folder) {
+    std::error_code error;
+    fs::path canonical = fs::canonical(folder, error);
+    if (!error) allowed_.push_back(std::move(canonical));
+  }
+  bool IsAllowed(const fs::path& canonical) const {
+    return std::ranges::any_of(allowed_, [&](const fs::path& folder) {
+      return std::mismatch(folder.begin(), folder.end(), canonical.begin(), canonical.end())
+                 .first == folder.end();
+    });
+  }
+  std::vector<fs::path> PlacesOf(const FoundFile& from, const Reference& reference) const {
+    if (reference.kind == Reference::Kind::kAbsolute) return {reference.path};
+    if (reference.kind == Reference::Kind::kRelative) {
+      return {FolderOf(from.path) / reference.path};
+    }
+    std::vector<fs::path> places;
+    for (const fs::path& root : roots_) {
+      places.push_back(root / reference.package / reference.path);
+      std::error_code error;
+      if (fs::canonical(root, error).filename() == reference.package) {
+        places.push_back(root / reference.path);
+      }
+    }
+    return places;
+  }
+  static std::shared_ptr<const std::string> Read(const fs::path& path, std::size_t max_bytes) {
+    try {
+      return std::make_shared<const std::string>(ReadFile(path, max_bytes));
+    } catch (const InputError& error) {  // it is too large, or a folder
+      throw BadReference(": " + error.diagnostics().front().message);
+    }
+  }
+
+  fs::path side_file_;
+  std::vector<fs::path> roots_, allowed_;
+};
+
+class KeptFinder : public FileFinder {
+ public:
+  explicit KeptFinder(OpenRobotFile open) : open_(std::move(open)) {}
+
+  FoundFile Find(const FoundFile& from, const std::string& text,
+                 std::size_t max_bytes) const override {
+    const std::string name = NameOfKept(from, Parse(text));
+    std::optional<std::string> bytes = open_(name, max_bytes);
+    if (!bytes) throw BadReference(": expected " + Quoted(name) + " among the robot's files");
+    return Found(name, from, *std::move(bytes));
+  }
+  std::optional<FoundFile> FindSideFile(const FoundFile& urdf,
+                                        std::size_t max_bytes) const override {
+    const std::string name = fs::path(urdf.name).replace_extension(".robot.json").string();
+    std::optional<std::string> bytes = open_(name, max_bytes);
+    if (!bytes) return std::nullopt;
+    return Found(name, urdf, *std::move(bytes));
+  }
+
+ private:
+  static FoundFile Found(const std::string& name, const FoundFile& from, std::string bytes) {
+    // The folder of all: what is left of the path without the name.
+    fs::path folder = from.path;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(std::distance(fs::path(from.name).begin(),
+                                                                       fs::path(from.name).end()));
+         ++i) {
+      folder = folder.parent_path();
+    }
+    return {name, folder / name, std::make_shared<const std::string>(std::move(bytes))};
+  }
+
+  OpenRobotFile open_;
+};
+
+}  // namespace
+
+std::unique_ptr<FileFinder> MakeOriginalFinder(const fs::path& urdf_path,
+                                               const RobotReaderOptions& options) {
+  return std::make_unique<OriginalFinder>(urdf_path, options);
+}
+
+std::unique_ptr<FileFinder> MakeKeptFinder(const OpenRobotFile& open) {
+  return std::make_unique<KeptFinder>(open);
+}
+
+}  // namespace smile::robot::internal

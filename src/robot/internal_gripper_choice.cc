@@ -1,0 +1,115 @@
+#include "robot/internal_gripper_choice.h"
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include "base/wording.h"
+
+namespace smile::robot::internal {
+namespace {
+
+/// One thing that can be chosen.
+struct Choice {
+  std::string name;
+  std::vector<std::string> words;
+  std::optional<std::string> chosen;
+};
+
+std::vector<std::string> SplitAtDashes(const std::string& text) {
+  std::vector<std::string> words;
+  for (std::size_t start = 0; start <= text.size();) {
+    const std::size_t end = std::min(text.find('-', start), text.size());
+    words.push_back(text.substr(start, end - start));
+    start = end + 1;
+  }
+  return words;
+}
+
+std::vector<Choice> ReadChoices(const SideNode& gripper) {
+  std::vector<Choice> choices;
+  if (!gripper.Has("choices")) return choices;
+  for (const auto& [name, words] : gripper.Member("choices").Members()) {
+    Choice& choice = choices.emplace_back(Choice{.name = name, .words = {}, .chosen = {}});
+    for (const SideNode& word : words.Items()) {
+      choice.words.push_back(word.String());
+      if (choice.words.back().empty() || choice.words.back().find('-') != std::string::npos) {
+        word.Fail("found " + Quoted(word.String()) + ", expected a word without -");
+      }
+    }
+    if (choice.words.empty()) words.Fail("is empty, expected words to choose from");
+  }
+  return choices;
+}
+
+/// Makes the choice that a word is of; false if there is none, or it is made already.
+bool Choose(const std::string& word, std::vector<Choice>* choices) {
+  for (Choice& choice : *choices) {
+    if (choice.chosen || std::ranges::find(choice.words, word) == choice.words.end()) continue;
+    choice.chosen = word;
+    return true;
+  }
+  return false;
+}
+
+[[noreturn]] void FailForWord(const SideNode& gripper, const std::string& word,
+                              const std::vector<Choice>& choices) {
+  std::string expected = choices.empty() ? "no words after its name" : "one of each";
+  for (const Choice& choice : choices) {
+    const std::vector<std::string_view> words(choice.words.begin(), choice.words.end());
+    expected += (&choice == choices.data() ? ": " : "; ") + OneOf(words);
+  }
+  gripper.Fail("found the word " + Quoted(word) + ", expected " + expected);
+}
+
+std::string Replaced(std::string text, const std::vector<Choice>& choices) {
+  for (const Choice& choice : choices) {
+    const std::string pattern = "{" + choice.name + "}";
+    for (std::size_t at = text.find(pattern); at != std::string::npos;
+         at = text.find(pattern, at + choice.chosen->size())) {
+      text.replace(at, pattern.size(), *choice.chosen);
+    }
+  }
+  return text;
+}
+
+void ReplaceIn(Json* json, const std::vector<Choice>& choices) {
+  if (json->is_string()) *json = Replaced(json->get<std::string>(), choices);
+  if (!json->is_structured()) return;
+  for (Json& child : *json) ReplaceIn(&child, choices);
+}
+
+}  // namespace
+
+GripperChoice ChooseGripper(const SideNode& grippers, const std::string& wanted) {
+  std::vector<std::string> names;
+  std::string best;
+  for (const auto& [name, gripper] : grippers.Members()) {
+    names.push_back(name);
+    const bool fits = wanted == name || wanted.starts_with(name + "-");
+    if (fits && name.size() > best.size()) best = name;
+  }
+  if (best.empty()) {
+    const std::vector<std::string_view> known(names.begin(), names.end());
+    grippers.Fail("found the wish for " + Quoted(wanted) + ", expected " + OneOf(known) +
+                  DidYouMean(wanted, known));
+  }
+  const SideNode gripper = grippers.Member(best);
+  gripper.ExpectObject();
+  std::vector<Choice> choices = ReadChoices(gripper);
+  if (wanted != best) {
+    for (const std::string& word : SplitAtDashes(wanted.substr(best.size() + 1))) {
+      if (!Choose(word, &choices)) FailForWord(gripper, word, choices);
+    }
+  }
+  GripperChoice chosen{.name = best, .place = gripper.place(), .value = gripper.value()};
+  for (Choice& choice : choices) {
+    if (!choice.chosen) choice.chosen = choice.words.front();
+    chosen.name += "-" + *choice.chosen;
+  }
+  chosen.value.erase("choices");
+  ReplaceIn(&chosen.value, choices);
+  return chosen;
+}
+
+}  // namespace smile::robot::internal

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+
+#include "robot/internal_side_node.h"
+
+namespace smile::robot::internal {
+
+/// One of the grippers a side file offers, its choices made.
+struct GripperChoice {
+  std::string name;   ///< with a word for each choice: `electric-extended-wide-2-paddle`
+  std::string place;  ///< in the file
+  Json value;         ///< of the gripper, `{slot}` and the like replaced
+};
+
+/// @param grippers  the side file's member of that name.
+/// @param wanted    the gripper's name and some words of its choices, `-` between them; what is not
+///                  said is the first word of each choice.
+/// @throws InputError naming the grippers or words there are.
+GripperChoice ChooseGripper(const SideNode& grippers, const std::string& wanted);
+
+}  // namespace smile::robot::internal

@@ -1,0 +1,123 @@
+#include "robot/internal_robot_shelf.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/diagnostic.h"
+#include "base/wording.h"
+#include "mesh/convex_pieces.h"
+#include "mesh/import_mesh.h"
+
+namespace smile::robot::internal {
+namespace {
+
+// Of all files of a robot together.
+constexpr std::size_t kMaxFiles = 400;
+constexpr std::size_t kMaxBytes = 128u << 20;
+constexpr std::size_t kMaxTriangles = 600'000;
+
+constexpr float kMaxCoordinate = 100;  // [m]
+
+/// Coarse: links touch each other and things, and nobody feels the inside of a shell.
+constexpr mesh::PieceLimits kPieceLimits{.max_pieces = 8, .max_corners = 32};
+
+bool IsPlainName(const std::string& name) {
+  return !name.empty() && name != "." && name != ".." &&
+         name.find_first_of("/\\:") == std::string::npos;
+}
+
+scene::SurfaceMesh Stretched(scene::SurfaceMesh mesh, const Vector3& scale) {
+  for (Eigen::Vector3f& vertex : mesh.vertices) {
+    vertex = vertex.cast<double>().cwiseProduct(scale).cast<float>();
+    if (vertex.cwiseAbs().maxCoeff() < kMaxCoordinate) continue;
+    throw BadReference(" reaches " + NumberText(vertex.cwiseAbs().maxCoeff()) +
+                       " m from the origin, expected less than 100");
+  }
+  if (scale.prod() < 0) {  // in a mirror, the other side is outside
+    for (auto& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
+  }
+  return mesh;
+}
+
+}  // namespace
+
+void RobotShelf::Keep(const FoundFile& file) {
+  for (const RobotFile& other : files_) {
+    if (other.name != file.name) continue;
+    if (*other.bytes == *file.bytes) return;
+    throw BadReference(" would be kept as " + Quoted(file.name) +
+                       ", as another file of the robot, expected different names");
+  }
+  num_bytes_ += file.bytes->size();
+  if (files_.size() >= kMaxFiles || num_bytes_ > kMaxBytes) {
+    throw BadReference(" is too much: expected at most " + std::to_string(kMaxFiles) +
+                       " files and " + std::to_string(kMaxBytes) + " bytes for a robot");
+  }
+  files_.push_back({file.name, file.bytes});
+}
+
+FoundFile RobotShelf::Fetch(const FoundFile& from, const std::string& reference,
+                            std::size_t max_bytes) {
+  FoundFile file = finder_->Find(from, reference, max_bytes);
+  Keep(file);
+  return file;
+}
+
+std::optional<FoundFile> RobotShelf::FetchSideFile(const FoundFile& urdf, std::size_t max_bytes) {
+  std::optional<FoundFile> file = finder_->FindSideFile(urdf, max_bytes);
+  if (file) Keep(*file);
+  return file;
+}
+
+scene::SurfaceMesh RobotShelf::Import(const FoundFile& file) {
+  const mesh::MeshLimits limits{.max_triangles = kMaxTriangles - num_triangles_};
+  const std::string extension = file.path.extension().string();
+  const auto open = [&](const std::string& name, std::size_t max_bytes) {
+    if (!IsPlainName(name)) {
+      throw BadReference(": it names " + Quoted(name) + ", expected a file beside it");
+    }
+    return *Fetch(file, name, max_bytes).bytes;
+  };
+  try {
+    scene::SurfaceMesh surface =
+        mesh::ParseMesh(*file.bytes, extension.empty() ? extension : extension.substr(1), limits,
+                        file.path.string(), open, mesh::MeshAxes::kAsWritten);
+    num_triangles_ += surface.triangles.size();
+    return surface;
+  } catch (const InputError& error) {
+    throw BadReference(" (" + file.path.string() + "): " + error.diagnostics().front().message);
+  }
+}
+
+std::pair<RobotShelf::Key, RobotShelf::Mesh> RobotShelf::FetchSurface(const FoundFile& from,
+                                                                      const std::string& reference,
+                                                                      const Vector3& scale) {
+  const FoundFile file = Fetch(from, reference, mesh::MeshLimits().max_file_bytes);
+  const Key key{file.name, scale.x(), scale.y(), scale.z()};
+  auto entry = drawn_.find(key);
+  if (entry == drawn_.end()) {
+    const scene::CustomMesh mesh{.surface = Stretched(Import(file), scale), .pieces = {}};
+    entry = drawn_.emplace(key, std::make_shared<const scene::CustomMesh>(mesh)).first;
+  }
+  return *entry;
+}
+
+RobotShelf::Mesh RobotShelf::FetchDrawn(const FoundFile& from, const std::string& reference,
+                                        const Vector3& scale) {
+  return FetchSurface(from, reference, scale).second;
+}
+
+const std::vector<scene::Hull>& RobotShelf::FetchPieces(const FoundFile& from,
+                                                        const std::string& reference,
+                                                        const Vector3& scale) {
+  const auto [key, mesh] = FetchSurface(from, reference, scale);
+  const auto entry = pieces_.find(key);
+  if (entry != pieces_.end()) return entry->second;
+  try {
+    return pieces_.emplace(key, mesh::ConvexPieces(mesh->surface, kPieceLimits)).first->second;
+  } catch (const std::invalid_argument& error) {  // it is flat
+    throw BadReference(": " + std::string(error.what()));
+  }
+}
+
+}  // namespace smile::robot::internal

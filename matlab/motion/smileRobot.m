@@ -1,10 +1,11 @@
-function robot = smileRobot(aux, base, unit)
+function robot = smileRobot(aux, base, unit, gripper)
 %SMILEROBOT  The robot, for smileForward, smileInverse, smileMoveJoints, smileMoveLine, ...
 %
 %   robot = smileRobot(aux)                in a brain: the robot that aux tells of, where it stands
 %   robot = smileRobot(file)               a URDF file; lengths in metres, the world is its base
 %   robot = smileRobot(file, base, unit)   base 4x4 where it stands in the world [units],
 %                                          unit metres per unit
+%   robot = smileRobot(file, base, unit, gripper)   which of its grippers; '' for the usual one
 %
 %   robot.minJointAngles, robot.maxJointAngles   2x7 limits [rad]; row 1 left, row 2 right
 %   robot.poses.untucked, ...                    2x7 poses that come with the robot [rad]
@@ -19,12 +20,15 @@ function robot = smileRobot(aux, base, unit)
     file = aux.robot;
     base = aux.robotBase;
     unit = aux.unit;
+    gripper = '';
+    if isfield(aux, 'robotGripper'), gripper = aux.robotGripper; end
   else
     file = aux;
     if nargin < 2, base = eye(4); end
     if nargin < 3, unit = 1; end
+    if nargin < 4, gripper = ''; end
   end
-  robot = smilemotion('smileRobot', file, base, unit);
+  robot = smilemotion('smileRobot', file, base, unit, gripper);
   robot.poses = cell2struct(robot.poseAngles, robot.poseNames, 2);
   robot = rmfield(robot, {'poseAngles', 'poseNames'});
 end

@@ -191,6 +191,7 @@ struct KnownRobot {
   std::string file;
   Eigen::Matrix4d base;
   double unit;
+  std::string gripper;
   PlanningRobot robot;
 };
 
@@ -202,13 +203,15 @@ std::list<KnownRobot>& KnownRobots() {
   return robots;
 }
 
-const PlanningRobot& RobotAs(const std::string& file, const Eigen::Matrix4d& base, double unit) {
+const PlanningRobot& RobotAs(const std::string& file, const Eigen::Matrix4d& base, double unit,
+                             const std::string& gripper) {
   auto& robots = KnownRobots();
   const auto known = std::ranges::find_if(robots, [&](const KnownRobot& robot) {
-    return robot.file == file && robot.base == base && robot.unit == unit;
+    return robot.file == file && robot.base == base && robot.unit == unit &&
+           robot.gripper == gripper;
   });
   if (known != robots.end()) return known->robot;
-  robots.push_front({file, base, unit, ReadPlanningRobot(file, base, unit)});
+  robots.push_front({file, base, unit, gripper, ReadPlanningRobot(file, base, unit, gripper)});
   if (robots.size() > kMostRobots) robots.pop_back();
   return robots.front().robot;
 }
@@ -218,7 +221,8 @@ const PlanningRobot& RobotFrom(const Call& call) {
   CheckStruct(value, "robot", "smileRobot");
   return RobotAs(TextFrom(FieldOf(value, "file", "robot"), "robot.file"),
                  PoseFrom(FieldOf(value, "base", "robot"), "robot.base"),
-                 NumberFrom(FieldOf(value, "unit", "robot"), "robot.unit"));
+                 NumberFrom(FieldOf(value, "unit", "robot"), "robot.unit"),
+                 TextFrom(FieldOf(value, "gripper", "robot"), "robot.gripper"));
 }
 
 Eigen::MatrixXd RowsOf(const JointTrajectory& trajectory,
@@ -329,13 +333,14 @@ void CheckCount(const Call& call, std::size_t at_least, std::size_t at_most, con
 constexpr std::size_t kManyOptions = 32;
 
 void Robot(const Call& call) {
-  CheckCount(call, 3, 3, "file, base, unit");
+  CheckCount(call, 4, 4, "file, base, unit, gripper");
   const std::string file = TextFrom(call.arguments[0], "file");
   const Eigen::Matrix4d base = PoseFrom(call.arguments[1], "base");
   const double unit = NumberFrom(call.arguments[2], "unit");
+  const std::string gripper = TextFrom(call.arguments[3], "gripper");
   // Asked for anew: the file may have changed.
   std::erase_if(KnownRobots(), [&](const KnownRobot& known) { return known.file == file; });
-  const PlanningRobot& robot = RobotAs(file, base, unit);
+  const PlanningRobot& robot = RobotAs(file, base, unit, gripper);
 
   const Shape shape = ShapeFor(robot, "both");
   std::vector<double> lower, upper;
@@ -354,6 +359,7 @@ void Robot(const Call& call) {
   call.outputs[0] = StructOf({{"file", mxCreateString(file.c_str())},
                               {"base", MatrixOf(base)},
                               {"unit", mxCreateDoubleScalar(unit)},
+                              {"gripper", mxCreateString(gripper.c_str())},
                               {"jointNames", NamesOf(robot.JointNames("both"))},
                               {"minJointAngles", ConfigurationOf(lower, shape)},
                               {"maxJointAngles", ConfigurationOf(upper, shape)},

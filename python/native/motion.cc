@@ -195,17 +195,20 @@ void BindRobot(py::module_& m) {
 
 Lengths are in the scene's unit, angles in radians; poses are 4x4 matrices of the tool in the world:
 z is the approach direction, y goes across the fingers. Arms are 'left' and 'right'.)")
-      .def(py::init([](const std::string& path, const std::optional<Array>& base, double unit) {
+      .def(py::init([](const std::string& path, const std::optional<Array>& base, double unit,
+                       const std::string& gripper) {
              return ReadPlanningRobot(
                  path,
                  base ? PoseFrom("base", *base) : Eigen::Matrix4d(Eigen::Matrix4d::Identity()),
-                 unit);
+                 unit, gripper);
            }),
            py::arg("path"), py::kw_only(), py::arg("base") = py::none(), py::arg("unit") = 1.0,
+           py::arg("gripper") = "",
            R"(Reads a URDF file, and the .robot.json beside it.
 
 base: 4x4, where the robot's base stands in the world [units]; the world is the base without it.
-unit: metres per unit; a brain is told it as aux.unit.)")
+unit: metres per unit; a brain is told it as aux.unit.
+gripper: which of the robot's grippers; the usual one without it.)")
       .def("joint_names", &PlanningRobot::JointNames, py::arg("arm"),
            "Names of an arm's joints; of all for 'both'.")
       .def(

@@ -222,12 +222,27 @@ def sensor_of(values):
     names = values.pop("trackerNames", None)
     if names is not None:
         values["trackerLoc"] = dict(zip(names.split("\n"), values.pop("trackerPositions")))
+    if "heldObject" in values:
+        values["heldObject"] = values["heldObject"].split("\n")
+    if "segmentNames" in values:
+        values["segmentNames"] = lines_of(values["segmentNames"])
+    cameras = {}
+    for name in [name for name in values if name.startswith("cameras_")]:
+        camera, _, field = name.removeprefix("cameras_").rpartition("_")
+        cameras.setdefault(camera, {})[field] = values.pop(name)
+    if cameras:
+        values["cameras"] = Fields({name: Fields(fields) for name, fields in cameras.items()})
     return Fields(values)
+
+
+def lines_of(text):
+    return text.split("\n") if text else []
 
 
 def aux_of(values):
     lines = [line.split(",") for line in values.get("attention", "").split("\n") if line]
     values["attention"] = {words[0]: words[1:] for words in lines}
+    values["cameraNames"] = lines_of(values.get("cameraNames", ""))
     for name in ("numLimbs", "numJoints"):
         values[name] = int(values[name])
     return Fields(values)
@@ -236,11 +251,26 @@ def aux_of(values):
 def wishes_of(aux):
     """What init left in aux for the simulator."""
     values = {}
-    for name in ("initJointAngles", "drawMarkers"):
+    for name in ("initJointAngles", "drawMarkers", "imageSeconds"):
         if name in aux:
-            values[name] = real_numbers(f"aux.{name}", getattr(aux, name))
-            check_finite(f"aux.{name}", values[name])
+            values[name] = wish_of(aux, name)
+    for name in ("channels", "cameras"):
+        if name in aux:
+            values[name] = in_one_line(f"aux.{name}", getattr(aux, name))
     return values
+
+
+def wish_of(aux, name):
+    array = real_numbers(f"aux.{name}", getattr(aux, name))
+    check_finite(f"aux.{name}", array)
+    return array
+
+
+def in_one_line(name, words):
+    words = [words] if isinstance(words, str) else list(words)
+    if not all(isinstance(word, str) for word in words):
+        raise TypeError(f"{name} holds other things than names")
+    return ",".join(words)
 
 
 # ---- running the program ---------------------------------------------------------------------------
@@ -286,13 +316,22 @@ class Program:
         self.motor = Motor(self.aux.numLimbs, self.aux.numJoints)
         if hasattr(self.module, "init"):
             self.module.init(self.aux)
-        return INIT_DONE, wishes_of(self.aux)
+        wishes = wishes_of(self.aux)
+        self.markers = np.array(wishes.get("drawMarkers", np.zeros((0, 3))))
+        return INIT_DONE, wishes
 
     def step(self, values):
         """STEP -> MOTOR or FINAL_MOTOR"""
         self.module.step(sensor_of(values), self.motor, self.aux)
         is_last = "exit" in self.aux and bool(np.any(self.aux.exit))
-        return FINAL_MOTOR if is_last else MOTOR, self.motor.values()
+        return FINAL_MOTOR if is_last else MOTOR, self.motor.values() | self.new_markers()
+
+    def new_markers(self):
+        """aux.drawMarkers, when they are others than those sent last."""
+        if "drawMarkers" not in self.aux or np.array_equal(self.aux.drawMarkers, self.markers):
+            return {}
+        self.markers = np.array(wish_of(self.aux, "drawMarkers"))
+        return {"drawMarkers": self.markers}
 
     def describe(self, error):
         """An exception as the arrays of ERROR: what, and where in the program's own folder."""

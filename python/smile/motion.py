@@ -20,7 +20,7 @@ __all__ = ["InvalidMoment", "LineFault", "Robot", "Trajectory", "robot_of"]
 
 
 def robot_of(aux):
-    """The robot that a brain's `aux` tells of: aux.robot, aux.robotBase and aux.unit.
+    """The robot that a brain's `aux` tells of: aux.robot, aux.robotBase, aux.unit, aux.robotGripper.
 
     `aux` may be an object with these attributes or a dict.
     """
@@ -28,4 +28,5 @@ def robot_of(aux):
     missing = [name for name in ("robot", "robotBase", "unit") if value(name) is None]
     if missing:
         raise ValueError("aux has no " + ", ".join(missing))
-    return Robot(str(value("robot")), base=value("robotBase"), unit=float(value("unit")))
+    return Robot(str(value("robot")), base=value("robotBase"), unit=float(value("unit")),
+                 gripper=str(value("robotGripper") or ""))

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <exception>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -20,6 +21,12 @@ void AddMatrix(MessageWriter& writer, std::string_view name, const Eigen::Matrix
   const std::array dims{static_cast<std::uint32_t>(matrix.rows()),
                         static_cast<std::uint32_t>(matrix.cols())};
   writer.AddDoubles(name, dims, {matrix.data(), static_cast<std::size_t>(matrix.size())});
+}
+
+std::string InOneLine(const std::vector<std::string>& names) {
+  std::string line;
+  for (const std::string& name : names) line += (line.empty() ? "" : ",") + name;
+  return line;
 }
 
 std::vector<std::byte> HelloFrame() {
@@ -71,7 +78,10 @@ class Conversation {
     motor_.gripper_velocities.setZero(limbs);
     program_->Init(aux_);
     if (aux_.init_joint_angles) AddMatrix(writer, "initJointAngles", *aux_.init_joint_angles);
-    if (aux_.draw_markers) AddMatrix(writer, "drawMarkers", *aux_.draw_markers);
+    if (!aux_.channels.empty()) writer.AddText("channels", InOneLine(aux_.channels));
+    if (!aux_.cameras.empty()) writer.AddText("cameras", InOneLine(aux_.cameras));
+    if (aux_.image_seconds) writer.AddScalar("imageSeconds", *aux_.image_seconds);
+    AddNewMarkers(&writer);
     return writer.Finish();
   }
 
@@ -83,13 +93,21 @@ class Conversation {
     AddMatrix(writer, "gripperVelocities", motor_.gripper_velocities);
     if (motor_.joint_angles) AddMatrix(writer, "jointAngles", *motor_.joint_angles);
     if (motor_.head_velocity) writer.AddScalar("headVelocity", *motor_.head_velocity);
+    AddNewMarkers(&writer);
     return writer.Finish();
+  }
+
+  void AddNewMarkers(MessageWriter* writer) {
+    if (!aux_.draw_markers || aux_.draw_markers == sent_markers_) return;
+    AddMatrix(*writer, "drawMarkers", *aux_.draw_markers);
+    sent_markers_ = aux_.draw_markers;
   }
 
   Program* program_;
   Connection* connection_;
   Aux aux_;
   Motor motor_;
+  std::optional<Eigen::MatrixX3d> sent_markers_;
 };
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "agent/fields.h"
 
@@ -13,7 +15,10 @@ struct Aux : Fields {
   using Fields::Fields;
 
   std::optional<Eigen::MatrixXd> init_joint_angles;  ///< in Init(): limbs x joints [rad]
-  std::optional<Eigen::MatrixX3d> draw_markers;      ///< in Init(): points for people [units]
+  std::vector<std::string> channels;                 ///< in Init(): `rgb`, `depth`, `segmentation`
+  std::vector<std::string> cameras;                  ///< in Init(): beside the robot's eye
+  std::optional<double> image_seconds;               ///< in Init(): between fresh images
+  std::optional<Eigen::MatrixX3d> draw_markers;      ///< at any time: points for people [units]
   bool exit = false;                                 ///< the step that has set it is the last
 };
 

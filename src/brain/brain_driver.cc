@@ -147,9 +147,8 @@ Aux BrainDriver::Describe(const sim::Simulation& simulation) const {
   }
   aux.meters_per_unit = simulation.scene().meters_per_unit;
   aux.X_WBase = MatrixInUnits(simulation.robot()->base_pose(), simulation);
-  if (const auto& placement = simulation.robot_placement(); placement && !placement->urdf.empty()) {
-    aux.robot = std::filesystem::absolute(placement->urdf).lexically_normal().string();
-  }
+  aux.robot_files = simulation.robot_placement()->files;
+  aux.robot_gripper = simulation.robot_placement()->gripper;
   if (options_.eye != nullptr) {
     aux.camera = DescribeCamera(EyeView(simulation, options_.eye->spec()), simulation);
     aux.camera_names = CameraNames(simulation);

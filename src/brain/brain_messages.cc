@@ -339,7 +339,8 @@ int LineOf(const Message& message) {
 
 }  // namespace
 
-std::vector<std::byte> EncodeAux(std::uint32_t sequence, const Aux& aux, std::string_view path) {
+std::vector<std::byte> EncodeAux(std::uint32_t sequence, const Aux& aux, std::string_view path,
+                                 std::string_view robot) {
   MessageWriter writer(MessageType::kInit, sequence);
   writer.AddText("path", path);
   writer.AddScalar("numLimbs", kLimbCount);
@@ -349,7 +350,8 @@ std::vector<std::byte> EncodeAux(std::uint32_t sequence, const Aux& aux, std::st
   AddMatrix(writer, "maxJointVelocities", aux.max_joint_velocities);
   writer.AddScalar("unit", aux.meters_per_unit);
   AddMatrix(writer, "robotBase", aux.X_WBase);
-  if (!aux.robot.empty()) writer.AddText("robot", aux.robot);
+  if (!robot.empty()) writer.AddText("robot", robot);
+  writer.AddText("robotGripper", aux.robot_gripper);
   AddLines(writer, "cameraNames", aux.camera_names);
   if (aux.camera) AddCamera(writer, *aux.camera);
   if (!aux.demonstration.empty()) writer.AddText("demonstration", aux.demonstration);

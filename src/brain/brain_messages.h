@@ -24,7 +24,8 @@ using wire::WireError;
 
 /// The fields of `aux`; `path` ends in `/`.
 /// @throws std::invalid_argument when the camera is larger than a message.
-std::vector<std::byte> EncodeAux(std::uint32_t sequence, const Aux& aux, std::string_view path);
+std::vector<std::byte> EncodeAux(std::uint32_t sequence, const Aux& aux, std::string_view path,
+                                 std::string_view robot = "");
 
 /// The fields of `sensor`.
 /// @throws std::invalid_argument if a channel of a picture does not have its size, or a name holds

@@ -69,6 +69,9 @@ class BrainProcess::Impl {
   enum class State { kNew, kStarting, kRunning, kEnded };
 
   void Start();
+  /// Puts the robot's files where the brain may read them.
+  /// @returns the URDF; empty when there are none.
+  std::string PutOut(const std::vector<robot::RobotFile>& files) const;
   ChildCommand CommandWithAddress() const;
   bool HasChildEnded() const { return child_ && child_->HasEnded(); }
   std::optional<BrainError> Meet(const WaitLimit& limit);
@@ -110,8 +113,8 @@ OrError<InitReply> BrainProcess::Impl::Init(const Aux& aux) {
   if (auto error = Meet(limit)) return EndWith(std::move(*error));
   if (auto error = ReadHello(limit)) return EndWith(std::move(*error));
 
-  auto answer = Ask(EncodeAux(++sequence_, aux, program_.folder_name), MessageType::kInitDone,
-                    Phase::kInit, limit, options_.start_seconds);
+  auto answer = Ask(EncodeAux(++sequence_, aux, program_.folder_name, PutOut(aux.robot_files)),
+                    MessageType::kInitDone, Phase::kInit, limit, options_.start_seconds);
   if (auto* error = std::get_if<BrainError>(&answer)) return EndWith(std::move(*error));
   const Message& message = std::get<Message>(answer);
   init_file_ = message.TextOf("initFile");
@@ -122,6 +125,16 @@ OrError<InitReply> BrainProcess::Impl::Init(const Aux& aux) {
   }
   state_ = State::kRunning;
   return std::move(std::get<InitReply>(reply));
+}
+
+std::string BrainProcess::Impl::PutOut(const std::vector<robot::RobotFile>& files) const {
+  if (files.empty()) return "";
+  const std::filesystem::path folder = rendezvous_->folder() / "robot";
+  for (const robot::RobotFile& file : files) {
+    MakeDirectories((folder / file.name).parent_path());
+    WriteFile(folder / file.name, *file.bytes);
+  }
+  return (folder / files.front().name).string();
 }
 
 OrError<StepReply> BrainProcess::Impl::Step(const Sensor& sensor) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "math/image.h"
+#include "robot/urdf_reader.h"
 #include "sim/eye.h"
 
 /// What a robot program is told and what it answers, exactly as its scripts see it: lengths are in
@@ -45,14 +46,16 @@ struct CameraPicture {
 /// told.
 using Attention = std::map<std::string, std::vector<std::string>>;
 
-/// What a program is told once, before it starts. (`aux.path` is added by BrainProcess.)
+/// What a program is told once, before it starts. (BrainProcess adds `aux.path`, and `aux.robot`:
+/// where it has put the robot's files.)
 struct Aux {
   LimbJoints min_joint_angles = LimbJoints::Zero();      ///< [rad]
   LimbJoints max_joint_angles = LimbJoints::Zero();      ///< [rad]
   LimbJoints max_joint_velocities = LimbJoints::Zero();  ///< [rad/s]
   std::optional<CameraDescription> camera;               ///< absent when there are no images
   std::vector<std::string> camera_names;                 ///< of all cameras a program may ask for
-  std::string robot;                                     ///< the URDF file; empty when unknown
+  std::vector<robot::RobotFile> robot_files;             ///< the URDF first
+  std::string robot_gripper;                             ///< as robot::RobotReading tells it
   /// Pose of the robot's base (x forward, z up) in the world, translation in units.
   Eigen::Matrix4d X_WBase = Eigen::Matrix4d::Identity();
   double meters_per_unit = 0.1;

@@ -82,9 +82,13 @@ class PlanningRobot {
   std::vector<ArmKinematics> arms_;  ///< as in the model
 };
 
+/// Reads a robot's description; its packages may lie beside it in `packages/`, as a brain gets
+/// them.
+///
+/// @param gripper  which of the robot's grippers; empty: the usual one.
 /// See robot::ReadRobot() for what it throws.
 PlanningRobot ReadPlanningRobot(const std::filesystem::path& urdf,
                                 const Eigen::Matrix4d& base_pose = Eigen::Matrix4d::Identity(),
-                                double meters_per_unit = 1);
+                                double meters_per_unit = 1, const std::string& gripper = "");
 
 }  // namespace smile::motion

@@ -158,7 +158,7 @@ TEST_F(BrainProcessTest, BothTransportsGiveTheSameAnswer) {
 TEST_F(BrainProcessTest, BothTransportsBringWhatItAskedFor) {
   const fs::path folder = Brain(
       "assert(aux.cameraNames, {'eye', 'overhead'}); assert(aux.unit, 0.5);\n"
-      "assert(aux.robotBase, eye(4)); assert(aux.robot, '/r.urdf');\n"
+      "assert(aux.robotBase, eye(4)); assert(fileread(aux.robot), '<robot/>');\n"
       "assert(aux.maxJointVelocities, zeros(2, 7));\n"
       "aux.channels = {'depth', 'segmentation'}; aux.cameras = {'overhead'};\n"
       "aux.imageSeconds = 2;",
@@ -177,7 +177,7 @@ TEST_F(BrainProcessTest, BothTransportsBringWhatItAskedFor) {
       "end");
   Aux aux{.camera = CameraDescription{.width_px = 2, .height_px = 2}};
   aux.camera_names = {"eye", "overhead"};
-  aux.robot = "/r.urdf";
+  aux.robot_files = {{"r.urdf", std::make_shared<const std::string>("<robot/>")}};
   aux.meters_per_unit = 0.5;
   const Image image{.width_px = 2, .height_px = 2, .depth = {1, 2, 3, 4}, .ids = {0, 1, 2, 1}};
   Sensor sensor{.head_angle = 0.25};

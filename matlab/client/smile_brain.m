@@ -90,7 +90,6 @@ function callback = answer_init(link, message, sequence, aux)
              struct('jointVelocities', zeros(2, 7), 'gripperVelocities', zeros(2, 1)));
     aux = base_aux();
     new_markers(aux);
-    has_cameras(aux);
     link('send', message.init_done, sequence, wishes(aux, files));
   catch err
     link('send', message.error, sequence, smile_describe_error(err, script, 'aux'));
@@ -100,11 +99,9 @@ end
 
 function answer_step(link, message, sequence, sensor, callback)
   try
-    newline = find(sensor.heldObject == 10, 1);
-    sensor.heldObject = {sensor.heldObject(1:newline - 1), sensor.heldObject(newline + 1:end)};
+    sensor.heldObject = held_objects(sensor);
     if isfield(sensor, 'trackerNames'), sensor = with_tracker_map(sensor); end
-    if isfield(sensor, 'segmentNames'), sensor.segmentNames = lines_of(sensor.segmentNames); end
-    if isfield(sensor, 'cameraPose') && has_cameras(), sensor = with_cameras(sensor); end
+    if isfield(sensor, 'cameraPose'), sensor = with_pictures(sensor); end
     assignin('base', 'sensor', sensor);
     run_script(callback);
     motor = evalin('base', 'motor');
@@ -163,29 +160,33 @@ function lines = lines_of(text)
   if isempty(text), lines = {}; else, lines = regexp(text, '\n', 'split'); end
 end
 
-function sensor = with_cameras(sensor)
+function objects = held_objects(sensor)
+  % Of two lines.
+  objects = {'', ''};
+  if any(sensor.isHolding)
+    newline = find(sensor.heldObject == 10, 1);
+    objects = {sensor.heldObject(1:newline - 1), sensor.heldObject(newline + 1:end)};
+  end
+end
+
+function sensor = with_pictures(sensor)
+  if isfield(sensor, 'segmentNames'), sensor.segmentNames = lines_of(sensor.segmentNames); end
   % cameras_overhead_rgb becomes cameras.overhead.rgb.
   names = fieldnames(sensor);
   for k = find(strncmp(names, 'cameras_', 8)).'
     last = find(names{k} == '_', 1, 'last');
-    cameras.(names{k}(9:last - 1)).(names{k}(last + 1:end)) = sensor.(names{k});
+    sensor.cameras.(names{k}(9:last - 1)).(names{k}(last + 1:end)) = sensor.(names{k});
     sensor = rmfield(sensor, names{k});
   end
-  sensor.cameras = cameras;
-end
-
-function yes = has_cameras(aux)
-  % Whether the program asked for more cameras than the eye; remembered from init.
-  persistent answer
-  if nargin > 0, answer = isfield(aux, 'cameras') && ~isempty(aux.cameras); end
-  yes = answer;
 end
 
 function [is_new, markers] = new_markers(aux)
   % Whether the program's markers are others than when this was last asked.
   persistent last
-  if isfield(aux, 'drawMarkers'), markers = aux.drawMarkers; else, markers = []; end
-  is_new = ~isequal(markers, last);
+  has_markers = isfield(aux, 'drawMarkers');
+  if has_markers, markers = aux.drawMarkers; else, markers = []; end
+  % Most programs have none, and isequal is slow.
+  is_new = (has_markers || ~isempty(last)) && ~isequal(markers, last);
   last = markers;
 end
 

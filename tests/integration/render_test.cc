@@ -62,12 +62,13 @@ TEST_F(RenderAsUsed, FilmsAgainWhatTheEyeSawToTheLastBit) {
 TEST_F(RenderAsUsed, DrawsAgainWhatTheRealEyeSaw) {
   Write("pair.xml", PairOfBlocks());
   Write("stack.jsonl", StackPair() + "{\"do\":\"joint_angles\",\"head\":0.3}\n");
-  ASSERT_EQ(Smile("run pair.xml --commands stack.jsonl --eye head --record demo").exit_code, 0);
+  ASSERT_EQ(
+      Smile("run pair.xml --commands stack.jsonl --eye head --rate 7 --record demo").exit_code, 0);
   EXPECT_EQ(Json::parse(Read("demo/demo.json"))["eye"]["camera"], "head");
   EXPECT_EQ(Json::parse(Read("demo/demo.json"))["eye"]["height_px"], 400);
   ASSERT_EQ(Smile("edit demo --speed 1 --out edited").exit_code, 0);
-  ASSERT_EQ(Smile("render demo --out again/ --camera eye --size 640x400 --rate 4").exit_code, 0);
-  ASSERT_EQ(Smile("render demo --out head/ --camera head --size 640x400 --rate 4").exit_code, 0);
+  ASSERT_EQ(Smile("render demo --out again/ --camera eye --size 640x400 --rate 7").exit_code, 0);
+  ASSERT_EQ(Smile("render demo --out head/ --camera head --size 640x400 --rate 7").exit_code, 0);
   const auto recorded = Table("demo/frames.csv"), again = Table("again/frames.csv");
   ASSERT_EQ(again.size(), recorded.size());
   int num_pictures = 0;

@@ -10,15 +10,15 @@
 
 namespace smile::motion {
 
-/// A motion in joint space through waypoints, from rest to rest, without stopping between: a cubic
-/// from each to the next that does not swing over them, so that what lies between two waypoints
-/// lies within the limits when they do. Where a joint turns back it rests for a moment. Through two
-/// waypoints it is MoveStraight().
+/// A motion in joint space through waypoints, from rest to rest, without stopping between: along
+/// cubics that do not swing over them, so that what lies between two waypoints lies within the
+/// limits when they do, and as fast as the limits allow everywhere. Where a joint turns back it
+/// rests for a moment. Through two waypoints it is MoveStraight().
 ///
 /// @param waypoints  at least one; each one value per joint, within limits [rad or m]. Two equal
 ///                   ones in a row count once.
 /// @param speed      0 < speed <= 1, share of the limits of velocity.
-/// @returns a point for each waypoint, within the limits of velocity and acceleration.
+/// @returns points, among them the waypoints; within the limits of velocity and acceleration.
 /// @throws std::invalid_argument if there is none, or one is not as described.
 std::vector<TrajectoryPoint> MoveThrough(std::span<const std::vector<double>> waypoints,
                                          std::span<const JointLimits> limits, double speed = 1);
@@ -44,8 +44,8 @@ inline constexpr double kLineTolerance = 0.0005;
 
 /// Moves the tool from where it is along a straight line to a pose, turning evenly on the way
 /// (slerp; with `any_turn` the shortest way that brings its axis there). It starts and ends at rest
-/// and goes evenly in between, as fast as the joints' limits and `tool_speed` allow on the whole
-/// line. The joints follow without jumps; the line is given up where they cannot.
+/// and is everywhere as fast as the joints' limits and `tool_speed` allow. The joints follow
+/// without jumps; the line is given up where they cannot.
 ///
 /// @param q_from     one value per joint of the arm, within limits [rad or m].
 /// @param X_WG_goal  where it ends.

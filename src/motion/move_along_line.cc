@@ -10,6 +10,7 @@
 #include "motion/arm_moves.h"
 #include "motion/internal_cubic.h"
 #include "motion/internal_descent.h"
+#include "motion/internal_pace.h"
 #include "motion/internal_timing.h"
 
 namespace smile::motion {
@@ -19,15 +20,15 @@ namespace {
 constexpr double kPlaceEvery = 0.005;  // [m]
 constexpr double kAngleEvery = 0.03;   // [rad]
 constexpr int kFewestPlaces = 8;
-constexpr int kMostPlaces = 8000;
+constexpr int kMostPlaces = 1000;
+/// After so many doublings the line is given up.
+constexpr int kMostPlacesInTheEnd = 8000;
 /// From one place to the next no joint may go further: it would be a jump [rad or m].
 constexpr double kLongestJump = 0.2;
 /// A neighbour is found in a few iterations or not at all.
 constexpr int kIterationsPerPlace = 60;
 /// Joints are told closer than is asked of the line, so that their slopes are smooth [m, rad].
 constexpr double kPlaceTolerance = 1e-9;
-/// Of a limit of acceleration, for speeding up along the line; the rest is for its bends.
-constexpr double kShareForSpeedingUp = 0.5;
 
 /// The way of the tool, by shares from 0 to 1.
 class ToolLine {
@@ -99,34 +100,12 @@ std::variant<JointPath, LineFault> Follow(const ArmKinematics& arm, const ArmVec
   return path;
 }
 
-/// Slopes as the neighbours tell them; a joint on its limit stays there for a moment, and one that
-/// would swing over it takes the calm slopes.
-void FindSlopes(std::span<const JointLimits> limits, JointPath* path) {
+/// As the neighbours tell them.
+void FindSlopes(JointPath* path) {
   const int n = path->num_spans();
-  path->slopes.assign(path->q.size(), ArmVector::Zero(path->q[0].size()));
-  const auto secant = [&](int k, int i) { return (path->q[k + 1][i] - path->q[k][i]) * n; };
-  const auto leaves_limits = [&](int i) {
-    for (int k = 0; k < n; ++k) {
-      const Cubic cubic{path->q[k][i], path->q[k + 1][i], path->slopes[k][i],
-                        path->slopes[k + 1][i], 1.0 / n};
-      // Close enough to the limits to look: the corners of the cubic's control polygon.
-      for (const double corner : {cubic.from + cubic.from_slope * cubic.seconds / 3,
-                                  cubic.to - cubic.to_slope * cubic.seconds / 3}) {
-        if (corner < limits[i].lower || corner > limits[i].upper) return true;
-      }
-    }
-    return false;
-  };
-  for (int i = 0; i < path->q[0].size(); ++i) {
-    for (int k = 0; k <= n; ++k) {
-      const double before = secant(std::max(0, k - 1), i), after = secant(std::min(k, n - 1), i);
-      path->slopes[k][i] = (before + after) / 2;
-    }
-    if (!leaves_limits(i)) continue;
-    for (int k = 0; k <= n; ++k) {
-      const double before = secant(std::max(0, k - 1), i), after = secant(std::min(k, n - 1), i);
-      path->slopes[k][i] = CalmSlope(before, after, 1, 1);
-    }
+  for (int k = 0; k <= n; ++k) {
+    const int before = std::max(0, k - 1), after = std::min(n, k + 1);
+    path->slopes.push_back((path->q[after] - path->q[before]) * n / (after - before));
   }
 }
 
@@ -147,61 +126,17 @@ double LargestDeviation(const ArmKinematics& arm, const ToolLine& line, const Jo
   return largest;
 }
 
-/// The share of the way over time: faster and faster, evenly, slower and slower. It changes from
-/// one to the next at places of the path.
-struct Pace {
-  double rate = 0;    ///< while it goes evenly [1/s]
-  double growth = 0;  ///< of the rate before that [1/s2]
-};
-
-Pace PaceFor(const JointPath& path, std::span<const JointLimits> limits, double length,
-             const LineOptions& options) {
+/// The path by shares of the line.
+std::vector<PathPlace> PlacesOf(const JointPath& path) {
   const int n = path.num_spans();
-  Pace pace{.rate = options.tool_speed / length, .growth = HUGE_VAL};  // infinite without length
+  std::vector<PathPlace> places;
   for (int k = 0; k <= n; ++k) {
-    for (std::size_t i = 0; i < limits.size(); ++i) {
-      const double slope = std::abs(path.slopes[k][i]);
-      const double bend =
-          k == 0 || k == n
-              ? 0
-              : std::abs(path.q[k + 1][i] - 2 * path.q[k][i] + path.q[k - 1][i]) * n * n;
-      const double acceleration = limits[i].max_acceleration;
-      pace.rate = std::min({pace.rate, options.speed * limits[i].max_velocity / slope,
-                            std::sqrt((1 - kShareForSpeedingUp) * acceleration / bend)});
-      pace.growth = std::min(pace.growth, kShareForSpeedingUp * acceleration / slope);
-    }
+    const int middle = std::clamp(k, 1, n - 1);
+    const Eigen::VectorXd bend =
+        (path.q[middle + 1] - 2 * path.q[middle] + path.q[middle - 1]) * n * n;
+    places.push_back({static_cast<double>(k) / n, path.q[k], path.slopes[k], bend, bend});
   }
-  return pace;
-}
-
-std::vector<TrajectoryPoint> PointsAlong(const JointPath& path, Pace pace) {
-  const int n = path.num_spans();
-  const double ramp_share = pace.rate * pace.rate / (2 * pace.growth);
-  const int ramp =
-      ramp_share < 0.5 ? std::max(1, static_cast<int>(std::ceil(ramp_share * n))) : n / 2;
-  const double ramp_end = std::min(0.5, static_cast<double>(ramp) / n);
-  pace.rate = std::min(pace.rate, std::sqrt(2 * pace.growth * ramp_end));
-  pace.growth = pace.rate * pace.rate / (2 * ramp_end);
-  const double ramp_seconds = pace.rate / pace.growth;
-  const double seconds = 2 * ramp_seconds + (1 - 2 * ramp_end) / pace.rate;
-
-  std::vector<TrajectoryPoint> points;
-  for (int k = 0; k <= n; ++k) {
-    const double share = static_cast<double>(k) / n;
-    const double to_end = std::min(share, 1 - share);
-    double rate = pace.rate, from_end = ramp_seconds + (to_end - ramp_end) / pace.rate;
-    if (std::min(k, n - k) <= ramp) {
-      from_end = std::sqrt(2 * to_end / pace.growth);
-      rate = pace.growth * from_end;
-    }
-    TrajectoryPoint point{.seconds = 2 * k <= n ? from_end : seconds - from_end};
-    for (int i = 0; i < path.q[k].size(); ++i) {
-      point.positions.push_back(path.q[k][i]);
-      point.velocities.push_back(rate * path.slopes[k][i]);
-    }
-    points.push_back(std::move(point));
-  }
-  return points;
+  return places;
 }
 
 void CheckLine(const LineOptions& options) {
@@ -213,8 +148,8 @@ void CheckLine(const LineOptions& options) {
 
 int NumSpans(const ToolLine& line) {
   const double wanted = std::max(line.length() / kPlaceEvery, line.angle() / kAngleEvery);
-  const int spans = static_cast<int>(
-      std::ceil(std::clamp(wanted, double{kFewestPlaces}, double{kMostPlaces / 8})));
+  const int spans =
+      static_cast<int>(std::ceil(std::clamp(wanted, double{kFewestPlaces}, double{kMostPlaces})));
   return spans + spans % 2;  // even: there is a place in the middle
 }
 
@@ -241,13 +176,14 @@ std::variant<JointTrajectory, LineFault> MoveAlongLine(const ArmKinematics& arm,
     auto followed = Follow(arm, start, line, X_WG_goal, options.any_turn, num_spans);
     if (auto* fault = std::get_if<LineFault>(&followed)) return std::move(*fault);
     JointPath& path = std::get<JointPath>(followed);
-    FindSlopes(arm.limits(), &path);
+    FindSlopes(&path);
     if (LargestDeviation(arm, line, path) > kLineTolerance) {
-      if (num_spans * 2 <= kMostPlaces) continue;
+      if (num_spans * 2 <= kMostPlacesInTheEnd) continue;
       return LineFault{0, X_WG_goal, "the joints cannot keep the tool on the line"};
     }
-    trajectory.points = PointsAlong(path, PaceFor(path, arm.limits(), line.length(), options));
-    SlowDownToLimits(arm.limits(), options.speed, &trajectory.points);
+    // Infinite where the tool only turns.
+    const double top_rate = options.tool_speed / line.length();
+    trajectory.points = RunAlong(PlacesOf(path), arm.limits(), options.speed, top_rate);
     return trajectory;
   }
 }

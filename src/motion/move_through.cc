@@ -5,49 +5,101 @@
 #include <stdexcept>
 
 #include "motion/arm_moves.h"
+#include "motion/internal_cubic.h"
+#include "motion/internal_pace.h"
 #include "motion/internal_timing.h"
 
 namespace smile::motion {
 namespace {
 
-/// Spans of time are made longer at most so often; what is left, slowing down the whole mends.
-constexpr int kMaxRounds = 50;
+/// Between two waypoints the pace is decided at so many places at least, and at about so many in
+/// all.
+constexpr int kFewestPlacesBetween = 4;
+constexpr int kPlacesInAll = 120;
 
-std::vector<TrajectoryPoint> PointsAt(std::span<const std::vector<double>> waypoints,
-                                      std::span<const JointLimits> limits) {
-  std::vector<TrajectoryPoint> points;
+/// All but those that repeat the one before.
+std::vector<std::vector<double>> Distinct(std::span<const std::vector<double>> waypoints,
+                                          std::span<const JointLimits> limits) {
+  std::vector<std::vector<double>> distinct;
   for (std::size_t k = 0; k < waypoints.size(); ++k) {
     CheckConfiguration(waypoints[k], limits, "waypoint " + std::to_string(k));
-    if (!points.empty() && points.back().positions == waypoints[k]) continue;
-    points.push_back({.positions = waypoints[k], .velocities = std::vector(limits.size(), 0.0)});
+    if (distinct.empty() || distinct.back() != waypoints[k]) distinct.push_back(waypoints[k]);
   }
-  return points;
+  return distinct;
 }
 
-/// How long it would take from rest to rest [s].
-double SecondsBetween(const TrajectoryPoint& from, const TrajectoryPoint& to,
-                      std::span<const JointLimits> limits, double speed) {
-  double seconds = 0;
+/// How far apart two waypoints are: how long the slowest joint takes at its full speed.
+double Between(const std::vector<double>& from, const std::vector<double>& to,
+               std::span<const JointLimits> limits) {
+  double longest = 0;
   for (std::size_t i = 0; i < limits.size(); ++i) {
-    const double way = std::abs(to.positions[i] - from.positions[i]);
-    seconds = std::max({seconds, way / (speed * limits[i].max_velocity),
-                        std::sqrt(way / limits[i].max_acceleration)});
+    longest = std::max(longest, std::abs(to[i] - from[i]) / limits[i].max_velocity);
   }
-  return seconds;
+  return longest;
 }
 
-/// Times and velocities of all points, for these spans of time.
-void Arrange(const std::vector<double>& spans, std::vector<TrajectoryPoint>* points) {
-  auto& p = *points;
-  for (std::size_t k = 1; k < p.size(); ++k) p[k].seconds = p[k - 1].seconds + spans[k - 1];
-  for (std::size_t k = 1; k + 1 < p.size(); ++k) {
-    for (std::size_t i = 0; i < p[k].positions.size(); ++i) {
-      const double before = (p[k].positions[i] - p[k - 1].positions[i]) / spans[k - 1];
-      const double after = (p[k + 1].positions[i] - p[k].positions[i]) / spans[k];
-      p[k].velocities[i] = CalmSlope(before, after, spans[k - 1], spans[k]);
+/// Cubics through all waypoints that swing over none.
+class CalmPath {
+ public:
+  CalmPath(const std::vector<std::vector<double>>& waypoints, std::span<const JointLimits> limits)
+      : waypoints_(waypoints) {
+    for (std::size_t k = 1; k < waypoints.size(); ++k) {
+      spans_.push_back(Between(waypoints[k - 1], waypoints[k], limits));
+    }
+    for (std::size_t k = 0; k < waypoints.size(); ++k) {
+      std::vector<double>& slopes = slopes_.emplace_back();
+      for (std::size_t i = 0; i < limits.size(); ++i) slopes.push_back(SlopeAt(k, i));
     }
   }
-}
+
+  std::vector<PathPlace> Places() const {
+    const int num_spans = static_cast<int>(spans_.size());
+    const int between = std::max(kFewestPlacesBetween, kPlacesInAll / num_spans);
+    std::vector<PathPlace> places;
+    double s = 0;
+    for (std::size_t k = 0; k < spans_.size(); ++k) {
+      for (int part = 0; part <= between; ++part) {
+        const double share = static_cast<double>(part) / between;
+        PathPlace place = PlaceIn(k, share, s + share * spans_[k]);
+        if (part == 0 && k > 0) {  // seen from before, too
+          places.back().bend_after = place.bend_after;
+        } else {
+          places.push_back(std::move(place));
+        }
+      }
+      s += spans_[k];
+    }
+    return places;
+  }
+
+ private:
+  double Secant(std::size_t k, std::size_t i) const {
+    return (waypoints_[k + 1][i] - waypoints_[k][i]) / spans_[k];
+  }
+  double SlopeAt(std::size_t k, std::size_t i) const {
+    if (k == 0) return Secant(0, i);
+    if (k == spans_.size()) return Secant(k - 1, i);
+    return CalmSlope(Secant(k - 1, i), Secant(k, i), spans_[k - 1], spans_[k]);
+  }
+  PathPlace PlaceIn(std::size_t k, double share, double s) const {
+    const auto count = static_cast<Eigen::Index>(waypoints_[k].size());
+    PathPlace place{.s = s, .q = Eigen::VectorXd(count), .slope = Eigen::VectorXd(count)};
+    place.bend_before = Eigen::VectorXd(count);
+    for (Eigen::Index j = 0; j < count; ++j) {
+      const Cubic cubic{waypoints_[k][j], waypoints_[k + 1][j], slopes_[k][j], slopes_[k + 1][j],
+                        spans_[k]};
+      place.q[j] = share == 0 ? cubic.from : share == 1 ? cubic.to : cubic.At(share);
+      place.slope[j] = cubic.SlopeAt(share);
+      place.bend_before[j] = cubic.CurveAt(share);
+    }
+    place.bend_after = place.bend_before;
+    return place;
+  }
+
+  const std::vector<std::vector<double>>& waypoints_;
+  std::vector<double> spans_;
+  std::vector<std::vector<double>> slopes_;
+};
 
 }  // namespace
 
@@ -55,30 +107,9 @@ std::vector<TrajectoryPoint> MoveThrough(std::span<const std::vector<double>> wa
                                          std::span<const JointLimits> limits, double speed) {
   CheckSpeed(speed);
   if (waypoints.empty()) throw std::invalid_argument("there are no waypoints");
-  std::vector<TrajectoryPoint> points = PointsAt(waypoints, limits);
-  if (points.size() < 3) {
-    return MoveStraight(points.front().positions, points.back().positions, limits, speed);
-  }
-  std::vector<double> spans;
-  for (std::size_t k = 1; k < points.size(); ++k) {
-    spans.push_back(SecondsBetween(points[k - 1], points[k], limits, speed));
-  }
-  // Each span is made as long as it needs; that changes its neighbours, so again.
-  for (int round = 0; round < kMaxRounds; ++round) {
-    Arrange(spans, &points);
-    bool is_done = true;
-    for (std::size_t k = 0; k < spans.size(); ++k) {
-      const double needed = SlownessNeeded(points[k], points[k + 1], limits, speed);
-      if (needed > 1) {
-        spans[k] *= needed;
-        is_done = false;
-      }
-    }
-    if (is_done) break;
-  }
-  Arrange(spans, &points);
-  SlowDownToLimits(limits, speed, &points);
-  return points;
+  const std::vector<std::vector<double>> distinct = Distinct(waypoints, limits);
+  if (distinct.size() < 3) return MoveStraight(distinct.front(), distinct.back(), limits, speed);
+  return RunAlong(CalmPath(distinct, limits).Places(), limits, speed);
 }
 
 }  // namespace smile::motion

@@ -6,6 +6,7 @@
 
 #include "arm.h"
 #include "robot/kinematics.h"
+#include "robot/test/fk_vectors.h"
 
 namespace smile::motion {
 namespace {
@@ -104,6 +105,19 @@ TEST(InverseKinematics, ReachesWhateverSomeConfigurationReaches) {
       EXPECT_LE(AngleBetween(reached.rotation(), goal.rotation()), 1e-6 + 1e-9);
     }
     EXPECT_GT(num_found, 0.99 * kTrials) << name;
+  }
+}
+
+TEST(InverseKinematics, FindsThePosesOfIndependentArithmetic) {
+  constexpr double kToolBeyondHand = 0.0818;  // [m]
+  for (const robot::FkVector& row : robot::ReadFkVectors()) {
+    const ArmKinematics arm = ArmOf(row.arm.c_str());
+    const RigidTransform goal = RigidTransform(row.q_BaseHand, row.p_BaseHand) *
+                                RigidTransform(Vector3(0, 0, kToolBeyondHand));
+    EXPECT_LT((arm.ToolPose(row.q).translation() - goal.translation()).norm(), 1e-9) << row.name;
+    const auto q = SolveInverseKinematics(arm, goal, kUntucked);
+    ASSERT_TRUE(q) << row.arm << " " << row.name;
+    EXPECT_LE((arm.ToolPose(*q).translation() - goal.translation()).norm(), 1e-6);
   }
 }
 

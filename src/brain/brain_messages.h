@@ -15,6 +15,7 @@
 namespace smile::brain {
 
 using wire::ElementType;
+using wire::kMaxBodyBytes;
 using wire::Message;
 using wire::MessageType;
 using wire::MessageWriter;

@@ -139,10 +139,10 @@ class RosNode {
   bool Has(const char* key) const { return value_.is_object() && value_.contains(key); }
   void ExpectKeys(std::initializer_list<const char*> keys) const {
     if (!value_.is_object()) Fail("is no object");
-    for (const auto& [key, value] : value_.items()) {
+    for (const auto& item : value_.items()) {
       const bool is_known =
-          std::ranges::any_of(keys, [&](const char* known) { return key == known; });
-      if (!is_known) Fail("has an unknown key " + Quoted(key));
+          std::ranges::any_of(keys, [&](const char* known) { return item.key() == known; });
+      if (!is_known) Fail("has an unknown key " + Quoted(item.key()));
     }
   }
   std::size_t size() const {

@@ -11,6 +11,16 @@ namespace {
 
 constexpr std::size_t kMaxName = 256;
 
+/// True of what comes back from a cell of a table.
+bool IsName(const std::string& name) {
+  if (name.empty() || name.size() > kMaxName || name.front() == ' ' || name.back() == ' ') {
+    return false;
+  }
+  return std::ranges::none_of(name, [](char letter) {
+    return letter == ',' || static_cast<unsigned char>(letter) < ' ' || letter == '\x7f';
+  });
+}
+
 /// @param what  `positions` or `velocities`.
 std::string FaultOfNumbers(const std::vector<double>& numbers, std::size_t expected,
                            const char* what) {
@@ -52,8 +62,9 @@ std::string FaultOfNames(const std::vector<std::string>& names) {
     return "there are more than " + std::to_string(kMaxTrajectoryJoints) + " joints";
   }
   for (auto name = names.begin(); name != names.end(); ++name) {
-    if (name->empty() || name->size() > kMaxName) {
-      return "the name of a joint is " + Quoted(*name) + ", expected 1 to 256 letters";
+    if (!IsName(*name)) {
+      return "the name of a joint is " + Quoted(*name) +
+             ", expected 1 to 256 letters without commas";
     }
     if (std::find(names.begin(), name, *name) != name) {
       return "joint " + Quoted(*name) + " is there twice";

@@ -176,9 +176,7 @@ class KeptFinder : public FileFinder {
   static FoundFile Found(const std::string& name, const FoundFile& from, std::string bytes) {
     // The folder of all: what is left of the path without the name.
     fs::path folder = from.path;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(std::distance(fs::path(from.name).begin(),
-                                                                       fs::path(from.name).end()));
-         ++i) {
+    for (fs::path left = from.name; !left.empty(); left = left.parent_path()) {
       folder = folder.parent_path();
     }
     return {name, folder / name, std::make_shared<const std::string>(std::move(bytes))};

@@ -20,11 +20,10 @@ constexpr const char* kMainScript = "agentBehavior.m";
 
 /// The client needs no quoting this way: every path travels in the environment.
 constexpr const char* kStartClient =
-    "addpath(getenv('SMILE_BRAIN_MEX')); addpath(getenv('SMILE_BRAIN_MOTION')); "
-    "addpath(getenv('SMILE_BRAIN_CLIENT')); smile_brain";
+    "addpath(getenv('SMILE_BRAIN_MEX')); addpath(getenv('SMILE_BRAIN_CLIENT')); smile_brain";
 constexpr const char* kPrepareClient =
-    "addpath(getenv('SMILE_BRAIN_MEX')); addpath(getenv('SMILE_BRAIN_MOTION')); "
-    "addpath(getenv('SMILE_BRAIN_CLIENT')); addpath(getenv('SMILE_BRAIN_FOLDER'));";
+    "addpath(getenv('SMILE_BRAIN_MEX')); addpath(getenv('SMILE_BRAIN_CLIENT')); "
+    "addpath(getenv('SMILE_BRAIN_FOLDER'));";
 constexpr const char* kOctaveHint =
     "at its prompt, for example:  dbstop in myCallback at 1  and then  smile_brain";
 constexpr const char* kPythonHint = "at its prompt, for example:  b ";
@@ -113,7 +112,6 @@ void UseScripts(BrainTransport transport, BrainProgram* program) {
   program->debug_hint = kOctaveHint;
   // The guard that ends endless loops serves both ways to talk, so its folder is always given.
   program->command.environment = {{"SMILE_BRAIN_CLIENT", client.string()},
-                                  {"SMILE_BRAIN_MOTION", DataFile("matlab/motion").string()},
                                   {"SMILE_BRAIN_MEX", (has_mex ? mex_folder : client).string()}};
 }
 

@@ -219,11 +219,11 @@ scene::SurfaceMesh Loft(const std::vector<Cut>& cuts, int sides) {
 }
 
 scene::SurfaceMesh RoundedBox(const Vector3& size, double corner_radius, double edge_radius) {
-  constexpr int kCornerSides = 4;
+  constexpr int kCornerSides = 3, kEdgeSides = 1;
   const double x = size.x() / 2, y = size.y() / 2, z = size.z() / 2;
   const Outline outline =
       RoundedOutline({{-x, -y}, {x, -y}, {x, y}, {-x, y}}, corner_radius, kCornerSides);
-  return Extrusion(outline, -z, z, edge_radius);
+  return Extrusion(outline, -z, z, edge_radius, kEdgeSides);
 }
 
 scene::SurfaceMesh Tube(const std::vector<Vector3>& path, double radius, double bend_radius,

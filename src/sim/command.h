@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "demonstrator/hand.h"
+#include "robot/mood.h"
 
 namespace smile::sim {
 
@@ -122,6 +123,12 @@ struct ShowRobot {
   bool operator==(const ShowRobot&) const = default;
 };
 
+/// Changes the robot's face: what people see, never the physics.
+struct Face {
+  robot::Mood mood = robot::Mood::kIdle;
+  bool operator==(const Face&) const = default;
+};
+
 /// Takes back the last action of a hand, with everything since; see IsAction().
 struct Undo {
   bool operator==(const Undo&) const = default;
@@ -144,8 +151,8 @@ struct FinishRecording {
 };
 
 using Command = std::variant<Grasp, MoveTo, Plane, Drag, Rotate, Release, Destroy, Attend, Point,
-                             Trigger, Fasten, Loosen, JointVelocities, JointAngles, ShowRobot, Undo,
-                             Redo, StartRecording, FinishRecording>;
+                             Trigger, Fasten, Loosen, JointVelocities, JointAngles, ShowRobot, Face,
+                             Undo, Redo, StartRecording, FinishRecording>;
 
 /// True of what a hand does to the world or shows: it begins a new segment of a recording, and can
 /// be undone.

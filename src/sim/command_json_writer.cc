@@ -93,6 +93,9 @@ Json ToJson(const Command& command, double unit) {
                  [&](const ShowRobot& show) {
                    return Json{{"do", "robot"}, {"shown", show.is_shown}};
                  },
+                 [](const Face& face) {
+                   return Json{{"do", "face"}, {"mood", ToString(face.mood)}};
+                 },
                  [](const Undo&) {
                    return Json{{"do", "undo"}};
                  },

@@ -27,6 +27,7 @@ enum class Kind {
   kGrippers,
   kNumber,
   kFlag,
+  kMood,
   kProperties
 };
 

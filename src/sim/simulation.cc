@@ -42,6 +42,7 @@ scene::VisualState Simulation::visual_state() const {
     const auto robot_poses =
         robot::FramePosesOf(robot_->model(), robot_->base_pose(), robot_->positions());
     state.poses.insert(state.poses.end(), robot_poses.begin(), robot_poses.end());
+    state.looks.push_back(robot::LookOf(mood_));
   }
   return state;
 }
@@ -237,6 +238,12 @@ std::optional<Refusal> Simulation::Carry(const ShowRobot& show) {
   return std::nullopt;
 }
 
+std::optional<Refusal> Simulation::Carry(const Face& face) {
+  if (!robot_) return "there is no robot in this simulation";
+  mood_ = face.mood;
+  return std::nullopt;
+}
+
 void Simulation::Tick() {
   has_begun_ = true;
   const auto before = HeldByGrippers();
@@ -289,7 +296,8 @@ SimulationState Simulation::Save() const {
           .tabletop = tabletop_.state(),
           .demonstrator = demonstrator_.state(),
           .robot = robot_ ? robot_->state() : robot::RobotBodyState(),
-          .is_robot_shown = is_robot_shown_};
+          .is_robot_shown = is_robot_shown_,
+          .mood = mood_};
 }
 
 void Simulation::Restore(const SimulationState& state) {
@@ -304,6 +312,7 @@ void Simulation::PutBack(const SimulationState& state) {
   demonstrator_.Restore(state.demonstrator);
   if (robot_) robot_->Restore(state.robot);
   is_robot_shown_ = state.is_robot_shown;
+  mood_ = state.mood;
   tick_ = state.tick;
 }
 

@@ -100,6 +100,8 @@ class Simulation {
   /// nullptr without one.
   const robot::RobotBody* robot() const { return robot_.get(); }
   bool is_robot_shown() const { return is_robot_shown_; }
+  /// What the robot's face shows; idle without one.
+  robot::Mood mood() const { return mood_; }
 
   /// True when nothing but what hands hold moves faster than 2 mm/s or 0.02 rad/s.
   bool is_still() const;
@@ -143,6 +145,7 @@ class Simulation {
   std::optional<Refusal> Carry(const JointVelocities& velocities);
   std::optional<Refusal> Carry(const JointAngles& angles);
   std::optional<Refusal> Carry(const ShowRobot& show);
+  std::optional<Refusal> Carry(const Face& face);
   std::optional<Refusal> Carry(const Undo& undo);
   std::optional<Refusal> Carry(const Redo& redo);
   std::optional<Refusal> Carry(const StartRecording& start);
@@ -168,6 +171,7 @@ class Simulation {
   std::optional<RobotPlacement> placement_;
   std::unique_ptr<robot::RobotBody> robot_;
   bool is_robot_shown_ = true;
+  robot::Mood mood_ = robot::Mood::kIdle;
   std::uint64_t tick_ = 0;
   bool has_begun_ = false;
   History history_;

@@ -4,6 +4,7 @@
 
 #include "demonstrator/demonstrator.h"
 #include "physics/snapshot.h"
+#include "robot/mood.h"
 #include "robot/robot_body.h"
 #include "world/tabletop.h"
 
@@ -17,6 +18,7 @@ struct SimulationState {
   demonstrator::DemonstratorState demonstrator;
   robot::RobotBodyState robot;
   bool is_robot_shown = true;
+  robot::Mood mood = robot::Mood::kIdle;
 };
 
 }  // namespace smile::sim

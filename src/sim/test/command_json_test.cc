@@ -55,6 +55,7 @@ TEST(CommandJson, RoundTripsEveryKindToTheLastBit) {
             .left = {{number(), number()}}, .grippers = {{number(), number()}}, .head = number()},
         JointAngles{.right = {{number()}}},
         ShowRobot{.is_shown = false},
+        Face{.mood = robot::kMoods[i % robot::kMoods.size()]},
         Undo(),
         Redo(),
         StartRecording{.name = "um", .title = "UM", .notes = "twice, \"quickly\""},
@@ -75,9 +76,11 @@ TEST(CommandJson, SaysWhatWasFoundAndExpected) {
   EXPECT_EQ(MessageOf(R"({"do":"grab","hand":"left"})"),
             "\"do\" is \"grab\", expected one of grasp, move_to, plane, drag, rotate, release, "
             "destroy, attend, point, trigger, fasten, loosen, "
-            "joint_velocities, joint_angles, robot, undo, redo, start, finish");
+            "joint_velocities, joint_angles, robot, face, undo, redo, start, finish");
   EXPECT_EQ(MessageOf(R"({"hand":"third","do":"release"})"),
             "\"hand\" is \"third\", expected left, right, both or any");
+  EXPECT_EQ(MessageOf(R"({"do":"face","mood":"angry"})"),
+            "\"mood\" is \"angry\", expected idle, watching, working, puzzled or done");
   EXPECT_EQ(MessageOf(R"({"hand":"left","do":"move_to","position":[1,2]})"),
             "\"position\" is [1,2], expected three numbers [x, y, z] of at most 1e6");
   EXPECT_EQ(MessageOf(R"({"hand":"left","do":"release","force":3})"),

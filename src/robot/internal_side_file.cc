@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdio>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 
@@ -11,14 +12,15 @@
 #include "base/files.h"
 #include "base/json.h"
 #include "base/wording.h"
+#include "robot/baxter_look.h"
 
 namespace smile::robot::internal {
 namespace {
 
 constexpr std::size_t kMaxFileBytes = 1 << 20;
 
-constexpr std::array<std::string_view, 6> kFileMembers{"format",        "arms",  "head",
-                                                       "never_collide", "poses", "start"};
+constexpr std::array<std::string_view, 7> kFileMembers{"format", "arms",  "head", "never_collide",
+                                                       "poses",  "start", "look"};
 constexpr std::array<std::string_view, 3> kArmMembers{"joints", "tool", "fingers"};
 constexpr std::array<std::string_view, 2> kHeadMembers{"joint", "camera"};
 
@@ -111,6 +113,7 @@ class SideFileReader {
       if (!start) name.Fail("found " + Quoted(name.String()) + ", expected one of the poses");
       model_.q_start = start->q;
     }
+    if (root.Has("look")) ReadLook(root.Member("look"));
   }
 
  private:
@@ -172,6 +175,19 @@ class SideFileReader {
       }
     }
     model_.poses.push_back(std::move(pose));
+  }
+
+  void ReadLook(const Node& node) {
+    const std::string name = node.String();
+    if (std::ranges::find(kLookNames, name) == kLookNames.end()) {
+      node.Fail("unknown look " + Quoted(name) + ", expected " + OneOf(kLookNames) +
+                DidYouMean(name, kLookNames));
+    }
+    try {
+      AddBaxterLook(&model_);
+    } catch (const std::invalid_argument& error) {
+      node.Fail(error.what());
+    }
   }
 
   void SetJoint(int joint, double q, const Node& node, NamedPose* pose) const {

@@ -23,7 +23,7 @@ struct SurfaceMesh {
 /// units of the file, its axes turned as scenes have them: the file's (X, Y, Z) is (X, -Z, Y).
 struct CustomMesh {
   SurfaceMesh surface;
-  std::vector<Hull> pieces;  ///< at least one
+  std::vector<Hull> pieces;  ///< at least one, unless it is only ever drawn
 
   bool operator==(const CustomMesh&) const = default;
 };

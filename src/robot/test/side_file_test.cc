@@ -53,7 +53,7 @@ TEST_F(SideFile, ComplaintsNameThePlace) {
   EXPECT_EQ(ComplaintAbout(R"({"format": 2})"), "r.robot.json: <format>: found 2, expected 1");
   EXPECT_EQ(ComplaintAbout(WithArm(R"(, "posse": {})")),
             "r.robot.json: unknown member \"posse\", expected format, arms, head, never_collide, "
-            "poses or start; did you mean \"poses\"?");
+            "poses, start or look; did you mean \"poses\"?");
   EXPECT_EQ(ComplaintAbout(R"({"format": 1, "arms": {"a": {"joints": ["spin"], "tool": "arm"}}})"),
             "r.robot.json: <arms/a/joints/0>: found \"spin\", expected a joint that moves");
   EXPECT_EQ(ComplaintAbout(R"({"format": 1, "arms": {"a": {"joints": [7], "tool": "arm"}}})"),
@@ -65,6 +65,14 @@ TEST_F(SideFile, ComplaintsNameThePlace) {
             "apart");
   EXPECT_EQ(ComplaintAbout(WithArm(R"(, "start": "nowhere")")),
             "r.robot.json: <start>: found \"nowhere\", expected one of the poses");
+}
+
+TEST_F(SideFile, RefusesLooksThatAreNoneOrDoNotFit) {
+  EXPECT_EQ(ComplaintAbout(WithArm(R"(, "look": "baxer")")),
+            "r.robot.json: <look>: unknown look \"baxer\", expected baxter; did you mean "
+            "\"baxter\"?");
+  EXPECT_EQ(ComplaintAbout(WithArm(R"(, "look": "baxter")")),
+            "r.robot.json: <look>: the robot has no link \"torso\"");
 }
 
 TEST_F(SideFile, RefusesFingersThatAreNone) {

@@ -218,6 +218,7 @@ BrainStatus BrainDriver::Start(sim::Simulation* simulation) {
   if (!has_arms) {
     throw std::invalid_argument("a brain drives a robot with two arms of seven joints each");
   }
+  Show(options_.demonstration.empty() ? robot::Mood::kIdle : robot::Mood::kWatching, simulation);
   auto reply = process_->Init(Describe(*simulation));
   if (auto* error = std::get_if<BrainError>(&reply)) return Fail(std::move(*error), simulation);
 
@@ -243,6 +244,7 @@ void BrainDriver::ShowMarkers(const Points& markers, sim::Simulation* simulation
 }
 
 BrainStatus BrainDriver::Drive(sim::Simulation* simulation) {
+  Show(robot::Mood::kWorking, simulation);
   auto reply = process_->Step(Sense(*simulation));
   if (auto* error = std::get_if<BrainError>(&reply)) return Fail(std::move(*error), simulation);
   const auto& step = std::get<StepReply>(reply);
@@ -251,6 +253,7 @@ BrainStatus BrainDriver::Drive(sim::Simulation* simulation) {
   if (step.exit) {
     status_ = BrainStatus::kExited;
     StopRobot(simulation);
+    Show(robot::Mood::kDone, simulation);
   }
   return status_;
 }
@@ -284,10 +287,15 @@ void BrainDriver::StopRobot(sim::Simulation* simulation) {
       sim::JointVelocities{.left = still, .right = still, .grippers = {{0, 0}}, .head = 0.0});
 }
 
+void BrainDriver::Show(robot::Mood mood, sim::Simulation* simulation) {
+  if (simulation->mood() != mood) simulation->Apply(sim::Face{.mood = mood});
+}
+
 BrainStatus BrainDriver::Fail(BrainError error, sim::Simulation* simulation) {
   status_ = BrainStatus::kFailed;
   error_ = std::move(error);
   StopRobot(simulation);
+  Show(robot::Mood::kPuzzled, simulation);
   ShowMarkers(Points(0, 3), simulation);
   return status_;
 }

@@ -29,7 +29,8 @@ std::string_view ToString(BrainStatus status);
 
 /// Lets a brain drive the robot of a simulation, in lock-step: before each tick it is told what the
 /// robot senses, and what it wants is sent through the simulation's door. So its run is in the log
-/// and replays without it.
+/// and replays without it. Meanwhile the robot's face is watching (a demonstration), working, and
+/// in the end done or puzzled.
 class BrainDriver {
  public:
   /// `process` and the options' eye must outlive this.
@@ -56,6 +57,8 @@ class BrainDriver {
   void Send(const Motor& motor, sim::Simulation* simulation);
   BrainStatus Fail(BrainError error, sim::Simulation* simulation);
   void StopRobot(sim::Simulation* simulation);
+  /// Changes the robot's face, for people to see how it fares.
+  static void Show(robot::Mood mood, sim::Simulation* simulation);
 
   BrainProcess* process_;
   BrainDriverOptions options_;

@@ -18,6 +18,30 @@ Vector3d AreaNormal(const scene::SurfaceMesh& surface, const scene::SurfaceMesh:
   return (b - a).cross(c - a);
 }
 
+/// Corners at a vertex that have the same normal are one: a card then works them out once.
+class SharedCorners {
+ public:
+  explicit SharedCorners(std::size_t num_vertices) : at_(num_vertices) {}
+
+  std::uint32_t IndexOf(std::uint32_t vertex, const Eigen::Vector3f& position,
+                        const Eigen::Vector3f& normal, TriangleMesh* mesh) {
+    std::vector<std::uint32_t>& known = at_[vertex];
+    // The middle of a fan may have thousands: only the latest are looked through.
+    constexpr std::size_t kLatest = 8;
+    const std::size_t first = known.size() > kLatest ? known.size() - kLatest : 0;
+    for (std::size_t k = first; k < known.size(); ++k) {
+      if (mesh->normals[known[k]] == normal) return known[k];
+    }
+    known.push_back(static_cast<std::uint32_t>(mesh->positions.size()));
+    mesh->positions.push_back(position);
+    mesh->normals.push_back(normal);
+    return known.back();
+  }
+
+ private:
+  std::vector<std::vector<std::uint32_t>> at_;  ///< of each vertex
+};
+
 }  // namespace
 
 TriangleMesh SmoothSurface(const scene::SurfaceMesh& surface) {
@@ -32,24 +56,28 @@ TriangleMesh SmoothSurface(const scene::SurfaceMesh& surface) {
     for (const std::uint32_t vertex : surface.triangles[i]) around[vertex].push_back(i);
   }
   TriangleMesh mesh;
+  SharedCorners corners(surface.vertices.size());
   for (std::uint32_t i = 0; i < surface.triangles.size(); ++i) {
     const Vector3d& own = normals[i];
     if (!(own.squaredNorm() > 0)) continue;  // a line: nothing to be seen
-    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-    for (const std::uint32_t vertex : surface.triangles[i]) {
-      Vector3d normal = own;
-      if (around[vertex].size() <= kMostSmoothed) {
+    scene::SurfaceMesh::Triangle triangle{};
+    for (std::size_t k = 0; k < triangle.size(); ++k) {
+      const std::uint32_t vertex = surface.triangles[i][k];
+      const bool is_smoothed = around[vertex].size() <= kMostSmoothed;
+      Vector3d normal = is_smoothed ? Vector3d::Zero() : own;
+      if (is_smoothed) {
+        // Always in the same order, so that triangles with the same neighbours get the same sum.
         for (const std::uint32_t other : around[vertex]) {
           const double cosine = normals[other].dot(own);
-          if (other != i && cosine > crease_cosine * normals[other].norm() * own.norm()) {
+          if (other == i || cosine > crease_cosine * normals[other].norm() * own.norm()) {
             normal += normals[other];
           }
         }
       }
-      mesh.positions.push_back(surface.vertices[vertex]);
-      mesh.normals.emplace_back(normal.normalized().cast<float>());
+      triangle[k] = corners.IndexOf(vertex, surface.vertices[vertex],
+                                    normal.normalized().cast<float>(), &mesh);
     }
-    mesh.triangles.push_back({first, first + 1, first + 2});
+    mesh.triangles.push_back(triangle);
   }
   return mesh;
 }

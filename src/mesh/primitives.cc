@@ -181,9 +181,9 @@ double BoundingRadiusOf(const scene::VisualShape& shape) {
   double radius = 0;
   if (const auto* drawn = std::get_if<scene::DrawnMesh>(&shape)) {
     for (const Vector3f& vertex : drawn->mesh->surface.vertices) {
-      radius = std::max(radius, vertex.cast<double>().norm());
+      radius = std::max(radius, vertex.cast<double>().squaredNorm());
     }
-    return radius * drawn->scale;
+    return std::sqrt(radius) * drawn->scale;
   }
   const auto* hull = std::get_if<scene::Hull>(&shape);
   if (!hull) return StretchOf(shape).norm() / 2;

@@ -87,6 +87,12 @@ std::optional<Difference> Comparison::RobotShown() const {
                     Written(replayed_.is_robot_shown)};
 }
 
+std::optional<Difference> Comparison::Mood() const {
+  if (recorded_.mood == replayed_.mood) return std::nullopt;
+  return Difference{recorded_.tick, "robot", "mood", std::string(ToString(recorded_.mood)),
+                    std::string(ToString(replayed_.mood))};
+}
+
 std::optional<Difference> Comparison::First() const {
   for (std::size_t i = 0; i < replayed_.objects.size(); ++i) {
     if (auto difference = Presence(i)) return difference;
@@ -102,6 +108,7 @@ std::optional<Difference> Comparison::First() const {
     if (auto difference = Joint(i)) return difference;
   }
   if (auto difference = RobotShown()) return difference;
+  if (auto difference = Mood()) return difference;
   if (recorded_.hash == replayed_.hash) return std::nullopt;
   return Difference{recorded_.tick, "simulation", kHidden, WrittenHash(recorded_.hash),
                     WrittenHash(replayed_.hash)};
@@ -116,6 +123,7 @@ std::vector<Difference> Comparison::States() const {
   for (std::size_t i = 0; i < replayed_.controls.size(); ++i) add(Control(i));
   for (std::size_t i = 0; i < replayed_.bonds.size(); ++i) add(Bond(i));
   add(RobotShown());
+  add(Mood());
   return all;
 }
 

@@ -33,6 +33,7 @@ class Comparison {
   std::optional<Difference> Bond(std::size_t host) const;
   std::optional<Difference> Joint(std::size_t joint) const;
   std::optional<Difference> RobotShown() const;
+  std::optional<Difference> Mood() const;
 
   const TraceTick& recorded_;
   const TraceTick& replayed_;

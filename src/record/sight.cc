@@ -15,6 +15,7 @@ scene::VisualState VisualStateAt(const TraceTick& moment, const sim::Simulation&
   if (const robot::RobotBody* robot = stage.robot()) {
     const auto robot_poses = robot::FramePosesOf(robot->model(), robot->base_pose(), moment.joints);
     state.poses.insert(state.poses.end(), robot_poses.begin(), robot_poses.end());
+    state.looks.push_back(robot::LookOf(moment.mood));
   }
   return state;
 }

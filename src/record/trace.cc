@@ -13,7 +13,8 @@ PoseGap GapBetween(const TracePose& from, const TracePose& to) {
 TraceTick Observe(const sim::Simulation& simulation) {
   TraceTick now{.tick = simulation.tick(),
                 .hash = simulation.state_hash(),
-                .is_robot_shown = simulation.is_robot_shown()};
+                .is_robot_shown = simulation.is_robot_shown(),
+                .mood = simulation.mood()};
   now.objects.reserve(simulation.tabletop().objects().size());
   for (const world::Object& object : simulation.tabletop().objects()) {
     if (!simulation.tabletop().IsPresent(object)) {

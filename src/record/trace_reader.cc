@@ -142,6 +142,7 @@ std::optional<std::uint64_t> TraceReader::SizeAt(TracePlace place) const {
     if ((flags & kJointsChanged) != 0) size += 8 * now_.joints.size();
     if ((flags & kControlsChanged) != 0) size += kControlRecord * now_.controls.size();
     if ((flags & kBondsChanged) != 0) size += kBondRecord * now_.bonds.size();
+    if ((flags & kMoodChanged) != 0) size += kMoodRecord;
   }
   if (!in.ok() || size > bytes_.size() - place) return std::nullopt;
   return size;
@@ -263,6 +264,11 @@ void TraceReader::ReadTick() {
       bond.is_locked = in.Get<std::uint8_t>() != 0;
       is_sound = is_sound && limits_.Allow(i, bond);
     }
+  }
+  if ((flags & kMoodChanged) != 0) {
+    const auto mood = in.Get<std::uint8_t>();
+    is_sound = is_sound && mood < robot::kMoods.size();
+    if (is_sound) next.mood = robot::kMoods[mood];
   }
   for (double q : next.joints) is_sound = is_sound && std::isfinite(q);
   if (!is_sound) Fail("is damaged in the record after tick " + std::to_string(now_.tick));

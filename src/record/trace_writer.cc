@@ -40,9 +40,11 @@ void TraceWriter::Add(const TraceTick& tick) {
   const bool joints_changed = !last_ || tick.joints != last_->joints;
   const bool controls_changed = !last_ || tick.controls != last_->controls;
   const bool bonds_changed = !last_ || tick.bonds != last_->bonds;
+  const bool mood_changed = !last_ || tick.mood != last_->mood;
   record.Put(static_cast<std::uint8_t>(
       (joints_changed ? kJointsChanged : 0) | (tick.is_robot_shown ? 0 : kRobotHidden) |
-      (controls_changed ? kControlsChanged : 0) | (bonds_changed ? kBondsChanged : 0)));
+      (controls_changed ? kControlsChanged : 0) | (bonds_changed ? kBondsChanged : 0) |
+      (mood_changed ? kMoodChanged : 0)));
   std::vector<std::uint32_t> moved;
   for (std::uint32_t i = 0; i < tick.objects.size(); ++i) {
     if (!last_ || tick.objects[i] != last_->objects[i]) moved.push_back(i);
@@ -72,6 +74,7 @@ void TraceWriter::Add(const TraceTick& tick) {
       record.Put(bond.is_locked);
     }
   }
+  if (mood_changed) record.Put(static_cast<std::uint8_t>(tick.mood));
   file_.Append(record.bytes());
   last_ = tick;
   tick_ = tick.tick;

@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <stdexcept>
 #include <string_view>
 
 #include "base/diagnostic.h"
 #include "base/wording.h"
+#include "robot/baxter_look.h"
 #include "robot/kinematics.h"
 
 namespace smile::robot::internal {
@@ -16,13 +19,13 @@ namespace {
 constexpr std::size_t kMaxPlaces = 100, kMaxArms = 16;  // of a robot
 constexpr std::size_t kMaxParts = 16;                   // of a gripper
 
-constexpr std::array<std::string_view, 11> kFileMembers{
+constexpr std::array<std::string_view, 12> kFileMembers{
     "format", "frames",        "arms",  "grippers", "gripper", "head",
-    "limits", "never_collide", "poses", "start",    "stands"};
+    "limits", "never_collide", "poses", "start",    "look",    "stands"};
 constexpr std::array<std::string_view, 7> kArmMembers{
     "joints", "tool", "fingers", "closed_opening", "pads", "flange", "prefix"};
-constexpr std::array<std::string_view, 7> kGripperMembers{
-    "parts", "choices", "tool", "fingers", "closed_opening", "pads", "never_collide"};
+constexpr std::array<std::string_view, 8> kGripperMembers{
+    "parts", "choices", "tool", "fingers", "closed_opening", "pads", "never_collide", "look"};
 constexpr std::array<std::string_view, 3> kPartMembers{"urdf", "to", "prefix"};
 constexpr std::array<std::string_view, 2> kHeadMembers{"joint", "camera"};
 constexpr std::array<std::string_view, 2> kPlaceMembers{"gap", "height"};
@@ -89,6 +92,9 @@ class SideFileReader {
       const NamedPose* start = FindPose(model_, name.String());
       if (!start) name.Fail("found " + Quoted(name.String()) + ", expected one of the poses");
       model_.q_start = start->q;
+    }
+    if (root.Has("look")) {
+      ReadLook(root.Member("look"), "baxter", [this] { AddBaxterLook(&model_); });
     }
   }
 
@@ -159,6 +165,10 @@ class SideFileReader {
         for (const SideNode& pair : gripper_->Member("never_collide").Items()) {
           ReadPair(pair, prefix);
         }
+      }
+      if (gripper_->Has("look")) {
+        ReadLook(gripper_->Member("look"), "classic",
+                 [&] { AddClassicGripperLook(prefix, &model_); });
       }
     }
     model_.arms.push_back(std::move(arm));
@@ -316,6 +326,21 @@ class SideFileReader {
       } else if (node.String() != "closed") {
         node.Fail("found " + Quoted(node.String()) + ", expected open, closed or a width");
       }
+    }
+  }
+
+  /// A look authored here, for links of these names.
+  static void ReadLook(const SideNode& node, std::string_view known,
+                       const std::function<void()>& add) {
+    const std::string name = node.String();
+    if (name != known) {
+      node.Fail("unknown look " + Quoted(name) + ", expected " + std::string(known) +
+                DidYouMean(name, std::span(&known, 1)));
+    }
+    try {
+      add();
+    } catch (const std::invalid_argument& error) {
+      node.Fail(error.what());
     }
   }
 

@@ -17,9 +17,9 @@ struct Mounting {
   std::string place;   ///< in the side file
 };
 
-/// What a URDF cannot say: arms, grippers, head, links that may touch, poses, and the pose to start
-/// in. docs/robot.md describes the file. All that is wrong is an InputError naming the place inside
-/// the file, as `arms/left/joints`.
+/// What a URDF cannot say: arms, grippers, head, links that may touch, poses, the pose to start
+/// in, and a look authored here. docs/robot.md describes the file. All that is wrong is an
+/// InputError naming the place inside the file, as `arms/left/joints`.
 class SideFile {
  public:
   /// @param gripper  the wanted one; empty: the usual one.

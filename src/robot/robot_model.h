@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "physics/articulation_spec.h"
+#include "robot/mood.h"
 #include "scene/visual_model.h"
 
 namespace smile::robot {
@@ -28,6 +29,7 @@ struct LinkVisual {
   scene::VisualShape shape;
   Color color;
   RigidTransform X_LV;
+  std::optional<Mood> mood;  ///< a piece of the face: to be seen only in this mood
 
   bool operator==(const LinkVisual&) const = default;
 };

@@ -18,12 +18,15 @@ void AppendVisuals(const RobotModel& model, int first_frame, std::uint32_t objec
     throw std::invalid_argument("object_id is " + std::to_string(object_id) +
                                 ", expected the index of a named object");
   }
+  const int choice = visual_model->num_choices++;
   for (const LinkVisual& visual : model.visuals) {
     visual_model->visuals.push_back({.shape = visual.shape,
                                      .color = visual.color,
                                      .X_FV = visual.X_LV,
                                      .frame = first_frame + 1 + visual.link,
-                                     .object_id = object_id});
+                                     .object_id = object_id,
+                                     .choice = visual.mood ? choice : -1,
+                                     .look = visual.mood ? LookOf(*visual.mood) : 0});
   }
   visual_model->num_frames =
       std::max(visual_model->num_frames, first_frame + NumVisualFrames(model));

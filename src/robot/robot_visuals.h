@@ -13,6 +13,7 @@ namespace smile::robot {
 inline int NumVisualFrames(const RobotModel& model) { return 1 + model.num_joints(); }
 
 /// Appends all a robot shows, as frames `first_frame` (the base), `first_frame` + 1 (link 0), …
+/// Its mood is one more choice, whose looks are numbered as kMoods; see LookOf().
 ///
 /// @param first_frame  at least 1, since frame 0 is the world; `visual_model->num_frames` grows to
 ///                     hold the robot's frames when they lie beyond it.
@@ -21,6 +22,9 @@ inline int NumVisualFrames(const RobotModel& model) { return 1 + model.num_joint
 /// @throws std::invalid_argument if the frame or the id is out of range.
 void AppendVisuals(const RobotModel& model, int first_frame, std::uint32_t object_id,
                    scene::VisualModel* visual_model);
+
+/// What the choice AppendVisuals() added is in a mood.
+inline int LookOf(Mood mood) { return static_cast<int>(mood); }
 
 /// The poses X_WF that belong to the frames AppendVisuals() made: the base, then every link.
 /// @throws std::invalid_argument if `q` has the wrong size.

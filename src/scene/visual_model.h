@@ -10,12 +10,16 @@
 
 namespace smile::scene {
 
-/// The triangles of a mesh file, drawn as they are.
+/// Triangles, of a file or made by rule, drawn as they are.
 struct DrawnMesh {
   std::shared_ptr<const CustomMesh> mesh;
   double scale = 1;  ///< [m] per unit of the mesh
 
-  bool operator==(const DrawnMesh&) const = default;
+  /// Compares the meshes, not where they are.
+  bool operator==(const DrawnMesh& other) const {
+    return scale == other.scale &&
+           (mesh == other.mesh || (mesh && other.mesh && *mesh == *other.mesh));
+  }
 };
 
 using VisualShape = std::variant<Block, Cylinder, Sphere, Hull, DrawnMesh>;

@@ -9,6 +9,7 @@
 
 #include "demonstrator/hand.h"
 #include "motion/joint_trajectory.h"
+#include "robot/mood.h"
 
 namespace smile::sim {
 
@@ -163,6 +164,12 @@ struct Markers {
   bool operator==(const Markers&) const = default;
 };
 
+/// Changes the robot's face: what people see, never the physics.
+struct Face {
+  robot::Mood mood = robot::Mood::kIdle;
+  bool operator==(const Face&) const = default;
+};
+
 /// Takes back the last action of a hand, with everything since; see IsAction().
 struct Undo {
   bool operator==(const Undo&) const = default;
@@ -184,10 +191,10 @@ struct FinishRecording {
   bool operator==(const FinishRecording&) const = default;
 };
 
-using Command =
-    std::variant<Grasp, MoveTo, Plane, Drag, Rotate, Release, Destroy, Attend, Point, Trigger,
-                 Fasten, Loosen, JointVelocities, JointAngles, TurnJoint, MoveGripper, TakePose,
-                 FollowTrajectory, ShowRobot, Markers, Undo, Redo, StartRecording, FinishRecording>;
+using Command = std::variant<Grasp, MoveTo, Plane, Drag, Rotate, Release, Destroy, Attend, Point,
+                             Trigger, Fasten, Loosen, JointVelocities, JointAngles, TurnJoint,
+                             MoveGripper, TakePose, FollowTrajectory, ShowRobot, Face, Markers,
+                             Undo, Redo, StartRecording, FinishRecording>;
 
 /// True of what a hand does to the world or shows: it begins a new segment of a recording, and can
 /// be undone.

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "base/wording.h"
 #include "demonstrator/demonstrator.h"
 #include "motion/trajectory_shape.h"
 #include "sim/internal_command_forms.h"
@@ -121,6 +122,11 @@ void CheckField(const Field& field, const Json& value) {
       return;
     case Kind::kFlag:
       if (!value.is_boolean()) Expected(key, value, "true or false");
+      return;
+    case Kind::kMood:
+      if (!value.is_string() || !robot::ParseMood(value.get_ref<const std::string&>())) {
+        Expected(key, value, OneOf(robot::kMoodNames));
+      }
       return;
     case Kind::kProperties:
       if (!IsProperties(value)) {

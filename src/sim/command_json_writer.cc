@@ -118,6 +118,9 @@ Json ToJson(const Command& command, double unit) {
                  [&](const ShowRobot& show) {
                    return Json{{"do", "robot"}, {"shown", show.is_shown}};
                  },
+                 [](const Face& face) {
+                   return Json{{"do", "face"}, {"mood", ToString(face.mood)}};
+                 },
                  [&](const Markers& markers) {
                    Json points = Json::array();
                    for (const Vector3& p : markers.points_in_world) {

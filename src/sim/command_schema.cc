@@ -43,6 +43,9 @@ Json FieldSchema(const Field& field) {
     case Kind::kFlag:
       schema = {{"type", "boolean"}};
       break;
+    case Kind::kMood:
+      schema = {{"enum", robot::kMoodNames}};
+      break;
     case Kind::kProperties:
       schema = {{"type", "array"},
                 {"items", {{"type", "string"}, {"maxLength", demonstrator::kMaxPropertyLength}}},

@@ -229,6 +229,12 @@ const std::vector<Form>& Forms() {
        [](const Json& json, double) -> Command {
          return ShowRobot{.is_shown = json.at("shown").get<bool>()};
        }},
+      {"face",
+       "changes the robot's face, for people to see; physics is not changed",
+       {{"mood", Kind::kMood, true, "idle, watching, working, puzzled or done"}},
+       [](const Json& json, double) -> Command {
+         return Face{.mood = *robot::ParseMood(json.at("mood").get<std::string>())};
+       }},
       {"markers",
        "marks points for people, in place of those before; the robot does not see them",
        {{"points", Kind::kPoints, true, "where; [] = none [units]"}},

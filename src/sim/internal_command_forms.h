@@ -31,6 +31,7 @@ enum class Kind {
   kGrippers,
   kNumber,
   kFlag,
+  kMood,
   kProperties,
   kArm,
   kShare,

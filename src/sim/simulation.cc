@@ -43,6 +43,7 @@ scene::VisualState Simulation::visual_state() const {
     const auto robot_poses =
         robot::FramePosesOf(robot_->model(), robot_->base_pose(), robot_->positions());
     state.poses.insert(state.poses.end(), robot_poses.begin(), robot_poses.end());
+    state.looks.push_back(robot::LookOf(mood_));
   }
   return state;
 }
@@ -253,7 +254,8 @@ SimulationState Simulation::Save() const {
           .demonstrator = demonstrator_.state(),
           .robot = robot_ ? robot_->state() : robot::RobotBodyState(),
           .follower = follower_ ? follower_->state() : FollowerState(),
-          .is_robot_shown = is_robot_shown_};
+          .is_robot_shown = is_robot_shown_,
+          .mood = mood_};
 }
 
 void Simulation::Restore(const SimulationState& state) {
@@ -271,6 +273,7 @@ void Simulation::PutBack(const SimulationState& state) {
     follower_->Restore(state.follower);
   }
   is_robot_shown_ = state.is_robot_shown;
+  mood_ = state.mood;
   tick_ = state.tick;
 }
 

@@ -105,6 +105,8 @@ class Simulation {
   bool is_robot_shown() const { return is_robot_shown_; }
   /// True while joints of the robot are on their way to a pose or along a trajectory.
   bool is_robot_following() const { return follower_ && follower_->is_following(); }
+  /// What the robot's face shows; idle without one.
+  robot::Mood mood() const { return mood_; }
 
   /// True when nothing but what hands hold moves faster than 2 mm/s or 0.02 rad/s.
   bool is_still() const;
@@ -152,6 +154,7 @@ class Simulation {
   std::optional<Refusal> Carry(const TakePose& pose);
   std::optional<Refusal> Carry(const FollowTrajectory& follow);
   std::optional<Refusal> Carry(const ShowRobot& show);
+  std::optional<Refusal> Carry(const Face& face);
   std::optional<Refusal> Carry(const Markers& markers);
   std::optional<Refusal> Carry(const Undo& undo);
   std::optional<Refusal> Carry(const Redo& redo);
@@ -183,6 +186,7 @@ class Simulation {
   std::unique_ptr<robot::RobotBody> robot_;
   std::optional<TrajectoryFollower> follower_;  ///< of the robot, where there is one
   bool is_robot_shown_ = true;
+  robot::Mood mood_ = robot::Mood::kIdle;
   std::uint64_t tick_ = 0;
   bool has_begun_ = false;
   History history_;

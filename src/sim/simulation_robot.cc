@@ -122,6 +122,12 @@ std::optional<Refusal> Simulation::Carry(const ShowRobot& show) {
   return std::nullopt;
 }
 
+std::optional<Refusal> Simulation::Carry(const Face& face) {
+  if (!robot_) return "there is no robot in this simulation";
+  mood_ = face.mood;
+  return std::nullopt;
+}
+
 std::optional<Refusal> Simulation::Carry(const Markers& markers) {
   if (markers.points_in_world.size() <= kMaxMarkers) return std::nullopt;
   return "there are more than " + std::to_string(kMaxMarkers) + " markers";

@@ -4,6 +4,7 @@
 
 #include "demonstrator/demonstrator.h"
 #include "physics/snapshot.h"
+#include "robot/mood.h"
 #include "robot/robot_body.h"
 #include "sim/trajectory_follower.h"
 #include "world/tabletop.h"
@@ -19,6 +20,7 @@ struct SimulationState {
   robot::RobotBodyState robot;
   FollowerState follower;
   bool is_robot_shown = true;
+  robot::Mood mood = robot::Mood::kIdle;
 };
 
 }  // namespace smile::sim

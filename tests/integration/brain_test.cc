@@ -152,6 +152,9 @@ TEST_F(BrainAsUsed, AnErrorNamesFileAndLineAndKeepsTheRecording) {
   const Answer replay = Smile("replay demo --verify --json");
   EXPECT_EQ(replay.exit_code, 0) << replay.err;
   EXPECT_GE(replay.json()["ticks"], 30);
+  const std::string log = Read("demo/commands.jsonl");
+  EXPECT_NE(log.find("working"), std::string::npos) << "the face while it ran";
+  EXPECT_NE(log.find("puzzled"), std::string::npos) << "the face when it failed";
 }
 
 TEST_F(BrainAsUsed, CrashesLoopsAndNonsenseHarmNobody) {

@@ -63,6 +63,37 @@ TEST_F(ReplayTest, IsIdenticalWithARobotThatMoves) {
   EXPECT_EQ(report.hash, final_hash_);
 }
 
+constexpr const char* kFaces = R"({"do":"wait","seconds":0.1}
+{"do":"face","mood":"working"}
+{"do":"wait","seconds":0.1}
+{"do":"face","mood":"done"}
+{"do":"wait","seconds":0.1})";
+
+TEST_F(ReplayTest, TheTraceShowsTheFace) {
+  const Recording recording = OpenRecording(Record(kFaces, /*with_robot=*/true));
+  TraceReader trace(recording);
+  std::vector<robot::Mood> moods;
+  while (const auto moment = trace.Next()) {
+    if (moods.empty() || moods.back() != moment->mood) moods.push_back(moment->mood);
+  }
+  EXPECT_EQ(moods, (std::vector{robot::Mood::kIdle, robot::Mood::kWorking, robot::Mood::kDone}));
+  EXPECT_FALSE(Replay(recording).first_difference.has_value());
+}
+
+TEST_F(ReplayTest, NoticesAnotherFace) {
+  const auto directory = Record(kFaces, /*with_robot=*/true);
+  std::string commands = Text(directory / "commands.jsonl");
+  commands.replace(commands.find("done"), 4, "puzzled");
+  Overwrite(directory / "commands.jsonl", commands);
+  const ReplayReport report = Replay(OpenRecording(directory));
+  ASSERT_TRUE(report.first_difference.has_value());
+  EXPECT_EQ(report.first_difference->object, "robot");
+  EXPECT_EQ(report.first_difference->quantity, "mood");
+  EXPECT_EQ(report.first_difference->recorded, "done");
+  EXPECT_EQ(report.first_difference->replayed, "puzzled");
+  ASSERT_EQ(report.state_differences.size(), 1u);
+}
+
 TEST_F(ReplayTest, NamesTheFirstTickObjectAndQuantityThatDiffers) {
   const Recording recording = RecordAndReword("[3.0,-2.0,3.0]", "[3.0,-2.1,3.0]");
   const ReplayReport report = Replay(recording, {.stops_at_difference = true});

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 
 #include "robot/test/baxter.h"
 
@@ -22,6 +23,19 @@ TEST(RobotVisuals, TakesOneFrameForTheBaseAndOneForEachLink) {
     is_shown[static_cast<std::size_t>(visual.frame)] = true;
   }
   EXPECT_EQ(std::count(is_shown.begin() + 5, is_shown.end(), false), 0) << "every link shows";
+}
+
+TEST(RobotVisuals, TheMoodIsAChoiceOfFaces) {
+  scene::VisualModel visual_model{.object_names = {"", "robot"}, .num_choices = 3};
+  AppendVisuals(Baxter(), 1, 1, &visual_model);
+  EXPECT_EQ(visual_model.num_choices, 4);
+  std::set<int> looks;
+  for (const scene::Visual& visual : visual_model.visuals) {
+    if (visual.choice >= 0) looks.insert(visual.look);
+    EXPECT_TRUE(visual.choice == -1 || visual.choice == 3);
+  }
+  EXPECT_EQ(looks.size(), kMoods.size());
+  EXPECT_TRUE(looks.contains(LookOf(Mood::kPuzzled)));
 }
 
 TEST(RobotVisuals, PosesFollowTheOrderOfTheFrames) {

@@ -63,10 +63,10 @@ TEST_F(SideFile, ComplaintsNameThePlace) {
   EXPECT_EQ(ComplaintAbout("[]"), "r.robot.json: found array, expected an object");
   EXPECT_EQ(ComplaintAbout("{}"), "r.robot.json: has no member \"format\"");
   EXPECT_EQ(ComplaintAbout(R"({"format": 2})"), "r.robot.json: <format>: found 2, expected 1");
-  EXPECT_EQ(
-      ComplaintAbout(WithArm(R"(, "posse": {})")),
-      "r.robot.json: unknown member \"posse\", expected format, frames, arms, grippers, "
-      "gripper, head, limits, never_collide, poses, start or stands; did you mean \"poses\"?");
+  EXPECT_EQ(ComplaintAbout(WithArm(R"(, "posse": {})")),
+            "r.robot.json: unknown member \"posse\", expected format, frames, arms, grippers, "
+            "gripper, head, limits, never_collide, poses, start, look or stands; did you mean "
+            "\"poses\"?");
   EXPECT_EQ(ComplaintAbout(R"({"format": 1, "arms": {"a": {"joints": ["spin"], "tool": "arm"}}})"),
             "r.robot.json: <arms/a/joints/0>: found \"spin\", expected a joint that moves");
   EXPECT_EQ(ComplaintAbout(R"({"format": 1, "arms": {"a": {"joints": [7], "tool": "arm"}}})"),
@@ -78,6 +78,14 @@ TEST_F(SideFile, ComplaintsNameThePlace) {
             "apart");
   EXPECT_EQ(ComplaintAbout(WithArm(R"(, "start": "nowhere")")),
             "r.robot.json: <start>: found \"nowhere\", expected one of the poses");
+}
+
+TEST_F(SideFile, RefusesLooksThatAreNoneOrDoNotFit) {
+  EXPECT_EQ(ComplaintAbout(WithArm(R"(, "look": "baxer")")),
+            "r.robot.json: <look>: unknown look \"baxer\", expected baxter; did you mean "
+            "\"baxter\"?");
+  EXPECT_EQ(ComplaintAbout(WithArm(R"(, "look": "baxter")")),
+            "r.robot.json: <look>: the robot has no link \"torso\"");
 }
 
 TEST_F(SideFile, RefusesFingersThatAreNone) {

@@ -61,6 +61,7 @@ TEST(CommandJson, RoundTripsEveryKindToTheLastBit) {
                           {{0, {number(), number()}, {number(), number()}},
                            {0.1, {number(), number()}, {number(), number()}}}}},
         ShowRobot{.is_shown = false},
+        Face{.mood = robot::kMoods[i % robot::kMoods.size()]},
         Markers{.points_in_world = {point(), point()}},
         Markers(),
         Undo(),
@@ -83,10 +84,12 @@ TEST(CommandJson, SaysWhatWasFoundAndExpected) {
   EXPECT_EQ(MessageOf(R"({"do":"grab","hand":"left"})"),
             "\"do\" is \"grab\", expected one of grasp, move_to, plane, drag, rotate, release, "
             "destroy, attend, point, trigger, fasten, loosen, "
-            "joint_velocities, joint_angles, turn, gripper, pose, trajectory, robot, markers, "
-            "undo, redo, start, finish");
+            "joint_velocities, joint_angles, turn, gripper, pose, trajectory, robot, face, "
+            "markers, undo, redo, start, finish");
   EXPECT_EQ(MessageOf(R"({"hand":"third","do":"release"})"),
             "\"hand\" is \"third\", expected left, right, both or any");
+  EXPECT_EQ(MessageOf(R"({"do":"face","mood":"angry"})"),
+            "\"mood\" is \"angry\", expected idle, watching, working, puzzled or done");
   EXPECT_EQ(MessageOf(R"({"hand":"left","do":"move_to","position":[1,2]})"),
             "\"position\" is [1,2], expected three numbers [x, y, z] of at most 1e6");
   EXPECT_EQ(MessageOf(R"({"hand":"left","do":"release","force":3})"),

@@ -95,6 +95,34 @@ TEST_F(SimulationTest, HidingTheRobotChangesNoPhysics) {
   EXPECT_FALSE(hidden->is_robot_shown());
 }
 
+TEST_F(SimulationTest, TheFaceIsSeenAndKeptAndChangesNoPhysics) {
+  auto plain = MakeSimulation({BlockAt("a", {0, 0, 0.05})}, true);
+  auto puzzled = MakeSimulation({BlockAt("a", {0, 0, 0.05})}, true);
+  EXPECT_EQ(plain->visual_state(), puzzled->visual_state());
+  puzzled->Apply(Face{.mood = robot::Mood::kPuzzled});
+  EXPECT_NE(plain->visual_state(), puzzled->visual_state());
+  TickSeconds(*plain, 0.2);
+  TickSeconds(*puzzled, 0.2);
+  EXPECT_EQ(plain->state_hash(), puzzled->state_hash());
+
+  const SimulationState state = puzzled->Save();
+  puzzled->Apply(Grasp{.object = "a"});
+  puzzled->Apply(Face{.mood = robot::Mood::kDone});
+  puzzled->Apply(Undo{});
+  EXPECT_EQ(puzzled->mood(), robot::Mood::kPuzzled);
+  puzzled->Apply(Redo{});
+  EXPECT_EQ(puzzled->mood(), robot::Mood::kDone);
+  plain->Restore(state);
+  EXPECT_EQ(plain->mood(), robot::Mood::kPuzzled);
+}
+
+TEST_F(SimulationTest, WithoutARobotThereIsNoFace) {
+  auto simulation = MakeSimulation({}, false);
+  EXPECT_EQ(simulation->Apply(Face{.mood = robot::Mood::kDone}),
+            "there is no robot in this simulation");
+  EXPECT_EQ(simulation->mood(), robot::Mood::kIdle);
+}
+
 TEST_F(SimulationTest, TheRobotStandsStillUnlessTold) {
   auto simulation = MakeSimulation({}, true);
   const std::vector<double> before = simulation->robot()->positions();

@@ -20,12 +20,19 @@ void AddRobotOptions(CLI::App* command, bool may_be_absent, RobotOptions* option
     command->add_flag("--no-robot", options->no_robot, "a table without a robot");
   }
   command->add_flag("--classic", options->classic, "the robot where the original put it");
+  CLI::Option* kinematic = command->add_flag("--kinematic", options->body.is_kinematic,
+                                             "a robot that nothing stops; it costs less time");
+  command
+      ->add_flag("--friction-grasp", options->body.grasps_by_friction,
+                 "grippers hold by friction alone")
+      ->excludes(kinematic);
 }
 
 std::optional<sim::RobotPlacement> PlaceRobot(const RobotOptions& options) {
   if (options.no_robot) return std::nullopt;
   const std::filesystem::path urdf = DataFile("robots/baxter.urdf");
-  sim::RobotPlacement placement{.model = robot::ReadRobot(urdf), .urdf = urdf};
+  sim::RobotPlacement placement{
+      .model = robot::ReadRobot(urdf), .urdf = urdf, .body = options.body};
   if (options.classic) placement.gap = kClassicGap;
   return placement;
 }

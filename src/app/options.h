@@ -26,9 +26,11 @@ void AddPathOption(CLI::App* command, PathOptions* options);
 struct RobotOptions {
   bool no_robot = false;
   bool classic = false;  ///< the robot stands where the original put it
+  robot::RobotBodyOptions body;
 };
 
-/// `--no-robot` (where a table without one makes sense) and `--classic`.
+/// `--no-robot` (where a table without one makes sense), `--classic`, `--kinematic` and
+/// `--friction-grasp`.
 void AddRobotOptions(CLI::App* command, bool may_be_absent, RobotOptions* options);
 
 /// Baxter in its place; nullopt when it is not wanted.

@@ -30,8 +30,10 @@ DemoInfo InfoOf(const RecorderOptions& options, const sim::Eye* eye,
                 .frames_per_second = options.frames_per_second,
                 .has_symbols = options.has_symbols};
   if (const auto& placement = simulation.robot_placement()) {
-    info.robot = RobotInfo{
-        .name = placement->model.name, .gap = placement->gap, .height = placement->height};
+    info.robot = RobotInfo{.name = placement->model.name,
+                           .gap = placement->gap,
+                           .height = placement->height,
+                           .body = placement->body};
   }
   if (eye != nullptr) info.eye = EyeView(simulation, eye->spec());
   return info;

@@ -57,6 +57,22 @@ CameraView ParseView(const Json& json) {
   return view;
 }
 
+/// Recordings of ordinary robots say nothing of their bodies.
+Json ToJson(const RobotInfo& info) {
+  Json json = {{"name", info.name}, {"gap_m", info.gap}, {"height_m", info.height}};
+  if (info.body.is_kinematic) json["kinematic"] = true;
+  if (info.body.grasps_by_friction) json["friction_grasp"] = true;
+  return json;
+}
+
+RobotInfo ParseRobot(const Json& json) {
+  return {.name = json.at("name"),
+          .gap = json.at("gap_m"),
+          .height = json.at("height_m"),
+          .body = {.is_kinematic = json.value("kinematic", false),
+                   .grasps_by_friction = json.value("friction_grasp", false)}};
+}
+
 void CheckInfo(const DemoInfo& info) {
   const auto check = [](const char* key, double value, double low, double high) {
     if (value >= low && value <= high) return;
@@ -69,6 +85,9 @@ void CheckInfo(const DemoInfo& info) {
   if (info.robot) {
     check("gap_m", info.robot->gap, -100, 100);
     check("height_m", info.robot->height, -100, 100);
+    if (info.robot->body.is_kinematic && info.robot->body.grasps_by_friction) {
+      throw std::invalid_argument("\"kinematic\" and \"friction_grasp\" exclude each other");
+    }
   }
   if (!info.eye) return;
   check("width_px", info.eye->intrinsics.width_px, 1, 8192);
@@ -97,7 +116,7 @@ DemoInfo ReadInfo(const std::filesystem::path& path) {
       info.has_symbols = json.at("has_symbols");
     }
     if (const Json& robot = json.at("robot"); !robot.is_null()) {
-      info.robot = RobotInfo{robot.at("name"), robot.at("gap_m"), robot.at("height_m")};
+      info.robot = ParseRobot(robot);
     }
     if (const Json& eye = json.at("eye"); !eye.is_null()) info.eye = ParseView(eye);
     CheckInfo(info);
@@ -151,10 +170,7 @@ void CheckStart(const Recording& recording) {
 
 std::string ToJsonText(const DemoInfo& info) {
   Json robot, eye;
-  if (info.robot) {
-    robot = {
-        {"name", info.robot->name}, {"gap_m", info.robot->gap}, {"height_m", info.robot->height}};
-  }
+  if (info.robot) robot = ToJson(*info.robot);
   if (info.eye) eye = ToJson(*info.eye);
   const Json json = {{"format", info.format},
                      {"program", info.program.empty() ? ProgramName() : info.program},
@@ -198,8 +214,11 @@ Recording OpenRecording(const std::filesystem::path& directory) {
   recording.scene.name = recording.info.scene;
   if (const auto& robot = recording.info.robot) {
     const auto urdf = directory / kRobotFile;
-    recording.robot = sim::RobotPlacement{
-        .model = robot::ReadRobot(urdf), .urdf = urdf, .gap = robot->gap, .height = robot->height};
+    recording.robot = sim::RobotPlacement{.model = robot::ReadRobot(urdf),
+                                          .urdf = urdf,
+                                          .gap = robot->gap,
+                                          .height = robot->height,
+                                          .body = robot->body};
   }
   std::optional<std::string> cut;
   recording.log =

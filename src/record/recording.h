@@ -27,6 +27,7 @@ enum class Origin {
 struct RobotInfo {
   std::string name;
   double gap = 0, height = 0;  ///< where it stands, see sim::RobotPlacement [m]
+  robot::RobotBodyOptions body;
 
   bool operator==(const RobotInfo&) const = default;
 };

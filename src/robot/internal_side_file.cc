@@ -19,7 +19,7 @@ constexpr std::size_t kMaxFileBytes = 1 << 20;
 
 constexpr std::array<std::string_view, 6> kFileMembers{"format",        "arms",  "head",
                                                        "never_collide", "poses", "start"};
-constexpr std::array<std::string_view, 3> kArmMembers{"joints", "tool", "fingers"};
+constexpr std::array<std::string_view, 4> kArmMembers{"joints", "tool", "fingers", "payload"};
 constexpr std::array<std::string_view, 2> kHeadMembers{"joint", "camera"};
 
 /// A value together with its place in the file.
@@ -128,6 +128,13 @@ class SideFileReader {
           node.Member("fingers").Fail("joint \"" + link.joint_name +
                                       "\" does not slide from 0 on, expected a finger that does");
         }
+      }
+    }
+    if (node.Has("payload")) {
+      const Node payload = node.Member("payload");
+      arm.payload = payload.Number();
+      if (!(arm.payload >= 0)) {
+        payload.Fail("found " + NumberText(arm.payload) + " kg, expected at least 0");
       }
     }
     model_.arms.push_back(std::move(arm));

@@ -36,6 +36,7 @@ struct RobotPlacement {
   std::filesystem::path urdf;  ///< the file it was read from, for whoever records it
   double gap = 0.20;           ///< from its base to the table's near edge [m]
   double height = 0.20;        ///< of its base above the table top [m]
+  robot::RobotBodyOptions body;
 };
 
 class Simulation;

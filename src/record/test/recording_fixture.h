@@ -47,13 +47,13 @@ class RecordingFixture : public ::testing::Test {
 {"hand":"left","do":"release"}
 {"do":"wait","seconds":2})";
 
-  static std::unique_ptr<sim::Simulation> MakeSimulation(bool with_robot,
-                                                         const char* xml = kScene) {
+  static std::unique_ptr<sim::Simulation> MakeSimulation(bool with_robot, const char* xml = kScene,
+                                                         const robot::RobotBodyOptions& body = {}) {
     auto scene = scene_xml::ReadSceneText(xml, "pair.xml").scene;
     if (!with_robot) return std::make_unique<sim::Simulation>(*scene);
     const auto urdf = DataFile("robots/baxter.urdf");
     return std::make_unique<sim::Simulation>(
-        *scene, sim::RobotPlacement{.model = robot::ReadRobot(urdf), .urdf = urdf});
+        *scene, sim::RobotPlacement{.model = robot::ReadRobot(urdf), .urdf = urdf, .body = body});
   }
 
   /// Plays the script to its end in front of a recorder; returns the recording's directory.

@@ -116,7 +116,7 @@ class RobotDynamicsTest : public SimulationFixture {
     empty->Apply(JointAngles{.left = kOverTable});
     const RigidTransform X_WG = empty->robot()->ToolPose(0);
     const Vector3 across = X_WG.rotation().col(1), p_WG = X_WG.translation();
-    scene::ObjectSpec block = BlockAt("held", {}, mass, Vector3::Constant(size));
+    scene::ObjectSpec block = BlockAt("held", Vector3::Zero(), mass, Vector3::Constant(size));
     const Eigen::AngleAxisd turn(std::atan2(across.y(), across.x()), Vector3::UnitZ());
     block.whole.X_PE = RigidTransform(Quaternion(turn), Vector3(p_WG.x(), p_WG.y(), size / 2));
     others.push_back(block);

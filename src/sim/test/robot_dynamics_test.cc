@@ -199,13 +199,14 @@ TEST_F(RobotDynamicsTest, PressingOnTheTableItStaysAboveAndLeavesAtOnce) {
 
 /// The forearm points down and forward, its lower end a hand above the table; it turns about s0.
 TEST_F(RobotDynamicsTest, TheForearmSweepsBlocksAsideAndIsNotThrown) {
-  const std::vector<double> low = {-0.35, 0.95, 0, 0.1, 0, -1.5, 0};
+  const std::vector<double> low = {-0.35, 0.9, 0, 0.1, 0, -1.5, 0};
   for (const RobotBodyOptions& body : {RobotBodyOptions(), kKinematic}) {
-    auto simulation = AtATable({BlockAt("tall", {-0.10, -0.36, 0.15}, 2, {0.1, 0.1, 0.3}),
+    auto simulation = AtATable({BlockAt("tall", {-0.10, -0.36, 0.1}, 1, {0.1, 0.1, 0.2}),
                                 BlockAt("a", {0, -0.42, 0.05}), BlockAt("far", {0.6, 0.3, 0.05})},
                                body);
     simulation->Apply(JointAngles{.left = low, .right = {{0.9, -1, 1.19, 1.94, -0.67, 1.03, 0.5}}});
     TickSeconds(*simulation, 0.5);
+    const std::vector<double> before = simulation->robot()->ArmAngles(0);
     MoveLeft(*simulation, {-0.5, 0, 0, 0, 0, 0, 0});
     double fastest = 0;
     for (int i = 0; i < 108; ++i) {
@@ -213,13 +214,13 @@ TEST_F(RobotDynamicsTest, TheForearmSweepsBlocksAsideAndIsNotThrown) {
       for (const char* id : {"tall", "a", "far"})
         fastest = std::max(fastest, SpeedOf(*simulation, id));
     }
-    EXPECT_GT(PositionOf(*simulation, "tall").x(), -0.08);
-    EXPECT_GT(PositionOf(*simulation, "a").x(), 0.01) << "which the other block pushes";
+    EXPECT_GT(PositionOf(*simulation, "tall").x(), 0);
+    EXPECT_GT(PositionOf(*simulation, "a").x(), 0.05) << "which the other block pushes";
     EXPECT_LT((PositionOf(*simulation, "far") - Vector3(0.6, 0.3, 0.05)).norm(), 1e-3);
     EXPECT_LT(fastest, 0.6);  // [m/s]; the forearm does 0.3
     const std::vector<double> after = simulation->robot()->ArmAngles(0);
-    EXPECT_NEAR(after[0], low[0] - 0.9, 0.02);
-    for (int j = 1; j < 7; ++j) EXPECT_NEAR(after[j], low[j], 0.02) << j;
+    EXPECT_NEAR(after[0], before[0] - 0.9, 0.03);
+    for (int j = 1; j < 7; ++j) EXPECT_NEAR(after[j], before[j], 0.02) << j;
   }
 }
 

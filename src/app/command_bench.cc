@@ -24,9 +24,8 @@ namespace {
 
 scene::SceneSpec UmScene() { return scene_xml::LoadScene(DataFile("scenes/um.xml")); }
 
-std::unique_ptr<sim::Simulation> MakeUm(bool with_robot) {
-  auto simulation =
-      std::make_unique<sim::Simulation>(UmScene(), PlaceRobot({.no_robot = !with_robot}));
+std::unique_ptr<sim::Simulation> MakeUm(const RobotOptions& robot) {
+  auto simulation = std::make_unique<sim::Simulation>(UmScene(), PlaceRobot(robot));
   for (int i = 0; i < 3 * sim::kTicksPerSecond; ++i) simulation->Tick();  // falls asleep
   return simulation;
 }
@@ -61,7 +60,7 @@ void TwelveBlocksAwake(benchmark::State& state) {
 }
 
 void TwelveBlocksAsleep(benchmark::State& state) {
-  const auto simulation = MakeUm(false);
+  const auto simulation = MakeUm({.no_robot = true});
   for (auto _ : state) {
     simulation->Tick();
     benchmark::DoNotOptimize(simulation->state_hash());
@@ -69,8 +68,8 @@ void TwelveBlocksAsleep(benchmark::State& state) {
   ReportRealTime(state, 1.0 / sim::kTicksPerSecond);
 }
 
-void TwelveBlocksAndAMovingRobot(benchmark::State& state) {
-  const auto simulation = MakeUm(true);
+void TwelveBlocksAndAMovingRobot(benchmark::State& state, bool is_kinematic) {
+  const auto simulation = MakeUm({.body = {.is_kinematic = is_kinematic}});
   for (auto _ : state) {
     Swing(simulation.get());
     simulation->Tick();
@@ -79,27 +78,27 @@ void TwelveBlocksAndAMovingRobot(benchmark::State& state) {
 }
 
 void TwelveBlocksAndARestingRobot(benchmark::State& state) {
-  const auto simulation = MakeUm(true);
+  const auto simulation = MakeUm({});
   for (auto _ : state) simulation->Tick();
   ReportRealTime(state, 1.0 / sim::kTicksPerSecond);
 }
 
 void SnapshotSave(benchmark::State& state) {
-  const auto simulation = MakeUm(true);
+  const auto simulation = MakeUm({});
   for (auto _ : state) benchmark::DoNotOptimize(simulation->Save());
   state.counters["bytes"] =
       static_cast<double>(physics::Serialize(simulation->Save().physics).size());
 }
 
 void SnapshotRestore(benchmark::State& state) {
-  const auto simulation = MakeUm(true);
+  const auto simulation = MakeUm({});
   const sim::SimulationState saved = simulation->Save();
   for (auto _ : state) simulation->Restore(saved);
 }
 
 /// Color, depth and id in one pass.
 void EyePicture(benchmark::State& state, bool with_robot) {
-  const auto simulation = MakeUm(with_robot);
+  const auto simulation = MakeUm({.no_robot = !with_robot});
   const sim::Sight sight =
       sim::SightOf(*simulation, {.width_px = static_cast<int>(state.range(0)),
                                  .height_px = static_cast<int>(state.range(1))});
@@ -129,7 +128,7 @@ std::vector<MeasuredBrain> MeasuredBrains() {
 }
 
 void BrainRoundTrip(benchmark::State& state, const MeasuredBrain& measured) {
-  const auto simulation = MakeUm(true);
+  const auto simulation = MakeUm({});
   RenderedEye eye({.width_px = static_cast<int>(state.range(0)),
                    .height_px = static_cast<int>(state.range(1))});
   brain::Sensor sensor;
@@ -149,8 +148,12 @@ void RegisterAll() {
   using benchmark::RegisterBenchmark;
   RegisterBenchmark("12 blocks awake, a step", &TwelveBlocksAwake)->Unit(kMicrosecond);
   RegisterBenchmark("12 blocks asleep, a tick", &TwelveBlocksAsleep)->Unit(kMicrosecond);
-  RegisterBenchmark("12 blocks and a moving robot, a tick", &TwelveBlocksAndAMovingRobot)
-      ->Unit(kMicrosecond);
+  for (const bool is_kinematic : {false, true}) {
+    RegisterBenchmark(is_kinematic ? "12 blocks and a moving kinematic robot, a tick"
+                                   : "12 blocks and a moving robot, a tick",
+                      &TwelveBlocksAndAMovingRobot, is_kinematic)
+        ->Unit(kMicrosecond);
+  }
   RegisterBenchmark("12 blocks and a resting robot, a tick", &TwelveBlocksAndARestingRobot)
       ->Unit(kMicrosecond);
   RegisterBenchmark("snapshot save, UM with robot", &SnapshotSave)->Unit(kMicrosecond);

@@ -45,6 +45,12 @@ void AddRobotOptions(CLI::App* command, bool may_be_absent, RobotOptions* option
       ->add_option("--gripper", options->gripper,
                    "which of the robot's grippers; Baxter's are classic, electric and none")
       ->check(NotEmpty());
+  CLI::Option* kinematic = command->add_flag("--kinematic", options->body.is_kinematic,
+                                             "a robot that nothing stops; it costs less time");
+  command
+      ->add_flag("--friction-grasp", options->body.grasps_by_friction,
+                 "grippers hold by friction alone")
+      ->excludes(kinematic);
 }
 
 CLI::Option* AddBrainOptions(CLI::App* command, BrainOptions* options) {
@@ -84,7 +90,8 @@ std::optional<sim::RobotPlacement> PlaceRobot(const RobotOptions& options,
   }
   sim::RobotPlacement placement{.model = std::move(reading.model),
                                 .gripper = std::move(reading.gripper),
-                                .files = std::move(reading.files)};
+                                .files = std::move(reading.files),
+                                .body = options.body};
   placement.gap = reading.gap.value_or(placement.gap);
   placement.height = reading.height.value_or(placement.height);
   if (options.classic) placement.gap = kClassicGap;

@@ -29,12 +29,13 @@ struct RobotOptions {
   bool classic = false;  ///< the robot stands where the original put it
   std::string urdf;      ///< empty: Baxter
   std::string side_file, gripper;
+  robot::RobotBodyOptions body;
 
   bool operator==(const RobotOptions&) const = default;
 };
 
-/// `--no-robot` (where a table without one makes sense), `--classic`, `--robot`, `--side-file` and
-/// `--gripper`.
+/// `--no-robot` (where a table without one makes sense), `--classic`, `--robot`, `--side-file`,
+/// `--gripper`, `--kinematic` and `--friction-grasp`.
 void AddRobotOptions(CLI::App* command, bool may_be_absent, RobotOptions* options);
 
 /// The robot in its place; nullopt when it is not wanted. Tells on stderr when nothing moves it.

@@ -8,11 +8,11 @@
 #include <utility>
 
 #include "physics/internal_articulation_links.h"
+#include "physics/internal_led_object.h"
 
 namespace smile::physics {
 namespace {
 
-constexpr double kLinkFriction = 0.6;
 /// Slower than this, and nearer to its reference than this, a joint is at rest [rad or m, per s].
 constexpr double kRest = 1e-7;
 
@@ -20,15 +20,6 @@ btQuaternion QuaternionOf(const Matrix3& R) {
   btQuaternion q;
   ToBullet(R).getRotation(q);
   return q;
-}
-
-std::unique_ptr<btMultiBodyLinkCollider> MakeCollider(btMultiBody* multibody, int link,
-                                                      const CollisionShape& collision, int order) {
-  auto collider = std::make_unique<btMultiBodyLinkCollider>(multibody, link);
-  collider->setCollisionShape(collision.shape());
-  collider->setFriction(kLinkFriction);
-  collider->setUserIndex(order);
-  return collider;
 }
 
 }  // namespace
@@ -39,61 +30,92 @@ Articulation::Articulation(ArticulationId id, std::shared_ptr<const Articulation
   const int count = num_joints();
   velocity_targets_.assign(count, 0.0);
   position_references_.assign(count, 0.0);
+  is_overloaded_.assign(count, false);
   bullet_ = std::make_unique<btMultiBody>(count, /*mass=*/1.0, btVector3(1, 1, 1),
                                           /*fixedBase=*/true, /*canSleep=*/false);
   links_->links.resize(count);
 
-  for (int i = 0; i < count; ++i) {
-    const LinkSpec& link = spec_->links[i];
-    const PrincipalInertia inertia = PrincipalInertiaOf(link.inertia);
-    RigidTransform& X_LLcm = links_->links[i].X_LLcm;
-    X_LLcm = RigidTransform(inertia.axes, link.p_LLcm);
-    const RigidTransform X_PPcm =
-        link.parent < 0 ? RigidTransform() : links_->links[link.parent].X_LLcm;
-
-    const Matrix3 R_LcmPcm =
-        (X_PPcm.rotation().transpose() * link.X_PJ.rotation() * X_LLcm.rotation()).transpose();
-    const Vector3 axis_in_Lcm = X_LLcm.rotation().transpose() * link.axis;
-    const Vector3 p_PcmJ_Pcm = X_PPcm.inverse() * link.X_PJ.translation();
-    const Vector3 p_LLcm_Lcm = X_LLcm.rotation().transpose() * link.p_LLcm;
-    const auto set_up = [&](auto method) {
-      (bullet_.get()->*method)(i, link.mass, ToBullet(inertia.moments), link.parent,
-                               QuaternionOf(R_LcmPcm), ToBullet(axis_in_Lcm), ToBullet(p_PcmJ_Pcm),
-                               ToBullet(p_LLcm_Lcm),
-                               /*disableParentCollision=*/true);
-    };
-    link.joint_type == JointType::kRevolute ? set_up(&btMultiBody::setupRevolute)
-                                            : set_up(&btMultiBody::setupPrismatic);
-  }
+  for (int i = 0; i < count; ++i) AddBulletLink(i);
   bullet_->finalizeMultiDof();
   bullet_->setBaseWorldTransform(ToBullet(spec_->X_WBase));
   bullet_->setHasSelfCollision(true);
   bullet_->setUseGyroTerm(true);
   bullet_->setLinearDamping(0);
   bullet_->setAngularDamping(0);
-
-  // Colliders: the base takes the articulation's own number in the order, links the ones after it.
-  const int order = static_cast<int>(id_.value);
-  if (!spec_->base_solids.empty()) {
-    links_->base_collision = MakeCollisionShape(spec_->base_solids, RigidTransform());
-    links_->base_collider = MakeCollider(bullet_.get(), -1, links_->base_collision, order);
-    links_->base_collider->setCollisionFlags(btCollisionObject::CF_STATIC_OBJECT);
-    bullet_->setBaseCollider(links_->base_collider.get());
-  }
-  for (int i = 0; i < count; ++i) {
-    const LinkSpec& spec_of_link = spec_->links[i];
-    Links::Link& link = links_->links[i];
-    // Without solids, too: Bullet finds the motor of a joint by its link's collider.
-    link.collision = MakeCollisionShape(spec_of_link.solids, link.X_LLcm.inverse());
-    link.collider = MakeCollider(bullet_.get(), i, link.collision, order + 1 + i);
-    bullet_->getLink(i).m_collider = link.collider.get();
-    link.motor = std::make_unique<btMultiBodyJointMotor>(bullet_.get(), i, 0.0, 0.0);
-    link.limits = std::make_unique<btMultiBodyJointLimitConstraint>(
-        bullet_.get(), i, spec_of_link.lower, spec_of_link.upper);
+  MakeColliders();
+  for (int i = 0; i < count && !spec_->is_kinematic; ++i) {
+    links_->links[i].drive = std::make_unique<JointDrive>(bullet_.get(), i);
   }
   std::vector<int> joints(count);
   std::iota(joints.begin(), joints.end(), 0);
   SetPositions(joints, std::vector<double>(count, 0.0));
+}
+
+void Articulation::AddBulletLink(int number) {
+  const LinkSpec& link = spec_->links[number];
+  const PrincipalInertia inertia = PrincipalInertiaOf(link.inertia);
+  RigidTransform& X_LLcm = links_->links[number].X_LLcm;
+  X_LLcm = RigidTransform(inertia.axes, link.p_LLcm);
+  const RigidTransform X_PPcm =
+      link.parent < 0 ? RigidTransform() : links_->links[link.parent].X_LLcm;
+
+  const Matrix3 R_LcmPcm =
+      (X_PPcm.rotation().transpose() * link.X_PJ.rotation() * X_LLcm.rotation()).transpose();
+  const Vector3 axis_in_Lcm = X_LLcm.rotation().transpose() * link.axis;
+  const Vector3 p_PcmJ_Pcm = X_PPcm.inverse() * link.X_PJ.translation();
+  const Vector3 p_LLcm_Lcm = X_LLcm.rotation().transpose() * link.p_LLcm;
+  const auto set_up = [&](auto method) {
+    (bullet_.get()->*method)(number, link.mass, ToBullet(inertia.moments), link.parent,
+                             QuaternionOf(R_LcmPcm), ToBullet(axis_in_Lcm), ToBullet(p_PcmJ_Pcm),
+                             ToBullet(p_LLcm_Lcm),
+                             /*disableParentCollision=*/true);
+  };
+  link.joint_type == JointType::kRevolute ? set_up(&btMultiBody::setupRevolute)
+                                          : set_up(&btMultiBody::setupPrismatic);
+  btMultibodyLink& bullet = bullet_->getLink(number);
+  bullet.m_jointLowerLimit = link.lower;
+  bullet.m_jointUpperLimit = link.upper;
+  bullet.m_jointMaxVelocity = link.max_velocity;
+}
+
+void Articulation::MakeColliders() {
+  if (!spec_->base_solids.empty()) {
+    links_->base_collision = MakeCollisionShape(spec_->base_solids, RigidTransform());
+    links_->base_collider = MakeCollider(-1);
+    links_->base_collider->setCollisionFlags(btCollisionObject::CF_STATIC_OBJECT);
+    Place(spec_->X_WBase, links_->base_collider.get());
+  }
+  for (int i = 0; i < num_joints(); ++i) {
+    Links::Link& link = links_->links[i];
+    // Without solids, too: Bullet finds the drive of a joint by its link's collider.
+    link.collision = MakeCollisionShape(spec_->links[i].solids, link.X_LLcm.inverse());
+    link.collider = MakeCollider(i);
+  }
+}
+
+std::unique_ptr<btCollisionObject> Articulation::MakeCollider(int link) {
+  const bool is_base = link < 0;
+  btCollisionShape* shape =
+      is_base ? links_->base_collision.shape() : links_->links[link].collision.shape();
+  std::unique_ptr<btCollisionObject> collider;
+  if (spec_->is_kinematic) {
+    auto led = std::make_unique<btRigidBody>(/*mass=*/0, /*motionState=*/nullptr, shape);
+    if (!is_base) MakeLed(led.get());
+    collider = std::move(led);
+  } else {
+    auto of_multibody = std::make_unique<btMultiBodyLinkCollider>(bullet_.get(), link);
+    of_multibody->setCollisionShape(shape);
+    if (is_base) {
+      bullet_->setBaseCollider(of_multibody.get());
+    } else {
+      bullet_->getLink(link).m_collider = of_multibody.get();
+    }
+    collider = std::move(of_multibody);
+  }
+  collider->setFriction(is_base ? LinkSpec().friction : spec_->links[link].friction);
+  // The base takes the articulation's own number in the order, links the ones after it.
+  collider->setUserIndex(static_cast<int>(id_.value) + 1 + link);
+  return collider;
 }
 
 Articulation::~Articulation() = default;
@@ -121,13 +143,22 @@ void Articulation::CheckJoint(int joint) const {
   }
 }
 
+double Articulation::MaxLead(int joint) const {
+  return spec_->links[joint].joint_type == JointType::kRevolute ? config_.max_lead_angle
+                                                                : config_.max_lead_length;
+}
+
 void Articulation::SetVelocityTarget(int joint, double velocity) {
   CheckJoint(joint);
   const LinkSpec& link = spec_->links[joint];
   if (!std::isfinite(velocity)) {
     throw std::invalid_argument(link.joint_name + ": velocity is not finite");
   }
-  velocity_targets_[joint] = std::clamp(velocity, -link.max_velocity, link.max_velocity);
+  const double target = std::clamp(velocity, -link.max_velocity, link.max_velocity);
+  const double lead = position_references_[joint] - bullet_->getJointPos(joint);
+  const bool is_blocked = std::abs(lead) > MaxLead(joint) / 2;
+  if (is_blocked && target != velocity_targets_[joint] && lead * target <= 0) HoldStill(joint);
+  velocity_targets_[joint] = target;
 }
 
 void Articulation::HoldStill(int joint) {
@@ -157,6 +188,14 @@ void Articulation::SetPositions(std::span<const int> joints, std::span<const dou
 }
 
 void Articulation::UpdateLinkTransforms() {
+  if (spec_->is_kinematic) {
+    const std::vector<RigidTransform> X_WL = link_poses();
+    for (int i = 0; i < num_joints(); ++i) {
+      const Links::Link& link = links_->links[i];
+      if (link.collider) Place(X_WL[i] * link.X_LLcm, link.collider.get());
+    }
+    return;
+  }
   btAlignedObjectArray<btQuaternion> rotations;
   btAlignedObjectArray<btVector3> origins;
   bullet_->forwardKinematics(rotations, origins);
@@ -173,12 +212,58 @@ bool Articulation::is_at_rest() const {
   return true;
 }
 
+void Articulation::BeforeStep(double step_seconds, double gravity) {
+  if (spec_->is_kinematic) {
+    LeadLinks(step_seconds);
+  } else {
+    DriveMotors(step_seconds, gravity);
+  }
+}
+
+void Articulation::AfterStep() {
+  if (!spec_->is_kinematic) return;
+  for (int i = 0; i < num_joints(); ++i) bullet_->setJointPos(i, position_references_[i]);
+  UpdateLinkTransforms();
+}
+
+void Articulation::NoteOverload(int link) {
+  for (int i = link; i >= 0; i = spec_->links[i].parent) is_overloaded_[i] = true;
+}
+
+void Articulation::LeadLinks(double step_seconds) {
+  for (int i = 0; i < num_joints(); ++i) {
+    const LinkSpec& link = spec_->links[i];
+    const double q = bullet_->getJointPos(i);
+    position_references_[i] =
+        std::clamp(q + velocity_targets_[i] * step_seconds, link.lower, link.upper);
+    bullet_->setJointVel(i, (position_references_[i] - q) / step_seconds);
+  }
+  const std::vector<RigidTransform> X_WNow = link_poses(), X_WNext = next_link_poses();
+  for (int i = 0; i < num_joints(); ++i) {
+    const Links::Link& link = links_->links[i];
+    if (!link.collider) continue;
+    btRigidBody* led = btRigidBody::upcast(link.collider.get());
+    const bool moves = !(X_WNext[i] == X_WNow[i]);
+    // What stands still lets those fall asleep that lean on it.
+    led->forceActivationState(moves ? DISABLE_DEACTIVATION : ISLAND_SLEEPING);
+    if (moves) {
+      Lead(X_WNext[i] * link.X_LLcm, step_seconds, led);
+    } else {
+      led->setLinearVelocity(btVector3(0, 0, 0));
+      led->setAngularVelocity(btVector3(0, 0, 0));
+    }
+  }
+}
+
+std::vector<RigidTransform> Articulation::next_link_poses() const {
+  return LinkPoses(spec_->links, spec_->X_WBase, position_references_);
+}
+
 void Articulation::DriveMotors(double step_seconds, double gravity) {
   for (int i = 0; i < num_joints(); ++i) {
     const LinkSpec& link = spec_->links[i];
     const double q = bullet_->getJointPos(i);
-    const double max_lead =
-        link.joint_type == JointType::kRevolute ? config_.max_lead_angle : config_.max_lead_length;
+    const double max_lead = MaxLead(i);
     const double wanted = position_references_[i] + velocity_targets_[i] * step_seconds;
     const double reference =
         std::clamp(std::clamp(wanted, q - max_lead, q + max_lead), link.lower, link.upper);
@@ -187,12 +272,12 @@ void Articulation::DriveMotors(double step_seconds, double gravity) {
                                              : (reference - position_references_[i]) / step_seconds;
     position_references_[i] = reference;
 
-    btMultiBodyJointMotor& motor = *links_->links[i].motor;
-    motor.setPositionTarget(reference, config_.position_gain);
-    motor.setVelocityTarget(speed, 1.0);
-    motor.setMaxAppliedImpulse(link.max_effort * config_.effort_scale * step_seconds);
+    const double return_speed = config_.position_gain * (reference - q) / step_seconds;
+    const double effort = link.max_effort * (is_overloaded_[i] ? 1.0 : config_.effort_scale);
+    links_->links[i].drive->SetTarget(speed + return_speed, effort * step_seconds);
     bullet_->addLinkForce(i, btVector3(0, 0, gravity * link.mass));
   }
+  is_overloaded_.assign(is_overloaded_.size(), false);
 }
 
 }  // namespace smile::physics

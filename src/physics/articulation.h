@@ -7,6 +7,7 @@
 #include "physics/articulation_spec.h"
 #include "physics/ids.h"
 
+class btCollisionObject;
 class btMultiBody;
 
 namespace smile::physics {
@@ -20,14 +21,17 @@ struct MotorConfig {
   double max_lead_angle = 0.05;    ///< of a turning joint [rad]
   double max_lead_length = 0.002;  ///< of a sliding one [m]
   /// Motors may use this multiple of the listed effort: velocity commands arrive without
-  /// acceleration limits, which the real controller would smooth.
+  /// acceleration limits, which the real controller would smooth. Not while they bear an overload,
+  /// see WeldSpec::holds_up.
   double effort_scale = 4.0;
 
   bool operator==(const MotorConfig&) const = default;
 };
 
 /// Links and motors on a fixed base, in reduced coordinates (Featherstone). Gravity is compensated.
-/// It collides with bodies, with other articulations and with itself. The World owns it.
+/// It collides with bodies, with other articulations and with itself; see
+/// ArticulationSpec::is_kinematic for one that does not. Joints never leave their position limits
+/// nor exceed their velocity limits, whatever pushes them. The World owns it.
 class Articulation {
  public:
   ~Articulation();
@@ -44,7 +48,8 @@ class Articulation {
   std::vector<RigidTransform> link_poses() const;  ///< X_WL, one per link
 
   /// Keeps moving a joint at this speed until told otherwise [rad/s or m/s]. Clamped to the joint's
-  /// velocity limit; at a position limit the joint stops.
+  /// velocity limit; at a position limit the joint stops. A blocked one that is told to stop or to
+  /// turn back does so at once: how far its reference had run ahead is forgotten.
   /// @throws std::invalid_argument if there is no such joint or the velocity is not finite.
   void SetVelocityTarget(int joint, double velocity);
   /// Stops a joint where it is now, forgetting how far its reference had run ahead.
@@ -63,16 +68,33 @@ class Articulation {
   Articulation(ArticulationId id, std::shared_ptr<const ArticulationSpec> spec,
                const MotorConfig& config);
   void CheckJoint(int joint) const;
+  double MaxLead(int joint) const;
+  void AddBulletLink(int link);
+  void MakeColliders();
+  /// Of a link, or of the base: -1.
+  std::unique_ptr<btCollisionObject> MakeCollider(int link);
   /// Brings Bullet's own copies of the link poses up to date with q.
   void UpdateLinkTransforms();
-  /// Moves references on and commands the motors; once before each physics step.
+  /// Once before each physics step.
+  void BeforeStep(double step_seconds, double gravity);
+  /// Something too heavy hangs on this link: in the next step, the motors that bear it have no more
+  /// than the listed effort.
+  void NoteOverload(int link);
+  /// Moves references on and commands the motors.
   void DriveMotors(double step_seconds, double gravity);
+  /// Sets the velocities of a kinematic one's links; its references are where joints will be.
+  void LeadLinks(double step_seconds);
+  /// Once after each physics step: a kinematic one arrives at its references.
+  void AfterStep();
+  /// X_WL of every link after the step that is to come, of a kinematic one.
+  std::vector<RigidTransform> next_link_poses() const;
 
   ArticulationId id_;
   std::shared_ptr<const ArticulationSpec> spec_;  ///< shared with snapshots, like Body's
   MotorConfig config_;
   std::vector<double> velocity_targets_;
   std::vector<double> position_references_;
+  std::vector<bool> is_overloaded_;  ///< for one step
   struct Links;
   std::unique_ptr<Links> links_;
   std::unique_ptr<btMultiBody> bullet_;

@@ -30,6 +30,7 @@ struct LinkSpec {
   Vector3 p_LLcm = Vector3::Zero();   ///< centre of mass [m]
   Matrix3 inertia = Matrix3::Zero();  ///< about the centre of mass, along L's axes [kg m2]
   std::vector<scene::Solid> solids;   ///< what it collides with; Solid::X_BS is X_LS
+  double friction = 0.6;
 
   bool operator==(const LinkSpec&) const = default;
 };
@@ -41,6 +42,9 @@ struct ArticulationSpec {
   std::vector<LinkSpec> links;            ///< parents before children
   /// Pairs of links that always touch and therefore never collide; -1 is the base.
   std::vector<std::pair<int, int>> never_collide;
+  /// Joints move exactly as commanded, with whatever force it takes: links push bodies, and pass
+  /// through what is static, through other such links, and through themselves.
+  bool is_kinematic = false;
 
   bool operator==(const ArticulationSpec&) const = default;
 };

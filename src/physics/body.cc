@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "physics/internal_body_shapes.h"
+#include "physics/internal_led_object.h"
 
 namespace smile::physics {
 namespace {
@@ -71,9 +72,29 @@ void Body::Load(double mass, double moment) {
   if (mass == load_mass_ && moment == load_moment_) return;
   load_mass_ = mass;
   load_moment_ = moment;
+  if (is_led_) return;
   bullet_->setMassProps(loaded_mass(), ToBullet(Vector3(moments_.array() + moment)));
   bullet_->updateInertiaTensor();
 }
+
+void Body::SetLed(bool is_led) {
+  if (is_led == is_led_) return;
+  is_led_ = is_led;
+  if (is_led) {
+    MakeLed(bullet_.get());
+    return;
+  }
+  bullet_->setCollisionFlags(bullet_->getCollisionFlags() &
+                             ~btCollisionObject::CF_KINEMATIC_OBJECT);
+  bullet_->setMassProps(loaded_mass(), ToBullet(Vector3(moments_.array() + load_moment_)));
+  bullet_->updateInertiaTensor();
+}
+
+void Body::LeadTo(const RigidTransform& X_WB, double seconds) {
+  Lead(X_WB * X_BcmB_.inverse(), seconds, bullet_.get());
+}
+
+void Body::PlaceAt(const RigidTransform& X_WB) { Place(X_WB * X_BcmB_.inverse(), bullet_.get()); }
 
 void Body::SetPose(const RigidTransform& X_WB) {
   const btTransform X_WBcm = ToBullet(X_WB * X_BcmB_.inverse());

@@ -43,7 +43,8 @@ class Body {
   Vector3 angular_velocity() const;      ///< w_WB [rad/s]
   /// False when it came to rest: it costs nothing until something touches it.
   bool is_awake() const;
-  /// A hand or a gripper has it: it weighs nothing and never falls asleep.
+  /// A hand or a gripper has it: it weighs nothing (but see WeldSpec::holds_up) and never falls
+  /// asleep.
   bool is_carried() const { return is_carried_; }
 
   /// Starts or ends being carried; both wake it and what it touches, both keep its velocity.
@@ -60,6 +61,11 @@ class Body {
   /// What hangs on a carried body, for the time being: so much mass [kg], and so much resistance to
   /// turning about any axis [kg m2], are added to its own.
   void Load(double mass, double moment);
+  /// Led, it is moved by what holds it alone: nothing pushes it.
+  void SetLed(bool is_led);
+  /// What it has to do in the next step to be there after it; see internal_led_object.h.
+  void LeadTo(const RigidTransform& X_WB, double seconds);
+  void PlaceAt(const RigidTransform& X_WB);
   /// Its own mass and what hangs on it [kg].
   double loaded_mass() const { return spec_->mass.mass + load_mass_; }
   Body(BodyId id, std::shared_ptr<const BodySpec> spec);
@@ -76,6 +82,7 @@ class Body {
 
   RigidTransform X_BcmB_;  ///< B in the frame of its centre of mass and principal axes of inertia
   bool is_carried_ = false;
+  bool is_led_ = false;
   double load_mass_ = 0, load_moment_ = 0;  ///< set anew in every step
 };
 

@@ -23,6 +23,10 @@ void CheckShare(double share, const char* name) {
 
 void CheckNumbers(const WeldSpec& weld) {
   if (!IsFinite(weld.X_LB)) throw std::invalid_argument("joint: its frame is not finite");
+  if (!(weld.holds_up >= 0)) {
+    throw std::invalid_argument("joint: holds up " + std::to_string(weld.holds_up) +
+                                " kg, expected at least 0");
+  }
 }
 void CheckNumbers(const FixedJointSpec& fixed) {
   if (!IsFinite(fixed.X_AB)) throw std::invalid_argument("joint: its frame is not finite");
@@ -76,7 +80,8 @@ void CheckArticulation(const ArticulationSpec& spec) {
     const LinkSpec& link = spec.links[i];
     is_sound = is_sound && link.parent >= -1 && link.parent < i && IsFinite(link.X_PJ) &&
                link.axis.allFinite() && link.p_LLcm.allFinite() && link.inertia.allFinite() &&
-               std::isfinite(link.mass) && link.mass > 0;
+               std::isfinite(link.mass) && link.mass > 0 && std::isfinite(link.friction) &&
+               link.friction >= 0;
   }
   for (const auto& [a, b] : spec.never_collide) {
     is_sound = is_sound && a >= -1 && b >= -1 && a < count && b < count;

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "physics/internal_compound_pairs.h"
+#include "physics/internal_joint_drive.h"
 
 namespace smile::physics {
 namespace {
@@ -19,6 +20,21 @@ void RemoveInOrder(btAlignedObjectArray<Constraint*>& constraints, Constraint* c
   const int index = constraints.findLinearSearch(constraint);
   for (int i = index; i + 1 < constraints.size(); ++i) constraints[i] = constraints[i + 1];
   if (index < constraints.size()) constraints.pop_back();
+}
+
+/// What a solver that is out of iterations leaves of joints' limits.
+void LimitJointSpeeds(double seconds, btMultiBody* multibody) {
+  for (int i = 0; i < multibody->getNumLinks(); ++i) {
+    const JointSpeeds allowed = AllowedSpeeds(*multibody, i, seconds);
+    const double v = multibody->getJointVel(i);
+    if (v < allowed.least) multibody->setJointVel(i, allowed.least);
+    if (v > allowed.most) multibody->setJointVel(i, allowed.most);
+  }
+}
+
+/// True for what a push can send flying; joints have their limits of speed.
+bool IsLoose(const btCollisionObject* object) {
+  return btRigidBody::upcast(object) != nullptr && !object->isStaticOrKinematicObject();
 }
 
 template <class Constraint>
@@ -74,6 +90,11 @@ void ExactWorld::ReplaceConstraint(btTypedConstraint* constraint, btTypedConstra
   Replace(m_constraints, constraint, with);
 }
 
+void ExactWorld::integrateTransforms(btScalar seconds) {
+  for (int i = 0; i < m_multiBodies.size(); ++i) LimitJointSpeeds(seconds, m_multiBodies[i]);
+  btMultiBodyDynamicsWorld::integrateTransforms(seconds);
+}
+
 void ExactWorld::calculateSimulationIslands() {
   btMultiBodyDynamicsWorld::calculateSimulationIslands();
   // Which member stands for an island depends on the order of merging; let it be the smallest.
@@ -96,6 +117,7 @@ void ExactWorld::calculateSimulationIslands() {
 void ExactWorld::LimitDepths() {
   for (int i = 0; i < getDispatcher()->getNumManifolds(); ++i) {
     btPersistentManifold* manifold = getDispatcher()->getManifoldByIndexInternal(i);
+    if (!IsLoose(manifold->getBody0()) && !IsLoose(manifold->getBody1())) continue;
     for (int k = 0; k < manifold->getNumContacts(); ++k) {
       btManifoldPoint& point = manifold->getContactPoint(k);
       point.setDistance(std::max(point.getDistance(), -kMaxDepth));

@@ -1,5 +1,7 @@
 #include "physics/internal_joint_solver.h"
 
+#include <BulletDynamics/Featherstone/btMultiBodyLinkCollider.h>
+
 #include <algorithm>
 #include <vector>
 
@@ -30,7 +32,26 @@ std::vector<NumberedRow> RowsOf(btConstraintArray& pool) {
   return rows;
 }
 
+bool IsLink(const btCollisionObject* object) {
+  return btMultiBodyLinkCollider::upcast(object) != nullptr;
+}
+
 }  // namespace
+
+void JointSolver::convertContacts(btPersistentManifold** manifolds, int num_manifolds,
+                                  const btContactSolverInfo& info) {
+  btAlignedObjectArray<btPersistentManifold*> of_bodies, of_links;
+  for (int i = 0; i < num_manifolds; ++i) {
+    const bool is_of_link = IsLink(manifolds[i]->getBody0()) || IsLink(manifolds[i]->getBody1());
+    (is_of_link ? of_links : of_bodies).push_back(manifolds[i]);
+  }
+  const int num_of_bodies = of_bodies.size();
+  btMultiBodyConstraintSolver::convertContacts(num_of_bodies > 0 ? &of_bodies[0] : nullptr,
+                                               num_of_bodies, info);
+  btContactSolverInfo in_all_directions = info;
+  in_all_directions.m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
+  for (int i = 0; i < of_links.size(); ++i) convertMultiBodyContact(of_links[i], in_all_directions);
+}
 
 void JointSolver::convertJoints(btTypedConstraint** joints, int num_joints,
                                 const btContactSolverInfo& info) {

@@ -14,6 +14,11 @@ class JointSolver : public btMultiBodyConstraintSolver {
   btScalar solveGroupCacheFriendlyFinish(btCollisionObject** bodies, int num_bodies,
                                          const btContactSolverInfo& info) override;
 
+  /// Links rub in all directions. Bullet would rub them in one only, and then passes over every row
+  /// of friction that has no partner in another direction: links would be of ice.
+  void convertContacts(btPersistentManifold** manifolds, int num_manifolds,
+                       const btContactSolverInfo& info) override;
+
  protected:
   void convertJoints(btTypedConstraint** joints, int num_joints,
                      const btContactSolverInfo& info) override;

@@ -27,7 +27,7 @@ std::pair<int, int> Ordered(int a, int b) { return a < b ? std::pair(a, b) : std
 bool PairFilter::needBroadphaseCollision(btBroadphaseProxy* a, btBroadphaseProxy* b) const {
   const btCollisionObject* object_a = ObjectOf(a);
   const btCollisionObject* object_b = ObjectOf(b);
-  if (object_a->isStaticObject() && object_b->isStaticObject()) return false;
+  if (object_a->isStaticOrKinematicObject() && object_b->isStaticOrKinematicObject()) return false;
   if (IsEmpty(object_a) || IsEmpty(object_b)) return false;
   return !IsExcluded(OrderOf(object_a), OrderOf(object_b));
 }
@@ -49,6 +49,11 @@ void StatelessBroadphase::Exclude(const btCollisionObject& a, const btCollisionO
   // The cache wants to change the proxies' pointers to pairs, which it does not keep itself.
   pairs_.removeOverlappingPair(const_cast<btBroadphaseProxy*>(a.getBroadphaseHandle()),
                                const_cast<btBroadphaseProxy*>(b.getBroadphaseHandle()), dispatcher);
+}
+
+void StatelessBroadphase::DropPairsOf(const btCollisionObject& object, btDispatcher* dispatcher) {
+  pairs_.removeOverlappingPairsContainingProxy(
+      const_cast<btBroadphaseProxy*>(object.getBroadphaseHandle()), dispatcher);
 }
 
 btBroadphaseProxy* StatelessBroadphase::createProxy(const btVector3& aabb_min,

@@ -9,8 +9,9 @@
 
 namespace smile::physics {
 
-/// Decides which pairs may collide at all: not two static things, and no pair that is excluded. A
-/// pair that was excluded for several reasons collides again when the last of them ends.
+/// Decides which pairs may collide at all: not two things that nothing can push, and no pair that
+/// is excluded. A pair that was excluded for several reasons collides again when the last of them
+/// ends.
 class PairFilter : public btOverlapFilterCallback {
  public:
   bool needBroadphaseCollision(btBroadphaseProxy* a, btBroadphaseProxy* b) const override;
@@ -35,6 +36,10 @@ class StatelessBroadphase : public btBroadphaseInterface {
   PairFilter& filter() { return filter_; }
   /// Excludes two objects of this broadphase and drops the contacts they have.
   void Exclude(const btCollisionObject& a, const btCollisionObject& b, btDispatcher* dispatcher);
+
+  /// Drops all contacts of an object, for when it changes what it may collide with; pairs are found
+  /// anew in the next step.
+  void DropPairsOf(const btCollisionObject& object, btDispatcher* dispatcher);
 
   btBroadphaseProxy* createProxy(const btVector3& aabb_min, const btVector3& aabb_max,
                                  int shape_type, void* object, int group, int mask,

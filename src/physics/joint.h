@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <variant>
 #include <vector>
 
@@ -9,13 +10,17 @@
 namespace smile::physics {
 
 /// Holds a body in a fixed place on a link of an articulation, as a gripper holds a block. The body
-/// is carried (weightless) and does not collide with the links that are listed.
+/// is carried (weightless) and does not collide with the links that are listed. What a kinematic
+/// link holds moves as it does: it pushes others, and nothing pushes it.
 struct WeldSpec {
   ArticulationId articulation;
   int link = -1;
   BodyId body;
   RigidTransform X_LB;
   std::vector<int> links_not_colliding;
+  /// So much of the body's mass is held up for the articulation [kg]. Its motors feel the weight of
+  /// the rest, and have just their listed effort then.
+  double holds_up = std::numeric_limits<double>::infinity();
 
   bool operator==(const WeldSpec&) const = default;
 };

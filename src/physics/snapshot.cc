@@ -13,7 +13,7 @@ namespace smile::physics {
 namespace {
 
 constexpr std::array kMagic = {'S', 'M', 'I', 'L', 'E', 'S', 'N', 'P'};
-constexpr std::uint32_t kVersion = 3;
+constexpr std::uint32_t kVersion = 4;
 /// More of anything than this is not one of ours.
 constexpr std::uint32_t kMaxCount = 1'000'000;
 
@@ -169,6 +169,7 @@ void Walk(Archive& archive, LinkSpec& link) {
   WalkMatrix(archive, link.p_LLcm);
   WalkMatrix(archive, link.inertia);
   WalkEach(archive, link.solids);
+  archive(link.friction);
 }
 
 template <class Archive>
@@ -183,6 +184,7 @@ void Walk(Archive& archive, ArticulationSpec& spec) {
   WalkEach(archive, spec.base_solids);
   WalkEach(archive, spec.links);
   WalkEach(archive, spec.never_collide);
+  archive(spec.is_kinematic);
 }
 
 template <class Archive>
@@ -192,6 +194,7 @@ void Walk(Archive& archive, WeldSpec& weld) {
   archive(weld.body.value);
   Walk(archive, weld.X_LB);
   WalkEach(archive, weld.links_not_colliding);
+  archive(weld.holds_up);
 }
 template <class Archive>
 void Walk(Archive& archive, FixedJointSpec& fixed) {

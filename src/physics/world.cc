@@ -39,12 +39,13 @@ World::~World() {
   while (!bodies_.empty()) Erase(*bodies_.back());
   for (const auto& articulation : articulations_) {
     for (const auto& link : articulation->links_->links) {
-      engine_->world.removeMultiBodyConstraint(link.motor.get());
-      engine_->world.removeMultiBodyConstraint(link.limits.get());
+      if (link.drive) engine_->world.removeMultiBodyConstraint(link.drive.get());
       engine_->world.removeCollisionObject(link.collider.get());
     }
     if (auto* base = articulation->links_->collider(-1)) engine_->world.removeCollisionObject(base);
-    engine_->world.removeMultiBody(articulation->bullet_.get());
+    if (!articulation->spec().is_kinematic) {
+      engine_->world.removeMultiBody(articulation->bullet_.get());
+    }
   }
 }
 
@@ -142,12 +143,11 @@ void World::Insert(std::unique_ptr<Articulation> articulation) {
   for (const auto& [a, b] : articulation->spec().never_collide) {
     engine_->broadphase.filter().Exclude(base_order + 1 + a, base_order + 1 + b);
   }
-  world.addMultiBody(articulation->bullet_.get());
+  if (!articulation->spec().is_kinematic) world.addMultiBody(articulation->bullet_.get());
   if (auto* base = links.collider(-1)) world.addCollisionObject(base);
   for (const auto& link : links.links) {
     world.addCollisionObject(link.collider.get());
-    world.addMultiBodyConstraint(link.motor.get());
-    world.addMultiBodyConstraint(link.limits.get());
+    if (link.drive) world.addMultiBodyConstraint(link.drive.get());
   }
   world.SortObjects();
   InsertSorted(articulations_, std::move(articulation));
@@ -243,6 +243,17 @@ void World::Step() {
   LoadCarriedBodies();
   if (!engine_->joints.empty()) DampSliders();
   if (!passing_.empty()) EndPassingApart();
+  PullDown();
+  for (const auto& articulation : articulations_) {
+    articulation->BeforeStep(config_.step_seconds, config_.gravity);
+  }
+  LeadHeldBodies();
+  engine_->world.stepSimulation(config_.step_seconds, /*maxSubSteps=*/0);
+  for (const auto& articulation : articulations_) articulation->AfterStep();
+  PlaceHeldBodies();
+}
+
+void World::PullDown() {
   for (const auto& body : bodies_) {
     if (body->is_static()) continue;
     // What touches nothing would fall for ever.
@@ -250,10 +261,14 @@ void World::Step() {
     const double gravity = floats ? 0.0 : -config_.gravity;
     body->bullet_->setGravity(btVector3(0, 0, gravity));
   }
-  for (const auto& articulation : articulations_) {
-    articulation->DriveMotors(config_.step_seconds, config_.gravity);
+  for (const Joint& joint : joints_) {
+    const auto* weld = std::get_if<WeldSpec>(&joint.spec);
+    if (weld == nullptr) continue;
+    Body& held = body(weld->body);
+    const double excess = std::max(0.0, held.spec().mass.mass - weld->holds_up);
+    held.bullet_->setGravity(btVector3(0, 0, -config_.gravity * excess / held.loaded_mass()));
+    if (excess > 0) articulation(weld->articulation).NoteOverload(weld->link);
   }
-  engine_->world.stepSimulation(config_.step_seconds, /*maxSubSteps=*/0);
 }
 
 }  // namespace smile::physics

@@ -149,6 +149,16 @@ class World {
   void WakeJoined(const JointSpec& spec);
   /// Itself and those that hang on it through joints, up to and with static ones; by id.
   std::vector<BodyId> BodiesJoinedWith(BodyId id, JointId without) const;
+  /// Sets what gravity does to bodies in the next step.
+  void PullDown();
+  bool IsLed(const WeldSpec& weld) const {
+    return articulation(weld.articulation).spec().is_kinematic;
+  }
+  void SetLed(BodyId id, bool is_led);
+  /// Gives what kinematic articulations hold its velocity for the next step.
+  void LeadHeldBodies();
+  /// And its place after it.
+  void PlaceHeldBodies();
   /// A carried body moves what hangs on it as if it had the mass of all of it; see the decisions.
   void LoadCarriedBodies();
   void DampSliders();

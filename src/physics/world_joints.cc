@@ -35,8 +35,12 @@ JointId World::AddJoint(const JointSpec& spec) {
 void World::Insert(const Joint& joint) {
   if (const auto* weld = std::get_if<WeldSpec>(&joint.spec)) {
     ExcludeLinks(*weld);
-    auto& bullet = engine_->welds[joint.id] = MakeBulletWeld(*weld);
-    engine_->world.addMultiBodyConstraint(bullet.get());
+    if (IsLed(*weld)) {
+      SetLed(weld->body, true);
+    } else {
+      auto& bullet = engine_->welds[joint.id] = MakeBulletWeld(*weld);
+      engine_->world.addMultiBodyConstraint(bullet.get());
+    }
   } else {
     if (!DoCollide(joint.spec)) {
       const auto [a, b] = *BodyPairOf(joint.spec);
@@ -92,13 +96,19 @@ void World::RemoveJoint(JointId id) {
       const auto* collider = holder.links_->collider(link);
       if (collider) filter.Include(OrderOf(collider), static_cast<int>(weld->body.value));
     }
-    engine_->world.RemoveConstraintInOrder(engine_->welds.at(id).get());
-    engine_->welds.erase(id);
-    const bool is_held_still =
-        std::any_of(joints_.begin(), joints_.end(), [weld](const Joint& other) {
-          return std::holds_alternative<WeldSpec>(other.spec) && Joins(other.spec, weld->body);
-        });
+    if (const auto bullet = engine_->welds.find(id); bullet != engine_->welds.end()) {
+      engine_->world.RemoveConstraintInOrder(bullet->second.get());
+      engine_->welds.erase(bullet);
+    }
+    bool is_held_still = false, is_led_still = false;
+    for (const Joint& other : joints_) {
+      const auto* holds = std::get_if<WeldSpec>(&other.spec);
+      if (holds == nullptr || holds->body != weld->body) continue;
+      is_held_still = true;
+      is_led_still = is_led_still || IsLed(*holds);
+    }
     body(weld->body).SetCarried(is_held_still);
+    SetLed(weld->body, is_led_still);
   } else {
     const auto [a, b] = *BodyPairOf(joint.spec);
     if (!DoCollide(joint.spec))
@@ -107,6 +117,32 @@ void World::RemoveJoint(JointId id) {
     engine_->joints.erase(id);
   }
   WakeJoined(joint.spec);
+}
+
+/// What nothing can push collides with less than others.
+void World::SetLed(BodyId id, bool is_led) {
+  Body& held = body(id);
+  if (held.is_led_ == is_led) return;
+  held.SetLed(is_led);
+  engine_->broadphase.DropPairsOf(*held.bullet_, &engine_->dispatcher);
+}
+
+void World::LeadHeldBodies() {
+  for (const Joint& joint : joints_) {
+    const auto* weld = std::get_if<WeldSpec>(&joint.spec);
+    if (weld == nullptr || !IsLed(*weld)) continue;
+    const auto X_WL = articulation(weld->articulation).next_link_poses();
+    body(weld->body).LeadTo(X_WL[weld->link] * weld->X_LB, config_.step_seconds);
+  }
+}
+
+void World::PlaceHeldBodies() {
+  for (const Joint& joint : joints_) {
+    const auto* weld = std::get_if<WeldSpec>(&joint.spec);
+    if (weld == nullptr || !IsLed(*weld)) continue;
+    const auto X_WL = articulation(weld->articulation).link_poses();
+    body(weld->body).PlaceAt(X_WL[weld->link] * weld->X_LB);
+  }
 }
 
 void World::WakeJoined(const JointSpec& spec) {
@@ -123,6 +159,10 @@ void World::RejoinBullet(BodyId id) {
   for (const Joint& joint : joints_) {
     if (!Joins(joint.spec, id)) continue;
     if (const auto* weld = std::get_if<WeldSpec>(&joint.spec)) {
+      if (IsLed(*weld)) {
+        SetLed(id, true);
+        continue;
+      }
       auto& old = engine_->welds.at(joint.id);
       auto fresh = MakeBulletWeld(*weld);
       engine_->world.ReplaceConstraint(old.get(), fresh.get());

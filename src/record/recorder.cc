@@ -35,7 +35,8 @@ DemoInfo InfoOf(const RecorderOptions& options, const sim::Eye* eye,
         .gap = placement->gap,
         .height = placement->height,
         .urdf = (std::filesystem::path(kRobotFolder) / placement->files.at(0).name).string(),
-        .gripper = placement->gripper};
+        .gripper = placement->gripper,
+        .body = placement->body};
   }
   if (eye != nullptr) {
     info.eye = EyeView(simulation, eye->spec());

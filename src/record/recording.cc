@@ -57,6 +57,28 @@ CameraView ParseView(const Json& json) {
   return view;
 }
 
+/// Recordings of ordinary robots say nothing of their bodies.
+Json ToJson(const RobotInfo& info) {
+  Json json = {{"name", info.name},
+               {"gap_m", info.gap},
+               {"height_m", info.height},
+               {"urdf", info.urdf},
+               {"gripper", info.gripper}};
+  if (info.body.is_kinematic) json["kinematic"] = true;
+  if (info.body.grasps_by_friction) json["friction_grasp"] = true;
+  return json;
+}
+
+RobotInfo ParseRobot(const Json& json) {
+  return {.name = json.at("name"),
+          .gap = json.at("gap_m"),
+          .height = json.at("height_m"),
+          .urdf = json.value("urdf", kOldRobotFile),
+          .gripper = json.value("gripper", ""),
+          .body = {.is_kinematic = json.value("kinematic", false),
+                   .grasps_by_friction = json.value("friction_grasp", false)}};
+}
+
 void CheckInfo(const DemoInfo& info) {
   const auto check = [](const char* key, double value, double low, double high) {
     if (value >= low && value <= high) return;
@@ -76,6 +98,9 @@ void CheckInfo(const DemoInfo& info) {
     if (!is_inside) {
       throw std::invalid_argument("\"urdf\" is " + Quoted(info.robot->urdf) +
                                   ", expected a file in " + kRobotFolder + "/");
+    }
+    if (info.robot->body.is_kinematic && info.robot->body.grasps_by_friction) {
+      throw std::invalid_argument("\"kinematic\" and \"friction_grasp\" exclude each other");
     }
   }
   if (!info.eye) return;
@@ -109,8 +134,7 @@ DemoInfo ReadInfo(const std::filesystem::path& path) {
       info.has_symbols = json.at("has_symbols");
     }
     if (const Json& robot = json.at("robot"); !robot.is_null()) {
-      info.robot = RobotInfo{robot.at("name"), robot.at("gap_m"), robot.at("height_m"),
-                             robot.value("urdf", kOldRobotFile), robot.value("gripper", "")};
+      info.robot = ParseRobot(robot);
     }
     if (const Json& eye = json.at("eye"); !eye.is_null()) {
       info.eye = ParseView(eye);
@@ -182,13 +206,7 @@ void CheckStart(const Recording& recording) {
 
 std::string ToJsonText(const DemoInfo& info) {
   Json robot, eye;
-  if (info.robot) {
-    robot = {{"name", info.robot->name},
-             {"gap_m", info.robot->gap},
-             {"height_m", info.robot->height},
-             {"urdf", info.robot->urdf},
-             {"gripper", info.robot->gripper}};
-  }
+  if (info.robot) robot = ToJson(*info.robot);
   if (info.eye) {
     eye = ToJson(*info.eye);
     eye["camera"] = info.eye_camera;
@@ -239,7 +257,8 @@ Recording OpenRecording(const std::filesystem::path& directory) {
                                           .gripper = std::move(reading.gripper),
                                           .files = std::move(reading.files),
                                           .gap = robot->gap,
-                                          .height = robot->height};
+                                          .height = robot->height,
+                                          .body = robot->body};
   }
   std::optional<std::string> cut;
   recording.log =

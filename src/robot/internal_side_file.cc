@@ -22,8 +22,8 @@ constexpr std::size_t kMaxParts = 16;                   // of a gripper
 constexpr std::array<std::string_view, 12> kFileMembers{
     "format", "frames",        "arms",  "grippers", "gripper", "head",
     "limits", "never_collide", "poses", "start",    "look",    "stands"};
-constexpr std::array<std::string_view, 7> kArmMembers{
-    "joints", "tool", "fingers", "closed_opening", "pads", "flange", "prefix"};
+constexpr std::array<std::string_view, 8> kArmMembers{
+    "joints", "tool", "fingers", "closed_opening", "pads", "flange", "prefix", "payload"};
 constexpr std::array<std::string_view, 8> kGripperMembers{
     "parts", "choices", "tool", "fingers", "closed_opening", "pads", "never_collide", "look"};
 constexpr std::array<std::string_view, 3> kPartMembers{"urdf", "to", "prefix"};
@@ -169,6 +169,13 @@ class SideFileReader {
       if (gripper_->Has("look")) {
         ReadLook(gripper_->Member("look"), "classic",
                  [&] { AddClassicGripperLook(prefix, &model_); });
+      }
+    }
+    if (node.Has("payload")) {
+      const SideNode payload = node.Member("payload");
+      arm.payload = payload.Number();
+      if (!(arm.payload >= 0)) {
+        payload.Fail("found " + NumberText(arm.payload) + " kg, expected at least 0");
       }
     }
     model_.arms.push_back(std::move(arm));

@@ -18,11 +18,34 @@ void CheckCount(std::span<const double> values, std::size_t expected, const std:
                               " values, expected " + std::to_string(expected));
 }
 
+/// Of a finger that holds by friction: rubber. Blocks have 0.6, and Bullet multiplies.
+constexpr double kPadFriction = 1.5;
+
+/// The left finger of a gripper that holds by friction keeps its place with all a motor may use,
+/// and the right one presses with just the effort its description names.
+void PadFingers(const RobotModel& model, double effort_scale, physics::ArticulationSpec* spec) {
+  for (const Arm& arm : model.arms) {
+    if (!arm.gripper) continue;
+    spec->links[arm.gripper->left_finger].friction = kPadFriction;
+    spec->links[arm.gripper->right_finger].friction = kPadFriction;
+    spec->links[arm.gripper->right_finger].max_effort /= effort_scale;
+  }
+}
+
 }  // namespace
 
-RobotBody::RobotBody(physics::World* world, RobotModel model, const RigidTransform& X_WBase)
-    : world_(world), model_(std::move(model)), X_WBase_(X_WBase) {
-  articulation_ = world_->AddArticulation(MakeArticulationSpec(model_, X_WBase));
+RobotBody::RobotBody(physics::World* world, RobotModel model, const RigidTransform& X_WBase,
+                     const RobotBodyOptions& options)
+    : world_(world), model_(std::move(model)), X_WBase_(X_WBase), options_(options) {
+  if (options_.is_kinematic && options_.grasps_by_friction) {
+    throw std::invalid_argument("a kinematic robot can't grasp by friction");
+  }
+  physics::ArticulationSpec spec = MakeArticulationSpec(model_, X_WBase);
+  spec.is_kinematic = options_.is_kinematic;
+  if (options_.grasps_by_friction) {
+    PadFingers(model_, world_->config().motor.effort_scale, &spec);
+  }
+  articulation_ = world_->AddArticulation(spec);
   std::vector<int> joints(model_.num_joints());
   std::iota(joints.begin(), joints.end(), 0);
   articulation().SetPositions(joints, model_.q_start);
@@ -44,13 +67,29 @@ void RobotBody::SetGripperVelocity(int arm, double velocity) {
   CommandFingers(arm);
 }
 
-/// Both fingers share the motion. A gripper that holds something keeps its opening.
+/// Both fingers share the motion. A gripper that something is attached to keeps its opening; of one
+/// that squeezes something the left finger stays: were both to press, nothing would keep what they
+/// hold from moving with them.
 void RobotBody::CommandFingers(int arm) {
   const Gripper& gripper = *model_.arms[arm].gripper;
   const GripperState& state = state_.grippers[arm];
   const double velocity = state.welds.empty() ? state.opening_velocity / 2 : 0.0;
-  articulation().SetVelocityTarget(gripper.left_finger, velocity);
   articulation().SetVelocityTarget(gripper.right_finger, velocity);
+  if (options_.grasps_by_friction && velocity < 0 && IsSqueezing(gripper)) {
+    const bool moves = articulation().velocity_targets()[gripper.left_finger] != 0;
+    if (moves) articulation().HoldStill(gripper.left_finger);
+  } else {
+    articulation().SetVelocityTarget(gripper.left_finger, velocity);
+  }
+}
+
+bool RobotBody::IsSqueezing(const Gripper& gripper) const {
+  const auto left = world_->ContactsWith(articulation_, gripper.left_finger);
+  const auto right = world_->ContactsWith(articulation_, gripper.right_finger);
+  return std::any_of(left.begin(), left.end(), [&right](const physics::Contact& a) {
+    return std::any_of(right.begin(), right.end(),
+                       [&a](const physics::Contact& b) { return b.body == a.body; });
+  });
 }
 
 void RobotBody::SetJointVelocity(int joint, double velocity) {
@@ -85,7 +124,12 @@ void RobotBody::SetHeadAngle(double angle) {
 void RobotBody::AfterStep() {
   for (int arm = 0; arm < num_arms(); ++arm) {
     const GripperState& state = state_.grippers[arm];
-    if (state.opening_velocity < 0 && state.welds.empty()) CloseAround(arm);
+    if (state.opening_velocity >= 0 || !state.welds.empty()) continue;
+    if (options_.grasps_by_friction) {
+      CommandFingers(arm);
+    } else {
+      CloseAround(arm);
+    }
   }
 }
 
@@ -97,15 +141,18 @@ void RobotBody::CloseAround(int arm) {
 
   const int palm = model_.frames[model_.arms[arm].tool].link;
   const RigidTransform X_LW = articulation().link_poses()[palm].inverse();
+  double payload = model_.arms[arm].payload;
   for (physics::BodyId id : GraspedBodies(left, right, ToolPose(arm), GripperOpening(arm))) {
     const physics::Body& body = world_->body(id);
     if (body.is_static() || body.is_carried()) continue;
-    state_.grippers[arm].welds.push_back(world_->AddJoint(physics::WeldSpec{
-        .articulation = articulation_,
-        .link = palm,
-        .body = id,
-        .X_LB = X_LW * body.pose_in_world(),
-        .links_not_colliding = {palm, gripper.left_finger, gripper.right_finger}}));
+    state_.grippers[arm].welds.push_back(world_->AddJoint(
+        physics::WeldSpec{.articulation = articulation_,
+                          .link = palm,
+                          .body = id,
+                          .X_LB = X_LW * body.pose_in_world(),
+                          .links_not_colliding = {palm, gripper.left_finger, gripper.right_finger},
+                          .holds_up = payload}));
+    payload = std::max(0.0, payload - body.spec().mass.mass);
   }
   if (state_.grippers[arm].welds.empty()) return;
   articulation().HoldStill(gripper.left_finger);

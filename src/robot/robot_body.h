@@ -9,6 +9,17 @@
 
 namespace smile::robot {
 
+/// What kind of body a robot has.
+struct RobotBodyOptions {
+  /// Nothing stops its arms, see physics::ArticulationSpec. Costs less than one that is stopped.
+  bool is_kinematic = false;
+  /// Grippers attach nothing to themselves: fingers press, and friction holds. Not of a kinematic
+  /// robot, whose fingers would press with any force.
+  bool grasps_by_friction = false;
+
+  bool operator==(const RobotBodyOptions&) const = default;
+};
+
 /// What one gripper was told, and what it holds.
 struct GripperState {
   double opening_velocity = 0;          ///< > 0 opens [m/s]
@@ -27,11 +38,14 @@ struct RobotBodyState {
 /// A robot that stands in a physics World and does what it is told.
 ///
 /// Arms and head keep a commanded velocity until the next one. A gripper that closes on a body
-/// holds it (see GraspedBodies()) and keeps its opening until it is told to open.
+/// holds it (see GraspedBodies()) and keeps its opening until it is told to open; one that grasps
+/// by friction goes on closing, with the effort of one finger.
 class RobotBody {
  public:
   /// Adds the robot to `world`, which must outlive this, in its start configuration.
-  RobotBody(physics::World* world, RobotModel model, const RigidTransform& X_WBase);
+  /// @throws std::invalid_argument if the options exclude each other.
+  RobotBody(physics::World* world, RobotModel model, const RigidTransform& X_WBase,
+            const RobotBodyOptions& options = {});
 
   const RobotModel& model() const { return model_; }
   int num_arms() const { return static_cast<int>(model_.arms.size()); }
@@ -48,7 +62,7 @@ class RobotBody {
   void SetJointVelocity(int joint, double velocity);
   /// @param velocity  of the head's pan [rad/s].
   void SetHeadVelocity(double velocity);
-  /// Puts an arm there at once, with what it holds [rad]; clamped to the limits.
+  /// Puts an arm there at once, with what is attached to it [rad]; clamped to the limits.
   void SetArmAngles(int arm, std::span<const double> angles);
   void SetHeadAngle(double angle);
 
@@ -60,6 +74,7 @@ class RobotBody {
   double HeadAngle() const;                          ///< [rad]; 0 without a head
   double GripperOpening(int arm) const;              ///< [m]; 0 without a gripper
   RigidTransform ToolPose(int arm) const;            ///< X_WG, between the fingers
+  /// Those attached to the gripper; none where friction holds.
   std::vector<physics::BodyId> HeldBodies(int arm) const;
   std::vector<double> positions() const;  ///< q of all joints, as in model()
   const RigidTransform& base_pose() const { return X_WBase_; }
@@ -73,10 +88,13 @@ class RobotBody {
   void CloseAround(int arm);
   void LetGo(int arm);
   void CommandFingers(int arm);
+  /// True when some body touches both fingers.
+  bool IsSqueezing(const Gripper& gripper) const;
 
   physics::World* world_;
   RobotModel model_;
   RigidTransform X_WBase_;
+  RobotBodyOptions options_;
   physics::ArticulationId articulation_;
   RobotBodyState state_;
 };

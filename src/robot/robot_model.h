@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -50,6 +51,8 @@ struct Arm {
   std::vector<int> joints;  ///< joint indexes from the shoulder to the wrist
   int tool = -1;            ///< frame index of the tool G; z is the approach direction
   std::optional<Gripper> gripper;
+  /// So much of what its gripper holds weighs nothing: the arm feels the rest [kg].
+  double payload = std::numeric_limits<double>::infinity();
 
   bool operator==(const Arm&) const = default;
 };

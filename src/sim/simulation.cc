@@ -27,7 +27,7 @@ Simulation::Simulation(scene::SceneSpec scene, std::optional<RobotPlacement> rob
   if (!placement_) return;
   robot_ = std::make_unique<robot::RobotBody>(
       &physics_, placement_->model,
-      RobotBasePose(scene_.table, placement_->gap, placement_->height));
+      RobotBasePose(scene_.table, placement_->gap, placement_->height), placement_->body);
   follower_.emplace(robot_.get());
   first_robot_frame_ = visual_model_.num_frames;
   visual_model_.object_names.push_back("robot");

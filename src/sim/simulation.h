@@ -39,6 +39,7 @@ struct RobotPlacement {
   std::vector<robot::RobotFile> files;  ///< it was read from, for whoever records it
   double gap = 0.20;                    ///< from its base to the table's near edge [m]
   double height = 0.20;                 ///< of its base above the table top [m]
+  robot::RobotBodyOptions body;
 };
 
 class Simulation;

@@ -74,8 +74,9 @@ class PhysicsWorldBuilder {
     return pile;
   }
   /// Two arms of four links each, the last joint sliding, over the table.
-  ArticulationId AddRobot() {
-    ArticulationSpec spec{.X_WBase = RigidTransform(Vector3(0, -0.5, 0.3))};
+  ArticulationId AddRobot(bool is_kinematic = false) {
+    ArticulationSpec spec{.X_WBase = RigidTransform(Vector3(0, -0.5, 0.3)),
+                          .is_kinematic = is_kinematic};
     spec.base_solids = {{scene::Block{{0.2, 0.1, 0.2}}, {}, {}, ""}};
     for (int arm = 0; arm < 2; ++arm) {
       for (int i = 0; i < 4; ++i) {

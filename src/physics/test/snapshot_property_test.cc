@@ -58,21 +58,23 @@ std::uint64_t GoOn(World& world, ArticulationId robot, BodyId held, BodyId remov
   return way.value();
 }
 
-class SnapshotProperty : public ::testing::TestWithParam<unsigned> {
+/// A seed, and whether the robot is kinematic.
+class SnapshotProperty : public ::testing::TestWithParam<std::pair<unsigned, bool>> {
  protected:
   void SetUp() override {
+    const auto [seed, is_kinematic] = GetParam();
     builder_.AddTable();
-    builder_.AddRobot();
-    pile_ = builder_.AddPile(18, GetParam());
+    builder_.AddRobot(is_kinematic);
+    pile_ = builder_.AddPile(18, seed);
     builder_.AddStack({0.6, 0.2, 0}, 4);
-    builder_.SwingRobot(GetParam());
+    builder_.SwingRobot(seed);
     builder_.StepSeconds(1.0);
     builder_.world_.AddJoint(WeldSpec{.articulation = builder_.robot_,
                                       .link = 6,
                                       .body = pile_[4],
                                       .X_LB = RigidTransform(Vector3(0, 0.35, 0)),
                                       .links_not_colliding = {6, 7}});
-    builder_.SwingRobot(GetParam() + 1);
+    builder_.SwingRobot(seed + 1);
     builder_.StepSeconds(0.4);
     snapshot_ = builder_.world_.Save();
     full_hash_ = FullHash(builder_.world_);
@@ -126,7 +128,9 @@ TEST_P(SnapshotProperty, GoesOnExactlyInAnotherProcess) {
   EXPECT_EQ(way, way_);
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, SnapshotProperty, ::testing::Values(1u, 2u));
+INSTANTIATE_TEST_SUITE_P(Seeds, SnapshotProperty,
+                         ::testing::Values(std::pair(1u, false), std::pair(2u, false),
+                                           std::pair(1u, true), std::pair(2u, true)));
 
 /// A world in which everything is jointed: a chain between posts, a damped drawer, a soft slider
 /// bouncing at its limits, a held lid, fixed rows, a hand that carries a lid, a robot that carries

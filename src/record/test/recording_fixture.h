@@ -47,15 +47,16 @@ class RecordingFixture : public ::testing::Test {
 {"hand":"left","do":"release"}
 {"do":"wait","seconds":2})";
 
-  static std::unique_ptr<sim::Simulation> MakeSimulation(bool with_robot,
-                                                         const char* xml = kScene) {
+  static std::unique_ptr<sim::Simulation> MakeSimulation(bool with_robot, const char* xml = kScene,
+                                                         const robot::RobotBodyOptions& body = {}) {
     auto scene = scene_xml::ReadSceneText(xml, "pair.xml").scene;
     if (!with_robot) return std::make_unique<sim::Simulation>(*scene);
     robot::RobotReading robot = robot::LoadRobot(DataFile("robots/baxter.urdf"));
     return std::make_unique<sim::Simulation>(
         *scene, sim::RobotPlacement{.model = std::move(robot.model),
                                     .gripper = std::move(robot.gripper),
-                                    .files = std::move(robot.files)});
+                                    .files = std::move(robot.files),
+                                    .body = body});
   }
 
   /// Plays the script to its end in front of a recorder; returns the recording's directory.

@@ -94,6 +94,32 @@ TEST_F(ReplayTest, NoticesAnotherFace) {
   ASSERT_EQ(report.state_differences.size(), 1u);
 }
 
+TEST_F(ReplayTest, KnowsWhatKindOfBodyTheRobotHad) {
+  for (const bool is_kinematic : {true, false}) {
+    const robot::RobotBodyOptions body{.is_kinematic = is_kinematic,
+                                       .grasps_by_friction = !is_kinematic};
+    const auto directory = root_ / (is_kinematic ? "kinematic" : "friction");
+    auto simulation = MakeSimulation(/*with_robot=*/true, kScene, body);
+    {
+      Recorder recorder(directory, {}, nullptr, *simulation);
+      simulation->AddListener(&recorder);
+      // Through the table and its blocks, closing.
+      simulation->Apply(
+          sim::JointVelocities{.left = {{-0.4, 0.5, 0, 0, 0, 0, 0}}, .grippers = {{-0.1, -0.1}}});
+      for (int i = 0; i < 120; ++i) simulation->Tick();
+      simulation->RemoveListener(&recorder);
+    }
+    EXPECT_EQ(OpenRecording(directory).robot->body, body);
+    EXPECT_FALSE(Replay(OpenRecording(directory)).first_difference.has_value());
+
+    std::string info = Text(directory / "demo.json");
+    const std::string key = is_kinematic ? "\"kinematic\"" : "\"friction_grasp\"";
+    info.replace(info.find(key), key.size(), is_kinematic ? "\"x\"" : "\"kinematic\"");
+    Overwrite(directory / "demo.json", info);
+    EXPECT_TRUE(Replay(OpenRecording(directory)).first_difference.has_value()) << "of another body";
+  }
+}
+
 TEST_F(ReplayTest, NamesTheFirstTickObjectAndQuantityThatDiffers) {
   const Recording recording = RecordAndReword("[3.0,-2.0,3.0]", "[3.0,-2.1,3.0]");
   const ReplayReport report = Replay(recording, {.stops_at_difference = true});

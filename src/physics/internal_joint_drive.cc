@@ -1,0 +1,86 @@
+#include "physics/internal_joint_drive.h"
+
+#include <BulletDynamics/Featherstone/btMultiBody.h>
+#include <BulletDynamics/Featherstone/btMultiBodyLinkCollider.h>
+
+#include <algorithm>
+
+namespace smile::physics {
+namespace {
+
+enum { kMotorRow, kLowerRow, kUpperRow, kNumRows };
+
+/// Impulse a limit may take: as good as any [N m s or N s].
+constexpr double kLimitImpulse = 100;
+/// A limit is watched from this share of the highest speed on.
+constexpr double kWatch = 0.05;
+
+}  // namespace
+
+struct JointDrive::Range {
+  double lower, upper;
+};
+
+JointSpeeds AllowedSpeeds(const btMultiBody& multibody, int link, double seconds) {
+  const btMultibodyLink& joint = multibody.getLink(link);
+  const double q = multibody.getJointPos(link);
+  return {.least = std::max(-joint.m_jointMaxVelocity, (joint.m_jointLowerLimit - q) / seconds),
+          .most = std::min(joint.m_jointMaxVelocity, (joint.m_jointUpperLimit - q) / seconds)};
+}
+
+JointDrive::JointDrive(btMultiBody* multibody, int link)
+    : btMultiBodyConstraint(multibody, /*bodyB=*/nullptr, link, /*linkB=*/-1, kNumRows,
+                            /*isUnilateral=*/true, MULTIBODY_CONSTRAINT_1DOF_JOINT_MOTOR) {}
+
+void JointDrive::SetTarget(double velocity, double max_impulse) {
+  velocity_ = velocity;
+  max_impulse_ = max_impulse;
+}
+
+void JointDrive::finalizeMultiDof() {
+  allocateJacobiansMultiDof();
+  const int column = 6 + m_bodyA->getLink(m_linkA).m_dofOffset;
+  for (int row = 0; row < kNumRows; ++row) jacobianA(row)[column] = 1;
+  m_numDofsFinalized = m_jacSizeBoth;
+}
+
+int JointDrive::getIslandIdA() const {
+  const btMultiBodyLinkCollider* collider = m_bodyA->getLink(m_linkA).m_collider;
+  return collider != nullptr ? collider->getIslandTag() : -1;
+}
+
+void JointDrive::createConstraintRows(btMultiBodyConstraintArray& rows,
+                                      btMultiBodyJacobianData& data,
+                                      const btContactSolverInfo& info) {
+  if (m_numDofsFinalized != m_jacSizeBoth) finalizeMultiDof();
+  if (max_impulse_ > 0) {
+    AddRow(kMotorRow, velocity_, {-max_impulse_, max_impulse_}, rows, data, info);
+  }
+  const JointSpeeds allowed = AllowedSpeeds(*m_bodyA, m_linkA, info.m_timeStep);
+  const double v = m_bodyA->getJointVel(m_linkA);
+  const double near = kWatch * m_bodyA->getLink(m_linkA).m_jointMaxVelocity;
+  if (v < allowed.least + near) {
+    AddRow(kLowerRow, allowed.least, {0, kLimitImpulse}, rows, data, info);
+  }
+  if (v > allowed.most - near) {
+    AddRow(kUpperRow, allowed.most, {-kLimitImpulse, 0}, rows, data, info);
+  }
+}
+
+void JointDrive::AddRow(int number, double velocity, const Range& impulse,
+                        btMultiBodyConstraintArray& rows, btMultiBodyJacobianData& data,
+                        const btContactSolverInfo& info) {
+  btMultiBodySolverConstraint& row = rows.expandNonInitializing();
+  row.m_orgConstraint = this;
+  row.m_orgDofIndex = number;
+  row.m_solverBodyIdA = row.m_solverBodyIdB = data.m_fixedBodyId;
+  const btVector3 none(0, 0, 0);
+  fillMultiBodyConstraint(row, data, jacobianA(number), jacobianB(number), none, none, none, none,
+                          /*posError=*/0, info, impulse.lower, impulse.upper,
+                          /*angConstraint=*/false, /*relaxation=*/1, /*isFriction=*/false,
+                          velocity);
+  row.m_contactNormal1 = row.m_contactNormal2 = none;
+  row.m_relpos1CrossNormal = row.m_relpos2CrossNormal = none;
+}
+
+}  // namespace smile::physics

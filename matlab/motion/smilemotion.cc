@@ -37,7 +37,9 @@ struct Call {
 // ---- what comes in ----------------------------------------------------------------------------
 
 std::string TextFrom(const mxArray* value, const std::string& name) {
-  if (!value || !mxIsChar(value) || mxGetM(value) != 1) Reject(name, "text");
+  if (!value || !mxIsChar(value)) Reject(name, "text");
+  if (mxIsEmpty(value)) return "";
+  if (mxGetM(value) != 1) Reject(name, "text");
   char* text = mxArrayToString(value);
   if (!text) Reject(name, "text");
   std::string copy(text);

@@ -30,6 +30,7 @@ HEADER = struct.Struct("<4I")
 MAX_BODY_BYTES = 64 << 20
 HELLO, INIT, INIT_DONE, STEP, MOTOR, FINAL_MOTOR, ERROR, BYE = range(1, 9)
 DOUBLE, BYTE, LOGICAL, TEXT = range(4)
+NO_MARKERS = np.zeros((0, 3))
 NUMPY_TYPES = {DOUBLE: "<f8", BYTE: "u1", LOGICAL: "?", TEXT: "u1"}
 
 
@@ -317,7 +318,7 @@ class Program:
         if hasattr(self.module, "init"):
             self.module.init(self.aux)
         wishes = wishes_of(self.aux)
-        self.markers = np.array(wishes.get("drawMarkers", np.zeros((0, 3))))
+        self.markers = np.array(wishes.get("drawMarkers", NO_MARKERS))
         return INIT_DONE, wishes
 
     def step(self, values):
@@ -328,9 +329,10 @@ class Program:
 
     def new_markers(self):
         """aux.drawMarkers, when they are others than those sent last."""
-        if "drawMarkers" not in self.aux or np.array_equal(self.aux.drawMarkers, self.markers):
+        markers = wish_of(self.aux, "drawMarkers") if "drawMarkers" in self.aux else NO_MARKERS
+        if np.array_equal(markers, self.markers):
             return {}
-        self.markers = np.array(wish_of(self.aux, "drawMarkers"))
+        self.markers = np.array(markers)
         return {"drawMarkers": self.markers}
 
     def describe(self, error):

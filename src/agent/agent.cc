@@ -98,16 +98,17 @@ class Conversation {
   }
 
   void AddNewMarkers(MessageWriter* writer) {
-    if (!aux_.draw_markers || aux_.draw_markers == sent_markers_) return;
-    AddMatrix(*writer, "drawMarkers", *aux_.draw_markers);
-    sent_markers_ = aux_.draw_markers;
+    const Eigen::MatrixX3d markers = aux_.draw_markers.value_or(Eigen::MatrixX3d(0, 3));
+    if (markers.rows() == sent_markers_.rows() && markers == sent_markers_) return;
+    AddMatrix(*writer, "drawMarkers", markers);
+    sent_markers_ = markers;
   }
 
   Program* program_;
   Connection* connection_;
   Aux aux_;
   Motor motor_;
-  std::optional<Eigen::MatrixX3d> sent_markers_;
+  Eigen::MatrixX3d sent_markers_ = Eigen::MatrixX3d(0, 3);
 };
 
 }  // namespace

@@ -24,7 +24,7 @@ bool IsPrintable(const std::string& text) {
 
 /// Whatever kind of answer it says it is: a program lies.
 std::string FaultWithAnswer(const wire::Message& message) {
-  const auto init = brain::DecodeInitReply(message);
+  const auto init = brain::DecodeInitReply(message, {.camera_names = {"eye", "overhead"}});
   if (const auto* error = std::get_if<wire::WireError>(&init)) {
     if (error->message.empty()) return "an init is refused without a reason";
   } else {

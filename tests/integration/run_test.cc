@@ -102,7 +102,7 @@ TEST_F(Run, AnArmPutAmongSleepingBlocksPushesThemAside) {
   EXPECT_GT(std::abs(before[0].get<double>() - after[0].get<double>()) +
                 std::abs(before[1].get<double>() - after[1].get<double>()) +
                 std::abs(before[2].get<double>() - after[2].get<double>()),
-            0.05);
+            0.02);
 }
 
 TEST_F(Run, TheSchemaIsJson) {

@@ -124,7 +124,7 @@ class HostileBrains : public BrainProcessTest, public testing::WithParamInterfac
                         .callback_seconds = is_late("took longer") ? 0.5 : 20.0});
     const auto begun = brain.Init({});
     if (std::holds_alternative<BrainError>(begun)) return ErrorIn(begun);
-    const Sensor sensor{.rgb_vision = Gradient(640, 480)};
+    const Sensor sensor{.pictures = {{.image = Gradient(640, 480)}}};
     auto reply = brain.Step(sensor);
     if (std::holds_alternative<StepReply>(reply)) reply = brain.Step(sensor);
     EXPECT_FALSE(brain.is_running());

@@ -46,6 +46,8 @@ TEST_F(PythonBrainTest, IsToldWhatTheScriptsAreTold) {
   Aux aux;
   aux.max_joint_angles(1, 6) = 3;
   aux.camera = CameraDescription{.width_px = 4, .height_px = 3};
+  aux.camera_names = {"eye", "overhead"};
+  aux.robot_files = {{"r.urdf", std::make_shared<const std::string>("<robot/>")}};
   aux.demonstration = "out/demo";
   aux.attention = {{"a", {"color", "size"}}, {"b", {}}};
   BrainProcess brain(Python(
@@ -57,6 +59,8 @@ TEST_F(PythonBrainTest, IsToldWhatTheScriptsAreTold) {
       "  assert aux.attention == {'a': ['color', 'size'], 'b': []}\n"
       "  aux.initJointAngles = aux.maxJointAngles\n"
       "  aux.drawMarkers = [[1, 2, 3]]\n"
+      "  aux.channels, aux.cameras, aux.imageSeconds = ['rgb', 'depth'], 'overhead', 2\n"
+      "  assert open(aux.robot).read() == '<robot/>' and aux.cameraNames == ['eye', 'overhead']\n"
       "def step(sensor, motor, aux):\n"
       "  assert (sensor.timeElapsed, sensor.simTime, sensor.demoCue) == (0.25, 2, True)\n"
       "  assert sensor.endEffPos.tolist() == [[1, 2, 3], [4, 5, 6]]\n"
@@ -64,8 +68,16 @@ TEST_F(PythonBrainTest, IsToldWhatTheScriptsAreTold) {
       "  picture = sensor.rgbVision\n"
       "  assert picture.shape == (150, 200, 3) and picture.dtype == np.uint8\n"
       "  assert picture.flags.c_contiguous and picture[1, 2, 0] == 3 * 202 * 7 % 256\n"
-      "  assert 'rgbVision' in sensor and 'depth' not in sensor\n"));
+      "  assert 'rgbVision' in sensor and 'depthVision' not in sensor\n"
+      "  overhead = sensor.cameras.overhead\n"
+      "  assert overhead.rgb.shape == (150, 200, 3) and overhead.intrinsics[0, 0] == 7\n"
+      "  assert sensor.segmentNames == ['table', 'cube'] and sensor.heldObject == ['', 'cube']\n"
+      "  assert sensor.isHolding.tolist() == [[False, True]]\n"
+      "  if sensor.simTime == 2: del aux.drawMarkers\n"));
   const InitReply reply = Started(brain, aux);
+  EXPECT_EQ(reply.pictures, (PictureWishes{.channels = {.rgb = true, .depth = true},
+                                           .cameras = {"overhead"},
+                                           .image_seconds = 2}));
   ASSERT_TRUE(reply.init_joint_angles);
   EXPECT_EQ(*reply.init_joint_angles, aux.max_joint_angles);
   EXPECT_EQ(reply.draw_markers, Eigen::RowVector3d(1, 2, 3));
@@ -73,8 +85,13 @@ TEST_F(PythonBrainTest, IsToldWhatTheScriptsAreTold) {
   Sensor sensor{.time_elapsed = 0.25, .sim_time = 2, .demo_cue = true};
   sensor.end_effector_positions << 1, 2, 3, 4, 5, 6;
   sensor.tracker_locations = {{"l-S1", {1, 1, 1}}, {"r-S1", {7, 8, 9}}};
-  sensor.rgb_vision = Gradient(200, 150);
-  Stepped(brain, sensor);
+  sensor.held_objects[1] = "cube";
+  const Image image = Gradient(200, 150);
+  sensor.pictures = {{.image = image}, {.camera = {.fx = 7}, .image = image, .name = "overhead"}};
+  sensor.segment_names = {"table", "cube"};
+  const StepReply step = Stepped(brain, sensor);
+  ASSERT_TRUE(step.draw_markers);
+  EXPECT_EQ(step.draw_markers->rows(), 0);
 }
 
 TEST_F(PythonBrainTest, NamesTheLineOfItsOwnFiles) {

@@ -108,17 +108,16 @@ TEST(BaxterLook, IsRefusedToARobotWithoutItsArms) {
   EXPECT_THROW(AddBaxterLook(&model), std::invalid_argument);
 }
 
-TEST(BaxterLook, LeavesOtherGrippersToTheirOwnDescription) {
-  RobotModel model = Baxter();
-  const int finger = model.arms[0].gripper->left_finger;
-  model.visuals.clear();
-  model.links[finger].solids[0].shape = scene::Block{{0.01, 0.01, 0.1}};
-  AddBaxterLook(&model);
-  const auto is_of = [](int link) {
-    return [link](const LinkVisual& visual) { return visual.link == link; };
+TEST(BaxterLook, OfAGripperIsThatOfItsOwnDescription) {
+  const auto shows = [](const RobotModel& model, bool as_mesh) {
+    return std::ranges::any_of(model.visuals, [&](const LinkVisual& visual) {
+      return visual.link == model.arms[1].gripper->left_finger &&
+             std::holds_alternative<scene::DrawnMesh>(visual.shape) == as_mesh;
+    });
   };
-  EXPECT_TRUE(std::ranges::none_of(model.visuals, is_of(finger)));
-  EXPECT_TRUE(std::ranges::any_of(model.visuals, is_of(model.arms[1].gripper->left_finger)));
+  const RobotModel electric = ReadRobot(DataFile("robots/baxter.urdf"), {.gripper = "electric"});
+  EXPECT_TRUE(shows(Baxter(), true) && !shows(Baxter(), false));
+  EXPECT_TRUE(shows(electric, false) && !shows(electric, true));
 }
 
 TEST(Mood, NamesReadBack) {

@@ -110,8 +110,8 @@ TEST(Baxter, NamedPosesStayWithinLimits) {
     names.push_back(pose.name);
     EXPECT_TRUE(IsWithinLimits(Baxter(), pose.q)) << pose.name;
   }
-  EXPECT_EQ(names,
-            (std::vector<std::string>{"zero", "neutral", "tucked", "untucked", "smile_start"}));
+  EXPECT_EQ(names, (std::vector<std::string>{"zero", "neutral", "tucked", "untucked", "ready",
+                                             "smile_start"}));
   EXPECT_EQ(Baxter().q_start, FindPose(Baxter(), "smile_start")->q);
 }
 

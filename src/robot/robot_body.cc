@@ -21,6 +21,18 @@ void CheckCount(std::span<const double> values, std::size_t expected, const std:
 /// Of a finger that holds by friction: rubber. Blocks have 0.6, and Bullet multiplies.
 constexpr double kPadFriction = 1.5;
 
+/// Fingers that attach what they grasp are smooth, so that it turns until it lies flat between them,
+/// as soft pads would let it.
+constexpr double kSmoothFriction = 0;
+
+void SmoothFingers(const RobotModel& model, physics::ArticulationSpec* spec) {
+  for (const Arm& arm : model.arms) {
+    if (!arm.gripper) continue;
+    spec->links[arm.gripper->left_finger].friction = kSmoothFriction;
+    spec->links[arm.gripper->right_finger].friction = kSmoothFriction;
+  }
+}
+
 /// The left finger of a gripper that holds by friction keeps its place with all a motor may use,
 /// and the right one presses with just the effort its description names.
 void PadFingers(const RobotModel& model, double effort_scale, physics::ArticulationSpec* spec) {
@@ -44,6 +56,8 @@ RobotBody::RobotBody(physics::World* world, RobotModel model, const RigidTransfo
   spec.is_kinematic = options_.is_kinematic;
   if (options_.grasps_by_friction) {
     PadFingers(model_, world_->config().motor.effort_scale, &spec);
+  } else {
+    SmoothFingers(model_, &spec);
   }
   articulation_ = world_->AddArticulation(spec);
   std::vector<int> joints(model_.num_joints());

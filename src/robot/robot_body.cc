@@ -21,8 +21,8 @@ void CheckCount(std::span<const double> values, std::size_t expected, const std:
 /// Of a finger that holds by friction: rubber. Blocks have 0.6, and Bullet multiplies.
 constexpr double kPadFriction = 1.5;
 
-/// Fingers that attach what they grasp are smooth, so that it turns until it lies flat between them,
-/// as soft pads would let it.
+/// Fingers that attach what they grasp are smooth, so that it turns until it lies flat between
+/// them, as soft pads would let it.
 constexpr double kSmoothFriction = 0;
 
 void SmoothFingers(const RobotModel& model, physics::ArticulationSpec* spec) {

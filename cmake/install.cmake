@@ -31,4 +31,8 @@ install(DIRECTORY robots scenes examples matlab python DESTINATION share/smile
         PATTERN "__pycache__" EXCLUDE)
 install(FILES ${CMAKE_BINARY_DIR}/matlab/smilelink.mex
               ${CMAKE_BINARY_DIR}/matlab/smile_guard.oct
+              ${CMAKE_BINARY_DIR}/matlab/smilemotion.mex
         DESTINATION share/smile/matlab/client OPTIONAL)
+if(TARGET smile_motion_native)
+  install(TARGETS smile_motion_native LIBRARY DESTINATION share/smile/python)
+endif()

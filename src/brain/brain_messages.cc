@@ -156,7 +156,8 @@ void AddHeld(MessageWriter& writer, const Sensor& sensor) {
   AddLines(writer, "heldObject", sensor.held_objects);
 }
 
-/// A finite matrix from outside. `variable` is what the script calls it, for example `motor.`.
+/// A matrix of numbers from outside, none beyond kFarthest: larger ones could be logged but not
+/// read again. `variable` is what the script calls it, for example `motor.`.
 class MatrixReader {
  public:
   explicit MatrixReader(std::string prefix) : prefix_(std::move(prefix)) {}
@@ -179,7 +180,7 @@ class MatrixReader {
     }
     const Eigen::MatrixXd matrix =
         Eigen::Map<const Eigen::MatrixXd>(numbers->data(), array.dims[0], array.dims[1]);
-    CheckFinite(array.name, matrix);
+    CheckNumbers(array.name, matrix);
     return matrix;
   }
 
@@ -190,12 +191,14 @@ class MatrixReader {
   const WireError& error() const { return error_; }
 
  private:
-  void CheckFinite(const std::string& name, const Eigen::MatrixXd& matrix) {
+  void CheckNumbers(const std::string& name, const Eigen::MatrixXd& matrix) {
     for (Eigen::Index row = 0; row < matrix.rows(); ++row) {
       for (Eigen::Index col = 0; col < matrix.cols(); ++col) {
-        if (std::isfinite(matrix(row, col))) continue;
+        const double number = matrix(row, col);
+        if (std::abs(number) <= kFarthest) continue;
         Fail(name + "(" + std::to_string(row + 1) + "," + std::to_string(col + 1) + ") is " +
-             NumberText(matrix(row, col)) + ", expected a finite number");
+             NumberText(number) + ", expected " +
+             (std::isfinite(number) ? "at most " + NumberText(kFarthest) : "a finite number"));
       }
     }
   }
@@ -322,11 +325,7 @@ Points ReadMarkers(const NamedArray& markers, MatrixReader& reader) {
                 std::to_string(sim::kMaxMarkers));
     return Points(0, 3);
   }
-  Points points = reader.Read(markers, -1, 3);
-  if (reader.ok() && points.size() > 0 && points.cwiseAbs().maxCoeff() > kFarthest) {
-    reader.Fail("drawMarkers has a number beyond " + NumberText(kFarthest));
-  }
-  return points;
+  return reader.Read(markers, -1, 3);
 }
 
 int LineOf(const Message& message) {

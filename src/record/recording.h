@@ -14,7 +14,7 @@
 namespace smile::record {
 
 /// Written; those from kOldestFormatVersion on are read.
-inline constexpr int kFormatVersion = 2, kOldestFormatVersion = 1;
+inline constexpr int kFormatVersion = 3, kOldestFormatVersion = 1;
 /// The folder in a recording with all files its robot was read from.
 inline constexpr const char* kRobotFolder = "robot";
 /// Before there was the folder: the robot, its side file beside it.

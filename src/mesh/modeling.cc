@@ -118,9 +118,10 @@ Outline CircleOutline(double radius, int sides) {
 Outline StadiumOutline(double length, double width, int sides) {
   const double radius = width / 2, shift = length / 2 - radius;
   Outline outline;
+  const int half = sides / 2;
   for (int end : {1, -1}) {
-    for (int k = 0; k <= sides / 2; ++k) {
-      const double angle = std::numbers::pi * (static_cast<double>(k) / (sides / 2) - 0.5);
+    for (int k = 0; k <= half; ++k) {
+      const double angle = std::numbers::pi * (static_cast<double>(k) / half - 0.5);
       outline.emplace_back(end * (shift + radius * std::cos(angle)),
                            end * radius * std::sin(angle));
     }

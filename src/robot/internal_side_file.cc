@@ -80,8 +80,8 @@ class SideFileReader {
     }
     // In one order, whatever the order in the files.
     std::ranges::sort(model_.never_collide);
-    const auto same = std::ranges::unique(model_.never_collide);
-    model_.never_collide.erase(same.begin(), same.end());
+    auto& pairs = model_.never_collide;
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
     CheckMimics(root);
     model_.q_start = NeutralPose();
     if (root.Has("poses")) {

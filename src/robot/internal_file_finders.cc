@@ -74,8 +74,8 @@ fs::path FolderOf(const fs::path& file) {
 class OriginalFinder : public FileFinder {
  public:
   OriginalFinder(const fs::path& urdf_path, const RobotReaderOptions& options)
-      : side_file_(options.side_file), roots_(options.package_roots) {
-    Allow(FolderOf(urdf_path));
+      : kept_(FolderOf(urdf_path)), side_file_(options.side_file), roots_(options.package_roots) {
+    Allow(kept_);
     if (!side_file_.empty()) Allow(FolderOf(side_file_));
     for (const fs::path& root : roots_) Allow(root);
   }
@@ -126,10 +126,12 @@ class OriginalFinder : public FileFinder {
                  .first == folder.end();
     });
   }
+  /// Last, the one that it has when the robot was kept.
   std::vector<fs::path> PlacesOf(const FoundFile& from, const Reference& reference) const {
-    if (reference.kind == Reference::Kind::kAbsolute) return {reference.path};
+    const fs::path kept = kept_ / NameOfKept(from, reference);
+    if (reference.kind == Reference::Kind::kAbsolute) return {reference.path, kept};
     if (reference.kind == Reference::Kind::kRelative) {
-      return {FolderOf(from.path) / reference.path};
+      return {FolderOf(from.path) / reference.path, kept};
     }
     std::vector<fs::path> places;
     for (const fs::path& root : roots_) {
@@ -139,6 +141,7 @@ class OriginalFinder : public FileFinder {
         places.push_back(root / reference.path);
       }
     }
+    places.push_back(kept);
     return places;
   }
   static std::shared_ptr<const std::string> Read(const fs::path& path, std::size_t max_bytes) {
@@ -149,6 +152,7 @@ class OriginalFinder : public FileFinder {
     }
   }
 
+  fs::path kept_;  ///< the folder of the URDF
   fs::path side_file_;
   std::vector<fs::path> roots_, allowed_;
 };

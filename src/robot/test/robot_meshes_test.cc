@@ -172,6 +172,19 @@ TEST_F(RobotMeshes, AreKeptSoThatTheRobotIsTheSameWithoutTheOriginals) {
   EXPECT_EQ(BoxOf(again.model).max(), BoxOf(reading.model).max());
 }
 
+TEST_F(RobotMeshes, AreFoundWhereTheyAreKept) {
+  Write("ws/p/a.stl", TetrahedronStl());
+  for (const std::string& reference :
+       {std::string("package://p/a.stl"), std::string("../ws/p/a.stl"),
+        "file://" + (folder_ / "ws/p/a.stl").string()}) {
+    const RobotReading reading = Load(UrdfWith(reference), {folder_ / "ws"});
+    for (const RobotFile& file : reading.files) Write("kept/here/" + file.name, *file.bytes);
+    const RobotReading again = LoadRobot(folder_ / "kept/here/r.urdf");
+    EXPECT_EQ(NamesOf(again), NamesOf(reading));
+    fs::remove_all(folder_ / "kept");
+  }
+}
+
 TEST_F(RobotMeshes, OutsideTheFoldersAreRefused) {
   Write("secret/a.stl", TetrahedronStl());
   fs::create_directories(folder_ / "robot");

@@ -104,6 +104,13 @@ TEST_F(DamagedRobot, IsReadFromTheRecordingAndFromNowhereElse) {
   EXPECT_EQ(Complaint(), "no such file");
 }
 
+TEST_F(DamagedRobot, IsNotRecordedWithoutItsFiles) {
+  const auto scene = MakeSimulation(/*with_robot=*/false)->scene();
+  const sim::Simulation simulation(scene, sim::RobotPlacement{.model = {}});
+  EXPECT_THROW(Recorder(root_ / "demo", {}, nullptr, simulation), std::invalid_argument);
+  EXPECT_FALSE(std::filesystem::exists(root_ / "demo"));
+}
+
 INSTANTIATE_TEST_SUITE_P(Files, DamageProperty,
                          ::testing::Values("demo.json", "commands.jsonl", "trace.bin"));
 

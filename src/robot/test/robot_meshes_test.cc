@@ -185,6 +185,23 @@ TEST_F(RobotMeshes, AreFoundWhereTheyAreKept) {
   }
 }
 
+TEST_F(RobotMeshes, AreReadOnceHoweverOftenTheyAreNamed) {
+  std::string urdf = UrdfWith("a.stl");
+  for (const std::string reference : {"b/../a.stl", "./a.stl"}) {
+    urdf.insert(urdf.find("<visual>"),
+                "<visual><geometry><mesh filename=\"" + reference + "\"/></geometry></visual>");
+  }
+  int num_read = 0;
+  const auto open = [&](const std::string& name, std::size_t) -> std::optional<std::string> {
+    if (name == "r.urdf") return urdf;
+    if (name != "a.stl") return std::nullopt;
+    ++num_read;
+    return TetrahedronStl();
+  };
+  EXPECT_EQ(LoadKeptRobot("r.urdf", "", open).model.visuals.size(), 3u);
+  EXPECT_EQ(num_read, 1);
+}
+
 TEST_F(RobotMeshes, OutsideTheFoldersAreRefused) {
   Write("secret/a.stl", TetrahedronStl());
   fs::create_directories(folder_ / "robot");

@@ -120,11 +120,17 @@ class OriginalFinder : public FileFinder {
   std::optional<FoundFile> FindSideFile(const FoundFile& urdf,
                                         std::size_t max_bytes) const override {
     fs::path path = side_file_;
-    if (path.empty()) {
+    if (path.empty()) {  // nobody named it: a link must not lead anywhere
       path = urdf.path;
       path.replace_extension(".robot.json");
       std::error_code error;
-      if (!fs::exists(path, error)) return std::nullopt;
+      const fs::path canonical = fs::canonical(path, error);
+      if (error) return std::nullopt;
+      if (!IsAllowed(canonical)) {
+        throw InputError({path.string(), 0, "",
+                          "lies elsewhere, expected it in the folder of the robot, in a --path "
+                          "folder or named by --side-file"});
+      }
     }
     // Kept beside the URDF, wherever it lies.
     const std::string name = fs::path(urdf.name).replace_extension(".robot.json").string();

@@ -235,6 +235,20 @@ TEST_F(RobotMeshes, OutsideTheFoldersAreRefused) {
             expected("https://example.org/a.stl", ": expected package://, file:// or a path"));
 }
 
+TEST_F(RobotMeshes, TheUsualSideFileMayBeALinkThatStaysInside) {
+  Write("secret/s.json", R"({"format": 1})");
+  Write("robot/s.json", R"({"format": 1})");
+  fs::create_symlink("s.json", folder_ / "robot/r.robot.json");
+  EXPECT_TRUE(Load(SmallRobot().Text()).has_side_file);
+  fs::remove(folder_ / "robot/r.robot.json");
+  fs::create_symlink("../secret/s.json", folder_ / "robot/r.robot.json");
+  EXPECT_EQ(LoadComplaint(SmallRobot().Text()),
+            "r.robot.json: lies elsewhere, expected it in the folder of the robot, in a --path "
+            "folder or named by --side-file");
+  EXPECT_TRUE(LoadRobot(folder_ / "robot/r.urdf", {.side_file = folder_ / "robot/r.robot.json"})
+                  .has_side_file);
+}
+
 TEST_F(RobotMeshes, ComplaintsNameTheLinkAndTheFile) {
   Write("robot/a.stl", "solid nothing\nendsolid\n");
   Write("robot/a.txt", "");

@@ -202,6 +202,16 @@ TEST_F(RobotMeshes, AreReadOnceHoweverOftenTheyAreNamed) {
   EXPECT_EQ(num_read, 1);
 }
 
+TEST_F(RobotMeshes, OfARobotWhoseNameIsNoTextAreKeptWithoutIt) {
+  Write("robot/\xff.urdf", UrdfWith("a.stl"));
+  Write("robot/\xff.robot.json", R"({"format": 1})");
+  Write("robot/a.stl", TetrahedronStl());
+  const RobotReading reading = LoadRobot(folder_ / "robot/\xff.urdf");
+  EXPECT_EQ(NamesOf(reading),
+            (std::vector<std::string>{"robot.urdf", "robot.robot.json", "a.stl"}));
+  EXPECT_TRUE(LoadAgain(reading).has_side_file);
+}
+
 TEST_F(RobotMeshes, OutsideTheFoldersAreRefused) {
   Write("secret/a.stl", TetrahedronStl());
   fs::create_directories(folder_ / "robot");

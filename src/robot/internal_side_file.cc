@@ -54,7 +54,7 @@ Json ParsedWithLimits(const std::string& text, const std::string& file) {
 
 /// What comes before the names of what hangs on an arm.
 std::string PrefixOf(const std::string& arm, const SideNode& node) {
-  return node.Has("prefix") ? node.Member("prefix").String() : arm + "_";
+  return node.Has("prefix") ? node.Member("prefix").ShortString() : arm + "_";
 }
 
 class SideFileReader {
@@ -435,7 +435,7 @@ std::vector<Mounting> SideFile::Mountings() const {
       part.ExpectMembers(kPartMembers);
       mountings.push_back(
           {.urdf = part.Member("urdf").String(),
-           .prefix = prefix + (part.Has("prefix") ? part.Member("prefix").String() : ""),
+           .prefix = prefix + (part.Has("prefix") ? part.Member("prefix").ShortString() : ""),
            .to = part.Has("to") ? prefix + part.Member("to").String() : flange.String(),
            .place = part.place()});
     }

@@ -19,6 +19,8 @@ namespace {
 constexpr std::size_t kMaxPlaces = 100, kMaxArms = 16;  // of a robot
 constexpr std::size_t kMaxParts = 16;                   // of a gripper
 
+constexpr double kMaxPayload = 1e5;  // [kg], as much as a link may weigh
+
 constexpr std::array<std::string_view, 12> kFileMembers{
     "format", "frames",        "arms",  "grippers", "gripper", "head",
     "limits", "never_collide", "poses", "start",    "look",    "stands"};
@@ -174,8 +176,9 @@ class SideFileReader {
     if (node.Has("payload")) {
       const SideNode payload = node.Member("payload");
       arm.payload = payload.Number();
-      if (!(arm.payload >= 0)) {
-        payload.Fail("found " + NumberText(arm.payload) + " kg, expected at least 0");
+      if (!(arm.payload >= 0 && arm.payload <= kMaxPayload)) {
+        payload.Fail("found " + NumberText(arm.payload) + ", expected 0 to " +
+                     NumberText(kMaxPayload));
       }
     }
     model_.arms.push_back(std::move(arm));

@@ -80,6 +80,15 @@ TEST_F(SideFile, ComplaintsNameThePlace) {
             "r.robot.json: <start>: found \"nowhere\", expected one of the poses");
 }
 
+TEST_F(SideFile, RefusesPayloadsThatAreNone) {
+  for (const std::string payload : {"-1", "100001"}) {
+    EXPECT_EQ(ComplaintAbout(R"({"format": 1, "arms": {"a":
+{"joints": ["turn"], "tool": "arm", "payload": )" +
+                             payload + "}}}"),
+              "r.robot.json: <arms/a/payload>: found " + payload + ", expected 0 to 1e+05");
+  }
+}
+
 TEST_F(SideFile, RefusesLooksThatAreNoneOrDoNotFit) {
   EXPECT_EQ(ComplaintAbout(WithArm(R"(, "look": "baxer")")),
             "r.robot.json: <look>: unknown look \"baxer\", expected baxter; did you mean "

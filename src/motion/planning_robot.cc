@@ -172,9 +172,7 @@ std::optional<InvalidMoment> PlanningRobot::FirstInvalid(
 
 PlanningRobot ReadPlanningRobot(const std::filesystem::path& urdf, const Eigen::Matrix4d& base_pose,
                                 double meters_per_unit, const std::string& gripper) {
-  return {robot::ReadRobot(
-              urdf, {.package_roots = {urdf.parent_path() / "packages"}, .gripper = gripper}),
-          base_pose, meters_per_unit};
+  return {robot::ReadRobot(urdf, {.gripper = gripper}), base_pose, meters_per_unit};
 }
 
 }  // namespace smile::motion

@@ -82,8 +82,7 @@ class PlanningRobot {
   std::vector<ArmKinematics> arms_;  ///< as in the model
 };
 
-/// Reads a robot's description; its packages may lie beside it in `packages/`, as a brain gets
-/// them.
+/// Reads a robot's description, also as a brain gets it: from kept files.
 ///
 /// @param gripper  which of the robot's grippers; empty: the usual one.
 /// See robot::ReadRobot() for what it throws.

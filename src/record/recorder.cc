@@ -10,11 +10,16 @@
 namespace smile::record {
 namespace {
 
-void CheckBefore(const std::filesystem::path& directory, const RecorderOptions& options) {
+void CheckBefore(const std::filesystem::path& directory, const RecorderOptions& options,
+                 const sim::Simulation& simulation) {
   if (!(options.frames_per_second > 0 && options.frames_per_second <= sim::kTicksPerSecond)) {
     throw std::invalid_argument("recording: frames per second are " +
                                 std::to_string(options.frames_per_second) +
                                 ", expected more than 0 and at most 60");
+  }
+  const auto& placement = simulation.robot_placement();
+  if (placement && placement->files.empty()) {
+    throw std::invalid_argument("recording: a robot without its files cannot be recorded");
   }
   RequireNewDirectory(directory);
 }
@@ -34,7 +39,7 @@ DemoInfo InfoOf(const RecorderOptions& options, const sim::Eye* eye,
         .name = placement->model.name,
         .gap = placement->gap,
         .height = placement->height,
-        .urdf = (std::filesystem::path(kRobotFolder) / placement->files.at(0).name).string(),
+        .urdf = (std::filesystem::path(kRobotFolder) / placement->files.front().name).string(),
         .gripper = placement->gripper,
         .body = placement->body};
   }
@@ -83,7 +88,7 @@ Recorder::Recorder(const std::filesystem::path& directory, const RecorderOptions
   if (simulation.has_begun() && !past) {
     throw std::invalid_argument("recording: the simulation has already begun");
   }
-  CheckBefore(directory, options);
+  CheckBefore(directory, options, simulation);
   try {
     Begin(options, eye, simulation, past.value_or(std::vector<LoggedCommand>()));
   } catch (...) {

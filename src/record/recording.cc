@@ -1,5 +1,6 @@
 #include "record/recording.h"
 
+#include <algorithm>
 #include <array>
 
 #include "base/diagnostic.h"
@@ -162,15 +163,30 @@ void LeaveOutUnfinishedReturn(Recording* recording) {
   recording->log.RemoveLast();
 }
 
-/// From the folder of its URDF and from nowhere else, links followed.
-robot::RobotReading ReadKeptRobot(const std::filesystem::path& urdf, const std::string& gripper) {
+bool IsWithin(const std::filesystem::path& path, const std::filesystem::path& folder) {
+  return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first ==
+         folder.end();
+}
+
+/// From the folder of its URDF and from nowhere else, links followed; neither may that folder be a
+/// link that leads out of the recording.
+/// @param name  of the URDF, from the recording's directory.
+robot::RobotReading ReadKeptRobot(const std::filesystem::path& directory, const std::string& name,
+                                  const std::string& gripper) {
+  const std::filesystem::path urdf = directory / name;
   std::error_code error;
+  const auto root = std::filesystem::canonical(directory, error);
+  if (error) throw InputError({directory.string(), 0, "", "no such folder"});
   const auto folder = std::filesystem::canonical(urdf.parent_path(), error);
-  const auto open = [&](const std::string& name,
-                        std::size_t max_bytes) -> std::optional<std::string> {
+  if (error) throw InputError({urdf.string(), 0, "", "no such file"});
+  if (!IsWithin(folder, root)) {
+    throw InputError({urdf.string(), 0, "", "lies elsewhere, expected it in the recording"});
+  }
+  const auto open = [&folder](const std::string& file,
+                              std::size_t max_bytes) -> std::optional<std::string> {
     std::error_code missing;
-    const auto path = std::filesystem::canonical(folder / name, missing);
-    if (missing || path.lexically_relative(folder).begin()->string() == "..") return std::nullopt;
+    const auto path = std::filesystem::canonical(folder / file, missing);
+    if (missing || !IsWithin(path, folder)) return std::nullopt;
     return ReadFile(path, max_bytes);
   };
   return robot::LoadKeptRobot(urdf, gripper, open);
@@ -252,7 +268,7 @@ Recording OpenRecording(const std::filesystem::path& directory) {
   recording.scene = scene_xml::LoadScene(directory / "scene.xml");
   recording.scene.name = recording.info.scene;
   if (const auto& robot = recording.info.robot) {
-    robot::RobotReading reading = ReadKeptRobot(directory / robot->urdf, robot->gripper);
+    robot::RobotReading reading = ReadKeptRobot(directory, robot->urdf, robot->gripper);
     recording.robot = sim::RobotPlacement{.model = std::move(reading.model),
                                           .gripper = std::move(reading.gripper),
                                           .files = std::move(reading.files),

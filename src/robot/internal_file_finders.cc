@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <functional>
+#include <map>
+#include <memory>
 #include <system_error>
 
 #include "base/diagnostic.h"
@@ -71,17 +73,31 @@ fs::path FolderOf(const fs::path& file) {
   return file.has_parent_path() ? file.parent_path() : fs::path(".");
 }
 
+/// What was read before: a mesh may be named thousands of times.
+class ReadFiles {
+ public:
+  /// @param read  gives the bytes, or throws; asked again when there are more than allowed.
+  std::shared_ptr<const std::string> Get(const fs::path& path, std::size_t max_bytes,
+                                         const std::function<std::string()>& read) {
+    std::shared_ptr<const std::string>& bytes = files_[path];
+    if (!bytes || bytes->size() > max_bytes) bytes = std::make_shared<const std::string>(read());
+    return bytes;
+  }
+
+ private:
+  std::map<fs::path, std::shared_ptr<const std::string>> files_;
+};
+
 class OriginalFinder : public FileFinder {
  public:
   OriginalFinder(const fs::path& urdf_path, const RobotReaderOptions& options)
-      : side_file_(options.side_file), roots_(options.package_roots) {
-    Allow(FolderOf(urdf_path));
+      : kept_(FolderOf(urdf_path)), side_file_(options.side_file), roots_(options.package_roots) {
+    Allow(kept_);
     if (!side_file_.empty()) Allow(FolderOf(side_file_));
     for (const fs::path& root : roots_) Allow(root);
   }
 
-  FoundFile Find(const FoundFile& from, const std::string& text,
-                 std::size_t max_bytes) const override {
+  FoundFile Find(const FoundFile& from, const std::string& text, std::size_t max_bytes) override {
     const Reference reference = Parse(text);
     bool is_outside = false;
     for (const fs::path& path : PlacesOf(from, reference)) {
@@ -89,7 +105,8 @@ class OriginalFinder : public FileFinder {
       const fs::path canonical = fs::canonical(path, error);
       if (error) continue;
       if (IsAllowed(canonical)) {
-        return {NameOfKept(from, reference), path, Read(canonical, max_bytes)};
+        return {NameOfKept(from, reference), path,
+                read_.Get(canonical, max_bytes, [&] { return Read(canonical, max_bytes); })};
       }
       is_outside = true;
     }
@@ -103,11 +120,17 @@ class OriginalFinder : public FileFinder {
   std::optional<FoundFile> FindSideFile(const FoundFile& urdf,
                                         std::size_t max_bytes) const override {
     fs::path path = side_file_;
-    if (path.empty()) {
+    if (path.empty()) {  // nobody named it: a link must not lead anywhere
       path = urdf.path;
       path.replace_extension(".robot.json");
       std::error_code error;
-      if (!fs::exists(path, error)) return std::nullopt;
+      const fs::path canonical = fs::canonical(path, error);
+      if (error) return std::nullopt;
+      if (!IsAllowed(canonical)) {
+        throw InputError({path.string(), 0, "",
+                          "lies elsewhere, expected it in the folder of the robot, in a --path "
+                          "folder or named by --side-file"});
+      }
     }
     // Kept beside the URDF, wherever it lies.
     const std::string name = fs::path(urdf.name).replace_extension(".robot.json").string();
@@ -126,10 +149,12 @@ class OriginalFinder : public FileFinder {
                  .first == folder.end();
     });
   }
+  /// Last, the one that it has when the robot was kept.
   std::vector<fs::path> PlacesOf(const FoundFile& from, const Reference& reference) const {
-    if (reference.kind == Reference::Kind::kAbsolute) return {reference.path};
+    const fs::path kept = kept_ / NameOfKept(from, reference);
+    if (reference.kind == Reference::Kind::kAbsolute) return {reference.path, kept};
     if (reference.kind == Reference::Kind::kRelative) {
-      return {FolderOf(from.path) / reference.path};
+      return {FolderOf(from.path) / reference.path, kept};
     }
     std::vector<fs::path> places;
     for (const fs::path& root : roots_) {
@@ -139,50 +164,56 @@ class OriginalFinder : public FileFinder {
         places.push_back(root / reference.path);
       }
     }
+    places.push_back(kept);
     return places;
   }
-  static std::shared_ptr<const std::string> Read(const fs::path& path, std::size_t max_bytes) {
+  static std::string Read(const fs::path& path, std::size_t max_bytes) {
     try {
-      return std::make_shared<const std::string>(ReadFile(path, max_bytes));
+      return ReadFile(path, max_bytes);
     } catch (const InputError& error) {  // it is too large, or a folder
       throw BadReference(": " + error.diagnostics().front().message);
     }
   }
 
+  fs::path kept_;  ///< the folder of the URDF
   fs::path side_file_;
   std::vector<fs::path> roots_, allowed_;
+  ReadFiles read_;  // by canonical path
 };
 
 class KeptFinder : public FileFinder {
  public:
   explicit KeptFinder(OpenRobotFile open) : open_(std::move(open)) {}
 
-  FoundFile Find(const FoundFile& from, const std::string& text,
-                 std::size_t max_bytes) const override {
+  FoundFile Find(const FoundFile& from, const std::string& text, std::size_t max_bytes) override {
     const std::string name = NameOfKept(from, Parse(text));
-    std::optional<std::string> bytes = open_(name, max_bytes);
-    if (!bytes) throw BadReference(": expected " + Quoted(name) + " among the robot's files");
-    return Found(name, from, *std::move(bytes));
+    return Found(name, from, read_.Get(name, max_bytes, [&] {
+      std::optional<std::string> bytes = open_(name, max_bytes);
+      if (!bytes) throw BadReference(": expected " + Quoted(name) + " among the robot's files");
+      return *std::move(bytes);
+    }));
   }
   std::optional<FoundFile> FindSideFile(const FoundFile& urdf,
                                         std::size_t max_bytes) const override {
     const std::string name = fs::path(urdf.name).replace_extension(".robot.json").string();
     std::optional<std::string> bytes = open_(name, max_bytes);
     if (!bytes) return std::nullopt;
-    return Found(name, urdf, *std::move(bytes));
+    return Found(name, urdf, std::make_shared<const std::string>(*std::move(bytes)));
   }
 
  private:
-  static FoundFile Found(const std::string& name, const FoundFile& from, std::string bytes) {
+  static FoundFile Found(const std::string& name, const FoundFile& from,
+                         std::shared_ptr<const std::string> bytes) {
     // The folder of all: what is left of the path without the name.
     fs::path folder = from.path;
     for (fs::path left = from.name; !left.empty(); left = left.parent_path()) {
       folder = folder.parent_path();
     }
-    return {name, folder / name, std::make_shared<const std::string>(std::move(bytes))};
+    return {name, folder / name, std::move(bytes)};
   }
 
   OpenRobotFile open_;
+  ReadFiles read_;  // by name
 };
 
 }  // namespace

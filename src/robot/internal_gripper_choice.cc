@@ -9,6 +9,9 @@
 namespace smile::robot::internal {
 namespace {
 
+constexpr std::size_t kMaxChoices = 16;  // of a gripper
+constexpr std::size_t kMaxMadeText = 1000;
+
 /// One thing that can be chosen.
 struct Choice {
   std::string name;
@@ -26,13 +29,22 @@ std::vector<std::string> SplitAtDashes(const std::string& text) {
   return words;
 }
 
+void ExpectShortName(const std::string& name, const SideNode& parent) {
+  if (name.size() <= kMaxShortText) return;
+  parent.Fail("found the name " + Quoted(name) + ", expected at most " +
+              std::to_string(kMaxShortText) + " letters");
+}
+
 std::vector<Choice> ReadChoices(const SideNode& gripper) {
   std::vector<Choice> choices;
   if (!gripper.Has("choices")) return choices;
-  for (const auto& [name, words] : gripper.Member("choices").Members()) {
+  const SideNode all = gripper.Member("choices");
+  for (const auto& [name, words] : all.Members()) {
+    ExpectShortName(name, all);
+    if (choices.size() == kMaxChoices) all.Fail("are more than 16, expected fewer");
     Choice& choice = choices.emplace_back(Choice{.name = name, .words = {}, .chosen = {}});
     for (const SideNode& word : words.Items()) {
-      choice.words.push_back(word.String());
+      choice.words.push_back(word.ShortString());
       if (choice.words.back().empty() || choice.words.back().find('-') != std::string::npos) {
         word.Fail("found " + Quoted(word.String()) + ", expected a word without -");
       }
@@ -62,21 +74,25 @@ bool Choose(const std::string& word, std::vector<Choice>* choices) {
   gripper.Fail("found the word " + Quoted(word) + ", expected " + expected);
 }
 
-std::string Replaced(std::string text, const std::vector<Choice>& choices) {
+std::string Replaced(std::string text, const std::vector<Choice>& choices,
+                     const SideNode& gripper) {
   for (const Choice& choice : choices) {
     const std::string pattern = "{" + choice.name + "}";
     for (std::size_t at = text.find(pattern); at != std::string::npos;
          at = text.find(pattern, at + choice.chosen->size())) {
       text.replace(at, pattern.size(), *choice.chosen);
+      if (text.size() <= kMaxMadeText) continue;
+      gripper.Fail("with what is chosen, a text becomes " + Quoted(text) + ", expected at most " +
+                   std::to_string(kMaxMadeText) + " letters");
     }
   }
   return text;
 }
 
-void ReplaceIn(Json* json, const std::vector<Choice>& choices) {
-  if (json->is_string()) *json = Replaced(json->get<std::string>(), choices);
+void ReplaceIn(Json* json, const std::vector<Choice>& choices, const SideNode& gripper) {
+  if (json->is_string()) *json = Replaced(json->get<std::string>(), choices, gripper);
   if (!json->is_structured()) return;
-  for (Json& child : *json) ReplaceIn(&child, choices);
+  for (Json& child : *json) ReplaceIn(&child, choices, gripper);
 }
 
 }  // namespace
@@ -85,6 +101,7 @@ GripperChoice ChooseGripper(const SideNode& grippers, const std::string& wanted)
   std::vector<std::string> names;
   std::string best;
   for (const auto& [name, gripper] : grippers.Members()) {
+    ExpectShortName(name, grippers);
     names.push_back(name);
     const bool fits = wanted == name || wanted.starts_with(name + "-");
     if (fits && name.size() > best.size()) best = name;
@@ -108,7 +125,7 @@ GripperChoice ChooseGripper(const SideNode& grippers, const std::string& wanted)
     chosen.name += "-" + *choice.chosen;
   }
   chosen.value.erase("choices");
-  ReplaceIn(&chosen.value, choices);
+  ReplaceIn(&chosen.value, choices, gripper);
   return chosen;
 }
 

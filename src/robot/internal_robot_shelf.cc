@@ -44,7 +44,7 @@ scene::SurfaceMesh Stretched(scene::SurfaceMesh mesh, const Vector3& scale) {
 void RobotShelf::Keep(const FoundFile& file) {
   for (const RobotFile& other : files_) {
     if (other.name != file.name) continue;
-    if (*other.bytes == *file.bytes) return;
+    if (other.bytes == file.bytes || *other.bytes == *file.bytes) return;
     throw BadReference(" would be kept as " + Quoted(file.name) +
                        ", as another file of the robot, expected different names");
   }

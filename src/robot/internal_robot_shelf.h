@@ -28,7 +28,7 @@ class BadReference : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Finds the files that files of a robot name.
+/// Finds the files that files of a robot name, and reads each once however often it is named.
 class FileFinder {
  public:
   virtual ~FileFinder() = default;
@@ -36,7 +36,7 @@ class FileFinder {
   /// @param reference  as written: `package://PKG/…`, `file://…` or a path.
   /// @throws BadReference
   virtual FoundFile Find(const FoundFile& from, const std::string& reference,
-                         std::size_t max_bytes) const = 0;
+                         std::size_t max_bytes) = 0;
   /// The side file of a URDF; nullopt when there is none and none was asked for.
   virtual std::optional<FoundFile> FindSideFile(const FoundFile& urdf,
                                                 std::size_t max_bytes) const = 0;

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <set>
 #include <stdexcept>
 #include <string_view>
 
@@ -18,6 +19,11 @@ namespace {
 
 constexpr std::size_t kMaxPlaces = 100, kMaxArms = 16;  // of a robot
 constexpr std::size_t kMaxParts = 16;                   // of a gripper
+constexpr std::size_t kMaxJoints = 16, kMaxArmName = 40;
+/// What commands and poses call something else.
+constexpr std::array<std::string_view, 5> kNoArmNames{"both", "any", "all", "head", "opening"};
+
+constexpr double kMaxPayload = 1e5;  // [kg], as much as a link may weigh
 
 constexpr std::array<std::string_view, 12> kFileMembers{
     "format", "frames",        "arms",  "grippers", "gripper", "head",
@@ -52,9 +58,27 @@ Json ParsedWithLimits(const std::string& text, const std::string& file) {
   }
 }
 
+/// Commands, poses and columns of trajectories are named after arms.
+void ExpectArmName(const std::string& name, const SideNode& arms) {
+  constexpr auto is_letter = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+  };
+  const bool is_word = !name.empty() && is_letter(name[0]) && name.size() <= kMaxArmName &&
+                       std::ranges::all_of(name, [&](char c) {
+                         return is_letter(c) || (c >= '0' && c <= '9') || c == '_';
+                       });
+  if (!is_word) {
+    arms.Fail("found the name " + Quoted(name) +
+              ", expected a letter, then letters, digits or _, " + std::to_string(kMaxArmName) +
+              " at most");
+  }
+  if (std::ranges::find(kNoArmNames, name) == kNoArmNames.end()) return;
+  arms.Fail("found the name " + Quoted(name) + ", expected another than " + OneOf(kNoArmNames));
+}
+
 /// What comes before the names of what hangs on an arm.
 std::string PrefixOf(const std::string& arm, const SideNode& node) {
-  return node.Has("prefix") ? node.Member("prefix").String() : arm + "_";
+  return node.Has("prefix") ? node.Member("prefix").ShortString() : arm + "_";
 }
 
 class SideFileReader {
@@ -150,8 +174,12 @@ class SideFileReader {
   void ReadArm(const std::string& name, const SideNode& node) {
     node.ExpectMembers(kArmMembers);
     Arm arm{.name = name, .joints = {}, .tool = -1, .gripper = {}};
-    for (const SideNode& joint : node.Member("joints").Items())
+    const std::vector<SideNode> joints = node.Member("joints").Items();
+    if (joints.size() > kMaxJoints) node.Member("joints").Fail("are more than 16, expected fewer");
+    for (const SideNode& joint : joints) {
       arm.joints.push_back(JointNamedBy(joint));
+      Take(arm.joints.back(), joint);
+    }
     if (!node.Has("flange")) {
       arm.tool = FrameNamedBy(node.Member("tool"));
       arm.gripper = ReadGripper(node, "", arm.tool);
@@ -171,14 +199,26 @@ class SideFileReader {
                  [&] { AddClassicGripperLook(prefix, &model_); });
       }
     }
+    // Trajectories call the gripper so.
+    if (const std::string own = name + "_gripper"; arm.gripper && FindJoint(model_, own)) {
+      node.Fail("there is a joint " + Quoted(own) + ", expected that name for the gripper alone");
+    }
     if (node.Has("payload")) {
       const SideNode payload = node.Member("payload");
       arm.payload = payload.Number();
-      if (!(arm.payload >= 0)) {
-        payload.Fail("found " + NumberText(arm.payload) + " kg, expected at least 0");
+      if (!(arm.payload >= 0 && arm.payload <= kMaxPayload)) {
+        payload.Fail("found " + NumberText(arm.payload) + ", expected 0 to " +
+                     NumberText(kMaxPayload));
       }
     }
     model_.arms.push_back(std::move(arm));
+  }
+
+  /// Whoever moves a joint is the only one.
+  void Take(int joint, const SideNode& node) {
+    if (taken_.insert(joint).second) return;
+    node.Fail("joint " + Quoted(model_.links[joint].joint_name) +
+              " is named already, expected each in one arm, as one finger or in the head");
   }
 
   static void ExpectNothingOfItsOwn(const SideNode& arm) {
@@ -196,6 +236,8 @@ class SideFileReader {
     Gripper gripper{.left_finger = JointNamedBy(names[0], prefix),
                     .right_finger = JointNamedBy(names[1], prefix)};
     if (gripper.left_finger == gripper.right_finger) fingers.Fail("both are one, expected two");
+    Take(gripper.left_finger, names[0]);
+    Take(gripper.right_finger, names[1]);
     for (int finger : {gripper.left_finger, gripper.right_finger}) {
       LetSlideFromZero(&model_.links[finger], fingers);
     }
@@ -251,6 +293,7 @@ class SideFileReader {
   void ReadHead(const SideNode& node) {
     node.ExpectMembers(kHeadMembers);
     model_.head = Head{JointNamedBy(node.Member("joint")), FrameNamedBy(node.Member("camera"))};
+    Take(model_.head->joint, node.Member("joint"));
   }
 
   void ReadPair(const SideNode& node, const std::string& prefix) {
@@ -380,6 +423,7 @@ class SideFileReader {
   BuiltModel& built_;
   RobotModel& model_;
   std::vector<std::string> turned_;  // fingers whose axis was turned
+  std::set<int> taken_;              // joints of arms, fingers and the head
 };
 
 }  // namespace
@@ -422,6 +466,7 @@ std::vector<Mounting> SideFile::Mountings() const {
   const auto arms = root.Member("arms").Members();
   if (arms.size() > kMaxArms) root.Member("arms").Fail("are more than 16, expected fewer");
   for (const auto& [arm, node] : arms) {
+    ExpectArmName(arm, root.Member("arms"));
     node.ExpectMembers(kArmMembers);
     if (!node.Has("flange")) continue;
     const SideNode flange = node.Member("flange");
@@ -435,7 +480,7 @@ std::vector<Mounting> SideFile::Mountings() const {
       part.ExpectMembers(kPartMembers);
       mountings.push_back(
           {.urdf = part.Member("urdf").String(),
-           .prefix = prefix + (part.Has("prefix") ? part.Member("prefix").String() : ""),
+           .prefix = prefix + (part.Has("prefix") ? part.Member("prefix").ShortString() : ""),
            .to = part.Has("to") ? prefix + part.Member("to").String() : flange.String(),
            .place = part.place()});
     }

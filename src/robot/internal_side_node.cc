@@ -52,6 +52,13 @@ std::string SideNode::String() const {
   return value_.get<std::string>();
 }
 
+std::string SideNode::ShortString() const {
+  std::string text = String();
+  if (text.size() <= kMaxShortText) return text;
+  Fail("found " + Quoted(text) + ", expected at most " + std::to_string(kMaxShortText) +
+       " letters");
+}
+
 double SideNode::Number() const {
   if (!value_.is_number()) Fail("found " + Kind() + ", expected a number");
   return value_.get<double>();

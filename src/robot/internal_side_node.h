@@ -10,6 +10,8 @@
 
 namespace smile::robot::internal {
 
+inline constexpr std::size_t kMaxShortText = 64;
+
 /// A value of a side file together with its place in the file. What it complains of is an
 /// InputError there. The value and the file's name must outlive it.
 class SideNode {
@@ -31,6 +33,8 @@ class SideNode {
   std::vector<SideNode> Items(std::size_t count) const;
   bool IsString() const { return value_.is_string(); }
   std::string String() const;
+  /// A text of at most kMaxShortText letters: for what is put into many others.
+  std::string ShortString() const;
   double Number() const;
   const Json& value() const { return value_; }
   const std::string& place() const { return place_; }

@@ -5,6 +5,7 @@
 
 #include "base/diagnostic.h"
 #include "base/files.h"
+#include "base/json.h"
 #include "base/wording.h"
 #include "robot/internal_model_builder.h"
 #include "robot/internal_robot_shelf.h"
@@ -88,8 +89,14 @@ RobotReading Read(const FoundFile& urdf, const std::string& gripper, RobotShelf*
           .files = shelf->TakeFiles()};
 }
 
+/// Recordings say in JSON which file it is: a name that is no UTF-8 is not kept.
+std::string NameOfKept(const std::filesystem::path& urdf_path) {
+  const Json name = urdf_path.filename().string();
+  return ParseJson(ToText(name)) == name ? name.get<std::string>() : "robot.urdf";
+}
+
 FoundFile UrdfAt(const std::filesystem::path& path, std::string bytes) {
-  return {path.filename().string(), path, std::make_shared<const std::string>(std::move(bytes))};
+  return {NameOfKept(path), path, std::make_shared<const std::string>(std::move(bytes))};
 }
 
 }  // namespace

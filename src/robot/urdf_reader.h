@@ -52,7 +52,8 @@ struct RobotReading {
 ///
 /// The files are not trusted: sizes are bounded, numbers finite, every moving link has a mass and
 /// a positive definite inertia, and no file is opened but those in the folders of the two files and
-/// in package roots, links followed.
+/// in package roots, links followed. A file that is not where it is said to be may lie below the
+/// URDF under its RobotFile::name: so kept robots can be read, too.
 ///
 /// @throws InputError with the first finding: file, line, element, what was found and expected.
 /// @throws std::runtime_error when a file cannot be read.

@@ -36,7 +36,7 @@ inline double SecondsOf(std::uint64_t ticks) {
 struct RobotPlacement {
   robot::RobotModel model;
   std::string gripper;                  ///< as robot::RobotReading tells it
-  std::vector<robot::RobotFile> files;  ///< it was read from, for whoever records it
+  std::vector<robot::RobotFile> files;  ///< it was read from; without them it cannot be recorded
   double gap = 0.20;                    ///< from its base to the table's near edge [m]
   double height = 0.20;                 ///< of its base above the table top [m]
   robot::RobotBodyOptions body;

@@ -75,6 +75,42 @@ TEST_P(DamageProperty, IsReadOrRefusedAndNeverCrashes) {
   EXPECT_GT(num_refused, 20);
 }
 
+class DamagedRobot : public RecordingFixture {
+ protected:
+  std::string Complaint() const {
+    try {
+      (void)OpenRecording(root_ / "demo");
+    } catch (const InputError& error) {
+      return error.diagnostics().front().message;
+    }
+    return "";
+  }
+};
+
+TEST_F(DamagedRobot, IsReadFromTheRecordingAndFromNowhereElse) {
+  namespace fs = std::filesystem;
+  const fs::path robot = Record("", /*with_robot=*/true) / "robot", outside = root_ / "outside";
+  ASSERT_EQ(Complaint(), "");
+  fs::rename(robot, outside);
+  const fs::path before = fs::current_path();
+  fs::current_path(outside);  // not a place to look in
+  EXPECT_EQ(Complaint(), "no such file");
+  fs::current_path(before);
+  fs::create_directory_symlink(outside, robot);
+  EXPECT_EQ(Complaint(), "lies elsewhere, expected it in the recording");
+  fs::remove(robot);
+  fs::create_directory(robot);
+  fs::create_symlink(outside / "baxter.urdf", robot / "baxter.urdf");
+  EXPECT_EQ(Complaint(), "no such file");
+}
+
+TEST_F(DamagedRobot, IsNotRecordedWithoutItsFiles) {
+  const auto scene = MakeSimulation(/*with_robot=*/false)->scene();
+  const sim::Simulation simulation(scene, sim::RobotPlacement{.model = {}});
+  EXPECT_THROW(Recorder(root_ / "demo", {}, nullptr, simulation), std::invalid_argument);
+  EXPECT_FALSE(std::filesystem::exists(root_ / "demo"));
+}
+
 INSTANTIATE_TEST_SUITE_P(Files, DamageProperty,
                          ::testing::Values("demo.json", "commands.jsonl", "trace.bin"));
 

@@ -140,6 +140,33 @@ TEST_F(OwnGripper, ComplaintsNameThePlace) {
             "r.robot.json: <grippers/g/fingers>: both are one, expected two");
 }
 
+TEST_F(OwnGripper, TextsThatGrowWithoutEndAreRefused) {
+  const auto complaint = [&](const std::string& name, const std::string& word,
+                             const std::string& urdf) {
+    return ComplaintAbout("{\"urdf\": \"" + urdf + "\"}",
+                          R"(, "choices": {")" + name + R"(": [")" + word + "\"]}");
+  };
+  const auto expected_letters = [](const std::string& message, const std::string& count) {
+    return message.ends_with(", expected at most " + count + " letters");
+  };
+  const std::string word(64, 'w'), place = "r.robot.json: <grippers/g";
+  std::string full = "{n}";
+  for (int i = 0; i < 4; ++i) full += full;
+  EXPECT_EQ(complaint("n", "g", "{n}.urdf"), "");
+  std::string message = complaint("n", word, full);  // 16 times 64
+  EXPECT_TRUE(message.starts_with(place + ">: with what is chosen, a text becomes")) << message;
+  EXPECT_TRUE(expected_letters(message, "1000")) << message;
+  message = complaint("n", word + "w", "g.urdf");
+  EXPECT_TRUE(message.starts_with(place + "/choices/n/0>: found")) << message;
+  EXPECT_TRUE(expected_letters(message, "64")) << message;
+  message = complaint(word + "w", "w", "g.urdf");
+  EXPECT_TRUE(message.starts_with(place + "/choices>: found the name")) << message;
+  EXPECT_TRUE(expected_letters(message, "64")) << message;
+  message = ComplaintAbout(R"({"urdf": "g.urdf", "prefix": ")" + word + "w\"}");
+  EXPECT_TRUE(message.starts_with(place + "/parts/0/prefix>: found")) << message;
+  EXPECT_TRUE(expected_letters(message, "64")) << message;
+}
+
 /// An arm with the fingers of a published description: the right one runs from 0 down, and says
 /// that it follows the left one.
 std::string MimicUrdf(const std::string& multiplier) {

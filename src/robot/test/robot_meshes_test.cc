@@ -172,6 +172,46 @@ TEST_F(RobotMeshes, AreKeptSoThatTheRobotIsTheSameWithoutTheOriginals) {
   EXPECT_EQ(BoxOf(again.model).max(), BoxOf(reading.model).max());
 }
 
+TEST_F(RobotMeshes, AreFoundWhereTheyAreKept) {
+  Write("ws/p/a.stl", TetrahedronStl());
+  for (const std::string& reference :
+       {std::string("package://p/a.stl"), std::string("../ws/p/a.stl"),
+        "file://" + (folder_ / "ws/p/a.stl").string()}) {
+    const RobotReading reading = Load(UrdfWith(reference), {folder_ / "ws"});
+    for (const RobotFile& file : reading.files) Write("kept/here/" + file.name, *file.bytes);
+    const RobotReading again = LoadRobot(folder_ / "kept/here/r.urdf");
+    EXPECT_EQ(NamesOf(again), NamesOf(reading));
+    fs::remove_all(folder_ / "kept");
+  }
+}
+
+TEST_F(RobotMeshes, AreReadOnceHoweverOftenTheyAreNamed) {
+  std::string urdf = UrdfWith("a.stl");
+  for (const std::string reference : {"b/../a.stl", "./a.stl"}) {
+    urdf.insert(urdf.find("<visual>"),
+                "<visual><geometry><mesh filename=\"" + reference + "\"/></geometry></visual>");
+  }
+  int num_read = 0;
+  const auto open = [&](const std::string& name, std::size_t) -> std::optional<std::string> {
+    if (name == "r.urdf") return urdf;
+    if (name != "a.stl") return std::nullopt;
+    ++num_read;
+    return TetrahedronStl();
+  };
+  EXPECT_EQ(LoadKeptRobot("r.urdf", "", open).model.visuals.size(), 3u);
+  EXPECT_EQ(num_read, 1);
+}
+
+TEST_F(RobotMeshes, OfARobotWhoseNameIsNoTextAreKeptWithoutIt) {
+  Write("robot/\xff.urdf", UrdfWith("a.stl"));
+  Write("robot/\xff.robot.json", R"({"format": 1})");
+  Write("robot/a.stl", TetrahedronStl());
+  const RobotReading reading = LoadRobot(folder_ / "robot/\xff.urdf");
+  EXPECT_EQ(NamesOf(reading),
+            (std::vector<std::string>{"robot.urdf", "robot.robot.json", "a.stl"}));
+  EXPECT_TRUE(LoadAgain(reading).has_side_file);
+}
+
 TEST_F(RobotMeshes, OutsideTheFoldersAreRefused) {
   Write("secret/a.stl", TetrahedronStl());
   fs::create_directories(folder_ / "robot");
@@ -203,6 +243,20 @@ TEST_F(RobotMeshes, OutsideTheFoldersAreRefused) {
                      ": expected package://PACKAGE/PATH without steps up"));
   EXPECT_EQ(complaint("https://example.org/a.stl"),
             expected("https://example.org/a.stl", ": expected package://, file:// or a path"));
+}
+
+TEST_F(RobotMeshes, TheUsualSideFileMayBeALinkThatStaysInside) {
+  Write("secret/s.json", R"({"format": 1})");
+  Write("robot/s.json", R"({"format": 1})");
+  fs::create_symlink("s.json", folder_ / "robot/r.robot.json");
+  EXPECT_TRUE(Load(SmallRobot().Text()).has_side_file);
+  fs::remove(folder_ / "robot/r.robot.json");
+  fs::create_symlink("../secret/s.json", folder_ / "robot/r.robot.json");
+  EXPECT_EQ(LoadComplaint(SmallRobot().Text()),
+            "r.robot.json: lies elsewhere, expected it in the folder of the robot, in a --path "
+            "folder or named by --side-file");
+  EXPECT_TRUE(LoadRobot(folder_ / "robot/r.urdf", {.side_file = folder_ / "robot/r.robot.json"})
+                  .has_side_file);
 }
 
 TEST_F(RobotMeshes, ComplaintsNameTheLinkAndTheFile) {

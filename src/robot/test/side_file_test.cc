@@ -7,7 +7,7 @@ namespace {
 
 class SideFile : public RobotFiles {
  protected:
-  /// A robot whose link `arm` carries the fingers `f1` and `f2`.
+  /// A robot whose link `arm` carries the fingers `f1` and `f2`; its head pans.
   static std::string Urdf() {
     std::string fingers;
     for (const std::string name : {"f1", "f2"}) {
@@ -15,7 +15,10 @@ class SideFile : public RobotFiles {
                  name + "\" type=\"prismatic\"><parent link=\"arm\"/><child link=\"" + name +
                  "\"/><limit lower=\"0\" upper=\"0.1\" velocity=\"1\" effort=\"1\"/></joint>";
     }
-    return SmallRobot{.extra = fingers}.Text();
+    const std::string head = "<link name=\"face\">" + SmallRobot().inertial +
+                             R"(</link><joint name="yaw" type="continuous"><parent link="base"/>
+<child link="face"/><limit velocity="1" effort="1"/></joint>)";
+    return SmallRobot{.extra = fingers + head}.Text();
   }
   static std::string WithArm(const std::string& more = "") {
     return R"({"format": 1,
@@ -27,7 +30,7 @@ class SideFile : public RobotFiles {
 
 TEST_F(SideFile, NamesArmsGrippersPosesAndTheStart) {
   const RobotModel model = Read(Urdf(), WithArm(R"(,
-"head": {"joint": "turn", "camera": "base"},
+"head": {"joint": "yaw", "camera": "base"},
 "never_collide": [["f1", "base"], ["f1", "f2"]],
 "poses": {"up": {"only": [1.5], "opening": 0.1}}, "start": "up")"));
   ASSERT_EQ(model.arms.size(), 1u);
@@ -36,15 +39,15 @@ TEST_F(SideFile, NamesArmsGrippersPosesAndTheStart) {
   EXPECT_EQ(arm.joints, std::vector<int>{0});
   EXPECT_EQ(model.frames[arm.tool].name, "arm");
   EXPECT_EQ(arm.gripper, (Gripper{1, 2}));
-  EXPECT_EQ(model.head->joint, 0);
+  EXPECT_EQ(model.head->joint, 3);
   EXPECT_EQ(model.never_collide, (std::vector<std::pair<int, int>>{{-1, 1}, {1, 2}}));
-  EXPECT_EQ(model.q_start, (std::vector<double>{1.5, 0.05, 0.05}));
+  EXPECT_EQ(model.q_start, (std::vector<double>{1.5, 0.05, 0.05, 0}));
 }
 
 TEST_F(SideFile, NamesPlacesTheUrdfHasNoNameFor) {
   const RobotModel model = Read(Urdf(), WithArm(R"(,
 "frames": {"eye": {"on": "arm", "xyz": [1, 2, 3], "rpy": [0, 0, 1.5707963267948966]}},
-"head": {"joint": "turn", "camera": "eye"})"));
+"head": {"joint": "yaw", "camera": "eye"})"));
   const Frame& eye = model.frames[model.head->camera];
   EXPECT_EQ(eye.link, 0);
   EXPECT_EQ(eye.X_LF.translation(), Vector3(1, 2, 3));
@@ -78,6 +81,57 @@ TEST_F(SideFile, ComplaintsNameThePlace) {
             "apart");
   EXPECT_EQ(ComplaintAbout(WithArm(R"(, "start": "nowhere")")),
             "r.robot.json: <start>: found \"nowhere\", expected one of the poses");
+}
+
+TEST_F(SideFile, RefusesPayloadsThatAreNone) {
+  for (const std::string payload : {"-1", "100001"}) {
+    EXPECT_EQ(ComplaintAbout(R"({"format": 1, "arms": {"a":
+{"joints": ["turn"], "tool": "arm", "payload": )" +
+                             payload + "}}}"),
+              "r.robot.json: <arms/a/payload>: found " + payload + ", expected 0 to 1e+05");
+  }
+}
+
+TEST_F(SideFile, RefusesNamesOfArmsThatMeanSomethingElse) {
+  const auto complaint = [&](const std::string& name) {
+    return ComplaintAbout("{\"format\": 1, \"arms\": {\"" + name +
+                          R"(": {"joints": ["turn"], "tool": "arm", "fingers": ["f1", "f2"]}}})");
+  };
+  const std::string place = "r.robot.json: <arms>: found the name ";
+  for (const std::string name : {"", "a b", "x-y", "7th", "_a"}) {
+    EXPECT_EQ(complaint(name),
+              place + "\"" + name + "\", expected a letter, then letters, digits or _, 40 at most");
+  }
+  for (const std::string name : {"both", "any", "all", "head", "opening"}) {
+    EXPECT_EQ(complaint(name),
+              place + "\"" + name + "\", expected another than both, any, all, head or opening");
+  }
+  const std::string longest(40, 'a');
+  EXPECT_EQ(complaint(longest), "");
+  EXPECT_NE(complaint(longest + "a"), "");
+  std::string urdf = Urdf();
+  urdf.replace(urdf.find("\"yaw\""), 5, "\"only_gripper\"");
+  EXPECT_EQ(Complaint(urdf, WithArm()),
+            "r.robot.json: <arms/only>: there is a joint \"only_gripper\", expected that name for "
+            "the gripper alone");
+}
+
+TEST_F(SideFile, RefusesJointsThatTwoMove) {
+  const auto complaint = [](const std::string& place, const std::string& joint) {
+    return "r.robot.json: <" + place + ">: joint \"" + joint +
+           "\" is named already, expected each in one arm, as one finger or in the head";
+  };
+  EXPECT_EQ(ComplaintAbout(R"({"format": 1, "arms": {"a":
+{"joints": ["turn", "turn"], "tool": "arm"}}})"),
+            complaint("arms/a/joints/1", "turn"));
+  EXPECT_EQ(ComplaintAbout(R"({"format": 1, "arms": {"a": {"joints": ["turn"], "tool": "arm"},
+"b": {"joints": ["turn"], "tool": "arm"}}})"),
+            complaint("arms/b/joints/0", "turn"));
+  EXPECT_EQ(ComplaintAbout(R"({"format": 1, "arms": {"a":
+{"joints": ["f2"], "tool": "arm", "fingers": ["f1", "f2"]}}})"),
+            complaint("arms/a/fingers/1", "f2"));
+  EXPECT_EQ(ComplaintAbout(WithArm(R"(, "head": {"joint": "turn", "camera": "arm"})")),
+            complaint("head/joint", "turn"));
 }
 
 TEST_F(SideFile, RefusesLooksThatAreNoneOrDoNotFit) {

@@ -33,11 +33,18 @@ double ClampedTo(const motion::JointLimits& limits, double q) {
 
 std::uint64_t HashOf(const motion::JointTrajectory& trajectory) {
   StateHash hash;
+  // Lists enter with their lengths, or one could go on where another ends.
+  const auto add_numbers = [&hash](std::span<const double> numbers) {
+    hash.Add(std::uint64_t{numbers.size()});
+    hash.Add(numbers);
+  };
+  hash.Add(std::uint64_t{trajectory.joint_names.size()});
   for (const std::string& name : trajectory.joint_names) hash.Add(std::string_view(name));
+  hash.Add(std::uint64_t{trajectory.points.size()});
   for (const motion::TrajectoryPoint& point : trajectory.points) {
     hash.Add(point.seconds);
-    hash.Add(std::span<const double>(point.positions));
-    hash.Add(std::span<const double>(point.velocities));
+    add_numbers(point.positions);
+    add_numbers(point.velocities);
   }
   return hash.value();
 }
@@ -240,6 +247,7 @@ void TrajectoryFollower::Stop(const Following& following) {
 }
 
 void TrajectoryFollower::AddToHash(StateHash* hash) const {
+  hash->Add(std::uint64_t{state_.followings.size()});
   for (const Following& following : state_.followings) {
     hash->Add(following.hash);
     hash->Add(following.start_tick);

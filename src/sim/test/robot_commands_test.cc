@@ -184,6 +184,11 @@ TEST_F(RobotCommands, WhatCannotBeDoneIsRefusedInWords) {
             "left_s0 would have the velocity 1.6 rad/s at 2 s, beyond its limit of 1.5 rad/s");
   auto alone = MakeSimulation({}, false);
   EXPECT_EQ(alone->Apply(TakePose{.name = "ready"}), "there is no robot in this simulation");
+  robot::RobotModel without_arms = Baxter();
+  without_arms.arms.clear();
+  without_arms.head.reset();
+  Simulation still({}, RobotPlacement{.model = std::move(without_arms)});
+  EXPECT_EQ(still.Apply(TakePose{.name = "ready"}), "the robot has no joints that poses move");
 }
 
 /// A block on a pillar between the left fingers, as the robot stands at the start.

@@ -120,7 +120,12 @@ motion::JointTrajectory TrajectoryFollower::WithWayToStart(
       motion::MoveStraight(from, to, limits, kSpeedToStart);
   const double delay = std::max(0.0, points.back().seconds - first.seconds);
   for (motion::TrajectoryPoint& point : trajectory.points) point.seconds += delay;
-  points.back().seconds = std::min(points.back().seconds, first.seconds);  // rounding
+  // Who is there early rests until the instant before it begins: one cubic from rest to the speed
+  // of the first point would swing back far to gain it.
+  motion::TrajectoryPoint rest = points.back();
+  rest.seconds = std::nextafter(first.seconds, 0.0);
+  if (points.back().seconds >= rest.seconds) points.pop_back();
+  points.push_back(std::move(rest));
   trajectory.points.insert(trajectory.points.begin(), points.begin(), points.end());
   return trajectory;
 }

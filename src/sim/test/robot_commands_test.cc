@@ -119,6 +119,20 @@ TEST_F(RobotCommands, WhoIsElsewhereFirstGoesToWhereATrajectoryBegins) {
   EXPECT_FALSE(simulation_->is_robot_following());
 }
 
+TEST_F(RobotCommands, WhoIsEarlyRestsUntilATrajectoryBegins) {
+  // From rest to this speed in one cubic, it would swing back by more than 0.5 rad.
+  const motion::JointTrajectory passing{{"left_s0"}, {{5, {-0.2}, {1}}, {6, {0.3}, {0}}}};
+  ASSERT_EQ(simulation_->Apply(FollowTrajectory{passing}), std::nullopt);
+  TickSeconds(*simulation_, 2);
+  while (simulation_->seconds() < 5) {
+    ASSERT_NEAR(JointAt(*simulation_, "left_s0"), -0.2, 2e-3) << simulation_->seconds() << " s";
+    simulation_->Tick();
+  }
+  while (simulation_->is_robot_following()) simulation_->Tick();
+  EXPECT_NEAR(simulation_->seconds(), 6, 0.1);
+  EXPECT_NEAR(JointAt(*simulation_, "left_s0"), 0.3, 5e-3);
+}
+
 TEST_F(RobotCommands, ALaterCommandTakesOverItsJointsAndTheOthersGoOn) {
   simulation_->Apply(TakePose{.name = "ready"});
   TickSeconds(*simulation_, 0.5);

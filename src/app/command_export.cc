@@ -104,10 +104,8 @@ bool TellBreaches(const Motion& motion, const std::string& demo) {
       ++num_jerky;
       continue;
     }
-    std::fprintf(stderr, "%s: %.3f s: %s: %s is %s, the limit is %s\n", demo.c_str(),
-                 breach.seconds, breach.joint_name.c_str(),
-                 std::string(NameOf(breach.quantity)).c_str(), NumberText(breach.value).c_str(),
-                 NumberText(breach.limit).c_str());
+    std::fprintf(stderr, "%s: at %.3f s, %s\n", demo.c_str(), breach.seconds,
+                 ToString(breach).c_str());
     is_refused = true;
   }
   if (num_jerky > 0) {

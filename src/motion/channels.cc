@@ -26,7 +26,8 @@ Channel GripperChannel(const robot::RobotModel& model, int arm) {
       .limits = {.lower = left.lower + right.lower + gripper.closed_opening,
                  .upper = left.upper + right.upper + gripper.closed_opening,
                  .max_velocity = 2 * std::min(left.max_velocity, right.max_velocity),
-                 .max_acceleration = 2 * std::min(left.max_acceleration, right.max_acceleration)}};
+                 .max_acceleration = 2 * std::min(left.max_acceleration, right.max_acceleration),
+                 .slides = true}};
 }
 
 }  // namespace

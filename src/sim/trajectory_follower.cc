@@ -49,17 +49,13 @@ std::uint64_t HashOf(const motion::JointTrajectory& trajectory) {
   return hash.value();
 }
 
-std::string WordsOf(const motion::LimitBreach& breach, const motion::Channel& channel) {
-  const bool is_position = breach.quantity == motion::LimitedQuantity::kPosition;
-  const motion::JointLimits& limits = channel.limits;
-  const double limit = !is_position                  ? limits.max_velocity
-                       : breach.value > limits.upper ? limits.upper
-                                                     : limits.lower;
-  const std::string unit =
-      std::string(channel.is_gripper() ? "m" : "rad") + (is_position ? "" : "/s");
-  return breach.joint_name + " would have the " + std::string(NameOf(breach.quantity)) + " " +
-         NumberText(breach.value) + " " + unit + " at " + NumberText(breach.seconds) +
-         " s, beyond its limit of " + NumberText(limit) + " " + unit;
+/// The limit that is broken, without what measuring and rounding add to it.
+double TrueLimit(const motion::LimitBreach& breach, const motion::JointLimits& limits) {
+  const bool is_above = breach.value > breach.limit;
+  if (breach.quantity == motion::LimitedQuantity::kPosition) {
+    return is_above ? limits.upper : limits.lower;
+  }
+  return is_above ? limits.max_velocity : -limits.max_velocity;
 }
 
 }  // namespace
@@ -91,11 +87,14 @@ std::optional<Refusal> TrajectoryFollower::RefuseBeyondLimits(
     limits.push_back({.lower = true_limits.lower - kPositionSlack,
                       .upper = true_limits.upper + kPositionSlack,
                       .max_velocity = true_limits.max_velocity * (1 + kVelocitySlack),
-                      .max_acceleration = HUGE_VAL});
+                      .max_acceleration = HUGE_VAL,
+                      .slides = true_limits.slides});
   }
   const std::vector<motion::LimitBreach> breaches = CheckLimits(trajectory, limits);
   if (breaches.empty()) return std::nullopt;
-  return WordsOf(breaches.front(), *FindChannel(channels_, breaches.front().joint_name));
+  motion::LimitBreach first = breaches.front();
+  first.limit = TrueLimit(first, FindChannel(channels_, first.joint_name)->limits);
+  return "at " + NumberText(first.seconds) + " s, " + ToString(first);
 }
 
 motion::JointTrajectory TrajectoryFollower::WithWayToStart(

@@ -191,11 +191,9 @@ TEST_F(RobotCommands, WhatCannotBeDoneIsRefusedInWords) {
   EXPECT_EQ(refusal(FollowTrajectory{{{"knee"}, {{0, {0}, {0}}}}}),
             "the robot has no joint \"knee\"");
   EXPECT_EQ(refusal(FollowTrajectory{}), "there are no joints");
-  EXPECT_EQ(
-      through(1.8, 0),
-      "left_s0 would have the position 1.8 rad at 2 s, beyond its limit of 1.70167993878 rad");
-  EXPECT_EQ(through(0, 1.6),
-            "left_s0 would have the velocity 1.6 rad/s at 2 s, beyond its limit of 1.5 rad/s");
+  EXPECT_EQ(through(1.8, 0),
+            "at 2 s, left_s0: position is 1.8 rad, expected at most 1.70167993878 rad");
+  EXPECT_EQ(through(0, 1.6), "at 2 s, left_s0: velocity is 1.6 rad/s, expected at most 1.5 rad/s");
   auto alone = MakeSimulation({}, false);
   EXPECT_EQ(alone->Apply(TakePose{.name = "ready"}), "there is no robot in this simulation");
   robot::RobotModel without_arms = Baxter();

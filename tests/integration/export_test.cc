@@ -138,6 +138,17 @@ TEST_F(Exports, WhatARobotWouldRefuseIsLoudAndCanBeSlowedDown) {
   EXPECT_EQ(Smile("run pair.xml --trajectory fast.csv").exit_code, 0);
 }
 
+TEST_F(Exports, WriteNothingThatIsTooLongToBePlayed) {
+  Write("pair.xml", PairOfBlocks());
+  ASSERT_EQ(Smile("run pair.xml --seconds 170 --record demo --no-pictures").exit_code, 0);
+  const Answer refused = Smile("export demo --to trajectory-csv --out long.csv");
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_EQ(refused.err,
+            "demo: there are more than 10000 points; choose a smaller --rate or a part\n");
+  EXPECT_FALSE(Exists("long.csv"));
+  EXPECT_EQ(Smile("export demo --to trajectory-csv --out long.csv --rate 50").exit_code, 0);
+}
+
 TEST_F(Exports, SayWhatIsWrong) {
   Write("pair.xml", PairOfBlocks());
   ASSERT_EQ(Smile("run pair.xml --no-robot --seconds 0 --record demo --no-pictures").exit_code, 0);

@@ -9,6 +9,7 @@
 #include "app/exit_code.h"
 #include "app/open_recording.h"
 #include "app/options.h"
+#include "base/diagnostic.h"
 #include "base/files.h"
 #include "base/wording.h"
 #include "motion/limit_check.h"
@@ -104,10 +105,8 @@ bool TellBreaches(const Motion& motion, const std::string& demo) {
       ++num_jerky;
       continue;
     }
-    std::fprintf(stderr, "%s: %.3f s: %s: %s is %s, the limit is %s\n", demo.c_str(),
-                 breach.seconds, breach.joint_name.c_str(),
-                 std::string(NameOf(breach.quantity)).c_str(), NumberText(breach.value).c_str(),
-                 NumberText(breach.limit).c_str());
+    std::fprintf(stderr, "%s: at %.3f s, %s\n", demo.c_str(), breach.seconds,
+                 ToString(breach).c_str());
     is_refused = true;
   }
   if (num_jerky > 0) {
@@ -115,6 +114,17 @@ bool TellBreaches(const Motion& motion, const std::string& demo) {
                  demo.c_str(), num_jerky, NumberText(motion::kSecondsToFullSpeed).c_str());
   }
   return is_refused;
+}
+
+/// Makes sure that what is written can be read and played.
+/// @throws InputError
+void RequireReadable(const motion::JointTrajectory& trajectory, const std::string& demo) {
+  try {
+    CheckShape(trajectory);
+  } catch (const std::invalid_argument& error) {
+    throw InputError(
+        {demo, 0, "", std::string(error.what()) + "; choose a smaller --rate or a part"});
+  }
 }
 
 int Export(const ExportOptions& options) {
@@ -128,6 +138,7 @@ int Export(const ExportOptions& options) {
   }
   motion.trajectory = JointMotionOf(recording, motion.channels, options.range, options.rate);
   const double factor = options.slow_down ? SlowDown(&motion) : 1;
+  RequireReadable(motion.trajectory, options.demo);
   const bool is_refused = TellBreaches(motion, options.demo);
   if (is_refused && !options.allow_breaches) {
     std::fprintf(stderr, "%s: a robot would refuse this; see --slow-down and --allow-breaches\n",

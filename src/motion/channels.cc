@@ -14,7 +14,7 @@ Channel JointChannel(const robot::RobotModel& model, int joint) {
       .name = model.links[joint].joint_name, .joint = joint, .limits = LimitsOfJoint(model, joint)};
 }
 
-/// Both fingers share the motion.
+/// Both fingers share the motion; some stay apart where both are at 0.
 Channel GripperChannel(const robot::RobotModel& model, int arm) {
   const robot::Gripper& gripper = *model.arms[arm].gripper;
   const JointLimits left = LimitsOfJoint(model, gripper.left_finger);
@@ -23,10 +23,11 @@ Channel GripperChannel(const robot::RobotModel& model, int arm) {
       .name = model.arms[arm].name + "_gripper",
       .joint = gripper.left_finger,
       .gripper_of = arm,
-      .limits = {.lower = left.lower + right.lower,
-                 .upper = left.upper + right.upper,
+      .limits = {.lower = left.lower + right.lower + gripper.closed_opening,
+                 .upper = left.upper + right.upper + gripper.closed_opening,
                  .max_velocity = 2 * std::min(left.max_velocity, right.max_velocity),
-                 .max_acceleration = 2 * std::min(left.max_acceleration, right.max_acceleration)}};
+                 .max_acceleration = 2 * std::min(left.max_acceleration, right.max_acceleration),
+                 .slides = true}};
 }
 
 }  // namespace
@@ -60,7 +61,7 @@ double PositionOf(const Channel& channel, const robot::RobotModel& model,
                   std::span<const double> q) {
   if (!channel.is_gripper()) return q[channel.joint];
   const robot::Gripper& gripper = *model.arms[channel.gripper_of].gripper;
-  return q[gripper.left_finger] + q[gripper.right_finger];
+  return q[gripper.left_finger] + q[gripper.right_finger] + gripper.closed_opening;
 }
 
 }  // namespace smile::motion

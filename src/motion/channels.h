@@ -9,8 +9,8 @@
 
 namespace smile::motion {
 
-/// What of a robot has a column in a trajectory: a joint, or the opening of a gripper, whose two
-/// fingers move as one.
+/// What of a robot has a column in a trajectory: a joint, or the opening of a gripper, the free
+/// width between its two fingers, which move as one.
 struct Channel {
   std::string name;     ///< of the joint; `left_gripper`, `right_gripper`
   int joint = -1;       ///< index into RobotModel::links; of a gripper its left finger

@@ -67,8 +67,11 @@ std::vector<JointLimits> LimitsOf(const robot::RobotModel& model, std::span<cons
       throw std::invalid_argument("there is no joint " + std::to_string(joint));
     }
     const physics::LinkSpec& link = model.links[joint];
-    limits.push_back(
-        {link.lower, link.upper, link.max_velocity, link.max_velocity / kSecondsToFullSpeed});
+    limits.push_back({.lower = link.lower,
+                      .upper = link.upper,
+                      .max_velocity = link.max_velocity,
+                      .max_acceleration = link.max_velocity / kSecondsToFullSpeed,
+                      .slides = link.joint_type == physics::JointType::kPrismatic});
   }
   return limits;
 }

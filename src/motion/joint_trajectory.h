@@ -37,6 +37,7 @@ struct JointLimits {
   double lower = 0, upper = 0;  ///< [rad or m]
   double max_velocity = 0;      ///< > 0 [rad/s or m/s]
   double max_acceleration = 0;  ///< > 0 [rad/s2 or m/s2]
+  bool slides = false;          ///< in m, else it turns, in rad
 };
 
 /// A robot's description tells no accelerations: each joint may reach its full speed within so

@@ -6,6 +6,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "base/wording.h"
 #include "motion/internal_cubic.h"
 
 namespace smile::motion {
@@ -46,8 +47,9 @@ void Check(const JointTrajectory& trajectory, std::size_t num_limits) {
 /// The worst breach of one limit so far, if any.
 class WorstBreach {
  public:
-  WorstBreach(const std::string& joint, LimitedQuantity quantity, double lower, double upper)
-      : joint_(joint), quantity_(quantity), lower_(lower), upper_(upper) {}
+  WorstBreach(const std::string& joint, bool slides, LimitedQuantity quantity, double lower,
+              double upper)
+      : joint_(joint), slides_(slides), quantity_(quantity), lower_(lower), upper_(upper) {}
 
   void See(double seconds, double value) {
     const double limit = value > upper_ ? upper_ : lower_;
@@ -55,12 +57,13 @@ class WorstBreach {
     const double size = std::max({1e-3, std::abs(lower_), std::abs(upper_)});
     if (beyond <= std::max(beyond_, kRoundingShare * size)) return;
     beyond_ = beyond;
-    breach_ = LimitBreach{seconds, joint_, quantity_, value, limit};
+    breach_ = LimitBreach{seconds, joint_, quantity_, value, limit, slides_};
   }
   const std::optional<LimitBreach>& breach() const { return breach_; }
 
  private:
   std::string joint_;
+  bool slides_;
   LimitedQuantity quantity_;
   double lower_, upper_;
   double beyond_ = 0;
@@ -94,6 +97,16 @@ std::string_view NameOf(LimitedQuantity quantity) {
   return kNames[static_cast<std::size_t>(quantity)];
 }
 
+std::string ToString(const LimitBreach& breach) {
+  constexpr std::array<std::string_view, 3> kPerTime{"", "/s", "/s2"};
+  const std::string unit = std::string(breach.slides ? " m" : " rad") +
+                           std::string(kPerTime[static_cast<std::size_t>(breach.quantity)]);
+  const bool is_above = breach.value > breach.limit;
+  return breach.joint_name + ": " + std::string(NameOf(breach.quantity)) + " is " +
+         NumberText(breach.value) + unit + ", expected at " + (is_above ? "most " : "least ") +
+         NumberText(breach.limit) + unit;
+}
+
 std::vector<LimitBreach> CheckLimits(const JointTrajectory& trajectory,
                                      std::span<const JointLimits> limits) {
   Check(trajectory, limits.size());
@@ -102,10 +115,11 @@ std::vector<LimitBreach> CheckLimits(const JointTrajectory& trajectory,
   for (std::size_t i = 0; i < limits.size(); ++i) {
     const JointLimits& limit = limits[i];
     const std::string& name = trajectory.joint_names[i];
-    WorstBreach position(name, LimitedQuantity::kPosition, limit.lower, limit.upper);
-    WorstBreach velocity(name, LimitedQuantity::kVelocity, -limit.max_velocity, limit.max_velocity);
-    WorstBreach acceleration(name, LimitedQuantity::kAcceleration, -limit.max_acceleration,
-                             limit.max_acceleration);
+    WorstBreach position(name, limit.slides, LimitedQuantity::kPosition, limit.lower, limit.upper);
+    WorstBreach velocity(name, limit.slides, LimitedQuantity::kVelocity, -limit.max_velocity,
+                         limit.max_velocity);
+    WorstBreach acceleration(name, limit.slides, LimitedQuantity::kAcceleration,
+                             -limit.max_acceleration, limit.max_acceleration);
     if (!points.empty()) {
       position.See(points[0].seconds, points[0].positions[i]);
       velocity.See(points[0].seconds, points[0].velocities[i]);

@@ -25,13 +25,6 @@ std::vector<int> JointsOf(const robot::RobotModel& model, const JointTrajectory&
   return joints;
 }
 
-std::string Tell(const LimitBreach& breach) {
-  const bool is_above = breach.value > breach.limit;
-  return breach.joint_name + ": " + std::string(NameOf(breach.quantity)) + " is " +
-         NumberText(breach.value) + ", expected at " + (is_above ? "most " : "least ") +
-         NumberText(breach.limit);
-}
-
 std::string Tell(const robot::RobotModel& model, const physics::LinkOverlap& overlap) {
   const auto name = [&](int link) -> std::string {
     if (link == physics::kSurroundings) return "what stands around";
@@ -92,7 +85,7 @@ std::optional<InvalidMoment> FirstBreach(const JointTrajectory& trajectory,
     JointTrajectory span{trajectory.joint_names, {points[k]}};
     if (k + 1 < points.size()) span.points.push_back(points[k + 1]);
     const std::vector<LimitBreach> breaches = CheckLimits(span, limits);
-    if (!breaches.empty()) return InvalidMoment{breaches[0].seconds, Tell(breaches[0])};
+    if (!breaches.empty()) return InvalidMoment{breaches[0].seconds, ToString(breaches[0])};
   }
   return std::nullopt;
 }

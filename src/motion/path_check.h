@@ -13,8 +13,8 @@ namespace smile::motion {
 /// When a motion stops being one that a robot can make, and why.
 struct InvalidMoment {
   double seconds = 0;  ///< since the trajectory's start
-  std::string reason;  ///< `left_e1: velocity is 2, expected at most 1.5`, `left_wrist would touch
-                       ///< base`
+  std::string reason;  ///< `left_e1: velocity is 2 rad/s, expected at most 1.5 rad/s`,
+                       ///< `left_wrist would touch base`
 
   bool operator==(const InvalidMoment&) const = default;
 };

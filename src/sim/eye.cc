@@ -77,7 +77,10 @@ std::vector<std::string> CameraNames(const Simulation& simulation) {
       if (FrameOf(robot->model(), name)) names.push_back(name);
     }
   }
-  for (const scene::CameraSpec& camera : simulation.scene().cameras) names.push_back(camera.id);
+  for (const scene::CameraSpec& camera : simulation.scene().cameras) {
+    // A robot may have an arm whose camera has the name of one of the scene's: EyeView() takes it.
+    if (std::ranges::find(names, camera.id) == names.end()) names.push_back(camera.id);
+  }
   return names;
 }
 

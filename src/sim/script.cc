@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <stdexcept>
 #include <system_error>
 
@@ -18,6 +19,8 @@ namespace {
 constexpr std::size_t kMaxBytes = 256u << 20;
 constexpr std::size_t kMaxFindings = 100;
 constexpr double kMaxWaitSeconds = 86400;
+/// Of all trajectories from files together: each line that names a file keeps its points.
+constexpr std::size_t kMaxPointsFromFiles = 1'000'000;
 /// Things count as still after a quarter of a second without motion.
 constexpr int kStillTicks = kTicksPerSecond / 4;
 
@@ -69,6 +72,7 @@ std::string WhyNotOver(const Wait& wait, const Simulation& simulation) {
 }
 
 /// The file that a script means: in one of these folders or below it, all links followed.
+/// @returns its canonical path.
 /// @throws std::invalid_argument if there is none.
 std::filesystem::path FindFile(const std::string& name,
                                const std::vector<std::filesystem::path>& folders) {
@@ -77,7 +81,7 @@ std::filesystem::path FindFile(const std::string& name,
     const auto canonical_folder = std::filesystem::canonical(folder, error);
     if (error) continue;
     const auto file = std::filesystem::canonical(folder / name, error);
-    if (!error && IsBelow(canonical_folder, file)) return folder / name;
+    if (!error && IsBelow(canonical_folder, file)) return file;
   }
   throw std::invalid_argument("\"file\" is " + Quoted(name) +
                               ", expected a file in the folder of the script, in a --path folder "
@@ -91,7 +95,7 @@ class LineReader {
   LineReader(double meters_per_unit, std::vector<std::filesystem::path> folders)
       : meters_per_unit_(meters_per_unit), folders_(std::move(folders)) {}
 
-  ScriptLine Read(std::string_view text, int line) const {
+  ScriptLine Read(std::string_view text, int line) {
     const Json json = ParseLineJson(text);
     ScriptLine read{.line = line, .tick = ParseTick(json), .what = Wait()};
     const bool has_do = json.is_object() && json.contains("do");
@@ -106,7 +110,7 @@ class LineReader {
   }
 
  private:
-  Command ReadTrajectoryOf(const Json& json) const {
+  Command ReadTrajectoryOf(const Json& json) {
     for (const auto& [key, value] : json.items()) {
       if (key != "do" && key != "tick" && key != "file") {
         throw std::invalid_argument("\"trajectory\" with a \"file\" has an unknown key \"" + key +
@@ -118,14 +122,30 @@ class LineReader {
       throw std::invalid_argument("\"file\" is " + ToText(file) +
                                   ", expected the name of a file, in a script that is one");
     }
-    return FollowTrajectory{motion::ReadTrajectory(FindFile(file.get<std::string>(), folders_))};
+    return FollowTrajectory{TrajectoryIn(FindFile(file.get<std::string>(), folders_))};
+  }
+
+  /// @param file  its canonical path.
+  const motion::JointTrajectory& TrajectoryIn(const std::filesystem::path& file) {
+    auto known = trajectories_.find(file);
+    if (known == trajectories_.end()) {
+      known = trajectories_.emplace(file, motion::ReadTrajectory(file)).first;
+    }
+    num_points_ += known->second.points.size();
+    if (num_points_ > kMaxPointsFromFiles) {
+      throw std::invalid_argument("the trajectories of the script have more than " +
+                                  std::to_string(kMaxPointsFromFiles) + " points together");
+    }
+    return known->second;
   }
 
   double meters_per_unit_;
   std::vector<std::filesystem::path> folders_;
+  std::map<std::filesystem::path, motion::JointTrajectory> trajectories_;  ///< that were read
+  std::size_t num_points_ = 0;  ///< of the lines that name files
 };
 
-Script ParseWith(const LineReader& reader, std::string_view text, std::string file) {
+Script ParseWith(LineReader reader, std::string_view text, std::string file) {
   Script script{.file = std::move(file)};
   std::vector<Diagnostic> findings;
   for (int line = 1; !text.empty() && findings.size() < kMaxFindings; ++line) {

@@ -123,7 +123,7 @@ std::optional<Refusal> Simulation::Carry(const ShowRobot& show) {
 }
 
 std::optional<Refusal> Simulation::Carry(const Face& face) {
-  if (!robot_) return "there is no robot in this simulation";
+  if (!robot_) return kNoRobot;
   mood_ = face.mood;
   return std::nullopt;
 }

@@ -33,26 +33,29 @@ double ClampedTo(const motion::JointLimits& limits, double q) {
 
 std::uint64_t HashOf(const motion::JointTrajectory& trajectory) {
   StateHash hash;
+  // Lists enter with their lengths, or one could go on where another ends.
+  const auto add_numbers = [&hash](std::span<const double> numbers) {
+    hash.Add(std::uint64_t{numbers.size()});
+    hash.Add(numbers);
+  };
+  hash.Add(std::uint64_t{trajectory.joint_names.size()});
   for (const std::string& name : trajectory.joint_names) hash.Add(std::string_view(name));
+  hash.Add(std::uint64_t{trajectory.points.size()});
   for (const motion::TrajectoryPoint& point : trajectory.points) {
     hash.Add(point.seconds);
-    hash.Add(std::span<const double>(point.positions));
-    hash.Add(std::span<const double>(point.velocities));
+    add_numbers(point.positions);
+    add_numbers(point.velocities);
   }
   return hash.value();
 }
 
-std::string WordsOf(const motion::LimitBreach& breach, const motion::Channel& channel) {
-  const bool is_position = breach.quantity == motion::LimitedQuantity::kPosition;
-  const motion::JointLimits& limits = channel.limits;
-  const double limit = !is_position                  ? limits.max_velocity
-                       : breach.value > limits.upper ? limits.upper
-                                                     : limits.lower;
-  const std::string unit =
-      std::string(channel.is_gripper() ? "m" : "rad") + (is_position ? "" : "/s");
-  return breach.joint_name + " would have the " + std::string(NameOf(breach.quantity)) + " " +
-         NumberText(breach.value) + " " + unit + " at " + NumberText(breach.seconds) +
-         " s, beyond its limit of " + NumberText(limit) + " " + unit;
+/// The limit that is broken, without what measuring and rounding add to it.
+double TrueLimit(const motion::LimitBreach& breach, const motion::JointLimits& limits) {
+  const bool is_above = breach.value > breach.limit;
+  if (breach.quantity == motion::LimitedQuantity::kPosition) {
+    return is_above ? limits.upper : limits.lower;
+  }
+  return is_above ? limits.max_velocity : -limits.max_velocity;
 }
 
 }  // namespace
@@ -84,11 +87,14 @@ std::optional<Refusal> TrajectoryFollower::RefuseBeyondLimits(
     limits.push_back({.lower = true_limits.lower - kPositionSlack,
                       .upper = true_limits.upper + kPositionSlack,
                       .max_velocity = true_limits.max_velocity * (1 + kVelocitySlack),
-                      .max_acceleration = HUGE_VAL});
+                      .max_acceleration = HUGE_VAL,
+                      .slides = true_limits.slides});
   }
   const std::vector<motion::LimitBreach> breaches = CheckLimits(trajectory, limits);
   if (breaches.empty()) return std::nullopt;
-  return WordsOf(breaches.front(), *FindChannel(channels_, breaches.front().joint_name));
+  motion::LimitBreach first = breaches.front();
+  first.limit = TrueLimit(first, FindChannel(channels_, first.joint_name)->limits);
+  return "at " + NumberText(first.seconds) + " s, " + ToString(first);
 }
 
 motion::JointTrajectory TrajectoryFollower::WithWayToStart(
@@ -113,7 +119,12 @@ motion::JointTrajectory TrajectoryFollower::WithWayToStart(
       motion::MoveStraight(from, to, limits, kSpeedToStart);
   const double delay = std::max(0.0, points.back().seconds - first.seconds);
   for (motion::TrajectoryPoint& point : trajectory.points) point.seconds += delay;
-  points.back().seconds = std::min(points.back().seconds, first.seconds);  // rounding
+  // Who is there early rests until the instant before it begins: one cubic from rest to the speed
+  // of the first point would swing back far to gain it.
+  motion::TrajectoryPoint rest = points.back();
+  rest.seconds = std::nextafter(first.seconds, 0.0);
+  if (points.back().seconds >= rest.seconds) points.pop_back();
+  points.push_back(std::move(rest));
   trajectory.points.insert(trajectory.points.begin(), points.begin(), points.end());
   return trajectory;
 }
@@ -176,6 +187,7 @@ std::optional<Refusal> TrajectoryFollower::MoveTo(const std::string& pose, doubl
     from.push_back(ClampedTo(channel.limits, q[channel.joint]));
     to.push_back(ClampedTo(channel.limits, found->q[channel.joint]));
   }
+  if (columns.empty()) return "the robot has no joints that poses move";
   trajectory.points = motion::MoveStraight(from, to, limits, speed);
   Start(std::move(trajectory), std::move(columns), tick);
   return std::nullopt;
@@ -240,6 +252,7 @@ void TrajectoryFollower::Stop(const Following& following) {
 }
 
 void TrajectoryFollower::AddToHash(StateHash* hash) const {
+  hash->Add(std::uint64_t{state_.followings.size()});
   for (const Following& following : state_.followings) {
     hash->Add(following.hash);
     hash->Add(following.start_tick);

@@ -125,8 +125,9 @@ TEST_F(Exports, WhatARobotWouldRefuseIsLoudAndCanBeSlowedDown) {
   const std::string command = "export demo --to trajectory-csv --arm left --out fast.csv ";
   const Answer refused = Smile(command);
   EXPECT_EQ(refused.exit_code, 1);
-  EXPECT_NE(refused.err.find("s: left_s0: velocity is -1."), std::string::npos) << refused.err;
-  EXPECT_NE(refused.err.find("the limit is -1.5"), std::string::npos) << refused.err;
+  EXPECT_NE(refused.err.find(" s, left_s0: velocity is -1."), std::string::npos) << refused.err;
+  EXPECT_NE(refused.err.find(" rad/s, expected at least -1.5 rad/s"), std::string::npos)
+      << refused.err;
   EXPECT_FALSE(Exists("fast.csv"));
   EXPECT_EQ(Smile(command + "--allow-breaches").exit_code, 0);
   const double whole = Table("fast.csv").back()[0];
@@ -135,6 +136,17 @@ TEST_F(Exports, WhatARobotWouldRefuseIsLoudAndCanBeSlowedDown) {
   EXPECT_EQ(slower.err.find("velocity"), std::string::npos) << slower.err;
   EXPECT_GT(Table("fast.csv").back()[0], whole);
   EXPECT_EQ(Smile("run pair.xml --trajectory fast.csv").exit_code, 0);
+}
+
+TEST_F(Exports, WriteNothingThatIsTooLongToBePlayed) {
+  Write("pair.xml", PairOfBlocks());
+  ASSERT_EQ(Smile("run pair.xml --seconds 170 --record demo --no-pictures").exit_code, 0);
+  const Answer refused = Smile("export demo --to trajectory-csv --out long.csv");
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_EQ(refused.err,
+            "demo: there are more than 10000 points; choose a smaller --rate or a part\n");
+  EXPECT_FALSE(Exists("long.csv"));
+  EXPECT_EQ(Smile("export demo --to trajectory-csv --out long.csv --rate 50").exit_code, 0);
 }
 
 TEST_F(Exports, SayWhatIsWrong) {
@@ -152,8 +164,7 @@ TEST_F(Exports, SayWhatIsWrong) {
   const Answer fast = Smile("run pair.xml --trajectory fast.csv");
   EXPECT_EQ(fast.exit_code, 1);
   EXPECT_EQ(fast.err,
-            "fast.csv: left_s0 would have the velocity -5 rad/s at 0 s, beyond its limit of 1.5 "
-            "rad/s\n");
+            "fast.csv: at 0 s, left_s0: velocity is -5 rad/s, expected at least -1.5 rad/s\n");
 }
 
 }  // namespace

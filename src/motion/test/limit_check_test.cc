@@ -32,7 +32,12 @@ TEST(CheckLimits, KnowsTheFastestMomentAndTheHardestPush) {
   EXPECT_EQ(breaches[1].quantity, LimitedQuantity::kVelocity);
   EXPECT_NEAR(breaches[1].seconds, 0.2, 1e-12);
   EXPECT_NEAR(breaches[1].value, -3, 1e-12);
-  EXPECT_EQ(NameOf(breaches[1].quantity), "velocity");
+  EXPECT_EQ(ToString({0, "a", LimitedQuantity::kVelocity, -3, -2}),
+            "a: velocity is -3 rad/s, expected at least -2 rad/s");
+  std::vector<JointLimits> slide = kOneJoint;
+  slide.front().slides = true;
+  EXPECT_EQ(ToString(CheckLimits({{"a"}, {{0, {1.5}, {0}}}}, slide).front()),
+            "a: position is 1.5 m, expected at most 1 m");
 }
 
 TEST(CheckLimits, AMoveAtTheLimitsKeepsThem) {

@@ -64,7 +64,7 @@ TEST(FirstInvalid, NamesTheLimitThatIsBroken) {
   }
   const auto breach = robot.FirstInvalid(move, {}, std::nullopt);
   ASSERT_TRUE(breach);
-  EXPECT_EQ(breach->reason, "left_s0: acceleration is 12, expected at most 3");
+  EXPECT_EQ(breach->reason, "left_s0: acceleration is 12 rad/s2, expected at most 3 rad/s2");
   EXPECT_LE(breach->seconds, move.points[1].seconds);
   move.joint_names[0] = "left_x0";
   EXPECT_THROW(robot.FirstInvalid(move, {}, std::nullopt), std::invalid_argument);

@@ -58,6 +58,18 @@ TEST_F(ElectricGripper, WithWideFingersInSlotTwoLiftsABlock) {
   EXPECT_NEAR(PositionOf(*simulation_, "block").z() - before, 0.05, 0.01);
 }
 
+TEST_F(ElectricGripper, FollowsTheOpeningThatItTells) {
+  StandAbove("electric-wide-2");  // whose fingers are 0.091 m apart where they are closed
+  const double open = simulation_->robot()->GripperOpening(0), wanted = open - 0.02;
+  const motion::JointTrajectory close{{"left_gripper"}, {{0, {open}, {0}}, {1, {wanted}, {0}}}};
+  ASSERT_EQ(simulation_->Apply(FollowTrajectory{close}), std::nullopt);
+  TickSeconds(*simulation_, 1.1);
+  EXPECT_FALSE(simulation_->is_robot_following()) << "there was no way to where it begins";
+  EXPECT_NEAR(simulation_->robot()->GripperOpening(0), wanted, 1e-3);
+  EXPECT_NE(simulation_->Apply(FollowTrajectory{{{"left_gripper"}, {{0, {0.05}, {0}}}}}),
+            std::nullopt);
+}
+
 TEST_F(ElectricGripper, WithNarrowFingersCannotReachAroundIt) {
   StandAbove("electric-narrow-2");
   EXPECT_NEAR(simulation_->robot()->GripperOpening(0), 0.057, 0.0005);

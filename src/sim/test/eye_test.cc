@@ -32,6 +32,16 @@ TEST(Cameras, AreTheRobotsAndTheScenes) {
             (std::vector<std::string>{"eye", "overhead"}));
 }
 
+TEST(Cameras, OfARobotComeBeforeThoseOfTheSceneWithTheirNames) {
+  scene::SceneSpec scene = SceneWithCamera();
+  scene.cameras.front().id = "left_hand";  // no reader lets Baxter's pass, but those of others
+  const Simulation simulation(std::move(scene), Baxter());
+  EXPECT_EQ(CameraNames(simulation),
+            (std::vector<std::string>{"eye", "head", "left_hand", "right_hand"}));
+  EXPECT_EQ(EyeView(simulation, {.camera = "left_hand"}).X_WC,
+            EyeView(Simulation(SceneWithCamera(), Baxter()), {.camera = "left_hand"}).X_WC);
+}
+
 TEST(Cameras, AreNamedWhenAnotherIsAskedFor) {
   const Simulation simulation(SceneWithCamera());
   try {

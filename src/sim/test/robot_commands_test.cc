@@ -119,6 +119,20 @@ TEST_F(RobotCommands, WhoIsElsewhereFirstGoesToWhereATrajectoryBegins) {
   EXPECT_FALSE(simulation_->is_robot_following());
 }
 
+TEST_F(RobotCommands, WhoIsEarlyRestsUntilATrajectoryBegins) {
+  // From rest to this speed in one cubic, it would swing back by more than 0.5 rad.
+  const motion::JointTrajectory passing{{"left_s0"}, {{5, {-0.2}, {1}}, {6, {0.3}, {0}}}};
+  ASSERT_EQ(simulation_->Apply(FollowTrajectory{passing}), std::nullopt);
+  TickSeconds(*simulation_, 2);
+  while (simulation_->seconds() < 5) {
+    ASSERT_NEAR(JointAt(*simulation_, "left_s0"), -0.2, 2e-3) << simulation_->seconds() << " s";
+    simulation_->Tick();
+  }
+  while (simulation_->is_robot_following()) simulation_->Tick();
+  EXPECT_NEAR(simulation_->seconds(), 6, 0.1);
+  EXPECT_NEAR(JointAt(*simulation_, "left_s0"), 0.3, 5e-3);
+}
+
 TEST_F(RobotCommands, ALaterCommandTakesOverItsJointsAndTheOthersGoOn) {
   simulation_->Apply(TakePose{.name = "ready"});
   TickSeconds(*simulation_, 0.5);
@@ -177,13 +191,16 @@ TEST_F(RobotCommands, WhatCannotBeDoneIsRefusedInWords) {
   EXPECT_EQ(refusal(FollowTrajectory{{{"knee"}, {{0, {0}, {0}}}}}),
             "the robot has no joint \"knee\"");
   EXPECT_EQ(refusal(FollowTrajectory{}), "there are no joints");
-  EXPECT_EQ(
-      through(1.8, 0),
-      "left_s0 would have the position 1.8 rad at 2 s, beyond its limit of 1.70167993878 rad");
-  EXPECT_EQ(through(0, 1.6),
-            "left_s0 would have the velocity 1.6 rad/s at 2 s, beyond its limit of 1.5 rad/s");
+  EXPECT_EQ(through(1.8, 0),
+            "at 2 s, left_s0: position is 1.8 rad, expected at most 1.70167993878 rad");
+  EXPECT_EQ(through(0, 1.6), "at 2 s, left_s0: velocity is 1.6 rad/s, expected at most 1.5 rad/s");
   auto alone = MakeSimulation({}, false);
   EXPECT_EQ(alone->Apply(TakePose{.name = "ready"}), "there is no robot in this simulation");
+  robot::RobotModel without_arms = Baxter();
+  without_arms.arms.clear();
+  without_arms.head.reset();
+  Simulation still({}, RobotPlacement{.model = std::move(without_arms)});
+  EXPECT_EQ(still.Apply(TakePose{.name = "ready"}), "the robot has no joints that poses move");
 }
 
 /// A block on a pillar between the left fingers, as the robot stands at the start.

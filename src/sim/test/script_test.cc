@@ -104,6 +104,26 @@ TEST_F(ScriptTest, ReadsTheTrajectoriesItNamesInItsFolderOnly) {
   std::filesystem::remove_all(folder);
 }
 
+TEST_F(ScriptTest, CannotFillTheMemoryByNamingALongFileOnManyLines) {
+  const auto folder =
+      std::filesystem::temp_directory_path() / ("smile_long_script_" + std::to_string(getpid()));
+  MakeDirectories(folder);
+  std::string still = "time,head_pan\n", script;
+  for (int i = 0; i < 10'000; ++i) still += std::to_string(i) + ",0\n";
+  for (int i = 0; i < 101; ++i) script += "{\"do\": \"trajectory\", \"file\": \"still.csv\"}\n";
+  WriteFile(folder / "still.csv", still);
+  WriteFile(folder / "long.jsonl", script);
+  try {
+    ReadScript(folder / "long.jsonl", scene::kMetersPerUnit);
+    ADD_FAILURE() << "it was read";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.what(), (folder / "long.jsonl").string() +
+                                ":101: the trajectories of the script have more than 1000000 "
+                                "points together");
+  }
+  std::filesystem::remove_all(folder);
+}
+
 TEST_F(ScriptTest, SaysThatATrajectoryTakesLongerThanTheWait) {
   simulation_ = MakeSimulation({}, true);
   EXPECT_EQ(Play(R"({"do": "pose", "name": "ready", "speed": 0.05}

@@ -268,9 +268,9 @@ def wish_of(aux, name):
 
 
 def in_one_line(name, words):
-    words = [words] if isinstance(words, str) else list(words)
-    if not all(isinstance(word, str) for word in words):
-        raise TypeError(f"{name} holds other things than names")
+    words = [words] if isinstance(words, str) else words
+    if not isinstance(words, (list, tuple)) or not all(isinstance(word, str) for word in words):
+        raise TypeError(f"{name} is {words!r:.80}, expected a list of names")
     return ",".join(words)
 
 

@@ -162,7 +162,8 @@ Json ToJson(const record::EditReport& report) {
           {"gone", report.gone},
           {"there_again", report.there_again},
           {"controls", ToJson(report.controls)},
-          {"host_points", ToJson(report.host_points)}};
+          {"host_points", ToJson(report.host_points)},
+          {"joints", report.joints}};
 }
 
 void Print(const record::EditReport& report) {
@@ -188,6 +189,9 @@ void Print(const record::EditReport& report) {
   for (const record::ChangedState& host : report.host_points) {
     std::printf("%s ends with tightness %s, was %s\n", host.id.c_str(), host.after.c_str(),
                 host.before.c_str());
+  }
+  for (const std::string& joint : report.joints) {
+    std::printf("the robot's %s ends elsewhere\n", joint.c_str());
   }
   if (report.ends_the_same()) std::printf("everything ends as it did\n");
 }

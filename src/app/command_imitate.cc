@@ -47,7 +47,8 @@ int ImitateDemo(const ImitateOptions& options) {
                 100 * outcome.result["score"].get<double>(),
                 outcome.result["mean_error_mm"].get<double>(), (out / "result.json").c_str());
   }
-  if (!outcome.brain_error || IsInterrupted()) return kDone;
+  if (IsInterrupted()) throw std::runtime_error("interrupted; what was recorded is kept");
+  if (!outcome.brain_error) return kDone;
   std::fprintf(stderr, "%s\n", ToString(*outcome.brain_error).c_str());
   return kInputWrong;
 }

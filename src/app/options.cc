@@ -181,9 +181,11 @@ brain::SensorNoise ParseNoise(const std::string& text) {
 }
 
 void AddNoiseOption(CLI::App* command, std::string* text) {
-  command->add_option("--noise", *text,
-                      "Gaussian noise in what the brain is told: standard deviations "
-                      "joints=RAD,image=SHARE,depth=UNITS and seed=N, or some of them");
+  command
+      ->add_option("--noise", *text,
+                   "Gaussian noise in what the brain is told: standard deviations "
+                   "joints=RAD,image=SHARE,depth=UNITS and seed=N, or some of them")
+      ->needs("--brain");
 }
 
 CLI::Validator NotEmpty() {

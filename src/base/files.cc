@@ -23,6 +23,13 @@ namespace {
 
 std::string SystemReason() { return std::strerror(errno); }
 
+/// @returns why it could not be; empty when all is well.
+std::string WriteInto(const std::filesystem::path& path, std::string_view text) {
+  std::ofstream file(path, std::ios::binary | std::ios::trunc);
+  if (file) file.write(text.data(), static_cast<std::streamsize>(text.size())).flush();
+  return file ? "" : "cannot be written: " + SystemReason();
+}
+
 }  // namespace
 
 std::string ReadFile(const std::filesystem::path& path, std::size_t max_bytes) {
@@ -50,20 +57,25 @@ std::string ReadFile(const std::filesystem::path& path, std::size_t max_bytes) {
 }
 
 void WriteFile(const std::filesystem::path& path, std::string_view text) {
-  const std::filesystem::path neighbour = path.string() + ".part";
-  {
-    std::ofstream file(neighbour, std::ios::binary | std::ios::trunc);
-    if (!file) Fail(path, "cannot be written: " + SystemReason());
-    file.write(text.data(), static_cast<std::streamsize>(text.size()));
-    file.flush();
-    if (!file) {
-      const std::string reason = SystemReason();
-      std::remove(neighbour.c_str());
-      Fail(path, "cannot be written: " + reason);
-    }
-  }
   std::error_code error;
-  std::filesystem::rename(neighbour, path, error);
+  const auto status = std::filesystem::status(path, error);
+  // A device, a pipe: there is nothing to replace.
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
+    if (const std::string reason = WriteInto(path, text); !reason.empty()) Fail(path, reason);
+    return;
+  }
+  // What a link leads to is replaced, not the link.
+  std::filesystem::path target = path;
+  if (std::filesystem::is_symlink(path, error)) {
+    target = std::filesystem::weakly_canonical(path, error);
+    if (error) Fail(path, "cannot be written: " + error.message());
+  }
+  const std::filesystem::path neighbour = target.string() + ".part";
+  if (const std::string reason = WriteInto(neighbour, text); !reason.empty()) {
+    std::remove(neighbour.c_str());
+    Fail(path, reason);
+  }
+  std::filesystem::rename(neighbour, target, error);
   if (error) Fail(path, "cannot be written: " + error.message());
 }
 

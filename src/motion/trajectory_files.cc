@@ -49,6 +49,8 @@ class CsvReader {
   explicit CsvReader(const std::string& file) : file_(file) {}
 
   JointTrajectory Read(std::string_view text) {
+    // Spreadsheets begin a table with the mark of UTF-8.
+    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
     for (int line = 1; !text.empty() && findings_.size() < kMaxFindings && !is_full_; ++line) {
       const std::size_t end = std::min(text.find('\n'), text.size());
       std::string_view content = text.substr(0, end);

@@ -130,6 +130,25 @@ bool SpeedUp(double factor, sim::Command* command) {
                                  if (move.speed) *move.speed *= factor;
                                  return move.speed.has_value();
                                },
+                               [&](sim::JointVelocities& velocities) {
+                                 for (auto* arm : {&velocities.left, &velocities.right}) {
+                                   if (!*arm) continue;
+                                   for (double& rate : **arm) rate *= factor;
+                                 }
+                                 if (velocities.grippers) {
+                                   for (double& rate : *velocities.grippers) rate *= factor;
+                                 }
+                                 if (velocities.head) *velocities.head *= factor;
+                                 return true;
+                               },
+                               [&](sim::TurnJoint& turn) {
+                                 turn.velocity *= factor;
+                                 return true;
+                               },
+                               [&](sim::MoveGripper& move) {
+                                 move.velocity *= factor;
+                                 return true;
+                               },
                                [&](sim::TakePose& pose) {
                                  pose.speed = std::min(1.0, pose.speed * factor);
                                  return true;

@@ -1,5 +1,6 @@
 #include "record/re_simulation.h"
 
+#include <cmath>
 #include "base/diagnostic.h"
 #include "record/log_player.h"
 #include "record/recorder.h"
@@ -91,6 +92,18 @@ TraceTick EndOf(const Recording& recording, const Demonstration& edited, const P
   return Observe(simulation);
 }
 
+void CompareJoints(const TraceTick& before, const TraceTick& after,
+                   const sim::Simulation& simulation, EditReport* report) {
+  for (std::size_t i = 0; i < after.joints.size(); ++i) {
+    const physics::LinkSpec& link = simulation.robot()->model().links[i];
+    const bool slides = link.joint_type == physics::JointType::kPrismatic;
+    const double allowed = slides ? kSamePlace.distance : kSameAngle;
+    if (std::abs(after.joints[i] - before.joints[i]) > allowed) {
+      report->joints.push_back(link.joint_name);
+    }
+  }
+}
+
 }  // namespace
 
 EditReport ReSimulate(const Recording& recording, const Demonstration& edited,
@@ -110,6 +123,7 @@ EditReport ReSimulate(const Recording& recording, const Demonstration& edited,
   CompareObjects(before, after, simulation.tabletop(), &report);
   CompareControls(before, after, simulation.tabletop(), &report);
   CompareHostPoints(before, after, simulation.tabletop(), &report);
+  CompareJoints(before, after, simulation, &report);
   return report;
 }
 

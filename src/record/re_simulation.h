@@ -43,15 +43,18 @@ struct EditReport {
   std::vector<std::string> there_again;   ///< ids of objects that were destroyed
   std::vector<ChangedState> controls;     ///< states as recordings have them
   std::vector<ChangedState> host_points;  ///< states are tightnesses
+  std::vector<std::string> joints;        ///< of the robot, which end elsewhere; see kSameAngle
 
   bool ends_the_same() const {
     return displaced.empty() && gone.empty() && there_again.empty() && controls.empty() &&
-           host_points.empty();
+           host_points.empty() && joints.empty();
   }
 };
 
 /// What is no farther away ends where it did.
 inline constexpr PoseGap kSamePlace{.distance = 0.0005, .angle = DegreesToRadians(0.5)};
+/// The same of a robot's joint; a finger's as a length [rad or m].
+inline constexpr double kSameAngle = DegreesToRadians(0.5);
 
 /// Where the result of an edit goes.
 struct EditOutput {

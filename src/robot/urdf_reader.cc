@@ -1,5 +1,6 @@
 #include "robot/urdf_reader.h"
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -22,6 +23,15 @@ using internal::UrdfDocument;
 using internal::UrdfPart;
 
 constexpr std::size_t kMaxUrdfBytes = 4 << 20, kMaxSideFileBytes = 1 << 20;
+
+/// Without a side file nothing moves the joints, and nobody has said which links touch by
+/// construction: they all may. Else links that overlap would keep physics busy for nothing.
+void LetLinksPass(RobotModel* model) {
+  for (int second = 0; second < model->num_joints(); ++second) {
+    for (int first = -1; first < second; ++first) model->never_collide.emplace_back(first, second);
+  }
+  std::ranges::sort(model->never_collide);
+}
 
 /// Parts that hang where the side file says.
 class PartReader {
@@ -80,7 +90,11 @@ RobotReading Read(const FoundFile& urdf, const std::string& gripper, RobotShelf*
     side_file->Fail(mountings[i].place,
                     "would hang on " + Quoted(mountings[i].to) + ", expected the name of a link");
   }
-  if (side_file) side_file->Apply(&built);
+  if (side_file) {
+    side_file->Apply(&built);
+  } else {
+    LetLinksPass(&built.model);
+  }
   return {.model = std::move(built.model),
           .has_side_file = side.has_value(),
           .gripper = side_file ? side_file->gripper() : "",

@@ -46,6 +46,17 @@ TEST_F(Files, LeaveNothingBesideThem) {
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1);
 }
 
+TEST_F(Files, AreWrittenThroughLinksAndIntoDevices) {
+  WriteFile(folder_ / "a", "old");
+  fs::create_symlink(folder_ / "a", folder_ / "link");
+  WriteFile(folder_ / "link", "new");
+  EXPECT_TRUE(fs::is_symlink(folder_ / "link"));
+  EXPECT_EQ(ReadFile(folder_ / "a", 3), "new");
+  fs::create_symlink("/dev/null", folder_ / "nothing");
+  WriteFile(folder_ / "nothing", "gone");
+  EXPECT_TRUE(fs::is_character_file("/dev/null"));
+}
+
 TEST_F(Files, LargerThanAllowedAreNotRead) {
   WriteFile(folder_ / "a", "12345");
   EXPECT_EQ(ReasonOf([&] { ReadFile(folder_ / "a", 4); }),

@@ -109,6 +109,8 @@ void RemoveScratch() {
   sigset_t none;
   sigemptyset(&none);
   ::sigprocmask(SIG_SETMASK, &none, nullptr);
+  // Nobody, not even a sanitizer, shall have a say in it.
+  ::signal(WTERMSIG(status), SIG_DFL);
   ::raise(WTERMSIG(status));
   ::_exit(128 + WTERMSIG(status));
 }

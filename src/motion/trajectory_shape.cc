@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "base/json.h"
 #include "base/wording.h"
 
 namespace smile::motion {
@@ -16,9 +17,11 @@ bool IsName(const std::string& name) {
   if (name.empty() || name.size() > kMaxName || name.front() == ' ' || name.back() == ' ') {
     return false;
   }
-  return std::ranges::none_of(name, [](char letter) {
+  const bool is_plain = std::ranges::none_of(name, [](char letter) {
     return letter == ',' || static_cast<unsigned char>(letter) < ' ' || letter == '\x7f';
   });
+  // What is no UTF-8 would come back from JSON as another name.
+  return is_plain && ParseJson(ToText(Json(name))) == name;
 }
 
 /// @param what  `positions` or `velocities`.
@@ -64,7 +67,7 @@ std::string FaultOfNames(const std::vector<std::string>& names) {
   for (auto name = names.begin(); name != names.end(); ++name) {
     if (!IsName(*name)) {
       return "the name of a joint is " + Quoted(*name) +
-             ", expected 1 to 256 letters without commas";
+             ", expected 1 to 256 letters in UTF-8 without commas";
     }
     if (std::find(names.begin(), name, *name) != name) {
       return "joint " + Quoted(*name) + " is there twice";

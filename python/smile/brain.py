@@ -222,7 +222,7 @@ def encode(values):
 def sensor_of(values):
     names = values.pop("trackerNames", None)
     if names is not None:
-        values["trackerLoc"] = dict(zip(names.split("\n"), values.pop("trackerPositions")))
+        values["trackerLoc"] = dict(zip(lines_of(names), values.pop("trackerPositions")))
     if "heldObject" in values:
         values["heldObject"] = values["heldObject"].split("\n")
     if "segmentNames" in values:
@@ -241,7 +241,7 @@ def lines_of(text):
 
 
 def aux_of(values):
-    lines = [line.split(",") for line in values.get("attention", "").split("\n") if line]
+    lines = [line.split(",") for line in lines_of(values.get("attention", ""))]
     values["attention"] = {words[0]: words[1:] for words in lines}
     values["cameraNames"] = lines_of(values.get("cameraNames", ""))
     for name in ("numLimbs", "numJoints"):

@@ -15,22 +15,15 @@ Eigen::RowVector3d InUnits(const Vector3& p, const sim::Simulation& simulation) 
   return scene::ToFileUnits(p, simulation.scene().meters_per_unit).transpose();
 }
 
-LimbJoints AnglesOf(const robot::RobotBody& robot) {
-  LimbJoints angles;
+/// What `of_arm` tells of each arm's joints, a row for each arm.
+LimbJoints OfBothArms(const robot::RobotBody& robot,
+                      std::vector<double> (robot::RobotBody::*of_arm)(int) const) {
+  LimbJoints rows;
   for (int arm = 0; arm < kLimbCount; ++arm) {
-    const std::vector<double> q = robot.ArmAngles(arm);
-    for (int i = 0; i < kJointCount; ++i) angles(arm, i) = q[i];
+    const std::vector<double> values = (robot.*of_arm)(arm);
+    for (int i = 0; i < kJointCount; ++i) rows(arm, i) = values[i];
   }
-  return angles;
-}
-
-LimbJoints VelocitiesOf(const robot::RobotBody& robot) {
-  LimbJoints velocities;
-  for (int arm = 0; arm < kLimbCount; ++arm) {
-    const std::vector<double> v = robot.ArmVelocities(arm);
-    for (int i = 0; i < kJointCount; ++i) velocities(arm, i) = v[i];
-  }
-  return velocities;
+  return rows;
 }
 
 /// A pose with its translation in units.
@@ -163,14 +156,14 @@ Aux BrainDriver::Describe(const sim::Simulation& simulation) const {
 Sensor BrainDriver::Sense(const sim::Simulation& simulation) {
   const robot::RobotBody& robot = *simulation.robot();
   Sensor sensor{.time_elapsed = 1.0 / sim::kTicksPerSecond, .sim_time = simulation.seconds()};
-  sensor.joint_angles = AnglesOf(robot);
+  sensor.joint_angles = OfBothArms(robot, &robot::RobotBody::ArmAngles);
   for (int arm = 0; arm < kLimbCount; ++arm) {
     sensor.end_effector_positions.row(arm) = InUnits(robot.ToolPose(arm).translation(), simulation);
     sensor.gripper_openings(arm) =
         scene::ToFileUnits(robot.GripperOpening(arm), simulation.scene().meters_per_unit);
   }
   if (options_.has_trackers) sensor.tracker_locations = TrackersOf(simulation);
-  sensor.joint_velocities = VelocitiesOf(robot);
+  sensor.joint_velocities = OfBothArms(robot, &robot::RobotBody::ArmVelocities);
   sensor.head_angle = robot.HeadAngle();
   sensor.held_objects = HeldObjects(simulation);
   if (IsPictureDue(simulation)) {

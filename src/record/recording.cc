@@ -1,6 +1,5 @@
 #include "record/recording.h"
 
-#include <algorithm>
 #include <array>
 
 #include "base/diagnostic.h"
@@ -163,11 +162,6 @@ void LeaveOutUnfinishedReturn(Recording* recording) {
   recording->log.RemoveLast();
 }
 
-bool IsWithin(const std::filesystem::path& path, const std::filesystem::path& folder) {
-  return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first ==
-         folder.end();
-}
-
 /// From the folder of its URDF and from nowhere else, links followed; neither may that folder be a
 /// link that leads out of the recording.
 /// @param name  of the URDF, from the recording's directory.
@@ -175,11 +169,9 @@ robot::RobotReading ReadKeptRobot(const std::filesystem::path& directory, const 
                                   const std::string& gripper) {
   const std::filesystem::path urdf = directory / name;
   std::error_code error;
-  const auto root = std::filesystem::canonical(directory, error);
-  if (error) throw InputError({directory.string(), 0, "", "no such folder"});
   const auto folder = std::filesystem::canonical(urdf.parent_path(), error);
   if (error) throw InputError({urdf.string(), 0, "", "no such file"});
-  if (!IsWithin(folder, root)) {
+  if (!IsWithin(folder, directory)) {
     throw InputError({urdf.string(), 0, "", "lies elsewhere, expected it in the recording"});
   }
   const auto open = [&folder](const std::string& file,

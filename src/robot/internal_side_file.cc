@@ -174,18 +174,20 @@ class SideFileReader {
     const std::vector<JsonNode> joints = node.Member("joints").Items();
     if (joints.size() > kMaxJoints) node.Member("joints").Fail("are more than 16, expected fewer");
     for (const JsonNode& joint : joints) {
-      arm.joints.push_back(JointNamedBy(joint));
-      Take(arm.joints.back(), joint);
+      const int next = JointNamedBy(joint);
+      Take(next, joint);
+      ExpectOnArm(next, arm, joint);
+      arm.joints.push_back(next);
     }
     if (!node.Has("flange")) {
-      arm.tool = FrameNamedBy(node.Member("tool"));
-      arm.gripper = ReadGripper(node, "", arm.tool);
+      arm.tool = FrameOnArm(arm, node.Member("tool"), "");
+      arm.gripper = ReadGripper(node, "", arm);
     } else {
       ExpectNothingOfItsOwn(node);
       const std::string prefix = PrefixOf(name, node);
-      arm.tool = gripper_->Has("tool") ? FrameNamedBy(gripper_->Member("tool"), prefix)
-                                       : FrameNamedBy(node.Member("flange"));
-      arm.gripper = ReadGripper(*gripper_, prefix, arm.tool);
+      arm.tool = FrameOnArm(arm, node.Member("flange"), "");
+      if (gripper_->Has("tool")) arm.tool = FrameOnArm(arm, gripper_->Member("tool"), prefix);
+      arm.gripper = ReadGripper(*gripper_, prefix, arm);
       if (gripper_->Has("never_collide")) {
         for (const JsonNode& pair : gripper_->Member("never_collide").Items()) {
           ReadPair(pair, prefix);
@@ -204,6 +206,24 @@ class SideFileReader {
     model_.arms.push_back(std::move(arm));
   }
 
+  int FrameOnArm(const Arm& arm, const JsonNode& node, const std::string& prefix) const {
+    const int frame = FrameNamedBy(node, prefix);
+    ExpectOnArm(model_.frames[frame].link, arm, node);
+    return frame;
+  }
+  /// A link, or the joint that carries it, must move with all joints the arm has so far. Whoever
+  /// plans with the arm takes it for one chain.
+  void ExpectOnArm(int link, const Arm& arm, const JsonNode& node) const {
+    if (arm.joints.empty()) return;
+    const int last = arm.joints.back();
+    while (link > last) link = model_.links[link].parent;  // parents come before children
+    if (link == last) return;
+    node.Fail("found " + Quoted(node.String()) + ", which does not hang on joint " +
+              Quoted(model_.links[last].joint_name) +
+              ", expected one behind it: joints in their order from the shoulder to the wrist, "
+              "then the gripper");
+  }
+
   /// Whoever moves a joint is the only one.
   void Take(int joint, const JsonNode& node) {
     if (taken_.insert(joint).second) return;
@@ -219,7 +239,8 @@ class SideFileReader {
   }
 
   /// Of an arm or a gripper.
-  std::optional<Gripper> ReadGripper(const JsonNode& node, const std::string& prefix, int tool) {
+  std::optional<Gripper> ReadGripper(const JsonNode& node, const std::string& prefix,
+                                     const Arm& arm) {
     if (!node.Has("fingers")) return std::nullopt;
     const JsonNode fingers = node.Member("fingers");
     const std::vector<JsonNode> names = fingers.Items(2);
@@ -228,13 +249,15 @@ class SideFileReader {
     if (gripper.left_finger == gripper.right_finger) fingers.Fail("both are one, expected two");
     Take(gripper.left_finger, names[0]);
     Take(gripper.right_finger, names[1]);
+    ExpectOnArm(gripper.left_finger, arm, names[0]);
+    ExpectOnArm(gripper.right_finger, arm, names[1]);
     for (int finger : {gripper.left_finger, gripper.right_finger}) {
       LetSlideFromZero(&model_.links[finger], fingers);
     }
     if (node.Has("closed_opening")) {
       gripper.closed_opening = node.Member("closed_opening").Number();
     } else if (node.Has("pads")) {
-      gripper.closed_opening = GapBetween(node.Member("pads"), prefix, tool);
+      gripper.closed_opening = GapBetween(node.Member("pads"), prefix, arm.tool);
     }
     if (!(std::abs(gripper.closed_opening) < 100)) {
       fingers.Fail("would stand " + NumberText(gripper.closed_opening) +

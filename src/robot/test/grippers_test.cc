@@ -208,7 +208,7 @@ TEST_F(MimicFingers, AreTheOnlyOnesThatMayMimic) {
       "r.robot.json: joint \"r\" mimics \"l\", expected that only of two fingers that open alike";
   EXPECT_EQ(Complaint(MimicUrdf("-2"), kSideFile), complaint);
   EXPECT_EQ(Complaint(MimicUrdf("-1"), R"({"format": 1,
-"arms": {"a": {"joints": ["l"], "tool": "arm"}}})"),
+"arms": {"a": {"joints": ["l"], "tool": "l"}}})"),
             complaint);
   // Nothing moves them.
   EXPECT_EQ(Complaint(MimicUrdf("-2"), R"({"format": 1})"), "");

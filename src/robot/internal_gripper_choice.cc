@@ -54,10 +54,14 @@ std::vector<Choice> ReadChoices(const JsonNode& gripper) {
   return choices;
 }
 
+bool IsOf(const Choice& choice, const std::string& word) {
+  return std::ranges::find(choice.words, word) != choice.words.end();
+}
+
 /// Makes the choice that a word is of; false if there is none, or it is made already.
 bool Choose(const std::string& word, std::vector<Choice>* choices) {
   for (Choice& choice : *choices) {
-    if (choice.chosen || std::ranges::find(choice.words, word) == choice.words.end()) continue;
+    if (choice.chosen || !IsOf(choice, word)) continue;
     choice.chosen = word;
     return true;
   }
@@ -66,6 +70,13 @@ bool Choose(const std::string& word, std::vector<Choice>* choices) {
 
 [[noreturn]] void FailForWord(const JsonNode& gripper, const std::string& word,
                               const std::vector<Choice>& choices) {
+  for (const Choice& choice : choices) {
+    if (!IsOf(choice, word)) continue;  // or else it has been chosen already
+    gripper.Fail(word == *choice.chosen
+                     ? "found the word " + Quoted(word) + " twice, expected it once"
+                     : "found the words " + Quoted(*choice.chosen) + " and " + Quoted(word) +
+                           ", expected one of them");
+  }
   std::string expected = choices.empty() ? "no words after its name" : "one of each";
   for (const Choice& choice : choices) {
     const std::vector<std::string_view> words(choice.words.begin(), choice.words.end());

@@ -51,7 +51,7 @@ TEST_F(BrainTrouble, EveryFailureLeavesARecordingThatReplays) {
     EXPECT_EQ(answer.json()["brain"]["status"], "failed") << line;
     EXPECT_NE(answer.json()["brain"]["message"].get<std::string>().find(message), std::string::npos)
         << answer.err;
-    EXPECT_EQ(answer.json()["ticks"], 13) << line;
+    EXPECT_EQ(answer.json()["ticks"], 13 + 15) << line;
     EXPECT_EQ(Smile("replay demo --verify").exit_code, 0) << line;
   }
 }
@@ -126,6 +126,25 @@ TEST_F(BrainTrouble, AnOctaveBrainStopsAtABreakPointAndTheSimulationWaits) {
   EXPECT_EQ(answer.exit_code, 0) << Read("told.txt") << Read("debugger.txt");
   EXPECT_NE(Read("debugger.txt").find("time is 0"), std::string::npos) << Read("debugger.txt");
   EXPECT_NE(Read("demo/commands.jsonl").find("\"head\":0.5"), std::string::npos);
+}
+
+TEST_F(BrainTrouble, TheFaceThatTheRobotEndsWithIsInTheRecording) {
+  WriteStep("  aux.exit = sensor.simTime > 0.2\n");
+  const auto ticks_after = [this](const std::string& mood) {
+    const Answer replay = Smile("replay demo --verify --json");
+    EXPECT_EQ(replay.exit_code, 0) << replay.err;
+    const std::string log = Read("demo/commands.jsonl");
+    const std::size_t line = log.rfind('\n', log.find("\"" + mood + "\"")) + 1;
+    const Json face = Json::parse(log.substr(line, log.find('\n', line) - line));
+    return replay.json()["ticks"].get<int>() - face["tick"].get<int>();
+  };
+  ASSERT_EQ(Smile("run pair.xml --brain agent/think.py --record demo --no-pictures").exit_code, 0);
+  EXPECT_EQ(ticks_after("done"), 15);
+  ASSERT_EQ(Shell("rm -r demo; smile run pair.xml --brain agent/think.py --record demo "
+                  "--no-pictures --seconds 0.25")
+                .exit_code,
+            0);
+  EXPECT_EQ(ticks_after("done"), 2) << "the time is what was said";
 }
 
 TEST_F(BrainTrouble, AnAttachedBrainThatHangsUpIsNoticed) {

@@ -2,7 +2,9 @@
 
 #include <signal.h>
 
+#include <cerrno>
 #include <cmath>
+#include <cstring>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -44,6 +46,23 @@ std::string SecondsText(double seconds) {
   return text.str();
 }
 
+/// In words for whoever wrote the program.
+std::string WhyNotRun(const CannotRun& refusal) {
+  const std::string found = "the brain cannot be run: ";
+  switch (refusal.error_number()) {
+    case ENOENT:
+      return found +
+             "what shall run it is not there, expected it in the first line of a script, "
+             "as #!/usr/bin/python3";
+    case ENOEXEC:
+      return found +
+             "it is no program, expected one for this machine, or a script with a first "
+             "line like #!/usr/bin/python3";
+    default:
+      return found + std::strerror(refusal.error_number());
+  }
+}
+
 /// A logical or number that is there and not zero.
 bool IsTrue(const Message& message, std::string_view name) {
   const NamedArray* array = message.Find(name);
@@ -68,7 +87,7 @@ class BrainProcess::Impl {
  private:
   enum class State { kNew, kStarting, kRunning, kEnded };
 
-  void Start();
+  std::optional<BrainError> Start();
   /// Puts the robot's files where the brain may read them.
   /// @returns the URDF; empty when there are none.
   std::string PutOut(const std::vector<robot::RobotFile>& files) const;
@@ -108,7 +127,7 @@ class BrainProcess::Impl {
 OrError<InitReply> BrainProcess::Impl::Init(const Aux& aux) {
   if (state_ != State::kNew) throw std::logic_error("BrainProcess::Init: it was started before");
   state_ = State::kStarting;
-  Start();
+  if (auto error = Start()) return EndWith(std::move(*error));
   const WaitLimit limit = LimitOf(options_.start_seconds);
   if (auto error = Meet(limit)) return EndWith(std::move(*error));
   if (auto error = ReadHello(limit)) return EndWith(std::move(*error));
@@ -161,14 +180,22 @@ void BrainProcess::Impl::Stop() {
   EndProcess();
 }
 
-void BrainProcess::Impl::Start() {
+std::optional<BrainError> BrainProcess::Impl::Start() {
   rendezvous_.emplace(program_.rendezvous);
   if (options_.is_attached) {
     if (options_.on_waiting) options_.on_waiting(HowToAttach(program_, CommandWithAddress()));
-    return;
+    return std::nullopt;
   }
-  child_.emplace(CommandWithAddress());
+  const ChildCommand command = CommandWithAddress();
+  try {
+    child_.emplace(command);
+  } catch (const CannotRun& refusal) {
+    // What runs scripts belongs to the machine; a program is the brain itself.
+    if (command.arguments.front() != program_.main_file) throw;
+    return ErrorIn(Phase::kStart, WhyNotRun(refusal));
+  }
   drain_.emplace(child_->TakeOutput(), options_.on_output);
+  return std::nullopt;
 }
 
 ChildCommand BrainProcess::Impl::CommandWithAddress() const {

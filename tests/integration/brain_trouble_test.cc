@@ -147,6 +147,14 @@ TEST_F(BrainTrouble, TheFaceThatTheRobotEndsWithIsInTheRecording) {
   EXPECT_EQ(ticks_after("done"), 2) << "the time is what was said";
 }
 
+TEST_F(BrainTrouble, ABrainThatCannotBeRunIsWrongInput) {
+  Write("robot", "#!/nowhere/python3\n");
+  EXPECT_EQ(Smile("run pair.xml --brain robot").exit_code, 1) << "it may not be executed";
+  const Answer answer = Shell("chmod +x robot; smile run pair.xml --brain robot");
+  EXPECT_EQ(answer.exit_code, 1);
+  EXPECT_NE(answer.err.find("robot: the brain cannot be run: "), std::string::npos) << answer.err;
+}
+
 TEST_F(BrainTrouble, AnAttachedBrainThatHangsUpIsNoticed) {
   WriteStep("  os._exit(1)\n");
   const Answer answer = Attached("agent/think.py", "c\n");

@@ -25,6 +25,7 @@ constexpr double kForeverSeconds = 1e6;    ///< the longest that WaitLimit takes
 constexpr double kGoodbyeSeconds = 1.0;    ///< from BYE to SIGKILL
 constexpr double kGuardSeconds = 0.5;      ///< from SIGUSR2 to SIGINT
 constexpr double kInterruptSeconds = 0.3;  ///< from SIGINT to SIGKILL
+constexpr double kSilenceSeconds = 2.0;    ///< before a hello, while somebody else waits
 
 using Phase = BrainError::Phase;
 
@@ -94,7 +95,12 @@ class BrainProcess::Impl {
   ChildCommand CommandWithAddress() const;
   bool HasChildEnded() const { return child_ && child_->HasEnded(); }
   std::optional<BrainError> Meet(const WaitLimit& limit);
-  std::optional<BrainError> ReadHello(const WaitLimit& limit);
+  /// Until somebody has come who says what a brain says first. Under a debugger all others are sent
+  /// away: their mistakes are not the brain's.
+  std::optional<BrainError> Greet(const WaitLimit& limit);
+  /// For a person who starts the brain: one who says nothing must not keep out the next.
+  WaitLimit LimitOfHello(const WaitLimit& limit) const;
+  bool TakeHello(const Message& hello);
   /// Sends a question and waits for its answer, which is of type `expected` (or kFinalMotor).
   OrError<Message> Ask(const std::vector<std::byte>& question, MessageType expected, Phase phase,
                        const WaitLimit& limit, double limit_seconds);
@@ -129,8 +135,7 @@ OrError<InitReply> BrainProcess::Impl::Init(const Aux& aux) {
   state_ = State::kStarting;
   if (auto error = Start()) return EndWith(std::move(*error));
   const WaitLimit limit = LimitOf(options_.start_seconds);
-  if (auto error = Meet(limit)) return EndWith(std::move(*error));
-  if (auto error = ReadHello(limit)) return EndWith(std::move(*error));
+  if (auto error = Greet(limit)) return EndWith(std::move(*error));
 
   auto answer = Ask(EncodeAux(++sequence_, aux, program_.folder_name, PutOut(aux.robot_files)),
                     MessageType::kInitDone, Phase::kInit, limit, options_.start_seconds);
@@ -219,22 +224,44 @@ std::optional<BrainError> BrainProcess::Impl::Meet(const WaitLimit& limit) {
   return std::nullopt;
 }
 
-std::optional<BrainError> BrainProcess::Impl::ReadHello(const WaitLimit& limit) {
-  auto received = channel_->Receive(limit);
-  if (const auto* fault = std::get_if<ChannelFault>(&received)) {
-    return ExplainFault(*fault, Phase::kStart, options_.start_seconds);
+std::optional<BrainError> BrainProcess::Impl::Greet(const WaitLimit& limit) {
+  while (true) {
+    if (auto error = Meet(limit)) return error;
+    auto received = channel_->Receive(LimitOfHello(limit));
+    const Message* hello = std::get_if<Message>(&received);
+    if (hello && hello->type == MessageType::kError) return ExplainReport(*hello, Phase::kStart);
+    if (hello && TakeHello(*hello)) return std::nullopt;
+
+    const auto* fault = std::get_if<ChannelFault>(&received);
+    BrainError error = fault ? ExplainFault(*fault, Phase::kStart, options_.start_seconds)
+                             : ErrorIn(Phase::kStart, "the brain does not speak version " +
+                                                          std::to_string(wire::kProtocolVersion) +
+                                                          " of the protocol");
+    if (!options_.is_attached || limit.IsCancelled()) return error;
+    if (fault && fault->kind == ChannelFault::Kind::kCancelled) {
+      error = ErrorIn(Phase::kStart, "it said nothing, and the next one came");
+    }
+    channel_.reset();
+    if (options_.on_waiting) options_.on_waiting("sent somebody away: " + error.message);
   }
-  const Message& hello = std::get<Message>(received);
-  if (hello.type == MessageType::kError) return ExplainReport(hello, Phase::kStart);
+}
+
+WaitLimit BrainProcess::Impl::LimitOfHello(const WaitLimit& limit) const {
+  if (!options_.is_attached) return limit;
+  return WaitLimit(kForeverSeconds, [this, limit, silence = WaitLimit(kSilenceSeconds)] {
+    return limit.IsCancelled() || (silence.HasPassed() && rendezvous_->HasVisitor());
+  });
+}
+
+bool BrainProcess::Impl::TakeHello(const Message& hello) {
   const NamedArray* version = hello.Find("version");
   const auto numbers = version ? version->Numbers() : std::nullopt;
   if (hello.type != MessageType::kHello || !numbers || numbers->size() != 1 ||
       numbers->front() != wire::kProtocolVersion) {
-    return ErrorIn(Phase::kStart, "the brain does not speak version " +
-                                      std::to_string(wire::kProtocolVersion) + " of the protocol");
+    return false;
   }
   has_guard_ = IsTrue(hello, "guard");
-  return std::nullopt;
+  return true;
 }
 
 OrError<Message> BrainProcess::Impl::Ask(const std::vector<std::byte>& question,

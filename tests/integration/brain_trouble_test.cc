@@ -18,15 +18,17 @@ class BrainTrouble : public ProgramTest {
   }
 
   /// The program waits for its brain, as `smile run ... --attach` says; meanwhile somebody types
-  /// what it told, and `typed` at the debugger's prompt.
-  Answer Attached(const std::string& brain, const std::string& typed) const {
+  /// what it told, and `typed` at the debugger's prompt. `before` has the line typed in `$line`.
+  Answer Attached(const std::string& brain, const std::string& typed,
+                  const std::string& before = "") const {
     Write("typed", typed);
     return Shell("timeout 60 " SMILE_PROGRAM
                  " run pair.xml --attach --record demo --seconds 0.1 --json --brain " +
                  brain +
                  " >result.json 2>told.txt & simulator=$!\n"
                  "for k in $(seq 600); do grep -q '^cd ' told.txt && break; sleep 0.05; done\n"
-                 "line=$(grep '^cd ' told.txt)\n"
+                 "line=$(grep '^cd ' told.txt)\n" +
+                 before +
                  "(eval \"$line\") <typed >debugger.txt 2>&1\n"
                  "wait $simulator");
   }
@@ -145,6 +147,33 @@ TEST_F(BrainTrouble, TheFaceThatTheRobotEndsWithIsInTheRecording) {
                 .exit_code,
             0);
   EXPECT_EQ(ticks_after("done"), 2) << "the time is what was said";
+}
+
+TEST_F(BrainTrouble, WhoeverAttachesAndIsNoBrainIsSentAway) {
+  WriteStep("");
+  Write("noise.py",
+        "import os, socket, sys, time\n"
+        "s = socket.socket(socket.AF_UNIX)\n"
+        "s.connect(os.environ['SMILE_BRAIN_ADDRESS'])\n"
+        "if sys.argv[1:]: s.sendall(sys.argv[1].encode())\n"
+        "else:\n"
+        "  open('quiet', 'w')\n"
+        "  time.sleep(30)\n"
+        "s.close()\n");
+  // One hangs up, one talks of something else, one says nothing and stays.
+  const Answer answer =
+      Attached("agent/think.py", "c\nq\n",
+               "export SMILE_BRAIN_ADDRESS=$(echo \"$line\" | grep -o '[^=]*/socket')\n"
+               "python3 noise.py SMB\n"
+               "python3 noise.py 'GET / HTTP/1.1, and so on for some more words'\n"
+               "python3 noise.py &\n"
+               "for k in $(seq 600); do [ -e quiet ] && break; sleep 0.05; done\n");
+  EXPECT_EQ(answer.exit_code, 0) << Read("told.txt") << Read("debugger.txt");
+  EXPECT_EQ(Json::parse(Read("result.json"))["ticks"], 6);
+  const std::string told = Read("told.txt");
+  for (const char* why : {"closed its connection", "sent nonsense", "it said nothing"}) {
+    EXPECT_NE(told.find(why), std::string::npos) << told;
+  }
 }
 
 TEST_F(BrainTrouble, ABrainThatCannotBeRunIsWrongInput) {

@@ -16,7 +16,7 @@ namespace {
 /// looks through the whole array around each of them that ends: hours, for ten megabytes.)
 class LimitCheck : public Json::json_sax_t {
  public:
-  explicit LimitCheck(int max_keys) : max_keys_(max_keys) {}
+  LimitCheck(std::string_view text, int max_keys) : text_(text), max_keys_(max_keys) {}
 
   bool null() override { return true; }
   bool boolean(bool) override { return true; }
@@ -44,8 +44,12 @@ class LimitCheck : public Json::json_sax_t {
   bool start_array(std::size_t) override { return Begin(); }
   bool end_object() override { return End(); }
   bool end_array() override { return End(); }
-  bool parse_error(std::size_t, const std::string&, const Json::exception&) override {
-    throw std::invalid_argument("this is not JSON");
+  bool parse_error(std::size_t position, const std::string&, const Json::exception&) override {
+    const std::string_view before = text_.substr(0, position);
+    const auto num_ends = std::count(before.begin(), before.end(), '\n');
+    throw std::invalid_argument(
+        "this is not JSON" +
+        (num_ends > 0 ? " from line " + std::to_string(num_ends + 1) + " on" : std::string()));
   }
 
  private:
@@ -77,6 +81,7 @@ class LimitCheck : public Json::json_sax_t {
     std::string last;
   };
 
+  std::string_view text_;
   int max_keys_;
   int depth_ = 0;
   int num_keys_ = 0;
@@ -86,7 +91,7 @@ class LimitCheck : public Json::json_sax_t {
 }  // namespace
 
 Json ParseJson(std::string_view text, int max_keys) {
-  LimitCheck limits(max_keys);
+  LimitCheck limits(text, max_keys);
   Json::sax_parse(text, &limits);
   return Json::parse(text);
 }

@@ -52,6 +52,7 @@ TEST(Json, RefusesWhatIsNone) {
   for (const char* text : {"", "[1,]", "{\"a\":1", "1e999", "\"\xFF\"", "[] []", "[NaN]"}) {
     EXPECT_EQ(FaultOf(text), "this is not JSON") << text;
   }
+  EXPECT_EQ(FaultOf("{\"a\": 1,\n\n\"b\" 2}\n"), "this is not JSON from line 3 on");
 }
 
 }  // namespace

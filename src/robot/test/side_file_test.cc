@@ -189,9 +189,11 @@ TEST_F(SideFile, RefusesPosesTheRobotCannotTake) {
             "r.robot.json: <poses/p/tail>: expected the name of an arm, head or opening");
 }
 
-TEST_F(SideFile, NamesTheLineWhereJsonEnds) {
-  const std::string message = ComplaintAbout("{\"format\": 1,\n\"arms\": }");
-  EXPECT_TRUE(message.starts_with("r.robot.json:2: not JSON: ")) << message;
+TEST_F(SideFile, SaysWhereItIsNotJson) {
+  EXPECT_EQ(ComplaintAbout("{\"format\": 1,\n\"arms\": }"),
+            "r.robot.json: this is not JSON from line 2 on");
+  EXPECT_EQ(ComplaintAbout(R"({"format": 1, "arms": {"a": {}, "a": {}}})"),
+            "r.robot.json: the key \"a\" is there twice in \"arms\"");
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "base/diagnostic.h"
 #include "base/version.h"
+#include "base/wording.h"
 
 namespace smile::app {
 
@@ -14,7 +15,7 @@ record::Recording OpenAndTell(const std::string& demo) {
   }
   if (recording.info.program != ProgramName()) {
     std::fprintf(stderr, "%s: was made by %s, this is %s\n", demo.c_str(),
-                 recording.info.program.c_str(), ProgramName().c_str());
+                 Printable(recording.info.program).c_str(), ProgramName().c_str());
   }
   return recording;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -8,15 +9,13 @@
 
 #include "base/json.h"
 
-namespace smile::robot::internal {
+namespace smile {
 
-inline constexpr std::size_t kMaxShortText = 64;
-
-/// A value of a side file together with its place in the file. What it complains of is an
-/// InputError there. The value and the file's name must outlive it.
-class SideNode {
+/// A value of a JSON file together with its place in the file, as `arms/left/joints`. What it
+/// complains of is an InputError there. The value and the file's name must outlive it.
+class JsonNode {
  public:
-  SideNode(const Json& value, const std::string& file, std::string place)
+  JsonNode(const Json& value, const std::string& file, std::string place)
       : value_(value), file_(file), place_(std::move(place)) {}
 
   [[noreturn]] void Fail(const std::string& message) const;
@@ -25,17 +24,22 @@ class SideNode {
   /// Refuses members nobody reads: a typing mistake must not pass in silence.
   void ExpectMembers(std::span<const std::string_view> names) const;
   bool Has(const std::string& name) const { return value_.contains(name); }
-  SideNode Member(const std::string& name) const;
+  JsonNode Member(const std::string& name) const;
   /// Names and values of an object.
-  std::vector<std::pair<std::string, SideNode>> Members() const;
-  std::vector<SideNode> Items() const;
+  std::vector<std::pair<std::string, JsonNode>> Members() const;
+  std::vector<JsonNode> Items() const;
   /// A list of exactly `count` items.
-  std::vector<SideNode> Items(std::size_t count) const;
+  std::vector<JsonNode> Items(std::size_t count) const;
+  bool IsNull() const { return value_.is_null(); }
   bool IsString() const { return value_.is_string(); }
   std::string String() const;
-  /// A text of at most kMaxShortText letters: for what is put into many others.
-  std::string ShortString() const;
+  /// A text of at most `max_bytes`: for what is put into many others.
+  std::string ShortString(std::size_t max_bytes) const;
+  bool Flag() const;
   double Number() const;
+  /// A number from `low` to `high`.
+  double Number(double low, double high) const;
+  std::uint64_t Whole(std::uint64_t low, std::uint64_t high) const;
   const Json& value() const { return value_; }
   const std::string& place() const { return place_; }
 
@@ -47,4 +51,4 @@ class SideNode {
   std::string place_;
 };
 
-}  // namespace smile::robot::internal
+}  // namespace smile

@@ -75,6 +75,7 @@ class Session::Impl {
   /// Throw a RequestError with the reason.
   void RequireLive() const;
   void RequireNoRecording() const;
+  void RequireIdleRobot() const;
 
   void TickLive();
   void EndImitation();
@@ -83,6 +84,7 @@ class Session::Impl {
   void TellStateIfDue();
   void TellConsole();
   void LookThroughEye();
+  sim::Sight SightNow() const;
   Json DescribeScene() const;
   Json DescribeState() const;
   const sim::Simulation& shown() const;

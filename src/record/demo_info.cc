@@ -10,6 +10,7 @@
 #include "base/json_node.h"
 #include "base/version.h"
 #include "base/wording.h"
+#include "record/append_file.h"
 
 namespace smile::record {
 namespace {
@@ -208,6 +209,26 @@ DemoInfo ReadDemoInfo(const std::filesystem::path& path) {
   } catch (const std::invalid_argument& error) {
     throw InputError({file, 0, "", error.what()});
   }
+}
+
+void Retitle(const std::filesystem::path& directory, const std::optional<std::string>& title,
+             const std::optional<std::string>& notes) {
+  const std::filesystem::path path = directory / "demo.json";
+  (void)ReadDemoInfo(path);
+  const AppendFile hold(directory / "commands.jsonl", AppendFile::kExisting);
+  Json json = ParseJson(ReadFile(path, kMaxInfoBytes));
+  const auto set = [&json](const char* key, const auto& text, std::size_t max_bytes) {
+    if (!text) return;
+    if (text->size() > max_bytes) {
+      throw std::invalid_argument("\"" + std::string(key) + "\" has " +
+                                  std::to_string(text->size()) + " bytes, expected at most " +
+                                  std::to_string(max_bytes));
+    }
+    json[key] = *text;
+  };
+  set("title", title, kMaxTitleBytes);
+  set("notes", notes, kMaxNotesBytes);
+  WriteFile(path, ToText(json, 2) + "\n");
 }
 
 }  // namespace smile::record

@@ -59,4 +59,12 @@ std::string ToJsonText(const DemoInfo& info);
 /// @throws InputError naming the place in the file, what was found and what was expected.
 DemoInfo ReadDemoInfo(const std::filesystem::path& path);
 
+inline constexpr std::size_t kMaxTitleBytes = 256, kMaxNotesBytes = 8 << 10;
+/// Says of a recording otherwise; all else in its `demo.json` stays as it is.
+/// @param title, notes  nullopt: as they are.
+/// @throws std::invalid_argument if they are longer than kMaxTitleBytes and kMaxNotesBytes;
+///         InputError if it is no recording; std::runtime_error while it is being recorded.
+void Retitle(const std::filesystem::path& directory, const std::optional<std::string>& title,
+             const std::optional<std::string>& notes);
+
 }  // namespace smile::record

@@ -28,6 +28,7 @@ export interface SceneObject {
   id: string;
   frame: number;
   shape: string;
+  fixed: boolean;
   parts: { id: string; pointable: boolean }[];
   controls: { id: string; kind: string; parts: string[] }[];
   bonds: boolean;
@@ -79,7 +80,7 @@ export interface Segment {
 export interface StateMessage {
   t: "state";
   tick: number;
-  mode: "live" | "playback";
+  mode: "live" | "playback" | "rage";
   paused: boolean;
   speed: number;
   hands: Record<HandName, Hand>;
@@ -101,6 +102,7 @@ export interface StateMessage {
   } | null;
   brain: { name: string; status: string; message: string; file: string; line: number };
   snap: string[];
+  markers: Point[];
 }
 
 export interface EventMessage {
@@ -148,7 +150,7 @@ export type News =
   | ClientsMessage
   | Reply
   | { t: "looks"; looks: number[] }
-  | { t: "console"; lines: ConsoleLine[] }
+  | { t: "console"; lines: ConsoleLine[]; all?: boolean }
   | { t: "score"; result: Record<string, unknown> }
   | { t: "progress"; what: string; done: number; total: number }
   | { t: "control_wanted"; by: number }

@@ -12,6 +12,8 @@ export const HANDS: HandName[] = ["left", "right", "both", "any"];
 export interface Visual {
   frame: number;
   object: number;
+  /** Id of the part it is of, where that has one. */
+  part?: string;
   pose: Pose;
   color: string;
   choice: number;

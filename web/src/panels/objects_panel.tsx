@@ -232,7 +232,7 @@ async function editPresentScene(): Promise<void> {
 function SceneActions() {
   const input = useRef<HTMLInputElement>(null);
   return (
-    <div class="row">
+    <div class="row scene-actions">
       <Button
         label={words.reload}
         icon="reload"

@@ -30,6 +30,7 @@ export interface SceneObject {
   id: string;
   frame: number;
   shape: string;
+  fixed: boolean;
   parts: { id: string; pointable: boolean }[];
   controls: { id: string; kind: string; parts: string[] }[];
   bonds: boolean;
@@ -81,7 +82,7 @@ export interface Segment {
 export interface StateMessage {
   t: "state";
   tick: number;
-  mode: "live" | "playback";
+  mode: "live" | "playback" | "rage";
   paused: boolean;
   speed: number;
   hands: Record<HandName, Hand>;
@@ -103,6 +104,7 @@ export interface StateMessage {
   } | null;
   brain: { name: string; status: string; message: string; file: string; line: number };
   snap: string[];
+  markers: Point[];
 }
 
 export interface EventMessage {

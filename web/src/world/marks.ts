@@ -39,7 +39,7 @@ export class Marks {
       const size = BADGE_SIZE * camera.position.distanceTo(ball.center);
       badge.scale.setScalar(size);
       badge.position.copy(ball.center);
-      badge.position.z += ball.radius + 0.6 * size;
+      badge.position.z += 1.3 * ball.radius + size;
     }
     this.hover.show(piecesOf(models, isHeld ? null : hovered.value).map(({ mesh }) => mesh));
   }

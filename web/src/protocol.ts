@@ -34,6 +34,8 @@ export interface SceneObject {
   parts: { id: string; pointable: boolean }[];
   controls: { id: string; kind: string; parts: string[] }[];
   bonds: boolean;
+  /** It cannot be taken. */
+  fixed?: boolean;
   properties: string[];
 }
 

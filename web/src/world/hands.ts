@@ -1,7 +1,7 @@
 import { signal } from "@preact/signals";
 import { Vector3 } from "three";
 import { HANDS, type HandName } from "../protocol";
-import { command, currentHand, heldObject, isController, state } from "../studio";
+import { command, currentHand, heldObject, isController, scene, state } from "../studio";
 import { Latency } from "./latency";
 import { meet, type Picked, type Picker, type PointerAt } from "./pick";
 import { type Axis, directionOf, type Rings } from "./rings";
@@ -58,7 +58,9 @@ export class Hands {
   press(at: PointerAt, picked: Picked | null): Drag | null {
     if (!this.canAct) return null;
     const held = heldObject.value;
-    if (held === null) return picked?.object ? this.graspAndCarry(at, picked) : null;
+    if (held === null) {
+      return picked?.object && !isFixed(picked.object) ? this.graspAndCarry(at, picked) : null;
+    }
     if (picked?.object === held) return this.carry(at, Promise.resolve(true));
     const ring = this.ringUnder(at, picked);
     return ring && this.turn(at, ring);
@@ -72,14 +74,10 @@ export class Hands {
   }
 
   click(at: PointerAt, picked: Picked | null): void {
-    if (contextMenu.value !== null) {
-      contextMenu.value = null;
-      return;
-    }
     if (!this.canAct) return;
     const held = heldObject.value;
-    if (held === null && picked?.object) void this.grasp(picked.object, picked.point);
-    else if (picked?.object !== held && this.ringUnder(at, picked) === null) this.release();
+    if (held === null && picked?.object && !isFixed(picked.object)) void this.grasp(picked.object, picked.point);
+    else if (held !== null && picked?.object !== held && this.ringUnder(at, picked) === null) this.release();
   }
 
   menu({ x, y }: PointerAt, picked: Picked | null): void {
@@ -290,6 +288,11 @@ export class Hands {
     return (at: PointerAt) =>
       (((at.x - from.x) * dx + (at.y - from.y) * dy) / (dx * dx + dy * dy)) * DEGREES;
   }
+}
+
+/** Nobody can take it. */
+export function isFixed(object: string): boolean {
+  return scene.value?.objects.find(({ id }) => id === object)?.fixed ?? false;
 }
 
 function rounded(point: Vector3): number[] {

@@ -1,5 +1,6 @@
 import type { Drag, Hands } from "./hands";
 import type { Picked, Picker, PointerAt } from "./pick";
+import { contextMenu } from "./signals";
 import type { ViewCamera } from "./view_camera";
 
 const CLICK_PIXELS = 4;
@@ -34,6 +35,7 @@ export class Pointers {
   private gesture: Gesture | null = null;
   private longPress: ReturnType<typeof setTimeout> | null = null;
   private wheelTurn = 0;
+  private wasMenuOpen = false;
   private readonly quitting = new AbortController();
 
   constructor(
@@ -44,7 +46,10 @@ export class Pointers {
     private readonly onHover: (at: PointerAt | null) => void,
   ) {
     const { signal } = this.quitting;
+    // Before the menu hears of it and closes: whatever is clicked while it is open only closes it.
+    window.addEventListener("pointerdown", () => this.lookForMenu(), { signal, capture: true });
     host.addEventListener("pointerdown", (event) => this.down(event), { signal });
+    host.addEventListener("mousedown", (event) => this.preventScrolling(event), { signal });
     host.addEventListener("pointermove", (event) => this.move(event), { signal });
     host.addEventListener("pointerup", (event) => this.up(event), { signal });
     host.addEventListener("pointercancel", (event) => this.cancel(event), { signal });
@@ -77,7 +82,6 @@ export class Pointers {
     if (isTouch) this.fingers.set(event.pointerId, at);
     if (this.fingers.size === 2) this.stop();
     if (this.fingers.size > 1 || this.gesture !== null) return;
-    if (event.button === MIDDLE) event.preventDefault(); // else some browsers scroll
     const drag = event.button === LEFT ? this.hands.press(at, this.pick(at)) : null;
     const isSideways = event.shiftKey && drag === null;
     this.gesture = {
@@ -89,6 +93,16 @@ export class Pointers {
       hasMoved: false,
     };
     if (isTouch) this.longPress = setTimeout(() => this.showMenu(), LONG_PRESS_MS);
+  }
+
+  private lookForMenu(): void {
+    this.wasMenuOpen = contextMenu.value !== null;
+    contextMenu.value = null;
+  }
+
+  /** Which some browsers do with the middle button. */
+  private preventScrolling(event: MouseEvent): void {
+    if (event.button === MIDDLE && this.isOnWorld(event)) event.preventDefault();
   }
 
   private move(event: PointerEvent): void {
@@ -120,7 +134,7 @@ export class Pointers {
     const { gesture } = this;
     if (gesture === null) return;
     this.stop();
-    if (gesture.hasMoved) return;
+    if (gesture.hasMoved || this.wasMenuOpen) return;
     const at = placeOf(event);
     if (event.button === LEFT) this.hands.click(at, this.pick(at));
     if (event.button === RIGHT) this.hands.menu(at, this.pick(at));

@@ -1,19 +1,17 @@
 import {
-  CanvasTexture,
   Group,
   Mesh,
   MeshBasicMaterial,
   type PerspectiveCamera,
   type Ray,
   Raycaster,
-  SRGBColorSpace,
-  Sprite,
-  SpriteMaterial,
+  type Sprite,
   TorusGeometry,
   Vector3,
 } from "three";
 import { mergeGeometries } from "three/addons/utils/BufferGeometryUtils.js";
 import { axisColors } from "../colors";
+import { disc } from "./disc";
 
 export type Axis = 0 | 1 | 2;
 const AXES: Axis[] = [0, 1, 2];
@@ -27,6 +25,11 @@ const PATTERNS = [
   { pieces: 14, share: 0.68 },
   { pieces: 44, share: 0.42 },
 ] as const;
+/** Where on the rings the letters are, as pointOn() has it: far from one another [degrees]. */
+const LETTER_PLACES = [50, 40, 230] as const;
+const DIM_ORDER = 30;
+const SOLID_ORDER = 31;
+const LETTER_ORDER = 32;
 /** Of a ring's radius to the distance from the eye, at least. */
 const SMALLEST = 0.085;
 
@@ -102,8 +105,8 @@ class RingParts {
     });
     const shape = ringShape(PATTERNS[axis]);
     const [dim, solid] = [new Mesh(shape, this.dim), new Mesh(shape, this.solid)];
-    dim.renderOrder = 30;
-    solid.renderOrder = 31;
+    dim.renderOrder = DIM_ORDER;
+    solid.renderOrder = SOLID_ORDER;
     this.grip = new Mesh(new TorusGeometry(1, GRIP_THICKNESS, 6, 64), new MeshBasicMaterial());
     this.grip.visible = false;
     const turning = new Group();
@@ -127,33 +130,10 @@ function ringShape({ pieces, share }: { pieces: number; share: number }) {
   return mergeGeometries(arcs);
 }
 
-/** Where on the rings the letters are, as pointOn() has it: far from one another [degrees]. */
-const LETTER_PLACES = [50, 40, 230] as const;
-
 function letter(axis: Axis): Sprite {
-  const size = 64;
-  const canvas = document.createElement("canvas");
-  canvas.width = canvas.height = size;
-  const pen = canvas.getContext("2d");
-  if (pen) {
-    pen.fillStyle = axisColors[axis];
-    pen.beginPath();
-    pen.arc(size / 2, size / 2, size / 2 - 2, 0, 2 * Math.PI);
-    pen.fill();
-    pen.fillStyle = "#ffffff";
-    pen.font = `600 ${0.62 * size}px system-ui, sans-serif`;
-    pen.textAlign = "center";
-    pen.textBaseline = "middle";
-    pen.fillText(nameOf(axis), size / 2, 0.52 * size);
-  }
-  const map = new CanvasTexture(canvas);
-  map.colorSpace = SRGBColorSpace;
-  const sprite = new Sprite(new SpriteMaterial({ map, depthTest: false, toneMapped: false }));
-  sprite.renderOrder = 32;
+  const sprite = disc(nameOf(axis), axisColors[axis], LETTER_ORDER);
   sprite.scale.setScalar(0.2);
-  sprite.position.copy(DIRECTIONS[((axis + 1) % 3) as Axis]).applyAxisAngle(
-    DIRECTIONS[axis],
-    (LETTER_PLACES[axis] * Math.PI) / 180,
-  );
+  sprite.position.copy(DIRECTIONS[((axis + 1) % 3) as Axis]);
+  sprite.position.applyAxisAngle(DIRECTIONS[axis], (LETTER_PLACES[axis] * Math.PI) / 180);
   return sprite;
 }

@@ -2,7 +2,7 @@ import { effect } from "@preact/signals";
 import { handColors } from "../colors";
 import { listenToKeys } from "../keys";
 import type { Poses } from "../protocol";
-import { currentHand, heldObject, looks, poseListeners, scene, state } from "../studio";
+import { currentHand, heldObject, isController, looks, poseListeners, scene, state } from "../studio";
 import { Aids } from "./aids";
 import { DetailKeeper } from "./detail";
 import { Hands } from "./hands";
@@ -56,6 +56,8 @@ class DrawnWorld implements World {
   private hasMoved = true;
   private hoverAt: PointerAt | null = null;
   private isStarted = false;
+  /** What of the last state is to be seen, beside what moves. */
+  private seenState = "";
 
   constructor(private readonly host: HTMLElement) {
     this.stage = new Stage(host, () => this.resized());
@@ -72,7 +74,7 @@ class DrawnWorld implements World {
     );
     this.aids = new Aids(this.models, this.picker, this.rings, this.hands, () => this.redraw());
     this.pointers = new Pointers(host, this.picker, this.hands, this.camera, (at) => this.hover(at));
-    this.stage.scene.add(this.models.root, this.aids.root);
+    this.stage.scene.add(this.models.root, this.aids.root, this.marks.root);
     this.styleTag();
     this.listen();
     this.resized();
@@ -121,7 +123,7 @@ class DrawnWorld implements World {
       effect(() => this.load()),
       effect(() => this.models.setLooks(looks.value)),
       effect(() => this.takeState()),
-      effect(() => void [currentHand.value, hovered.value, guides.value, this.redraw()]),
+      effect(() => void [currentHand.value, hovered.value, guides.value, isController.value, this.redraw()]),
       effect(() => this.writeTag()),
       listenToKeys(
         actionsOf(this.hands, this.camera, this.pointers, (object) => this.focus(object)),
@@ -148,7 +150,9 @@ class DrawnWorld implements World {
     if (news === null) return;
     this.models.setGone(news.gone);
     this.models.setRobotShown(news.robot?.shown ?? true);
-    this.redraw();
+    const seen = JSON.stringify([news.hands, news.mode]);
+    if (seen !== this.seenState) this.redraw();
+    this.seenState = seen;
   }
 
   private hover(at: PointerAt | null): void {
@@ -199,7 +203,7 @@ class DrawnWorld implements World {
     this.hasMoved = false;
     this.models.root.updateMatrixWorld();
     this.lookUnderMouse();
-    this.marks.update(this.models);
+    this.marks.update(this.models, this.stage.camera);
     this.aids.update(this.stage.camera, hasMoved);
     if (hasMoved) this.stage.shadowsMoved();
     this.stage.draw();

@@ -30,12 +30,11 @@ export interface SceneObject {
   id: string;
   frame: number;
   shape: string;
+  /** It cannot be taken. */
   fixed: boolean;
   parts: { id: string; pointable: boolean }[];
   controls: { id: string; kind: string; parts: string[] }[];
   bonds: boolean;
-  /** It cannot be taken. */
-  fixed?: boolean;
   properties: string[];
 }
 

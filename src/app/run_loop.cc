@@ -7,11 +7,11 @@
 #include <stdexcept>
 #include <thread>
 
-#include "app/brain_log.h"
 #include "app/interrupt.h"
 #include "app/progress.h"
 #include "app/rendered_eye.h"
 #include "base/diagnostic.h"
+#include "brain/brain_log.h"
 #include "math/angles.h"
 #include "scene/units.h"
 
@@ -236,7 +236,7 @@ class LiveRun {
   std::uint64_t late_ticks_ = 0;
   double worst_delay_ = 0;
   std::optional<sim::ScriptPlayer> player_;
-  BrainLog brain_log_;  ///< written to by the process's thread
+  brain::BrainLog brain_log_;  ///< written to by the process's thread
   std::optional<brain::BrainProcess> process_;
   std::optional<brain::BrainDriver> driver_;
 };

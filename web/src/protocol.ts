@@ -30,11 +30,11 @@ export interface SceneObject {
   id: string;
   frame: number;
   shape: string;
+  /** It cannot be taken. */
+  fixed: boolean;
   parts: { id: string; pointable: boolean }[];
   controls: { id: string; kind: string; parts: string[] }[];
   bonds: boolean;
-  /** It cannot be taken. */
-  fixed?: boolean;
   properties: string[];
 }
 
@@ -83,7 +83,7 @@ export interface Segment {
 export interface StateMessage {
   t: "state";
   tick: number;
-  mode: "live" | "playback";
+  mode: "live" | "playback" | "rage";
   paused: boolean;
   speed: number;
   hands: Record<HandName, Hand>;
@@ -105,6 +105,7 @@ export interface StateMessage {
   } | null;
   brain: { name: string; status: string; message: string; file: string; line: number };
   snap: string[];
+  markers: Point[];
 }
 
 export interface EventMessage {

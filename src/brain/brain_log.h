@@ -5,7 +5,7 @@
 #include <memory>
 #include <string_view>
 
-namespace smile::app {
+namespace smile::brain {
 
 /// `brain.log` in a recording: what the robot program printed, and why it failed. The file appears
 /// with its first line and does not grow beyond kMaxBytes. A log that cannot be written is given up
@@ -31,4 +31,4 @@ class BrainLog {
   std::uintmax_t bytes_ = 0;
 };
 
-}  // namespace smile::app
+}  // namespace smile::brain

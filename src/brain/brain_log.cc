@@ -1,9 +1,9 @@
-#include "app/brain_log.h"
+#include "brain/brain_log.h"
 
 #include <string>
 #include <system_error>
 
-namespace smile::app {
+namespace smile::brain {
 
 BrainLog::BrainLog(const std::filesystem::path& directory) {
   if (!directory.empty()) path_ = directory / "brain.log";
@@ -32,4 +32,4 @@ void BrainLog::Write(std::string_view line) {
   path_.clear();
 }
 
-}  // namespace smile::app
+}  // namespace smile::brain

@@ -8,6 +8,7 @@
 #include "base/json.h"
 #include "base/version.h"
 #include "base/wording.h"
+#include "record/append_file.h"
 #include "record/trace_reader.h"
 #include "robot/urdf_reader.h"
 #include "scene_xml/scene_reader.h"
@@ -241,6 +242,30 @@ std::string ToJsonText(const DemoInfo& info) {
                      {"robot", robot},
                      {"eye", eye}};
   return ToText(json, 2) + "\n";
+}
+
+DemoInfo ReadDemoInfo(const std::filesystem::path& directory) {
+  return ReadInfo(directory / "demo.json");
+}
+
+void Retitle(const std::filesystem::path& directory, const std::optional<std::string>& title,
+             const std::optional<std::string>& notes) {
+  (void)ReadDemoInfo(directory);
+  const AppendFile hold(directory / "commands.jsonl", AppendFile::kExisting);
+  const std::filesystem::path path = directory / "demo.json";
+  Json json = ParseJson(ReadFile(path, kMaxInfoBytes));
+  const auto set = [&json](const char* key, const auto& text, std::size_t max_bytes) {
+    if (!text) return;
+    if (text->size() > max_bytes) {
+      throw std::invalid_argument("\"" + std::string(key) + "\" has " +
+                                  std::to_string(text->size()) + " bytes, expected at most " +
+                                  std::to_string(max_bytes));
+    }
+    json[key] = *text;
+  };
+  set("title", title, kMaxTitleBytes);
+  set("notes", notes, kMaxNotesBytes);
+  WriteFile(path, ToText(json, 2) + "\n");
 }
 
 bool IsRecording(const std::filesystem::path& directory) {

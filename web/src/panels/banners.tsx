@@ -4,7 +4,7 @@ import { ask, clients, isConnected, isController, progress } from "../studio";
 import { texts } from "../texts";
 import { Button } from "../ui/buttons";
 import { takeControl } from "./control";
-import { isPaused, isPlayback, mayControl } from "./now";
+import { isPaused, isPlayback, isRage, mayControl } from "./now";
 
 /** So long a connection may take before anybody is told that it takes long. */
 const PATIENCE_MS = 800;
@@ -56,6 +56,11 @@ export function Banners() {
             disabled={!mayControl.value}
             onClick={() => void ask("live")}
           />
+        </div>
+      )}
+      {isRage.value && (
+        <div class="banner words-only">
+          <span>{texts.objects.rageBanner}</span>
         </div>
       )}
       {isPaused.value && !isPlayback.value && (

@@ -147,8 +147,8 @@ function Imitation() {
   };
   return (
     <>
-      <label class="inline-field">
-        <span>{words.demonstration}</span>
+      <label class="field">
+        <span class="field-label">{words.demonstration}</span>
         <select value={chosen} onChange={(event) => (toImitate.value = event.currentTarget.value)}>
           {choices.map(({ id }) => (
             <option key={id} value={id}>
@@ -157,8 +157,8 @@ function Imitation() {
           ))}
         </select>
       </label>
-      <label class="inline-field">
-        <span>{words.scene}</span>
+      <label class="field">
+        <span class="field-label">{words.scene}</span>
         <select value={where.value} onChange={(event) => (where.value = event.currentTarget.value)}>
           <option value="">{words.sceneHere}</option>
           {(gallery.value?.scenes ?? []).map(({ name, title }) => (

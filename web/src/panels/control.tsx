@@ -12,7 +12,7 @@ const ARRIVAL_MS = 3000;
 export async function takeControl(byForce: boolean): Promise<void> {
   const reply = await ask("take_control", byForce ? { by_force: true } : {});
   if (reply === null) return;
-  if (!isController.value && clients.value?.controller !== null) notify(texts.people.asked);
+  notify(reply.granted === true ? texts.people.taken : texts.people.asked);
 }
 
 function useControlOnArrival(): void {
@@ -25,7 +25,7 @@ function useControlOnArrival(): void {
       }
       if (arrived === -Infinity) arrived = performance.now();
       const isFree = clients.value !== null && clients.value.controller === null;
-      if (isFree && performance.now() - arrived < ARRIVAL_MS) void takeControl(false);
+      if (isFree && performance.now() - arrived < ARRIVAL_MS) void ask("take_control");
     });
   }, []);
 }

@@ -321,10 +321,15 @@ export function HandsPanel() {
       {object === null ? (
         <p class="hint">{words.nothingHeld}</p>
       ) : (
+        <Card title={`${words.held}: ${object}`}>
+          <Held object={object} />
+        </Card>
+      )}
+      <Card title={words.plane} isOpen={isPlaneOpen}>
+        <Plane />
+      </Card>
+      {object !== null && (
         <>
-          <Card title={`${words.held}: ${object}`}>
-            <Held object={object} />
-          </Card>
           <Card title={words.move} isOpen={isMoveOpen}>
             <NudgePad />
             {hand?.goal && <Position goal={hand.goal} />}
@@ -338,9 +343,6 @@ export function HandsPanel() {
           </Card>
         </>
       )}
-      <Card title={words.plane} isOpen={isPlaneOpen}>
-        <Plane />
-      </Card>
       <Card title={words.snap} isOpen={isSnapOpen}>
         <Snapping />
       </Card>

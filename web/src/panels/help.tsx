@@ -12,6 +12,7 @@ export function Help() {
     <Dialog
       title={texts.help.title}
       class="help"
+      isForReading
       onClose={close}
       actions={
         <Button

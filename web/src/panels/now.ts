@@ -14,11 +14,13 @@ function settled<T>(read: () => T): ReadonlySignal<T> {
 }
 
 export const isPaused = computed(() => state.value?.paused ?? false);
+export const isLive = computed(() => state.value?.mode === "live");
+export const isRage = computed(() => state.value?.mode === "rage");
 export const isPlayback = computed(() => state.value?.mode === "playback");
 export const isRecording = computed(() => (state.value?.recording ?? null) !== null);
 export const recordingId = computed(() => state.value?.recording?.id ?? null);
-/** The controller may change the world; not while a recording is shown. */
-export const mayAct = computed(() => isConnected.value && isController.value && !isPlayback.value);
+/** The controller may reach into the world; not while a recording is shown or the robot rages. */
+export const mayAct = computed(() => isConnected.value && isController.value && isLive.value);
 export const mayControl = computed(() => isConnected.value && isController.value);
 export const liveSegments = settled(() => state.value?.recording?.segments ?? []);
 export const brain = settled(() => state.value?.brain ?? null);

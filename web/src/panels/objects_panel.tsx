@@ -2,6 +2,7 @@ import { useRef } from "preact/hooks";
 import { useSignal } from "@preact/signals";
 import { ask, command, currentHand, heldObject, notify, scene } from "../studio";
 import { handColors } from "../colors";
+import type { SceneObject } from "../protocol";
 import { texts } from "../texts";
 import { Button } from "../ui/buttons";
 import { Card, Empty, isFound, Picture, SearchField } from "../ui/card";
@@ -73,7 +74,7 @@ function ObjectList() {
             onDblClick={() => mayAct.value && void take(object.id)}
           >
             <span class="object-id">{object.id}</span>
-            <ObjectNote id={object.id} shape={object.shape} />
+            <ObjectNote object={object} />
           </div>
         ))}
       </div>
@@ -97,9 +98,11 @@ function ObjectList() {
   );
 }
 
-function ObjectNote({ id, shape }: { id: string; shape: string }) {
-  const hand = holders.value[id];
-  if (hand === undefined) return <span class="object-note">{shape}</span>;
+function ObjectNote({ object }: { object: SceneObject }) {
+  const hand = holders.value[object.id];
+  if (hand === undefined) {
+    return <span class="object-note">{object.fixed ? words.isFixed : object.shape}</span>;
+  }
   return (
     <span class="object-note held" style={{ "--hand": handColors[hand] }}>
       <span class="swatch" />
@@ -156,14 +159,14 @@ function AddObjects() {
         />
         <Button
           label={words.clear}
-          title={words.clearWhy}
-          disabled={!mayAct.value}
+          title={isRecording.value ? words.whileRecording : words.clearWhy}
+          disabled={isBlocked}
           onClick={() => void ask("clear")}
         />
         <Button
           label={words.rage}
-          title={words.rageWhy}
-          disabled={!mayAct.value || !scene.value?.robot}
+          title={isRecording.value ? words.whileRecording : words.rageWhy}
+          disabled={isBlocked || !scene.value?.robot}
           onClick={() => void ask("clear", { rage: true })}
         />
       </div>
@@ -232,7 +235,7 @@ async function editPresentScene(): Promise<void> {
 function SceneActions() {
   const input = useRef<HTMLInputElement>(null);
   return (
-    <div class="row">
+    <div class="row scene-actions">
       <Button
         label={words.reload}
         icon="reload"

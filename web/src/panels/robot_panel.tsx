@@ -179,7 +179,24 @@ function General({ robot }: { robot: RobotDescription }) {
           onClick={() => robot.joints.forEach((joint) => turn(joint, 0))}
         />
       </div>
+      <Markers />
     </>
+  );
+}
+
+/** Points that a robot program marked for people. */
+function Markers() {
+  const number = state.value?.markers.length ?? 0;
+  if (number === 0) return null;
+  return (
+    <div class="row">
+      <span class="grow">{words.markers(number)}</span>
+      <Button
+        label={words.forgetMarkers}
+        disabled={!mayAct.value}
+        onClick={() => void command({ do: "markers", points: [] })}
+      />
+    </div>
   );
 }
 

@@ -55,6 +55,7 @@ export function Sidebar<Tab extends LeftTab | RightTab>(props: SidebarProps<Tab>
           </>
         ) : (
           <>
+            <h2 class="visually-hidden">{props.label}</h2>
             <div
               role="tablist"
               aria-label={props.label}

@@ -8,6 +8,8 @@ export function Dialog(props: {
   title: string;
   onClose: () => void;
   class?: string;
+  /** It is for reading: the keyboard scrolls it. */
+  isForReading?: boolean;
   children: ComponentChildren;
   actions?: ComponentChildren;
 }) {
@@ -35,7 +37,7 @@ export function Dialog(props: {
         <h2 id={titleId}>{props.title}</h2>
         <Button label={texts.close} icon="cross" kind="quiet" isIconOnly onClick={props.onClose} />
       </header>
-      <div class="dialog-body">{props.children}</div>
+      <div class="dialog-body" tabIndex={props.isForReading ? 0 : undefined}>{props.children}</div>
       {props.actions && <footer class="dialog-actions">{props.actions}</footer>}
     </dialog>
   );

@@ -42,13 +42,13 @@ export class Aids {
     this.drop.setSize(width, height);
   }
 
-  /** @param hasMoved whether anything has since the last time */
-  update(camera: PerspectiveCamera, hasMoved: boolean): void {
+  /** @param isNew whether what is there, and how it looks, may be another than the last time */
+  update(camera: PerspectiveCamera, isNew: boolean): void {
     const held = this.hands.canAct ? heldObject.value : null;
     const group = held === null ? null : this.models.groupOf(held);
     const pieces = held === null ? [] : this.models.piecesOf(held);
     const ball = Models.ballAbout(pieces);
-    if (hasMoved || held !== this.shown) this.ghost.update();
+    if (isNew || this.models.moved.size > 0 || held !== this.shown) this.ghost.update();
     this.shown = held;
     if (held === null || group === null || ball === null) {
       this.sheet.hide();
@@ -59,7 +59,8 @@ export class Aids {
     const others = this.models.pieces.filter(
       (piece) => piece.object !== held && !this.models.isOfRobot(piece),
     );
-    this.sheet.show(this.hands.planeNormal, this.hands.goal ?? group.position, others, hasMoved);
+    const isCutNew = isNew || others.some(({ mesh }) => mesh.parent && this.models.moved.has(mesh.parent));
+    this.sheet.show(this.hands.planeNormal, this.hands.goal ?? group.position, others, isCutNew);
     const floor = new Vector3(ball.center.x, ball.center.y, -FLOOR_DEPTH * this.unitsPerMeter);
     this.drop.show(ball.center, this.picker.below(ball.center, held)?.point ?? floor, pieces);
     if (this.hands.isCarrying.value) this.rings.hide();

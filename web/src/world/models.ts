@@ -44,6 +44,8 @@ export class Models {
   pieces: Piece[] = [];
   private frames: Frame[] = [];
   private moving = new Set<Frame>();
+  /** Frames that moved in the last step. */
+  readonly moved = new Set<Object3D>();
   private frameOfObject = new Map<string, number>();
   private looks: number[] = [];
   private gone = new Set<string>();
@@ -109,12 +111,13 @@ export class Models {
     if (isFirst || this.moving.size > 0) this.onChange();
   }
 
-  /** @returns whether something moved. */
-  follow(seconds: number): boolean {
+  /** A step towards where things are. */
+  follow(seconds: number): void {
     const share = 1 - Math.exp(-seconds / FOLLOW_SECONDS);
-    const hasMoved = this.moving.size > 0;
+    this.moved.clear();
     for (const frame of this.moving) {
       const { group, position, rotation } = frame;
+      this.moved.add(group);
       group.position.lerp(position, share);
       group.quaternion.slerp(rotation, share);
       if (group.position.distanceToSquared(position) > 1e-8) continue;
@@ -123,7 +126,6 @@ export class Models {
       group.quaternion.copy(rotation);
       this.moving.delete(frame);
     }
-    return hasMoved;
   }
 
   get isMoving(): boolean {

@@ -41,8 +41,8 @@ export class Sheet {
     for (const part of this.parts) part.visible = false;
   }
 
-  /** @param hasMoved whether something moved that may be cut */
-  show(normal: Vector3, point: Vector3, pieces: Piece[], hasMoved: boolean): void {
+  /** @param isCutNew whether something moved that may be cut */
+  show(normal: Vector3, point: Vector3, pieces: Piece[], isCutNew: boolean): void {
     const isOld =
       this.cut.visible &&
       this.normal.distanceTo(normal) < 1e-4 &&
@@ -50,7 +50,7 @@ export class Sheet {
     this.normal.copy(normal);
     this.point.copy(point);
     this.place();
-    if (!isOld || hasMoved) this.drawCut(pieces);
+    if (!isOld || isCutNew) this.drawCut(pieces);
     for (const part of this.parts) part.visible = true;
   }
 

@@ -17,6 +17,7 @@ const FIELD_OF_VIEW = 45; // [degrees]
 const FLOOR_DEPTH = 0.9; // below the table top [m]
 const LIT_RADIUS = 1.7; // about the table's middle, in which shadows fall [m]
 const SHADOW_PIXELS = 2048;
+const COARSE = 0.6; // of a pixel
 
 /** Light, floor and background, and what draws them. The background is the page's own. */
 export class Stage {
@@ -26,6 +27,7 @@ export class Stage {
   width = 1;
   height = 1;
   private renderer: WebGLRenderer;
+  private fullRatio = 1;
   private readonly sun = new DirectionalLight("#fff9f0", 1.9);
   private readonly fill = new DirectionalLight("#e6eeff", 0.6);
   private readonly floor = new Mesh(new PlaneGeometry(1, 1), new ShadowMaterial({ opacity: 0.28 }));
@@ -70,6 +72,14 @@ export class Stage {
     this.renderer.domElement.remove();
     this.renderer.dispose();
     this.renderer = this.makeRenderer(isLow);
+    this.fit();
+  }
+
+  /** With fewer pixels, or as many as there are. */
+  setCoarse(isCoarse: boolean): void {
+    const ratio = isCoarse ? COARSE : this.fullRatio;
+    if (ratio === this.renderer.getPixelRatio()) return;
+    this.renderer.setPixelRatio(ratio);
     this.fit();
   }
 
@@ -122,7 +132,8 @@ export class Stage {
     renderer.shadowMap.needsUpdate = true;
     this.sun.castShadow = !isLow;
     this.floor.visible = !isLow;
-    renderer.setPixelRatio(isLow ? 1 : Math.min(devicePixelRatio, 2));
+    this.fullRatio = isLow ? 1 : Math.min(devicePixelRatio, 2);
+    renderer.setPixelRatio(this.fullRatio);
     renderer.domElement.style.cssText = "position:absolute;inset:0;width:100%;height:100%;touch-action:none";
     this.host.prepend(renderer.domElement);
     return renderer;

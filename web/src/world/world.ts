@@ -47,7 +47,10 @@ class DrawnWorld implements World {
   private readonly hands: Hands;
   private readonly aids: Aids;
   private readonly pointers: Pointers;
-  private readonly detail = new DetailKeeper((isLow) => this.setDetail(isLow));
+  private readonly detail = new DetailKeeper(
+    (isLow) => this.setDetail(isLow),
+    (isCoarse) => this.setCoarse(isCoarse),
+  );
   private readonly tag = document.createElement("output");
   private readonly quit: (() => void)[] = [];
   private frame = 0;
@@ -106,6 +109,7 @@ class DrawnWorld implements World {
   dispose(): void {
     cancelAnimationFrame(this.frame);
     for (const end of this.quit) end();
+    this.detail.dispose();
     this.pointers.dispose();
     this.tag.remove();
     this.stage.dispose();
@@ -178,6 +182,11 @@ class DrawnWorld implements World {
     this.models.setDetail(isLow);
   }
 
+  private setCoarse(isCoarse: boolean): void {
+    this.stage.setCoarse(isCoarse);
+    if (!isCoarse) this.redraw();
+  }
+
   private resized(): void {
     const { width, height } = this.stage;
     for (const part of [this.marks, this.aids]) part.setSize(width, height);
@@ -199,12 +208,13 @@ class DrawnWorld implements World {
     this.lastDrawn = now;
     this.detail.note(this.askedAt, now);
     const isCameraMoving = this.camera.update(seconds);
-    const hasMoved = this.models.follow(seconds) || this.hasMoved;
-    this.hasMoved = false;
+    this.models.follow(seconds);
+    const hasMoved = this.hasMoved || this.models.moved.size > 0;
     this.models.root.updateMatrixWorld();
     this.lookUnderMouse();
     this.marks.update(this.models, this.stage.camera);
-    this.aids.update(this.stage.camera, hasMoved);
+    this.aids.update(this.stage.camera, this.hasMoved);
+    this.hasMoved = false;
     if (hasMoved) this.stage.shadowsMoved();
     this.stage.draw();
     if (isCameraMoving || this.models.isMoving) this.redraw();

@@ -132,6 +132,11 @@ Json Session::Impl::Command(const Request& request) {
   const Json& written = RequestFields(request).Object("command");
   const sim::Command command =
       sim::ParseCommand(written, world_->simulation().scene().meters_per_unit);
+  const bool turns_back =
+      std::holds_alternative<sim::Undo>(command) || std::holds_alternative<sim::Redo>(command);
+  if (turns_back && brain_.is_running()) {
+    throw RequestError("a robot program is running and cannot turn back in time: stop it first");
+  }
   view_.reset();
   if (const auto refusal = world_->Apply(Snapped(snap_, *world_, command))) {
     throw RequestError(*refusal);

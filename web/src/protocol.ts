@@ -12,6 +12,8 @@ export const HANDS: HandName[] = ["left", "right", "both", "any"];
 export interface Visual {
   frame: number;
   object: number;
+  /** Id of the part it is of, where that has one. */
+  part?: string;
   pose: Pose;
   color: string;
   choice: number;
@@ -28,6 +30,7 @@ export interface SceneObject {
   id: string;
   frame: number;
   shape: string;
+  /** It cannot be taken. */
   fixed: boolean;
   parts: { id: string; pointable: boolean }[];
   controls: { id: string; kind: string; parts: string[] }[];

@@ -1,0 +1,79 @@
+import { useEffect } from "preact/hooks";
+import { useSignal } from "@preact/signals";
+import { ask, clients, isConnected, isController, progress } from "../studio";
+import { texts } from "../texts";
+import { Button } from "../ui/buttons";
+import { takeControl } from "./control";
+import { isPaused, isPlayback, isRage, mayControl } from "./now";
+
+/** So long a connection may take before anybody is told that it takes long. */
+const PATIENCE_MS = 800;
+
+function Disconnected() {
+  const isTold = useSignal(false);
+  useEffect(() => {
+    const timer = setTimeout(() => (isTold.value = true), PATIENCE_MS);
+    return () => clearTimeout(timer);
+  }, []);
+  if (!isTold.value) return null;
+  return (
+    <div class="banner error" role="alert">
+      <span class="spinner" />
+      <span>{clients.value === null ? texts.connection.connecting : texts.connection.lost}</span>
+    </div>
+  );
+}
+
+function Busy() {
+  if (progress.value === null) return null;
+  const { what, done, total } = progress.value;
+  return (
+    <div class="banner busy">
+      <label for="busy">{what}</label>
+      <progress id="busy" value={done} max={total} />
+    </div>
+  );
+}
+
+/** What one has to know before one wonders why nothing happens. */
+export function Banners() {
+  return (
+    <div class="banners">
+      {!isConnected.value && <Disconnected />}
+      <Busy />
+      {isConnected.value && clients.value !== null && !isController.value && (
+        <div class="banner">
+          <span>{texts.people.watchingBanner}</span>
+          <Button label={texts.people.take} kind="accent" onClick={() => void takeControl(false)} />
+        </div>
+      )}
+      {isPlayback.value && (
+        <div class="banner">
+          <span>{texts.timeline.playbackBanner}</span>
+          <Button
+            label={texts.timeline.live}
+            kind="accent"
+            disabled={!mayControl.value}
+            onClick={() => void ask("live")}
+          />
+        </div>
+      )}
+      {isRage.value && (
+        <div class="banner words-only">
+          <span>{texts.objects.rageBanner}</span>
+        </div>
+      )}
+      {isPaused.value && !isPlayback.value && (
+        <div class="banner">
+          <span>{texts.time.paused}</span>
+          <Button
+            label={texts.time.resume}
+            kind="accent"
+            disabled={!mayControl.value}
+            onClick={() => void ask("resume")}
+          />
+        </div>
+      )}
+    </div>
+  );
+}

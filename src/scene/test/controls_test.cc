@@ -53,8 +53,11 @@ TEST(Visuals, KnowTheInnermostPartWithAnId) {
   for (const Visual& visual : VisualsOf(PanelWithAllControls())) {
     if (!parts.ends_with(visual.part_id + " ")) parts += visual.part_id + " ";
   }
-  // The dial's first look, then its second; the sphere has no id, nor has anything around it.
-  EXPECT_EQ(parts, "switch-b1 switch-b2 switch-b1 switch-b2 one one two(floor)");
+  // The switch looks so or so, and so does the dial. The sphere has no id, nor has what is around
+  // it.
+  EXPECT_EQ(parts,
+            "switch-b1 switch-b2 switch-b1 switch-b2 "
+            "one two(floor) two(left) two(right) two(near) two(far) one lamps ");
 }
 
 TEST(Controls, ShowOnlyTheLightsThatAreOn) {

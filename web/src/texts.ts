@@ -205,6 +205,9 @@ export const texts = {
     findings: "Errors; Enter goes to the line",
     line: (line: number) => `Line ${line}`,
     load: "Load this scene",
+    discard: "Discard",
+    later: "Go on later",
+    goOn: (name: string) => `Go on editing “${name}”`,
     wait: "Not checked: the connection is lost",
     tooLarge: "The file is larger than 1 MB.",
     defaultName: "mine",
@@ -256,7 +259,6 @@ export const texts = {
     restart: "Restart",
     statuses: {
       none: "none",
-      starting: "starting",
       running: "running",
       exited: "done",
       failed: "failed",

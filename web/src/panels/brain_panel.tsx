@@ -6,7 +6,7 @@ import { texts } from "../texts";
 import { Button } from "../ui/buttons";
 import { Card, Empty } from "../ui/card";
 import { gallery } from "./gallery";
-import { brain, mayAct } from "./now";
+import { brain, isRecording, mayAct, mayControl } from "./now";
 import { toImitate } from "./page";
 import { recordings, titleOf } from "./recordings";
 
@@ -29,7 +29,7 @@ function useBrains(): void {
 }
 
 function isAtWork(): boolean {
-  return ["running", "starting"].includes(brain.value?.status ?? "");
+  return brain.value?.status === "running";
 }
 
 async function copyPlace(place: string): Promise<void> {
@@ -88,7 +88,7 @@ function Program() {
             icon="stop"
             kind="danger"
             class="grow"
-            disabled={!mayAct.value}
+            disabled={!mayControl.value}
             onClick={() => void ask("stop_brain")}
           />
         ) : (
@@ -174,7 +174,7 @@ function Imitation() {
         kind="accent"
         title={words.imitateWhy}
         isBusy={isBusy.value}
-        disabled={!mayAct.value || chosenBrain.value === "" || isAtWork()}
+        disabled={!mayControl.value || isRecording.value || chosenBrain.value === "" || isAtWork()}
         onClick={() => void imitate()}
       />
       <Score />

@@ -9,8 +9,8 @@ import { Card, Empty, isFound, Picture, SearchField } from "../ui/card";
 import { NumberField } from "../ui/number_field";
 import { switchPreference } from "../ui/preference";
 import { gallery, isGalleryLost, pictureOfScene, refreshGallery, textOfScene } from "./gallery";
-import { holders, isRecording, mayAct, objectsHere } from "./now";
-import { chosenObject, editedScene, showPanel, world } from "./page";
+import { holders, isRecording, mayAct, mayControl, objectsHere } from "./now";
+import { chosenObject, draft, editedScene, showPanel, world } from "./page";
 
 const { objects: words } = texts;
 const isListOpen = switchPreference("list-open", true);
@@ -177,7 +177,7 @@ function AddObjects() {
 function SceneGallery() {
   const search = useSignal("");
   const busy = useSignal<string | null>(null);
-  const isBlocked = !mayAct.value || isRecording.value;
+  const isBlocked = !mayControl.value || isRecording.value;
   const load = async (name: string) => {
     busy.value = name;
     await ask("load", { scene: name });
@@ -240,7 +240,7 @@ function SceneActions() {
         label={words.reload}
         icon="reload"
         title={isRecording.value ? words.whileRecording : words.reloadWhy}
-        disabled={!mayAct.value || isRecording.value}
+        disabled={!mayControl.value || isRecording.value}
         onClick={() => void ask("reload")}
       />
       <Button label={words.upload} icon="upload" title={words.uploadWhy} onClick={() => input.current?.click()} />
@@ -276,6 +276,13 @@ export function ObjectsPanel() {
       </Card>
       <Card title={words.scenes} isOpen={isGalleryOpen}>
         <SceneActions />
+        {draft.value && (
+          <Button
+            label={texts.editor.goOn(draft.value.name)}
+            icon="pencil"
+            onClick={() => (editedScene.value = draft.value)}
+          />
+        )}
         <SceneGallery />
       </Card>
     </>

@@ -1,5 +1,5 @@
 import { computed, effect, signal } from "@preact/signals";
-import { choicePreference, numberPreference, switchPreference } from "../ui/preference";
+import { choicePreference, numberPreference, preference, switchPreference } from "../ui/preference";
 import { prefersDark } from "../ui/media";
 import type { World } from "../world/world";
 
@@ -38,8 +38,24 @@ export const world = signal<World | null>(null);
 /** The object chosen in the list. */
 export const chosenObject = signal<string | null>(null);
 export const isHelpOpen = signal(false);
-/** The scene's text that is edited, with a name. */
-export const editedScene = signal<{ name: string; xml: string } | null>(null);
+export interface SceneText {
+  name: string;
+  xml: string;
+}
+
+function isSceneText(value: unknown): value is SceneText {
+  const text = value as Partial<SceneText> | null;
+  return typeof text?.name === "string" && typeof text.xml === "string";
+}
+
+/** The scene's text that is edited. */
+export const editedScene = signal<SceneText | null>(null);
+/** What was written and is not loaded yet: neither Escape nor a reload of the page loses it. */
+export const draft = preference<SceneText | null>(
+  "draft",
+  null,
+  (value): value is SceneText | null => value === null || isSceneText(value),
+);
 /** The recording whose title and notes are changed. */
 export const renamed = signal<string | null>(null);
 /** What is chosen to be imitated. */

@@ -7,8 +7,8 @@ import { texts } from "../texts";
 import { Button } from "../ui/buttons";
 import { Dialog } from "../ui/dialog";
 import { Icon } from "../ui/icons";
-import { isRecording, mayAct } from "./now";
-import { editedScene } from "./page";
+import { isRecording, mayControl } from "./now";
+import { draft, editedScene } from "./page";
 
 const { editor: words } = texts;
 /** So long after the last key the text is checked. */
@@ -78,6 +78,11 @@ export function SceneEditor() {
   const isLoading = useSignal(false);
   const area = useRef<HTMLTextAreaElement>(null);
   const close = () => (editedScene.value = null);
+  const forget = () => {
+    draft.value = null;
+    close();
+  };
+  const isChanged = xml.value !== given.xml || name.value !== given.name || draft.value !== null;
 
   useEffect(() => {
     let isLatest = true;
@@ -92,6 +97,10 @@ export function SceneEditor() {
     };
   }, [xml.value, name.value, isConnected.value]);
 
+  const change = (text: string) => {
+    xml.value = text;
+    draft.value = { name: name.value, xml: text };
+  };
   const lines = xml.value.split("\n");
   const diagnostics = findings.value.state === "checked" ? findings.value.diagnostics : [];
   const wrong = new Set(diagnostics.map((finding) => finding.line));
@@ -105,7 +114,7 @@ export function SceneEditor() {
     isLoading.value = true;
     const reply = await ask("load", { xml: xml.value, name: name.value });
     isLoading.value = false;
-    if (reply !== null) close();
+    if (reply !== null) forget();
   };
   return (
     <Dialog
@@ -114,12 +123,13 @@ export function SceneEditor() {
       onClose={close}
       actions={
         <>
-          <Button label={texts.cancel} onClick={close} />
+          {isChanged && <Button label={words.discard} kind="danger" onClick={forget} />}
+          <Button label={isChanged ? words.later : texts.close} onClick={close} />
           <Button
             label={words.load}
             kind="accent"
             isBusy={isLoading.value}
-            disabled={!mayAct.value || isRecording.value || diagnostics.length > 0 || name.value === ""}
+            disabled={!mayControl.value || isRecording.value || diagnostics.length > 0 || name.value === ""}
             title={isRecording.value ? texts.objects.whileRecording : undefined}
             onClick={() => void load()}
           />
@@ -140,7 +150,7 @@ export function SceneEditor() {
           autocapitalize="off"
           wrap="off"
           value={xml.value}
-          onInput={(event) => (xml.value = event.currentTarget.value)}
+          onInput={(event) => change(event.currentTarget.value)}
           onScroll={(event) => (top.value = event.currentTarget.scrollTop)}
         />
       </div>

@@ -1,6 +1,6 @@
 import { useEffect } from "preact/hooks";
 import { useSignalEffect } from "@preact/signals";
-import { isConnected, notify } from "../studio";
+import { isConnected, notify, scene } from "../studio";
 import { texts } from "../texts";
 import { isSmall } from "../ui/media";
 import { Notices } from "../ui/notices";
@@ -13,7 +13,7 @@ import { refreshGallery } from "./gallery";
 import { HandsPanel } from "./hands_panel";
 import { Help } from "./help";
 import { LibraryPanel } from "./library_panel";
-import { recordingId } from "./now";
+import { isRecording, recordingId } from "./now";
 import { ObjectsPanel } from "./objects_panel";
 import { editedScene, isHelpOpen, isLeftOpen, isRightOpen, leftTab, LEFT_TABS, renamed, rightTab, RIGHT_TABS, sheet } from "./page";
 import { onRecordingFinished, refreshRecordings } from "./recordings";
@@ -52,8 +52,17 @@ function useRefresh(): void {
   }, []);
 }
 
+/** The window's title tells from afar what is going on. */
+function useTitle(): void {
+  useSignalEffect(() => {
+    const name = scene.value?.name;
+    document.title = `${isRecording.value ? "● " : ""}${name === undefined ? "" : `${name} – `}${texts.title}`;
+  });
+}
+
 export function StudioPage() {
   useRefresh();
+  useTitle();
   return (
     <div
       class={`studio ${isSmall.value ? "is-small" : ""} ${isLeftOpen.value ? "" : "left-folded"} ${isRightOpen.value ? "" : "right-folded"}`}

@@ -152,7 +152,6 @@ function PlayButtons({ id, timeline }: { id: string; timeline: Timeline }) {
           </option>
         ))}
       </select>
-      {isShown && <Button label={words.live} disabled={!mayControl.value} onClick={() => void ask("live")} />}
     </>
   );
 }

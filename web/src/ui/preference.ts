@@ -11,8 +11,8 @@ function stored<T>(name: string, otherwise: T, isValid: (value: unknown) => valu
   }
 }
 
-/** What this browser's user likes; kept from visit to visit where the browser allows it. */
-function preference<T>(name: string, otherwise: T, isValid: (value: unknown) => value is T): Signal<T> {
+/** What this browser's user likes or has begun; kept from visit to visit where the browser allows it. */
+export function preference<T>(name: string, otherwise: T, isValid: (value: unknown) => value is T): Signal<T> {
   const liked = signal(stored(name, otherwise, isValid));
   effect(() => {
     const text = JSON.stringify(liked.value);

@@ -17,6 +17,7 @@ import {
 } from "three";
 import { notify } from "../studio";
 import type { Pose, Poses, SceneMessage, Visual } from "../protocol";
+import { texts } from "../texts";
 import { fetchMesh } from "./meshes";
 
 /** In this time most of the way to where things are now is shown: less than a picture lasts. */
@@ -196,8 +197,8 @@ export class Models {
       if (scene !== this.scene) return;
       for (const visual of visuals) this.add(visual, shape, objects.get(visual.frame) ?? "");
       this.onChange();
-    } catch (error) {
-      if (scene === this.scene) notify(error instanceof Error ? error.message : String(error), true);
+    } catch {
+      if (scene === this.scene) notify(texts.views.shapeMissing, true);
     }
   }
 

@@ -35,6 +35,7 @@ struct Visual {
   int look = 0;                 ///< to be seen only while the choice is this
   bool glows = false;           ///< a screen: shows its color itself, whatever light there is
   bool casts_shadow = true;     ///< false for what is only shown to people
+  std::string part_id{};        ///< of the innermost part with an id, as Solid has it
 };
 
 /// What is there to be seen, apart from where it is: drawn with one pose per frame, it is a

@@ -11,6 +11,7 @@
 #include "app/run_loop.h"
 #include "base/wording.h"
 #include "record/recording_history.h"
+#include "record/sight.h"
 #include "record/time_range.h"
 
 namespace smile::app {

@@ -60,6 +60,9 @@ std::string ToJsonText(const DemoInfo& info);
 DemoInfo ReadDemoInfo(const std::filesystem::path& path);
 
 inline constexpr std::size_t kMaxTitleBytes = 256, kMaxNotesBytes = 8 << 10;
+/// @throws std::invalid_argument if it is longer than kMaxTitleBytes.
+void CheckTitle(const std::string& title);
+
 /// Says of a recording otherwise; all else in its `demo.json` stays as it is.
 /// @param title, notes  nullopt: as they are.
 /// @throws std::invalid_argument if they are longer than kMaxTitleBytes and kMaxNotesBytes;

@@ -125,7 +125,7 @@ void Clients::Receive(ClientId id, std::string_view text) {
     return LetWait(&lock, client, std::move(*request), text.size());
   }
   PostJson(client, Answer(own_requests_, *request, roles_.controller() == id));
-  client->carried_out = request->seq;
+  client->carried_out = std::max(client->carried_out, request->seq);
   if (std::exchange(is_news_who_is_here_, false)) TellWhoIsHere();
 }
 
@@ -334,7 +334,10 @@ void Clients::Send(ClientId id, const Json& message) {
   Client* client = Find(id);
   if (client == nullptr) return;
   PostJson(client, message);
-  if (message.value("t", "") == "reply") client->carried_out = message.value("seq", 0U);
+  if (message.value("t", "") == "reply") {
+    // What takes long is answered after what was asked for later.
+    client->carried_out = std::max(client->carried_out, message.value("seq", 0U));
+  }
 }
 
 void Clients::SendToAll(const Json& message) {

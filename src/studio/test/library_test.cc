@@ -80,7 +80,7 @@ TEST_F(LibraryTest, ListsTheNewestFirstAndWhatCannotBeRead) {
 
 TEST_F(LibraryTest, RenamesForGoodAndChangesNothingElse) {
   const auto demo = RecordAs("demo2");
-  const auto before = record::ReadDemoInfo(demo);
+  const auto before = record::ReadDemoInfo(demo / "demo.json");
   ASSERT_EQ(EntryOf("demo2")["title"], "");
   library_.Rename("demo2", "Türme \"hoch\"", std::nullopt);
   library_.Rename("demo2", std::nullopt, "two\nlines");

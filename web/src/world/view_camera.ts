@@ -68,16 +68,16 @@ export class ViewCamera {
     this.hasRobot = hasRobot;
   }
 
-  /** The robot stands where y is low, its eye over the table's edge; the front is opposite. */
+  /** The robot stands where y is low, its head before the table's edge; the front is opposite. */
   show(preset: Preset, isSudden = false): void {
     const m = this.unitsPerMeter;
     const half = this.tableDepth / 2;
     const middle = new Vector3(0, -0.12 * m, 0.12 * m);
-    const robotsEye = new Vector3(0, -half - 0.12 * m, 1.16 * m);
+    const beforeHead = new Vector3(0, -half + 0.04 * m, 0.96 * m);
     const besideTable = new Vector3(0, -half - 0.6 * m, 1.4 * m);
     const places: Record<Preset, [Vector3, Vector3]> = {
       front: [new Vector3(0.55 * m, half + 1.15 * m, 1.05 * m), new Vector3(0, -0.3 * m, 0.22 * m)],
-      robot: [this.hasRobot ? robotsEye : besideTable, new Vector3(0, -0.1 * m, 0)],
+      robot: [this.hasRobot ? beforeHead : besideTable, new Vector3(0, -0.14 * m, 0)],
       top: [new Vector3(0, -0.001 * m, 2.3 * m), new Vector3(0, 0, 0)],
       left: [new Vector3(-2.1 * m, -0.12 * m, 0.8 * m), middle],
       right: [new Vector3(2.1 * m, -0.12 * m, 0.8 * m), middle],

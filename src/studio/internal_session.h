@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
@@ -74,6 +75,7 @@ class Session::Impl {
   /// Throw a RequestError with the reason.
   void RequireLive() const;
   void RequireNoRecording() const;
+  void RequireIdleRobot() const;
 
   void TickLive();
   void EndImitation();
@@ -82,6 +84,7 @@ class Session::Impl {
   void TellStateIfDue();
   void TellConsole();
   void LookThroughEye();
+  sim::Sight SightNow() const;
   Json DescribeScene() const;
   Json DescribeState() const;
   const sim::Simulation& shown() const;
@@ -109,8 +112,12 @@ class Session::Impl {
   std::vector<Json> messages_;
   std::optional<Image> picture_;
   bool is_picture_recorded_ = false;
-  std::optional<sim::Sight> seen_;  ///< through the eye, at last
-  Json told_state_;                 ///< without what changes all the time
+  /// Through the eye, at last; nullopt when somebody waits for a picture.
+  mutable std::optional<sim::Sight> seen_;
+  bool is_eye_broken_ = false;  ///< it cannot draw; that was told
+  std::deque<Json> console_;    ///< the last lines that robot programs printed
+  Json score_;                  ///< the last one that was told; null before
+  Json told_state_;             ///< without what changes all the time
   std::vector<int> told_looks_;
   std::uint64_t num_calls_ = 0;  ///< of Tick()
   std::uint32_t scene_number_ = 0;

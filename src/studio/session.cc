@@ -5,6 +5,7 @@
 
 #include "base/files.h"
 #include "brain/brain_log.h"
+#include "record/sight.h"
 #include "studio/internal_session.h"
 #include "studio/scene_message.h"
 #include "studio/state_message.h"
@@ -14,6 +15,8 @@ namespace {
 
 constexpr std::uint64_t kTicksPerState = 3;     // at most 20 states a second
 constexpr std::uint64_t kTicksPerPicture = 15;  // 4 a second, as classic recordings have them
+/// So much of what was printed do those see who come later.
+constexpr std::size_t kMaxConsoleLines = 200;
 /// A robot that imitates for longer is stopped [s].
 constexpr double kMaxImitationSeconds = 600;
 
@@ -91,13 +94,15 @@ void Session::Impl::TickLive() {
 
 void Session::Impl::EndImitation() {
   if (!imitation_) return;
-  const Imitation ended = *std::exchange(imitation_, std::nullopt);
+  const Imitation ended = *std::move(imitation_);
+  imitation_.reset();
   const sim::Simulation& simulation = world_->simulation();
   Json result = task::ResultOf(ended.exercise, PosesNow(simulation));
   result["seconds"] = sim::SecondsOf(simulation.tick() - ended.start_tick);
   result["realtime_factor"] = measured_speed_;
   result["brain"] = brain_.Describe();
-  messages_.push_back({{"t", "score"}, {"result", std::move(result)}});
+  score_ = {{"t", "score"}, {"result", std::move(result)}};
+  messages_.push_back(score_);
 }
 
 void Session::Impl::TellConsole() {
@@ -109,26 +114,42 @@ void Session::Impl::TellConsole() {
   for (const ConsoleLine& line : lines) {
     Json one = {{"text", line.text}};
     if (!line.file.empty()) one.update({{"file", line.file}, {"line", line.line}});
-    told.push_back(std::move(one));
+    told.push_back(one);
+    console_.push_back(std::move(one));
     if (log) log->Write(line.text);
   }
+  while (console_.size() > kMaxConsoleLines) console_.pop_front();
   messages_.push_back({{"t", "console"}, {"lines", std::move(told)}});
 }
 
 void Session::Impl::LookThroughEye() {
-  if (!tap_) return;
+  if (!tap_ || is_eye_broken_) return;
   if (auto recorded = tap_->Take()) {
     picture_ = std::move(recorded);
     is_picture_recorded_ = true;
     seen_ = sim::SightOf(world_->simulation(), tap_->spec());
     return;
   }
-  if (playback_ || num_calls_ % kTicksPerPicture != 0) return;
-  sim::Sight sight = sim::SightOf(shown(), tap_->spec());
+  if (num_calls_ % kTicksPerPicture != 0) return;
+  sim::Sight sight = SightNow();
   if (seen_ == sight) return;
-  picture_ = options_.eye->Draw(shown().visual_model(), sight);
+  try {
+    picture_ = options_.eye->Draw(*view().model, sight);
+  } catch (const std::runtime_error& error) {
+    is_eye_broken_ = true;
+    messages_.push_back({{"t", "error"}, {"error", error.what()}});
+    return;
+  }
   is_picture_recorded_ = false;
   seen_ = std::move(sight);
+}
+
+/// A recording is seen with the eye it was made with, where that can be.
+sim::Sight Session::Impl::SightNow() const {
+  if (!playback_) return sim::SightOf(shown(), tap_->spec());
+  sim::EyeSpec spec = tap_->spec();
+  spec.camera = playback_->recording().info.eye_camera;
+  return record::SightAt(playback_->moment(), playback_->stage(), spec);
 }
 
 void Session::Impl::TellLooks() {
@@ -158,7 +179,7 @@ Json Session::Impl::DescribeState() const {
   state["recording"] = world_->DescribeRecording();
   if (world_->is_recording()) {
     // What was before its start cannot be undone in it.
-    state["undo"] = state["undo"] && state["recording"]["segments"].size() > 1;
+    if (state["recording"]["segments"].size() < 2) state["undo"] = false;
   }
   state["playback"] = nullptr;
   if (playback_) {
@@ -182,7 +203,7 @@ Json Session::Impl::DescribeScene() const {
       playback_ ? playback_->recording().robot : world_->simulation().robot_placement();
   stage.scene = playback_ ? &playback_->recording().scene : &world_->simulation().scene();
   if (placement) stage.robot = &placement->model;
-  if (!playback_) stage.cameras = sim::CameraNames(world_->simulation());
+  stage.cameras = sim::CameraNames(playback_ ? playback_->stage() : world_->simulation());
   return SceneMessage(stage, *present_meshes_, view().state.looks);
 }
 
@@ -207,7 +228,16 @@ News Session::Impl::TakeNews() {
 }
 
 std::vector<Json> Session::Impl::Everything() const {
-  return {DescribeScene(), {{"t", "looks"}, {"looks", view().state.looks}}, DescribeState()};
+  seen_.reset();
+  std::vector<Json> all = {DescribeScene(), {{"t", "looks"}, {"looks", view().state.looks}}};
+  if (!console_.empty()) {
+    all.push_back({{"t", "console"},
+                   {"all", true},
+                   {"lines", Json(Json::array_t(console_.begin(), console_.end()))}});
+  }
+  if (!score_.is_null()) all.push_back(score_);
+  all.push_back(DescribeState());
+  return all;
 }
 
 std::optional<std::string> Session::Impl::MeshBytes(std::uint32_t scene, std::size_t mesh) const {

@@ -65,7 +65,8 @@ class Session {
   View view() const;
   /// What was to be told since this was last asked.
   News TakeNews();
-  /// All a new client has to know: scene, looks, state.
+  /// All a new client has to know: scene, looks, what robot programs printed and achieved, and last
+  /// the state. The eye's picture comes again as news.
   std::vector<Json> Everything() const;
   /// Triangles of a mesh of the present scene or one of those shortly before, as
   /// docs/studio-protocol.md has them; nullopt if there is none. From any thread.

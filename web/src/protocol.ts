@@ -154,7 +154,7 @@ export type News =
   | ClientsMessage
   | Reply
   | { t: "looks"; looks: number[] }
-  | { t: "console"; lines: ConsoleLine[] }
+  | { t: "console"; lines: ConsoleLine[]; all?: boolean }
   | { t: "score"; result: Record<string, unknown> }
   | { t: "progress"; what: string; done: number; total: number }
   | { t: "control_wanted"; by: number }

@@ -29,6 +29,17 @@ task::ObjectPoses PosesNow(const sim::Simulation& simulation) {
   return poses;
 }
 
+/// A state message without what goes on while nothing happens: time alone is no news, but that a
+/// recording is a second longer.
+Json WithoutTime(Json state) {
+  state.erase("tick");
+  Json& recording = state["recording"];
+  if (!recording.is_object()) return state;
+  recording["seconds"] = std::floor(recording["seconds"].get<double>());
+  recording["segments"].back().erase("seconds");
+  return state;
+}
+
 }  // namespace
 
 Session::Impl::Impl(SessionOptions options)
@@ -161,11 +172,9 @@ void Session::Impl::TellLooks() {
 void Session::Impl::TellStateIfDue() {
   if (num_calls_ % kTicksPerState != 0) return;
   Json state = DescribeState();
-  // Time alone is no news.
-  Json without_tick = state;
-  without_tick.erase("tick");
-  if (without_tick == told_state_) return;
-  told_state_ = std::move(without_tick);
+  Json what_counts = WithoutTime(state);
+  if (what_counts == told_state_) return;
+  told_state_ = std::move(what_counts);
   messages_.push_back(std::move(state));
 }
 

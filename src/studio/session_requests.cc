@@ -210,7 +210,7 @@ Json Session::Impl::Clear(const RequestFields& fields) {
 
 Json Session::Impl::FindRestingPlace(const RequestFields& fields) {
   // It costs as much as two seconds of the world.
-  constexpr std::uint64_t kCallsBetween = 12;
+  constexpr std::uint64_t kCallsBetween = 20;
   const sim::HandName hand = HandOf(fields);
   RequireLive();
   const bool is_fresh = num_calls_ < resting_call_ + kCallsBetween;

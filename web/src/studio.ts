@@ -92,7 +92,11 @@ export function connect(): void {
     onNews,
     onPoses: (poses) => poseListeners.forEach((listener) => listener(poses)),
     onEyeView: (view) => (eyeView.value = view),
-    onConnected: (yes) => (isConnected.value = yes),
+    onConnected: (yes) => {
+      // Whoever comes is told the console from its beginning.
+      if (yes) consoleLines.value = [];
+      isConnected.value = yes;
+    },
   });
 }
 

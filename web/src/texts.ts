@@ -8,8 +8,6 @@ export const texts = {
   title: "SMILE studio",
   close: "Close",
   cancel: "Cancel",
-  apply: "Apply",
-  more: "More",
   seconds: (seconds: number) => `${seconds.toFixed(1)} s`,
   units: "units",
   degrees: "°",
@@ -121,7 +119,6 @@ export const texts = {
     youWatch: "Watching",
     nobody: "Nobody controls",
     watching: (number: number) => `${number} watching`,
-    status: (number: number) => count(number, "other person is here", "other people are here"),
     take: "Take control",
     takeByForce: "Take control though nobody answers",
     give: (client: number) => `Give control to visitor ${client}`,
@@ -136,7 +133,6 @@ export const texts = {
   },
 
   connection: {
-    connected: "Connected",
     connecting: "Connecting to the table…",
     lost: "Connection lost. The world is kept; coming back…",
     back: "Connected again",
@@ -226,7 +222,6 @@ export const texts = {
     none: "This scene has no robot.",
     noneHint: "Scenes whose name ends in “robot” have one.",
     show: "Show the robot",
-    poses: "Poses",
     pose: "Take pose",
     go: "Go",
     mood: "Face",
@@ -266,7 +261,6 @@ export const texts = {
       stopped: "stopped",
     } as Record<string, string>,
     demonstration: "Demonstration",
-    noDemonstration: "none",
     imitation: "Imitate a demonstration",
     imitate: "Imitate",
     imitateWhy: "The robot watches the recording and does the task in the scene",
@@ -391,7 +385,6 @@ export const texts = {
 
   tour: {
     title: "Tour",
-    welcome: "Welcome",
     step: (number: number, total: number) => `${number} of ${total}`,
     leave: "Leave the tour",
     skip: "Skip this step",

@@ -117,29 +117,3 @@ export function Chips<T extends string>(props: {
     </div>
   );
 }
-
-/** One of several. Arrow keys go from one to the next, as with all radio buttons. */
-export function Choice<T extends string>(props: {
-  label: string;
-  name: string;
-  choices: readonly { value: T; label: string; color?: string; title?: string }[];
-  chosen: T;
-  onChoose: (value: T) => void;
-}) {
-  return (
-    <div class="choice" role="radiogroup" aria-label={props.label}>
-      {props.choices.map(({ value, label, color, title }) => (
-        <label key={value} class="choice-option" style={color ? { "--hand": color } : undefined} title={title}>
-          <input
-            type="radio"
-            name={props.name}
-            checked={value === props.chosen}
-            onChange={() => props.onChoose(value)}
-          />
-          {color && <span class="swatch" />}
-          <span>{label}</span>
-        </label>
-      ))}
-    </div>
-  );
-}

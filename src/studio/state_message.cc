@@ -20,8 +20,11 @@ Json DescribeHands(const sim::Simulation& simulation) {
                       {"plane", Rounded(simulation.demonstrator().plane_angle_deg(name))}};
     if (hand.is_holding()) {
       described["object"] = simulation.tabletop().Find(hand.held)->id();
-      described["goal"] = RoundedArray(scene::ToFileUnits(Vector3(hand.X_WB_goal * hand.p_BH),
-                                                          simulation.scene().meters_per_unit));
+      const double unit = simulation.scene().meters_per_unit;
+      described["goal"] =
+          RoundedArray(scene::ToFileUnits(Vector3(hand.X_WB_goal * hand.p_BH), unit));
+      described["place"] =
+          RoundedArray(scene::ToFileUnits(Vector3(hand.X_WB_goal.translation()), unit));
       described["angles"] = RoundedArray(FixedAxesAngles(hand.X_WB_goal.rotation()));
     }
     hands[std::string(ToString(name))] = std::move(described);

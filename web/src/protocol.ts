@@ -70,7 +70,9 @@ export interface SceneMessage {
 
 export interface Hand {
   object: string | null;
+  /** Where the hand wants the grasped point, and where the object's origin is then. */
   goal?: Point;
+  place?: Point;
   plane: number;
   angles?: Point;
 }

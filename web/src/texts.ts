@@ -371,9 +371,9 @@ export const texts = {
     mouse: "Mouse and touch",
     mouseHelp: [
       ["Click an object", "take it"],
-      ["Drag what is held", "carry it in the plane"],
+      ["Drag what is held", "carry it in the plane; with Ctrl level"],
       ["Click elsewhere", "let it go"],
-      ["Drag a colored ring", "turn it"],
+      ["Drag a colored ring", "turn it by 1 degree; with Shift by 45"],
       ["Right click, long touch", "trigger, point to, fasten, loosen"],
       ["Drag beside it", "look around; with Shift sideways"],
       ["Wheel, two fingers", "nearer and farther"],

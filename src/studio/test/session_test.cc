@@ -259,6 +259,15 @@ TEST_F(SessionTest, ItIsToldWhereAHeldObjectWouldComeToRest) {
   EXPECT_TRUE(Do(R"({"do":"resting_place","hand":"right"})")["pose"].is_null());
 }
 
+TEST_F(SessionTest, TellsWhereTheGraspedPointIsWantedAndWhereTheOriginIsThen) {
+  Begin();
+  Command(R"({"do":"grasp","hand":"left","object":"a","point":[0,-2,1]})");
+  Command(R"({"do":"move_to","hand":"left","position":[1,-2,3]})");
+  const Json hand = State()["hands"]["left"];
+  EXPECT_EQ(hand["goal"], Json({1.0, -2.0, 3.0}));
+  EXPECT_EQ(hand["place"], Json({1.0, -2.0, 2.5}));
+}
+
 TEST_F(SessionTest, DragsSnapToWhatIsNear) {
   Begin();
   Do(R"({"do":"snap","to":["faces","edges"]})");

@@ -3,6 +3,7 @@ import { useSignal } from "@preact/signals";
 import { ask, clients, isConnected, isController, progress } from "../studio";
 import { texts } from "../texts";
 import { Button } from "../ui/buttons";
+import { Notices } from "../ui/notices";
 import { takeControl } from "./control";
 import { isPaused, isPlayback, isRage, mayControl } from "./now";
 
@@ -74,6 +75,7 @@ export function Banners() {
           />
         </div>
       )}
+      <Notices />
     </div>
   );
 }

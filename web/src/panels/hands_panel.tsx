@@ -173,8 +173,10 @@ function NudgePad() {
   );
 }
 
-function Position({ goal }: { goal: Point }) {
-  const put = (axis: number, value: number) => moveTo(goal.map((old, k) => (k === axis ? value : old)) as Point);
+/** Where the object is, by numbers. Hands are told of the point at which they took it. */
+function Position({ goal, place }: { goal: Point; place: Point }) {
+  const put = (axis: number, value: number) =>
+    moveTo(goal.map((old, k) => (k === axis ? old + value - place[k]! : old)) as Point);
   return (
     <div class="row position" role="group" aria-label={`${words.position} (${texts.units})`}>
       {words.axisNames.map((axis, k) => (
@@ -182,7 +184,7 @@ function Position({ goal }: { goal: Point }) {
           key={axis}
           label={axis}
           isLabelled
-          value={goal[k]!}
+          value={place[k]!}
           step={0.1}
           disabled={!mayAct.value}
           onCommit={(value) => put(k, value)}
@@ -332,7 +334,7 @@ export function HandsPanel() {
         <>
           <Card title={words.move} isOpen={isMoveOpen}>
             <NudgePad />
-            {hand?.goal && <Position goal={hand.goal} />}
+            {hand?.goal && hand.place && <Position goal={hand.goal} place={hand.place} />}
           </Card>
           <Card title={words.turn} isOpen={isTurnOpen}>
             <div data-tour="turn">

@@ -24,7 +24,7 @@ async function take(object: string): Promise<void> {
   notify(texts.hands.taken(currentHand.value, object));
   showPanel("hands");
   // Keys carry it at once, for whoever came here by keys.
-  setTimeout(() => document.getElementById("nudge")?.focus({ preventScroll: true }), 100);
+  setTimeout(() => document.getElementById("nudge")?.focus(), 100);
 }
 
 /** A listbox: arrow keys choose, Enter takes. */

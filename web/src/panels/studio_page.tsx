@@ -3,7 +3,6 @@ import { useSignalEffect } from "@preact/signals";
 import { isConnected, notify, scene } from "../studio";
 import { texts } from "../texts";
 import { isSmall } from "../ui/media";
-import { Notices } from "../ui/notices";
 import { Banners } from "./banners";
 import { BrainPanel } from "./brain_panel";
 import { ContextMenu } from "./context_menu";
@@ -92,7 +91,6 @@ export function StudioPage() {
       />
       <TimelinePanel />
       <TabBar />
-      <Notices />
       <ContextMenu />
       <ControlWanted />
       {isHelpOpen.value && <Help />}

@@ -134,6 +134,8 @@ export const texts = {
   connection: {
     connecting: "Connecting to the table…",
     lost: "Connection lost. The world is kept; coming back…",
+    doubt: "The program does not answer. Does it still run? All recordings are kept.",
+    none: "No connection",
     back: "Connected again",
   },
 

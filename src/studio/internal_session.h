@@ -75,6 +75,7 @@ class Session::Impl {
   /// Throw a RequestError with the reason.
   void RequireLive() const;
   void RequireNoRecording() const;
+  void RequireIdleRobot() const;
 
   void TickLive();
   void EndImitation();
@@ -83,6 +84,7 @@ class Session::Impl {
   void TellStateIfDue();
   void TellConsole();
   void LookThroughEye();
+  sim::Sight SightNow() const;
   Json DescribeScene() const;
   Json DescribeState() const;
   const sim::Simulation& shown() const;
@@ -115,7 +117,7 @@ class Session::Impl {
   bool is_eye_broken_ = false;  ///< it cannot draw; that was told
   std::deque<Json> console_;    ///< the last lines that robot programs printed
   Json score_;                  ///< the last one that was told; null before
-  Json told_state_;             ///< without what changes all the time
+  Json told_state_;             ///< without the time
   std::vector<int> told_looks_;
   std::uint64_t num_calls_ = 0;  ///< of Tick()
   std::uint32_t scene_number_ = 0;

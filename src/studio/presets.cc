@@ -32,7 +32,7 @@ class Maker {
     constexpr std::array<const char*, 8> kColors = {"red",   "blue", "yellow",  "green",
                                                     "brown", "cyan", "magenta", "orange"};
     const auto lot = static_cast<std::size_t>(Uniform(random_, 0, kColors.size()));
-    return *ParseColor(kColors[std::min(lot, kColors.size() - 1)]);
+    return ParseColor(kColors[std::min(lot, kColors.size() - 1)]).value_or(Color());
   }
 
   /// One that stands with its lowest point at `bottom` [units] above the table.
@@ -87,7 +87,7 @@ const std::vector<Recipe>& Recipes() {
        [](Maker* maker) {
          const Vector3 size(maker->Meters(5), maker->Meters(5), maker->Meters(3));
          maker->Add("container", "box", scene::Box{.size = size, .thickness = maker->Meters(0.5)},
-                    0, *ParseColor("gray"), 3);
+                    0, ParseColor("gray").value_or(Color()), 3);
        }},
       {{"ball", "Ball"},
        [](Maker* maker) {
@@ -97,7 +97,7 @@ const std::vector<Recipe>& Recipes() {
       {{"prism", "Prism"},
        [](Maker* maker) {
          const double radius = maker->Meters(0.7);
-         maker->Add("prism", "prism",
+         maker->Add("prism", "frustum",
                     scene::Frustum{.radius_top = radius,
                                    .radius_bottom = radius,
                                    .height = maker->Meters(1),

@@ -68,31 +68,48 @@ Json DescribeVisuals(const StageDescription& stage, const PageMeshes& meshes) {
                    {"choice", piece.choice},
                    {"look", piece.look}};
     if (glowing.contains(piece.choice)) visual["glows"] = true;
+    if (!piece.part_id.empty()) visual["part"] = piece.part_id;
     DescribeShape(piece.shape, unit, meshes, &visual);
     visuals.push_back(std::move(visual));
   }
   return visuals;
 }
 
+template <class Visit>
+void ForEachChild(const scene::Part& part, const Visit& visit) {
+  const auto visit_all = [&visit](const std::vector<scene::Part>& parts) {
+    for (const scene::Part& child : parts) visit(child);
+  };
+  if (const auto* composite = std::get_if<scene::Composite>(&part.shape)) {
+    visit_all(composite->parts);
+  }
+  if (const auto* control = std::get_if<scene::CustomControl>(&part.shape)) {
+    for (const scene::CustomControl::State& state : control->states) visit_all(state.parts);
+  }
+}
+
 /// Calls `visit` with the part and all within it.
 template <class Visit>
 void ForEachPart(const scene::Part& part, const Visit& visit) {
   visit(part);
-  const auto go_on = [&visit](const std::vector<scene::Part>& parts) {
-    for (const scene::Part& child : parts) ForEachPart(child, visit);
-  };
-  if (const auto* composite = std::get_if<scene::Composite>(&part.shape)) go_on(composite->parts);
-  if (const auto* control = std::get_if<scene::CustomControl>(&part.shape)) {
-    for (const scene::CustomControl::State& state : control->states) go_on(state.parts);
-  }
+  ForEachChild(part, [&visit](const scene::Part& child) { ForEachPart(child, visit); });
+}
+
+/// Appends the parts with an id, outer ones first; `around` is the id of the part about them.
+void DescribePartsIn(const scene::Part& part, const std::string& around, Json* parts) {
+  ForEachChild(part, [&](const scene::Part& child) {
+    if (child.id.empty()) {
+      DescribePartsIn(child, around, parts);
+      return;
+    }
+    parts->push_back({{"id", child.id}, {"pointable", child.is_pointable}, {"within", around}});
+    DescribePartsIn(child, child.id, parts);
+  });
 }
 
 Json DescribeParts(const scene::Part& whole) {
   Json parts = Json::array();
-  ForEachPart(whole, [&](const scene::Part& part) {
-    if (&part == &whole || part.id.empty()) return;
-    parts.push_back({{"id", part.id}, {"pointable", part.is_pointable}});
-  });
+  DescribePartsIn(whole, whole.id, &parts);
   return parts;
 }
 

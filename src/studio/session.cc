@@ -5,6 +5,7 @@
 
 #include "base/files.h"
 #include "brain/brain_log.h"
+#include "record/sight.h"
 #include "studio/internal_session.h"
 #include "studio/scene_message.h"
 #include "studio/state_message.h"
@@ -26,6 +27,17 @@ task::ObjectPoses PosesNow(const sim::Simulation& simulation) {
     poses[object.id()] = simulation.physics().body(object.body).pose_in_world();
   }
   return poses;
+}
+
+/// A state message without what goes on while nothing happens: time alone is no news, but that a
+/// recording is a second longer.
+Json WithoutTime(Json state) {
+  state.erase("tick");
+  Json& recording = state["recording"];
+  if (!recording.is_object()) return state;
+  recording["seconds"] = std::floor(recording["seconds"].get<double>());
+  recording["segments"].back().erase("seconds");
+  return state;
 }
 
 }  // namespace
@@ -93,7 +105,8 @@ void Session::Impl::TickLive() {
 
 void Session::Impl::EndImitation() {
   if (!imitation_) return;
-  const Imitation ended = *std::exchange(imitation_, std::nullopt);
+  const Imitation ended = *std::move(imitation_);
+  imitation_.reset();
   const sim::Simulation& simulation = world_->simulation();
   Json result = task::ResultOf(ended.exercise, PosesNow(simulation));
   result["seconds"] = sim::SecondsOf(simulation.tick() - ended.start_tick);
@@ -128,11 +141,11 @@ void Session::Impl::LookThroughEye() {
     seen_ = sim::SightOf(world_->simulation(), tap_->spec());
     return;
   }
-  if (playback_ || num_calls_ % kTicksPerPicture != 0) return;
-  sim::Sight sight = sim::SightOf(shown(), tap_->spec());
+  if (num_calls_ % kTicksPerPicture != 0) return;
+  sim::Sight sight = SightNow();
   if (seen_ == sight) return;
   try {
-    picture_ = options_.eye->Draw(shown().visual_model(), sight);
+    picture_ = options_.eye->Draw(*view().model, sight);
   } catch (const std::runtime_error& error) {
     is_eye_broken_ = true;
     messages_.push_back({{"t", "error"}, {"error", error.what()}});
@@ -140,6 +153,14 @@ void Session::Impl::LookThroughEye() {
   }
   is_picture_recorded_ = false;
   seen_ = std::move(sight);
+}
+
+/// A recording is seen with the eye it was made with, where that can be.
+sim::Sight Session::Impl::SightNow() const {
+  if (!playback_) return sim::SightOf(shown(), tap_->spec());
+  sim::EyeSpec spec = tap_->spec();
+  spec.camera = playback_->recording().info.eye_camera;
+  return record::SightAt(playback_->moment(), playback_->stage(), spec);
 }
 
 void Session::Impl::TellLooks() {
@@ -151,11 +172,9 @@ void Session::Impl::TellLooks() {
 void Session::Impl::TellStateIfDue() {
   if (num_calls_ % kTicksPerState != 0) return;
   Json state = DescribeState();
-  // Time alone is no news.
-  Json without_tick = state;
-  without_tick.erase("tick");
-  if (without_tick == told_state_) return;
-  told_state_ = std::move(without_tick);
+  Json what_counts = WithoutTime(state);
+  if (what_counts == told_state_) return;
+  told_state_ = std::move(what_counts);
   messages_.push_back(std::move(state));
 }
 
@@ -193,7 +212,7 @@ Json Session::Impl::DescribeScene() const {
       playback_ ? playback_->recording().robot : world_->simulation().robot_placement();
   stage.scene = playback_ ? &playback_->recording().scene : &world_->simulation().scene();
   if (placement) stage.robot = &placement->model;
-  if (!playback_) stage.cameras = sim::CameraNames(world_->simulation());
+  stage.cameras = sim::CameraNames(playback_ ? playback_->stage() : world_->simulation());
   return SceneMessage(stage, *present_meshes_, view().state.looks);
 }
 

@@ -33,7 +33,8 @@ Json DescribeFindings(const std::vector<Diagnostic>& findings) {
 
 sim::HandName HandOf(const RequestFields& fields) {
   constexpr std::array<std::string_view, 4> kHands = {"left", "right", "both", "any"};
-  return *demonstrator::ParseHandName(fields.Word("hand", kHands));
+  // One of them, or it has thrown.
+  return demonstrator::ParseHandName(fields.Word("hand", kHands)).value_or(sim::HandName::kAny);
 }
 
 }  // namespace
@@ -47,6 +48,11 @@ void Session::Impl::RequireNoRecording() const {
   if (world_->is_recording()) {
     throw RequestError("a recording is in the making: finish it first");
   }
+}
+
+void Session::Impl::RequireIdleRobot() const {
+  if (!options_.robot) throw RequestError("there is no robot");
+  if (brain_.is_running()) throw RequestError("a robot program is running: stop it first");
 }
 
 void Session::Impl::AddRequests() {
@@ -97,7 +103,8 @@ void Session::Impl::AddRecordingRequests() {
   auto& entries = requests_.entries;
   entries["show"] = {[this](const Request& request) { return Show(RequestFields(request)); }};
   entries["play"] = {[this](const Request& request) {
-    const double rate = RequestFields(request).OptionalNumber("rate", 0, 100).value_or(1);
+    const double rate =
+        RequestFields(request).OptionalNumber("rate", 0, Playback::kMaxRate).value_or(1);
     if (!playback_) throw RequestError("no recording is shown");
     playback_->SetRate(rate);
     return Json::object();
@@ -203,7 +210,7 @@ Json Session::Impl::Clear(const RequestFields& fields) {
 
 Json Session::Impl::FindRestingPlace(const RequestFields& fields) {
   // It costs as much as two seconds of the world.
-  constexpr std::uint64_t kCallsBetween = 12;
+  constexpr std::uint64_t kCallsBetween = 20;
   const sim::HandName hand = HandOf(fields);
   RequireLive();
   const bool is_fresh = num_calls_ < resting_call_ + kCallsBetween;
@@ -293,7 +300,7 @@ Json Session::Impl::StartBrain(const RequestFields& fields) {
   const auto scene = fields.OptionalText("scene");
   const std::filesystem::path directory =
       demonstration ? library_.DirectoryOf(*demonstration) : std::filesystem::path();
-  if (brain_.is_running()) throw RequestError("a robot program is running: stop it first");
+  RequireIdleRobot();
   if (scene) {
     (void)Load(fields);
   } else {
@@ -308,7 +315,7 @@ Json Session::Impl::Imitate(const RequestFields& fields) {
   const std::string scene = fields.Text("scene");
   const std::filesystem::path directory = library_.DirectoryOf(fields.Text("recording"));
   RequireNoRecording();
-  if (brain_.is_running()) throw RequestError("a robot program is running: stop it first");
+  RequireIdleRobot();
   Imitation imitation{.exercise = {.name = scene,
                                    .goal = task::GoalOf(record::OpenRecording(directory)),
                                    .match = {},

@@ -9,8 +9,8 @@
 #include "studio/pose_stream.h"
 
 namespace smile::studio {
-namespace {
 
+/// A session, as the loop sees it.
 class SessionWorkplace : public Workplace {
  public:
   explicit SessionWorkplace(SessionOptions options) : session_(std::move(options)) {}
@@ -19,15 +19,18 @@ class SessionWorkplace : public Workplace {
   void Tick() override { session_.Tick(); }
   News TakeNews() override { return session_.TakeNews(); }
   std::vector<Json> Everything() const override { return session_.Everything(); }
-  std::optional<std::string> MeshBytes(std::uint32_t scene, std::size_t mesh) const override {
-    return session_.MeshBytes(scene, mesh);
-  }
+  double speed_factor() const override { return session_.speed_factor(); }
+  void SetMeasuredSpeed(double factor) override { session_.SetMeasuredSpeed(factor); }
   Poses NextPoses() override { return poses_.Next(session_.view()); }
+
+  const Session& session() const { return session_; }
 
  private:
   Session session_;
   PoseStream poses_;
 };
+
+namespace {
 
 struct MeshName {
   std::uint32_t scene = 0;
@@ -55,9 +58,7 @@ class Studio::Impl {
       : workplace_(std::move(options.session)),
         get_(std::move(options.server.get)),
         server_(WithMeshes(std::move(options.server))),
-        loop_(&workplace_, &server_, &errands_) {}
-  // The server waits for those who wait for the session.
-  ~Impl() { errands_.Close(); }
+        loop_(&workplace_, &server_) {}
 
   std::string link() const { return server_.link(); }
 
@@ -77,16 +78,14 @@ class Studio::Impl {
     return options;
   }
 
-  std::optional<HttpAnswer> GetMesh(MeshName name) {
-    const std::optional<std::string> bytes =
-        errands_.Ask([this, name] { return workplace_.MeshBytes(name.scene, name.mesh); });
+  std::optional<HttpAnswer> GetMesh(MeshName name) const {
+    const std::optional<std::string> bytes = workplace_.session().MeshBytes(name.scene, name.mesh);
     if (!bytes) return std::nullopt;
     return HttpAnswer{.type = "application/octet-stream", .body = *bytes};
   }
 
   SessionWorkplace workplace_;
   HttpHandler get_;
-  Errands errands_;
   Server server_;
   StudioLoop loop_;
 };

@@ -12,7 +12,7 @@ export const HANDS: HandName[] = ["left", "right", "both", "any"];
 export interface Visual {
   frame: number;
   object: number;
-  /** Id of the part it is of, where that has one. */
+  /** Id of the innermost part it is of that has one. */
   part?: string;
   pose: Pose;
   color: string;
@@ -32,7 +32,8 @@ export interface SceneObject {
   shape: string;
   /** It cannot be taken. */
   fixed: boolean;
-  parts: { id: string; pointable: boolean }[];
+  /** Outer ones first; `within` is the id of the part, or the object, around it. */
+  parts: { id: string; pointable: boolean; within: string }[];
   controls: { id: string; kind: string; parts: string[] }[];
   bonds: boolean;
   properties: string[];

@@ -100,6 +100,7 @@ export const texts = {
     detailIs: (detail: string) => `Detail: ${detail}`,
     cannotDraw: "This browser has no WebGL 2, so the world cannot be drawn. All panels work, and so does the robot’s view.",
     details: { auto: "automatic", low: "low", high: "high" },
+    shapeMissing: "The shape of an object could not be fetched: reload the page.",
   },
 
   eye: {

@@ -15,8 +15,8 @@ TEST(SceneMessage, TellsAllInUnits) {
   const auto scene = scene_xml::ReadSceneText(
                          R"xml(<tabletop xmlns="http://synapse.cs.umd.edu/tabletop-xml" xspan="24">
   <block id="a" color="red" xspan="2" location="(1, 2, 0.5)"/>
-  <prism id="p" location="(5, 2, 0.5)"/>
-  <prism id="q" location="(-5, 2, 0.5)"/>
+  <frustum id="p" location="(5, 2, 0.5)"/>
+  <frustum id="q" location="(-5, 2, 0.5)"/>
   <toggleSwitch id="s" location="(3, 3, 0.1)"/>
 </tabletop>)xml",
                          "some.xml")
@@ -24,7 +24,7 @@ TEST(SceneMessage, TellsAllInUnits) {
   ASSERT_TRUE(scene.has_value());
   const sim::Simulation simulation(*scene);
   const PageMeshes meshes(simulation.visual_model());
-  EXPECT_EQ(meshes.size(), 1u) << "equal prisms are one mesh";
+  EXPECT_EQ(meshes.size(), 1u) << "equal frustums are one mesh";
   const Json message =
       SceneMessage({.number = 3, .scene = &simulation.scene(), .model = &simulation.visual_model()},
                    meshes, simulation.visual_state().looks);

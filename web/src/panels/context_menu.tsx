@@ -15,6 +15,13 @@ function entry(label: string, reason: string | null, fields: Record<string, unkn
   return reason === null ? { label, onChoose } : { label, reason, disabled: true, onChoose };
 }
 
+/** The innermost part that may be pointed at, or the whole object. */
+function pointableAround(object: SceneObject, part: string | null): string {
+  const found = object.parts.find((one) => one.id === part);
+  if (!found) return object.id;
+  return found.pointable ? found.id : pointableAround(object, found.within);
+}
+
 /** What a hand may do with what was clicked, and why not. */
 function entriesAt({ object, part, point }: Place): MenuEntry[] {
   const { menu, menuReasons: reasons } = texts;
@@ -24,11 +31,10 @@ function entriesAt({ object, part, point }: Place): MenuEntry[] {
   const idle = watching ?? (held === null ? null : reasons.handFull);
   const bonds =
     watching ?? (held !== null && held !== object.id ? reasons.onlyHeld : object.bonds ? null : reasons.noBonds);
-  const isPartPointable = object.parts.some((one) => one.id === part && one.pointable);
   const pressed = part !== null && control?.parts.includes(part) ? { part } : {};
   return [
     entry(menu.trigger, control ? idle : reasons.noControl, { do: "trigger", control: control?.id, ...pressed }),
-    entry(menu.point, idle, { do: "point", part: isPartPointable ? part : object.id }),
+    entry(menu.point, idle, { do: "point", part: pointableAround(object, part) }),
     entry(menu.fasten, bonds, { do: "fasten", object: object.id, point }),
     entry(menu.loosen, bonds, { do: "loosen", object: object.id, point }),
   ];

@@ -10,7 +10,7 @@ import { contextMenu } from "./signals";
 import type { ViewCamera } from "./view_camera";
 
 const DEGREES = 180 / Math.PI;
-const STEEP = 62 / DEGREES; // from here on the camera looks at the table rather than along it
+const STEEP = 70 / DEGREES; // from here on the camera looks at the table rather than along it
 const BIG_STEP = 45; // [degrees]
 const REACH = 3; // from the middle of the table [m]
 /** So long what was sent last is newer than what the program told [ms]. */

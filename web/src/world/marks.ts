@@ -1,4 +1,4 @@
-import { Group, type PerspectiveCamera, type Sprite } from "three";
+import { Group, type PerspectiveCamera, type Sprite, Vector3 } from "three";
 import { guideColors, handColors } from "../colors";
 import { type HandName, HANDS } from "../protocol";
 import { state } from "../studio";
@@ -38,8 +38,8 @@ export class Marks {
       if (ball === null) continue;
       const size = BADGE_SIZE * camera.position.distanceTo(ball.center);
       badge.scale.setScalar(size);
-      badge.position.copy(ball.center);
-      badge.position.z += 1.3 * ball.radius + size;
+      const up = new Vector3().setFromMatrixColumn(camera.matrixWorld, 1);
+      badge.position.copy(ball.center).addScaledVector(up, 1.3 * ball.radius + size);
     }
     this.hover.show(piecesOf(models, isHeld ? null : hovered.value).map(({ mesh }) => mesh));
   }

@@ -17,6 +17,7 @@ import {
 } from "three";
 import { notify } from "../studio";
 import type { Pose, Poses, SceneMessage, Visual } from "../protocol";
+import { texts } from "../texts";
 import { fetchMesh } from "./meshes";
 
 /** In this time most of the way to where things are now is shown: less than a picture lasts. */
@@ -120,8 +121,8 @@ export class Models {
       this.moved.add(group);
       group.position.lerp(position, share);
       group.quaternion.slerp(rotation, share);
-      if (group.position.distanceToSquared(position) > 1e-8) continue;
-      if (group.quaternion.angleTo(rotation) > 1e-4) continue;
+      if (group.position.distanceTo(position) > 1e-4) continue;
+      if (distanceBetween(group.quaternion, rotation) > 1e-5) continue;
       group.position.copy(position);
       group.quaternion.copy(rotation);
       this.moving.delete(frame);
@@ -173,8 +174,9 @@ export class Models {
   private send(frame: Frame, pose: Pose, isSudden: boolean): void {
     const [x, y, z, qx, qy, qz, qw] = pose;
     frame.position.set(x, y, z);
-    frame.rotation.set(qx, qy, qz, qw);
+    frame.rotation.set(qx, qy, qz, qw).normalize();
     const { group, position, rotation } = frame;
+    if (group.quaternion.dot(rotation) < 0) negate(rotation);
     if (isSudden) {
       group.position.copy(position);
       group.quaternion.copy(rotation);
@@ -195,8 +197,8 @@ export class Models {
       if (scene !== this.scene) return;
       for (const visual of visuals) this.add(visual, shape, objects.get(visual.frame) ?? "");
       this.onChange();
-    } catch (error) {
-      if (scene === this.scene) notify(error instanceof Error ? error.message : String(error), true);
+    } catch {
+      if (scene === this.scene) notify(texts.views.shapeMissing, true);
     }
   }
 
@@ -254,6 +256,16 @@ export class Models {
 
 function newFrame(): Frame {
   return { group: new Group(), position: new Vector3(), rotation: new Quaternion() };
+}
+
+/** The same rotation, told by the opposite quaternion. */
+function negate(rotation: Quaternion): void {
+  rotation.set(-rotation.x, -rotation.y, -rotation.z, -rotation.w);
+}
+
+/** Half the angle, if that is small; exact to the last bits, as an angle from a cosine is not [rad]. */
+function distanceBetween(a: Quaternion, b: Quaternion): number {
+  return Math.hypot(a.x - b.x, a.y - b.y, a.z - b.z, a.w - b.w);
 }
 
 function append(lists: Map<number, Visual[]>, key: number, visual: Visual): void {

@@ -13,7 +13,6 @@ import {
   WebGLRenderer,
 } from "three";
 
-const FIELD_OF_VIEW = 45; // [degrees]
 const FLOOR_DEPTH = 0.9; // below the table top [m]
 const LIT_RADIUS = 1.7; // about the table's middle, in which shadows fall [m]
 const SHADOW_PIXELS = 2048;
@@ -22,7 +21,7 @@ const COARSE = 0.6; // of a pixel
 /** Light, floor and background, and what draws them. The background is the page's own. */
 export class Stage {
   readonly scene = new Scene();
-  readonly camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.1, 1000);
+  readonly camera = new PerspectiveCamera();
   /** [px] */
   width = 1;
   height = 1;

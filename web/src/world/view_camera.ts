@@ -1,6 +1,8 @@
 import { type PerspectiveCamera, Vector3 } from "three";
 import { cameraKind, type Preset } from "./signals";
 
+const FIELD_OF_VIEW = 45;
+const ROBOTS_FIELD_OF_VIEW = 60; // [degrees]
 const EASE_SECONDS = 0.11;
 const LOWEST = -0.1;
 const HIGHEST = Math.PI / 2 - 0.002; // [rad]
@@ -15,12 +17,15 @@ class View {
   /** Of the camera seen from the target, from the x axis [rad]. */
   azimuth = 0;
   elevation = 0.5;
+  /** From top to bottom [degrees]. */
+  angle = FIELD_OF_VIEW;
 
   copy(other: View): void {
     this.target.copy(other.target);
     this.distance = other.distance;
     this.azimuth = other.azimuth;
     this.elevation = other.elevation;
+    this.angle = other.angle;
   }
 
   get away(): Vector3 {
@@ -68,22 +73,23 @@ export class ViewCamera {
     this.hasRobot = hasRobot;
   }
 
-  /** The robot stands where y is low, its eye over the table's edge; the front is opposite. */
+  /** The robot stands where y is low, its head before the table's edge; the front is opposite. */
   show(preset: Preset, isSudden = false): void {
     const m = this.unitsPerMeter;
     const half = this.tableDepth / 2;
     const middle = new Vector3(0, -0.12 * m, 0.12 * m);
-    const robotsEye = new Vector3(0, -half - 0.12 * m, 1.16 * m);
+    const beforeHead = new Vector3(0, -half + 0.04 * m, 0.96 * m);
     const besideTable = new Vector3(0, -half - 0.6 * m, 1.4 * m);
     const places: Record<Preset, [Vector3, Vector3]> = {
       front: [new Vector3(0.55 * m, half + 1.15 * m, 1.05 * m), new Vector3(0, -0.3 * m, 0.22 * m)],
-      robot: [this.hasRobot ? robotsEye : besideTable, new Vector3(0, -0.1 * m, 0)],
+      robot: [this.hasRobot ? beforeHead : besideTable, new Vector3(0, 0.09 * m, 0)],
       top: [new Vector3(0, -0.001 * m, 2.3 * m), new Vector3(0, 0, 0)],
       left: [new Vector3(-2.1 * m, -0.12 * m, 0.8 * m), middle],
       right: [new Vector3(2.1 * m, -0.12 * m, 0.8 * m), middle],
     };
     this.wanted.lookFrom(...places[preset]);
     this.wanted.elevation = Math.min(this.wanted.elevation, HIGHEST);
+    this.wanted.angle = preset === "robot" ? ROBOTS_FIELD_OF_VIEW : FIELD_OF_VIEW;
     cameraKind.value = preset;
     this.goThere(isSudden);
   }
@@ -162,6 +168,7 @@ export class ViewCamera {
     shown.distance += (wanted.distance - shown.distance) * share;
     shown.azimuth += turnBetween(shown.azimuth, wanted.azimuth) * share;
     shown.elevation += (wanted.elevation - shown.elevation) * share;
+    shown.angle += (wanted.angle - shown.angle) * share;
     const isThere =
       shown.target.distanceTo(wanted.target) < 1e-3 * wanted.distance &&
       Math.abs(shown.distance - wanted.distance) < 1e-3 * wanted.distance &&
@@ -212,6 +219,10 @@ export class ViewCamera {
   private place(): void {
     this.camera.position.copy(this.shown.eye);
     this.camera.lookAt(this.shown.target);
+    if (this.camera.fov !== this.shown.angle) {
+      this.camera.fov = this.shown.angle;
+      this.camera.updateProjectionMatrix();
+    }
     this.camera.updateMatrixWorld();
   }
 }

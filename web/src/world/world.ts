@@ -7,6 +7,7 @@ import { Aids } from "./aids";
 import { DetailKeeper } from "./detail";
 import { Hands } from "./hands";
 import { actionsOf } from "./key_actions";
+import { Markers } from "./markers";
 import { Marks } from "./marks";
 import { Models } from "./models";
 import { Picker, type PointerAt } from "./pick";
@@ -44,6 +45,7 @@ class DrawnWorld implements World {
   private readonly picker: Picker;
   private readonly rings = new Rings();
   private readonly marks = new Marks();
+  private readonly markers = new Markers();
   private readonly hands: Hands;
   private readonly aids: Aids;
   private readonly pointers: Pointers;
@@ -77,7 +79,7 @@ class DrawnWorld implements World {
     );
     this.aids = new Aids(this.models, this.picker, this.rings, this.hands, () => this.redraw());
     this.pointers = new Pointers(host, this.picker, this.hands, this.camera, (at) => this.hover(at));
-    this.stage.scene.add(this.models.root, this.aids.root, this.marks.root);
+    this.stage.scene.add(this.models.root, this.aids.root, this.marks.root, this.markers.root);
     this.styleTag();
     this.listen();
     this.resized();
@@ -140,7 +142,7 @@ class DrawnWorld implements World {
     const news = scene.value;
     if (news === null) return;
     const unitsPerMeter = 1 / news.metersPerUnit;
-    for (const part of [this.stage, this.aids, this.hands]) part.setScale(unitsPerMeter);
+    for (const part of [this.stage, this.aids, this.hands, this.markers]) part.setScale(unitsPerMeter);
     this.camera.setTable(unitsPerMeter, news.table.size[1], news.robotFrame !== null);
     this.models.load(news);
     hovered.value = null;
@@ -154,9 +156,11 @@ class DrawnWorld implements World {
     if (news === null) return;
     this.models.setGone(news.gone);
     this.models.setRobotShown(news.robot?.shown ?? true);
-    const seen = JSON.stringify([news.hands, news.mode]);
-    if (seen !== this.seenState) this.redraw();
+    const seen = JSON.stringify([news.hands, news.mode, news.markers]);
+    if (seen === this.seenState) return;
     this.seenState = seen;
+    this.markers.show(news.markers);
+    this.redraw();
   }
 
   private hover(at: PointerAt | null): void {

@@ -140,6 +140,14 @@ export const texts = {
     back: "Connected again",
   },
 
+  progress: {
+    library: "Looking through the recordings",
+    open: "Opening the recording",
+    try_edit: "Finding out what becomes of it",
+    edit: "Writing the new recording",
+    imitate: "The robot imitates",
+  } as Record<string, string>,
+
   theme: { system: "Theme: as the system", light: "Theme: light", dark: "Theme: dark" },
 
   menu: { trigger: "Trigger", point: "Point to", fasten: "Fasten", loosen: "Loosen", title: (object: string) => `What to do with ${object}` },

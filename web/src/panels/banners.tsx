@@ -36,7 +36,7 @@ function Busy() {
   const { what, done, total } = progress.value;
   return (
     <div class="banner busy">
-      <label for="busy">{what}</label>
+      <label for="busy">{texts.progress[what] ?? what}</label>
       <progress id="busy" value={done} max={total} />
     </div>
   );

@@ -8,6 +8,7 @@
 #include "app/options.h"
 #include "app/run_loop.h"
 #include "record/recording_history.h"
+#include "record/sight.h"
 #include "record/time_range.h"
 
 namespace smile::app {

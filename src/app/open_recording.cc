@@ -19,13 +19,6 @@ record::Recording OpenAndTell(const std::string& demo) {
   return recording;
 }
 
-std::optional<sim::EyeSpec> EyeOf(const record::DemoInfo& info) {
-  if (!info.eye) return std::nullopt;
-  return sim::EyeSpec{.width_px = info.eye->intrinsics.width_px,
-                      .height_px = info.eye->intrinsics.height_px,
-                      .camera = info.eye_camera};
-}
-
 void RequireOutsideOfRecordings(const std::string& out) {
   const auto around = record::RecordingAround(out);
   if (!around) return;

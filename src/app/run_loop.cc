@@ -9,10 +9,10 @@
 
 #include "app/interrupt.h"
 #include "app/progress.h"
-#include "app/rendered_eye.h"
 #include "base/diagnostic.h"
 #include "brain/brain_log.h"
 #include "math/angles.h"
+#include "picture/rendered_eye.h"
 #include "scene/units.h"
 
 namespace smile::app {
@@ -228,7 +228,7 @@ class LiveRun {
   }
 
   const RunPlan& plan_;
-  std::optional<RenderedEye> eye_;
+  std::optional<picture::RenderedEye> eye_;
   std::optional<record::RecordingDesk> desk_;
   sim::Simulation simulation_;
   std::uint64_t first_tick_ = 0;

@@ -219,6 +219,12 @@ void CheckStart(const Recording& recording) {
   }
 }
 
+void CheckLength(const char* key, const std::string& text, std::size_t max_bytes) {
+  if (text.size() <= max_bytes) return;
+  throw std::invalid_argument("\"" + std::string(key) + "\" has " + std::to_string(text.size()) +
+                              " bytes, expected at most " + std::to_string(max_bytes));
+}
+
 }  // namespace
 
 std::string ToJsonText(const DemoInfo& info) {
@@ -248,23 +254,22 @@ DemoInfo ReadDemoInfo(const std::filesystem::path& directory) {
   return ReadInfo(directory / "demo.json");
 }
 
+void CheckTitle(const std::string& title) { CheckLength("title", title, kMaxTitleBytes); }
+
 void Retitle(const std::filesystem::path& directory, const std::optional<std::string>& title,
              const std::optional<std::string>& notes) {
   (void)ReadDemoInfo(directory);
   const AppendFile hold(directory / "commands.jsonl", AppendFile::kExisting);
   const std::filesystem::path path = directory / "demo.json";
   Json json = ParseJson(ReadFile(path, kMaxInfoBytes));
-  const auto set = [&json](const char* key, const auto& text, std::size_t max_bytes) {
-    if (!text) return;
-    if (text->size() > max_bytes) {
-      throw std::invalid_argument("\"" + std::string(key) + "\" has " +
-                                  std::to_string(text->size()) + " bytes, expected at most " +
-                                  std::to_string(max_bytes));
-    }
-    json[key] = *text;
-  };
-  set("title", title, kMaxTitleBytes);
-  set("notes", notes, kMaxNotesBytes);
+  if (title) {
+    CheckTitle(*title);
+    json["title"] = *title;
+  }
+  if (notes) {
+    CheckLength("notes", *notes, kMaxNotesBytes);
+    json["notes"] = *notes;
+  }
   WriteFile(path, ToText(json, 2) + "\n");
 }
 

@@ -61,13 +61,16 @@ std::string ToJsonText(const DemoInfo& info);
 /// @throws InputError as OpenRecording().
 DemoInfo ReadDemoInfo(const std::filesystem::path& directory);
 
+inline constexpr std::size_t kMaxTitleBytes = 256, kMaxNotesBytes = 8 << 10;
+/// @throws std::invalid_argument if it is longer than kMaxTitleBytes.
+void CheckTitle(const std::string& title);
+
 /// Says it otherwise; all else in `demo.json` stays as it is.
 /// @param title, notes  nullopt: as they are.
 /// @throws std::invalid_argument if they are longer than kMaxTitleBytes and kMaxNotesBytes;
 ///         InputError if it is no recording; std::runtime_error while it is being recorded.
 void Retitle(const std::filesystem::path& directory, const std::optional<std::string>& title,
              const std::optional<std::string>& notes);
-inline constexpr std::size_t kMaxTitleBytes = 256, kMaxNotesBytes = 8 << 10;
 
 /// A recording, opened. It stands for itself: the scene file it was made from is not needed.
 struct Recording {

@@ -3,7 +3,6 @@
 #include <archive.h>
 #include <archive_entry.h>
 #include <locale.h>
-#include <sys/stat.h>
 
 #include <algorithm>
 #include <ctime>
@@ -13,7 +12,7 @@
 
 #include "base/files.h"
 #include "base/wording.h"
-#include "studio/requests.h"
+#include "studio/internal_file_state.h"
 
 namespace smile::studio {
 namespace {
@@ -29,9 +28,9 @@ std::vector<std::filesystem::path> PlainFilesBelow(const std::filesystem::path& 
     files.push_back(entry.path());
     bytes += entry.file_size();
     if (bytes > max_bytes || files.size() > kMaxZippedFiles) {
-      throw RequestError(Quoted(directory.filename().string()) + " is larger than " +
-                         std::to_string(max_bytes >> 20) + " MiB: copy it from " +
-                         directory.string());
+      throw std::runtime_error(Quoted(directory.filename().string()) + " is larger than " +
+                               std::to_string(max_bytes >> 20) + " MiB: copy it from " +
+                               directory.string());
     }
   }
   std::ranges::sort(files);
@@ -95,11 +94,6 @@ class Zipper {
   std::unique_ptr<archive, int (*)(archive*)> archive_;
 };
 
-std::time_t LastWriteOf(const std::filesystem::path& path) {
-  struct stat found {};
-  return lstat(path.c_str(), &found) == 0 ? found.st_mtime : 0;
-}
-
 }  // namespace
 
 std::string Zipped(const std::filesystem::path& directory, std::uint64_t max_bytes) {
@@ -112,7 +106,7 @@ std::string Zipped(const std::filesystem::path& directory, std::uint64_t max_byt
     const std::string text = ReadFile(path, left);
     left -= text.size();
     zipper.Add((directory.filename() / path.lexically_relative(directory)).string(), text,
-               LastWriteOf(path));
+               StateOf(path).changed / 1'000'000'000LL);
   }
   zipper.Finish();
   return zip;

@@ -1,7 +1,5 @@
 #include "studio/library.h"
 
-#include <sys/stat.h>
-
 #include <algorithm>
 #include <charconv>
 #include <ctime>
@@ -15,6 +13,7 @@
 #include "record/recording.h"
 #include "record/recording_names.h"
 #include "record/time_range.h"
+#include "studio/internal_file_state.h"
 #include "studio/internal_zip.h"
 #include "studio/requests.h"
 #include "studio/timeline.h"
@@ -27,33 +26,10 @@ namespace fs = std::filesystem;
 constexpr std::size_t kMaxDirectories = 10'000;  ///< looked at in a folder
 constexpr std::size_t kMaxIdBytes = 255;
 
-/// What the system says of a path itself, not of what a link leads to; zeros where there is
-/// nothing.
-struct FileState {
-  bool is_directory = false, is_file = false;
-  std::uint64_t number = 0, size = 0;
-  std::int64_t changed = 0;  ///< [ns]
-};
-
-FileState StateOf(const fs::path& path) {
-  struct stat found {};
-  if (lstat(path.c_str(), &found) != 0) return {};
-  return {.is_directory = S_ISDIR(found.st_mode),
-          .is_file = S_ISREG(found.st_mode),
-          .number = found.st_ino,
-          .size = static_cast<std::uint64_t>(found.st_size),
-          .changed = found.st_mtim.tv_sec * 1'000'000'000LL + found.st_mtim.tv_nsec};
-}
-
 /// Differs after whatever changes what is listed of a recording.
-std::string StampOf(const fs::path& directory) {
-  std::string stamp;
-  for (const char* name : {"demo.json", "frames.csv", ""}) {
-    const FileState state = StateOf(directory / name);
-    stamp += std::to_string(state.number) + "," + std::to_string(state.size) + "," +
-             std::to_string(state.changed) + ";";
-  }
-  return stamp;
+std::string ListingStampOf(const fs::path& directory) {
+  return StampOf(directory / "demo.json") + ";" + StampOf(directory / "frames.csv") + ";" +
+         StampOf(directory);
 }
 
 bool IsPlainName(const std::string& id) {
@@ -188,7 +164,7 @@ Json Library::List() const {
   const std::lock_guard lock(mutex_);
   for (const Place& place : places) {
     Listed& now = listed[place.directory.string()];
-    now.stamp = StampOf(place.directory);
+    now.stamp = ListingStampOf(place.directory);
     const auto before = listed_.find(place.directory.string());
     const bool is_known = before != listed_.end() && before->second.stamp == now.stamp;
     now.entry = is_known ? before->second.entry : EntryOf(place.directory);

@@ -43,7 +43,7 @@ class Library {
   /// See studio/timeline.h.
   Json TimelineOf(const std::string& id) const;
   /// All its files in one, as they are now.
-  /// @throws RequestError if they are more than kMaxZipped.
+  /// @throws std::runtime_error if they are more than kMaxZipped, or cannot be read.
   std::string ZipOf(const std::string& id) const;
 
   const std::filesystem::path& root() const { return root_; }

@@ -12,9 +12,8 @@ std::vector<SegmentSpan> SpansOnWay(const std::vector<record::HistoryStep>& hist
   for (const record::HistoryStep& step : history) {
     if (!step.is_on_way) continue;
     if (!spans.empty()) spans.back().end = step.begin.tick;
-    spans.push_back({.words = spans.empty() ? "" : step.words,
-                     .begin = step.begin.tick,
-                     .end = step.end.tick});
+    spans.push_back(
+        {.words = spans.empty() ? "" : step.words, .begin = step.begin.tick, .end = step.end.tick});
   }
   return spans;
 }
@@ -37,8 +36,7 @@ std::vector<SegmentSpan> SpansOfTrace(const record::Recording& recording) {
     spans.back().end = moment->tick;
     for (const sim::Event& event : moment->events) {
       if (!record::BeginsSegment(event)) continue;
-      spans.push_back(
-          {.words = WordsForSeen(event), .begin = moment->tick, .end = moment->tick});
+      spans.push_back({.words = WordsForSeen(event), .begin = moment->tick, .end = moment->tick});
     }
   }
   return spans;

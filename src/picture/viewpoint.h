@@ -8,7 +8,7 @@
 #include "scene/scene_spec.h"
 #include "sim/eye.h"
 
-namespace smile::app {
+namespace smile::picture {
 
 /// The names of views for people.
 std::vector<std::string> ViewNames();
@@ -21,4 +21,4 @@ std::vector<std::string> ViewNames();
 CameraView FindView(std::string_view camera, const scene::SceneSpec& scene,
                     const sim::EyeSpec& size, const std::vector<std::string>& cameras);
 
-}  // namespace smile::app
+}  // namespace smile::picture

@@ -1,14 +1,14 @@
-#include "app/photographer.h"
+#include "picture/photographer.h"
 
 #include <algorithm>
 #include <stdexcept>
 
-#include "app/viewpoint.h"
 #include "base/wording.h"
+#include "picture/viewpoint.h"
 #include "record/png.h"
 #include "record/sight.h"
 
-namespace smile::app {
+namespace smile::picture {
 namespace {
 
 /// `out/um.png` and "depth" make `out/um.depth.png`.
@@ -104,4 +104,4 @@ std::vector<std::filesystem::path> WriteChannels(const std::filesystem::path& pn
   return written;
 }
 
-}  // namespace smile::app
+}  // namespace smile::picture

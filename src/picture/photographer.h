@@ -10,7 +10,7 @@
 #include "sim/eye.h"
 #include "sim/simulation.h"
 
-namespace smile::app {
+namespace smile::picture {
 
 using sim::Channels;
 
@@ -58,4 +58,4 @@ class Photographer {
 std::vector<std::filesystem::path> WriteChannels(const std::filesystem::path& png,
                                                  const Image& image, const Channels& channels);
 
-}  // namespace smile::app
+}  // namespace smile::picture

@@ -5,7 +5,7 @@
 #include "camera/renderer.h"
 #include "sim/eye.h"
 
-namespace smile::app {
+namespace smile::picture {
 
 /// The robot's eye, drawn. When nothing moved since the last look, it hands out the last picture.
 class RenderedEye : public sim::Eye {
@@ -22,4 +22,4 @@ class RenderedEye : public sim::Eye {
   std::optional<sim::Sight> seen_;
 };
 
-}  // namespace smile::app
+}  // namespace smile::picture

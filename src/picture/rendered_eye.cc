@@ -1,6 +1,6 @@
-#include "app/rendered_eye.h"
+#include "picture/rendered_eye.h"
 
-namespace smile::app {
+namespace smile::picture {
 namespace {
 
 /// The same as the other, or without channels that the other has.
@@ -26,4 +26,4 @@ const Image& RenderedEye::Draw(const scene::VisualModel& model, const sim::Sight
   return image_;
 }
 
-}  // namespace smile::app
+}  // namespace smile::picture

@@ -1,4 +1,4 @@
-#include "app/viewpoint.h"
+#include "picture/viewpoint.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -12,7 +12,7 @@
 #include "mesh/primitives.h"
 #include "scene/visual_model.h"
 
-namespace smile::app {
+namespace smile::picture {
 namespace {
 
 constexpr double kFieldOfView = DegreesToRadians(40);
@@ -158,4 +158,4 @@ CameraView FindView(std::string_view camera, const scene::SceneSpec& scene,
                               DidYouMean(camera, words));
 }
 
-}  // namespace smile::app
+}  // namespace smile::picture

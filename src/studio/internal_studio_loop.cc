@@ -28,8 +28,9 @@ void StudioLoop::Beat() {
 
 void StudioLoop::CarryOutRequests() {
   for (const Request& request : server_->TakeRequests()) {
-    server_->Send(request.client,
-                  Answer(workplace_->requests(), request, server_->IsController(request.client)));
+    const Json answer =
+        Answer(workplace_->requests(), request, server_->IsController(request.client));
+    if (!IsLater(answer)) server_->Send(request.client, answer);
   }
 }
 
@@ -46,6 +47,13 @@ int StudioLoop::DoTicks(int count) {
 void StudioLoop::TellNews(const Poses& poses) {
   News news = workplace_->TakeNews();
   for (const Json& message : news.messages) server_->SendToAll(message);
+  for (const Letter& letter : TakeLetters(workplace_->requests())) {
+    if (letter.client == 0) {
+      server_->SendToAll(letter.message);
+    } else {
+      server_->Send(letter.client, letter.message);
+    }
+  }
   if (news.view) {
     press_.Print({.image = std::move(*news.view),
                   .is_recorded = news.is_view_recorded,

@@ -5,8 +5,13 @@
 #include <thread>
 #include <utility>
 
+#include "base/files.h"
 #include "studio/internal_studio_loop.h"
+#include "studio/library_requests.h"
 #include "studio/pose_stream.h"
+#include "studio/presets.h"
+#include "studio/showcase.h"
+#include "studio/workshop.h"
 
 namespace smile::studio {
 
@@ -24,6 +29,8 @@ class SessionWorkplace : public Workplace {
   Poses NextPoses() override { return poses_.Next(session_.view()); }
 
   const Session& session() const { return session_; }
+  /// Others may put in what they can do.
+  RequestTable* table() { return &session_.requests(); }
 
  private:
   Session session_;
@@ -50,15 +57,31 @@ std::optional<MeshName> ParseMeshPath(std::string_view path) {
   return name;
 }
 
+SessionOptions WithGallery(SessionOptions options) {
+  if (options.gallery.empty()) options.gallery = DataFile("scenes");
+  return options;
+}
+
+ShowcaseOptions ShowcaseOf(const SessionOptions& session) {
+  ShowcaseOptions options{.scenes = session.gallery, .recordings = session.recordings};
+  for (const Preset& preset : Presets()) {
+    options.presets.push_back({{"name", preset.name}, {"title", preset.title}});
+  }
+  return options;
+}
+
 }  // namespace
 
 class Studio::Impl {
  public:
-  explicit Impl(StudioOptions options)
-      : workplace_(std::move(options.session)),
-        get_(std::move(options.server.get)),
-        server_(WithMeshes(std::move(options.server))),
-        loop_(&workplace_, &server_) {}
+  explicit Impl(const StudioOptions& options)
+      : library_(options.session.recordings),
+        workplace_(options.session),
+        showcase_(ShowcaseOf(options.session)),
+        server_(WithAnswers(options.server)),
+        loop_(&workplace_, &server_) {
+    AddLibraryRequests(&library_, &workshop_, workplace_.table());
+  }
 
   std::string link() const { return server_.link(); }
 
@@ -70,10 +93,10 @@ class Studio::Impl {
   }
 
  private:
-  ServerOptions WithMeshes(ServerOptions options) {
-    options.get = [this](const std::string& path) -> std::optional<HttpAnswer> {
-      if (const std::optional<MeshName> name = ParseMeshPath(path)) return GetMesh(*name);
-      return get_ ? get_(path) : std::nullopt;
+  ServerOptions WithAnswers(ServerOptions options) {
+    options.get = [this](const std::string& path) {
+      const std::optional<MeshName> mesh = ParseMeshPath(path);
+      return mesh ? GetMesh(*mesh) : showcase_.Get(path);
     };
     return options;
   }
@@ -84,13 +107,18 @@ class Studio::Impl {
     return HttpAnswer{.type = "application/octet-stream", .body = *bytes};
   }
 
+  Library library_;
+  Workshop workshop_;
   SessionWorkplace workplace_;
-  HttpHandler get_;
+  Showcase showcase_;
   Server server_;
   StudioLoop loop_;
 };
 
-Studio::Studio(StudioOptions options) : impl_(std::make_unique<Impl>(std::move(options))) {}
+Studio::Studio(StudioOptions options) {
+  options.session = WithGallery(std::move(options.session));
+  impl_ = std::make_unique<Impl>(options);
+}
 Studio::~Studio() = default;
 
 std::string Studio::link() const { return impl_->link(); }

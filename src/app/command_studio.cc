@@ -13,8 +13,8 @@
 #include "app/exit_code.h"
 #include "app/interrupt.h"
 #include "app/options.h"
-#include "app/rendered_eye.h"
 #include "base/files.h"
+#include "picture/rendered_eye.h"
 #include "studio/studio.h"
 
 extern char** environ;
@@ -53,7 +53,7 @@ void OpenInBrowser(const std::string& link) {
 }
 
 int RunStudio(const StudioCommand& options) {
-  RenderedEye eye(EyeSpecOf(options.eye));
+  picture::RenderedEye eye(EyeSpecOf(options.eye));
   studio::StudioOptions plan;
   plan.session = {.scene = options.scene.empty() ? DataFile("scenes/tower.xml")
                                                  : std::filesystem::path(options.scene),
@@ -61,7 +61,8 @@ int RunStudio(const StudioCommand& options) {
                   .robot = PlaceRobot(options.robot, options.path),
                   .recordings = options.recordings,
                   .recording = {.frames_per_second = options.rate},
-                  .eye = options.no_pictures ? nullptr : &eye};
+                  .eye = options.no_pictures ? nullptr : &eye,
+                  .is_ending = &IsInterrupted};
   plan.server = {.address = options.address, .port = options.port, .page = PageFolder()};
   studio::Studio studio(std::move(plan));
   std::printf("%s\n", studio.link().c_str());

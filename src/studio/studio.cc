@@ -5,12 +5,17 @@
 #include <thread>
 #include <utility>
 
+#include "base/files.h"
 #include "studio/internal_studio_loop.h"
+#include "studio/library_requests.h"
 #include "studio/pose_stream.h"
+#include "studio/presets.h"
+#include "studio/showcase.h"
+#include "studio/workshop.h"
 
 namespace smile::studio {
-namespace {
 
+/// A session, as the loop sees it.
 class SessionWorkplace : public Workplace {
  public:
   explicit SessionWorkplace(SessionOptions options) : session_(std::move(options)) {}
@@ -19,15 +24,20 @@ class SessionWorkplace : public Workplace {
   void Tick() override { session_.Tick(); }
   News TakeNews() override { return session_.TakeNews(); }
   std::vector<Json> Everything() const override { return session_.Everything(); }
-  std::optional<std::string> MeshBytes(std::uint32_t scene, std::size_t mesh) const override {
-    return session_.MeshBytes(scene, mesh);
-  }
+  double speed_factor() const override { return session_.speed_factor(); }
+  void SetMeasuredSpeed(double factor) override { session_.SetMeasuredSpeed(factor); }
   Poses NextPoses() override { return poses_.Next(session_.view()); }
+
+  const Session& session() const { return session_; }
+  /// Others may put in what they can do.
+  RequestTable* table() { return &session_.requests(); }
 
  private:
   Session session_;
   PoseStream poses_;
 };
+
+namespace {
 
 struct MeshName {
   std::uint32_t scene = 0;
@@ -47,17 +57,31 @@ std::optional<MeshName> ParseMeshPath(std::string_view path) {
   return name;
 }
 
+SessionOptions WithGallery(SessionOptions options) {
+  if (options.gallery.empty()) options.gallery = DataFile("scenes");
+  return options;
+}
+
+ShowcaseOptions ShowcaseOf(const SessionOptions& session) {
+  ShowcaseOptions options{.scenes = session.gallery, .recordings = session.recordings};
+  for (const Preset& preset : Presets()) {
+    options.presets.push_back({{"name", preset.name}, {"title", preset.title}});
+  }
+  return options;
+}
+
 }  // namespace
 
 class Studio::Impl {
  public:
-  explicit Impl(StudioOptions options)
-      : workplace_(std::move(options.session)),
-        get_(std::move(options.server.get)),
-        server_(WithMeshes(std::move(options.server))),
-        loop_(&workplace_, &server_, &errands_) {}
-  // The server waits for those who wait for the session.
-  ~Impl() { errands_.Close(); }
+  explicit Impl(const StudioOptions& options)
+      : library_(options.session.recordings),
+        workplace_(options.session),
+        showcase_(ShowcaseOf(options.session)),
+        server_(WithAnswers(options.server)),
+        loop_(&workplace_, &server_) {
+    AddLibraryRequests(&library_, &workshop_, workplace_.table());
+  }
 
   std::string link() const { return server_.link(); }
 
@@ -69,29 +93,32 @@ class Studio::Impl {
   }
 
  private:
-  ServerOptions WithMeshes(ServerOptions options) {
-    options.get = [this](const std::string& path) -> std::optional<HttpAnswer> {
-      if (const std::optional<MeshName> name = ParseMeshPath(path)) return GetMesh(*name);
-      return get_ ? get_(path) : std::nullopt;
+  ServerOptions WithAnswers(ServerOptions options) {
+    options.get = [this](const std::string& path) {
+      const std::optional<MeshName> mesh = ParseMeshPath(path);
+      return mesh ? GetMesh(*mesh) : showcase_.Get(path);
     };
     return options;
   }
 
-  std::optional<HttpAnswer> GetMesh(MeshName name) {
-    const std::optional<std::string> bytes =
-        errands_.Ask([this, name] { return workplace_.MeshBytes(name.scene, name.mesh); });
+  std::optional<HttpAnswer> GetMesh(MeshName name) const {
+    const std::optional<std::string> bytes = workplace_.session().MeshBytes(name.scene, name.mesh);
     if (!bytes) return std::nullopt;
     return HttpAnswer{.type = "application/octet-stream", .body = *bytes};
   }
 
+  Library library_;
+  Workshop workshop_;
   SessionWorkplace workplace_;
-  HttpHandler get_;
-  Errands errands_;
+  Showcase showcase_;
   Server server_;
   StudioLoop loop_;
 };
 
-Studio::Studio(StudioOptions options) : impl_(std::make_unique<Impl>(std::move(options))) {}
+Studio::Studio(StudioOptions options) {
+  options.session = WithGallery(std::move(options.session));
+  impl_ = std::make_unique<Impl>(options);
+}
 Studio::~Studio() = default;
 
 std::string Studio::link() const { return impl_->link(); }

@@ -12,8 +12,7 @@ namespace smile::studio {
 
 struct StudioOptions {
   SessionOptions session;
-  /// What the studio has to give besides its session's meshes; see ServerOptions::get.
-  ServerOptions server;
+  ServerOptions server;  ///< `get` is the studio's own
 };
 
 /// A session, and the page that shows it in browsers.

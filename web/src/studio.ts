@@ -68,7 +68,7 @@ function onNews(news: News): void {
       for (const listener of eventListeners) listener(news);
       break;
     case "console":
-      consoleLines.value = [...consoleLines.value, ...news.lines].slice(-MAX_CONSOLE_LINES);
+      consoleLines.value = [...(news.all ? [] : consoleLines.value), ...news.lines].slice(-MAX_CONSOLE_LINES);
       break;
     case "score":
       lastScore.value = news.result;
@@ -92,11 +92,7 @@ export function connect(): void {
     onNews,
     onPoses: (poses) => poseListeners.forEach((listener) => listener(poses)),
     onEyeView: (view) => (eyeView.value = view),
-    onConnected: (yes) => {
-      // Whoever comes is told the console from its beginning.
-      if (yes) consoleLines.value = [];
-      isConnected.value = yes;
-    },
+    onConnected: (yes) => (isConnected.value = yes),
   });
 }
 

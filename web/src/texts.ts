@@ -135,8 +135,18 @@ export const texts = {
   connection: {
     connecting: "Connecting to the table…",
     lost: "Connection lost. The world is kept; coming back…",
+    doubt: "The program does not answer. Does it still run? All recordings are kept.",
+    none: "No connection",
     back: "Connected again",
   },
+
+  progress: {
+    library: "Looking through the recordings",
+    open: "Opening the recording",
+    try_edit: "Finding out what becomes of it",
+    edit: "Writing the new recording",
+    imitate: "The robot imitates",
+  } as Record<string, string>,
 
   theme: { system: "Theme: as the system", light: "Theme: light", dark: "Theme: dark" },
 

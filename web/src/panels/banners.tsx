@@ -7,20 +7,26 @@ import { Notices } from "../ui/notices";
 import { takeControl } from "./control";
 import { isPaused, isPlayback, isRage, mayControl } from "./now";
 
-/** So long a connection may take before anybody is told that it takes long. */
+/** So long a connection may take before anybody is told that it takes long; and that it may never come. */
 const PATIENCE_MS = 800;
+const DOUBT_MS = 10_000;
 
 function Disconnected() {
-  const isTold = useSignal(false);
+  const words = useSignal<string | null>(null);
   useEffect(() => {
-    const timer = setTimeout(() => (isTold.value = true), PATIENCE_MS);
-    return () => clearTimeout(timer);
+    const { connecting, lost, doubt } = texts.connection;
+    const first = clients.value === null ? connecting : lost;
+    const timers = [
+      setTimeout(() => (words.value = first), PATIENCE_MS),
+      setTimeout(() => (words.value = doubt), DOUBT_MS),
+    ];
+    return () => timers.forEach(clearTimeout);
   }, []);
-  if (!isTold.value) return null;
+  if (words.value === null) return null;
   return (
     <div class="banner error" role="alert">
       <span class="spinner" />
-      <span>{clients.value === null ? texts.connection.connecting : texts.connection.lost}</span>
+      <span>{words.value}</span>
     </div>
   );
 }
@@ -30,7 +36,7 @@ function Busy() {
   const { what, done, total } = progress.value;
   return (
     <div class="banner busy">
-      <label for="busy">{what}</label>
+      <label for="busy">{texts.progress[what] ?? what}</label>
       <progress id="busy" value={done} max={total} />
     </div>
   );

@@ -10,31 +10,39 @@ interface Place {
   point: [number, number, number];
 }
 
+/** The part and what is around it, innermost first. */
+function partAndAround(object: SceneObject, part: string | null): SceneObject["parts"] {
+  const found = object.parts.find((one) => one.id === part);
+  return found === undefined ? [] : [found, ...partAndAround(object, found.within)];
+}
+
 function entry(label: string, reason: string | null, fields: Record<string, unknown>): MenuEntry {
   const onChoose = () => void command({ hand: currentHand.value, ...fields });
   return reason === null ? { label, onChoose } : { label, reason, disabled: true, onChoose };
-}
-
-/** The innermost part that may be pointed at, or the whole object. */
-function pointableAround(object: SceneObject, part: string | null): string {
-  const found = object.parts.find((one) => one.id === part);
-  if (!found) return object.id;
-  return found.pointable ? found.id : pointableAround(object, found.within);
 }
 
 /** What a hand may do with what was clicked, and why not. */
 function entriesAt({ object, part, point }: Place): MenuEntry[] {
   const { menu, menuReasons: reasons } = texts;
   const held = heldObject.value;
-  const control = object.controls.find((one) => one.id === part || (part !== null && one.parts.includes(part))) ?? object.controls[0];
+  const around = partAndAround(object, part);
+  const ids = around.map(({ id }) => id);
+  const control =
+    object.controls.find((one) => ids.includes(one.id) || ids.some((id) => one.parts.includes(id))) ??
+    object.controls[0];
+  const pressed = ids.find((id) => control?.parts.includes(id));
+  const pointed = around.find(({ pointable }) => pointable)?.id ?? object.id;
   const watching = isController.value ? null : reasons.watching;
   const idle = watching ?? (held === null ? null : reasons.handFull);
   const bonds =
     watching ?? (held !== null && held !== object.id ? reasons.onlyHeld : object.bonds ? null : reasons.noBonds);
-  const pressed = part !== null && control?.parts.includes(part) ? { part } : {};
   return [
-    entry(menu.trigger, control ? idle : reasons.noControl, { do: "trigger", control: control?.id, ...pressed }),
-    entry(menu.point, idle, { do: "point", part: pointableAround(object, part) }),
+    entry(menu.trigger, control ? idle : reasons.noControl, {
+      do: "trigger",
+      control: control?.id,
+      ...(pressed === undefined ? {} : { part: pressed }),
+    }),
+    entry(menu.point, idle, { do: "point", part: pointed }),
     entry(menu.fasten, bonds, { do: "fasten", object: object.id, point }),
     entry(menu.loosen, bonds, { do: "loosen", object: object.id, point }),
   ];

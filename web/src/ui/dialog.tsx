@@ -18,6 +18,9 @@ export function Dialog(props: {
   useEffect(() => {
     const before = document.activeElement;
     element.current?.showModal();
+    element.current
+      ?.querySelector<HTMLElement>(".dialog-body input, .dialog-body textarea, .dialog-actions button")
+      ?.focus();
     return () => {
       if (before instanceof HTMLElement) before.focus();
     };

@@ -58,7 +58,6 @@ export function Menu(props: { label: string; x: number; y: number; entries: Menu
           role="menuitem"
           class={entry.isDanger ? "danger" : ""}
           aria-disabled={entry.disabled}
-          title={entry.disabled ? entry.reason : undefined}
           tabIndex={-1}
           onClick={() => {
             if (entry.disabled) return;
@@ -67,7 +66,10 @@ export function Menu(props: { label: string; x: number; y: number; entries: Menu
           }}
         >
           {entry.icon && <Icon name={entry.icon} size={18} />}
-          <span>{entry.label}</span>
+          <span>
+            {entry.label}
+            {entry.disabled && entry.reason && <small>{entry.reason}</small>}
+          </span>
         </button>
       ))}
     </div>

@@ -22,6 +22,8 @@ import { fetchMesh } from "./meshes";
 
 /** In this time most of the way to where things are now is shown: less than a picture lasts. */
 const FOLLOW_SECONDS = 0.007;
+const NEAR = 2e-4; // [units]
+const NEAR_ANGLE = 2e-4; // [rad]
 /** Prisms have edges, cylinders none. */
 const MOST_SIDES_WITH_EDGES = 12;
 
@@ -121,8 +123,7 @@ export class Models {
       this.moved.add(group);
       group.position.lerp(position, share);
       group.quaternion.slerp(rotation, share);
-      if (group.position.distanceTo(position) > 1e-4) continue;
-      if (distanceBetween(group.quaternion, rotation) > 1e-5) continue;
+      if (!isThere(frame)) continue;
       group.position.copy(position);
       group.quaternion.copy(rotation);
       this.moving.delete(frame);
@@ -180,10 +181,8 @@ export class Models {
     if (isSudden) {
       group.position.copy(position);
       group.quaternion.copy(rotation);
-      this.moving.add(frame);
-    } else if (!group.position.equals(position) || !group.quaternion.equals(rotation)) {
-      this.moving.add(frame);
     }
+    if (isSudden || !isThere(frame)) this.moving.add(frame);
   }
 
   private async fetch(
@@ -263,9 +262,11 @@ function negate(rotation: Quaternion): void {
   rotation.set(-rotation.x, -rotation.y, -rotation.z, -rotation.w);
 }
 
-/** Half the angle, if that is small; exact to the last bits, as an angle from a cosine is not [rad]. */
-function distanceBetween(a: Quaternion, b: Quaternion): number {
-  return Math.hypot(a.x - b.x, a.y - b.y, a.z - b.z, a.w - b.w);
+/** As far as one can see: what is held trembles a little. */
+function isThere({ group, position, rotation }: Frame): boolean {
+  const { x, y, z, w } = group.quaternion;
+  const halfAngle = Math.hypot(x - rotation.x, y - rotation.y, z - rotation.z, w - rotation.w);
+  return group.position.distanceTo(position) < NEAR && halfAngle < NEAR_ANGLE / 2;
 }
 
 function append(lists: Map<number, Visual[]>, key: number, visual: Visual): void {

@@ -47,7 +47,7 @@ export class Pointers {
   ) {
     const { signal } = this.quitting;
     // Before the menu hears of it and closes: whatever is clicked while it is open only closes it.
-    window.addEventListener("pointerdown", () => this.lookForMenu(), { signal, capture: true });
+    window.addEventListener("pointerdown", (event) => this.lookForMenu(event), { signal, capture: true });
     host.addEventListener("pointerdown", (event) => this.down(event), { signal });
     host.addEventListener("mousedown", (event) => this.preventScrolling(event), { signal });
     host.addEventListener("pointermove", (event) => this.move(event), { signal });
@@ -95,9 +95,9 @@ export class Pointers {
     if (isTouch) this.longPress = setTimeout(() => this.showMenu(), LONG_PRESS_MS);
   }
 
-  private lookForMenu(): void {
+  private lookForMenu(event: Event): void {
     this.wasMenuOpen = contextMenu.value !== null;
-    contextMenu.value = null;
+    if (this.isOnWorld(event)) contextMenu.value = null;
   }
 
   /** Which some browsers do with the middle button. */

@@ -66,8 +66,8 @@ int RunStudio(const StudioCommand& options) {
   plan.server = {.address = options.address, .port = options.port, .page = PageFolder()};
   studio::Studio studio(std::move(plan));
   std::printf("%s\n", studio.link().c_str());
-  std::fprintf(stderr, "smile: the studio is open at this link; Ctrl-C closes it\n");
   std::fflush(stdout);
+  std::fprintf(stderr, "smile: the studio is open at this link; Ctrl-C closes it\n");
   if (!options.no_open) OpenInBrowser(studio.link());
   studio.Run(&IsInterrupted);
   return kDone;

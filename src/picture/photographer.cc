@@ -84,7 +84,8 @@ void Photographer::AddMarkers(const sim::Sight& sight, const std::vector<Vector3
          .color = {.red = 1, .green = 0, .blue = 1},
          .X_FV = RigidTransform(p_WM),
          .object_id = 1,
-         .casts_shadow = false});
+         .casts_shadow = false,
+         .part_id = {}});
   }
   Render(model, sight, {}, &marked_image_);
   for (std::size_t i = 0; i < image_.color.size(); ++i) {

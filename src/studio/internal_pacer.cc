@@ -7,8 +7,6 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr int kBeatsPerSecond = 60;
-constexpr std::chrono::steady_clock::duration kBeat = 1'000'000'000ns / kBeatsPerSecond;
 /// So much is made up for, as after a picture that took long.
 constexpr auto kMostLate = 100ms;
 

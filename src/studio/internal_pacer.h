@@ -10,13 +10,15 @@ namespace smile::studio {
 class Pacer {
  public:
   using Time = std::chrono::steady_clock::time_point;
+  static constexpr int kBeatsPerSecond = 60;
+  static constexpr std::chrono::nanoseconds kBeat{1'000'000'000 / kBeatsPerSecond};
 
   explicit Pacer(Time now) : next_beat_(now) {}
 
   /// Of simulated to real time.
   void SetFactor(double factor) { factor_ = factor; }
   /// A beat begins.
-  /// @returns how many ticks are to be done in it, as far as there is time until next_beat().
+  /// @returns how many ticks are to be done in it, as many as can be within a kBeat.
   int BeginBeat(Time now);
   /// So many were done.
   void EndBeat(int ticks, Time now);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "studio/internal_errands.h"
 #include "studio/internal_pacer.h"
 #include "studio/internal_view_press.h"
 #include "studio/server.h"
@@ -12,27 +11,21 @@ namespace smile::studio {
 /// all is told. Belongs to the thread of the workplace.
 class StudioLoop {
  public:
-  /// All must outlive this.
-  StudioLoop(Workplace* workplace, Server* server, Errands* errands);
+  /// Both must outlive this.
+  StudioLoop(Workplace* workplace, Server* server);
 
   void Beat();
   /// When the next is due.
   Pacer::Time next_beat() const { return pacer_.next_beat(); }
 
  private:
-  /// Of the workplace, and those about time.
-  RequestTable AllRequests();
-  Json SetSpeed(const Request& request);
   void CarryOutRequests();
   int DoTicks(int count);
   void TellNews(const Poses& poses);
   void TellNewClients();
-  Json WithSpeed(Json message) const;
 
   Workplace* workplace_;
   Server* server_;
-  Errands* errands_;
-  RequestTable requests_;
   Pacer pacer_;
   ViewPress press_;
 };

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <string>
 #include <vector>
 
 #include "base/json.h"
@@ -24,7 +20,8 @@ class Workplace {
   virtual void Tick() = 0;
   virtual News TakeNews() = 0;
   virtual std::vector<Json> Everything() const = 0;
-  virtual std::optional<std::string> MeshBytes(std::uint32_t scene, std::size_t mesh) const = 0;
+  virtual double speed_factor() const = 0;
+  virtual void SetMeasuredSpeed(double factor) = 0;
 
   /// What moved since this was last asked; to be asked 60 times a second.
   virtual Poses NextPoses() = 0;

@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "base/bytes.h"
-#include "studio/test/web_client.h"
+#include "web_client.h"
 
 namespace smile::studio {
 namespace {

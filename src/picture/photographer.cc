@@ -78,14 +78,14 @@ void Photographer::Render(const scene::VisualModel& model, const sim::Sight& sig
 void Photographer::AddMarkers(const sim::Sight& sight, const std::vector<Vector3>& markers) {
   constexpr double kRadiusUnits = 0.15;
   scene::VisualModel model = stage_.visual_model();
+  scene::Visual marker;
+  marker.shape = scene::Sphere{.radius = kRadiusUnits * stage_.scene().meters_per_unit};
+  marker.color = {.red = 1, .green = 0, .blue = 1};
+  marker.object_id = 1;
+  marker.casts_shadow = false;
   for (const Vector3& p_WM : markers) {
-    model.visuals.push_back(
-        {.shape = scene::Sphere{.radius = kRadiusUnits * stage_.scene().meters_per_unit},
-         .color = {.red = 1, .green = 0, .blue = 1},
-         .X_FV = RigidTransform(p_WM),
-         .object_id = 1,
-         .casts_shadow = false,
-         .part_id = {}});
+    marker.X_FV = RigidTransform(p_WM);
+    model.visuals.push_back(marker);
   }
   Render(model, sight, {}, &marked_image_);
   for (std::size_t i = 0; i < image_.color.size(); ++i) {

@@ -71,8 +71,7 @@ TEST_F(LibraryTest, ListsTheNewestFirstAndWhatCannotBeRead) {
   EXPECT_DOUBLE_EQ(list[0]["seconds"], 0.5);
   EXPECT_EQ(list[0]["segments"], 1);
   EXPECT_EQ(list[0]["binned"], false);
-  EXPECT_NE(list[1]["error"].get<std::string>().find("demo.json: has no member"),
-            std::string::npos)
+  EXPECT_NE(list[1]["error"].get<std::string>().find("demo.json: has no member"), std::string::npos)
       << list[1];
   EXPECT_EQ(list[2]["segments"], 3);
   EXPECT_EQ(list[2]["made"].get<std::string>().size(), std::string("2026-01-01T00:00:00Z").size());

@@ -69,6 +69,16 @@ build() {
   exec 9>&-
 }
 
+# install_page_packages: what builds the studio's page, and what its tests need, into web/node_modules.
+install_page_packages() {
+  local web="$project/web"
+  if ! command -v node >/dev/null || ! command -v npm >/dev/null; then install_packages studio; fi
+  if [[ ! $web/node_modules/.package-lock.json -nt $web/package-lock.json ]]; then
+    (cd "$web" && quietly "npm ci" npm ci)
+    touch "$web/node_modules/.package-lock.json"
+  fi
+}
+
 # build_page: the studio's page, into build/page, where `smile studio` looks for it.
 build_page() {
   local web="$project/web" page="$project/build/page" newer
@@ -76,14 +86,10 @@ build_page() {
   exec 9>"$project/build/.page.lock"
   flock 9
   if [[ -f $page/.built ]]; then
-    newer=$(find "$web" -name node_modules -prune -o -name dist -prune -o -newer "$page/.built" -print -quit)
+    newer=$(find "$web" -name node_modules -prune -o -name dist -prune -o -name test -prune -o -newer "$page/.built" -print -quit)
   fi
   if [[ ! -f $page/.built || -n $newer ]]; then
-    if ! command -v node >/dev/null || ! command -v npm >/dev/null; then install_packages studio; fi
-    if [[ ! $web/node_modules/.package-lock.json -nt $web/package-lock.json ]]; then
-      (cd "$web" && quietly "npm ci" npm ci)
-      touch "$web/node_modules/.package-lock.json"
-    fi
+    install_page_packages
     (cd "$web" && quietly "building the page" node build.mjs "$page")
     touch "$page/.built"
   fi

@@ -1,52 +1,111 @@
-// A person at the page with a real mouse; what came of it is asked of the program and of the files.
+// A person demonstrates at the page, with a real mouse; what came of it is asked of the program and of the files.
 
 import assert from "node:assert/strict";
-import { writeFileSync } from "node:fs";
+import { existsSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { openPage, smile, startBrowser, Studio, Witness } from "./workbench.mjs";
+import { Person } from "./person.mjs";
+import { Browser, replay } from "./workbench.mjs";
 
-let browser;
-before(async () => {
-  browser = await startBrowser();
-});
+const browser = new Browser();
+before(() => browser.start());
 after(() => browser.close());
 
-/** A studio, a page in control and a witness; all are taken down at the end of the test. */
-async function workplace(t, ...words) {
-  const studio = await Studio.start(...words);
-  t.after(() => studio.close());
-  const page = await openPage(browser, studio);
-  t.after(() => page.context().close());
-  const witness = await Witness.of(studio);
-  t.after(() => witness.close());
-  return { studio, page, witness };
-}
+test("three blocks are stacked, recorded, and replayed exactly", async (t) => {
+  const { studio, page, witness, person } = await browser.workplace(t);
+  await person.press("Record");
+  await witness.until(() => witness.state.recording !== null, "a recording");
+  const { id } = witness.state.recording;
+  await stack("RedBlock", [0, -2.5, 0.5]);
+  await stack("GreenBlock", [0, -2.5, 1.5]);
+  await stack("BlueBlock", [0, -2.5, 2.5]);
 
-async function pointOf(page, id) {
-  return page.evaluate((object) => window.smileStudio.screenPointOf(object), id);
-}
+  // One more, which is taken back.
+  await person.grasp("BlueBlock");
+  await person.dragTo("BlueBlock", [null, null, 4]);
+  await person.release();
+  const numSegments = witness.state.recording.segments.length;
+  await person.press("Undo");
+  await person.press("Undo");
+  await witness.until(() => witness.state.recording.segments.length < numSegments, "a segment less");
+  await witness.until(() => Math.abs(witness.positionOf("BlueBlock")[2] - 2.5) < 0.1, "the tower stands again");
 
-/** Clicks an object until a hand has it. */
-async function grasp(page, witness, id) {
-  const { x, y } = await pointOf(page, id);
-  await page.mouse.move(x, y);
-  await page.mouse.down();
-  await page.mouse.up();
-  await witness.until(() => held(witness) === id, `${id} is in a hand`);
-}
+  await person.press("Finish");
+  await witness.until(() => witness.state.recording === null, "the end of the recording");
+  await person.showPanel("Library");
+  await page.locator(".recording", { hasText: "tower" }).waitFor();
+  assert.ok(existsSync(join(studio.recordings, id)));
+  const report = replay(join(studio.recordings, id));
+  assert.equal(report.identical, true, JSON.stringify(report));
 
-function held(witness) {
-  return Object.values(witness.state.hands).find((hand) => hand.object !== null)?.object ?? null;
-}
+  async function stack(block, place) {
+    await person.grasp(block);
+    await person.carryOnto(block, place);
+    await person.release();
+    const isThere = () => Math.hypot(...place.map((value, k) => value - witness.positionOf(block)[k])) < 0.15;
+    await witness.until(isThere, `${block} stands at ${place}`);
+  }
+});
 
-/** Drags what is held, in small steps as a hand does, by so many pixels. */
-async function drag(page, witness, id, dx, dy) {
-  const { x, y } = await pointOf(page, id);
-  await page.mouse.move(x, y);
-  await page.mouse.down();
-  await page.mouse.move(x + dx, y + dy, { steps: 20 });
-  await page.mouse.up();
-}
+test("planes and rings turn what is held; elsewhere and keys let go", async (t) => {
+  const { page, witness, person } = await browser.workplace(t, { studio: ["--no-robot"] });
+  await person.grasp("BlueBlock");
+  await person.dragTo("BlueBlock", [null, null, 2]);
 
-export { assert, writeFileSync, join, test, smile, workplace, grasp, drag, held };
+  const { plane } = witness.handOf("BlueBlock");
+  await page.keyboard.press("\\");
+  const turned = () => Math.abs(Math.abs(witness.handOf("BlueBlock").plane - plane) - 90) < 1e-6;
+  await witness.until(turned, "the plane is turned by a right angle");
+  await page.keyboard.press("\\");
+  await witness.until(() => !turned(), "and by another");
+
+  const before = witness.handOf("BlueBlock").angles;
+  await person.turnRing("z", 245, 290);
+  const byRing = () => witness.handOf("BlueBlock").angles[2] - before[2];
+  await witness.until(() => Math.abs(byRing()) > 20, "the ring has turned it");
+  assert.deepEqual(witness.handOf("BlueBlock").angles.slice(0, 2), before.slice(0, 2), "about z only");
+  await page.getByRole("slider", { name: "Turn about z (°)" }).fill("90");
+  await witness.until(() => Math.abs(witness.yawOf("BlueBlock") - 90) < 1, "the slider has turned it in the world");
+
+  await person.click(await person.placeOnPage([-6, 3, 0]));
+  await witness.until(() => !witness.isHolding, "a click elsewhere lets go");
+
+  // And all of it again, without a mouse.
+  await page.getByRole("listbox", { name: /^Objects/ }).focus();
+  await page.keyboard.press("Home");
+  await page.keyboard.press("Enter");
+  await witness.until(() => witness.isHeld("RedBlock"), "Enter takes the chosen object");
+  await page.locator("#nudge:focus").waitFor();
+  await page.keyboard.press("Shift+PageUp");
+  await witness.until(() => witness.positionOf("RedBlock")[2] > 1.4, "Page Up lifts it");
+  await page.keyboard.press("Enter");
+  await witness.until(() => !witness.isHolding, "Enter lets go");
+  await witness.until(() => witness.positionOf("RedBlock")[2] < 0.6, "and it falls");
+});
+
+test("a reload loses nothing; a second page watches, asks for control, and gets it", async (t) => {
+  const { studio, page, witness, person } = await browser.workplace(t, { studio: ["--no-robot"] });
+  await person.press("Record");
+  await witness.until(() => witness.state.recording !== null, "a recording");
+  const { id } = witness.state.recording;
+  await person.grasp("GreenBlock");
+  await person.dragTo("GreenBlock", [null, null, 2]);
+  await page.reload();
+  await page.waitForFunction(() => window.smileStudio?.stats().isShown);
+  await person.button("Finish").waitFor();
+  assert.equal(witness.state.recording.id, id, "it still records");
+  assert.ok(witness.isHeld("GreenBlock"), "and still holds");
+  assert.ok(witness.positionOf("GreenBlock")[2] > 1.9);
+
+  const second = await browser.open(studio);
+  const other = new Person(second, witness);
+  await second.getByText("You are watching.").waitFor();
+  await other.click(await other.pointOf("RedBlock"));
+  assert.ok(await other.button("Finish").isDisabled(), "a watcher records nothing");
+  await other.press("Take control");
+  await person.press("Hand over");
+  await page.getByText("You are watching.").waitFor();
+  assert.ok(!witness.isHeld("RedBlock"), "a watcher grasps nothing");
+  await other.press("Finish");
+  await witness.until(() => witness.state.recording === null, "who has control may finish");
+});

@@ -1,6 +1,7 @@
 // What the browser tests stand on: a studio of their own, with its own folder of recordings, and
 // pages of a real browser in it. Whoever asks what is true asks the program, not the page.
 
+import assert from "node:assert/strict";
 import { spawn, execFileSync } from "node:child_process";
 import { mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -8,6 +9,7 @@ import { join } from "node:path";
 import { createInterface } from "node:readline";
 import { chromium } from "playwright-core";
 import WebSocket from "ws";
+import { Person } from "./person.mjs";
 
 const SMILE = process.env.SMILE ?? "build/dev/bin/smile";
 const CHROMIUM = process.env.CHROMIUM ?? "/usr/bin/chromium";
@@ -22,18 +24,20 @@ const BROWSER_OPTIONS = [
   "--no-first-run",
 ];
 
-/** Runs the program to its end; what it prints, or an error with all of it. */
-export function smile(...words) {
-  return execFileSync(SMILE, words, { encoding: "utf8", stdio: ["ignore", "pipe", "pipe"] });
+/** Runs a recording again; what the program has to say of it. */
+export function replay(recording) {
+  const words = ["replay", recording, "--verify", "--json"];
+  return JSON.parse(execFileSync(SMILE, words, { encoding: "utf8", stdio: ["ignore", "pipe", "pipe"] }));
 }
 
 /** A running studio. `close()` ends it and takes its recordings away. */
 export class Studio {
-  static async start(...words) {
+  static async start(words = [], environment = {}) {
     const folder = mkdtempSync(join(tmpdir(), "smile-studio-"));
     const recordings = join(folder, "recordings");
     const child = spawn(SMILE, ["studio", ...words, "--no-open", "--recordings", recordings], {
       stdio: ["ignore", "pipe", "pipe"],
+      env: { ...process.env, ...environment },
     });
     const link = await firstLink(child);
     return new Studio(child, link, folder, recordings);
@@ -41,9 +45,11 @@ export class Studio {
 
   constructor(child, link, folder, recordings) {
     Object.assign(this, { child, link, folder, recordings });
+    this.whenClosed = [];
   }
 
   async close() {
+    for (const close of this.whenClosed) await close();
     const ended = new Promise((resolve) => this.child.once("exit", resolve));
     this.child.kill("SIGINT");
     const code = await ended;
@@ -67,32 +73,59 @@ function firstLink(child) {
   });
 }
 
-export function startBrowser() {
-  return chromium.launch({
-    executablePath: CHROMIUM,
-    chromiumSandbox: process.getuid() !== 0,
-    args: BROWSER_OPTIONS,
-  });
-}
+/** The browser of a file of tests: each of them has a studio of its own in it. */
+export class Browser {
+  async start() {
+    this.browser = await chromium.launch({
+      executablePath: CHROMIUM,
+      chromiumSandbox: process.getuid() !== 0,
+      args: BROWSER_OPTIONS,
+    });
+  }
 
-/** A page that is connected and shows its world. Its console must stay free of errors. */
-export async function openPage(browser, studio, { tour = false, ...options } = {}) {
-  const context = await browser.newContext({
-    viewport: { width: 1280, height: 800 },
-    reducedMotion: "reduce",
-    ...options,
-  });
-  if (!tour) await context.addInitScript(() => localStorage.setItem("smile.tour", "seen"));
-  const page = await context.newPage();
-  page.setDefaultTimeout(PATIENCE_MS);
-  page.complaints = [];
-  page.on("pageerror", (error) => page.complaints.push(String(error)));
-  page.on("console", (message) => {
-    if (message.type() === "error") page.complaints.push(message.text());
-  });
-  await page.goto(studio.link);
-  await page.waitForFunction(() => window.smileStudio?.stats().numFramesDrawn > 0);
-  return page;
+  close() {
+    return this.browser.close();
+  }
+
+  /** A studio, a person at its page, and a witness; at the end of the test all go, and the page has not complained. */
+  async workplace(t, { studio: words = [], page: options = {}, likes = {}, environment = {} } = {}) {
+    const studio = await Studio.start(words, environment);
+    t.after(() => studio.close());
+    const witness = await Witness.of(studio);
+    const page = await this.open(studio, options, likes);
+    t.after(() => assert.deepEqual(page.complaints, []));
+    const person = new Person(page, witness);
+    return { studio, page, witness, person };
+  }
+
+  /** A page of somebody who likes this and that; it is connected and shows its world. */
+  async open(studio, options = {}, likes = {}) {
+    const context = await this.browser.newContext({
+      viewport: { width: 1280, height: 800 },
+      reducedMotion: "reduce",
+      ...options,
+    });
+    studio.whenClosed.push(() => context.close());
+    await context.addInitScript((known) => {
+      for (const [name, value] of Object.entries(known)) {
+        const key = `smile-studio.${name}`;
+        if (localStorage.getItem(key) === null) localStorage.setItem(key, JSON.stringify(value));
+      }
+    }, { "tour-known": true, ...likes });
+    const page = await context.newPage();
+    page.setDefaultTimeout(PATIENCE_MS);
+    page.complaints = [];
+    page.on("pageerror", (error) => page.complaints.push(String(error)));
+    page.on("console", (message) => {
+      const { url } = message.location();
+      // A segment may be taken back while its picture is on the way.
+      const isOfSegment = /\/segments\/\d+\.png/.test(url);
+      if (message.type() === "error" && !isOfSegment) page.complaints.push(`${message.text()} ${url}`);
+    });
+    await page.goto(studio.link);
+    await page.waitForFunction(() => window.smileStudio?.stats().isShown);
+    return page;
+  }
 }
 
 /** The program's own view of things: a watcher of the studio without a page. */
@@ -104,7 +137,8 @@ export class Witness {
       witness.socket.onerror = reject;
     });
     await witness.request("hello", { version: 1 });
-    await witness.until(() => witness.state !== null);
+    await witness.until(() => witness.state !== null && witness.poses.size > 0, "the state of the world");
+    studio.whenClosed.push(() => witness.socket.close());
     return witness;
   }
 
@@ -144,15 +178,35 @@ export class Witness {
     return new Promise((resolve) => this.replies.set(seq, resolve));
   }
 
+  /** Of the objects that are there. */
+  get ids() {
+    return this.scene.objects.map(({ id }) => id).filter((id) => !this.state.gone.includes(id));
+  }
+
   /** Where an object is, in units. */
   positionOf(id) {
     const { frame } = this.scene.objects.find((object) => object.id === id);
     return this.poses.get(frame)?.slice(0, 3);
   }
 
-  poseOf(id) {
+  /** How far an upright object is turned about the vertical [degrees]. */
+  yawOf(id) {
     const { frame } = this.scene.objects.find((object) => object.id === id);
-    return this.poses.get(frame);
+    const [z, w] = this.poses.get(frame).slice(5, 7);
+    return (2 * Math.atan2(z, w) * 180) / Math.PI;
+  }
+
+  /** The hand that holds an object, as the state tells it. */
+  handOf(id) {
+    return Object.values(this.state.hands).find((hand) => hand.object === id);
+  }
+
+  isHeld(id) {
+    return this.handOf(id) !== undefined;
+  }
+
+  get isHolding() {
+    return Object.values(this.state.hands).some((hand) => hand.object !== null);
   }
 
   /** Waits until something holds; else fails and tells what was awaited. */
@@ -162,9 +216,5 @@ export class Witness {
       if (Date.now() > deadline) throw new Error(`this never came: ${what}`);
       await new Promise((resolve) => setTimeout(resolve, 20));
     }
-  }
-
-  close() {
-    this.socket.close();
   }
 }

@@ -41,8 +41,12 @@ async function copyPlace(place: string): Promise<void> {
   notify(words.copied(place));
 }
 
+function placeOf(file: string, line: number | undefined): string {
+  return line ? `${file}:${line}` : file;
+}
+
 function Place({ file, line }: { file: string; line: number | undefined }) {
-  const place = line ? `${file}:${line}` : file;
+  const place = placeOf(file, line);
   return (
     <button type="button" class="place" title={words.copyPlace(place)} onClick={() => void copyPlace(place)}>
       {place}
@@ -183,6 +187,9 @@ function Imitation() {
 }
 
 function Line({ line }: { line: ConsoleLine }) {
+  const place = line.file ? placeOf(line.file, line.line) : null;
+  // Many lines begin with their place themselves.
+  const text = place !== null && line.text.startsWith(`${place}: `) ? line.text.slice(place.length + 2) : line.text;
   return (
     <div>
       {line.file && (
@@ -190,7 +197,7 @@ function Line({ line }: { line: ConsoleLine }) {
           <Place file={line.file} line={line.line} />{" "}
         </>
       )}
-      {line.text}
+      {text}
     </div>
   );
 }

@@ -202,6 +202,7 @@ function SceneGallery() {
             <button
               type="button"
               class="scene"
+              title={title}
               disabled={isBlocked}
               aria-current={name === scene.value?.name}
               aria-busy={busy.value === name}

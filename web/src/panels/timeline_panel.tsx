@@ -25,7 +25,7 @@ interface SegmentShown {
 }
 
 function wordsOf(segment: { number: number; words: string }): string {
-  return segment.words === "" ? words.start : segment.words;
+  return segment.number === 0 ? words.start : segment.words;
 }
 
 /** One segment: how it ends, and what it is. */
@@ -42,7 +42,6 @@ function SegmentCard(props: {
     <li class={`segment ${props.isNow ? "now" : ""}`} style={{ flexGrow: Math.max(0.5, segment.seconds) }}>
       <button
         type="button"
-        aria-label={words.segment(segment.number, title, segment.seconds)}
         aria-pressed={props.isChosen}
         aria-current={props.isNow ? "time" : undefined}
         disabled={props.onChoose === undefined}
@@ -50,6 +49,7 @@ function SegmentCard(props: {
         title={title}
       >
         <Picture source={pictureOfSegment(props.recording, segment.number)} alt="" />
+        <span class="visually-hidden">{segment.number}: </span>
         <span class="segment-words">{title}</span>
         <small>{texts.seconds(segment.seconds)}</small>
       </button>

@@ -1,6 +1,7 @@
 import type { ComponentChildren } from "preact";
 import { useId } from "preact/hooks";
 import type { Signal } from "@preact/signals";
+import { texts } from "../texts";
 import { Icon, type IconName } from "./icons";
 
 /** A part of a panel with a title; folds up where it is told where to keep that. */
@@ -70,7 +71,7 @@ export function SearchField(props: { label: string; text: Signal<string> }) {
       <input
         type="search"
         aria-label={props.label}
-        placeholder={props.label}
+        placeholder={texts.search}
         value={props.text.value}
         onInput={(event) => (props.text.value = event.currentTarget.value)}
       />

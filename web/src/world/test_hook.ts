@@ -1,3 +1,4 @@
+import { Vector3 } from "three";
 import { fps, isLowDetail } from "./signals";
 import type { Latency } from "./latency";
 import { Models } from "./models";
@@ -9,6 +10,8 @@ import type { Stage } from "./stage";
 export interface TestHook {
   /** Where on the page the middle of an object is [px]; null where there is none, or nothing of it is to be seen. */
   screenPointOf(objectId: string): { x: number; y: number } | null;
+  /** Where on the page a point of the world is [px]. */
+  screenPlaceOf(point: [x: number, y: number, z: number]): { x: number; y: number };
   /** Where on the page a ring is that turns the held object about "x", "y" or "z" [px]. */
   ringPointOf(axis: "x" | "y" | "z", degrees: number): { x: number; y: number } | null;
   /** Where the object is drawn: x, y, z [units]. */
@@ -39,6 +42,7 @@ export function provideTestHook({ stage, models, picker, rings, latency }: WhatT
       const ball = Models.ballAbout(models.piecesOf(objectId));
       return ball && picker.toPage(ball.center);
     },
+    screenPlaceOf: (point) => picker.toPage(new Vector3(...point)),
     ringPointOf(axis, degrees) {
       if (!rings.root.visible) return null;
       return picker.toPage(rings.pointOn("xyz".indexOf(axis) as Axis, degrees));

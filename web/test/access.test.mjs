@@ -1,0 +1,79 @@
+// For everyone: what axe-core has to say of the page's main states, in light and in dark.
+
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { after, before, test } from "node:test";
+import { Browser } from "./workbench.mjs";
+
+const AXE = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+const browser = new Browser();
+before(() => browser.start());
+after(() => browser.close());
+
+test("nothing serious stands in anybody's way, in light and in dark", async (t) => {
+  const { page, witness, person } = await browser.workplace(t, { studio: ["--no-pictures"] });
+  await page.evaluate(AXE);
+  await enabled("Record");
+  await holdsNothingAgainst("at the beginning");
+
+  await person.press("Record");
+  await person.grasp("RedBlock");
+  await page.getByText("Held object: RedBlock").waitFor();
+  await enabled("Undo");
+  await holdsNothingAgainst("holding something, recording");
+  await person.release();
+  await person.press("Finish");
+  await witness.until(() => witness.state.recording === null, "the end of the recording");
+  await person.showPanel("Library");
+  await person.showPanel("Robot");
+  const timeline = page.getByRole("region", { name: "Timeline" });
+  await person.button("Play", timeline).waitFor();
+  await timeline.getByRole("slider", { name: "Moment" }).fill("0.2");
+  await person.button("Back to the table").waitFor();
+  await holdsNothingAgainst("looking at a recording");
+  await timeline.getByRole("list", { name: "Segments" }).getByRole("button").last().click();
+  await person.press("Delete", timeline);
+  await enabled("Save as a new recording");
+  await holdsNothingAgainst("about to delete a segment");
+  await person.press("Cancel");
+  await person.press("Back to the table");
+
+  await person.showPanel("Objects");
+  await person.showPanel("Brain");
+  await person.press("Edit");
+  await page.getByRole("textbox", { name: "Text of the scene" }).fill("<tabletop>");
+  await page.getByRole("button", { name: /^Line 1/ }).first().waitFor();
+  await holdsNothingAgainst("a scene with errors");
+  await person.press("Discard");
+  await person.press("Help");
+  await holdsNothingAgainst("help");
+
+  /** What is about to be enabled is pale for a moment. */
+  async function enabled(name) {
+    await page.getByRole("button", { name, exact: true, disabled: false }).waitFor();
+  }
+
+  async function holdsNothingAgainst(state) {
+    await turn("light");
+    const violations = await look({});
+    await turn("dark");
+    violations.push(...(await look({ runOnly: ["color-contrast"] })));
+    const serious = violations
+      .filter(({ impact }) => impact === "serious" || impact === "critical")
+      .map(({ id, nodes }) => `${id}: ${nodes.map(({ html, any }) => `${html} ${any[0]?.message}`).join("\n")}`);
+    assert.deepEqual(serious, [], state);
+  }
+
+  async function turn(colorScheme) {
+    await page.emulateMedia({ colorScheme });
+    await page.waitForFunction((theme) => document.documentElement.dataset.theme === theme, colorScheme);
+  }
+
+  async function look(options) {
+    return page.evaluate((how) => window.axe.run(document, how).then(({ violations }) => violations), {
+      resultTypes: ["violations"],
+      ...options,
+    });
+  }
+});

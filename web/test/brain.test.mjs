@@ -1,0 +1,62 @@
+// Robot programs that are started from the page.
+
+import assert from "node:assert/strict";
+import { mkdirSync, mkdtempSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { fileURLToPath } from "node:url";
+import { after, before, test } from "node:test";
+import { Browser } from "./workbench.mjs";
+
+const browser = new Browser();
+before(() => browser.start());
+after(() => browser.close());
+
+const STUMBLES = `def step(sensor, motor, aux):
+    if hasattr(aux, "has_stepped"):
+        motor.jointVelocities = aux.nowhere
+    print("steps once")
+    aux.has_stepped = True
+`;
+const RESTS = `def step(sensor, motor, aux):
+    aux.exit = True
+`;
+
+const OURS = fileURLToPath(new URL("../../python/smile", import.meta.url));
+
+/** A folder in which the program finds these robot programs as if they had come with it. */
+function brains(t, programs) {
+  const data = mkdtempSync(join(tmpdir(), "smile-data-"));
+  t.after(() => rmSync(data, { recursive: true }));
+  const folder = join(data, "python", "examples");
+  mkdirSync(folder, { recursive: true });
+  symlinkSync(OURS, join(data, "python", "smile"));
+  for (const [name, text] of Object.entries(programs)) writeFileSync(join(folder, `${name}.py`), text);
+  return data;
+}
+
+test("a robot program runs, its error tells its line, and an imitation its score", async (t) => {
+  const data = brains(t, { stumbles: STUMBLES, rests: RESTS });
+  const { page, witness, person } = await browser.workplace(t, { environment: { SMILE_DATA_DIR: data } });
+  await person.showPanel("Brain");
+  const program = page.getByRole("combobox", { name: "Program" });
+  await program.selectOption("stumbles.py");
+  await person.press("Start");
+  const log = page.getByRole("log", { name: "Console" });
+  await log.getByText(/^steps once/).waitFor();
+  await witness.until(() => witness.state.brain.status === "failed", "its failure");
+  assert.equal(witness.state.brain.line, 3);
+  await log.getByRole("button", { name: /stumbles\.py:3$/ }).first().waitFor();
+
+  await person.showPanel("Hands");
+  await person.press("Record");
+  await person.grasp("RedBlock");
+  await person.release();
+  await person.press("Finish");
+  await witness.until(() => witness.state.recording === null, "the end of the recording");
+  await person.showPanel("Brain");
+  await program.selectOption("rests.py");
+  await person.press("Imitate");
+  await page.getByRole("status", { name: "Score" }).getByText("100 %").waitFor();
+  assert.equal(witness.state.brain.status, "exited");
+});

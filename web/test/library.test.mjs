@@ -1,0 +1,88 @@
+// What becomes of a recording: looked at, played, edited, renamed, thrown away and taken back.
+
+import assert from "node:assert/strict";
+import { existsSync, readdirSync } from "node:fs";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { Browser, replay } from "./workbench.mjs";
+
+const browser = new Browser();
+before(() => browser.start());
+after(() => browser.close());
+
+test("a recording is shown, played, edited, renamed, binned and taken back", async (t) => {
+  const { studio, page, witness, person } = await browser.workplace(t, { studio: ["--no-robot"] });
+  const timeline = page.getByRole("region", { name: "Timeline" });
+  const id = await record();
+
+  // It opens in the timeline by itself, in words and pictures.
+  const segments = timeline.getByRole("list", { name: "Segments" }).getByRole("button");
+  await person.button("Play", timeline).waitFor();
+  await segments.filter({ hasText: "RedBlock" }).first().waitFor();
+  const pictures = timeline.locator(".segment img");
+  await page.waitForFunction(() => {
+    const shown = [...document.querySelectorAll(".segment img")];
+    return shown.length > 2 && shown.every((image) => image.naturalWidth === 320);
+  });
+  assert.equal(await pictures.count(), await segments.count());
+
+  await person.press("Clear");
+  await witness.until(() => witness.ids.length === 0, "an empty table");
+  await timeline.getByRole("slider", { name: "Moment" }).fill("1");
+  await witness.until(() => witness.state.mode === "playback" && witness.state.playback.seconds === 1, "a moment of it");
+  await person.press("Play", timeline);
+  await witness.until(() => witness.state.playback.seconds > 1.2, "it plays");
+  await person.press("Stop", timeline);
+  await person.press("Back to the table");
+  await witness.until(() => witness.state.mode === "live", "the table again");
+  assert.deepEqual(witness.ids, [], "as it was left");
+
+  // Without its last action the block is still in the air: that is told, and then done.
+  await segments.last().click();
+  await person.press("Delete", timeline);
+  const dialog = page.getByRole("dialog");
+  await dialog.getByRole("status").getByText(/GreenBlock|ends/).first().waitFor();
+  assert.deepEqual(readdirSync(studio.recordings).filter((name) => !name.startsWith(".")), [id], "only told so far");
+  await dialog.getByRole("textbox").fill("Shorter");
+  await person.press("Save as a new recording", dialog);
+  await dialog.waitFor({ state: "detached" });
+  await person.showPanel("Library");
+  const card = (title) => page.locator(".recording", { has: page.locator("strong", { hasText: title }) });
+  await card("Shorter").waitFor();
+  const made = readdirSync(studio.recordings).filter((name) => name !== id && !name.startsWith("."));
+  assert.equal(made.length, 1, `${made}`);
+  assert.ok(replay(join(studio.recordings, made[0])).identical);
+  assert.ok(replay(join(studio.recordings, id)).identical, "the original stays as it was");
+
+  await choose("Shorter", "Title and notes");
+  await page.getByRole("dialog").getByRole("textbox", { name: "Title" }).fill("Two blocks");
+  await person.press("Save", page.getByRole("dialog"));
+  await card("Two blocks").waitFor();
+  await choose("Two blocks", "Into the bin");
+  await card("Two blocks").waitFor({ state: "detached" });
+  assert.ok(!existsSync(join(studio.recordings, made[0])), "it is gone");
+  await person.press("Show the bin");
+  await person.press("Take back", card("Two blocks"));
+  await person.press("Show the bin");
+  await card("Two blocks").waitFor();
+  assert.ok(existsSync(join(studio.recordings, made[0])), "it is back");
+
+  async function record() {
+    await person.press("Record");
+    await witness.until(() => witness.state.recording !== null, "a recording");
+    const { id: started } = witness.state.recording;
+    for (const block of ["RedBlock", "GreenBlock"]) {
+      await person.grasp(block);
+      await person.dragTo(block, [null, null, 2]);
+      await person.release();
+    }
+    await person.press("Finish");
+    await witness.until(() => witness.state.recording === null, "its end");
+    return started;
+  }
+
+  async function choose(title, entry) {
+    await person.press(`More to do with “${title}”`);
+    await page.getByRole("menuitem", { name: entry }).click();
+  }
+});

@@ -1,0 +1,47 @@
+// Scenes that are uploaded, wrong ones too, and objects that are added.
+
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { Browser } from "./workbench.mjs";
+
+const browser = new Browser();
+before(() => browser.start());
+after(() => browser.close());
+
+const WRONG = `<tabletop xmlns="http://synapse.cs.umd.edu/tabletop-xml">
+  <block id="One" location="(0,0,0.5)"/>
+  <block id="Two" location="(here)"/>
+</tabletop>
+`;
+const RIGHT = WRONG.replace("(here)", "(3,0,0.5)");
+
+test("a wrong scene changes nothing and shows where it is wrong; a right one is loaded", async (t) => {
+  const { page, witness, person } = await browser.workplace(t, { studio: ["--no-robot", "--no-pictures"] });
+  await page.locator("input[type=file]").setInputFiles({ name: "two.xml", mimeType: "text/xml", buffer: Buffer.from(WRONG) });
+  const editor = page.getByRole("dialog", { name: "Scene as text" });
+  await editor.getByRole("button", { name: /^Line 3 .*location/ }).click();
+  assert.equal(await editor.locator(".editor-gutter .wrong").textContent(), "3");
+  const selected = () => page.evaluate(() => document.activeElement.value.slice(document.activeElement.selectionStart, document.activeElement.selectionEnd));
+  assert.equal(await selected(), WRONG.split("\n")[2], "a click on the error leads to its line");
+  assert.ok(await person.button("Load this scene", editor).isDisabled());
+  assert.equal(witness.scene.name, "tower", "the table stays as it is");
+
+  await editor.getByRole("textbox", { name: "Text of the scene" }).fill(RIGHT);
+  await editor.getByText("No errors").waitFor();
+  await person.press("Load this scene", editor);
+  await witness.until(() => witness.scene.name === "two", "the scene is there");
+  assert.deepEqual(witness.ids, ["One", "Two"]);
+
+  await page.getByRole("spinbutton", { name: "Seed" }).fill("7");
+  const places = await spawn();
+  await person.press("Reload");
+  await witness.until(() => witness.ids.length === 2, "the scene as it was loaded");
+  await page.getByRole("spinbutton", { name: "Seed" }).fill("7");
+  assert.deepEqual(await spawn(), places, "the same seed, the same places");
+
+  async function spawn() {
+    await person.press("Add");
+    await witness.until(() => witness.ids.length > 2 && witness.ids.every((id) => witness.positionOf(id)), "new objects");
+    return witness.ids.map((id) => witness.positionOf(id).slice(0, 2).map((value) => value.toFixed(2)));
+  }
+});

@@ -1,0 +1,104 @@
+// Takes the pictures of docs/studio.md, into docs/images: npm run pictures.
+// They are made small by Debian's pngquant, which has to be there.
+
+import { execFileSync } from "node:child_process";
+import { fileURLToPath } from "node:url";
+import { Browser } from "./workbench.mjs";
+
+const FOLDER = fileURLToPath(new URL("../../docs/images/", import.meta.url));
+
+/** Blurred pictures are for people without a graphics card. */
+const LIKES = { detail: "high" };
+
+const ends = [];
+const browser = new Browser();
+await browser.start();
+try {
+  for (const take of [atTheTable, onAPhone]) {
+    await take();
+    for (const end of ends.splice(0)) await end();
+  }
+} finally {
+  await browser.close();
+}
+
+function begin(options) {
+  return browser.workplace({ after: (end) => ends.push(end) }, options);
+}
+
+/** Once the world and all pictures of the panels are drawn. */
+async function shoot({ page, person }, name) {
+  await page.waitForFunction(() => {
+    const toasts = document.querySelectorAll(".notice, .spinner").length;
+    const shown = [...document.images].filter((image) => {
+      const { top, bottom, width } = image.getBoundingClientRect();
+      return width > 0 && bottom > 0 && top < innerHeight;
+    });
+    return toasts === 0 && shown.every((image) => image.complete);
+  });
+  await person.look();
+  const path = `${FOLDER}studio-${name}.png`;
+  await page.screenshot({ path });
+  execFileSync("pngquant", ["--force", "--strip", "--output", path, "192", path]);
+}
+
+async function atTheTable() {
+  const desk = await begin({ likes: LIKES });
+  const { page, witness, person } = desk;
+  await person.press("Record");
+  await witness.until(() => witness.state.recording !== null, "a recording");
+  for (const [block, place] of [["GreenBlock", [0, -2, 0.5]], ["RedBlock", [0, -2, 1.5]]]) {
+    await person.grasp(block);
+    await person.carryOnto(block, place);
+    await person.release();
+  }
+  await person.grasp("BlueBlock");
+  await person.carryAbove("BlueBlock", [1.8, -2, 2.4]);
+  await person.press("color");
+  await shoot(desk, "demonstrating");
+  await page.emulateMedia({ colorScheme: "dark" });
+  await page.waitForFunction(() => document.documentElement.dataset.theme === "dark");
+  await shoot(desk, "dark");
+  await page.emulateMedia({ colorScheme: "light" });
+  await page.waitForFunction(() => document.documentElement.dataset.theme === "light");
+
+  await person.carryOnto("BlueBlock", [0, -2, 2.5]);
+  await person.release();
+  await person.press("Finish");
+  await person.showPanel("Library");
+  await person.showPanel("Robot");
+  const timeline = page.getByRole("region", { name: "Timeline" });
+  await person.button("Play", timeline).waitFor();
+  await timeline.getByRole("list", { name: "Segments" }).getByRole("button").nth(3).click();
+  await witness.until(() => witness.state.mode === "playback", "a moment of it");
+  await shoot(desk, "library");
+  await person.press("Back to the table");
+
+  await person.showPanel("Objects");
+  await person.press("Reload");
+  await person.showPanel("Brain");
+  await page.getByRole("combobox", { name: "Program" }).selectOption("wave.py");
+  await person.press("Start");
+  await page.getByRole("log", { name: "Console" }).getByText("left gripper").first().waitFor();
+  await shoot(desk, "brain");
+  await person.press("Stop");
+
+  await person.press("Edit");
+  const text = page.getByRole("textbox", { name: "Text of the scene" });
+  await text.fill((await text.inputValue()).replace("(0.4,-3.8,0.5)", "(0.4,-3.8)"));
+  await page.getByRole("button", { name: /^Line/ }).first().waitFor();
+  await shoot(desk, "editor");
+}
+
+async function onAPhone() {
+  const desk = await begin({
+    likes: LIKES,
+    page: { viewport: { width: 390, height: 780 }, hasTouch: true, isMobile: true },
+  });
+  const { page, witness, person } = desk;
+  await page.getByRole("button", { name: "Record" }).waitFor();
+  const { x, y } = await person.pointOf("GreenBlock");
+  await page.touchscreen.tap(x, y);
+  await witness.until(() => witness.isHeld("GreenBlock"), "the block is in a hand");
+  await shoot(desk, "phone");
+}

@@ -22,7 +22,6 @@ function smile_brain()
   link('open', getenv('SMILE_BRAIN_ADDRESS'));
   link('send', message.hello, 0, hello());
 
-  callback = '';
   while true
     [type, sequence, values] = link('receive');
     switch type
@@ -30,7 +29,8 @@ function smile_brain()
       case message.init
         callback = answer_init(link, message, sequence, values);
       case message.step
-        answer_step(link, message, sequence, values, callback);
+        answer_steps(link, message, sequence, values, callback);
+        return
       case message.bye
         return
     end
@@ -85,7 +85,7 @@ function callback = answer_init(link, message, sequence, aux)
     aux.cameraNames = lines_of(aux.cameraNames);
     assignin('base', 'aux', aux);
     script = init;
-    run_script(init);
+    evalin('base', [init ';']);
     assignin('base', 'motor', ...
              struct('jointVelocities', zeros(2, 7), 'gripperVelocities', zeros(2, 1)));
     aux = base_aux();
@@ -94,33 +94,61 @@ function callback = answer_init(link, message, sequence, aux)
   catch err
     link('send', message.error, sequence, smile_describe_error(err, script, 'aux'));
   end
-  show_output();
+  if is_octave(), fflush(stdout); end
 end
 
-function answer_step(link, message, sequence, sensor, callback)
-  try
-    sensor.heldObject = held_objects(sensor);
-    if isfield(sensor, 'trackerNames'), sensor = with_tracker_map(sensor); end
-    if isfield(sensor, 'cameraPose'), sensor = with_pictures(sensor); end
-    assignin('base', 'sensor', sensor);
-    run_script(callback);
-    motor = evalin('base', 'motor');
-    if ~isstruct(motor) || ~isscalar(motor)
-      error('motor is not a struct any more');
+function answer_steps(link, message, sequence, sensor, callback)
+  % From the first to the last. This is what every step waits for, and to call a function or to ask
+  % isfield takes as long as 5 us: hence what is usual stands here, in a line, and what is rare is
+  % in functions.
+  needs_flush = is_octave();
+  call = [callback ';'];
+  type = message.step;
+  is_other = true;
+  had_markers = true;  % perhaps
+  while type ~= message.bye
+    if type == message.step
+      try
+        answer = {};
+        if is_other
+          has_trackers = isfield(sensor, 'trackerNames');
+          has_more = isfield(sensor, 'segmentNames') || ...
+                     any(strncmp(fieldnames(sensor), 'cameras_', 8));
+          held = two_lines(sensor.heldObject);
+        end
+        sensor.heldObject = held;
+        if has_trackers, sensor = with_tracker_map(sensor); end
+        if has_more, sensor = with_more_to_see(sensor); end
+        assignin('base', 'sensor', sensor);
+        evalin('base', call);
+        answer = evalin('base', '{motor, aux}', '{motor, struct()}');  % aux may have been cleared
+        motor = answer{1};
+        has = isfield(answer{2}, {'exit', 'drawMarkers'});
+        if has(2) || had_markers
+          [is_new, markers] = new_markers(answer{2});
+          had_markers = has(2);
+          if is_new, motor.drawMarkers = markers; end
+        end
+        type = message.motor;
+        if has(1) && wants_exit(answer{2}), type = message.final_motor; end
+        link('send', type, sequence, motor);
+      catch err
+        link('send', message.error, sequence, describe(err, callback, answer));
+      end
+      if needs_flush, fflush(stdout); end
     end
-    aux = base_aux();
-    [is_new, markers] = new_markers(aux);
-    if is_new, motor.drawMarkers = markers; end
-    if wants_exit(aux), type = message.final_motor; else, type = message.motor; end
-    link('send', type, sequence, motor);
-  catch err
-    link('send', message.error, sequence, smile_describe_error(err, callback, 'motor'));
+    [type, sequence, sensor, is_other] = link('receive');
   end
-  show_output();
 end
 
-function run_script(name)
-  evalin('base', [name ';']);
+function report = describe(err, callback, answer)
+  report = smile_describe_error(err, callback, 'motor');
+  names = {'motor', 'aux'};
+  for k = numel(answer):-1:1
+    if ~isstruct(answer{k}) || ~isscalar(answer{k})
+      report.message = [names{k} ' is not a struct any more'];
+    end
+  end
 end
 
 function [init, callback, files] = load_scripts()
@@ -160,16 +188,13 @@ function lines = lines_of(text)
   if isempty(text), lines = {}; else, lines = regexp(text, '\n', 'split'); end
 end
 
-function objects = held_objects(sensor)
-  % Of two lines.
-  objects = {'', ''};
-  if any(sensor.isHolding)
-    newline = find(sensor.heldObject == 10, 1);
-    objects = {sensor.heldObject(1:newline - 1), sensor.heldObject(newline + 1:end)};
-  end
+function lines = two_lines(text)
+  newline = find(text == 10, 1);
+  lines = {text(1:newline - 1), text(newline + 1:end)};
+  lines(cellfun('isempty', lines)) = {''};  % 0x0, as people write it
 end
 
-function sensor = with_pictures(sensor)
+function sensor = with_more_to_see(sensor)
   if isfield(sensor, 'segmentNames'), sensor.segmentNames = lines_of(sensor.segmentNames); end
   % cameras_overhead_rgb becomes cameras.overhead.rgb.
   names = fieldnames(sensor);
@@ -183,10 +208,9 @@ end
 function [is_new, markers] = new_markers(aux)
   % Whether the program's markers are others than when this was last asked.
   persistent last
-  has_markers = isfield(aux, 'drawMarkers');
-  if has_markers, markers = aux.drawMarkers; else, markers = []; end
-  % Most programs have none, and isequal is slow.
-  is_new = (has_markers || ~isempty(last)) && ~isequal(markers, last);
+  markers = [];
+  if isfield(aux, 'drawMarkers'), markers = aux.drawMarkers; end
+  is_new = ~isequal(markers, last);
   last = markers;
 end
 
@@ -229,9 +253,5 @@ function text = in_one_line(names, field)
 end
 
 function yes = wants_exit(aux)
-  yes = isfield(aux, 'exit') && any(aux.exit(:) ~= 0);
-end
-
-function show_output()
-  if is_octave(), fflush(stdout); end
+  yes = any(aux.exit(:) ~= 0);
 end

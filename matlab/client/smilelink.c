@@ -1,10 +1,11 @@
 /* SMILELINK  Carries messages between the SMILE simulator and a robot program in Octave or Matlab.
  *
  *   smilelink('open', socket_path)
- *   [type, sequence, values] = smilelink('receive')      type 0: nothing came for 100 ms
+ *   [type, sequence, values, is_other] = smilelink('receive')   type 0: nothing came for 100 ms
  *   smilelink('send', type, sequence, values)
  *
- * `values` is a scalar struct of real arrays and text. When the simulator has gone, 'receive' gives
+ * `values` is a scalar struct of real arrays and text; `is_other` unless all but its numbers is as in the
+ * message before: names, shapes, texts. When the simulator has gone, 'receive' gives
  * its goodbye. docs/brain-protocol.md describes the bytes. Uses the documented MEX C API only: build
  * with `mkoctfile --mex smilelink.c` or `mex smilelink.c`.
  */
@@ -20,6 +21,7 @@
 #include "mex.h"
 
 enum { MAGIC = 0x31424d53, HEADER_BYTES = 16, MAX_BODY_BYTES = 64 << 20, MAX_DIMENSIONS = 8 };
+enum { USUAL_BYTES = 64 << 10 }; /* header and body of all but pictures come at once */
 enum { MAX_ARRAYS = 64, MAX_NAME_LETTERS = 63, SLICE_MS = 100 };
 enum { MESSAGE_NOTHING = 0, MESSAGE_BYE = 8 };
 enum { TYPE_DOUBLE = 0, TYPE_BYTE = 1, TYPE_LOGICAL = 2, TYPE_TEXT = 3 };
@@ -51,15 +53,14 @@ static size_t padded(size_t size) { return (size + 7) & ~(size_t)7; }
 
 /* ---- bytes ------------------------------------------------------------------------------------ */
 
-/* False when the simulator has gone. */
-static int read_all(void *bytes, size_t size) {
-  char *next = bytes;
-  while (size > 0) {
-    ssize_t count = read(connection, next, size);
+/* Reads into `buffer` until it holds `size` bytes, `filled` so far: at first as many as come at once.
+ * False when the simulator has gone. */
+static int fill(size_t *filled, size_t size) {
+  while (*filled < size) {
+    ssize_t count = read(connection, buffer + *filled, buffer_capacity - *filled);
     if (count < 0 && errno == EINTR) continue;
     if (count <= 0) return 0;
-    next += count;
-    size -= (size_t)count;
+    *filled += (size_t)count;
   }
   return 1;
 }
@@ -77,7 +78,7 @@ static void write_all(const void *bytes, size_t size) {
 
 /* ---- from bytes to a struct ------------------------------------------------------------------- */
 
-/* Reads the body in `buffer` from front to back, never past its end. */
+/* Reads the message in `buffer` from front to back, never past its end. */
 struct reader {
   size_t at, end;
 };
@@ -107,7 +108,7 @@ static mxArray *make_fractions(mwSize dim_count, const mwSize *dims, const uint8
   if (fraction[255] == 0) {
     for (int k = 0; k < 256; ++k) fraction[k] = k / 255.0;
   }
-  mxArray *array = mxCreateNumericArray(dim_count, dims, mxDOUBLE_CLASS, mxREAL);
+  mxArray *array = mxCreateUninitNumericArray(dim_count, (mwSize *)dims, mxDOUBLE_CLASS, mxREAL);
   double *out = mxGetPr(array);
   for (size_t k = 0; k < count; ++k) out[k] = fraction[data[k]];
   return array;
@@ -151,7 +152,23 @@ static mxArray *make_array(int type, int flags, mwSize dim_count, const mwSize *
   return NULL;
 }
 
-static void read_field(struct reader *reader, mxArray *values) {
+/* All but the numbers of the message read last, and whether it is other than before. */
+static uint8_t outline[16 << 10];
+static size_t outline_size;
+static int is_other;
+
+/* Appends at `at`, as long as there is room: a message with more is always another one. */
+static void add_to_outline(size_t *at, const void *bytes, size_t size) {
+  if (size > sizeof outline - *at) {
+    is_other = 1;
+    return;
+  }
+  if (*at + size > outline_size || memcmp(outline + *at, bytes, size) != 0) is_other = 1;
+  memcpy(outline + *at, bytes, size);
+  *at += size;
+}
+
+static mxArray *read_array(struct reader *reader, char *name, size_t *outline_at) {
   const uint8_t *head = take(reader, 4);
   const size_t letters = head[0], dim_count = head[2];
   const int type = head[1], flags = head[3];
@@ -167,24 +184,35 @@ static void read_field(struct reader *reader, mxArray *values) {
     }
     count *= dims[k];
   }
-  char name[MAX_NAME_LETTERS + 1] = "";
   memcpy(name, take(reader, letters), letters);
+  name[letters] = '\0';
   skip_padding(reader);
+  add_to_outline(outline_at, head, (size_t)(buffer + reader->at - head));
   const uint8_t *data = take(reader, type == TYPE_DOUBLE ? count * sizeof(double) : count);
   skip_padding(reader);
 
-  const int field = mxAddField(values, name);
-  if (field < 0) mexErrMsgIdAndTxt("smile:protocol", "a message has a wrong name");
-  mxSetFieldByNumber(values, 0, field, make_array(type, flags, dim_count, dims, data, count));
+  if (type == TYPE_TEXT) add_to_outline(outline_at, data, count);
+  return make_array(type, flags, dim_count, dims, data, count);
 }
 
 static mxArray *read_body(size_t size) {
-  struct reader reader = {0, size};
+  struct reader reader = {HEADER_BYTES, HEADER_BYTES + size};
   const uint32_t count = take_u32(&reader);
   take_u32(&reader);
   if (count > MAX_ARRAYS) mexErrMsgIdAndTxt("smile:protocol", "a message has too many arrays");
-  mxArray *values = mxCreateStructMatrix(1, 1, 0, NULL);
-  for (uint32_t k = 0; k < count; ++k) read_field(&reader, values);
+  is_other = 0;
+  size_t outline_at = 0;
+  char names[MAX_ARRAYS][MAX_NAME_LETTERS + 1];
+  mxArray *arrays[MAX_ARRAYS];
+  const char *fields[MAX_ARRAYS];
+  for (uint32_t k = 0; k < count; ++k) {
+    arrays[k] = read_array(&reader, names[k], &outline_at);
+    fields[k] = names[k];
+  }
+  if (outline_at != outline_size) is_other = 1;
+  outline_size = outline_at;
+  mxArray *values = mxCreateStructMatrix(1, 1, (int)count, fields);
+  for (uint32_t k = 0; k < count; ++k) mxSetFieldByNumber(values, 0, (int)k, arrays[k]);
   return values;
 }
 
@@ -299,13 +327,16 @@ static void receive(int nlhs, mxArray *plhs[]) {
   mxArray *values = NULL;
   struct pollfd watched = {connection, POLLIN, 0};
   if (poll(&watched, 1, SLICE_MS) > 0) {
-    if (!read_all(header, sizeof header)) {
-      header[1] = MESSAGE_BYE;
-    } else if (header[0] != MAGIC || header[3] > MAX_BODY_BYTES) {
-      mexErrMsgIdAndTxt("smile:protocol", "what arrived is not a message");
-    } else {
-      reserve(header[3]);
-      if (read_all(buffer, header[3])) {
+    size_t filled = 0;
+    reserve(USUAL_BYTES);
+    header[1] = MESSAGE_BYE;
+    if (fill(&filled, HEADER_BYTES)) {
+      memcpy(header, buffer, sizeof header);
+      if (header[0] != MAGIC || header[3] > MAX_BODY_BYTES || filled > HEADER_BYTES + header[3]) {
+        mexErrMsgIdAndTxt("smile:protocol", "what arrived is not a message");
+      }
+      reserve(HEADER_BYTES + header[3]);
+      if (fill(&filled, HEADER_BYTES + header[3])) {
         values = read_body(header[3]);
       } else {
         header[1] = MESSAGE_BYE;
@@ -315,6 +346,7 @@ static void receive(int nlhs, mxArray *plhs[]) {
   plhs[0] = mxCreateDoubleScalar(header[1]);
   if (nlhs > 1) plhs[1] = mxCreateDoubleScalar(header[2]);
   if (nlhs > 2) plhs[2] = values ? values : mxCreateStructMatrix(1, 1, 0, NULL);
+  if (nlhs > 3) plhs[3] = mxCreateLogicalScalar(is_other);
 }
 
 static void send_message(double type, double sequence, const mxArray *values) {

@@ -12,6 +12,9 @@ docs/brains.md tells what these are, docs/brain-protocol.md describes the messag
 """
 
 import importlib.util
+import itertools
+import math
+import operator
 import os
 import platform
 import signal
@@ -32,6 +35,10 @@ HELLO, INIT, INIT_DONE, STEP, MOTOR, FINAL_MOTOR, ERROR, BYE = range(1, 9)
 DOUBLE, BYTE, LOGICAL, TEXT = range(4)
 NO_MARKERS = np.zeros((0, 3))
 NUMPY_TYPES = {DOUBLE: "<f8", BYTE: "u1", LOGICAL: "?", TEXT: "u1"}
+STRUCT_TYPES = {DOUBLE: "d", BYTE: "B", LOGICAL: "?"}
+ROW_MAJOR = 2  # of the flags
+INBOX_BYTES = 64 << 10  # all but pictures come in one piece
+MANY_ELEMENTS = 1000  # from here on an array is not copied together with others
 
 
 class TookTooLong(BaseException):
@@ -48,7 +55,7 @@ class Fields:
     """
 
     def __init__(self, values):
-        self.__dict__.update(values)
+        self.__dict__ = values
 
     def __contains__(self, name):
         return name in self.__dict__
@@ -107,11 +114,14 @@ class Motor:
     def values(self):
         """As the message has them; checked once more, since elements can be set as well."""
         values = {}
-        for name in self.shapes:
-            if getattr(self, name) is None:
+        for name, shape in self.shapes.items():
+            array = self.__dict__[name]
+            if array is None:
                 continue
-            array = self.numbers(name, getattr(self, name))
-            check_finite(f"motor.{name}", array)
+            if array.shape != shape:
+                array = self.numbers(name, array)
+            if not math.isfinite(sum(array.ravel().tolist())):  # the fast way for few numbers
+                check_finite(f"motor.{name}", array)
             values[name] = array.reshape(-1, 1) if array.ndim < 2 else array
         return values
 
@@ -147,60 +157,155 @@ class Connection:
     def __init__(self, address):
         self.socket = socket.socket(socket.AF_UNIX)
         self.socket.connect(address)
+        self.inbox = memoryview(bytearray(INBOX_BYTES))
+        self.layouts = {}  # by the size of the body
+        self.frames = {}  # by names and shapes
 
     def receive(self):
         """Type, sequence and arrays of the next message; a goodbye when the simulator has gone."""
-        header = self.read(HEADER.size)
-        if header is None:
+        count = self.read_into(self.inbox, HEADER.size)
+        if count is None:
             return BYE, 0, {}
-        magic, kind, sequence, size = HEADER.unpack(header)
-        if magic != MAGIC or size > MAX_BODY_BYTES:
+        magic, kind, sequence, size = HEADER.unpack_from(self.inbox)
+        begun = count - HEADER.size
+        if magic != MAGIC or size > MAX_BODY_BYTES or begun > size:
             sys.exit("what arrived is not a message")
-        body = self.read(size)
-        return (BYE, 0, {}) if body is None else (kind, sequence, decode(body))
+        body = np.empty(size, "u1")  # each message its own: the program's arrays may lie in it
+        whole = memoryview(body)
+        whole[:begun] = self.inbox[HEADER.size:count]
+        if begun < size and self.read_into(whole[begun:], size - begun) is None:
+            return BYE, 0, {}
+        return kind, sequence, self.decode(body)
 
-    def send(self, kind, sequence, values):
-        body = encode(values)
-        self.socket.sendall(HEADER.pack(MAGIC, kind, sequence, len(body)) + body)
-
-    def read(self, size):
-        data = bytearray(size)
-        rest = memoryview(data)
-        while rest:
-            count = self.socket.recv_into(rest)
+    def read_into(self, room, least):
+        """How many bytes have come, at least so many; None when the simulator has gone."""
+        filled = 0
+        while filled < least:
+            count = self.socket.recv_into(room[filled:])
             if count == 0:
                 return None
-            rest = rest[count:]
-        return data
+            filled += count
+        return filled
+
+    def decode(self, body):
+        # One step is told like the other: only the first of its kind is read head by head.
+        layout = self.layouts.get(len(body))
+        values = layout.read(body) if layout else None
+        if values is None:
+            forget_if_many(self.layouts)
+            layout = self.layouts[len(body)] = Layout(body)
+            values = layout.read(body)
+        return values
+
+    def send(self, kind, sequence, values):
+        shapes = tuple([(name, getattr(value, "shape", None)) for name, value in values.items()])
+        frame = self.frames.get(shapes)
+        if frame is None:
+            frame = Frame(values)
+            if frame.views:
+                forget_if_many(self.frames)
+                self.frames[shapes] = frame
+        self.socket.sendall(frame.filled(kind, sequence, values))
 
 
-def padded(size):
-    return (size + 7) & ~7
+def forget_if_many(known):
+    if len(known) >= 32:
+        known.clear()
 
 
-def decode(body):
-    values = {}
+class Layout:
+    """Where the arrays lie in a body, for all bodies with the same names, types and shapes."""
+
+    def __init__(self, body):
+        self.names = {}  # to None; in the order of the message
+        self.single = []  # name, place among the items of `format`
+        self.texts = []  # the same
+        self.matrices = []  # name, slice of what `order` picks, shape
+        self.others = []  # name, shape, type, place in the body, order
+        heads, formats, order, end = [], [], [], 0
+        items = itertools.count()
+        for name, kind, flags, dims, at in arrays_of(body):
+            self.names[name] = None
+            size = math.prod(dims)
+            heads.append(next(items))
+            formats.append(f"{at - end}s")
+            end = at + size * np.dtype(NUMPY_TYPES[kind]).itemsize
+            index_order = "C" if flags & ROW_MAJOR else "F"
+            if kind == TEXT:
+                self.texts.append((name, next(items)))
+                formats.append(f"{size}s")
+            elif size == 1 and len(dims) == 2:
+                self.single.append((name, next(items)))
+                formats.append(STRUCT_TYPES[kind])
+            else:
+                formats.append(f"{end - at}x")
+                if kind == DOUBLE and size < MANY_ELEMENTS:
+                    self.matrices.append((name, slice(len(order), len(order) + size), dims))
+                    places = np.arange(at // 8, at // 8 + size)
+                    order.extend(places.reshape(dims, order=index_order).ravel())
+                else:
+                    self.others.append((name, dims, NUMPY_TYPES[kind], at, index_order))
+        self.format = struct.Struct("<" + "".join(formats))
+        self.order = np.array(order, int)
+        # Two places at least, or what it gives is no tuple.
+        self.heads_of = operator.itemgetter(0, *heads)
+        self.heads = self.heads_of(self.format.unpack_from(body)) if heads else ()
+
+    def read(self, body):
+        """Text as str, 1x1 as a plain number, all else as an array in numpy's own order. None when
+        the body is laid out in another way."""
+        items = self.format.unpack_from(body)
+        if self.names and self.heads_of(items) != self.heads:
+            return None
+        values = self.names.copy()
+        for name, place in self.single:
+            values[name] = items[place]
+        for name, place in self.texts:
+            values[name] = items[place].decode(errors="replace")
+        numbers = body.view("<f8")[self.order]
+        for name, places, shape in self.matrices:
+            values[name] = numbers[places].reshape(shape)
+        for name, shape, kind, at, order in self.others:
+            array = np.ndarray(shape, kind, body, at, order=order)
+            values[name] = np.ascontiguousarray(array)
+        return values
+
+
+def arrays_of(body):
+    """Name, type, flags, dimensions and place of the elements of each array."""
+    body = bytes(body)
     (count,) = struct.unpack_from("<I", body)
     at = 8
     for _ in range(count):
-        letters, kind, num_dims, _ = struct.unpack_from("4B", body, at)
+        letters, kind, num_dims, flags = struct.unpack_from("4B", body, at)
         dims = struct.unpack_from(f"<{num_dims}I", body, at + 4)
         at += 4 + 4 * num_dims
         name = body[at:at + letters].decode()
         at = padded(at + letters)
-        array = np.frombuffer(body, NUMPY_TYPES[kind], int(np.prod(dims)), at)
-        at = padded(at + array.nbytes)
-        values[name] = as_python(kind, array, dims)
-    return values
+        yield name, kind, flags, dims, at
+        at = padded(at + math.prod(dims) * np.dtype(NUMPY_TYPES[kind]).itemsize)
 
 
-def as_python(kind, array, dims):
-    """Text as str, 1x1 as a plain number, all else as an array in numpy's own order."""
-    if kind == TEXT:
-        return array.tobytes().decode(errors="replace")
-    if array.size == 1 and len(dims) == 2:
-        return array[0].item()
-    return np.ascontiguousarray(array.reshape(dims, order="F"))
+class Frame:
+    """A message; one that has nothing but matrices can be filled with others of the same shapes."""
+
+    def __init__(self, values):
+        body = encode(values)
+        self.bytes = bytearray(HEADER.size) + body
+        self.views = {}
+        if all(isinstance(value, np.ndarray) and value.ndim == 2 for value in values.values()):
+            for name, _, _, dims, at in arrays_of(body):
+                self.views[name] = np.ndarray(dims, "<f8", self.bytes, HEADER.size + at, order="F")
+
+    def filled(self, kind, sequence, values):
+        HEADER.pack_into(self.bytes, 0, MAGIC, kind, sequence, len(self.bytes) - HEADER.size)
+        for name, view in self.views.items():
+            view[...] = values[name]
+        return self.bytes
+
+
+def padded(size):
+    return (size + 7) & ~7
 
 
 def encode(values):
@@ -227,13 +332,18 @@ def sensor_of(values):
         values["heldObject"] = values["heldObject"].split("\n")
     if "segmentNames" in values:
         values["segmentNames"] = lines_of(values["segmentNames"])
+    if "cameraPose" in values:
+        take_cameras(values)
+    return Fields(values)
+
+
+def take_cameras(values):
     cameras = {}
     for name in [name for name in values if name.startswith("cameras_")]:
         camera, _, field = name.removeprefix("cameras_").rpartition("_")
         cameras.setdefault(camera, {})[field] = values.pop(name)
     if cameras:
         values["cameras"] = Fields({name: Fields(fields) for name, fields in cameras.items()})
-    return Fields(values)
 
 
 def lines_of(text):
@@ -329,6 +439,8 @@ class Program:
 
     def new_markers(self):
         """aux.drawMarkers, when they are others than those sent last."""
+        if "drawMarkers" not in self.aux and not len(self.markers):
+            return {}  # most programs have none, and array_equal is slow
         markers = wish_of(self.aux, "drawMarkers") if "drawMarkers" in self.aux else NO_MARKERS
         if np.array_equal(markers, self.markers):
             return {}
@@ -364,7 +476,7 @@ class Program:
 
 def serve(connection, program, guard):
     connection.send(HELLO, 0, {
-        "version": 1, "guard": 1, "client": "python", "language": platform.python_version()})
+        "version": 1, "guard": 1, "rows": 1, "client": "python", "language": platform.python_version()})
     while True:
         kind, sequence, values = connection.receive()
         if kind == BYE:

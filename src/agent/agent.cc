@@ -33,6 +33,7 @@ std::vector<std::byte> HelloFrame() {
   MessageWriter writer(MessageType::kHello, 0);
   writer.AddScalar("version", wire::kProtocolVersion);
   writer.AddText("client", "c++");
+  writer.AddLogical("rows", true);
   return writer.Finish();
 }
 

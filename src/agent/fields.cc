@@ -1,5 +1,7 @@
 #include "agent/fields.h"
 
+#include <algorithm>
+#include <span>
 #include <stdexcept>
 
 namespace smile::agent {
@@ -35,6 +37,10 @@ Eigen::MatrixXd Fields::Matrix(std::string_view name) const {
   const wire::NamedArray& array = At(name);
   const auto numbers = array.Numbers();
   if (!numbers || array.dims.size() != 2) Reject(array, "a matrix");
+  if (array.is_row_major) {
+    return Eigen::Map<const Eigen::Matrix<double, -1, -1, Eigen::RowMajor>>(
+        numbers->data(), array.dims[0], array.dims[1]);
+  }
   return Eigen::Map<const Eigen::MatrixXd>(numbers->data(), array.dims[0], array.dims[1]);
 }
 
@@ -49,13 +55,18 @@ Image Fields::Picture(std::string_view name) const {
   if (array.type != wire::ElementType::kByte || array.dims.size() != 3 || array.dims[2] != 3) {
     Reject(array, "HxWx3 bytes");
   }
-  // From Matlab's columns of one color after the other.
   const std::size_t height = array.dims[0], width = array.dims[1], plane = height * width;
   Image image{.width_px = static_cast<int>(width),
               .height_px = static_cast<int>(height),
               .color = std::vector<std::uint8_t>(3 * plane),
               .depth = {},
               .ids = {}};
+  if (array.is_row_major) {
+    std::ranges::copy(std::span(array.data),
+                      std::as_writable_bytes(std::span(image.color)).begin());
+    return image;
+  }
+  // From Matlab's columns of one color after the other.
   for (std::size_t row = 0; row < height; ++row) {
     for (std::size_t column = 0; column < width; ++column) {
       const std::byte* red = array.data.data() + column * height + row;

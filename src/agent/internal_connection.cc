@@ -4,11 +4,9 @@
 #include <sys/un.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <cstring>
 #include <stdexcept>
-#include <vector>
 
 namespace smile::agent {
 
@@ -37,30 +35,18 @@ void Connection::Send(std::span<const std::byte> frame) {
   }
 }
 
-bool Connection::ReadAll(std::span<std::byte> bytes) {
-  while (!bytes.empty()) {
-    const ssize_t count = ::read(socket_, bytes.data(), bytes.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) return false;
-    bytes = bytes.subspan(static_cast<std::size_t>(count));
-  }
-  return true;
-}
-
 std::optional<wire::Message> Connection::Receive() {
-  std::array<std::byte, wire::kHeaderBytes> head;
-  if (!ReadAll(head)) return std::nullopt;
-  const auto header = wire::DecodeHeader(head);
-  if (const auto* error = std::get_if<wire::WireError>(&header)) {
-    throw std::runtime_error(error->message);
+  while (true) {
+    if (auto received = inbox_.TakeMessage()) {
+      if (auto* message = std::get_if<wire::Message>(&*received)) return std::move(*message);
+      throw std::runtime_error(std::get<wire::WireError>(*received).message);
+    }
+    const std::span<std::byte> room = inbox_.Room();
+    const ssize_t count = ::read(socket_, room.data(), room.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return std::nullopt;
+    inbox_.Fill(static_cast<std::size_t>(count));
   }
-  std::vector<std::byte> body(std::get<wire::FrameHeader>(header).body_bytes);
-  if (!ReadAll(body)) return std::nullopt;
-  auto message = wire::DecodeBody(std::get<wire::FrameHeader>(header), body);
-  if (const auto* error = std::get_if<wire::WireError>(&message)) {
-    throw std::runtime_error(error->message);
-  }
-  return std::move(std::get<wire::Message>(message));
 }
 
 }  // namespace smile::agent

@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 
+#include "wire/inbox.h"
 #include "wire/wire.h"
 
 namespace smile::agent {
@@ -24,10 +25,8 @@ class Connection {
   std::optional<wire::Message> Receive();
 
  private:
-  /// False at the end of the connection.
-  bool ReadAll(std::span<std::byte> bytes);
-
   int socket_ = -1;
+  wire::Inbox inbox_;
 };
 
 }  // namespace smile::agent

@@ -8,6 +8,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "app/bench_echo.h"
 #include "app/bench_motion.h"
 #include "app/bench_recording.h"
 #include "app/commands.h"
@@ -16,6 +17,7 @@
 #include "app/rendered_eye.h"
 #include "base/files.h"
 #include "brain/brain_driver.h"
+#include "brain/brain_messages.h"
 #include "scene_xml/scene_reader.h"
 #include "sim/simulation.h"
 
@@ -127,12 +129,26 @@ std::vector<MeasuredBrain> MeasuredBrains() {
           {"C++", SMILE_CPP_BRAIN}};
 }
 
-void BrainRoundTrip(benchmark::State& state, const MeasuredBrain& measured) {
+/// What a brain is told in a step, with a picture of the size of the benchmark unless that is one
+/// pixel.
+brain::Sensor SensorOf(const benchmark::State& state) {
   const auto simulation = MakeUm({});
   RenderedEye eye({.width_px = static_cast<int>(state.range(0)),
                    .height_px = static_cast<int>(state.range(1))});
   brain::Sensor sensor;
   if (state.range(0) > 1) sensor.pictures.push_back({.image = eye.Look(*simulation)});
+  return sensor;
+}
+
+/// As many bytes as a brain gets and gives.
+void BareRoundTrip(benchmark::State& state) {
+  constexpr std::size_t kMotorBytes = 250;
+  Echo echo(brain::EncodeSensor(1, SensorOf(state)).size(), kMotorBytes);
+  for (auto _ : state) echo.RoundTrip();
+}
+
+void BrainRoundTrip(benchmark::State& state, const MeasuredBrain& measured) {
+  const brain::Sensor sensor = SensorOf(state);
   brain::BrainProcess process(measured.brain, {.transport = measured.transport});
   auto reply = process.Init({});
   if (const auto* error = std::get_if<brain::BrainError>(&reply)) {
@@ -167,14 +183,13 @@ void RegisterAll() {
   }
   RegisterRecordingBenchmarks();
   RegisterMotionBenchmarks();
+  const auto with_pictures = [](benchmark::internal::Benchmark* round_trip) {
+    round_trip->Args({1, 1})->Args({200, 150})->Args({640, 480})->UseRealTime()->Unit(kMicrosecond);
+  };
+  RegisterBenchmark("brain round trip, bare socket", &BareRoundTrip)->Apply(with_pictures);
   for (const MeasuredBrain& measured : MeasuredBrains()) {
     const std::string name = std::string("brain round trip, ") + measured.language;
-    RegisterBenchmark(name.c_str(), &BrainRoundTrip, measured)
-        ->Args({1, 1})
-        ->Args({200, 150})
-        ->Args({640, 480})
-        ->UseRealTime()
-        ->Unit(kMillisecond);
+    RegisterBenchmark(name.c_str(), &BrainRoundTrip, measured)->Apply(with_pictures);
   }
 }
 

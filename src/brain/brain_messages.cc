@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <sstream>
 #include <stdexcept>
@@ -22,7 +23,8 @@ constexpr std::size_t kMaxPictureBytes = kMaxBodyBytes - (std::size_t{12} << 20)
 
 template <class Matrix>
 void AddMatrix(MessageWriter& writer, std::string_view name, const Matrix& matrix) {
-  const Eigen::MatrixXd column_major = matrix;
+  const Eigen::Matrix<double, Matrix::RowsAtCompileTime, Matrix::ColsAtCompileTime> column_major =
+      matrix;
   const std::array dims{static_cast<std::uint32_t>(matrix.rows()),
                         static_cast<std::uint32_t>(matrix.cols())};
   writer.AddDoubles(name, dims,
@@ -92,35 +94,73 @@ void CheckChannel(const std::string& field, std::size_t found, const Image& imag
                               std::to_string(depth));
 }
 
-/// From rows of interleaved pixels to Matlab's columns of one color after the other.
-void AddColors(MessageWriter& writer, const std::string& field, const Image& image) {
-  CheckChannel(field, image.color.size(), image, 3);
-  const auto width = static_cast<std::size_t>(image.width_px);
-  const auto height = static_cast<std::size_t>(image.height_px);
-  const std::array dims{static_cast<std::uint32_t>(height), static_cast<std::uint32_t>(width), 3u};
-  const auto planes = writer.AddSpace(field, ElementType::kByte, true, dims);
-  const std::uint8_t* pixels = image.color.data();
-  std::byte* out = planes.data();
-  const std::size_t plane = width * height;
-  for (std::size_t column = 0; column < width; ++column) {
-    for (std::size_t row = 0; row < height; ++row, ++out) {
-      const std::uint8_t* pixel = pixels + 3 * (row * width + column);
-      out[0] = std::byte{pixel[0]};
-      out[plane] = std::byte{pixel[1]};
-      out[2 * plane] = std::byte{pixel[2]};
+/// Calls `visit(column, first row, end row)` for pieces of all columns, tile by tile: pixels that
+/// are far from each other in rows or in columns are still in the cache when their neighbors' turn
+/// comes.
+template <class Visit>
+void VisitColumnsInTiles(std::size_t width, std::size_t height, Visit visit) {
+  constexpr std::size_t kTileRows = 64, kTileColumns = 64;
+  for (std::size_t left = 0; left < width; left += kTileColumns) {
+    const std::size_t right = std::min(width, left + kTileColumns);
+    for (std::size_t top = 0; top < height; top += kTileRows) {
+      const std::size_t bottom = std::min(height, top + kTileRows);
+      for (std::size_t column = left; column < right; ++column) visit(column, top, bottom);
     }
   }
 }
 
-/// From rows of values to Matlab's columns of numbers.
+/// From rows of interleaved pixels to Matlab's columns of one color after the other.
+void FillPlanes(const std::uint8_t* pixels, std::size_t width, std::size_t height,
+                std::byte* planes) {
+  const std::size_t plane = width * height;
+  VisitColumnsInTiles(width, height, [=](std::size_t column, std::size_t top, std::size_t bottom) {
+    const std::uint8_t* pixel = pixels + 3 * (top * width + column);
+    std::byte* out = planes + column * height + top;
+    for (std::size_t row = top; row < bottom; ++row, ++out, pixel += 3 * width) {
+      out[0] = std::byte{pixel[0]};
+      out[plane] = std::byte{pixel[1]};
+      out[2 * plane] = std::byte{pixel[2]};
+    }
+  });
+}
+
+void AddColors(MessageWriter& writer, const std::string& field, const Image& image,
+               PixelOrder order) {
+  CheckChannel(field, image.color.size(), image, 3);
+  const auto width = static_cast<std::size_t>(image.width_px);
+  const auto height = static_cast<std::size_t>(image.height_px);
+  const std::array dims{static_cast<std::uint32_t>(height), static_cast<std::uint32_t>(width), 3u};
+  const bool is_row_major = order == PixelOrder::kRows;
+  const auto space = writer.AddSpace(field, ElementType::kByte, true, dims, is_row_major);
+  if (is_row_major) {
+    std::ranges::copy(std::as_bytes(std::span(image.color)), space.begin());
+  } else {
+    FillPlanes(image.color.data(), width, height, space.data());
+  }
+}
+
+/// Depths or ids as numbers.
 template <class Value>
 void AddValues(MessageWriter& writer, const std::string& field, const std::vector<Value>& values,
-               const Image& image) {
-  using Rows = Eigen::Matrix<Value, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+               const Image& image, PixelOrder order) {
   CheckChannel(field, values.size(), image, 1);
-  AddMatrix(writer, field,
-            Eigen::Map<const Rows>(values.data(), image.height_px, image.width_px)
-                .template cast<double>());
+  const auto width = static_cast<std::size_t>(image.width_px);
+  const auto height = static_cast<std::size_t>(image.height_px);
+  const std::array dims{static_cast<std::uint32_t>(height), static_cast<std::uint32_t>(width)};
+  const bool is_row_major = order == PixelOrder::kRows;
+  std::byte* out = writer.AddSpace(field, ElementType::kDouble, false, dims, is_row_major).data();
+  const auto put = [out, &values](std::size_t to, std::size_t from) {
+    const auto number = static_cast<double>(values[from]);
+    std::memcpy(out + to * sizeof number, &number, sizeof number);
+  };
+  if (is_row_major) {
+    for (std::size_t k = 0; k < values.size(); ++k) put(k, k);
+    return;
+  }
+  VisitColumnsInTiles(width, height, [=](std::size_t column, std::size_t top, std::size_t bottom) {
+    for (std::size_t row = top; row < bottom; ++row)
+      put(column * height + row, row * width + column);
+  });
 }
 
 /// How the channels of a picture are called.
@@ -134,17 +174,27 @@ PictureFields FieldsOf(const std::string& camera) {
   return {prefix + "rgb", prefix + "depth", prefix + "segments", prefix + "pose"};
 }
 
-void AddPicture(MessageWriter& writer, const CameraPicture& picture) {
+void AddPicture(MessageWriter& writer, const CameraPicture& picture, PixelOrder order) {
   const PictureFields fields = FieldsOf(picture.name);
   const Image& image = picture.image;
-  if (!image.color.empty()) AddColors(writer, fields.rgb, image);
-  if (!image.depth.empty()) AddValues(writer, fields.depth, image.depth, image);
-  if (!image.ids.empty()) AddValues(writer, fields.segments, image.ids, image);
+  if (!image.color.empty()) AddColors(writer, fields.rgb, image, order);
+  if (!image.depth.empty()) AddValues(writer, fields.depth, image.depth, image, order);
+  if (!image.ids.empty()) AddValues(writer, fields.segments, image.ids, image, order);
   AddMatrix(writer, fields.pose, picture.camera.X_WC);
   // The eye's are in `aux`.
   if (!picture.name.empty()) {
     AddMatrix(writer, "cameras_" + picture.name + "_intrinsics", IntrinsicsOf(picture.camera));
   }
+}
+
+/// What the pictures of a message take, about: names and poses are small.
+std::size_t PictureBytes(const Sensor& sensor) {
+  std::size_t bytes = 0;
+  for (const CameraPicture& picture : sensor.pictures) {
+    const Image& image = picture.image;
+    bytes += image.color.size() + sizeof(double) * (image.depth.size() + image.ids.size()) + 2000;
+  }
+  return bytes;
 }
 
 void AddHeld(MessageWriter& writer, const Sensor& sensor) {
@@ -178,8 +228,13 @@ class MatrixReader {
       Fail(array.name + " is " + ShapeText(array.dims) + ", expected " + expected);
       return zeros;
     }
-    const Eigen::MatrixXd matrix =
-        Eigen::Map<const Eigen::MatrixXd>(numbers->data(), array.dims[0], array.dims[1]);
+    Eigen::MatrixXd matrix(array.dims[0], array.dims[1]);
+    if (array.is_row_major) {
+      matrix = Eigen::Map<const Eigen::Matrix<double, -1, -1, Eigen::RowMajor>>(
+          numbers->data(), matrix.rows(), matrix.cols());
+    } else {
+      matrix = Eigen::Map<const Eigen::MatrixXd>(numbers->data(), matrix.rows(), matrix.cols());
+    }
     CheckNumbers(array.name, matrix);
     return matrix;
   }
@@ -358,8 +413,9 @@ std::vector<std::byte> EncodeAux(std::uint32_t sequence, const Aux& aux, std::st
   return writer.Finish();
 }
 
-std::vector<std::byte> EncodeSensor(std::uint32_t sequence, const Sensor& sensor) {
-  MessageWriter writer(MessageType::kStep, sequence);
+std::vector<std::byte> EncodeSensor(std::uint32_t sequence, const Sensor& sensor,
+                                    PixelOrder order) {
+  MessageWriter writer(MessageType::kStep, sequence, 2000 + PictureBytes(sensor));
   writer.AddScalar("timeElapsed", sensor.time_elapsed);
   writer.AddScalar("simTime", sensor.sim_time);
   AddMatrix(writer, "jointAngles", sensor.joint_angles);
@@ -370,7 +426,7 @@ std::vector<std::byte> EncodeSensor(std::uint32_t sequence, const Sensor& sensor
   AddMatrix(writer, "jointVelocities", sensor.joint_velocities);
   writer.AddScalar("headAngle", sensor.head_angle);
   AddHeld(writer, sensor);
-  for (const CameraPicture& picture : sensor.pictures) AddPicture(writer, picture);
+  for (const CameraPicture& picture : sensor.pictures) AddPicture(writer, picture, order);
   if (!sensor.segment_names.empty()) AddLines(writer, "segmentNames", sensor.segment_names);
   return writer.Finish();
 }

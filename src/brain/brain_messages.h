@@ -28,10 +28,14 @@ using wire::WireError;
 std::vector<std::byte> EncodeAux(std::uint32_t sequence, const Aux& aux, std::string_view path,
                                  std::string_view robot = "");
 
+/// How the pixels of a picture lie in a message. (Matlab's images are columns, cameras give rows.)
+enum class PixelOrder { kColumns, kRows };
+
 /// The fields of `sensor`.
 /// @throws std::invalid_argument if a channel of a picture does not have its size, or a name holds
 ///         a line break.
-std::vector<std::byte> EncodeSensor(std::uint32_t sequence, const Sensor& sensor);
+std::vector<std::byte> EncodeSensor(std::uint32_t sequence, const Sensor& sensor,
+                                    PixelOrder order = PixelOrder::kColumns);
 
 /// @param aux  what was told: there may be no wishes beyond it.
 std::variant<InitReply, WireError> DecodeInitReply(const Message& message, const Aux& aux);

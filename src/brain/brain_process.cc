@@ -96,7 +96,8 @@ class BrainProcess::Impl {
   BrainProgram program_;
   State state_ = State::kNew;
   std::uint32_t sequence_ = 0;
-  bool has_guard_ = false;                 ///< SIGUSR2 raises an error inside the program
+  bool has_guard_ = false;  ///< SIGUSR2 raises an error inside the program
+  PixelOrder pixel_order_ = PixelOrder::kColumns;
   std::string init_file_, callback_file_;  ///< as the brain named them; empty when it did not
 
   std::optional<Rendezvous> rendezvous_;
@@ -139,8 +140,9 @@ std::string BrainProcess::Impl::PutOut(const std::vector<robot::RobotFile>& file
 
 OrError<StepReply> BrainProcess::Impl::Step(const Sensor& sensor) {
   if (!is_running()) throw std::logic_error("BrainProcess::Step: the brain is not running");
-  auto answer = Ask(EncodeSensor(++sequence_, sensor), MessageType::kMotor, Phase::kCallback,
-                    LimitOf(options_.callback_seconds), options_.callback_seconds);
+  auto answer =
+      Ask(EncodeSensor(++sequence_, sensor, pixel_order_), MessageType::kMotor, Phase::kCallback,
+          LimitOf(options_.callback_seconds), options_.callback_seconds);
   if (auto* error = std::get_if<BrainError>(&answer)) return EndWith(std::move(*error));
   auto reply = DecodeStepReply(std::get<Message>(answer));
   if (const auto* error = std::get_if<WireError>(&reply)) {
@@ -207,6 +209,7 @@ std::optional<BrainError> BrainProcess::Impl::ReadHello(const WaitLimit& limit) 
                                       std::to_string(wire::kProtocolVersion) + " of the protocol");
   }
   has_guard_ = IsTrue(hello, "guard");
+  if (IsTrue(hello, "rows")) pixel_order_ = PixelOrder::kRows;
   return std::nullopt;
 }
 

@@ -1,12 +1,16 @@
 #pragma once
 
+#include <sys/types.h>
+
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <variant>
 
 #include "brain/internal_unique_fd.h"
 #include "brain/internal_wait_limit.h"
+#include "wire/inbox.h"
 #include "wire/wire.h"
 
 namespace smile::brain {
@@ -20,6 +24,9 @@ struct ChannelFault {
 };
 
 /// Carries messages to a brain and back, over a socket or a pair of pipes.
+///
+/// Most programs answer within microseconds, and to fall asleep and be woken takes longer than
+/// that: before it sleeps, Receive() lets others work and looks again, for up to kWatchfulTime.
 class Channel {
  public:
   /// For pipes. Both ends are made non-blocking.
@@ -31,11 +38,15 @@ class Channel {
   std::variant<wire::Message, ChannelFault> Receive(const WaitLimit& limit);
 
  private:
-  std::optional<ChannelFault> ReadAll(std::span<std::byte> bytes, const WaitLimit& limit);
+  /// Reads what has come into the room of `inbox_`; 0 when that is nothing.
+  std::variant<std::size_t, ChannelFault> ReadSome();
+  ssize_t WriteSome(std::span<const std::byte> bytes) const;
+  bool is_socket() const { return !write_end_; }
   int write_fd() const { return write_end_ ? write_end_.get() : read_end_.get(); }
 
   UniqueFd read_end_;
   UniqueFd write_end_;  ///< none when the read end is a socket
+  wire::Inbox inbox_;
 };
 
 }  // namespace smile::brain

@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::size_t kAlignment = 8;
 constexpr std::uint8_t kFractionFlag = 1;
+constexpr std::uint8_t kRowMajorFlag = 2;
 
 std::size_t ElementBytes(ElementType type) { return type == ElementType::kDouble ? 8 : 1; }
 
@@ -41,14 +42,17 @@ bool IsIdentifier(std::string_view name) {
 std::string WhyUnfit(std::string_view name, ElementType type, std::uint8_t flags,
                      std::span<const std::uint32_t> dims) {
   if (!IsIdentifier(name)) return "an array's name is not an identifier";
-  const std::string whose = "array '" + std::string(name) + "' ";
-  if (type > ElementType::kText) return whose + "has an unknown element type";
-  if (flags > (type == ElementType::kByte ? kFractionFlag : 0)) return whose + "has unknown flags";
+  const auto array_that = [name](const std::string& what) {
+    return "array '" + std::string(name) + "' " + what;
+  };
+  if (type > ElementType::kText) return array_that("has an unknown element type");
+  const int known_flags = kRowMajorFlag | (type == ElementType::kByte ? kFractionFlag : 0);
+  if (flags & ~known_flags) return array_that("has unknown flags");
   if (dims.size() < 2 || dims.size() > kMaxDimensions) {
-    return whose + "has " + std::to_string(dims.size()) + " dimensions, expected 2 to " +
-           std::to_string(kMaxDimensions);
+    return array_that("has " + std::to_string(dims.size()) + " dimensions, expected 2 to " +
+                      std::to_string(kMaxDimensions));
   }
-  if (!DataBytes(type, dims)) return whose + "is too large: " + ShapeText(dims);
+  if (!DataBytes(type, dims)) return array_that("is too large: " + ShapeText(dims));
   return {};
 }
 
@@ -62,9 +66,9 @@ std::variant<NamedArray, WireError> DecodeArray(ByteReader& reader, std::size_t 
   array.type = reader.Get<ElementType>();
   const auto dim_count = reader.Get<std::uint8_t>();
   const auto flags = reader.Get<std::uint8_t>();
-  for (int k = 0; k < dim_count && reader.ok(); ++k) {
-    array.dims.push_back(reader.Get<std::uint32_t>());
-  }
+  array.dims.resize(std::min<std::size_t>(dim_count, reader.remaining() / sizeof(std::uint32_t)));
+  for (std::uint32_t& dim : array.dims) dim = reader.Get<std::uint32_t>();
+  if (array.dims.size() < dim_count) return WireError{"the body ends inside an array's head"};
   const std::span<const std::byte> letters = reader.GetBytes(name_letters);
   array.name.assign(reinterpret_cast<const char*>(letters.data()), letters.size());
   SkipPadding(reader, body_bytes);
@@ -72,7 +76,8 @@ std::variant<NamedArray, WireError> DecodeArray(ByteReader& reader, std::size_t 
 
   const std::string unfit = WhyUnfit(array.name, array.type, flags, array.dims);
   if (!unfit.empty()) return WireError{unfit};
-  array.is_fraction = flags == kFractionFlag;
+  array.is_fraction = (flags & kFractionFlag) != 0;
+  array.is_row_major = (flags & kRowMajorFlag) != 0;
 
   const std::span<const std::byte> data = reader.GetBytes(*DataBytes(array.type, array.dims));
   SkipPadding(reader, body_bytes);
@@ -117,15 +122,29 @@ const NamedArray* Message::Find(std::string_view name) const {
   return found == arrays.end() ? nullptr : &*found;
 }
 
-MessageWriter::MessageWriter(MessageType type, std::uint32_t sequence) {
-  ByteWriter head;
-  head.Put(kMagic);
-  head.Put(type);
-  head.Put(sequence);
-  head.Put(std::uint32_t{0});  // length of the body, known at the end
-  head.Put(std::uint32_t{0});  // number of arrays, known at the end
-  head.Put(std::uint32_t{0});
-  frame_ = head.Take();
+MessageWriter::MessageWriter(MessageType type, std::uint32_t sequence, std::size_t expected_bytes) {
+  frame_.reserve(kHeaderBytes + std::min(expected_bytes, kMaxBodyBytes));
+  Put(kMagic);
+  Put(type);
+  Put(sequence);
+  Put(std::uint32_t{0});  // length of the body, known at the end
+  Put(std::uint32_t{0});  // number of arrays, known at the end
+  Put(std::uint32_t{0});
+}
+
+template <class Value>
+void MessageWriter::Put(Value value) {
+  const auto* bytes = reinterpret_cast<const std::byte*>(&value);
+  frame_.insert(frame_.end(), bytes, bytes + sizeof value);
+}
+
+void MessageWriter::PutPadding() { frame_.resize(frame_.size() + Padding(frame_.size())); }
+
+bool MessageWriter::HasArray(std::string_view name) const {
+  return std::any_of(names_.begin(), names_.begin() + array_count_, [&](const Place& place) {
+    return place.letters == name.size() &&
+           std::memcmp(&frame_[place.begin], name.data(), name.size()) == 0;
+  });
 }
 
 void MessageWriter::AddDoubles(std::string_view name, std::span<const std::uint32_t> dims,
@@ -155,7 +174,8 @@ void MessageWriter::AddText(std::string_view name, std::string_view text) {
 }
 
 void MessageWriter::AddArray(const NamedArray& array) {
-  const auto space = AddSpace(array.name, array.type, array.is_fraction, array.dims);
+  const auto space =
+      AddSpace(array.name, array.type, array.is_fraction, array.dims, array.is_row_major);
   if (space.size() != array.data.size()) {
     throw std::invalid_argument("message array '" + array.name + "': data does not make a " +
                                 ShapeText(array.dims));
@@ -164,25 +184,27 @@ void MessageWriter::AddArray(const NamedArray& array) {
 }
 
 std::span<std::byte> MessageWriter::AddSpace(std::string_view name, ElementType type,
-                                             bool is_fraction,
-                                             std::span<const std::uint32_t> dims) {
-  const std::uint8_t flags = is_fraction ? kFractionFlag : 0;
+                                             bool is_fraction, std::span<const std::uint32_t> dims,
+                                             bool is_row_major) {
+  const auto flags = static_cast<std::uint8_t>((is_fraction ? kFractionFlag : 0) |
+                                               (is_row_major ? kRowMajorFlag : 0));
   std::string unfit = WhyUnfit(name, type, flags, dims);
-  if (std::ranges::find(names_, name) != names_.end()) unfit = "is there twice";
+  if (HasArray(name)) unfit = "is there twice";
   if (array_count_ == kMaxArrays) unfit = "is one array too many";
   if (!unfit.empty()) {
     throw std::invalid_argument("message array '" + std::string(name) + "': " + unfit);
   }
 
-  ByteWriter head;
-  head.Put(static_cast<std::uint8_t>(name.size()));
-  head.Put(type);
-  head.Put(static_cast<std::uint8_t>(dims.size()));
-  head.Put(flags);
-  for (const std::uint32_t dim : dims) head.Put(dim);
-  head.PutBytes(std::as_bytes(std::span(name)));
-  frame_.insert(frame_.end(), head.bytes().begin(), head.bytes().end());
-  frame_.resize(frame_.size() + Padding(frame_.size()));
+  Put(static_cast<std::uint8_t>(name.size()));
+  Put(type);
+  Put(static_cast<std::uint8_t>(dims.size()));
+  Put(flags);
+  for (const std::uint32_t dim : dims) Put(dim);
+  names_[array_count_++] = {.begin = static_cast<std::uint32_t>(frame_.size()),
+                            .letters = static_cast<std::uint32_t>(name.size())};
+  const auto letters = std::as_bytes(std::span(name));
+  frame_.insert(frame_.end(), letters.begin(), letters.end());
+  PutPadding();
 
   const std::size_t begin = frame_.size();
   const std::size_t size = *DataBytes(type, dims);
@@ -190,8 +212,6 @@ std::span<std::byte> MessageWriter::AddSpace(std::string_view name, ElementType 
   if (frame_.size() - kHeaderBytes > kMaxBodyBytes) {
     throw std::invalid_argument("message array '" + std::string(name) + "': body is too large");
   }
-  names_.emplace_back(name);
-  ++array_count_;
   return std::span(frame_).subspan(begin, size);
 }
 
@@ -230,6 +250,7 @@ std::variant<Message, WireError> DecodeBody(const FrameHeader& header,
   if (count > kMaxArrays) return WireError{std::to_string(count) + " arrays in one message"};
 
   Message message{.type = header.type, .sequence = header.sequence, .arrays = {}};
+  message.arrays.reserve(count);
   for (std::uint32_t k = 0; k < count; ++k) {
     auto decoded = DecodeArray(reader, body.size());
     if (auto* error = std::get_if<WireError>(&decoded)) return std::move(*error);

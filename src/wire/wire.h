@@ -39,15 +39,17 @@ enum class ElementType : std::uint8_t { kDouble = 0, kByte = 1, kLogical = 2, kT
 /// `2x7`.
 std::string ShapeText(std::span<const std::uint32_t> dims);
 
-/// One array with a name, elements in column-major order.
+/// One array with a name.
 struct NamedArray {
   std::string name;  ///< a letter or _, then letters, digits, _; at most kMaxNameLetters
   ElementType type = ElementType::kDouble;
   bool is_fraction = false;         ///< bytes 0 to 255 that stand for 0 to 1
+  bool is_row_major = false;        ///< the last dimension varies fastest, else the first
   std::vector<std::uint32_t> dims;  ///< 2 to kMaxDimensions of them
   std::vector<std::byte> data;      ///< 8 bytes for each double, else 1 byte for each element
 
-  /// The elements as numbers; nullopt for text. Fractions are divided by 255.
+  /// The elements as numbers, in the order of `data`; nullopt for text. Fractions are divided by
+  /// 255.
   std::optional<std::vector<double>> Numbers() const;
   /// The letters; nullopt when this is not text.
   std::optional<std::string> Text() const;
@@ -74,7 +76,8 @@ struct Message {
 /// caller and throw std::invalid_argument.
 class MessageWriter {
  public:
-  MessageWriter(MessageType type, std::uint32_t sequence);
+  /// @param expected_bytes  of the body: room made at once, for messages with large arrays.
+  MessageWriter(MessageType type, std::uint32_t sequence, std::size_t expected_bytes = 1000);
 
   /// Column-major.
   void AddDoubles(std::string_view name, std::span<const std::uint32_t> dims,
@@ -86,15 +89,25 @@ class MessageWriter {
   void AddArray(const NamedArray& array);
   /// Makes room for the elements and returns it, for the caller to fill before the next call.
   std::span<std::byte> AddSpace(std::string_view name, ElementType type, bool is_fraction,
-                                std::span<const std::uint32_t> dims);
+                                std::span<const std::uint32_t> dims, bool is_row_major = false);
 
   /// The whole frame; the writer is spent.
   std::vector<std::byte> Finish();
 
  private:
+  /// Where in the frame a name stands.
+  struct Place {
+    std::uint32_t begin, letters;
+  };
+
+  bool HasArray(std::string_view name) const;
+  template <class Value>
+  void Put(Value value);
+  void PutPadding();
+
   std::vector<std::byte> frame_;
   std::uint32_t array_count_ = 0;
-  std::vector<std::string> names_;
+  std::array<Place, kMaxArrays> names_ = {};  ///< array_count_ of them
 };
 
 /// What is wrong with bytes that were received.

@@ -51,6 +51,19 @@ TEST(Fields, ShowAPictureRowByRow) {
   EXPECT_EQ(image.color[9], 1);
 }
 
+TEST(Fields, TakeRowsAsWell) {
+  wire::MessageWriter writer(wire::MessageType::kStep, 1);
+  const auto pixels = writer.AddSpace("rgbVision", wire::ElementType::kByte, true,
+                                      std::array{1u, 2u, 3u}, /*is_row_major=*/true);
+  for (std::size_t k = 0; k < pixels.size(); ++k) pixels[k] = std::byte(k);
+  const auto depths = writer.AddSpace("depthVision", wire::ElementType::kByte, false,
+                                      std::array{2u, 2u}, /*is_row_major=*/true);
+  for (std::size_t k = 0; k < depths.size(); ++k) depths[k] = std::byte(k);
+  const Fields fields(wire::Decoded(writer.Finish()));
+  EXPECT_EQ(fields.Picture("rgbVision").color, (std::vector<std::uint8_t>{0, 1, 2, 3, 4, 5}));
+  EXPECT_EQ(fields.Matrix("depthVision")(0, 1), 1);
+}
+
 TEST(Fields, SayWhatThereIsInstead) {
   EXPECT_EQ(ErrorOf([](const Fields& fields) { fields.Number("time"); }),
             "there is no time, only simTime, gripperOpening, path, rgbVision");

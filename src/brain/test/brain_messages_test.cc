@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cstring>
 #include <limits>
+#include <span>
 #include <stdexcept>
 
 #include "wire/test/wire_verbs.h"
@@ -218,6 +221,51 @@ TEST(EncodeSensor, TurnsRowsOfPixelsIntoPlanesOfColumns) {
   EXPECT_TRUE(array->is_fraction);
   const std::array<int, 6> expected{10, 40, 20, 50, 30, 60};
   for (int k = 0; k < 6; ++k) EXPECT_EQ(std::to_integer<int>(array->data[k]), expected[k]);
+}
+
+TEST(EncodeSensor, LeavesRowsAsTheyAreForWhoTakesThem) {
+  Image image{.width_px = 2, .height_px = 1, .color = {10, 20, 30, 40, 50, 60}, .depth = {3, 4}};
+  const Message message =
+      Decoded(EncodeSensor(1, {.pictures = {{.image = image}}}, PixelOrder::kRows));
+  const NamedArray* color = message.Find("rgbVision");
+  ASSERT_NE(color, nullptr);
+  EXPECT_TRUE(color->is_row_major);
+  EXPECT_EQ(ShapeText(color->dims), "1x2x3");
+  EXPECT_TRUE(std::ranges::equal(color->data, std::as_bytes(std::span(image.color))));
+  EXPECT_TRUE(message.Find("depthVision")->is_row_major);
+  EXPECT_EQ(message.Find("depthVision")->Numbers(), (std::vector{3.0, 4.0}));
+  EXPECT_FALSE(message.Find("jointAngles")->is_row_major);
+}
+
+TEST(EncodeSensor, TurnsPicturesLargerThanATileToo) {
+  Image image{.width_px = 130, .height_px = 70};
+  for (int k = 0; k < 130 * 70; ++k) {
+    for (const int color : {0, 1, 2}) image.color.push_back(std::uint8_t(k * 7 + color * 50));
+    image.depth.push_back(static_cast<float>(k));
+  }
+  const Message message = Decoded(EncodeSensor(1, {.pictures = {{.image = image}}}));
+  const auto depths = *message.Find("depthVision")->Numbers();
+  const auto& planes = message.Find("rgbVision")->data;
+  for (int row = 0; row < 70; ++row) {
+    for (int column = 0; column < 130; ++column) {
+      const int from = row * 130 + column, to = column * 70 + row;
+      ASSERT_EQ(depths[to], from);
+      for (int color = 0; color < 3; ++color) {
+        ASSERT_EQ(planes[color * 130 * 70 + to], std::byte{image.color[3 * from + color]});
+      }
+    }
+  }
+}
+
+TEST(DecodeStepReply, ReadsRowMajorVelocities) {
+  MessageWriter writer(MessageType::kMotor, 1);
+  const auto space =
+      writer.AddSpace("jointVelocities", ElementType::kDouble, false, kTwoBySeven, true);
+  const double second = 2;
+  std::memcpy(&space[sizeof second], &second, sizeof second);
+  writer.AddDoubles("gripperVelocities", kTwoByOne, std::array{0.0, 0.0});
+  const auto reply = std::get<StepReply>(DecodeStepReply(Decoded(writer.Finish())));
+  EXPECT_EQ(reply.motor.joint_velocities(0, 1), 2) << "the left arm's second joint";
 }
 
 TEST(EncodeSensor, SendsAnImageOnlyWhenThereIsOne) {

@@ -197,6 +197,31 @@ TEST_F(BrainProcessTest, BothTransportsBringWhatItAskedFor) {
   }
 }
 
+TEST_F(BrainProcessTest, BothTransportsTellApartWhatIsEquallyLong) {
+  const fs::path folder =
+      Brain("held = {'ab', 'cd', 'ab'};",
+            "assert(sensor.heldObject, {held{sensor.simTime}, ''});\n"
+            "assert(isfield(sensor, 'trackerLoc'), sensor.simTime == 2);\n"
+            "motor.jointVelocities = sensor.jointAngles;\n"
+            "if sensor.simTime == 1, clear aux; end\n"
+            "if sensor.simTime == 2, aux.drawMarkers = [1 2 3]; motor.headVelocity = 2; end");
+  for (const auto transport : {BrainTransport::kMex, BrainTransport::kPlain}) {
+    BrainProcess brain(folder, {.transport = transport});
+    Started(brain);
+    const char* held[] = {"", "ab", "cd", "ab"};
+    for (const int time : {1, 2, 3}) {
+      Sensor sensor{.sim_time = static_cast<double>(time)};
+      sensor.joint_angles.setConstant(time);
+      sensor.held_objects[0] = held[time];
+      if (time == 2) sensor.tracker_locations = {{"l-S1", {1, 1, 1}}};
+      const StepReply reply = Stepped(brain, sensor);
+      EXPECT_EQ(reply.motor.joint_velocities, sensor.joint_angles);
+      EXPECT_EQ(reply.draw_markers.has_value(), time == 2);
+      EXPECT_EQ(reply.motor.head_velocity, time == 1 ? std::nullopt : std::optional(2.0));
+    }
+  }
+}
+
 TEST_F(BrainProcessTest, TellsOfMarkersWhenTheyChange) {
   BrainProcess brain(Brain("aux.drawMarkers = [1 2 3];",
                            "if sensor.simTime == 2, aux.drawMarkers = [4 5 6; 7 8 9]; end\n"
@@ -253,6 +278,8 @@ TEST_F(BrainProcessTest, RefusesWhatIsNotANumberByName) {
               "agent/act.m: motor.jointVelocities is a cell, expected real numbers");
     EXPECT_EQ(ErrorOfStep(Brain("", "motor = 7;"), options),
               "agent/act.m: motor is not a struct any more");
+    EXPECT_EQ(ErrorOfStep(Brain("", "aux = 7;"), options),
+              "agent/act.m: aux is not a struct any more");
   }
 }
 

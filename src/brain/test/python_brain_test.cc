@@ -94,6 +94,28 @@ TEST_F(PythonBrainTest, IsToldWhatTheScriptsAreTold) {
   EXPECT_EQ(step.draw_markers->rows(), 0);
 }
 
+TEST_F(PythonBrainTest, IsToldApartWhatIsEquallyLong) {
+  // Messages of the same length, but not laid out alike; and arrays that are kept stay as they are.
+  BrainProcess brain(
+      Step("  held = [0, 'ab', 'cd', 'ab'][int(sensor.simTime)]\n"
+           "  assert sensor.heldObject == [held, ''], sensor.heldObject\n"
+           "  assert (sensor.isHolding == [[True, False]]).all()\n"
+           "  if sensor.simTime == 1: aux.kept = sensor\n"
+           "  assert aux.kept.simTime == 1 and (aux.kept.jointAngles == 1).all()\n"
+           "  aux.kept.isHolding[0, 1] = False; sensor.jointAngles[:] += 0\n"
+           "  if sensor.simTime > 1: motor.headVelocity = sensor.simTime\n"
+           "  if sensor.simTime > 2: motor.headVelocity = None\n"));
+  Started(brain);
+  const char* held[] = {"", "ab", "cd", "ab"};
+  for (const int time : {1, 2, 3}) {
+    Sensor sensor{.sim_time = static_cast<double>(time)};
+    sensor.joint_angles.setConstant(time);
+    sensor.held_objects[0] = held[time];
+    const auto velocity = Stepped(brain, sensor).motor.head_velocity;
+    EXPECT_EQ(velocity, time == 2 ? std::optional(2.0) : std::nullopt);
+  }
+}
+
 TEST_F(PythonBrainTest, NamesTheLineOfItsOwnFiles) {
   EXPECT_EQ(ErrorOfStep(Step("  y = 1\n  return y + lost\n")),
             "agent/think.py:4: NameError: name 'lost' is not defined");

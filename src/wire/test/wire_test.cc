@@ -2,11 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <random>
 #include <stdexcept>
 
+#include "wire/inbox.h"
 #include "wire/test/wire_verbs.h"
 
 namespace smile::wire {
@@ -186,6 +188,7 @@ TEST(WireProperty, RandomMessagesComeBackUnchanged) {
         array.dims.push_back(static_cast<std::uint32_t>(random() % 5));
         elements *= array.dims.back();
       }
+      array.is_row_major = random() % 2 == 0;
       array.is_fraction = array.type == ElementType::kByte && random() % 2 == 0;
       array.data.resize(elements * (array.type == ElementType::kDouble ? 8 : 1));
       for (std::byte& byte : array.data) byte = std::byte(random());
@@ -193,6 +196,40 @@ TEST(WireProperty, RandomMessagesComeBackUnchanged) {
     }
     ASSERT_EQ(Decoded(Encoded(message)), message);
   }
+}
+
+TEST(Inbox, GivesEachMessageWhenAllOfItIsThere) {
+  const std::vector<std::byte> frame = SampleFrame();
+  std::vector<std::byte> stream = frame;
+  stream.insert(stream.end(), frame.begin(), frame.end());
+  for (const std::size_t piece : {std::size_t{1}, std::size_t{7}, frame.size(), stream.size()}) {
+    Inbox inbox;
+    std::size_t sent = 0, messages = 0;
+    while (sent < stream.size()) {
+      const auto taken = inbox.TakeMessage();
+      EXPECT_FALSE(taken) << "after " << sent << " bytes";
+      const std::size_t count = std::min({piece, stream.size() - sent, inbox.Room().size()});
+      ASSERT_GT(count, 0u);
+      std::memcpy(inbox.Room().data(), &stream[sent], count);
+      inbox.Fill(count);
+      for (sent += count; (messages + 1) * frame.size() <= sent; ++messages) {
+        const auto message = inbox.TakeMessage();
+        ASSERT_TRUE(message);
+        EXPECT_EQ(std::get<Message>(*message), Decoded(frame));
+      }
+    }
+    EXPECT_EQ(messages, 2u);
+  }
+}
+
+TEST(Inbox, SaysWhatIsNoMessageByItsHeader) {
+  Inbox inbox;
+  EXPECT_FALSE(inbox.TakeMessage());
+  std::ranges::fill(inbox.Room().first(kHeaderBytes), std::byte{7});
+  inbox.Fill(kHeaderBytes);
+  const auto message = inbox.TakeMessage();
+  ASSERT_TRUE(message);
+  EXPECT_EQ(std::get<WireError>(*message).message, "what arrived is not a message");
 }
 
 }  // namespace

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace smile::app {
+
+/// Two processes that hand each other bytes over a socket, as simulator and robot program do, and
+/// nothing else: what the machine itself takes for a round trip.
+class Echo {
+ public:
+  /// @throws std::runtime_error when the machine gives no socket or process.
+  Echo(std::size_t question_bytes, std::size_t answer_bytes);
+  Echo(const Echo&) = delete;
+  Echo& operator=(const Echo&) = delete;
+  ~Echo();
+
+  /// @throws std::runtime_error when the other process has gone.
+  void RoundTrip();
+
+ private:
+  std::vector<std::byte> question_, answer_;
+  int socket_ = -1;
+  pid_t child_ = -1;
+};
+
+}  // namespace smile::app

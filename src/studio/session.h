@@ -1,0 +1,68 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/json.h"
+#include "math/image.h"
+#include "record/recording_desk.h"
+#include "scene_xml/scene_reader.h"
+#include "sim/eye.h"
+#include "sim/simulation.h"
+#include "studio/requests.h"
+#include "studio/stage.h"
+
+namespace smile::studio {
+
+struct SessionOptions {
+  std::filesystem::path scene;  ///< the first one
+  scene_xml::SceneReaderOptions reader;
+  std::optional<sim::RobotPlacement> robot;
+  std::filesystem::path recordings = "recordings";
+  record::RecorderOptions recording;
+  sim::Eye* eye = nullptr;  ///< takes the recorded pictures; must outlive the session
+};
+
+/// What a session has to tell, besides answers.
+struct News {
+  std::vector<Json> messages;  ///< for everyone, in order; see docs/studio-protocol.md
+  std::optional<Image> view;   ///< a fresh picture of the robot's eye
+  bool is_view_recorded = false;
+};
+
+/// One person's workplace without a network: a scene come alive, what is commanded by mouse and
+/// keys, a recording in the making, a recording that is shown, a brain at work.
+///
+/// Belongs to one thread. No wall clock: whoever owns it calls Tick() when it is time.
+class Session {
+ public:
+  /// @throws InputError if the scene is wrong.
+  explicit Session(SessionOptions options);
+  ~Session();
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  /// All that may be asked of it.
+  const RequestTable& requests() const;
+  /// 1/60 s goes by: of the simulation unless it is paused, or of what is shown.
+  void Tick();
+  /// What is to be seen now.
+  View view() const;
+  /// What was to be told since this was last asked.
+  News TakeNews();
+  /// All a new client has to know: scene, looks, state.
+  std::vector<Json> Everything() const;
+  /// Triangles of a mesh of the present scene, as docs/studio-protocol.md has them; nullopt if
+  /// there is none.
+  std::optional<std::string> MeshBytes(std::uint32_t scene, std::size_t mesh) const;
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace smile::studio

@@ -1,0 +1,85 @@
+import { decodeBinary, VERSION, type EyeView, type News, type Poses, type Reply } from "./protocol";
+
+const RECONNECT_MS = 500;
+
+export interface Listener {
+  onNews(news: News): void;
+  onPoses(poses: Poses): void;
+  onEyeView(view: EyeView): void;
+  onConnected(isConnected: boolean): void;
+}
+
+/** The program said no; `reply` has its reasons. */
+export class Refused extends Error {
+  constructor(readonly reply: Reply) {
+    super(reply.error ?? "refused");
+  }
+}
+
+/** The WebSocket to the program. Comes back by itself when it breaks: the program holds all truth. */
+export class Connection {
+  private socket: WebSocket | null = null;
+  private seq = 0;
+  private readonly waiting = new Map<number, { resolve(r: Reply): void; reject(e: Error): void }>();
+
+  constructor(private readonly listener: Listener) {
+    this.connect();
+  }
+
+  /** Resolves with the answer; rejects with Refused, or when the connection is lost. */
+  request(what: string, fields: Record<string, unknown> = {}): Promise<Reply> {
+    const seq = ++this.seq;
+    return new Promise((resolve, reject) => {
+      if (this.socket?.readyState !== WebSocket.OPEN) {
+        reject(new Error("not connected"));
+        return;
+      }
+      this.waiting.set(seq, { resolve, reject });
+      this.socket.send(JSON.stringify({ ...fields, seq, do: what }));
+    });
+  }
+
+  /** The number of the last request: poses acknowledge it. */
+  get lastSeq(): number {
+    return this.seq;
+  }
+
+  private connect(): void {
+    const scheme = location.protocol === "https:" ? "wss" : "ws";
+    const socket = new WebSocket(`${scheme}://${location.host}/ws${location.search}`);
+    socket.binaryType = "arraybuffer";
+    socket.onopen = () => {
+      this.request("hello", { version: VERSION }).then(
+        () => this.listener.onConnected(true),
+        () => socket.close(),
+      );
+    };
+    socket.onmessage = ({ data }: MessageEvent<string | ArrayBuffer>) => this.receive(data);
+    socket.onclose = () => {
+      this.listener.onConnected(false);
+      for (const { reject } of this.waiting.values()) reject(new Error("the connection was lost"));
+      this.waiting.clear();
+      setTimeout(() => this.connect(), RECONNECT_MS);
+    };
+    this.socket = socket;
+  }
+
+  private receive(data: string | ArrayBuffer): void {
+    if (typeof data !== "string") {
+      const message = decodeBinary(data);
+      if (message === null) return;
+      if ("png" in message) this.listener.onEyeView(message);
+      else this.listener.onPoses(message);
+      return;
+    }
+    const news = JSON.parse(data) as News;
+    if (news.t !== "reply") {
+      this.listener.onNews(news);
+      return;
+    }
+    const request = this.waiting.get(news.seq);
+    this.waiting.delete(news.seq);
+    if (news.ok) request?.resolve(news);
+    else request?.reject(new Refused(news));
+  }
+}

@@ -1,0 +1,5 @@
+import { render } from "preact";
+import { connect } from "./studio";
+
+connect();
+render(<main />, document.getElementById("studio")!);

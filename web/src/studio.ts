@@ -1,0 +1,122 @@
+import { computed, signal } from "@preact/signals";
+import { Connection } from "./connection";
+import type {
+  ClientsMessage,
+  ConsoleLine,
+  EventMessage,
+  EyeView,
+  HandName,
+  News,
+  Poses,
+  Reply,
+  SceneMessage,
+  StateMessage,
+} from "./protocol";
+
+/** What the page knows: the program's truth as last told, and what only this page's user chose. */
+export const scene = signal<SceneMessage | null>(null);
+export const looks = signal<number[]>([]);
+export const state = signal<StateMessage | null>(null);
+export const clients = signal<ClientsMessage | null>(null);
+export const isConnected = signal(false);
+export const eyeView = signal<EyeView | null>(null);
+export const consoleLines = signal<ConsoleLine[]>([]);
+export const lastScore = signal<Record<string, unknown> | null>(null);
+export const progress = signal<{ what: string; done: number; total: number } | null>(null);
+/** Things to tell people for a moment. */
+export const notices = signal<{ id: number; text: string; isError: boolean }[]>([]);
+/** Who wants control from us. */
+export const controlWantedBy = signal<number | null>(null);
+
+/** The hand that the mouse is. */
+export const currentHand = signal<HandName>("any");
+export const isController = computed(
+  () => clients.value !== null && clients.value.controller === clients.value.you,
+);
+export const heldObject = computed(() => state.value?.hands[currentHand.value].object ?? null);
+
+const MAX_CONSOLE_LINES = 500;
+const NOTICE_MS = 4000;
+let numNotices = 0;
+
+export function notify(text: string, isError = false): void {
+  const id = ++numNotices;
+  notices.value = [...notices.value, { id, text, isError }];
+  setTimeout(() => (notices.value = notices.value.filter((notice) => notice.id !== id)), NOTICE_MS);
+}
+
+/** Who wants to hear of poses and events at once: the world. */
+export const poseListeners = new Set<(poses: Poses) => void>();
+export const eventListeners = new Set<(event: EventMessage) => void>();
+
+function onNews(news: News): void {
+  switch (news.t) {
+    case "scene":
+      scene.value = news;
+      looks.value = news.looks;
+      break;
+    case "looks":
+      looks.value = news.looks;
+      break;
+    case "state":
+      state.value = news;
+      break;
+    case "clients":
+      clients.value = news;
+      break;
+    case "event":
+      for (const listener of eventListeners) listener(news);
+      break;
+    case "console":
+      consoleLines.value = [...consoleLines.value, ...news.lines].slice(-MAX_CONSOLE_LINES);
+      break;
+    case "score":
+      lastScore.value = news.result;
+      break;
+    case "progress":
+      progress.value = news.done < news.total ? news : null;
+      break;
+    case "control_wanted":
+      controlWantedBy.value = news.by;
+      break;
+    case "error":
+      notify(news.error, true);
+      break;
+  }
+}
+
+let connection: Connection | null = null;
+
+export function connect(): void {
+  connection = new Connection({
+    onNews,
+    onPoses: (poses) => poseListeners.forEach((listener) => listener(poses)),
+    onEyeView: (view) => (eyeView.value = view),
+    onConnected: (yes) => (isConnected.value = yes),
+  });
+}
+
+/** Asks the program; rejects with Refused or when the connection is lost. */
+export function request(what: string, fields: Record<string, unknown> = {}): Promise<Reply> {
+  if (connection === null) return Promise.reject(new Error("not connected"));
+  return connection.request(what, fields);
+}
+
+/** Asks, and shows people why not if not. */
+export async function ask(what: string, fields: Record<string, unknown> = {}): Promise<Reply | null> {
+  try {
+    return await request(what, fields);
+  } catch (error) {
+    notify(error instanceof Error ? error.message : String(error), true);
+    return null;
+  }
+}
+
+/** A command of docs/commands.md. */
+export function command(fields: Record<string, unknown>): Promise<Reply | null> {
+  return ask("command", { command: fields });
+}
+
+export function lastSeq(): number {
+  return connection?.lastSeq ?? 0;
+}

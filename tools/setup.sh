@@ -21,14 +21,14 @@ quietly() {
   if ((SECONDS - started > 1)); then say "$what took $((SECONDS - started)) s"; fi
 }
 
-# list_packages [test]: names from packages.txt, without the [test] part unless asked for.
+# list_packages [PART]: names from packages.txt, of the beginning and of the [PART] asked for.
 list_packages() {
-  awk -v with_test="${1:-}" '
-    /^\[test\]/ { in_test = 1; next }
-    /^[^#[:space:]]/ { if (!in_test || with_test == "test") print $1 }' "$project/packages.txt"
+  awk -v wanted="${1:-}" '
+    /^\[/ { part = substr($1, 2, length($1) - 2); next }
+    /^[^#[:space:]]/ { if (part == "" || part == wanted) print $1 }' "$project/packages.txt"
 }
 
-# install_packages [test]: installs what is missing, as root or through sudo.
+# install_packages [PART]: installs what is missing, as root or through sudo.
 install_packages() {
   local missing=() package installed
   installed=" $(dpkg-query -W -f '${Package}/${Status} ' 2>/dev/null) "
@@ -66,5 +66,26 @@ build() {
   if [[ ! -f $dir/.built ]]; then say "building ($preset); the first time takes a few minutes"; fi
   (cd "$project" && quietly "building" cmake --build --preset "$preset" "${targets[@]}")
   touch "$dir/.built"
+  exec 9>&-
+}
+
+# build_page: the studio's page, into build/page, where `smile studio` looks for it.
+build_page() {
+  local web="$project/web" page="$project/build/page" newer
+  mkdir -p "$project/build"
+  exec 9>"$project/build/.page.lock"
+  flock 9
+  if [[ -f $page/.built ]]; then
+    newer=$(find "$web" -name node_modules -prune -o -name dist -prune -o -newer "$page/.built" -print -quit)
+  fi
+  if [[ ! -f $page/.built || -n $newer ]]; then
+    if ! command -v node >/dev/null || ! command -v npm >/dev/null; then install_packages studio; fi
+    if [[ ! $web/node_modules/.package-lock.json -nt $web/package-lock.json ]]; then
+      (cd "$web" && quietly "npm ci" npm ci)
+      touch "$web/node_modules/.package-lock.json"
+    fi
+    (cd "$web" && quietly "building the page" node build.mjs "$page")
+    touch "$page/.built"
+  fi
   exec 9>&-
 }

@@ -1,7 +1,8 @@
 // Builds the page: node build.mjs [FOLDER], by default dist.
 import { build } from "esbuild";
-import { cpSync, mkdirSync } from "node:fs";
+import { cpSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
+import { gzipSync } from "node:zlib";
 
 const out = process.argv[2] ?? "dist";
 mkdirSync(out, { recursive: true });
@@ -18,3 +19,7 @@ await build({
   logLevel: "warning",
 });
 for (const file of ["index.html", "studio.css", "icon.svg"]) cpSync(file, join(out, file));
+// Sent to browsers that understand it, which all do.
+for (const file of ["index.html", "studio.css", "studio.js"]) {
+  writeFileSync(join(out, `${file}.gz`), gzipSync(readFileSync(join(out, file)), { level: 9 }));
+}

@@ -14,10 +14,10 @@
 #include "app/commands.h"
 #include "app/exit_code.h"
 #include "app/options.h"
-#include "app/rendered_eye.h"
 #include "base/files.h"
 #include "brain/brain_driver.h"
 #include "brain/brain_messages.h"
+#include "picture/rendered_eye.h"
 #include "scene_xml/scene_reader.h"
 #include "sim/simulation.h"
 
@@ -133,8 +133,8 @@ std::vector<MeasuredBrain> MeasuredBrains() {
 /// pixel.
 brain::Sensor SensorOf(const benchmark::State& state) {
   const auto simulation = MakeUm({});
-  RenderedEye eye({.width_px = static_cast<int>(state.range(0)),
-                   .height_px = static_cast<int>(state.range(1))});
+  picture::RenderedEye eye({.width_px = static_cast<int>(state.range(0)),
+                            .height_px = static_cast<int>(state.range(1))});
   brain::Sensor sensor;
   if (state.range(0) > 1) sensor.pictures.push_back({.image = eye.Look(*simulation)});
   return sensor;

@@ -1,16 +1,14 @@
 #include <CLI/CLI.hpp>
-#include <cmath>
 #include <cstdio>
 #include <memory>
-#include <stdexcept>
 
 #include "app/commands.h"
 #include "app/exit_code.h"
 #include "app/open_recording.h"
 #include "app/options.h"
 #include "app/run_loop.h"
-#include "base/wording.h"
 #include "record/recording_history.h"
+#include "record/sight.h"
 #include "record/time_range.h"
 
 namespace smile::app {
@@ -28,20 +26,7 @@ record::Moment MomentOf(const CheckoutOptions& options, const record::Recording&
   const std::vector<record::HistoryStep> steps = record::HistoryOf(recording);
   std::size_t at = steps.size() - 1;
   while (!options.at && !steps[at].is_on_way) --at;
-  if (options.at) at = *options.at;
-  if (at >= steps.size()) {
-    throw std::invalid_argument(options.demo + " has no step " + std::to_string(at) +
-                                ", expected 0 to " + std::to_string(steps.size() - 1) +
-                                " (see: smile history)");
-  }
-  if (!options.after) return steps[at].end;
-  const auto ticks =
-      static_cast<std::uint64_t>(std::llround(*options.after * sim::kTicksPerSecond));
-  if (const auto moment = MomentIn(recording, steps[at], ticks)) return *moment;
-  throw std::invalid_argument(
-      "step " + std::to_string(at) + " lasted " +
-      NumberText(sim::SecondsOf(steps[at].end.tick - steps[at].begin.tick)) +
-      " s, expected --after to be at most that");
+  return record::MomentOf(recording, steps, options.at.value_or(at), options.after);
 }
 
 int CheckOut(const CheckoutOptions& options) {

@@ -10,11 +10,11 @@
 #include "app/open_recording.h"
 #include "app/options.h"
 #include "app/progress.h"
-#include "app/rendered_eye.h"
-#include "base/json.h"
 #include "base/wording.h"
-#include "record/edit.h"
+#include "picture/rendered_eye.h"
+#include "record/edit_json.h"
 #include "record/re_simulation.h"
+#include "record/sight.h"
 
 namespace smile::app {
 namespace {
@@ -136,36 +136,6 @@ constexpr EditOption kEditOptions[] = {
     {"--speed", "F", "make everything F times as fast", &ParseSpeed},
 };
 
-Json ToJson(const std::vector<record::ChangedState>& changes) {
-  Json json = Json::array();
-  for (const record::ChangedState& change : changes) {
-    json.push_back({{"id", change.id}, {"before", change.before}, {"after", change.after}});
-  }
-  return json;
-}
-
-Json ToJson(const record::EditReport& report) {
-  Json left_out = Json::array(), displaced = Json::array();
-  for (const record::LeftOut& command : report.left_out) {
-    left_out.push_back({{"line", command.line}, {"reason", command.reason}});
-  }
-  for (const record::Displaced& object : report.displaced) {
-    displaced.push_back({{"id", object.id},
-                         {"distance_mm", object.gap.millimeters()},
-                         {"rotation_deg", object.gap.degrees()}});
-  }
-  return {{"ends_the_same", report.ends_the_same()},
-          {"seconds_before", sim::SecondsOf(report.ticks_before)},
-          {"seconds_after", sim::SecondsOf(report.ticks_after)},
-          {"left_out", left_out},
-          {"displaced", displaced},
-          {"gone", report.gone},
-          {"there_again", report.there_again},
-          {"controls", ToJson(report.controls)},
-          {"host_points", ToJson(report.host_points)},
-          {"joints", report.joints}};
-}
-
 void Print(const record::EditReport& report) {
   std::printf("lasts %.2f s, was %.2f s\n", sim::SecondsOf(report.ticks_after),
               sim::SecondsOf(report.ticks_before));
@@ -210,7 +180,7 @@ record::Demonstration Perform(const std::vector<TypedEdit>& edits,
 
 record::EditReport Simulate(const record::Recording& recording, const record::Demonstration& edited,
                             const EditOptions& options) {
-  std::optional<RenderedEye> eye;
+  std::optional<picture::RenderedEye> eye;
   std::optional<record::EditOutput> output;
   if (!options.dry_run) {
     const auto spec = EyeOf(recording.info);
@@ -218,20 +188,14 @@ record::EditReport Simulate(const record::Recording& recording, const record::De
     output = {.directory = options.out, .eye = eye ? &*eye : nullptr};
   }
   ProgressLine progress("simulating");
-  const bool was_there = std::filesystem::exists(options.out);
-  try {
-    const auto report = ReSimulate(recording, edited, output, [&](double done, double total) {
-      progress.Show(done, total);
-      return !IsInterrupted();
-    });
-    if (IsInterrupted()) throw std::runtime_error("interrupted");
-    return report;
-  } catch (...) {
-    // Half of it would look like a whole one; the original is still there.
-    std::error_code error;
-    if (output && !was_there) std::filesystem::remove_all(options.out, error);
-    throw;
-  }
+  const auto show = [&progress](double done, double total) {
+    progress.Show(done, total);
+    return !IsInterrupted();
+  };
+  const auto report = output ? MakeEdited(recording, edited, *output, show)
+                             : ReSimulate(recording, edited, std::nullopt, show);
+  if (IsInterrupted()) throw std::runtime_error("interrupted");
+  return report;
 }
 
 void EditDemo(const EditOptions& options) {

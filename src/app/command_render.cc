@@ -8,9 +8,9 @@
 #include "app/film.h"
 #include "app/open_recording.h"
 #include "app/options.h"
-#include "app/photographer.h"
-#include "app/viewpoint.h"
 #include "base/diagnostic.h"
+#include "picture/photographer.h"
+#include "picture/viewpoint.h"
 #include "record/markers.h"
 #include "scene_xml/scene_reader.h"
 
@@ -52,22 +52,22 @@ void CheckTimes(const RenderCommandOptions& options, Product product) {
 }
 
 /// @param eye  the camera that is meant by `eye`.
-Shot ShotOf(const RenderCommandOptions& options, const std::string& eye) {
+picture::Shot ShotOf(const RenderCommandOptions& options, const std::string& eye) {
   const PictureSize size = ParseSize(options.size);
   return {.camera = options.camera,
           .eye = eye,
           .width_px = size.width_px,
           .height_px = size.height_px,
-          .channels = ParseChannels(options.channels)};
+          .channels = picture::ParseChannels(options.channels)};
 }
 
 void RenderPicture(const sim::Simulation& stage, const record::TraceTick& moment,
                    const std::vector<Vector3>& markers, const RenderCommandOptions& options,
                    const std::string& eye) {
-  const Shot shot = ShotOf(options, eye);
-  Photographer photographer(stage, shot);
+  const picture::Shot shot = ShotOf(options, eye);
+  picture::Photographer photographer(stage, shot);
   for (const auto& path :
-       WriteChannels(options.out, photographer.Take(moment, markers), shot.channels)) {
+       picture::WriteChannels(options.out, photographer.Take(moment, markers), shot.channels)) {
     std::printf("%s\n", path.c_str());
   }
 }
@@ -144,7 +144,7 @@ void AddRender(CLI::App* program, ExitAnswer answer) {
   render->add_option("--from", options->range.from, "begin of a film [s]");
   render->add_option("--to", options->range.to, "end of a film [s]");
   std::string names;
-  for (const std::string& name : ViewNames()) names += name + ", ";
+  for (const std::string& name : picture::ViewNames()) names += name + ", ";
   render
       ->add_option("--camera", options->camera,
                    "for people: " + names +

@@ -12,6 +12,7 @@ using ExitAnswer = int*;
 // Each adds one command of the program, with its options, help and action.
 void AddCheck(CLI::App* program, ExitAnswer answer);
 void AddRun(CLI::App* program, ExitAnswer answer);
+void AddStudio(CLI::App* program, ExitAnswer answer);
 void AddReplay(CLI::App* program, ExitAnswer answer);
 void AddHistory(CLI::App* program, ExitAnswer answer);
 void AddCheckout(CLI::App* program, ExitAnswer answer);

@@ -23,7 +23,8 @@ using AddFrame = std::function<void(std::uint64_t frame, std::uint64_t tick, con
 
 /// Shows a range of a recording, frame by frame.
 void ForEachFrame(const record::Recording& recording, const record::TickRange& range,
-                  const FilmOptions& options, Photographer* photographer, const AddFrame& add) {
+                  const FilmOptions& options, picture::Photographer* photographer,
+                  const AddFrame& add) {
   const double rate = options.frames_per_second / options.speed;
   const auto is_due = [&](std::uint64_t frame, std::uint64_t tick) {
     return record::IsFrameDue(frame, tick - range.first, rate);
@@ -62,7 +63,7 @@ std::string NumberedName(std::uint64_t frame) {
 
 void FilmInto(const std::filesystem::path& mp4, const record::Recording& recording,
               const record::TickRange& range, const FilmOptions& options,
-              Photographer* photographer) {
+              picture::Photographer* photographer) {
   dataset::VideoWriter video(mp4, options.shot.width_px, options.shot.height_px,
                              options.frames_per_second);
   ForEachFrame(recording, range, options, photographer,
@@ -77,7 +78,7 @@ void Film(const record::Recording& recording, const std::filesystem::path& mp4,
           const FilmOptions& options) {
   const record::TickRange range = TicksOf(options.range, recording);
   const sim::Simulation stage(recording.scene, recording.robot);
-  Photographer photographer(stage, options.shot);
+  picture::Photographer photographer(stage, options.shot);
   // Under another name until it is whole: an older film is not lost to half a new one.
   const std::filesystem::path part = mp4.string() + ".part.mp4";
   try {
@@ -94,14 +95,14 @@ void FilmAsPictures(const record::Recording& recording, const std::filesystem::p
                     const FilmOptions& options) {
   const record::TickRange range = TicksOf(options.range, recording);
   const sim::Simulation stage(recording.scene, recording.robot);
-  Photographer photographer(stage, options.shot);
+  picture::Photographer photographer(stage, options.shot);
   MakeNewDirectory(directory);
   record::AppendFile index(directory / "frames.csv");
   index.Append("frame,tick,seconds,image\n");
   ForEachFrame(recording, range, options, &photographer,
                [&](std::uint64_t frame, std::uint64_t tick, const Image& image) {
-                 const auto written =
-                     WriteChannels(directory / NumberedName(frame), image, options.shot.channels);
+                 const auto written = picture::WriteChannels(directory / NumberedName(frame), image,
+                                                             options.shot.channels);
                  index.Append(std::to_string(frame) + "," + std::to_string(tick) + "," +
                               NumberText(record::SecondsInto(recording, tick)) + "," +
                               written.front().filename().string() + "\n");

@@ -3,14 +3,14 @@
 #include <filesystem>
 #include <string>
 
-#include "app/photographer.h"
+#include "picture/photographer.h"
 #include "record/recording.h"
 #include "record/time_range.h"
 
 namespace smile::app {
 
 struct FilmOptions {
-  Shot shot;
+  picture::Shot shot;
   double frames_per_second = 30;
   double speed = 1;         ///< 2 shows two seconds in one
   record::TimeRange range;  ///< of the demonstration

@@ -35,6 +35,7 @@ int main(int argc, char** argv) {
   int answer = app::kDone;
   app::AddCheck(&program, &answer);
   app::AddRun(&program, &answer);
+  app::AddStudio(&program, &answer);
   app::AddReplay(&program, &answer);
   app::AddHistory(&program, &answer);
   app::AddCheckout(&program, &answer);

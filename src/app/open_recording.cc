@@ -4,6 +4,7 @@
 
 #include "base/diagnostic.h"
 #include "base/version.h"
+#include "base/wording.h"
 
 namespace smile::app {
 
@@ -14,16 +15,9 @@ record::Recording OpenAndTell(const std::string& demo) {
   }
   if (recording.info.program != ProgramName()) {
     std::fprintf(stderr, "%s: was made by %s, this is %s\n", demo.c_str(),
-                 recording.info.program.c_str(), ProgramName().c_str());
+                 Printable(recording.info.program).c_str(), ProgramName().c_str());
   }
   return recording;
-}
-
-std::optional<sim::EyeSpec> EyeOf(const record::DemoInfo& info) {
-  if (!info.eye) return std::nullopt;
-  return sim::EyeSpec{.width_px = info.eye->intrinsics.width_px,
-                      .height_px = info.eye->intrinsics.height_px,
-                      .camera = info.eye_camera};
 }
 
 void RequireOutsideOfRecordings(const std::string& out) {

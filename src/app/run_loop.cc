@@ -7,12 +7,12 @@
 #include <stdexcept>
 #include <thread>
 
-#include "app/brain_log.h"
 #include "app/interrupt.h"
 #include "app/progress.h"
-#include "app/rendered_eye.h"
 #include "base/diagnostic.h"
+#include "brain/brain_log.h"
 #include "math/angles.h"
+#include "picture/rendered_eye.h"
 #include "scene/units.h"
 
 namespace smile::app {
@@ -43,6 +43,8 @@ std::string HashText(std::uint64_t hash) {
   return text;
 }
 
+/// From the end of a robot program to the end of its run: the face it ends with is to be in films.
+constexpr int kFarewellTicks = sim::kTicksPerSecond / 4;
 constexpr double kInitPatience = 12;  ///< as much more for init as for a callback
 
 std::filesystem::path RecordingOf(const RunPlan& plan) {
@@ -190,6 +192,11 @@ class LiveRun {
     if (is_brain_running()) {
       driver_->Drive(&simulation_);
       LogBrainError();
+      if (!is_brain_running()) farewell_ticks_ = kFarewellTicks;
+    }
+    if (farewell_ticks_ > 0) {
+      --farewell_ticks_;
+      return false;
     }
     if (driver_ && driver_->status() == brain::BrainStatus::kFailed) return true;
     if (plan_.seconds) return false;
@@ -228,15 +235,16 @@ class LiveRun {
   }
 
   const RunPlan& plan_;
-  std::optional<RenderedEye> eye_;
+  std::optional<picture::RenderedEye> eye_;
   std::optional<record::RecordingDesk> desk_;
   sim::Simulation simulation_;
   std::uint64_t first_tick_ = 0;
-  double passed_ = 0;  ///< simulated since then, also what was undone [s]
+  int farewell_ticks_ = 0;  ///< to go on, though the brain has ended
+  double passed_ = 0;       ///< simulated since then, also what was undone [s]
   std::uint64_t late_ticks_ = 0;
   double worst_delay_ = 0;
   std::optional<sim::ScriptPlayer> player_;
-  BrainLog brain_log_;  ///< written to by the process's thread
+  brain::BrainLog brain_log_;  ///< written to by the process's thread
   std::optional<brain::BrainProcess> process_;
   std::optional<brain::BrainDriver> driver_;
 };

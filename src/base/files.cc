@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
@@ -83,6 +84,16 @@ void MakeDirectories(const std::filesystem::path& path) {
   std::error_code error;
   std::filesystem::create_directories(path, error);
   if (error) Fail(path, "cannot be created: " + error.message());
+}
+
+bool IsWithin(const std::filesystem::path& path, const std::filesystem::path& folder) {
+  std::error_code error;
+  const std::filesystem::path there = std::filesystem::canonical(path, error);
+  if (error) return false;
+  const std::filesystem::path around = std::filesystem::canonical(folder, error);
+  // Step by step: /a/bc is not within /a/b.
+  return !error && std::mismatch(around.begin(), around.end(), there.begin(), there.end()).first ==
+                       around.end();
 }
 
 std::filesystem::path DataFile(std::string_view relative_path) {

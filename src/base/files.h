@@ -21,6 +21,10 @@ void WriteFile(const std::filesystem::path& path, std::string_view text);
 /// @throws std::runtime_error naming the path and the reason.
 void MakeDirectories(const std::filesystem::path& path);
 
+/// True when a path leads to something in a folder or below it, or to the folder itself, wherever
+/// links and `..` on both lead. False when one of them is not there.
+bool IsWithin(const std::filesystem::path& path, const std::filesystem::path& folder);
+
 /// A file that ships with SMILE (`robots/baxter.urdf`, `scenes/…`, `matlab/…`): looked for under
 /// the environment variable SMILE_DATA_DIR, beside the program in `../share/smile`, and in the
 /// source tree the program was built from.

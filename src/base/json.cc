@@ -2,17 +2,21 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <stdexcept>
 #include <string>
+#include <utility>
+
+#include "base/wording.h"
 
 namespace smile {
 namespace {
 
-/// Looks at the parser's events and keeps nothing. (A callback of the parser that keeps values
+/// Looks at the parser's events and keeps no values. (A callback of the parser that keeps them
 /// looks through the whole array around each of them that ends: hours, for ten megabytes.)
 class LimitCheck : public Json::json_sax_t {
  public:
-  explicit LimitCheck(int max_keys) : max_keys_(max_keys) {}
+  LimitCheck(std::string_view text, int max_keys) : text_(text), max_keys_(max_keys) {}
 
   bool null() override { return true; }
   bool boolean(bool) override { return true; }
@@ -21,13 +25,18 @@ class LimitCheck : public Json::json_sax_t {
   bool number_float(number_float_t, const string_t&) override { return true; }
   bool string(string_t&) override { return true; }
   bool binary(binary_t&) override { return true; }
-  bool key(string_t&) override {
+  bool key(string_t& name) override {
     // Each key of an object is looked for among all before it.
     const int limit = std::min(max_keys_, kMaxJsonKeys);
-    if (++num_keys_ > max_keys_ || ++keys_of_object_[depth_] > limit) {
+    Keys& keys = keys_of_object_[depth_];
+    if (++num_keys_ > max_keys_ || ++keys.count > limit) {
       throw std::invalid_argument("this JSON has more than " +
                                   std::to_string(num_keys_ > max_keys_ ? max_keys_ : limit) +
                                   " keys");
+    }
+    keys.last = name;
+    if (!keys.names.insert(std::move(name)).second) {
+      throw std::invalid_argument("the key " + Quoted(keys.last) + " is there twice" + Where());
     }
     return true;
   }
@@ -35,8 +44,12 @@ class LimitCheck : public Json::json_sax_t {
   bool start_array(std::size_t) override { return Begin(); }
   bool end_object() override { return End(); }
   bool end_array() override { return End(); }
-  bool parse_error(std::size_t, const std::string&, const Json::exception&) override {
-    throw std::invalid_argument("this is not JSON");
+  bool parse_error(std::size_t position, const std::string&, const Json::exception&) override {
+    const std::string_view before = text_.substr(0, position);
+    const auto num_ends = std::count(before.begin(), before.end(), '\n');
+    throw std::invalid_argument(
+        "this is not JSON" +
+        (num_ends > 0 ? " from line " + std::to_string(num_ends + 1) + " on" : std::string()));
   }
 
  private:
@@ -44,7 +57,7 @@ class LimitCheck : public Json::json_sax_t {
     if (++depth_ > kMaxDepth) {
       throw std::invalid_argument("this JSON is nested deeper than 32 levels");
     }
-    keys_of_object_[depth_] = 0;
+    keys_of_object_[depth_] = {};
     return true;
   }
   bool End() {
@@ -52,18 +65,33 @@ class LimitCheck : public Json::json_sax_t {
     return true;
   }
 
+  /// ` in "arms"`: after the next key around this object.
+  std::string Where() const {
+    for (int around = depth_ - 1; around > 0; --around) {
+      if (keys_of_object_[around].count > 0) return " in " + Quoted(keys_of_object_[around].last);
+    }
+    return {};
+  }
+
   static constexpr int kMaxDepth = 32;
 
+  struct Keys {  // of an object that has not ended
+    int count = 0;
+    std::set<std::string> names;
+    std::string last;
+  };
+
+  std::string_view text_;
   int max_keys_;
   int depth_ = 0;
   int num_keys_ = 0;
-  std::array<int, kMaxDepth + 1> keys_of_object_{};
+  std::array<Keys, kMaxDepth + 1> keys_of_object_;
 };
 
 }  // namespace
 
 Json ParseJson(std::string_view text, int max_keys) {
-  LimitCheck limits(max_keys);
+  LimitCheck limits(text, max_keys);
   Json::sax_parse(text, &limits);
   return Json::parse(text);
 }

@@ -11,7 +11,8 @@ using Json = nlohmann::ordered_json;
 
 inline constexpr int kMaxJsonKeys = 10'000;
 
-/// Reads JSON that nobody vouches for: at most 32 levels deep, and 10,000 keys in any one object.
+/// Reads JSON that nobody vouches for: at most 32 levels deep, and 10,000 keys in any one object,
+/// each once.
 /// @param max_keys  in all objects together.
 /// @throws std::invalid_argument saying what is wrong with it.
 Json ParseJson(std::string_view text, int max_keys = kMaxJsonKeys);

@@ -2,7 +2,9 @@
 
 #include <signal.h>
 
+#include <cerrno>
 #include <cmath>
+#include <cstring>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -23,6 +25,7 @@ constexpr double kForeverSeconds = 1e6;    ///< the longest that WaitLimit takes
 constexpr double kGoodbyeSeconds = 1.0;    ///< from BYE to SIGKILL
 constexpr double kGuardSeconds = 0.5;      ///< from SIGUSR2 to SIGINT
 constexpr double kInterruptSeconds = 0.3;  ///< from SIGINT to SIGKILL
+constexpr double kSilenceSeconds = 2.0;    ///< before a hello, while somebody else waits
 
 using Phase = BrainError::Phase;
 
@@ -42,6 +45,23 @@ std::string SecondsText(double seconds) {
   std::ostringstream text;
   text << seconds << " s";
   return text.str();
+}
+
+/// In words for whoever wrote the program.
+std::string WhyNotRun(const CannotRun& refusal) {
+  const std::string found = "the brain cannot be run: ";
+  switch (refusal.error_number()) {
+    case ENOENT:
+      return found +
+             "what shall run it is not there, expected it in the first line of a script, "
+             "as #!/usr/bin/python3";
+    case ENOEXEC:
+      return found +
+             "it is no program, expected one for this machine, or a script with a first "
+             "line like #!/usr/bin/python3";
+    default:
+      return found + std::strerror(refusal.error_number());
+  }
 }
 
 /// A logical or number that is there and not zero.
@@ -68,14 +88,19 @@ class BrainProcess::Impl {
  private:
   enum class State { kNew, kStarting, kRunning, kEnded };
 
-  void Start();
+  std::optional<BrainError> Start();
   /// Puts the robot's files where the brain may read them.
   /// @returns the URDF; empty when there are none.
   std::string PutOut(const std::vector<robot::RobotFile>& files) const;
   ChildCommand CommandWithAddress() const;
   bool HasChildEnded() const { return child_ && child_->HasEnded(); }
   std::optional<BrainError> Meet(const WaitLimit& limit);
-  std::optional<BrainError> ReadHello(const WaitLimit& limit);
+  /// Until somebody has come who says what a brain says first. Under a debugger all others are sent
+  /// away: their mistakes are not the brain's.
+  std::optional<BrainError> Greet(const WaitLimit& limit);
+  /// For a person who starts the brain: one who says nothing must not keep out the next.
+  WaitLimit LimitOfHello(const WaitLimit& limit) const;
+  bool TakeHello(const Message& hello);
   /// Sends a question and waits for its answer, which is of type `expected` (or kFinalMotor).
   OrError<Message> Ask(const std::vector<std::byte>& question, MessageType expected, Phase phase,
                        const WaitLimit& limit, double limit_seconds);
@@ -109,10 +134,9 @@ class BrainProcess::Impl {
 OrError<InitReply> BrainProcess::Impl::Init(const Aux& aux) {
   if (state_ != State::kNew) throw std::logic_error("BrainProcess::Init: it was started before");
   state_ = State::kStarting;
-  Start();
+  if (auto error = Start()) return EndWith(std::move(*error));
   const WaitLimit limit = LimitOf(options_.start_seconds);
-  if (auto error = Meet(limit)) return EndWith(std::move(*error));
-  if (auto error = ReadHello(limit)) return EndWith(std::move(*error));
+  if (auto error = Greet(limit)) return EndWith(std::move(*error));
 
   auto answer = Ask(EncodeAux(++sequence_, aux, program_.folder_name, PutOut(aux.robot_files)),
                     MessageType::kInitDone, Phase::kInit, limit, options_.start_seconds);
@@ -163,14 +187,22 @@ void BrainProcess::Impl::Stop() {
   EndProcess();
 }
 
-void BrainProcess::Impl::Start() {
+std::optional<BrainError> BrainProcess::Impl::Start() {
   rendezvous_.emplace(program_.rendezvous);
   if (options_.is_attached) {
     if (options_.on_waiting) options_.on_waiting(HowToAttach(program_, CommandWithAddress()));
-    return;
+    return std::nullopt;
   }
-  child_.emplace(CommandWithAddress());
+  const ChildCommand command = CommandWithAddress();
+  try {
+    child_.emplace(command);
+  } catch (const CannotRun& refusal) {
+    // What runs scripts belongs to the machine; a program is the brain itself.
+    if (command.arguments.front() != program_.main_file) throw;
+    return ErrorIn(Phase::kStart, WhyNotRun(refusal));
+  }
   drain_.emplace(child_->TakeOutput(), options_.on_output);
+  return std::nullopt;
 }
 
 ChildCommand BrainProcess::Impl::CommandWithAddress() const {
@@ -194,23 +226,45 @@ std::optional<BrainError> BrainProcess::Impl::Meet(const WaitLimit& limit) {
   return std::nullopt;
 }
 
-std::optional<BrainError> BrainProcess::Impl::ReadHello(const WaitLimit& limit) {
-  auto received = channel_->Receive(limit);
-  if (const auto* fault = std::get_if<ChannelFault>(&received)) {
-    return ExplainFault(*fault, Phase::kStart, options_.start_seconds);
+std::optional<BrainError> BrainProcess::Impl::Greet(const WaitLimit& limit) {
+  while (true) {
+    if (auto error = Meet(limit)) return error;
+    auto received = channel_->Receive(LimitOfHello(limit));
+    const Message* hello = std::get_if<Message>(&received);
+    if (hello && hello->type == MessageType::kError) return ExplainReport(*hello, Phase::kStart);
+    if (hello && TakeHello(*hello)) return std::nullopt;
+
+    const auto* fault = std::get_if<ChannelFault>(&received);
+    BrainError error = fault ? ExplainFault(*fault, Phase::kStart, options_.start_seconds)
+                             : ErrorIn(Phase::kStart, "the brain does not speak version " +
+                                                          std::to_string(wire::kProtocolVersion) +
+                                                          " of the protocol");
+    if (!options_.is_attached || limit.IsCancelled()) return error;
+    if (fault && fault->kind == ChannelFault::Kind::kCancelled) {
+      error = ErrorIn(Phase::kStart, "it said nothing, and the next one came");
+    }
+    channel_.reset();
+    if (options_.on_waiting) options_.on_waiting("sent somebody away: " + error.message);
   }
-  const Message& hello = std::get<Message>(received);
-  if (hello.type == MessageType::kError) return ExplainReport(hello, Phase::kStart);
+}
+
+WaitLimit BrainProcess::Impl::LimitOfHello(const WaitLimit& limit) const {
+  if (!options_.is_attached) return limit;
+  return WaitLimit(kForeverSeconds, [this, limit, silence = WaitLimit(kSilenceSeconds)] {
+    return limit.IsCancelled() || (silence.HasPassed() && rendezvous_->HasVisitor());
+  });
+}
+
+bool BrainProcess::Impl::TakeHello(const Message& hello) {
   const NamedArray* version = hello.Find("version");
   const auto numbers = version ? version->Numbers() : std::nullopt;
   if (hello.type != MessageType::kHello || !numbers || numbers->size() != 1 ||
       numbers->front() != wire::kProtocolVersion) {
-    return ErrorIn(Phase::kStart, "the brain does not speak version " +
-                                      std::to_string(wire::kProtocolVersion) + " of the protocol");
+    return false;
   }
   has_guard_ = IsTrue(hello, "guard");
   if (IsTrue(hello, "rows")) pixel_order_ = PixelOrder::kRows;
-  return std::nullopt;
+  return true;
 }
 
 OrError<Message> BrainProcess::Impl::Ask(const std::vector<std::byte>& question,

@@ -28,7 +28,8 @@ struct BrainOptions {
   /// For debuggers: the program is not started here but by a person, as `on_waiting` is told, and
   /// may take all the time it likes.
   bool is_attached = false;
-  /// Told, when attached, what to type in another terminal: several lines.
+  /// Told, when attached, what to type in another terminal: several lines; then, who came and was
+  /// no brain.
   std::function<void(std::string_view instructions)> on_waiting;
 };
 

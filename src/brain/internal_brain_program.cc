@@ -184,7 +184,7 @@ BrainProgram FindBrainProgram(const fs::path& brain, BrainTransport transport) {
   } else {
     Reject(brain,
            "not a program, expected a folder with agentBehavior.m, a Python file or an "
-           "executable file");
+           "executable file (chmod +x makes it one)");
   }
   program.command.working_directory = program.working_directory;
   return program;

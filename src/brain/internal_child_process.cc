@@ -157,7 +157,7 @@ ChildProcess::ChildProcess(const ChildCommand& command) {
   } while (count < 0 && errno == EINTR);
   if (count > 0) {
     End();
-    Fail(program, "cannot be started", error);
+    throw CannotRun(program + ": cannot be started: " + std::strerror(error), error);
   }
   ::fcntl(output.read_end.get(), F_SETFL, O_NONBLOCK);
   output_ = std::move(output.read_end);

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,13 +20,25 @@ struct ChildCommand {
   std::filesystem::path working_directory;
 };
 
+/// The system would not run a program.
+class CannotRun : public std::runtime_error {
+ public:
+  CannotRun(const std::string& message, int error_number)
+      : std::runtime_error(message), error_number_(error_number) {}
+  int error_number() const { return error_number_; }
+
+ private:
+  int error_number_;
+};
+
 /// A program in a process group of its own, with nothing on its standard input and its output in a
 /// pipe. It dies with the thread that started it, and with this object; so does every process that
 /// it started, wherever that hid: between us and the program stands `smile-keeper`, which all of
 /// them become children of.
 class ChildProcess {
  public:
-  /// @throws std::runtime_error naming the program and the reason it could not be started.
+  /// @throws CannotRun naming the program and the reason, std::runtime_error when the machine has
+  ///         no room for one more.
   explicit ChildProcess(const ChildCommand& command);
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;

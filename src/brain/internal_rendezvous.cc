@@ -7,6 +7,7 @@
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/un.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <chrono>
@@ -109,6 +110,7 @@ void Rendezvous::Listen() {
 
 void Rendezvous::MakePipes() {
   for (const char* name : {"to_brain", "from_brain"}) {
+    ::unlink((folder_ / name).c_str());
     if (::mkfifo((folder_ / name).c_str(), 0600) != 0) Fail(folder_ / name);
   }
   from_brain_ =
@@ -124,11 +126,17 @@ std::optional<Channel> Rendezvous::Meet(int slice_ms) {
     if (!socket) return std::nullopt;
     return Channel(std::move(socket));
   }
+  if (!from_brain_) MakePipes();  // somebody has the old ones
   // This open fails until the brain has opened the other end; nothing can be polled for that.
   UniqueFd to_brain(::open((folder_ / "to_brain").c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC));
   if (to_brain) return Channel(std::move(from_brain_), std::move(to_brain));
   std::this_thread::sleep_for(std::chrono::milliseconds(std::min(slice_ms, 5)));
   return std::nullopt;
+}
+
+bool Rendezvous::HasVisitor() const {
+  pollfd watched{listener_.get(), POLLIN, 0};
+  return kind_ == Kind::kSocket && ::poll(&watched, 1, 0) > 0;
 }
 
 }  // namespace smile::brain

@@ -25,8 +25,11 @@ class Rendezvous {
   /// What the brain is told: the socket, or the folder with the pipes `to_brain` and `from_brain`.
   std::filesystem::path address() const;
 
-  /// Waits up to `slice_ms` for the brain to come; nullopt when it has not.
+  /// Waits up to `slice_ms` for somebody to come; nullopt when nobody has. Whoever came before is
+  /// shut out.
   std::optional<Channel> Meet(int slice_ms);
+  /// Whether one more has come and waits; for pipes that cannot be told.
+  bool HasVisitor() const;
 
  private:
   void LockFolder();

@@ -8,6 +8,7 @@ namespace {
 // the side is darker, and differently dark for each of the four sides: -y, -x, +x, +y from bright
 // to dark. The numbers keep any two neighboring faces of a cube at least 20 of 255 steps apart.
 // Brightness scales the color as it is shown on a screen, which leaves hue and saturation alone.
+// What glows shows its color, wherever it looks.
 constexpr char kEyeVertexShader[] = R"(
 uniform mat4 clip_from_world;
 out vec3 shade;
@@ -20,7 +21,7 @@ float Brightness(vec3 n) {
 }
 
 void main() {
-  shade = screen_color * Brightness(NormalInWorld());
+  shade = screen_color * (glows == 1u ? 1.0 : Brightness(NormalInWorld()));
   id = object_id;
   gl_Position = clip_from_world * vec4(PositionInWorld(), 1.0);
 }

@@ -12,6 +12,7 @@ layout(location = 3) in vec4 row_y;
 layout(location = 4) in vec4 row_z;
 layout(location = 5) in vec3 screen_color;
 layout(location = 6) in uint object_id;
+layout(location = 7) in uint glows;
 
 vec3 PositionInWorld() {
   vec4 p = vec4(position, 1.0);
@@ -50,7 +51,9 @@ void DescribeInstances() {
                         Offset(offsetof(Instance, color)));
   glVertexAttribIPointer(6, 1, GL_UNSIGNED_INT, sizeof(Instance),
                          Offset(offsetof(Instance, object_id)));
-  for (GLuint location = 2; location <= 6; ++location) {
+  glVertexAttribIPointer(7, 1, GL_UNSIGNED_INT, sizeof(Instance),
+                         Offset(offsetof(Instance, glows)));
+  for (GLuint location = 2; location <= 7; ++location) {
     glEnableVertexAttribArray(location);
     glVertexAttribDivisor(location, 1);
   }

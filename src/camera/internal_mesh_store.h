@@ -11,7 +11,7 @@ namespace smile::camera::internal {
 /// The unit meshes on the graphics card, brought there when first drawn.
 ///
 /// Vertex shaders read: 0 position, 1 normal (of the unit mesh), 2 to 4 the rows of the instance's
-/// matrix, 5 its color as shown on a screen, 6 its object id.
+/// matrix, 5 its color as shown on a screen, 6 its object id, 7 whether it glows: 1 or 0.
 class MeshStore {
  public:
   /// Draws with the program in use; pieces that share a unit mesh at one stroke.

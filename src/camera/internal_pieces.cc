@@ -21,9 +21,10 @@ Piece Place(const scene::Visual& visual, const RigidTransform& X_WF) {
   const Vector3 stretch = mesh::StretchOf(visual.shape);
   const Vector3 color(visual.color.red, visual.color.green, visual.color.blue);
   Piece piece{.unit_mesh = mesh::UnitMeshOf(visual.shape),
-              .instance = {.object_id = visual.object_id},
+              .instance = {.object_id = visual.object_id, .glows = visual.glows ? 1u : 0u},
               .p_WV = X_WV.translation(),
-              .bounding_radius = mesh::BoundingRadiusOf(visual.shape)};
+              .bounding_radius = mesh::BoundingRadiusOf(visual.shape),
+              .casts_shadow = visual.casts_shadow};
   for (int row = 0; row < 3; ++row) {
     for (int column = 0; column < 3; ++column) {
       piece.instance.rows[row][column] =

@@ -15,8 +15,9 @@ struct Instance {
   float rows[3][4] = {};  ///< world from unit mesh: the upper three rows
   float color[3] = {};    ///< red, green, blue as shown on a screen
   std::uint32_t object_id = 0;
+  std::uint32_t glows = 0;  ///< 1: shows its color whatever light there is
 };
-static_assert(sizeof(Instance) == 64);
+static_assert(sizeof(Instance) == 68);
 
 /// A visual in its place.
 struct Piece {
@@ -24,6 +25,7 @@ struct Piece {
   Instance instance;
   Vector3 p_WV = Vector3::Zero();
   double bounding_radius = 0;  ///< about p_WV [m]
+  bool casts_shadow = true;
 };
 
 /// All visuals of the model that are there in this state, in their places, apart from those of

@@ -36,8 +36,10 @@ uniform mat4 clip_from_world, map_from_world;
 uniform float normal_offset;
 out vec3 position_W, normal_W, position_map;
 flat out vec3 own_color;
+flat out uint is_glowing;
 
 void main() {
+  is_glowing = glows;
   position_W = PositionInWorld();
   normal_W = NormalInWorld();
   position_map = (map_from_world * vec4(position_W + normal_offset * normal_W, 1.0)).xyz;
@@ -52,6 +54,7 @@ uniform vec3 p_WC, to_lamp;
 uniform sampler2DShadow shadow_map;
 in vec3 position_W, normal_W, position_map;
 flat in vec3 own_color;
+flat in uint is_glowing;
 out vec4 color;
 
 // The mean of four neighboring texels, weighted by nearness.
@@ -74,6 +77,10 @@ float SeenOfLamp() {
 }
 
 void main() {
+  if (is_glowing == 1u) {
+    color = vec4(own_color, 1.0);
+    return;
+  }
   vec3 n = normalize(normal_W);
   float facing = dot(n, to_lamp);
   float lamp = facing > 0.0 ? facing * SeenOfLamp() : 0.0;

@@ -1,6 +1,7 @@
 #include "camera/internal_shadow_map.h"
 
 #include <algorithm>
+#include <iterator>
 #include <stdexcept>
 
 namespace smile::camera::internal {
@@ -39,6 +40,12 @@ Eigen::AlignedBox3d BoundsAlongLamp(const std::vector<Piece>& pieces) {
   if (bounds.isEmpty()) return {Vector3::Constant(-kStep), Vector3::Constant(kStep)};
   return {(bounds.min() / kStep).array().floor() * kStep,
           (bounds.max() / kStep).array().ceil() * kStep};
+}
+
+std::vector<Piece> Casters(const std::vector<Piece>& pieces) {
+  std::vector<Piece> casters;
+  std::ranges::copy_if(pieces, std::back_inserter(casters), &Piece::casts_shadow);
+  return casters;
 }
 
 }  // namespace
@@ -86,9 +93,11 @@ void ShadowMap::FitTo(const std::vector<Piece>& casters, const std::vector<Piece
   map_from_world_ = map_from_world.cast<float>();
 }
 
-void ShadowMap::Draw(const std::vector<Piece>& casters, const std::vector<Piece>& receivers,
+void ShadowMap::Draw(const std::vector<Piece>& pieces, const std::vector<Piece>& visible,
                      MeshStore* meshes) {
-  FitTo(casters, receivers);
+  // The rest receives no place in the map either: shadows are the same without it.
+  const std::vector<Piece> casters = Casters(pieces);
+  FitTo(casters, Casters(visible));
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
   glViewport(0, 0, kSize, kSize);
   const GLfloat far_plane = 1;

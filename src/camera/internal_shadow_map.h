@@ -9,9 +9,8 @@ class ShadowMap {
  public:
   ShadowMap();
 
-  /// Redraws the map for these casters, as finely as the receivers, which a picture shows, allow.
-  void Draw(const std::vector<Piece>& casters, const std::vector<Piece>& receivers,
-            MeshStore* meshes);
+  /// Redraws the map for those that cast shadows, as finely as what a picture shows allows.
+  void Draw(const std::vector<Piece>& pieces, const std::vector<Piece>& visible, MeshStore* meshes);
 
   /// From world to the map: x, y its texture coordinates, z its depth, each in [0, 1] inside.
   const Eigen::Matrix4f& map_from_world() const { return map_from_world_; }

@@ -39,8 +39,7 @@ void RequireChannel(const char* name, std::size_t size, std::size_t expected) {
                               " and more than 0");
 }
 
-void Write(const std::filesystem::path& path, const Image& image, png_uint_32 format,
-           const void* pixels) {
+std::string Encoded(const Image& image, png_uint_32 format, const void* pixels) {
   PngImage png;
   png.width = static_cast<png_uint_32>(image.width_px);
   png.height = static_cast<png_uint_32>(image.height_px);
@@ -51,14 +50,14 @@ void Write(const std::filesystem::path& path, const Image& image, png_uint_32 fo
   png_alloc_size_t num_bytes = PNG_IMAGE_PNG_SIZE_MAX(png);
   const auto bytes = std::make_unique_for_overwrite<char[]>(num_bytes);
   if (!png_image_write_to_memory(&png, bytes.get(), &num_bytes, 0, pixels, 0, nullptr)) {
-    png.Fail(path, "cannot be written");
+    throw std::runtime_error(std::string("a picture cannot be written: ") + png.message);
   }
-  WriteFile(path, {bytes.get(), num_bytes});
+  return {bytes.get(), num_bytes};
 }
 
 }  // namespace
 
-void WritePng(const std::filesystem::path& path, const Image& image) {
+std::string PngOf(const Image& image) {
   const std::size_t num_pixels = NumPixels(image);
   RequireChannel("color", image.color.size(), 3 * num_pixels);
   std::vector<std::uint8_t> pixels(4 * num_pixels);
@@ -66,7 +65,11 @@ void WritePng(const std::filesystem::path& path, const Image& image) {
     std::memcpy(&pixels[4 * k], &image.color[3 * k], 3);
     pixels[4 * k + 3] = 255;
   }
-  Write(path, image, PNG_FORMAT_RGBA, pixels.data());
+  return Encoded(image, PNG_FORMAT_RGBA, pixels.data());
+}
+
+void WritePng(const std::filesystem::path& path, const Image& image) {
+  WriteFile(path, PngOf(image));
 }
 
 void WriteDepthPng(const std::filesystem::path& path, const Image& image) {
@@ -77,7 +80,7 @@ void WriteDepthPng(const std::filesystem::path& path, const Image& image) {
     if (!(depth > 0)) return 0;
     return static_cast<std::uint16_t>(std::clamp(std::round(depth * kStepsPerMeter), 1.f, 65535.f));
   });
-  Write(path, image, PNG_FORMAT_LINEAR_Y, pixels.data());
+  WriteFile(path, Encoded(image, PNG_FORMAT_LINEAR_Y, pixels.data()));
 }
 
 void WriteIdPng(const std::filesystem::path& path, const Image& image) {
@@ -88,7 +91,7 @@ void WriteIdPng(const std::filesystem::path& path, const Image& image) {
                                 ", expected at most 65535");
   }
   const std::vector<std::uint16_t> pixels(image.ids.begin(), image.ids.end());
-  Write(path, image, PNG_FORMAT_LINEAR_Y, pixels.data());
+  WriteFile(path, Encoded(image, PNG_FORMAT_LINEAR_Y, pixels.data()));
 }
 
 Image ReadPng(const std::filesystem::path& path) {

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 
 #include "math/image.h"
 
@@ -12,6 +13,10 @@ namespace smile::record {
 /// @throws std::invalid_argument if the image has no color.
 /// @throws std::runtime_error naming the path and the reason; `path` then is as it was.
 void WritePng(const std::filesystem::path& path, const Image& image);
+
+/// The bytes of the file that WritePng() writes.
+/// @throws std::invalid_argument if the image has no color.
+std::string PngOf(const Image& image);
 
 /// Writes depth as 16-bit gray in steps of 0.1 mm: 0 = no hit, 65535 = 6.5535 m or farther.
 /// Throws as WritePng() does.

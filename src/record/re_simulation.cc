@@ -1,6 +1,9 @@
 #include "record/re_simulation.h"
 
 #include <cmath>
+#include <stdexcept>
+#include <system_error>
+
 #include "base/diagnostic.h"
 #include "record/log_player.h"
 #include "record/recorder.h"
@@ -125,6 +128,25 @@ EditReport ReSimulate(const Recording& recording, const Demonstration& edited,
   CompareHostPoints(before, after, simulation.tabletop(), &report);
   CompareJoints(before, after, simulation, &report);
   return report;
+}
+
+EditReport MakeEdited(const Recording& recording, const Demonstration& edited,
+                      const EditOutput& output, const Progress& progress) {
+  std::error_code error;
+  const bool was_there = std::filesystem::exists(output.directory, error);
+  bool goes_on = true;
+  const auto watch = [&](double done, double total) {
+    goes_on = !progress || progress(done, total);
+    return goes_on;
+  };
+  try {
+    const EditReport report = ReSimulate(recording, edited, output, watch);
+    if (!goes_on) throw std::runtime_error("interrupted");
+    return report;
+  } catch (...) {
+    if (!was_there) std::filesystem::remove_all(output.directory, error);
+    throw;
+  }
 }
 
 }  // namespace smile::record

@@ -70,4 +70,9 @@ struct EditOutput {
 EditReport ReSimulate(const Recording& recording, const Demonstration& edited,
                       const std::optional<EditOutput>& output, const Progress& progress = {});
 
+/// The same into a new recording, whole or not at all: half of it would look like a whole one.
+/// @throws std::runtime_error if `progress` answers false.
+EditReport MakeEdited(const Recording& recording, const Demonstration& edited,
+                      const EditOutput& output, const Progress& progress = {});
+
 }  // namespace smile::record

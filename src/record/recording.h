@@ -5,57 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "math/camera_projection.h"
 #include "record/command_log.h"
+#include "record/demo_info.h"
 #include "scene/scene_spec.h"
-#include "sim/eye.h"
 #include "sim/simulation.h"
 
 namespace smile::record {
-
-/// Written; those from kOldestFormatVersion on are read.
-inline constexpr int kFormatVersion = 3, kOldestFormatVersion = 1;
-/// The folder in a recording with all files its robot was read from.
-inline constexpr const char* kRobotFolder = "robot";
-/// Before there was the folder: the robot, its side file beside it.
-inline constexpr const char* kOldRobotFile = "robot.urdf";
-
-/// Where a recording comes from.
-enum class Origin {
-  kRecorded,  ///< a simulation
-  kEdited,    ///< another recording, and a simulation
-  kImported,  ///< a classic recording: what was seen, without commands
-};
-
-struct RobotInfo {
-  std::string name;
-  double gap = 0, height = 0;        ///< where it stands, see sim::RobotPlacement [m]
-  std::string urdf = kOldRobotFile;  ///< from the recording's directory
-  std::string gripper;               ///< see sim::RobotPlacement
-  robot::RobotBodyOptions body;
-
-  bool operator==(const RobotInfo&) const = default;
-};
-
-/// `demo.json`: what a recording is.
-struct DemoInfo {
-  int format = kFormatVersion;
-  std::string program;  ///< that made it; empty = this one
-  std::string scene;    ///< name
-  std::string title, notes;
-  double meters_per_unit = scene::kMetersPerUnit;
-  Origin origin = Origin::kRecorded;
-  Moment start;                    ///< what was done before is no part of the demonstration
-  double frames_per_second = 4;    ///< of the classic view
-  bool has_symbols = true;         ///< in the classic view
-  std::optional<RobotInfo> robot;  ///< nullopt for a table without one
-  std::optional<CameraView> eye;   ///< of the pictures; nullopt for text only
-  std::string eye_camera = sim::kEyeCamera;  ///< which camera that is; see sim::CameraNames()
-
-  bool operator==(const DemoInfo&) const = default;
-};
-
-std::string ToJsonText(const DemoInfo& info);
 
 /// A recording, opened. It stands for itself: the scene file it was made from is not needed.
 struct Recording {

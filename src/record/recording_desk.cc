@@ -1,41 +1,13 @@
 #include "record/recording_desk.h"
 
-#include <cctype>
 #include <stdexcept>
 #include <utility>
 
 #include "base/diagnostic.h"
 #include "base/wording.h"
+#include "record/recording_names.h"
 
 namespace smile::record {
-namespace {
-
-constexpr std::size_t kMaxNameBytes = 100;
-constexpr int kMaxSameNames = 100'000;
-
-/// True of a name that stays in its folder on every system.
-bool IsFileName(const std::string& name) {
-  if (name.empty() || name.size() > kMaxNameBytes || name.front() == '.') return false;
-  for (const char letter : name) {
-    const auto byte = static_cast<unsigned char>(letter);
-    const bool is_ordinary = byte >= 0x80 || std::isalnum(byte) != 0;
-    if (!is_ordinary && std::string_view(" -_.").find(letter) == std::string_view::npos) {
-      return false;
-    }
-  }
-  return true;
-}
-
-/// `um`, or `um-2` if that is taken, …
-std::filesystem::path NewDirectory(const std::filesystem::path& root, const std::string& name) {
-  std::filesystem::path directory = root / name;
-  for (int number = 2; std::filesystem::exists(directory) && number < kMaxSameNames; ++number) {
-    directory = root / (name + "-" + std::to_string(number));
-  }
-  return directory;
-}
-
-}  // namespace
 
 RecordingDesk::RecordingDesk(sim::Simulation* simulation, Options options)
     : options_(std::move(options)) {
@@ -52,11 +24,8 @@ std::optional<sim::Refusal> RecordingDesk::Start(const sim::Simulation& simulati
     return "already recording into " + directories_.back().string() + "; finish that first";
   }
   std::string name = start.name.empty() ? simulation.scene().name : start.name;
-  if (start.name.empty() && !IsFileName(name)) name = "recording";
-  if (!IsFileName(name)) {
-    return "\"name\" is " + Quoted(name) +
-           ", expected up to 100 letters, digits, spaces, - _ and ., not . first";
-  }
+  if (start.name.empty() && !IsRecordingName(name)) name = "recording";
+  if (!IsRecordingName(name)) return "\"name\" is " + Quoted(name) + ", expected " + kNameForm;
   RecorderOptions options = options_.recording;
   if (!start.title.empty()) options.title = start.title;
   if (!start.notes.empty()) options.notes = start.notes;

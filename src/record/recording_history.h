@@ -16,7 +16,7 @@ struct HistoryStep {
   /// As far as it went: to the next action, to where it was left by an undo, or to the recording's
   /// end. If it was gone on with in several ways, the last of them counts.
   Moment end;
-  std::string words;       ///< `left hand takes b03`
+  std::string words;       ///< `left hand takes b03`, `left hand puts b03 on b01`
   bool is_on_way = false;  ///< false of what was undone or left, and not done again
 };
 
@@ -29,5 +29,11 @@ std::vector<HistoryStep> HistoryOf(const Recording& recording);
 /// The moment some ticks after a step's begin; nullopt if it did not last that long.
 std::optional<Moment> MomentIn(const Recording& recording, const HistoryStep& step,
                                std::uint64_t ticks);
+
+/// The moment so many seconds after a step began; its end if nothing is said of them.
+/// @param steps  of the recording, as HistoryOf() has them.
+/// @throws std::invalid_argument if there is no such step, or it did not last that long.
+Moment MomentOf(const Recording& recording, const std::vector<HistoryStep>& steps, std::size_t step,
+                const std::optional<double>& after);
 
 }  // namespace smile::record

@@ -27,4 +27,11 @@ sim::Sight SightAt(const TraceTick& moment, const sim::Simulation& stage,
           .hidden_frames = sim::FramesHiddenFromEye(stage, moment.is_robot_shown, spec.camera)};
 }
 
+std::optional<sim::EyeSpec> EyeOf(const DemoInfo& info) {
+  if (!info.eye) return std::nullopt;
+  return sim::EyeSpec{.width_px = info.eye->intrinsics.width_px,
+                      .height_px = info.eye->intrinsics.height_px,
+                      .camera = info.eye_camera};
+}
+
 }  // namespace smile::record

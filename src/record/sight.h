@@ -1,7 +1,8 @@
 #pragma once
 
-#include <vector>
+#include <optional>
 
+#include "record/recording.h"
 #include "record/trace.h"
 #include "sim/eye.h"
 
@@ -13,5 +14,8 @@ scene::VisualState VisualStateAt(const TraceTick& moment, const sim::Simulation&
 
 /// The same as a camera saw it: one of the robot's is where its joints were.
 sim::Sight SightAt(const TraceTick& moment, const sim::Simulation& stage, const sim::EyeSpec& spec);
+
+/// The eye that took a recording's pictures; nullopt if it has none.
+std::optional<sim::EyeSpec> EyeOf(const DemoInfo& info);
 
 }  // namespace smile::record

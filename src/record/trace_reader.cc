@@ -186,6 +186,25 @@ void TraceReader::FindWayTo(TracePlace end) {
     end = part.past;
   }
   place_ = way_.back().begin;
+  whole_way_ = way_;
+}
+
+TraceReader::Bookmark TraceReader::Mark() const {
+  Bookmark bookmark;
+  bookmark.moment_ = now_;
+  bookmark.places_ = places_;
+  bookmark.place_ = place_;
+  bookmark.num_stretches_ = way_.size();
+  return bookmark;
+}
+
+void TraceReader::ReturnTo(const Bookmark& bookmark) {
+  now_ = bookmark.moment_;
+  places_ = bookmark.places_;
+  place_ = bookmark.place_;
+  way_.assign(whole_way_.begin(),
+              whole_way_.begin() + static_cast<std::ptrdiff_t>(bookmark.num_stretches_));
+  has_begun_ = true;
 }
 
 bool TraceReader::IsAtRecord() {

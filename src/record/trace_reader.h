@@ -25,6 +25,15 @@ struct TraceLimits {
 /// Reads a trace, tick by tick, along one way through its returns. A file cut in the middle of a
 /// record ends with the last whole one.
 class TraceReader {
+ private:
+  /// Records that follow one another without a return.
+  struct Stretch {
+    TracePlace begin = 0, end = 0;
+    TracePlace past = 0;     ///< what was written before goes before it
+    std::uint64_t tick = 0;  ///< of the moment there
+    std::size_t log_line = 0;
+  };
+
  public:
   /// Along the way the recording ends with.
   /// @throws InputError if this is not a trace of a known format version, or not one of the
@@ -50,6 +59,23 @@ class TraceReader {
   /// The places behind the last moment: first before all of its events, then after each.
   const std::vector<TracePlace>& places() const { return places_; }
 
+  /// A moment that was read, to which the reader can come back.
+  class Bookmark {
+   public:
+    const TraceTick& moment() const { return moment_; }
+
+   private:
+    friend class TraceReader;
+    TraceTick moment_;
+    std::vector<TracePlace> places_;
+    TracePlace place_ = 0;
+    std::size_t num_stretches_ = 0;  ///< still to be read
+  };
+  /// Of the last moment.
+  Bookmark Mark() const;
+  /// Next() goes on after a moment that this reader marked.
+  void ReturnTo(const Bookmark& bookmark);
+
   /// True when bytes were left over at the end: the recording was interrupted.
   bool is_cut() const { return size_ < bytes_.size(); }
   /// Of what can be read.
@@ -58,14 +84,6 @@ class TraceReader {
   std::size_t last_return() const { return stretches_.back().log_line; }
 
  private:
-  /// Records that follow one another without a return.
-  struct Stretch {
-    TracePlace begin = 0, end = 0;
-    TracePlace past = 0;     ///< what was written before goes before it
-    std::uint64_t tick = 0;  ///< of the moment there
-    std::size_t log_line = 0;
-  };
-
   /// Leaves the way open.
   struct Unopened {};
   TraceReader(const Recording& recording, Unopened);
@@ -93,6 +111,7 @@ class TraceReader {
   TraceLimits limits_;
   std::uint32_t version_ = 0;
   std::vector<Stretch> stretches_;          ///< in the order of the file
+  std::vector<Stretch> whole_way_;          ///< the first one last
   std::vector<Stretch> way_;                ///< still to be read, the next one last
   std::optional<std::uint64_t> last_tick_;  ///< to be read, when not all is
   std::size_t num_last_actions_ = 0;        ///< of it

@@ -92,9 +92,9 @@ class OriginalFinder : public FileFinder {
  public:
   OriginalFinder(const fs::path& urdf_path, const RobotReaderOptions& options)
       : kept_(FolderOf(urdf_path)), side_file_(options.side_file), roots_(options.package_roots) {
-    Allow(kept_);
-    if (!side_file_.empty()) Allow(FolderOf(side_file_));
-    for (const fs::path& root : roots_) Allow(root);
+    allowed_ = roots_;
+    allowed_.push_back(kept_);
+    if (!side_file_.empty()) allowed_.push_back(FolderOf(side_file_));
   }
 
   FoundFile Find(const FoundFile& from, const std::string& text, std::size_t max_bytes) override {
@@ -138,16 +138,9 @@ class OriginalFinder : public FileFinder {
   }
 
  private:
-  void Allow(const fs::path& folder) {
-    std::error_code error;
-    fs::path canonical = fs::canonical(folder, error);
-    if (!error) allowed_.push_back(std::move(canonical));
-  }
   bool IsAllowed(const fs::path& canonical) const {
-    return std::ranges::any_of(allowed_, [&](const fs::path& folder) {
-      return std::mismatch(folder.begin(), folder.end(), canonical.begin(), canonical.end())
-                 .first == folder.end();
-    });
+    return std::ranges::any_of(allowed_,
+                               [&](const fs::path& folder) { return IsWithin(canonical, folder); });
   }
   /// Last, the one that it has when the robot was kept.
   std::vector<fs::path> PlacesOf(const FoundFile& from, const Reference& reference) const {

@@ -29,22 +29,22 @@ std::vector<std::string> SplitAtDashes(const std::string& text) {
   return words;
 }
 
-void ExpectShortName(const std::string& name, const SideNode& parent) {
+void ExpectShortName(const std::string& name, const JsonNode& parent) {
   if (name.size() <= kMaxShortText) return;
   parent.Fail("found the name " + Quoted(name) + ", expected at most " +
               std::to_string(kMaxShortText) + " letters");
 }
 
-std::vector<Choice> ReadChoices(const SideNode& gripper) {
+std::vector<Choice> ReadChoices(const JsonNode& gripper) {
   std::vector<Choice> choices;
   if (!gripper.Has("choices")) return choices;
-  const SideNode all = gripper.Member("choices");
+  const JsonNode all = gripper.Member("choices");
   for (const auto& [name, words] : all.Members()) {
     ExpectShortName(name, all);
     if (choices.size() == kMaxChoices) all.Fail("are more than 16, expected fewer");
     Choice& choice = choices.emplace_back(Choice{.name = name, .words = {}, .chosen = {}});
-    for (const SideNode& word : words.Items()) {
-      choice.words.push_back(word.ShortString());
+    for (const JsonNode& word : words.Items()) {
+      choice.words.push_back(word.ShortString(kMaxShortText));
       if (choice.words.back().empty() || choice.words.back().find('-') != std::string::npos) {
         word.Fail("found " + Quoted(word.String()) + ", expected a word without -");
       }
@@ -54,18 +54,29 @@ std::vector<Choice> ReadChoices(const SideNode& gripper) {
   return choices;
 }
 
+bool IsOf(const Choice& choice, const std::string& word) {
+  return std::ranges::find(choice.words, word) != choice.words.end();
+}
+
 /// Makes the choice that a word is of; false if there is none, or it is made already.
 bool Choose(const std::string& word, std::vector<Choice>* choices) {
   for (Choice& choice : *choices) {
-    if (choice.chosen || std::ranges::find(choice.words, word) == choice.words.end()) continue;
+    if (choice.chosen || !IsOf(choice, word)) continue;
     choice.chosen = word;
     return true;
   }
   return false;
 }
 
-[[noreturn]] void FailForWord(const SideNode& gripper, const std::string& word,
+[[noreturn]] void FailForWord(const JsonNode& gripper, const std::string& word,
                               const std::vector<Choice>& choices) {
+  for (const Choice& choice : choices) {
+    if (!IsOf(choice, word)) continue;  // or else it has been chosen already
+    gripper.Fail(word == *choice.chosen
+                     ? "found the word " + Quoted(word) + " twice, expected it once"
+                     : "found the words " + Quoted(*choice.chosen) + " and " + Quoted(word) +
+                           ", expected one of them");
+  }
   std::string expected = choices.empty() ? "no words after its name" : "one of each";
   for (const Choice& choice : choices) {
     const std::vector<std::string_view> words(choice.words.begin(), choice.words.end());
@@ -75,7 +86,7 @@ bool Choose(const std::string& word, std::vector<Choice>* choices) {
 }
 
 std::string Replaced(std::string text, const std::vector<Choice>& choices,
-                     const SideNode& gripper) {
+                     const JsonNode& gripper) {
   for (const Choice& choice : choices) {
     const std::string pattern = "{" + choice.name + "}";
     for (std::size_t at = text.find(pattern); at != std::string::npos;
@@ -89,7 +100,7 @@ std::string Replaced(std::string text, const std::vector<Choice>& choices,
   return text;
 }
 
-void ReplaceIn(Json* json, const std::vector<Choice>& choices, const SideNode& gripper) {
+void ReplaceIn(Json* json, const std::vector<Choice>& choices, const JsonNode& gripper) {
   if (json->is_string()) *json = Replaced(json->get<std::string>(), choices, gripper);
   if (!json->is_structured()) return;
   for (Json& child : *json) ReplaceIn(&child, choices, gripper);
@@ -97,7 +108,7 @@ void ReplaceIn(Json* json, const std::vector<Choice>& choices, const SideNode& g
 
 }  // namespace
 
-GripperChoice ChooseGripper(const SideNode& grippers, const std::string& wanted) {
+GripperChoice ChooseGripper(const JsonNode& grippers, const std::string& wanted) {
   std::vector<std::string> names;
   std::string best;
   for (const auto& [name, gripper] : grippers.Members()) {
@@ -111,7 +122,7 @@ GripperChoice ChooseGripper(const SideNode& grippers, const std::string& wanted)
     grippers.Fail("found the wish for " + Quoted(wanted) + ", expected " + OneOf(known) +
                   DidYouMean(wanted, known));
   }
-  const SideNode gripper = grippers.Member(best);
+  const JsonNode gripper = grippers.Member(best);
   gripper.ExpectObject();
   std::vector<Choice> choices = ReadChoices(gripper);
   if (wanted != best) {

@@ -2,9 +2,12 @@
 
 #include <string>
 
-#include "robot/internal_side_node.h"
+#include "base/json_node.h"
 
 namespace smile::robot::internal {
+
+/// Of texts that are put into many others [bytes].
+inline constexpr std::size_t kMaxShortText = 64;
 
 /// One of the grippers a side file offers, its choices made.
 struct GripperChoice {
@@ -17,6 +20,6 @@ struct GripperChoice {
 /// @param wanted    the gripper's name and some words of its choices, `-` between them; what is not
 ///                  said is the first word of each choice.
 /// @throws InputError naming the grippers or words there are.
-GripperChoice ChooseGripper(const SideNode& grippers, const std::string& wanted);
+GripperChoice ChooseGripper(const JsonNode& grippers, const std::string& wanted);
 
 }  // namespace smile::robot::internal

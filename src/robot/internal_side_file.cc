@@ -42,24 +42,12 @@ Json ParsedWithLimits(const std::string& text, const std::string& file) {
   try {
     return ParseJson(text);
   } catch (const std::invalid_argument& refusal) {
-    try {
-      [[maybe_unused]] const Json none = Json::parse(text);  // says where
-    } catch (const Json::parse_error& error) {
-      const auto end =
-          text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
-      throw InputError(Diagnostic{.file = file,
-                                  .line = 1 + static_cast<int>(std::count(text.begin(), end, '\n')),
-                                  .element = {},
-                                  .message = std::string("not JSON: ") + error.what()});
-    } catch (const Json::exception& error) {  // a number beyond all numbers
-      throw InputError({file, 0, "", std::string("not JSON: ") + error.what()});
-    }
-    throw InputError({file, 0, "", refusal.what()});  // too deep, too much
+    throw InputError({file, 0, "", refusal.what()});
   }
 }
 
 /// Commands, poses and columns of trajectories are named after arms.
-void ExpectArmName(const std::string& name, const SideNode& arms) {
+void ExpectArmName(const std::string& name, const JsonNode& arms) {
   constexpr auto is_letter = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
   };
@@ -77,16 +65,16 @@ void ExpectArmName(const std::string& name, const SideNode& arms) {
 }
 
 /// What comes before the names of what hangs on an arm.
-std::string PrefixOf(const std::string& arm, const SideNode& node) {
-  return node.Has("prefix") ? node.Member("prefix").ShortString() : arm + "_";
+std::string PrefixOf(const std::string& arm, const JsonNode& node) {
+  return node.Has("prefix") ? node.Member("prefix").ShortString(kMaxShortText) : arm + "_";
 }
 
 class SideFileReader {
  public:
-  SideFileReader(const SideNode* gripper, BuiltModel* built)
+  SideFileReader(const JsonNode* gripper, BuiltModel* built)
       : gripper_(gripper), built_(*built), model_(built->model) {}
 
-  void Read(const SideNode& root) {
+  void Read(const JsonNode& root) {
     if (root.Has("frames")) {
       const auto frames = root.Member("frames").Members();
       if (frames.size() > kMaxPlaces) root.Member("frames").Fail("are more than 100");
@@ -100,7 +88,7 @@ class SideFileReader {
     }
     if (root.Has("head")) ReadHead(root.Member("head"));
     if (root.Has("never_collide")) {
-      for (const SideNode& pair : root.Member("never_collide").Items()) ReadPair(pair, "");
+      for (const JsonNode& pair : root.Member("never_collide").Items()) ReadPair(pair, "");
     }
     // In one order, whatever the order in the files.
     std::ranges::sort(model_.never_collide);
@@ -112,7 +100,7 @@ class SideFileReader {
       for (const auto& [name, pose] : root.Member("poses").Members()) ReadPose(name, pose);
     }
     if (root.Has("start")) {
-      const SideNode name = root.Member("start");
+      const JsonNode name = root.Member("start");
       const NamedPose* start = FindPose(model_, name.String());
       if (!start) name.Fail("found " + Quoted(name.String()) + ", expected one of the poses");
       model_.q_start = start->q;
@@ -124,7 +112,7 @@ class SideFileReader {
 
  private:
   /// A place on a link, for which the URDF has no name.
-  void ReadFrame(const std::string& name, const SideNode& node) {
+  void ReadFrame(const std::string& name, const JsonNode& node) {
     node.ExpectMembers(kFrameMembers);
     if (FindFrame(model_, name)) node.Fail("there is a link or frame of that name already");
     const Frame link = model_.frames[FrameNamedBy(node.Member("on"))];
@@ -136,28 +124,25 @@ class SideFileReader {
     model_.frames.push_back({name, link.link, link.X_LF * RigidTransform(R, p)});
   }
   /// Three numbers, or 0.
-  static Vector3 ReadVector(const SideNode& node, const std::string& member) {
+  static Vector3 ReadVector(const JsonNode& node, const std::string& member) {
     Vector3 vector = Vector3::Zero();
     if (!node.Has(member)) return vector;
-    const std::vector<SideNode> numbers = node.Member(member).Items(3);
+    const std::vector<JsonNode> numbers = node.Member(member).Items(3);
     for (int i = 0; i < 3; ++i) {
-      vector[i] = numbers[static_cast<std::size_t>(i)].Number();
-      if (std::abs(vector[i]) <= 100) continue;
-      numbers[static_cast<std::size_t>(i)].Fail("found " + NumberText(vector[i]) +
-                                                ", expected -100 to 100");
+      vector[i] = numbers[static_cast<std::size_t>(i)].Number(-100, 100);
     }
     return vector;
   }
 
   /// Descriptions have placeholders where the real robot has limits of its own.
-  void ReadLimits(const std::string& name, const SideNode& node) {
+  void ReadLimits(const std::string& name, const JsonNode& node) {
     node.ExpectMembers(kLimitMembers);
     const auto joint = FindJoint(model_, name);
     if (!joint) node.Fail("found " + Quoted(name) + ", expected a joint that moves");
     physics::LinkSpec& link = model_.links[*joint];
     const auto narrow = [&](const char* member, double low, double high, double* limit) {
       if (!node.Has(member)) return;
-      const SideNode value = node.Member(member);
+      const JsonNode value = node.Member(member);
       *limit = value.Number();
       if (*limit >= low && *limit <= high) return;
       value.Fail("found " + NumberText(*limit) + ", expected " + NumberText(low) + " to " +
@@ -171,26 +156,28 @@ class SideFileReader {
     if (!moves) node.Fail("it leaves no motion, expected lower below upper, the others above 0");
   }
 
-  void ReadArm(const std::string& name, const SideNode& node) {
+  void ReadArm(const std::string& name, const JsonNode& node) {
     node.ExpectMembers(kArmMembers);
     Arm arm{.name = name, .joints = {}, .tool = -1, .gripper = {}};
-    const std::vector<SideNode> joints = node.Member("joints").Items();
+    const std::vector<JsonNode> joints = node.Member("joints").Items();
     if (joints.size() > kMaxJoints) node.Member("joints").Fail("are more than 16, expected fewer");
-    for (const SideNode& joint : joints) {
-      arm.joints.push_back(JointNamedBy(joint));
-      Take(arm.joints.back(), joint);
+    for (const JsonNode& joint : joints) {
+      const int next = JointNamedBy(joint);
+      Take(next, joint);
+      ExpectOnArm(next, arm, joint);
+      arm.joints.push_back(next);
     }
     if (!node.Has("flange")) {
-      arm.tool = FrameNamedBy(node.Member("tool"));
-      arm.gripper = ReadGripper(node, "", arm.tool);
+      arm.tool = FrameOnArm(arm, node.Member("tool"), "");
+      arm.gripper = ReadGripper(node, "", arm);
     } else {
       ExpectNothingOfItsOwn(node);
       const std::string prefix = PrefixOf(name, node);
-      arm.tool = gripper_->Has("tool") ? FrameNamedBy(gripper_->Member("tool"), prefix)
-                                       : FrameNamedBy(node.Member("flange"));
-      arm.gripper = ReadGripper(*gripper_, prefix, arm.tool);
+      arm.tool = FrameOnArm(arm, node.Member("flange"), "");
+      if (gripper_->Has("tool")) arm.tool = FrameOnArm(arm, gripper_->Member("tool"), prefix);
+      arm.gripper = ReadGripper(*gripper_, prefix, arm);
       if (gripper_->Has("never_collide")) {
-        for (const SideNode& pair : gripper_->Member("never_collide").Items()) {
+        for (const JsonNode& pair : gripper_->Member("never_collide").Items()) {
           ReadPair(pair, prefix);
         }
       }
@@ -203,25 +190,36 @@ class SideFileReader {
     if (const std::string own = name + "_gripper"; arm.gripper && FindJoint(model_, own)) {
       node.Fail("there is a joint " + Quoted(own) + ", expected that name for the gripper alone");
     }
-    if (node.Has("payload")) {
-      const SideNode payload = node.Member("payload");
-      arm.payload = payload.Number();
-      if (!(arm.payload >= 0 && arm.payload <= kMaxPayload)) {
-        payload.Fail("found " + NumberText(arm.payload) + ", expected 0 to " +
-                     NumberText(kMaxPayload));
-      }
-    }
+    if (node.Has("payload")) arm.payload = node.Member("payload").Number(0, kMaxPayload);
     model_.arms.push_back(std::move(arm));
   }
 
+  int FrameOnArm(const Arm& arm, const JsonNode& node, const std::string& prefix) const {
+    const int frame = FrameNamedBy(node, prefix);
+    ExpectOnArm(model_.frames[frame].link, arm, node);
+    return frame;
+  }
+  /// A link, or the joint that carries it, must move with all joints the arm has so far. Whoever
+  /// plans with the arm takes it for one chain.
+  void ExpectOnArm(int link, const Arm& arm, const JsonNode& node) const {
+    if (arm.joints.empty()) return;
+    const int last = arm.joints.back();
+    while (link > last) link = model_.links[link].parent;  // parents come before children
+    if (link == last) return;
+    node.Fail("found " + Quoted(node.String()) + ", which does not hang on joint " +
+              Quoted(model_.links[last].joint_name) +
+              ", expected one behind it: joints in their order from the shoulder to the wrist, "
+              "then the gripper");
+  }
+
   /// Whoever moves a joint is the only one.
-  void Take(int joint, const SideNode& node) {
+  void Take(int joint, const JsonNode& node) {
     if (taken_.insert(joint).second) return;
     node.Fail("joint " + Quoted(model_.links[joint].joint_name) +
               " is named already, expected each in one arm, as one finger or in the head");
   }
 
-  static void ExpectNothingOfItsOwn(const SideNode& arm) {
+  static void ExpectNothingOfItsOwn(const JsonNode& arm) {
     for (const char* own : {"tool", "fingers", "closed_opening", "pads"}) {
       if (arm.Has(own))
         arm.Member(own).Fail("the arm has a flange, expected the gripper to say it");
@@ -229,22 +227,25 @@ class SideFileReader {
   }
 
   /// Of an arm or a gripper.
-  std::optional<Gripper> ReadGripper(const SideNode& node, const std::string& prefix, int tool) {
+  std::optional<Gripper> ReadGripper(const JsonNode& node, const std::string& prefix,
+                                     const Arm& arm) {
     if (!node.Has("fingers")) return std::nullopt;
-    const SideNode fingers = node.Member("fingers");
-    const std::vector<SideNode> names = fingers.Items(2);
+    const JsonNode fingers = node.Member("fingers");
+    const std::vector<JsonNode> names = fingers.Items(2);
     Gripper gripper{.left_finger = JointNamedBy(names[0], prefix),
                     .right_finger = JointNamedBy(names[1], prefix)};
     if (gripper.left_finger == gripper.right_finger) fingers.Fail("both are one, expected two");
     Take(gripper.left_finger, names[0]);
     Take(gripper.right_finger, names[1]);
+    ExpectOnArm(gripper.left_finger, arm, names[0]);
+    ExpectOnArm(gripper.right_finger, arm, names[1]);
     for (int finger : {gripper.left_finger, gripper.right_finger}) {
       LetSlideFromZero(&model_.links[finger], fingers);
     }
     if (node.Has("closed_opening")) {
       gripper.closed_opening = node.Member("closed_opening").Number();
     } else if (node.Has("pads")) {
-      gripper.closed_opening = GapBetween(node.Member("pads"), prefix, tool);
+      gripper.closed_opening = GapBetween(node.Member("pads"), prefix, arm.tool);
     }
     if (!(std::abs(gripper.closed_opening) < 100)) {
       fingers.Fail("would stand " + NumberText(gripper.closed_opening) +
@@ -255,7 +256,7 @@ class SideFileReader {
   }
 
   /// A finger whose joint runs from 0 down is one that runs from 0 up along the other direction.
-  void LetSlideFromZero(physics::LinkSpec* link, const SideNode& node) {
+  void LetSlideFromZero(physics::LinkSpec* link, const JsonNode& node) {
     if (link->joint_type == physics::JointType::kPrismatic && link->upper == 0) {
       link->axis = -link->axis;
       link->upper = -link->lower;
@@ -268,7 +269,7 @@ class SideFileReader {
   }
 
   /// Fingers that would go through each other when closed are closed where they meet.
-  void LetMeetAtZero(Gripper* gripper, const SideNode& node) {
+  void LetMeetAtZero(Gripper* gripper, const JsonNode& node) {
     const double way = -gripper->closed_opening / 2;
     for (int finger : {gripper->left_finger, gripper->right_finger}) {
       physics::LinkSpec& link = model_.links[finger];
@@ -280,24 +281,24 @@ class SideFileReader {
   }
 
   /// From the right to the left of two frames along y of the tool, all joints at 0 [m].
-  double GapBetween(const SideNode& pads, const std::string& prefix, int tool) const {
-    const std::vector<SideNode> names = pads.Items(2);
+  double GapBetween(const JsonNode& pads, const std::string& prefix, int tool) const {
+    const std::vector<JsonNode> names = pads.Items(2);
     const std::vector<double> q(model_.links.size(), 0.0);
     const RigidTransform X_GBase = FramePose(model_, {}, q, tool).inverse();
-    const auto y_of = [&](const SideNode& name) {
+    const auto y_of = [&](const JsonNode& name) {
       return (X_GBase * FramePose(model_, {}, q, FrameNamedBy(name, prefix))).translation().y();
     };
     return y_of(names[0]) - y_of(names[1]);
   }
 
-  void ReadHead(const SideNode& node) {
+  void ReadHead(const JsonNode& node) {
     node.ExpectMembers(kHeadMembers);
     model_.head = Head{JointNamedBy(node.Member("joint")), FrameNamedBy(node.Member("camera"))};
     Take(model_.head->joint, node.Member("joint"));
   }
 
-  void ReadPair(const SideNode& node, const std::string& prefix) {
-    const std::vector<SideNode> names = node.Items(2);
+  void ReadPair(const JsonNode& node, const std::string& prefix) {
+    const std::vector<JsonNode> names = node.Items(2);
     const int first = model_.frames[FrameNamedBy(names[0], prefix)].link;
     const int second = model_.frames[FrameNamedBy(names[1], prefix)].link;
     if (first == second) node.Fail("both move as one, expected two links that move apart");
@@ -306,7 +307,7 @@ class SideFileReader {
 
   /// A joint that shall move as another does may only be one of two fingers: these share a motion
   /// anyhow. Joints that nothing moves may say what they like.
-  void CheckMimics(const SideNode& root) const {
+  void CheckMimics(const JsonNode& root) const {
     for (const Mimic& mimic : built_.mimics) {
       if (!IsDriven(mimic.joint) && !IsDriven(mimic.master)) continue;
       const double sign = std::ranges::count(turned_, mimic.joint) == 0 ? 1 : -1;
@@ -345,11 +346,11 @@ class SideFileReader {
 
   /// One list of joint values for each arm, `head`, and the `opening` of all grippers; what a
   /// pose leaves out stays at 0 or at the limit next to it.
-  void ReadPose(const std::string& name, const SideNode& node) {
+  void ReadPose(const std::string& name, const JsonNode& node) {
     NamedPose pose{name, NeutralPose()};
     for (const auto& [key, value] : node.Members()) {
       if (const Arm* arm = FindArm(model_, key)) {
-        const std::vector<SideNode> values = value.Items(arm->joints.size());
+        const std::vector<JsonNode> values = value.Items(arm->joints.size());
         for (std::size_t i = 0; i < values.size(); ++i) {
           SetJoint(arm->joints[i], values[i].Number(), values[i], &pose);
         }
@@ -367,7 +368,7 @@ class SideFileReader {
   }
 
   /// A width between the fingers, or `open` or `closed`, which suit any gripper.
-  void SetOpening(const Gripper& gripper, const SideNode& node, NamedPose* pose) const {
+  void SetOpening(const Gripper& gripper, const JsonNode& node, NamedPose* pose) const {
     for (int finger : {gripper.left_finger, gripper.right_finger}) {
       if (!node.IsString()) {
         SetJoint(finger, (node.Number() - gripper.closed_opening) / 2, node, pose);
@@ -380,7 +381,7 @@ class SideFileReader {
   }
 
   /// A look authored here, for links of these names.
-  static void ReadLook(const SideNode& node, std::string_view known,
+  static void ReadLook(const JsonNode& node, std::string_view known,
                        const std::function<void()>& add) {
     const std::string name = node.String();
     if (name != known) {
@@ -394,7 +395,7 @@ class SideFileReader {
     }
   }
 
-  void SetJoint(int joint, double q, const SideNode& node, NamedPose* pose) const {
+  void SetJoint(int joint, double q, const JsonNode& node, NamedPose* pose) const {
     const physics::LinkSpec& link = model_.links[joint];
     if (!(q >= link.lower && q <= link.upper)) {
       node.Fail("joint \"" + link.joint_name + "\" would stand at " + NumberText(q) +
@@ -403,14 +404,14 @@ class SideFileReader {
     pose->q[joint] = q;
   }
 
-  int JointNamedBy(const SideNode& node, const std::string& prefix = "") const {
+  int JointNamedBy(const JsonNode& node, const std::string& prefix = "") const {
     const auto joint = FindJoint(model_, prefix + node.String());
     if (!joint) {
       node.Fail("found " + Quoted(prefix + node.String()) + ", expected a joint that moves");
     }
     return *joint;
   }
-  int FrameNamedBy(const SideNode& node, const std::string& prefix = "") const {
+  int FrameNamedBy(const JsonNode& node, const std::string& prefix = "") const {
     const std::string name = prefix + node.String();
     if (const auto frame = FindFrame(model_, name)) return *frame;
     for (const auto& [root, frame] : built_.part_roots) {
@@ -419,7 +420,7 @@ class SideFileReader {
     node.Fail("found " + Quoted(name) + ", expected the name of a link");
   }
 
-  const SideNode* gripper_;  // of all flanges
+  const JsonNode* gripper_;  // of all flanges
   BuiltModel& built_;
   RobotModel& model_;
   std::vector<std::string> turned_;  // fingers whose axis was turned
@@ -431,37 +432,35 @@ class SideFileReader {
 SideFile::SideFile(const FoundFile& file, const std::string& gripper) : file_(file.path.string()) {
   const std::string& text = *file.bytes;
   root_ = ParsedWithLimits(text, file_);
-  const SideNode root(root_, file_, "");
+  const JsonNode root(root_, file_, "");
   root.ExpectMembers(kFileMembers);
   const double format = root.Member("format").Number();
   if (format != 1) root.Member("format").Fail("found " + NumberText(format) + ", expected 1");
   if (root.Has("grippers")) {
     const std::string wanted = gripper.empty() ? root.Member("gripper").String() : gripper;
     gripper_ = ChooseGripper(root.Member("grippers"), wanted);
-    SideNode(gripper_->value, file_, gripper_->place).ExpectMembers(kGripperMembers);
+    JsonNode(gripper_->value, file_, gripper_->place).ExpectMembers(kGripperMembers);
   } else if (!gripper.empty()) {
     root.Fail("offers no grippers, found the wish for " + Quoted(gripper));
   }
 }
 
 void SideFile::Fail(const std::string& place, const std::string& message) const {
-  SideNode(root_, file_, place).Fail(message);
+  JsonNode(root_, file_, place).Fail(message);
 }
 
 std::optional<double> SideFile::Place(const std::string& member) const {
-  const SideNode root(root_, file_, "");
+  const JsonNode root(root_, file_, "");
   if (!root.Has("stands")) return std::nullopt;
-  const SideNode place = root.Member("stands");
+  const JsonNode place = root.Member("stands");
   place.ExpectMembers(kPlaceMembers);
   if (!place.Has(member)) return std::nullopt;
-  const double length = place.Member(member).Number();
-  if (std::abs(length) <= 100) return length;
-  place.Member(member).Fail("found " + NumberText(length) + ", expected -100 to 100");
+  return place.Member(member).Number(-100, 100);
 }
 
 std::vector<Mounting> SideFile::Mountings() const {
   std::vector<Mounting> mountings;
-  const SideNode root(root_, file_, "");
+  const JsonNode root(root_, file_, "");
   if (!root.Has("arms")) return mountings;
   const auto arms = root.Member("arms").Members();
   if (arms.size() > kMaxArms) root.Member("arms").Fail("are more than 16, expected fewer");
@@ -469,18 +468,19 @@ std::vector<Mounting> SideFile::Mountings() const {
     ExpectArmName(arm, root.Member("arms"));
     node.ExpectMembers(kArmMembers);
     if (!node.Has("flange")) continue;
-    const SideNode flange = node.Member("flange");
+    const JsonNode flange = node.Member("flange");
     if (!gripper_) flange.Fail("there are no grippers, expected the member grippers");
     const std::string prefix = PrefixOf(arm, node);
-    const SideNode gripper(gripper_->value, file_, gripper_->place);
+    const JsonNode gripper(gripper_->value, file_, gripper_->place);
     if (!gripper.Has("parts")) continue;
-    const std::vector<SideNode> parts = gripper.Member("parts").Items();
+    const std::vector<JsonNode> parts = gripper.Member("parts").Items();
     if (parts.size() > kMaxParts) gripper.Member("parts").Fail("are more than 16, expected fewer");
-    for (const SideNode& part : parts) {
+    for (const JsonNode& part : parts) {
       part.ExpectMembers(kPartMembers);
       mountings.push_back(
           {.urdf = part.Member("urdf").String(),
-           .prefix = prefix + (part.Has("prefix") ? part.Member("prefix").ShortString() : ""),
+           .prefix = prefix +
+                     (part.Has("prefix") ? part.Member("prefix").ShortString(kMaxShortText) : ""),
            .to = part.Has("to") ? prefix + part.Member("to").String() : flange.String(),
            .place = part.place()});
     }
@@ -489,9 +489,9 @@ std::vector<Mounting> SideFile::Mountings() const {
 }
 
 void SideFile::Apply(BuiltModel* built) const {
-  const std::optional<SideNode> gripper =
-      gripper_ ? std::optional(SideNode(gripper_->value, file_, gripper_->place)) : std::nullopt;
-  SideFileReader(gripper ? &*gripper : nullptr, built).Read(SideNode(root_, file_, ""));
+  const std::optional<JsonNode> gripper =
+      gripper_ ? std::optional(JsonNode(gripper_->value, file_, gripper_->place)) : std::nullopt;
+  SideFileReader(gripper ? &*gripper : nullptr, built).Read(JsonNode(root_, file_, ""));
 }
 
 }  // namespace smile::robot::internal

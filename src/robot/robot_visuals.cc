@@ -26,7 +26,8 @@ void AppendVisuals(const RobotModel& model, int first_frame, std::uint32_t objec
                                      .frame = first_frame + 1 + visual.link,
                                      .object_id = object_id,
                                      .choice = visual.mood ? choice : -1,
-                                     .look = visual.mood ? LookOf(*visual.mood) : 0});
+                                     .look = visual.mood ? LookOf(*visual.mood) : 0,
+                                     .glows = visual.mood.has_value()});  // the face is a screen
   }
   visual_model->num_frames =
       std::max(visual_model->num_frames, first_frame + NumVisualFrames(model));

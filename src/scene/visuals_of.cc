@@ -12,6 +12,7 @@ namespace {
 class VisualCollector {
  public:
   void Append(const Part& part, Visual place) {
+    if (!part.id.empty()) place.part_id = part.id;
     std::visit(Overloaded{[&](const Composite& composite) { AppendAll(composite.parts, place); },
                           [&](const Custom& custom) {
                             place.shape = DrawnMesh{custom.mesh, custom.scale};
@@ -60,6 +61,7 @@ class VisualCollector {
       visual.X_FV = place.X_FV * solid.X_BS;
       visual.choice = choice;
       if (solid.control >= 0) visual.look = solid.look;
+      if (!part.id.empty()) visual.part_id = solid.part_id;
       visuals_.push_back(visual);
     }
   }

@@ -5,18 +5,14 @@
 #include <system_error>
 #include <utility>
 
+#include "base/files.h"
+
 namespace smile::scene_xml {
 namespace {
 
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMaxPathBytes = 1000;
-
-/// @param folder, path  without links and dots.
-bool IsInside(const fs::path& folder, const fs::path& path) {
-  return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first ==
-         folder.end();
-}
 
 }  // namespace
 
@@ -37,7 +33,7 @@ AllowedFolders::AllowedFolders(const fs::path* main_file, std::vector<fs::path> 
 
 bool AllowedFolders::Contain(const fs::path& canonical) const {
   return std::ranges::any_of(allowed_,
-                             [&](const fs::path& allowed) { return IsInside(allowed, canonical); });
+                             [&](const fs::path& allowed) { return IsWithin(canonical, allowed); });
 }
 
 AllowedFolders::Search AllowedFolders::Find(const fs::path* folder, const std::string& file) const {
@@ -62,7 +58,7 @@ AllowedFolders::Search AllowedFolders::Find(const fs::path* folder, const std::s
 
 std::string AllowedFolders::NameFromScene(const fs::path& canonical) const {
   for (const fs::path& folder : allowed_) {
-    if (!IsInside(folder, canonical)) continue;
+    if (!IsWithin(canonical, folder)) continue;
     const fs::path name = canonical.lexically_relative(folder);
     // Another file of that name may be found first.
     for (const fs::path& earlier : allowed_) {

@@ -57,12 +57,6 @@ Wait ParseWait(const Json& json) {
   return wait;
 }
 
-/// True when a path, without links and dots, lies in a folder or below it.
-bool IsBelow(const std::filesystem::path& folder, const std::filesystem::path& path) {
-  return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first ==
-         folder.end();
-}
-
 std::string WhyNotOver(const Wait& wait, const Simulation& simulation) {
   if (wait.until == Wait::Until::kStill) return "something still moves";
   if (!simulation.demonstrator().has_arrived()) {
@@ -78,10 +72,8 @@ std::filesystem::path FindFile(const std::string& name,
                                const std::vector<std::filesystem::path>& folders) {
   for (const std::filesystem::path& folder : folders) {
     std::error_code error;
-    const auto canonical_folder = std::filesystem::canonical(folder, error);
-    if (error) continue;
     const auto file = std::filesystem::canonical(folder / name, error);
-    if (!error && IsBelow(canonical_folder, file)) return file;
+    if (!error && IsWithin(file, folder)) return file;
   }
   throw std::invalid_argument("\"file\" is " + Quoted(name) +
                               ", expected a file in the folder of the script, in a --path folder "

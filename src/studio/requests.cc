@@ -1,6 +1,7 @@
 #include "studio/requests.h"
 
 #include <string_view>
+#include <utility>
 
 #include "base/wording.h"
 
@@ -28,29 +29,46 @@ Json Unknown(const RequestTable& table, const std::string& what) {
                  DidYouMean(what, known));
 }
 
-Json CarryOut(const RequestTable& table, const Request& request, bool is_controller) {
-  const auto entry = table.entries.find(request.what);
-  if (entry == table.entries.end()) return Unknown(table, request.what);
-  if (!entry->second.is_for_anyone && !is_controller) {
-    return Failure("you are watching: take control first");
-  }
-  try {
-    Json answer = {{"ok", true}};
-    answer.update(entry->second.handle(request));
-    return answer;
-  } catch (const InputError& error) {
-    return Failure(error);
-  } catch (const std::exception& error) {
-    return Failure(error.what());
-  }
+Json Reply(const Request& request, const Json& fields) {
+  Json answer = {{"t", "reply"}, {"seq", request.seq}};
+  answer.update(fields);
+  return answer;
 }
 
 }  // namespace
 
+Json AnswersLater() { return Json(Json::value_t::discarded); }
+bool IsLater(const Json& answer) { return answer.is_discarded(); }
+
 Json Answer(const RequestTable& table, const Request& request, bool is_controller) {
-  Json answer = {{"t", "reply"}, {"seq", request.seq}};
-  answer.update(CarryOut(table, request, is_controller));
-  return answer;
+  const auto entry = table.entries.find(request.what);
+  if (entry == table.entries.end()) return Reply(request, Unknown(table, request.what));
+  if (!entry->second.is_for_anyone && !is_controller) {
+    return Reply(request, Failure("you are watching: take control first"));
+  }
+  return AnswerWith(request, [&] { return entry->second.handle(request); });
+}
+
+Json AnswerWith(const Request& request, const std::function<Json()>& carry_out) {
+  try {
+    const Json found = carry_out();
+    if (IsLater(found)) return found;
+    Json fields = {{"ok", true}};
+    fields.update(found);
+    return Reply(request, fields);
+  } catch (const InputError& error) {
+    return Reply(request, Failure(error));
+  } catch (const std::exception& error) {
+    return Reply(request, Failure(error.what()));
+  }
+}
+
+std::vector<Letter> TakeLetters(const RequestTable& table) {
+  std::vector<Letter> all;
+  for (const auto& take : table.letters) {
+    for (Letter& letter : take()) all.push_back(std::move(letter));
+  }
+  return all;
 }
 
 }  // namespace smile::studio

@@ -22,14 +22,25 @@ struct HttpAnswer {
 /// Called from several threads at once.
 using HttpHandler = std::function<std::optional<HttpAnswer>(const std::string& path)>;
 
-struct ServerOptions {
-  std::string address = "127.0.0.1";
-  int port = 0;  ///< 0: the first free one from 8470 on
-  std::filesystem::path page;
-  HttpHandler get;
+/// What nobody may exceed.
+struct ServerLimits {
+  std::size_t message_bytes = 1 << 20;
+  double requests_per_second = 200;  ///< of one client
+  int clients = 64;
+  std::size_t outbox_bytes = 8 << 20;  ///< news that wait for one client
+  double stall_seconds = 10;           ///< so long a client may take nothing
+  double silence_seconds = 10;         ///< after which control may be taken from a client
 };
 
-/// A frame for one client or all: text, or bytes of which only the newest matters.
+struct ServerOptions {
+  std::string address = "127.0.0.1";  ///< elsewhere than on this machine, a token is asked for
+  int port = 0;                       ///< 0: the first free one from 8470 on
+  std::filesystem::path page;
+  HttpHandler get;  ///< what is no file of the page; may be empty
+  ServerLimits limits;
+};
+
+/// Where frames are that moved; of all of them in a key.
 struct Poses {
   std::uint32_t scene = 0, tick = 0;
   bool is_key = false;
@@ -50,16 +61,21 @@ class Server {
   /// `http://127.0.0.1:8470/`, with the token where one is needed.
   std::string link() const;
 
-  /// Requests since this was last asked, in order; hellos, pings and control are the server's own.
+  /// What is asked for since this was last asked: all of the controller's requests, in order, and
+  /// one of each watcher, so that no crowd delays who works. Hellos, pings and control are the
+  /// server's own.
   std::vector<Request> TakeRequests();
   /// Clients that have said hello since this was last asked: tell them everything.
   std::vector<ClientId> TakeNewClients();
   bool IsController(ClientId client) const;
 
+  /// A reply tells that the request was carried out; poses sent from then on acknowledge it.
   void Send(ClientId client, const Json& message);
+  /// To all that were told everything.
   void SendToAll(const Json& message);
-  /// `acks`: each client's own last request is filled in.
+  /// A client that misses some is told of each frame that moved since the last it knows.
   void SendPoses(const Poses& poses);
+  /// Clients that do not keep up miss views.
   void SendView(std::uint32_t scene, std::uint32_t tick, std::string png, bool is_recorded);
 
  private:

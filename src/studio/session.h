@@ -25,6 +25,12 @@ struct SessionOptions {
   std::filesystem::path recordings = "recordings";
   record::RecorderOptions recording;
   sim::Eye* eye = nullptr;  ///< takes the recorded pictures; must outlive the session
+  /// Where scenes are called by name; empty: those we ship.
+  std::filesystem::path gallery;
+  /// Where robot programs are, before those we ship.
+  std::vector<std::filesystem::path> brains;
+  /// Asked from time to time while a robot program is waited for; true stops it.
+  std::function<bool()> is_ending;
 };
 
 /// What a session has to tell, besides answers.
@@ -46,18 +52,24 @@ class Session {
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
-  /// All that may be asked of it.
+  /// All that may be asked of it; others may add what they can do.
+  RequestTable& requests();
   const RequestTable& requests() const;
+  /// How fast people want time to go, of real time: the loop that calls Tick() keeps to it.
+  double speed_factor() const;
+  /// What came of that over the last second.
+  void SetMeasuredSpeed(double factor);
   /// 1/60 s goes by: of the simulation unless it is paused, or of what is shown.
   void Tick();
   /// What is to be seen now.
   View view() const;
   /// What was to be told since this was last asked.
   News TakeNews();
-  /// All a new client has to know: scene, looks, state.
+  /// All a new client has to know: scene, looks, what robot programs printed and achieved, and last
+  /// the state. The eye's picture comes again as news.
   std::vector<Json> Everything() const;
-  /// Triangles of a mesh of the present scene, as docs/studio-protocol.md has them; nullopt if
-  /// there is none.
+  /// Triangles of a mesh of the present scene or one of those shortly before, as
+  /// docs/studio-protocol.md has them; nullopt if there is none. From any thread.
   std::optional<std::string> MeshBytes(std::uint32_t scene, std::size_t mesh) const;
 
  private:

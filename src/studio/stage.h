@@ -12,7 +12,8 @@ struct View {
   const scene::VisualModel* model = nullptr;
   scene::VisualState state;
   std::uint64_t tick = 0;
-  std::uint32_t scene = 0;  ///< counts up whenever `model` is another one
+  std::uint32_t scene = 0;                         ///< counts up whenever `model` is another one
+  double meters_per_unit = scene::kMetersPerUnit;  ///< of the scene's file
 };
 
 }  // namespace smile::studio

@@ -4,18 +4,10 @@
 #include <stdexcept>
 #include <vector>
 
+#include "base/uniform.h"
 #include "math/angles.h"
 
 namespace smile::task {
-namespace {
-
-/// The C++ library's distributions differ between implementations; this does not.
-double Uniform(std::mt19937_64& random, double low, double high) {
-  return low + (high - low) * (static_cast<double>(random() >> 11) * 0x1.0p-53);
-}
-
-}  // namespace
-
 scene::SceneSpec RandomLayout(scene::SceneSpec scene, std::uint64_t seed,
                               const LayoutRegion& region) {
   constexpr int kMaxTries = 10'000;
@@ -25,10 +17,10 @@ scene::SceneSpec RandomLayout(scene::SceneSpec scene, std::uint64_t seed,
     if (object.is_static()) continue;
     bool is_placed = false;
     for (int i = 0; i < kMaxTries && !is_placed; ++i) {
-      const Vector3 p(Uniform(random, region.x_low, region.x_high),
-                      Uniform(random, region.y_low, region.y_high),
+      const Vector3 p(Uniform(&random, region.x_low, region.x_high),
+                      Uniform(&random, region.y_low, region.y_high),
                       object.pose_in_world().translation().z());
-      const double yaw_deg = Uniform(random, -180, 180);
+      const double yaw_deg = Uniform(&random, -180, 180);
       is_placed = true;
       for (const Vector3& other : taken) {
         is_placed = is_placed && (p - other).head<2>().norm() >= region.min_distance;

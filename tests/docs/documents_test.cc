@@ -77,7 +77,8 @@ INSTANTIATE_TEST_SUITE_P(All, Documents,
                                            "docs/editing.md", "docs/importing.md", "docs/motion.md",
                                            "docs/recording-format.md", "docs/results.md",
                                            "docs/robot.md", "docs/scene-format.md",
-                                           "docs/scenes.md"));
+                                           "docs/scenes.md", "docs/studio.md",
+                                           "docs/studio-protocol.md"));
 
 }  // namespace
 }  // namespace smile

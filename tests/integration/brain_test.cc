@@ -27,7 +27,7 @@ TEST_F(BrainAsUsed, MovesTheRobotAndItsRunReplaysWithoutIt) {
   ASSERT_EQ(answer.exit_code, 0) << answer.err;
   const Json result = answer.json();
   EXPECT_EQ(result["brain"]["status"], "exited");
-  EXPECT_EQ(result["ticks"], 60);
+  EXPECT_EQ(result["ticks"], 60 + 15);
   EXPECT_NEAR(result["robot"]["left"]["joints"][0].get<double>(), 0.5, 0.01);
   EXPECT_NEAR(result["robot"]["right"]["joints"][0].get<double>(), -0.3, 1e-4);
   EXPECT_NEAR(result["robot"]["left"]["gripper"].get<double>(), 1.5, 0.02);

@@ -18,15 +18,17 @@ class BrainTrouble : public ProgramTest {
   }
 
   /// The program waits for its brain, as `smile run ... --attach` says; meanwhile somebody types
-  /// what it told, and `typed` at the debugger's prompt.
-  Answer Attached(const std::string& brain, const std::string& typed) const {
+  /// what it told, and `typed` at the debugger's prompt. `before` has the line typed in `$line`.
+  Answer Attached(const std::string& brain, const std::string& typed,
+                  const std::string& before = "") const {
     Write("typed", typed);
     return Shell("timeout 60 " SMILE_PROGRAM
                  " run pair.xml --attach --record demo --seconds 0.1 --json --brain " +
                  brain +
                  " >result.json 2>told.txt & simulator=$!\n"
                  "for k in $(seq 600); do grep -q '^cd ' told.txt && break; sleep 0.05; done\n"
-                 "line=$(grep '^cd ' told.txt)\n"
+                 "line=$(grep '^cd ' told.txt)\n" +
+                 before +
                  "(eval \"$line\") <typed >debugger.txt 2>&1\n"
                  "wait $simulator");
   }
@@ -51,7 +53,7 @@ TEST_F(BrainTrouble, EveryFailureLeavesARecordingThatReplays) {
     EXPECT_EQ(answer.json()["brain"]["status"], "failed") << line;
     EXPECT_NE(answer.json()["brain"]["message"].get<std::string>().find(message), std::string::npos)
         << answer.err;
-    EXPECT_EQ(answer.json()["ticks"], 13) << line;
+    EXPECT_EQ(answer.json()["ticks"], 13 + 15) << line;
     EXPECT_EQ(Smile("replay demo --verify").exit_code, 0) << line;
   }
 }
@@ -126,6 +128,60 @@ TEST_F(BrainTrouble, AnOctaveBrainStopsAtABreakPointAndTheSimulationWaits) {
   EXPECT_EQ(answer.exit_code, 0) << Read("told.txt") << Read("debugger.txt");
   EXPECT_NE(Read("debugger.txt").find("time is 0"), std::string::npos) << Read("debugger.txt");
   EXPECT_NE(Read("demo/commands.jsonl").find("\"head\":0.5"), std::string::npos);
+}
+
+TEST_F(BrainTrouble, TheFaceThatTheRobotEndsWithIsInTheRecording) {
+  WriteStep("  aux.exit = sensor.simTime > 0.2\n");
+  const auto ticks_after = [this](const std::string& mood) {
+    const Answer replay = Smile("replay demo --verify --json");
+    EXPECT_EQ(replay.exit_code, 0) << replay.err;
+    const std::string log = Read("demo/commands.jsonl");
+    const std::size_t line = log.rfind('\n', log.find("\"" + mood + "\"")) + 1;
+    const Json face = Json::parse(log.substr(line, log.find('\n', line) - line));
+    return replay.json()["ticks"].get<int>() - face["tick"].get<int>();
+  };
+  ASSERT_EQ(Smile("run pair.xml --brain agent/think.py --record demo --no-pictures").exit_code, 0);
+  EXPECT_EQ(ticks_after("done"), 15);
+  ASSERT_EQ(Shell("rm -r demo; smile run pair.xml --brain agent/think.py --record demo "
+                  "--no-pictures --seconds 0.25")
+                .exit_code,
+            0);
+  EXPECT_EQ(ticks_after("done"), 2) << "the time is what was said";
+}
+
+TEST_F(BrainTrouble, WhoeverAttachesAndIsNoBrainIsSentAway) {
+  WriteStep("");
+  Write("noise.py",
+        "import os, socket, sys, time\n"
+        "s = socket.socket(socket.AF_UNIX)\n"
+        "s.connect(os.environ['SMILE_BRAIN_ADDRESS'])\n"
+        "if sys.argv[1:]: s.sendall(sys.argv[1].encode())\n"
+        "else:\n"
+        "  open('quiet', 'w')\n"
+        "  time.sleep(30)\n"
+        "s.close()\n");
+  // One hangs up, one talks of something else, one says nothing and stays.
+  const Answer answer =
+      Attached("agent/think.py", "c\nq\n",
+               "export SMILE_BRAIN_ADDRESS=$(echo \"$line\" | grep -o '[^=]*/socket')\n"
+               "python3 noise.py SMB\n"
+               "python3 noise.py 'GET / HTTP/1.1, and so on for some more words'\n"
+               "python3 noise.py &\n"
+               "for k in $(seq 600); do [ -e quiet ] && break; sleep 0.05; done\n");
+  EXPECT_EQ(answer.exit_code, 0) << Read("told.txt") << Read("debugger.txt");
+  EXPECT_EQ(Json::parse(Read("result.json"))["ticks"], 6);
+  const std::string told = Read("told.txt");
+  for (const char* why : {"closed its connection", "sent nonsense", "it said nothing"}) {
+    EXPECT_NE(told.find(why), std::string::npos) << told;
+  }
+}
+
+TEST_F(BrainTrouble, ABrainThatCannotBeRunIsWrongInput) {
+  Write("robot", "#!/nowhere/python3\n");
+  EXPECT_EQ(Smile("run pair.xml --brain robot").exit_code, 1) << "it may not be executed";
+  const Answer answer = Shell("chmod +x robot; smile run pair.xml --brain robot");
+  EXPECT_EQ(answer.exit_code, 1);
+  EXPECT_NE(answer.err.find("robot: the brain cannot be run: "), std::string::npos) << answer.err;
 }
 
 TEST_F(BrainTrouble, AnAttachedBrainThatHangsUpIsNoticed) {

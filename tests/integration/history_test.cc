@@ -38,7 +38,7 @@ TEST_F(HistoryAsUsed, AScriptStartsUndoesRedoesAndFinishes) {
   const Answer history = Smile("history kept/take");
   EXPECT_EQ(history.exit_code, 0) << history.err;
   EXPECT_NE(history.out.find("left hand takes a\n"), std::string::npos);
-  EXPECT_NE(history.out.find("left hand releases a (undone)\n"), std::string::npos);
+  EXPECT_NE(history.out.find("left hand drops a on the table (undone)\n"), std::string::npos);
   // The classic view knows of one release.
   EXPECT_TRUE(Exists("kept/take/2.txt"));
   EXPECT_FALSE(Exists("kept/take/3.txt"));

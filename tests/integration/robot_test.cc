@@ -121,7 +121,7 @@ TEST_F(AnyRobot, OfARecordingLiesInTheRecording) {
             0);
   ASSERT_EQ(Shell("sed -i 's|robot/arm.urdf|../my/arm.urdf|' demo/demo.json").exit_code, 0);
   EXPECT_EQ(Smile("replay demo").err,
-            "demo/demo.json:1: \"urdf\" is \"../my/arm.urdf\", expected a file in robot/\n");
+            "demo/demo.json: <robot/urdf>: found \"../my/arm.urdf\", expected a file in robot/\n");
 }
 
 TEST_F(AnyRobot, GripperIsKeptInTheRecording) {

@@ -1,5 +1,8 @@
 import { render } from "preact";
 import { connect } from "./studio";
+import { listenToShortcuts } from "./panels/shortcuts";
+import { StudioPage } from "./panels/studio_page";
 
 connect();
-render(<main />, document.getElementById("studio")!);
+listenToShortcuts();
+render(<StudioPage />, document.getElementById("studio")!);

@@ -12,6 +12,8 @@ export const HANDS: HandName[] = ["left", "right", "both", "any"];
 export interface Visual {
   frame: number;
   object: number;
+  /** Id of the innermost part it is of that has one. */
+  part?: string;
   pose: Pose;
   color: string;
   choice: number;
@@ -28,7 +30,10 @@ export interface SceneObject {
   id: string;
   frame: number;
   shape: string;
-  parts: { id: string; pointable: boolean }[];
+  /** It cannot be taken. */
+  fixed: boolean;
+  /** Outer ones first; `within` is the id of the part, or the object, around it. */
+  parts: { id: string; pointable: boolean; within: string }[];
   controls: { id: string; kind: string; parts: string[] }[];
   bonds: boolean;
   properties: string[];
@@ -65,7 +70,9 @@ export interface SceneMessage {
 
 export interface Hand {
   object: string | null;
+  /** Where the hand wants the grasped point, and where the object's origin is then. */
   goal?: Point;
+  place?: Point;
   plane: number;
   angles?: Point;
 }
@@ -79,7 +86,7 @@ export interface Segment {
 export interface StateMessage {
   t: "state";
   tick: number;
-  mode: "live" | "playback";
+  mode: "live" | "playback" | "rage";
   paused: boolean;
   speed: number;
   hands: Record<HandName, Hand>;
@@ -101,6 +108,7 @@ export interface StateMessage {
   } | null;
   brain: { name: string; status: string; message: string; file: string; line: number };
   snap: string[];
+  markers: Point[];
 }
 
 export interface EventMessage {
@@ -148,7 +156,7 @@ export type News =
   | ClientsMessage
   | Reply
   | { t: "looks"; looks: number[] }
-  | { t: "console"; lines: ConsoleLine[] }
+  | { t: "console"; lines: ConsoleLine[]; all?: boolean }
   | { t: "score"; result: Record<string, unknown> }
   | { t: "progress"; what: string; done: number; total: number }
   | { t: "control_wanted"; by: number }

@@ -68,7 +68,7 @@ function onNews(news: News): void {
       for (const listener of eventListeners) listener(news);
       break;
     case "console":
-      consoleLines.value = [...consoleLines.value, ...news.lines].slice(-MAX_CONSOLE_LINES);
+      consoleLines.value = [...(news.all ? [] : consoleLines.value), ...news.lines].slice(-MAX_CONSOLE_LINES);
       break;
     case "score":
       lastScore.value = news.result;

@@ -78,6 +78,29 @@ TEST_F(Files, ThatCannotBeWrittenSayWhy) {
               }).starts_with((folder_ / "a" / "b").string() + ": cannot be created: "));
 }
 
+TEST_F(Files, AreWithinTheFolderThatLinksAndDotsLeadTo) {
+  const fs::path in = folder_ / "in", out = folder_ / "in2";
+  MakeDirectories(in / "deep");
+  MakeDirectories(out);
+  for (const fs::path& file : {in / "deep" / "a", out / "a"}) WriteFile(file, "");
+  fs::create_symlink(out, in / "leads_out");
+  fs::create_symlink(in / "deep", out / "leads_in");
+  fs::create_symlink(in, folder_ / "also_in");
+
+  for (const fs::path& path : {in, in / "deep" / "a", in / "deep" / ".." / "deep" / "a",
+                               out / ".." / "in" / "deep", out / "leads_in" / "a"}) {
+    EXPECT_TRUE(IsWithin(path, in)) << path;
+    EXPECT_TRUE(IsWithin(path, in / "")) << path;
+    EXPECT_TRUE(IsWithin(path, folder_ / "also_in")) << path;
+    EXPECT_TRUE(IsWithin(path, "/")) << path;
+  }
+  for (const fs::path& path : {folder_, out, out / "a", in / "..", in / ".." / "in2" / "a",
+                               in / "leads_out" / "a", in / "none", fs::path()}) {
+    EXPECT_FALSE(IsWithin(path, in)) << path;
+    EXPECT_FALSE(IsWithin(path, folder_ / "none")) << path;
+  }
+}
+
 TEST_F(Files, ThatShipWithUsAreFound) {
   EXPECT_TRUE(fs::exists(DataFile("scenes/tower.xml")));
   EXPECT_TRUE(ReasonOf([] {

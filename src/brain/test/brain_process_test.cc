@@ -456,7 +456,7 @@ TEST_F(BrainProcessTest, RefusesWhatIsNoBrain) {
   EXPECT_EQ(error_for(root_ / "notes.txt"),
             root +
                 "/notes.txt: not a program, expected a folder with agentBehavior.m, a Python "
-                "file or an executable file");
+                "file or an executable file (chmod +x makes it one)");
 }
 
 TEST_F(BrainProcessTest, SaysWhenOctaveIsMissing) {

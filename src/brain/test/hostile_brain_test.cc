@@ -105,6 +105,9 @@ const std::vector<Hostile>& AllHostile() {
       Raw("AnswersSomethingElse", "s.sendall(hello())", "not an answer to what was asked"),
       Raw("HangsUp", "s.close()", "the brain closed its connection during the callback"),
       Raw("DoesNotRead", "time.sleep(60)", "the callback " + kTooLong),
+      {"HasNoInterpreter", "#!/nowhere/python3\n",
+       "the brain cannot be run: what shall run it is not there, expected"},
+      {"IsNoProgram", "#!\n", "the brain cannot be run: it is no program, expected"},
       Raw("ErrorWithoutWords", "s.sendall(frame(7, q))", "an error without a message"),
   };
   return all;

@@ -335,6 +335,50 @@ TEST_F(RendererTest, PresentationHasShadowsAndTheRobotsEyeHasNone) {
   EXPECT_NEAR(brightness(alone, shaded), brightness(alone, lit), 8);
 }
 
+TEST_F(RendererTest, WhatGlowsShowsItsColorWhateverTheLight) {
+  const Color orange{1, 0.5, 0.25};
+  SmallScene scene;
+  scene.Add(scene::Block{kCubeSize}, orange, Vector3(0, 0, 0));
+  // Its dark side, in the shadow of a roof.
+  scene.Add(scene::Block{{1, 1, 0.02}}, kWhite, Vector3(0, 0, 0.2));
+  CameraView view = HeadView(41, 41);
+  view.X_WC = LookAt({0, 0.6, 0}, {0, 0, 0});
+  for (const Look look : {Look::kRobotEye, Look::kPresentation}) {
+    scene.model.visuals[0].glows = false;
+    EXPECT_LT(ColorAt(Render(scene, view, {.look = look}), 20, 20)[0], 170);
+    scene.model.visuals[0].glows = true;
+    const auto color = ColorAt(Render(scene, view, {.look = look}), 20, 20);
+    EXPECT_EQ(color[0], 255);
+    EXPECT_NEAR(color[1], 128, 1);
+    EXPECT_EQ(color[2], 64);
+  }
+}
+
+TEST_F(RendererTest, WhatCastsNoShadowChangesNoOther) {
+  SmallScene scene = TableScene();
+  const CameraView view = HeadView(160, 120);
+  const Image before = Render(scene, view, kPresented);
+  const auto marker = scene.Add(scene::Block{kCubeSize}, kRed, Vector3(-0.1, -0.2, 0.6));
+  const auto num_other = [&](const Image& image) {
+    const Image ids = Render(scene, view, {.ids = true});
+    int count = 0;
+    for (std::size_t i = 0; i < ids.ids.size(); ++i) {
+      const bool is_same =
+          std::equal(&image.color[3 * i], &image.color[3 * i] + 3, &before.color[3 * i]);
+      // Smooth edges mix in what is beside them.
+      const bool is_beside = ids.ids[i] == marker || (i > 0 && ids.ids[i - 1] == marker) ||
+                             (i + 1 < ids.ids.size() && ids.ids[i + 1] == marker) ||
+                             (i >= 160 && ids.ids[i - 160] == marker) ||
+                             (i + 160 < ids.ids.size() && ids.ids[i + 160] == marker);
+      if (!is_same && !is_beside) ++count;
+    }
+    return count;
+  };
+  EXPECT_GT(num_other(Render(scene, view, kPresented)), 100);
+  scene.model.visuals.back().casts_shadow = false;
+  EXPECT_EQ(num_other(Render(scene, view, kPresented)), 0);
+}
+
 TEST_F(RendererTest, RefusesWhatCannotBeDrawnAndDrawsOn) {
   SmallScene scene = TableScene();
   const auto refuses = [&](const CameraView& view, const RenderOptions& options = {}) {

@@ -98,7 +98,7 @@ TEST_F(RecordingDeskTest, TheHistoryTellsEveryStepAlsoWhatWasUndone) {
   ASSERT_EQ(steps.size(), 4u);
   EXPECT_EQ(steps[0].words, "the start");
   EXPECT_EQ(steps[1].words, "left hand takes a");
-  EXPECT_EQ(steps[2].words, "left hand releases a");
+  EXPECT_EQ(steps[2].words, "left hand puts a on the table");
   EXPECT_EQ(steps[3].words, "right hand points at b");
   EXPECT_EQ(steps[3].parent, 1u);
   EXPECT_FALSE(steps[2].is_on_way);

@@ -114,7 +114,7 @@ TEST_F(ReplayTest, KnowsWhatKindOfBodyTheRobotHad) {
 
     std::string info = Text(directory / "demo.json");
     const std::string key = is_kinematic ? "\"kinematic\"" : "\"friction_grasp\"";
-    info.replace(info.find(key), key.size(), is_kinematic ? "\"x\"" : "\"kinematic\"");
+    info.replace(info.find(key), key.size(), is_kinematic ? "\"friction_grasp\"" : "\"kinematic\"");
     Overwrite(directory / "demo.json", info);
     EXPECT_TRUE(Replay(OpenRecording(directory)).first_difference.has_value()) << "of another body";
   }

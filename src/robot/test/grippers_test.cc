@@ -96,7 +96,12 @@ TEST(Grippers, AWishForAnotherOneIsAnswered) {
   EXPECT_EQ(complaint("electric-huge"),
             "baxter.robot.json: <grippers/electric>: found the word \"huge\", expected one of "
             "each: extended or standard; wide or narrow; 2, 1, 3 or 4; paddle, basic or round");
-  EXPECT_NE(complaint("electric-wide-narrow").find("found the word \"narrow\""), std::string::npos);
+  EXPECT_EQ(complaint("electric-wide-narrow"),
+            "baxter.robot.json: <grippers/electric>: found the words \"wide\" and \"narrow\", "
+            "expected one of them");
+  EXPECT_EQ(complaint("electric-narrow-narrow"),
+            "baxter.robot.json: <grippers/electric>: found the word \"narrow\" twice, expected it "
+            "once");
   EXPECT_EQ(complaint("classic-wide"),
             "baxter.robot.json: <grippers/classic>: found the word \"wide\", expected no words "
             "after its name");
@@ -208,7 +213,7 @@ TEST_F(MimicFingers, AreTheOnlyOnesThatMayMimic) {
       "r.robot.json: joint \"r\" mimics \"l\", expected that only of two fingers that open alike";
   EXPECT_EQ(Complaint(MimicUrdf("-2"), kSideFile), complaint);
   EXPECT_EQ(Complaint(MimicUrdf("-1"), R"({"format": 1,
-"arms": {"a": {"joints": ["l"], "tool": "arm"}}})"),
+"arms": {"a": {"joints": ["l"], "tool": "l"}}})"),
             complaint);
   // Nothing moves them.
   EXPECT_EQ(Complaint(MimicUrdf("-2"), R"({"format": 1})"), "");

@@ -128,10 +128,38 @@ TEST_F(SideFile, RefusesJointsThatTwoMove) {
 "b": {"joints": ["turn"], "tool": "arm"}}})"),
             complaint("arms/b/joints/0", "turn"));
   EXPECT_EQ(ComplaintAbout(R"({"format": 1, "arms": {"a":
-{"joints": ["f2"], "tool": "arm", "fingers": ["f1", "f2"]}}})"),
+{"joints": ["f2"], "tool": "f2", "fingers": ["f1", "f2"]}}})"),
             complaint("arms/a/fingers/1", "f2"));
   EXPECT_EQ(ComplaintAbout(WithArm(R"(, "head": {"joint": "turn", "camera": "arm"})")),
             complaint("head/joint", "turn"));
+}
+
+TEST_F(SideFile, RefusesArmsThatAreNoChain) {
+  const auto complaint = [](const std::string& place, const std::string& name,
+                            const std::string& last) {
+    return "r.robot.json: <arms/a/" + place + ">: found \"" + name +
+           "\", which does not hang on joint \"" + last +
+           "\", expected one behind it: joints in their order from the shoulder to the wrist, then "
+           "the gripper";
+  };
+  const auto arm = [](const std::string& text) {
+    return R"({"format": 1, "arms": {"a": )" + text + "}}";
+  };
+  EXPECT_EQ(ComplaintAbout(arm(R"({"joints": ["turn", "f1"], "tool": "f1"})")), "");
+  EXPECT_EQ(ComplaintAbout(arm(R"({"joints": ["f1", "turn"], "tool": "f1"})")),
+            complaint("joints/1", "turn", "f1"));
+  EXPECT_EQ(ComplaintAbout(arm(R"({"joints": ["f1", "f2"], "tool": "f2"})")),
+            complaint("joints/1", "f2", "f1"))
+      << "side by side";
+  EXPECT_EQ(ComplaintAbout(arm(R"({"joints": ["turn"], "tool": "base"})")),
+            complaint("tool", "base", "turn"));
+  EXPECT_EQ(ComplaintAbout(arm(R"({"joints": ["yaw"], "tool": "arm"})")),
+            complaint("tool", "arm", "yaw"));
+  EXPECT_EQ(ComplaintAbout(arm(R"({"joints": ["yaw"], "tool": "face", "fingers": ["f1", "f2"]})")),
+            complaint("fingers/0", "f1", "yaw"));
+  EXPECT_EQ(ComplaintAbout(R"({"format": 1, "grippers": {"g": {}}, "gripper": "g",
+"arms": {"a": {"joints": ["turn"], "flange": "face"}}})"),
+            complaint("flange", "face", "turn"));
 }
 
 TEST_F(SideFile, RefusesLooksThatAreNoneOrDoNotFit) {
@@ -161,9 +189,11 @@ TEST_F(SideFile, RefusesPosesTheRobotCannotTake) {
             "r.robot.json: <poses/p/tail>: expected the name of an arm, head or opening");
 }
 
-TEST_F(SideFile, NamesTheLineWhereJsonEnds) {
-  const std::string message = ComplaintAbout("{\"format\": 1,\n\"arms\": }");
-  EXPECT_TRUE(message.starts_with("r.robot.json:2: not JSON: ")) << message;
+TEST_F(SideFile, SaysWhereItIsNotJson) {
+  EXPECT_EQ(ComplaintAbout("{\"format\": 1,\n\"arms\": }"),
+            "r.robot.json: this is not JSON from line 2 on");
+  EXPECT_EQ(ComplaintAbout(R"({"format": 1, "arms": {"a": {}, "a": {}}})"),
+            "r.robot.json: the key \"a\" is there twice in \"arms\"");
 }
 
 }  // namespace

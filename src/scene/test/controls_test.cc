@@ -48,6 +48,18 @@ TEST(Controls, AreFeltAsTheyLook) {
   EXPECT_EQ(solids.back().part_id, "lamps-light2");
 }
 
+TEST(Visuals, KnowTheInnermostPartWithAnId) {
+  std::string parts;
+  for (const Visual& visual : VisualsOf(PanelWithAllControls())) {
+    if (!parts.ends_with(visual.part_id + " ")) parts += visual.part_id + " ";
+  }
+  // The switch looks so or so, and so does the dial. The sphere has no id, nor has what is around
+  // it.
+  EXPECT_EQ(parts,
+            "switch-b1 switch-b2 switch-b1 switch-b2 "
+            "one two(floor) two(left) two(right) two(near) two(far) one lamps ");
+}
+
 TEST(Controls, ShowOnlyTheLightsThatAreOn) {
   int num_lights_in[2] = {0, 0};
   for (const Visual& visual : VisualsOf(PanelWithAllControls())) {

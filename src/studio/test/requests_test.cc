@@ -34,6 +34,22 @@ TEST(Answer, LetsWatchersOnlyWatch) {
   EXPECT_EQ(answer["error"], "you are watching: take control first");
 }
 
+TEST(Answer, MayComeLaterAsALetter) {
+  RequestTable table = MakeTable();
+  table.entries["dig"] = {[](const Request&) { return AnswersLater(); }};
+  table.letters.emplace_back([] {
+    return std::vector<Letter>{{.client = 2, .message = AnswerWith({.seq = 9}, []() -> Json {
+                                               throw RequestError("nothing found");
+                                             })}};
+  });
+  EXPECT_TRUE(IsLater(Answer(table, {.seq = 9, .what = "dig"}, /*is_controller=*/true)));
+  EXPECT_FALSE(IsLater(Answer(table, {.seq = 9, .what = "dig"}, /*is_controller=*/false)));
+  const std::vector<Letter> letters = TakeLetters(table);
+  ASSERT_EQ(letters.size(), 1u);
+  EXPECT_EQ(letters[0].message,
+            (Json{{"t", "reply"}, {"seq", 9}, {"ok", false}, {"error", "nothing found"}}));
+}
+
 TEST(Answer, TellsWhatThereIsInsteadOfAnUnknownRequest) {
   const Json answer = Answer(MakeTable(), {.what = "loat"}, /*is_controller=*/true);
   EXPECT_EQ(answer["error"],

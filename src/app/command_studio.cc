@@ -1,0 +1,110 @@
+// `smile studio`: a page in the browser, in which a person demonstrates.
+
+#include <spawn.h>
+#include <sys/wait.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <stdexcept>
+
+#include "app/commands.h"
+#include "app/exit_code.h"
+#include "app/interrupt.h"
+#include "app/options.h"
+#include "base/files.h"
+#include "picture/rendered_eye.h"
+#include "studio/studio.h"
+
+extern char** environ;
+
+namespace smile::app {
+namespace {
+
+struct StudioCommand {
+  std::string scene, recordings = "recordings", address = "127.0.0.1";
+  int port = 0;
+  double rate = 4;
+  bool no_open = false, no_pictures = false;
+  EyeOptions eye;
+  RobotOptions robot;
+  PathOptions path;
+};
+
+std::filesystem::path PageFolder() {
+  try {
+    return DataFile("build/page");
+  } catch (const std::runtime_error&) {
+    throw std::runtime_error("the studio's page is not built; ./run studio builds it");
+  }
+}
+
+/// The user's own browser, if there is a screen to show it on. A shell starts it, so that it is no
+/// child of ours.
+void OpenInBrowser(const std::string& link) {
+  if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr) return;
+  std::string shell = "sh", option = "-c", line = "xdg-open \"$0\" >/dev/null 2>&1 &", page = link;
+  char* const arguments[] = {shell.data(), option.data(), line.data(), page.data(), nullptr};
+  pid_t child = 0;
+  if (posix_spawnp(&child, "sh", nullptr, nullptr, arguments, environ) == 0) {
+    waitpid(child, nullptr, 0);
+  }
+}
+
+int RunStudio(const StudioCommand& options) {
+  picture::RenderedEye eye(EyeSpecOf(options.eye));
+  studio::StudioOptions plan;
+  plan.session = {.scene = options.scene.empty() ? DataFile("scenes/tower.xml")
+                                                 : std::filesystem::path(options.scene),
+                  .reader = options.path.reader(),
+                  .robot = PlaceRobot(options.robot, options.path),
+                  .recordings = options.recordings,
+                  .recording = {.frames_per_second = options.rate},
+                  .eye = options.no_pictures ? nullptr : &eye,
+                  .is_ending = &IsInterrupted};
+  plan.server = {.address = options.address, .port = options.port, .page = PageFolder()};
+  studio::Studio studio(std::move(plan));
+  std::printf("%s\n", studio.link().c_str());
+  std::fflush(stdout);
+  std::fprintf(stderr, "smile: the studio is open at this link; Ctrl-C closes it\n");
+  if (!options.no_open) OpenInBrowser(studio.link());
+  studio.Run(&IsInterrupted);
+  return kDone;
+}
+
+}  // namespace
+
+void AddStudio(CLI::App* program, ExitAnswer answer) {
+  auto options = std::make_shared<StudioCommand>();
+  CLI::App* studio =
+      program->add_subcommand("studio", "Demonstrate, edit and watch in a page of the browser");
+  studio->add_option("SCENE", options->scene, "scene file [the shipped tower.xml]")
+      ->check(NotEmpty());
+  studio
+      ->add_option("--port", options->port,
+                   "where the page is; 0 for the first free one from 8470 on")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 65535));
+  studio
+      ->add_option("--listen", options->address,
+                   "lets other machines in, with the token of the printed link: an address of this "
+                   "one, or 0.0.0.0 for all")
+      ->capture_default_str()
+      ->check(NotEmpty());
+  studio->add_flag("--no-open", options->no_open, "do not open the browser");
+  studio->add_option("--recordings", options->recordings, "where recordings are kept")
+      ->capture_default_str()
+      ->check(NotEmpty());
+  studio->add_flag("--no-pictures", options->no_pictures,
+                   "recordings without the robot's pictures, and no view of its eye");
+  studio->add_option("--rate", options->rate, "pictures per second of recordings")
+      ->capture_default_str()
+      ->check(NumberBetween(0.001, sim::kTicksPerSecond));
+  AddEyeOptions(studio, &options->eye);
+  AddRobotOptions(studio, /*may_be_absent=*/true, &options->robot);
+  AddPathOption(studio, &options->path);
+  studio->callback([options, answer] { *answer = RunStudio(*options); });
+}
+
+}  // namespace smile::app

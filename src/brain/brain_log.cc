@@ -1,0 +1,35 @@
+#include "brain/brain_log.h"
+
+#include <string>
+#include <system_error>
+
+namespace smile::brain {
+
+BrainLog::BrainLog(const std::filesystem::path& directory) {
+  if (!directory.empty()) path_ = directory / "brain.log";
+}
+
+void BrainLog::Open() {
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(path_, error);
+  if (!error) bytes_ = size;  // of a recording that goes on
+  file_.reset(std::fopen(path_.c_str(), "a"));
+  if (!file_) path_.clear();
+}
+
+void BrainLog::Write(std::string_view line) {
+  if (!file_ && !path_.empty()) Open();
+  if (!file_) return;
+  std::string text(line);
+  bytes_ += text.size() + 1;
+  const bool is_full = bytes_ > kMaxBytes;
+  if (is_full) text = "... no more is kept";
+  text += '\n';
+  std::fwrite(text.data(), 1, text.size(), file_.get());
+  std::fflush(file_.get());
+  if (!is_full) return;
+  file_.reset();
+  path_.clear();
+}
+
+}  // namespace smile::brain

@@ -1,0 +1,109 @@
+#include "picture/photographer.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "base/wording.h"
+#include "picture/viewpoint.h"
+#include "record/png.h"
+#include "record/sight.h"
+
+namespace smile::picture {
+namespace {
+
+/// `out/um.png` and "depth" make `out/um.depth.png`.
+std::filesystem::path WithTag(std::filesystem::path path, const std::string& tag) {
+  return path.replace_extension("." + tag + path.extension().string());
+}
+
+}  // namespace
+
+Channels ParseChannels(const std::string& text) {
+  Channels channels{.rgb = false};
+  for (std::size_t start = 0; start <= text.size();) {
+    const std::size_t end = std::min(text.find(',', start), text.size());
+    const std::string name = text.substr(start, end - start);
+    if (name == "rgb") {
+      channels.rgb = true;
+    } else if (name == "depth") {
+      channels.depth = true;
+    } else if (name == "id") {
+      channels.id = true;
+    } else {
+      throw std::invalid_argument("channel is " + Quoted(name) + ", expected rgb, depth or id");
+    }
+    start = end + 1;
+  }
+  return channels;
+}
+
+Photographer::Photographer(const sim::Simulation& stage, Shot shot)
+    : stage_(stage),
+      shot_(std::move(shot)),
+      eye_{.width_px = shot_.width_px, .height_px = shot_.height_px} {
+  const std::vector<std::string> names = sim::CameraNames(stage);
+  if (std::ranges::find(names, shot_.camera) != names.end()) {
+    eye_.camera = shot_.camera == sim::kEyeCamera ? shot_.eye : shot_.camera;
+  } else {
+    view_for_people_ = FindView(shot_.camera, stage.scene(), eye_, names);
+  }
+}
+
+const Image& Photographer::Take(const record::TraceTick& moment,
+                                const std::vector<Vector3>& markers) {
+  sim::Sight sight = record::SightAt(moment, stage_, eye_);
+  if (view_for_people_) {
+    sight.view = *view_for_people_;
+    // Only the eye does not see the head it sits in.
+    if (moment.is_robot_shown) sight.hidden_frames.clear();
+  }
+  Render(stage_.visual_model(), sight, shot_.channels, &image_);
+  if (view_for_people_ && shot_.channels.rgb && !markers.empty()) AddMarkers(sight, markers);
+  return image_;
+}
+
+void Photographer::Render(const scene::VisualModel& model, const sim::Sight& sight,
+                          const Channels& channels, Image* image) {
+  renderer_.Render(
+      model, sight.state, sight.view,
+      {.color = channels.rgb,
+       .depth = channels.depth,
+       .ids = channels.id,
+       .look = view_for_people_ ? camera::Look::kPresentation : camera::Look::kRobotEye,
+       .excluded_frames = sight.hidden_frames},
+      image);
+}
+
+/// Half of what is seen is the markers, half what is behind them. Depth and ids are without.
+void Photographer::AddMarkers(const sim::Sight& sight, const std::vector<Vector3>& markers) {
+  constexpr double kRadiusUnits = 0.15;
+  scene::VisualModel model = stage_.visual_model();
+  scene::Visual marker;
+  marker.shape = scene::Sphere{.radius = kRadiusUnits * stage_.scene().meters_per_unit};
+  marker.color = {.red = 1, .green = 0, .blue = 1};
+  marker.object_id = 1;
+  marker.casts_shadow = false;
+  for (const Vector3& p_WM : markers) {
+    marker.X_FV = RigidTransform(p_WM);
+    model.visuals.push_back(marker);
+  }
+  Render(model, sight, {}, &marked_image_);
+  for (std::size_t i = 0; i < image_.color.size(); ++i) {
+    image_.color[i] = static_cast<std::uint8_t>((image_.color[i] + marked_image_.color[i] + 1) / 2);
+  }
+}
+
+std::vector<std::filesystem::path> WriteChannels(const std::filesystem::path& png,
+                                                 const Image& image, const Channels& channels) {
+  std::vector<std::filesystem::path> written;
+  const auto write = [&](auto writer, const std::filesystem::path& path) {
+    writer(path, image);
+    written.push_back(path);
+  };
+  if (channels.rgb) write(&record::WritePng, png);
+  if (channels.depth) write(&record::WriteDepthPng, WithTag(png, "depth"));
+  if (channels.id) write(&record::WriteIdPng, WithTag(png, "id"));
+  return written;
+}
+
+}  // namespace smile::picture

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "camera/renderer.h"
+#include "record/trace.h"
+#include "sim/eye.h"
+#include "sim/simulation.h"
+
+namespace smile::picture {
+
+using sim::Channels;
+
+/// `rgb,depth,id` or some of them.
+/// @throws std::invalid_argument saying what was found and expected.
+Channels ParseChannels(const std::string& text);
+
+/// How something is to be seen.
+struct Shot {
+  std::string camera = "nice";        ///< one of sim::CameraNames(), or see FindView()
+  std::string eye = sim::kEyeCamera;  ///< which camera is meant by `eye`: a recording has its own
+  int width_px = 1280, height_px = 720;
+  Channels channels;
+};
+
+/// Takes pictures of recorded moments from anywhere, without physics. What the robot's cameras saw,
+/// it sees to the last bit; the scene's see as they do.
+class Photographer {
+ public:
+  /// @param stage  a simulation of the recording's scene and robot that need not run. Must outlive
+  ///               this.
+  /// @throws std::invalid_argument if there is no such camera.
+  Photographer(const sim::Simulation& stage, Shot shot);
+
+  /// @param markers  points that views for people show as translucent balls [m].
+  /// The picture lasts until the next one.
+  const Image& Take(const record::TraceTick& moment, const std::vector<Vector3>& markers = {});
+
+ private:
+  void Render(const scene::VisualModel& model, const sim::Sight& sight, const Channels& channels,
+              Image* image);
+  void AddMarkers(const sim::Sight& sight, const std::vector<Vector3>& markers);
+
+  const sim::Simulation& stage_;
+  Shot shot_;
+  sim::EyeSpec eye_;
+  std::optional<CameraView> view_for_people_;  ///< nullopt: the eye's
+  camera::Renderer renderer_;
+  Image image_, marked_image_;
+};
+
+/// Writes the channels of a picture beside one another: for `um.png`, `um.depth.png` and
+/// `um.id.png`.
+/// @returns what was written, color first.
+std::vector<std::filesystem::path> WriteChannels(const std::filesystem::path& png,
+                                                 const Image& image, const Channels& channels);
+
+}  // namespace smile::picture

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "math/camera_projection.h"
+#include "scene/scene_spec.h"
+#include "sim/eye.h"
+
+namespace smile::picture {
+
+/// The names of views for people.
+std::vector<std::string> ViewNames();
+
+/// A view that stays where it is. By name: `close` shows the scene's objects where they are at
+/// the start, the others the whole table. Or anywhere: `FROM:TO[:FOV]` stands at one point, looks
+/// at another [x,y,z in units of the scene], and sees so many degrees from top to bottom.
+/// @param cameras  what else there is, for the message.
+/// @throws std::invalid_argument if there is no such view.
+CameraView FindView(std::string_view camera, const scene::SceneSpec& scene,
+                    const sim::EyeSpec& size, const std::vector<std::string>& cameras);
+
+}  // namespace smile::picture

@@ -1,0 +1,98 @@
+#include "record/support.h"
+
+#include <algorithm>
+
+#include "scene/bounds.h"
+
+namespace smile::record {
+namespace {
+
+/// So deep may one be in the other and still lie on it [m].
+constexpr double kDepth = 0.005;
+
+bool IsBeneath(const scene::Bounds& piece, const scene::Bounds& object) {
+  const bool is_over_it = piece.low.x() < object.high.x() && object.low.x() < piece.high.x() &&
+                          piece.low.y() < object.high.y() && object.low.y() < piece.high.y();
+  return is_over_it && piece.high.z() <= object.low.z() + kDepth;
+}
+
+bool IsBeneath(const scene::TableSpec& table, const scene::Bounds& object) {
+  const Vector3 half(table.x_span / 2, table.y_span / 2, 0);
+  return IsBeneath(scene::Bounds{.low = -half, .high = half}, object);
+}
+
+}  // namespace
+
+std::optional<Support> SupportOf(const scene::SceneSpec& scene,
+                                 const std::vector<TracePose>& objects, std::size_t object) {
+  if (object >= objects.size() || !objects[object].is_present) return std::nullopt;
+  const auto bounds_of = [&](std::size_t i) {
+    return scene::BoundsOf(scene::SolidsOf(scene.objects[i].whole), objects[i].pose_in_world());
+  };
+  const scene::Bounds whole = bounds_of(object);
+  std::optional<Support> best;
+  const auto consider = [&](const scene::Bounds& piece, Support support) {
+    support.height = std::max(0.0, whole.low.z() - piece.high.z());
+    if (!best || support.height < best->height) best = std::move(support);
+  };
+  if (IsBeneath(scene.table, whole)) {
+    consider({.low = Vector3::Zero(), .high = Vector3::Zero()}, Support());
+  }
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    if (i == object || !objects[i].is_present) continue;
+    const scene::Part& other = scene.objects[i].whole;
+    for (const scene::Solid& solid : scene::SolidsOf(other)) {
+      const scene::Bounds piece =
+          scene::BoundsOf(solid.shape, objects[i].pose_in_world() * solid.X_BS);
+      if (!IsBeneath(piece, whole)) continue;
+      consider(piece, {.object = other.id, .is_container = solid.part_id.ends_with("(floor)")});
+    }
+  }
+  return best;
+}
+
+namespace {
+
+std::string Who(demonstrator::HandName hand) {
+  return std::string(ToString(hand)) +
+         (hand == demonstrator::HandName::kBoth ? " hands " : " hand ");
+}
+
+/// `takes ` or, of both hands, `take `.
+std::string Does(demonstrator::HandName hand, const std::string& verb) {
+  return Who(hand) + verb + (hand == demonstrator::HandName::kBoth ? " " : "s ");
+}
+
+std::string WordsOfRelease(const sim::Event& event, const std::optional<Support>& support) {
+  if (!support) return Does(*event.hand, "release") + event.object;
+  const std::string where = support->object.empty() ? "the table" : support->object;
+  return Does(*event.hand, support->is_near() ? "put" : "drop") + event.object +
+         (support->is_container ? " into " : " on ") + where;
+}
+
+}  // namespace
+
+std::string WordsOf(const sim::Event& event, const std::optional<Support>& support) {
+  if (!BeginsSegment(event)) return "";
+  using enum sim::EventKind;
+  switch (event.kind) {
+    case kGrasped:
+      return Does(*event.hand, "take") + event.object;
+    case kReleased:
+      return WordsOfRelease(event, support);
+    case kDestroyed:
+      return Does(*event.hand, "destroy") + event.object;
+    case kPointed:
+      return Does(*event.hand, "point") + "at " + event.part;
+    case kTriggered:
+      return Does(*event.hand, "trigger") + event.control;
+    case kFastened:
+      return Does(*event.hand, "fasten") + event.object;
+    case kLoosened:
+      return Does(*event.hand, "loosen") + event.object;
+    default:
+      return "";
+  }
+}
+
+}  // namespace smile::record

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "record/trace.h"
+#include "scene/scene_spec.h"
+
+namespace smile::record {
+
+/// What an object would come to lie on if it were let go of.
+struct Support {
+  std::string object;         ///< its id; empty: the table
+  bool is_container = false;  ///< it lies in it rather than on it
+  double height = 0;          ///< from there up to the object's lowest point [m]
+
+  /// True when it is as good as on it already.
+  bool is_near() const { return height < 0.02; }
+  bool operator==(const Support&) const = default;
+};
+
+/// The highest thing straight beneath an object, as far as their bounds tell; nullopt beyond the
+/// table's edge, or when the object is gone.
+/// @param objects  of the scene, in its order, at that moment.
+std::optional<Support> SupportOf(const scene::SceneSpec& scene,
+                                 const std::vector<TracePose>& objects, std::size_t object);
+
+/// `left hand takes b03`, `both hands put b03 on b01`: what a hand did that begins a segment; empty
+/// for all else.
+/// @param support  of what it let go of.
+std::string WordsOf(const sim::Event& event, const std::optional<Support>& support);
+
+}  // namespace smile::record

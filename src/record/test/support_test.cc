@@ -1,0 +1,49 @@
+#include "record/support.h"
+
+#include <gtest/gtest.h>
+
+#include "scene_xml/scene_reader.h"
+
+namespace smile::record {
+namespace {
+
+/// What object `a` would lie on, at this height above something.
+std::optional<Support> SupportOfAAt(const std::string& place) {
+  const auto scene =
+      scene_xml::ReadSceneText(
+          "<tabletop xmlns=\"http://synapse.cs.umd.edu/tabletop-xml\">\n"
+          "<block id=\"a\" location=\"" +
+              place +
+              "\"/>\n"
+              "<block id=\"b\" location=\"(3, 0, 0.5)\"/>\n"
+              "<box id=\"crate\" xspan=\"4\" yspan=\"4\" zspan=\"3\" thickness=\"0.5\" "
+              "location=\"(-4, 0, 1.5)\"/>\n</tabletop>",
+          "some.xml")
+          .scene;
+  if (!scene) throw std::logic_error("this is no scene");
+  const sim::Simulation simulation(*scene);
+  return SupportOf(*scene, Observe(simulation).objects, 0);
+}
+
+TEST(Support, IsTheHighestThingStraightBeneath) {
+  EXPECT_EQ(SupportOfAAt("(0, 0, 0.5)")->object, "");
+  EXPECT_TRUE(SupportOfAAt("(0, 0, 0.5)")->is_near());
+  EXPECT_EQ(SupportOfAAt("(3.5, 0.5, 1.6)")->object, "b");
+  EXPECT_FALSE(SupportOfAAt("(3.5, 0.5, 1.75)")->is_near());
+  const Support in_crate = *SupportOfAAt("(-4, 0, 1)");
+  EXPECT_EQ(in_crate.object, "crate");
+  EXPECT_TRUE(in_crate.is_container && in_crate.is_near());
+  EXPECT_FALSE(SupportOfAAt("(-2.2, 0, 3.5)")->is_container) << "it lies on the crate's wall";
+  EXPECT_EQ(SupportOfAAt("(12, 0, 0.5)"), std::nullopt);
+}
+
+TEST(Support, MakesTheWordsOfARelease) {
+  const sim::Event release{
+      .kind = sim::EventKind::kReleased, .hand = demonstrator::HandName::kBoth, .object = "a"};
+  EXPECT_EQ(WordsOf(release, SupportOfAAt("(-4, 0, 1)")), "both hands put a into crate");
+  EXPECT_EQ(WordsOf(release, SupportOfAAt("(0, 0, 3)")), "both hands drop a on the table");
+  EXPECT_EQ(WordsOf(release, std::nullopt), "both hands release a");
+}
+
+}  // namespace
+}  // namespace smile::record

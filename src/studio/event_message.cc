@@ -1,0 +1,27 @@
+#include "studio/event_message.h"
+
+namespace smile::studio {
+
+Json EventMessage(const sim::Event& event, const sim::Simulation& simulation) {
+  Json message = {{"t", "event"}, {"kind", ToString(event.kind)}, {"tick", simulation.tick()}};
+  if (event.hand) message["hand"] = ToString(*event.hand);
+  const auto add = [&message](const char* name, const std::string& text) {
+    if (!text.empty()) message[name] = text;
+  };
+  add("arm", event.arm);
+  add("object", event.object);
+  add("reason", event.reason);
+  add("part", event.part);
+  add("control", event.control);
+  add("state", event.state);
+  const world::Bonds& bonds = simulation.tabletop().bonds();
+  if (event.guest >= 0 && event.host >= 0) {
+    message["guest"] = bonds.guests()[static_cast<std::size_t>(event.guest)].point->id;
+    message["host"] = bonds.hosts()[static_cast<std::size_t>(event.host)].point->id;
+    message["tightness"] = event.tightness;
+  }
+  if (event.kind == sim::EventKind::kAttended) message["properties"] = event.properties;
+  return message;
+}
+
+}  // namespace smile::studio

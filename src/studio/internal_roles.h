@@ -1,0 +1,41 @@
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <vector>
+
+#include "studio/requests.h"
+
+namespace smile::studio {
+
+/// Who is here, and who of them is the controller: one at most.
+class Roles {
+ public:
+  using Time = std::chrono::steady_clock::time_point;
+
+  /// @param silence  after which control may be taken from its owner.
+  explicit Roles(std::chrono::milliseconds silence) : silence_(silence) {}
+
+  void Join(ClientId client) { clients_.push_back(client); }
+  void Leave(ClientId client);
+  /// The client did something.
+  void NoteSignOfLife(ClientId client, Time now);
+
+  /// True if the client is the controller from now on, or already is; false if the one who is must
+  /// be asked.
+  [[nodiscard]] bool Take(ClientId client, bool by_force, Time now);
+  /// @throws RequestError if `from` does not control, or `to` is not here.
+  void Give(ClientId from, std::optional<ClientId> to, Time now);
+
+  std::optional<ClientId> controller() const { return controller_; }
+  bool IsHere(ClientId client) const;
+  const std::vector<ClientId>& clients() const { return clients_; }
+
+ private:
+  std::chrono::milliseconds silence_;
+  std::vector<ClientId> clients_;  ///< in the order in which they came
+  std::optional<ClientId> controller_;
+  Time last_sign_{};  ///< of the controller
+};
+
+}  // namespace smile::studio

@@ -1,0 +1,129 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "studio/eye_tap.h"
+#include "studio/library.h"
+#include "studio/live_brain.h"
+#include "studio/live_world.h"
+#include "studio/playback.h"
+#include "studio/rage.h"
+#include "studio/request_fields.h"
+#include "studio/resting_place.h"
+#include "studio/scene_meshes.h"
+#include "studio/session.h"
+#include "studio/snapping.h"
+#include "task/imitation_result.h"
+
+namespace smile::studio {
+
+class Session::Impl {
+ public:
+  explicit Impl(SessionOptions options);
+
+  RequestTable& requests() { return requests_; }
+  double speed_factor() const { return speed_factor_; }
+  void SetMeasuredSpeed(double factor) { measured_speed_ = factor; }
+  void Tick();
+  const View& view() const;
+  News TakeNews();
+  std::vector<Json> Everything() const;
+  std::optional<std::string> MeshBytes(std::uint32_t scene, std::size_t mesh) const;
+
+ private:
+  /// An imitation that is watched live.
+  struct Imitation {
+    task::Exercise exercise;
+    std::uint64_t start_tick = 0;
+  };
+
+  // What may be asked (session_requests.cc).
+  void AddRequests();
+  void AddWorldRequests();
+  void AddSceneRequests();
+  void AddRecordingRequests();
+  void AddBrainRequests();
+  Json Command(const Request& request);
+  Json Load(const RequestFields& fields);
+  Json Check(const RequestFields& fields) const;
+  Json Spawn(const RequestFields& fields);
+  Json Clear(const RequestFields& fields);
+  Json FindRestingPlace(const RequestFields& fields);
+  Json Show(const RequestFields& fields);
+  Json Branch(const RequestFields& fields);
+  Json DescribeBrains() const;
+  Json StartBrain(const RequestFields& fields);
+  Json Imitate(const RequestFields& fields);
+
+  // Scenes (session_scenes.cc).
+  scene::SceneSpec ReadNamedScene(const std::string& name) const;
+  scene_xml::SceneReading ReadText(const RequestFields& fields) const;
+  scene::SceneSpec ReadSceneOf(const RequestFields& fields) const;
+  std::unique_ptr<LiveWorld> MakeWorld(scene::SceneSpec scene,
+                                       std::optional<sim::RobotPlacement> robot);
+  /// What is there becomes another world, in which hands and robot go on.
+  void Recompose(scene::SceneSpec scene);
+  void Enter(std::unique_ptr<LiveWorld> world);
+  /// With a preset's objects, none of them in the robot.
+  std::unique_ptr<LiveWorld> WorldWith(const std::string& preset, std::uint64_t seed);
+
+  /// Throw a RequestError with the reason.
+  void RequireLive() const;
+  void RequireNoRecording() const;
+  void RequireIdleRobot() const;
+
+  void TickLive();
+  void EndImitation();
+  void TellAllOfScene();
+  void TellLooks();
+  void TellStateIfDue();
+  void TellConsole();
+  void LookThroughEye();
+  sim::Sight SightNow() const;
+  Json DescribeScene() const;
+  Json DescribeState() const;
+  const sim::Simulation& shown() const;
+  BrainChoice FindBrain(const std::string& name) const;
+  std::vector<BrainChoice> Brains() const;
+  void RunBrain(const BrainChoice& choice, const std::filesystem::path& demonstration);
+
+  SessionOptions options_;
+  Library library_;
+  std::optional<EyeTap> tap_;
+  scene::SceneSpec loaded_;  ///< what a reload gives
+  std::unique_ptr<LiveWorld> world_;
+  std::unique_ptr<Playback> playback_;  ///< nullptr unless a recording is shown
+  std::unique_ptr<Rage> rage_;          ///< nullptr unless the robot clears the table
+  LiveBrain brain_;
+  std::optional<Imitation> imitation_;
+  RestingPlace resting_place_;
+  Json resting_answer_;
+  std::uint64_t resting_call_ = 0;
+  SnapTo snap_;
+  bool is_paused_ = false;
+  double speed_factor_ = 1, measured_speed_ = 1;
+
+  RequestTable requests_;
+  std::vector<Json> messages_;
+  std::optional<Image> picture_;
+  bool is_picture_recorded_ = false;
+  /// Through the eye, at last; nullopt when somebody waits for a picture.
+  mutable std::optional<sim::Sight> seen_;
+  bool is_eye_broken_ = false;  ///< it cannot draw; that was told
+  std::deque<Json> console_;    ///< the last lines that robot programs printed
+  Json score_;                  ///< the last one that was told; null before
+  Json told_state_;             ///< without the time
+  std::vector<int> told_looks_;
+  std::uint64_t num_calls_ = 0;  ///< of Tick()
+  std::uint32_t scene_number_ = 0;
+  SceneMeshes meshes_;
+  std::shared_ptr<const PageMeshes> present_meshes_;
+  mutable std::optional<View> view_;  ///< nullopt when something may have moved since
+};
+
+}  // namespace smile::studio

@@ -1,0 +1,71 @@
+#include "studio/internal_studio_loop.h"
+
+#include <chrono>
+#include <utility>
+
+namespace smile::studio {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+}  // namespace
+
+StudioLoop::StudioLoop(Workplace* workplace, Server* server)
+    : workplace_(workplace), server_(server), pacer_(Clock::now()), press_(server) {}
+
+void StudioLoop::Beat() {
+  pacer_.SetFactor(workplace_->speed_factor());
+  const int ticks_due = pacer_.BeginBeat(Clock::now());
+  CarryOutRequests();
+  pacer_.EndBeat(DoTicks(ticks_due), Clock::now());
+  workplace_->SetMeasuredSpeed(pacer_.speed());
+  const Poses poses = workplace_->NextPoses();
+  // What poses are of is told before them.
+  TellNews(poses);
+  TellNewClients();
+  server_->SendPoses(poses);
+}
+
+void StudioLoop::CarryOutRequests() {
+  for (const Request& request : server_->TakeRequests()) {
+    const Json answer =
+        Answer(workplace_->requests(), request, server_->IsController(request.client));
+    if (!IsLater(answer)) server_->Send(request.client, answer);
+  }
+}
+
+int StudioLoop::DoTicks(int count) {
+  const Clock::time_point deadline = Clock::now() + Pacer::kBeat;
+  int done = 0;
+  while (done < count && (done == 0 || Clock::now() < deadline)) {
+    workplace_->Tick();
+    ++done;
+  }
+  return done;
+}
+
+void StudioLoop::TellNews(const Poses& poses) {
+  News news = workplace_->TakeNews();
+  for (const Json& message : news.messages) server_->SendToAll(message);
+  for (const Letter& letter : TakeLetters(workplace_->requests())) {
+    if (letter.client == 0) {
+      server_->SendToAll(letter.message);
+    } else {
+      server_->Send(letter.client, letter.message);
+    }
+  }
+  if (news.view) {
+    press_.Print({.image = std::move(*news.view),
+                  .is_recorded = news.is_view_recorded,
+                  .scene = poses.scene,
+                  .tick = poses.tick});
+  }
+}
+
+void StudioLoop::TellNewClients() {
+  for (const ClientId client : server_->TakeNewClients()) {
+    for (const Json& message : workplace_->Everything()) server_->Send(client, message);
+  }
+}
+
+}  // namespace smile::studio

@@ -1,0 +1,41 @@
+#include "studio/internal_view_press.h"
+
+#include <utility>
+
+#include "record/png.h"
+
+namespace smile::studio {
+
+ViewPress::ViewPress(Server* server) : server_(server), thread_([this] { Work(); }) {}
+
+ViewPress::~ViewPress() {
+  {
+    const std::lock_guard lock(mutex_);
+    is_over_ = true;
+  }
+  changed_.notify_all();
+  thread_.join();
+}
+
+void ViewPress::Print(View view) {
+  {
+    const std::lock_guard lock(mutex_);
+    next_ = std::move(view);
+  }
+  changed_.notify_all();
+}
+
+std::optional<ViewPress::View> ViewPress::Next() {
+  std::unique_lock lock(mutex_);
+  changed_.wait(lock, [this] { return is_over_ || next_; });
+  if (is_over_) return std::nullopt;
+  return std::exchange(next_, std::nullopt);
+}
+
+void ViewPress::Work() {
+  while (const std::optional<View> view = Next()) {
+    server_->SendView(view->scene, view->tick, record::PngOf(view->image), view->is_recorded);
+  }
+}
+
+}  // namespace smile::studio

@@ -1,0 +1,125 @@
+#include "studio/library_requests.h"
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "picture/rendered_eye.h"
+#include "record/edit_json.h"
+#include "record/recording_names.h"
+#include "record/sight.h"
+
+namespace smile::studio {
+namespace {
+
+std::optional<std::string> TextIfGiven(const Request& request, const char* key) {
+  const auto field = request.fields.find(key);
+  if (field == request.fields.end() || field->is_null()) return std::nullopt;
+  if (!field->is_string()) {
+    throw RequestError("\"" + std::string(key) + "\" is " + field->type_name() +
+                       ", expected a text");
+  }
+  return field->get<std::string>();
+}
+
+std::string TextOf(const Request& request, const char* key) {
+  auto text = TextIfGiven(request, key);
+  if (!text) throw RequestError("\"" + std::string(key) + "\" is missing");
+  return *std::move(text);
+}
+
+std::vector<record::Edit> EditsOf(const Request& request) {
+  const auto field = request.fields.find("edits");
+  if (field == request.fields.end()) throw RequestError("\"edits\" is missing");
+  return record::ParseEdits(*field);
+}
+
+Json TryEdits(const std::filesystem::path& directory, const std::vector<record::Edit>& edits,
+              const record::Progress& progress) {
+  const record::Recording recording = record::OpenRecording(directory);
+  const auto edited = EditedByAll(DemonstrationOf(recording), edits);
+  return {{"report", ToJson(ReSimulate(recording, edited, std::nullopt, progress))}};
+}
+
+/// @param title  of the new recording.
+Json MakeEdits(const std::filesystem::path& directory, const std::vector<record::Edit>& edits,
+               const std::filesystem::path& root, const std::string& title,
+               const record::Progress& progress) {
+  const record::Recording recording = record::OpenRecording(directory);
+  const auto edited = EditedByAll(DemonstrationOf(recording), edits);
+  const auto made = record::NewDirectory(root, record::RecordingNameFor(title));
+  std::optional<picture::RenderedEye> eye;
+  if (const auto spec = EyeOf(recording.info)) eye.emplace(*spec);
+  const auto report =
+      MakeEdited(recording, edited, {.directory = made, .eye = eye ? &*eye : nullptr}, progress);
+  record::Retitle(made, title, std::nullopt);
+  return {{"recording", made.filename().string()}, {"report", ToJson(report)}};
+}
+
+void AddLookUps(const Library* library, Workshop* workshop, RequestTable* table) {
+  const auto list = [library, workshop](const Request& request) {
+    const auto work = [library](const record::Progress&) -> Json {
+      return {{"recordings", library->List()}};
+    };
+    workshop->Begin({.request = request, .work = work});
+    return AnswersLater();
+  };
+  table->entries["library"] = {list, /*is_for_anyone=*/true};
+  const auto open = [library, workshop](const Request& request) {
+    const auto work = [library,
+                       id = TextOf(request, "recording")](const record::Progress&) -> Json {
+      return {{"timeline", library->TimelineOf(id)}};
+    };
+    workshop->Begin({.request = request, .work = work, .replaces_older = true});
+    return AnswersLater();
+  };
+  table->entries["open"] = {open, /*is_for_anyone=*/true};
+}
+
+void AddTidying(const Library* library, RequestTable* table) {
+  table->entries["rename"] = {[library](const Request& request) {
+    library->Rename(TextOf(request, "recording"), TextIfGiven(request, "title"),
+                    TextIfGiven(request, "notes"));
+    return Json::object();
+  }};
+  table->entries["bin"] = {[library](const Request& request) -> Json {
+    return {{"recording", library->Bin(TextOf(request, "recording"))}};
+  }};
+  table->entries["unbin"] = {[library](const Request& request) -> Json {
+    return {{"recording", library->Unbin(TextOf(request, "recording"))}};
+  }};
+}
+
+void AddEditing(const Library* library, Workshop* workshop, RequestTable* table) {
+  table->entries["try_edit"] = {[library, workshop](const Request& request) {
+    const auto directory = library->DirectoryOf(TextOf(request, "recording"));
+    const auto work = [directory, edits = EditsOf(request)](const record::Progress& progress) {
+      return TryEdits(directory, edits, progress);
+    };
+    workshop->Begin({.request = request, .work = work, .replaces_older = true});
+    return AnswersLater();
+  }};
+  table->entries["edit"] = {[library, workshop](const Request& request) {
+    const auto directory = library->DirectoryOf(TextOf(request, "recording"));
+    const std::string title = TextOf(request, "name");
+    record::CheckTitle(title);
+    const auto work = [directory, edits = EditsOf(request), root = library->root(),
+                       title](const record::Progress& progress) {
+      return MakeEdits(directory, edits, root, title, progress);
+    };
+    workshop->Begin({.request = request, .work = work});
+    return AnswersLater();
+  }};
+}
+
+}  // namespace
+
+void AddLibraryRequests(const Library* library, Workshop* workshop, RequestTable* table) {
+  AddLookUps(library, workshop, table);
+  AddTidying(library, table);
+  AddEditing(library, workshop, table);
+  table->letters.emplace_back([workshop] { return workshop->TakeLetters(); });
+}
+
+}  // namespace smile::studio

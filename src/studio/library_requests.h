@@ -1,0 +1,15 @@
+#pragma once
+
+#include "studio/library.h"
+#include "studio/requests.h"
+#include "studio/workshop.h"
+
+namespace smile::studio {
+
+/// Puts in what may be asked of a library: `library`, `rename`, `bin`, `unbin`, `open`, `try_edit`
+/// and `edit`. What takes its time is done in the workshop, whose letters the table passes on.
+///
+/// Both must outlive the table, and the library the workshop.
+void AddLibraryRequests(const Library* library, Workshop* workshop, RequestTable* table);
+
+}  // namespace smile::studio

@@ -1,0 +1,88 @@
+#include "studio/live_world.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "scene/solid.h"
+#include "studio/event_message.h"
+
+namespace smile::studio {
+namespace {
+
+/// More news than these at a time are no use to anybody: a robot program may be refused for ever.
+constexpr std::size_t kMaxEvents = 200;
+
+}  // namespace
+
+LiveWorld::LiveWorld(scene::SceneSpec scene, std::optional<sim::RobotPlacement> robot,
+                     record::RecordingDesk::Options options)
+    : simulation_(std::move(scene), std::move(robot)),
+      desk_(&simulation_, options),
+      usual_title_(options.recording.title) {
+  if (options.eye != nullptr) sim::EyeView(simulation_, options.eye->spec());
+  simulation_.AddListener(&chronicle_);
+  simulation_.AddListener(this);
+  for (const scene::ObjectSpec& object : simulation_.scene().objects) {
+    bounds_.push_back(scene::BoundsOf(scene::SolidsOf(object.whole), RigidTransform()));
+  }
+}
+
+std::optional<sim::Refusal> LiveWorld::Apply(const sim::Command& command) {
+  is_applying_ = true;
+  auto refusal = simulation_.Apply(command);
+  is_applying_ = false;
+  const auto* start = std::get_if<sim::StartRecording>(&command);
+  if (start != nullptr && !refusal) {
+    take_ = {.title = start->title.empty() ? usual_title_ : start->title,
+             .num_actions_before = chronicle_.size(),
+             .start_tick = simulation_.tick()};
+  }
+  return refusal;
+}
+
+void LiveWorld::Continue(const record::Recording& recording, const record::Moment& from) {
+  desk_.Continue(recording.directory, from, &simulation_);
+  const auto before = recording.log.WayTo(recording.info.start.line);
+  take_ = {
+      .title = recording.info.title,
+      .num_actions_before = static_cast<std::size_t>(std::ranges::count_if(
+          before, [](const record::LoggedCommand& one) { return sim::IsAction(one.command); })),
+      .start_tick = recording.info.start.tick};
+  events_.clear();
+}
+
+std::filesystem::path LiveWorld::recording_directory() const {
+  return desk_.directories().empty() ? std::filesystem::path() : desk_.directories().back();
+}
+
+Json LiveWorld::DescribeRecording() const {
+  if (!is_recording()) return nullptr;
+  const std::uint64_t now = simulation_.tick();
+  const double seconds = sim::SecondsOf(now - take_.start_tick);
+  return {{"id", recording_directory().filename().string()},
+          {"title", take_.title},
+          {"seconds", std::round(10 * seconds) / 10},
+          {"segments", chronicle_.SegmentsSince(take_.num_actions_before, take_.start_tick, now)}};
+}
+
+std::optional<std::string> LiveWorld::TakeFailure() {
+  if (desk_.failure() == told_failure_) return std::nullopt;
+  told_failure_ = desk_.failure();
+  return told_failure_;
+}
+
+void LiveWorld::OnCommand(const sim::Simulation&, const sim::Command& command) {
+  if (const auto* marks = std::get_if<sim::Markers>(&command)) markers_ = marks->points_in_world;
+}
+
+void LiveWorld::OnEvent(const sim::Simulation& simulation, const sim::Event& event) {
+  if (event.kind == sim::EventKind::kCommandRefused) {
+    // Who asked is answered. A program that goes on wanting the same is told of once.
+    if (is_applying_ || event.reason == last_refusal_) return;
+    last_refusal_ = event.reason;
+  }
+  if (events_.size() < kMaxEvents) events_.push_back(EventMessage(event, simulation));
+}
+
+}  // namespace smile::studio

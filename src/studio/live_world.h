@@ -1,0 +1,74 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/json.h"
+#include "record/recording_desk.h"
+#include "scene/bounds.h"
+#include "sim/simulation.h"
+#include "studio/chronicle.h"
+
+namespace smile::studio {
+
+/// A scene come alive, with all who watch it: what may be recorded of it, what hands did, what
+/// pages have to be told.
+class LiveWorld : private sim::Listener {
+ public:
+  /// @throws std::invalid_argument if the scene lacks the camera of the desk's eye.
+  LiveWorld(scene::SceneSpec scene, std::optional<sim::RobotPlacement> robot,
+            record::RecordingDesk::Options options);
+  LiveWorld(const LiveWorld&) = delete;
+  LiveWorld& operator=(const LiveWorld&) = delete;
+
+  sim::Simulation& simulation() { return simulation_; }
+  const sim::Simulation& simulation() const { return simulation_; }
+
+  /// The one door: `start` and `finish` too. What was refused is no event.
+  std::optional<sim::Refusal> Apply(const sim::Command& command);
+  /// Goes on with a recording, see record::RecordingDesk::Continue(). To be called before anything
+  /// else is done.
+  void Continue(const record::Recording& recording, const record::Moment& from);
+
+  bool is_recording() const { return desk_.is_recording(); }
+  /// Of the last one that was begun; empty before.
+  std::filesystem::path recording_directory() const;
+  /// `recording` of a state message; null without one.
+  Json DescribeRecording() const;
+  /// Why a recording ended by itself, once.
+  std::optional<std::string> TakeFailure();
+
+  /// What happened since this was last asked, as messages.
+  std::vector<Json> TakeEvents() { return std::exchange(events_, {}); }
+  /// Points that are marked for people [m].
+  const std::vector<Vector3>& markers() const { return markers_; }
+  /// Of each object in its own frame, whatever its controls look like; in scene order.
+  const std::vector<scene::Bounds>& bounds() const { return bounds_; }
+
+ private:
+  struct Take {
+    std::string title;
+    std::size_t num_actions_before = 0;
+    std::uint64_t start_tick = 0;
+  };
+
+  void OnCommand(const sim::Simulation& simulation, const sim::Command& command) override;
+  void OnEvent(const sim::Simulation& simulation, const sim::Event& event) override;
+
+  sim::Simulation simulation_;
+  record::RecordingDesk desk_;
+  std::string usual_title_;
+  Chronicle chronicle_;
+  Take take_;  ///< that is recorded
+  std::vector<Json> events_;
+  std::string last_refusal_;
+  bool is_applying_ = false;
+  std::optional<std::string> told_failure_;
+  std::vector<Vector3> markers_;
+  std::vector<scene::Bounds> bounds_;
+};
+
+}  // namespace smile::studio

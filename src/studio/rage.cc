@@ -1,0 +1,42 @@
+#include "studio/rage.h"
+
+#include "base/uniform.h"
+#include "studio/requests.h"
+
+namespace smile::studio {
+
+Rage::Rage(const sim::Simulation& simulation)
+    : copy_(simulation.scene(), simulation.robot_placement()) {
+  if (copy_.robot() == nullptr || copy_.robot()->num_arms() == 0) {
+    throw RequestError("there is no robot to clear the table");
+  }
+  copy_.Restore(simulation.Save());
+  for (const sim::HandName hand : demonstrator::kHandNames) {
+    if (copy_.demonstrator().hand(hand).is_holding()) (void)copy_.Apply(sim::Release{.hand = hand});
+  }
+  (void)copy_.Apply(sim::ShowRobot{});
+  (void)copy_.Apply(sim::Face{.mood = robot::Mood::kPuzzled});
+}
+
+std::vector<double> Rage::RandomVelocities(int arm) {
+  const robot::RobotModel& model = copy_.robot()->model();
+  std::vector<double> velocities;
+  for (const int joint : model.arms[static_cast<std::size_t>(arm)].joints) {
+    const double most = model.links[static_cast<std::size_t>(joint)].max_velocity;
+    velocities.push_back(Uniform(&random_, -most, most));
+  }
+  return velocities;
+}
+
+void Rage::Tick() {
+  constexpr int kTicksBetween = sim::kTicksPerSecond / 4;
+  if (ticks_ % kTicksBetween == 0) {
+    sim::JointVelocities velocities{.left = RandomVelocities(0)};
+    if (copy_.robot()->num_arms() > 1) velocities.right = RandomVelocities(1);
+    (void)copy_.Apply(velocities);
+  }
+  copy_.Tick();
+  ++ticks_;
+}
+
+}  // namespace smile::studio

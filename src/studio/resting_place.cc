@@ -1,0 +1,29 @@
+#include "studio/resting_place.h"
+
+namespace smile::studio {
+
+std::optional<RigidTransform> RestingPlace::Find(const sim::Simulation& simulation,
+                                                 sim::HandName hand) {
+  constexpr int kMaxTicks = 2 * sim::kTicksPerSecond, kMinTicks = 6;
+  constexpr double kSlow = 0.002, kSlowTurn = 0.02;  // as Simulation::is_still() [m/s, rad/s]
+  const physics::BodyId held = simulation.demonstrator().hand(hand).held;
+  if (!held) return std::nullopt;
+  if (!copy_) {
+    copy_ = std::make_unique<sim::Simulation>(simulation.scene(), simulation.robot_placement());
+  }
+  copy_->Restore(simulation.Save());
+  if (copy_->Apply(sim::Release{.hand = hand})) return std::nullopt;
+  const physics::Body& body = copy_->physics().body(held);
+  for (int i = 0; i < kMaxTicks; ++i) {
+    copy_->Tick();
+    const bool is_slow =
+        body.linear_velocity().norm() < kSlow && body.angular_velocity().norm() < kSlowTurn;
+    if (i >= kMinTicks && is_slow) break;
+    if (body.pose_in_world().translation().z() < -simulation.scene().table.thickness) {
+      return std::nullopt;
+    }
+  }
+  return body.pose_in_world();
+}
+
+}  // namespace smile::studio

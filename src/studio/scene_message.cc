@@ -1,0 +1,247 @@
+#include "studio/scene_message.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <set>
+
+#include "base/overloaded.h"
+#include "scene/bond_points.h"
+#include "scene/controls_of.h"
+#include "scene/units.h"
+
+namespace smile::studio {
+namespace {
+
+std::string HexColor(const Color& color) {
+  const auto byte = [](double share) {
+    return static_cast<int>(std::lround(255 * std::clamp(share, 0.0, 1.0)));
+  };
+  char text[8];
+  std::snprintf(text, sizeof text, "#%02x%02x%02x", byte(color.red), byte(color.green),
+                byte(color.blue));
+  return text;
+}
+
+/// Of what is to be seen, the choices whose pieces shine by themselves: lamps, and the robot's
+/// face.
+std::set<int> GlowingChoices(const StageDescription& stage) {
+  std::set<int> choices;
+  int next = 0;  // of each object its presence, then its controls
+  for (const scene::ObjectSpec& object : stage.scene->objects) {
+    ++next;
+    for (const scene::Part* control : scene::ControlsOf(object.whole)) {
+      if (std::holds_alternative<scene::IndicatorLights>(control->shape)) choices.insert(next);
+      ++next;
+    }
+  }
+  if (stage.robot != nullptr) choices.insert(next);
+  return choices;
+}
+
+void DescribeShape(const scene::VisualShape& shape, double unit, const PageMeshes& meshes,
+                   Json* visual) {
+  const auto units = [unit](double length) { return scene::ToFileUnits(length, unit); };
+  std::visit(
+      Overloaded{
+          [&](const scene::Block& block) { (*visual)["block"] = PointInUnits(block.size, unit); },
+          [&](const scene::Cylinder& cylinder) {
+            (*visual)["cylinder"] = {units(cylinder.radius), units(cylinder.length),
+                                     cylinder.sides};
+          },
+          [&](const scene::Sphere& sphere) { (*visual)["sphere"] = units(sphere.radius); },
+          [&](const scene::Hull&) { (*visual)["scale"] = units(1); },
+          [&](const scene::DrawnMesh& mesh) { (*visual)["scale"] = units(mesh.scale); }},
+      shape);
+  if (const auto number = meshes.NumberOf(shape)) (*visual)["mesh"] = *number;
+}
+
+Json DescribeVisuals(const StageDescription& stage, const PageMeshes& meshes) {
+  const double unit = stage.scene->meters_per_unit;
+  const std::set<int> glowing = GlowingChoices(stage);
+  Json visuals = Json::array();
+  for (const scene::Visual& piece : stage.model->visuals) {
+    Json visual = {{"frame", piece.frame},
+                   {"object", piece.object_id},
+                   {"pose", PoseInUnits(piece.X_FV, unit)},
+                   {"color", HexColor(piece.color)},
+                   {"choice", piece.choice},
+                   {"look", piece.look}};
+    if (glowing.contains(piece.choice)) visual["glows"] = true;
+    if (!piece.part_id.empty()) visual["part"] = piece.part_id;
+    DescribeShape(piece.shape, unit, meshes, &visual);
+    visuals.push_back(std::move(visual));
+  }
+  return visuals;
+}
+
+template <class Visit>
+void ForEachChild(const scene::Part& part, const Visit& visit) {
+  const auto visit_all = [&visit](const std::vector<scene::Part>& parts) {
+    for (const scene::Part& child : parts) visit(child);
+  };
+  if (const auto* composite = std::get_if<scene::Composite>(&part.shape)) {
+    visit_all(composite->parts);
+  }
+  if (const auto* control = std::get_if<scene::CustomControl>(&part.shape)) {
+    for (const scene::CustomControl::State& state : control->states) visit_all(state.parts);
+  }
+}
+
+/// Calls `visit` with the part and all within it.
+template <class Visit>
+void ForEachPart(const scene::Part& part, const Visit& visit) {
+  visit(part);
+  ForEachChild(part, [&visit](const scene::Part& child) { ForEachPart(child, visit); });
+}
+
+/// Appends the parts with an id, outer ones first; `around` is the id of the part about them.
+void DescribePartsIn(const scene::Part& part, const std::string& around, Json* parts) {
+  ForEachChild(part, [&](const scene::Part& child) {
+    if (child.id.empty()) {
+      DescribePartsIn(child, around, parts);
+      return;
+    }
+    parts->push_back({{"id", child.id}, {"pointable", child.is_pointable}, {"within", around}});
+    DescribePartsIn(child, child.id, parts);
+  });
+}
+
+Json DescribeParts(const scene::Part& whole) {
+  Json parts = Json::array();
+  DescribePartsIn(whole, whole.id, &parts);
+  return parts;
+}
+
+/// What of a control a hand can trigger.
+Json DescribeControls(const scene::Part& whole) {
+  Json controls = Json::array();
+  for (const scene::Part* control : scene::ControlsOf(whole)) {
+    Json parts = Json::array();
+    if (std::holds_alternative<scene::ToggleSwitch>(control->shape)) {
+      parts = {control->id + "-b1", control->id + "-b2"};
+    } else if (std::holds_alternative<scene::CustomControl>(control->shape)) {
+      std::set<std::string> ids;
+      ForEachPart(*control, [&](const scene::Part& part) {
+        if (&part != control && !part.id.empty()) ids.insert(part.id);
+      });
+      parts = ids;
+    }
+    controls.push_back(
+        {{"id", control->id}, {"kind", scene::KindOf(*control)}, {"parts", std::move(parts)}});
+  }
+  return controls;
+}
+
+/// What hands may say that it matters.
+Json PropertiesOf(const scene::ObjectSpec& object) {
+  Json properties = {"color", "shape", "size", "position", "orientation", "order"};
+  for (const scene::Description& description : object.descriptions) {
+    const Json name = description.name;
+    if (std::find(properties.begin(), properties.end(), name) != properties.end()) continue;
+    if (description.name.size() <= demonstrator::kMaxPropertyLength) {
+      properties.push_back(name);
+    }
+  }
+  return properties;
+}
+
+Json DescribeObjects(const scene::SceneSpec& scene) {
+  Json objects = Json::array();
+  int frame = 0;  // the world's; then one for each object
+  for (const scene::ObjectSpec& object : scene.objects) {
+    const bool has_bonds =
+        !scene::GuestsOf(object.whole).empty() || !scene::HostsOf(object.whole).empty();
+    objects.push_back(
+        {{"id", object.id()},
+         {"frame", ++frame},
+         {"shape", object.descriptions.empty() ? "" : object.descriptions.front().value},
+         {"parts", DescribeParts(object.whole)},
+         {"controls", DescribeControls(object.whole)},
+         {"bonds", has_bonds},
+         {"fixed", object.is_static()},
+         {"properties", PropertiesOf(object)}});
+  }
+  return objects;
+}
+
+bool IsFinger(const robot::RobotModel& robot, int joint) {
+  return std::ranges::any_of(robot.arms, [joint](const robot::Arm& arm) {
+    return arm.gripper && (arm.gripper->left_finger == joint || arm.gripper->right_finger == joint);
+  });
+}
+
+std::string ArmOf(const robot::RobotModel& robot, int joint) {
+  for (const robot::Arm& arm : robot.arms) {
+    if (std::ranges::find(arm.joints, joint) != arm.joints.end()) return arm.name;
+  }
+  return "";
+}
+
+double StrokeOf(const robot::RobotModel& robot, const robot::Gripper& gripper) {
+  return gripper.closed_opening + robot.links[static_cast<std::size_t>(gripper.left_finger)].upper +
+         robot.links[static_cast<std::size_t>(gripper.right_finger)].upper;
+}
+
+Json DescribeRobot(const StageDescription& stage) {
+  if (stage.robot == nullptr) return nullptr;
+  const robot::RobotModel& robot = *stage.robot;
+  Json joints = Json::array(), grippers = Json::array(), poses = Json::array();
+  for (int i = 0; i < robot.num_joints(); ++i) {
+    if (IsFinger(robot, i)) continue;
+    const physics::LinkSpec& link = robot.links[static_cast<std::size_t>(i)];
+    joints.push_back({{"name", link.joint_name},
+                      {"arm", ArmOf(robot, i)},
+                      {"lower", link.lower},
+                      {"upper", link.upper},
+                      {"speed", link.max_velocity},
+                      {"is_length", link.joint_type == physics::JointType::kPrismatic}});
+  }
+  for (const robot::Arm& arm : robot.arms) {
+    if (!arm.gripper) continue;
+    const double stroke =
+        scene::ToFileUnits(StrokeOf(robot, *arm.gripper), stage.scene->meters_per_unit);
+    grippers.push_back({{"arm", arm.name}, {"stroke", stroke}});
+  }
+  for (const robot::NamedPose& pose : robot.poses) poses.push_back(pose.name);
+  return {{"name", robot.name},
+          {"joints", std::move(joints)},
+          {"grippers", std::move(grippers)},
+          {"poses", std::move(poses)},
+          {"cameras", stage.cameras}};
+}
+
+}  // namespace
+
+Json PointInUnits(const Vector3& p, double meters_per_unit) {
+  const Vector3 units = scene::ToFileUnits(p, meters_per_unit);
+  return {units.x(), units.y(), units.z()};
+}
+
+Json PoseInUnits(const RigidTransform& X_AB, double meters_per_unit) {
+  Json pose = PointInUnits(X_AB.translation(), meters_per_unit);
+  const Quaternion q = X_AB.quaternion();
+  for (const double number : {q.x(), q.y(), q.z(), q.w()}) pose.push_back(number);
+  return pose;
+}
+
+Json SceneMessage(const StageDescription& stage, const PageMeshes& meshes,
+                  const std::vector<int>& looks) {
+  const scene::SceneSpec& scene = *stage.scene;
+  const scene::TableSpec& table = scene.table;
+  return {{"t", "scene"},
+          {"scene", stage.number},
+          {"name", scene.name},
+          {"metersPerUnit", scene.meters_per_unit},
+          {"table",
+           {{"size",
+             PointInUnits({table.x_span, table.y_span, table.thickness}, scene.meters_per_unit)}}},
+          {"numFrames", stage.model->num_frames},
+          {"robotFrame", stage.robot == nullptr ? Json() : Json(1 + scene.objects.size())},
+          {"visuals", DescribeVisuals(stage, meshes)},
+          {"looks", looks},
+          {"objects", DescribeObjects(scene)},
+          {"robot", DescribeRobot(stage)}};
+}
+
+}  // namespace smile::studio

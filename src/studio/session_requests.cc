@@ -1,0 +1,332 @@
+// What a session can be asked for.
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "base/files.h"
+#include "base/wording.h"
+#include "record/attention.h"
+#include "record/recording_history.h"
+#include "sim/command_json.h"
+#include "studio/internal_session.h"
+#include "studio/present_scene.h"
+#include "studio/presets.h"
+#include "studio/scene_message.h"
+
+namespace smile::studio {
+namespace {
+
+constexpr double kMaxSeconds = 1e6;
+
+Json DescribeFindings(const std::vector<Diagnostic>& findings) {
+  Json described = Json::array();
+  for (const Diagnostic& finding : findings) {
+    described.push_back({{"file", finding.file},
+                         {"line", finding.line},
+                         {"element", finding.element},
+                         {"message", finding.message}});
+  }
+  return described;
+}
+
+sim::HandName HandOf(const RequestFields& fields) {
+  constexpr std::array<std::string_view, 4> kHands = {"left", "right", "both", "any"};
+  // One of them, or it has thrown.
+  return demonstrator::ParseHandName(fields.Word("hand", kHands)).value_or(sim::HandName::kAny);
+}
+
+}  // namespace
+
+void Session::Impl::RequireLive() const {
+  if (playback_) throw RequestError("a recording is shown: go back to the live world first");
+  if (rage_) throw RequestError("the robot clears the table: wait until it is over");
+}
+
+void Session::Impl::RequireNoRecording() const {
+  if (world_->is_recording()) {
+    throw RequestError("a recording is in the making: finish it first");
+  }
+}
+
+void Session::Impl::RequireIdleRobot() const {
+  if (!options_.robot) throw RequestError("there is no robot");
+  if (brain_.is_running()) throw RequestError("a robot program is running: stop it first");
+}
+
+void Session::Impl::AddRequests() {
+  AddWorldRequests();
+  AddSceneRequests();
+  AddRecordingRequests();
+  AddBrainRequests();
+}
+
+void Session::Impl::AddWorldRequests() {
+  auto& entries = requests_.entries;
+  entries["command"] = {[this](const Request& request) { return Command(request); }};
+  entries["pause"] = {[this](const Request&) {
+    is_paused_ = true;
+    return Json::object();
+  }};
+  entries["resume"] = {[this](const Request&) {
+    is_paused_ = false;
+    return Json::object();
+  }};
+  entries["speed"] = {[this](const Request& request) {
+    speed_factor_ = RequestFields(request).Number("factor", 0.1, 4);
+    return Json::object();
+  }};
+  entries["snap"] = {[this](const Request& request) {
+    snap_ = SnapToOf(RequestFields(request).Words("to", kSnapNames));
+    return Json::object();
+  }};
+  entries["resting_place"] = {
+      [this](const Request& request) { return FindRestingPlace(RequestFields(request)); }};
+}
+
+void Session::Impl::AddSceneRequests() {
+  auto& entries = requests_.entries;
+  entries["load"] = {[this](const Request& request) { return Load(RequestFields(request)); }};
+  entries["reload"] = {[this](const Request&) {
+    RequireNoRecording();
+    Enter(MakeWorld(loaded_, options_.robot));
+    return Json::object();
+  }};
+  entries["check"] = {[this](const Request& request) { return Check(RequestFields(request)); },
+                      /*is_for_anyone=*/true};
+  entries["spawn"] = {[this](const Request& request) { return Spawn(RequestFields(request)); }};
+  entries["clear"] = {[this](const Request& request) { return Clear(RequestFields(request)); }};
+}
+
+void Session::Impl::AddRecordingRequests() {
+  auto& entries = requests_.entries;
+  entries["show"] = {[this](const Request& request) { return Show(RequestFields(request)); }};
+  entries["play"] = {[this](const Request& request) {
+    const double rate =
+        RequestFields(request).OptionalNumber("rate", 0, Playback::kMaxRate).value_or(1);
+    if (!playback_) throw RequestError("no recording is shown");
+    playback_->SetRate(rate);
+    return Json::object();
+  }};
+  entries["live"] = {[this](const Request&) {
+    if (!playback_) throw RequestError("no recording is shown");
+    view_.reset();
+    playback_.reset();
+    TellAllOfScene();
+    return Json::object();
+  }};
+  entries["branch"] = {[this](const Request& request) { return Branch(RequestFields(request)); }};
+}
+
+void Session::Impl::AddBrainRequests() {
+  auto& entries = requests_.entries;
+  entries["brains"] = {[this](const Request&) { return DescribeBrains(); },
+                       /*is_for_anyone=*/true};
+  entries["start_brain"] = {
+      [this](const Request& request) { return StartBrain(RequestFields(request)); }};
+  entries["stop_brain"] = {[this](const Request&) {
+    if (!brain_.is_running()) throw RequestError("no robot program is running");
+    brain_.Stop(&world_->simulation());
+    EndImitation();
+    return Json::object();
+  }};
+  entries["imitate"] = {[this](const Request& request) { return Imitate(RequestFields(request)); }};
+}
+
+Json Session::Impl::Command(const Request& request) {
+  RequireLive();
+  const Json& written = RequestFields(request).Object("command");
+  const sim::Command command =
+      sim::ParseCommand(written, world_->simulation().scene().meters_per_unit);
+  const bool turns_back =
+      std::holds_alternative<sim::Undo>(command) || std::holds_alternative<sim::Redo>(command);
+  if (turns_back && brain_.is_running()) {
+    throw RequestError("a robot program is running and cannot turn back in time: stop it first");
+  }
+  view_.reset();
+  if (const auto refusal = world_->Apply(Snapped(snap_, *world_, command))) {
+    throw RequestError(*refusal);
+  }
+  Json answer = Json::object();
+  if (std::holds_alternative<sim::StartRecording>(command)) {
+    answer["recording"] = world_->recording_directory().filename().string();
+  }
+  return answer;
+}
+
+Json Session::Impl::Load(const RequestFields& fields) {
+  RequireNoRecording();
+  scene::SceneSpec scene = ReadSceneOf(fields);
+  auto world = MakeWorld(scene, options_.robot);
+  loaded_ = std::move(scene);
+  Enter(std::move(world));
+  return Json::object();
+}
+
+Json Session::Impl::Check(const RequestFields& fields) const {
+  return {{"diagnostics", DescribeFindings(ReadText(fields).diagnostics)}};
+}
+
+Json Session::Impl::Spawn(const RequestFields& fields) {
+  RequireLive();
+  RequireNoRecording();
+  const std::string preset = fields.Text("preset");
+  const auto seed = fields.Whole("seed", std::uint64_t{1} << 53);
+  const std::set<std::string> before = IdsOf(world_->simulation().scene());
+  Enter(WorldWith(preset, seed));
+  Json added = Json::array();
+  for (const scene::ObjectSpec& object : world_->simulation().scene().objects) {
+    if (!before.contains(object.id())) added.push_back(object.id());
+  }
+  return {{"objects", std::move(added)}};
+}
+
+Json Session::Impl::Clear(const RequestFields& fields) {
+  const bool with_rage = fields.Flag("rage");
+  RequireLive();
+  RequireNoRecording();
+  view_.reset();
+  if (with_rage) {
+    rage_ = std::make_unique<Rage>(world_->simulation());
+    return Json::object();
+  }
+  const sim::Simulation& simulation = world_->simulation();
+  std::set<std::string> kept;
+  for (const sim::HandName name : demonstrator::kHandNames) {
+    const physics::BodyId held = simulation.demonstrator().hand(name).held;
+    if (!held) continue;
+    for (const physics::BodyId body : simulation.physics().Assembly(held)) {
+      if (const world::Object* object = simulation.tabletop().Find(body)) {
+        kept.insert(object->id());
+      }
+    }
+  }
+  Recompose(Without(PresentScene(simulation), [&kept](const scene::ObjectSpec& object) {
+    return !kept.contains(object.id());
+  }));
+  return Json::object();
+}
+
+Json Session::Impl::FindRestingPlace(const RequestFields& fields) {
+  // It costs as much as two seconds of the world.
+  constexpr std::uint64_t kCallsBetween = 20;
+  const sim::HandName hand = HandOf(fields);
+  RequireLive();
+  const bool is_fresh = num_calls_ < resting_call_ + kCallsBetween;
+  if (is_fresh && resting_answer_["hand"] == ToString(hand)) return resting_answer_;
+  const auto X_WB = resting_place_.Find(world_->simulation(), hand);
+  resting_call_ = num_calls_;
+  resting_answer_ = {{"hand", ToString(hand)}, {"pose", nullptr}};
+  if (X_WB) {
+    resting_answer_["pose"] = PoseInUnits(*X_WB, world_->simulation().scene().meters_per_unit);
+  }
+  return resting_answer_;
+}
+
+Json Session::Impl::Show(const RequestFields& fields) {
+  const std::string id = fields.Text("recording");
+  const double seconds = fields.OptionalNumber("seconds", 0, kMaxSeconds).value_or(0);
+  if (rage_) RequireLive();
+  const bool is_another = !playback_ || playback_->id() != id;
+  if (is_another) {
+    auto playback = std::make_unique<Playback>(id, library_.DirectoryOf(id));
+    view_.reset();
+    playback_ = std::move(playback);
+  }
+  view_.reset();
+  playback_->Seek(seconds);
+  if (is_another) TellAllOfScene();
+  return {{"length", playback_->length()}};
+}
+
+Json Session::Impl::Branch(const RequestFields& fields) {
+  const std::string id = fields.Text("recording");
+  const auto step = static_cast<std::size_t>(fields.Whole("step", 1'000'000'000));
+  const auto after = fields.OptionalNumber("after", 0, kMaxSeconds);
+  RequireNoRecording();
+  const record::Recording recording = record::OpenRecording(library_.DirectoryOf(id));
+  const record::Moment from =
+      record::MomentOf(recording, record::HistoryOf(recording), step, after);
+  auto world = MakeWorld(recording.scene, recording.robot);
+  world->Continue(recording, from);
+  loaded_ = recording.scene;
+  Enter(std::move(world));
+  return {{"recording", id}};
+}
+
+std::vector<BrainChoice> Session::Impl::Brains() const {
+  std::vector<std::filesystem::path> folders = options_.brains;
+  for (const char* shipped : {"matlab/examples", "python/examples"}) {
+    folders.push_back(DataFile(shipped));
+  }
+  return BrainsIn(folders);
+}
+
+Json Session::Impl::DescribeBrains() const {
+  Json described = Json::array();
+  for (const BrainChoice& choice : Brains()) {
+    described.push_back({{"name", choice.name}, {"kind", choice.kind}});
+  }
+  return {{"brains", std::move(described)}};
+}
+
+BrainChoice Session::Impl::FindBrain(const std::string& name) const {
+  const std::vector<BrainChoice> brains = Brains();
+  std::vector<std::string_view> known;
+  for (const BrainChoice& choice : brains) {
+    if (choice.name == name) return choice;
+    known.push_back(choice.name);
+  }
+  throw RequestError("\"brain\" is " + Quoted(name) + ", expected " + OneOf(known) +
+                     DidYouMean(name, known));
+}
+
+void Session::Impl::RunBrain(const BrainChoice& choice,
+                             const std::filesystem::path& demonstration) {
+  brain::BrainDriverOptions options{.eye = options_.eye,
+                                    .has_trackers = brain::MayReadTrackers(choice.path),
+                                    .demonstration = demonstration};
+  if (!demonstration.empty()) {
+    options.attention = record::AttentionOf(record::OpenRecording(demonstration));
+  }
+  view_.reset();
+  brain_.Start(choice, options, &world_->simulation());
+}
+
+Json Session::Impl::StartBrain(const RequestFields& fields) {
+  const BrainChoice choice = FindBrain(fields.Text("brain"));
+  const auto demonstration = fields.OptionalText("demonstration");
+  const auto scene = fields.OptionalText("scene");
+  const std::filesystem::path directory =
+      demonstration ? library_.DirectoryOf(*demonstration) : std::filesystem::path();
+  RequireIdleRobot();
+  if (scene) {
+    (void)Load(fields);
+  } else {
+    RequireLive();
+  }
+  RunBrain(choice, directory);
+  return Json::object();
+}
+
+Json Session::Impl::Imitate(const RequestFields& fields) {
+  const BrainChoice choice = FindBrain(fields.Text("brain"));
+  const std::string scene = fields.Text("scene");
+  const std::filesystem::path directory = library_.DirectoryOf(fields.Text("recording"));
+  RequireNoRecording();
+  RequireIdleRobot();
+  Imitation imitation{.exercise = {.name = scene,
+                                   .goal = task::GoalOf(record::OpenRecording(directory)),
+                                   .match = {},
+                                   .scene = ReadNamedScene(scene)}};
+  imitation.exercise.match = task::MatchObjects(imitation.exercise.goal, imitation.exercise.scene);
+  auto world = MakeWorld(imitation.exercise.scene, options_.robot);
+  loaded_ = imitation.exercise.scene;
+  Enter(std::move(world));
+  RunBrain(choice, directory);
+  imitation_ = std::move(imitation);
+  return Json::object();
+}
+
+}  // namespace smile::studio

@@ -1,0 +1,207 @@
+#include "studio/snapping.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "math/angles.h"
+
+namespace smile::studio {
+namespace {
+
+/// The best way to follow what is asked for, along the two directions of a vertical plane.
+class Shift {
+ public:
+  Shift(double plane_deg, double limit)
+      : along_(std::cos(DegreesToRadians(plane_deg)), std::sin(DegreesToRadians(plane_deg)), 0),
+        limit_(limit) {}
+
+  /// To move by `distance` along `normal` is asked for.
+  void Consider(const Vector3& normal, double distance) {
+    constexpr double kUpright = 0.999, kLevel = 0.04, kAcross = 0.5;
+    const double share = normal.dot(along_);
+    if (std::abs(normal.z()) > kUpright) {
+      Keep(distance / normal.z(), &up_);
+    } else if (std::abs(normal.z()) < kLevel && std::abs(share) > kAcross) {
+      Keep(distance / share, &level_);
+    }
+  }
+
+  /// What the other asks for where this one has nothing.
+  void Complete(const Shift& other) {
+    if (!level_) level_ = other.level_;
+    if (!up_) up_ = other.up_;
+  }
+
+  Vector3 Get() const {
+    double level = level_.value_or(0), up = up_.value_or(0);
+    if (std::hypot(level, up) > limit_) (std::abs(level) > std::abs(up) ? level : up) = 0;
+    return level * along_ + up * Vector3::UnitZ();
+  }
+
+ private:
+  void Keep(double distance, std::optional<double>* best) const {
+    if (!(std::abs(distance) <= limit_)) return;
+    if (!*best || std::abs(distance) < std::abs(**best)) *best = distance;
+  }
+
+  Vector3 along_;
+  double limit_;
+  std::optional<double> level_, up_;
+};
+
+/// True when the axes of both run along each other, whichever along which.
+bool IsTurnedAlike(const Matrix3& R_NB) {
+  constexpr double kAlike = 0.9994;  // cosine of 2 degrees
+  return (R_NB.cwiseAbs().colwise().maxCoeff().array() > kAlike).all();
+}
+
+/// What one neighbour N asks for.
+void ConsiderNeighbour(const SnapTo& snap, const Carried& carried, const Neighbour& neighbour,
+                       double limit, Shift* shift) {
+  const RigidTransform X_NB = neighbour.X_WB.inverse() * carried.X_WB;
+  if (!IsTurnedAlike(X_NB.rotation())) return;
+  const Vector3 half = X_NB.rotation().cwiseAbs() * (carried.bounds.size() / 2);
+  const Vector3 half_N = neighbour.bounds.size() / 2;
+  const Vector3 apart = neighbour.bounds.center() - X_NB * carried.bounds.center();
+  const auto is_beside = [&](int axis) {
+    return std::abs(apart[axis]) < half[axis] + half_N[axis] + limit;
+  };
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!is_beside((axis + 1) % 3) || !is_beside((axis + 2) % 3)) continue;
+    const Vector3 normal = neighbour.X_WB.rotation().col(axis);
+    const double touching = half[axis] + half_N[axis], flush = half_N[axis] - half[axis];
+    if (snap.faces) {
+      shift->Consider(normal, apart[axis] - touching);
+      shift->Consider(normal, apart[axis] + touching);
+    }
+    if (snap.edges && is_beside(axis)) {
+      shift->Consider(normal, apart[axis] - flush);
+      shift->Consider(normal, apart[axis]);
+      shift->Consider(normal, apart[axis] + flush);
+    }
+  }
+}
+
+void ConsiderGrid(const Vector3& p_WB, double spacing, Shift* shift) {
+  for (int axis = 0; axis < 3; ++axis) {
+    shift->Consider(Vector3::Unit(axis), std::round(p_WB[axis] / spacing) * spacing - p_WB[axis]);
+  }
+}
+
+double DegreesBetween(const Matrix3& a, const Matrix3& b) {
+  return RadiansToDegrees(Eigen::AngleAxisd(Matrix3(a.transpose() * b)).angle());
+}
+
+/// The nearest rotation whose axes run along the world's.
+Matrix3 NearestRightAngle(const Matrix3& R) {
+  Eigen::Index first = 0, second = 0;
+  R.col(0).cwiseAbs().maxCoeff(&first);
+  Vector3 rest = R.col(1);
+  rest[first] = 0;
+  rest.cwiseAbs().maxCoeff(&second);
+  const Vector3 x = Vector3::Unit(first) * std::copysign(1, R(first, 0));
+  const Vector3 y = Vector3::Unit(second) * std::copysign(1, R(second, 1));
+  Matrix3 nearest;
+  nearest << x, y, x.cross(y);
+  return nearest;
+}
+
+/// Everything near but what this hand carries; the table, too.
+std::vector<Neighbour> NeighboursOf(const LiveWorld& world, physics::BodyId held) {
+  const sim::Simulation& simulation = world.simulation();
+  const scene::TableSpec& table = simulation.scene().table;
+  const Vector3 half(table.x_span / 2, table.y_span / 2, 0);
+  std::vector<Neighbour> neighbours{
+      {.bounds = {.low = -half - Vector3(0, 0, table.thickness), .high = half}, .X_WB = {}}};
+  const auto& objects = simulation.tabletop().objects();
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    if (objects[i].body == held || !simulation.tabletop().IsPresent(objects[i])) continue;
+    if (world.bounds()[i].is_empty()) continue;
+    neighbours.push_back({.bounds = world.bounds()[i],
+                          .X_WB = simulation.physics().body(objects[i].body).pose_in_world()});
+  }
+  return neighbours;
+}
+
+sim::Command SnappedDrag(const SnapTo& snap, const LiveWorld& world, const sim::Drag& drag) {
+  const sim::Simulation& simulation = world.simulation();
+  const demonstrator::Hand& hand = simulation.demonstrator().hand(drag.hand);
+  sim::Refusal refusal;
+  const auto p_WH = simulation.demonstrator().PointOnPlane(
+      drag.hand, {.p_WOrigin = drag.p_WOrigin, .direction_in_world = drag.direction_in_world},
+      &refusal);
+  if (!p_WH) return drag;  // the simulation says why
+  const world::Object* object = simulation.tabletop().Find(hand.held);
+  const auto number = static_cast<std::size_t>(object - simulation.tabletop().objects().data());
+  const Matrix3& R_WB = hand.X_WB_goal.rotation();
+  const Carried carried{.bounds = world.bounds()[number],
+                        .X_WB = {R_WB, *p_WH - R_WB * hand.p_BH},
+                        .plane_deg = simulation.demonstrator().plane_angle_deg(drag.hand)};
+  if (carried.bounds.is_empty()) return drag;
+  const Vector3 shift =
+      SnapShift(snap, carried, NeighboursOf(world, hand.held), simulation.scene().meters_per_unit);
+  if (shift == Vector3::Zero()) return drag;
+  return sim::MoveTo{.hand = drag.hand, .p_WH = *p_WH + shift, .speed = drag.speed};
+}
+
+sim::Command SnappedRotate(const SnapTo& snap, const LiveWorld& world, const sim::Rotate& rotate) {
+  const demonstrator::Hand& hand = world.simulation().demonstrator().hand(rotate.hand);
+  if (!hand.is_holding()) return rotate;
+  const Matrix3& R_before = hand.X_WB_goal.rotation();
+  const Matrix3 R_wanted = RotationFromFixedAxes(rotate.angles_deg) * R_before;
+  const Matrix3 R_snapped = SnapTurn(snap, R_before, R_wanted);
+  if (R_snapped == R_wanted) return rotate;
+  return sim::Rotate{.hand = rotate.hand,
+                     .angles_deg = FixedAxesAngles(Matrix3(R_snapped * R_before.transpose()))};
+}
+
+}  // namespace
+
+SnapTo SnapToOf(std::span<const std::string> names) {
+  const auto has = [&](std::string_view name) {
+    return std::ranges::find(names, name) != names.end();
+  };
+  return {
+      .faces = has("faces"), .edges = has("edges"), .grid = has("grid"), .angles = has("angles")};
+}
+
+std::vector<std::string> NamesOf(const SnapTo& snap) {
+  std::vector<std::string> names;
+  for (const auto& [is_on, name] :
+       {std::pair(snap.faces, "faces"), std::pair(snap.edges, "edges"),
+        std::pair(snap.grid, "grid"), std::pair(snap.angles, "angles")}) {
+    if (is_on) names.emplace_back(name);
+  }
+  return names;
+}
+
+Vector3 SnapShift(const SnapTo& snap, const Carried& carried, std::span<const Neighbour> neighbours,
+                  double meters_per_unit) {
+  const double limit = kSnapUnits * meters_per_unit;
+  Shift shift(carried.plane_deg, limit), grid(carried.plane_deg, limit);
+  for (const Neighbour& neighbour : neighbours) {
+    ConsiderNeighbour(snap, carried, neighbour, limit, &shift);
+  }
+  if (snap.grid) ConsiderGrid(carried.X_WB.translation(), kGridUnits * meters_per_unit, &grid);
+  shift.Complete(grid);
+  return shift.Get();
+}
+
+Matrix3 SnapTurn(const SnapTo& snap, const Matrix3& R_before, const Matrix3& R_wanted) {
+  if (!snap.angles) return R_wanted;
+  const Matrix3 R_right = NearestRightAngle(R_wanted);
+  const double left = DegreesBetween(R_wanted, R_right);
+  const bool comes_nearer = left < DegreesBetween(R_before, R_right);
+  return left < kSnapDegrees && comes_nearer ? R_right : R_wanted;
+}
+
+sim::Command Snapped(const SnapTo& snap, const LiveWorld& world, const sim::Command& command) {
+  if (const auto* drag = std::get_if<sim::Drag>(&command)) return SnappedDrag(snap, world, *drag);
+  if (const auto* rotate = std::get_if<sim::Rotate>(&command)) {
+    return SnappedRotate(snap, world, *rotate);
+  }
+  return command;
+}
+
+}  // namespace smile::studio

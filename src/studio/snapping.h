@@ -1,0 +1,56 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/bounds.h"
+#include "studio/live_world.h"
+
+namespace smile::studio {
+
+/// What drags and turns snap to.
+struct SnapTo {
+  bool faces = false;   ///< sides of neighbours, to touch them
+  bool edges = false;   ///< sides and middles of neighbours, to be flush with them
+  bool grid = false;    ///< multiples of half a unit
+  bool angles = false;  ///< right angles
+
+  bool operator==(const SnapTo&) const = default;
+};
+inline constexpr std::array<std::string_view, 4> kSnapNames = {"faces", "edges", "grid", "angles"};
+SnapTo SnapToOf(std::span<const std::string> names);
+std::vector<std::string> NamesOf(const SnapTo& snap);
+
+/// So far at most a drag, and so much a turn, is changed.
+inline constexpr double kSnapUnits = 0.15, kSnapDegrees = 5, kGridUnits = 0.5;
+
+/// Something to snap to: a cuboid in its own frame B.
+struct Neighbour {
+  scene::Bounds bounds;
+  RigidTransform X_WB;
+};
+
+/// Something that a hand is to carry somewhere.
+struct Carried {
+  scene::Bounds bounds;  ///< in its own frame B
+  RigidTransform X_WB;   ///< where it is wanted
+  double plane_deg = 0;  ///< it stays in this vertical plane, see sim::Plane
+};
+
+/// By how much to move a carried thing beyond where it is wanted, within its plane [m]: never more
+/// than kSnapUnits. The nearest of what faces and edges ask for counts; where they ask for nothing,
+/// the grid. A neighbour only counts where the two are turned alike.
+Vector3 SnapShift(const SnapTo& snap, const Carried& carried, std::span<const Neighbour> neighbours,
+                  double meters_per_unit);
+
+/// Where a turn to `R_wanted` ends: at a right angle if that is less than kSnapDegrees away and
+/// nearer than it was before, so that small turns lead away from it, too.
+Matrix3 SnapTurn(const SnapTo& snap, const Matrix3& R_before, const Matrix3& R_wanted);
+
+/// The command that a drag or a turn means when it snaps; other commands as they are.
+sim::Command Snapped(const SnapTo& snap, const LiveWorld& world, const sim::Command& command);
+
+}  // namespace smile::studio

@@ -1,0 +1,113 @@
+#include "studio/state_message.h"
+
+#include <cmath>
+
+#include "math/angles.h"
+#include "scene/units.h"
+
+namespace smile::studio {
+namespace {
+
+double Rounded(double number) { return std::round(number * 1e4) / 1e4; }
+
+Json RoundedArray(const Vector3& v) { return {Rounded(v.x()), Rounded(v.y()), Rounded(v.z())}; }
+
+Json DescribeHands(const sim::Simulation& simulation) {
+  Json hands = Json::object();
+  for (const sim::HandName name : demonstrator::kHandNames) {
+    const demonstrator::Hand& hand = simulation.demonstrator().hand(name);
+    Json described = {{"object", nullptr},
+                      {"plane", Rounded(simulation.demonstrator().plane_angle_deg(name))}};
+    if (hand.is_holding()) {
+      described["object"] = simulation.tabletop().Find(hand.held)->id();
+      const double unit = simulation.scene().meters_per_unit;
+      described["goal"] =
+          RoundedArray(scene::ToFileUnits(Vector3(hand.X_WB_goal * hand.p_BH), unit));
+      described["place"] =
+          RoundedArray(scene::ToFileUnits(Vector3(hand.X_WB_goal.translation()), unit));
+      described["angles"] = RoundedArray(FixedAxesAngles(hand.X_WB_goal.rotation()));
+    }
+    hands[std::string(ToString(name))] = std::move(described);
+  }
+  return hands;
+}
+
+Json DescribeControls(const world::Tabletop& tabletop) {
+  Json controls = Json::object();
+  for (std::size_t i = 0; i < tabletop.controls().all().size(); ++i) {
+    const world::Control& control = tabletop.controls().all()[i];
+    if (!tabletop.IsPresent(control)) continue;
+    controls[control.id()] = RecordedState(control, tabletop.controls().states()[i]);
+  }
+  return controls;
+}
+
+Json DescribeGone(const world::Tabletop& tabletop) {
+  Json gone = Json::array();
+  for (const world::Object& object : tabletop.objects()) {
+    if (!tabletop.IsPresent(object)) gone.push_back(object.id());
+  }
+  return gone;
+}
+
+Json DescribeAttention(const sim::Simulation& simulation) {
+  Json attention = Json::object();
+  for (const world::Object& object : simulation.tabletop().objects()) {
+    const auto& properties = simulation.demonstrator().PropertiesThatMatter(object);
+    if (!properties.empty()) attention[object.id()] = properties;
+  }
+  return attention;
+}
+
+Json DescribeRobot(const sim::Simulation& simulation) {
+  const robot::RobotBody* robot = simulation.robot();
+  if (robot == nullptr) return nullptr;
+  const std::vector<double> q = robot->positions();
+  Json joints = Json::object(), grippers = Json::array();
+  for (std::size_t i = 0; i < q.size(); ++i) {
+    joints[robot->model().links[i].joint_name] = Rounded(q[i]);
+  }
+  for (int arm = 0; arm < robot->num_arms(); ++arm) {
+    const auto& gripper = robot->model().arms[static_cast<std::size_t>(arm)].gripper;
+    if (!gripper) continue;
+    grippers.push_back(Rounded(
+        scene::ToFileUnits(robot->GripperOpening(arm), simulation.scene().meters_per_unit)));
+    for (const int finger : {gripper->left_finger, gripper->right_finger}) {
+      joints.erase(robot->model().links[static_cast<std::size_t>(finger)].joint_name);
+    }
+  }
+  return {{"shown", simulation.is_robot_shown()},
+          {"mood", ToString(simulation.mood())},
+          {"following", simulation.is_robot_following()},
+          {"joints", std::move(joints)},
+          {"grippers", std::move(grippers)},
+          {"head", Rounded(robot->HeadAngle())}};
+}
+
+}  // namespace
+
+Json DescribeLive(const sim::Simulation& simulation) {
+  return {{"tick", simulation.tick()},
+          {"hands", DescribeHands(simulation)},
+          {"undo", simulation.can_undo()},
+          {"redo", simulation.can_redo()},
+          {"still", simulation.is_still()},
+          {"controls", DescribeControls(simulation.tabletop())},
+          {"gone", DescribeGone(simulation.tabletop())},
+          {"attention", DescribeAttention(simulation)},
+          {"robot", DescribeRobot(simulation)}};
+}
+
+Json DescribeNothingLive(std::uint64_t tick) {
+  Json hands = Json::object();
+  for (const sim::HandName name : demonstrator::kHandNames) {
+    hands[std::string(ToString(name))] = {{"object", nullptr}, {"plane", 0}};
+  }
+  return {{"tick", tick},          {"hands", std::move(hands)},
+          {"undo", false},         {"redo", false},
+          {"still", true},         {"controls", Json::object()},
+          {"gone", Json::array()}, {"attention", Json::object()},
+          {"robot", nullptr}};
+}
+
+}  // namespace smile::studio

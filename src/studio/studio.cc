@@ -1,0 +1,127 @@
+#include "studio/studio.h"
+
+#include <charconv>
+#include <string_view>
+#include <thread>
+#include <utility>
+
+#include "base/files.h"
+#include "studio/internal_studio_loop.h"
+#include "studio/library_requests.h"
+#include "studio/pose_stream.h"
+#include "studio/presets.h"
+#include "studio/showcase.h"
+#include "studio/workshop.h"
+
+namespace smile::studio {
+
+/// A session, as the loop sees it.
+class SessionWorkplace : public Workplace {
+ public:
+  explicit SessionWorkplace(SessionOptions options) : session_(std::move(options)) {}
+
+  const RequestTable& requests() const override { return session_.requests(); }
+  void Tick() override { session_.Tick(); }
+  News TakeNews() override { return session_.TakeNews(); }
+  std::vector<Json> Everything() const override { return session_.Everything(); }
+  double speed_factor() const override { return session_.speed_factor(); }
+  void SetMeasuredSpeed(double factor) override { session_.SetMeasuredSpeed(factor); }
+  Poses NextPoses() override { return poses_.Next(session_.view()); }
+
+  const Session& session() const { return session_; }
+  /// Others may put in what they can do.
+  RequestTable* table() { return &session_.requests(); }
+
+ private:
+  Session session_;
+  PoseStream poses_;
+};
+
+namespace {
+
+struct MeshName {
+  std::uint32_t scene = 0;
+  std::size_t mesh = 0;
+};
+
+/// `/meshes/3/0`.
+std::optional<MeshName> ParseMeshPath(std::string_view path) {
+  constexpr std::string_view kFolder = "/meshes/";
+  if (!path.starts_with(kFolder)) return std::nullopt;
+  const char* end = path.data() + path.size();
+  MeshName name;
+  const auto scene = std::from_chars(path.data() + kFolder.size(), end, name.scene);
+  if (scene.ec != std::errc() || scene.ptr == end || *scene.ptr != '/') return std::nullopt;
+  const auto mesh = std::from_chars(scene.ptr + 1, end, name.mesh);
+  if (mesh.ec != std::errc() || mesh.ptr != end) return std::nullopt;
+  return name;
+}
+
+SessionOptions WithGallery(SessionOptions options) {
+  if (options.gallery.empty()) options.gallery = DataFile("scenes");
+  return options;
+}
+
+ShowcaseOptions ShowcaseOf(const SessionOptions& session) {
+  ShowcaseOptions options{.scenes = session.gallery, .recordings = session.recordings};
+  for (const Preset& preset : Presets()) {
+    options.presets.push_back({{"name", preset.name}, {"title", preset.title}});
+  }
+  return options;
+}
+
+}  // namespace
+
+class Studio::Impl {
+ public:
+  explicit Impl(const StudioOptions& options)
+      : library_(options.session.recordings),
+        workplace_(options.session),
+        showcase_(ShowcaseOf(options.session)),
+        server_(WithAnswers(options.server)),
+        loop_(&workplace_, &server_) {
+    AddLibraryRequests(&library_, &workshop_, workplace_.table());
+  }
+
+  std::string link() const { return server_.link(); }
+
+  void Run(const std::function<bool()>& is_over) {
+    while (!is_over()) {
+      loop_.Beat();
+      std::this_thread::sleep_until(loop_.next_beat());
+    }
+  }
+
+ private:
+  ServerOptions WithAnswers(ServerOptions options) {
+    options.get = [this](const std::string& path) {
+      const std::optional<MeshName> mesh = ParseMeshPath(path);
+      return mesh ? GetMesh(*mesh) : showcase_.Get(path);
+    };
+    return options;
+  }
+
+  std::optional<HttpAnswer> GetMesh(MeshName name) const {
+    const std::optional<std::string> bytes = workplace_.session().MeshBytes(name.scene, name.mesh);
+    if (!bytes) return std::nullopt;
+    return HttpAnswer{.type = "application/octet-stream", .body = *bytes};
+  }
+
+  Library library_;
+  Workshop workshop_;
+  SessionWorkplace workplace_;
+  Showcase showcase_;
+  Server server_;
+  StudioLoop loop_;
+};
+
+Studio::Studio(StudioOptions options) {
+  options.session = WithGallery(std::move(options.session));
+  impl_ = std::make_unique<Impl>(options);
+}
+Studio::~Studio() = default;
+
+std::string Studio::link() const { return impl_->link(); }
+void Studio::Run(const std::function<bool()>& is_over) { impl_->Run(is_over); }
+
+}  // namespace smile::studio

@@ -1,0 +1,170 @@
+#include "studio/library_requests.h"
+
+#include <atomic>
+#include <chrono>
+#include <future>
+#include <map>
+#include <thread>
+
+#include "record/replay.h"
+#include "record/test/recording_fixture.h"
+
+namespace smile::studio {
+namespace {
+
+class LibraryRequestsTest : public record::RecordingFixture {
+ protected:
+  LibraryRequestsTest() { AddLibraryRequests(&library_, &workshop_, &table_); }
+
+  /// Also an answer that comes later.
+  Json Ask(const char* what, Json fields, bool is_controller = true) {
+    const Request request{.client = 3, .seq = ++seq_, .what = what, .fields = std::move(fields)};
+    const Json answer = Answer(table_, request, is_controller);
+    return IsLater(answer) ? AnswerTo(seq_) : answer;
+  }
+
+  /// Waits for it; keeps what else comes.
+  Json AnswerTo(std::uint32_t seq) {
+    while (true) {
+      for (Letter& letter : TakeLetters(table_)) letters_.push_back(std::move(letter));
+      for (const Letter& letter : letters_) {
+        if (letter.client == 3 && letter.message["seq"] == seq) return letter.message;
+      }
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+  }
+
+  Library library_{root_};
+  Workshop workshop_;
+  RequestTable table_;
+  std::uint32_t seq_ = 0;
+  std::vector<Letter> letters_;
+};
+
+TEST_F(LibraryRequestsTest, TidyUp) {
+  Record(R"({"do":"wait","seconds":0.2})");
+  EXPECT_EQ(Ask("rename", {{"recording", "demo"}, {"title", "Um"}, {"notes", nullptr}})["ok"],
+            true);
+  EXPECT_EQ(Ask("library", {}, /*is_controller=*/false)["recordings"][0]["title"], "Um");
+  EXPECT_EQ(Ask("bin", {{"recording", "demo"}})["recording"], "demo~1");
+  EXPECT_EQ(Ask("unbin", {{"recording", "demo~1"}})["recording"], "demo");
+  EXPECT_EQ(Ask("rename", {{"recording", 7}})["error"],
+            R"("recording" is number, expected a text)");
+  EXPECT_EQ(Ask("bin", {{"recording", "../demo"}})["error"], R"(there is no recording "../demo")");
+  EXPECT_EQ(Ask("open", Json::object())["error"], R"("recording" is missing)");
+}
+
+TEST_F(LibraryRequestsTest, OpensATimelineForWatchersToo) {
+  Record();
+  const Json answer = Ask("open", {{"recording", "demo"}}, /*is_controller=*/false);
+  EXPECT_EQ(answer["timeline"], library_.TimelineOf("demo"));
+}
+
+TEST_F(LibraryRequestsTest, TellsWhatWouldBecomeOfAnEditAndWritesNothing) {
+  Record();
+  const Json edits = {{{"do", "drop"}, {"first", 1}}};
+  const Json answer = Ask("try_edit", {{"recording", "demo"}, {"edits", edits}});
+  ASSERT_EQ(answer["ok"], true) << answer;
+  EXPECT_EQ(answer["report"]["displaced"][0]["id"], "a");
+  EXPECT_EQ(answer["report"]["left_out"][0]["reason"], "the left hand holds nothing");
+  EXPECT_EQ(library_.List().size(), 1u);
+  // Everyone sees how far it is, and that it ends.
+  ASSERT_EQ(letters_.at(letters_.size() - 2).client, 0);
+  const Json& progress = letters_.at(letters_.size() - 2).message;
+  EXPECT_EQ(progress["what"], "try_edit");
+  EXPECT_EQ(progress["done"], progress["total"]);
+}
+
+TEST_F(LibraryRequestsTest, AnEditIsANewRecordingThatReplays) {
+  Record();
+  const Json edits = {{{"do", "max_pause"}, {"seconds", 0.25}}, {{"do", "speed"}, {"factor", 2}}};
+  const auto edit = [&] {
+    return Ask("edit", {{"recording", "demo"}, {"edits", edits}, {"name", "brisk: <1>"}});
+  };
+  EXPECT_EQ(edit()["recording"], "brisk_ _1_");
+  EXPECT_EQ(edit()["recording"], "brisk_ _1_-2") << "nothing is overwritten";
+  const auto made = record::OpenRecording(root_ / "brisk_ _1_");
+  EXPECT_EQ(made.info.title, "brisk: <1>");
+  EXPECT_EQ(made.info.origin, record::Origin::kEdited);
+  const auto replay = record::Replay(made);
+  EXPECT_FALSE(replay.first_difference);
+  EXPECT_LT(replay.ticks(), record::Replay(record::OpenRecording(root_ / "demo")).ticks());
+}
+
+TEST_F(LibraryRequestsTest, SaysWhichEditIsWrong) {
+  Record(R"({"do":"wait","seconds":0.2})");
+  const auto error_of = [&](const Json& edits) {
+    return Ask("try_edit", {{"recording", "demo"}, {"edits", edits}})["error"];
+  };
+  const Json sound = {{"do", "drop"}, {"first", 0}};
+  EXPECT_EQ(error_of({sound, {{"do", "dorp"}}}),
+            "edits[1]: there is no edit \"dorp\", expected drop, move, trim, max_pause, retime or "
+            "speed; did you mean \"drop\"?");
+  EXPECT_EQ(error_of({{{"do", "drop"}, {"first", 0.5}}}),
+            "edits[0]: \"first\" is 0.5, expected a whole number");
+  EXPECT_EQ(error_of({{{"do", "trim"}, {"segment", 1}, {"from", "a"}}}),
+            "edits[0]: \"from\" is string, expected a number");
+  EXPECT_EQ(error_of({{{"do", "speed"}, {"factor", 2}, {"last", 1}}}),
+            "edits[0]: there is no field \"last\", expected do or factor");
+  EXPECT_EQ(error_of({sound, {{"do", "drop"}, {"first", 4}}}),
+            "edits[1]: segment is 4, expected 0 to 0");
+  EXPECT_EQ(error_of(7), "\"edits\" is no list of at most 1000");
+}
+
+TEST(Workshop, GivesUpWhatWasAskedForAnew) {
+  Workshop workshop;
+  std::promise<void> has_begun;
+  const auto endless = [&has_begun](const record::Progress& progress) {
+    has_begun.set_value();
+    while (progress(1, 2)) std::this_thread::yield();
+    return Json{{"never", "told"}};
+  };
+  const auto begin = [&](std::uint32_t seq, const Workshop::Work& work) {
+    workshop.Begin({.request = {.client = 1, .seq = seq, .what = "try_edit"},
+                    .work = work,
+                    .replaces_older = true});
+  };
+  begin(1, endless);
+  has_begun.get_future().wait();
+  begin(2, [](const record::Progress&) { return Json{{"is", "newest"}}; });
+  std::map<int, Json> answers;
+  while (answers.size() < 2) {
+    for (const Letter& letter : workshop.TakeLetters()) {
+      if (letter.client == 1) answers[letter.message["seq"]] = letter.message;
+    }
+  }
+  EXPECT_EQ(answers[1]["error"], "given up for what was asked for since");
+  EXPECT_EQ(answers[2]["is"], "newest");
+}
+
+TEST(Workshop, TakesNoMoreFromAClientThanItCanBear) {
+  Workshop workshop;
+  const auto begin = [&](ClientId client) {
+    workshop.Begin({.request = {.client = client, .what = "library"},
+                    .work = [](const record::Progress& progress) {
+                      while (progress(1, 2)) std::this_thread::yield();
+                      return Json::object();
+                    }});
+  };
+  for (int i = 0; i < 8; ++i) begin(1);
+  EXPECT_THROW(begin(1), RequestError);
+  EXPECT_NO_THROW(begin(2));
+}
+
+TEST(Workshop, EndsWhatIsUnderWayWhenItCloses) {
+  std::atomic<bool> has_begun = false, has_ended = false;
+  {
+    Workshop workshop;
+    workshop.Begin({.request = {.what = "edit"}, .work = [&](const record::Progress& progress) {
+                      has_begun = true;
+                      while (progress(1, 2)) std::this_thread::yield();
+                      has_ended = true;
+                      return Json::object();
+                    }});
+    while (!has_begun) std::this_thread::yield();
+  }
+  EXPECT_TRUE(has_ended);
+}
+
+}  // namespace
+}  // namespace smile::studio

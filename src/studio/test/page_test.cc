@@ -1,0 +1,67 @@
+// What pages are told of a scene.
+
+#include <gtest/gtest.h>
+
+#include "base/bytes.h"
+#include "scene_xml/scene_reader.h"
+#include "sim/simulation.h"
+#include "studio/pose_stream.h"
+#include "studio/scene_message.h"
+
+namespace smile::studio {
+namespace {
+
+TEST(SceneMessage, TellsAllInUnits) {
+  const auto scene = scene_xml::ReadSceneText(
+                         R"xml(<tabletop xmlns="http://synapse.cs.umd.edu/tabletop-xml" xspan="24">
+  <block id="a" color="red" xspan="2" location="(1, 2, 0.5)"/>
+  <frustum id="p" location="(5, 2, 0.5)"/>
+  <frustum id="q" location="(-5, 2, 0.5)"/>
+  <toggleSwitch id="s" location="(3, 3, 0.1)"/>
+</tabletop>)xml",
+                         "some.xml")
+                         .scene;
+  ASSERT_TRUE(scene.has_value());
+  const sim::Simulation simulation(*scene);
+  const PageMeshes meshes(simulation.visual_model());
+  EXPECT_EQ(meshes.size(), 1u) << "equal frustums are one mesh";
+  const Json message =
+      SceneMessage({.number = 3, .scene = &simulation.scene(), .model = &simulation.visual_model()},
+                   meshes, simulation.visual_state().looks);
+  EXPECT_EQ(message["table"]["size"], Json::array({24.0, 12.0, 4.0}));
+  EXPECT_EQ(message["visuals"][1]["block"], Json::array({2.0, 1.0, 1.0}));
+  EXPECT_EQ(message["visuals"][1]["color"], "#ff0000");
+  EXPECT_EQ(message["visuals"][2]["mesh"], 0);
+  EXPECT_EQ(message["visuals"][2]["scale"], 10.0);
+  EXPECT_EQ(message["objects"][0]["frame"], 1);
+  EXPECT_EQ(message["objects"][3]["controls"][0]["parts"], Json::array({"s-b1", "s-b2"}));
+  EXPECT_TRUE(message["robot"].is_null() && message["robotFrame"].is_null());
+
+  const std::string bytes = *meshes.Bytes(0);
+  ByteReader reader(std::as_bytes(std::span(bytes.data(), bytes.size())));
+  const auto corners = reader.Get<std::uint32_t>(), triangles = reader.Get<std::uint32_t>();
+  EXPECT_EQ(bytes.size(), 8 + 24 * corners + 12 * triangles);
+  EXPECT_FALSE(meshes.Bytes(1).has_value());
+}
+
+TEST(PoseStream, TellsWhatMovedAndNowAndThenAll) {
+  scene::VisualModel model{.num_frames = 3};
+  View view{.model = &model, .scene = 1};
+  view.state.poses.resize(3);
+  PoseStream stream;
+  EXPECT_TRUE(stream.Next(view).is_key);
+  EXPECT_TRUE(stream.Next(view).frames.empty());
+  view.state.poses[2] = RigidTransform(Vector3(0.1, 0, 0.2));
+  const Poses moved = stream.Next(view);
+  EXPECT_FALSE(moved.is_key);
+  EXPECT_EQ(moved.frames, std::vector<std::uint32_t>{2});
+  EXPECT_EQ(moved.values, (std::vector<float>{1, 0, 2, 0, 0, 0, 1}));
+  view.scene = 2;
+  EXPECT_EQ(stream.Next(view).frames.size(), 2u);
+  int num_all = 0;
+  for (int i = 0; i < 120; ++i) num_all += stream.Next(view).is_key ? 1 : 0;
+  EXPECT_EQ(num_all, 2);
+}
+
+}  // namespace
+}  // namespace smile::studio

@@ -1,0 +1,124 @@
+#pragma once
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/files.h"
+#include "robot/urdf_reader.h"
+#include "studio/session.h"
+
+namespace smile::studio {
+
+/// A session without a network, in a directory of the test's own. Requests are written as a page
+/// would send them.
+class SessionFixture : public ::testing::Test {
+ protected:
+  SessionFixture() {
+    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+    root_ = std::filesystem::temp_directory_path() /
+            ("smile_studio_" + std::to_string(getpid()) + "_" + test->name());
+    std::filesystem::create_directories(root_ / "scenes");
+    WriteFile(root_ / "scenes/pair.xml", kPair);
+    WriteFile(root_ / "scenes/pair_elsewhere.xml", kPairElsewhere);
+  }
+  ~SessionFixture() override {
+    session_.reset();
+    std::filesystem::remove_all(root_);
+  }
+
+  static constexpr const char* kPair =
+      R"xml(<tabletop xmlns="http://synapse.cs.umd.edu/tabletop-xml">
+  <block id="a" color="red" location="(0, -2, 0.5)"/>
+  <block id="b" color="blue" location="(3, -2, 0.5)"/>
+</tabletop>)xml";
+  static constexpr const char* kPairElsewhere =
+      R"xml(<tabletop xmlns="http://synapse.cs.umd.edu/tabletop-xml">
+  <block id="a" color="red" location="(-3, -2, 0.5)"/>
+  <block id="b" color="blue" location="(3, -3, 0.5)"/>
+</tabletop>)xml";
+
+  void Begin(sim::Eye* eye = nullptr, bool with_robot = false) {
+    SessionOptions options{.scene = root_ / "scenes/pair.xml",
+                           .recordings = root_ / "recordings",
+                           .eye = eye,
+                           .gallery = root_ / "scenes",
+                           .brains = {root_ / "brains"}};
+    if (with_robot) {
+      static const robot::RobotReading kBaxter = robot::LoadRobot(DataFile("robots/baxter.urdf"));
+      options.robot = sim::RobotPlacement{
+          .model = kBaxter.model, .gripper = kBaxter.gripper, .files = kBaxter.files};
+    }
+    session_ = std::make_unique<Session>(std::move(options));
+  }
+
+  Json Ask(const std::string& text) { return AskWith(ParseJson(text)); }
+  Json AskWith(const Json& fields) {
+    std::string what;
+    if (fields.contains("do") && fields["do"].is_string()) what = fields["do"];
+    return Answer(session_->requests(),
+                  {.client = 1, .seq = ++seq_, .what = what, .fields = fields},
+                  /*is_controller=*/true);
+  }
+  /// One that has to be carried out.
+  Json Do(const std::string& text) {
+    Json answer = Ask(text);
+    EXPECT_TRUE(answer["ok"].get<bool>()) << text << " -> " << ToText(answer);
+    return answer;
+  }
+  Json Command(const std::string& text) { return Do(R"({"do":"command","command":)" + text + "}"); }
+  /// One that must not be: why.
+  std::string Refused(const std::string& text) {
+    const Json answer = Ask(text);
+    EXPECT_FALSE(answer["ok"].get<bool>()) << text;
+    return answer.value("error", "");
+  }
+
+  void TickSeconds(double seconds) {
+    for (int i = 0; i < seconds * sim::kTicksPerSecond; ++i) {
+      session_->Tick();
+      Take();
+    }
+  }
+  void Take() {
+    News news = session_->TakeNews();
+    for (Json& message : news.messages) {
+      latest_[message["t"].get<std::string>()] = message;
+      told_.push_back(std::move(message));
+    }
+    if (news.view) ++num_views_;
+  }
+  /// The last message of a kind, null without one.
+  Json Latest(const std::string& kind) {
+    Take();
+    return latest_[kind];
+  }
+  Json State() { return session_->Everything().back(); }
+  Json Scene() { return session_->Everything().front(); }
+  Vector3 PositionOf(const std::string& id) {
+    const View view = session_->view();
+    const Json scene = Scene();
+    for (const Json& object : scene["objects"]) {
+      if (object["id"] != id) continue;
+      return view.state.poses[object["frame"].get<std::size_t>()].translation() /
+             view.meters_per_unit;
+    }
+    ADD_FAILURE() << "there is no " << id;
+    return Vector3::Zero();
+  }
+
+  std::filesystem::path root_;
+  std::unique_ptr<Session> session_;
+  std::uint32_t seq_ = 0;
+  std::vector<Json> told_;
+  std::map<std::string, Json> latest_;
+  int num_views_ = 0;
+};
+
+}  // namespace smile::studio

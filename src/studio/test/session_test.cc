@@ -1,0 +1,485 @@
+#include "studio/session.h"
+
+#include <random>
+
+#include "../../record/test/painted_eye.h"
+#include "math/angles.h"
+#include "record/recording_history.h"
+#include "record/replay.h"
+#include "session_fixture.h"
+#include "studio/snapping.h"
+
+namespace smile::studio {
+namespace {
+
+class SessionTest : public SessionFixture {
+ protected:
+  /// With the left hand, from wherever it is.
+  void PutAOnB() {
+    Command(R"({"do":"grasp","hand":"left","object":"a","point":[0,-2,1]})");
+    Command(R"({"do":"move_to","hand":"left","position":[0,-2,4]})");
+    TickSeconds(0.7);
+    Command(R"({"do":"move_to","hand":"left","position":[3,-2,4]})");
+    TickSeconds(0.7);
+    Command(R"({"do":"move_to","hand":"left","position":[3,-2,2.01]})");
+    TickSeconds(0.7);
+    Command(R"({"do":"release","hand":"left"})");
+    TickSeconds(0.5);
+  }
+  void WritePython(const std::string& name, const std::string& text) {
+    MakeDirectories(root_ / "brains");
+    WriteFile(root_ / "brains" / name, text);
+  }
+};
+
+TEST_F(SessionTest, ADemonstrationIsRecordedAndReplays) {
+  Begin();
+  const std::string id = Command(R"({"do":"start","name":"take","title":"A on B"})")["recording"];
+  EXPECT_EQ(id, "take");
+  PutAOnB();
+  Command(R"({"do":"plane","hand":"left","angle":90})");
+  Command(R"({"do":"grasp","hand":"left","object":"a"})");
+  Command(R"({"do":"rotate","hand":"left","angles":[0,0,30]})");
+  Command(R"({"do":"drag","hand":"left","origin":[30,-2,8],"direction":[-1,0,-0.1]})");
+  TickSeconds(0.5);
+  Command(R"({"do":"undo"})");
+  Command(R"({"do":"redo"})");
+  Command(R"({"do":"undo"})");
+  const Json recording = State()["recording"];
+  EXPECT_EQ(recording["title"], "A on B");
+  EXPECT_EQ(recording["segments"].size(), 3u);
+  EXPECT_EQ(recording["segments"][1]["words"], "left hand takes a");
+  EXPECT_EQ(recording["segments"][2]["words"], "left hand puts a on b");
+  EXPECT_TRUE(State()["undo"].get<bool>() && State()["redo"].get<bool>());
+  Command(R"({"do":"finish"})");
+  EXPECT_TRUE(State()["recording"].is_null());
+  const record::Recording kept = record::OpenRecording(root_ / "recordings/take");
+  EXPECT_EQ(record::Replay(kept).first_difference, std::nullopt);
+  EXPECT_EQ(record::HistoryOf(kept)[2].words, "left hand puts a on b");
+}
+
+TEST_F(SessionTest, ARecordingIsGoneOnWithFromAnyOfItsSteps) {
+  Begin();
+  TickSeconds(0.1);
+  Command(R"({"do":"grasp","hand":"right","object":"b"})");
+  Command(R"({"do":"release","hand":"right"})");
+  Command(R"({"do":"start","name":"take"})");
+  PutAOnB();
+  Command(R"({"do":"finish"})");
+  Do(R"({"do":"load","scene":"pair_elsewhere"})");
+  Do(R"({"do":"branch","recording":"take","step":1,"after":0.5})");
+  const Json recording = State()["recording"];
+  EXPECT_EQ(recording["segments"].size(), 2u);
+  EXPECT_NEAR(recording["seconds"].get<double>(), 0.5, 0.06);
+  EXPECT_EQ(State()["hands"]["left"]["object"], "a");
+  Command(R"({"do":"release","hand":"left"})");
+  TickSeconds(0.2);
+  Command(R"({"do":"finish"})");
+  const record::Recording kept = record::OpenRecording(root_ / "recordings/take");
+  EXPECT_EQ(record::Replay(kept).first_difference, std::nullopt);
+}
+
+TEST_F(SessionTest, ABrokenSceneChangesNothingAndTellsItsLines) {
+  Begin();
+  TickSeconds(0.1);
+  const Json before = session_->Everything();
+  const Json answer = AskWith({{"do", "load"},
+                               {"name", "mine.xml"},
+                               {"xml", std::string("<tabletop xmlns=\"http://synapse.cs.umd.edu/"
+                                                   "tabletop-xml\">\n<blok/>\n</tabletop>")}});
+  EXPECT_FALSE(answer["ok"].get<bool>());
+  ASSERT_EQ(answer["diagnostics"].size(), 1u);
+  EXPECT_EQ(answer["diagnostics"][0]["file"], "mine.xml");
+  EXPECT_EQ(answer["diagnostics"][0]["line"], 2);
+  EXPECT_EQ(Json(session_->Everything()), before);
+  EXPECT_EQ(Refused(R"({"do":"load","scene":"../pair"})"), "there is no scene \"../pair\"");
+  EXPECT_EQ(Json(session_->Everything()), before);
+}
+
+TEST_F(SessionTest, ScenesAreLoadedAndLoadedAgain) {
+  Begin();
+  Do(R"({"do":"load","scene":"pair_elsewhere"})");
+  EXPECT_EQ(Latest("scene")["name"], "pair_elsewhere");
+  EXPECT_TRUE(PositionOf("a").isApprox(Vector3(-3, -2, 0.5)));
+  Command(R"({"do":"grasp","hand":"left","object":"a"})");
+  Command(R"({"do":"destroy","hand":"left"})");
+  TickSeconds(0.1);
+  EXPECT_EQ(Latest("state")["gone"], Json::array({"a"}));
+  EXPECT_EQ(Latest("looks")["looks"], Json::array({-1, 0}));
+  const std::uint32_t number = session_->view().scene;
+  Do(R"({"do":"reload"})");
+  EXPECT_GT(session_->view().scene, number);
+  EXPECT_EQ(State()["gone"], Json::array());
+  Command(R"({"do":"start"})");
+  EXPECT_NE(Refused(R"({"do":"load","scene":"pair"})").find("finish it first"), std::string::npos);
+  EXPECT_NE(Refused(R"({"do":"spawn","preset":"ball","seed":1})").find("finish it first"),
+            std::string::npos);
+}
+
+TEST_F(SessionTest, PresetsComeToFreePlacesThatTheSeedDecides) {
+  Begin();
+  Command(R"({"do":"grasp","hand":"right","object":"b","point":[3,-2,1]})");
+  Command(R"({"do":"move_to","hand":"right","position":[5,-2,4]})");
+  TickSeconds(1);
+  const auto spawn_all = [this] {
+    std::vector<Vector3> places;
+    for (const char* preset :
+         {"stack_5", "box", "big_block", "dominoes", "ring", "ball", "prism"}) {
+      const Json answer = Do(R"({"do":"spawn","seed":7,"preset":")" + std::string(preset) + "\"}");
+      for (const Json& id : answer["objects"]) places.push_back(PositionOf(id));
+    }
+    return places;
+  };
+  const std::vector<Vector3> places = spawn_all();
+  EXPECT_EQ(places.size(), 15u);
+  EXPECT_EQ(State()["hands"]["right"]["object"], "b");
+  EXPECT_NEAR(PositionOf("b").z(), 3.5, 0.01);
+  // What overlapped would be driven apart.
+  const Vector3 top = places[4];
+  TickSeconds(1);
+  EXPECT_LT((PositionOf("smallblock_5") - top).norm(), 0.02);
+  EXPECT_TRUE(State()["still"].get<bool>());
+  // Composed scenes are recorded as any other.
+  Command(R"({"do":"start","name":"composed"})");
+  TickSeconds(0.2);
+  Command(R"({"do":"finish"})");
+  EXPECT_EQ(record::Replay(record::OpenRecording(root_ / "recordings/composed")).first_difference,
+            std::nullopt);
+
+  Do(R"({"do":"reload"})");
+  Command(R"({"do":"grasp","hand":"right","object":"b","point":[3,-2,1]})");
+  Command(R"({"do":"move_to","hand":"right","position":[5,-2,4]})");
+  TickSeconds(1);
+  const std::vector<Vector3> again = spawn_all();
+  for (std::size_t i = 0; i < places.size(); ++i) EXPECT_EQ(again[i], places[i]);
+  Do(R"({"do":"clear"})");
+  EXPECT_EQ(Scene()["objects"].size(), 1u);
+  EXPECT_EQ(State()["hands"]["right"]["object"], "b");
+}
+
+// Sliders, strings, controls and bonds, used before: the scene that is made of them is recorded in
+// words and read again.
+TEST_F(SessionTest, ScenesThatWereUsedCanBeComposedAnew) {
+  for (const std::string name : {"controls", "dock", "lidbox", "screws", "strings", "valve"}) {
+    WriteFile(root_ / "scenes" / (name + ".xml"),
+              ReadFile(DataFile("scenes/" + name + ".xml"), 1 << 20));
+  }
+  std::filesystem::copy(DataFile("scenes/parts"), root_ / "scenes/parts");
+  Begin();
+  for (const std::string name : {"controls", "dock", "lidbox", "screws", "strings", "valve"}) {
+    Do(R"({"do":"load","scene":")" + name + "\"}");
+    for (const Json& object : Scene()["objects"]) {
+      for (const Json& control : object["controls"]) {
+        (void)AskWith(
+            {{"do", "command"},
+             {"command", {{"do", "trigger"}, {"hand", "any"}, {"control", control["id"]}}}});
+      }
+      if (!object["bonds"].get<bool>()) continue;
+      for (const char* turn : {"fasten", "fasten", "loosen"}) {
+        (void)AskWith({{"do", "command"},
+                       {"command", {{"do", turn}, {"hand", "any"}, {"object", object["id"]}}}});
+      }
+    }
+    TickSeconds(0.5);
+    const Json controls = State()["controls"];
+    Do(R"({"do":"spawn","preset":"ball","seed":5})");
+    EXPECT_EQ(State()["controls"], controls) << name;
+    Command(R"({"do":"start","name":")" + name + "\"}");
+    TickSeconds(0.2);
+    Command(R"({"do":"finish"})");
+    EXPECT_EQ(record::Replay(record::OpenRecording(root_ / "recordings" / name)).first_difference,
+              std::nullopt)
+        << name;
+  }
+}
+
+TEST_F(SessionTest, WhatIsShownCannotBeGrasped) {
+  Begin();
+  Command(R"({"do":"start","name":"take"})");
+  PutAOnB();
+  Command(R"({"do":"finish"})");
+  const Vector3 left_at = PositionOf("a");
+  const std::uint32_t number = session_->view().scene;
+  Do(R"({"do":"show","recording":"take","seconds":0})");
+  EXPECT_EQ(State()["mode"], "playback");
+  EXPECT_GT(session_->view().scene, number);
+  EXPECT_LT((PositionOf("a") - Vector3(0, -2, 0.5)).norm(), 0.01);
+  Do(R"({"do":"play"})");
+  TickSeconds(1);
+  EXPECT_GT(PositionOf("a").z(), 1);
+  EXPECT_NE(Refused(R"({"do":"command","command":{"do":"grasp","hand":"left","object":"a"}})")
+                .find("a recording is shown"),
+            std::string::npos);
+  Do(R"({"do":"live"})");
+  EXPECT_EQ(PositionOf("a"), left_at);
+  EXPECT_EQ(State()["mode"], "live");
+}
+
+TEST_F(SessionTest, WhenItIsPausedTimeStandsStillAndHandsDoNot) {
+  Begin();
+  Do(R"({"do":"pause"})");
+  TickSeconds(0.5);
+  EXPECT_EQ(State()["tick"], 0);
+  Command(R"({"do":"grasp","hand":"left","object":"a"})");
+  TickSeconds(0.1);
+  EXPECT_EQ(Latest("state")["hands"]["left"]["object"], "a");
+  EXPECT_EQ(Latest("event")["kind"], "grasped");
+  Do(R"({"do":"resume"})");
+  TickSeconds(0.5);
+  EXPECT_EQ(State()["tick"], 30);
+}
+
+TEST_F(SessionTest, StatesAreToldOnlyWhenSomethingChanged) {
+  Begin();
+  TickSeconds(1);
+  told_.clear();
+  TickSeconds(2);
+  EXPECT_TRUE(told_.empty()) << ToText(told_.front());
+  Command(R"({"do":"grasp","hand":"left","object":"a","point":[0,-2,1]})");
+  for (int i = 0; i < 60; ++i) {
+    Command(R"({"do":"move_to","hand":"left","position":[)" + std::to_string(0.02 * i) + ",-2,3]}");
+    TickSeconds(1.0 / 60);
+  }
+  const auto num_states =
+      std::ranges::count_if(told_, [](const Json& message) { return message["t"] == "state"; });
+  EXPECT_GE(num_states, 15);
+  EXPECT_LE(num_states, 20);
+}
+
+TEST_F(SessionTest, ItIsToldWhereAHeldObjectWouldComeToRest) {
+  Begin();
+  Command(R"({"do":"grasp","hand":"left","object":"a","point":[0,-2,1]})");
+  Command(R"({"do":"move_to","hand":"left","position":[3.1,-2,4]})");
+  TickSeconds(1);
+  const Json before = session_->Everything();
+  const Json pose = Do(R"({"do":"resting_place","hand":"left"})")["pose"];
+  EXPECT_NEAR(pose[0].get<double>(), 3.1, 0.05);
+  EXPECT_NEAR(pose[2].get<double>(), 1.5, 0.05);
+  EXPECT_EQ(Json(session_->Everything()), before);
+  EXPECT_TRUE(Do(R"({"do":"resting_place","hand":"right"})")["pose"].is_null());
+}
+
+TEST_F(SessionTest, TellsWhereTheGraspedPointIsWantedAndWhereTheOriginIsThen) {
+  Begin();
+  Command(R"({"do":"grasp","hand":"left","object":"a","point":[0,-2,1]})");
+  Command(R"({"do":"move_to","hand":"left","position":[1,-2,3]})");
+  const Json hand = State()["hands"]["left"];
+  EXPECT_EQ(hand["goal"], Json({1.0, -2.0, 3.0}));
+  EXPECT_EQ(hand["place"], Json({1.0, -2.0, 2.5}));
+}
+
+TEST_F(SessionTest, DragsSnapToWhatIsNear) {
+  Begin();
+  Do(R"({"do":"snap","to":["faces","edges"]})");
+  Command(R"({"do":"grasp","hand":"left","object":"a","point":[0,-2,0.5]})");
+  // Through the plane at (3.1, 1.6): nearly flush on top of b.
+  Command(R"({"do":"drag","hand":"left","origin":[3.1,-20,1.6],"direction":[0,1,0]})");
+  const Json goal = State()["hands"]["left"]["goal"];
+  EXPECT_NEAR(goal[0].get<double>(), 3, 1e-4);
+  EXPECT_NEAR(goal[2].get<double>(), 1.5, 1e-4);
+  Do(R"({"do":"snap","to":[]})");
+  Command(R"({"do":"drag","hand":"left","origin":[3.1,-20,1.6],"direction":[0,1,0]})");
+  EXPECT_NEAR(State()["hands"]["left"]["goal"][0].get<double>(), 3.1, 1e-4);
+}
+
+TEST_F(SessionTest, TheEyeShowsWhatIsRecordedAndRestsWhenNothingMoves) {
+  record::PaintedEye eye;
+  Begin(&eye);
+  TickSeconds(3);  // until all is asleep
+  const int looks = eye.looks();
+  TickSeconds(1);
+  EXPECT_EQ(eye.looks(), looks);
+  Command(R"({"do":"start","name":"take"})");
+  session_->Tick();
+  const News news = session_->TakeNews();
+  ASSERT_TRUE(news.view.has_value());
+  EXPECT_TRUE(news.is_view_recorded);
+  EXPECT_EQ(news.view->color.front(), eye.looks());
+}
+
+TEST_F(SessionTest, TheRobotsRageLeavesAllAsItWas) {
+  Begin(nullptr, /*with_robot=*/true);
+  TickSeconds(0.1);
+  const Json before = State();
+  const Vector3 a_before = PositionOf("a");
+  Do(R"({"do":"clear","rage":true})");
+  TickSeconds(2);
+  EXPECT_EQ(State()["mode"], "rage");
+  EXPECT_NE(State()["robot"]["joints"], before["robot"]["joints"]);
+  EXPECT_NE(Refused(R"({"do":"command","command":{"do":"grasp","hand":"left","object":"a"}})")
+                .find("until it is over"),
+            std::string::npos);
+  TickSeconds(8);
+  EXPECT_EQ(PositionOf("a"), a_before);
+  EXPECT_EQ(State()["mode"], "live");
+  EXPECT_EQ(State()["robot"]["joints"], before["robot"]["joints"]);
+}
+
+TEST_F(SessionTest, ARobotProgramRunsAndItsErrorHasAPlace) {
+  WritePython("wave.py",
+              "def step(sensor, motor, aux):\n"
+              "  motor.headVelocity = 0.5\n"
+              "  if sensor.simTime > 0.1: print('look at wave.py:2')\n"
+              "  if sensor.simTime > 0.3: undefined\n");
+  Begin(nullptr, /*with_robot=*/true);
+  const Json brains = Do(R"({"do":"brains"})")["brains"];
+  EXPECT_EQ(brains[0]["name"], "wave.py");
+  EXPECT_NE(Refused(R"({"do":"start_brain","brain":"/bin/sh"})").find("\"brain\" is"),
+            std::string::npos);
+  Do(R"({"do":"start_brain","brain":"wave.py"})");
+  EXPECT_EQ(State()["brain"]["status"], "running");
+  TickSeconds(0.2);
+  EXPECT_GT(State()["robot"]["head"].get<double>(), 0.01);
+  TickSeconds(0.3);
+  const Json brain = State()["brain"];
+  EXPECT_EQ(brain["status"], "failed");
+  EXPECT_EQ(brain["line"], 4);
+  EXPECT_TRUE(brain["file"].get<std::string>().ends_with("wave.py"));
+  TickSeconds(0.1);
+  bool has_place = false;
+  for (const Json& message : told_) {
+    if (message["t"] != "console") continue;
+    for (const Json& line : message["lines"]) {
+      has_place = has_place || (line.value("file", "") == "wave.py" && line["line"] == 2);
+    }
+  }
+  EXPECT_TRUE(has_place);
+}
+
+TEST_F(SessionTest, AnImitationIsScored) {
+  WritePython("lazy.py",
+              "def step(sensor, motor, aux):\n"
+              "  assert aux.demonstration.endswith('take')\n"
+              "  if sensor.simTime > 0.2: aux.exit = True\n");
+  Begin(nullptr, /*with_robot=*/true);
+  Command(R"({"do":"start","name":"take"})");
+  PutAOnB();
+  Command(R"({"do":"finish"})");
+  Do(R"({"do":"imitate","recording":"take","brain":"lazy.py","scene":"pair_elsewhere"})");
+  TickSeconds(0.5);
+  const Json result = Latest("score")["result"];
+  EXPECT_EQ(result["task"], "pair_elsewhere");
+  EXPECT_FALSE(result["rebuilt"].get<bool>());
+  EXPECT_EQ(result["match"]["a"], "a");
+  EXPECT_EQ(result["brain"]["status"], "exited");
+}
+
+TEST_F(SessionTest, WrongRequestsNameTheField) {
+  Begin();
+  EXPECT_EQ(Refused(R"({"do":"spawn","preset":"ball","seed":"7"})"),
+            "\"seed\" is text, expected a number");
+  EXPECT_EQ(Refused(R"({"do":"speed"})"), "\"factor\" is missing, expected a number from 0.1 to 4");
+  EXPECT_EQ(Refused(R"({"do":"speed","factor":1e300})"),
+            "\"factor\" is 1e+300, expected a number from 0.1 to 4");
+  EXPECT_EQ(Refused(R"({"do":"snap","to":"faces"})"),
+            "\"to\" is text, expected a list of any of faces, edges, grid or angles");
+  EXPECT_NE(Refused(R"({"do":"command","command":{"do":"grasp","hand":"left"}})").find("object"),
+            std::string::npos);
+}
+
+/// JSON that nobody would send, made of what requests are made of.
+Json RandomJson(std::mt19937_64* random, int depth) {
+  const auto lot = [random](int count) {
+    return static_cast<int>((*random)() % static_cast<unsigned>(count));
+  };
+  static const std::vector<Json> kLeaves = {nullptr,
+                                            true,
+                                            -1,
+                                            0,
+                                            7,
+                                            1e308,
+                                            -1e-308,
+                                            "",
+                                            "left",
+                                            "a",
+                                            "grasp",
+                                            "take",
+                                            "faces",
+                                            "pair",
+                                            std::string(5000, 'x'),
+                                            "../..",
+                                            "\xc3\xa4\n",
+                                            18446744073709551615u};
+  const int kind = depth > 0 ? lot(4) : 0;
+  if (kind < 2) return kLeaves[static_cast<std::size_t>(lot(static_cast<int>(kLeaves.size())))];
+  static const std::vector<const char*> kKeys = {
+      "do",    "command", "hand",      "object", "position", "scene", "xml",
+      "name",  "seed",    "preset",    "rage",   "to",       "rate",  "step",
+      "after", "brain",   "recording", "angle",  "factor"};
+  Json value = kind == 2 ? Json::array() : Json::object();
+  for (int i = lot(5); i > 0; --i) {
+    if (kind == 2) {
+      value.push_back(RandomJson(random, depth - 1));
+    } else {
+      value[kKeys[static_cast<std::size_t>(lot(static_cast<int>(kKeys.size())))]] =
+          RandomJson(random, depth - 1);
+    }
+  }
+  return value;
+}
+
+TEST_F(SessionTest, NoRequestHowEverStrangeDoesHarm) {
+  Begin();
+  std::mt19937_64 random(1);
+  std::vector<std::string> requests;
+  for (const auto& [name, entry] : session_->requests().entries) requests.push_back(name);
+  for (int i = 0; i < 3000; ++i) {
+    Json fields = Json::object();
+    while (fields.size() < 4) {
+      const Json more = RandomJson(&random, 3);
+      if (more.is_object()) fields.update(more);
+      fields["do"] = requests[random() % requests.size()];
+      if (random() % 2 == 0) break;
+    }
+    const Json answer = AskWith(fields);
+    ASSERT_EQ(answer["ok"].is_boolean(), true);
+    if (i % 10 == 0) session_->Tick();
+  }
+  Do(R"({"do":"resume"})");
+  EXPECT_TRUE(std::filesystem::is_directory(root_ / "scenes"));
+}
+
+TEST(Snapping, NeverChangesMoreThanItMay) {
+  std::mt19937_64 random(3);
+  const auto number = [&random](double high) {
+    return high * (static_cast<double>(random() >> 11) * 0x1.0p-52 - 1);
+  };
+  const auto point = [&](double high) { return Vector3(number(high), number(high), number(high)); };
+  int num_changed = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const SnapTo snap{.faces = random() % 2 == 0,
+                      .edges = random() % 2 == 0,
+                      .grid = random() % 2 == 0,
+                      .angles = true};
+    const auto bounds = [&] {
+      const Vector3 half = point(0.1).cwiseAbs();
+      return scene::Bounds{.low = -half, .high = half};
+    };
+    const Matrix3 R = RotationFromFixedAxes({0, 0, random() % 2 == 0 ? 0 : number(180)});
+    const Carried carried{.bounds = bounds(), .X_WB = {R, point(0.3)}, .plane_deg = number(180)};
+    const std::vector<Neighbour> neighbours = {{bounds(), RigidTransform(point(0.3))},
+                                               {bounds(), RigidTransform(R, point(0.3))}};
+    const Vector3 shift = SnapShift(snap, carried, neighbours, 0.1);
+    EXPECT_LE(shift.norm(), kSnapUnits * 0.1 + 1e-12);
+    // It stays in its plane.
+    const double angle = DegreesToRadians(carried.plane_deg);
+    EXPECT_NEAR(shift.dot(Vector3(-std::sin(angle), std::cos(angle), 0)), 0, 1e-12);
+    if (shift != Vector3::Zero()) ++num_changed;
+    const Matrix3 R_wanted = RotationFromFixedAxes(point(180));
+    const Matrix3 R_snapped = SnapTurn(snap, RotationFromFixedAxes(point(180)), R_wanted);
+    EXPECT_LE(Eigen::AngleAxisd(Matrix3(R_snapped.transpose() * R_wanted)).angle(),
+              DegreesToRadians(kSnapDegrees) + 1e-9);
+  }
+  EXPECT_GT(num_changed, 200);
+}
+
+TEST(Snapping, SmallTurnsLeadAwayFromARightAngle) {
+  const SnapTo snap{.angles = true};
+  const auto turned = [](double angle_deg) { return RotationFromFixedAxes({0, 0, angle_deg}); };
+  EXPECT_TRUE(SnapTurn(snap, turned(80), turned(86)).isApprox(turned(90), 1e-9));
+  EXPECT_TRUE(SnapTurn(snap, turned(90), turned(91)).isApprox(turned(91), 1e-9));
+  EXPECT_TRUE(SnapTurn(snap, turned(70), turned(80)).isApprox(turned(80), 1e-9));
+}
+
+}  // namespace
+}  // namespace smile::studio

@@ -1,0 +1,165 @@
+#include "studio/internal_studio_loop.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "web_client.h"
+
+namespace smile::studio {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// One thing that moves on with every tick, unless somebody says `stop`.
+class MovingThing : public Workplace {
+ public:
+  MovingThing() {
+    table_.entries["stop"] = {[this](const Request&) {
+      is_moving_ = false;
+      news_.push_back({{"t", "event"}, {"kind", "stopped"}});
+      return Json{{"at", place_}};
+    }};
+  }
+
+  const RequestTable& requests() const override { return table_; }
+  void Tick() override {
+    ++num_ticks_;
+    if (is_moving_) ++place_;
+  }
+  News TakeNews() override {
+    News news{.messages = std::exchange(news_, {})};
+    if (std::exchange(is_seen_, false)) {
+      news.view = Image{.width_px = 1, .height_px = 1, .color = {1, 2, 3}};
+      news.is_view_recorded = true;
+    }
+    return news;
+  }
+  std::vector<Json> Everything() const override { return {{{"t", "scene"}, {"scene", 1}}}; }
+  double speed_factor() const override { return 3; }
+  void SetMeasuredSpeed(double factor) override { measured_ = factor; }
+  Poses NextPoses() override {
+    const auto x = static_cast<float>(place_);
+    return {.scene = 1, .tick = 5, .is_key = true, .frames = {1}, .values = {x, 0, 0, 0, 0, 0, 1}};
+  }
+
+  void See() { is_seen_ = true; }
+  int num_ticks() const { return num_ticks_; }
+  double measured() const { return measured_; }
+
+ private:
+  RequestTable table_;
+  std::vector<Json> news_;
+  bool is_moving_ = true, is_seen_ = false;
+  int place_ = 0, num_ticks_ = 0;
+  double measured_ = 0;
+};
+
+class StudioLoopTest : public ::testing::Test {
+ protected:
+  StudioLoopTest() {
+    std::filesystem::create_directories(page_);
+    std::ofstream(page_ / "index.html") << "page";
+    server_.emplace(ServerOptions{.page = page_});
+    loop_.emplace(&thing_, &*server_);
+  }
+  ~StudioLoopTest() override { std::filesystem::remove_all(page_); }
+
+  WebClient Join() {
+    WebClient client(std::stoi(server_->link().substr(server_->link().rfind(':') + 1)));
+    client.Upgrade();
+    client.Hello();
+    return client;
+  }
+  /// What `client` asks for is answered by beats of the loop.
+  Json Ask(WebClient* client, const Json& request) {
+    client->SendJson(request);
+    client->SendJson({{"seq", 1000}, {"do", "ping"}});
+    // The server has taken in the one when it answers the other.
+    while (client->Await("reply")["seq"] != 1000) {
+    }
+    loop_->Beat();
+    return client->Await("reply");
+  }
+
+  std::filesystem::path page_ =
+      std::filesystem::temp_directory_path() / ("smile_loop_" + std::to_string(getpid()));
+  MovingThing thing_;
+  std::optional<Server> server_;
+  std::optional<StudioLoop> loop_;
+};
+
+TEST_F(StudioLoopTest, TellsEverythingThenPosesToWhoIsNew) {
+  WebClient client = Join();
+  loop_->Beat();
+  std::vector<int> opcodes;
+  while (opcodes.empty() || opcodes.back() != 2) {
+    const std::optional<WebClient::Message> message = client.Next();
+    ASSERT_TRUE(message);
+    if (message->payload.find("clients") == std::string::npos) opcodes.push_back(message->opcode);
+  }
+  EXPECT_EQ(opcodes, (std::vector<int>{1, 2}));
+}
+
+TEST_F(StudioLoopTest, CarriesOutRequestsBeforeTimeGoesOn) {
+  WebClient client = Join();
+  client.Ask({{"do", "take_control"}});
+  loop_->Beat();
+  const Json reply = Ask(&client, {{"seq", 9}, {"do", "stop"}});
+  EXPECT_EQ(reply["seq"], 9);
+  EXPECT_EQ(reply["at"], 3);  // one beat before it
+  EXPECT_EQ(client.Await("event")["kind"], "stopped");
+}
+
+TEST_F(StudioLoopTest, KeepsToTheSpeedThatIsWantedAndTellsWhatCameOfIt) {
+  for (int beat = 0; beat < 5; ++beat) loop_->Beat();
+  EXPECT_EQ(thing_.num_ticks(), 15);
+  EXPECT_GT(thing_.measured(), 0);
+}
+
+TEST_F(StudioLoopTest, SendsViewsAsPictures) {
+  WebClient client = Join();
+  loop_->Beat();
+  thing_.See();
+  loop_->Beat();
+  std::optional<WebClient::Message> view = client.Next();
+  while (view && (view->opcode != 2 || view->payload[0] != 2)) view = client.Next();
+  ASSERT_TRUE(view);
+  EXPECT_EQ(view->payload[1], 1);  // it was recorded
+  EXPECT_EQ(view->payload.substr(16, 4), "\x89PNG");
+}
+
+TEST(Pacer, KeepsTimeAndDropsWhatCannotBeMadeUpFor) {
+  const Pacer::Time start{};
+  Pacer pacer(start);
+  Pacer::Time now = start;
+  for (int beat = 0; beat < 120; ++beat) {
+    pacer.EndBeat(pacer.BeginBeat(now), now);
+    now = pacer.next_beat();
+  }
+  EXPECT_NEAR(pacer.speed(), 1, 1e-6);
+  EXPECT_NEAR(std::chrono::duration<double>(now - start).count(), 2, 1e-6);
+
+  // Every tick takes a tenth of a second: a sixth of real time is what can be.
+  for (int beat = 0; beat < 40; ++beat) {
+    const int ticks = pacer.BeginBeat(now);
+    now += 100ms * ticks;
+    pacer.EndBeat(ticks, now);
+  }
+  EXPECT_NEAR(pacer.speed(), 1 / 6.0, 1e-6);
+  // What is late is not run after.
+  pacer.BeginBeat(now);
+  EXPECT_GE(pacer.next_beat(), now - 100ms);
+}
+
+TEST(Pacer, SlowTimeHasBeatsWithoutTicks) {
+  Pacer pacer(Pacer::Time{});
+  pacer.SetFactor(0.25);
+  int ticks = 0;
+  for (int beat = 0; beat < 8; ++beat) ticks += pacer.BeginBeat(Pacer::Time{});
+  EXPECT_EQ(ticks, 2);
+}
+
+}  // namespace
+}  // namespace smile::studio

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <list>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "base/json.h"
+#include "record/progress.h"
+#include "studio/requests.h"
+
+namespace smile::studio {
+
+/// Carries out what takes its time on threads of its own, so that nobody waits for it.
+class Workshop {
+ public:
+  /// Its answer, or what it throws, is that to its request. It may tell how far it is, and ends
+  /// when it hears that it shall not go on.
+  using Work = std::function<Json(const record::Progress& progress)>;
+
+  struct Job {
+    Request request;
+    Work work;
+    /// What the same client asked for before with the same `do` is given up.
+    bool replaces_older = false;
+  };
+
+  Workshop();
+  /// Gives up all there is.
+  ~Workshop();
+  Workshop(const Workshop&) = delete;
+  Workshop& operator=(const Workshop&) = delete;
+
+  /// Begins as soon as a thread is free. `work` must not refer to anything that may be gone then.
+  /// @throws RequestError if too much is waiting.
+  void Begin(Job job);
+  /// Answers since this was last asked, and how far work is: `{"t":"progress",…}` for everyone.
+  std::vector<Letter> TakeLetters();
+
+ private:
+  struct Task {
+    Job job;
+    bool is_given_up = false, is_running = false;
+    double done = 0, total = 0;  ///< [s]
+    bool has_news = false, has_begun = false;
+  };
+  /// Those not yet begun are answered at once.
+  void GiveUpOlderThan(const Request& newer);
+  void Labor();
+  /// nullptr when the workshop closes. Where a task is in the list does not change.
+  Task* TakeTask();
+  Json CarryOut(Task* task);
+  bool Tell(Task* task, double done, double total);
+  void Finish(Task* task, Json answer);
+
+  std::mutex mutex_;  ///< of all that follows
+  std::condition_variable changed_;
+  bool is_closing_ = false;
+  std::list<Task> tasks_;  ///< in order
+  std::vector<Letter> letters_;
+  std::vector<std::thread> threads_;
+};
+
+}  // namespace smile::studio

@@ -1,0 +1,56 @@
+// `smile studio`, as far as it needs no browser.
+
+#include "program.h"
+
+namespace smile {
+namespace {
+
+class StudioProgram : public ProgramTest {
+ protected:
+  /// A page of the test's own, found beside everything else that ships.
+  void WritePage() const { Write("build/page/index.html", "<html>the page</html>"); }
+
+  /// Starts the studio with these arguments and, once it is open, runs a line of shell that finds
+  /// its $link and $port.
+  Answer WhileOpen(const std::string& arguments, const std::string& line) const {
+    return Shell("export SMILE_DATA_DIR=\"$PWD\"\n\"" SMILE_PROGRAM "\" studio --no-open " +
+                 arguments +
+                 " >link 2>said & studio=$!\n"
+                 "until [ -s link ] || ! kill -0 $studio; do sleep 0.05; done\n"
+                 "link=$(cat link); port=${link#*:*:}; port=${port%%/*}\n"
+                 "get() { exec 3<>/dev/tcp/127.0.0.1/$port; printf 'GET %s HTTP/1.1\\r\\nHost: "
+                 "localhost\\r\\n\\r\\n' \"$1\" >&3; cat <&3; }\n" +
+                 line + "\nkill -TERM $studio; wait $studio; code=$?; cat said >&2; exit $code");
+  }
+};
+
+TEST_F(StudioProgram, ServesItsPageUntilItIsTold) {
+  WritePage();
+  Write("pair.xml", PairOfBlocks());
+  const Answer answer = WhileOpen("pair.xml --no-robot --no-pictures", "get /");
+  EXPECT_EQ(answer.exit_code, 0) << answer.err;
+  EXPECT_NE(answer.out.find("<html>the page</html>"), std::string::npos);
+}
+
+TEST_F(StudioProgram, LetsOthersInWithItsToken) {
+  WritePage();
+  Write("pair.xml", PairOfBlocks());
+  const Answer answer = WhileOpen("pair.xml --no-robot --no-pictures --listen 0.0.0.0",
+                                  "get /; get \"/?token=${link#*token=}\"");
+  EXPECT_EQ(answer.out.substr(0, 12), "HTTP/1.1 403");
+  EXPECT_NE(answer.out.find("HTTP/1.1 303"), std::string::npos);
+}
+
+TEST_F(StudioProgram, SaysWhatIsMissing) {
+  Write("build/page/nothing", "");
+  EXPECT_NE(Shell("export SMILE_DATA_DIR=\"$PWD\"; smile studio --no-open")
+                .err.find("the studio's page is not built; ./run studio builds it"),
+            std::string::npos);
+  WritePage();
+  const Answer answer = Shell("export SMILE_DATA_DIR=\"$PWD\"; smile studio nowhere.xml --no-open");
+  EXPECT_EQ(answer.exit_code, 1);
+  EXPECT_NE(answer.err.find("nowhere.xml"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace smile

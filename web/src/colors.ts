@@ -1,0 +1,20 @@
+import type { HandName } from "./protocol";
+
+/** Of the hands: told apart by people who see colors otherwise, on light and on dark. */
+export const handColors: Record<HandName, string> = {
+  left: "#e69f00",
+  right: "#0072b2",
+  both: "#a65fb5",
+  any: "#6c7482",
+};
+
+/** Of the rings about the world's axes; their patterns tell them apart, too. */
+export const axisColors = ["#e5484d", "#2f9e52", "#3b7dff"] as const;
+
+export const guideColors = {
+  plane: "#6470e8",
+  drop: "#5d6678",
+  ghost: "#6470e8",
+  hover: "#5b68f0",
+  marker: "#d6336c",
+};

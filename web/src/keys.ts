@@ -1,0 +1,100 @@
+// Which key does what: the one table. Whoever carries something out listens by its name; the help shows all.
+
+export interface Key {
+  /** As KeyboardEvent.key has them, letters small; with "Shift+" or "Control+" before it. */
+  keys: string[];
+  what: string;
+  does: string;
+  /** It goes on as long as the key is down. */
+  isHeld?: boolean;
+  /** It is done again and again as long as the key is down. */
+  repeats?: boolean;
+}
+
+export const keys: Key[] = [
+  { keys: ["1"], what: "view.front", does: "look from the front, at the robot" },
+  { keys: ["2"], what: "view.robot", does: "look from where the robot stands" },
+  { keys: ["3"], what: "view.top", does: "look from above" },
+  { keys: ["4"], what: "view.left", does: "look from the left" },
+  { keys: ["5"], what: "view.right", does: "look from the right" },
+  { keys: ["f"], what: "view.focus", does: "look closely at the held object, or at the one under the mouse" },
+  { keys: ["w"], what: "fly.forward", does: "fly forward", isHeld: true },
+  { keys: ["s"], what: "fly.back", does: "fly back", isHeld: true },
+  { keys: ["a"], what: "fly.left", does: "fly to the left", isHeld: true },
+  { keys: ["d"], what: "fly.right", does: "fly to the right", isHeld: true },
+  { keys: ["q"], what: "fly.up", does: "fly up", isHeld: true },
+  { keys: ["z"], what: "fly.down", does: "fly down", isHeld: true },
+  { keys: ["arrowleft"], what: "look.left", does: "look to the left", isHeld: true },
+  { keys: ["arrowright"], what: "look.right", does: "look to the right", isHeld: true },
+  { keys: ["arrowup"], what: "look.up", does: "look up", isHeld: true },
+  { keys: ["arrowdown"], what: "look.down", does: "look down", isHeld: true },
+  { keys: ["r"], what: "record.toggle", does: "begin to record, or finish" },
+  { keys: ["Control+z"], what: "record.undo", does: "take the last action back" },
+  { keys: ["Control+y", "Control+Shift+z"], what: "record.redo", does: "do again what was taken back" },
+  { keys: ["space"], what: "time.pause", does: "let time stand still, or go on" },
+  { keys: ["h"], what: "help", does: "show all keys" },
+  { keys: ["e"], what: "hand.next", does: "take the next hand" },
+  { keys: ["enter"], what: "hand.grasp", does: "grasp the object under the mouse" },
+  { keys: ["escape"], what: "hand.stop", does: "let the mouse go of what it drags" },
+  { keys: ["backspace"], what: "hand.release", does: "let go of the held object" },
+  { keys: ["delete"], what: "hand.destroy", does: "take the held object out of the world" },
+  { keys: ["/"], what: "plane.left", does: "turn the plane by 5 degrees", repeats: true },
+  { keys: ["Shift+/", "Shift+?"], what: "plane.right", does: "turn the plane by 5 degrees the other way", repeats: true },
+  { keys: ["\\"], what: "plane.quarter", does: "turn the plane by 90 degrees" },
+  { keys: ["i", "Shift+i"], what: "move.up", does: "move the held object up; with Shift farther", repeats: true },
+  { keys: ["k", "Shift+k"], what: "move.down", does: "move the held object down; with Shift farther", repeats: true },
+  { keys: ["j", "Shift+j"], what: "move.left", does: "move the held object to the left; with Shift farther", repeats: true },
+  { keys: ["l", "Shift+l"], what: "move.right", does: "move the held object to the right; with Shift farther", repeats: true },
+  { keys: ["u", "Shift+u"], what: "move.away", does: "move the held object away; with Shift farther", repeats: true },
+  { keys: ["o", "Shift+o"], what: "move.nearer", does: "move the held object nearer; with Shift farther", repeats: true },
+  { keys: ["g"], what: "guides", does: "show where a released object will rest, or not" },
+];
+
+/** What a pressed key means; null where it means nothing. Whoever writes text is left in peace. */
+export function keyOf(event: KeyboardEvent): Key | null {
+  if (event.altKey || event.metaKey || isForText(event)) return null;
+  const name = event.key === " " ? "space" : event.key.toLowerCase();
+  const pressed = `${event.ctrlKey ? "Control+" : ""}${event.shiftKey ? "Shift+" : ""}${name}`;
+  return keys.find((key) => key.keys.includes(pressed)) ?? null;
+}
+
+function isForText(event: KeyboardEvent): boolean {
+  const target = event.target;
+  if (!(target instanceof HTMLElement)) return false;
+  if (target.isContentEditable || target.closest("dialog, [role=dialog], [role=menu]")) return true;
+  if (target instanceof HTMLInputElement) return !["checkbox", "radio", "button"].includes(target.type);
+  if (target.matches("textarea, select, [role=slider], [role=listbox], [role=tablist] *")) return true;
+  // Buttons and links have the keys that press them.
+  return target.matches("button, a, summary, [role=button]") && ["Enter", " "].includes(event.key);
+}
+
+export type KeyActions = Record<string, (isDown: boolean, isShift: boolean) => void>;
+
+/** Carries out what keys mean, by the names in the table; held keys are told twice, down and up. */
+export function listenToKeys(actions: KeyActions): () => void {
+  const down = new Map<string, Key>();
+  const letGo = (code: string) => {
+    const key = down.get(code);
+    down.delete(code);
+    if (key) actions[key.what]?.(false, false);
+  };
+  const onDown = (event: KeyboardEvent) => {
+    const key = keyOf(event);
+    const action = key && actions[key.what];
+    if (!action || event.defaultPrevented) return;
+    event.preventDefault();
+    if (event.repeat && !key.repeats) return;
+    if (key.isHeld) down.set(event.code, key);
+    action(true, event.shiftKey);
+  };
+  const onUp = (event: KeyboardEvent) => letGo(event.code);
+  const onBlur = () => [...down.keys()].forEach(letGo);
+  window.addEventListener("keydown", onDown);
+  window.addEventListener("keyup", onUp);
+  window.addEventListener("blur", onBlur);
+  return () => {
+    window.removeEventListener("keydown", onDown);
+    window.removeEventListener("keyup", onUp);
+    window.removeEventListener("blur", onBlur);
+  };
+}

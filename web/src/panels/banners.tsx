@@ -1,0 +1,87 @@
+import { useEffect } from "preact/hooks";
+import { useSignal } from "@preact/signals";
+import { ask, clients, isConnected, isController, progress } from "../studio";
+import { texts } from "../texts";
+import { Button } from "../ui/buttons";
+import { Notices } from "../ui/notices";
+import { takeControl } from "./control";
+import { isPaused, isPlayback, isRage, mayControl } from "./now";
+
+/** So long a connection may take before anybody is told that it takes long; and that it may never come. */
+const PATIENCE_MS = 800;
+const DOUBT_MS = 10_000;
+
+function Disconnected() {
+  const words = useSignal<string | null>(null);
+  useEffect(() => {
+    const { connecting, lost, doubt } = texts.connection;
+    const first = clients.value === null ? connecting : lost;
+    const timers = [
+      setTimeout(() => (words.value = first), PATIENCE_MS),
+      setTimeout(() => (words.value = doubt), DOUBT_MS),
+    ];
+    return () => timers.forEach(clearTimeout);
+  }, []);
+  if (words.value === null) return null;
+  return (
+    <div class="banner error" role="alert">
+      <span class="spinner" />
+      <span>{words.value}</span>
+    </div>
+  );
+}
+
+function Busy() {
+  if (progress.value === null) return null;
+  const { what, done, total } = progress.value;
+  return (
+    <div class="banner busy">
+      <label for="busy">{texts.progress[what] ?? what}</label>
+      <progress id="busy" value={done} max={total} />
+    </div>
+  );
+}
+
+/** What one has to know before one wonders why nothing happens. */
+export function Banners() {
+  return (
+    <div class="banners">
+      {!isConnected.value && <Disconnected />}
+      <Busy />
+      {isConnected.value && clients.value !== null && !isController.value && (
+        <div class="banner">
+          <span>{texts.people.watchingBanner}</span>
+          <Button label={texts.people.take} kind="accent" onClick={() => void takeControl(false)} />
+        </div>
+      )}
+      {isPlayback.value && (
+        <div class="banner">
+          <span>{texts.timeline.playbackBanner}</span>
+          <Button
+            label={texts.timeline.live}
+            kind="accent"
+            disabled={!mayControl.value}
+            onClick={() => void ask("live")}
+          />
+        </div>
+      )}
+      {isRage.value && (
+        <div class="banner words-only">
+          <span>{texts.objects.rageBanner}</span>
+        </div>
+      )}
+      {isPaused.value && !isPlayback.value && (
+        <div class="banner">
+          <span>{texts.time.paused}</span>
+          <Button
+            label={texts.time.resume}
+            kind="accent"
+            disabled={!mayControl.value}
+            onClick={() => void ask("resume")}
+          />
+        </div>
+      )}
+      <Notices />
+    </div>
+  );
+}

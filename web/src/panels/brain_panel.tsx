@@ -1,0 +1,250 @@
+import { useEffect, useRef } from "preact/hooks";
+import { signal, useSignal } from "@preact/signals";
+import { ask, consoleLines, isConnected, lastScore, notify, scene } from "../studio";
+import type { ConsoleLine } from "../protocol";
+import { texts } from "../texts";
+import { Button } from "../ui/buttons";
+import { Card, Empty } from "../ui/card";
+import { gallery } from "./gallery";
+import { brain, isRecording, mayAct, mayControl } from "./now";
+import { toImitate } from "./page";
+import { recordings, titleOf } from "./recordings";
+
+const { brain: words } = texts;
+
+/** The programs that may be started; null until they are known. */
+const brains = signal<{ name: string; kind: string }[] | null>(null);
+const chosenBrain = signal("");
+
+function useBrains(): void {
+  useEffect(() => {
+    if (!isConnected.value) return;
+    void ask("brains").then((reply) => {
+      if (reply === null) return;
+      const known = reply.brains as { name: string; kind: string }[];
+      brains.value = known;
+      if (!known.some(({ name }) => name === chosenBrain.value)) chosenBrain.value = known[0]?.name ?? "";
+    });
+  }, [isConnected.value]);
+}
+
+function isAtWork(): boolean {
+  return brain.value?.status === "running";
+}
+
+async function copyPlace(place: string): Promise<void> {
+  try {
+    await navigator.clipboard.writeText(place);
+  } catch {
+    // Without leave to write there, at least the place is told.
+  }
+  notify(words.copied(place));
+}
+
+function Place({ file, line }: { file: string; line: number | undefined }) {
+  const place = line ? `${file}:${line}` : file;
+  return (
+    <button type="button" class="place" title={words.copyPlace(place)} onClick={() => void copyPlace(place)}>
+      {place}
+    </button>
+  );
+}
+
+function Status() {
+  const now = brain.value;
+  const status = now?.status || "none";
+  return (
+    <span class={`badge status-${status}`} role="status">
+      {words.statuses[status] ?? status}
+    </span>
+  );
+}
+
+function Program() {
+  const now = brain.value;
+  const name = now?.name || chosenBrain.value;
+  const start = (program: string) => void ask("start_brain", { brain: program });
+  const restart = async () => {
+    if (isAtWork()) await ask("stop_brain");
+    start(name);
+  };
+  return (
+    <>
+      <select
+        aria-label={words.choose}
+        value={chosenBrain.value}
+        onChange={(event) => (chosenBrain.value = event.currentTarget.value)}
+      >
+        {(brains.value ?? []).map(({ name: program, kind }) => (
+          <option key={program} value={program}>
+            {words.program(program, kind)}
+          </option>
+        ))}
+      </select>
+      <div class="row">
+        {isAtWork() ? (
+          <Button
+            label={words.stop}
+            icon="stop"
+            kind="danger"
+            class="grow"
+            disabled={!mayControl.value}
+            onClick={() => void ask("stop_brain")}
+          />
+        ) : (
+          <Button
+            label={words.start}
+            icon="play"
+            kind="accent"
+            class="grow"
+            disabled={!mayAct.value || chosenBrain.value === ""}
+            onClick={() => start(chosenBrain.value)}
+          />
+        )}
+        <Button
+          label={words.restart}
+          icon="reload"
+          disabled={!mayAct.value || !now?.name}
+          onClick={() => void restart()}
+        />
+      </div>
+      {now?.message && (
+        <p class={now.status === "failed" ? "trouble" : "hint"}>
+          {now.message} {now.file && <Place file={now.file} line={now.line} />}
+        </p>
+      )}
+    </>
+  );
+}
+
+function Score() {
+  const result = lastScore.value;
+  if (result === null) return null;
+  const score = typeof result.score === "number" ? result.score : 0;
+  const error = typeof result.mean_error_mm === "number" ? words.meanError(result.mean_error_mm) : null;
+  const took = typeof result.seconds === "number" ? words.took(result.seconds) : null;
+  return (
+    <div class={`score ${result.rebuilt === true ? "good" : ""}`} role="status" aria-label={words.score}>
+      <strong>{words.scored(Math.round(100 * score))}</strong>
+      <span>{result.rebuilt === true ? words.rebuilt : words.notRebuilt}</span>
+      <small>{[error, took].filter((text) => text !== null).join(" · ")}</small>
+    </div>
+  );
+}
+
+function Imitation() {
+  const where = useSignal("");
+  const isBusy = useSignal(false);
+  const choices = (recordings.value ?? []).filter((recording) => !recording.binned && !recording.error);
+  if (choices.length === 0) return <p class="hint">{words.noRecordings}</p>;
+  const chosen = choices.some(({ id }) => id === toImitate.value) ? toImitate.value! : choices[0]!.id;
+  const imitate = async () => {
+    isBusy.value = true;
+    lastScore.value = null;
+    const place = where.value || scene.value?.name;
+    await ask("imitate", { recording: chosen, brain: chosenBrain.value, scene: place });
+    isBusy.value = false;
+  };
+  return (
+    <>
+      <label class="field">
+        <span class="field-label">{words.demonstration}</span>
+        <select value={chosen} onChange={(event) => (toImitate.value = event.currentTarget.value)}>
+          {choices.map(({ id }) => (
+            <option key={id} value={id}>
+              {titleOf(id)}
+            </option>
+          ))}
+        </select>
+      </label>
+      <label class="field">
+        <span class="field-label">{words.scene}</span>
+        <select value={where.value} onChange={(event) => (where.value = event.currentTarget.value)}>
+          <option value="">{words.sceneHere}</option>
+          {(gallery.value?.scenes ?? []).map(({ name, title }) => (
+            <option key={name} value={name}>
+              {title}
+            </option>
+          ))}
+        </select>
+      </label>
+      <Button
+        label={words.imitate}
+        icon="robot"
+        kind="accent"
+        title={words.imitateWhy}
+        isBusy={isBusy.value}
+        disabled={!mayControl.value || isRecording.value || chosenBrain.value === "" || isAtWork()}
+        onClick={() => void imitate()}
+      />
+      <Score />
+    </>
+  );
+}
+
+function Line({ line }: { line: ConsoleLine }) {
+  return (
+    <div>
+      {line.file && (
+        <>
+          <Place file={line.file} line={line.line} />{" "}
+        </>
+      )}
+      {line.text}
+    </div>
+  );
+}
+
+/** What the program writes; it stays at the end unless somebody looks further up. */
+function Console() {
+  const log = useRef<HTMLDivElement>(null);
+  const isAtEnd = useRef(true);
+  const lines = consoleLines.value;
+  useEffect(() => {
+    if (isAtEnd.current && log.current) log.current.scrollTop = log.current.scrollHeight;
+  }, [lines]);
+  return (
+    <div
+      class="console"
+      role="log"
+      aria-label={words.console}
+      tabIndex={0}
+      ref={log}
+      onScroll={(event) => {
+        const { scrollTop, scrollHeight, clientHeight } = event.currentTarget;
+        isAtEnd.current = scrollHeight - scrollTop - clientHeight < 8;
+      }}
+    >
+      {lines.length === 0 ? <p class="hint">{words.consoleEmpty}</p> : lines.map((line, k) => <Line key={k} line={line} />)}
+    </div>
+  );
+}
+
+export function BrainPanel() {
+  useBrains();
+  if (brains.value?.length === 0) return <Empty icon="brain" text={words.none} />;
+  return (
+    <>
+      <Card title={words.title} aside={<Status />}>
+        <Program />
+      </Card>
+      <Card title={words.imitation}>
+        <Imitation />
+      </Card>
+      <Card
+        title={words.console}
+        aside={
+          <Button
+            label={words.clear}
+            icon="trash"
+            kind="quiet"
+            isIconOnly
+            onClick={() => (consoleLines.value = [])}
+          />
+        }
+      >
+        <Console />
+      </Card>
+    </>
+  );
+}

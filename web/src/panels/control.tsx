@@ -1,0 +1,93 @@
+import { useEffect } from "preact/hooks";
+import { effect } from "@preact/signals";
+import { ask, clients, controlWantedBy, isConnected, isController, notify } from "../studio";
+import { texts } from "../texts";
+import { Button } from "../ui/buttons";
+import { Dialog } from "../ui/dialog";
+import { MenuButton, type MenuEntry } from "../ui/menu";
+
+/** Who opens the page, or comes back, controls when nobody else does: but only that soon. */
+const ARRIVAL_MS = 3000;
+
+export async function takeControl(byForce: boolean): Promise<void> {
+  const reply = await ask("take_control", byForce ? { by_force: true } : {});
+  if (reply === null) return;
+  notify(reply.granted === true ? texts.people.taken : texts.people.asked);
+}
+
+function useControlOnArrival(): void {
+  useEffect(() => {
+    let arrived = -Infinity;
+    return effect(() => {
+      if (!isConnected.value) {
+        arrived = -Infinity;
+        return;
+      }
+      if (arrived === -Infinity) arrived = performance.now();
+      const isFree = clients.value !== null && clients.value.controller === null;
+      if (isFree && performance.now() - arrived < ARRIVAL_MS) void ask("take_control");
+    });
+  }, []);
+}
+
+function entries(): MenuEntry[] {
+  const now = clients.value;
+  if (now === null) return [];
+  if (now.controller !== now.you) {
+    return [
+      { label: texts.people.take, onChoose: () => void takeControl(false) },
+      { label: texts.people.takeByForce, onChoose: () => void takeControl(true) },
+    ];
+  }
+  const others = now.clients.filter((client) => client !== now.you);
+  return [
+    ...others.map((client) => ({
+      label: texts.people.give(client),
+      onChoose: () => void ask("give_control", { to: client }),
+    })),
+    { label: texts.people.letGo, onChoose: () => void ask("give_control", { to: null }) },
+  ];
+}
+
+/** Who is here, who controls, and how to change that. */
+export function Control() {
+  useControlOnArrival();
+  const now = clients.value;
+  const others = Math.max(0, (now?.clients.length ?? 1) - 1);
+  const who = isController.value ? texts.people.youControl : now?.controller === null ? texts.people.nobody : texts.people.youWatch;
+  return (
+    <div class="control">
+      <span class={`lamp ${isConnected.value ? "on" : "off"}`} />
+      <span class="control-words">
+        {isConnected.value ? who : texts.connection.none}
+        {isController.value && others > 0 && <small>{texts.people.watching(others)}</small>}
+      </span>
+      {isConnected.value && <MenuButton label={texts.people.title} entries={entries()} />}
+    </div>
+  );
+}
+
+/** Somebody else wants control. */
+export function ControlWanted() {
+  const by = controlWantedBy.value;
+  if (by === null || !isController.value) return null;
+  const close = () => (controlWantedBy.value = null);
+  const handOver = () => {
+    close();
+    void ask("give_control", { to: by });
+  };
+  return (
+    <Dialog
+      title={texts.people.wantedTitle}
+      onClose={close}
+      actions={
+        <>
+          <Button label={texts.people.keep} onClick={close} />
+          <Button label={texts.people.handOver} kind="accent" onClick={handOver} />
+        </>
+      }
+    >
+      <p>{texts.people.wanted(by)}</p>
+    </Dialog>
+  );
+}

@@ -1,0 +1,166 @@
+import { useEffect } from "preact/hooks";
+import { useSignal } from "@preact/signals";
+import { ask, notify, request } from "../studio";
+import { texts } from "../texts";
+import { Button } from "../ui/buttons";
+import { Dialog } from "../ui/dialog";
+import { Slider } from "../ui/slider";
+import { openRecording, refreshRecordings, titleOf } from "./recordings";
+
+const { edit: words } = texts;
+export type EditKind = "drop" | "trim";
+
+/** What becomes of a recording by an edit, as docs/editing.md has it. */
+interface Report {
+  ends_the_same: boolean;
+  seconds_before: number;
+  seconds_after: number;
+  left_out: { line: number; reason: string }[];
+  displaced: { id: string; distance_mm: number; rotation_deg: number }[];
+  gone: string[];
+  there_again: string[];
+  controls: { id: string; before: string; after: string }[];
+  host_points: { id: string }[];
+  joints: (string | { id: string })[];
+}
+
+/** Longer lists are nobody's reading. */
+const MAX_SENTENCES = 8;
+const PAUSE_MS = 300;
+
+function sentencesOf(report: Report): string[] {
+  const sentences = [
+    ...report.left_out.map(({ reason }) => words.leftOut(reason)),
+    ...report.gone.map(words.gone),
+    ...report.there_again.map(words.thereAgain),
+    ...report.displaced.map((one) => words.displaced(one.id, one.distance_mm, one.rotation_deg)),
+    ...report.controls.map((one) => words.control(one.id, one.before, one.after)),
+    ...report.host_points.map(({ id }) => words.hostPoint(id)),
+    ...report.joints.map((joint) => words.joint(typeof joint === "string" ? joint : joint.id)),
+  ];
+  if (sentences.length <= MAX_SENTENCES) return sentences;
+  return [...sentences.slice(0, MAX_SENTENCES), words.andMore(sentences.length - MAX_SENTENCES)];
+}
+
+type Trial = { state: "trying" } | { state: "refused"; error: string } | { state: "told"; report: Report };
+
+function Effect({ trial }: { trial: Trial }) {
+  if (trial.state === "trying") {
+    return (
+      <p class="hint">
+        <span class="spinner" /> {words.trying}
+      </p>
+    );
+  }
+  if (trial.state === "refused") return <p class="trouble">{trial.error}</p>;
+  const { report } = trial;
+  return (
+    <>
+      <p>{words.lasts(report.seconds_after, report.seconds_before)}</p>
+      {report.ends_the_same && <p class="hint right">{words.same}</p>}
+      <ul class="effects">
+        {sentencesOf(report).map((sentence) => (
+          <li key={sentence}>{sentence}</li>
+        ))}
+      </ul>
+    </>
+  );
+}
+
+/** An edit is told first, and done when it is wanted: into a new recording. */
+export function EditDialog(props: {
+  kind: EditKind;
+  recording: string;
+  segment: { number: number; words: string; seconds: number };
+  onClose: () => void;
+}) {
+  const { kind, recording, segment } = props;
+  const from = useSignal(0);
+  const to = useSignal(segment.seconds);
+  const name = useSignal(words.nameOf(titleOf(recording)));
+  const trial = useSignal<Trial>({ state: "trying" });
+  const isSaving = useSignal(false);
+  const edits =
+    kind === "drop"
+      ? [{ do: "drop", first: segment.number, last: segment.number }]
+      : [{ do: "trim", segment: segment.number, from: from.value, to: to.value }];
+
+  useEffect(() => {
+    let isLatest = true;
+    trial.value = { state: "trying" };
+    const timer = setTimeout(() => {
+      request("try_edit", { recording, edits }).then(
+        (reply) => isLatest && (trial.value = { state: "told", report: reply.report as Report }),
+        (error: Error) => isLatest && (trial.value = { state: "refused", error: error.message }),
+      );
+    }, PAUSE_MS);
+    return () => {
+      isLatest = false;
+      clearTimeout(timer);
+    };
+  }, [from.value, to.value]);
+
+  const save = async () => {
+    isSaving.value = true;
+    const reply = await ask("edit", { recording, edits, name: name.value });
+    isSaving.value = false;
+    if (reply === null) return;
+    props.onClose();
+    await refreshRecordings();
+    const made = reply.recording as string;
+    notify(words.saved(titleOf(made)));
+    await openRecording(made);
+  };
+  return (
+    <Dialog
+      title={kind === "drop" ? words.dropTitle(segment.words) : words.trimTitle(segment.words)}
+      onClose={props.onClose}
+      actions={
+        <>
+          <Button label={texts.cancel} onClick={props.onClose} />
+          <Button
+            label={words.save}
+            kind="accent"
+            isBusy={isSaving.value}
+            disabled={trial.value.state !== "told" || name.value === ""}
+            onClick={() => void save()}
+          />
+        </>
+      }
+    >
+      <p class="hint">{words.original}</p>
+      {kind === "trim" && (
+        <>
+          <Slider
+            label={words.from}
+            value={from.value}
+            min={0}
+            max={to.value}
+            step={0.05}
+            digits={2}
+            unit="s"
+            onInput={(value) => (from.value = value)}
+          />
+          <Slider
+            label={words.to}
+            value={to.value}
+            min={from.value}
+            max={segment.seconds}
+            step={0.05}
+            digits={2}
+            unit="s"
+            onInput={(value) => (to.value = value)}
+          />
+        </>
+      )}
+      <section class="effect" aria-label={words.effect} role="status">
+        <h3>{words.effect}</h3>
+        <Effect trial={trial.value} />
+      </section>
+      <label class="field">
+        <span class="field-label">{words.name}</span>
+        <input type="text" value={name.value} maxLength={200} onInput={(event) => (name.value = event.currentTarget.value)} />
+      </label>
+    </Dialog>
+  );
+}

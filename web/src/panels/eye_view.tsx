@@ -1,0 +1,91 @@
+import { useEffect, useRef } from "preact/hooks";
+import { useSignal } from "@preact/signals";
+import { eyeView } from "../studio";
+import { texts } from "../texts";
+import { Button } from "../ui/buttons";
+import { eyeWidth, isEyeOpen } from "./page";
+
+const WIDTHS = { min: 120, max: 640, step: 20 };
+
+/** The newest picture as something an image element shows. */
+function usePicture(): string | null {
+  const url = useSignal<string | null>(null);
+  useEffect(() => {
+    const stop = eyeView.subscribe((view) => {
+      const before = url.peek();
+      url.value = view === null ? null : URL.createObjectURL(view.png);
+      if (before !== null) URL.revokeObjectURL(before);
+    });
+    return () => {
+      stop();
+      if (url.peek() !== null) URL.revokeObjectURL(url.peek()!);
+    };
+  }, []);
+  return url.value;
+}
+
+function resize(width: number): void {
+  eyeWidth.value = Math.round(Math.min(WIDTHS.max, Math.max(WIDTHS.min, width)));
+}
+
+/** The corner at which the inset is made larger: it grows up and to the left. */
+function ResizeCorner() {
+  const start = useRef<{ x: number; width: number } | null>(null);
+  return (
+    <button
+      type="button"
+      class="eye-corner"
+      role="slider"
+      aria-label={texts.eye.resize}
+      aria-valuemin={WIDTHS.min}
+      aria-valuemax={WIDTHS.max}
+      aria-valuenow={eyeWidth.value}
+      title={texts.eye.resize}
+      onPointerDown={(event) => {
+        event.currentTarget.setPointerCapture(event.pointerId);
+        start.current = { x: event.clientX, width: eyeWidth.value };
+      }}
+      onPointerMove={(event) => {
+        if (start.current) resize(start.current.width + start.current.x - event.clientX);
+      }}
+      onPointerUp={() => (start.current = null)}
+      onPointerCancel={() => (start.current = null)}
+      onKeyDown={(event) => {
+        const step = { ArrowLeft: 1, ArrowUp: 1, ArrowRight: -1, ArrowDown: -1 }[event.key];
+        if (step === undefined) return;
+        event.preventDefault();
+        event.stopPropagation();
+        resize(eyeWidth.value + step * WIDTHS.step);
+      }}
+    />
+  );
+}
+
+/** The robot's view, exactly as it is recorded. */
+export function EyeView() {
+  const url = usePicture();
+  if (!isEyeOpen.value) {
+    return (
+      <div class="eye-closed">
+        <Button label={texts.eye.show} icon="eye" onClick={() => (isEyeOpen.value = true)} />
+      </div>
+    );
+  }
+  return (
+    <figure class="eye" style={{ width: `${eyeWidth.value}px` }}>
+      <figcaption>
+        <span>{texts.eye.title}</span>
+        {eyeView.value?.isRecorded && <span class="eye-records">{texts.eye.records}</span>}
+        <Button
+          label={texts.eye.hide}
+          icon="cross"
+          kind="quiet"
+          isIconOnly
+          onClick={() => (isEyeOpen.value = false)}
+        />
+      </figcaption>
+      {url === null ? <p class="eye-none">{texts.eye.none}</p> : <img src={url} alt={texts.eye.alt} draggable={false} />}
+      <ResizeCorner />
+    </figure>
+  );
+}

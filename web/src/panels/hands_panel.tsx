@@ -1,0 +1,353 @@
+import { useRef } from "preact/hooks";
+import { command, ask, currentHand, heldObject, scene, state } from "../studio";
+import { axisColors, handColors } from "../colors";
+import { HANDS, type HandName, type Point } from "../protocol";
+import { texts } from "../texts";
+import { Button, Chips } from "../ui/buttons";
+import { Card } from "../ui/card";
+import type { IconName } from "../ui/icons";
+import { choicePreference, switchPreference } from "../ui/preference";
+import { NumberField } from "../ui/number_field";
+import { Slider } from "../ui/slider";
+import { turnFromTo } from "./fixed_axes";
+import { keyFor } from "./key_names";
+import { attention, mayAct, snaps } from "./now";
+import { guides } from "../world/signals";
+import { world } from "./page";
+
+const { hands: words } = texts;
+const isMoveOpen = switchPreference("move-open", true);
+const isTurnOpen = switchPreference("turn-open", true);
+const isPlaneOpen = switchPreference("plane-open", true);
+const isSnapOpen = switchPreference("snap-open", true);
+
+const STEPS = ["0.1", "1"] as const;
+const stepSize = choicePreference<(typeof STEPS)[number]>("step", "0.1", STEPS);
+
+type Direction = keyof typeof words.directions;
+const DIRECTIONS: Record<Direction, { icon: IconName; key: string; along: Point }> = {
+  left: { icon: "left", key: "ArrowLeft", along: [-1, 0, 0] },
+  right: { icon: "right", key: "ArrowRight", along: [1, 0, 0] },
+  away: { icon: "up", key: "ArrowUp", along: [0, 1, 0] },
+  nearer: { icon: "down", key: "ArrowDown", along: [0, -1, 0] },
+  higher: { icon: "higher", key: "PageUp", along: [0, 0, 1] },
+  lower: { icon: "lower", key: "PageDown", along: [0, 0, -1] },
+};
+
+export function releaseHeld(): void {
+  void command({ do: "release", hand: currentHand.value });
+}
+
+function moveTo(position: Point): void {
+  void command({ do: "move_to", hand: currentHand.value, position });
+}
+
+function nudge(direction: Direction, length: number): void {
+  const goal = state.value?.hands[currentHand.value].goal;
+  if (!goal) return;
+  const { along } = DIRECTIONS[direction];
+  moveTo([goal[0] + along[0] * length, goal[1] + along[1] * length, goal[2] + along[2] * length]);
+}
+
+/** The four hands, each with what it holds. */
+function HandChoice() {
+  return (
+    <div class="hands" role="radiogroup" aria-label={words.current}>
+      {HANDS.map((hand: HandName) => (
+        <label key={hand} class="hand" style={{ "--hand": handColors[hand] }} title={words.meanings[hand]}>
+          <input
+            type="radio"
+            name="hand"
+            checked={hand === currentHand.value}
+            onChange={() => (currentHand.value = hand)}
+          />
+          <span class="swatch" />
+          <span class="hand-name">{words.names[hand]}</span>
+          <span class="hand-object">{state.value?.hands[hand].object ?? words.isEmpty}</span>
+        </label>
+      ))}
+    </div>
+  );
+}
+
+function propertyChoices(object: string): { value: string; label: string }[] {
+  const properties = scene.value?.objects.find((one) => one.id === object)?.properties ?? [];
+  return properties.map((value) => ({ value, label: texts.properties[value] ?? value }));
+}
+
+function Held({ object }: { object: string }) {
+  const told = attention.value[object] ?? [];
+  const choices = propertyChoices(object);
+  const toggle = (property: string) => {
+    const properties = told.includes(property) ? told.filter((one) => one !== property) : [...told, property];
+    void command({ do: "attend", hand: currentHand.value, properties });
+  };
+  return (
+    <>
+      <div class="row">
+        <Button
+          label={words.release}
+          kind="accent"
+          class="grow"
+          keys={keyFor("hand.release")}
+          tour="release"
+          disabled={!mayAct.value}
+          onClick={releaseHeld}
+        />
+        <Button
+          label={words.destroy}
+          kind="danger"
+          icon="trash"
+          title={`${words.destroyWhy} (${keyFor("hand.destroy")})`}
+          disabled={!mayAct.value}
+          onClick={() => void command({ do: "destroy", hand: currentHand.value })}
+        />
+      </div>
+      {choices.length > 0 && (
+        <div class="field">
+          <span class="field-label" title={words.attentionWhy}>
+            {words.attention}
+          </span>
+          <Chips
+            label={words.attention}
+            choices={choices}
+            chosen={told}
+            disabled={!mayAct.value}
+            onToggle={toggle}
+          />
+        </div>
+      )}
+    </>
+  );
+}
+
+/** Buttons and keys that carry the held object by small steps. */
+function NudgePad() {
+  const pad = useRef<HTMLDivElement>(null);
+  const length = Number(stepSize.value);
+  const go = (event: KeyboardEvent) => {
+    const direction = (Object.keys(DIRECTIONS) as Direction[]).find((one) => DIRECTIONS[one].key === event.key);
+    const isPad = event.target === pad.current;
+    if (direction === undefined && !(isPad && event.key === "Enter")) return;
+    event.preventDefault();
+    event.stopPropagation();
+    if (direction === undefined) releaseHeld();
+    else nudge(direction, event.shiftKey ? 1 : length);
+  };
+  const button = (direction: Direction) => (
+    <Button
+      key={direction}
+      label={words.directions[direction]}
+      icon={DIRECTIONS[direction].icon}
+      isIconOnly
+      class={`nudge-${direction}`}
+      disabled={!mayAct.value}
+      onClick={() => nudge(direction, length)}
+    />
+  );
+  return (
+    <div
+      class="nudge"
+      id="nudge"
+      ref={pad}
+      role="group"
+      tabIndex={0}
+      aria-label={words.nudge}
+      title={words.nudgeHint}
+      data-tour="nudge"
+      onKeyDown={go}
+    >
+      {(Object.keys(DIRECTIONS) as Direction[]).map(button)}
+      <label class="nudge-step">
+        <span>{words.stepSize}</span>
+        <select
+          value={stepSize.value}
+          onChange={(event) => (stepSize.value = event.currentTarget.value as (typeof STEPS)[number])}
+        >
+          {STEPS.map((step) => (
+            <option key={step}>{step}</option>
+          ))}
+        </select>
+      </label>
+    </div>
+  );
+}
+
+/** Where the object is, by numbers. Hands are told of the point at which they took it. */
+function Position({ goal, place }: { goal: Point; place: Point }) {
+  const put = (axis: number, value: number) =>
+    moveTo(goal.map((old, k) => (k === axis ? old + value - place[k]! : old)) as Point);
+  return (
+    <div class="row position" role="group" aria-label={`${words.position} (${texts.units})`}>
+      {words.axisNames.map((axis, k) => (
+        <NumberField
+          key={axis}
+          label={axis}
+          isLabelled
+          value={place[k]!}
+          step={0.1}
+          disabled={!mayAct.value}
+          onCommit={(value) => put(k, value)}
+        />
+      ))}
+    </div>
+  );
+}
+
+function rotate(angles: Point): void {
+  void command({ do: "rotate", hand: currentHand.value, angles });
+}
+
+function turnBy(axis: number, degrees: number): void {
+  rotate([0, 1, 2].map((k) => (k === axis ? degrees : 0)) as Point);
+}
+
+/** So long what was asked for last is what a slider goes on from: the state follows. */
+const FOLLOW_MS = 400;
+let asked: { object: string; angles: Point; until: number } | null = null;
+
+/** Gives the held object one angle of three, and keeps the others. */
+function turnTo(object: string, reading: Point, axis: number, degrees: number): void {
+  const now = performance.now();
+  const from = asked !== null && asked.object === object && now < asked.until ? asked.angles : reading;
+  const angles = from.map((old, k) => (k === axis ? degrees : old)) as Point;
+  rotate(turnFromTo(from, angles));
+  asked = { object, angles, until: now + FOLLOW_MS };
+}
+
+/** About y half a turn is all: three angles tell every orientation once. */
+const LARGEST = [180, 90, 180] as const;
+
+function TurnSlider({ object, axis, reading }: { object: string; axis: 0 | 1 | 2; reading: Point }) {
+  const quarter = (degrees: number) => (
+    <button
+      type="button"
+      class="button plain small"
+      aria-label={words.turnBy(words.axisNames[axis], degrees)}
+      disabled={!mayAct.value}
+      onClick={() => turnBy(axis, degrees)}
+    >
+      {degrees > 0 ? `+${degrees}` : `−${-degrees}`}
+    </button>
+  );
+  return (
+    <div class="turn-row">
+      <Slider
+        label={words.axes[axis]}
+        value={Math.round(reading[axis])}
+        min={-LARGEST[axis]}
+        max={LARGEST[axis]}
+        step={1}
+        unit={texts.degrees}
+        color={axisColors[axis]}
+        disabled={!mayAct.value}
+        onInput={(degrees) => turnTo(object, reading, axis, degrees)}
+      />
+      <div class="row tight">
+        {quarter(-45)}
+        {quarter(-1)}
+        {quarter(1)}
+        {quarter(45)}
+      </div>
+    </div>
+  );
+}
+
+function Plane() {
+  const angle = state.value?.hands[currentHand.value].plane ?? 0;
+  return (
+    <div class="row tight" role="group" aria-label={words.plane}>
+      {[-90, -5].map((degrees) => planeButton(degrees))}
+      <NumberField
+        label={words.planeAngle}
+        value={angle}
+        digits={0}
+        unit={texts.degrees}
+        disabled={!mayAct.value}
+        onCommit={(degrees) => world.value?.turnPlane(degrees - angle)}
+      />
+      {[5, 90].map((degrees) => planeButton(degrees))}
+    </div>
+  );
+}
+
+function planeButton(degrees: number) {
+  return (
+    <button
+      key={degrees}
+      type="button"
+      class="button plain small"
+      aria-label={words.planeBy(degrees)}
+      disabled={!mayAct.value}
+      onClick={() => world.value?.turnPlane(degrees)}
+    >
+      {degrees > 0 ? `+${degrees}` : `−${-degrees}`}
+    </button>
+  );
+}
+
+function Snapping() {
+  const choices = (Object.keys(words.snaps) as (keyof typeof words.snaps)[]).map((value) => ({
+    value,
+    label: words.snaps[value],
+  }));
+  const toggle = (snap: string) => {
+    const now = snaps.value;
+    void ask("snap", { to: now.includes(snap) ? now.filter((one) => one !== snap) : [...now, snap] });
+  };
+  return (
+    <>
+      <Chips label={words.snap} choices={choices} chosen={snaps.value} disabled={!mayAct.value} onToggle={toggle} />
+      <label class="switch">
+        <input
+          type="checkbox"
+          role="switch"
+          checked={guides.value}
+          onChange={(event) => (guides.value = event.currentTarget.checked)}
+        />
+        <span>{words.guides}</span>
+      </label>
+    </>
+  );
+}
+
+export function HandsPanel() {
+  const object = heldObject.value;
+  const hand = state.value?.hands[currentHand.value];
+  const angles: Point = hand?.angles ?? [0, 0, 0];
+  return (
+    <>
+      <Card title={words.title}>
+        <HandChoice />
+      </Card>
+      {object === null ? (
+        <p class="hint">{words.nothingHeld}</p>
+      ) : (
+        <Card title={`${words.held}: ${object}`}>
+          <Held object={object} />
+        </Card>
+      )}
+      <Card title={words.plane} isOpen={isPlaneOpen}>
+        <Plane />
+      </Card>
+      {object !== null && (
+        <>
+          <Card title={words.move} isOpen={isMoveOpen}>
+            <NudgePad />
+            {hand?.goal && hand.place && <Position goal={hand.goal} place={hand.place} />}
+          </Card>
+          <Card title={words.turn} isOpen={isTurnOpen}>
+            <div data-tour="turn">
+              {([0, 1, 2] as const).map((axis) => (
+                <TurnSlider key={`${object} ${axis}`} object={object} axis={axis} reading={angles} />
+              ))}
+            </div>
+          </Card>
+        </>
+      )}
+      <Card title={words.snap} isOpen={isSnapOpen}>
+        <Snapping />
+      </Card>
+    </>
+  );
+}

@@ -1,0 +1,146 @@
+import { useSignal } from "@preact/signals";
+import { ask, notify } from "../studio";
+import { texts } from "../texts";
+import { Button } from "../ui/buttons";
+import { Empty, isFound, Picture, SearchField } from "../ui/card";
+import { MenuButton, type MenuEntry } from "../ui/menu";
+import { isPlayback, isRecording, mayControl } from "./now";
+import { renamed, showPanel, toImitate } from "./page";
+import { opened, openRecording, pictureOfRecording, recordings, refreshRecordings, titleOf, type Recording } from "./recordings";
+
+const { library: words } = texts;
+
+/** When it was made, as people here write it; whatever cannot be read as a time stays as it is. */
+function whenMade(made: string): string {
+  const time = new Date(made);
+  if (Number.isNaN(time.getTime())) return made;
+  return time.toLocaleString(undefined, { month: "short", day: "numeric", hour: "2-digit", minute: "2-digit" });
+}
+
+async function bin(id: string): Promise<void> {
+  const title = titleOf(id);
+  if ((await ask("bin", { recording: id })) === null) return;
+  notify(words.binned(title));
+  if (opened.value?.id === id) opened.value = null;
+  await refreshRecordings();
+}
+
+async function takeBack(id: string): Promise<void> {
+  if ((await ask("unbin", { recording: id })) === null) return;
+  await refreshRecordings();
+  notify(words.isBack(titleOf(id)));
+}
+
+function download(id: string): void {
+  const link = document.createElement("a");
+  link.href = `/recordings/${encodeURIComponent(id)}.zip`;
+  link.download = `${id}.zip`;
+  link.click();
+}
+
+async function showEnd(recording: Recording): Promise<void> {
+  await openRecording(recording.id);
+  await ask("show", { recording: recording.id, seconds: recording.seconds });
+}
+
+function imitate(id: string): void {
+  toImitate.value = id;
+  showPanel("brain");
+}
+
+function entriesOf(recording: Recording): MenuEntry[] {
+  const { id } = recording;
+  const disabled = !mayControl.value;
+  return [
+    { label: words.show, icon: "eye", disabled: disabled || isRecording.value, onChoose: () => void showEnd(recording) },
+    { label: words.imitate, icon: "robot", onChoose: () => imitate(id) },
+    { label: words.rename, icon: "pencil", disabled, onChoose: () => (renamed.value = id) },
+    { label: words.download, icon: "download", onChoose: () => download(id) },
+    { label: words.toBin, icon: "trash", isDanger: true, disabled, onChoose: () => void bin(id) },
+  ];
+}
+
+function RecordingCard({ recording }: { recording: Recording }) {
+  const { id, binned } = recording;
+  const title = titleOf(id);
+  const isOpen = opened.value?.id === id;
+  return (
+    <li class={`recording ${isOpen ? "is-open" : ""}`}>
+      <Picture source={pictureOfRecording(id)} alt={words.picture(title)} />
+      <div class="recording-words">
+        <strong title={title}>{title}</strong>
+        {recording.error ? (
+          <p class="trouble">{recording.error}</p>
+        ) : (
+          <small>
+            {recording.scene} · {texts.seconds(recording.seconds)} · {words.segments(recording.segments)}
+          </small>
+        )}
+        <small>{whenMade(recording.made)}</small>
+        {recording.notes && <p class="notes">{recording.notes}</p>}
+        <div class="row tight">
+          {binned ? (
+            <Button label={words.takeBack} disabled={!mayControl.value} onClick={() => void takeBack(id)} />
+          ) : (
+            <>
+              <Button
+                label={isOpen ? words.isOpen : words.open}
+                title={words.openWhy}
+                disabled={recording.error !== undefined || (isPlayback.value && isOpen)}
+                onClick={() => void openRecording(id)}
+              />
+              <MenuButton label={words.actions(title)} entries={entriesOf(recording)} />
+            </>
+          )}
+        </div>
+      </div>
+    </li>
+  );
+}
+
+export function LibraryPanel() {
+  const search = useSignal("");
+  const isBin = useSignal(false);
+  const all = recordings.value;
+  const here = (all ?? []).filter((recording) => recording.binned === isBin.value);
+  const found = here.filter(({ id, title, notes, scene }) => isFound(search.value, id, title, notes, scene));
+  const numBinned = (all ?? []).filter((recording) => recording.binned).length;
+  return (
+    <>
+      <div class="row">
+        <SearchField label={words.search} text={search} />
+        <Button
+          label={words.refresh}
+          icon="reload"
+          kind="quiet"
+          isIconOnly
+          onClick={() => void refreshRecordings()}
+        />
+        <Button
+          label={words.binView}
+          icon="trash"
+          kind="quiet"
+          isIconOnly
+          isPressed={isBin.value}
+          onClick={() => (isBin.value = !isBin.value)}
+        >
+          {numBinned > 0 && <span class="count">{numBinned}</span>}
+        </Button>
+      </div>
+      {isBin.value && <h3 class="bin-title">{words.bin}</h3>}
+      {all === null ? (
+        <Empty icon="library" text={words.loading} />
+      ) : here.length === 0 ? (
+        <Empty icon={isBin.value ? "trash" : "library"} text={isBin.value ? words.binIsEmpty : words.none} />
+      ) : found.length === 0 ? (
+        <Empty icon="search" text={words.notFound} />
+      ) : (
+        <ul class="recordings">
+          {found.map((recording) => (
+            <RecordingCard key={recording.id} recording={recording} />
+          ))}
+        </ul>
+      )}
+    </>
+  );
+}

@@ -1,0 +1,44 @@
+import { computed, type ReadonlySignal } from "@preact/signals";
+import { isConnected, isController, scene, state } from "../studio";
+import { HANDS, type HandName } from "../protocol";
+
+/** What is computed of the state twenty times a second, but tells its readers only when it is another. */
+function settled<T>(read: () => T): ReadonlySignal<T> {
+  let last: { text: string; value: T } | null = null;
+  return computed(() => {
+    const value = read();
+    const text = JSON.stringify(value) ?? "";
+    if (last?.text !== text) last = { text, value };
+    return last.value;
+  });
+}
+
+export const isPaused = computed(() => state.value?.paused ?? false);
+export const isLive = computed(() => state.value?.mode === "live");
+export const isRage = computed(() => state.value?.mode === "rage");
+export const isPlayback = computed(() => state.value?.mode === "playback");
+export const isRecording = computed(() => (state.value?.recording ?? null) !== null);
+export const recordingId = computed(() => state.value?.recording?.id ?? null);
+/** The controller may reach into the world; not while a recording is shown or the robot rages. */
+export const mayAct = computed(() => isConnected.value && isController.value && isLive.value);
+export const mayControl = computed(() => isConnected.value && isController.value);
+export const liveSegments = settled(() => state.value?.recording?.segments ?? []);
+export const brain = settled(() => state.value?.brain ?? null);
+export const snaps = settled(() => state.value?.snap ?? []);
+export const gone = settled(() => state.value?.gone ?? []);
+export const attention = settled(() => state.value?.attention ?? {});
+
+/** Who holds what. */
+export const holders = settled(() => {
+  const found: Record<string, HandName> = {};
+  for (const hand of HANDS) {
+    const object = state.value?.hands[hand].object;
+    if (object) found[object] = hand;
+  }
+  return found;
+});
+
+/** The objects that are still in play. */
+export const objectsHere = computed(
+  () => scene.value?.objects.filter((object) => !gone.value.includes(object.id)) ?? [],
+);

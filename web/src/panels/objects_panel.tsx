@@ -1,0 +1,290 @@
+import { useRef } from "preact/hooks";
+import { useSignal } from "@preact/signals";
+import { ask, command, currentHand, heldObject, notify, scene } from "../studio";
+import { handColors } from "../colors";
+import type { SceneObject } from "../protocol";
+import { texts } from "../texts";
+import { Button } from "../ui/buttons";
+import { Card, Empty, isFound, Picture, SearchField } from "../ui/card";
+import { NumberField } from "../ui/number_field";
+import { switchPreference } from "../ui/preference";
+import { gallery, isGalleryLost, pictureOfScene, refreshGallery, textOfScene } from "./gallery";
+import { holders, isRecording, mayAct, mayControl, objectsHere } from "./now";
+import { chosenObject, draft, editedScene, showPanel, world } from "./page";
+
+const { objects: words } = texts;
+const isListOpen = switchPreference("list-open", true);
+const isAddOpen = switchPreference("add-open", true);
+const isGalleryOpen = switchPreference("gallery-open", true);
+const MAX_FILE_BYTES = 1e6;
+
+async function take(object: string): Promise<void> {
+  const reply = await command({ do: "grasp", hand: currentHand.value, object });
+  if (reply === null) return;
+  notify(texts.hands.taken(currentHand.value, object));
+  showPanel("hands");
+  // Keys carry it at once, for whoever came here by keys.
+  setTimeout(() => document.getElementById("nudge")?.focus(), 100);
+}
+
+/** A listbox: arrow keys choose, Enter takes. */
+function ObjectList() {
+  const list = useRef<HTMLDivElement>(null);
+  const ids = objectsHere.value.map((object) => object.id);
+  const chosen = chosenObject.value !== null && ids.includes(chosenObject.value) ? chosenObject.value : (ids[0] ?? null);
+  const go = (event: KeyboardEvent) => {
+    const at = chosen === null ? -1 : ids.indexOf(chosen);
+    const places: Record<string, number> = {
+      ArrowDown: Math.min(at + 1, ids.length - 1),
+      ArrowUp: Math.max(at - 1, 0),
+      Home: 0,
+      End: ids.length - 1,
+    };
+    const place = places[event.key];
+    if (place === undefined && event.key !== "Enter") return;
+    event.preventDefault();
+    event.stopPropagation();
+    if (place === undefined) {
+      if (chosen !== null && mayAct.value) void take(chosen);
+      return;
+    }
+    chosenObject.value = ids[place] ?? null;
+    list.current?.children[place]?.scrollIntoView({ block: "nearest" });
+  };
+  if (ids.length === 0) return <Empty icon="block" text={words.none} />;
+  return (
+    <>
+      <div
+        class="object-list"
+        role="listbox"
+        tabIndex={0}
+        aria-label={words.list}
+        aria-activedescendant={chosen === null ? undefined : `object-${ids.indexOf(chosen)}`}
+        ref={list}
+        data-tour="objects"
+        onKeyDown={go}
+      >
+        {objectsHere.value.map((object, k) => (
+          <div
+            key={object.id}
+            id={`object-${k}`}
+            role="option"
+            aria-selected={object.id === chosen}
+            onClick={() => (chosenObject.value = object.id)}
+            onDblClick={() => mayAct.value && void take(object.id)}
+          >
+            <span class="object-id">{object.id}</span>
+            <ObjectNote object={object} />
+          </div>
+        ))}
+      </div>
+      <div class="row">
+        <Button
+          label={words.take}
+          icon="hand"
+          class="grow"
+          disabled={!mayAct.value || chosen === null || heldObject.value !== null}
+          onClick={() => chosen !== null && void take(chosen)}
+        />
+        <Button
+          label={words.focus}
+          icon="eye"
+          class="grow"
+          disabled={chosen === null}
+          onClick={() => chosen !== null && world.value?.focus(chosen)}
+        />
+      </div>
+    </>
+  );
+}
+
+function ObjectNote({ object }: { object: SceneObject }) {
+  const hand = holders.value[object.id];
+  if (hand === undefined) {
+    return <span class="object-note">{object.fixed ? words.isFixed : object.shape}</span>;
+  }
+  return (
+    <span class="object-note held" style={{ "--hand": handColors[hand] }}>
+      <span class="swatch" />
+      {words.heldBy(hand)}
+    </span>
+  );
+}
+
+function AddObjects() {
+  const preset = useSignal("");
+  const seed = useSignal(1);
+  const presets = gallery.value?.presets ?? [];
+  const chosen = preset.value || presets[0]?.name;
+  const isBlocked = !mayAct.value || isRecording.value;
+  const spawn = async () => {
+    if ((await ask("spawn", { preset: chosen, seed: seed.value })) !== null) seed.value += 1;
+  };
+  return (
+    <>
+      <div class="row">
+        <select
+          class="grow"
+          aria-label={words.preset}
+          value={chosen}
+          onChange={(event) => (preset.value = event.currentTarget.value)}
+        >
+          {presets.map(({ name, title }) => (
+            <option key={name} value={name}>
+              {title}
+            </option>
+          ))}
+        </select>
+        <span title={words.seedWhy}>
+          <NumberField
+            label={words.seed}
+            isLabelled
+            value={seed.value}
+            digits={0}
+            min={0}
+            max={4294967295}
+            step={1}
+            onCommit={(value) => (seed.value = Math.round(value))}
+          />
+        </span>
+      </div>
+      <div class="row">
+        <Button
+          label={words.spawn}
+          icon="plus"
+          class="grow"
+          disabled={isBlocked || chosen === undefined}
+          title={isRecording.value ? words.whileRecording : undefined}
+          onClick={() => void spawn()}
+        />
+        <Button
+          label={words.clear}
+          title={isRecording.value ? words.whileRecording : words.clearWhy}
+          disabled={isBlocked}
+          onClick={() => void ask("clear")}
+        />
+        <Button
+          label={words.rage}
+          title={isRecording.value ? words.whileRecording : words.rageWhy}
+          disabled={isBlocked || !scene.value?.robot}
+          onClick={() => void ask("clear", { rage: true })}
+        />
+      </div>
+    </>
+  );
+}
+
+function SceneGallery() {
+  const search = useSignal("");
+  const busy = useSignal<string | null>(null);
+  const isBlocked = !mayControl.value || isRecording.value;
+  const load = async (name: string) => {
+    busy.value = name;
+    await ask("load", { scene: name });
+    busy.value = null;
+  };
+  if (isGalleryLost.value) {
+    return (
+      <Empty icon="warning" text={words.noGallery}>
+        <Button label={words.reload} icon="reload" onClick={() => void refreshGallery()} />
+      </Empty>
+    );
+  }
+  const scenes = (gallery.value?.scenes ?? []).filter(({ name, title }) => isFound(search.value, name, title));
+  return (
+    <>
+      <SearchField label={words.search} text={search} />
+      {gallery.value === null && <span class="spinner" />}
+      {gallery.value !== null && scenes.length === 0 && <Empty icon="search" text={words.noScenes} />}
+      <ul class="gallery" title={isRecording.value ? words.whileRecording : undefined}>
+        {scenes.map(({ name, title }) => (
+          <li key={name}>
+            <button
+              type="button"
+              class="scene"
+              disabled={isBlocked}
+              aria-current={name === scene.value?.name}
+              aria-busy={busy.value === name}
+              onClick={() => void load(name)}
+            >
+              <Picture source={pictureOfScene(name)} alt="" />
+              <span class="scene-title">{title}</span>
+              {busy.value === name && <span class="spinner" />}
+              {name === scene.value?.name && <span class="badge">{words.isHere}</span>}
+            </button>
+          </li>
+        ))}
+      </ul>
+    </>
+  );
+}
+
+async function openFile(file: File): Promise<void> {
+  if (file.size > MAX_FILE_BYTES) {
+    notify(texts.editor.tooLarge, true);
+    return;
+  }
+  editedScene.value = { name: file.name.replace(/\.xml$/i, ""), xml: await file.text() };
+}
+
+async function editPresentScene(): Promise<void> {
+  const name = scene.value?.name ?? texts.editor.defaultName;
+  editedScene.value = { name, xml: (await textOfScene(name)) ?? texts.editor.template };
+}
+
+function SceneActions() {
+  const input = useRef<HTMLInputElement>(null);
+  return (
+    <div class="row scene-actions">
+      <Button
+        label={words.reload}
+        icon="reload"
+        title={isRecording.value ? words.whileRecording : words.reloadWhy}
+        disabled={!mayControl.value || isRecording.value}
+        onClick={() => void ask("reload")}
+      />
+      <Button label={words.upload} icon="upload" title={words.uploadWhy} onClick={() => input.current?.click()} />
+      <Button label={words.write} icon="pencil" title={words.writeWhy} onClick={() => void editPresentScene()} />
+      <input
+        ref={input}
+        type="file"
+        accept=".xml,text/xml,application/xml"
+        hidden
+        aria-label={words.upload}
+        onChange={(event) => {
+          const file = event.currentTarget.files?.[0];
+          event.currentTarget.value = "";
+          if (file) void openFile(file);
+        }}
+      />
+    </div>
+  );
+}
+
+export function ObjectsPanel() {
+  return (
+    <>
+      <Card
+        title={words.onTable}
+        isOpen={isListOpen}
+        aside={<span class="count">{words.show(objectsHere.value.length)}</span>}
+      >
+        <ObjectList />
+      </Card>
+      <Card title={words.add} isOpen={isAddOpen}>
+        <AddObjects />
+      </Card>
+      <Card title={words.scenes} isOpen={isGalleryOpen}>
+        <SceneActions />
+        {draft.value && (
+          <Button
+            label={texts.editor.goOn(draft.value.name)}
+            icon="pencil"
+            onClick={() => (editedScene.value = draft.value)}
+          />
+        )}
+        <SceneGallery />
+      </Card>
+    </>
+  );
+}

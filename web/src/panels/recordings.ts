@@ -1,0 +1,69 @@
+import { signal } from "@preact/signals";
+import { ask, notify, request } from "../studio";
+
+export interface Recording {
+  id: string;
+  title: string;
+  notes: string;
+  scene: string;
+  seconds: number;
+  made: string;
+  segments: number;
+  binned: boolean;
+  error?: string;
+}
+
+export interface Timeline {
+  segments: { number: number; words: string; begin: number; end: number }[];
+  steps: { step: number; parent: number | null; words: string; begin: number; end: number; on_way: boolean }[];
+  seconds: number;
+}
+
+/** Newest first; null until they are there. */
+export const recordings = signal<Recording[] | null>(null);
+/** The one whose timeline is seen. */
+export const opened = signal<{ id: string; timeline: Timeline } | null>(null);
+/** The segment of it that is chosen. */
+export const chosenSegment = signal<number | null>(null);
+/** Pictures of a recording change when it goes on: this makes the browser look again. */
+export const pictureAge = signal(0);
+
+export async function refreshRecordings(): Promise<void> {
+  try {
+    const reply = await request("library");
+    recordings.value = reply.recordings as Recording[];
+  } catch (error) {
+    notify(error instanceof Error ? error.message : String(error), true);
+  }
+}
+
+export function recordingOf(id: string): Recording | undefined {
+  return recordings.value?.find((recording) => recording.id === id);
+}
+
+export function titleOf(id: string): string {
+  const title = recordingOf(id)?.title ?? "";
+  return title === "" ? id : title;
+}
+
+export async function openRecording(id: string): Promise<void> {
+  const reply = await ask("open", { recording: id });
+  if (reply === null) return;
+  opened.value = { id, timeline: reply.timeline as Timeline };
+  chosenSegment.value = null;
+}
+
+/** A recording is complete: here, not by whoever finished it, for watchers see it too. */
+export async function onRecordingFinished(id: string): Promise<void> {
+  pictureAge.value += 1;
+  await refreshRecordings();
+  await openRecording(id);
+}
+
+export function pictureOfRecording(id: string): string {
+  return `/recordings/${encodeURIComponent(id)}/picture.png?age=${pictureAge.value}`;
+}
+
+export function pictureOfSegment(id: string, number: number): string {
+  return `/recordings/${encodeURIComponent(id)}/segments/${number}.png?age=${pictureAge.value}`;
+}

@@ -1,0 +1,53 @@
+import type { ComponentChildren } from "preact";
+import { useEffect, useRef } from "preact/hooks";
+import { useSignalEffect } from "@preact/signals";
+import { heldObject } from "../studio";
+import { texts } from "../texts";
+import { mountWorld } from "../world/world";
+import { canDraw } from "../world/signals";
+import { chosenObject, detail, world } from "./page";
+
+const VIEWS = ["front", "robot", "top", "left", "right"] as const;
+
+function ViewPresets() {
+  const object = heldObject.value ?? chosenObject.value;
+  return (
+    <div class="views" role="group" aria-label={texts.views.group}>
+      {VIEWS.map((view) => (
+        <button key={view} type="button" onClick={() => world.value?.showPreset(view)}>
+          {texts.views[view]}
+        </button>
+      ))}
+      <button
+        type="button"
+        title={texts.views.focusWhy}
+        disabled={object === null}
+        onClick={() => object !== null && world.value?.focus(object)}
+      >
+        {texts.views.focus}
+      </button>
+    </div>
+  );
+}
+
+/** The world, and what lies over it. */
+export function Stage({ children }: { children: ComponentChildren }) {
+  const host = useRef<HTMLDivElement>(null);
+  useEffect(() => {
+    const mounted = mountWorld(host.current!);
+    world.value = mounted;
+    return () => {
+      world.value = null;
+      mounted.dispose();
+    };
+  }, []);
+  useSignalEffect(() => world.value?.setLowDetail(detail.value));
+  return (
+    <main class="stage">
+      <div class="world" ref={host} role="group" aria-label={texts.views.world} />
+      {!canDraw.value && <p class="stage-note">{texts.views.cannotDraw}</p>}
+      <ViewPresets />
+      {children}
+    </main>
+  );
+}

@@ -1,0 +1,101 @@
+import { useEffect } from "preact/hooks";
+import { useSignalEffect } from "@preact/signals";
+import { isConnected, notify, scene } from "../studio";
+import { texts } from "../texts";
+import { isSmall } from "../ui/media";
+import { Banners } from "./banners";
+import { BrainPanel } from "./brain_panel";
+import { ContextMenu } from "./context_menu";
+import { ControlWanted } from "./control";
+import { EyeView } from "./eye_view";
+import { refreshGallery } from "./gallery";
+import { HandsPanel } from "./hands_panel";
+import { Help } from "./help";
+import { LibraryPanel } from "./library_panel";
+import { isRecording, recordingId } from "./now";
+import { ObjectsPanel } from "./objects_panel";
+import { editedScene, isHelpOpen, isLeftOpen, isRightOpen, leftTab, LEFT_TABS, renamed, rightTab, RIGHT_TABS, sheet } from "./page";
+import { onRecordingFinished, refreshRecordings } from "./recordings";
+import { RenameDialog } from "./rename_dialog";
+import { RobotPanel } from "./robot_panel";
+import { SceneEditor } from "./scene_editor";
+import { Sidebar } from "./sidebar";
+import { Stage } from "./stage";
+import { TabBar } from "./tab_bar";
+import { TimelinePanel } from "./timeline_panel";
+import { TopBar } from "./top_bar";
+import { Tour } from "./tour";
+
+/** Whatever is known of the outside is looked up again when the connection comes back. */
+function useRefresh(): void {
+  useSignalEffect(() => {
+    if (!isConnected.value) return;
+    void refreshGallery();
+    void refreshRecordings();
+  });
+  useEffect(() => {
+    let wasConnected = false;
+    let isLost = false;
+    return isConnected.subscribe((yes) => {
+      if (yes && isLost) notify(texts.connection.back);
+      isLost = !yes && wasConnected;
+      wasConnected = wasConnected || yes;
+    });
+  }, []);
+  useEffect(() => {
+    let last: string | null = null;
+    return recordingId.subscribe((id) => {
+      if (last !== null && id === null) void onRecordingFinished(last);
+      last = id;
+    });
+  }, []);
+}
+
+/** The window's title tells from afar what is going on. */
+function useTitle(): void {
+  useSignalEffect(() => {
+    const name = scene.value?.name;
+    document.title = `${isRecording.value ? "● " : ""}${name === undefined ? "" : `${name} – `}${texts.title}`;
+  });
+}
+
+export function StudioPage() {
+  useRefresh();
+  useTitle();
+  return (
+    <div
+      class={`studio ${isSmall.value ? "is-small" : ""} ${isLeftOpen.value ? "" : "left-folded"} ${isRightOpen.value ? "" : "right-folded"}`}
+      data-sheet={isSmall.value ? (sheet.value ?? "none") : undefined}
+    >
+      <TopBar />
+      <Sidebar
+        side="left"
+        label={texts.panels.left}
+        tabs={LEFT_TABS}
+        chosen={leftTab}
+        isOpen={isLeftOpen}
+        panels={{ objects: ObjectsPanel, library: LibraryPanel }}
+      />
+      <Stage>
+        <Banners />
+        <EyeView />
+        <Tour />
+      </Stage>
+      <Sidebar
+        side="right"
+        label={texts.panels.right}
+        tabs={RIGHT_TABS}
+        chosen={rightTab}
+        isOpen={isRightOpen}
+        panels={{ hands: HandsPanel, robot: RobotPanel, brain: BrainPanel }}
+      />
+      <TimelinePanel />
+      <TabBar />
+      <ContextMenu />
+      <ControlWanted />
+      {isHelpOpen.value && <Help />}
+      {editedScene.value && <SceneEditor key={editedScene.value.name} />}
+      {renamed.value !== null && <RenameDialog id={renamed.value} />}
+    </div>
+  );
+}

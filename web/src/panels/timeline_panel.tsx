@@ -1,0 +1,329 @@
+import { useEffect, useRef } from "preact/hooks";
+import { signal, useSignal } from "@preact/signals";
+import { ask, state } from "../studio";
+import { texts } from "../texts";
+import { Button } from "../ui/buttons";
+import { Picture } from "../ui/card";
+import { isSmall } from "../ui/media";
+import { Menu } from "../ui/menu";
+import { EditDialog, type EditKind } from "./edit_dialog";
+import { isRecording, liveSegments, mayControl, recordingId } from "./now";
+import { isTimelineOpen, renamed, sheet } from "./page";
+import { chosenSegment, opened, pictureOfSegment, titleOf, type Timeline } from "./recordings";
+
+const { timeline: words } = texts;
+const RATES = [0.25, 0.5, 1, 2, 4];
+const rate = signal(1);
+/** The moment of the opened recording that is looked at [s]. */
+const moment = signal(0);
+const edited = signal<{ kind: EditKind; segment: number } | null>(null);
+
+interface SegmentShown {
+  number: number;
+  words: string;
+  seconds: number;
+}
+
+function wordsOf(segment: { number: number; words: string }): string {
+  return segment.words === "" ? words.start : segment.words;
+}
+
+/** One segment: how it ends, and what it is. */
+function SegmentCard(props: {
+  recording: string;
+  segment: SegmentShown;
+  isNow: boolean;
+  isChosen: boolean;
+  onChoose?: (() => void) | undefined;
+}) {
+  const { segment } = props;
+  const title = wordsOf(segment);
+  return (
+    <li class={`segment ${props.isNow ? "now" : ""}`} style={{ flexGrow: Math.max(0.5, segment.seconds) }}>
+      <button
+        type="button"
+        aria-label={words.segment(segment.number, title, segment.seconds)}
+        aria-pressed={props.isChosen}
+        aria-current={props.isNow ? "time" : undefined}
+        disabled={props.onChoose === undefined}
+        onClick={props.onChoose}
+        title={title}
+      >
+        <Picture source={pictureOfSegment(props.recording, segment.number)} alt="" />
+        <span class="segment-words">{title}</span>
+        <small>{texts.seconds(segment.seconds)}</small>
+      </button>
+    </li>
+  );
+}
+
+/** The recording in the making: segments come as they are done. */
+function LiveTimeline({ id }: { id: string }) {
+  const list = useRef<HTMLOListElement>(null);
+  const segments = liveSegments.value;
+  useEffect(() => list.current?.scrollTo({ left: list.current.scrollWidth }), [segments.length]);
+  if (segments.length === 0) return <p class="timeline-empty">{words.none}</p>;
+  return (
+    <ol class="segments" aria-label={words.segments} ref={list}>
+      {segments.map((segment, k) => (
+        <SegmentCard
+          key={segment.number}
+          recording={id}
+          segment={segment}
+          isNow={k === segments.length - 1}
+          isChosen={false}
+        />
+      ))}
+    </ol>
+  );
+}
+
+function show(id: string, seconds: number): void {
+  moment.value = seconds;
+  if (mayControl.value) void ask("show", { recording: id, seconds });
+}
+
+/** The step that was going on at a moment, for a branch to begin at. */
+function stepAt(timeline: Timeline, seconds: number): { step: number; after: number } | null {
+  const done = timeline.steps.filter((step) => step.on_way && step.begin <= seconds + 1e-6);
+  const last = done[done.length - 1];
+  return last ? { step: last.step, after: Math.max(0, seconds - last.begin) } : null;
+}
+
+async function branch(id: string, step: number, after?: number): Promise<void> {
+  const reply = await ask("branch", { recording: id, step, ...(after === undefined ? {} : { after }) });
+  if (reply !== null) opened.value = null;
+}
+
+function Scrubber({ id, timeline }: { id: string; timeline: Timeline }) {
+  return (
+    <div class="scrubber">
+      <input
+        type="range"
+        aria-label={words.scrub}
+        aria-valuetext={words.of(moment.value, timeline.seconds)}
+        min={0}
+        max={timeline.seconds}
+        step={0.05}
+        value={moment.value}
+        disabled={!mayControl.value}
+        style={{ "--filled": `${(100 * moment.value) / Math.max(timeline.seconds, 1e-9)}%` }}
+        onInput={(event) => show(id, event.currentTarget.valueAsNumber)}
+      />
+      <div class="marks" aria-hidden="true">
+        {timeline.segments.slice(1).map((segment) => (
+          <i key={segment.number} style={{ left: `${(100 * segment.begin) / Math.max(timeline.seconds, 1e-9)}%` }} />
+        ))}
+      </div>
+    </div>
+  );
+}
+
+function PlayButtons({ id, timeline }: { id: string; timeline: Timeline }) {
+  const playback = state.value?.playback ?? null;
+  const isShown = playback?.recording === id;
+  const isPlaying = isShown && playback.rate > 0;
+  const play = async () => {
+    const isAtEnd = moment.value > timeline.seconds - 0.05;
+    if (!isShown || isAtEnd) await ask("show", { recording: id, seconds: isAtEnd ? 0 : moment.value });
+    await ask("play", { rate: rate.value });
+  };
+  const chooseRate = (next: number) => {
+    rate.value = next;
+    if (isPlaying) void ask("play", { rate: next });
+  };
+  return (
+    <>
+      <Button
+        label={isPlaying ? words.stop : words.play}
+        icon={isPlaying ? "pause" : "play"}
+        kind="accent"
+        disabled={!mayControl.value}
+        onClick={() => void (isPlaying ? ask("play", { rate: 0 }) : play())}
+      />
+      <select
+        aria-label={words.rate}
+        value={rate.value}
+        onChange={(event) => chooseRate(Number(event.currentTarget.value))}
+      >
+        {RATES.map((one) => (
+          <option key={one} value={one}>
+            {texts.time.factor(one)}
+          </option>
+        ))}
+      </select>
+    </>
+  );
+}
+
+/** All that was ever done; one may go on also from what was undone. */
+function HistoryButton({ id, timeline }: { id: string; timeline: Timeline }) {
+  const at = useSignal<{ x: number; y: number } | null>(null);
+  const holder = useRef<HTMLSpanElement>(null);
+  const open = () => {
+    const box = holder.current!.getBoundingClientRect();
+    at.value = { x: box.left, y: box.top };
+  };
+  const entries = timeline.steps.map((step) => {
+    const undone = step.on_way ? "" : ` (${words.undone})`;
+    return {
+      label: `${step.step}: ${wordsOf({ number: step.step, words: step.words })}${undone}`,
+      onChoose: () => void branch(id, step.step),
+    };
+  });
+  return (
+    <span ref={holder}>
+      <Button label={words.history} title={words.historyTitle} disabled={!mayControl.value} onClick={open} />
+      {at.value && (
+        <Menu label={`${words.historyTitle}. ${words.branch}`} {...at.value} entries={entries} onClose={() => (at.value = null)} />
+      )}
+    </span>
+  );
+}
+
+function EditButtons({ id, timeline }: { id: string; timeline: Timeline }) {
+  const chosen = chosenSegment.value;
+  const isBlocked = !mayControl.value || chosen === null;
+  const edit = (kind: EditKind) => () => chosen !== null && (edited.value = { kind, segment: chosen });
+  const here = stepAt(timeline, moment.value);
+  return (
+    <>
+      <Button
+        label={words.branch}
+        icon="branch"
+        title={words.branchWhy}
+        disabled={!mayControl.value || here === null}
+        onClick={() => here && void branch(id, here.step, here.after)}
+      />
+      <Button label={words.trim} icon="cut" disabled={isBlocked} onClick={edit("trim")} />
+      <Button label={words.drop} icon="trash" disabled={isBlocked} onClick={edit("drop")} />
+      <HistoryButton id={id} timeline={timeline} />
+    </>
+  );
+}
+
+/** While it plays, the moment is the program's. */
+function useMoment(id: string): void {
+  useEffect(() => {
+    moment.value = 0;
+    return state.subscribe((now) => {
+      const playback = now?.playback;
+      if (playback?.recording === id && playback.rate > 0) moment.value = playback.seconds;
+    });
+  }, [id]);
+}
+
+function OpenedTimeline({ id, timeline }: { id: string; timeline: Timeline }) {
+  useMoment(id);
+  const now = moment.value;
+  const choose = (number: number, end: number) => {
+    chosenSegment.value = chosenSegment.value === number ? null : number;
+    show(id, end);
+  };
+  return (
+    <>
+      <Scrubber id={id} timeline={timeline} />
+      <ol class="segments" aria-label={words.segments}>
+        {timeline.segments.map(({ number, words: segmentWords, begin, end }) => (
+          <SegmentCard
+            key={number}
+            recording={id}
+            segment={{ number, words: segmentWords, seconds: end - begin }}
+            isNow={now > begin && now <= end}
+            isChosen={chosenSegment.value === number}
+            onChoose={() => choose(number, end)}
+          />
+        ))}
+      </ol>
+    </>
+  );
+}
+
+function EditOf({ id, timeline }: { id: string; timeline: Timeline }) {
+  const edit = edited.value;
+  const segment = timeline.segments.find((one) => one.number === edit?.segment);
+  if (edit === null || segment === undefined) return null;
+  return (
+    <EditDialog
+      key={`${edit.kind} ${edit.segment}`}
+      kind={edit.kind}
+      recording={id}
+      segment={{ number: segment.number, words: wordsOf(segment), seconds: segment.end - segment.begin }}
+      onClose={() => (edited.value = null)}
+    />
+  );
+}
+
+function Head() {
+  const recording = state.value?.recording;
+  const open = isRecording.value ? null : opened.value;
+  const name = recording ? recording.title || recording.id : open ? titleOf(open.id) : null;
+  return (
+    <header class="timeline-head">
+      <h2>
+        <button
+          type="button"
+          aria-expanded={isTimelineOpen.value}
+          onClick={() => (isSmall.value ? (sheet.value = null) : (isTimelineOpen.value = !isTimelineOpen.value))}
+        >
+          {words.title}
+        </button>
+      </h2>
+      {name !== null && <span class="timeline-name">{name}</span>}
+      {recording && (
+        <span class="eye-records">
+          {words.recording} · {texts.seconds(recording.seconds)}
+        </span>
+      )}
+      {open && isTimelineOpen.value && (
+        <>
+          <span class="timeline-moment">{words.of(moment.value, open.timeline.seconds)}</span>
+          <Button
+            label={words.rename}
+            icon="pencil"
+            kind="quiet"
+            isIconOnly
+            disabled={!mayControl.value}
+            onClick={() => (renamed.value = open.id)}
+          />
+          <div class="timeline-buttons">
+            <PlayButtons id={open.id} timeline={open.timeline} />
+            <EditButtons id={open.id} timeline={open.timeline} />
+          </div>
+          <Button
+            label={words.close}
+            icon="cross"
+            kind="quiet"
+            isIconOnly
+            onClick={() => {
+              if (state.value?.playback && mayControl.value) void ask("live");
+              opened.value = null;
+            }}
+          />
+        </>
+      )}
+    </header>
+  );
+}
+
+/** What is recorded, or was: its segments in words and pictures. */
+export function TimelinePanel() {
+  if (isSmall.value && sheet.value !== "timeline") return null;
+  const live = recordingId.value;
+  const open = opened.value;
+  const isShown = isTimelineOpen.value || isSmall.value;
+  return (
+    <section class="timeline" aria-label={words.title} data-tour="timeline">
+      <Head />
+      {isShown &&
+        (live !== null ? (
+          <LiveTimeline id={live} />
+        ) : open !== null ? (
+          <OpenedTimeline id={open.id} timeline={open.timeline} />
+        ) : (
+          <p class="timeline-empty">{words.empty}</p>
+        ))}
+      {open !== null && live === null && <EditOf id={open.id} timeline={open.timeline} />}
+    </section>
+  );
+}

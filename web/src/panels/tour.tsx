@@ -1,0 +1,134 @@
+import { useEffect } from "preact/hooks";
+import { computed, signal } from "@preact/signals";
+import { isController, scene } from "../studio";
+import { texts } from "../texts";
+import { Button } from "../ui/buttons";
+import { isTourKnown, showPanel } from "./page";
+import * as deeds from "./tour_deeds";
+
+interface Step {
+  name: string;
+  /** Absent: the user says when to go on. */
+  deed?: deeds.Deed;
+  /** What it is about: the element with this data-tour. */
+  about?: string;
+}
+
+const STEPS: Step[] = [
+  { name: "welcome" },
+  { name: "look", deed: deeds.lookedAround },
+  { name: "grasp", deed: deeds.grasped, about: "objects" },
+  { name: "lift", deed: deeds.lifted, about: "nudge" },
+  { name: "turn", deed: deeds.turned, about: "turn" },
+  { name: "stack", deed: deeds.stacked, about: "release" },
+  { name: "record", deed: deeds.recording, about: "record" },
+  { name: "act", deed: deeds.released, about: "timeline" },
+  { name: "undo", deed: deeds.undone, about: "undo" },
+  { name: "finish", deed: deeds.finished, about: "record" },
+  { name: "end" },
+];
+/** So long one is told that it was well done. */
+const PRAISE_MS = 1100;
+
+const { tour: words } = texts;
+const at = signal<number | null>(null);
+const isPraised = signal(false);
+const step = computed(() => (at.value === null ? null : (STEPS[at.value] ?? null)));
+
+export function startTour(): void {
+  isPraised.value = false;
+  at.value = 0;
+}
+
+function leave(): void {
+  at.value = null;
+  isTourKnown.value = true;
+}
+
+function next(): void {
+  isPraised.value = false;
+  if (at.value === null) return;
+  if (at.value + 1 < STEPS.length) at.value += 1;
+  else leave();
+}
+
+/** Watches for the deed of the step, praises it, and goes on. */
+function useDeed(): void {
+  useEffect(() => {
+    const deed = step.value?.deed;
+    if (!deed) return;
+    let timer = 0;
+    const stop = deed(() => {
+      if (timer !== 0) return;
+      isPraised.value = true;
+      timer = window.setTimeout(next, PRAISE_MS);
+    });
+    return () => {
+      stop();
+      clearTimeout(timer);
+    };
+  }, [step.value]);
+}
+
+/** What the step is about is marked on the page. */
+function useMark(): void {
+  useEffect(() => {
+    const name = step.value?.about;
+    if (name === "objects") showPanel("objects");
+    if (name === "nudge" || name === "turn" || name === "release") showPanel("hands");
+    const style = document.createElement("style");
+    if (name) style.textContent = `[data-tour="${name}"] { outline: 3px solid var(--accent); outline-offset: 3px; }`;
+    document.head.append(style);
+    return () => style.remove();
+  }, [step.value]);
+}
+
+function useFirstStart(): void {
+  const isThere = scene.value !== null;
+  useEffect(() => {
+    if (isThere && !isTourKnown.value) startTour();
+  }, [isThere]);
+}
+
+function TourButtons({ now }: { now: Step }) {
+  if (now.name === "welcome") {
+    return (
+      <>
+        <Button label={words.later} onClick={leave} />
+        <Button label={words.begin} kind="accent" onClick={next} />
+      </>
+    );
+  }
+  if (!now.deed) return <Button label={words.done} kind="accent" onClick={next} />;
+  return (
+    <>
+      <Button label={words.leave} kind="quiet" onClick={leave} />
+      <Button label={words.skip} onClick={next} />
+    </>
+  );
+}
+
+/** Two minutes with a block: every step waits for the deed itself. */
+export function Tour() {
+  useFirstStart();
+  useDeed();
+  useMark();
+  const now = step.value;
+  if (now === null) return null;
+  const [title, sentence] = words.steps[now.name]!;
+  const number = at.value!;
+  return (
+    <section class="tour" role="region" aria-label={words.title}>
+      <div class="tour-words" role="status">
+        <small>{words.step(number + 1, STEPS.length)}</small>
+        <h2>{isPraised.value ? words.well : title}</h2>
+        <p>{sentence}</p>
+        {now.deed && !isController.value && <p class="trouble">{words.needsControl}</p>}
+      </div>
+      <progress aria-hidden="true" value={number} max={STEPS.length - 1} />
+      <div class="row end">
+        <TourButtons now={now} />
+      </div>
+    </section>
+  );
+}

@@ -1,0 +1,12 @@
+import { signal, type ReadonlySignal } from "@preact/signals";
+
+function media(query: string): ReadonlySignal<boolean> {
+  const list = matchMedia(query);
+  const matches = signal(list.matches);
+  list.addEventListener("change", () => (matches.value = list.matches));
+  return matches;
+}
+
+/** Panels are sheets here; studio.css has the same width. */
+export const isSmall = media("(max-width: 760px)");
+export const prefersDark = media("(prefers-color-scheme: dark)");

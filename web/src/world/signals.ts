@@ -1,0 +1,26 @@
+import { computed, signal } from "@preact/signals";
+import type { Point } from "../protocol";
+import { currentHand, state } from "../studio";
+
+export type Preset = "front" | "robot" | "top" | "left" | "right";
+
+/** How fast pictures come while something moves [1/s]. */
+export const fps = signal(0);
+export const isLowDetail = signal(false);
+/** The object under the mouse. */
+export const hovered = signal<string | null>(null);
+/** What was asked for a menu, and where on the page [px]; whoever draws it sets it back to null. */
+export const contextMenu = signal<{
+  x: number;
+  y: number;
+  object: string;
+  part: string | null;
+  point: Point;
+} | null>(null);
+/** Of the plane in which the current hand drags, from the x axis [degrees]. */
+export const planeAngle = computed(() => state.value?.hands[currentHand.value].plane ?? 0);
+/** Whether to show where a released object will rest. */
+export const guides = signal(true);
+export const cameraKind = signal<Preset | "free">("front");
+/** False where the browser has no WebGL2: all but the world works. */
+export const canDraw = signal(true);

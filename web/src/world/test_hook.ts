@@ -1,0 +1,56 @@
+import { fps, isLowDetail } from "./signals";
+import type { Latency } from "./latency";
+import { Models } from "./models";
+import type { Picker } from "./pick";
+import type { Axis, Rings } from "./rings";
+import type { Stage } from "./stage";
+
+/** What tests in a browser have to know of the world, which is but a picture to them. It only reads. */
+export interface TestHook {
+  /** Where on the page the middle of an object is [px]; null where there is none, or nothing of it is to be seen. */
+  screenPointOf(objectId: string): { x: number; y: number } | null;
+  /** Where on the page a ring is that turns the held object about "x", "y" or "z" [px]. */
+  ringPointOf(axis: "x" | "y" | "z", degrees: number): { x: number; y: number } | null;
+  /** Where the object is drawn: x, y, z [units]. */
+  placeOf(objectId: string): number[] | null;
+  fps(): number;
+  /** From commands to the poses they caused, the last ones, oldest first [ms]. */
+  lastLatencies(): number[];
+  stats(): { calls: number; triangles: number; isLowDetail: boolean; isShown: boolean };
+}
+
+declare global {
+  interface Window {
+    smileStudio?: TestHook;
+  }
+}
+
+export interface WhatTestsRead {
+  stage: Stage;
+  models: Models;
+  picker: Picker;
+  rings: Rings;
+  latency: Latency;
+}
+
+export function provideTestHook({ stage, models, picker, rings, latency }: WhatTestsRead): void {
+  window.smileStudio = {
+    screenPointOf(objectId) {
+      const ball = Models.ballAbout(models.piecesOf(objectId));
+      return ball && picker.toPage(ball.center);
+    },
+    ringPointOf(axis, degrees) {
+      if (!rings.root.visible) return null;
+      return picker.toPage(rings.pointOn("xyz".indexOf(axis) as Axis, degrees));
+    },
+    placeOf: (objectId) => models.groupOf(objectId)?.position.toArray() ?? null,
+    fps: () => fps.value,
+    lastLatencies: () => [...latency.recent],
+    stats: () => ({
+      calls: stage.counts.calls,
+      triangles: stage.counts.triangles,
+      isLowDetail: isLowDetail.value,
+      isShown: models.root.visible,
+    }),
+  };
+}

@@ -1,0 +1,238 @@
+import { type PerspectiveCamera, Vector3 } from "three";
+import { cameraKind, type Preset } from "./signals";
+
+const FIELD_OF_VIEW = 45;
+const ROBOTS_FIELD_OF_VIEW = 60; // [degrees]
+const EASE_SECONDS = 0.11;
+const LOWEST = -0.1;
+const HIGHEST = Math.PI / 2 - 0.002; // [rad]
+const FLY_SPEED = 1; // [m/s]
+const LOOK_SPEED = 1; // [rad/s]
+const ORBIT_PER_PIXEL = 0.006; // [rad]
+
+/** Where the camera is: on a ball about what it looks at. */
+class View {
+  target = new Vector3();
+  distance = 10;
+  /** Of the camera seen from the target, from the x axis [rad]. */
+  azimuth = 0;
+  elevation = 0.5;
+  /** From top to bottom [degrees]. */
+  angle = FIELD_OF_VIEW;
+
+  copy(other: View): void {
+    this.target.copy(other.target);
+    this.distance = other.distance;
+    this.azimuth = other.azimuth;
+    this.elevation = other.elevation;
+    this.angle = other.angle;
+  }
+
+  get away(): Vector3 {
+    const level = Math.cos(this.elevation);
+    return new Vector3(
+      level * Math.cos(this.azimuth),
+      level * Math.sin(this.azimuth),
+      Math.sin(this.elevation),
+    );
+  }
+
+  get eye(): Vector3 {
+    return this.away.multiplyScalar(this.distance).add(this.target);
+  }
+
+  lookFrom(eye: Vector3, target: Vector3): void {
+    const away = eye.clone().sub(target);
+    this.target.copy(target);
+    this.distance = away.length();
+    this.azimuth = Math.atan2(away.y, away.x);
+    this.elevation = Math.asin(away.z / this.distance);
+  }
+}
+
+const stillness = matchMedia("(prefers-reduced-motion: reduce)");
+
+/** People's camera: goes around, along and nearer; moves to places gently. */
+export class ViewCamera {
+  private readonly wanted = new View();
+  private readonly shown = new View();
+  private unitsPerMeter = 10;
+  private tableDepth = 12;
+  private hasRobot = false;
+  private readonly flying = new Vector3();
+  private readonly looking = { yaw: 0, pitch: 0 };
+
+  constructor(
+    private readonly camera: PerspectiveCamera,
+    private readonly onChange: () => void,
+  ) {}
+
+  setTable(unitsPerMeter: number, tableDepth: number, hasRobot: boolean): void {
+    this.unitsPerMeter = unitsPerMeter;
+    this.tableDepth = tableDepth;
+    this.hasRobot = hasRobot;
+  }
+
+  /** The robot stands where y is low, its head before the table's edge; the front is opposite. */
+  show(preset: Preset, isSudden = false): void {
+    const m = this.unitsPerMeter;
+    const half = this.tableDepth / 2;
+    const middle = new Vector3(0, -0.12 * m, 0.12 * m);
+    const beforeHead = new Vector3(0, -half + 0.04 * m, 0.96 * m);
+    const besideTable = new Vector3(0, -half - 0.6 * m, 1.4 * m);
+    const places: Record<Preset, [Vector3, Vector3]> = {
+      front: [new Vector3(0.55 * m, half + 1.15 * m, 1.05 * m), new Vector3(0, -0.3 * m, 0.22 * m)],
+      robot: [this.hasRobot ? beforeHead : besideTable, new Vector3(0, 0.09 * m, 0)],
+      top: [new Vector3(0, -0.001 * m, 2.3 * m), new Vector3(0, 0, 0)],
+      left: [new Vector3(-2.1 * m, -0.12 * m, 0.8 * m), middle],
+      right: [new Vector3(2.1 * m, -0.12 * m, 0.8 * m), middle],
+    };
+    this.wanted.lookFrom(...places[preset]);
+    this.wanted.elevation = Math.min(this.wanted.elevation, HIGHEST);
+    this.wanted.angle = preset === "robot" ? ROBOTS_FIELD_OF_VIEW : FIELD_OF_VIEW;
+    cameraKind.value = preset;
+    this.goThere(isSudden);
+  }
+
+  /** Looks at a ball, as near as shows it well. */
+  focus(center: Vector3, radius: number): void {
+    this.wanted.target.copy(center);
+    this.wanted.distance = Math.max(6 * radius, 0.4 * this.unitsPerMeter);
+    this.moveFreely();
+    this.goThere(false);
+  }
+
+  orbit(right: number, down: number): void {
+    this.wanted.azimuth -= right * ORBIT_PER_PIXEL;
+    this.wanted.elevation = clamp(this.wanted.elevation + down * ORBIT_PER_PIXEL, LOWEST, HIGHEST);
+    this.moveFreely();
+    this.goThere(true);
+  }
+
+  /** What is seen at the target's depth follows the pointer. */
+  pan(right: number, down: number, height: number): void {
+    const angle = (this.camera.fov * Math.PI) / 360;
+    const perPixel = (2 * this.wanted.distance * Math.tan(angle)) / height;
+    const sideways = new Vector3().setFromMatrixColumn(this.camera.matrix, 0);
+    const upwards = new Vector3().setFromMatrixColumn(this.camera.matrix, 1);
+    this.wanted.target.addScaledVector(sideways, -right * perPixel);
+    this.wanted.target.addScaledVector(upwards, down * perPixel);
+    this.moveFreely();
+    this.goThere(true);
+  }
+
+  /** Towards a point, or what is looked at. */
+  zoom(factor: number, point: Vector3 | null, isSudden = false): void {
+    const before = this.wanted.distance;
+    this.wanted.distance = clamp(before * factor, 0.08 * this.unitsPerMeter, 12 * this.unitsPerMeter);
+    if (point) this.wanted.target.sub(point).multiplyScalar(this.wanted.distance / before).add(point);
+    this.moveFreely();
+    this.goThere(isSudden);
+  }
+
+  /** Around a vertical axis through a point: what faced the camera still does. */
+  turnAbout(point: Vector3, angle: number): void {
+    this.wanted.target.sub(point).applyAxisAngle(new Vector3(0, 0, 1), angle).add(point);
+    this.wanted.azimuth += angle;
+    this.moveFreely();
+    this.goThere(false);
+  }
+
+  /** Forward, to the left, up: each -1, 0 or 1, until told otherwise. */
+  fly(axis: "x" | "y" | "z", way: number): void {
+    this.flying[axis] = way;
+    this.onChange();
+  }
+
+  look(axis: "yaw" | "pitch", way: number): void {
+    this.looking[axis] = way;
+    this.onChange();
+  }
+
+  /** From 0, level, to a right angle, straight down [rad]. */
+  get elevation(): number {
+    return this.shown.elevation;
+  }
+
+  /** Horizontal, to the right of the picture. */
+  get right(): Vector3 {
+    return new Vector3(-Math.sin(this.shown.azimuth), Math.cos(this.shown.azimuth), 0);
+  }
+
+  /** @returns whether it moves on. */
+  update(seconds: number): boolean {
+    this.drive(seconds);
+    const share = stillness.matches ? 1 : 1 - Math.exp(-seconds / EASE_SECONDS);
+    const { shown, wanted } = this;
+    shown.target.lerp(wanted.target, share);
+    shown.distance += (wanted.distance - shown.distance) * share;
+    shown.azimuth += turnBetween(shown.azimuth, wanted.azimuth) * share;
+    shown.elevation += (wanted.elevation - shown.elevation) * share;
+    shown.angle += (wanted.angle - shown.angle) * share;
+    const isThere =
+      shown.target.distanceTo(wanted.target) < 1e-3 * wanted.distance &&
+      Math.abs(shown.distance - wanted.distance) < 1e-3 * wanted.distance &&
+      Math.abs(turnBetween(shown.azimuth, wanted.azimuth)) < 1e-3 &&
+      Math.abs(shown.elevation - wanted.elevation) < 1e-3;
+    if (isThere) shown.copy(wanted);
+    this.place();
+    return !isThere || this.isDriven;
+  }
+
+  private get isDriven(): boolean {
+    return this.flying.lengthSq() > 0 || this.looking.yaw !== 0 || this.looking.pitch !== 0;
+  }
+
+  private drive(seconds: number): void {
+    if (!this.isDriven) return;
+    const { wanted } = this;
+    const eye = wanted.eye;
+    wanted.azimuth += this.looking.yaw * LOOK_SPEED * seconds;
+    wanted.elevation = clamp(
+      wanted.elevation - this.looking.pitch * LOOK_SPEED * seconds,
+      LOWEST,
+      HIGHEST,
+    );
+    wanted.target.copy(eye).addScaledVector(wanted.away, -wanted.distance);
+    const step = FLY_SPEED * this.unitsPerMeter * seconds;
+    const ahead = new Vector3(-Math.cos(wanted.azimuth), -Math.sin(wanted.azimuth), 0);
+    const left = new Vector3(-ahead.y, ahead.x, 0);
+    wanted.target.addScaledVector(ahead, this.flying.x * step);
+    wanted.target.addScaledVector(left, this.flying.y * step);
+    wanted.target.z += this.flying.z * step;
+    this.moveFreely();
+    this.shown.copy(wanted);
+  }
+
+  private moveFreely(): void {
+    const farthest = 6 * this.unitsPerMeter;
+    this.wanted.target.clampLength(0, farthest);
+    cameraKind.value = "free";
+  }
+
+  private goThere(isSudden: boolean): void {
+    if (isSudden) this.shown.copy(this.wanted);
+    this.place();
+    this.onChange();
+  }
+
+  private place(): void {
+    this.camera.position.copy(this.shown.eye);
+    this.camera.lookAt(this.shown.target);
+    if (this.camera.fov !== this.shown.angle) {
+      this.camera.fov = this.shown.angle;
+      this.camera.updateProjectionMatrix();
+    }
+    this.camera.updateMatrixWorld();
+  }
+}
+
+function clamp(value: number, low: number, high: number): number {
+  return Math.min(Math.max(value, low), high);
+}
+
+/** The short way round [rad]. */
+function turnBetween(from: number, to: number): number {
+  const turn = (to - from) % (2 * Math.PI);
+  return turn > Math.PI ? turn - 2 * Math.PI : turn < -Math.PI ? turn + 2 * Math.PI : turn;
+}

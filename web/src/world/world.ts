@@ -1,0 +1,258 @@
+import { effect } from "@preact/signals";
+import { handColors } from "../colors";
+import { listenToKeys } from "../keys";
+import type { Poses } from "../protocol";
+import { currentHand, heldObject, isController, looks, poseListeners, scene, state } from "../studio";
+import { Aids } from "./aids";
+import { DetailKeeper } from "./detail";
+import { Hands } from "./hands";
+import { actionsOf } from "./key_actions";
+import { Markers } from "./markers";
+import { Marks } from "./marks";
+import { Models } from "./models";
+import { Picker, type PointerAt } from "./pick";
+import { Pointers } from "./pointers";
+import { nameOf, Rings } from "./rings";
+import { canDraw, contextMenu, guides, hovered, isLowDetail, type Preset } from "./signals";
+import { Stage } from "./stage";
+import { provideTestHook } from "./test_hook";
+import { ViewCamera } from "./view_camera";
+
+export * from "./signals";
+
+/** The world as the rest of the page has it. */
+export interface World {
+  showPreset(name: Preset): void;
+  /** The id of an object, or "robot". */
+  focus(objectId: string): void;
+  setLowDetail(mode: "auto" | "low" | "high"): void;
+  /** Of the current hand. */
+  turnPlane(deltaDegrees: number): void;
+  dispose(): void;
+}
+
+/** Draws the world in there, and lets people reach into it; `canDraw` tells whether that works. */
+export function mountWorld(host: HTMLElement): World {
+  canDraw.value = document.createElement("canvas").getContext("webgl2") !== null;
+  if (canDraw.value) return new DrawnWorld(host);
+  return { showPreset() {}, focus() {}, setLowDetail() {}, turnPlane() {}, dispose() {} };
+}
+
+class DrawnWorld implements World {
+  private readonly stage: Stage;
+  private readonly models = new Models(() => this.redraw(true));
+  private readonly camera: ViewCamera;
+  private readonly picker: Picker;
+  private readonly rings = new Rings();
+  private readonly marks = new Marks();
+  private readonly markers = new Markers();
+  private readonly hands: Hands;
+  private readonly aids: Aids;
+  private readonly pointers: Pointers;
+  private readonly detail = new DetailKeeper(
+    (isLow) => this.setDetail(isLow),
+    (isCoarse) => this.setCoarse(isCoarse),
+  );
+  private readonly tag = document.createElement("output");
+  private readonly quit: (() => void)[] = [];
+  private frame = 0;
+  private askedAt = 0;
+  private lastDrawn = 0;
+  private hasMoved = true;
+  private hoverAt: PointerAt | null = null;
+  private isStarted = false;
+  /** What of the last state is to be seen, beside what moves. */
+  private seenState = "";
+
+  constructor(private readonly host: HTMLElement) {
+    this.stage = new Stage(host, () => this.resized());
+    isLowDetail.value = this.stage.isLow;
+    this.models.setDetail(this.stage.isLow);
+    this.camera = new ViewCamera(this.stage.camera, () => this.redraw());
+    this.picker = new Picker(this.stage, this.models);
+    this.hands = new Hands(
+      this.picker,
+      this.rings,
+      this.camera,
+      (object) => this.models.groupOf(object)?.position.clone() ?? null,
+      () => this.redraw(),
+    );
+    this.aids = new Aids(this.models, this.picker, this.rings, this.hands, () => this.redraw());
+    this.pointers = new Pointers(host, this.picker, this.hands, this.camera, (at) => this.hover(at));
+    this.stage.scene.add(this.models.root, this.aids.root, this.marks.root, this.markers.root);
+    this.styleTag();
+    this.listen();
+    this.resized();
+    const { stage, models, picker, rings, hands } = this;
+    provideTestHook({ stage, models, picker, rings, latency: hands.latency });
+  }
+
+  showPreset(name: Preset): void {
+    this.camera.show(name);
+  }
+
+  focus(objectId: string): void {
+    const isRobot = objectId === "robot" && this.models.groupOf(objectId) === null;
+    const pieces = isRobot
+      ? this.models.pieces.filter((piece) => this.models.isOfRobot(piece))
+      : this.models.piecesOf(objectId);
+    const ball = Models.ballAbout(pieces);
+    if (ball) this.camera.focus(ball.center, ball.radius);
+  }
+
+  setLowDetail(mode: "auto" | "low" | "high"): void {
+    this.detail.setMode(mode);
+  }
+
+  turnPlane(deltaDegrees: number): void {
+    this.hands.turnPlane(deltaDegrees);
+  }
+
+  dispose(): void {
+    cancelAnimationFrame(this.frame);
+    for (const end of this.quit) end();
+    this.detail.dispose();
+    this.pointers.dispose();
+    this.tag.remove();
+    this.stage.dispose();
+  }
+
+  private listen(): void {
+    const takePoses = (poses: Poses) => {
+      const held = heldObject.value;
+      this.hands.latency.take(poses, held === null ? null : this.models.frameNumberOf(held));
+      this.models.take(poses);
+    };
+    poseListeners.add(takePoses);
+    this.quit.push(
+      () => poseListeners.delete(takePoses),
+      effect(() => this.load()),
+      effect(() => this.models.setLooks(looks.value)),
+      effect(() => this.takeState()),
+      effect(() => void [currentHand.value, hovered.value, guides.value, isController.value, this.redraw()]),
+      effect(() => this.writeTag()),
+      listenToKeys(
+        actionsOf(this.hands, this.camera, this.pointers, (object) => this.focus(object)),
+      ),
+      listenToControl((isDown) => this.hands.setControl(isDown)),
+    );
+  }
+
+  private load(): void {
+    const news = scene.value;
+    if (news === null) return;
+    const unitsPerMeter = 1 / news.metersPerUnit;
+    for (const part of [this.stage, this.aids, this.hands, this.markers]) part.setScale(unitsPerMeter);
+    this.camera.setTable(unitsPerMeter, news.table.size[1], news.robotFrame !== null);
+    this.models.load(news);
+    hovered.value = null;
+    contextMenu.value = null;
+    if (!this.isStarted) this.camera.show(news.robotFrame === null ? "robot" : "front", true);
+    this.isStarted = true;
+  }
+
+  private takeState(): void {
+    const news = state.value;
+    if (news === null) return;
+    this.models.setGone(news.gone);
+    this.models.setRobotShown(news.robot?.shown ?? true);
+    const seen = JSON.stringify([news.hands, news.mode, news.markers]);
+    if (seen === this.seenState) return;
+    this.seenState = seen;
+    this.markers.show(news.markers);
+    this.redraw();
+  }
+
+  private hover(at: PointerAt | null): void {
+    this.hoverAt = at;
+    if (at === null) hovered.value = null;
+    this.redraw();
+  }
+
+  /** What the mouse is on, once a picture. */
+  private lookUnderMouse(): void {
+    if (this.hoverAt === null || this.pointers.isBusy) return;
+    const picked = this.picker.pick(this.hoverAt);
+    const ring = this.hands.ringUnder(this.hoverAt, picked);
+    this.rings.hovered = ring?.axis ?? null;
+    hovered.value = (ring === null && picked?.object) || null;
+    const isGrip = ring !== null || (hovered.value !== null && hovered.value === heldObject.value);
+    this.host.style.cursor = isGrip ? "grab" : hovered.value !== null ? "pointer" : "";
+    this.hoverAt = null;
+  }
+
+  private setDetail(isLow: boolean): void {
+    this.stage.setDetail(isLow);
+    this.models.setDetail(isLow);
+  }
+
+  private setCoarse(isCoarse: boolean): void {
+    this.stage.setCoarse(isCoarse);
+    if (!isCoarse) this.redraw();
+  }
+
+  private resized(): void {
+    const { width, height } = this.stage;
+    for (const part of [this.marks, this.aids]) part.setSize(width, height);
+    this.redraw();
+  }
+
+  /** Draws once more, when it is time: nothing is drawn while nothing changes. */
+  private redraw(hasMoved = false): void {
+    this.hasMoved ||= hasMoved;
+    if (this.frame !== 0) return;
+    this.askedAt = performance.now();
+    this.frame = requestAnimationFrame(() => this.draw());
+  }
+
+  private draw(): void {
+    this.frame = 0;
+    const now = performance.now();
+    const seconds = Math.min(0.1, (now - this.lastDrawn) / 1000);
+    this.lastDrawn = now;
+    this.detail.note(this.askedAt, now);
+    const isCameraMoving = this.camera.update(seconds);
+    this.models.follow(seconds);
+    const hasMoved = this.hasMoved || this.models.moved.size > 0;
+    this.models.root.updateMatrixWorld();
+    this.lookUnderMouse();
+    this.marks.update(this.models, this.stage.camera);
+    this.aids.update(this.stage.camera, this.hasMoved);
+    this.hasMoved = false;
+    if (hasMoved) this.stage.shadowsMoved();
+    this.stage.draw();
+    if (isCameraMoving || this.models.isMoving) this.redraw();
+  }
+
+  /** How far a ring is turned. */
+  private styleTag(): void {
+    this.tag.style.cssText =
+      "position:absolute;transform:translate(18px,-34px);padding:2px 8px;border-radius:6px;" +
+      "background:#151a22e0;color:#fff;font:600 14px system-ui,sans-serif;pointer-events:none;" +
+      `border-left:4px solid ${handColors.any}`;
+    this.host.append(this.tag);
+  }
+
+  private writeTag(): void {
+    const turning = this.hands.turning.value;
+    this.tag.hidden = turning === null;
+    if (turning === null) return;
+    const box = this.host.getBoundingClientRect();
+    const { x, y } = this.picker.toPage(this.rings.root.position);
+    this.tag.textContent = `${nameOf(turning.axis)} ${turning.degrees > 0 ? "+" : ""}${turning.degrees}°`;
+    this.tag.style.left = `${x - box.left}px`;
+    this.tag.style.top = `${y - box.top}px`;
+  }
+}
+
+function listenToControl(set: (isDown: boolean) => void): () => void {
+  const listener = (event: KeyboardEvent) => {
+    if (event.key === "Control") set(event.type === "keydown");
+  };
+  window.addEventListener("keydown", listener);
+  window.addEventListener("keyup", listener);
+  return () => {
+    window.removeEventListener("keydown", listener);
+    window.removeEventListener("keyup", listener);
+  };
+}

@@ -11,7 +11,7 @@ seconds=${1:-600}
 [[ $seconds =~ ^[1-9][0-9]*$ ]] || { say "usage: tools/fuzz.sh [SECONDS]"; exit 2; }
 install_packages test
 cd "$project"
-build fuzz
+build asan smile_fuzzers
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 # A small quarantine, so that the limit is about our memory, not about that of the sanitizer.
@@ -44,7 +44,7 @@ fail() {
 
 # replay SUBJECT CORPUS FILE...: copies those that are taken well to CORPUS, to begin with.
 replay() {
-  local program=build/fuzz/bin/smile_$1_fuzzer corpus=$2 file
+  local program=build/asan/bin/smile_$1_fuzzer corpus=$2 file
   shift 2
   # Nearly always all is well; else one process for each, so that one finding does not hide the next.
   if "$program" "${limits[@]}" -artifact_prefix="$scratch/" "$@" >"$scratch/log" 2>&1; then
@@ -70,7 +70,7 @@ fuzz() {
   mapfile -t files < <(find "$seeds" "tests/fuzz/corpus/$subject" "$found" -type f | sort)
   replay "$subject" "$corpus" "${files[@]}"
   if [[ -f tests/fuzz/$subject.dict ]]; then options+=(-dict="tests/fuzz/$subject.dict"); fi
-  if ! "build/fuzz/bin/smile_${subject}_fuzzer" "${limits[@]}" "${options[@]}" -max_len=65536 \
+  if ! "build/asan/bin/smile_${subject}_fuzzer" "${limits[@]}" "${options[@]}" -max_len=65536 \
       -max_total_time="$seconds" -print_final_stats=1 -artifact_prefix="$new/" \
       "$corpus" >"$log" 2>&1; then
     fail "$log"
@@ -85,7 +85,7 @@ fuzz() {
        "$((findings - before)) findings"
 }
 
-for target in build/fuzz/bin/smile_*_fuzzer; do
+for target in build/asan/bin/smile_*_fuzzer; do
   subject=${target##*/smile_}
   fuzz "${subject%_fuzzer}"
 done

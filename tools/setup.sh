@@ -51,7 +51,7 @@ install_packages() {
     apt-get install -y --no-install-recommends "${missing[@]}"
 }
 
-# build PRESET [TARGET...]: configures once, then builds what changed.
+# build PRESET [TARGET...]: configures anew when the presets have changed, then builds what changed.
 build() {
   local preset=$1 dir="$project/build/$1" targets=()
   shift
@@ -59,9 +59,9 @@ build() {
   mkdir -p "$dir"
   exec 9>"$dir/.lock"
   flock 9
-  if [[ ! -f $dir/build.ninja ]]; then
+  if [[ ! -f $dir/build.ninja || $project/CMakePresets.json -nt $dir/build.ninja ]]; then
     say "configuring ($preset)"
-    (cd "$project" && quietly "configuring" cmake --preset "$preset")
+    (cd "$project" && quietly "configuring" cmake --fresh --preset "$preset")
   fi
   if [[ ! -f $dir/.built ]]; then say "building ($preset); the first time takes a few minutes"; fi
   (cd "$project" && quietly "building" cmake --build --preset "$preset" "${targets[@]}")

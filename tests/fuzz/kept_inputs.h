@@ -17,7 +17,7 @@ class KeptInputs : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
     // Under the address sanitizer, whose shadow is larger than any limit, CMakeLists.txt sets one.
-#ifndef __SANITIZE_ADDRESS__
+#ifndef SMILE_ADDRESS_SANITIZED
     constexpr rlimit kLimit{2'000'000'000, 2'000'000'000};
     ASSERT_EQ(setrlimit(RLIMIT_AS, &kLimit), 0);
 #endif

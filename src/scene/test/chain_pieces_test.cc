@@ -32,7 +32,7 @@ TEST(ChainPieces, AreTwoFixedCubesAndThenTheLinks) {
   for (int i : {0, 1}) {
     EXPECT_TRUE(pieces[i].is_static());
     EXPECT_EQ(std::get<Block>(pieces[i].whole.shape), (Block{{0.01, 0.01, 0.01}}));
-    EXPECT_EQ(pieces[i].whole.color, Color(1, 1, 1));
+    EXPECT_EQ(pieces[i].whole.color, (Color{1, 1, 1}));
     EXPECT_EQ(
         pieces[i].descriptions,
         (std::vector<Description>{

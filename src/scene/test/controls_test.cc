@@ -18,7 +18,7 @@ Part PanelWithAllControls() {
       .downstream = {"lamps"}};
   const IndicatorLights lamps{
       .num_lights = 3,
-      .states = {{"off", {}}, {"two", {{0, Color(1, 0, 0)}, {2, Color(0, 1, 0)}}}}};
+      .states = {{"off", {}}, {"two", {{0, Color{1, 0, 0}}, {2, Color{0, 1, 0}}}}}};
   const Part inner{.X_PE = RigidTransform(Vector3(0, 0, 1)),
                    .shape = Composite{{{.id = "dial", .shape = dial}, {.shape = Sphere{}}}}};
   return {.shape = Composite{{{.id = "switch", .shape = ToggleSwitch{.num_states = 4}},

@@ -31,7 +31,7 @@ TEST(ControlReader, ReadsASwitchWithAllItSays) {
       kAtOrigin + " angle='20' leftPressed='false' numStates='3' initState='2' color='red'>" +
       "<downstream id='S'/></toggleSwitch></composite>"));
   const scene::Part& part = *scene::ControlsOf(scene.objects[0].whole).at(0);
-  EXPECT_EQ(part.color, Color(1, 0, 0));
+  EXPECT_EQ(part.color, (Color{1, 0, 0}));
   EXPECT_EQ(std::get<scene::ToggleSwitch>(part.shape),
             (scene::ToggleSwitch{.size = {0.17, 0.1, 0.05},
                                  .angle = DegreesToRadians(20),

@@ -54,7 +54,7 @@ TEST(SceneFormatPage, ShowsATemplateThatWorks) {
   const scene::SceneSpec scene = MustRead(SceneText(shown));
   ASSERT_EQ(scene.objects.size(), 2u);
   EXPECT_EQ(scene.objects[1].id(), "Step2");
-  EXPECT_EQ(scene.objects[1].whole.color, Color(1, 0, 0));
+  EXPECT_EQ(scene.objects[1].whole.color, (Color{1, 0, 0}));
   EXPECT_EQ(scene.objects[1].pose_in_world().translation().z(), 0.025);
 }
 

@@ -8,6 +8,8 @@
 #include <cstdlib>
 #include <memory>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "app/commands.h"
 #include "app/exit_code.h"
@@ -24,6 +26,7 @@ namespace {
 
 struct StudioCommand {
   std::string scene, recordings = "recordings", address = "127.0.0.1";
+  std::vector<std::string> brains;
   int port = 0;
   double rate = 4;
   bool no_open = false, no_pictures = false;
@@ -62,6 +65,7 @@ int RunStudio(const StudioCommand& options) {
                   .recordings = options.recordings,
                   .recording = {.frames_per_second = options.rate},
                   .eye = options.no_pictures ? nullptr : &eye,
+                  .brains = {options.brains.begin(), options.brains.end()},
                   .is_ending = &IsInterrupted};
   plan.server = {.address = options.address, .port = options.port, .page = PageFolder()};
   studio::Studio studio(std::move(plan));
@@ -96,6 +100,10 @@ void AddStudio(CLI::App* program, ExitAnswer answer) {
   studio->add_option("--recordings", options->recordings, "where recordings are kept")
       ->capture_default_str()
       ->check(NotEmpty());
+  studio
+      ->add_option("--brains", options->brains,
+                   "folders with robot programs of your own, offered before those we ship")
+      ->check(CLI::ExistingDirectory);
   studio->add_flag("--no-pictures", options->no_pictures,
                    "recordings without the robot's pictures, and no view of its eye");
   studio->add_option("--rate", options->rate, "pictures per second of recordings")

@@ -1,10 +1,9 @@
 // Robot programs that are started from the page.
 
 import assert from "node:assert/strict";
-import { mkdirSync, mkdtempSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
+import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { fileURLToPath } from "node:url";
 import { after, before, test } from "node:test";
 import { Browser } from "./workbench.mjs";
 
@@ -22,22 +21,17 @@ const RESTS = `def step(sensor, motor, aux):
     aux.exit = True
 `;
 
-const OURS = fileURLToPath(new URL("../../python/smile", import.meta.url));
-
-/** A folder in which the program finds these robot programs as if they had come with it. */
+/** A folder with these robot programs. */
 function brains(t, programs) {
-  const data = mkdtempSync(join(tmpdir(), "smile-data-"));
-  t.after(() => rmSync(data, { recursive: true }));
-  const folder = join(data, "python", "examples");
-  mkdirSync(folder, { recursive: true });
-  symlinkSync(OURS, join(data, "python", "smile"));
+  const folder = mkdtempSync(join(tmpdir(), "smile-brains-"));
+  t.after(() => rmSync(folder, { recursive: true }));
   for (const [name, text] of Object.entries(programs)) writeFileSync(join(folder, `${name}.py`), text);
-  return data;
+  return folder;
 }
 
 test("a robot program runs, its error tells its line, and an imitation its score", async (t) => {
-  const data = brains(t, { stumbles: STUMBLES, rests: RESTS });
-  const { page, witness, person } = await browser.workplace(t, { environment: { SMILE_DATA_DIR: data } });
+  const folder = brains(t, { stumbles: STUMBLES, rests: RESTS });
+  const { page, witness, person } = await browser.workplace(t, { studio: ["--brains", folder] });
   await person.showPanel("Brain");
   const program = page.getByRole("combobox", { name: "Program" });
   await program.selectOption("stumbles.py");

@@ -32,12 +32,11 @@ export function replay(recording) {
 
 /** A running studio. `close()` ends it and takes its recordings away. */
 export class Studio {
-  static async start(words = [], environment = {}) {
+  static async start(words = []) {
     const folder = mkdtempSync(join(tmpdir(), "smile-studio-"));
     const recordings = join(folder, "recordings");
     const child = spawn(SMILE, ["studio", ...words, "--no-open", "--recordings", recordings], {
       stdio: ["ignore", "pipe", "pipe"],
-      env: { ...process.env, ...environment },
     });
     const link = await firstLink(child);
     return new Studio(child, link, folder, recordings);
@@ -88,8 +87,8 @@ export class Browser {
   }
 
   /** A studio, a person at its page, and a witness; at the end of the test all go, and the page has not complained. */
-  async workplace(t, { studio: words = [], page: options = {}, likes = {}, environment = {} } = {}) {
-    const studio = await Studio.start(words, environment);
+  async workplace(t, { studio: words = [], page: options = {}, likes = {} } = {}) {
+    const studio = await Studio.start(words);
     t.after(() => studio.close());
     const witness = await Witness.of(studio);
     const page = await this.open(studio, options, likes);

@@ -168,7 +168,8 @@ TEST_F(SessionTest, ScenesThatWereUsedCanBeComposedAnew) {
   Begin();
   for (const std::string name : {"controls", "dock", "lidbox", "screws", "strings", "valve"}) {
     Do(R"({"do":"load","scene":")" + name + "\"}");
-    for (const Json& object : Scene()["objects"]) {
+    const Json scene = Scene();
+    for (const Json& object : scene["objects"]) {
       for (const Json& control : object["controls"]) {
         (void)AskWith(
             {{"do", "command"},

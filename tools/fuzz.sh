@@ -16,7 +16,8 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 # A small quarantine, so that the limit is about our memory, not about that of the sanitizer.
 export ASAN_OPTIONS=quarantine_size_mb=16
-limits=(-timeout=5 -rss_limit_mb=500)
+# Sanitizers are slow, and machines busy: what takes this long hangs.
+limits=(-timeout=20 -rss_limit_mb=500)
 findings=0
 
 # seeds_of SUBJECT DIRECTORY: puts what the project itself ships there, the way the target takes it.

@@ -70,7 +70,16 @@ test("nothing serious stands in anybody's way, in light and in dark", async (t) 
     await page.waitForFunction((theme) => document.documentElement.dataset.theme === theme, colorScheme);
   }
 
+  /** Colors on their way to others are nobody's fault. */
+  async function settle() {
+    await page.evaluate(() => {
+      const moving = document.getAnimations().filter((one) => one.effect?.getComputedTiming().endTime !== Infinity);
+      return Promise.allSettled(moving.map((one) => one.finished)).then(() => undefined);
+    });
+  }
+
   async function look(options) {
+    await settle();
     return page.evaluate((how) => window.axe.run(document, how).then(({ violations }) => violations), {
       resultTypes: ["violations"],
       ...options,

@@ -3,6 +3,8 @@
 const CLOSE = 0.04; // [units]
 const CLEARANCE = 0.8; // [units]
 const MAX_CORRECTIONS = 12;
+const MAX_CLICKS = 5;
+const CLICK_MS = 2000; // for a click to reach the program, and its news to come back
 
 /** Whoever sits before a page. The witness is told what the program says; the page is what is clicked. */
 export class Person {
@@ -38,8 +40,13 @@ export class Person {
     await this.page.mouse.click(x, y, options);
   }
 
+  /** The page may just be making room for a panel: then the click goes past the object, and another follows. */
   async grasp(id) {
-    await this.click(await this.pointOf(id));
+    for (let k = 0; k < MAX_CLICKS && !this.witness.isHeld(id); ++k) {
+      await this.look();
+      await this.click(await this.pointOf(id));
+      await this.witness.within(CLICK_MS, () => this.witness.isHeld(id));
+    }
     await this.witness.until(() => this.witness.isHeld(id), `${id} is in a hand`);
   }
 

@@ -210,10 +210,16 @@ export class Witness {
 
   /** Waits until something holds; else fails and tells what was awaited. */
   async until(holds, what = holds.toString()) {
-    const deadline = Date.now() + PATIENCE_MS;
+    if (!(await this.within(PATIENCE_MS, holds))) throw new Error(`this never came: ${what}`);
+  }
+
+  /** Whether something came to hold in this time. */
+  async within(milliseconds, holds) {
+    const deadline = Date.now() + milliseconds;
     while (!holds()) {
-      if (Date.now() > deadline) throw new Error(`this never came: ${what}`);
+      if (Date.now() > deadline) return false;
       await new Promise((resolve) => setTimeout(resolve, 20));
     }
+    return true;
   }
 }

@@ -5,6 +5,7 @@
 
 #include "base/files.h"
 #include "base/wording.h"
+#include "studio/gallery.h"
 #include "studio/internal_session.h"
 #include "studio/present_scene.h"
 #include "studio/presets.h"
@@ -15,14 +16,6 @@ namespace {
 /// A scene that came from a page is no larger: it is read while people wait.
 constexpr int kMaxObjects = 2'000, kMaxElements = 20'000;
 constexpr std::size_t kMaxText = std::size_t{1} << 20;
-
-/// Letters, digits, `_` and `-`: what names a scene in its folder and nothing else.
-bool IsSceneName(const std::string& name) {
-  return std::ranges::all_of(name, [](char letter) {
-    return (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') ||
-           (letter >= '0' && letter <= '9') || letter == '_' || letter == '-';
-  });
-}
 
 bool OverlapsRobot(const sim::Simulation& simulation, std::size_t first_object) {
   constexpr double kDepth = 0.0005;  // [m]
@@ -38,12 +31,9 @@ bool OverlapsRobot(const sim::Simulation& simulation, std::size_t first_object) 
 }  // namespace
 
 scene::SceneSpec Session::Impl::ReadNamedScene(const std::string& name) const {
-  const std::filesystem::path file = options_.gallery / (name + ".xml");
-  std::error_code error;
-  if (!IsSceneName(name) || !std::filesystem::is_regular_file(file, error)) {
-    throw RequestError("there is no scene " + Quoted(name));
-  }
-  return scene_xml::LoadScene(file, options_.reader);
+  const auto file = Gallery(options_.gallery).FileOf(name);
+  if (!file) throw RequestError("there is no scene " + Quoted(name));
+  return scene_xml::LoadScene(*file, options_.reader);
 }
 
 scene_xml::SceneReading Session::Impl::ReadText(const RequestFields& fields) const {

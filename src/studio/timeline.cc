@@ -1,5 +1,6 @@
 #include "studio/timeline.h"
 
+#include "record/support.h"
 #include "record/time_range.h"
 #include "record/trace_reader.h"
 
@@ -18,15 +19,6 @@ std::vector<SegmentSpan> SpansOnWay(const std::vector<record::HistoryStep>& hist
   return spans;
 }
 
-/// `left hand grasped b03`
-std::string WordsForSeen(const sim::Event& event) {
-  const std::string& what = !event.part.empty()      ? event.part
-                            : !event.control.empty() ? event.control
-                                                     : event.object;
-  const std::string hand = event.hand ? std::string(ToString(*event.hand)) + " hand " : "";
-  return hand + std::string(ToString(event.kind)) + " " + what;
-}
-
 /// Of a recording without commands: what was seen to be done.
 std::vector<SegmentSpan> SpansOfTrace(const record::Recording& recording) {
   record::TraceReader trace(recording);
@@ -36,7 +28,9 @@ std::vector<SegmentSpan> SpansOfTrace(const record::Recording& recording) {
     spans.back().end = moment->tick;
     for (const sim::Event& event : moment->events) {
       if (!record::BeginsSegment(event)) continue;
-      spans.push_back({.words = WordsForSeen(event), .begin = moment->tick, .end = moment->tick});
+      spans.push_back({.words = record::WordsOf(event, std::nullopt),
+                       .begin = moment->tick,
+                       .end = moment->tick});
     }
   }
   return spans;

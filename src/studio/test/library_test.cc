@@ -137,18 +137,11 @@ TEST_F(LibraryTest, KnowsOnlyDirectoriesOfItsOwn) {
 }
 
 TEST_F(LibraryTest, TellsWhatWasDoneInWordsAndWhen) {
-  RecordAs("stack", R"({"hand":"left","do":"grasp","object":"b"}
+  const std::string script = R"({"hand":"left","do":"grasp","object":"b"}
 {"do":"wait","seconds":1}
 {"do":"undo"}
-{"hand":"left","do":"grasp","object":"a"}
-{"hand":"left","do":"move_to","position":[0,-2,3]}
-{"do":"wait","until":"arrived"}
-{"hand":"left","do":"move_to","position":[3,-2,3]}
-{"do":"wait","until":"arrived"}
-{"hand":"left","do":"move_to","position":[3,-2,1.51]}
-{"do":"wait","until":"arrived"}
-{"hand":"left","do":"release"}
-{"do":"wait","seconds":2})");
+)" + std::string(kStackAOnB);
+  RecordAs("stack", script.c_str());
   const Json timeline = library_.TimelineOf("stack");
   const Json& segments = timeline["segments"];
   ASSERT_EQ(segments.size(), 3u) << timeline;

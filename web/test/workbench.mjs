@@ -111,6 +111,13 @@ export class Browser {
         if (localStorage.getItem(key) === null) localStorage.setItem(key, JSON.stringify(value));
       }
     }, { "tour-known": true, ...likes });
+    await context.addInitScript(() => {
+      const look = () => {
+        if (window.smileStudio?.stats().isShown) window.firstPictureAt = performance.now();
+        else requestAnimationFrame(look);
+      };
+      look();
+    });
     const page = await context.newPage();
     page.setDefaultTimeout(PATIENCE_MS);
     page.complaints = [];
@@ -122,7 +129,7 @@ export class Browser {
       if (message.type() === "error" && !isOfSegment) page.complaints.push(`${message.text()} ${url}`);
     });
     await page.goto(studio.link);
-    await page.waitForFunction(() => window.smileStudio?.stats().isShown);
+    await page.waitForFunction(() => window.firstPictureAt !== undefined);
     return page;
   }
 }

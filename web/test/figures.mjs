@@ -1,0 +1,75 @@
+// Measures what the page promises, with a real browser and mouse: npm run figures.
+// Nothing else should run meanwhile. SMILE names the program, build/release is the one to measure.
+
+import { readdirSync, statSync } from "node:fs";
+import { fileURLToPath } from "node:url";
+import { Browser, Witness } from "./workbench.mjs";
+
+const PAGE = fileURLToPath(new URL("../../build/page/", import.meta.url));
+const NUM_LOADS = 7;
+const NUM_MOVES = 300;
+const MOVE_MS = 1000 / 60;
+const WATCHERS = [0, 20];
+
+const browser = new Browser();
+await browser.start();
+try {
+  tellSize();
+  await tellFirstPicture();
+  for (const numWatchers of WATCHERS) await tellDrag(numWatchers);
+} finally {
+  await browser.close();
+}
+
+function tellSize() {
+  const packed = readdirSync(PAGE).filter((name) => name.endsWith(".gz"));
+  const numBytes = packed.reduce((sum, name) => sum + statSync(PAGE + name).size, 0);
+  tell("the page, packed", `${Math.round(numBytes / 1000)} kB`);
+}
+
+/** Each time in a browser that knows nothing yet. */
+async function tellFirstPicture() {
+  const times = [];
+  await atWork({}, async ({ studio }) => {
+    for (let k = 0; k < NUM_LOADS; ++k) {
+      const page = await browser.open(studio);
+      times.push(await page.evaluate(() => window.firstPictureAt));
+      await page.context().close();
+    }
+  });
+  tell("first picture, from the call of the page on", figures(times, "ms"));
+}
+
+/** A block is carried to and fro, as people do, while others watch. */
+async function tellDrag(numWatchers) {
+  await atWork({}, async ({ studio, page, person }) => {
+    for (let k = 0; k < numWatchers; ++k) await Witness.of(studio);
+    await person.grasp("RedBlock");
+    const { x, y } = await person.take("RedBlock");
+    const start = performance.now();
+    for (let k = 0; k < NUM_MOVES; ++k) {
+      await page.mouse.move(x + 60 * Math.sin(k / 20), y - 60 + 60 * Math.cos(k / 20));
+      await new Promise((resolve) => setTimeout(resolve, start + (k + 1) * MOVE_MS - performance.now()));
+    }
+    await page.mouse.up();
+    const [latencies, fps] = await page.evaluate(() => [window.smileStudio.lastLatencies(), window.smileStudio.fps()]);
+    tell(`drag to pose, ${numWatchers} watchers`, `${figures(latencies, "ms")}, ${Math.round(fps)} pictures a second`);
+  });
+}
+
+async function atWork(options, work) {
+  const ends = [];
+  const desk = await browser.workplace({ after: (end) => ends.push(end) }, options);
+  await work(desk);
+  for (const end of ends) await end();
+}
+
+function figures(values, unit) {
+  const sorted = values.toSorted((a, b) => a - b);
+  const quantile = (part) => sorted[Math.min(sorted.length - 1, Math.floor(part * sorted.length))].toFixed(0);
+  return `${quantile(0.5)} ${unit}, p95 ${quantile(0.95)} ${unit}, of ${sorted.length}`;
+}
+
+function tell(what, figure) {
+  console.log(`${what}: ${figure}`);
+}

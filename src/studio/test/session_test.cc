@@ -48,14 +48,16 @@ TEST_F(SessionTest, ADemonstrationIsRecordedAndReplays) {
   const Json recording = State()["recording"];
   EXPECT_EQ(recording["title"], "A on B");
   EXPECT_EQ(recording["segments"].size(), 3u);
-  EXPECT_EQ(recording["segments"][1]["words"], "left hand takes a");
-  EXPECT_EQ(recording["segments"][2]["words"], "left hand puts a on b");
+  EXPECT_EQ(recording["segments"][0]["deed"], nullptr);
+  EXPECT_EQ(recording["segments"][1]["deed"]["do"], "take");
+  EXPECT_EQ(recording["segments"][2]["deed"],
+            Json::parse(R"({"do":"put","hand":"left","what":"a","on":"b"})"));
   EXPECT_TRUE(State()["undo"].get<bool>() && State()["redo"].get<bool>());
   Command(R"({"do":"finish"})");
   EXPECT_TRUE(State()["recording"].is_null());
   const record::Recording kept = record::OpenRecording(root_ / "recordings/take");
   EXPECT_EQ(record::Replay(kept).first_difference, std::nullopt);
-  EXPECT_EQ(record::HistoryOf(kept)[2].words, "left hand puts a on b");
+  EXPECT_EQ(WordsOf(record::HistoryOf(kept)[2]), "left hand puts a on b");
 }
 
 TEST_F(SessionTest, ARecordingIsGoneOnWithFromAnyOfItsSteps) {

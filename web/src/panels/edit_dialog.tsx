@@ -71,7 +71,7 @@ function Effect({ trial }: { trial: Trial }) {
 export function EditDialog(props: {
   kind: EditKind;
   recording: string;
-  segment: { number: number; words: string; seconds: number };
+  segment: { number: number; title: string; seconds: number };
   onClose: () => void;
 }) {
   const { kind, recording, segment } = props;
@@ -113,7 +113,7 @@ export function EditDialog(props: {
   };
   return (
     <Dialog
-      title={kind === "drop" ? words.dropTitle(segment.words) : words.trimTitle(segment.words)}
+      title={kind === "drop" ? words.dropTitle(segment.title) : words.trimTitle(segment.title)}
       onClose={props.onClose}
       actions={
         <>

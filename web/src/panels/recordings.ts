@@ -1,4 +1,5 @@
 import { signal } from "@preact/signals";
+import type { Deed } from "../protocol";
 import { ask, notify, request } from "../studio";
 
 export interface Recording {
@@ -14,8 +15,8 @@ export interface Recording {
 }
 
 export interface Timeline {
-  segments: { number: number; words: string; begin: number; end: number }[];
-  steps: { step: number; parent: number | null; words: string; begin: number; end: number; on_way: boolean }[];
+  segments: { number: number; deed: Deed | null; begin: number; end: number }[];
+  steps: { step: number; parent: number | null; deed: Deed | null; begin: number; end: number; on_way: boolean }[];
   seconds: number;
 }
 

@@ -1,5 +1,6 @@
 import { useEffect, useRef } from "preact/hooks";
 import { signal, useSignal } from "@preact/signals";
+import type { Deed, Segment } from "../protocol";
 import { ask, state } from "../studio";
 import { texts } from "../texts";
 import { Button } from "../ui/buttons";
@@ -18,20 +19,14 @@ const rate = signal(1);
 const moment = signal(0);
 const edited = signal<{ kind: EditKind; segment: number } | null>(null);
 
-interface SegmentShown {
-  number: number;
-  words: string;
-  seconds: number;
-}
-
-function wordsOf(segment: { number: number; words: string }): string {
-  return segment.number === 0 ? words.start : segment.words;
+function wordsOf({ deed }: { deed: Deed | null }): string {
+  return deed === null ? words.start : words.deed(deed);
 }
 
 /** One segment: how it ends, and what it is. */
 function SegmentCard(props: {
   recording: string;
-  segment: SegmentShown;
+  segment: Segment;
   isNow: boolean;
   isChosen: boolean;
   onChoose?: (() => void) | undefined;
@@ -167,7 +162,7 @@ function HistoryButton({ id, timeline }: { id: string; timeline: Timeline }) {
   const entries = timeline.steps.map((step) => {
     const undone = step.on_way ? "" : ` (${words.undone})`;
     return {
-      label: `${step.step}: ${wordsOf({ number: step.step, words: step.words })}${undone}`,
+      label: `${step.step}: ${wordsOf(step)}${undone}`,
       onChoose: () => void branch(id, step.step),
     };
   });
@@ -224,11 +219,11 @@ function OpenedTimeline({ id, timeline }: { id: string; timeline: Timeline }) {
     <>
       <Scrubber id={id} timeline={timeline} />
       <ol class="segments" aria-label={words.segments}>
-        {timeline.segments.map(({ number, words: segmentWords, begin, end }) => (
+        {timeline.segments.map(({ number, deed, begin, end }) => (
           <SegmentCard
             key={number}
             recording={id}
-            segment={{ number, words: segmentWords, seconds: end - begin }}
+            segment={{ number, deed, seconds: end - begin }}
             isNow={now > begin && now <= end}
             isChosen={chosenSegment.value === number}
             onChoose={() => choose(number, end)}
@@ -248,7 +243,7 @@ function EditOf({ id, timeline }: { id: string; timeline: Timeline }) {
       key={`${edit.kind} ${edit.segment}`}
       kind={edit.kind}
       recording={id}
-      segment={{ number: segment.number, words: wordsOf(segment), seconds: segment.end - segment.begin }}
+      segment={{ number: segment.number, title: wordsOf(segment), seconds: segment.end - segment.begin }}
       onClose={() => (edited.value = null)}
     />
   );

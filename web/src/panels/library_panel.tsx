@@ -80,10 +80,13 @@ function RecordingCard({ recording }: { recording: Recording }) {
           <p class="trouble">{recording.error}</p>
         ) : (
           <small>
-            {recording.scene} · {texts.seconds(recording.seconds)} · {words.segments(recording.segments)}
+            {texts.seconds(recording.seconds)} · {words.segments(recording.segments)}
           </small>
         )}
-        <small>{whenMade(recording.made)}</small>
+        <small>
+          {recording.scene && `${recording.scene} · `}
+          {whenMade(recording.made)}
+        </small>
         {recording.notes && <p class="notes">{recording.notes}</p>}
         <div class="row tight">
           {binned ? (

@@ -27,6 +27,7 @@ interface Report {
 /** Longer lists are nobody's reading. */
 const MAX_SENTENCES = 8;
 const PAUSE_MS = 300;
+const TRIM_STEPS = 200;
 
 function sentencesOf(report: Report): string[] {
   const sentences = [
@@ -80,6 +81,8 @@ export function EditDialog(props: {
   const name = useSignal(words.nameOf(titleOf(recording)));
   const trial = useSignal<Trial>({ state: "trying" });
   const isSaving = useSignal(false);
+  /** So that both ends can be reached. */
+  const step = segment.seconds / TRIM_STEPS;
   const edits =
     kind === "drop"
       ? [{ do: "drop", first: segment.number, last: segment.number }]
@@ -136,7 +139,7 @@ export function EditDialog(props: {
             value={from.value}
             min={0}
             max={to.value}
-            step={0.05}
+            step={step}
             digits={2}
             unit="s"
             onInput={(value) => (from.value = value)}
@@ -146,7 +149,7 @@ export function EditDialog(props: {
             value={to.value}
             min={from.value}
             max={segment.seconds}
-            step={0.05}
+            step={step}
             digits={2}
             unit="s"
             onInput={(value) => (to.value = value)}

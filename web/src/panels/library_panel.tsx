@@ -4,8 +4,8 @@ import { texts } from "../texts";
 import { Button } from "../ui/buttons";
 import { Empty, isFound, Picture, SearchField } from "../ui/card";
 import { MenuButton, type MenuEntry } from "../ui/menu";
-import { isPlayback, isRecording, mayControl } from "./now";
-import { renamed, showPanel, toImitate } from "./page";
+import { isRecording, mayControl } from "./now";
+import { isTimelineOpen, renamed, sheet, showPanel, toImitate } from "./page";
 import { opened, openRecording, pictureOfRecording, recordings, refreshRecordings, titleOf, type Recording } from "./recordings";
 
 const { library: words } = texts;
@@ -38,8 +38,15 @@ function download(id: string): void {
   link.click();
 }
 
+/** Its timeline comes to the front, wherever it is. */
+async function open(id: string): Promise<void> {
+  if (opened.value?.id !== id) await openRecording(id);
+  isTimelineOpen.value = true;
+  sheet.value = "timeline";
+}
+
 async function showEnd(recording: Recording): Promise<void> {
-  await openRecording(recording.id);
+  await open(recording.id);
   await ask("show", { recording: recording.id, seconds: recording.seconds });
 }
 
@@ -73,10 +80,13 @@ function RecordingCard({ recording }: { recording: Recording }) {
           <p class="trouble">{recording.error}</p>
         ) : (
           <small>
-            {recording.scene} · {texts.seconds(recording.seconds)} · {words.segments(recording.segments)}
+            {texts.seconds(recording.seconds)} · {words.segments(recording.segments)}
           </small>
         )}
-        <small>{whenMade(recording.made)}</small>
+        <small>
+          {recording.scene && `${recording.scene} · `}
+          {whenMade(recording.made)}
+        </small>
         {recording.notes && <p class="notes">{recording.notes}</p>}
         <div class="row tight">
           {binned ? (
@@ -86,8 +96,8 @@ function RecordingCard({ recording }: { recording: Recording }) {
               <Button
                 label={isOpen ? words.isOpen : words.open}
                 title={words.openWhy}
-                disabled={recording.error !== undefined || (isPlayback.value && isOpen)}
-                onClick={() => void openRecording(id)}
+                disabled={recording.error !== undefined}
+                onClick={() => void open(id)}
               />
               <MenuButton label={words.actions(title)} entries={entriesOf(recording)} />
             </>

@@ -42,9 +42,12 @@ export function recordingOf(id: string): Recording | undefined {
   return recordings.value?.find((recording) => recording.id === id);
 }
 
+/** Without one, what it is called; in the bin it was called otherwise before. */
 export function titleOf(id: string): string {
-  const title = recordingOf(id)?.title ?? "";
-  return title === "" ? id : title;
+  const recording = recordingOf(id);
+  const title = recording?.title ?? "";
+  if (title !== "") return title;
+  return recording?.binned ? id.replace(/~\d+$/, "") : id;
 }
 
 export async function openRecording(id: string): Promise<void> {

@@ -290,6 +290,7 @@ function Snapping() {
   const choices = (Object.keys(words.snaps) as (keyof typeof words.snaps)[]).map((value) => ({
     value,
     label: words.snaps[value],
+    title: words.snapsWhy[value],
   }));
   const toggle = (snap: string) => {
     const now = snaps.value;

@@ -1,5 +1,5 @@
 import { useSignal } from "@preact/signals";
-import { ask, notify } from "../studio";
+import { ask, notify, state } from "../studio";
 import { texts } from "../texts";
 import { Button } from "../ui/buttons";
 import { Empty, isFound, Picture, SearchField } from "../ui/card";
@@ -19,6 +19,7 @@ function whenMade(made: string): string {
 
 async function bin(id: string): Promise<void> {
   const title = titleOf(id);
+  if (state.value?.playback?.recording === id && (await ask("live")) === null) return;
   if ((await ask("bin", { recording: id })) === null) return;
   notify(words.binned(title));
   if (opened.value?.id === id) opened.value = null;
@@ -26,9 +27,10 @@ async function bin(id: string): Promise<void> {
 }
 
 async function takeBack(id: string): Promise<void> {
+  const title = titleOf(id);
   if ((await ask("unbin", { recording: id })) === null) return;
+  notify(words.isBack(title));
   await refreshRecordings();
-  notify(words.isBack(titleOf(id)));
 }
 
 function download(id: string): void {

@@ -1,6 +1,10 @@
 import { signal } from "@preact/signals";
 import type { Deed } from "../protocol";
 import { ask, notify, request } from "../studio";
+import { texts } from "../texts";
+import { holders } from "./now";
+
+const { record: words } = texts;
 
 export interface Recording {
   id: string;
@@ -62,6 +66,10 @@ export async function onRecordingFinished(id: string): Promise<void> {
   pictureAge.value += 1;
   await refreshRecordings();
   await openRecording(id);
+  const held = Object.keys(holders.value)[0];
+  const title = titleOf(id);
+  if (recordingOf(id)?.segments === 1) notify(words.keptEmpty(title));
+  else notify(held === undefined ? words.kept(title) : words.keptHeld(title, held));
 }
 
 export function pictureOfRecording(id: string): string {

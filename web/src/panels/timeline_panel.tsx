@@ -114,13 +114,21 @@ function Scrubber({ id, timeline }: { id: string; timeline: Timeline }) {
   );
 }
 
+/** What was played to its end begins anew, a chosen segment or all; else it goes on from the moment. */
+function beginOfPlay({ segments, seconds }: Timeline): number {
+  const chosen = segments.find(({ number }) => number === chosenSegment.value);
+  const isAt = (end: number) => Math.abs(moment.value - end) < 0.05;
+  if (chosen !== undefined && isAt(chosen.end)) return chosen.begin;
+  return isAt(seconds) ? 0 : moment.value;
+}
+
 function PlayButtons({ id, timeline }: { id: string; timeline: Timeline }) {
   const playback = state.value?.playback ?? null;
   const isShown = playback?.recording === id;
   const isPlaying = isShown && playback.rate > 0;
   const play = async () => {
-    const isAtEnd = moment.value > timeline.seconds - 0.05;
-    if (!isShown || isAtEnd) await ask("show", { recording: id, seconds: isAtEnd ? 0 : moment.value });
+    const begin = beginOfPlay(timeline);
+    if (!isShown || begin !== moment.value) await ask("show", { recording: id, seconds: begin });
     await ask("play", { rate: rate.value });
   };
   const chooseRate = (next: number) => {
@@ -181,6 +189,7 @@ function EditButtons({ id, timeline }: { id: string; timeline: Timeline }) {
   const isBlocked = !mayControl.value || chosen === null;
   const edit = (kind: EditKind) => () => chosen !== null && (edited.value = { kind, segment: chosen });
   const here = stepAt(timeline, moment.value);
+  const why = (sentence: string) => (chosen === null ? words.chooseFirst : sentence);
   return (
     <>
       <Button
@@ -190,8 +199,8 @@ function EditButtons({ id, timeline }: { id: string; timeline: Timeline }) {
         disabled={!mayControl.value || here === null}
         onClick={() => here && void branch(id, here.step, here.after)}
       />
-      <Button label={words.trim} icon="cut" disabled={isBlocked} onClick={edit("trim")} />
-      <Button label={words.drop} icon="trash" disabled={isBlocked} onClick={edit("drop")} />
+      <Button label={words.trim} icon="cut" title={why(words.trimWhy)} disabled={isBlocked} onClick={edit("trim")} />
+      <Button label={words.drop} icon="trash" title={why(words.dropWhy)} disabled={isBlocked} onClick={edit("drop")} />
       <HistoryButton id={id} timeline={timeline} />
     </>
   );

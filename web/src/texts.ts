@@ -165,6 +165,8 @@ export const texts = {
   menu: { trigger: "Trigger", point: "Point to", fasten: "Fasten", loosen: "Loosen", title: (object: string) => `What to do with ${object}` },
   menuReasons: {
     noControl: "It is no part of a control",
+    lights: "Lights follow other controls",
+    isDown: "It is pressed already",
     handFull: "Only with an empty hand",
     noBonds: "It has nothing to fasten",
     onlyHeld: "Only of what the hand holds",

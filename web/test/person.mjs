@@ -1,4 +1,4 @@
-// What a person does at the page, with a real mouse: looks, moves, looks again.
+// What a person does at the page, with a real mouse or real fingers: looks, moves, looks again.
 
 const CLOSE = 0.04; // [units]
 const CLEARANCE = 0.8; // [units]
@@ -6,10 +6,73 @@ const MAX_CORRECTIONS = 12;
 const MAX_CLICKS = 5;
 const CLICK_MS = 2000; // for a click to reach the program, and its news to come back
 
+/** What a person points with. */
+export class Mouse {
+  constructor({ mouse }) {
+    this.mouse = mouse;
+  }
+
+  async press({ x, y }) {
+    await this.mouse.move(x, y);
+    await this.mouse.down();
+  }
+
+  async moveTo({ x, y }) {
+    await this.mouse.move(x, y, { steps: 4 });
+  }
+
+  async lift() {
+    await this.mouse.up();
+  }
+
+  async click({ x, y }, options) {
+    await this.mouse.move(x, y);
+    await this.mouse.click(x, y, options);
+  }
+}
+
+/** Fingers on a touch screen; what is told of them is where all of them are. */
+export class Fingers {
+  static async on(page) {
+    return new Fingers(await page.context().newCDPSession(page));
+  }
+
+  constructor(screen) {
+    this.screen = screen;
+    this.at = [];
+  }
+
+  async press(...points) {
+    await this.tell("touchStart", points);
+  }
+
+  /** In few steps: a finger that hardly moves for half a second asks for a menu. */
+  async moveTo(...points) {
+    const half = points.map(({ x, y }, k) => ({ x: (this.at[k].x + x) / 2, y: (this.at[k].y + y) / 2 }));
+    await this.tell("touchMove", half);
+    await this.tell("touchMove", points);
+  }
+
+  async lift() {
+    await this.tell("touchEnd", []);
+  }
+
+  async click(point) {
+    await this.press(point);
+    await this.lift();
+  }
+
+  async tell(type, points) {
+    this.at = points;
+    const touchPoints = points.map(({ x, y }, id) => ({ x, y, id }));
+    await this.screen.send("Input.dispatchTouchEvent", { type, touchPoints });
+  }
+}
+
 /** Whoever sits before a page. The witness is told what the program says; the page is what is clicked. */
 export class Person {
-  constructor(page, witness) {
-    Object.assign(this, { page, witness });
+  constructor(page, witness, pointer = new Mouse(page)) {
+    Object.assign(this, { page, witness, pointer });
   }
 
   button(name, within = this.page) {
@@ -35,27 +98,47 @@ export class Person {
     return this.page.evaluate((place) => window.smileStudio.screenPlaceOf(place), point);
   }
 
-  async click({ x, y }, options) {
-    await this.page.mouse.move(x, y);
-    await this.page.mouse.click(x, y, options);
+  async click(point, options) {
+    await this.pointer.click(point, options);
   }
 
-  /** The page may just be making room for a panel: then the click goes past the object, and another follows. */
-  async grasp(id) {
-    for (let k = 0; k < MAX_CLICKS && !this.witness.isHeld(id); ++k) {
+  /**
+   * Takes an object, with this hand or any. The page may just be making room for a panel: then the
+   * click goes past the object, and another follows.
+   */
+  async grasp(id, hand = null) {
+    const isIt = () => (hand === null ? this.witness.isHeld(id) : this.witness.state.hands[hand].object === id);
+    for (let k = 0; k < MAX_CLICKS && !isIt(); ++k) {
       await this.look();
       await this.click(await this.pointOf(id));
-      await this.witness.within(CLICK_MS, () => this.witness.isHeld(id));
+      await this.witness.within(CLICK_MS, isIt);
     }
-    await this.witness.until(() => this.witness.isHeld(id), `${id} is in a hand`);
+    await this.witness.until(isIt, `${id} is in ${hand ?? "a"} hand`);
   }
 
-  /** Puts the mouse onto what is held, and presses. */
+  /** The menu of what is at a place of the world, by a right click. */
+  async menuAt(place) {
+    await this.look();
+    await this.click(await this.placeOnPage(place), { button: "right" });
+    return this.openMenu();
+  }
+
+  async openMenu() {
+    const menu = this.page.getByRole("menu", { name: /^What to do with/ });
+    await menu.waitFor();
+    return menu;
+  }
+
+  entry(name, menu) {
+    return menu.getByRole("menuitem", { name: new RegExp(`^${name}`) });
+  }
+
+  /** Puts mouse or finger onto what is held, and presses. */
   async take(id) {
-    const { x, y } = await this.pointOf(id);
-    await this.page.mouse.move(x, y);
-    await this.page.mouse.down();
-    return { x, y };
+    await this.look();
+    const point = await this.pointOf(id);
+    await this.pointer.press(point);
+    return point;
   }
 
   /**
@@ -63,17 +146,18 @@ export class Person {
    * which it moves: [x, y, z], null where it does not matter.
    */
   async dragTo(id, wanted) {
-    let mouse = await this.take(id);
+    let at = null;
     for (let k = 0; k < MAX_CORRECTIONS; ++k) {
       const place = await this.restOf(id);
       const goal = wanted.map((value, axis) => value ?? place[axis]);
       if (Math.hypot(...goal.map((value, axis) => value - place[axis])) < CLOSE) {
-        await this.page.mouse.up();
+        if (at !== null) await this.pointer.lift();
         return;
       }
       const [from, to] = [await this.placeOnPage(place), await this.placeOnPage(goal)];
-      mouse = { x: mouse.x + to.x - from.x, y: mouse.y + to.y - from.y };
-      await this.page.mouse.move(mouse.x, mouse.y, { steps: k === 0 ? 8 : 2 });
+      at ??= await this.take(id);
+      at = { x: at.x + to.x - from.x, y: at.y + to.y - from.y };
+      await this.pointer.moveTo(at);
       await this.look();
     }
     throw new Error(`${id} does not come to ${wanted}`);
@@ -85,13 +169,13 @@ export class Person {
     for (let k = 0; k < 2; ++k) await this.page.evaluate(picture);
   }
 
-  /** Where the hand wants a held object, as soon as that stays the same. */
-  async restOf(id) {
+  /** Where the hand wants a held object, as soon as that stays the same for so long. */
+  async restOf(id, milliseconds = 150) {
     const read = () => JSON.stringify(this.witness.handOf(id)?.place ?? null);
     let [before, since] = [null, 0];
     await this.witness.until(() => {
       if (read() !== before) [before, since] = [read(), Date.now()];
-      return before !== "null" && Date.now() - since > 150;
+      return before !== "null" && Date.now() - since > milliseconds;
     }, `${id} is held still`);
     return JSON.parse(before);
   }
@@ -113,14 +197,9 @@ export class Person {
   /** Takes hold of the ring about an axis at one angle and drags it to another [degrees]. */
   async turnRing(axis, from, to) {
     const pointAt = (degrees) => this.page.evaluate(([a, d]) => window.smileStudio.ringPointOf(a, d), [axis, degrees]);
-    const begin = await pointAt(from);
-    await this.page.mouse.move(begin.x, begin.y);
-    await this.page.mouse.down();
-    for (let degrees = from; degrees <= to; degrees += 10) {
-      const { x, y } = await pointAt(degrees);
-      await this.page.mouse.move(x, y);
-    }
-    await this.page.mouse.up();
+    await this.pointer.press(await pointAt(from));
+    for (let degrees = from; degrees <= to; degrees += 10) await this.pointer.moveTo(await pointAt(degrees));
+    await this.pointer.lift();
   }
 
   async release() {

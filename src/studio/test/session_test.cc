@@ -196,6 +196,21 @@ TEST_F(SessionTest, ScenesThatWereUsedCanBeComposedAnew) {
   }
 }
 
+// A nut and a plate with holes wait for screws: they cannot be fastened themselves.
+TEST_F(SessionTest, OnlyWhatGoesIntoHolesIsOfferedToBeFastened) {
+  const std::filesystem::path scenes = root_ / "scenes";
+  WriteFile(scenes / "screws.xml", ReadFile(DataFile("scenes/screws.xml"), 1 << 20));
+  std::filesystem::copy(DataFile("scenes/parts"), scenes / "parts");
+  Begin();
+  Do(R"({"do":"load","scene":"screws"})");
+  const Json scene = Scene();
+  std::vector<std::string> offered;
+  for (const Json& object : scene["objects"]) {
+    if (object["bonds"].get<bool>()) offered.push_back(object["id"]);
+  }
+  EXPECT_EQ(offered, (std::vector<std::string>{"BrassScrew", "SteelScrew"}));
+}
+
 TEST_F(SessionTest, WhatIsShownCannotBeGrasped) {
   Begin();
   Command(R"({"do":"start","name":"take"})");

@@ -300,6 +300,19 @@ TEST_F(SessionTest, DragsSnapToWhatIsNear) {
   EXPECT_NEAR(State()["hands"]["left"]["goal"][0].get<double>(), 3.1, 1e-4);
 }
 
+TEST_F(SessionTest, LevelDragsSnapToTwoSidesAndKeepTheirHeight) {
+  Begin();
+  Do(R"({"do":"snap","to":["faces","edges"]})");
+  Command(R"({"do":"grasp","hand":"left","object":"a","point":[0,-2,0.5]})");
+  // Through the table at (3.1, -3.1): before b, nearly flush with it, nearly touching.
+  Command(
+      R"({"do":"drag","hand":"left","origin":[3.1,-3.1,9.5],"direction":[0,0,-1],"level":true})");
+  const Json goal = State()["hands"]["left"]["goal"];
+  EXPECT_NEAR(goal[0].get<double>(), 3, 1e-4);
+  EXPECT_NEAR(goal[1].get<double>(), -3, 1e-4);
+  EXPECT_EQ(goal[2], 0.5);
+}
+
 TEST_F(SessionTest, TheEyeShowsWhatIsRecordedAndRestsWhenNothingMoves) {
   record::PaintedEye eye;
   Begin(&eye);
@@ -474,14 +487,19 @@ TEST(Snapping, NeverChangesMoreThanItMay) {
       return scene::Bounds{.low = -half, .high = half};
     };
     const Matrix3 R = RotationFromFixedAxes({0, 0, random() % 2 == 0 ? 0 : number(180)});
-    const Carried carried{.bounds = bounds(), .X_WB = {R, point(0.3)}, .plane_deg = number(180)};
+    const Carried carried{.bounds = bounds(),
+                          .X_WB = {R, point(0.3)},
+                          .plane_deg = number(180),
+                          .is_level = random() % 2 == 0};
     const std::vector<Neighbour> neighbours = {{bounds(), RigidTransform(point(0.3))},
                                                {bounds(), RigidTransform(R, point(0.3))}};
     const Vector3 shift = SnapShift(snap, carried, neighbours, 0.1);
     EXPECT_LE(shift.norm(), kSnapUnits * 0.1 + 1e-12);
     // It stays in its plane.
     const double angle = DegreesToRadians(carried.plane_deg);
-    EXPECT_NEAR(shift.dot(Vector3(-std::sin(angle), std::cos(angle), 0)), 0, 1e-12);
+    EXPECT_NEAR(shift.dot(carried.is_level ? Vector3(0, 0, 1)
+                                           : Vector3(-std::sin(angle), std::cos(angle), 0)),
+                0, 1e-12);
     if (shift != Vector3::Zero()) ++num_changed;
     const Matrix3 R_wanted = RotationFromFixedAxes(point(180));
     const Matrix3 R_snapped = SnapTurn(snap, RotationFromFixedAxes(point(180)), R_wanted);

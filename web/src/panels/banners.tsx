@@ -33,7 +33,7 @@ function Disconnected() {
 }
 
 function Busy() {
-  if (progress.value === null) return null;
+  if (progress.value === null || openDialogs.value.length > 0) return null;
   const { what, done, total } = progress.value;
   return (
     <div class="banner busy">

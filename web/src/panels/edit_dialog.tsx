@@ -1,6 +1,6 @@
 import { useEffect } from "preact/hooks";
 import { useSignal } from "@preact/signals";
-import { ask, notify, request } from "../studio";
+import { ask, notify, progress, request } from "../studio";
 import { texts } from "../texts";
 import { Button } from "../ui/buttons";
 import { Dialog } from "../ui/dialog";
@@ -50,6 +50,7 @@ function Effect({ trial }: { trial: Trial }) {
     return (
       <p class="hint">
         <span class="spinner" /> {words.trying}
+        {progress.value && <progress aria-label={words.trying} value={progress.value.done} max={progress.value.total} />}
       </p>
     );
   }

@@ -10,11 +10,12 @@ import { opened, openRecording, pictureOfRecording, recordings, refreshRecording
 
 const { library: words } = texts;
 
-/** When it was made, as people here write it; whatever cannot be read as a time stays as it is. */
+/** When it was made, as people here write it, but short; whatever cannot be read as a time stays as it is. */
 function whenMade(made: string): string {
   const time = new Date(made);
   if (Number.isNaN(time.getTime())) return made;
-  return time.toLocaleString(undefined, { month: "short", day: "numeric", hour: "2-digit", minute: "2-digit" });
+  const fields = { month: "short", day: "numeric", hour: "2-digit", minute: "2-digit", hourCycle: "h23" } as const;
+  return time.toLocaleString(undefined, fields);
 }
 
 async function bin(id: string): Promise<void> {

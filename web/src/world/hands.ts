@@ -240,9 +240,9 @@ export class Hands {
       if (!point || point.length() > REACH * this.unitsPerMeter) return null;
       place = point;
       this.sentGoal = { point, hand, when: performance.now() };
-      if (normal.z > 0.5) return { hand, do: "move_to", position: rounded(point) };
       const origin = ray.origin.add(offset);
-      return { hand, do: "drag", origin: rounded(origin), direction: rounded(ray.direction) };
+      const level = normal.z > 0.5;
+      return { hand, do: "drag", origin: rounded(origin), direction: rounded(ray.direction), level };
     };
     const move = () => {
       if (isHeld && latest !== last) this.moves.want(step);

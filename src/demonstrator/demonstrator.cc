@@ -15,6 +15,7 @@ namespace {
 /// As one thing, of which is said what it holds.
 std::string NameOf(HandName hand) {
   if (hand == HandName::kBoth) return "the pair of hands";
+  if (hand == HandName::kAny) return "the hand 'any'";
   return "the " + std::string(ToString(hand)) + " hand";
 }
 

@@ -10,6 +10,9 @@
 namespace smile::studio {
 namespace {
 
+/// What is nearer than this to the middle of what is turned may be what it shall be parallel to.
+constexpr double kNearUnits = 2;
+
 /// The best way to follow what is asked for, within a plane: along one direction, and along
 /// another at right angles to it.
 class Shift {
@@ -117,13 +120,10 @@ Matrix3 NearestRightAngle(const Matrix3& R) {
   return nearest;
 }
 
-/// Everything near but what this hand carries; the table, too.
-std::vector<Neighbour> NeighboursOf(const LiveWorld& world, physics::BodyId held) {
+/// Every object but what this hand carries.
+std::vector<Neighbour> ObjectsBeside(const LiveWorld& world, physics::BodyId held) {
   const sim::Simulation& simulation = world.simulation();
-  const scene::TableSpec& table = simulation.scene().table;
-  const Vector3 half(table.x_span / 2, table.y_span / 2, 0);
-  std::vector<Neighbour> neighbours{
-      {.bounds = {.low = -half - Vector3(0, 0, table.thickness), .high = half}, .X_WB = {}}};
+  std::vector<Neighbour> neighbours;
   const auto& objects = simulation.tabletop().objects();
   for (std::size_t i = 0; i < objects.size(); ++i) {
     if (objects[i].body == held || !simulation.tabletop().IsPresent(objects[i])) continue;
@@ -132,6 +132,34 @@ std::vector<Neighbour> NeighboursOf(const LiveWorld& world, physics::BodyId held
                           .X_WB = simulation.physics().body(objects[i].body).pose_in_world()});
   }
   return neighbours;
+}
+
+/// The table, too.
+std::vector<Neighbour> NeighboursOf(const LiveWorld& world, physics::BodyId held) {
+  const scene::TableSpec& table = world.simulation().scene().table;
+  const Vector3 half(table.x_span / 2, table.y_span / 2, 0);
+  std::vector<Neighbour> neighbours = ObjectsBeside(world, held);
+  neighbours.push_back(
+      {.bounds = {.low = -half - Vector3(0, 0, table.thickness), .high = half}, .X_WB = {}});
+  return neighbours;
+}
+
+/// Of the table and of the object nearest to what a hand turns.
+std::vector<Matrix3> FramesNear(const LiveWorld& world, const demonstrator::Hand& hand) {
+  const Vector3 p_WB = hand.X_WB_goal.translation();
+  std::vector<Matrix3> frames{Matrix3::Identity()};
+  double least = kNearUnits * world.simulation().scene().meters_per_unit;
+  std::optional<Matrix3> nearest;
+  for (const Neighbour& neighbour : ObjectsBeside(world, hand.held)) {
+    const Vector3 p_NB = neighbour.X_WB.inverse() * p_WB;
+    const Vector3 within = p_NB.cwiseMax(neighbour.bounds.low).cwiseMin(neighbour.bounds.high);
+    const double distance = (p_NB - within).norm();
+    if (distance >= least) continue;
+    least = distance;
+    nearest = neighbour.X_WB.rotation();
+  }
+  if (nearest) frames.push_back(*nearest);
+  return frames;
 }
 
 sim::Command SnappedDrag(const SnapTo& snap, const LiveWorld& world, const sim::Drag& drag) {
@@ -161,7 +189,7 @@ sim::Command SnappedRotate(const SnapTo& snap, const LiveWorld& world, const sim
   if (!hand.is_holding()) return rotate;
   const Matrix3& R_before = hand.X_WB_goal.rotation();
   const Matrix3 R_wanted = RotationFromFixedAxes(rotate.angles_deg) * R_before;
-  const Matrix3 R_snapped = SnapTurn(snap, R_before, R_wanted);
+  const Matrix3 R_snapped = SnapTurn(snap, R_before, R_wanted, FramesNear(world, hand));
   if (R_snapped == R_wanted) return rotate;
   return sim::Rotate{.hand = rotate.hand,
                      .angles_deg = FixedAxesAngles(Matrix3(R_snapped * R_before.transpose()))};
@@ -202,12 +230,19 @@ Vector3 SnapShift(const SnapTo& snap, const Carried& carried, std::span<const Ne
   return shift.Get();
 }
 
-Matrix3 SnapTurn(const SnapTo& snap, const Matrix3& R_before, const Matrix3& R_wanted) {
+Matrix3 SnapTurn(const SnapTo& snap, const Matrix3& R_before, const Matrix3& R_wanted,
+                 std::span<const Matrix3> frames) {
   if (!snap.angles) return R_wanted;
-  const Matrix3 R_right = NearestRightAngle(R_wanted);
-  const double left = DegreesBetween(R_wanted, R_right);
-  const bool comes_nearer = left < DegreesBetween(R_before, R_right);
-  return left < kSnapDegrees && comes_nearer ? R_right : R_wanted;
+  Matrix3 R_snapped = R_wanted;
+  double least = kSnapDegrees;
+  for (const Matrix3& R_WF : frames) {
+    const Matrix3 R_right = R_WF * NearestRightAngle(R_WF.transpose() * R_wanted);
+    const double left = DegreesBetween(R_wanted, R_right);
+    if (left >= least || left >= DegreesBetween(R_before, R_right)) continue;
+    least = left;
+    R_snapped = R_right;
+  }
+  return R_snapped;
 }
 
 sim::Command Snapped(const SnapTo& snap, const LiveWorld& world, const sim::Command& command) {

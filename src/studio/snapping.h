@@ -16,7 +16,7 @@ struct SnapTo {
   bool faces = false;   ///< sides of neighbours, to touch them
   bool edges = false;   ///< sides and middles of neighbours, to be flush with them
   bool grid = false;    ///< multiples of half a unit
-  bool angles = false;  ///< right angles
+  bool angles = false;  ///< right angles to the table and to what is nearest
 
   bool operator==(const SnapTo&) const = default;
 };
@@ -47,9 +47,12 @@ struct Carried {
 Vector3 SnapShift(const SnapTo& snap, const Carried& carried, std::span<const Neighbour> neighbours,
                   double meters_per_unit);
 
-/// Where a turn to `R_wanted` ends: at a right angle if that is less than kSnapDegrees away and
-/// nearer than it was before, so that small turns lead away from it, too.
-Matrix3 SnapTurn(const SnapTo& snap, const Matrix3& R_before, const Matrix3& R_wanted);
+/// Where a turn to `R_wanted` ends: at a right angle to one of `frames` if that is less than
+/// kSnapDegrees away and nearer than it was before, so that small turns lead away from it, too. Of
+/// several the nearest.
+/// @param frames  rotations in the world, of the table and of things nearby.
+Matrix3 SnapTurn(const SnapTo& snap, const Matrix3& R_before, const Matrix3& R_wanted,
+                 std::span<const Matrix3> frames);
 
 /// The command that a drag or a turn means when it snaps; other commands as they are.
 sim::Command Snapped(const SnapTo& snap, const LiveWorld& world, const sim::Command& command);

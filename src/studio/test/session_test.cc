@@ -3,11 +3,9 @@
 #include <random>
 
 #include "../../record/test/painted_eye.h"
-#include "math/angles.h"
 #include "record/recording_history.h"
 #include "record/replay.h"
 #include "session_fixture.h"
-#include "studio/snapping.h"
 
 namespace smile::studio {
 namespace {
@@ -286,33 +284,6 @@ TEST_F(SessionTest, TellsWhereTheGraspedPointIsWantedAndWhereTheOriginIsThen) {
   EXPECT_EQ(hand["place"], Json({1.0, -2.0, 2.5}));
 }
 
-TEST_F(SessionTest, DragsSnapToWhatIsNear) {
-  Begin();
-  Do(R"({"do":"snap","to":["faces","edges"]})");
-  Command(R"({"do":"grasp","hand":"left","object":"a","point":[0,-2,0.5]})");
-  // Through the plane at (3.1, 1.6): nearly flush on top of b.
-  Command(R"({"do":"drag","hand":"left","origin":[3.1,-20,1.6],"direction":[0,1,0]})");
-  const Json goal = State()["hands"]["left"]["goal"];
-  EXPECT_NEAR(goal[0].get<double>(), 3, 1e-4);
-  EXPECT_NEAR(goal[2].get<double>(), 1.5, 1e-4);
-  Do(R"({"do":"snap","to":[]})");
-  Command(R"({"do":"drag","hand":"left","origin":[3.1,-20,1.6],"direction":[0,1,0]})");
-  EXPECT_NEAR(State()["hands"]["left"]["goal"][0].get<double>(), 3.1, 1e-4);
-}
-
-TEST_F(SessionTest, LevelDragsSnapToTwoSidesAndKeepTheirHeight) {
-  Begin();
-  Do(R"({"do":"snap","to":["faces","edges"]})");
-  Command(R"({"do":"grasp","hand":"left","object":"a","point":[0,-2,0.5]})");
-  // Through the table at (3.1, -3.1): before b, nearly flush with it, nearly touching.
-  Command(
-      R"({"do":"drag","hand":"left","origin":[3.1,-3.1,9.5],"direction":[0,0,-1],"level":true})");
-  const Json goal = State()["hands"]["left"]["goal"];
-  EXPECT_NEAR(goal[0].get<double>(), 3, 1e-4);
-  EXPECT_NEAR(goal[1].get<double>(), -3, 1e-4);
-  EXPECT_EQ(goal[2], 0.5);
-}
-
 TEST_F(SessionTest, TheEyeShowsWhatIsRecordedAndRestsWhenNothingMoves) {
   record::PaintedEye eye;
   Begin(&eye);
@@ -468,53 +439,6 @@ TEST_F(SessionTest, NoRequestHowEverStrangeDoesHarm) {
   }
   Do(R"({"do":"resume"})");
   EXPECT_TRUE(std::filesystem::is_directory(root_ / "scenes"));
-}
-
-TEST(Snapping, NeverChangesMoreThanItMay) {
-  std::mt19937_64 random(3);
-  const auto number = [&random](double high) {
-    return high * (static_cast<double>(random() >> 11) * 0x1.0p-52 - 1);
-  };
-  const auto point = [&](double high) { return Vector3(number(high), number(high), number(high)); };
-  int num_changed = 0;
-  for (int i = 0; i < 2000; ++i) {
-    const SnapTo snap{.faces = random() % 2 == 0,
-                      .edges = random() % 2 == 0,
-                      .grid = random() % 2 == 0,
-                      .angles = true};
-    const auto bounds = [&] {
-      const Vector3 half = point(0.1).cwiseAbs();
-      return scene::Bounds{.low = -half, .high = half};
-    };
-    const Matrix3 R = RotationFromFixedAxes({0, 0, random() % 2 == 0 ? 0 : number(180)});
-    const Carried carried{.bounds = bounds(),
-                          .X_WB = {R, point(0.3)},
-                          .plane_deg = number(180),
-                          .is_level = random() % 2 == 0};
-    const std::vector<Neighbour> neighbours = {{bounds(), RigidTransform(point(0.3))},
-                                               {bounds(), RigidTransform(R, point(0.3))}};
-    const Vector3 shift = SnapShift(snap, carried, neighbours, 0.1);
-    EXPECT_LE(shift.norm(), kSnapUnits * 0.1 + 1e-12);
-    // It stays in its plane.
-    const double angle = DegreesToRadians(carried.plane_deg);
-    EXPECT_NEAR(shift.dot(carried.is_level ? Vector3(0, 0, 1)
-                                           : Vector3(-std::sin(angle), std::cos(angle), 0)),
-                0, 1e-12);
-    if (shift != Vector3::Zero()) ++num_changed;
-    const Matrix3 R_wanted = RotationFromFixedAxes(point(180));
-    const Matrix3 R_snapped = SnapTurn(snap, RotationFromFixedAxes(point(180)), R_wanted);
-    EXPECT_LE(Eigen::AngleAxisd(Matrix3(R_snapped.transpose() * R_wanted)).angle(),
-              DegreesToRadians(kSnapDegrees) + 1e-9);
-  }
-  EXPECT_GT(num_changed, 200);
-}
-
-TEST(Snapping, SmallTurnsLeadAwayFromARightAngle) {
-  const SnapTo snap{.angles = true};
-  const auto turned = [](double angle_deg) { return RotationFromFixedAxes({0, 0, angle_deg}); };
-  EXPECT_TRUE(SnapTurn(snap, turned(80), turned(86)).isApprox(turned(90), 1e-9));
-  EXPECT_TRUE(SnapTurn(snap, turned(90), turned(91)).isApprox(turned(91), 1e-9));
-  EXPECT_TRUE(SnapTurn(snap, turned(70), turned(80)).isApprox(turned(80), 1e-9));
 }
 
 }  // namespace

@@ -93,6 +93,8 @@ TEST_F(CrashTest, AKilledProcessLosesNothingThatWasComplete) {
       simulation->AddListener(&recorder);
       Work(simulation.get(), static_cast<unsigned>(i), 1'000'000);
     });
+    // Every other one is killed when it is at work, however long a busy machine takes to begin.
+    while (i % 2 == 0 && !IsRecording(demo)) usleep(1000);
     usleep(1000 + random() % 60'000);
     ASSERT_EQ(kill(child, SIGKILL), 0);
     int status = 0;
@@ -103,7 +105,7 @@ TEST_F(CrashTest, AKilledProcessLosesNothingThatWasComplete) {
     ++num_begun;
     most_ticks = std::max(most_ticks, *ticks);
   }
-  EXPECT_GT(num_begun, 10);
+  EXPECT_GE(num_begun, 25);
   EXPECT_GT(most_ticks, 5u);
 }
 

@@ -29,7 +29,7 @@ class Session::Impl {
   RequestTable& requests() { return requests_; }
   double speed_factor() const { return speed_factor_; }
   void SetMeasuredSpeed(double factor) { measured_speed_ = factor; }
-  void Tick();
+  bool Tick();
   const View& view() const;
   News TakeNews();
   std::vector<Json> Everything() const;
@@ -77,7 +77,7 @@ class Session::Impl {
   void RequireNoRecording() const;
   void RequireIdleRobot() const;
 
-  void TickLive();
+  bool TickLive();
   void EndImitation();
   void TellAllOfScene();
   void TellLooks();

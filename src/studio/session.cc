@@ -45,8 +45,7 @@ Json WithoutTime(Json state) {
 Session::Impl::Impl(SessionOptions options)
     : options_(std::move(options)),
       library_(options_.recordings),
-      loaded_(scene_xml::LoadScene(options_.scene, options_.reader)),
-      brain_(options_.is_ending) {
+      loaded_(scene_xml::LoadScene(options_.scene, options_.reader)) {
   if (options_.gallery.empty()) options_.gallery = DataFile("scenes");
   if (options_.eye != nullptr) tap_.emplace(options_.eye);
   AddRequests();
@@ -72,13 +71,15 @@ const View& Session::Impl::view() const {
   return *view_;
 }
 
-void Session::Impl::Tick() {
+bool Session::Impl::Tick() {
   ++num_calls_;
   view_.reset();
+  brain_.Attend(&world_->simulation());
+  bool has_ticked = true;
   if (playback_) {
     playback_->Tick();
   } else if (!is_paused_) {
-    TickLive();
+    has_ticked = TickLive();
   }
   if (const auto failure = world_->TakeFailure()) {
     messages_.push_back({{"t", "error"}, {"error", *failure}});
@@ -87,20 +88,22 @@ void Session::Impl::Tick() {
   LookThroughEye();
   TellLooks();
   TellStateIfDue();
+  return has_ticked;
 }
 
-void Session::Impl::TickLive() {
+bool Session::Impl::TickLive() {
   if (rage_) {
     rage_->Tick();
     if (rage_->is_over()) rage_.reset();
-    return;
+    return true;
   }
-  brain_.Drive(&world_->simulation());
+  if (!brain_.Drive(&world_->simulation())) return false;
   world_->simulation().Tick();
-  if (!imitation_) return;
+  if (!imitation_) return true;
   const double seconds = sim::SecondsOf(world_->simulation().tick() - imitation_->start_tick);
   if (seconds >= kMaxImitationSeconds) brain_.Stop(&world_->simulation());
   if (!brain_.is_running()) EndImitation();
+  return true;
 }
 
 void Session::Impl::EndImitation() {
@@ -260,7 +263,7 @@ RequestTable& Session::requests() { return impl_->requests(); }
 const RequestTable& Session::requests() const { return impl_->requests(); }
 double Session::speed_factor() const { return impl_->speed_factor(); }
 void Session::SetMeasuredSpeed(double factor) { impl_->SetMeasuredSpeed(factor); }
-void Session::Tick() { impl_->Tick(); }
+bool Session::Tick() { return impl_->Tick(); }
 View Session::view() const { return impl_->view(); }
 News Session::TakeNews() { return impl_->TakeNews(); }
 std::vector<Json> Session::Everything() const { return impl_->Everything(); }

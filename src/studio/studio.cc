@@ -21,7 +21,7 @@ class SessionWorkplace : public Workplace {
   explicit SessionWorkplace(SessionOptions options) : session_(std::move(options)) {}
 
   const RequestTable& requests() const override { return session_.requests(); }
-  void Tick() override { session_.Tick(); }
+  bool Tick() override { return session_.Tick(); }
   News TakeNews() override { return session_.TakeNews(); }
   std::vector<Json> Everything() const override { return session_.Everything(); }
   double speed_factor() const override { return session_.speed_factor(); }

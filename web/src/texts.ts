@@ -266,6 +266,7 @@ export const texts = {
     restart: "Restart",
     statuses: {
       none: "none",
+      starting: "starting…",
       running: "running",
       exited: "done",
       failed: "failed",

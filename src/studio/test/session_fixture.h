@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "base/files.h"
@@ -44,17 +46,18 @@ class SessionFixture : public ::testing::Test {
   <block id="b" color="blue" location="(3, -3, 0.5)"/>
 </tabletop>)xml";
 
+  static sim::RobotPlacement Baxter() {
+    static const robot::RobotReading kBaxter = robot::LoadRobot(DataFile("robots/baxter.urdf"));
+    return {.model = kBaxter.model, .gripper = kBaxter.gripper, .files = kBaxter.files};
+  }
+
   void Begin(sim::Eye* eye = nullptr, bool with_robot = false) {
     SessionOptions options{.scene = root_ / "scenes/pair.xml",
                            .recordings = root_ / "recordings",
                            .eye = eye,
                            .gallery = root_ / "scenes",
                            .brains = {root_ / "brains"}};
-    if (with_robot) {
-      static const robot::RobotReading kBaxter = robot::LoadRobot(DataFile("robots/baxter.urdf"));
-      options.robot = sim::RobotPlacement{
-          .model = kBaxter.model, .gripper = kBaxter.gripper, .files = kBaxter.files};
-    }
+    if (with_robot) options.robot = Baxter();
     session_ = std::make_unique<Session>(std::move(options));
   }
 
@@ -81,10 +84,12 @@ class SessionFixture : public ::testing::Test {
   }
 
   void TickSeconds(double seconds) {
-    for (int i = 0; i < seconds * sim::kTicksPerSecond; ++i) {
-      session_->Tick();
-      Take();
-    }
+    for (int i = 0; i < seconds * sim::kTicksPerSecond; ++i) TickOnce();
+  }
+  /// However long a robot program is waited for.
+  void TickOnce() {
+    while (!session_->Tick()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    Take();
   }
   void Take() {
     News news = session_->TakeNews();
@@ -111,6 +116,11 @@ class SessionFixture : public ::testing::Test {
     }
     ADD_FAILURE() << "there is no " << id;
     return Vector3::Zero();
+  }
+
+  void WritePython(const std::string& name, const std::string& text) {
+    MakeDirectories(root_ / "brains");
+    WriteFile(root_ / "brains" / name, text);
   }
 
   std::filesystem::path root_;

@@ -26,10 +26,6 @@ class SessionTest : public SessionFixture {
     Command(R"({"do":"release","hand":"left"})");
     TickSeconds(0.5);
   }
-  void WritePython(const std::string& name, const std::string& text) {
-    MakeDirectories(root_ / "brains");
-    WriteFile(root_ / "brains" / name, text);
-  }
 };
 
 TEST_F(SessionTest, ADemonstrationIsRecordedAndReplays) {
@@ -328,8 +324,8 @@ TEST_F(SessionTest, ARobotProgramRunsAndItsErrorHasAPlace) {
   EXPECT_NE(Refused(R"({"do":"start_brain","brain":"/bin/sh"})").find("\"brain\" is"),
             std::string::npos);
   Do(R"({"do":"start_brain","brain":"wave.py"})");
-  EXPECT_EQ(State()["brain"]["status"], "running");
   TickSeconds(0.2);
+  EXPECT_EQ(State()["brain"]["status"], "running");
   EXPECT_GT(State()["robot"]["head"].get<double>(), 0.01);
   TickSeconds(0.3);
   const Json brain = State()["brain"];

@@ -47,7 +47,6 @@ Session::Impl::Impl(SessionOptions options)
       library_(options_.recordings),
       loaded_(scene_xml::LoadScene(options_.scene, options_.reader)) {
   if (options_.gallery.empty()) options_.gallery = DataFile("scenes");
-  if (options_.eye != nullptr) tap_.emplace(options_.eye);
   AddRequests();
   Enter(MakeWorld(loaded_, options_.robot));
 }
@@ -137,11 +136,11 @@ void Session::Impl::TellConsole() {
 }
 
 void Session::Impl::LookThroughEye() {
-  if (!tap_ || is_eye_broken_) return;
-  if (auto recorded = tap_->Take()) {
+  if (options_.eye == nullptr || is_eye_broken_) return;
+  if (auto recorded = world_->eye()->Take()) {
     picture_ = std::move(recorded);
     is_picture_recorded_ = true;
-    seen_ = sim::SightOf(world_->simulation(), tap_->spec());
+    seen_ = sim::SightOf(world_->simulation(), options_.eye->spec());
     return;
   }
   if (num_calls_ % kTicksPerPicture != 0) return;
@@ -160,8 +159,8 @@ void Session::Impl::LookThroughEye() {
 
 /// A recording is seen with the eye it was made with, where that can be.
 sim::Sight Session::Impl::SightNow() const {
-  if (!playback_) return sim::SightOf(shown(), tap_->spec());
-  sim::EyeSpec spec = tap_->spec();
+  sim::EyeSpec spec = options_.eye->spec();
+  if (!playback_) return sim::SightOf(shown(), spec);
   spec.camera = playback_->recording().info.eye_camera;
   return record::SightAt(playback_->moment(), playback_->stage(), spec);
 }

@@ -14,6 +14,7 @@
 #include "sim/simulation.h"
 #include "studio/requests.h"
 #include "studio/stage.h"
+#include "studio/workshop.h"
 
 namespace smile::studio {
 
@@ -28,6 +29,9 @@ struct SessionOptions {
   std::filesystem::path gallery;
   /// Where robot programs are, before those we ship.
   std::vector<std::filesystem::path> brains;
+  /// Does what takes its time, not without; its letters have to be taken where the session lives.
+  /// Must outlive it.
+  Workshop* workshop = nullptr;
 };
 
 /// What a session has to tell, besides answers.

@@ -57,6 +57,11 @@ std::optional<MeshName> ParseMeshPath(std::string_view path) {
   return name;
 }
 
+SessionOptions WithWorkshop(SessionOptions options, Workshop* workshop) {
+  options.workshop = workshop;
+  return options;
+}
+
 SessionOptions WithGallery(SessionOptions options) {
   if (options.gallery.empty()) options.gallery = DataFile("scenes");
   return options;
@@ -76,7 +81,7 @@ class Studio::Impl {
  public:
   explicit Impl(const StudioOptions& options)
       : library_(options.session.recordings),
-        workplace_(options.session),
+        workplace_(WithWorkshop(options.session, &workshop_)),
         showcase_(ShowcaseOf(options.session)),
         server_(WithAnswers(options.server)),
         loop_(&workplace_, &server_) {

@@ -146,6 +146,7 @@ export const texts = {
     open: "Opening the recording",
     try_edit: "Finding out what becomes of it",
     edit: "Writing the new recording",
+    branch: "Going back to that moment",
     imitate: "The robot imitates",
   } as Record<string, string>,
 

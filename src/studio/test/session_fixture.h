@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "base/files.h"
@@ -32,6 +33,7 @@ class SessionFixture : public ::testing::Test {
   }
   ~SessionFixture() override {
     session_.reset();
+    workshop_.reset();
     std::filesystem::remove_all(root_);
   }
 
@@ -56,18 +58,35 @@ class SessionFixture : public ::testing::Test {
                            .recordings = root_ / "recordings",
                            .eye = eye,
                            .gallery = root_ / "scenes",
-                           .brains = {root_ / "brains"}};
+                           .brains = {root_ / "brains"},
+                           .workshop = &*workshop_};
     if (with_robot) options.robot = Baxter();
     session_ = std::make_unique<Session>(std::move(options));
+    session_->requests().letters.emplace_back([this] { return workshop_->TakeLetters(); });
   }
 
   Json Ask(const std::string& text) { return AskWith(ParseJson(text)); }
   Json AskWith(const Json& fields) {
+    const Json answer = BeginToAsk(fields);
+    return IsLater(answer) ? LaterAnswer() : answer;
+  }
+  Json BeginToAsk(const Json& fields) {
     std::string what;
     if (fields.contains("do") && fields["do"].is_string()) what = fields["do"];
     return Answer(session_->requests(),
                   {.client = 1, .seq = ++seq_, .what = what, .fields = fields},
                   /*is_controller=*/true);
+  }
+  /// To the last request.
+  Json LaterAnswer() {
+    while (true) {
+      for (Letter& letter : TakeLetters(session_->requests())) {
+        latest_[letter.message["t"].get<std::string>()] = letter.message;
+      }
+      const Json& reply = latest_["reply"];
+      if (reply.is_object() && reply["seq"] == seq_) return reply;
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
   }
   /// One that has to be carried out.
   Json Do(const std::string& text) {
@@ -124,6 +143,7 @@ class SessionFixture : public ::testing::Test {
   }
 
   std::filesystem::path root_;
+  std::optional<Workshop> workshop_{std::in_place};
   std::unique_ptr<Session> session_;
   std::uint32_t seq_ = 0;
   std::vector<Json> told_;

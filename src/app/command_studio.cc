@@ -65,8 +65,7 @@ int RunStudio(const StudioCommand& options) {
                   .recordings = options.recordings,
                   .recording = {.frames_per_second = options.rate},
                   .eye = options.no_pictures ? nullptr : &eye,
-                  .brains = {options.brains.begin(), options.brains.end()},
-                  .is_ending = &IsInterrupted};
+                  .brains = {options.brains.begin(), options.brains.end()}};
   plan.server = {.address = options.address, .port = options.port, .page = PageFolder()};
   studio::Studio studio(std::move(plan));
   std::printf("%s\n", studio.link().c_str());

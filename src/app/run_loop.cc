@@ -135,14 +135,17 @@ class LiveRun {
   }
 
   void StartBrain() {
-    driver_.emplace(&*process_,
-                    brain::BrainDriverOptions{.eye = &*eye_,
+    driver_.emplace(brain::BrainDriverOptions{.eye = &*eye_,
                                               .image_seconds = plan_.image_seconds,
                                               .has_trackers = brain::MayReadTrackers(plan_.brain),
                                               .demonstration = plan_.demonstration,
                                               .attention = plan_.attention,
                                               .noise = plan_.noise});
-    driver_->Start(&simulation_);
+    DriveBrain();
+  }
+
+  void DriveBrain() {
+    driver_->Drive(&*process_, &simulation_);
     LogBrainError();
   }
 
@@ -190,8 +193,7 @@ class LiveRun {
     if (simulation_.tick() >= first_tick_ + limit) return true;
     if (player_) AdvanceScript();
     if (is_brain_running()) {
-      driver_->Drive(&simulation_);
-      LogBrainError();
+      DriveBrain();
       if (!is_brain_running()) farewell_ticks_ = kFarewellTicks;
     }
     if (farewell_ticks_ > 0) {

@@ -66,6 +66,17 @@ std::array<std::string, kLimbCount> HeldObjects(const sim::Simulation& simulatio
   return ids;
 }
 
+void RequireTwoArms(const sim::Simulation& simulation) {
+  const robot::RobotBody* robot = simulation.robot();
+  bool has_arms = robot != nullptr && robot->num_arms() == kLimbCount;
+  for (int arm = 0; has_arms && arm < kLimbCount; ++arm) {
+    has_arms = robot->model().arms[arm].joints.size() == kJointCount;
+  }
+  if (!has_arms) {
+    throw std::invalid_argument("a brain drives a robot with two arms of seven joints each");
+  }
+}
+
 std::vector<double> RowOf(const LimbJoints& joints, int arm) {
   const Eigen::Matrix<double, 1, kJointCount> row = joints.row(arm);
   return {row.data(), row.data() + kJointCount};
@@ -114,6 +125,8 @@ bool MayReadTrackers(const std::filesystem::path& brain) {
 
 std::string_view ToString(BrainStatus status) {
   switch (status) {
+    case BrainStatus::kStarting:
+      return "starting";
     case BrainStatus::kRunning:
       return "running";
     case BrainStatus::kExited:
@@ -124,8 +137,26 @@ std::string_view ToString(BrainStatus status) {
   return "";
 }
 
-BrainDriver::BrainDriver(BrainProcess* process, BrainDriverOptions options)
-    : process_(process), options_(std::move(options)) {}
+BrainStatus BrainDriver::Drive(BrainProcess* process, sim::Simulation* simulation) {
+  return Take(process->Answer(Ask(simulation)), simulation);
+}
+
+BrainQuestion BrainDriver::Ask(sim::Simulation* simulation) {
+  if (status_ != BrainStatus::kStarting) {
+    Show(robot::Mood::kWorking, simulation);
+    return Sense(*simulation);
+  }
+  RequireTwoArms(*simulation);
+  Show(options_.demonstration.empty() ? robot::Mood::kIdle : robot::Mood::kWatching, simulation);
+  return Describe(*simulation);
+}
+
+BrainStatus BrainDriver::Take(BrainAnswer answer, sim::Simulation* simulation) {
+  if (const auto* init = std::get_if<InitReply>(&answer)) Begin(*init, simulation);
+  if (const auto* step = std::get_if<StepReply>(&answer)) MakeStep(*step, simulation);
+  if (auto* error = std::get_if<BrainError>(&answer)) Fail(std::move(*error), simulation);
+  return status_;
+}
 
 Aux BrainDriver::Describe(const sim::Simulation& simulation) const {
   const robot::RobotModel& model = simulation.robot()->model();
@@ -202,27 +233,14 @@ void BrainDriver::Look(const sim::Simulation& simulation, Sensor* sensor) {
   }
 }
 
-BrainStatus BrainDriver::Start(sim::Simulation* simulation) {
-  const robot::RobotBody* robot = simulation->robot();
-  bool has_arms = robot != nullptr && robot->num_arms() == kLimbCount;
-  for (int arm = 0; has_arms && arm < kLimbCount; ++arm) {
-    has_arms = robot->model().arms[arm].joints.size() == kJointCount;
+void BrainDriver::Begin(const InitReply& reply, sim::Simulation* simulation) {
+  status_ = BrainStatus::kRunning;
+  if (reply.init_joint_angles) {
+    simulation->Apply(sim::JointAngles{.left = RowOf(*reply.init_joint_angles, 0),
+                                       .right = RowOf(*reply.init_joint_angles, 1)});
   }
-  if (!has_arms) {
-    throw std::invalid_argument("a brain drives a robot with two arms of seven joints each");
-  }
-  Show(options_.demonstration.empty() ? robot::Mood::kIdle : robot::Mood::kWatching, simulation);
-  auto reply = process_->Init(Describe(*simulation));
-  if (auto* error = std::get_if<BrainError>(&reply)) return Fail(std::move(*error), simulation);
-
-  const auto& init = std::get<InitReply>(reply);
-  if (init.init_joint_angles) {
-    simulation->Apply(sim::JointAngles{.left = RowOf(*init.init_joint_angles, 0),
-                                       .right = RowOf(*init.init_joint_angles, 1)});
-  }
-  wishes_ = init.pictures;
-  ShowMarkers(init.draw_markers, simulation);
-  return status_;
+  wishes_ = reply.pictures;
+  ShowMarkers(reply.draw_markers, simulation);
 }
 
 void BrainDriver::ShowMarkers(const Points& markers, sim::Simulation* simulation) {
@@ -236,19 +254,13 @@ void BrainDriver::ShowMarkers(const Points& markers, sim::Simulation* simulation
   simulation->Apply(shown);
 }
 
-BrainStatus BrainDriver::Drive(sim::Simulation* simulation) {
-  Show(robot::Mood::kWorking, simulation);
-  auto reply = process_->Step(Sense(*simulation));
-  if (auto* error = std::get_if<BrainError>(&reply)) return Fail(std::move(*error), simulation);
-  const auto& step = std::get<StepReply>(reply);
-  if (step.draw_markers) ShowMarkers(*step.draw_markers, simulation);
-  Send(step.motor, simulation);
-  if (step.exit) {
-    status_ = BrainStatus::kExited;
-    StopRobot(simulation);
-    Show(robot::Mood::kDone, simulation);
-  }
-  return status_;
+void BrainDriver::MakeStep(const StepReply& reply, sim::Simulation* simulation) {
+  if (reply.draw_markers) ShowMarkers(*reply.draw_markers, simulation);
+  Send(reply.motor, simulation);
+  if (!reply.exit) return;
+  status_ = BrainStatus::kExited;
+  StopRobot(simulation);
+  Show(robot::Mood::kDone, simulation);
 }
 
 /// Only changes are sent: velocities stay in force, so the log holds one line for a long motion.
@@ -284,13 +296,12 @@ void BrainDriver::Show(robot::Mood mood, sim::Simulation* simulation) {
   if (simulation->mood() != mood) simulation->Apply(sim::Face{.mood = mood});
 }
 
-BrainStatus BrainDriver::Fail(BrainError error, sim::Simulation* simulation) {
+void BrainDriver::Fail(BrainError error, sim::Simulation* simulation) {
   status_ = BrainStatus::kFailed;
   error_ = std::move(error);
   StopRobot(simulation);
   Show(robot::Mood::kPuzzled, simulation);
   ShowMarkers(Points(0, 3), simulation);
-  return status_;
 }
 
 }  // namespace smile::brain

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "brain/brain_process.h"
 #include "brain/sensor_noise.h"
@@ -24,24 +25,29 @@ struct BrainDriverOptions {
 /// than all the rest of a step, so only those pay who read it.
 bool MayReadTrackers(const std::filesystem::path& brain);
 
-enum class BrainStatus { kRunning, kExited, kFailed };
+enum class BrainStatus { kStarting, kRunning, kExited, kFailed };
 std::string_view ToString(BrainStatus status);
 
 /// Lets a brain drive the robot of a simulation, in lock-step: before each tick it is told what the
 /// robot senses, and what it wants is sent through the simulation's door. So its run is in the log
-/// and replays without it. Meanwhile the robot's face is watching (a demonstration), working, and
-/// in the end done or puzzled.
+/// and replays without it. Whoever cannot wait for the brain asks and takes its answer apart, and
+/// does not let the simulation tick in between: then it is the same run. Meanwhile the robot's face
+/// is watching (a demonstration), working, and in the end done or puzzled.
 class BrainDriver {
  public:
-  /// `process` and the options' eye must outlive this.
-  BrainDriver(BrainProcess* process, BrainDriverOptions options);
+  /// The options' eye must outlive this.
+  explicit BrainDriver(BrainDriverOptions options) : options_(std::move(options)) {}
 
-  /// Starts the brain and puts the robot where it wants to begin.
+  /// Asks the process and waits for its answer: at first to start, from then on for one step, to be
+  /// called before each tick while it is running.
+  BrainStatus Drive(BrainProcess* process, sim::Simulation* simulation);
+
+  /// What the brain is to be asked now, while it is starting or running.
   /// @throws std::invalid_argument if the simulation has no robot with two arms of seven joints.
-  BrainStatus Start(sim::Simulation* simulation);
-  /// One step of the brain; to be called before each tick while it is running. When the brain ends,
-  /// by itself or not, the robot stops.
-  BrainStatus Drive(sim::Simulation* simulation);
+  BrainQuestion Ask(sim::Simulation* simulation);
+  /// Does what was answered to that: puts the robot where the brain wants to begin, moves it for a
+  /// step. When the brain ends, by itself or not, the robot stops.
+  BrainStatus Take(BrainAnswer answer, sim::Simulation* simulation);
 
   BrainStatus status() const { return status_; }
   /// Why it failed; empty unless it did.
@@ -53,16 +59,17 @@ class BrainDriver {
   bool IsPictureDue(const sim::Simulation& simulation) const;
   /// Adds fresh pictures of the eye and the cameras the brain asked for.
   void Look(const sim::Simulation& simulation, Sensor* sensor);
+  void Begin(const InitReply& reply, sim::Simulation* simulation);
+  void MakeStep(const StepReply& reply, sim::Simulation* simulation);
   void ShowMarkers(const Points& markers, sim::Simulation* simulation);
   void Send(const Motor& motor, sim::Simulation* simulation);
-  BrainStatus Fail(BrainError error, sim::Simulation* simulation);
+  void Fail(BrainError error, sim::Simulation* simulation);
   void StopRobot(sim::Simulation* simulation);
   /// Changes the robot's face, for people to see how it fares.
   static void Show(robot::Mood mood, sim::Simulation* simulation);
 
-  BrainProcess* process_;
   BrainDriverOptions options_;
-  BrainStatus status_ = BrainStatus::kRunning;
+  BrainStatus status_ = BrainStatus::kStarting;
   std::optional<BrainError> error_;
   PictureWishes wishes_;
   std::uint64_t num_images_ = 0;

@@ -376,6 +376,13 @@ BrainProcess::~BrainProcess() = default;
 
 OrError<InitReply> BrainProcess::Init(const Aux& aux) { return impl_->Init(aux); }
 OrError<StepReply> BrainProcess::Step(const Sensor& sensor) { return impl_->Step(sensor); }
+BrainAnswer BrainProcess::Answer(const BrainQuestion& question) {
+  const auto widened = [](auto reply) {
+    return std::visit([](auto& either) { return BrainAnswer(std::move(either)); }, reply);
+  };
+  if (const auto* aux = std::get_if<Aux>(&question)) return widened(Init(*aux));
+  return widened(Step(std::get<Sensor>(question)));
+}
 void BrainProcess::Stop() { impl_->Stop(); }
 bool BrainProcess::is_running() const { return impl_->is_running(); }
 

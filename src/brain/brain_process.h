@@ -43,7 +43,7 @@ struct BrainOptions {
 /// watchdog only: answers do not depend on it.
 ///
 /// The process dies with the thread that called Init(), so that nothing outlives a crash: call from
-/// the thread that runs the simulation.
+/// the thread that runs the simulation, or see BrainThread.
 class BrainProcess {
  public:
   /// Looks at the brain; starts nothing yet.
@@ -63,6 +63,9 @@ class BrainProcess {
   /// Runs its callback script once.
   /// @throws std::logic_error unless is_running().
   OrError<StepReply> Step(const Sensor& sensor);
+
+  /// Init() or Step(), whatever is asked for.
+  BrainAnswer Answer(const BrainQuestion& question);
 
   /// Ends the program as the destructor does.
   void Stop();

@@ -127,6 +127,11 @@ struct BrainError {
 /// `wave/waveCallback.m:12: 'x' undefined`.
 std::string ToString(const BrainError& error);
 
+/// What a program is asked: first to start, then for one step after the other.
+using BrainQuestion = std::variant<Aux, Sensor>;
+/// To each the reply of its kind, or why there is none.
+using BrainAnswer = std::variant<InitReply, StepReply, BrainError>;
+
 /// An answer, or why there is none.
 template <class Reply>
 using OrError = std::variant<Reply, BrainError>;

@@ -45,6 +45,7 @@ class Recorder : public sim::Listener {
   /// Goes on with a recording from any moment of its history, as a new branch if that is not its
   /// end. The classic view is made anew.
   /// @param simulation  fresh, of the recording's scene and robot; is run to the moment.
+  /// @param progress    of that, and again of the classic view, which is finished in any case.
   /// @throws InputError if there is no such moment, the recording has no commands, or they do not
   ///         lead there any more. Nothing is changed then.
   /// @throws std::runtime_error if another program is recording into it.
@@ -85,7 +86,8 @@ class Recorder : public sim::Listener {
   /// Shows again in the classic view what was undone.
   void ShowAgain(const Undone& undone, const sim::Simulation& simulation);
   /// Makes the classic view anew along the trace, and the marks of its actions.
-  void Rebuild(const Recording& recording, sim::Eye* eye, const sim::Simulation& simulation);
+  void Rebuild(const Recording& recording, sim::Eye* eye, const sim::Simulation& simulation,
+               const Progress& progress);
 
   std::filesystem::path directory_;
   std::optional<AppendFile> log_;

@@ -164,12 +164,12 @@ std::unique_ptr<Recorder> Recorder::Continue(const std::filesystem::path& direct
   }
   for (const sim::Event& event : reached.untold) recorder->trace_->Add(event);
   recorder->tick_ = from.tick;
-  recorder->Rebuild(OpenRecording(directory), eye, *simulation);
+  recorder->Rebuild(OpenRecording(directory), eye, *simulation, progress);
   return recorder;
 }
 
-void Recorder::Rebuild(const Recording& recording, sim::Eye* eye,
-                       const sim::Simulation& simulation) {
+void Recorder::Rebuild(const Recording& recording, sim::Eye* eye, const sim::Simulation& simulation,
+                       const Progress& progress) {
   std::vector<Moment> before_actions;
   for (const LoggedCommand& logged : recording.commands) {
     if (logged.line <= recording.info.start.line || !IsAction(logged.command)) continue;
@@ -193,6 +193,7 @@ void Recorder::Rebuild(const Recording& recording, sim::Eye* eye,
       }
       classic_->Note(moment->events[i]);
     }
+    if (progress) progress(sim::SecondsOf(moment->tick), sim::SecondsOf(simulation.tick()));
   }
 }
 

@@ -11,6 +11,8 @@ namespace smile::studio {
 class EyeTap : public sim::Eye {
  public:
   explicit EyeTap(sim::Eye* eye) : eye_(eye) {}
+  /// From now on through this one, with the same spec.
+  void SetEye(sim::Eye* eye) { eye_ = eye; }
 
   const Image& Draw(const scene::VisualModel& model, const sim::Sight& sight) override {
     const Image& image = eye_->Draw(model, sight);

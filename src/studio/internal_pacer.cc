@@ -9,6 +9,7 @@ using namespace std::chrono_literals;
 
 /// So much is made up for, as after a picture that took long.
 constexpr auto kMostLate = 100ms;
+constexpr double kMostLateBeats = 6;  // the same
 
 }  // namespace
 
@@ -20,8 +21,9 @@ int Pacer::BeginBeat(Time now) {
   return ticks;
 }
 
-void Pacer::EndBeat(int ticks, Time now) {
-  ticks_ += ticks;
+void Pacer::EndBeat(int done, int waiting, Time now) {
+  owed_ticks_ = std::min(owed_ticks_ + waiting, kMostLateBeats * std::max(factor_, 1.0));
+  ticks_ += done;
   marks_.push_back({now, ticks_});
   while (marks_.size() > 2 && now - marks_.front().time > 1s) marks_.pop_front();
 }

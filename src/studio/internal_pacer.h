@@ -20,8 +20,9 @@ class Pacer {
   /// A beat begins.
   /// @returns how many ticks are to be done in it, as many as can be within a kBeat.
   int BeginBeat(Time now);
-  /// So many were done.
-  void EndBeat(int ticks, Time now);
+  /// So many were done. So many others wait for somebody: they are due again, with what is due
+  /// then; what waits for longer than a moment is dropped.
+  void EndBeat(int done, int waiting, Time now);
   Time next_beat() const { return next_beat_; }
   /// Simulated per real second, over the last second; 0 in the beginning.
   double speed() const;

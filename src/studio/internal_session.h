@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "studio/eye_tap.h"
 #include "studio/library.h"
 #include "studio/live_brain.h"
 #include "studio/live_world.h"
@@ -29,7 +28,7 @@ class Session::Impl {
   RequestTable& requests() { return requests_; }
   double speed_factor() const { return speed_factor_; }
   void SetMeasuredSpeed(double factor) { measured_speed_ = factor; }
-  void Tick();
+  bool Tick();
   const View& view() const;
   News TakeNews();
   std::vector<Json> Everything() const;
@@ -55,7 +54,7 @@ class Session::Impl {
   Json Clear(const RequestFields& fields);
   Json FindRestingPlace(const RequestFields& fields);
   Json Show(const RequestFields& fields);
-  Json Branch(const RequestFields& fields);
+  Json Branch(const Request& request);
   Json DescribeBrains() const;
   Json StartBrain(const RequestFields& fields);
   Json Imitate(const RequestFields& fields);
@@ -64,6 +63,7 @@ class Session::Impl {
   scene::SceneSpec ReadNamedScene(const std::string& name) const;
   scene_xml::SceneReading ReadText(const RequestFields& fields) const;
   scene::SceneSpec ReadSceneOf(const RequestFields& fields) const;
+  record::RecordingDesk::Options DeskOptions() const;
   std::unique_ptr<LiveWorld> MakeWorld(scene::SceneSpec scene,
                                        std::optional<sim::RobotPlacement> robot);
   /// What is there becomes another world, in which hands and robot go on.
@@ -74,10 +74,11 @@ class Session::Impl {
 
   /// Throw a RequestError with the reason.
   void RequireLive() const;
+  void RequireNoBranching() const;
   void RequireNoRecording() const;
   void RequireIdleRobot() const;
 
-  void TickLive();
+  bool TickLive();
   void EndImitation();
   void TellAllOfScene();
   void TellLooks();
@@ -94,11 +95,11 @@ class Session::Impl {
 
   SessionOptions options_;
   Library library_;
-  std::optional<EyeTap> tap_;
   scene::SceneSpec loaded_;  ///< what a reload gives
   std::unique_ptr<LiveWorld> world_;
   std::unique_ptr<Playback> playback_;  ///< nullptr unless a recording is shown
   std::unique_ptr<Rage> rage_;          ///< nullptr unless the robot clears the table
+  bool is_branching_ = false;  ///< the world that goes on with a recording is in the making
   LiveBrain brain_;
   std::optional<Imitation> imitation_;
   RestingPlace resting_place_;

@@ -17,7 +17,7 @@ void StudioLoop::Beat() {
   pacer_.SetFactor(workplace_->speed_factor());
   const int ticks_due = pacer_.BeginBeat(Clock::now());
   CarryOutRequests();
-  pacer_.EndBeat(DoTicks(ticks_due), Clock::now());
+  DoTicks(ticks_due);
   workplace_->SetMeasuredSpeed(pacer_.speed());
   const Poses poses = workplace_->NextPoses();
   // What poses are of is told before them.
@@ -34,14 +34,15 @@ void StudioLoop::CarryOutRequests() {
   }
 }
 
-int StudioLoop::DoTicks(int count) {
+void StudioLoop::DoTicks(int count) {
   const Clock::time_point deadline = Clock::now() + Pacer::kBeat;
   int done = 0;
-  while (done < count && (done == 0 || Clock::now() < deadline)) {
-    workplace_->Tick();
-    ++done;
+  bool is_waiting = false;
+  while (done < count && !is_waiting && (done == 0 || Clock::now() < deadline)) {
+    is_waiting = !workplace_->Tick();
+    if (!is_waiting) ++done;
   }
-  return done;
+  pacer_.EndBeat(done, is_waiting ? count - done : 0, Clock::now());
 }
 
 void StudioLoop::TellNews(const Poses& poses) {

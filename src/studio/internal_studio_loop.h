@@ -20,7 +20,8 @@ class StudioLoop {
 
  private:
   void CarryOutRequests();
-  int DoTicks(int count);
+  /// As many as there is time for.
+  void DoTicks(int count);
   void TellNews(const Poses& poses);
   void TellNewClients();
 

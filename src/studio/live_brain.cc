@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <system_error>
+#include <utility>
 
 namespace smile::studio {
 namespace {
@@ -13,6 +14,8 @@ namespace fs = std::filesystem;
 
 /// A person waits for it.
 constexpr double kPatience = 5, kStartPatience = 30;  // [s], wall clock
+/// Most programs have answered by then; who waits for others has better things to do.
+constexpr std::chrono::milliseconds kMoment(4);
 
 std::string KindOf(const fs::path& path) {
   std::error_code error;
@@ -46,30 +49,44 @@ void LiveBrain::Start(const BrainChoice& choice, const brain::BrainDriverOptions
                       sim::Simulation* simulation) {
   Leave();
   name_ = choice.name;
-  process_.emplace(
+  thread_ = std::make_unique<brain::BrainThread>(
       choice.path,
       brain::BrainOptions{.start_seconds = kStartPatience,
                           .callback_seconds = kPatience,
-                          .on_output = [this](std::string_view line) { console_.Write(line); },
-                          .is_cancelled = is_ending_});
-  driver_.emplace(&*process_, options);
+                          .on_output = [this](std::string_view line) { console_.Write(line); }},
+      std::move(former_));
+  driver_.emplace(options);
   try {
-    driver_->Start(simulation);
+    Ask(simulation);
   } catch (...) {
     Leave();
     throw;
   }
-  NoteError();
 }
 
-void LiveBrain::Drive(sim::Simulation* simulation) {
-  if (!is_running()) return;
-  driver_->Drive(simulation);
-  NoteError();
+void LiveBrain::Attend(sim::Simulation* simulation) {
+  if (is_starting()) (void)TakeAnswer(std::chrono::nanoseconds(0), simulation);
 }
 
-void LiveBrain::NoteError() {
+bool LiveBrain::Drive(sim::Simulation* simulation) {
+  if (is_starting()) return false;
+  if (!is_running()) return true;
+  if (!is_asked_) Ask(simulation);
+  return TakeAnswer(kMoment, simulation);
+}
+
+void LiveBrain::Ask(sim::Simulation* simulation) {
+  thread_->Ask(driver_->Ask(simulation));
+  is_asked_ = true;
+}
+
+bool LiveBrain::TakeAnswer(std::chrono::nanoseconds patience, sim::Simulation* simulation) {
+  auto answer = thread_->WaitForAnswer(patience);
+  if (!answer) return false;
+  is_asked_ = false;
+  driver_->Take(*std::move(answer), simulation);
   if (driver_->error()) console_.Write(ToString(*driver_->error()));
+  return true;
 }
 
 void LiveBrain::Stop(sim::Simulation* simulation) {
@@ -88,8 +105,10 @@ void LiveBrain::Stop(sim::Simulation* simulation) {
 
 void LiveBrain::Leave() {
   driver_.reset();
-  process_.reset();
-  was_stopped_ = false;
+  was_stopped_ = is_asked_ = false;
+  if (!thread_) return;
+  thread_->Leave();
+  former_ = std::move(thread_);
 }
 
 Json LiveBrain::Describe() const {

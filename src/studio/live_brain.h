@@ -1,13 +1,15 @@
 #pragma once
 
+#include <chrono>
 #include <filesystem>
-#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "base/json.h"
 #include "brain/brain_driver.h"
+#include "brain/brain_thread.h"
 #include "studio/console.h"
 
 namespace smile::studio {
@@ -23,39 +25,48 @@ struct BrainChoice {
 /// folder's counts. A folder that is not there has none.
 std::vector<BrainChoice> BrainsIn(const std::vector<std::filesystem::path>& folders);
 
-/// A robot program at work in a simulation, watched by people. Belongs to the thread that runs the
-/// simulation.
+/// A robot program at work in a simulation, watched by people, who need not wait for it. Belongs to
+/// the thread that runs the simulation.
+///
+/// While it starts or thinks the simulation must not tick, but may be commanded, except to undo or
+/// redo: its answer is applied to the world as it is then.
 class LiveBrain {
  public:
-  /// @param is_ending  asked while the program is waited for; true stops it.
-  explicit LiveBrain(std::function<bool()> is_ending) : is_ending_(std::move(is_ending)) {}
-
-  /// Instead of what ran before.
+  /// Begins to start it, instead of what ran before.
   /// @throws InputError, std::invalid_argument or std::runtime_error if it cannot be started: see
-  ///         brain::BrainProcess and brain::BrainDriver.
+  ///         brain::BrainProcess and brain::BrainDriver. What goes wrong later, Describe() tells.
   void Start(const BrainChoice& choice, const brain::BrainDriverOptions& options,
              sim::Simulation* simulation);
+  /// Looks whether it has started; to be called often, also while time stands still.
+  void Attend(sim::Simulation* simulation);
   /// To be called before each tick.
-  void Drive(sim::Simulation* simulation);
+  /// @returns whether the simulation may tick; false while the program is waited for.
+  bool Drive(sim::Simulation* simulation);
   /// The program ends, and the robot stops.
   void Stop(sim::Simulation* simulation);
   /// The program ends with the world it was in.
   void Leave();
 
-  bool is_running() const { return driver_ && driver_->status() == brain::BrainStatus::kRunning; }
+  /// Or is about to.
+  bool is_running() const { return is_starting() || HasStatus(brain::BrainStatus::kRunning); }
   /// `brain` of a state message.
   Json Describe() const;
   /// What was printed since this was last asked.
   std::vector<ConsoleLine> TakeLines() { return console_.Take(); }
 
  private:
-  void NoteError();
+  bool HasStatus(brain::BrainStatus status) const { return driver_ && driver_->status() == status; }
+  bool is_starting() const { return HasStatus(brain::BrainStatus::kStarting); }
+  void Ask(sim::Simulation* simulation);
+  /// False if there is no answer yet.
+  bool TakeAnswer(std::chrono::nanoseconds patience, sim::Simulation* simulation);
 
-  std::function<bool()> is_ending_;
-  Console console_;  ///< written to by the process's thread, which ends before it
+  Console console_;  ///< written to by the programs' threads, which end before it
   std::string name_;
   bool was_stopped_ = false;
-  std::optional<brain::BrainProcess> process_;
+  bool is_asked_ = false;
+  std::unique_ptr<brain::BrainThread> former_;  ///< left, and maybe about to end
+  std::unique_ptr<brain::BrainThread> thread_;
   std::optional<brain::BrainDriver> driver_;
 };
 

@@ -13,14 +13,24 @@ namespace {
 /// More news than these at a time are no use to anybody: a robot program may be refused for ever.
 constexpr std::size_t kMaxEvents = 200;
 
+std::optional<EyeTap> TapOf(sim::Eye* eye) {
+  return eye != nullptr ? std::optional<EyeTap>(eye) : std::nullopt;
+}
+
+record::RecordingDesk::Options Through(EyeTap* eye, record::RecordingDesk::Options options) {
+  options.eye = eye;
+  return options;
+}
+
 }  // namespace
 
 LiveWorld::LiveWorld(scene::SceneSpec scene, std::optional<sim::RobotPlacement> robot,
                      record::RecordingDesk::Options options)
-    : simulation_(std::move(scene), std::move(robot)),
-      desk_(&simulation_, options),
+    : eye_(TapOf(options.eye)),
+      simulation_(std::move(scene), std::move(robot)),
+      desk_(&simulation_, Through(eye(), options)),
       usual_title_(options.recording.title) {
-  if (options.eye != nullptr) sim::EyeView(simulation_, options.eye->spec());
+  if (eye_) sim::EyeView(simulation_, eye_->spec());
   simulation_.AddListener(&chronicle_);
   simulation_.AddListener(this);
   for (const scene::ObjectSpec& object : simulation_.scene().objects) {
@@ -41,8 +51,9 @@ std::optional<sim::Refusal> LiveWorld::Apply(const sim::Command& command) {
   return refusal;
 }
 
-void LiveWorld::Continue(const record::Recording& recording, const record::Moment& from) {
-  desk_.Continue(recording.directory, from, &simulation_);
+void LiveWorld::Continue(const record::Recording& recording, const record::Moment& from,
+                         const record::Progress& progress) {
+  desk_.Continue(recording.directory, from, &simulation_, progress);
   const auto before = recording.log.WayTo(recording.info.start.line);
   take_ = {
       .title = recording.info.title,

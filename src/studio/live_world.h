@@ -11,6 +11,7 @@
 #include "scene/bounds.h"
 #include "sim/simulation.h"
 #include "studio/chronicle.h"
+#include "studio/eye_tap.h"
 
 namespace smile::studio {
 
@@ -31,7 +32,11 @@ class LiveWorld : private sim::Listener {
   std::optional<sim::Refusal> Apply(const sim::Command& command);
   /// Goes on with a recording, see record::RecordingDesk::Continue(). To be called before anything
   /// else is done.
-  void Continue(const record::Recording& recording, const record::Moment& from);
+  void Continue(const record::Recording& recording, const record::Moment& from,
+                const record::Progress& progress);
+
+  /// What the desk's eye sees for recordings; nullptr without one.
+  EyeTap* eye() { return eye_ ? &*eye_ : nullptr; }
 
   bool is_recording() const { return desk_.is_recording(); }
   /// Of the last one that was begun; empty before.
@@ -58,6 +63,7 @@ class LiveWorld : private sim::Listener {
   void OnCommand(const sim::Simulation& simulation, const sim::Command& command) override;
   void OnEvent(const sim::Simulation& simulation, const sim::Event& event) override;
 
+  std::optional<EyeTap> eye_;
   sim::Simulation simulation_;
   record::RecordingDesk desk_;
   std::string usual_title_;

@@ -45,10 +45,8 @@ Json WithoutTime(Json state) {
 Session::Impl::Impl(SessionOptions options)
     : options_(std::move(options)),
       library_(options_.recordings),
-      loaded_(scene_xml::LoadScene(options_.scene, options_.reader)),
-      brain_(options_.is_ending) {
+      loaded_(scene_xml::LoadScene(options_.scene, options_.reader)) {
   if (options_.gallery.empty()) options_.gallery = DataFile("scenes");
-  if (options_.eye != nullptr) tap_.emplace(options_.eye);
   AddRequests();
   Enter(MakeWorld(loaded_, options_.robot));
 }
@@ -72,13 +70,15 @@ const View& Session::Impl::view() const {
   return *view_;
 }
 
-void Session::Impl::Tick() {
+bool Session::Impl::Tick() {
   ++num_calls_;
   view_.reset();
+  brain_.Attend(&world_->simulation());
+  bool has_ticked = true;
   if (playback_) {
     playback_->Tick();
   } else if (!is_paused_) {
-    TickLive();
+    has_ticked = TickLive();
   }
   if (const auto failure = world_->TakeFailure()) {
     messages_.push_back({{"t", "error"}, {"error", *failure}});
@@ -87,20 +87,22 @@ void Session::Impl::Tick() {
   LookThroughEye();
   TellLooks();
   TellStateIfDue();
+  return has_ticked;
 }
 
-void Session::Impl::TickLive() {
+bool Session::Impl::TickLive() {
   if (rage_) {
     rage_->Tick();
     if (rage_->is_over()) rage_.reset();
-    return;
+    return true;
   }
-  brain_.Drive(&world_->simulation());
+  if (!brain_.Drive(&world_->simulation())) return false;
   world_->simulation().Tick();
-  if (!imitation_) return;
+  if (!imitation_) return true;
   const double seconds = sim::SecondsOf(world_->simulation().tick() - imitation_->start_tick);
   if (seconds >= kMaxImitationSeconds) brain_.Stop(&world_->simulation());
   if (!brain_.is_running()) EndImitation();
+  return true;
 }
 
 void Session::Impl::EndImitation() {
@@ -134,11 +136,11 @@ void Session::Impl::TellConsole() {
 }
 
 void Session::Impl::LookThroughEye() {
-  if (!tap_ || is_eye_broken_) return;
-  if (auto recorded = tap_->Take()) {
+  if (options_.eye == nullptr || is_eye_broken_) return;
+  if (auto recorded = world_->eye()->Take()) {
     picture_ = std::move(recorded);
     is_picture_recorded_ = true;
-    seen_ = sim::SightOf(world_->simulation(), tap_->spec());
+    seen_ = sim::SightOf(world_->simulation(), options_.eye->spec());
     return;
   }
   if (num_calls_ % kTicksPerPicture != 0) return;
@@ -157,8 +159,8 @@ void Session::Impl::LookThroughEye() {
 
 /// A recording is seen with the eye it was made with, where that can be.
 sim::Sight Session::Impl::SightNow() const {
-  if (!playback_) return sim::SightOf(shown(), tap_->spec());
-  sim::EyeSpec spec = tap_->spec();
+  sim::EyeSpec spec = options_.eye->spec();
+  if (!playback_) return sim::SightOf(shown(), spec);
   spec.camera = playback_->recording().info.eye_camera;
   return record::SightAt(playback_->moment(), playback_->stage(), spec);
 }
@@ -260,7 +262,7 @@ RequestTable& Session::requests() { return impl_->requests(); }
 const RequestTable& Session::requests() const { return impl_->requests(); }
 double Session::speed_factor() const { return impl_->speed_factor(); }
 void Session::SetMeasuredSpeed(double factor) { impl_->SetMeasuredSpeed(factor); }
-void Session::Tick() { impl_->Tick(); }
+bool Session::Tick() { return impl_->Tick(); }
 View Session::view() const { return impl_->view(); }
 News Session::TakeNews() { return impl_->TakeNews(); }
 std::vector<Json> Session::Everything() const { return impl_->Everything(); }

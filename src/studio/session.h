@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -15,6 +14,7 @@
 #include "sim/simulation.h"
 #include "studio/requests.h"
 #include "studio/stage.h"
+#include "studio/workshop.h"
 
 namespace smile::studio {
 
@@ -29,8 +29,9 @@ struct SessionOptions {
   std::filesystem::path gallery;
   /// Where robot programs are, before those we ship.
   std::vector<std::filesystem::path> brains;
-  /// Asked from time to time while a robot program is waited for; true stops it.
-  std::function<bool()> is_ending;
+  /// Does what takes its time, not without; its letters have to be taken where the session lives.
+  /// Must outlive it.
+  Workshop* workshop = nullptr;
 };
 
 /// What a session has to tell, besides answers.
@@ -60,7 +61,8 @@ class Session {
   /// What came of that over the last second.
   void SetMeasuredSpeed(double factor);
   /// 1/60 s goes by: of the simulation unless it is paused, or of what is shown.
-  void Tick();
+  /// @returns false if the world stood still because a robot program starts or thinks.
+  bool Tick();
   /// What is to be seen now.
   View view() const;
   /// What was to be told since this was last asked.

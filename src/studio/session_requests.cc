@@ -7,6 +7,7 @@
 
 #include "base/files.h"
 #include "base/wording.h"
+#include "picture/rendered_eye.h"
 #include "record/attention.h"
 #include "record/recording_history.h"
 #include "sim/command_json.h"
@@ -37,6 +38,28 @@ sim::HandName HandOf(const RequestFields& fields) {
   return demonstrator::ParseHandName(fields.Word("hand", kHands)).value_or(sim::HandName::kAny);
 }
 
+struct BranchPoint {
+  std::size_t step = 0;         ///< of the recording's history
+  std::optional<double> after;  ///< its beginning [s]; nullopt for its end
+};
+
+/// A world that goes on with a recording, made in any thread: the desk's eye, which belongs to
+/// another, is put in only at last, and pictures on the way there are taken with one like it.
+std::unique_ptr<LiveWorld> GoOnWith(const std::filesystem::path& directory, const BranchPoint& from,
+                                    const record::RecordingDesk::Options& desk,
+                                    const record::Progress& progress) {
+  const record::Recording recording = record::OpenRecording(directory);
+  const record::Moment moment =
+      record::MomentOf(recording, record::HistoryOf(recording), from.step, from.after);
+  record::RecordingDesk::Options options = desk;
+  std::optional<picture::RenderedEye> eye;
+  if (desk.eye != nullptr) options.eye = &eye.emplace(desk.eye->spec());
+  auto world = std::make_unique<LiveWorld>(recording.scene, recording.robot, options);
+  world->Continue(recording, moment, progress);
+  if (EyeTap* tap = world->eye()) tap->SetEye(desk.eye);
+  return world;
+}
+
 }  // namespace
 
 void Session::Impl::RequireLive() const {
@@ -44,7 +67,14 @@ void Session::Impl::RequireLive() const {
   if (rage_) throw RequestError("the robot clears the table: wait until it is over");
 }
 
+void Session::Impl::RequireNoBranching() const {
+  if (is_branching_) {
+    throw RequestError("the world goes back to a moment of a recording: wait until it is there");
+  }
+}
+
 void Session::Impl::RequireNoRecording() const {
+  RequireNoBranching();
   if (world_->is_recording()) {
     throw RequestError("a recording is in the making: finish it first");
   }
@@ -116,7 +146,7 @@ void Session::Impl::AddRecordingRequests() {
     TellAllOfScene();
     return Json::object();
   }};
-  entries["branch"] = {[this](const Request& request) { return Branch(RequestFields(request)); }};
+  entries["branch"] = {[this](const Request& request) { return Branch(request); }};
 }
 
 void Session::Impl::AddBrainRequests() {
@@ -144,12 +174,14 @@ Json Session::Impl::Command(const Request& request) {
   if (turns_back && brain_.is_running()) {
     throw RequestError("a robot program is running and cannot turn back in time: stop it first");
   }
+  const bool is_start = std::holds_alternative<sim::StartRecording>(command);
+  if (is_start) RequireNoBranching();
   view_.reset();
   if (const auto refusal = world_->Apply(Snapped(snap_, *world_, command))) {
     throw RequestError(*refusal);
   }
   Json answer = Json::object();
-  if (std::holds_alternative<sim::StartRecording>(command)) {
+  if (is_start) {
     answer["recording"] = world_->recording_directory().filename().string();
   }
   return answer;
@@ -240,19 +272,29 @@ Json Session::Impl::Show(const RequestFields& fields) {
   return {{"length", playback_->length()}};
 }
 
-Json Session::Impl::Branch(const RequestFields& fields) {
+Json Session::Impl::Branch(const Request& request) {
+  const RequestFields fields(request);
   const std::string id = fields.Text("recording");
-  const auto step = static_cast<std::size_t>(fields.Whole("step", 1'000'000'000));
-  const auto after = fields.OptionalNumber("after", 0, kMaxSeconds);
+  const BranchPoint from{.step = static_cast<std::size_t>(fields.Whole("step", 1'000'000'000)),
+                         .after = fields.OptionalNumber("after", 0, kMaxSeconds)};
+  const std::filesystem::path directory = library_.DirectoryOf(id);
   RequireNoRecording();
-  const record::Recording recording = record::OpenRecording(library_.DirectoryOf(id));
-  const record::Moment from =
-      record::MomentOf(recording, record::HistoryOf(recording), step, after);
-  auto world = MakeWorld(recording.scene, recording.robot);
-  world->Continue(recording, from);
-  loaded_ = recording.scene;
-  Enter(std::move(world));
-  return {{"recording", id}};
+  // Made in the workshop, entered here. It belongs to both: each may be gone before the other.
+  const auto made = std::make_shared<std::unique_ptr<LiveWorld>>();
+  const auto work = [made, id, directory, from,
+                     desk = DeskOptions()](const record::Progress& progress) -> Json {
+    *made = GoOnWith(directory, from, desk, progress);
+    return {{"recording", id}};
+  };
+  const auto conclude = [this, made] {
+    is_branching_ = false;
+    if (!*made) return;
+    loaded_ = (*made)->simulation().scene();
+    Enter(std::move(*made));
+  };
+  options_.workshop->Begin({.request = request, .work = work, .conclude = conclude});
+  is_branching_ = true;
+  return AnswersLater();
 }
 
 std::vector<BrainChoice> Session::Impl::Brains() const {

@@ -55,13 +55,13 @@ scene::SceneSpec Session::Impl::ReadSceneOf(const RequestFields& fields) const {
   return *std::move(reading.scene);
 }
 
+record::RecordingDesk::Options Session::Impl::DeskOptions() const {
+  return {.root = options_.recordings, .recording = options_.recording, .eye = options_.eye};
+}
+
 std::unique_ptr<LiveWorld> Session::Impl::MakeWorld(scene::SceneSpec scene,
                                                     std::optional<sim::RobotPlacement> robot) {
-  return std::make_unique<LiveWorld>(
-      std::move(scene), std::move(robot),
-      record::RecordingDesk::Options{.root = options_.recordings,
-                                     .recording = options_.recording,
-                                     .eye = tap_ ? &*tap_ : nullptr});
+  return std::make_unique<LiveWorld>(std::move(scene), std::move(robot), DeskOptions());
 }
 
 void Session::Impl::Enter(std::unique_ptr<LiveWorld> world) {
@@ -73,7 +73,8 @@ void Session::Impl::Enter(std::unique_ptr<LiveWorld> world) {
   resting_answer_ = nullptr;
   view_.reset();
   world_ = std::move(world);
-  if (tap_) (void)tap_->Take();  // of the world that was left
+  // What its recording saw when it was made anew is no news.
+  if (EyeTap* eye = world_->eye()) (void)eye->Take();
   TellAllOfScene();
 }
 

@@ -21,7 +21,7 @@ class SessionWorkplace : public Workplace {
   explicit SessionWorkplace(SessionOptions options) : session_(std::move(options)) {}
 
   const RequestTable& requests() const override { return session_.requests(); }
-  void Tick() override { session_.Tick(); }
+  bool Tick() override { return session_.Tick(); }
   News TakeNews() override { return session_.TakeNews(); }
   std::vector<Json> Everything() const override { return session_.Everything(); }
   double speed_factor() const override { return session_.speed_factor(); }
@@ -57,6 +57,11 @@ std::optional<MeshName> ParseMeshPath(std::string_view path) {
   return name;
 }
 
+SessionOptions WithWorkshop(SessionOptions options, Workshop* workshop) {
+  options.workshop = workshop;
+  return options;
+}
+
 SessionOptions WithGallery(SessionOptions options) {
   if (options.gallery.empty()) options.gallery = DataFile("scenes");
   return options;
@@ -76,7 +81,7 @@ class Studio::Impl {
  public:
   explicit Impl(const StudioOptions& options)
       : library_(options.session.recordings),
-        workplace_(options.session),
+        workplace_(WithWorkshop(options.session, &workshop_)),
         showcase_(ShowcaseOf(options.session)),
         server_(WithAnswers(options.server)),
         loop_(&workplace_, &server_) {

@@ -11,8 +11,8 @@
 namespace smile::studio {
 
 struct StudioOptions {
-  SessionOptions session;
-  ServerOptions server;  ///< `get` is the studio's own
+  SessionOptions session;  ///< `workshop` is the studio's own
+  ServerOptions server;    ///< `get` is the studio's own
 };
 
 /// A session, and the page that shows it in browsers.

@@ -17,7 +17,7 @@ class Workplace {
   // As Session has them.
 
   virtual const RequestTable& requests() const = 0;
-  virtual void Tick() = 0;
+  virtual bool Tick() = 0;
   virtual News TakeNews() = 0;
   virtual std::vector<Json> Everything() const = 0;
   virtual double speed_factor() const = 0;

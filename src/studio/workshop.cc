@@ -53,8 +53,7 @@ void Workshop::GiveUpOlderThan(const Request& newer) {
     const Request& request = task->job.request;
     const bool is_older = request.client == newer.client && request.what == newer.what;
     if (is_older && !task->is_running) {
-      letters_.push_back(
-          {.client = request.client, .message = AnswerWith(request, &FailAsGivenUp)});
+      Send(task->job, AnswerWith(request, &FailAsGivenUp));
       task = tasks_.erase(task);
       continue;
     }
@@ -64,12 +63,25 @@ void Workshop::GiveUpOlderThan(const Request& newer) {
 }
 
 std::vector<Letter> Workshop::TakeLetters() {
+  std::vector<Letter> letters;
+  for (Outgoing& outgoing : TakeOutgoing()) {
+    if (outgoing.conclude) outgoing.conclude();
+    letters.push_back(std::move(outgoing.letter));
+  }
+  return letters;
+}
+
+std::vector<Workshop::Outgoing> Workshop::TakeOutgoing() {
   const std::lock_guard lock(mutex_);
   for (Task& task : tasks_) {
     if (!std::exchange(task.has_news, false)) continue;
-    letters_.push_back(ProgressLetter(task.job.request.what, task.done, task.total));
+    outgoing_.push_back({ProgressLetter(task.job.request.what, task.done, task.total), {}});
   }
-  return std::exchange(letters_, {});
+  return std::exchange(outgoing_, {});
+}
+
+void Workshop::Send(const Job& job, Json answer) {
+  outgoing_.push_back({{.client = job.request.client, .message = std::move(answer)}, job.conclude});
 }
 
 void Workshop::Labor() {
@@ -114,10 +126,11 @@ bool Workshop::Tell(Task* task, double done, double total) {
 
 void Workshop::Finish(Task* task, Json answer) {
   const std::lock_guard lock(mutex_);
-  const Request& request = task->job.request;
   // Whoever saw it begin sees it end, also when it failed.
-  if (task->has_begun) letters_.push_back(ProgressLetter(request.what, task->total, task->total));
-  letters_.push_back({.client = request.client, .message = std::move(answer)});
+  if (task->has_begun) {
+    outgoing_.push_back({ProgressLetter(task->job.request.what, task->total, task->total), {}});
+  }
+  Send(task->job, std::move(answer));
   tasks_.remove_if([task](const Task& other) { return &other == task; });
 }
 

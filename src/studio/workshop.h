@@ -27,6 +27,9 @@ class Workshop {
     Work work;
     /// What the same client asked for before with the same `do` is given up.
     bool replaces_older = false;
+    /// What is left to do, whatever became of the work, just before its answer is told: by who
+    /// takes the letters, in that thread.
+    std::function<void()> conclude = {};
   };
 
   Workshop();
@@ -48,20 +51,26 @@ class Workshop {
     double done = 0, total = 0;  ///< [s]
     bool has_news = false, has_begun = false;
   };
+  struct Outgoing {
+    Letter letter;
+    std::function<void()> conclude;
+  };
   /// Those not yet begun are answered at once.
   void GiveUpOlderThan(const Request& newer);
+  std::vector<Outgoing> TakeOutgoing();
   void Labor();
   /// nullptr when the workshop closes. Where a task is in the list does not change.
   Task* TakeTask();
   Json CarryOut(Task* task);
   bool Tell(Task* task, double done, double total);
   void Finish(Task* task, Json answer);
+  void Send(const Job& job, Json answer);
 
   std::mutex mutex_;  ///< of all that follows
   std::condition_variable changed_;
   bool is_closing_ = false;
   std::list<Task> tasks_;  ///< in order
-  std::vector<Letter> letters_;
+  std::vector<Outgoing> outgoing_;
   std::vector<std::thread> threads_;
 };
 

@@ -116,6 +116,7 @@ export interface StateMessage {
     grippers: number[];
     head: number;
   } | null;
+  /** Its status is one of those in `texts.brain.statuses`. */
   brain: { name: string; status: string; message: string; file: string; line: number };
   snap: string[];
   markers: Point[];

@@ -157,6 +157,7 @@ export const texts = {
     open: "Opening the recording",
     try_edit: "Finding out what becomes of it",
     edit: "Writing the new recording",
+    branch: "Going back to that moment",
     imitate: "The robot imitates",
   } as Record<string, string>,
 
@@ -281,6 +282,7 @@ export const texts = {
     restart: "Restart",
     statuses: {
       none: "none",
+      starting: "starting…",
       running: "running",
       exited: "done",
       failed: "failed",

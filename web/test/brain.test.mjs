@@ -20,6 +20,12 @@ const STUMBLES = `def step(sensor, motor, aux):
 const RESTS = `def step(sensor, motor, aux):
     aux.exit = True
 `;
+const DAWDLES = `import time
+def init(aux):
+    time.sleep(1000)
+def step(sensor, motor, aux):
+    pass
+`;
 
 /** A folder with these robot programs. */
 function brains(t, programs) {
@@ -53,4 +59,18 @@ test("a robot program runs, its error tells its line, and an imitation its score
   await person.press("Imitate");
   await page.getByRole("status", { name: "Score" }).getByText("100 %").waitFor();
   assert.equal(witness.state.brain.status, "exited");
+});
+
+test("nobody waits for a robot program that does not get ready", async (t) => {
+  const folder = brains(t, { dawdles: DAWDLES });
+  const { page, witness, person } = await browser.workplace(t, { studio: ["--brains", folder] });
+  await person.showPanel("Brain");
+  await page.getByRole("combobox", { name: "Program" }).selectOption("dawdles.py");
+  await person.press("Start");
+  const status = page.getByRole("status");
+  await status.getByText("starting…").waitFor();
+  await person.grasp("RedBlock");
+  assert.equal(witness.state.brain.status, "starting");
+  await person.press("Stop");
+  await status.getByText("stopped").waitFor();
 });

@@ -387,8 +387,10 @@ TEST_F(ServerTest, ThereIsAnEndToClients) {
 TEST_F(ServerTest, EndsSoonWhoeverIsThere) {
   WebClient listens = Join(), stalled = Join(), silent = Connect();
   const std::string long_text(200'000, 'x');
-  for (int k = 0; k < 30; ++k) server().SendToAll({{"t", "event"}, {"text", long_text}});
-  for (int k = 0; k < 30; ++k) listens.Await("event");
+  for (int k = 0; k < 30; ++k) {
+    server().SendToAll({{"t", "event"}, {"text", long_text}});
+    EXPECT_EQ(listens.Await("event")["text"], long_text);
+  }
   const auto start = std::chrono::steady_clock::now();
   server_.reset();
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));

@@ -3,11 +3,14 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <thread>
+#include <utility>
 #include <vector>
 
 #include "base/files.h"
@@ -30,6 +33,7 @@ class SessionFixture : public ::testing::Test {
   }
   ~SessionFixture() override {
     session_.reset();
+    workshop_.reset();
     std::filesystem::remove_all(root_);
   }
 
@@ -44,27 +48,45 @@ class SessionFixture : public ::testing::Test {
   <block id="b" color="blue" location="(3, -3, 0.5)"/>
 </tabletop>)xml";
 
+  static sim::RobotPlacement Baxter() {
+    static const robot::RobotReading kBaxter = robot::LoadRobot(DataFile("robots/baxter.urdf"));
+    return {.model = kBaxter.model, .gripper = kBaxter.gripper, .files = kBaxter.files};
+  }
+
   void Begin(sim::Eye* eye = nullptr, bool with_robot = false) {
     SessionOptions options{.scene = root_ / "scenes/pair.xml",
                            .recordings = root_ / "recordings",
                            .eye = eye,
                            .gallery = root_ / "scenes",
-                           .brains = {root_ / "brains"}};
-    if (with_robot) {
-      static const robot::RobotReading kBaxter = robot::LoadRobot(DataFile("robots/baxter.urdf"));
-      options.robot = sim::RobotPlacement{
-          .model = kBaxter.model, .gripper = kBaxter.gripper, .files = kBaxter.files};
-    }
+                           .brains = {root_ / "brains"},
+                           .workshop = &*workshop_};
+    if (with_robot) options.robot = Baxter();
     session_ = std::make_unique<Session>(std::move(options));
+    session_->requests().letters.emplace_back([this] { return workshop_->TakeLetters(); });
   }
 
   Json Ask(const std::string& text) { return AskWith(ParseJson(text)); }
   Json AskWith(const Json& fields) {
+    const Json answer = BeginToAsk(fields);
+    return IsLater(answer) ? LaterAnswer() : answer;
+  }
+  Json BeginToAsk(const Json& fields) {
     std::string what;
     if (fields.contains("do") && fields["do"].is_string()) what = fields["do"];
     return Answer(session_->requests(),
                   {.client = 1, .seq = ++seq_, .what = what, .fields = fields},
                   /*is_controller=*/true);
+  }
+  /// To the last request.
+  Json LaterAnswer() {
+    while (true) {
+      for (Letter& letter : TakeLetters(session_->requests())) {
+        latest_[letter.message["t"].get<std::string>()] = letter.message;
+      }
+      const Json& reply = latest_["reply"];
+      if (reply.is_object() && reply["seq"] == seq_) return reply;
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
   }
   /// One that has to be carried out.
   Json Do(const std::string& text) {
@@ -81,10 +103,12 @@ class SessionFixture : public ::testing::Test {
   }
 
   void TickSeconds(double seconds) {
-    for (int i = 0; i < seconds * sim::kTicksPerSecond; ++i) {
-      session_->Tick();
-      Take();
-    }
+    for (int i = 0; i < seconds * sim::kTicksPerSecond; ++i) TickOnce();
+  }
+  /// However long a robot program is waited for.
+  void TickOnce() {
+    while (!session_->Tick()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    Take();
   }
   void Take() {
     News news = session_->TakeNews();
@@ -113,7 +137,13 @@ class SessionFixture : public ::testing::Test {
     return Vector3::Zero();
   }
 
+  void WritePython(const std::string& name, const std::string& text) {
+    MakeDirectories(root_ / "brains");
+    WriteFile(root_ / "brains" / name, text);
+  }
+
   std::filesystem::path root_;
+  std::optional<Workshop> workshop_{std::in_place};
   std::unique_ptr<Session> session_;
   std::uint32_t seq_ = 0;
   std::vector<Json> told_;

@@ -24,10 +24,6 @@ class SessionTest : public SessionFixture {
     Command(R"({"do":"release","hand":"left"})");
     TickSeconds(0.5);
   }
-  void WritePython(const std::string& name, const std::string& text) {
-    MakeDirectories(root_ / "brains");
-    WriteFile(root_ / "brains" / name, text);
-  }
 };
 
 TEST_F(SessionTest, ADemonstrationIsRecordedAndReplays) {
@@ -77,6 +73,47 @@ TEST_F(SessionTest, ARecordingIsGoneOnWithFromAnyOfItsSteps) {
   Command(R"({"do":"finish"})");
   const record::Recording kept = record::OpenRecording(root_ / "recordings/take");
   EXPECT_EQ(record::Replay(kept).first_difference, std::nullopt);
+}
+
+TEST_F(SessionTest, TheWorldGoesOnUntilTheOneOfARecordingIsMade) {
+  Begin();
+  Command(R"({"do":"start","name":"take"})");
+  PutAOnB();
+  Command(R"({"do":"finish"})");
+  const std::uint64_t tick = State()["tick"].get<std::uint64_t>();
+  ASSERT_TRUE(IsLater(BeginToAsk({{"do", "branch"}, {"recording", "take"}, {"step", 1}})));
+  const std::uint32_t seq = seq_;
+  TickSeconds(0.1);
+  EXPECT_EQ(State()["tick"], tick + 6);
+  Command(R"({"do":"grasp","hand":"right","object":"b"})");
+  for (const char* what :
+       {R"({"do":"command","command":{"do":"start"}})", R"({"do":"load","scene":"pair"})",
+        R"({"do":"branch","recording":"take","step":1})"}) {
+    EXPECT_NE(Refused(what).find("wait until it is there"), std::string::npos);
+  }
+  seq_ = seq;
+  const Json answer = LaterAnswer();
+  EXPECT_EQ(answer["recording"], "take") << ToText(answer);
+  EXPECT_EQ(latest_["progress"]["what"], "branch");
+  EXPECT_EQ(latest_["progress"]["done"], latest_["progress"]["total"]);
+  EXPECT_EQ(State()["recording"]["id"], "take");
+  EXPECT_EQ(State()["hands"]["left"]["object"], "a");
+  EXPECT_EQ(State()["hands"]["right"]["object"], nullptr);
+  Command(R"({"do":"finish"})");
+
+  EXPECT_NE(Refused(R"({"do":"branch","recording":"take","step":99})").find("step"),
+            std::string::npos);
+  Command(R"({"do":"start"})");
+}
+
+// The world is left while another one is in the making.
+TEST_F(SessionTest, WhatIsInTheMakingHarmsNobodyWhenTheSessionEnds) {
+  Begin();
+  Command(R"({"do":"start","name":"take"})");
+  PutAOnB();
+  Command(R"({"do":"finish"})");
+  ASSERT_TRUE(IsLater(BeginToAsk({{"do", "branch"}, {"recording", "take"}, {"step", 2}})));
+  session_.reset();
 }
 
 TEST_F(SessionTest, ABrokenSceneChangesNothingAndTellsItsLines) {
@@ -329,8 +366,8 @@ TEST_F(SessionTest, ARobotProgramRunsAndItsErrorHasAPlace) {
   EXPECT_NE(Refused(R"({"do":"start_brain","brain":"/bin/sh"})").find("\"brain\" is"),
             std::string::npos);
   Do(R"({"do":"start_brain","brain":"wave.py"})");
-  EXPECT_EQ(State()["brain"]["status"], "running");
   TickSeconds(0.2);
+  EXPECT_EQ(State()["brain"]["status"], "running");
   EXPECT_GT(State()["robot"]["head"].get<double>(), 0.01);
   TickSeconds(0.3);
   const Json brain = State()["brain"];

@@ -24,9 +24,11 @@ class MovingThing : public Workplace {
   }
 
   const RequestTable& requests() const override { return table_; }
-  void Tick() override {
+  bool Tick() override {
+    if (is_waiting_) return false;
     ++num_ticks_;
     if (is_moving_) ++place_;
+    return true;
   }
   News TakeNews() override {
     News news{.messages = std::exchange(news_, {})};
@@ -45,13 +47,14 @@ class MovingThing : public Workplace {
   }
 
   void See() { is_seen_ = true; }
+  void SetWaiting(bool is_waiting) { is_waiting_ = is_waiting; }
   int num_ticks() const { return num_ticks_; }
   double measured() const { return measured_; }
 
  private:
   RequestTable table_;
   std::vector<Json> news_;
-  bool is_moving_ = true, is_seen_ = false;
+  bool is_moving_ = true, is_seen_ = false, is_waiting_ = false;
   int place_ = 0, num_ticks_ = 0;
   double measured_ = 0;
 };
@@ -118,6 +121,17 @@ TEST_F(StudioLoopTest, KeepsToTheSpeedThatIsWantedAndTellsWhatCameOfIt) {
   EXPECT_GT(thing_.measured(), 0);
 }
 
+TEST_F(StudioLoopTest, TicksThatHaveToWaitAreMadeUpForAndNotCountedAsDone) {
+  thing_.SetWaiting(true);
+  for (int beat = 0; beat < 2; ++beat) loop_->Beat();
+  EXPECT_EQ(thing_.measured(), 0);
+  thing_.SetWaiting(false);
+  loop_->Beat();
+  EXPECT_EQ(thing_.num_ticks(), 9);
+  loop_->Beat();
+  EXPECT_EQ(thing_.num_ticks(), 12);
+}
+
 TEST_F(StudioLoopTest, SendsViewsAsPictures) {
   WebClient client = Join();
   loop_->Beat();
@@ -135,7 +149,7 @@ TEST(Pacer, KeepsTimeAndDropsWhatCannotBeMadeUpFor) {
   Pacer pacer(start);
   Pacer::Time now = start;
   for (int beat = 0; beat < 120; ++beat) {
-    pacer.EndBeat(pacer.BeginBeat(now), now);
+    pacer.EndBeat(pacer.BeginBeat(now), 0, now);
     now = pacer.next_beat();
   }
   EXPECT_NEAR(pacer.speed(), 1, 1e-6);
@@ -145,12 +159,23 @@ TEST(Pacer, KeepsTimeAndDropsWhatCannotBeMadeUpFor) {
   for (int beat = 0; beat < 40; ++beat) {
     const int ticks = pacer.BeginBeat(now);
     now += 100ms * ticks;
-    pacer.EndBeat(ticks, now);
+    pacer.EndBeat(ticks, 0, now);
   }
   EXPECT_NEAR(pacer.speed(), 1 / 6.0, 1e-6);
   // What is late is not run after.
   pacer.BeginBeat(now);
   EXPECT_GE(pacer.next_beat(), now - 100ms);
+}
+
+TEST(Pacer, OfWhatWaitedAMomentIsMadeUpFor) {
+  Pacer pacer(Pacer::Time{});
+  for (int beat = 0; beat < 100; ++beat) {
+    const Pacer::Time now = pacer.next_beat();
+    const int due = pacer.BeginBeat(now);
+    pacer.EndBeat(0, due, now);
+  }
+  EXPECT_EQ(pacer.speed(), 0);
+  EXPECT_EQ(pacer.BeginBeat(pacer.next_beat()), 7);
 }
 
 TEST(Pacer, SlowTimeHasBeatsWithoutTicks) {

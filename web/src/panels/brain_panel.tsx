@@ -6,7 +6,7 @@ import { texts } from "../texts";
 import { Button } from "../ui/buttons";
 import { Card, Empty } from "../ui/card";
 import { gallery } from "./gallery";
-import { brain, isRecording, mayAct, mayControl } from "./now";
+import { brain, isBrainAtWork, isRecording, mayAct, mayControl } from "./now";
 import { toImitate } from "./page";
 import { recordings, titleOf } from "./recordings";
 
@@ -26,10 +26,6 @@ function useBrains(): void {
       if (!known.some(({ name }) => name === chosenBrain.value)) chosenBrain.value = known[0]?.name ?? "";
     });
   }, [isConnected.value]);
-}
-
-function isAtWork(): boolean {
-  return brain.value?.status === "running";
 }
 
 async function copyPlace(place: string): Promise<void> {
@@ -59,7 +55,7 @@ function Status() {
   const status = now?.status || "none";
   return (
     <span class={`badge status-${status}`} role="status">
-      {words.statuses[status] ?? status}
+      {status === "starting" && <span class="spinner" />} {words.statuses[status] ?? status}
     </span>
   );
 }
@@ -69,7 +65,7 @@ function Program() {
   const name = now?.name || chosenBrain.value;
   const start = (program: string) => void ask("start_brain", { brain: program });
   const restart = async () => {
-    if (isAtWork()) await ask("stop_brain");
+    if (isBrainAtWork.value) await ask("stop_brain");
     start(name);
   };
   return (
@@ -86,7 +82,7 @@ function Program() {
         ))}
       </select>
       <div class="row">
-        {isAtWork() ? (
+        {isBrainAtWork.value ? (
           <Button
             label={words.stop}
             icon="stop"
@@ -178,7 +174,7 @@ function Imitation() {
         kind="accent"
         title={words.imitateWhy}
         isBusy={isBusy.value}
-        disabled={!mayControl.value || isRecording.value || chosenBrain.value === "" || isAtWork()}
+        disabled={!mayControl.value || isRecording.value || chosenBrain.value === "" || isBrainAtWork.value}
         onClick={() => void imitate()}
       />
       <Score />

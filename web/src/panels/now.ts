@@ -24,6 +24,8 @@ export const mayAct = computed(() => isConnected.value && isController.value && 
 export const mayControl = computed(() => isConnected.value && isController.value);
 export const liveSegments = settled(() => state.value?.recording?.segments ?? []);
 export const brain = settled(() => state.value?.brain ?? null);
+/** A robot program is at work, or is about to. */
+export const isBrainAtWork = computed(() => ["starting", "running"].includes(brain.value?.status ?? ""));
 export const snaps = settled(() => state.value?.snap ?? []);
 export const gone = settled(() => state.value?.gone ?? []);
 export const attention = settled(() => state.value?.attention ?? {});

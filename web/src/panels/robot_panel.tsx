@@ -7,7 +7,7 @@ import { Button, HoldButton } from "../ui/buttons";
 import { Card, Empty } from "../ui/card";
 import { Slider } from "../ui/slider";
 import { switchPreference } from "../ui/preference";
-import { brain, isPlayback, mayAct } from "./now";
+import { isBrainAtWork, isPlayback, mayAct } from "./now";
 
 type Joint = RobotDescription["joints"][number];
 
@@ -240,7 +240,7 @@ export function RobotPanel() {
         title={robot.name || words.title}
         aside={state.value?.robot?.following && <span class="badge">{words.following}</span>}
       >
-        {brain.value?.status === "running" && <p class="hint">{words.driving}</p>}
+        {isBrainAtWork.value && <p class="hint">{words.driving}</p>}
         <General robot={robot} />
       </Card>
       {robot.grippers.length > 0 && (

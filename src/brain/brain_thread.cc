@@ -1,0 +1,80 @@
+#include "brain/brain_thread.h"
+
+#include <exception>
+#include <utility>
+
+namespace smile::brain {
+
+BrainThread::BrainThread(const std::filesystem::path& brain, BrainOptions options,
+                         std::unique_ptr<BrainThread>&& before)
+    : process_(brain, WithEnd(std::move(options))),
+      before_(std::move(before)),
+      thread_([this] { Labor(); }) {}
+
+BrainThread::~BrainThread() {
+  Leave();
+  thread_.join();
+}
+
+BrainOptions BrainThread::WithEnd(BrainOptions options) {
+  options.is_cancelled = [this, is_cancelled = std::move(options.is_cancelled)] {
+    return is_leaving_ || (is_cancelled && is_cancelled());
+  };
+  return options;
+}
+
+void BrainThread::Ask(BrainQuestion question) {
+  {
+    const std::lock_guard lock(mutex_);
+    question_ = std::move(question);
+  }
+  changed_.notify_all();
+}
+
+std::optional<BrainAnswer> BrainThread::WaitForAnswer(std::chrono::nanoseconds patience) {
+  std::unique_lock lock(mutex_);
+  changed_.wait_for(lock, patience, [this] { return answer_.has_value(); });
+  return std::exchange(answer_, std::nullopt);
+}
+
+void BrainThread::Leave() {
+  {
+    const std::lock_guard lock(mutex_);
+    is_leaving_ = true;
+  }
+  changed_.notify_all();
+}
+
+void BrainThread::Labor() {
+  before_.reset();
+  while (const auto question = AwaitQuestion()) PutAnswer(AnswerTo(*question));
+  process_.Stop();
+}
+
+std::optional<BrainQuestion> BrainThread::AwaitQuestion() {
+  std::unique_lock lock(mutex_);
+  changed_.wait(lock, [this] { return is_leaving_ || question_.has_value(); });
+  if (is_leaving_) return std::nullopt;
+  return std::exchange(question_, std::nullopt);
+}
+
+BrainAnswer BrainThread::AnswerTo(const BrainQuestion& question) {
+  try {
+    return process_.Answer(question);
+  } catch (const std::exception& error) {
+    process_.Stop();
+    const bool is_start = std::holds_alternative<Aux>(question);
+    return BrainError{.phase = is_start ? BrainError::Phase::kStart : BrainError::Phase::kCallback,
+                      .message = error.what()};
+  }
+}
+
+void BrainThread::PutAnswer(BrainAnswer answer) {
+  {
+    const std::lock_guard lock(mutex_);
+    answer_ = std::move(answer);
+  }
+  changed_.notify_all();
+}
+
+}  // namespace smile::brain

@@ -1,0 +1,165 @@
+// Robot programs that take their time, in a session that does not wait for them.
+
+#include "brain/brain_driver.h"
+#include "record/replay.h"
+#include "scene_xml/scene_reader.h"
+#include "session_fixture.h"
+
+namespace smile::studio {
+namespace {
+
+class SessionBrainTest : public SessionFixture {
+ protected:
+  void SetUp() override { Begin(nullptr, /*with_robot=*/true); }
+
+  /// A program that has `gate()` to wait at until Open().
+  void WriteGated(const std::string& name, const std::string& text) {
+    WritePython(name,
+                "import os, time\n"
+                "import numpy as np\n"
+                "def gate():\n"
+                "  open('" +
+                    (root_ / "waits").string() + "', 'w')\n  while not os.path.exists('" +
+                    (root_ / "open").string() + "'): time.sleep(0.005)\n" + text);
+  }
+  void Open() { WriteFile(root_ / "open", ""); }
+  /// Until the program waits there.
+  void TickToGate() {
+    while (!std::filesystem::remove(root_ / "waits")) {
+      if (!session_->Tick()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      Take();
+    }
+  }
+  std::uint64_t TickNow() { return State()["tick"].get<std::uint64_t>(); }
+  std::string Status() { return State()["brain"]["status"].get<std::string>(); }
+  /// The world stands still, and all else goes on.
+  void ExpectLiveliness() {
+    const std::uint64_t tick = TickNow();
+    for (int i = 0; i < 6; ++i) EXPECT_FALSE(session_->Tick());
+    EXPECT_EQ(TickNow(), tick);
+    Command(R"({"do":"grasp","hand":"left","object":"a"})");
+    for (int i = 0; i < 6; ++i) EXPECT_FALSE(session_->Tick());
+    EXPECT_EQ(Latest("state")["hands"]["left"]["object"], "a");
+    EXPECT_NE(Refused(R"({"do":"command","command":{"do":"undo"}})").find("stop it first"),
+              std::string::npos);
+    EXPECT_EQ(TickNow(), tick);
+  }
+};
+
+TEST_F(SessionBrainTest, NobodyButTheWorldWaitsWhileAProgramStarts) {
+  WriteGated("slow.py",
+             "def init(aux):\n  gate()\n"
+             "  aux.initJointAngles = np.full((2, 7), 0.25)\n"
+             "def step(sensor, motor, aux):\n"
+             "  assert (sensor.jointAngles == 0.25).all(), sensor.jointAngles\n"
+             "  aux.exit = True\n");
+  Do(R"({"do":"start_brain","brain":"slow.py"})");
+  TickToGate();
+  EXPECT_EQ(Status(), "starting");
+  ExpectLiveliness();
+  // It also starts while time stands still.
+  Do(R"({"do":"pause"})");
+  Open();
+  while (Status() == "starting") EXPECT_TRUE(session_->Tick());
+  EXPECT_EQ(Status(), "running");
+  EXPECT_EQ(TickNow(), 0u);
+  Do(R"({"do":"resume"})");
+  TickSeconds(0.1);
+  EXPECT_EQ(Status(), "exited") << ToText(State()["brain"]);
+}
+
+TEST_F(SessionBrainTest, NobodyButTheWorldWaitsWhileAProgramThinks) {
+  WriteGated("slow.py",
+             "def step(sensor, motor, aux):\n"
+             "  motor.headVelocity = 0.5\n"
+             "  if sensor.simTime > 0.1: gate()\n"
+             "  if sensor.simTime > 0.3: aux.exit = True\n");
+  Command(R"({"do":"start","name":"take"})");
+  Do(R"({"do":"start_brain","brain":"slow.py"})");
+  TickToGate();
+  EXPECT_EQ(Status(), "running");
+  ExpectLiveliness();
+  Open();
+  TickSeconds(0.4);
+  EXPECT_EQ(Status(), "exited") << ToText(State()["brain"]);
+  Command(R"({"do":"finish"})");
+  EXPECT_EQ(record::Replay(record::OpenRecording(root_ / "recordings/take")).first_difference,
+            std::nullopt);
+}
+
+TEST_F(SessionBrainTest, AProgramThatNeverAnswersIsLeftAtAnyTime) {
+  WriteGated("sleepy.py", "def init(aux): gate()\ndef step(sensor, motor, aux): pass\n");
+  WriteGated("dreamy.py", "def step(sensor, motor, aux): gate()\n");
+  WriteGated("brisk.py", "def step(sensor, motor, aux): aux.exit = True\n");
+  const auto begin = [this](const std::string& brain) {
+    Do(R"({"do":"start_brain","brain":")" + brain + "\"}");
+    TickToGate();
+  };
+  for (const char* brain : {"sleepy.py", "dreamy.py"}) {
+    begin(brain);
+    Do(R"({"do":"stop_brain"})");
+    EXPECT_EQ(Status(), "stopped");
+    EXPECT_TRUE(session_->Tick());
+    begin(brain);
+    Do(R"({"do":"load","scene":"pair_elsewhere"})");
+    EXPECT_EQ(Status(), "none");
+    EXPECT_TRUE(session_->Tick());
+  }
+  Do(R"({"do":"start_brain","brain":"brisk.py"})");
+  TickSeconds(0.1);
+  EXPECT_EQ(Status(), "exited");
+  begin("sleepy.py");
+  session_.reset();
+}
+
+TEST_F(SessionBrainTest, WhatFailsAtTheStartIsTold) {
+  WritePython("hasty.py", "def init(aux):\n  undefined\ndef step(sensor, motor, aux): pass\n");
+  Do(R"({"do":"start_brain","brain":"hasty.py"})");
+  TickSeconds(0.1);
+  const Json brain = State()["brain"];
+  EXPECT_EQ(brain["status"], "failed");
+  EXPECT_NE(brain["message"].get<std::string>().find("undefined"), std::string::npos);
+  EXPECT_EQ(brain["line"], 2);
+  bool is_told = false;
+  for (const Json& message : told_) {
+    if (message["t"] != "console") continue;
+    for (const Json& line : message["lines"]) is_told = is_told || line.value("line", 0) == 2;
+  }
+  EXPECT_TRUE(is_told);
+}
+
+TEST_F(SessionBrainTest, ARunThatNobodyWaitsForIsTheSameRun) {
+  WritePython("dance.py",
+              "import time\n"
+              "import numpy as np\n"
+              "def init(aux):\n"
+              "  aux.initJointAngles = 0.1 * np.arange(14).reshape(2, 7)\n"
+              "  aux.drawMarkers = [[0, 0, 1]]\n"
+              "def step(sensor, motor, aux):\n"
+              "  tick = round(60 * sensor.simTime)\n"
+              "  if tick % 9 == 4: time.sleep(0.02)\n"
+              "  motor.jointVelocities = 0.4 * np.cos(5 * sensor.jointAngles + tick)\n"
+              "  motor.gripperVelocities[:] = sensor.endEffPos[:, 2] / 10\n"
+              "  if tick == 30: aux.exit = True\n");
+  Command(R"({"do":"start","name":"take"})");
+  Do(R"({"do":"start_brain","brain":"dance.py"})");
+  TickSeconds(0.6);
+  EXPECT_EQ(Status(), "exited") << ToText(State()["brain"]);
+  Command(R"({"do":"finish"})");
+  const record::Recording kept = record::OpenRecording(root_ / "recordings/take");
+
+  sim::Simulation simulation(scene_xml::LoadScene(root_ / "scenes/pair.xml", {}), Baxter());
+  const std::filesystem::path program = root_ / "brains/dance.py";
+  brain::BrainProcess process(program);
+  brain::BrainDriver driver({.has_trackers = brain::MayReadTrackers(program)});
+  driver.Drive(&process, &simulation);
+  while (driver.Drive(&process, &simulation) == brain::BrainStatus::kRunning) simulation.Tick();
+  while (simulation.tick() < 36) simulation.Tick();
+  const record::ReplayReport replay = record::Replay(kept);
+  EXPECT_EQ(replay.first_difference, std::nullopt);
+  EXPECT_EQ(replay.ticks(), 36u);
+  EXPECT_EQ(replay.hash, simulation.state_hash());
+}
+
+}  // namespace
+}  // namespace smile::studio

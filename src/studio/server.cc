@@ -105,7 +105,7 @@ class Server::Impl {
 
   ~Impl() {
     clients_.CloseAll();
-    listening_.socket.Stop();
+    listening_.Stop();
     doorman_.join();
     // Those that listen have heard the last word by now; the others are not waited for.
     const auto deadline = std::chrono::steady_clock::now() + kLastWordPatience;
@@ -142,7 +142,7 @@ class Server::Impl {
   /// Gives everybody who comes a thread of their own. Only this thread touches the list.
   void LetIn() {
     while (true) {
-      Socket socket = listening_.socket.Accept(stall_);
+      Socket socket = listening_.Accept(stall_);
       if (!socket.is_open()) return;
       connections_.remove_if([](Connection& connection) {
         const bool is_over = connection.is_over;

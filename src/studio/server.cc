@@ -37,15 +37,16 @@ std::string ContentPolicy(const HttpRequest& request) {
          "base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 }
 
-void AddSafetyHeaders(const HttpRequest& request, HttpReply* reply) {
+void AddSafetyHeaders(const HttpRequest& request, bool is_loopback, HttpReply* reply) {
   const std::pair<std::string, std::string> headers[] = {
       {"Content-Security-Policy", ContentPolicy(request)},
       {"X-Content-Type-Options", "nosniff"},
       {"Referrer-Policy", "no-referrer"},
-      {"Cross-Origin-Opener-Policy", "same-origin"},
       {"Cross-Origin-Resource-Policy", "same-origin"},
       {"Connection", "close"}};
   reply->headers.insert(reply->headers.end(), std::begin(headers), std::end(headers));
+  // From elsewhere than this machine browsers ignore it without TLS, and complain.
+  if (is_loopback) reply->headers.emplace_back("Cross-Origin-Opener-Policy", "same-origin");
 }
 
 HttpReply FileReply(const Page::File& file, const HttpRequest& request) {
@@ -217,7 +218,7 @@ class Server::Impl {
   }
 
   void SendReply(const Socket& socket, const HttpRequest& request, HttpReply reply) const {
-    AddSafetyHeaders(request, &reply);
+    AddSafetyHeaders(request, listening_.is_loopback, &reply);
     if (reply.status != 304) {
       reply.headers.emplace_back("Content-Length", std::to_string(reply.body.size()));
     }

@@ -47,6 +47,14 @@ export class Studio {
     this.whenClosed = [];
   }
 
+  /** Where a WebSocket may come in, with the token if there is one. */
+  get door() {
+    const door = new URL("/ws", this.link);
+    door.protocol = "ws:";
+    door.search = new URL(this.link).search;
+    return door.href;
+  }
+
   async close() {
     for (const close of this.whenClosed) await close();
     const ended = new Promise((resolve) => this.child.once("exit", resolve));
@@ -137,7 +145,7 @@ export class Browser {
 /** The program's own view of things: a watcher of the studio without a page. */
 export class Witness {
   static async of(studio) {
-    const witness = new Witness(new WebSocket(studio.link.replace(/^http/, "ws") + "ws"));
+    const witness = new Witness(new WebSocket(studio.door));
     await new Promise((resolve, reject) => {
       witness.socket.onopen = resolve;
       witness.socket.onerror = reject;

@@ -172,13 +172,19 @@ export class Witness {
     if (typeof data !== "string") return this.receivePoses(new DataView(data));
     const news = JSON.parse(data);
     if (news.t === "reply") this.replies.get(news.seq)?.(news);
-    if (news.t === "scene") this.scene = news;
+    if (news.t === "scene") this.enter(news);
     if (news.t === "state") this.state = news;
     if (news.t === "event") this.events.push(news);
   }
 
+  /** Its frames are others; where they are is told next. */
+  enter(scene) {
+    this.scene = scene;
+    this.poses.clear();
+  }
+
   receivePoses(data) {
-    if (data.getUint8(0) !== 1) return;
+    if (data.getUint8(0) !== 1 || data.getUint32(4, true) !== this.scene?.scene) return;
     for (let k = 0; k < data.getUint16(2, true); ++k) {
       const at = 16 + 32 * k;
       const numbers = [0, 1, 2, 3, 4, 5, 6].map((i) => data.getFloat32(at + 4 + 4 * i, true));
@@ -197,10 +203,10 @@ export class Witness {
     return this.scene.objects.map(({ id }) => id).filter((id) => !this.state.gone.includes(id));
   }
 
-  /** Where an object is, in units. */
+  /** Where an object is, in units; NaN as long as that is not told. */
   positionOf(id) {
     const { frame } = this.scene.objects.find((object) => object.id === id);
-    return this.poses.get(frame)?.slice(0, 3);
+    return this.poses.get(frame)?.slice(0, 3) ?? [NaN, NaN, NaN];
   }
 
   /** How far an upright object is turned about the vertical [degrees]. */

@@ -14,7 +14,7 @@ struct HistoryStep {
   std::optional<std::size_t> parent;  ///< the step before; nullopt for the start
   Moment begin;                       ///< just before the action
   /// As far as it went: to the next action, to where it was left by an undo, or to the recording's
-  /// end. If it was gone on with in several ways, the last of them counts.
+  /// end. If it was gone on with in several ways, the one on the way counts, else the last of them.
   Moment end;
   std::string words;       ///< `left hand takes b03`, `left hand puts b03 on b01`
   bool is_on_way = false;  ///< false of what was undone or left, and not done again

@@ -24,10 +24,15 @@ const BROWSER_OPTIONS = [
   "--no-first-run",
 ];
 
+/** What the program answers to a command that prints JSON. */
+export function programSays(words) {
+  const printed = execFileSync(SMILE, [...words, "--json"], { encoding: "utf8", stdio: ["ignore", "pipe", "pipe"] });
+  return JSON.parse(printed);
+}
+
 /** Runs a recording again; what the program has to say of it. */
 export function replay(recording) {
-  const words = ["replay", recording, "--verify", "--json"];
-  return JSON.parse(execFileSync(SMILE, words, { encoding: "utf8", stdio: ["ignore", "pipe", "pipe"] }));
+  return programSays(["replay", recording, "--verify"]);
 }
 
 /** A running studio. `close()` ends it and takes its recordings away. */
@@ -232,6 +237,17 @@ export class Witness {
   /** Waits until something holds; else fails and tells what was awaited. */
   async until(holds, what = holds.toString()) {
     if (!(await this.within(PATIENCE_MS, holds))) throw new Error(`this never came: ${what}`);
+  }
+
+  /** What is read, as soon as it is there and stays the same for so long. */
+  async settled(read, what, milliseconds) {
+    let [before, since] = ["null", 0];
+    await this.until(() => {
+      const now = JSON.stringify(read() ?? null);
+      if (now !== before) [before, since] = [now, Date.now()];
+      return before !== "null" && Date.now() - since > milliseconds;
+    }, what);
+    return JSON.parse(before);
   }
 
   /** Whether something came to hold in this time. */

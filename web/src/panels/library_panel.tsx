@@ -38,9 +38,9 @@ function download(id: string): void {
   link.click();
 }
 
-async function showEnd(recording: Recording): Promise<void> {
-  await openRecording(recording.id);
-  await ask("show", { recording: recording.id, seconds: recording.seconds });
+async function showEnd(id: string): Promise<void> {
+  const timeline = await openRecording(id);
+  if (timeline !== null) await ask("show", { recording: id, seconds: timeline.seconds });
 }
 
 function imitate(id: string): void {
@@ -52,7 +52,7 @@ function entriesOf(recording: Recording): MenuEntry[] {
   const { id } = recording;
   const disabled = !mayControl.value;
   return [
-    { label: words.show, icon: "eye", disabled: disabled || isRecording.value, onChoose: () => void showEnd(recording) },
+    { label: words.show, icon: "eye", disabled: disabled || isRecording.value, onChoose: () => void showEnd(id) },
     { label: words.imitate, icon: "robot", onChoose: () => imitate(id) },
     { label: words.rename, icon: "pencil", disabled, onChoose: () => (renamed.value = id) },
     { label: words.download, icon: "download", onChoose: () => download(id) },

@@ -43,7 +43,7 @@ test("a wrong scene changes nothing and shows where it is wrong; a right one is 
   async function spawn() {
     await person.press("Add");
     await witness.until(() => witness.ids.length > 2 && witness.ids.every((id) => witness.positionOf(id)[2] > 0), "new objects");
-    return witness.ids.map((id) => witness.positionOf(id).slice(0, 2).map((value) => value.toFixed(2)));
+    return witness.ids.map((id) => witness.positionOf(id).slice(0, 2).map((value) => Math.round(10 * value) + 0)); // no -0
   }
 });
 
@@ -51,8 +51,8 @@ test("the robot's rage leaves all as it was", async (t) => {
   const { page, witness, person } = await browser.workplace(t, { studio: ["--no-pictures"] });
   await person.grasp("RedBlock");
   await person.dragTo("RedBlock", [null, null, 2]);
-  await witness.until(() => Math.abs(witness.positionOf("RedBlock")[2] - 2) < 0.05, "it hangs still");
-  const left = tableNow();
+  await witness.until(() => Math.abs(witness.positionOf("RedBlock")[2] - 2) < 0.05, "it hangs there");
+  const left = await witness.settled(tableNow, "it hangs still", 500);
   await person.press("Rage");
   await witness.until(() => witness.state.mode === "rage", "the rage");
   await page.getByText("The robot has had enough.").waitFor();

@@ -7,6 +7,7 @@ import { mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { createInterface } from "node:readline";
+import { isDeepStrictEqual } from "node:util";
 import { chromium } from "playwright-core";
 import WebSocket from "ws";
 import { Person } from "./person.mjs";
@@ -241,13 +242,13 @@ export class Witness {
 
   /** What is read, as soon as it is there and stays the same for so long. */
   async settled(read, what, milliseconds) {
-    let [before, since] = ["null", 0];
+    let [before, since] = [null, 0];
     await this.until(() => {
-      const now = JSON.stringify(read() ?? null);
-      if (now !== before) [before, since] = [now, Date.now()];
-      return before !== "null" && Date.now() - since > milliseconds;
+      const now = read() ?? null;
+      if (!isDeepStrictEqual(now, before)) [before, since] = [now, Date.now()];
+      return before !== null && Date.now() - since > milliseconds;
     }, what);
-    return JSON.parse(before);
+    return before;
   }
 
   /** Whether something came to hold in this time. */

@@ -142,8 +142,10 @@ export class Person {
     let at = x + ((await numberOf(slider)) - min) * scale;
     await this.page.mouse.move(at, y + height / 2);
     await this.page.mouse.down();
-    for (let k = 0; k < MAX_CLICKS && !(await isThere()); ++k) {
-      at += (wanted - (await numberOf(slider))) * scale;
+    for (let k = 0; k < MAX_CORRECTIONS && !(await isThere()); ++k) {
+      // At its ends a slider begins half a thumb further in: there one goes on by pixels.
+      const way = (wanted - (await numberOf(slider))) * scale;
+      at += Math.sign(way) * Math.max(1, Math.abs(way));
       await this.page.mouse.move(at, y + height / 2, { steps: k === 0 ? 8 : 1 });
       await this.look();
     }

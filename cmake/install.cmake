@@ -29,6 +29,9 @@ install(FILES cmake/smileConfig.cmake DESTINATION lib/cmake/smile COMPONENT agen
 install(TARGETS smile smile_keeper RUNTIME DESTINATION bin)
 install(DIRECTORY robots scenes examples matlab python DESTINATION share/smile
         PATTERN "__pycache__" EXCLUDE)
+# The studio's page, where it was built.
+install(DIRECTORY build/page DESTINATION share/smile/build OPTIONAL
+        PATTERN ".built" EXCLUDE PATTERN "*.map" EXCLUDE)
 install(FILES ${CMAKE_BINARY_DIR}/matlab/smilelink.mex
               ${CMAKE_BINARY_DIR}/matlab/smile_guard.oct
               ${CMAKE_BINARY_DIR}/matlab/smilemotion.mex

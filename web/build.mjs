@@ -18,7 +18,14 @@ await build({
   outfile: join(out, "studio.js"),
   logLevel: "warning",
 });
-for (const file of ["index.html", "studio.css", "icon.svg"]) cpSync(file, join(out, file));
+await build({
+  entryPoints: ["styles/studio.css"],
+  bundle: true,
+  minify: true,
+  outfile: join(out, "studio.css"),
+  logLevel: "warning",
+});
+for (const file of ["index.html", "icon.svg"]) cpSync(file, join(out, file));
 // Sent to browsers that understand it, which all do.
 for (const file of ["index.html", "studio.css", "studio.js"]) {
   writeFileSync(join(out, `${file}.gz`), gzipSync(readFileSync(join(out, file)), { level: 9 }));

@@ -27,7 +27,8 @@ Json ToJson(const record::Recording& recording, const std::vector<record::Histor
   for (std::size_t i = 0; i < steps.size(); ++i) {
     list.push_back({{"step", i},
                     {"parent", steps[i].parent ? Json(*steps[i].parent) : Json()},
-                    {"words", steps[i].words},
+                    {"words", WordsOf(steps[i])},
+                    {"deed", record::ToJson(steps[i].deed)},
                     {"begin", SecondsInto(recording, steps[i].begin.tick)},
                     {"end", SecondsInto(recording, steps[i].end.tick)},
                     {"on_way", steps[i].is_on_way}});
@@ -52,7 +53,7 @@ void PrintTree(const record::Recording& recording, const std::vector<record::His
     std::printf("%s%s %3zu  %7.2f s  %s%s\n",
                 std::string(2 * std::min(row.depth, kMaxDepth), ' ').c_str(),
                 step.is_on_way ? "*" : "-", row.step, SecondsInto(recording, step.begin.tick),
-                Printable(step.words).c_str(), step.is_on_way ? "" : " (undone)");
+                Printable(WordsOf(step)).c_str(), step.is_on_way ? "" : " (undone)");
     // The newest child goes on in the same column; it is the one on the way, where there is one.
     const auto& next = children[row.step];
     for (std::size_t k = next.size(); k-- > 0;) {

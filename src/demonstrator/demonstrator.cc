@@ -15,6 +15,7 @@ namespace {
 /// As one thing, of which is said what it holds.
 std::string NameOf(HandName hand) {
   if (hand == HandName::kBoth) return "the pair of hands";
+  if (hand == HandName::kAny) return "the hand 'any'";
   return "the " + std::string(ToString(hand)) + " hand";
 }
 
@@ -114,7 +115,7 @@ void Demonstrator::TurnPlane(HandName name, double angle_deg) {
   state_.plane_angles_deg[static_cast<std::size_t>(name)] = angle_deg;
 }
 
-std::optional<Vector3> Demonstrator::PointOnPlane(HandName name, const Ray& ray,
+std::optional<Vector3> Demonstrator::PointOnPlane(HandName name, const Ray& ray, bool is_level,
                                                   Refusal* refusal) const {
   constexpr double kParallel = 1e-9, kFar = 100;  // sine of an angle, [m]
   const auto no = [refusal](Refusal why) {
@@ -126,10 +127,12 @@ std::optional<Vector3> Demonstrator::PointOnPlane(HandName name, const Ray& ray,
   if (!(direction.norm() > 0.5)) return no("the ray has no direction");
 
   const double angle = DegreesToRadians(plane_angle_deg(name));
-  const Vector3 normal(-std::sin(angle), std::cos(angle), 0);
+  const Vector3 normal =
+      is_level ? Vector3::UnitZ() : Vector3(-std::sin(angle), std::cos(angle), 0);
   const Vector3 p_WH = hand(name).X_WB_goal * hand(name).p_BH;
   const double approach = normal.dot(direction);
-  const std::string plane = "the motion plane of " + NameOf(name);
+  const std::string plane =
+      std::string(is_level ? "the level plane of " : "the motion plane of ") + NameOf(name);
   if (!(std::abs(approach) > kParallel)) return no("the ray is parallel to " + plane);
   const double distance = normal.dot(p_WH - ray.p_WOrigin) / approach;
   if (!(distance >= 0)) return no("the ray runs away from " + plane);

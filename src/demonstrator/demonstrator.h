@@ -63,8 +63,10 @@ class Demonstrator {
   /// Turns the hand's motion plane, which is vertical and through where the hand wants to be. It
   /// keeps its direction from grasp to grasp.
   void TurnPlane(HandName hand, double angle_deg);
-  /// Where a ray meets the hand's motion plane: the place to move to [m]; or why there is none.
-  std::optional<Vector3> PointOnPlane(HandName hand, const Ray& ray, Refusal* refusal) const;
+  /// Where a ray meets the hand's motion plane, or the level one through where it wants to be: the
+  /// place to move to [m]; or why there is none.
+  std::optional<Vector3> PointOnPlane(HandName hand, const Ray& ray, bool is_level,
+                                      Refusal* refusal) const;
   /// Turns the held object about its origin, about the world's x, then y, then z axis [deg].
   [[nodiscard]] std::optional<Refusal> Rotate(HandName hand, const Vector3& angles_deg);
   /// Lets go: the object is at rest for a moment, then gravity has it.

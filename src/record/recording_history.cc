@@ -9,7 +9,6 @@
 
 #include "base/overloaded.h"
 #include "base/wording.h"
-#include "record/support.h"
 #include "record/trace_reader.h"
 
 namespace smile::record {
@@ -71,7 +70,7 @@ class Releases {
       : recording_(recording), steps_(*steps) {}
 
   void Add(std::size_t step, sim::Event event) { waiting_.emplace(step, std::move(event)); }
-  /// Finds words for all of them: one reading of the trace for each way through the history.
+  /// Finds it out for all of them: one reading of the trace for each way through the history.
   void Name() {
     while (!waiting_.empty()) NameAlongWayTo(waiting_.rbegin()->first);
   }
@@ -95,9 +94,9 @@ class Releases {
     const sim::Event& event = waiting_.at(step);
     const auto& objects = recording_.scene.objects;
     const auto object = std::ranges::find(objects, event.object, &scene::ObjectSpec::id);
-    steps_[step].words =
-        WordsOf(event, SupportOf(recording_.scene, moment.objects,
-                                 static_cast<std::size_t>(object - objects.begin())));
+    steps_[step].deed =
+        DeedOf(event, SupportOf(recording_.scene, moment.objects,
+                                static_cast<std::size_t>(object - objects.begin())));
   }
 
   const Recording& recording_;
@@ -117,8 +116,7 @@ std::uint64_t LastTick(const Recording& recording) {
 std::vector<HistoryStep> HistoryOf(const Recording& recording) {
   const CommandLog& log = recording.log;
   std::vector<HistoryStep> steps;
-  steps.push_back(
-      {.begin = recording.info.start, .end = recording.info.start, .words = "the start"});
+  steps.push_back({.begin = recording.info.start, .end = recording.info.start});
   // What hands hold after each step; at the start that is what the commands before it left.
   std::vector<Holds> holds(1);
   for (const LoggedCommand& logged : log.WayTo(recording.info.start.line)) {
@@ -141,7 +139,7 @@ std::vector<HistoryStep> HistoryOf(const Recording& recording) {
     steps.push_back({.parent = step,
                      .begin = {.line = line - 1, .tick = logged.tick},
                      .end = {.line = line, .tick = logged.tick},
-                     .words = WordsOf(event, std::nullopt)});
+                     .deed = DeedOf(event, std::nullopt)});
     if (event.kind == sim::EventKind::kReleased) releases.Add(steps.size() - 1, event);
     holds.push_back(After(*command, holds[step]));
   }
@@ -154,6 +152,10 @@ std::vector<HistoryStep> HistoryOf(const Recording& recording) {
   }
   releases.Name();
   return steps;
+}
+
+std::string WordsOf(const HistoryStep& step) {
+  return step.deed ? WordsOf(*step.deed) : "the start";
 }
 
 std::optional<Moment> MomentIn(const Recording& recording, const HistoryStep& step,

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "record/deed.h"
 #include "record/recording.h"
 
 namespace smile::record {
@@ -16,8 +17,8 @@ struct HistoryStep {
   /// As far as it went: to the next action, to where it was left by an undo, or to the recording's
   /// end. If it was gone on with in several ways, the one on the way counts, else the last of them.
   Moment end;
-  std::string words;       ///< `left hand takes b03`, `left hand puts b03 on b01`
-  bool is_on_way = false;  ///< false of what was undone or left, and not done again
+  std::optional<Deed> deed;  ///< the action; nullopt of the start
+  bool is_on_way = false;    ///< false of what was undone or left, and not done again
 };
 
 /// Everything that was ever done in a recording, also what was undone. Step 0 is the start; the
@@ -25,6 +26,9 @@ struct HistoryStep {
 /// the last one on the way.
 /// @throws InputError if the recording's trace cannot be read.
 std::vector<HistoryStep> HistoryOf(const Recording& recording);
+
+/// `left hand takes b03`; of step 0 `the start`.
+std::string WordsOf(const HistoryStep& step);
 
 /// The moment some ticks after a step's begin; nullopt if it did not last that long.
 std::optional<Moment> MomentIn(const Recording& recording, const HistoryStep& step,

@@ -51,48 +51,4 @@ std::optional<Support> SupportOf(const scene::SceneSpec& scene,
   return best;
 }
 
-namespace {
-
-std::string Who(demonstrator::HandName hand) {
-  return std::string(ToString(hand)) +
-         (hand == demonstrator::HandName::kBoth ? " hands " : " hand ");
-}
-
-/// `takes ` or, of both hands, `take `.
-std::string Does(demonstrator::HandName hand, const std::string& verb) {
-  return Who(hand) + verb + (hand == demonstrator::HandName::kBoth ? " " : "s ");
-}
-
-std::string WordsOfRelease(const sim::Event& event, const std::optional<Support>& support) {
-  if (!support) return Does(*event.hand, "release") + event.object;
-  const std::string where = support->object.empty() ? "the table" : support->object;
-  return Does(*event.hand, support->is_near() ? "put" : "drop") + event.object +
-         (support->is_container ? " into " : " on ") + where;
-}
-
-}  // namespace
-
-std::string WordsOf(const sim::Event& event, const std::optional<Support>& support) {
-  if (!BeginsSegment(event)) return "";
-  using enum sim::EventKind;
-  switch (event.kind) {
-    case kGrasped:
-      return Does(*event.hand, "take") + event.object;
-    case kReleased:
-      return WordsOfRelease(event, support);
-    case kDestroyed:
-      return Does(*event.hand, "destroy") + event.object;
-    case kPointed:
-      return Does(*event.hand, "point") + "at " + event.part;
-    case kTriggered:
-      return Does(*event.hand, "trigger") + event.control;
-    case kFastened:
-      return Does(*event.hand, "fasten") + event.object;
-    case kLoosened:
-      return Does(*event.hand, "loosen") + event.object;
-    default:
-      return "";
-  }
-}
-
 }  // namespace smile::record

@@ -26,9 +26,4 @@ struct Support {
 std::optional<Support> SupportOf(const scene::SceneSpec& scene,
                                  const std::vector<TracePose>& objects, std::size_t object);
 
-/// `left hand takes b03`, `both hands put b03 on b01`: what a hand did that begins a segment; empty
-/// for all else.
-/// @param support  of what it let go of.
-std::string WordsOf(const sim::Event& event, const std::optional<Support>& support);
-
 }  // namespace smile::record

@@ -40,13 +40,14 @@ struct Plane {
   bool operator==(const Plane&) const = default;
 };
 
-/// A mouse that drags: a MoveTo to where its ray meets the hand's motion plane. It is this MoveTo
-/// that is told and logged.
+/// A mouse that drags: a MoveTo to where its ray meets the hand's motion plane, or a level one. It
+/// is this MoveTo that is told and logged.
 struct Drag {
   HandName hand = HandName::kAny;
   Vector3 p_WOrigin = Vector3::Zero();           ///< of the ray [m]
   Vector3 direction_in_world = Vector3::Zero();  ///< of any length but 0
-  std::optional<double> speed;                   ///< at most this fast [m/s]
+  bool is_level = false;        ///< in the level plane through where the hand wants to be
+  std::optional<double> speed;  ///< at most this fast [m/s]
   bool operator==(const Drag&) const = default;
 };
 

@@ -71,6 +71,7 @@ Json ToJson(const Command& command, double unit) {
                    Json json = hand(drag.hand, "drag");
                    json["origin"] = ToArray(ToFileUnits(drag.p_WOrigin, unit));
                    json["direction"] = ToArray(drag.direction_in_world);
+                   if (drag.is_level) json["level"] = true;
                    if (drag.speed) json["speed"] = ToFileUnits(*drag.speed, unit);
                    return json;
                  },

@@ -98,11 +98,13 @@ const std::vector<Form>& Forms() {
        {kHandField,
         {"origin", Kind::kPoint, true, "where the ray begins [units]"},
         {"direction", Kind::kDirection, true, "of the ray, of any length but 0"},
+        {"level", Kind::kFlag, false, "in a level plane instead; false if not given"},
         {"speed", Kind::kSpeed, false, kSpeedMeaning}},
        [](const Json& json, double unit) -> Command {
          return Drag{.hand = HandOf(json),
                      .p_WOrigin = FromFileUnits(VectorOf(json.at("origin")), unit),
                      .direction_in_world = VectorOf(json.at("direction")),
+                     .is_level = json.value("level", false),
                      .speed = OptionalSpeedOf(json, unit)};
        }},
       {"rotate",

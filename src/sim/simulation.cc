@@ -151,7 +151,7 @@ std::optional<Refusal> Simulation::Carry(const Drag& drag) {
   Refusal refusal;
   const auto p_WH = demonstrator_.PointOnPlane(
       drag.hand, {.p_WOrigin = drag.p_WOrigin, .direction_in_world = drag.direction_in_world},
-      &refusal);
+      drag.is_level, &refusal);
   // Where units are tiny, a log could not say it.
   const double limit = scene::FromFileUnits(kMaxNumber, scene_.meters_per_unit);
   if (p_WH && !(p_WH->cwiseAbs().maxCoeff() <= limit)) {

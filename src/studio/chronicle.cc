@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "record/support.h"
-
 namespace smile::studio {
 namespace {
 
@@ -27,11 +25,11 @@ Json Chronicle::SegmentsSince(std::size_t num_before, std::uint64_t start_tick,
     return action < actions_.size() ? actions_[action].tick : now_tick;
   };
   segments.push_back({{"number", 0},
-                      {"words", "the start"},
+                      {"deed", nullptr},
                       {"seconds", RoundedSeconds(end_of(num_before) - start_tick)}});
   for (std::size_t i = num_before; i < actions_.size(); ++i) {
     segments.push_back({{"number", i - num_before + 1},
-                        {"words", actions_[i].words},
+                        {"deed", record::ToJson(actions_[i].deed)},
                         {"seconds", RoundedSeconds(end_of(i + 1) - actions_[i].tick)}});
   }
   return segments;
@@ -45,8 +43,8 @@ void Chronicle::OnCommand(const sim::Simulation& simulation, const sim::Command&
 void Chronicle::OnEvent(const sim::Simulation& simulation, const sim::Event& event) {
   if (!record::BeginsSegment(event) || actions_.empty()) return;
   const bool lets_go = event.kind == sim::EventKind::kReleased;
-  actions_.back().words =
-      record::WordsOf(event, lets_go ? SupportOf(simulation, event.object) : std::nullopt);
+  actions_.back().deed =
+      record::DeedOf(event, lets_go ? SupportOf(simulation, event.object) : std::nullopt);
 }
 
 void Chronicle::OnUndo(const sim::Simulation&) {

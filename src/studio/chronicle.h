@@ -1,20 +1,21 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
+#include <optional>
 #include <vector>
 
 #include "base/json.h"
+#include "record/deed.h"
 #include "sim/simulation.h"
 
 namespace smile::studio {
 
-/// What hands have done in a simulation, in words, as it stands: an undo takes the last away.
+/// What hands have done in a simulation, as it stands: an undo takes the last away.
 class Chronicle : public sim::Listener {
  public:
   struct Action {
     std::uint64_t tick = 0;  ///< at which it was done
-    std::string words;       ///< `left hand takes b03`
+    std::optional<record::Deed> deed;
   };
 
   std::size_t size() const { return actions_.size(); }

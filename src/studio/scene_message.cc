@@ -150,15 +150,13 @@ Json DescribeObjects(const scene::SceneSpec& scene) {
   Json objects = Json::array();
   int frame = 0;  // the world's; then one for each object
   for (const scene::ObjectSpec& object : scene.objects) {
-    const bool has_bonds =
-        !scene::GuestsOf(object.whole).empty() || !scene::HostsOf(object.whole).empty();
     objects.push_back(
         {{"id", object.id()},
          {"frame", ++frame},
          {"shape", object.descriptions.empty() ? "" : object.descriptions.front().value},
          {"parts", DescribeParts(object.whole)},
          {"controls", DescribeControls(object.whole)},
-         {"bonds", has_bonds},
+         {"bonds", !scene::GuestsOf(object.whole).empty()},
          {"fixed", object.is_static()},
          {"properties", PropertiesOf(object)}});
   }

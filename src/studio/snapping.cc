@@ -3,51 +3,61 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "math/angles.h"
 
 namespace smile::studio {
 namespace {
 
-/// The best way to follow what is asked for, along the two directions of a vertical plane.
+/// The best way to follow what is asked for, within a plane: along one direction, and along
+/// another at right angles to it.
 class Shift {
  public:
-  Shift(double plane_deg, double limit)
-      : along_(std::cos(DegreesToRadians(plane_deg)), std::sin(DegreesToRadians(plane_deg)), 0),
-        limit_(limit) {}
+  Shift(const Vector3& plane_normal, double limit) : plane_normal_(plane_normal), limit_(limit) {}
 
   /// To move by `distance` along `normal` is asked for.
   void Consider(const Vector3& normal, double distance) {
     constexpr double kUpright = 0.999, kLevel = 0.04, kAcross = 0.5;
-    const double share = normal.dot(along_);
-    if (std::abs(normal.z()) > kUpright) {
-      Keep(distance / normal.z(), &up_);
-    } else if (std::abs(normal.z()) < kLevel && std::abs(share) > kAcross) {
-      Keep(distance / share, &level_);
+    const double height = std::abs(normal.z());
+    if (height > kLevel && height < kUpright) return;
+    const Vector3 within = normal - plane_normal_.dot(normal) * plane_normal_;
+    const double share = within.norm();
+    if (share < kAcross || !(std::abs(distance / share) <= limit_)) return;
+    wishes_.push_back({.direction = within / share, .distance = distance / share});
+  }
+
+  /// Grants the nearest wishes.
+  void Grant() {
+    std::ranges::stable_sort(wishes_, {}, &Wish::size);
+    for (const Wish& wish : std::exchange(wishes_, {})) {
+      const auto leaves_alone = [&wish](const Wish& granted) {
+        constexpr double kAcross = 0.04;  // cosine of 88 degrees
+        return std::abs(granted.direction.dot(wish.direction)) < kAcross;
+      };
+      if (std::ranges::all_of(granted_, leaves_alone)) granted_.push_back(wish);
     }
   }
 
-  /// What the other asks for where this one has nothing.
-  void Complete(const Shift& other) {
-    if (!level_) level_ = other.level_;
-    if (!up_) up_ = other.up_;
-  }
-
+  /// All that was granted; only the nearest of it where together that is too far.
   Vector3 Get() const {
-    double level = level_.value_or(0), up = up_.value_or(0);
-    if (std::hypot(level, up) > limit_) (std::abs(level) > std::abs(up) ? level : up) = 0;
-    return level * along_ + up * Vector3::UnitZ();
+    Vector3 shift = Vector3::Zero();
+    for (const Wish& wish : granted_) shift += wish.vector();
+    if (shift.norm() <= limit_) return shift;
+    return std::ranges::min(granted_, {}, &Wish::size).vector();
   }
 
  private:
-  void Keep(double distance, std::optional<double>* best) const {
-    if (!(std::abs(distance) <= limit_)) return;
-    if (!*best || std::abs(distance) < std::abs(**best)) *best = distance;
-  }
+  struct Wish {
+    Vector3 direction;  ///< within the plane, of length 1
+    double distance;
+    double size() const { return std::abs(distance); }
+    Vector3 vector() const { return distance * direction; }
+  };
 
-  Vector3 along_;
+  Vector3 plane_normal_;
   double limit_;
-  std::optional<double> level_, up_;
+  std::vector<Wish> wishes_, granted_;
 };
 
 /// True when the axes of both run along each other, whichever along which.
@@ -130,14 +140,15 @@ sim::Command SnappedDrag(const SnapTo& snap, const LiveWorld& world, const sim::
   sim::Refusal refusal;
   const auto p_WH = simulation.demonstrator().PointOnPlane(
       drag.hand, {.p_WOrigin = drag.p_WOrigin, .direction_in_world = drag.direction_in_world},
-      &refusal);
+      drag.is_level, &refusal);
   if (!p_WH) return drag;  // the simulation says why
   const world::Object* object = simulation.tabletop().Find(hand.held);
   const auto number = static_cast<std::size_t>(object - simulation.tabletop().objects().data());
   const Matrix3& R_WB = hand.X_WB_goal.rotation();
   const Carried carried{.bounds = world.bounds()[number],
                         .X_WB = {R_WB, *p_WH - R_WB * hand.p_BH},
-                        .plane_deg = simulation.demonstrator().plane_angle_deg(drag.hand)};
+                        .plane_deg = simulation.demonstrator().plane_angle_deg(drag.hand),
+                        .is_level = drag.is_level};
   if (carried.bounds.is_empty()) return drag;
   const Vector3 shift =
       SnapShift(snap, carried, NeighboursOf(world, hand.held), simulation.scene().meters_per_unit);
@@ -179,12 +190,15 @@ std::vector<std::string> NamesOf(const SnapTo& snap) {
 Vector3 SnapShift(const SnapTo& snap, const Carried& carried, std::span<const Neighbour> neighbours,
                   double meters_per_unit) {
   const double limit = kSnapUnits * meters_per_unit;
-  Shift shift(carried.plane_deg, limit), grid(carried.plane_deg, limit);
+  const double angle = DegreesToRadians(carried.plane_deg);
+  Shift shift(carried.is_level ? Vector3::UnitZ() : Vector3(-std::sin(angle), std::cos(angle), 0),
+              limit);
   for (const Neighbour& neighbour : neighbours) {
     ConsiderNeighbour(snap, carried, neighbour, limit, &shift);
   }
-  if (snap.grid) ConsiderGrid(carried.X_WB.translation(), kGridUnits * meters_per_unit, &grid);
-  shift.Complete(grid);
+  shift.Grant();
+  if (snap.grid) ConsiderGrid(carried.X_WB.translation(), kGridUnits * meters_per_unit, &shift);
+  shift.Grant();
   return shift.Get();
 }
 

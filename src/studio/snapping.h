@@ -35,9 +35,10 @@ struct Neighbour {
 
 /// Something that a hand is to carry somewhere.
 struct Carried {
-  scene::Bounds bounds;  ///< in its own frame B
-  RigidTransform X_WB;   ///< where it is wanted
-  double plane_deg = 0;  ///< it stays in this vertical plane, see sim::Plane
+  scene::Bounds bounds;   ///< in its own frame B
+  RigidTransform X_WB;    ///< where it is wanted
+  double plane_deg = 0;   ///< it stays in this vertical plane, see sim::Plane
+  bool is_level = false;  ///< but in a level plane if this is true
 };
 
 /// By how much to move a carried thing beyond where it is wanted, within its plane [m]: never more

@@ -1,6 +1,5 @@
 #include "studio/timeline.h"
 
-#include "record/support.h"
 #include "record/time_range.h"
 #include "record/trace_reader.h"
 
@@ -13,8 +12,7 @@ std::vector<SegmentSpan> SpansOnWay(const std::vector<record::HistoryStep>& hist
   for (const record::HistoryStep& step : history) {
     if (!step.is_on_way) continue;
     if (!spans.empty()) spans.back().end = step.begin.tick;
-    spans.push_back(
-        {.words = spans.empty() ? "" : step.words, .begin = step.begin.tick, .end = step.end.tick});
+    spans.push_back({.deed = step.deed, .begin = step.begin.tick, .end = step.end.tick});
   }
   return spans;
 }
@@ -28,7 +26,7 @@ std::vector<SegmentSpan> SpansOfTrace(const record::Recording& recording) {
     spans.back().end = moment->tick;
     for (const sim::Event& event : moment->events) {
       if (!record::BeginsSegment(event)) continue;
-      spans.push_back({.words = record::WordsOf(event, std::nullopt),
+      spans.push_back({.deed = record::DeedOf(event, std::nullopt),
                        .begin = moment->tick,
                        .end = moment->tick});
     }
@@ -51,14 +49,14 @@ Json TimelineOf(const record::Recording& recording) {
   Json segments = Json::array(), steps = Json::array();
   for (const SegmentSpan& span : spans) {
     segments.push_back({{"number", segments.size()},
-                        {"words", span.words},
+                        {"deed", record::ToJson(span.deed)},
                         {"begin", seconds(span.begin)},
                         {"end", seconds(span.end)}});
   }
   for (const record::HistoryStep& step : history) {
     steps.push_back({{"step", steps.size()},
                      {"parent", step.parent ? Json(*step.parent) : Json()},
-                     {"words", step.words},
+                     {"deed", record::ToJson(step.deed)},
                      {"begin", seconds(step.begin.tick)},
                      {"end", seconds(step.end.tick)},
                      {"on_way", step.is_on_way}});

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
+#include <optional>
 #include <vector>
 
 #include "base/json.h"
@@ -12,7 +12,7 @@ namespace smile::studio {
 
 /// From one action of a hand to the next.
 struct SegmentSpan {
-  std::string words;                 ///< as HistoryStep has them; empty of the first
+  std::optional<record::Deed> deed;  ///< that began it; nullopt of the first
   std::uint64_t begin = 0, end = 0;  ///< [ticks]
 };
 
@@ -25,8 +25,8 @@ std::vector<SegmentSpan> SegmentsOf(const record::Recording& recording,
 /// What was done in a recording, for people to look through: its segments, and its steps as
 /// record::HistoryOf() has them. All times are from its start [s]:
 ///
-///     {"segments":[{"number","words","begin","end"}],
-///      "steps":[{"step","parent","words","begin","end","on_way"}],"seconds"}
+///     {"segments":[{"number","deed","begin","end"}],
+///      "steps":[{"step","parent","deed","begin","end","on_way"}],"seconds"}
 Json TimelineOf(const record::Recording& recording);
 
 }  // namespace smile::studio

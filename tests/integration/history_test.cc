@@ -56,6 +56,7 @@ TEST_F(HistoryAsUsed, ACheckoutGoesOnFromAnyStepAndLosesNone) {
   const Json steps = Smile("history take --json").json()["steps"];
   ASSERT_EQ(steps.size(), 5u);
   EXPECT_EQ(steps[4]["words"], "right hand takes b");
+  EXPECT_EQ(steps[4]["deed"]["hand"], "right");
   EXPECT_EQ(steps[4]["parent"], 2);
   EXPECT_TRUE(steps[2]["on_way"]);
   EXPECT_FALSE(steps[3]["on_way"]);

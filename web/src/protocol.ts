@@ -77,9 +77,19 @@ export interface Hand {
   angles?: Point;
 }
 
+/** What a hand did; `on` and `into` name what is beneath, "" for the table. */
+export interface Deed {
+  do: "take" | "put" | "drop" | "release" | "destroy" | "point" | "trigger" | "fasten" | "loosen";
+  hand: HandName;
+  what: string;
+  on?: string;
+  into?: string;
+}
+
 export interface Segment {
   number: number;
-  words: string;
+  /** What began it; null of the first. */
+  deed: Deed | null;
   seconds: number;
 }
 

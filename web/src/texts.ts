@@ -1,6 +1,6 @@
 // All English of the page, by subject. What the program says comes from the program.
 
-import type { HandName } from "./protocol";
+import type { Deed, HandName } from "./protocol";
 
 const count = (number: number, one: string, many: string) => `${number} ${number === 1 ? one : many}`;
 
@@ -27,6 +27,8 @@ export const texts = {
     isEmpty: "empty",
     held: "Held object",
     nothingHeld: "This hand is empty. Click an object, or choose one in the list of objects and press Enter.",
+    nothingInPlayback: "A recording is shown: nothing can be taken until you are back at the table.",
+    nothingToWatch: "You are watching: whoever controls takes the objects.",
     release: "Release",
     destroy: "Destroy",
     destroyWhy: "Takes the object out of the world; Undo brings it back",
@@ -55,6 +57,12 @@ export const texts = {
     snap: "Snap to",
     guides: "Show where it would come to rest",
     snaps: { faces: "Faces", edges: "Edges", grid: "Grid", angles: "Right angles" },
+    snapsWhy: {
+      faces: "Drags end where it touches a neighbour that is turned alike",
+      edges: "Drags end in line with sides and middles of neighbours that are turned alike",
+      grid: "Drags end at multiples of half a unit",
+      angles: "Turns end at right angles to the table and to what is near",
+    },
     taken: (hand: HandName, object: string) => `${texts.hands.names[hand]} hand takes ${object}`,
   },
 
@@ -73,6 +81,9 @@ export const texts = {
     undo: "Undo",
     redo: "Redo",
     group: "Recording",
+    kept: (title: string) => `“${title}” is in the library.`,
+    keptEmpty: (title: string) => `“${title}” is in the library, but nothing was shown in it.`,
+    keptHeld: (title: string, object: string) => `“${title}” is in the library. It ends with ${object} in a hand.`,
   },
 
   time: {
@@ -154,6 +165,8 @@ export const texts = {
   menu: { trigger: "Trigger", point: "Point to", fasten: "Fasten", loosen: "Loosen", title: (object: string) => `What to do with ${object}` },
   menuReasons: {
     noControl: "It is no part of a control",
+    lights: "Lights follow other controls",
+    isDown: "It is pressed already",
     handFull: "Only with an empty hand",
     noBonds: "It has nothing to fasten",
     onlyHeld: "Only of what the hand holds",
@@ -232,6 +245,7 @@ export const texts = {
     title: "Robot",
     none: "This scene has no robot.",
     noneHint: "Scenes whose name ends in “robot” have one.",
+    playbackHint: "The robot moves as it did then. Back at the table you can move it again.",
     show: "Show the robot",
     pose: "Take pose",
     go: "Go",
@@ -246,6 +260,7 @@ export const texts = {
     head: "Head",
     grippers: "Grippers",
     gripper: (arm: string) => `${capital(arm)} gripper`,
+    gripperOf: capital,
     others: "Other joints",
     less: (joint: string) => `Hold to turn ${joint} back`,
     further: (joint: string) => `Hold to turn ${joint} on`,
@@ -316,7 +331,7 @@ export const texts = {
     binned: (title: string) => `“${title}” is in the bin`,
     isBack: (title: string) => `“${title}” is back`,
     picture: (title: string) => `How “${title}” ends`,
-    isOpen: "open",
+    isOpen: "Opened",
     actions: (title: string) => `More to do with “${title}”`,
     refresh: "Look again",
   },
@@ -327,7 +342,14 @@ export const texts = {
     none: "The first action makes the first segment.",
     segments: "Segments",
     start: "Beginning",
-    picture: (words: string) => `How it looks after: ${words}`,
+    /** "left hand takes b03", "both hands put b03 on b01" */
+    deed: ({ do: verb, hand, what, on, into }: Deed) => {
+      const who = hand === "both" ? "both hands" : `${hand} hand`;
+      const does = `${verb}${hand === "both" ? "" : "s"}${verb === "point" ? " at" : ""}`;
+      const beneath = on ?? into;
+      const where = beneath === undefined ? "" : `${into === undefined ? " on" : " into"} ${beneath || "the table"}`;
+      return `${who} ${does} ${what}${where}`;
+    },
     scrub: "Moment",
     play: "Play",
     stop: "Stop",
@@ -337,7 +359,10 @@ export const texts = {
     branch: "Go on from here",
     branchWhy: "Puts the world back to this moment and records on; nothing is lost",
     trim: "Trim",
+    trimWhy: "Leaves out the beginning or end of the chosen segment",
     drop: "Delete",
+    dropWhy: "Leaves out the chosen segment",
+    chooseFirst: "Choose a segment first",
     close: "Close this recording",
     rename: "Title and notes",
     history: "History",
@@ -349,8 +374,8 @@ export const texts = {
   },
 
   edit: {
-    dropTitle: (words: string) => `Delete “${words}”`,
-    trimTitle: (words: string) => `Trim “${words}”`,
+    dropTitle: (segment: string) => `Delete “${segment}”`,
+    trimTitle: (segment: string) => `Trim “${segment}”`,
     original: "The recording stays as it is; the change becomes a new one.",
     from: "From",
     to: "To",
@@ -404,15 +429,15 @@ export const texts = {
     well: "Well done!",
     needsControl: "Take control first: the button is at the top.",
     steps: {
-      welcome: ["Show a robot what to do", "In two minutes you take a block, put it on another, and record it. You can leave at any time; Help brings the tour back."],
+      welcome: ["Show a robot what to do", "In two minutes you record how a block is put on another. Your hands are invisible, and the robot watches. You can leave at any time; Help brings the tour back."],
       look: ["Look around", "Drag beside the objects to turn the view, and use the wheel to come nearer. On a touch screen use one and two fingers."],
-      grasp: ["Take a block", "Click a block. Or choose one in the list of objects and press Enter."],
-      lift: ["Lift it", "Drag it upwards. It moves in the plane that you see; Page Up in the Hands panel lifts it, too."],
-      turn: ["Turn it", "Drag one of the colored rings, or a slider in the Hands panel."],
-      stack: ["Put it on another", "Carry it over another block and let it go: click elsewhere, or press Release. Where it moves sideways or away depends on the plane: turn it with the buttons in the Hands panel."],
-      record: ["Record", "Press Record. From now on every action becomes a segment of your demonstration."],
-      act: ["Show something", "Take any block, put it somewhere else, and let it go."],
-      undo: ["Take it back", "Something went wrong? Press Undo: world and time are as they were before."],
+      record: ["Record", "Press Record. From now on every action becomes a segment of your demonstration, in the timeline below."],
+      grasp: ["Take a block", "Click a block: it is in your hand now. Or choose one in the list of objects and press Enter."],
+      lift: ["Lift it", "Drag it upwards, higher than the others, or press I a few times. The ghost below shows where it would come to rest."],
+      turn: ["Turn it", "Drag one of the colored rings beside the block, or a slider in the Hands panel."],
+      stack: ["Put it on another", "Drag moves it up, down and sideways. To carry it level, also away from you, hold Ctrl, or look from the Top. When the ghost lies on another block, let go: click elsewhere, or press Release."],
+      undo: ["Take it back", "Had something gone wrong? Press Undo: you hold the block again, and the recording knows nothing of it."],
+      redo: ["Do it again", "It was good as it was: press Redo."],
       finish: ["Finish", "Press Finish. Your recording is in the library, ready for the robot."],
       end: ["That is all", "The Brain panel lets the robot imitate your recording. All keys are in Help. Have fun!"],
     } as Record<string, readonly [title: string, words: string]>,

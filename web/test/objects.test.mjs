@@ -55,7 +55,7 @@ test("the robot's rage leaves all as it was", async (t) => {
   const left = await witness.settled(tableNow, "it hangs still", 500);
   await person.press("Rage");
   await witness.until(() => witness.state.mode === "rage", "the rage");
-  await page.getByText("The robot has had enough.").waitFor();
+  await page.getByText("The robot has had enough.").first().waitFor();
   await witness.until(() => !witness.isHeld("RedBlock") && witness.positionOf("RedBlock")[2] < 1, "nothing is held then");
   for (const name of ["Add", "Clear", "Rage", "Undo"]) assert.ok(await person.button(name).isDisabled(), name);
   await witness.until(() => witness.state.mode === "live", "the end of it");

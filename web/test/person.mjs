@@ -1,4 +1,4 @@
-// What a person does at the page, with a real mouse: looks, moves, looks again.
+// What a person does at the page, with a real mouse or real fingers: looks, moves, looks again.
 
 import { isDeepStrictEqual } from "node:util";
 
@@ -8,10 +8,73 @@ const MAX_CORRECTIONS = 12;
 const MAX_CLICKS = 5;
 const CLICK_MS = 2000; // for a click to reach the program, and its news to come back
 
+/** What a person points with. */
+export class Mouse {
+  constructor({ mouse }) {
+    this.mouse = mouse;
+  }
+
+  async press({ x, y }) {
+    await this.mouse.move(x, y);
+    await this.mouse.down();
+  }
+
+  async moveTo({ x, y }) {
+    await this.mouse.move(x, y, { steps: 4 });
+  }
+
+  async lift() {
+    await this.mouse.up();
+  }
+
+  async click({ x, y }, options) {
+    await this.mouse.move(x, y);
+    await this.mouse.click(x, y, options);
+  }
+}
+
+/** Fingers on a touch screen; what is told of them is where all of them are. */
+export class Fingers {
+  static async on(page) {
+    return new Fingers(await page.context().newCDPSession(page));
+  }
+
+  constructor(screen) {
+    this.screen = screen;
+    this.at = [];
+  }
+
+  async press(...points) {
+    await this.tell("touchStart", points);
+  }
+
+  /** In few steps: a finger that hardly moves for half a second asks for a menu. */
+  async moveTo(...points) {
+    const half = points.map(({ x, y }, k) => ({ x: (this.at[k].x + x) / 2, y: (this.at[k].y + y) / 2 }));
+    await this.tell("touchMove", half);
+    await this.tell("touchMove", points);
+  }
+
+  async lift() {
+    await this.tell("touchEnd", []);
+  }
+
+  async click(point) {
+    await this.press(point);
+    await this.lift();
+  }
+
+  async tell(type, points) {
+    this.at = points;
+    const touchPoints = points.map(({ x, y }, id) => ({ x, y, id }));
+    await this.screen.send("Input.dispatchTouchEvent", { type, touchPoints });
+  }
+}
+
 /** Whoever sits before a page. The witness is told what the program says; the page is what is clicked. */
 export class Person {
-  constructor(page, witness) {
-    Object.assign(this, { page, witness });
+  constructor(page, witness, pointer = new Mouse(page)) {
+    Object.assign(this, { page, witness, pointer });
   }
 
   button(name, within = this.page) {
@@ -26,38 +89,58 @@ export class Person {
     await this.page.getByRole("tab", { name, exact: true }).click();
   }
 
-  /** Where an object is to be seen [px]. */
+  /** Where an object is to be seen [px], as soon as it is. */
   async pointOf(id) {
-    const point = await this.page.evaluate((object) => window.smileStudio.screenPointOf(object), id);
-    if (point === null) throw new Error(`${id} is not to be seen`);
-    return point;
+    const seen = this.page.waitForFunction((object) => window.smileStudio.screenPointOf(object), id);
+    const point = await seen.catch(() => Promise.reject(new Error(`${id} is not to be seen`)));
+    return point.jsonValue();
   }
 
   async placeOnPage(point) {
     return this.page.evaluate((place) => window.smileStudio.screenPlaceOf(place), point);
   }
 
-  async click({ x, y }, options) {
-    await this.page.mouse.move(x, y);
-    await this.page.mouse.click(x, y, options);
+  async click(point, options) {
+    await this.pointer.click(point, options);
   }
 
-  /** The page may just be making room for a panel: then the click goes past the object, and another follows. */
-  async grasp(id) {
-    for (let k = 0; k < MAX_CLICKS && !this.witness.isHeld(id); ++k) {
+  /**
+   * Takes an object, with this hand or any. The page may just be making room for a panel: then the
+   * click goes past the object, and another follows.
+   */
+  async grasp(id, hand = null) {
+    const isIt = () => (hand === null ? this.witness.isHeld(id) : this.witness.state.hands[hand].object === id);
+    for (let k = 0; k < MAX_CLICKS && !isIt(); ++k) {
       await this.look();
       await this.click(await this.pointOf(id));
-      await this.witness.within(CLICK_MS, () => this.witness.isHeld(id));
+      await this.witness.within(CLICK_MS, isIt);
     }
-    await this.witness.until(() => this.witness.isHeld(id), `${id} is in a hand`);
+    await this.witness.until(isIt, `${id} is in ${hand ?? "a"} hand`);
   }
 
-  /** Puts the mouse onto what is held, and presses. */
+  /** The menu of what is at a place of the world, by a right click. */
+  async menuAt(place) {
+    await this.look();
+    await this.click(await this.placeOnPage(place), { button: "right" });
+    return this.openMenu();
+  }
+
+  async openMenu() {
+    const menu = this.page.getByRole("menu", { name: /^What to do with/ });
+    await menu.waitFor();
+    return menu;
+  }
+
+  entry(name, menu) {
+    return menu.getByRole("menuitem", { name: new RegExp(`^${name}`) });
+  }
+
+  /** Puts mouse or finger onto what is held, and presses. */
   async take(id) {
-    const { x, y } = await this.pointOf(id);
-    await this.page.mouse.move(x, y);
-    await this.page.mouse.down();
-    return { x, y };
+    await this.look();
+    const point = await this.pointOf(id);
+    await this.pointer.press(point);
+    return point;
   }
 
   /**
@@ -65,24 +148,24 @@ export class Person {
    * which it moves: [x, y, z], null where it does not matter.
    */
   async dragTo(id, wanted) {
-    let mouse = await this.take(id);
-    let before = null;
+    let [at, before] = [null, null];
     for (let k = 0; k < MAX_CORRECTIONS; ++k) {
       const place = await this.restOf(id);
-      if (isDeepStrictEqual(place, before)) {
+      if (at !== null && isDeepStrictEqual(place, before)) {
         // It was missed: the page may just have made room for a panel.
-        await this.page.mouse.up();
-        mouse = await this.take(id);
+        await this.pointer.lift();
+        at = null;
       }
       before = place;
       const goal = wanted.map((value, axis) => value ?? place[axis]);
       if (Math.hypot(...goal.map((value, axis) => value - place[axis])) < CLOSE) {
-        await this.page.mouse.up();
+        if (at !== null) await this.pointer.lift();
         return;
       }
       const [from, to] = [await this.placeOnPage(place), await this.placeOnPage(goal)];
-      mouse = { x: mouse.x + to.x - from.x, y: mouse.y + to.y - from.y };
-      await this.page.mouse.move(mouse.x, mouse.y, { steps: k === 0 ? 8 : 2 });
+      at ??= await this.take(id);
+      at = { x: at.x + to.x - from.x, y: at.y + to.y - from.y };
+      await this.pointer.moveTo(at);
       await this.look();
     }
     throw new Error(`${id} does not come to ${wanted}`);
@@ -94,9 +177,9 @@ export class Person {
     for (let k = 0; k < 2; ++k) await this.page.evaluate(picture);
   }
 
-  /** Where the hand wants a held object, as soon as that stays the same. */
-  restOf(id) {
-    return this.witness.settled(() => this.witness.handOf(id)?.place, `${id} is held still`, 150);
+  /** Where the hand wants a held object, as soon as that stays the same for so long. */
+  restOf(id, milliseconds = 150) {
+    return this.witness.settled(() => this.witness.handOf(id)?.place, `${id} is held still`, milliseconds);
   }
 
   /** Lifts a held object, then carries it level. */
@@ -116,14 +199,9 @@ export class Person {
   /** Takes hold of the ring about an axis at one angle and drags it to another [degrees]. */
   async turnRing(axis, from, to) {
     const pointAt = (degrees) => this.page.evaluate(([a, d]) => window.smileStudio.ringPointOf(a, d), [axis, degrees]);
-    const begin = await pointAt(from);
-    await this.page.mouse.move(begin.x, begin.y);
-    await this.page.mouse.down();
-    for (let degrees = from; degrees <= to; degrees += 10) {
-      const { x, y } = await pointAt(degrees);
-      await this.page.mouse.move(x, y);
-    }
-    await this.page.mouse.up();
+    await this.pointer.press(await pointAt(from));
+    for (let degrees = from; degrees <= to; degrees += 10) await this.pointer.moveTo(await pointAt(degrees));
+    await this.pointer.lift();
   }
 
   /** Drags the thumb of a slider until it stands where it shall, to a step of it. */
@@ -139,7 +217,8 @@ export class Person {
     const { x, y, width, height } = await slider.boundingBox();
     const [min, max] = await slider.evaluate((input) => [input.min, input.max].map(Number));
     const scale = width / (max - min);
-    let at = x + ((await numberOf(slider)) - min) * scale;
+    // At both ends half of the thumb is within the slider.
+    let at = Math.min(x + width - 4, Math.max(x + 4, x + ((await numberOf(slider)) - min) * scale));
     await this.page.mouse.move(at, y + height / 2);
     await this.page.mouse.down();
     for (let k = 0; k < MAX_CORRECTIONS && !(await isThere()); ++k) {

@@ -66,7 +66,6 @@ async function atTheTable() {
   await person.release();
   await person.press("Finish");
   await person.showPanel("Library");
-  await person.showPanel("Robot");
   const timeline = page.getByRole("region", { name: "Timeline" });
   await person.button("Play", timeline).waitFor();
   await timeline.getByRole("list", { name: "Segments" }).getByRole("button").nth(3).click();

@@ -3,7 +3,7 @@
 
 import assert from "node:assert/strict";
 import { spawn, execFileSync } from "node:child_process";
-import { mkdtempSync, rmSync } from "node:fs";
+import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { createInterface } from "node:readline";
@@ -24,6 +24,22 @@ const BROWSER_OPTIONS = [
   "--disable-sync",
   "--no-first-run",
 ];
+
+/** Two blocks that stand alike, 2 units apart. */
+export const SIDE_BY_SIDE = `<tabletop xmlns="http://synapse.cs.umd.edu/tabletop-xml">
+  <block id="Resting" location="(-1.5,-2,0.5)" color="red"/>
+  <block id="Coming" location="(1.5,-2.1,0.5)" color="blue"/>
+</tabletop>
+`;
+
+/** A file with a scene, as long as the test lasts. */
+export function sceneFile(t, name, xml) {
+  const folder = mkdtempSync(join(tmpdir(), "smile-scene-"));
+  t.after(() => rmSync(folder, { recursive: true }));
+  const path = join(folder, `${name}.xml`);
+  writeFileSync(path, xml);
+  return path;
+}
 
 /** What the program answers to a command that prints JSON. */
 export function programSays(words) {

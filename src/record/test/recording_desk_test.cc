@@ -96,10 +96,10 @@ TEST_F(RecordingDeskTest, TheHistoryTellsEveryStepAlsoWhatWasUndone) {
   Do(sim::FinishRecording());
   const std::vector<HistoryStep> steps = HistoryOf(OpenRecording(root_ / "take"));
   ASSERT_EQ(steps.size(), 4u);
-  EXPECT_EQ(steps[0].words, "the start");
-  EXPECT_EQ(steps[1].words, "left hand takes a");
-  EXPECT_EQ(steps[2].words, "left hand puts a on the table");
-  EXPECT_EQ(steps[3].words, "right hand points at b");
+  EXPECT_EQ(WordsOf(steps[0]), "the start");
+  EXPECT_EQ(WordsOf(steps[1]), "left hand takes a");
+  EXPECT_EQ(WordsOf(steps[2]), "left hand puts a on the table");
+  EXPECT_EQ(WordsOf(steps[3]), "right hand points at b");
   EXPECT_EQ(steps[3].parent, 1u);
   EXPECT_FALSE(steps[2].is_on_way);
   EXPECT_TRUE(steps[1].is_on_way && steps[3].is_on_way);

@@ -37,13 +37,5 @@ TEST(Support, IsTheHighestThingStraightBeneath) {
   EXPECT_EQ(SupportOfAAt("(12, 0, 0.5)"), std::nullopt);
 }
 
-TEST(Support, MakesTheWordsOfARelease) {
-  const sim::Event release{
-      .kind = sim::EventKind::kReleased, .hand = demonstrator::HandName::kBoth, .object = "a"};
-  EXPECT_EQ(WordsOf(release, SupportOfAAt("(-4, 0, 1)")), "both hands put a into crate");
-  EXPECT_EQ(WordsOf(release, SupportOfAAt("(0, 0, 3)")), "both hands drop a on the table");
-  EXPECT_EQ(WordsOf(release, std::nullopt), "both hands release a");
-}
-
 }  // namespace
 }  // namespace smile::record

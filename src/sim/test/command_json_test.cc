@@ -40,7 +40,7 @@ TEST(CommandJson, RoundTripsEveryKindToTheLastBit) {
         MoveTo{.p_WH = point(), .speed = std::abs(number()) + 0.01},
         Plane{.hand = HandName::kRight, .angle_deg = number() * 90},
         Drag{.hand = HandName::kLeft, .p_WOrigin = point(), .direction_in_world = point() * 1e-3},
-        Drag{.p_WOrigin = point(), .direction_in_world = {0, 1, 0}, .speed = 0.3},
+        Drag{.p_WOrigin = point(), .direction_in_world = {0, 1, 0}, .is_level = true, .speed = 0.3},
         Attend{.hand = HandName::kLeft, .properties = {"color", "maker's \"name\""}},
         Attend{},
         Rotate{.hand = HandName::kBoth, .angles_deg = point() * 60},

@@ -192,7 +192,17 @@ TEST_F(HandsTest, ADragGoesWhereTheRayMeetsThePlane) {
   for (int i = 0; i < 1000; ++i) ASSERT_EQ(drag({0.1 * (i % 7), -2, 0.2}, {0.1, 1, 0}), "");
   EXPECT_NEAR(goal().y(), goal().x() - 0.1, 1e-12);
 
+  // Level it keeps its height, wherever its plane stands.
+  const auto drag_level = [this](const Vector3& origin, const Vector3& direction) {
+    return Do(Drag{
+        .hand = kLeft, .p_WOrigin = origin, .direction_in_world = direction, .is_level = true});
+  };
+  EXPECT_EQ(drag_level({-0.1, -2, 1.2}, {0.1, 1, -0.5}), "");
+  EXPECT_LT((goal() - Vector3(0.1, 0, 0.2)).norm(), 1e-12);
+
   const std::uint64_t hash = simulation_->state_hash();
+  EXPECT_EQ(drag_level({0, -2, 0.2}, {0, 1, 0}),
+            "the ray is parallel to the level plane of the left hand");
   const std::string plane = "the motion plane of the left hand";
   EXPECT_EQ(drag({0, -2, 0.2}, {1, 1, 3}), "the ray is parallel to " + plane);
   EXPECT_EQ(drag({0, -2, 0.2}, {0, -1, 0}), "the ray runs away from " + plane);

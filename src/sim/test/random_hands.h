@@ -40,10 +40,13 @@ class RandomHands {
         return Point{.hand = hand, .part = object};
       case 9:
         return Plane{.hand = hand, .angle_deg = Uniform(180)};
-      case 10:
+      case 10: {
+        const double x = Uniform(0.5);
         return Drag{.hand = hand,
-                    .p_WOrigin = {Uniform(0.5), -1.5, 0.8},
-                    .direction_in_world = {Uniform(0.3), 1, -0.4 + Uniform(0.1)}};
+                    .p_WOrigin = {x, -1.5, 0.8},
+                    .direction_in_world = {Uniform(0.3), 1, -0.4 + Uniform(0.1)},
+                    .is_level = x > 0.1};
+      }
       case 11:
         return Attend{.hand = HeldBy(kLeft, simulation).empty() ? kRight : kLeft,
                       .properties = {Pick(kProperties), Pick(kProperties)}};

@@ -78,7 +78,7 @@ TEST_F(SimulationTest, ARefusedCommandChangesNothingAndIsTold) {
   auto simulation = MakeSimulation({BlockAt("a", {0, 0, 0.05})}, false);
   simulation->AddListener(&ear);
   const std::uint64_t hash = simulation->state_hash();
-  EXPECT_EQ(simulation->Apply(MoveTo{}), "the any hand holds nothing");
+  EXPECT_EQ(simulation->Apply(MoveTo{}), "the hand 'any' holds nothing");
   EXPECT_EQ(simulation->Apply(JointVelocities{}), "there is no robot in this simulation");
   EXPECT_EQ(ear.commands, 0);
   EXPECT_EQ(ear.reason, "there is no robot in this simulation");

@@ -145,14 +145,14 @@ TEST_F(LibraryTest, TellsWhatWasDoneInWordsAndWhen) {
   const Json timeline = library_.TimelineOf("stack");
   const Json& segments = timeline["segments"];
   ASSERT_EQ(segments.size(), 3u) << timeline;
-  EXPECT_EQ(segments[0]["words"], "");
-  EXPECT_EQ(segments[1]["words"], "left hand takes a");
-  EXPECT_EQ(segments[2]["words"], timeline["steps"][3]["words"]);
+  EXPECT_EQ(segments[0]["deed"], nullptr);
+  EXPECT_EQ(segments[1]["deed"], Json::parse(R"({"do":"take","hand":"left","what":"a"})"));
+  EXPECT_EQ(segments[2]["deed"], timeline["steps"][3]["deed"]);
   EXPECT_EQ(segments[1]["end"], segments[2]["begin"]);
   EXPECT_EQ(segments[2]["end"], timeline["seconds"]);
   const Json& steps = timeline["steps"];
   ASSERT_EQ(steps.size(), 4u) << timeline;
-  EXPECT_EQ(steps[1]["words"], "left hand takes b");
+  EXPECT_EQ(steps[1]["deed"]["what"], "b");
   EXPECT_EQ(steps[1]["on_way"], false);
   EXPECT_EQ(steps[3]["parent"], 2);
   EXPECT_EQ(steps[3]["begin"], segments[2]["begin"]);

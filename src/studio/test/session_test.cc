@@ -48,14 +48,16 @@ TEST_F(SessionTest, ADemonstrationIsRecordedAndReplays) {
   const Json recording = State()["recording"];
   EXPECT_EQ(recording["title"], "A on B");
   EXPECT_EQ(recording["segments"].size(), 3u);
-  EXPECT_EQ(recording["segments"][1]["words"], "left hand takes a");
-  EXPECT_EQ(recording["segments"][2]["words"], "left hand puts a on b");
+  EXPECT_EQ(recording["segments"][0]["deed"], nullptr);
+  EXPECT_EQ(recording["segments"][1]["deed"]["do"], "take");
+  EXPECT_EQ(recording["segments"][2]["deed"],
+            Json::parse(R"({"do":"put","hand":"left","what":"a","on":"b"})"));
   EXPECT_TRUE(State()["undo"].get<bool>() && State()["redo"].get<bool>());
   Command(R"({"do":"finish"})");
   EXPECT_TRUE(State()["recording"].is_null());
   const record::Recording kept = record::OpenRecording(root_ / "recordings/take");
   EXPECT_EQ(record::Replay(kept).first_difference, std::nullopt);
-  EXPECT_EQ(record::HistoryOf(kept)[2].words, "left hand puts a on b");
+  EXPECT_EQ(WordsOf(record::HistoryOf(kept)[2]), "left hand puts a on b");
 }
 
 TEST_F(SessionTest, ARecordingIsGoneOnWithFromAnyOfItsSteps) {
@@ -194,6 +196,21 @@ TEST_F(SessionTest, ScenesThatWereUsedCanBeComposedAnew) {
   }
 }
 
+// A nut and a plate with holes wait for screws: they cannot be fastened themselves.
+TEST_F(SessionTest, OnlyWhatGoesIntoHolesIsOfferedToBeFastened) {
+  const std::filesystem::path scenes = root_ / "scenes";
+  WriteFile(scenes / "screws.xml", ReadFile(DataFile("scenes/screws.xml"), 1 << 20));
+  std::filesystem::copy(DataFile("scenes/parts"), scenes / "parts");
+  Begin();
+  Do(R"({"do":"load","scene":"screws"})");
+  const Json scene = Scene();
+  std::vector<std::string> offered;
+  for (const Json& object : scene["objects"]) {
+    if (object["bonds"].get<bool>()) offered.push_back(object["id"]);
+  }
+  EXPECT_EQ(offered, (std::vector<std::string>{"BrassScrew", "SteelScrew"}));
+}
+
 TEST_F(SessionTest, WhatIsShownCannotBeGrasped) {
   Begin();
   Command(R"({"do":"start","name":"take"})");
@@ -281,6 +298,19 @@ TEST_F(SessionTest, DragsSnapToWhatIsNear) {
   Do(R"({"do":"snap","to":[]})");
   Command(R"({"do":"drag","hand":"left","origin":[3.1,-20,1.6],"direction":[0,1,0]})");
   EXPECT_NEAR(State()["hands"]["left"]["goal"][0].get<double>(), 3.1, 1e-4);
+}
+
+TEST_F(SessionTest, LevelDragsSnapToTwoSidesAndKeepTheirHeight) {
+  Begin();
+  Do(R"({"do":"snap","to":["faces","edges"]})");
+  Command(R"({"do":"grasp","hand":"left","object":"a","point":[0,-2,0.5]})");
+  // Through the table at (3.1, -3.1): before b, nearly flush with it, nearly touching.
+  Command(
+      R"({"do":"drag","hand":"left","origin":[3.1,-3.1,9.5],"direction":[0,0,-1],"level":true})");
+  const Json goal = State()["hands"]["left"]["goal"];
+  EXPECT_NEAR(goal[0].get<double>(), 3, 1e-4);
+  EXPECT_NEAR(goal[1].get<double>(), -3, 1e-4);
+  EXPECT_EQ(goal[2], 0.5);
 }
 
 TEST_F(SessionTest, TheEyeShowsWhatIsRecordedAndRestsWhenNothingMoves) {
@@ -488,14 +518,19 @@ TEST(Snapping, NeverChangesMoreThanItMay) {
       return scene::Bounds{.low = -half, .high = half};
     };
     const Matrix3 R = RotationFromFixedAxes({0, 0, random() % 2 == 0 ? 0 : number(180)});
-    const Carried carried{.bounds = bounds(), .X_WB = {R, point(0.3)}, .plane_deg = number(180)};
+    const Carried carried{.bounds = bounds(),
+                          .X_WB = {R, point(0.3)},
+                          .plane_deg = number(180),
+                          .is_level = random() % 2 == 0};
     const std::vector<Neighbour> neighbours = {{bounds(), RigidTransform(point(0.3))},
                                                {bounds(), RigidTransform(R, point(0.3))}};
     const Vector3 shift = SnapShift(snap, carried, neighbours, 0.1);
     EXPECT_LE(shift.norm(), kSnapUnits * 0.1 + 1e-12);
     // It stays in its plane.
     const double angle = DegreesToRadians(carried.plane_deg);
-    EXPECT_NEAR(shift.dot(Vector3(-std::sin(angle), std::cos(angle), 0)), 0, 1e-12);
+    EXPECT_NEAR(shift.dot(carried.is_level ? Vector3(0, 0, 1)
+                                           : Vector3(-std::sin(angle), std::cos(angle), 0)),
+                0, 1e-12);
     if (shift != Vector3::Zero()) ++num_changed;
     const Matrix3 R_wanted = RotationFromFixedAxes(point(180));
     const Matrix3 R_snapped = SnapTurn(snap, RotationFromFixedAxes(point(180)), R_wanted);

@@ -3,6 +3,7 @@ import { useSignal } from "@preact/signals";
 import { ask, clients, isConnected, isController, progress } from "../studio";
 import { texts } from "../texts";
 import { Button } from "../ui/buttons";
+import { openDialogs } from "../ui/dialog";
 import { Notices } from "../ui/notices";
 import { takeControl } from "./control";
 import { isPaused, isPlayback, isRage, mayControl } from "./now";
@@ -32,7 +33,7 @@ function Disconnected() {
 }
 
 function Busy() {
-  if (progress.value === null) return null;
+  if (progress.value === null || openDialogs.value.length > 0) return null;
   const { what, done, total } = progress.value;
   return (
     <div class="banner busy">
@@ -42,13 +43,12 @@ function Busy() {
   );
 }
 
-/** What one has to know before one wonders why nothing happens. */
-export function Banners() {
+/** What is so as far as the program tells. */
+function Present() {
   return (
-    <div class="banners">
-      {!isConnected.value && <Disconnected />}
+    <>
       <Busy />
-      {isConnected.value && clients.value !== null && !isController.value && (
+      {clients.value !== null && !isController.value && (
         <div class="banner">
           <span>{texts.people.watchingBanner}</span>
           <Button label={texts.people.take} kind="accent" onClick={() => void takeControl(false)} />
@@ -81,7 +81,16 @@ export function Banners() {
           />
         </div>
       )}
-      <Notices />
+    </>
+  );
+}
+
+/** What one has to know before one wonders why nothing happens. */
+export function Banners() {
+  return (
+    <div class="banners">
+      {isConnected.value ? <Present /> : <Disconnected />}
+      {openDialogs.value.length === 0 && <Notices />}
     </div>
   );
 }

@@ -1,4 +1,4 @@
-import { command, currentHand, heldObject, isController, scene } from "../studio";
+import { command, currentHand, heldObject, isController, scene, state } from "../studio";
 import type { SceneObject } from "../protocol";
 import { texts } from "../texts";
 import { Menu, type MenuEntry } from "../ui/menu";
@@ -16,31 +16,64 @@ function partAndAround(object: SceneObject, part: string | null): SceneObject["p
   return found === undefined ? [] : [found, ...partAndAround(object, found.within)];
 }
 
+/** Pieces of switches and boxes are no parts themselves: `ID-b1`, `ID(floor)` belong to the part ID. */
+function partOfPiece(piece: string | null): string | null {
+  return piece?.replace(/-b[12]$|\(\w+\)$/, "") ?? null;
+}
+
 function entry(label: string, reason: string | null, fields: Record<string, unknown>): MenuEntry {
   const onChoose = () => void command({ hand: currentHand.value, ...fields });
   return reason === null ? { label, onChoose } : { label, reason, disabled: true, onChoose };
 }
 
+type Control = SceneObject["controls"][number];
+
+const isLights = ({ kind }: Control) => kind === "indicatorLights";
+
+/** The control that was clicked; elsewhere what there is to trigger in the least part around, if it is one thing only. */
+function controlAt(object: SceneObject, piece: string | null, around: string[]): Control | null {
+  const isClicked = ({ id, parts }: Control) => around.includes(id) || id === piece || parts.includes(piece ?? "");
+  const clicked = object.controls.find(isClicked);
+  if (clicked) return clicked;
+  const others = object.controls.filter((one) => !isLights(one));
+  const within = (part: string) => others.filter(({ id }) => partAndAround(object, id).some((one) => one.within === part));
+  const nearest = [...around, object.id].map(within).find((found) => found.length > 0);
+  return nearest?.length === 1 ? nearest[0]! : null;
+}
+
+/** Of the two buttons of a switch one is down. */
+function isDown({ id, kind }: Control, pressed: string | null): boolean {
+  if (kind !== "toggleSwitch") return false;
+  return pressed === (state.value?.controls[id] === "0" ? `${id}-b1` : `${id}-b2`);
+}
+
+/** Why it cannot be triggered there at all. */
+function whyNoTrigger(control: Control | null, pressed: string | null): string | null {
+  const { menuReasons: reasons } = texts;
+  if (control === null) return reasons.noControl;
+  if (isLights(control)) return reasons.lights;
+  return isDown(control, pressed) ? reasons.isDown : null;
+}
+
 /** What a hand may do with what was clicked, and why not. */
-function entriesAt({ object, part, point }: Place): MenuEntry[] {
+function entriesAt({ object, part: piece, point }: Place): MenuEntry[] {
   const { menu, menuReasons: reasons } = texts;
   const held = heldObject.value;
-  const around = partAndAround(object, part);
+  const found = partAndAround(object, piece);
+  const around = found.length > 0 ? found : partAndAround(object, partOfPiece(piece));
   const ids = around.map(({ id }) => id);
-  const control =
-    object.controls.find((one) => ids.includes(one.id) || ids.some((id) => one.parts.includes(id))) ??
-    object.controls[0];
-  const pressed = ids.find((id) => control?.parts.includes(id));
+  const control = controlAt(object, piece, ids);
+  const pressed = [piece, ...ids].find((id) => id !== null && control?.parts.includes(id)) ?? null;
   const pointed = around.find(({ pointable }) => pointable)?.id ?? object.id;
   const watching = isController.value ? null : reasons.watching;
   const idle = watching ?? (held === null ? null : reasons.handFull);
   const bonds =
     watching ?? (held !== null && held !== object.id ? reasons.onlyHeld : object.bonds ? null : reasons.noBonds);
   return [
-    entry(menu.trigger, control ? idle : reasons.noControl, {
+    entry(menu.trigger, whyNoTrigger(control, pressed) ?? idle, {
       do: "trigger",
       control: control?.id,
-      ...(pressed === undefined ? {} : { part: pressed }),
+      ...(pressed === null ? {} : { part: pressed }),
     }),
     entry(menu.point, idle, { do: "point", part: pointed }),
     entry(menu.fasten, bonds, { do: "fasten", object: object.id, point }),

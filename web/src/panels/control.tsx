@@ -60,7 +60,7 @@ export function Control() {
       <span class={`lamp ${isConnected.value ? "on" : "off"}`} />
       <span class="control-words">
         {isConnected.value ? who : texts.connection.none}
-        {isController.value && others > 0 && <small>{texts.people.watching(others)}</small>}
+        {isConnected.value && isController.value && others > 0 && <small>{texts.people.watching(others)}</small>}
       </span>
       {isConnected.value && <MenuButton label={texts.people.title} entries={entries()} />}
     </div>

@@ -1,6 +1,6 @@
 import { useEffect } from "preact/hooks";
 import { useSignal } from "@preact/signals";
-import { ask, notify, request } from "../studio";
+import { ask, notify, progress, request } from "../studio";
 import { texts } from "../texts";
 import { Button } from "../ui/buttons";
 import { Dialog } from "../ui/dialog";
@@ -27,6 +27,7 @@ interface Report {
 /** Longer lists are nobody's reading. */
 const MAX_SENTENCES = 8;
 const PAUSE_MS = 300;
+const TRIM_STEPS = 200;
 
 function sentencesOf(report: Report): string[] {
   const sentences = [
@@ -49,6 +50,7 @@ function Effect({ trial }: { trial: Trial }) {
     return (
       <p class="hint">
         <span class="spinner" /> {words.trying}
+        {progress.value && <progress aria-label={words.trying} value={progress.value.done} max={progress.value.total} />}
       </p>
     );
   }
@@ -71,7 +73,7 @@ function Effect({ trial }: { trial: Trial }) {
 export function EditDialog(props: {
   kind: EditKind;
   recording: string;
-  segment: { number: number; words: string; seconds: number };
+  segment: { number: number; title: string; seconds: number };
   onClose: () => void;
 }) {
   const { kind, recording, segment } = props;
@@ -80,6 +82,8 @@ export function EditDialog(props: {
   const name = useSignal(words.nameOf(titleOf(recording)));
   const trial = useSignal<Trial>({ state: "trying" });
   const isSaving = useSignal(false);
+  /** So that both ends can be reached. */
+  const step = segment.seconds / TRIM_STEPS;
   const edits =
     kind === "drop"
       ? [{ do: "drop", first: segment.number, last: segment.number }]
@@ -113,7 +117,7 @@ export function EditDialog(props: {
   };
   return (
     <Dialog
-      title={kind === "drop" ? words.dropTitle(segment.words) : words.trimTitle(segment.words)}
+      title={kind === "drop" ? words.dropTitle(segment.title) : words.trimTitle(segment.title)}
       onClose={props.onClose}
       actions={
         <>
@@ -136,7 +140,7 @@ export function EditDialog(props: {
             value={from.value}
             min={0}
             max={to.value}
-            step={0.05}
+            step={step}
             digits={2}
             unit="s"
             onInput={(value) => (from.value = value)}
@@ -146,7 +150,7 @@ export function EditDialog(props: {
             value={to.value}
             min={from.value}
             max={segment.seconds}
-            step={0.05}
+            step={step}
             digits={2}
             unit="s"
             onInput={(value) => (to.value = value)}

@@ -3,6 +3,7 @@ import { useSignal } from "@preact/signals";
 import { eyeView } from "../studio";
 import { texts } from "../texts";
 import { Button } from "../ui/buttons";
+import { isRecording } from "./now";
 import { eyeWidth, isEyeOpen } from "./page";
 
 const WIDTHS = { min: 120, max: 640, step: 20 };
@@ -75,7 +76,7 @@ export function EyeView() {
     <figure class="eye" style={{ width: `${eyeWidth.value}px` }}>
       <figcaption>
         <span>{texts.eye.title}</span>
-        {eyeView.value?.isRecorded && <span class="eye-records">{texts.eye.records}</span>}
+        {isRecording.value && eyeView.value?.isRecorded && <span class="eye-records">{texts.eye.records}</span>}
         <Button
           label={texts.eye.hide}
           icon="cross"

@@ -1,5 +1,5 @@
 import { useRef } from "preact/hooks";
-import { command, ask, currentHand, heldObject, scene, state } from "../studio";
+import { command, ask, currentHand, heldObject, isController, scene, state } from "../studio";
 import { axisColors, handColors } from "../colors";
 import { HANDS, type HandName, type Point } from "../protocol";
 import { texts } from "../texts";
@@ -11,7 +11,7 @@ import { NumberField } from "../ui/number_field";
 import { Slider } from "../ui/slider";
 import { turnFromTo } from "./fixed_axes";
 import { keyFor } from "./key_names";
-import { attention, mayAct, snaps } from "./now";
+import { attention, isPlayback, isRage, mayAct, snaps } from "./now";
 import { guides } from "../world/signals";
 import { world } from "./page";
 
@@ -290,6 +290,7 @@ function Snapping() {
   const choices = (Object.keys(words.snaps) as (keyof typeof words.snaps)[]).map((value) => ({
     value,
     label: words.snaps[value],
+    title: words.snapsWhy[value],
   }));
   const toggle = (snap: string) => {
     const now = snaps.value;
@@ -311,6 +312,12 @@ function Snapping() {
   );
 }
 
+function whyNothingIsHeld(): string {
+  if (isPlayback.value) return words.nothingInPlayback;
+  if (isRage.value) return texts.objects.rageBanner;
+  return isController.value ? words.nothingHeld : words.nothingToWatch;
+}
+
 export function HandsPanel() {
   const object = heldObject.value;
   const hand = state.value?.hands[currentHand.value];
@@ -319,10 +326,9 @@ export function HandsPanel() {
     <>
       <Card title={words.title}>
         <HandChoice />
+        {object === null && <p class="hint">{whyNothingIsHeld()}</p>}
       </Card>
-      {object === null ? (
-        <p class="hint">{words.nothingHeld}</p>
-      ) : (
+      {object !== null && (
         <Card title={`${words.held}: ${object}`}>
           <Held object={object} />
         </Card>

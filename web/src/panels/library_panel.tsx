@@ -1,24 +1,26 @@
 import { useSignal } from "@preact/signals";
-import { ask, notify } from "../studio";
+import { ask, notify, state } from "../studio";
 import { texts } from "../texts";
 import { Button } from "../ui/buttons";
 import { Empty, isFound, Picture, SearchField } from "../ui/card";
 import { MenuButton, type MenuEntry } from "../ui/menu";
-import { isPlayback, isRecording, mayControl } from "./now";
-import { renamed, showPanel, toImitate } from "./page";
-import { opened, openRecording, pictureOfRecording, recordings, refreshRecordings, titleOf, type Recording } from "./recordings";
+import { isRecording, mayControl } from "./now";
+import { isTimelineOpen, renamed, sheet, showPanel, toImitate } from "./page";
+import { opened, openRecording, pictureOfRecording, recordings, refreshRecordings, titleOf, type Recording, type Timeline } from "./recordings";
 
 const { library: words } = texts;
 
-/** When it was made, as people here write it; whatever cannot be read as a time stays as it is. */
+/** When it was made, as people here write it, but short; whatever cannot be read as a time stays as it is. */
 function whenMade(made: string): string {
   const time = new Date(made);
   if (Number.isNaN(time.getTime())) return made;
-  return time.toLocaleString(undefined, { month: "short", day: "numeric", hour: "2-digit", minute: "2-digit" });
+  const fields = { month: "short", day: "numeric", hour: "2-digit", minute: "2-digit", hourCycle: "h23" } as const;
+  return time.toLocaleString(undefined, fields);
 }
 
 async function bin(id: string): Promise<void> {
   const title = titleOf(id);
+  if (state.value?.playback?.recording === id && (await ask("live")) === null) return;
   if ((await ask("bin", { recording: id })) === null) return;
   notify(words.binned(title));
   if (opened.value?.id === id) opened.value = null;
@@ -26,9 +28,10 @@ async function bin(id: string): Promise<void> {
 }
 
 async function takeBack(id: string): Promise<void> {
+  const title = titleOf(id);
   if ((await ask("unbin", { recording: id })) === null) return;
+  notify(words.isBack(title));
   await refreshRecordings();
-  notify(words.isBack(titleOf(id)));
 }
 
 function download(id: string): void {
@@ -38,8 +41,16 @@ function download(id: string): void {
   link.click();
 }
 
+/** Its timeline comes to the front, wherever it is; null if it cannot be opened. */
+async function open(id: string): Promise<Timeline | null> {
+  const timeline = opened.value?.id === id ? opened.value.timeline : await openRecording(id);
+  isTimelineOpen.value = true;
+  sheet.value = "timeline";
+  return timeline;
+}
+
 async function showEnd(id: string): Promise<void> {
-  const timeline = await openRecording(id);
+  const timeline = await open(id);
   if (timeline !== null) await ask("show", { recording: id, seconds: timeline.seconds });
 }
 
@@ -73,10 +84,13 @@ function RecordingCard({ recording }: { recording: Recording }) {
           <p class="trouble">{recording.error}</p>
         ) : (
           <small>
-            {recording.scene} · {texts.seconds(recording.seconds)} · {words.segments(recording.segments)}
+            {texts.seconds(recording.seconds)} · {words.segments(recording.segments)}
           </small>
         )}
-        <small>{whenMade(recording.made)}</small>
+        <small>
+          {recording.scene && `${recording.scene} · `}
+          {whenMade(recording.made)}
+        </small>
         {recording.notes && <p class="notes">{recording.notes}</p>}
         <div class="row tight">
           {binned ? (
@@ -86,8 +100,8 @@ function RecordingCard({ recording }: { recording: Recording }) {
               <Button
                 label={isOpen ? words.isOpen : words.open}
                 title={words.openWhy}
-                disabled={recording.error !== undefined || (isPlayback.value && isOpen)}
-                onClick={() => void openRecording(id)}
+                disabled={recording.error !== undefined}
+                onClick={() => void open(id)}
               />
               <MenuButton label={words.actions(title)} entries={entriesOf(recording)} />
             </>

@@ -196,7 +196,7 @@ function SceneGallery() {
       <SearchField label={words.search} text={search} />
       {gallery.value === null && <span class="spinner" />}
       {gallery.value !== null && scenes.length === 0 && <Empty icon="search" text={words.noScenes} />}
-      <ul class="gallery" title={isRecording.value ? words.whileRecording : undefined}>
+      <ul class="gallery" aria-label={words.scenes} title={isRecording.value ? words.whileRecording : undefined}>
         {scenes.map(({ name, title }) => (
           <li key={name}>
             <button

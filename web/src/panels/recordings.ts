@@ -1,5 +1,10 @@
 import { signal } from "@preact/signals";
+import type { Deed } from "../protocol";
 import { ask, notify, request } from "../studio";
+import { texts } from "../texts";
+import { holders } from "./now";
+
+const { record: words } = texts;
 
 export interface Recording {
   id: string;
@@ -14,8 +19,8 @@ export interface Recording {
 }
 
 export interface Timeline {
-  segments: { number: number; words: string; begin: number; end: number }[];
-  steps: { step: number; parent: number | null; words: string; begin: number; end: number; on_way: boolean }[];
+  segments: { number: number; deed: Deed | null; begin: number; end: number }[];
+  steps: { step: number; parent: number | null; deed: Deed | null; begin: number; end: number; on_way: boolean }[];
   seconds: number;
 }
 
@@ -41,9 +46,12 @@ export function recordingOf(id: string): Recording | undefined {
   return recordings.value?.find((recording) => recording.id === id);
 }
 
+/** Without one, what it is called; in the bin it was called otherwise before. */
 export function titleOf(id: string): string {
-  const title = recordingOf(id)?.title ?? "";
-  return title === "" ? id : title;
+  const recording = recordingOf(id);
+  const title = recording?.title ?? "";
+  if (title !== "") return title;
+  return recording?.binned ? id.replace(/~\d+$/, "") : id;
 }
 
 /** Null if it cannot be opened. */
@@ -61,6 +69,10 @@ export async function onRecordingFinished(id: string): Promise<void> {
   pictureAge.value += 1;
   await refreshRecordings();
   await openRecording(id);
+  const held = Object.keys(holders.value)[0];
+  const title = titleOf(id);
+  if (recordingOf(id)?.segments === 1) notify(words.keptEmpty(title));
+  else notify(held === undefined ? words.kept(title) : words.keptHeld(title, held));
 }
 
 export function pictureOfRecording(id: string): string {

@@ -7,7 +7,7 @@ import { Button, HoldButton } from "../ui/buttons";
 import { Card, Empty } from "../ui/card";
 import { Slider } from "../ui/slider";
 import { switchPreference } from "../ui/preference";
-import { brain, mayAct } from "./now";
+import { brain, isPlayback, mayAct } from "./now";
 
 type Joint = RobotDescription["joints"][number];
 
@@ -37,8 +37,13 @@ function turn(joint: Joint, share: number): void {
   void command({ do: "turn", joint: joint.name, velocity: share * HELD_SPEED * joint.speed });
 }
 
+/** The head's joints are of no arm. */
+function groupOf(joint: Joint): string {
+  return joint.arm || (joint.name.startsWith("head") ? "head" : "others");
+}
+
 function shortName(joint: Joint): string {
-  const prefix = `${joint.arm}_`;
+  const prefix = `${groupOf(joint)}_`;
   return joint.name.startsWith(prefix) ? joint.name.slice(prefix.length) : joint.name;
 }
 
@@ -47,7 +52,6 @@ function JointRow({ joint }: { joint: Joint }) {
   const digits = joint.is_length ? 2 : 0;
   const unit = joint.is_length ? texts.units : texts.degrees;
   const [lower, upper] = [joint.lower * scale, joint.upper * scale];
-  const name = shortName(joint);
   return (
     <div class="joint">
       <HoldButton
@@ -59,7 +63,8 @@ function JointRow({ joint }: { joint: Joint }) {
       />
       <div class="grow">
         <Slider
-          label={name}
+          label={joint.name}
+          shortLabel={shortName(joint)}
           value={(state.value?.robot?.joints[joint.name] ?? 0) * scale}
           min={lower}
           max={upper}
@@ -99,6 +104,7 @@ function GripperRow({ gripper, opening }: { gripper: RobotDescription["grippers"
       <div class="grow">
         <Slider
           label={words.gripper(gripper.arm)}
+          shortLabel={words.gripperOf(gripper.arm)}
           value={opening}
           min={0}
           max={gripper.stroke}
@@ -204,7 +210,7 @@ function Markers() {
 function groupsOf(robot: RobotDescription): { name: string; title: string; joints: Joint[] }[] {
   const groups = new Map<string, Joint[]>();
   for (const joint of robot.joints) {
-    const name = joint.arm || (joint.name.startsWith("head") ? "head" : "others");
+    const name = groupOf(joint);
     groups.set(name, [...(groups.get(name) ?? []), joint]);
   }
   const titles: Record<string, string> = { head: words.head, others: words.others };
@@ -217,6 +223,13 @@ export function RobotPanel() {
     return (
       <Empty icon="robot" text={words.none}>
         <p class="hint">{words.noneHint}</p>
+      </Empty>
+    );
+  }
+  if (isPlayback.value) {
+    return (
+      <Empty icon="robot" text={texts.timeline.playbackBanner}>
+        <p class="hint">{words.playbackHint}</p>
       </Empty>
     );
   }

@@ -13,7 +13,7 @@ import { draft, editedScene } from "./page";
 const { editor: words } = texts;
 /** So long after the last key the text is checked. */
 const PAUSE_MS = 350;
-/** Of a line of the text [px]; studio.css has the same. */
+/** Of a line of the text [px]; styles/editor.css has the same. */
 const LINE_HEIGHT = 20;
 
 type Findings = { state: "checking" | "unknown" } | { state: "checked"; diagnostics: Diagnostic[] };

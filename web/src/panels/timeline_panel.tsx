@@ -1,5 +1,6 @@
 import { useEffect, useRef } from "preact/hooks";
 import { signal, useSignal } from "@preact/signals";
+import type { Deed, Segment } from "../protocol";
 import { ask, state } from "../studio";
 import { texts } from "../texts";
 import { Button } from "../ui/buttons";
@@ -19,20 +20,14 @@ const rate = signal(1);
 const moment = signal(0);
 const edited = signal<{ kind: EditKind; segment: number } | null>(null);
 
-interface SegmentShown {
-  number: number;
-  words: string;
-  seconds: number;
-}
-
-function wordsOf(segment: { number: number; words: string }): string {
-  return segment.number === 0 ? words.start : segment.words;
+function wordsOf({ deed }: { deed: Deed | null }): string {
+  return deed === null ? words.start : words.deed(deed);
 }
 
 /** One segment: how it ends, and what it is. */
 function SegmentCard(props: {
   recording: string;
-  segment: SegmentShown;
+  segment: Segment;
   isNow: boolean;
   isChosen: boolean;
   onChoose?: (() => void) | undefined;
@@ -126,13 +121,21 @@ function Scrubber({ id, timeline }: { id: string; timeline: Timeline }) {
   );
 }
 
+/** What was played to its end begins anew, a chosen segment or all; else it goes on from the moment. */
+function beginOfPlay({ segments, seconds }: Timeline): number {
+  const chosen = segments.find(({ number }) => number === chosenSegment.value);
+  const isAt = (end: number) => Math.abs(moment.value - end) < 0.05;
+  if (chosen !== undefined && isAt(chosen.end)) return chosen.begin;
+  return isAt(seconds) ? 0 : moment.value;
+}
+
 function PlayButtons({ id, timeline }: { id: string; timeline: Timeline }) {
   const playback = state.value?.playback ?? null;
   const isShown = playback?.recording === id;
   const isPlaying = isShown && playback.rate > 0;
   const play = async () => {
-    const isAtEnd = moment.value > timeline.seconds - 0.05;
-    if (!isShown || isAtEnd) await ask("show", { recording: id, seconds: isAtEnd ? 0 : moment.value });
+    const begin = beginOfPlay(timeline);
+    if (!isShown || begin !== moment.value) await ask("show", { recording: id, seconds: begin });
     await ask("play", { rate: rate.value });
   };
   const chooseRate = (next: number) => {
@@ -174,7 +177,7 @@ function HistoryButton({ id, timeline }: { id: string; timeline: Timeline }) {
   const entries = timeline.steps.map((step) => {
     const undone = step.on_way ? "" : ` (${words.undone})`;
     return {
-      label: `${step.step}: ${wordsOf({ number: step.step, words: step.words })}${undone}`,
+      label: `${step.step}: ${wordsOf(step)}${undone}`,
       onChoose: () => void branch(id, step.step),
     };
   });
@@ -193,6 +196,7 @@ function EditButtons({ id, timeline }: { id: string; timeline: Timeline }) {
   const isBlocked = !mayControl.value || chosen === null;
   const edit = (kind: EditKind) => () => chosen !== null && (edited.value = { kind, segment: chosen });
   const here = stepAt(timeline, moment.value);
+  const why = (sentence: string) => (chosen === null ? words.chooseFirst : sentence);
   return (
     <>
       <Button
@@ -202,8 +206,8 @@ function EditButtons({ id, timeline }: { id: string; timeline: Timeline }) {
         disabled={!mayControl.value || here === null}
         onClick={() => here && void branch(id, here.step, here.after)}
       />
-      <Button label={words.trim} icon="cut" disabled={isBlocked} onClick={edit("trim")} />
-      <Button label={words.drop} icon="trash" disabled={isBlocked} onClick={edit("drop")} />
+      <Button label={words.trim} icon="cut" title={why(words.trimWhy)} disabled={isBlocked} onClick={edit("trim")} />
+      <Button label={words.drop} icon="trash" title={why(words.dropWhy)} disabled={isBlocked} onClick={edit("drop")} />
       <HistoryButton id={id} timeline={timeline} />
     </>
   );
@@ -231,11 +235,11 @@ function OpenedTimeline({ id, timeline }: { id: string; timeline: Timeline }) {
     <>
       <Scrubber id={id} timeline={timeline} />
       <ol class="segments" aria-label={words.segments}>
-        {timeline.segments.map(({ number, words: segmentWords, begin, end }) => (
+        {timeline.segments.map(({ number, deed, begin, end }) => (
           <SegmentCard
             key={number}
             recording={id}
-            segment={{ number, words: segmentWords, seconds: end - begin }}
+            segment={{ number, deed, seconds: end - begin }}
             isNow={now > begin && now <= end}
             isChosen={chosenSegment.value === number}
             onChoose={() => choose(number, end)}
@@ -255,7 +259,7 @@ function EditOf({ id, timeline }: { id: string; timeline: Timeline }) {
       key={`${edit.kind} ${edit.segment}`}
       kind={edit.kind}
       recording={id}
-      segment={{ number: segment.number, words: wordsOf(segment), seconds: segment.end - segment.begin }}
+      segment={{ number: segment.number, title: wordsOf(segment), seconds: segment.end - segment.begin }}
       onClose={() => (edited.value = null)}
     />
   );

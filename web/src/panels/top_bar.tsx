@@ -55,6 +55,7 @@ function RecordButtons() {
         label={words.redo}
         icon="redo"
         keys={keyFor("record.redo")}
+        tour="redo"
         disabled={isBlocked || !state.value?.redo}
         onClick={() => void command({ do: "redo" })}
       />

@@ -17,13 +17,13 @@ interface Step {
 const STEPS: Step[] = [
   { name: "welcome" },
   { name: "look", deed: deeds.lookedAround },
+  { name: "record", deed: deeds.recording, about: "record" },
   { name: "grasp", deed: deeds.grasped, about: "objects" },
   { name: "lift", deed: deeds.lifted, about: "nudge" },
   { name: "turn", deed: deeds.turned, about: "turn" },
   { name: "stack", deed: deeds.stacked, about: "release" },
-  { name: "record", deed: deeds.recording, about: "record" },
-  { name: "act", deed: deeds.released, about: "timeline" },
   { name: "undo", deed: deeds.undone, about: "undo" },
+  { name: "redo", deed: deeds.redone, about: "redo" },
   { name: "finish", deed: deeds.finished, about: "record" },
   { name: "end" },
 ];
@@ -108,7 +108,7 @@ function TourButtons({ now }: { now: Step }) {
   );
 }
 
-/** Two minutes with a block: every step waits for the deed itself. */
+/** Two minutes with a block, recorded from the first grasp on: every step waits for the deed itself. */
 export function Tour() {
   useFirstStart();
   useDeed();

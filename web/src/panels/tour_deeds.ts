@@ -83,17 +83,22 @@ function isAnythingStacked(): boolean {
 }
 
 export const recording: Deed = once(() => (state.value?.recording ?? null) !== null);
-export const released: Deed = afterEvent((event) => event.kind === "released");
 
-export const undone: Deed = (onDone) => {
-  let couldRedo = state.value?.redo ?? false;
-  return once(() => {
-    const canRedo = state.value?.redo ?? false;
-    const isUndone = canRedo && !couldRedo;
-    couldRedo = canRedo;
-    return isUndone;
-  })(onDone);
-};
+/** There comes to be something to redo, or no longer is. */
+function onceRedo(isThere: boolean): Deed {
+  return (onDone) => {
+    let wasThere = state.value?.redo ?? false;
+    return once(() => {
+      const isNow = state.value?.redo ?? false;
+      const hasChanged = isNow !== wasThere;
+      wasThere = isNow;
+      return hasChanged && isNow === isThere;
+    })(onDone);
+  };
+}
+
+export const undone: Deed = onceRedo(true);
+export const redone: Deed = onceRedo(false);
 
 export const finished: Deed = once(() => (state.value?.recording ?? null) === null);
 

@@ -95,18 +95,19 @@ export function HoldButton(props: {
 /** Some of several, each on or off. */
 export function Chips<T extends string>(props: {
   label: string;
-  choices: readonly { value: T; label: string }[];
+  choices: readonly { value: T; label: string; title?: string }[];
   chosen: readonly string[];
   disabled?: boolean;
   onToggle: (value: T) => void;
 }) {
   return (
     <div class="chips" role="group" aria-label={props.label}>
-      {props.choices.map(({ value, label }) => (
+      {props.choices.map(({ value, label, title }) => (
         <button
           key={value}
           type="button"
           class="chip"
+          title={title}
           aria-pressed={props.chosen.includes(value)}
           disabled={props.disabled}
           onClick={() => props.onToggle(value)}

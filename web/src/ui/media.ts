@@ -7,6 +7,6 @@ function media(query: string): ReadonlySignal<boolean> {
   return matches;
 }
 
-/** Panels are sheets here; studio.css has the same width. */
+/** Panels are sheets here; styles/small.css has the same width. */
 export const isSmall = media("(max-width: 760px)");
 export const prefersDark = media("(prefers-color-scheme: dark)");

@@ -21,6 +21,8 @@ export function Menu(props: { label: string; x: number; y: number; entries: Menu
   useLayoutEffect(() => {
     const menu = list.current!;
     const before = document.activeElement;
+    // Above sheets and dialogs, whatever it was opened from.
+    menu.showPopover();
     menu.style.left = `${Math.max(MARGIN, Math.min(props.x, innerWidth - menu.offsetWidth - MARGIN))}px`;
     menu.style.top = `${Math.max(MARGIN, Math.min(props.y, innerHeight - menu.offsetHeight - MARGIN))}px`;
     menu.querySelector<HTMLElement>("[role=menuitem]")?.focus();
@@ -50,7 +52,7 @@ export function Menu(props: { label: string; x: number; y: number; entries: Menu
     event.stopPropagation();
   };
   return (
-    <div class="menu" role="menu" aria-label={props.label} ref={list} onKeyDown={go}>
+    <div class="menu" role="menu" popover="manual" aria-label={props.label} ref={list} onKeyDown={go}>
       {props.entries.map((entry) => (
         <button
           key={entry.label}

@@ -6,6 +6,8 @@ const SETTLE_MS = 400;
 
 export interface SliderProps {
   label: string;
+  /** What is to be seen of the label, where a title tells the rest. */
+  shortLabel?: string;
   value: number;
   min: number;
   max: number;
@@ -41,7 +43,7 @@ export function Slider(props: SliderProps) {
   return (
     <div class="slider" style={style}>
       <span class="slider-label" aria-hidden="true">
-        {props.label}
+        {props.shortLabel ?? props.label}
       </span>
       <input
         type="range"

@@ -4,9 +4,11 @@ import { Drop } from "./drop";
 import { Ghost } from "./ghost";
 import type { Hands } from "./hands";
 import { Models } from "./models";
+import type { Overhead } from "./overhead";
 import type { Picker } from "./pick";
 import type { Rings } from "./rings";
 import { Sheet } from "./sheet";
+import { guides } from "./signals";
 
 const FLOOR_DEPTH = 0.9; // [m]
 
@@ -18,12 +20,14 @@ export class Aids {
   private readonly ghost: Ghost;
   private unitsPerMeter = 10;
   private shown: string | null = null;
+  private isGuided = guides.value;
 
   constructor(
     private readonly models: Models,
     private readonly picker: Picker,
     private readonly rings: Rings,
     private readonly hands: Hands,
+    private readonly overhead: Overhead,
     onChange: () => void,
   ) {
     this.ghost = new Ghost((object) => models.piecesOf(object), onChange);
@@ -34,6 +38,7 @@ export class Aids {
     this.unitsPerMeter = unitsPerMeter;
     this.sheet.setScale(unitsPerMeter);
     this.drop.setScale(unitsPerMeter);
+    this.overhead.setScale(unitsPerMeter);
     this.ghost.setScale(unitsPerMeter);
   }
 
@@ -48,11 +53,14 @@ export class Aids {
     const group = held === null ? null : this.models.groupOf(held);
     const pieces = held === null ? [] : this.models.piecesOf(held);
     const ball = Models.ballAbout(pieces);
-    if (isNew || this.models.moved.size > 0 || held !== this.shown) this.ghost.update();
+    const isOther = held !== this.shown || guides.value !== this.isGuided;
+    if (isNew || this.models.moved.size > 0 || isOther) this.ghost.update();
     this.shown = held;
+    this.isGuided = guides.value;
     if (held === null || group === null || ball === null) {
       this.sheet.hide();
       this.drop.hide();
+      this.overhead.hide();
       this.rings.hide();
       return;
     }
@@ -62,7 +70,8 @@ export class Aids {
     const isCutNew = isNew || others.some(({ mesh }) => mesh.parent && this.models.moved.has(mesh.parent));
     this.sheet.show(this.hands.planeNormal, this.hands.goal ?? group.position, others, isCutNew);
     const floor = new Vector3(ball.center.x, ball.center.y, -FLOOR_DEPTH * this.unitsPerMeter);
-    this.drop.show(ball.center, this.picker.below(ball.center, held)?.point ?? floor, pieces);
+    this.drop.show(ball.center, this.picker.below(ball.center, held)?.point ?? floor);
+    this.overhead.show(pieces, ball.center, ball.radius);
     if (this.hands.isCarrying.value) this.rings.hide();
     else {
       const radius = ball.radius + ball.center.distanceTo(group.position);

@@ -62,6 +62,8 @@ export class Hands {
       return picked?.object && !isFixed(picked.object) ? this.graspAndCarry(at, picked) : null;
     }
     if (picked?.object === held) return this.carry(at, Promise.resolve(true));
+    const other = this.otherHandWith(picked);
+    if (other !== null) return this.changeAndCarry(at, other);
     const ring = this.ringUnder(at, picked);
     return ring && this.turn(at, ring);
   }
@@ -77,7 +79,7 @@ export class Hands {
     if (!this.canAct) return;
     const held = heldObject.value;
     if (held === null && picked?.object && !isFixed(picked.object)) void this.grasp(picked.object, picked.point);
-    else if (held !== null && picked?.object !== held && this.ringUnder(at, picked) === null) this.release();
+    else if (held !== null && picked?.object !== held && this.ringUnder(at, picked) === null) this.changeOrRelease(picked);
   }
 
   menu({ x, y }: PointerAt, picked: Picked | null): void {
@@ -180,6 +182,31 @@ export class Hands {
     this.moves.want(() => ({ hand, do: "move_to", position: rounded(point) }));
   }
 
+  /** Whoever reaches for what another hand of theirs holds becomes that hand. */
+  private changeOrRelease(picked: Picked | null): void {
+    const other = this.otherHandWith(picked);
+    if (other !== null) currentHand.value = other;
+    else this.release();
+  }
+
+  private otherHandWith(picked: Picked | null): HandName | null {
+    if (!picked?.object) return null;
+    const others = HANDS.filter((hand) => hand !== currentHand.value);
+    return others.find((hand) => state.value?.hands[hand].object === picked.object) ?? null;
+  }
+
+  private changeAndCarry(at: PointerAt, hand: HandName): Drag {
+    let carrying: Drag | null = null;
+    return {
+      move: (to) => {
+        currentHand.value = hand;
+        carrying ??= this.carry(at, Promise.resolve(true));
+        carrying.move(to);
+      },
+      end: () => carrying?.end(),
+    };
+  }
+
   private graspAndCarry(at: PointerAt, { object, point }: Picked): Drag {
     let carrying: Drag | null = null;
     return {
@@ -213,9 +240,9 @@ export class Hands {
       if (!point || point.length() > REACH * this.unitsPerMeter) return null;
       place = point;
       this.sentGoal = { point, hand, when: performance.now() };
-      if (normal.z > 0.5) return { hand, do: "move_to", position: rounded(point) };
       const origin = ray.origin.add(offset);
-      return { hand, do: "drag", origin: rounded(origin), direction: rounded(ray.direction) };
+      const level = normal.z > 0.5;
+      return { hand, do: "drag", origin: rounded(origin), direction: rounded(ray.direction), level };
     };
     const move = () => {
       if (isHeld && latest !== last) this.moves.want(step);

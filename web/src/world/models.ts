@@ -58,7 +58,11 @@ export class Models {
   private readonly materials = new Map<string, Material>();
   private readonly shapes = new Map<string, BufferGeometry>();
 
-  constructor(private readonly onChange: () => void) {}
+  /** @param dress what every material is made ready with */
+  constructor(
+    private readonly dress: (material: Material) => void,
+    private readonly onChange: () => void,
+  ) {}
 
   /** Everything anew. Nothing is shown until it is known where it is. */
   load(scene: SceneMessage): void {
@@ -236,7 +240,10 @@ export class Models {
       if (this.isLow) return new MeshLambertMaterial({ color, flatShading });
       return new MeshStandardMaterial({ color, flatShading, roughness: 0.6 });
     };
-    const material = this.materials.get(name) ?? make();
+    const known = this.materials.get(name);
+    if (known) return known;
+    const material = make();
+    this.dress(material);
     this.materials.set(name, material);
     return material;
   }

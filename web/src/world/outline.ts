@@ -13,7 +13,7 @@ import {
 } from "three";
 
 /** Of the stencil: outlined things are marked, so that only what sticks out of them is drawn. */
-const MARK = 1;
+export const MARK = 1;
 const MARK_ORDER = 20;
 const RIM_ORDER = 21;
 

@@ -2,6 +2,7 @@ import {
   Group,
   Mesh,
   MeshBasicMaterial,
+  NotEqualStencilFunc,
   type PerspectiveCamera,
   type Ray,
   Raycaster,
@@ -12,6 +13,7 @@ import {
 import { mergeGeometries } from "three/addons/utils/BufferGeometryUtils.js";
 import { axisColors } from "../colors";
 import { disc } from "./disc";
+import { MARK } from "./outline";
 
 export type Axis = 0 | 1 | 2;
 const AXES: Axis[] = [0, 1, 2];
@@ -86,7 +88,7 @@ export function nameOf(axis: Axis): string {
   return NAMES[axis] ?? "";
 }
 
-/** A ring of radius 1: seen dimly through everything, a wide one to grip it by, and its letter. */
+/** A ring of radius 1: seen dimly before and behind everything, a wide one to grip it by, and its letter. */
 class RingParts {
   readonly root = new Group();
   readonly grip: Mesh;
@@ -95,7 +97,15 @@ class RingParts {
 
   constructor(axis: Axis) {
     const color = axisColors[axis];
-    this.solid = new MeshBasicMaterial({ color, transparent: true, toneMapped: false });
+    // Not before what is held, which is what a drag there carries.
+    this.solid = new MeshBasicMaterial({
+      color,
+      transparent: true,
+      toneMapped: false,
+      stencilWrite: true,
+      stencilRef: MARK,
+      stencilFunc: NotEqualStencilFunc,
+    });
     this.dim = new MeshBasicMaterial({
       color,
       transparent: true,

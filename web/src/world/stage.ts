@@ -1,4 +1,5 @@
 import {
+  type Camera,
   Color,
   DirectionalLight,
   HemisphereLight,
@@ -11,6 +12,7 @@ import {
   ShaderMaterial,
   ShadowMaterial,
   WebGLRenderer,
+  type WebGLRenderTarget,
 } from "three";
 
 const FLOOR_DEPTH = 0.9; // below the table top [m]
@@ -108,6 +110,14 @@ export class Stage {
 
   draw(): void {
     this.renderer.render(this.scene, this.camera);
+  }
+
+  /** Draws something else that is not shown itself, but needed to draw. */
+  drawInto(target: WebGLRenderTarget, scene: Scene, camera: Camera): void {
+    this.renderer.setRenderTarget(target);
+    this.renderer.clear();
+    this.renderer.render(scene, camera);
+    this.renderer.setRenderTarget(null);
   }
 
   /** Of the last picture. */

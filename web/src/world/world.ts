@@ -10,6 +10,7 @@ import { actionsOf } from "./key_actions";
 import { Markers } from "./markers";
 import { Marks } from "./marks";
 import { Models } from "./models";
+import { Overhead } from "./overhead";
 import { Picker, type PointerAt } from "./pick";
 import { Pointers } from "./pointers";
 import { nameOf, Rings } from "./rings";
@@ -40,7 +41,11 @@ export function mountWorld(host: HTMLElement): World {
 
 class DrawnWorld implements World {
   private readonly stage: Stage;
-  private readonly models = new Models(() => this.redraw(true));
+  private readonly overhead = new Overhead();
+  private readonly models = new Models(
+    (material) => this.overhead.dress(material),
+    () => this.redraw(true),
+  );
   private readonly camera: ViewCamera;
   private readonly picker: Picker;
   private readonly rings = new Rings();
@@ -77,7 +82,7 @@ class DrawnWorld implements World {
       (object) => this.models.groupOf(object)?.position.clone() ?? null,
       () => this.redraw(),
     );
-    this.aids = new Aids(this.models, this.picker, this.rings, this.hands, () => this.redraw());
+    this.aids = new Aids(this.models, this.picker, this.rings, this.hands, this.overhead, () => this.redraw());
     this.pointers = new Pointers(host, this.picker, this.hands, this.camera, (at) => this.hover(at));
     this.stage.scene.add(this.models.root, this.aids.root, this.marks.root, this.markers.root);
     this.styleTag();
@@ -220,6 +225,7 @@ class DrawnWorld implements World {
     this.aids.update(this.stage.camera, this.hasMoved);
     this.hasMoved = false;
     if (hasMoved) this.stage.shadowsMoved();
+    this.overhead.draw(this.stage);
     this.stage.draw();
     if (isCameraMoving || this.models.isMoving) this.redraw();
   }

@@ -1,0 +1,167 @@
+"""What a robot program sees: sensor, motor and aux (docs/brains.md)."""
+
+import math
+
+import numpy as np
+
+
+class Fields:
+    """What the simulator tells, each array as an attribute: `sensor.jointAngles`.
+
+    A field that comes only sometimes is asked for with `"rgbVision" in sensor`.
+    """
+
+    def __init__(self, values):
+        self.__dict__ = values
+
+    def __contains__(self, name):
+        return name in self.__dict__
+
+    def __getattr__(self, name):  # only asked when there is none
+        raise AttributeError(f"there is no {name}, only {', '.join(self.__dict__) or 'nothing'}")
+
+    def __repr__(self):
+        return "\n".join(f"{name}: {brief(value)}" for name, value in self.__dict__.items())
+
+
+class Motor:
+    """What the robot shall do. Keeps its fields until they are changed; others cannot be made.
+
+    jointVelocities    limbs x joints [rad/s]
+    gripperVelocities  a number for each limb [units/s]
+    jointAngles        None, or limbs x joints: be there at once [rad]
+    headVelocity       None, or a number [rad/s]
+    """
+
+    def __init__(self, num_limbs, num_joints):
+        arms = (num_limbs, num_joints)
+        self.__dict__["shapes"] = {
+            "jointVelocities": arms,
+            "gripperVelocities": (num_limbs,),
+            "jointAngles": arms,
+            "headVelocity": (),
+        }
+        self.jointVelocities = np.zeros(arms)
+        self.gripperVelocities = np.zeros(num_limbs)
+        self.jointAngles = None
+        self.headVelocity = None
+
+    def __setattr__(self, name, value):
+        if name not in self.shapes:
+            raise AttributeError(f"motor.{name} is unknown, expected {', '.join(self.shapes)}")
+        if value is None and name in ("jointVelocities", "gripperVelocities"):
+            raise ValueError(f"motor.{name} is None, expected numbers")
+        self.__dict__[name] = None if value is None else self.numbers(name, value)
+
+    def __delattr__(self, name):
+        setattr(self, name, None)
+
+    def numbers(self, name, value):
+        expected = self.shapes[name]
+        array = real_numbers(f"motor.{name}", value)
+        if name == "gripperVelocities" and array.size == expected[0]:
+            array = array.reshape(expected)  # a row, a column: all the same
+        if name == "headVelocity" and array.size == 1:
+            array = array.reshape(())
+        if array.shape != expected:
+            raise ValueError(f"motor.{name} is {shape_text(array.shape)}, "
+                             f"expected {shape_text(expected)}")
+        return array
+
+    def values(self):
+        """As the message has them; checked once more, since elements can be set as well."""
+        values = {}
+        for name, shape in self.shapes.items():
+            array = self.__dict__[name]
+            if array is None:
+                continue
+            if array.shape != shape:
+                array = self.numbers(name, array)
+            if not math.isfinite(sum(array.ravel().tolist())):  # the fast way for few numbers
+                check_finite(f"motor.{name}", array)
+            values[name] = array.reshape(-1, 1) if array.ndim < 2 else array
+        return values
+
+
+def real_numbers(name, value):
+    array = np.asarray(value)
+    if array.dtype.kind not in "fiub":
+        raise TypeError(f"{name} is {type(value).__name__} of {array.dtype}, expected real numbers")
+    return array.astype(float)
+
+
+def check_finite(name, array):
+    wrong = np.argwhere(~np.isfinite(array))
+    if len(wrong):
+        place = f"[{', '.join(map(str, wrong[0]))}]" if array.ndim else ""
+        raise ValueError(f"{name}{place} is {array[tuple(wrong[0])]}, expected a finite number")
+
+
+def shape_text(shape):
+    return "x".join(map(str, shape)) or "one number"
+
+
+def brief(value):
+    if isinstance(value, np.ndarray) and value.size > 20:
+        return f"{shape_text(value.shape)} {value.dtype}"
+    return repr(value)
+
+
+def sensor_of(values):
+    names = values.pop("trackerNames", None)
+    if names is not None:
+        values["trackerLoc"] = dict(zip(lines_of(names), values.pop("trackerPositions")))
+    if "heldObject" in values:
+        values["heldObject"] = values["heldObject"].split("\n")
+    if "segmentNames" in values:
+        values["segmentNames"] = lines_of(values["segmentNames"])
+    if "cameraPose" in values:
+        take_cameras(values)
+    return Fields(values)
+
+
+def take_cameras(values):
+    cameras = {}
+    for name in [name for name in values if name.startswith("cameras_")]:
+        camera, _, field = name.removeprefix("cameras_").rpartition("_")
+        cameras.setdefault(camera, {})[field] = values.pop(name)
+    if cameras:
+        values["cameras"] = Fields({name: Fields(fields) for name, fields in cameras.items()})
+
+
+def lines_of(text):
+    return text.split("\n") if text else []
+
+
+def aux_of(values):
+    lines = [line.split(",") for line in lines_of(values.get("attention", ""))]
+    values["attention"] = {words[0]: words[1:] for words in lines}
+    values["cameraNames"] = lines_of(values.get("cameraNames", ""))
+    for name in ("numLimbs", "numJoints"):
+        values[name] = int(values[name])
+    return Fields(values)
+
+
+def wishes_of(aux):
+    """What init left in aux for the simulator."""
+    values = {}
+    for name in ("initJointAngles", "drawMarkers", "imageSeconds"):
+        if name in aux:
+            values[name] = wish_of(aux, name)
+    for name in ("channels", "cameras"):
+        if name in aux:
+            values[name] = in_one_line(f"aux.{name}", getattr(aux, name))
+    return values
+
+
+def wish_of(aux, name):
+    array = real_numbers(f"aux.{name}", getattr(aux, name))
+    check_finite(f"aux.{name}", array)
+    return array
+
+
+def in_one_line(name, words):
+    words = [words] if isinstance(words, str) else words
+    if not isinstance(words, (list, tuple)) or not all(isinstance(word, str) for word in words):
+        raise TypeError(f"{name} is {words!r:.80}, expected a list of names")
+    return ",".join(words)

@@ -1,0 +1,208 @@
+// What hands can do beside carrying: two of them, the menu, destroying, snapping; and what they may not.
+
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { Browser, SIDE_BY_SIDE, sceneFile } from "./workbench.mjs";
+
+const browser = new Browser();
+before(() => browser.start());
+after(() => browser.close());
+
+const BARE = ["--no-robot", "--no-pictures"];
+/** So long nothing comes late, even on a busy machine. */
+const CALM_MS = 500;
+const shipped = (name) => new URL(`../../scenes/${name}.xml`, import.meta.url).pathname;
+
+test("each hand holds its own, and takes what the other holds", async (t) => {
+  const { page, witness, person } = await browser.workplace(t, { studio: BARE });
+  const held = (hand) => witness.state.hands[hand].object;
+  await page.keyboard.press("e");
+  await person.grasp("RedBlock", "left");
+  await person.dragTo("RedBlock", [null, null, 2]);
+  await page.keyboard.press("e");
+  await person.grasp("GreenBlock", "right");
+  await witness.until(() => held("left") === "RedBlock" && held("right") === "GreenBlock", "both hands hold");
+  await page.getByRole("radio", { name: /Left.*RedBlock/ }).waitFor();
+  await page.getByRole("radio", { name: /Right.*GreenBlock/, checked: true }).waitFor();
+
+  await page.keyboard.press("Backspace");
+  await witness.until(() => held("right") === null, "the right hand is empty");
+  assert.equal(held("left"), "RedBlock", "the left one does not let go");
+  await person.grasp("RedBlock", "right");
+  assert.equal(held("left"), null, "handed over");
+  assert.ok(witness.positionOf("RedBlock")[2] > 1.9, "it was not dropped");
+});
+
+test("a right click triggers and points; what cannot be done is grey, and tells why", async (t) => {
+  const { page, witness, person } = await browser.workplace(t, { studio: [shipped("dock"), ...BARE] });
+  const [raised, lamp, wall] = [[-4.87, -0.65, 1.1], [-4.9, 0, 0.98], [-5.9, 4, 2.9]];
+  const switches = () => [1, 2, 3, 4].map((number) => witness.state.controls[`DockSwitch${number}`]);
+  await person.press("Top");
+  await isRefused("Trigger", lamp, "Lights follow other controls");
+  await isRefused("Trigger", wall, "It is no part of a control");
+
+  await choose("Trigger", raised);
+  await witness.until(() => switches()[2] === "1", "the third switch is over");
+  assert.deepEqual(switches(), ["0", "0", "1", "0"], "and no other");
+  assert.equal(witness.state.controls.DockLight3, "off");
+  await isRefused("Trigger", raised, "It is pressed already");
+  await choose("Point to", raised);
+  await witness.until(() => witness.events.some(({ kind, part }) => kind === "pointed" && part === "DockPanel3"), "it is pointed at");
+
+  await person.grasp("Spare");
+  await isRefused("Point to", raised, "Only with an empty hand");
+  assert.ok(witness.isHeld("Spare"), "a menu lets nothing go");
+  assert.equal(witness.events.filter(({ kind }) => kind === "pointed" || kind === "triggered").length, 2);
+
+  async function choose(name, place) {
+    const menu = await person.menuAt(place);
+    await person.entry(name, menu).click();
+    await menu.waitFor({ state: "detached" });
+  }
+
+  async function isRefused(name, place, reason) {
+    const menu = await person.menuAt(place);
+    const entry = person.entry(name, menu);
+    assert.equal(await entry.getAttribute("aria-disabled"), "true", `${name} is grey`);
+    await entry.getByText(reason).waitFor();
+    await entry.click({ force: true });
+    await page.keyboard.press("Escape");
+    await menu.waitFor({ state: "detached" });
+  }
+});
+
+test("screws are fastened and loosened, nuts are not", async (t) => {
+  const { witness, person } = await browser.workplace(t, { studio: [shipped("screws"), ...BARE] });
+  const height = () => witness.positionOf("BrassScrew")[2];
+  const inNut = height();
+  await choose("Fasten", ...headOfScrew());
+  await witness.until(() => Math.abs(height() - inNut + 0.4) < 0.02, "it is a third deeper");
+  await choose("Loosen", ...headOfScrew());
+  await witness.until(() => Math.abs(height() - inNut) < 0.02, "and out again");
+  const turns = witness.events.filter(({ guest }) => guest === "BrassScrewTip");
+  assert.deepEqual(turns.map(({ kind, tightness }) => [kind, tightness]), [["fastened", 2], ["loosened", 1]]);
+
+  const menu = await person.menuAt([-4.5, -2.9, 1.2]);
+  assert.equal(await menu.getAttribute("aria-label"), "What to do with Nut");
+  for (const name of ["Fasten", "Loosen"]) {
+    const entry = person.entry(name, menu);
+    assert.equal(await entry.getAttribute("aria-disabled"), "true", name);
+    await entry.getByText("It has nothing to fasten").waitFor();
+  }
+
+  function headOfScrew() {
+    const [x, y, z] = witness.positionOf("BrassScrew");
+    return [x, y, z + 1];
+  }
+
+  async function choose(name, ...place) {
+    const open = await person.menuAt(place);
+    await person.entry(name, open).click();
+    await open.waitFor({ state: "detached" });
+  }
+});
+
+test("what matters is told; what was destroyed comes back by Undo, into the hand", async (t) => {
+  const { page, witness, person } = await browser.workplace(t, { studio: BARE });
+  await person.press("Record");
+  await witness.until(() => witness.state.recording !== null, "a recording");
+  await person.grasp("RedBlock");
+  const chips = page.getByRole("group", { name: "What matters about it" });
+  for (const property of ["color", "position"]) {
+    await person.press(property, chips);
+    await witness.until(() => witness.state.attention.RedBlock?.includes(property), `${property} matters`);
+  }
+  await chips.getByRole("button", { name: "color", pressed: true }).click();
+  await witness.until(() => `${witness.state.attention.RedBlock}` === "position", "only one of them does");
+
+  await person.press("Destroy");
+  await witness.until(() => witness.state.gone.includes("RedBlock"), "it is gone");
+  assert.ok(!witness.isHolding);
+  await page.waitForFunction(() => window.smileStudio.screenPointOf("RedBlock") === null);
+  await person.press("Undo");
+  await witness.until(() => witness.state.gone.length === 0 && witness.isHeld("RedBlock"), "it is in the hand again");
+  assert.deepEqual(witness.state.attention, { RedBlock: ["position"] });
+  await page.waitForFunction(() => window.smileStudio.screenPointOf("RedBlock") !== null);
+});
+
+test("a drag ends flush with a face where faces are snapped to; Escape lets the mouse go", async (t) => {
+  const { page, witness, person } = await browser.workplace(t, { studio: [sceneFile(t, "pair", SIDE_BY_SIDE), ...BARE] });
+  const gap = () => witness.positionOf("Coming")[0] - witness.positionOf("Resting")[0] - 1;
+  await person.grasp("Coming");
+  await turnPlaneTo(0);
+  await person.dragTo("Coming", [null, null, 0.85]);
+  await person.dragTo("Coming", [-0.4, null, null]);
+  await dragAwayAndBack();
+  assert.ok(gap() > 0.04, `it is where the mouse let it: ${gap()}`);
+
+  await person.press("Faces");
+  await witness.until(() => witness.state.snap.includes("faces"), "faces are snapped to");
+  await dragAwayAndBack();
+  assert.ok(Math.abs(gap()) < 0.02, `it is flush: ${gap()}`);
+
+  // The mouse lets go of what it drags; the hand does not.
+  const { x, y } = await person.take("Coming");
+  await page.mouse.move(x + 60, y - 60, { steps: 4 });
+  await witness.until(() => witness.handOf("Coming").place[2] > 1, "it is dragged");
+  const place = await person.restOf("Coming", CALM_MS);
+  await page.keyboard.press("Escape");
+  await page.mouse.move(x + 120, y - 120, { steps: 4 });
+  await page.mouse.up();
+  await person.look();
+  assert.deepEqual(await person.restOf("Coming", CALM_MS), place, "it stays where it was");
+  assert.ok(witness.isHeld("Coming"));
+
+  async function turnPlaneTo(degrees) {
+    const field = page.getByRole("spinbutton", { name: "Angle of the plane" });
+    await field.fill(`${degrees}`);
+    await field.press("Enter");
+    await witness.until(() => Math.abs(witness.handOf("Coming").plane - degrees) < 1e-6, "the plane is turned");
+  }
+
+  /** The mouse ends where it began. */
+  async function dragAwayAndBack() {
+    const way = () => Math.abs(witness.handOf("Coming").place[0] + 0.4);
+    const at = await person.take("Coming");
+    await page.mouse.move(at.x + 80, at.y, { steps: 4 });
+    await witness.until(() => way() > 0.3, "it moves");
+    await page.mouse.move(at.x, at.y, { steps: 4 });
+    await witness.until(() => way() < 0.2, "it comes back");
+    const [x] = await person.restOf("Coming", CALM_MS);
+    await page.mouse.up();
+    await witness.until(() => Math.abs(witness.positionOf("Coming")[0] - x) < 0.01, "it is there");
+  }
+});
+
+test("while recording nothing is loaded or added: it is grey, tells why, and what was written is kept", async (t) => {
+  const { page, witness, person } = await browser.workplace(t, { studio: BARE });
+  await person.press("Record");
+  await witness.until(() => witness.state.recording !== null, "a recording");
+  await person.grasp("RedBlock");
+  const why = "Finish the recording first";
+  for (const name of ["Add", "Clear", "Rage", "Reload"]) await isGrey(person.button(name));
+  const gallery = page.getByRole("list", { name: "Scenes" });
+  await gallery.getByRole("button", { disabled: true }).first().waitFor();
+  assert.equal(await gallery.getByRole("button", { disabled: false }).count(), 0);
+  assert.equal(await gallery.getAttribute("title"), why);
+
+  await page.locator("input[type=file]").setInputFiles({ name: "pair.xml", mimeType: "text/xml", buffer: Buffer.from(SIDE_BY_SIDE) });
+  const editor = page.getByRole("dialog", { name: "Scene as text" });
+  await editor.getByText("No errors").waitFor();
+  await isGrey(person.button("Load this scene", editor));
+  await editor.getByRole("textbox", { name: "Text of the scene" }).fill(SIDE_BY_SIDE.replace("Coming", "Late"));
+  await person.press("Go on later", editor);
+  assert.equal(witness.scene.name, "tower");
+  assert.ok(witness.state.recording !== null && witness.isHeld("RedBlock"), "nothing was lost");
+
+  await person.press("Finish");
+  await witness.until(() => witness.state.recording === null, "the end of the recording");
+  await person.press("Go on editing “pair”");
+  await person.press("Load this scene", editor);
+  await witness.until(() => witness.scene.name === "pair", "the scene is there");
+  assert.deepEqual(witness.ids, ["Resting", "Late"]);
+
+  async function isGrey(button) {
+    assert.ok(await button.isDisabled());
+    assert.equal(await button.getAttribute("title"), why);
+  }
+});

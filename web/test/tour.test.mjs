@@ -1,0 +1,56 @@
+// Somebody starts for the first time and does what the tour says.
+
+import assert from "node:assert/strict";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { Browser, replay } from "./workbench.mjs";
+
+const browser = new Browser();
+before(() => browser.start());
+after(() => browser.close());
+
+test("the tour leads from nothing to a demonstration that a robot can use", async (t) => {
+  const { studio, page, witness, person } = await browser.workplace(t, { likes: { "tour-known": false } });
+  const says = (title) => page.locator(".tour h2", { hasText: title }).waitFor();
+
+  await says("Show a robot what to do");
+  await person.press("Start");
+  await says("Look around");
+  const sky = await page.locator(".world").boundingBox();
+  await page.mouse.move(sky.x + 40, sky.y + 90);
+  await page.mouse.down();
+  await page.mouse.move(sky.x + 130, sky.y + 80, { steps: 6 });
+  await page.mouse.up();
+  await says("Record");
+  await person.press("Record");
+  await says("Take a block");
+  await person.grasp("RedBlock");
+  const { id } = witness.state.recording;
+  await says("Lift it");
+  await person.dragTo("RedBlock", [null, null, 2.3]);
+  await says("Turn it");
+  await page.getByRole("slider", { name: "Turn about z (°)" }).fill("90");
+  await says("Put it on another");
+  const [x, y] = witness.positionOf("GreenBlock");
+  await person.carryAbove("RedBlock", [x, y, 2.3]);
+  await person.dragTo("RedBlock", [null, null, 1.5]);
+  await person.release();
+  await says("Take it back");
+  await person.press("Undo");
+  await says("Do it again");
+  await person.press("Redo");
+  await says("Finish");
+  await person.press("Finish");
+  await says("That is all");
+  await person.press("Done");
+  assert.equal(await page.locator(".tour").count(), 0);
+
+  const { identical, ticks } = replay(join(studio.recordings, id));
+  assert.ok(identical && ticks > 0);
+  const [, take, put] = (await witness.request("open", { recording: id })).timeline.segments;
+  assert.deepEqual(take.deed, { do: "take", hand: "any", what: "RedBlock" });
+  assert.deepEqual(put.deed, { do: "put", hand: "any", what: "RedBlock", on: "GreenBlock" });
+  await page.reload();
+  await page.waitForFunction(() => window.smileStudio?.stats().isShown);
+  assert.equal(await page.locator(".tour").count(), 0, "who knows it is left in peace");
+});

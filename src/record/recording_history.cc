@@ -147,6 +147,8 @@ std::vector<HistoryStep> HistoryOf(const Recording& recording) {
   steps[step_of_line[last]].end = {.line = last, .tick = LastTick(recording)};
   for (std::optional<std::size_t> step = step_of_line[last]; step; step = steps[*step].parent) {
     steps[*step].is_on_way = true;
+    // Whatever else was tried from there since.
+    if (const auto& parent = steps[*step].parent) steps[*parent].end = steps[*step].begin;
   }
   releases.Name();
   return steps;

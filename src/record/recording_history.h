@@ -15,7 +15,7 @@ struct HistoryStep {
   std::optional<std::size_t> parent;  ///< the step before; nullopt for the start
   Moment begin;                       ///< just before the action
   /// As far as it went: to the next action, to where it was left by an undo, or to the recording's
-  /// end. If it was gone on with in several ways, the last of them counts.
+  /// end. If it was gone on with in several ways, the one on the way counts, else the last of them.
   Moment end;
   std::optional<Deed> deed;  ///< the action; nullopt of the start
   bool is_on_way = false;    ///< false of what was undone or left, and not done again

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace smile::studio {
 
@@ -17,10 +18,6 @@ class Socket {
   ~Socket();
   Socket(Socket&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
   Socket& operator=(Socket&& other) noexcept;
-
-  /// Waits until somebody comes; no socket once Stop() was called.
-  /// @param stall  a connection whose other end acknowledges nothing for so long is given up.
-  Socket Accept(Patience stall) const;
 
   enum class Reading { kBytes, kNothing, kEnd };
   /// Appends what has come, some 10 kB at a time; kNothing if nothing came within `patience`.
@@ -39,15 +36,22 @@ class Socket {
   int fd_ = -1;
 };
 
-/// Where a server listens.
+/// Where a server listens: at one port, of one address or several.
 struct Listening {
-  Socket socket;
+  std::vector<Socket> sockets;  ///< that never wait in accept()
   int port = 0;
   bool is_loopback = false;  ///< only programs of this machine come in
+
+  /// Waits until somebody comes to any of them; no socket once Stop() was called.
+  /// @param stall  a connection whose other end acknowledges nothing for so long is given up.
+  Socket Accept(Patience stall) const;
+  /// Ends all waiting, now and later. May be called from any thread.
+  void Stop() const;
 };
 
-/// @param address  a number like `127.0.0.1` or `::1`, or a name of this machine.
-/// @param port     0 for the first free one of `first_port` and the hundred after it.
+/// @param address  a number like `127.0.0.1` or `::1`, or a name of this machine: then at all that
+///                 it leads to and this machine has. `localhost` is both of these numbers.
+/// @param port     0 for the first of `first_port` and the hundred after it that is free at all.
 /// @throws std::runtime_error naming address, port and reason.
 Listening ListenAt(const std::string& address, int port, int first_port);
 

@@ -37,15 +37,16 @@ std::string ContentPolicy(const HttpRequest& request) {
          "base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 }
 
-void AddSafetyHeaders(const HttpRequest& request, HttpReply* reply) {
+void AddSafetyHeaders(const HttpRequest& request, bool is_loopback, HttpReply* reply) {
   const std::pair<std::string, std::string> headers[] = {
       {"Content-Security-Policy", ContentPolicy(request)},
       {"X-Content-Type-Options", "nosniff"},
       {"Referrer-Policy", "no-referrer"},
-      {"Cross-Origin-Opener-Policy", "same-origin"},
       {"Cross-Origin-Resource-Policy", "same-origin"},
       {"Connection", "close"}};
   reply->headers.insert(reply->headers.end(), std::begin(headers), std::end(headers));
+  // From elsewhere than this machine browsers ignore it without TLS, and complain.
+  if (is_loopback) reply->headers.emplace_back("Cross-Origin-Opener-Policy", "same-origin");
 }
 
 HttpReply FileReply(const Page::File& file, const HttpRequest& request) {
@@ -105,7 +106,7 @@ class Server::Impl {
 
   ~Impl() {
     clients_.CloseAll();
-    listening_.socket.Stop();
+    listening_.Stop();
     doorman_.join();
     // Those that listen have heard the last word by now; the others are not waited for.
     const auto deadline = std::chrono::steady_clock::now() + kLastWordPatience;
@@ -142,7 +143,7 @@ class Server::Impl {
   /// Gives everybody who comes a thread of their own. Only this thread touches the list.
   void LetIn() {
     while (true) {
-      Socket socket = listening_.socket.Accept(stall_);
+      Socket socket = listening_.Accept(stall_);
       if (!socket.is_open()) return;
       connections_.remove_if([](Connection& connection) {
         const bool is_over = connection.is_over;
@@ -217,7 +218,7 @@ class Server::Impl {
   }
 
   void SendReply(const Socket& socket, const HttpRequest& request, HttpReply reply) const {
-    AddSafetyHeaders(request, &reply);
+    AddSafetyHeaders(request, listening_.is_loopback, &reply);
     if (reply.status != 304) {
       reply.headers.emplace_back("Content-Length", std::to_string(reply.body.size()));
     }

@@ -12,12 +12,16 @@ after(() => browser.close());
 
 test("a recording is shown, played, edited, renamed, binned and taken back", async (t) => {
   const { studio, page, witness, person } = await browser.workplace(t, { studio: ["--no-robot"] });
-  const timeline = page.getByRole("region", { name: "Timeline" });
-  const id = await record();
+  const { timeline, segments } = person;
+  const id = await person.record(async () => {
+    for (const block of ["RedBlock", "GreenBlock"]) {
+      await person.grasp(block);
+      await person.dragTo(block, [null, null, 2]);
+      await person.release();
+    }
+  });
 
   // It opens in the timeline by itself, in words and pictures.
-  const segments = timeline.getByRole("list", { name: "Segments" }).getByRole("button");
-  await person.button("Play", timeline).waitFor();
   await segments.filter({ hasText: "RedBlock" }).first().waitFor();
   const pictures = timeline.locator(".segment img");
   await page.waitForFunction(() => {
@@ -66,20 +70,6 @@ test("a recording is shown, played, edited, renamed, binned and taken back", asy
   await person.press("Show the bin");
   await card("Two blocks").waitFor();
   assert.ok(existsSync(join(studio.recordings, made[0])), "it is back");
-
-  async function record() {
-    await person.press("Record");
-    await witness.until(() => witness.state.recording !== null, "a recording");
-    const { id: started } = witness.state.recording;
-    for (const block of ["RedBlock", "GreenBlock"]) {
-      await person.grasp(block);
-      await person.dragTo(block, [null, null, 2]);
-      await person.release();
-    }
-    await person.press("Finish");
-    await witness.until(() => witness.state.recording === null, "its end");
-    return started;
-  }
 
   async function choose(title, entry) {
     await person.press(`More to do with “${title}”`);

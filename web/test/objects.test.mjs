@@ -1,7 +1,8 @@
-// Scenes that are uploaded, wrong ones too, and objects that are added.
+// Scenes that are uploaded, wrong ones too, objects that are added, and a robot that clears the table.
 
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
+import { isDeepStrictEqual } from "node:util";
 import { Browser } from "./workbench.mjs";
 
 const browser = new Browser();
@@ -41,8 +42,32 @@ test("a wrong scene changes nothing and shows where it is wrong; a right one is 
 
   async function spawn() {
     await person.press("Add");
-    await witness.until(() => witness.ids.length > 2 && witness.ids.every((id) => witness.positionOf(id)), "new objects");
-    // What trembles about zero has no sign here.
-    return witness.ids.map((id) => witness.positionOf(id).slice(0, 2).map((value) => (value + 10).toFixed(2)));
+    await witness.until(() => witness.ids.length > 2 && witness.ids.every((id) => witness.positionOf(id)[2] > 0), "new objects");
+    return witness.ids.map((id) => witness.positionOf(id).slice(0, 2).map((value) => Math.round(10 * value) + 0)); // no -0
+  }
+});
+
+test("the robot's rage leaves all as it was", async (t) => {
+  const { page, witness, person } = await browser.workplace(t, { studio: ["--no-pictures"] });
+  await person.grasp("RedBlock");
+  await person.dragTo("RedBlock", [null, null, 2]);
+  await witness.until(() => Math.abs(witness.positionOf("RedBlock")[2] - 2) < 0.05, "it hangs there");
+  const left = await witness.settled(tableNow, "it hangs still", 500);
+  await person.press("Rage");
+  await witness.until(() => witness.state.mode === "rage", "the rage");
+  await page.getByText("The robot has had enough.").first().waitFor();
+  await witness.until(() => !witness.isHeld("RedBlock") && witness.positionOf("RedBlock")[2] < 1, "nothing is held then");
+  for (const name of ["Add", "Clear", "Rage", "Undo"]) assert.ok(await person.button(name).isDisabled(), name);
+  await witness.until(() => witness.state.mode === "live", "the end of it");
+  await witness.within(5000, () => isDeepStrictEqual(tableNow(), left));
+  assert.deepEqual(tableNow(), left, "as it was left");
+  await person.press("Undo");
+  await witness.until(() => !witness.isHolding, "the grasp is undone");
+  await witness.until(() => !witness.state.undo, "and nothing else was done");
+
+  function tableNow() {
+    const places = witness.ids.map((id) => witness.positionOf(id).map((value) => value.toFixed(2)));
+    const { hands, undo, redo, robot } = witness.state;
+    return { places, hands, undo, redo, joints: robot.joints };
   }
 });

@@ -1,5 +1,7 @@
 // What a person does at the page, with a real mouse or real fingers: looks, moves, looks again.
 
+import { isDeepStrictEqual } from "node:util";
+
 const CLOSE = 0.04; // [units]
 const CLEARANCE = 0.8; // [units]
 const MAX_CORRECTIONS = 12;
@@ -87,11 +89,11 @@ export class Person {
     await this.page.getByRole("tab", { name, exact: true }).click();
   }
 
-  /** Where an object is to be seen [px]. */
+  /** Where an object is to be seen [px], as soon as it is. */
   async pointOf(id) {
-    const point = await this.page.evaluate((object) => window.smileStudio.screenPointOf(object), id);
-    if (point === null) throw new Error(`${id} is not to be seen`);
-    return point;
+    const seen = this.page.waitForFunction((object) => window.smileStudio.screenPointOf(object), id);
+    const point = await seen.catch(() => Promise.reject(new Error(`${id} is not to be seen`)));
+    return point.jsonValue();
   }
 
   async placeOnPage(point) {
@@ -146,9 +148,15 @@ export class Person {
    * which it moves: [x, y, z], null where it does not matter.
    */
   async dragTo(id, wanted) {
-    let at = null;
+    let [at, before] = [null, null];
     for (let k = 0; k < MAX_CORRECTIONS; ++k) {
       const place = await this.restOf(id);
+      if (at !== null && isDeepStrictEqual(place, before)) {
+        // It was missed: the page may just have made room for a panel.
+        await this.pointer.lift();
+        at = null;
+      }
+      before = place;
       const goal = wanted.map((value, axis) => value ?? place[axis]);
       if (Math.hypot(...goal.map((value, axis) => value - place[axis])) < CLOSE) {
         if (at !== null) await this.pointer.lift();
@@ -170,14 +178,8 @@ export class Person {
   }
 
   /** Where the hand wants a held object, as soon as that stays the same for so long. */
-  async restOf(id, milliseconds = 150) {
-    const read = () => JSON.stringify(this.witness.handOf(id)?.place ?? null);
-    let [before, since] = [null, 0];
-    await this.witness.until(() => {
-      if (read() !== before) [before, since] = [read(), Date.now()];
-      return before !== "null" && Date.now() - since > milliseconds;
-    }, `${id} is held still`);
-    return JSON.parse(before);
+  restOf(id, milliseconds = 150) {
+    return this.witness.settled(() => this.witness.handOf(id)?.place, `${id} is held still`, milliseconds);
   }
 
   /** Lifts a held object, then carries it level. */
@@ -202,8 +204,65 @@ export class Person {
     await this.pointer.lift();
   }
 
+  /** Drags the thumb of a slider until it stands where it shall, to a step of it. */
+  async slideTo(slider, wanted) {
+    const step = Number(await slider.getAttribute("step"));
+    const isThere = async () => Math.abs(wanted - (await numberOf(slider))) <= step;
+    // The page may just be making room: then the hand misses the slider, and takes it again.
+    for (let k = 0; k < MAX_CLICKS && !(await isThere()); ++k) await this.dragThumb(slider, wanted, isThere);
+    if (!(await isThere())) throw new Error(`the slider does not come to ${wanted}`);
+  }
+
+  async dragThumb(slider, wanted, isThere) {
+    const { x, y, width, height } = await slider.boundingBox();
+    const [min, max] = await slider.evaluate((input) => [input.min, input.max].map(Number));
+    const scale = width / (max - min);
+    // At both ends half of the thumb is within the slider.
+    let at = Math.min(x + width - 4, Math.max(x + 4, x + ((await numberOf(slider)) - min) * scale));
+    await this.page.mouse.move(at, y + height / 2);
+    await this.page.mouse.down();
+    for (let k = 0; k < MAX_CORRECTIONS && !(await isThere()); ++k) {
+      // At its ends a slider begins half a thumb further in: there one goes on by pixels.
+      const way = (wanted - (await numberOf(slider))) * scale;
+      at += Math.sign(way) * Math.max(1, Math.abs(way));
+      await this.page.mouse.move(at, y + height / 2, { steps: k === 0 ? 8 : 1 });
+      await this.look();
+    }
+    await this.page.mouse.up();
+  }
+
+  /** Records what is done; the recording it becomes. */
+  async record(deed) {
+    await this.press("Record");
+    await this.witness.until(() => this.witness.state.recording !== null, "a recording");
+    const { id } = this.witness.state.recording;
+    await deed();
+    await this.finish();
+    return id;
+  }
+
+  /** Afterwards the recording is open in the timeline. */
+  async finish() {
+    await this.press("Finish");
+    await this.witness.until(() => this.witness.state.recording === null, "the end of the recording");
+    await this.button("Play", this.timeline).waitFor();
+  }
+
+  get timeline() {
+    return this.page.getByRole("region", { name: "Timeline" });
+  }
+
+  get segments() {
+    return this.timeline.getByRole("list", { name: "Segments" }).getByRole("button");
+  }
+
   async release() {
     await this.press("Release");
     await this.witness.until(() => !this.witness.isHolding, "the hands are empty");
   }
+}
+
+/** What a slider shows. */
+async function numberOf(slider) {
+  return Number(await slider.inputValue());
 }

@@ -7,6 +7,7 @@ import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { createInterface } from "node:readline";
+import { isDeepStrictEqual } from "node:util";
 import { chromium } from "playwright-core";
 import WebSocket from "ws";
 import { Person } from "./person.mjs";
@@ -40,10 +41,15 @@ export function sceneFile(t, name, xml) {
   return path;
 }
 
+/** What the program answers to a command that prints JSON. */
+export function programSays(words) {
+  const printed = execFileSync(SMILE, [...words, "--json"], { encoding: "utf8", stdio: ["ignore", "pipe", "pipe"] });
+  return JSON.parse(printed);
+}
+
 /** Runs a recording again; what the program has to say of it. */
 export function replay(recording) {
-  const words = ["replay", recording, "--verify", "--json"];
-  return JSON.parse(execFileSync(SMILE, words, { encoding: "utf8", stdio: ["ignore", "pipe", "pipe"] }));
+  return programSays(["replay", recording, "--verify"]);
 }
 
 /** A running studio. `close()` ends it and takes its recordings away. */
@@ -61,6 +67,14 @@ export class Studio {
   constructor(child, link, folder, recordings) {
     Object.assign(this, { child, link, folder, recordings });
     this.whenClosed = [];
+  }
+
+  /** Where a WebSocket may come in, with the token if there is one. */
+  get door() {
+    const door = new URL("/ws", this.link);
+    door.protocol = "ws:";
+    door.search = new URL(this.link).search;
+    return door.href;
   }
 
   async close() {
@@ -153,7 +167,7 @@ export class Browser {
 /** The program's own view of things: a watcher of the studio without a page. */
 export class Witness {
   static async of(studio) {
-    const witness = new Witness(new WebSocket(studio.link.replace(/^http/, "ws") + "ws"));
+    const witness = new Witness(new WebSocket(studio.door));
     await new Promise((resolve, reject) => {
       witness.socket.onopen = resolve;
       witness.socket.onerror = reject;
@@ -180,13 +194,19 @@ export class Witness {
     if (typeof data !== "string") return this.receivePoses(new DataView(data));
     const news = JSON.parse(data);
     if (news.t === "reply") this.replies.get(news.seq)?.(news);
-    if (news.t === "scene") this.scene = news;
+    if (news.t === "scene") this.enter(news);
     if (news.t === "state") this.state = news;
     if (news.t === "event") this.events.push(news);
   }
 
+  /** Its frames are others; where they are is told next. */
+  enter(scene) {
+    this.scene = scene;
+    this.poses.clear();
+  }
+
   receivePoses(data) {
-    if (data.getUint8(0) !== 1) return;
+    if (data.getUint8(0) !== 1 || data.getUint32(4, true) !== this.scene?.scene) return;
     for (let k = 0; k < data.getUint16(2, true); ++k) {
       const at = 16 + 32 * k;
       const numbers = [0, 1, 2, 3, 4, 5, 6].map((i) => data.getFloat32(at + 4 + 4 * i, true));
@@ -205,10 +225,10 @@ export class Witness {
     return this.scene.objects.map(({ id }) => id).filter((id) => !this.state.gone.includes(id));
   }
 
-  /** Where an object is, in units. */
+  /** Where an object is, in units; NaN as long as that is not told. */
   positionOf(id) {
     const { frame } = this.scene.objects.find((object) => object.id === id);
-    return this.poses.get(frame)?.slice(0, 3);
+    return this.poses.get(frame)?.slice(0, 3) ?? [NaN, NaN, NaN];
   }
 
   /** How far an upright object is turned about the vertical [degrees]. */
@@ -234,6 +254,17 @@ export class Witness {
   /** Waits until something holds; else fails and tells what was awaited. */
   async until(holds, what = holds.toString()) {
     if (!(await this.within(PATIENCE_MS, holds))) throw new Error(`this never came: ${what}`);
+  }
+
+  /** What is read, as soon as it is there and stays the same for so long. */
+  async settled(read, what, milliseconds) {
+    let [before, since] = [null, 0];
+    await this.until(() => {
+      const now = read() ?? null;
+      if (!isDeepStrictEqual(now, before)) [before, since] = [now, Date.now()];
+      return before !== null && Date.now() - since > milliseconds;
+    }, what);
+    return before;
   }
 
   /** Whether something came to hold in this time. */

@@ -108,5 +108,27 @@ TEST_F(RecordingDeskTest, TheHistoryTellsEveryStepAlsoWhatWasUndone) {
   EXPECT_EQ(steps[3].end, (Moment{.line = 4, .tick = 32}));
 }
 
+TEST_F(RecordingDeskTest, AStepOnTheWayEndsWhereTheWayGoesOn) {
+  Do(sim::StartRecording{.name = "take"}, 10);
+  Do(sim::Grasp{.hand = HandName::kLeft, .object = "a"}, 10);
+  Do(sim::Release{.hand = HandName::kLeft}, 10);
+  Do(sim::FinishRecording());
+  const auto steps = [this] { return HistoryOf(OpenRecording(root_ / "take")); };
+  const auto go_on = [this](const Moment& from, const sim::Command& command) {
+    const auto simulation = MakeSimulation(false);
+    const auto recorder = Recorder::Continue(root_ / "take", from, nullptr, simulation.get());
+    simulation->AddListener(recorder.get());
+    EXPECT_EQ(simulation->Apply(command), std::nullopt);
+    simulation->Tick();
+  };
+  const Moment drop_end = steps()[2].end;
+  go_on({.line = 1, .tick = 14}, sim::Release{.hand = HandName::kLeft});
+  EXPECT_EQ(steps()[1].end, (Moment{.line = 3, .tick = 14}));
+  // Back to what was left: nothing of the way there is shorter for what was tried meanwhile.
+  go_on(drop_end, sim::Point{.hand = HandName::kRight, .part = "b"});
+  EXPECT_EQ(steps()[1].end, steps()[2].begin);
+  EXPECT_EQ(steps()[1].end, (Moment{.line = 1, .tick = 20}));
+}
+
 }  // namespace
 }  // namespace smile::record

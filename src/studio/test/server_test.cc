@@ -192,6 +192,29 @@ TEST_F(ServerTest, ServersFindPortsOfTheirOwn) {
   }
 }
 
+bool HasIpv6() {
+  const int fd = socket(AF_INET6, SOCK_STREAM, 0);
+  const sockaddr_in6 address{.sin6_family = AF_INET6, .sin6_addr = in6addr_loopback};
+  const bool has_it = bind(fd, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
+  close(fd);
+  return has_it;
+}
+
+TEST_F(ServerTest, LocalhostIsBothAddressesAtOnePort) {
+  options_.address = "localhost";
+  EXPECT_EQ(server().link(), "http://localhost:" + std::to_string(port()) + "/");
+  EXPECT_TRUE(IsStatus(WebClient(port()).Get("/"), 200));
+  if (!HasIpv6()) GTEST_SKIP() << "this machine has no ::1";
+  EXPECT_TRUE(IsStatus(WebClient::OverIpv6(port()).Get("/", "Host: localhost\r\n"), 200));
+  // Who has but one of them has it to itself.
+  ServerOptions there = options_;
+  there.address = "::1";
+  const Server other(there);
+  const std::string link = other.link();
+  options_.port = std::stoi(link.substr(link.rfind(':') + 1));
+  EXPECT_THROW(Server{options_}, std::runtime_error);
+}
+
 TEST_F(ServerTest, SaysHowAMissingPageIsBuilt) {
   options_.page = folder_ / "nowhere";
   EXPECT_THROW(server(), std::runtime_error);

@@ -354,6 +354,37 @@ TEST_F(SessionTest, TheRobotsRageLeavesAllAsItWas) {
   EXPECT_EQ(State()["robot"]["joints"], before["robot"]["joints"]);
 }
 
+TEST_F(SessionTest, ARageIsNoPartOfWhatWasDone) {
+  // Two sessions do the same, one of them with a rage in between.
+  std::vector<std::string> logs;
+  std::vector<Json> ends;
+  for (const bool with_rage : {false, true}) {
+    Begin(nullptr, /*with_robot=*/true);
+    PutAOnB();
+    if (with_rage) {
+      Do(R"({"do":"clear","rage":true})");
+      TickSeconds(10);
+    }
+    TickSeconds(1);
+    Command(R"({"do":"start","name":"take"})");
+    TickSeconds(0.2);
+    Command(R"({"do":"finish"})");
+    // The log tells all from the first command on, the trace has a hash of the state for each tick.
+    logs.push_back(ReadFile(root_ / "recordings/take/commands.jsonl", 1 << 20) +
+                   ReadFile(root_ / "recordings/take/trace.bin", 1 << 24));
+    Command(R"({"do":"undo"})");
+    EXPECT_EQ(State()["hands"]["left"]["object"], "a");
+    EXPECT_TRUE(State()["redo"].get<bool>());
+    Command(R"({"do":"undo"})");
+    EXPECT_FALSE(State()["undo"].get<bool>());
+    ends.push_back(State());
+    session_.reset();
+    std::filesystem::remove_all(root_ / "recordings");
+  }
+  EXPECT_TRUE(logs[0] == logs[1]);
+  EXPECT_EQ(ends[0], ends[1]);
+}
+
 TEST_F(SessionTest, ARobotProgramRunsAndItsErrorHasAPlace) {
   WritePython("wave.py",
               "def step(sensor, motor, aux):\n"

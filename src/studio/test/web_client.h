@@ -22,14 +22,23 @@ namespace smile::studio {
 /// The other end of the server: a browser without manners.
 class WebClient {
  public:
-  explicit WebClient(int port) : fd_(socket(AF_INET, SOCK_STREAM, 0)), port_(port) {
+  /// To 127.0.0.1.
+  explicit WebClient(int port) : WebClient(AF_INET, port) {
     sockaddr_in address{};
     address.sin_family = AF_INET;
     address.sin_port = htons(static_cast<std::uint16_t>(port));
     address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    if (connect(fd_, reinterpret_cast<sockaddr*>(&address), sizeof address) != 0) {
-      throw std::runtime_error("nobody listens");
-    }
+    ConnectTo(address);
+  }
+  /// To ::1.
+  static WebClient OverIpv6(int port) {
+    WebClient client(AF_INET6, port);
+    sockaddr_in6 address{};
+    address.sin6_family = AF_INET6;
+    address.sin6_port = htons(static_cast<std::uint16_t>(port));
+    address.sin6_addr = in6addr_loopback;
+    client.ConnectTo(address);
+    return client;
   }
   ~WebClient() { Leave(); }
   WebClient(WebClient&& other) noexcept
@@ -140,6 +149,15 @@ class WebClient {
   int fd() const { return fd_; }
 
  private:
+  WebClient(int family, int port) : fd_(socket(family, SOCK_STREAM, 0)), port_(port) {}
+
+  template <typename Address>
+  void ConnectTo(const Address& address) const {
+    if (connect(fd_, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
+      throw std::runtime_error("nobody listens");
+    }
+  }
+
   std::string WithHost(const std::string& headers) const {
     if (headers.find("Host:") != std::string::npos) return headers;
     return "Host: 127.0.0.1:" + std::to_string(port_) + "\r\n" + headers;

@@ -6,7 +6,7 @@ import { Empty, isFound, Picture, SearchField } from "../ui/card";
 import { MenuButton, type MenuEntry } from "../ui/menu";
 import { isRecording, mayControl } from "./now";
 import { isTimelineOpen, renamed, sheet, showPanel, toImitate } from "./page";
-import { opened, openRecording, pictureOfRecording, recordings, refreshRecordings, titleOf, type Recording } from "./recordings";
+import { opened, openRecording, pictureOfRecording, recordings, refreshRecordings, titleOf, type Recording, type Timeline } from "./recordings";
 
 const { library: words } = texts;
 
@@ -41,16 +41,17 @@ function download(id: string): void {
   link.click();
 }
 
-/** Its timeline comes to the front, wherever it is. */
-async function open(id: string): Promise<void> {
-  if (opened.value?.id !== id) await openRecording(id);
+/** Its timeline comes to the front, wherever it is; null if it cannot be opened. */
+async function open(id: string): Promise<Timeline | null> {
+  const timeline = opened.value?.id === id ? opened.value.timeline : await openRecording(id);
   isTimelineOpen.value = true;
   sheet.value = "timeline";
+  return timeline;
 }
 
-async function showEnd(recording: Recording): Promise<void> {
-  await open(recording.id);
-  await ask("show", { recording: recording.id, seconds: recording.seconds });
+async function showEnd(id: string): Promise<void> {
+  const timeline = await open(id);
+  if (timeline !== null) await ask("show", { recording: id, seconds: timeline.seconds });
 }
 
 function imitate(id: string): void {
@@ -62,7 +63,7 @@ function entriesOf(recording: Recording): MenuEntry[] {
   const { id } = recording;
   const disabled = !mayControl.value;
   return [
-    { label: words.show, icon: "eye", disabled: disabled || isRecording.value, onChoose: () => void showEnd(recording) },
+    { label: words.show, icon: "eye", disabled: disabled || isRecording.value, onChoose: () => void showEnd(id) },
     { label: words.imitate, icon: "robot", onChoose: () => imitate(id) },
     { label: words.rename, icon: "pencil", disabled, onChoose: () => (renamed.value = id) },
     { label: words.download, icon: "download", onChoose: () => download(id) },

@@ -54,11 +54,14 @@ export function titleOf(id: string): string {
   return recording?.binned ? id.replace(/~\d+$/, "") : id;
 }
 
-export async function openRecording(id: string): Promise<void> {
+/** Null if it cannot be opened. */
+export async function openRecording(id: string): Promise<Timeline | null> {
   const reply = await ask("open", { recording: id });
-  if (reply === null) return;
-  opened.value = { id, timeline: reply.timeline as Timeline };
+  if (reply === null) return null;
+  const timeline = reply.timeline as Timeline;
+  opened.value = { id, timeline };
   chosenSegment.value = null;
+  return timeline;
 }
 
 /** A recording is complete: here, not by whoever finished it, for watchers see it too. */

@@ -14,6 +14,7 @@ import { chosenSegment, opened, pictureOfSegment, titleOf, type Timeline } from 
 
 const { timeline: words } = texts;
 const RATES = [0.25, 0.5, 1, 2, 4];
+const HALF_TICK = 1 / 120; // [s]
 const rate = signal(1);
 /** The moment of the opened recording that is looked at [s]. */
 const moment = signal(0);
@@ -73,15 +74,21 @@ function LiveTimeline({ id }: { id: string }) {
   );
 }
 
-function show(id: string, seconds: number): void {
+/** Moments that we asked to be shown and that are not shown yet. */
+let numOnTheWay = 0;
+
+async function show(id: string, seconds: number): Promise<void> {
   moment.value = seconds;
-  if (mayControl.value) void ask("show", { recording: id, seconds });
+  if (!mayControl.value) return;
+  numOnTheWay += 1;
+  await ask("show", { recording: id, seconds });
+  numOnTheWay -= 1;
 }
 
-/** The step that was going on at a moment, for a branch to begin at. */
+/** The step that was going on at a moment, for a branch to begin at. What is done at that very moment is not done yet. */
 function stepAt(timeline: Timeline, seconds: number): { step: number; after: number } | null {
-  const done = timeline.steps.filter((step) => step.on_way && step.begin <= seconds + 1e-6);
-  const last = done[done.length - 1];
+  const begun = (step: Timeline["steps"][number]) => step.parent === null || step.begin < seconds - HALF_TICK;
+  const last = timeline.steps.filter((step) => step.on_way && begun(step)).pop();
   return last ? { step: last.step, after: Math.max(0, seconds - last.begin) } : null;
 }
 
@@ -103,7 +110,7 @@ function Scrubber({ id, timeline }: { id: string; timeline: Timeline }) {
         value={moment.value}
         disabled={!mayControl.value}
         style={{ "--filled": `${(100 * moment.value) / Math.max(timeline.seconds, 1e-9)}%` }}
-        onInput={(event) => show(id, event.currentTarget.valueAsNumber)}
+        onInput={(event) => void show(id, event.currentTarget.valueAsNumber)}
       />
       <div class="marks" aria-hidden="true">
         {timeline.segments.slice(1).map((segment) => (
@@ -206,13 +213,13 @@ function EditButtons({ id, timeline }: { id: string; timeline: Timeline }) {
   );
 }
 
-/** While it plays, the moment is the program's. */
+/** The moment is the one that is shown, but while we go to another. */
 function useMoment(id: string): void {
   useEffect(() => {
     moment.value = 0;
     return state.subscribe((now) => {
       const playback = now?.playback;
-      if (playback?.recording === id && playback.rate > 0) moment.value = playback.seconds;
+      if (playback?.recording === id && numOnTheWay === 0) moment.value = playback.seconds;
     });
   }, [id]);
 }
@@ -222,7 +229,7 @@ function OpenedTimeline({ id, timeline }: { id: string; timeline: Timeline }) {
   const now = moment.value;
   const choose = (number: number, end: number) => {
     chosenSegment.value = chosenSegment.value === number ? null : number;
-    show(id, end);
+    void show(id, end);
   };
   return (
     <>

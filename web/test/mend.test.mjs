@@ -1,0 +1,230 @@
+// What a recording can become: gone on with from any moment, also from one that was left; trimmed and
+// cut; and looked at, while the table waits.
+
+import assert from "node:assert/strict";
+import { readdirSync, readFileSync } from "node:fs";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { isDeepStrictEqual } from "node:util";
+import { Browser, programSays, replay } from "./workbench.mjs";
+
+const browser = new Browser();
+before(() => browser.start());
+after(() => browser.close());
+
+const PLAIN = { studio: ["--no-robot", "--no-pictures"] };
+const MILLIMETERS_PER_UNIT = 100;
+
+test("a recording goes on from any moment, also from what was left", async (t) => {
+  const { studio, page, witness, person } = await browser.workplace(t, PLAIN);
+  const { timeline } = person;
+  const moment = timeline.getByRole("slider", { name: "Moment" });
+  const id = await person.record(async () => {
+    await person.grasp("RedBlock");
+    await person.dragTo("RedBlock", [null, null, 3]);
+    await person.release();
+    await witness.until(() => isOnTable("RedBlock"), "it falls");
+  });
+  const [, taking] = await segments();
+  await person.press("Close this recording", timeline);
+  await person.showPanel("Library");
+  await person.press("Open", page.locator(".recording"));
+
+  // Where a segment ends, the next action is not done yet.
+  await person.segments.nth(1).click();
+  await witness.until(() => witness.state.mode === "playback", "the end of the first action");
+  await goOn(() => person.press("Go on from here", timeline));
+  assert.ok(witness.isHeld("RedBlock"), "it is not let go of yet");
+  await person.finish();
+  assert.deepEqual(await undone(), [false, false, true]);
+
+  // In its middle; and now something else is done.
+  await person.slideTo(moment, (taking.begin + taking.end) / 2);
+  await goOn(() => person.press("Go on from here", timeline));
+  assert.ok(witness.isHeld("RedBlock"), "as it was then");
+  await person.release();
+  await person.finish();
+  assert.deepEqual(await undone(), [false, false, true, false]);
+
+  // What was left first is still there to go on from, and all before it as it was then.
+  await goOn(() => chooseInHistory(2));
+  await witness.until(() => isOnTable("RedBlock"), "it lies where it fell then");
+  assert.ok(!witness.isHeld("RedBlock"), "and is not held");
+  await person.grasp("GreenBlock");
+  await person.release();
+  await person.finish();
+  assert.deepEqual(await undone(), [false, false, false, true, false, false]);
+  await person.slideTo(moment, taking.end - 0.2);
+  await goOn(() => person.press("Go on from here", timeline));
+  assert.ok(witness.isHeld("RedBlock"), "as it was then");
+  await witness.until(() => witness.positionOf("RedBlock")[2] > 2.9, "lifted as far as then");
+  await person.finish();
+  const report = replay(join(studio.recordings, id));
+  assert.equal(report.identical, true, JSON.stringify(report));
+
+  function isOnTable(block) {
+    return Math.abs(witness.positionOf(block)[2] - 0.5) < 0.05;
+  }
+
+  async function segments() {
+    return (await witness.request("open", { recording: id })).timeline.segments;
+  }
+
+  async function goOn(deed) {
+    await deed();
+    await witness.until(() => witness.state.recording?.id === id, "it is recorded on");
+    assert.equal(witness.state.mode, "live");
+  }
+
+  async function openHistory() {
+    await person.press("History", timeline);
+    return page.getByRole("menu").getByRole("menuitem");
+  }
+
+  /** Of each step, whether it is not what the recording now shows. */
+  async function undone() {
+    const entries = await (await openHistory()).allTextContents();
+    await page.keyboard.press("Escape");
+    return entries.map((entry) => entry.endsWith("(undone)"));
+  }
+
+  async function chooseInHistory(step) {
+    await (await openHistory()).filter({ hasText: new RegExp(`^${step}:`) }).click();
+  }
+});
+
+test("what an edit does is told before it is done, and what is told becomes true", async (t) => {
+  const { studio, page, witness, person } = await browser.workplace(t, PLAIN);
+  const { timeline } = person;
+  const dialog = page.getByRole("dialog");
+  const id = await person.record(async () => {
+    for (const [block, x] of [["RedBlock", -5], ["GreenBlock", 2]]) {
+      await person.grasp(block);
+      await person.dragTo(block, [x, null, 2]);
+      await person.release();
+    }
+  });
+  const original = filesIn(id);
+  await person.showPanel("Library");
+  await page.locator(".recording").waitFor();
+  const listed = await witness.request("library");
+
+  // The green block is never taken then: told, and not done.
+  await choose(3, "Delete");
+  const dropped = programSays(["edit", join(studio.recordings, id), "--drop", "3", "--dry-run"]);
+  assert.equal(dropped.left_out.length, 1, JSON.stringify(dropped));
+  await tells(dropped, "GreenBlock");
+  await dialog.getByText("cannot be carried out any more").waitFor();
+  await person.press("Cancel", dialog);
+  await dialog.waitFor({ state: "detached" });
+  assert.deepEqual((await witness.request("library")).recordings, listed.recordings, "nothing was done");
+  assert.deepEqual(recordings(), [id]);
+
+  // The red block is taken and not carried: told, and done.
+  await choose(1, "Trim");
+  const to = dialog.getByRole("slider", { name: "To (s)" });
+  await person.slideTo(to, 0.1);
+  const trim = `1:0-${await to.inputValue()}`;
+  const trimmed = programSays(["edit", join(studio.recordings, id), "--trim", trim, "--dry-run"]);
+  await tells(trimmed, "RedBlock");
+  await person.press("Save as a new recording", dialog);
+  await dialog.waitFor({ state: "detached" });
+  const made = recordings().filter((name) => name !== id);
+  assert.equal(made.length, 1, `${made}`);
+  assert.equal(replay(join(studio.recordings, made[0])).identical, true);
+  assert.deepEqual(filesIn(id), original, "the original stays as it is, to the last byte");
+
+  const ends = [await endOf("RedBlock", id), await endOf("RedBlock", made[0])];
+  const distance = MILLIMETERS_PER_UNIT * Math.hypot(...ends[0].map((value, k) => value - ends[1][k]));
+  const told = trimmed.displaced.find((one) => one.id === "RedBlock").distance_mm;
+  assert.ok(Math.abs(distance - told) < 1, `${distance} mm away, ${told} mm were told`);
+
+  async function choose(segment, edit) {
+    await person.segments.nth(segment).click();
+    await person.press(edit, timeline);
+  }
+
+  /** The dialog tells as many effects as the program does, and how far off the block ends. */
+  async function tells(report, block) {
+    const centimeters = (report.displaced.find((one) => one.id === block).distance_mm / 10).toFixed(0);
+    await dialog.getByRole("status").getByText(`${block} ends ${centimeters} cm away`).waitFor();
+    const effects = ["left_out", "gone", "there_again", "displaced", "controls", "host_points", "joints"];
+    const number = effects.reduce((sum, kind) => sum + report[kind].length, 0);
+    assert.equal(await dialog.getByRole("listitem").count(), number, JSON.stringify(report));
+  }
+
+  /** Where an object is in the last moment of a recording. */
+  async function endOf(block, recording) {
+    const { title } = (await witness.request("library")).recordings.find((one) => one.id === recording);
+    await person.press(`More to do with “${title || recording}”`);
+    await page.getByRole("menuitem", { name: "Show its end" }).click();
+    const isAtEnd = ({ playback }) =>
+      playback?.recording === recording && Math.abs(playback.seconds - playback.length) < 1e-3;
+    await witness.until(() => isAtEnd(witness.state), `the end of ${recording}`);
+    const slider = await timeline.getByRole("slider", { name: "Moment" }).elementHandle();
+    await page.waitForFunction((moment) => moment.max - moment.value < 0.06, slider);
+    return page.evaluate((object) => window.smileStudio.placeOf(object), block);
+  }
+
+  function recordings() {
+    return readdirSync(studio.recordings).filter((name) => !name.startsWith("."));
+  }
+
+  function filesIn(recording) {
+    const folder = join(studio.recordings, recording);
+    const files = readdirSync(folder, { recursive: true, withFileTypes: true }).filter((entry) => entry.isFile());
+    return files.map(({ parentPath, name }) => [name, readFileSync(join(parentPath, name), "base64")]).sort();
+  }
+});
+
+test("a recording is scrubbed and played while the table waits as it was left", async (t) => {
+  const { page, witness, person } = await browser.workplace(t, PLAIN);
+  const { timeline } = person;
+  const moment = timeline.getByRole("slider", { name: "Moment" });
+  const id = await person.record(async () => {
+    await person.grasp("RedBlock");
+    await person.dragTo("RedBlock", [null, null, 3]);
+    await person.release();
+    await witness.until(() => witness.positionOf("RedBlock")[2] < 0.55, "it falls");
+  });
+  const { segments } = (await witness.request("open", { recording: id })).timeline;
+  await person.grasp("GreenBlock");
+  await person.dragTo("GreenBlock", [null, null, 2]);
+  await witness.until(() => Math.abs(witness.positionOf("GreenBlock")[2] - 2) < 0.05, "it hangs there");
+  const left = await witness.settled(tableNow, "it hangs still", 500);
+
+  await person.slideTo(moment, segments[1].end - 0.1);
+  await shows("RedBlock", (z) => z > 2.5);
+  await shows("GreenBlock", (z) => z < 0.6);
+  assert.equal(witness.state.mode, "playback");
+  await person.slideTo(moment, 0);
+  await shows("RedBlock", (z) => z < 0.6);
+  await person.press("Play", timeline);
+  await shows("RedBlock", (z) => z > 1.5);
+  await witness.until(() => witness.state.playback.rate === 0, "it ends");
+  await shows("RedBlock", (z) => z < 0.6);
+
+  await person.press("Back to the table");
+  await witness.until(() => witness.state.mode === "live", "the table");
+  await shows("GreenBlock", (z) => z > 1.9);
+  await witness.within(5000, () => isDeepStrictEqual(tableNow(), left));
+  assert.deepEqual(tableNow(), left, "as it was left");
+  await person.release();
+  await shows("GreenBlock", (z) => z < 0.6);
+
+  /** Waits until the page draws an object at such a height. */
+  async function shows(block, isThere) {
+    const heightOf = (object) => window.smileStudio.placeOf(object)[2];
+    let height = null;
+    for (const end = Date.now() + 20_000; Date.now() < end; await person.look()) {
+      height = await page.evaluate(heightOf, block);
+      if (isThere(height)) return;
+    }
+    throw new Error(`${block} is drawn at a height of ${height}, not so that ${isThere}`);
+  }
+
+  function tableNow() {
+    const places = witness.ids.map((object) => [object, ...witness.positionOf(object).map((value) => value.toFixed(2))]);
+    return { places, hand: witness.handOf("GreenBlock") };
+  }
+});

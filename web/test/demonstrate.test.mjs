@@ -63,6 +63,7 @@ test("planes and rings turn what is held; elsewhere and keys let go", async (t) 
   await person.turnRing("z", 245, 290);
   const byRing = () => witness.handOf("BlueBlock").angles[2] - before[2];
   await witness.until(() => Math.abs(byRing()) > 20, "the ring has turned it");
+  await witness.settled(() => witness.handOf("BlueBlock").angles, "the ring is let go", 300);
   assert.deepEqual(witness.handOf("BlueBlock").angles.slice(0, 2), before.slice(0, 2), "about z only");
   await page.getByRole("slider", { name: "Turn about z (°)" }).fill("90");
   await witness.until(() => Math.abs(witness.yawOf("BlueBlock") - 90) < 1, "the slider has turned it in the world");

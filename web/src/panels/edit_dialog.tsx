@@ -107,13 +107,14 @@ export function EditDialog(props: {
   const save = async () => {
     isSaving.value = true;
     const reply = await ask("edit", { recording, edits, name: name.value });
+    if (reply !== null) {
+      const made = reply.recording as string;
+      await refreshRecordings();
+      await openRecording(made);
+      notify(words.saved(titleOf(made)));
+      props.onClose();
+    }
     isSaving.value = false;
-    if (reply === null) return;
-    props.onClose();
-    await refreshRecordings();
-    const made = reply.recording as string;
-    notify(words.saved(titleOf(made)));
-    await openRecording(made);
   };
   return (
     <Dialog

@@ -105,7 +105,7 @@ class Session::Impl {
   RestingPlace resting_place_;
   Json resting_answer_;
   std::uint64_t resting_call_ = 0;
-  SnapTo snap_;
+  Snapper snapper_;
   bool is_paused_ = false;
   double speed_factor_ = 1, measured_speed_ = 1;
 

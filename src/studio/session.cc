@@ -200,7 +200,7 @@ Json Session::Impl::DescribeState() const {
                          {"rate", playback_->rate()}};
   }
   state["brain"] = brain_.Describe();
-  state["snap"] = NamesOf(snap_);
+  state["snap"] = NamesOf(snapper_.to);
   state["markers"] = Json::array();
   for (const Vector3& point : world_->markers()) {
     state["markers"].push_back(PointInUnits(point, unit));

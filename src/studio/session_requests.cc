@@ -108,7 +108,7 @@ void Session::Impl::AddWorldRequests() {
     return Json::object();
   }};
   entries["snap"] = {[this](const Request& request) {
-    snap_ = SnapToOf(RequestFields(request).Words("to", kSnapNames));
+    snapper_.to = SnapToOf(RequestFields(request).Words("to", kSnapNames));
     return Json::object();
   }};
   entries["resting_place"] = {
@@ -166,9 +166,9 @@ void Session::Impl::AddBrainRequests() {
 
 Json Session::Impl::Command(const Request& request) {
   RequireLive();
-  const Json& written = RequestFields(request).Object("command");
+  const RequestFields fields(request);
   const sim::Command command =
-      sim::ParseCommand(written, world_->simulation().scene().meters_per_unit);
+      sim::ParseCommand(fields.Object("command"), world_->simulation().scene().meters_per_unit);
   const bool turns_back =
       std::holds_alternative<sim::Undo>(command) || std::holds_alternative<sim::Redo>(command);
   if (turns_back && brain_.is_running()) {
@@ -177,7 +177,8 @@ Json Session::Impl::Command(const Request& request) {
   const bool is_start = std::holds_alternative<sim::StartRecording>(command);
   if (is_start) RequireNoBranching();
   view_.reset();
-  if (const auto refusal = world_->Apply(Snapped(snap_, *world_, command))) {
+  const bool is_exact = fields.Flag("exact");
+  if (const auto refusal = world_->Apply(is_exact ? command : snapper_.Snapped(*world_, command))) {
     throw RequestError(*refusal);
   }
   Json answer = Json::object();

@@ -184,17 +184,6 @@ sim::Command SnappedDrag(const SnapTo& snap, const LiveWorld& world, const sim::
   return sim::MoveTo{.hand = drag.hand, .p_WH = *p_WH + shift, .speed = drag.speed};
 }
 
-sim::Command SnappedRotate(const SnapTo& snap, const LiveWorld& world, const sim::Rotate& rotate) {
-  const demonstrator::Hand& hand = world.simulation().demonstrator().hand(rotate.hand);
-  if (!hand.is_holding()) return rotate;
-  const Matrix3& R_before = hand.X_WB_goal.rotation();
-  const Matrix3 R_wanted = RotationFromFixedAxes(rotate.angles_deg) * R_before;
-  const Matrix3 R_snapped = SnapTurn(snap, R_before, R_wanted, FramesNear(world, hand));
-  if (R_snapped == R_wanted) return rotate;
-  return sim::Rotate{.hand = rotate.hand,
-                     .angles_deg = FixedAxesAngles(Matrix3(R_snapped * R_before.transpose()))};
-}
-
 }  // namespace
 
 SnapTo SnapToOf(std::span<const std::string> names) {
@@ -230,27 +219,36 @@ Vector3 SnapShift(const SnapTo& snap, const Carried& carried, std::span<const Ne
   return shift.Get();
 }
 
-Matrix3 SnapTurn(const SnapTo& snap, const Matrix3& R_before, const Matrix3& R_wanted,
-                 std::span<const Matrix3> frames) {
+Matrix3 SnapTurn(const SnapTo& snap, const Matrix3& R_wanted, std::span<const Matrix3> frames) {
   if (!snap.angles) return R_wanted;
   Matrix3 R_snapped = R_wanted;
   double least = kSnapDegrees;
   for (const Matrix3& R_WF : frames) {
     const Matrix3 R_right = R_WF * NearestRightAngle(R_WF.transpose() * R_wanted);
-    const double left = DegreesBetween(R_wanted, R_right);
-    if (left >= least || left >= DegreesBetween(R_before, R_right)) continue;
-    least = left;
+    const double away = DegreesBetween(R_wanted, R_right);
+    if (away >= least) continue;
+    least = away;
     R_snapped = R_right;
   }
   return R_snapped;
 }
 
-sim::Command Snapped(const SnapTo& snap, const LiveWorld& world, const sim::Command& command) {
-  if (const auto* drag = std::get_if<sim::Drag>(&command)) return SnappedDrag(snap, world, *drag);
-  if (const auto* rotate = std::get_if<sim::Rotate>(&command)) {
-    return SnappedRotate(snap, world, *rotate);
-  }
+sim::Command Snapper::Snapped(const LiveWorld& world, const sim::Command& command) {
+  if (const auto* drag = std::get_if<sim::Drag>(&command)) return SnappedDrag(to, world, *drag);
+  if (const auto* rotate = std::get_if<sim::Rotate>(&command)) return SnappedRotate(world, *rotate);
   return command;
+}
+
+sim::Command Snapper::SnappedRotate(const LiveWorld& world, const sim::Rotate& rotate) {
+  const demonstrator::Hand& hand = world.simulation().demonstrator().hand(rotate.hand);
+  if (!to.angles || !hand.is_holding()) return rotate;
+  const Matrix3& R_now = hand.X_WB_goal.rotation();
+  Turn& turn = turns_[static_cast<std::size_t>(rotate.hand)];
+  const bool goes_on = R_now.isApprox(turn.R_snapped, 1e-9);
+  turn.R_wanted = RotationFromFixedAxes(rotate.angles_deg) * (goes_on ? turn.R_wanted : R_now);
+  turn.R_snapped = SnapTurn(to, turn.R_wanted, FramesNear(world, hand));
+  return sim::Rotate{.hand = rotate.hand,
+                     .angles_deg = FixedAxesAngles(Matrix3(turn.R_snapped * R_now.transpose()))};
 }
 
 }  // namespace smile::studio

@@ -48,13 +48,27 @@ Vector3 SnapShift(const SnapTo& snap, const Carried& carried, std::span<const Ne
                   double meters_per_unit);
 
 /// Where a turn to `R_wanted` ends: at a right angle to one of `frames` if that is less than
-/// kSnapDegrees away and nearer than it was before, so that small turns lead away from it, too. Of
-/// several the nearest.
+/// kSnapDegrees away. Of several the nearest.
 /// @param frames  rotations in the world, of the table and of things nearby.
-Matrix3 SnapTurn(const SnapTo& snap, const Matrix3& R_before, const Matrix3& R_wanted,
-                 std::span<const Matrix3> frames);
+Matrix3 SnapTurn(const SnapTo& snap, const Matrix3& R_wanted, std::span<const Matrix3> frames);
 
-/// The command that a drag or a turn means when it snaps; other commands as they are.
-sim::Command Snapped(const SnapTo& snap, const LiveWorld& world, const sim::Command& command);
+/// What the drags and turns of hands mean when they snap.
+class Snapper {
+ public:
+  SnapTo to;
+
+  /// The command to carry out instead; others are what they were. Turns that follow one another add
+  /// up as if nothing snapped: so whoever turns on gets away from where it did.
+  sim::Command Snapped(const LiveWorld& world, const sim::Command& command);
+
+ private:
+  /// The last one of a hand: where it was to end, and where it did.
+  struct Turn {
+    Matrix3 R_wanted = Matrix3::Zero(), R_snapped = Matrix3::Zero();
+  };
+  sim::Command SnappedRotate(const LiveWorld& world, const sim::Rotate& rotate);
+
+  std::array<Turn, demonstrator::kHandNames.size()> turns_;
+};
 
 }  // namespace smile::studio

@@ -185,7 +185,6 @@ export interface Poses {
 /** A binary message: what the robot's eye saw last. */
 export interface EyeView {
   tick: number;
-  isRecorded: boolean;
   png: Blob;
 }
 
@@ -196,13 +195,13 @@ export function decodeBinary(bytes: ArrayBuffer): Poses | EyeView | null {
   if (bytes.byteLength < HEADER_BYTES) return null;
   const data = new DataView(bytes);
   const kind = data.getUint8(0);
-  const flag = (data.getUint8(1) & 1) === 1;
+  const isKey = (data.getUint8(1) & 1) === 1;
   const count = data.getUint16(2, true);
   const scene = data.getUint32(4, true);
   const tick = data.getUint32(8, true);
   const ack = data.getUint32(12, true);
   if (kind === 2) {
-    return { tick, isRecorded: flag, png: new Blob([bytes.slice(HEADER_BYTES)], { type: "image/png" }) };
+    return { tick, png: new Blob([bytes.slice(HEADER_BYTES)], { type: "image/png" }) };
   }
   if (kind !== 1 || bytes.byteLength < HEADER_BYTES + count * POSE_BYTES) return null;
   const frames = [];
@@ -212,5 +211,5 @@ export function decodeBinary(bytes: ArrayBuffer): Poses | EyeView | null {
     const pose: Pose = [number(0), number(1), number(2), number(3), number(4), number(5), number(6)];
     frames.push({ frame: data.getUint32(at, true), pose });
   }
-  return { scene, tick, ack, isKey: flag, frames };
+  return { scene, tick, ack, isKey, frames };
 }

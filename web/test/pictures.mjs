@@ -81,6 +81,8 @@ async function atTheTable() {
   await page.getByRole("log", { name: "Console" }).getByText("left gripper").first().waitFor();
   await shoot(desk, "brain");
   await person.press("Stop");
+  await person.showPanel("Robot");
+  await shoot(desk, "robot");
 
   await person.press("Edit");
   const text = page.getByRole("textbox", { name: "Text of the scene" });

@@ -76,7 +76,7 @@ export function EyeView() {
     <figure class="eye" style={{ width: `${eyeWidth.value}px` }}>
       <figcaption>
         <span>{texts.eye.title}</span>
-        {isRecording.value && eyeView.value?.isRecorded && <span class="eye-records">{texts.eye.records}</span>}
+        {isRecording.value && eyeView.value !== null && <span class="eye-records">{texts.eye.records}</span>}
         <Button
           label={texts.eye.hide}
           icon="cross"

@@ -194,8 +194,9 @@ function Position({ goal, place }: { goal: Point; place: Point }) {
   );
 }
 
+/** By numbers: what is typed does not snap. */
 function rotate(angles: Point): void {
-  void command({ do: "rotate", hand: currentHand.value, angles });
+  void ask("command", { command: { do: "rotate", hand: currentHand.value, angles }, exact: true });
 }
 
 function turnBy(axis: number, degrees: number): void {
@@ -299,6 +300,7 @@ function Snapping() {
   return (
     <>
       <Chips label={words.snap} choices={choices} chosen={snaps.value} disabled={!mayAct.value} onToggle={toggle} />
+      {snaps.value.length > 0 && <p class="hint">{words.snapHint}</p>}
       <label class="switch">
         <input
           type="checkbox"
@@ -333,6 +335,9 @@ export function HandsPanel() {
           <Held object={object} />
         </Card>
       )}
+      <Card title={words.snap} isOpen={isSnapOpen}>
+        <Snapping />
+      </Card>
       <Card title={words.plane} isOpen={isPlaneOpen}>
         <Plane />
       </Card>
@@ -351,9 +356,6 @@ export function HandsPanel() {
           </Card>
         </>
       )}
-      <Card title={words.snap} isOpen={isSnapOpen}>
-        <Snapping />
-      </Card>
     </>
   );
 }

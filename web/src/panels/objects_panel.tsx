@@ -1,4 +1,4 @@
-import { useRef } from "preact/hooks";
+import { useEffect, useRef } from "preact/hooks";
 import { useSignal } from "@preact/signals";
 import { ask, command, currentHand, heldObject, notify, scene } from "../studio";
 import { handColors } from "../colors";
@@ -32,6 +32,10 @@ function ObjectList() {
   const list = useRef<HTMLDivElement>(null);
   const ids = objectsHere.value.map((object) => object.id);
   const chosen = chosenObject.value !== null && ids.includes(chosenObject.value) ? chosenObject.value : (ids[0] ?? null);
+  const held = heldObject.value;
+  useEffect(() => {
+    if (held !== null) chosenObject.value = held;
+  }, [held]);
   const go = (event: KeyboardEvent) => {
     const at = chosen === null ? -1 : ids.indexOf(chosen);
     const places: Record<string, number> = {

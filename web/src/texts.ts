@@ -119,7 +119,7 @@ export const texts = {
   eye: {
     title: "Robot’s view",
     alt: "What the robot’s eye sees",
-    records: "records",
+    records: "REC",
     none: "No picture yet",
     hide: "Hide the robot’s view",
     show: "Robot’s view",

@@ -19,12 +19,7 @@ test("a recording goes on from any moment, also from what was left", async (t) =
   const { studio, page, witness, person } = await browser.workplace(t, PLAIN);
   const { timeline } = person;
   const moment = timeline.getByRole("slider", { name: "Moment" });
-  const id = await person.record(async () => {
-    await person.grasp("RedBlock");
-    await person.dragTo("RedBlock", [null, null, 3]);
-    await person.release();
-    await witness.until(() => isOnTable("RedBlock"), "it falls");
-  });
+  const id = await recordFall(person, witness);
   const [, taking] = await segments();
   await person.press("Close this recording", timeline);
   await person.showPanel("Library");
@@ -48,7 +43,7 @@ test("a recording goes on from any moment, also from what was left", async (t) =
 
   // What was left first is still there to go on from, and all before it as it was then.
   await goOn(() => chooseInHistory(2));
-  await witness.until(() => isOnTable("RedBlock"), "it lies where it fell then");
+  await witness.until(() => isOnTable(witness, "RedBlock"), "it lies where it fell then");
   assert.ok(!witness.isHeld("RedBlock"), "and is not held");
   await person.grasp("GreenBlock");
   await person.release();
@@ -61,10 +56,6 @@ test("a recording goes on from any moment, also from what was left", async (t) =
   await person.finish();
   const report = replay(join(studio.recordings, id));
   assert.equal(report.identical, true, JSON.stringify(report));
-
-  function isOnTable(block) {
-    return Math.abs(witness.positionOf(block)[2] - 0.5) < 0.05;
-  }
 
   async function segments() {
     return (await witness.request("open", { recording: id })).timeline.segments;
@@ -181,12 +172,7 @@ test("a recording is scrubbed and played while the table waits as it was left", 
   const { page, witness, person } = await browser.workplace(t, PLAIN);
   const { timeline } = person;
   const moment = timeline.getByRole("slider", { name: "Moment" });
-  const id = await person.record(async () => {
-    await person.grasp("RedBlock");
-    await person.dragTo("RedBlock", [null, null, 3]);
-    await person.release();
-    await witness.until(() => witness.positionOf("RedBlock")[2] < 0.55, "it falls");
-  });
+  const id = await recordFall(person, witness);
   const { segments } = (await witness.request("open", { recording: id })).timeline;
   await person.grasp("GreenBlock");
   await person.dragTo("GreenBlock", [null, null, 2]);
@@ -228,3 +214,17 @@ test("a recording is scrubbed and played while the table waits as it was left", 
     return { places, hand: witness.handOf("GreenBlock") };
   }
 });
+
+/** The red block is taken, lifted and let fall. */
+function recordFall(person, witness) {
+  return person.record(async () => {
+    await person.grasp("RedBlock");
+    await person.dragTo("RedBlock", [null, null, 3]);
+    await person.release();
+    await witness.until(() => isOnTable(witness, "RedBlock"), "it falls");
+  });
+}
+
+function isOnTable(witness, block) {
+  return Math.abs(witness.positionOf(block)[2] - 0.5) < 0.05;
+}

@@ -17,6 +17,7 @@ try {
   tellSize();
   await tellFirstPicture();
   for (const numWatchers of WATCHERS) await tellDrag(numWatchers);
+  await tellScript();
 } finally {
   await browser.close();
 }
@@ -40,21 +41,44 @@ async function tellFirstPicture() {
   tell("first picture, from the call of the page on", figures(times, "ms"));
 }
 
-/** A block is carried to and fro, as people do, while others watch. */
+/** While others watch. */
 async function tellDrag(numWatchers) {
   await atWork({}, async ({ studio, page, person }) => {
     for (let k = 0; k < numWatchers; ++k) await Witness.of(studio);
-    await person.grasp("RedBlock");
-    const { x, y } = await person.take("RedBlock");
-    const start = performance.now();
-    for (let k = 0; k < NUM_MOVES; ++k) {
-      await page.mouse.move(x + 60 * Math.sin(k / 20), y - 60 + 60 * Math.cos(k / 20));
-      await new Promise((resolve) => setTimeout(resolve, start + (k + 1) * MOVE_MS - performance.now()));
-    }
-    await page.mouse.up();
+    await carryToAndFro(page, person);
     const [latencies, fps] = await page.evaluate(() => [window.smileStudio.lastLatencies(), window.smileStudio.fps()]);
     tell(`drag to pose, ${numWatchers} watchers`, `${figures(latencies, "ms")}, ${Math.round(fps)} pictures a second`);
   });
+}
+
+/** What a picture of all detail costs the page itself: the rest is the graphics card's. */
+async function tellScript() {
+  await atWork({ likes: { detail: "high" } }, async ({ page, person }) => {
+    await page.evaluate(() => {
+      window.scriptTimes = [];
+      const ask = window.requestAnimationFrame.bind(window);
+      window.requestAnimationFrame = (draw) =>
+        ask((now) => {
+          const start = performance.now();
+          draw(now);
+          window.scriptTimes.push(performance.now() - start);
+        });
+    });
+    await carryToAndFro(page, person);
+    tell("script of a picture in high detail", figures(await page.evaluate(() => window.scriptTimes), "ms"));
+  });
+}
+
+/** A block, as people do. */
+async function carryToAndFro(page, person) {
+  await person.grasp("RedBlock");
+  const { x, y } = await person.take("RedBlock");
+  const start = performance.now();
+  for (let k = 0; k < NUM_MOVES; ++k) {
+    await page.mouse.move(x + 60 * Math.sin(k / 20), y - 60 + 60 * Math.cos(k / 20));
+    await new Promise((resolve) => setTimeout(resolve, start + (k + 1) * MOVE_MS - performance.now()));
+  }
+  await page.mouse.up();
 }
 
 async function atWork(options, work) {
@@ -66,7 +90,7 @@ async function atWork(options, work) {
 
 function figures(values, unit) {
   const sorted = values.toSorted((a, b) => a - b);
-  const quantile = (part) => sorted[Math.min(sorted.length - 1, Math.floor(part * sorted.length))].toFixed(0);
+  const quantile = (part) => sorted[Math.min(sorted.length - 1, Math.floor(part * sorted.length))].toFixed(1);
   return `${quantile(0.5)} ${unit}, p95 ${quantile(0.95)} ${unit}, of ${sorted.length}`;
 }
 

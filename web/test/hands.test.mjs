@@ -25,6 +25,12 @@ test("each hand holds its own, and takes what the other holds", async (t) => {
   await page.getByRole("radio", { name: /Left.*RedBlock/ }).waitFor();
   await page.getByRole("radio", { name: /Right.*GreenBlock/, checked: true }).waitFor();
 
+  // A full hand takes nothing more: whoever clicks what the other one holds becomes that.
+  await person.click(await person.pointOf("RedBlock"));
+  await page.getByRole("radio", { name: /Left.*RedBlock/, checked: true }).waitFor();
+  assert.equal(held("right"), "GreenBlock", "which does not let go");
+  await page.keyboard.press("e");
+
   await page.keyboard.press("Backspace");
   await witness.until(() => held("right") === null, "the right hand is empty");
   assert.equal(held("left"), "RedBlock", "the left one does not let go");

@@ -1,4 +1,4 @@
-// Robot programs that take their time, in a session that does not wait for them.
+// Robot programs in a session, which does not wait for those that take their time.
 
 #include "brain/brain_driver.h"
 #include "record/replay.h"
@@ -45,6 +45,53 @@ class SessionBrainTest : public SessionFixture {
     EXPECT_EQ(TickNow(), tick);
   }
 };
+
+TEST_F(SessionBrainTest, ARobotProgramRunsAndItsErrorHasAPlace) {
+  WritePython("wave.py",
+              "def step(sensor, motor, aux):\n"
+              "  motor.headVelocity = 0.5\n"
+              "  if sensor.simTime > 0.1: print('look at wave.py:2')\n"
+              "  if sensor.simTime > 0.3: undefined\n");
+  const Json brains = Do(R"({"do":"brains"})")["brains"];
+  EXPECT_EQ(brains[0]["name"], "wave.py");
+  EXPECT_NE(Refused(R"({"do":"start_brain","brain":"/bin/sh"})").find("\"brain\" is"),
+            std::string::npos);
+  Do(R"({"do":"start_brain","brain":"wave.py"})");
+  TickSeconds(0.2);
+  EXPECT_EQ(State()["brain"]["status"], "running");
+  EXPECT_GT(State()["robot"]["head"].get<double>(), 0.01);
+  TickSeconds(0.3);
+  const Json brain = State()["brain"];
+  EXPECT_EQ(brain["status"], "failed");
+  EXPECT_EQ(brain["line"], 4);
+  EXPECT_TRUE(brain["file"].get<std::string>().ends_with("wave.py"));
+  TickSeconds(0.1);
+  bool has_place = false;
+  for (const Json& message : told_) {
+    if (message["t"] != "console") continue;
+    for (const Json& line : message["lines"]) {
+      has_place = has_place || (line.value("file", "") == "wave.py" && line["line"] == 2);
+    }
+  }
+  EXPECT_TRUE(has_place);
+}
+
+TEST_F(SessionBrainTest, AnImitationIsScored) {
+  WritePython("lazy.py",
+              "def step(sensor, motor, aux):\n"
+              "  assert aux.demonstration.endswith('take')\n"
+              "  if sensor.simTime > 0.2: aux.exit = True\n");
+  Command(R"({"do":"start","name":"take"})");
+  PutAOnB();
+  Command(R"({"do":"finish"})");
+  Do(R"({"do":"imitate","recording":"take","brain":"lazy.py","scene":"pair_elsewhere"})");
+  TickSeconds(0.5);
+  const Json result = Latest("score")["result"];
+  EXPECT_EQ(result["task"], "pair_elsewhere");
+  EXPECT_FALSE(result["rebuilt"].get<bool>());
+  EXPECT_EQ(result["match"]["a"], "a");
+  EXPECT_EQ(result["brain"]["status"], "exited");
+}
 
 TEST_F(SessionBrainTest, NobodyButTheWorldWaitsWhileAProgramStarts) {
   WriteGated("slow.py",

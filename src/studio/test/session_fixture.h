@@ -137,6 +137,18 @@ class SessionFixture : public ::testing::Test {
     return Vector3::Zero();
   }
 
+  /// With the left hand, from wherever it is.
+  void PutAOnB() {
+    Command(R"({"do":"grasp","hand":"left","object":"a","point":[0,-2,1]})");
+    Command(R"({"do":"move_to","hand":"left","position":[0,-2,4]})");
+    TickSeconds(0.7);
+    Command(R"({"do":"move_to","hand":"left","position":[3,-2,4]})");
+    TickSeconds(0.7);
+    Command(R"({"do":"move_to","hand":"left","position":[3,-2,2.01]})");
+    TickSeconds(0.7);
+    Command(R"({"do":"release","hand":"left"})");
+    TickSeconds(0.5);
+  }
   void WritePython(const std::string& name, const std::string& text) {
     MakeDirectories(root_ / "brains");
     WriteFile(root_ / "brains" / name, text);

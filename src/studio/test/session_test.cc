@@ -10,21 +10,7 @@
 namespace smile::studio {
 namespace {
 
-class SessionTest : public SessionFixture {
- protected:
-  /// With the left hand, from wherever it is.
-  void PutAOnB() {
-    Command(R"({"do":"grasp","hand":"left","object":"a","point":[0,-2,1]})");
-    Command(R"({"do":"move_to","hand":"left","position":[0,-2,4]})");
-    TickSeconds(0.7);
-    Command(R"({"do":"move_to","hand":"left","position":[3,-2,4]})");
-    TickSeconds(0.7);
-    Command(R"({"do":"move_to","hand":"left","position":[3,-2,2.01]})");
-    TickSeconds(0.7);
-    Command(R"({"do":"release","hand":"left"})");
-    TickSeconds(0.5);
-  }
-};
+class SessionTest : public SessionFixture {};
 
 TEST_F(SessionTest, ADemonstrationIsRecordedAndReplays) {
   Begin();
@@ -383,55 +369,6 @@ TEST_F(SessionTest, ARageIsNoPartOfWhatWasDone) {
   }
   EXPECT_TRUE(logs[0] == logs[1]);
   EXPECT_EQ(ends[0], ends[1]);
-}
-
-TEST_F(SessionTest, ARobotProgramRunsAndItsErrorHasAPlace) {
-  WritePython("wave.py",
-              "def step(sensor, motor, aux):\n"
-              "  motor.headVelocity = 0.5\n"
-              "  if sensor.simTime > 0.1: print('look at wave.py:2')\n"
-              "  if sensor.simTime > 0.3: undefined\n");
-  Begin(nullptr, /*with_robot=*/true);
-  const Json brains = Do(R"({"do":"brains"})")["brains"];
-  EXPECT_EQ(brains[0]["name"], "wave.py");
-  EXPECT_NE(Refused(R"({"do":"start_brain","brain":"/bin/sh"})").find("\"brain\" is"),
-            std::string::npos);
-  Do(R"({"do":"start_brain","brain":"wave.py"})");
-  TickSeconds(0.2);
-  EXPECT_EQ(State()["brain"]["status"], "running");
-  EXPECT_GT(State()["robot"]["head"].get<double>(), 0.01);
-  TickSeconds(0.3);
-  const Json brain = State()["brain"];
-  EXPECT_EQ(brain["status"], "failed");
-  EXPECT_EQ(brain["line"], 4);
-  EXPECT_TRUE(brain["file"].get<std::string>().ends_with("wave.py"));
-  TickSeconds(0.1);
-  bool has_place = false;
-  for (const Json& message : told_) {
-    if (message["t"] != "console") continue;
-    for (const Json& line : message["lines"]) {
-      has_place = has_place || (line.value("file", "") == "wave.py" && line["line"] == 2);
-    }
-  }
-  EXPECT_TRUE(has_place);
-}
-
-TEST_F(SessionTest, AnImitationIsScored) {
-  WritePython("lazy.py",
-              "def step(sensor, motor, aux):\n"
-              "  assert aux.demonstration.endswith('take')\n"
-              "  if sensor.simTime > 0.2: aux.exit = True\n");
-  Begin(nullptr, /*with_robot=*/true);
-  Command(R"({"do":"start","name":"take"})");
-  PutAOnB();
-  Command(R"({"do":"finish"})");
-  Do(R"({"do":"imitate","recording":"take","brain":"lazy.py","scene":"pair_elsewhere"})");
-  TickSeconds(0.5);
-  const Json result = Latest("score")["result"];
-  EXPECT_EQ(result["task"], "pair_elsewhere");
-  EXPECT_FALSE(result["rebuilt"].get<bool>());
-  EXPECT_EQ(result["match"]["a"], "a");
-  EXPECT_EQ(result["brain"]["status"], "exited");
 }
 
 TEST_F(SessionTest, WrongRequestsNameTheField) {

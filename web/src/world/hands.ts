@@ -59,13 +59,13 @@ export class Hands {
     if (!this.canAct) return null;
     const held = heldObject.value;
     if (held === null) {
-      return picked?.object && !isFixed(picked.object) ? this.graspAndCarry(at, picked) : null;
+      return picked?.object && !isFixed(picked.object) ? this.carryOnceMoved(at, () => this.grasp(picked.object, picked.point)) : null;
     }
     if (picked?.object === held) return this.carry(at, Promise.resolve(true));
-    const other = this.otherHandWith(picked);
-    if (other !== null) return this.changeAndCarry(at, other);
     const ring = this.ringUnder(at, picked);
-    return ring && this.turn(at, ring);
+    if (ring !== null) return this.turn(at, ring);
+    const other = this.otherHandWith(picked);
+    return other && this.carryOnceMoved(at, () => this.become(other));
   }
 
   /** Before the held object itself rings cannot be gripped. */
@@ -185,7 +185,7 @@ export class Hands {
   /** Whoever reaches for what another hand of theirs holds becomes that hand. */
   private changeOrRelease(picked: Picked | null): void {
     const other = this.otherHandWith(picked);
-    if (other !== null) currentHand.value = other;
+    if (other !== null) void this.become(other);
     else this.release();
   }
 
@@ -195,23 +195,17 @@ export class Hands {
     return others.find((hand) => state.value?.hands[hand].object === picked.object) ?? null;
   }
 
-  private changeAndCarry(at: PointerAt, hand: HandName): Drag {
-    let carrying: Drag | null = null;
-    return {
-      move: (to) => {
-        currentHand.value = hand;
-        carrying ??= this.carry(at, Promise.resolve(true));
-        carrying.move(to);
-      },
-      end: () => carrying?.end(),
-    };
+  private async become(hand: HandName): Promise<boolean> {
+    currentHand.value = hand;
+    return true;
   }
 
-  private graspAndCarry(at: PointerAt, { object, point }: Picked): Drag {
+  /** @param takeHold before it is carried; whether that worked */
+  private carryOnceMoved(at: PointerAt, takeHold: () => Promise<boolean>): Drag {
     let carrying: Drag | null = null;
     return {
       move: (to) => {
-        carrying ??= this.carry(at, this.grasp(object, point));
+        carrying ??= this.carry(at, takeHold());
         carrying.move(to);
       },
       end: () => carrying?.end(),

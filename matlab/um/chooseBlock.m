@@ -5,7 +5,7 @@ function [block, aside] = chooseBlock(step, free)
   block = [];
   aside = false;
   fits = find(arrayfun(@(other) isLike(other, step), free));
-  in_way = find(arrayfun(@(other) blocks(other, step), free));
+  in_way = find(overlap(gripRoom(step), footprint(free, 0)))';
   others = setdiff(in_way, fits);
   if ~isempty(others)
     i = others(1);
@@ -20,18 +20,9 @@ function [block, aside] = chooseBlock(step, free)
     if isempty(i), return; end
   end
   % What lies on a block goes first.
-  on_top = find(arrayfun(@(other) liesOn(other, free(i)), free));
+  is_higher = arrayfun(@(other) other.position(3) > free(i).position(3) + 0.5, free);
+  on_top = find(is_higher' & overlap(footprint(free(i), 0), footprint(free, 0)));
   aside = ~isempty(on_top) || isempty(fits) || ~isempty(others);
   if ~isempty(on_top), i = on_top(1); end
   block = free(i);
-end
-
-function yes = blocks(other, step)
-% Whether a block is where the step's block shall go, or so near that fingers do not fit in.
-  yes = overlap(footprint(other, 0), gripRoom(step));
-end
-
-function yes = liesOn(upper, lower)
-  yes = upper.position(3) > lower.position(3) + 0.5 && ...
-        overlap(footprint(upper, 0), footprint(lower, 0));
 end

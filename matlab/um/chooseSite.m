@@ -3,48 +3,27 @@ function building = chooseSite(building, seen, robot)
 % The steps are shifted there. Without such a site, hasSite stays false and the summary says so.
   shown = vertcat(building.steps.position);
   middle = (min(shown, [], 1) + max(shown, [], 1)) / 2;
-  best = Inf;
-  for x = -1:0.5:1
-    for y = -3.5:0.25:-0.5
-      shift = [[x, y] - middle(1:2), 0];
-      steps = building.steps;
-      for k = 1:numel(steps), steps(k).position = steps(k).position + shift; end
-      % Far from the robot the building hides nothing, and nearer the arms reach more.
-      cost = inTheWay(steps, seen) + 0.1 * abs(y + 1.25) + 0.01 * abs(x);
-      if cost < best && isReachable(steps, robot)
-        best = cost;
-        chosen = steps;
-      end
+  covered = footprint(seen, 0.1);
+  [x, y] = ndgrid(-1:0.5:1, -3.5:0.25:-0.5);
+  cost = zeros(size(x));
+  for i = 1:numel(x)
+    rooms = gripRoom(shift(building.steps, [x(i), y(i)] - middle(1:2)));
+    for k = 1:size(rooms, 1), cost(i) = cost(i) + sum(overlap(rooms(k, :), covered)); end
+  end
+  % Far from the robot the building hides nothing, and nearer the arms reach more.
+  cost = cost + 0.1 * abs(y + 1.25) + 0.01 * abs(x);
+  [~, order] = sort(cost(:));
+  for i = order'
+    steps = shift(building.steps, [x(i), y(i)] - middle(1:2));
+    if all(arrayfun(@(step) isWithinReach(robot, 1 + (step.position(1) > 0), step), steps))
+      building.steps = steps;
+      building.hasSite = true;
+      return
     end
   end
-  building.hasSite = isfinite(best);
-  if building.hasSite
-    building.steps = chosen;
-  else
-    building.summary = 'no place on the table is within reach for all of the building';
-  end
+  building.summary = 'no place on the table is within reach for all of the building';
 end
 
-function count = inTheWay(steps, seen)
-  count = 0;
-  for block = seen
-    for step = steps
-      if overlap(footprint(block, 0.1), gripRoom(step)), count = count + 1; end
-    end
-  end
-end
-
-function yes = isReachable(steps, robot)
-% Each place must be within reach of some arm, and 2 units above it, too.
-  names = {'left', 'right'};
-  yes = true;
-  for k = 1:numel(steps)
-    arm = 1 + (steps(k).position(1) > 0);
-    for height = [steps(k).position(3) + 0.3, steps(k).position(3) + 2]
-      pose = toolPose([steps(k).position(1:2), height], steps(k).yaw + pi / 2);
-      yes = yes && ~isempty(smileInverse(robot, names{arm}, pose, parkedAngles(arm), ...
-                                         'maxIterations', 300));
-    end
-    if ~yes, return; end
-  end
+function steps = shift(steps, way)
+  for k = 1:numel(steps), steps(k).position(1:2) = steps(k).position(1:2) + way; end
 end

@@ -1,6 +1,11 @@
-function rectangle = footprint(block, margin)
-% What a block covers, seen from above, with a margin on all sides [units]: a struct with center 1x2,
-% sides 1x2 and yaw, for overlap().
-  rectangle = struct('center', block.position(1:2), 'sides', block.size(1:2) + 2 * margin, ...
-                     'yaw', block.yaw);
+function rectangles = footprint(blocks, margin)
+% What blocks cover, seen from above, with a margin on all sides [units]: Nx5, for overlap(); each row is
+% x and y of the center, both sides, and how the first one is turned [rad].
+  if isempty(blocks)
+    rectangles = zeros(0, 5);
+    return
+  end
+  places = vertcat(blocks.position);
+  sizes = vertcat(blocks.size);
+  rectangles = [places(:, 1:2), sizes(:, 1:2) + 2 * margin, vertcat(blocks.yaw)];
 end

@@ -1,5 +1,5 @@
-function rectangle = gripRoom(place)
-% What a block covers at a place, and open fingers at its longer sides, seen from above: see footprint.
-  rectangle = footprint(place, 0.05);
-  rectangle.sides(2) = rectangle.sides(2) + 1.1;
+function rectangles = gripRoom(blocks)
+% What blocks cover, seen from above, and with them open fingers at their longer sides: see footprint.
+  rectangles = footprint(blocks, 0.05);
+  rectangles(:, 4) = rectangles(:, 4) + 1.1;
 end

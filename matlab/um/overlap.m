@@ -1,19 +1,16 @@
-function yes = overlap(a, b)
-% Whether two rectangles (see footprint) have points in common. If they have none, one of their sides
-% has the direction of a line between them.
-  yes = true;
-  for yaw = [a.yaw, a.yaw + pi / 2, b.yaw, b.yaw + pi / 2]
-    across = [cos(yaw), sin(yaw)];
-    if abs((a.center - b.center) * across') >= reach(a, across) + reach(b, across)
-      yes = false;
-      return
-    end
+function yes = overlap(one, many)
+% Whether a rectangle, 1x5 (see footprint), has points in common with each of many, Nx5: Nx1 logical. Two
+% rectangles are apart if, in the direction of one of their sides, there is a gap between them.
+  gap = many(:, 1:2) - one(1:2);
+  yes = true(size(many, 1), 1);
+  for yaw = {one(5), one(5) + pi / 2, many(:, 5), many(:, 5) + pi / 2}
+    apart = abs(gap(:, 1) .* cos(yaw{1}) + gap(:, 2) .* sin(yaw{1}));
+    yes = yes & apart < reach(one, yaw{1}) + reach(many, yaw{1});
   end
 end
 
-function half = reach(rectangle, direction)
-% How far it reaches from its center in a direction.
-  c = cos(rectangle.yaw);
-  s = sin(rectangle.yaw);
-  half = rectangle.sides * abs([c, s; -s, c] * direction') / 2;
+function half = reach(rectangles, yaw)
+% How far they reach from their centers in a direction.
+  turn = yaw - rectangles(:, 5);
+  half = (rectangles(:, 3) .* abs(cos(turn)) + rectangles(:, 4) .* abs(sin(turn))) / 2;
 end

@@ -20,6 +20,7 @@ void AddEdit(CLI::App* program, ExitAnswer answer);
 void AddImport(CLI::App* program, ExitAnswer answer);
 void AddExport(CLI::App* program, ExitAnswer answer);
 void AddRender(CLI::App* program, ExitAnswer answer);
+void AddLayout(CLI::App* program, ExitAnswer answer);
 void AddImitate(CLI::App* program, ExitAnswer answer);
 void AddExperiment(CLI::App* program, ExitAnswer answer);
 void AddCommands(CLI::App* program, ExitAnswer answer);

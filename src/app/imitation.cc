@@ -36,6 +36,7 @@ ImitationOutcome Imitate(const ImitationPlan& plan) {
                               .max_seconds = plan.max_seconds,
                               .record = plan.record,
                               .recording = {.title = plan.task + ", imitated"},
+                              .has_pictures = plan.has_pictures,
                               .eye = plan.eye,
                               .noise = plan.noise,
                               .label = "the robot builds"});

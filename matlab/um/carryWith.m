@@ -1,8 +1,9 @@
-function actions = carryWith(robot, arm, block, take, goal, put, height, q)
+function actions = carryWith(robot, arm, block, take, goal, put, height, others, q)
 % The actions that carry a block with one arm, the fingers turned as told at either place; {} if that arm
 % cannot.
 %   height  of the tool on the way [units]
-  open = block.size(2) + 0.3;
+%   others  blocks that are not to be touched
+  open = block.size(2) + 0.2;
   grip = [0, 0, block.size(3) / 2 - 0.2];  % where the tool holds it, from its centre
   from = toolPose(block.position + grip, take);
   to = toolPose(goal.position + grip + [0, 0, 0.01], put);
@@ -12,7 +13,7 @@ function actions = carryWith(robot, arm, block, take, goal, put, height, q)
   over_to(3, 4) = height;
   park = parkedAngles(arm);
   actions = {};
-  for start = [park; robot.poses.untucked(arm, :)]'
+  for start = [park; robot.poses.untucked(arm, :); robot.poses.neutral(arm, :)]'
     above = reach(robot, arm, {over_from, from, over_to, to}, start');
     if isempty(above), continue; end
     path = {moveJoints(robot, arm, [q(arm, :); above])};
@@ -22,6 +23,7 @@ function actions = carryWith(robot, arm, block, take, goal, put, height, q)
     end
     if isempty(path{end}), continue; end
     path{end + 1} = moveJoints(robot, arm, [path{end}.positions(end, :); park]);
+    if ~all(cellfun(@(i) armClears(robot, arm, path{i}.positions(end, :), others), {2, 5})), continue; end
     if ~all(cellfun(@(move) isSafe(robot, move, arm), path)), continue; end
 
     follow = @(i) struct('kind', 'follow', 'arm', arm, 'path', path{i});

@@ -1,26 +1,21 @@
-function [building, used] = compare(building, seen)
-% Which steps are done, going by what is seen, and which of the seen blocks make them so.
-%   used  1xnumel(seen), true for the blocks that are where a step wants one
-%
-% What carries something cannot be seen. It counts as done if it once was and what it carries is there.
-  near = 0.07;   % units
-  even = 0.06;   % rad
-  steps = building.steps;
-  used = false(1, numel(seen));
-  carries = false(1, numel(steps));  % something that is in its place
-  for k = numel(steps):-1:1
-    is_here = false;
+function [building, used] = compare(building)
+% Which steps are done, going by what is known of the blocks, and which of the blocks make them so.
+%   used  which of the known blocks are where a step wants one, 1xN logical
+  near = 0.07;  % units
+  even = 0.06;  % rad
+  known = building.known;
+  used = false(1, numel(known));
+  building.done(:) = false;
+  for k = 1:numel(building.steps)
+    step = building.steps(k);
     for i = find(~used)
-      if ~isLike(seen(i), steps(k)), continue; end
-      off = [norm(seen(i).position - steps(k).position), turnBetween(steps(k), seen(i).yaw)];
-      if off(1) < near && off(2) < even
+      off = [norm(known(i).position - step.position), turnBetween(step, known(i).yaw)];
+      if isLike(known(i), step) && off(1) < near && off(2) < even
         building.miss(k, :) = off;
+        building.done(k) = true;
         used(i) = true;
-        is_here = true;
         break
       end
     end
-    building.done(k) = is_here || (building.done(k) && carries(k));
-    if building.done(k), carries(steps(k).on) = true; end
   end
 end

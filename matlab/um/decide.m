@@ -3,51 +3,50 @@ function [actions, building] = decide(building, sensor, eye, robot)
   most_tries = 4;
   actions = {};
   seen = findBlocks(sensor.rgbVision, eye, building.steps);
+  building.known = remember(building.known, seen, sensor.rgbVision, eye);
   if ~building.hasSite
-    building = chooseSite(building, seen, robot);
+    building = chooseSite(building, robot);
     if ~building.hasSite, return; end
   end
 
-  [building, used] = compare(building, seen);
+  [building, used] = compare(building);
   k = find(~building.done, 1);
   if isempty(k)
     building.summary = sprintf('built, as seen within %.2f units and %.1f degrees', ...
                                max(building.miss(:, 1)), max(building.miss(:, 2)) * 180 / pi);
     return
   end
-  step = building.steps(k);
-  if building.tries(k) >= most_tries || building.tidied >= 3 * most_tries
-    building.summary = sprintf('gave up at %s after %d tries', describeStep(step), building.tries(k));
+  name = describeStep(building.steps(k));
+  if building.tries(k) >= most_tries || building.tidied >= 20
+    building.summary = sprintf('gave up at %s, after %d tries', name, building.tries(k));
     return
   end
 
-  free = seen(~used);
-  [block, aside] = chooseBlock(step, free);
-  if isempty(block)
-    building.looks = building.looks + 1;
-    if building.looks > 3
-      building.summary = sprintf('cannot see %s', describeStep(step));
-    else
-      actions = {struct('kind', 'look')};
-    end
+  reason = 'it cannot be seen';
+  for move = proposeMoves(building, k, find(~used))
+    [actions, reason] = planMove(building, move, robot, sensor.jointAngles);
+    if isempty(actions), continue; end
+    if isempty(move.goal), building.tidied = building.tidied + 1; end
+    building.tries(k) = building.tries(k) + ~isempty(move.goal);
+    building.known(move.block) = [];  % where it will be, the next look tells
+    building.looks = 0;
     return
   end
-  building.looks = 0;
-
-  others = seen(arrayfun(@(other) ~isequal(other, block), seen));
-  goal = [];
-  if ~aside
-    [actions, reason] = planCarry(robot, block, step, others, sensor.jointAngles);
-    if ~isempty(actions)
-      building.tries(k) = building.tries(k) + 1;
-      return
-    end
-    goal = step;
+  building.looks = building.looks + 1;
+  if building.looks > 2
+    building.summary = sprintf('gave up at %s: %s', name, reason);
+  else
+    actions = {struct('kind', 'look')};
   end
-  % It is in the way, or no arm reaches both places: to somewhere else first.
-  [actions, reason] = planAside(robot, block, others, building, sensor.jointAngles, goal);
-  building.tidied = building.tidied + 1;
+end
+
+function [actions, reason] = planMove(building, move, robot, q)
+% Straight to its goal, if it has one and an arm reaches both; else to somewhere else first.
+  block = building.known(move.block);
+  others = building.known([1:move.block - 1, move.block + 1:end]);
+  actions = {};
+  if ~isempty(move.goal), [actions, reason] = planCarry(robot, block, move.goal, others, q); end
   if isempty(actions)
-    building.summary = sprintf('gave up at %s: %s', describeStep(step), reason);
+    [actions, reason] = planAside(robot, block, others, building, q, move.goal);
   end
 end

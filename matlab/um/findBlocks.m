@@ -1,10 +1,7 @@
 function blocks = findBlocks(picture, eye, steps)
-% The blocks in a picture that look like one of the steps', wherever they are: a 1xN struct array of
-%   color, size  of the steps that it looks like
-%   position     of its centre, 1x3 [units]
-%   yaw          of its longer side [rad]
-% A block of which something hides a part is not found.
-  blocks = struct('color', {}, 'size', {}, 'position', {}, 'yaw', {});
+% The blocks in a picture that look like one of the steps', wherever they are: see noBlocks. A block of
+% which something hides a part is not found.
+  blocks = noBlocks();
   for color = colorsIn(picture, steps)
     kinds = kindsOf(steps, color');
     number = labelRegions(isColor(picture, color'));

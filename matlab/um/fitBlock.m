@@ -6,7 +6,7 @@ function blocks = fitBlock(row, column, eye, kinds)
 % the one it lies on.
   most_floors = 6;
   best = 0.08;  % by how much, in proportion, a side may be wrong
-  blocks = struct('color', {}, 'size', {}, 'position', {}, 'yaw', {});
+  blocks = noBlocks();
   for k = 1:numel(kinds)
     for top = kinds(k).size(3) + (0:most_floors - 1)
       [x, y, area] = ontoPlane(row, column, eye, top);

@@ -2,28 +2,46 @@ function [actions, reason] = planAside(robot, block, others, building, q, goal)
 % The actions that bring a block to a free place on the table, off the building's site; {} and a reason
 % if there is none.
 %   goal  where another arm shall bring it from there, or [] if that does not matter yet
+  most_tries = 8;
   actions = {};
   reason = 'there is no free place on the table';
-  blocked = [footprint(others, 0.1); footprint(building.steps, 0.1)];
-  rooms = [gripRoom(others); gripRoom(building.steps)];
-
-  [x, y, yaw] = ndgrid(-6:0.5:6, -5:0.25:-0.5, [0, pi / 2, pi / 4, -pi / 4]);
-  way = sqrt((x - block.position(1)) .^ 2 + (y - block.position(2)) .^ 2);
-  if ~isempty(goal), way = abs(x) + 0.1 * abs(y + 3.5); end  % in the middle both arms reach most
-  [~, order] = sort(way(:));
-  for i = order'
-    place = block;
-    place.position = [x(i), y(i), block.size(3) / 2];
-    place.yaw = yaw(i);
-    if ~isFree(place, blocked, rooms) || ~canPassOn(robot, block, place, goal), continue; end
+  tries = 0;
+  for place = freePlaces(block, [others, asBlocks(building.steps)], goal)
+    if isempty(fingerTurns(place, building.steps)) || ~canPassOn(robot, block, place, goal), continue; end
     [actions, reason] = planCarry(robot, block, place, others, q);
-    if ~isempty(actions), return; end
+    tries = tries + 1;
+    if ~isempty(actions) || tries == most_tries, return; end
   end
 end
 
-function yes = isFree(place, blocked, rooms)
-% With room for fingers, its own and those of its neighbors.
-  yes = ~any(overlap(gripRoom(place), blocked)) && ~any(overlap(footprint(place, 0.1), rooms));
+function places = freePlaces(block, taken, goal)
+% Where a block might lie on the table, the best places first, up to 60: with room for fingers, its own
+% and those of its neighbors.
+  [x, y, yaw] = ndgrid(-6:0.5:6, -5:0.25:-0.5, [0, pi / 2, pi / 4, -pi / 4]);
+  x = x(:);
+  y = y(:);
+  covered = [x, y, repmat(block.size(1:2), numel(x), 1) + 0.2, yaw(:)];
+  with_fingers = covered + [0, 0, 0, 0.7, 0];
+  free = true(numel(x), 1);
+  for rectangle = footprint(taken, 0.1)', free = free & ~overlap(rectangle', with_fingers); end
+  for rectangle = gripRoom(taken)', free = free & ~overlap(rectangle', covered); end
+
+  if isempty(goal)
+    way = sqrt((x - block.position(1)) .^ 2 + (y - block.position(2)) .^ 2);
+  else
+    way = abs(x) + 0.1 * abs(y + 3.5);  % in the middle both arms reach most
+  end
+  way(~free) = Inf;
+  [~, order] = sort(way);
+  places = repmat(block, 1, min(60, sum(free)));
+  for i = 1:numel(places)
+    places(i).position = [covered(order(i), 1:2), block.size(3) / 2];
+    places(i).yaw = covered(order(i), 5);
+  end
+end
+
+function blocks = asBlocks(steps)
+  blocks = rmfield(steps, {'name', 'on'});
 end
 
 function yes = canPassOn(robot, block, place, goal)

@@ -15,7 +15,7 @@ function [actions, reason] = planCarry(robot, block, goal, others, q)
   for arm = arms
     for put = puts
       for take = takes
-        actions = carryWith(robot, arm, block, take, goal, put, height, q);
+        actions = carryWith(robot, arm, block, take, goal, put, height, others, q);
         if ~isempty(actions), return; end
       end
     end

@@ -16,7 +16,7 @@ namespace smile::task {
 namespace {
 
 /// Nearer than this things touch [m].
-constexpr double kTouching = 0.002;
+constexpr double kTouching = 0.0005;
 /// Blocks that lie in contact are this far apart, so that physics finds them beside each other and
 /// not within [m].
 constexpr double kContactGap = 0.0002;

@@ -19,10 +19,10 @@ namespace smile::task {
 namespace {
 
 /// The room between things that is tried, in this order [m].
-constexpr std::array kGaps{0.10, 0.06, kFingerGap};
+constexpr std::array kGaps{0.10, 0.06, 0.05, kFingerGap};
 static_assert(kGaps.back() == kFingerGap);
 /// With each, so many times from the beginning, and so many places for each clump.
-constexpr int kAttempts = 60, kTries = 200;
+constexpr int kAttempts = 80, kTries = 200;
 /// What is nearer to the end of the region than this lies at its rim [m].
 constexpr double kRim = 0.08;
 constexpr int kNumDistractors = 3;

@@ -240,6 +240,25 @@ std::set<std::string> MovedIn(const std::string& name) {
   return moved;
 }
 
+TEST(RandomLayout, OurRobotScenesAreWithinTheRegion) {
+  for (const char* name : {"tower", "row", "bridge", "box", "hatch", "drive"}) {
+    const scene::SceneSpec scene = Shipped(std::string(name) + "_robot");
+    for (const scene::ObjectSpec& object : scene.objects) {
+      EXPECT_TRUE(
+          LayoutRegion().Holds(scene.table, FootprintNow(object), BoundsNow(object).high.z()))
+          << name << ": " << object.id();
+    }
+  }
+}
+
+TEST(RandomLayout, FindsRoomBesideWhatStandsFast) {
+  for (const char* name : {"box_robot", "drive_robot"}) {
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+      EXPECT_GE(LeastGap(RandomLayout(Shipped(name), seed, LayoutLevel::kMixed)), 0.0001) << name;
+    }
+  }
+}
+
 TEST(RandomLayout, MovesOnlyWhatStandsLooseOnTheTable) {
   EXPECT_EQ(MovedIn("containers"), (std::set<std::string>{"Can4", "Stray"}))
       << "not what is in one";

@@ -15,6 +15,7 @@ void AddRun(CLI::App* program, ExitAnswer answer);
 void AddStudio(CLI::App* program, ExitAnswer answer);
 void AddReplay(CLI::App* program, ExitAnswer answer);
 void AddHistory(CLI::App* program, ExitAnswer answer);
+void AddDescribe(CLI::App* program, ExitAnswer answer);
 void AddCheckout(CLI::App* program, ExitAnswer answer);
 void AddEdit(CLI::App* program, ExitAnswer answer);
 void AddImport(CLI::App* program, ExitAnswer answer);

@@ -38,6 +38,7 @@ int main(int argc, char** argv) {
   app::AddStudio(&program, &answer);
   app::AddReplay(&program, &answer);
   app::AddHistory(&program, &answer);
+  app::AddDescribe(&program, &answer);
   app::AddCheckout(&program, &answer);
   app::AddEdit(&program, &answer);
   app::AddImport(&program, &answer);

@@ -52,6 +52,27 @@ std::set<std::string> WithBelongings(std::set<std::string> ids,
   return ids;
 }
 
+std::set<std::string> ConcernedBy(const std::vector<Effect>& effects) {
+  std::set<std::string> concerned;
+  for (const Effect& effect : effects) {
+    for (const std::string& id : ObjectsOf(effect)) concerned.insert(id);
+  }
+  return concerned;
+}
+
+void RequireATask(const Structure& structure, const record::Recording& demonstration) {
+  if (structure.objects.empty() && structure.effects.empty()) {
+    Fail(demonstration,
+         "no hand moved anything in this recording that is still there, and nothing else changed, "
+         "so there is nothing to imitate");
+  }
+  const std::size_t count = structure.objects.size() + structure.others.size();
+  if (count > kMaxObjects) {
+    Fail(demonstration, std::to_string(count) + " objects have to do with what was achieved, " +
+                            "expected at most " + std::to_string(kMaxObjects));
+  }
+}
+
 }  // namespace
 
 bool Structure::is_fixed() const {
@@ -76,10 +97,7 @@ Structure StructureOf(const record::Recording& demonstration) {
   const std::vector<std::string> touched = TouchedByHands(course);
   const std::set<std::string> members =
       WithBelongings({touched.begin(), touched.end()}, BelongingsIn(course, structure.relations));
-  std::set<std::string> concerned;
-  for (const Effect& effect : structure.effects) {
-    for (const std::string& id : ObjectsOf(effect)) concerned.insert(id);
-  }
+  const std::set<std::string> concerned = ConcernedBy(structure.effects);
   for (const scene::ObjectSpec& object : structure.objects) {
     if (!members.contains(object.id()) && concerned.contains(object.id())) {
       structure.others.push_back(object);
@@ -92,16 +110,7 @@ Structure StructureOf(const record::Recording& demonstration) {
     return std::ranges::find(structure.objects, id, &scene::ObjectSpec::id) ==
            structure.objects.end();
   });
-  if (structure.objects.empty() && structure.effects.empty()) {
-    Fail(demonstration,
-         "no hand moved anything in this recording that is still there, and nothing else changed, "
-         "so there is nothing to imitate");
-  }
-  const std::size_t count = structure.objects.size() + structure.others.size();
-  if (count > kMaxObjects) {
-    Fail(demonstration, std::to_string(count) + " objects have to do with what was achieved, " +
-                            "expected at most " + std::to_string(kMaxObjects));
-  }
+  RequireATask(structure, demonstration);
   return structure;
 }
 

@@ -61,11 +61,9 @@ Comparison CompareWith(const Structure& structure, const Course& outcome) {
     if (comparison.errors[id].is_within()) ++num_right;
   }
   comparison.order = CompareOrder(structure, outcome, comparison);
-  for (const Effect& effect : structure.effects) {
-    const auto counterpart = [&](const std::string& id) { return comparison.match.at(id); };
-    comparison.achieved.push_back(IsAchieved(effect, outcome, counterpart, kTolerance));
-    if (comparison.achieved.back()) ++num_right;
-  }
+  const auto counterpart = [&](const std::string& id) { return comparison.match.at(id); };
+  comparison.achieved = AreAchieved(structure.effects, outcome, counterpart, kTolerance);
+  num_right += static_cast<std::size_t>(std::ranges::count(comparison.achieved, true));
   comparison.share = static_cast<double>(num_right) /
                      static_cast<double>(structure.objects.size() + structure.effects.size());
   return comparison;

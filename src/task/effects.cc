@@ -62,26 +62,6 @@ std::vector<PointPlace> PointsIn(const scene::SceneSpec& scene, const PointsOf& 
   return places;
 }
 
-/// What is fastened at a moment.
-std::vector<BondEffect> BondsAt(const scene::SceneSpec& scene, const record::TraceTick& moment) {
-  const std::vector<PointPlace> guests = PointsIn(scene, scene::GuestsOf);
-  const std::vector<PointPlace> hosts = PointsIn(scene, scene::HostsOf);
-  std::vector<BondEffect> bonds;
-  for (std::size_t i = 0; i < hosts.size(); ++i) {
-    const record::TraceBond& bond = moment.bonds[i];
-    if (bond.guest < 0) continue;
-    const PointPlace& guest = guests[static_cast<std::size_t>(bond.guest)];
-    bonds.push_back({.guest_object = guest.object,
-                     .host_object = hosts[i].object,
-                     .guest_number = guest.number,
-                     .host_number = hosts[i].number,
-                     .guest = guest.id,
-                     .host = hosts[i].id,
-                     .tightness = bond.tightness});
-  }
-  return bonds;
-}
-
 bool IsSamePair(const BondEffect& a, const BondEffect& b) {
   return a.guest_object == b.guest_object && a.guest_number == b.guest_number &&
          a.host_object == b.host_object && a.host_number == b.host_number;
@@ -97,7 +77,7 @@ double OffsetOf(const scene::SliderSpec& slider, const record::TraceTick& moment
 }
 
 std::vector<Relation> ContentsAt(const scene::SceneSpec& scene, const record::TraceTick& moment) {
-  std::vector<Relation> relations = RelationsOf(scene.table, ObjectsAt(scene, moment));
+  std::vector<Relation> relations = RelationsOf(scene, ObjectsAt(scene, moment));
   std::erase_if(relations,
                 [](const Relation& relation) { return relation.kind != Relation::Kind::kIn; });
   return relations;
@@ -177,45 +157,79 @@ void AppendContainerEffects(const Course& course, std::vector<Effect>* effects) 
   append_missing(before, after, /*is_inside=*/false);
 }
 
-bool HoldsOf(const ControlEffect& wanted, const Course& course, const Counterpart& counterpart,
-             double) {
-  return std::ranges::any_of(ControlsAt(course.scene, course.end),
-                             [&](const ControlEffect& control) {
-                               return control.object == counterpart(wanted.object) &&
-                                      control.number == wanted.number && control.from == wanted.to;
-                             });
-}
+/// How things are in the end of a course, to be compared with what effects want.
+class Ending {
+ public:
+  Ending(const Course& course, const Counterpart& counterpart, double tolerance)
+      : course_(course),
+        counterpart_(counterpart),
+        tolerance_(tolerance),
+        controls_(ControlsAt(course.scene, course.end)),
+        bonds_(BondsAt(course.scene, course.end)),
+        contents_(ContentsAt(course.scene, course.end)) {}
 
-bool HoldsOf(BondEffect wanted, const Course& course, const Counterpart& counterpart, double) {
-  wanted.guest_object = counterpart(wanted.guest_object);
-  wanted.host_object = counterpart(wanted.host_object);
-  for (const BondEffect& bond : BondsAt(course.scene, course.end)) {
-    if (IsSamePair(bond, wanted)) return bond.tightness == wanted.tightness;
+  bool IsAs(const ControlEffect& wanted) const {
+    return std::ranges::any_of(controls_, [&](const ControlEffect& control) {
+      return control.object == counterpart_(wanted.object) && control.number == wanted.number &&
+             control.from == wanted.to;
+    });
   }
-  return wanted.tightness == 0;
-}
 
-bool HoldsOf(const SlideEffect& wanted, const Course& course, const Counterpart& counterpart,
-             double tolerance) {
-  return std::ranges::any_of(course.scene.sliders, [&](const scene::SliderSpec& slider) {
-    return course.scene.objects[slider.first_object + 1].id() == counterpart(wanted.object) &&
-           std::abs(OffsetOf(slider, course.end) - wanted.to) <= tolerance;
-  });
-}
+  bool IsAs(BondEffect wanted) const {
+    wanted.guest_object = counterpart_(wanted.guest_object);
+    wanted.host_object = counterpart_(wanted.host_object);
+    for (const BondEffect& bond : bonds_) {
+      if (IsSamePair(bond, wanted)) return bond.tightness == wanted.tightness;
+    }
+    return wanted.tightness == 0;
+  }
 
-bool HoldsOf(const ContainerEffect& wanted, const Course& course, const Counterpart& counterpart,
-             double) {
-  const bool is_inside =
-      std::ranges::any_of(ContentsAt(course.scene, course.end), [&](const Relation& relation) {
-        return relation.object == counterpart(wanted.object) &&
-               relation.support == counterpart(wanted.container);
-      });
-  return is_inside == wanted.is_inside;
-}
+  bool IsAs(const SlideEffect& wanted) const {
+    return std::ranges::any_of(course_.scene.sliders, [&](const scene::SliderSpec& slider) {
+      return course_.scene.objects[slider.first_object + 1].id() == counterpart_(wanted.object) &&
+             std::abs(OffsetOf(slider, course_.end) - wanted.to) <= tolerance_;
+    });
+  }
+
+  bool IsAs(const ContainerEffect& wanted) const {
+    const bool is_inside = std::ranges::any_of(contents_, [&](const Relation& relation) {
+      return relation.object == counterpart_(wanted.object) &&
+             relation.support == counterpart_(wanted.container);
+    });
+    return is_inside == wanted.is_inside;
+  }
+
+ private:
+  const Course& course_;
+  const Counterpart& counterpart_;
+  double tolerance_;  ///< [m]
+  std::vector<ControlEffect> controls_;
+  std::vector<BondEffect> bonds_;
+  std::vector<Relation> contents_;
+};
 
 double InUnits(double length, double meters_per_unit) { return length / meters_per_unit; }
 
 }  // namespace
+
+std::vector<BondEffect> BondsAt(const scene::SceneSpec& scene, const record::TraceTick& moment) {
+  const std::vector<PointPlace> guests = PointsIn(scene, scene::GuestsOf);
+  const std::vector<PointPlace> hosts = PointsIn(scene, scene::HostsOf);
+  std::vector<BondEffect> bonds;
+  for (std::size_t i = 0; i < hosts.size(); ++i) {
+    const record::TraceBond& bond = moment.bonds[i];
+    if (bond.guest < 0) continue;
+    const PointPlace& guest = guests[static_cast<std::size_t>(bond.guest)];
+    bonds.push_back({.guest_object = guest.object,
+                     .host_object = hosts[i].object,
+                     .guest_number = guest.number,
+                     .host_number = hosts[i].number,
+                     .guest = guest.id,
+                     .host = hosts[i].id,
+                     .tightness = bond.tightness});
+  }
+  return bonds;
+}
 
 std::vector<Effect> EffectsOf(const Course& course) {
   std::vector<Effect> effects;
@@ -239,10 +253,14 @@ std::vector<std::string> ObjectsOf(const Effect& effect) {
                     effect);
 }
 
-bool IsAchieved(const Effect& effect, const Course& course, const Counterpart& counterpart,
-                double tolerance) {
-  return std::visit(
-      [&](const auto& wanted) { return HoldsOf(wanted, course, counterpart, tolerance); }, effect);
+std::vector<bool> AreAchieved(const std::vector<Effect>& effects, const Course& course,
+                              const Counterpart& counterpart, double tolerance) {
+  const Ending ending(course, counterpart, tolerance);
+  std::vector<bool> achieved;
+  for (const Effect& effect : effects) {
+    achieved.push_back(std::visit([&](const auto& wanted) { return ending.IsAs(wanted); }, effect));
+  }
+  return achieved;
 }
 
 std::string WordsOf(const Effect& effect, double meters_per_unit) {

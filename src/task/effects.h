@@ -54,16 +54,20 @@ using Effect = std::variant<ControlEffect, BondEffect, SlideEffect, ContainerEff
 /// In the order of the kinds above, each in scene order.
 std::vector<Effect> EffectsOf(const Course& course);
 
+/// What is fastened at a moment, in the order of the hosts.
+std::vector<BondEffect> BondsAt(const scene::SceneSpec& scene, const record::TraceTick& moment);
+
 /// The objects an effect is about.
 std::vector<std::string> ObjectsOf(const Effect& effect);
 
 /// Who plays an object's part.
 using Counterpart = std::function<std::string(const std::string& object)>;
 
-/// True when in the end of another course it is as an effect wants it: a control in the same state,
-/// a bond as tight, a slider within `tolerance`, an object in the container, or not.
-bool IsAchieved(const Effect& effect, const Course& course, const Counterpart& counterpart,
-                double tolerance);
+/// Of each effect, whether in the end of another course it is as the effect wants it: a control in
+/// the same state, a bond as tight, a slider within `tolerance` [m], an object in the container, or
+/// not.
+std::vector<bool> AreAchieved(const std::vector<Effect>& effects, const Course& course,
+                              const Counterpart& counterpart, double tolerance);
 
 /// `Lamp from dark to blue`, `Tip fastened to Hole, stage 3`, `Lid slid from 0 to 4 units`, `Cherry
 /// taken out of Chest`.

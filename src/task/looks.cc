@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "scene/bounds.h"
-#include "scene/solid.h"
 
 namespace smile::task {
 namespace {
@@ -11,35 +10,22 @@ namespace {
 /// Lengths that differ less are equal [m].
 constexpr double kEqualLengths = 1e-6;
 
-/// What an object looks like, apart from where it is and what it is called.
-std::vector<scene::Solid> LooksOf(const scene::ObjectSpec& object) {
-  std::vector<scene::Solid> solids = scene::SolidsOf(object.whole);
-  for (scene::Solid& solid : solids) solid.part_id.clear();
-  return solids;
-}
-
-std::vector<scene::Solid> FormOf(const scene::ObjectSpec& object) {
-  std::vector<scene::Solid> solids = LooksOf(object);
-  for (scene::Solid& solid : solids) solid.color = Color();
-  return solids;
-}
-
 /// Each once, in order.
-std::vector<Color> ColorsOf(const scene::ObjectSpec& object) {
-  std::vector<Color> colors;
-  for (const scene::Solid& solid : scene::SolidsOf(object.whole)) {
-    if (std::ranges::find(colors, solid.color) == colors.end()) colors.push_back(solid.color);
+std::vector<Color> KindsOf(const std::vector<Color>& colors) {
+  std::vector<Color> kinds;
+  for (const Color& color : colors) {
+    if (std::ranges::find(kinds, color) == kinds.end()) kinds.push_back(color);
   }
-  return colors;
+  return kinds;
 }
 
-Vector3 ExtentOf(const scene::ObjectSpec& object) {
-  return scene::BoundsOf(scene::SolidsOf(object.whole), RigidTransform()).size();
+Vector3 ExtentOf(const Looks& looks) {
+  return scene::BoundsOf(looks.form, RigidTransform()).size();
 }
 
-const std::string* DescriptionOf(const scene::ObjectSpec& object, const std::string& name) {
-  const auto found = std::ranges::find(object.descriptions, name, &scene::Description::name);
-  return found != object.descriptions.end() ? &found->value : nullptr;
+const std::string* DescriptionOf(const Looks& looks, const std::string& name) {
+  const auto found = std::ranges::find(looks.descriptions, name, &scene::Description::name);
+  return found != looks.descriptions.end() ? &found->value : nullptr;
 }
 
 bool AreEqualDescriptions(const std::string* a, const std::string* b) {
@@ -50,29 +36,39 @@ bool IsAboutLooks(const std::string& property) {
   return property != "position" && property != "orientation" && property != "order";
 }
 
-bool Agree(const scene::ObjectSpec& a, const scene::ObjectSpec& b, const std::string& property) {
-  if (property == "color") return ColorsOf(a) == ColorsOf(b);
+bool Agree(const Looks& a, const Looks& b, const std::string& property) {
+  if (property == "color") return KindsOf(a.colors) == KindsOf(b.colors);
   if (property == "size") return (ExtentOf(a) - ExtentOf(b)).cwiseAbs().maxCoeff() < kEqualLengths;
   const std::string* of_a = DescriptionOf(a, property);
   const std::string* of_b = DescriptionOf(b, property);
   if (property == "shape" && (of_a == nullptr || of_b == nullptr)) {
-    return a.whole.shape.index() == b.whole.shape.index();
+    return a.shape == b.shape;
   }
   return AreEqualDescriptions(of_a, of_b);
 }
 
 }  // namespace
 
-bool AreAlike(const scene::ObjectSpec& wanted, const scene::ObjectSpec& other,
-              const std::vector<std::string>& properties) {
-  if (std::ranges::none_of(properties, IsAboutLooks)) return LooksOf(wanted) == LooksOf(other);
+Looks LooksOf(const scene::ObjectSpec& object) {
+  Looks looks{.form = scene::SolidsOf(object.whole),
+              .colors = {},
+              .shape = object.whole.shape.index(),
+              .descriptions = object.descriptions};
+  for (scene::Solid& solid : looks.form) {
+    looks.colors.push_back(solid.color);
+    solid.color = Color();
+    solid.part_id.clear();
+  }
+  return looks;
+}
+
+bool AreAlike(const Looks& wanted, const Looks& other, const std::vector<std::string>& properties) {
+  if (std::ranges::none_of(properties, IsAboutLooks)) {
+    return wanted.form == other.form && wanted.colors == other.colors;
+  }
   return std::ranges::all_of(properties, [&](const std::string& property) {
     return !IsAboutLooks(property) || Agree(wanted, other, property);
   });
-}
-
-bool AreOfOneForm(const scene::ObjectSpec& a, const scene::ObjectSpec& b) {
-  return FormOf(a) == FormOf(b);
 }
 
 }  // namespace smile::task

@@ -8,12 +8,15 @@ namespace {
 
 constexpr double kUnlike = 1e9;
 
-double CostOf(const scene::ObjectSpec& wanted, const scene::SceneSpec& scene, std::size_t index,
-              const Structure& structure) {
-  const scene::ObjectSpec& object = scene.objects[index];
-  if (!AreAlike(wanted, object, structure.AttendedOf(wanted.id()))) return kUnlike;
-  const double late = static_cast<double>(index) / static_cast<double>(scene.objects.size());
-  return object.id() == wanted.id() ? 0 : 1 + late / 1000;
+double CostOfPart(bool is_alike, bool has_same_id, double lateness) {
+  if (!is_alike) return kUnlike;
+  return has_same_id ? 0 : 1 + lateness / 1000;
+}
+
+std::vector<Looks> LooksOfAll(const std::vector<scene::ObjectSpec>& objects) {
+  std::vector<Looks> looks;
+  for (const scene::ObjectSpec& object : objects) looks.push_back(LooksOf(object));
+  return looks;
 }
 
 }  // namespace
@@ -25,10 +28,14 @@ Match MatchObjects(const Structure& structure, const scene::SceneSpec& scene) {
   const std::size_t columns = std::max(wanted.size(), scene.objects.size());
   Eigen::MatrixXd costs = Eigen::MatrixXd::Constant(static_cast<Eigen::Index>(wanted.size()),
                                                     static_cast<Eigen::Index>(columns), kUnlike);
+  const std::vector<Looks> looks = LooksOfAll(scene.objects);
   for (std::size_t i = 0; i < wanted.size(); ++i) {
+    const Looks wanted_looks = LooksOf(wanted[i]);
+    const std::vector<std::string> properties = structure.AttendedOf(wanted[i].id());
     for (std::size_t j = 0; j < scene.objects.size(); ++j) {
-      costs(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) =
-          CostOf(wanted[i], scene, j, structure);
+      costs(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = CostOfPart(
+          AreAlike(wanted_looks, looks[j], properties), wanted[i].id() == scene.objects[j].id(),
+          static_cast<double>(j) / static_cast<double>(looks.size()));
     }
   }
   const std::vector<std::size_t> assigned = CheapestAssignment(costs);

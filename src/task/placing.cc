@@ -24,6 +24,7 @@ constexpr double kMaxWork = 1e8;
 struct Candidate {
   const scene::ObjectSpec* object = nullptr;
   RigidTransform X_WB;
+  Looks looks;
 };
 
 /// An object of the structure, and who may play its part.
@@ -43,7 +44,7 @@ class PlacingSearch {
     for (const scene::ObjectSpec& object : scene.objects) {
       const bool is_taken = std::ranges::any_of(
           others_, [&](const auto& other) { return other.second == object.id(); });
-      if (!is_taken) pool_.push_back({&object, outcome.at(object.id())});
+      if (!is_taken) pool_.push_back({&object, outcome.at(object.id()), LooksOf(object)});
     }
     for (const scene::ObjectSpec& object : structure.objects) AddWanted(object, structure);
     Consider({});
@@ -78,10 +79,12 @@ class PlacingSearch {
                   .symmetry = SymmetryOf(object),
                   .candidates = {},
                   .are_of_its_form = {}};
+    const Looks looks = LooksOf(object);
+    const std::vector<std::string> properties = structure.AttendedOf(object.id());
     for (std::size_t i = 0; i < pool_.size(); ++i) {
-      if (!AreAlike(object, *pool_[i].object, structure.AttendedOf(object.id()))) continue;
+      if (!AreAlike(looks, pool_[i].looks, properties)) continue;
       wanted.candidates.push_back(i);
-      wanted.are_of_its_form.push_back(AreOfOneForm(object, *pool_[i].object));
+      wanted.are_of_its_form.push_back(looks.form == pool_[i].looks.form);
     }
     wanted_.push_back(std::move(wanted));
   }
@@ -232,7 +235,7 @@ Placing FindPlacing(const Structure& structure, const scene::SceneSpec& scene,
 ObjectError ErrorOf(const scene::ObjectSpec& wanted, const RigidTransform& X_WGoal,
                     const scene::ObjectSpec& counterpart, const RigidTransform& X_WB) {
   ObjectError error{.distance = (X_WGoal.translation() - X_WB.translation()).norm()};
-  if (AreOfOneForm(wanted, counterpart)) {
+  if (LooksOf(wanted).form == LooksOf(counterpart).form) {
     error.angle = SymmetryOf(wanted).AngleBetween(X_WGoal.rotation(), X_WB.rotation());
   }
   return error;

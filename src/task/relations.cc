@@ -83,9 +83,17 @@ bool StandsOnTable(const Placed& object, const scene::TableSpec& table) {
          std::abs(center.x()) < table.x_span / 2 && std::abs(center.y()) < table.y_span / 2;
 }
 
+bool SlidesIn(const scene::SceneSpec& scene, const scene::ObjectSpec& drawer,
+              const scene::ObjectSpec& frame) {
+  return std::ranges::any_of(scene.sliders, [&](const scene::SliderSpec& slider) {
+    return scene.objects[slider.first_object].id() == frame.id() &&
+           scene.objects[slider.first_object + 1].id() == drawer.id();
+  });
+}
+
 }  // namespace
 
-std::vector<Relation> RelationsOf(const scene::TableSpec& table,
+std::vector<Relation> RelationsOf(const scene::SceneSpec& scene,
                                   const std::vector<scene::ObjectSpec>& objects) {
   std::vector<Placed> all;
   for (const scene::ObjectSpec& object : objects) all.push_back(PlacedOf(object));
@@ -93,14 +101,14 @@ std::vector<Relation> RelationsOf(const scene::TableSpec& table,
   for (const Placed& one : all) {
     const std::size_t before = relations.size();
     for (const Placed& other : all) {
-      if (&one == &other) continue;
+      if (&one == &other || SlidesIn(scene, *other.object, *one.object)) continue;
       if (LiesIn(one, other)) {
         relations.push_back({one.object->id(), Relation::Kind::kIn, other.object->id()});
       } else if (StandsOn(one, other)) {
         relations.push_back({one.object->id(), Relation::Kind::kOn, other.object->id()});
       }
     }
-    if (relations.size() == before && StandsOnTable(one, table)) {
+    if (relations.size() == before && StandsOnTable(one, scene.table)) {
       relations.push_back({one.object->id(), Relation::Kind::kOn, ""});
     }
   }

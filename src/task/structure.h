@@ -12,8 +12,9 @@ namespace smile::task {
 
 /// What a demonstration achieved: the task is to achieve the same elsewhere on the table.
 struct Structure {
-  /// What hands moved, and what these stand on or lie in down to the table, in scene order, as they
-  /// lay in the end. None where nothing was done but pressing switches.
+  /// What hands moved, with what these stand on or lie in down to the table, and what slides in
+  /// them or is fastened to them, in scene order, as they lay in the end. None where nothing was
+  /// done but pressing switches.
   std::vector<scene::ObjectSpec> objects;
   std::vector<Relation> relations;  ///< of these objects, in the end
   std::vector<std::string> order;   ///< of their placements, see PlacementsOf()

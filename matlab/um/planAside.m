@@ -1,23 +1,30 @@
-function [actions, reason] = planAside(robot, block, others, building, q, goal)
-% The actions that bring a block to a free place on the table, off the building's site; {} and a reason
-% if there is none.
-%   goal  where another arm shall bring it from there, or [] if that does not matter yet
-  most_tries = 8;
+function [actions, reason] = planAside(robot, eye, block, others, building, q, goal)
+% The actions that bring a block to a free place on the table that the eye sees, if possible off the
+% building's site; {} and a reason if there is none.
+%   goal  where another arm shall bring it from there at once, or [] if that does not matter yet
   actions = {};
   reason = 'there is no free place on the table';
-  tries = 0;
-  for place = freePlaces(block, [others, asBlocks(building.steps)], goal)
-    if isempty(fingerTurns(place, building.steps)) || ~canPassOn(robot, block, place, goal), continue; end
-    [actions, reason] = planCarry(robot, block, place, others, q);
-    tries = tries + 1;
-    if ~isempty(actions) || tries == most_tries, return; end
+  sites = {asBlocks(building.steps)};
+  if ~isempty(goal), sites{2} = asBlocks(building.steps(building.done)); end
+  for site = sites
+    tries = 8;
+    for place = freePlaces(block, [others, site{1}], goal)
+      if ~isSeen(place, eye) || isempty(fingerTurns(place, site{1})) || ...
+         ~canPassOn(robot, block, place, goal)
+        continue
+      end
+      [actions, reason] = planCarry(robot, block, place, others, q);
+      tries = tries - 1;
+      if ~isempty(actions), return; end
+      if tries == 0, break; end
+    end
   end
 end
 
 function places = freePlaces(block, taken, goal)
 % Where a block might lie on the table, the best places first, up to 60: with room for fingers, its own
 % and those of its neighbors.
-  [x, y, yaw] = ndgrid(-6:0.5:6, -5:0.25:-0.5, [0, pi / 2, pi / 4, -pi / 4]);
+  [x, y, yaw] = ndgrid(-6.5:0.5:6.5, -5:0.25:0, [0, pi / 2, pi / 4, -pi / 4]);
   x = x(:);
   y = y(:);
   covered = [x, y, repmat(block.size(1:2), numel(x), 1) + 0.2, yaw(:)];
@@ -37,6 +44,17 @@ function places = freePlaces(block, taken, goal)
   for i = 1:numel(places)
     places(i).position = [covered(order(i), 1:2), block.size(3) / 2];
     places(i).yaw = covered(order(i), 5);
+  end
+end
+
+function yes = isSeen(place, eye)
+% Whether all of its top is in the eye's picture.
+  yes = true;
+  for corner = [1, 1, -1, -1; 1, -1, -1, 1] / 2
+    along = corner(1) * place.size(1) * [cos(place.yaw), sin(place.yaw)];
+    across = corner(2) * place.size(2) * [-sin(place.yaw), cos(place.yaw)];
+    pixel = toPixel([place.position(1:2) + along + across, place.size(3)], eye);
+    yes = yes && all(pixel > 3) && all(pixel < 2 * eye.intrinsics(1:2, 3)' - 3);
   end
 end
 

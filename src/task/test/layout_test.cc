@@ -240,6 +240,18 @@ std::set<std::string> MovedIn(const std::string& name) {
   return moved;
 }
 
+TEST(RandomLayout, GoesAlongWithTheTablesNearEdge) {
+  scene::SceneSpec scene = Shipped("um_robot");
+  const scene::SceneSpec usual = RandomLayout(scene, 2);
+  scene.table.y_span += 0.4;
+  const scene::SceneSpec deeper = RandomLayout(scene, 2);
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    const Vector3 shift = deeper.objects[i].pose_in_world().translation() -
+                          usual.objects[i].pose_in_world().translation();
+    EXPECT_LT((shift - Vector3(0, -0.2, 0)).norm(), 1e-6) << scene.objects[i].id();
+  }
+}
+
 TEST(RandomLayout, OurRobotScenesAreWithinTheRegion) {
   for (const char* name : {"tower", "row", "bridge", "box", "hatch", "drive"}) {
     const scene::SceneSpec scene = Shipped(std::string(name) + "_robot");

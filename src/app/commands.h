@@ -19,6 +19,7 @@ void AddCheckout(CLI::App* program, ExitAnswer answer);
 void AddEdit(CLI::App* program, ExitAnswer answer);
 void AddImport(CLI::App* program, ExitAnswer answer);
 void AddExport(CLI::App* program, ExitAnswer answer);
+void AddDress(CLI::App* program, ExitAnswer answer);
 void AddRender(CLI::App* program, ExitAnswer answer);
 void AddImitate(CLI::App* program, ExitAnswer answer);
 void AddExperiment(CLI::App* program, ExitAnswer answer);

@@ -43,6 +43,7 @@ int main(int argc, char** argv) {
   app::AddImport(&program, &answer);
   app::AddExport(&program, &answer);
   app::AddRender(&program, &answer);
+  app::AddDress(&program, &answer);
   app::AddImitate(&program, &answer);
   app::AddExperiment(&program, &answer);
   app::AddCommands(&program, &answer);

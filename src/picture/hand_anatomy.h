@@ -9,8 +9,7 @@
 
 namespace smile::picture {
 
-/// The demonstrator's two hands, of a person who looks at the robot across the table: the left one
-/// is at +x.
+/// The hands of a person who looks at the robot across the table: the left one is at +x.
 enum class Side { kLeft, kRight };
 inline constexpr std::array kSides = {Side::kLeft, Side::kRight};
 

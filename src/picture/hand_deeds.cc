@@ -222,15 +222,27 @@ void MakeOneAfterAnother(std::vector<HandDeed>* deeds) {
   }
 }
 
+/// Which hand is called `left`.
+Side CalledLeft(const std::vector<NamedDeed>& all) {
+  double balance = 0;
+  for (const auto& [hand, deed] : all) {
+    const double x = deed.begin.poses[deed.object + 1].translation().x();
+    if (hand == HandName::kLeft) balance += x;
+    if (hand == HandName::kRight) balance -= x;
+  }
+  return balance >= 0 ? Side::kLeft : Side::kRight;
+}
+
 }  // namespace
 
 HandDeeds DeedsIn(const record::Recording& recording, const sim::Simulation& stage,
                   const Touch& touch) {
   const std::vector<NamedDeed> all = DeedCollector(recording, stage, touch).Collect();
+  const Side left = CalledLeft(all), right = left == Side::kLeft ? Side::kRight : Side::kLeft;
   HandDeeds deeds;
   for (const auto& [hand, deed] : all) {
-    if (hand == HandName::kLeft) Of(Side::kLeft, &deeds).push_back(deed);
-    if (hand == HandName::kRight) Of(Side::kRight, &deeds).push_back(deed);
+    if (hand == HandName::kLeft) Of(left, &deeds).push_back(deed);
+    if (hand == HandName::kRight) Of(right, &deeds).push_back(deed);
     if (hand == HandName::kBoth) GiveToBoth(deed, touch, &deeds);
   }
   for (const auto& [hand, deed] : all) {

@@ -34,6 +34,10 @@ struct HandDeeds {
 /// What the demonstrator of a recording did, by its trace and its log, with two hands: `both` are
 /// the two, `any` is the one that does nothing else meanwhile, and of two that are free the one on
 /// whose side of the table the object is.
+///
+/// Some demonstrations call hands as the person would who has them, others as they are seen from
+/// the robot's side of the table. Either way the hand at +x is the person's left; `left` is meant
+/// to be the one with which the arms cross less.
 /// @param stage  a simulation of its scene and robot.
 /// @throws InputError if the trace cannot be read, or is of the old format that does not tell what
 ///         hands did.

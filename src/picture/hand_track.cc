@@ -87,7 +87,10 @@ class HandPlayer {
 
   /// Goes on to a moment.
   HandPosture GoTo(std::uint64_t tick, const scene::VisualState& state) {
-    while (next_ < deeds_.size() && deeds_[next_].first <= tick) now_ = next_++;
+    while (next_ < deeds_.size() && deeds_[next_].first <= tick) {
+      now_ = next_++;
+      left_ = Beginning(*now_);
+    }
     const bool is_at_it = now_ && tick <= deeds_[*now_].last;
     const Aim aim = is_at_it ? AimAt(*now_, state) : AimBetween(tick);
     if (is_at_it) left_ = aim;
@@ -95,24 +98,21 @@ class HandPlayer {
     is_begun_ = true;
     tick_ = tick;
     Follow(aim, dt);
-    HandPosture posture{.reach = is_.reach, .pointing = is_.pointing};
-    const Vector3 p_HQ = is_.pointing * IndexTip(side_);
-    posture.X_WH = RigidTransform(is_.R_WH, is_.p_WQ + is_.R_WH * (Vector3(0, 0, is_.lift) - p_HQ));
-    return posture;
+    return {.X_WH = RigidTransform(is_.R_WH, p_WH_), .reach = is_.reach, .pointing = is_.pointing};
   }
 
  private:
   /// The speed limits; and all that is felt of objects may jump, a hand does not.
   void Follow(const Aim& aim, double dt) {
-    const Vector3 step = aim.p_WQ - is_.p_WQ;
-    const double most = kFastestHand * dt, length = step.norm();
-    is_.p_WQ = length <= most ? aim.p_WQ : Vector3(is_.p_WQ + step * (most / length));
     is_.R_WH = TurnedTowards(is_.R_WH, aim.R_WH, kFastestTurn * dt);
     is_.lift = Towards(is_.lift, aim.lift, kFastestFinger * dt);
     for (std::size_t digit = 0; digit < kDigits; ++digit) {
       is_.reach[digit] = Towards(is_.reach[digit], aim.reach[digit], kFastestFinger * dt);
     }
     is_.pointing = Towards(is_.pointing, aim.pointing, 5 * dt);
+    const Vector3 p_HQ = is_.pointing * IndexTip(side_) - Vector3(0, 0, is_.lift);
+    const Vector3 step = aim.p_WQ - is_.R_WH * p_HQ - p_WH_;
+    p_WH_ += step * std::min(1.0, kFastestHand * dt / std::max(step.norm(), 1e-9));
   }
 
   static int FrameOf(const HandDeed& deed) { return static_cast<int>(deed.object) + 1; }
@@ -259,7 +259,8 @@ class HandPlayer {
   std::size_t next_ = 0;
   std::optional<std::size_t> now_;  ///< the last that has begun
   Aim left_;                        ///< how it left off
-  Aim is_;
+  Aim is_;                          ///< how it is by now; where: p_WH_
+  Vector3 p_WH_ = Vector3::Zero();
   std::uint64_t tick_ = 0;
   bool is_begun_ = false;
 };

@@ -82,6 +82,12 @@ TEST_F(HandTrackTest, NeverJumpsNorHurries) {
       for (std::size_t tip = 0; tip < to.size(); ++tip) {
         EXPECT_LT((X_to * to[tip] - X_from * from[tip]).norm(), 0.05) << moment->tick;
       }
+      const auto arm_from = PiecePoses(side, (*before)[k], 0.6),
+                 arm_to = PiecePoses(side, now[k], 0.6);
+      for (std::size_t piece = 0; piece < kArmPieces; ++piece) {
+        EXPECT_LT((arm_to[piece].translation() - arm_from[piece].translation()).norm(), 0.05)
+            << moment->tick << ", piece " << piece;
+      }
       const double turned =
           Eigen::AngleAxisd(Matrix3(X_from.rotation().transpose() * X_to.rotation())).angle();
       EXPECT_LT(turned, 0.13) << moment->tick;
@@ -143,6 +149,18 @@ TEST_F(HandTrackTest, GivesAnyToTheHandThatIsFree) {
   ASSERT_EQ(left.size(), 2u);
   EXPECT_EQ(left[0].object, 0u);
   EXPECT_EQ(left[1].object, 1u);
+}
+
+TEST_F(HandTrackTest, CrossesNoArmsThatNeedNot) {
+  // As seen from the robot's side.
+  const HandTrack track = TrackOf(R"({"hand":"left","do":"grasp","object":"plank"}
+{"hand":"right","do":"grasp","object":"b"}
+{"do":"wait","seconds":0.5})");
+  const auto& [left, right] = track.deeds().of;
+  ASSERT_EQ(left.size(), 1u);
+  EXPECT_EQ(left[0].object, 1u);
+  ASSERT_EQ(right.size(), 1u);
+  EXPECT_EQ(right[0].object, 2u);
 }
 
 TEST_F(HandTrackTest, TakesHoldWhereTheLogSays) {

@@ -123,10 +123,12 @@ class DeedCollector {
     if (!object) return Vector3::Zero();
     // A recording that begins while a hand holds something may know when it took hold, but not
     // where the object was then.
-    for (const record::LoggedCommand& logged : recording_.commands) {
-      const auto* grasp = std::get_if<sim::Grasp>(&logged.command);
-      const bool is_it = grasp != nullptr && logged.tick == moment.tick &&
-                         grasp->hand == event.hand && grasp->object == event.object;
+    const auto& commands = recording_.commands;
+    auto logged = std::ranges::lower_bound(commands, moment.tick, {}, &record::LoggedCommand::tick);
+    for (; logged != commands.end() && logged->tick == moment.tick; ++logged) {
+      const auto* grasp = std::get_if<sim::Grasp>(&logged->command);
+      const bool is_it =
+          grasp != nullptr && grasp->hand == event.hand && grasp->object == event.object;
       if (is_it && grasp->p_WQ) {
         return moment.objects[*object].pose_in_world().inverse() * *grasp->p_WQ;
       }

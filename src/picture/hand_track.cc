@@ -83,13 +83,15 @@ class HandPlayer {
     for (const HandDeed& deed : deeds_) {
       yaws_.push_back(deed.kind == HandDeed::Kind::kTouch ? 0 : BestYaw(deed));
     }
+    LookAhead();
   }
 
   /// Goes on to a moment.
   HandPosture GoTo(std::uint64_t tick, const scene::VisualState& state) {
     while (next_ < deeds_.size() && deeds_[next_].first <= tick) {
       now_ = next_++;
-      left_ = Beginning(*now_);
+      left_ = AimAt(*now_, deeds_[*now_].begin);
+      LookAhead();
     }
     const bool is_at_it = now_ && tick <= deeds_[*now_].last;
     const Aim aim = is_at_it ? AimAt(*now_, state) : AimBetween(tick);
@@ -204,8 +206,10 @@ class HandPlayer {
     return aim;
   }
 
-  /// The aim at the begin of a deed, as far as can be foreseen.
-  Aim Beginning(std::size_t index) const { return AimAt(index, deeds_[index].begin); }
+  void LookAhead() {
+    ahead_ =
+        next_ < deeds_.size() ? std::optional(AimAt(next_, deeds_[next_].begin)) : std::nullopt;
+  }
 
   static double WayTime(const Aim& from, const Aim& to) {
     const double distance = (to.p_WQ - from.p_WQ).norm();
@@ -237,10 +241,9 @@ class HandPlayer {
   /// Between two deeds, or before the first, or after the last.
   Aim AimBetween(std::uint64_t tick) const {
     const Aim rest = Rest();
-    const bool has_next = next_ < deeds_.size();
-    const std::optional<Aim> to = has_next ? std::optional(Beginning(next_)) : std::nullopt;
+    const std::optional<Aim>& to = ahead_;
     const double since = now_ ? sim::SecondsOf(tick - deeds_[*now_].last) : 0;
-    const double until = has_next ? sim::SecondsOf(deeds_[next_].first - tick) : 0;
+    const double until = to ? sim::SecondsOf(deeds_[next_].first - tick) : 0;
     const double back = now_ ? WayTime(left_, rest) : 0, there = to ? WayTime(rest, *to) : 0;
     if (now_ && to && since + until < back + kShortestRest + there) {
       const double seconds = std::max(since + until, WayTime(left_, *to));
@@ -258,7 +261,8 @@ class HandPlayer {
   std::vector<double> yaws_;  ///< one per deed
   std::size_t next_ = 0;
   std::optional<std::size_t> now_;  ///< the last that has begun
-  Aim left_;                        ///< how it left off
+  std::optional<Aim> ahead_;        ///< how the next begins
+  Aim left_;                        ///< how the last left off
   Aim is_;                          ///< how it is by now; where: p_WH_
   Vector3 p_WH_ = Vector3::Zero();
   std::uint64_t tick_ = 0;

@@ -120,7 +120,8 @@ Vector3 Touch::PointWithin(int frame, const std::vector<int>& looks, const Vecto
   constexpr int kFirst = 14, kFirstSteep = 18, kEnd = 27;
   for (int k = kFirst; k < kEnd; ++k) {
     if (k == kFirstSteep && std::isfinite(nearest)) break;
-    const Vector3 direction = Vector3(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1).normalized();
+    const Vector3 direction =
+        Eigen::Vector3i(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1).cast<double>().normalized();
     for (const Span& span : Along(frame, looks, p_FQ, direction)) {
       const bool is_ahead = span.from > 0;
       const double distance = is_ahead ? span.from : -span.to;

@@ -45,6 +45,7 @@ int main(int argc, char** argv) {
   app::AddExport(&program, &answer);
   app::AddRender(&program, &answer);
   app::AddLayout(&program, &answer);
+  app::AddDress(&program, &answer);
   app::AddImitate(&program, &answer);
   app::AddExperiment(&program, &answer);
   app::AddCommands(&program, &answer);

@@ -24,7 +24,7 @@ function [actions, building] = decide(building, sensor, eye, robot)
 
   reason = 'it cannot be seen';
   for move = proposeMoves(building, k, find(~used))
-    [actions, reason] = planMove(building, move, eye, robot, sensor.jointAngles);
+    [actions, reason] = planMove(building, k, move, eye, robot, sensor.jointAngles);
     if isempty(actions), continue; end
     if isempty(move.goal), building.tidied = building.tidied + 1; end
     building.tries(k) = building.tries(k) + ~isempty(move.goal);
@@ -40,13 +40,21 @@ function [actions, building] = decide(building, sensor, eye, robot)
   end
 end
 
-function [actions, reason] = planMove(building, move, eye, robot, q)
-% Straight to its goal, if it has one and an arm reaches both; else to somewhere else first.
+function [actions, reason] = planMove(building, k, move, eye, robot, q)
+% Straight to its goal, if it has one and an arm reaches both; else to somewhere else first, if need be
+% where the building will stand later.
   block = building.known(move.block);
   others = building.known([1:move.block - 1, move.block + 1:end]);
+  steps = building.steps;
+  sites = {steps};
   actions = {};
-  if ~isempty(move.goal), [actions, reason] = planCarry(robot, block, move.goal, others, q); end
+  if ~isempty(move.goal)
+    sites{2} = steps(building.done);
+    [actions, reason] = planCarry(robot, block, move.goal, others, q);
+  elseif any(overlap(gripRoom(steps(k)), footprint(block, 0)))
+    sites{2} = steps([find(building.done), k]);
+  end
   if isempty(actions)
-    [actions, reason] = planAside(robot, eye, block, others, building, q, move.goal);
+    [actions, reason] = planAside(robot, eye, block, others, sites, q, move.goal);
   end
 end

@@ -1,12 +1,11 @@
-function [actions, reason] = planAside(robot, eye, block, others, building, q, goal)
-% The actions that bring a block to a free place on the table that the eye sees, if possible off the
-% building's site; {} and a reason if there is none.
-%   goal  where another arm shall bring it from there at once, or [] if that does not matter yet
+function [actions, reason] = planAside(robot, eye, block, others, sites, q, goal)
+% The actions that bring a block to a free place on the table that the eye sees; {} and a reason if there
+% is none.
+%   sites  the steps to keep off, as a cell of lists: the first with which there is a place counts
+%   goal   where another arm shall bring it from there at once, or [] if that does not matter yet
   actions = {};
   reason = 'there is no free place on the table';
-  sites = {asBlocks(building.steps)};
-  if ~isempty(goal), sites{2} = asBlocks(building.steps(building.done)); end
-  for site = sites
+  for site = cellfun(@asBlocks, sites, 'UniformOutput', false)
     tries = 8;
     for place = freePlaces(block, [others, site{1}], goal)
       if ~isSeen(place, eye) || isempty(fingerTurns(place, site{1})) || ...
@@ -22,7 +21,7 @@ function [actions, reason] = planAside(robot, eye, block, others, building, q, g
 end
 
 function places = freePlaces(block, taken, goal)
-% Where a block might lie on the table, the best places first, up to 60: with room for fingers, its own
+% Where a block might lie on the table, the best places first, up to 100: with room for fingers, its own
 % and those of its neighbors.
   [x, y, yaw] = ndgrid(-6.5:0.5:6.5, -5:0.25:0, [0, pi / 2, pi / 4, -pi / 4]);
   x = x(:);
@@ -31,7 +30,9 @@ function places = freePlaces(block, taken, goal)
   with_fingers = covered + [0, 0, 0, 0.7, 0];
   free = true(numel(x), 1);
   for rectangle = footprint(taken, 0.1)', free = free & ~overlap(rectangle', with_fingers); end
-  for rectangle = gripRoom(taken)', free = free & ~overlap(rectangle', covered); end
+  % Square blocks can be held the other way round, too.
+  long = arrayfun(@(other) other.size(1) > 1.1 * other.size(2), taken);
+  for rectangle = gripRoom(taken(long))', free = free & ~overlap(rectangle', covered); end
 
   if isempty(goal)
     way = sqrt((x - block.position(1)) .^ 2 + (y - block.position(2)) .^ 2);
@@ -40,7 +41,7 @@ function places = freePlaces(block, taken, goal)
   end
   way(~free) = Inf;
   [~, order] = sort(way);
-  places = repmat(block, 1, min(60, sum(free)));
+  places = repmat(block, 1, min(100, sum(free)));
   for i = 1:numel(places)
     places(i).position = [covered(order(i), 1:2), block.size(3) / 2];
     places(i).yaw = covered(order(i), 5);

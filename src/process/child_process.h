@@ -9,10 +9,10 @@
 #include <utility>
 #include <vector>
 
-#include "brain/internal_unique_fd.h"
-#include "brain/internal_wait_limit.h"
+#include "process/unique_fd.h"
+#include "process/wait_limit.h"
 
-namespace smile::brain {
+namespace smile::process {
 
 struct ChildCommand {
   std::vector<std::string> arguments;                            ///< the program's path first
@@ -64,4 +64,4 @@ class ChildProcess {
   std::string how_it_ended_;
 };
 
-}  // namespace smile::brain
+}  // namespace smile::process

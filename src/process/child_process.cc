@@ -1,4 +1,4 @@
-#include "brain/internal_child_process.h"
+#include "process/child_process.h"
 
 #include <fcntl.h>
 #include <linux/close_range.h>
@@ -14,7 +14,7 @@
 
 extern char** environ;
 
-namespace smile::brain {
+namespace smile::process {
 namespace {
 
 constexpr int kFirstOwnFd = 3;
@@ -199,4 +199,4 @@ const std::string& ChildProcess::End() {
   return how_it_ended_;
 }
 
-}  // namespace smile::brain
+}  // namespace smile::process

@@ -11,6 +11,7 @@
 #include "app/film.h"
 #include "app/imitation.h"
 #include "app/interrupt.h"
+#include "app/move_aside.h"
 #include "app/options.h"
 #include "app/run_loop.h"
 #include "base/files.h"
@@ -40,22 +41,6 @@ struct ExperimentOptions {
   std::optional<std::uint64_t> seed;
   bool no_films = false, json = false;
 };
-
-/// Results are never overwritten: an earlier one moves aside, to `tower.1`, `tower.2`, …
-void MoveAside(const std::filesystem::path& directory) {
-  std::error_code error;
-  if (!std::filesystem::exists(directory, error)) return;
-  for (int i = 1;; ++i) {
-    const std::filesystem::path aside = directory.string() + "." + std::to_string(i);
-    if (std::filesystem::exists(aside, error)) continue;
-    std::filesystem::rename(directory, aside, error);
-    if (error) {
-      throw std::runtime_error(directory.string() + ": cannot be moved aside: " + error.message());
-    }
-    std::fprintf(stderr, "%s: the earlier result is now %s\n", directory.c_str(), aside.c_str());
-    return;
-  }
-}
 
 void RecordDemonstration(const Experiment& experiment, const std::filesystem::path& directory) {
   RunPlan plan{.scene = scene_xml::LoadScene(DataFile(experiment.demonstration_scene)),

@@ -44,6 +44,7 @@ int main(int argc, char** argv) {
   app::AddExport(&program, &answer);
   app::AddRender(&program, &answer);
   app::AddImitate(&program, &answer);
+  app::AddEvaluate(&program, &answer);
   app::AddExperiment(&program, &answer);
   app::AddCommands(&program, &answer);
   app::AddBench(&program, &answer);

@@ -195,6 +195,7 @@ const std::string& ChildProcess::End() {
     collected = ::waitpid(pid_, &status, 0);
   } while (collected < 0 && errno == EINTR);
   how_it_ended_ = collected == pid_ ? DescribeEnd(status) : "it ended";
+  if (collected == pid_ && WIFEXITED(status)) exit_code_ = WEXITSTATUS(status);
   pid_ = -1;
   return how_it_ended_;
 }

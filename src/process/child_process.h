@@ -57,9 +57,12 @@ class ChildProcess {
 
   /// Kills what is left, collects the child, and says how it ended: `it ended with exit code 3`.
   const std::string& End();
+  /// Of the program, once End() was called; nullopt when a signal ended it.
+  std::optional<int> exit_code() const { return exit_code_; }
 
  private:
   pid_t pid_ = -1;  ///< of its keeper
+  std::optional<int> exit_code_;
   UniqueFd output_;
   std::string how_it_ended_;
 };

@@ -180,14 +180,20 @@ std::string CausesText(const Summary& summary) {
 std::string ComparisonText(const EvaluatedAgent& first, const EvaluatedAgent& second) {
   const Comparison comparison = Compare(first, second);
   const std::string a = Printable(first.name), b = Printable(second.name);
-  return a + " less " + b + ", on the same " + std::to_string(first.runs.size()) + " layouts:\n" +
-         "  rebuilt  " + Signed(100 * comparison.success_difference, 1) + " points; both " +
-         std::to_string(comparison.both) + ", only " + a + " " +
-         std::to_string(comparison.only_first) + ", only " + b + " " +
-         std::to_string(comparison.only_second) + ", neither " +
-         std::to_string(comparison.neither) + "; exact McNemar test " + PValue(comparison.p_value) +
-         "\n" + "  error    " + DifferenceWithInterval(comparison.error_mm, 2) + " mm\n" +
-         "  time     " + DifferenceWithInterval(comparison.seconds, 1) + " s\n";
+  std::string text = a + " less " + b + ", on the same " + Plural(first.runs.size(), "layout") +
+                     ":\n  rebuilt  " + Signed(100 * comparison.success_difference, 1) +
+                     " points; both " + std::to_string(comparison.both) + ", only " + a + " " +
+                     std::to_string(comparison.only_first) + ", only " + b + " " +
+                     std::to_string(comparison.only_second) + ", neither " +
+                     std::to_string(comparison.neither) + "; exact McNemar test " +
+                     PValue(comparison.p_value) + "\n";
+  if (comparison.error_mm) {
+    text += "  error    " + DifferenceWithInterval(comparison.error_mm, 2) + " mm\n";
+  }
+  if (comparison.seconds) {
+    text += "  time     " + DifferenceWithInterval(comparison.seconds, 1) + " s\n";
+  }
+  return text;
 }
 
 }  // namespace

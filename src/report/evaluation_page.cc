@@ -40,7 +40,7 @@ Markup AgentHead(const std::string& name, std::size_t series) {
 }
 
 Markup Table(std::string_view caption, const Markup& head, const Markup& rows) {
-  Markup table = Element("caption", {}, caption);
+  Markup table = Element("caption", {}, Element("span", {}, caption));
   table += Element("thead", {}, head);
   table += Element("tbody", {}, rows);
   return Element("div", {{"class", "scroll"}, {"tabindex", "0"}}, Element("table", {}, table));
@@ -172,6 +172,26 @@ Markup Retries(const Evaluation& evaluation) {
                                     "How often grasps were repeated, run by run"));
 }
 
+Markup CauseTable(const Evaluation& evaluation) {
+  std::set<std::string> words;
+  std::vector<Summary> summaries;
+  for (const EvaluatedAgent& agent : evaluation.agents) {
+    summaries.push_back(SummaryOf(agent));
+    for (const auto& [word, count] : summaries.back().causes) words.insert(word);
+  }
+  if (words.empty()) return {};
+  Markup head = Head("Cause");
+  for (const EvaluatedAgent& agent : evaluation.agents) head += NumberHead(agent.name);
+  Markup rows;
+  for (const std::string& word : words) {
+    Markup row = Element("th", {{"scope", "row"}}, word);
+    for (Summary& summary : summaries) row += NumberCell(std::to_string(summary.causes[word]));
+    rows += Element("tr", {}, row);
+  }
+  return Section("Failures by cause",
+                 Table("How many runs failed for what.", Element("tr", {}, head), rows));
+}
+
 Markup Plots(const Evaluation& evaluation) {
   const std::string note = "One dot is one rebuilt structure; below, the mean and its interval.";
   Markup pair = Section("Success", Bars(evaluation));
@@ -185,6 +205,7 @@ Markup Plots(const Evaluation& evaluation) {
   times += Element("p", {{"class", "note"}}, note);
   pair += Section("Robot time", times);
   pair += Retries(evaluation);
+  pair += CauseTable(evaluation);
   return Element("div", {{"class", "pair"}}, pair);
 }
 
@@ -218,24 +239,6 @@ Markup Comparisons(const Evaluation& evaluation) {
                        head, rows));
 }
 
-Markup CauseTable(const Evaluation& evaluation) {
-  std::set<std::string> words;
-  std::vector<Summary> summaries;
-  for (const EvaluatedAgent& agent : evaluation.agents) {
-    summaries.push_back(SummaryOf(agent));
-    for (const auto& [word, count] : summaries.back().causes) words.insert(word);
-  }
-  Markup head = Head("Cause");
-  for (const EvaluatedAgent& agent : evaluation.agents) head += NumberHead(agent.name);
-  Markup rows;
-  for (const std::string& word : words) {
-    Markup row = Element("th", {{"scope", "row"}}, word);
-    for (Summary& summary : summaries) row += NumberCell(std::to_string(summary.causes[word]));
-    rows += Element("tr", {}, row);
-  }
-  return Table("Failures by cause.", Element("tr", {}, head), rows);
-}
-
 Markup FailureTable(const Evaluation& evaluation) {
   Markup rows;
   for (std::size_t i = 0; i < evaluation.agents.size(); ++i) {
@@ -260,8 +263,7 @@ Markup Failures(const Evaluation& evaluation) {
     for (const EvaluatedRun& run : agent.runs) is_any |= run.cause.has_value();
   }
   if (!is_any) return Section("Failures", Element("p", {}, "None."));
-  Markup content = CauseTable(evaluation);
-  content += FailureTable(evaluation);
+  Markup content = FailureTable(evaluation);
   content +=
       Element("p", {{"class", "note"}},
               "To see one with the robot's pictures, run it again, with its BRAIN and SEED:");

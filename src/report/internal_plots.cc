@@ -57,13 +57,21 @@ Markup Dots(const DotRow& row, const Axis& axis, double base, double height, std
   return drawing;
 }
 
+/// |–|, to be seen on any background.
+Markup IntervalMark(double low, double high, double y) {
+  Markup drawing;
+  for (const char* css_class : {"halo", "whisker"}) {
+    drawing += SvgLine(low, y, high, y, css_class);
+    for (double end : {low, high}) drawing += SvgLine(end, y - 3.5, end, y + 3.5, css_class);
+  }
+  return drawing;
+}
+
 /// |–o–|, below the dots.
 Markup MeanMark(const Mean& mean, const Axis& axis, double y, std::size_t series) {
   Markup drawing;
   if (mean.interval) {
-    const double low = axis.x(mean.interval->low), high = axis.x(mean.interval->high);
-    drawing += SvgLine(low, y, high, y, "whisker");
-    for (double end : {low, high}) drawing += SvgLine(end, y - 3, end, y + 3, "whisker");
+    drawing += IntervalMark(axis.x(mean.interval->low), axis.x(mean.interval->high), y);
   }
   drawing += Element("circle",
                      {{"class", "fill " + SeriesClass(series)},
@@ -153,10 +161,8 @@ Markup RateBars(const std::vector<RateRow>& rows, const std::string& words) {
                        std::to_string(row.successes) + " of " + std::to_string(row.runs));
     drawing += SvgRect(axis.x(0), y, axis.x(100) - axis.x(0), kBar, "track");
     drawing += SvgRect(axis.x(0), y, axis.x(rate) - axis.x(0), kBar, "fill " + SeriesClass(i));
-    const double low = axis.x(100 * row.interval.low), high = axis.x(100 * row.interval.high);
-    const double middle = y + kBar / 2;
-    drawing += SvgLine(low, middle, high, middle, "whisker");
-    for (double end : {low, high}) drawing += SvgLine(end, middle - 4, end, middle + 4, "whisker");
+    drawing +=
+        IntervalMark(axis.x(100 * row.interval.low), axis.x(100 * row.interval.high), y + kBar / 2);
   }
   return Drawing(kPlotWidth, bottom + 32, words, drawing);
 }

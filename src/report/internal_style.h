@@ -20,7 +20,7 @@ inline constexpr std::string_view kStyle = R"(
 * { box-sizing: border-box; }
 body { margin: 0; background: var(--back); color: var(--text);
   font: 15px/1.5 system-ui, -apple-system, Segoe UI, Roboto, Noto Sans, Ubuntu, sans-serif; }
-main { max-width: 1080px; margin: 0 auto; padding: 32px 20px 64px; }
+main { max-width: 1120px; margin: 0 auto; padding: 32px 20px 64px; }
 header { margin: 0 4px 24px; }
 h1 { font-size: 30px; line-height: 1.2; letter-spacing: -0.01em; margin: 4px 0 10px; }
 h2 { font-size: 17px; margin: 0 0 12px; }
@@ -41,11 +41,18 @@ dt { color: var(--muted); font-size: 12.5px; }
 dd { margin: 0; overflow-wrap: anywhere; }
 .figure dd { font-size: 24px; font-weight: 650; font-variant-numeric: tabular-nums; }
 .scroll { overflow-x: auto; margin: 0 -6px; }
-table { border-collapse: collapse; width: 100%; font-variant-numeric: tabular-nums; }
-caption { text-align: left; color: var(--muted); font-size: 13px; padding: 0 6px 8px; }
+.scroll ~ .scroll { margin-top: 22px; }
+table { border-collapse: collapse; width: 100%; font-size: 14px;
+  font-variant-numeric: tabular-nums; }
+caption { text-align: left; padding: 0 6px 8px; }
+caption span { display: inline-block; position: sticky; left: 6px; color: var(--muted);
+  font-size: 13px; max-width: min(60em, 100vw - 70px); }
 th, td { padding: 6px 10px 6px 6px; text-align: left; vertical-align: top; white-space: nowrap;
   border-bottom: 1px solid var(--line); }
-thead th { color: var(--muted); font-weight: 600; font-size: 12.5px; vertical-align: bottom; }
+thead th { color: var(--muted); font-weight: 600; font-size: 12.5px; line-height: 1.3;
+  vertical-align: bottom; white-space: normal; }
+tbody th { white-space: normal; overflow-wrap: anywhere; min-width: 9em; }
+tbody th.number { min-width: 3em; }
 tbody tr:last-child th, tbody tr:last-child td { border-bottom: 0; }
 .number { text-align: right; }
 .wide { white-space: normal; min-width: 16em; overflow-wrap: anywhere; }
@@ -69,7 +76,8 @@ svg text { font-size: 11px; fill: var(--muted); font-family: inherit; }
 svg .name { fill: var(--text); font-weight: 600; } svg .value { fill: var(--text); }
 svg .end { text-anchor: end; } svg .middle { text-anchor: middle; }
 .rule { stroke: var(--line); stroke-width: 1; } .axis { stroke: var(--muted); stroke-width: 1; }
-.track { fill: var(--well); } .whisker { stroke: var(--text); stroke-width: 1.5; fill: none; }
+.track { fill: var(--well); } .whisker { stroke: var(--text); stroke-width: 1.5; }
+.halo { stroke: var(--card); stroke-width: 4; stroke-linecap: round; stroke-opacity: 0.8; }
 .table-edge { fill: var(--well); stroke: var(--line); }
 .wanted { fill: none; stroke: var(--text); stroke-width: 1.3; stroke-dasharray: 3 2.5; }
 .reached { fill-opacity: 0.75; stroke: var(--text); stroke-width: 0.6; stroke-opacity: 0.55; }

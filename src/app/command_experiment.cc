@@ -1,10 +1,12 @@
 // `smile experiment`: the main job. A person shows a tower, the robot builds one.
 
 #include <CLI/CLI.hpp>
-#include <chrono>
+#include <algorithm>
+#include <array>
 #include <cstdio>
 #include <memory>
 #include <stdexcept>
+#include <string_view>
 
 #include "app/commands.h"
 #include "app/exit_code.h"
@@ -15,6 +17,7 @@
 #include "app/options.h"
 #include "app/run_loop.h"
 #include "base/files.h"
+#include "report/experiment_page.h"
 #include "scene_xml/scene_reader.h"
 #include "task/layout.h"
 
@@ -23,21 +26,31 @@ namespace {
 
 /// What an experiment is made of, all of it shipped.
 struct Experiment {
-  const char* name;
+  std::string_view name;
   const char* demonstration_scene;
   const char* demonstration_script;
   const char* robot_scene;
   const char* brain;
 };
 
-constexpr Experiment kTower{"tower", "scenes/tower.xml", "examples/tower.jsonl",
-                            "scenes/tower_robot.xml", "matlab/examples/tower"};
+constexpr std::array kExperiments{Experiment{"tower", "scenes/tower.xml", "examples/tower.jsonl",
+                                             "scenes/tower_robot.xml", "matlab/examples/tower"}};
+
+const Experiment& FindExperiment(const std::string& name) {
+  return *std::ranges::find(kExperiments, name, &Experiment::name);
+}
+
+std::vector<std::string> ExperimentNames() {
+  std::vector<std::string> names;
+  for (const Experiment& experiment : kExperiments) names.emplace_back(experiment.name);
+  return names;
+}
 
 /// Films show two seconds in one: the robot takes its time.
 constexpr double kFilmSpeed = 2;
 
 struct ExperimentOptions {
-  std::string name = kTower.name, out;
+  std::string name{kExperiments.front().name}, out;
   std::optional<std::uint64_t> seed;
   bool no_films = false, json = false;
 };
@@ -48,7 +61,7 @@ void RecordDemonstration(const Experiment& experiment, const std::filesystem::pa
   plan.script =
       sim::ReadScript(DataFile(experiment.demonstration_script), plan.scene.meters_per_unit);
   plan.record = directory;
-  plan.recording.title = experiment.name;
+  plan.recording.title = std::string(experiment.name);
   plan.label = "showing the " + std::string(experiment.name);
   Run(plan);
 }
@@ -62,6 +75,26 @@ void FilmBoth(const std::filesystem::path& out) {
           .speed = kFilmSpeed,
           .progress = std::string("filming the ") + name});
   }
+}
+
+void WriteReport(const Experiment& experiment, const Json& result, const std::filesystem::path& out,
+                 bool has_films) {
+  if (IsInterrupted()) return;
+  std::vector<report::Enclosure> enclosures;
+  if (has_films) {
+    enclosures.push_back({"demonstration.mp4", "film of the demonstration"});
+    enclosures.push_back({"imitation.mp4", "film of the robot"});
+  }
+  enclosures.push_back({"demonstration", "recording of the demonstration"});
+  enclosures.push_back({"imitation", "recording of the robot"});
+  enclosures.push_back({"result.json", "the result, for programs"});
+  const record::Recording demonstration = record::OpenRecording(out / "demonstration");
+  const record::Recording imitation = record::OpenRecording(out / "imitation");
+  WriteFile(out / "report.html", report::PageOf({.name = std::string(experiment.name),
+                                                 .demonstration = demonstration,
+                                                 .imitation = imitation,
+                                                 .result = result,
+                                                 .enclosures = enclosures}));
 }
 
 void PrintSummary(const ImitationOutcome& outcome, const std::filesystem::path& out,
@@ -86,11 +119,12 @@ void PrintSummary(const ImitationOutcome& outcome, const std::filesystem::path& 
     std::printf("  %s/demonstration.mp4, %s/imitation.mp4   films, at %gx speed\n", out.c_str(),
                 out.c_str(), kFilmSpeed);
   }
-  std::printf("  %s/result.json\n", out.c_str());
+  std::printf("  %s/result.json, %s/report.html   the same for programs and for people\n",
+              out.c_str(), out.c_str());
 }
 
 int RunExperiment(const ExperimentOptions& options) {
-  const Experiment& experiment = kTower;
+  const Experiment& experiment = FindExperiment(options.name);
   const std::filesystem::path out = options.out.empty()
                                         ? std::filesystem::path("out") / experiment.name
                                         : std::filesystem::path(options.out);
@@ -101,7 +135,7 @@ int RunExperiment(const ExperimentOptions& options) {
 
   scene::SceneSpec scene = scene_xml::LoadScene(DataFile(experiment.robot_scene));
   if (options.seed) scene = task::RandomLayout(std::move(scene), *options.seed);
-  const ImitationOutcome outcome = Imitate({.task = experiment.name,
+  const ImitationOutcome outcome = Imitate({.task = std::string(experiment.name),
                                             .demonstration = out / "demonstration",
                                             .scene = std::move(scene),
                                             .brain = DataFile(experiment.brain),
@@ -109,6 +143,7 @@ int RunExperiment(const ExperimentOptions& options) {
                                             .robot = PlaceRobot({})});
   WriteFile(out / "result.json", ToText(outcome.result, 2) + "\n");
   if (!options.no_films) FilmBoth(out);
+  WriteReport(experiment, outcome.result, out, !options.no_films);
   if (options.json) {
     std::printf("%s\n", ToText(outcome.result, 2).c_str());
   } else {
@@ -129,7 +164,7 @@ void AddExperiment(CLI::App* program, ExitAnswer answer) {
       "experiment", "Show a task with invisible hands, let the robot do it elsewhere, score it");
   experiment->add_option("NAME", options->name, "which one")
       ->capture_default_str()
-      ->check(CLI::IsMember({kTower.name}));
+      ->check(CLI::IsMember(ExperimentNames()));
   experiment->add_option("--out", options->out, "directory for the results; out/NAME if not given");
   experiment
       ->add_option("--seed", options->seed,

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "report/internal_plots.h"
+#include "report/internal_table.h"
 #include "report/markup.h"
 #include "report/wording.h"
 
@@ -13,41 +14,10 @@ namespace {
 constexpr const char* kWhatIntervalsAre =
     "Intervals are of 95 %: Wilson's for rates, Student's t for means and differences.";
 
-Markup Fact(const char* name, const std::string& value) {
-  Markup fact = Element("dt", {}, name);
-  fact += Element("dd", {}, value);
-  return Element("div", {}, fact);
-}
-
-Markup Row(std::initializer_list<Markup> cells) {
-  Markup row;
-  for (const Markup& cell : cells) row += cell;
-  return Element("tr", {}, row);
-}
-
-Markup Cell(std::string_view text) { return Element("td", {}, text); }
-Markup NumberCell(std::string_view text) { return Element("td", {{"class", "number"}}, text); }
-Markup WideCell(const Markup& content) { return Element("td", {{"class", "wide"}}, content); }
-Markup Head(std::string_view text) { return Element("th", {{"scope", "col"}}, text); }
-Markup NumberHead(std::string_view text) {
-  return Element("th", {{"scope", "col"}, {"class", "number"}}, text);
-}
-
 Markup AgentHead(const std::string& name, std::size_t series) {
   Markup head = Element("span", {{"class", "chip " + SeriesClass(series)}}, Markup());
   head += Text(name);
   return Element("th", {{"scope", "row"}}, head);
-}
-
-Markup Table(std::string_view caption, const Markup& head, const Markup& rows) {
-  Markup table = Element("caption", {}, Element("span", {}, caption));
-  table += Element("thead", {}, head);
-  table += Element("tbody", {}, rows);
-  return Element("div", {{"class", "scroll"}, {"tabindex", "0"}}, Element("table", {}, table));
-}
-
-Markup Badge(bool is_good, std::string_view good, std::string_view bad) {
-  return Element("span", {{"class", is_good ? "badge good" : "badge bad"}}, is_good ? good : bad);
 }
 
 std::string SeedsText(const Evaluation& evaluation) {
@@ -184,7 +154,7 @@ Markup CauseTable(const Evaluation& evaluation) {
   for (const EvaluatedAgent& agent : evaluation.agents) head += NumberHead(agent.name);
   Markup rows;
   for (const std::string& word : words) {
-    Markup row = Element("th", {{"scope", "row"}}, word);
+    Markup row = RowHead(word);
     for (Summary& summary : summaries) row += NumberCell(std::to_string(summary.causes[word]));
     rows += Element("tr", {}, row);
   }
@@ -216,7 +186,7 @@ Markup Comparisons(const Evaluation& evaluation) {
       const EvaluatedAgent &first = evaluation.agents[i], &second = evaluation.agents[k];
       const Comparison comparison = Compare(first, second);
       rows +=
-          Row({Element("th", {{"scope", "row"}}, first.name + " − " + second.name),
+          Row({RowHead(first.name + " − " + second.name),
                NumberCell(Signed(100 * comparison.success_difference, 1) + " points"),
                NumberCell(PValue(comparison.p_value)), NumberCell(std::to_string(comparison.both)),
                NumberCell(std::to_string(comparison.only_first)),
@@ -246,7 +216,7 @@ Markup FailureTable(const Evaluation& evaluation) {
       if (!run.cause) continue;
       rows += Row(
           {AgentHead(evaluation.agents[i].name, i), NumberCell(std::to_string(run.seed)),
-           Cell(run.cause->word), WideCell(Text(run.cause->text)),
+           Cell(run.cause->word), WideCell(run.cause->text),
            Element("td", {},
                    run.recording.empty() ? Text("not kept") : LinkTo(run.recording, "recording"))});
     }
@@ -285,7 +255,7 @@ Markup SeedTable(const Evaluation& evaluation) {
                          std::to_string(evaluation.agents.front().runs[k].seed));
     for (const EvaluatedAgent& agent : evaluation.agents) {
       const EvaluatedRun& run = agent.runs[k];
-      row += Element("td", {}, Badge(run.is_rebuilt, "rebuilt", run.cause ? run.cause->word : ""));
+      row += Element("td", {}, Badge(run.is_rebuilt, run.cause ? run.cause->word : "rebuilt"));
       row += NumberCell(Fixed(run.error_mm, 2));
       row += NumberCell(Fixed(run.error_degrees, 2));
       row += NumberCell(Fixed(run.seconds, 1));

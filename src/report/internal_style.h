@@ -41,7 +41,7 @@ dt { color: var(--muted); font-size: 12.5px; }
 dd { margin: 0; overflow-wrap: anywhere; }
 .figure dd { font-size: 24px; font-weight: 650; font-variant-numeric: tabular-nums; }
 .scroll { overflow-x: auto; margin: 0 -6px; }
-.scroll ~ .scroll { margin-top: 22px; }
+.scroll + .scroll { margin-top: 22px; } .scroll + svg { margin-top: 20px; }
 table { border-collapse: collapse; width: 100%; font-size: 14px;
   font-variant-numeric: tabular-nums; }
 caption { text-align: left; padding: 0 6px 8px; }
@@ -78,7 +78,6 @@ svg .end { text-anchor: end; } svg .middle { text-anchor: middle; }
 .rule { stroke: var(--line); stroke-width: 1; } .axis { stroke: var(--muted); stroke-width: 1; }
 .track { fill: var(--well); } .whisker { stroke: var(--text); stroke-width: 1.5; }
 .halo { stroke: var(--card); stroke-width: 4; stroke-linecap: round; stroke-opacity: 0.8; }
-.table-edge { fill: var(--well); stroke: var(--line); }
 .wanted { fill: none; stroke: var(--text); stroke-width: 1.3; stroke-dasharray: 3 2.5; }
 .reached { fill-opacity: 0.75; stroke: var(--text); stroke-width: 0.6; stroke-opacity: 0.55; }
 .s0 { --c: var(--s0); } .s1 { --c: var(--s1); } .s2 { --c: var(--s2); }
@@ -87,6 +86,8 @@ svg .end { text-anchor: end; } svg .middle { text-anchor: middle; }
 .chip { display: inline-block; width: 10px; height: 10px; border-radius: 3px;
   background: var(--c); margin-right: 7px; }
 .yes { fill: var(--good); fill-opacity: 0.8; } .no { fill: var(--bad); }
+.limit { stroke: var(--text); stroke-width: 1.2; stroke-dasharray: 4 3; }
+.legend { white-space: pre-wrap; margin-top: 4px; }
 .cross { stroke: var(--card); stroke-width: 1.6; }
 footer { color: var(--muted); font-size: 13px; margin: 22px 4px 0; }
 @media (max-width: 560px) { main { padding: 18px 10px 40px; } section { padding: 16px 14px; }

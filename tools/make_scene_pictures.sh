@@ -10,7 +10,9 @@ trap 'rm -rf "$scratch"' EXIT
 mkdir -p "$pictures"
 
 picture() {  # SUBJECT NAME
-  "$program" render "$1" --out "$pictures/$2.png" --camera close --size 640x400 --no-robot
+  local robot=()
+  [[ -d $1 ]] || robot=(--no-robot)  # a recording has its own, or none
+  "$program" render "$1" --out "$pictures/$2.png" --camera close --size 640x400 "${robot[@]}"
 }
 for file in scenes/*.xml; do
   name=$(basename "$file" .xml)
@@ -24,7 +26,7 @@ for file in scenes/*.xml; do
   esac
 done
 # and when the script that belongs to a scene is done
-for script in examples/um.jsonl examples/scenes/*.jsonl; do
+for script in examples/{um,row,bridge,box,hatch,drive}.jsonl examples/scenes/*.jsonl; do
   name=$(basename "$script" .jsonl)
   "$program" run "scenes/$name.xml" --commands "$script" --no-robot --record "$scratch/$name" >"$scratch/$name.txt"
   picture "$scratch/$name" "${name}_after"

@@ -28,7 +28,8 @@
 #include "report/evaluation.h"
 #include "report/evaluation_page.h"
 #include "scene_xml/scene_reader.h"
-#include "task/goal.h"
+#include "task/imitation_result.h"
+#include "task/layout_level.h"
 
 namespace smile::app {
 namespace {
@@ -133,7 +134,7 @@ std::vector<std::string> NamesOf(const std::vector<std::string>& brains) {
 Json CheckAndDescribe(const EvaluateOptions& options) {
   const record::Recording demonstration = OpenAndTell(options.demo);
   const scene::SceneSpec scene = scene_xml::LoadScene(options.scene, options.path.reader());
-  task::MatchObjects(task::GoalOf(demonstration), scene);
+  task::MakeExercise("", demonstration, scene);
   EyeSpecOf(options.eye);
   ParseNoise(options.noise);
   const auto robot = PlaceRobot(options.robot, options.path);
@@ -167,7 +168,7 @@ report::EvaluatedRun FailedRun(std::uint64_t seed, const PoolEnd& end, double wa
     run.cause = {"hung",
                  "no end after " + NumberText(wall_seconds) + " s by the clock on the wall"};
   } else {
-    run.cause = {end.exit_code ? "no result" : "crashed", end.how};
+    run.cause = {end.exit_code ? "no_result" : "crashed", end.how};
   }
   if (!end.last_line.empty()) run.cause->text += ": " + end.last_line;
   return run;
@@ -385,8 +386,9 @@ void AddEvaluate(CLI::App* program, ExitAnswer answer) {
   evaluate->add_option("--seed", options->seed, "of the first layout; the others follow")
       ->capture_default_str()
       ->check(CLI::Range(std::uint64_t{0}, kMaxSeed));
-  evaluate->add_option("--level", options->level, "of the layouts, see `imitate --help`")
-      ->check(NotEmpty());
+  evaluate->add_option("--level", options->level, "how hard the layouts are")
+      ->check(CLI::IsMember(std::vector<std::string>(task::kLayoutLevelWords.begin(),
+                                                     task::kLayoutLevelWords.end())));
   evaluate
       ->add_option("--jobs", options->jobs,
                    "how many runs at once; as many as there are cores if not given")

@@ -13,13 +13,13 @@
 #include "app/film.h"
 #include "app/imitation.h"
 #include "app/interrupt.h"
+#include "app/layout_options.h"
 #include "app/move_aside.h"
 #include "app/options.h"
 #include "app/run_loop.h"
 #include "base/files.h"
 #include "report/experiment_page.h"
 #include "scene_xml/scene_reader.h"
-#include "task/layout.h"
 
 namespace smile::app {
 namespace {
@@ -31,10 +31,17 @@ struct Experiment {
   const char* demonstration_script;
   const char* robot_scene;
   const char* brain;
+  task::LayoutRegion region;  ///< where its brain may find things
 };
 
-constexpr std::array kExperiments{Experiment{"tower", "scenes/tower.xml", "examples/tower.jsonl",
-                                             "scenes/tower_robot.xml", "matlab/examples/tower"}};
+constexpr std::array kExperiments{
+    // Its brain keeps its elbows out, which costs reach, and builds where the strip would be.
+    Experiment{"tower",
+               "scenes/tower.xml",
+               "examples/tower.jsonl",
+               "scenes/tower_robot.xml",
+               "matlab/examples/tower",
+               {.most_x = 0.42, .least_depth = 0.16, .most_depth = 0.44, .strip_half_width = 0}}};
 
 const Experiment& FindExperiment(const std::string& name) {
   return *std::ranges::find(kExperiments, name, &Experiment::name);
@@ -51,7 +58,7 @@ constexpr double kFilmSpeed = 2;
 
 struct ExperimentOptions {
   std::string name{kExperiments.front().name}, out;
-  std::optional<std::uint64_t> seed;
+  LayoutOptions layout;
   bool no_films = false, json = false;
 };
 
@@ -133,8 +140,8 @@ int RunExperiment(const ExperimentOptions& options) {
   RecordDemonstration(experiment, out / "demonstration");
   if (IsInterrupted()) throw std::runtime_error("interrupted; what was recorded is kept");
 
-  scene::SceneSpec scene = scene_xml::LoadScene(DataFile(experiment.robot_scene));
-  if (options.seed) scene = task::RandomLayout(std::move(scene), *options.seed);
+  scene::SceneSpec scene = LaidOut(scene_xml::LoadScene(DataFile(experiment.robot_scene)),
+                                   options.layout, experiment.region);
   const ImitationOutcome outcome = Imitate({.task = std::string(experiment.name),
                                             .demonstration = out / "demonstration",
                                             .scene = std::move(scene),
@@ -166,10 +173,7 @@ void AddExperiment(CLI::App* program, ExitAnswer answer) {
       ->capture_default_str()
       ->check(CLI::IsMember(ExperimentNames()));
   experiment->add_option("--out", options->out, "directory for the results; out/NAME if not given");
-  experiment
-      ->add_option("--seed", options->seed,
-                   "random starting positions for the robot instead of the shipped ones")
-      ->check(CLI::NonNegativeNumber);
+  AddLayoutOptions(experiment, &options->layout);
   experiment->add_flag("--no-films", options->no_films, "leave out the mp4 files");
   experiment->add_flag("--json", options->json, "print result.json on stdout");
   experiment->callback([options, answer] { *answer = RunExperiment(*options); });

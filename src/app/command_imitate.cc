@@ -6,6 +6,7 @@
 #include "app/exit_code.h"
 #include "app/imitation.h"
 #include "app/interrupt.h"
+#include "app/layout_options.h"
 #include "base/files.h"
 #include "scene_xml/scene_reader.h"
 
@@ -15,7 +16,8 @@ namespace {
 struct ImitateOptions {
   std::string demo, scene, out;
   double max_seconds = 600;
-  bool json = false;
+  bool no_pictures = false, json = false;
+  LayoutOptions layout;
   EyeOptions eye;
   std::string noise;
   RobotOptions robot;
@@ -25,18 +27,19 @@ struct ImitateOptions {
 
 int ImitateDemo(const ImitateOptions& options) {
   const std::filesystem::path out = options.out;
-  const ImitationOutcome outcome =
-      Imitate({.task = std::filesystem::path(options.scene).stem().string(),
-               .demonstration = options.demo,
-               .scene = scene_xml::LoadScene(options.scene, options.path.reader()),
-               .brain = options.brain.brain,
-               .patience = options.brain.patience,
-               .is_attached = options.brain.attach,
-               .record = out / "imitation",
-               .max_seconds = options.max_seconds,
-               .eye = EyeSpecOf(options.eye),
-               .noise = ParseNoise(options.noise),
-               .robot = PlaceRobot(options.robot, options.path)});
+  const ImitationOutcome outcome = Imitate(
+      {.task = std::filesystem::path(options.scene).stem().string(),
+       .demonstration = options.demo,
+       .scene = LaidOut(scene_xml::LoadScene(options.scene, options.path.reader()), options.layout),
+       .brain = options.brain.brain,
+       .patience = options.brain.patience,
+       .is_attached = options.brain.attach,
+       .record = out / "imitation",
+       .has_pictures = !options.no_pictures,
+       .max_seconds = options.max_seconds,
+       .eye = EyeSpecOf(options.eye),
+       .noise = ParseNoise(options.noise),
+       .robot = PlaceRobot(options.robot, options.path)});
   WriteFile(out / "result.json", ToText(outcome.result, 2) + "\n");
   if (options.json) {
     std::printf("%s\n", ToText(outcome.result, 2).c_str());
@@ -67,6 +70,9 @@ void AddImitate(CLI::App* program, ExitAnswer answer) {
   imitate->add_option("--seconds", options->max_seconds, "simulated, at most")
       ->capture_default_str()
       ->check(NumberBetween(0.0, 86400.0));
+  AddLayoutOptions(imitate, &options->layout);
+  imitate->add_flag("--no-pictures", options->no_pictures,
+                    "a recording without the robot's pictures");
   AddEyeOptions(imitate, &options->eye);
   AddNoiseOption(imitate, &options->noise);
   imitate->add_flag("--json", options->json, "print result.json on stdout");

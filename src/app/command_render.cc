@@ -19,6 +19,7 @@ namespace {
 
 struct RenderCommandOptions {
   std::string subject, camera = "nice", size = "1280x720", channels = "rgb", out;
+  std::string demonstrator = "invisible";
   std::optional<double> at;
   record::TimeRange range;
   double rate = 30, speed = 1;
@@ -61,11 +62,15 @@ picture::Shot ShotOf(const RenderCommandOptions& options, const std::string& eye
           .channels = picture::ParseChannels(options.channels)};
 }
 
+record::DemonstratorLook LookOf(const RenderCommandOptions& options) {
+  return record::ParseDemonstratorLook(options.demonstrator);
+}
+
 void RenderPicture(const sim::Simulation& stage, const record::TraceTick& moment,
                    const std::vector<Vector3>& markers, const RenderCommandOptions& options,
-                   const std::string& eye) {
+                   const std::string& eye, const picture::SeenDemonstrator* demonstrator) {
   const picture::Shot shot = ShotOf(options, eye);
-  picture::Photographer photographer(stage, shot);
+  picture::Photographer photographer(stage, shot, demonstrator);
   for (const auto& path :
        picture::WriteChannels(options.out, photographer.Take(moment, markers), shot.channels)) {
     std::printf("%s\n", path.c_str());
@@ -78,7 +83,10 @@ void RenderScene(const RenderCommandOptions& options, Product product) {
   const std::string but = ", but '" + options.subject + "' is none";
   if (product != Product::kPicture) throw std::invalid_argument("a film needs a recording" + but);
   if (options.at) throw std::invalid_argument("--at needs a recording" + but);
-  RenderPicture(simulation, record::Observe(simulation), {}, options, sim::kEyeCamera);
+  if (LookOf(options) != record::DemonstratorLook::kInvisible) {
+    throw std::invalid_argument("--demonstrator needs a recording" + but);
+  }
+  RenderPicture(simulation, record::Observe(simulation), {}, options, sim::kEyeCamera, nullptr);
 }
 
 void RenderMoment(const record::Recording& recording, const RenderCommandOptions& options) {
@@ -87,8 +95,9 @@ void RenderMoment(const record::Recording& recording, const RenderCommandOptions
   const auto moment = MomentAt(recording, tick);
   if (!moment) throw InputError({options.subject, 0, "", "its trace holds no moment"});
   const sim::Simulation stage(recording.scene, recording.robot);
+  const auto demonstrator = picture::DemonstratorOf(recording, stage, LookOf(options));
   RenderPicture(stage, *moment, record::MarkerTrack(recording).At(tick), options,
-                recording.info.eye_camera);
+                recording.info.eye_camera, demonstrator.get());
 }
 
 void RenderFilm(const record::Recording& recording, const RenderCommandOptions& options,
@@ -100,6 +109,7 @@ void RenderFilm(const record::Recording& recording, const RenderCommandOptions& 
                          .frames_per_second = options.rate,
                          .speed = options.speed,
                          .range = options.range,
+                         .demonstrator = LookOf(options),
                          .progress = "filming"};
   (product == Product::kFilm ? Film : FilmAsPictures)(recording, options.out, film);
   std::printf("%s\n", options.out.c_str());
@@ -154,6 +164,7 @@ void AddRender(CLI::App* program, ExitAnswer answer) {
   render->add_option("--size", options->size, "WIDTHxHEIGHT")->capture_default_str();
   render->add_option("--channels", options->channels, "of pictures: rgb,depth,id")
       ->capture_default_str();
+  AddDemonstratorOption(render, &options->demonstrator)->capture_default_str();
   render->add_option("--rate", options->rate, "film frames per second")
       ->capture_default_str()
       ->check(NumberBetween(0.001, 240.0));

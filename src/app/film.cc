@@ -78,7 +78,8 @@ void Film(const record::Recording& recording, const std::filesystem::path& mp4,
           const FilmOptions& options) {
   const record::TickRange range = TicksOf(options.range, recording);
   const sim::Simulation stage(recording.scene, recording.robot);
-  picture::Photographer photographer(stage, options.shot);
+  const auto demonstrator = picture::DemonstratorOf(recording, stage, options.demonstrator);
+  picture::Photographer photographer(stage, options.shot, demonstrator.get());
   // Under another name until it is whole: an older film is not lost to half a new one.
   const std::filesystem::path part = mp4.string() + ".part.mp4";
   try {
@@ -95,7 +96,8 @@ void FilmAsPictures(const record::Recording& recording, const std::filesystem::p
                     const FilmOptions& options) {
   const record::TickRange range = TicksOf(options.range, recording);
   const sim::Simulation stage(recording.scene, recording.robot);
-  picture::Photographer photographer(stage, options.shot);
+  const auto demonstrator = picture::DemonstratorOf(recording, stage, options.demonstrator);
+  picture::Photographer photographer(stage, options.shot, demonstrator.get());
   MakeNewDirectory(directory);
   record::AppendFile index(directory / "frames.csv");
   index.Append("frame,tick,seconds,image\n");

@@ -14,7 +14,8 @@ struct FilmOptions {
   double frames_per_second = 30;
   double speed = 1;         ///< 2 shows two seconds in one
   record::TimeRange range;  ///< of the demonstration
-  std::string progress;     ///< shown while it works; empty for silence
+  record::DemonstratorLook demonstrator = record::DemonstratorLook::kInvisible;
+  std::string progress;  ///< shown while it works; empty for silence
 };
 
 // Both film a recording from its trace, without physics. Frame k shows the first tick that is at

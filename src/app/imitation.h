@@ -21,6 +21,7 @@ struct ImitationPlan {
   double patience = 5;           ///< a callback of it may take this long, wall clock [s]
   bool is_attached = false;      ///< somebody starts it in a debugger
   std::filesystem::path record;  ///< new directory for the robot's run
+  bool has_pictures = true;      ///< in the recording; the brain gets them anyway
   double max_seconds = 600;      ///< simulated
   sim::EyeSpec eye;
   brain::SensorNoise noise;  ///< in what the brain is told

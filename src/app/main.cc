@@ -38,11 +38,14 @@ int main(int argc, char** argv) {
   app::AddStudio(&program, &answer);
   app::AddReplay(&program, &answer);
   app::AddHistory(&program, &answer);
+  app::AddDescribe(&program, &answer);
   app::AddCheckout(&program, &answer);
   app::AddEdit(&program, &answer);
   app::AddImport(&program, &answer);
   app::AddExport(&program, &answer);
   app::AddRender(&program, &answer);
+  app::AddLayout(&program, &answer);
+  app::AddDress(&program, &answer);
   app::AddImitate(&program, &answer);
   app::AddEvaluate(&program, &answer);
   app::AddExperiment(&program, &answer);

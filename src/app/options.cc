@@ -107,6 +107,12 @@ void AddPathOption(CLI::App* command, PathOptions* options) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
+CLI::Option* AddDemonstratorOption(CLI::App* command, std::string* look) {
+  return command->add_option("--demonstrator", *look,
+                             "how the demonstrator is seen: invisible, ghost (translucent hands) "
+                             "or forearm (hands and arms that hide what is behind them)");
+}
+
 CLI::Validator NumberBetween(double low, double high) {
   const auto check = [low, high](const std::string& text) -> std::string {
     double number = 0;

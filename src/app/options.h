@@ -80,6 +80,9 @@ brain::SensorNoise ParseNoise(const std::string& text);
 /// `--noise`.
 void AddNoiseOption(CLI::App* command, std::string* text);
 
+/// `--demonstrator`: how the demonstrator is seen in pictures, see record::DemonstratorLook.
+CLI::Option* AddDemonstratorOption(CLI::App* command, std::string* look);
+
 /// Accepts finite numbers from `low` to `high`; CLI::Range would let NaN pass.
 CLI::Validator NumberBetween(double low, double high);
 

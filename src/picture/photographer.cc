@@ -37,8 +37,10 @@ Channels ParseChannels(const std::string& text) {
   return channels;
 }
 
-Photographer::Photographer(const sim::Simulation& stage, Shot shot)
+Photographer::Photographer(const sim::Simulation& stage, Shot shot,
+                           const SeenDemonstrator* demonstrator)
     : stage_(stage),
+      demonstrator_(demonstrator),
       shot_(std::move(shot)),
       eye_{.width_px = shot_.width_px, .height_px = shot_.height_px} {
   const std::vector<std::string> names = sim::CameraNames(stage);
@@ -57,9 +59,19 @@ const Image& Photographer::Take(const record::TraceTick& moment,
     // Only the eye does not see the head it sits in.
     if (moment.is_robot_shown) sight.hidden_frames.clear();
   }
-  Render(stage_.visual_model(), sight, shot_.channels, &image_);
+  const bool is_somebody_there = demonstrator_ != nullptr;
+  const bool is_ghost = is_somebody_there && demonstrator_->look() == DemonstratorLook::kGhost;
+  if (is_somebody_there && !is_ghost) demonstrator_->AddTo(&sight.state, moment.tick);
+  Render(opaque_model(), sight, shot_.channels, &image_);
+  if (is_ghost && shot_.channels.rgb) AddGhost(sight, moment.tick);
   if (view_for_people_ && shot_.channels.rgb && !markers.empty()) AddMarkers(sight, markers);
   return image_;
+}
+
+const scene::VisualModel& Photographer::opaque_model() const {
+  const bool has_arms =
+      demonstrator_ != nullptr && demonstrator_->look() == DemonstratorLook::kForearm;
+  return has_arms ? demonstrator_->model() : stage_.visual_model();
 }
 
 void Photographer::Render(const scene::VisualModel& model, const sim::Sight& sight,
@@ -74,10 +86,14 @@ void Photographer::Render(const scene::VisualModel& model, const sim::Sight& sig
       image);
 }
 
-/// Half of what is seen is the markers, half what is behind them. Depth and ids are without.
+void Photographer::AddGhost(sim::Sight sight, std::uint64_t tick) {
+  demonstrator_->AddTo(&sight.state, tick);
+  Mix(demonstrator_->model(), sight);
+}
+
 void Photographer::AddMarkers(const sim::Sight& sight, const std::vector<Vector3>& markers) {
   constexpr double kRadiusUnits = 0.15;
-  scene::VisualModel model = stage_.visual_model();
+  scene::VisualModel model = opaque_model();
   scene::Visual marker;
   marker.shape = scene::Sphere{.radius = kRadiusUnits * stage_.scene().meters_per_unit};
   marker.color = {.red = 1, .green = 0, .blue = 1};
@@ -87,9 +103,13 @@ void Photographer::AddMarkers(const sim::Sight& sight, const std::vector<Vector3
     marker.X_FV = RigidTransform(p_WM);
     model.visuals.push_back(marker);
   }
-  Render(model, sight, {}, &marked_image_);
+  Mix(model, sight);
+}
+
+void Photographer::Mix(const scene::VisualModel& model, const sim::Sight& sight) {
+  Render(model, sight, {}, &mixed_image_);
   for (std::size_t i = 0; i < image_.color.size(); ++i) {
-    image_.color[i] = static_cast<std::uint8_t>((image_.color[i] + marked_image_.color[i] + 1) / 2);
+    image_.color[i] = static_cast<std::uint8_t>((image_.color[i] + mixed_image_.color[i] + 1) / 2);
   }
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "camera/renderer.h"
+#include "picture/seen_demonstrator.h"
 #include "record/trace.h"
 #include "sim/eye.h"
 #include "sim/simulation.h"
@@ -30,26 +31,34 @@ struct Shot {
 /// it sees to the last bit; the scene's see as they do.
 class Photographer {
  public:
-  /// @param stage  a simulation of the recording's scene and robot that need not run. Must outlive
-  ///               this.
+  /// @param stage         a simulation of the recording's scene and robot that need not run. Must
+  ///                      outlive this.
+  /// @param demonstrator  who is to be seen; nullptr for nobody. Must outlive this.
   /// @throws std::invalid_argument if there is no such camera.
-  Photographer(const sim::Simulation& stage, Shot shot);
+  Photographer(const sim::Simulation& stage, Shot shot,
+               const SeenDemonstrator* demonstrator = nullptr);
 
   /// @param markers  points that views for people show as translucent balls [m].
   /// The picture lasts until the next one.
   const Image& Take(const record::TraceTick& moment, const std::vector<Vector3>& markers = {});
 
  private:
+  /// All that hides what is behind it.
+  const scene::VisualModel& opaque_model() const;
   void Render(const scene::VisualModel& model, const sim::Sight& sight, const Channels& channels,
               Image* image);
+  void AddGhost(sim::Sight sight, std::uint64_t tick);
   void AddMarkers(const sim::Sight& sight, const std::vector<Vector3>& markers);
+  /// Half of what is seen is of another model, half what is behind it. Depth and ids are without.
+  void Mix(const scene::VisualModel& model, const sim::Sight& sight);
 
   const sim::Simulation& stage_;
+  const SeenDemonstrator* demonstrator_;
   Shot shot_;
   sim::EyeSpec eye_;
   std::optional<CameraView> view_for_people_;  ///< nullopt: the eye's
   camera::Renderer renderer_;
-  Image image_, marked_image_;
+  Image image_, mixed_image_;
 };
 
 /// Writes the channels of a picture beside one another: for `um.png`, `um.depth.png` and

@@ -1,7 +1,9 @@
 #include "record/demo_info.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
 #include <string_view>
 #include <vector>
 
@@ -22,7 +24,7 @@ constexpr std::uint64_t kMaxStartLine = 1'000'000'000;
 
 constexpr std::array<std::string_view, 3> kOriginNames{"recorded", "edited", "imported"};
 
-constexpr std::array<std::string_view, 13> kMembers{"format",
+constexpr std::array<std::string_view, 14> kMembers{"format",
                                                     "program",
                                                     "scene",
                                                     "title",
@@ -34,7 +36,8 @@ constexpr std::array<std::string_view, 13> kMembers{"format",
                                                     "frames_per_second",
                                                     "has_symbols",
                                                     "robot",
-                                                    "eye"};
+                                                    "eye",
+                                                    "demonstrator"};
 constexpr std::array<std::string_view, 2> kStartMembers{"line", "tick"};
 constexpr std::array<std::string_view, 7> kRobotMembers{
     "name", "gap_m", "height_m", "urdf", "gripper", "kinematic", "friction_grasp"};
@@ -142,6 +145,14 @@ void ReadBeginning(const JsonNode& root, DemoInfo* info) {
   info->has_symbols = root.Member("has_symbols").Flag();
 }
 
+DemonstratorLook ReadLook(const JsonNode& node) {
+  try {
+    return ParseDemonstratorLook(node.String());
+  } catch (const std::invalid_argument& error) {
+    node.Fail(error.what());
+  }
+}
+
 DemoInfo ReadInfo(const JsonNode& root) {
   const JsonNode format = root.Member("format");
   const std::string program = root.Member("program").String();
@@ -172,6 +183,9 @@ DemoInfo ReadInfo(const JsonNode& root) {
     if (info.eye_camera == sim::kHeadCamera && !info.robot) {
       eye.Member("camera").Fail("found head and no robot, expected eye");
     }
+    if (root.Has("demonstrator")) info.demonstrator = ReadLook(root.Member("demonstrator"));
+  } else if (root.Has("demonstrator")) {
+    root.Member("demonstrator").Fail("found in a recording without pictures");
   }
   return info;
 }
@@ -184,6 +198,19 @@ void CheckLength(const char* key, const std::string& text, std::size_t max_bytes
 
 }  // namespace
 
+std::string_view ToString(DemonstratorLook look) {
+  return kDemonstratorLooks[static_cast<std::size_t>(look)];
+}
+
+DemonstratorLook ParseDemonstratorLook(std::string_view text) {
+  const auto found = std::ranges::find(kDemonstratorLooks, text);
+  if (found != kDemonstratorLooks.end()) {
+    return static_cast<DemonstratorLook>(found - kDemonstratorLooks.begin());
+  }
+  throw std::invalid_argument("demonstrator is " + Quoted(std::string(text)) + ", expected " +
+                              OneOf(kDemonstratorLooks));
+}
+
 std::string ToJsonText(const DemoInfo& info) {
   Json robot, eye;
   if (info.robot) robot = ToJson(*info.robot);
@@ -191,19 +218,22 @@ std::string ToJsonText(const DemoInfo& info) {
     eye = ToJson(*info.eye);
     eye["camera"] = info.eye_camera;
   }
-  const Json json = {{"format", info.format},
-                     {"program", info.program.empty() ? ProgramName() : info.program},
-                     {"scene", info.scene},
-                     {"title", info.title},
-                     {"notes", info.notes},
-                     {"meters_per_unit", info.meters_per_unit},
-                     {"ticks_per_second", sim::kTicksPerSecond},
-                     {"origin", kOriginNames[static_cast<std::size_t>(info.origin)]},
-                     {"start", {{"line", info.start.line}, {"tick", info.start.tick}}},
-                     {"frames_per_second", info.frames_per_second},
-                     {"has_symbols", info.has_symbols},
-                     {"robot", robot},
-                     {"eye", eye}};
+  Json json = {{"format", info.format},
+               {"program", info.program.empty() ? ProgramName() : info.program},
+               {"scene", info.scene},
+               {"title", info.title},
+               {"notes", info.notes},
+               {"meters_per_unit", info.meters_per_unit},
+               {"ticks_per_second", sim::kTicksPerSecond},
+               {"origin", kOriginNames[static_cast<std::size_t>(info.origin)]},
+               {"start", {{"line", info.start.line}, {"tick", info.start.tick}}},
+               {"frames_per_second", info.frames_per_second},
+               {"has_symbols", info.has_symbols},
+               {"robot", robot},
+               {"eye", eye}};
+  if (info.demonstrator != DemonstratorLook::kInvisible) {
+    json["demonstrator"] = ToString(info.demonstrator);
+  }
   return ToText(json, 2) + "\n";
 }
 

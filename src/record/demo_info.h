@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "math/camera_projection.h"
 #include "record/command_log.h"
@@ -25,6 +27,19 @@ enum class Origin {
   kEdited,    ///< another recording, and a simulation
   kImported,  ///< a classic recording: what was seen, without commands
 };
+
+/// How the demonstrator is seen in pictures.
+enum class DemonstratorLook {
+  kInvisible,  ///< not at all: only what it does
+  kGhost,      ///< translucent hands
+  kForearm,    ///< hands and arms of a person, which hide what is behind them
+};
+inline constexpr std::array<std::string_view, 3> kDemonstratorLooks{"invisible", "ghost",
+                                                                    "forearm"};
+/// `invisible`, `ghost` or `forearm`.
+std::string_view ToString(DemonstratorLook look);
+/// @throws std::invalid_argument saying what was found and expected.
+DemonstratorLook ParseDemonstratorLook(std::string_view text);
 
 struct RobotInfo {
   std::string name;
@@ -50,6 +65,7 @@ struct DemoInfo {
   std::optional<RobotInfo> robot;  ///< nullopt for a table without one
   std::optional<CameraView> eye;   ///< of the pictures; nullopt for text only
   std::string eye_camera = sim::kEyeCamera;  ///< which camera that is; see sim::CameraNames()
+  DemonstratorLook demonstrator = DemonstratorLook::kInvisible;  ///< in the pictures
 
   bool operator==(const DemoInfo&) const = default;
 };

@@ -1,29 +1,13 @@
 #include "record/internal_recording_files.h"
 
 #include <system_error>
-#include <vector>
 
 #include "base/diagnostic.h"
 #include "base/files.h"
-#include "mesh/import_mesh.h"
 #include "record/recording.h"
-#include "scene_xml/mesh_files.h"
-#include "scene_xml/scene_writer.h"
+#include "record/scene_files.h"
 
 namespace smile::record {
-namespace {
-
-/// What the scene is made of belongs to the recording, which may outlive the original.
-void WriteMeshes(const scene::SceneSpec& scene, const std::filesystem::path& folder) {
-  const std::vector<scene_xml::MeshFile> files = scene_xml::MeshFilesOf(scene);
-  if (!files.empty()) MakeDirectories(folder);
-  for (const scene_xml::MeshFile& file : files) {
-    mesh::WriteStl(file.mesh->surface, folder / file.name);
-  }
-}
-
-}  // namespace
-
 void RequireNewDirectory(const std::filesystem::path& directory) {
   if (const auto around = RecordingAround(directory)) {
     throw InputError({directory.string(), 0, "",
@@ -38,8 +22,8 @@ void RequireNewDirectory(const std::filesystem::path& directory) {
 
 void WriteWorld(const std::filesystem::path& directory, const sim::Simulation& simulation) {
   MakeDirectories(directory);
-  WriteMeshes(simulation.scene(), directory / scene_xml::kMeshFolder);
-  WriteFile(directory / "scene.xml", scene_xml::WriteScene(simulation.scene()));
+  // What the scene is made of belongs to the recording, which may outlive the original.
+  WriteSceneFiles(simulation.scene(), directory / "scene.xml");
   const auto& placement = simulation.robot_placement();
   if (!placement) return;
   for (const robot::RobotFile& file : placement->files) {

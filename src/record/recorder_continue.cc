@@ -144,6 +144,9 @@ std::unique_ptr<Recorder> Recorder::Continue(const std::filesystem::path& direct
   if (recording.info.origin == Origin::kImported) {
     Fail(recording, "was imported from a classic recording; it has no commands to go on from");
   }
+  if (recording.info.demonstrator != DemonstratorLook::kInvisible) {
+    Fail(recording, "shows its demonstrator; go on with the recording that it is a copy of");
+  }
   const std::size_t num_lines = recording.log.lines().size();
   if (from.line > num_lines) {
     Fail(recording, "has no line " + std::to_string(from.line) + " in its log");

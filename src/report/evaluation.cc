@@ -40,10 +40,10 @@ Cause PlainCause(const JsonNode& result) {
   const JsonNode brain = result.Member("brain");
   const std::string status = brain.Member("status").String();
   if (status == "failed") {
-    return {"program failed", brain.Member("message").String().substr(0, kMaxTextBytes)};
+    return {"brain_failed", brain.Member("message").String().substr(0, kMaxTextBytes)};
   }
-  if (status == "running") return {"time up", "the robot program was still at work"};
-  return {"not rebuilt", "the structure is not as it was shown"};
+  if (status == "running") return {"time_up", "the robot program was still at work"};
+  return {"not_rebuilt", "the structure is not as it was shown"};
 }
 
 EvaluatedRun RunIn(const JsonNode& result, std::uint64_t seed) {

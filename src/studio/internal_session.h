@@ -38,6 +38,7 @@ class Session::Impl {
   /// An imitation that is watched live.
   struct Imitation {
     task::Exercise exercise;
+    std::unique_ptr<task::CourseWitness> witness;
     std::uint64_t start_tick = 0;
   };
 

@@ -20,15 +20,6 @@ constexpr std::size_t kMaxConsoleLines = 200;
 /// A robot that imitates for longer is stopped [s].
 constexpr double kMaxImitationSeconds = 600;
 
-task::ObjectPoses PosesNow(const sim::Simulation& simulation) {
-  task::ObjectPoses poses = task::StartOf(simulation.scene());
-  for (const world::Object& object : simulation.tabletop().objects()) {
-    if (!simulation.tabletop().IsPresent(object)) continue;
-    poses[object.id()] = simulation.physics().body(object.body).pose_in_world();
-  }
-  return poses;
-}
-
 /// A state message without what goes on while nothing happens: time alone is no news, but that a
 /// recording is a second longer.
 Json WithoutTime(Json state) {
@@ -109,11 +100,11 @@ void Session::Impl::EndImitation() {
   if (!imitation_) return;
   const Imitation ended = *std::move(imitation_);
   imitation_.reset();
-  const sim::Simulation& simulation = world_->simulation();
-  Json result = task::ResultOf(ended.exercise, PosesNow(simulation));
-  result["seconds"] = sim::SecondsOf(simulation.tick() - ended.start_tick);
-  result["realtime_factor"] = measured_speed_;
-  result["brain"] = brain_.Describe();
+  Json result =
+      task::ResultOf(ended.exercise, ended.witness->course(),
+                     {.seconds = sim::SecondsOf(world_->simulation().tick() - ended.start_tick),
+                      .realtime_factor = measured_speed_,
+                      .brain = brain_.Describe()});
   score_ = {{"t", "score"}, {"result", std::move(result)}};
   messages_.push_back(score_);
 }

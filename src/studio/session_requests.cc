@@ -359,15 +359,14 @@ Json Session::Impl::Imitate(const RequestFields& fields) {
   const std::filesystem::path directory = library_.DirectoryOf(fields.Text("recording"));
   RequireNoRecording();
   RequireIdleRobot();
-  Imitation imitation{.exercise = {.name = scene,
-                                   .goal = task::GoalOf(record::OpenRecording(directory)),
-                                   .match = {},
-                                   .scene = ReadNamedScene(scene)}};
-  imitation.exercise.match = task::MatchObjects(imitation.exercise.goal, imitation.exercise.scene);
+  Imitation imitation{.exercise = task::MakeExercise(scene, record::OpenRecording(directory),
+                                                     ReadNamedScene(scene)),
+                      .witness = nullptr};
   auto world = MakeWorld(imitation.exercise.scene, options_.robot);
   loaded_ = imitation.exercise.scene;
   Enter(std::move(world));
   RunBrain(choice, directory);
+  imitation.witness = std::make_unique<task::CourseWitness>(&world_->simulation());
   imitation_ = std::move(imitation);
   return Json::object();
 }

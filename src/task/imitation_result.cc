@@ -2,44 +2,84 @@
 
 #include "math/angles.h"
 #include "scene/units.h"
-#include "task/score.h"
+#include "task/cause.h"
+#include "task/comparison.h"
+#include "task/structure_json.h"
 
 namespace smile::task {
 namespace {
 
-Json DescribePoses(const ObjectPoses& poses, double meters_per_unit) {
+double MillimetersOf(const ObjectError& error) { return 1000 * error.distance; }
+double DegreesOf(const ObjectError& error) { return RadiansToDegrees(error.angle); }
+
+Json ErrorsJson(const std::map<std::string, ObjectError>& errors) {
   Json json = Json::object();
-  for (const auto& [id, X_WB] : poses) {
-    const Vector3 p = scene::ToFileUnits(X_WB.translation(), meters_per_unit);
-    const Vector3 angles = FixedAxesAngles(X_WB.rotation());
-    json[id] = {{"position", {p.x(), p.y(), p.z()}},
-                {"rotation", {angles.x(), angles.y(), angles.z()}}};
+  for (const auto& [id, error] : errors) {
+    json[id] = {{"mm", MillimetersOf(error)}, {"degrees", DegreesOf(error)}};
   }
   return json;
 }
 
-}  // namespace
-
-ObjectPoses StartOf(const scene::SceneSpec& scene) {
-  ObjectPoses poses;
-  for (const scene::ObjectSpec& object : scene.objects) {
-    poses[object.id()] = object.pose_in_world();
-  }
-  return poses;
+Json ToJson(const Order& order) {
+  return {{"kept", order.is_kept()},
+          {"share", order.share},
+          {"demonstrated", order.demonstrated},
+          {"done", order.done}};
 }
 
-Json ResultOf(const Exercise& exercise, const ObjectPoses& final_poses) {
-  const Score score = ScoreOutcome(exercise.goal, exercise.match, final_poses);
+Json EffectsJson(const Structure& structure, const std::vector<bool>& achieved, double unit) {
+  Json json = Json::array();
+  for (std::size_t i = 0; i < structure.effects.size(); ++i) {
+    json.push_back(ToJson(structure.effects[i], unit));
+    json.back()["achieved"] = static_cast<bool>(achieved[i]);
+  }
+  return json;
+}
+
+Json ToJson(const Work& work) { return {{"grasps", work.grasps}, {"retries", work.retries}}; }
+
+Json ToJson(const std::optional<Cause>& cause) {
+  if (!cause) return nullptr;
+  return {{"word", cause->word}, {"text", cause->text}};
+}
+
+ProgramEnd EndOf(const Json& brain) {
+  return {.status = brain.value("status", ""), .message = brain.value("message", "")};
+}
+
+}  // namespace
+
+Exercise MakeExercise(std::string name, const record::Recording& demonstration,
+                      scene::SceneSpec scene) {
+  Exercise exercise{
+      .name = std::move(name), .structure = StructureOf(demonstration), .scene = std::move(scene)};
+  (void)MatchObjects(exercise.structure, exercise.scene);
+  return exercise;
+}
+
+Json ResultOf(const Exercise& exercise, const Course& outcome, const Circumstances& circumstances) {
+  const Structure& structure = exercise.structure;
+  const Comparison comparison = CompareWith(structure, outcome);
   const double unit = exercise.scene.meters_per_unit;
+  const ObjectError mean = comparison.mean_error();
   return {{"task", exercise.name},
-          {"rebuilt", score.is_rebuilt()},
-          {"score", score.share},
+          {"rebuilt", comparison.is_rebuilt()},
+          {"score", comparison.share},
           {"tolerance", kTolerance / unit},
-          {"match", exercise.match},
-          {"goal", {{"objects", DescribePoses(score.goal, unit)}}},
-          {"initial", {{"objects", DescribePoses(StartOf(exercise.scene), unit)}}},
-          {"final", {{"objects", DescribePoses(final_poses, unit)}}},
-          {"mean_error_mm", score.mean_error * 1000}};
+          {"match", comparison.match},
+          {"goal", {{"objects", PosesJson(comparison.goal, unit)}}},
+          {"initial", {{"objects", PosesJson(StartOf(exercise.scene), unit)}}},
+          {"final", {{"objects", PosesJson(PosesAt(outcome.scene, outcome.end), unit)}}},
+          {"errors", ErrorsJson(comparison.errors)},
+          {"mean_error_mm", MillimetersOf(mean)},
+          {"mean_error_degrees", DegreesOf(mean)},
+          {"order", ToJson(comparison.order)},
+          {"effects", EffectsJson(structure, comparison.achieved, unit)},
+          {"work", ToJson(WorkOf(outcome))},
+          {"cause", ToJson(CauseOf(structure, outcome, comparison, EndOf(circumstances.brain)))},
+          {"seconds", circumstances.seconds},
+          {"realtime_factor", circumstances.realtime_factor},
+          {"brain", circumstances.brain}};
 }
 
 }  // namespace smile::task

@@ -1,28 +1,33 @@
 #pragma once
 
-#include <map>
 #include <string>
 
 #include "base/json.h"
-#include "scene/scene_spec.h"
-#include "task/goal.h"
+#include "task/course.h"
+#include "task/structure.h"
 
 namespace smile::task {
 
-/// A demonstration, and the scene in which somebody else is to do it.
+/// What a demonstration achieved, and the scene in which somebody else is to achieve it.
 struct Exercise {
   std::string name;  ///< in the result
-  Goal goal;
-  std::map<std::string, std::string> match;  ///< see MatchObjects()
-  scene::SceneSpec scene;                    ///< as it was before
+  Structure structure;
+  scene::SceneSpec scene;  ///< as it was before
 };
 
-/// What came of it, as `result.json` tells it (docs/results.md); how long it took and how the robot
-/// program fared is the caller's to add.
-/// @param final_poses  of all objects of the scene.
-Json ResultOf(const Exercise& exercise, const ObjectPoses& final_poses);
+/// @throws InputError if there is nothing to imitate, or something is missing in the scene.
+Exercise MakeExercise(std::string name, const record::Recording& demonstration,
+                      scene::SceneSpec scene);
 
-/// Where the objects of a scene begin.
-ObjectPoses StartOf(const scene::SceneSpec& scene);
+/// What the recording of an imitation does not tell.
+struct Circumstances {
+  double seconds = 0;          ///< that it took, simulated
+  double realtime_factor = 0;  ///< how much faster than the clock it ran
+  Json brain;                  ///< with `status` and `message`
+};
+
+/// What came of it, as `result.json` tells it (docs/results.md).
+/// @param outcome  in the exercise's scene.
+Json ResultOf(const Exercise& exercise, const Course& outcome, const Circumstances& circumstances);
 
 }  // namespace smile::task

@@ -1,40 +1,243 @@
 #include "task/layout.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
 #include <random>
+#include <set>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "base/uniform.h"
 #include "math/angles.h"
+#include "scene/solid.h"
+#include "task/internal_clump.h"
 
 namespace smile::task {
-scene::SceneSpec RandomLayout(scene::SceneSpec scene, std::uint64_t seed,
-                              const LayoutRegion& region) {
-  constexpr int kMaxTries = 10'000;
-  std::mt19937_64 random(seed);
-  std::vector<Vector3> taken;
-  for (scene::ObjectSpec& object : scene.objects) {
-    if (object.is_static()) continue;
+namespace {
+
+/// The room between things that is tried, in this order [m].
+constexpr std::array kGaps{0.10, 0.06, 0.05, kFingerGap};
+static_assert(kGaps.back() == kFingerGap);
+/// With each, so many times from the beginning, and so many places for each clump.
+constexpr int kAttempts = 80, kTries = 200;
+/// What is nearer to the end of the region than this lies at its rim [m].
+constexpr double kRim = 0.08;
+constexpr int kNumDistractors = 3;
+
+bool HasDistractors(LayoutLevel level) {
+  return level == LayoutLevel::kDistractors || level == LayoutLevel::kMixed;
+}
+bool HasEdges(LayoutLevel level) {
+  return level == LayoutLevel::kEdges || level == LayoutLevel::kMixed;
+}
+
+/// Where the offset of a slider may bring its second object: footprints along its way.
+void AppendWay(const scene::SceneSpec& scene, const scene::SliderSpec& slider,
+               std::vector<Footprint>* footprints) {
+  constexpr int kParts = 10;
+  for (int i = 0; i <= kParts; ++i) {
+    const double offset = slider.min_offset + (slider.max_offset - slider.min_offset) * i / kParts;
+    const RigidTransform X_WB =
+        slider.X_WJ * (RigidTransform(Vector3(-offset, 0, 0)) * slider.X_JB);
+    footprints->push_back(FootprintOf(scene.objects[slider.first_object + 1], X_WB));
+  }
+}
+
+/// Of all that a layout leaves in its place.
+std::vector<Footprint> ObstaclesOf(const scene::SceneSpec& scene,
+                                   const std::vector<std::size_t>& loose) {
+  std::vector<Footprint> obstacles;
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    if (std::ranges::find(loose, i) != loose.end()) continue;
+    obstacles.push_back(FootprintOf(scene.objects[i], scene.objects[i].pose_in_world()));
+  }
+  for (const scene::SliderSpec& slider : scene.sliders) AppendWay(scene, slider, &obstacles);
+  return obstacles;
+}
+
+std::string FreeId(const scene::SceneSpec& scene, std::string id) {
+  const auto is_taken = [&] {
+    return std::ranges::any_of(scene.objects, [&](const auto& o) { return o.id() == id; });
+  };
+  while (is_taken()) id += "x";
+  return id;
+}
+
+/// Colors that nothing in the scene has; the table is white, and black shows no sides.
+std::vector<Color> StrangeColors(const scene::SceneSpec& scene) {
+  std::vector<Color> used{*ParseColor("white"), *ParseColor("black")};
+  for (const scene::ObjectSpec& object : scene.objects) {
+    for (const scene::Solid& solid : scene::SolidsOf(object.whole)) used.push_back(solid.color);
+  }
+  std::vector<Color> strange;
+  for (std::string_view name : ColorNames()) {
+    const Color color = *ParseColor(name);
+    if (std::ranges::find(used, color) == used.end()) strange.push_back(color);
+  }
+  return strange;
+}
+
+/// Sides of cubes a gripper can take that no block of the scene has [m].
+std::vector<double> StrangeSides(const scene::SceneSpec& scene) {
+  std::vector<double> sides{0.06, 0.07, 0.13, 0.14};
+  for (const scene::ObjectSpec& object : scene.objects) {
+    const auto* block = std::get_if<scene::Block>(&object.whole.shape);
+    if (!block) continue;
+    std::erase_if(sides, [&](double side) {
+      return (block->size - Vector3::Constant(side)).cwiseAbs().maxCoeff() < 0.005;
+    });
+  }
+  return sides;
+}
+
+template <class T>
+const T& AnyOf(const std::vector<T>& choice, std::mt19937_64* random) {
+  return choice[(*random)() % choice.size()];
+}
+
+/// Adds blocks that have no part in what is built: by turns of a strange color, and of a strange
+/// size with a color that the scene has.
+/// @returns their numbers.
+std::vector<std::size_t> AddDistractors(std::uint64_t seed, const std::vector<std::size_t>& loose,
+                                        scene::SceneSpec* scene) {
+  const std::vector<Color> colors = StrangeColors(*scene);
+  const std::vector<double> sides = StrangeSides(*scene);
+  std::vector<std::size_t> added;
+  for (int i = 0; i < kNumDistractors; ++i) {
+    const std::string id = FreeId(*scene, "Distractor" + std::to_string(i + 1));
+    std::mt19937_64 random = StreamOf(seed, 0, id);
+    const bool is_strange_color = sides.empty() || (i % 2 == 0 && !colors.empty());
+    const double side = is_strange_color ? scene::kMetersPerUnit : AnyOf(sides, &random);
+    const Color color =
+        is_strange_color && !colors.empty()
+            ? AnyOf(colors, &random)
+            : scene::SolidsOf(scene->objects[AnyOf(loose, &random)].whole).front().color;
+    added.push_back(scene->objects.size());
+    scene->objects.push_back({.whole = {.id = id,
+                                        .X_PE = RigidTransform(Vector3(0, 0, side / 2)),
+                                        .color = color,
+                                        .shape = scene::Block{Vector3::Constant(side)}},
+                              .descriptions = {{"shape", "block"}}});
+  }
+  return added;
+}
+
+/// What must hold of an attempt's places.
+struct LayoutRules {
+  scene::TableSpec table;
+  LayoutRegion region;
+  std::vector<Footprint> obstacles;
+  double gap = kFingerGap;
+  bool keeps_strip_free = true;
+};
+
+bool IsAtRim(const LayoutRules& rules, const Footprint& footprint, double top) {
+  LayoutRegion inner = rules.region;
+  inner.reach -= kRim;
+  Footprint grown = footprint;
+  grown.half_size.array() += kRim;
+  return !inner.Holds(rules.table, grown, top);
+}
+
+bool IsFree(const LayoutRules& rules, const std::vector<Footprint>& taken,
+            const Footprint& footprint) {
+  const auto is_near = [&](const Footprint& other) {
+    // Most are so far that circles about them tell.
+    const double most = other.half_size.norm() + footprint.half_size.norm() + rules.gap;
+    return (other.center - footprint.center).squaredNorm() < most * most &&
+           GapBetween(other, footprint) < rules.gap;
+  };
+  if (std::ranges::any_of(taken, is_near)) return false;
+  if (std::ranges::any_of(rules.obstacles, is_near)) return false;
+  return !rules.keeps_strip_free || rules.region.strip_half_width == 0 ||
+         GapBetween(rules.region.StripOn(rules.table), footprint) > 0;
+}
+
+/// Somewhere, in whole millimeters and tenths of a degree, so that files stay readable.
+Footprint Somewhere(const LayoutRules& rules, const Vector2& half_size, std::mt19937_64* random) {
+  const LayoutRegion& region = rules.region;
+  const double edge = -rules.table.y_span / 2;
+  const double most_x = std::min(region.most_x, region.shoulder_x + region.reach);
+  const double far = std::min(region.most_depth, region.shoulder_depth + region.reach);
+  const auto rounded = [](double value, double parts) { return std::round(value * parts) / parts; };
+  return {.center = {rounded(Uniform(random, -most_x, most_x), 1000),
+                     rounded(edge + Uniform(random, region.least_depth, far), 1000)},
+          .yaw_deg = rounded(Uniform(random, -180, 180), 10),
+          .half_size = half_size};
+}
+
+/// A place for each clump, or for as many as there is room for, one after another.
+std::vector<Footprint> PlacesFor(const scene::SceneSpec& scene, const std::vector<Clump>& clumps,
+                                 const LayoutRules& rules, bool has_edges, std::uint64_t seed,
+                                 std::uint64_t attempt) {
+  std::vector<Footprint> taken;
+  for (std::size_t k = 0; k < clumps.size(); ++k) {
+    const Clump& clump = clumps[k];
+    std::mt19937_64 random =
+        StreamOf(seed, attempt, scene.objects[clump.members.front().object].id());
+    const bool wants_rim = has_edges && k % 2 == 0;
     bool is_placed = false;
-    for (int i = 0; i < kMaxTries && !is_placed; ++i) {
-      const Vector3 p(Uniform(&random, region.x_low, region.x_high),
-                      Uniform(&random, region.y_low, region.y_high),
-                      object.pose_in_world().translation().z());
-      const double yaw_deg = Uniform(&random, -180, 180);
-      is_placed = true;
-      for (const Vector3& other : taken) {
-        is_placed = is_placed && (p - other).head<2>().norm() >= region.min_distance;
-      }
-      if (!is_placed) continue;
-      taken.push_back(p);
-      object.whole.X_PE = RigidTransform(RotationFromFixedAxes({0, 0, yaw_deg}), p);
+    for (int i = 0; i < kTries && !is_placed; ++i) {
+      const Footprint place = Somewhere(rules, clump.half_size, &random);
+      is_placed = rules.region.Holds(rules.table, place, clump.top) &&
+                  (!wants_rim || IsAtRim(rules, place, clump.top)) && IsFree(rules, taken, place);
+      if (is_placed) taken.push_back(place);
     }
-    if (!is_placed) {
-      throw std::invalid_argument("layout: there is no room for '" + object.id() + "' among " +
-                                  std::to_string(taken.size()) + " others");
+    if (!is_placed) break;
+  }
+  return taken;
+}
+
+void Put(const Clump& clump, const Footprint& place, scene::SceneSpec* scene) {
+  const RigidTransform X_WK(RotationFromFixedAxes({0, 0, place.yaw_deg}),
+                            Vector3(place.center.x(), place.center.y(), 0));
+  for (const ClumpMember& member : clump.members) {
+    const Vector3 angles_deg = member.angles_deg + Vector3(0, 0, place.yaw_deg);
+    scene->objects[member.object].whole.X_PE =
+        RigidTransform(RotationFromFixedAxes(angles_deg), X_WK * member.p_KB);
+  }
+}
+
+}  // namespace
+
+scene::SceneSpec RandomLayout(scene::SceneSpec scene, std::uint64_t seed, LayoutLevel level,
+                              const LayoutRegion& region) {
+  const std::vector<std::size_t> loose = LooseObjects(scene);
+  if (loose.empty()) {
+    throw std::invalid_argument("layout: nothing in '" + scene.name +
+                                "' stands loose on the table, so nothing can be moved");
+  }
+  LayoutRules rules{.table = scene.table, .region = region, .obstacles = ObstaclesOf(scene, loose)};
+  std::vector<Clump> clumps = ClumpsOf(scene, loose, seed, level);
+  if (HasDistractors(level)) {
+    for (std::size_t i : AddDistractors(seed, loose, &scene)) {
+      clumps.push_back(ClumpsOf(scene, {i}, seed, LayoutLevel::kScattered).front());
     }
   }
-  return scene;
+
+  std::uint64_t attempt = 0;
+  std::size_t most_placed = 0;
+  for (bool keeps_strip_free : {true, false}) {
+    rules.keeps_strip_free = keeps_strip_free;
+    for (double gap : kGaps) {
+      rules.gap = gap;
+      for (int i = 0; i < kAttempts; ++i, ++attempt) {
+        const std::vector<Footprint> places =
+            PlacesFor(scene, clumps, rules, HasEdges(level), seed, attempt);
+        most_placed = std::max(most_placed, places.size());
+        if (places.size() < clumps.size()) continue;
+        for (std::size_t k = 0; k < clumps.size(); ++k) Put(clumps[k], places[k], &scene);
+        return scene;
+      }
+    }
+  }
+  throw std::invalid_argument("layout: there is no room for '" +
+                              scene.objects[clumps[most_placed].members.front().object].id() +
+                              "' beside " + std::to_string(most_placed) +
+                              " others within the robot's reach");
 }
 
 }  // namespace smile::task

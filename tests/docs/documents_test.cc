@@ -74,12 +74,12 @@ TEST_F(ProgramTest, TheCppExampleOfMotionIsCompiled) {
 INSTANTIATE_TEST_SUITE_P(All, Documents,
                          ::testing::Values("README.md", "docs/architecture.md", "docs/brains.md",
                                            "docs/brain-protocol.md", "docs/commands.md",
-                                           "docs/editing.md", "docs/experiments.md",
-                                           "docs/importing.md", "docs/motion.md",
-                                           "docs/recording-format.md", "docs/results.md",
-                                           "docs/robot.md", "docs/scene-format.md",
-                                           "docs/scenes.md", "docs/studio.md",
-                                           "docs/studio-protocol.md"));
+                                           "docs/demonstrators.md", "docs/editing.md",
+                                           "docs/experiments.md", "docs/importing.md",
+                                           "docs/motion.md", "docs/recording-format.md",
+                                           "docs/results.md", "docs/robot.md",
+                                           "docs/scene-format.md", "docs/scenes.md",
+                                           "docs/studio.md", "docs/studio-protocol.md"));
 
 }  // namespace
 }  // namespace smile

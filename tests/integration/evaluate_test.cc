@@ -93,8 +93,8 @@ TEST_F(Evaluate, ARunThatCrashesOrHangsIsAFailureWithACause) {
   runs.push_back(EvaluateOf("stacked", arguments + "--seed 4 --scenes 1 --wall-seconds 2")
                      .json()["agents"][0]["runs"][0]);
   const std::pair<const char*, const char*> causes[] = {{"crashed", "signal 11"},
-                                                        {"program failed", "exit code 3"},
-                                                        {"not rebuilt", ""},
+                                                        {"brain_failed", "exit code 3"},
+                                                        {"never_taken", ""},
                                                         {"hung", "no end after 2 s"}};
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_EQ(runs[i]["cause"]["word"], causes[i].first);

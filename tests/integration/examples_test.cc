@@ -144,11 +144,53 @@ void TheRobotIsReadyAndHasTouchedNothing(const Json& end) {
   ExpectNear(PositionOf(end, "BlueBlock"), {3.2, -2, 0.5}, kMillimeter, "BlueBlock");
 }
 
+void TheRowIsSorted(const Json& end) {
+  const std::array blocks{"Red1", "Red2", "Green1", "Green2", "Blue1", "Blue2"};
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    ExpectAligned(end, blocks[i], blocks[0], {1.5 * static_cast<double>(i), 0, 0});
+  }
+}
+
+void TheBridgeStands(const Json& end) {
+  EXPECT_NEAR(PositionOf(end, "Red1")[2], 0.5, kMillimeter);
+  ExpectAligned(end, "Green1", "Red1", {0, 0, 1});
+  ExpectAligned(end, "Red2", "Red1", {3, 0, 0});
+  ExpectAligned(end, "Green2", "Red1", {3, 0, 1});
+  ExpectAligned(end, "Plank", "Red1", {1.5, 0, 2});
+}
+
+void TheBoxIsPacked(const Json& end) {
+  ExpectAligned(end, "Cyan", "Case", {-1.4, 0, 0.25});
+  ExpectAligned(end, "Yellow", "Case", {0, 0, 0.25});
+  ExpectAligned(end, "Magenta", "Case", {1.4, 0, 0.25});
+}
+
+void TheBlocksHaveDroppedThroughTheHatch(const Json& end) {
+  ExpectAligned(end, "HatchDoor", "Hatch", {3.3, 0, 0.3});
+  for (const char* block : {"Cherry", "Sky"}) {
+    const Vector hatch = PositionOf(end, "Hatch"), at = PositionOf(end, block);
+    EXPECT_NEAR(at[0], hatch[0], 1.1) << block;
+    EXPECT_NEAR(at[2], 0.4, kMillimeter) << block;
+  }
+}
+
+void TheSpareIsInTheRack(const Json& end) {
+  ExpectAligned(end, "Spare", "Rack", {1.1, 0.8, 0.95});
+  ExpectAligned(end, "Drive1", "Rack", {-1.1, 0.8, 0.95});
+  ExpectAligned(end, "Drive2", "Bin", {0, 0, 0.65});
+  EXPECT_EQ(end["controls"]["RackLight2"], "ready");
+}
+
 const std::vector<Example>& AllExamples() {
   static const std::vector<Example> kExamples{
       {"tower", "", TheTowerStands},
       {"um", "", TheLettersStand},
       {"um", "--no-robot", TheLettersStand},
+      {"row", "", TheRowIsSorted},
+      {"bridge", "", TheBridgeStands},
+      {"box", "", TheBoxIsPacked},
+      {"hatch", "", TheBlocksHaveDroppedThroughTheHatch},
+      {"drive", "", TheSpareIsInTheRack},
       {"robot_poses", "", TheRobotIsReadyAndHasTouchedNothing, "tower"},
       {"scenes/controls", "--no-robot", TheSignalIsGreen},
       {"scenes/dial", "--no-robot", TheDigitIsSeven},

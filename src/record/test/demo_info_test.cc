@@ -30,7 +30,8 @@ class DemoInfoTest : public RecordingFixture {
                            .gripper = "electric"},
         .eye = CameraView{.intrinsics = CameraIntrinsics::FromVerticalFieldOfView(8, 6, 1),
                           .X_WC = RigidTransform(Vector3(0, -1, 1))},
-        .eye_camera = sim::kHeadCamera};
+        .eye_camera = sim::kHeadCamera,
+        .demonstrator = DemonstratorLook::kForearm};
     info.robot->body.grasps_by_friction = true;
     return info;
   }
@@ -89,12 +90,16 @@ TEST_F(DemoInfoTest, ComplaintsNameThePlaceWhatWasFoundAndWhatWasExpected) {
       {"/eye/position_m", {"[1,2]", "<eye/position_m>: length is 2, expected 3"}},
       {"/eye/rotation_wxyz", {"[0,0,0,0]", "<eye/rotation_wxyz>: its length is 0, expected 1"}},
       {"/eye/camera", {"\"left_hand\"", "<eye/camera>: found \"left_hand\", expected eye or head"}},
+      {"/demonstrator",
+       {"\"ghosts\"",
+        "<demonstrator>: demonstrator is \"ghosts\", expected invisible, ghost or forearm"}},
+      {"/eye", {"null", "<demonstrator>: found in a recording without pictures"}},
       {"/robot", {"null", "<eye/camera>: found head and no robot, expected eye"}},
       {"/tilte",
        {"\"\"",
         "unknown member \"tilte\", expected format, program, scene, title, notes, "
-        "meters_per_unit, ticks_per_second, origin, start, frames_per_second, has_symbols, robot "
-        "or eye; did you mean \"title\"?"}},
+        "meters_per_unit, ticks_per_second, origin, start, frames_per_second, has_symbols, robot, "
+        "eye or demonstrator; did you mean \"title\"?"}},
       {"/eye/fov",
        {"1",
         "<eye>: unknown member \"fov\", expected width_px, height_px, fx, fy, cx, cy, position_m, "

@@ -101,7 +101,7 @@ TEST(Evaluation, ReadsResultsOfAllVersions) {
   const EvaluatedRun old = Read(
       R"({"rebuilt": false, "score": 0.5, "mean_error_mm": 30, "seconds": 12,
           "realtime_factor": 9, "brain": {"status": "failed", "message": "oh"}})");
-  EXPECT_EQ(old.cause, (Cause{.word = "program failed", .text = "oh"}));
+  EXPECT_EQ(old.cause, (Cause{.word = "brain_failed", .text = "oh"}));
   EXPECT_EQ(old.error_mm, 30);
   EXPECT_EQ(old.seed, 7u);
   const EvaluatedRun now = Read(

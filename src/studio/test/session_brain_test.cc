@@ -90,6 +90,7 @@ TEST_F(SessionBrainTest, AnImitationIsScored) {
   EXPECT_EQ(result["task"], "pair_elsewhere");
   EXPECT_FALSE(result["rebuilt"].get<bool>());
   EXPECT_EQ(result["match"]["a"], "a");
+  EXPECT_EQ(result["cause"]["word"], "never_taken");
   EXPECT_EQ(result["brain"]["status"], "exited");
 }
 

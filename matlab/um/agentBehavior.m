@@ -1,0 +1,6 @@
+function [init, callback] = agentBehavior()
+% Rebuilds what it was shown, in a scene it has never seen: letters, towers, rows, bridges.
+% docs/learner.md walks through it.
+  init = @umInit;
+  callback = @umCallback;
+end

@@ -1,0 +1,14 @@
+function blocks = findBlocks(picture, eye, steps)
+% The blocks in a picture that look like one of the steps', wherever they are: see noBlocks. A block of
+% which something hides a part is not found.
+  blocks = noBlocks();
+  for color = colorsIn(picture, steps)
+    kinds = kindsOf(steps, color');
+    number = labelRegions(isColor(picture, color'));
+    for region = 1:max(number(:))
+      [row, column] = find(number == region);
+      if numel(row) < 60, continue; end
+      blocks = [blocks, fitBlock(row, column, eye, kinds)];
+    end
+  end
+end

@@ -1,0 +1,24 @@
+function turns = fingerTurns(place, others)
+% How the fingers may be turned to hold a block at a place: directions from finger to finger [rad], 1xN;
+% they go across its longer side, and only where nothing is in their way.
+%   place  position, yaw and size of the block
+  turns = place.yaw + [pi / 2, -pi / 2];
+  if place.size(1) < 1.1 * place.size(2), turns = [turns, place.yaw + [0, pi]]; end
+  % What is as high as the fingers, the bar that joins them, and the hand above it, must keep off them.
+  top = place.position(3) + place.size(3) / 2;
+  tops = arrayfun(@(other) other.position(3) + other.size(3) / 2, others);
+  at_fingers = footprint(others(tops > top - place.size(3) + 0.02), 0.02);
+  at_bar = footprint(others(tops > top + 0.3), 0.05);
+  at_hand = footprint(others(tops > top + 0.6), 0.05);
+  turns = turns(arrayfun(@(turn) fits(place, turn, at_fingers, at_bar, at_hand), turns));
+end
+
+function yes = fits(place, across, at_fingers, at_bar, at_hand)
+% Fingers are 0.3 thick and 0.4 wide, and open 0.1 away from the block; the bar is 2.6 long.
+  at = place.position(1:2);
+  gap = (place.size(2) / 2 + 0.25) * [cos(across), sin(across)];
+  yes = ~any(overlap([at + gap, 0.3, 0.4, across], at_fingers)) && ...
+        ~any(overlap([at - gap, 0.3, 0.4, across], at_fingers)) && ...
+        ~any(overlap([at, 2.6, 0.4, across], at_bar)) && ...
+        ~any(overlap([at, 1.3, 1.3, across], at_hand));
+end

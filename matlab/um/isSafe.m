@@ -1,0 +1,4 @@
+function yes = isSafe(robot, path, arm)
+% Whether an arm can go along a path while the other one is parked.
+  yes = isempty(smileFirstInvalid(robot, path, 'qBoth', [parkedAngles(1); parkedAngles(2)]));
+end

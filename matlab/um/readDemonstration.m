@@ -1,0 +1,51 @@
+function demo = readDemonstration(folder)
+% What a recording tells: its text files (0.txt, 1.txt, ...), and where its pictures are.
+%   demo.folder
+%   demo.ids     names of the objects, 1xN cell
+%   demo.moves   each move that was logged, Mx8: frame, number of the object, x y z of its centre
+%                [units], angles about x, y, z [degrees]
+%   demo.start   where each object was when the recording began, Nx6
+%   demo.final   where each was at the end, Nx6
+%   demo.placed  numbers of the objects that a hand let go of, in that order
+%   demo.eye     of the robot that watched: intrinsics 3x3, pose 4x4 [units], as in aux
+  demo = struct('folder', folder, 'ids', {{}}, 'moves', zeros(0, 8), 'placed', []);
+  held = struct();  % which object is in which hand
+  segment = 0;
+  while exist(fullfile(folder, sprintf('%d.txt', segment)), 'file')
+    text = fileread(fullfile(folder, sprintf('%d.txt', segment)));
+    lines = regexp(text, '[^\r\n]+', 'match');
+    for i = 1:numel(lines)
+      words = regexp(lines{i}, ',', 'split');  % frame, event, fields of the event
+      switch words{2}
+        case 'create'
+          demo.ids{end + 1} = words{3};
+        case 'move'
+          n = find(strcmp(demo.ids, words{3}));
+          demo.moves(end + 1, :) = [str2double(words{1}), n, str2double(words(4:9))];
+        case 'grasp'
+          held.(words{3}) = find(strcmp(demo.ids, words{4}));
+        case 'release'
+          demo.placed(end + 1) = held.(words{3});
+      end
+    end
+    segment = segment + 1;
+  end
+  if segment == 0
+    error('there is no recording in %s: it has no 0.txt', folder);
+  end
+  for n = 1:numel(demo.ids)
+    poses = demo.moves(demo.moves(:, 2) == n, 3:8);
+    demo.start(n, :) = poses(1, :);
+    demo.final(n, :) = poses(end, :);
+  end
+  demo.eye = eyeOf(jsondecode(fileread(fullfile(folder, 'demo.json'))));
+end
+
+function eye = eyeOf(info)
+  w = info.eye.rotation_wxyz;  % a unit quaternion
+  v = [0, -w(4), w(3); w(4), 0, -w(2); -w(3), w(2), 0];  % v * x is the cross product with w(2:4)
+  R = diag([1, 1, 1]) + 2 * w(1) * v + 2 * v * v;
+  eye.intrinsics = [info.eye.fx, 0, info.eye.cx; 0, info.eye.fy, info.eye.cy; 0, 0, 1];
+  eye.pose = [R, info.eye.position_m(:) / info.meters_per_unit; 0, 0, 0, 1];
+end
+

@@ -1,0 +1,4 @@
+function yes = sameSize(a, b)
+% Whether two blocks are equally large, as far as pictures can tell.
+  yes = max(abs(a ./ b - 1)) < 0.08;
+end

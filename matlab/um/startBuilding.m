@@ -1,0 +1,15 @@
+function building = startBuilding(steps)
+% What the brain remembers of the building.
+%   steps    see understand; once a site is chosen, where they shall be in this scene
+%   hasSite
+%   known    the blocks, where they were last seen; see findBlocks
+%   done     whether each step's block is in its place, 1xN
+%   tries    how often each step's block was carried there so far, 1xN
+%   tidied   how often blocks were put aside since the last step was done
+%   miss     by how much each block was off when last seen: [units, rad], Nx2
+%   looks    how often in a row a wanted block was not to be seen
+%   summary  one line for people, at the end
+  n = numel(steps);
+  building = struct('steps', steps, 'hasSite', false, 'known', noBlocks(), 'done', false(1, n), 'tries', zeros(1, n), ...
+                    'tidied', 0, 'miss', NaN(n, 2), 'looks', 0, 'summary', '');
+end

@@ -1,0 +1,18 @@
+% What the demonstration shows is understood at once; of this scene nothing is known before the first
+% look.
+if ~isfield(aux, 'demonstration')
+  error('this brain needs a demonstration: smile imitate DEMO SCENE --brain matlab/um');
+end
+demo = readDemonstration(aux.demonstration);
+steps = understand(demo, aux.attention);
+printSteps(steps);
+
+robot = smileRobot(aux);
+eye = struct('intrinsics', aux.cameraIntrinsics, 'pose', aux.cameraPose);
+building = startBuilding(steps);      % what is known about this scene, and what was done so far
+actions = {struct('kind', 'look')};   % what to do next, in this order
+is_recovering = false;                % true after an action went wrong
+
+% The arms begin where they do not stand in the picture.
+aux.imageSeconds = 0.5;
+aux.initJointAngles = [parkedAngles(1); parkedAngles(2)];

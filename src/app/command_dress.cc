@@ -1,0 +1,77 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+
+#include "app/commands.h"
+#include "app/exit_code.h"
+#include "app/interrupt.h"
+#include "app/open_recording.h"
+#include "app/options.h"
+#include "app/progress.h"
+#include "base/json.h"
+#include "picture/photographer.h"
+#include "record/redraw.h"
+#include "record/sight.h"
+
+namespace smile::app {
+namespace {
+
+struct DressOptions {
+  std::string demo, out, demonstrator;
+  bool no_symbols = false, json = false;
+};
+
+/// What draws the pictures of a recording again.
+picture::Shot ShotOf(const sim::EyeSpec& eye) {
+  return {.camera = sim::kEyeCamera,
+          .eye = eye.camera,
+          .width_px = eye.width_px,
+          .height_px = eye.height_px};
+}
+
+int Dress(const DressOptions& options) {
+  const record::RedrawOptions copy{
+      .demonstrator = record::ParseDemonstratorLook(options.demonstrator),
+      .has_symbols = !options.no_symbols};
+  const record::Recording recording = OpenAndTell(options.demo);
+  const sim::Simulation stage(recording.scene, recording.robot);
+  const auto demonstrator = picture::DemonstratorOf(recording, stage, copy.demonstrator);
+  picture::Photographer photographer(stage, ShotOf(EyeOf(recording.info).value_or(sim::EyeSpec())),
+                                     demonstrator.get());
+  ProgressLine line("drawing");
+  const std::size_t num_pictures = Redraw(
+      recording, options.out, copy,
+      [&photographer](const record::TraceTick& moment) -> const Image& {
+        return photographer.Take(moment);
+      },
+      [&line](double done, double total) {
+        line.Show(done, total);
+        return !IsInterrupted();
+      });
+  if (options.json) {
+    const Json json = {{"recording", options.out},
+                       {"demonstrator", options.demonstrator},
+                       {"pictures", num_pictures}};
+    std::printf("%s\n", ToText(json, 2).c_str());
+  } else {
+    std::printf("%s: %zu pictures, demonstrator %s\n", options.out.c_str(), num_pictures,
+                options.demonstrator.c_str());
+  }
+  return kDone;
+}
+
+}  // namespace
+
+void AddDress(CLI::App* program, ExitAnswer answer) {
+  auto options = std::make_shared<DressOptions>();
+  CLI::App* dress = program->add_subcommand(
+      "dress", "Copy a recording with another demonstrator in its pictures");
+  dress->add_option("DEMO", options->demo, "directory of a recording")->required();
+  AddDemonstratorOption(dress, &options->demonstrator)->required();
+  dress->add_option("--out", options->out, "directory to make")->required()->check(NotEmpty());
+  dress->add_flag("--no-symbols", options->no_symbols, "without the texts of the classic view");
+  dress->add_flag("--json", options->json, "print one JSON object on stdout");
+  dress->callback([options, answer] { *answer = Dress(*options); });
+}
+
+}  // namespace smile::app

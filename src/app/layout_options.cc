@@ -1,0 +1,31 @@
+#include "app/layout_options.h"
+
+#include <utility>
+#include <vector>
+
+namespace smile::app {
+
+CLI::Option* AddLayoutOptions(CLI::App* command, LayoutOptions* options) {
+  CLI::Option* seed =
+      command
+          ->add_option("--seed", options->seed,
+                       "random starting positions instead of those of the scene; the same seed "
+                       "gives the same")
+          ->check(CLI::NonNegativeNumber);
+  const std::vector<std::string> words(task::kLayoutLevelWords.begin(),
+                                       task::kLayoutLevelWords.end());
+  command->add_option("--level", options->level, "how hard they make it (docs/experiments.md)")
+      ->capture_default_str()
+      ->check(CLI::IsMember(words))
+      ->needs(seed);
+  return seed;
+}
+
+scene::SceneSpec LaidOut(scene::SceneSpec scene, const LayoutOptions& options,
+                         const task::LayoutRegion& region) {
+  if (!options.seed) return scene;
+  return task::RandomLayout(std::move(scene), *options.seed,
+                            task::ParseLayoutLevel(options.level).value(), region);
+}
+
+}  // namespace smile::app

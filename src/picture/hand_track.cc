@@ -1,0 +1,298 @@
+#include "picture/hand_track.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "base/diagnostic.h"
+#include "math/angles.h"
+#include "picture/touch.h"
+#include "record/sight.h"
+#include "record/trace_reader.h"
+
+namespace smile::picture {
+namespace {
+
+constexpr double kPeakSpeed = 1.0;  ///< on the way, where there is time [m/s]
+/// From rest to rest with least jerk, the peak is so many times the mean.
+/// Source: T. Flash, N. Hogan, "The Coordination of Arm Movements" (1985).
+constexpr double kPeakOverMean = 1.875;
+constexpr double kShortestWay = 0.5;     ///< [s]
+constexpr double kShortestRest = 0.6;    ///< [s]
+constexpr double kFastestTurn = 7;       ///< of a hand; more than objects are turned [rad/s]
+constexpr double kFastestFinger = 0.35;  ///< [m/s]
+constexpr double kRelaxed = 0.028;       ///< half an opening [m]
+constexpr double kOpened = 0.016;        ///< farther than what is to be taken, on each side [m]
+/// So far a wrist turns with what the hand holds; then this turns within the hand.
+constexpr double kMostTwist = DegreesToRadians(70);
+
+/// The way from 0 to 1 in a time from 0 to 1 with least jerk.
+double Smooth(double u) {
+  u = std::clamp(u, 0.0, 1.0);
+  return u * u * u * (10 + u * (6 * u - 15));
+}
+
+double Towards(double from, double to, double most) {
+  return from + std::clamp(to - from, -most, most);
+}
+
+/// A hand that lies over the table has its fingers to the robot, or where the arm comes from.
+Matrix3 NaturalRotation(Side side, const Vector3& p_WH, double table_edge) {
+  constexpr double kRaised = DegreesToRadians(14);  // the wrist, above the knuckles
+  Vector3 ahead = p_WH - ShoulderAt(side, table_edge + 0.25);
+  ahead.z() = 0;
+  // Never back over the shoulder.
+  ahead.y() = std::min(ahead.y(), -0.25);
+  ahead.normalize();
+  const Vector3 up = Vector3::UnitZ();
+  Matrix3 R_WH;
+  R_WH.col(0) = std::cos(kRaised) * ahead - std::sin(kRaised) * up;
+  R_WH.col(2) = std::cos(kRaised) * up + std::sin(kRaised) * ahead;
+  R_WH.col(1) = R_WH.col(2).cross(R_WH.col(0));
+  return R_WH;
+}
+
+/// A rotation towards another one, by an angle at most.
+Matrix3 TurnedTowards(const Matrix3& from, const Matrix3& to, double most) {
+  const Eigen::AngleAxisd turn(Matrix3(from.transpose() * to));
+  if (turn.angle() <= most) return to;
+  return from * Eigen::AngleAxisd(most, turn.axis()).toRotationMatrix();
+}
+
+/// The digits about something of this thickness.
+std::array<double, kDigits> Reach(double thumb, double fingers) {
+  return {thumb, fingers, fingers, fingers, fingers};
+}
+
+/// What a hand wants to look like; the place is that of its grip, or of its fingertip.
+struct Aim {
+  Vector3 p_WQ = Vector3::Zero();
+  Matrix3 R_WH = Matrix3::Identity();
+  double lift = 0;  ///< of the hand above that place, along its z [m]
+  std::array<double, kDigits> reach = Reach(kRelaxed, kRelaxed);
+  double pointing = 0;
+};
+
+/// One hand on its way through time.
+class HandPlayer {
+ public:
+  HandPlayer(Side side, const std::vector<HandDeed>& deeds, const Touch& touch, double table_edge)
+      : side_(side), deeds_(deeds), touch_(touch), edge_(table_edge) {
+    for (const HandDeed& deed : deeds_) {
+      yaws_.push_back(deed.kind == HandDeed::Kind::kTouch ? 0 : BestYaw(deed));
+    }
+    LookAhead();
+  }
+
+  /// Goes on to a moment.
+  HandPosture GoTo(std::uint64_t tick, const scene::VisualState& state) {
+    while (next_ < deeds_.size() && deeds_[next_].first <= tick) {
+      now_ = next_++;
+      left_ = AimAt(*now_, deeds_[*now_].begin);
+      LookAhead();
+    }
+    const bool is_at_it = now_ && tick <= deeds_[*now_].last;
+    const Aim aim = is_at_it ? AimAt(*now_, state) : AimBetween(tick);
+    if (is_at_it) left_ = aim;
+    const double dt = is_begun_ ? sim::SecondsOf(tick - tick_) : 1e9;
+    is_begun_ = true;
+    tick_ = tick;
+    Follow(aim, dt);
+    return {.X_WH = RigidTransform(is_.R_WH, p_WH_), .reach = is_.reach, .pointing = is_.pointing};
+  }
+
+ private:
+  /// The speed limits; and all that is felt of objects may jump, a hand does not.
+  void Follow(const Aim& aim, double dt) {
+    is_.R_WH = TurnedTowards(is_.R_WH, aim.R_WH, kFastestTurn * dt);
+    is_.lift = Towards(is_.lift, aim.lift, kFastestFinger * dt);
+    for (std::size_t digit = 0; digit < kDigits; ++digit) {
+      is_.reach[digit] = Towards(is_.reach[digit], aim.reach[digit], kFastestFinger * dt);
+    }
+    is_.pointing = Towards(is_.pointing, aim.pointing, 5 * dt);
+    const Vector3 p_HQ = is_.pointing * IndexTip(side_) - Vector3(0, 0, is_.lift);
+    const Vector3 step = aim.p_WQ - is_.R_WH * p_HQ - p_WH_;
+    p_WH_ += step * std::min(1.0, kFastestHand * dt / std::max(step.norm(), 1e-9));
+  }
+
+  static int FrameOf(const HandDeed& deed) { return static_cast<int>(deed.object) + 1; }
+
+  Aim Rest() const {
+    Aim aim;
+    aim.p_WQ = Vector3(side_ == Side::kLeft ? 0.20 : -0.20, edge_ + 0.10, 0.06);
+    aim.R_WH = NaturalRotation(side_, aim.p_WQ, edge_);
+    return aim;
+  }
+
+  /// Turned about the hand's z axis so that what is to be held is thin between thumb and fingers,
+  /// and the wrist not bent too far.
+  double BestYaw(const HandDeed& deed) const {
+    constexpr double kStep = DegreesToRadians(4);
+    constexpr double kPerRadian = 0.02;  // of thickness that a bent wrist is worth [m]
+    const RigidTransform& X_WB = deed.begin.poses[deed.object + 1];
+    double best = 0, least = std::numeric_limits<double>::infinity();
+    for (int k = -14; k <= 14; ++k) {
+      Aim aim = BeginOf(deed, k * kStep);
+      Feel(deed, X_WB, deed.begin.looks, &aim);
+      const double cost = aim.reach[0] + aim.reach[1] + kPerRadian * std::abs(k * kStep) +
+                          2 * std::max(0.0, aim.lift);
+      if (cost >= least - 1e-6) continue;
+      least = cost;
+      best = k * kStep;
+    }
+    return best;
+  }
+
+  /// Not knowing yet how thick the object is.
+  Aim BeginOf(const HandDeed& deed, double yaw) const {
+    Aim aim;
+    aim.p_WQ = deed.begin.poses[deed.object + 1] * deed.p_BQ;
+    aim.R_WH = NaturalRotation(side_, aim.p_WQ, edge_) *
+               Eigen::AngleAxisd(yaw, Vector3::UnitZ()).toRotationMatrix();
+    return aim;
+  }
+
+  /// Closes the hand on an object: as deep as the fingers reach, or onto it where it is too thick.
+  void Feel(const HandDeed& deed, const RigidTransform& X_WB, const std::vector<int>& looks,
+            Aim* aim) const {
+    constexpr double kDeepest = 0.042;  // fingertips below the top [m]
+    const Matrix3 R_BH = X_WB.rotation().transpose() * aim->R_WH;
+    const Vector3 p_BQ = X_WB.inverse() * aim->p_WQ;
+    const double depth = touch_.Around(FrameOf(deed), looks, p_BQ, R_BH.col(2)).to;
+    if (deed.kind == HandDeed::Kind::kTouch) {
+      aim->lift = depth;
+      aim->pointing = 1;
+      return;
+    }
+    aim->lift = std::max(0.0, depth - kDeepest);
+    const Vector3 p_BH = p_BQ + aim->lift * R_BH.col(2);
+    const Span across = touch_.Around(FrameOf(deed), looks, p_BH, R_BH.col(0));
+    if (across.to - across.from > kWidestGrip) {
+      aim->lift = depth + kFingertipRadius;
+    } else {
+      // Held near an edge, the hand moves over so that its fingers reach.
+      const double middle = (across.to + across.from) / 2;
+      const double room = kWidestGrip / 2 - (across.to - across.from) / 2;
+      const double shift = middle - std::clamp(middle, -room, room);
+      aim->p_WQ += shift * aim->R_WH.col(0);
+      aim->reach = Reach(shift - across.from, across.to - shift);
+      for (std::size_t digit = 0; digit < kDigits; ++digit) {
+        const Vector3 p_BDigit = p_BH + R_BH * (GripLine(side_, digit) + Vector3(shift, 0, 0));
+        const Span along = touch_.Around(FrameOf(deed), looks, p_BDigit, R_BH.col(0));
+        const double at = digit == 0 ? -along.from : along.to;
+        if (at > 0) aim->reach[digit] = std::min(at, kWidestGrip);
+      }
+    }
+    // Not into the table.
+    const double lowest = kFingertipRadius - aim->p_WQ.z();
+    if (aim->p_WQ.y() < edge_ && aim->p_WQ.z() > -0.05) aim->lift = std::max(aim->lift, lowest);
+  }
+
+  Aim AimAt(std::size_t index, const scene::VisualState& state) const {
+    const HandDeed& deed = deeds_[index];
+    const RigidTransform& X_WB = state.poses[deed.object + 1];
+    Aim aim = BeginOf(deed, yaws_[index]);
+    if (deed.kind == HandDeed::Kind::kHold) {
+      const Matrix3 R_begin = deed.begin.poses[deed.object + 1].rotation();
+      const Matrix3 R_with_it = X_WB.rotation() * R_begin.transpose() * aim.R_WH;
+      aim.p_WQ = X_WB * deed.p_BQ;
+      const Matrix3 R_natural = NaturalRotation(side_, aim.p_WQ, edge_);
+      aim.R_WH = TurnedTowards(R_natural, R_with_it, kMostTwist);
+    }
+    aim.p_WQ = X_WB * deed.p_BQ;
+    Feel(deed, X_WB, state.looks, &aim);
+    return aim;
+  }
+
+  void LookAhead() {
+    ahead_ =
+        next_ < deeds_.size() ? std::optional(AimAt(next_, deeds_[next_].begin)) : std::nullopt;
+  }
+
+  static double WayTime(const Aim& from, const Aim& to) {
+    const double distance = (to.p_WQ - from.p_WQ).norm();
+    return std::max(kShortestWay, distance * kPeakOverMean / kPeakSpeed);
+  }
+
+  /// Somewhere on the way.
+  /// @param u        share of its time that has passed.
+  /// @param seconds  that it takes.
+  static Aim OnTheWay(const Aim& from, const Aim& to, double u, double seconds) {
+    constexpr double kRise = 0.4;  // share of the time for going up, and again for going down
+    const double s = Smooth(u);
+    const double raised = Smooth(u / kRise) * Smooth((1 - u) / kRise);
+    Aim aim;
+    aim.p_WQ = from.p_WQ + s * (to.p_WQ - from.p_WQ);
+    aim.p_WQ.z() += raised * std::min(0.12, 0.16 * seconds);
+    aim.R_WH = from.R_WH;
+    const Eigen::AngleAxisd turn(Matrix3(from.R_WH.transpose() * to.R_WH));
+    aim.R_WH = from.R_WH * Eigen::AngleAxisd(s * turn.angle(), turn.axis()).toRotationMatrix();
+    aim.lift = from.lift + s * (to.lift - from.lift);
+    for (std::size_t digit = 0; digit < kDigits; ++digit) {
+      aim.reach[digit] =
+          from.reach[digit] + s * (to.reach[digit] - from.reach[digit]) + kOpened * raised;
+    }
+    aim.pointing = from.pointing + Smooth(2 * u - 0.5) * (to.pointing - from.pointing);
+    return aim;
+  }
+
+  /// Between two deeds, or before the first, or after the last.
+  Aim AimBetween(std::uint64_t tick) const {
+    const Aim rest = Rest();
+    const std::optional<Aim>& to = ahead_;
+    const double since = now_ ? sim::SecondsOf(tick - deeds_[*now_].last) : 0;
+    const double until = to ? sim::SecondsOf(deeds_[next_].first - tick) : 0;
+    const double back = now_ ? WayTime(left_, rest) : 0, there = to ? WayTime(rest, *to) : 0;
+    if (now_ && to && since + until < back + kShortestRest + there) {
+      const double seconds = std::max(since + until, WayTime(left_, *to));
+      return OnTheWay(left_, *to, since / seconds, seconds);
+    }
+    if (now_ && since < back) return OnTheWay(left_, rest, since / back, back);
+    if (to && until < there) return OnTheWay(rest, *to, 1 - until / there, there);
+    return rest;
+  }
+
+  Side side_;
+  const std::vector<HandDeed>& deeds_;
+  const Touch& touch_;
+  double edge_;
+  std::vector<double> yaws_;  ///< one per deed
+  std::size_t next_ = 0;
+  std::optional<std::size_t> now_;  ///< the last that has begun
+  std::optional<Aim> ahead_;        ///< how the next begins
+  Aim left_;                        ///< how the last left off
+  Aim is_;                          ///< how it is by now; where: p_WH_
+  Vector3 p_WH_ = Vector3::Zero();
+  std::uint64_t tick_ = 0;
+  bool is_begun_ = false;
+};
+
+}  // namespace
+
+HandTrack::HandTrack(const record::Recording& recording, const sim::Simulation& stage) {
+  const Touch touch(stage.visual_model(), stage.tabletop().objects().size());
+  deeds_ = DeedsIn(recording, stage, touch);
+  const double edge = recording.scene.table.y_span / 2;
+  HandPlayer left(Side::kLeft, deeds_.of[0], touch, edge);
+  HandPlayer right(Side::kRight, deeds_.of[1], touch, edge);
+  record::TraceReader trace(recording);
+  while (const auto moment = trace.Next()) {
+    const scene::VisualState state = record::VisualStateAt(*moment, stage);
+    samples_.push_back(
+        {moment->tick, {left.GoTo(moment->tick, state), right.GoTo(moment->tick, state)}});
+  }
+  if (samples_.empty()) {
+    throw InputError({(recording.directory / "trace.bin").string(), 0, "", "holds no moment"});
+  }
+}
+
+const std::array<HandPosture, kSides.size()>& HandTrack::At(std::uint64_t tick) const {
+  const auto after = std::upper_bound(
+      samples_.begin(), samples_.end(), tick,
+      [](std::uint64_t value, const Sample& sample) { return value < sample.tick; });
+  return (after == samples_.begin() ? after : after - 1)->hands;
+}
+
+}  // namespace smile::picture

@@ -1,0 +1,57 @@
+#include "picture/seen_demonstrator.h"
+
+#include <utility>
+
+namespace smile::picture {
+namespace {
+
+constexpr Color kSkin{.red = 0.87, .green = 0.66, .blue = 0.53};
+constexpr Color kSleeve{.red = 0.30, .green = 0.38, .blue = 0.50};
+constexpr Color kGhost{.red = 0.45, .green = 0.66, .blue = 0.98};
+
+}  // namespace
+
+SeenDemonstrator::SeenDemonstrator(const record::Recording& recording, const sim::Simulation& stage,
+                                   DemonstratorLook look)
+    : look_(look),
+      table_edge_(recording.scene.table.y_span / 2),
+      track_(recording, stage),
+      model_(stage.visual_model()) {
+  for (const Side side : kSides) AddHand(side);
+}
+
+void SeenDemonstrator::AddHand(Side side) {
+  object_ids_[static_cast<std::size_t>(side)] =
+      static_cast<std::uint32_t>(model_.object_names.size());
+  model_.object_names.push_back(side == Side::kLeft ? "demonstrator's left hand"
+                                                    : "demonstrator's right hand");
+  std::vector<ArmPiece> pieces = PiecesOf(side);
+  pieces.resize(num_pieces());
+  for (ArmPiece& piece : pieces) {
+    scene::Visual visual;
+    visual.shape = std::move(piece.mesh);
+    visual.color = look_ == DemonstratorLook::kGhost ? kGhost : piece.is_sleeve ? kSleeve : kSkin;
+    visual.frame = model_.num_frames++;
+    visual.object_id = object_id(side);
+    visual.casts_shadow = look_ == DemonstratorLook::kForearm;
+    model_.visuals.push_back(std::move(visual));
+  }
+}
+
+void SeenDemonstrator::AddTo(scene::VisualState* state, std::uint64_t tick) const {
+  const auto& hands = track_.At(tick);
+  for (const Side side : kSides) {
+    const auto poses = PiecePoses(side, hands[static_cast<std::size_t>(side)], table_edge_);
+    state->poses.insert(state->poses.end(), poses.begin(),
+                        poses.begin() + static_cast<std::ptrdiff_t>(num_pieces()));
+  }
+}
+
+std::unique_ptr<const SeenDemonstrator> DemonstratorOf(const record::Recording& recording,
+                                                       const sim::Simulation& stage,
+                                                       DemonstratorLook look) {
+  if (look == DemonstratorLook::kInvisible) return nullptr;
+  return std::make_unique<const SeenDemonstrator>(recording, stage, look);
+}
+
+}  // namespace smile::picture

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+
+#include "picture/hand_track.h"
+#include "record/demo_info.h"
+#include "record/recording.h"
+#include "scene/visual_model.h"
+#include "sim/simulation.h"
+
+namespace smile::picture {
+
+using record::DemonstratorLook;
+
+/// The demonstrator of a recording as somebody to be seen: what is added to the visual model of its
+/// scene and robot. Nothing else changes, so that pictures of a moment with and without differ only
+/// where hands and arms are.
+class SeenDemonstrator {
+ public:
+  /// @param stage  a simulation of the recording's scene and robot that need not run.
+  /// @param look   not kInvisible.
+  /// Throws as HandTrack does.
+  SeenDemonstrator(const record::Recording& recording, const sim::Simulation& stage,
+                   DemonstratorLook look);
+
+  /// The stage's model with the hands after all else: one frame for each of their pieces.
+  const scene::VisualModel& model() const { return model_; }
+  /// Adds the hands to a state of the stage's model.
+  void AddTo(scene::VisualState* state, std::uint64_t tick) const;
+
+  DemonstratorLook look() const { return look_; }
+  const HandTrack& track() const { return track_; }
+  /// Of each hand, the number that pictures of ids have.
+  std::uint32_t object_id(Side side) const { return object_ids_[static_cast<std::size_t>(side)]; }
+
+ private:
+  /// Of each hand; ghosts have no arms.
+  std::size_t num_pieces() const {
+    return look_ == DemonstratorLook::kGhost ? kHandPieces : kArmPieces;
+  }
+  void AddHand(Side side);
+
+  DemonstratorLook look_;
+  double table_edge_;
+  HandTrack track_;
+  scene::VisualModel model_;
+  std::array<std::uint32_t, kSides.size()> object_ids_{};
+};
+
+/// nullptr for an invisible one. Throws as SeenDemonstrator does.
+std::unique_ptr<const SeenDemonstrator> DemonstratorOf(const record::Recording& recording,
+                                                       const sim::Simulation& stage,
+                                                       DemonstratorLook look);
+
+}  // namespace smile::picture

@@ -1,0 +1,83 @@
+#include "picture/seen_demonstrator.h"
+
+#include <algorithm>
+#include <map>
+
+#include "picture/photographer.h"
+#include "record/test/recording_fixture.h"
+#include "record/time_range.h"
+#include "record/trace_reader.h"
+
+namespace smile::picture {
+namespace {
+
+using SeenDemonstratorTest = record::RecordingFixture;
+using enum DemonstratorLook;
+
+constexpr Channels kAll{.rgb = true, .depth = true, .id = true};
+
+TEST_F(SeenDemonstratorTest, ChangesPicturesOnlyWhereHandsAre) {
+  const record::Recording recording = record::OpenRecording(Record());
+  const sim::Simulation stage(recording.scene);
+  const SeenDemonstrator ghost(recording, stage, kGhost), person(recording, stage, kForearm);
+  const Shot shot{.camera = "eye", .width_px = 160, .height_px = 120, .channels = kAll};
+  Photographer plain(stage, shot), with_ghost(stage, shot, &ghost),
+      with_person(stage, shot, &person);
+  std::size_t num_changed = 0, least_seen = 1000, most_seen = 0, num_ghostly = 0;
+  record::TraceReader trace(recording);
+  while (const auto moment = trace.Next()) {
+    if (moment->tick % 15 != 0) continue;
+    const Image without = plain.Take(*moment), pale = with_ghost.Take(*moment),
+                with = with_person.Take(*moment);
+    EXPECT_EQ(pale.ids, without.ids);
+    EXPECT_EQ(pale.depth, without.depth);
+    std::size_t num_seen = 0;
+    for (std::size_t i = 0; i < with.ids.size(); ++i) {
+      const auto color = [i](const Image& image) {
+        return std::vector<std::uint8_t>(
+            image.color.begin() + static_cast<std::ptrdiff_t>(3 * i),
+            image.color.begin() + static_cast<std::ptrdiff_t>(3 * i + 3));
+      };
+      const bool is_hand = with.ids[i] == person.object_id(Side::kLeft) ||
+                           with.ids[i] == person.object_id(Side::kRight);
+      num_seen += with.ids[i] == 2;  // block a, after background and table
+      if (is_hand) {
+        ++num_changed;
+        num_ghostly += color(pale) != color(without);
+        continue;
+      }
+      ASSERT_EQ(with.ids[i], without.ids[i]);
+      ASSERT_EQ(with.depth[i], without.depth[i]);
+      ASSERT_EQ(color(with), color(without));
+      ASSERT_EQ(color(pale), color(without));
+    }
+    least_seen = std::min(least_seen, num_seen);
+    most_seen = std::max(most_seen, num_seen);
+  }
+  EXPECT_GT(num_changed, 1000u);
+  EXPECT_GT(num_ghostly, 200u);
+  EXPECT_LT(num_ghostly, num_changed);  // a ghost has no arms
+  // The hand hides much of what it holds.
+  EXPECT_GT(most_seen, 60u);
+  EXPECT_LT(least_seen, most_seen * 7 / 10);
+}
+
+TEST_F(SeenDemonstratorTest, IsTheSameAgainFromEverywhere) {
+  const record::Recording recording = record::OpenRecording(Record());
+  const sim::Simulation stage(recording.scene);
+  const auto moment = record::MomentAt(recording, 60);
+  ASSERT_TRUE(moment);
+  for (const DemonstratorLook look : {kGhost, kForearm}) {
+    const SeenDemonstrator one(recording, stage, look), other(recording, stage, look);
+    for (const char* camera : {"eye", "nice"}) {
+      const Shot shot{.camera = camera, .width_px = 160, .height_px = 120};
+      const Image nobody = Photographer(stage, shot).Take(*moment);
+      const Image first = Photographer(stage, shot, &one).Take(*moment);
+      EXPECT_EQ(first.color, Photographer(stage, shot, &other).Take(*moment).color);
+      EXPECT_NE(first.color, nobody.color);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace smile::picture

@@ -1,0 +1,137 @@
+#include "picture/touch.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "mesh/primitives.h"
+
+namespace smile::picture {
+namespace {
+
+/// Lines that graze an edge between two triangles shall not miss both, nor meet both.
+constexpr double kOnEdge = 1e-9;
+
+/// How far along a line a triangle is.
+/// Source: T. Moeller, B. Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection" (1997).
+std::optional<double> Meet(const Vector3& p, const Vector3& direction, const Vector3& a,
+                           const Vector3& b, const Vector3& c) {
+  const Vector3 ab = b - a, ac = c - a;
+  const Vector3 h = direction.cross(ac);
+  const double determinant = ab.dot(h);
+  if (std::abs(determinant) < 1e-15) return std::nullopt;
+  const Vector3 s = p - a;
+  const double u = s.dot(h) / determinant;
+  const Vector3 q = s.cross(ab);
+  const double v = direction.dot(q) / determinant;
+  if (u < -kOnEdge || v < -kOnEdge || u + v > 1 + kOnEdge) return std::nullopt;
+  return ac.dot(q) / determinant;
+}
+
+/// Where a line runs within a closed surface.
+std::vector<Span> Within(const mesh::TriangleMesh& mesh, const Vector3& p,
+                         const Vector3& direction) {
+  constexpr double kSame = 1e-7;
+  std::vector<double> in, out;
+  const auto corner = [&mesh](std::uint32_t k) {
+    return Vector3(mesh.positions[k].cast<double>());
+  };
+  for (const auto& [i, j, k] : mesh.triangles) {
+    const Vector3 a = corner(i), b = corner(j), c = corner(k);
+    const auto t = Meet(p, direction, a, b, c);
+    if (!t) continue;
+    ((b - a).cross(c - a).dot(direction) < 0 ? in : out).push_back(*t);
+  }
+  const auto tidy = [](std::vector<double>* values) {
+    std::sort(values->begin(), values->end());
+    const auto end = std::unique(values->begin(), values->end(),
+                                 [](double a, double b) { return b - a < kSame; });
+    values->erase(end, values->end());
+  };
+  tidy(&in);
+  tidy(&out);
+  std::vector<Span> spans;
+  auto exit = out.begin();
+  for (const double entry : in) {
+    exit = std::lower_bound(exit, out.end(), entry);
+    if (exit == out.end()) break;
+    spans.push_back({entry, *exit});
+  }
+  return spans;
+}
+
+}  // namespace
+
+Touch::Touch(const scene::VisualModel& model, std::size_t num_objects) : model_(model) {
+  for (const scene::Visual& visual : model.visuals) {
+    const bool is_felt = visual.frame > 0 && static_cast<std::size_t>(visual.frame) <= num_objects;
+    meshes_.push_back(is_felt ? mesh::MeshOf(visual.shape) : mesh::TriangleMesh());
+  }
+}
+
+std::vector<Span> Touch::Along(int frame, const std::vector<int>& looks, const Vector3& p_FQ,
+                               const Vector3& direction) const {
+  std::vector<Span> spans;
+  for (std::size_t i = 0; i < meshes_.size(); ++i) {
+    const scene::Visual& visual = model_.visuals[i];
+    if (visual.frame != frame) continue;
+    if (visual.choice >= 0 && looks[static_cast<std::size_t>(visual.choice)] != visual.look) {
+      continue;
+    }
+    const RigidTransform X_VF = visual.X_FV.inverse();
+    const auto more = Within(meshes_[i], X_VF * p_FQ, X_VF.rotation() * direction);
+    spans.insert(spans.end(), more.begin(), more.end());
+  }
+  std::sort(spans.begin(), spans.end(),
+            [](const Span& a, const Span& b) { return a.from < b.from; });
+  constexpr double kTouching = 1e-4;
+  std::vector<Span> merged;
+  for (const Span& span : spans) {
+    if (merged.empty() || span.from > merged.back().to + kTouching) {
+      merged.push_back(span);
+    } else {
+      merged.back().to = std::max(merged.back().to, span.to);
+    }
+  }
+  return merged;
+}
+
+Span Touch::Around(int frame, const std::vector<int>& looks, const Vector3& p_FQ,
+                   const Vector3& direction) const {
+  constexpr double kOnSurface = 1e-3;
+  for (const Span& span : Along(frame, looks, p_FQ, direction)) {
+    if (span.from <= kOnSurface && span.to >= -kOnSurface) {
+      return {std::min(span.from, 0.0), std::max(span.to, 0.0)};
+    }
+  }
+  return {};
+}
+
+Vector3 Touch::PointWithin(int frame, const std::vector<int>& looks, const Vector3& p_FQ) const {
+  constexpr double kBelow = 0.012;
+  const Span up = Around(frame, looks, p_FQ, Vector3::UnitZ());
+  if (up.to > up.from) return p_FQ;
+  double nearest = std::numeric_limits<double>::infinity();
+  Vector3 found = p_FQ;
+  // 13 lines both ways: along axes, diagonals of faces and of space. Level ones first: of a box the
+  // wall is taken, not the bottom.
+  constexpr int kFirst = 14, kFirstSteep = 18, kEnd = 27;
+  for (int k = kFirst; k < kEnd; ++k) {
+    if (k == kFirstSteep && std::isfinite(nearest)) break;
+    const Vector3 direction =
+        Eigen::Vector3i(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1).cast<double>().normalized();
+    for (const Span& span : Along(frame, looks, p_FQ, direction)) {
+      const bool is_ahead = span.from > 0;
+      const double distance = is_ahead ? span.from : -span.to;
+      if (distance >= nearest) continue;
+      nearest = distance;
+      const double deep = std::min(kBelow, (span.to - span.from) / 2);
+      found = p_FQ + (is_ahead ? span.from + deep : span.to - deep) * direction;
+    }
+  }
+  return found;
+}
+
+}  // namespace smile::picture

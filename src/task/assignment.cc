@@ -1,0 +1,95 @@
+#include "task/assignment.h"
+
+#include <limits>
+
+#include "base/demand.h"
+
+namespace smile::task {
+namespace {
+
+constexpr Eigen::Index kNone = -1;
+
+/// Assigns row after row, each by the cheapest way of exchanging what was assigned before.
+class Assigner {
+ public:
+  explicit Assigner(const Eigen::MatrixXd& cost)
+      : cost_(cost),
+        row_of_(static_cast<std::size_t>(cost.cols()), kNone),
+        price_of_row_(Eigen::VectorXd::Zero(cost.rows())),
+        price_of_column_(Eigen::VectorXd::Zero(cost.cols())) {}
+
+  void Assign(Eigen::Index row) {
+    const Eigen::Index columns = cost_.cols();
+    std::vector<bool> is_done(static_cast<std::size_t>(columns), false);
+    Eigen::VectorXd way =
+        Eigen::VectorXd::Constant(columns, std::numeric_limits<double>::infinity());
+    std::vector<Eigen::Index> before(static_cast<std::size_t>(columns), kNone);
+    Eigen::Index from = kNone, at_row = row;
+    double length = 0;
+    do {
+      // One step farther along the cheapest way so far.
+      Eigen::Index next = kNone;
+      for (Eigen::Index column = 0; column < columns; ++column) {
+        if (is_done[static_cast<std::size_t>(column)]) continue;
+        const double through =
+            length + cost_(at_row, column) - price_of_row_(at_row) - price_of_column_(column);
+        if (through < way(column)) {
+          way(column) = through;
+          before[static_cast<std::size_t>(column)] = from;
+        }
+        if (next == kNone || way(column) < way(next)) next = column;
+      }
+      is_done[static_cast<std::size_t>(next)] = true;
+      length = way(next);
+      from = next;
+      at_row = row_of_[static_cast<std::size_t>(next)];
+    } while (at_row != kNone);
+    Reprice(row, is_done, way, length);
+    Swap(row, from, before);
+  }
+
+  std::vector<std::size_t> columns() const {
+    std::vector<std::size_t> columns(static_cast<std::size_t>(cost_.rows()));
+    for (std::size_t column = 0; column < row_of_.size(); ++column) {
+      if (row_of_[column] != kNone) columns[static_cast<std::size_t>(row_of_[column])] = column;
+    }
+    return columns;
+  }
+
+ private:
+  /// So that what is assigned stays at reduced cost 0 and nothing is below.
+  void Reprice(Eigen::Index row, const std::vector<bool>& is_done, const Eigen::VectorXd& way,
+               double length) {
+    price_of_row_(row) += length;
+    for (std::size_t column = 0; column < row_of_.size(); ++column) {
+      const auto index = static_cast<Eigen::Index>(column);
+      if (!is_done[column] || way(index) >= length) continue;
+      price_of_row_(row_of_[column]) += length - way(index);
+      price_of_column_(index) -= length - way(index);
+    }
+  }
+
+  void Swap(Eigen::Index row, Eigen::Index column, const std::vector<Eigen::Index>& before) {
+    while (column != kNone) {
+      const Eigen::Index previous = before[static_cast<std::size_t>(column)];
+      row_of_[static_cast<std::size_t>(column)] =
+          previous == kNone ? row : row_of_[static_cast<std::size_t>(previous)];
+      column = previous;
+    }
+  }
+
+  const Eigen::MatrixXd& cost_;
+  std::vector<Eigen::Index> row_of_;  ///< of each column
+  Eigen::VectorXd price_of_row_, price_of_column_;
+};
+
+}  // namespace
+
+std::vector<std::size_t> CheapestAssignment(const Eigen::MatrixXd& cost) {
+  SMILE_DEMAND(cost.rows() <= cost.cols());
+  Assigner assigner(cost);
+  for (Eigen::Index row = 0; row < cost.rows(); ++row) assigner.Assign(row);
+  return assigner.columns();
+}
+
+}  // namespace smile::task

@@ -1,0 +1,72 @@
+#include "task/comparison.h"
+
+#include <algorithm>
+
+#include "task/placing.h"
+
+namespace smile::task {
+namespace {
+
+const scene::ObjectSpec& ObjectIn(const scene::SceneSpec& scene, const std::string& id) {
+  return *std::ranges::find(scene.objects, id, &scene::ObjectSpec::id);
+}
+
+/// In the demonstration's names; what plays no part is left out.
+std::vector<std::string> InDemoIds(const std::vector<std::string>& scene_ids, const Match& match) {
+  std::vector<std::string> ids;
+  for (const std::string& scene_id : scene_ids) {
+    const auto part =
+        std::ranges::find_if(match, [&](const auto& pair) { return pair.second == scene_id; });
+    if (part != match.end()) ids.push_back(part->first);
+  }
+  return ids;
+}
+
+Order CompareOrder(const Structure& structure, const Course& outcome,
+                   const Comparison& comparison) {
+  std::vector<std::string> done = InDemoIds(PlacementsOf(outcome), comparison.match);
+  std::erase_if(done, [&](const std::string& id) { return !comparison.errors.contains(id); });
+  std::set<std::string> in_place;
+  for (const auto& [id, error] : comparison.errors) {
+    if (error.is_within()) in_place.insert(id);
+  }
+  return OrderOf(structure.order, std::move(done), in_place);
+}
+
+}  // namespace
+
+ObjectError Comparison::mean_error() const {
+  ObjectError mean;
+  const auto count = static_cast<double>(errors.size());
+  for (const auto& [id, error] : errors) {
+    mean.distance += error.distance / count;
+    mean.angle += error.angle / count;
+  }
+  return mean;
+}
+
+Comparison CompareWith(const Structure& structure, const Course& outcome) {
+  const ObjectPoses poses = PosesAt(outcome.scene, outcome.end);
+  Placing placing =
+      FindPlacing(structure, outcome.scene, poses, MatchObjects(structure, outcome.scene));
+  Comparison comparison{
+      .match = std::move(placing.match), .goal = {}, .errors = {}, .order = {}, .achieved = {}};
+  std::size_t num_right = 0;
+  for (const scene::ObjectSpec& object : structure.objects) {
+    const std::string& id = object.id();
+    const std::string& counterpart = comparison.match.at(id);
+    comparison.goal[id] = placing.motion * object.pose_in_world();
+    comparison.errors[id] = ErrorOf(object, comparison.goal[id],
+                                    ObjectIn(outcome.scene, counterpart), poses.at(counterpart));
+    if (comparison.errors[id].is_within()) ++num_right;
+  }
+  comparison.order = CompareOrder(structure, outcome, comparison);
+  const auto counterpart = [&](const std::string& id) { return comparison.match.at(id); };
+  comparison.achieved = AreAchieved(structure.effects, outcome, counterpart, kTolerance);
+  num_right += static_cast<std::size_t>(std::ranges::count(comparison.achieved, true));
+  comparison.share = static_cast<double>(num_right) /
+                     static_cast<double>(structure.objects.size() + structure.effects.size());
+  return comparison;
+}
+
+}  // namespace smile::task

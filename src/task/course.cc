@@ -1,0 +1,246 @@
+#include "task/course.h"
+
+#include <algorithm>
+#include <set>
+
+#include "base/overloaded.h"
+#include "record/trace_reader.h"
+
+namespace smile::task {
+namespace {
+
+/// Who lets go of an object that is no farther from where it was has not moved it.
+constexpr record::PoseGap kStayed{.distance = 0.01, .angle = DegreesToRadians(5.0)};
+
+bool IsTouch(sim::EventKind kind) {
+  using enum sim::EventKind;
+  return kind == kGrasped || kind == kReleased || kind == kFastened || kind == kLoosened ||
+         kind == kFell || kind == kGripperHolds || kind == kGripperLetGo;
+}
+
+void NoteTouch(const sim::Event& event, const record::TraceTick& now, Course* course) {
+  if (!IsTouch(event.kind)) return;
+  const auto object =
+      std::ranges::find(course->scene.objects, event.object, &scene::ObjectSpec::id);
+  if (object == course->scene.objects.end()) return;
+  const auto index = static_cast<std::size_t>(object - course->scene.objects.begin());
+  course->touches.push_back({event, now.tick, now.objects[index].pose_in_world()});
+}
+
+/// What the commands of an old recording say, whose trace tells of no events.
+class CommandedEvents {
+ public:
+  explicit CommandedEvents(const record::Recording& recording) : commands_(recording.commands) {}
+
+  /// Of the commands up to this tick that were not told of yet.
+  std::vector<sim::Event> UpTo(std::uint64_t tick) {
+    std::vector<sim::Event> events;
+    for (; next_ < commands_.size() && commands_[next_].tick <= tick; ++next_) {
+      if (const auto event = EventOf(commands_[next_].command)) events.push_back(*event);
+    }
+    return events;
+  }
+
+ private:
+  std::optional<sim::Event> EventOf(const sim::Command& command) {
+    using sim::EventKind, sim::Event;
+    return std::visit(
+        Overloaded{
+            [this](const sim::Grasp& grasp) -> std::optional<Event> {
+              held_[grasp.hand] = grasp.object;
+              return Event{.kind = EventKind::kGrasped, .hand = grasp.hand, .object = grasp.object};
+            },
+            [this](const sim::Release& release) -> std::optional<Event> {
+              return Event{.kind = EventKind::kReleased,
+                           .hand = release.hand,
+                           .object = held_[release.hand]};
+            },
+            [](const sim::Fasten& fasten) -> std::optional<Event> {
+              return Event{
+                  .kind = EventKind::kFastened, .hand = fasten.hand, .object = fasten.object};
+            },
+            [](const sim::Loosen& loosen) -> std::optional<Event> {
+              return Event{
+                  .kind = EventKind::kLoosened, .hand = loosen.hand, .object = loosen.object};
+            },
+            [](const auto&) -> std::optional<Event> { return std::nullopt; }},
+        command);
+  }
+
+  const std::vector<record::LoggedCommand>& commands_;
+  std::size_t next_ = 0;
+  std::map<demonstrator::HandName, std::string> held_;
+};
+
+std::string HolderOf(const sim::Event& event) {
+  return event.hand ? "hand " + std::string(ToString(*event.hand)) : "arm " + event.arm;
+}
+
+record::TracePose TracePoseOf(const RigidTransform& X_WB) {
+  const Quaternion q = X_WB.quaternion();
+  return {.position = X_WB.translation(), .rotation = {q.w(), q.x(), q.y(), q.z()}};
+}
+
+bool HasMoved(const RigidTransform& from, const RigidTransform& to) {
+  return GapBetween(TracePoseOf(from), TracePoseOf(to)).IsBeyond(kStayed);
+}
+
+/// Who holds what since when; and what was put where, the latest last.
+class PlacementOrder {
+ public:
+  void Note(const Touch& touch) {
+    using enum sim::EventKind;
+    const std::string& object = touch.event.object;
+    switch (touch.event.kind) {
+      case kGrasped:
+      case kGripperHolds:
+        holds_[{HolderOf(touch.event), object}] = touch.X_WB;
+        return;
+      case kReleased:
+      case kGripperLetGo: {
+        const auto hold = holds_.find({HolderOf(touch.event), object});
+        if (hold == holds_.end()) return;
+        if (HasMoved(hold->second, touch.X_WB)) Put(object);
+        holds_.erase(hold);
+        return;
+      }
+      case kFastened:
+      case kLoosened:
+        if (touch.event.hand) Put(object);
+        return;
+      default:
+        return;
+    }
+  }
+
+  std::vector<std::string> InTheEnd(const ObjectPoses& end) && {
+    for (const auto& [who, X_WB] : holds_) {
+      if (HasMoved(X_WB, end.at(who.second))) std::erase(order_, who.second);
+    }
+    return std::move(order_);
+  }
+
+ private:
+  void Put(const std::string& object) {
+    std::erase(order_, object);
+    order_.push_back(object);
+  }
+
+  std::map<std::pair<std::string, std::string>, RigidTransform> holds_;  ///< by holder and object
+  std::vector<std::string> order_;
+};
+
+}  // namespace
+
+Course CourseOf(const record::Recording& recording) {
+  record::TraceReader trace(recording);
+  Course course{.scene = recording.scene, .begin = {}, .end = {}, .touches = {}};
+  CommandedEvents commanded(recording);
+  const auto note = [&course](const std::vector<sim::Event>& events) {
+    for (const sim::Event& event : events) NoteTouch(event, course.end, &course);
+  };
+  bool has_begun = false;
+  while (const auto moment = trace.Next()) {
+    course.end = *moment;
+    if (!has_begun) {
+      course.begin = *moment;
+      note(trace.events_before_start());
+      has_begun = true;
+    }
+    note(trace.has_events() ? moment->events : commanded.UpTo(moment->tick));
+  }
+  if (!has_begun) course.begin = course.end = record::Observe(sim::Simulation(recording.scene));
+  return course;
+}
+
+CourseWitness::CourseWitness(sim::Simulation* simulation)
+    : simulation_(simulation),
+      course_{.scene = simulation->scene(),
+              .begin = record::Observe(*simulation),
+              .end = {},
+              .touches = {}} {
+  simulation_->AddListener(this);
+}
+
+CourseWitness::~CourseWitness() { simulation_->RemoveListener(this); }
+
+void CourseWitness::OnEvent(const sim::Simulation& simulation, const sim::Event& event) {
+  if (IsTouch(event.kind)) NoteTouch(event, record::Observe(simulation), &course_);
+}
+
+void CourseWitness::OnUndo(const sim::Simulation& simulation) {
+  std::erase_if(course_.touches,
+                [&](const Touch& touch) { return touch.tick >= simulation.tick(); });
+}
+
+Course CourseWitness::course() const {
+  Course course = course_;
+  course.end = record::Observe(*simulation_);
+  return course;
+}
+
+std::vector<scene::ObjectSpec> ObjectsAt(const scene::SceneSpec& scene,
+                                         const record::TraceTick& moment) {
+  std::vector<scene::ObjectSpec> objects;
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    if (!moment.objects[i].is_present) continue;
+    objects.push_back(scene.objects[i]);
+    objects.back().whole.X_PE = moment.objects[i].pose_in_world();
+  }
+  return objects;
+}
+
+ObjectPoses PosesAt(const scene::SceneSpec& scene, const record::TraceTick& moment) {
+  ObjectPoses poses = StartOf(scene);
+  for (const scene::ObjectSpec& object : ObjectsAt(scene, moment)) {
+    poses[object.id()] = object.pose_in_world();
+  }
+  return poses;
+}
+
+ObjectPoses StartOf(const scene::SceneSpec& scene) {
+  ObjectPoses poses;
+  for (const scene::ObjectSpec& object : scene.objects) {
+    poses[object.id()] = object.pose_in_world();
+  }
+  return poses;
+}
+
+std::vector<std::string> TouchedByHands(const Course& course) {
+  std::vector<std::string> touched;
+  for (const Touch& touch : course.touches) {
+    const bool counts = touch.event.kind == sim::EventKind::kGrasped ||
+                        touch.event.kind == sim::EventKind::kFastened ||
+                        touch.event.kind == sim::EventKind::kLoosened;
+    if (!counts || !touch.event.hand) continue;
+    if (std::ranges::find(touched, touch.event.object) == touched.end()) {
+      touched.push_back(touch.event.object);
+    }
+  }
+  return touched;
+}
+
+Work WorkOf(const Course& course) {
+  Work work;
+  std::map<std::string, int> holders;  // of what was ever held: by how many grippers now
+  for (const Touch& touch : course.touches) {
+    const std::string& object = touch.event.object;
+    if (touch.event.kind == sim::EventKind::kGripperHolds) {
+      ++work.grasps;
+      const auto held = holders.find(object);
+      if (held != holders.end() && held->second == 0) ++work.retries;
+      ++holders[object];
+    } else if (touch.event.kind == sim::EventKind::kGripperLetGo) {
+      holders[object] = std::max(0, holders[object] - 1);
+    }
+  }
+  return work;
+}
+
+std::vector<std::string> PlacementsOf(const Course& course) {
+  PlacementOrder order;
+  for (const Touch& touch : course.touches) order.Note(touch);
+  return std::move(order).InTheEnd(PosesAt(course.scene, course.end));
+}
+
+}  // namespace smile::task

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "record/recording.h"
+#include "record/trace.h"
+#include "sim/simulation.h"
+
+namespace smile::task {
+
+/// Poses of objects in the world, by id.
+using ObjectPoses = std::map<std::string, RigidTransform>;
+
+/// A hand or a gripper had to do with an object, or it fell.
+struct Touch {
+  sim::Event event;
+  std::uint64_t tick = 0;
+  RigidTransform X_WB;  ///< of the event's object then
+};
+
+/// What somebody did in a scene, hands or a robot: how it was before and after, and what was
+/// touched in between.
+struct Course {
+  scene::SceneSpec scene;
+  record::TraceTick begin, end;
+  std::vector<Touch> touches;  ///< in order
+};
+
+/// @throws InputError if the recording's trace cannot be read.
+Course CourseOf(const record::Recording& recording);
+
+/// Follows a simulation from now on, as long as both live.
+class CourseWitness : public sim::Listener {
+ public:
+  explicit CourseWitness(sim::Simulation* simulation);
+  CourseWitness(const CourseWitness&) = delete;
+  CourseWitness& operator=(const CourseWitness&) = delete;
+  ~CourseWitness() override;
+
+  void OnEvent(const sim::Simulation& simulation, const sim::Event& event) override;
+  void OnUndo(const sim::Simulation& simulation) override;
+
+  /// Up to now.
+  Course course() const;
+
+ private:
+  sim::Simulation* simulation_;
+  Course course_;
+};
+
+/// The objects that are there, with their poses of that moment.
+std::vector<scene::ObjectSpec> ObjectsAt(const scene::SceneSpec& scene,
+                                         const record::TraceTick& moment);
+
+/// Of all objects; those that are not there are where they began.
+ObjectPoses PosesAt(const scene::SceneSpec& scene, const record::TraceTick& moment);
+/// Where the objects of a scene begin.
+ObjectPoses StartOf(const scene::SceneSpec& scene);
+
+/// The objects that hands took, fastened or loosened.
+std::vector<std::string> TouchedByHands(const Course& course);
+
+/// How much work a robot's grippers had.
+struct Work {
+  int grasps = 0;   ///< that got hold of something
+  int retries = 0;  ///< of what had been held before and was let go of
+
+  bool operator==(const Work&) const = default;
+};
+Work WorkOf(const Course& course);
+
+/// The objects that hands or grippers moved, in the order in which they were put where they finally
+/// stayed: by the last release, or turn of a fastening, after which they were elsewhere than before
+/// it. Not those that are still held.
+std::vector<std::string> PlacementsOf(const Course& course);
+
+}  // namespace smile::task

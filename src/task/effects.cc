@@ -1,0 +1,320 @@
+#include "task/effects.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/overloaded.h"
+#include "base/wording.h"
+#include "scene/bond_points.h"
+#include "scene/controls_of.h"
+#include "scene/units.h"
+#include "task/relations.h"
+
+namespace smile::task {
+namespace {
+
+/// What slid less has not moved [m].
+constexpr double kSlid = 0.01;
+
+bool IsThere(const scene::SceneSpec& scene, const record::TraceTick& moment,
+             const std::string& object) {
+  const auto spec = std::ranges::find(scene.objects, object, &scene::ObjectSpec::id);
+  return spec != scene.objects.end() &&
+         moment.objects[static_cast<std::size_t>(spec - scene.objects.begin())].is_present;
+}
+
+/// The controls of all objects in scene order, as the trace has them; `from` as they are, `to`
+/// empty.
+std::vector<ControlEffect> ControlsAt(const scene::SceneSpec& scene,
+                                      const record::TraceTick& moment) {
+  std::vector<ControlEffect> controls;
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    std::size_t number = 0;
+    for (const scene::Part* part : scene::ControlsOf(scene.objects[i].whole)) {
+      const world::Control control{
+          .part = std::make_shared<const scene::Part>(*part), .object = i, .downstream = {}};
+      controls.push_back({.object = scene.objects[i].id(),
+                          .number = number++,
+                          .control = part->id,
+                          .from = RecordedState(control, moment.controls[controls.size()]),
+                          .to = {}});
+    }
+  }
+  return controls;
+}
+
+/// A bond point of a scene, by the object it belongs to.
+struct PointPlace {
+  std::string object;
+  std::size_t number = 0;
+  std::string id;
+};
+
+template <class PointsOf>
+std::vector<PointPlace> PointsIn(const scene::SceneSpec& scene, const PointsOf& points_of) {
+  std::vector<PointPlace> places;
+  for (const scene::ObjectSpec& object : scene.objects) {
+    std::size_t number = 0;
+    for (const auto& placed : points_of(object.whole)) {
+      places.push_back({object.id(), number++, placed.point->id});
+    }
+  }
+  return places;
+}
+
+bool IsSamePair(const BondEffect& a, const BondEffect& b) {
+  return a.guest_object == b.guest_object && a.guest_number == b.guest_number &&
+         a.host_object == b.host_object && a.host_number == b.host_number;
+}
+
+/// How far out a slider's second member is [m]: its way in the first one's frame, along -x of the
+/// rail J.
+double OffsetOf(const scene::SliderSpec& slider, const record::TraceTick& moment) {
+  const RigidTransform X_WA = moment.objects[slider.first_object].pose_in_world();
+  const RigidTransform X_WB = moment.objects[slider.first_object + 1].pose_in_world();
+  const RigidTransform X_JB = slider.X_JA * X_WA.inverse() * X_WB;
+  return slider.X_JB.translation().x() - X_JB.translation().x();
+}
+
+std::vector<Relation> ContentsAt(const scene::SceneSpec& scene, const record::TraceTick& moment) {
+  std::vector<Relation> relations = RelationsOf(scene, ObjectsAt(scene, moment));
+  std::erase_if(relations,
+                [](const Relation& relation) { return relation.kind != Relation::Kind::kIn; });
+  return relations;
+}
+
+void AppendControlEffects(const Course& course, std::vector<Effect>* effects) {
+  std::vector<ControlEffect> controls = ControlsAt(course.scene, course.begin);
+  const std::vector<ControlEffect> after = ControlsAt(course.scene, course.end);
+  for (std::size_t i = 0; i < controls.size(); ++i) {
+    controls[i].to = after[i].from;
+    if (controls[i].from == controls[i].to) continue;
+    if (IsThere(course.scene, course.end, controls[i].object)) effects->push_back(controls[i]);
+  }
+}
+
+void AppendBondEffects(const Course& course, std::vector<Effect>* effects) {
+  const std::vector<BondEffect> before = BondsAt(course.scene, course.begin);
+  const std::vector<BondEffect> after = BondsAt(course.scene, course.end);
+  for (const BondEffect& bond : after) {
+    if (std::ranges::find(before, bond) == before.end()) effects->push_back(bond);
+  }
+  for (BondEffect bond : before) {
+    const bool is_kept =
+        std::ranges::any_of(after, [&](const BondEffect& now) { return IsSamePair(bond, now); });
+    const bool are_there = IsThere(course.scene, course.end, bond.guest_object) &&
+                           IsThere(course.scene, course.end, bond.host_object);
+    if (is_kept || !are_there) continue;
+    bond.tightness = 0;
+    effects->push_back(bond);
+  }
+}
+
+void AppendSlideEffects(const Course& course, std::vector<Effect>* effects) {
+  for (const scene::SliderSpec& slider : course.scene.sliders) {
+    const std::string& first = course.scene.objects[slider.first_object].id();
+    const std::string& second = course.scene.objects[slider.first_object + 1].id();
+    if (!IsThere(course.scene, course.end, first) || !IsThere(course.scene, course.end, second)) {
+      continue;
+    }
+    const double from = OffsetOf(slider, course.begin), to = OffsetOf(slider, course.end);
+    if (std::abs(to - from) > kSlid) effects->push_back(SlideEffect{second, from, to});
+  }
+}
+
+/// True of a drawer and what it slides in, and of a screw and its nut: of these other effects tell.
+bool AreJoined(const Relation& relation, const Course& course, const std::vector<Effect>& effects) {
+  const auto are_these = [&](const std::string& a, const std::string& b) {
+    return (a == relation.object && b == relation.support) ||
+           (a == relation.support && b == relation.object);
+  };
+  const auto& objects = course.scene.objects;
+  for (const scene::SliderSpec& slider : course.scene.sliders) {
+    const std::size_t first = slider.first_object;
+    if (are_these(objects[first].id(), objects[first + 1].id())) return true;
+  }
+  return std::ranges::any_of(effects, [&](const Effect& effect) {
+    const auto* bond = std::get_if<BondEffect>(&effect);
+    return bond != nullptr && are_these(bond->guest_object, bond->host_object);
+  });
+}
+
+void AppendContainerEffects(const Course& course, std::vector<Effect>* effects) {
+  const std::vector<Relation> before = ContentsAt(course.scene, course.begin);
+  const std::vector<Relation> after = ContentsAt(course.scene, course.end);
+  const auto append_missing = [&](const std::vector<Relation>& from,
+                                  const std::vector<Relation>& in, bool is_inside) {
+    for (const Relation& relation : from) {
+      if (std::ranges::find(in, relation) != in.end()) continue;
+      if (AreJoined(relation, course, *effects)) continue;
+      const bool are_there = IsThere(course.scene, course.end, relation.object) &&
+                             IsThere(course.scene, course.end, relation.support);
+      if (!are_there) continue;
+      effects->push_back(ContainerEffect{relation.object, relation.support, is_inside});
+    }
+  };
+  append_missing(after, before, /*is_inside=*/true);
+  append_missing(before, after, /*is_inside=*/false);
+}
+
+/// How things are in the end of a course, to be compared with what effects want.
+class Ending {
+ public:
+  Ending(const Course& course, const Counterpart& counterpart, double tolerance)
+      : course_(course),
+        counterpart_(counterpart),
+        tolerance_(tolerance),
+        controls_(ControlsAt(course.scene, course.end)),
+        bonds_(BondsAt(course.scene, course.end)),
+        contents_(ContentsAt(course.scene, course.end)) {}
+
+  bool IsAs(const ControlEffect& wanted) const {
+    return std::ranges::any_of(controls_, [&](const ControlEffect& control) {
+      return control.object == counterpart_(wanted.object) && control.number == wanted.number &&
+             control.from == wanted.to;
+    });
+  }
+
+  bool IsAs(BondEffect wanted) const {
+    wanted.guest_object = counterpart_(wanted.guest_object);
+    wanted.host_object = counterpart_(wanted.host_object);
+    for (const BondEffect& bond : bonds_) {
+      if (IsSamePair(bond, wanted)) return bond.tightness == wanted.tightness;
+    }
+    return wanted.tightness == 0;
+  }
+
+  bool IsAs(const SlideEffect& wanted) const {
+    return std::ranges::any_of(course_.scene.sliders, [&](const scene::SliderSpec& slider) {
+      return course_.scene.objects[slider.first_object + 1].id() == counterpart_(wanted.object) &&
+             std::abs(OffsetOf(slider, course_.end) - wanted.to) <= tolerance_;
+    });
+  }
+
+  bool IsAs(const ContainerEffect& wanted) const {
+    const bool is_inside = std::ranges::any_of(contents_, [&](const Relation& relation) {
+      return relation.object == counterpart_(wanted.object) &&
+             relation.support == counterpart_(wanted.container);
+    });
+    return is_inside == wanted.is_inside;
+  }
+
+ private:
+  const Course& course_;
+  const Counterpart& counterpart_;
+  double tolerance_;  ///< [m]
+  std::vector<ControlEffect> controls_;
+  std::vector<BondEffect> bonds_;
+  std::vector<Relation> contents_;
+};
+
+double InUnits(double length, double meters_per_unit) { return length / meters_per_unit; }
+
+}  // namespace
+
+std::vector<BondEffect> BondsAt(const scene::SceneSpec& scene, const record::TraceTick& moment) {
+  const std::vector<PointPlace> guests = PointsIn(scene, scene::GuestsOf);
+  const std::vector<PointPlace> hosts = PointsIn(scene, scene::HostsOf);
+  std::vector<BondEffect> bonds;
+  for (std::size_t i = 0; i < hosts.size(); ++i) {
+    const record::TraceBond& bond = moment.bonds[i];
+    if (bond.guest < 0) continue;
+    const PointPlace& guest = guests[static_cast<std::size_t>(bond.guest)];
+    bonds.push_back({.guest_object = guest.object,
+                     .host_object = hosts[i].object,
+                     .guest_number = guest.number,
+                     .host_number = hosts[i].number,
+                     .guest = guest.id,
+                     .host = hosts[i].id,
+                     .tightness = bond.tightness});
+  }
+  return bonds;
+}
+
+std::vector<Effect> EffectsOf(const Course& course) {
+  std::vector<Effect> effects;
+  AppendControlEffects(course, &effects);
+  AppendBondEffects(course, &effects);
+  AppendSlideEffects(course, &effects);
+  AppendContainerEffects(course, &effects);
+  return effects;
+}
+
+std::vector<std::string> ObjectsOf(const Effect& effect) {
+  using Ids = std::vector<std::string>;
+  return std::visit(Overloaded{[](const ControlEffect& control) { return Ids{control.object}; },
+                               [](const BondEffect& bond) {
+                                 return Ids{bond.guest_object, bond.host_object};
+                               },
+                               [](const SlideEffect& slide) { return Ids{slide.object}; },
+                               [](const ContainerEffect& in) {
+                                 return Ids{in.object, in.container};
+                               }},
+                    effect);
+}
+
+std::vector<bool> AreAchieved(const std::vector<Effect>& effects, const Course& course,
+                              const Counterpart& counterpart, double tolerance) {
+  const Ending ending(course, counterpart, tolerance);
+  std::vector<bool> achieved;
+  for (const Effect& effect : effects) {
+    achieved.push_back(std::visit([&](const auto& wanted) { return ending.IsAs(wanted); }, effect));
+  }
+  return achieved;
+}
+
+std::string WordsOf(const Effect& effect, double meters_per_unit) {
+  return std::visit(
+      Overloaded{
+          [](const ControlEffect& control) {
+            return control.control + " from " + control.from + " to " + control.to;
+          },
+          [](const BondEffect& bond) {
+            return bond.tightness == 0 ? bond.guest + " loosened from " + bond.host
+                                       : bond.guest + " fastened to " + bond.host + ", stage " +
+                                             std::to_string(bond.tightness);
+          },
+          [&](const SlideEffect& slide) {
+            const auto tenths = [&](double offset) {
+              return NumberText(std::round(10 * InUnits(offset, meters_per_unit)) / 10 + 0.0);
+            };
+            return slide.object + " slid from " + tenths(slide.from) + " to " + tenths(slide.to) +
+                   " units";
+          },
+          [](const ContainerEffect& in) {
+            return in.object + (in.is_inside ? " put into " : " taken out of ") + in.container;
+          }},
+      effect);
+}
+
+Json ToJson(const Effect& effect, double meters_per_unit) {
+  return std::visit(Overloaded{[](const ControlEffect& control) -> Json {
+                                 return {{"kind", "control"},
+                                         {"object", control.object},
+                                         {"control", control.control},
+                                         {"from", control.from},
+                                         {"to", control.to}};
+                               },
+                               [](const BondEffect& bond) -> Json {
+                                 return {{"kind", "bond"},
+                                         {"object", bond.guest_object},
+                                         {"guest", bond.guest},
+                                         {"host", bond.host},
+                                         {"tightness", bond.tightness}};
+                               },
+                               [&](const SlideEffect& slide) -> Json {
+                                 return {{"kind", "slide"},
+                                         {"object", slide.object},
+                                         {"from", InUnits(slide.from, meters_per_unit)},
+                                         {"to", InUnits(slide.to, meters_per_unit)}};
+                               },
+                               [](const ContainerEffect& in) -> Json {
+                                 return {{"kind", "container"},
+                                         {"object", in.object},
+                                         {"container", in.container},
+                                         {"inside", in.is_inside}};
+                               }},
+                    effect);
+}
+
+}  // namespace smile::task

@@ -1,0 +1,240 @@
+#include "task/internal_clump.h"
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "base/state_hash.h"
+#include "base/uniform.h"
+#include "math/angles.h"
+#include "scene/bounds.h"
+#include "scene/controls_of.h"
+#include "scene/solid.h"
+
+namespace smile::task {
+namespace {
+
+/// Nearer than this things touch [m].
+constexpr double kTouching = 0.0005;
+/// Blocks that lie in contact are this far apart, so that physics finds them beside each other and
+/// not within [m].
+constexpr double kContactGap = 0.0002;
+/// An upper block of a stack is off its lower one by up to so much, along x and y.
+constexpr double kMostOffset = 0.01, kMostTurnDeg = 20;  // [m], [degrees]
+
+/// Guests and hosts that are fastened to each other from the start.
+void NoteBonds(const scene::Part& part, std::set<std::string>* hosts, bool* has_fastened_guest) {
+  const auto* composite = std::get_if<scene::Composite>(&part.shape);
+  if (!composite) return;
+  for (const scene::GuestPoint& guest : composite->guests) {
+    if (guest.initial_tightness == 0) continue;
+    hosts->insert(guest.initial_host);
+    *has_fastened_guest = true;
+  }
+  for (const scene::Part& child : composite->parts) NoteBonds(child, hosts, has_fastened_guest);
+}
+
+bool HasHost(const scene::Part& part, const std::set<std::string>& hosts) {
+  const auto* composite = std::get_if<scene::Composite>(&part.shape);
+  if (!composite) return false;
+  return std::ranges::any_of(composite->hosts,
+                             [&](const auto& host) { return hosts.contains(host.id); }) ||
+         std::ranges::any_of(composite->parts,
+                             [&](const auto& child) { return HasHost(child, hosts); });
+}
+
+/// What a mechanism has of the scene's objects: one entry per object.
+std::vector<bool> PartsOfMechanisms(const scene::SceneSpec& scene) {
+  std::vector<bool> is_part(scene.objects.size());
+  for (const scene::SliderSpec& slider : scene.sliders) {
+    is_part[slider.first_object] = is_part[slider.first_object + 1] = true;
+  }
+  for (const scene::ChainSpec& chain : scene.chains) {
+    for (std::size_t i = 0; i < chain.link_ids.size() + 2; ++i) {
+      is_part[chain.first_object + i] = true;
+    }
+  }
+  std::set<std::string> hosts;
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    bool has_fastened_guest = false;
+    NoteBonds(scene.objects[i].whole, &hosts, &has_fastened_guest);
+    if (has_fastened_guest || !scene::ControlsOf(scene.objects[i].whole).empty()) {
+      is_part[i] = true;
+    }
+  }
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    if (HasHost(scene.objects[i].whole, hosts)) is_part[i] = true;
+  }
+  return is_part;
+}
+
+scene::Bounds BoundsInWorld(const scene::ObjectSpec& object) {
+  return scene::BoundsOf(scene::SolidsOf(object.whole), object.pose_in_world());
+}
+
+bool DoTouch(const scene::ObjectSpec& a, const scene::ObjectSpec& b) {
+  const scene::Bounds bounds_a = BoundsInWorld(a), bounds_b = BoundsInWorld(b);
+  return !bounds_a.is_empty() && !bounds_b.is_empty() && bounds_a.Meets(bounds_b, kTouching) &&
+         GapBetween(FootprintOf(a, a.pose_in_world()), FootprintOf(b, b.pose_in_world())) <
+             kTouching;
+}
+
+/// The object by itself, as it stands but not turned about the vertical.
+Clump Alone(const scene::SceneSpec& scene, std::size_t i) {
+  const scene::ObjectSpec& object = scene.objects[i];
+  Vector3 angles_deg = FixedAxesAngles(object.pose_in_world().rotation());
+  angles_deg.z() = 0;
+  const double z = object.pose_in_world().translation().z();
+  const RigidTransform X_KB(RotationFromFixedAxes(angles_deg), Vector3(0, 0, z));
+  const scene::Bounds bounds = scene::BoundsOf(scene::SolidsOf(object.whole), X_KB);
+  const Vector3 center = bounds.center();
+  return {.members = {{.object = i,
+                       .p_KB = Vector3(-center.x(), -center.y(), z),
+                       .angles_deg = angles_deg}},
+          .half_size = bounds.size().head<2>() / 2,
+          .top = bounds.high.z()};
+}
+
+/// Side by side along x, in contact.
+Clump Row(const std::vector<Clump>& alone) {
+  Clump row;
+  for (const Clump& one : alone) row.half_size.x() += one.half_size.x();
+  row.half_size.x() += kContactGap * static_cast<double>(alone.size() - 1) / 2;
+  double x = -row.half_size.x();
+  for (const Clump& one : alone) {
+    ClumpMember member = one.members.front();
+    member.p_KB.x() += x + one.half_size.x();
+    row.members.push_back(member);
+    row.half_size.y() = std::max(row.half_size.y(), one.half_size.y());
+    row.top = std::max(row.top, one.top);
+    x += 2 * one.half_size.x() + kContactGap;
+  }
+  return row;
+}
+
+/// One on another, not quite straight.
+Clump Stack(const Clump& lower, const Clump& upper, std::mt19937_64* random) {
+  const double yaw_deg = std::round(Uniform(random, -kMostTurnDeg, kMostTurnDeg));
+  const Vector2 offset(Uniform(random, -kMostOffset, kMostOffset),
+                       Uniform(random, -kMostOffset, kMostOffset));
+  Clump stack = lower;
+  ClumpMember member = upper.members.front();
+  const RigidTransform X_KU(RotationFromFixedAxes({0, 0, yaw_deg}),
+                            Vector3(offset.x(), offset.y(), lower.top));
+  member.p_KB = X_KU * member.p_KB;
+  member.angles_deg.z() = yaw_deg;
+  stack.members.push_back(member);
+  stack.top += upper.top;
+  for (const Vector2& corner :
+       Footprint{.center = offset, .yaw_deg = yaw_deg, .half_size = upper.half_size}.corners()) {
+    stack.half_size = stack.half_size.cwiseMax(corner.cwiseAbs());
+  }
+  return stack;
+}
+
+bool IsBlock(const scene::ObjectSpec& object) {
+  return std::holds_alternative<scene::Block>(object.whole.shape);
+}
+
+/// Numbers of the clumps that are blocks equal to most others, in an order that the seed shuffles.
+std::vector<std::size_t> EqualBlocks(const scene::SceneSpec& scene, const std::vector<Clump>& alone,
+                                     std::uint64_t seed) {
+  std::vector<std::size_t> most;
+  for (const Clump& model : alone) {
+    std::vector<std::size_t> equals;
+    for (std::size_t i = 0; i < alone.size(); ++i) {
+      if (IsBlock(scene.objects[alone[i].members.front().object]) &&
+          (alone[i].half_size - model.half_size).cwiseAbs().maxCoeff() < 1e-6 &&
+          std::abs(alone[i].top - model.top) < 1e-6) {
+        equals.push_back(i);
+      }
+    }
+    if (equals.size() > most.size()) most = equals;
+  }
+  std::vector<std::pair<std::uint64_t, std::size_t>> keyed;
+  for (std::size_t i : most) {
+    const std::string& id = scene.objects[alone[i].members.front().object].id();
+    keyed.emplace_back(StreamOf(seed, 0, "order of " + id)(), i);
+  }
+  std::ranges::sort(keyed);
+  for (std::size_t i = 0; i < keyed.size(); ++i) most[i] = keyed[i].second;
+  return most;
+}
+
+/// How many rows and stacks there are among so many equal blocks.
+struct ClumpCounts {
+  std::size_t rows = 0, stacks = 0;
+};
+ClumpCounts CountsFor(LayoutLevel level, std::size_t num_blocks) {
+  if (num_blocks < 2) return {};
+  const std::size_t count = (num_blocks + 2) / 4;
+  if (level == LayoutLevel::kTouching) return {.rows = count};
+  if (level == LayoutLevel::kStacked) return {.stacks = count};
+  if (level == LayoutLevel::kMixed) return {.rows = count / 2, .stacks = (count + 1) / 2};
+  return {};
+}
+
+double AreaOf(const Clump& clump) { return clump.half_size.x() * clump.half_size.y(); }
+
+}  // namespace
+
+std::mt19937_64 StreamOf(std::uint64_t seed, std::uint64_t attempt, std::string_view name) {
+  StateHash hash;
+  hash.Add(seed);
+  hash.Add(attempt);
+  hash.Add(name);
+  return std::mt19937_64(hash.value());
+}
+
+std::vector<std::size_t> LooseObjects(const scene::SceneSpec& scene) {
+  const std::vector<bool> is_part = PartsOfMechanisms(scene);
+  std::vector<std::size_t> loose;
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    const scene::ObjectSpec& object = scene.objects[i];
+    if (object.is_static() || is_part[i]) continue;
+    const scene::Bounds bounds = BoundsInWorld(object);
+    if (bounds.is_empty() || std::abs(bounds.low.z()) > kTouching) continue;
+    const bool is_touched = std::ranges::any_of(scene.objects, [&](const auto& other) {
+      return &other != &object && DoTouch(object, other);
+    });
+    if (!is_touched) loose.push_back(i);
+  }
+  return loose;
+}
+
+std::vector<Clump> ClumpsOf(const scene::SceneSpec& scene, const std::vector<std::size_t>& objects,
+                            std::uint64_t seed, LayoutLevel level) {
+  std::vector<Clump> alone, clumps;
+  for (std::size_t i : objects) alone.push_back(Alone(scene, i));
+  std::vector<std::size_t> blocks = EqualBlocks(scene, alone, seed);
+  std::vector<bool> is_used(alone.size());
+  const auto take = [&] {
+    const std::size_t i = blocks.back();
+    blocks.pop_back();
+    is_used[i] = true;
+    return alone[i];
+  };
+
+  std::mt19937_64 random = StreamOf(seed, 0, "clumps");
+  const ClumpCounts counts = CountsFor(level, blocks.size());
+  for (std::size_t k = 0; k < counts.stacks && blocks.size() >= 2; ++k) {
+    const Clump lower = take();
+    clumps.push_back(Stack(lower, take(), &random));
+  }
+  for (std::size_t k = 0; k < counts.rows && blocks.size() >= 2; ++k) {
+    std::vector<Clump> row{take(), take()};
+    // A row more is wanted as long as it has its two.
+    const std::size_t spare = blocks.size() - std::min(blocks.size(), 2 * (counts.rows - k - 1));
+    if (spare > 0 && Uniform(&random, 0, 1) < 0.3) row.push_back(take());
+    clumps.push_back(Row(row));
+  }
+  for (std::size_t i = 0; i < alone.size(); ++i) {
+    if (!is_used[i]) clumps.push_back(alone[i]);
+  }
+  std::ranges::stable_sort(
+      clumps, [](const Clump& a, const Clump& b) { return AreaOf(a) > AreaOf(b) + 1e-9; });
+  return clumps;
+}
+
+}  // namespace smile::task

@@ -1,0 +1,13 @@
+#include "task/layout_level.h"
+
+#include <algorithm>
+
+namespace smile::task {
+
+std::optional<LayoutLevel> ParseLayoutLevel(std::string_view word) {
+  const auto* const found = std::ranges::find(kLayoutLevelWords, word);
+  if (found == kLayoutLevelWords.end()) return std::nullopt;
+  return static_cast<LayoutLevel>(found - kLayoutLevelWords.begin());
+}
+
+}  // namespace smile::task

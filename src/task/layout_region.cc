@@ -1,0 +1,47 @@
+#include "task/layout_region.h"
+
+#include <cmath>
+
+#include "math/angles.h"
+
+namespace smile::task {
+namespace {
+
+// The robot's eye, as in sim/eye.h: where it is above the usual robot, how it looks down, and how
+// much it sees, less one percent.
+constexpr double kEyeDepth = -0.20 + 0.18832, kEyeHeight = 0.20 + 0.95921;  // [m]
+const double kEyeTiltCos = std::cos(DegreesToRadians(56.05));
+const double kEyeTiltSin = std::sin(DegreesToRadians(56.05));
+constexpr double kVerticalShare = 0.99 * 0.577350269;  // tan of 30 degrees
+constexpr double kHorizontalShare = kVerticalShare * 4 / 3;
+
+bool IsInView(double x, double depth, double z) {
+  const double away = depth - kEyeDepth, below = kEyeHeight - z;
+  const double forward = away * kEyeTiltCos + below * kEyeTiltSin;
+  const double down = below * kEyeTiltCos - away * kEyeTiltSin;
+  return std::abs(x) <= forward * kHorizontalShare && std::abs(down) <= forward * kVerticalShare;
+}
+
+}  // namespace
+
+Footprint LayoutRegion::StripOn(const scene::TableSpec& table) const {
+  return {.center = {0, -table.y_span / 2 + (strip_near + strip_far) / 2},
+          .half_size = {strip_half_width, (strip_far - strip_near) / 2}};
+}
+
+bool LayoutRegion::Holds(const scene::TableSpec& table, const Footprint& footprint,
+                         double top) const {
+  const double edge = -table.y_span / 2;
+  const double x = std::abs(footprint.center.x()), depth = footprint.center.y() - edge;
+  if (std::hypot(x - shoulder_x, depth - shoulder_depth) > reach) return false;
+  if (x > most_x || depth < least_depth || depth > most_depth) return false;
+  for (const Vector2& corner : footprint.corners()) {
+    if (std::abs(corner.x()) > table.x_span / 2 - table_rim) return false;
+    if (std::abs(corner.y()) > table.y_span / 2 - table_rim) return false;
+    if (!IsInView(corner.x(), corner.y() - edge, 0)) return false;
+    if (!IsInView(corner.x(), corner.y() - edge, top)) return false;
+  }
+  return true;
+}
+
+}  // namespace smile::task

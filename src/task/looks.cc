@@ -1,0 +1,74 @@
+#include "task/looks.h"
+
+#include <algorithm>
+
+#include "scene/bounds.h"
+
+namespace smile::task {
+namespace {
+
+/// Lengths that differ less are equal [m].
+constexpr double kEqualLengths = 1e-6;
+
+/// Each once, in order.
+std::vector<Color> KindsOf(const std::vector<Color>& colors) {
+  std::vector<Color> kinds;
+  for (const Color& color : colors) {
+    if (std::ranges::find(kinds, color) == kinds.end()) kinds.push_back(color);
+  }
+  return kinds;
+}
+
+Vector3 ExtentOf(const Looks& looks) {
+  return scene::BoundsOf(looks.form, RigidTransform()).size();
+}
+
+const std::string* DescriptionOf(const Looks& looks, const std::string& name) {
+  const auto found = std::ranges::find(looks.descriptions, name, &scene::Description::name);
+  return found != looks.descriptions.end() ? &found->value : nullptr;
+}
+
+bool AreEqualDescriptions(const std::string* a, const std::string* b) {
+  return a == nullptr || b == nullptr ? a == b : *a == *b;
+}
+
+bool IsAboutLooks(const std::string& property) {
+  return property != "position" && property != "orientation" && property != "order";
+}
+
+bool Agree(const Looks& a, const Looks& b, const std::string& property) {
+  if (property == "color") return KindsOf(a.colors) == KindsOf(b.colors);
+  if (property == "size") return (ExtentOf(a) - ExtentOf(b)).cwiseAbs().maxCoeff() < kEqualLengths;
+  const std::string* of_a = DescriptionOf(a, property);
+  const std::string* of_b = DescriptionOf(b, property);
+  if (property == "shape" && (of_a == nullptr || of_b == nullptr)) {
+    return a.shape == b.shape;
+  }
+  return AreEqualDescriptions(of_a, of_b);
+}
+
+}  // namespace
+
+Looks LooksOf(const scene::ObjectSpec& object) {
+  Looks looks{.form = scene::SolidsOf(object.whole),
+              .colors = {},
+              .shape = object.whole.shape.index(),
+              .descriptions = object.descriptions};
+  for (scene::Solid& solid : looks.form) {
+    looks.colors.push_back(solid.color);
+    solid.color = Color();
+    solid.part_id.clear();
+  }
+  return looks;
+}
+
+bool AreAlike(const Looks& wanted, const Looks& other, const std::vector<std::string>& properties) {
+  if (std::ranges::none_of(properties, IsAboutLooks)) {
+    return wanted.form == other.form && wanted.colors == other.colors;
+  }
+  return std::ranges::all_of(properties, [&](const std::string& property) {
+    return !IsAboutLooks(property) || Agree(wanted, other, property);
+  });
+}
+
+}  // namespace smile::task

@@ -1,0 +1,58 @@
+#include "task/match.h"
+
+#include "base/diagnostic.h"
+#include "task/assignment.h"
+
+namespace smile::task {
+namespace {
+
+constexpr double kUnlike = 1e9;
+
+double CostOfPart(bool is_alike, bool has_same_id, double lateness) {
+  if (!is_alike) return kUnlike;
+  return has_same_id ? 0 : 1 + lateness / 1000;
+}
+
+std::vector<Looks> LooksOfAll(const std::vector<scene::ObjectSpec>& objects) {
+  std::vector<Looks> looks;
+  for (const scene::ObjectSpec& object : objects) looks.push_back(LooksOf(object));
+  return looks;
+}
+
+}  // namespace
+
+Match MatchObjects(const Structure& structure, const scene::SceneSpec& scene) {
+  std::vector<scene::ObjectSpec> wanted = structure.objects;
+  wanted.insert(wanted.end(), structure.others.begin(), structure.others.end());
+  // Where the scene has too few objects, some are left without.
+  const std::size_t columns = std::max(wanted.size(), scene.objects.size());
+  Eigen::MatrixXd costs = Eigen::MatrixXd::Constant(static_cast<Eigen::Index>(wanted.size()),
+                                                    static_cast<Eigen::Index>(columns), kUnlike);
+  const std::vector<Looks> looks = LooksOfAll(scene.objects);
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    const Looks wanted_looks = LooksOf(wanted[i]);
+    const std::vector<std::string> properties = structure.AttendedOf(wanted[i].id());
+    for (std::size_t j = 0; j < scene.objects.size(); ++j) {
+      costs(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = CostOfPart(
+          AreAlike(wanted_looks, looks[j], properties), wanted[i].id() == scene.objects[j].id(),
+          static_cast<double>(j) / static_cast<double>(looks.size()));
+    }
+  }
+  const std::vector<std::size_t> assigned = CheapestAssignment(costs);
+  Match match;
+  std::vector<Diagnostic> findings;
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    const std::size_t j = assigned[i];
+    if (costs(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) < kUnlike) {
+      match[wanted[i].id()] = scene.objects[j].id();
+    } else {
+      findings.push_back(
+          {scene.name, 0, "",
+           "has nothing that looks like '" + wanted[i].id() + "' of the demonstration"});
+    }
+  }
+  if (!findings.empty()) throw InputError(std::move(findings));
+  return match;
+}
+
+}  // namespace smile::task

@@ -1,0 +1,27 @@
+#include "task/order.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace smile::task {
+
+Order OrderOf(std::vector<std::string> demonstrated, std::vector<std::string> done,
+              const std::set<std::string>& in_place) {
+  const auto when = [&](const std::string& id) -> std::optional<std::ptrdiff_t> {
+    const auto put = std::ranges::find(done, id);
+    if (put != done.end()) return put - done.begin();
+    return in_place.contains(id) ? std::optional<std::ptrdiff_t>(-1) : std::nullopt;
+  };
+  int num_pairs = 0, num_kept = 0;
+  for (std::size_t later = 0; later < demonstrated.size(); ++later) {
+    for (std::size_t earlier = 0; earlier < later; ++earlier) {
+      const auto first = when(demonstrated[earlier]), second = when(demonstrated[later]);
+      ++num_pairs;
+      if (first && second && *first <= *second) ++num_kept;
+    }
+  }
+  const double share = num_pairs == 0 ? 1 : static_cast<double>(num_kept) / num_pairs;
+  return {.demonstrated = std::move(demonstrated), .done = std::move(done), .share = share};
+}
+
+}  // namespace smile::task

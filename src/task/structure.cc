@@ -1,0 +1,117 @@
+#include "task/structure.h"
+
+#include <algorithm>
+#include <set>
+
+#include "base/diagnostic.h"
+#include "record/attention.h"
+
+namespace smile::task {
+namespace {
+
+/// Comparing takes the longer the more there are, by more than their square.
+constexpr std::size_t kMaxObjects = 500;
+
+[[noreturn]] void Fail(const record::Recording& demonstration, const std::string& message) {
+  throw InputError({demonstration.directory.string(), 0, "", message});
+}
+
+/// Two objects of which the second belongs to what the first one is part of.
+using Belonging = std::pair<std::string, std::string>;
+
+/// What is beneath and around things belongs to them, and what slides in them or is fastened to
+/// them, and the other way round.
+std::vector<Belonging> BelongingsIn(const Course& course, const std::vector<Relation>& relations) {
+  std::vector<Belonging> belongings;
+  const auto add_both = [&](const std::string& a, const std::string& b) {
+    belongings.emplace_back(a, b);
+    belongings.emplace_back(b, a);
+  };
+  for (const Relation& relation : relations) {
+    if (!relation.support.empty()) belongings.emplace_back(relation.object, relation.support);
+  }
+  for (const scene::SliderSpec& slider : course.scene.sliders) {
+    add_both(course.scene.objects[slider.first_object].id(),
+             course.scene.objects[slider.first_object + 1].id());
+  }
+  for (const BondEffect& bond : BondsAt(course.scene, course.end)) {
+    add_both(bond.guest_object, bond.host_object);
+  }
+  return belongings;
+}
+
+/// These, and all that belongs to them.
+std::set<std::string> WithBelongings(std::set<std::string> ids,
+                                     const std::vector<Belonging>& belongings) {
+  for (bool has_grown = true; has_grown;) {
+    has_grown = false;
+    for (const auto& [object, other] : belongings) {
+      if (ids.contains(object)) has_grown = ids.insert(other).second || has_grown;
+    }
+  }
+  return ids;
+}
+
+std::set<std::string> ConcernedBy(const std::vector<Effect>& effects) {
+  std::set<std::string> concerned;
+  for (const Effect& effect : effects) {
+    for (const std::string& id : ObjectsOf(effect)) concerned.insert(id);
+  }
+  return concerned;
+}
+
+void RequireATask(const Structure& structure, const record::Recording& demonstration) {
+  if (structure.objects.empty() && structure.effects.empty()) {
+    Fail(demonstration,
+         "no hand moved anything in this recording that is still there, and nothing else changed, "
+         "so there is nothing to imitate");
+  }
+  const std::size_t count = structure.objects.size() + structure.others.size();
+  if (count > kMaxObjects) {
+    Fail(demonstration, std::to_string(count) + " objects have to do with what was achieved, " +
+                            "expected at most " + std::to_string(kMaxObjects));
+  }
+}
+
+}  // namespace
+
+bool Structure::is_fixed() const {
+  return std::ranges::any_of(objects, &scene::ObjectSpec::is_static);
+}
+
+std::vector<std::string> Structure::AttendedOf(const std::string& object) const {
+  const auto told = attention.find(object);
+  return told != attention.end() ? told->second : std::vector<std::string>();
+}
+
+Structure StructureOf(const record::Recording& demonstration) {
+  const Course course = CourseOf(demonstration);
+  Structure structure{.objects = ObjectsAt(course.scene, course.end),
+                      .relations = {},
+                      .order = PlacementsOf(course),
+                      .effects = EffectsOf(course),
+                      .others = {},
+                      .attention = record::AttentionOf(demonstration)};
+  structure.relations = RelationsOf(course.scene, structure.objects);
+
+  const std::vector<std::string> touched = TouchedByHands(course);
+  const std::set<std::string> members =
+      WithBelongings({touched.begin(), touched.end()}, BelongingsIn(course, structure.relations));
+  const std::set<std::string> concerned = ConcernedBy(structure.effects);
+  for (const scene::ObjectSpec& object : structure.objects) {
+    if (!members.contains(object.id()) && concerned.contains(object.id())) {
+      structure.others.push_back(object);
+    }
+  }
+  const auto is_missing = [&](const std::string& id) { return !members.contains(id); };
+  std::erase_if(structure.objects, [&](const auto& object) { return is_missing(object.id()); });
+  std::erase_if(structure.relations, [&](const auto& one) { return is_missing(one.object); });
+  std::erase_if(structure.order, [&](const std::string& id) {
+    return std::ranges::find(structure.objects, id, &scene::ObjectSpec::id) ==
+           structure.objects.end();
+  });
+  RequireATask(structure, demonstration);
+  return structure;
+}
+
+}  // namespace smile::task

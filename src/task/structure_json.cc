@@ -1,0 +1,92 @@
+#include "task/structure_json.h"
+
+#include <algorithm>
+
+#include "math/angles.h"
+#include "scene/units.h"
+
+namespace smile::task {
+namespace {
+
+Json ToJson(const Relation& relation) {
+  const bool is_in = relation.kind == Relation::Kind::kIn;
+  return {{"object", relation.object}, {is_in ? "in" : "on", relation.support}};
+}
+
+std::string Joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (i > 0) text += i + 1 < words.size() ? ", " : " and ";
+    text += words[i];
+  }
+  return text;
+}
+
+/// `Red1 on ShortPlank`; an object may stand on several.
+std::string PlaceOf(const std::string& id, const std::vector<Relation>& relations) {
+  std::vector<std::string> around, beneath;
+  for (const Relation& relation : relations) {
+    if (relation.object != id) continue;
+    const bool is_in = relation.kind == Relation::Kind::kIn;
+    (is_in ? around : beneath).push_back(relation.support.empty() ? "the table" : relation.support);
+  }
+  std::string place = id;
+  if (!around.empty()) place += " in " + Joined(around);
+  if (!beneath.empty()) place += (around.empty() ? " on " : ", on ") + Joined(beneath);
+  return place;
+}
+
+bool IsPut(const Structure& structure, const std::string& id) {
+  return std::ranges::find(structure.order, id) != structure.order.end();
+}
+
+}  // namespace
+
+Json PosesJson(const ObjectPoses& poses, double meters_per_unit) {
+  Json json = Json::object();
+  for (const auto& [id, X_WB] : poses) {
+    const Vector3 p = scene::ToFileUnits(X_WB.translation(), meters_per_unit);
+    const Vector3 angles = FixedAxesAngles(X_WB.rotation());
+    json[id] = {{"position", {p.x(), p.y(), p.z()}},
+                {"rotation", {angles.x(), angles.y(), angles.z()}}};
+  }
+  return json;
+}
+
+Json ToJson(const Structure& structure, double meters_per_unit) {
+  ObjectPoses poses;
+  for (const scene::ObjectSpec& object : structure.objects) {
+    poses[object.id()] = object.pose_in_world();
+  }
+  Json relations = Json::array(), effects = Json::array();
+  for (const Relation& relation : structure.relations) relations.push_back(ToJson(relation));
+  for (const Effect& effect : structure.effects) effects.push_back(ToJson(effect, meters_per_unit));
+  return {{"objects", PosesJson(poses, meters_per_unit)},
+          {"relations", relations},
+          {"order", structure.order},
+          {"effects", effects},
+          {"attention", structure.attention},
+          {"fixed", structure.is_fixed()}};
+}
+
+std::vector<std::string> WordsOf(const Structure& structure, double meters_per_unit) {
+  std::vector<std::string> lines;
+  for (std::size_t i = 0; i < structure.order.size(); ++i) {
+    lines.push_back(std::to_string(i + 1) + ". " +
+                    PlaceOf(structure.order[i], structure.relations));
+  }
+  for (const scene::ObjectSpec& object : structure.objects) {
+    if (IsPut(structure, object.id())) continue;
+    lines.push_back("as it was: " + PlaceOf(object.id(), structure.relations) +
+                    (object.is_static() ? ", fixed" : ""));
+  }
+  for (const Effect& effect : structure.effects) {
+    lines.push_back("achieved: " + WordsOf(effect, meters_per_unit));
+  }
+  for (const auto& [id, properties] : structure.attention) {
+    lines.push_back("of " + id + " matters its " + Joined(properties));
+  }
+  return lines;
+}
+
+}  // namespace smile::task

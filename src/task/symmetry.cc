@@ -1,0 +1,203 @@
+#include "task/symmetry.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/overloaded.h"
+#include "scene/solid.h"
+
+namespace smile::task {
+namespace {
+
+/// Polygons of so many sides look round.
+constexpr int kRoundSides = 24;
+/// Pieces are in the same place when they are this near [m].
+constexpr double kSamePlace = 1e-5;
+/// So much work is done to find out; what is more complicated has no symmetry.
+constexpr std::size_t kMaxPieces = 200, kMaxHullCorners = 200;
+/// Two stand alike when one is tilted less against the other [rad].
+constexpr double kSameStand = 0.27;
+
+/// The 24 rotations that carry the axes onto one another.
+std::vector<Matrix3> QuarterTurns() {
+  std::vector<Matrix3> turns;
+  for (int x = 0; x < 3; ++x) {
+    for (int y = 0; y < 3; ++y) {
+      if (x == y) continue;
+      for (int signs = 0; signs < 4; ++signs) {
+        Matrix3 turn = Matrix3::Zero();
+        turn(x, 0) = signs % 2 == 0 ? 1 : -1;
+        turn(y, 1) = signs / 2 == 0 ? 1 : -1;
+        turn.col(2) = turn.col(0).cross(turn.col(1));
+        turns.push_back(turn);
+      }
+    }
+  }
+  return turns;
+}
+
+Matrix3 TurnAboutZ(double angle) {
+  return Eigen::AngleAxisd(angle, Vector3::UnitZ()).toRotationMatrix();
+}
+
+bool FillTheSame(const scene::Block& a, const scene::Block& b, const RigidTransform& X_AB) {
+  // The sizes must agree along axes that are parallel, and all of them must be.
+  const Matrix3 R = X_AB.rotation().cwiseAbs();
+  return ((R.array() < kSamePlace) || (R.array() > 1 - kSamePlace)).all() &&
+         (R * b.size - a.size).norm() < kSamePlace;
+}
+
+bool FillTheSame(const scene::Cylinder& a, const scene::Cylinder& b, const RigidTransform& X_AB) {
+  return std::abs(X_AB.rotation()(1, 1)) > 1 - kSamePlace &&
+         std::abs(a.radius - b.radius) + std::abs(a.length - b.length) < kSamePlace;
+}
+
+bool FillTheSame(const scene::Sphere& a, const scene::Sphere& b, const RigidTransform&) {
+  return std::abs(a.radius - b.radius) < kSamePlace;
+}
+
+bool FillTheSame(const scene::Hull& a, const scene::Hull& b, const RigidTransform& X_AB) {
+  const std::vector<Vector3>& corners = a.polyhedron().corners;
+  if (corners.size() != b.polyhedron().corners.size() || corners.size() > kMaxHullCorners) {
+    return false;
+  }
+  return std::ranges::all_of(b.polyhedron().corners, [&](const Vector3& p_BQ) {
+    const Vector3 p_AQ = X_AB * p_BQ;
+    return std::ranges::any_of(
+        corners, [&](const Vector3& corner) { return (corner - p_AQ).norm() < kSamePlace; });
+  });
+}
+
+template <class A, class B>
+bool FillTheSame(const A&, const B&, const RigidTransform&) {
+  return false;
+}
+
+/// True when a piece, carried by X_BB', comes to where another one of its color is.
+bool ComesTo(const scene::Solid& moved, const RigidTransform& turn, const scene::Solid& other) {
+  if (moved.color != other.color || moved.control != other.control || moved.look != other.look) {
+    return false;
+  }
+  const RigidTransform X = other.X_BS.inverse() * (turn * moved.X_BS);
+  const bool is_hull = std::holds_alternative<scene::Hull>(moved.shape);
+  if (!is_hull && X.translation().norm() > kSamePlace) return false;
+  return std::visit([&](const auto& a, const auto& b) { return FillTheSame(a, b, X); }, other.shape,
+                    moved.shape);
+}
+
+bool LooksTheSame(const std::vector<scene::Solid>& solids, const Matrix3& turn) {
+  const RigidTransform X(turn, Vector3::Zero());
+  return std::ranges::all_of(solids, [&](const scene::Solid& moved) {
+    return std::ranges::any_of(solids,
+                               [&](const scene::Solid& other) { return ComesTo(moved, X, other); });
+  });
+}
+
+Symmetry TriedSymmetry(const scene::Part& whole) {
+  Symmetry symmetry;
+  if (scene::NumSolidsOf(whole) > kMaxPieces) return symmetry;
+  const std::vector<scene::Solid> solids = scene::SolidsOf(whole);
+  symmetry.turns.clear();
+  for (const Matrix3& turn : QuarterTurns()) {
+    if (LooksTheSame(solids, turn)) symmetry.turns.push_back(turn);
+  }
+  return symmetry;
+}
+
+/// A container looks like a block, as long as its opening is where it was.
+Symmetry ContainerSymmetry(const scene::Box& box) {
+  Symmetry symmetry = TriedSymmetry({.shape = scene::Block{box.size}});
+  std::erase_if(symmetry.turns, [](const Matrix3& turn) { return turn(2, 2) < 0.5; });
+  return symmetry;
+}
+
+/// Of a regular polygon, its first corner towards +x, drawn out along z.
+Symmetry PrismSymmetry(int sides, bool is_reversible) {
+  if (sides >= kRoundSides) {
+    return {.axis = Vector3::UnitZ(), .is_reversible = is_reversible, .turns = {}};
+  }
+  Symmetry symmetry{.axis = {}, .turns = {}};
+  const Matrix3 reversal = Vector3(1, -1, -1).asDiagonal();
+  for (int i = 0; i < sides; ++i) {
+    const Matrix3 turn = TurnAboutZ(2 * std::numbers::pi * i / sides);
+    symmetry.turns.push_back(turn);
+    if (is_reversible) symmetry.turns.emplace_back(turn * reversal);
+  }
+  return symmetry;
+}
+
+double AngleOf(const Matrix3& R) { return std::acos(std::clamp((R.trace() - 1) / 2, -1.0, 1.0)); }
+
+double TiltOf(const Matrix3& R) { return std::acos(std::clamp(R(2, 2), -1.0, 1.0)); }
+
+/// Of the turn about z nearest to a rotation.
+double NearestYawOf(const Matrix3& R) { return std::atan2(R(1, 0) - R(0, 1), R(0, 0) + R(1, 1)); }
+
+double AngleOf(const Vector3& a, const Vector3& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+}  // namespace
+
+double Symmetry::AngleBetween(const Matrix3& R_WA, const Matrix3& R_WB) const {
+  if (is_sphere) return 0;
+  if (axis) {
+    const double angle = AngleOf(Vector3(R_WA * *axis), Vector3(R_WB * *axis));
+    return is_reversible ? std::min(angle, std::numbers::pi - angle) : angle;
+  }
+  double least = std::numbers::pi;
+  for (const Matrix3& turn : turns) {
+    least = std::min(least, AngleOf(Matrix3(R_WA.transpose() * R_WB * turn)));
+  }
+  return least;
+}
+
+double Symmetry::TiltBetween(const Matrix3& R_WA, const Matrix3& R_WB) const {
+  if (is_sphere) return 0;
+  if (axis) {
+    const double a = AngleOf(Vector3(R_WA * *axis), Vector3::UnitZ());
+    const double b = AngleOf(Vector3(R_WB * *axis), Vector3::UnitZ());
+    const double reversed = is_reversible ? std::abs(a - (std::numbers::pi - b)) : 4;
+    return std::min(std::abs(a - b), reversed);
+  }
+  double least = std::numbers::pi;
+  for (const Matrix3& turn : turns) {
+    least = std::min(least, TiltOf(Matrix3(R_WB * turn * R_WA.transpose())));
+  }
+  return least;
+}
+
+std::vector<double> Symmetry::YawsBetween(const Matrix3& R_WA, const Matrix3& R_WB) const {
+  std::vector<double> yaws;
+  if (is_sphere) return yaws;
+  if (axis) {
+    const Vector3 a = R_WA * *axis, b = R_WB * *axis;
+    if (std::abs(a.z()) > 1 - kSamePlace || std::abs(b.z()) > 1 - kSamePlace) return yaws;
+    yaws.push_back(std::atan2(b.y(), b.x()) - std::atan2(a.y(), a.x()));
+    if (is_reversible) yaws.push_back(yaws.back() + std::numbers::pi);
+    return yaws;
+  }
+  for (const Matrix3& turn : turns) {
+    const Matrix3 R = R_WB * turn * R_WA.transpose();
+    if (TiltOf(R) < kSameStand) yaws.push_back(NearestYawOf(R));
+  }
+  return yaws;
+}
+
+Symmetry SymmetryOf(const scene::ObjectSpec& object) {
+  return std::visit(
+      Overloaded{[](const scene::Sphere&) { return Symmetry{.is_sphere = true, .axis = {}}; },
+                 [](const scene::Cylinder&) {
+                   return Symmetry{.axis = Vector3::UnitY(), .is_reversible = true, .turns = {}};
+                 },
+                 [](const scene::Frustum& frustum) {
+                   return PrismSymmetry(frustum.sides, frustum.radius_top == frustum.radius_bottom);
+                 },
+                 [](const scene::Box& box) { return ContainerSymmetry(box); },
+                 [](const scene::Ring& ring) { return PrismSymmetry(ring.sides, true); },
+                 [&](const auto&) { return TriedSymmetry(object.whole); }},
+      object.whole.shape);
+}
+
+}  // namespace smile::task

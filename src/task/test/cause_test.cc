@@ -1,0 +1,64 @@
+#include "task/cause.h"
+
+#include <gtest/gtest.h>
+
+#include "structure_maker.h"
+
+namespace smile::task {
+namespace {
+
+const Structure& Pair() {
+  static const Structure kPair{
+      .objects = {CubeAt("low", {0, 0, 0.05}, {1, 0, 0}), CubeAt("high", {0, 0, 0.15}, {0, 1, 0})},
+      .order = {"low", "high"}};
+  return kPair;
+}
+
+std::string WordOf(const Course& course, const ProgramEnd& program = {.status = "exited"},
+                   const Structure& structure = Pair()) {
+  const auto cause = CauseOf(structure, course, CompareWith(structure, course), program);
+  return cause ? cause->word + ": " + cause->text : "";
+}
+
+/// Where the upper block ends.
+Course EndingAt(const Vector3& p, const Vector3& angles_deg = {0, 0, 0}) {
+  std::vector<scene::ObjectSpec> outcome = Pair().objects;
+  outcome[1].whole.X_PE = RigidTransform(RotationFromFixedAxes(angles_deg), p);
+  return CourseTo(outcome);
+}
+
+TEST(Cause, IsNoneOfWhatIsRight) {
+  EXPECT_EQ(WordOf(EndingAt({0.01, 0, 0.15}), {.status = "failed"}), "");
+}
+
+TEST(Cause, IsTheFirstThatFits) {
+  Course untouched = EndingAt({0, 0, 0.15});
+  untouched.end.objects[1] = untouched.begin.objects[1];
+  EXPECT_EQ(WordOf(untouched), "never_taken: high still lies where it began");
+  EXPECT_EQ(WordOf(untouched, {.status = "running"}),
+            "time_up: the robot program was still at work when it had to end");
+  EXPECT_EQ(WordOf(EndingAt({0.2, 0, 0.05})), "toppled: high lies 100 mm lower than it should");
+  EXPECT_EQ(WordOf(EndingAt({0, 0, 0.15}, {40, 0, 0})), "toppled: high lies tilted by 40 degrees");
+  EXPECT_EQ(WordOf(EndingAt({0.04, 0, 0.15})),
+            "misplaced: high is 40 mm from its place, turned by 0 degrees");
+  EXPECT_EQ(WordOf(EndingAt({0.3, 0, 0.15})), "not_placed: high is 300 mm from its place");
+
+  Course fallen = EndingAt({0, -3, -0.5});
+  fallen.touches.push_back({{.kind = sim::EventKind::kFell, .object = "high"}, 3, {}});
+  EXPECT_EQ(WordOf(fallen, {.status = "running"}), "fell_off_table: high fell off the table");
+  EXPECT_EQ(WordOf(fallen, {.status = "failed", .message = "no"}),
+            "brain_failed: the robot program failed: no");
+}
+
+TEST(Cause, AMissingEffectIsOne) {
+  Structure structure = Pair();
+  structure.objects.push_back(ObjectAt("box", scene::Box{}, {0.5, 0.3, 0.05}));
+  structure.effects = {ContainerEffect{"high", "box", true}};
+  const Course course = CourseTo(structure.objects);
+  EXPECT_DOUBLE_EQ(CompareWith(structure, course).share, 0.75);
+  EXPECT_EQ(WordOf(course, {.status = "exited"}, structure),
+            "effect_missing: not achieved: high put into box");
+}
+
+}  // namespace
+}  // namespace smile::task

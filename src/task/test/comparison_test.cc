@@ -1,0 +1,197 @@
+#include "task/comparison.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <set>
+
+#include "base/diagnostic.h"
+#include "base/uniform.h"
+#include "structure_maker.h"
+
+namespace smile::task {
+namespace {
+
+const Color kRed{1, 0, 0}, kBlue{0, 0, 1};
+
+/// Three high, and one that stands apart.
+Structure Tower() {
+  return {.objects = {CubeAt("a", {0.1, 0, 0.05}), CubeAt("b", {0.1, 0, 0.15}),
+                      CubeAt("c", {0.1, 0, 0.25}), CubeAt("d", {0.4, 0.1, 0.05})},
+          .order = {"a", "b", "c", "d"}};
+}
+
+/// Its members all look different.
+Structure Colored(Structure structure) {
+  double shade = 0;
+  for (scene::ObjectSpec& object : structure.objects) object.whole.color.green = shade += 0.1;
+  return structure;
+}
+
+TEST(Comparison, IsPerfectAfterAnyMotionAndExchangeOfLookAlikes) {
+  std::mt19937_64 random(1);
+  for (int trial = 0; trial < 60; ++trial) {
+    Structure structure;
+    for (int i = 0; i < 12; ++i) {
+      const Vector3 p(Uniform(&random, -0.4, 0.4), Uniform(&random, -0.3, 0.3),
+                      0.05 + 0.1 * (i % 3));
+      structure.objects.push_back(CubeAt("b" + std::to_string(i), p, i < 6 ? kRed : kBlue));
+    }
+    std::vector<scene::ObjectSpec> outcome =
+        Moved(structure.objects, Uniform(&random, -180, 180),
+              {Uniform(&random, -0.5, 0.5), Uniform(&random, -0.5, 0.5), 0});
+    std::vector<RigidTransform> poses;
+    for (const auto& object : outcome) poses.push_back(object.pose_in_world());
+    std::shuffle(poses.begin(), poses.begin() + 6, random);
+    std::shuffle(poses.begin() + 6, poses.end(), random);
+    for (std::size_t i = 0; i < outcome.size(); ++i) outcome[i].whole.X_PE = poses[i];
+    outcome.push_back(CubeAt("distractor", {0, 0.9, 0.05}, kRed));
+
+    const Comparison comparison = CompareWith(structure, CourseTo(outcome));
+    ASSERT_TRUE(comparison.is_rebuilt()) << "trial " << trial;
+    EXPECT_LT(comparison.mean_error().distance, 1e-9);
+    EXPECT_LT(comparison.mean_error().angle, 1e-6);
+    std::set<std::string> used;
+    for (const auto& [id, counterpart] : comparison.match) used.insert(counterpart);
+    EXPECT_EQ(used.size(), 12u);
+  }
+}
+
+TEST(Comparison, SwappedColorsAreNotRebuilt) {
+  Structure structure{.objects = {CubeAt("r", {0, 0, 0.05}, kRed), CubeAt("b", {0, 0, 0.15}, kBlue),
+                                  CubeAt("s", {0.3, 0, 0.05}, kRed)}};
+  std::vector<scene::ObjectSpec> outcome = structure.objects;
+  std::swap(outcome[0].whole.X_PE, outcome[2].whole.X_PE);
+  EXPECT_TRUE(CompareWith(structure, CourseTo(outcome)).is_rebuilt());
+  std::swap(outcome[0].whole.X_PE, outcome[1].whole.X_PE);
+  EXPECT_FALSE(CompareWith(structure, CourseTo(outcome)).is_rebuilt());
+}
+
+TEST(Comparison, TakesForAlikeWhatAgreesInTheAttendedProperties) {
+  Structure structure{.objects = {CubeAt("r", {0, 0, 0.05}, kRed),
+                                  CubeAt("b", {0.3, 0, 0.05}, kBlue),
+                                  ObjectAt("p", scene::Block{{0.1, 0.3, 0.1}}, {0, 0.3, 0.05})}};
+  std::vector<scene::ObjectSpec> outcome = structure.objects;
+  std::swap(outcome[0].whole.X_PE, outcome[1].whole.X_PE);
+  EXPECT_FALSE(CompareWith(structure, CourseTo(outcome)).is_rebuilt());
+  structure.attention = {{"r", {"size", "position"}}, {"b", {"size"}}};
+  EXPECT_TRUE(CompareWith(structure, CourseTo(outcome)).is_rebuilt());
+  // Placing alone says nothing of looks.
+  structure.attention = {{"r", {"position"}}, {"b", {"order"}}};
+  EXPECT_FALSE(CompareWith(structure, CourseTo(outcome)).is_rebuilt());
+}
+
+TEST(Comparison, OneFallenBlockDoesNotBlameTheOthers) {
+  std::vector<scene::ObjectSpec> outcome = Moved(Tower().objects, 20, {0.2, 0.1, 0});
+  outcome[2].whole.X_PE = RigidTransform(Vector3(0.7, 0.7, 0.05));
+  const Comparison comparison = CompareWith(Tower(), CourseTo(outcome));
+  EXPECT_DOUBLE_EQ(comparison.share, 0.75);
+  EXPECT_LT(comparison.errors.at("a").distance, 0.001);
+  EXPECT_GT(comparison.errors.at("c").distance, 0.2);
+}
+
+TEST(Comparison, HeightsAreNotShifted) {
+  const auto outcome = Moved(Tower().objects, 0, {0, 0, 0.4});
+  EXPECT_EQ(CompareWith(Tower(), CourseTo(outcome)).share, 0);
+}
+
+TEST(Comparison, SmallErrorsAreMeasured) {
+  std::vector<scene::ObjectSpec> outcome = Tower().objects;
+  outcome[3].whole.X_PE = RigidTransform(Vector3(0.41, 0.1, 0.05));
+  const Comparison comparison = CompareWith(Tower(), CourseTo(outcome));
+  EXPECT_TRUE(comparison.is_rebuilt());
+  EXPECT_GT(comparison.mean_error().distance, 0.001);
+  EXPECT_LT(comparison.mean_error().distance, 0.005);
+}
+
+TEST(Comparison, ATurnOfAPartIsAnErrorUnlessItLooksTheSame) {
+  const scene::Block plank{{0.4, 0.1, 0.1}};
+  const Structure structure{.objects = {ObjectAt("p", plank, {0, 0, 0.05}),
+                                        ObjectAt("q", plank, {0, 0, 0.15}, kRed),
+                                        CubeAt("c", {0, 0, 0.25})}};
+  const auto with_turns = [&](double q_deg, double c_deg) {
+    std::vector<scene::ObjectSpec> outcome = structure.objects;
+    outcome[1] = ObjectAt("q", plank, {0, 0, 0.15}, kRed, q_deg);
+    outcome[2] = ObjectAt("c", scene::Block{}, {0, 0, 0.25}, {}, c_deg);
+    return CompareWith(structure, CourseTo(Moved(outcome, 77, {0.1, 0.1, 0})));
+  };
+  EXPECT_LT(with_turns(180, 90).mean_error().angle, 1e-6);
+  EXPECT_TRUE(with_turns(180, 90).is_rebuilt());
+  const Comparison crossed = with_turns(90, 0);
+  EXPECT_FALSE(crossed.is_rebuilt());
+  EXPECT_NEAR(crossed.errors.at("q").angle + crossed.errors.at("p").angle, DegreesToRadians(90.0),
+              1e-6);
+}
+
+TEST(Comparison, AStructureOnSomethingFixedMayStandNowhereElse) {
+  Structure structure{.objects = {ObjectAt("tray", scene::Block{{0.4, 0.3, 0.1}}, {0, 0, 0.05}),
+                                  CubeAt("c", {0.1, 0, 0.15})}};
+  structure.objects[0].mass = 0;
+  EXPECT_TRUE(structure.is_fixed());
+  std::vector<scene::ObjectSpec> outcome = Moved(structure.objects, 30, {0.2, 0, 0});
+  EXPECT_TRUE(CompareWith(structure, CourseTo(outcome)).is_rebuilt());
+  // A tray is the same the other way round, but not so long as it is broad.
+  outcome[1].whole.X_PE = outcome[0].pose_in_world() * RigidTransform(Vector3(-0.1, 0, 0.1));
+  EXPECT_TRUE(CompareWith(structure, CourseTo(outcome)).is_rebuilt());
+  outcome[1].whole.X_PE = outcome[0].pose_in_world() * RigidTransform(Vector3(0, 0.1, 0.1));
+  const Comparison aside = CompareWith(structure, CourseTo(outcome));
+  EXPECT_EQ(aside.share, 0.5);
+  EXPECT_EQ(aside.errors.at("tray").distance, 0);
+}
+
+TEST(Comparison, EndsSoonWhereAllLooksTheSame) {
+  Structure structure;
+  for (int i = 0; i < 200; ++i) {
+    structure.objects.push_back(
+        CubeAt("b" + std::to_string(i), {0.11 * (i % 15), 0.11 * (i / 15), 0.05}));
+  }
+  std::vector<scene::ObjectSpec> outcome = structure.objects;
+  outcome[0].whole.X_PE = RigidTransform(Vector3(0.5, -0.5, 0.05));
+  EXPECT_GE(CompareWith(structure, CourseTo(outcome)).share, 0.9);
+}
+
+TEST(Comparison, TellsWhichPlacementsCameInTheOrderShown) {
+  const Structure tower = Colored(Tower());
+  Course course = CourseTo(tower.objects);
+  const auto carry = [&](std::size_t i) {
+    Carry(tower.objects[i].id(), course.begin.objects[i].pose_in_world(),
+          tower.objects[i].pose_in_world(), &course);
+  };
+  carry(1);
+  carry(0);
+  carry(2);
+  carry(3);
+  Order order = CompareWith(tower, course).order;
+  EXPECT_EQ(order.done, (std::vector<std::string>{"b", "a", "c", "d"}));
+  EXPECT_FALSE(order.is_kept());
+  EXPECT_DOUBLE_EQ(order.share, 5.0 / 6);
+  // Only the last time counts.
+  carry(1);
+  carry(2);
+  carry(3);
+  EXPECT_TRUE(CompareWith(tower, course).order.is_kept());
+}
+
+TEST(Order, WhatWasInPlaceAlreadyCameFirst) {
+  EXPECT_EQ(OrderOf({"a", "b"}, {"b"}, {"a"}).share, 1);
+  EXPECT_EQ(OrderOf({"a", "b"}, {"a"}, {"b"}).share, 0);
+  EXPECT_EQ(OrderOf({"a", "b"}, {"b"}, {}).share, 0);
+  EXPECT_EQ(OrderOf({"a"}, {}, {}).share, 1);
+}
+
+TEST(MatchObjects, PrefersIdsThenLooks) {
+  const Structure structure{
+      .objects = {CubeAt("a", {0, 0, 0}, kRed), CubeAt("b", {0, 0, 0}, kBlue)}};
+  const scene::SceneSpec scene{
+      .name = "new",
+      .objects = {CubeAt("b", {0, 0, 0}, kRed), CubeAt("x", {0, 0, 0}, kBlue),
+                  CubeAt("a", {0, 0, 0}, kRed)}};
+  const Match match = MatchObjects(structure, scene);
+  EXPECT_EQ(match.at("a"), "a");
+  EXPECT_EQ(match.at("b"), "x");
+  EXPECT_THROW(MatchObjects(structure, {.name = "empty"}), InputError);
+}
+
+}  // namespace
+}  // namespace smile::task

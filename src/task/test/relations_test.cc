@@ -1,0 +1,48 @@
+#include "task/relations.h"
+
+#include <gtest/gtest.h>
+
+#include "structure_maker.h"
+
+namespace smile::task {
+namespace {
+
+using Relations = std::vector<Relation>;
+constexpr auto kOn = Relation::Kind::kOn;
+constexpr auto kIn = Relation::Kind::kIn;
+
+TEST(Relations, AreWithAllThatAThingStandsOn) {
+  const scene::Block plank{{0.4, 0.1, 0.1}};
+  EXPECT_EQ(RelationsOf({}, {CubeAt("a", {0, 0, 0.05}), CubeAt("b", {0.3, 0, 0.05}),
+                             ObjectAt("p", plank, {0.15, 0, 0.151}), CubeAt("air", {0.15, 0, 0.35}),
+                             CubeAt("floor", {0, 3, 0.05})}),
+            (Relations{{"a", kOn, ""}, {"b", kOn, ""}, {"p", kOn, "a"}, {"p", kOn, "b"}}));
+}
+
+TEST(Relations, AreNotWithTheNeighborsOfWhatIsTurned) {
+  // Turned by 45 degrees, the upper block's cuboid along the axes reaches over both.
+  EXPECT_EQ(RelationsOf({}, {CubeAt("a", {0, 0, 0.05}), CubeAt("corner", {0.1, 0.1, 0.05}),
+                             ObjectAt("top", scene::Block{}, {0, 0, 0.15}, {}, 45)}),
+            (Relations{{"a", kOn, ""}, {"corner", kOn, ""}, {"top", kOn, "a"}}));
+}
+
+TEST(Relations, AThingLiesInWhatIsAroundIt) {
+  const scene::Box box{{0.4, 0.3, 0.1}, 0.005};
+  const scene::Ring ring{.radius_outer = 0.1, .radius_inner = 0.08, .height = 0.05};
+  EXPECT_EQ(
+      RelationsOf({}, {ObjectAt("box", box, {0, 0, 0.05}, {}, 30), CubeAt("in", {0.02, 0, 0.056}),
+                       CubeAt("above", {0.02, 0, 0.155}), ObjectAt("ring", ring, {0.5, 0, 0.025}),
+                       ObjectAt("peg", scene::Sphere{}, {0.5, 0.01, 0.05})}),
+      (Relations{{"box", kOn, ""},
+                 {"in", kIn, "box"},
+                 {"above", kOn, "in"},
+                 {"ring", kOn, ""},
+                 {"peg", kIn, "ring"}}));
+  // A low tray is stood on.
+  EXPECT_EQ(RelationsOf({}, {ObjectAt("tray", scene::Box{{0.4, 0.3, 0.02}, 0.005}, {0, 0, 0.01}),
+                             CubeAt("c", {0, 0, 0.055})}),
+            (Relations{{"tray", kOn, ""}, {"c", kOn, "tray"}}));
+}
+
+}  // namespace
+}  // namespace smile::task

@@ -1,0 +1,155 @@
+#include "task/structure.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+
+#include "record/recording.h"
+#include "record/test/recording_fixture.h"
+#include "structure_maker.h"
+#include "task/cause.h"
+#include "task/structure_json.h"
+
+namespace smile::task {
+namespace {
+
+using Ids = std::vector<std::string>;
+using sim::EventKind;
+
+class StructureTest : public record::RecordingFixture {
+ protected:
+  /// Of a scene and a script that we ship.
+  record::Recording Play(const std::string& scene) {
+    const auto text = [](const std::string& name) { return ReadFile(DataFile(name), 1 << 20); };
+    sim::Simulation simulation(scene_xml::LoadScene(DataFile("scenes/" + scene + ".xml")));
+    record::Recorder recorder(root_ / scene, {}, nullptr, simulation);
+    simulation.AddListener(&recorder);
+    CourseWitness witness(&simulation);
+    sim::ScriptPlayer player(
+        sim::ParseScript(text("examples/scenes/" + scene + ".jsonl"), scene, 0.1));
+    for (player.Advance(&simulation); !player.is_finished(); player.Advance(&simulation)) {
+      simulation.Tick();
+    }
+    witnessed_ = witness.course();
+    return record::OpenRecording(root_ / scene);
+  }
+
+  std::string TextOf(const Structure& structure) {
+    std::string text;
+    for (const std::string& line : WordsOf(structure, 0.1)) text += line + "\n";
+    return text;
+  }
+
+  Course witnessed_;
+};
+
+TEST_F(StructureTest, IsWhatHandsMovedAndWhatThatStandsOn) {
+  const Structure structure = StructureOf(record::OpenRecording(Record()));
+  EXPECT_EQ(structure.order, Ids{"a"});
+  EXPECT_EQ(structure.relations, (std::vector<Relation>{{"a", Relation::Kind::kOn, "b"},
+                                                        {"b", Relation::Kind::kOn, ""}}));
+  EXPECT_TRUE(structure.effects.empty());
+  EXPECT_EQ(TextOf(structure), "1. a on b\nas it was: b on the table\n");
+  EXPECT_FALSE(structure.is_fixed());
+}
+
+TEST_F(StructureTest, TellsWhatMatters) {
+  const Structure structure = StructureOf(record::OpenRecording(Record(
+      R"({"hand":"left","do":"grasp","object":"a"}
+{"hand":"left","do":"attend","properties":["color","size"]}
+{"hand":"left","do":"release"})")));
+  EXPECT_EQ(structure.attention, (Attention{{"a", {"color", "size"}}}));
+  EXPECT_EQ(TextOf(structure), "as it was: a on the table\nof a matters its color and size\n");
+}
+
+TEST_F(StructureTest, IsNoneWhereNothingWasDone) {
+  const auto demo = Record(R"({"do":"wait","seconds":0.1})");
+  EXPECT_THROW(StructureOf(record::OpenRecording(demo)), InputError);
+}
+
+TEST_F(StructureTest, OfMechanismsTellsTheirEffects) {
+  EXPECT_EQ(TextOf(StructureOf(Play("lidbox"))),
+            "1. Cherry on the table\n"
+            "2. ChestLid on Chest\n"
+            "as it was: Chest on the table\n"
+            "achieved: ChestLid slid from 2.2 to 0 units\n"
+            "achieved: Cherry taken out of Chest\n");
+  EXPECT_EQ(TextOf(StructureOf(Play("controls"))),
+            "achieved: Signal from halt to drive\n"
+            "achieved: Lamp from dark to blue\n");
+  EXPECT_EQ(TextOf(StructureOf(Play("trapdoor"))),
+            "1. HopperLid\n"
+            "as it was: Hopper, fixed\n"
+            "achieved: HopperLid slid from 0 to 4 units\n"
+            "achieved: Rust taken out of Hopper\n"
+            "achieved: Sky taken out of Hopper\n"
+            "achieved: Moss taken out of Hopper\n");
+  const Structure screws = StructureOf(Play("screws"));
+  ASSERT_EQ(screws.effects.size(), 2u);
+  EXPECT_EQ(WordsOf(screws.effects[0], 0.1), "BrassScrewTip fastened to NutHole, stage 3");
+}
+
+TEST_F(StructureTest, IsAchievedByItselfAndNotByDoingNothing) {
+  for (const char* scene : {"lidbox", "controls", "screws", "panel", "trapdoor", "dock"}) {
+    const record::Recording recording = Play(scene);
+    const Structure structure = StructureOf(recording);
+    const Course course = CourseOf(recording);
+    const Comparison itself = CompareWith(structure, course);
+    EXPECT_EQ(itself.share, 1) << scene;
+    EXPECT_LT(itself.mean_error().distance, 1e-9) << scene;
+    EXPECT_TRUE(itself.order.is_kept()) << scene;
+    EXPECT_EQ(CauseOf(structure, course, itself, {.status = "failed"}), std::nullopt);
+    // Who watches sees what the recording tells.
+    EXPECT_EQ(CompareWith(structure, witnessed_).order, itself.order) << scene;
+
+    Course idle = course;
+    idle.end = course.begin;
+    idle.touches.clear();
+    const Comparison nothing = CompareWith(structure, idle);
+    EXPECT_FALSE(nothing.is_rebuilt()) << scene;
+    EXPECT_FALSE(std::ranges::all_of(nothing.achieved, std::identity())) << scene;
+    const auto cause = CauseOf(structure, idle, nothing, {.status = "exited"});
+    ASSERT_TRUE(cause) << scene;
+    EXPECT_EQ(cause->word, structure.objects.empty() ? "effect_missing" : "never_taken") << scene;
+  }
+}
+
+/// Of blocks that begin apart, each in its corner.
+Course ThreeBlocks() {
+  const std::vector<scene::ObjectSpec> start = {
+      CubeAt("a", {-0.3, 0, 0.05}), CubeAt("b", {0, 0, 0.05}), CubeAt("c", {0.3, 0, 0.05})};
+  return CourseBetween(start, start);
+}
+
+void Note(EventKind kind, const std::string& object, const Vector3& p, Course* course,
+          const std::string& arm = "left") {
+  course->touches.push_back({{.kind = kind, .arm = arm, .object = object}, 1, RigidTransform(p)});
+}
+
+TEST(Course, WhatIsNotMovedIsNotPlacedAndWhatIsHeldNotYet) {
+  Course course = ThreeBlocks();
+  Note(EventKind::kGripperHolds, "a", {0, 0.3, 0}, &course);
+  Note(EventKind::kGripperLetGo, "a", {-0.3, 0, 0.05}, &course);
+  Note(EventKind::kGripperHolds, "b", {0, 0, 0.05}, &course);
+  Note(EventKind::kGripperLetGo, "b", {0, 0.004, 0.05}, &course);
+  EXPECT_EQ(PlacementsOf(course), Ids{"a"});
+  Note(EventKind::kGripperHolds, "c", {0.3, 0.3, 0.05}, &course);
+  Note(EventKind::kGripperHolds, "a", {0, 0.9, 0}, &course, "right");
+  EXPECT_EQ(PlacementsOf(course), Ids{});
+}
+
+TEST(Course, CountsGraspsAndRetries) {
+  Course course = ThreeBlocks();
+  Note(EventKind::kGripperHolds, "a", Vector3(0, 0, 0), &course);
+  Note(EventKind::kGripperHolds, "a", Vector3(0, 0, 0), &course, "right");  // both arms carry it
+  Note(EventKind::kGripperLetGo, "a", Vector3(0, 0, 0), &course);
+  Note(EventKind::kGripperLetGo, "a", Vector3(0, 0, 0), &course, "right");
+  Note(EventKind::kGripperHolds, "b", Vector3(0, 0, 0), &course);
+  EXPECT_EQ(WorkOf(course), (Work{.grasps = 3, .retries = 0}));
+  Note(EventKind::kGripperHolds, "a", Vector3(0, 0, 0), &course);
+  EXPECT_EQ(WorkOf(course), (Work{.grasps = 4, .retries = 1}));
+}
+
+}  // namespace
+}  // namespace smile::task

@@ -1,0 +1,51 @@
+// What `smile describe` tells of a demonstration, and `smile imitate` of who did not do as shown.
+
+#include "program.h"
+
+namespace smile {
+namespace {
+
+class Describe : public ProgramTest {};
+
+TEST_F(Describe, TellsWhatWasBuiltInWhichOrder) {
+  ASSERT_EQ(Smile("run '" + Shipped("scenes/um.xml") + "' --commands '" +
+                  Shipped("examples/um.jsonl") + "' --no-robot --no-pictures --record um")
+                .exit_code,
+            0);
+  const Answer answer = Smile("describe um");
+  EXPECT_EQ(answer.exit_code, 0) << answer.err;
+  EXPECT_TRUE(
+      answer.out.starts_with("1. ShortPlank on the table\n"
+                             "2. Red1 on ShortPlank\n"
+                             "3. Green1 on ShortPlank\n"))
+      << answer.out;
+  EXPECT_TRUE(answer.out.ends_with("12. LongPlank on Green2, Blue2 and Magenta2\n")) << answer.out;
+
+  const Json json = Smile("describe um --json").json();
+  EXPECT_EQ(json["objects"].size(), 12u);
+  EXPECT_EQ(json["order"].size(), 12u);
+  EXPECT_EQ(json["relations"].size(), 14u);
+  EXPECT_EQ(json["fixed"], false);
+}
+
+TEST_F(Describe, OfASwitchIsATaskThatARobotCanMiss) {
+  const std::string scene = "'" + Shipped("scenes/controls.xml") + "'";
+  ASSERT_EQ(Smile("run " + scene + " --commands '" + Shipped("examples/scenes/controls.jsonl") +
+                  "' --no-pictures --record shown")
+                .exit_code,
+            0);
+  Write("idle.py", "def step(sensor, motor, aux): aux.exit = True\n");
+  const Answer answer = Smile("imitate shown " + scene + " --brain idle.py --out out --json");
+  ASSERT_EQ(answer.exit_code, 0) << answer.err;
+  const Json result = answer.json();
+  EXPECT_FALSE(result["rebuilt"]);
+  EXPECT_EQ(result["score"], 0);
+  EXPECT_TRUE(result["errors"].empty());
+  ASSERT_FALSE(result["effects"].empty());
+  for (const Json& effect : result["effects"]) EXPECT_EQ(effect["achieved"], false);
+  EXPECT_EQ(result["cause"]["word"], "effect_missing");
+  EXPECT_EQ(result["work"], Json({{"grasps", 0}, {"retries", 0}}));
+}
+
+}  // namespace
+}  // namespace smile

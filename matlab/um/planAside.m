@@ -5,11 +5,16 @@ function [actions, reason] = planAside(robot, eye, block, others, sites, q, goal
 %   goal   where another arm shall bring it from there at once, or [] if that does not matter yet
   actions = {};
   reason = 'there is no free place on the table';
+  arms = armsFor(robot, block, goal);
+  if isempty(arms)
+    reason = 'no arm reaches it';
+    return
+  end
   for site = cellfun(@asBlocks, sites, 'UniformOutput', false)
     tries = 8;
     for place = freePlaces(block, [others, site{1}], goal)
       if ~isSeen(place, eye) || isempty(fingerTurns(place, site{1})) || ...
-         ~canPassOn(robot, block, place, goal)
+         ~canPassOn(robot, arms, place, goal)
         continue
       end
       [actions, reason] = planCarry(robot, block, place, others, q);
@@ -35,9 +40,10 @@ function places = freePlaces(block, taken, goal)
   for rectangle = gripRoom(taken(long))', free = free & ~overlap(rectangle', covered); end
 
   if isempty(goal)
-    way = sqrt((x - block.position(1)) .^ 2 + (y - block.position(2)) .^ 2);
+    % The middle, where both arms reach, is for passing on.
+    way = sqrt((x - block.position(1)) .^ 2 + (y - block.position(2)) .^ 2) + max(3 - abs(x), 0);
   else
-    way = abs(x) + 0.1 * abs(y + 3.5);  % in the middle both arms reach most
+    way = abs(x) + 0.1 * abs(y + 3.5);
   end
   way(~free) = Inf;
   [~, order] = sort(way);
@@ -63,12 +69,19 @@ function blocks = asBlocks(steps)
   blocks = rmfield(steps, {'name', 'on'});
 end
 
-function yes = canPassOn(robot, block, place, goal)
-% Whether one arm can bring the block to a place, and, if there is a goal, another from there to it.
+function arms = armsFor(robot, block, goal)
+% The arms, 1 or 2, that can bring a block somewhere from where another can bring it to a goal, if there
+% is one.
+  arms = find([isWithinReach(robot, 1, block), isWithinReach(robot, 2, block)]);
+  if isempty(goal), return; end
+  arms = arms(arrayfun(@(arm) isWithinReach(robot, 3 - arm, goal), arms));
+end
+
+function yes = canPassOn(robot, arms, place, goal)
+% Whether one of these arms reaches a place, and the other one too if it is to go on from there.
   yes = false;
-  for arm = 1:2
-    yes = yes || (isWithinReach(robot, arm, block) && isWithinReach(robot, arm, place) && ...
-                  (isempty(goal) || (isWithinReach(robot, 3 - arm, place) && ...
-                                     isWithinReach(robot, 3 - arm, goal))));
+  for arm = arms
+    yes = yes || (isWithinReach(robot, arm, place) && ...
+                  (isempty(goal) || isWithinReach(robot, 3 - arm, place)));
   end
 end

@@ -24,11 +24,12 @@ function [actions, building] = decide(building, sensor, eye, robot)
     reason = sprintf('%d tries were not enough', most_tries);
   elseif building.tidied < 20
     for move = proposeMoves(building, k, find(~used))
-      [actions, reason] = planMove(building, k, move, eye, robot, sensor.jointAngles);
+      [actions, place, reason] = planMove(building, k, move, eye, robot, sensor.jointAngles);
       if isempty(actions), continue; end
       if isempty(move.goal), building.tidied = building.tidied + 1; end
       building.tries(k) = building.tries(k) + ~isempty(move.goal);
-      building.known(move.block) = [];  % where it will be, the next look tells
+      building.known(move.block) = [];
+      building.known = [building.known, place];
       building.stuck = 0;
       return
     end
@@ -48,14 +49,17 @@ function open = openSteps(building)
   open = open(arrayfun(@(k) all(building.done(building.steps(k).on)), open));
 end
 
-function [actions, reason] = planMove(building, k, move, eye, robot, q)
+function [actions, place, reason] = planMove(building, k, move, eye, robot, q)
 % Straight to its goal, if it has one and an arm reaches both; else to somewhere else first, if need be
 % where the building will stand later.
+%   place  the block where it will lie on the table, even if it is hidden there; a 1x0 struct array for
+%          one that is built in: there it must be seen
   block = building.known(move.block);
   others = building.known([1:move.block - 1, move.block + 1:end]);
   steps = building.steps;
   sites = {steps};
   actions = {};
+  place = noBlocks();
   if ~isempty(move.goal)
     sites{2} = steps(building.done);
     [actions, reason] = planCarry(robot, block, move.goal, others, q);
@@ -63,6 +67,6 @@ function [actions, reason] = planMove(building, k, move, eye, robot, q)
     sites{2} = steps([find(building.done), k]);
   end
   if isempty(actions)
-    [actions, reason] = planAside(robot, eye, block, others, sites, q, move.goal);
+    [actions, place, reason] = planAside(robot, eye, block, others, sites, q, move.goal);
   end
 end

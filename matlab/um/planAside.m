@@ -1,9 +1,10 @@
-function [actions, reason] = planAside(robot, eye, block, others, sites, q, goal)
-% The actions that bring a block to a free place on the table that the eye sees; {} and a reason if there
-% is none.
+function [actions, place, reason] = planAside(robot, eye, block, others, sites, q, goal)
+% The actions that bring a block to a free place on the table that the eye sees, and that place; {} and a
+% reason if there is none.
 %   sites  the steps to keep off, as a cell of lists: the first with which there is a place counts
 %   goal   where another arm shall bring it from there at once, or [] if that does not matter yet
   actions = {};
+  place = noBlocks();
   reason = 'there is no free place on the table';
   arms = armsFor(robot, block, goal);
   if isempty(arms)

@@ -45,7 +45,7 @@ struct EvaluateOptions {
   std::vector<std::string> brains;
   std::size_t scenes = 10, jobs = 0;
   std::uint64_t seed = 1;
-  double max_seconds = 600, wall_seconds = 3600, patience = 5;
+  double max_seconds = 600, wall_seconds = 3600, patience = 60;
   EyeOptions eye;
   std::string noise;
   RobotOptions robot;

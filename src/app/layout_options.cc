@@ -21,11 +21,10 @@ CLI::Option* AddLayoutOptions(CLI::App* command, LayoutOptions* options) {
   return seed;
 }
 
-scene::SceneSpec LaidOut(scene::SceneSpec scene, const LayoutOptions& options,
-                         const task::LayoutRegion& region) {
+scene::SceneSpec LaidOut(scene::SceneSpec scene, const LayoutOptions& options) {
   if (!options.seed) return scene;
   return task::RandomLayout(std::move(scene), *options.seed,
-                            task::ParseLayoutLevel(options.level).value(), region);
+                            task::ParseLayoutLevel(options.level).value());
 }
 
 }  // namespace smile::app

@@ -22,7 +22,6 @@ CLI::Option* AddLayoutOptions(CLI::App* command, LayoutOptions* options);
 
 /// The scene as the options want it: as it is, without a seed.
 /// @throws std::invalid_argument if there is no such layout.
-scene::SceneSpec LaidOut(scene::SceneSpec scene, const LayoutOptions& options,
-                         const task::LayoutRegion& region = {});
+scene::SceneSpec LaidOut(scene::SceneSpec scene, const LayoutOptions& options);
 
 }  // namespace smile::app

@@ -196,6 +196,18 @@ export class Person {
     await this.dragTo(id, [null, null, z]);
   }
 
+  /** Types where what is held shall be, number after number with Tab between them: { x?, y?, z? }. */
+  async typePlace(place) {
+    const fields = this.page.getByRole("group", { name: /^Position/ });
+    const [first] = Object.keys(place);
+    await fields.getByRole("spinbutton", { name: first, exact: true }).focus();
+    await this.page.keyboard.press("Control+A");
+    for (const value of Object.values(place)) {
+      await this.page.keyboard.type(`${value}`);
+      await this.page.keyboard.press("Tab");
+    }
+  }
+
   /** Takes hold of the ring about an axis at one angle and drags it to another [degrees]. */
   async turnRing(axis, from, to) {
     const pointAt = (degrees) => this.page.evaluate(([a, d]) => window.smileStudio.ringPointOf(a, d), [axis, degrees]);

@@ -1,4 +1,4 @@
-// A person builds the letters U and M of scenes/um.xml at the page, seen as the robot would see them.
+// A person builds the letters U and M of scenes/um.xml at the page.
 //
 //   z = 2.5   Cyan1      Red2      [      LongPlank      ]
 //   z = 1.5   Red1       Green1    Green2  Blue2  Magenta2
@@ -21,7 +21,7 @@ const LETTERS = [
   ["Magenta2", [5, 1, 1.5]],
   ["LongPlank", [3, 1, 2.5]],
 ];
-const CLEARANCE = 1; // [units]
+const CLEARANCE = 1; // so that it is carried on the grid, too [units]
 const THERE = 0.02; // [units]
 
 /** What is put, one after the other. */
@@ -31,13 +31,11 @@ export const SHIFT = [0.25, 0, 0];
 
 /** The foot of the U by typed numbers, all else by drags that snap. */
 export async function buildLetters(person) {
-  await person.press("Robot");
   await person.press("Grid");
   await layFoot(person);
   for (const [id, place] of LETTERS) {
     await person.grasp(id);
-    await person.carryAbove(id, raised(place));
-    await person.dragTo(id, [null, null, place[2]]);
+    await person.carryOnto(id, place, CLEARANCE);
     await letGoAt(person, id, place);
   }
 }

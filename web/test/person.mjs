@@ -20,7 +20,7 @@ export class Mouse {
   }
 
   async moveTo({ x, y }) {
-    await this.mouse.move(x, y, { steps: 4 });
+    await this.mouse.move(x, y, { steps: 2 });
   }
 
   async lift() {
@@ -148,7 +148,12 @@ export class Person {
    * which it moves: [x, y, z], null where it does not matter.
    */
   async dragTo(id, wanted) {
-    let [at, before] = [null, null];
+    await this.letGo(await this.dragOn(id, wanted, null));
+  }
+
+  /** Goes on from where the pointer is pressed, null where it is not yet; where it is pressed then. */
+  async dragOn(id, wanted, pressed) {
+    let [at, before] = [pressed, null];
     for (let k = 0; k < MAX_CORRECTIONS; ++k) {
       const place = await this.restOf(id);
       if (at !== null && isDeepStrictEqual(place, before)) {
@@ -158,10 +163,7 @@ export class Person {
       }
       before = place;
       const goal = wanted.map((value, axis) => value ?? place[axis]);
-      if (Math.hypot(...goal.map((value, axis) => value - place[axis])) < CLOSE) {
-        if (at !== null) await this.pointer.lift();
-        return;
-      }
+      if (Math.hypot(...goal.map((value, axis) => value - place[axis])) < CLOSE) return at;
       const [from, to] = [await this.placeOnPage(place), await this.placeOnPage(goal)];
       at ??= await this.take(id);
       at = { x: at.x + to.x - from.x, y: at.y + to.y - from.y };
@@ -169,6 +171,10 @@ export class Person {
       await this.look();
     }
     throw new Error(`${id} does not come to ${wanted}`);
+  }
+
+  async letGo(pressed) {
+    if (pressed !== null) await this.pointer.lift();
   }
 
   /** What the mouse did is told to the program with the next picture, and seen in the one after it. */
@@ -183,17 +189,34 @@ export class Person {
   }
 
   /** Lifts a held object, then carries it level. */
-  async carryAbove(id, [x, y, z]) {
-    await this.dragTo(id, [null, null, z]);
-    await this.page.keyboard.down("Control");
-    await this.dragTo(id, [x, y, null]);
-    await this.page.keyboard.up("Control");
+  async carryAbove(id, place) {
+    await this.letGo(await this.carryOn(id, place));
   }
 
-  /** Lifts, carries and lowers a held object, as people stack. */
-  async carryOnto(id, [x, y, z]) {
-    await this.carryAbove(id, [x, y, z + CLEARANCE]);
-    await this.dragTo(id, [null, null, z]);
+  /** Lifts, carries and lowers a held object, as people stack: in one drag. */
+  async carryOnto(id, [x, y, z], clearance = CLEARANCE) {
+    const pressed = await this.carryOn(id, [x, y, z + clearance]);
+    await this.letGo(await this.dragOn(id, [null, null, z], pressed));
+  }
+
+  async carryOn(id, [x, y, z]) {
+    const pressed = await this.dragOn(id, [null, null, z], null);
+    await this.page.keyboard.down("Control");
+    const above = await this.dragOn(id, [x, y, null], pressed);
+    await this.page.keyboard.up("Control");
+    return above;
+  }
+
+  /** Types where what is held shall be, number after number with Tab between them: { x?, y?, z? }. */
+  async typePlace(place) {
+    const fields = this.page.getByRole("group", { name: /^Position/ });
+    const [first] = Object.keys(place);
+    await fields.getByRole("spinbutton", { name: first, exact: true }).focus();
+    await this.page.keyboard.press("Control+A");
+    for (const value of Object.values(place)) {
+      await this.page.keyboard.type(`${value}`);
+      await this.page.keyboard.press("Tab");
+    }
   }
 
   /** Takes hold of the ring about an axis at one angle and drags it to another [degrees]. */

@@ -3,18 +3,22 @@
 
 import { execFileSync } from "node:child_process";
 import { fileURLToPath } from "node:url";
+import { buildLetters } from "./letters.mjs";
 import { Browser } from "./workbench.mjs";
 
 const FOLDER = fileURLToPath(new URL("../../docs/images/", import.meta.url));
+const UM = fileURLToPath(new URL("../../scenes/um.xml", import.meta.url));
 
 /** Blurred pictures are for people without a graphics card. */
 const LIKES = { detail: "high" };
+/** Notches of the wheel. */
+const ZOOM = 4;
 
 const ends = [];
 const browser = new Browser();
 await browser.start();
 try {
-  for (const take of [atTheTable, onAPhone]) {
+  for (const take of [atTheTable, withLetters, onAPhone]) {
     await take();
     for (const end of ends.splice(0)) await end();
   }
@@ -31,8 +35,8 @@ async function shoot({ page, person }, name) {
   await page.waitForFunction(() => {
     const toasts = document.querySelectorAll(".notice, .spinner").length;
     const shown = [...document.images].filter((image) => {
-      const { top, bottom, width } = image.getBoundingClientRect();
-      return width > 0 && bottom > 0 && top < innerHeight;
+      const { top, right, bottom, left, width } = image.getBoundingClientRect();
+      return width > 0 && bottom > 0 && top < innerHeight && right > 0 && left < innerWidth;
     });
     return toasts === 0 && shown.every((image) => image.complete);
   });
@@ -89,6 +93,19 @@ async function atTheTable() {
   await text.fill((await text.inputValue()).replace("(0.4,-3.8,0.5)", "(0.4,-3.8)"));
   await page.getByRole("button", { name: /^Line/ }).first().waitFor();
   await shoot(desk, "editor");
+}
+
+/** As the robot would see them. */
+async function withLetters() {
+  const desk = await begin({ studio: [UM, "--no-robot"], likes: LIKES });
+  const { page, person } = desk;
+  await person.press("Robot");
+  await person.record(() => buildLetters(person));
+  const { x, y } = await person.pointOf("Blue1");
+  await page.mouse.move(x, y);
+  for (let k = 0; k < ZOOM; ++k) await page.mouse.wheel(0, -100);
+  await page.mouse.move(0, 0);
+  await shoot(desk, "letters");
 }
 
 async function onAPhone() {

@@ -38,15 +38,44 @@ export function releaseHeld(): void {
   void command({ do: "release", hand: currentHand.value });
 }
 
-function moveTo(position: Point): void {
-  void command({ do: "move_to", hand: currentHand.value, position });
+/** What is asked for goes on from what was asked for last: so long the state may take to follow. */
+const FOLLOW_MS = 400;
+
+/** Three numbers of a held object, of which people change one after the other, faster than the state follows. */
+class Wanted {
+  private last: { object: string; numbers: Point; until: number } | null = null;
+
+  /** @param reading as the state tells them; returns what is changed, and what it becomes */
+  change(object: string, reading: Point, to: (old: Point) => Point): { from: Point; numbers: Point } {
+    const { last } = this;
+    const now = performance.now();
+    const from = last !== null && last.object === object && now < last.until ? last.numbers : reading;
+    const numbers = to(from);
+    this.last = { object, numbers, until: now + FOLLOW_MS };
+    return { from, numbers };
+  }
+}
+
+const wantedPlace = new Wanted();
+const wantedAngles = new Wanted();
+
+function withNumber(numbers: Point, axis: number, value: number): Point {
+  return numbers.map((old, k) => (k === axis ? value : old)) as Point;
+}
+
+/** Hands are told of the point at which they took the object. */
+function moveHeld(to: (place: Point) => Point): void {
+  const hand = currentHand.value;
+  const { object, goal, place } = state.value?.hands[hand] ?? {};
+  if (!object || !goal || !place) return;
+  const { numbers } = wantedPlace.change(object, place, to);
+  const position = goal.map((old, k) => old + numbers[k]! - place[k]!);
+  void command({ do: "move_to", hand, position });
 }
 
 function nudge(direction: Direction, length: number): void {
-  const goal = state.value?.hands[currentHand.value].goal;
-  if (!goal) return;
   const { along } = DIRECTIONS[direction];
-  moveTo([goal[0] + along[0] * length, goal[1] + along[1] * length, goal[2] + along[2] * length]);
+  moveHeld((place) => place.map((old, k) => old + along[k]! * length) as Point);
 }
 
 /** The four hands, each with what it holds. */
@@ -173,10 +202,8 @@ function NudgePad() {
   );
 }
 
-/** Where the object is, by numbers. Hands are told of the point at which they took it. */
-function Position({ goal, place }: { goal: Point; place: Point }) {
-  const put = (axis: number, value: number) =>
-    moveTo(goal.map((old, k) => (k === axis ? old + value - place[k]! : old)) as Point);
+/** Where the object is, by numbers. */
+function Position({ place }: { place: Point }) {
   return (
     <div class="row position" role="group" aria-label={`${words.position} (${texts.units})`}>
       {words.axisNames.map((axis, k) => (
@@ -187,7 +214,7 @@ function Position({ goal, place }: { goal: Point; place: Point }) {
           value={place[k]!}
           step={0.1}
           disabled={!mayAct.value}
-          onCommit={(value) => put(k, value)}
+          onCommit={(value) => moveHeld((old) => withNumber(old, k, value))}
         />
       ))}
     </div>
@@ -203,17 +230,10 @@ function turnBy(axis: number, degrees: number): void {
   rotate([0, 1, 2].map((k) => (k === axis ? degrees : 0)) as Point);
 }
 
-/** So long what was asked for last is what a slider goes on from: the state follows. */
-const FOLLOW_MS = 400;
-let asked: { object: string; angles: Point; until: number } | null = null;
-
 /** Gives the held object one angle of three, and keeps the others. */
 function turnTo(object: string, reading: Point, axis: number, degrees: number): void {
-  const now = performance.now();
-  const from = asked !== null && asked.object === object && now < asked.until ? asked.angles : reading;
-  const angles = from.map((old, k) => (k === axis ? degrees : old)) as Point;
-  rotate(turnFromTo(from, angles));
-  asked = { object, angles, until: now + FOLLOW_MS };
+  const { from, numbers } = wantedAngles.change(object, reading, (angles) => withNumber(angles, axis, degrees));
+  rotate(turnFromTo(from, numbers));
 }
 
 /** About y half a turn is all: three angles tell every orientation once. */
@@ -345,7 +365,7 @@ export function HandsPanel() {
         <>
           <Card title={words.move} isOpen={isMoveOpen}>
             <NudgePad />
-            {hand?.goal && hand.place && <Position goal={hand.goal} place={hand.place} />}
+            {hand?.place && <Position place={hand.place} />}
           </Card>
           <Card title={words.turn} isOpen={isTurnOpen}>
             <div data-tour="turn">

@@ -10,43 +10,59 @@ function [actions, building] = decide(building, sensor, eye, robot)
   end
 
   [building, used] = compare(building);
-  k = find(~building.done, 1);
-  if isempty(k)
+  open = openSteps(building);
+  if isempty(open)
     building.summary = sprintf('built, as seen within %.2f units and %.1f degrees', ...
                                max(building.miss(:, 1)), max(building.miss(:, 2)) * 180 / pi);
     return
   end
-  name = describeStep(building.steps(k));
-  if building.tries(k) >= most_tries || building.tidied >= 20
-    building.summary = sprintf('gave up at %s, after %d tries', name, building.tries(k));
-    return
-  end
 
+  % The next step in the order shown; when nothing helps there, one of those that can be done as well.
+  k = open(1 + mod(building.stuck, numel(open)));
   reason = 'it cannot be seen';
-  for move = proposeMoves(building, k, find(~used))
-    [actions, reason] = planMove(building, move, eye, robot, sensor.jointAngles);
-    if isempty(actions), continue; end
-    if isempty(move.goal), building.tidied = building.tidied + 1; end
-    building.tries(k) = building.tries(k) + ~isempty(move.goal);
-    building.known(move.block) = [];  % where it will be, the next look tells
-    building.looks = 0;
-    return
+  if building.tries(k) >= most_tries
+    reason = sprintf('%d tries were not enough', most_tries);
+  elseif building.tidied < 20
+    for move = proposeMoves(building, k, find(~used))
+      [actions, reason] = planMove(building, k, move, eye, robot, sensor.jointAngles);
+      if isempty(actions), continue; end
+      if isempty(move.goal), building.tidied = building.tidied + 1; end
+      building.tries(k) = building.tries(k) + ~isempty(move.goal);
+      building.known(move.block) = [];  % where it will be, the next look tells
+      building.stuck = 0;
+      return
+    end
   end
-  building.looks = building.looks + 1;
-  if building.looks > 2
-    building.summary = sprintf('gave up at %s: %s', name, reason);
+  if building.stuck == 0, building.trouble = [describeStep(building.steps(k)), ': ', reason]; end
+  building.stuck = building.stuck + 1;
+  if building.stuck > numel(open) + 1
+    building.summary = ['gave up at ', building.trouble];
   else
     actions = {struct('kind', 'look')};
   end
 end
 
-function [actions, reason] = planMove(building, move, eye, robot, q)
-% Straight to its goal, if it has one and an arm reaches both; else to somewhere else first.
+function open = openSteps(building)
+% Those that are not done and stand on what is done, in the order shown.
+  open = find(~building.done);
+  open = open(arrayfun(@(k) all(building.done(building.steps(k).on)), open));
+end
+
+function [actions, reason] = planMove(building, k, move, eye, robot, q)
+% Straight to its goal, if it has one and an arm reaches both; else to somewhere else first, if need be
+% where the building will stand later.
   block = building.known(move.block);
   others = building.known([1:move.block - 1, move.block + 1:end]);
+  steps = building.steps;
+  sites = {steps};
   actions = {};
-  if ~isempty(move.goal), [actions, reason] = planCarry(robot, block, move.goal, others, q); end
+  if ~isempty(move.goal)
+    sites{2} = steps(building.done);
+    [actions, reason] = planCarry(robot, block, move.goal, others, q);
+  elseif any(overlap(gripRoom(steps(k)), footprint(block, 0)))
+    sites{2} = steps([find(building.done), k]);
+  end
   if isempty(actions)
-    [actions, reason] = planAside(robot, eye, block, others, building, q, move.goal);
+    [actions, reason] = planAside(robot, eye, block, others, sites, q, move.goal);
   end
 end

@@ -1,16 +1,20 @@
-function [actions, reason] = planAside(robot, eye, block, others, building, q, goal)
-% The actions that bring a block to a free place on the table that the eye sees, if possible off the
-% building's site; {} and a reason if there is none.
-%   goal  where another arm shall bring it from there at once, or [] if that does not matter yet
+function [actions, reason] = planAside(robot, eye, block, others, sites, q, goal)
+% The actions that bring a block to a free place on the table that the eye sees; {} and a reason if there
+% is none.
+%   sites  the steps to keep off, as a cell of lists: the first with which there is a place counts
+%   goal   where another arm shall bring it from there at once, or [] if that does not matter yet
   actions = {};
   reason = 'there is no free place on the table';
-  sites = {asBlocks(building.steps)};
-  if ~isempty(goal), sites{2} = asBlocks(building.steps(building.done)); end
-  for site = sites
+  arms = armsFor(robot, block, goal);
+  if isempty(arms)
+    reason = 'no arm reaches it';
+    return
+  end
+  for site = cellfun(@asBlocks, sites, 'UniformOutput', false)
     tries = 8;
     for place = freePlaces(block, [others, site{1}], goal)
       if ~isSeen(place, eye) || isempty(fingerTurns(place, site{1})) || ...
-         ~canPassOn(robot, block, place, goal)
+         ~canPassOn(robot, arms, place, goal)
         continue
       end
       [actions, reason] = planCarry(robot, block, place, others, q);
@@ -22,7 +26,7 @@ function [actions, reason] = planAside(robot, eye, block, others, building, q, g
 end
 
 function places = freePlaces(block, taken, goal)
-% Where a block might lie on the table, the best places first, up to 60: with room for fingers, its own
+% Where a block might lie on the table, the best places first, up to 100: with room for fingers, its own
 % and those of its neighbors.
   [x, y, yaw] = ndgrid(-6.5:0.5:6.5, -5:0.25:0, [0, pi / 2, pi / 4, -pi / 4]);
   x = x(:);
@@ -31,16 +35,19 @@ function places = freePlaces(block, taken, goal)
   with_fingers = covered + [0, 0, 0, 0.7, 0];
   free = true(numel(x), 1);
   for rectangle = footprint(taken, 0.1)', free = free & ~overlap(rectangle', with_fingers); end
-  for rectangle = gripRoom(taken)', free = free & ~overlap(rectangle', covered); end
+  % Square blocks can be held the other way round, too.
+  long = arrayfun(@(other) other.size(1) > 1.1 * other.size(2), taken);
+  for rectangle = gripRoom(taken(long))', free = free & ~overlap(rectangle', covered); end
 
   if isempty(goal)
-    way = sqrt((x - block.position(1)) .^ 2 + (y - block.position(2)) .^ 2);
+    % The middle, where both arms reach, is for passing on.
+    way = sqrt((x - block.position(1)) .^ 2 + (y - block.position(2)) .^ 2) + max(3 - abs(x), 0);
   else
-    way = abs(x) + 0.1 * abs(y + 3.5);  % in the middle both arms reach most
+    way = abs(x) + 0.1 * abs(y + 3.5);
   end
   way(~free) = Inf;
   [~, order] = sort(way);
-  places = repmat(block, 1, min(60, sum(free)));
+  places = repmat(block, 1, min(100, sum(free)));
   for i = 1:numel(places)
     places(i).position = [covered(order(i), 1:2), block.size(3) / 2];
     places(i).yaw = covered(order(i), 5);
@@ -62,12 +69,19 @@ function blocks = asBlocks(steps)
   blocks = rmfield(steps, {'name', 'on'});
 end
 
-function yes = canPassOn(robot, block, place, goal)
-% Whether one arm can bring the block to a place, and, if there is a goal, another from there to it.
+function arms = armsFor(robot, block, goal)
+% The arms, 1 or 2, that can bring a block somewhere from where another can bring it to a goal, if there
+% is one.
+  arms = find([isWithinReach(robot, 1, block), isWithinReach(robot, 2, block)]);
+  if isempty(goal), return; end
+  arms = arms(arrayfun(@(arm) isWithinReach(robot, 3 - arm, goal), arms));
+end
+
+function yes = canPassOn(robot, arms, place, goal)
+% Whether one of these arms reaches a place, and the other one too if it is to go on from there.
   yes = false;
-  for arm = 1:2
-    yes = yes || (isWithinReach(robot, arm, block) && isWithinReach(robot, arm, place) && ...
-                  (isempty(goal) || (isWithinReach(robot, 3 - arm, place) && ...
-                                     isWithinReach(robot, 3 - arm, goal))));
+  for arm = arms
+    yes = yes || (isWithinReach(robot, arm, place) && ...
+                  (isempty(goal) || isWithinReach(robot, 3 - arm, place)));
   end
 end

@@ -16,8 +16,9 @@ function moves = proposeMoves(building, k, free)
   [~, order] = sort(away);
   fits = fits(order);
   for i = setdiff([in_way, walled], fits, 'stable'), moves(end + 1) = aside(i); end
+  for i = intersect(in_way, fits(2:end)), moves(end + 1) = aside(i); end
   for i = fits
-    if isempty(whatLiesOn(i)), moves(end + 1) = struct('block', i, 'goal', step); end
+    if isempty(setdiff(in_way, i)), moves(end + 1) = struct('block', i, 'goal', step); end
   end
   % Then what lies on other blocks: what is wanted may be below it.
   for i = free

@@ -7,9 +7,10 @@ function building = startBuilding(steps)
 %   tries    how often each step's block was carried there so far, 1xN
 %   tidied   how often blocks were put aside since the last step was done
 %   miss     by how much each block was off when last seen: [units, rad], Nx2
-%   looks    how often in a row a wanted block was not to be seen
+%   stuck    how many steps in a row could not be gone on with, and
+%   trouble  why the first of them could not
 %   summary  one line for people, at the end
   n = numel(steps);
   building = struct('steps', steps, 'hasSite', false, 'known', noBlocks(), 'done', false(1, n), 'tries', zeros(1, n), ...
-                    'tidied', 0, 'miss', NaN(n, 2), 'looks', 0, 'summary', '');
+                    'tidied', 0, 'miss', NaN(n, 2), 'stuck', 0, 'trouble', '', 'summary', '');
 end

@@ -1,10 +1,12 @@
 // `smile experiment`: the main job. A person shows a tower, the robot builds one.
 
 #include <CLI/CLI.hpp>
-#include <chrono>
+#include <algorithm>
+#include <array>
 #include <cstdio>
 #include <memory>
 #include <stdexcept>
+#include <string_view>
 
 #include "app/commands.h"
 #include "app/exit_code.h"
@@ -12,9 +14,11 @@
 #include "app/imitation.h"
 #include "app/interrupt.h"
 #include "app/layout_options.h"
+#include "app/move_aside.h"
 #include "app/options.h"
 #include "app/run_loop.h"
 #include "base/files.h"
+#include "report/experiment_page.h"
 #include "scene_xml/scene_reader.h"
 
 namespace smile::app {
@@ -22,7 +26,7 @@ namespace {
 
 /// What an experiment is made of, all of it shipped.
 struct Experiment {
-  const char* name;
+  std::string_view name;
   const char* demonstration_scene;
   const char* demonstration_script;
   const char* robot_scene;
@@ -30,40 +34,33 @@ struct Experiment {
   task::LayoutRegion region;  ///< where its brain may find things
 };
 
-/// The brain of the tower keeps its elbows out, which costs reach, and builds where the strip would
-/// be.
-constexpr Experiment kTower{
-    "tower",
-    "scenes/tower.xml",
-    "examples/tower.jsonl",
-    "scenes/tower_robot.xml",
-    "matlab/examples/tower",
-    {.most_x = 0.42, .least_depth = 0.16, .most_depth = 0.44, .strip_half_width = 0}};
+constexpr std::array kExperiments{
+    // Its brain keeps its elbows out, which costs reach, and builds where the strip would be.
+    Experiment{"tower",
+               "scenes/tower.xml",
+               "examples/tower.jsonl",
+               "scenes/tower_robot.xml",
+               "matlab/examples/tower",
+               {.most_x = 0.42, .least_depth = 0.16, .most_depth = 0.44, .strip_half_width = 0}}};
+
+const Experiment& FindExperiment(const std::string& name) {
+  return *std::ranges::find(kExperiments, name, &Experiment::name);
+}
+
+std::vector<std::string> ExperimentNames() {
+  std::vector<std::string> names;
+  for (const Experiment& experiment : kExperiments) names.emplace_back(experiment.name);
+  return names;
+}
 
 /// Films show two seconds in one: the robot takes its time.
 constexpr double kFilmSpeed = 2;
 
 struct ExperimentOptions {
-  std::string name = kTower.name, out;
+  std::string name{kExperiments.front().name}, out;
   LayoutOptions layout;
   bool no_films = false, json = false;
 };
-
-/// Results are never overwritten: an earlier one moves aside, to `tower.1`, `tower.2`, …
-void MoveAside(const std::filesystem::path& directory) {
-  std::error_code error;
-  if (!std::filesystem::exists(directory, error)) return;
-  for (int i = 1;; ++i) {
-    const std::filesystem::path aside = directory.string() + "." + std::to_string(i);
-    if (std::filesystem::exists(aside, error)) continue;
-    std::filesystem::rename(directory, aside, error);
-    if (error) {
-      throw std::runtime_error(directory.string() + ": cannot be moved aside: " + error.message());
-    }
-    std::fprintf(stderr, "%s: the earlier result is now %s\n", directory.c_str(), aside.c_str());
-    return;
-  }
-}
 
 void RecordDemonstration(const Experiment& experiment, const std::filesystem::path& directory) {
   RunPlan plan{.scene = scene_xml::LoadScene(DataFile(experiment.demonstration_scene)),
@@ -71,7 +68,7 @@ void RecordDemonstration(const Experiment& experiment, const std::filesystem::pa
   plan.script =
       sim::ReadScript(DataFile(experiment.demonstration_script), plan.scene.meters_per_unit);
   plan.record = directory;
-  plan.recording.title = experiment.name;
+  plan.recording.title = std::string(experiment.name);
   plan.label = "showing the " + std::string(experiment.name);
   Run(plan);
 }
@@ -85,6 +82,26 @@ void FilmBoth(const std::filesystem::path& out) {
           .speed = kFilmSpeed,
           .progress = std::string("filming the ") + name});
   }
+}
+
+void WriteReport(const Experiment& experiment, const Json& result, const std::filesystem::path& out,
+                 bool has_films) {
+  if (IsInterrupted()) return;
+  std::vector<report::Enclosure> enclosures;
+  if (has_films) {
+    enclosures.push_back({"demonstration.mp4", "film of the demonstration"});
+    enclosures.push_back({"imitation.mp4", "film of the robot"});
+  }
+  enclosures.push_back({"demonstration", "recording of the demonstration"});
+  enclosures.push_back({"imitation", "recording of the robot"});
+  enclosures.push_back({"result.json", "the result, for programs"});
+  const record::Recording demonstration = record::OpenRecording(out / "demonstration");
+  const record::Recording imitation = record::OpenRecording(out / "imitation");
+  WriteFile(out / "report.html", report::PageOf({.name = std::string(experiment.name),
+                                                 .demonstration = demonstration,
+                                                 .imitation = imitation,
+                                                 .result = result,
+                                                 .enclosures = enclosures}));
 }
 
 void PrintSummary(const ImitationOutcome& outcome, const std::filesystem::path& out,
@@ -109,11 +126,12 @@ void PrintSummary(const ImitationOutcome& outcome, const std::filesystem::path& 
     std::printf("  %s/demonstration.mp4, %s/imitation.mp4   films, at %gx speed\n", out.c_str(),
                 out.c_str(), kFilmSpeed);
   }
-  std::printf("  %s/result.json\n", out.c_str());
+  std::printf("  %s/result.json, %s/report.html   the same for programs and for people\n",
+              out.c_str(), out.c_str());
 }
 
 int RunExperiment(const ExperimentOptions& options) {
-  const Experiment& experiment = kTower;
+  const Experiment& experiment = FindExperiment(options.name);
   const std::filesystem::path out = options.out.empty()
                                         ? std::filesystem::path("out") / experiment.name
                                         : std::filesystem::path(options.out);
@@ -124,7 +142,7 @@ int RunExperiment(const ExperimentOptions& options) {
 
   scene::SceneSpec scene = LaidOut(scene_xml::LoadScene(DataFile(experiment.robot_scene)),
                                    options.layout, experiment.region);
-  const ImitationOutcome outcome = Imitate({.task = experiment.name,
+  const ImitationOutcome outcome = Imitate({.task = std::string(experiment.name),
                                             .demonstration = out / "demonstration",
                                             .scene = std::move(scene),
                                             .brain = DataFile(experiment.brain),
@@ -132,6 +150,7 @@ int RunExperiment(const ExperimentOptions& options) {
                                             .robot = PlaceRobot({})});
   WriteFile(out / "result.json", ToText(outcome.result, 2) + "\n");
   if (!options.no_films) FilmBoth(out);
+  WriteReport(experiment, outcome.result, out, !options.no_films);
   if (options.json) {
     std::printf("%s\n", ToText(outcome.result, 2).c_str());
   } else {
@@ -152,7 +171,7 @@ void AddExperiment(CLI::App* program, ExitAnswer answer) {
       "experiment", "Show a task with invisible hands, let the robot do it elsewhere, score it");
   experiment->add_option("NAME", options->name, "which one")
       ->capture_default_str()
-      ->check(CLI::IsMember({kTower.name}));
+      ->check(CLI::IsMember(ExperimentNames()));
   experiment->add_option("--out", options->out, "directory for the results; out/NAME if not given");
   AddLayoutOptions(experiment, &options->layout);
   experiment->add_flag("--no-films", options->no_films, "leave out the mp4 files");

@@ -24,6 +24,7 @@ void AddDress(CLI::App* program, ExitAnswer answer);
 void AddRender(CLI::App* program, ExitAnswer answer);
 void AddLayout(CLI::App* program, ExitAnswer answer);
 void AddImitate(CLI::App* program, ExitAnswer answer);
+void AddEvaluate(CLI::App* program, ExitAnswer answer);
 void AddExperiment(CLI::App* program, ExitAnswer answer);
 void AddCommands(CLI::App* program, ExitAnswer answer);
 void AddBench(CLI::App* program, ExitAnswer answer);

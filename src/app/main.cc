@@ -47,6 +47,7 @@ int main(int argc, char** argv) {
   app::AddLayout(&program, &answer);
   app::AddDress(&program, &answer);
   app::AddImitate(&program, &answer);
+  app::AddEvaluate(&program, &answer);
   app::AddExperiment(&program, &answer);
   app::AddCommands(&program, &answer);
   app::AddBench(&program, &answer);

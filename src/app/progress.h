@@ -17,8 +17,15 @@ class ProgressLine {
 
   /// @param total  in the same unit; 0 when unknown.
   void Show(double done, double total, const char* unit = "s");
+  /// In words.
+  void Say(const std::string& words);
+  /// Wipes the line, for other messages.
+  void Wipe();
 
  private:
+  /// False of what nobody would see: there is no terminal, or it was told a moment ago.
+  bool IsDue();
+
   std::string label_;
   bool is_shown_ = false;
   std::chrono::steady_clock::time_point last_;

@@ -13,15 +13,15 @@
 #include "brain/brain_messages.h"
 #include "brain/internal_brain_program.h"
 #include "brain/internal_channel.h"
-#include "brain/internal_child_process.h"
 #include "brain/internal_output_drain.h"
 #include "brain/internal_rendezvous.h"
+#include "process/child_process.h"
 
 namespace smile::brain {
 namespace {
 
 constexpr int kMeetSliceMs = 20;
-constexpr double kForeverSeconds = 1e6;    ///< the longest that WaitLimit takes
+constexpr double kForeverSeconds = 1e6;    ///< the longest that process::WaitLimit takes
 constexpr double kGoodbyeSeconds = 1.0;    ///< from BYE to SIGKILL
 constexpr double kGuardSeconds = 0.5;      ///< from SIGUSR2 to SIGINT
 constexpr double kInterruptSeconds = 0.3;  ///< from SIGINT to SIGKILL
@@ -48,7 +48,7 @@ std::string SecondsText(double seconds) {
 }
 
 /// In words for whoever wrote the program.
-std::string WhyNotRun(const CannotRun& refusal) {
+std::string WhyNotRun(const process::CannotRun& refusal) {
   const std::string found = "the brain cannot be run: ";
   switch (refusal.error_number()) {
     case ENOENT:
@@ -92,19 +92,19 @@ class BrainProcess::Impl {
   /// Puts the robot's files where the brain may read them.
   /// @returns the URDF; empty when there are none.
   std::string PutOut(const std::vector<robot::RobotFile>& files) const;
-  ChildCommand CommandWithAddress() const;
+  process::ChildCommand CommandWithAddress() const;
   bool HasChildEnded() const { return child_ && child_->HasEnded(); }
-  std::optional<BrainError> Meet(const WaitLimit& limit);
+  std::optional<BrainError> Meet(const process::WaitLimit& limit);
   /// Until somebody has come who says what a brain says first. Under a debugger all others are sent
   /// away: their mistakes are not the brain's.
-  std::optional<BrainError> Greet(const WaitLimit& limit);
+  std::optional<BrainError> Greet(const process::WaitLimit& limit);
   /// For a person who starts the brain: one who says nothing must not keep out the next.
-  WaitLimit LimitOfHello(const WaitLimit& limit) const;
+  process::WaitLimit LimitOfHello(const process::WaitLimit& limit) const;
   bool TakeHello(const Message& hello);
   /// Sends a question and waits for its answer, which is of type `expected` (or kFinalMotor).
   OrError<Message> Ask(const std::vector<std::byte>& question, MessageType expected, Phase phase,
-                       const WaitLimit& limit, double limit_seconds);
-  WaitLimit LimitOf(double seconds) const;
+                       const process::WaitLimit& limit, double limit_seconds);
+  process::WaitLimit LimitOf(double seconds) const;
 
   BrainError ExplainFault(const ChannelFault& fault, Phase phase, double limit_seconds);
   BrainError ExplainTimeout(Phase phase, double limit_seconds);
@@ -126,7 +126,7 @@ class BrainProcess::Impl {
   std::string init_file_, callback_file_;  ///< as the brain named them; empty when it did not
 
   std::optional<Rendezvous> rendezvous_;
-  std::optional<ChildProcess> child_;
+  std::optional<process::ChildProcess> child_;
   std::optional<OutputDrain> drain_;
   std::optional<Channel> channel_;
 };
@@ -135,7 +135,7 @@ OrError<InitReply> BrainProcess::Impl::Init(const Aux& aux) {
   if (state_ != State::kNew) throw std::logic_error("BrainProcess::Init: it was started before");
   state_ = State::kStarting;
   if (auto error = Start()) return EndWith(std::move(*error));
-  const WaitLimit limit = LimitOf(options_.start_seconds);
+  const process::WaitLimit limit = LimitOf(options_.start_seconds);
   if (auto error = Greet(limit)) return EndWith(std::move(*error));
 
   auto answer = Ask(EncodeAux(++sequence_, aux, program_.folder_name, PutOut(aux.robot_files)),
@@ -178,7 +178,7 @@ OrError<StepReply> BrainProcess::Impl::Step(const Sensor& sensor) {
 
 void BrainProcess::Impl::Stop() {
   if (channel_) {
-    const WaitLimit limit(kGoodbyeSeconds);
+    const process::WaitLimit limit(kGoodbyeSeconds);
     const auto fault =
         channel_->Send(MessageWriter(MessageType::kBye, ++sequence_).Finish(), limit);
     channel_.reset();  // who does not understand the word understands the end of the file
@@ -193,10 +193,10 @@ std::optional<BrainError> BrainProcess::Impl::Start() {
     if (options_.on_waiting) options_.on_waiting(HowToAttach(program_, CommandWithAddress()));
     return std::nullopt;
   }
-  const ChildCommand command = CommandWithAddress();
+  const process::ChildCommand command = CommandWithAddress();
   try {
     child_.emplace(command);
-  } catch (const CannotRun& refusal) {
+  } catch (const process::CannotRun& refusal) {
     // What runs scripts belongs to the machine; a program is the brain itself.
     if (command.arguments.front() != program_.main_file) throw;
     return ErrorIn(Phase::kStart, WhyNotRun(refusal));
@@ -205,8 +205,8 @@ std::optional<BrainError> BrainProcess::Impl::Start() {
   return std::nullopt;
 }
 
-ChildCommand BrainProcess::Impl::CommandWithAddress() const {
-  ChildCommand command = program_.command;
+process::ChildCommand BrainProcess::Impl::CommandWithAddress() const {
+  process::ChildCommand command = program_.command;
   const bool is_socket = program_.rendezvous == Rendezvous::Kind::kSocket;
   command.environment.insert(command.environment.end(),
                              {{"SMILE_BRAIN_TRANSPORT", is_socket ? "socket" : "pipes"},
@@ -216,7 +216,7 @@ ChildCommand BrainProcess::Impl::CommandWithAddress() const {
   return command;
 }
 
-std::optional<BrainError> BrainProcess::Impl::Meet(const WaitLimit& limit) {
+std::optional<BrainError> BrainProcess::Impl::Meet(const process::WaitLimit& limit) {
   while (!(channel_ = rendezvous_->Meet(kMeetSliceMs))) {
     if (limit.HasPassed()) return ExplainTimeout(Phase::kStart, options_.start_seconds);
     if (limit.IsCancelled()) {
@@ -226,7 +226,7 @@ std::optional<BrainError> BrainProcess::Impl::Meet(const WaitLimit& limit) {
   return std::nullopt;
 }
 
-std::optional<BrainError> BrainProcess::Impl::Greet(const WaitLimit& limit) {
+std::optional<BrainError> BrainProcess::Impl::Greet(const process::WaitLimit& limit) {
   while (true) {
     if (auto error = Meet(limit)) return error;
     auto received = channel_->Receive(LimitOfHello(limit));
@@ -248,11 +248,12 @@ std::optional<BrainError> BrainProcess::Impl::Greet(const WaitLimit& limit) {
   }
 }
 
-WaitLimit BrainProcess::Impl::LimitOfHello(const WaitLimit& limit) const {
+process::WaitLimit BrainProcess::Impl::LimitOfHello(const process::WaitLimit& limit) const {
   if (!options_.is_attached) return limit;
-  return WaitLimit(kForeverSeconds, [this, limit, silence = WaitLimit(kSilenceSeconds)] {
-    return limit.IsCancelled() || (silence.HasPassed() && rendezvous_->HasVisitor());
-  });
+  return process::WaitLimit(
+      kForeverSeconds, [this, limit, silence = process::WaitLimit(kSilenceSeconds)] {
+        return limit.IsCancelled() || (silence.HasPassed() && rendezvous_->HasVisitor());
+      });
 }
 
 bool BrainProcess::Impl::TakeHello(const Message& hello) {
@@ -268,8 +269,8 @@ bool BrainProcess::Impl::TakeHello(const Message& hello) {
 }
 
 OrError<Message> BrainProcess::Impl::Ask(const std::vector<std::byte>& question,
-                                         MessageType expected, Phase phase, const WaitLimit& limit,
-                                         double limit_seconds) {
+                                         MessageType expected, Phase phase,
+                                         const process::WaitLimit& limit, double limit_seconds) {
   if (const auto fault = channel_->Send(question, limit)) {
     return ExplainFault(*fault, phase, limit_seconds);
   }
@@ -289,8 +290,8 @@ OrError<Message> BrainProcess::Impl::Ask(const std::vector<std::byte>& question,
 }
 
 /// A child that has ended is not waited for, and whoever is under a debugger as long as it takes.
-WaitLimit BrainProcess::Impl::LimitOf(double seconds) const {
-  return WaitLimit(options_.is_attached ? kForeverSeconds : seconds, [this] {
+process::WaitLimit BrainProcess::Impl::LimitOf(double seconds) const {
+  return process::WaitLimit(options_.is_attached ? kForeverSeconds : seconds, [this] {
     return HasChildEnded() || (options_.is_cancelled && options_.is_cancelled());
   });
 }
@@ -303,7 +304,7 @@ BrainError BrainProcess::Impl::ExplainFault(const ChannelFault& fault, Phase pha
     return ErrorIn(phase, "the brain sent nonsense" + during + ": " + fault.message);
   }
   const bool is_closed = fault.kind == ChannelFault::Kind::kClosed;
-  if (child_ && child_->WaitForEnd(WaitLimit(is_closed ? kGoodbyeSeconds : 0))) {
+  if (child_ && child_->WaitForEnd(process::WaitLimit(is_closed ? kGoodbyeSeconds : 0))) {
     return ErrorIn(phase, "the brain ended" + during + ": " + child_->End());
   }
   return ErrorIn(phase, is_closed ? "the brain closed its connection" + during
@@ -327,7 +328,7 @@ BrainError BrainProcess::Impl::ExplainTimeout(Phase phase, double limit_seconds)
     }
   }
   child_->SignalGroup(SIGINT);
-  child_->WaitForEnd(WaitLimit(kInterruptSeconds));
+  child_->WaitForEnd(process::WaitLimit(kInterruptSeconds));
   return error;
 }
 

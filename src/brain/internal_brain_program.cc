@@ -190,7 +190,7 @@ BrainProgram FindBrainProgram(const fs::path& brain, BrainTransport transport) {
   return program;
 }
 
-std::string HowToAttach(const BrainProgram& program, const ChildCommand& command) {
+std::string HowToAttach(const BrainProgram& program, const process::ChildCommand& command) {
   std::string line = "cd " + ShellQuoted(program.working_directory.string()) + " && env";
   for (const auto& [name, value] : command.environment) {
     line += " " + ShellQuoted(name + "=" + value);

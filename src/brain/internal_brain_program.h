@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "brain/brain_process.h"
-#include "brain/internal_child_process.h"
 #include "brain/internal_rendezvous.h"
+#include "process/child_process.h"
 
 namespace smile::brain {
 
@@ -17,7 +17,7 @@ struct BrainProgram {
   std::string folder_name;                  ///< within the working directory, ending in `/`
   std::filesystem::path main_file;          ///< absolute: agentBehavior.m, or the file itself
   Rendezvous::Kind rendezvous = Rendezvous::Kind::kSocket;
-  ChildCommand command;                      ///< without the address, which is not known yet
+  process::ChildCommand command;             ///< without the address, which is not known yet
   std::vector<std::string> debug_arguments;  ///< instead of the command's, under a debugger
   std::string debug_hint;                    ///< what to type there
 };
@@ -28,6 +28,6 @@ BrainProgram FindBrainProgram(const std::filesystem::path& brain, BrainTransport
 
 /// What a person types to start this program under a debugger: one line for a shell, between lines
 /// that say so.
-std::string HowToAttach(const BrainProgram& program, const ChildCommand& command);
+std::string HowToAttach(const BrainProgram& program, const process::ChildCommand& command);
 
 }  // namespace smile::brain

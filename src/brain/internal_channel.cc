@@ -48,7 +48,7 @@ void MakeNonBlocking(int fd) { ::fcntl(fd, F_SETFL, ::fcntl(fd, F_GETFL) | O_NON
 ChannelFault SystemFault() { return {ChannelFault::Kind::kClosed, std::strerror(errno)}; }
 
 /// Waits a slice for `events`; a fault when waiting is over. What has come by then still counts.
-std::optional<ChannelFault> WaitASlice(int fd, short events, const WaitLimit& limit) {
+std::optional<ChannelFault> WaitASlice(int fd, short events, const process::WaitLimit& limit) {
   const bool is_cancelled = limit.IsCancelled();
   const bool is_over = is_cancelled || limit.HasPassed();
   pollfd watched{fd, events, 0};
@@ -61,7 +61,7 @@ std::optional<ChannelFault> WaitASlice(int fd, short events, const WaitLimit& li
 
 }  // namespace
 
-Channel::Channel(UniqueFd read_end, UniqueFd write_end)
+Channel::Channel(process::UniqueFd read_end, process::UniqueFd write_end)
     : read_end_(std::move(read_end)), write_end_(std::move(write_end)) {
   MakeNonBlocking(read_end_.get());
   MakeNonBlocking(write_fd());
@@ -69,7 +69,7 @@ Channel::Channel(UniqueFd read_end, UniqueFd write_end)
   if (!is_socket()) ::fcntl(write_fd(), F_SETPIPE_SZ, kPipeBytes);
 }
 
-Channel::Channel(UniqueFd socket) : Channel(std::move(socket), UniqueFd()) {}
+Channel::Channel(process::UniqueFd socket) : Channel(std::move(socket), process::UniqueFd()) {}
 
 ssize_t Channel::WriteSome(std::span<const std::byte> bytes) const {
   if (is_socket()) return ::send(write_fd(), bytes.data(), bytes.size(), MSG_NOSIGNAL);
@@ -78,7 +78,7 @@ ssize_t Channel::WriteSome(std::span<const std::byte> bytes) const {
 }
 
 std::optional<ChannelFault> Channel::Send(std::span<const std::byte> frame,
-                                          const WaitLimit& limit) {
+                                          const process::WaitLimit& limit) {
   while (!frame.empty()) {
     const ssize_t count = WriteSome(frame);
     if (count >= 0) {
@@ -104,8 +104,8 @@ std::variant<std::size_t, ChannelFault> Channel::ReadSome() {
   return SystemFault();
 }
 
-std::variant<wire::Message, ChannelFault> Channel::Receive(const WaitLimit& limit) {
-  const auto watchful_until = WaitLimit::Clock::now() + kWatchfulTime;
+std::variant<wire::Message, ChannelFault> Channel::Receive(const process::WaitLimit& limit) {
+  const auto watchful_until = process::WaitLimit::Clock::now() + kWatchfulTime;
   while (true) {
     if (auto received = inbox_.TakeMessage()) {
       if (auto* message = std::get_if<wire::Message>(&*received)) return std::move(*message);
@@ -116,7 +116,7 @@ std::variant<wire::Message, ChannelFault> Channel::Receive(const WaitLimit& limi
     if (auto* fault = std::get_if<ChannelFault>(&count)) return std::move(*fault);
     inbox_.Fill(std::get<std::size_t>(count));
     if (std::get<std::size_t>(count) > 0) continue;
-    if (WaitLimit::Clock::now() < watchful_until) {
+    if (process::WaitLimit::Clock::now() < watchful_until) {
       ::sched_yield();
     } else if (auto fault = WaitASlice(read_end_.get(), POLLIN, limit)) {
       return std::move(*fault);

@@ -8,8 +8,8 @@
 #include <string>
 #include <variant>
 
-#include "brain/internal_unique_fd.h"
-#include "brain/internal_wait_limit.h"
+#include "process/unique_fd.h"
+#include "process/wait_limit.h"
 #include "wire/inbox.h"
 #include "wire/wire.h"
 
@@ -30,12 +30,13 @@ struct ChannelFault {
 class Channel {
  public:
   /// For pipes. Both ends are made non-blocking.
-  Channel(UniqueFd read_end, UniqueFd write_end);
+  Channel(process::UniqueFd read_end, process::UniqueFd write_end);
   /// For a socket, which is both.
-  explicit Channel(UniqueFd socket);
+  explicit Channel(process::UniqueFd socket);
 
-  std::optional<ChannelFault> Send(std::span<const std::byte> frame, const WaitLimit& limit);
-  std::variant<wire::Message, ChannelFault> Receive(const WaitLimit& limit);
+  std::optional<ChannelFault> Send(std::span<const std::byte> frame,
+                                   const process::WaitLimit& limit);
+  std::variant<wire::Message, ChannelFault> Receive(const process::WaitLimit& limit);
 
  private:
   /// Reads what has come into the room of `inbox_`; 0 when that is nothing.
@@ -44,8 +45,8 @@ class Channel {
   bool is_socket() const { return !write_end_; }
   int write_fd() const { return write_end_ ? write_end_.get() : read_end_.get(); }
 
-  UniqueFd read_end_;
-  UniqueFd write_end_;  ///< none when the read end is a socket
+  process::UniqueFd read_end_;
+  process::UniqueFd write_end_;  ///< none when the read end is a socket
   wire::Inbox inbox_;
 };
 

@@ -19,7 +19,7 @@ constexpr std::size_t kMaxLastBytes = std::size_t{1} << 20;
 
 }  // namespace
 
-OutputDrain::OutputDrain(UniqueFd pipe, std::function<void(std::string_view)> on_line)
+OutputDrain::OutputDrain(process::UniqueFd pipe, std::function<void(std::string_view)> on_line)
     : pipe_(std::move(pipe)),
       on_line_(std::move(on_line)),
       second_began_(std::chrono::steady_clock::now()) {
@@ -27,8 +27,8 @@ OutputDrain::OutputDrain(UniqueFd pipe, std::function<void(std::string_view)> on
   if (::pipe2(ends, O_CLOEXEC) != 0) {
     throw std::runtime_error(std::string("no pipe: ") + std::strerror(errno));
   }
-  wake_read_ = UniqueFd(ends[0]);
-  wake_write_ = UniqueFd(ends[1]);
+  wake_read_ = process::UniqueFd(ends[0]);
+  wake_write_ = process::UniqueFd(ends[1]);
 
   // Signals belong to the program's own threads.
   sigset_t all, before;

@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-#include "brain/internal_unique_fd.h"
+#include "process/unique_fd.h"
 
 namespace smile::brain {
 
@@ -26,7 +26,7 @@ class OutputDrain {
   /// @param pipe     non-blocking.
   /// @param on_line  called on the thread, line by line, without line ends; must not throw. May be
   ///                 empty.
-  OutputDrain(UniqueFd pipe, std::function<void(std::string_view)> on_line);
+  OutputDrain(process::UniqueFd pipe, std::function<void(std::string_view)> on_line);
   OutputDrain(const OutputDrain&) = delete;
   OutputDrain& operator=(const OutputDrain&) = delete;
   ~OutputDrain() { Finish(); }
@@ -45,8 +45,8 @@ class OutputDrain {
   void HandOn(const std::string& line);
   void TellLeftOut();
 
-  UniqueFd pipe_;
-  UniqueFd wake_read_, wake_write_;
+  process::UniqueFd pipe_;
+  process::UniqueFd wake_read_, wake_write_;
   std::function<void(std::string_view)> on_line_;
 
   std::string line_;  ///< the line that has not ended yet, cut

@@ -38,8 +38,8 @@ std::string FolderTemplate() {
   return base + std::string(kFolderName);
 }
 
-UniqueFd Locked(const std::filesystem::path& folder) {
-  UniqueFd fd(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
+process::UniqueFd Locked(const std::filesystem::path& folder) {
+  process::UniqueFd fd(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
   if (!fd || ::flock(fd.get(), LOCK_EX | LOCK_NB) != 0) return {};
   return fd;
 }
@@ -96,7 +96,7 @@ void Rendezvous::LockFolder() {
 }
 
 void Rendezvous::Listen() {
-  listener_ = UniqueFd(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
+  listener_ = process::UniqueFd(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
   sockaddr_un name = {};
   name.sun_family = AF_UNIX;
   const std::string path = address();
@@ -113,8 +113,8 @@ void Rendezvous::MakePipes() {
     ::unlink((folder_ / name).c_str());
     if (::mkfifo((folder_ / name).c_str(), 0600) != 0) Fail(folder_ / name);
   }
-  from_brain_ =
-      UniqueFd(::open((folder_ / "from_brain").c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
+  from_brain_ = process::UniqueFd(
+      ::open((folder_ / "from_brain").c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
   if (!from_brain_) Fail(folder_ / "from_brain");
 }
 
@@ -122,13 +122,14 @@ std::optional<Channel> Rendezvous::Meet(int slice_ms) {
   if (kind_ == Kind::kSocket) {
     pollfd watched{listener_.get(), POLLIN, 0};
     ::poll(&watched, 1, slice_ms);
-    UniqueFd socket(::accept4(listener_.get(), nullptr, nullptr, SOCK_CLOEXEC));
+    process::UniqueFd socket(::accept4(listener_.get(), nullptr, nullptr, SOCK_CLOEXEC));
     if (!socket) return std::nullopt;
     return Channel(std::move(socket));
   }
   if (!from_brain_) MakePipes();  // somebody has the old ones
   // This open fails until the brain has opened the other end; nothing can be polled for that.
-  UniqueFd to_brain(::open((folder_ / "to_brain").c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC));
+  process::UniqueFd to_brain(
+      ::open((folder_ / "to_brain").c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC));
   if (to_brain) return Channel(std::move(from_brain_), std::move(to_brain));
   std::this_thread::sleep_for(std::chrono::milliseconds(std::min(slice_ms, 5)));
   return std::nullopt;

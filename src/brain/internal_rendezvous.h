@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "brain/internal_channel.h"
-#include "brain/internal_unique_fd.h"
+#include "process/unique_fd.h"
 
 namespace smile::brain {
 
@@ -38,9 +38,9 @@ class Rendezvous {
 
   Kind kind_;
   std::filesystem::path folder_;
-  UniqueFd lock_;        ///< on the folder; says that somebody still needs it
-  UniqueFd listener_;    ///< for the socket
-  UniqueFd from_brain_;  ///< for pipes
+  process::UniqueFd lock_;        ///< on the folder; says that somebody still needs it
+  process::UniqueFd listener_;    ///< for the socket
+  process::UniqueFd from_brain_;  ///< for pipes
 };
 
 }  // namespace smile::brain

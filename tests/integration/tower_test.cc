@@ -17,6 +17,7 @@ TEST_P(Tower, IsRebuiltFromASeededLayout) {
   EXPECT_EQ(result["score"], 1.0);
   EXPECT_LT(result["mean_error_mm"], 10);
   EXPECT_EQ(result["goal"]["objects"].size(), 3u);
+  EXPECT_NE(Read("tower/report.html").find("built one of its own"), std::string::npos);
   for (const char* recording : {"demonstration", "imitation"}) {
     EXPECT_EQ(Smile("replay --verify tower/" + std::string(recording)).exit_code, 0);
   }

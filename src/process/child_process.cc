@@ -1,4 +1,4 @@
-#include "brain/internal_child_process.h"
+#include "process/child_process.h"
 
 #include <fcntl.h>
 #include <linux/close_range.h>
@@ -14,7 +14,7 @@
 
 extern char** environ;
 
-namespace smile::brain {
+namespace smile::process {
 namespace {
 
 constexpr int kFirstOwnFd = 3;
@@ -195,8 +195,9 @@ const std::string& ChildProcess::End() {
     collected = ::waitpid(pid_, &status, 0);
   } while (collected < 0 && errno == EINTR);
   how_it_ended_ = collected == pid_ ? DescribeEnd(status) : "it ended";
+  if (collected == pid_ && WIFEXITED(status)) exit_code_ = WEXITSTATUS(status);
   pid_ = -1;
   return how_it_ended_;
 }
 
-}  // namespace smile::brain
+}  // namespace smile::process

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <functional>
 
-namespace smile::brain {
+namespace smile::process {
 
 /// How long to wait for somebody else, and who may call it off. Waiting happens in slices, so that
 /// both are noticed soon.
@@ -30,4 +30,4 @@ class WaitLimit {
   std::function<bool()> is_cancelled_;
 };
 
-}  // namespace smile::brain
+}  // namespace smile::process

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-namespace smile::brain {
+namespace smile::process {
 
 /// Owns a file descriptor; movable.
 class UniqueFd {
@@ -28,4 +28,4 @@ class UniqueFd {
   int fd_ = -1;
 };
 
-}  // namespace smile::brain
+}  // namespace smile::process

@@ -1,4 +1,4 @@
-// smile-keeper FD PROGRAM ARGUMENTS...: runs a robot program and leaves nothing of it behind.
+// smile-keeper FD PROGRAM ARGUMENTS...: runs a program and leaves nothing of it behind.
 //
 // Whatever the program starts becomes a child of this process when its parent ends, also what left
 // the program's process group. So all of it can be found and ended: when the program ends, at

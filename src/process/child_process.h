@@ -9,10 +9,10 @@
 #include <utility>
 #include <vector>
 
-#include "brain/internal_unique_fd.h"
-#include "brain/internal_wait_limit.h"
+#include "process/unique_fd.h"
+#include "process/wait_limit.h"
 
-namespace smile::brain {
+namespace smile::process {
 
 struct ChildCommand {
   std::vector<std::string> arguments;                            ///< the program's path first
@@ -57,11 +57,14 @@ class ChildProcess {
 
   /// Kills what is left, collects the child, and says how it ended: `it ended with exit code 3`.
   const std::string& End();
+  /// Of the program, once End() was called; nullopt when a signal ended it.
+  std::optional<int> exit_code() const { return exit_code_; }
 
  private:
   pid_t pid_ = -1;  ///< of its keeper
+  std::optional<int> exit_code_;
   UniqueFd output_;
   std::string how_it_ended_;
 };
 
-}  // namespace smile::brain
+}  // namespace smile::process

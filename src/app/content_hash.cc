@@ -1,0 +1,114 @@
+#include "app/content_hash.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <fstream>
+#include <stdexcept>
+#include <vector>
+
+#include "base/state_hash.h"
+#include "scene_xml/mesh_files.h"
+#include "scene_xml/scene_writer.h"
+
+namespace smile::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMaxFiles = 100'000;
+constexpr std::uintmax_t kMaxBytes = std::uintmax_t{4} << 30;
+
+std::string TextOf(const StateHash& hash) {
+  char text[17];
+  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash.value()));
+  return text;
+}
+
+void AddFile(const fs::path& path, StateHash* hash) {
+  std::ifstream file(path, std::ios::binary);
+  std::array<char, 1 << 16> buffer;
+  while (file) {
+    file.read(buffer.data(), buffer.size());
+    hash->Add(std::string_view(buffer.data(), static_cast<std::size_t>(file.gcount())));
+  }
+  if (!file.eof()) throw std::runtime_error(path.string() + ": cannot be read");
+}
+
+/// What a program leaves behind when it runs is not of the program.
+bool IsLeftOver(const fs::path& path) {
+  return path.extension() == ".pyc" || path.filename() == "__pycache__";
+}
+
+std::vector<fs::path> FilesBelow(const fs::path& folder) {
+  std::vector<fs::path> files;
+  std::uintmax_t bytes = 0;
+  for (fs::recursive_directory_iterator it(folder), end; it != end; ++it) {
+    if (!it->is_regular_file() || IsLeftOver(it->path())) continue;
+    files.push_back(it->path());
+    bytes += it->file_size();
+    if (files.size() > kMaxFiles || bytes > kMaxBytes) {
+      throw std::runtime_error(folder.string() + ": holds more than " + std::to_string(kMaxFiles) +
+                               " files or 4 GiB; give it a folder of its own");
+    }
+  }
+  std::ranges::sort(files);
+  return files;
+}
+
+std::string HashOfFiles(const std::vector<fs::path>& files, const fs::path& folder) {
+  StateHash hash;
+  for (const fs::path& file : files) {
+    hash.Add(std::string_view(file.lexically_relative(folder).native()));
+    AddFile(file, &hash);
+  }
+  return TextOf(hash);
+}
+
+}  // namespace
+
+std::string ContentOf(const fs::path& path) {
+  if (fs::is_directory(path)) return HashOfFiles(FilesBelow(path), path);
+  return HashOfFiles({path}, path.parent_path());
+}
+
+std::string ContentOfBrain(const fs::path& brain) {
+  if (brain.extension() != ".py") return ContentOf(brain);
+  const fs::path folder = fs::absolute(brain).parent_path();
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    if (entry.is_regular_file() && entry.path().extension() == ".py") files.push_back(entry.path());
+  }
+  std::ranges::sort(files);
+  // Two programs in one folder are two.
+  files.push_back(fs::absolute(brain));
+  return HashOfFiles(files, folder);
+}
+
+std::string ContentOf(const scene::SceneSpec& scene) {
+  StateHash hash;
+  hash.Add(scene_xml::WriteScene(scene));
+  for (const scene_xml::MeshFile& file : scene_xml::MeshFilesOf(scene)) {
+    hash.Add(std::string_view(file.name));
+    const scene::SurfaceMesh& surface = file.mesh->surface;
+    hash.Add(std::uint64_t{surface.vertices.size()});
+    for (const Eigen::Vector3f& vertex : surface.vertices) {
+      for (float coordinate : vertex) hash.Add(double{coordinate});
+    }
+    for (const auto& triangle : surface.triangles) {
+      for (std::uint32_t corner : triangle) hash.Add(std::uint64_t{corner});
+    }
+  }
+  return TextOf(hash);
+}
+
+std::string ContentOf(const std::vector<robot::RobotFile>& files) {
+  StateHash hash;
+  for (const robot::RobotFile& file : files) {
+    hash.Add(std::string_view(file.name));
+    hash.Add(std::string_view(*file.bytes));
+  }
+  return TextOf(hash);
+}
+
+}  // namespace smile::app

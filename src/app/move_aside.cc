@@ -1,0 +1,27 @@
+#include "app/move_aside.h"
+
+#include <cstdio>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+
+namespace smile::app {
+
+void MoveAside(const std::filesystem::path& named) {
+  // `out/` is `out`, too.
+  const std::filesystem::path path = named.has_filename() ? named : named.parent_path();
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) return;
+  for (int i = 1;; ++i) {
+    const std::filesystem::path aside = path.string() + "." + std::to_string(i);
+    if (std::filesystem::exists(aside, error)) continue;
+    std::filesystem::rename(path, aside, error);
+    if (error) {
+      throw std::runtime_error(path.string() + ": cannot be moved aside: " + error.message());
+    }
+    std::fprintf(stderr, "%s: the earlier result is now %s\n", path.c_str(), aside.c_str());
+    return;
+  }
+}
+
+}  // namespace smile::app

@@ -1,0 +1,296 @@
+#include "report/evaluation.h"
+
+#include <algorithm>
+#include <functional>
+
+#include "base/diagnostic.h"
+#include "base/files.h"
+#include "base/json_node.h"
+#include "base/wording.h"
+#include "report/wording.h"
+
+namespace smile::report {
+namespace {
+
+constexpr std::size_t kMaxResultBytes = 16 << 20;
+constexpr std::size_t kMaxWordBytes = 64, kMaxTextBytes = 4096;
+constexpr std::uint64_t kMaxCount = 1'000'000'000;
+constexpr double kMostNumber = 1e12;
+constexpr int kEvaluationFormat = 1;
+
+std::optional<double> NumberIn(const JsonNode& node, const std::string& name) {
+  if (!node.Has(name) || node.Member(name).IsNull()) return std::nullopt;
+  return node.Member(name).Number(0, kMostNumber);
+}
+
+std::optional<std::uint64_t> CountIn(const JsonNode& node, const std::string& name) {
+  if (!node.Has(name)) return std::nullopt;
+  return node.Member(name).Whole(0, kMaxCount);
+}
+
+std::optional<Cause> CauseIn(const JsonNode& result) {
+  if (!result.Has("cause") || result.Member("cause").IsNull()) return std::nullopt;
+  const JsonNode cause = result.Member("cause");
+  return Cause{.word = cause.Member("word").ShortString(kMaxWordBytes),
+               .text = cause.Member("text").ShortString(kMaxTextBytes)};
+}
+
+/// What the fields of every version tell of a failure.
+Cause PlainCause(const JsonNode& result) {
+  const JsonNode brain = result.Member("brain");
+  const std::string status = brain.Member("status").String();
+  if (status == "failed") {
+    return {"brain_failed", brain.Member("message").String().substr(0, kMaxTextBytes)};
+  }
+  if (status == "running") return {"time_up", "the robot program was still at work"};
+  return {"not_rebuilt", "the structure is not as it was shown"};
+}
+
+EvaluatedRun RunIn(const JsonNode& result, std::uint64_t seed) {
+  result.ExpectObject();
+  EvaluatedRun run{.seed = seed,
+                   .is_rebuilt = result.Member("rebuilt").Flag(),
+                   .score = result.Member("score").Number(0, 1),
+                   .error_mm = NumberIn(result, "mean_error_mm"),
+                   .error_degrees = NumberIn(result, "mean_error_degrees"),
+                   .seconds = NumberIn(result, "seconds"),
+                   .realtime_factor = NumberIn(result, "realtime_factor")};
+  if (result.Has("work")) {
+    run.grasps = CountIn(result.Member("work"), "grasps");
+    run.retries = CountIn(result.Member("work"), "retries");
+  }
+  if (!run.is_rebuilt) run.cause = CauseIn(result);
+  if (!run.is_rebuilt && !run.cause) run.cause = PlainCause(result);
+  return run;
+}
+
+/// What the rebuilt ones among the runs say.
+std::vector<double> OfRebuilt(const std::vector<EvaluatedRun>& runs,
+                              std::optional<double> EvaluatedRun::*field) {
+  std::vector<double> numbers;
+  for (const EvaluatedRun& run : runs) {
+    if (run.is_rebuilt && run.*field) numbers.push_back(*(run.*field));
+  }
+  return numbers;
+}
+
+std::optional<Mean> MeanDifference(const EvaluatedAgent& first, const EvaluatedAgent& second,
+                                   std::optional<double> EvaluatedRun::*field) {
+  std::vector<double> differences;
+  for (std::size_t i = 0; i < first.runs.size(); ++i) {
+    const EvaluatedRun &a = first.runs[i], &b = second.runs[i];
+    if (a.is_rebuilt && b.is_rebuilt && a.*field && b.*field) {
+      differences.push_back(*(a.*field) - *(b.*field));
+    }
+  }
+  return MeanOf(differences);
+}
+
+void AddCount(const std::optional<std::uint64_t>& count, std::optional<std::uint64_t>* sum) {
+  if (count) *sum = sum->value_or(0) + *count;
+}
+
+template <class Number>
+Json OrNull(const std::optional<Number>& number) {
+  return number ? Json(*number) : Json();
+}
+
+Json MeanJson(const std::optional<Mean>& mean) {
+  if (!mean) return nullptr;
+  return {{"mean", mean->value},
+          {"interval",
+           mean->interval ? Json::array({mean->interval->low, mean->interval->high}) : Json()},
+          {"count", mean->count}};
+}
+
+Json SummaryJson(const Summary& summary) {
+  Json causes = Json::object();
+  for (const auto& [word, count] : summary.causes) causes[word] = count;
+  return {{"runs", summary.runs},
+          {"rebuilt", summary.rebuilt},
+          {"success_rate", summary.success_rate()},
+          {"success_interval", {summary.success.low, summary.success.high}},
+          {"error_mm", MeanJson(summary.error_mm)},
+          {"error_degrees", MeanJson(summary.error_degrees)},
+          {"seconds_p50", OrNull(summary.seconds_p50)},
+          {"seconds_p95", OrNull(summary.seconds_p95)},
+          {"grasps", OrNull(summary.grasps)},
+          {"retries", OrNull(summary.retries)},
+          {"causes", causes}};
+}
+
+Json RunJson(const EvaluatedRun& run) {
+  return {
+      {"seed", run.seed},
+      {"rebuilt", run.is_rebuilt},
+      {"score", run.score},
+      {"error_mm", OrNull(run.error_mm)},
+      {"error_degrees", OrNull(run.error_degrees)},
+      {"seconds", OrNull(run.seconds)},
+      {"grasps", OrNull(run.grasps)},
+      {"retries", OrNull(run.retries)},
+      {"cause", run.cause ? Json{{"word", run.cause->word}, {"text", run.cause->text}} : Json()},
+      {"recording", run.recording.empty() ? Json() : Json(run.recording)},
+      {"realtime_factor", OrNull(run.realtime_factor)}};
+}
+
+Json ComparisonJson(const Comparison& comparison) {
+  return {{"both", comparison.both},
+          {"only_first", comparison.only_first},
+          {"only_second", comparison.only_second},
+          {"neither", comparison.neither},
+          {"success_difference", comparison.success_difference},
+          {"p_value", comparison.p_value},
+          {"error_mm", MeanJson(comparison.error_mm)},
+          {"error_degrees", MeanJson(comparison.error_degrees)},
+          {"seconds", MeanJson(comparison.seconds)}};
+}
+
+/// How wide a text is on a terminal, for texts of ours and names: bytes that begin a letter.
+std::size_t WidthOf(const std::string& text) {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      text, [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0) != 0x80; }));
+}
+
+/// Rows of cells, each column as wide as its widest cell; the first column to the left.
+std::string InColumns(const std::vector<std::vector<std::string>>& rows) {
+  std::vector<std::size_t> widths(rows.front().size());
+  for (const auto& row : rows) {
+    for (std::size_t k = 0; k < row.size(); ++k) widths[k] = std::max(widths[k], WidthOf(row[k]));
+  }
+  std::string text;
+  for (const auto& row : rows) {
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      const std::string blanks(widths[k] - WidthOf(row[k]), ' ');
+      text += k == 0 ? row[k] + blanks : "   " + blanks + row[k];
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+std::string CausesText(const Summary& summary) {
+  std::string text;
+  for (const auto& [word, count] : summary.causes) {
+    text += (text.empty() ? "" : ", ") + std::to_string(count) + " x " + Printable(word);
+  }
+  return text;
+}
+
+std::string ComparisonText(const EvaluatedAgent& first, const EvaluatedAgent& second) {
+  const Comparison comparison = Compare(first, second);
+  const std::string a = Printable(first.name), b = Printable(second.name);
+  std::string text = a + " less " + b + ", on the same " + Plural(first.runs.size(), "layout") +
+                     ":\n  rebuilt  " + Signed(100 * comparison.success_difference, 1) +
+                     " points; both " + std::to_string(comparison.both) + ", only " + a + " " +
+                     std::to_string(comparison.only_first) + ", only " + b + " " +
+                     std::to_string(comparison.only_second) + ", neither " +
+                     std::to_string(comparison.neither) + "; exact McNemar test " +
+                     PValue(comparison.p_value) + "\n";
+  if (comparison.error_mm) {
+    text += "  error    " + DifferenceWithInterval(comparison.error_mm, 2) + " mm\n";
+  }
+  if (comparison.seconds) {
+    text += "  time     " + DifferenceWithInterval(comparison.seconds, 1) + " s\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+EvaluatedRun ReadRun(const std::filesystem::path& result_json, std::uint64_t seed) {
+  const std::string file = result_json.string();
+  try {
+    const Json json = ParseJson(ReadFile(result_json, kMaxResultBytes));
+    return RunIn(JsonNode(json, file, ""), seed);
+  } catch (const std::invalid_argument& error) {
+    throw InputError({file, 0, "", error.what()});
+  }
+}
+
+Summary SummaryOf(const EvaluatedAgent& agent) {
+  Summary summary{.runs = agent.runs.size()};
+  for (const EvaluatedRun& run : agent.runs) {
+    if (run.is_rebuilt) ++summary.rebuilt;
+    if (run.cause) ++summary.causes[run.cause->word];
+    AddCount(run.grasps, &summary.grasps);
+    AddCount(run.retries, &summary.retries);
+  }
+  summary.success = WilsonInterval(summary.rebuilt, summary.runs);
+  summary.error_mm = MeanOf(OfRebuilt(agent.runs, &EvaluatedRun::error_mm));
+  summary.error_degrees = MeanOf(OfRebuilt(agent.runs, &EvaluatedRun::error_degrees));
+  const std::vector<double> seconds = OfRebuilt(agent.runs, &EvaluatedRun::seconds);
+  summary.seconds_p50 = Quantile(seconds, 0.5);
+  summary.seconds_p95 = Quantile(seconds, 0.95);
+  return summary;
+}
+
+Comparison Compare(const EvaluatedAgent& first, const EvaluatedAgent& second) {
+  Comparison comparison;
+  for (std::size_t i = 0; i < first.runs.size(); ++i) {
+    const bool a = first.runs[i].is_rebuilt, b = second.runs[i].is_rebuilt;
+    ++(a && b ? comparison.both
+       : a    ? comparison.only_first
+       : b    ? comparison.only_second
+              : comparison.neither);
+  }
+  comparison.success_difference =
+      (static_cast<double>(comparison.only_first) - static_cast<double>(comparison.only_second)) /
+      static_cast<double>(first.runs.size());
+  comparison.p_value = ExactMcNemar(comparison.only_first, comparison.only_second);
+  comparison.error_mm = MeanDifference(first, second, &EvaluatedRun::error_mm);
+  comparison.error_degrees = MeanDifference(first, second, &EvaluatedRun::error_degrees);
+  comparison.seconds = MeanDifference(first, second, &EvaluatedRun::seconds);
+  return comparison;
+}
+
+Json ToJson(const Evaluation& evaluation) {
+  Json agents = Json::array(), comparisons = Json::array();
+  for (const EvaluatedAgent& agent : evaluation.agents) {
+    Json runs = Json::array();
+    for (const EvaluatedRun& run : agent.runs) runs.push_back(RunJson(run));
+    agents.push_back({{"name", agent.name},
+                      {"brain", agent.brain},
+                      {"summary", SummaryJson(SummaryOf(agent))},
+                      {"runs", runs}});
+  }
+  for (std::size_t i = 0; i < evaluation.agents.size(); ++i) {
+    for (std::size_t k = i + 1; k < evaluation.agents.size(); ++k) {
+      const EvaluatedAgent &first = evaluation.agents[i], &second = evaluation.agents[k];
+      Json comparison{{"first", first.name}, {"second", second.name}};
+      comparison.update(ComparisonJson(Compare(first, second)));
+      comparisons.push_back(comparison);
+    }
+  }
+  return {{"format", kEvaluationFormat},
+          {"program", evaluation.program},
+          {"demo", evaluation.demo},
+          {"scene", evaluation.scene},
+          {"level", evaluation.level.empty() ? Json() : Json(evaluation.level)},
+          {"options", evaluation.ways},
+          {"agents", agents},
+          {"comparisons", comparisons}};
+}
+
+std::string ToText(const Evaluation& evaluation) {
+  std::vector<std::vector<std::string>> rows{{"", "rebuilt", "", "95 %", "error mm (95 %)",
+                                              "error deg (95 %)", "s p50", "s p95", "retries"}};
+  std::string failures, comparisons;
+  for (std::size_t i = 0; i < evaluation.agents.size(); ++i) {
+    const EvaluatedAgent& agent = evaluation.agents[i];
+    const Summary summary = SummaryOf(agent);
+    const std::string name = Printable(agent.name);
+    rows.push_back({name, std::to_string(summary.rebuilt) + "/" + std::to_string(summary.runs),
+                    Percent(summary.success_rate()), PercentRange(summary.success),
+                    WithInterval(summary.error_mm, 2), WithInterval(summary.error_degrees, 2),
+                    Fixed(summary.seconds_p50, 1), Fixed(summary.seconds_p95, 1),
+                    Count(summary.retries)});
+    if (!summary.causes.empty()) failures += name + " failed: " + CausesText(summary) + "\n";
+    for (std::size_t k = i + 1; k < evaluation.agents.size(); ++k) {
+      comparisons += ComparisonText(agent, evaluation.agents[k]);
+    }
+  }
+  return InColumns(rows) + failures + comparisons;
+}
+
+}  // namespace smile::report

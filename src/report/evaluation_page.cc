@@ -1,0 +1,287 @@
+#include "report/evaluation_page.h"
+
+#include <algorithm>
+#include <set>
+
+#include "report/internal_plots.h"
+#include "report/internal_table.h"
+#include "report/markup.h"
+#include "report/wording.h"
+
+namespace smile::report {
+namespace {
+
+constexpr const char* kWhatIntervalsAre =
+    "Intervals are of 95 %: Wilson's for rates, Student's t for means and differences.";
+
+Markup AgentHead(const std::string& name, std::size_t series) {
+  Markup head = Element("span", {{"class", "chip " + SeriesClass(series)}}, Markup());
+  head += Text(name);
+  return Element("th", {{"scope", "row"}}, head);
+}
+
+std::string SeedsText(const Evaluation& evaluation) {
+  const std::vector<EvaluatedRun>& runs = evaluation.agents.front().runs;
+  return std::to_string(runs.front().seed) + " to " + std::to_string(runs.back().seed);
+}
+
+std::string Headline(const Evaluation& evaluation) {
+  const EvaluatedAgent* best = nullptr;
+  std::size_t most = 0;
+  for (const EvaluatedAgent& agent : evaluation.agents) {
+    const std::size_t rebuilt = SummaryOf(agent).rebuilt;
+    if (best == nullptr || rebuilt > most) best = &agent;
+    most = std::max(most, rebuilt);
+  }
+  const std::string count =
+      std::to_string(most) + " of " + Plural(best->runs.size(), "starting layout");
+  if (evaluation.agents.size() == 1) return best->name + " rebuilt it from " + count;
+  return "Of " + Plural(evaluation.agents.size(), "robot program") + ", " + best->name +
+         " rebuilt it from most layouts: " + count;
+}
+
+Markup HeaderOf(const Evaluation& evaluation) {
+  Markup header = Element("p", {{"class", "eyebrow"}}, "SMILE evaluation");
+  header += Element("h1", {}, Headline(evaluation));
+  header += Element("p", {{"class", "lead"}},
+                    "A robot watched a demonstration and did the same from random starting "
+                    "layouts, the same ones for every robot program.");
+  return Element("header", {}, header);
+}
+
+Markup WhatWasRun(const Evaluation& evaluation) {
+  Markup facts = Fact("Demonstration", evaluation.demo);
+  facts += Fact("Scene", evaluation.scene);
+  facts += Fact("Level", evaluation.level.empty() ? "the usual one" : evaluation.level);
+  facts += Fact("Seeds", SeedsText(evaluation));
+  facts += Fact("Program", evaluation.program);
+  std::string ways;
+  for (const std::string& way : evaluation.ways) ways += (ways.empty() ? "" : " ") + way;
+  if (!ways.empty()) facts += Fact("Options", ways);
+  for (const EvaluatedAgent& agent : evaluation.agents) {
+    facts += Fact("Robot program", agent.brain);
+  }
+  return Section("What was run", Element("dl", {{"class", "facts"}}, facts));
+}
+
+Markup SummaryTable(const Evaluation& evaluation) {
+  const Markup head = Row({Head("Robot program"), NumberHead("Rebuilt"), NumberHead("Rate (95 %)"),
+                           NumberHead("Error, mm (95 %)"), NumberHead("Error, ° (95 %)"),
+                           NumberHead("Seconds, median"), NumberHead("Seconds, 95th percentile"),
+                           NumberHead("Grasps"), NumberHead("Retries")});
+  Markup rows;
+  for (std::size_t i = 0; i < evaluation.agents.size(); ++i) {
+    const Summary summary = SummaryOf(evaluation.agents[i]);
+    rows += Row(
+        {AgentHead(evaluation.agents[i].name, i),
+         NumberCell(std::to_string(summary.rebuilt) + " of " + std::to_string(summary.runs)),
+         NumberCell(Percent(summary.success_rate()) + " (" + PercentRange(summary.success) + ")"),
+         NumberCell(WithInterval(summary.error_mm, 2)),
+         NumberCell(WithInterval(summary.error_degrees, 2)),
+         NumberCell(Fixed(summary.seconds_p50, 1)), NumberCell(Fixed(summary.seconds_p95, 1)),
+         NumberCell(Count(summary.grasps)), NumberCell(Count(summary.retries))});
+  }
+  return Table(
+      "Errors and times are of rebuilt structures only; grasps and retries are of all runs "
+      "together.",
+      head, rows);
+}
+
+Markup Bars(const Evaluation& evaluation) {
+  std::vector<RateRow> rows;
+  std::string words = "Rebuilt structures:";
+  for (const EvaluatedAgent& agent : evaluation.agents) {
+    const Summary summary = SummaryOf(agent);
+    rows.push_back({agent.name, summary.rebuilt, summary.runs, summary.success});
+    words += " " + agent.name + " " + Percent(summary.success_rate()) + ";";
+  }
+  return RateBars(rows, words);
+}
+
+Markup Map(const Evaluation& evaluation) {
+  std::vector<MapRow> rows;
+  for (const EvaluatedAgent& agent : evaluation.agents) {
+    MapRow row{.name = agent.name, .cells = {}};
+    for (const EvaluatedRun& run : agent.runs) {
+      row.cells.push_back({run.is_rebuilt, "seed " + std::to_string(run.seed) + ": " +
+                                               (run.cause ? run.cause->word : "rebuilt")});
+    }
+    rows.push_back(row);
+  }
+  return SuccessMap(rows, "Success of each seed; the table of seeds below says the same");
+}
+
+/// A number of the rebuilt structures, agent by agent.
+Markup Distribution(const Evaluation& evaluation, std::optional<double> EvaluatedRun::*field,
+                    const std::string& axis, const std::string& words) {
+  std::vector<DotRow> rows;
+  for (const EvaluatedAgent& agent : evaluation.agents) {
+    DotRow row{.name = agent.name, .numbers = {}, .mean = {}};
+    for (const EvaluatedRun& run : agent.runs) {
+      if (run.is_rebuilt && run.*field) row.numbers.push_back(*(run.*field));
+    }
+    row.mean = MeanOf(row.numbers);
+    rows.push_back(row);
+  }
+  return DotPlot(rows, axis, words);
+}
+
+Markup Retries(const Evaluation& evaluation) {
+  std::vector<DotRow> rows;
+  bool are_known = false;
+  for (const EvaluatedAgent& agent : evaluation.agents) {
+    DotRow row{.name = agent.name, .numbers = {}, .mean = {}};
+    for (const EvaluatedRun& run : agent.runs) {
+      if (run.retries) row.numbers.push_back(static_cast<double>(*run.retries));
+    }
+    are_known |= !row.numbers.empty();
+    rows.push_back(row);
+  }
+  if (!are_known) return {};
+  return Section("Retries", DotPlot(rows, "grasps that had to be repeated, in a run",
+                                    "How often grasps were repeated, run by run"));
+}
+
+Markup CauseTable(const Evaluation& evaluation) {
+  std::set<std::string> words;
+  std::vector<Summary> summaries;
+  for (const EvaluatedAgent& agent : evaluation.agents) {
+    summaries.push_back(SummaryOf(agent));
+    for (const auto& [word, count] : summaries.back().causes) words.insert(word);
+  }
+  if (words.empty()) return {};
+  Markup head = Head("Cause");
+  for (const EvaluatedAgent& agent : evaluation.agents) head += NumberHead(agent.name);
+  Markup rows;
+  for (const std::string& word : words) {
+    Markup row = RowHead(word);
+    for (Summary& summary : summaries) row += NumberCell(std::to_string(summary.causes[word]));
+    rows += Element("tr", {}, row);
+  }
+  return Section("Failures by cause",
+                 Table("How many runs failed for what.", Element("tr", {}, head), rows));
+}
+
+Markup Plots(const Evaluation& evaluation) {
+  const std::string note = "One dot is one rebuilt structure; below, the mean and its interval.";
+  Markup pair = Section("Success", Bars(evaluation));
+  pair += Section("Success, seed by seed", Map(evaluation));
+  Markup errors = Distribution(evaluation, &EvaluatedRun::error_mm, "mean error [mm]",
+                               "Placement errors of rebuilt structures");
+  errors += Element("p", {{"class", "note"}}, note);
+  pair += Section("Placement errors", errors);
+  Markup times = Distribution(evaluation, &EvaluatedRun::seconds, "robot time [s]",
+                              "Robot time of rebuilt structures");
+  times += Element("p", {{"class", "note"}}, note);
+  pair += Section("Robot time", times);
+  pair += Retries(evaluation);
+  pair += CauseTable(evaluation);
+  return Element("div", {{"class", "pair"}}, pair);
+}
+
+Markup Comparisons(const Evaluation& evaluation) {
+  Markup rows;
+  for (std::size_t i = 0; i < evaluation.agents.size(); ++i) {
+    for (std::size_t k = i + 1; k < evaluation.agents.size(); ++k) {
+      const EvaluatedAgent &first = evaluation.agents[i], &second = evaluation.agents[k];
+      const Comparison comparison = Compare(first, second);
+      rows +=
+          Row({RowHead(first.name + " − " + second.name),
+               NumberCell(Signed(100 * comparison.success_difference, 1) + " points"),
+               NumberCell(PValue(comparison.p_value)), NumberCell(std::to_string(comparison.both)),
+               NumberCell(std::to_string(comparison.only_first)),
+               NumberCell(std::to_string(comparison.only_second)),
+               NumberCell(std::to_string(comparison.neither)),
+               NumberCell(DifferenceWithInterval(comparison.error_mm, 2)),
+               NumberCell(DifferenceWithInterval(comparison.error_degrees, 2)),
+               NumberCell(DifferenceWithInterval(comparison.seconds, 1))});
+    }
+  }
+  if (rows.is_empty()) return {};
+  const Markup head =
+      Row({Head("Difference"), NumberHead("Rebuilt"), NumberHead("Exact McNemar"),
+           NumberHead("Both"), NumberHead("Only the first"), NumberHead("Only the second"),
+           NumberHead("Neither"), NumberHead("Error, mm (95 %)"), NumberHead("Error, ° (95 %)"),
+           NumberHead("Seconds (95 %)")});
+  return Section("Side by side",
+                 Table("The same seeds, pair by pair. Differences of errors and times are of seeds "
+                       "from which both rebuilt it.",
+                       head, rows));
+}
+
+Markup FailureTable(const Evaluation& evaluation) {
+  Markup rows;
+  for (std::size_t i = 0; i < evaluation.agents.size(); ++i) {
+    for (const EvaluatedRun& run : evaluation.agents[i].runs) {
+      if (!run.cause) continue;
+      rows += Row(
+          {AgentHead(evaluation.agents[i].name, i), NumberCell(std::to_string(run.seed)),
+           Cell(run.cause->word), WideCell(run.cause->text),
+           Element("td", {},
+                   run.recording.empty() ? Text("not kept") : LinkTo(run.recording, "recording"))});
+    }
+  }
+  return Table("Every failure.",
+               Row({Head("Robot program"), NumberHead("Seed"), Head("Cause"), Head("What happened"),
+                    Head("Recording")}),
+               rows);
+}
+
+Markup Failures(const Evaluation& evaluation) {
+  bool is_any = false;
+  for (const EvaluatedAgent& agent : evaluation.agents) {
+    for (const EvaluatedRun& run : agent.runs) is_any |= run.cause.has_value();
+  }
+  if (!is_any) return Section("Failures", Element("p", {}, "None."));
+  Markup content = FailureTable(evaluation);
+  content +=
+      Element("p", {{"class", "note"}},
+              "To see one with the robot's pictures, run it again, with its BRAIN and SEED:");
+  content += Element("pre", {}, evaluation.again);
+  return Section("Failures", content);
+}
+
+Markup SeedTable(const Evaluation& evaluation) {
+  Markup head = NumberHead("Seed");
+  for (const EvaluatedAgent& agent : evaluation.agents) {
+    head += Head(agent.name);
+    for (const char* name : {"Error, mm", "Error, °", "Seconds", "Retries", "× real time"}) {
+      head += NumberHead(name);
+    }
+  }
+  Markup rows;
+  for (std::size_t k = 0; k < evaluation.agents.front().runs.size(); ++k) {
+    Markup row = Element("th", {{"scope", "row"}, {"class", "number"}},
+                         std::to_string(evaluation.agents.front().runs[k].seed));
+    for (const EvaluatedAgent& agent : evaluation.agents) {
+      const EvaluatedRun& run = agent.runs[k];
+      row += Element("td", {}, Badge(run.is_rebuilt, run.cause ? run.cause->word : "rebuilt"));
+      row += NumberCell(Fixed(run.error_mm, 2));
+      row += NumberCell(Fixed(run.error_degrees, 2));
+      row += NumberCell(Fixed(run.seconds, 1));
+      row += NumberCell(Count(run.retries));
+      row += NumberCell(Fixed(run.realtime_factor, 1));
+    }
+    rows += Element("tr", {}, row);
+  }
+  return Section("Every seed",
+                 Table("Robot time is simulated; how much faster than real time it ran is told by "
+                       "the clock on the wall, and differs from machine to machine.",
+                       Element("tr", {}, head), rows));
+}
+
+}  // namespace
+
+std::string PageOf(const Evaluation& evaluation) {
+  Markup body = HeaderOf(evaluation);
+  body += WhatWasRun(evaluation);
+  body += Section("Summary", SummaryTable(evaluation));
+  body += Plots(evaluation);
+  body += Comparisons(evaluation);
+  body += Failures(evaluation);
+  body += SeedTable(evaluation);
+  body += Element("footer", {}, kWhatIntervalsAre);
+  return Page("Evaluation of " + evaluation.scene, body);
+}
+
+}  // namespace smile::report

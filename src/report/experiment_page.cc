@@ -1,0 +1,195 @@
+#include "report/experiment_page.h"
+
+#include "picture/photographer.h"
+#include "record/png.h"
+#include "record/recording_history.h"
+#include "record/time_range.h"
+#include "report/internal_activity.h"
+#include "report/internal_placements.h"
+#include "report/internal_table.h"
+#include "report/markup.h"
+#include "report/wording.h"
+#include "scene/units.h"
+#include "sim/simulation.h"
+
+namespace smile::report {
+namespace {
+
+constexpr int kPictureWidth = 560, kPictureHeight = 420;
+
+Markup Captioned(const Markup& picture, const std::string& words) {
+  Markup figure = picture;
+  figure += Element("figcaption", {}, words);
+  return Element("figure", {}, figure);
+}
+
+/// The first and the last moment, as the robot's eye sees them and as people do.
+Markup PicturesOf(const record::Recording& recording, const std::string& whose) {
+  const record::TickRange ticks = TicksOf(recording);
+  const sim::Simulation stage(recording.scene, recording.robot);
+  Markup gallery;
+  for (const char* camera : {"nice", sim::kEyeCamera}) {
+    const bool is_eye = camera == std::string_view(sim::kEyeCamera);
+    if (is_eye && !recording.robot) continue;
+    picture::Photographer photographer(stage, {.camera = camera,
+                                               .eye = recording.info.eye_camera,
+                                               .width_px = kPictureWidth,
+                                               .height_px = kPictureHeight,
+                                               .channels = {}});
+    for (std::uint64_t tick : {ticks.first, ticks.last}) {
+      const auto moment = MomentAt(recording, tick);
+      if (!moment) continue;
+      const std::string words = whose + (tick == ticks.first ? ", the beginning" : ", the end") +
+                                (is_eye ? ", as the robot's eye sees it" : "");
+      gallery += Captioned(Picture(record::PngOf(photographer.Take(*moment)), words), words);
+    }
+  }
+  return Element("div", {{"class", "gallery"}}, gallery);
+}
+
+/// Why it failed; empty of a success.
+std::string FailureText(const Json& result) {
+  if (result.at("rebuilt").get<bool>()) return {};
+  if (result.contains("cause") && !result.at("cause").is_null()) {
+    return result.at("cause").at("word").get<std::string>() + ": " +
+           result.at("cause").at("text").get<std::string>();
+  }
+  const auto status = result.at("brain").at("status").get<std::string>();
+  if (status == "running") return "time was up, the robot program was still at work";
+  return "the robot program " + status + ", and the structure is not as it was shown";
+}
+
+Markup HeaderOf(const ExperimentOutcome& outcome) {
+  const bool is_rebuilt = outcome.result.at("rebuilt").get<bool>();
+  Markup header = Element("p", {{"class", "eyebrow"}}, "SMILE experiment: " + outcome.name);
+  header += Element("h1", {},
+                    is_rebuilt ? "The robot watched, and built one of its own"
+                               : "The robot watched, and did not manage to rebuild it");
+  header += Badge(is_rebuilt, is_rebuilt ? "rebuilt" : "not rebuilt");
+  if (!is_rebuilt) {
+    header += Element("p", {{"class", "lead"}}, FailureText(outcome.result));
+    const auto message = outcome.result.at("brain").at("message").get<std::string>();
+    if (!message.empty()) header += Element("pre", {}, message);
+  }
+  return Element("header", {}, header);
+}
+
+Markup Numbers(const Json& result) {
+  const auto number = [&result](const char* name) { return result.at(name).get<double>(); };
+  Markup facts = Fact("Structure in place", Percent(number("score")));
+  facts += Fact("Mean error", Fixed(number("mean_error_mm"), 1) + " mm");
+  if (result.contains("mean_error_degrees") && !result.at("mean_error_degrees").is_null()) {
+    facts += Fact("Turned off, mean", Fixed(number("mean_error_degrees"), 1) + "°");
+  }
+  facts += Fact("Robot time", Fixed(number("seconds"), 1) + " s");
+  facts +=
+      Fact("Speed, by the clock on the wall", Fixed(number("realtime_factor"), 1) + " × real time");
+  return Element("section", {}, Element("dl", {{"class", "facts figure"}}, facts));
+}
+
+std::string PositionText(const RigidTransform& X_WB, double meters_per_unit) {
+  const Vector3 p = scene::ToFileUnits(X_WB.translation(), meters_per_unit);
+  return Fixed(p.x(), 2) + ", " + Fixed(p.y(), 2) + ", " + Fixed(p.z(), 2);
+}
+
+Markup PlacementTable(const std::vector<Placement>& placements, double meters_per_unit,
+                      double tolerance_mm) {
+  Markup rows;
+  for (const Placement& placement : placements) {
+    const bool is_near = placement.IsWithin(tolerance_mm);
+    rows += Row(
+        {RowHead(placement.object), NumberCell(PositionText(placement.X_WWanted, meters_per_unit)),
+         NumberCell(placement.X_WReached ? PositionText(*placement.X_WReached, meters_per_unit)
+                                         : "gone"),
+         NumberCell(Fixed(placement.error_mm, 1)), NumberCell(Fixed(placement.error_degrees, 1)),
+         Element("td", {},
+                 Badge(is_near, is_near                ? "in place"
+                                : placement.X_WReached ? "too far"
+                                                       : "gone"))});
+  }
+  return Table(
+      "Positions x, y, z in units of the scene; the structure may stand anywhere, so what is "
+      "wanted is where it stands best.",
+      Row({Head("Object"), NumberHead("Wanted"), NumberHead("Reached"), NumberHead("Error, mm"),
+           NumberHead("Turned off, °"), Head("")}),
+      rows);
+}
+
+Markup Places(const ExperimentOutcome& outcome) {
+  const scene::SceneSpec& scene = outcome.imitation.scene;
+  const double tolerance_mm =
+      1000 * scene.meters_per_unit * outcome.result.at("tolerance").get<double>();
+  const std::vector<Placement> placements = PlacementsOf(outcome.result, scene.meters_per_unit);
+  const std::string note = "Filled: as it is in the end. Dashed: as it was wanted.";
+  const auto view = [&](Side side) {
+    Markup content = DrawPlacements(scene, outcome.result, placements, side);
+    content += Element("p", {{"class", "note"}}, note);
+    return content;
+  };
+  Markup pair = Section("From above", view(Side::kTop));
+  pair += Section("From the front", view(Side::kFront));
+  Markup content = Element("div", {{"class", "pair"}}, pair);
+  Markup table = PlacementTable(placements, scene.meters_per_unit, tolerance_mm);
+  table += ErrorBars(placements, tolerance_mm);
+  content += Section("Wanted and reached", table);
+  return content;
+}
+
+Markup StepsOf(const record::Recording& recording) {
+  Markup rows;
+  for (const record::HistoryStep& step : record::HistoryOf(recording)) {
+    if (!step.is_on_way || !step.deed) continue;
+    rows += Row({NumberCell(Fixed(SecondsInto(recording, step.begin.tick), 1) + " s"),
+                 WideCell(WordsOf(step))});
+  }
+  return Table("What the hands did, step by step.", Row({NumberHead("At"), Head("Step")}), rows);
+}
+
+Markup RobotStepsOf(const std::vector<Carry>& carries) {
+  Markup rows;
+  for (const Carry& carry : carries) {
+    rows += Row({NumberCell(Fixed(carry.begin, 1) + " s"), NumberCell(Fixed(carry.end, 1) + " s"),
+                 WideCell(carry.who + " carries " + carry.object)});
+  }
+  return Table("What the robot's grippers held.",
+               Row({NumberHead("From"), NumberHead("To"), Head("Step")}), rows);
+}
+
+Markup Work(const ExperimentOutcome& outcome) {
+  const auto length = [](const record::Recording& recording) {
+    return SecondsInto(recording, TicksOf(recording).last);
+  };
+  const std::vector<Carry> carries = CarriesOf(outcome.imitation);
+  Markup shown = TimelineOf(CarriesOf(outcome.demonstration), length(outcome.demonstration),
+                            "When the hands held each object");
+  shown += StepsOf(outcome.demonstration);
+  Markup done =
+      TimelineOf(carries, length(outcome.imitation), "When the robot's grippers held each object");
+  done += RobotStepsOf(carries);
+  Markup pair = Section("How it was shown", shown);
+  pair += Section("How the robot did it", done);
+  return Element("div", {{"class", "pair"}}, pair);
+}
+
+Markup Enclosures(const std::vector<Enclosure>& enclosures) {
+  Markup list;
+  for (const Enclosure& enclosure : enclosures) {
+    list += Element("li", {}, LinkTo(enclosure.file, enclosure.words));
+  }
+  return list.is_empty() ? Markup() : Section("Beside this page", Element("ul", {}, list));
+}
+
+}  // namespace
+
+std::string PageOf(const ExperimentOutcome& outcome) {
+  Markup body = HeaderOf(outcome);
+  body += Numbers(outcome.result);
+  body += Section("The demonstration", PicturesOf(outcome.demonstration, "The demonstration"));
+  body += Section("The robot's work", PicturesOf(outcome.imitation, "The robot's work"));
+  body += Places(outcome);
+  body += Work(outcome);
+  body += Enclosures(outcome.enclosures);
+  return Page("Experiment: " + outcome.name, body);
+}
+
+}  // namespace smile::report

@@ -1,0 +1,86 @@
+#include "report/internal_activity.h"
+
+#include <algorithm>
+#include <map>
+
+#include "record/time_range.h"
+#include "record/trace_reader.h"
+#include "report/internal_plots.h"
+#include "report/wording.h"
+
+namespace smile::report {
+namespace {
+
+/// Who did it; empty when nobody did.
+std::string ActorOf(const sim::Event& event) {
+  if (!event.arm.empty()) return event.arm + " gripper";
+  if (event.hand) return std::string(ToString(*event.hand)) + " hand";
+  return {};
+}
+
+bool IsTake(sim::EventKind kind) {
+  return kind == sim::EventKind::kGrasped || kind == sim::EventKind::kGripperHolds;
+}
+bool IsLetGo(sim::EventKind kind) {
+  return kind == sim::EventKind::kReleased || kind == sim::EventKind::kGripperLetGo ||
+         kind == sim::EventKind::kDestroyed;
+}
+
+}  // namespace
+
+std::vector<Carry> CarriesOf(const record::Recording& recording) {
+  std::vector<Carry> carries;
+  std::map<std::pair<std::string, std::string>, double> held;  // by whom and what, since when
+  record::TraceReader trace(recording);
+  double now = 0;
+  while (const auto moment = trace.Next()) {
+    now = SecondsInto(recording, moment->tick);
+    for (const sim::Event& event : moment->events) {
+      const auto key = std::pair(ActorOf(event), event.object);
+      if (IsTake(event.kind)) held[key] = now;
+      if (!IsLetGo(event.kind) || !held.contains(key)) continue;
+      carries.push_back({event.object, key.first, held.at(key), now});
+      held.erase(key);
+    }
+  }
+  for (const auto& [key, begin] : held) carries.push_back({key.second, key.first, begin, now});
+  return carries;
+}
+
+Markup TimelineOf(const std::vector<Carry>& carries, double seconds, const std::string& words) {
+  constexpr double kRow = 22, kLabels = 100, kBar = 13;
+  std::vector<std::string> objects, actors;
+  for (const Carry& carry : carries) {
+    if (std::ranges::find(objects, carry.object) == objects.end()) objects.push_back(carry.object);
+    if (std::ranges::find(actors, carry.who) == actors.end()) actors.push_back(carry.who);
+  }
+  const auto place = [](const std::vector<std::string>& list, const std::string& name) {
+    return static_cast<std::size_t>(std::ranges::find(list, name) - list.begin());
+  };
+  const double bottom = kRow * static_cast<double>(std::max<std::size_t>(objects.size(), 1)) + 6;
+  const Axis axis(0, seconds, kLabels, kPlotWidth - 8);
+  Markup drawing = axis.Draw(0, bottom, "seconds");
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    drawing += SvgText(kLabels - 6, kRow * static_cast<double>(i) + 15, "value end",
+                       objects[i].substr(0, 16));
+  }
+  for (const Carry& carry : carries) {
+    const double y = kRow * static_cast<double>(place(objects, carry.object)) + 5;
+    Markup bar = Element("title", {},
+                         carry.object + ": " + carry.who + ", " + Fixed(carry.begin, 1) + " to " +
+                             Fixed(carry.end, 1) + " s");
+    bar += SvgRect(axis.x(carry.begin), y, std::max(1.5, axis.x(carry.end) - axis.x(carry.begin)),
+                   kBar, "fill " + SeriesClass(place(actors, carry.who)));
+    drawing += Element("g", {}, bar);
+  }
+  Markup timeline = Drawing(kPlotWidth, bottom + 32, words, drawing);
+  Markup legend;
+  for (std::size_t k = 0; k < actors.size(); ++k) {
+    legend += Element("span", {{"class", "chip " + SeriesClass(k)}}, Markup());
+    legend += Text(actors[k] + "   ");
+  }
+  timeline += Element("p", {{"class", "note legend"}}, legend);
+  return timeline;
+}
+
+}  // namespace smile::report

@@ -1,0 +1,85 @@
+#include "report/experiment_page.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "record/recorder.h"
+
+namespace smile::report {
+namespace {
+
+constexpr const char* kBlock = "b1";
+constexpr const char* kHostile = "<img src=http://x>";
+
+scene::SceneSpec OneBlock() {
+  scene::SceneSpec scene;
+  scene.objects.push_back(
+      {.whole = {
+           .id = kBlock, .X_PE = RigidTransform(Vector3(0, 0, 0.05)), .shape = scene::Block{}}});
+  return scene;
+}
+
+Json Pose(double x) { return {{"position", {x, 0, 0.5}}, {"rotation", {0, 0, 0}}}; }
+
+Json ResultOf(const Json& final_objects) {
+  return {{"task", kHostile},
+          {"rebuilt", false},
+          {"score", 0.0},
+          {"tolerance", 0.25},
+          {"match", {{kBlock, kBlock}}},
+          {"goal", {{"objects", {{kBlock, Pose(1)}}}}},
+          {"final", {{"objects", final_objects}}},
+          {"mean_error_mm", 100.0},
+          {"seconds", 1.0},
+          {"realtime_factor", 2.0},
+          {"brain", {{"status", "failed"}, {"message", std::string("oh ") + kHostile}}}};
+}
+
+class ExperimentPage : public ::testing::Test {
+ protected:
+  /// Of a table without a robot, for a moment.
+  ExperimentPage() {
+    sim::Simulation simulation(OneBlock());
+    record::Recorder recorder(directory_, {}, nullptr, simulation);
+    simulation.AddListener(&recorder);
+    for (int i = 0; i < 3; ++i) simulation.Tick();
+  }
+  ~ExperimentPage() override { std::filesystem::remove_all(directory_); }
+
+  std::string PageWith(const Json& result) const {
+    const record::Recording recording = record::OpenRecording(directory_);
+    return PageOf({.name = kHostile,
+                   .demonstration = recording,
+                   .imitation = recording,
+                   .result = result,
+                   .enclosures = {{kHostile, kHostile}}});
+  }
+
+  std::filesystem::path directory_ = std::filesystem::temp_directory_path() /
+                                     ("smile_" + std::to_string(getpid()) + "_experiment_page");
+};
+
+TEST_F(ExperimentPage, HostileNamesAndMessagesAreTextsOnly) {
+  const std::string page = PageWith(ResultOf({{kBlock, Pose(0)}}));
+  EXPECT_EQ(page.find("<img src=http"), std::string::npos);
+  EXPECT_EQ(page.find("\"http"), std::string::npos);
+  EXPECT_NE(page.find("oh &lt;img src=http://x&gt;"), std::string::npos);
+  EXPECT_NE(page.find("href=\"./%3Cimg%20src%3Dhttp%3A//x%3E\""), std::string::npos);
+}
+
+TEST_F(ExperimentPage, ShowsPicturesPlacesAndErrors) {
+  const std::string page = PageWith(ResultOf({{kBlock, Pose(0)}}));
+  EXPECT_NE(page.find("src=\"data:image/png;base64,iVBOR"), std::string::npos);
+  EXPECT_NE(page.find("1.00, 0.00, 0.50"), std::string::npos);
+  EXPECT_NE(page.find("too far"), std::string::npos);
+  EXPECT_NE(page.find("100.0"), std::string::npos);  // one unit off [mm]
+}
+
+TEST_F(ExperimentPage, TellsOfWhatIsGone) {
+  const std::string page = PageWith(ResultOf(Json::object()));
+  EXPECT_NE(page.find("gone"), std::string::npos);
+  EXPECT_EQ(page.find("too far"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace smile::report

@@ -1,0 +1,153 @@
+// Many runs, several robot programs, and whatever may happen to them meanwhile.
+
+#include "program.h"
+
+namespace smile {
+namespace {
+
+class Evaluate : public ProgramTest {
+ protected:
+  /// Shown is a block that is lifted and put back: any layout has it rebuilt from the start.
+  Evaluate() {
+    Write("pair.xml", PairOfBlocks());
+    Write("lift.jsonl",
+          "{\"hand\":\"right\",\"do\":\"grasp\",\"object\":\"a\"}\n"
+          "{\"do\":\"wait\",\"seconds\":0.2}\n"
+          "{\"hand\":\"right\",\"do\":\"release\"}\n"
+          "{\"do\":\"wait\",\"until\":\"still\"}\n");
+    Write("stack.jsonl", StackPair());
+    EXPECT_EQ(Smile("run pair.xml --commands lift.jsonl --record lifted --no-pictures").exit_code,
+              0);
+    WriteBrain("idle", "");
+  }
+
+  /// A program that tells in started.txt of what layout it was started, does this, and ends.
+  void WriteBrain(const std::string& name, const std::string& lines) const {
+    Write(name + "/" + name + ".py",
+          "import os, signal, time\n"
+          "keeper = os.getppid()\n"
+          "simulator = int(open(f'/proc/{keeper}/stat').read().split(') ')[1].split()[1])\n"
+          "words = open(f'/proc/{simulator}/cmdline').read().split('\\0')\n"
+          "seed = int(words[words.index('--seed') + 1])\n"
+          "open('" +
+              directory_.string() +
+              "/processes.txt', 'a').write(f'{os.getpid()} {keeper} {simulator}\\n')\n"
+              "def step(sensor, motor, aux):\n"
+              "  open('" +
+              directory_.string() + "/started.txt', 'a').write(f'" + name + " {seed}\\n')\n" +
+              lines + "  aux.exit = 1\n");
+  }
+
+  Answer EvaluateOf(const std::string& demo, const std::string& arguments) const {
+    return Smile("evaluate " + demo + " --scene pair.xml --out ev --json " + arguments);
+  }
+  /// The layouts in which programs were started since it was asked last, sorted.
+  std::string Started() const {
+    return Shell("sort started.txt | tr '\\n' ';'; rm -f started.txt").out;
+  }
+};
+
+TEST_F(Evaluate, CountsComparesAndRunsNothingTwice) {
+  WriteBrain("other", "");
+  const std::string arguments = "--brain idle/idle.py --brain other/other.py --seed 7";
+  const Answer answer = EvaluateOf("lifted", arguments + " --scenes 3 --jobs 2");
+  ASSERT_EQ(answer.exit_code, 0) << answer.err;
+  const Json evaluation = answer.json();
+  EXPECT_EQ(evaluation["agents"][0]["summary"]["rebuilt"], 3);
+  EXPECT_EQ(evaluation["agents"][1]["name"], "other");
+  EXPECT_EQ(evaluation["agents"][1]["runs"][2]["seed"], 9);
+  EXPECT_EQ(evaluation["comparisons"][0]["both"], 3);
+  EXPECT_EQ(Started(), "idle 7;idle 8;idle 9;other 7;other 8;other 9;");
+  EXPECT_FALSE(Exists("ev/idle/seed-0007/imitation"));  // successes are not kept
+  EXPECT_EQ(Read("ev/evaluation.json"), answer.out);
+
+  // The same question has the same answer, without a run; a longer one runs the rest.
+  EXPECT_EQ(EvaluateOf("lifted", arguments + " --scenes 3").out, answer.out);
+  EXPECT_EQ(Started(), "");
+  const Json longer = EvaluateOf("lifted", arguments + " --scenes 4").json();
+  EXPECT_EQ(longer["agents"][0]["runs"].size(), 4u);
+  EXPECT_EQ(Started(), "idle 10;other 10;");
+}
+
+TEST_F(Evaluate, AChangedProgramStartsAfreshBesideTheOld) {
+  ASSERT_EQ(EvaluateOf("lifted", "--brain idle/idle.py --scenes 1").exit_code, 0);
+  const std::string before = Read("ev/idle/seed-0001/result.json");
+  Started();
+  WriteBrain("idle", "  pass\n");
+  ASSERT_EQ(EvaluateOf("lifted", "--brain idle/idle.py --scenes 1").exit_code, 0);
+  EXPECT_EQ(Started(), "idle 1;");
+  EXPECT_EQ(Read("ev/idle.1/seed-0001/result.json"), before);
+}
+
+TEST_F(Evaluate, ARunThatCrashesOrHangsIsAFailureWithACause) {
+  WriteBrain("shaky",
+             "  if seed == 1: os.kill(simulator, signal.SIGSEGV); time.sleep(60)\n"
+             "  if seed == 2: print('I give up', flush=True); os._exit(3)\n"
+             "  if seed == 4: os.kill(simulator, signal.SIGSTOP); time.sleep(60)\n");
+  ASSERT_EQ(Smile("run pair.xml --commands stack.jsonl --record stacked --no-pictures").exit_code,
+            0);
+  const std::string arguments = "--brain shaky/shaky.py --patience 100 ";
+  const Answer answer = EvaluateOf("stacked", arguments + "--scenes 3");
+  ASSERT_EQ(answer.exit_code, 0) << answer.err;
+  Json runs = answer.json()["agents"][0]["runs"];
+  runs.push_back(EvaluateOf("stacked", arguments + "--seed 4 --scenes 1 --wall-seconds 2")
+                     .json()["agents"][0]["runs"][0]);
+  const std::pair<const char*, const char*> causes[] = {{"crashed", "signal 11"},
+                                                        {"brain_failed", "exit code 3"},
+                                                        {"never_taken", ""},
+                                                        {"hung", "no end after 2 s"}};
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(runs[i]["cause"]["word"], causes[i].first);
+    EXPECT_NE(runs[i]["cause"]["text"].get<std::string>().find(causes[i].second), std::string::npos)
+        << runs[i];
+    EXPECT_FALSE(runs[i]["rebuilt"]);
+  }
+  EXPECT_NE(Read("ev/shaky/seed-0002/log.txt").find("I give up"), std::string::npos);
+  EXPECT_TRUE(Exists("ev/" + runs[2]["recording"].get<std::string>() + "/demo.json"));
+  // What came to its end is not repeated; what was cut short is.
+  Started();
+  EXPECT_EQ(EvaluateOf("stacked", arguments + "--scenes 3").exit_code, 0);
+  EXPECT_EQ(Started(), "shaky 1;");
+}
+
+TEST_F(Evaluate, AnInterruptedEvaluationGoesOnWhereItWas) {
+  WriteBrain("slow", "  while seed > 1 and not os.path.exists('" + (directory_ / "go").string() +
+                         "'): time.sleep(0.02)\n");
+  const std::string command =
+      "evaluate lifted --scene pair.xml --out ev --brain slow/slow.py --scenes 3 --patience 100";
+  // SIGTERM reaches the evaluation only; its runs are in groups of their own.
+  const Answer cut = Shell(
+      SMILE_PROGRAM " " + command +
+      " --jobs 1 & evaluation=$!\n"
+      "for k in $(seq 1500); do grep -q 2 started.txt 2>/dev/null && break; sleep 0.02; done\n"
+      "kill -TERM $evaluation\nwait $evaluation");
+  EXPECT_EQ(cut.exit_code, 3);
+  EXPECT_NE(cut.err.find("1 of 3 runs are done and kept"), std::string::npos) << cut.err;
+  EXPECT_EQ(Shell("for id in $(cat processes.txt); do kill -0 $id && echo $id; done").out, "");
+  EXPECT_EQ(Started(), "slow 1;slow 2;");
+  EXPECT_FALSE(Exists("ev/evaluation.json"));
+
+  Write("go", "");
+  const Answer whole = Smile(command + " --json");
+  ASSERT_EQ(whole.exit_code, 0) << whole.err;
+  EXPECT_EQ(whole.json()["agents"][0]["summary"]["rebuilt"], 3);
+  EXPECT_EQ(Started(), "slow 2;slow 3;");
+}
+
+TEST_F(Evaluate, WhatCannotWorkIsToldBeforeAnythingIsRun) {
+  Write("one.xml", SceneOf("<block id=\"b\" color=\"blue\" location=\"(2, -3, 0.5)\"/>"));
+  const std::pair<const char*, const char*> wrong[] = {
+      {"lifted --scene pair.xml --brain nowhere", "nowhere"},
+      {"lifted --scene one.xml --brain idle/idle.py", "'a'"},
+      {"nowhere --scene pair.xml --brain idle/idle.py", "nowhere"}};
+  for (const auto& [arguments, message] : wrong) {
+    const Answer answer = Smile("evaluate --out ev " + std::string(arguments));
+    EXPECT_EQ(answer.exit_code, 1) << arguments;
+    EXPECT_NE(answer.err.find(message), std::string::npos) << answer.err;
+  }
+  EXPECT_EQ(Smile("evaluate lifted --scene pair.xml --brain idle/idle.py --scenes 0").exit_code, 2);
+  EXPECT_FALSE(Exists("ev"));
+}
+
+}  // namespace
+}  // namespace smile

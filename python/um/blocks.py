@@ -1,7 +1,7 @@
 """Blocks, and the steps of a building: what the learner knows of the world."""
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -26,7 +26,7 @@ class Step(Block):
     """A block as it was built, and shall be again. Its color is None where that does not matter."""
 
     name: str  # of the object in the demonstration, for people
-    on: list = field(default_factory=list)  # the steps that it stands on; none: the table
+    on: list  # numbers of the steps that it stands on; none for the table
 
     def __str__(self):
         return "%s (%.3g x %.3g x %.3g)" % (self.name, *self.size)

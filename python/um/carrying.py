@@ -97,10 +97,11 @@ def reach(robot, arm, poses, q):
 
 def is_within_reach(robot, arm, place):
     """Whether an arm gets its tool to a block's place, and 2 units above it."""
-    return all(
-        robot.inverse(ARMS[arm], tool_pose([*place.position[:2], height], place.yaw + math.pi / 2),
-                      PARKED[arm], max_iterations=200) is not None
-        for height in (place.position[2] + 0.3, place.position[2] + 2))
+    x, y, z = place.position
+    return any(
+        reach(robot, arm, [tool_pose([x, y, z + 2], across), tool_pose([x, y, z + 0.3], across)],
+              PARKED[arm]) is not None
+        for across in (place.yaw + math.pi / 2, place.yaw - math.pi / 2))
 
 
 def arm_clears(robot, arm, q, blocks):

@@ -7,7 +7,7 @@ from typing import NamedTuple, Optional
 import numpy as np
 
 from acting import Action
-from blocks import Block, Step, is_like, turn_between
+from blocks import Block, Step, has_equal_sides, is_like, turn_between
 from carrying import is_within_reach, plan_carry
 from looking import find_blocks, pixel_at, to_pixel, unpacked
 from places import finger_turns, footprint, grip_room, is_walled_in, overlap
@@ -29,7 +29,8 @@ class Building:
     tries: list = field(init=False)  # how often each step's block was carried there so far
     tidied: int = 0  # how often blocks were put aside since the last step was done
     miss: dict = field(default_factory=dict)  # of a step: how far off its block was, units and rad
-    looks: int = 0  # how often in a row a wanted block was not to be seen
+    stuck: int = 0  # how many steps in a row could not be gone on with, and
+    trouble: str = ""  # why the first of them could not
     summary: str = ""  # one line for people, at the end
 
     def __post_init__(self):
@@ -56,35 +57,46 @@ def decide(building, sensor, eye, robot):
             return []
 
     used = compare(building)
-    if all(building.done):
+    steps = open_steps(building)
+    if not steps:
         far, turned = np.max(list(building.miss.values()), axis=0)
         building.summary = "built, as seen within %.2f units and %.1f degrees" % (
             far, math.degrees(turned))
         return []
-    k = building.done.index(False)
-    step = building.steps[k]
-    if building.tries[k] >= MOST_TRIES or building.tidied >= MOST_TIDIED:
-        building.summary = f"gave up at {step}, after {building.tries[k]} tries"
-        return []
 
+    # The next step in the order shown; when nothing helps there, one of those that can be done as
+    # well.
+    k = steps[building.stuck % len(steps)]
+    step = building.steps[k]
     reason = "it cannot be seen"
-    free = [block for block in building.known if block not in used]
-    for move in propose_moves(building, step, free):
-        actions, reason = plan_move(building, move, eye, robot, sensor.jointAngles)
-        if not actions:
-            continue
-        if move.goal:
-            building.tries[k] += 1
-        else:
-            building.tidied += 1
-        building.known.remove(move.block)  # where it will be, the next look tells
-        building.looks = 0
-        return actions
-    building.looks += 1
-    if building.looks > 2:
-        building.summary = f"gave up at {step}: {reason}"
+    if building.tries[k] >= MOST_TRIES:
+        reason = f"{MOST_TRIES} tries were not enough"
+    elif building.tidied < MOST_TIDIED:
+        free = [block for block in building.known if block not in used]
+        for move in propose_moves(building, step, free):
+            actions, reason = plan_move(building, step, move, eye, robot, sensor.jointAngles)
+            if not actions:
+                continue
+            if move.goal:
+                building.tries[k] += 1
+            else:
+                building.tidied += 1
+            building.known.remove(move.block)  # where it will be, the next look tells
+            building.stuck = 0
+            return actions
+    if building.stuck == 0:
+        building.trouble = f"{step}: {reason}"
+    building.stuck += 1
+    if building.stuck > len(steps) + 1:
+        building.summary = f"gave up at {building.trouble}"
         return []
     return [Action("look")]
+
+
+def open_steps(building):
+    """Numbers of the steps that are not done and stand on what is done, in the order shown."""
+    return [k for k, step in enumerate(building.steps)
+            if not building.done[k] and all(building.done[lower] for lower in step.on)]
 
 
 def remember(known, seen, picture, eye):
@@ -163,8 +175,7 @@ def propose_moves(building, step, free):
     free: those of the known blocks that are in no step's place
     """
     fits = [block for block in free if is_like(block, step)]
-    [room] = grip_room([step])
-    in_way = [block for block, yes in zip(free, overlap(room, footprint(free, 0))) if yes]
+    in_way = [block for block in free if is_in_way(block, step)]
     walled = [block for block in free if is_walled_in(block, building.steps)]
 
     # First what will be hard to get at when more stands, and what looks right and is near.
@@ -173,11 +184,18 @@ def propose_moves(building, step, free):
 
     fits.sort(key=away)
     moves = [Move(block) for block in without_doubles(in_way + walled) if block not in fits]
-    moves += [Move(block, step) for block in fits]
+    moves += [Move(block) for block in in_way if block in fits[1:]]
+    moves += [Move(block, step) for block in fits if not set(in_way) - {block}]
     # Then what lies on other blocks: what is wanted may be below it.
     moves += [Move(block) for block in free if block.position[2] > block.size[2]]
     # What something lies on waits for that.
     return [move for move in moves if not lies_below(move.block, free)]
+
+
+def is_in_way(block, step):
+    """Whether a block lies where a step's shall, or where the fingers that bring it need room."""
+    [room] = grip_room([step])
+    return overlap(room, footprint([block], 0)).any()
 
 
 def without_doubles(blocks):
@@ -191,34 +209,39 @@ def lies_below(block, others):
     return overlap(covered, footprint(higher, 0)).any()
 
 
-def plan_move(building, move, eye, robot, q):
-    """Straight to its goal, if it has one and an arm reaches both; else to somewhere else first.
-    Returns actions and None, or [] and the reason if it cannot be done."""
+def plan_move(building, step, move, eye, robot, q):
+    """Straight to its goal, if it has one and an arm reaches both; else to somewhere else first, if
+    need be where the building will stand later. Returns actions and None, or [] and the reason if
+    it cannot be done."""
     others = [block for block in building.known if block is not move.block]
-    actions = []
+    standing = [step for step, done in zip(building.steps, building.done) if done]
+    sites = [building.steps]
     if move.goal:
+        sites.append(standing)
         actions, reason = plan_carry(robot, move.block, move.goal, others, q)
-    if not actions:
-        actions, reason = plan_aside(robot, eye, move.block, others, building, q, move.goal)
-    return actions, reason
+        if actions:
+            return actions, None
+    elif is_in_way(move.block, step):
+        sites.append(standing + [step])
+    return plan_aside(robot, eye, move.block, others, sites, q, move.goal)
 
 
-def plan_aside(robot, eye, block, others, building, q, goal):
-    """The actions that bring a block to a free place on the table that the eye sees, if possible
-    off the building's site.
+def plan_aside(robot, eye, block, others, sites, q, goal):
+    """The actions that bring a block to a free place on the table that the eye sees.
 
-    goal: where another arm shall bring it from there at once; None if that does not matter yet
+    sites: lists of the steps to keep off: the first with which there is a place counts
+    goal:  where another arm shall bring it from there at once; None if that does not matter yet
     Returns actions and None, or [] and a reason if there is none.
     """
+    arms = arms_for(robot, block, goal)
+    if not arms:
+        return [], "no arm reaches it"
     reason = "there is no free place on the table"
-    sites = [building.steps]
-    if goal:
-        sites.append([step for step, done in zip(building.steps, building.done) if done])
     for site in sites:
         tries = 8
         for place in free_places(block, others + site, goal):
             if (not is_seen(place, eye) or not finger_turns(place, site)
-                    or not can_pass_on(robot, block, place, goal)):
+                    or not can_pass_on(robot, arms, place, goal)):
                 continue
             actions, reason = plan_carry(robot, block, place, others, q)
             if actions:
@@ -230,7 +253,7 @@ def plan_aside(robot, eye, block, others, building, q, goal):
 
 
 def free_places(block, taken, goal):
-    """Where a block might lie on the table, a list of up to 60, the best places first: with room
+    """Where a block might lie on the table, a list of up to 100, the best places first: with room
     for fingers, its own and those of its neighbors."""
     yaw, y, x = (it.ravel() for it in np.meshgrid(
         [0, math.pi / 2, math.pi / 4, -math.pi / 4], np.arange(-5, 0.125, 0.25),
@@ -241,14 +264,16 @@ def free_places(block, taken, goal):
     free = np.ones(len(x), bool)
     for rectangle in footprint(taken, 0.1):
         free &= ~overlap(rectangle, with_fingers)
-    for rectangle in grip_room(taken):
+    # Square blocks can be held the other way round, too.
+    for rectangle in grip_room([it for it in taken if not has_equal_sides(it)]):
         free &= ~overlap(rectangle, covered)
 
     if goal is None:
-        way = np.hypot(x - block.position[0], y - block.position[1])
+        # The middle, where both arms reach, is for passing on.
+        way = np.hypot(x - block.position[0], y - block.position[1]) + np.maximum(3 - np.abs(x), 0)
     else:
-        way = np.abs(x) + 0.1 * np.abs(y + 3.5)  # in the middle both arms reach most
-    best = np.argsort(np.where(free, way, np.inf), kind="stable")[:min(60, free.sum())]
+        way = np.abs(x) + 0.1 * np.abs(y + 3.5)
+    best = np.argsort(np.where(free, way, np.inf), kind="stable")[:min(100, free.sum())]
     return [replace(block, position=np.array([x[i], y[i], block.size[2] / 2]), yaw=yaw[i])
             for i in best]
 
@@ -263,11 +288,15 @@ def is_seen(place, eye):
     return ((pixels > 3) & (pixels < 2 * eye.intrinsics[:2, 2] - 3)).all()
 
 
-def can_pass_on(robot, block, place, goal):
-    """Whether one arm can bring the block to a place, and, if there is a goal, another from there
-    to it."""
-    return any(
-        is_within_reach(robot, arm, block) and is_within_reach(robot, arm, place)
-        and (goal is None or (is_within_reach(robot, 1 - arm, place)
-                              and is_within_reach(robot, 1 - arm, goal)))
-        for arm in (0, 1))
+def arms_for(robot, block, goal):
+    """The arms that can bring a block somewhere from where another can bring it to a goal, if there
+    is one: a list."""
+    return [arm for arm in (0, 1) if is_within_reach(robot, arm, block)
+            and (goal is None or is_within_reach(robot, 1 - arm, goal))]
+
+
+def can_pass_on(robot, arms, place, goal):
+    """Whether one of these arms reaches a place, and the other one too if it is to go on from
+    there."""
+    return any(is_within_reach(robot, arm, place)
+               and (goal is None or is_within_reach(robot, 1 - arm, place)) for arm in arms)

@@ -77,8 +77,8 @@ def understand(demo, attention):
         if size[1] > 1.1 * size[0]:
             size = size[[1, 0, 2]]
             yaw += math.pi / 2
-        step = Step(color, size, np.array([x, y, z]), yaw, name)
-        step.on = [lower for lower in steps if stands_on(step, lower)]
+        step = Step(color, size, np.array([x, y, z]), yaw, name, [])
+        step.on = [k for k, lower in enumerate(steps) if stands_on(step, lower)]
         steps.append(step)
     return steps
 

@@ -22,7 +22,7 @@ def init(aux):
                          "smile imitate DEMO SCENE --brain python/um/um.py")
     steps = understand(read_demonstration(aux.demonstration), aux.attention)
     for k, step in enumerate(steps):
-        place = ", ".join(lower.name for lower in step.on) or "the table"
+        place = ", ".join(steps[lower].name for lower in step.on) or "the table"
         print(f"shown: {k + 1}. {step} on {place}")
 
     aux.planner = robot_of(aux)

@@ -187,20 +187,23 @@ end
 function check_deciding()
   red = [1, 0, 0]; green = [0, 1, 0]; blue = [0, 0, 1];
   cube = [1, 1, 1];
-  steps = [asStep(block(red, cube, 0, -2, 0, 0)), asStep(block(green, cube, 0, -2, 1, 0))];
+  steps = [asStep(block(red, cube, 0, -2, 0, 0)), asStep(block(green, cube, 0, -2, 1, 0)), ...
+           asStep(block(green, cube, -3, -2, 0, 0))];
   building = startBuilding(steps);
   building.known = [block(red, cube, 0.1, -2, 0, 0), block(red, cube, 0.05, -2, 0, pi), ...
                     block(red, cube, 0, -2, 1, 0)];
   [building, used] = compare(building);
   check(isequal(used, logical([0, 1, 0])), 'the block near its place is in it');
-  check(isequal(building.done, logical([1, 0])), 'that makes the step done');
+  check(isequal(building.done, logical([1, 0, 0])), 'that makes the step done');
 
   building.known = [block(red, cube, 4, -3, 0, 0), block(red, cube, 3, -2, 0, 0), ...
                     block(blue, cube, 0.3, -2.2, 0, 0), block(blue, cube, 3, -2, 1, 0)];
   moves = proposeMoves(building, 1, 1:4);
-  check(isequal([moves.block], [3, 1, 4]), ...
-        'what is in the way comes first, what is covered waits');
-  check(isequal(cellfun(@isempty, {moves.goal}), logical([1, 0, 1])), 'only red ones have a goal');
+  check(isequal([moves.block], [3, 4]), 'what is in the way comes first, and without a goal');
+  check(all(cellfun(@isempty, {moves.goal})), 'neither is put where a red one belongs');
+  moves = proposeMoves(building, 1, [1, 2, 4]);
+  check(isequal([moves.block], [1, 4]), 'then a wanted block; what is covered waits');
+  check(isequal(cellfun(@isempty, {moves.goal}), logical([0, 1])), 'only red ones have a goal');
 
   tower = [block(red, cube, 0, -4, 0, 0), block(green, cube, 0, -4, 1, 0)];
   gone = block(blue, cube, 3, -2, 0, 0);

@@ -1,11 +1,9 @@
-"""Tests the parts of the learner in python/um, without the simulator: um_test.py.
-
-matlab/test/um_test.m claims the same of its twin.
+"""Tests the parts of the learner in python/um, without the simulator: um_test.py, with python/um on
+the path. matlab/test/um_test.m claims the same of its twin.
 """
 
 import json
 import math
-import sys
 import tempfile
 import unittest
 from pathlib import Path
@@ -13,10 +11,8 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
-sys.path.insert(0, str(Path(__file__).parent.parent / "um"))
-
-from blocks import Block, turn_between
-from deciding import Building, Move, compare, propose_moves, remember
+from blocks import Block, Step, turn_between
+from deciding import Building, Move, compare, open_steps, propose_moves, remember
 from demonstration import read_demonstration, understand
 from looking import Eye, find_blocks, label_regions, to_pixel
 from places import finger_turns, is_walled_in, overlap
@@ -34,6 +30,10 @@ EYE = Eye(np.array([[240 / math.tan(math.pi / 6), 0, 320], [0, 240 / math.tan(ma
 
 def block(color, size, x, y, bottom=0.0, yaw=0.0):
     return Block(color, size, np.array([x, y, bottom + size[2] / 2]), yaw)
+
+
+def step(it, on):
+    return Step(it.color, it.size, it.position, it.yaw, "step", on)
 
 
 def picture_of(blocks):
@@ -110,7 +110,7 @@ class PlacesTest(unittest.TestCase):
                 inside = np.abs(points @ [[c, -s], [s, c]]) <= (one[2:4] + grow) / 2
                 return inside.all(axis=1).any()
 
-            # Points lie up to 0.08 apart, so rectangles as much larger or smaller bracket the truth.
+            # Points lie up to 0.08 apart, so as much larger or smaller ones bracket the truth.
             if has_common_point(-0.15):
                 self.assertTrue(answer, rectangle)
             if not has_common_point(0.15):
@@ -164,7 +164,7 @@ class UnderstandingTest(unittest.TestCase):
         steps = understand(read_demonstration(self.folder), {"Blue": ["size"]})
         self.assertEqual([step.name for step in steps], ["Plank", "Red", "Blue"])
         plank, red, blue = steps
-        self.assertEqual([step.on for step in steps], [[], [plank], [red]])
+        self.assertEqual([step.on for step in steps], [[], [0], [1]])
         np.testing.assert_allclose(plank.size, [4, 1, 1], atol=0.03)  # the longer side comes first
         self.assertLess(turn_between(plank, 0.2 + math.pi / 2), 1e-9)
         np.testing.assert_allclose(red.position, [-2, -1.5, 1.5])
@@ -186,15 +186,23 @@ class UnderstandingTest(unittest.TestCase):
 
 class DecidingTest(unittest.TestCase):
     def setUp(self):
-        self.steps = [block(RED, CUBE, 0, -2), block(GREEN, CUBE, 0, -2, bottom=1)]
+        self.steps = [step(block(RED, CUBE, 0, -2), []),
+                      step(block(GREEN, CUBE, 0, -2, bottom=1), [0]),
+                      step(block(GREEN, CUBE, -3, -2), [])]
 
     def test_a_block_in_its_place_makes_the_step_done(self):
         building = Building(self.steps)
         there, elsewhere = block(RED, CUBE, 0.05, -2, yaw=math.pi), block(RED, CUBE, 0.1, -2)
         building.known = [elsewhere, there, block(RED, CUBE, 0, -2, bottom=1)]
         self.assertEqual(compare(building), [there])
-        self.assertEqual(building.done, [True, False])
+        self.assertEqual(building.done, [True, False, False])
         self.assertAlmostEqual(building.miss[0][0], 0.05)
+
+    def test_a_step_is_open_when_what_it_stands_on_is_done(self):
+        building = Building(self.steps)
+        self.assertEqual(open_steps(building), [0, 2])
+        building.done[0] = True
+        self.assertEqual(open_steps(building), [1, 2])
 
     def test_what_is_in_the_way_comes_first_and_what_is_covered_waits(self):
         near, far = block(RED, CUBE, 3, -2), block(RED, CUBE, 4, -3)
@@ -203,7 +211,10 @@ class DecidingTest(unittest.TestCase):
         building = Building(self.steps)
         building.known = [far, near, in_way, on_near]
         moves = propose_moves(building, self.steps[0], building.known)
-        self.assertEqual(moves, [Move(in_way), Move(far, self.steps[0]), Move(on_near)])
+        self.assertEqual(moves, [Move(in_way), Move(on_near)])
+        building.known.remove(in_way)
+        moves = propose_moves(building, self.steps[0], building.known)
+        self.assertEqual(moves, [Move(far, self.steps[0]), Move(on_near)])
 
     def test_what_is_hidden_is_remembered_but_not_what_has_gone(self):
         tower = block(RED, CUBE, 0, -4), block(GREEN, CUBE, 0, -4, bottom=1)

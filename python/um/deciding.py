@@ -116,7 +116,7 @@ def table_color(picture):
     """The table's is the most frequent color but black, which is where there is nothing."""
     pixels = np.round(255 * picture[::4, ::4]).astype(int).reshape(-1, 3) @ [65536, 256, 1]
     colors, count = np.unique(pixels[pixels > 0], return_counts=True)
-    return unpacked(colors[count.argmax()])
+    return unpacked(colors[count.argmax()]) if len(colors) else np.full(3, np.nan)
 
 
 def shows_table(picture, eye, block, table):

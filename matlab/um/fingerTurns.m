@@ -4,13 +4,19 @@ function turns = fingerTurns(place, others)
 %   place  position, yaw and size of the block
   turns = place.yaw + [pi / 2, -pi / 2];
   if place.size(1) < 1.1 * place.size(2), turns = [turns, place.yaw + [0, pi]]; end
+  if isempty(others), return; end
   % What is as high as the fingers, the bar that joins them, and the hand above it, must keep off them.
+  at = vertcat(others.position);
+  sizes = vertcat(others.size);
+  tops = at(:, 3) + sizes(:, 3) / 2;
+  covered = footprint(others, 0.03);
   top = place.position(3) + place.size(3) / 2;
-  tops = arrayfun(@(other) other.position(3) + other.size(3) / 2, others);
-  at_fingers = footprint(others(tops > top - place.size(3) + 0.02), 0.02);
-  at_bar = footprint(others(tops > top + 0.3), 0.05);
-  at_hand = footprint(others(tops > top + 0.6), 0.05);
-  turns = turns(arrayfun(@(turn) fits(place, turn, at_fingers, at_bar, at_hand), turns));
+  at_fingers = covered(tops > top - place.size(3) + 0.02, :);
+  at_bar = covered(tops > top + 0.3, :);
+  at_hand = covered(tops > top + 0.6, :);
+  ok = false(1, numel(turns));
+  for i = 1:numel(turns), ok(i) = fits(place, turns(i), at_fingers, at_bar, at_hand); end
+  turns = turns(ok);
 end
 
 function yes = fits(place, across, at_fingers, at_bar, at_hand)

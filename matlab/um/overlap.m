@@ -1,16 +1,19 @@
 function yes = overlap(one, many)
 % Whether a rectangle, 1x5 (see footprint), has points in common with each of many, Nx5: Nx1 logical. Two
 % rectangles are apart if, in the direction of one of their sides, there is a gap between them.
-  gap = many(:, 1:2) - one(1:2);
   yes = true(size(many, 1), 1);
-  for yaw = {one(5), one(5) + pi / 2, many(:, 5), many(:, 5) + pi / 2}
-    apart = abs(gap(:, 1) .* cos(yaw{1}) + gap(:, 2) .* sin(yaw{1}));
-    yes = yes & apart < reach(one, yaw{1}) + reach(many, yaw{1});
-  end
-end
-
-function half = reach(rectangles, yaw)
-% How far they reach from their centers in a direction.
-  turn = yaw - rectangles(:, 5);
-  half = (rectangles(:, 3) .* abs(cos(turn)) + rectangles(:, 4) .* abs(sin(turn))) / 2;
+  if isempty(yes), return; end
+  % Their sides, and the ways between the centers, in the frame of the first one, then in theirs.
+  turn = many(:, 5) - one(5);
+  c = abs(cos(turn)) / 2;
+  s = abs(sin(turn)) / 2;
+  gap = many(:, 1:2) - one(1:2);
+  own = [gap(:, 1) * cos(one(5)) + gap(:, 2) * sin(one(5)), gap(:, 2) * cos(one(5)) - gap(:, 1) * sin(one(5))];
+  cosines = cos(many(:, 5));
+  sines = sin(many(:, 5));
+  theirs = [gap(:, 1) .* cosines + gap(:, 2) .* sines, gap(:, 2) .* cosines - gap(:, 1) .* sines];
+  yes = abs(own(:, 1)) < one(3) / 2 + many(:, 3) .* c + many(:, 4) .* s & ...
+        abs(own(:, 2)) < one(4) / 2 + many(:, 3) .* s + many(:, 4) .* c & ...
+        abs(theirs(:, 1)) < many(:, 3) / 2 + one(3) * c + one(4) * s & ...
+        abs(theirs(:, 2)) < many(:, 4) / 2 + one(3) * s + one(4) * c;
 end

@@ -53,10 +53,12 @@ def finger_turns(place, others):
         turns += [place.yaw, place.yaw + math.pi]
     # What is as high as the fingers, the bar that joins them, and the hand above it, must keep off
     # them.
-    fingers = footprint([it for it in others if it.top > place.top - place.size[2] + 0.02], 0.02)
-    bar = footprint([it for it in others if it.top > place.top + 0.3], 0.05)
-    hand = footprint([it for it in others if it.top > place.top + 0.6], 0.05)
-    return [turn for turn in turns if fits(place, turn, fingers, bar, hand)]
+    tops = np.array([it.top for it in others])
+    covered = footprint(others, 0.03)
+    at_fingers = covered[tops > place.top - place.size[2] + 0.02]
+    at_bar = covered[tops > place.top + 0.3]
+    at_hand = covered[tops > place.top + 0.6]
+    return [turn for turn in turns if fits(place, turn, at_fingers, at_bar, at_hand)]
 
 
 def fits(place, across, at_fingers, at_bar, at_hand):

@@ -30,7 +30,7 @@ function picture = pictureOf(blocks)
   flat = repmat([0.6, 0.5, 0.4], 480 * 640, 1);
   for it = blocks
     % The edges of rectangles, one below the other, are the sides. The top is drawn last.
-    for height = it.position(3) + it.size(3) * (-5:5) / 10
+    for height = it.position(3) + it.size(3) * (-5:2:5) / 10
       [x, y] = ontoPlane(row(:), column(:), robotEye(), height);
       x = x - it.position(1);
       y = y - it.position(2);

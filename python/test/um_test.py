@@ -45,7 +45,7 @@ def picture_of(blocks):
         (row.ravel() + 0.5 - 240) / EYE.intrinsics[1, 1], np.ones(row.size)]
     for it in blocks:
         # The edges of rectangles, one below the other, are the sides. The top is drawn last.
-        for height in np.linspace(it.top - it.size[2], it.top, 11):
+        for height in np.linspace(it.top - it.size[2], it.top, 6):
             x, y, _ = EYE.pose[:3, 3:] + ray * (height - EYE.pose[2, 3]) / ray[2]
             x, y = x - it.position[0], y - it.position[1]
             along = abs(x * math.cos(it.yaw) + y * math.sin(it.yaw))

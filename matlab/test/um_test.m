@@ -1,0 +1,230 @@
+% Tests the parts of the learner in matlab/um, without the simulator:
+%
+%   octave-cli matlab/test/um_test.m
+%
+% prints "ok", or what is wrong, and exits with 0 or 1. python/test/um_test.py claims the same of its
+% twin.
+here = fileparts(mfilename('fullpath'));
+addpath(fullfile(here, '..', 'um'));
+
+function check(is_true, claim)
+  if ~is_true, error('not so: %s', claim); end
+end
+
+function eye = robotEye()
+% Like the robot's, 56 degrees downwards.
+  f = 240 / tan(pi / 6);
+  tilt = 56.05 * pi / 180;
+  eye.intrinsics = [f, 0, 320; 0, f, 240; 0, 0, 1];
+  eye.pose = [1, 0, 0, 0; 0, -sin(tilt), cos(tilt), -6.1168; 0, -cos(tilt), -sin(tilt), 11.5921; ...
+              0, 0, 0, 1];
+end
+
+function it = block(color, size, x, y, bottom, yaw)
+  it = struct('color', color, 'size', size, 'position', [x, y, bottom + size(3) / 2], 'yaw', yaw);
+end
+
+function picture = pictureOf(blocks)
+% What the eye sees of them, the lower ones first: 480x640x3.
+  [column, row] = meshgrid(1:640, 1:480);
+  flat = repmat([0.6, 0.5, 0.4], 480 * 640, 1);
+  for it = blocks
+    % The edges of rectangles, one below the other, are the sides. The top is drawn last.
+    for height = it.position(3) + it.size(3) * (-5:2:5) / 10
+      [x, y] = ontoPlane(row(:), column(:), robotEye(), height);
+      x = x - it.position(1);
+      y = y - it.position(2);
+      along = abs(x * cos(it.yaw) + y * sin(it.yaw));
+      across = abs(y * cos(it.yaw) - x * sin(it.yaw));
+      hit = along <= it.size(1) / 2 & across <= it.size(2) / 2;
+      shade = 0.7;
+      if height == it.position(3) + it.size(3) / 2, shade = 1; end
+      flat(hit, :) = repmat(shade * it.color, sum(hit), 1);
+    end
+  end
+  picture = reshape(flat, 480, 640, 3);
+end
+
+function check_looking()
+  red = [1, 0, 0]; green = [0, 1, 0]; blue = [0, 0, 1];
+  cube = [1, 1, 1]; plank = [4, 1, 1];
+  blocks = [block(red, plank, -2.5, -1.2, 0, 0.4), block(green, cube, 2, -3.1, 0, -0.3), ...
+            block(red, cube, 4, -2, 0, 0), block(blue, cube, 4, -2, 1, 0.2), ...
+            block(green, plank, 0.2, -2.6, 0, pi / 2 - 0.1)];
+  found = findBlocks(pictureOf(blocks), robotEye(), blocks);
+  blocks(3) = [];
+  check(numel(found) == numel(blocks), 'all are found but the one below another');
+  for it = blocks
+    same = found(arrayfun(@(other) norm(other.position - it.position) < 0.01, found));
+    check(numel(same) == 1, 'a block is found within a hundredth of a unit');
+    check(isequal(same.size, it.size), 'it is as large as it is');
+    check(turnBetween(it, same.yaw) < 0.5 * pi / 180, 'and turned as it is');
+  end
+
+  seen = [block(red, cube, 1, -2, 0, 0), block(red, plank, -2, -2, 0, 0), block(blue, cube, 3, -2, 0, 0)];
+  check(isequal({findBlocks(pictureOf(seen), robotEye(), seen(1)).color}, {red}), ...
+        'only blocks of the wanted size and color are found');
+  found = findBlocks(pictureOf(seen), robotEye(), block([], cube, 0, 0, 0, 0));
+  check(isequal({found.color}, {blue, red}), 'of any color where color does not matter');
+
+  mask = logical([0, 1, 0, 1; 1, 1, 0, 1; 0, 0, 1, 0; 1, 0, 1, 1]);
+  check(isequal(labelRegions(mask), [0, 1, 0, 4; 1, 1, 0, 4; 0, 0, 3, 0; 2, 0, 3, 3]), ...
+        'regions are numbered by their first pixel');
+end
+
+function check_places()
+  [a, b] = meshgrid((-20:20) / 40);
+  share = [a(:), b(:)];
+  one = [0.3, -0.2, 2.0, 0.7, 0.4];
+  many = [5 * halton(200, 2) - 2.5, 5 * halton(200, 3) - 2.5, 0.5 + 2.5 * halton(200, 5), ...
+          0.5 + 2.5 * halton(200, 7), 8 * halton(200, 11) - 4];
+  answers = overlap(one, many);
+  for i = 1:rows(many)
+    % Points lie up to 0.08 apart, so rectangles as much larger or smaller bracket the truth.
+    if haveCommonPoint(one, many(i, :), share, -0.15), check(answers(i), 'these overlap'); end
+    if ~haveCommonPoint(one, many(i, :), share, 0.15), check(~answers(i), 'these are apart'); end
+  end
+  check(sum(answers) > 30 && sum(~answers) > 30, 'overlap says both');
+
+  red = [1, 0, 0];
+  middle = block(red, [1, 1, 1], 0, -2, 0, 0);
+  beside = [block(red, [1, 1, 1], -1.1, -2, 0, 0), block(red, [1, 1, 1], 1.1, -2, 0, 0)];
+  before = block(red, [1, 1, 1], 0, -3.1, 0, 0);
+  check(numel(fingerTurns(middle, noBlocks())) == 4, 'fingers go anywhere at a cube that stands alone');
+  turns = fingerTurns(middle, beside);
+  check(numel(turns) == 2 && all(abs(cos(turns)) < 1e-9), 'between two others there is one way');
+  check(isempty(fingerTurns(block(red, [4, 1, 1], 0, -3.1, 0, 0), middle)), 'or none');
+  check(isWalledIn(middle, [beside, before]), 'with a third before it, it is walled in');
+  check(~isWalledIn(middle, block(red, [1, 1, 1], 4, -2, 0, 0)), 'but not by one far away');
+end
+
+function numbers = halton(count, base)
+% Numbers between 0 and 1, evenly strewn.
+  numbers = zeros(count, 1);
+  for i = 1:count
+    share = 1;
+    rest = i;
+    while rest > 0
+      share = share / base;
+      numbers(i) = numbers(i) + share * mod(rest, base);
+      rest = floor(rest / base);
+    end
+  end
+end
+
+function yes = haveCommonPoint(one, other, share, grow)
+  c = cos(other(5));
+  s = sin(other(5));
+  points = (share .* (other(3:4) + grow)) * [c, s; -s, c] + other(1:2) - one(1:2);
+  c = cos(one(5));
+  s = sin(one(5));
+  yes = any(all(abs(points * [c, -s; s, c]) <= (one(3:4) + grow) / 2, 2));
+end
+
+function check_understanding()
+% A plank lies there; a red cube is put on it, another stays where it is, one moves twice.
+  folder = tempname();
+  mkdir(folder);
+  mkdir(folder, 'rgb');
+  remove = onCleanup(@() removeFolder(folder));
+  eye = robotEye();
+  names = {'Plank', 'Red', 'Other', 'Blue'};
+  objects = [block([0, 1, 0], [1, 4, 1], -2, -2, 0, 0.2), block([1, 0, 0], [1, 1, 1], 3, -3, 0, 0), ...
+             block([1, 0, 0], [1, 1, 1], 3, -1, 0, 0), block([0, 0, 1], [1, 1, 1], 1, -4, 0, 0)];
+  imwrite(uint8(255 * pictureOf(objects)), fullfile(folder, 'rgb', '0.png'));
+  tilt = -(90 + 56.05) / 2 * pi / 180;
+  info.meters_per_unit = 0.1;
+  info.eye = struct('fx', eye.intrinsics(1, 1), 'fy', eye.intrinsics(2, 2), 'cx', 320, 'cy', 240, ...
+                    'position_m', eye.pose(1:3, 4)' / 10, ...
+                    'rotation_wxyz', [cos(tilt), sin(tilt), 0, 0]);
+  write(folder, 'demo.json', {jsonencode(info)});
+  lines = {};
+  for i = 1:4, lines{end + 1} = sprintf('0,create,%s,shape,block', names{i}); end
+  for i = 1:4
+    lines{end + 1} = sprintf('0,move,%s,%.3f,%.3f,%.3f,0.0,-0.0,%.12f', names{i}, ...
+                             objects(i).position, objects(i).yaw * 180 / pi);
+  end
+  write(folder, '0.txt', lines);
+  write(folder, '1.txt', {'3,grasp,LeftHand,Blue', '5,move,Blue,0.0,-4.0,2.0,0.0,0.0,0.0', ...
+                          '6,release,LeftHand', '6,move,Blue,0.0,-4.0,0.5,0.0,0.0,0.0'});
+  write(folder, '2.txt', {'7,grasp,AnyHand,Red', '9,release,AnyHand', ...
+                          '9,move,Red,-2.0,-1.5,1.5,1.0E-4,0.0,95.0', '10,grasp,LeftHand,Blue', ...
+                          '11,release,LeftHand', '11,move,Blue,-2.0,-1.5,2.5,0.0,0.0,0.0'});
+
+  demo = readDemonstration(folder);
+  steps = understand(demo, struct('object', {'Blue'}, 'properties', {{'size'}}));
+  check(isequal({steps.name}, {'Plank', 'Red', 'Blue'}), 'steps come in the order of building');
+  check(isequal({steps.on}, {[], 1, 2}), 'each stands on the one before');
+  check(max(abs(steps(1).size - [4, 1, 1])) < 0.03, 'the longer side of the plank comes first');
+  check(turnBetween(steps(1), 0.2 + pi / 2) < 1e-9, 'and tells how it is turned');
+  check(norm(steps(2).position - [-2, -1.5, 1.5]) < 1e-9, 'a place is that of the last move');
+  check(abs(steps(2).yaw - 95 * pi / 180) < 1e-9, 'and so is a turn');
+  check(max(abs(steps(2).color - [1, 0, 0])) < 0.01, 'the color is read from the picture');
+  check(isempty(steps(3).color), 'the demonstrator said that only the size of Blue matters');
+
+  delete(fullfile(folder, 'rgb', '0.png'));
+  said = '';
+  try
+    understand(demo, []);
+  catch problem
+    said = problem.message;
+  end
+  check(~isempty(strfind(said, 'no picture of the demonstration shows Plank')), ...
+        'what cannot be seen is said');
+end
+
+function removeFolder(folder)
+  confirm_recursive_rmdir(false, 'local');
+  rmdir(folder, 's');
+end
+
+function write(folder, name, lines)
+  file = fopen(fullfile(folder, name), 'w');
+  fprintf(file, '%s\n', lines{:});
+  fclose(file);
+end
+
+function check_deciding()
+  red = [1, 0, 0]; green = [0, 1, 0]; blue = [0, 0, 1];
+  cube = [1, 1, 1];
+  steps = [asStep(block(red, cube, 0, -2, 0, 0)), asStep(block(green, cube, 0, -2, 1, 0)), ...
+           asStep(block(green, cube, -3, -2, 0, 0))];
+  building = startBuilding(steps);
+  building.known = [block(red, cube, 0.1, -2, 0, 0), block(red, cube, 0.05, -2, 0, pi), ...
+                    block(red, cube, 0, -2, 1, 0)];
+  [building, used] = compare(building);
+  check(isequal(used, logical([0, 1, 0])), 'the block near its place is in it');
+  check(isequal(building.done, logical([1, 0, 0])), 'that makes the step done');
+
+  building.known = [block(red, cube, 4, -3, 0, 0), block(red, cube, 3, -2, 0, 0), ...
+                    block(blue, cube, 0.3, -2.2, 0, 0), block(blue, cube, 3, -2, 1, 0)];
+  moves = proposeMoves(building, 1, 1:4);
+  check(isequal([moves.block], [3, 4]), 'what is in the way comes first, and without a goal');
+  check(all(cellfun(@isempty, {moves.goal})), 'neither is put where a red one belongs');
+  moves = proposeMoves(building, 1, [1, 2, 4]);
+  check(isequal([moves.block], [1, 4]), 'then a wanted block; what is covered waits');
+  check(isequal(cellfun(@isempty, {moves.goal}), logical([0, 1])), 'only red ones have a goal');
+
+  tower = [block(red, cube, 0, -4, 0, 0), block(green, cube, 0, -4, 1, 0)];
+  gone = block(blue, cube, 3, -2, 0, 0);
+  known = remember([tower(1), gone], tower(2), pictureOf(tower), robotEye());
+  check(isequal(known, tower([2, 1])), 'what is hidden is remembered, what has gone is not');
+end
+
+function step = asStep(it)
+  step = it;
+  step.name = 'step';
+  step.on = [];
+end
+
+try
+  check_looking();
+  check_places();
+  check_understanding();
+  check_deciding();
+catch err
+  fprintf('%s\n', err.message);
+  exit(1);
+end
+fprintf('ok\n');
+exit(0);

@@ -1,0 +1,231 @@
+"""Tests the parts of the learner in python/um, without the simulator: um_test.py, with python/um on
+the path. matlab/test/um_test.m claims the same of its twin.
+"""
+
+import json
+import math
+import tempfile
+import unittest
+from pathlib import Path
+
+import numpy as np
+from PIL import Image
+
+from blocks import Block, Step, turn_between
+from deciding import Building, Move, compare, open_steps, propose_moves, remember
+from demonstration import read_demonstration, understand
+from looking import Eye, find_blocks, label_regions, to_pixel
+from places import finger_turns, is_walled_in, overlap
+
+RED, GREEN, BLUE = np.eye(3)
+CUBE = np.array([1.0, 1, 1])
+PLANK = np.array([4.0, 1, 1])
+TABLE = np.array([0.6, 0.5, 0.4])
+TILT = math.radians(56.05)  # of the robot's eye, downwards
+EYE = Eye(np.array([[240 / math.tan(math.pi / 6), 0, 320], [0, 240 / math.tan(math.pi / 6), 240],
+                    [0, 0, 1]]),
+          np.array([[1, 0, 0, 0], [0, -math.sin(TILT), math.cos(TILT), -6.1168],
+                    [0, -math.cos(TILT), -math.sin(TILT), 11.5921], [0, 0, 0, 1]]))
+
+
+def block(color, size, x, y, bottom=0.0, yaw=0.0):
+    return Block(color, size, np.array([x, y, bottom + size[2] / 2]), yaw)
+
+
+def step(it, on):
+    return Step(it.color, it.size, it.position, it.yaw, "step", on)
+
+
+def picture_of(blocks):
+    """What the eye sees of them, the lower ones first: 480x640x3."""
+    picture = np.tile(TABLE, (480, 640, 1))
+    row, column = np.indices((480, 640))
+    ray = EYE.pose[:3, :3] @ [
+        (column.ravel() + 0.5 - 320) / EYE.intrinsics[0, 0],
+        (row.ravel() + 0.5 - 240) / EYE.intrinsics[1, 1], np.ones(row.size)]
+    for it in blocks:
+        # The edges of rectangles, one below the other, are the sides. The top is drawn last.
+        for height in np.linspace(it.top - it.size[2], it.top, 6):
+            x, y, _ = EYE.pose[:3, 3:] + ray * (height - EYE.pose[2, 3]) / ray[2]
+            x, y = x - it.position[0], y - it.position[1]
+            along = abs(x * math.cos(it.yaw) + y * math.sin(it.yaw))
+            across = abs(y * math.cos(it.yaw) - x * math.sin(it.yaw))
+            hit = ((along <= it.size[0] / 2) & (across <= it.size[1] / 2)).reshape(480, 640)
+            picture[hit] = it.color * (1 if height == it.top else 0.7)
+    return picture
+
+
+class LookingTest(unittest.TestCase):
+    def assert_found(self, found, expected):
+        same = [it for it in found if np.linalg.norm(it.position - expected.position) < 0.01]
+        self.assertEqual(len(same), 1, f"{expected} is not among {found}")
+        np.testing.assert_allclose(same[0].size, expected.size)
+        self.assertLess(turn_between(expected, same[0].yaw), math.radians(0.5))
+
+    def test_blocks_are_found_within_a_hundredth_of_a_unit(self):
+        blocks = [block(RED, PLANK, -2.5, -1.2, yaw=0.4), block(GREEN, CUBE, 2, -3.1, yaw=-0.3),
+                  block(RED, CUBE, 4, -2), block(BLUE, CUBE, 4, -2, bottom=1, yaw=0.2),
+                  block(GREEN, PLANK, 0.2, -2.6, yaw=math.pi / 2 - 0.1)]
+        found = find_blocks(picture_of(blocks), EYE, blocks)
+        hidden = blocks.pop(2)
+        for expected in blocks:
+            self.assert_found(found, expected)
+        self.assertEqual(len(found), len(blocks), f"{hidden} is below another")
+
+    def test_only_wanted_blocks_are_found(self):
+        seen = [block(RED, CUBE, 1, -2), block(RED, PLANK, -2, -2), block(BLUE, CUBE, 3, -2)]
+        [found] = find_blocks(picture_of(seen), EYE, seen[:1])
+        np.testing.assert_allclose(found.position, [1, -2, 0.5], atol=0.01)
+        any_cube = block(None, CUBE, 0, 0)
+        found = find_blocks(picture_of(seen), EYE, [any_cube])
+        self.assertEqual([it.color.tolist() for it in found], [[0, 0, 1], [1, 0, 0]])
+
+    def test_regions_are_numbered_by_their_first_pixel(self):
+        mask = np.array([[0, 1, 0, 1], [1, 1, 0, 1], [0, 0, 1, 0], [1, 0, 1, 1]], bool)
+        np.testing.assert_array_equal(
+            label_regions(mask), [[0, 1, 0, 4], [1, 1, 0, 4], [0, 0, 3, 0], [2, 0, 3, 3]])
+
+    def test_regions_that_meet_late_are_one(self):
+        spiral = np.zeros((40, 40), bool)
+        spiral[::2] = True
+        self.assertEqual(label_regions(spiral).max(), 20)
+        spiral[:, 39] = True
+        self.assertEqual(label_regions(spiral).max(), 1)
+
+
+class PlacesTest(unittest.TestCase):
+    def test_overlap_agrees_with_points_inside_both(self):
+        random = np.random.default_rng(1)
+        share = np.stack(np.meshgrid(*[np.linspace(-0.5, 0.5, 41)] * 2), -1).reshape(-1, 2)
+        one = np.array([0.3, -0.2, 2.0, 0.7, 0.4])
+        many = np.column_stack([random.uniform(-2.5, 2.5, (300, 2)),
+                                random.uniform(0.5, 3, (300, 2)), random.uniform(-4, 4, 300)])
+        answers = overlap(one, many)
+        for rectangle, answer in zip(many, answers):
+            def has_common_point(grow):
+                sides = rectangle[2:4] + grow
+                c, s = np.cos(rectangle[4]), np.sin(rectangle[4])
+                points = (share * sides) @ [[c, s], [-s, c]] + rectangle[:2] - one[:2]
+                c, s = np.cos(one[4]), np.sin(one[4])
+                inside = np.abs(points @ [[c, -s], [s, c]]) <= (one[2:4] + grow) / 2
+                return inside.all(axis=1).any()
+
+            # Points lie up to 0.08 apart, so as much larger or smaller ones bracket the truth.
+            if has_common_point(-0.15):
+                self.assertTrue(answer, rectangle)
+            if not has_common_point(0.15):
+                self.assertFalse(answer, rectangle)
+        self.assertGreater(answers.sum(), 50)
+        self.assertGreater((~answers).sum(), 50)
+
+    def test_fingers_go_where_there_is_room(self):
+        middle = block(RED, CUBE, 0, -2)
+        left, right = block(GREEN, CUBE, -1.1, -2), block(GREEN, CUBE, 1.1, -2)
+        self.assertEqual(len(finger_turns(middle, [])), 4)
+        np.testing.assert_allclose(np.sin(finger_turns(middle, [left, right])), [1, -1])
+        self.assertEqual(finger_turns(block(RED, PLANK, 0, -3.1), [middle]), [])
+        self.assertTrue(is_walled_in(middle, [left, right, block(BLUE, CUBE, 0, -3.1)]))
+        self.assertFalse(is_walled_in(middle, [block(BLUE, CUBE, 4, -2)]))
+
+
+class UnderstandingTest(unittest.TestCase):
+    """A plank lies there; a red cube is put on it, another stays where it is, one moves twice."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+        quarter = np.array([1.0, 4, 1])  # a plank that is longer along its y axis
+        self.objects = {"Plank": block(GREEN, quarter, -2, -2, yaw=0.2),
+                        "Red": block(RED, CUBE, 3, -3), "Other": block(RED, CUBE, 3, -1),
+                        "Blue": block(BLUE, CUBE, 1, -4)}
+        (self.folder / "rgb").mkdir()
+        picture = picture_of(self.objects.values())
+        Image.fromarray((picture * 255).round().astype("u1")).save(self.folder / "rgb/0.png")
+        tilt = -(math.pi / 2 + TILT) / 2
+        (self.folder / "demo.json").write_text(json.dumps({"meters_per_unit": 0.1, "eye": {
+            "fx": EYE.intrinsics[0, 0], "fy": EYE.intrinsics[1, 1], "cx": 320.0, "cy": 240.0,
+            "position_m": list(EYE.pose[:3, 3] / 10),
+            "rotation_wxyz": [math.cos(tilt), math.sin(tilt), 0.0, 0.0]}}))
+        self.write(0, [f"0,create,{name},shape,block" for name in self.objects] + [
+            f"0,move,{name},{it.position[0]},{it.position[1]},{it.position[2]},0.0,-0.0,"
+            f"{math.degrees(it.yaw)}" for name, it in self.objects.items()])
+        self.write(1, ["3,grasp,LeftHand,Blue", "5,move,Blue,0.0,-4.0,2.0,0.0,0.0,0.0",
+                       "6,release,LeftHand", "6,move,Blue,0.0,-4.0,0.5,0.0,0.0,0.0"])
+        self.write(2, ["7,grasp,AnyHand,Red", "9,release,AnyHand",
+                       "9,move,Red,-2.0,-1.5,1.5,1.0E-4,0.0,95.0",
+                       "10,grasp,LeftHand,Blue", "11,release,LeftHand",
+                       "11,move,Blue,-2.0,-1.5,2.5,0.0,0.0,0.0"])
+
+    def write(self, segment, lines):
+        (self.folder / f"{segment}.txt").write_text("\n".join(lines) + "\n")
+
+    def test_steps_come_in_the_order_of_building(self):
+        steps = understand(read_demonstration(self.folder), {"Blue": ["size"]})
+        self.assertEqual([step.name for step in steps], ["Plank", "Red", "Blue"])
+        plank, red, blue = steps
+        self.assertEqual([step.on for step in steps], [[], [0], [1]])
+        np.testing.assert_allclose(plank.size, [4, 1, 1], atol=0.03)  # the longer side comes first
+        self.assertLess(turn_between(plank, 0.2 + math.pi / 2), 1e-9)
+        np.testing.assert_allclose(red.position, [-2, -1.5, 1.5])
+        self.assertAlmostEqual(red.yaw, math.radians(95))
+        np.testing.assert_allclose(red.color, RED)
+        self.assertIsNone(blue.color, "the demonstrator said that only its size matters")
+
+    def test_what_cannot_be_understood_is_said(self):
+        with self.assertRaisesRegex(FileNotFoundError, "there is no recording in .*0.txt"):
+            read_demonstration(self.folder / "rgb")
+        demo = read_demonstration(self.folder)
+        demo.placed.clear()
+        with self.assertRaisesRegex(ValueError, "no hand moved anything"):
+            understand(demo, {})
+        (self.folder / "rgb/0.png").unlink()
+        with self.assertRaisesRegex(ValueError, "no picture of the demonstration shows Plank"):
+            understand(read_demonstration(self.folder), {})
+
+
+class DecidingTest(unittest.TestCase):
+    def setUp(self):
+        self.steps = [step(block(RED, CUBE, 0, -2), []),
+                      step(block(GREEN, CUBE, 0, -2, bottom=1), [0]),
+                      step(block(GREEN, CUBE, -3, -2), [])]
+
+    def test_a_block_in_its_place_makes_the_step_done(self):
+        building = Building(self.steps)
+        there, elsewhere = block(RED, CUBE, 0.05, -2, yaw=math.pi), block(RED, CUBE, 0.1, -2)
+        building.known = [elsewhere, there, block(RED, CUBE, 0, -2, bottom=1)]
+        self.assertEqual(compare(building), [there])
+        self.assertEqual(building.done, [True, False, False])
+        self.assertAlmostEqual(building.miss[0][0], 0.05)
+
+    def test_a_step_is_open_when_what_it_stands_on_is_done(self):
+        building = Building(self.steps)
+        self.assertEqual(open_steps(building), [0, 2])
+        building.done[0] = True
+        self.assertEqual(open_steps(building), [1, 2])
+
+    def test_what_is_in_the_way_comes_first_and_what_is_covered_waits(self):
+        near, far = block(RED, CUBE, 3, -2), block(RED, CUBE, 4, -3)
+        in_way = block(BLUE, CUBE, 0.3, -2.2)
+        on_near = block(BLUE, CUBE, 3, -2, bottom=1)
+        building = Building(self.steps)
+        building.known = [far, near, in_way, on_near]
+        moves = propose_moves(building, self.steps[0], building.known)
+        self.assertEqual(moves, [Move(in_way), Move(on_near)])
+        building.known.remove(in_way)
+        moves = propose_moves(building, self.steps[0], building.known)
+        self.assertEqual(moves, [Move(far, self.steps[0]), Move(on_near)])
+
+    def test_what_is_hidden_is_remembered_but_not_what_has_gone(self):
+        tower = block(RED, CUBE, 0, -4), block(GREEN, CUBE, 0, -4, bottom=1)
+        gone = block(BLUE, CUBE, 3, -2)
+        known = [tower[0], gone]
+        self.assertEqual(remember(known, [tower[1]], picture_of(tower), EYE), [tower[1], tower[0]])
+
+    def test_the_eye_sees_the_middle_of_the_picture_where_it_looks(self):
+        ahead = EYE.pose[:3, 3] + 9 * EYE.pose[:3, 2]
+        np.testing.assert_allclose(to_pixel(ahead, EYE), [320, 240])
+
+
+if __name__ == "__main__":
+    unittest.main()

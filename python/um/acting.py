@@ -1,0 +1,78 @@
+"""Actions: what the arms do one after the other, each carried out step by step."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from smile.motion import Trajectory
+
+ARMS = ("left", "right")
+
+
+@dataclass
+class Action:
+    """Something to do, and what must be remembered of it from step to step."""
+
+    kind: str  # 'look'
+    #            'follow' a path, with an arm
+    #            'grip': the arm's fingers are brought to an opening
+    #            'take': they close on a block of a width
+    arm: int = 0  # 0 is the left one
+    path: Trajectory = None
+    to: float = 0  # [units]
+    width: float = 0  # [units]
+
+    time: float = 0  # since it began [s]
+    opening: float = np.inf  # where the fingers came to rest [units]
+    rest: float = 0  # for how long [s]
+
+
+def carry_out(action, sensor, motor):
+    """One step of an action. Returns 'busy', 'done', or what went wrong."""
+    motor.jointVelocities[:] = 0
+    motor.gripperVelocities[:] = 0
+    action.time += sensor.timeElapsed
+    return {"look": look, "follow": follow, "grip": grip, "take": take}[action.kind](
+        action, sensor, motor)
+
+
+def look(action, sensor, motor):
+    # Images come only now and then; the first may be of a moment when the arm still moved.
+    return "done" if "rgbVision" in sensor and action.time > 0.1 else "busy"
+
+
+def follow(action, sensor, motor):
+    q = sensor.jointAngles[action.arm]
+    # It is over when the joints have arrived, whatever the clock says.
+    late = action.time - action.path.duration
+    if late > 0 and np.abs(action.path.positions[-1] - q).max() < 0.001:
+        return "done"
+    wanted, _ = action.path.at(action.time)
+    motor.jointVelocities[action.arm] = (wanted - q) / sensor.timeElapsed
+    return "something is in the way of the arm" if late > 1.5 else "busy"
+
+
+def grip(action, sensor, motor):
+    gap = action.to - gripper_opening(action, sensor)
+    if abs(gap) < 0.02:
+        return "done"
+    motor.gripperVelocities[action.arm] = np.clip(gap / sensor.timeElapsed, -3, 3)
+    return "something keeps the fingers from opening" if action.time > 3 else "busy"
+
+
+def take(action, sensor, motor):
+    """Closes until the fingers stop. Between them must then be the block."""
+    opening = gripper_opening(action, sensor)
+    if abs(opening - action.opening) > 0.001:
+        action.opening = opening
+        action.rest = 0
+    action.rest += sensor.timeElapsed
+    if action.rest < 0.1:
+        motor.gripperVelocities[action.arm] = -2
+        return "busy"
+    if abs(opening - action.width) < 0.15:
+        return "done"
+    return "the fingers closed to %.2f units, on no block" % opening
+
+
+def gripper_opening(action, sensor):
+    return sensor.gripperOpening.ravel()[action.arm]

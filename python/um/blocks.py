@@ -1,0 +1,60 @@
+"""Blocks, and the steps of a building: what the learner knows of the world."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+
+@dataclass(eq=False)
+class Block:
+    """A block as it was seen."""
+
+    color: np.ndarray  # red green blue, 3 numbers from 0 to 1
+    size: np.ndarray  # its longer side, the shorter one, and its height [units]
+    position: np.ndarray  # of its centre, x y z [units]
+    yaw: float  # of its longer side [rad]
+
+    @property
+    def top(self):
+        """Height of its top [units]."""
+        return self.position[2] + self.size[2] / 2
+
+
+@dataclass(eq=False)
+class Step(Block):
+    """A block as it was built, and shall be again. Its color is None where that does not matter."""
+
+    name: str  # of the object in the demonstration, for people
+    on: list  # numbers of the steps that it stands on; none for the table
+
+    def __str__(self):
+        return "%s (%.3g x %.3g x %.3g)" % (self.name, *self.size)
+
+
+def is_like(block, step):
+    """Whether a block that was seen may play the part of a step's."""
+    return same_color(step.color, block.color) and same_size(step.size, block.size)
+
+
+def same_color(wanted, color):
+    """Whether a color is the wanted one; None wants any."""
+    return wanted is None or np.abs(wanted - color).max() < 0.05
+
+
+def same_size(a, b):
+    """Whether two blocks are equally large, as far as pictures can tell."""
+    return np.abs(a / b - 1).max() < 0.08
+
+
+def has_equal_sides(block):
+    """Whether a quarter of a turn makes no difference to how the block looks."""
+    return block.size[0] < 1.1 * block.size[1]
+
+
+def turn_between(block, yaw):
+    """By how much a block would have to turn to have a yaw, at most [rad]: one with four equal
+    sides looks the same every 90 degrees, any other every 180."""
+    period = math.pi / 2 if has_equal_sides(block) else math.pi
+    turn = yaw - block.yaw
+    return abs(turn - period * round(turn / period))

@@ -1,0 +1,167 @@
+"""Plans how an arm carries a block from one place to another."""
+
+import math
+
+import numpy as np
+
+from acting import ARMS, Action
+from places import finger_turns, footprint, overlap
+
+# The angles of an arm that is turned outwards, beside the table and higher than what is built: out
+# of the eye's sight and of the other arm's way. The fingers point straight down. Row 0 is the left
+# arm; the right one is the left one in a mirror.
+PARKED = np.array([1.315, -1.0540, -0.95, 1.795, 0.4738, 1.0776, -0.2123]) * [
+    [1, 1, 1, 1, 1, 1, 1], [-1, 1, -1, 1, -1, 1, -1]]
+LONGEST = 6  # so long a straight way may take [s]; past a stretched arm it would take longer
+
+
+def plan_carry(robot, block, goal, others, q):
+    """The actions that bring a block to a goal (a Block or Step) and end with a look.
+
+    others: blocks that are not to be touched
+    q:      2x7, where the arms are [rad]
+    Returns actions and None, or [] and the reason if no arm can.
+    """
+    takes = finger_turns(block, others)
+    puts = finger_turns(goal, others)
+    if not takes or not puts:
+        return [], "there is no room for the fingers"
+    height = carrying_height([*others, block], goal)
+    arms = [1, 0] if block.position[0] + goal.position[0] > 0 else [0, 1]
+    for arm in arms:
+        for put in puts:
+            for take in takes:
+                actions = carry_with(robot, arm, block, take, goal, put, height, others, q)
+                if actions:
+                    return actions, None
+    return [], "no arm reaches both where it is and where it shall be"
+
+
+def carrying_height(blocks, goal):
+    """Of the tool [units]: a held block passes over everything, and empty fingers do, also over the
+    block once it is placed."""
+    highest = max(block.top for block in blocks)
+    bottom = goal.position[2] - goal.size[2] / 2
+    return max(max(highest, bottom) + goal.size[2],
+               max(highest, bottom + goal.size[2]) + 0.75) + 0.2
+
+
+def carry_with(robot, arm, block, take, goal, put, height, others, q):
+    """The actions that carry a block with one arm, the fingers turned as told at either place
+    [rad]; [] if that arm cannot.
+
+    height: of the tool on the way [units]
+    """
+    opening = block.size[1] + 0.2
+    grip = np.array([0, 0, block.size[2] / 2 - 0.2])  # where the tool holds it, from its centre
+    start = tool_pose(block.position + grip, take)
+    over_start = at_height(start, height)
+    end = tool_pose(goal.position + grip + [0, 0, 0.01], put)
+    over_end = at_height(end, height)
+    for first in (PARKED[arm], robot.pose(ARMS[arm], "untucked"), robot.pose(ARMS[arm], "neutral")):
+        above = reach(robot, arm, [over_start, start, over_end, end], first)
+        if above is None:
+            continue
+        path = [move_joints(robot, arm, [q[arm], above])]
+        for pose in (start, over_start, over_end, end, over_end):
+            path.append(move_line(robot, arm, path[-1], pose))
+            if not path[-1]:
+                break
+        if not path[-1]:
+            continue
+        path.append(move_joints(robot, arm, [path[-1].positions[-1], PARKED[arm]]))
+        to_block, down, up, over, to_goal, up_again, to_park = path
+        if not all(arm_clears(robot, arm, at.positions[-1], others) for at in (down, to_goal)):
+            continue
+        if not all(is_safe(robot, move) for move in path):
+            continue
+        return [Action("grip", arm, to=opening), Action("follow", arm, to_block),
+                Action("follow", arm, down), Action("take", arm, width=block.size[1]),
+                Action("follow", arm, up), Action("follow", arm, over),
+                Action("follow", arm, to_goal), Action("grip", arm, to=opening),
+                Action("follow", arm, up_again), Action("follow", arm, to_park), Action("look")]
+    return []
+
+
+def reach(robot, arm, poses, q):
+    """The angles for the first of some poses, if all of them can be reached one from the other;
+    else None."""
+    found = []
+    for pose in poses:
+        q = robot.inverse(ARMS[arm], pose, q, max_iterations=200)
+        if q is None:
+            return None
+        found.append(q)
+    return found[0]
+
+
+def is_within_reach(robot, arm, place):
+    """Whether an arm gets its tool to a block's place, and 2 units above it."""
+    x, y, z = place.position
+    return any(
+        reach(robot, arm, [tool_pose([x, y, z + 2], across), tool_pose([x, y, z + 0.3], across)],
+              PARKED[arm]) is not None
+        for across in (place.yaw + math.pi / 2, place.yaw - math.pi / 2))
+
+
+def arm_clears(robot, arm, q, blocks):
+    """Whether the forearm of an arm that holds its tool straight down keeps off blocks. (What the
+    hand itself needs, finger_turns knows.)"""
+    hand = 3.11  # from the tool up to the wrist [units]
+    forearm = 3.74  # from there to the elbow
+    radius = 0.65
+    wrist = robot.forward(ARMS[arm], q)[:3, 3] + [0, 0, hand]
+    along = -forearm * robot.jacobian(ARMS[arm], q)[3:, 4]  # joint W0 turns about the forearm
+    for share in np.arange(11) / 10:
+        x, y, z = wrist + share * along
+        below = footprint([block for block in blocks if block.top > z - radius], radius)
+        if overlap([x, y, 0, 0, 0], below).any():
+            return False
+    return True
+
+
+def is_safe(robot, path):
+    """Whether an arm can go along a path while the other one is parked."""
+    return robot.first_invalid(path, q_both=PARKED) is None
+
+
+def tool_pose(point, across):
+    """The tool, fingers straight down, at a point (x y z [units]); across is the direction from
+    finger to finger, seen from above [rad]. 4x4."""
+    c, s = math.cos(across), math.sin(across)
+    x, y, z = point
+    return np.array([[-s, c, 0, x], [c, s, 0, y], [0, 0, -1, z], [0, 0, 0, 1]])
+
+
+def at_height(pose, height):
+    """A pose, moved straight up or down [units]."""
+    pose = pose.copy()
+    pose[2, 3] = height
+    return pose
+
+
+def move_joints(robot, arm, waypoints):
+    return robot.move_joints(ARMS[arm], waypoints, speed=0.9)
+
+
+def move_line(robot, arm, before, goal):
+    """A straight way from the end of another path to a pose; None if there is none, or if it takes
+    too long."""
+    path, _ = robot.move_line(ARMS[arm], before.positions[-1], goal, speed=0.9)
+    return path if path and path.duration <= LONGEST else None
+
+
+def retreat(robot, arm, q):
+    """The actions of an arm that was stopped: it lets go, goes up as far as possible, parks and
+    looks again. q: 2x7, where the arms are [rad]."""
+    actions = [Action("grip", arm, to=1.6)]
+    here = robot.forward(ARMS[arm], q[arm])
+    q = q[arm]
+    for height in np.arange(5, here[2, 3] + 0.5, -0.5):
+        path, _ = robot.move_line(ARMS[arm], q, at_height(here, height), speed=0.5)
+        if path:
+            actions.append(Action("follow", arm, path))
+            q = path.positions[-1]
+            break
+    to_park = move_joints(robot, arm, [q, PARKED[arm]])
+    return [*actions, Action("follow", arm, to_park), Action("look")]

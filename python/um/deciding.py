@@ -1,0 +1,302 @@
+"""What is known of this scene, how far the building is, and what to do next."""
+
+import math
+from dataclasses import dataclass, field, replace
+from typing import NamedTuple, Optional
+
+import numpy as np
+
+from acting import Action
+from blocks import Block, Step, has_equal_sides, is_like, turn_between
+from carrying import is_within_reach, plan_carry
+from looking import find_blocks, pixel_at, to_pixel, unpacked
+from places import finger_turns, footprint, grip_room, is_walled_in, overlap
+
+MOST_TRIES = 4  # to carry a step's block to its place
+MOST_TIDIED = 20  # blocks put aside for one step
+NEAR = 0.07  # so far a block may be off [units]
+EVEN = 0.06  # so far it may be turned [rad]
+
+
+@dataclass
+class Building:
+    """What the brain remembers of the building."""
+
+    steps: list  # what was shown; once a site is chosen, where it shall be in this scene
+    has_site: bool = False
+    known: list = field(default_factory=list)  # the blocks, where they were last seen
+    done: list = field(init=False)  # whether each step's block is in its place
+    tries: list = field(init=False)  # how often each step's block was carried there so far
+    tidied: int = 0  # how often blocks were put aside since the last step was done
+    miss: dict = field(default_factory=dict)  # of a step: how far off its block was, units and rad
+    stuck: int = 0  # how many steps in a row could not be gone on with, and
+    trouble: str = ""  # why the first of them could not
+    summary: str = ""  # one line for people, at the end
+
+    def __post_init__(self):
+        self.done = [False] * len(self.steps)
+        self.tries = [0] * len(self.steps)
+
+
+class Move(NamedTuple):
+    """Something that might be moved next."""
+
+    block: Block  # one of those known
+    goal: Optional[Step] = None  # None puts the block aside, where it disturbs nothing
+
+
+def decide(building, sensor, eye, robot):
+    """Looks where the blocks are and says what to do next: actions; [] when all is built or nothing
+    helps."""
+    picture = sensor.rgbVision / 255
+    seen = find_blocks(picture, eye, building.steps)
+    building.known = remember(building.known, seen, picture, eye)
+    if not building.has_site:
+        choose_site(building, robot)
+        if not building.has_site:
+            return []
+
+    used = compare(building)
+    steps = open_steps(building)
+    if not steps:
+        far, turned = np.max(list(building.miss.values()), axis=0)
+        building.summary = "built, as seen within %.2f units and %.1f degrees" % (
+            far, math.degrees(turned))
+        return []
+
+    # The next step in the order shown; when nothing helps there, one of those that can be done as
+    # well.
+    k = steps[building.stuck % len(steps)]
+    step = building.steps[k]
+    reason = "it cannot be seen"
+    if building.tries[k] >= MOST_TRIES:
+        reason = f"{MOST_TRIES} tries were not enough"
+    elif building.tidied < MOST_TIDIED:
+        free = [block for block in building.known if block not in used]
+        for move in propose_moves(building, step, free):
+            actions, reason = plan_move(building, step, move, eye, robot, sensor.jointAngles)
+            if not actions:
+                continue
+            if move.goal:
+                building.tries[k] += 1
+            else:
+                building.tidied += 1
+            building.known.remove(move.block)  # where it will be, the next look tells
+            building.stuck = 0
+            return actions
+    if building.stuck == 0:
+        building.trouble = f"{step}: {reason}"
+    building.stuck += 1
+    if building.stuck > len(steps) + 1:
+        building.summary = f"gave up at {building.trouble}"
+        return []
+    return [Action("look")]
+
+
+def open_steps(building):
+    """Numbers of the steps that are not done and stand on what is done, in the order shown."""
+    return [k for k, step in enumerate(building.steps)
+            if not building.done[k] and all(building.done[lower] for lower in step.on)]
+
+
+def remember(known, seen, picture, eye):
+    """What is known of the blocks after a look, a list: those seen, and those that were known
+    before and may be hidden now, by what was built or by what lies on them. Where the table is
+    seen, nothing is left."""
+    table = table_color(picture)
+    now = list(seen)
+    for block in known:
+        same = any(np.linalg.norm(it.position - block.position) < 0.5 for it in now)
+        if not same and not shows_table(picture, eye, block, table):
+            now.append(block)
+    return now
+
+
+def table_color(picture):
+    """The table's is the most frequent color but black, which is where there is nothing."""
+    pixels = np.round(255 * picture[::4, ::4]).astype(int).reshape(-1, 3) @ [65536, 256, 1]
+    colors, count = np.unique(pixels[pixels > 0], return_counts=True)
+    return unpacked(colors[count.argmax()]) if len(colors) else np.full(3, np.nan)
+
+
+def shows_table(picture, eye, block, table):
+    """At the middle of its top."""
+    spot = pixel_at(picture, eye, [*block.position[:2], block.top])
+    return spot is not None and np.abs(picture[spot] - table).max() < 0.03
+
+
+def choose_site(building, robot):
+    """Chooses where the building shall stand: where the arms reach each place, with few blocks in
+    the way. The steps are shifted there. Without such a site, has_site stays false and the summary
+    says so."""
+    shown = np.array([step.position[:2] for step in building.steps])
+    middle = (shown.min(axis=0) + shown.max(axis=0)) / 2
+    sites = []
+    for y in np.arange(-2.25, -0.5, 0.5):
+        for x in np.arange(-1.5, 1.75, 0.75):
+            steps = shifted(building.steps, [x, y] - middle)
+            walled_in = [block for block in building.known if is_walled_in(block, steps)]
+            # Far from the robot the building hides little, and near it the arms reach more.
+            cost = 0.1 * abs(y + 1.25) + 0.01 * abs(x) + sum(block.size[0] for block in walled_in)
+            sites.append((cost, steps))
+    for _, steps in sorted(sites, key=lambda site: site[0]):
+        if all(is_within_reach(robot, int(step.position[0] > 0), step) for step in steps):
+            building.steps = steps
+            building.has_site = True
+            return
+    building.summary = "no place on the table is within reach for all of the building"
+
+
+def shifted(steps, way):
+    """The same building somewhere else on the table: way is x, y [units]."""
+    return [replace(step, position=step.position + [*way, 0]) for step in steps]
+
+
+def compare(building):
+    """Which steps are done, going by what is known of the blocks. Returns the blocks that make them
+    so, a list."""
+    used = []
+    for k, step in enumerate(building.steps):
+        building.done[k] = False
+        for block in building.known:
+            far = np.linalg.norm(block.position - step.position)
+            turned = turn_between(step, block.yaw)
+            if block not in used and is_like(block, step) and far < NEAR and turned < EVEN:
+                building.miss[k] = far, turned
+                building.done[k] = True
+                used.append(block)
+                break
+    return used
+
+
+def propose_moves(building, step, free):
+    """What might be moved next to get a step done, the best first: a list of Moves.
+
+    free: those of the known blocks that are in no step's place
+    """
+    fits = [block for block in free if is_like(block, step)]
+    in_way = [block for block in free if is_in_way(block, step)]
+    walled = [block for block in free if is_walled_in(block, building.steps)]
+
+    # First what will be hard to get at when more stands, and what looks right and is near.
+    def away(block):
+        return 0 if block in in_way + walled else np.linalg.norm(block.position - step.position)
+
+    fits.sort(key=away)
+    moves = [Move(block) for block in without_doubles(in_way + walled) if block not in fits]
+    moves += [Move(block) for block in in_way if block in fits[1:]]
+    moves += [Move(block, step) for block in fits if not set(in_way) - {block}]
+    # Then what lies on other blocks: what is wanted may be below it.
+    moves += [Move(block) for block in free if block.position[2] > block.size[2]]
+    # What something lies on waits for that.
+    return [move for move in moves if not lies_below(move.block, free)]
+
+
+def is_in_way(block, step):
+    """Whether a block lies where a step's shall, or where the fingers that bring it need room."""
+    [room] = grip_room([step])
+    return overlap(room, footprint([block], 0)).any()
+
+
+def without_doubles(blocks):
+    return list(dict.fromkeys(blocks))
+
+
+def lies_below(block, others):
+    """Whether some of the others lies on a block."""
+    higher = [it for it in others if it.position[2] > block.position[2] + 0.5]
+    [covered] = footprint([block], 0)
+    return overlap(covered, footprint(higher, 0)).any()
+
+
+def plan_move(building, step, move, eye, robot, q):
+    """Straight to its goal, if it has one and an arm reaches both; else to somewhere else first, if
+    need be where the building will stand later. Returns actions and None, or [] and the reason if
+    it cannot be done."""
+    others = [block for block in building.known if block is not move.block]
+    standing = [step for step, done in zip(building.steps, building.done) if done]
+    sites = [building.steps]
+    if move.goal:
+        sites.append(standing)
+        actions, reason = plan_carry(robot, move.block, move.goal, others, q)
+        if actions:
+            return actions, None
+    elif is_in_way(move.block, step):
+        sites.append(standing + [step])
+    return plan_aside(robot, eye, move.block, others, sites, q, move.goal)
+
+
+def plan_aside(robot, eye, block, others, sites, q, goal):
+    """The actions that bring a block to a free place on the table that the eye sees.
+
+    sites: lists of the steps to keep off: the first with which there is a place counts
+    goal:  where another arm shall bring it from there at once; None if that does not matter yet
+    Returns actions and None, or [] and a reason if there is none.
+    """
+    arms = arms_for(robot, block, goal)
+    if not arms:
+        return [], "no arm reaches it"
+    reason = "there is no free place on the table"
+    for site in sites:
+        tries = 8
+        for place in free_places(block, others + site, goal):
+            if (not is_seen(place, eye) or not finger_turns(place, site)
+                    or not can_pass_on(robot, arms, place, goal)):
+                continue
+            actions, reason = plan_carry(robot, block, place, others, q)
+            if actions:
+                return actions, None
+            tries -= 1
+            if tries == 0:
+                break
+    return [], reason
+
+
+def free_places(block, taken, goal):
+    """Where a block might lie on the table, a list of up to 100, the best places first: with room
+    for fingers, its own and those of its neighbors."""
+    yaw, y, x = (it.ravel() for it in np.meshgrid(
+        [0, math.pi / 2, math.pi / 4, -math.pi / 4], np.arange(-5, 0.125, 0.25),
+        np.arange(-6.5, 6.75, 0.5), indexing="ij"))
+    sides = np.ones_like(x)[:, None] * (block.size[:2] + 0.2)
+    covered = np.column_stack([x, y, sides, yaw])
+    with_fingers = covered + [0, 0, 0, 0.7, 0]
+    free = np.ones(len(x), bool)
+    for rectangle in footprint(taken, 0.1):
+        free &= ~overlap(rectangle, with_fingers)
+    # Square blocks can be held the other way round, too.
+    for rectangle in grip_room([it for it in taken if not has_equal_sides(it)]):
+        free &= ~overlap(rectangle, covered)
+
+    if goal is None:
+        # The middle, where both arms reach, is for passing on.
+        way = np.hypot(x - block.position[0], y - block.position[1]) + np.maximum(3 - np.abs(x), 0)
+    else:
+        way = np.abs(x) + 0.1 * np.abs(y + 3.5)
+    best = np.argsort(np.where(free, way, np.inf), kind="stable")[:min(100, free.sum())]
+    return [replace(block, position=np.array([x[i], y[i], block.size[2] / 2]), yaw=yaw[i])
+            for i in best]
+
+
+def is_seen(place, eye):
+    """Whether all of its top is in the eye's picture."""
+    along = place.size[0] / 2 * np.array([math.cos(place.yaw), math.sin(place.yaw), 0])
+    across = place.size[1] / 2 * np.array([-math.sin(place.yaw), math.cos(place.yaw), 0])
+    middle = np.array([*place.position[:2], place.size[2]])
+    corners = [middle + a * along + b * across for a in (1, -1) for b in (1, -1)]
+    pixels = np.array([to_pixel(corner, eye) for corner in corners])
+    return ((pixels > 3) & (pixels < 2 * eye.intrinsics[:2, 2] - 3)).all()
+
+
+def arms_for(robot, block, goal):
+    """The arms that can bring a block somewhere from where another can bring it to a goal, if there
+    is one: a list."""
+    return [arm for arm in (0, 1) if is_within_reach(robot, arm, block)
+            and (goal is None or is_within_reach(robot, 1 - arm, goal))]
+
+
+def can_pass_on(robot, arms, place, goal):
+    """Whether one of these arms reaches a place, and the other one too if it is to go on from
+    there."""
+    return any(is_within_reach(robot, arm, place)
+               and (goal is None or is_within_reach(robot, 1 - arm, place)) for arm in arms)

@@ -1,0 +1,199 @@
+"""From a picture to the blocks in it.
+
+Pictures are HxWx3, 0 to 1; row 0 is the top, column 0 the left.
+"""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from blocks import Block, same_color, same_size
+
+MOST_FLOORS = 6  # so high blocks may lie on blocks
+FEWEST_PIXELS = 60  # of a top that can be measured
+
+
+@dataclass
+class Eye:
+    """A camera that stands still."""
+
+    intrinsics: np.ndarray  # 3x3 [pixels]
+    pose: np.ndarray  # 4x4, x right, y down, z forward; translation in units
+
+
+@dataclass
+class Face:
+    """A rectangle in a plane."""
+
+    center: np.ndarray  # x y [units]
+    yaw: float  # how its first side is turned [rad]
+    sides: np.ndarray  # how long it is along the direction of yaw, and across [units]
+    misfit: float  # by how much, in proportion, its pieces are less or more than such a rectangle
+
+
+def find_blocks(picture, eye, steps):
+    """The blocks in a picture that look like one of the steps', wherever they are. A block of which
+    something hides a part is not found."""
+    blocks = []
+    for color in colors_in(picture, steps):
+        sizes = sizes_of(steps, color)
+        number = label_regions(is_color(picture, color))
+        for region, size in enumerate(np.bincount(number.ravel())):
+            if region == 0 or size < FEWEST_PIXELS:
+                continue
+            row, column = np.nonzero(number == region)
+            block = fit_block(row, column, eye, color, sizes)
+            if block:
+                blocks.append(block)
+    return blocks
+
+
+def colors_in(picture, steps):
+    """The colors to look for, a list: those of the steps; and if for some step color does not
+    matter, every color that is in the picture."""
+    colors = [step.color for step in steps if step.color is not None]
+    if len(colors) < len(steps):
+        flat = np.round(picture * 255).astype(int).reshape(-1, 3)
+        flat = flat[(flat > 0).all(axis=1) | (flat > 100).any(axis=1)]
+        found, count = np.unique(flat @ [65536, 256, 1], return_counts=True)
+        colors += [unpacked(color) for color in found[count > 300]]
+    # Colors that is_color cannot tell apart are one.
+    different = []
+    for color in colors:
+        if all(np.abs(color - other).max() >= 0.02 for other in different):
+            different.append(color)
+    return different
+
+
+def unpacked(number):
+    """The color of a number 65536 red + 256 green + blue, each from 0 to 255."""
+    return np.array([number // 65536, number // 256 % 256, number % 256]) / 255
+
+
+def sizes_of(steps, color):
+    """The different sizes of blocks of a color that the steps need, a list."""
+    sizes = []
+    for step in steps:
+        if same_color(step.color, color) and not any(same_size(size, step.size) for size in sizes):
+            sizes.append(step.size)
+    return sizes
+
+
+def is_color(picture, color):
+    """The pixels of a color: HxW bool. In the robot's eye each face of a block has one flat color:
+    the true one on top, darker ones at the sides."""
+    tolerance = 0.02 + 0.03 * max(color)
+    mask = np.abs(picture[:, :, 0] - color[0]) < tolerance
+    for channel in (1, 2):
+        mask &= np.abs(picture[:, :, channel] - color[channel]) < tolerance
+    return mask
+
+
+def label_regions(mask):
+    """Numbers the connected regions of a picture's pixels: 0 where the mask (HxW bool) is false."""
+    # Pixels that touch in a column are a run. Counting where runs begin numbers them.
+    begins = mask.copy()
+    begins[1:] &= ~mask[:-1]
+    run = np.cumsum(begins.T).reshape(mask.T.shape).T * mask
+    num_runs = run.max(initial=0)
+
+    # Runs that touch side by side are of one region; the first of its runs stands for it.
+    side_by_side = mask[:, :-1] & mask[:, 1:]
+    left, right = run[:, :-1][side_by_side], run[:, 1:][side_by_side]
+    touching = np.unique(left * (num_runs + 1) + right)
+    first = list(range(num_runs + 1))
+
+    def first_of(k):
+        while first[k] != k:
+            k = first[k]
+        return k
+
+    for pair in touching.tolist():
+        one, other = sorted(map(first_of, divmod(pair, num_runs + 1)))
+        first[other] = one
+    numbers = np.unique([first_of(k) for k in range(num_runs + 1)], return_inverse=True)[1]
+    return numbers[run]
+
+
+def fit_block(row, column, eye, color, sizes):
+    """The block of a color and one of some sizes whose top these pixels are; None if they are none.
+
+    On a lower plane the same pixels would be a larger top, on a higher one a smaller. Blocks lie on
+    blocks, so there are only few planes to try: the one on which the top is as large as it should
+    be is the one it lies on.
+    """
+    best = 0.08  # by how much, in proportion, a side may be wrong
+    block = None
+    for size in sizes:
+        for floor in range(MOST_FLOORS):
+            top = size[2] + floor
+            face = describe_face(*onto_plane(row, column, eye, top))
+            wrong = max(*np.abs(face.sides / size[:2] - 1), face.misfit)
+            if wrong < best:
+                best = wrong
+                block = Block(color, size, np.append(face.center, top - size[2] / 2), face.yaw)
+    return block
+
+
+def onto_plane(row, column, eye, z):
+    """Where the table's points at height z are that these pixels show, and how large each pixel is
+    there: x, y [units], area [units squared], N numbers each."""
+    p = eye.pose[:3, 3]
+    R = eye.pose[:3, :3]
+    K = eye.intrinsics
+    # A ray through the middle of each pixel; camera axes are x right, y down, z forward.
+    ray = R @ [(column + 0.5 - K[0, 2]) / K[0, 0], (row + 0.5 - K[1, 2]) / K[1, 1],
+               np.ones(len(row))]
+    along = (z - p[2]) / ray[2]  # how far along its ray each point lies
+    # A plane seen at an angle: far pixels are larger, by the third power of the distance.
+    area = along**3 / abs(z - p[2]) / (K[0, 0] * K[1, 1])
+    return p[0] + along * ray[0], p[1] + along * ray[1], area
+
+
+def describe_face(x, y, area, yaw=None):
+    """The Face that small pieces of it make up: where they are and how large, N numbers each
+    [units, units squared]. Its yaw is found by itself unless given [rad]."""
+    total = area.sum()
+    center = np.array([(x * area).sum(), (y * area).sum()]) / total
+    x = x - center[0]
+    y = y - center[1]
+    if yaw is None:
+        yaw = yaw_of(x, y, area)
+    along = x * math.cos(yaw) + y * math.sin(yaw)
+    across = y * math.cos(yaw) - x * math.sin(yaw)
+    # The points of a rectangle lie around its center with a variance of a twelfth of the side,
+    # squared.
+    sides = np.sqrt(12 * np.array([(along**2 * area).sum(), (across**2 * area).sum()]) / total)
+    return Face(center, yaw, sides, abs(sides.prod() / total - 1))
+
+
+def yaw_of(x, y, area):
+    """How a rectangle around the origin is turned [rad].
+
+    Multiplying complex numbers adds their angles. So the squares of the pieces of something long
+    all point about the same way, at twice its angle.
+    """
+    z = x + 1j * y
+    long = (area * z**2).sum()
+    spread = (area * abs(z) ** 2).sum()
+    if abs(long) > 0.1 * spread:
+        return float(np.angle(long)) / 2
+    # A square has no long side, but its fourth power has a direction: the corners are farthest out
+    # and count most, at 0 degrees they lie at 45, and four times that is 180; hence the minus.
+    return float(np.angle(-(area * z**4).sum())) / 4
+
+
+def to_pixel(point, eye):
+    """Where the eye sees a point (x y z [units]) in its picture: u, v from the top left corner
+    [pixels]."""
+    seen = eye.pose[:3, :3].T @ (point - eye.pose[:3, 3])
+    K = eye.intrinsics
+    return np.array([K[0, 0], K[1, 1]]) * seen[:2] / seen[2] + K[:2, 2]
+
+
+def pixel_at(picture, eye, point):
+    """Row and column of the pixel that shows a point (x y z [units]); None outside the picture."""
+    column, row = np.floor(to_pixel(point, eye)).astype(int)
+    inside = 0 <= row < picture.shape[0] and 0 <= column < picture.shape[1]
+    return (row, column) if inside else None

@@ -1,0 +1,79 @@
+"""Room on the table, seen from above: what covers what, and where fingers fit in.
+
+Rectangles are rows of x and y of the center, both sides [units], and how the first side is turned
+[rad]: 5 numbers, Nx5 for many.
+"""
+
+import math
+
+import numpy as np
+
+from blocks import has_equal_sides
+
+
+def footprint(blocks, margin):
+    """What blocks cover, with a margin on all sides [units]: Nx5."""
+    rows = [[*block.position[:2], *(block.size[:2] + 2 * margin), block.yaw] for block in blocks]
+    return np.array(rows).reshape(-1, 5)
+
+
+def overlap(one, many):
+    """Whether a rectangle has points in common with each of many: N bool. Two rectangles are apart
+    if, in the direction of one of their sides, there is a gap between them."""
+    one = np.asarray(one, float)
+    many = np.asarray(many, float)
+    gap = many[:, :2] - one[:2]
+    yes = np.ones(len(many), bool)
+    for yaw in (one[4], one[4] + math.pi / 2, many[:, 4], many[:, 4] + math.pi / 2):
+        apart = np.abs(gap[:, 0] * np.cos(yaw) + gap[:, 1] * np.sin(yaw))
+        yes &= apart < reach(one, yaw) + reach(many, yaw)
+    return yes
+
+
+def reach(rectangles, yaw):
+    """How far they reach from their centers in a direction [units]."""
+    turn = yaw - rectangles[..., 4]
+    along = rectangles[..., 2] * np.abs(np.cos(turn))
+    return (along + rectangles[..., 3] * np.abs(np.sin(turn))) / 2
+
+
+def grip_room(blocks):
+    """What blocks cover, and with them open fingers at their longer sides: Nx5."""
+    rectangles = footprint(blocks, 0.05)
+    rectangles[:, 3] += 0.8
+    return rectangles
+
+
+def finger_turns(place, others):
+    """How the fingers may be turned to hold a block at a place (a Block or Step): directions from
+    finger to finger [rad], a list; they go across its longer side, and only where nothing is in
+    their way."""
+    turns = [place.yaw + math.pi / 2, place.yaw - math.pi / 2]
+    if has_equal_sides(place):
+        turns += [place.yaw, place.yaw + math.pi]
+    # What is as high as the fingers, the bar that joins them, and the hand above it, must keep off
+    # them.
+    tops = np.array([it.top for it in others])
+    covered = footprint(others, 0.03)
+    at_fingers = covered[tops > place.top - place.size[2] + 0.02]
+    at_bar = covered[tops > place.top + 0.3]
+    at_hand = covered[tops > place.top + 0.6]
+    return [turn for turn in turns if fits(place, turn, at_fingers, at_bar, at_hand)]
+
+
+def fits(place, across, at_fingers, at_bar, at_hand):
+    """Fingers are 0.3 thick and 0.4 wide, and open 0.1 away from the block; the bar is 2.6 long."""
+    x, y = place.position[:2]
+    gap = place.size[1] / 2 + 0.25
+    dx, dy = gap * math.cos(across), gap * math.sin(across)
+    return not (overlap([x + dx, y + dy, 0.3, 0.4, across], at_fingers).any()
+                or overlap([x - dx, y - dy, 0.3, 0.4, across], at_fingers).any()
+                or overlap([x, y, 2.6, 0.4, across], at_bar).any()
+                or overlap([x, y, 1.3, 1.3, across], at_hand).any())
+
+
+def is_walled_in(block, steps):
+    """Whether a block lies on the building's site, or so near that no fingers fit in once the
+    building stands."""
+    [covered] = footprint([block], 0.1)
+    return overlap(covered, grip_room(steps)).any() or not finger_turns(block, steps)

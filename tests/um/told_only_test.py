@@ -1,0 +1,168 @@
+"""A learner acts on what a robot could know, not on what only the simulator knows.
+
+    told_only_test.py SMILE SOURCE BRAIN COMMAND...
+
+SMILE is the program, SOURCE the folder of the project, BRAIN the learner, COMMAND runs its client.
+
+The learner rebuilds a tower while all messages between it and the simulator are written down. Then
+they are told again to a new one, by this script alone: the simulator has ended, scene and recordings
+are deleted, of the demonstration only pictures and symbols are left, and of each step all is untrue
+but the pictures, what the joints measure, and the time. It must give the same answers, byte by byte.
+"""
+
+import contextlib
+import json
+import math
+import os
+import shutil
+import socket
+import struct
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import numpy as np
+from smile.messages import (
+    BYE, HEADER, INIT, LOGICAL, NUMPY_TYPES, STEP, TEXT, Layout, arrays_of, encode)
+
+TRUE = {"timeElapsed", "simTime", "jointAngles", "gripperOpening", "rgbVision"}
+
+
+def main(smile, source, brain, *command):
+    with tempfile.TemporaryDirectory() as folder:
+        os.chdir(folder)
+        subprocess.run([smile, "run", f"{source}/scenes/tower.xml", "--commands",
+                        f"{source}/examples/tower.jsonl", "--record", "shown"], check=True)
+        listener = Path("listener")
+        listener.write_text("#!/bin/sh\nexec " + " ".join(
+            f"'{word}'" for word in (sys.executable, __file__, "--listen", folder, brain, *command)))
+        listener.chmod(0o755)
+        subprocess.run([smile, "imitate", "shown", f"{source}/scenes/tower_robot.xml", "--seed", "3",
+                        "--brain", "./listener", "--out", "built", "--no-pictures", "--patience",
+                        "60"], check=True)
+        result = json.loads(Path("built/result.json").read_text())
+        assert result["rebuilt"], "the tower was not rebuilt"
+
+        Path("told").mkdir()
+        for file in [Path("shown/demo.json"), *Path("shown").glob("[0-9]*")]:
+            file.rename(Path("told") / file.name)
+        shutil.rmtree("shown")
+        shutil.rmtree("built")
+        count, difference = tell_again(folder, brain, command, TRUE)
+        assert difference is None, difference
+        assert count > 1000, f"only {count} answers"
+        _, difference = tell_again(folder, brain, command, TRUE - {"rgbVision"})
+        assert difference, "even without pictures it does the same"
+
+
+def listen(folder, brain, *command):
+    """Stands between simulator and brain, and writes down what they say."""
+    simulator = socket.socket(socket.AF_UNIX)
+    simulator.connect(os.environ["SMILE_BRAIN_ADDRESS"])
+    folder = Path(folder)
+    with started(brain, command) as program, open(folder / "messages", "wb") as messages:
+        question = b""
+        while kind_of(question) != BYE:
+            answer = receive(program)
+            messages.write(struct.pack("<2Q", len(question), len(answer)) + question + answer)
+            simulator.sendall(answer)
+            question = receive(simulator)
+            if kind_of(question) == INIT:
+                shutil.copytree(Path(values_of(question)["robot"]).parent, folder / "robot")
+            program.sendall(question)
+
+
+def tell_again(folder, brain, command, true):
+    """Tells the brain what was written down. Returns how many of its answers were the same as before,
+    and what was wrong with the next one."""
+    count = 0
+    with started(brain, command) as program, open(Path(folder) / "messages", "rb") as messages:
+        while sizes := messages.read(16):
+            question, expected = map(messages.read, struct.unpack("<2Q", sizes))
+            program.sendall(altered(question, folder, true))
+            answer = receive(program)
+            if answer != expected:
+                return count, (f"answer {count} is {values_of(answer)}, "
+                               f"expected {values_of(expected)}")
+            count += 1
+    return count, None
+
+
+def altered(question, folder, true):
+    """A question in which only some arrays are still true."""
+    if kind_of(question) == INIT:
+        values = values_of(question)
+        robot = Path(folder) / "robot" / Path(values["robot"]).name
+        body = encode(values | {"robot": str(robot), "demonstration": f"{folder}/told"})
+        magic, kind, sequence, _ = HEADER.unpack_from(question)
+        return HEADER.pack(magic, kind, sequence, len(body)) + body
+    if kind_of(question) != STEP:
+        return question
+    frame = bytearray(question)
+    body = memoryview(frame)[HEADER.size:]
+    for name, kind, _, dims, at in arrays_of(body):
+        if name in true:
+            continue
+        end = at + math.prod(dims) * np.dtype(NUMPY_TYPES[kind]).itemsize
+        if kind == LOGICAL:
+            body[at:end] = bytes(not it for it in body[at:end])
+        elif kind == TEXT:
+            body[at:end] = bytes(it if it == ord("\n") else ord("x") for it in body[at:end])
+        else:
+            body[at:end] = bytes(end - at)
+    return bytes(frame)
+
+
+@contextlib.contextmanager
+def started(brain, command):
+    """Starts a brain with this script as its simulator: the connection to it."""
+    with tempfile.TemporaryDirectory() as scratch, socket.socket(socket.AF_UNIX) as door:
+        door.bind(f"{scratch}/door")
+        door.listen()
+        door.settimeout(60)
+        folder = brain if Path(brain).is_dir() else str(Path(brain).parent)
+        process = subprocess.Popen(command, cwd=scratch, stdin=subprocess.DEVNULL, env=os.environ | {
+            "SMILE_BRAIN_TRANSPORT": "socket", "SMILE_BRAIN_ADDRESS": f"{scratch}/door",
+            "SMILE_BRAIN_SCRATCH": scratch, "SMILE_BRAIN_FOLDER": folder,
+            "SMILE_BRAIN_PROGRAM": brain})
+        try:
+            connection, _ = door.accept()
+            with connection:
+                connection.settimeout(60)
+                yield connection
+        finally:
+            process.kill()
+            process.wait()
+
+
+def receive(connection):
+    """A whole message, as bytes."""
+    head = receive_bytes(connection, HEADER.size)
+    return head + receive_bytes(connection, HEADER.unpack(head)[3])
+
+
+def receive_bytes(connection, size):
+    parts = []
+    while size > 0:
+        part = connection.recv(size)
+        if not part:
+            raise ConnectionError("the other side has gone")
+        parts.append(part)
+        size -= len(part)
+    return b"".join(parts)
+
+
+def kind_of(message):
+    return HEADER.unpack_from(message)[1] if message else None
+
+
+def values_of(message):
+    body = np.frombuffer(message, "u1")[HEADER.size:].copy()
+    return Layout(body).read(body)
+
+
+if sys.argv[1] == "--listen":
+    listen(*sys.argv[2:])
+else:
+    main(*sys.argv[1:])

@@ -121,8 +121,13 @@ def arm_clears(robot, arm, q, blocks):
 
 
 def is_safe(robot, path):
-    """Whether an arm can go along a path while the other one is parked."""
-    return robot.first_invalid(path, q_both=PARKED) is None
+    """Whether an arm can go along a path while the other one is parked. It keeps off its joints'
+    limits: there it might stop short, and with S0 turned far to the other side the upper arm would
+    touch the chest."""
+    margin = np.array([0.2, 0.02, 0.02, 0.02, 0.02, 0.02, 0.02])  # rad
+    lower, upper = robot.limits(path.arm)[:2]
+    within = (path.positions > lower + margin) & (path.positions < upper - margin)
+    return bool(within.all()) and robot.first_invalid(path, q_both=PARKED) is None
 
 
 def tool_pose(point, across):

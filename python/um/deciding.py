@@ -13,7 +13,7 @@ from looking import find_blocks, pixel_at, to_pixel, unpacked
 from places import finger_turns, footprint, grip_room, is_walled_in, overlap
 
 MOST_TRIES = 4  # to carry a step's block to its place
-MOST_TIDIED = 20  # blocks put aside for one step
+MOST_TIDIED = 20  # blocks put aside in all
 NEAR = 0.07  # so far a block may be off [units]
 EVEN = 0.06  # so far it may be turned [rad]
 
@@ -27,7 +27,7 @@ class Building:
     known: list = field(default_factory=list)  # the blocks, where they were last seen
     done: list = field(init=False)  # whether each step's block is in its place
     tries: list = field(init=False)  # how often each step's block was carried there so far
-    tidied: int = 0  # how often blocks were put aside since the last step was done
+    tidied: int = 0  # how often blocks were put aside
     miss: dict = field(default_factory=dict)  # of a step: how far off its block was, units and rad
     stuck: int = 0  # how many steps in a row could not be gone on with, and
     trouble: str = ""  # why the first of them could not
@@ -74,14 +74,16 @@ def decide(building, sensor, eye, robot):
     elif building.tidied < MOST_TIDIED:
         free = [block for block in building.known if block not in used]
         for move in propose_moves(building, step, free):
-            actions, reason = plan_move(building, step, move, eye, robot, sensor.jointAngles)
+            actions, place, reason = plan_move(building, step, move, eye, robot,
+                                               sensor.jointAngles)
             if not actions:
                 continue
             if move.goal:
                 building.tries[k] += 1
             else:
                 building.tidied += 1
-            building.known.remove(move.block)  # where it will be, the next look tells
+            building.known.remove(move.block)
+            building.known += place
             building.stuck = 0
             return actions
     if building.stuck == 0:
@@ -211,8 +213,12 @@ def lies_below(block, others):
 
 def plan_move(building, step, move, eye, robot, q):
     """Straight to its goal, if it has one and an arm reaches both; else to somewhere else first, if
-    need be where the building will stand later. Returns actions and None, or [] and the reason if
-    it cannot be done."""
+    need be where the building will stand later.
+
+    Returns actions; the block where it will lie on the table, even if it is hidden there, in a list
+    that is empty for one that is built in, as there it must be seen; and the reason if there are no
+    actions.
+    """
     others = [block for block in building.known if block is not move.block]
     standing = [step for step, done in zip(building.steps, building.done) if done]
     sites = [building.steps]
@@ -220,7 +226,7 @@ def plan_move(building, step, move, eye, robot, q):
         sites.append(standing)
         actions, reason = plan_carry(robot, move.block, move.goal, others, q)
         if actions:
-            return actions, None
+            return actions, [], None
     elif is_in_way(move.block, step):
         sites.append(standing + [step])
     return plan_aside(robot, eye, move.block, others, sites, q, move.goal)
@@ -231,11 +237,11 @@ def plan_aside(robot, eye, block, others, sites, q, goal):
 
     sites: lists of the steps to keep off: the first with which there is a place counts
     goal:  where another arm shall bring it from there at once; None if that does not matter yet
-    Returns actions and None, or [] and a reason if there is none.
+    Returns actions and that place, in a list, and None; or [], [] and a reason if there is none.
     """
     arms = arms_for(robot, block, goal)
     if not arms:
-        return [], "no arm reaches it"
+        return [], [], "no arm reaches it"
     reason = "there is no free place on the table"
     for site in sites:
         tries = 8
@@ -245,11 +251,11 @@ def plan_aside(robot, eye, block, others, sites, q, goal):
                 continue
             actions, reason = plan_carry(robot, block, place, others, q)
             if actions:
-                return actions, None
+                return actions, [place], None
             tries -= 1
             if tries == 0:
                 break
-    return [], reason
+    return [], [], reason
 
 
 def free_places(block, taken, goal):

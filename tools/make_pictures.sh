@@ -7,5 +7,5 @@ program=build/release/bin/smile
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 mkdir -p docs/images
-"$program" experiment tower --out "$scratch/tower" --no-films
-"$program" render "$scratch/tower/imitation" --out docs/images/tower.png --size 960x540
+"$program" experiment um --out "$scratch/um" --no-films
+"$program" render "$scratch/um/imitation" --out docs/images/um.png --size 960x540

@@ -35,8 +35,8 @@ constexpr const char* kLearner = "matlab/um";
 /// A slow machine is no reason to fail [s].
 constexpr double kPatience = 60;
 
-/// Films show two seconds in one: the robot takes its time.
-constexpr double kFilmSpeed = 2;
+/// Films show four seconds in one: the robot takes its time.
+constexpr double kFilmSpeed = 4;
 
 struct ExperimentOptions {
   std::string name = kTasks.front(), out, brain;

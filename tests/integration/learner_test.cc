@@ -1,0 +1,53 @@
+// The main job: shown a task, the robot does it from other starting positions.
+
+#include "program.h"
+
+namespace smile {
+namespace {
+
+class Learner : public ProgramTest {};
+
+TEST_F(Learner, RebuildsTheLettersItWasShown) {
+  const Answer answer = Smile("experiment --out um --no-films --json --seed 20");
+  ASSERT_EQ(answer.exit_code, 0) << answer.err;
+  const Json result = answer.json();
+  EXPECT_EQ(result["task"], "um");
+  EXPECT_TRUE(result["rebuilt"]);
+  EXPECT_EQ(result["goal"]["objects"].size(), 12u);
+  EXPECT_LT(result["mean_error_mm"], 5);
+  EXPECT_TRUE(result["order"]["kept"]);
+  EXPECT_EQ(result["brain"]["status"], "exited");
+  EXPECT_NE(Read("um/report.html").find("LongPlank"), std::string::npos);
+  for (const char* recording : {"demonstration", "imitation"}) {
+    EXPECT_EQ(Smile("replay --verify um/" + std::string(recording)).exit_code, 0);
+  }
+}
+
+/// A shipped task, and the folder or file of the learner that imitates it.
+struct Lesson {
+  const char* task;
+  const char* brain;
+};
+
+class LearnerOf : public ProgramTest, public ::testing::WithParamInterface<Lesson> {};
+
+TEST_P(LearnerOf, DoesItInASceneItHasNeverSeen) {
+  const auto& [task, brain] = GetParam();
+  const Answer answer = Smile("experiment " + std::string(task) + " --out out --no-films --json " +
+                              "--seed 1 --brain " + Shipped(brain));
+  ASSERT_EQ(answer.exit_code, 0) << answer.err;
+  EXPECT_TRUE(answer.json()["rebuilt"]);
+  EXPECT_LT(answer.json()["mean_error_mm"], 5);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Tasks, LearnerOf,
+    ::testing::Values(Lesson{"tower", "matlab/um"}, Lesson{"tower", "python/um/um.py"},
+                      Lesson{"row", "python/um/um.py"}, Lesson{"bridge", "matlab/um"}),
+    [](const auto& lesson) {
+      const std::string brain = lesson.param.brain;
+      return std::string(lesson.param.task) + (brain.starts_with("python") ? "_python" : "_octave");
+    });
+
+}  // namespace
+}  // namespace smile

@@ -38,14 +38,5 @@ function demo = readDemonstration(folder)
     demo.start(n, :) = poses(1, :);
     demo.final(n, :) = poses(end, :);
   end
-  demo.eye = eyeOf(jsondecode(fileread(fullfile(folder, 'demo.json'))));
+  demo.eye = eyeOf(folder);
 end
-
-function eye = eyeOf(info)
-  w = info.eye.rotation_wxyz;  % a unit quaternion
-  v = [0, -w(4), w(3); w(4), 0, -w(2); -w(3), w(2), 0];  % v * x is the cross product with w(2:4)
-  R = diag([1, 1, 1]) + 2 * w(1) * v + 2 * v * v;
-  eye.intrinsics = [info.eye.fx, 0, info.eye.cx; 0, info.eye.fy, info.eye.cy; 0, 0, 1];
-  eye.pose = [R, info.eye.position_m(:) / info.meters_per_unit; 0, 0, 0, 1];
-end
-

@@ -9,17 +9,3 @@ function known = remember(known, seen, picture, eye)
   end
   known = seen;
 end
-
-function color = tableColor(picture)
-% The table's is the most frequent color but black, which is where there is nothing.
-  pixels = reshape(round(255 * picture(1:4:end, 1:4:end, :)), [], 3) * [65536; 256; 1];
-  most = mode(pixels(pixels > 0));
-  color = [floor(most / 65536), mod(floor(most / 256), 256), mod(most, 256)] / 255;
-end
-
-function yes = showsTable(picture, eye, block, table)
-% At the middle of its top.
-  spot = round(toPixel(block.position + [0, 0, block.size(3) / 2], eye) + 0.5);
-  inside = all(spot >= 1 & spot <= [size(picture, 2), size(picture, 1)]);
-  yes = inside && max(abs(reshape(picture(spot(2), spot(1), :), 1, 3) - table)) < 0.03;
-end

@@ -3,7 +3,11 @@
 if ~isfield(aux, 'demonstration')
   error('this brain needs a demonstration: smile imitate DEMO SCENE --brain matlab/um');
 end
-demo = readDemonstration(aux.demonstration);
+if exist(fullfile(aux.demonstration, '0.txt'), 'file')
+  demo = readDemonstration(aux.demonstration);
+else  % without words it is understood from its pictures
+  demo = watchDemonstration(aux.demonstration);
+end
 steps = understand(demo, aux.attention);
 printSteps(steps);
 

@@ -8,7 +8,7 @@ function steps = understand(demo, attention)
 %             demonstration
 %   on        numbers of the steps that it stands on; empty for an object on the table
   part = takingPart(demo);
-  looks = measureObjects(demo, part);
+  if isfield(demo, 'looks'), looks = demo.looks; else, looks = measureObjects(demo, part); end
   for k = 1:numel(part)
     n = part(k);
     sides = looks(n).size;

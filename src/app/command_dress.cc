@@ -3,15 +3,11 @@
 #include <memory>
 
 #include "app/commands.h"
+#include "app/dress.h"
 #include "app/exit_code.h"
-#include "app/interrupt.h"
 #include "app/open_recording.h"
 #include "app/options.h"
-#include "app/progress.h"
 #include "base/json.h"
-#include "picture/photographer.h"
-#include "record/redraw.h"
-#include "record/sight.h"
 
 namespace smile::app {
 namespace {
@@ -21,33 +17,12 @@ struct DressOptions {
   bool no_symbols = false, json = false;
 };
 
-/// What draws the pictures of a recording again.
-picture::Shot ShotOf(const sim::EyeSpec& eye) {
-  return {.camera = sim::kEyeCamera,
-          .eye = eye.camera,
-          .width_px = eye.width_px,
-          .height_px = eye.height_px};
-}
-
-int Dress(const DressOptions& options) {
+int DressOne(const DressOptions& options) {
   const record::RedrawOptions copy{
       .demonstrator = record::ParseDemonstratorLook(options.demonstrator),
       .has_symbols = !options.no_symbols};
   const record::Recording recording = OpenAndTell(options.demo);
-  const sim::Simulation stage(recording.scene, recording.robot);
-  const auto demonstrator = picture::DemonstratorOf(recording, stage, copy.demonstrator);
-  picture::Photographer photographer(stage, ShotOf(EyeOf(recording.info).value_or(sim::EyeSpec())),
-                                     demonstrator.get());
-  ProgressLine line("drawing");
-  const std::size_t num_pictures = Redraw(
-      recording, options.out, copy,
-      [&photographer](const record::TraceTick& moment) -> const Image& {
-        return photographer.Take(moment);
-      },
-      [&line](double done, double total) {
-        line.Show(done, total);
-        return !IsInterrupted();
-      });
+  const std::size_t num_pictures = Dress(recording, options.out, copy);
   if (options.json) {
     const Json json = {{"recording", options.out},
                        {"demonstrator", options.demonstrator},
@@ -71,7 +46,7 @@ void AddDress(CLI::App* program, ExitAnswer answer) {
   dress->add_option("--out", options->out, "directory to make")->required()->check(NotEmpty());
   dress->add_flag("--no-symbols", options->no_symbols, "without the texts of the classic view");
   dress->add_flag("--json", options->json, "print one JSON object on stdout");
-  dress->callback([options, answer] { *answer = Dress(*options); });
+  dress->callback([options, answer] { *answer = DressOne(*options); });
 }
 
 }  // namespace smile::app

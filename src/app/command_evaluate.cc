@@ -13,6 +13,7 @@
 
 #include "app/commands.h"
 #include "app/content_hash.h"
+#include "app/dress.h"
 #include "app/evaluation_folder.h"
 #include "app/exit_code.h"
 #include "app/interrupt.h"
@@ -38,11 +39,13 @@ constexpr std::uint64_t kMaxSeed = std::uint64_t{1} << 53;
 constexpr std::size_t kMaxScenes = 100'000, kMaxJobs = 1024;
 constexpr std::size_t kMaxNameLetters = 40;
 constexpr int kRunsFormat = 1;  ///< of what agent.json and run.json say
+constexpr const char* kDemonstratorsFolder = "demonstrators";  ///< with dressed copies
 constexpr const char* kThisProgram = "/proc/self/exe";
 
 struct EvaluateOptions {
   std::string demo, scene, level, out, keep = "failures";
-  std::vector<std::string> brains;
+  std::vector<std::string> brains, demonstrators;
+  bool no_symbols = false;
   std::size_t scenes = 10, jobs = 0;
   std::uint64_t seed = 1;
   double max_seconds = 600, wall_seconds = 3600, patience = 60;
@@ -80,10 +83,11 @@ std::vector<std::string> OtherArguments(const EvaluateOptions& options) {
   return arguments;
 }
 
-std::vector<std::string> ImitateArguments(const EvaluateOptions& options, const std::string& brain,
-                                          const std::string& seed, const std::string& out) {
-  std::vector<std::string> arguments{"imitate", options.demo, options.scene, "--brain", brain,
-                                     "--seed",  seed,         "--out",       out};
+std::vector<std::string> ImitateArguments(const EvaluateOptions& options, const std::string& demo,
+                                          const std::string& brain, const std::string& seed,
+                                          const std::string& out) {
+  std::vector<std::string> arguments{"imitate", demo, options.scene, "--brain", brain,
+                                     "--seed",  seed, "--out",       out};
   if (!options.level.empty()) arguments.insert(arguments.end(), {"--level", options.level});
   const std::vector<std::string> others = OtherArguments(options);
   arguments.insert(arguments.end(), others.begin(), others.end());
@@ -101,9 +105,12 @@ std::string ShellWord(const std::string& word) {
 }
 
 /// What to type to see a run again, with pictures.
-std::string AgainText(const EvaluateOptions& options) {
+std::string AgainText(const EvaluateOptions& options, const std::filesystem::path& out) {
+  const std::string demo = options.demonstrators.empty()
+                               ? options.demo
+                               : (out / kDemonstratorsFolder / "DEMONSTRATOR").string();
   std::string line = "smile";
-  for (const std::string& word : ImitateArguments(options, "BRAIN", "SEED", "out/again")) {
+  for (const std::string& word : ImitateArguments(options, demo, "BRAIN", "SEED", "out/again")) {
     line += " " + ShellWord(word);
   }
   return line;
@@ -114,7 +121,7 @@ std::vector<std::string> NamesOf(const std::vector<std::string>& brains) {
   constexpr std::string_view kPlain =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
   std::vector<std::string> names;
-  std::set<std::string> taken;
+  std::set<std::string> taken{kDemonstratorsFolder};
   for (const std::string& brain : brains) {
     const auto path = std::filesystem::absolute(brain).lexically_normal();
     const auto file = path.has_filename() ? path.filename() : path.parent_path().filename();
@@ -149,9 +156,33 @@ Json CheckAndDescribe(const EvaluateOptions& options) {
           {"options", OtherArguments(options)}};
 }
 
-/// One robot program of an evaluation.
+/// How the demonstration is shown.
+struct Showing {
+  std::string demonstrator;  ///< empty: as it was recorded
+  std::string demo;
+};
+
+/// A copy of the demonstration for each demonstrator that is wanted; if none is, itself.
+/// @param depends_on  see CheckAndDescribe().
+std::vector<Showing> ShowingsOf(const EvaluateOptions& options, const std::filesystem::path& out,
+                                const Json& depends_on) {
+  if (options.demonstrators.empty()) return {{"", options.demo}};
+  const Json source{{"build", depends_on["build"]},
+                    {"demo", depends_on["demo"]},
+                    {"symbols", !options.no_symbols}};
+  const auto copies = DressAll(options.demo, options.demonstrators, !options.no_symbols,
+                               out / kDemonstratorsFolder, source);
+  std::vector<Showing> showings;
+  for (std::size_t i = 0; i < copies.size(); ++i) {
+    showings.push_back({options.demonstrators[i], copies[i].string()});
+  }
+  return showings;
+}
+
+/// One robot program of an evaluation, and what it watches.
 struct Agent {
   std::string name, brain;
+  Showing showing;
   AgentFolder folder;
   std::map<std::uint64_t, report::EvaluatedRun> runs;
 };
@@ -229,11 +260,12 @@ class Evaluator {
   Evaluator(const EvaluateOptions& options, const std::filesystem::path& out)
       : options_(options), out_(out), keep_(kKeepWords.at(options.keep)) {
     const Json depends_on = CheckAndDescribe(options);
+    const std::vector<Showing> showings = ShowingsOf(options, out, depends_on);
     const std::vector<std::string> names = NamesOf(options.brains);
     for (std::size_t i = 0; i < names.size(); ++i) {
-      Json all = depends_on;
-      all["brain"] = ContentOfBrain(options.brains[i]);
-      agents_.push_back({names[i], options.brains[i], AgentFolder(out / names[i], all), {}});
+      for (const Showing& showing : showings) {
+        AddAgent(names[i], options.brains[i], showing, depends_on);
+      }
     }
   }
 
@@ -264,9 +296,12 @@ class Evaluator {
                                   .level = options_.level,
                                   .ways = OtherArguments(options_),
                                   .agents = {},
-                                  .again = AgainText(options_)};
+                                  .again = AgainText(options_, out_)};
     for (Agent& agent : agents_) {
-      report::EvaluatedAgent evaluated{.name = agent.name, .brain = agent.brain, .runs = {}};
+      report::EvaluatedAgent evaluated{.name = agent.name,
+                                       .brain = agent.brain,
+                                       .runs = {},
+                                       .demonstrator = agent.showing.demonstrator};
       for (auto& [seed, run] : agent.runs) {
         agent.folder.Tidy(keep_, out_, &run);
         evaluated.runs.push_back(run);
@@ -278,6 +313,17 @@ class Evaluator {
 
  private:
   std::size_t at_once() const { return options_.jobs > 0 ? options_.jobs : NumCores(); }
+
+  void AddAgent(std::string name, const std::string& brain, const Showing& showing,
+                Json depends_on) {
+    depends_on["brain"] = ContentOfBrain(brain);
+    if (!showing.demonstrator.empty()) {
+      name += "." + showing.demonstrator;  // no program has a name with a dot
+      depends_on["demonstrator"] = showing.demonstrator;
+      depends_on["symbols"] = !options_.no_symbols;
+    }
+    agents_.push_back({name, brain, showing, AgentFolder(out_ / name, depends_on), {}});
+  }
 
   /// Seed by seed, so that what is done when somebody interrupts can be compared.
   std::vector<OpenRun> FindOpenRuns() {
@@ -300,9 +346,9 @@ class Evaluator {
                             .working_directory = std::filesystem::current_path()},
                 .log = run.agent->folder.LogOf(run.seed),
                 .max_seconds = options_.wall_seconds};
-    for (std::string& argument :
-         ImitateArguments(options_, run.agent->brain, std::to_string(run.seed),
-                          run.agent->folder.FolderOf(run.seed).string())) {
+    for (std::string& argument : ImitateArguments(options_, run.agent->showing.demo,
+                                                  run.agent->brain, std::to_string(run.seed),
+                                                  run.agent->folder.FolderOf(run.seed).string())) {
       job.command.arguments.push_back(std::move(argument));
     }
     job.command.arguments.emplace_back("--no-pictures");
@@ -348,6 +394,10 @@ int Evaluate(const EvaluateOptions& options) {
           ? std::filesystem::path("out/evaluate") / std::filesystem::path(options.scene).stem()
           : std::filesystem::path(options.out);
   RequireOutsideOfRecordings(out.string());
+  if (std::set<std::string>(options.demonstrators.begin(), options.demonstrators.end()).size() <
+      options.demonstrators.size()) {
+    throw std::invalid_argument("--demonstrators names one of them twice");
+  }
   Evaluator evaluator(options, out);
   evaluator.Run();
   const report::Evaluation evaluation = evaluator.Outcome();
@@ -380,6 +430,18 @@ void AddEvaluate(CLI::App* program, ExitAnswer answer) {
       ->check(NotEmpty())
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  CLI::Option* demonstrators =
+      evaluate
+          ->add_option("--demonstrators", options->demonstrators,
+                       "who is seen in the pictures of the recording, to be compared: some of "
+                       "invisible, ghost and forearm, with commas between them")
+          ->delimiter(',')
+          ->check(CLI::IsMember(std::vector<std::string>(record::kDemonstratorLooks.begin(),
+                                                         record::kDemonstratorLooks.end())));
+  evaluate
+      ->add_flag("--no-symbols", options->no_symbols,
+                 "with --demonstrators: without the texts of the classic view")
+      ->needs(demonstrators);
   evaluate->add_option("--scenes", options->scenes, "how many starting layouts")
       ->capture_default_str()
       ->check(CLI::Range(std::size_t{1}, kMaxScenes));

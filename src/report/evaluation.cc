@@ -244,23 +244,36 @@ Comparison Compare(const EvaluatedAgent& first, const EvaluatedAgent& second) {
   return comparison;
 }
 
+std::vector<std::pair<const EvaluatedAgent*, const EvaluatedAgent*>> ComparablePairs(
+    const Evaluation& evaluation) {
+  std::vector<std::pair<const EvaluatedAgent*, const EvaluatedAgent*>> pairs;
+  for (std::size_t i = 0; i < evaluation.agents.size(); ++i) {
+    for (std::size_t k = i + 1; k < evaluation.agents.size(); ++k) {
+      const EvaluatedAgent &first = evaluation.agents[i], &second = evaluation.agents[k];
+      if (first.brain == second.brain || first.demonstrator == second.demonstrator) {
+        pairs.emplace_back(&first, &second);
+      }
+    }
+  }
+  return pairs;
+}
+
 Json ToJson(const Evaluation& evaluation) {
   Json agents = Json::array(), comparisons = Json::array();
   for (const EvaluatedAgent& agent : evaluation.agents) {
     Json runs = Json::array();
     for (const EvaluatedRun& run : agent.runs) runs.push_back(RunJson(run));
-    agents.push_back({{"name", agent.name},
-                      {"brain", agent.brain},
-                      {"summary", SummaryJson(SummaryOf(agent))},
-                      {"runs", runs}});
+    agents.push_back(
+        {{"name", agent.name},
+         {"brain", agent.brain},
+         {"demonstrator", agent.demonstrator.empty() ? Json() : Json(agent.demonstrator)},
+         {"summary", SummaryJson(SummaryOf(agent))},
+         {"runs", runs}});
   }
-  for (std::size_t i = 0; i < evaluation.agents.size(); ++i) {
-    for (std::size_t k = i + 1; k < evaluation.agents.size(); ++k) {
-      const EvaluatedAgent &first = evaluation.agents[i], &second = evaluation.agents[k];
-      Json comparison{{"first", first.name}, {"second", second.name}};
-      comparison.update(ComparisonJson(Compare(first, second)));
-      comparisons.push_back(comparison);
-    }
+  for (const auto& [first, second] : ComparablePairs(evaluation)) {
+    Json comparison{{"first", first->name}, {"second", second->name}};
+    comparison.update(ComparisonJson(Compare(*first, *second)));
+    comparisons.push_back(comparison);
   }
   return {{"format", kEvaluationFormat},
           {"program", evaluation.program},
@@ -276,8 +289,7 @@ std::string ToText(const Evaluation& evaluation) {
   std::vector<std::vector<std::string>> rows{{"", "rebuilt", "", "95 %", "error mm (95 %)",
                                               "error deg (95 %)", "s p50", "s p95", "retries"}};
   std::string failures, comparisons;
-  for (std::size_t i = 0; i < evaluation.agents.size(); ++i) {
-    const EvaluatedAgent& agent = evaluation.agents[i];
+  for (const EvaluatedAgent& agent : evaluation.agents) {
     const Summary summary = SummaryOf(agent);
     const std::string name = Printable(agent.name);
     rows.push_back({name, std::to_string(summary.rebuilt) + "/" + std::to_string(summary.runs),
@@ -286,9 +298,9 @@ std::string ToText(const Evaluation& evaluation) {
                     Fixed(summary.seconds_p50, 1), Fixed(summary.seconds_p95, 1),
                     Count(summary.retries)});
     if (!summary.causes.empty()) failures += name + " failed: " + CausesText(summary) + "\n";
-    for (std::size_t k = i + 1; k < evaluation.agents.size(); ++k) {
-      comparisons += ComparisonText(agent, evaluation.agents[k]);
-    }
+  }
+  for (const auto& [first, second] : ComparablePairs(evaluation)) {
+    comparisons += ComparisonText(*first, *second);
   }
   return InColumns(rows) + failures + comparisons;
 }

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/json.h"
@@ -46,6 +47,7 @@ struct EvaluatedAgent {
   std::string name;                ///< unique among those it is compared with
   std::string brain;               ///< as the user named it
   std::vector<EvaluatedRun> runs;  ///< the same seeds for all, in ascending order
+  std::string demonstrator = {};   ///< whom it saw; empty: the recording as it is
 };
 
 /// Robot programs that did the same task from the same starting layouts.
@@ -81,6 +83,11 @@ struct Comparison {
 };
 /// @param first, second  with the same seeds.
 Comparison Compare(const EvaluatedAgent& first, const EvaluatedAgent& second);
+
+/// Those that have the robot program or the demonstrator in common, each two once. Of others nobody
+/// could say what a difference comes from.
+std::vector<std::pair<const EvaluatedAgent*, const EvaluatedAgent*>> ComparablePairs(
+    const Evaluation& evaluation);
 
 /// `evaluation.json` (docs/experiments.md). The same runs give the same bytes, but for what the
 /// clock on the wall says.

@@ -36,7 +36,8 @@ std::string Headline(const Evaluation& evaluation) {
   const std::string count =
       std::to_string(most) + " of " + Plural(best->runs.size(), "starting layout");
   if (evaluation.agents.size() == 1) return best->name + " rebuilt it from " + count;
-  return "Of " + Plural(evaluation.agents.size(), "robot program") + ", " + best->name +
+  const char* what = best->demonstrator.empty() ? "robot program" : "combination";
+  return "Of " + Plural(evaluation.agents.size(), what) + ", " + best->name +
          " rebuilt it from most layouts: " + count;
 }
 
@@ -45,7 +46,7 @@ Markup HeaderOf(const Evaluation& evaluation) {
   header += Element("h1", {}, Headline(evaluation));
   header += Element("p", {{"class", "lead"}},
                     "A robot watched a demonstration and did the same from random starting "
-                    "layouts, the same ones for every robot program.");
+                    "layouts, the same ones for every robot program and every demonstrator.");
   return Element("header", {}, header);
 }
 
@@ -59,7 +60,9 @@ Markup WhatWasRun(const Evaluation& evaluation) {
   for (const std::string& way : evaluation.ways) ways += (ways.empty() ? "" : " ") + way;
   if (!ways.empty()) facts += Fact("Options", ways);
   for (const EvaluatedAgent& agent : evaluation.agents) {
-    facts += Fact("Robot program", agent.brain);
+    facts += Fact(agent.name, agent.demonstrator.empty()
+                                  ? agent.brain
+                                  : agent.brain + ", demonstrator " + agent.demonstrator);
   }
   return Section("What was run", Element("dl", {{"class", "facts"}}, facts));
 }
@@ -181,21 +184,18 @@ Markup Plots(const Evaluation& evaluation) {
 
 Markup Comparisons(const Evaluation& evaluation) {
   Markup rows;
-  for (std::size_t i = 0; i < evaluation.agents.size(); ++i) {
-    for (std::size_t k = i + 1; k < evaluation.agents.size(); ++k) {
-      const EvaluatedAgent &first = evaluation.agents[i], &second = evaluation.agents[k];
-      const Comparison comparison = Compare(first, second);
-      rows +=
-          Row({RowHead(first.name + " − " + second.name),
-               NumberCell(Signed(100 * comparison.success_difference, 1) + " points"),
-               NumberCell(PValue(comparison.p_value)), NumberCell(std::to_string(comparison.both)),
-               NumberCell(std::to_string(comparison.only_first)),
-               NumberCell(std::to_string(comparison.only_second)),
-               NumberCell(std::to_string(comparison.neither)),
-               NumberCell(DifferenceWithInterval(comparison.error_mm, 2)),
-               NumberCell(DifferenceWithInterval(comparison.error_degrees, 2)),
-               NumberCell(DifferenceWithInterval(comparison.seconds, 1))});
-    }
+  for (const auto& [first, second] : ComparablePairs(evaluation)) {
+    const Comparison comparison = Compare(*first, *second);
+    rows +=
+        Row({RowHead(first->name + " − " + second->name),
+             NumberCell(Signed(100 * comparison.success_difference, 1) + " points"),
+             NumberCell(PValue(comparison.p_value)), NumberCell(std::to_string(comparison.both)),
+             NumberCell(std::to_string(comparison.only_first)),
+             NumberCell(std::to_string(comparison.only_second)),
+             NumberCell(std::to_string(comparison.neither)),
+             NumberCell(DifferenceWithInterval(comparison.error_mm, 2)),
+             NumberCell(DifferenceWithInterval(comparison.error_degrees, 2)),
+             NumberCell(DifferenceWithInterval(comparison.seconds, 1))});
   }
   if (rows.is_empty()) return {};
   const Markup head =
@@ -236,7 +236,7 @@ Markup Failures(const Evaluation& evaluation) {
   Markup content = FailureTable(evaluation);
   content +=
       Element("p", {{"class", "note"}},
-              "To see one with the robot's pictures, run it again, with its BRAIN and SEED:");
+              "To see one with the robot's pictures, run it again, with its words in capitals:");
   content += Element("pre", {}, evaluation.again);
   return Section("Failures", content);
 }

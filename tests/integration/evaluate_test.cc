@@ -79,6 +79,35 @@ TEST_F(Evaluate, AChangedProgramStartsAfreshBesideTheOld) {
   EXPECT_EQ(Read("ev/idle.1/seed-0001/result.json"), before);
 }
 
+TEST_F(Evaluate, ComparesDemonstratorsInCopiesThatItKeeps) {
+  ASSERT_EQ(
+      Smile("run pair.xml --commands lift.jsonl --record shown --size 160x120 --rate 4").exit_code,
+      0);
+  // It brings the simulator down where somebody is seen, and where there are texts.
+  WriteBrain("shy",
+             "  if 'forearm' in open(aux.demonstration + '/demo.json').read() or "
+             "os.path.exists(aux.demonstration + '/0.txt'):\n"
+             "    os.kill(simulator, signal.SIGKILL); time.sleep(60)\n");
+  const std::string arguments = "--brain shy/shy.py --demonstrators invisible,forearm --scenes 2";
+  const Answer answer = EvaluateOf("shown", arguments + " --no-symbols");
+  ASSERT_EQ(answer.exit_code, 0) << answer.err;
+  const Json evaluation = answer.json();
+  EXPECT_EQ(evaluation["agents"][1]["name"], "shy.forearm");
+  EXPECT_EQ(evaluation["agents"][1]["demonstrator"], "forearm");
+  EXPECT_EQ(evaluation["comparisons"].size(), 1u);
+  EXPECT_EQ(evaluation["comparisons"][0]["only_first"], 2);
+  EXPECT_EQ(Started(), "shy 1;shy 1;shy 2;shy 2;");
+
+  // The copies are made once; with texts they are others, and so are the results.
+  const auto drawn = [this] { return Shell("stat -c %Y.%y ev/demonstrators/forearm/0/0.png").out; };
+  const std::string before = drawn();
+  EXPECT_EQ(EvaluateOf("shown", arguments + " --no-symbols").out, answer.out);
+  EXPECT_EQ(Started(), "shy 1;shy 2;");  // those that crashed
+  EXPECT_EQ(drawn(), before);
+  EXPECT_EQ(EvaluateOf("shown", arguments).json()["agents"][0]["summary"]["rebuilt"], 0);
+  EXPECT_TRUE(Exists("ev/demonstrators/forearm.1") && Exists("ev/shy.invisible.1"));
+}
+
 TEST_F(Evaluate, ARunThatCrashesOrHangsIsAFailureWithACause) {
   WriteBrain("shaky",
              "  if seed == 1: os.kill(simulator, signal.SIGSEGV); time.sleep(60)\n"
@@ -145,7 +174,10 @@ TEST_F(Evaluate, WhatCannotWorkIsToldBeforeAnythingIsRun) {
     EXPECT_EQ(answer.exit_code, 1) << arguments;
     EXPECT_NE(answer.err.find(message), std::string::npos) << answer.err;
   }
-  EXPECT_EQ(Smile("evaluate lifted --scene pair.xml --brain idle/idle.py --scenes 0").exit_code, 2);
+  const std::string idle = "evaluate lifted --scene pair.xml --brain idle/idle.py --out ev ";
+  for (const char* arguments : {"--scenes 0", "--no-symbols", "--demonstrators nobody"}) {
+    EXPECT_EQ(Smile(idle + arguments).exit_code, 2) << arguments;
+  }
   EXPECT_FALSE(Exists("ev"));
 }
 

@@ -1,0 +1,31 @@
+function tops = topsIn(picture, table)
+% The flat areas of a picture that may be tops of blocks: those that are not seen below something of the
+% same color, but brighter, as their sides are.
+%   tops  1xN struct array with color, and row and column of each pixel
+  tops = struct('color', {}, 'row', {}, 'column', {});
+  smallest = 150;  % pixels
+  height = size(picture, 1);
+  codes = round(255 * picture(:, :, 1)) * 65536 + round(255 * picture(:, :, 2)) * 256 + ...
+          round(255 * picture(:, :, 3));
+  codes(isColor(picture, table)) = 0;
+  [~, ~, which] = unique(codes);
+  count = accumarray(which, 1);
+  codes(count(which) < smallest) = 0;
+  number = labelRegions(codes);
+  [sorted, pixels] = sort(number(:));
+  ends = [find(diff(sorted)); numel(sorted)];
+  for i = find(diff(ends) >= smallest)'
+    inside = pixels(ends(i) + 1:ends(i + 1));
+    k = number(inside(1));
+    above = inside(mod(inside - 1, height) > 0) - 1;
+    above = mode([0; codes(above(number(above) ~= k))]);
+    color = colorOf(codes(inside(1)));
+    if isShade(color, colorOf(above)), continue; end
+    [row, column] = ind2sub(size(codes), inside);
+    tops(end + 1) = struct('color', color, 'row', row, 'column', column);
+  end
+end
+
+function color = colorOf(code)
+  color = [floor(code / 65536), mod(floor(code / 256), 256), mod(code, 256)] / 255;
+end

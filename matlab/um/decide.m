@@ -26,8 +26,8 @@ function [actions, building] = decide(building, sensor, eye, robot)
     for move = proposeMoves(building, k, find(~used))
       [actions, place, reason] = planMove(building, k, move, eye, robot, sensor.jointAngles);
       if isempty(actions), continue; end
-      if isempty(move.goal), building.tidied = building.tidied + 1; end
-      building.tries(k) = building.tries(k) + ~isempty(move.goal);
+      building.tidied = building.tidied + ~isempty(place);
+      building.tries(k) = building.tries(k) + isempty(place);
       building.known(move.block) = [];
       building.known = [building.known, place];
       building.stuck = 0;

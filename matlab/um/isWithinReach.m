@@ -6,9 +6,9 @@ function yes = isWithinReach(robot, arm, place)
     for height = [place.position(3) + 2, place.position(3) + 0.3]
       pose = toolPose([place.position(1:2), height], across);
       q = smileInverse(robot, names{arm}, pose, q, 'maxIterations', 200);
-      if isempty(q), break; end
+      yes = ~isempty(q) && keepsOffLimits(robot, arm, q);
+      if ~yes, break; end
     end
-    yes = ~isempty(q);
     if yes, return; end
   end
 end

@@ -18,7 +18,8 @@ function [actions, place, reason] = planAside(robot, eye, block, others, sites, 
          ~canPassOn(robot, arms, place, goal)
         continue
       end
-      [actions, reason] = planCarry(robot, block, place, others, q);
+      goes_on = isempty(goal) || ~isempty(planCarry(robot, place, goal, others, q));
+      if goes_on, [actions, reason] = planCarry(robot, block, place, others, q); end
       tries = tries - 1;
       if ~isempty(actions), return; end
       if tries == 0, break; end

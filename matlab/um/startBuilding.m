@@ -5,7 +5,7 @@ function building = startBuilding(steps)
 %   known    the blocks, where they were last seen; see findBlocks
 %   done     whether each step's block is in its place, 1xN
 %   tries    how often each step's block was carried there so far, 1xN
-%   tidied   how often blocks were put aside
+%   tidied   how often blocks were put somewhere else
 %   miss     by how much each block was off when last seen: [units, rad], Nx2
 %   stuck    how many steps in a row could not be gone on with, and
 %   trouble  why the first of them could not

@@ -89,7 +89,7 @@ def reach(robot, arm, poses, q):
     found = []
     for pose in poses:
         q = robot.inverse(ARMS[arm], pose, q, max_iterations=200)
-        if q is None:
+        if q is None or not keeps_off_limits(robot, ARMS[arm], q):
             return None
         found.append(q)
     return found[0]
@@ -121,13 +121,17 @@ def arm_clears(robot, arm, q, blocks):
 
 
 def is_safe(robot, path):
-    """Whether an arm can go along a path while the other one is parked. It keeps off its joints'
-    limits: there it might stop short, and with S0 turned far to the other side the upper arm would
-    touch the chest."""
+    """Whether an arm can go along a path while the other one is parked."""
+    return (keeps_off_limits(robot, path.arm, path.positions)
+            and robot.first_invalid(path, q_both=PARKED) is None)
+
+
+def keeps_off_limits(robot, arm, q):
+    """Whether angles of an arm, Nx7 or 7, keep off its joints' limits: there they might stop short,
+    and with S0 turned far to the other side the upper arm would touch the chest."""
     margin = np.array([0.2, 0.02, 0.02, 0.02, 0.02, 0.02, 0.02])  # rad
-    lower, upper = robot.limits(path.arm)[:2]
-    within = (path.positions > lower + margin) & (path.positions < upper - margin)
-    return bool(within.all()) and robot.first_invalid(path, q_both=PARKED) is None
+    lower, upper = robot.limits(arm)
+    return bool(((q > lower + margin) & (q < upper - margin)).all())
 
 
 def tool_pose(point, across):

@@ -13,7 +13,7 @@ from looking import find_blocks, pixel_at, to_pixel, unpacked
 from places import finger_turns, footprint, grip_room, is_walled_in, overlap
 
 MOST_TRIES = 4  # to carry a step's block to its place
-MOST_TIDIED = 20  # blocks put aside in all
+MOST_TIDIED = 20  # blocks put somewhere else in all
 NEAR = 0.07  # so far a block may be off [units]
 EVEN = 0.06  # so far it may be turned [rad]
 
@@ -27,7 +27,7 @@ class Building:
     known: list = field(default_factory=list)  # the blocks, where they were last seen
     done: list = field(init=False)  # whether each step's block is in its place
     tries: list = field(init=False)  # how often each step's block was carried there so far
-    tidied: int = 0  # how often blocks were put aside
+    tidied: int = 0  # how often blocks were put somewhere else
     miss: dict = field(default_factory=dict)  # of a step: how far off its block was, units and rad
     stuck: int = 0  # how many steps in a row could not be gone on with, and
     trouble: str = ""  # why the first of them could not
@@ -78,10 +78,10 @@ def decide(building, sensor, eye, robot):
                                                sensor.jointAngles)
             if not actions:
                 continue
-            if move.goal:
-                building.tries[k] += 1
-            else:
+            if place:
                 building.tidied += 1
+            else:
+                building.tries[k] += 1
             building.known.remove(move.block)
             building.known += place
             building.stuck = 0
@@ -249,9 +249,10 @@ def plan_aside(robot, eye, block, others, sites, q, goal):
             if (not is_seen(place, eye) or not finger_turns(place, site)
                     or not can_pass_on(robot, arms, place, goal)):
                 continue
-            actions, reason = plan_carry(robot, block, place, others, q)
-            if actions:
-                return actions, [place], None
+            if goal is None or plan_carry(robot, place, goal, others, q)[0]:
+                actions, reason = plan_carry(robot, block, place, others, q)
+                if actions:
+                    return actions, [place], None
             tries -= 1
             if tries == 0:
                 break

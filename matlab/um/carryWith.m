@@ -41,7 +41,7 @@ function first = reach(robot, arm, poses, q)
   first = [];
   for i = 1:numel(poses)
     q = smileInverse(robot, names{arm}, poses{i}, q, 'maxIterations', 200);
-    if isempty(q) || ~keepsOffLimits(robot, arm, q)
+    if isempty(q) || ~keepsOffChest(robot, arm, q)
       first = [];
       return
     end

@@ -6,7 +6,7 @@ function yes = isWithinReach(robot, arm, place)
     for height = [place.position(3) + 2, place.position(3) + 0.3]
       pose = toolPose([place.position(1:2), height], across);
       q = smileInverse(robot, names{arm}, pose, q, 'maxIterations', 200);
-      yes = ~isempty(q) && keepsOffLimits(robot, arm, q);
+      yes = ~isempty(q) && keepsOffChest(robot, arm, q);
       if ~yes, break; end
     end
     if yes, return; end

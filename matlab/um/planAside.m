@@ -14,7 +14,7 @@ function [actions, place, reason] = planAside(robot, eye, block, others, sites, 
   for site = cellfun(@asBlocks, sites, 'UniformOutput', false)
     tries = 8;
     for place = freePlaces(block, [others, site{1}], goal)
-      if ~isSeen(place, eye) || isempty(fingerTurns(place, site{1})) || ...
+      if ~isSeen(place, eye) || isWalledIn(place, site{1}) || ...
          ~canPassOn(robot, arms, place, goal)
         continue
       end

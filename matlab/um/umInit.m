@@ -18,5 +18,5 @@ actions = {struct('kind', 'look')};   % what to do next, in this order
 is_recovering = false;                % true after an action went wrong
 
 % The arms begin where they do not stand in the picture.
-aux.imageSeconds = 0.5;
+aux.imageSeconds = 1;
 aux.initJointAngles = [parkedAngles(1); parkedAngles(2)];

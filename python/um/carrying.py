@@ -89,7 +89,7 @@ def reach(robot, arm, poses, q):
     found = []
     for pose in poses:
         q = robot.inverse(ARMS[arm], pose, q, max_iterations=200)
-        if q is None or not keeps_off_limits(robot, ARMS[arm], q):
+        if q is None or not keeps_off_chest(robot, ARMS[arm], q):
             return None
         found.append(q)
     return found[0]
@@ -122,16 +122,17 @@ def arm_clears(robot, arm, q, blocks):
 
 def is_safe(robot, path):
     """Whether an arm can go along a path while the other one is parked."""
-    return (keeps_off_limits(robot, path.arm, path.positions)
+    return (keeps_off_chest(robot, path.arm, path.positions)
             and robot.first_invalid(path, q_both=PARKED) is None)
 
 
-def keeps_off_limits(robot, arm, q):
-    """Whether angles of an arm, Nx7 or 7, keep off its joints' limits: there they might stop short,
-    and with S0 turned far to the other side the upper arm would touch the chest."""
-    margin = np.array([0.2, 0.02, 0.02, 0.02, 0.02, 0.02, 0.02])  # rad
+def keeps_off_chest(robot, arm, q):
+    """Whether angles of an arm, Nx7 or 7, keep its upper arm off the chest, which it would touch
+    with S0 turned farthest to the other side."""
+    margin = 0.2  # rad
     lower, upper = robot.limits(arm)
-    return bool(((q > lower + margin) & (q < upper - margin)).all())
+    turn = np.atleast_2d(q)[:, 0]
+    return bool((turn > lower[0] + margin if arm == "left" else turn < upper[0] - margin).all())
 
 
 def tool_pose(point, across):

@@ -10,7 +10,7 @@ from acting import Action
 from blocks import Block, Step, has_equal_sides, is_like, turn_between
 from carrying import is_within_reach, plan_carry
 from looking import find_blocks, pixel_at, to_pixel, unpacked
-from places import finger_turns, footprint, grip_room, is_walled_in, overlap
+from places import footprint, grip_room, is_walled_in, overlap
 
 MOST_TRIES = 4  # to carry a step's block to its place
 MOST_TIDIED = 20  # blocks put somewhere else in all
@@ -246,7 +246,7 @@ def plan_aside(robot, eye, block, others, sites, q, goal):
     for site in sites:
         tries = 8
         for place in free_places(block, others + site, goal):
-            if (not is_seen(place, eye) or not finger_turns(place, site)
+            if (not is_seen(place, eye) or is_walled_in(place, site)
                     or not can_pass_on(robot, arms, place, goal)):
                 continue
             if goal is None or plan_carry(robot, place, goal, others, q)[0]:

@@ -32,7 +32,7 @@ def init(aux):
     aux.is_recovering = False  # true after an action went wrong
 
     # The arms begin where they do not stand in the picture.
-    aux.imageSeconds = 0.5
+    aux.imageSeconds = 1
     aux.initJointAngles = PARKED
 
 

@@ -17,6 +17,6 @@ building = startBuilding(steps);      % what is known about this scene, and what
 actions = {struct('kind', 'look')};   % what to do next, in this order
 is_recovering = false;                % true after an action went wrong
 
-% The arms begin where they do not stand in the picture.
 aux.imageSeconds = 1;
+% The arms begin where they do not stand in the picture.
 aux.initJointAngles = [parkedAngles(1); parkedAngles(2)];

@@ -1,6 +1,7 @@
 function [actions, building] = decide(building, sensor, eye, robot)
 % Looks where the blocks are and says what to do next; {} when all is built or nothing helps.
   most_tries = 4;
+  most_tidied = 20;
   actions = {};
   seen = findBlocks(sensor.rgbVision, eye, building.steps);
   building.known = remember(building.known, seen, sensor.rgbVision, eye);
@@ -22,7 +23,9 @@ function [actions, building] = decide(building, sensor, eye, robot)
   reason = 'it cannot be seen';
   if building.tries(k) >= most_tries
     reason = sprintf('%d tries were not enough', most_tries);
-  elseif building.tidied < 20
+  elseif building.tidied >= most_tidied
+    reason = sprintf('%d blocks had to be put somewhere else already', most_tidied);
+  else
     for move = proposeMoves(building, k, find(~used))
       [actions, place, reason] = planMove(building, k, move, eye, robot, sensor.jointAngles);
       if isempty(actions), continue; end

@@ -8,12 +8,16 @@ function yes = overlap(one, many)
   c = abs(cos(turn)) / 2;
   s = abs(sin(turn)) / 2;
   gap = many(:, 1:2) - one(1:2);
-  own = [gap(:, 1) * cos(one(5)) + gap(:, 2) * sin(one(5)), gap(:, 2) * cos(one(5)) - gap(:, 1) * sin(one(5))];
-  cosines = cos(many(:, 5));
-  sines = sin(many(:, 5));
-  theirs = [gap(:, 1) .* cosines + gap(:, 2) .* sines, gap(:, 2) .* cosines - gap(:, 1) .* sines];
+  own = turned(gap, one(5));
+  theirs = turned(gap, many(:, 5));
   yes = abs(own(:, 1)) < one(3) / 2 + many(:, 3) .* c + many(:, 4) .* s & ...
         abs(own(:, 2)) < one(4) / 2 + many(:, 3) .* s + many(:, 4) .* c & ...
         abs(theirs(:, 1)) < many(:, 3) / 2 + one(3) * c + one(4) * s & ...
         abs(theirs(:, 2)) < many(:, 4) / 2 + one(3) * s + one(4) * c;
+end
+
+function ways = turned(ways, yaw)
+% Ways, Nx2, as seen from something that is turned by yaw.
+  ways = [ways(:, 1) .* cos(yaw) + ways(:, 2) .* sin(yaw), ...
+          ways(:, 2) .* cos(yaw) - ways(:, 1) .* sin(yaw)];
 end

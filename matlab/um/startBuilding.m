@@ -11,6 +11,7 @@ function building = startBuilding(steps)
 %   trouble  why the first of them could not
 %   summary  one line for people, at the end
   n = numel(steps);
-  building = struct('steps', steps, 'hasSite', false, 'known', noBlocks(), 'done', false(1, n), 'tries', zeros(1, n), ...
-                    'tidied', 0, 'miss', NaN(n, 2), 'stuck', 0, 'trouble', '', 'summary', '');
+  building = struct('steps', steps, 'hasSite', false, 'known', noBlocks(), 'done', false(1, n), ...
+                    'tries', zeros(1, n), 'tidied', 0, 'miss', NaN(n, 2), 'stuck', 0, ...
+                    'trouble', '', 'summary', '');
 end

@@ -71,7 +71,9 @@ def decide(building, sensor, eye, robot):
     reason = "it cannot be seen"
     if building.tries[k] >= MOST_TRIES:
         reason = f"{MOST_TRIES} tries were not enough"
-    elif building.tidied < MOST_TIDIED:
+    elif building.tidied >= MOST_TIDIED:
+        reason = f"{MOST_TIDIED} blocks had to be put somewhere else already"
+    else:
         free = [block for block in building.known if block not in used]
         for move in propose_moves(building, step, free):
             actions, place, reason = plan_move(building, step, move, eye, robot,

@@ -110,7 +110,7 @@ TEST_F(Evaluate, ComparesDemonstratorsInCopiesThatItKeeps) {
 
 TEST_F(Evaluate, ARunThatCrashesOrHangsIsAFailureWithACause) {
   WriteBrain("shaky",
-             "  if seed == 1: os.kill(simulator, signal.SIGSEGV); time.sleep(60)\n"
+             "  if seed == 1: os.kill(simulator, signal.SIGKILL); time.sleep(60)\n"
              "  if seed == 2: print('I give up', flush=True); os._exit(3)\n"
              "  if seed == 4: os.kill(simulator, signal.SIGSTOP); time.sleep(60)\n");
   ASSERT_EQ(Smile("run pair.xml --commands stack.jsonl --record stacked --no-pictures").exit_code,
@@ -121,7 +121,7 @@ TEST_F(Evaluate, ARunThatCrashesOrHangsIsAFailureWithACause) {
   Json runs = answer.json()["agents"][0]["runs"];
   runs.push_back(EvaluateOf("stacked", arguments + "--seed 4 --scenes 1 --wall-seconds 2")
                      .json()["agents"][0]["runs"][0]);
-  const std::pair<const char*, const char*> causes[] = {{"crashed", "signal 11"},
+  const std::pair<const char*, const char*> causes[] = {{"crashed", "signal 9"},
                                                         {"brain_failed", "exit code 3"},
                                                         {"never_taken", ""},
                                                         {"hung", "no end after 2 s"}};

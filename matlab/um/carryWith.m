@@ -14,7 +14,7 @@ function actions = carryWith(robot, arm, block, take, goal, put, height, others,
   park = parkedAngles(arm);
   actions = {};
   for start = [park; robot.poses.untucked(arm, :); robot.poses.neutral(arm, :)]'
-    above = reach(robot, arm, {over_from, from, over_to, to}, start');
+    above = reachInTurn(robot, arm, {over_from, from, over_to, to}, start');
     if isempty(above), continue; end
     path = {moveJoints(robot, arm, [q(arm, :); above])};
     for pose = {from, over_from, over_to, to, over_to}
@@ -23,7 +23,8 @@ function actions = carryWith(robot, arm, block, take, goal, put, height, others,
     end
     if isempty(path{end}), continue; end
     path{end + 1} = moveJoints(robot, arm, [path{end}.positions(end, :); park]);
-    if ~all(cellfun(@(i) armClears(robot, arm, path{i}.positions(end, :), others), {2, 5})), continue; end
+    clears = @(i) armClears(robot, arm, path{i}.positions(end, :), others);
+    if ~clears(2) || ~clears(5), continue; end
     if ~all(cellfun(@(move) isSafe(robot, move, arm), path)), continue; end
 
     follow = @(i) struct('kind', 'follow', 'arm', arm, 'path', path{i});
@@ -32,19 +33,5 @@ function actions = carryWith(robot, arm, block, take, goal, put, height, others,
                follow(5), struct('kind', 'grip', 'arm', arm, 'to', open), follow(6), follow(7), ...
                struct('kind', 'look')};
     return
-  end
-end
-
-function first = reach(robot, arm, poses, q)
-% The angles for the first of some poses, if all of them can be reached one from the other; else [].
-  names = {'left', 'right'};
-  first = [];
-  for i = 1:numel(poses)
-    q = smileInverse(robot, names{arm}, poses{i}, q, 'maxIterations', 200);
-    if isempty(q) || ~keepsOffChest(robot, arm, q)
-      first = [];
-      return
-    end
-    if i == 1, first = q; end
   end
 end

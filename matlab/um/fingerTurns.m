@@ -3,7 +3,7 @@ function turns = fingerTurns(place, others)
 % they go across its longer side, and only where nothing is in their way.
 %   place  position, yaw and size of the block
   turns = place.yaw + [pi / 2, -pi / 2];
-  if place.size(1) < 1.1 * place.size(2), turns = [turns, place.yaw + [0, pi]]; end
+  if hasEqualSides(place), turns = [turns, place.yaw + [0, pi]]; end
   if isempty(others), return; end
   % What is as high as the fingers, the bar that joins them, and the hand above it, must keep off them.
   at = vertcat(others.position);

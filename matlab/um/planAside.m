@@ -38,7 +38,7 @@ function places = freePlaces(block, taken, goal)
   free = true(numel(x), 1);
   for rectangle = footprint(taken, 0.1)', free = free & ~overlap(rectangle', with_fingers); end
   % Square blocks can be held the other way round, too.
-  long = arrayfun(@(other) other.size(1) > 1.1 * other.size(2), taken);
+  long = ~arrayfun(@hasEqualSides, taken);
   for rectangle = gripRoom(taken(long))', free = free & ~overlap(rectangle', covered); end
 
   if isempty(goal)

@@ -141,7 +141,7 @@ Markup Retries(const Evaluation& evaluation) {
     rows.push_back(row);
   }
   if (!are_known) return {};
-  return Section("Retries", DotPlot(rows, "grasps that had to be repeated, in a run",
+  return Section("Retries", DotPlot(rows, "grasps of what had been held before, in a run",
                                     "How often grasps were repeated, run by run"));
 }
 

@@ -1,0 +1,13 @@
+function first = reachInTurn(robot, arm, poses, q)
+% The angles for the first of some poses, if an arm that begins near q gets from each to the next; else [].
+  names = {'left', 'right'};
+  first = [];
+  for i = 1:numel(poses)
+    q = smileInverse(robot, names{arm}, poses{i}, q, 'maxIterations', 200);
+    if isempty(q) || ~keepsOffChest(robot, arm, q)
+      first = [];
+      return
+    end
+    if i == 1, first = q; end
+  end
+end

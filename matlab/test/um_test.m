@@ -51,20 +51,20 @@ function check_looking()
   blocks = [block(red, plank, -2.5, -1.2, 0, 0.4), block(green, cube, 2, -3.1, 0, -0.3), ...
             block(red, cube, 4, -2, 0, 0), block(blue, cube, 4, -2, 1, 0.2), ...
             block(green, plank, 0.2, -2.6, 0, pi / 2 - 0.1)];
-  found = findBlocks(pictureOf(blocks), robotEye(), blocks);
+  found = findBlocks(pictureOf(blocks), robotEye(), blocks, []);
   blocks(3) = [];
   check(numel(found) == numel(blocks), 'all are found but the one below another');
   for it = blocks
     same = found(arrayfun(@(other) norm(other.position - it.position) < 0.01, found));
     check(numel(same) == 1, 'a block is found within a hundredth of a unit');
     check(isequal(same.size, it.size), 'it is as large as it is');
-    check(turnBetween(it, same.yaw) < 0.5 * pi / 180, 'and turned as it is');
+    check(abs(turnBetween(it, same.yaw)) < 0.5 * pi / 180, 'and turned as it is');
   end
 
   seen = [block(red, cube, 1, -2, 0, 0), block(red, plank, -2, -2, 0, 0), block(blue, cube, 3, -2, 0, 0)];
-  check(isequal({findBlocks(pictureOf(seen), robotEye(), seen(1)).color}, {red}), ...
+  check(isequal({findBlocks(pictureOf(seen), robotEye(), seen(1), []).color}, {red}), ...
         'only blocks of the wanted size and color are found');
-  found = findBlocks(pictureOf(seen), robotEye(), block([], cube, 0, 0, 0, 0));
+  found = findBlocks(pictureOf(seen), robotEye(), block([], cube, 0, 0, 0, 0), []);
   check(isequal({found.color}, {blue, red}), 'of any color where color does not matter');
 
   mask = logical([0, 1, 0, 1; 1, 1, 0, 1; 0, 0, 1, 0; 1, 0, 1, 1]);
@@ -123,21 +123,10 @@ end
 
 function check_understanding()
 % A plank lies there; a red cube is put on it, another stays where it is, one moves twice.
-  folder = tempname();
-  mkdir(folder);
-  mkdir(folder, 'rgb');
-  remove = onCleanup(@() removeFolder(folder));
-  eye = robotEye();
   names = {'Plank', 'Red', 'Other', 'Blue'};
   objects = [block([0, 1, 0], [1, 4, 1], -2, -2, 0, 0.2), block([1, 0, 0], [1, 1, 1], 3, -3, 0, 0), ...
              block([1, 0, 0], [1, 1, 1], 3, -1, 0, 0), block([0, 0, 1], [1, 1, 1], 1, -4, 0, 0)];
-  imwrite(uint8(255 * pictureOf(objects)), fullfile(folder, 'rgb', '0.png'));
-  tilt = -(90 + 56.05) / 2 * pi / 180;
-  info.meters_per_unit = 0.1;
-  info.eye = struct('fx', eye.intrinsics(1, 1), 'fy', eye.intrinsics(2, 2), 'cx', 320, 'cy', 240, ...
-                    'position_m', eye.pose(1:3, 4)' / 10, ...
-                    'rotation_wxyz', [cos(tilt), sin(tilt), 0, 0]);
-  write(folder, 'demo.json', {jsonencode(info)});
+  [folder, remove] = newRecording({pictureOf(objects)});
   lines = {};
   for i = 1:4, lines{end + 1} = sprintf('0,create,%s,shape,block', names{i}); end
   for i = 1:4
@@ -156,7 +145,7 @@ function check_understanding()
   check(isequal({steps.name}, {'Plank', 'Red', 'Blue'}), 'steps come in the order of building');
   check(isequal({steps.on}, {[], 1, 2}), 'each stands on the one before');
   check(max(abs(steps(1).size - [4, 1, 1])) < 0.03, 'the longer side of the plank comes first');
-  check(turnBetween(steps(1), 0.2 + pi / 2) < 1e-9, 'and tells how it is turned');
+  check(abs(turnBetween(steps(1), 0.2 + pi / 2)) < 1e-9, 'and tells how it is turned');
   check(norm(steps(2).position - [-2, -1.5, 1.5]) < 1e-9, 'a place is that of the last move');
   check(abs(steps(2).yaw - 95 * pi / 180) < 1e-9, 'and so is a turn');
   check(max(abs(steps(2).color - [1, 0, 0])) < 0.01, 'the color is read from the picture');
@@ -173,6 +162,24 @@ function check_understanding()
         'what cannot be seen is said');
 end
 
+function [folder, remove] = newRecording(pictures)
+% A folder for the texts of a recording, with these pictures; it goes when `remove` does.
+  folder = tempname();
+  mkdir(folder);
+  mkdir(folder, 'rgb');
+  remove = onCleanup(@() removeFolder(folder));
+  for i = 1:numel(pictures)
+    imwrite(uint8(255 * pictures{i}), fullfile(folder, 'rgb', sprintf('%d.png', i - 1)));
+  end
+  eye = robotEye();
+  tilt = -(90 + 56.05) / 2 * pi / 180;
+  info.meters_per_unit = 0.1;
+  info.eye = struct('fx', eye.intrinsics(1, 1), 'fy', eye.intrinsics(2, 2), 'cx', 320, 'cy', 240, ...
+                    'position_m', eye.pose(1:3, 4)' / 10, ...
+                    'rotation_wxyz', [cos(tilt), sin(tilt), 0, 0]);
+  write(folder, 'demo.json', {jsonencode(info)});
+end
+
 function removeFolder(folder)
   confirm_recursive_rmdir(false, 'local');
   rmdir(folder, 's');
@@ -184,12 +191,76 @@ function write(folder, name, lines)
   fclose(file);
 end
 
+function check_container()
+% A blue cube is put into a box whose floor is 0.2 high. Then the box is found elsewhere, and turned.
+  brown = [0.5, 0.3, 0.2]; blue = [0, 0, 1];
+  cube = block(blue, [1, 1, 1], 3, -3, 0, 0);
+  [folder, remove] = newRecording({pictureOf([emptyBox(brown, -1, -1, 0), cube])});
+  write(folder, '0.txt', {'0,create,Case,shape,box', '0,create,Blue,shape,block', ...
+                          '0,move,Case,-1.0,-1.0,0.45,0.0,0.0,0.0', ...
+                          '0,move,Blue,3.0,-3.0,0.5,0.0,0.0,0.0'});
+  write(folder, '1.txt', {'1,grasp,LeftHand,Blue', '2,release,LeftHand', ...
+                          '2,move,Blue,0.5,-1.3,0.7,0.0,0.0,0.0'});
+  [steps, container] = understand(readDemonstration(folder), []);
+  check(norm(container.position - [-1, -1, 0.45]) < 0.03, 'the box is found where it stands');
+  check(max(abs(container.size - [5, 2.6, 0.9])) < 0.05, 'and is as large as it is');
+  check(abs(container.floor - 0.2) < 1e-9, 'what lies in it tells how high its floor is');
+
+  there = block(blue, [1, 1, 1], 0.9, -1.6, 0.2, 0.3);
+  picture = pictureOf([emptyBox(brown, 1, -2, 0.3), there]);
+  [found, turn] = findContainer(picture, robotEye(), container);
+  check(norm(found.position - [1, -2, 0.45]) < 0.03, 'the box is found elsewhere');
+  check(abs(turn - 0.3) < 0.02, 'and how far it is turned');
+  seen = findBlocks(picture, robotEye(), steps, found);
+  check(abs(seen.position(3) - 0.7) < 1e-9, 'what lies in it lies on its floor');
+  walls = wallsOf(found);
+  there.position = found.position + [0, 0, 0.25];
+  check(isequal(fingerTurns(there, walls), there.yaw + [pi / 2, -pi / 2, 0, pi]), ...
+        'fingers have room in the middle');
+  there.position = found.position + [1.7 * [cos(0.3), sin(0.3)], 0.25];
+  check(isequal(fingerTurns(there, walls), there.yaw + [pi / 2, -pi / 2]), 'but not at its end');
+end
+
+function blocks = emptyBox(color, x, y, yaw)
+% Within its rim a dark side, then its floor.
+  blocks = [block(color, [5, 2.6, 0.9], x, y, 0, yaw), block(0.7 * color, [4.6, 2.2, 0], x, y, 0.9, yaw), ...
+            block(color, [4.2, 1.8, 0], x, y, 0.9, yaw)];
+end
+
+function check_drawing()
+% A door with a post upon it is drawn along by 2 and 1, another of the same color stays.
+  yellow = [0.9, 0.7, 0.1]; red = [0.7, 0.3, 0.2];
+  door = @(x, y) [block(yellow, [3, 2, 2], x, y, 0, 0.5), block(red, [1, 0.6, 1.2], x, y, 2, 0.5)];
+  other = block(red, [1, 0.6, 1.2], 4, -4, 0, 0);
+  [folder, remove] = newRecording({pictureOf([other, door(-2, -3)]), pictureOf([other, door(0, -2)])});
+  write(folder, '0.txt', {'0,create,Door,shape,composite', '0,move,Door,-2.2,-3.1,1.9,0.0,0.0,0.0'});
+  write(folder, '1.txt', {'1,grasp,LeftHand,Door', '1,move,Door,-0.2,-2.1,1.9,0.0,0.0,0.0', ...
+                          '1,release,LeftHand'});
+  [step, container] = understand(readDemonstration(folder), []);
+  check(isempty(container), 'nothing was put into anything');
+  check(norm(step.way - [2, 1]) < 1e-9, 'it was drawn along');
+  check(abs(step.position(3) + step.size(3) / 2 - 3.2) < 0.05, 'the way in the pictures tells how high');
+  check(norm(step.position(1:2) - [-2, -3]) < 0.03 && max(abs(step.size(1:2) - [1, 0.6])) < 0.03, ...
+        'it can be drawn by its post');
+
+  building = startBuilding(step, []);
+  building.known = block(step.color, step.size, 3, -2, 0, 0.8);
+  building = chooseSite(building, [], [], []);
+  turn = [cos(0.3), sin(0.3); -sin(0.3), cos(0.3)];
+  check(building.hasSite && norm(building.steps.position(1:2) - [3, -2] - [2, 1] * turn) < 0.01, ...
+        'a door that is turned is drawn the turned way');
+  building = startBuilding(step, []);
+  building = chooseSite(building, [], [], []);
+  check(~building.hasSite && ~isempty(strfind(building.summary, '0 things are seen')), ...
+        'a door that is not seen is not drawn');
+end
+
 function check_deciding()
   red = [1, 0, 0]; green = [0, 1, 0]; blue = [0, 0, 1];
   cube = [1, 1, 1];
   steps = [asStep(block(red, cube, 0, -2, 0, 0)), asStep(block(green, cube, 0, -2, 1, 0)), ...
            asStep(block(green, cube, -3, -2, 0, 0))];
-  building = startBuilding(steps);
+  building = startBuilding(steps, []);
   building.known = [block(red, cube, 0.1, -2, 0, 0), block(red, cube, 0.05, -2, 0, pi), ...
                     block(red, cube, 0, -2, 1, 0)];
   [building, used] = compare(building);
@@ -215,12 +286,15 @@ function step = asStep(it)
   step = it;
   step.name = 'step';
   step.on = [];
+  step.way = [];
 end
 
 try
   check_looking();
   check_places();
   check_understanding();
+  check_container();
+  check_drawing();
   check_deciding();
 catch err
   fprintf('%s\n', err.message);

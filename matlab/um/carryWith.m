@@ -11,27 +11,17 @@ function actions = carryWith(robot, arm, block, take, goal, put, height, others,
   over_from(3, 4) = height;
   over_to = to;
   over_to(3, 4) = height;
-  park = parkedAngles(arm);
-  actions = {};
-  for start = [park; robot.poses.untucked(arm, :); robot.poses.neutral(arm, :)]'
-    above = reachInTurn(robot, arm, {over_from, from, over_to, to}, start');
-    if isempty(above), continue; end
-    path = {moveJoints(robot, arm, [q(arm, :); above])};
-    for pose = {from, over_from, over_to, to, over_to}
-      path{end + 1} = moveLine(robot, arm, path{end}, pose{1});
-      if isempty(path{end}), break; end
-    end
-    if isempty(path{end}), continue; end
-    path{end + 1} = moveJoints(robot, arm, [path{end}.positions(end, :); park]);
-    clears = @(i) armClears(robot, arm, path{i}.positions(end, :), others);
-    if ~clears(2) || ~clears(5), continue; end
-    if ~all(cellfun(@(move) isSafe(robot, move, arm), path)), continue; end
-
-    follow = @(i) struct('kind', 'follow', 'arm', arm, 'path', path{i});
-    actions = {struct('kind', 'grip', 'arm', arm, 'to', open), follow(1), follow(2), ...
-               struct('kind', 'take', 'arm', arm, 'width', block.size(2)), follow(3), follow(4), ...
-               follow(5), struct('kind', 'grip', 'arm', arm, 'to', open), follow(6), follow(7), ...
-               struct('kind', 'look')};
-    return
+  if ~isDrawn(goal)
+    path = pathThrough(robot, arm, {over_from, from, over_from, over_to, to, over_to}, others, q);
+  else  % what is drawn is not lifted
+    path = pathThrough(robot, arm, {over_from, from, to, over_to}, others, q);
   end
+  actions = {};
+  if isempty(path), return; end
+
+  follow = cellfun(@(it) struct('kind', 'follow', 'arm', arm, 'path', it), path, 'UniformOutput', false);
+  grip = struct('kind', 'grip', 'arm', arm, 'to', open);
+  take = struct('kind', 'take', 'arm', arm, 'width', block.size(2));
+  actions = [{grip}, follow(1:2), {take}, follow(3:end - 2), {grip}, follow(end - 1:end), ...
+             {struct('kind', 'look')}];
 end

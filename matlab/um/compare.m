@@ -9,7 +9,7 @@ function [building, used] = compare(building)
   for k = 1:numel(building.steps)
     step = building.steps(k);
     for i = find(~used)
-      off = [norm(known(i).position - step.position), turnBetween(step, known(i).yaw)];
+      off = [norm(known(i).position - step.position), abs(turnBetween(step, known(i).yaw))];
       if isLike(known(i), step) && off(1) < near && off(2) < even
         building.miss(k, :) = off;
         building.done(k) = true;

@@ -3,10 +3,12 @@ function [actions, building] = decide(building, sensor, eye, robot)
   most_tries = 4;
   most_tidied = 20;
   actions = {};
-  seen = findBlocks(sensor.rgbVision, eye, building.steps);
+  container = building.container;
+  if ~building.hasSite, container = []; end  % where it stands here is not known yet
+  seen = findBlocks(sensor.rgbVision, eye, building.steps, container);
   building.known = remember(building.known, seen, sensor.rgbVision, eye);
   if ~building.hasSite
-    building = chooseSite(building, robot);
+    building = chooseSite(building, robot, sensor.rgbVision, eye);
     if ~building.hasSite, return; end
   end
 
@@ -58,16 +60,17 @@ function [actions, place, reason] = planMove(building, k, move, eye, robot, q)
 %   place  the block where it will lie on the table, even if it is hidden there; a 1x0 struct array for
 %          one that is built in: there it must be seen
   block = building.known(move.block);
-  others = building.known([1:move.block - 1, move.block + 1:end]);
+  others = [building.known([1:move.block - 1, move.block + 1:end]), wallsOf(building.container)];
   steps = building.steps;
-  sites = {steps};
+  container = asBlocks(building.container);
+  sites = {[asBlocks(steps), container]};
   actions = {};
   place = noBlocks();
   if ~isempty(move.goal)
-    sites{2} = steps(building.done);
+    sites{2} = [asBlocks(steps(building.done)), container];
     [actions, reason] = planCarry(robot, block, move.goal, others, q);
   elseif any(overlap(gripRoom(steps(k)), footprint(block, 0)))
-    sites{2} = steps([find(building.done), k]);
+    sites{2} = [asBlocks(steps([find(building.done), k])), container];
   end
   if isempty(actions)
     [actions, place, reason] = planAside(robot, eye, block, others, sites, q, move.goal);

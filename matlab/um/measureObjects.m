@@ -4,13 +4,14 @@ function looks = measureObjects(demo, which)
 %   which           their numbers
 %   looks(n).color  1x3, red green blue, 0 to 1
 %   looks(n).size   along its own x, y and z axes [units]
+  looks = struct('color', {}, 'size', {});
   pictures = containers.Map('KeyType', 'double', 'ValueType', 'any');  % those already read
   for n = which
     height = 2 * demo.start(n, 3);  % it began on the table
     sides = [];
     for k = worthLooking(demo, n)
       frame = demo.moves(k, 1);
-      if ~pictures.isKey(frame), pictures(frame) = readPicture(demo.folder, frame); end
+      if ~pictures.isKey(frame), pictures(frame) = readPicture(demo, frame); end
       [color, sides] = measureTop(pictures(frame), demo.eye, demo.moves(k, 3:8), height);
       if ~isempty(sides), break; end
     end
@@ -28,25 +29,16 @@ function rows = worthLooking(demo, n)
   rows = rows([1; order(1:min(8, end))])';
 end
 
-function picture = readPicture(folder, frame)
-% HxWx3, 0 to 1; [] if there is none of this frame.
-  found = glob(fullfile(folder, '*', sprintf('%d.png', frame)));
-  picture = [];
-  if ~isempty(found), picture = double(imread(found{1})) / 255; end
-end
-
 function [color, sides] = measureTop(picture, eye, pose, height)
 % The color of the top of an upright object, 1x3, and how long it is along the object's x and y axes;
 % [] if it is not seen as a whole.
-  color = [];
   sides = [];
   top = pose(1:3) + [0, 0, height / 2];
-  spot = round(toPixel(top, eye) + 0.5);
-  if isempty(picture) || any(spot < 1 | spot > [size(picture, 2), size(picture, 1)]), return; end
-  color = reshape(picture(spot(2), spot(1), 1:3), 1, 3);
+  [color, spot] = colorAt(picture, eye, top);
+  if isempty(color), return; end
   number = labelRegions(isColor(picture, color));
   [row, column] = find(number == number(spot(2), spot(1)));
   [x, y, area] = ontoPlane(row, column, eye, top(3));
   face = describeFace(x, y, area, pose(6) * pi / 180);
-  if norm(face.center - top(1:2)) < 0.1 && face.misfit < 0.05, sides = face.sides; end
+  if norm(face.center - top(1:2)) < 0.03 && face.misfit < 0.05, sides = face.sides; end
 end

@@ -1,7 +1,8 @@
 function [actions, place, reason] = planAside(robot, eye, block, others, sites, q, goal)
 % The actions that bring a block to a free place on the table that the eye sees, and that place; {} and a
 % reason if there is none.
-%   sites  the steps to keep off, as a cell of lists: the first with which there is a place counts
+%   sites  what is or will be built, to keep off, as a cell of lists: the first with which there is a place
+%          counts
 %   goal   where another arm shall bring it from there at once, or [] if that does not matter yet
   actions = {};
   place = noBlocks();
@@ -11,7 +12,7 @@ function [actions, place, reason] = planAside(robot, eye, block, others, sites, 
     reason = 'no arm reaches it';
     return
   end
-  for site = cellfun(@asBlocks, sites, 'UniformOutput', false)
+  for site = sites
     tries = 8;
     for place = freePlaces(block, [others, site{1}], goal)
       if ~isSeen(place, eye) || isWalledIn(place, site{1}) || ...
@@ -65,10 +66,6 @@ function yes = isSeen(place, eye)
     pixel = toPixel([place.position(1:2) + along + across, place.size(3)], eye);
     yes = yes && all(pixel > 3) && all(pixel < 2 * eye.intrinsics(1:2, 3)' - 3);
   end
-end
-
-function blocks = asBlocks(steps)
-  blocks = rmfield(steps, {'name', 'on'});
 end
 
 function arms = armsFor(robot, block, goal)

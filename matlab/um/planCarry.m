@@ -10,6 +10,7 @@ function [actions, reason] = planCarry(robot, block, goal, others, q)
   if isempty(takes) || isempty(puts), return; end
 
   height = carryingHeight([others, block], goal);
+  if isDrawn(goal), height = block.position(3) + block.size(3) / 2 + 1; end
   arms = [1, 2];
   if block.position(1) + goal.position(1) > 0, arms = [2, 1]; end
   for arm = arms

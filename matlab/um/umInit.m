@@ -8,12 +8,12 @@ if exist(fullfile(aux.demonstration, '0.txt'), 'file')
 else  % without words it is understood from its pictures
   demo = watchDemonstration(aux.demonstration);
 end
-steps = understand(demo, aux.attention);
+[steps, container] = understand(demo, aux.attention);
 printSteps(steps);
 
 robot = smileRobot(aux);
 eye = struct('intrinsics', aux.cameraIntrinsics, 'pose', aux.cameraPose);
-building = startBuilding(steps);      % what is known about this scene, and what was done so far
+building = startBuilding(steps, container);  % what is known about this scene, and what was done so far
 actions = {struct('kind', 'look')};   % what to do next, in this order
 is_recovering = false;                % true after an action went wrong
 

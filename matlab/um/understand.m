@@ -1,5 +1,5 @@
-function steps = understand(demo, attention)
-% What was built, as a list of steps in the order of building. Each object that takes part has one:
+function [steps, container] = understand(demo, attention)
+% What was done, as a list of steps in the order shown. Each object that takes part has one:
 %   name      of the object in the demonstration, for people
 %   color     by which to find it, 1x3; [] if the demonstrator told that color does not matter
 %   size      its sides along its own axes, the longer one first, and its height [units]
@@ -7,10 +7,18 @@ function steps = understand(demo, attention)
 %   yaw       of its longer side [rad]; both for a building that stands where it stood in the
 %             demonstration
 %   on        numbers of the steps that it stands on; empty for an object on the table
+%   way       by how much it was drawn along, from where it stood before, 1x2 [units]; empty for an object
+%             that was carried. It is then what such an object can be drawn by that has color and size.
+% The container is what objects were put into: see measureContainer.
   part = takingPart(demo);
-  if isfield(demo, 'looks'), looks = demo.looks; else, looks = measureObjects(demo, part); end
+  is_drawn = arrayfun(@(n) wasDrawn(demo, n), part);
+  if isfield(demo, 'looks'), looks = demo.looks; else, looks = measureObjects(demo, part(~is_drawn)); end
   for k = 1:numel(part)
     n = part(k);
+    if is_drawn(k)
+      steps(k) = measureHandle(demo, n);
+      continue
+    end
     sides = looks(n).size;
     yaw = demo.final(n, 6) * pi / 180;
     if sides(2) > 1.1 * sides(1)
@@ -18,12 +26,13 @@ function steps = understand(demo, attention)
       yaw = yaw + pi / 2;
     end
     steps(k) = struct('name', demo.ids{n}, 'color', looks(n).color, 'size', sides, ...
-                      'position', demo.final(n, 1:3), 'yaw', yaw, 'on', []);
+                      'position', demo.final(n, 1:3), 'yaw', yaw, 'on', [], 'way', []);
     for j = 1:k - 1
       if standsOn(steps(k), steps(j)), steps(k).on(end + 1) = j; end
     end
     if ~colorMatters(attention, demo.ids{n}), steps(k).color = []; end
   end
+  container = measureContainer(demo, steps);
 end
 
 function part = takingPart(demo)

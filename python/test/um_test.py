@@ -12,14 +12,17 @@ import numpy as np
 from PIL import Image
 
 from blocks import Block, Step, turn_between
-from deciding import Building, Move, compare, open_steps, propose_moves, remember
-from demonstration import read_demonstration, understand
-from looking import Eye, find_blocks, label_regions, to_pixel
-from places import finger_turns, is_walled_in, overlap
+from deciding import (Building, Move, choose_site, compare, open_steps, propose_moves,
+                      remember)
+from demonstration import read_demonstration
+from looking import Eye, find_blocks, find_container, label_regions, to_pixel
+from places import finger_turns, is_walled_in, overlap, walls_of
+from understanding import understand
 
 RED, GREEN, BLUE = np.eye(3)
 CUBE = np.array([1.0, 1, 1])
 PLANK = np.array([4.0, 1, 1])
+BROWN = np.array([0.5, 0.3, 0.2])
 TABLE = np.array([0.6, 0.5, 0.4])
 TILT = math.radians(56.05)  # of the robot's eye, downwards
 EYE = Eye(np.array([[240 / math.tan(math.pi / 6), 0, 320], [0, 240 / math.tan(math.pi / 6), 240],
@@ -60,7 +63,7 @@ class LookingTest(unittest.TestCase):
         same = [it for it in found if np.linalg.norm(it.position - expected.position) < 0.01]
         self.assertEqual(len(same), 1, f"{expected} is not among {found}")
         np.testing.assert_allclose(same[0].size, expected.size)
-        self.assertLess(turn_between(expected, same[0].yaw), math.radians(0.5))
+        self.assertLess(abs(turn_between(expected, same[0].yaw)), math.radians(0.5))
 
     def test_blocks_are_found_within_a_hundredth_of_a_unit(self):
         blocks = [block(RED, PLANK, -2.5, -1.2, yaw=0.4), block(GREEN, CUBE, 2, -3.1, yaw=-0.3),
@@ -128,25 +131,37 @@ class PlacesTest(unittest.TestCase):
         self.assertFalse(is_walled_in(middle, [block(BLUE, CUBE, 4, -2)]))
 
 
-class UnderstandingTest(unittest.TestCase):
-    """A plank lies there; a red cube is put on it, another stays where it is, one moves twice."""
-
-    def setUp(self):
+class RecordingTest(unittest.TestCase):
+    def record(self, *pictures):
+        """A folder for the texts of a recording, with these pictures."""
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = Path(folder.name)
-        quarter = np.array([1.0, 4, 1])  # a plank that is longer along its y axis
-        self.objects = {"Plank": block(GREEN, quarter, -2, -2, yaw=0.2),
-                        "Red": block(RED, CUBE, 3, -3), "Other": block(RED, CUBE, 3, -1),
-                        "Blue": block(BLUE, CUBE, 1, -4)}
         (self.folder / "rgb").mkdir()
-        picture = picture_of(self.objects.values())
-        Image.fromarray((picture * 255).round().astype("u1")).save(self.folder / "rgb/0.png")
+        for i, picture in enumerate(pictures):
+            Image.fromarray((picture * 255).round().astype("u1")).save(self.folder / f"rgb/{i}.png")
         tilt = -(math.pi / 2 + TILT) / 2
         (self.folder / "demo.json").write_text(json.dumps({"meters_per_unit": 0.1, "eye": {
             "fx": EYE.intrinsics[0, 0], "fy": EYE.intrinsics[1, 1], "cx": 320.0, "cy": 240.0,
             "position_m": list(EYE.pose[:3, 3] / 10),
             "rotation_wxyz": [math.cos(tilt), math.sin(tilt), 0.0, 0.0]}}))
+
+    def write(self, segment, lines):
+        (self.folder / f"{segment}.txt").write_text("\n".join(lines) + "\n")
+
+    def understand(self, attention=None):
+        return understand(read_demonstration(self.folder), attention or {})
+
+
+class UnderstandingTest(RecordingTest):
+    """A plank lies there; a red cube is put on it, another stays where it is, one moves twice."""
+
+    def setUp(self):
+        quarter = np.array([1.0, 4, 1])  # a plank that is longer along its y axis
+        self.objects = {"Plank": block(GREEN, quarter, -2, -2, yaw=0.2),
+                        "Red": block(RED, CUBE, 3, -3), "Other": block(RED, CUBE, 3, -1),
+                        "Blue": block(BLUE, CUBE, 1, -4)}
+        self.record(picture_of(self.objects.values()))
         self.write(0, [f"0,create,{name},shape,block" for name in self.objects] + [
             f"0,move,{name},{it.position[0]},{it.position[1]},{it.position[2]},0.0,-0.0,"
             f"{math.degrees(it.yaw)}" for name, it in self.objects.items()])
@@ -157,16 +172,14 @@ class UnderstandingTest(unittest.TestCase):
                        "10,grasp,LeftHand,Blue", "11,release,LeftHand",
                        "11,move,Blue,-2.0,-1.5,2.5,0.0,0.0,0.0"])
 
-    def write(self, segment, lines):
-        (self.folder / f"{segment}.txt").write_text("\n".join(lines) + "\n")
-
     def test_steps_come_in_the_order_of_building(self):
-        steps = understand(read_demonstration(self.folder), {"Blue": ["size"]})
+        steps, container = self.understand({"Blue": ["size"]})
+        self.assertIsNone(container)
         self.assertEqual([step.name for step in steps], ["Plank", "Red", "Blue"])
         plank, red, blue = steps
         self.assertEqual([step.on for step in steps], [[], [0], [1]])
         np.testing.assert_allclose(plank.size, [4, 1, 1], atol=0.03)  # the longer side comes first
-        self.assertLess(turn_between(plank, 0.2 + math.pi / 2), 1e-9)
+        self.assertLess(abs(turn_between(plank, 0.2 + math.pi / 2)), 1e-9)
         np.testing.assert_allclose(red.position, [-2, -1.5, 1.5])
         self.assertAlmostEqual(red.yaw, math.radians(95))
         np.testing.assert_allclose(red.color, RED)
@@ -181,7 +194,82 @@ class UnderstandingTest(unittest.TestCase):
             understand(demo, {})
         (self.folder / "rgb/0.png").unlink()
         with self.assertRaisesRegex(ValueError, "no picture of the demonstration shows Plank"):
-            understand(read_demonstration(self.folder), {})
+            self.understand()
+
+
+class ContainerTest(RecordingTest):
+    """A blue cube is put into a box whose floor is 0.2 high."""
+
+    def setUp(self):
+        cube = block(BLUE, CUBE, 3, -3)
+        self.record(picture_of([*empty_box(-1, -1, 0), cube]))
+        self.write(0, ["0,create,Case,shape,box", "0,create,Blue,shape,block",
+                       "0,move,Case,-1.0,-1.0,0.45,0.0,0.0,0.0",
+                       "0,move,Blue,3.0,-3.0,0.5,0.0,0.0,0.0"])
+        self.write(1, ["1,grasp,LeftHand,Blue", "2,release,LeftHand",
+                       "2,move,Blue,0.5,-1.3,0.7,0.0,0.0,0.0"])
+        self.steps, self.container = self.understand()
+
+    def test_it_is_found_where_it_stands(self):
+        np.testing.assert_allclose(self.container.position, [-1, -1, 0.45], atol=0.03)
+        np.testing.assert_allclose(self.container.size, [5, 2.6, 0.9], atol=0.05)
+        self.assertAlmostEqual(self.container.floor, 0.2)
+
+    def test_it_is_found_elsewhere_with_what_lies_in_it(self):
+        there = block(BLUE, CUBE, 0.9, -1.6, bottom=0.2, yaw=0.3)
+        picture = picture_of([*empty_box(1, -2, 0.3), there])
+        found, turn = find_container(picture, EYE, self.container)
+        np.testing.assert_allclose(found.position, [1, -2, 0.45], atol=0.03)
+        self.assertAlmostEqual(turn, 0.3, delta=0.02)
+        [seen] = find_blocks(picture, EYE, self.steps, found)
+        self.assertAlmostEqual(seen.position[2], 0.7)
+        there.position = found.position + [0, 0, 0.25]
+        self.assertEqual(len(finger_turns(there, walls_of(found))), 4)
+        there.position = found.position + [1.7 * math.cos(0.3), 1.7 * math.sin(0.3), 0.25]
+        self.assertEqual(len(finger_turns(there, walls_of(found))), 2)
+
+
+def empty_box(x, y, yaw):
+    """Within its rim a dark side, then its floor."""
+    return [block(BROWN, np.array([5, 2.6, 0.9]), x, y, yaw=yaw),
+            block(0.7 * BROWN, np.array([4.6, 2.2, 0]), x, y, bottom=0.9, yaw=yaw),
+            block(BROWN, np.array([4.2, 1.8, 0]), x, y, bottom=0.9, yaw=yaw)]
+
+
+class DrawingTest(RecordingTest):
+    """A door with a post upon it is drawn along by 2 and 1; another of the same color stays."""
+
+    def setUp(self):
+        def scene(x, y):
+            yellow, red, post = BROWN * 1.5, RED * 0.7, np.array([1, 0.6, 1.2])
+            return picture_of([block(red, post, 4, -4),
+                               block(yellow, np.array([3.0, 2, 2]), x, y, yaw=0.5),
+                               block(red, post, x, y, bottom=2, yaw=0.5)])
+        self.record(scene(-2, -3), scene(0, -2))
+        self.write(0, ["0,create,Door,shape,composite", "0,move,Door,-2.2,-3.1,1.9,0.0,0.0,0.0"])
+        self.write(1, ["1,grasp,LeftHand,Door", "1,move,Door,-0.2,-2.1,1.9,0.0,0.0,0.0",
+                       "1,release,LeftHand"])
+
+    def test_it_can_be_drawn_by_its_post(self):
+        [step], container = self.understand()
+        self.assertIsNone(container)
+        np.testing.assert_allclose(step.way, [2, 1])
+        self.assertAlmostEqual(step.top, 3.2, delta=0.05)  # that the way in the pictures tells
+        np.testing.assert_allclose(step.position[:2], [-2, -3], atol=0.03)
+        np.testing.assert_allclose(step.size[:2], [1, 0.6], atol=0.03)
+
+    def test_one_that_is_turned_is_drawn_the_turned_way(self):
+        [step], _ = self.understand()
+        building = Building([step])
+        choose_site(building, None, None, None)
+        self.assertFalse(building.has_site)
+        self.assertRegex(building.summary, "0 things are seen that look like Door")
+        building.known = [block(step.color, step.size, 3, -2, yaw=0.8)]
+        choose_site(building, None, None, None)
+        self.assertTrue(building.has_site)
+        c, s = math.cos(0.3), math.sin(0.3)
+        np.testing.assert_allclose(building.steps[0].position[:2],
+                                   [3 + 2 * c - s, -2 + 2 * s + c], atol=0.01)
 
 
 class DecidingTest(unittest.TestCase):

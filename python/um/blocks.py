@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import dataclass
+from typing import Optional
 
 import numpy as np
 
@@ -20,6 +21,11 @@ class Block:
         """Height of its top [units]."""
         return self.position[2] + self.size[2] / 2
 
+    @property
+    def bottom(self):
+        """Height of what it stands on [units]."""
+        return self.position[2] - self.size[2] / 2
+
 
 @dataclass(eq=False)
 class Step(Block):
@@ -27,9 +33,24 @@ class Step(Block):
 
     name: str  # of the object in the demonstration, for people
     on: list  # numbers of the steps that it stands on; none for the table
+    way: Optional[np.ndarray] = None  # of what was drawn along: x y from where it was [units]; then
+    #                                   color and size are of what it can be drawn by
 
     def __str__(self):
         return "%s (%.3g x %.3g x %.3g)" % (self.name, *self.size)
+
+
+@dataclass(eq=False)
+class Container(Block):
+    """An open box that blocks were put into."""
+
+    name: str  # of the object in the demonstration, for people
+    floor: float  # how high its floor is inside [units]
+
+
+def is_drawn(goal):
+    """Whether a goal (a Step, or only a Block) is for something that is drawn there, not carried."""
+    return getattr(goal, "way", None) is not None
 
 
 def is_like(block, step):
@@ -53,8 +74,8 @@ def has_equal_sides(block):
 
 
 def turn_between(block, yaw):
-    """By how much a block would have to turn to have a yaw, at most [rad]: one with four equal
-    sides looks the same every 90 degrees, any other every 180."""
+    """By how much a block has to turn to have a yaw, as little as possible [rad]: one with four
+    equal sides looks the same every 90 degrees, any other every 180."""
     period = math.pi / 2 if has_equal_sides(block) else math.pi
     turn = yaw - block.yaw
-    return abs(turn - period * round(turn / period))
+    return turn - period * round(turn / period)

@@ -5,6 +5,7 @@ import math
 import numpy as np
 
 from acting import ARMS, Action
+from blocks import is_drawn
 from places import finger_turns, footprint, overlap
 
 # The angles of an arm that is turned outwards, beside the table and higher than what is built: out
@@ -26,7 +27,7 @@ def plan_carry(robot, block, goal, others, q):
     puts = finger_turns(goal, others)
     if not takes or not puts:
         return [], "there is no room for the fingers"
-    height = carrying_height([*others, block], goal)
+    height = block.top + 1 if is_drawn(goal) else carrying_height([*others, block], goal)
     arms = [1, 0] if block.position[0] + goal.position[0] > 0 else [0, 1]
     for arm in arms:
         for put in puts:
@@ -58,28 +59,42 @@ def carry_with(robot, arm, block, take, goal, put, height, others, q):
     over_start = at_height(start, height)
     end = tool_pose(goal.position + grip + [0, 0, 0.01], put)
     over_end = at_height(end, height)
+    # What is drawn is not lifted.
+    way = [end] if is_drawn(goal) else [over_start, over_end, end]
+    path = path_through(robot, arm, [over_start, start, *way, over_end], others, q)
+    if not path:
+        return []
+    to_above, down, *with_block, up, to_park = [Action("follow", arm, it) for it in path]
+    return [Action("grip", arm, to=opening), to_above, down,
+            Action("take", arm, width=block.size[1]), *with_block,
+            Action("grip", arm, to=opening), up, to_park, Action("look")]
+
+
+def path_through(robot, arm, poses, others, q):
+    """The paths of an arm to the first of some poses of its tool, straight on from each to the
+    next, and to where it parks: a list, [] if it cannot.
+
+    others: blocks that its forearm keeps off where the tool is lower than on the way
+    q:      2x7, where the arms are [rad]
+    """
+    height = max(pose[2, 3] for pose in poses)
     for first in (PARKED[arm], robot.pose(ARMS[arm], "untucked"), robot.pose(ARMS[arm], "neutral")):
-        above = reach(robot, arm, [over_start, start, over_end, end], first)
+        above = reach(robot, arm, poses, first)
         if above is None:
             continue
         path = [move_joints(robot, arm, [q[arm], above])]
-        for pose in (start, over_start, over_end, end, over_end):
+        for pose in poses[1:]:
             path.append(move_line(robot, arm, path[-1], pose))
             if not path[-1]:
                 break
         if not path[-1]:
             continue
+        low = [move for move, pose in zip(path, poses) if pose[2, 3] < height]
+        if not all(arm_clears(robot, arm, move.positions[-1], others) for move in low):
+            continue
         path.append(move_joints(robot, arm, [path[-1].positions[-1], PARKED[arm]]))
-        to_block, down, up, over, to_goal, up_again, to_park = path
-        if not all(arm_clears(robot, arm, at.positions[-1], others) for at in (down, to_goal)):
-            continue
-        if not all(is_safe(robot, move) for move in path):
-            continue
-        return [Action("grip", arm, to=opening), Action("follow", arm, to_block),
-                Action("follow", arm, down), Action("take", arm, width=block.size[1]),
-                Action("follow", arm, up), Action("follow", arm, over),
-                Action("follow", arm, to_goal), Action("grip", arm, to=opening),
-                Action("follow", arm, up_again), Action("follow", arm, to_park), Action("look")]
+        if all(is_safe(robot, move) for move in path):
+            return path
     return []
 
 

@@ -7,10 +7,10 @@ from typing import NamedTuple, Optional
 import numpy as np
 
 from acting import Action
-from blocks import Block, Step, has_equal_sides, is_like, turn_between
+from blocks import Block, Container, Step, has_equal_sides, is_drawn, is_like, turn_between
 from carrying import is_within_reach, plan_carry
-from looking import find_blocks, pixel_at, to_pixel, unpacked
-from places import footprint, grip_room, is_walled_in, overlap
+from looking import find_blocks, find_container, pixel_at, to_pixel, unpacked
+from places import footprint, grip_room, is_walled_in, overlap, walls_of
 
 MOST_TRIES = 4  # to carry a step's block to its place
 MOST_TIDIED = 20  # blocks put somewhere else in all
@@ -23,6 +23,7 @@ class Building:
     """What the brain remembers of the building."""
 
     steps: list  # what was shown; once a site is chosen, where it shall be in this scene
+    container: Optional[Container] = None  # that some go into; then where it is in this scene
     has_site: bool = False
     known: list = field(default_factory=list)  # the blocks, where they were last seen
     done: list = field(init=False)  # whether each step's block is in its place
@@ -49,10 +50,12 @@ def decide(building, sensor, eye, robot):
     """Looks where the blocks are and says what to do next: actions; [] when all is built or nothing
     helps."""
     picture = sensor.rgbVision / 255
-    seen = find_blocks(picture, eye, building.steps)
+    # Where the container stands here is not known before a site is chosen.
+    container = building.container if building.has_site else None
+    seen = find_blocks(picture, eye, building.steps, container)
     building.known = remember(building.known, seen, picture, eye)
     if not building.has_site:
-        choose_site(building, robot)
+        choose_site(building, robot, picture, eye)
         if not building.has_site:
             return []
 
@@ -129,26 +132,72 @@ def shows_table(picture, eye, block, table):
     return spot is not None and np.abs(picture[spot] - table).max() < 0.03
 
 
-def choose_site(building, robot):
-    """Chooses where the building shall stand: where the arms reach each place, with few blocks in
-    the way. The steps are shifted there. Without such a site, has_site stays false and the summary
-    says so."""
-    shown = np.array([step.position[:2] for step in building.steps])
+def choose_site(building, robot, picture, eye):
+    """Chooses where the building shall stand, and shifts the steps there: what goes into a
+    container to where that is seen, what is drawn from where it is known to be, all else to where
+    there is room. Without such a site, has_site stays false and the summary says so."""
+    try:
+        carried = [step for step in building.steps if not is_drawn(step)]
+        if building.container:
+            carried, building.container = into_container(carried, building.container, picture, eye)
+        elif carried:
+            carried = on_table(carried, building.known, robot)
+        carried = iter(carried)
+        building.steps = [drawn_from_here(step, building.known) if is_drawn(step)
+                          else next(carried) for step in building.steps]
+        building.has_site = True
+    except NoSite as problem:
+        building.summary = str(problem)
+
+
+class NoSite(Exception):
+    """There is no place for what shall be done."""
+
+
+def drawn_from_here(step, known):
+    """From the one block that looks like what was drawn, along the same way as seen from it."""
+    found = [block for block in known if is_like(block, step)]
+    if len(found) != 1:
+        raise NoSite(f"{len(found)} things are seen that look like {step}")
+    turn = turn_between(step, found[0].yaw)
+    way = turned(step.way, turn)
+    return replace(step, way=way, position=found[0].position + [*way, 0], yaw=step.yaw + turn)
+
+
+def into_container(steps, container, picture, eye):
+    """As they lay in the container; and where that is."""
+    found, turn = find_container(picture, eye, container)
+    if not found:
+        raise NoSite(f"the container {container.name} cannot be seen")
+    moved = []
+    for step in steps:
+        way = turned(step.position[:2] - container.position[:2], turn)
+        position = np.append(found.position[:2] + way, step.position[2])
+        moved.append(replace(step, position=position, yaw=step.yaw + turn))
+    return moved, found
+
+
+def turned(way, angle):
+    c, s = math.cos(angle), math.sin(angle)
+    return np.array([way[0] * c - way[1] * s, way[0] * s + way[1] * c])
+
+
+def on_table(steps, known, robot):
+    """Where the arms reach each place, with few blocks in the way."""
+    shown = np.array([step.position[:2] for step in steps])
     middle = (shown.min(axis=0) + shown.max(axis=0)) / 2
     sites = []
     for y in np.arange(-2.25, -0.5, 0.5):
         for x in np.arange(-1.5, 1.75, 0.75):
-            steps = shifted(building.steps, [x, y] - middle)
-            walled_in = [block for block in building.known if is_walled_in(block, steps)]
+            there = shifted(steps, [x, y] - middle)
+            walled_in = [block for block in known if is_walled_in(block, there)]
             # Far from the robot the building hides little, and near it the arms reach more.
             cost = 0.1 * abs(y + 1.25) + 0.01 * abs(x) + sum(block.size[0] for block in walled_in)
-            sites.append((cost, steps))
-    for _, steps in sorted(sites, key=lambda site: site[0]):
-        if all(is_within_reach(robot, int(step.position[0] > 0), step) for step in steps):
-            building.steps = steps
-            building.has_site = True
-            return
-    building.summary = "no place on the table is within reach for all of the building"
+            sites.append((cost, there))
+    for _, there in sorted(sites, key=lambda site: site[0]):
+        if all(is_within_reach(robot, int(step.position[0] > 0), step) for step in there):
+            return there
+    raise NoSite("no place on the table is within reach for all of the building")
 
 
 def shifted(steps, way):
@@ -164,9 +213,9 @@ def compare(building):
         building.done[k] = False
         for block in building.known:
             far = np.linalg.norm(block.position - step.position)
-            turned = turn_between(step, block.yaw)
-            if block not in used and is_like(block, step) and far < NEAR and turned < EVEN:
-                building.miss[k] = far, turned
+            off = abs(turn_between(step, block.yaw))
+            if block not in used and is_like(block, step) and far < NEAR and off < EVEN:
+                building.miss[k] = far, off
                 building.done[k] = True
                 used.append(block)
                 break
@@ -222,8 +271,10 @@ def plan_move(building, step, move, eye, robot, q):
     actions.
     """
     others = [block for block in building.known if block is not move.block]
-    standing = [step for step, done in zip(building.steps, building.done) if done]
-    sites = [building.steps]
+    others += walls_of(building.container)
+    container = [building.container] if building.container else []
+    standing = [step for step, done in zip(building.steps, building.done) if done] + container
+    sites = [building.steps + container]
     if move.goal:
         sites.append(standing)
         actions, reason = plan_carry(robot, move.block, move.goal, others, q)
@@ -237,7 +288,8 @@ def plan_move(building, step, move, eye, robot, q):
 def plan_aside(robot, eye, block, others, sites, q, goal):
     """The actions that bring a block to a free place on the table that the eye sees.
 
-    sites: lists of the steps to keep off: the first with which there is a place counts
+    sites: lists of what is or will be built, to keep off: the first with which there is a place
+           counts
     goal:  where another arm shall bring it from there at once; None if that does not matter yet
     Returns actions and that place, in a list, and None; or [], [] and a reason if there is none.
     """

@@ -4,11 +4,12 @@ Pictures are HxWx3, 0 to 1; row 0 is the top, column 0 the left.
 """
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from blocks import Block, same_color, same_size
+from blocks import Block, same_color, same_size, turn_between
+from places import is_inside
 
 MOST_FLOORS = 6  # so high blocks may lie on blocks
 FEWEST_PIXELS = 60  # of a top that can be measured
@@ -32,9 +33,9 @@ class Face:
     misfit: float  # by how much, in proportion, its pieces are less or more than such a rectangle
 
 
-def find_blocks(picture, eye, steps):
-    """The blocks in a picture that look like one of the steps', wherever they are. A block of which
-    something hides a part is not found."""
+def find_blocks(picture, eye, steps, container=None):
+    """The blocks in a picture that look like one of the steps', wherever they are; some may lie in
+    a container. A block of which something hides a part is not found."""
     blocks = []
     for color in colors_in(picture, steps):
         sizes = sizes_of(steps, color)
@@ -43,7 +44,7 @@ def find_blocks(picture, eye, steps):
             if region == 0 or size < FEWEST_PIXELS:
                 continue
             row, column = np.nonzero(number == region)
-            block = fit_block(row, column, eye, color, sizes)
+            block = fit_block(row, column, eye, color, sizes, container)
             if block:
                 blocks.append(block)
     return blocks
@@ -54,11 +55,20 @@ def colors_in(picture, steps):
     matter, every color that is in the picture."""
     colors = [step.color for step in steps if step.color is not None]
     if len(colors) < len(steps):
-        flat = np.round(picture * 255).astype(int).reshape(-1, 3)
-        flat = flat[(flat > 0).all(axis=1) | (flat > 100).any(axis=1)]
-        found, count = np.unique(flat @ [65536, 256, 1], return_counts=True)
-        colors += [unpacked(color) for color in found[count > 300]]
-    # Colors that is_color cannot tell apart are one.
+        colors += colors_of(picture)
+    return different_ones(colors)
+
+
+def colors_of(picture):
+    """Every color of a picture that more than a few pixels have, a list."""
+    flat = np.round(picture * 255).astype(int).reshape(-1, 3)
+    flat = flat[(flat > 0).all(axis=1) | (flat > 100).any(axis=1)]
+    found, count = np.unique(flat @ [65536, 256, 1], return_counts=True)
+    return different_ones([unpacked(color) for color in found[count > 300]])
+
+
+def different_ones(colors):
+    """Colors that is_color cannot tell apart are one."""
     different = []
     for color in colors:
         if all(np.abs(color - other).max() >= 0.02 for other in different):
@@ -116,12 +126,12 @@ def label_regions(mask):
     return numbers[run]
 
 
-def fit_block(row, column, eye, color, sizes):
+def fit_block(row, column, eye, color, sizes, container):
     """The block of a color and one of some sizes whose top these pixels are; None if they are none.
 
     On a lower plane the same pixels would be a larger top, on a higher one a smaller. Blocks lie on
     blocks, so there are only few planes to try: the one on which the top is as large as it should
-    be is the one it lies on.
+    be is the one it lies on. In a container, if there is one, all planes are higher by its floor.
     """
     best = 0.08  # by how much, in proportion, a side may be wrong
     block = None
@@ -129,11 +139,43 @@ def fit_block(row, column, eye, color, sizes):
         for floor in range(MOST_FLOORS):
             top = size[2] + floor
             face = describe_face(*onto_plane(row, column, eye, top))
+            if is_inside(container, face.center):
+                top += container.floor
+                face = describe_face(*onto_plane(row, column, eye, top))
             wrong = max(*np.abs(face.sides / size[:2] - 1), face.misfit)
             if wrong < best:
                 best = wrong
                 block = Block(color, size, np.append(face.center, top - size[2] / 2), face.yaw)
     return block
+
+
+def find_outlines(picture, eye, color, height):
+    """The rectangles of a color that may be rims of open boxes, at a height [units]: a list of
+    Faces, the largest first, the first side the longer one. What is inside of them does not
+    matter."""
+    number = label_regions(is_color(picture, color))
+    faces = []
+    for region in np.flatnonzero(np.bincount(number.ravel()) >= 300):
+        if region == 0:
+            continue
+        mask = number == region
+        filled = np.logical_or.accumulate(mask, axis=1)
+        filled &= np.logical_or.accumulate(mask[:, ::-1], axis=1)[:, ::-1]
+        face = describe_face(*onto_plane(*np.nonzero(filled), eye, height))
+        if face.misfit < 0.05:
+            faces.append(face)
+    return sorted(faces, key=lambda face: -face.sides.prod())
+
+
+def find_container(picture, eye, container):
+    """A container of the demonstration where it stands in a picture, and how far it is turned from
+    there [rad]; None and 0 if it is not seen."""
+    for face in find_outlines(picture, eye, container.color, container.size[2]):
+        if same_size(face.sides, container.size[:2]):
+            turn = turn_between(container, face.yaw)
+            position = np.append(face.center, container.position[2])
+            return replace(container, position=position, yaw=container.yaw + turn), turn
+    return None, 0
 
 
 def onto_plane(row, column, eye, z):

@@ -8,7 +8,7 @@ import math
 
 import numpy as np
 
-from blocks import has_equal_sides
+from blocks import Block, has_equal_sides
 
 
 def footprint(blocks, margin):
@@ -42,6 +42,29 @@ def grip_room(blocks):
     rectangles = footprint(blocks, 0.05)
     rectangles[:, 3] += 0.8
     return rectangles
+
+
+def is_inside(container, position):
+    """Whether a place is within the sides of a Container; none is in None."""
+    return container is not None and overlap([*position[:2], 0, 0, 0],
+                                             footprint([container], 0)).all()
+
+
+def walls_of(container):
+    """What stands around the inside of a Container, as four Blocks; none of None."""
+    if container is None:
+        return []
+    thick = 0.2  # thinner ones keep fingers off as well
+    along = np.array([math.cos(container.yaw), math.sin(container.yaw), 0])
+    across = np.array([-along[1], along[0], 0])
+    walls = []
+    for side in (1, -1):
+        for axis, way in ((0, along), (1, across)):
+            size = container.size.copy()
+            size[axis] = thick
+            off = side * (container.size[axis] - thick) / 2 * way
+            walls.append(Block(container.color, size, container.position + off, container.yaw))
+    return walls
 
 
 def finger_turns(place, others):

@@ -10,8 +10,9 @@ from smile.motion import robot_of
 from acting import Action, carry_out
 from carrying import PARKED, retreat
 from deciding import Building, decide
-from demonstration import read_demonstration, understand
+from demonstration import read_demonstration
 from looking import Eye
+from understanding import understand
 
 
 def init(aux):
@@ -20,14 +21,14 @@ def init(aux):
     if "demonstration" not in aux:
         raise ValueError("this brain needs a demonstration: "
                          "smile imitate DEMO SCENE --brain python/um/um.py")
-    steps = understand(read_demonstration(aux.demonstration), aux.attention)
+    steps, container = understand(read_demonstration(aux.demonstration), aux.attention)
     for k, step in enumerate(steps):
         place = ", ".join(steps[lower].name for lower in step.on) or "the table"
         print(f"shown: {k + 1}. {step} on {place}")
 
     aux.planner = robot_of(aux)
     aux.eye = Eye(aux.cameraIntrinsics, aux.cameraPose)
-    aux.building = Building(steps)  # what is known about this scene, and what was done so far
+    aux.building = Building(steps, container)  # what is known about this scene, and what was done so far
     aux.actions = [Action("look")]  # what to do next, in this order
     aux.is_recovering = False  # true after an action went wrong
 

@@ -27,14 +27,15 @@ TEST_F(Learner, RebuildsTheLettersItWasShown) {
 struct Lesson {
   const char* task;
   const char* brain;
+  const char* layout = "--seed 1";
 };
 
 class LearnerOf : public ProgramTest, public ::testing::WithParamInterface<Lesson> {};
 
 TEST_P(LearnerOf, DoesItInASceneItHasNeverSeen) {
-  const auto& [task, brain] = GetParam();
+  const auto& [task, brain, layout] = GetParam();
   const Answer answer = Smile("experiment " + std::string(task) + " --out out --no-films --json " +
-                              "--seed 1 --brain " + Shipped(brain));
+                              layout + " --brain " + Shipped(brain));
   ASSERT_EQ(answer.exit_code, 0) << answer.err;
   EXPECT_TRUE(answer.json()["rebuilt"]);
   EXPECT_LT(answer.json()["mean_error_mm"], 5);
@@ -43,7 +44,8 @@ TEST_P(LearnerOf, DoesItInASceneItHasNeverSeen) {
 INSTANTIATE_TEST_SUITE_P(
     Tasks, LearnerOf,
     ::testing::Values(Lesson{"tower", "matlab/um"}, Lesson{"tower", "python/um/um.py"},
-                      Lesson{"row", "python/um/um.py"}, Lesson{"bridge", "matlab/um"}),
+                      Lesson{"row", "python/um/um.py"}, Lesson{"bridge", "matlab/um"},
+                      Lesson{"box", "python/um/um.py"}, Lesson{"hatch", "matlab/um", ""}),
     [](const auto& lesson) {
       const std::string brain = lesson.param.brain;
       return std::string(lesson.param.task) + (brain.starts_with("python") ? "_python" : "_octave");

@@ -1,0 +1,27 @@
+function container = measureContainer(demo, steps)
+% The open box that steps' blocks were put into, from the first picture of the demonstration; [] if all of
+% them stand on the table or on each other, or if there are no texts to tell.
+%   name      of the object in the demonstration, for people
+%   color     1x3, red green blue, 0 to 1
+%   size      its longer side, the shorter one, and its height [units]
+%   position  of its centre, 1x3 [units]
+%   yaw       of its longer side [rad]
+%   floor     how high its floor is inside [units]
+  container = [];
+  bottoms = arrayfun(@(step) step.position(3) - step.size(3) / 2, steps);
+  inside = steps(bottoms > 0.05 & cellfun(@isempty, {steps.on}) & cellfun(@isempty, {steps.way}));
+  if isempty(inside) || isempty(demo.moves), return; end
+  for n = setdiff(1:numel(demo.ids), demo.placed)
+    height = 2 * demo.start(n, 3);  % it stands on the table
+    picture = readPicture(demo, demo.moves(find(demo.moves(:, 2) == n, 1), 1));
+    color = colorAt(picture, demo.eye, demo.start(n, 1:3) + [0, 0, height / 2]);
+    for face = findOutlines(picture, demo.eye, color, height)
+      if norm(face.center - demo.start(n, 1:2)) > 0.1, continue; end
+      container = struct('name', demo.ids{n}, 'color', color, 'size', [face.sides, height], ...
+                         'position', [face.center, height / 2], 'yaw', face.yaw, ...
+                         'floor', min(bottoms(bottoms > 0.05)));
+      if all(arrayfun(@(step) isInside(container, step.position), inside)), return; end
+    end
+  end
+  error('no picture of the demonstration shows what %s was put into', inside(1).name);
+end

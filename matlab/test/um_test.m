@@ -61,11 +61,27 @@ function check_looking()
     check(abs(turnBetween(it, same.yaw)) < 0.5 * pi / 180, 'and turned as it is');
   end
 
-  seen = [block(red, cube, 1, -2, 0, 0), block(red, plank, -2, -2, 0, 0), block(blue, cube, 3, -2, 0, 0)];
+  seen = [block(red, cube, 1, -2, 0, 0), block(red, [2.5, 1, 1], -2, -2, 0, 0), ...
+          block(blue, cube, 3, -2, 0, 0)];
   check(isequal({findBlocks(pictureOf(seen), robotEye(), seen(1), []).color}, {red}), ...
         'only blocks of the wanted size and color are found');
   found = findBlocks(pictureOf(seen), robotEye(), block([], cube, 0, 0, 0, 0), []);
   check(isequal({found.color}, {blue, red}), 'of any color where color does not matter');
+
+  row = [block(red, cube, -2, -2, 0, 0.3), ...
+         block(red, cube, -2 + cos(0.3), -2 + sin(0.3), 0, 0.3)];
+  found = findBlocks(pictureOf(row), robotEye(), row, []);
+  check(numel(found) == 2 && norm(found(1).position - row(1).position) < 0.02 && ...
+        norm(found(2).position - row(2).position) < 0.02, 'two that touch are told apart');
+
+  % From where the eye is, one looks like the other; but nothing holds a small one up so high.
+  large = block(red, [1.3, 1.3, 1.25], 2, -3, 0, 0.2);
+  picture = pictureOf([large, block(blue, cube, -2, -2, 0, 0)]);
+  found = findBlocks(picture, robotEye(), block(red, cube, 0, 0, 0, 0), []);
+  check(isempty(found), 'a larger cube is none of the small ones, higher up');
+  found = findStrangers(picture, robotEye(), block(blue, cube, -2, -2, 0, 0));
+  check(numel(found) == 1 && norm(found.position - large.position) < 0.03 && ...
+        max(abs(found.size - large.size)) < 0.05, 'what nobody wants is seen, too');
 
   mask = logical([0, 1, 0, 1; 1, 1, 0, 1; 0, 0, 1, 0; 1, 0, 1, 1]);
   check(isequal(labelRegions(mask), [0, 1, 0, 4; 1, 1, 0, 4; 0, 0, 3, 0; 2, 0, 3, 3]), ...

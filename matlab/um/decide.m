@@ -5,10 +5,15 @@ function [actions, building] = decide(building, sensor, eye, robot)
   actions = {};
   container = building.container;
   if ~building.hasSite, container = []; end  % where it stands here is not known yet
-  seen = findBlocks(sensor.rgbVision, eye, building.steps, container);
-  building.known = remember(building.known, seen, sensor.rgbVision, eye);
+  picture = sensor.rgbVision;
+  seen = findBlocks(picture, eye, [asBlocks(building.steps), building.strangers], container);
+  if ~building.hasSite || building.stuck > 0
+    building.strangers = [building.strangers, findStrangers(picture, eye, [seen, building.known])];
+    seen = findBlocks(picture, eye, [asBlocks(building.steps), building.strangers], container);
+  end
+  building.known = remember(building.known, seen, picture, eye);
   if ~building.hasSite
-    building = chooseSite(building, robot, sensor.rgbVision, eye);
+    building = chooseSite(building, robot, picture, eye);
     if ~building.hasSite, return; end
   end
 
@@ -60,7 +65,8 @@ function [actions, place, reason] = planMove(building, k, move, eye, robot, q)
 %   place  the block where it will lie on the table, even if it is hidden there; a 1x0 struct array for
 %          one that is built in: there it must be seen
   block = building.known(move.block);
-  others = [building.known([1:move.block - 1, move.block + 1:end]), wallsOf(building.container)];
+  others = [building.known([1:move.block - 1, move.block + 1:end]), supportOf(block), ...
+            wallsOf(building.container)];
   steps = building.steps;
   container = asBlocks(building.container);
   sites = {[asBlocks(steps), container]};

@@ -3,7 +3,7 @@ function yes = isWithinReach(robot, arm, place)
   above = place.position + [0, 0, 2];
   at = place.position + [0, 0, 0.3];
   yes = false;
-  for across = place.yaw + [pi / 2, -pi / 2]
+  for across = fingerTurns(place, [])
     poses = {toolPose(above, across), toolPose(at, across)};
     yes = yes || ~isempty(reachInTurn(robot, arm, poses, parkedAngles(arm)));
   end

@@ -17,6 +17,7 @@ from deciding import (Building, Move, choose_site, compare, open_steps, propose_
 from demonstration import read_demonstration
 from looking import Eye, find_blocks, find_container, label_regions, to_pixel
 from places import finger_turns, is_walled_in, overlap, walls_of
+from strangers import find_strangers
 from understanding import understand
 
 RED, GREEN, BLUE = np.eye(3)
@@ -76,12 +77,30 @@ class LookingTest(unittest.TestCase):
         self.assertEqual(len(found), len(blocks), f"{hidden} is below another")
 
     def test_only_wanted_blocks_are_found(self):
-        seen = [block(RED, CUBE, 1, -2), block(RED, PLANK, -2, -2), block(BLUE, CUBE, 3, -2)]
+        seen = [block(RED, CUBE, 1, -2), block(RED, np.array([2.5, 1, 1]), -2, -2),
+                block(BLUE, CUBE, 3, -2)]
         [found] = find_blocks(picture_of(seen), EYE, seen[:1])
         np.testing.assert_allclose(found.position, [1, -2, 0.5], atol=0.01)
         any_cube = block(None, CUBE, 0, 0)
         found = find_blocks(picture_of(seen), EYE, [any_cube])
         self.assertEqual([it.color.tolist() for it in found], [[0, 0, 1], [1, 0, 0]])
+
+    def test_two_that_touch_are_told_apart(self):
+        row = [block(RED, CUBE, -2, -2, yaw=0.3),
+               block(RED, CUBE, -2 + math.cos(0.3), -2 + math.sin(0.3), yaw=0.3)]
+        found = find_blocks(picture_of(row), EYE, row)
+        self.assertEqual(len(found), 2)
+        for one, expected in zip(found, row):
+            np.testing.assert_allclose(one.position, expected.position, atol=0.02)
+
+    def test_what_nobody_wants_is_no_wanted_block_high_up(self):
+        large = block(RED, np.array([1.3, 1.3, 1.25]), 2, -3, yaw=0.2)
+        other = block(BLUE, CUBE, -2, -2)
+        picture = picture_of([large, other])
+        self.assertEqual(find_blocks(picture, EYE, [block(RED, CUBE, 0, 0)]), [])
+        [found] = find_strangers(picture, EYE, [other])
+        np.testing.assert_allclose(found.position, large.position, atol=0.03)
+        np.testing.assert_allclose(found.size, large.size, atol=0.05)
 
     def test_regions_are_numbered_by_their_first_pixel(self):
         mask = np.array([[0, 1, 0, 1], [1, 1, 0, 1], [0, 0, 1, 0], [1, 0, 1, 1]], bool)

@@ -33,7 +33,7 @@ class Step(Block):
 
     name: str  # of the object in the demonstration, for people
     on: list  # numbers of the steps that it stands on; none for the table
-    way: Optional[np.ndarray] = None  # of what was drawn along: x y from where it was [units]; then
+    way: Optional[np.ndarray] = None  # x y [units] of what was drawn along, from where it was; then
     #                                   color and size are of what it can be drawn by
 
     def __str__(self):

@@ -116,7 +116,7 @@ def is_within_reach(robot, arm, place):
     return any(
         reach(robot, arm, [tool_pose([x, y, z + 2], across), tool_pose([x, y, z + 0.3], across)],
               PARKED[arm]) is not None
-        for across in (place.yaw + math.pi / 2, place.yaw - math.pi / 2))
+        for across in finger_turns(place, []))
 
 
 def arm_clears(robot, arm, q, blocks):

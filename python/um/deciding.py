@@ -9,8 +9,9 @@ import numpy as np
 from acting import Action
 from blocks import Block, Container, Step, has_equal_sides, is_drawn, is_like, turn_between
 from carrying import is_within_reach, plan_carry
-from looking import find_blocks, find_container, pixel_at, to_pixel, unpacked
+from looking import find_blocks, find_container, pixel_at, table_color, to_pixel
 from places import footprint, grip_room, is_walled_in, overlap, walls_of
+from strangers import find_strangers
 
 MOST_TRIES = 4  # to carry a step's block to its place
 MOST_TIDIED = 20  # blocks put somewhere else in all
@@ -26,6 +27,8 @@ class Building:
     container: Optional[Container] = None  # that some go into; then where it is in this scene
     has_site: bool = False
     known: list = field(default_factory=list)  # the blocks, where they were last seen
+    strangers: list = field(default_factory=list)  # none of the steps', as they look; where they
+    #                                                are is among the known
     done: list = field(init=False)  # whether each step's block is in its place
     tries: list = field(init=False)  # how often each step's block was carried there so far
     tidied: int = 0  # how often blocks were put somewhere else
@@ -52,7 +55,10 @@ def decide(building, sensor, eye, robot):
     picture = sensor.rgbVision / 255
     # Where the container stands here is not known before a site is chosen.
     container = building.container if building.has_site else None
-    seen = find_blocks(picture, eye, building.steps, container)
+    seen = find_blocks(picture, eye, building.steps + building.strangers, container)
+    if not building.has_site or building.stuck > 0:
+        building.strangers += find_strangers(picture, eye, seen + building.known)
+        seen = find_blocks(picture, eye, building.steps + building.strangers, container)
     building.known = remember(building.known, seen, picture, eye)
     if not building.has_site:
         choose_site(building, robot, picture, eye)
@@ -117,13 +123,6 @@ def remember(known, seen, picture, eye):
         if not same and not shows_table(picture, eye, block, table):
             now.append(block)
     return now
-
-
-def table_color(picture):
-    """The table's is the most frequent color but black, which is where there is nothing."""
-    pixels = np.round(255 * picture[::4, ::4]).astype(int).reshape(-1, 3) @ [65536, 256, 1]
-    colors, count = np.unique(pixels[pixels > 0], return_counts=True)
-    return unpacked(colors[count.argmax()]) if len(colors) else np.full(3, np.nan)
 
 
 def shows_table(picture, eye, block, table):
@@ -271,7 +270,7 @@ def plan_move(building, step, move, eye, robot, q):
     actions.
     """
     others = [block for block in building.known if block is not move.block]
-    others += walls_of(building.container)
+    others += support_of(move.block) + walls_of(building.container)
     container = [building.container] if building.container else []
     standing = [step for step, done in zip(building.steps, building.done) if done] + container
     sites = [building.steps + container]
@@ -283,6 +282,16 @@ def plan_move(building, step, move, eye, robot, q):
     elif is_in_way(move.block, step):
         sites.append(standing + [step])
     return plan_aside(robot, eye, move.block, others, sites, q, move.goal)
+
+
+def support_of(block):
+    """What a block stands on that is not on the table, as if it were one Block: something must be
+    there, even if it hides it. In a list, empty for a block on the table."""
+    if block.bottom < 0.3:
+        return []
+    x, y, _ = block.position
+    return [replace(block, size=np.append(block.size[:2], block.bottom),
+                    position=np.array([x, y, block.bottom / 2]))]
 
 
 def plan_aside(robot, eye, block, others, sites, q, goal):

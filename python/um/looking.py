@@ -12,6 +12,7 @@ from blocks import Block, same_color, same_size, turn_between
 from places import is_inside
 
 MOST_FLOORS = 6  # so high blocks may lie on blocks
+MOST_ABREAST = 5  # so many equal ones may touch in a row
 FEWEST_PIXELS = 60  # of a top that can be measured
 
 
@@ -33,28 +34,28 @@ class Face:
     misfit: float  # by how much, in proportion, its pieces are less or more than such a rectangle
 
 
-def find_blocks(picture, eye, steps, container=None):
-    """The blocks in a picture that look like one of the steps', wherever they are; some may lie in
-    a container. A block of which something hides a part is not found."""
+def find_blocks(picture, eye, like, container=None):
+    """The blocks in a picture that look like some others (Blocks or Steps), wherever they are; some
+    may lie in a container. A block of which something hides a part is not found."""
+    table = table_color(picture)
     blocks = []
-    for color in colors_in(picture, steps):
-        sizes = sizes_of(steps, color)
+    for color in colors_in(picture, like):
+        sizes = sizes_of(like, color)
         number = label_regions(is_color(picture, color))
         for region, size in enumerate(np.bincount(number.ravel())):
             if region == 0 or size < FEWEST_PIXELS:
                 continue
             row, column = np.nonzero(number == region)
-            block = fit_block(row, column, eye, color, sizes, container)
-            if block:
-                blocks.append(block)
+            blocks += fit_blocks(row, column, eye, color, sizes, container,
+                                 lambda block: is_held_up(block, picture, eye, table))
     return blocks
 
 
-def colors_in(picture, steps):
-    """The colors to look for, a list: those of the steps; and if for some step color does not
+def colors_in(picture, like):
+    """The colors to look for, a list: those of some blocks; and if for one of them color does not
     matter, every color that is in the picture."""
-    colors = [step.color for step in steps if step.color is not None]
-    if len(colors) < len(steps):
+    colors = [it.color for it in like if it.color is not None]
+    if len(colors) < len(like):
         colors += colors_of(picture)
     return different_ones(colors)
 
@@ -81,12 +82,12 @@ def unpacked(number):
     return np.array([number // 65536, number // 256 % 256, number % 256]) / 255
 
 
-def sizes_of(steps, color):
-    """The different sizes of blocks of a color that the steps need, a list."""
+def sizes_of(like, color):
+    """The different sizes of blocks of a color among some, a list."""
     sizes = []
-    for step in steps:
-        if same_color(step.color, color) and not any(same_size(size, step.size) for size in sizes):
-            sizes.append(step.size)
+    for it in like:
+        if same_color(it.color, color) and not any(same_size(size, it.size) for size in sizes):
+            sizes.append(it.size)
     return sizes
 
 
@@ -126,27 +127,78 @@ def label_regions(mask):
     return numbers[run]
 
 
-def fit_block(row, column, eye, color, sizes, container):
-    """The block of a color and one of some sizes whose top these pixels are; None if they are none.
+def fit_blocks(row, column, eye, color, sizes, container, is_possible):
+    """The block of a color and one of some sizes whose top these pixels are; or several equal ones
+    in a row, or in rows, that touch. A list, empty if they are neither.
+
+    container:   in which they may lie, or None
+    is_possible: tells of a Block, as it seems to be, whether it can be there
 
     On a lower plane the same pixels would be a larger top, on a higher one a smaller. Blocks lie on
     blocks, so there are only few planes to try: the one on which the top is as large as it should
     be is the one it lies on. In a container, if there is one, all planes are higher by its floor.
     """
     best = 0.08  # by how much, in proportion, a side may be wrong
-    block = None
-    for size in sizes:
-        for floor in range(MOST_FLOORS):
-            top = size[2] + floor
-            face = describe_face(*onto_plane(row, column, eye, top))
-            if is_inside(container, face.center):
-                top += container.floor
+    blocks = []
+    for most in (1, MOST_ABREAST):
+        for size in sizes:
+            for floor in range(MOST_FLOORS):
+                top = size[2] + floor
                 face = describe_face(*onto_plane(row, column, eye, top))
-            wrong = max(*np.abs(face.sides / size[:2] - 1), face.misfit)
-            if wrong < best:
-                best = wrong
-                block = Block(color, size, np.append(face.center, top - size[2] / 2), face.yaw)
-    return block
+                if is_inside(container, face.center):
+                    top += container.floor
+                    face = describe_face(*onto_plane(row, column, eye, top))
+                count = np.clip(np.round(face.sides / size[:2]), 1, most)
+                wrong = max(*np.abs(face.sides / (count * size[:2]) - 1), face.misfit)
+                if wrong >= best:
+                    continue
+                found = in_rows(face, count.astype(int), top, color, size)
+                if all(map(is_possible, found)):
+                    best = wrong
+                    blocks = found
+        if blocks:
+            break
+    return blocks
+
+
+def in_rows(face, count, top, color, size):
+    """Equal blocks side by side, as many along as across a Face as `count` tells: a list."""
+    along = np.array([math.cos(face.yaw), math.sin(face.yaw)])
+    across = np.array([-along[1], along[0]])
+    blocks = []
+    for i in np.arange(count[0]) - (count[0] - 1) / 2:
+        for j in np.arange(count[1]) - (count[1] - 1) / 2:
+            at = face.center + i * size[0] * along + j * size[1] * across
+            blocks.append(Block(color, size, np.append(at, top - size[2] / 2), face.yaw))
+    return blocks
+
+
+def is_held_up(block, picture, eye, table):
+    """Whether a block may be where it seems to be: if the table, of a color, is seen right below
+    all of the edge that is nearest to the eye, it is not so high up but larger and nearer to the
+    table."""
+    under = block.bottom - 0.3
+    if under < 0.1:
+        return True
+    way = eye.pose[:2, 3] - block.position[:2]
+    turns = round((math.atan2(way[1], way[0]) - block.yaw) / (math.pi / 2))
+    toward = block.yaw + turns * math.pi / 2  # from the middle to that edge
+    far, half = np.roll(block.size[:2], turns) / 2
+    edge = block.position[:2] + far * np.array([math.cos(toward), math.sin(toward)])
+    is_table = []
+    for share in (-0.9, 0, 0.9):
+        x, y = edge + share * half * np.array([-math.sin(toward), math.cos(toward)])
+        spot = pixel_at(picture, eye, [x, y, under])
+        if spot is not None:
+            is_table.append(np.abs(picture[spot] - table).max() < 0.03)
+    return not is_table or not all(is_table)
+
+
+def table_color(picture):
+    """The table's is the most frequent color but black, which is where there is nothing."""
+    pixels = np.round(255 * picture[::4, ::4]).astype(int).reshape(-1, 3) @ [65536, 256, 1]
+    colors, count = np.unique(pixels[pixels > 0], return_counts=True)
+    return unpacked(colors[count.argmax()]) if len(colors) else np.full(3, np.nan)
 
 
 def find_outlines(picture, eye, color, height):

@@ -28,7 +28,7 @@ def init(aux):
 
     aux.planner = robot_of(aux)
     aux.eye = Eye(aux.cameraIntrinsics, aux.cameraPose)
-    aux.building = Building(steps, container)  # what is known about this scene, and what was done so far
+    aux.building = Building(steps, container)  # what is known here, and what was done so far
     aux.actions = [Action("look")]  # what to do next, in this order
     aux.is_recovering = False  # true after an action went wrong
 

@@ -7,8 +7,8 @@ import numpy as np
 
 from blocks import Container, Step, same_size
 from demonstration import read_picture
-from looking import (FEWEST_PIXELS, colors_of, describe_face, find_outlines, is_color, label_regions,
-                     onto_plane, pixel_at)
+from looking import (FEWEST_PIXELS, colors_of, describe_face, find_outlines, is_color,
+                     label_regions, onto_plane, pixel_at)
 from places import footprint, is_inside, overlap
 
 

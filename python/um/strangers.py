@@ -1,0 +1,85 @@
+"""Blocks on the table that nobody wants, but that may be in the way."""
+
+import numpy as np
+
+from blocks import Block
+from looking import describe_face, label_regions, onto_plane, pixel_at, table_color, unpacked
+from places import footprint, overlap
+
+FEWEST_PIXELS = 150  # of a flat area that may be a top
+
+
+def find_strangers(picture, eye, known):
+    """Blocks on the table that are none of those known: a list."""
+    table = table_color(picture)
+    strangers = []
+    for color, row, column in tops_in(picture, table):
+        block = measure_block(color, row, column, picture, eye, table)
+        if block and not overlap([*block.position[:2], 0, 0, 0], footprint(known, 0)).any():
+            strangers.append(block)
+    return strangers
+
+
+def tops_in(picture, table):
+    """The flat areas of a picture that may be tops of blocks: those that are not seen below
+    something of the same color, but brighter, as their sides are. A list of color, rows and
+    columns."""
+    codes = np.round(255 * picture).astype(int) @ [65536, 256, 1]
+    tops = []
+    for code, count in zip(*np.unique(codes, return_counts=True)):
+        color = unpacked(code)
+        if code == 0 or count < FEWEST_PIXELS or is_near(color, table):
+            continue
+        number = label_regions(codes == code)
+        for region, size in enumerate(np.bincount(number.ravel())):
+            if region == 0 or size < FEWEST_PIXELS:
+                continue
+            row, column = np.nonzero(number == region)
+            above = codes[np.maximum(row - 1, 0), column]
+            colors, often = np.unique(above[(above != code) & (row > 0)], return_counts=True)
+            if not len(colors) or not is_shade(color, unpacked(colors[often.argmax()])):
+                tops.append((color, row, column))
+    return tops
+
+
+def is_near(color, table):
+    return np.abs(color - table).max() < 0.02 + 0.03 * table.max()
+
+
+def is_shade(color, bright):
+    """Whether a color is a darker one of the same hue: that of a side of a block with a bright
+    top."""
+    share = (color * bright).sum() / max((bright**2).sum(), np.finfo(float).eps)
+    return 0.3 < share < 0.95 and np.abs(color - share * bright).max() < 0.02
+
+
+def measure_block(color, row, column, picture, eye, table):
+    """The Block on the table that has this top, of whatever size; None if it is not seen whole."""
+    height = height_of(color, row, column, picture, eye, table)
+    if height is None:
+        return None
+    face = describe_face(*onto_plane(row, column, eye, height))
+    if face.misfit > 0.05:
+        return None
+    return Block(color, np.append(face.sides, height), np.append(face.center, height / 2), face.yaw)
+
+
+def height_of(color, row, column, picture, eye, table):
+    """How high a block is [units]: below the near edge of its top one of its sides is seen, down to
+    where the table begins. None if something else is there."""
+    middle = int(column.mean() + 0.5)
+    if not (column == middle).any():
+        return None  # a shape with a gap is none of a block
+    lowest = np.array([row[column == middle].max() + 0.5])
+    height = None
+    for trial in np.arange(0.1, 6.01, 0.02):
+        x, y, _ = onto_plane(lowest, np.array([middle]), eye, trial)
+        spot = pixel_at(picture, eye, [x[0], y[0], 0])
+        if spot is None:
+            return None
+        if not is_shade(picture[spot], color):
+            break
+        height = trial
+    if height is None or np.abs(picture[spot] - table).max() > 0.03:
+        return None
+    return round(4 * height) / 4  # pixels cannot tell it finer than that

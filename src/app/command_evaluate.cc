@@ -16,6 +16,7 @@
 #include "app/dress.h"
 #include "app/evaluation_folder.h"
 #include "app/exit_code.h"
+#include "app/folder_lock.h"
 #include "app/interrupt.h"
 #include "app/open_recording.h"
 #include "app/options.h"
@@ -259,6 +260,7 @@ class Evaluator {
   Evaluator(const EvaluateOptions& options, const std::filesystem::path& out)
       : options_(options), out_(out), keep_(kKeepWords.at(options.keep)) {
     const Json depends_on = CheckAndDescribe(options);
+    lock_.emplace(out_);
     const std::vector<Showing> showings = ShowingsOf(options, out, depends_on);
     const std::vector<std::string> names = NamesOf(options.brains);
     for (std::size_t i = 0; i < names.size(); ++i) {
@@ -383,6 +385,7 @@ class Evaluator {
 
   const EvaluateOptions& options_;
   std::filesystem::path out_;
+  std::optional<FolderLock> lock_;
   Keep keep_;
   std::vector<Agent> agents_;
 };

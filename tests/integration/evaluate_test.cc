@@ -154,6 +154,11 @@ TEST_F(Evaluate, AnInterruptedEvaluationGoesOnWhereItWas) {
   EXPECT_NE(cut.err.find("1 of 3 runs are done and kept"), std::string::npos) << cut.err;
   EXPECT_EQ(Shell("for id in $(cat processes.txt); do kill -0 $id && echo $id; done").out, "");
   EXPECT_EQ(Started(), "slow 1;slow 2;");
+  const Answer second = Shell("flock --nonblock ev " SMILE_PROGRAM " " + command);
+  EXPECT_EQ(second.exit_code, 3) << second.err;
+  EXPECT_NE(second.err.find("ev: another evaluation is writing its results there"),
+            std::string::npos)
+      << second.err;
   EXPECT_FALSE(Exists("ev/evaluation.json"));
 
   Write("go", "");

@@ -1,0 +1,26 @@
+#include "app/folder_lock.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+
+#include <cerrno>
+#include <cstring>
+#include <stdexcept>
+#include <string>
+
+#include "base/files.h"
+
+namespace smile::app {
+
+FolderLock::FolderLock(const std::filesystem::path& folder) {
+  MakeDirectories(folder);
+  folder_ = process::UniqueFd(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (!folder_) {
+    throw std::runtime_error(folder.string() + ": cannot be opened: " + std::strerror(errno));
+  }
+  if (flock(folder_.get(), LOCK_EX | LOCK_NB) != 0) {
+    throw std::runtime_error(folder.string() + ": another evaluation is writing its results there");
+  }
+}
+
+}  // namespace smile::app

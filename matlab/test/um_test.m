@@ -269,6 +269,14 @@ function check_drawing()
   building = chooseSite(building, [], [], []);
   check(~building.hasSite && ~isempty(strfind(building.summary, '0 things are seen')), ...
         'a door that is not seen is not drawn');
+  delete(fullfile(folder, 'rgb', '1.png'));
+  said = '';
+  try
+    understand(readDemonstration(folder), []);
+  catch problem
+    said = problem.message;
+  end
+  check(~isempty(strfind(said, 'by what Door was drawn')), 'what cannot be seen is said');
 end
 
 function check_deciding()

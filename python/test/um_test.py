@@ -277,6 +277,11 @@ class DrawingTest(RecordingTest):
         np.testing.assert_allclose(step.position[:2], [-2, -3], atol=0.03)
         np.testing.assert_allclose(step.size[:2], [1, 0.6], atol=0.03)
 
+    def test_what_cannot_be_seen_is_said(self):
+        (self.folder / "rgb/1.png").unlink()
+        with self.assertRaisesRegex(ValueError, "by what Door was drawn"):
+            self.understand()
+
     def test_one_that_is_turned_is_drawn_the_turned_way(self):
         [step], _ = self.understand()
         building = Building([step])

@@ -1,19 +1,27 @@
 function height = heightOf(top, picture, eye, table)
-% How high a block is [units]: below the near edge of its top one of its sides is seen, down to where the
-% table begins. [] if something else is there.
+% How high a block is [units]: below the edge of its top one of its sides is seen, down to where the table
+% begins. [] if something else is there.
 %   top  as from topsIn
-  column = round(mean(top.column));
-  row = max(top.row(top.column == column));
   height = [];
-  if isempty(row), return; end  % a shape with a gap is none of a block
+  [u, v] = edgeBelow(top, eye);
   for trial = 0.1:0.02:6
-    [x, y] = ontoPlane(row + 0.5, column, eye, trial);
+    [x, y] = ontoPlane(v + 0.5, u + 0.5, eye, trial);
     color = colorAt(picture, eye, [x, y, 0]);
-    if isempty(color), return; end
-    if ~isShade(color, top.color), break; end
-    height = trial;
+    if isempty(color) || ~isShade(color, top.color), break; end
   end
-  % Pixels cannot tell it finer than that.
-  height = round(4 * height) / 4;
-  if max(abs(color - table)) > 0.03, height = []; end
+  rounded = round(4 * trial) / 4;  % pixels cannot tell it finer than that; flatter things are no blocks
+  if ~isempty(color) && max(abs(color - table)) < 0.03 && rounded > 0, height = rounded; end
+end
+
+function [u, v] = edgeBelow(top, eye)
+% Where the top ends, in the picture [pixels], straight below its middle: towards where whoever looks
+% straight down would look.
+  nadir = toPixel(eye.pose(1:3, 4) - [0; 0; 1], eye);
+  u = mean(top.column) - 0.5;
+  v = mean(top.row) - 0.5;
+  way = 0.5 * (nadir - [u, v]) / norm(nadir - [u, v]);
+  while any(top.column == ceil(u) & top.row == ceil(v))
+    u = u + way(1);
+    v = v + way(2);
+  end
 end

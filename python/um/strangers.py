@@ -3,7 +3,8 @@
 import numpy as np
 
 from blocks import Block
-from looking import describe_face, label_regions, onto_plane, pixel_at, table_color, unpacked
+from looking import (describe_face, label_regions, onto_plane, pixel_at, table_color, to_pixel,
+                     unpacked)
 from places import footprint, overlap
 
 FEWEST_PIXELS = 150  # of a flat area that may be a top
@@ -14,10 +15,17 @@ def find_strangers(picture, eye, known):
     table = table_color(picture)
     strangers = []
     for color, row, column in tops_in(picture, table):
+        if any(is_top_of(row, column, it, picture, eye) for it in known):
+            continue
         block = measure_block(color, row, column, picture, eye, table)
         if block and not overlap([*block.position[:2], 0, 0, 0], footprint(known, 0)).any():
             strangers.append(block)
     return strangers
+
+
+def is_top_of(row, column, block, picture, eye):
+    spot = pixel_at(picture, eye, [*block.position[:2], block.top])
+    return spot is not None and ((row == spot[0]) & (column == spot[1])).any()
 
 
 def tops_in(picture, table):
@@ -65,21 +73,26 @@ def measure_block(color, row, column, picture, eye, table):
 
 
 def height_of(color, row, column, picture, eye, table):
-    """How high a block is [units]: below the near edge of its top one of its sides is seen, down to
+    """How high a block is [units]: below the edge of its top one of its sides is seen, down to
     where the table begins. None if something else is there."""
-    middle = int(column.mean() + 0.5)
-    if not (column == middle).any():
-        return None  # a shape with a gap is none of a block
-    lowest = np.array([row[column == middle].max() + 0.5])
-    height = None
+    u, v = edge_below(row, column, eye)
     for trial in np.arange(0.1, 6.01, 0.02):
-        x, y, _ = onto_plane(lowest, np.array([middle]), eye, trial)
+        x, y, _ = onto_plane(np.array([v - 0.5]), np.array([u - 0.5]), eye, trial)
         spot = pixel_at(picture, eye, [x[0], y[0], 0])
-        if spot is None:
-            return None
-        if not is_shade(picture[spot], color):
+        if spot is None or not is_shade(picture[spot], color):
             break
-        height = trial
-    if height is None or np.abs(picture[spot] - table).max() > 0.03:
-        return None
-    return round(4 * height) / 4  # pixels cannot tell it finer than that
+    height = round(4 * trial) / 4  # pixels cannot tell it finer; flatter things are no blocks
+    is_table = spot is not None and np.abs(picture[spot] - table).max() < 0.03
+    return height if is_table and height > 0 else None
+
+
+def edge_below(row, column, eye):
+    """Where a top ends, in the picture, straight below its middle: towards where whoever looks
+    straight down would look. u, v from the top left corner [pixels]."""
+    nadir = to_pixel(eye.pose[:3, 3] - [0, 0, 1], eye)
+    point = np.array([column.mean(), row.mean()]) + 0.5
+    way = 0.5 * (nadir - point) / np.linalg.norm(nadir - point)
+    pixels = set(zip(column.tolist(), row.tolist()))
+    while tuple(np.floor(point).astype(int).tolist()) in pixels:
+        point = point + way
+    return point

@@ -45,27 +45,27 @@ fail() {
 
 # replay SUBJECT CORPUS FILE...: copies those that are taken well to CORPUS, to begin with.
 replay() {
-  local program=build/asan/bin/smile_$1_fuzzer corpus=$2 file
+  local program=build/asan/bin/smile_$1_fuzzer corpus=$2 log="$scratch/$1.log" file
   shift 2
   # Nearly always all is well; else one process for each, so that one finding does not hide the next.
-  if "$program" "${limits[@]}" -artifact_prefix="$scratch/" "$@" >"$scratch/log" 2>&1; then
+  if "$program" "${limits[@]}" -artifact_prefix="$scratch/" "$@" >"$log" 2>&1; then
     cp --backup=numbered "$@" "$corpus"
     return
   fi
   for file in "$@"; do
-    if "$program" "${limits[@]}" -artifact_prefix="$scratch/" "$file" >"$scratch/log" 2>&1; then
+    if "$program" "${limits[@]}" -artifact_prefix="$scratch/" "$file" >"$log" 2>&1; then
       cp --backup=numbered "$file" "$corpus"
     else
       say "finding: $file"
-      fail "$scratch/log"
+      fail "$log"
     fi
   done
 }
 
-# fuzz SUBJECT: replays, then looks for new findings; one line on stdout.
+# fuzz SUBJECT: replays, then looks for new findings; one line on stdout. Fails when there is one.
 fuzz() {
   local subject=$1 corpus="$scratch/corpus/$1" seeds="$scratch/seeds/$1" log="$scratch/$1.log" new="$scratch/new/$1"
-  local found="tests/fuzz/found/$1" before=$findings options=() files=() runs covered
+  local found="tests/fuzz/found/$1" options=() files=() runs covered
   mkdir -p "$corpus" "$seeds" "$new" "$found"
   seeds_of "$subject" "$seeds"
   mapfile -t files < <(find "$seeds" "tests/fuzz/corpus/$subject" "$found" -type f | sort)
@@ -83,11 +83,21 @@ fuzz() {
   runs=$(sed -n 's/^stat::number_of_executed_units: //p' "$log" | tail -1)
   covered=$(sed -nE 's/^#.* cov: ([0-9]+).*/\1/p' "$log" | tail -1)
   echo "$subject: ${#files[@]} kept inputs, ${runs:-0} made and tried, ${covered:-0} edges covered," \
-       "$((findings - before)) findings"
+       "$findings findings"
+  ((findings == 0))
 }
 
+# As many at a time as there are processors.
+failed=0
+pids=()
 for target in build/asan/bin/smile_*_fuzzer; do
   subject=${target##*/smile_}
-  fuzz "${subject%_fuzzer}"
+  fuzz "${subject%_fuzzer}" &
+  pids+=($!)
+  if ((${#pids[@]} >= $(nproc))); then
+    wait "${pids[0]}" || failed=1
+    pids=("${pids[@]:1}")
+  fi
 done
-((findings == 0))
+for pid in "${pids[@]}"; do wait "$pid" || failed=1; done
+((failed == 0))

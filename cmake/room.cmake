@@ -52,5 +52,6 @@ function(smile_warnings TARGET)
   # Every field of our structs has a default, so naming only some of them is what we want.
   target_compile_options(${TARGET} PRIVATE -Wall -Wextra -Wshadow -Wnon-virtual-dtor
                          -Wno-missing-field-initializers
+                         $<$<CXX_COMPILER_ID:Clang>:-Wreserved-identifier>
                          $<$<BOOL:${SMILE_WARNINGS_AS_ERRORS}>:-Werror>)
 endfunction()

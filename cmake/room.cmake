@@ -32,12 +32,24 @@ function(smile_room NAME)
     target_compile_definitions(smile_${NAME}_test PRIVATE
                                SMILE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
     smile_warnings(smile_${NAME}_test)
-    smile_lightly_sanitized(smile_${NAME}_test)
+    if(NAME IN_LIST smile_rooms_whose_tests_compute)
+      smile_lightly_sanitized(smile_${NAME}_test)
+    else()
+      smile_quickly_compiled(smile_${NAME}_test)
+    endif()
     # One compilation for all tests of a room: most of its time goes into what they all include.
     set_target_properties(smile_${NAME}_test PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
     gtest_discover_tests(smile_${NAME}_test TEST_PREFIX ${NAME}. DISCOVERY_MODE PRE_TEST
                          PROPERTIES TIMEOUT 300)
   endif()
+endfunction()
+
+# Most tests wait longer for the compiler than they run: what they do themselves is optimised as
+# SMILE_TEST_OPTIMIZATION says. Of an inline function that a test and a room both have, the linker
+# takes the copy of the test: tests that compute much are optimised like the rooms.
+function(smile_quickly_compiled TARGET)
+  target_compile_options(${TARGET} PRIVATE ${SMILE_TEST_OPTIMIZATION})
+  smile_lightly_sanitized(${TARGET})
 endfunction()
 
 # What tests do themselves is sanitized for addresses only: the rest would be a third of their

@@ -82,7 +82,7 @@ function check_picture()
         'the height of what stands behind is not guessed');
   top = tops(arrayfun(@(top) sameColor(top.color, blue.color), tops));
   [kinds.color] = deal(blue.color);
-  block = fitBlock(top.row, top.column, eye, kinds, [], @(block) true);
+  block = fitBlocks(top.row, top.column, eye, kinds, [], @(block) true);
   check(norm(block.position - blue.position) < 0.05, 'an upper block is found where it is');
 end
 

@@ -12,7 +12,7 @@ function blocks = findBlocks(picture, eye, like, container)
     for region = 1:max(number(:))
       [row, column] = find(number == region);
       if numel(row) < 60, continue; end
-      blocks = [blocks, fitBlock(row, column, eye, kinds, container, is_possible)];
+      blocks = [blocks, fitBlocks(row, column, eye, kinds, container, is_possible)];
     end
   end
 end

@@ -1,6 +1,6 @@
 function objects = trackBlocks(objects, seen, is_table, was_free)
 % The objects of a demonstration, after one more look at blocks at rest.
-%   seen      the blocks, as from fitBlock, and how many pixels of each are seen; one that lies on nothing
+%   seen      the blocks, as from fitBlocks, and how many pixels of each are seen; one that lies on nothing
 %             is being held and left out
 %   is_table  tells of a block whether the table is seen at its place
 %   was_free  tells of a block whether nothing was seen at its place before

@@ -69,7 +69,7 @@ function seen = recognize(tops, eye, kinds, judged)
         of = kinds;
         [of.color] = deal(top.color);
       end
-      found = fitBlock(top.row, top.column, eye, of, [], @(block) true);
+      found = fitBlocks(top.row, top.column, eye, of, [], @(block) true);
       [found.pixels] = deal(numel(top.row));
       judged(key) = found;
     end

@@ -1,4 +1,4 @@
-function blocks = fitBlock(row, column, eye, kinds, container, isPossible)
+function blocks = fitBlocks(row, column, eye, kinds, container, isPossible)
 % The block, one of some kinds, whose top these pixels are; or several equal ones in a row, or in rows,
 % that touch; a 1x0 struct array if they are neither.
 %   container   in which they may lie, or []

@@ -11,6 +11,6 @@ function blocks = findStrangers(picture, eye, known)
 end
 
 function yes = isTopOf(top, block, eye)
-  spot = round(toPixel(block.position + [0, 0, block.size(3) / 2], eye) + 0.5);
+  spot = pixelAt(block.position + [0, 0, block.size(3) / 2], eye);
   yes = any(top.column == spot(1) & top.row == spot(2));
 end

@@ -89,7 +89,7 @@ end
 
 function yes = isFree(free, eye, block)
 % Whether at a block's place, at the middle of its top, once nothing was.
-  spot = round(toPixel(block.position + [0, 0, block.size(3) / 2], eye) + 0.5);
+  spot = pixelAt(block.position + [0, 0, block.size(3) / 2], eye);
   yes = ~isscalar(free) && free(spot(2), spot(1));
 end
 

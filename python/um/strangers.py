@@ -3,8 +3,8 @@
 import numpy as np
 
 from blocks import Block
-from looking import (describe_face, label_regions, onto_plane, pixel_at, table_color, to_pixel,
-                     unpacked)
+from looking import (describe_face, is_color, label_regions, onto_plane, pixel_at, table_color,
+                     to_pixel, unpacked)
 from places import footprint, overlap
 
 FEWEST_PIXELS = 150  # of a flat area that may be a top
@@ -36,7 +36,7 @@ def tops_in(picture, table):
     tops = []
     for code, count in zip(*np.unique(codes, return_counts=True)):
         color = unpacked(code)
-        if code == 0 or count < FEWEST_PIXELS or is_near(color, table):
+        if code == 0 or count < FEWEST_PIXELS or is_color(color[None, None], table).all():
             continue
         number = label_regions(codes == code)
         for region, size in enumerate(np.bincount(number.ravel())):
@@ -48,10 +48,6 @@ def tops_in(picture, table):
             if not len(colors) or not is_shade(color, unpacked(colors[often.argmax()])):
                 tops.append((color, row, column))
     return tops
-
-
-def is_near(color, table):
-    return np.abs(color - table).max() < 0.02 + 0.03 * table.max()
 
 
 def is_shade(color, bright):

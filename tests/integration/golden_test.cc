@@ -1,0 +1,91 @@
+// The recordings of tests/golden/recordings, made once by an earlier version of the program
+// (tools/make_golden_recordings.sh): they open, replay to the same bits, and can be looked at, for
+// ever.
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <vector>
+
+#include "program.h"
+
+namespace smile {
+namespace {
+
+/// An imported recording holds what was seen, but no commands to run again.
+constexpr const char* kImported = "imported";
+
+std::filesystem::path GoldenFolder() {
+  return std::filesystem::path(SMILE_SOURCE_DIR) / "tests/golden/recordings";
+}
+
+std::vector<std::string> GoldenRecordings() {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(GoldenFolder())) {
+    if (entry.is_directory()) names.push_back(entry.path().filename());
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
+/// The state hash at the end of each example, as it has been since the first edition.
+std::map<std::string, std::string> GoldenHashes() {
+  std::ifstream file(GoldenFolder() / "hashes.txt");
+  std::map<std::string, std::string> hashes;
+  for (std::string name, hash; file >> name >> hash;) hashes[name] = hash;
+  return hashes;
+}
+
+class GoldenRecording : public ProgramTest, public ::testing::WithParamInterface<std::string> {
+ protected:
+  static std::string Recording() { return "'" + (GoldenFolder() / GetParam()).string() + "'"; }
+};
+
+TEST_P(GoldenRecording, ReplaysToTheSameBits) {
+  const Answer replay = Smile("replay " + Recording() + " --verify --json");
+  if (GetParam() == kImported) {
+    EXPECT_NE(replay.err.find("no commands to run again"), std::string::npos) << replay.err;
+    return;
+  }
+  ASSERT_EQ(replay.exit_code, 0) << replay.err << replay.out;
+  EXPECT_TRUE(replay.json().at("identical").get<bool>());
+  EXPECT_GT(replay.json().at("ticks").get<int>(), 0);
+}
+
+TEST_P(GoldenRecording, CanBeLookedAt) {
+  const Answer look =
+      Smile("history " + Recording() + " --json && smile render " + Recording() +
+            " --size 64x48 --out picture.png && smile describe " + Recording() + " --json");
+  // A demonstration in which nothing was achieved is described as that.
+  if (look.exit_code != 0) {
+    EXPECT_EQ(look.exit_code, 1);
+    EXPECT_NE(look.err.find("nothing to imitate"), std::string::npos) << look.err;
+  }
+  EXPECT_TRUE(Exists("picture.png"));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, GoldenRecording, ::testing::ValuesIn(GoldenRecordings()),
+                         [](const auto& parameter) { return parameter.param; });
+
+TEST(GoldenRecordings, AreThere) { EXPECT_GE(GoldenRecordings().size(), 29u); }
+
+TEST_F(ProgramTest, EveryExampleEndsWithItsGoldenHash) {
+  const auto golden = GoldenHashes();
+  std::size_t num_examples = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(Shipped("examples"))) {
+    if (entry.path().extension() != ".jsonl") continue;
+    ++num_examples;
+    const std::string name = entry.path().stem();
+    ASSERT_TRUE(golden.contains(name)) << "run tools/make_golden_recordings.sh";
+    const bool has_robot = name == "tower" || name == "robot_poses";
+    const std::string scene = name == "robot_poses" ? "tower" : name;
+    const Answer run = Smile("run '" + Shipped("scenes/" + scene + ".xml") + "' --commands '" +
+                             entry.path().string() + "' --json" + (has_robot ? "" : " --no-robot"));
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_EQ(run.json().at("hash"), golden.at(name)) << name;
+  }
+  EXPECT_EQ(num_examples, golden.size());
+}
+
+}  // namespace
+}  // namespace smile

@@ -2,6 +2,7 @@
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(EIGEN REQUIRED QUIET IMPORTED_TARGET eigen3)
 pkg_check_modules(JSON REQUIRED QUIET IMPORTED_TARGET nlohmann_json)
+pkg_check_modules(PNG REQUIRED QUIET IMPORTED_TARGET libpng)
 # Only smile::motion needs these.
 pkg_check_modules(ASSIMP QUIET IMPORTED_TARGET assimp)
 pkg_check_modules(BULLET QUIET IMPORTED_TARGET bullet-float64)

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "math/image.h"
+#include "image/image.h"
 #include "wire/wire.h"
 
 namespace smile::agent {

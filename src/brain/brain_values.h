@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-#include "math/image.h"
+#include "image/image.h"
 #include "robot/urdf_reader.h"
 #include "sim/eye.h"
 

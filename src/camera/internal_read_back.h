@@ -1,7 +1,7 @@
 #pragma once
 
 #include "camera/internal_framebuffer.h"
-#include "math/image.h"
+#include "image/image.h"
 
 namespace smile::camera::internal {
 

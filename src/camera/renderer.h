@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "image/image.h"
 #include "math/camera_projection.h"
 #include "math/color.h"
-#include "math/image.h"
 #include "scene/visual_model.h"
 
 namespace smile::camera {

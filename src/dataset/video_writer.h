@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "math/image.h"
+#include "image/image.h"
 
 namespace smile::dataset {
 

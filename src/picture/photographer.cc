@@ -4,8 +4,8 @@
 #include <stdexcept>
 
 #include "base/wording.h"
+#include "image/png.h"
 #include "picture/viewpoint.h"
-#include "record/png.h"
 #include "record/sight.h"
 
 namespace smile::picture {
@@ -120,9 +120,9 @@ std::vector<std::filesystem::path> WriteChannels(const std::filesystem::path& pn
     writer(path, image);
     written.push_back(path);
   };
-  if (channels.rgb) write(&record::WritePng, png);
-  if (channels.depth) write(&record::WriteDepthPng, WithTag(png, "depth"));
-  if (channels.id) write(&record::WriteIdPng, WithTag(png, "id"));
+  if (channels.rgb) write(&WritePng, png);
+  if (channels.depth) write(&WriteDepthPng, WithTag(png, "depth"));
+  if (channels.id) write(&WriteIdPng, WithTag(png, "id"));
   return written;
 }
 

@@ -12,8 +12,8 @@
 #include "base/files.h"
 #include "base/overloaded.h"
 #include "base/wording.h"
+#include "image/png.h"
 #include "record/internal_classic_line.h"
-#include "record/png.h"
 #include "record/recording.h"
 
 namespace smile::record {
@@ -266,7 +266,7 @@ void MeasurePictures(const std::filesystem::path& directory, ClassicRecording* r
   for (const ClassicPicture& picture : recording->pictures) {
     const auto path =
         directory / std::to_string(picture.segment) / (std::to_string(picture.frame) + ".png");
-    const std::optional<PngSize> size = PngSizeOf(path);
+    const std::optional<PngSize> size = ReadPngSize(path);
     if (!size) Refuse(path, "is no readable PNG of at most 8192 pixels along a side");
     const bool is_first = recording->picture_width_px == 0;
     if (!is_first && (size->width_px != recording->picture_width_px ||

@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "base/files.h"
+#include "image/png.h"
 #include "math/angles.h"
 #include "record/classic_text.h"
 #include "record/internal_classic_files.h"
-#include "record/png.h"
 #include "record/sight.h"
 #include "record/time_range.h"
 #include "scene/controls_of.h"

@@ -5,8 +5,8 @@
 
 #include "base/diagnostic.h"
 #include "base/files.h"
+#include "image/png.h"
 #include "record/internal_classic_files.h"
-#include "record/png.h"
 #include "record/trace_reader.h"
 #include "robot/urdf_reader.h"
 #include "scene_xml/scene_reader.h"
@@ -54,7 +54,7 @@ void CheckEye(const Recording& recording) {
   const auto picture = SegmentPictures(recording.directory, 0) / "0.png";
   std::error_code error;
   if (!eye || !std::filesystem::is_regular_file(picture, error)) return;
-  const std::optional<PngSize> size = PngSizeOf(picture);
+  const std::optional<PngSize> size = ReadPngSize(picture);
   if (!size) throw InputError({picture.string(), 0, "", "is no picture, expected a PNG"});
   const auto [width, height] = std::pair(eye->intrinsics.width_px, eye->intrinsics.height_px);
   if (size->width_px == width && size->height_px == height) return;

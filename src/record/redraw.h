@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <functional>
 
-#include "math/image.h"
+#include "image/image.h"
 #include "record/demo_info.h"
 #include "record/progress.h"
 #include "record/recording.h"

@@ -1,7 +1,7 @@
 #include "report/experiment_page.h"
 
+#include "image/png.h"
 #include "picture/photographer.h"
-#include "record/png.h"
 #include "record/recording_history.h"
 #include "record/time_range.h"
 #include "report/internal_activity.h"
@@ -41,7 +41,7 @@ Markup PicturesOf(const record::Recording& recording, const std::string& whose) 
       if (!moment) continue;
       const std::string words = whose + (tick == ticks.first ? ", the beginning" : ", the end") +
                                 (is_eye ? ", as the robot's eye sees it" : "");
-      gallery += Captioned(Picture(record::PngOf(photographer.Take(*moment)), words), words);
+      gallery += Captioned(Picture(EncodePng(photographer.Take(*moment)), words), words);
     }
   }
   return Element("div", {{"class", "gallery"}}, gallery);

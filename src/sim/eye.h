@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "image/image.h"
 #include "math/camera_projection.h"
-#include "math/image.h"
 #include "sim/simulation.h"
 
 namespace smile::sim {

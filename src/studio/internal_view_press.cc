@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "record/png.h"
+#include "image/png.h"
 
 namespace smile::studio {
 
@@ -34,7 +34,7 @@ std::optional<ViewPress::View> ViewPress::Next() {
 
 void ViewPress::Work() {
   while (const std::optional<View> view = Next()) {
-    server_->SendView(view->scene, view->tick, record::PngOf(view->image), view->is_recorded);
+    server_->SendView(view->scene, view->tick, EncodePng(view->image), view->is_recorded);
   }
 }
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <thread>
 
-#include "math/image.h"
+#include "image/image.h"
 #include "studio/server.h"
 
 namespace smile::studio {

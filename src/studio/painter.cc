@@ -1,7 +1,7 @@
 #include "studio/painter.h"
 
+#include "image/png.h"
 #include "picture/viewpoint.h"
-#include "record/png.h"
 #include "record/time_range.h"
 #include "sim/eye.h"
 
@@ -42,7 +42,7 @@ std::string Painter::Paint(const sim::Simulation& stage, const scene::VisualMode
   for (int frame = first_robot_frame; first_robot_frame > 0 && frame < model.num_frames; ++frame) {
     options.excluded_frames.push_back(frame);
   }
-  return record::PngOf(renderer_->Render(model, state, view, options));
+  return EncodePng(renderer_->Render(model, state, view, options));
 }
 
 }  // namespace smile::studio

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/json.h"
-#include "math/image.h"
+#include "image/image.h"
 #include "record/recording_desk.h"
 #include "scene_xml/scene_reader.h"
 #include "sim/eye.h"

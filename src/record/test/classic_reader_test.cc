@@ -9,7 +9,7 @@
 #include "base/diagnostic.h"
 #include "base/files.h"
 #include "damage.h"
-#include "record/png.h"
+#include "image/png.h"
 #include "record/stand_ins.h"
 #include "scene_xml/scene_reader.h"
 #include "scene_xml/scene_writer.h"

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "image/png.h"
 #include "painted_eye.h"
 #include "record/attention.h"
 #include "record/classic_text.h"
-#include "record/png.h"
 #include "record/recording_desk.h"
 #include "recording_fixture.h"
 

@@ -5,8 +5,8 @@
 
 #include "base/diagnostic.h"
 #include "base/json.h"
+#include "image/png.h"
 #include "painted_eye.h"
-#include "record/png.h"
 #include "recording_fixture.h"
 
 namespace smile::record {

@@ -4,7 +4,7 @@
 #include <set>
 #include <thread>
 
-#include "record/png.h"
+#include "image/png.h"
 #include "record/test/recording_fixture.h"
 
 namespace smile::studio {
@@ -32,7 +32,7 @@ class ShowcaseTest : public record::RecordingFixture {
     if (!answer) return {};
     EXPECT_EQ(answer->type, "image/png");
     WriteFile(root_ / "got.png", answer->body);
-    return record::ReadPng(root_ / "got.png");
+    return ReadPng(root_ / "got.png");
   }
 
   Showcase showcase_{{.scenes = root_ / "scenes",

@@ -1,4 +1,4 @@
-#include "record/png.h"
+#include "image/png.h"
 
 #include <png.h>
 
@@ -11,7 +11,7 @@
 
 #include "base/files.h"
 
-namespace smile::record {
+namespace smile {
 namespace {
 
 /// libpng's simplified interface (manual, section V): errors come back as values, not by longjmp.
@@ -57,7 +57,7 @@ std::string Encoded(const Image& image, png_uint_32 format, const void* pixels) 
 
 }  // namespace
 
-std::string PngOf(const Image& image) {
+std::string EncodePng(const Image& image) {
   const std::size_t num_pixels = NumPixels(image);
   RequireChannel("color", image.color.size(), 3 * num_pixels);
   std::vector<std::uint8_t> pixels(4 * num_pixels);
@@ -69,7 +69,7 @@ std::string PngOf(const Image& image) {
 }
 
 void WritePng(const std::filesystem::path& path, const Image& image) {
-  WriteFile(path, PngOf(image));
+  WriteFile(path, EncodePng(image));
 }
 
 void WriteDepthPng(const std::filesystem::path& path, const Image& image) {
@@ -121,11 +121,11 @@ Image ReadPng(const std::filesystem::path& path) {
   return image;
 }
 
-std::optional<PngSize> PngSizeOf(const std::filesystem::path& path) {
+std::optional<PngSize> ReadPngSize(const std::filesystem::path& path) {
   PngImage png;
   if (!png_image_begin_read_from_file(&png, path.c_str())) return std::nullopt;
   if (png.width > kMaxSize || png.height > kMaxSize) return std::nullopt;
   return PngSize{static_cast<int>(png.width), static_cast<int>(png.height)};
 }
 
-}  // namespace smile::record
+}  // namespace smile

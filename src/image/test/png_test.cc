@@ -1,4 +1,4 @@
-#include "record/png.h"
+#include "image/png.h"
 
 #include <gtest/gtest.h>
 #include <png.h>
@@ -12,7 +12,7 @@
 
 #include "base/files.h"
 
-namespace smile::record {
+namespace smile {
 namespace {
 
 class PngTest : public testing::Test {
@@ -166,4 +166,4 @@ TEST_F(PngTest, RefusesAPictureTooLargeToHold) {
 }
 
 }  // namespace
-}  // namespace smile::record
+}  // namespace smile

@@ -4,9 +4,9 @@
 #include <optional>
 #include <string>
 
-#include "math/image.h"
+#include "image/image.h"
 
-namespace smile::record {
+namespace smile {
 
 /// Writes the color of an image as the classic recordings have it: 8 bits each of red, green, blue
 /// and an alpha that is opaque everywhere. Tuned for speed: about 2 ms for 640 x 480 pixels.
@@ -16,7 +16,7 @@ void WritePng(const std::filesystem::path& path, const Image& image);
 
 /// The bytes of the file that WritePng() writes.
 /// @throws std::invalid_argument if the image has no color.
-std::string PngOf(const Image& image);
+std::string EncodePng(const Image& image);
 
 /// Writes depth as 16-bit gray in steps of 0.1 mm: 0 = no hit, 65535 = 6.5535 m or farther.
 /// Throws as WritePng() does.
@@ -36,6 +36,6 @@ struct PngSize {
 };
 
 /// Looks at the beginning of the file only; nullopt when that is not of a picture ReadPng() reads.
-std::optional<PngSize> PngSizeOf(const std::filesystem::path& path);
+std::optional<PngSize> ReadPngSize(const std::filesystem::path& path);
 
-}  // namespace smile::record
+}  // namespace smile

@@ -10,10 +10,10 @@
 #include "base/diagnostic.h"
 #include "base/files.h"
 #include "base/wording.h"
-#include "dataset/video_writer.h"
 #include "record/append_file.h"
 #include "record/markers.h"
 #include "record/trace_reader.h"
+#include "video/video_writer.h"
 
 namespace smile::app {
 namespace {
@@ -64,8 +64,8 @@ std::string NumberedName(std::uint64_t frame) {
 void FilmInto(const std::filesystem::path& mp4, const record::Recording& recording,
               const record::TickRange& range, const FilmOptions& options,
               picture::Photographer* photographer) {
-  dataset::VideoWriter video(mp4, options.shot.width_px, options.shot.height_px,
-                             options.frames_per_second);
+  video::VideoWriter video(mp4, options.shot.width_px, options.shot.height_px,
+                           options.frames_per_second);
   ForEachFrame(recording, range, options, photographer,
                [&video](std::uint64_t, std::uint64_t, const Image& image) { video.Add(image); });
   if (IsInterrupted()) throw std::runtime_error("interrupted");

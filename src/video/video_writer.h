@@ -6,7 +6,7 @@
 
 #include "image/image.h"
 
-namespace smile::dataset {
+namespace smile::video {
 
 /// Writes pictures as an mp4 film that browsers and players show at once: H.264, 4:2:0, BT.709,
 /// the index in front. Equal pictures give equal bytes.
@@ -55,4 +55,4 @@ struct VideoInfo {
 /// @throws std::runtime_error naming the path and the reason.
 VideoInfo ReadVideoInfo(const std::filesystem::path& path);
 
-}  // namespace smile::dataset
+}  // namespace smile::video

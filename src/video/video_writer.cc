@@ -1,13 +1,13 @@
-#include "dataset/video_writer.h"
+#include "video/video_writer.h"
 
 #include <algorithm>
 #include <cstring>
 #include <stdexcept>
 #include <utility>
 
-#include "dataset/internal_libav.h"
+#include "video/internal_libav.h"
 
-namespace smile::dataset {
+namespace smile::video {
 
 using internal::Check;
 using internal::CheckMade;
@@ -206,4 +206,4 @@ VideoInfo ReadVideoInfo(const std::filesystem::path& path) {
           .num_frames = stream->nb_frames};
 }
 
-}  // namespace smile::dataset
+}  // namespace smile::video

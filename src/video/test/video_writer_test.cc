@@ -1,4 +1,4 @@
-#include "dataset/video_writer.h"
+#include "video/video_writer.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -9,9 +9,9 @@
 #include <string>
 
 #include "base/files.h"
-#include "dataset/internal_libav.h"
+#include "video/internal_libav.h"
 
-namespace smile::dataset {
+namespace smile::video {
 namespace {
 
 using internal::Check;
@@ -215,4 +215,4 @@ TEST_F(VideoWriterTest, ReadingNamesThePathOfAFileThatIsNoFilm) {
 }
 
 }  // namespace
-}  // namespace smile::dataset
+}  // namespace smile::video

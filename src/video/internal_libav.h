@@ -11,7 +11,7 @@ extern "C" {
 #include <stdexcept>
 #include <string>
 
-namespace smile::dataset::internal {
+namespace smile::video::internal {
 
 struct CodecDeleter {
   void operator()(AVCodecContext* codec) const { avcodec_free_context(&codec); }
@@ -65,4 +65,4 @@ T* CheckMade(T* thing, const std::filesystem::path& path, const char* call) {
   return thing;
 }
 
-}  // namespace smile::dataset::internal
+}  // namespace smile::video::internal

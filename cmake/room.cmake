@@ -1,14 +1,16 @@
-# smile_room(NAME [MAY_INCLUDE room...] [PUBLIC lib...] [PRIVATE lib...])
+# smile_room(NAME [MAY_INCLUDE room...] [TESTS_MAY_INCLUDE room...] [PUBLIC lib...] [PRIVATE lib...])
 #
 # One folder under src/ = one room = one target smile::NAME. Its sources are src/NAME/*.cc, its tests
 # src/NAME/test/*_test.cc. MAY_INCLUDE is the include table of docs/architecture.md; a test reads this
-# file's calls and compares them with the #include lines it finds. Third-party libraries have one home:
+# file's calls and compares them with the #include lines it finds. TESTS_MAY_INCLUDE lists further rooms
+# that only the unit tests include. Third-party libraries have one home:
 # PRIVATE keeps their headers there, PUBLIC is for the two that everybody speaks (Eigen, JSON).
 function(smile_room NAME)
-  cmake_parse_arguments(ROOM "" "" "MAY_INCLUDE;PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(ROOM "" "" "MAY_INCLUDE;TESTS_MAY_INCLUDE;PUBLIC;PRIVATE" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${NAME}/*.cc)
   set_property(GLOBAL PROPERTY smile_room_${NAME} ${ROOM_MAY_INCLUDE})
   list(TRANSFORM ROOM_MAY_INCLUDE PREPEND smile_)
+  list(TRANSFORM ROOM_TESTS_MAY_INCLUDE PREPEND smile_)
 
   add_library(smile_${NAME} STATIC ${sources})
   add_library(smile::${NAME} ALIAS smile_${NAME})
@@ -26,7 +28,8 @@ function(smile_room NAME)
   file(GLOB test_sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${NAME}/test/*_test.cc)
   if(SMILE_TESTS AND test_sources)
     add_executable(smile_${NAME}_test ${test_sources})
-    target_link_libraries(smile_${NAME}_test PRIVATE smile_${NAME} ${ROOM_PRIVATE} GTest::gtest_main)
+    target_link_libraries(smile_${NAME}_test PRIVATE smile_${NAME} ${ROOM_TESTS_MAY_INCLUDE}
+                          ${ROOM_PRIVATE} GTest::gtest_main)
     target_include_directories(smile_${NAME}_test PRIVATE
                                ${CMAKE_CURRENT_SOURCE_DIR}/${NAME}/test)
     target_compile_definitions(smile_${NAME}_test PRIVATE

@@ -27,11 +27,11 @@
 #include "base/version.h"
 #include "base/wording.h"
 #include "brain/brain_process.h"
+#include "layout/layout_level.h"
 #include "report/evaluation.h"
 #include "report/evaluation_page.h"
 #include "scene_xml/scene_reader.h"
 #include "task/imitation_result.h"
-#include "task/layout_level.h"
 
 namespace smile::app {
 namespace {
@@ -451,8 +451,8 @@ void AddEvaluate(CLI::App* program, ExitAnswer answer) {
       ->capture_default_str()
       ->check(CLI::Range(std::uint64_t{0}, kMaxSeed));
   evaluate->add_option("--level", options->level, "how hard the layouts are")
-      ->check(CLI::IsMember(std::vector<std::string>(task::kLayoutLevelWords.begin(),
-                                                     task::kLayoutLevelWords.end())));
+      ->check(CLI::IsMember(std::vector<std::string>(layout::kLayoutLevelWords.begin(),
+                                                     layout::kLayoutLevelWords.end())));
   evaluate
       ->add_option("--jobs", options->jobs,
                    "how many runs at once; as many as there are cores if not given")

@@ -12,8 +12,8 @@ CLI::Option* AddLayoutOptions(CLI::App* command, LayoutOptions* options) {
                        "random starting positions instead of those of the scene; the same seed "
                        "gives the same")
           ->check(CLI::NonNegativeNumber);
-  const std::vector<std::string> words(task::kLayoutLevelWords.begin(),
-                                       task::kLayoutLevelWords.end());
+  const std::vector<std::string> words(layout::kLayoutLevelWords.begin(),
+                                       layout::kLayoutLevelWords.end());
   command->add_option("--level", options->level, "how hard they make it (docs/experiments.md)")
       ->capture_default_str()
       ->check(CLI::IsMember(words))
@@ -23,8 +23,8 @@ CLI::Option* AddLayoutOptions(CLI::App* command, LayoutOptions* options) {
 
 scene::SceneSpec LaidOut(scene::SceneSpec scene, const LayoutOptions& options) {
   if (!options.seed) return scene;
-  return task::RandomLayout(std::move(scene), *options.seed,
-                            task::ParseLayoutLevel(options.level).value());
+  return layout::RandomLayout(std::move(scene), *options.seed,
+                              layout::ParseLayoutLevel(options.level).value());
 }
 
 }  // namespace smile::app

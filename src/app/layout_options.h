@@ -5,15 +5,15 @@
 #include <optional>
 #include <string>
 
+#include "layout/layout.h"
 #include "scene/scene_spec.h"
-#include "task/layout.h"
 
 namespace smile::app {
 
 /// Where the loose objects of a scene start, if not where the scene has them.
 struct LayoutOptions {
   std::optional<std::uint64_t> seed;
-  std::string level{task::kLayoutLevelWords.front()};
+  std::string level{layout::kLayoutLevelWords.front()};
 };
 
 /// `--seed` and `--level`.

@@ -1,4 +1,4 @@
-#include "task/layout.h"
+#include "layout/layout.h"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@
 #include "sim/eye.h"
 #include "sim/simulation.h"
 
-namespace smile::task {
+namespace smile::layout {
 namespace {
 
 constexpr int kNumLevels = static_cast<int>(kLayoutLevelWords.size());
@@ -292,4 +292,4 @@ TEST(RandomLayout, SaysWhenItCannot) {
 }
 
 }  // namespace
-}  // namespace smile::task
+}  // namespace smile::layout

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-namespace smile::task {
+namespace smile::layout {
 
 /// How hard a starting layout makes it for the robot.
 enum class LayoutLevel {
@@ -23,4 +23,4 @@ inline constexpr std::array<std::string_view, 6> kLayoutLevelWords{
 /// nullopt for a word that is none of them.
 std::optional<LayoutLevel> ParseLayoutLevel(std::string_view word);
 
-}  // namespace smile::task
+}  // namespace smile::layout

@@ -6,11 +6,11 @@
 #include <string_view>
 #include <vector>
 
+#include "layout/footprint.h"
+#include "layout/layout_level.h"
 #include "scene/scene_spec.h"
-#include "task/footprint.h"
-#include "task/layout_level.h"
 
-namespace smile::task {
+namespace smile::layout {
 
 /// An object of a clump: how it stands in the clump's frame K, which lies on the table in the
 /// middle of the clump's footprint, x along its first side.
@@ -38,4 +38,4 @@ std::vector<std::size_t> LooseObjects(const scene::SceneSpec& scene);
 std::vector<Clump> ClumpsOf(const scene::SceneSpec& scene, const std::vector<std::size_t>& objects,
                             std::uint64_t seed, LayoutLevel level);
 
-}  // namespace smile::task
+}  // namespace smile::layout

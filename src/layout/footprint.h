@@ -5,7 +5,7 @@
 #include "math/rigid_transform.h"
 #include "scene/scene_spec.h"
 
-namespace smile::task {
+namespace smile::layout {
 
 using Vector2 = Eigen::Vector2d;
 
@@ -26,4 +26,4 @@ double GapBetween(const Footprint& a, const Footprint& b);
 /// `X_WB`.
 Footprint FootprintOf(const scene::ObjectSpec& object, const RigidTransform& X_WB);
 
-}  // namespace smile::task
+}  // namespace smile::layout

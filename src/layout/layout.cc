@@ -1,4 +1,4 @@
-#include "task/layout.h"
+#include "layout/layout.h"
 
 #include <algorithm>
 #include <array>
@@ -11,11 +11,11 @@
 #include <vector>
 
 #include "base/uniform.h"
+#include "layout/internal_clump.h"
 #include "math/angles.h"
 #include "scene/solid.h"
-#include "task/internal_clump.h"
 
-namespace smile::task {
+namespace smile::layout {
 namespace {
 
 /// The room between things that is tried, in this order [m].
@@ -240,4 +240,4 @@ scene::SceneSpec RandomLayout(scene::SceneSpec scene, std::uint64_t seed, Layout
                               " others within the robot's reach");
 }
 
-}  // namespace smile::task
+}  // namespace smile::layout

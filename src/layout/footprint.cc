@@ -1,4 +1,4 @@
-#include "task/footprint.h"
+#include "layout/footprint.h"
 
 #include <algorithm>
 #include <limits>
@@ -6,7 +6,7 @@
 #include "math/angles.h"
 #include "scene/bounds.h"
 
-namespace smile::task {
+namespace smile::layout {
 namespace {
 
 /// True when a line along one of a's sides parts the two.
@@ -57,4 +57,4 @@ Footprint FootprintOf(const scene::ObjectSpec& object, const RigidTransform& X_W
           .half_size = bounds.size().head<2>() / 2};
 }
 
-}  // namespace smile::task
+}  // namespace smile::layout

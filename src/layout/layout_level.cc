@@ -1,8 +1,8 @@
-#include "task/layout_level.h"
+#include "layout/layout_level.h"
 
 #include <algorithm>
 
-namespace smile::task {
+namespace smile::layout {
 
 std::optional<LayoutLevel> ParseLayoutLevel(std::string_view word) {
   const auto* const found = std::ranges::find(kLayoutLevelWords, word);
@@ -10,4 +10,4 @@ std::optional<LayoutLevel> ParseLayoutLevel(std::string_view word) {
   return static_cast<LayoutLevel>(found - kLayoutLevelWords.begin());
 }
 
-}  // namespace smile::task
+}  // namespace smile::layout

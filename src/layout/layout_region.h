@@ -1,9 +1,9 @@
 #pragma once
 
+#include "layout/footprint.h"
 #include "scene/scene_spec.h"
-#include "task/footprint.h"
 
-namespace smile::task {
+namespace smile::layout {
 
 /// Where on the table a seeded layout may put things: within Baxter's reach, in view of its eye,
 /// and not where the robot is to build (docs/experiments.md). Depths count from the table's near
@@ -29,4 +29,4 @@ struct LayoutRegion {
   bool Holds(const scene::TableSpec& table, const Footprint& footprint, double top) const;
 };
 
-}  // namespace smile::task
+}  // namespace smile::layout

@@ -2,11 +2,11 @@
 
 #include <cstdint>
 
+#include "layout/layout_level.h"
+#include "layout/layout_region.h"
 #include "scene/scene_spec.h"
-#include "task/layout_level.h"
-#include "task/layout_region.h"
 
-namespace smile::task {
+namespace smile::layout {
 
 /// A finger of the classic gripper, 0.03 m thick, fits beside a thing with this much room [m].
 inline constexpr double kFingerGap = 0.04;
@@ -27,4 +27,4 @@ scene::SceneSpec RandomLayout(scene::SceneSpec scene, std::uint64_t seed,
                               LayoutLevel level = LayoutLevel::kScattered,
                               const LayoutRegion& region = {});
 
-}  // namespace smile::task
+}  // namespace smile::layout

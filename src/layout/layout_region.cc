@@ -1,10 +1,10 @@
-#include "task/layout_region.h"
+#include "layout/layout_region.h"
 
 #include <cmath>
 
 #include "math/angles.h"
 
-namespace smile::task {
+namespace smile::layout {
 namespace {
 
 // The robot's eye, as in sim/eye.h: where it is above the usual robot, how it looks down, and how
@@ -44,4 +44,4 @@ bool LayoutRegion::Holds(const scene::TableSpec& table, const Footprint& footpri
   return true;
 }
 
-}  // namespace smile::task
+}  // namespace smile::layout

@@ -1,4 +1,4 @@
-#include "task/internal_clump.h"
+#include "layout/internal_clump.h"
 
 #include <algorithm>
 #include <set>
@@ -12,7 +12,7 @@
 #include "scene/controls_of.h"
 #include "scene/solid.h"
 
-namespace smile::task {
+namespace smile::layout {
 namespace {
 
 /// Nearer than this things touch [m].
@@ -237,4 +237,4 @@ std::vector<Clump> ClumpsOf(const scene::SceneSpec& scene, const std::vector<std
   return clumps;
 }
 
-}  // namespace smile::task
+}  // namespace smile::layout

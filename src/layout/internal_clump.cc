@@ -105,6 +105,7 @@ Clump Row(const std::vector<Clump>& alone) {
   for (const Clump& one : alone) {
     ClumpMember member = one.members.front();
     member.p_KB.x() += x + one.half_size.x();
+    member.center.x() = x + one.half_size.x();
     row.members.push_back(member);
     row.half_size.y() = std::max(row.half_size.y(), one.half_size.y());
     row.top = std::max(row.top, one.top);
@@ -124,6 +125,7 @@ Clump Stack(const Clump& lower, const Clump& upper, std::mt19937_64* random) {
                             Vector3(offset.x(), offset.y(), lower.top));
   member.p_KB = X_KU * member.p_KB;
   member.angles_deg.z() = yaw_deg;
+  member.center = offset;
   stack.members.push_back(member);
   stack.top += upper.top;
   for (const Vector2& corner :

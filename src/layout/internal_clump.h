@@ -18,6 +18,7 @@ struct ClumpMember {
   std::size_t object = 0;                ///< in SceneSpec::objects
   Vector3 p_KB = Vector3::Zero();        ///< [m]
   Vector3 angles_deg = Vector3::Zero();  ///< fixed axes, in K
+  Vector2 center = Vector2::Zero();      ///< middle of its own footprint, in K [m]
 };
 
 /// Objects that a layout moves as one: a thing by itself, a row, a stack.

@@ -142,6 +142,15 @@ bool IsAtRim(const LayoutRules& rules, const Footprint& footprint, double top) {
   return !inner.Holds(rules.table, grown, top);
 }
 
+/// True when the robot reaches the middle of each member: a row may be longer than the arm's
+/// margin.
+bool AreMembersReached(const LayoutRules& rules, const Clump& clump, const Footprint& place) {
+  const Eigen::Rotation2Dd R_WK(DegreesToRadians(place.yaw_deg));
+  return std::ranges::all_of(clump.members, [&](const ClumpMember& member) {
+    return rules.region.Reaches(rules.table, place.center + R_WK * member.center);
+  });
+}
+
 bool IsFree(const LayoutRules& rules, const std::vector<Footprint>& taken,
             const Footprint& footprint) {
   const auto is_near = [&](const Footprint& other) {
@@ -183,6 +192,7 @@ std::vector<Footprint> PlacesFor(const scene::SceneSpec& scene, const std::vecto
     for (int i = 0; i < kTries && !is_placed; ++i) {
       const Footprint place = Somewhere(rules, clump.half_size, &random);
       is_placed = rules.region.Holds(rules.table, place, clump.top) &&
+                  AreMembersReached(rules, clump, place) &&
                   (!wants_rim || IsAtRim(rules, place, clump.top)) && IsFree(rules, taken, place);
       if (is_placed) taken.push_back(place);
     }

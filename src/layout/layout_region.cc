@@ -29,12 +29,16 @@ Footprint LayoutRegion::StripOn(const scene::TableSpec& table) const {
           .half_size = {strip_half_width, (strip_far - strip_near) / 2}};
 }
 
+bool LayoutRegion::Reaches(const scene::TableSpec& table, const Vector2& center) const {
+  const double x = std::abs(center.x()), depth = center.y() + table.y_span / 2;
+  if (std::hypot(x - shoulder_x, depth - shoulder_depth) > reach) return false;
+  return x <= most_x && depth >= least_depth && depth <= most_depth;
+}
+
 bool LayoutRegion::Holds(const scene::TableSpec& table, const Footprint& footprint,
                          double top) const {
+  if (!Reaches(table, footprint.center)) return false;
   const double edge = -table.y_span / 2;
-  const double x = std::abs(footprint.center.x()), depth = footprint.center.y() - edge;
-  if (std::hypot(x - shoulder_x, depth - shoulder_depth) > reach) return false;
-  if (x > most_x || depth < least_depth || depth > most_depth) return false;
   for (const Vector2& corner : footprint.corners()) {
     if (std::abs(corner.x()) > table.x_span / 2 - table_rim) return false;
     if (std::abs(corner.y()) > table.y_span / 2 - table_rim) return false;

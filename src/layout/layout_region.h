@@ -24,6 +24,8 @@ struct LayoutRegion {
   double strip_near = 0.34, strip_far = 0.51;  ///< depths [m]
 
   Footprint StripOn(const scene::TableSpec& table) const;
+  /// True when the robot reaches a thing whose middle is at `center` in the world [m].
+  bool Reaches(const scene::TableSpec& table, const Vector2& center) const;
   /// Whether the robot reaches the middle of a thing with this footprint, its eye sees all of it,
   /// up to its top, and all of it is on the table. Things in the strip are within.
   bool Holds(const scene::TableSpec& table, const Footprint& footprint, double top) const;

@@ -146,6 +146,22 @@ TEST_P(LayoutProperty, EverythingIsReachedSeenAndApart) {
   }
 }
 
+TEST_P(LayoutProperty, EachBlockOfAGroupIsInReach) {
+  constexpr double kTolerance = 1e-6;  // [m]
+  const scene::SceneSpec scene = Shipped("um_robot");
+  const LayoutRegion region;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    const scene::SceneSpec layout = RandomLayout(scene, seed, level());
+    for (const scene::ObjectSpec& object : layout.objects) {
+      const Vector2 center = FootprintNow(object).center;
+      const double from_shoulder =
+          std::hypot(std::abs(center.x()) - region.shoulder_x,
+                     center.y() + layout.table.y_span / 2 - region.shoulder_depth);
+      EXPECT_LE(from_shoulder, region.reach + kTolerance) << object.id() << ", seed " << seed;
+    }
+  }
+}
+
 TEST_P(LayoutProperty, NothingMovesByItself) {
   for (std::uint64_t seed = 0; seed < 3; ++seed) {
     const scene::SceneSpec layout = RandomLayout(Shipped("um_robot"), seed, level());

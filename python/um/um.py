@@ -3,6 +3,8 @@
     smile imitate DEMO SCENE --brain python/um/um.py
 
 docs/learner.md walks through its twin in Octave, matlab/um; both decide alike.
+
+smile: imitates
 """
 
 from smile.motion import robot_of

@@ -39,6 +39,7 @@ class Session::Impl {
   struct Imitation {
     task::Exercise exercise;
     std::unique_ptr<task::CourseWitness> witness;
+    std::filesystem::path recording;  ///< its directory
     std::uint64_t start_tick = 0;
   };
 
@@ -93,6 +94,8 @@ class Session::Impl {
   BrainChoice FindBrain(const std::string& name) const;
   std::vector<BrainChoice> Brains() const;
   void RunBrain(const BrainChoice& choice, const std::filesystem::path& demonstration);
+  /// Begins to record the imitation that starts now; its directory.
+  std::filesystem::path RecordImitation(const record::Recording& demonstration);
 
   SessionOptions options_;
   Library library_;

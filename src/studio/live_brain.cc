@@ -1,49 +1,16 @@
 #include "studio/live_brain.h"
 
-#include <unistd.h>
-
-#include <algorithm>
-#include <map>
-#include <system_error>
 #include <utility>
 
 namespace smile::studio {
 namespace {
-
-namespace fs = std::filesystem;
 
 /// A person waits for it.
 constexpr double kPatience = 5, kStartPatience = 30;  // [s], wall clock
 /// Most programs have answered by then; who waits for others has better things to do.
 constexpr std::chrono::milliseconds kMoment(4);
 
-std::string KindOf(const fs::path& path) {
-  std::error_code error;
-  if (fs::is_regular_file(path / "agentBehavior.m", error)) return "octave";
-  if (!fs::is_regular_file(path, error)) return "";
-  if (path.extension() == ".py") return "python";
-  return ::access(path.c_str(), X_OK) == 0 ? "program" : "";
-}
-
 }  // namespace
-
-std::vector<BrainChoice> BrainsIn(const std::vector<fs::path>& folders) {
-  std::vector<BrainChoice> choices;
-  for (const fs::path& folder : folders) {
-    std::error_code error;
-    std::map<std::string, BrainChoice> found;
-    for (const auto& entry : fs::directory_iterator(folder, error)) {
-      const std::string name = entry.path().filename().string();
-      const std::string kind = KindOf(entry.path());
-      if (!kind.empty()) found[name] = {.name = name, .kind = kind, .path = entry.path()};
-    }
-    for (auto& [name, choice] : found) {
-      const bool is_new = std::ranges::find(choices, name, &BrainChoice::name) == choices.end();
-      if (is_new) choices.push_back(std::move(choice));
-    }
-  }
-  return choices;
-}
 
 void LiveBrain::Start(const BrainChoice& choice, const brain::BrainDriverOptions& options,
                       sim::Simulation* simulation) {

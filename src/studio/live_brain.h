@@ -1,7 +1,6 @@
 #pragma once
 
 #include <chrono>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,20 +9,10 @@
 #include "base/json.h"
 #include "brain/brain_driver.h"
 #include "brain/brain_thread.h"
+#include "studio/brain_choices.h"
 #include "studio/console.h"
 
 namespace smile::studio {
-
-/// A robot program that may be started.
-struct BrainChoice {
-  std::string name;  ///< of its folder or file
-  std::string kind;  ///< `octave`, `python` or `program`
-  std::filesystem::path path;
-};
-
-/// All there are in some folders, each in its order by name. Where two have one name, the first
-/// folder's counts. A folder that is not there has none.
-std::vector<BrainChoice> BrainsIn(const std::vector<std::filesystem::path>& folders);
 
 /// A robot program at work in a simulation, watched by people, who need not wait for it. Belongs to
 /// the thread that runs the simulation.

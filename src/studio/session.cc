@@ -100,6 +100,9 @@ void Session::Impl::EndImitation() {
   if (!imitation_) return;
   const Imitation ended = *std::move(imitation_);
   imitation_.reset();
+  const bool is_recorded =
+      world_->is_recording() && world_->recording_directory() == ended.recording;
+  if (is_recorded) (void)world_->Apply(sim::FinishRecording{});
   Json result =
       task::ResultOf(ended.exercise, ended.witness->course(),
                      {.seconds = sim::SecondsOf(world_->simulation().tick() - ended.start_tick),

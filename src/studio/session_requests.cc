@@ -10,6 +10,7 @@
 #include "picture/rendered_eye.h"
 #include "record/attention.h"
 #include "record/recording_history.h"
+#include "record/recording_names.h"
 #include "sim/command_json.h"
 #include "studio/internal_session.h"
 #include "studio/present_scene.h"
@@ -300,7 +301,7 @@ Json Session::Impl::Branch(const Request& request) {
 
 std::vector<BrainChoice> Session::Impl::Brains() const {
   std::vector<std::filesystem::path> folders = options_.brains;
-  for (const char* shipped : {"matlab/examples", "python/examples"}) {
+  for (const char* shipped : {"matlab/examples", "python/examples", "matlab", "python"}) {
     folders.push_back(DataFile(shipped));
   }
   return BrainsIn(folders);
@@ -309,18 +310,17 @@ std::vector<BrainChoice> Session::Impl::Brains() const {
 Json Session::Impl::DescribeBrains() const {
   Json described = Json::array();
   for (const BrainChoice& choice : Brains()) {
-    described.push_back({{"name", choice.name}, {"kind", choice.kind}});
+    described.push_back(
+        {{"name", choice.name}, {"kind", choice.kind}, {"imitates", choice.imitates}});
   }
   return {{"brains", std::move(described)}};
 }
 
 BrainChoice Session::Impl::FindBrain(const std::string& name) const {
   const std::vector<BrainChoice> brains = Brains();
+  if (const BrainChoice* choice = BrainNamed(brains, name)) return *choice;
   std::vector<std::string_view> known;
-  for (const BrainChoice& choice : brains) {
-    if (choice.name == name) return choice;
-    known.push_back(choice.name);
-  }
+  for (const BrainChoice& choice : brains) known.push_back(choice.name);
   throw RequestError("\"brain\" is " + Quoted(name) + ", expected " + OneOf(known) +
                      DidYouMean(name, known));
 }
@@ -355,20 +355,41 @@ Json Session::Impl::StartBrain(const RequestFields& fields) {
 
 Json Session::Impl::Imitate(const RequestFields& fields) {
   const BrainChoice choice = FindBrain(fields.Text("brain"));
+  if (!choice.imitates) {
+    throw RequestError(Quoted(choice.name) +
+                       " does not read demonstrations: its script lacks the line "
+                       "\"smile: imitates\"");
+  }
   const std::string scene = fields.Text("scene");
   const std::filesystem::path directory = library_.DirectoryOf(fields.Text("recording"));
   RequireNoRecording();
   RequireIdleRobot();
-  Imitation imitation{.exercise = task::MakeExercise(scene, record::OpenRecording(directory),
-                                                     ReadNamedScene(scene)),
+  const record::Recording demonstration = record::OpenRecording(directory);
+  Imitation imitation{.exercise = task::MakeExercise(scene, demonstration, ReadNamedScene(scene)),
                       .witness = nullptr};
   auto world = MakeWorld(imitation.exercise.scene, options_.robot);
   loaded_ = imitation.exercise.scene;
   Enter(std::move(world));
   RunBrain(choice, directory);
+  imitation.recording = RecordImitation(demonstration);
   imitation.witness = std::make_unique<task::CourseWitness>(&world_->simulation());
   imitation_ = std::move(imitation);
-  return Json::object();
+  return {{"recording", imitation_->recording.filename().string()}};
+}
+
+std::filesystem::path Session::Impl::RecordImitation(const record::Recording& demonstration) {
+  constexpr std::string_view kEnd = ", imitated";
+  std::string title = demonstration.info.title;
+  if (title.empty() || title.size() + kEnd.size() > record::kMaxTitleBytes) {
+    title = demonstration.directory.filename().string();
+  }
+  title += kEnd;
+  if (const auto refusal = world_->Apply(
+          sim::StartRecording{.name = record::RecordingNameFor(title), .title = title})) {
+    brain_.Stop(&world_->simulation());
+    throw RequestError("the imitation cannot be recorded: " + *refusal);
+  }
+  return world_->recording_directory();
 }
 
 }  // namespace smile::studio

@@ -17,7 +17,8 @@ const STUMBLES = `def step(sensor, motor, aux):
     print("steps once")
     aux.has_stepped = True
 `;
-const RESTS = `def step(sensor, motor, aux):
+const RESTS = `# smile: imitates
+def step(sensor, motor, aux):
     aux.exit = True
 `;
 const DAWDLES = `import time
@@ -55,10 +56,41 @@ test("a robot program runs, its error tells its line, and an imitation its score
   await person.press("Finish");
   await witness.until(() => witness.state.recording === null, "the end of the recording");
   await person.showPanel("Brain");
-  await program.selectOption("rests.py");
+  // What does not read demonstrations is not offered for them.
+  const imitator = page.getByRole("combobox", { name: "Program that imitates" });
+  const offered = await imitator.getByRole("option").allTextContents();
+  assert.deepEqual(offered, ["rests.py (python)", "matlab/um (octave)", "python/um (python)"]);
+  assert.equal(await imitator.inputValue(), "rests.py", "one's own comes first");
   await person.press("Imitate");
   await page.getByRole("status", { name: "Score" }).getByText("100 %").waitFor();
   assert.equal(witness.state.brain.status, "exited");
+  await person.showPanel("Library");
+  await page.locator(".recording").getByText("tower, imitated").waitFor();
+});
+
+test("the shipped learner is chosen, begins, and is recorded", async (t) => {
+  const { page, witness, person } = await browser.workplace(t);
+  await person.showPanel("Hands");
+  const id = await person.record(async () => {
+    await person.grasp("RedBlock");
+    await person.typePlace({ z: 3 });
+    await person.typePlace({ x: 2, y: -2 });
+    await person.typePlace({ z: 1 });
+    await person.release();
+  });
+  await person.showPanel("Brain");
+  const imitator = page.getByRole("combobox", { name: "Program that imitates" });
+  assert.equal(await imitator.inputValue(), "matlab/um");
+  await person.press("Imitate");
+  await witness.until(() => witness.state.recording !== null, "the imitation is recorded");
+  assert.notEqual(witness.state.recording.id, id);
+  const hasBegun = await witness.within(60_000, () => witness.state.brain.status !== "starting");
+  assert.ok(hasBegun && witness.state.brain.status === "running", JSON.stringify(witness.state.brain));
+  assert.equal(witness.state.brain.name, "matlab/um");
+  await person.press("Stop");
+  await page.getByRole("status", { name: "Score" }).waitFor();
+  await witness.until(() => witness.state.recording === null, "the recording ends with the imitation");
+  assert.equal(await page.getByRole("combobox", { name: "Demonstration" }).inputValue(), id, "not the imitation itself");
 });
 
 test("nobody waits for a robot program that does not get ready", async (t) => {

@@ -53,7 +53,8 @@ TEST_F(SessionBrainTest, ARobotProgramRunsAndItsErrorHasAPlace) {
               "  if sensor.simTime > 0.1: print('look at wave.py:2')\n"
               "  if sensor.simTime > 0.3: undefined\n");
   const Json brains = Do(R"({"do":"brains"})")["brains"];
-  EXPECT_EQ(brains[0]["name"], "wave.py");
+  EXPECT_EQ(brains[0]["name"], "brains/wave.py") << "not the one we ship";
+  EXPECT_EQ(brains[0]["imitates"], false);
   EXPECT_NE(Refused(R"({"do":"start_brain","brain":"/bin/sh"})").find("\"brain\" is"),
             std::string::npos);
   Do(R"({"do":"start_brain","brain":"wave.py"})");
@@ -76,22 +77,55 @@ TEST_F(SessionBrainTest, ARobotProgramRunsAndItsErrorHasAPlace) {
   EXPECT_TRUE(has_place);
 }
 
-TEST_F(SessionBrainTest, AnImitationIsScored) {
+TEST_F(SessionBrainTest, AnImitationIsScoredAndRecorded) {
   WritePython("lazy.py",
+              "# smile: imitates\n"
               "def step(sensor, motor, aux):\n"
               "  assert aux.demonstration.endswith('take')\n"
               "  if sensor.simTime > 0.2: aux.exit = True\n");
   Command(R"({"do":"start","name":"take"})");
   PutAOnB();
   Command(R"({"do":"finish"})");
-  Do(R"({"do":"imitate","recording":"take","brain":"lazy.py","scene":"pair_elsewhere"})");
+  const Json begun =
+      Do(R"({"do":"imitate","recording":"take","brain":"lazy.py","scene":"pair_elsewhere"})");
+  EXPECT_EQ(State()["recording"]["title"], "take, imitated");
   TickSeconds(0.5);
+  EXPECT_TRUE(State()["recording"].is_null()) << "it ends with the imitation";
+  const auto recording =
+      record::OpenRecording(root_ / "recordings" / begun["recording"].get<std::string>());
+  EXPECT_EQ(recording.scene.name, "pair_elsewhere");
+  EXPECT_EQ(record::Replay(recording).first_difference, std::nullopt);
   const Json result = Latest("score")["result"];
   EXPECT_EQ(result["task"], "pair_elsewhere");
   EXPECT_FALSE(result["rebuilt"].get<bool>());
   EXPECT_EQ(result["match"]["a"], "a");
   EXPECT_EQ(result["cause"]["word"], "never_taken");
   EXPECT_EQ(result["brain"]["status"], "exited");
+}
+
+TEST_F(SessionBrainTest, ImitationWantsAProgramThatReadsDemonstrations) {
+  WritePython("waves.py", "def step(sensor, motor, aux): aux.exit = True\n");
+  Command(R"({"do":"start","name":"take"})");
+  PutAOnB();
+  Command(R"({"do":"finish"})");
+  EXPECT_NE(Refused(R"({"do":"imitate","recording":"take","brain":"waves.py","scene":"pair"})")
+                .find("\"smile: imitates\""),
+            std::string::npos);
+  EXPECT_TRUE(State()["recording"].is_null());
+  EXPECT_EQ(State()["brain"]["status"], "none");
+}
+
+TEST_F(SessionBrainTest, AnImitationThatIsStoppedIsRecordedTillThen) {
+  WritePython("long.py", "# smile: imitates\ndef step(sensor, motor, aux): pass\n");
+  Command(R"({"do":"start","name":"take"})");
+  PutAOnB();
+  Command(R"({"do":"finish"})");
+  Do(R"({"do":"imitate","recording":"take","brain":"long.py","scene":"pair"})");
+  TickSeconds(0.2);
+  Do(R"({"do":"stop_brain"})");
+  EXPECT_TRUE(State()["recording"].is_null());
+  EXPECT_TRUE(std::filesystem::exists(root_ / "recordings/take, imitated/demo.json") ||
+              std::filesystem::exists(root_ / "recordings/take_ imitated/demo.json"));
 }
 
 TEST_F(SessionBrainTest, NobodyButTheWorldWaitsWhileAProgramStarts) {

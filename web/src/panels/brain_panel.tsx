@@ -1,5 +1,5 @@
 import { useEffect, useRef } from "preact/hooks";
-import { signal, useSignal } from "@preact/signals";
+import { computed, signal, useSignal, type Signal } from "@preact/signals";
 import { ask, consoleLines, isConnected, lastScore, notify, scene } from "../studio";
 import type { ConsoleLine } from "../protocol";
 import { texts } from "../texts";
@@ -12,18 +12,32 @@ import { recordings, titleOf } from "./recordings";
 
 const { brain: words } = texts;
 
+interface Program {
+  name: string;
+  kind: string;
+  /** It reads demonstrations. */
+  imitates: boolean;
+}
+
 /** The programs that may be started; null until they are known. */
-const brains = signal<{ name: string; kind: string }[] | null>(null);
+const brains = signal<Program[] | null>(null);
+const imitators = computed(() => (brains.value ?? []).filter(({ imitates }) => imitates));
 const chosenBrain = signal("");
+const chosenImitator = signal("");
+
+/** What is chosen of the programs, or the first of them. */
+function chosenOf(programs: Program[], chosen: string): string {
+  return programs.some(({ name }) => name === chosen) ? chosen : (programs[0]?.name ?? "");
+}
 
 function useBrains(): void {
   useEffect(() => {
     if (!isConnected.value) return;
     void ask("brains").then((reply) => {
       if (reply === null) return;
-      const known = reply.brains as { name: string; kind: string }[];
-      brains.value = known;
-      if (!known.some(({ name }) => name === chosenBrain.value)) chosenBrain.value = known[0]?.name ?? "";
+      brains.value = reply.brains as Program[];
+      chosenBrain.value = chosenOf(brains.value, chosenBrain.value);
+      chosenImitator.value = chosenOf(imitators.value, chosenImitator.value);
     });
   }, [isConnected.value]);
 }
@@ -60,7 +74,24 @@ function Status() {
   );
 }
 
-function Program() {
+/** A list of programs to choose from. */
+function ProgramChoice(props: { label: string; programs: Program[]; chosen: Signal<string> }) {
+  return (
+    <select
+      aria-label={props.label}
+      value={props.chosen.value}
+      onChange={(event) => (props.chosen.value = event.currentTarget.value)}
+    >
+      {props.programs.map(({ name, kind }) => (
+        <option key={name} value={name}>
+          {words.program(name, kind)}
+        </option>
+      ))}
+    </select>
+  );
+}
+
+function StartProgram() {
   const now = brain.value;
   const name = now?.name || chosenBrain.value;
   const start = (program: string) => void ask("start_brain", { brain: program });
@@ -70,17 +101,7 @@ function Program() {
   };
   return (
     <>
-      <select
-        aria-label={words.choose}
-        value={chosenBrain.value}
-        onChange={(event) => (chosenBrain.value = event.currentTarget.value)}
-      >
-        {(brains.value ?? []).map(({ name: program, kind }) => (
-          <option key={program} value={program}>
-            {words.program(program, kind)}
-          </option>
-        ))}
-      </select>
+      <ProgramChoice label={words.choose} programs={brains.value ?? []} chosen={chosenBrain} />
       <div class="row">
         {isBrainAtWork.value ? (
           <Button
@@ -137,12 +158,15 @@ function Imitation() {
   const isBusy = useSignal(false);
   const choices = (recordings.value ?? []).filter((recording) => !recording.binned && !recording.error);
   if (choices.length === 0) return <p class="hint">{words.noRecordings}</p>;
+  if (imitators.value.length === 0) return <p class="hint">{words.noImitators}</p>;
   const chosen = choices.some(({ id }) => id === toImitate.value) ? toImitate.value! : choices[0]!.id;
   const imitate = async () => {
     isBusy.value = true;
     lastScore.value = null;
+    // The imitation becomes the newest recording: the demonstration stays the chosen one.
+    toImitate.value = chosen;
     const place = where.value || scene.value?.name;
-    await ask("imitate", { recording: chosen, brain: chosenBrain.value, scene: place });
+    await ask("imitate", { recording: chosen, brain: chosenImitator.value, scene: place });
     isBusy.value = false;
   };
   return (
@@ -156,6 +180,10 @@ function Imitation() {
             </option>
           ))}
         </select>
+      </label>
+      <label class="field">
+        <span class="field-label">{words.imitator}</span>
+        <ProgramChoice label={words.imitator} programs={imitators.value} chosen={chosenImitator} />
       </label>
       <label class="field">
         <span class="field-label">{words.scene}</span>
@@ -174,7 +202,7 @@ function Imitation() {
         kind="accent"
         title={words.imitateWhy}
         isBusy={isBusy.value}
-        disabled={!mayControl.value || isRecording.value || chosenBrain.value === "" || isBrainAtWork.value}
+        disabled={!mayControl.value || isRecording.value || isBrainAtWork.value}
         onClick={() => void imitate()}
       />
       <Score />
@@ -229,7 +257,7 @@ export function BrainPanel() {
   return (
     <>
       <Card title={words.title} aside={<Status />}>
-        <Program />
+        <StartProgram />
       </Card>
       <Card title={words.imitation}>
         <Imitation />

@@ -39,6 +39,39 @@ test("each hand holds its own, and takes what the other holds", async (t) => {
   assert.ok(witness.positionOf("RedBlock")[2] > 1.9, "it was not dropped");
 });
 
+test("buttons and keys move things the way they say, as one sees it", async (t) => {
+  const { page, witness, person } = await browser.workplace(t, { studio: ["--no-pictures"] });
+  await person.grasp("RedBlock");
+  await person.dragTo("RedBlock", [null, null, 3]);
+  for (const view of ["Front", "Robot", "Left", "Right", "Top"]) {
+    await person.press(view);
+    await page.waitForTimeout(CALM_MS);
+    for (const [button, key, back, axis, way] of [
+      ["Move right", "l", "j", "x", 1],
+      ["Move left", "j", "l", "x", -1],
+      ["Move nearer", "o", "u", "y", 1],
+      ["Move away", "u", "o", "y", -1],
+    ]) {
+      const byButton = await wayOf(() => person.press(button));
+      assert.ok(way * byButton[axis] > 0, `${view}: ${button} goes ${JSON.stringify(byButton)}`);
+      await wayOf(() => page.keyboard.press(back));
+      const byKey = await wayOf(() => page.keyboard.press(key));
+      assert.ok(way * byKey[axis] > 0, `${view}: ${key} goes ${JSON.stringify(byKey)}`);
+      await wayOf(() => page.keyboard.press(back));
+    }
+  }
+
+  /** How far something that is done moves the block in the picture [px]. */
+  async function wayOf(deed) {
+    const place = () => witness.handOf("RedBlock").place;
+    const before = place();
+    await deed();
+    await witness.until(() => `${place()}` !== `${before}`, "it moves");
+    const [from, to] = [await person.placeOnPage(before), await person.placeOnPage(place())];
+    return { x: to.x - from.x, y: to.y - from.y };
+  }
+});
+
 test("a right click triggers and points; what cannot be done is grey, and tells why", async (t) => {
   const { page, witness, person } = await browser.workplace(t, { studio: [shipped("dock"), ...BARE] });
   const [raised, lamp, wall] = [[-4.87, -0.65, 1.1], [-4.9, 0, 0.98], [-5.9, 4, 2.9]];

@@ -25,6 +25,7 @@ const STEPS = ["0.1", "1"] as const;
 const stepSize = choicePreference<(typeof STEPS)[number]>("step", "0.1", STEPS);
 
 type Direction = keyof typeof words.directions;
+/** `along`: to the right of the picture, away, up. */
 const DIRECTIONS: Record<Direction, { icon: IconName; key: string; along: Point }> = {
   left: { icon: "left", key: "ArrowLeft", along: [-1, 0, 0] },
   right: { icon: "right", key: "ArrowRight", along: [1, 0, 0] },
@@ -73,9 +74,17 @@ function moveHeld(to: (place: Point) => Point): void {
   void command({ do: "move_to", hand, position });
 }
 
+/** Along the axis of the world that goes most nearly this way in the picture: as keys and drags do, but by round numbers. */
 function nudge(direction: Direction, length: number): void {
-  const { along } = DIRECTIONS[direction];
-  moveHeld((place) => place.map((old, k) => old + along[k]! * length) as Point);
+  const [right, away, up] = DIRECTIONS[direction].along;
+  const [x, y] = axisNearest(world.value?.right ?? [1, 0]);
+  const step = [right * x - away * y, right * y + away * x, up];
+  moveHeld((place) => place.map((old, k) => old + step[k]! * length) as Point);
+}
+
+/** Of the world's horizontal axes, either way, the one that is nearest to a direction. */
+function axisNearest([x, y]: readonly [number, number]): [x: number, y: number] {
+  return Math.abs(x) >= Math.abs(y) ? [Math.sign(x), 0] : [0, Math.sign(y)];
 }
 
 /** The four hands, each with what it holds. */

@@ -29,6 +29,8 @@ export interface World {
   setLowDetail(mode: "auto" | "low" | "high"): void;
   /** Of the current hand. */
   turnPlane(deltaDegrees: number): void;
+  /** What lies to the right in the picture: a horizontal direction of length 1. */
+  readonly right: readonly [x: number, y: number];
   dispose(): void;
 }
 
@@ -36,7 +38,7 @@ export interface World {
 export function mountWorld(host: HTMLElement): World {
   canDraw.value = document.createElement("canvas").getContext("webgl2") !== null;
   if (canDraw.value) return new DrawnWorld(host);
-  return { showPreset() {}, focus() {}, setLowDetail() {}, turnPlane() {}, dispose() {} };
+  return { showPreset() {}, focus() {}, setLowDetail() {}, turnPlane() {}, right: [1, 0], dispose() {} };
 }
 
 class DrawnWorld implements World {
@@ -111,6 +113,11 @@ class DrawnWorld implements World {
 
   turnPlane(deltaDegrees: number): void {
     this.hands.turnPlane(deltaDegrees);
+  }
+
+  get right(): [x: number, y: number] {
+    const { x, y } = this.camera.right;
+    return [x, y];
   }
 
   dispose(): void {

@@ -50,20 +50,24 @@ export const keys: Key[] = [
   { keys: ["g"], what: "guides", does: "show where a released object will rest, or not" },
 ];
 
-/** What a pressed key means; null where it means nothing. Whoever writes text is left in peace. */
+/** The keys that sliders, lists and tabs use themselves. */
+const OWN_KEYS = /^(Arrow.*|Home|End|PageUp|PageDown|Enter| )$/;
+
+/** What a pressed key means; null where it means nothing, or where what has the focus uses it. */
 export function keyOf(event: KeyboardEvent): Key | null {
-  if (event.altKey || event.metaKey || isForText(event)) return null;
+  if (event.altKey || event.metaKey || isUsedByFocus(event)) return null;
   const name = event.key === " " ? "space" : event.key.toLowerCase();
   const pressed = `${event.ctrlKey ? "Control+" : ""}${event.shiftKey ? "Shift+" : ""}${name}`;
   return keys.find((key) => key.keys.includes(pressed)) ?? null;
 }
 
-function isForText(event: KeyboardEvent): boolean {
+function isUsedByFocus(event: KeyboardEvent): boolean {
   const target = event.target;
   if (!(target instanceof HTMLElement)) return false;
   if (target.isContentEditable || target.closest("dialog, [role=dialog], [role=menu]")) return true;
+  if (target.matches("input[type=range], [role=slider], [role=listbox], [role=tablist] *")) return OWN_KEYS.test(event.key);
   if (target instanceof HTMLInputElement) return !["checkbox", "radio", "button"].includes(target.type);
-  if (target.matches("textarea, select, [role=slider], [role=listbox], [role=tablist] *")) return true;
+  if (target.matches("textarea, select")) return true;
   // Buttons and links have the keys that press them.
   return target.matches("button, a, summary, [role=button]") && ["Enter", " "].includes(event.key);
 }

@@ -84,6 +84,29 @@ test("planes and rings turn what is held; elsewhere and keys let go", async (t) 
   await witness.until(() => witness.positionOf("RedBlock")[2] < 0.6, "and it falls");
 });
 
+test("keys work wherever the focus is, but where text is written", async (t) => {
+  const { page, witness, person } = await browser.workplace(t, { studio: ["--no-pictures"] });
+  const isRecording = () => witness.state.recording !== null;
+  await person.showPanel("Robot");
+  await page.keyboard.press("r");
+  await witness.until(isRecording, "R begins a recording while a tab has the focus");
+  await page.keyboard.press("h");
+  const help = page.getByRole("dialog");
+  await help.waitFor();
+  await page.keyboard.press("Escape");
+  await help.waitFor({ state: "detached" });
+  await page.getByRole("listbox", { name: /^Objects/ }).focus();
+  await page.keyboard.press("r");
+  await witness.until(() => !isRecording(), "R finishes it while the list has the focus");
+  const slider = page.getByRole("tabpanel", { name: "Robot" }).getByRole("slider").first();
+  await slider.focus();
+  await page.keyboard.press("r");
+  await witness.until(isRecording, "R begins another while a slider has the focus");
+  await page.getByRole("searchbox").first().focus();
+  await page.keyboard.press("r");
+  assert.ok(!(await witness.within(500, () => !isRecording())), "R is a letter there");
+});
+
 test("a reload loses nothing; a second page watches, asks for control, and gets it", async (t) => {
   const { studio, page, witness, person } = await browser.workplace(t, { studio: ["--no-robot"] });
   await person.press("Record");

@@ -168,6 +168,44 @@ test("what an edit does is told before it is done, and what is told becomes true
   }
 });
 
+test("what an edit made is what is seen at once, from its start", async (t) => {
+  const { page, witness, person } = await browser.workplace(t, { studio: ["--no-robot"] });
+  const { timeline } = person;
+  const id = await person.record(async () => {
+    for (const block of ["RedBlock", "GreenBlock"]) {
+      await person.grasp(block);
+      await person.dragTo(block, [null, null, 2.5]);
+      await person.release();
+    }
+  });
+  await person.segments.nth(3).click();
+  await witness.until(() => witness.state.playback?.recording === id, "the segment's end is shown");
+  await heightIs("GreenBlock", (z) => z > 2.4);
+  await person.press("Delete", timeline);
+  const dialog = page.getByRole("dialog");
+  await dialog.getByText(/^It lasts/).waitFor();
+  await page.evaluate(() => {
+    window.barNames = new Set();
+    const note = () => document.querySelectorAll("dialog progress").forEach((bar) => window.barNames.add(bar.ariaLabel));
+    new MutationObserver(note).observe(document.body, { childList: true, subtree: true });
+  });
+  await person.press("Save as a new recording", dialog);
+  await dialog.waitFor({ state: "detached" });
+  const bars = await page.evaluate(() => [...window.barNames]);
+  assert.match(bars.join(), /^Writing the new recording/, "a bar tells how far it is");
+  await witness.until(() => ![undefined, id].includes(witness.state.playback?.recording), "the new one is shown");
+  assert.equal(witness.state.playback.seconds, 0);
+  await timeline.getByText(/^0\.0 of /).waitFor();
+  await heightIs("GreenBlock", (z) => z < 0.6);
+
+  function heightIs(block, isThere) {
+    return page.waitForFunction(
+      ([object, test]) => new Function("z", `return (${test})(z)`)(window.smileStudio.placeOf(object)[2]),
+      [block, isThere.toString()],
+    );
+  }
+});
+
 test("a recording is scrubbed and played while the table waits as it was left", async (t) => {
   const { page, witness, person } = await browser.workplace(t, PLAIN);
   const { timeline } = person;

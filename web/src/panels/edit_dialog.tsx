@@ -43,16 +43,21 @@ function sentencesOf(report: Report): string[] {
   return [...sentences.slice(0, MAX_SENTENCES), words.andMore(sentences.length - MAX_SENTENCES)];
 }
 
+/** How far a simulation is, as soon as that is known. */
+function Bar({ label }: { label: string }) {
+  return (
+    <p class="hint">
+      <span class="spinner" /> {label}
+      {progress.value && <progress aria-label={label} value={progress.value.done} max={progress.value.total} />}
+    </p>
+  );
+}
+
 type Trial = { state: "trying" } | { state: "refused"; error: string } | { state: "told"; report: Report };
 
 function Effect({ trial }: { trial: Trial }) {
   if (trial.state === "trying") {
-    return (
-      <p class="hint">
-        <span class="spinner" /> {words.trying}
-        {progress.value && <progress aria-label={words.trying} value={progress.value.done} max={progress.value.total} />}
-      </p>
-    );
+    return <Bar label={words.trying} />;
   }
   if (trial.state === "refused") return <p class="trouble">{trial.error}</p>;
   const { report } = trial;
@@ -111,6 +116,7 @@ export function EditDialog(props: {
       const made = reply.recording as string;
       await refreshRecordings();
       await openRecording(made);
+      await ask("show", { recording: made, seconds: 0 });
       notify(words.saved(titleOf(made)));
       props.onClose();
     }
@@ -162,6 +168,7 @@ export function EditDialog(props: {
         <h3>{words.effect}</h3>
         <Effect trial={trial.value} />
       </section>
+      {isSaving.value && <Bar label={words.saving} />}
       <label class="field">
         <span class="field-label">{words.name}</span>
         <input type="text" value={name.value} maxLength={200} onInput={(event) => (name.value = event.currentTarget.value)} />

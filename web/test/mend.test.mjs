@@ -6,6 +6,7 @@ import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { isDeepStrictEqual } from "node:util";
+import { Person } from "./person.mjs";
 import { Browser, programSays, replay } from "./workbench.mjs";
 
 const browser = new Browser();
@@ -203,6 +204,28 @@ test("what an edit made is what is seen at once, from its start", async (t) => {
       ([object, test]) => new Function("z", `return (${test})(z)`)(window.smileStudio.placeOf(object)[2]),
       [block, isThere.toString()],
     );
+  }
+});
+
+test("who comes while a recording is shown finds its timeline", async (t) => {
+  const { studio, page, witness, person } = await browser.workplace(t, PLAIN);
+  await recordFall(person, witness);
+  await person.segments.nth(1).click();
+  await witness.until(() => witness.state.mode === "playback", "a moment of it");
+  const { seconds } = witness.state.playback;
+  const numSegments = await person.segments.count();
+  await page.reload();
+  await finds(person);
+  const watcher = new Person(await browser.open(studio), witness);
+  await finds(watcher);
+  await person.press("Close this recording", person.timeline);
+  await witness.until(() => witness.state.mode === "live", "the table");
+  await person.timeline.getByText("Press Record and show something").waitFor();
+
+  async function finds(visitor) {
+    await visitor.segments.nth(numSegments - 1).waitFor();
+    assert.equal(await visitor.segments.count(), numSegments);
+    await visitor.timeline.getByText(`${seconds.toFixed(1)} of `).waitFor();
   }
 });
 

@@ -18,6 +18,8 @@ export const isLive = computed(() => state.value?.mode === "live");
 export const isRage = computed(() => state.value?.mode === "rage");
 export const isPlayback = computed(() => state.value?.mode === "playback");
 export const isRecording = computed(() => (state.value?.recording ?? null) !== null);
+/** The recording that the views show; null while they show the table. */
+export const shownRecording = computed(() => state.value?.playback?.recording ?? null);
 export const recordingId = computed(() => state.value?.recording?.id ?? null);
 /** The controller may reach into the world; not while a recording is shown or the robot rages. */
 export const mayAct = computed(() => isConnected.value && isController.value && isLive.value);

@@ -2,7 +2,7 @@ import { signal } from "@preact/signals";
 import type { Deed } from "../protocol";
 import { ask, notify, request } from "../studio";
 import { texts } from "../texts";
-import { holders } from "./now";
+import { holders, shownRecording } from "./now";
 
 const { record: words } = texts;
 
@@ -62,6 +62,16 @@ export async function openRecording(id: string): Promise<Timeline | null> {
   opened.value = { id, timeline };
   chosenSegment.value = null;
   return timeline;
+}
+
+/** Who comes while a recording is shown, or watches who shows one, sees its timeline. */
+export async function onRecordingShown(id: string): Promise<void> {
+  if (opened.value !== null) return;
+  const reply = await request("open", { recording: id }).catch(() => null);
+  if (reply !== null && opened.value === null && shownRecording.value === id) {
+    opened.value = { id, timeline: reply.timeline as Timeline };
+    chosenSegment.value = null;
+  }
 }
 
 /** A recording is complete: here, not by whoever finished it, for watchers see it too. */

@@ -12,10 +12,10 @@ import { refreshGallery } from "./gallery";
 import { HandsPanel } from "./hands_panel";
 import { Help } from "./help";
 import { LibraryPanel } from "./library_panel";
-import { isRecording, recordingId } from "./now";
+import { isRecording, recordingId, shownRecording } from "./now";
 import { ObjectsPanel } from "./objects_panel";
 import { editedScene, isHelpOpen, isLeftOpen, isRightOpen, leftTab, LEFT_TABS, renamed, rightTab, RIGHT_TABS, sheet } from "./page";
-import { onRecordingFinished, refreshRecordings } from "./recordings";
+import { onRecordingFinished, onRecordingShown, refreshRecordings } from "./recordings";
 import { RenameDialog } from "./rename_dialog";
 import { RobotPanel } from "./robot_panel";
 import { SceneEditor } from "./scene_editor";
@@ -42,6 +42,7 @@ function useRefresh(): void {
       wasConnected = wasConnected || yes;
     });
   }, []);
+  useEffect(() => shownRecording.subscribe((id) => void (id !== null && onRecordingShown(id))), []);
   useEffect(() => {
     let last: string | null = null;
     return recordingId.subscribe((id) => {

@@ -147,8 +147,8 @@ export const texts = {
 
   connection: {
     connecting: "Connecting to the table…",
-    lost: "Connection lost. The world is kept; coming back…",
-    doubt: "The program does not answer. Does it still run? All recordings are kept.",
+    lost: "Connection lost. Reconnecting…",
+    doubt: "The program does not answer. Does it still run? What was recorded until now is on its disk.",
     none: "No connection",
     back: "Connected again",
   },

@@ -17,6 +17,15 @@ test("the tour leads from nothing to a demonstration that a robot can use", asyn
   await person.press("Start");
   await says("Look around");
   const sky = await page.locator(".world").boundingBox();
+  // Who presses on the card turns no view, and selects nothing.
+  const card = await page.locator(".tour p").boundingBox();
+  await page.mouse.move(card.x + 20, card.y + 6);
+  await page.mouse.down();
+  await page.mouse.move(sky.x + 0.6 * sky.width, sky.y + 90, { steps: 12 });
+  await page.mouse.up();
+  assert.equal(await page.evaluate(() => getSelection().toString()), "");
+  await page.waitForTimeout(1500);
+  await says("Look around");
   await page.mouse.move(sky.x + 40, sky.y + 90);
   await page.mouse.down();
   await page.mouse.move(sky.x + 130, sky.y + 80, { steps: 6 });

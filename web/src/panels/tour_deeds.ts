@@ -106,8 +106,12 @@ export const finished: Deed = once(() => (state.value?.recording ?? null) === nu
 export const lookedAround: Deed = (onDone) => {
   const world = document.querySelector(".world");
   let moved = 0;
+  /** It was pressed in the world, and not beside it. */
+  let isPressed = false;
+  const onDown = () => (isPressed = true);
+  const onUp = () => (isPressed = false);
   const onMove = (event: Event) => {
-    if (!(event instanceof PointerEvent) || event.buttons === 0) return;
+    if (!(event instanceof PointerEvent) || event.buttons === 0 || !isPressed) return;
     moved += Math.abs(event.movementX) + Math.abs(event.movementY);
     if (moved > 60) onDone();
   };
@@ -115,10 +119,14 @@ export const lookedAround: Deed = (onDone) => {
   const onKey = (event: KeyboardEvent) => {
     if (/^([1-5wasdqz]|Arrow.*)$/.test(event.key)) onDone();
   };
+  world?.addEventListener("pointerdown", onDown, true);
+  window.addEventListener("pointerup", onUp, true);
   world?.addEventListener("pointermove", onMove, true);
   world?.addEventListener("wheel", onWheel, { capture: true, passive: true });
   window.addEventListener("keydown", onKey);
   return () => {
+    world?.removeEventListener("pointerdown", onDown, true);
+    window.removeEventListener("pointerup", onUp, true);
     world?.removeEventListener("pointermove", onMove, true);
     world?.removeEventListener("wheel", onWheel, true);
     window.removeEventListener("keydown", onKey);

@@ -1,12 +1,17 @@
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <map>
 #include <optional>
 #include <vector>
 
+#include "base/diagnostic.h"
+#include "base/files.h"
 #include "base/json.h"
 #include "base/wording.h"
+#include "mesh/import_pieces.h"
 #include "mesh/internal_mesh_formats.h"
 
 namespace smile::mesh {
@@ -76,29 +81,48 @@ std::string FromBase64(std::string_view text) {
 
 class GltfReader {
  public:
-  GltfReader(std::string_view bytes, const OpenNeighbour& open, std::size_t max_bytes,
-             TriangleSoup* soup)
-      : open_(open), bytes_left_(max_bytes - std::min(max_bytes, bytes.size())), soup_(*soup) {
+  GltfReader(std::string_view bytes, const OpenNeighbour& open, std::size_t max_bytes)
+      : open_(open), bytes_left_(max_bytes - std::min(max_bytes, bytes.size())) {
     const Container container = Open(bytes);
     json_ = ParseJson(container.json);
     binary_ = container.binary;
-  }
-
-  void Read() {
     if (const auto it = json_.find("extensionsRequired"); it != json_.end()) {
       for (const Json& name : *it) {
         throw BadMesh("found the required extension " + Quoted(name.get<std::string>()) +
                       ", expected plain glTF 2.0");
       }
     }
+  }
+
+  /// Adds the triangles of all meshes in the scene, each in its place.
+  void ReadInto(TriangleSoup* soup) {
     is_used_.resize(List("nodes").size());
-    const Json& scenes = List("scenes");
-    if (scenes.empty()) throw BadMesh("found no scene, expected one");
-    const Json& scene = At("scenes", json_.value("scene", std::size_t{0}));
-    if (!scene.contains("nodes")) return;
-    for (const Json& node : scene.at("nodes")) {
-      Visit(node.get<std::size_t>(), Eigen::Affine3d::Identity(), 0);
+    for (const Json& node : RootNodes()) {
+      Visit(node.get<std::size_t>(), Eigen::Affine3d::Identity(), 0, soup);
     }
+  }
+
+  /// Reads each mesh of the scene's root nodes once, however many nodes it hangs on.
+  std::vector<MeshPiece> ReadPieces() {
+    std::vector<MeshPiece> pieces;
+    std::map<std::size_t, std::vector<MeshPiece>> pieces_of_mesh;
+    for (const Json& number : RootNodes()) {
+      const Json& node = At("nodes", number.get<std::size_t>());
+      for (const char* key : {"matrix", "translation", "rotation", "scale", "children"}) {
+        if (node.contains(key)) {
+          throw BadMesh("found a node with " + Quoted(key) + ", expected a mesh and its link only");
+        }
+      }
+      const auto mesh = node.at("mesh").get<std::size_t>();
+      const auto [known, is_new] = pieces_of_mesh.try_emplace(mesh);
+      if (is_new) known->second = PiecesOf(At("meshes", mesh));
+      for (MeshPiece piece : known->second) {
+        piece.node = node.value("name", "");
+        piece.extras = node.value("extras", Json::object());
+        pieces.push_back(std::move(piece));
+      }
+    }
+    return pieces;
   }
 
  private:
@@ -115,7 +139,52 @@ class GltfReader {
                   "\", expected one of " + std::to_string(list.size()));
   }
 
-  void Visit(std::size_t number, const Eigen::Affine3d& X_SP, int depth) {
+  const Json& RootNodes() const {
+    static const Json kNone = Json::array();
+    if (List("scenes").empty()) throw BadMesh("found no scene, expected one");
+    const Json& scene = At("scenes", json_.value("scene", std::size_t{0}));
+    const auto it = scene.find("nodes");
+    return it == scene.end() ? kNone : *it;
+  }
+
+  std::vector<MeshPiece> PiecesOf(const Json& mesh) {
+    std::vector<MeshPiece> pieces;
+    for (const Json& primitive : mesh.at("primitives")) {
+      if (primitive.value("mode", kTriangles) != kTriangles || !primitive.contains("indices")) {
+        throw BadMesh("found a primitive of another kind, expected triangles with indices");
+      }
+      scene::SurfaceMesh surface;
+      for (const TriangleSoup::Corner& p : PositionsOf(primitive, Eigen::Affine3d::Identity())) {
+        surface.vertices.emplace_back(p[0], p[1], p[2]);
+        if (!surface.vertices.back().allFinite())
+          throw BadMesh("found a position that is no number");
+      }
+      const auto order =
+          Indices(primitive.at("indices").get<std::size_t>(), surface.vertices.size());
+      ExpectWholeTriangles(order.size());
+      for (std::size_t k = 0; k < order.size(); k += 3) {
+        surface.triangles.push_back({order[k], order[k + 1], order[k + 2]});
+      }
+      pieces.push_back({.color = ColorOf(primitive),
+                        .mesh = std::make_shared<const scene::CustomMesh>(
+                            scene::CustomMesh{.surface = std::move(surface)})});
+    }
+    return pieces;
+  }
+
+  /// glTF's colors are linear, ours are those of a screen (IEC 61966-2-1).
+  Color ColorOf(const Json& primitive) const {
+    const Json& material = At("materials", primitive.at("material").get<std::size_t>());
+    const auto linear =
+        material.at("pbrMetallicRoughness").at("baseColorFactor").get<std::array<double, 4>>();
+    const auto on_screen = [](double channel) {
+      if (!(channel >= 0 && channel <= 1)) throw BadMesh("found a color beyond 0 to 1");
+      return channel <= 0.0031308 ? 12.92 * channel : 1.055 * std::pow(channel, 1 / 2.4) - 0.055;
+    };
+    return {on_screen(linear[0]), on_screen(linear[1]), on_screen(linear[2])};
+  }
+
+  void Visit(std::size_t number, const Eigen::Affine3d& X_SP, int depth, TriangleSoup* soup) {
     const Json& node = At("nodes", number);
     if (is_used_[number]) {
       throw BadMesh("found node " + std::to_string(number) + " in two places, expected one");
@@ -126,12 +195,12 @@ class GltfReader {
     if (node.contains("mesh")) {
       for (const Json& primitive :
            At("meshes", node.at("mesh").get<std::size_t>()).at("primitives")) {
-        Add(primitive, X_SN);
+        Add(primitive, X_SN, soup);
       }
     }
     if (!node.contains("children")) return;
     for (const Json& child : node.at("children")) {
-      Visit(child.get<std::size_t>(), X_SN, depth + 1);
+      Visit(child.get<std::size_t>(), X_SN, depth + 1, soup);
     }
   }
 
@@ -151,27 +220,34 @@ class GltfReader {
     return place;
   }
 
-  void Add(const Json& primitive, const Eigen::Affine3d& X_SN) {
+  void Add(const Json& primitive, const Eigen::Affine3d& X_SN, TriangleSoup* soup) {
     const int mode = primitive.value("mode", kTriangles);
     if (mode != kTriangles && mode != kStrip && mode != kFan) return;  // points and lines
-    const auto corners =
-        Positions(primitive.at("attributes").at("POSITION").get<std::size_t>(), X_SN);
+    const auto corners = PositionsOf(primitive, X_SN);
     std::vector<std::uint32_t> order;
     if (const auto it = primitive.find("indices"); it != primitive.end()) {
       order = Indices(it->get<std::size_t>(), corners.size());
     } else {
       for (std::uint32_t i = 0; i < corners.size(); ++i) order.push_back(i);
     }
-    if (mode == kTriangles && order.size() % 3 != 0) {
-      throw BadMesh("found " + std::to_string(order.size()) +
-                    " corners of triangles, expected three for each");
-    }
+    if (mode == kTriangles) ExpectWholeTriangles(order.size());
     const bool is_mirrored = X_SN.linear().determinant() < 0;
     for (std::size_t k = 2; k < order.size(); k += mode == kTriangles ? 3 : 1) {
       std::uint32_t a = order[mode == kFan ? 0 : k - 2], b = order[k - 1];
       if (is_mirrored != (mode == kStrip && k % 2 == 1)) std::swap(a, b);
-      soup_.Add(corners[a], corners[b], corners[order[k]]);
+      soup->Add(corners[a], corners[b], corners[order[k]]);
     }
+  }
+
+  static void ExpectWholeTriangles(std::size_t num_corners) {
+    if (num_corners % 3 == 0) return;
+    throw BadMesh("found " + std::to_string(num_corners) +
+                  " corners of triangles, expected three for each");
+  }
+
+  std::vector<TriangleSoup::Corner> PositionsOf(const Json& primitive,
+                                                const Eigen::Affine3d& X_SN) {
+    return Positions(primitive.at("attributes").at("POSITION").get<std::size_t>(), X_SN);
   }
 
   /// The bytes of an accessor's elements, one after the other `stride` apart.
@@ -274,7 +350,6 @@ class GltfReader {
   std::optional<std::string_view> binary_;
   const OpenNeighbour& open_;
   std::size_t bytes_left_;
-  TriangleSoup& soup_;
   std::vector<bool> is_used_;
   std::vector<std::optional<std::string>> buffers_;
   std::size_t num_read_ = 0;
@@ -282,14 +357,36 @@ class GltfReader {
 
 }  // namespace
 
-void ReadGltf(std::string_view bytes, const OpenNeighbour& open, std::size_t max_bytes,
-              TriangleSoup* soup) {
+namespace {
+
+/// Lets `read` use a reader of the file; what JSON finds wrong becomes BadMesh.
+template <class Read>
+auto WithReader(std::string_view bytes, const OpenNeighbour& open, std::size_t max_bytes,
+                const Read& read) {
   try {
-    GltfReader(bytes, open, max_bytes, soup).Read();
+    GltfReader reader(bytes, open, max_bytes);
+    return read(reader);
   } catch (const Json::exception& error) {  // a key is missing or of another type
     throw BadMesh(std::string("is no glTF we can read: ") + error.what());
   } catch (const std::invalid_argument& error) {  // no JSON at all
     throw BadMesh(std::string("is no glTF: ") + error.what());
+  }
+}
+
+}  // namespace
+
+void ReadGltf(std::string_view bytes, const OpenNeighbour& open, std::size_t max_bytes,
+              TriangleSoup* soup) {
+  WithReader(bytes, open, max_bytes, [soup](GltfReader& reader) { reader.ReadInto(soup); });
+}
+
+std::vector<MeshPiece> ImportPieces(const std::filesystem::path& path, const MeshLimits& limits) {
+  const std::string bytes = ReadFile(path, limits.max_file_bytes);
+  try {
+    return WithReader(bytes, {}, limits.max_file_bytes,
+                      [](GltfReader& reader) { return reader.ReadPieces(); });
+  } catch (const BadMesh& error) {
+    throw InputError({path.string(), 0, "", error.what()});
   }
 }
 

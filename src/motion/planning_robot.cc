@@ -172,7 +172,8 @@ std::optional<InvalidMoment> PlanningRobot::FirstInvalid(
 
 PlanningRobot ReadPlanningRobot(const std::filesystem::path& urdf, const Eigen::Matrix4d& base_pose,
                                 double meters_per_unit, const std::string& gripper) {
-  return {robot::ReadRobot(urdf, {.gripper = gripper}), base_pose, meters_per_unit};
+  return {robot::ReadRobot(urdf, {.gripper = gripper, .has_look = false}), base_pose,
+          meters_per_unit};
 }
 
 }  // namespace smile::motion

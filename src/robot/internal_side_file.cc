@@ -4,15 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <set>
 #include <stdexcept>
 #include <string_view>
 
 #include "base/diagnostic.h"
 #include "base/wording.h"
-#include "robot/baxter_look.h"
 #include "robot/kinematics.h"
+#include "robot/robot_look.h"
 
 namespace smile::robot::internal {
 namespace {
@@ -71,8 +70,8 @@ std::string PrefixOf(const std::string& arm, const JsonNode& node) {
 
 class SideFileReader {
  public:
-  SideFileReader(const JsonNode* gripper, BuiltModel* built)
-      : gripper_(gripper), built_(*built), model_(built->model) {}
+  SideFileReader(const JsonNode* gripper, bool has_look, BuiltModel* built)
+      : gripper_(gripper), has_look_(has_look), built_(*built), model_(built->model) {}
 
   void Read(const JsonNode& root) {
     if (root.Has("frames")) {
@@ -106,7 +105,7 @@ class SideFileReader {
       model_.q_start = start->q;
     }
     if (root.Has("look")) {
-      ReadLook(root.Member("look"), "baxter", [this] { AddBaxterLook(&model_); });
+      ReadLook(root.Member("look"), "baxter", "");
     }
   }
 
@@ -182,8 +181,7 @@ class SideFileReader {
         }
       }
       if (gripper_->Has("look")) {
-        ReadLook(gripper_->Member("look"), "classic",
-                 [&] { AddClassicGripperLook(prefix, &model_); });
+        ReadLook(gripper_->Member("look"), "classic", prefix);
       }
     }
     // Trajectories call the gripper so.
@@ -380,16 +378,16 @@ class SideFileReader {
     }
   }
 
-  /// A look authored here, for links of these names.
-  static void ReadLook(const JsonNode& node, std::string_view known,
-                       const std::function<void()>& add) {
+  /// Adds a look that ships with the program, for links whose names begin with `prefix`.
+  void ReadLook(const JsonNode& node, std::string_view known, const std::string& prefix) {
+    if (!has_look_) return;
     const std::string name = node.String();
     if (name != known) {
       node.Fail("unknown look " + Quoted(name) + ", expected " + std::string(known) +
                 DidYouMean(name, std::span(&known, 1)));
     }
     try {
-      add();
+      AddLook(name, prefix, &model_);
     } catch (const std::invalid_argument& error) {
       node.Fail(error.what());
     }
@@ -421,6 +419,7 @@ class SideFileReader {
   }
 
   const JsonNode* gripper_;  // of all flanges
+  bool has_look_;
   BuiltModel& built_;
   RobotModel& model_;
   std::vector<std::string> turned_;  // fingers whose axis was turned
@@ -488,10 +487,10 @@ std::vector<Mounting> SideFile::Mountings() const {
   return mountings;
 }
 
-void SideFile::Apply(BuiltModel* built) const {
+void SideFile::Apply(BuiltModel* built, bool has_look) const {
   const std::optional<JsonNode> gripper =
       gripper_ ? std::optional(JsonNode(gripper_->value, file_, gripper_->place)) : std::nullopt;
-  SideFileReader(gripper ? &*gripper : nullptr, built).Read(JsonNode(root_, file_, ""));
+  SideFileReader(gripper ? &*gripper : nullptr, has_look, built).Read(JsonNode(root_, file_, ""));
 }
 
 }  // namespace smile::robot::internal

@@ -18,7 +18,7 @@ struct Mounting {
 };
 
 /// What a URDF cannot say: arms, grippers, head, links that may touch, poses, the pose to start
-/// in, and a look authored here. docs/robot.md describes the file. All that is wrong is an
+/// in, and a shipped look. docs/robot.md describes the file. All that is wrong is an
 /// InputError naming the place inside the file, as `arms/left/joints`.
 class SideFile {
  public:
@@ -34,7 +34,8 @@ class SideFile {
   [[noreturn]] void Fail(const std::string& place, const std::string& message) const;
 
   /// Adds all it says to a robot built with these mountings.
-  void Apply(BuiltModel* built) const;
+  /// @param has_look  false leaves out the shipped look.
+  void Apply(BuiltModel* built, bool has_look) const;
 
  private:
   std::string file_;

@@ -67,7 +67,7 @@ class PartReader {
   std::map<std::string, std::pair<FoundFile, std::shared_ptr<const UrdfDocument>>> documents_;
 };
 
-RobotReading Read(const FoundFile& urdf, const std::string& gripper, RobotShelf* shelf) {
+RobotReading Read(const FoundFile& urdf, const RobotReaderOptions& options, RobotShelf* shelf) {
   shelf->Keep(urdf);
   std::vector<UrdfPart> parts{
       {urdf, std::make_shared<const UrdfDocument>(*urdf.bytes, urdf.path.string()), "", ""}};
@@ -75,14 +75,14 @@ RobotReading Read(const FoundFile& urdf, const std::string& gripper, RobotShelf*
   std::optional<SideFile> side_file;
   std::vector<Mounting> mountings;
   if (side) {
-    side_file.emplace(*side, gripper);
+    side_file.emplace(*side, options.gripper);
     mountings = side_file->Mountings();
     PartReader reader(*side_file, *side, shelf);
     for (const Mounting& mounting : mountings) parts.push_back(reader.Read(mounting));
-  } else if (!gripper.empty()) {
+  } else if (!options.gripper.empty()) {
     throw InputError(
         {urdf.path.string(), 0, "",
-         "has no side file that offers grippers, found the wish for " + Quoted(gripper)});
+         "has no side file that offers grippers, found the wish for " + Quoted(options.gripper)});
   }
   internal::BuiltModel built = internal::BuildModel(parts, shelf);
   for (std::size_t i = 0; i < mountings.size(); ++i) {
@@ -91,7 +91,7 @@ RobotReading Read(const FoundFile& urdf, const std::string& gripper, RobotShelf*
                     "would hang on " + Quoted(mountings[i].to) + ", expected the name of a link");
   }
   if (side_file) {
-    side_file->Apply(&built);
+    side_file->Apply(&built, options.has_look);
   } else {
     LetLinksPass(&built.model);
   }
@@ -117,7 +117,7 @@ FoundFile UrdfAt(const std::filesystem::path& path, std::string bytes) {
 
 RobotReading LoadRobot(const std::filesystem::path& urdf_path, const RobotReaderOptions& options) {
   RobotShelf shelf(internal::MakeOriginalFinder(urdf_path, options));
-  return Read(UrdfAt(urdf_path, ReadFile(urdf_path, kMaxUrdfBytes)), options.gripper, &shelf);
+  return Read(UrdfAt(urdf_path, ReadFile(urdf_path, kMaxUrdfBytes)), options, &shelf);
 }
 
 RobotModel ReadRobot(const std::filesystem::path& urdf_path, const RobotReaderOptions& options) {
@@ -129,7 +129,7 @@ RobotReading LoadKeptRobot(const std::filesystem::path& urdf_path, const std::st
   RobotShelf shelf(internal::MakeKeptFinder(open));
   std::optional<std::string> bytes = open(urdf_path.filename().string(), kMaxUrdfBytes);
   if (!bytes) throw InputError({urdf_path.string(), 0, "", "no such file"});
-  return Read(UrdfAt(urdf_path, *std::move(bytes)), gripper, &shelf);
+  return Read(UrdfAt(urdf_path, *std::move(bytes)), {.gripper = gripper}, &shelf);
 }
 
 }  // namespace smile::robot

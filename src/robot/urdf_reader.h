@@ -22,6 +22,8 @@ struct RobotReaderOptions {
   /// One of the grippers the side file offers, with its choices: `electric-narrow-3`; empty: the
   /// usual one.
   std::string gripper;
+  /// False leaves out the shipped look that the side file names, for planning, which shows nothing.
+  bool has_look = true;
 };
 
 /// A file a robot was read from, for whoever keeps the robot: all of them in one folder, under

@@ -1,4 +1,4 @@
-#include "robot/baxter_look.h"
+#include "robot/robot_look.h"
 
 #include <gtest/gtest.h>
 
@@ -32,14 +32,14 @@ bool IsClosedAndOutwards(const Surface& surface) {
   return volume > 0;
 }
 
-TEST(BaxterLook, IsMadeOfClosedShells) {
+TEST(RobotLook, IsMadeOfClosedShells) {
   for (const LinkVisual& visual : Baxter().visuals) {
     if (visual.mood) continue;  // the display is flat
     EXPECT_TRUE(IsClosedAndOutwards(SurfaceOf(visual))) << "link " << visual.link;
   }
 }
 
-TEST(BaxterLook, IsRichAndYetDrawnQuickly) {
+TEST(RobotLook, IsRichAndYetDrawnQuickly) {
   std::size_t triangles = 0;
   std::set<const scene::CustomMesh*> meshes;
   for (const LinkVisual& visual : Baxter().visuals) {
@@ -52,7 +52,7 @@ TEST(BaxterLook, IsRichAndYetDrawnQuickly) {
   EXPECT_LT(meshes.size(), 45u) << "both arms share theirs";
 }
 
-TEST(BaxterLook, IsAsLargeAsTheRealRobot) {
+TEST(RobotLook, IsAsLargeAsTheRealRobot) {
   constexpr double kHeight = 1.80, kTolerance = 0.01;  // on its pedestal [m]
   Eigen::Vector3d low = Vector3::Zero(), high = Vector3::Zero();
   for (const LinkVisual& visual : Baxter().visuals) {
@@ -68,7 +68,7 @@ TEST(BaxterLook, IsAsLargeAsTheRealRobot) {
   EXPECT_NEAR(high.y() - low.y(), 0.81, kTolerance);
 }
 
-TEST(BaxterLook, FingersLieWithinTheBoxesThatCollide) {
+TEST(RobotLook, FingersLieWithinTheBoxesThatCollide) {
   constexpr double kRound = 1e-6;  // single precision
   for (const Arm& arm : Baxter().arms) {
     for (const int finger : {arm.gripper->left_finger, arm.gripper->right_finger}) {
@@ -85,7 +85,7 @@ TEST(BaxterLook, FingersLieWithinTheBoxesThatCollide) {
   }
 }
 
-TEST(BaxterLook, HasAFaceForEveryMood) {
+TEST(RobotLook, HasAFaceForEveryMood) {
   std::map<Mood, std::set<const scene::CustomMesh*>> faces;
   for (const LinkVisual& visual : Baxter().visuals) {
     if (!visual.mood) continue;
@@ -102,13 +102,13 @@ TEST(BaxterLook, HasAFaceForEveryMood) {
   EXPECT_EQ(faces.size(), kMoods.size());
 }
 
-TEST(BaxterLook, IsRefusedToARobotWithoutItsArms) {
+TEST(RobotLook, IsRefusedToARobotWithoutItsArms) {
   RobotModel model = Baxter();
   std::erase_if(model.frames, [](const Frame& frame) { return frame.name == "right_wrist"; });
-  EXPECT_THROW(AddBaxterLook(&model), std::invalid_argument);
+  EXPECT_THROW(AddLook("baxter", "", &model), std::invalid_argument);
 }
 
-TEST(BaxterLook, OfAGripperIsThatOfItsOwnDescription) {
+TEST(RobotLook, OfAGripperIsThatOfItsOwnDescription) {
   const auto shows = [](const RobotModel& model, bool as_mesh) {
     return std::ranges::any_of(model.visuals, [&](const LinkVisual& visual) {
       return visual.link == model.arms[1].gripper->left_finger &&

@@ -1,0 +1,63 @@
+#include "robot/robot_look.h"
+
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <vector>
+
+#include "base/files.h"
+#include "base/wording.h"
+#include "mesh/import_pieces.h"
+
+namespace smile::robot {
+namespace {
+
+/// All of a link that has one color.
+struct LookPiece {
+  std::string link;
+  Color color;
+  std::shared_ptr<const scene::CustomMesh> mesh;
+  std::optional<Mood> mood;  ///< visible only in this mood
+};
+using Look = std::vector<LookPiece>;
+
+std::optional<Mood> MoodOf(const mesh::MeshPiece& piece) {
+  const auto it = piece.extras.find("mood");
+  if (it == piece.extras.end()) return std::nullopt;
+  const auto mood = ParseMood(it->get<std::string>());
+  if (!mood) throw std::runtime_error("a look shows the unknown mood " + Quoted(it->dump()));
+  return mood;
+}
+
+Look LoadLook(const std::string& name) {
+  Look look;
+  for (mesh::MeshPiece& piece : mesh::ImportPieces(DataFile("robots/looks/" + name + ".glb"))) {
+    look.push_back({piece.node, piece.color, std::move(piece.mesh), MoodOf(piece)});
+  }
+  return look;
+}
+
+const Look& LookNamed(std::string_view name) {
+  static const std::map<std::string, Look, std::less<>> kLooks = {{"baxter", LoadLook("baxter")},
+                                                                  {"classic", LoadLook("classic")}};
+  return kLooks.at(std::string(name));
+}
+
+}  // namespace
+
+void AddLook(std::string_view name, const std::string& prefix, RobotModel* model) {
+  for (const LookPiece& piece : LookNamed(name)) {
+    const auto frame = FindFrame(*model, prefix + piece.link);
+    if (!frame) {
+      throw std::invalid_argument("the robot has no link " + Quoted(prefix + piece.link));
+    }
+    const Frame& at = model->frames[*frame];
+    model->visuals.push_back({.link = at.link,
+                              .shape = scene::DrawnMesh{piece.mesh},
+                              .color = piece.color,
+                              .X_LV = at.X_LF,
+                              .mood = piece.mood});
+  }
+}
+
+}  // namespace smile::robot

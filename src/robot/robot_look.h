@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "robot/robot_model.h"
+
+namespace smile::robot {
+
+/// Adds a shipped look to the visuals of a robot's description: `robots/looks/NAME.glb`, each piece
+/// fixed to the link of its node's name, pieces with a mood visible only in that mood.
+///
+/// Each look is loaded once per program: its meshes are large, never change, and cameras identify
+/// them by their address.
+///
+/// @param name    `baxter` (shells, screen, springs, and a face for each mood) or `classic` (the
+///                gripper of the 2015 program).
+/// @param prefix  before the names of the links: `left_`.
+/// @throws std::invalid_argument naming the link that is missing.
+/// @throws std::runtime_error or InputError if the file is missing or damaged.
+void AddLook(std::string_view name, const std::string& prefix, RobotModel* model);
+
+}  // namespace smile::robot

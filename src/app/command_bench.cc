@@ -109,7 +109,7 @@ void EyePicture(benchmark::State& state, bool with_robot) {
   camera::Renderer renderer;
   Image image;
   for (auto _ : state) {
-    renderer.Render(simulation->visual_model(), sight.state, sight.view, options, &image);
+    renderer.Render(simulation->model().visual_model(), sight.state, sight.view, options, &image);
   }
   state.SetLabel(renderer.device_name());
 }

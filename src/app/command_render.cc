@@ -66,11 +66,11 @@ record::DemonstratorLook LookOf(const RenderCommandOptions& options) {
   return record::ParseDemonstratorLook(options.demonstrator);
 }
 
-void RenderPicture(const sim::Simulation& stage, const record::TraceTick& moment,
+void RenderPicture(const model::Model& model, const record::TraceTick& moment,
                    const std::vector<Vector3>& markers, const RenderCommandOptions& options,
                    const std::string& eye, const picture::SeenDemonstrator* demonstrator) {
   const picture::Shot shot = ShotOf(options, eye);
-  picture::Photographer photographer(stage, shot, demonstrator);
+  picture::Photographer photographer(model, shot, demonstrator);
   for (const auto& path :
        picture::WriteChannels(options.out, photographer.Take(moment, markers), shot.channels)) {
     std::printf("%s\n", path.c_str());
@@ -78,15 +78,15 @@ void RenderPicture(const sim::Simulation& stage, const record::TraceTick& moment
 }
 
 void RenderScene(const RenderCommandOptions& options, Product product) {
-  const sim::Simulation simulation(scene_xml::LoadScene(options.subject, options.path.reader()),
-                                   PlaceRobot(options.robot, options.path));
+  const model::Model model(scene_xml::LoadScene(options.subject, options.path.reader()),
+                           PlaceRobot(options.robot, options.path));
   const std::string but = ", but '" + options.subject + "' is none";
   if (product != Product::kPicture) throw std::invalid_argument("a film needs a recording" + but);
   if (options.at) throw std::invalid_argument("--at needs a recording" + but);
   if (LookOf(options) != record::DemonstratorLook::kInvisible) {
     throw std::invalid_argument("--demonstrator needs a recording" + but);
   }
-  RenderPicture(simulation, record::Observe(simulation), {}, options, sim::kEyeCamera, nullptr);
+  RenderPicture(model, record::StartOf(model), {}, options, model::kEyeCamera, nullptr);
 }
 
 void RenderMoment(const record::Recording& recording, const RenderCommandOptions& options) {
@@ -94,9 +94,9 @@ void RenderMoment(const record::Recording& recording, const RenderCommandOptions
   const std::uint64_t tick = options.at ? TickAt(*options.at, whole, "at") : whole.last;
   const auto moment = MomentAt(recording, tick);
   if (!moment) throw InputError({options.subject, 0, "", "its trace holds no moment"});
-  const sim::Simulation stage(recording.scene, recording.robot);
-  const auto demonstrator = picture::DemonstratorOf(recording, stage, LookOf(options));
-  RenderPicture(stage, *moment, record::MarkerTrack(recording).At(tick), options,
+  const model::Model model(recording.scene, recording.robot);
+  const auto demonstrator = picture::DemonstratorOf(recording, model, LookOf(options));
+  RenderPicture(model, *moment, record::MarkerTrack(recording).At(tick), options,
                 recording.info.eye_camera, demonstrator.get());
 }
 

@@ -15,8 +15,8 @@ namespace {
 constexpr std::size_t kMaxMarkBytes = 1 << 20;
 
 /// What draws the pictures of a recording again.
-picture::Shot ShotOf(const sim::EyeSpec& eye) {
-  return {.camera = sim::kEyeCamera,
+picture::Shot ShotOf(const model::EyeSpec& eye) {
+  return {.camera = model::kEyeCamera,
           .eye = eye.camera,
           .width_px = eye.width_px,
           .height_px = eye.height_px};
@@ -32,10 +32,10 @@ bool IsMarked(const std::filesystem::path& mark, const std::string& text) {
 
 std::size_t Dress(const record::Recording& recording, const std::filesystem::path& out,
                   const record::RedrawOptions& copy) {
-  const sim::Simulation stage(recording.scene, recording.robot);
-  const auto demonstrator = picture::DemonstratorOf(recording, stage, copy.demonstrator);
-  picture::Photographer photographer(stage, ShotOf(EyeOf(recording.info).value_or(sim::EyeSpec())),
-                                     demonstrator.get());
+  const model::Model model(recording.scene, recording.robot);
+  const auto demonstrator = picture::DemonstratorOf(recording, model, copy.demonstrator);
+  picture::Photographer photographer(
+      model, ShotOf(EyeOf(recording.info).value_or(model::EyeSpec())), demonstrator.get());
   ProgressLine line("drawing");
   return Redraw(
       recording, out, copy,

@@ -77,9 +77,9 @@ void FilmInto(const std::filesystem::path& mp4, const record::Recording& recordi
 void Film(const record::Recording& recording, const std::filesystem::path& mp4,
           const FilmOptions& options) {
   const record::TickRange range = TicksOf(options.range, recording);
-  const sim::Simulation stage(recording.scene, recording.robot);
-  const auto demonstrator = picture::DemonstratorOf(recording, stage, options.demonstrator);
-  picture::Photographer photographer(stage, options.shot, demonstrator.get());
+  const model::Model model(recording.scene, recording.robot);
+  const auto demonstrator = picture::DemonstratorOf(recording, model, options.demonstrator);
+  picture::Photographer photographer(model, options.shot, demonstrator.get());
   // Under another name until it is whole: an older film is not lost to half a new one.
   const std::filesystem::path part = mp4.string() + ".part.mp4";
   try {
@@ -95,9 +95,9 @@ void Film(const record::Recording& recording, const std::filesystem::path& mp4,
 void FilmAsPictures(const record::Recording& recording, const std::filesystem::path& directory,
                     const FilmOptions& options) {
   const record::TickRange range = TicksOf(options.range, recording);
-  const sim::Simulation stage(recording.scene, recording.robot);
-  const auto demonstrator = picture::DemonstratorOf(recording, stage, options.demonstrator);
-  picture::Photographer photographer(stage, options.shot, demonstrator.get());
+  const model::Model model(recording.scene, recording.robot);
+  const auto demonstrator = picture::DemonstratorOf(recording, model, options.demonstrator);
+  picture::Photographer photographer(model, options.shot, demonstrator.get());
   MakeNewDirectory(directory);
   record::AppendFile index(directory / "frames.csv");
   index.Append("frame,tick,seconds,image\n");

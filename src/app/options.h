@@ -29,7 +29,7 @@ struct RobotOptions {
   bool classic = false;  ///< the robot stands where the original put it
   std::string urdf;      ///< empty: Baxter
   std::string side_file, gripper;
-  robot::RobotBodyOptions body;
+  model::RobotBodyOptions body;
 
   bool operator==(const RobotOptions&) const = default;
 };

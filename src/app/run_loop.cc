@@ -23,7 +23,7 @@ using Clock = std::chrono::steady_clock;
 Json ArrayOf(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
 
 Json DescribeRobot(const sim::Simulation& simulation) {
-  const robot::RobotBody* robot = simulation.robot();
+  const world::RobotBody* robot = simulation.robot();
   if (robot == nullptr) return nullptr;
   const double unit = simulation.scene().meters_per_unit;
   Json json;
@@ -256,8 +256,8 @@ class LiveRun {
 Json DescribeControls(const sim::Simulation& simulation) {
   Json json = Json::object();
   const world::Tabletop& tabletop = simulation.tabletop();
-  for (std::size_t i = 0; i < tabletop.controls().all().size(); ++i) {
-    const world::Control& control = tabletop.controls().all()[i];
+  for (model::ControlIndex i : simulation.model().controls()) {
+    const model::Control& control = simulation.model().control(i);
     if (!tabletop.IsPresent(control)) continue;
     json[control.id()] = RecordedState(control, tabletop.controls().states()[i]);
   }

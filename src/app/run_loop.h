@@ -59,7 +59,7 @@ struct RunOutcome {
 /// Objects of a simulation as results tell them: id -> {position [units], rotation [degrees]}.
 Json DescribeObjects(const sim::Simulation& simulation);
 
-/// Controls as results tell them: id -> state, as recordings have it (world::RecordedState()).
+/// Controls as results tell them: id -> state, as recordings have it (model::RecordedState()).
 Json DescribeControls(const sim::Simulation& simulation);
 
 /// Runs the plan to its end, or until the user interrupts.

@@ -16,8 +16,8 @@ Eigen::RowVector3d InUnits(const Vector3& p, const sim::Simulation& simulation) 
 }
 
 /// What `of_arm` tells of each arm's joints, a row for each arm.
-LimbJoints OfBothArms(const robot::RobotBody& robot,
-                      std::vector<double> (robot::RobotBody::*of_arm)(int) const) {
+LimbJoints OfBothArms(const world::RobotBody& robot,
+                      std::vector<double> (world::RobotBody::*of_arm)(int) const) {
   LimbJoints rows;
   for (int arm = 0; arm < kLimbCount; ++arm) {
     const std::vector<double> values = (robot.*of_arm)(arm);
@@ -67,7 +67,7 @@ std::array<std::string, kLimbCount> HeldObjects(const sim::Simulation& simulatio
 }
 
 void RequireTwoArms(const sim::Simulation& simulation) {
-  const robot::RobotBody* robot = simulation.robot();
+  const world::RobotBody* robot = simulation.robot();
   bool has_arms = robot != nullptr && robot->num_arms() == kLimbCount;
   for (int arm = 0; has_arms && arm < kLimbCount; ++arm) {
     has_arms = robot->model().arms[arm].joints.size() == kJointCount;
@@ -87,7 +87,7 @@ std::map<std::string, Eigen::RowVector3d, std::less<>> TrackersOf(
     const sim::Simulation& simulation) {
   // Of the classic gripper: half the length and thickness of a finger [m].
   constexpr double kHalfLength = 0.075, kHalfThickness = 0.015;
-  const robot::RobotBody& robot = *simulation.robot();
+  const world::RobotBody& robot = *simulation.robot();
   const scene::FramePoses poses =
       robot::FramePosesOf(robot.model(), robot.base_pose(), robot.positions());
   std::map<std::string, Eigen::RowVector3d, std::less<>> trackers;
@@ -163,7 +163,7 @@ Aux BrainDriver::Describe(const sim::Simulation& simulation) const {
   Aux aux;
   for (int arm = 0; arm < kLimbCount; ++arm) {
     for (int i = 0; i < kJointCount; ++i) {
-      const physics::LinkSpec& link = model.links[model.arms[arm].joints[i]];
+      const scene::LinkSpec& link = model.links[model.arms[arm].joints[i]];
       aux.min_joint_angles(arm, i) = link.lower;
       aux.max_joint_angles(arm, i) = link.upper;
       aux.max_joint_velocities(arm, i) = link.max_velocity;
@@ -171,11 +171,11 @@ Aux BrainDriver::Describe(const sim::Simulation& simulation) const {
   }
   aux.meters_per_unit = simulation.scene().meters_per_unit;
   aux.X_WBase = MatrixInUnits(simulation.robot()->base_pose(), simulation);
-  aux.robot_files = simulation.robot_placement()->files;
-  aux.robot_gripper = simulation.robot_placement()->gripper;
+  aux.robot_files = simulation.model().robot_placement()->files;
+  aux.robot_gripper = simulation.model().robot_placement()->gripper;
   if (options_.eye != nullptr) {
     aux.camera = DescribeCamera(EyeView(simulation, options_.eye->spec()), simulation);
-    aux.camera_names = CameraNames(simulation);
+    aux.camera_names = CameraNames(simulation.model());
   }
   if (!options_.demonstration.empty()) {
     aux.demonstration = std::filesystem::absolute(options_.demonstration).string();
@@ -185,16 +185,16 @@ Aux BrainDriver::Describe(const sim::Simulation& simulation) const {
 }
 
 Sensor BrainDriver::Sense(const sim::Simulation& simulation) {
-  const robot::RobotBody& robot = *simulation.robot();
+  const world::RobotBody& robot = *simulation.robot();
   Sensor sensor{.time_elapsed = 1.0 / sim::kTicksPerSecond, .sim_time = simulation.seconds()};
-  sensor.joint_angles = OfBothArms(robot, &robot::RobotBody::ArmAngles);
+  sensor.joint_angles = OfBothArms(robot, &world::RobotBody::ArmAngles);
   for (int arm = 0; arm < kLimbCount; ++arm) {
     sensor.end_effector_positions.row(arm) = InUnits(robot.ToolPose(arm).translation(), simulation);
     sensor.gripper_openings(arm) =
         scene::ToFileUnits(robot.GripperOpening(arm), simulation.scene().meters_per_unit);
   }
   if (options_.has_trackers) sensor.tracker_locations = TrackersOf(simulation);
-  sensor.joint_velocities = OfBothArms(robot, &robot::RobotBody::ArmVelocities);
+  sensor.joint_velocities = OfBothArms(robot, &world::RobotBody::ArmVelocities);
   sensor.head_angle = robot.HeadAngle();
   sensor.held_objects = HeldObjects(simulation);
   if (IsPictureDue(simulation)) {
@@ -212,7 +212,7 @@ bool BrainDriver::IsPictureDue(const sim::Simulation& simulation) const {
 }
 
 void BrainDriver::Look(const sim::Simulation& simulation, Sensor* sensor) {
-  const scene::VisualModel& model = simulation.visual_model();
+  const scene::VisualModel& model = simulation.model().visual_model();
   const auto add = [&](const sim::EyeSpec& spec, const std::string& name) {
     sim::Sight sight = SightOf(simulation, spec);
     sight.channels = wishes_.channels;

@@ -8,8 +8,8 @@
 namespace smile::motion {
 namespace {
 
-using physics::JointType;
-using physics::LinkSpec;
+using scene::JointType;
+using scene::LinkSpec;
 
 /// The links that carry a frame, the base's neighbour first.
 std::vector<int> CarriersOf(const robot::RobotModel& model, const robot::Frame& F) {

@@ -66,12 +66,12 @@ std::vector<JointLimits> LimitsOf(const robot::RobotModel& model, std::span<cons
     if (joint < 0 || joint >= model.num_joints()) {
       throw std::invalid_argument("there is no joint " + std::to_string(joint));
     }
-    const physics::LinkSpec& link = model.links[joint];
+    const scene::LinkSpec& link = model.links[joint];
     limits.push_back({.lower = link.lower,
                       .upper = link.upper,
                       .max_velocity = link.max_velocity,
                       .max_acceleration = link.max_velocity / kSecondsToFullSpeed,
-                      .slides = link.joint_type == physics::JointType::kPrismatic});
+                      .slides = link.joint_type == scene::JointType::kPrismatic});
   }
   return limits;
 }

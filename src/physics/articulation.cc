@@ -24,7 +24,7 @@ btQuaternion QuaternionOf(const Matrix3& R) {
 
 }  // namespace
 
-Articulation::Articulation(ArticulationId id, std::shared_ptr<const ArticulationSpec> spec,
+Articulation::Articulation(ArticulationId id, std::shared_ptr<const scene::ArticulationSpec> spec,
                            const MotorConfig& config)
     : id_(id), spec_(std::move(spec)), config_(config), links_(std::make_unique<Links>()) {
   const int count = num_joints();
@@ -52,7 +52,7 @@ Articulation::Articulation(ArticulationId id, std::shared_ptr<const Articulation
 }
 
 void Articulation::AddBulletLink(int number) {
-  const LinkSpec& link = spec_->links[number];
+  const scene::LinkSpec& link = spec_->links[number];
   const PrincipalInertia inertia = PrincipalInertiaOf(link.inertia);
   RigidTransform& X_LLcm = links_->links[number].X_LLcm;
   X_LLcm = RigidTransform(inertia.axes, link.p_LLcm);
@@ -70,8 +70,8 @@ void Articulation::AddBulletLink(int number) {
                              ToBullet(p_LLcm_Lcm),
                              /*disableParentCollision=*/true);
   };
-  link.joint_type == JointType::kRevolute ? set_up(&btMultiBody::setupRevolute)
-                                          : set_up(&btMultiBody::setupPrismatic);
+  link.joint_type == scene::JointType::kRevolute ? set_up(&btMultiBody::setupRevolute)
+                                                 : set_up(&btMultiBody::setupPrismatic);
   btMultibodyLink& bullet = bullet_->getLink(number);
   bullet.m_jointLowerLimit = link.lower;
   bullet.m_jointUpperLimit = link.upper;
@@ -112,7 +112,7 @@ std::unique_ptr<btCollisionObject> Articulation::MakeCollider(int link) {
     }
     collider = std::move(of_multibody);
   }
-  collider->setFriction(is_base ? LinkSpec().friction : spec_->links[link].friction);
+  collider->setFriction(is_base ? scene::LinkSpec().friction : spec_->links[link].friction);
   // The base takes the articulation's own number in the order, links the ones after it.
   collider->setUserIndex(static_cast<int>(id_.value) + 1 + link);
   return collider;
@@ -133,7 +133,7 @@ std::vector<double> Articulation::velocities() const {
 }
 
 std::vector<RigidTransform> Articulation::link_poses() const {
-  return LinkPoses(spec_->links, spec_->X_WBase, positions());
+  return scene::LinkPoses(spec_->links, spec_->X_WBase, positions());
 }
 
 void Articulation::CheckJoint(int joint) const {
@@ -144,13 +144,13 @@ void Articulation::CheckJoint(int joint) const {
 }
 
 double Articulation::MaxLead(int joint) const {
-  return spec_->links[joint].joint_type == JointType::kRevolute ? config_.max_lead_angle
-                                                                : config_.max_lead_length;
+  return spec_->links[joint].joint_type == scene::JointType::kRevolute ? config_.max_lead_angle
+                                                                       : config_.max_lead_length;
 }
 
 void Articulation::SetVelocityTarget(int joint, double velocity) {
   CheckJoint(joint);
-  const LinkSpec& link = spec_->links[joint];
+  const scene::LinkSpec& link = spec_->links[joint];
   if (!std::isfinite(velocity)) {
     throw std::invalid_argument(link.joint_name + ": velocity is not finite");
   }
@@ -175,7 +175,7 @@ void Articulation::SetPositions(std::span<const int> joints, std::span<const dou
   }
   for (std::size_t i = 0; i < joints.size(); ++i) {
     CheckJoint(joints[i]);
-    const LinkSpec& link = spec_->links[joints[i]];
+    const scene::LinkSpec& link = spec_->links[joints[i]];
     if (!std::isfinite(positions[i])) {
       throw std::invalid_argument(link.joint_name + ": position is not finite");
     }
@@ -232,7 +232,7 @@ void Articulation::NoteOverload(int link) {
 
 void Articulation::LeadLinks(double step_seconds) {
   for (int i = 0; i < num_joints(); ++i) {
-    const LinkSpec& link = spec_->links[i];
+    const scene::LinkSpec& link = spec_->links[i];
     const double q = bullet_->getJointPos(i);
     position_references_[i] =
         std::clamp(q + velocity_targets_[i] * step_seconds, link.lower, link.upper);
@@ -256,12 +256,12 @@ void Articulation::LeadLinks(double step_seconds) {
 }
 
 std::vector<RigidTransform> Articulation::next_link_poses() const {
-  return LinkPoses(spec_->links, spec_->X_WBase, position_references_);
+  return scene::LinkPoses(spec_->links, spec_->X_WBase, position_references_);
 }
 
 void Articulation::DriveMotors(double step_seconds, double gravity) {
   for (int i = 0; i < num_joints(); ++i) {
-    const LinkSpec& link = spec_->links[i];
+    const scene::LinkSpec& link = spec_->links[i];
     const double q = bullet_->getJointPos(i);
     const double max_lead = MaxLead(i);
     const double wanted = position_references_[i] + velocity_targets_[i] * step_seconds;

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "physics/articulation_spec.h"
 #include "physics/ids.h"
+#include "scene/articulation_spec.h"
 
 class btCollisionObject;
 class btMultiBody;
@@ -30,8 +30,8 @@ struct MotorConfig {
 
 /// Links and motors on a fixed base, in reduced coordinates (Featherstone). Gravity is compensated.
 /// It collides with bodies, with other articulations and with itself; see
-/// ArticulationSpec::is_kinematic for one that does not. Joints never leave their position limits
-/// nor exceed their velocity limits, whatever pushes them. The World owns it.
+/// scene::ArticulationSpec::is_kinematic for one that does not. Joints never leave their position
+/// limits nor exceed their velocity limits, whatever pushes them. The World owns it.
 class Articulation {
  public:
   ~Articulation();
@@ -39,7 +39,7 @@ class Articulation {
   Articulation& operator=(const Articulation&) = delete;
 
   ArticulationId id() const { return id_; }
-  const ArticulationSpec& spec() const { return *spec_; }
+  const scene::ArticulationSpec& spec() const { return *spec_; }
   int num_joints() const { return static_cast<int>(spec_->links.size()); }
 
   std::vector<double> positions() const;   ///< q, one per joint [rad or m]
@@ -65,7 +65,7 @@ class Articulation {
 
  private:
   friend class World;
-  Articulation(ArticulationId id, std::shared_ptr<const ArticulationSpec> spec,
+  Articulation(ArticulationId id, std::shared_ptr<const scene::ArticulationSpec> spec,
                const MotorConfig& config);
   void CheckJoint(int joint) const;
   double MaxLead(int joint) const;
@@ -90,7 +90,7 @@ class Articulation {
   std::vector<RigidTransform> next_link_poses() const;
 
   ArticulationId id_;
-  std::shared_ptr<const ArticulationSpec> spec_;  ///< shared with snapshots, like Body's
+  std::shared_ptr<const scene::ArticulationSpec> spec_;  ///< shared with snapshots, like Body's
   MotorConfig config_;
   std::vector<double> velocity_targets_;
   std::vector<double> position_references_;

@@ -20,7 +20,7 @@ struct ArticulationProbe::Parts {
     RigidTransform X_LS;
     btTransform X_WS;
   };
-  std::vector<LinkSpec> links;
+  std::vector<scene::LinkSpec> links;
   RigidTransform X_WBase;
   std::vector<Piece> pieces;
   std::vector<std::pair<std::size_t, std::size_t>> pairs;  ///< indexes of pieces that may collide
@@ -39,7 +39,7 @@ void ArticulationProbe::Parts::Add(int link, const RigidTransform& X_WL,
   }
 }
 
-ArticulationProbe::ArticulationProbe(const ArticulationSpec& spec,
+ArticulationProbe::ArticulationProbe(const scene::ArticulationSpec& spec,
                                      const std::vector<scene::Solid>& surroundings)
     : parts_(std::make_unique<Parts>()) {
   parts_->links = spec.links;
@@ -75,7 +75,7 @@ std::optional<LinkOverlap> ArticulationProbe::FirstOverlap(std::span<const doubl
   if (!std::ranges::all_of(q, [](double x) { return std::isfinite(x); })) {
     throw std::invalid_argument("q is not finite");
   }
-  const std::vector<RigidTransform> X_WL = LinkPoses(parts_->links, parts_->X_WBase, q);
+  const std::vector<RigidTransform> X_WL = scene::LinkPoses(parts_->links, parts_->X_WBase, q);
   for (Parts::Piece& piece : parts_->pieces) {
     if (piece.link >= 0) piece.X_WS = ToBullet(X_WL[piece.link] * piece.X_LS);
   }

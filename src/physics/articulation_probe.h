@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "physics/articulation_spec.h"
+#include "scene/articulation_spec.h"
 
 namespace smile::physics {
 
@@ -27,7 +27,7 @@ struct LinkOverlap {
 class ArticulationProbe {
  public:
   /// @param surroundings  what stands still around it; Solid::X_BS is X_WS. The base may touch it.
-  explicit ArticulationProbe(const ArticulationSpec& spec,
+  explicit ArticulationProbe(const scene::ArticulationSpec& spec,
                              const std::vector<scene::Solid>& surroundings = {});
   ~ArticulationProbe();
   ArticulationProbe(ArticulationProbe&&) noexcept;

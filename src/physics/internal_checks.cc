@@ -73,11 +73,11 @@ bool IsAscending(const std::vector<Entry>& entries) {
          }) == entries.end();
 }
 
-void CheckArticulation(const ArticulationSpec& spec) {
+void CheckArticulation(const scene::ArticulationSpec& spec) {
   const int count = static_cast<int>(spec.links.size());
   bool is_sound = IsFinite(spec.X_WBase);
   for (int i = 0; i < count; ++i) {
-    const LinkSpec& link = spec.links[i];
+    const scene::LinkSpec& link = spec.links[i];
     is_sound = is_sound && link.parent >= -1 && link.parent < i && IsFinite(link.X_PJ) &&
                link.axis.allFinite() && link.p_LLcm.allFinite() && link.inertia.allFinite() &&
                std::isfinite(link.mass) && link.mass > 0 && std::isfinite(link.friction) &&

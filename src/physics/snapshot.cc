@@ -155,7 +155,7 @@ void Walk(Archive& archive, BodySpec& spec) {
 }
 
 template <class Archive>
-void Walk(Archive& archive, LinkSpec& link) {
+void Walk(Archive& archive, scene::LinkSpec& link) {
   archive(link.name);
   archive(link.joint_name);
   archive(link.parent);
@@ -179,7 +179,7 @@ void Walk(Archive& archive, std::pair<int, int>& pair) {
 }
 
 template <class Archive>
-void Walk(Archive& archive, ArticulationSpec& spec) {
+void Walk(Archive& archive, scene::ArticulationSpec& spec) {
   Walk(archive, spec.X_WBase);
   WalkEach(archive, spec.base_solids);
   WalkEach(archive, spec.links);

@@ -25,7 +25,7 @@ struct Snapshot {
   };
   struct ArticulationEntry {
     ArticulationId id;
-    std::shared_ptr<const ArticulationSpec> spec;
+    std::shared_ptr<const scene::ArticulationSpec> spec;
   };
 
   std::uint32_t next_id = 1;

@@ -128,11 +128,11 @@ void World::Erase(Body& gone) {
   bodies_.erase(FindById(bodies_, gone.id()));
 }
 
-ArticulationId World::AddArticulation(const ArticulationSpec& spec) {
+ArticulationId World::AddArticulation(const scene::ArticulationSpec& spec) {
   const ArticulationId id{next_id_};
   next_id_ += 1 + static_cast<std::uint32_t>(spec.links.size());
   Insert(std::unique_ptr<Articulation>(
-      new Articulation(id, std::make_shared<const ArticulationSpec>(spec), config_.motor)));
+      new Articulation(id, std::make_shared<const scene::ArticulationSpec>(spec), config_.motor)));
   return id;
 }
 

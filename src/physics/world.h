@@ -69,7 +69,7 @@ class World {
   BodyId AddBody(const BodySpec& spec);
   /// Wakes what it touched; ends the joints it was part of.
   void RemoveBody(BodyId id);
-  ArticulationId AddArticulation(const ArticulationSpec& spec);
+  ArticulationId AddArticulation(const scene::ArticulationSpec& spec);
   /// Gives a body another form in its place; it keeps its velocity, its joints and who carries it.
   /// Wakes it and what is near.
   /// @throws std::invalid_argument like AddBody(), or if it would become static or cease to be.

@@ -26,9 +26,8 @@ struct NamedDeed {
 /// Collects deeds along the trace.
 class DeedCollector {
  public:
-  DeedCollector(const record::Recording& recording, const sim::Simulation& stage,
-                const Touch& touch)
-      : recording_(recording), stage_(stage), touch_(touch) {}
+  DeedCollector(const record::Recording& recording, const model::Model& model, const Touch& touch)
+      : recording_(recording), model_(model), touch_(touch) {}
 
   std::vector<NamedDeed> Collect() {
     record::TraceReader trace(recording_);
@@ -70,9 +69,7 @@ class DeedCollector {
       case kLoosened:
         if (event.guest < 0 || held) return;
         return AddTouch(moment, event, HandDeed::Kind::kTurn,
-                        stage_.tabletop()
-                            .bonds()
-                            .guests()[static_cast<std::size_t>(event.guest)]
+                        model_.guest(model::GuestIndex(static_cast<std::size_t>(event.guest)))
                             .X_BG.translation());
       default:
         return;
@@ -85,25 +82,18 @@ class DeedCollector {
     deeds_.push_back(*std::exchange(*held, std::nullopt));
   }
 
-  std::optional<std::size_t> IndexOf(const std::string& object) const {
-    const auto& objects = stage_.tabletop().objects();
-    const auto found = std::ranges::find(objects, object, &world::Object::id);
-    if (found == objects.end()) return std::nullopt;
-    return static_cast<std::size_t>(found - objects.begin());
-  }
-
   std::optional<NamedDeed> DeedAt(const record::TraceTick& moment, const sim::Event& event,
                                   HandDeed::Kind kind, const Vector3& p_BQ) const {
-    const auto object = IndexOf(event.object);
+    const auto object = model_.FindObject(event.object);
     if (!object || !event.hand) return std::nullopt;
     NamedDeed named{.hand = *event.hand,
                     .deed = {.kind = kind,
                              .first = moment.tick,
                              .last = moment.tick,
                              .object = *object,
-                             .begin = record::VisualStateAt(moment, stage_)}};
-    named.deed.p_BQ =
-        touch_.PointWithin(static_cast<int>(*object) + 1, named.deed.begin.looks, p_BQ);
+                             .frame = model_.frame_of(*object),
+                             .begin = record::VisualStateAt(moment, model_)}};
+    named.deed.p_BQ = touch_.PointWithin(named.deed.frame, named.deed.begin.looks, p_BQ);
     return named;
   }
 
@@ -119,7 +109,7 @@ class DeedCollector {
   /// The log knows at which point a hand took hold; where it does not say, or there is none, it is
   /// the object's origin.
   Vector3 GraspedAt(const record::TraceTick& moment, const sim::Event& event) const {
-    const auto object = IndexOf(event.object);
+    const auto object = model_.FindObject(event.object);
     if (!object) return Vector3::Zero();
     // A recording that begins while a hand holds something may know when it took hold, but not
     // where the object was then.
@@ -138,12 +128,12 @@ class DeedCollector {
 
   /// The middle of what is to be seen of a part or control of an object, in its body.
   Vector3 PlaceOf(const sim::Event& event, std::string_view id) const {
-    const auto object = IndexOf(event.object);
+    const auto object = model_.FindObject(event.object);
     if (!object || id == event.object) return Vector3::Zero();
     Vector3 sum = Vector3::Zero();
     int count = 0;
-    for (const scene::Visual& visual : stage_.visual_model().visuals) {
-      const bool is_meant = visual.frame == static_cast<int>(*object) + 1 &&
+    for (const scene::Visual& visual : model_.visual_model().visuals) {
+      const bool is_meant = visual.frame == static_cast<int>(model_.frame_of(*object)) &&
                             std::string_view(visual.part_id).starts_with(id);
       if (!is_meant) continue;
       sum += visual.X_FV.translation();
@@ -153,7 +143,7 @@ class DeedCollector {
   }
 
   const record::Recording& recording_;
-  const sim::Simulation& stage_;
+  const model::Model& model_;
   const Touch& touch_;
   std::uint64_t last_tick_ = 0;
   std::array<std::optional<NamedDeed>, demonstrator::kHandNames.size()> held_;
@@ -177,7 +167,7 @@ std::vector<HandDeed>& Of(Side side, HandDeeds* deeds) {
 
 /// Gives what `any` hand did to one of the two; where that one is needed, to one after the other.
 void GiveToAHand(HandDeed deed, HandDeeds* deeds) {
-  const Vector3 p_WQ = deed.begin.poses[deed.object + 1] * deed.p_BQ;
+  const Vector3 p_WQ = deed.begin.poses[deed.frame] * deed.p_BQ;
   const Side near = p_WQ.x() > 0 ? Side::kLeft : Side::kRight;
   const Side far = near == Side::kLeft ? Side::kRight : Side::kLeft;
   for (;;) {
@@ -202,10 +192,9 @@ void GiveToAHand(HandDeed deed, HandDeeds* deeds) {
 /// With both hands a thing is taken at its two sides.
 void GiveToBoth(const HandDeed& deed, const Touch& touch, HandDeeds* deeds) {
   constexpr double kInside = 0.02;
-  const RigidTransform& X_WB = deed.begin.poses[deed.object + 1];
+  const RigidTransform& X_WB = deed.begin.poses[deed.frame];
   const Vector3 x_B = X_WB.rotation().transpose() * Vector3::UnitX();
-  const Span span =
-      touch.Around(static_cast<int>(deed.object) + 1, deed.begin.looks, deed.p_BQ, x_B);
+  const Span span = touch.Around(deed.frame, deed.begin.looks, deed.p_BQ, x_B);
   for (const Side side : kSides) {
     HandDeed half = deed;
     const double at =
@@ -228,7 +217,7 @@ void MakeOneAfterAnother(std::vector<HandDeed>* deeds) {
 Side CalledLeft(const std::vector<NamedDeed>& all) {
   double balance = 0;
   for (const auto& [hand, deed] : all) {
-    const double x = deed.begin.poses[deed.object + 1].translation().x();
+    const double x = deed.begin.poses[deed.frame].translation().x();
     if (hand == HandName::kLeft) balance += x;
     if (hand == HandName::kRight) balance -= x;
   }
@@ -237,9 +226,9 @@ Side CalledLeft(const std::vector<NamedDeed>& all) {
 
 }  // namespace
 
-HandDeeds DeedsIn(const record::Recording& recording, const sim::Simulation& stage,
+HandDeeds DeedsIn(const record::Recording& recording, const model::Model& model,
                   const Touch& touch) {
-  const std::vector<NamedDeed> all = DeedCollector(recording, stage, touch).Collect();
+  const std::vector<NamedDeed> all = DeedCollector(recording, model, touch).Collect();
   const Side left = CalledLeft(all), right = left == Side::kLeft ? Side::kRight : Side::kLeft;
   HandDeeds deeds;
   for (const auto& [hand, deed] : all) {

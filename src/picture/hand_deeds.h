@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "model/model.h"
 #include "picture/hand_anatomy.h"
 #include "picture/touch.h"
 #include "record/recording.h"
-#include "sim/simulation.h"
 
 namespace smile::picture {
 
@@ -21,9 +21,10 @@ struct HandDeed {
 
   Kind kind = Kind::kHold;
   std::uint64_t first = 0, last = 0;  ///< ticks, both included
-  std::size_t object = 0;             ///< index, in scene order
-  Vector3 p_BQ = Vector3::Zero();     ///< the place, in the object's body B [m]
-  scene::VisualState begin;           ///< how everything is when it begins
+  model::ObjectIndex object{0};
+  model::FrameIndex frame{0};      ///< the object's
+  Vector3 p_BQ = Vector3::Zero();  ///< the place, in the object's body B [m]
+  scene::VisualState begin;        ///< how everything is when it begins
 };
 
 /// What each of the two hands does, in order of time; never two things at once.
@@ -38,10 +39,10 @@ struct HandDeeds {
 /// Some demonstrations call hands as the person would who has them, others as they are seen from
 /// the robot's side of the table. Either way the hand at +x is the person's left; `left` is meant
 /// to be the one with which the arms cross less.
-/// @param stage  a simulation of its scene and robot.
+/// @param model  of its scene and robot.
 /// @throws InputError if the trace cannot be read, or is of the old format that does not tell what
 ///         hands did.
-HandDeeds DeedsIn(const record::Recording& recording, const sim::Simulation& stage,
+HandDeeds DeedsIn(const record::Recording& recording, const model::Model& model,
                   const Touch& touch);
 
 }  // namespace smile::picture

@@ -117,8 +117,6 @@ class HandPlayer {
     p_WH_ += step * std::min(1.0, kFastestHand * dt / std::max(step.norm(), 1e-9));
   }
 
-  static int FrameOf(const HandDeed& deed) { return static_cast<int>(deed.object) + 1; }
-
   Aim Rest() const {
     Aim aim;
     aim.p_WQ = Vector3(side_ == Side::kLeft ? 0.20 : -0.20, edge_ + 0.10, 0.06);
@@ -131,7 +129,7 @@ class HandPlayer {
   double BestYaw(const HandDeed& deed) const {
     constexpr double kStep = DegreesToRadians(4);
     constexpr double kPerRadian = 0.02;  // of thickness that a bent wrist is worth [m]
-    const RigidTransform& X_WB = deed.begin.poses[deed.object + 1];
+    const RigidTransform& X_WB = deed.begin.poses[deed.frame];
     double best = 0, least = std::numeric_limits<double>::infinity();
     for (int k = -14; k <= 14; ++k) {
       Aim aim = BeginOf(deed, k * kStep);
@@ -148,7 +146,7 @@ class HandPlayer {
   /// Not knowing yet how thick the object is.
   Aim BeginOf(const HandDeed& deed, double yaw) const {
     Aim aim;
-    aim.p_WQ = deed.begin.poses[deed.object + 1] * deed.p_BQ;
+    aim.p_WQ = deed.begin.poses[deed.frame] * deed.p_BQ;
     aim.R_WH = NaturalRotation(side_, aim.p_WQ, edge_) *
                Eigen::AngleAxisd(yaw, Vector3::UnitZ()).toRotationMatrix();
     return aim;
@@ -160,7 +158,7 @@ class HandPlayer {
     constexpr double kDeepest = 0.042;  // fingertips below the top [m]
     const Matrix3 R_BH = X_WB.rotation().transpose() * aim->R_WH;
     const Vector3 p_BQ = X_WB.inverse() * aim->p_WQ;
-    const double depth = touch_.Around(FrameOf(deed), looks, p_BQ, R_BH.col(2)).to;
+    const double depth = touch_.Around(deed.frame, looks, p_BQ, R_BH.col(2)).to;
     if (deed.kind == HandDeed::Kind::kTouch) {
       aim->lift = depth;
       aim->pointing = 1;
@@ -168,7 +166,7 @@ class HandPlayer {
     }
     aim->lift = std::max(0.0, depth - kDeepest);
     const Vector3 p_BH = p_BQ + aim->lift * R_BH.col(2);
-    const Span across = touch_.Around(FrameOf(deed), looks, p_BH, R_BH.col(0));
+    const Span across = touch_.Around(deed.frame, looks, p_BH, R_BH.col(0));
     if (across.to - across.from > kWidestGrip) {
       aim->lift = depth + kFingertipRadius;
     } else {
@@ -180,7 +178,7 @@ class HandPlayer {
       aim->reach = Reach(shift - across.from, across.to - shift);
       for (std::size_t digit = 0; digit < kDigits; ++digit) {
         const Vector3 p_BDigit = p_BH + R_BH * (GripLine(side_, digit) + Vector3(shift, 0, 0));
-        const Span along = touch_.Around(FrameOf(deed), looks, p_BDigit, R_BH.col(0));
+        const Span along = touch_.Around(deed.frame, looks, p_BDigit, R_BH.col(0));
         const double at = digit == 0 ? -along.from : along.to;
         if (at > 0) aim->reach[digit] = std::min(at, kWidestGrip);
       }
@@ -192,10 +190,10 @@ class HandPlayer {
 
   Aim AimAt(std::size_t index, const scene::VisualState& state) const {
     const HandDeed& deed = deeds_[index];
-    const RigidTransform& X_WB = state.poses[deed.object + 1];
+    const RigidTransform& X_WB = state.poses[deed.frame];
     Aim aim = BeginOf(deed, yaws_[index]);
     if (deed.kind == HandDeed::Kind::kHold) {
-      const Matrix3 R_begin = deed.begin.poses[deed.object + 1].rotation();
+      const Matrix3 R_begin = deed.begin.poses[deed.frame].rotation();
       const Matrix3 R_with_it = X_WB.rotation() * R_begin.transpose() * aim.R_WH;
       aim.p_WQ = X_WB * deed.p_BQ;
       const Matrix3 R_natural = NaturalRotation(side_, aim.p_WQ, edge_);
@@ -271,15 +269,15 @@ class HandPlayer {
 
 }  // namespace
 
-HandTrack::HandTrack(const record::Recording& recording, const sim::Simulation& stage) {
-  const Touch touch(stage.visual_model(), stage.tabletop().objects().size());
-  deeds_ = DeedsIn(recording, stage, touch);
+HandTrack::HandTrack(const record::Recording& recording, const model::Model& model) {
+  const Touch touch(model);
+  deeds_ = DeedsIn(recording, model, touch);
   const double edge = recording.scene.table.y_span / 2;
   HandPlayer left(Side::kLeft, deeds_.of[0], touch, edge);
   HandPlayer right(Side::kRight, deeds_.of[1], touch, edge);
   record::TraceReader trace(recording);
   while (const auto moment = trace.Next()) {
-    const scene::VisualState state = record::VisualStateAt(*moment, stage);
+    const scene::VisualState state = record::VisualStateAt(*moment, model);
     samples_.push_back(
         {moment->tick, {left.GoTo(moment->tick, state), right.GoTo(moment->tick, state)}});
   }

@@ -7,7 +7,6 @@
 #include "picture/hand_anatomy.h"
 #include "picture/hand_deeds.h"
 #include "record/recording.h"
-#include "sim/simulation.h"
 
 namespace smile::picture {
 
@@ -21,9 +20,9 @@ inline constexpr double kFastestHand = 1.4;
 /// to where it rests beyond the table's edge when there is time for both ways.
 class HandTrack {
  public:
-  /// @param stage  a simulation of its scene and robot that need not run.
+  /// @param model  of its scene and robot.
   /// Throws as DeedsIn() does.
-  HandTrack(const record::Recording& recording, const sim::Simulation& stage);
+  HandTrack(const record::Recording& recording, const model::Model& model);
 
   /// The two hands, left first; of a tick that the trace does not tell, as at the one before.
   const std::array<HandPosture, kSides.size()>& At(std::uint64_t tick) const;

@@ -37,23 +37,23 @@ Channels ParseChannels(const std::string& text) {
   return channels;
 }
 
-Photographer::Photographer(const sim::Simulation& stage, Shot shot,
+Photographer::Photographer(const model::Model& model, Shot shot,
                            const SeenDemonstrator* demonstrator)
-    : stage_(stage),
+    : model_(model),
       demonstrator_(demonstrator),
       shot_(std::move(shot)),
       eye_{.width_px = shot_.width_px, .height_px = shot_.height_px} {
-  const std::vector<std::string> names = sim::CameraNames(stage);
+  const std::vector<std::string> names = model::CameraNames(model);
   if (std::ranges::find(names, shot_.camera) != names.end()) {
-    eye_.camera = shot_.camera == sim::kEyeCamera ? shot_.eye : shot_.camera;
+    eye_.camera = shot_.camera == model::kEyeCamera ? shot_.eye : shot_.camera;
   } else {
-    view_for_people_ = FindView(shot_.camera, stage.scene(), eye_, names);
+    view_for_people_ = FindView(shot_.camera, model.scene(), eye_, names);
   }
 }
 
 const Image& Photographer::Take(const record::TraceTick& moment,
                                 const std::vector<Vector3>& markers) {
-  sim::Sight sight = record::SightAt(moment, stage_, eye_);
+  model::Sight sight = record::SightAt(moment, model_, eye_);
   if (view_for_people_) {
     sight.view = *view_for_people_;
     // Only the eye does not see the head it sits in.
@@ -71,10 +71,10 @@ const Image& Photographer::Take(const record::TraceTick& moment,
 const scene::VisualModel& Photographer::opaque_model() const {
   const bool has_arms =
       demonstrator_ != nullptr && demonstrator_->look() == DemonstratorLook::kForearm;
-  return has_arms ? demonstrator_->model() : stage_.visual_model();
+  return has_arms ? demonstrator_->model() : model_.visual_model();
 }
 
-void Photographer::Render(const scene::VisualModel& model, const sim::Sight& sight,
+void Photographer::Render(const scene::VisualModel& model, const model::Sight& sight,
                           const Channels& channels, Image* image) {
   renderer_.Render(
       model, sight.state, sight.view,
@@ -86,16 +86,16 @@ void Photographer::Render(const scene::VisualModel& model, const sim::Sight& sig
       image);
 }
 
-void Photographer::AddGhost(sim::Sight sight, std::uint64_t tick) {
+void Photographer::AddGhost(model::Sight sight, std::uint64_t tick) {
   demonstrator_->AddTo(&sight.state, tick);
   Mix(demonstrator_->model(), sight);
 }
 
-void Photographer::AddMarkers(const sim::Sight& sight, const std::vector<Vector3>& markers) {
+void Photographer::AddMarkers(const model::Sight& sight, const std::vector<Vector3>& markers) {
   constexpr double kRadiusUnits = 0.15;
   scene::VisualModel model = opaque_model();
   scene::Visual marker;
-  marker.shape = scene::Sphere{.radius = kRadiusUnits * stage_.scene().meters_per_unit};
+  marker.shape = scene::Sphere{.radius = kRadiusUnits * model_.scene().meters_per_unit};
   marker.color = {.red = 1, .green = 0, .blue = 1};
   marker.object_id = 1;
   marker.casts_shadow = false;
@@ -106,7 +106,7 @@ void Photographer::AddMarkers(const sim::Sight& sight, const std::vector<Vector3
   Mix(model, sight);
 }
 
-void Photographer::Mix(const scene::VisualModel& model, const sim::Sight& sight) {
+void Photographer::Mix(const scene::VisualModel& model, const model::Sight& sight) {
   Render(model, sight, {}, &mixed_image_);
   for (std::size_t i = 0; i < image_.color.size(); ++i) {
     image_.color[i] = static_cast<std::uint8_t>((image_.color[i] + mixed_image_.color[i] + 1) / 2);

@@ -6,14 +6,13 @@
 #include <vector>
 
 #include "camera/renderer.h"
+#include "model/eye.h"
 #include "picture/seen_demonstrator.h"
 #include "record/trace.h"
-#include "sim/eye.h"
-#include "sim/simulation.h"
 
 namespace smile::picture {
 
-using sim::Channels;
+using model::Channels;
 
 /// `rgb,depth,id` or some of them.
 /// @throws std::invalid_argument saying what was found and expected.
@@ -21,8 +20,8 @@ Channels ParseChannels(const std::string& text);
 
 /// How something is to be seen.
 struct Shot {
-  std::string camera = "nice";        ///< one of sim::CameraNames(), or see FindView()
-  std::string eye = sim::kEyeCamera;  ///< which camera is meant by `eye`: a recording has its own
+  std::string camera = "nice";          ///< one of model::CameraNames(), or see FindView()
+  std::string eye = model::kEyeCamera;  ///< which camera is meant by `eye`: a recording has its own
   int width_px = 1280, height_px = 720;
   Channels channels;
 };
@@ -31,11 +30,10 @@ struct Shot {
 /// it sees to the last bit; the scene's see as they do.
 class Photographer {
  public:
-  /// @param stage         a simulation of the recording's scene and robot that need not run. Must
-  ///                      outlive this.
+  /// @param model         of the recording's scene and robot. Must outlive this.
   /// @param demonstrator  who is to be seen; nullptr for nobody. Must outlive this.
   /// @throws std::invalid_argument if there is no such camera.
-  Photographer(const sim::Simulation& stage, Shot shot,
+  Photographer(const model::Model& model, Shot shot,
                const SeenDemonstrator* demonstrator = nullptr);
 
   /// @param markers  points that views for people show as translucent balls [m].
@@ -45,17 +43,17 @@ class Photographer {
  private:
   /// All that hides what is behind it.
   const scene::VisualModel& opaque_model() const;
-  void Render(const scene::VisualModel& model, const sim::Sight& sight, const Channels& channels,
+  void Render(const scene::VisualModel& model, const model::Sight& sight, const Channels& channels,
               Image* image);
-  void AddGhost(sim::Sight sight, std::uint64_t tick);
-  void AddMarkers(const sim::Sight& sight, const std::vector<Vector3>& markers);
+  void AddGhost(model::Sight sight, std::uint64_t tick);
+  void AddMarkers(const model::Sight& sight, const std::vector<Vector3>& markers);
   /// Half of what is seen is of another model, half what is behind it. Depth and ids are without.
-  void Mix(const scene::VisualModel& model, const sim::Sight& sight);
+  void Mix(const scene::VisualModel& model, const model::Sight& sight);
 
-  const sim::Simulation& stage_;
+  const model::Model& model_;
   const SeenDemonstrator* demonstrator_;
   Shot shot_;
-  sim::EyeSpec eye_;
+  model::EyeSpec eye_;
   std::optional<CameraView> view_for_people_;  ///< nullopt: the eye's
   camera::Renderer renderer_;
   Image image_, mixed_image_;

@@ -4,16 +4,16 @@ namespace smile::picture {
 namespace {
 
 /// The same as the other, or without channels that the other has.
-bool IsPartOf(const sim::Sight& sight, const sim::Sight& other) {
+bool IsPartOf(const model::Sight& sight, const model::Sight& other) {
   const auto [rgb, depth, id] = sight.channels;
-  const sim::Channels& there = other.channels;
+  const model::Channels& there = other.channels;
   return rgb <= there.rgb && depth <= there.depth && id <= there.id && sight.view == other.view &&
          sight.hidden_frames == other.hidden_frames && sight.state == other.state;
 }
 
 }  // namespace
 
-const Image& RenderedEye::Draw(const scene::VisualModel& model, const sim::Sight& sight) {
+const Image& RenderedEye::Draw(const scene::VisualModel& model, const model::Sight& sight) {
   if (seen_ && IsPartOf(sight, *seen_)) return image_;
   renderer_.Render(model, sight.state, sight.view,
                    {.color = sight.channels.rgb,

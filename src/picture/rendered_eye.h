@@ -3,23 +3,23 @@
 #include <optional>
 
 #include "camera/renderer.h"
-#include "sim/eye.h"
+#include "model/eye.h"
 
 namespace smile::picture {
 
 /// The robot's eye, drawn. When nothing moved since the last look, it hands out the last picture.
-class RenderedEye : public sim::Eye {
+class RenderedEye : public model::Eye {
  public:
-  explicit RenderedEye(const sim::EyeSpec& spec) : spec_(spec) {}
+  explicit RenderedEye(const model::EyeSpec& spec) : spec_(spec) {}
 
-  const Image& Draw(const scene::VisualModel& model, const sim::Sight& sight) override;
-  const sim::EyeSpec& spec() const override { return spec_; }
+  const Image& Draw(const scene::VisualModel& model, const model::Sight& sight) override;
+  const model::EyeSpec& spec() const override { return spec_; }
 
  private:
-  sim::EyeSpec spec_;
+  model::EyeSpec spec_;
   camera::Renderer renderer_;
   Image image_;
-  std::optional<sim::Sight> seen_;
+  std::optional<model::Sight> seen_;
 };
 
 }  // namespace smile::picture

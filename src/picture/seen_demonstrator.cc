@@ -11,30 +11,30 @@ constexpr Color kGhost{.red = 0.45, .green = 0.66, .blue = 0.98};
 
 }  // namespace
 
-SeenDemonstrator::SeenDemonstrator(const record::Recording& recording, const sim::Simulation& stage,
+SeenDemonstrator::SeenDemonstrator(const record::Recording& recording, const model::Model& model,
                                    DemonstratorLook look)
     : look_(look),
       table_edge_(recording.scene.table.y_span / 2),
-      track_(recording, stage),
-      model_(stage.visual_model()) {
+      track_(recording, model),
+      visual_model_(model.visual_model()) {
   for (const Side side : kSides) AddHand(side);
 }
 
 void SeenDemonstrator::AddHand(Side side) {
   object_ids_[static_cast<std::size_t>(side)] =
-      static_cast<std::uint32_t>(model_.object_names.size());
-  model_.object_names.push_back(side == Side::kLeft ? "demonstrator's left hand"
-                                                    : "demonstrator's right hand");
+      static_cast<std::uint32_t>(visual_model_.object_names.size());
+  visual_model_.object_names.push_back(side == Side::kLeft ? "demonstrator's left hand"
+                                                           : "demonstrator's right hand");
   std::vector<ArmPiece> pieces = PiecesOf(side);
   pieces.resize(num_pieces());
   for (ArmPiece& piece : pieces) {
     scene::Visual visual;
     visual.shape = std::move(piece.mesh);
     visual.color = look_ == DemonstratorLook::kGhost ? kGhost : piece.is_sleeve ? kSleeve : kSkin;
-    visual.frame = model_.num_frames++;
+    visual.frame = visual_model_.num_frames++;
     visual.object_id = object_id(side);
     visual.casts_shadow = look_ == DemonstratorLook::kForearm;
-    model_.visuals.push_back(std::move(visual));
+    visual_model_.visuals.push_back(std::move(visual));
   }
 }
 
@@ -48,10 +48,10 @@ void SeenDemonstrator::AddTo(scene::VisualState* state, std::uint64_t tick) cons
 }
 
 std::unique_ptr<const SeenDemonstrator> DemonstratorOf(const record::Recording& recording,
-                                                       const sim::Simulation& stage,
+                                                       const model::Model& model,
                                                        DemonstratorLook look) {
   if (look == DemonstratorLook::kInvisible) return nullptr;
-  return std::make_unique<const SeenDemonstrator>(recording, stage, look);
+  return std::make_unique<const SeenDemonstrator>(recording, model, look);
 }
 
 }  // namespace smile::picture

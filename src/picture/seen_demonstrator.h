@@ -8,7 +8,6 @@
 #include "record/demo_info.h"
 #include "record/recording.h"
 #include "scene/visual_model.h"
-#include "sim/simulation.h"
 
 namespace smile::picture {
 
@@ -19,15 +18,15 @@ using record::DemonstratorLook;
 /// where hands and arms are.
 class SeenDemonstrator {
  public:
-  /// @param stage  a simulation of the recording's scene and robot that need not run.
+  /// @param model  of the recording's scene and robot.
   /// @param look   not kInvisible.
   /// Throws as HandTrack does.
-  SeenDemonstrator(const record::Recording& recording, const sim::Simulation& stage,
+  SeenDemonstrator(const record::Recording& recording, const model::Model& model,
                    DemonstratorLook look);
 
-  /// The stage's model with the hands after all else: one frame for each of their pieces.
-  const scene::VisualModel& model() const { return model_; }
-  /// Adds the hands to a state of the stage's model.
+  /// The model's visual model with the hands after all else: one frame for each of their pieces.
+  const scene::VisualModel& model() const { return visual_model_; }
+  /// Adds the hands to a state of the model.
   void AddTo(scene::VisualState* state, std::uint64_t tick) const;
 
   DemonstratorLook look() const { return look_; }
@@ -45,13 +44,13 @@ class SeenDemonstrator {
   DemonstratorLook look_;
   double table_edge_;
   HandTrack track_;
-  scene::VisualModel model_;
+  scene::VisualModel visual_model_;
   std::array<std::uint32_t, kSides.size()> object_ids_{};
 };
 
 /// nullptr for an invisible one. Throws as SeenDemonstrator does.
 std::unique_ptr<const SeenDemonstrator> DemonstratorOf(const record::Recording& recording,
-                                                       const sim::Simulation& stage,
+                                                       const model::Model& model,
                                                        DemonstratorLook look);
 
 }  // namespace smile::picture

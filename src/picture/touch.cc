@@ -64,19 +64,20 @@ std::vector<Span> Within(const mesh::TriangleMesh& mesh, const Vector3& p,
 
 }  // namespace
 
-Touch::Touch(const scene::VisualModel& model, std::size_t num_objects) : model_(model) {
-  for (const scene::Visual& visual : model.visuals) {
-    const bool is_felt = visual.frame > 0 && static_cast<std::size_t>(visual.frame) <= num_objects;
+Touch::Touch(const model::Model& model) : visual_model_(model.visual_model()) {
+  for (const scene::Visual& visual : visual_model_.visuals) {
+    const model::FrameIndex frame(static_cast<std::size_t>(visual.frame));
+    const bool is_felt = model.object_of(frame).has_value();
     meshes_.push_back(is_felt ? mesh::MeshOf(visual.shape) : mesh::TriangleMesh());
   }
 }
 
-std::vector<Span> Touch::Along(int frame, const std::vector<int>& looks, const Vector3& p_FQ,
-                               const Vector3& direction) const {
+std::vector<Span> Touch::Along(model::FrameIndex frame, const std::vector<int>& looks,
+                               const Vector3& p_FQ, const Vector3& direction) const {
   std::vector<Span> spans;
   for (std::size_t i = 0; i < meshes_.size(); ++i) {
-    const scene::Visual& visual = model_.visuals[i];
-    if (visual.frame != frame) continue;
+    const scene::Visual& visual = visual_model_.visuals[i];
+    if (visual.frame != static_cast<int>(frame)) continue;
     if (visual.choice >= 0 && looks[static_cast<std::size_t>(visual.choice)] != visual.look) {
       continue;
     }
@@ -98,7 +99,7 @@ std::vector<Span> Touch::Along(int frame, const std::vector<int>& looks, const V
   return merged;
 }
 
-Span Touch::Around(int frame, const std::vector<int>& looks, const Vector3& p_FQ,
+Span Touch::Around(model::FrameIndex frame, const std::vector<int>& looks, const Vector3& p_FQ,
                    const Vector3& direction) const {
   constexpr double kOnSurface = 1e-3;
   for (const Span& span : Along(frame, looks, p_FQ, direction)) {
@@ -109,7 +110,8 @@ Span Touch::Around(int frame, const std::vector<int>& looks, const Vector3& p_FQ
   return {};
 }
 
-Vector3 Touch::PointWithin(int frame, const std::vector<int>& looks, const Vector3& p_FQ) const {
+Vector3 Touch::PointWithin(model::FrameIndex frame, const std::vector<int>& looks,
+                           const Vector3& p_FQ) const {
   constexpr double kBelow = 0.012;
   const Span up = Around(frame, looks, p_FQ, Vector3::UnitZ());
   if (up.to > up.from) return p_FQ;

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "mesh/triangle_mesh.h"
-#include "scene/visual_model.h"
+#include "model/model.h"
 
 namespace smile::picture {
 
@@ -13,26 +13,26 @@ struct Span {
   double from = 0, to = 0;
 };
 
-/// Feels where the objects of a visual model are, as hands do that take hold of them.
+/// Feels where the objects of a model are, as hands do that take hold of them.
 class Touch {
  public:
-  /// @param model        must outlive this.
-  /// @param num_objects  whose frames are 1, 2, …; others are not felt.
-  Touch(const scene::VisualModel& model, std::size_t num_objects);
+  /// @param model  must outlive this. Its robot is not felt.
+  explicit Touch(const model::Model& model);
 
   /// Where a line runs within what is fixed to a frame F, in order; touching spans are one.
   /// @param p_FQ, direction  a point of the line [m], and where it runs; of length 1.
-  std::vector<Span> Along(int frame, const std::vector<int>& looks, const Vector3& p_FQ,
-                          const Vector3& direction) const;
+  std::vector<Span> Along(model::FrameIndex frame, const std::vector<int>& looks,
+                          const Vector3& p_FQ, const Vector3& direction) const;
   /// The span that the point itself lies in, or on the edge of; if none, an empty one.
-  Span Around(int frame, const std::vector<int>& looks, const Vector3& p_FQ,
+  Span Around(model::FrameIndex frame, const std::vector<int>& looks, const Vector3& p_FQ,
               const Vector3& direction) const;
 
   /// The point itself where it lies within, else one near it a little below the surface.
-  Vector3 PointWithin(int frame, const std::vector<int>& looks, const Vector3& p_FQ) const;
+  Vector3 PointWithin(model::FrameIndex frame, const std::vector<int>& looks,
+                      const Vector3& p_FQ) const;
 
  private:
-  const scene::VisualModel& model_;
+  const scene::VisualModel& visual_model_;
   std::vector<mesh::TriangleMesh> meshes_;  ///< one per visual; of others empty
 };
 

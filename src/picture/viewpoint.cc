@@ -90,7 +90,7 @@ std::vector<std::string_view> Split(std::string_view text, char separator) {
 }
 
 /// A camera anywhere, as it was asked for.
-CameraView FreeView(std::string_view camera, double meters_per_unit, const sim::EyeSpec& size) {
+CameraView FreeView(std::string_view camera, double meters_per_unit, const model::EyeSpec& size) {
   constexpr double kFarthest = 1000;  // from the middle of the table [m]
   const auto fail = [camera](const std::string& what) {
     throw std::invalid_argument("camera is " + Quoted(camera) + ": " + what);
@@ -137,7 +137,7 @@ std::vector<std::string> ViewNames() {
 }
 
 CameraView FindView(std::string_view camera, const scene::SceneSpec& scene,
-                    const sim::EyeSpec& size, const std::vector<std::string>& cameras) {
+                    const model::EyeSpec& size, const std::vector<std::string>& cameras) {
   if (camera.find_first_of(":,") != std::string_view::npos) {
     return FreeView(camera, scene.meters_per_unit, size);
   }

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "math/camera_projection.h"
+#include "model/eye.h"
 #include "scene/scene_spec.h"
-#include "sim/eye.h"
 
 namespace smile::picture {
 
@@ -19,6 +19,6 @@ std::vector<std::string> ViewNames();
 /// @param cameras  what else there is, for the message.
 /// @throws std::invalid_argument if there is no such view.
 CameraView FindView(std::string_view camera, const scene::SceneSpec& scene,
-                    const sim::EyeSpec& size, const std::vector<std::string>& cameras);
+                    const model::EyeSpec& size, const std::vector<std::string>& cameras);
 
 }  // namespace smile::picture

@@ -37,13 +37,13 @@ std::string Joined(const std::vector<std::string>& texts) {
 }  // namespace
 
 ClassicRecorder::ClassicRecorder(const std::filesystem::path& directory,
-                                 const ClassicOptions& options, sim::Eye* eye,
-                                 const sim::Simulation& stage, const TraceTick& first,
+                                 const ClassicOptions& options, model::Eye* eye,
+                                 const model::Model& model, const TraceTick& first,
                                  const std::vector<sim::Event>& standing)
     : directory_(directory),
       options_(options),
       eye_(eye),
-      stage_(&stage),
+      model_(model),
       first_tick_(first.tick),
       index_(directory / "frames.csv") {
   state_.written.resize(first.objects.size());
@@ -60,25 +60,23 @@ void ClassicRecorder::OpenSegment() {
 }
 
 void ClassicRecorder::WriteStart(const TraceTick& first, const std::vector<sim::Event>& standing) {
-  const world::Tabletop& tabletop = stage_->tabletop();
   for (const sim::Event& event : standing) {
     if (event.kind == sim::EventKind::kFell) state_.is_gone[IndexOf(event.object)] = true;
   }
   for (std::size_t i = 0; i < first.objects.size(); ++i) {
-    const world::Object& object = tabletop.objects()[i];
+    const scene::ObjectSpec& object = model_.object(model::ObjectIndex(i));
     if (!first.objects[i].is_present || state_.is_gone[i]) continue;
     std::string line = "create," + object.id();
-    for (const scene::Description& description : object.spec->descriptions) {
+    for (const scene::Description& description : object.descriptions) {
       line += "," + description.name + "," + ClassicValue(description.value);
     }
     WriteLine(line);
   }
-  for (std::size_t i = 0; i < first.controls.size(); ++i) {
-    const world::Control& control = tabletop.controls().all()[i];
+  for (model::ControlIndex i : model_.controls()) {
+    const model::Control& control = model_.control(i);
     if (!first.objects[control.object].is_present || state_.is_gone[control.object]) continue;
     WriteLine("initializeControl," + control.id() + "," + scene::KindOf(*control.part) + "," +
-              tabletop.objects()[control.object].id() + "," +
-              RecordedState(control, first.controls[i]));
+              model_.id(control.object) + "," + RecordedState(control, first.controls[i]));
   }
   for (const sim::Event& event : standing) {
     if (event.kind == sim::EventKind::kAttended) WriteAttention(event);
@@ -88,9 +86,8 @@ void ClassicRecorder::WriteStart(const TraceTick& first, const std::vector<sim::
 }
 
 std::size_t ClassicRecorder::IndexOf(const std::string& object) const {
-  const auto& objects = stage_->tabletop().objects();
-  const auto found = std::ranges::find(objects, object, &world::Object::id);
-  return static_cast<std::size_t>(found - objects.begin());
+  // Events name objects of the scene only.
+  return *model_.FindObject(object);
 }
 
 void ClassicRecorder::WriteAttention(const sim::Event& event) {
@@ -112,7 +109,6 @@ void ClassicRecorder::Begin(const std::string& action, const sim::Event& event,
 
 void ClassicRecorder::Note(const sim::Event& event) {
   using enum sim::EventKind;
-  const world::Tabletop& tabletop = stage_->tabletop();
   switch (event.kind) {
     case kControlChanged:
       WriteLine("changeControlState," + event.control + "," + event.state);
@@ -141,12 +137,12 @@ void ClassicRecorder::Note(const sim::Event& event) {
       return Begin("trigger", event, event.control);
     case kFastened:
     case kLoosened: {
-      const world::Host& host = tabletop.bonds().hosts()[static_cast<std::size_t>(event.host)];
-      const world::Guest& guest = tabletop.bonds().guests()[static_cast<std::size_t>(event.guest)];
+      const auto index = [](int number) { return static_cast<std::size_t>(number); };
+      const model::Host& host = model_.host(model::HostIndex(index(event.host)));
+      const model::Guest& guest = model_.guest(model::GuestIndex(index(event.guest)));
       return Begin(event.kind == kFastened ? "fasten" : "loosen", event,
-                   host.point->id + "," + tabletop.objects()[host.object].id() + "," +
-                       guest.point->id + "," + event.object + "," +
-                       std::to_string(event.tightness));
+                   host.point->id + "," + model_.id(host.object) + "," + guest.point->id + "," +
+                       event.object + "," + std::to_string(event.tightness));
     }
     case kAttended:
       return WriteAttention(event);
@@ -172,14 +168,14 @@ void ClassicRecorder::WriteFrame(const TraceTick& now) {
   for (std::size_t i : std::exchange(state_.falling, {})) {
     if (!now.objects[i].is_present || state_.is_gone[i]) continue;
     WriteMove(i, now.objects[i], /*is_last=*/true);
-    WriteLine("delete," + stage_->tabletop().objects()[i].id());
+    WriteLine("delete," + model_.id(model::ObjectIndex(i)));
     state_.is_gone[i] = true;
   }
   std::string image;
   if (has_changed && eye_ != nullptr) {
     image = PathOf(state_.frame);
     WritePng(directory_ / image,
-             eye_->Draw(stage_->visual_model(), SightAt(now, *stage_, eye_->spec())));
+             eye_->Draw(model_.visual_model(), SightAt(now, model_, eye_->spec())));
   }
   index_.Append(std::to_string(state_.frame) + "," + std::to_string(now.tick) + "," + image + "\n");
   ++state_.frame;
@@ -188,7 +184,7 @@ void ClassicRecorder::WriteFrame(const TraceTick& now) {
 bool ClassicRecorder::WriteMove(std::size_t i, const TracePose& pose, bool is_last) {
   const RigidTransform X_WB = pose.pose_in_world();
   const Written now{
-      .position = scene::ToFileUnits(X_WB.translation(), stage_->scene().meters_per_unit),
+      .position = scene::ToFileUnits(X_WB.translation(), model_.scene().meters_per_unit),
       .angles_deg = FixedAxesAngles(X_WB.rotation()),
       .is_awake = pose.is_awake};
   std::optional<Written>& last = state_.written[i];
@@ -198,7 +194,7 @@ bool ClassicRecorder::WriteMove(std::size_t i, const TracePose& pose, bool is_la
                                   HasTurned(last->angles_deg, now.angles_deg));
   if (last && !fell_asleep && !has_moved && !is_last) return false;
 
-  std::string line = "move," + stage_->tabletop().objects()[i].id();
+  std::string line = "move," + model_.id(model::ObjectIndex(i));
   for (double number : now.position) line += "," + ClassicNumber(number);
   for (double number : now.angles_deg) line += "," + ClassicNumber(number);
   WriteLine(line);

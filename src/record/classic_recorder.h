@@ -6,10 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "model/eye.h"
 #include "record/append_file.h"
 #include "record/trace.h"
-#include "sim/eye.h"
-#include "sim/simulation.h"
 
 namespace smile::record {
 
@@ -29,13 +28,12 @@ struct ClassicOptions {
 /// picture of every frame.
 class ClassicRecorder {
  public:
-  /// @param eye    takes the pictures; nullptr for text only.
-  /// @param stage  a simulation of the recording's scene and robot; only what never changes is
-  ///               asked of it. Must outlive this, as the eye.
+  /// @param eye       takes the pictures; nullptr for text only.
+  /// @param model     of the recording's scene and robot. Must outlive this, as the eye.
   /// @param first     the moment it begins with.
   /// @param standing  see TraceReader::events_before_start().
   ClassicRecorder(const std::filesystem::path& directory, const ClassicOptions& options,
-                  sim::Eye* eye, const sim::Simulation& stage, const TraceTick& first,
+                  model::Eye* eye, const model::Model& model, const TraceTick& first,
                   const std::vector<sim::Event>& standing);
 
   /// Something happened. An action of a hand begins a new segment.
@@ -84,8 +82,8 @@ class ClassicRecorder {
 
   std::filesystem::path directory_;
   ClassicOptions options_;
-  sim::Eye* eye_;
-  const sim::Simulation* stage_;
+  model::Eye* eye_;
+  const model::Model& model_;
   std::uint64_t first_tick_;
   State state_;
   std::optional<AppendFile> text_;

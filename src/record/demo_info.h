@@ -46,7 +46,7 @@ struct RobotInfo {
   double gap = 0, height = 0;        ///< where it stands, see sim::RobotPlacement [m]
   std::string urdf = kOldRobotFile;  ///< from the recording's directory
   std::string gripper;               ///< see sim::RobotPlacement
-  robot::RobotBodyOptions body;
+  model::RobotBodyOptions body;
 
   bool operator==(const RobotInfo&) const = default;
 };

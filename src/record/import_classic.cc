@@ -8,12 +8,12 @@
 #include "base/diagnostic.h"
 #include "base/files.h"
 #include "base/wording.h"
+#include "model/eye.h"
 #include "record/internal_classic_player.h"
 #include "record/internal_recording_files.h"
 #include "record/recording.h"
 #include "record/stand_ins.h"
 #include "record/trace_writer.h"
-#include "sim/eye.h"
 
 namespace smile::record {
 namespace {
@@ -90,8 +90,8 @@ std::vector<std::string> RemarksOnStandIns(const ClassicRecording& recording,
 }
 
 void WriteTrace(const std::filesystem::path& path, ClassicPlayer player,
-                const sim::Simulation& stage) {
-  TraceWriter trace(path, stage);
+                const model::Model& model) {
+  TraceWriter trace(path, model);
   TraceTick last;
   for (std::uint64_t frame = 0; auto next = player.Next(); ++frame) {
     // An action is told with the frame to come: it happened before.
@@ -141,17 +141,18 @@ void CopyView(const std::filesystem::path& classic, const ClassicRecording& reco
   }
 }
 
-DemoInfo InfoOfImport(const ClassicRecording& recording, const sim::Simulation& stage,
+DemoInfo InfoOfImport(const ClassicRecording& recording, const model::Model& model,
                       const ImportOptions& options) {
-  DemoInfo info{.scene = stage.scene().name,
+  DemoInfo info{.scene = model.scene().name,
                 .title = options.title,
                 .notes = options.notes,
-                .meters_per_unit = stage.scene().meters_per_unit,
+                .meters_per_unit = model.scene().meters_per_unit,
                 .origin = Origin::kImported,
                 .frames_per_second = kFramesPerSecond};
   if (recording.pictures.empty()) return info;
-  info.eye = EyeView(
-      stage, {.width_px = recording.picture_width_px, .height_px = recording.picture_height_px});
+  info.eye = model::EyeView(
+      model, {},
+      {.width_px = recording.picture_width_px, .height_px = recording.picture_height_px});
   return info;
 }
 
@@ -182,17 +183,17 @@ ImportReport ImportClassic(const std::filesystem::path& classic,
     places = PlacesOfStandIns(recording);
     report.remarks = RemarksOnStandIns(recording, scene);
   }
-  const sim::Simulation stage(scene);
-  const ClassicPlayer player(recording, stage, places, options.scene.has_value());
+  const model::Model model(scene);
+  const ClassicPlayer player(recording, model, places, options.scene.has_value());
   // Once to see that all goes well, before anything is written.
   for (ClassicPlayer rehearsal = player; rehearsal.Next();) continue;
 
-  WriteWorld(directory, stage);
+  WriteWorld(directory, model);
   WriteFile(directory / "commands.jsonl", "");
-  WriteTrace(directory / "trace.bin", player, stage);
+  WriteTrace(directory / "trace.bin", player, model);
   CopyView(classic, recording, directory);
   // Last: whatever has it can be opened.
-  WriteFile(directory / "demo.json", ToJsonText(InfoOfImport(recording, stage, options)));
+  WriteFile(directory / "demo.json", ToJsonText(InfoOfImport(recording, model, options)));
   return report;
 }
 

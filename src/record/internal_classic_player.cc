@@ -10,15 +10,14 @@
 
 namespace smile::record {
 
-ClassicPlayer::ClassicPlayer(const ClassicRecording& recording, const sim::Simulation& stage,
+ClassicPlayer::ClassicPlayer(const ClassicRecording& recording, const model::Model& model,
                              std::map<std::string, std::size_t> objects, bool has_scene)
     : recording_(recording),
-      stage_(stage),
+      model_(model),
       objects_(std::move(objects)),
       has_scene_(has_scene),
       last_frame_(recording.last_frame()) {
-  now_.moment = Observe(stage);
-  now_.moment.hash = 0;
+  now_.moment = StartOf(model);
   for (TracePose& object : now_.moment.objects) object = {.is_present = false};
 }
 
@@ -47,41 +46,38 @@ void ClassicPlayer::Fail(const std::string& message) const {
 }
 
 const std::string& ClassicPlayer::NameOf(const std::string& object) const {
-  return stage_.tabletop().objects()[objects_.at(object)].id();
+  return model_.id(model::ObjectIndex(objects_.at(object)));
 }
 
 void ClassicPlayer::Follow(const ClassicCreate&) {}  // It is there when it is known where.
 
 void ClassicPlayer::Follow(const ClassicDelete& gone) {
-  const std::size_t object = objects_.at(gone.object);
+  const model::ObjectIndex object(objects_.at(gone.object));
   now_.moment.objects[object] = {.is_present = false};
-  const world::Bonds& bonds = stage_.tabletop().bonds();
-  for (std::size_t host = 0; host < bonds.hosts().size(); ++host) {
+  for (model::HostIndex host : model_.hosts()) {
     const int guest = now_.moment.bonds[host].guest;
     if (guest < 0) continue;
-    const bool is_its = bonds.hosts()[host].object == object ||
-                        bonds.guests()[static_cast<std::size_t>(guest)].object == object;
+    const model::GuestIndex held(static_cast<std::size_t>(guest));
+    const bool is_its = model_.host(host).object == object || model_.guest(held).object == object;
     if (is_its) SetBond(host, {.is_locked = now_.moment.bonds[host].is_locked});
   }
 }
 
 void ClassicPlayer::Follow(const ClassicMove& move) {
   const RigidTransform X_WB(RotationFromFixedAxes(move.angles_deg),
-                            scene::FromFileUnits(move.position, stage_.scene().meters_per_unit));
-  const Quaternion q = X_WB.quaternion();
-  now_.moment.objects[objects_.at(move.object)] = {.position = X_WB.translation(),
-                                                   .rotation = {q.w(), q.x(), q.y(), q.z()}};
+                            scene::FromFileUnits(move.position, model_.scene().meters_per_unit));
+  now_.moment.objects[objects_.at(move.object)] = TracePose::At(X_WB, /*is_awake=*/false);
 }
 
-std::size_t ClassicPlayer::FindControl(const std::string& id) const {
-  const auto control = stage_.tabletop().controls().Find(id);
+model::ControlIndex ClassicPlayer::FindControl(const std::string& id) const {
+  const auto control = model_.FindControl(id);
   if (!control) Fail("the scene has no control " + Quoted(id));
   return *control;
 }
 
-void ClassicPlayer::SetControl(std::size_t index, const std::string& recorded) {
-  const world::Control& control = stage_.tabletop().controls().all()[index];
-  world::ControlState& state = now_.moment.controls[index];
+void ClassicPlayer::SetControl(model::ControlIndex index, const std::string& recorded) {
+  const model::Control& control = model_.control(index);
+  model::ControlState& state = now_.moment.controls[index];
   state.override_state = -1;  // what is recorded is what was seen
   const auto next = WithRecordedState(control, state, recorded);
   if (!next) Fail("found state " + Quoted(recorded) + ", which " + control.id() + " does not have");
@@ -90,8 +86,8 @@ void ClassicPlayer::SetControl(std::size_t index, const std::string& recorded) {
 
 void ClassicPlayer::Follow(const ClassicControl& control) {
   if (!has_scene_) return;
-  const std::size_t index = FindControl(control.control);
-  const scene::Part& part = *stage_.tabletop().controls().all()[index].part;
+  const model::ControlIndex index = FindControl(control.control);
+  const scene::Part& part = *model_.control(index).part;
   // Of custom controls the original wrote anything.
   if (!std::holds_alternative<scene::CustomControl>(part.shape) &&
       control.kind != scene::KindOf(part)) {
@@ -127,37 +123,30 @@ void ClassicPlayer::Follow(const ClassicAction& action) {
 }
 
 void ClassicPlayer::FollowBond(const ClassicAction& action, sim::Event* event) {
-  const world::Bonds& bonds = stage_.tabletop().bonds();
-  const auto find = [&](const auto& points, const std::string& id, const char* kind) {
-    std::size_t i = 0;
-    while (i < points.size() && points[i].point->id != id) ++i;
-    if (i == points.size()) Fail("the scene has no " + std::string(kind) + " " + Quoted(id));
-    return i;
-  };
-  const std::size_t host = find(bonds.hosts(), action.host, "host point");
-  const std::size_t guest = find(bonds.guests(), action.guest, "guest point");
-  const std::size_t num_stages = bonds.hosts()[host].point->stages.size();
+  const auto host = model_.FindHost(action.host);
+  if (!host) Fail("the scene has no host point " + Quoted(action.host));
+  const auto guest = model_.FindGuest(action.guest);
+  if (!guest) Fail("the scene has no guest point " + Quoted(action.guest));
+  const std::size_t num_stages = model_.host(*host).point->stages.size();
   if (static_cast<std::size_t>(action.tightness) > num_stages) {
     Fail("found tightness " + std::to_string(action.tightness) + ", expected at most " +
          std::to_string(num_stages) + " of " + Quoted(action.host));
   }
-  event->host = static_cast<int>(host);
-  event->guest = static_cast<int>(guest);
-  TraceBond bond{.is_locked = now_.moment.bonds[host].is_locked};
+  event->host = static_cast<int>(*host);
+  event->guest = static_cast<int>(*guest);
+  model::HostState bond{.is_locked = now_.moment.bonds[*host].is_locked};
   if (action.tightness > 0) {
     bond.guest = event->guest;
     bond.tightness = action.tightness;
   }
-  SetBond(host, bond);
+  SetBond(*host, bond);
 }
 
-void ClassicPlayer::SetBond(std::size_t host, const TraceBond& bond) {
+void ClassicPlayer::SetBond(model::HostIndex host, const model::HostState& bond) {
   now_.moment.bonds[host] = bond;
-  const world::Host& about = stage_.tabletop().bonds().hosts()[host];
+  const model::Host& about = model_.host(host);
   if (!about.downstream_lock) return;
-  const auto stage = static_cast<std::size_t>(bond.tightness);
-  now_.moment.bonds[*about.downstream_lock].is_locked =
-      stage > 0 && about.point->stages[stage - 1].locks_downstream;
+  now_.moment.bonds[*about.downstream_lock].is_locked = LocksDownstreamAt(about, bond.tightness);
 }
 
 }  // namespace smile::record

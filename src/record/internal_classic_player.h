@@ -19,15 +19,14 @@ struct ClassicFrame {
   std::vector<sim::Event> events;  ///< since the frame before; of the first, since then
 };
 
-/// Shows a classic recording on a stage, frame by frame. What is not told in a frame is as it was.
+/// Shows a classic recording with the objects of a model, frame by frame. What a frame does not
+/// mention is as it was.
 class ClassicPlayer {
  public:
-  /// @param stage       a simulation of its scene, or of stand-ins; need not run. Must outlive
-  /// this,
-  ///                    as the recording.
+  /// @param model       of its scene, or of stand-ins. Must outlive this, as the recording.
   /// @param objects     for each of the recording's, its place in the scene.
   /// @param has_scene   false for stand-ins, which have neither controls nor bond points.
-  ClassicPlayer(const ClassicRecording& recording, const sim::Simulation& stage,
+  ClassicPlayer(const ClassicRecording& recording, const model::Model& model,
                 std::map<std::string, std::size_t> objects, bool has_scene);
 
   /// The next frame; nullopt after the last one.
@@ -44,14 +43,14 @@ class ClassicPlayer {
   void Follow(const ClassicAction& action);
   /// What the objects of the scene are called may differ from what the recording calls them.
   const std::string& NameOf(const std::string& object) const;
-  std::size_t FindControl(const std::string& id) const;
-  void SetControl(std::size_t control, const std::string& recorded);
+  model::ControlIndex FindControl(const std::string& id) const;
+  void SetControl(model::ControlIndex control, const std::string& recorded);
   /// Fastens or loosens, and tells host and guest.
   void FollowBond(const ClassicAction& action, sim::Event* event);
-  void SetBond(std::size_t host, const TraceBond& bond);
+  void SetBond(model::HostIndex host, const model::HostState& bond);
 
   const ClassicRecording& recording_;
-  const sim::Simulation& stage_;
+  const model::Model& model_;
   std::map<std::string, std::size_t> objects_;
   bool has_scene_;
   std::uint64_t last_frame_;

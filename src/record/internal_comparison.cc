@@ -17,13 +17,13 @@ constexpr const char* kHidden = "state_hash";
 std::string Written(const Vector3& v) {
   return "(" + NumberText(v.x()) + ", " + NumberText(v.y()) + ", " + NumberText(v.z()) + ")";
 }
-std::string Written(const world::ControlState& control) {
+std::string Written(const model::ControlState& control) {
   std::string text =
       std::to_string(control.state) + " in position " + std::to_string(control.position);
   if (control.override_state >= 0) text += ", shows " + std::to_string(control.override_state);
   return text;
 }
-std::string Written(const TraceBond& bond) {
+std::string Written(const model::HostState& bond) {
   return std::to_string(bond.tightness) + (bond.is_locked ? ", locked" : "") +
          (bond.guest >= 0 ? ", of guest point " + std::to_string(bond.guest) : "");
 }
@@ -41,16 +41,16 @@ bool IsVisible(const Difference& difference) { return difference.quantity != kHi
 std::optional<Difference> Comparison::Presence(std::size_t i) const {
   const bool was = recorded_.objects[i].is_present, is = replayed_.objects[i].is_present;
   if (was == is) return std::nullopt;
-  return Difference{recorded_.tick, stage_.tabletop().objects()[i].id(), "present", Written(was),
+  return Difference{recorded_.tick, model_.id(model::ObjectIndex(i)), "present", Written(was),
                     Written(is)};
 }
 
 std::optional<Difference> Comparison::Pose(std::size_t i) const {
   const TracePose& was = recorded_.objects[i];
   const TracePose& is = replayed_.objects[i];
-  const std::string& id = stage_.tabletop().objects()[i].id();
+  const std::string& id = model_.id(model::ObjectIndex(i));
   if (was.position != is.position) {
-    const double unit = stage_.scene().meters_per_unit;
+    const double unit = model_.scene().meters_per_unit;
     return Difference{recorded_.tick, id, "position",
                       Written(scene::ToFileUnits(was.position, unit)),
                       Written(scene::ToFileUnits(is.position, unit))};
@@ -65,19 +65,19 @@ std::optional<Difference> Comparison::Pose(std::size_t i) const {
 
 std::optional<Difference> Comparison::Control(std::size_t i) const {
   if (recorded_.controls[i] == replayed_.controls[i]) return std::nullopt;
-  return Difference{recorded_.tick, stage_.tabletop().controls().all()[i].id(), "state",
+  return Difference{recorded_.tick, model_.control(model::ControlIndex(i)).id(), "state",
                     Written(recorded_.controls[i]), Written(replayed_.controls[i])};
 }
 
 std::optional<Difference> Comparison::Bond(std::size_t i) const {
   if (recorded_.bonds[i] == replayed_.bonds[i]) return std::nullopt;
-  return Difference{recorded_.tick, stage_.tabletop().bonds().hosts()[i].point->id, "tightness",
+  return Difference{recorded_.tick, model_.host(model::HostIndex(i)).point->id, "tightness",
                     Written(recorded_.bonds[i]), Written(replayed_.bonds[i])};
 }
 
 std::optional<Difference> Comparison::Joint(std::size_t i) const {
   if (recorded_.joints[i] == replayed_.joints[i]) return std::nullopt;
-  return Difference{recorded_.tick, stage_.robot()->model().links[i].joint_name, "angle",
+  return Difference{recorded_.tick, model_.robot()->links[i].joint_name, "angle",
                     NumberText(recorded_.joints[i]), NumberText(replayed_.joints[i])};
 }
 
@@ -134,16 +134,16 @@ std::optional<PoseGap> Comparison::GapOfObject(std::size_t i) const {
 
 PoseGap Comparison::GapOfJoint(std::size_t i) const {
   const double gap = std::abs(replayed_.joints[i] - recorded_.joints[i]);
-  const bool slides = stage_.robot()->model().links[i].joint_type == physics::JointType::kPrismatic;
+  const bool slides = model_.robot()->links[i].joint_type == scene::JointType::kPrismatic;
   return slides ? PoseGap{.distance = gap} : PoseGap{.angle = gap};
 }
 
-DepartureMeter::DepartureMeter(const sim::Simulation& stage) : stage_(stage) {
-  for (const world::Object& object : stage.tabletop().objects()) {
+DepartureMeter::DepartureMeter(const model::Model& model) : model_(model) {
+  for (const scene::ObjectSpec& object : model.scene().objects) {
     all_.push_back({.object = object.id()});
   }
-  if (stage.robot() == nullptr) return;
-  for (const auto& link : stage.robot()->model().links) all_.push_back({.object = link.joint_name});
+  if (model.robot() == nullptr) return;
+  for (const auto& link : model.robot()->links) all_.push_back({.object = link.joint_name});
 }
 
 void DepartureMeter::Note(std::size_t index, std::uint64_t tick,
@@ -156,7 +156,7 @@ void DepartureMeter::Note(std::size_t index, std::uint64_t tick,
 }
 
 void DepartureMeter::Watch(const TraceTick& recorded, const TraceTick& replayed) {
-  const Comparison comparison(recorded, replayed, stage_);
+  const Comparison comparison(recorded, replayed, model_);
   const std::size_t num_objects = recorded.objects.size();
   for (std::size_t i = 0; i < num_objects; ++i) {
     Note(i, recorded.tick, comparison.GapOfObject(i));

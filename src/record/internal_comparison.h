@@ -11,10 +11,10 @@ namespace smile::record {
 /// One moment, as it was recorded and as it is replayed.
 class Comparison {
  public:
-  /// @param stage  a simulation of the recording's scene and robot, for names and units. All must
+  /// @param model  of the recording's scene and robot, for names and units. All must
   ///               outlive this.
-  Comparison(const TraceTick& recorded, const TraceTick& replayed, const sim::Simulation& stage)
-      : recorded_(recorded), replayed_(replayed), stage_(stage) {}
+  Comparison(const TraceTick& recorded, const TraceTick& replayed, const model::Model& model)
+      : recorded_(recorded), replayed_(replayed), model_(model) {}
 
   /// What differs first: an object, what is shown, a joint, else something that cannot be seen
   /// (yet).
@@ -37,7 +37,7 @@ class Comparison {
 
   const TraceTick& recorded_;
   const TraceTick& replayed_;
-  const sim::Simulation& stage_;
+  const model::Model& model_;
 };
 
 /// True unless only the state hash tells.
@@ -46,8 +46,8 @@ bool IsVisible(const Difference& difference);
 /// Keeps how far what moves departs from a recording, moment by moment.
 class DepartureMeter {
  public:
-  /// @param stage  as Comparison's.
-  explicit DepartureMeter(const sim::Simulation& stage);
+  /// @param model  as Comparison's.
+  explicit DepartureMeter(const model::Model& model);
 
   void Watch(const TraceTick& recorded, const TraceTick& replayed);
   /// Of what ever departed, largest first.
@@ -56,7 +56,7 @@ class DepartureMeter {
  private:
   void Note(std::size_t index, std::uint64_t tick, const std::optional<PoseGap>& gap);
 
-  const sim::Simulation& stage_;
+  const model::Model& model_;
   std::vector<Departure> all_;  ///< objects, then joints
 };
 

@@ -20,11 +20,11 @@ void RequireNewDirectory(const std::filesystem::path& directory) {
   }
 }
 
-void WriteWorld(const std::filesystem::path& directory, const sim::Simulation& simulation) {
+void WriteWorld(const std::filesystem::path& directory, const model::Model& model) {
   MakeDirectories(directory);
   // What the scene is made of belongs to the recording, which may outlive the original.
-  WriteSceneFiles(simulation.scene(), directory / "scene.xml");
-  const auto& placement = simulation.robot_placement();
+  WriteSceneFiles(model.scene(), directory / "scene.xml");
+  const auto& placement = model.robot_placement();
   if (!placement) return;
   for (const robot::RobotFile& file : placement->files) {
     const std::filesystem::path path = directory / kRobotFolder / file.name;

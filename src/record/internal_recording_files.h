@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "sim/simulation.h"
+#include "model/model.h"
 
 namespace smile::record {
 
@@ -11,6 +11,6 @@ namespace smile::record {
 void RequireNewDirectory(const std::filesystem::path& directory);
 
 /// Makes the directory of a recording, with scene, meshes and robot.
-void WriteWorld(const std::filesystem::path& directory, const sim::Simulation& simulation);
+void WriteWorld(const std::filesystem::path& directory, const model::Model& model);
 
 }  // namespace smile::record

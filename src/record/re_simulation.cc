@@ -19,11 +19,11 @@ RecorderOptions OptionsFor(const Recording& recording) {
           .origin = Origin::kEdited};
 }
 
-void CompareObjects(const TraceTick& before, const TraceTick& after, const world::Tabletop& table,
+void CompareObjects(const TraceTick& before, const TraceTick& after, const model::Model& model,
                     EditReport* report) {
   for (std::size_t i = 0; i < after.objects.size(); ++i) {
     const TracePose &was = before.objects[i], &is = after.objects[i];
-    const std::string& id = table.objects()[i].id();
+    const std::string& id = model.id(model::ObjectIndex(i));
     if (was.is_present && is.is_present) {
       const PoseGap gap = GapBetween(was, is);
       if (gap.IsBeyond(kSamePlace)) report->displaced.push_back({id, gap});
@@ -36,25 +36,26 @@ void CompareObjects(const TraceTick& before, const TraceTick& after, const world
 }
 
 /// Of objects that are there before and after.
-void CompareControls(const TraceTick& before, const TraceTick& after, const world::Tabletop& table,
+void CompareControls(const TraceTick& before, const TraceTick& after, const model::Model& model,
                      EditReport* report) {
-  for (std::size_t i = 0; i < after.controls.size(); ++i) {
-    const world::Control& control = table.controls().all()[i];
-    const auto object = static_cast<std::size_t>(control.object);
-    if (!before.objects[object].is_present || !after.objects[object].is_present) continue;
+  for (model::ControlIndex i : model.controls()) {
+    const model::Control& control = model.control(i);
+    if (!before.objects[control.object].is_present || !after.objects[control.object].is_present) {
+      continue;
+    }
     const std::string was = RecordedState(control, before.controls[i]);
     const std::string is = RecordedState(control, after.controls[i]);
     if (was != is) report->controls.push_back({control.id(), was, is});
   }
 }
 
-void CompareHostPoints(const TraceTick& before, const TraceTick& after,
-                       const world::Tabletop& table, EditReport* report) {
+void CompareHostPoints(const TraceTick& before, const TraceTick& after, const model::Model& model,
+                       EditReport* report) {
   for (std::size_t i = 0; i < after.bonds.size(); ++i) {
     const int was = before.bonds[i].tightness, is = after.bonds[i].tightness;
     if (was == is) continue;
     report->host_points.push_back(
-        {table.bonds().hosts()[i].point->id, std::to_string(was), std::to_string(is)});
+        {model.host(model::HostIndex(i)).point->id, std::to_string(was), std::to_string(is)});
   }
 }
 
@@ -95,11 +96,11 @@ TraceTick EndOf(const Recording& recording, const Demonstration& edited, const P
   return Observe(simulation);
 }
 
-void CompareJoints(const TraceTick& before, const TraceTick& after,
-                   const sim::Simulation& simulation, EditReport* report) {
+void CompareJoints(const TraceTick& before, const TraceTick& after, const model::Model& model,
+                   EditReport* report) {
   for (std::size_t i = 0; i < after.joints.size(); ++i) {
-    const physics::LinkSpec& link = simulation.robot()->model().links[i];
-    const bool slides = link.joint_type == physics::JointType::kPrismatic;
+    const scene::LinkSpec& link = model.robot()->links[i];
+    const bool slides = link.joint_type == scene::JointType::kPrismatic;
     const double allowed = slides ? kSamePlace.distance : kSameAngle;
     if (std::abs(after.joints[i] - before.joints[i]) > allowed) {
       report->joints.push_back(link.joint_name);
@@ -123,10 +124,10 @@ EditReport ReSimulate(const Recording& recording, const Demonstration& edited,
   EditReport report{.ticks_before = edited.recorded_duration(), .ticks_after = edited.duration()};
   report.left_out = RunFor(report.ticks_after, &player, &simulation, progress);
   const TraceTick before = EndOf(recording, edited, progress), after = Observe(simulation);
-  CompareObjects(before, after, simulation.tabletop(), &report);
-  CompareControls(before, after, simulation.tabletop(), &report);
-  CompareHostPoints(before, after, simulation.tabletop(), &report);
-  CompareJoints(before, after, simulation, &report);
+  CompareObjects(before, after, simulation.model(), &report);
+  CompareControls(before, after, simulation.model(), &report);
+  CompareHostPoints(before, after, simulation.model(), &report);
+  CompareJoints(before, after, simulation.model(), &report);
   return report;
 }
 

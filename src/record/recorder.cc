@@ -6,6 +6,7 @@
 #include "base/files.h"
 #include "record/internal_recording_files.h"
 #include "record/trace_reader.h"
+#include "sim/eye.h"
 
 namespace smile::record {
 namespace {
@@ -17,7 +18,7 @@ void CheckBefore(const std::filesystem::path& directory, const RecorderOptions& 
                                 std::to_string(options.frames_per_second) +
                                 ", expected more than 0 and at most 60");
   }
-  const auto& placement = simulation.robot_placement();
+  const auto& placement = simulation.model().robot_placement();
   if (placement && placement->files.empty()) {
     throw std::invalid_argument("recording: a robot without its files cannot be recorded");
   }
@@ -34,7 +35,7 @@ DemoInfo InfoOf(const RecorderOptions& options, const sim::Eye* eye,
                 .start = start,
                 .frames_per_second = options.frames_per_second,
                 .has_symbols = options.has_symbols};
-  if (const auto& placement = simulation.robot_placement()) {
+  if (const auto& placement = simulation.model().robot_placement()) {
     info.robot = RobotInfo{
         .name = placement->model.name,
         .gap = placement->gap,
@@ -101,17 +102,17 @@ Recorder::Recorder(const std::filesystem::path& directory, const RecorderOptions
 
 void Recorder::Begin(const RecorderOptions& options, sim::Eye* eye,
                      const sim::Simulation& simulation, const std::vector<LoggedCommand>& past) {
-  WriteWorld(directory_, simulation);
+  WriteWorld(directory_, simulation.model());
   const TraceTick first = Observe(simulation);
   const std::vector<sim::Event> standing = StandingOf(simulation);
   log_.emplace(directory_ / "commands.jsonl");
   for (const LoggedCommand& logged : past) {
     Write({.tick = logged.tick, .what = logged.command}, simulation.scene().meters_per_unit);
   }
-  trace_.emplace(directory_ / "trace.bin", simulation);
+  trace_.emplace(directory_ / "trace.bin", simulation.model());
   for (const sim::Event& event : standing) trace_->Add(event);
   trace_->Add(first);
-  classic_.emplace(directory_, ClassicOptionsOf(options), eye, simulation, first, standing);
+  classic_.emplace(directory_, ClassicOptionsOf(options), eye, simulation.model(), first, standing);
   // Last: whatever has it can be opened.
   const Moment start{.line = num_lines_, .tick = tick_};
   WriteFile(directory_ / "demo.json", ToJsonText(InfoOf(options, eye, simulation, start)));
@@ -184,9 +185,10 @@ void Recorder::Return(ReturnKind kind, const Mark& to, const sim::Simulation& si
 }
 
 void Recorder::ShowAgain(const Undone& undone, const sim::Simulation& simulation) {
-  TraceReader trace(
-      {.directory = directory_, .scene = simulation.scene(), .robot = simulation.robot_placement()},
-      undone.after.place);
+  TraceReader trace({.directory = directory_,
+                     .scene = simulation.scene(),
+                     .robot = simulation.model().robot_placement()},
+                    undone.after.place);
   // Along one way, what comes later is farther behind in the file.
   while (const auto moment = trace.Next()) {
     if (trace.places()[0] > undone.before.place) classic_->Watch(*moment);

@@ -186,7 +186,7 @@ void Recorder::Rebuild(const Recording& recording, sim::Eye* eye, const sim::Sim
       classic_.emplace(directory_,
                        ClassicOptions{.frames_per_second = recording.info.frames_per_second,
                                       .has_symbols = recording.info.has_symbols},
-                       eye, simulation, *moment, trace.events_before_start());
+                       eye, simulation.model(), *moment, trace.events_before_start());
     }
     for (std::size_t i = 0; i < moment->events.size(); ++i) {
       if (BeginsSegment(moment->events[i])) {

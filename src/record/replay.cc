@@ -21,7 +21,7 @@ class ReplayRun {
         start_tick_(recording.info.start.tick),
         simulation_(recording.scene, recording.robot),
         player_(recording.commands, recording.info.start),
-        meter_(simulation_) {
+        meter_(simulation_.model()) {
     report_.compared = {.first = range_.first, .last = range_.first};
     simulation_.AddListener(&collector_);
   }
@@ -82,7 +82,7 @@ class ReplayRun {
     const TraceTick replayed = Observe(simulation_);
     report_.compared.last = recorded.tick;
     report_.hash = replayed.hash;
-    const Comparison comparison(recorded, replayed, simulation_);
+    const Comparison comparison(recorded, replayed, simulation_.model());
     if (const auto difference = comparison.First()) Note(*difference);
     if (!has_visible_difference_ || is_over()) return;
     meter_.Watch(recorded, replayed);

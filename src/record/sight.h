@@ -2,20 +2,20 @@
 
 #include <optional>
 
+#include "model/eye.h"
 #include "record/recording.h"
 #include "record/trace.h"
-#include "sim/eye.h"
 
 namespace smile::record {
 
-/// A recorded moment, for the visual model of `stage`, a simulation of the recording's scene and
-/// robot that need not run.
-scene::VisualState VisualStateAt(const TraceTick& moment, const sim::Simulation& stage);
+/// A recorded moment, for the visual model of `model`, that of the recording's scene and robot.
+scene::VisualState VisualStateAt(const TraceTick& moment, const model::Model& model);
 
 /// The same as a camera saw it: one of the robot's is where its joints were.
-sim::Sight SightAt(const TraceTick& moment, const sim::Simulation& stage, const sim::EyeSpec& spec);
+model::Sight SightAt(const TraceTick& moment, const model::Model& model,
+                     const model::EyeSpec& spec);
 
 /// The eye that took a recording's pictures; nullopt if it has none.
-std::optional<sim::EyeSpec> EyeOf(const DemoInfo& info);
+std::optional<model::EyeSpec> EyeOf(const DemoInfo& info);
 
 }  // namespace smile::record

@@ -10,6 +10,13 @@ PoseGap GapBetween(const TracePose& from, const TracePose& to) {
   return {.distance = (to.position - from.position).norm(), .angle = turn.norm()};
 }
 
+TracePose TracePose::At(const RigidTransform& X_WB, bool is_awake) {
+  const Quaternion q = X_WB.quaternion();
+  return {.is_awake = is_awake,
+          .position = X_WB.translation(),
+          .rotation = {q.w(), q.x(), q.y(), q.z()}};
+}
+
 TraceTick Observe(const sim::Simulation& simulation) {
   TraceTick now{.tick = simulation.tick(),
                 .hash = simulation.state_hash(),
@@ -22,19 +29,23 @@ TraceTick Observe(const sim::Simulation& simulation) {
       continue;
     }
     const physics::Body& body = simulation.physics().body(object.body);
-    const RigidTransform X_WB = body.pose_in_world();
-    const Quaternion q = X_WB.quaternion();
-    now.objects.push_back({.is_awake = body.is_awake(),
-                           .position = X_WB.translation(),
-                           .rotation = {q.w(), q.x(), q.y(), q.z()}});
+    now.objects.push_back(TracePose::At(body.pose_in_world(), body.is_awake()));
   }
   now.controls = simulation.tabletop().controls().states();
-  for (const world::BondState& bond : simulation.tabletop().bonds().states()) {
-    now.bonds.push_back(
-        {.guest = bond.guest, .tightness = bond.tightness, .is_locked = bond.is_locked});
-  }
+  const auto& bonds = simulation.tabletop().bonds().states();
+  now.bonds.assign(bonds.begin(), bonds.end());
   if (simulation.robot() != nullptr) now.joints = simulation.robot()->positions();
   return now;
+}
+
+TraceTick StartOf(const model::Model& model) {
+  const model::SceneState& start = model.initial_state();
+  TraceTick moment{.objects = {}, .controls = start.controls, .bonds = start.hosts};
+  for (const auto& X_WB : start.X_WB) {
+    moment.objects.push_back(TracePose::At(*X_WB, /*is_awake=*/false));
+  }
+  if (model.robot() != nullptr) moment.joints = model.robot()->q_start;
+  return moment;
 }
 
 bool BeginsSegment(const sim::Event& event) {

@@ -5,6 +5,7 @@
 
 #include "math/angles.h"
 #include "math/rigid_transform.h"
+#include "model/model.h"
 #include "sim/event.h"
 #include "sim/simulation.h"
 
@@ -17,6 +18,8 @@ struct TracePose {
   Vector3 position = Vector3::Zero();
   Eigen::Vector4d rotation{1, 0, 0, 0};
 
+  /// A present object; see is_awake.
+  static TracePose At(const RigidTransform& X_WB, bool is_awake);
   RigidTransform pose_in_world() const {
     return {Quaternion(rotation[0], rotation[1], rotation[2], rotation[3]), position};
   }
@@ -41,22 +44,13 @@ struct PoseGap {
 };
 PoseGap GapBetween(const TracePose& from, const TracePose& to);
 
-/// What a host point holds.
-struct TraceBond {
-  int guest = -1;  ///< index of the guest point, in scene order; -1: none
-  int tightness = 0;
-  bool is_locked = false;
-
-  bool operator==(const TraceBond&) const = default;
-};
-
 /// One moment of a recording, as far as it can be seen.
 struct TraceTick {
   std::uint64_t tick = 0;
   std::uint64_t hash = 0;                     ///< Simulation::state_hash()
   std::vector<TracePose> objects;             ///< in scene order
-  std::vector<world::ControlState> controls;  ///< in scene order
-  std::vector<TraceBond> bonds;               ///< one per host point, in scene order
+  std::vector<model::ControlState> controls;  ///< by model::ControlIndex
+  std::vector<model::HostState> bonds;        ///< by model::HostIndex
   std::vector<double> joints;                 ///< q of the robot [rad or m]; empty without one
   bool is_robot_shown = true;
   robot::Mood mood = robot::Mood::kIdle;  ///< idle without a robot
@@ -66,6 +60,9 @@ struct TraceTick {
 
 /// The present moment of a simulation.
 TraceTick Observe(const sim::Simulation& simulation);
+/// The moment at which a simulation of the model starts, as far as it can be seen: without a hash,
+/// and nothing is awake.
+TraceTick StartOf(const model::Model& model);
 
 /// True of what a hand did that begins a new segment: the trace of a sim::IsAction() command.
 bool BeginsSegment(const sim::Event& event);

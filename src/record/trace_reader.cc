@@ -40,12 +40,12 @@ TraceLimits::TraceLimits(const scene::SceneSpec& scene) {
   }
 }
 
-bool TraceLimits::Allow(std::size_t control, const world::ControlState& state) const {
+bool TraceLimits::Allow(std::size_t control, const model::ControlState& state) const {
   return state.state >= 0 && state.state < num_states[control] && state.override_state >= -1 &&
          state.override_state < num_states[control] && state.position >= 0 && state.position <= 1;
 }
 
-bool TraceLimits::Allow(std::size_t host, const TraceBond& bond) const {
+bool TraceLimits::Allow(std::size_t host, const model::HostState& bond) const {
   return bond.guest >= -1 && bond.guest < num_guests && bond.tightness >= 0 &&
          bond.tightness <= max_tightness[host] && (bond.guest < 0) == (bond.tightness == 0);
 }
@@ -268,7 +268,7 @@ void TraceReader::ReadTick() {
   }
   if ((flags & kControlsChanged) != 0) {
     for (std::size_t i = 0; i < next.controls.size(); ++i) {
-      world::ControlState& control = next.controls[i];
+      model::ControlState& control = next.controls[i];
       control.state = in.Get<int>();
       control.override_state = in.Get<int>();
       control.position = in.Get<int>();
@@ -277,7 +277,7 @@ void TraceReader::ReadTick() {
   }
   if ((flags & kBondsChanged) != 0) {
     for (std::size_t i = 0; i < next.bonds.size(); ++i) {
-      TraceBond& bond = next.bonds[i];
+      model::HostState& bond = next.bonds[i];
       bond.guest = in.Get<int>();
       bond.tightness = in.Get<int>();
       bond.is_locked = in.Get<std::uint8_t>() != 0;

@@ -18,8 +18,8 @@ struct TraceLimits {
   int num_guests = 0;
 
   explicit TraceLimits(const scene::SceneSpec& scene);
-  bool Allow(std::size_t control, const world::ControlState& state) const;
-  bool Allow(std::size_t host, const TraceBond& bond) const;
+  bool Allow(std::size_t control, const model::ControlState& state) const;
+  bool Allow(std::size_t host, const model::HostState& bond) const;
 };
 
 /// Reads a trace, tick by tick, along one way through its returns. A file cut in the middle of a

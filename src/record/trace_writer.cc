@@ -12,17 +12,17 @@ void PutNames(const std::vector<std::string>& names, ByteWriter* out) {
 
 }  // namespace
 
-TraceWriter::TraceWriter(const std::filesystem::path& path, const sim::Simulation& simulation)
+TraceWriter::TraceWriter(const std::filesystem::path& path, const model::Model& model)
     : file_(path) {
   ByteWriter out;
   for (char letter : kTraceMagic) out.Put(letter);
   out.Put(kTraceVersion);
   std::vector<std::string> names;
-  for (const world::Object& object : simulation.tabletop().objects()) names.push_back(object.id());
+  for (const scene::ObjectSpec& object : model.scene().objects) names.push_back(object.id());
   PutNames(names, &out);
   names.clear();
-  if (simulation.robot() != nullptr) {
-    for (const auto& link : simulation.robot()->model().links) names.push_back(link.joint_name);
+  if (model.robot() != nullptr) {
+    for (const auto& link : model.robot()->links) names.push_back(link.joint_name);
   }
   PutNames(names, &out);
   file_.Append(out.bytes());
@@ -61,14 +61,14 @@ void TraceWriter::Add(const TraceTick& tick) {
     for (double q : tick.joints) record.Put(q);
   }
   if (controls_changed) {
-    for (const world::ControlState& control : tick.controls) {
+    for (const model::ControlState& control : tick.controls) {
       record.Put(control.state);
       record.Put(control.override_state);
       record.Put(control.position);
     }
   }
   if (bonds_changed) {
-    for (const TraceBond& bond : tick.bonds) {
+    for (const model::HostState& bond : tick.bonds) {
       record.Put(bond.guest);
       record.Put(bond.tightness);
       record.Put(bond.is_locked);

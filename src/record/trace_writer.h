@@ -17,7 +17,7 @@ namespace smile::record {
 class TraceWriter {
  public:
   /// @throws std::runtime_error with path and reason, as all members do.
-  TraceWriter(const std::filesystem::path& path, const sim::Simulation& simulation);
+  TraceWriter(const std::filesystem::path& path, const model::Model& model);
   /// Goes on with a trace whose first `size` bytes are whole, at some tick; what is behind them is
   /// cut off.
   TraceWriter(const std::filesystem::path& path, std::uint64_t size, std::uint64_t tick);

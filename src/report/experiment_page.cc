@@ -10,7 +10,6 @@
 #include "report/markup.h"
 #include "report/wording.h"
 #include "scene/units.h"
-#include "sim/simulation.h"
 
 namespace smile::report {
 namespace {
@@ -26,12 +25,12 @@ Markup Captioned(const Markup& picture, const std::string& words) {
 /// The first and the last moment, as the robot's eye sees them and as people do.
 Markup PicturesOf(const record::Recording& recording, const std::string& whose) {
   const record::TickRange ticks = TicksOf(recording);
-  const sim::Simulation stage(recording.scene, recording.robot);
+  const model::Model model(recording.scene, recording.robot);
   Markup gallery;
-  for (const char* camera : {"nice", sim::kEyeCamera}) {
-    const bool is_eye = camera == std::string_view(sim::kEyeCamera);
+  for (const char* camera : {"nice", model::kEyeCamera}) {
+    const bool is_eye = camera == std::string_view(model::kEyeCamera);
     if (is_eye && !recording.robot) continue;
-    picture::Photographer photographer(stage, {.camera = camera,
+    picture::Photographer photographer(model, {.camera = camera,
                                                .eye = recording.info.eye_camera,
                                                .width_px = kPictureWidth,
                                                .height_px = kPictureHeight,

@@ -46,7 +46,7 @@ class ModelBuilder {
     model().name = main.getName();
     AddLink(parts_[0], *main.getRoot(), -1, RigidTransform());
     for (std::size_t i = 0; i < masses_.size(); ++i) FinishMass(masses_[i], &model().links[i]);
-    for (const physics::LinkSpec& link : model().links) {
+    for (const scene::LinkSpec& link : model().links) {
       model().q_start.push_back(std::clamp(0.0, link.lower, link.upper));
     }
     return std::move(built_);
@@ -187,7 +187,7 @@ class ModelBuilder {
     const RigidTransform X_PJ = X_PF * element.ReadPose(joint.parent_to_joint_origin_transform);
     if (joint.type == urdf::Joint::FIXED) return AddLink(part, *branch.child, parent, X_PJ);
 
-    physics::LinkSpec link;
+    scene::LinkSpec link;
     link.name = part.prefix + branch.child->name;
     link.joint_name = branch.name;
     link.parent = parent;
@@ -206,7 +206,7 @@ class ModelBuilder {
   }
 
   /// From the sum about the link's origin to the centre of mass (parallel-axis theorem).
-  static void FinishMass(const MassSum& sum, physics::LinkSpec* link) {
+  static void FinishMass(const MassSum& sum, scene::LinkSpec* link) {
     const UrdfElement element(*sum.part->document, "link", sum.name);
     if (!(sum.mass > 0)) {
       element.Fail("it moves but has no mass, expected <inertial> with a mass above 0");

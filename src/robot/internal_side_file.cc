@@ -138,7 +138,7 @@ class SideFileReader {
     node.ExpectMembers(kLimitMembers);
     const auto joint = FindJoint(model_, name);
     if (!joint) node.Fail("found " + Quoted(name) + ", expected a joint that moves");
-    physics::LinkSpec& link = model_.links[*joint];
+    scene::LinkSpec& link = model_.links[*joint];
     const auto narrow = [&](const char* member, double low, double high, double* limit) {
       if (!node.Has(member)) return;
       const JsonNode value = node.Member(member);
@@ -254,14 +254,14 @@ class SideFileReader {
   }
 
   /// A finger whose joint runs from 0 down is one that runs from 0 up along the other direction.
-  void LetSlideFromZero(physics::LinkSpec* link, const JsonNode& node) {
-    if (link->joint_type == physics::JointType::kPrismatic && link->upper == 0) {
+  void LetSlideFromZero(scene::LinkSpec* link, const JsonNode& node) {
+    if (link->joint_type == scene::JointType::kPrismatic && link->upper == 0) {
       link->axis = -link->axis;
       link->upper = -link->lower;
       link->lower = 0;
       turned_.push_back(link->joint_name);
     }
-    if (link->joint_type == physics::JointType::kPrismatic && link->lower == 0) return;
+    if (link->joint_type == scene::JointType::kPrismatic && link->lower == 0) return;
     node.Fail("joint \"" + link->joint_name +
               "\" does not slide from 0 on, expected a finger that does");
   }
@@ -270,7 +270,7 @@ class SideFileReader {
   void LetMeetAtZero(Gripper* gripper, const JsonNode& node) {
     const double way = -gripper->closed_opening / 2;
     for (int finger : {gripper->left_finger, gripper->right_finger}) {
-      physics::LinkSpec& link = model_.links[finger];
+      scene::LinkSpec& link = model_.links[finger];
       if (!(link.upper > way)) node.Fail("never open, expected joints that slide farther");
       link.X_PJ = link.X_PJ * RigidTransform(Vector3(link.axis * way));
       link.upper -= way;
@@ -336,7 +336,7 @@ class SideFileReader {
   /// 0, or the limit next to it.
   std::vector<double> NeutralPose() const {
     std::vector<double> q;
-    for (const physics::LinkSpec& link : model_.links) {
+    for (const scene::LinkSpec& link : model_.links) {
       q.push_back(std::clamp(0.0, link.lower, link.upper));
     }
     return q;
@@ -394,7 +394,7 @@ class SideFileReader {
   }
 
   void SetJoint(int joint, double q, const JsonNode& node, NamedPose* pose) const {
-    const physics::LinkSpec& link = model_.links[joint];
+    const scene::LinkSpec& link = model_.links[joint];
     if (!(q >= link.lower && q <= link.upper)) {
       node.Fail("joint \"" + link.joint_name + "\" would stand at " + NumberText(q) +
                 ", expected " + NumberText(link.lower) + " to " + NumberText(link.upper));

@@ -77,13 +77,13 @@ Color UrdfElement::ReadColor(const urdf::Color& color) const {
           Within(color.b, 0, 1, "blue")};
 }
 
-void UrdfElement::ReadMotion(const urdf::Joint& joint, physics::LinkSpec* link) const {
+void UrdfElement::ReadMotion(const urdf::Joint& joint, scene::LinkSpec* link) const {
   const bool is_continuous = joint.type == urdf::Joint::CONTINUOUS;
   const bool is_revolute = is_continuous || joint.type == urdf::Joint::REVOLUTE;
   if (!is_revolute && joint.type != urdf::Joint::PRISMATIC) {
     Fail("this type of joint is not supported, expected revolute, continuous, prismatic or fixed");
   }
-  link->joint_type = is_revolute ? physics::JointType::kRevolute : physics::JointType::kPrismatic;
+  link->joint_type = is_revolute ? scene::JointType::kRevolute : scene::JointType::kPrismatic;
 
   const Vector3 axis(joint.axis.x, joint.axis.y, joint.axis.z);
   if (!(axis.norm() > 1e-9 && axis.norm() < kMaxLength)) {

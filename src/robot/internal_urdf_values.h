@@ -3,8 +3,8 @@
 #include <string>
 #include <string_view>
 
-#include "physics/articulation_spec.h"
 #include "robot/internal_urdf_parse.h"
+#include "scene/articulation_spec.h"
 
 namespace smile::robot::internal {
 
@@ -34,7 +34,7 @@ class UrdfElement {
   Vector3 ReadScale(const urdf::Mesh& mesh) const;
   Color ReadColor(const urdf::Color& color) const;
   /// Type, axis and limits of a joint that moves; a continuous one has limits far away.
-  void ReadMotion(const urdf::Joint& joint, physics::LinkSpec* link) const;
+  void ReadMotion(const urdf::Joint& joint, scene::LinkSpec* link) const;
 
  private:
   double Within(double value, double low, double high, const char* what) const;

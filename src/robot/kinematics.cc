@@ -6,8 +6,8 @@
 namespace smile::robot {
 namespace {
 
-using physics::JointType;
-using physics::LinkSpec;
+using scene::JointType;
+using scene::LinkSpec;
 
 void CheckSize(const RobotModel& model, std::span<const double> q) {
   if (q.size() == model.links.size()) return;
@@ -43,7 +43,7 @@ RigidTransform PoseOf(const Frame& F, const RigidTransform& X_WBase,
 std::vector<RigidTransform> LinkPoses(const RobotModel& model, const RigidTransform& X_WBase,
                                       std::span<const double> q) {
   CheckSize(model, q);
-  return physics::LinkPoses(model.links, X_WBase, q);
+  return scene::LinkPoses(model.links, X_WBase, q);
 }
 
 RigidTransform FramePose(const RobotModel& model, const RigidTransform& X_WBase,

@@ -22,7 +22,7 @@ const Item* Find(const std::vector<Item>& items, std::string_view name) {
 }  // namespace
 
 std::optional<int> FindJoint(const RobotModel& model, std::string_view name) {
-  return IndexOf(model.links, name, &physics::LinkSpec::joint_name);
+  return IndexOf(model.links, name, &scene::LinkSpec::joint_name);
 }
 
 std::optional<int> FindFrame(const RobotModel& model, std::string_view name) {
@@ -48,8 +48,8 @@ bool IsWithinLimits(const RobotModel& model, std::span<const double> q, double t
   return true;
 }
 
-physics::ArticulationSpec MakeArticulationSpec(const RobotModel& model,
-                                               const RigidTransform& X_WBase) {
+scene::ArticulationSpec MakeArticulationSpec(const RobotModel& model,
+                                             const RigidTransform& X_WBase) {
   return {.X_WBase = X_WBase,
           .base_solids = model.base_solids,
           .links = model.links,

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "physics/articulation_spec.h"
 #include "robot/mood.h"
+#include "scene/articulation_spec.h"
 #include "scene/visual_model.h"
 
 namespace smile::robot {
@@ -77,7 +77,7 @@ struct NamedPose {
 /// Joint i carries link i, so one index serves both; a configuration q has one value per joint.
 struct RobotModel {
   std::string name;
-  std::vector<physics::LinkSpec> links;   ///< the moving ones, parents before children
+  std::vector<scene::LinkSpec> links;     ///< the moving ones, parents before children
   std::vector<scene::Solid> base_solids;  ///< what the base collides with; X_BS is X_BaseS
   std::vector<LinkVisual> visuals;        ///< base and links, what is fixed together side by side
   std::vector<Frame> frames;              ///< unique names
@@ -102,7 +102,7 @@ struct RobotModel {
 bool IsWithinLimits(const RobotModel& model, std::span<const double> q, double tolerance = 0);
 
 /// What physics needs of a robot whose base stands at `X_WBase`.
-physics::ArticulationSpec MakeArticulationSpec(const RobotModel& model,
-                                               const RigidTransform& X_WBase);
+scene::ArticulationSpec MakeArticulationSpec(const RobotModel& model,
+                                             const RigidTransform& X_WBase);
 
 }  // namespace smile::robot

@@ -146,6 +146,13 @@ std::vector<Solid> SolidsOf(const Part& whole) {
   return collector.Take();
 }
 
+Solid TableSolid(const TableSpec& table) {
+  return {.shape = Block{{table.x_span, table.y_span, table.thickness}},
+          .X_BS = RigidTransform(Vector3(0, 0, -table.thickness / 2)),
+          .color = {1, 1, 1},
+          .part_id = "table"};
+}
+
 std::size_t NumSolidsOf(const Part& whole) {
   const auto sum = [](const std::vector<Part>& parts) {
     std::size_t count = 0;

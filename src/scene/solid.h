@@ -34,6 +34,9 @@ struct Solid {
 /// half a percent.
 std::vector<Solid> SolidsOf(const Part& whole);
 
+/// The table top, in the world.
+Solid TableSolid(const TableSpec& table);
+
 /// How many SolidsOf() would make, without making them.
 std::size_t NumSolidsOf(const Part& whole);
 

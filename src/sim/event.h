@@ -40,7 +40,7 @@ struct Event {
 
   std::string part;           ///< id of what was pointed at
   std::string control;        ///< id of the control it happened to
-  std::string state;          ///< as recordings have it, see world::RecordedState()
+  std::string state;          ///< as recordings have it, see model::RecordedState()
   int guest = -1, host = -1;  ///< of Bonds::guests() and Bonds::hosts(), where a bond's
   int tightness = 0;
   std::vector<std::string> properties;  ///< that matter; none: nothing in particular

@@ -1,83 +1,20 @@
 #pragma once
 
-#include <span>
-#include <string>
-#include <string_view>
-#include <vector>
-
-#include "image/image.h"
-#include "math/camera_projection.h"
+#include "model/eye.h"
 #include "sim/simulation.h"
 
 namespace smile::sim {
 
-/// The eye of the 2015 program, raised above the robot's head; where there is no robot, too.
-inline constexpr const char* kEyeCamera = "eye";
-/// The camera in the robot's screen.
-inline constexpr const char* kHeadCamera = "head";
+using model::Channels;
+using model::Eye;
+using model::EyeSpec;
+using model::kEyeCamera;
+using model::kHeadCamera;
+using model::Sight;
 
-/// Which camera takes pictures, and how large. The angle it sees is the camera's own: 60 degrees
-/// from top to bottom for `eye`, 80 from left to right for the robot's others, as told for the
-/// scene's. Pixels are square.
-struct EyeSpec {
-  int width_px = 640;
-  int height_px = 480;
-  std::string camera = kEyeCamera;  ///< one of CameraNames()
-
-  bool operator==(const EyeSpec&) const = default;
-};
-
-/// Of the cameras there are: `eye`, then the robot's `head` and one in each hand (`left_hand`),
-/// then those that stand in the scene.
-std::vector<std::string> CameraNames(const Simulation& simulation);
-
-/// Where a camera is now. Without a robot the eye stays where Baxter's would be, so that a
-/// demonstration on an empty table is seen from the same place.
-/// @throws std::invalid_argument naming the cameras there are, if it is none of them.
+/// Where a camera is now; see model::EyeView().
 CameraView EyeView(const Simulation& simulation, const EyeSpec& spec);
-/// Where it is when the robot's joints are at `q` [rad or m], for recorded moments; `q` is empty
-/// without a robot.
-CameraView EyeView(const Simulation& simulation, std::span<const double> q, const EyeSpec& spec);
-
-/// Frames of the visual model a camera must not see: the link it is fixed to; all of a hidden
-/// robot.
-std::vector<int> FramesHiddenFromEye(const Simulation& simulation, bool is_robot_shown,
-                                     std::string_view camera);
-
-/// What of a picture is wanted.
-struct Channels {
-  bool rgb = true, depth = false, id = false;
-
-  bool operator==(const Channels&) const = default;
-};
-
-/// One moment of a simulation's visual model, as a camera sees it.
-struct Sight {
-  scene::VisualState state;
-  CameraView view;
-  std::vector<int> hidden_frames;
-  Channels channels;
-
-  bool operator==(const Sight&) const = default;
-};
-/// The present moment.
+/// The present moment, as a camera sees it.
 Sight SightOf(const Simulation& simulation, const EyeSpec& spec);
-
-/// Takes pictures with the robot's cameras. Fulfilled by whoever can draw, so that recorders and
-/// brains need no graphics.
-class Eye {
- public:
-  virtual ~Eye() = default;
-  /// The picture of a moment, with the channels it asks for or more. It lasts until the next one is
-  /// drawn.
-  virtual const Image& Draw(const scene::VisualModel& model, const Sight& sight) = 0;
-  /// The camera that is the robot's eye.
-  virtual const EyeSpec& spec() const = 0;
-
-  /// The eye's picture of the present state; color only.
-  const Image& Look(const Simulation& simulation) {
-    return Draw(simulation.visual_model(), SightOf(simulation, spec()));
-  }
-};
 
 }  // namespace smile::sim

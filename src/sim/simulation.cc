@@ -5,47 +5,25 @@
 #include <utility>
 
 #include "base/state_hash.h"
-#include "robot/robot_visuals.h"
 #include "scene/units.h"
 #include "sim/command_json.h"
 #include "sim/internal_command_forms.h"
 
 namespace smile::sim {
 
-RigidTransform RobotBasePose(const scene::TableSpec& table, double gap, double height) {
-  Matrix3 R_WBase;  // forward is the table's y, left its -x
-  R_WBase << 0, -1, 0, 1, 0, 0, 0, 0, 1;
-  return {R_WBase, Vector3(0, -table.y_span / 2 - gap, height)};
+Simulation::Simulation(std::shared_ptr<const model::Model> model)
+    : model_(std::move(model)), tabletop_(&physics_, model_), demonstrator_(&physics_, &tabletop_) {
+  if (model_->robot() == nullptr) return;
+  robot_ = std::make_unique<world::RobotBody>(&physics_, model_);
+  follower_.emplace(robot_.get());
 }
 
 Simulation::Simulation(scene::SceneSpec scene, std::optional<RobotPlacement> robot)
-    : scene_(std::move(scene)),
-      tabletop_(&physics_, scene_),
-      demonstrator_(&physics_, &tabletop_),
-      placement_(std::move(robot)) {
-  tabletop_.AppendVisuals(&visual_model_);
-  if (!placement_) return;
-  robot_ = std::make_unique<robot::RobotBody>(
-      &physics_, placement_->model,
-      RobotBasePose(scene_.table, placement_->gap, placement_->height), placement_->body);
-  follower_.emplace(robot_.get());
-  first_robot_frame_ = visual_model_.num_frames;
-  visual_model_.object_names.push_back("robot");
-  robot::AppendVisuals(robot_->model(), first_robot_frame_,
-                       static_cast<std::uint32_t>(visual_model_.object_names.size() - 1),
-                       &visual_model_);
-}
+    : Simulation(std::make_shared<const model::Model>(std::move(scene), std::move(robot))) {}
 
 scene::VisualState Simulation::visual_state() const {
-  scene::VisualState state;
-  tabletop_.AppendVisualState(&state);
-  if (robot_) {
-    const auto robot_poses =
-        robot::FramePosesOf(robot_->model(), robot_->base_pose(), robot_->positions());
-    state.poses.insert(state.poses.end(), robot_poses.begin(), robot_poses.end());
-    state.looks.push_back(robot::LookOf(mood_));
-  }
-  return state;
+  return model_->VisualStateOf(tabletop_.scene_state(),
+                               robot_ ? robot_->positions() : std::vector<double>(), mood_);
 }
 
 namespace {
@@ -73,7 +51,7 @@ bool ChangesWorld(const Command& command) {
 
 std::optional<Refusal> Simulation::Apply(const Command& wanted) {
   if (const auto* drag = std::get_if<Drag>(&wanted)) return Carry(*drag);
-  const Command command = OnFileGrid(wanted, scene_.meters_per_unit);
+  const Command command = OnFileGrid(wanted, scene().meters_per_unit);
   std::optional<Refusal> refusal;
   for (Listener* listener : listeners_) {
     if (!refusal) refusal = listener->Refuse(*this, command);
@@ -153,7 +131,7 @@ std::optional<Refusal> Simulation::Carry(const Drag& drag) {
       drag.hand, {.p_WOrigin = drag.p_WOrigin, .direction_in_world = drag.direction_in_world},
       drag.is_level, &refusal);
   // Where units are tiny, a log could not say it.
-  const double limit = scene::FromFileUnits(kMaxNumber, scene_.meters_per_unit);
+  const double limit = scene::FromFileUnits(kMaxNumber, scene().meters_per_unit);
   if (p_WH && !(p_WH->cwiseAbs().maxCoeff() <= limit)) {
     refusal = "the ray meets the motion plane more than 1e6 units away";
   } else if (p_WH) {
@@ -238,7 +216,7 @@ std::uint64_t Simulation::state_hash() const {
   tabletop_.AddToHash(&hash);
   demonstrator_.AddToHash(&hash);
   if (robot_) {
-    for (const robot::GripperState& gripper : robot_->state().grippers) {
+    for (const world::GripperState& gripper : robot_->state().grippers) {
       hash.Add(gripper.opening_velocity);
       for (physics::JointId weld : gripper.welds) hash.Add(std::uint64_t{weld.value});
     }
@@ -252,7 +230,7 @@ SimulationState Simulation::Save() const {
           .physics = physics_.Save(),
           .tabletop = tabletop_.state(),
           .demonstrator = demonstrator_.state(),
-          .robot = robot_ ? robot_->state() : robot::RobotBodyState(),
+          .robot = robot_ ? robot_->state() : world::RobotBodyState(),
           .follower = follower_ ? follower_->state() : FollowerState(),
           .is_robot_shown = is_robot_shown_,
           .mood = mood_};

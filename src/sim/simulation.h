@@ -1,23 +1,20 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "demonstrator/demonstrator.h"
+#include "model/model.h"
 #include "physics/world.h"
-#include "robot/robot_body.h"
-#include "robot/urdf_reader.h"
-#include "scene/scene_spec.h"
-#include "scene/visual_model.h"
 #include "sim/command.h"
 #include "sim/event.h"
 #include "sim/history.h"
 #include "sim/simulation_state.h"
 #include "sim/trajectory_follower.h"
+#include "world/robot_body.h"
 #include "world/tabletop.h"
 
 namespace smile::sim {
@@ -32,15 +29,7 @@ inline double SecondsOf(std::uint64_t ticks) {
   return static_cast<double>(ticks) / kTicksPerSecond;
 }
 
-/// Where a robot stands at a table, and which.
-struct RobotPlacement {
-  robot::RobotModel model;
-  std::string gripper;                  ///< as robot::RobotReading tells it
-  std::vector<robot::RobotFile> files;  ///< it was read from; without them it cannot be recorded
-  double gap = 0.20;                    ///< from its base to the table's near edge [m]
-  double height = 0.20;                 ///< of its base above the table top [m]
-  robot::RobotBodyOptions body;
-};
+using model::RobotPlacement;
 
 class Simulation;
 
@@ -75,6 +64,10 @@ class RecordingControl {
 /// Same scene, same commands at the same ticks: same bits. Used from one thread.
 class Simulation {
  public:
+  /// The model at its start. Shares it, so that what shows the simulation may outlive it.
+  /// @param model  not null.
+  explicit Simulation(std::shared_ptr<const model::Model> model);
+  /// Of a model of its own.
   /// @param robot  nullopt for a table without one.
   explicit Simulation(scene::SceneSpec scene, std::optional<RobotPlacement> robot = std::nullopt);
   Simulation(const Simulation&) = delete;
@@ -95,14 +88,15 @@ class Simulation {
   /// Of everything that decides what happens next, the tick included.
   std::uint64_t state_hash() const;
 
-  const scene::SceneSpec& scene() const { return scene_; }
+  /// What does not change while it runs.
+  const model::Model& model() const { return *model_; }
+  const std::shared_ptr<const model::Model>& shared_model() const { return model_; }
+  const scene::SceneSpec& scene() const { return model_->scene(); }
   const world::Tabletop& tabletop() const { return tabletop_; }
   const physics::World& physics() const { return physics_; }
   const demonstrator::Demonstrator& demonstrator() const { return demonstrator_; }
-  /// As given; its model is the robot's.
-  const std::optional<RobotPlacement>& robot_placement() const { return placement_; }
   /// nullptr without one.
-  const robot::RobotBody* robot() const { return robot_.get(); }
+  const world::RobotBody* robot() const { return robot_.get(); }
   bool is_robot_shown() const { return is_robot_shown_; }
   /// True while joints of the robot are on their way to a pose or along a trajectory.
   bool is_robot_following() const { return follower_ && follower_->is_following(); }
@@ -112,11 +106,8 @@ class Simulation {
   /// True when nothing but what hands hold moves faster than 2 mm/s or 0.02 rad/s.
   bool is_still() const;
 
-  /// Frame 0 is the world; then one per object in scene order; then the robot's base and links.
-  const scene::VisualModel& visual_model() const { return visual_model_; }
+  /// The present moment, for the model's visual model.
   scene::VisualState visual_state() const;
-  /// First frame of the robot in the visual model; 0 without a robot.
-  int first_robot_frame() const { return first_robot_frame_; }
 
   /// Listeners are told in the order they were added, until they are removed.
   void AddListener(Listener* listener) { listeners_.push_back(listener); }
@@ -174,30 +165,24 @@ class Simulation {
   /// Notice what changed since `before`. A bond that ended because an object was destroyed is no
   /// hand's.
   void TellOfBonds(const std::vector<world::BondState>& before, std::optional<HandName> hand);
-  void TellOfControls(const std::vector<world::ControlState>& before);
+  void TellOfControls(const std::vector<model::ControlState>& before);
   /// Notices what grippers got or lost since `before`.
   void TellOfGrippers(const std::vector<std::vector<physics::BodyId>>& before);
   std::vector<std::vector<physics::BodyId>> HeldByGrippers() const;
 
-  scene::SceneSpec scene_;
+  std::shared_ptr<const model::Model> model_;
   physics::World physics_;
   world::Tabletop tabletop_;
   demonstrator::Demonstrator demonstrator_;
-  std::optional<RobotPlacement> placement_;
-  std::unique_ptr<robot::RobotBody> robot_;
+  std::unique_ptr<world::RobotBody> robot_;
   std::optional<TrajectoryFollower> follower_;  ///< of the robot, where there is one
   bool is_robot_shown_ = true;
   robot::Mood mood_ = robot::Mood::kIdle;
   std::uint64_t tick_ = 0;
   bool has_begun_ = false;
   History history_;
-  scene::VisualModel visual_model_;
-  int first_robot_frame_ = 0;
   std::vector<Listener*> listeners_;
   RecordingControl* recording_control_ = nullptr;
 };
-
-/// Base frame of a robot (x forward, z up) that stands at the near edge of a table and faces it.
-RigidTransform RobotBasePose(const scene::TableSpec& table, double gap, double height);
 
 }  // namespace smile::sim

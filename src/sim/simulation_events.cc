@@ -58,11 +58,10 @@ void Simulation::TellOfCommand(const Command& command, const std::string& held_b
                   .part = point.part});
           },
           [this](const Trigger& trigger) {
-            const auto control = tabletop_.controls().Find(trigger.control);
-            const auto object = tabletop_.controls().all()[*control].object;
+            const auto control = model_->FindControl(trigger.control);
             Tell({.kind = EventKind::kTriggered,
                   .hand = trigger.hand,
-                  .object = tabletop_.objects()[object].id(),
+                  .object = model_->id(model_->control(*control).object),
                   .control = trigger.control});
           },
           [](const auto&) {}},
@@ -71,31 +70,30 @@ void Simulation::TellOfCommand(const Command& command, const std::string& held_b
 
 void Simulation::TellOfBonds(const std::vector<world::BondState>& before,
                              std::optional<HandName> hand) {
-  const world::Bonds& bonds = tabletop_.bonds();
   for (std::size_t i = 0; i < before.size(); ++i) {
     const world::BondState& was = before[i];
-    const world::BondState& is = bonds.states()[i];
+    const world::BondState& is = tabletop_.bonds().states()[i];
     if (was.tightness == is.tightness) continue;
     const int guest = is.guest >= 0 ? is.guest : was.guest;
-    const std::size_t object = bonds.guests()[static_cast<std::size_t>(guest)].object;
+    const model::GuestIndex moved(static_cast<std::size_t>(guest));
     Tell({.kind = is.tightness > was.tightness ? EventKind::kFastened : EventKind::kLoosened,
           .hand = hand,
-          .object = tabletop_.objects()[object].id(),
+          .object = model_->id(model_->guest(moved).object),
           .guest = guest,
           .host = static_cast<int>(i),
           .tightness = is.tightness});
   }
 }
 
-void Simulation::TellOfControls(const std::vector<world::ControlState>& before) {
-  for (std::size_t i = 0; i < before.size(); ++i) {
+void Simulation::TellOfControls(const std::vector<model::ControlState>& before) {
+  for (model::ControlIndex i : IndexRange<model::ControlIndex>(before.size())) {
     if (before[i] == tabletop_.controls().states()[i]) continue;
-    const world::Control& control = tabletop_.controls().all()[i];
-    if (!tabletop_.IsPresent(control)) continue;
+    const model::Control& control = model_->control(i);
+    if (!tabletop_.IsPresent(i)) continue;
     const std::string state = RecordedState(control, tabletop_.controls().states()[i]);
     if (state == RecordedState(control, before[i])) continue;
     Tell({.kind = EventKind::kControlChanged,
-          .object = tabletop_.objects()[control.object].id(),
+          .object = model_->id(control.object),
           .control = control.id(),
           .state = state});
   }

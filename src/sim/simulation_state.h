@@ -5,8 +5,8 @@
 #include "demonstrator/demonstrator.h"
 #include "physics/snapshot.h"
 #include "robot/mood.h"
-#include "robot/robot_body.h"
 #include "sim/trajectory_follower.h"
+#include "world/robot_body.h"
 #include "world/tabletop.h"
 
 namespace smile::sim {
@@ -17,7 +17,7 @@ struct SimulationState {
   physics::Snapshot physics;
   world::TabletopState tabletop;
   demonstrator::DemonstratorState demonstrator;
-  robot::RobotBodyState robot;
+  world::RobotBodyState robot;
   FollowerState follower;
   bool is_robot_shown = true;
   robot::Mood mood = robot::Mood::kIdle;

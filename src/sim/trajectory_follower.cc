@@ -60,7 +60,7 @@ double TrueLimit(const motion::LimitBreach& breach, const motion::JointLimits& l
 
 }  // namespace
 
-TrajectoryFollower::TrajectoryFollower(robot::RobotBody* robot)
+TrajectoryFollower::TrajectoryFollower(world::RobotBody* robot)
     : robot_(*robot), channels_(motion::ChannelsOf(robot->model())) {}
 
 std::optional<Refusal> TrajectoryFollower::FindColumns(

@@ -10,8 +10,8 @@
 #include "base/state_hash.h"
 #include "motion/channels.h"
 #include "motion/joint_trajectory.h"
-#include "robot/robot_body.h"
 #include "world/refusal.h"
+#include "world/robot_body.h"
 
 namespace smile::sim {
 
@@ -47,7 +47,7 @@ struct FollowerState {
 class TrajectoryFollower {
  public:
   /// @param robot  outlives this.
-  explicit TrajectoryFollower(robot::RobotBody* robot);
+  explicit TrajectoryFollower(world::RobotBody* robot);
 
   /// Begins to follow. Joints that are elsewhere first go straight to where it begins.
   /// @returns why not: an unknown joint, a limit of position or velocity that it breaks.
@@ -81,7 +81,7 @@ class TrajectoryFollower {
   void DriveGripper(int arm, double rate, double error);
   void Stop(const Following& following);
 
-  robot::RobotBody& robot_;
+  world::RobotBody& robot_;
   std::vector<motion::Channel> channels_;
   FollowerState state_;
 };

@@ -14,10 +14,11 @@ Json EventMessage(const sim::Event& event, const sim::Simulation& simulation) {
   add("part", event.part);
   add("control", event.control);
   add("state", event.state);
-  const world::Bonds& bonds = simulation.tabletop().bonds();
   if (event.guest >= 0 && event.host >= 0) {
-    message["guest"] = bonds.guests()[static_cast<std::size_t>(event.guest)].point->id;
-    message["host"] = bonds.hosts()[static_cast<std::size_t>(event.host)].point->id;
+    const model::GuestIndex guest(static_cast<std::size_t>(event.guest));
+    const model::HostIndex host(static_cast<std::size_t>(event.host));
+    message["guest"] = simulation.model().guest(guest).point->id;
+    message["host"] = simulation.model().host(host).point->id;
     message["tightness"] = event.tightness;
   }
   if (event.kind == sim::EventKind::kAttended) message["properties"] = event.properties;

@@ -61,7 +61,7 @@ void LiveBrain::Stop(sim::Simulation* simulation) {
   Leave();
   was_stopped_ = true;
   sim::JointVelocities still{.grippers = {{0, 0}}};
-  const robot::RobotBody& robot = *simulation->robot();
+  const world::RobotBody& robot = *simulation->robot();
   still.left = std::vector<double>(robot.ArmAngles(0).size());
   still.right = std::vector<double>(robot.ArmAngles(1).size());
   if (robot.model().head) still.head = 0;

@@ -1,16 +1,17 @@
 #include "studio/painter.h"
 
 #include "image/png.h"
+#include "model/eye.h"
 #include "picture/viewpoint.h"
+#include "record/sight.h"
 #include "record/time_range.h"
-#include "sim/eye.h"
 
 namespace smile::studio {
 
 std::string Painter::PaintScene(const std::filesystem::path& file,
                                 const scene_xml::SceneReaderOptions& reader) {
-  const sim::Simulation stage(scene_xml::LoadScene(file, reader));
-  return Paint(stage, stage.visual_model(), stage.visual_state());
+  const model::Model model(scene_xml::LoadScene(file, reader));
+  return Paint(model, record::VisualStateAt(record::StartOf(model), model));
 }
 
 std::optional<std::string> Painter::PaintRecording(const std::filesystem::path& directory,
@@ -28,21 +29,18 @@ std::optional<std::string> Painter::PaintRecording(const std::filesystem::path& 
   if (segment && *segment >= exhibit_->segments.size()) return std::nullopt;
   playback.Seek(segment ? SecondsInto(playback.recording(), exhibit_->segments[*segment].end)
                         : playback.length());
-  const View view = playback.view();
-  return Paint(playback.stage(), *view.model, view.state);
+  return Paint(playback.model(), playback.view().state);
 }
 
-std::string Painter::Paint(const sim::Simulation& stage, const scene::VisualModel& model,
-                           const scene::VisualState& state) {
+std::string Painter::Paint(const model::Model& model, const scene::VisualState& state) {
   if (!renderer_) renderer_ = std::make_unique<camera::Renderer>();
   const CameraView view = picture::FindView(
-      "close", stage.scene(), sim::EyeSpec{.width_px = kWidth, .height_px = kHeight}, {});
+      "close", model.scene(), model::EyeSpec{.width_px = kWidth, .height_px = kHeight}, {});
   camera::RenderOptions options{.look = camera::Look::kPresentation};
-  const int first_robot_frame = stage.first_robot_frame();
-  for (int frame = first_robot_frame; first_robot_frame > 0 && frame < model.num_frames; ++frame) {
-    options.excluded_frames.push_back(frame);
+  for (model::FrameIndex frame : model.robot_frames()) {
+    options.excluded_frames.push_back(static_cast<int>(frame));
   }
-  return EncodePng(renderer_->Render(model, state, view, options));
+  return EncodePng(renderer_->Render(model.visual_model(), state, view, options));
 }
 
 }  // namespace smile::studio

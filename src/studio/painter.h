@@ -40,8 +40,7 @@ class Painter {
     std::vector<SegmentSpan> segments;
   };
 
-  std::string Paint(const sim::Simulation& stage, const scene::VisualModel& model,
-                    const scene::VisualState& state);
+  std::string Paint(const model::Model& model, const scene::VisualState& state);
 
   std::unique_ptr<camera::Renderer> renderer_;  ///< nullptr until it is needed
   std::unique_ptr<Exhibit> exhibit_;

@@ -24,7 +24,7 @@ class Playback::Impl {
   Impl(std::string id, const std::filesystem::path& directory)
       : id_(std::move(id)),
         recording_(record::OpenRecording(directory)),
-        stage_(recording_.scene, recording_.robot),
+        model_(recording_.scene, recording_.robot),
         trace_(recording_) {
     Survey();
     GoTo(0);
@@ -32,7 +32,7 @@ class Playback::Impl {
 
   const std::string& id() const { return id_; }
   const record::Recording& recording() const { return recording_; }
-  const sim::Simulation& stage() const { return stage_; }
+  const model::Model& model() const { return model_; }
   const record::TraceTick& moment() const { return moment_; }
 
   double seconds() const { return at_ / sim::kTicksPerSecond; }
@@ -60,8 +60,8 @@ class Playback::Impl {
   }
 
   View view() const {
-    return {.model = &stage_.visual_model(),
-            .state = record::VisualStateAt(moment_, stage_),
+    return {.model = &model_.visual_model(),
+            .state = record::VisualStateAt(moment_, model_),
             .tick = moment_.tick};
   }
 
@@ -113,7 +113,7 @@ class Playback::Impl {
 
   std::string id_;
   record::Recording recording_;
-  sim::Simulation stage_;
+  model::Model model_;
   record::TraceReader trace_;
   std::vector<record::TraceReader::Bookmark> bookmarks_;  ///< in order; the first tick's first
   std::uint64_t first_tick_ = 0, num_ticks_ = 0;
@@ -129,7 +129,7 @@ Playback::~Playback() = default;
 
 const std::string& Playback::id() const { return impl_->id(); }
 const record::Recording& Playback::recording() const { return impl_->recording(); }
-const sim::Simulation& Playback::stage() const { return impl_->stage(); }
+const model::Model& Playback::model() const { return impl_->model(); }
 double Playback::seconds() const { return impl_->seconds(); }
 double Playback::length() const { return impl_->length(); }
 double Playback::rate() const { return impl_->rate(); }

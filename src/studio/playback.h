@@ -4,9 +4,9 @@
 #include <memory>
 #include <string>
 
+#include "model/model.h"
 #include "record/recording.h"
 #include "record/trace.h"
-#include "sim/simulation.h"
 #include "studio/stage.h"
 
 namespace smile::studio {
@@ -28,8 +28,8 @@ class Playback {
 
   const std::string& id() const;
   const record::Recording& recording() const;
-  /// A simulation of its scene and robot that never runs: what it is that is shown.
-  const sim::Simulation& stage() const;
+  /// Of its scene and robot: what it is that is shown.
+  const model::Model& model() const;
 
   double seconds() const;  ///< from its start [s]
   double length() const;   ///< [s]

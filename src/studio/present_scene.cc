@@ -24,7 +24,7 @@ void VisitParts(Part& part, const Visit& visit) {
 }
 
 /// Lets a control begin in a state.
-void Begin(const world::ControlState& state, scene::Shape* shape) {
+void Begin(const model::ControlState& state, scene::Shape* shape) {
   if (auto* toggle = std::get_if<scene::ToggleSwitch>(shape)) {
     toggle->is_left_pressed = state.position == 0;
     toggle->initial_state = state.state;
@@ -36,10 +36,10 @@ void Begin(const world::ControlState& state, scene::Shape* shape) {
 }
 
 void BeginControls(const sim::Simulation& simulation, scene::SceneSpec* scene) {
-  const world::Controls& controls = simulation.tabletop().controls();
-  std::map<std::string, world::ControlState> states;
-  for (std::size_t i = 0; i < controls.all().size(); ++i) {
-    states[controls.all()[i].id()] = controls.states()[i];
+  std::map<std::string, model::ControlState> states;
+  for (model::ControlIndex control : simulation.model().controls()) {
+    states[simulation.model().control(control).id()] =
+        simulation.tabletop().controls().states()[control];
   }
   for (scene::ObjectSpec& object : scene->objects) {
     VisitParts(object.whole, [&](scene::Part& part) {
@@ -49,12 +49,13 @@ void BeginControls(const sim::Simulation& simulation, scene::SceneSpec* scene) {
 }
 
 void BeginBonds(const sim::Simulation& simulation, scene::SceneSpec* scene) {
-  const world::Bonds& bonds = simulation.tabletop().bonds();
-  std::map<std::string, std::size_t> host_of_guest;
-  for (std::size_t host = 0; host < bonds.states().size(); ++host) {
-    const int guest = bonds.states()[host].guest;
-    if (guest < 0) continue;
-    host_of_guest[bonds.guests()[static_cast<std::size_t>(guest)].point->id] = host;
+  const model::Model& model = simulation.model();
+  const std::vector<world::BondState>& bonds = simulation.tabletop().bonds().states();
+  std::map<std::string, model::HostIndex> host_of_guest;
+  for (model::HostIndex host : model.hosts()) {
+    if (bonds[host].guest < 0) continue;
+    const model::GuestIndex guest(static_cast<std::size_t>(bonds[host].guest));
+    host_of_guest.insert_or_assign(model.guest(guest).point->id, host);
   }
   for (scene::ObjectSpec& object : scene->objects) {
     VisitParts(object.whole, [&](scene::Part& part) {
@@ -63,8 +64,8 @@ void BeginBonds(const sim::Simulation& simulation, scene::SceneSpec* scene) {
       for (scene::GuestPoint& guest : composite->guests) {
         const auto found = host_of_guest.find(guest.id);
         const bool is_bound = found != host_of_guest.end();
-        guest.initial_host = is_bound ? bonds.hosts()[found->second].point->id : "";
-        guest.initial_tightness = is_bound ? bonds.states()[found->second].tightness : 0;
+        guest.initial_host = is_bound ? model.host(found->second).point->id : "";
+        guest.initial_tightness = is_bound ? bonds[found->second].tightness : 0;
       }
     });
   }
@@ -202,7 +203,7 @@ scene::SceneSpec PresentScene(const sim::Simulation& simulation) {
 
 std::vector<sim::Command> WhatGoesOn(const sim::Simulation& simulation) {
   std::vector<sim::Command> commands;
-  if (const robot::RobotBody* robot = simulation.robot()) {
+  if (const world::RobotBody* robot = simulation.robot()) {
     sim::JointAngles angles;
     if (robot->num_arms() > 0) angles.left = robot->ArmAngles(0);
     if (robot->num_arms() > 1) angles.right = robot->ArmAngles(1);

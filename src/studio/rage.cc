@@ -5,8 +5,7 @@
 
 namespace smile::studio {
 
-Rage::Rage(const sim::Simulation& simulation)
-    : copy_(simulation.scene(), simulation.robot_placement()) {
+Rage::Rage(const sim::Simulation& simulation) : copy_(simulation.shared_model()) {
   if (copy_.robot() == nullptr || copy_.robot()->num_arms() == 0) {
     throw RequestError("there is no robot to clear the table");
   }

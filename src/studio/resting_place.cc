@@ -9,7 +9,7 @@ std::optional<RigidTransform> RestingPlace::Find(const sim::Simulation& simulati
   const physics::BodyId held = simulation.demonstrator().hand(hand).held;
   if (!held) return std::nullopt;
   if (!copy_) {
-    copy_ = std::make_unique<sim::Simulation>(simulation.scene(), simulation.robot_placement());
+    copy_ = std::make_unique<sim::Simulation>(simulation.shared_model());
   }
   copy_->Restore(simulation.Save());
   if (copy_->Apply(sim::Release{.hand = hand})) return std::nullopt;

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "base/overloaded.h"
+#include "model/eye.h"
 #include "scene/bond_points.h"
 #include "scene/controls_of.h"
 #include "scene/units.h"
@@ -25,17 +26,17 @@ std::string HexColor(const Color& color) {
 
 /// Of what is to be seen, the choices whose pieces shine by themselves: lamps, and the robot's
 /// face.
-std::set<int> GlowingChoices(const StageDescription& stage) {
+std::set<int> GlowingChoices(const model::Model& model) {
   std::set<int> choices;
   int next = 0;  // of each object its presence, then its controls
-  for (const scene::ObjectSpec& object : stage.scene->objects) {
+  for (const scene::ObjectSpec& object : model.scene().objects) {
     ++next;
     for (const scene::Part* control : scene::ControlsOf(object.whole)) {
       if (std::holds_alternative<scene::IndicatorLights>(control->shape)) choices.insert(next);
       ++next;
     }
   }
-  if (stage.robot != nullptr) choices.insert(next);
+  if (model.robot() != nullptr) choices.insert(next);
   return choices;
 }
 
@@ -56,11 +57,11 @@ void DescribeShape(const scene::VisualShape& shape, double unit, const PageMeshe
   if (const auto number = meshes.NumberOf(shape)) (*visual)["mesh"] = *number;
 }
 
-Json DescribeVisuals(const StageDescription& stage, const PageMeshes& meshes) {
-  const double unit = stage.scene->meters_per_unit;
-  const std::set<int> glowing = GlowingChoices(stage);
+Json DescribeVisuals(const model::Model& model, const PageMeshes& meshes) {
+  const double unit = model.scene().meters_per_unit;
+  const std::set<int> glowing = GlowingChoices(model);
   Json visuals = Json::array();
-  for (const scene::Visual& piece : stage.model->visuals) {
+  for (const scene::Visual& piece : model.visual_model().visuals) {
     Json visual = {{"frame", piece.frame},
                    {"object", piece.object_id},
                    {"pose", PoseInUnits(piece.X_FV, unit)},
@@ -146,13 +147,13 @@ Json PropertiesOf(const scene::ObjectSpec& object) {
   return properties;
 }
 
-Json DescribeObjects(const scene::SceneSpec& scene) {
+Json DescribeObjects(const model::Model& model) {
   Json objects = Json::array();
-  int frame = 0;  // the world's; then one for each object
-  for (const scene::ObjectSpec& object : scene.objects) {
+  for (model::ObjectIndex index : model.objects()) {
+    const scene::ObjectSpec& object = model.object(index);
     objects.push_back(
         {{"id", object.id()},
-         {"frame", ++frame},
+         {"frame", std::size_t{model.frame_of(index)}},
          {"shape", object.descriptions.empty() ? "" : object.descriptions.front().value},
          {"parts", DescribeParts(object.whole)},
          {"controls", DescribeControls(object.whole)},
@@ -181,24 +182,24 @@ double StrokeOf(const robot::RobotModel& robot, const robot::Gripper& gripper) {
          robot.links[static_cast<std::size_t>(gripper.right_finger)].upper;
 }
 
-Json DescribeRobot(const StageDescription& stage) {
-  if (stage.robot == nullptr) return nullptr;
-  const robot::RobotModel& robot = *stage.robot;
+Json DescribeRobot(const model::Model& model) {
+  if (model.robot() == nullptr) return nullptr;
+  const robot::RobotModel& robot = *model.robot();
   Json joints = Json::array(), grippers = Json::array(), poses = Json::array();
   for (int i = 0; i < robot.num_joints(); ++i) {
     if (IsFinger(robot, i)) continue;
-    const physics::LinkSpec& link = robot.links[static_cast<std::size_t>(i)];
+    const scene::LinkSpec& link = robot.links[static_cast<std::size_t>(i)];
     joints.push_back({{"name", link.joint_name},
                       {"arm", ArmOf(robot, i)},
                       {"lower", link.lower},
                       {"upper", link.upper},
                       {"speed", link.max_velocity},
-                      {"is_length", link.joint_type == physics::JointType::kPrismatic}});
+                      {"is_length", link.joint_type == scene::JointType::kPrismatic}});
   }
   for (const robot::Arm& arm : robot.arms) {
     if (!arm.gripper) continue;
     const double stroke =
-        scene::ToFileUnits(StrokeOf(robot, *arm.gripper), stage.scene->meters_per_unit);
+        scene::ToFileUnits(StrokeOf(robot, *arm.gripper), model.scene().meters_per_unit);
     grippers.push_back({{"arm", arm.name}, {"stroke", stroke}});
   }
   for (const robot::NamedPose& pose : robot.poses) poses.push_back(pose.name);
@@ -206,7 +207,7 @@ Json DescribeRobot(const StageDescription& stage) {
           {"joints", std::move(joints)},
           {"grippers", std::move(grippers)},
           {"poses", std::move(poses)},
-          {"cameras", stage.cameras}};
+          {"cameras", CameraNames(model)}};
 }
 
 }  // namespace
@@ -223,23 +224,24 @@ Json PoseInUnits(const RigidTransform& X_AB, double meters_per_unit) {
   return pose;
 }
 
-Json SceneMessage(const StageDescription& stage, const PageMeshes& meshes,
+Json SceneMessage(std::uint32_t number, const model::Model& model, const PageMeshes& meshes,
                   const std::vector<int>& looks) {
-  const scene::SceneSpec& scene = *stage.scene;
+  const scene::SceneSpec& scene = model.scene();
   const scene::TableSpec& table = scene.table;
   return {{"t", "scene"},
-          {"scene", stage.number},
+          {"scene", number},
           {"name", scene.name},
           {"metersPerUnit", scene.meters_per_unit},
           {"table",
            {{"size",
              PointInUnits({table.x_span, table.y_span, table.thickness}, scene.meters_per_unit)}}},
-          {"numFrames", stage.model->num_frames},
-          {"robotFrame", stage.robot == nullptr ? Json() : Json(1 + scene.objects.size())},
-          {"visuals", DescribeVisuals(stage, meshes)},
+          {"numFrames", model.visual_model().num_frames},
+          {"robotFrame",
+           model.robot() == nullptr ? Json() : Json(std::size_t{*model.robot_frames().begin()})},
+          {"visuals", DescribeVisuals(model, meshes)},
           {"looks", looks},
-          {"objects", DescribeObjects(scene)},
-          {"robot", DescribeRobot(stage)}};
+          {"objects", DescribeObjects(model)},
+          {"robot", DescribeRobot(model)}};
 }
 
 }  // namespace smile::studio

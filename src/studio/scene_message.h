@@ -1,30 +1,18 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
-#include <string>
 #include <vector>
 
 #include "base/json.h"
-#include "scene/scene_spec.h"
-#include "scene/visual_model.h"
-#include "sim/simulation.h"
+#include "model/model.h"
 #include "studio/page_meshes.h"
 
 namespace smile::studio {
 
-/// What is on stage: a simulation's scene, or that of a recording.
-struct StageDescription {
-  std::uint32_t number = 0;  ///< View::scene
-  const scene::SceneSpec* scene = nullptr;
-  const scene::VisualModel* model = nullptr;
-  const robot::RobotModel* robot = nullptr;  ///< nullptr without one
-  std::vector<std::string> cameras;
-};
-
-/// Everything about a scene that does not change while it is there, in its units; see
-/// docs/studio-protocol.md.
-Json SceneMessage(const StageDescription& stage, const PageMeshes& meshes,
+/// Everything about a scene and its robot that does not change while they are there, in the scene's
+/// units; see docs/studio-protocol.md.
+/// @param number  see View::scene.
+Json SceneMessage(std::uint32_t number, const model::Model& model, const PageMeshes& meshes,
                   const std::vector<int>& looks);
 
 /// `[x, y, z, qx, qy, qz, qw]`, in units.

@@ -52,7 +52,7 @@ const View& Session::Impl::view() const {
     view_ = playback_->view();
     view_->meters_per_unit = playback_->recording().info.meters_per_unit;
   } else {
-    view_ = View{.model = &shown().visual_model(),
+    view_ = View{.model = &shown().model().visual_model(),
                  .state = shown().visual_state(),
                  .tick = shown().tick(),
                  .meters_per_unit = shown().scene().meters_per_unit};
@@ -156,7 +156,7 @@ sim::Sight Session::Impl::SightNow() const {
   sim::EyeSpec spec = options_.eye->spec();
   if (!playback_) return sim::SightOf(shown(), spec);
   spec.camera = playback_->recording().info.eye_camera;
-  return record::SightAt(playback_->moment(), playback_->stage(), spec);
+  return record::SightAt(playback_->moment(), playback_->model(), spec);
 }
 
 void Session::Impl::TellLooks() {
@@ -203,13 +203,8 @@ Json Session::Impl::DescribeState() const {
 }
 
 Json Session::Impl::DescribeScene() const {
-  StageDescription stage{.number = scene_number_, .model = view().model};
-  const auto& placement =
-      playback_ ? playback_->recording().robot : world_->simulation().robot_placement();
-  stage.scene = playback_ ? &playback_->recording().scene : &world_->simulation().scene();
-  if (placement) stage.robot = &placement->model;
-  stage.cameras = sim::CameraNames(playback_ ? playback_->stage() : world_->simulation());
-  return SceneMessage(stage, *present_meshes_, view().state.looks);
+  const model::Model& model = playback_ ? playback_->model() : world_->simulation().model();
+  return SceneMessage(scene_number_, model, *present_meshes_, view().state.looks);
 }
 
 /// What is shown is another scene from now on.

@@ -79,7 +79,7 @@ void Session::Impl::Enter(std::unique_ptr<LiveWorld> world) {
 }
 
 void Session::Impl::Recompose(scene::SceneSpec scene) {
-  auto world = MakeWorld(std::move(scene), world_->simulation().robot_placement());
+  auto world = MakeWorld(std::move(scene), world_->simulation().model().robot_placement());
   for (const sim::Command& command : WhatGoesOn(world_->simulation())) {
     (void)world->Apply(command);
   }
@@ -91,7 +91,7 @@ std::unique_ptr<LiveWorld> Session::Impl::WorldWith(const std::string& preset, s
   const scene::SceneSpec present = PresentScene(world_->simulation());
   for (std::uint64_t i = 0; i < kMaxTries; ++i) {
     auto world = MakeWorld(WithPreset(present, preset, seed + i * kBetweenSeeds),
-                           world_->simulation().robot_placement());
+                           world_->simulation().model().robot_placement());
     for (const sim::Command& command : WhatGoesOn(world_->simulation())) {
       (void)world->Apply(command);
     }

@@ -171,9 +171,8 @@ sim::Command SnappedDrag(const SnapTo& snap, const LiveWorld& world, const sim::
       drag.is_level, &refusal);
   if (!p_WH) return drag;  // the simulation says why
   const world::Object* object = simulation.tabletop().Find(hand.held);
-  const auto number = static_cast<std::size_t>(object - simulation.tabletop().objects().data());
   const Matrix3& R_WB = hand.X_WB_goal.rotation();
-  const Carried carried{.bounds = world.bounds()[number],
+  const Carried carried{.bounds = world.bounds()[object->index],
                         .X_WB = {R_WB, *p_WH - R_WB * hand.p_BH},
                         .plane_deg = simulation.demonstrator().plane_angle_deg(drag.hand),
                         .is_level = drag.is_level};

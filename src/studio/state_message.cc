@@ -32,11 +32,11 @@ Json DescribeHands(const sim::Simulation& simulation) {
   return hands;
 }
 
-Json DescribeControls(const world::Tabletop& tabletop) {
+Json DescribeControls(const model::Model& model, const world::Tabletop& tabletop) {
   Json controls = Json::object();
-  for (std::size_t i = 0; i < tabletop.controls().all().size(); ++i) {
-    const world::Control& control = tabletop.controls().all()[i];
-    if (!tabletop.IsPresent(control)) continue;
+  for (model::ControlIndex i : model.controls()) {
+    const model::Control& control = model.control(i);
+    if (!tabletop.IsPresent(i)) continue;
     controls[control.id()] = RecordedState(control, tabletop.controls().states()[i]);
   }
   return controls;
@@ -60,7 +60,7 @@ Json DescribeAttention(const sim::Simulation& simulation) {
 }
 
 Json DescribeRobot(const sim::Simulation& simulation) {
-  const robot::RobotBody* robot = simulation.robot();
+  const world::RobotBody* robot = simulation.robot();
   if (robot == nullptr) return nullptr;
   const std::vector<double> q = robot->positions();
   Json joints = Json::object(), grippers = Json::array();
@@ -92,7 +92,7 @@ Json DescribeLive(const sim::Simulation& simulation) {
           {"undo", simulation.can_undo()},
           {"redo", simulation.can_redo()},
           {"still", simulation.is_still()},
-          {"controls", DescribeControls(simulation.tabletop())},
+          {"controls", DescribeControls(simulation.model(), simulation.tabletop())},
           {"gone", DescribeGone(simulation.tabletop())},
           {"attention", DescribeAttention(simulation)},
           {"robot", DescribeRobot(simulation)}};

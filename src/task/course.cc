@@ -149,7 +149,7 @@ Course CourseOf(const record::Recording& recording) {
     }
     note(trace.has_events() ? moment->events : commanded.UpTo(moment->tick));
   }
-  if (!has_begun) course.begin = course.end = record::Observe(sim::Simulation(recording.scene));
+  if (!has_begun) course.begin = course.end = record::StartOf(model::Model(recording.scene));
   return course;
 }
 

@@ -31,8 +31,7 @@ std::vector<ControlEffect> ControlsAt(const scene::SceneSpec& scene,
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     std::size_t number = 0;
     for (const scene::Part* part : scene::ControlsOf(scene.objects[i].whole)) {
-      const world::Control control{
-          .part = std::make_shared<const scene::Part>(*part), .object = i, .downstream = {}};
+      const model::Control control{.part = part, .object = model::ObjectIndex(i)};
       controls.push_back({.object = scene.objects[i].id(),
                           .number = number++,
                           .control = part->id,
@@ -217,7 +216,7 @@ std::vector<BondEffect> BondsAt(const scene::SceneSpec& scene, const record::Tra
   const std::vector<PointPlace> hosts = PointsIn(scene, scene::HostsOf);
   std::vector<BondEffect> bonds;
   for (std::size_t i = 0; i < hosts.size(); ++i) {
-    const record::TraceBond& bond = moment.bonds[i];
+    const model::HostState& bond = moment.bonds[i];
     if (bond.guest < 0) continue;
     const PointPlace& guest = guests[static_cast<std::size_t>(bond.guest)];
     bonds.push_back({.guest_object = guest.object,

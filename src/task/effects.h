@@ -18,7 +18,7 @@ struct ControlEffect {
   std::string object;    ///< whose control it is
   std::size_t number;    ///< of the control within the object, from 0
   std::string control;   ///< id
-  std::string from, to;  ///< as recordings have them, see world::RecordedState()
+  std::string from, to;  ///< as recordings have them, see model::RecordedState()
 
   bool operator==(const ControlEffect&) const = default;
 };

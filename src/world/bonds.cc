@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <map>
 
-#include "scene/bond_points.h"
-
 namespace smile::world {
 namespace {
 
@@ -13,58 +11,41 @@ constexpr double kReachUnits = 2.0;
 /// What a guest may cut into where it is put, apart from its host [m].
 constexpr double kMaxOverlap = 0.002;
 
-const scene::TightnessStage& StageOf(const Host& host, int tightness) {
-  return host.point->stages[static_cast<std::size_t>(tightness) - 1];
-}
-
 }  // namespace
 
-Bonds::Bonds(physics::World* world, const std::vector<Object>* objects,
+Bonds::Bonds(physics::World* world, const model::Model& model, const std::vector<Object>* objects,
              const std::vector<ObjectState>* object_states, Controls* controls)
-    : world_(world), objects_(objects), object_states_(object_states), controls_(controls) {
-  for (std::size_t i = 0; i < objects_->size(); ++i) {
-    const scene::Part& whole = (*objects_)[i].spec->whole;
-    for (const auto& [point, X_BG] : scene::GuestsOf(whole)) guests_.push_back({point, i, X_BG});
-    for (const auto& [point, X_BH] : scene::HostsOf(whole)) {
-      hosts_.push_back({point, i, X_BH, controls_->Find(point->downstream),
-                        controls_->Find(point->downstream_override), std::nullopt});
-    }
-  }
-  for (std::size_t host = 0; host < hosts_.size(); ++host)
-    host_of_id_[hosts_[host].point->id] = host;
-  for (Host& host : hosts_) host.downstream_lock = FindHost(host.point->downstream_lock);
-  states_.resize(hosts_.size());
-}
+    : world_(world),
+      model_(model),
+      objects_(objects),
+      object_states_(object_states),
+      controls_(controls),
+      states_(model.hosts().size()) {}
 
 void Bonds::FastenInitially() {
-  for (std::size_t guest = 0; guest < guests_.size(); ++guest) {
-    const auto host = FindHost(guests_[guest].point->initial_host);
-    const int tightness = guests_[guest].point->initial_tightness;
-    if (!host || tightness < 1) continue;
-    world_->MoveAssembly(BodyOf(guests_[guest]), GuestBodyAt(guest, *host, tightness));
-    Join(guest, *host, tightness);
+  for (GuestIndex guest : model_.guests()) {
+    const scene::GuestPoint& point = *model_.guest(guest).point;
+    const auto host = model_.FindHost(point.initial_host);
+    if (!host || point.initial_tightness < 1) continue;
+    world_->MoveAssembly(BodyOf(guest), GuestBodyAt(guest, *host, point.initial_tightness));
+    Join(guest, *host, point.initial_tightness);
   }
 }
 
-std::optional<std::size_t> Bonds::FindHost(const std::string& id) const {
-  const auto found = host_of_id_.find(id);
-  return found != host_of_id_.end() ? std::optional(found->second) : std::nullopt;
-}
-
-std::optional<std::size_t> Bonds::HostOf(std::size_t guest) const {
-  for (std::size_t host = 0; host < states_.size(); ++host) {
+std::optional<HostIndex> Bonds::HostOf(GuestIndex guest) const {
+  for (HostIndex host : model_.hosts()) {
     if (states_[host].guest == static_cast<int>(guest)) return host;
   }
   return std::nullopt;
 }
 
-std::optional<std::size_t> Bonds::NearestGuest(std::size_t object, const Vector3& p_WQ) const {
-  std::optional<std::size_t> nearest;
+std::optional<GuestIndex> Bonds::NearestGuest(ObjectIndex object, const Vector3& p_WQ) const {
+  std::optional<GuestIndex> nearest;
   double nearest_distance = 0;
   const RigidTransform X_WB = world_->body((*objects_)[object].body).pose_in_world();
-  for (std::size_t guest = 0; guest < guests_.size(); ++guest) {
-    if (guests_[guest].object != object) continue;
-    const double distance = (X_WB * guests_[guest].X_BG.translation() - p_WQ).norm();
+  for (GuestIndex guest : model_.guests()) {
+    if (model_.guest(guest).object != object) continue;
+    const double distance = (X_WB * model_.guest(guest).X_BG.translation() - p_WQ).norm();
     if (nearest && distance >= nearest_distance) continue;
     nearest = guest;
     nearest_distance = distance;
@@ -72,13 +53,13 @@ std::optional<std::size_t> Bonds::NearestGuest(std::size_t object, const Vector3
   return nearest;
 }
 
-std::vector<bool> Bonds::ConnectedWith(std::size_t object) const {
+std::vector<bool> Bonds::ConnectedWith(ObjectIndex object) const {
   // Bonds between static objects have no joint, other joints have no bond.
   std::multimap<std::size_t, std::size_t> neighbours;
-  for (std::size_t host = 0; host < hosts_.size(); ++host) {
+  for (HostIndex host : model_.hosts()) {
     if (states_[host].guest < 0) continue;
-    const std::size_t a = hosts_[host].object;
-    const std::size_t b = guests_[static_cast<std::size_t>(states_[host].guest)].object;
+    const GuestIndex guest(static_cast<std::size_t>(states_[host].guest));
+    const std::size_t a = model_.host(host).object, b = model_.guest(guest).object;
     neighbours.insert({{a, b}, {b, a}});
   }
   std::vector<bool> is_connected(objects_->size());
@@ -98,19 +79,19 @@ std::vector<bool> Bonds::ConnectedWith(std::size_t object) const {
   return is_connected;
 }
 
-std::optional<std::size_t> Bonds::HostInReach(std::size_t guest, double reach,
-                                              Refusal* refusal) const {
-  const Guest& plug = guests_[guest];
-  const auto point_in_world = [this](std::size_t object, const RigidTransform& X_BPoint) {
+std::optional<HostIndex> Bonds::HostInReach(GuestIndex guest, double reach,
+                                            Refusal* refusal) const {
+  const model::Guest& plug = model_.guest(guest);
+  const auto point_in_world = [this](ObjectIndex object, const RigidTransform& X_BPoint) {
     return world_->body((*objects_)[object].body).pose_in_world() * X_BPoint.translation();
   };
   const Vector3 p_WG = point_in_world(plug.object, plug.X_BG);
   const std::vector<bool> is_connected = ConnectedWith(plug.object);
-  std::optional<std::size_t> nearest;
+  std::optional<HostIndex> nearest;
   double nearest_distance = reach;
   bool is_any_locked = false;
-  for (std::size_t host = 0; host < hosts_.size(); ++host) {
-    const Host& hole = hosts_[host];
+  for (HostIndex host : model_.hosts()) {
+    const model::Host& hole = model_.host(host);
     if (hole.point->type != plug.point->type || states_[host].guest >= 0 ||
         is_connected[hole.object] || !IsInPlay(hole.object)) {
       continue;
@@ -132,32 +113,29 @@ std::optional<std::size_t> Bonds::HostInReach(std::size_t guest, double reach,
   return nearest;
 }
 
-RigidTransform Bonds::GuestBodyAt(std::size_t guest, std::size_t host, int tightness) const {
-  const Host& hole = hosts_[host];
-  const RigidTransform X_WHost = world_->body((*objects_)[hole.object].body).pose_in_world();
-  const RigidTransform X_HStage = tightness > 0 ? StageOf(hole, tightness).X_HS : RigidTransform();
-  return X_WHost * (hole.X_BH * (X_HStage * guests_[guest].X_BG.inverse()));
+RigidTransform Bonds::GuestBodyAt(GuestIndex guest, HostIndex host, int tightness) const {
+  return world_->body(BodyOf(host)).pose_in_world() *
+         model::GuestBodyInHostBody(model_.host(host), model_.guest(guest), tightness);
 }
 
-std::optional<Refusal> Bonds::Fasten(std::size_t object, const Vector3& p_WQ,
-                                     double meters_per_unit) {
+std::optional<Refusal> Bonds::Fasten(ObjectIndex object, const Vector3& p_WQ) {
   const std::string name = Named((*objects_)[object].id());
   const auto guest = NearestGuest(object, p_WQ);
   if (!guest) return name + " has no guestBondPoint to fasten it by";
   if (const auto host = HostOf(*guest)) {
     const int tightness = states_[*host].tightness;
-    if (tightness == static_cast<int>(hosts_[*host].point->stages.size())) {
+    if (tightness == static_cast<int>(model_.host(*host).point->stages.size())) {
       return name + " is fastened as tightly as it can be";
     }
     return Tighten(*guest, *host, tightness + 1);
   }
   Refusal refusal;
-  const auto host = HostInReach(*guest, kReachUnits * meters_per_unit, &refusal);
+  const auto host = HostInReach(*guest, kReachUnits * model_.scene().meters_per_unit, &refusal);
   if (!host) return refusal;
   return Tighten(*guest, *host, 1);
 }
 
-std::optional<Refusal> Bonds::Loosen(std::size_t object, const Vector3& p_WQ) {
+std::optional<Refusal> Bonds::Loosen(ObjectIndex object, const Vector3& p_WQ) {
   const auto guest = NearestGuest(object, p_WQ);
   const auto host = guest ? HostOf(*guest) : std::nullopt;
   if (!host) return Named((*objects_)[object].id()) + " is not fastened there";
@@ -165,21 +143,21 @@ std::optional<Refusal> Bonds::Loosen(std::size_t object, const Vector3& p_WQ) {
 }
 
 /// Goes to another stage, or refuses and leaves everything as it was.
-std::optional<Refusal> Bonds::Tighten(std::size_t guest, std::size_t host, int tightness) {
-  if (states_[host].is_locked) return Named(hosts_[host].point->id) + " is locked";
+std::optional<Refusal> Bonds::Tighten(GuestIndex guest, HostIndex host, int tightness) {
+  if (states_[host].is_locked) return Named(model_.host(host).point->id) + " is locked";
   const RigidTransform X_WB = GuestBodyAt(guest, host, tightness);
   if (auto refusal = RefuseToMove(guest, host, X_WB)) return refusal;
 
   if (states_[host].joint) world_->RemoveJoint(states_[host].joint);
   states_[host].joint = {};
-  world_->MoveAssembly(BodyOf(guests_[guest]), X_WB);
+  world_->MoveAssembly(BodyOf(guest), X_WB);
   Join(guest, host, tightness);
   return std::nullopt;
 }
 
-std::optional<Refusal> Bonds::RefuseToMove(std::size_t guest, std::size_t host,
+std::optional<Refusal> Bonds::RefuseToMove(GuestIndex guest, HostIndex host,
                                            const RigidTransform& X_WB) const {
-  const physics::BodyId body = BodyOf(guests_[guest]), holder = BodyOf(hosts_[host]);
+  const physics::BodyId body = BodyOf(guest), holder = BodyOf(host);
   const physics::JointId bond = states_[host].joint;
   if (world_->body(body).is_static()) return NameOf(body) + " is fixed (its mass is 0)";
   if (world_->IsAnchored(body, bond)) {
@@ -217,8 +195,8 @@ std::string Bonds::NameOf(physics::BodyId body) const {
   return object != objects_->end() ? Named(object->id()) : "the table";
 }
 
-void Bonds::Join(std::size_t guest, std::size_t host, int tightness) {
-  const physics::BodyId holder = BodyOf(hosts_[host]), body = BodyOf(guests_[guest]);
+void Bonds::Join(GuestIndex guest, HostIndex host, int tightness) {
+  const physics::BodyId holder = BodyOf(host), body = BodyOf(guest);
   BondState& state = states_[host];
   state.tightness = tightness;
   state.guest = tightness > 0 ? static_cast<int>(guest) : -1;
@@ -226,8 +204,7 @@ void Bonds::Join(std::size_t guest, std::size_t host, int tightness) {
     state.joint = world_->AddJoint(physics::FixedJointSpec{
         .a = holder,
         .b = body,
-        .X_AB = hosts_[host].X_BH *
-                (StageOf(hosts_[host], tightness).X_HS * guests_[guest].X_BG.inverse())});
+        .X_AB = model::GuestBodyInHostBody(model_.host(host), model_.guest(guest), tightness)});
   } else if (tightness == 0) {
     // Still inside the hole, it must not be thrown out.
     world_->LetPass(holder, body);
@@ -235,28 +212,26 @@ void Bonds::Join(std::size_t guest, std::size_t host, int tightness) {
   TellDownstream(host);
 }
 
-void Bonds::TellDownstream(std::size_t index) {
-  const Host& host = hosts_[index];
+void Bonds::TellDownstream(HostIndex index) {
+  const model::Host& host = model_.host(index);
   const int tightness = states_[index].tightness;
-  const scene::TightnessStage* stage = tightness > 0 ? &StageOf(host, tightness) : nullptr;
   if (host.downstream) controls_->Set(*host.downstream, tightness);
   if (host.downstream_override) {
-    const bool forces = stage != nullptr && stage->downstream_state.has_value();
-    controls_->Override(*host.downstream_override, forces ? *stage->downstream_state : -1);
+    controls_->Override(*host.downstream_override, model::OverrideAt(host, tightness));
   }
   if (host.downstream_lock) {
-    states_[*host.downstream_lock].is_locked = stage != nullptr && stage->locks_downstream;
+    states_[*host.downstream_lock].is_locked = model::LocksDownstreamAt(host, tightness);
   }
 }
 
-void Bonds::EndBondsOf(std::size_t object) {
-  for (std::size_t host = 0; host < states_.size(); ++host) {
+void Bonds::EndBondsOf(ObjectIndex object) {
+  for (HostIndex host : model_.hosts()) {
     BondState& state = states_[host];
     if (state.guest < 0) continue;
-    const std::size_t guest_object = guests_[static_cast<std::size_t>(state.guest)].object;
-    if (hosts_[host].object != object && guest_object != object) continue;
+    const GuestIndex guest(static_cast<std::size_t>(state.guest));
+    if (model_.host(host).object != object && model_.guest(guest).object != object) continue;
     if (state.joint) world_->RemoveJoint(state.joint);
-    state = {.is_locked = state.is_locked};
+    state = BondState{{.is_locked = state.is_locked}};
     TellDownstream(host);
   }
 }

@@ -7,7 +7,6 @@ namespace smile::world {
 /// Bodies bounce with the product of both restitutions: with 1 here, an object's own one counts.
 inline constexpr double kGroundRestitution = 1;
 
-scene::Solid TableSolid(const scene::TableSpec& table);
 /// What catches things that leave the table.
 scene::Solid FloorSolid();
 

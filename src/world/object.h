@@ -1,18 +1,18 @@
 #pragma once
 
-#include <memory>
 #include <string>
 
+#include "model/model.h"
 #include "physics/ids.h"
-#include "scene/scene_spec.h"
 
 namespace smile::world {
 
 /// A whole object of the scene, alive. Once destroyed, its body is no longer in the physics world;
 /// it keeps its place in the list.
 struct Object {
-  std::shared_ptr<const scene::ObjectSpec> spec;  ///< never null, never changes
-  physics::BodyId body;
+  model::ObjectIndex index{0};              ///< its place in the scene and in the list
+  const scene::ObjectSpec* spec = nullptr;  ///< of the Model; never null
+  physics::BodyId body{};
 
   const std::string& id() const { return spec->id(); }
 };

@@ -13,66 +13,58 @@ namespace {
 constexpr double kLinkAngularDamping = 0.9;
 
 /// Without bodies yet.
-std::vector<Object> ObjectsOf(const scene::SceneSpec& scene) {
+std::vector<Object> ObjectsOf(const model::Model& model) {
   std::vector<Object> objects;
-  for (const scene::ObjectSpec& spec : scene.objects) {
-    objects.push_back({std::make_shared<const scene::ObjectSpec>(spec), {}});
+  for (model::ObjectIndex object : model.objects()) {
+    objects.push_back({.index = object, .spec = &model.object(object)});
   }
   return objects;
 }
 
-std::vector<std::optional<double>> LinkPaddings(const scene::SceneSpec& scene) {
-  std::vector<std::optional<double>> paddings(scene.objects.size());
-  for (const scene::ChainSpec& chain : scene.chains) {
-    const auto first_link = paddings.begin() + static_cast<std::ptrdiff_t>(chain.first_object + 2);
-    std::fill_n(first_link, chain.link_ids.size(), chain.link_padding);
-  }
-  return paddings;
-}
-
 }  // namespace
 
-Tabletop::Tabletop(physics::World* world, const scene::SceneSpec& scene)
+Tabletop::Tabletop(physics::World* world, std::shared_ptr<const model::Model> model)
     : world_(world),
-      table_(scene.table),
-      meters_per_unit_(scene.meters_per_unit),
-      objects_(ObjectsOf(scene)),
-      link_padding_(LinkPaddings(scene)),
-      controls_(objects_),
+      model_(std::move(model)),
+      objects_(ObjectsOf(*model_)),
+      controls_(*model_),
       object_states_(objects_.size()),
-      bonds_(world, &objects_, &object_states_, &controls_) {
-  AddBodiesAndJoints(scene);
+      bonds_(world, *model_, &objects_, &object_states_, &controls_) {
+  AddBodiesAndJoints();
   const std::vector<ControlState> before = controls_.states();
   bonds_.FastenInitially();
   FollowControls(before);
 }
 
-void Tabletop::AddBodiesAndJoints(const scene::SceneSpec& scene) {
-  world_->AddBody({.solids = {TableSolid(table_)}, .restitution = kGroundRestitution});
+Tabletop::Tabletop(physics::World* world, scene::SceneSpec scene)
+    : Tabletop(world, std::make_shared<const model::Model>(std::move(scene))) {}
+
+void Tabletop::AddBodiesAndJoints() {
+  const scene::SceneSpec& scene = model_->scene();
+  world_->AddBody({.solids = {scene::TableSolid(scene.table)}, .restitution = kGroundRestitution});
   floor_ = world_->AddBody({.solids = {FloorSolid()}, .restitution = kGroundRestitution});
-  for (std::size_t i = 0; i < objects_.size(); ++i) {
-    const scene::ObjectSpec& spec = *objects_[i].spec;
-    const std::vector<scene::Solid> solids = SolidsNow(i);
-    objects_[i].body = world_->AddBody(
+  for (Object& object : objects_) {
+    const scene::ObjectSpec& spec = *object.spec;
+    const std::vector<scene::Solid> solids = SolidsNow(object);
+    const bool is_link = model_->chain_of_link(object.index) != nullptr;
+    object.body = world_->AddBody(
         {.solids = solids,
          .mass = scene::MassPropertiesOf(solids, spec.mass, spec.center_of_mass),
          .X_WB = spec.pose_in_world(),
          .friction = spec.surface.friction,
          .restitution = spec.surface.restitution,
          .rolling_friction = spec.surface.rolling_friction,
-         .angular_damping = link_padding_[i] ? std::optional(kLinkAngularDamping) : std::nullopt});
+         .angular_damping = is_link ? std::optional(kLinkAngularDamping) : std::nullopt});
   }
   for (const scene::SliderSpec& slider : scene.sliders) AddSliderJoint(slider, objects_, world_);
   for (const scene::ChainSpec& chain : scene.chains) {
-    AddChainJoints(chain, meters_per_unit_, objects_, world_);
+    AddChainJoints(chain, scene.meters_per_unit, objects_, world_);
   }
 }
 
 const Object* Tabletop::Find(std::string_view id) const {
-  for (const Object& object : objects_) {
-    if (object.id() == id) return IsPresent(object) ? &object : nullptr;
-  }
-  return nullptr;
+  const auto index = model_->FindObject(id);
+  return index && IsPresent(objects_[*index]) ? &objects_[*index] : nullptr;
 }
 
 const Object* Tabletop::Find(physics::BodyId body) const {
@@ -84,14 +76,14 @@ const Object* Tabletop::Find(physics::BodyId body) const {
 
 const Object* Tabletop::FindPointable(std::string_view id) const {
   if (const Object* object = Find(id)) return object;
-  for (std::size_t i = 0; i < objects_.size(); ++i) {
-    if (IsPresent(objects_[i]) && HasPointable(i, id)) return &objects_[i];
+  for (const Object& object : objects_) {
+    if (IsPresent(object) && HasPointable(object, id)) return &object;
   }
   return nullptr;
 }
 
-bool Tabletop::HasPointable(std::size_t object, std::string_view id) const {
-  std::size_t next_control = controls_.RangeOf(object).first;
+bool Tabletop::HasPointable(const Object& object, std::string_view id) const {
+  auto next_control = model_->controls_of(object.index).begin();
   const auto has = [&](const auto& self, const scene::Part& part) -> bool {
     const auto any = [&](const std::vector<scene::Part>& parts) {
       return std::ranges::any_of(parts,
@@ -102,28 +94,25 @@ bool Tabletop::HasPointable(std::size_t object, std::string_view id) const {
       return any(composite->parts);
     }
     if (!scene::IsControl(part.shape)) return false;
-    const auto state = static_cast<std::size_t>(controls_.states()[next_control++].state);
+    const auto state = static_cast<std::size_t>(controls_.states()[*next_control++].state);
     const auto* custom = std::get_if<scene::CustomControl>(&part.shape);
     return custom != nullptr && any(custom->states[state].parts);
   };
-  return has(has, objects_[object].spec->whole);
+  return has(has, object.spec->whole);
 }
 
-std::vector<scene::Solid> Tabletop::SolidsNow(std::size_t object) const {
-  return scene::SolidsWith(LooksOf(object), scene::SolidsOf(objects_[object].spec->whole));
+std::vector<scene::Solid> Tabletop::SolidsNow(const Object& object) const {
+  return scene::SolidsWith(model_->LooksOf(object.index, controls_.states()),
+                           scene::SolidsOf(object.spec->whole));
 }
 
 void Tabletop::FollowControls(const std::vector<ControlState>& before) {
-  std::optional<std::size_t> done;  // controls are in the order of their objects
-  for (std::size_t i = 0; i < before.size(); ++i) {
-    const Control& control = controls_.all()[i];
-    const Object& object = objects_[control.object];
-    if (control.object == done || !IsPresent(object) ||
-        LookOf(control, before[i]) == LookOf(control, controls_.states()[i])) {
+  for (const Object& object : objects_) {
+    if (!IsPresent(object) || model_->LooksOf(object.index, before) ==
+                                  model_->LooksOf(object.index, controls_.states())) {
       continue;
     }
-    done = control.object;
-    const std::vector<scene::Solid> solids = SolidsNow(control.object);
+    const std::vector<scene::Solid> solids = SolidsNow(object);
     // Lights look otherwise and feel the same.
     if (solids == world_->body(object.body).spec().solids) continue;
     world_->ChangeForm(
@@ -133,11 +122,11 @@ void Tabletop::FollowControls(const std::vector<ControlState>& before) {
 }
 
 std::optional<Refusal> Tabletop::Trigger(std::string_view id, std::string_view part) {
-  const auto control = controls_.Find(id);
-  if (!control || !IsPresent(controls_.all()[*control])) {
+  const auto control = model_->FindControl(id);
+  if (!control || !IsPresent(*control)) {
     return "there is no control " + Named(id);
   }
-  if (auto refusal = RefuseToReach(objects_[controls_.all()[*control].object])) return refusal;
+  if (auto refusal = RefuseToReach(objects_[model_->control(*control).object])) return refusal;
   const std::vector<ControlState> before = controls_.states();
   if (auto refusal = controls_.Trigger(*control, part)) return refusal;
   FollowControls(before);
@@ -146,23 +135,35 @@ std::optional<Refusal> Tabletop::Trigger(std::string_view id, std::string_view p
 
 std::optional<Refusal> Tabletop::Fasten(const Object& object, const Vector3& p_WQ) {
   const std::vector<ControlState> before = controls_.states();
-  if (auto refusal = bonds_.Fasten(IndexOf(object), p_WQ, meters_per_unit_)) return refusal;
+  if (auto refusal = bonds_.Fasten(object.index, p_WQ)) return refusal;
   FollowControls(before);
   return std::nullopt;
 }
 
 std::optional<Refusal> Tabletop::Loosen(const Object& object, const Vector3& p_WQ) {
   const std::vector<ControlState> before = controls_.states();
-  if (auto refusal = bonds_.Loosen(IndexOf(object), p_WQ)) return refusal;
+  if (auto refusal = bonds_.Loosen(object.index, p_WQ)) return refusal;
   FollowControls(before);
   return std::nullopt;
 }
 
 void Tabletop::Destroy(const Object& object) {
   const std::vector<ControlState> before = controls_.states();
-  bonds_.EndBondsOf(IndexOf(object));
+  bonds_.EndBondsOf(object.index);
   world_->RemoveBody(object.body);
   FollowControls(before);
+}
+
+model::SceneState Tabletop::scene_state() const {
+  model::SceneState state{.X_WB = {},
+                          .controls = controls_.states(),
+                          .hosts = {bonds_.states().begin(), bonds_.states().end()}};
+  for (const Object& object : objects_) {
+    state.X_WB.push_back(IsPresent(object)
+                             ? std::optional(world_->body(object.body).pose_in_world())
+                             : std::nullopt);
+  }
+  return state;
 }
 
 void Tabletop::Restore(const TabletopState& state) {

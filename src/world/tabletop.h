@@ -1,15 +1,13 @@
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
+#include <memory>
 #include <optional>
 #include <string_view>
 #include <vector>
 
 #include "base/state_hash.h"
+#include "model/model.h"
 #include "physics/world.h"
-#include "scene/scene_spec.h"
-#include "scene/visual_model.h"
 #include "world/bonds.h"
 #include "world/controls.h"
 #include "world/object.h"
@@ -21,8 +19,8 @@ inline constexpr double kFloorDepth = 0.9;
 
 /// What can change about a tabletop apart from its bodies, whose state is the physics world's.
 struct TabletopState {
-  std::vector<ControlState> controls;  ///< in scene order
-  std::vector<BondState> bonds;        ///< one per host point, in scene order
+  std::vector<ControlState> controls;  ///< by model::ControlIndex
+  std::vector<BondState> bonds;        ///< by model::HostIndex
   std::vector<ObjectState> objects;    ///< in scene order
 
   bool operator==(const TabletopState&) const = default;
@@ -33,7 +31,9 @@ struct TabletopState {
 class Tabletop {
  public:
   /// Adds table, floor, objects and joints to `world`, which must outlive this.
-  Tabletop(physics::World* world, const scene::SceneSpec& scene);
+  Tabletop(physics::World* world, std::shared_ptr<const model::Model> model);
+  /// Of a model of its own, without a robot.
+  Tabletop(physics::World* world, scene::SceneSpec scene);
   Tabletop(const Tabletop&) = delete;
   Tabletop& operator=(const Tabletop&) = delete;
 
@@ -47,7 +47,7 @@ class Tabletop {
   const Object* FindPointable(std::string_view id) const;
 
   /// It came to the floor, and is out of play ever since.
-  bool HasFallen(const Object& object) const { return object_states_[IndexOf(object)].has_fallen; }
+  bool HasFallen(const Object& object) const { return object_states_[object.index].has_fallen; }
   /// Why hands cannot reach an object: it is destroyed, or has fallen.
   std::optional<Refusal> RefuseToReach(const Object& object) const;
   /// Or there is none of this id.
@@ -59,10 +59,13 @@ class Tabletop {
   /// @returns those that had not fallen before, in scene order.
   std::vector<const Object*> NoticeFallen();
 
+  const model::Model& model() const { return *model_; }
   const Controls& controls() const { return controls_; }
   const Bonds& bonds() const { return bonds_; }
   /// False once the object it belongs to is destroyed.
-  bool IsPresent(const Control& control) const { return IsPresent(objects_[control.object]); }
+  bool IsPresent(model::ControlIndex control) const {
+    return IsPresent(objects_[model_->control(control).object]);
+  }
 
   /// See Controls::Trigger().
   [[nodiscard]] std::optional<Refusal> Trigger(std::string_view control, std::string_view part);
@@ -77,39 +80,25 @@ class Tabletop {
   void Restore(const TabletopState& state);
   void AddToHash(StateHash* hash) const;
 
-  /// What there is to see: the table (drawn in the world's frame) and one frame per object.
-  void AppendVisuals(scene::VisualModel* model) const;
-  /// One pose per object, in scene order; one look per choice.
-  void AppendVisualState(scene::VisualState* state) const;
-  /// The looks of another moment.
-  /// @param is_present  one per object.
-  std::vector<int> LooksAt(const std::vector<ControlState>& controls,
-                           const std::vector<bool>& is_present) const;
+  /// What can be seen of it now.
+  model::SceneState scene_state() const;
 
  private:
-  std::size_t IndexOf(const Object& object) const {
-    return static_cast<std::size_t>(&object - objects_.data());
-  }
-  /// The looks of an object's own controls.
-  std::vector<int> LooksOf(std::size_t object) const;
   /// Adds everything that bonds may join.
-  void AddBodiesAndJoints(const scene::SceneSpec& scene);
+  void AddBodiesAndJoints();
   /// The solids that are there while its controls look as they do.
-  std::vector<scene::Solid> SolidsNow(std::size_t object) const;
+  std::vector<scene::Solid> SolidsNow(const Object& object) const;
   /// Gives objects another form whose controls looked otherwise before.
   void FollowControls(const std::vector<ControlState>& before);
-  bool HasPointable(std::size_t object, std::string_view id) const;
-  bool HasComeDown(std::size_t object) const;
+  bool HasPointable(const Object& object, std::string_view id) const;
+  bool HasComeDown(const Object& object) const;
   /// By a hand or a gripper; or something is that it hangs on.
   bool IsHeld(const Object& object) const;
 
   physics::World* world_;
-  scene::TableSpec table_;
-  double meters_per_unit_;
+  std::shared_ptr<const model::Model> model_;
   physics::BodyId floor_;
   std::vector<Object> objects_;
-  /// Of each object that is a chain's link: by how much it is drawn longer at both ends [m].
-  std::vector<std::optional<double>> link_padding_;
   Controls controls_;
   std::vector<ObjectState> object_states_;  ///< one per object
   Bonds bonds_;

@@ -57,24 +57,23 @@ std::optional<Refusal> Tabletop::RefuseToPoint(std::string_view id) const {
 std::vector<const Object*> Tabletop::NoticeFallen() {
   const std::vector<physics::BodyId> on_floor = world_->BodiesTouching(floor_);
   std::vector<const Object*> fallen;
-  for (std::size_t i = 0; i < objects_.size(); ++i) {
-    const Object& object = objects_[i];
-    ObjectState& state = object_states_[i];
+  for (const Object& object : objects_) {
+    ObjectState& state = object_states_[object.index];
     if (!IsPresent(object) || state.has_fallen) continue;
     const physics::Body& body = world_->body(object.body);
     if (body.is_carried() && body.pose_in_world().translation().z() > 0) state.was_raised = true;
     if (!std::ranges::binary_search(on_floor, object.body)) continue;
-    if (!HasComeDown(i) || IsHeld(object)) continue;
+    if (!HasComeDown(object) || IsHeld(object)) continue;
     state.has_fallen = true;
     fallen.push_back(&object);
   }
   return fallen;
 }
 
-bool Tabletop::HasComeDown(std::size_t object) const {
-  const double start = objects_[object].spec->pose_in_world().translation().z();
-  const double now = world_->body(objects_[object].body).pose_in_world().translation().z();
-  return object_states_[object].was_raised || now < start - kFall;
+bool Tabletop::HasComeDown(const Object& object) const {
+  const double start = object.spec->pose_in_world().translation().z();
+  const double now = world_->body(object.body).pose_in_world().translation().z();
+  return object_states_[object.index].was_raised || now < start - kFall;
 }
 
 bool Tabletop::IsHeld(const Object& object) const {

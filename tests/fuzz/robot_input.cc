@@ -36,7 +36,7 @@ std::string FaultOf(const robot::RobotModel& model) {
   const int num_frames = static_cast<int>(model.frames.size());
   const auto is_joint = [&](int joint) { return joint >= 0 && joint < model.num_joints(); };
   for (int i = 0; i < model.num_joints(); ++i) {
-    const physics::LinkSpec& link = model.links[static_cast<std::size_t>(i)];
+    const scene::LinkSpec& link = model.links[static_cast<std::size_t>(i)];
     if (link.parent < -1 || link.parent >= i) return link.name + ": a parent that comes later";
     if (!IsSomewhere(link.X_PJ) || std::abs(link.axis.norm() - 1) > 1e-9) {
       return link.name + ": a joint that is nowhere";

@@ -46,7 +46,7 @@ TEST(ArmKinematics, AgreesWithTheWholeRobotsKinematics) {
 /// A lift, then an arm of two joints of its own: one slides, one turns about an axis askew.
 robot::RobotModel Crane() {
   robot::RobotModel model{.name = "crane"};
-  const auto link = [&](int parent, physics::JointType type, const Vector3& axis) {
+  const auto link = [&](int parent, scene::JointType type, const Vector3& axis) {
     const int i = model.num_joints();
     model.links.push_back(
         {.name = "l" + std::to_string(i),
@@ -60,9 +60,9 @@ robot::RobotModel Crane() {
          .upper = 1,
          .max_velocity = 1});
   };
-  link(-1, physics::JointType::kPrismatic, {0, 0, 1});
-  link(0, physics::JointType::kRevolute, {1, 2, -2});
-  link(1, physics::JointType::kPrismatic, {0, -1, 0});
+  link(-1, scene::JointType::kPrismatic, {0, 0, 1});
+  link(0, scene::JointType::kRevolute, {1, 2, -2});
+  link(1, scene::JointType::kPrismatic, {0, -1, 0});
   model.frames.push_back({"tool", 2, RigidTransform(Vector3(0.5, 0, 0.1))});
   model.arms.push_back({.name = "only", .joints = {2, 1}, .tool = 0});
   model.q_start = {0.5, 0, 0};

@@ -75,19 +75,19 @@ class PhysicsWorldBuilder {
   }
   /// Two arms of four links each, the last joint sliding, over the table.
   ArticulationId AddRobot(bool is_kinematic = false) {
-    ArticulationSpec spec{.X_WBase = RigidTransform(Vector3(0, -0.5, 0.3)),
-                          .is_kinematic = is_kinematic};
+    scene::ArticulationSpec spec{.X_WBase = RigidTransform(Vector3(0, -0.5, 0.3)),
+                                 .is_kinematic = is_kinematic};
     spec.base_solids = {{scene::Block{{0.2, 0.1, 0.2}}, {}, {}, ""}};
     for (int arm = 0; arm < 2; ++arm) {
       for (int i = 0; i < 4; ++i) {
-        LinkSpec link;
+        scene::LinkSpec link;
         link.joint_name = "arm" + std::to_string(arm) + "_joint" + std::to_string(i);
         link.parent = i == 0 ? -1 : arm * 4 + i - 1;
         link.X_PJ =
             RigidTransform(i == 0 ? Vector3(arm == 0 ? -0.25 : 0.25, 0.1, 0) : Vector3(0, 0.2, 0));
         link.axis = i % 2 == 0 ? Vector3::UnitZ() : Vector3::UnitX();
         if (i == 3) {
-          link.joint_type = JointType::kPrismatic;
+          link.joint_type = scene::JointType::kPrismatic;
           link.axis = Vector3::UnitY();
         }
         link.lower = i == 3 ? 0.0 : -1.5;

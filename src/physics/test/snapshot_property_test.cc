@@ -397,7 +397,7 @@ TEST(Snapshot, RefusesWhatContradictsItselfAndLeavesTheWorldAsItWas) {
         s->passing = {{BodyId{1}, BodyId{999}}};
       },
       [](Snapshot* s) {
-        auto spec = std::make_shared<ArticulationSpec>(*s->articulations[0].spec);
+        auto spec = std::make_shared<scene::ArticulationSpec>(*s->articulations[0].spec);
         spec->links[1].parent = 5;
         s->articulations[0].spec = spec;
       },

@@ -124,12 +124,12 @@ TEST_F(WorldTest, WhatBouncesHasTouchedHoweverShortly) {
 }
 
 TEST_F(WorldTest, AJointTurnsThoughItsLinkHasNothingToTouch) {
-  LinkSpec link{.max_velocity = 2, .max_effort = 50, .mass = 1};
+  scene::LinkSpec link{.max_velocity = 2, .max_effort = 50, .mass = 1};
   link.lower = -2;
   link.upper = 2;
   link.inertia = 0.01 * Matrix3::Identity();
   // One link in the way of another, if it had a shape.
-  ArticulationSpec spec{.links = {link, link}};
+  scene::ArticulationSpec spec{.links = {link, link}};
   spec.links[1].parent = 0;
   spec.links[1].solids = {{scene::Block{{0.1, 0.1, 0.1}}, {}, {}, ""}};
   Articulation& arm = world_.articulation(world_.AddArticulation(spec));

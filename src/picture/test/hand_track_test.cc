@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "picture/touch.h"
+#include "record/sight.h"
 #include "record/test/recording_fixture.h"
 #include "record/trace_reader.h"
 
@@ -26,13 +27,13 @@ class HandTrackTest : public record::RecordingFixture {
   HandTrack TrackOf(const char* script, const char* xml = kTable) {
     if (!recording_) {
       recording_ = record::OpenRecording(Record(script, false, nullptr, xml));
-      stage_ = std::make_unique<sim::Simulation>(recording_->scene);
+      model_ = std::make_unique<model::Model>(recording_->scene);
     }
-    return {*recording_, *stage_};
+    return {*recording_, *model_};
   }
 
   std::optional<record::Recording> recording_;
-  std::unique_ptr<sim::Simulation> stage_;
+  std::unique_ptr<model::Model> model_;
 };
 
 /// How far a point is from a cuboid about the origin, from outside or inside [m].
@@ -145,10 +146,10 @@ TEST_F(HandTrackTest, GivesAnyToTheHandThatIsFree) {
   const auto& [left, right] = track.deeds().of;
   // `b` is on the left hand's side, but that is needed for `a`; later it is not.
   ASSERT_EQ(right.size(), 1u);
-  EXPECT_EQ(right[0].object, 1u);
+  EXPECT_EQ(right[0].object, model::ObjectIndex(1));
   ASSERT_EQ(left.size(), 2u);
-  EXPECT_EQ(left[0].object, 0u);
-  EXPECT_EQ(left[1].object, 1u);
+  EXPECT_EQ(left[0].object, model::ObjectIndex(0));
+  EXPECT_EQ(left[1].object, model::ObjectIndex(1));
 }
 
 TEST_F(HandTrackTest, CrossesNoArmsThatNeedNot) {
@@ -158,9 +159,9 @@ TEST_F(HandTrackTest, CrossesNoArmsThatNeedNot) {
 {"do":"wait","seconds":0.5})");
   const auto& [left, right] = track.deeds().of;
   ASSERT_EQ(left.size(), 1u);
-  EXPECT_EQ(left[0].object, 1u);
+  EXPECT_EQ(left[0].object, model::ObjectIndex(1));
   ASSERT_EQ(right.size(), 1u);
-  EXPECT_EQ(right[0].object, 2u);
+  EXPECT_EQ(right[0].object, model::ObjectIndex(2));
 }
 
 TEST_F(HandTrackTest, TakesHoldWhereTheLogSays) {
@@ -200,14 +201,15 @@ TEST_F(HandTrackTest, FindsMaterialToTakeHoldOf) {
                 R"xml(<tabletop xmlns="http://synapse.cs.umd.edu/tabletop-xml">
   <box id="bin" location="(0, 0, 1)" xspan="4" yspan="4" zspan="2"/>
 </tabletop>)xml");
-  const Touch touch(stage_->visual_model(), 1);
-  const auto looks = stage_->visual_state().looks;
+  const Touch touch(*model_);
+  const auto looks = record::VisualStateAt(record::StartOf(*model_), *model_).looks;
+  const model::FrameIndex bin = model_->frame_of(*model_->FindObject("bin"));
   const Vector3 hollow(0, 0, 0.05);
-  EXPECT_EQ(touch.Around(1, looks, hollow, Vector3::UnitX()).to, 0);
-  const Vector3 wall = touch.PointWithin(1, looks, hollow);
-  const Span through = touch.Around(1, looks, wall, Vector3::UnitZ());
+  EXPECT_EQ(touch.Around(bin, looks, hollow, Vector3::UnitX()).to, 0);
+  const Vector3 wall = touch.PointWithin(bin, looks, hollow);
+  const Span through = touch.Around(bin, looks, wall, Vector3::UnitZ());
   EXPECT_GT(through.to - through.from, 0.015);
-  EXPECT_EQ(touch.PointWithin(1, looks, wall), wall);
+  EXPECT_EQ(touch.PointWithin(bin, looks, wall), wall);
 }
 
 }  // namespace

@@ -18,11 +18,11 @@ constexpr Channels kAll{.rgb = true, .depth = true, .id = true};
 
 TEST_F(SeenDemonstratorTest, ChangesPicturesOnlyWhereHandsAre) {
   const record::Recording recording = record::OpenRecording(Record());
-  const sim::Simulation stage(recording.scene);
-  const SeenDemonstrator ghost(recording, stage, kGhost), person(recording, stage, kForearm);
+  const model::Model model(recording.scene);
+  const SeenDemonstrator ghost(recording, model, kGhost), person(recording, model, kForearm);
   const Shot shot{.camera = "eye", .width_px = 160, .height_px = 120, .channels = kAll};
-  Photographer plain(stage, shot), with_ghost(stage, shot, &ghost),
-      with_person(stage, shot, &person);
+  Photographer plain(model, shot), with_ghost(model, shot, &ghost),
+      with_person(model, shot, &person);
   std::size_t num_changed = 0, least_seen = 1000, most_seen = 0, num_ghostly = 0;
   record::TraceReader trace(recording);
   while (const auto moment = trace.Next()) {
@@ -64,16 +64,16 @@ TEST_F(SeenDemonstratorTest, ChangesPicturesOnlyWhereHandsAre) {
 
 TEST_F(SeenDemonstratorTest, IsTheSameAgainFromEverywhere) {
   const record::Recording recording = record::OpenRecording(Record());
-  const sim::Simulation stage(recording.scene);
+  const model::Model model(recording.scene);
   const auto moment = record::MomentAt(recording, 60);
   ASSERT_TRUE(moment);
   for (const DemonstratorLook look : {kGhost, kForearm}) {
-    const SeenDemonstrator one(recording, stage, look), other(recording, stage, look);
+    const SeenDemonstrator one(recording, model, look), other(recording, model, look);
     for (const char* camera : {"eye", "nice"}) {
       const Shot shot{.camera = camera, .width_px = 160, .height_px = 120};
-      const Image nobody = Photographer(stage, shot).Take(*moment);
-      const Image first = Photographer(stage, shot, &one).Take(*moment);
-      EXPECT_EQ(first.color, Photographer(stage, shot, &other).Take(*moment).color);
+      const Image nobody = Photographer(model, shot).Take(*moment);
+      const Image first = Photographer(model, shot, &one).Take(*moment);
+      EXPECT_EQ(first.color, Photographer(model, shot, &other).Take(*moment).color);
       EXPECT_NE(first.color, nobody.color);
     }
   }

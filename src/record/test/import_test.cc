@@ -343,22 +343,22 @@ TEST_F(ImportTest, NeverOverwrites) {
 }
 
 TEST(WithRecordedState, IsTheInverseOfRecordedState) {
-  const sim::Simulation stage(sim::EverythingScene::Make());
-  const world::Controls& controls = stage.tabletop().controls();
-  ASSERT_GE(controls.all().size(), 3u);
-  for (std::size_t i = 0; i < controls.all().size(); ++i) {
-    const world::Control& control = controls.all()[i];
+  const model::Model model(sim::EverythingScene::Make());
+  const std::vector<model::ControlState>& states = model.initial_state().controls;
+  ASSERT_GE(model.controls().size(), 3u);
+  for (model::ControlIndex i : model.controls()) {
+    const model::Control& control = model.control(i);
     const int num_states = scene::NumStatesOf(*control.part);
     for (int state = 0; state < num_states; ++state) {
       for (int position : {0, 1}) {
         const std::string recorded = RecordedState(control, {.state = state, .position = position});
-        const auto found = WithRecordedState(control, controls.states()[i], recorded);
+        const auto found = WithRecordedState(control, states[i], recorded);
         ASSERT_TRUE(found) << control.id() << " " << recorded;
         EXPECT_EQ(RecordedState(control, *found), recorded);
       }
     }
-    EXPECT_FALSE(WithRecordedState(control, controls.states()[i], "no such state"));
-    EXPECT_FALSE(WithRecordedState(control, controls.states()[i], std::to_string(num_states + 1)));
+    EXPECT_FALSE(WithRecordedState(control, states[i], "no such state"));
+    EXPECT_FALSE(WithRecordedState(control, states[i], std::to_string(num_states + 1)));
   }
 }
 

@@ -48,7 +48,7 @@ class RecordingFixture : public ::testing::Test {
 {"do":"wait","seconds":2})";
 
   static std::unique_ptr<sim::Simulation> MakeSimulation(bool with_robot, const char* xml = kScene,
-                                                         const robot::RobotBodyOptions& body = {}) {
+                                                         const model::RobotBodyOptions& body = {}) {
     auto scene = scene_xml::ReadSceneText(xml, "pair.xml").scene;
     if (!with_robot) return std::make_unique<sim::Simulation>(*scene);
     robot::RobotReading robot = robot::LoadRobot(DataFile("robots/baxter.urdf"));

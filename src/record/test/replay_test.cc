@@ -96,7 +96,7 @@ TEST_F(ReplayTest, NoticesAnotherFace) {
 
 TEST_F(ReplayTest, KnowsWhatKindOfBodyTheRobotHad) {
   for (const bool is_kinematic : {true, false}) {
-    const robot::RobotBodyOptions body{.is_kinematic = is_kinematic,
+    const model::RobotBodyOptions body{.is_kinematic = is_kinematic,
                                        .grasps_by_friction = !is_kinematic};
     const auto directory = root_ / (is_kinematic ? "kinematic" : "friction");
     auto simulation = MakeSimulation(/*with_robot=*/true, kScene, body);

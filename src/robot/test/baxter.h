@@ -25,7 +25,7 @@ inline std::vector<double> WithArmAt(const Arm& arm, const std::vector<double>& 
 /// Every joint somewhere within its limits.
 inline std::vector<double> RandomConfiguration(const RobotModel& model, std::mt19937* random) {
   std::vector<double> q;
-  for (const physics::LinkSpec& link : model.links) {
+  for (const scene::LinkSpec& link : model.links) {
     q.push_back(std::uniform_real_distribution<double>(link.lower, link.upper)(*random));
   }
   return q;

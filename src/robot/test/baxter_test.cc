@@ -55,15 +55,15 @@ TEST(Baxter, HasTheLimitsOfTheRealRobot) {
                                   {-3.059, 3.059, 4, 15}};
   for (const Arm& arm : Baxter().arms) {
     for (std::size_t i = 0; i < limits.size(); ++i) {
-      const physics::LinkSpec& link = Baxter().links[arm.joints[i]];
-      EXPECT_EQ(link.joint_type, physics::JointType::kRevolute);
+      const scene::LinkSpec& link = Baxter().links[arm.joints[i]];
+      EXPECT_EQ(link.joint_type, scene::JointType::kRevolute);
       EXPECT_EQ(link.lower, limits[i].lower) << link.joint_name;
       EXPECT_EQ(link.upper, limits[i].upper) << link.joint_name;
       EXPECT_EQ(link.max_velocity, limits[i].velocity) << link.joint_name;
       EXPECT_EQ(link.max_effort, limits[i].effort) << link.joint_name;
     }
   }
-  const physics::LinkSpec& head = Baxter().links[Baxter().head->joint];
+  const scene::LinkSpec& head = Baxter().links[Baxter().head->joint];
   EXPECT_EQ(head.lower, -1.3963);
   EXPECT_EQ(head.upper, 1.3963);
 }
@@ -80,7 +80,7 @@ TEST(Baxter, AnArmWeighsWhatTheDescriptionSays) {
 }
 
 TEST(Baxter, EveryLinkCanSpinLikeARealBody) {
-  for (const physics::LinkSpec& link : Baxter().links) {
+  for (const scene::LinkSpec& link : Baxter().links) {
     EXPECT_TRUE(link.inertia.isApprox(link.inertia.transpose())) << link.name;
     const Vector3 moments = Eigen::SelfAdjointEigenSolver<Matrix3>(link.inertia).eigenvalues();
     EXPECT_GT(moments[0], 1e-6) << link.name;
@@ -94,8 +94,8 @@ TEST(Baxter, BothArmsAreBuiltAlike) {
   const Arm& left = Baxter().arms[0];
   const Arm& right = Baxter().arms[1];
   for (std::size_t i = 0; i < left.joints.size(); ++i) {
-    const physics::LinkSpec& a = Baxter().links[left.joints[i]];
-    const physics::LinkSpec& b = Baxter().links[right.joints[i]];
+    const scene::LinkSpec& a = Baxter().links[left.joints[i]];
+    const scene::LinkSpec& b = Baxter().links[right.joints[i]];
     // The shoulders are mounted apart; from there on, the arms are the same part.
     EXPECT_TRUE(i == 0 || a.X_PJ == b.X_PJ) << a.joint_name;
     EXPECT_EQ(a.solids, b.solids) << a.joint_name;
@@ -130,8 +130,8 @@ TEST(Baxter, AConfigurationOutsideTheLimitsIsNoticed) {
 TEST(Baxter, FingersMeetInTheMiddleAndOpenTwoDecimeters) {
   for (const Arm& arm : Baxter().arms) {
     for (int finger : {arm.gripper->left_finger, arm.gripper->right_finger}) {
-      const physics::LinkSpec& link = Baxter().links[finger];
-      EXPECT_EQ(link.joint_type, physics::JointType::kPrismatic);
+      const scene::LinkSpec& link = Baxter().links[finger];
+      EXPECT_EQ(link.joint_type, scene::JointType::kPrismatic);
       EXPECT_EQ(link.lower, 0.0);
       EXPECT_EQ(link.upper, 0.1);
       // With q = 0 the box's inner face lies in the tool frame's plane y = 0.
@@ -141,7 +141,7 @@ TEST(Baxter, FingersMeetInTheMiddleAndOpenTwoDecimeters) {
       EXPECT_EQ(std::get<scene::Block>(box.shape).size, Vector3(0.04, 0.03, 0.15));
       EXPECT_NEAR(box.X_BS.translation().y() * outward, 0.015, 1e-15);
     }
-    const physics::LinkSpec& left = Baxter().links[arm.gripper->left_finger];
+    const scene::LinkSpec& left = Baxter().links[arm.gripper->left_finger];
     EXPECT_EQ(left.axis, Vector3(0, 1, 0));
     EXPECT_TRUE(left.X_PJ == Baxter().frames[arm.tool].X_LF);
     EXPECT_NEAR(left.X_PJ.translation().z(), 0.19535, 1e-12);
@@ -189,7 +189,7 @@ TEST(Baxter, TheRealHeadCameraLooksTenDegreesDown) {
 
 TEST(Baxter, BecomesAnArticulation) {
   const RobotModel& model = Baxter();
-  const physics::ArticulationSpec spec = MakeArticulationSpec(model, ClassicBasePose());
+  const scene::ArticulationSpec spec = MakeArticulationSpec(model, ClassicBasePose());
   EXPECT_TRUE(spec.X_WBase == ClassicBasePose());
   EXPECT_EQ(spec.links, model.links);
   EXPECT_EQ(spec.base_solids, model.base_solids);

@@ -73,7 +73,7 @@ TEST(Grippers, ChangeNothingBeforeTheHand) {
   for (int joint = 0; joint < classic.num_joints(); ++joint) {
     EXPECT_EQ(classic.links[joint].joint_name, electric.links[joint].joint_name);
     EXPECT_TRUE(classic.links[joint].X_PJ == electric.links[joint].X_PJ ||
-                classic.links[joint].joint_type == physics::JointType::kPrismatic);
+                classic.links[joint].joint_type == scene::JointType::kPrismatic);
   }
   EXPECT_EQ(BaxterWith("electric").gripper, "electric-extended-wide-2-paddle");
   EXPECT_FALSE(BaxterWith("none").model.arms.at(0).gripper.has_value());
@@ -198,7 +198,7 @@ class MimicFingers : public RobotFiles {
 TEST_F(MimicFingers, OpenTogetherWhicheverWayTheirJointsRun) {
   const RobotModel model = Read(MimicUrdf("-1"), kSideFile);
   const Gripper gripper = model.arms[0].gripper.value();
-  const physics::LinkSpec& right = model.links[gripper.right_finger];
+  const scene::LinkSpec& right = model.links[gripper.right_finger];
   EXPECT_EQ(right.axis, Vector3(0, -1, 0));
   EXPECT_EQ(right.lower, 0);
   EXPECT_EQ(right.upper, 0.020833);

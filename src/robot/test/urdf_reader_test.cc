@@ -15,7 +15,7 @@ TEST_F(UrdfReader, ReadsLinksJointsAndShapes) {
   const RobotModel model = Read(SmallRobot().Text());
   EXPECT_EQ(model.name, "small");
   ASSERT_EQ(model.num_joints(), 1);
-  const physics::LinkSpec& arm = model.links[0];
+  const scene::LinkSpec& arm = model.links[0];
   EXPECT_EQ(arm.name, "arm");
   EXPECT_EQ(arm.joint_name, "turn");
   EXPECT_EQ(arm.parent, -1);
@@ -54,7 +54,7 @@ TEST_F(UrdfReader, MergesWhatIsFixedIntoTheLinkThatCarriesIt) {
     <origin xyz="1 0 0"/></joint>)"}
                                     .Text());
   ASSERT_EQ(model.num_joints(), 1);
-  const physics::LinkSpec& arm = model.links[0];
+  const scene::LinkSpec& arm = model.links[0];
   // Two equal masses 1 m apart on x: each lies 0.5 m from the middle.
   EXPECT_EQ(arm.mass, 4);
   EXPECT_LT((arm.p_LLcm - Vector3(0.5, 0, 0)).norm(), 1e-12);
@@ -78,7 +78,7 @@ TEST_F(UrdfReader, ListsParentsBeforeChildrenWhateverTheFilesOrder) {
                                     .Text());
   ASSERT_EQ(model.num_joints(), 2);
   EXPECT_EQ(model.links[1].joint_name, "a_slide");
-  EXPECT_EQ(model.links[1].joint_type, physics::JointType::kPrismatic);
+  EXPECT_EQ(model.links[1].joint_type, scene::JointType::kPrismatic);
   EXPECT_EQ(model.links[1].parent, 0);
   EXPECT_EQ(model.q_start, (std::vector<double>{0.0, 0.25})) << "the limit next to 0";
 }
@@ -135,7 +135,7 @@ TEST_F(UrdfReader, RefusesWhatItCannotBuild) {
 TEST_F(UrdfReader, TurnsOnAndOnWhatHasNoLimits) {
   const RobotModel model =
       Read(SmallRobot{.limit = R"(<limit velocity="3" effort="4"/>)", .type = "continuous"}.Text());
-  EXPECT_EQ(model.links[0].joint_type, physics::JointType::kRevolute);
+  EXPECT_EQ(model.links[0].joint_type, scene::JointType::kRevolute);
   EXPECT_GT(model.links[0].upper, 1000 * 2 * std::numbers::pi);
   EXPECT_EQ(model.links[0].lower, -model.links[0].upper);
   EXPECT_EQ(model.links[0].max_velocity, 3);

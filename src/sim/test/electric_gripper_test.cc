@@ -24,7 +24,7 @@ class ElectricGripper : public SimulationFixture {
 
   /// Moves the left tool straight up or down [m/s].
   void Move(double rate, double seconds) {
-    const robot::RobotBody& robot = *simulation_->robot();
+    const world::RobotBody& robot = *simulation_->robot();
     const robot::Arm& arm = robot.model().arms[0];
     const Eigen::MatrixXd J =
         robot::GeometricJacobian(robot.model(), robot.positions(), arm.tool, arm.joints);

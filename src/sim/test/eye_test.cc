@@ -26,9 +26,9 @@ RigidTransform InBase(const Simulation& simulation, const CameraView& view) {
 }
 
 TEST(Cameras, AreTheRobotsAndTheScenes) {
-  EXPECT_EQ(CameraNames(Simulation(SceneWithCamera(), Baxter())),
+  EXPECT_EQ(CameraNames(model::Model(SceneWithCamera(), Baxter())),
             (std::vector<std::string>{"eye", "head", "left_hand", "right_hand", "overhead"}));
-  EXPECT_EQ(CameraNames(Simulation(SceneWithCamera())),
+  EXPECT_EQ(CameraNames(model::Model(SceneWithCamera())),
             (std::vector<std::string>{"eye", "overhead"}));
 }
 
@@ -36,7 +36,7 @@ TEST(Cameras, OfARobotComeBeforeThoseOfTheSceneWithTheirNames) {
   scene::SceneSpec scene = SceneWithCamera();
   scene.cameras.front().id = "left_hand";  // no reader lets Baxter's pass, but those of others
   const Simulation simulation(std::move(scene), Baxter());
-  EXPECT_EQ(CameraNames(simulation),
+  EXPECT_EQ(CameraNames(simulation.model()),
             (std::vector<std::string>{"eye", "head", "left_hand", "right_hand"}));
   EXPECT_EQ(EyeView(simulation, {.camera = "left_hand"}).X_WC,
             EyeView(Simulation(SceneWithCamera(), Baxter()), {.camera = "left_hand"}).X_WC);
@@ -85,14 +85,14 @@ TEST(Cameras, MoveWithTheirLinks) {
 TEST(Cameras, DoNotSeeTheLinkTheyAreFixedTo) {
   const Simulation simulation(SceneWithCamera(), Baxter());
   const auto hidden = [&](const char* camera) {
-    return FramesHiddenFromEye(simulation, /*is_robot_shown=*/true, camera);
+    return FramesHiddenFromEye(simulation.model(), /*is_robot_shown=*/true, camera);
   };
   EXPECT_EQ(hidden("eye").size(), 1u);
   EXPECT_EQ(hidden("head"), hidden("eye"));
   EXPECT_EQ(hidden("left_hand").size(), 1u);
   EXPECT_NE(hidden("left_hand"), hidden("right_hand"));
   EXPECT_TRUE(hidden("overhead").empty());
-  EXPECT_GT(FramesHiddenFromEye(simulation, /*is_robot_shown=*/false, "overhead").size(), 10u);
+  EXPECT_GT(FramesHiddenFromEye(simulation.model(), /*is_robot_shown=*/false, "overhead").size(), 10u);
 }
 
 TEST(Cameras, OfASceneSeeFromAfar) {

@@ -12,7 +12,7 @@
 namespace smile::sim {
 namespace {
 
-using robot::RobotBodyOptions;
+using model::RobotBodyOptions;
 
 constexpr RobotBodyOptions kKinematic{.is_kinematic = true};
 constexpr RobotBodyOptions kByFriction{.grasps_by_friction = true};
@@ -53,7 +53,7 @@ class RobotDynamicsTest : public SimulationFixture {
   }
   /// Joint velocities of the left arm that move its tool so [m/s], without turning it.
   static std::vector<double> VelocitiesFor(const Simulation& simulation, const Vector3& v_WG) {
-    const robot::RobotBody& body = *simulation.robot();
+    const world::RobotBody& body = *simulation.robot();
     const robot::Arm& arm = body.model().arms[0];
     const Eigen::MatrixXd J =
         robot::GeometricJacobian(body.model(), body.positions(), arm.tool, arm.joints);
@@ -71,7 +71,7 @@ class RobotDynamicsTest : public SimulationFixture {
     MoveLeft(simulation, kStill);
   }
   static std::vector<RigidTransform> LinkPosesOf(const Simulation& simulation) {
-    const robot::RobotBody& body = *simulation.robot();
+    const world::RobotBody& body = *simulation.robot();
     return robot::LinkPoses(body.model(), body.base_pose(), body.positions());
   }
   static double DepthInTable(const Simulation& simulation) {

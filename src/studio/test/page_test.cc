@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "base/bytes.h"
+#include "record/sight.h"
 #include "scene_xml/scene_reader.h"
-#include "sim/simulation.h"
 #include "studio/pose_stream.h"
 #include "studio/scene_message.h"
 
@@ -22,12 +22,11 @@ TEST(SceneMessage, TellsAllInUnits) {
                          "some.xml")
                          .scene;
   ASSERT_TRUE(scene.has_value());
-  const sim::Simulation simulation(*scene);
-  const PageMeshes meshes(simulation.visual_model());
+  const model::Model model(*scene);
+  const PageMeshes meshes(model.visual_model());
   EXPECT_EQ(meshes.size(), 1u) << "equal frustums are one mesh";
   const Json message =
-      SceneMessage({.number = 3, .scene = &simulation.scene(), .model = &simulation.visual_model()},
-                   meshes, simulation.visual_state().looks);
+      SceneMessage(3, model, meshes, record::VisualStateAt(record::StartOf(model), model).looks);
   EXPECT_EQ(message["table"]["size"], Json::array({24.0, 12.0, 4.0}));
   EXPECT_EQ(message["visuals"][1]["block"], Json::array({2.0, 1.0, 1.0}));
   EXPECT_EQ(message["visuals"][1]["color"], "#ff0000");

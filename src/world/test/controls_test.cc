@@ -12,13 +12,37 @@ using scene::IndicatorLights;
 using scene::Part;
 using scene::ToggleSwitch;
 
-Object ObjectWith(Part control) {
-  scene::ObjectSpec spec;
+using model::ControlIndex;
+using scene::ObjectSpec;
+
+ObjectSpec ObjectWith(Part control) {
+  ObjectSpec spec;
   spec.whole = std::move(control);
-  return {std::make_shared<const scene::ObjectSpec>(std::move(spec)), {}};
+  return spec;
 }
 
-Object Switch(const std::string& id, int num_states, std::vector<std::string> downstream,
+/// The controls of a model of their own.
+class Panel {
+ public:
+  explicit Panel(std::vector<ObjectSpec> objects)
+      : model_({.objects = std::move(objects)}), controls_(model_) {}
+
+  std::string Trigger(std::size_t control, std::string_view part) {
+    return controls_.Trigger(ControlIndex(control), part).value_or("");
+  }
+  void Set(std::size_t control, int state) { controls_.Set(ControlIndex(control), state); }
+  void Override(std::size_t control, int state) {
+    controls_.Override(ControlIndex(control), state);
+  }
+  const model::Model& model() const { return model_; }
+  const std::vector<ControlState>& states() const { return controls_.states(); }
+
+ private:
+  model::Model model_;
+  Controls controls_;
+};
+
+ObjectSpec Switch(const std::string& id, int num_states, std::vector<std::string> downstream,
               int initial_state = 0, bool is_left_pressed = true) {
   return ObjectWith({.id = id,
                      .shape = ToggleSwitch{.is_left_pressed = is_left_pressed,
@@ -27,7 +51,7 @@ Object Switch(const std::string& id, int num_states, std::vector<std::string> do
                                            .downstream = std::move(downstream)}});
 }
 
-Object Lights(const std::string& id, std::vector<std::string> names,
+ObjectSpec Lights(const std::string& id, std::vector<std::string> names,
               std::vector<std::string> downstream, int initial_state = 0) {
   IndicatorLights lights{.initial_state = initial_state, .downstream = std::move(downstream)};
   for (std::string& name : names) lights.states.push_back({.name = std::move(name), .lights = {}});
@@ -35,16 +59,16 @@ Object Lights(const std::string& id, std::vector<std::string> names,
 }
 
 /// A switch of three states drives a lamp of three, which drives one of two.
-Controls TrafficLights() {
-  return Controls({Switch("S1", 3, {"L1"}, 0, false),
+Panel TrafficLights() {
+  return Panel({Switch("S1", 3, {"L1"}, 0, false),
                    Lights("L1", {"stop", "caution", "go"}, {"L2"}),
                    Lights("L2", {"red", "dark"}, {})});
 }
 
-std::vector<std::string> Recorded(const Controls& controls) {
+std::vector<std::string> Recorded(const Panel& panel) {
   std::vector<std::string> states;
-  for (std::size_t i = 0; i < controls.all().size(); ++i) {
-    states.push_back(RecordedState(controls.all()[i], controls.states()[i]));
+  for (ControlIndex i : panel.model().controls()) {
+    states.push_back(RecordedState(panel.model().control(i), panel.states()[i]));
   }
   return states;
 }
@@ -52,23 +76,23 @@ std::vector<std::string> Recorded(const Controls& controls) {
 using Words = std::vector<std::string>;
 
 TEST(Controls, PassTheirStateOnWhereItExists) {
-  Controls controls = TrafficLights();
+  Panel controls = TrafficLights();
   EXPECT_EQ(Recorded(controls), (Words{"1", "stop", "red"}));
-  EXPECT_EQ(controls.Trigger(0, "S1-b1"), std::nullopt);
+  EXPECT_EQ(controls.Trigger(0, "S1-b1"), "");
   EXPECT_EQ(Recorded(controls), (Words{"0", "caution", "dark"}));
-  EXPECT_EQ(controls.Trigger(0, ""), std::nullopt);
+  EXPECT_EQ(controls.Trigger(0, ""), "");
   EXPECT_EQ(Recorded(controls), (Words{"1", "go", "dark"})) << "L2 has no third state";
-  EXPECT_EQ(controls.Trigger(0, ""), std::nullopt);
+  EXPECT_EQ(controls.Trigger(0, ""), "");
   EXPECT_EQ(Recorded(controls), (Words{"0", "stop", "red"}));
 }
 
 TEST(Controls, AreSetByThoseUpstreamAtTheStart) {
-  const Controls controls({Lights("lamp", {"off", "on"}, {}, 1), Switch("S", 2, {"lamp"}, 0)});
+  const Panel controls({Lights("lamp", {"off", "on"}, {}, 1), Switch("S", 2, {"lamp"}, 0)});
   EXPECT_EQ(Recorded(controls), (Words{"off", "0"}));
 }
 
 TEST(Controls, OfAKindThatCannotBeTriggeredSaySo) {
-  Controls controls = TrafficLights();
+  Panel controls = TrafficLights();
   EXPECT_EQ(controls.Trigger(1, ""),
             "'L1' is a row of lights: it follows others and cannot be triggered");
   EXPECT_EQ(controls.Trigger(0, "S1-b2"), "'S1-b2' is pressed already; press 'S1-b1'");
@@ -77,10 +101,10 @@ TEST(Controls, OfAKindThatCannotBeTriggeredSaySo) {
 }
 
 TEST(Controls, ShowWhatABondForcesUponThemAndPassItOn) {
-  Controls controls = TrafficLights();
+  Panel controls = TrafficLights();
   controls.Override(1, 2);
   EXPECT_EQ(Recorded(controls)[1], "go");
-  EXPECT_EQ(LookOf(controls.all()[1], controls.states()[1]), 2);
+  EXPECT_EQ(LookOf(controls.model().control(ControlIndex(1)), controls.states()[1]), 2);
   controls.Set(1, 1);
   EXPECT_EQ(Recorded(controls)[1], "go") << "the state beneath changes silently";
   controls.Override(1, -1);
@@ -88,7 +112,7 @@ TEST(Controls, ShowWhatABondForcesUponThemAndPassItOn) {
 }
 
 /// A dial: pressing the hand goes on, the face goes back, the rim leads nowhere.
-Object Dial() {
+ObjectSpec Dial() {
   const auto part = [](const char* id, std::optional<int> next,
                        scene::Shape shape = scene::Block{}) {
     return Part{.id = id, .next_state = next, .shape = std::move(shape)};
@@ -104,10 +128,10 @@ Object Dial() {
 }
 
 TEST(CustomControl, GoesWhereTheTriggeredPartOrItsParentLeads) {
-  Controls controls({Dial()});
-  EXPECT_EQ(controls.Trigger(0, "hand"), std::nullopt);
+  Panel controls({Dial()});
+  EXPECT_EQ(controls.Trigger(0, "hand"), "");
   EXPECT_EQ(Recorded(controls), Words{"middle"});
-  EXPECT_EQ(controls.Trigger(0, "face"), std::nullopt) << "what the composite around it says";
+  EXPECT_EQ(controls.Trigger(0, "face"), "") << "what the composite around it says";
   EXPECT_EQ(Recorded(controls), Words{"0"});
   EXPECT_EQ(controls.Trigger(0, "rim"),
             "nothing would happen: 'rim' is no part of 'dial' as it is now, or leads nowhere");
@@ -119,7 +143,7 @@ TEST(Controls, EndWhateverTheWiring) {
   std::mt19937 random(7);
   for (int round = 0; round < 200; ++round) {
     const int count = 2 + static_cast<int>(random() % 6);
-    std::vector<Object> objects;
+    std::vector<ObjectSpec> objects;
     for (int i = 0; i < count; ++i) {
       std::vector<std::string> downstream;
       for (int k = static_cast<int>(random() % 4); k > 0; --k) {
@@ -128,27 +152,28 @@ TEST(Controls, EndWhateverTheWiring) {
       objects.push_back(Switch("c" + std::to_string(i), 2 + static_cast<int>(random() % 3),
                                std::move(downstream)));
     }
-    Controls controls(objects);
+    Panel controls(objects);
     for (int k = 0; k < 20; ++k) {
       const auto control = random() % static_cast<unsigned>(count);
       if (random() % 3 == 0) controls.Override(control, static_cast<int>(random() % 4) - 1);
-      ASSERT_EQ(controls.Trigger(control, ""), std::nullopt);
-      for (std::size_t i = 0; i < controls.all().size(); ++i) {
+      ASSERT_EQ(controls.Trigger(control, ""), "");
+      for (ControlIndex i : controls.model().controls()) {
         const int state = controls.states()[i].state;
-        ASSERT_TRUE(state >= 0 && state < scene::NumStatesOf(*controls.all()[i].part));
+        const int num_states = scene::NumStatesOf(*controls.model().control(i).part);
+        ASSERT_TRUE(state >= 0 && state < num_states);
       }
     }
   }
 }
 
 TEST(Controls, DriveOneAnotherThroughAVeryLongLine) {
-  std::vector<Object> objects;
+  std::vector<ObjectSpec> objects;
   constexpr int kCount = 20'000;
   for (int i = 0; i < kCount; ++i) {
     objects.push_back(Switch("c" + std::to_string(i), 2, {"c" + std::to_string(i + 1)}));
   }
-  Controls controls(objects);
-  EXPECT_EQ(controls.Trigger(0, ""), std::nullopt);
+  Panel controls(objects);
+  EXPECT_EQ(controls.Trigger(0, ""), "");
   EXPECT_EQ(controls.states().back().state, 1);
 }
 

@@ -103,16 +103,13 @@ class WorkshopTest : public ::testing::Test {
   }
   /// As recordings have it.
   std::string StateOf(std::string_view control) {
-    const Controls& controls = tabletop_->controls();
-    const std::size_t index = *controls.Find(control);
-    return RecordedState(controls.all()[index], controls.states()[index]);
+    const model::ControlIndex index = *tabletop_->model().FindControl(control);
+    return RecordedState(tabletop_->model().control(index),
+                         tabletop_->controls().states()[index]);
   }
   int TightnessOf(std::string_view host) {
-    const Bonds& bonds = tabletop_->bonds();
-    for (std::size_t i = 0; i < bonds.hosts().size(); ++i) {
-      if (bonds.hosts()[i].point->id == host) return bonds.states()[i].tightness;
-    }
-    return -1;
+    const auto index = tabletop_->model().FindHost(host);
+    return index ? tabletop_->bonds().states()[*index].tightness : -1;
   }
   void ExpectPose(std::string_view id, const Vector3& p_WB, const Vector3& angles_deg) {
     const RigidTransform X_WB = PoseOf(id);

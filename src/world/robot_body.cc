@@ -1,4 +1,4 @@
-#include "robot/robot_body.h"
+#include "world/robot_body.h"
 
 #include <algorithm>
 #include <numeric>
@@ -6,10 +6,10 @@
 #include <string>
 #include <utility>
 
-#include "robot/grasp_rule.h"
 #include "robot/kinematics.h"
+#include "world/grasp_rule.h"
 
-namespace smile::robot {
+namespace smile::world {
 namespace {
 
 void CheckCount(std::span<const double> values, std::size_t expected, const std::string& arm) {
@@ -25,8 +25,8 @@ constexpr double kPadFriction = 1.5;
 /// them, as soft pads would let it.
 constexpr double kSmoothFriction = 0;
 
-void SmoothFingers(const RobotModel& model, physics::ArticulationSpec* spec) {
-  for (const Arm& arm : model.arms) {
+void SmoothFingers(const robot::RobotModel& model, scene::ArticulationSpec* spec) {
+  for (const robot::Arm& arm : model.arms) {
     if (!arm.gripper) continue;
     spec->links[arm.gripper->left_finger].friction = kSmoothFriction;
     spec->links[arm.gripper->right_finger].friction = kSmoothFriction;
@@ -35,8 +35,9 @@ void SmoothFingers(const RobotModel& model, physics::ArticulationSpec* spec) {
 
 /// The left finger of a gripper that holds by friction keeps its place with all a motor may use,
 /// and the right one presses with just the effort its description names.
-void PadFingers(const RobotModel& model, double effort_scale, physics::ArticulationSpec* spec) {
-  for (const Arm& arm : model.arms) {
+void PadFingers(const robot::RobotModel& model, double effort_scale,
+                scene::ArticulationSpec* spec) {
+  for (const robot::Arm& arm : model.arms) {
     if (!arm.gripper) continue;
     spec->links[arm.gripper->left_finger].friction = kPadFriction;
     spec->links[arm.gripper->right_finger].friction = kPadFriction;
@@ -46,28 +47,28 @@ void PadFingers(const RobotModel& model, double effort_scale, physics::Articulat
 
 }  // namespace
 
-RobotBody::RobotBody(physics::World* world, RobotModel model, const RigidTransform& X_WBase,
-                     const RobotBodyOptions& options)
-    : world_(world), model_(std::move(model)), X_WBase_(X_WBase), options_(options) {
-  if (options_.is_kinematic && options_.grasps_by_friction) {
+RobotBody::RobotBody(physics::World* world, std::shared_ptr<const model::Model> shared_model)
+    : world_(world), model_(std::move(shared_model)) {
+  if (model_->robot() == nullptr) throw std::invalid_argument("the model has no robot");
+  if (options().is_kinematic && options().grasps_by_friction) {
     throw std::invalid_argument("a kinematic robot can't grasp by friction");
   }
-  physics::ArticulationSpec spec = MakeArticulationSpec(model_, X_WBase);
-  spec.is_kinematic = options_.is_kinematic;
-  if (options_.grasps_by_friction) {
-    PadFingers(model_, world_->config().motor.effort_scale, &spec);
+  scene::ArticulationSpec spec = robot::MakeArticulationSpec(model(), base_pose());
+  spec.is_kinematic = options().is_kinematic;
+  if (options().grasps_by_friction) {
+    PadFingers(model(), world_->config().motor.effort_scale, &spec);
   } else {
-    SmoothFingers(model_, &spec);
+    SmoothFingers(model(), &spec);
   }
   articulation_ = world_->AddArticulation(spec);
-  std::vector<int> joints(model_.num_joints());
+  std::vector<int> joints(model().num_joints());
   std::iota(joints.begin(), joints.end(), 0);
-  articulation().SetPositions(joints, model_.q_start);
-  state_.grippers.resize(model_.arms.size());
+  articulation().SetPositions(joints, model().q_start);
+  state_.grippers.resize(model().arms.size());
 }
 
 void RobotBody::SetArmVelocities(int arm, std::span<const double> velocities) {
-  const Arm& which = model_.arms.at(arm);
+  const robot::Arm& which = model().arms.at(arm);
   CheckCount(velocities, which.joints.size(), which.name);
   for (std::size_t i = 0; i < velocities.size(); ++i) {
     articulation().SetVelocityTarget(which.joints[i], velocities[i]);
@@ -75,7 +76,7 @@ void RobotBody::SetArmVelocities(int arm, std::span<const double> velocities) {
 }
 
 void RobotBody::SetGripperVelocity(int arm, double velocity) {
-  if (!model_.arms.at(arm).gripper) return;
+  if (!model().arms.at(arm).gripper) return;
   state_.grippers[arm].opening_velocity = velocity;
   if (velocity > 0) LetGo(arm);
   CommandFingers(arm);
@@ -85,11 +86,11 @@ void RobotBody::SetGripperVelocity(int arm, double velocity) {
 /// that squeezes something the left finger stays: were both to press, nothing would keep what they
 /// hold from moving with them.
 void RobotBody::CommandFingers(int arm) {
-  const Gripper& gripper = *model_.arms[arm].gripper;
+  const robot::Gripper& gripper = *model().arms[arm].gripper;
   const GripperState& state = state_.grippers[arm];
   const double velocity = state.welds.empty() ? state.opening_velocity / 2 : 0.0;
   articulation().SetVelocityTarget(gripper.right_finger, velocity);
-  if (options_.grasps_by_friction && velocity < 0 && IsSqueezing(gripper)) {
+  if (options().grasps_by_friction && velocity < 0 && IsSqueezing(gripper)) {
     const bool moves = articulation().velocity_targets()[gripper.left_finger] != 0;
     if (moves) articulation().HoldStill(gripper.left_finger);
   } else {
@@ -97,7 +98,7 @@ void RobotBody::CommandFingers(int arm) {
   }
 }
 
-bool RobotBody::IsSqueezing(const Gripper& gripper) const {
+bool RobotBody::IsSqueezing(const robot::Gripper& gripper) const {
   const auto left = world_->ContactsWith(articulation_, gripper.left_finger);
   const auto right = world_->ContactsWith(articulation_, gripper.right_finger);
   return std::any_of(left.begin(), left.end(), [&right](const physics::Contact& a) {
@@ -111,11 +112,11 @@ void RobotBody::SetJointVelocity(int joint, double velocity) {
 }
 
 void RobotBody::SetHeadVelocity(double velocity) {
-  if (model_.head) articulation().SetVelocityTarget(model_.head->joint, velocity);
+  if (model().head) articulation().SetVelocityTarget(model().head->joint, velocity);
 }
 
 void RobotBody::SetArmAngles(int arm, std::span<const double> angles) {
-  const Arm& which = model_.arms.at(arm);
+  const robot::Arm& which = model().arms.at(arm);
   CheckCount(angles, which.joints.size(), which.name);
   articulation().SetPositions(which.joints, angles);
 
@@ -130,8 +131,8 @@ void RobotBody::SetArmAngles(int arm, std::span<const double> angles) {
 }
 
 void RobotBody::SetHeadAngle(double angle) {
-  if (!model_.head) return;
-  articulation().SetPositions(std::span(&model_.head->joint, 1), std::span(&angle, 1));
+  if (!model().head) return;
+  articulation().SetPositions(std::span(&model().head->joint, 1), std::span(&angle, 1));
   world_->WakeAll();
 }
 
@@ -139,7 +140,7 @@ void RobotBody::AfterStep() {
   for (int arm = 0; arm < num_arms(); ++arm) {
     const GripperState& state = state_.grippers[arm];
     if (state.opening_velocity >= 0 || !state.welds.empty()) continue;
-    if (options_.grasps_by_friction) {
+    if (options().grasps_by_friction) {
       CommandFingers(arm);
     } else {
       CloseAround(arm);
@@ -148,14 +149,14 @@ void RobotBody::AfterStep() {
 }
 
 void RobotBody::CloseAround(int arm) {
-  const Gripper& gripper = *model_.arms[arm].gripper;
+  const robot::Gripper& gripper = *model().arms[arm].gripper;
   const auto left = world_->ContactsWith(articulation_, gripper.left_finger);
   const auto right = world_->ContactsWith(articulation_, gripper.right_finger);
   if (left.empty() || right.empty()) return;
 
-  const int palm = model_.frames[model_.arms[arm].tool].link;
+  const int palm = model().frames[model().arms[arm].tool].link;
   const RigidTransform X_LW = articulation().link_poses()[palm].inverse();
-  double payload = model_.arms[arm].payload;
+  double payload = model().arms[arm].payload;
   for (physics::BodyId id : GraspedBodies(left, right, ToolPose(arm), GripperOpening(arm))) {
     const physics::Body& body = world_->body(id);
     if (body.is_static() || body.is_carried()) continue;
@@ -188,28 +189,30 @@ void RobotBody::LetGo(int arm) {
 std::vector<double> RobotBody::ArmAngles(int arm) const {
   const std::vector<double> q = positions();
   std::vector<double> angles;
-  for (int joint : model_.arms.at(arm).joints) angles.push_back(q[joint]);
+  for (int joint : model().arms.at(arm).joints) angles.push_back(q[joint]);
   return angles;
 }
 
 std::vector<double> RobotBody::ArmVelocities(int arm) const {
   const std::vector<double> v = articulation().velocities();
   std::vector<double> velocities;
-  for (int joint : model_.arms.at(arm).joints) velocities.push_back(v[joint]);
+  for (int joint : model().arms.at(arm).joints) velocities.push_back(v[joint]);
   return velocities;
 }
 
-double RobotBody::HeadAngle() const { return model_.head ? positions()[model_.head->joint] : 0.0; }
+double RobotBody::HeadAngle() const {
+  return model().head ? positions()[model().head->joint] : 0.0;
+}
 
 double RobotBody::GripperOpening(int arm) const {
-  const auto& gripper = model_.arms.at(arm).gripper;
+  const auto& gripper = model().arms.at(arm).gripper;
   if (!gripper) return 0.0;
   const std::vector<double> q = positions();
   return q[gripper->left_finger] + q[gripper->right_finger] + gripper->closed_opening;
 }
 
 RigidTransform RobotBody::ToolPose(int arm) const {
-  return FramePose(model_, X_WBase_, positions(), model_.arms.at(arm).tool);
+  return robot::FramePose(model(), base_pose(), positions(), model().arms.at(arm).tool);
 }
 
 std::vector<physics::BodyId> RobotBody::HeldBodies(int arm) const {
@@ -224,4 +227,4 @@ std::vector<physics::BodyId> RobotBody::HeldBodies(int arm) const {
 
 std::vector<double> RobotBody::positions() const { return articulation().positions(); }
 
-}  // namespace smile::robot
+}  // namespace smile::world

@@ -1,10 +1,10 @@
-#include "robot/grasp_rule.h"
+#include "world/grasp_rule.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-namespace smile::robot {
+namespace smile::world {
 namespace {
 
 /// How well a contact normal must agree with the closing direction: within 45 degrees.
@@ -31,4 +31,4 @@ std::vector<physics::BodyId> GraspedBodies(std::span<const physics::Contact> lef
   return bodies;
 }
 
-}  // namespace smile::robot
+}  // namespace smile::world

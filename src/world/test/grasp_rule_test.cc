@@ -1,11 +1,11 @@
-#include "robot/grasp_rule.h"
+#include "world/grasp_rule.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-namespace smile::robot {
+namespace smile::world {
 namespace {
 
 constexpr double kOpening = 0.1;
@@ -42,4 +42,4 @@ TEST(GraspRule, BothFingersMustTouchTheSame) {
 }
 
 }  // namespace
-}  // namespace smile::robot
+}  // namespace smile::world

@@ -1,24 +1,13 @@
 #pragma once
 
-#include <optional>
+#include <memory>
 #include <span>
 #include <vector>
 
+#include "model/model.h"
 #include "physics/world.h"
-#include "robot/robot_model.h"
 
-namespace smile::robot {
-
-/// What kind of body a robot has.
-struct RobotBodyOptions {
-  /// Nothing stops its arms, see physics::ArticulationSpec. Costs less than one that is stopped.
-  bool is_kinematic = false;
-  /// Grippers attach nothing to themselves: fingers press, and friction holds. Not of a kinematic
-  /// robot, whose fingers would press with any force.
-  bool grasps_by_friction = false;
-
-  bool operator==(const RobotBodyOptions&) const = default;
-};
+namespace smile::world {
 
 /// What one gripper was told, and what it holds.
 struct GripperState {
@@ -42,13 +31,12 @@ struct RobotBodyState {
 /// by friction goes on closing, with the effort of one finger.
 class RobotBody {
  public:
-  /// Adds the robot to `world`, which must outlive this, in its start configuration.
-  /// @throws std::invalid_argument if the options exclude each other.
-  RobotBody(physics::World* world, RobotModel model, const RigidTransform& X_WBase,
-            const RobotBodyOptions& options = {});
+  /// Adds the model's robot to `world`, which must outlive this, in its start configuration.
+  /// @throws std::invalid_argument if there is none, or the options of its body exclude each other.
+  RobotBody(physics::World* world, std::shared_ptr<const model::Model> model);
 
-  const RobotModel& model() const { return model_; }
-  int num_arms() const { return static_cast<int>(model_.arms.size()); }
+  const robot::RobotModel& model() const { return *model_->robot(); }
+  int num_arms() const { return static_cast<int>(model().arms.size()); }
 
   /// @param velocities  one per joint of the arm [rad/s]; clamped to the joints' limits.
   /// @throws std::invalid_argument if the count is wrong or one is not finite.
@@ -77,7 +65,7 @@ class RobotBody {
   /// Those attached to the gripper; none where friction holds.
   std::vector<physics::BodyId> HeldBodies(int arm) const;
   std::vector<double> positions() const;  ///< q of all joints, as in model()
-  const RigidTransform& base_pose() const { return X_WBase_; }
+  const RigidTransform& base_pose() const { return model_->robot_base_pose(); }
 
   const RobotBodyState& state() const { return state_; }
   void Restore(const RobotBodyState& state) { state_ = state; }
@@ -89,14 +77,13 @@ class RobotBody {
   void LetGo(int arm);
   void CommandFingers(int arm);
   /// True when some body touches both fingers.
-  bool IsSqueezing(const Gripper& gripper) const;
+  bool IsSqueezing(const robot::Gripper& gripper) const;
+  const model::RobotBodyOptions& options() const { return model_->robot_placement()->body; }
 
   physics::World* world_;
-  RobotModel model_;
-  RigidTransform X_WBase_;
-  RobotBodyOptions options_;
+  std::shared_ptr<const model::Model> model_;
   physics::ArticulationId articulation_;
   RobotBodyState state_;
 };
 
-}  // namespace smile::robot
+}  // namespace smile::world

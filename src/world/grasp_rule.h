@@ -5,7 +5,7 @@
 
 #include "physics/world.h"
 
-namespace smile::robot {
+namespace smile::world {
 
 /// Which bodies a closing gripper has got hold of: one-shot, no friction involved.
 ///
@@ -21,4 +21,4 @@ std::vector<physics::BodyId> GraspedBodies(std::span<const physics::Contact> lef
                                            std::span<const physics::Contact> right,
                                            const RigidTransform& X_WG, double opening);
 
-}  // namespace smile::robot
+}  // namespace smile::world

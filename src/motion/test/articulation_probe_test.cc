@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "baxter.h"
-#include "solid_overlap.h"
+#include "robot/test/baxter.h"
+#include "robot/test/solid_overlap.h"
 
 namespace smile::robot {
 namespace {

@@ -1,8 +1,8 @@
-#include "physics/articulation_spec.h"
+#include "scene/articulation_spec.h"
 
 #include "base/demand.h"
 
-namespace smile::physics {
+namespace smile::scene {
 
 std::vector<RigidTransform> LinkPoses(std::span<const LinkSpec> links,
                                       const RigidTransform& X_WBase, std::span<const double> q) {
@@ -21,4 +21,4 @@ std::vector<RigidTransform> LinkPoses(std::span<const LinkSpec> links,
   return X_WL;
 }
 
-}  // namespace smile::physics
+}  // namespace smile::scene

@@ -7,7 +7,7 @@
 
 #include "scene/solid.h"
 
-namespace smile::physics {
+namespace smile::scene {
 
 enum class JointType { kRevolute, kPrismatic };
 
@@ -29,7 +29,7 @@ struct LinkSpec {
   double mass = 0;                    ///< [kg], > 0
   Vector3 p_LLcm = Vector3::Zero();   ///< centre of mass [m]
   Matrix3 inertia = Matrix3::Zero();  ///< about the centre of mass, along L's axes [kg m2]
-  std::vector<scene::Solid> solids;   ///< what it collides with; Solid::X_BS is X_LS
+  std::vector<Solid> solids;          ///< what it collides with; Solid::X_BS is X_LS
   double friction = 0.6;
 
   bool operator==(const LinkSpec&) const = default;
@@ -38,8 +38,8 @@ struct LinkSpec {
 /// Links joined by joints on a base that is fixed in the world.
 struct ArticulationSpec {
   RigidTransform X_WBase;
-  std::vector<scene::Solid> base_solids;  ///< what the base collides with; Solid::X_BS is X_BaseS
-  std::vector<LinkSpec> links;            ///< parents before children
+  std::vector<Solid> base_solids;  ///< what the base collides with; Solid::X_BS is X_BaseS
+  std::vector<LinkSpec> links;     ///< parents before children
   /// Pairs of links that always touch and therefore never collide; -1 is the base.
   std::vector<std::pair<int, int>> never_collide;
   /// Joints move exactly as commanded, with whatever force it takes: links push bodies, and pass
@@ -53,4 +53,4 @@ struct ArticulationSpec {
 std::vector<RigidTransform> LinkPoses(std::span<const LinkSpec> links,
                                       const RigidTransform& X_WBase, std::span<const double> q);
 
-}  // namespace smile::physics
+}  // namespace smile::scene

@@ -1,0 +1,113 @@
+#include "model/control.h"
+
+#include <algorithm>
+#include <set>
+
+#include "base/overloaded.h"
+
+namespace smile::model {
+
+namespace {
+
+using scene::CustomControl;
+using scene::IndicatorLights;
+using scene::ToggleSwitch;
+
+}  // namespace
+
+int EffectiveState(const ControlState& state) {
+  return state.override_state >= 0 ? state.override_state : state.state;
+}
+
+int LookOf(const Control& control, const ControlState& state) {
+  if (std::holds_alternative<ToggleSwitch>(control.part->shape)) return state.position;
+  if (std::holds_alternative<IndicatorLights>(control.part->shape)) return EffectiveState(state);
+  return state.state;
+}
+
+std::string RecordedState(const Control& control, const ControlState& state) {
+  const int number = EffectiveState(state);
+  const auto name_in = [number](const auto& states) {
+    return states[number].name.empty() ? std::to_string(number) : states[number].name;
+  };
+  return std::visit(
+      Overloaded{[&](const IndicatorLights& lights) { return name_in(lights.states); },
+                 [&](const CustomControl& custom) { return name_in(custom.states); },
+                 [&](const auto&) { return std::to_string(state.position); }},
+      control.part->shape);
+}
+
+std::optional<ControlState> WithRecordedState(const Control& control, const ControlState& state,
+                                              std::string_view recorded) {
+  if (const auto* toggle = std::get_if<ToggleSwitch>(&control.part->shape)) {
+    if (recorded != "0" && recorded != "1") return std::nullopt;
+    const int position = recorded == "1" ? 1 : 0;
+    if (position == state.position) return state;
+    return ControlState{.state = (state.state + 1) % toggle->num_states, .position = position};
+  }
+  const int num_states = scene::NumStatesOf(*control.part);
+  for (int number = 0; number < num_states; ++number) {
+    if (RecordedState(control, {.state = number}) == recorded) return ControlState{.state = number};
+  }
+  // The original gave the numbers of custom controls also where their states have names.
+  for (int number = 0; number < num_states; ++number) {
+    if (std::to_string(number) == recorded) return ControlState{.state = number};
+  }
+  return std::nullopt;
+}
+
+bool TakeState(const Control& control, int state, ControlState* now) {
+  if (state < 0 || state >= scene::NumStatesOf(*control.part)) return false;
+  if (now->state == state) return false;
+  now->state = state;
+  return true;
+}
+
+void OverrideState(const Control& control, int state, ControlState* now) {
+  const bool exists = state < scene::NumStatesOf(*control.part);
+  now->override_state = exists ? std::max(state, -1) : -1;
+}
+
+void DriveDownstream(const std::vector<Control>& controls, ControlIndex from,
+                     std::vector<ControlState>* states) {
+  std::set<ControlIndex> taken{from};
+  struct Impulse {
+    ControlIndex control;
+    int state;
+  };
+  // Depth first, as they are written: the last one waiting is the next.
+  std::vector<Impulse> waiting;
+  const auto drive_from = [&](ControlIndex driver) {
+    const int state = EffectiveState((*states)[driver]);
+    const auto& downstream = controls[driver].downstream;
+    for (auto next = downstream.rbegin(); next != downstream.rend(); ++next) {
+      waiting.push_back({*next, state});
+    }
+  };
+  drive_from(from);
+  while (!waiting.empty()) {
+    const Impulse impulse = waiting.back();
+    waiting.pop_back();
+    if (taken.contains(impulse.control) ||
+        !TakeState(controls[impulse.control], impulse.state, &(*states)[impulse.control])) {
+      continue;
+    }
+    taken.insert(impulse.control);
+    drive_from(impulse.control);
+  }
+}
+
+std::vector<ControlState> InitialStates(const std::vector<Control>& controls) {
+  std::vector<ControlState> states;
+  for (const Control& control : controls) {
+    const auto* toggle = std::get_if<ToggleSwitch>(&control.part->shape);
+    states.push_back({.state = scene::InitialStateOf(*control.part),
+                      .position = toggle && !toggle->is_left_pressed ? 1 : 0});
+  }
+  for (ControlIndex control : IndexRange<ControlIndex>(controls.size())) {
+    DriveDownstream(controls, control, &states);
+  }
+  return states;
+}
+
+}  // namespace smile::model

@@ -1,0 +1,118 @@
+#include "model/eye.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "base/wording.h"
+#include "math/angles.h"
+#include "robot/kinematics.h"
+
+namespace smile::model {
+namespace {
+
+/// Baxter's eye in its base frame at pan 0: lifted 0.2 m above the real camera and tilted down by
+/// 56.05 degrees, as the original's was, to overlook the table.
+RigidTransform EyeInBase() {
+  const double tilt = DegreesToRadians(56.05);
+  Matrix3 R_BaseC;  // x right, y down, z forward, seen from a base with x forward, y left, z up
+  R_BaseC << 0, -std::sin(tilt), std::cos(tilt),  //
+      -1, 0, 0,                                   //
+      0, -std::cos(tilt), -std::sin(tilt);
+  return {R_BaseC, Vector3(0.18832, 0, 0.95921)};
+}
+
+/// Of the 2015 program, from top to bottom.
+constexpr double kEyeAngle = DegreesToRadians(60.0);
+/// Of Baxter's three cameras, from left to right: what its makers' own simulator had.
+constexpr double kRobotCameraAngle = DegreesToRadians(80.0);
+
+/// The frame of a robot that is a camera; nullopt if it has none of this name.
+std::optional<int> FrameOf(const robot::RobotModel& robot, std::string_view camera) {
+  if (camera == kEyeCamera) return robot.head ? std::optional(robot.head->camera) : std::nullopt;
+  if (camera == kHeadCamera) return FindFrame(robot, "head_camera");
+  for (const robot::Arm& arm : robot.arms) {
+    if (camera == arm.name + "_hand") return FindFrame(robot, arm.name + "_hand_camera");
+  }
+  return std::nullopt;
+}
+
+const scene::CameraSpec* FindSceneCamera(const Model& model, std::string_view camera) {
+  const auto& cameras = model.scene().cameras;
+  const auto found = std::ranges::find(cameras, camera, &scene::CameraSpec::id);
+  return found == cameras.end() ? nullptr : &*found;
+}
+
+CameraView ViewOf(const scene::CameraSpec& camera, const EyeSpec& spec) {
+  CameraView view{.intrinsics = CameraIntrinsics::FromVerticalFieldOfView(
+                      spec.width_px, spec.height_px, camera.vertical_field_of_view),
+                  .X_WC = LookAt(camera.p_WC, camera.p_WQ, camera.up_in_world)};
+  // What it looks at shall be seen from any distance.
+  view.intrinsics.far = std::max(view.intrinsics.far, 2 * (camera.p_WQ - camera.p_WC).norm());
+  return view;
+}
+
+/// Where Baxter's eye would be.
+RigidTransform EyeWithoutRobot(const Model& model) {
+  const RobotPlacement usual;
+  return RobotBasePose(model.scene().table, usual.gap, usual.height) * EyeInBase();
+}
+
+[[noreturn]] void RefuseCamera(const Model& model, const std::string& camera) {
+  const std::vector<std::string> names = CameraNames(model);
+  const std::vector<std::string_view> words(names.begin(), names.end());
+  throw std::invalid_argument("camera is " + Quoted(camera) + ", expected " + OneOf(words) +
+                              DidYouMean(camera, words));
+}
+
+}  // namespace
+
+std::vector<std::string> CameraNames(const Model& model) {
+  std::vector<std::string> names{kEyeCamera};
+  if (const robot::RobotModel* robot = model.robot()) {
+    std::vector<std::string> mounted{kHeadCamera};
+    for (const robot::Arm& arm : robot->arms) mounted.push_back(arm.name + "_hand");
+    for (const std::string& name : mounted) {
+      if (FrameOf(*robot, name)) names.push_back(name);
+    }
+  }
+  for (const scene::CameraSpec& camera : model.scene().cameras) {
+    // A robot may have an arm whose camera has the name of one of the scene's: EyeView() takes it.
+    if (std::ranges::find(names, camera.id) == names.end()) names.push_back(camera.id);
+  }
+  return names;
+}
+
+CameraView EyeView(const Model& model, std::span<const double> q, const EyeSpec& spec) {
+  const robot::RobotModel* robot = model.robot();
+  const auto frame = robot != nullptr ? FrameOf(*robot, spec.camera) : std::nullopt;
+  const bool is_eye = spec.camera == kEyeCamera;
+  if (!frame && !is_eye) {
+    const scene::CameraSpec* camera = FindSceneCamera(model, spec.camera);
+    if (camera == nullptr) RefuseCamera(model, spec.camera);
+    return ViewOf(*camera, spec);
+  }
+  return {.intrinsics = is_eye ? CameraIntrinsics::FromVerticalFieldOfView(
+                                     spec.width_px, spec.height_px, kEyeAngle)
+                               : CameraIntrinsics::FromHorizontalFieldOfView(
+                                     spec.width_px, spec.height_px, kRobotCameraAngle),
+          .X_WC = frame ? robot::FramePose(*robot, model.robot_base_pose(), q, *frame)
+                        : EyeWithoutRobot(model)};
+}
+
+std::vector<int> FramesHiddenFromEye(const Model& model, bool is_robot_shown,
+                                     std::string_view camera) {
+  const robot::RobotModel* robot = model.robot();
+  if (robot == nullptr) return {};
+  if (is_robot_shown) {
+    // The head's cameras sit within it; those of the hands look through a lens that is drawn.
+    const auto frame = FrameOf(*robot, camera);
+    if (!frame) return {};
+    return {static_cast<int>(model.frame_of(robot->frames[static_cast<std::size_t>(*frame)]))};
+  }
+  std::vector<int> frames;
+  for (FrameIndex frame : model.robot_frames()) frames.push_back(static_cast<int>(frame));
+  return frames;
+}
+
+}  // namespace smile::model

@@ -1,0 +1,105 @@
+#include "model/internal_initial_state.h"
+
+#include <set>
+#include <utility>
+
+namespace smile::model {
+namespace {
+
+/// Fastens guests to hosts as the world does, which also moves the bodies of its physics.
+class Fastener {
+ public:
+  explicit Fastener(const Model& model) : model_(model) {
+    for (ObjectIndex object : model.objects()) {
+      state_.X_WB.emplace_back(model.object(object).pose_in_world());
+    }
+    state_.controls = InitialStates(model.all_controls());
+    state_.hosts.resize(model.hosts().size());
+    for (const scene::SliderSpec& slider : model.scene().sliders) {
+      Tie(slider.first_object, slider.first_object + 1);
+    }
+    for (const scene::ChainSpec& chain : model.scene().chains) TieChain(chain);
+  }
+
+  void Fasten(GuestIndex guest_index, HostIndex host_index, int tightness) {
+    const Guest& guest = model_.guest(guest_index);
+    const Host& host = model_.host(host_index);
+    Move(guest.object, *state_.X_WB[host.object] * GuestBodyInHostBody(host, guest, tightness));
+    Tie(host.object, guest.object);
+    HostState& held = state_.hosts[host_index];
+    held.guest = static_cast<int>(guest_index);
+    held.tightness = tightness;
+    // What is downstream of a host follows its tightness.
+    if (host.downstream) {
+      TakeState(model_.control(*host.downstream), tightness, &state_.controls[*host.downstream]);
+    }
+    if (host.downstream_override) {
+      OverrideState(model_.control(*host.downstream_override), OverrideAt(host, tightness),
+                    &state_.controls[*host.downstream_override]);
+    }
+    if (host.downstream_lock) {
+      state_.hosts[*host.downstream_lock].is_locked = LocksDownstreamAt(host, tightness);
+    }
+  }
+
+  SceneState Take() { return std::move(state_); }
+
+ private:
+  void Tie(std::size_t a, std::size_t b) {
+    ties_.insert({{ObjectIndex(a), ObjectIndex(b)}, {ObjectIndex(b), ObjectIndex(a)}});
+  }
+
+  /// From end to end; the ends come first.
+  void TieChain(const scene::ChainSpec& chain) {
+    std::size_t previous = chain.first_object;
+    for (std::size_t i = 0; i < chain.link_ids.size(); ++i) {
+      const std::size_t link = chain.first_object + 2 + i;
+      Tie(previous, link);
+      previous = link;
+    }
+    Tie(previous, chain.first_object + 1);
+  }
+
+  /// Moves an object and what is tied to it through anything but what is static.
+  void Move(ObjectIndex object, const RigidTransform& X_WB) {
+    const RigidTransform X_moved = X_WB * state_.X_WB[object]->inverse();
+    std::set<ObjectIndex> found{object};
+    std::vector<ObjectIndex> to_visit{object};
+    while (!to_visit.empty()) {
+      const ObjectIndex from = to_visit.back();
+      to_visit.pop_back();
+      if (model_.object(from).is_static()) continue;
+      for (auto tie = ties_.lower_bound({from, ObjectIndex(0)});
+           tie != ties_.end() && tie->first == from; ++tie) {
+        if (found.insert(tie->second).second) to_visit.push_back(tie->second);
+      }
+    }
+    for (ObjectIndex member : found) {
+      std::optional<RigidTransform>& X_WMember = state_.X_WB[member];
+      if (member == object) {
+        X_WMember = X_WB;
+      } else if (!model_.object(member).is_static()) {
+        X_WMember = X_moved * *X_WMember;
+      }
+    }
+  }
+
+  const Model& model_;
+  SceneState state_;
+  std::set<std::pair<ObjectIndex, ObjectIndex>> ties_;
+};
+
+}  // namespace
+
+SceneState InitialStateOf(const Model& model) {
+  Fastener fastener(model);
+  for (GuestIndex guest : model.guests()) {
+    const scene::GuestPoint& point = *model.guest(guest).point;
+    const auto host = model.FindHost(point.initial_host);
+    if (host && point.initial_tightness >= 1)
+      fastener.Fasten(guest, *host, point.initial_tightness);
+  }
+  return fastener.Take();
+}
+
+}  // namespace smile::model

@@ -1,0 +1,167 @@
+#include "model/model.h"
+
+#include <utility>
+
+#include "model/internal_initial_state.h"
+#include "robot/robot_visuals.h"
+#include "scene/solid.h"
+
+namespace smile::model {
+namespace {
+
+/// A look that no visual has: nothing of the choice is visible.
+constexpr int kHidden = -1;
+
+template <class Map>
+auto FindIn(const Map& index_of_id, std::string_view id)
+    -> std::optional<typename Map::mapped_type> {
+  const auto found = index_of_id.find(id);
+  return found != index_of_id.end() ? std::optional(found->second) : std::nullopt;
+}
+
+/// Links are drawn longer than they are, so that a chain has no gaps.
+void Lengthen(double padding, scene::Visual* visual) {
+  if (auto* block = std::get_if<scene::Block>(&visual->shape)) block->size.y() += 2 * padding;
+}
+
+std::uint32_t AddName(const std::string& name, scene::VisualModel* model) {
+  model->object_names.push_back(name);
+  return static_cast<std::uint32_t>(model->object_names.size() - 1);
+}
+
+}  // namespace
+
+Model::Model(scene::SceneSpec scene, std::optional<RobotPlacement> robot)
+    : scene_(std::move(scene)), placement_(std::move(robot)) {
+  for (ObjectIndex object : objects()) AddMechanismsOf(object);
+  first_control_.emplace_back(controls_.size());
+  ConnectMechanisms();
+
+  const scene::Solid table = scene::TableSolid(scene_.table);
+  visual_model_.visuals.push_back({.shape = scene::VisualShapeOf(table.shape),
+                                   .color = table.color,
+                                   .X_FV = table.X_BS,
+                                   .object_id = AddName("table", &visual_model_)});
+  for (ObjectIndex object : objects()) AppendVisuals(object);
+  if (placement_) {
+    X_WBase_ = RobotBasePose(scene_.table, placement_->gap, placement_->height);
+    robot::AppendVisuals(placement_->model, static_cast<int>(1 + scene_.objects.size()),
+                         AddName("robot", &visual_model_), &visual_model_);
+  }
+  initial_state_ = InitialStateOf(*this);
+}
+
+void Model::AddMechanismsOf(ObjectIndex object) {
+  const scene::Part& whole = scene_.objects[object].whole;
+  object_of_id_.insert_or_assign(whole.id, object);
+  first_control_.emplace_back(controls_.size());
+  for (const scene::Part* part : scene::ControlsOf(whole)) {
+    control_of_id_.insert_or_assign(part->id, ControlIndex(controls_.size()));
+    controls_.push_back({.part = part, .object = object});
+  }
+  for (const auto& [point, X_BG] : scene::GuestsOf(whole)) {
+    guest_of_id_.insert_or_assign(point->id, GuestIndex(guests_.size()));
+    guests_.push_back({.point = point, .object = object, .X_BG = X_BG});
+  }
+  for (const auto& [point, X_BH] : scene::HostsOf(whole)) {
+    host_of_id_.insert_or_assign(point->id, HostIndex(hosts_.size()));
+    hosts_.push_back({.point = point, .object = object, .X_BH = X_BH});
+  }
+}
+
+void Model::ConnectMechanisms() {
+  for (Control& control : controls_) {
+    for (const std::string& id : scene::DownstreamOf(*control.part)) {
+      if (const auto driven = FindControl(id)) control.downstream.push_back(*driven);
+    }
+  }
+  for (Host& host : hosts_) {
+    host.downstream = FindControl(host.point->downstream);
+    host.downstream_override = FindControl(host.point->downstream_override);
+    host.downstream_lock = FindHost(host.point->downstream_lock);
+  }
+}
+
+void Model::AppendVisuals(ObjectIndex object) {
+  const std::uint32_t object_id = AddName(id(object), &visual_model_);
+  const int presence = static_cast<int>(presence_of(object));
+  const scene::ChainSpec* chain = chain_of_link(object);
+  for (scene::Visual visual : scene::VisualsOf(scene_.objects[object].whole)) {
+    visual.frame = static_cast<int>(frame_of(object));
+    visual.object_id = object_id;
+    visual.choice = visual.choice < 0 ? presence : presence + 1 + visual.choice;
+    if (chain != nullptr) Lengthen(chain->link_padding, &visual);
+    visual_model_.visuals.push_back(std::move(visual));
+  }
+  ++visual_model_.num_frames;
+  visual_model_.num_choices += 1 + static_cast<int>(controls_of(object).size());
+}
+
+std::optional<ObjectIndex> Model::FindObject(std::string_view id) const {
+  return FindIn(object_of_id_, id);
+}
+
+std::optional<ControlIndex> Model::FindControl(std::string_view id) const {
+  return FindIn(control_of_id_, id);
+}
+
+std::optional<GuestIndex> Model::FindGuest(std::string_view id) const {
+  return FindIn(guest_of_id_, id);
+}
+
+std::optional<HostIndex> Model::FindHost(std::string_view id) const {
+  return FindIn(host_of_id_, id);
+}
+
+const scene::ChainSpec* Model::chain_of_link(ObjectIndex object) const {
+  for (const scene::ChainSpec& chain : scene_.chains) {
+    // Its two ends come first.
+    const std::size_t first_link = chain.first_object + 2;
+    if (first_link <= object && object < first_link + chain.link_ids.size()) return &chain;
+  }
+  return nullptr;
+}
+
+FrameIndex Model::frame_of(const robot::Frame& frame) const {
+  if (frame.link < 0) return *robot_frames().begin();
+  return frame_of(LinkIndex(static_cast<std::size_t>(frame.link)));
+}
+
+IndexRange<FrameIndex> Model::robot_frames() const {
+  const FrameIndex first(1 + scene_.objects.size());
+  return {first, FrameIndex(first + (placement_ ? 1 + placement_->model.links.size() : 0))};
+}
+
+std::optional<ObjectIndex> Model::object_of(FrameIndex frame) const {
+  const bool is_objects = frame > 0 && frame <= scene_.objects.size();
+  return is_objects ? std::optional(ObjectIndex(frame - 1)) : std::nullopt;
+}
+
+std::vector<int> Model::LooksOf(ObjectIndex object, std::span<const ControlState> controls) const {
+  std::vector<int> looks;
+  for (ControlIndex control : controls_of(object)) {
+    looks.push_back(LookOf(controls_[control], controls[control]));
+  }
+  return looks;
+}
+
+scene::VisualState Model::VisualStateOf(const SceneState& state, std::span<const double> q,
+                                        robot::Mood mood) const {
+  scene::VisualState visual;
+  visual.poses.reserve(static_cast<std::size_t>(visual_model_.num_frames));
+  visual.looks.reserve(static_cast<std::size_t>(visual_model_.num_choices));
+  for (ObjectIndex object : objects()) {
+    const std::optional<RigidTransform>& X_WB = state.X_WB[object];
+    visual.poses.push_back(X_WB.value_or(RigidTransform()));
+    visual.looks.push_back(X_WB ? 0 : kHidden);
+    for (int look : LooksOf(object, state.controls)) visual.looks.push_back(X_WB ? look : kHidden);
+  }
+  if (placement_) {
+    const auto robot_poses = robot::FramePosesOf(placement_->model, X_WBase_, q);
+    visual.poses.insert(visual.poses.end(), robot_poses.begin(), robot_poses.end());
+    visual.looks.push_back(robot::LookOf(mood));
+  }
+  return visual;
+}
+
+}  // namespace smile::model

@@ -10,148 +10,340 @@
 #include "demonstrator/hand.h"
 #include "motion/joint_trajectory.h"
 #include "robot/mood.h"
+#include "sim/command_field.h"
 
 namespace smile::sim {
 
 using demonstrator::HandName;
 
 // What somebody wants. Mouse, brain, script, replay and tests all send these; the simulation
-// applies them between ticks, in order. SI units and the world frame; see command_json.h for the
-// written form.
+// applies them between ticks, in order. SI units and the world frame.
+//
+// Each struct lists its fields once, in `VisitFields(command, visit)`, which calls
+// `visit(value, CommandField)` for each in the order in which they are written. All that is known
+// of the written form follows from that: its reader, its writer and the file grid (command_json.h),
+// the JSON Schema, the documents and the page's types (command_documents.h). A field `hand` is
+// written before `do`, all others after it.
+
+/// Whose doing a command of a hand is.
+inline constexpr CommandField kHandField{"hand", ValueKind::kHand,
+                                         "which of the demonstrator's hands"};
 
 struct Grasp {
+  static constexpr CommandName kName{"grasp", "takes hold of an object"};
   HandName hand = HandName::kAny;
   std::string object;
   std::optional<Vector3> p_WQ;  ///< where the hand takes hold; the object's origin if not given [m]
+
+  static void VisitFields(auto& command, auto&& visit) {
+    visit(command.hand, kHandField);
+    visit(command.object, CommandField{"object", ValueKind::kText, "id of a whole object"});
+    visit(command.p_WQ, CommandField{"point", ValueKind::kPoint,
+                                     "where to take hold of it; its origin if not given",
+                                     ValueUnit::kUnits, Presence::kOptional});
+  }
   bool operator==(const Grasp&) const = default;
 };
 
+/// What the `speed` of a hand means.
+inline constexpr const char* kSpeedMeaning = "at most this fast; 10 if not given";
+
 struct MoveTo {
+  static constexpr CommandName kName{"move_to", "carries the held object"};
   HandName hand = HandName::kAny;
   Vector3 p_WH = Vector3::Zero();  ///< where the grasped point shall go [m]
   std::optional<double> speed;     ///< at most this fast [m/s]
+
+  static void VisitFields(auto& command, auto&& visit) {
+    visit(command.hand, kHandField);
+    visit(command.p_WH, CommandField{"position", ValueKind::kPoint,
+                                     "where the grasped point shall go", ValueUnit::kUnits});
+    visit(command.speed, CommandField{"speed", ValueKind::kSpeed, kSpeedMeaning,
+                                      ValueUnit::kUnitsPerSecond, Presence::kOptional});
+  }
   bool operator==(const MoveTo&) const = default;
 };
 
 /// Turns the vertical plane in which the hand is dragged.
 struct Plane {
+  static constexpr CommandName kName{"plane",
+                                     "turns the vertical plane in which the hand is dragged"};
   HandName hand = HandName::kAny;
   double angle_deg = 0;  ///< from the x axis, counterclockwise seen from above
+
+  static void VisitFields(auto& command, auto&& visit) {
+    visit(command.hand, kHandField);
+    visit(command.angle_deg,
+          CommandField{
+              "angle", ValueKind::kNumber,
+              "of its horizontal direction from the x axis, counterclockwise seen from above",
+              ValueUnit::kDegrees});
+  }
   bool operator==(const Plane&) const = default;
 };
 
 /// A mouse that drags: a MoveTo to where its ray meets the hand's motion plane, or a level one. It
 /// is this MoveTo that is told and logged.
 struct Drag {
+  static constexpr CommandName kName{
+      "drag",
+      "carries the held object to where a ray meets the hand's plane; logs have the move_to"};
   HandName hand = HandName::kAny;
   Vector3 p_WOrigin = Vector3::Zero();           ///< of the ray [m]
   Vector3 direction_in_world = Vector3::Zero();  ///< of any length but 0
   bool is_level = false;        ///< in the level plane through where the hand wants to be
   std::optional<double> speed;  ///< at most this fast [m/s]
+
+  static void VisitFields(auto& command, auto&& visit) {
+    visit(command.hand, kHandField);
+    visit(command.p_WOrigin,
+          CommandField{"origin", ValueKind::kPoint, "where the ray begins", ValueUnit::kUnits});
+    visit(command.direction_in_world,
+          CommandField{"direction", ValueKind::kDirection, "of the ray, of any length but 0"});
+    visit(command.is_level,
+          CommandField{"level", ValueKind::kFlag, "in a level plane instead; false if not given",
+                       ValueUnit::kNone, Presence::kOptional});
+    visit(command.speed, CommandField{"speed", ValueKind::kSpeed, kSpeedMeaning,
+                                      ValueUnit::kUnitsPerSecond, Presence::kOptional});
+  }
   bool operator==(const Drag&) const = default;
 };
 
 struct Rotate {
+  static constexpr CommandName kName{"rotate", "turns the held object about its origin"};
   HandName hand = HandName::kAny;
   Vector3 angles_deg = Vector3::Zero();  ///< about the world's x, then y, then z axis
+
+  static void VisitFields(auto& command, auto&& visit) {
+    visit(command.hand, kHandField);
+    visit(command.angles_deg,
+          CommandField{"angles", ValueKind::kPoint, "about the world's x, then y, then z axis",
+                       ValueUnit::kDegrees});
+  }
   bool operator==(const Rotate&) const = default;
 };
 
 struct Release {
+  static constexpr CommandName kName{"release", "lets go of the held object"};
   HandName hand = HandName::kAny;
+
+  static void VisitFields(auto& command, auto&& visit) { visit(command.hand, kHandField); }
   bool operator==(const Release&) const = default;
 };
 
 /// Takes the held object out of the world.
 struct Destroy {
+  static constexpr CommandName kName{"destroy", "takes the held object out of the world"};
   HandName hand = HandName::kAny;
+
+  static void VisitFields(auto& command, auto&& visit) { visit(command.hand, kHandField); }
   bool operator==(const Destroy&) const = default;
 };
 
 /// Tells which properties of the held object matter; none: nothing in particular.
 struct Attend {
+  static constexpr CommandName kName{
+      "attend",
+      "tells which properties of the held object matter, instead of what was told before"};
   HandName hand = HandName::kAny;
   std::vector<std::string> properties;  ///< see Demonstrator::Attend()
+
+  static void VisitFields(auto& command, auto&& visit) {
+    visit(command.hand, kHandField);
+    visit(command.properties, CommandField{"properties", ValueKind::kProperties,
+                                           "color, shape, size, position, orientation, order, "
+                                           "names of its descriptions; [] = none in particular"});
+  }
   bool operator==(const Attend&) const = default;
 };
 
 /// Shows an object or a pointable part; only the log knows.
 struct Point {
+  static constexpr CommandName kName{"point",
+                                     "points at an object or a pointable part; only the log knows"};
   HandName hand = HandName::kAny;
   std::string part;  ///< id of the object or part
+
+  static void VisitFields(auto& command, auto&& visit) {
+    visit(command.hand, kHandField);
+    visit(command.part, CommandField{"part", ValueKind::kText, "id of the object or part"});
+  }
   bool operator==(const Point&) const = default;
 };
 
 struct Trigger {
+  static constexpr CommandName kName{
+      "trigger", "presses a switch or triggers a custom control, with an empty hand"};
   HandName hand = HandName::kAny;
   std::string control;
   std::string part;  ///< the button, or the part of a custom control; empty: whatever leads on
+
+  static void VisitFields(auto& command, auto&& visit) {
+    visit(command.hand, kHandField);
+    visit(command.control, CommandField{"control", ValueKind::kText, "id of the control"});
+    visit(command.part,
+          CommandField{"part", ValueKind::kText,
+                       "its button (ID-b1 or ID-b2) or part; whatever leads on if not given",
+                       ValueUnit::kNone, Presence::kOptional});
+  }
   bool operator==(const Trigger&) const = default;
 };
 
+/// What the `point` of those that fasten and loosen means.
+inline constexpr const char* kGuestMeaning =
+    "near its guest point that is meant; the object's origin if not given";
+
 /// One stage tighter, of the object's guest point nearest to a point.
 struct Fasten {
+  static constexpr CommandName kName{"fasten", "fastens an object one stage tighter"};
   HandName hand = HandName::kAny;
   std::string object;
   std::optional<Vector3> p_WQ;  ///< the object's origin if not given [m]
+
+  static void VisitFields(auto& command, auto&& visit) {
+    visit(command.hand, kHandField);
+    visit(command.object, CommandField{"object", ValueKind::kText,
+                                       "id of the object; the held one if the hand holds any"});
+    visit(command.p_WQ, CommandField{"point", ValueKind::kPoint, kGuestMeaning, ValueUnit::kUnits,
+                                     Presence::kOptional});
+  }
   bool operator==(const Fasten&) const = default;
 };
 
 struct Loosen {
+  static constexpr CommandName kName{"loosen", "loosens an object one stage"};
   HandName hand = HandName::kAny;
   std::string object;
   std::optional<Vector3> p_WQ;  ///< the object's origin if not given [m]
+
+  static void VisitFields(auto& command, auto&& visit) {
+    visit(command.hand, kHandField);
+    visit(command.object, CommandField{"object", ValueKind::kText,
+                                       "id of the object; the held one if the hand holds any"});
+    visit(command.p_WQ, CommandField{"point", ValueKind::kPoint, kGuestMeaning, ValueUnit::kUnits,
+                                     Presence::kOptional});
+  }
   bool operator==(const Loosen&) const = default;
 };
 
 /// Velocities the robot keeps until the next command; what is not given stays as it was.
 struct JointVelocities {
+  static constexpr CommandName kName{"joint_velocities",
+                                     "sets the robot's speeds until the next such command"};
   std::optional<std::vector<double>> left, right;  ///< one per arm joint [rad/s]
   std::optional<std::array<double, 2>> grippers;   ///< rates of the openings, left, right [m/s]
   std::optional<double> head;                      ///< [rad/s]
+
+  static void VisitFields(auto& command, auto&& visit) {
+    visit(command.left, CommandField{"left", ValueKind::kJoints, "left arm, s0 s1 e0 e1 w0 w1 w2",
+                                     ValueUnit::kRadiansPerSecond, Presence::kOptional});
+    visit(command.right, CommandField{"right", ValueKind::kJoints, "right arm",
+                                      ValueUnit::kRadiansPerSecond, Presence::kOptional});
+    visit(command.grippers, CommandField{"grippers", ValueKind::kGrippers,
+                                         "rate of change of each opening, left and right",
+                                         ValueUnit::kUnitsPerSecond, Presence::kOptional});
+    visit(command.head, CommandField{"head", ValueKind::kNumber, "pan",
+                                     ValueUnit::kRadiansPerSecond, Presence::kOptional});
+  }
   bool operator==(const JointVelocities&) const = default;
 };
 
 /// Angles the robot takes at once; what is not given stays as it was.
 struct JointAngles {
+  static constexpr CommandName kName{"joint_angles", "puts the robot's joints there at once"};
   std::optional<std::vector<double>> left, right;  ///< one per arm joint [rad]
   std::optional<double> head;                      ///< [rad]
+
+  static void VisitFields(auto& command, auto&& visit) {
+    visit(command.left, CommandField{"left", ValueKind::kJoints, "left arm, s0 s1 e0 e1 w0 w1 w2",
+                                     ValueUnit::kRadians, Presence::kOptional});
+    visit(command.right, CommandField{"right", ValueKind::kJoints, "right arm", ValueUnit::kRadians,
+                                      Presence::kOptional});
+    visit(command.head, CommandField{"head", ValueKind::kNumber, "pan", ValueUnit::kRadians,
+                                     Presence::kOptional});
+  }
   bool operator==(const JointAngles&) const = default;
 };
 
 /// Turns one joint, and keeps the others as they are.
 struct TurnJoint {
+  static constexpr CommandName kName{
+      "turn", "turns one joint of the robot until it is told otherwise; the others go on"};
   std::string joint;    ///< by its name; no finger
   double velocity = 0;  ///< [rad/s or m/s]; 0 stops it
+
+  static void VisitFields(auto& command, auto&& visit) {
+    visit(command.joint,
+          CommandField{"joint", ValueKind::kText, "its name, like left_e1; no finger"});
+    visit(command.velocity,
+          CommandField{"velocity", ValueKind::kNumber, "0 stops it", ValueUnit::kRadiansPerSecond});
+  }
   bool operator==(const TurnJoint&) const = default;
 };
 
 /// Opens or closes a gripper.
 struct MoveGripper {
+  static constexpr CommandName kName{
+      "gripper", "opens or closes a gripper of the robot until it is told otherwise"};
   enum class Which { kLeft, kRight, kBoth };
   Which which = Which::kBoth;
   double velocity = 0;  ///< rate of change of the opening, > 0 opens [m/s]
+
+  static void VisitFields(auto& command, auto&& visit) {
+    visit(command.which, CommandField{"arm", ValueKind::kArm, "left, right or both"});
+    visit(command.velocity,
+          CommandField{"velocity", ValueKind::kNumber,
+                       "rate of change of the opening; above 0 opens", ValueUnit::kUnitsPerSecond});
+  }
   bool operator==(const MoveGripper&) const = default;
 };
 
 /// Moves arms and head to a named pose of the robot, all joints straight there. Grippers stay as
 /// they are, so that nothing is dropped.
 struct TakePose {
+  static constexpr CommandName kName{
+      "pose", "moves the robot's arms and head straight to a named pose; grippers stay"};
   static constexpr double kSpeed = 0.5;
   std::string name;
   double speed = kSpeed;  ///< share of the joints' limits of velocity, 0 < speed <= 1
+
+  static void VisitFields(auto& command, auto&& visit) {
+    visit(command.name,
+          CommandField{"name", ValueKind::kText, "one of the poses in the robot's side file"});
+    visit(command.speed, CommandField{"speed", ValueKind::kShare,
+                                      "share of the joints' full speed; 0.5 if not given",
+                                      ValueUnit::kNone, Presence::kDefaulted});
+  }
   bool operator==(const TakePose&) const = default;
 };
 
 /// Lets joints follow a trajectory, see TrajectoryFollower. A gripper's column is its opening.
 struct FollowTrajectory {
+  static constexpr CommandName kName{
+      "trajectory",
+      "lets joints of the robot follow a trajectory; a script may name a file in place of it"};
   motion::JointTrajectory trajectory;
+
+  static void VisitFields(auto& command, auto&& visit) {
+    visit(command.trajectory.joint_names,
+          CommandField{"joints", ValueKind::kJointNames,
+                       "their names; left_gripper and right_gripper are openings"});
+    visit(command.trajectory.points,
+          CommandField{"points", ValueKind::kTrajectoryPoints,
+                       "seconds since it began, positions [rad; an opening in m], velocities (in "
+                       "all points or in none)"});
+  }
   bool operator==(const FollowTrajectory&) const = default;
 };
 
 /// Shows or hides the robot: what people and cameras see, never the physics.
 struct ShowRobot {
+  static constexpr CommandName kName{"robot", "shows or hides the robot; physics is not changed"};
   bool is_shown = true;
+
+  static void VisitFields(auto& command, auto&& visit) {
+    visit(command.is_shown, CommandField{"shown", ValueKind::kFlag, "true or false"});
+  }
   bool operator==(const ShowRobot&) const = default;
 };
 
@@ -161,34 +353,70 @@ inline constexpr std::size_t kMaxMarkers = 500;
 /// Marks points for people, in place of those marked before. They are in views for people only:
 /// no state, no trace and no picture of a robot's camera knows of them.
 struct Markers {
+  static constexpr CommandName kName{
+      "markers", "marks points for people, in place of those before; the robot does not see them"};
   std::vector<Vector3> points_in_world;  ///< at most kMaxMarkers [m]
+
+  static void VisitFields(auto& command, auto&& visit) {
+    visit(command.points_in_world,
+          CommandField{"points", ValueKind::kPoints, "where; [] = none", ValueUnit::kUnits});
+  }
   bool operator==(const Markers&) const = default;
 };
 
 /// Changes the robot's face: what people see, never the physics.
 struct Face {
+  static constexpr CommandName kName{
+      "face", "changes the robot's face, for people to see; physics is not changed"};
   robot::Mood mood = robot::Mood::kIdle;
+
+  static void VisitFields(auto& command, auto&& visit) {
+    visit(command.mood,
+          CommandField{"mood", ValueKind::kMood, "idle, watching, working, puzzled or done"});
+  }
   bool operator==(const Face&) const = default;
 };
 
 /// Takes back the last action of a hand, with everything since; see IsAction().
 struct Undo {
+  static constexpr CommandName kName{"undo",
+                                     "takes back the last action of a hand, with everything since"};
+
+  static void VisitFields(auto&, auto&&) {}
   bool operator==(const Undo&) const = default;
 };
 
 /// Does the last undone action again, up to the moment at which it was undone.
 struct Redo {
+  static constexpr CommandName kName{"redo",
+                                     "does what was undone last again, up to when it was undone"};
+
+  static void VisitFields(auto&, auto&&) {}
   bool operator==(const Redo&) const = default;
 };
 
 /// From now on everything is recorded, into a new directory.
 struct StartRecording {
+  static constexpr CommandName kName{"start", "records from now on, into a new directory"};
   std::string name;  ///< of the directory; a number is added if it is taken
   std::string title, notes;
+
+  static void VisitFields(auto& command, auto&& visit) {
+    visit(command.name,
+          CommandField{"name", ValueKind::kText, "of the directory; the scene's if not given",
+                       ValueUnit::kNone, Presence::kOptional});
+    visit(command.title, CommandField{"title", ValueKind::kText, "of the recording",
+                                      ValueUnit::kNone, Presence::kOptional});
+    visit(command.notes, CommandField{"notes", ValueKind::kText, "about the recording",
+                                      ValueUnit::kNone, Presence::kOptional});
+  }
   bool operator==(const StartRecording&) const = default;
 };
 
 struct FinishRecording {
+  static constexpr CommandName kName{"finish", "finishes the recording"};
+
+  static void VisitFields(auto&, auto&&) {}
   bool operator==(const FinishRecording&) const = default;
 };
 

@@ -37,7 +37,4 @@ std::optional<std::uint64_t> ParseTick(const Json& json);
 /// commands in this form, so that a log replays exactly.
 Command OnFileGrid(Command command, double meters_per_unit);
 
-/// A JSON Schema (draft 2020-12) of every command. docs/commands.md is made from it.
-Json CommandSchema();
-
 }  // namespace smile::sim

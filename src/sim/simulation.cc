@@ -7,7 +7,6 @@
 #include "base/state_hash.h"
 #include "scene/units.h"
 #include "sim/command_json.h"
-#include "sim/internal_command_forms.h"
 
 namespace smile::sim {
 

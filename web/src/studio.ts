@@ -1,4 +1,5 @@
 import { computed, signal } from "@preact/signals";
+import type { Command } from "./commands";
 import { Connection } from "./connection";
 import type {
   ClientsMessage,
@@ -113,8 +114,8 @@ export async function ask(what: string, fields: Record<string, unknown> = {}): P
 }
 
 /** A command of docs/commands.md. */
-export function command(fields: Record<string, unknown>): Promise<Reply | null> {
-  return ask("command", { command: fields });
+export function command(wanted: Command): Promise<Reply | null> {
+  return ask("command", { command: wanted });
 }
 
 export function lastSeq(): number {

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "scene/scene_spec.h"
+#include "sim/command_documents.h"
 
 namespace smile::sim {
 namespace {

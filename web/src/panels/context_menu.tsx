@@ -1,3 +1,4 @@
+import type { Command } from "../commands";
 import { command, currentHand, heldObject, isController, scene, state } from "../studio";
 import type { SceneObject } from "../protocol";
 import { texts } from "../texts";
@@ -21,8 +22,8 @@ function partOfPiece(piece: string | null): string | null {
   return piece?.replace(/-b[12]$|\(\w+\)$/, "") ?? null;
 }
 
-function entry(label: string, reason: string | null, fields: Record<string, unknown>): MenuEntry {
-  const onChoose = () => void command({ hand: currentHand.value, ...fields });
+function entry(label: string, reason: string | null, wanted: Command): MenuEntry {
+  const onChoose = () => void command(wanted);
   return reason === null ? { label, onChoose } : { label, reason, disabled: true, onChoose };
 }
 
@@ -58,6 +59,7 @@ function whyNoTrigger(control: Control | null, pressed: string | null): string |
 /** What a hand may do with what was clicked, and why not. */
 function entriesAt({ object, part: piece, point }: Place): MenuEntry[] {
   const { menu, menuReasons: reasons } = texts;
+  const hand = currentHand.value;
   const held = heldObject.value;
   const found = partAndAround(object, piece);
   const around = found.length > 0 ? found : partAndAround(object, partOfPiece(piece));
@@ -72,12 +74,13 @@ function entriesAt({ object, part: piece, point }: Place): MenuEntry[] {
   return [
     entry(menu.trigger, whyNoTrigger(control, pressed) ?? idle, {
       do: "trigger",
-      control: control?.id,
+      hand,
+      control: control?.id ?? "",
       ...(pressed === null ? {} : { part: pressed }),
     }),
-    entry(menu.point, idle, { do: "point", part: pointed }),
-    entry(menu.fasten, bonds, { do: "fasten", object: object.id, point }),
-    entry(menu.loosen, bonds, { do: "loosen", object: object.id, point }),
+    entry(menu.point, idle, { do: "point", hand, part: pointed }),
+    entry(menu.fasten, bonds, { do: "fasten", hand, object: object.id, point }),
+    entry(menu.loosen, bonds, { do: "loosen", hand, object: object.id, point }),
   ];
 }
 

@@ -70,7 +70,7 @@ function moveHeld(to: (place: Point) => Point): void {
   const { object, goal, place } = state.value?.hands[hand] ?? {};
   if (!object || !goal || !place) return;
   const { numbers } = wantedPlace.change(object, place, to);
-  const position = goal.map((old, k) => old + numbers[k]! - place[k]!);
+  const position = goal.map((old, k) => old + numbers[k]! - place[k]!) as Point;
   void command({ do: "move_to", hand, position });
 }
 

@@ -1,5 +1,6 @@
 import type { Signal } from "@preact/signals";
 import { useSignal } from "@preact/signals";
+import type { FaceCommand, GripperCommand } from "../commands";
 import { command, scene, state } from "../studio";
 import type { RobotDescription } from "../protocol";
 import { texts } from "../texts";
@@ -12,7 +13,7 @@ import { isBrainAtWork, isPlayback, mayAct } from "./now";
 type Joint = RobotDescription["joints"][number];
 
 const { robot: words } = texts;
-const MOODS = ["idle", "watching", "working", "puzzled", "done"];
+const MOODS: FaceCommand["mood"][] = ["idle", "watching", "working", "puzzled", "done"];
 /** What is held down turns a joint at this share of its full speed. */
 const HELD_SPEED = 0.4;
 /** And a gripper so fast [units/s]. */
@@ -90,7 +91,7 @@ function JointRow({ joint }: { joint: Joint }) {
 }
 
 function GripperRow({ gripper, opening }: { gripper: RobotDescription["grippers"][number]; opening: number }) {
-  const move = (velocity: number) => void command({ do: "gripper", arm: gripper.arm, velocity });
+  const move = (velocity: number) => void command({ do: "gripper", arm: gripper.arm as GripperCommand["arm"], velocity });
   const meters = scene.value?.metersPerUnit ?? 1;
   return (
     <div class="joint">
@@ -168,7 +169,7 @@ function General({ robot }: { robot: RobotDescription }) {
           <select
             value={now?.mood ?? "idle"}
             disabled={!mayAct.value}
-            onChange={(event) => void command({ do: "face", mood: event.currentTarget.value })}
+            onChange={(event) => void command({ do: "face", mood: event.currentTarget.value as FaceCommand["mood"] })}
           >
             {MOODS.map((mood) => (
               <option key={mood} value={mood}>

@@ -1,6 +1,7 @@
 import { signal } from "@preact/signals";
 import { Vector3 } from "three";
-import { HANDS, type HandName } from "../protocol";
+import type { Command } from "../commands";
+import { HANDS, type HandName, type Point } from "../protocol";
 import { command, currentHand, heldObject, isController, scene, state } from "../studio";
 import { Latency } from "./latency";
 import { meet, type Picked, type Picker, type PointerAt } from "./pick";
@@ -220,7 +221,7 @@ export class Hands {
     let place: Vector3 | null = null;
     const offset = new Vector3();
     const normal = new Vector3();
-    const step = (): Record<string, unknown> | null => {
+    const step = (): Command | null => {
       place ??= this.goal;
       if (place === null) return null;
       if (!normal.equals(this.planeNormal)) {
@@ -269,7 +270,7 @@ export class Hands {
         const wanted = Math.round(angleAt(at) / step) * step;
         this.turning.value = { axis, degrees: wanted };
         this.turns.want(() => {
-          const angles = [0, 0, 0];
+          const angles: Point = [0, 0, 0];
           angles[axis] = wanted - sent;
           sent = wanted;
           return angles[axis] === 0 ? null : { hand, do: "rotate", angles };
@@ -316,8 +317,8 @@ export function isFixed(object: string): boolean {
   return scene.value?.objects.find(({ id }) => id === object)?.fixed ?? false;
 }
 
-function rounded(point: Vector3): number[] {
-  return point.toArray().map((value) => Math.round(value * 1e5) / 1e5);
+function rounded(point: Vector3): Point {
+  return point.toArray().map((value) => Math.round(value * 1e5) / 1e5) as Point;
 }
 
 /** Between -180 and 180 [degrees]. */

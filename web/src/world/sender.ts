@@ -1,10 +1,11 @@
+import type { Command } from "../commands";
 import { lastSeq, request } from "../studio";
 
 const PAUSE_MS = 12;
 const MOST_UNANSWERED = 8;
 
 /** What to send now; null: nothing after all. */
-type Wish = () => Record<string, unknown> | null;
+type Wish = () => Command | null;
 
 /**
  * Sends commands of a stream of wishes, of which only the newest matters: at once, but not more
@@ -44,7 +45,7 @@ export class Sender {
     if (command !== null) this.send(command);
   }
 
-  private send(command: Record<string, unknown>): void {
+  private send(command: Command): void {
     this.sentAt = performance.now();
     ++this.unanswered;
     const answered = () => {

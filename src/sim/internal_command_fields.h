@@ -1,0 +1,85 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+#include "base/json.h"
+#include "sim/command.h"
+#include "sim/internal_value_kinds.h"
+#include "sim/internal_written_values.h"
+
+// What follows from the fields that a command lists.
+
+namespace smile::sim {
+
+/// Calls `visit` with a type_identity of every kind of command, in the order in which they are
+/// listed, until it answers true.
+/// @returns whether it did.
+bool AnyKindOfCommand(auto&& visit) {
+  return [&]<class... What>(std::type_identity<std::variant<What...>>) {
+    return (visit(std::type_identity<What>()) || ...);
+  }(std::type_identity<Command>());
+}
+
+template <class What>
+const std::vector<CommandField>& FieldsOf() {
+  static const std::vector<CommandField> kFields = [] {
+    std::vector<CommandField> fields;
+    const What what{};
+    What::VisitFields(what, [&](const auto&, const CommandField& one) { fields.push_back(one); });
+    return fields;
+  }();
+  return kFields;
+}
+
+/// What a value means, with its unit.
+std::string MeaningOf(const CommandField& field);
+
+/// @throws std::invalid_argument if there is a key that is none of its fields.
+void RefuseUnknownKeys(const char* name, const std::vector<CommandField>& fields, const Json& json);
+
+/// @throws std::invalid_argument saying what was found and what was expected.
+template <class What>
+What ReadFields(const Json& json, double meters_per_unit) {
+  What what;
+  What::VisitFields(what, [&](auto& value, const CommandField& field) {
+    const auto found = json.find(field.name);
+    if (found != json.end()) {
+      CheckValue(field, *found);
+      Read(*found, WrittenUnit(field, meters_per_unit), &value);
+    } else if (field.presence == Presence::kRequired) {
+      throw std::invalid_argument("\"" + std::string(What::kName.name) + "\" lacks \"" +
+                                  field.name + "\": " + MeaningOf(field));
+    }
+  });
+  RefuseUnknownKeys(What::kName.name, FieldsOf<What>(), json);
+  return what;
+}
+
+/// @returns whether a value need not be written where it may be left out.
+inline bool SaysNothing(const std::string& text) { return text.empty(); }
+inline bool SaysNothing(bool flag) { return !flag; }
+template <class T>
+bool SaysNothing(const std::optional<T>& value) {
+  return !value.has_value();
+}
+bool SaysNothing(const auto&) { return false; }
+
+template <class What>
+Json WriteFields(const What& what, double meters_per_unit) {
+  Json json = Json::object();
+  if constexpr (requires { what.hand; }) json[kHandField.name] = "";  // before what it does
+  json["do"] = What::kName.name;
+  What::VisitFields(what, [&](const auto& value, const CommandField& field) {
+    if (field.presence == Presence::kOptional && SaysNothing(value)) return;
+    json[field.name] = Written(value, WrittenUnit(field, meters_per_unit));
+  });
+  return json;
+}
+
+}  // namespace smile::sim

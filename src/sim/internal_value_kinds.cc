@@ -1,0 +1,118 @@
+#include "sim/internal_value_kinds.h"
+
+#include <map>
+#include <span>
+#include <stdexcept>
+#include <string_view>
+#include <vector>
+
+#include "base/wording.h"
+#include "demonstrator/demonstrator.h"
+#include "motion/trajectory_shape.h"
+#include "robot/mood.h"
+#include "sim/command.h"
+
+namespace smile::sim {
+namespace {
+
+/// What is allowed, to programs and to people.
+struct Allowed {
+  JsonShape shape;
+  std::string words;
+};
+
+JsonShape AnyNumber() { return JsonShape::Number(-kMaxNumber, kMaxNumber); }
+
+JsonShape TrajectoryPointShape(const JsonShape& seconds) {
+  const JsonShape numbers = JsonShape::List(AnyNumber(), 1, kMaxJoints);
+  return JsonShape::Object({{"seconds", seconds},
+                            {"positions", numbers},
+                            {"velocities", numbers, /*is_required=*/false}});
+}
+
+/// One of these words.
+Allowed WordOf(std::span<const std::string_view> words) {
+  return {JsonShape::Word({words.begin(), words.end()}), OneOf(words)};
+}
+
+Allowed HandsAllowed() {
+  std::vector<std::string_view> names;
+  for (const HandName hand : demonstrator::kHandNames) names.push_back(ToString(hand));
+  return WordOf(names);
+}
+
+std::map<ValueKind, Allowed> MakeKinds() {
+  using enum ValueKind;
+  const JsonShape text = JsonShape::Text(kMaxText);
+  const JsonShape point = JsonShape::List(AnyNumber(), 3, 3);
+  const std::string point_words = "three numbers [x, y, z] of at most 1e6";
+  const std::vector<std::string_view> arms(kArmNames.begin(), kArmNames.end());
+  return {
+      {kHand, HandsAllowed()},
+      {kText, {text, "a text of at most 256 letters"}},
+      {kPoint, {point, point_words}},
+      {kPoints,
+       {JsonShape::List(point, 0, kMaxMarkers),
+        "at most 500 points [x, y, z] of numbers of at most 1e6"}},
+      {kDirection, {point, point_words + ", not all 0"}},
+      {kSpeed, {JsonShape::Number(kMinSpeed, kMaxNumber), "a number above 0, from 1e-6 to 1e6"}},
+      {kJoints, {JsonShape::List(AnyNumber(), 1, kMaxJoints), "one number per joint of the arm"}},
+      {kGrippers, {JsonShape::List(AnyNumber(), 2, 2), "two numbers [left, right]"}},
+      {kNumber, {AnyNumber(), "a number of at most 1e6"}},
+      {kFlag, {JsonShape::Flag(), "true or false"}},
+      {kMood, WordOf(robot::kMoodNames)},
+      {kProperties,
+       {JsonShape::List(JsonShape::Text(demonstrator::kMaxPropertyLength), 0,
+                        demonstrator::kMaxProperties),
+        "at most 32 names of properties of at most 256 letters"}},
+      {kArm, WordOf(arms)},
+      {kShare, {JsonShape::Number(kMinSpeed, 1), "a number above 0, at most 1"}},
+      {kJointNames, {JsonShape::List(text, 1, kMaxJoints), "1 to 64 names of joints"}},
+      {kTrajectoryPoints,
+       {JsonShape::List(TrajectoryPointShape(JsonShape::Number(0, motion::kMaxTrajectorySeconds)),
+                        1, motion::kMaxTrajectoryPoints),
+        "1 to 10000 points"}},
+  };
+}
+
+const Allowed& AllowedOf(ValueKind kind) {
+  static const std::map<ValueKind, Allowed> kKinds = MakeKinds();
+  return kKinds.at(kind);
+}
+
+/// Their form, one by one. How many numbers a point takes, and when it may be, is a matter of the
+/// whole: motion::CheckShape() has the words for it.
+void CheckTrajectoryPoints(const CommandField& field, const Json& points) {
+  static const JsonShape kPointShape = TrajectoryPointShape(AnyNumber());
+  if (!points.is_array() || points.empty() || points.size() > motion::kMaxTrajectoryPoints) {
+    ThrowExpected(field.name, points, WordsOf(field.kind));
+  }
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (kPointShape.Fits(points[i])) continue;
+    ThrowExpected(field.name + ("[" + std::to_string(i) + "]"), points[i],
+                  R"(a point like {"seconds": 0, "positions": [0], "velocities": [0]})");
+  }
+}
+
+}  // namespace
+
+const JsonShape& ShapeOf(ValueKind kind) { return AllowedOf(kind).shape; }
+
+std::string WordsOf(ValueKind kind) { return AllowedOf(kind).words; }
+
+void CheckValue(const CommandField& field, const Json& value) {
+  if (field.kind == ValueKind::kTrajectoryPoints) return CheckTrajectoryPoints(field, value);
+  const bool is_nowhere = field.kind == ValueKind::kDirection && value == Json{0, 0, 0};
+  if (is_nowhere || !ShapeOf(field.kind).Fits(value)) {
+    ThrowExpected(field.name, value, WordsOf(field.kind));
+  }
+}
+
+void ThrowExpected(const std::string& key, const Json& found, const std::string& expected) {
+  // A container may be deep and long: its kind says enough.
+  std::string text = found.is_structured() && found.size() > 4 ? found.type_name() : ToText(found);
+  if (text.size() > 60) text = text.substr(0, 57) + "...";
+  throw std::invalid_argument("\"" + key + "\" is " + text + ", expected " + expected);
+}
+
+}  // namespace smile::sim

@@ -1,0 +1,118 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "base/json.h"
+#include "scene/units.h"
+#include "sim/command.h"
+#include "sim/internal_value_kinds.h"
+
+// Values of commands in JSON: written, read when they have been checked, and rounded to what can be
+// written. Lengths are in the scene's unit there.
+
+namespace smile::sim {
+
+/// In what the numbers of a field are written, at a scene.
+struct WrittenUnit {
+  double meters_per_unit;
+  bool is_length;  ///< else the numbers are written as they are
+
+  WrittenUnit(const CommandField& field, double meters)
+      : meters_per_unit(meters),
+        is_length(field.unit == ValueUnit::kUnits || field.unit == ValueUnit::kUnitsPerSecond) {}
+
+  /// @tparam T  double or Vector3.
+  template <class T>
+  T Write(const T& value) const {
+    return is_length ? scene::ToFileUnits(value, meters_per_unit) : value;
+  }
+  template <class T>
+  T Read(const T& value) const {
+    return is_length ? scene::FromFileUnits(value, meters_per_unit) : value;
+  }
+};
+
+inline Json Written(const Vector3& p, const WrittenUnit& unit) {
+  const Vector3 in_file = unit.Write(p);
+  return {in_file.x(), in_file.y(), in_file.z()};
+}
+inline Json Written(double number, const WrittenUnit& unit) { return unit.Write(number); }
+inline Json Written(bool flag, const WrittenUnit&) { return flag; }
+inline Json Written(const std::string& text, const WrittenUnit&) { return text; }
+inline Json Written(HandName hand, const WrittenUnit&) { return ToString(hand); }
+inline Json Written(robot::Mood mood, const WrittenUnit&) { return ToString(mood); }
+inline Json Written(MoveGripper::Which which, const WrittenUnit&) {
+  return kArmNames[static_cast<std::size_t>(which)];
+}
+inline Json Written(const motion::TrajectoryPoint& point, const WrittenUnit&) {
+  return {
+      {"seconds", point.seconds}, {"positions", point.positions}, {"velocities", point.velocities}};
+}
+template <class T>
+Json Written(const std::optional<T>& value, const WrittenUnit& unit) {
+  return value ? Written(*value, unit) : Json();
+}
+/// @tparam List  a vector or an array.
+template <class List, class = typename List::const_iterator>
+Json Written(const List& values, const WrittenUnit& unit) {
+  Json written = Json::array();
+  for (const auto& value : values) written.push_back(Written(value, unit));
+  return written;
+}
+
+inline void Read(const Json& json, const WrittenUnit& unit, Vector3* p) {
+  *p = unit.Read(Vector3(json[0].get<double>(), json[1].get<double>(), json[2].get<double>()));
+}
+inline void Read(const Json& json, const WrittenUnit& unit, double* number) {
+  *number = unit.Read(json.get<double>());
+}
+inline void Read(const Json& json, const WrittenUnit&, bool* flag) { *flag = json.get<bool>(); }
+inline void Read(const Json& json, const WrittenUnit&, std::string* text) {
+  *text = json.get<std::string>();
+}
+inline void Read(const Json& json, const WrittenUnit&, HandName* hand) {
+  *hand = *demonstrator::ParseHandName(json.get<std::string>());
+}
+inline void Read(const Json& json, const WrittenUnit&, robot::Mood* mood) {
+  *mood = *robot::ParseMood(json.get<std::string>());
+}
+inline void Read(const Json& json, const WrittenUnit&, MoveGripper::Which* which) {
+  const auto name = std::ranges::find(kArmNames, json.get<std::string>());
+  *which = static_cast<MoveGripper::Which>(name - kArmNames.begin());
+}
+inline void Read(const Json& json, const WrittenUnit&, motion::TrajectoryPoint* point) {
+  *point = {.seconds = json.at("seconds").get<double>(),
+            .positions = json.at("positions"),
+            .velocities = json.value("velocities", std::vector<double>())};
+}
+template <class T>
+void Read(const Json& json, const WrittenUnit& unit, std::optional<T>* value) {
+  Read(json, unit, &value->emplace());
+}
+template <class T>
+void Read(const Json& json, const WrittenUnit& unit, std::vector<T>* values) {
+  for (const Json& value : json) Read(value, unit, &values->emplace_back());
+}
+template <class T, std::size_t N>
+void Read(const Json& json, const WrittenUnit& unit, std::array<T, N>* values) {
+  for (std::size_t i = 0; i < N; ++i) Read(json[i], unit, &(*values)[i]);
+}
+
+/// To the nearest that survives being written and read.
+template <class T>
+void RoundToFileGrid(double meters_per_unit, T* value) {
+  if constexpr (std::is_same_v<T, double> || std::is_same_v<T, Vector3>) {
+    *value = scene::OnFileGrid(*value, meters_per_unit);
+  } else if constexpr (requires { value->has_value(); }) {
+    if (*value) RoundToFileGrid(meters_per_unit, &**value);
+  } else if constexpr (requires { value->begin(); } && !std::is_same_v<T, std::string>) {
+    for (auto& one : *value) RoundToFileGrid(meters_per_unit, &one);
+  }
+}
+
+}  // namespace smile::sim

@@ -82,33 +82,6 @@ struct Plane {
   bool operator==(const Plane&) const = default;
 };
 
-/// A mouse that drags: a MoveTo to where its ray meets the hand's motion plane, or a level one. It
-/// is this MoveTo that is told and logged.
-struct Drag {
-  static constexpr CommandName kName{
-      "drag",
-      "carries the held object to where a ray meets the hand's plane; logs have the move_to"};
-  HandName hand = HandName::kAny;
-  Vector3 p_WOrigin = Vector3::Zero();           ///< of the ray [m]
-  Vector3 direction_in_world = Vector3::Zero();  ///< of any length but 0
-  bool is_level = false;        ///< in the level plane through where the hand wants to be
-  std::optional<double> speed;  ///< at most this fast [m/s]
-
-  static void VisitFields(auto& command, auto&& visit) {
-    visit(command.hand, kHandField);
-    visit(command.p_WOrigin,
-          CommandField{"origin", ValueKind::kPoint, "where the ray begins", ValueUnit::kUnits});
-    visit(command.direction_in_world,
-          CommandField{"direction", ValueKind::kDirection, "of the ray, of any length but 0"});
-    visit(command.is_level,
-          CommandField{"level", ValueKind::kFlag, "in a level plane instead; false if not given",
-                       ValueUnit::kNone, Presence::kOptional});
-    visit(command.speed, CommandField{"speed", ValueKind::kSpeed, kSpeedMeaning,
-                                      ValueUnit::kUnitsPerSecond, Presence::kOptional});
-  }
-  bool operator==(const Drag&) const = default;
-};
-
 struct Rotate {
   static constexpr CommandName kName{"rotate", "turns the held object about its origin"};
   HandName hand = HandName::kAny;
@@ -420,10 +393,10 @@ struct FinishRecording {
   bool operator==(const FinishRecording&) const = default;
 };
 
-using Command = std::variant<Grasp, MoveTo, Plane, Drag, Rotate, Release, Destroy, Attend, Point,
-                             Trigger, Fasten, Loosen, JointVelocities, JointAngles, TurnJoint,
-                             MoveGripper, TakePose, FollowTrajectory, ShowRobot, Face, Markers,
-                             Undo, Redo, StartRecording, FinishRecording>;
+using Command = std::variant<Grasp, MoveTo, Plane, Rotate, Release, Destroy, Attend, Point, Trigger,
+                             Fasten, Loosen, JointVelocities, JointAngles, TurnJoint, MoveGripper,
+                             TakePose, FollowTrajectory, ShowRobot, Face, Markers, Undo, Redo,
+                             StartRecording, FinishRecording>;
 
 /// True of what a hand does to the world or shows: it begins a new segment of a recording, and can
 /// be undone.

@@ -5,6 +5,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "sim/drag.h"
 #include "sim/internal_command_fields.h"
 
 namespace smile::sim {
@@ -16,13 +17,14 @@ struct CommandForm {
   std::vector<CommandField> fields;
 };
 
-/// In the order in which they are listed.
+/// In the order in which they are listed; last what is written like a command and is none.
 std::vector<CommandForm> FormsOfCommands() {
   std::vector<CommandForm> forms;
   AnyKindOfCommand([&]<class What>(std::type_identity<What>) {
     forms.push_back({What::kName, FieldsOf<What>()});
     return false;
   });
+  forms.push_back({Drag::kName, FieldsOf<Drag>()});
   return forms;
 }
 

@@ -93,6 +93,8 @@ class LineReader {
     const bool has_do = json.is_object() && json.contains("do");
     if (has_do && json.at("do") == "wait") {
       read.what = ParseWait(json);
+    } else if (IsDrag(json)) {
+      read.what = ParseDrag(json, meters_per_unit_);
     } else if (has_do && json.at("do") == "trajectory" && json.contains("file")) {
       read.what = ReadTrajectoryOf(json);
     } else {
@@ -189,8 +191,17 @@ void ScriptPlayer::Advance(Simulation* simulation) {
       wait_start_.reset();
       continue;
     }
-    if (auto refusal = simulation->Apply(std::get<Command>(line.what))) Fail(line, *refusal);
+    const auto* drag = std::get_if<Drag>(&line.what);
+    const auto refusal = drag != nullptr ? Carry(*drag, simulation)
+                                         : simulation->Apply(std::get<Command>(line.what));
+    if (refusal) Fail(line, *refusal);
   }
+}
+
+std::optional<Refusal> ScriptPlayer::Carry(const Drag& drag, Simulation* simulation) {
+  Refusal refusal;
+  const auto move = MoveOf(drag, *simulation, &refusal);
+  return move ? simulation->Apply(*move) : refusal;
 }
 
 bool ScriptPlayer::IsOver(const Wait& wait, const ScriptLine& line, const Simulation& simulation) {

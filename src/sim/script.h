@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim/command.h"
+#include "sim/drag.h"
 #include "sim/simulation.h"
 
 namespace smile::sim {
@@ -24,7 +25,7 @@ struct Wait {
 struct ScriptLine {
   int line = 0;                       ///< in the file, 1 is the first
   std::optional<std::uint64_t> tick;  ///< not before this tick
-  std::variant<Command, Wait> what;
+  std::variant<Command, Drag, Wait> what;
 };
 
 /// A demonstration or a test, written down: one command per line as JSON, blank lines and lines
@@ -62,6 +63,8 @@ class ScriptPlayer {
   }
 
  private:
+  /// @returns why it was refused.
+  static std::optional<Refusal> Carry(const Drag& drag, Simulation* simulation);
   bool IsOver(const Wait& wait, const ScriptLine& line, const Simulation& simulation);
   [[noreturn]] void Fail(const ScriptLine& line, const std::string& message) const;
 

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "base/state_hash.h"
-#include "scene/units.h"
 #include "sim/command_json.h"
 
 namespace smile::sim {
@@ -49,7 +48,6 @@ bool ChangesWorld(const Command& command) {
 }  // namespace
 
 std::optional<Refusal> Simulation::Apply(const Command& wanted) {
-  if (const auto* drag = std::get_if<Drag>(&wanted)) return Carry(*drag);
   const Command command = OnFileGrid(wanted, scene().meters_per_unit);
   std::optional<Refusal> refusal;
   for (Listener* listener : listeners_) {
@@ -122,22 +120,6 @@ void Simulation::ReleaseFor(const Grasp& grasp) {
   const demonstrator::GraspPlan plan = demonstrator_.PlanGrasp(grasp.hand, grasp.object);
   if (plan.refusal) return;
   for (HandName hand : plan.to_release) (void)Apply(Release{.hand = hand});
-}
-
-std::optional<Refusal> Simulation::Carry(const Drag& drag) {
-  Refusal refusal;
-  const auto p_WH = demonstrator_.PointOnPlane(
-      drag.hand, {.p_WOrigin = drag.p_WOrigin, .direction_in_world = drag.direction_in_world},
-      drag.is_level, &refusal);
-  // Where units are tiny, a log could not say it.
-  const double limit = scene::FromFileUnits(kMaxNumber, scene().meters_per_unit);
-  if (p_WH && !(p_WH->cwiseAbs().maxCoeff() <= limit)) {
-    refusal = "the ray meets the motion plane more than 1e6 units away";
-  } else if (p_WH) {
-    return Apply(MoveTo{.hand = drag.hand, .p_WH = *p_WH, .speed = drag.speed});
-  }
-  Tell({.kind = EventKind::kCommandRefused, .reason = refusal});
-  return refusal;
 }
 
 std::optional<Refusal> Simulation::Carry(const Plane& plane) {

@@ -128,8 +128,6 @@ class Simulation {
   std::optional<Refusal> Carry(const Command& command);
   std::optional<Refusal> Carry(const Grasp& grasp);
   std::optional<Refusal> Carry(const MoveTo& move);
-  /// As the move it means: only that is told and logged.
-  std::optional<Refusal> Carry(const Drag& drag);
   std::optional<Refusal> Carry(const Plane& plane);
   std::optional<Refusal> Carry(const Attend& attend);
   std::optional<Refusal> Carry(const Rotate& rotate);

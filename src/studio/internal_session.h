@@ -50,6 +50,8 @@ class Session::Impl {
   void AddRecordingRequests();
   void AddBrainRequests();
   Json Command(const Request& request);
+  /// What a page's `command` means now, snapped unless it is to be exact.
+  sim::Command MeantBy(const Json& wanted, bool is_exact);
   Json Load(const RequestFields& fields);
   Json Check(const RequestFields& fields) const;
   Json Spawn(const RequestFields& fields);

@@ -168,8 +168,7 @@ void Session::Impl::AddBrainRequests() {
 Json Session::Impl::Command(const Request& request) {
   RequireLive();
   const RequestFields fields(request);
-  const sim::Command command =
-      sim::ParseCommand(fields.Object("command"), world_->simulation().scene().meters_per_unit);
+  const sim::Command command = MeantBy(fields.Object("command"), fields.Flag("exact"));
   const bool turns_back =
       std::holds_alternative<sim::Undo>(command) || std::holds_alternative<sim::Redo>(command);
   if (turns_back && brain_.is_running()) {
@@ -178,15 +177,25 @@ Json Session::Impl::Command(const Request& request) {
   const bool is_start = std::holds_alternative<sim::StartRecording>(command);
   if (is_start) RequireNoBranching();
   view_.reset();
-  const bool is_exact = fields.Flag("exact");
-  if (const auto refusal = world_->Apply(is_exact ? command : snapper_.Snapped(*world_, command))) {
-    throw RequestError(*refusal);
-  }
+  if (const auto refusal = world_->Apply(command)) throw RequestError(*refusal);
   Json answer = Json::object();
   if (is_start) {
     answer["recording"] = world_->recording_directory().filename().string();
   }
   return answer;
+}
+
+sim::Command Session::Impl::MeantBy(const Json& wanted, bool is_exact) {
+  const double meters_per_unit = world_->simulation().scene().meters_per_unit;
+  if (!sim::IsDrag(wanted)) {
+    const sim::Command command = sim::ParseCommand(wanted, meters_per_unit);
+    return is_exact ? command : snapper_.Snapped(*world_, command);
+  }
+  const sim::Drag drag = sim::ParseDrag(wanted, meters_per_unit);
+  sim::Refusal refusal;
+  const auto move = sim::MoveOf(drag, world_->simulation(), &refusal);
+  if (!move) throw RequestError(refusal);
+  return is_exact ? *move : snapper_.Snapped(*world_, drag, *move);
 }
 
 Json Session::Impl::Load(const RequestFields& fields) {

@@ -162,27 +162,6 @@ std::vector<Matrix3> FramesNear(const LiveWorld& world, const demonstrator::Hand
   return frames;
 }
 
-sim::Command SnappedDrag(const SnapTo& snap, const LiveWorld& world, const sim::Drag& drag) {
-  const sim::Simulation& simulation = world.simulation();
-  const demonstrator::Hand& hand = simulation.demonstrator().hand(drag.hand);
-  sim::Refusal refusal;
-  const auto p_WH = simulation.demonstrator().PointOnPlane(
-      drag.hand, {.p_WOrigin = drag.p_WOrigin, .direction_in_world = drag.direction_in_world},
-      drag.is_level, &refusal);
-  if (!p_WH) return drag;  // the simulation says why
-  const world::Object* object = simulation.tabletop().Find(hand.held);
-  const Matrix3& R_WB = hand.X_WB_goal.rotation();
-  const Carried carried{.bounds = world.bounds()[object->index],
-                        .X_WB = {R_WB, *p_WH - R_WB * hand.p_BH},
-                        .plane_deg = simulation.demonstrator().plane_angle_deg(drag.hand),
-                        .is_level = drag.is_level};
-  if (carried.bounds.is_empty()) return drag;
-  const Vector3 shift =
-      SnapShift(snap, carried, NeighboursOf(world, hand.held), simulation.scene().meters_per_unit);
-  if (shift == Vector3::Zero()) return drag;
-  return sim::MoveTo{.hand = drag.hand, .p_WH = *p_WH + shift, .speed = drag.speed};
-}
-
 }  // namespace
 
 SnapTo SnapToOf(std::span<const std::string> names) {
@@ -232,8 +211,24 @@ Matrix3 SnapTurn(const SnapTo& snap, const Matrix3& R_wanted, std::span<const Ma
   return R_snapped;
 }
 
+sim::MoveTo Snapper::Snapped(const LiveWorld& world, const sim::Drag& drag,
+                             const sim::MoveTo& move) const {
+  const sim::Simulation& simulation = world.simulation();
+  const demonstrator::Hand& hand = simulation.demonstrator().hand(drag.hand);
+  const world::Object* object = simulation.tabletop().Find(hand.held);
+  const Matrix3& R_WB = hand.X_WB_goal.rotation();
+  const Carried carried{.bounds = world.bounds()[object->index],
+                        .X_WB = {R_WB, move.p_WH - R_WB * hand.p_BH},
+                        .plane_deg = simulation.demonstrator().plane_angle_deg(drag.hand),
+                        .is_level = drag.is_level};
+  if (carried.bounds.is_empty()) return move;
+  sim::MoveTo snapped = move;
+  snapped.p_WH +=
+      SnapShift(to, carried, NeighboursOf(world, hand.held), simulation.scene().meters_per_unit);
+  return snapped;
+}
+
 sim::Command Snapper::Snapped(const LiveWorld& world, const sim::Command& command) {
-  if (const auto* drag = std::get_if<sim::Drag>(&command)) return SnappedDrag(to, world, *drag);
   if (const auto* rotate = std::get_if<sim::Rotate>(&command)) return SnappedRotate(world, *rotate);
   return command;
 }

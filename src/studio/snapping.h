@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "scene/bounds.h"
+#include "sim/drag.h"
 #include "studio/live_world.h"
 
 namespace smile::studio {
@@ -57,6 +58,9 @@ class Snapper {
  public:
   SnapTo to;
 
+  /// Where a drag leads instead.
+  /// @param move  as sim::MoveOf() has it.
+  sim::MoveTo Snapped(const LiveWorld& world, const sim::Drag& drag, const sim::MoveTo& move) const;
   /// The command to carry out instead; others are what they were. Turns that follow one another add
   /// up as if nothing snapped: so whoever turns on gets away from where it did.
   sim::Command Snapped(const LiveWorld& world, const sim::Command& command);

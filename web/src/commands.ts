@@ -1,4 +1,4 @@
-// Made by tools/generate.sh from the program's tables: change src/sim/command.h instead.
+// Made by tools/generate.py from the program's tables: change src/sim/command.h instead.
 
 /** It takes hold of an object. */
 export interface GraspCommand {
@@ -29,21 +29,6 @@ export interface PlaneCommand {
   hand: "left" | "right" | "both" | "any";
   /** of its horizontal direction from the x axis, counterclockwise seen from above [degrees] */
   angle: number;
-}
-
-/** It carries the held object to where a ray meets the hand's plane; logs have the move_to. */
-export interface DragCommand {
-  do: "drag";
-  /** which of the demonstrator's hands */
-  hand: "left" | "right" | "both" | "any";
-  /** where the ray begins [units] */
-  origin: [number, number, number];
-  /** of the ray, of any length but 0 */
-  direction: [number, number, number];
-  /** in a level plane instead; false if not given */
-  level?: boolean;
-  /** at most this fast; 10 if not given [units/s] */
-  speed?: number;
 }
 
 /** It turns the held object about its origin. */
@@ -227,11 +212,25 @@ export interface FinishCommand {
   do: "finish";
 }
 
+/** It carries the held object to where a ray meets the hand's plane; for scripts and pages only, it becomes a move_to. */
+export interface DragCommand {
+  do: "drag";
+  /** which of the demonstrator's hands */
+  hand: "left" | "right" | "both" | "any";
+  /** where the ray begins [units] */
+  origin: [number, number, number];
+  /** of the ray, of any length but 0 */
+  direction: [number, number, number];
+  /** in a level plane instead; false if not given */
+  level?: boolean;
+  /** at most this fast; 10 if not given [units/s] */
+  speed?: number;
+}
+
 export type Command =
   | GraspCommand
   | MoveToCommand
   | PlaneCommand
-  | DragCommand
   | RotateCommand
   | ReleaseCommand
   | DestroyCommand
@@ -252,4 +251,5 @@ export type Command =
   | UndoCommand
   | RedoCommand
   | StartCommand
-  | FinishCommand;
+  | FinishCommand
+  | DragCommand;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "sim/command_json.h"
+#include "sim/drag.h"
 #include "simulation_fixture.h"
 
 namespace smile::sim {
@@ -37,6 +38,11 @@ class HandsTest : public SimulationFixture {
   };
   /// Empty when it was carried out.
   std::string Do(const Command& command) { return simulation_->Apply(command).value_or(""); }
+  std::string DoDrag(const Drag& drag) {
+    Refusal refusal;
+    const auto move = MoveOf(drag, *simulation_, &refusal);
+    return move ? Do(*move) : refusal;
+  }
   std::string Grab(HandName hand, const char* object) {
     return Do(Grasp{.hand = hand, .object = object});
   }
@@ -97,8 +103,8 @@ TEST_F(HandsTest, ALogOfImpliedReleasesReplaysToTheSameBits) {
   const SimulationState start = simulation_->Save();
   const std::vector<Command> wanted = {
       Grasp{.hand = kLeft, .object = "a"}, Plane{.hand = kLeft, .angle_deg = 30},
-      Drag{.hand = kLeft, .p_WOrigin = {0.1, -1, 0.8}, .direction_in_world = {0, 2, -1}},
-      Grasp{.hand = kRight, .object = "a"}, Grasp{.hand = kBoth, .object = "c"}};
+      MoveTo{.hand = kLeft, .p_WH = {0.1, 1.0 / 3, 0.3}}, Grasp{.hand = kRight, .object = "a"},
+      Grasp{.hand = kBoth, .object = "c"}};
   for (const Command& command : wanted) {
     ASSERT_EQ(Do(command), "");
   }
@@ -108,7 +114,6 @@ TEST_F(HandsTest, ALogOfImpliedReleasesReplaysToTheSameBits) {
   const std::vector<Command> log = std::exchange(ear_.log, {});
   EXPECT_EQ(log.size(), wanted.size() + 2);
   for (const Command& command : log) {
-    EXPECT_FALSE(std::holds_alternative<Drag>(command));
     ASSERT_EQ(Do(command), "");
   }
   EXPECT_EQ(ear_.log, log);
@@ -173,7 +178,7 @@ TEST_F(HandsTest, TwoHandsInterleavedCarryAsEachAlone) {
 TEST_F(HandsTest, ADragGoesWhereTheRayMeetsThePlane) {
   ASSERT_EQ(Do(Grasp{.hand = kLeft, .object = "a", .p_WQ = Vector3(0, 0, 0.1)}), "");
   const auto drag = [this](const Vector3& origin, const Vector3& direction) {
-    return Do(Drag{.hand = kLeft, .p_WOrigin = origin, .direction_in_world = direction});
+    return DoDrag(Drag{.hand = kLeft, .p_WOrigin = origin, .direction_in_world = direction});
   };
   const auto goal = [this]() -> Vector3 {
     const demonstrator::Hand& hand = simulation_->demonstrator().hand(kLeft);
@@ -194,7 +199,7 @@ TEST_F(HandsTest, ADragGoesWhereTheRayMeetsThePlane) {
 
   // Level it keeps its height, wherever its plane stands.
   const auto drag_level = [this](const Vector3& origin, const Vector3& direction) {
-    return Do(Drag{
+    return DoDrag(Drag{
         .hand = kLeft, .p_WOrigin = origin, .direction_in_world = direction, .is_level = true});
   };
   EXPECT_EQ(drag_level({-0.1, -2, 1.2}, {0.1, 1, -0.5}), "");
@@ -209,7 +214,7 @@ TEST_F(HandsTest, ADragGoesWhereTheRayMeetsThePlane) {
   EXPECT_EQ(drag({0, -2, 0.2}, {1, 1.01, 0}), "the ray meets " + plane + " more than 100 m away");
   EXPECT_EQ(drag({0, -2, 0.2}, {0, 0, 0}), "the ray has no direction");
   EXPECT_EQ(drag({0, -2, 0.2}, {0, std::nan(""), 0}), "the ray has no direction");
-  EXPECT_EQ(Do(Drag{.hand = kRight}), "the right hand holds nothing");
+  EXPECT_EQ(DoDrag(Drag{.hand = kRight}), "the right hand holds nothing");
   EXPECT_EQ(simulation_->state_hash(), hash);
 }
 
@@ -219,10 +224,12 @@ TEST_F(HandsTest, ADragOnlyGoesWhereALogCanSayIt) {
   Simulation tiny(scene);
   ASSERT_EQ(tiny.Apply(Grasp{.hand = kLeft, .object = "a"}), std::nullopt);
   const Drag drag{.hand = kLeft, .p_WOrigin = {0, -1, 0.2}, .direction_in_world = {1, 1, 0}};
-  EXPECT_EQ(tiny.Apply(drag), std::nullopt) << "just a million units to the right";
+  Refusal refusal;
+  EXPECT_NE(MoveOf(drag, tiny, &refusal), std::nullopt) << "just a million units to the right";
   Drag farther = drag;
   farther.p_WOrigin.x() = 0.1;
-  EXPECT_EQ(tiny.Apply(farther), "the ray meets the motion plane more than 1e6 units away");
+  EXPECT_EQ(MoveOf(farther, tiny, &refusal), std::nullopt);
+  EXPECT_EQ(refusal, "the ray meets the motion plane more than 1e6 units away");
 }
 
 TEST_F(HandsTest, AnUndoneHandOverIsTakenBackInTwo) {

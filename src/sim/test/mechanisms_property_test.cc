@@ -46,7 +46,7 @@ TEST_P(MechanismsProperty, EverythingDoneCanBeTakenBackAndDoneAgain) {
   EXPECT_GT(num_done[Command(Trigger{}).index()], 0);
   EXPECT_GT(num_done[Command(Fasten{}).index()] + num_done[Command(Loosen{}).index()], 0);
   EXPECT_GT(num_done[Command(Plane{}).index()], 0);
-  EXPECT_GT(num_done[Command(Drag{}).index()], 0);
+  EXPECT_GT(num_done[Command(MoveTo{}).index()], 0);
   // Some release because another hand needs them.
   EXPECT_GT(counter.num_told[EventKind::kReleased], num_done[Command(Release{}).index()]);
   EXPECT_GT(counter.num_told[EventKind::kFell], 0);

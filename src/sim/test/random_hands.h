@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/drag.h"
 #include "sim/simulation.h"
 
 namespace smile::sim {
@@ -42,10 +43,12 @@ class RandomHands {
         return Plane{.hand = hand, .angle_deg = Uniform(180)};
       case 10: {
         const double x = Uniform(0.5);
-        return Drag{.hand = hand,
-                    .p_WOrigin = {x, -1.5, 0.8},
-                    .direction_in_world = {Uniform(0.3), 1, -0.4 + Uniform(0.1)},
-                    .is_level = x > 0.1};
+        const Drag drag{.hand = hand,
+                        .p_WOrigin = {x, -1.5, 0.8},
+                        .direction_in_world = {Uniform(0.3), 1, -0.4 + Uniform(0.1)},
+                        .is_level = x > 0.1};
+        Refusal refusal;
+        return MoveOf(drag, simulation, &refusal).value_or(MoveTo{.hand = hand});
       }
       case 11:
         return Attend{.hand = HeldBy(kLeft, simulation).empty() ? kRight : kLeft,

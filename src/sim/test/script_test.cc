@@ -53,6 +53,33 @@ TEST_F(ScriptTest, WaitsForSecondsAndTicks) {
   EXPECT_EQ(simulation_->tick(), 45u);
 }
 
+TEST_F(ScriptTest, ADragIsTheMoveThatItMeans) {
+  struct Ear : Listener {
+    void OnCommand(const Simulation&, const Command& command) override { log.push_back(command); }
+    std::vector<Command> log;
+  } ear;
+  simulation_->AddListener(&ear);
+  EXPECT_EQ(Play(R"({"hand": "any", "do": "grasp", "object": "a"}
+{"hand": "any", "do": "drag", "origin": [1, -5, 2], "direction": [0, 1, 0], "speed": 3})"),
+            "");
+  ASSERT_EQ(ear.log.size(), 2u);
+  EXPECT_EQ(ear.log[1], Command(MoveTo{.p_WH = {0.1, 0, 0.2}, .speed = 0.3}));
+}
+
+TEST_F(ScriptTest, SaysWhatIsWrongWithADrag) {
+  EXPECT_EQ(Play(R"({"hand": "any", "do": "drag", "origin": [1, -5, 2]})"),
+            "demo.jsonl:1: \"drag\" lacks \"direction\": of the ray, of any length but 0");
+  EXPECT_EQ(Play(R"({"hand": "any", "do": "drag", "origin": [1, -5, 2], "direction": [0, 0, 0]})"),
+            "demo.jsonl:1: \"direction\" is [0,0,0], expected three numbers [x, y, z] of at most "
+            "1e6, not all 0");
+  const std::string drag =
+      R"({"hand": "right", "do": "drag", "origin": [1, -5, 2], "direction": [0, 1, 0]})";
+  EXPECT_EQ(Play(drag), "demo.jsonl:1: the right hand holds nothing");
+  EXPECT_EQ(Play(R"({"hand": "right", "do": "grasp", "object": "a"}
+{"hand": "right", "do": "drag", "origin": [1, -5, 2], "direction": [1, 0, 0]})"),
+            "demo.jsonl:2: the ray is parallel to the motion plane of the right hand");
+}
+
 TEST_F(ScriptTest, NamesTheLineOfARefusedCommand) {
   EXPECT_EQ(Play("\n{\"hand\": \"any\", \"do\": \"grasp\", \"object\": \"x\"}"),
             "demo.jsonl:2: there is no object 'x'");

@@ -1,0 +1,30 @@
+#include "sim/drag.h"
+
+#include "scene/units.h"
+#include "sim/internal_command_fields.h"
+
+namespace smile::sim {
+
+bool IsDrag(const Json& json) {
+  return json.is_object() && json.contains("do") && json.at("do") == Drag::kName.name;
+}
+
+Drag ParseDrag(const Json& json, double meters_per_unit) {
+  return ReadFields<Drag>(json, meters_per_unit);
+}
+
+std::optional<MoveTo> MoveOf(const Drag& drag, const Simulation& simulation, Refusal* refusal) {
+  const auto p_WH = simulation.demonstrator().PointOnPlane(
+      drag.hand, {.p_WOrigin = drag.p_WOrigin, .direction_in_world = drag.direction_in_world},
+      drag.is_level, refusal);
+  if (!p_WH) return std::nullopt;
+  // Where units are tiny, a log could not say it.
+  const double limit = scene::FromFileUnits(kMaxNumber, simulation.scene().meters_per_unit);
+  if (!(p_WH->cwiseAbs().maxCoeff() <= limit)) {
+    *refusal = "the ray meets the motion plane more than 1e6 units away";
+    return std::nullopt;
+  }
+  return MoveTo{.hand = drag.hand, .p_WH = *p_WH, .speed = drag.speed};
+}
+
+}  // namespace smile::sim

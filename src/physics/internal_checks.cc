@@ -173,11 +173,14 @@ void CheckSnapshot(const Snapshot& snapshot) {
           return static_cast<int>(entry.spec->links.size());
         });
   }
-  for (const auto& [a, b] : snapshot.passing) {
-    DemandOfSnapshot(a != b, "a body passes through itself");
-    find_body(a);
-    find_body(b);
+  for (const auto* pairs : {&snapshot.passing, &snapshot.close_fits}) {
+    for (const auto& [a, b] : *pairs) {
+      DemandOfSnapshot(a != b, "a body passes through itself");
+      find_body(a);
+      find_body(b);
+    }
   }
+  DemandOfSnapshot(std::ranges::is_sorted(snapshot.close_fits), "its close fits are in disorder");
 }
 
 }  // namespace smile::physics

@@ -109,7 +109,28 @@ void ExactWorld::calculateSimulationIslands() {
   for (int i = 0; i < count; ++i) islands.getElement(i).m_id = smallest_in_island_[root[i]];
   getSimulationIslandManager()->storeIslandActivationState(getCollisionWorld());
   SortManifolds();
+  if (!close_fits_.empty()) EaseCloseFits();
   LimitDepths();
+}
+
+/// Adds the play of close fits to the distances of their contacts. Distances are worked out from
+/// the points: those of sleeping pairs are not refreshed, and have it already.
+void ExactWorld::EaseCloseFits() {
+  const auto id_of = [](const btCollisionObject* object) {
+    return BodyId{static_cast<std::uint32_t>(OrderOf(object))};
+  };
+  for (int i = 0; i < getDispatcher()->getNumManifolds(); ++i) {
+    btPersistentManifold* manifold = getDispatcher()->getManifoldByIndexInternal(i);
+    const std::pair<BodyId, BodyId> pair =
+        std::minmax(id_of(manifold->getBody0()), id_of(manifold->getBody1()));
+    if (!std::ranges::binary_search(close_fits_, pair)) continue;
+    for (int k = 0; k < manifold->getNumContacts(); ++k) {
+      btManifoldPoint& point = manifold->getContactPoint(k);
+      const btScalar distance =
+          (point.m_positionWorldOnA - point.m_positionWorldOnB).dot(point.m_normalWorldOnB);
+      point.setDistance(distance + kCloseFitPlay);
+    }
+  }
 }
 
 /// What suddenly stands in something else, as a gate that opens onto a block, is pushed out at a

@@ -2,8 +2,10 @@
 
 #include <BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.h>
 
+#include <utility>
 #include <vector>
 
+#include "physics/body.h"
 #include "physics/internal_bullet.h"
 
 namespace smile::physics {
@@ -15,6 +17,11 @@ class ExactWorld : public btMultiBodyDynamicsWorld {
  public:
   using btMultiBodyDynamicsWorld::btMultiBodyDynamicsWorld;
 
+  /// By how much two that fit closely may overlap before contacts between them bear [m].
+  static constexpr double kCloseFitPlay = 0.0005;
+
+  /// The pairs to which kCloseFitPlay applies in the steps to come, sorted, the smaller id first.
+  void SetCloseFits(const std::vector<std::pair<BodyId, BodyId>>& pairs) { close_fits_ = pairs; }
   /// Call after objects were added or removed. Costs next to nothing when the order is right
   /// already, as it is after the usual addition at the end.
   void SortObjects();
@@ -35,8 +42,10 @@ class ExactWorld : public btMultiBodyDynamicsWorld {
   void calculateSimulationIslands() override;
 
  private:
+  void EaseCloseFits();
   void LimitDepths();
 
+  std::vector<std::pair<BodyId, BodyId>> close_fits_;
   std::vector<int> smallest_in_island_;
 };
 

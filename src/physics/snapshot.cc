@@ -13,7 +13,7 @@ namespace smile::physics {
 namespace {
 
 constexpr std::array kMagic = {'S', 'M', 'I', 'L', 'E', 'S', 'N', 'P'};
-constexpr std::uint32_t kVersion = 4;
+constexpr std::uint32_t kVersion = 5;
 /// More of anything than this is not one of ours.
 constexpr std::uint32_t kMaxCount = 1'000'000;
 
@@ -256,6 +256,7 @@ void Walk(Archive& archive, Snapshot& snapshot) {
   WalkEntries(archive, snapshot.articulations);
   WalkEach(archive, snapshot.joints);
   WalkEach(archive, snapshot.passing);
+  WalkEach(archive, snapshot.close_fits);
 }
 
 }  // namespace

@@ -33,7 +33,8 @@ struct Snapshot {
   std::vector<BodyEntry> bodies;
   std::vector<ArticulationEntry> articulations;
   std::vector<Joint> joints;
-  std::vector<std::pair<BodyId, BodyId>> passing;  ///< those that pass through each other
+  std::vector<std::pair<BodyId, BodyId>> passing;     ///< those that pass through each other
+  std::vector<std::pair<BodyId, BodyId>> close_fits;  ///< those that have play; see LetPass()
   std::vector<std::byte> state;
 };
 

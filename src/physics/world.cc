@@ -242,7 +242,9 @@ void World::Step() {
   if (is_at_rest()) return;
   LoadCarriedBodies();
   if (!engine_->joints.empty()) DampSliders();
+  if (!close_fits_.empty()) EndCloseFitsApart();
   if (!passing_.empty()) EndPassingApart();
+  engine_->world.SetCloseFits(close_fits_);
   PullDown();
   for (const auto& articulation : articulations_) {
     articulation->BeforeStep(config_.step_seconds, config_.gravity);

@@ -29,6 +29,8 @@ struct WorldConfig {
   double sleep_linear_speed = 0.03;  ///< below this it counts as at rest [m/s]
   double sleep_angular_speed = 0.3;  ///< [rad/s]
   double damping = 0.2;              ///< share of a velocity lost per second
+  /// False: what comes free in a hole of its own size jams, as in recordings of physics version 1.
+  bool eases_close_fits = true;
   MotorConfig motor;
 
   bool operator==(const WorldConfig&) const = default;
@@ -91,8 +93,10 @@ class World {
   /// Puts a body there at once, at rest, and all that hangs together with it likewise.
   void MoveAssembly(BodyId id, const RigidTransform& X_WB);
 
-  /// Lets the two pass through each other until they have come apart: for what was inside the
-  /// other when its joint ended. Who overlaps by less than 0.5 mm counts as apart.
+  /// Lets the two pass through each other until they overlap by at most 0.5 mm: for what was inside
+  /// the other when its joint ended. Until they no longer overlap at all they are a close fit, as a
+  /// screw in a hole of its own radius: contacts between them then begin to bear 0.5 mm deeper, so
+  /// that the screw rests in its hole and slides out of it.
   void LetPass(BodyId a, BodyId b);
   /// What this body would overlap by more than `depth` [m] if it stood there. Not what it may pass
   /// through.
@@ -167,9 +171,13 @@ class World {
   template <class IsOver>
   void EndPassing(IsOver is_over);
   void EndPassingOf(BodyId id);
+  /// Turns those that hardly overlap any more into close fits, and ends these when they are apart.
   void EndPassingApart();
+  void EndCloseFitsApart();
   void EndAllPassing();
   double OverlapDepth(const Body& a, const btTransform& X_WAcm, const btCollisionObject& b) const;
+  double OverlapDepth(const std::pair<BodyId, BodyId>& pair) const;
+  bool IsAnyAwake(const std::pair<BodyId, BodyId>& pair) const;
 
   void MatchObjects(const Snapshot& snapshot);
 
@@ -179,8 +187,9 @@ class World {
   std::uint32_t next_joint_id_ = 1;
   std::vector<std::unique_ptr<Articulation>> articulations_;
   std::vector<std::unique_ptr<Body>> bodies_;
-  std::vector<Joint> joints_;                       ///< by id
-  std::vector<std::pair<BodyId, BodyId>> passing_;  ///< sorted, the smaller id first
+  std::vector<Joint> joints_;                          ///< by id
+  std::vector<std::pair<BodyId, BodyId>> passing_;     ///< sorted, the smaller id first
+  std::vector<std::pair<BodyId, BodyId>> close_fits_;  ///< likewise; see LetPass()
 };
 
 }  // namespace smile::physics

@@ -41,6 +41,12 @@ std::uint64_t World::state_hash() const {
     hash.Add(std::uint64_t{a.value});
     hash.Add(std::uint64_t{b.value});
   }
+  // Nothing is added without them: hashes of worlds that never had any stay as they were.
+  if (!close_fits_.empty()) hash.Add("close fits");
+  for (const auto& [a, b] : close_fits_) {
+    hash.Add(std::uint64_t{a.value});
+    hash.Add(std::uint64_t{b.value});
+  }
   return hash.value();
 }
 

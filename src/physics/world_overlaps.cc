@@ -10,19 +10,26 @@
 namespace smile::physics {
 namespace {
 
-/// Two that pass through each other and overlap by no more than this have come apart: what merely
-/// touches must not fall through [m].
-constexpr double kApart = 0.0005;
+/// Two that pass through each other and overlap by no more than this collide again: what merely
+/// touches must not fall through. A close fit has as much play [m].
+constexpr double kCloseFitDepth = ExactWorld::kCloseFitPlay;
+
+using BodyPair = std::pair<BodyId, BodyId>;
+
+void InsertSorted(const BodyPair& pair, std::vector<BodyPair>* pairs) {
+  const auto place = std::ranges::lower_bound(*pairs, pair);
+  if (place == pairs->end() || *place != pair) pairs->insert(place, pair);
+}
 
 }  // namespace
 
 void World::LetPass(BodyId a, BodyId b) {
   if (a == b) throw std::invalid_argument("world: a body cannot pass through itself");
-  const std::pair<BodyId, BodyId> pair = std::minmax(a, b);
+  const BodyPair pair = std::minmax(a, b);
   if (body(a).is_static() && body(b).is_static()) return;
-  const auto place = std::lower_bound(passing_.begin(), passing_.end(), pair);
-  if (place != passing_.end() && *place == pair) return;
-  passing_.insert(place, pair);
+  if (std::ranges::binary_search(passing_, pair)) return;
+  std::erase(close_fits_, pair);
+  InsertSorted(pair, &passing_);
   engine_->broadphase.Exclude(*body(a).bullet_, *body(b).bullet_, &engine_->dispatcher);
 }
 
@@ -37,19 +44,39 @@ void World::EndPassing(IsOver is_over) {
 }
 
 void World::EndPassingOf(BodyId id) {
-  EndPassing([id](const auto& pair) { return pair.first == id || pair.second == id; });
+  const auto is_of = [id](const BodyPair& pair) { return pair.first == id || pair.second == id; };
+  EndPassing(is_of);
+  std::erase_if(close_fits_, is_of);
 }
 
 void World::EndAllPassing() {
   EndPassing([](const auto&) { return true; });
+  close_fits_.clear();
 }
 
 void World::EndPassingApart() {
-  EndPassing([this](const auto& pair) {
-    const Body &a = body(pair.first), &b = body(pair.second);
-    if (!a.is_awake() && !b.is_awake()) return false;
-    return OverlapDepth(a, a.bullet_->getWorldTransform(), *b.bullet_) <= kApart;
+  EndPassing([this](const BodyPair& pair) {
+    if (!IsAnyAwake(pair)) return false;
+    const double depth = OverlapDepth(pair);
+    if (depth > kCloseFitDepth) return false;
+    if (depth > 0 && config_.eases_close_fits) InsertSorted(pair, &close_fits_);
+    return true;
   });
+}
+
+void World::EndCloseFitsApart() {
+  std::erase_if(close_fits_, [this](const BodyPair& pair) {
+    return IsAnyAwake(pair) && OverlapDepth(pair) <= 0;
+  });
+}
+
+bool World::IsAnyAwake(const BodyPair& pair) const {
+  return body(pair.first).is_awake() || body(pair.second).is_awake();
+}
+
+double World::OverlapDepth(const BodyPair& pair) const {
+  const Body& a = body(pair.first);
+  return OverlapDepth(a, a.bullet_->getWorldTransform(), *body(pair.second).bullet_);
 }
 
 double World::OverlapDepth(const Body& a, const btTransform& X_WAcm,

@@ -65,8 +65,11 @@ bool Is(const Thing& thing, const Entry& entry) {
 }  // namespace
 
 Snapshot World::Save() const {
-  Snapshot snapshot{
-      .next_id = next_id_, .next_joint_id = next_joint_id_, .joints = joints_, .passing = passing_};
+  Snapshot snapshot{.next_id = next_id_,
+                    .next_joint_id = next_joint_id_,
+                    .joints = joints_,
+                    .passing = passing_,
+                    .close_fits = close_fits_};
   ByteWriter out;
   for (const auto& body : bodies_) {
     snapshot.bodies.push_back({body->id(), body->spec_});
@@ -163,6 +166,7 @@ void World::MatchObjects(const Snapshot& snapshot) {
   for (auto& fresh : fresh_articulations) Insert(std::move(fresh));
   for (const Joint& joint : snapshot.joints) Insert(joint);
   for (const auto& [a, b] : snapshot.passing) LetPass(a, b);
+  close_fits_ = snapshot.close_fits;
   next_id_ = snapshot.next_id;
   next_joint_id_ = snapshot.next_joint_id;
 }

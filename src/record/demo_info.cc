@@ -24,13 +24,14 @@ constexpr std::uint64_t kMaxStartLine = 1'000'000'000;
 
 constexpr std::array<std::string_view, 3> kOriginNames{"recorded", "edited", "imported"};
 
-constexpr std::array<std::string_view, 14> kMembers{"format",
+constexpr std::array<std::string_view, 15> kMembers{"format",
                                                     "program",
                                                     "scene",
                                                     "title",
                                                     "notes",
                                                     "meters_per_unit",
                                                     "ticks_per_second",
+                                                    "physics",
                                                     "origin",
                                                     "start",
                                                     "frames_per_second",
@@ -171,6 +172,10 @@ DemoInfo ReadInfo(const JsonNode& root) {
   if (root.Has("ticks_per_second")) {
     (void)root.Member("ticks_per_second").Number(sim::kTicksPerSecond, sim::kTicksPerSecond);
   }
+  info.physics_version =
+      root.Has("physics")
+          ? static_cast<int>(root.Member("physics").Whole(1, scene::kPhysicsVersion))
+          : 1;
   info.frames_per_second = root.Member("frames_per_second").Number(1e-6, sim::kTicksPerSecond);
   if (info.format >= 2) ReadBeginning(root, &info);
   if (const JsonNode robot = root.Member("robot"); !robot.IsNull()) {
@@ -225,6 +230,7 @@ std::string ToJsonText(const DemoInfo& info) {
                {"notes", info.notes},
                {"meters_per_unit", info.meters_per_unit},
                {"ticks_per_second", sim::kTicksPerSecond},
+               {"physics", info.physics_version},
                {"origin", kOriginNames[static_cast<std::size_t>(info.origin)]},
                {"start", {{"line", info.start.line}, {"tick", info.start.tick}}},
                {"frames_per_second", info.frames_per_second},

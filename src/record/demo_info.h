@@ -8,6 +8,7 @@
 
 #include "math/camera_projection.h"
 #include "record/command_log.h"
+#include "scene/scene_spec.h"
 #include "scene/units.h"
 #include "sim/eye.h"
 #include "sim/simulation.h"
@@ -58,6 +59,7 @@ struct DemoInfo {
   std::string scene;    ///< name
   std::string title, notes;
   double meters_per_unit = scene::kMetersPerUnit;
+  int physics_version = scene::kPhysicsVersion;  ///< see SceneSpec; `physics`, absent = 1
   Origin origin = Origin::kRecorded;
   Moment start;                    ///< what was done before is no part of the demonstration
   double frames_per_second = 4;    ///< of the classic view

@@ -147,6 +147,7 @@ DemoInfo InfoOfImport(const ClassicRecording& recording, const model::Model& mod
                 .title = options.title,
                 .notes = options.notes,
                 .meters_per_unit = model.scene().meters_per_unit,
+                .physics_version = model.scene().physics_version,
                 .origin = Origin::kImported,
                 .frames_per_second = kFramesPerSecond};
   if (recording.pictures.empty()) return info;

@@ -116,6 +116,7 @@ Recording OpenRecording(const std::filesystem::path& directory) {
   Recording recording{.directory = directory, .info = ReadDemoInfo(directory / "demo.json")};
   recording.scene = scene_xml::LoadScene(directory / "scene.xml");
   recording.scene.name = recording.info.scene;
+  recording.scene.physics_version = recording.info.physics_version;
   if (const auto& robot = recording.info.robot) {
     robot::RobotReading reading = ReadKeptRobot(directory, robot->urdf, robot->gripper);
     recording.robot = sim::RobotPlacement{.model = std::move(reading.model),

@@ -13,6 +13,10 @@ namespace smile::scene {
 /// Files use the original's unit; C++ uses metres. 1 unit = 0.1 m unless the scene says otherwise.
 inline constexpr double kMetersPerUnit = 0.1;
 
+/// Version of the rules by which physics runs. A recording keeps the version it was made with, so
+/// that it replays to the same bits; docs/decisions/physics.md lists what each version changed.
+inline constexpr int kPhysicsVersion = 2;
+
 /// A free name and value that goes into the recording's symbolic log.
 struct Description {
   std::string name, value;
@@ -62,9 +66,10 @@ struct SceneSpec {
   TableSpec table;
   /// In the order of the file, members of sliders and pieces of chains among them; ids are unique.
   std::vector<ObjectSpec> objects;
-  std::vector<SliderSpec> sliders;  ///< in the order of the file
-  std::vector<ChainSpec> chains;    ///< in the order of the file
-  std::vector<CameraSpec> cameras;  ///< in the order of the file; ids are unique among them
+  std::vector<SliderSpec> sliders;        ///< in the order of the file
+  std::vector<ChainSpec> chains;          ///< in the order of the file
+  std::vector<CameraSpec> cameras;        ///< in the order of the file; ids are unique among them
+  int physics_version = kPhysicsVersion;  ///< older only in a recording's scene; in no scene file
 
   bool operator==(const SceneSpec&) const = default;
 };

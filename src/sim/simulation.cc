@@ -10,7 +10,10 @@
 namespace smile::sim {
 
 Simulation::Simulation(std::shared_ptr<const model::Model> model)
-    : model_(std::move(model)), tabletop_(&physics_, model_), demonstrator_(&physics_, &tabletop_) {
+    : model_(std::move(model)),
+      physics_(physics::WorldConfig{.eases_close_fits = model_->scene().physics_version >= 2}),
+      tabletop_(&physics_, model_),
+      demonstrator_(&physics_, &tabletop_) {
   if (model_->robot() == nullptr) return;
   robot_ = std::make_unique<world::RobotBody>(&physics_, model_);
   follower_.emplace(robot_.get());

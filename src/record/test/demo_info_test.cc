@@ -64,6 +64,13 @@ TEST_F(DemoInfoTest, ComesBackAsWritten) {
   EXPECT_EQ(Read(ToJsonText(plain)), plain);
 }
 
+TEST_F(DemoInfoTest, RecordingsWithoutAPhysicsVersionAreOfTheFirst) {
+  Json json = Json::parse(ToJsonText(Everything()));
+  EXPECT_EQ(json.at("physics"), scene::kPhysicsVersion);
+  json.erase("physics");
+  EXPECT_EQ(Read(ToText(json, 2)).physics_version, 1);
+}
+
 TEST_F(DemoInfoTest, ComplaintsNameThePlaceWhatWasFoundAndWhatWasExpected) {
   const std::pair<const char*, std::pair<const char*, const char*>> complaints[] = {
       {"/format", {"4", "<format>: found 4, expected 1 to 3 (made by smile 0)"}},
@@ -71,6 +78,7 @@ TEST_F(DemoInfoTest, ComplaintsNameThePlaceWhatWasFoundAndWhatWasExpected) {
       {"/scene", {"[]", "<scene>: found array, expected a text"}},
       {"/meters_per_unit", {"0", "<meters_per_unit>: found 0, expected 1e-09 to 1e+09"}},
       {"/ticks_per_second", {"30", "<ticks_per_second>: found 30, expected 60 to 60"}},
+      {"/physics", {"3", "<physics>: found 3, expected a whole number from 1 to 2"}},
       {"/origin", {"\"made\"", "<origin>: found \"made\", expected recorded, edited or imported"}},
       {"/start/line",
        {"-1", "<start/line>: found -1, expected a whole number from 0 to 1000000000"}},
@@ -98,7 +106,8 @@ TEST_F(DemoInfoTest, ComplaintsNameThePlaceWhatWasFoundAndWhatWasExpected) {
       {"/tilte",
        {"\"\"",
         "unknown member \"tilte\", expected format, program, scene, title, notes, "
-        "meters_per_unit, ticks_per_second, origin, start, frames_per_second, has_symbols, robot, "
+        "meters_per_unit, ticks_per_second, physics, origin, start, frames_per_second, "
+        "has_symbols, robot, "
         "eye or demonstrator; did you mean \"title\"?"}},
       {"/eye/fov",
        {"1",

@@ -36,6 +36,12 @@ class Inquest {
     });
   }
 
+  std::optional<Cause> StillHeld() const {
+    return OfFirst("still_held", [this](const scene::ObjectSpec& object) -> std::string {
+      return comparison_.errors.at(object.id()).is_held ? " is still held" : "";
+    });
+  }
+
   std::optional<Cause> NeverTaken() const {
     return OfFirst("never_taken", [this](const scene::ObjectSpec& object) -> std::string {
       const std::string& id = IdOf(object);
@@ -115,12 +121,18 @@ std::optional<Cause> CauseOfMissingEffect(const Structure& structure, const Cour
   return std::nullopt;
 }
 
+bool HasFailed(const ProgramEnd& program) { return program.status == "failed"; }
+
 }  // namespace
+
+bool IsSuccess(const Comparison& comparison, const ProgramEnd& program) {
+  return comparison.is_rebuilt() && !HasFailed(program);
+}
 
 std::optional<Cause> CauseOf(const Structure& structure, const Course& outcome,
                              const Comparison& comparison, const ProgramEnd& program) {
-  if (comparison.is_rebuilt()) return std::nullopt;
-  if (program.status == "failed") {
+  if (IsSuccess(comparison, program)) return std::nullopt;
+  if (HasFailed(program)) {
     return Cause{"brain_failed", "the robot program failed: " + program.message};
   }
   const Inquest inquest(structure, outcome, comparison);
@@ -128,6 +140,7 @@ std::optional<Cause> CauseOf(const Structure& structure, const Course& outcome,
   if (program.status == "running" || program.status == "stopped") {
     return Cause{"time_up", "the robot program was still at work when it had to end"};
   }
+  if (const auto cause = inquest.StillHeld()) return cause;
   if (const auto cause = inquest.NeverTaken()) return cause;
   if (const auto cause = inquest.Toppled()) return cause;
   if (const auto cause = inquest.Misplaced()) return cause;

@@ -13,6 +13,10 @@ struct ProgramEnd {
   std::string message;  ///< why it failed
 };
 
+/// True when everything was achieved and the program did not fail: it may have failed before it did
+/// anything, where the goal held from the start.
+bool IsSuccess(const Comparison& comparison, const ProgramEnd& program);
+
 /// Why something was not achieved.
 struct Cause {
   std::string word;  ///< see docs/results.md
@@ -21,10 +25,10 @@ struct Cause {
   bool operator==(const Cause&) const = default;
 };
 
-/// The first that fits: `brain_failed`, `fell_off_table`, `time_up`, `never_taken`, `toppled`,
-/// `misplaced`, `not_placed`, `effect_missing`. Of objects that of which it is told is the one that
-/// was to be put first.
-/// @returns nullopt if all was achieved.
+/// The first that fits: `brain_failed`, `fell_off_table`, `time_up`, `still_held`, `never_taken`,
+/// `toppled`, `misplaced`, `not_placed`, `effect_missing`. Of objects that of which it is told is
+/// the one that was to be put first.
+/// @returns nullopt after a success, see IsSuccess().
 std::optional<Cause> CauseOf(const Structure& structure, const Course& outcome,
                              const Comparison& comparison, const ProgramEnd& program);
 

@@ -1,6 +1,7 @@
 #include "task/comparison.h"
 
 #include <algorithm>
+#include <set>
 
 #include "task/placing.h"
 
@@ -33,6 +34,13 @@ Order CompareOrder(const Structure& structure, const Course& outcome,
   return OrderOf(structure.order, std::move(done), in_place);
 }
 
+/// True when the effect puts an object into a container, and the object is still held there.
+bool IsPutInsideStillHeld(const Effect& effect, const std::set<std::string>& held,
+                          const Match& match) {
+  const auto* container = std::get_if<ContainerEffect>(&effect);
+  return container != nullptr && container->is_inside && held.contains(match.at(container->object));
+}
+
 }  // namespace
 
 ObjectError Comparison::mean_error() const {
@@ -51,6 +59,7 @@ Comparison CompareWith(const Structure& structure, const Course& outcome) {
       FindPlacing(structure, outcome.scene, poses, MatchObjects(structure, outcome.scene));
   Comparison comparison{
       .match = std::move(placing.match), .goal = {}, .errors = {}, .order = {}, .achieved = {}};
+  const std::set<std::string> held = HeldInTheEnd(outcome);
   std::size_t num_right = 0;
   for (const scene::ObjectSpec& object : structure.objects) {
     const std::string& id = object.id();
@@ -58,11 +67,17 @@ Comparison CompareWith(const Structure& structure, const Course& outcome) {
     comparison.goal[id] = placing.motion * object.pose_in_world();
     comparison.errors[id] = ErrorOf(object, comparison.goal[id],
                                     ObjectIn(outcome.scene, counterpart), poses.at(counterpart));
+    comparison.errors[id].is_held = held.contains(counterpart);
     if (comparison.errors[id].is_within()) ++num_right;
   }
   comparison.order = CompareOrder(structure, outcome, comparison);
   const auto counterpart = [&](const std::string& id) { return comparison.match.at(id); };
   comparison.achieved = AreAchieved(structure.effects, outcome, counterpart, kTolerance);
+  for (std::size_t i = 0; i < structure.effects.size(); ++i) {
+    if (IsPutInsideStillHeld(structure.effects[i], held, comparison.match)) {
+      comparison.achieved[i] = false;
+    }
+  }
   num_right += static_cast<std::size_t>(std::ranges::count(comparison.achieved, true));
   comparison.share = static_cast<double>(num_right) /
                      static_cast<double>(structure.objects.size() + structure.effects.size());

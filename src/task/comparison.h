@@ -18,10 +18,11 @@ inline constexpr double kAngleTolerance = DegreesToRadians(15.0);  ///< [rad]
 
 /// How far an object is from where it should be.
 struct ObjectError {
-  double distance = 0;  ///< [m]
-  double angle = 0;     ///< by which it looks turned, see Symmetry [rad]
+  double distance = 0;   ///< [m]
+  double angle = 0;      ///< by which it looks turned, see Symmetry [rad]
+  bool is_held = false;  ///< by a hand or a gripper: then it is placed nowhere
 
-  bool is_within() const { return distance <= kTolerance && angle <= kAngleTolerance; }
+  bool is_within() const { return distance <= kTolerance && angle <= kAngleTolerance && !is_held; }
   bool operator==(const ObjectError&) const = default;
 };
 

@@ -220,6 +220,28 @@ std::vector<std::string> TouchedByHands(const Course& course) {
   return touched;
 }
 
+std::set<std::string> HeldInTheEnd(const Course& course) {
+  std::set<std::pair<std::string, std::string>> holds;  // holder and object
+  for (const Touch& touch : course.touches) {
+    const std::pair hold(HolderOf(touch.event), touch.event.object);
+    switch (touch.event.kind) {
+      case sim::EventKind::kGrasped:
+      case sim::EventKind::kGripperHolds:
+        holds.insert(hold);
+        break;
+      case sim::EventKind::kReleased:
+      case sim::EventKind::kGripperLetGo:
+        holds.erase(hold);
+        break;
+      default:
+        break;
+    }
+  }
+  std::set<std::string> held;
+  for (const auto& [holder, object] : holds) held.insert(object);
+  return held;
+}
+
 Work WorkOf(const Course& course) {
   Work work;
   std::map<std::string, int> holders;  // of what was ever held: by how many grippers now

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -62,6 +63,9 @@ ObjectPoses StartOf(const scene::SceneSpec& scene);
 
 /// The objects that hands took, fastened or loosened.
 std::vector<std::string> TouchedByHands(const Course& course);
+
+/// The objects that a hand or a gripper still holds in the end, by id.
+std::set<std::string> HeldInTheEnd(const Course& course);
 
 /// How much work a robot's grippers had.
 struct Work {

@@ -16,6 +16,7 @@ Json ErrorsJson(const std::map<std::string, ObjectError>& errors) {
   Json json = Json::object();
   for (const auto& [id, error] : errors) {
     json[id] = {{"mm", MillimetersOf(error)}, {"degrees", DegreesOf(error)}};
+    if (error.is_held) json[id]["held"] = true;
   }
   return json;
 }
@@ -62,8 +63,9 @@ Json ResultOf(const Exercise& exercise, const Course& outcome, const Circumstanc
   const Comparison comparison = CompareWith(structure, outcome);
   const double unit = exercise.scene.meters_per_unit;
   const ObjectError mean = comparison.mean_error();
+  const ProgramEnd program = EndOf(circumstances.brain);
   return {{"task", exercise.name},
-          {"rebuilt", comparison.is_rebuilt()},
+          {"rebuilt", IsSuccess(comparison, program)},
           {"score", comparison.share},
           {"tolerance", kTolerance / unit},
           {"match", comparison.match},
@@ -76,7 +78,7 @@ Json ResultOf(const Exercise& exercise, const Course& outcome, const Circumstanc
           {"order", ToJson(comparison.order)},
           {"effects", EffectsJson(structure, comparison.achieved, unit)},
           {"work", ToJson(WorkOf(outcome))},
-          {"cause", ToJson(CauseOf(structure, outcome, comparison, EndOf(circumstances.brain)))},
+          {"cause", ToJson(CauseOf(structure, outcome, comparison, program))},
           {"seconds", circumstances.seconds},
           {"realtime_factor", circumstances.realtime_factor},
           {"brain", circumstances.brain}};

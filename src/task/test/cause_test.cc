@@ -28,7 +28,24 @@ Course EndingAt(const Vector3& p, const Vector3& angles_deg = {0, 0, 0}) {
 }
 
 TEST(Cause, IsNoneOfWhatIsRight) {
-  EXPECT_EQ(WordOf(EndingAt({0.01, 0, 0.15}), {.status = "failed"}), "");
+  for (const char* status : {"exited", "stopped", "running"}) {
+    EXPECT_EQ(WordOf(EndingAt({0.01, 0, 0.15}), {.status = status}), "");
+  }
+}
+
+TEST(Cause, AProgramThatFailedNeverSucceeds) {
+  EXPECT_EQ(WordOf(EndingAt({0.01, 0, 0.15}), {.status = "failed", .message = "in init"}),
+            "brain_failed: the robot program failed: in init");
+}
+
+TEST(Cause, WhatIsStillHeldIsNotPlaced) {
+  Course course = EndingAt({0, 0, 0.15});
+  Carry("high", course.begin.objects[1].pose_in_world(), course.end.objects[1].pose_in_world(),
+        &course);
+  EXPECT_EQ(WordOf(course), "");
+  course.touches.pop_back();
+  EXPECT_EQ(WordOf(course), "still_held: high is still held");
+  EXPECT_EQ(CompareWith(Pair(), course).share, 0.5);
 }
 
 TEST(Cause, IsTheFirstThatFits) {

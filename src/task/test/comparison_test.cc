@@ -151,6 +151,37 @@ TEST(Comparison, EndsSoonWhereAllLooksTheSame) {
   EXPECT_GE(CompareWith(structure, CourseTo(outcome)).share, 0.9);
 }
 
+TEST(Comparison, WhatAHandOrAGripperHoldsDoesNotCount) {
+  using enum sim::EventKind;
+  const Structure tower = Colored(Tower());
+  Course course = CourseTo(tower.objects);
+  const auto touch = [&course](const sim::Event& event) {
+    course.touches.push_back({event, 1, {}});
+  };
+  touch({.kind = kGripperHolds, .arm = "left", .object = "c"});
+  touch({.kind = kGrasped, .hand = sim::HandName::kRight, .object = "d"});
+  EXPECT_EQ(CompareWith(tower, course).share, 0.5);
+  EXPECT_TRUE(CompareWith(tower, course).errors.at("c").is_held);
+  touch({.kind = kGripperHolds, .arm = "right", .object = "c"});
+  touch({.kind = kGripperLetGo, .arm = "left", .object = "c"});
+  EXPECT_EQ(CompareWith(tower, course).share, 0.5) << "the other arm has it";
+  touch({.kind = kGripperLetGo, .arm = "right", .object = "c"});
+  touch({.kind = kReleased, .hand = sim::HandName::kRight, .object = "d"});
+  EXPECT_TRUE(CompareWith(tower, course).is_rebuilt());
+}
+
+TEST(Comparison, WhatIsHeldInAContainerIsNotPutInto) {
+  Structure structure{.objects = {ObjectAt("box", scene::Box{}, {0.5, 0.3, 0.05})},
+                      .effects = {ContainerEffect{"high", "box", true}},
+                      .others = {CubeAt("high", {0.5, 0.3, 0.05})}};
+  Course course = CourseBetween({structure.objects[0], CubeAt("high", {0, 0, 0.05})},
+                                {structure.objects[0], structure.others[0]});
+  ASSERT_TRUE(CompareWith(structure, course).is_rebuilt());
+  course.touches.push_back(
+      {{.kind = sim::EventKind::kGripperHolds, .arm = "left", .object = "high"}, 1, {}});
+  EXPECT_EQ(CompareWith(structure, course).share, 0.5);
+}
+
 TEST(Comparison, TellsWhichPlacementsCameInTheOrderShown) {
   const Structure tower = Colored(Tower());
   Course course = CourseTo(tower.objects);

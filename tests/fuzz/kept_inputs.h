@@ -1,42 +1,31 @@
 #pragma once
 
-#include <gtest/gtest.h>
-#include <sys/resource.h>
-
-#include <algorithm>
+#include <cstddef>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
-
-#include "base/files.h"
 
 namespace smile::fuzz {
 
-/// Feeds kept inputs; one that asks for all memory there is fails here, not on the whole machine.
-class KeptInputs : public ::testing::Test {
- protected:
-  static void SetUpTestSuite() {
-    // Under the address sanitizer, whose shadow is larger than any limit, CMakeLists.txt sets one.
-#ifndef SMILE_ADDRESS_SANITIZED
-    constexpr rlimit kLimit{2'000'000'000, 2'000'000'000};
-    ASSERT_EQ(setrlimit(RLIMIT_AS, &kLimit), 0);
-#endif
-  }
+/// The files in and below a folder, in alphabetical order.
+/// @throws std::runtime_error naming the folder if it is missing or contains fewer than `at_least`
+///         files, at least one.
+std::vector<std::filesystem::path> FilesBelow(const std::filesystem::path& folder,
+                                              std::size_t at_least = 1);
+
+/// A reader of untrusted input, and the inputs kept for it in `tests/fuzz/corpus/NAME`: `good` ones
+/// that it accepts, `bad` ones that it refuses.
+struct HostileReader {
+  const char* name;
+  /// "" when the input was handled well, accepted or refused; else what went wrong.
+  std::string (*fault)(std::string_view input);
+  /// "" when the input was accepted, else why it was refused.
+  std::string (*refusal)(std::string_view input);
+  std::size_t num_good, num_bad;  ///< so many are kept, at least
+  /// Files of the project that the reader handles well, too: folder and extension ("": any).
+  const char* shipped_folder = nullptr;
+  const char* shipped_extension = "";
 };
-
-/// The files in and below a folder of the project, in alphabetical order; none when it is not
-/// there.
-inline std::vector<std::filesystem::path> FilesBelow(const std::string& folder) {
-  const std::filesystem::path path = std::filesystem::path(SMILE_SOURCE_DIR) / folder;
-  std::vector<std::filesystem::path> files;
-  if (!std::filesystem::exists(path)) return files;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(path)) {
-    if (entry.is_regular_file()) files.push_back(entry.path());
-  }
-  std::sort(files.begin(), files.end());
-  return files;
-}
-
-inline std::string InputIn(const std::filesystem::path& file) { return ReadFile(file, 1 << 24); }
 
 }  // namespace smile::fuzz

@@ -13,7 +13,7 @@ function [action, motor, status] = carryOut(action, sensor)
     case 'look'  % images come only now and then; the first may be of a moment when the arm still moved
       if isfield(sensor, 'rgbVision') && action.time > 0.1, status = 'done'; end
     case 'follow'
-      [motor.jointVelocities(action.arm, :), status] = followPath(action, sensor);
+      [action, motor.jointVelocities(action.arm, :), status] = followPath(action, sensor);
     case 'grip'
       gap = action.to - sensor.gripperOpening(action.arm);
       motor.gripperVelocities(action.arm) = max(-3, min(3, gap / sensor.timeElapsed));
@@ -28,18 +28,28 @@ function [action, motor, status] = carryOut(action, sensor)
   end
 end
 
-function [velocity, status] = followPath(action, sensor)
+function [action, velocity, status] = followPath(action, sensor)
   q = sensor.jointAngles(action.arm, :);
   status = 'busy';
   velocity = (smileSample(action.path, action.time) - q) / sensor.timeElapsed;
   % It is over when the joints have arrived, whatever the clock says.
   late = action.time - action.path.duration;
-  if late > 0 && max(abs(action.path.positions(end, :) - q)) < 0.001
+  if late <= 0, return; end
+  if ~isfield(action, 'errors'), action.errors = zeros(0, 7); end
+  action.errors = [action.errors(max(1, end - 10):end, :); action.path.positions(end, :) - q];
+  if haveArrived(action.errors)
     velocity = zeros(1, 7);
     status = 'done';
   elseif late > 1.5
     status = 'something is in the way of the arm';
   end
+end
+
+function yes = haveArrived(errors)
+% By the last measurement, or by the mean of the last 12: each has noise of its own.
+  arrived = 0.001;  % largest joint error at the end of a path [rad]
+  yes = max(abs(errors(end, :))) < arrived || ...
+        (size(errors, 1) == 12 && max(abs(mean(errors, 1))) < arrived);
 end
 
 function [action, velocity, status] = closeOn(action, sensor)

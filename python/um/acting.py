@@ -1,11 +1,13 @@
 """Actions: what the arms do one after the other, each carried out step by step."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from smile.motion import Trajectory
 
 ARMS = ("left", "right")
+ARRIVED = 0.001  # largest joint error at the end of a path [rad]
+NUM_AVERAGED = 12  # measurements of which the mean counts, too: each has noise of its own
 
 
 @dataclass
@@ -24,6 +26,7 @@ class Action:
     time: float = 0  # since it began [s]
     opening: float = np.inf  # where the fingers came to rest [units]
     rest: float = 0  # for how long [s]
+    errors: list = field(default_factory=list)  # of the joints after a path's end, the latest last
 
 
 def carry_out(action, sensor, motor):
@@ -44,11 +47,20 @@ def follow(action, sensor, motor):
     q = sensor.jointAngles[action.arm]
     # It is over when the joints have arrived, whatever the clock says.
     late = action.time - action.path.duration
-    if late > 0 and np.abs(action.path.positions[-1] - q).max() < 0.001:
-        return "done"
+    if late > 0:
+        action.errors = [*action.errors[1 - NUM_AVERAGED:], action.path.positions[-1] - q]
+        if have_arrived(action.errors):
+            return "done"
     wanted, _ = action.path.at(action.time)
     motor.jointVelocities[action.arm] = (wanted - q) / sensor.timeElapsed
     return "something is in the way of the arm" if late > 1.5 else "busy"
+
+
+def have_arrived(errors):
+    """By the last measurement, or by the mean of the last ones."""
+    if np.abs(errors[-1]).max() < ARRIVED:
+        return True
+    return len(errors) == NUM_AVERAGED and np.abs(np.mean(errors, axis=0)).max() < ARRIVED
 
 
 def grip(action, sensor, motor):

@@ -51,5 +51,24 @@ INSTANTIATE_TEST_SUITE_P(
       return std::string(lesson.param.task) + (brain.starts_with("python") ? "_python" : "_octave");
     });
 
+class LearnerWithNoise : public ProgramTest, public ::testing::WithParamInterface<const char*> {};
+
+TEST_P(LearnerWithNoise, BuildsThoughItsJointsAreMeasuredInexactly) {
+  ASSERT_EQ(Smile("run '" + Shipped("scenes/tower.xml") + "' --commands '" +
+                  Shipped("examples/tower.jsonl") + "' --record shown")
+                .exit_code,
+            0);
+  const Answer answer = Smile("imitate shown '" + Shipped("scenes/tower_robot.xml") +
+                              "' --seed 3 --noise joints=0.001 --no-pictures --patience 60 "
+                              "--out out --json --brain '" +
+                              Shipped(GetParam()) + "'");
+  ASSERT_EQ(answer.exit_code, 0) << answer.err;
+  EXPECT_TRUE(answer.json()["rebuilt"]) << answer.err;
+  EXPECT_LT(answer.json()["mean_error_mm"], 5);
+}
+
+INSTANTIATE_TEST_SUITE_P(Twins, LearnerWithNoise,
+                         ::testing::Values("matlab/um", "python/um/um.py"));
+
 }  // namespace
 }  // namespace smile

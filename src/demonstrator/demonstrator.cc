@@ -232,16 +232,18 @@ void Demonstrator::BeforeStep() {
 }
 
 bool Demonstrator::has_arrived() const {
+  return std::ranges::all_of(kHandNames, [this](HandName name) { return has_arrived(name); });
+}
+
+bool Demonstrator::has_arrived(HandName name) const {
   constexpr double kNear = 0.0005, kAligned = DegreesToRadians(0.5);
-  for (const Hand& hand : state_.hands) {
-    if (!hand.is_holding()) continue;
-    const RigidTransform X_WB = world_->body(hand.held).pose_in_world();
-    const double gap = (X_WB.translation() - hand.X_WB_goal.translation()).norm();
-    const double turn =
-        RotationVectorBetween(X_WB.quaternion(), hand.X_WB_goal.quaternion()).norm();
-    if (!(gap <= kNear && turn <= kAligned)) return false;
-  }
-  return true;
+  const Hand& wanting = hand(name);
+  if (!wanting.is_holding()) return true;
+  const RigidTransform X_WB = world_->body(wanting.held).pose_in_world();
+  const double gap = (X_WB.translation() - wanting.X_WB_goal.translation()).norm();
+  const double turn =
+      RotationVectorBetween(X_WB.quaternion(), wanting.X_WB_goal.quaternion()).norm();
+  return gap <= kNear && turn <= kAligned;
 }
 
 void Demonstrator::AddToHash(StateHash* hash) const {

@@ -103,6 +103,8 @@ class Demonstrator {
   const std::vector<std::string>& PropertiesThatMatter(const world::Object& object) const;
   /// True when every held object is where its hand wants it (within 0.5 mm and 0.5 degrees).
   bool has_arrived() const;
+  /// The same of one hand; true when it holds nothing.
+  bool has_arrived(HandName name) const;
 
   const DemonstratorState& state() const { return state_; }
   void Restore(const DemonstratorState& state) { state_ = state; }

@@ -9,6 +9,7 @@
 
 #include "base/overloaded.h"
 #include "base/wording.h"
+#include "record/imported_history.h"
 #include "record/trace_reader.h"
 
 namespace smile::record {
@@ -114,6 +115,7 @@ std::uint64_t LastTick(const Recording& recording) {
 }  // namespace
 
 std::vector<HistoryStep> HistoryOf(const Recording& recording) {
+  if (recording.info.origin == Origin::kImported) return ImportedHistoryOf(recording);
   const CommandLog& log = recording.log;
   std::vector<HistoryStep> steps;
   steps.push_back({.begin = recording.info.start, .end = recording.info.start});

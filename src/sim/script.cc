@@ -57,10 +57,46 @@ Wait ParseWait(const Json& json) {
   return wait;
 }
 
+/// The names of what touches an object that a hand holds, or what hangs together with it.
+std::vector<std::string> NamesOfTouching(const Simulation& simulation, physics::BodyId held) {
+  const physics::World& physics = simulation.physics();
+  const std::vector<physics::BodyId> assembly = physics.Assembly(held);
+  std::vector<physics::BodyId> touching;
+  for (physics::BodyId member : assembly) {
+    std::ranges::copy(physics.BodiesTouching(member), std::back_inserter(touching));
+  }
+  std::ranges::sort(touching);
+  touching.erase(std::ranges::unique(touching).begin(), touching.end());
+  std::vector<std::string> names;
+  for (physics::BodyId body : touching) {
+    if (std::ranges::binary_search(assembly, body)) continue;
+    const world::Object* object = simulation.tabletop().Find(body);
+    names.push_back(object != nullptr ? world::Named(object->id()) : "the table");
+  }
+  return names;
+}
+
+/// Of the first hand that has not arrived.
+std::string WhyNotArrived(const Simulation& simulation) {
+  const demonstrator::Demonstrator& demonstrator = simulation.demonstrator();
+  const auto hand = std::ranges::find_if(
+      demonstrator::kHandNames, [&](HandName name) { return !demonstrator.has_arrived(name); });
+  const physics::BodyId held = demonstrator.hand(*hand).held;
+  const std::string object = world::Named(simulation.tabletop().Find(held)->id());
+  const std::vector<std::string> names = NamesOfTouching(simulation, held);
+  if (names.empty()) return object + " is still on its way, and no object touches it";
+  std::string all;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (i > 0) all += i + 1 < names.size() ? ", " : " and ";
+    all += names[i];
+  }
+  return all + (names.size() == 1 ? " is" : " are") + " in the way of " + object;
+}
+
 std::string WhyNotOver(const Wait& wait, const Simulation& simulation) {
   if (wait.until == Wait::Until::kStill) return "something still moves";
   if (!simulation.demonstrator().has_arrived()) {
-    return "a hand has not arrived: something is in its way";
+    return "a hand has not arrived: " + WhyNotArrived(simulation);
   }
   return "the robot is still on its way: its trajectory takes longer";
 }

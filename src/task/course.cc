@@ -220,6 +220,17 @@ std::vector<std::string> TouchedByHands(const Course& course) {
   return touched;
 }
 
+std::vector<std::string> FallenObjects(const Course& course) {
+  std::vector<std::string> fallen;
+  for (const Touch& touch : course.touches) {
+    if (touch.event.kind != sim::EventKind::kFell || touch.tick == course.begin.tick) continue;
+    if (std::ranges::find(fallen, touch.event.object) == fallen.end()) {
+      fallen.push_back(touch.event.object);
+    }
+  }
+  return fallen;
+}
+
 std::set<std::string> HeldInTheEnd(const Course& course) {
   std::set<std::pair<std::string, std::string>> holds;  // holder and object
   for (const Touch& touch : course.touches) {

@@ -64,6 +64,9 @@ ObjectPoses StartOf(const scene::SceneSpec& scene);
 /// The objects that hands took, fastened or loosened.
 std::vector<std::string> TouchedByHands(const Course& course);
 
+/// The objects that fell from the table, in this order; not those that lay on the floor before.
+std::vector<std::string> FallenObjects(const Course& course);
+
 /// The objects that a hand or a gripper still holds in the end, by id.
 std::set<std::string> HeldInTheEnd(const Course& course);
 

@@ -91,6 +91,7 @@ Structure StructureOf(const record::Recording& demonstration) {
                       .order = PlacementsOf(course),
                       .effects = EffectsOf(course),
                       .others = {},
+                      .fallen = FallenObjects(course),
                       .attention = record::AttentionOf(demonstration)};
   structure.relations = RelationsOf(course.scene, structure.objects);
 

@@ -21,6 +21,8 @@ struct Structure {
   std::vector<Effect> effects;
   /// What else the effects are about: it has no place in the structure, in scene order.
   std::vector<scene::ObjectSpec> others;
+  /// What fell from the table during the demonstration, in this order.
+  std::vector<std::string> fallen;
   Attention attention;  ///< what the demonstrator told of the objects
 
   /// True when something of it cannot be moved: then it may stand nowhere else.

@@ -8,6 +8,8 @@
 namespace smile::task {
 namespace {
 
+constexpr const char* kFellText = " fell to the floor";
+
 Json ToJson(const Relation& relation) {
   const bool is_in = relation.kind == Relation::Kind::kIn;
   return {{"object", relation.object}, {is_in ? "in" : "on", relation.support}};
@@ -36,8 +38,12 @@ std::string PlaceOf(const std::string& id, const std::vector<Relation>& relation
   return place;
 }
 
+bool Contains(const std::vector<std::string>& ids, const std::string& id) {
+  return std::ranges::find(ids, id) != ids.end();
+}
+
 bool IsPut(const Structure& structure, const std::string& id) {
-  return std::ranges::find(structure.order, id) != structure.order.end();
+  return Contains(structure.order, id);
 }
 
 }  // namespace
@@ -65,6 +71,7 @@ Json ToJson(const Structure& structure, double meters_per_unit) {
           {"relations", relations},
           {"order", structure.order},
           {"effects", effects},
+          {"fallen", structure.fallen},
           {"attention", structure.attention},
           {"fixed", structure.is_fixed()}};
 }
@@ -72,13 +79,18 @@ Json ToJson(const Structure& structure, double meters_per_unit) {
 std::vector<std::string> WordsOf(const Structure& structure, double meters_per_unit) {
   std::vector<std::string> lines;
   for (std::size_t i = 0; i < structure.order.size(); ++i) {
-    lines.push_back(std::to_string(i + 1) + ". " +
-                    PlaceOf(structure.order[i], structure.relations));
+    const std::string& id = structure.order[i];
+    lines.push_back(
+        std::to_string(i + 1) + ". " +
+        (Contains(structure.fallen, id) ? id + kFellText : PlaceOf(id, structure.relations)));
   }
   for (const scene::ObjectSpec& object : structure.objects) {
-    if (IsPut(structure, object.id())) continue;
+    if (IsPut(structure, object.id()) || Contains(structure.fallen, object.id())) continue;
     lines.push_back("as it was: " + PlaceOf(object.id(), structure.relations) +
                     (object.is_static() ? ", fixed" : ""));
+  }
+  for (const std::string& id : structure.fallen) {
+    if (!IsPut(structure, id)) lines.push_back(id + kFellText);
   }
   for (const Effect& effect : structure.effects) {
     lines.push_back("achieved: " + WordsOf(effect, meters_per_unit));

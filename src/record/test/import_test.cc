@@ -6,6 +6,7 @@
 #include "math/angles.h"
 #include "painted_eye.h"
 #include "record/import_classic.h"
+#include "record/recording_history.h"
 #include "record/replay.h"
 #include "record/trace_reader.h"
 #include "recording_fixture.h"
@@ -97,6 +98,27 @@ class ImportTest : public RecordingFixture {
 
   ImportReport report_;
 };
+
+TEST_F(ImportTest, ItsHistoryIsThatOfTheRecording) {
+  const auto words = [](const Recording& recording) {
+    std::vector<std::string> of_steps;
+    for (const HistoryStep& step : HistoryOf(recording)) of_steps.push_back(WordsOf(step));
+    return of_steps;
+  };
+  const auto demo = Record();
+  const std::vector<std::string> recorded = words(OpenRecording(demo));
+  ASSERT_GT(recorded.size(), 2u);
+  ImportOptions options;
+  options.scene = SceneFrom(kScene);
+  const Recording imported = Import(Strip(demo), options);
+  EXPECT_EQ(words(imported), recorded);
+  const std::vector<HistoryStep> steps = HistoryOf(imported);
+  for (std::size_t i = 1; i < steps.size(); ++i) {
+    EXPECT_EQ(steps[i].parent, i - 1);
+    EXPECT_EQ(steps[i].begin.tick, steps[i - 1].end.tick);
+  }
+  EXPECT_EQ(steps.back().end.tick, Moments(imported).back().tick);
+}
 
 TEST_F(ImportTest, EveryFrameIsAsItWasAndNothingIsBetween) {
   const auto demo = Record();

@@ -89,7 +89,7 @@ TEST_F(ScriptTest, SaysWhenAHandCannotArrive) {
   EXPECT_EQ(Play(R"({"hand": "any", "do": "grasp", "object": "a"}
 {"hand": "any", "do": "move_to", "position": [0, 0, -1]}
 {"do": "wait", "until": "arrived", "seconds": 2})"),
-            "demo.jsonl:3: waited 2 s, but a hand has not arrived: something is in its way");
+            "demo.jsonl:3: waited 2 s, but a hand has not arrived: the table is in the way of 'a'");
 }
 
 TEST_F(ScriptTest, ReadsTheTrajectoriesItNamesInItsFolderOnly) {

@@ -63,6 +63,22 @@ TEST_F(StructureTest, TellsWhatMatters) {
   EXPECT_EQ(TextOf(structure), "as it was: a on the table\nof a matters its color and size\n");
 }
 
+TEST_F(StructureTest, TellsWhatFellToTheFloor) {
+  const Structure structure = StructureOf(record::OpenRecording(Record(
+      R"({"hand":"left","do":"grasp","object":"a"}
+{"hand":"left","do":"move_to","position":[-9.7,0,3]}
+{"do":"wait","until":"arrived"}
+{"hand":"left","do":"move_to","position":[-14,0,3]}
+{"do":"wait","until":"arrived"}
+{"hand":"left","do":"release"}
+{"do":"wait","until":"still"}
+{"hand":"left","do":"grasp","object":"b"}
+{"hand":"left","do":"release"})")));
+  EXPECT_EQ(structure.fallen, Ids{"a"});
+  EXPECT_EQ(TextOf(structure), "1. a fell to the floor\nas it was: b on the table\n");
+  EXPECT_EQ(ToJson(structure, 0.1)["fallen"], Json({"a"}));
+}
+
 TEST_F(StructureTest, IsNoneWhereNothingWasDone) {
   const auto demo = Record(R"({"do":"wait","seconds":0.1})");
   EXPECT_THROW(StructureOf(record::OpenRecording(demo)), InputError);

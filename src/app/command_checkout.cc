@@ -3,10 +3,12 @@
 #include <memory>
 
 #include "app/commands.h"
+#include "app/console_reporter.h"
 #include "app/exit_code.h"
 #include "app/open_recording.h"
 #include "app/options.h"
-#include "app/run_loop.h"
+#include "experiment/content_hash.h"
+#include "experiment/run.h"
 #include "record/recording_history.h"
 #include "record/sight.h"
 #include "record/time_range.h"
@@ -32,26 +34,29 @@ record::Moment MomentOf(const CheckoutOptions& options, const record::Recording&
 int CheckOut(const CheckoutOptions& options) {
   const record::Recording recording = OpenAndTell(options.demo);
   const record::Moment from = MomentOf(options, recording);
-  RunPlan plan{.scene = recording.scene,
-               .robot = recording.robot,
-               .seconds = options.commands.empty() ? std::optional(options.seconds.value_or(0))
-                                                   : options.seconds,
-               .has_pictures = recording.info.eye.has_value(),
-               .eye = EyeOf(recording.info).value_or(sim::EyeSpec()),
-               .label = "going on"};
+  experiment::RunPlan plan{.scene = recording.scene,
+                           .robot = recording.robot,
+                           .seconds = options.commands.empty()
+                                          ? std::optional(options.seconds.value_or(0))
+                                          : options.seconds,
+                           .has_pictures = recording.info.eye.has_value(),
+                           .eye = EyeOf(recording.info).value_or(sim::EyeSpec()),
+                           .label = "going on"};
   plan.recordings = options.recordings;
   if (!options.commands.empty()) {
     plan.script = sim::ReadScript(options.commands, plan.scene.meters_per_unit);
   }
   plan.continuation = {options.demo, from};
-  const RunOutcome outcome = Run(plan);
+  ConsoleReporter console;
+  const experiment::RunResult outcome = experiment::Run(plan, console.callbacks());
+  console.Clear();
   if (options.json) {
-    std::printf("%s\n", ToText(outcome.json, 2).c_str());
+    std::printf("%s\n", ToText(ToJson(outcome), 2).c_str());
   } else {
     std::printf("%s: went on from %.2f s, ends at %.2f s, state %s\n", options.demo.c_str(),
                 record::SecondsInto(recording, from.tick),
                 record::SecondsInto(recording, outcome.ticks),
-                outcome.json["hash"].get<std::string>().c_str());
+                experiment::HashText(outcome.state_hash).c_str());
     for (std::size_t i = 1; i < outcome.recordings.size(); ++i) {
       std::printf("recorded in %s\n", outcome.recordings[i].c_str());
     }

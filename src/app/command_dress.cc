@@ -3,11 +3,12 @@
 #include <memory>
 
 #include "app/commands.h"
-#include "app/dress.h"
+#include "app/console_reporter.h"
 #include "app/exit_code.h"
 #include "app/open_recording.h"
 #include "app/options.h"
 #include "base/json.h"
+#include "experiment/rerender.h"
 
 namespace smile::app {
 namespace {
@@ -22,7 +23,10 @@ int DressOne(const DressOptions& options) {
       .demonstrator = record::ParseDemonstratorLook(options.demonstrator),
       .has_symbols = !options.no_symbols};
   const record::Recording recording = OpenAndTell(options.demo);
-  const std::size_t num_pictures = Dress(recording, options.out, copy);
+  ConsoleReporter console;
+  const std::size_t num_pictures =
+      experiment::Rerender(recording, options.out, copy, console.callbacks());
+  console.Clear();
   if (options.json) {
     const Json json = {{"recording", options.out},
                        {"demonstrator", options.demonstrator},

@@ -1,94 +1,30 @@
-// `smile experiment`: the main job. A person shows a task, the robot does it elsewhere.
+// `smile experiment`: the main job. Hands demonstrate a task, the robot does it elsewhere.
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <array>
 #include <cstdio>
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "app/commands.h"
+#include "app/console_reporter.h"
 #include "app/exit_code.h"
-#include "app/film.h"
-#include "app/imitation.h"
-#include "app/interrupt.h"
 #include "app/layout_options.h"
-#include "app/move_aside.h"
 #include "app/options.h"
-#include "app/run_loop.h"
-#include "base/files.h"
-#include "report/experiment_page.h"
-#include "scene_xml/scene_reader.h"
+#include "experiment/task_experiment.h"
 
 namespace smile::app {
 namespace {
 
-/// What there is to be shown: of each task `scenes/NAME.xml`, `examples/NAME.jsonl` and
-/// `scenes/NAME_robot.xml` are shipped.
-constexpr std::array kTasks{"um", "tower", "row", "bridge", "box", "hatch", "drive"};
-
-/// The robot program that imitates, unless told otherwise.
-constexpr const char* kLearner = "matlab/um";
-
-/// A slow machine is no reason to fail [s].
-constexpr double kPatience = 60;
-
-/// Films show four seconds in one: the robot takes its time.
-constexpr double kFilmSpeed = 4;
-
 struct ExperimentOptions {
-  std::string name = kTasks.front(), out, brain;
+  std::string name{experiment::kTasks.front()}, out, brain;
   LayoutOptions layout;
   bool no_films = false, json = false;
 };
 
-void RecordDemonstration(const std::string& task, const std::filesystem::path& directory) {
-  RunPlan plan{.scene = scene_xml::LoadScene(DataFile("scenes/" + task + ".xml")),
-               .robot = PlaceRobot({})};
-  plan.script =
-      sim::ReadScript(DataFile("examples/" + task + ".jsonl"), plan.scene.meters_per_unit);
-  plan.record = directory;
-  plan.recording.title = task;
-  plan.label = "showing " + task;
-  Run(plan);
-}
-
-void FilmBoth(const std::filesystem::path& out) {
-  for (const char* name : {"demonstration", "imitation"}) {
-    if (IsInterrupted()) return;
-    Film(record::OpenRecording(out / name), (out / name).string() + ".mp4",
-         {.shot = {.width_px = 854, .height_px = 480},
-          .frames_per_second = 20,
-          .speed = kFilmSpeed,
-          .progress = std::string("filming the ") + name});
-  }
-}
-
-void WriteReport(const std::string& task, const Json& result, const std::filesystem::path& out,
-                 bool has_films) {
-  if (IsInterrupted()) return;
-  std::vector<report::Enclosure> enclosures;
-  if (has_films) {
-    enclosures.push_back({"demonstration.mp4", "film of the demonstration"});
-    enclosures.push_back({"imitation.mp4", "film of the robot"});
-  }
-  enclosures.push_back({"demonstration", "recording of the demonstration"});
-  enclosures.push_back({"imitation", "recording of the robot"});
-  enclosures.push_back({"result.json", "the result, for programs"});
-  const record::Recording demonstration = record::OpenRecording(out / "demonstration");
-  const record::Recording imitation = record::OpenRecording(out / "imitation");
-  WriteFile(out / "report.html", report::PageOf({.name = task,
-                                                 .demonstration = demonstration,
-                                                 .imitation = imitation,
-                                                 .result = result,
-                                                 .enclosures = enclosures}));
-}
-
-void PrintSummary(const ImitationOutcome& outcome, const std::filesystem::path& out,
+void PrintSummary(const experiment::ImitationResult& outcome, const std::filesystem::path& out,
                   bool has_films) {
-  const Json& result = outcome.result;
+  const Json& result = outcome.json;
   std::printf("\nThe robot watched the task '%s' and %s.\n",
               result["task"].get<std::string>().c_str(),
               outcome.is_rebuilt ? "did it, too" : "did not manage to do it");
@@ -110,7 +46,7 @@ void PrintSummary(const ImitationOutcome& outcome, const std::filesystem::path& 
   std::printf("  %s/imitation       the recording of the robot\n", out.c_str());
   if (has_films) {
     std::printf("  %s/demonstration.mp4, %s/imitation.mp4   films, at %gx speed\n", out.c_str(),
-                out.c_str(), kFilmSpeed);
+                out.c_str(), experiment::kFilmSpeed);
   }
   std::printf("  %s/result.json, %s/report.html   the same for programs and for people\n",
               out.c_str(), out.c_str());
@@ -120,25 +56,18 @@ int RunExperiment(const ExperimentOptions& options) {
   const std::filesystem::path out = options.out.empty()
                                         ? std::filesystem::path("out") / options.name
                                         : std::filesystem::path(options.out);
-  MoveAside(out);
-  MakeDirectories(out);
-  RecordDemonstration(options.name, out / "demonstration");
-  if (IsInterrupted()) throw std::runtime_error("interrupted; what was recorded is kept");
-
-  scene::SceneSpec scene = LaidOut(
-      scene_xml::LoadScene(DataFile("scenes/" + options.name + "_robot.xml")), options.layout);
-  const ImitationOutcome outcome = Imitate(
-      {.task = options.name,
-       .demonstration = out / "demonstration",
-       .scene = std::move(scene),
-       .brain = options.brain.empty() ? DataFile(kLearner) : std::filesystem::path(options.brain),
-       .record = out / "imitation",
-       .robot = PlaceRobot({})});
-  WriteFile(out / "result.json", ToText(outcome.result, 2) + "\n");
-  if (!options.no_films) FilmBoth(out);
-  WriteReport(options.name, outcome.result, out, !options.no_films);
+  ConsoleReporter console;
+  const experiment::ImitationResult outcome =
+      experiment::RunTaskExperiment({.task = options.name,
+                                     .out = out,
+                                     .robot = *PlaceRobot({}),
+                                     .brain = options.brain,
+                                     .layout = options.layout.choice(),
+                                     .has_films = !options.no_films},
+                                    console.callbacks());
+  console.Clear();
   if (options.json) {
-    std::printf("%s\n", ToText(outcome.result, 2).c_str());
+    std::printf("%s\n", ToText(outcome.json, 2).c_str());
   } else {
     PrintSummary(outcome, out, !options.no_films);
   }
@@ -157,7 +86,8 @@ void AddExperiment(CLI::App* program, ExitAnswer answer) {
       "experiment", "Show a task with invisible hands, let the robot do it elsewhere, score it");
   experiment->add_option("NAME", options->name, "which one")
       ->capture_default_str()
-      ->check(CLI::IsMember(std::vector<std::string>(kTasks.begin(), kTasks.end())));
+      ->check(CLI::IsMember(
+          std::vector<std::string>(experiment::kTasks.begin(), experiment::kTasks.end())));
   experiment->add_option("--out", options->out, "directory for the results; out/NAME if not given");
   experiment->add_option("--brain", options->brain, "the robot program; matlab/um if not given");
   AddLayoutOptions(experiment, &options->layout);

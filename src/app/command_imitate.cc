@@ -1,13 +1,16 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
+#include <stdexcept>
 
 #include "app/commands.h"
+#include "app/console_reporter.h"
 #include "app/exit_code.h"
-#include "app/imitation.h"
 #include "app/interrupt.h"
 #include "app/layout_options.h"
+#include "app/options.h"
 #include "base/files.h"
+#include "experiment/imitation.h"
 #include "scene_xml/scene_reader.h"
 
 namespace smile::app {
@@ -15,7 +18,7 @@ namespace {
 
 struct ImitateOptions {
   std::string demo, scene, out;
-  double max_seconds = 600;
+  double max_seconds = experiment::kMaxImitationSeconds;
   bool no_pictures = false, json = false;
   LayoutOptions layout;
   EyeOptions eye;
@@ -27,28 +30,31 @@ struct ImitateOptions {
 
 int ImitateDemo(const ImitateOptions& options) {
   const std::filesystem::path out = options.out;
-  const ImitationOutcome outcome = Imitate(
+  ConsoleReporter console;
+  const experiment::ImitationResult outcome = experiment::Imitate(
       {.task = std::filesystem::path(options.scene).stem().string(),
        .demonstration = options.demo,
-       .scene = LaidOut(scene_xml::LoadScene(options.scene, options.path.reader()), options.layout),
+       .scene = layout::LaidOut(scene_xml::LoadScene(options.scene, options.path.reader()),
+                                options.layout.choice()),
        .brain = options.brain.brain,
-       .patience = options.brain.patience,
+       .callback_seconds = options.brain.patience,
        .is_attached = options.brain.attach,
        .record = out / "imitation",
        .has_pictures = !options.no_pictures,
        .max_seconds = options.max_seconds,
        .eye = EyeSpecOf(options.eye),
        .noise = ParseNoise(options.noise),
-       .robot = PlaceRobot(options.robot, options.path)});
-  WriteFile(out / "result.json", ToText(outcome.result, 2) + "\n");
+       .robot = PlaceRobot(options.robot, options.path)},
+      console.callbacks());
+  console.Clear();
+  WriteFile(out / "result.json", ToText(outcome.json, 2) + "\n");
   if (options.json) {
-    std::printf("%s\n", ToText(outcome.result, 2).c_str());
+    std::printf("%s\n", ToText(outcome.json, 2).c_str());
   } else {
     std::printf("%s after %.1f s: %.0f %% of the structure, mean error %.1f mm\n%s\n",
                 outcome.is_rebuilt ? "rebuilt" : "not rebuilt",
-                outcome.result["seconds"].get<double>(),
-                100 * outcome.result["score"].get<double>(),
-                outcome.result["mean_error_mm"].get<double>(), (out / "result.json").c_str());
+                outcome.json["seconds"].get<double>(), 100 * outcome.json["score"].get<double>(),
+                outcome.json["mean_error_mm"].get<double>(), (out / "result.json").c_str());
   }
   if (IsInterrupted()) throw std::runtime_error("interrupted; what was recorded is kept");
   if (!outcome.brain_error) return kDone;

@@ -28,8 +28,8 @@ void RequireNew(const std::filesystem::path& path) {
 }
 
 int WriteLayout(const LayoutCommandOptions& options) {
-  const scene::SceneSpec scene =
-      LaidOut(scene_xml::LoadScene(options.scene, options.path.reader()), options.layout);
+  const scene::SceneSpec scene = layout::LaidOut(
+      scene_xml::LoadScene(options.scene, options.path.reader()), options.layout.choice());
   const std::filesystem::path out = options.out;
   RequireNew(out);
   if (!scene_xml::MeshFilesOf(scene).empty()) {

@@ -4,11 +4,12 @@
 #include <stdexcept>
 
 #include "app/commands.h"
+#include "app/console_reporter.h"
 #include "app/exit_code.h"
-#include "app/film.h"
 #include "app/open_recording.h"
 #include "app/options.h"
 #include "base/diagnostic.h"
+#include "picture/film.h"
 #include "picture/photographer.h"
 #include "picture/viewpoint.h"
 #include "record/markers.h"
@@ -105,13 +106,15 @@ void RenderFilm(const record::Recording& recording, const RenderCommandOptions& 
   if (product == Product::kFilm && options.channels != "rgb") {
     throw std::invalid_argument("a film has the channel rgb only; pictures, DIR/, have all");
   }
-  const FilmOptions film{.shot = ShotOf(options, recording.info.eye_camera),
-                         .frames_per_second = options.rate,
-                         .speed = options.speed,
-                         .range = options.range,
-                         .demonstrator = LookOf(options),
-                         .progress = "filming"};
-  (product == Product::kFilm ? Film : FilmAsPictures)(recording, options.out, film);
+  const picture::FilmOptions film{.shot = ShotOf(options, recording.info.eye_camera),
+                                  .frames_per_second = options.rate,
+                                  .speed = options.speed,
+                                  .range = options.range,
+                                  .demonstrator = LookOf(options)};
+  ConsoleReporter console;
+  (product == Product::kFilm ? picture::Film : picture::FilmAsPictures)(
+      recording, options.out, film, console.callbacks().ProgressOf("filming"));
+  console.Clear();
   std::printf("%s\n", options.out.c_str());
 }
 

@@ -4,10 +4,12 @@
 #include <stdexcept>
 
 #include "app/commands.h"
+#include "app/console_reporter.h"
 #include "app/exit_code.h"
 #include "app/interrupt.h"
 #include "app/options.h"
-#include "app/run_loop.h"
+#include "experiment/content_hash.h"
+#include "experiment/run.h"
 #include "motion/trajectory_files.h"
 #include "scene_xml/scene_reader.h"
 
@@ -28,7 +30,7 @@ struct RunOptions {
 };
 
 int RunScene(const RunOptions& options) {
-  RunPlan plan{.scene = scene_xml::LoadScene(options.scene, options.path.reader())};
+  experiment::RunPlan plan{.scene = scene_xml::LoadScene(options.scene, options.path.reader())};
   if (!options.seconds && options.brain.brain.empty() && options.commands.empty() &&
       options.trajectory.empty()) {
     throw std::invalid_argument(
@@ -47,7 +49,7 @@ int RunScene(const RunOptions& options) {
     plan.script = sim::ScriptOf(motion::ReadTrajectory(options.trajectory), options.trajectory);
   }
   plan.brain = options.brain.brain;
-  plan.patience = options.brain.patience;
+  plan.callback_seconds = options.brain.patience;
   plan.is_attached = options.brain.attach;
   plan.seconds = options.seconds;
   plan.record = options.record;
@@ -62,14 +64,15 @@ int RunScene(const RunOptions& options) {
   plan.is_realtime = options.realtime;
   plan.label = "running " + plan.scene.name;
 
-  const RunOutcome outcome = Run(plan);
+  ConsoleReporter console;
+  const experiment::RunResult outcome = experiment::Run(plan, console.callbacks());
+  console.Clear();
   if (options.json) {
-    std::printf("%s\n", ToText(outcome.json, 2).c_str());
+    std::printf("%s\n", ToText(ToJson(outcome), 2).c_str());
   } else {
     std::printf("%s: %.2f s simulated in %.2f s (%.1f x real time), state %s\n",
-                plan.scene.name.c_str(), outcome.json["seconds"].get<double>(),
-                outcome.wall_seconds, outcome.json["realtime_factor"].get<double>(),
-                outcome.json["hash"].get<std::string>().c_str());
+                plan.scene.name.c_str(), outcome.seconds, outcome.wall_seconds,
+                outcome.realtime_factor, experiment::HashText(outcome.state_hash).c_str());
     if (outcome.late_ticks > 0) {
       std::printf("%llu of %llu ticks came late, by up to %.0f ms\n",
                   static_cast<unsigned long long>(outcome.late_ticks),

@@ -5,23 +5,25 @@
 #include <optional>
 #include <string>
 
-#include "layout/layout.h"
-#include "scene/scene_spec.h"
+#include "layout/layout_choice.h"
 
 namespace smile::app {
 
-/// Where the loose objects of a scene start, if not where the scene has them.
+/// Options of the starting positions of the loose objects of a scene.
 struct LayoutOptions {
   std::optional<std::uint64_t> seed;
   std::string level{layout::kLayoutLevelWords.front()};
+
+  layout::LayoutChoice choice() const {
+    return {.seed = seed, .level = layout::ParseLayoutLevel(level).value()};
+  }
 };
 
 /// `--seed` and `--level`.
 /// @returns the option `--seed`, which some commands require.
 CLI::Option* AddLayoutOptions(CLI::App* command, LayoutOptions* options);
 
-/// The scene as the options want it: as it is, without a seed.
-/// @throws std::invalid_argument if there is no such layout.
-scene::SceneSpec LaidOut(scene::SceneSpec scene, const LayoutOptions& options);
+/// Accepts the words for the levels.
+CLI::Validator IsLayoutLevel();
 
 }  // namespace smile::app

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "brain/brain_process.h"
 #include "brain/sensor_noise.h"
 #include "scene_xml/scene_reader.h"
 #include "sim/eye.h"
@@ -46,7 +47,7 @@ std::optional<sim::RobotPlacement> PlaceRobot(const RobotOptions& options,
 /// Which robot program, and how it is run.
 struct BrainOptions {
   std::string brain;
-  double patience = 5;
+  double patience = brain::kCallbackSeconds;
   bool attach = false;
 };
 

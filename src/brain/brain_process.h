@@ -16,9 +16,14 @@ enum class BrainTransport {
   kPlain,      ///< a pair of pipes and a client in plain .m
 };
 
+/// Default timeout of a callback [s of wall-clock time]: busy machines are slow.
+inline constexpr double kCallbackSeconds = 5;
+/// The start, to the end of init, may take so many times as long as a callback.
+inline constexpr double kStartFactor = 12;
+
 struct BrainOptions {
-  double start_seconds = 60;    ///< from the start to the end of init, wall clock
-  double callback_seconds = 5;  ///< for each callback, wall clock: busy machines are slow
+  double start_seconds = kStartFactor * kCallbackSeconds;  ///< to the end of init, wall clock
+  double callback_seconds = kCallbackSeconds;              ///< for each callback, wall clock
   BrainTransport transport = BrainTransport::kAutomatic;
   /// What the program prints, line by line, cleaned for a terminal and limited in rate. Called on
   /// another thread; must not throw.
@@ -32,6 +37,11 @@ struct BrainOptions {
   /// no brain.
   std::function<void(std::string_view instructions)> on_waiting;
 };
+
+/// Options with another timeout of callbacks, and the one of the start that follows from it.
+inline BrainOptions WithTimeout(double callback_seconds) {
+  return {.start_seconds = kStartFactor * callback_seconds, .callback_seconds = callback_seconds};
+}
 
 /// A robot program, running in a process of its own.
 ///

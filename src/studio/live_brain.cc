@@ -5,8 +5,6 @@
 namespace smile::studio {
 namespace {
 
-/// A person waits for it.
-constexpr double kPatience = 5, kStartPatience = 30;  // [s], wall clock
 /// Most programs have answered by then; who waits for others has better things to do.
 constexpr std::chrono::milliseconds kMoment(4);
 
@@ -16,12 +14,10 @@ void LiveBrain::Start(const BrainChoice& choice, const brain::BrainDriverOptions
                       sim::Simulation* simulation) {
   Leave();
   name_ = choice.name;
-  thread_ = std::make_unique<brain::BrainThread>(
-      choice.path,
-      brain::BrainOptions{.start_seconds = kStartPatience,
-                          .callback_seconds = kPatience,
-                          .on_output = [this](std::string_view line) { console_.Write(line); }},
-      std::move(former_));
+  brain::BrainOptions brain_options = limits_;
+  brain_options.on_output = [this](std::string_view line) { console_.Write(line); };
+  thread_ = std::make_unique<brain::BrainThread>(choice.path, std::move(brain_options),
+                                                 std::move(former_));
   driver_.emplace(options);
   try {
     Ask(simulation);

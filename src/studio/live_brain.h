@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/json.h"
@@ -21,6 +22,11 @@ namespace smile::studio {
 /// redo: its answer is applied to the world as it is then.
 class LiveBrain {
  public:
+  /// @param limits  timeouts of start and callbacks; the documented ones unless given.
+  explicit LiveBrain(brain::BrainOptions limits = {}) : limits_(std::move(limits)) {}
+
+  const brain::BrainOptions& limits() const { return limits_; }
+
   /// Begins to start it, instead of what ran before.
   /// @throws InputError, std::invalid_argument or std::runtime_error if it cannot be started: see
   ///         brain::BrainProcess and brain::BrainDriver. What goes wrong later, Describe() tells.
@@ -50,6 +56,7 @@ class LiveBrain {
   /// False if there is no answer yet.
   bool TakeAnswer(std::chrono::nanoseconds patience, sim::Simulation* simulation);
 
+  brain::BrainOptions limits_;
   Console console_;  ///< written to by the programs' threads, which end before it
   std::string name_;
   bool was_stopped_ = false;

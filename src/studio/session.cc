@@ -5,6 +5,7 @@
 
 #include "base/files.h"
 #include "brain/brain_log.h"
+#include "experiment/brain_setup.h"
 #include "record/sight.h"
 #include "studio/internal_session.h"
 #include "studio/scene_message.h"
@@ -17,8 +18,6 @@ constexpr std::uint64_t kTicksPerState = 3;     // at most 20 states a second
 constexpr std::uint64_t kTicksPerPicture = 15;  // 4 a second, as classic recordings have them
 /// So much of what was printed do those see who come later.
 constexpr std::size_t kMaxConsoleLines = 200;
-/// A robot that imitates for longer is stopped [s].
-constexpr double kMaxImitationSeconds = 600;
 
 /// A state message without what goes on while nothing happens: time alone is no news, but that a
 /// recording is a second longer.
@@ -91,7 +90,7 @@ bool Session::Impl::TickLive() {
   world_->simulation().Tick();
   if (!imitation_) return true;
   const double seconds = sim::SecondsOf(world_->simulation().tick() - imitation_->start_tick);
-  if (seconds >= kMaxImitationSeconds) brain_.Stop(&world_->simulation());
+  if (seconds >= experiment::kMaxImitationSeconds) brain_.Stop(&world_->simulation());
   if (!brain_.is_running()) EndImitation();
   return true;
 }

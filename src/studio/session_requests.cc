@@ -7,8 +7,8 @@
 
 #include "base/files.h"
 #include "base/wording.h"
+#include "experiment/brain_setup.h"
 #include "picture/rendered_eye.h"
-#include "record/attention.h"
 #include "record/recording_history.h"
 #include "record/recording_names.h"
 #include "sim/command_json.h"
@@ -336,12 +336,8 @@ BrainChoice Session::Impl::FindBrain(const std::string& name) const {
 
 void Session::Impl::RunBrain(const BrainChoice& choice,
                              const std::filesystem::path& demonstration) {
-  brain::BrainDriverOptions options{.eye = options_.eye,
-                                    .has_trackers = brain::MayReadTrackers(choice.path),
-                                    .demonstration = demonstration};
-  if (!demonstration.empty()) {
-    options.attention = record::AttentionOf(record::OpenRecording(demonstration));
-  }
+  brain::BrainDriverOptions options = experiment::DriverOptionsFor(choice.path, demonstration);
+  options.eye = options_.eye;
   view_.reset();
   brain_.Start(choice, options, &world_->simulation());
 }

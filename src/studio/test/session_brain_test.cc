@@ -4,6 +4,7 @@
 #include "record/replay.h"
 #include "scene_xml/scene_reader.h"
 #include "session_fixture.h"
+#include "studio/live_brain.h"
 
 namespace smile::studio {
 namespace {
@@ -208,6 +209,11 @@ TEST_F(SessionBrainTest, WhatFailsAtTheStartIsTold) {
     for (const Json& line : message["lines"]) is_told = is_told || line.value("line", 0) == 2;
   }
   EXPECT_TRUE(is_told);
+}
+
+TEST(LiveBrain, GivesProgramsTheDocumentedTime) {
+  EXPECT_EQ(LiveBrain().limits().start_seconds, 60);  // docs/brain-protocol.md
+  EXPECT_EQ(LiveBrain().limits().callback_seconds, 5);
 }
 
 TEST_F(SessionBrainTest, ARunThatNobodyWaitsForIsTheSameRun) {

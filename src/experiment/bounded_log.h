@@ -6,10 +6,9 @@
 #include <string>
 #include <string_view>
 
-namespace smile::app {
+namespace smile::experiment {
 
-/// A file for what a program prints, which may be anything and without end: the beginning and the
-/// end are kept.
+/// Log file of bounded size for the output of a program: keeps its beginning and its end.
 class BoundedLog {
  public:
   static constexpr std::size_t kBeginBytes = 256 << 10, kEndBytes = 64 << 10;
@@ -20,7 +19,7 @@ class BoundedLog {
   void Add(std::string_view text);
   /// Writes the end.
   void Finish();
-  /// The last one that is not blank, fit to be shown; empty if there is none.
+  /// The last line that is not blank, cleaned for a terminal; empty if there is none.
   std::string last_line() const;
 
  private:
@@ -30,4 +29,4 @@ class BoundedLog {
   std::size_t unwritten_bytes_ = 0;  ///< how much of it is not in the file yet
 };
 
-}  // namespace smile::app
+}  // namespace smile::experiment

@@ -1,13 +1,12 @@
-#include "app/move_aside.h"
+#include "experiment/move_aside.h"
 
-#include <cstdio>
 #include <stdexcept>
 #include <string>
 #include <system_error>
 
-namespace smile::app {
+namespace smile::experiment {
 
-void MoveAside(const std::filesystem::path& named) {
+void MoveAside(const std::filesystem::path& named, const Callbacks& callbacks) {
   // `out/` is `out`, too.
   const std::filesystem::path path = named.has_filename() ? named : named.parent_path();
   std::error_code error;
@@ -19,9 +18,9 @@ void MoveAside(const std::filesystem::path& named) {
     if (error) {
       throw std::runtime_error(path.string() + ": cannot be moved aside: " + error.message());
     }
-    std::fprintf(stderr, "%s: the earlier result is now %s\n", path.c_str(), aside.c_str());
+    callbacks.Say(path.string() + ": the earlier result is now " + aside.string());
     return;
   }
 }
 
-}  // namespace smile::app
+}  // namespace smile::experiment

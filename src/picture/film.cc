@@ -1,12 +1,10 @@
-#include "app/film.h"
+#include "picture/film.h"
 
 #include <cstdio>
 #include <functional>
 #include <stdexcept>
 #include <system_error>
 
-#include "app/interrupt.h"
-#include "app/progress.h"
 #include "base/diagnostic.h"
 #include "base/files.h"
 #include "base/wording.h"
@@ -15,35 +13,40 @@
 #include "record/trace_reader.h"
 #include "video/video_writer.h"
 
-namespace smile::app {
+namespace smile::picture {
 namespace {
 
 /// Takes a picture of a frame.
 using AddFrame = std::function<void(std::uint64_t frame, std::uint64_t tick, const Image& image)>;
 
-/// Shows a range of a recording, frame by frame.
-void ForEachFrame(const record::Recording& recording, const record::TickRange& range,
-                  const FilmOptions& options, picture::Photographer* photographer,
-                  const AddFrame& add) {
+/// Takes a picture of each frame of a range of a recording.
+/// @returns false if `progress` cancelled it.
+bool ForEachFrame(const record::Recording& recording, const record::TickRange& range,
+                  const FilmOptions& options, Photographer* photographer,
+                  const record::Progress& progress, const AddFrame& add) {
   const double rate = options.frames_per_second / options.speed;
+  const double total = record::SecondsInto(recording, range.last);
   const auto is_due = [&](std::uint64_t frame, std::uint64_t tick) {
     return record::IsFrameDue(frame, tick - range.first, rate);
   };
-  ProgressLine progress(options.progress);
+  const auto goes_on = [&](std::uint64_t tick) {
+    return !progress || progress(record::SecondsInto(recording, tick), total);
+  };
   record::TraceReader trace(recording);
   const record::MarkerTrack markers(recording);
   std::uint64_t frame = 0;
   while (const auto moment = trace.Next()) {
-    if (IsInterrupted() || moment->tick > range.last) break;
+    if (moment->tick > range.last) break;
+    if (!goes_on(moment->tick)) return false;
     if (moment->tick < range.first || !is_due(frame, moment->tick)) continue;
     const Image& image = photographer->Take(*moment, markers.At(moment->tick));
     // A rate above the ticks' shows a moment more than once.
-    for (; is_due(frame, moment->tick) && !IsInterrupted(); ++frame) {
+    for (; is_due(frame, moment->tick); ++frame) {
       add(frame, moment->tick, image);
+      if (!goes_on(moment->tick)) return false;
     }
-    progress.Show(record::SecondsInto(recording, moment->tick),
-                  record::SecondsInto(recording, range.last));
   }
+  return true;
 }
 
 void MakeNewDirectory(const std::filesystem::path& directory) {
@@ -63,27 +66,28 @@ std::string NumberedName(std::uint64_t frame) {
 
 void FilmInto(const std::filesystem::path& mp4, const record::Recording& recording,
               const record::TickRange& range, const FilmOptions& options,
-              picture::Photographer* photographer) {
+              const record::Progress& progress, Photographer* photographer) {
   video::VideoWriter video(mp4, options.shot.width_px, options.shot.height_px,
                            options.frames_per_second);
-  ForEachFrame(recording, range, options, photographer,
-               [&video](std::uint64_t, std::uint64_t, const Image& image) { video.Add(image); });
-  if (IsInterrupted()) throw std::runtime_error("interrupted");
+  const bool is_whole = ForEachFrame(
+      recording, range, options, photographer, progress,
+      [&video](std::uint64_t, std::uint64_t, const Image& image) { video.Add(image); });
+  if (!is_whole) throw std::runtime_error("interrupted");
   video.Finish();
 }
 
 }  // namespace
 
 void Film(const record::Recording& recording, const std::filesystem::path& mp4,
-          const FilmOptions& options) {
+          const FilmOptions& options, const record::Progress& progress) {
   const record::TickRange range = TicksOf(options.range, recording);
   const model::Model model(recording.scene, recording.robot);
-  const auto demonstrator = picture::DemonstratorOf(recording, model, options.demonstrator);
-  picture::Photographer photographer(model, options.shot, demonstrator.get());
+  const auto demonstrator = DemonstratorOf(recording, model, options.demonstrator);
+  Photographer photographer(model, options.shot, demonstrator.get());
   // Under another name until it is whole: an older film is not lost to half a new one.
   const std::filesystem::path part = mp4.string() + ".part.mp4";
   try {
-    FilmInto(part, recording, range, options, &photographer);
+    FilmInto(part, recording, range, options, progress, &photographer);
     std::filesystem::rename(part, mp4);
   } catch (...) {
     std::error_code error;
@@ -93,22 +97,22 @@ void Film(const record::Recording& recording, const std::filesystem::path& mp4,
 }
 
 void FilmAsPictures(const record::Recording& recording, const std::filesystem::path& directory,
-                    const FilmOptions& options) {
+                    const FilmOptions& options, const record::Progress& progress) {
   const record::TickRange range = TicksOf(options.range, recording);
   const model::Model model(recording.scene, recording.robot);
-  const auto demonstrator = picture::DemonstratorOf(recording, model, options.demonstrator);
-  picture::Photographer photographer(model, options.shot, demonstrator.get());
+  const auto demonstrator = DemonstratorOf(recording, model, options.demonstrator);
+  Photographer photographer(model, options.shot, demonstrator.get());
   MakeNewDirectory(directory);
   record::AppendFile index(directory / "frames.csv");
   index.Append("frame,tick,seconds,image\n");
-  ForEachFrame(recording, range, options, &photographer,
+  ForEachFrame(recording, range, options, &photographer, progress,
                [&](std::uint64_t frame, std::uint64_t tick, const Image& image) {
-                 const auto written = picture::WriteChannels(directory / NumberedName(frame), image,
-                                                             options.shot.channels);
+                 const auto written =
+                     WriteChannels(directory / NumberedName(frame), image, options.shot.channels);
                  index.Append(std::to_string(frame) + "," + std::to_string(tick) + "," +
                               NumberText(record::SecondsInto(recording, tick)) + "," +
                               written.front().filename().string() + "\n");
                });
 }
 
-}  // namespace smile::app
+}  // namespace smile::picture

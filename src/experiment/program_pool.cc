@@ -1,4 +1,4 @@
-#include "app/program_pool.h"
+#include "experiment/program_pool.h"
 
 #include <poll.h>
 #include <signal.h>
@@ -9,16 +9,16 @@
 #include <memory>
 #include <optional>
 
-#include "app/bounded_log.h"
+#include "experiment/bounded_log.h"
 
-namespace smile::app {
+namespace smile::experiment {
 namespace {
 
 constexpr int kSliceMs = 50;
-constexpr double kFarewellSeconds = 10;  ///< to write down what was recorded
+constexpr double kFarewellSeconds = 10;  ///< for a cancelled program, to write its results
 constexpr double kTidySeconds = 1;
 
-/// A program that runs.
+/// A running program.
 class PoolRun {
  public:
   PoolRun(std::size_t job, const PoolJob& what)
@@ -35,10 +35,10 @@ class PoolRun {
   bool WaitForEnd(const process::WaitLimit& limit) const { return child_.WaitForEnd(limit); }
   void Interrupt() const { child_.SignalGroup(SIGINT); }
 
-  /// Takes what it has printed.
+  /// Moves its output so far into the log.
   void ReadOutput() {
     char buffer[1 << 14];
-    // Bounded: one that prints without end shall not keep us from the others.
+    // Bounded, so that a program that prints without end does not keep the others waiting.
     for (int k = 0; k < 64 && output_; ++k) {
       const ssize_t count = ::read(output_.get(), buffer, sizeof buffer);
       if (count < 0) return;
@@ -70,7 +70,7 @@ class PoolRun {
 
 using PoolRuns = std::vector<std::unique_ptr<PoolRun>>;
 
-/// Until one of them prints something or a slice of time has passed.
+/// Waits until one of them prints something or a slice of time has passed.
 void ListenTo(const PoolRuns& runs) {
   std::vector<pollfd> watched;
   for (const auto& run : runs) watched.push_back({run->output(), POLLIN, 0});
@@ -119,4 +119,4 @@ bool RunAll(const std::vector<PoolJob>& jobs, std::size_t at_once, const PoolCal
   return true;
 }
 
-}  // namespace smile::app
+}  // namespace smile::experiment

@@ -1,4 +1,4 @@
-#include "app/content_hash.h"
+#include "experiment/content_hash.h"
 
 #include <algorithm>
 #include <array>
@@ -11,19 +11,13 @@
 #include "scene_xml/mesh_files.h"
 #include "scene_xml/scene_writer.h"
 
-namespace smile::app {
+namespace smile::experiment {
 namespace {
 
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMaxFiles = 100'000;
 constexpr std::uintmax_t kMaxBytes = std::uintmax_t{4} << 30;
-
-std::string TextOf(const StateHash& hash) {
-  char text[17];
-  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash.value()));
-  return text;
-}
 
 void AddFile(const fs::path& path, StateHash* hash) {
   std::ifstream file(path, std::ios::binary);
@@ -35,7 +29,7 @@ void AddFile(const fs::path& path, StateHash* hash) {
   if (!file.eof()) throw std::runtime_error(path.string() + ": cannot be read");
 }
 
-/// What a program leaves behind when it runs is not of the program.
+/// True for files that a program writes when it runs, which are no part of it.
 bool IsLeftOver(const fs::path& path) {
   return path.extension() == ".pyc" || path.filename() == "__pycache__";
 }
@@ -62,10 +56,16 @@ std::string HashOfFiles(const std::vector<fs::path>& files, const fs::path& fold
     hash.Add(std::string_view(file.lexically_relative(folder).native()));
     AddFile(file, &hash);
   }
-  return TextOf(hash);
+  return HashText(hash.value());
 }
 
 }  // namespace
+
+std::string HashText(std::uint64_t hash) {
+  char text[17];
+  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
+  return text;
+}
 
 std::string ContentOf(const fs::path& path) {
   if (fs::is_directory(path)) return HashOfFiles(FilesBelow(path), path);
@@ -99,7 +99,7 @@ std::string ContentOf(const scene::SceneSpec& scene) {
       for (std::uint32_t corner : triangle) hash.Add(std::uint64_t{corner});
     }
   }
-  return TextOf(hash);
+  return HashText(hash.value());
 }
 
 std::string ContentOf(const std::vector<robot::RobotFile>& files) {
@@ -108,7 +108,7 @@ std::string ContentOf(const std::vector<robot::RobotFile>& files) {
     hash.Add(std::string_view(file.name));
     hash.Add(std::string_view(*file.bytes));
   }
-  return TextOf(hash);
+  return HashText(hash.value());
 }
 
-}  // namespace smile::app
+}  // namespace smile::experiment

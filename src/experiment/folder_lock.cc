@@ -1,4 +1,4 @@
-#include "app/folder_lock.h"
+#include "experiment/folder_lock.h"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -10,7 +10,7 @@
 
 #include "base/files.h"
 
-namespace smile::app {
+namespace smile::experiment {
 
 FolderLock::FolderLock(const std::filesystem::path& folder) {
   MakeDirectories(folder);
@@ -23,4 +23,4 @@ FolderLock::FolderLock(const std::filesystem::path& folder) {
   }
 }
 
-}  // namespace smile::app
+}  // namespace smile::experiment

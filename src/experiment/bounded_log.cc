@@ -1,11 +1,11 @@
-#include "app/bounded_log.h"
+#include "experiment/bounded_log.h"
 
 #include <algorithm>
 #include <stdexcept>
 
 #include "base/wording.h"
 
-namespace smile::app {
+namespace smile::experiment {
 namespace {
 
 constexpr std::size_t kMaxLineBytes = 500;
@@ -42,4 +42,4 @@ std::string BoundedLog::last_line() const {
   return Printable(end_.substr(begin, std::min(last + 1 - begin, kMaxLineBytes)));
 }
 
-}  // namespace smile::app
+}  // namespace smile::experiment

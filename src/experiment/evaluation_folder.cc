@@ -1,15 +1,15 @@
-#include "app/evaluation_folder.h"
+#include "experiment/evaluation_folder.h"
 
 #include <cstdio>
 #include <stdexcept>
 #include <system_error>
 
-#include "app/content_hash.h"
-#include "app/move_aside.h"
 #include "base/diagnostic.h"
 #include "base/files.h"
+#include "experiment/content_hash.h"
+#include "experiment/move_aside.h"
 
-namespace smile::app {
+namespace smile::experiment {
 namespace {
 
 namespace fs = std::filesystem;
@@ -19,7 +19,7 @@ constexpr const char* kAgentFile = "agent.json";
 constexpr const char* kRunFile = "run.json";
 constexpr const char* kRecording = "imitation";
 
-/// A small file of ours; null when it is not there or not whole.
+/// Content of a small file; null when it is missing or damaged.
 Json ReadOwn(const fs::path& path) {
   try {
     return ParseJson(ReadFile(path, kMaxFileBytes));
@@ -42,25 +42,28 @@ Json MarkOf(std::uint64_t seed, const fs::path& result) {
 
 }  // namespace
 
-AgentFolder::AgentFolder(const fs::path& directory, const Json& depends_on)
+EvaluationFolder::EvaluationFolder(const fs::path& directory, const Json& depends_on,
+                                   const Callbacks& callbacks)
     : directory_(directory) {
   std::error_code error;
   if (fs::exists(directory_, error) && ReadOwn(directory_ / kAgentFile) != depends_on) {
-    MoveAside(directory_);
+    MoveAside(directory_, callbacks);
   }
   MakeDirectories(directory_);
   WriteFile(directory_ / kAgentFile, ToText(depends_on, 2) + "\n");
 }
 
-fs::path AgentFolder::FolderOf(std::uint64_t seed) const {
+fs::path EvaluationFolder::FolderOf(std::uint64_t seed) const {
   char name[40];
   std::snprintf(name, sizeof name, "seed-%04llu", static_cast<unsigned long long>(seed));
   return directory_ / name;
 }
 
-fs::path AgentFolder::ResultOf(std::uint64_t seed) const { return FolderOf(seed) / "result.json"; }
+fs::path EvaluationFolder::ResultOf(std::uint64_t seed) const {
+  return FolderOf(seed) / "result.json";
+}
 
-std::optional<report::EvaluatedRun> AgentFolder::FindRun(std::uint64_t seed) const {
+std::optional<report::EvaluatedRun> EvaluationFolder::FindRun(std::uint64_t seed) const {
   const Json mark = ReadOwn(FolderOf(seed) / kRunFile);
   if (mark.is_null() || !fs::exists(ResultOf(seed)) || mark != MarkOf(seed, ResultOf(seed))) {
     return std::nullopt;
@@ -72,18 +75,19 @@ std::optional<report::EvaluatedRun> AgentFolder::FindRun(std::uint64_t seed) con
   }
 }
 
-void AgentFolder::BeginRun(std::uint64_t seed) const {
+void EvaluationFolder::BeginRun(std::uint64_t seed) const {
   Remove(FolderOf(seed));
   MakeDirectories(FolderOf(seed));
 }
 
-report::EvaluatedRun AgentFolder::CompleteRun(std::uint64_t seed) const {
+report::EvaluatedRun EvaluationFolder::CompleteRun(std::uint64_t seed) const {
   const report::EvaluatedRun run = report::ReadRun(ResultOf(seed), seed);
   WriteFile(FolderOf(seed) / kRunFile, ToText(MarkOf(seed, ResultOf(seed)), 2) + "\n");
   return run;
 }
 
-void AgentFolder::Tidy(Keep keep, const fs::path& report_folder, report::EvaluatedRun* run) const {
+void EvaluationFolder::Tidy(Keep keep, const fs::path& report_folder,
+                            report::EvaluatedRun* run) const {
   const fs::path recording = FolderOf(run->seed) / kRecording;
   const bool is_kept = keep == Keep::kAll || (keep == Keep::kFailures && !run->is_rebuilt);
   std::error_code error;
@@ -93,4 +97,4 @@ void AgentFolder::Tidy(Keep keep, const fs::path& report_folder, report::Evaluat
   }
 }
 
-}  // namespace smile::app
+}  // namespace smile::experiment

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include "robot/urdf_reader.h"
+#include "scene/scene_spec.h"
+
+namespace smile::experiment {
+
+/// A hash as 16 hexadecimal digits.
+std::string HashText(std::uint64_t hash);
+
+// Content hashes of the inputs of results, as 16 hexadecimal digits.
+
+/// Hash of a file, or of all files in a folder and below it, with their names.
+/// @throws std::runtime_error if one cannot be read, or the folder is too large.
+std::string ContentOf(const std::filesystem::path& path);
+
+/// Hash of a robot program: of a folder or a file, and for a Python file also of the others beside
+/// it, which it may import.
+std::string ContentOfBrain(const std::filesystem::path& brain);
+
+std::string ContentOf(const scene::SceneSpec& scene);
+std::string ContentOf(const std::vector<robot::RobotFile>& files);
+
+}  // namespace smile::experiment

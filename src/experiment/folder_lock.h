@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+
+#include "process/unique_fd.h"
+
+namespace smile::experiment {
+
+/// Exclusive lock of a folder, held as long as this object lives, so that no two evaluations write
+/// the same results. Child processes do not inherit it. It leaves nothing behind, however the
+/// process ends.
+class FolderLock {
+ public:
+  /// Makes the folder if it is missing.
+  /// @throws std::runtime_error if the lock is held already, or the folder cannot be opened.
+  explicit FolderLock(const std::filesystem::path& folder);
+
+ private:
+  process::UniqueFd folder_;
+};
+
+}  // namespace smile::experiment

@@ -1,0 +1,35 @@
+#include "experiment/imitation.h"
+
+#include <utility>
+
+#include "experiment/run.h"
+#include "task/imitation_result.h"
+
+namespace smile::experiment {
+
+ImitationResult Imitate(const ImitationPlan& plan, const Callbacks& callbacks) {
+  const task::Exercise exercise =
+      task::MakeExercise(plan.task, record::OpenRecording(plan.demonstration), plan.scene);
+  const RunResult run = Run({.scene = plan.scene,
+                             .robot = plan.robot,
+                             .brain = plan.brain,
+                             .callback_seconds = plan.callback_seconds,
+                             .is_attached = plan.is_attached,
+                             .demonstration = plan.demonstration,
+                             .max_seconds = plan.max_seconds,
+                             .record = plan.record,
+                             .recording = {.title = plan.task + ", imitated"},
+                             .has_pictures = plan.has_pictures,
+                             .eye = plan.eye,
+                             .noise = plan.noise,
+                             .label = "the robot builds"},
+                            callbacks);
+  const task::Course outcome = task::CourseOf(record::OpenRecording(plan.record));
+  Json result = task::ResultOf(
+      exercise, outcome,
+      {.seconds = run.seconds, .realtime_factor = run.realtime_factor, .brain = BrainJson(run)});
+  const bool is_rebuilt = result["rebuilt"].get<bool>();
+  return {.json = std::move(result), .is_rebuilt = is_rebuilt, .brain_error = run.brain_error};
+}
+
+}  // namespace smile::experiment

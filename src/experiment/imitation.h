@@ -1,0 +1,45 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "base/json.h"
+#include "brain/brain_values.h"
+#include "brain/sensor_noise.h"
+#include "experiment/brain_setup.h"
+#include "experiment/callbacks.h"
+#include "scene/scene_spec.h"
+#include "sim/eye.h"
+#include "sim/simulation.h"
+
+namespace smile::experiment {
+
+/// An imitation: a robot that was given a demonstration acts in a scene of its own.
+struct ImitationPlan {
+  std::string task;                     ///< its name in the result
+  std::filesystem::path demonstration;  ///< recording
+  scene::SceneSpec scene;
+  std::filesystem::path brain;                        ///< robot program
+  double callback_seconds = brain::kCallbackSeconds;  ///< timeout per callback, wall clock [s]
+  bool is_attached = false;                           ///< a person starts the brain in a debugger
+  std::filesystem::path record;               ///< new directory for the recording of the robot
+  bool has_pictures = true;                   ///< in the recording; the brain gets them anyway
+  double max_seconds = kMaxImitationSeconds;  ///< simulated
+  sim::EyeSpec eye;
+  brain::SensorNoise noise;  ///< in the sensor values of the brain
+  std::optional<sim::RobotPlacement> robot;
+};
+
+struct ImitationResult {
+  Json json;  ///< `result.json`, see docs/results.md
+  bool is_rebuilt = false;
+  std::optional<brain::BrainError> brain_error;
+};
+
+/// Runs an imitation and scores it against the demonstration. A cancelled one is scored as far as
+/// it came.
+/// @throws InputError if demonstration, scene and brain do not fit together.
+ImitationResult Imitate(const ImitationPlan& plan, const Callbacks& callbacks = {});
+
+}  // namespace smile::experiment

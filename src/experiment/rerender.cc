@@ -1,0 +1,66 @@
+#include "experiment/rerender.h"
+
+#include "base/files.h"
+#include "experiment/move_aside.h"
+#include "picture/photographer.h"
+#include "record/sight.h"
+
+namespace smile::experiment {
+namespace {
+
+constexpr std::size_t kMaxMarkBytes = 1 << 20;
+
+/// The view of the eye that took the pictures of a recording.
+picture::Shot ShotOf(const model::EyeSpec& eye) {
+  return {.camera = model::kEyeCamera,
+          .eye = eye.camera,
+          .width_px = eye.width_px,
+          .height_px = eye.height_px};
+}
+
+/// True when a copy exists that depends on the same.
+bool IsMarked(const std::filesystem::path& mark, const std::string& text) {
+  std::error_code error;
+  return std::filesystem::exists(mark, error) && ReadFile(mark, kMaxMarkBytes) == text;
+}
+
+}  // namespace
+
+std::size_t Rerender(const record::Recording& recording, const std::filesystem::path& out,
+                     const record::RedrawOptions& copy, const Callbacks& callbacks) {
+  const model::Model model(recording.scene, recording.robot);
+  const auto demonstrator = picture::DemonstratorOf(recording, model, copy.demonstrator);
+  picture::Photographer photographer(
+      model, ShotOf(EyeOf(recording.info).value_or(model::EyeSpec())), demonstrator.get());
+  return Redraw(
+      recording, out, copy,
+      [&photographer](const record::TraceTick& moment) -> const Image& {
+        return photographer.Take(moment);
+      },
+      callbacks.ProgressOf("drawing"));
+}
+
+std::vector<std::filesystem::path> MakeCopies(const DemonstratorCopies& copies,
+                                              const std::filesystem::path& folder,
+                                              const Callbacks& callbacks) {
+  MakeDirectories(folder);
+  const std::string text = ToText(copies.depends_on, 2) + "\n";
+  std::vector<std::filesystem::path> paths;
+  for (const std::string& look : copies.demonstrators) {
+    const std::filesystem::path copy = folder / look, mark = folder / (look + ".json");
+    std::error_code error;
+    const bool exists = std::filesystem::exists(copy, error);
+    if (!exists || !IsMarked(mark, text)) {
+      if (exists) MoveAside(copy, callbacks);
+      Rerender(
+          record::OpenRecording(copies.demonstration), copy,
+          {.demonstrator = record::ParseDemonstratorLook(look), .has_symbols = copies.has_symbols},
+          callbacks);
+      WriteFile(mark, text);
+    }
+    paths.push_back(copy);
+  }
+  return paths;
+}
+
+}  // namespace smile::experiment

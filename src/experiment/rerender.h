@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/json.h"
+#include "experiment/callbacks.h"
+#include "record/recording.h"
+#include "record/redraw.h"
+
+namespace smile::experiment {
+
+/// Copies a recording with another demonstrator in its pictures.
+/// @returns the number of pictures.
+/// @throws as record::Redraw(), also when it is cancelled.
+std::size_t Rerender(const record::Recording& recording, const std::filesystem::path& out,
+                     const record::RedrawOptions& copy, const Callbacks& callbacks = {});
+
+/// Copies of a recording, one for each demonstrator.
+struct DemonstratorCopies {
+  std::filesystem::path demonstration;
+  std::vector<std::string> demonstrators;  ///< words of record::DemonstratorLook, each once
+  bool has_symbols = true;                 ///< the texts of the classic view
+  Json depends_on;  ///< everything the copies depend on, except the demonstrator
+};
+
+/// Makes the copies in a folder:
+///
+///     forearm/         the recording
+///     forearm.json     what it depends on; written last
+///
+/// Finished copies are kept; one that depends on something else moves aside.
+/// @returns their paths, in order.
+std::vector<std::filesystem::path> MakeCopies(const DemonstratorCopies& copies,
+                                              const std::filesystem::path& folder,
+                                              const Callbacks& callbacks = {});
+
+}  // namespace smile::experiment

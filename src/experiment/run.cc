@@ -1,0 +1,239 @@
+#include "experiment/run.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <stdexcept>
+#include <thread>
+
+#include "base/diagnostic.h"
+#include "brain/brain_log.h"
+#include "experiment/brain_setup.h"
+#include "experiment/content_hash.h"
+#include "experiment/world_description.h"
+#include "picture/rendered_eye.h"
+
+namespace smile::experiment {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// From the end of a robot program to the end of its run, so that films show its last face.
+constexpr int kFarewellTicks = sim::kTicksPerSecond / 4;
+
+std::filesystem::path RecordingOf(const RunPlan& plan) {
+  return plan.continuation ? plan.continuation->recording : plan.record;
+}
+
+/// Everything alive during one run, in the order in which it must be taken down.
+class LiveRun {
+ public:
+  LiveRun(const RunPlan& plan, const Callbacks& callbacks)
+      : plan_(plan),
+        callbacks_(callbacks),
+        simulation_(plan.scene, plan.robot),
+        brain_log_(RecordingOf(plan)) {
+    // A brain that does not exist must not leave an empty recording behind.
+    if (!plan.brain.empty()) FindBrain();
+    const bool records = !plan.record.empty() || plan.continuation || StartsRecordings();
+    const bool takes_pictures = records && plan.has_pictures;
+    if (takes_pictures || !plan.brain.empty()) {
+      sim::EyeView(simulation_, plan.eye);  // refuses a camera that is not there
+      eye_.emplace(plan.eye);
+    }
+    if (records) {
+      desk_.emplace(&simulation_,
+                    record::RecordingDesk::Options{.root = plan.recordings,
+                                                   .recording = plan.recording,
+                                                   .eye = takes_pictures ? &*eye_ : nullptr});
+    }
+    if (!plan.record.empty()) desk_->StartIn(plan.record, simulation_);
+    if (plan.continuation) {
+      desk_->Continue(plan.continuation->recording, plan.continuation->from, &simulation_,
+                      callbacks_.ProgressOf(plan.label));
+    }
+    first_tick_ = simulation_.tick();
+    if (plan.script) player_.emplace(*plan.script);
+    if (process_) StartBrain();
+  }
+
+  RunResult Go() {
+    const auto start = Clock::now();
+    // Time passes evenly, also when the simulation's goes back by an undo.
+    while (!IsOver()) {
+      simulation_.Tick();
+      passed_ += 1.0 / sim::kTicksPerSecond;
+      callbacks_.Report(plan_.label, passed_, plan_.seconds.value_or(0));
+      if (plan_.is_realtime) WaitUntil(start + std::chrono::duration<double>(passed_));
+    }
+    const std::chrono::duration<double> wall = Clock::now() - start;
+    ThrowIfNotRecorded();
+    if (player_ && !player_->is_finished() && !callbacks_.IsCancelled()) {
+      callbacks_.Say(player_->place() + ": time was up before this line");
+    }
+    return Describe(wall.count());
+  }
+
+ private:
+  void FindBrain() {
+    brain::BrainOptions options = brain::WithTimeout(plan_.callback_seconds);
+    options.on_output = [this](std::string_view line) {
+      callbacks_.Say("brain: " + std::string(line));
+      brain_log_.Write(line);
+    };
+    options.is_cancelled = [this] { return callbacks_.IsCancelled(); };
+    options.is_attached = plan_.is_attached;
+    options.on_waiting = [this](std::string_view instructions) {
+      callbacks_.Say("smile: waiting for the brain (Ctrl-C ends); " + std::string(instructions));
+    };
+    process_.emplace(plan_.brain, std::move(options));
+  }
+
+  template <class Time>
+  void WaitUntil(Time due) {
+    const std::chrono::duration<double> delay = Clock::now() - due;
+    if (delay.count() > 0) {
+      ++late_ticks_;
+      worst_delay_ = std::max(worst_delay_, delay.count());
+    }
+    std::this_thread::sleep_until(due);
+  }
+
+  void StartBrain() {
+    brain::BrainDriverOptions options = DriverOptionsFor(plan_.brain, plan_.demonstration);
+    options.eye = &*eye_;
+    options.image_seconds = plan_.image_seconds;
+    options.noise = plan_.noise;
+    driver_.emplace(std::move(options));
+    DriveBrain();
+  }
+
+  void DriveBrain() {
+    driver_->Drive(&*process_, &simulation_);
+    LogBrainError();
+  }
+
+  void LogBrainError() {
+    if (driver_->error()) brain_log_.Write(ToString(*driver_->error()));
+  }
+
+  bool StartsRecordings() const {
+    if (!plan_.script) return false;
+    for (const sim::ScriptLine& line : plan_.script->lines) {
+      const auto* command = std::get_if<sim::Command>(&line.what);
+      if (command != nullptr && std::holds_alternative<sim::StartRecording>(*command)) return true;
+    }
+    return false;
+  }
+
+  void AdvanceScript() {
+    try {
+      player_->Advance(&simulation_);
+    } catch (const InputError&) {
+      ThrowIfNotRecorded();  // then that is why
+      if (desk_) {
+        for (const auto& directory : desk_->directories()) {
+          callbacks_.Say("recorded in " + directory.string());
+        }
+      }
+      throw;
+    }
+  }
+
+  void ThrowIfNotRecorded() const {
+    if (desk_ && desk_->failure()) throw std::runtime_error(*desk_->failure());
+  }
+
+  bool is_brain_running() const {
+    return driver_ && driver_->status() == brain::BrainStatus::kRunning;
+  }
+
+  /// Applies the next commands of script and brain; true at the end of the run.
+  bool IsOver() {
+    if (callbacks_.IsCancelled()) return true;
+    ThrowIfNotRecorded();
+    const auto limit = static_cast<std::uint64_t>(
+        std::llround(plan_.seconds.value_or(plan_.max_seconds) * sim::kTicksPerSecond));
+    if (simulation_.tick() >= first_tick_ + limit) return true;
+    if (player_) AdvanceScript();
+    if (is_brain_running()) {
+      DriveBrain();
+      if (!is_brain_running()) farewell_ticks_ = kFarewellTicks;
+    }
+    if (farewell_ticks_ > 0) {
+      --farewell_ticks_;
+      return false;
+    }
+    if (driver_ && driver_->status() == brain::BrainStatus::kFailed) return true;
+    if (plan_.seconds) return false;
+    return (!player_ || player_->is_finished()) && !is_brain_running();
+  }
+
+  RunResult Describe(double wall_seconds) const {
+    RunResult result{.ticks = simulation_.tick(),
+                     .seconds = simulation_.seconds(),
+                     .state_hash = simulation_.state_hash(),
+                     .wall_seconds = wall_seconds,
+                     .realtime_factor = wall_seconds > 0 ? passed_ / wall_seconds : 0,
+                     .is_realtime = plan_.is_realtime,
+                     .late_ticks = late_ticks_,
+                     .worst_delay = worst_delay_,
+                     .objects = DescribeObjects(simulation_),
+                     .controls = DescribeControls(simulation_),
+                     .robot = DescribeRobot(simulation_)};
+    if (driver_) {
+      result.brain_status = driver_->status();
+      result.brain_error = driver_->error();
+    }
+    if (desk_) result.recordings = desk_->directories();
+    return result;
+  }
+
+  const RunPlan& plan_;
+  const Callbacks& callbacks_;
+  std::optional<picture::RenderedEye> eye_;
+  std::optional<record::RecordingDesk> desk_;
+  sim::Simulation simulation_;
+  std::uint64_t first_tick_ = 0;
+  int farewell_ticks_ = 0;  ///< to go on, though the brain has ended
+  double passed_ = 0;       ///< simulated since then, also what was undone [s]
+  std::uint64_t late_ticks_ = 0;
+  double worst_delay_ = 0;
+  std::optional<sim::ScriptPlayer> player_;
+  brain::BrainLog brain_log_;  ///< written to by the process's thread
+  std::optional<brain::BrainProcess> process_;
+  std::optional<brain::BrainDriver> driver_;
+};
+
+}  // namespace
+
+Json BrainJson(const RunResult& result) {
+  return {{"status", result.brain_status ? ToString(*result.brain_status) : "none"},
+          {"message", result.brain_error ? ToString(*result.brain_error) : ""}};
+}
+
+Json ToJson(const RunResult& result) {
+  Json json = {{"ticks", result.ticks},
+               {"seconds", result.seconds},
+               {"hash", HashText(result.state_hash)},
+               {"realtime_factor", result.realtime_factor},
+               {"objects", result.objects},
+               {"controls", result.controls},
+               {"robot", result.robot},
+               {"brain", BrainJson(result)},
+               {"recordings", Json::array()}};
+  if (result.is_realtime) {
+    json["late_ticks"] = result.late_ticks;
+    json["worst_delay"] = result.worst_delay;
+  }
+  for (const auto& directory : result.recordings) {
+    json["recordings"].push_back(directory.string());
+  }
+  return json;
+}
+
+RunResult Run(const RunPlan& plan, const Callbacks& callbacks) {
+  return LiveRun(plan, callbacks).Go();
+}
+
+}  // namespace smile::experiment

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/json.h"
+#include "brain/brain_driver.h"
+#include "experiment/callbacks.h"
+#include "record/recording_desk.h"
+#include "scene/scene_spec.h"
+#include "sim/eye.h"
+#include "sim/script.h"
+#include "sim/simulation.h"
+
+namespace smile::experiment {
+
+/// A run without a window: a scene, who acts in it, how long, what is recorded.
+struct RunPlan {
+  scene::SceneSpec scene;
+  std::optional<sim::RobotPlacement> robot;
+  std::optional<sim::Script> script;
+  std::filesystem::path brain;                        ///< robot program; empty for none
+  double callback_seconds = brain::kCallbackSeconds;  ///< timeout per callback, wall clock [s]
+  bool is_attached = false;                           ///< a person starts the brain in a debugger
+  std::filesystem::path demonstration;  ///< recording that the brain is given; empty for none
+  std::optional<double> seconds;        ///< exact length [s]; nullopt: until script and brain end
+  double max_seconds = 86400;           ///< limit of runs that end by themselves [s]
+  std::filesystem::path record;         ///< new directory of the recording; empty for none
+  std::filesystem::path recordings = "recordings";  ///< root of recordings that the script starts
+  /// Continues a recording from this moment instead of starting one. The plan has the recording's
+  /// scene and robot.
+  struct Continuation {
+    std::filesystem::path recording;
+    record::Moment from;
+  };
+  std::optional<Continuation> continuation;
+  record::RecorderOptions recording;
+  bool has_pictures = true;  ///< in recordings
+  sim::EyeSpec eye;
+  brain::SensorNoise noise;       ///< in the sensor values of the brain
+  double image_seconds = 0.25;    ///< between pictures for the brain
+  bool is_realtime = false;       ///< paced by the wall clock, which changes no result
+  std::string label = "running";  ///< step name in progress reports
+};
+
+/// End state of a run, and how it went.
+struct RunResult {
+  std::uint64_t ticks = 0;       ///< of the simulation's clock
+  double seconds = 0;            ///< the same in seconds
+  std::uint64_t state_hash = 0;  ///< of the end state
+  double wall_seconds = 0;
+  double realtime_factor = 0;  ///< simulated time over wall-clock time
+  bool is_realtime = false;
+  std::uint64_t late_ticks = 0;  ///< of a paced run: ticks that were done after they were due
+  double worst_delay = 0;        ///< the longest of these delays [s]
+  std::optional<brain::BrainStatus> brain_status;  ///< nullopt without a brain
+  std::optional<brain::BrainError> brain_error;
+  std::vector<std::filesystem::path> recordings;  ///< started or continued, in order
+  Json objects, controls, robot;                  ///< see world_description.h
+};
+
+/// `brain` of a result: {status, message}.
+Json BrainJson(const RunResult& result);
+
+/// The format of `run --json`, see docs/commands.md.
+Json ToJson(const RunResult& result);
+
+/// Runs the plan to its end, or until it is cancelled; a cancelled run is a shorter run.
+/// @throws InputError if the script fails or the brain does not exist; everything recorded until
+///         then is kept.
+/// @throws std::runtime_error if the recording cannot be written.
+RunResult Run(const RunPlan& plan, const Callbacks& callbacks = {});
+
+}  // namespace smile::experiment

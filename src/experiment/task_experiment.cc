@@ -1,0 +1,88 @@
+#include "experiment/task_experiment.h"
+
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "base/files.h"
+#include "experiment/move_aside.h"
+#include "experiment/run.h"
+#include "picture/film.h"
+#include "report/experiment_page.h"
+#include "scene_xml/scene_reader.h"
+
+namespace smile::experiment {
+namespace {
+
+/// The robot program that imitates unless another one is given.
+constexpr const char* kLearner = "matlab/um";
+
+/// Timeout per callback: a busy machine is no reason to fail [s].
+constexpr double kPatientCallbackSeconds = 60;
+
+void RecordDemonstration(const TaskExperimentPlan& plan, const std::filesystem::path& directory,
+                         const Callbacks& callbacks) {
+  RunPlan run{.scene = scene_xml::LoadScene(DataFile("scenes/" + plan.task + ".xml")),
+              .robot = plan.robot,
+              .record = directory,
+              .recording = {.title = plan.task},
+              .label = "showing " + plan.task};
+  run.script =
+      sim::ReadScript(DataFile("examples/" + plan.task + ".jsonl"), run.scene.meters_per_unit);
+  (void)Run(run, callbacks);
+}
+
+void FilmBoth(const std::filesystem::path& out, const Callbacks& callbacks) {
+  for (const char* name : {"demonstration", "imitation"}) {
+    if (callbacks.IsCancelled()) return;
+    picture::Film(
+        record::OpenRecording(out / name), (out / name).string() + ".mp4",
+        {.shot = {.width_px = 854, .height_px = 480}, .frames_per_second = 20, .speed = kFilmSpeed},
+        callbacks.ProgressOf(std::string("filming the ") + name));
+  }
+}
+
+void WriteReport(const TaskExperimentPlan& plan, const Json& result, const Callbacks& callbacks) {
+  if (callbacks.IsCancelled()) return;
+  std::vector<report::Enclosure> enclosures;
+  if (plan.has_films) {
+    enclosures.push_back({"demonstration.mp4", "film of the demonstration"});
+    enclosures.push_back({"imitation.mp4", "film of the robot"});
+  }
+  enclosures.push_back({"demonstration", "recording of the demonstration"});
+  enclosures.push_back({"imitation", "recording of the robot"});
+  enclosures.push_back({"result.json", "the result, for programs"});
+  const record::Recording demonstration = record::OpenRecording(plan.out / "demonstration");
+  const record::Recording imitation = record::OpenRecording(plan.out / "imitation");
+  WriteFile(plan.out / "report.html", report::PageOf({.name = plan.task,
+                                                      .demonstration = demonstration,
+                                                      .imitation = imitation,
+                                                      .result = result,
+                                                      .enclosures = enclosures}));
+}
+
+}  // namespace
+
+ImitationResult RunTaskExperiment(const TaskExperimentPlan& plan, const Callbacks& callbacks) {
+  MoveAside(plan.out, callbacks);
+  MakeDirectories(plan.out);
+  RecordDemonstration(plan, plan.out / "demonstration", callbacks);
+  if (callbacks.IsCancelled()) throw std::runtime_error("interrupted; what was recorded is kept");
+
+  const scene::SceneSpec scene = layout::LaidOut(
+      scene_xml::LoadScene(DataFile("scenes/" + plan.task + "_robot.xml")), plan.layout);
+  ImitationResult result = Imitate({.task = plan.task,
+                                    .demonstration = plan.out / "demonstration",
+                                    .scene = scene,
+                                    .brain = plan.brain.empty() ? DataFile(kLearner) : plan.brain,
+                                    .callback_seconds = kPatientCallbackSeconds,
+                                    .record = plan.out / "imitation",
+                                    .robot = plan.robot},
+                                   callbacks);
+  WriteFile(plan.out / "result.json", ToText(result.json, 2) + "\n");
+  if (plan.has_films) FilmBoth(plan.out, callbacks);
+  WriteReport(plan, result.json, callbacks);
+  return result;
+}
+
+}  // namespace smile::experiment

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "experiment/callbacks.h"
+#include "experiment/imitation.h"
+#include "layout/layout_choice.h"
+
+namespace smile::experiment {
+
+/// Shipped tasks: each has `scenes/NAME.xml`, `examples/NAME.jsonl` and `scenes/NAME_robot.xml`.
+inline constexpr std::array<std::string_view, 7> kTasks{"um",  "tower", "row",  "bridge",
+                                                        "box", "hatch", "drive"};
+
+/// Speed of the films: four seconds in one.
+inline constexpr double kFilmSpeed = 4;
+
+/// A shipped task, demonstrated by hands and imitated by the robot elsewhere.
+struct TaskExperimentPlan {
+  std::string task{kTasks.front()};
+  std::filesystem::path out;    ///< folder; earlier results in it move aside
+  sim::RobotPlacement robot;    ///< stands at both tables
+  std::filesystem::path brain;  ///< robot program; empty: the shipped learner
+  layout::LayoutChoice layout;  ///< of the robot's scene
+  bool has_films = true;
+};
+
+/// Demonstrates the task, imitates it, and writes into the plan's folder: `demonstration/`,
+/// `imitation/`, `result.json`, films and `report.html` (docs/experiments.md). Cancelled during
+/// the imitation, it writes the result without films and report.
+/// @throws std::runtime_error if a file cannot be written, or it is cancelled before the
+///         imitation; everything recorded until then is kept.
+ImitationResult RunTaskExperiment(const TaskExperimentPlan& plan, const Callbacks& callbacks = {});
+
+}  // namespace smile::experiment

@@ -1,0 +1,118 @@
+// Runs with robot programs, which are given pictures.
+
+#include "base/diagnostic.h"
+#include "experiment/imitation.h"
+#include "experiment_fixture.h"
+#include "record/recording.h"
+#include "record/time_range.h"
+
+namespace smile::experiment {
+namespace {
+
+class RunBrain : public ExperimentTest {
+ protected:
+  /// Small pictures, which software draws quickly.
+  RunPlan PlanWith(const fs::path& brain) const {
+    return {.scene = Pair(),
+            .robot = Baxter(),
+            .brain = brain,
+            .record = root_ / "run",
+            .has_pictures = false,
+            .eye = {.width_px = 32, .height_px = 24}};
+  }
+};
+
+TEST_F(RunBrain, TheExampleInCppMovesTheRobot) {
+  RunPlan plan = PlanWith(SMILE_CPP_BRAIN);
+  plan.seconds = 0.5;
+  const RunResult result = experiment::Run(plan);
+  EXPECT_EQ(result.ticks, 30u);
+  EXPECT_EQ(result.brain_status, brain::BrainStatus::kRunning);
+  EXPECT_EQ(BrainJson(result)["status"], "running");
+  const Json& arms = result.robot;
+  EXPECT_NEAR(arms["left"]["joints"][0].get<double>(), -arms["right"]["joints"][0].get<double>(),
+              0.05);
+  EXPECT_GT(std::abs(arms["left"]["joints"][0].get<double>()), 0.05);
+}
+
+TEST_F(RunBrain, AFailureIsReportedAndTheRecordingKept) {
+  const RunResult result =
+      experiment::Run(PlanWith(Python("  if sensor.simTime > 0.2: raise ValueError('no idea')\n")));
+  EXPECT_EQ(result.brain_status, brain::BrainStatus::kFailed);
+  ASSERT_TRUE(result.brain_error);
+  EXPECT_NE(result.brain_error->message.find("no idea"), std::string::npos);
+  EXPECT_EQ(result.recordings, std::vector<fs::path>{root_ / "run"});
+  EXPECT_GE(TicksOf(record::OpenRecording(root_ / "run")).last, 12u);
+  EXPECT_NE(Read("run/brain.log").find("no idea"), std::string::npos);
+}
+
+TEST_F(RunBrain, OneThatEndsByItselfEndsTheRun) {
+  const RunResult result = experiment::Run(PlanWith(Python("  aux.exit = sensor.simTime > 0.2\n")));
+  EXPECT_EQ(result.brain_status, brain::BrainStatus::kExited);
+  EXPECT_FALSE(result.brain_error);
+  EXPECT_LT(result.seconds, 0.7);
+}
+
+TEST_F(RunBrain, AMissingOneLeavesNoRecording) {
+  EXPECT_THROW(experiment::Run(PlanWith(root_ / "nowhere")), InputError);
+  EXPECT_FALSE(Exists("run"));
+}
+
+TEST_F(RunBrain, StartMayTakeTwelveTimesAsLongAsACallback) {
+  EXPECT_EQ(brain::BrainOptions().start_seconds, 60);  // docs/brain-protocol.md
+  EXPECT_EQ(RunPlan().callback_seconds, 5);
+  EXPECT_EQ(brain::WithTimeout(0.5).start_seconds, 6);
+  RunPlan plan = PlanWith(
+      Write("slow/slow.py", "import time\ntime.sleep(60)\ndef step(sensor, motor, aux): pass\n"));
+  plan.callback_seconds = 0.05;
+  const RunResult result = experiment::Run(plan);
+  ASSERT_TRUE(result.brain_error);
+  EXPECT_NE(result.brain_error->message.find("0.6 s"), std::string::npos)
+      << result.brain_error->message;
+}
+
+class ImitationTest : public ExperimentTest {
+ protected:
+  ImitationPlan PlanWith(const fs::path& brain) const {
+    return {.task = "stack",
+            .demonstration = RecordStacking(),
+            .scene = Pair(),
+            .brain = brain,
+            .record = root_ / "imitation",
+            .has_pictures = false,
+            .eye = {.width_px = 32, .height_px = 24},
+            .robot = Baxter()};
+  }
+};
+
+TEST_F(ImitationTest, IsScoredAgainstTheDemonstration) {
+  const ImitationResult result = Imitate(PlanWith(Python("  aux.exit = True\n")));
+  EXPECT_FALSE(result.is_rebuilt);
+  EXPECT_FALSE(result.brain_error);
+  EXPECT_EQ(result.json["task"], "stack");
+  EXPECT_EQ(result.json["brain"]["status"], "exited");
+  EXPECT_LT(result.json["score"].get<double>(), 1);
+  EXPECT_TRUE(record::IsRecording(root_ / "imitation"));
+}
+
+TEST_F(ImitationTest, ACancelledOneIsScoredAsFarAsItCame) {
+  const ImitationPlan plan = PlanWith(Python("  pass\n"));
+  bool has_begun = false;
+  const ImitationResult result = Imitate(
+      plan,
+      {.is_cancelled = [&] { return has_begun; },
+       .on_progress = [&](const std::string&, double done, double) { has_begun = done > 0.3; }});
+  EXPECT_FALSE(result.is_rebuilt);
+  EXPECT_NEAR(result.json["seconds"].get<double>(), 0.3, 0.05);
+  EXPECT_TRUE(record::IsRecording(root_ / "imitation"));
+}
+
+TEST_F(ImitationTest, ASceneWithoutTheObjectsIsRefused) {
+  ImitationPlan plan = PlanWith(Python("  pass\n"));
+  plan.scene = SceneOf("<block id=\"b\" color=\"blue\" location=\"(2, -3, 0.5)\"/>");
+  EXPECT_THROW(Imitate(plan), InputError);
+  EXPECT_FALSE(Exists("imitation"));
+}
+
+}  // namespace
+}  // namespace smile::experiment

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "layout/layout_level.h"
+#include "scene/scene_spec.h"
+
+namespace smile::layout {
+
+/// Choice of the starting positions of the loose objects of a scene.
+struct LayoutChoice {
+  std::optional<std::uint64_t> seed;  ///< nullopt: the positions in the scene file
+  LayoutLevel level = LayoutLevel::kScattered;
+};
+
+/// The scene with the chosen starting positions, see RandomLayout().
+/// @throws std::invalid_argument if there is no such layout.
+scene::SceneSpec LaidOut(scene::SceneSpec scene, const LayoutChoice& choice);
+
+}  // namespace smile::layout

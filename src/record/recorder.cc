@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/files.h"
+#include "record/internal_beginning.h"
 #include "record/internal_recording_files.h"
 #include "record/trace_reader.h"
 #include "sim/eye.h"
@@ -22,7 +23,7 @@ void CheckBefore(const std::filesystem::path& directory, const RecorderOptions& 
   if (placement && placement->files.empty()) {
     throw std::invalid_argument("recording: a robot without its files cannot be recorded");
   }
-  RequireNewDirectory(directory);
+  if (!IsAbandoned(directory)) RequireNewDirectory(directory);
 }
 
 DemoInfo InfoOf(const RecorderOptions& options, const sim::Eye* eye,
@@ -103,6 +104,7 @@ Recorder::Recorder(const std::filesystem::path& directory, const RecorderOptions
 
 void Recorder::Begin(const RecorderOptions& options, sim::Eye* eye,
                      const sim::Simulation& simulation, const std::vector<LoggedCommand>& past) {
+  BeginningMark mark(directory_);
   WriteWorld(directory_, simulation.model());
   const TraceTick first = Observe(simulation);
   const std::vector<sim::Event> standing = StandingOf(simulation);
@@ -117,6 +119,7 @@ void Recorder::Begin(const RecorderOptions& options, sim::Eye* eye,
   // Last: whatever has it can be opened.
   const Moment start{.line = num_lines_, .tick = tick_};
   WriteFile(directory_ / "demo.json", ToJsonText(InfoOf(options, eye, simulation, start)));
+  mark.Remove();
 }
 
 void Recorder::Write(const LogLine& line, double meters_per_unit) {

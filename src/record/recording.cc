@@ -6,6 +6,7 @@
 #include "base/diagnostic.h"
 #include "base/files.h"
 #include "image/png.h"
+#include "record/internal_beginning.h"
 #include "record/internal_classic_files.h"
 #include "record/trace_reader.h"
 #include "robot/urdf_reader.h"
@@ -109,6 +110,11 @@ std::optional<std::filesystem::path> RecordingAround(const std::filesystem::path
 }
 
 Recording OpenRecording(const std::filesystem::path& directory) {
+  if (IsAbandoned(directory)) {
+    throw InputError({directory.string(), 0, "",
+                      "holds no recording: the program was killed before it had begun one; a new "
+                      "recording may take its place"});
+  }
   if (!IsRecording(directory)) {
     throw InputError({directory.string(), 0, "",
                       "is not a recording; expected a directory with a demo.json in it"});

@@ -4,6 +4,8 @@
 #include <cctype>
 #include <string_view>
 
+#include "record/internal_beginning.h"
+
 namespace smile::record {
 namespace {
 
@@ -41,7 +43,10 @@ std::string RecordingNameFor(const std::string& title) {
 
 std::filesystem::path NewDirectory(const std::filesystem::path& root, const std::string& name) {
   std::filesystem::path directory = root / name;
-  for (int number = 2; std::filesystem::exists(directory) && number < kMaxSameNames; ++number) {
+  const auto is_taken = [&] {
+    return std::filesystem::exists(directory) && !IsAbandoned(directory);
+  };
+  for (int number = 2; is_taken() && number < kMaxSameNames; ++number) {
     directory = root / (name + "-" + std::to_string(number));
   }
   return directory;

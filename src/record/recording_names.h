@@ -14,7 +14,8 @@ inline constexpr const char* kNameForm =
 /// Such a name, as like the title as can be: what it may not have becomes `_`.
 std::string RecordingNameFor(const std::string& title);
 
-/// A directory under the root that is not there yet: `um`, or `um-2` if that is taken, …
+/// A directory under the root for a new recording: `um`, or `um-2` if that is taken, … One that
+/// holds nothing but a beginning that was abandoned is free.
 std::filesystem::path NewDirectory(const std::filesystem::path& root, const std::string& name);
 
 }  // namespace smile::record

@@ -6,6 +6,7 @@
 #include "app/exit_code.h"
 #include "app/options.h"
 #include "base/json.h"
+#include "record/demo_info.h"
 #include "record/import_classic.h"
 #include "scene_xml/scene_reader.h"
 
@@ -20,6 +21,7 @@ struct ImportCommandOptions {
 };
 
 int Import(ImportCommandOptions* options) {
+  record::CheckTitle(options->import.title);
   if (!options->scene.empty()) {
     options->import.scene = scene_xml::LoadScene(options->scene, options->path.reader());
   }

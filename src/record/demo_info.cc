@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <stdexcept>
 #include <string_view>
@@ -253,7 +254,15 @@ DemoInfo ReadDemoInfo(const std::filesystem::path& path) {
   }
 }
 
-void CheckTitle(const std::string& title) { CheckLength("title", title, kMaxTitleBytes); }
+bool IsBlank(std::string_view title) {
+  const auto is_space = [](unsigned char c) { return std::isspace(c) != 0; };
+  return !title.empty() && std::ranges::all_of(title, is_space);
+}
+
+void CheckTitle(const std::string& title) {
+  CheckLength("title", title, kMaxTitleBytes);
+  if (IsBlank(title)) throw std::invalid_argument(kBlankTitle);
+}
 
 void Retitle(const std::filesystem::path& directory, const std::optional<std::string>& title,
              const std::optional<std::string>& notes) {

@@ -78,13 +78,17 @@ std::string ToJsonText(const DemoInfo& info);
 DemoInfo ReadDemoInfo(const std::filesystem::path& path);
 
 inline constexpr std::size_t kMaxTitleBytes = 256, kMaxNotesBytes = 8 << 10;
-/// @throws std::invalid_argument if it is longer than kMaxTitleBytes.
+inline constexpr const char* kBlankTitle = "title is blank, expected words or nothing";
+/// True of a title that is not empty and shows nothing.
+bool IsBlank(std::string_view title);
+/// @throws std::invalid_argument if it is longer than kMaxTitleBytes or blank.
 void CheckTitle(const std::string& title);
 
 /// Says of a recording otherwise; all else in its `demo.json` stays as it is.
 /// @param title, notes  nullopt: as they are.
-/// @throws std::invalid_argument if they are longer than kMaxTitleBytes and kMaxNotesBytes;
-///         InputError if it is no recording; std::runtime_error while it is being recorded.
+/// @throws std::invalid_argument if they are longer than kMaxTitleBytes and kMaxNotesBytes, or
+///         the title is blank; InputError if it is no recording; std::runtime_error while it is
+///         being recorded.
 void Retitle(const std::filesystem::path& directory, const std::optional<std::string>& title,
              const std::optional<std::string>& notes);
 

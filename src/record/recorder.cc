@@ -19,6 +19,7 @@ void CheckBefore(const std::filesystem::path& directory, const RecorderOptions& 
                                 std::to_string(options.frames_per_second) +
                                 ", expected more than 0 and at most 60");
   }
+  if (IsBlank(options.title)) throw std::invalid_argument(std::string("recording: ") + kBlankTitle);
   const auto& placement = simulation.model().robot_placement();
   if (placement && placement->files.empty()) {
     throw std::invalid_argument("recording: a robot without its files cannot be recorded");

@@ -26,6 +26,7 @@ std::optional<sim::Refusal> RecordingDesk::Start(const sim::Simulation& simulati
   std::string name = start.name.empty() ? simulation.scene().name : start.name;
   if (start.name.empty() && !IsRecordingName(name)) name = "recording";
   if (!IsRecordingName(name)) return "\"name\" is " + Quoted(name) + ", expected " + kNameForm;
+  if (IsBlank(start.title)) return kBlankTitle;
   RecorderOptions options = options_.recording;
   if (!start.title.empty()) options.title = start.title;
   if (!start.notes.empty()) options.notes = start.notes;

@@ -49,6 +49,13 @@ TEST_F(RecordingDeskTest, NoNameLeadsOutOfItsFolder) {
   EXPECT_TRUE(std::filesystem::is_empty(root_));
 }
 
+TEST_F(RecordingDeskTest, ABlankTitleIsRefused) {
+  EXPECT_EQ(*simulation_->Apply(sim::StartRecording{.name = "take", .title = " \t "}), kBlankTitle);
+  EXPECT_TRUE(std::filesystem::is_empty(root_));
+  EXPECT_THROW(Recorder(root_ / "demo", {.title = "  "}, nullptr, *simulation_),
+               std::invalid_argument);
+}
+
 TEST_F(RecordingDeskTest, WhatWasUndoneBeforeTheStartIsNoPartOfThePast) {
   Do(sim::Grasp{.hand = HandName::kLeft, .object = "a"}, 20);
   Do(sim::Undo());

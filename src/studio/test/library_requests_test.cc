@@ -46,6 +46,9 @@ TEST_F(LibraryRequestsTest, TidyUp) {
   EXPECT_EQ(Ask("rename", {{"recording", "demo"}, {"title", "Um"}, {"notes", nullptr}})["ok"],
             true);
   EXPECT_EQ(Ask("library", {}, /*is_controller=*/false)["recordings"][0]["title"], "Um");
+  EXPECT_EQ(Ask("rename", {{"recording", "demo"}, {"title", "  "}, {"notes", nullptr}})["error"],
+            record::kBlankTitle);
+  EXPECT_EQ(library_.List()[0]["title"], "Um");
   EXPECT_EQ(Ask("bin", {{"recording", "demo"}})["recording"], "demo~1");
   EXPECT_EQ(Ask("unbin", {{"recording", "demo~1"}})["recording"], "demo");
   EXPECT_EQ(Ask("rename", {{"recording", 7}})["error"],

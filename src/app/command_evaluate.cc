@@ -194,16 +194,15 @@ void AddEvaluate(CLI::App* program, ExitAnswer answer) {
   evaluate->add_option("--scene", options->scene, "scene file the robot has never seen")
       ->required()
       ->check(NotEmpty());
-  evaluate->add_option("--brain", options->brains, "a robot program; repeated for each of several")
+  Repeatable(evaluate->add_option("--brain", options->brains,
+                                  "a robot program; repeated for each of several"))
       ->required()
-      ->check(NotEmpty())
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+      ->check(NotEmpty());
   CLI::Option* demonstrators =
-      evaluate
-          ->add_option("--demonstrators", options->demonstrators,
-                       "who is seen in the pictures of the recording, to be compared: some of "
-                       "invisible, ghost and forearm, with commas between them")
+      Repeatable(
+          evaluate->add_option("--demonstrators", options->demonstrators,
+                               "who is seen in the pictures of the recording, to be compared: "
+                               "some of invisible, ghost and forearm, with commas between them"))
           ->delimiter(',')
           ->check(CLI::IsMember(std::vector<std::string>(record::kDemonstratorLooks.begin(),
                                                          record::kDemonstratorLooks.end())));

@@ -98,13 +98,12 @@ std::optional<sim::RobotPlacement> PlaceRobot(const RobotOptions& options,
   return placement;
 }
 
+CLI::Option* Repeatable(CLI::Option* option) { return option->allow_extra_args(false); }
+
 void AddPathOption(CLI::App* command, PathOptions* options) {
-  command
-      ->add_option(
-          "--path", options->roots,
-          "folder to look in for files a scene or a robot names, after their own; may be repeated")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  Repeatable(command->add_option(
+      "--path", options->roots,
+      "folder to look in for files a scene or a robot names, after their own; may be repeated"));
 }
 
 CLI::Option* AddDemonstratorOption(CLI::App* command, std::string* look) {

@@ -14,6 +14,11 @@
 
 namespace smile::app {
 
+/// Lets an option be repeated for several values. Each time it takes one value and leaves what
+/// follows to positional arguments.
+/// @param option  of a vector.
+CLI::Option* Repeatable(CLI::Option* option);
+
 /// `--path DIR…`: where scene files look for what they include, after their own folder.
 struct PathOptions {
   std::vector<std::string> roots;

@@ -1,0 +1,51 @@
+// Options that may be repeated, before and after the positional arguments.
+
+#include "program.h"
+
+namespace smile {
+namespace {
+
+class Options : public ProgramTest {
+ protected:
+  Options() {
+    Write("pair.xml", PairOfBlocks());
+    Write("here/blocks.xml", SceneOf("<block id=\"a\" color=\"red\" location=\"(0, -3, 0.5)\"/>"));
+    Write("there/more.xml", "");
+    Write("scene.xml", SceneOf("<include file=\"blocks.xml\"/>"));
+  }
+};
+
+TEST_F(Options, ARepeatableOptionTakesOneValueEachTime) {
+  for (const char* command :
+       {"run --path here scene.xml --seconds 0 --json", "check --path here scene.xml",
+        "check --path there --path here scene.xml", "check scene.xml --path there --path here",
+        "render --size 16x12 --no-robot --out picture.png --path here scene.xml",
+        "layout --seed 1 --out laid.xml --path here scene.xml"}) {
+    const Answer answer = Smile(command);
+    EXPECT_EQ(answer.exit_code, 0) << command << ": " << answer.err;
+  }
+}
+
+TEST_F(Options, ARepeatableOptionLeavesDemonstrationAndSceneAlone) {
+  Write("lift.jsonl", "{\"hand\":\"right\",\"do\":\"grasp\",\"object\":\"a\"}\n");
+  ASSERT_EQ(Smile("run pair.xml --commands lift.jsonl --record demo --no-pictures").exit_code, 0);
+  // They get as far as the robot program, which is missing.
+  for (const char* command :
+       {"imitate --brain nowhere --out out --path here demo scene.xml",
+        "evaluate --scene pair.xml --out ev --brain nowhere demo",
+        "evaluate --scene pair.xml --out ev --brain nowhere --demonstrators ghost,forearm demo"}) {
+    const Answer answer = Smile(command);
+    EXPECT_EQ(answer.exit_code, 1) << command;
+    EXPECT_NE(answer.err.find("nowhere"), std::string::npos) << answer.err;
+  }
+}
+
+TEST_F(Options, ABlankTitleIsRefused) {
+  const Answer answer = Smile("run pair.xml --seconds 0 --record demo --title '  '");
+  EXPECT_EQ(answer.exit_code, 2);
+  EXPECT_EQ(answer.err, "smile: recording: title is blank, expected words or nothing\n");
+  EXPECT_FALSE(Exists("demo"));
+}
+
+}  // namespace
+}  // namespace smile

@@ -1,16 +1,15 @@
 #include <CLI/CLI.hpp>
-#include <charconv>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
 
 #include "app/commands.h"
+#include "app/edit_texts.h"
 #include "app/interrupt.h"
 #include "app/open_recording.h"
 #include "app/options.h"
 #include "app/progress.h"
-#include "base/wording.h"
 #include "picture/rendered_eye.h"
 #include "record/edit_json.h"
 #include "record/re_simulation.h"
@@ -29,111 +28,6 @@ struct EditOptions {
   std::string demo, out;
   std::vector<TypedEdit> edits;  ///< in the order of the command line
   bool dry_run = false, no_pictures = false, json = false;
-};
-
-/// Reads numbers and the signs between them, as in `3:0.5-2`.
-class EditText {
- public:
-  /// @param form  what the text should be like.
-  EditText(const std::string& text, const char* form)
-      : text_(text), form_(form), rest_(text_.data()) {}
-
-  template <class T>
-  T Number() {
-    T number{};
-    const auto [end, error] = std::from_chars(rest_, this->end(), number);
-    if (error != std::errc()) Fail();
-    rest_ = end;
-    return number;
-  }
-  bool Take(char sign) {
-    if (rest_ == end() || *rest_ != sign) return false;
-    ++rest_;
-    return true;
-  }
-  void Expect(char sign) {
-    if (!Take(sign)) Fail();
-  }
-  void ExpectEnd() {
-    if (rest_ != end()) Fail();
-  }
-
- private:
-  const char* end() const { return text_.data() + text_.size(); }
-  [[noreturn]] void Fail() const {
-    throw std::invalid_argument("found " + Quoted(text_) + ", expected " + form_);
-  }
-
-  const std::string& text_;
-  const char* form_;
-  const char* rest_;
-};
-
-record::Edit ParseDrop(const std::string& text) {
-  EditText in(text, "the number of a segment, or two like 2-4");
-  record::Drop drop{.first = in.Number<int>()};
-  drop.last = in.Take('-') ? in.Number<int>() : drop.first;
-  in.ExpectEnd();
-  return drop;
-}
-
-record::Edit ParseMove(const std::string& text) {
-  EditText in(text, "the number of a segment and its place, like 5:2");
-  record::Move move{.segment = in.Number<int>()};
-  in.Expect(':');
-  move.place = in.Number<int>();
-  in.ExpectEnd();
-  return move;
-}
-
-record::Edit ParseTrim(const std::string& text) {
-  EditText in(text, "the number of a segment and the seconds to keep, like 3:0.5-2");
-  record::Trim trim{.segment = in.Number<int>()};
-  in.Expect(':');
-  trim.from = in.Number<double>();
-  in.Expect('-');
-  trim.to = in.Number<double>();
-  in.ExpectEnd();
-  return trim;
-}
-
-record::Edit ParseMaxPause(const std::string& text) {
-  EditText in(text, "seconds, like 0.5");
-  const record::MaxPause longest{in.Number<double>()};
-  in.ExpectEnd();
-  return longest;
-}
-
-record::Edit ParseRetime(const std::string& text) {
-  EditText in(text, "the number of a segment and its seconds, like 3:1.5");
-  record::Retime retime{.segment = in.Number<int>()};
-  in.Expect(':');
-  retime.seconds = in.Number<double>();
-  in.ExpectEnd();
-  return retime;
-}
-
-record::Edit ParseSpeed(const std::string& text) {
-  EditText in(text, "a factor, like 1.5");
-  const record::Speed speed{in.Number<double>()};
-  in.ExpectEnd();
-  return speed;
-}
-
-struct EditOption {
-  const char* name;
-  const char* form;
-  const char* meaning;
-  record::Edit (*parse)(const std::string& text);
-};
-
-constexpr EditOption kEditOptions[] = {
-    {"--drop", "N[-M]", "leave out segments", &ParseDrop},
-    {"--move", "N:K", "put segment N elsewhere: it becomes the K-th action", &ParseMove},
-    {"--trim", "N:FROM-TO", "keep only these seconds of segment N, and its action", &ParseTrim},
-    {"--max-pause", "S", "shorten every longer pause to S seconds", &ParseMaxPause},
-    {"--retime", "N:SECONDS", "make segment N last that long", &ParseRetime},
-    {"--speed", "F", "make everything F times as fast", &ParseSpeed},
 };
 
 void Print(const record::EditReport& report) {
@@ -215,7 +109,7 @@ void EditDemo(const EditOptions& options) {
 
 /// Takes edits down in the order in which they are typed.
 void AddEditOptions(CLI::App* edit, const std::shared_ptr<EditOptions>& options) {
-  for (const EditOption& option : kEditOptions) {
+  for (const EditOption& option : AllEditOptions()) {
     const auto take = [options, option](const std::string& text) {
       const std::string typed = std::string(option.name) + " " + text;
       try {

@@ -1,0 +1,113 @@
+#include "app/edit_texts.h"
+
+#include <charconv>
+#include <stdexcept>
+
+#include "base/wording.h"
+
+namespace smile::app {
+namespace {
+
+/// Reads numbers and the signs between them, as in `3:0.5-2`.
+class EditText {
+ public:
+  /// @param form  what the text should be like.
+  EditText(const std::string& text, const char* form)
+      : text_(text), form_(form), rest_(text_.data()) {}
+
+  template <class T>
+  T Number() {
+    T number{};
+    const auto [end, error] = std::from_chars(rest_, this->end(), number);
+    if (error != std::errc()) Fail();
+    rest_ = end;
+    return number;
+  }
+  bool Take(char sign) {
+    if (rest_ == end() || *rest_ != sign) return false;
+    ++rest_;
+    return true;
+  }
+  void Expect(char sign) {
+    if (!Take(sign)) Fail();
+  }
+  void ExpectEnd() {
+    if (rest_ != end()) Fail();
+  }
+
+ private:
+  const char* end() const { return text_.data() + text_.size(); }
+  [[noreturn]] void Fail() const {
+    throw std::invalid_argument("found " + Quoted(text_) + ", expected " + form_);
+  }
+
+  const std::string& text_;
+  const char* form_;
+  const char* rest_;
+};
+
+record::Edit ParseDrop(const std::string& text) {
+  EditText in(text, "the number of a segment, or two like 2-4");
+  record::Drop drop{.first = in.Number<int>()};
+  drop.last = in.Take('-') ? in.Number<int>() : drop.first;
+  in.ExpectEnd();
+  return drop;
+}
+
+record::Edit ParseMove(const std::string& text) {
+  EditText in(text, "the number of a segment and its place, like 5:2");
+  record::Move move{.segment = in.Number<int>()};
+  in.Expect(':');
+  move.place = in.Number<int>();
+  in.ExpectEnd();
+  return move;
+}
+
+record::Edit ParseTrim(const std::string& text) {
+  EditText in(text, "the number of a segment and the seconds to keep, like 3:0.5-2");
+  record::Trim trim{.segment = in.Number<int>()};
+  in.Expect(':');
+  trim.from = in.Number<double>();
+  in.Expect('-');
+  trim.to = in.Number<double>();
+  in.ExpectEnd();
+  return trim;
+}
+
+record::Edit ParseMaxPause(const std::string& text) {
+  EditText in(text, "seconds, like 0.5");
+  const record::MaxPause longest{in.Number<double>()};
+  in.ExpectEnd();
+  return longest;
+}
+
+record::Edit ParseRetime(const std::string& text) {
+  EditText in(text, "the number of a segment and its seconds, like 3:1.5");
+  record::Retime retime{.segment = in.Number<int>()};
+  in.Expect(':');
+  retime.seconds = in.Number<double>();
+  in.ExpectEnd();
+  return retime;
+}
+
+record::Edit ParseSpeed(const std::string& text) {
+  EditText in(text, "a factor, like 1.5");
+  const record::Speed speed{in.Number<double>()};
+  in.ExpectEnd();
+  return speed;
+}
+
+constexpr EditOption kEditOptions[] = {
+    {"--drop", "N[-M]", "leave out segments", &ParseDrop},
+    {"--move", "N:K", "put segment N elsewhere: it becomes the K-th action", &ParseMove},
+    {"--trim", "N:FROM-TO", "keep only these seconds of segment N, and its action", &ParseTrim},
+    {"--max-pause", "S", "shorten every longer pause to S seconds", &ParseMaxPause},
+    {"--retime", "N:SECONDS", "make segment N last that long", &ParseRetime},
+    {"--speed", "F", "make everything F times as fast", &ParseSpeed},
+};
+
+}  // namespace
+
+std::span<const EditOption> AllEditOptions() { return kEditOptions; }
+
+}  // namespace smile::app

@@ -1,0 +1,118 @@
+#include "app/evaluation_plan.h"
+
+#include <map>
+#include <set>
+#include <stdexcept>
+
+#include "app/open_recording.h"
+#include "base/wording.h"
+#include "scene_xml/scene_reader.h"
+
+namespace smile::app {
+namespace {
+
+const std::map<std::string, experiment::Keep> kKeepWords{{"all", experiment::Keep::kAll},
+                                                         {"failures", experiment::Keep::kFailures},
+                                                         {"none", experiment::Keep::kNone}};
+
+/// Options that `smile imitate` is given for every run.
+std::vector<std::string> OtherArguments(const EvaluateOptions& options) {
+  std::vector<std::string> arguments{"--seconds", NumberText(options.max_seconds)};
+  const auto add = [&arguments](const char* name, const std::string& value) {
+    if (!value.empty()) arguments.insert(arguments.end(), {name, value});
+  };
+  const auto add_flag = [&arguments](const char* name, bool is_set) {
+    if (is_set) arguments.emplace_back(name);
+  };
+  add("--patience", NumberText(options.patience));
+  if (options.eye.camera != EyeOptions().camera) add("--eye", options.eye.camera);
+  add("--size", options.eye.size);
+  add("--noise", options.noise);
+  add("--robot", options.robot.urdf);
+  add("--side-file", options.robot.side_file);
+  add("--gripper", options.robot.gripper);
+  add_flag("--classic", options.robot.classic);
+  add_flag("--kinematic", options.robot.body.is_kinematic);
+  add_flag("--friction-grasp", options.robot.body.grasps_by_friction);
+  for (const std::string& root : options.path.roots) add("--path", root);
+  return arguments;
+}
+
+/// Arguments of `smile imitate` for a run.
+std::vector<std::string> ImitateArguments(const EvaluateOptions& options, const std::string& demo,
+                                          const std::string& brain, const std::string& seed,
+                                          const std::string& out) {
+  std::vector<std::string> arguments{"imitate", demo, options.scene, "--brain", brain,
+                                     "--seed",  seed, "--out",       out};
+  if (!options.level.empty()) arguments.insert(arguments.end(), {"--level", options.level});
+  const std::vector<std::string> others = OtherArguments(options);
+  arguments.insert(arguments.end(), others.begin(), others.end());
+  return arguments;
+}
+
+/// A word of a line of shell.
+std::string ShellWord(const std::string& word) {
+  constexpr std::string_view kPlain =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-._/=,:+";
+  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
+  std::string quoted = "'";
+  for (char letter : word) quoted += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
+  return quoted + "'";
+}
+
+/// The command that repeats a run with pictures, for people.
+std::string AgainText(const EvaluateOptions& options, const std::filesystem::path& out) {
+  const std::string demo = options.demonstrators.empty()
+                               ? options.demo
+                               : (out / experiment::kDemonstratorsFolder / "DEMONSTRATOR").string();
+  std::string line = "smile";
+  for (const std::string& word : ImitateArguments(options, demo, "BRAIN", "SEED", "out/again")) {
+    line += " " + ShellWord(word);
+  }
+  return line;
+}
+
+}  // namespace
+
+experiment::EvaluationPlan PlanOf(const EvaluateOptions& options) {
+  const std::filesystem::path out =
+      options.out.empty()
+          ? std::filesystem::path("out/evaluate") / std::filesystem::path(options.scene).stem()
+          : std::filesystem::path(options.out);
+  RequireOutsideOfRecordings(out.string());
+  if (std::set<std::string>(options.demonstrators.begin(), options.demonstrators.end()).size() <
+      options.demonstrators.size()) {
+    throw std::invalid_argument("--demonstrators names one of them twice");
+  }
+  OpenAndTell(options.demo);
+  EyeSpecOf(options.eye);
+  ParseNoise(options.noise);
+  experiment::EvaluationPlan plan{
+      .demonstration = options.demo,
+      .scene_name = options.scene,
+      .scene = scene_xml::LoadScene(options.scene, options.path.reader()),
+      .level = options.level,
+      .robot = PlaceRobot(options.robot, options.path)->files,
+      .brains = options.brains,
+      .demonstrators = options.demonstrators,
+      .has_symbols = !options.no_symbols,
+      .num_scenes = options.scenes,
+      .first_seed = options.seed,
+      .jobs = options.jobs,
+      .wall_seconds = options.wall_seconds,
+      .keep = kKeepWords.at(options.keep),
+      .out = out,
+      .program = std::filesystem::read_symlink("/proc/self/exe"),
+      .settings = OtherArguments(options),
+      .again = AgainText(options, out)};
+  plan.arguments = [options](const experiment::ImitationJob& job) {
+    std::vector<std::string> arguments =
+        ImitateArguments(options, job.demonstration.string(), job.brain.string(),
+                         std::to_string(job.seed), job.out.string());
+    arguments.emplace_back("--no-pictures");
+    return arguments;
+  };
+  return plan;
+}
+
+}  // namespace smile::app

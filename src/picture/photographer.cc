@@ -47,7 +47,7 @@ Photographer::Photographer(const model::Model& model, Shot shot,
   if (std::ranges::find(names, shot_.camera) != names.end()) {
     eye_.camera = shot_.camera == model::kEyeCamera ? shot_.eye : shot_.camera;
   } else {
-    view_for_people_ = FindView(shot_.camera, model.scene(), eye_, names);
+    view_for_people_ = FindView(shot_.camera, model.scene(), eye_, names, model.robot() != nullptr);
   }
 }
 

@@ -53,8 +53,10 @@ std::vector<Ball> BallsOf(const scene::SceneSpec& scene) {
   return balls;
 }
 
-/// As near as shows all balls, from where the robot stands, a little from the left and above.
-RigidTransform ClosePose(const std::vector<Ball>& balls, const CameraIntrinsics& intrinsics) {
+/// As near as shows all balls, from above and a little from the side: from where the robot would
+/// stand, or, so that it does not stand in between, from the other side of the table.
+RigidTransform ClosePose(const std::vector<Ball>& balls, const CameraIntrinsics& intrinsics,
+                         bool has_robot) {
   constexpr double kNearest = 0.3;  // [m]
   Eigen::AlignedBox3d bounds;
   for (const Ball& ball : balls) {
@@ -62,7 +64,7 @@ RigidTransform ClosePose(const std::vector<Ball>& balls, const CameraIntrinsics&
     bounds.extend(Vector3(ball.center.array() + ball.radius));
   }
   const Vector3 center = balls.empty() ? Vector3(0, 0, 0) : Vector3(bounds.center());
-  const Vector3 away = Vector3(-0.35, -1, 0.75).normalized();
+  const Vector3 away = (has_robot ? Vector3(0.35, 1, 0.75) : Vector3(-0.35, -1, 0.75)).normalized();
   const Matrix3 R_CW = LookAt(center + away, center).rotation().transpose();
   double distance = kNearest;
   for (const Ball& ball : balls) {
@@ -137,14 +139,16 @@ std::vector<std::string> ViewNames() {
 }
 
 CameraView FindView(std::string_view camera, const scene::SceneSpec& scene,
-                    const model::EyeSpec& size, const std::vector<std::string>& cameras) {
+                    const model::EyeSpec& size, const std::vector<std::string>& cameras,
+                    bool has_robot) {
   if (camera.find_first_of(":,") != std::string_view::npos) {
     return FreeView(camera, scene.meters_per_unit, size);
   }
   const auto intrinsics =
       CameraIntrinsics::FromVerticalFieldOfView(size.width_px, size.height_px, kFieldOfView);
   if (camera == kClose) {
-    return CameraView{.intrinsics = intrinsics, .X_WC = ClosePose(BallsOf(scene), intrinsics)};
+    return CameraView{.intrinsics = intrinsics,
+                      .X_WC = ClosePose(BallsOf(scene), intrinsics, has_robot)};
   }
   for (const Preset& preset : Presets()) {
     if (preset.name != camera) continue;

@@ -1,6 +1,7 @@
 #include "record/recording_desk.h"
 
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
 #include "base/diagnostic.h"
@@ -62,8 +63,18 @@ void RecordingDesk::Continue(const std::filesystem::path& directory, const Momen
 
 std::optional<sim::Refusal> RecordingDesk::Finish(const sim::Simulation&) {
   if (!recorder_) return "nothing is being recorded";
+  EndIfRemoved();
+  if (!recorder_) return failure_;
   recorder_.reset();
   return std::nullopt;
+}
+
+void RecordingDesk::EndIfRemoved() {
+  const std::filesystem::path file = directories_.back() / "demo.json";
+  std::error_code error;
+  if (std::filesystem::exists(file, error)) return;
+  failure_ = file.string() + ": was removed during the recording";
+  recorder_.reset();
 }
 
 template <class Part>
@@ -111,6 +122,7 @@ void RecordingDesk::OnRedo(const sim::Simulation& simulation) {
 }
 
 void RecordingDesk::OnTick(const sim::Simulation& simulation) {
+  if (recorder_ && simulation.tick() % sim::kTicksPerSecond == 0) EndIfRemoved();
   Record([&](Recorder& recorder) { recorder.OnTick(simulation); });
 }
 

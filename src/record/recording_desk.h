@@ -15,7 +15,8 @@ namespace smile::record {
 /// Starts and finishes recordings of a running simulation when told to. Remembers what was
 /// commanded, so that a recording may begin at any time.
 ///
-/// A disk that is full ends the recording, not the simulation: see failure().
+/// A disk that is full, or a directory that is removed meanwhile, ends the recording, not the
+/// simulation: see failure().
 class RecordingDesk : public sim::Listener, public sim::RecordingControl {
  public:
   struct Options {
@@ -32,6 +33,7 @@ class RecordingDesk : public sim::Listener, public sim::RecordingControl {
   /// Into a new directory under the root; a number is added to its name if it is taken.
   std::optional<sim::Refusal> Start(const sim::Simulation& simulation,
                                     const sim::StartRecording& start) override;
+  /// Refused, though it ends the recording, when its directory is missing: then nothing is kept.
   std::optional<sim::Refusal> Finish(const sim::Simulation& simulation) override;
 
   /// Into this very directory. Throws as Recorder does.
@@ -65,6 +67,9 @@ class RecordingDesk : public sim::Listener, public sim::RecordingControl {
   /// Lets the recorder do its part. If it cannot go on, what it wrote stays.
   template <class Part>
   void Record(const Part& part);
+  /// Ends the recording if its directory is missing: files that were removed can still be written
+  /// to, so nothing else reports that.
+  void EndIfRemoved();
 
   Options options_;
   std::vector<LoggedCommand> past_;         ///< what was commanded, as it stands

@@ -82,6 +82,8 @@ class Session::Impl {
   void RequireNoRecording() const;
   void RequireIdleRobot() const;
 
+  /// Of a recording that ended by itself.
+  void NoteFailure();
   bool TickLive();
   void EndImitation();
   void TellAllOfScene();
@@ -124,6 +126,7 @@ class Session::Impl {
   bool is_eye_broken_ = false;  ///< it cannot draw; that was told
   std::deque<Json> console_;    ///< the last lines that robot programs printed
   Json score_;                  ///< the last one that was told; null before
+  Json failure_;                ///< `failure` of a state message
   Json told_state_;             ///< without the time
   std::vector<int> told_looks_;
   std::uint64_t num_calls_ = 0;  ///< of Tick()

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <system_error>
 #include <utility>
 
 #include "scene/solid.h"
@@ -77,10 +78,15 @@ Json LiveWorld::DescribeRecording() const {
           {"segments", chronicle_.SegmentsSince(take_.num_actions_before, take_.start_tick, now)}};
 }
 
-std::optional<std::string> LiveWorld::TakeFailure() {
-  if (desk_.failure() == told_failure_) return std::nullopt;
-  told_failure_ = desk_.failure();
-  return told_failure_;
+std::optional<Json> LiveWorld::TakeFailure() {
+  const bool has_ended = std::exchange(was_recording_, is_recording()) && !is_recording();
+  if (!has_ended || !desk_.failure()) return std::nullopt;
+  const std::filesystem::path directory = recording_directory();
+  std::error_code error;
+  return Json{{"recording", directory.filename().string()},
+              {"title", take_.title},
+              {"error", *desk_.failure()},
+              {"kept", std::filesystem::exists(directory / "demo.json", error)}};
 }
 
 void LiveWorld::OnCommand(const sim::Simulation&, const sim::Command& command) {

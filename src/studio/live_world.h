@@ -43,8 +43,9 @@ class LiveWorld : private sim::Listener {
   std::filesystem::path recording_directory() const;
   /// `recording` of a state message; null without one.
   Json DescribeRecording() const;
-  /// Why a recording ended by itself, once.
-  std::optional<std::string> TakeFailure();
+  /// The recording that ended by itself since this was last asked, as `failure` of a state message;
+  /// nullopt without one. To be called often.
+  std::optional<Json> TakeFailure();
 
   /// What happened since this was last asked, as messages.
   std::vector<Json> TakeEvents() { return std::exchange(events_, {}); }
@@ -72,7 +73,7 @@ class LiveWorld : private sim::Listener {
   std::vector<Json> events_;
   std::string last_refusal_;
   bool is_applying_ = false;
-  std::optional<std::string> told_failure_;
+  bool was_recording_ = false;  ///< when TakeFailure() was last called
   std::vector<Vector3> markers_;
   std::vector<scene::Bounds> bounds_;
 };

@@ -70,14 +70,20 @@ bool Session::Impl::Tick() {
   } else if (!is_paused_) {
     has_ticked = TickLive();
   }
-  if (const auto failure = world_->TakeFailure()) {
-    messages_.push_back({{"t", "error"}, {"error", *failure}});
-  }
+  NoteFailure();
   TellConsole();
   LookThroughEye();
   TellLooks();
   TellStateIfDue();
   return has_ticked;
+}
+
+void Session::Impl::NoteFailure() {
+  if (auto failure = world_->TakeFailure()) {
+    failure_ = *std::move(failure);
+  } else if (world_->is_recording()) {
+    failure_ = nullptr;
+  }
 }
 
 bool Session::Impl::TickLive() {
@@ -185,6 +191,7 @@ Json Session::Impl::DescribeState() const {
     // What was before its start cannot be undone in it.
     if (state["recording"]["segments"].size() < 2) state["undo"] = false;
   }
+  state["failure"] = failure_;
   state["playback"] = nullptr;
   if (playback_) {
     state["playback"] = {{"recording", playback_->id()},

@@ -104,6 +104,8 @@ export interface StateMessage {
   redo: boolean;
   still: boolean;
   recording: { id: string; title: string; seconds: number; segments: Segment[] } | null;
+  /** The last recording ended by itself; `kept`: it is in the library up to then. */
+  failure: { recording: string; title: string; error: string; kept: boolean } | null;
   playback: { recording: string; seconds: number; length: number; rate: number } | null;
   controls: Record<string, string>;
   gone: string[];

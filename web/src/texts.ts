@@ -87,6 +87,13 @@ export const texts = {
     keptHeld: (title: string, object: string) => `“${title}” is in the library. It ends with ${object} in a hand.`,
   },
 
+  failure: {
+    kept: (title: string) =>
+      `“${title}” is no longer recorded. What you did until then is in the library; what you do now is not recorded.`,
+    lost: (title: string) => `“${title}” is lost: nothing of it is kept. What you do now is not recorded.`,
+    read: "Understood",
+  },
+
   time: {
     group: "Time",
     pause: "Pause",

@@ -1,9 +1,10 @@
 // What people are told when the program goes away, and when it cannot do what they want.
 
 import assert from "node:assert/strict";
-import { rmSync } from "node:fs";
+import { existsSync, rmSync } from "node:fs";
+import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { Browser, Studio } from "./workbench.mjs";
+import { Browser, replay, Studio } from "./workbench.mjs";
 
 const browser = new Browser();
 before(() => browser.start());
@@ -25,3 +26,49 @@ test("when the program dies, the page claims nothing that it cannot know", async
   await alert.waitFor();
   assert.equal((await alert.textContent()).trim(), "Connection lost. Reconnecting…");
 });
+
+test("a full disk ends the recording, and that is told once, till it is read", async (t) => {
+  const { studio, page, witness, person } = await browser.workplace(t, { studio: PLAIN, maxFileBytes: 60 * 1024 });
+  await person.press("Record");
+  await witness.until(() => witness.state.recording !== null, "a recording");
+  const { id } = witness.state.recording;
+  await person.grasp("RedBlock");
+  for (let k = 0; witness.state.recording !== null && k < 60; ++k) {
+    await person.dragTo("RedBlock", [null, null, k % 2 === 0 ? 3 : 1.5]);
+  }
+  await witness.until(() => witness.state.recording === null, "its end");
+  const alert = await onlyAlert(page);
+  assert.match(await alert.textContent(), /“tower” is no longer recorded.*is in the library.*File too large/);
+  assert.equal(replay(join(studio.recordings, id)).identical, true);
+  await person.press("Understood");
+  await alert.waitFor({ state: "detached" });
+});
+
+test("a recording whose folder is removed is told to be lost, not to be in the library", async (t) => {
+  const { studio, page, witness, person } = await browser.workplace(t, { studio: PLAIN });
+  await person.press("Pause");
+  await person.press("Record");
+  await witness.until(() => witness.state.recording !== null, "a recording");
+  const { id } = witness.state.recording;
+  rmSync(studio.recordings, { recursive: true });
+  await person.press("Finish");
+  await witness.until(() => witness.state.recording === null, "its end");
+  const alert = await onlyAlert(page);
+  assert.match(await alert.textContent(), /“tower” is lost.*was removed during the recording/);
+  assert.ok(!existsSync(join(studio.recordings, id)));
+  await person.press("Understood");
+  await person.press("Record");
+  await witness.until(() => witness.state.recording !== null, "the next one");
+  assert.equal(witness.state.failure, null);
+});
+
+/** The one thing that the page says, long after it came. */
+async function onlyAlert(page) {
+  const alert = page.locator(".banner.error");
+  await alert.waitFor();
+  await page.waitForTimeout(1000);
+  assert.deepEqual(await page.locator(".notice").allTextContents(), [], "nothing else is said");
+  await page.waitForTimeout(4000);
+  assert.equal(await alert.count(), 1, "it stays");
+  return alert;
+}

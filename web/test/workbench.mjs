@@ -54,12 +54,15 @@ export function replay(recording) {
 
 /** A running studio. `close()` ends it and takes its recordings away. */
 export class Studio {
-  static async start(words = []) {
+  /** @param maxFileBytes  larger files cannot be written, as if the disk were full */
+  static async start(words = [], { maxFileBytes = null } = {}) {
     const folder = mkdtempSync(join(tmpdir(), "smile-studio-"));
     const recordings = join(folder, "recordings");
-    const child = spawn(SMILE, ["studio", ...words, "--no-open", "--recordings", recordings], {
-      stdio: ["ignore", "pipe", "pipe"],
-    });
+    const command = [SMILE, "studio", ...words, "--no-open", "--recordings", recordings];
+    // The shell's blocks are of 512 bytes; the signal, once ignored, stays so.
+    const limited = `trap '' XFSZ; ulimit -f ${Math.floor(maxFileBytes / 512)}; exec "$0" "$@"`;
+    const [program, ...args] = maxFileBytes === null ? command : ["/bin/sh", "-c", limited, ...command];
+    const child = spawn(program, args, { stdio: ["ignore", "pipe", "pipe"] });
     const link = await firstLink(child);
     return new Studio(child, link, folder, recordings);
   }
@@ -117,8 +120,8 @@ export class Browser {
   }
 
   /** A studio, a person at its page, and a witness; at the end of the test all go, and the page has not complained. */
-  async workplace(t, { studio: words = [], page: options = {}, likes = {} } = {}) {
-    const studio = await Studio.start(words);
+  async workplace(t, { studio: words = [], maxFileBytes = null, page: options = {}, likes = {} } = {}) {
+    const studio = await Studio.start(words, { maxFileBytes });
     t.after(() => studio.close());
     const witness = await Witness.of(studio);
     const page = await this.open(studio, options, likes);

@@ -40,6 +40,20 @@ TEST_F(RecordingDeskTest, EveryRecordingHasADirectoryOfItsOwn) {
   EXPECT_EQ(OpenRecording(root_ / "take-2").info.start.tick, 3u);
 }
 
+TEST_F(RecordingDeskTest, ADirectoryThatIsRemovedEndsTheRecording) {
+  Do(sim::StartRecording{.name = "take"}, 10);
+  std::filesystem::remove_all(root_ / "take");
+  EXPECT_NE(simulation_->Apply(sim::FinishRecording())->find("take/demo.json: was removed"),
+            std::string::npos);
+  EXPECT_FALSE(desk_.is_recording());
+  Do(sim::StartRecording{.name = "take"}, 10);
+  EXPECT_EQ(desk_.failure(), std::nullopt);
+  std::filesystem::remove_all(root_ / "take");
+  for (int i = 0; i < sim::kTicksPerSecond; ++i) simulation_->Tick();
+  EXPECT_FALSE(desk_.is_recording()) << "it is noticed within a second";
+  EXPECT_NE(desk_.failure()->find("was removed"), std::string::npos);
+}
+
 TEST_F(RecordingDeskTest, NoNameLeadsOutOfItsFolder) {
   for (const char* name : {"../up", "/tmp/x", ".hidden", "a/b", "a\\b", "a\nb", ".."}) {
     const auto refusal = simulation_->Apply(sim::StartRecording{.name = name});

@@ -1,5 +1,8 @@
 #include "studio/session.h"
 
+#include <sys/resource.h>
+
+#include <csignal>
 #include <random>
 
 #include "../../record/test/painted_eye.h"
@@ -38,6 +41,46 @@ TEST_F(SessionTest, ADemonstrationIsRecordedAndReplays) {
   const record::Recording kept = record::OpenRecording(root_ / "recordings/take");
   EXPECT_EQ(record::Replay(kept).first_difference, std::nullopt);
   EXPECT_EQ(WordsOf(record::HistoryOf(kept)[2]), "left hand puts a on b");
+}
+
+TEST_F(SessionTest, AFullDiskEndsTheRecordingAndTheStateTellsIt) {
+  Begin();
+  Command(R"({"do":"start","name":"take"})");
+  EXPECT_TRUE(State()["failure"].is_null());
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit small{3000, before.rlim_max};
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+  PutAOnB();
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
+  const Json state = State();
+  EXPECT_TRUE(state["recording"].is_null());
+  const Json& failure = state["failure"];
+  EXPECT_EQ(failure["recording"], "take");
+  EXPECT_NE(failure["error"].get<std::string>().find("File too large"), std::string::npos);
+  EXPECT_EQ(failure["kept"], true);
+  EXPECT_EQ(Latest("error"), Json()) << "it is told once";
+  EXPECT_EQ(record::Replay(record::OpenRecording(root_ / "recordings/take")).first_difference,
+            std::nullopt);
+  Command(R"({"do":"start","name":"next"})");
+  TickOnce();
+  EXPECT_TRUE(State()["failure"].is_null());
+}
+
+TEST_F(SessionTest, ARecordingThatIsRemovedMeanwhileIsLost) {
+  Begin();
+  Command(R"({"do":"start","name":"take"})");
+  TickSeconds(0.5);
+  std::filesystem::remove_all(root_ / "recordings");
+  EXPECT_NE(Refused(R"({"do":"command","command":{"do":"finish"}})").find("was removed"),
+            std::string::npos);
+  TickOnce();
+  const Json state = State();
+  EXPECT_TRUE(state["recording"].is_null());
+  EXPECT_EQ(state["failure"]["recording"], "take");
+  EXPECT_EQ(state["failure"]["kept"], false);
 }
 
 TEST_F(SessionTest, ARecordingIsGoneOnWithFromAnyOfItsSteps) {

@@ -1,12 +1,12 @@
 import { useEffect } from "preact/hooks";
-import { useSignal } from "@preact/signals";
+import { effect, signal, useSignal } from "@preact/signals";
 import { ask, clients, isConnected, isController, progress } from "../studio";
 import { texts } from "../texts";
 import { Button } from "../ui/buttons";
 import { openDialogs } from "../ui/dialog";
 import { Notices } from "../ui/notices";
 import { takeControl } from "./control";
-import { isPaused, isPlayback, isRage, mayControl } from "./now";
+import { failedRecording, isPaused, isPlayback, isRage, mayControl } from "./now";
 
 /** So long a connection may take before anybody is told that it takes long; and that it may never come. */
 const PATIENCE_MS = 800;
@@ -43,11 +43,33 @@ function Busy() {
   );
 }
 
+/** The failure that was read, and need not be told again. */
+const readFailure = signal<string | null>(null);
+effect(() => {
+  if (failedRecording.value === null) readFailure.value = null;
+});
+
+/** The last recording ended by itself: that stays until it is read. */
+function Failure() {
+  const { failure } = texts;
+  const now = failedRecording.value;
+  if (now === null || readFailure.value === now.recording) return null;
+  return (
+    <div class="banner error" role="alert">
+      <span>
+        {now.kept ? failure.kept(now.title || now.recording) : failure.lost(now.title || now.recording)} <small>{now.error}</small>
+      </span>
+      <Button label={failure.read} onClick={() => (readFailure.value = now.recording)} />
+    </div>
+  );
+}
+
 /** What is so as far as the program tells. */
 function Present() {
   return (
     <>
       <Busy />
+      <Failure />
       {clients.value !== null && !isController.value && (
         <div class="banner">
           <span>{texts.people.watchingBanner}</span>

@@ -28,6 +28,8 @@ export const liveSegments = settled(() => state.value?.recording?.segments ?? []
 export const brain = settled(() => state.value?.brain ?? null);
 /** A robot program is at work, or is about to. */
 export const isBrainAtWork = computed(() => ["starting", "running"].includes(brain.value?.status ?? ""));
+/** The last recording, if it ended by itself. */
+export const failedRecording = settled(() => state.value?.failure ?? null);
 export const snaps = settled(() => state.value?.snap ?? []);
 export const gone = settled(() => state.value?.gone ?? []);
 export const attention = settled(() => state.value?.attention ?? {});

@@ -1,6 +1,6 @@
 import { signal } from "@preact/signals";
 import type { Deed } from "../protocol";
-import { ask, notify, request } from "../studio";
+import { ask, notify, request, state } from "../studio";
 import { texts } from "../texts";
 import { holders, shownRecording } from "./now";
 
@@ -74,10 +74,31 @@ export async function onRecordingShown(id: string): Promise<void> {
   }
 }
 
+/** So long the state may take to tell why a recording ended by itself [ms]. */
+const FAILURE_MS = 500;
+
+/** What ended the recording by itself stays on the page: it is not told twice. */
+export async function finishRecording(): Promise<void> {
+  const recording = state.value?.recording?.id;
+  const refusal = await request("command", { command: { do: "finish" } }).then(
+    () => null,
+    (error: Error) => error.message,
+  );
+  if (refusal === null) return;
+  await new Promise((resolve) => setTimeout(resolve, FAILURE_MS));
+  if (state.value?.failure?.recording !== recording) notify(refusal, true);
+}
+
 /** A recording is complete: here, not by whoever finished it, for watchers see it too. */
 export async function onRecordingFinished(id: string): Promise<void> {
   pictureAge.value += 1;
   await refreshRecordings();
+  const failure = state.value?.failure ?? null;
+  if (failure?.recording === id) {
+    // A banner tells it, and stays.
+    if (failure.kept) await openRecording(id);
+    return;
+  }
   await openRecording(id);
   const held = Object.keys(holders.value)[0];
   const title = titleOf(id);

@@ -9,6 +9,7 @@ import { Control } from "./control";
 import { keyFor } from "./key_names";
 import { isPaused, isPlayback, isRecording, mayAct, mayControl } from "./now";
 import { DETAILS, detail, isHelpOpen, theme, THEMES } from "./page";
+import { finishRecording } from "./recordings";
 
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4];
 
@@ -28,7 +29,7 @@ function RecordButtons() {
           keys={keyFor("record.toggle")}
           tour="record"
           disabled={!mayControl.value}
-          onClick={() => void command({ do: "finish" })}
+          onClick={() => void finishRecording()}
         >
           <span class="record-time" aria-hidden="true">{texts.seconds(seconds)}</span>
         </Button>

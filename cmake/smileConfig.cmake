@@ -5,6 +5,7 @@ pkg_check_modules(JSON REQUIRED QUIET IMPORTED_TARGET nlohmann_json)
 pkg_check_modules(PNG REQUIRED QUIET IMPORTED_TARGET libpng)
 # Only smile::motion needs these.
 pkg_check_modules(ASSIMP QUIET IMPORTED_TARGET assimp)
+pkg_check_modules(LIBXML QUIET IMPORTED_TARGET libxml-2.0)
 pkg_check_modules(BULLET QUIET IMPORTED_TARGET bullet-float64)
 pkg_check_modules(URDF QUIET IMPORTED_TARGET urdfdom)
 include("${CMAKE_CURRENT_LIST_DIR}/smileTargets.cmake")

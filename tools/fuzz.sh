@@ -25,6 +25,7 @@ seeds_of() {
   local file format
   case $1 in
     json) find examples robots -name '*.json*' ;;
+    xml) find scenes robots -name '*.xml' -o -name '*.urdf' -o -name '*.dae' ;;
     scene) find scenes -name '*.xml' ;;
     robot) find robots -name '*.urdf' ;;
     mesh) find scenes \( -name '*.stl' -o -name '*.obj' -o -name '*.dae' -o -name '*.gltf' -o -name '*.glb' \) -size -128k ;;

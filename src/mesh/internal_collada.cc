@@ -20,13 +20,16 @@
 #include <string>
 #include <vector>
 
+#include "base/diagnostic.h"
 #include "base/wording.h"
 #include "mesh/internal_mesh_formats.h"
+#include "xml/parse.h"
 
 namespace smile::mesh {
 namespace {
 
 constexpr const char* kOnlyFile = "mesh.dae";
+constexpr std::size_t kMaxBytes = 16u << 20;
 /// How the child ends when its answer is what is wrong; unlike any ending of a library's.
 constexpr int kRefused = 42;
 constexpr const char* kTooMuch =
@@ -79,50 +82,27 @@ class OneFileSystem : public Assimp::IOSystem {
   std::string_view bytes_;
 };
 
-/// What the library would not bound: elements, how deep they are, parts by reference (of which a
-/// few lines make millions).
-void CheckCost(std::string_view xml) {
-  constexpr int kMaxElements = 200'000, kMaxDepth = 100;
-  int num_elements = 0, depth = 0;
-  const auto skip_to = [&](std::size_t at, std::string_view end) {
-    const std::size_t found = xml.find(end, at);
-    if (found == std::string_view::npos) {
-      throw BadMesh("found the end in the middle of an element: it is cut short");
-    }
-    return found + end.size();
-  };
-  for (std::size_t at = xml.find('<'); at != std::string_view::npos; at = xml.find('<', at)) {
-    const std::string_view tag = xml.substr(at + 1, 24);
-    if (tag.starts_with("!--")) {
-      at = skip_to(at + 4, "-->");
-    } else if (tag.starts_with("![CDATA[")) {
-      at = skip_to(at, "]]>");
-    } else if (tag.starts_with('?')) {
-      at = skip_to(at, "?>");
-    } else if (tag.starts_with('!')) {
-      throw BadMesh("found a DOCTYPE, expected none");
-    } else if (tag.starts_with('/')) {
-      --depth;
-      at = skip_to(at, ">");
-    } else {
-      if (tag.starts_with("instance_node")) {
-        throw BadMesh("found <instance_node>, expected each node in its place");
-      }
-      // Values may hold what looks like the end.
-      char quote = 0;
-      for (++at; at < xml.size() && (quote || xml[at] != '>'); ++at) {
-        if (quote ? xml[at] == quote : xml[at] == '"' || xml[at] == '\'') {
-          quote = quote ? '\0' : xml[at];
-        }
-      }
-      if (at >= xml.size()) skip_to(at, ">");
-      if (xml[at - 1] != '/') ++depth;
-    }
-    if (++num_elements > kMaxElements || depth > kMaxDepth) {
-      throw BadMesh("found more than " + std::to_string(kMaxElements) + " elements or " +
-                    std::to_string(kMaxDepth) + " inside one another, expected fewer");
-    }
+void RefuseInstances(const xml::Element& element) {
+  if (element.name == "instance_node") {
+    throw BadMesh("line " + std::to_string(element.line) +
+                  ": found <instance_node>, expected each node in its place");
   }
+  for (const xml::Element& child : element.children) RefuseInstances(child);
+}
+
+/// Bounds what the library does not: elements, their depth, parts by reference (of which a few
+/// lines make millions).
+void CheckCost(std::string_view bytes) {
+  const xml::ParseOptions options{
+      .limits = {.max_bytes = kMaxBytes, .max_depth = 100, .max_elements = 200'000},
+      .root = "COLLADA",
+      .text = xml::TextPolicy::kSkip,
+      .strictness = xml::Strictness::kTolerant};
+  const xml::Parsed parsed = xml::Parse(bytes, /*file_name=*/"", options);
+  if (parsed.root) return RefuseInstances(*parsed.root);
+  const Diagnostic& fault = parsed.diagnostics.front();
+  const std::string element = fault.element.empty() ? "" : "<" + fault.element + ">: ";
+  throw BadMesh("line " + std::to_string(fault.line) + ": " + element + fault.message);
 }
 
 using Corners = std::vector<TriangleSoup::Corner>;  // three for each triangle
@@ -223,7 +203,7 @@ void LimitThisProcess() {
 }  // namespace
 
 void ReadCollada(std::string_view bytes, TriangleSoup* soup) {
-  constexpr std::size_t kMaxBytes = 16u << 20, kMaxAnswer = 64u << 20;
+  constexpr std::size_t kMaxAnswer = 64u << 20;
   if (bytes.size() > kMaxBytes) {
     throw BadMesh("is larger than " + std::to_string(kMaxBytes) + " bytes, the most for DAE");
   }

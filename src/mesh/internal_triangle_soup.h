@@ -7,7 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "mesh/import_mesh.h"
+#include "mesh/mesh_options.h"
+#include "scene/custom_mesh.h"
 
 namespace smile::mesh {
 

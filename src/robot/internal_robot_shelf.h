@@ -10,7 +10,7 @@
 #include <tuple>
 #include <vector>
 
-#include "robot/urdf_reader.h"
+#include "robot/robot_options.h"
 #include "scene/custom_mesh.h"
 
 namespace smile::robot::internal {

@@ -7,8 +7,10 @@
 #include <cstddef>
 #include <map>
 #include <mutex>
+#include <utility>
 
 #include "base/wording.h"
+#include "xml/parse.h"
 
 namespace smile::robot::internal {
 namespace {
@@ -35,21 +37,32 @@ class LogCollector : public console_bridge::OutputHandler {
   std::string text_;
 };
 
-/// The link that `<parent>` or `<child>` names inside the joint at `tags[joint]`.
-std::string LinkNamedBy(const std::vector<XmlTag>& tags, std::size_t joint,
-                        std::string_view element) {
-  for (std::size_t i = joint + 1; i < tags.size() && tags[i].depth > tags[joint].depth; ++i) {
-    if (tags[i].element == element && tags[i].depth == tags[joint].depth + 1) {
-      return std::string(tags[i].Attribute("link"));
-    }
-  }
-  return {};
+xml::Element ParseTree(const std::string& text, const std::string& file) {
+  const xml::ParseOptions options{
+      .limits = {.max_depth = 32,
+                 .max_elements = 50'000,
+                 .max_attributes = 32,
+                 .max_namespaces = 32},
+      .root = "robot",
+      .text = xml::TextPolicy::kSkip,
+      .strictness = xml::Strictness::kTolerant,
+      .key_of = [](std::string_view) { return std::string_view("name"); }};
+  xml::Parsed parsed = xml::Parse(text, file, options);
+  if (!parsed.root) throw InputError(std::move(parsed.diagnostics));
+  return *std::move(parsed.root);
+}
+
+/// The link that `<parent>` or `<child>` names inside a joint; empty when there is none.
+std::string LinkNamedBy(const xml::Element& joint, std::string_view element) {
+  const xml::Element* named = joint.FindChild(element);
+  const std::string* link = named ? named->FindAttribute("link") : nullptr;
+  return link ? *link : "";
 }
 
 }  // namespace
 
 UrdfDocument::UrdfDocument(const std::string& text, std::string file)
-    : file_(std::move(file)), tags_(ScanTags(text, file_)) {
+    : file_(std::move(file)), root_(ParseTree(text, file_)) {
   CheckTree();
   // The parser's log is one for the whole process, so one call at a time.
   static std::mutex mutex;
@@ -73,10 +86,10 @@ void UrdfDocument::CheckTree() const {
   CheckCount("link");
   CheckCount("joint");
   std::map<std::string, std::string> parents;
-  for (std::size_t i = 0; i < tags_.size(); ++i) {
-    if (tags_[i].depth != 1 || tags_[i].element != "joint") continue;
-    const std::string child = LinkNamedBy(tags_, i, "child");
-    if (!parents.emplace(child, LinkNamedBy(tags_, i, "parent")).second) {
+  for (const xml::Element& joint : root_.children) {
+    if (joint.name != "joint") continue;
+    const std::string child = LinkNamedBy(joint, "child");
+    if (!parents.emplace(child, LinkNamedBy(joint, "parent")).second) {
       Fail("link", child, "is the child of two joints, expected one at most");
     }
   }
@@ -92,8 +105,7 @@ void UrdfDocument::CheckTree() const {
 }
 
 void UrdfDocument::CheckCount(const std::string& element) const {
-  const auto count = std::ranges::count_if(
-      tags_, [&](const XmlTag& tag) { return tag.depth == 1 && tag.element == element; });
+  const auto count = std::ranges::count(root_.children, element, &xml::Element::name);
   if (count <= kMaxLinks) return;
   throw InputError(Diagnostic{.file = file_,
                               .message = "found " + std::to_string(count) + " elements <" +
@@ -102,10 +114,11 @@ void UrdfDocument::CheckCount(const std::string& element) const {
 }
 
 int UrdfDocument::LineOf(std::string_view element, std::string_view name) const {
-  const auto found = std::ranges::find_if(tags_, [&](const XmlTag& tag) {
-    return tag.element == element && tag.Attribute("name") == name;
+  const auto found = std::ranges::find_if(root_.children, [&](const xml::Element& child) {
+    const std::string* own_name = child.FindAttribute("name");
+    return child.name == element && (own_name ? *own_name : "") == name;
   });
-  return found == tags_.end() ? 0 : found->line;
+  return found == root_.children.end() ? 0 : found->line;
 }
 
 /// The parser puts the names of links and joints in brackets; the first known one gives the line.

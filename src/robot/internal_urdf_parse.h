@@ -7,19 +7,22 @@
 #include <string_view>
 
 #include "base/diagnostic.h"
-#include "robot/internal_tag_scan.h"
+#include "xml/element.h"
 
 namespace smile::robot::internal {
 
-/// A URDF as its parser understood it, together with where things stand in the text.
+/// A URDF as its parser understood it, together with the lines of its links and joints.
+///
+/// The parser recurses without bound on nested elements, follows loops of joints and forgets lines:
+/// it only gets a text of which xml::Parse() has made a tree of bounded size.
 class UrdfDocument {
  public:
-  /// @throws InputError when it is not well formed, too large, or its links are not one tree.
+  /// @throws InputError when it is not well-formed, too large, or its links are not one tree.
   UrdfDocument(const std::string& text, std::string file);
 
   const urdf::ModelInterface& model() const { return *model_; }
 
-  /// Throws the InputError of one `<element name="name">`, with its line.
+  /// Throws the InputError of one `<element name="name">` of the robot, with its line.
   [[noreturn]] void Fail(std::string_view element, std::string_view name,
                          const std::string& message) const;
 
@@ -30,7 +33,7 @@ class UrdfDocument {
   [[noreturn]] void FailLikeParser(const std::string& log) const;
 
   std::string file_;
-  std::vector<XmlTag> tags_;
+  xml::Element root_;
   std::shared_ptr<const urdf::ModelInterface> model_;
 };
 

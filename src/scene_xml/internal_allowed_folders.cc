@@ -72,4 +72,9 @@ std::string AllowedFolders::NameFromScene(const fs::path& canonical) const {
   return canonical.string();
 }
 
+std::string WithoutPath(std::string reason, const std::string& path) {
+  if (reason.starts_with(path + ": ")) reason.erase(0, path.size() + 2);
+  return reason;
+}
+
 }  // namespace smile::scene_xml

@@ -42,4 +42,8 @@ class AllowedFolders {
 /// The folder of a file, as it can be opened.
 std::filesystem::path FolderOf(const std::filesystem::path& file);
 
+/// The reason in a message of ReadFile(), which begins with the path, for a diagnostic that names
+/// the file itself.
+std::string WithoutPath(std::string reason, const std::string& path);
+
 }  // namespace smile::scene_xml

@@ -12,11 +12,6 @@
 namespace smile::scene_xml {
 namespace {
 
-// Far beyond any table, near enough that no sum or square of them leaves the numbers.
-constexpr Range<long double> kSpanUnits{0.001L, 1e6L};
-constexpr Range<long double> kLocationUnits{-1e6L, 1e6L};
-// Beyond, a double holds too few digits of an angle to make a clean rotation of it.
-constexpr Range<double> kAngleDegrees{-1e6, 1e6};
 // Of the largest number in a direction: its length can be calculated.
 constexpr Range<double> kDirectionSize{1e-6, 1e6};
 // How far the columns of a rotation matrix may be from unit length and right angles.
@@ -53,7 +48,7 @@ void AttributeReader::AddFinding(const std::string& message) {
 }
 
 void AttributeReader::Refuse(std::string_view name, const std::string& expected) {
-  for (const XmlAttribute& attribute : element_.attributes) {
+  for (const SceneAttribute& attribute : element_.attributes) {
     if (attribute.name == name && attribute.is_faulty) {
       has_findings_ = true;
       return;
@@ -279,7 +274,7 @@ void AttributeReader::Forbid(std::string_view name, const std::string& expected)
 
 void AttributeReader::RefuseUnknown() {
   std::sort(known_.begin(), known_.end());
-  for (const XmlAttribute& attribute : element_.attributes) {
+  for (const SceneAttribute& attribute : element_.attributes) {
     if (Contains(known_, attribute.name) || Contains(forbidden_, attribute.name)) continue;
     if (reading_.findings->is_full()) return AddFinding("");  // only notes that there are more
     AddFinding("found attribute " + Quoted(attribute.name) + ", expected " + OneOf(known_) +

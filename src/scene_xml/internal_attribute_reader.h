@@ -8,15 +8,10 @@
 #include "math/color.h"
 #include "math/rigid_transform.h"
 #include "scene_xml/internal_reading.h"
-#include "scene_xml/internal_xml_tree.h"
+#include "scene_xml/internal_scene_element.h"
+#include "scene_xml/value_ranges.h"
 
 namespace smile::scene_xml {
-
-/// Both ends belong to the range.
-template <class Number>
-struct Range {
-  Number least, most;
-};
 
 /// Reads the attributes of one element: text to values, with defaults, ranges and units.
 ///
@@ -25,7 +20,7 @@ struct Range {
 /// asked for.
 class AttributeReader {
  public:
-  AttributeReader(const XmlElement& element, Reading* reading)
+  AttributeReader(const SceneElement& element, Reading* reading)
       : element_(element), reading_(*reading) {}
 
   /// As written; nullptr when it is not there.
@@ -81,7 +76,7 @@ class AttributeReader {
   Matrix3 Rotation();
   Matrix3 RotationMatrix();
 
-  const XmlElement& element_;
+  const SceneElement& element_;
   Reading& reading_;
   std::vector<std::string_view> known_, forbidden_;  // literals of the callers
   bool has_findings_ = false;

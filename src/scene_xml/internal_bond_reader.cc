@@ -5,15 +5,12 @@
 #include <string>
 
 #include "scene_xml/internal_attribute_reader.h"
-#include "scene_xml/internal_control_reader.h"
 #include "scene_xml/internal_element_choice.h"
 #include "scene_xml/internal_letters.h"
+#include "scene_xml/value_ranges.h"
 
 namespace smile::scene_xml {
 namespace {
-
-constexpr int kMaxStages = 256;
-constexpr std::size_t kMaxTypeBytes = 100;
 
 /// A token as XML has them, in ASCII.
 std::string ReadType(AttributeReader* attributes) {
@@ -22,25 +19,26 @@ std::string ReadType(AttributeReader* attributes) {
   };
   std::string type = attributes->RequiredText("type");
   if (!attributes->Text("type")) return type;
-  if (type.empty() || type.size() > kMaxTypeBytes || !std::ranges::all_of(type, is_token_letter)) {
+  if (type.empty() || type.size() > kMaxBondTypeBytes ||
+      !std::ranges::all_of(type, is_token_letter)) {
     attributes->Refuse("type", "a word of letters A-Z and a-z, digits, _, -, . and :, at most 100");
   }
   return type;
 }
 
 /// The ticket of a reference; empty when there is none.
-std::string ReadReference(const XmlElement& element, const char* name, Target target,
+std::string ReadReference(const SceneElement& element, const char* name, Target target,
                           AttributeReader* attributes, Reading* reading) {
   const std::string id = attributes->Reference(name);
   if (id.empty()) return {};
   return reading->references.Add({target, name, id, element.place, AddressOf(element)});
 }
 
-scene::TightnessStage ReadStage(const XmlElement& element, Reading* reading) {
+scene::TightnessStage ReadStage(const SceneElement& element, Reading* reading) {
   AttributeReader attributes(element, reading);
   scene::TightnessStage stage{.X_HS = attributes.PoseOrOrigin()};
   if (attributes.Text("downstreamState")) {
-    stage.downstream_state = attributes.Count("downstreamState", 0, {0, kMaxStates - 1});
+    stage.downstream_state = attributes.Count("downstreamState", 0, kStates);
   }
   stage.locks_downstream = attributes.Boolean("downstreamLock", false);
   attributes.RefuseUnknown();
@@ -58,14 +56,14 @@ void CheckInitialBond(const scene::GuestPoint& guest, AttributeReader* attribute
 
 }  // namespace
 
-scene::GuestPoint ReadGuestPoint(const XmlElement& element, Reading* reading) {
+scene::GuestPoint ReadGuestPoint(const SceneElement& element, Reading* reading) {
   AttributeReader attributes(element, reading);
   scene::GuestPoint guest{.id = attributes.ClaimedId(),
                           .type = ReadType(&attributes),
                           .X_PG = attributes.PoseOrOrigin()};
   guest.initial_host =
       ReadReference(element, "initBondHostId", Target::kHost, &attributes, reading);
-  guest.initial_tightness = attributes.Count("initBondTightness", 0, {0, kMaxStages});
+  guest.initial_tightness = attributes.Count("initBondTightness", 0, kTightness);
   // A guest has nothing downstream; templates for both kinds of points say so all the same.
   for (const char* name : {"downstream", "downstreamOverride", "downstreamLock"}) {
     attributes.Reference(name);
@@ -77,7 +75,7 @@ scene::GuestPoint ReadGuestPoint(const XmlElement& element, Reading* reading) {
   return guest;
 }
 
-scene::HostPoint ReadHostPoint(const XmlElement& element, Reading* reading) {
+scene::HostPoint ReadHostPoint(const SceneElement& element, Reading* reading) {
   AttributeReader attributes(element, reading);
   scene::HostPoint host{.id = attributes.ClaimedId(),
                         .type = ReadType(&attributes),
@@ -89,7 +87,7 @@ scene::HostPoint ReadHostPoint(const XmlElement& element, Reading* reading) {
   host.downstream_override = read_reference("downstreamOverride", Target::kControl);
   host.downstream_lock = read_reference("downstreamLock", Target::kHost);
   attributes.RefuseUnknown();
-  for (const XmlElement& child : element.children) {
+  for (const SceneElement& child : element.children) {
     if (child.Is("tightness")) {
       host.stages.push_back(ReadStage(child, reading));
     } else {

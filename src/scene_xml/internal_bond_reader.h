@@ -2,11 +2,11 @@
 
 #include "scene/bond.h"
 #include "scene_xml/internal_reading.h"
-#include "scene_xml/internal_xml_tree.h"
+#include "scene_xml/internal_scene_element.h"
 
 namespace smile::scene_xml {
 
-scene::GuestPoint ReadGuestPoint(const XmlElement& element, Reading* reading);
-scene::HostPoint ReadHostPoint(const XmlElement& element, Reading* reading);
+scene::GuestPoint ReadGuestPoint(const SceneElement& element, Reading* reading);
+scene::HostPoint ReadHostPoint(const SceneElement& element, Reading* reading);
 
 }  // namespace smile::scene_xml

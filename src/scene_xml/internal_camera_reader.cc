@@ -8,11 +8,11 @@
 #include "scene_xml/internal_attribute_reader.h"
 #include "scene_xml/internal_element_choice.h"
 #include "scene_xml/internal_letters.h"
+#include "scene_xml/value_ranges.h"
 
 namespace smile::scene_xml {
 namespace {
 
-constexpr Range<double> kFieldOfViewDegrees{1, 170};
 /// Sine of the angle below which two directions count as one.
 constexpr double kParallel = 1e-6;
 
@@ -43,7 +43,7 @@ void CheckSight(const scene::CameraSpec& camera, AttributeReader* attributes) {
 
 }  // namespace
 
-void ReadCamera(const XmlElement& element, Reading* reading,
+void ReadCamera(const SceneElement& element, Reading* reading,
                 std::vector<scene::CameraSpec>* cameras) {
   AttributeReader attributes(element, reading);
   scene::CameraSpec camera{.id = attributes.RequiredName("id")};

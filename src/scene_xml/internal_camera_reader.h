@@ -4,12 +4,12 @@
 
 #include "scene/camera_spec.h"
 #include "scene_xml/internal_reading.h"
-#include "scene_xml/internal_xml_tree.h"
+#include "scene_xml/internal_scene_element.h"
 
 namespace smile::scene_xml {
 
 /// Appends the camera of an element, unless it has faults.
-void ReadCamera(const XmlElement& element, Reading* reading,
+void ReadCamera(const SceneElement& element, Reading* reading,
                 std::vector<scene::CameraSpec>* cameras);
 
 }  // namespace smile::scene_xml

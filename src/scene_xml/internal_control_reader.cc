@@ -4,20 +4,16 @@
 #include <string>
 #include <vector>
 
-#include "math/angles.h"
 #include "scene_xml/internal_element_choice.h"
 #include "scene_xml/internal_part_reader.h"
+#include "scene_xml/value_ranges.h"
 
 namespace smile::scene_xml {
 namespace {
 
-constexpr int kMaxLights = 256;
 constexpr int kMaxDownstreams = 256;
-constexpr Range<int> kStates{0, kMaxStates - 1};
-// Beyond, a button would stand on its edge.
-constexpr Range<double> kButtonDegrees{0, 90};
 
-std::string ReadDownstream(const XmlElement& element, Reading* reading) {
+std::string ReadDownstream(const SceneElement& element, Reading* reading) {
   AttributeReader attributes(element, reading);
   const std::string id = attributes.Reference("id");
   if (attributes.RequiredText("id").empty() && attributes.Text("id")) {
@@ -29,7 +25,7 @@ std::string ReadDownstream(const XmlElement& element, Reading* reading) {
   return reading->references.Add({Target::kControl, "id", id, element.place, AddressOf(element)});
 }
 
-scene::Light ReadLight(const XmlElement& element, int num_lights, Reading* reading) {
+scene::Light ReadLight(const SceneElement& element, int num_lights, Reading* reading) {
   AttributeReader attributes(element, reading);
   attributes.RequiredText("id");
   scene::Light light{.number = attributes.Count("id", 0, {0, num_lights - 1})};
@@ -40,18 +36,18 @@ scene::Light ReadLight(const XmlElement& element, int num_lights, Reading* readi
 }
 
 /// The name of a state; its content is read by the caller.
-std::string ReadStateName(const XmlElement& element, Reading* reading) {
+std::string ReadStateName(const SceneElement& element, Reading* reading) {
   AttributeReader attributes(element, reading);
   std::string name = attributes.OptionalName("descriptionName");
   attributes.RefuseUnknown();
   return name;
 }
 
-scene::IndicatorLights::State ReadLightsState(const XmlElement& element, int num_lights,
+scene::IndicatorLights::State ReadLightsState(const SceneElement& element, int num_lights,
                                               Reading* reading) {
   scene::IndicatorLights::State state{ReadStateName(element, reading), {}};
   std::vector<bool> is_on(num_lights);
-  for (const XmlElement& child : element.children) {
+  for (const SceneElement& child : element.children) {
     if (!child.Is("light")) {
       RefuseElement(child, std::array<std::string_view, 1>{"light"}, reading);
       continue;
@@ -66,11 +62,11 @@ scene::IndicatorLights::State ReadLightsState(const XmlElement& element, int num
   return state;
 }
 
-scene::CustomControl::State ReadCustomState(const XmlElement& element, int num_states,
+scene::CustomControl::State ReadCustomState(const SceneElement& element, int num_states,
                                             Reading* reading) {
   scene::CustomControl::State state{ReadStateName(element, reading), {}};
   const PartPlace inside{Container::kState, num_states};
-  for (const XmlElement& child : element.children) {
+  for (const SceneElement& child : element.children) {
     if (const ShapeElement* shape = FindShape(child, inside.container, reading)) {
       state.parts.push_back(ReadPart(child, *shape, inside, reading));
     }
@@ -80,7 +76,7 @@ scene::CustomControl::State ReadCustomState(const XmlElement& element, int num_s
 
 /// What is in a control, by kind.
 struct ControlContent {
-  std::vector<const XmlElement*> states, downstreams;
+  std::vector<const SceneElement*> states, downstreams;
 };
 
 void CheckCount(std::size_t count, std::size_t limit, const std::string& what,
@@ -90,14 +86,14 @@ void CheckCount(std::size_t count, std::size_t limit, const std::string& what,
                          std::to_string(limit));
 }
 
-ControlContent Sorted(std::span<const XmlElement* const> content, bool has_states,
+ControlContent Sorted(std::span<const SceneElement* const> content, bool has_states,
                       std::span<const std::string_view> others, AttributeReader* attributes,
                       Reading* reading) {
   std::vector<std::string_view> expected(others.begin(), others.end());
   expected.push_back("downstream");
   if (has_states) expected.push_back("state");
   ControlContent sorted;
-  for (const XmlElement* child : content) {
+  for (const SceneElement* child : content) {
     if (child->Is("downstream")) {
       sorted.downstreams.push_back(child);
     } else if (has_states && child->Is("state")) {
@@ -122,39 +118,7 @@ void CheckInitialState(int initial_state, int num_states, AttributeReader* attri
 
 }  // namespace
 
-scene::Shape ReadToggleSwitch(AttributeReader* attributes) {
-  const scene::ToggleSwitch usual;
-  scene::ToggleSwitch toggle;
-  const double x = attributes->Span("xspan", 0.6);
-  const double y = attributes->Span("yspan", 0.3);
-  const double z = attributes->Span("zspan", 0.1);
-  toggle.size = {x, y, z};
-  toggle.angle = DegreesToRadians(attributes->Number("angle", 6, kButtonDegrees));
-  toggle.is_left_pressed = attributes->Boolean("leftPressed", usual.is_left_pressed);
-  toggle.num_states = attributes->Count("numStates", usual.num_states, {1, kMaxStates});
-  toggle.initial_state = attributes->Count("initState", 0, kStates);
-  return toggle;
-}
-
-scene::Shape ReadIndicatorLights(AttributeReader* attributes) {
-  return scene::IndicatorLights{
-      .light_radius = attributes->Span("lightRadius", 0.03),
-      .light_height = attributes->Span("lightZspan", 0.005),
-      .num_lights = attributes->Count("numLights", 2, {1, kMaxLights}),
-      .x_span = attributes->Span("xspan", 0.15),
-      .initial_state = attributes->Count("initState", 0, kStates),
-  };
-}
-
-scene::Shape ReadCustomControl(AttributeReader* attributes) {
-  scene::CustomControl control;
-  const std::string name = attributes->OptionalName("name");
-  if (!name.empty()) control.name = name;
-  control.initial_state = attributes->Count("initState", 0, kStates);
-  return control;
-}
-
-void ReadControlContent(std::span<const XmlElement* const> content,
+void ReadControlContent(std::span<const SceneElement* const> content,
                         std::span<const std::string_view> others, AttributeReader* attributes,
                         scene::Shape* control, Reading* reading) {
   auto* toggle = std::get_if<scene::ToggleSwitch>(control);
@@ -163,7 +127,7 @@ void ReadControlContent(std::span<const XmlElement* const> content,
   const ControlContent sorted = Sorted(content, !toggle, others, attributes, reading);
   const auto num_states = toggle ? toggle->num_states : static_cast<int>(sorted.states.size());
   if (num_states > kMaxStates) return;
-  for (const XmlElement* state : sorted.states) {
+  for (const SceneElement* state : sorted.states) {
     if (lights) lights->states.push_back(ReadLightsState(*state, lights->num_lights, reading));
     if (custom) custom->states.push_back(ReadCustomState(*state, num_states, reading));
   }
@@ -171,7 +135,7 @@ void ReadControlContent(std::span<const XmlElement* const> content,
       [&](auto& any) {
         if constexpr (requires { any.downstream; }) {
           CheckInitialState(any.initial_state, num_states, attributes);
-          for (const XmlElement* downstream : sorted.downstreams) {
+          for (const SceneElement* downstream : sorted.downstreams) {
             any.downstream.push_back(ReadDownstream(*downstream, reading));
           }
         }

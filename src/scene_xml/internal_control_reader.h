@@ -8,19 +8,11 @@
 
 namespace smile::scene_xml {
 
-/// Of one control.
-inline constexpr int kMaxStates = 256;
-
-// The attributes each kind of control has of its own.
-scene::Shape ReadToggleSwitch(AttributeReader* attributes);
-scene::Shape ReadIndicatorLights(AttributeReader* attributes);
-scene::Shape ReadCustomControl(AttributeReader* attributes);
-
 /// The states and downstreams of a control, and the checks that need them.
 ///
 /// @param attributes  those of `element`, for the checks.
 /// @param others      words a message should say may stand there too.
-void ReadControlContent(std::span<const XmlElement* const> content,
+void ReadControlContent(std::span<const SceneElement* const> content,
                         std::span<const std::string_view> others, AttributeReader* attributes,
                         scene::Shape* control, Reading* reading);
 

@@ -33,7 +33,7 @@ bool IsOfTheLanguage(std::string_view name) {
          std::ranges::find(ShapeElements(), name, &ShapeElement::name) != ShapeElements().end();
 }
 
-void Refuse(const XmlElement& element, Names expected, Names possible, Reading* reading) {
+void Refuse(const SceneElement& element, Names expected, Names possible, Reading* reading) {
   const std::string what = expected.empty() ? "nothing inside this element" : OneOf(expected);
   const bool is_misplaced = IsOfTheLanguage(element.name);
   reading->findings->Add(element.place, AddressOf(element),
@@ -44,7 +44,7 @@ void Refuse(const XmlElement& element, Names expected, Names possible, Reading* 
 
 }  // namespace
 
-bool CheckNamespace(const XmlElement& element, Reading* reading) {
+bool CheckNamespace(const SceneElement& element, Reading* reading) {
   if (element.is_in_scene_namespace) return true;
   const std::string found = element.found_namespace.empty()
                                 ? "found no namespace"
@@ -54,7 +54,7 @@ bool CheckNamespace(const XmlElement& element, Reading* reading) {
   return false;
 }
 
-const ShapeElement* FindShape(const XmlElement& element, Container container, Reading* reading) {
+const ShapeElement* FindShape(const SceneElement& element, Container container, Reading* reading) {
   if (!CheckNamespace(element, reading)) return nullptr;
   std::vector<std::string_view> names;
   for (const ShapeElement& shape : ShapeElements()) {
@@ -75,13 +75,13 @@ const ShapeElement* FindShape(const XmlElement& element, Container container, Re
   return nullptr;
 }
 
-void RefuseElement(const XmlElement& element, std::span<const std::string_view> expected,
+void RefuseElement(const SceneElement& element, std::span<const std::string_view> expected,
                    Reading* reading) {
   if (CheckNamespace(element, reading)) Refuse(element, expected, expected, reading);
 }
 
-void RefuseContent(const XmlElement& element, Reading* reading) {
-  for (const XmlElement& child : element.children) RefuseElement(child, {}, reading);
+void RefuseContent(const SceneElement& element, Reading* reading) {
+  for (const SceneElement& child : element.children) RefuseElement(child, {}, reading);
 }
 
 }  // namespace smile::scene_xml

@@ -4,8 +4,8 @@
 #include <string_view>
 
 #include "scene_xml/internal_reading.h"
+#include "scene_xml/internal_scene_element.h"
 #include "scene_xml/internal_shape_readers.h"
-#include "scene_xml/internal_xml_tree.h"
 
 namespace smile::scene_xml {
 
@@ -23,17 +23,17 @@ inline bool HoldsWholes(Container container) {
 
 /// False, with a finding, when the element is in another namespace than ours. What is inside such
 /// an element is not looked at: one forgotten `xmlns` is one finding.
-bool CheckNamespace(const XmlElement& element, Reading* reading);
+bool CheckNamespace(const SceneElement& element, Reading* reading);
 
 /// The reader of an element that should be a shape; nullptr, with a finding, when it is none that
 /// may stand there.
-const ShapeElement* FindShape(const XmlElement& element, Container container, Reading* reading);
+const ShapeElement* FindShape(const SceneElement& element, Container container, Reading* reading);
 
 /// Adds `found an unknown element, expected …`; no `expected` at all means none may stand there.
-void RefuseElement(const XmlElement& element, std::span<const std::string_view> expected,
+void RefuseElement(const SceneElement& element, std::span<const std::string_view> expected,
                    Reading* reading);
 
 /// Refuses all children.
-void RefuseContent(const XmlElement& element, Reading* reading);
+void RefuseContent(const SceneElement& element, Reading* reading);
 
 }  // namespace smile::scene_xml

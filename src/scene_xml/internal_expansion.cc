@@ -21,7 +21,7 @@ constexpr std::size_t kMaxSuggestedTemplates = 100;
 
 struct Template {
   std::vector<VariableText> defaults;
-  std::vector<XmlElement> content;
+  std::vector<SceneElement> content;
   Place place;
   // What one instance costs.
   int num_elements = 0;
@@ -37,15 +37,15 @@ struct Surroundings {
   int depth;      // of the element around, the root being 1
 };
 
-void AddCost(const XmlElement& element, Template* target) {
+void AddCost(const SceneElement& element, Template* target) {
   ++target->num_elements;
-  for (const XmlAttribute& attribute : element.attributes) {
+  for (const SceneAttribute& attribute : element.attributes) {
     target->num_bytes += attribute.name.size() + attribute.value.size();
   }
-  for (const XmlElement& child : element.children) AddCost(child, target);
+  for (const SceneElement& child : element.children) AddCost(child, target);
 }
 
-VariableText ReadVariable(const XmlElement& element, Reading* reading) {
+VariableText ReadVariable(const SceneElement& element, Reading* reading) {
   AttributeReader attributes(element, reading);
   // One by one: the order of findings is that of these lines.
   VariableText variable{.place = element.place};
@@ -53,16 +53,16 @@ VariableText ReadVariable(const XmlElement& element, Reading* reading) {
   variable.value = attributes.RequiredText("value");
   variable.is_derived = attributes.Boolean("derived", false);
   attributes.RefuseUnknown();
-  for (const XmlElement& child : element.children) RefuseElement(child, {}, reading);
+  for (const SceneElement& child : element.children) RefuseElement(child, {}, reading);
   return variable;
 }
 
-void ReadTemplate(XmlElement def, Reading* reading, Templates* templates) {
+void ReadTemplate(SceneElement def, Reading* reading, Templates* templates) {
   AttributeReader attributes(def, reading);
   const std::string name = attributes.RequiredName("name");
   attributes.RefuseUnknown();
   Template result{.place = def.place};
-  for (XmlElement& child : def.children) {
+  for (SceneElement& child : def.children) {
     AddCost(child, &result);
     if (child.Is("var")) {
       result.defaults.push_back(ReadVariable(child, reading));
@@ -78,10 +78,10 @@ void ReadTemplate(XmlElement def, Reading* reading, Templates* templates) {
 }
 
 /// The templates of the scene, taken out of the root.
-Templates TakeTemplates(XmlElement* root, Reading* reading) {
+Templates TakeTemplates(SceneElement* root, Reading* reading) {
   Templates templates;
-  std::vector<XmlElement> content;
-  for (XmlElement& child : root->children) {
+  std::vector<SceneElement> content;
+  for (SceneElement& child : root->children) {
     if (child.Is("def")) {
       ReadTemplate(std::move(child), reading, &templates);
     } else {
@@ -101,21 +101,22 @@ class Expander {
         reading_(*reading),
         budget_(limits, reading->findings) {}
 
-  void Expand(XmlElement* root) {
+  void Expand(SceneElement* root) {
     Scope scope(&budget_, reading_.findings);
     root->children = Expanded(std::move(root->children), {&scope, /*expansion=*/-1, /*depth=*/1});
   }
 
  private:
-  std::vector<XmlElement> Expanded(std::vector<XmlElement> content, const Surroundings& around) {
-    std::vector<XmlElement> result;
+  std::vector<SceneElement> Expanded(std::vector<SceneElement> content,
+                                     const Surroundings& around) {
+    std::vector<SceneElement> result;
     ExpandInto(&result, std::move(content), around);
     return result;
   }
 
-  void ExpandInto(std::vector<XmlElement>* target, std::vector<XmlElement> content,
+  void ExpandInto(std::vector<SceneElement>* target, std::vector<SceneElement> content,
                   const Surroundings& around) {
-    for (XmlElement& element : content) {
+    for (SceneElement& element : content) {
       if (budget_.is_spent()) return;
       element.place.expansion = around.expansion;
       if (element.Is("instance")) {
@@ -126,8 +127,8 @@ class Expander {
     }
   }
 
-  void ExpandElement(XmlElement element, const Surroundings& around,
-                     std::vector<XmlElement>* target) {
+  void ExpandElement(SceneElement element, const Surroundings& around,
+                     std::vector<SceneElement>* target) {
     if (around.depth >= limits_.max_depth) {
       return Fail(element, "found more than " + std::to_string(limits_.max_depth) +
                                " elements inside one another, expected fewer");
@@ -138,8 +139,8 @@ class Expander {
     target->push_back(std::move(element));
   }
 
-  void ExpandInstance(XmlElement instance, const Surroundings& around,
-                      std::vector<XmlElement>* target) {
+  void ExpandInstance(SceneElement instance, const Surroundings& around,
+                      std::vector<SceneElement>* target) {
     SubstituteAttributes(&instance, around.scope);
     AttributeReader attributes(instance, &reading_);
     const std::string name = attributes.RequiredName("def");
@@ -161,9 +162,9 @@ class Expander {
     open_.pop_back();
   }
 
-  std::vector<VariableText> ReadVariables(XmlElement* instance, const Surroundings& around) {
+  std::vector<VariableText> ReadVariables(SceneElement* instance, const Surroundings& around) {
     std::vector<VariableText> variables;
-    for (XmlElement& child : instance->children) {
+    for (SceneElement& child : instance->children) {
       child.place.expansion = around.expansion;
       if (child.Is("var")) {
         variables.push_back(ReadVariable(child, &reading_));
@@ -175,7 +176,7 @@ class Expander {
   }
 
   /// Whether the template of this name may be used inside those that are open.
-  bool CanOpen(const XmlElement& instance, const std::string& name) {
+  bool CanOpen(const SceneElement& instance, const std::string& name) {
     const auto outer = std::find(open_.begin(), open_.end(), name);
     if (outer != open_.end()) {
       std::string circle;
@@ -192,7 +193,7 @@ class Expander {
     return true;
   }
 
-  void RefuseName(const XmlElement& instance, const std::string& name) {
+  void RefuseName(const SceneElement& instance, const std::string& name) {
     if (!has_all_files_ || reading_.findings->is_full()) return;
     std::vector<std::string_view> names;
     for (const auto& [known, unused] : templates_) {
@@ -202,7 +203,7 @@ class Expander {
                        DidYouMean(name, names));
   }
 
-  bool IsMisplaced(const XmlElement& element) {
+  bool IsMisplaced(const SceneElement& element) {
     if (element.Is("include") || element.Is("def")) {
       Fail(element, "found this element here, expected it directly in <tabletop>");
       return true;
@@ -214,8 +215,8 @@ class Expander {
     return false;
   }
 
-  void SubstituteAttributes(XmlElement* element, Scope* scope) {
-    for (XmlAttribute& attribute : element->attributes) {
+  void SubstituteAttributes(SceneElement* element, Scope* scope) {
+    for (SceneAttribute& attribute : element->attributes) {
       if (budget_.is_spent()) return;
       if (!HoldsExpression(attribute.value)) continue;
       Substitution result = Substitute(attribute.value, budget_.bytes_left(), scope);
@@ -230,7 +231,7 @@ class Expander {
     }
   }
 
-  void Fail(const XmlElement& element, const std::string& message) {
+  void Fail(const SceneElement& element, const std::string& message) {
     reading_.findings->Add(element.place, AddressOf(element), message);
   }
 
@@ -244,7 +245,7 @@ class Expander {
 
 }  // namespace
 
-void ExpandTemplates(const SceneLimits& limits, bool has_all_files, XmlElement* root,
+void ExpandTemplates(const SceneLimits& limits, bool has_all_files, SceneElement* root,
                      Reading* reading) {
   Templates templates = TakeTemplates(root, reading);
   Expander(limits, has_all_files, std::move(templates), reading).Expand(root);

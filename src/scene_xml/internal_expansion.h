@@ -1,8 +1,8 @@
 #pragma once
 
 #include "scene_xml/internal_reading.h"
-#include "scene_xml/internal_xml_tree.h"
-#include "scene_xml/scene_reader.h"
+#include "scene_xml/internal_scene_element.h"
+#include "scene_xml/scene_limits.h"
 
 namespace smile::scene_xml {
 
@@ -11,7 +11,7 @@ namespace smile::scene_xml {
 /// cannot be expanded is dropped, and is a finding.
 ///
 /// @param has_all_files  else a missing template may just be in a missing file: no finding.
-void ExpandTemplates(const SceneLimits& limits, bool has_all_files, XmlElement* root,
+void ExpandTemplates(const SceneLimits& limits, bool has_all_files, SceneElement* root,
                      Reading* reading);
 
 }  // namespace smile::scene_xml

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "scene_xml/internal_findings.h"
-#include "scene_xml/scene_reader.h"
+#include "scene_xml/scene_limits.h"
 
 namespace smile::scene_xml {
 

@@ -23,26 +23,23 @@ namespace fs = std::filesystem;
 
 class IncludeResolver {
  public:
-  IncludeResolver(const fs::path* main_file, const SceneReaderOptions& options,
-                  const ReadCounts& counts, Reading* reading)
-      : options_(options),
-        counts_(counts),
-        reading_(*reading),
-        folders_(main_file, options.search_roots) {
+  IncludeResolver(const fs::path* main_file, const std::vector<fs::path>& search_roots,
+                  const SceneLimits& limits, const ReadCounts& counts, Reading* reading)
+      : limits_(limits), counts_(counts), reading_(*reading), folders_(main_file, search_roots) {
     if (!main_file) return;
     std::error_code error;
     seen_.insert(fs::canonical(*main_file, error));
   }
 
   /// @param folder  of the file, nullptr when it has none.
-  void Resolve(const fs::path* folder, XmlElement* root) {
-    std::vector<XmlElement> content;
-    for (XmlElement& child : root->children) {
+  void Resolve(const fs::path* folder, SceneElement* root) {
+    std::vector<SceneElement> content;
+    for (SceneElement& child : root->children) {
       if (!child.Is("include")) {
         content.push_back(std::move(child));
         continue;
       }
-      std::vector<XmlElement> included = Include(folder, child);
+      std::vector<SceneElement> included = Include(folder, child);
       std::move(included.begin(), included.end(), std::back_inserter(content));
     }
     root->children = std::move(content);
@@ -53,54 +50,54 @@ class IncludeResolver {
  private:
   using FoundFile = AllowedFolders::FoundFile;
 
-  void Fail(const XmlElement& include, const std::string& message) {
+  void Fail(const SceneElement& include, const std::string& message) {
     has_all_ = false;
     reading_.findings->Add(include.place, AddressOf(include), message);
   }
 
   /// What the file holds; nothing when it was included before.
-  std::vector<XmlElement> Include(const fs::path* folder, const XmlElement& include) {
+  std::vector<SceneElement> Include(const fs::path* folder, const SceneElement& include) {
     AttributeReader attributes(include, &reading_);
     const std::string file = attributes.RequiredText("file");
     attributes.RefuseUnknown();
-    for (const XmlElement& child : include.children) RefuseElement(child, {}, &reading_);
+    for (const SceneElement& child : include.children) RefuseElement(child, {}, &reading_);
     if (!attributes.Text("file")) {
       has_all_ = false;
       return {};
     }
     const std::optional<FoundFile> found = Find(folder, file, include);
     if (!found || !seen_.insert(found->canonical).second) return {};
-    if (static_cast<int>(seen_.size()) > options_.limits.max_files) {
-      Fail(include, "found more than " + std::to_string(options_.limits.max_files) +
-                        " files, expected fewer");
+    if (static_cast<int>(seen_.size()) > limits_.max_files) {
+      Fail(include,
+           "found more than " + std::to_string(limits_.max_files) + " files, expected fewer");
       return {};
     }
     return ContentOf(*found, include);
   }
 
   std::optional<FoundFile> Find(const fs::path* folder, const std::string& file,
-                                const XmlElement& include) {
+                                const SceneElement& include) {
     AllowedFolders::Search search = folders_.Find(folder, file);
     if (search.found) return std::move(search.found);
     Fail(include, "found file=" + Quoted(file) + search.expected);
     return std::nullopt;
   }
 
-  std::vector<XmlElement> ContentOf(const FoundFile& file, const XmlElement& include) {
+  std::vector<SceneElement> ContentOf(const FoundFile& file, const SceneElement& include) {
     std::string text;
     try {
-      text = ReadFile(file.canonical, options_.limits.max_file_bytes - counts_.num_bytes);
+      text = ReadFile(file.canonical, limits_.max_file_bytes - counts_.num_bytes);
     } catch (const std::runtime_error& error) {
       Fail(include, "found file=" + Quoted(*include.FindAttribute("file")) + ", which " +
                         WithoutPath(error.what(), file.canonical.string()) +
                         ", expected a scene file that fits the limit of " +
-                        std::to_string(options_.limits.max_file_bytes) + " bytes for all files");
+                        std::to_string(limits_.max_file_bytes) + " bytes for all files");
       return {};
     }
     counts_.num_bytes += text.size();
     const int id = reading_.findings->sources().AddFile(file.name.string());
-    std::optional<XmlElement> root =
-        ParseXml(text, id, options_.limits, &counts_.num_elements, reading_.findings);
+    std::optional<SceneElement> root =
+        ParseSceneXml(text, id, limits_, &counts_.num_elements, reading_.findings);
     if (!root || !CheckIncludedRoot(*root, &reading_)) {
       has_all_ = false;
       return {};
@@ -110,7 +107,7 @@ class IncludeResolver {
     return std::move(root->children);
   }
 
-  const SceneReaderOptions& options_;
+  const SceneLimits& limits_;
   ReadCounts counts_;
   Reading& reading_;
   AllowedFolders folders_;
@@ -120,9 +117,10 @@ class IncludeResolver {
 
 }  // namespace
 
-bool ResolveIncludes(const fs::path* main_file, const SceneReaderOptions& options,
-                     const ReadCounts& counts, XmlElement* root, Reading* reading) {
-  IncludeResolver resolver(main_file, options, counts, reading);
+bool ResolveIncludes(const fs::path* main_file, const std::vector<fs::path>& search_roots,
+                     const SceneLimits& limits, const ReadCounts& counts, SceneElement* root,
+                     Reading* reading) {
+  IncludeResolver resolver(main_file, search_roots, limits, counts, reading);
   const fs::path folder = main_file ? FolderOf(*main_file) : fs::path();
   resolver.Resolve(main_file ? &folder : nullptr, root);
   return resolver.has_all();

@@ -2,10 +2,11 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <vector>
 
 #include "scene_xml/internal_reading.h"
-#include "scene_xml/internal_xml_tree.h"
-#include "scene_xml/scene_reader.h"
+#include "scene_xml/internal_scene_element.h"
+#include "scene_xml/scene_limits.h"
 
 namespace smile::scene_xml {
 
@@ -21,10 +22,13 @@ struct ReadCounts {
 /// A file is looked for beside the one that includes it, then in the search roots. It must lie in
 /// the folder of the scene or a search root, or below, after all links have been followed.
 ///
-/// @param main_file  nullptr for a text without a file.
-/// @param counts     of the main file.
+/// @param main_file     nullptr for a text without a file.
+/// @param search_roots  as SceneReaderOptions has them.
+/// @param counts        of the main file.
 /// @returns whether every file was found whole; else the reasons are findings.
-bool ResolveIncludes(const std::filesystem::path* main_file, const SceneReaderOptions& options,
-                     const ReadCounts& counts, XmlElement* root, Reading* reading);
+bool ResolveIncludes(const std::filesystem::path* main_file,
+                     const std::vector<std::filesystem::path>& search_roots,
+                     const SceneLimits& limits, const ReadCounts& counts, SceneElement* root,
+                     Reading* reading);
 
 }  // namespace smile::scene_xml

@@ -10,13 +10,11 @@
 #include "base/wording.h"
 #include "scene_xml/internal_object_reader.h"
 #include "scene_xml/internal_units.h"
+#include "scene_xml/value_ranges.h"
 
 namespace smile::scene_xml {
 namespace {
 
-constexpr Range<double> kProportion{0, 1};
-constexpr Range<double> kLinkMassKilograms{1e-6, 1e6};
-constexpr int kMaxLinks = 1000;
 constexpr double kMinChainUnits = 0.001;
 /// Share of a link by which rounding may spoil a fit.
 constexpr double kFit = 1e-9;
@@ -74,12 +72,12 @@ std::optional<int> NumLinks(const scene::ChainSpec& chain, int wanted, double me
 
 }  // namespace
 
-void ReadSlider(const XmlElement& element, Reading* reading, ObjectList* objects) {
+void ReadSlider(const SceneElement& element, Reading* reading, ObjectList* objects) {
   AttributeReader attributes(element, reading);
   scene::SliderSpec slider = ReadSliderAttributes(&attributes);
   std::vector<scene::ObjectSpec> members;
   std::vector<Place> places;
-  for (const XmlElement& child : element.children) {
+  for (const SceneElement& child : element.children) {
     if (const ShapeElement* shape = FindShape(child, Container::kSlider, reading)) {
       members.push_back(ReadObject(child, *shape, Container::kSlider, reading));
       places.push_back(child.place);
@@ -103,7 +101,7 @@ void ReadSlider(const XmlElement& element, Reading* reading, ObjectList* objects
   objects->scene().sliders.push_back(std::move(slider));
 }
 
-void ReadChain(const XmlElement& element, Reading* reading, ObjectList* objects) {
+void ReadChain(const SceneElement& element, Reading* reading, ObjectList* objects) {
   AttributeReader attributes(element, reading);
   scene::ChainSpec chain{.id = attributes.ClaimedId()};
   chain.color = attributes.Color();
@@ -113,7 +111,7 @@ void ReadChain(const XmlElement& element, Reading* reading, ObjectList* objects)
   const double y = attributes.Span("linkYspan", 1);
   const double z = attributes.Span("linkZspan", 0.1);
   chain.link_size = {x, y, z};
-  const int wanted = attributes.Count("linkCount", 0, {0, kMaxLinks});
+  const int wanted = attributes.Count("linkCount", 0, kNumLinks);
   chain.link_padding = attributes.SpanOrZero("linkPadding", 0.05);
   chain.link_mass = attributes.Number("linkMass", chain.link_mass, kLinkMassKilograms);
   attributes.RefuseUnknown();

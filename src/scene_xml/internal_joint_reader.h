@@ -2,14 +2,14 @@
 
 #include "scene_xml/internal_object_list.h"
 #include "scene_xml/internal_reading.h"
-#include "scene_xml/internal_xml_tree.h"
+#include "scene_xml/internal_scene_element.h"
 
 namespace smile::scene_xml {
 
 /// Reads a `sliderJoint` and its two members, which join the objects.
-void ReadSlider(const XmlElement& element, Reading* reading, ObjectList* objects);
+void ReadSlider(const SceneElement& element, Reading* reading, ObjectList* objects);
 
 /// Reads a `chain`; its pieces join the objects.
-void ReadChain(const XmlElement& element, Reading* reading, ObjectList* objects);
+void ReadChain(const SceneElement& element, Reading* reading, ObjectList* objects);
 
 }  // namespace smile::scene_xml

@@ -8,8 +8,7 @@
 #include "base/diagnostic.h"
 #include "mesh/convex_pieces.h"
 #include "mesh/import_mesh.h"
-#include "scene_xml/internal_root_reader.h"
-#include "scene_xml/scene_reader.h"
+#include "scene_xml/scene_limits.h"
 
 namespace smile::scene_xml {
 

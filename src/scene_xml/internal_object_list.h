@@ -6,7 +6,7 @@
 
 #include "scene/scene_spec.h"
 #include "scene_xml/internal_reading.h"
-#include "scene_xml/scene_reader.h"
+#include "scene_xml/scene_limits.h"
 
 namespace smile::scene_xml {
 

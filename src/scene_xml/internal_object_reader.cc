@@ -9,6 +9,7 @@
 #include "scene/solid.h"
 #include "scene_xml/internal_part_reader.h"
 #include "scene_xml/mesh_files.h"
+#include "scene_xml/value_ranges.h"
 
 namespace smile::scene_xml {
 namespace {
@@ -16,7 +17,6 @@ namespace {
 using scene::Description;
 using scene::ObjectSpec;
 
-constexpr Range<double> kMassKilograms{0, 1e6};
 /// Physics takes no body of more.
 constexpr std::size_t kMaxPieces = 4096;
 constexpr std::array<std::string_view, 1> kDescription{"description"};
@@ -32,7 +32,7 @@ void Describe(Description description, std::vector<Description>* descriptions) {
   descriptions->push_back(std::move(description));
 }
 
-Description ReadDescription(const XmlElement& element, Reading* reading) {
+Description ReadDescription(const SceneElement& element, Reading* reading) {
   AttributeReader attributes(element, reading);
   Description description{attributes.RequiredName("name"), attributes.RequiredText("value")};
   attributes.RefuseUnknown();
@@ -57,7 +57,7 @@ void CheckPieces(const scene::Part& whole, AttributeReader* attributes) {
 
 }  // namespace
 
-ObjectSpec ReadObject(const XmlElement& element, const ShapeElement& shape, Container container,
+ObjectSpec ReadObject(const SceneElement& element, const ShapeElement& shape, Container container,
                       Reading* reading) {
   AttributeReader attributes(element, reading);
   const PartPlace place{.container = container};
@@ -68,8 +68,8 @@ ObjectSpec ReadObject(const XmlElement& element, const ShapeElement& shape, Cont
   object.surface = ReadSurface(&attributes);
   attributes.RefuseUnknown();
   object.descriptions = {{"shape", ShapeNameOf(shape, object.whole)}};
-  std::vector<const XmlElement*> content;
-  for (const XmlElement& child : element.children) {
+  std::vector<const SceneElement*> content;
+  for (const SceneElement& child : element.children) {
     if (child.Is(kDescription[0])) {
       Describe(ReadDescription(child, reading), &object.descriptions);
     } else {

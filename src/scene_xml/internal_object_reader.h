@@ -9,7 +9,7 @@ namespace smile::scene_xml {
 /// Reads a whole object with its parts and descriptions.
 ///
 /// @param container  of whole objects.
-scene::ObjectSpec ReadObject(const XmlElement& element, const ShapeElement& shape,
+scene::ObjectSpec ReadObject(const SceneElement& element, const ShapeElement& shape,
                              Container container, Reading* reading);
 
 }  // namespace smile::scene_xml

@@ -5,6 +5,7 @@
 
 #include "scene_xml/internal_bond_reader.h"
 #include "scene_xml/internal_control_reader.h"
+#include "scene_xml/value_ranges.h"
 
 namespace smile::scene_xml {
 namespace {
@@ -16,11 +17,11 @@ void ReadNextState(const PartPlace& place, AttributeReader* attributes, Part* pa
   if (place.container != Container::kState) {
     attributes->Forbid(kName, std::string(kName) + " only inside a state of a customControl");
   } else if (attributes->Text(kName)) {
-    part->next_state = attributes->Count(kName, -1, {-1, place.num_states - 1});
+    part->next_state = attributes->Count(kName, -1, {kNextStates.least, place.num_states - 1});
   }
 }
 
-void ReadMember(const XmlElement& element, const PartPlace& inside, scene::Composite* composite,
+void ReadMember(const SceneElement& element, const PartPlace& inside, scene::Composite* composite,
                 Reading* reading) {
   if (inside.container == Container::kComposite && element.Is("guestBondPoint")) {
     composite->guests.push_back(ReadGuestPoint(element, reading));
@@ -33,7 +34,7 @@ void ReadMember(const XmlElement& element, const PartPlace& inside, scene::Compo
 
 }  // namespace
 
-Part ReadPartAttributes(const XmlElement& element, const ShapeElement& shape,
+Part ReadPartAttributes(const SceneElement& element, const ShapeElement& shape,
                         const PartPlace& place, AttributeReader* attributes, Reading* reading) {
   Part part;
   part.is_pointable = attributes->Boolean("pointable", false);
@@ -50,21 +51,21 @@ Part ReadPartAttributes(const XmlElement& element, const ShapeElement& shape,
   return part;
 }
 
-void ReadContent(const PartPlace& place, std::span<const XmlElement* const> content,
+void ReadContent(const PartPlace& place, std::span<const SceneElement* const> content,
                  std::span<const std::string_view> others, AttributeReader* attributes, Part* part,
                  Reading* reading) {
   if (auto* composite = std::get_if<scene::Composite>(&part->shape)) {
     PartPlace inside = place;
     if (place.container != Container::kState) inside.container = Container::kComposite;
-    for (const XmlElement* child : content) ReadMember(*child, inside, composite, reading);
+    for (const SceneElement* child : content) ReadMember(*child, inside, composite, reading);
   } else if (scene::IsControl(part->shape)) {
     ReadControlContent(content, others, attributes, &part->shape, reading);
   } else {
-    for (const XmlElement* child : content) RefuseElement(*child, others, reading);
+    for (const SceneElement* child : content) RefuseElement(*child, others, reading);
   }
 }
 
-Part ReadPart(const XmlElement& element, const ShapeElement& shape, const PartPlace& place,
+Part ReadPart(const SceneElement& element, const ShapeElement& shape, const PartPlace& place,
               Reading* reading) {
   AttributeReader attributes(element, reading);
   Part part = ReadPartAttributes(element, shape, place, &attributes, reading);
@@ -72,8 +73,8 @@ Part ReadPart(const XmlElement& element, const ShapeElement& shape, const PartPl
     attributes.Forbid(name, std::string(name) + " only on the whole object");
   }
   attributes.RefuseUnknown();
-  std::vector<const XmlElement*> content;
-  for (const XmlElement& child : element.children) {
+  std::vector<const SceneElement*> content;
+  for (const SceneElement& child : element.children) {
     if (child.Is("description")) {
       reading->findings->Add(child.place, AddressOf(child),
                              "found a description of a part, expected it in the whole object");

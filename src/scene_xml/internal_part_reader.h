@@ -19,19 +19,19 @@ struct PartPlace {
 
 /// What whole objects and parts have in common: all but content, mass and the check for unknown
 /// attributes. Whole objects, controls and what can be pointed at get an id of their own.
-scene::Part ReadPartAttributes(const XmlElement& element, const ShapeElement& shape,
+scene::Part ReadPartAttributes(const SceneElement& element, const ShapeElement& shape,
                                const PartPlace& place, AttributeReader* attributes,
                                Reading* reading);
 
 /// The content of a shape but for its descriptions: parts, bond points, states, downstreams.
 ///
 /// @param others  words a message should say may stand there too.
-void ReadContent(const PartPlace& place, std::span<const XmlElement* const> content,
+void ReadContent(const PartPlace& place, std::span<const SceneElement* const> content,
                  std::span<const std::string_view> others, AttributeReader* attributes,
                  scene::Part* part, Reading* reading);
 
 /// A part of a composite or of a state, with all that is in it.
-scene::Part ReadPart(const XmlElement& element, const ShapeElement& shape, const PartPlace& place,
+scene::Part ReadPart(const SceneElement& element, const ShapeElement& shape, const PartPlace& place,
                      Reading* reading);
 
 }  // namespace smile::scene_xml

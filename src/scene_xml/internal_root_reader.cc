@@ -4,14 +4,14 @@
 #include "scene_xml/internal_element_choice.h"
 #include "scene_xml/internal_units.h"
 #include "scene_xml/internal_values.h"
+#include "scene_xml/value_ranges.h"
 
 namespace smile::scene_xml {
 namespace {
 
-constexpr Range<double> kMetersPerUnitRange{1e-12, 1000};
 constexpr double kTableThicknessUnits = 4;
 
-bool CheckIsScene(const XmlElement& root, Reading* reading) {
+bool CheckIsScene(const SceneElement& root, Reading* reading) {
   if (!CheckNamespace(root, reading)) return false;
   if (root.name == "tabletop") return true;
   reading->findings->Add(root.place, AddressOf(root), "found this element, expected <tabletop>");
@@ -20,7 +20,7 @@ bool CheckIsScene(const XmlElement& root, Reading* reading) {
 
 }  // namespace
 
-bool ReadRoot(const XmlElement& root, Reading* reading, scene::SceneSpec* scene) {
+bool ReadRoot(const SceneElement& root, Reading* reading, scene::SceneSpec* scene) {
   if (!CheckIsScene(root, reading)) return false;
   AttributeReader attributes(root, reading);
   // The unit first: the spans are measured in it.
@@ -34,7 +34,7 @@ bool ReadRoot(const XmlElement& root, Reading* reading, scene::SceneSpec* scene)
   return true;
 }
 
-bool CheckIncludedRoot(const XmlElement& root, Reading* reading) {
+bool CheckIncludedRoot(const SceneElement& root, Reading* reading) {
   if (!CheckIsScene(root, reading)) return false;
   AttributeReader attributes(root, reading);
   const double unit =
@@ -47,11 +47,6 @@ bool CheckIncludedRoot(const XmlElement& root, Reading* reading) {
   attributes.Span("yspan", 12);
   attributes.RefuseUnknown();
   return true;
-}
-
-std::string WithoutPath(std::string reason, const std::string& file) {
-  if (reason.starts_with(file + ": ")) reason.erase(0, file.size() + 2);
-  return reason;
 }
 
 }  // namespace smile::scene_xml

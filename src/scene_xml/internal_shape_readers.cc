@@ -4,7 +4,8 @@
 #include <array>
 #include <string>
 
-#include "scene_xml/internal_control_reader.h"
+#include "scene_xml/internal_control_shapes.h"
+#include "scene_xml/value_ranges.h"
 
 namespace smile::scene_xml {
 namespace {
@@ -32,10 +33,8 @@ Shape ReadCustom(AttributeReader* attributes) { return attributes->Custom(); }
 Shape ReadCylinder(AttributeReader* attributes) {
   return scene::Cylinder{.radius = attributes->Span("radius", 0.5),
                          .length = attributes->Span("yspan", 1),
-                         .sides = attributes->Count("sides", 32, {3, 4096})};
+                         .sides = attributes->Count("sides", 32, kCylinderSides)};
 }
-
-constexpr Range<int> kPolygonSides{3, 1024};
 
 Shape ReadFrustum(AttributeReader* attributes) {
   const scene::Frustum frustum{.radius_top = attributes->SpanOrZero("radiusTop", 0.5),
@@ -82,11 +81,10 @@ constexpr std::array<ShapeElement, 11> kShapeElements{{
 std::span<const ShapeElement> ShapeElements() { return kShapeElements; }
 
 scene::Surface ReadSurface(AttributeReader* attributes) {
-  constexpr Range<double> kFriction{0, 10}, kRestitution{0, 1};
   const scene::Surface usual;
   scene::Surface surface{
       .friction = attributes->Number("friction", usual.friction, kFriction),
-      .restitution = attributes->Number("restitution", usual.restitution, kRestitution)};
+      .restitution = attributes->Number("restitution", usual.restitution, kProportion)};
   if (attributes->Text("rollingFriction")) {
     surface.rolling_friction = attributes->SpanOrZero("rollingFriction", 0.01);
   }

@@ -5,12 +5,11 @@
 #include <cmath>
 
 #include "scene_xml/internal_letters.h"
+#include "scene_xml/value_ranges.h"
 
 namespace smile::scene_xml {
 namespace {
 
-constexpr std::size_t kMaxIdBytes = 100;  // ids stand in every log line and label
-constexpr std::size_t kMaxRenameDigits = 10;
 constexpr std::size_t kMaxNumberBytes = 100;  // a number nobody writes longer; bounds the work
 
 std::string_view Trimmed(std::string_view text) {

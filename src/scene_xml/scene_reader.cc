@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/files.h"
+#include "scene_xml/internal_allowed_folders.h"
 #include "scene_xml/internal_camera_reader.h"
 #include "scene_xml/internal_element_choice.h"
 #include "scene_xml/internal_expansion.h"
@@ -17,7 +18,7 @@
 namespace smile::scene_xml {
 namespace {
 
-void ReadElement(const XmlElement& element, Reading* reading, ObjectList* objects) {
+void ReadElement(const SceneElement& element, Reading* reading, ObjectList* objects) {
   if (element.Is("chain")) {
     ReadChain(element, reading, objects);
   } else if (element.Is("sliderJoint")) {
@@ -31,7 +32,7 @@ void ReadElement(const XmlElement& element, Reading* reading, ObjectList* object
 }
 
 /// @param path  nullptr for a text without a file.
-SceneReading ReadTree(XmlElement root, const std::filesystem::path* path,
+SceneReading ReadTree(SceneElement root, const std::filesystem::path* path,
                       const SceneReaderOptions& options, const ReadCounts& counts,
                       Findings* findings) {
   SceneReading result;
@@ -39,10 +40,11 @@ SceneReading ReadTree(XmlElement root, const std::filesystem::path* path,
   MeshShelf meshes(path, options.search_roots, options.limits);
   Reading reading{.findings = findings, .meshes = &meshes};
   if (!ReadRoot(root, &reading, &scene)) return result;
-  const bool has_all_files = ResolveIncludes(path, options, counts, &root, &reading);
+  const bool has_all_files =
+      ResolveIncludes(path, options.search_roots, options.limits, counts, &root, &reading);
   ExpandTemplates(options.limits, has_all_files, &root, &reading);
   ObjectList objects(options.limits, &scene, findings);
-  for (const XmlElement& child : root.children) ReadElement(child, &reading, &objects);
+  for (const SceneElement& child : root.children) ReadElement(child, &reading, &objects);
   // What is missing may just be in a missing file.
   if (has_all_files) ConnectMechanisms(&scene, &reading);
   const Sources& sources = findings->sources();
@@ -58,8 +60,8 @@ SceneReading Read(std::string_view xml, const std::filesystem::path* path,
   Findings findings(file_name, options.limits.max_diagnostics);
   ReadCounts counts{.num_bytes = xml.size()};
   SceneReading reading;
-  if (std::optional<XmlElement> root =
-          ParseXml(xml, /*file=*/0, options.limits, &counts.num_elements, &findings)) {
+  if (std::optional<SceneElement> root =
+          ParseSceneXml(xml, /*file=*/0, options.limits, &counts.num_elements, &findings)) {
     reading = ReadTree(*std::move(root), path, options, counts, &findings);
     reading.scene->name = std::filesystem::path(file_name).stem().string();
   }

@@ -2,8 +2,8 @@
 
 #include "scene_xml/internal_mechanism_writer.h"
 #include "scene_xml/internal_part_writer.h"
+#include "scene_xml/internal_scene_element.h"
 #include "scene_xml/internal_xml_text.h"
-#include "scene_xml/internal_xml_tree.h"
 #include "scene_xml/mesh_files.h"
 
 namespace smile::scene_xml {

@@ -15,6 +15,7 @@
 #include "robot_input.h"
 #include "scene_input.h"
 #include "trajectory_input.h"
+#include "xml_input.h"
 
 namespace smile::fuzz {
 namespace {
@@ -42,6 +43,14 @@ std::string ReasonAgainstScene(std::string_view input) {
   return reason;
 }
 
+std::string ReasonAgainstXml(std::string_view input) {
+  std::string reason;
+  for (const Diagnostic& finding : ParseHostileXml(input, xml::Strictness::kTolerant).diagnostics) {
+    reason += ToString(finding) + "\n";
+  }
+  return reason;
+}
+
 constexpr auto kReadJson = [](std::string_view text) { return ParseJson(text); };
 
 const HostileReader kReaders[] = {
@@ -53,6 +62,7 @@ const HostileReader kReaders[] = {
     {"robot", FaultWithRobot, ReasonThrownBy<InputError, ReadHostileRobot>, 5, 15, "robots"},
     {"scene", FaultWithScene, ReasonAgainstScene, 23, 24, "scenes", ".xml"},
     {"trajectory", FaultWithTrajectory, ReasonThrownBy<InputError, ReadTrajectoryText>, 5, 15},
+    {"xml", FaultWithXml, ReasonAgainstXml, 4, 12, "scenes", ".xml"},
 };
 
 class HostileInput : public ::testing::TestWithParam<HostileReader> {

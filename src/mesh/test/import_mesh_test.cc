@@ -201,14 +201,18 @@ TEST(ImportMesh, PutsThePartsOfAGltfInTheirPlaces) {
 
 TEST(ImportMesh, BoundsWhatADaeMayCost) {
   EXPECT_EQ(FaultOf("<!DOCTYPE a [<!ENTITY b \"c\">]><a/>", "dae"),
-            "found a DOCTYPE, expected none");
-  EXPECT_EQ(FaultOf("<a><instance_node url='#a'/></a>", "dae"),
-            "found <instance_node>, expected each node in its place");
+            "line 1: found a DOCTYPE, expected none: a file stands for itself");
+  EXPECT_EQ(FaultOf("<a>\n<instance_node url='#a'/></a>", "dae"),
+            "line 2: found <instance_node>, expected each node in its place");
   std::string deep;
-  for (int i = 0; i < 101; ++i) deep += "<node><!--</node></node>--><b c='</node>'/>";
+  for (int i = 0; i < 101; ++i) deep += "<node><!--</node></node>--><b c='/>'/>";
   EXPECT_EQ(FaultOf(deep, "dae"),
-            "found more than 200000 elements or 100 inside one another, expected fewer");
-  EXPECT_EQ(FaultOf("<a", "dae"), "found the end in the middle of an element: it is cut short");
+            "line 1: <node>: found more than 100 elements inside one another, expected fewer");
+  std::string many = "<a>";
+  for (int i = 0; i < 200'000; ++i) many += "<b/>";
+  EXPECT_EQ(FaultOf(many, "dae"), "line 1: <b>: found more than 200000 elements, expected fewer");
+  const std::string cut = FaultOf("<a>\n<b", "dae");
+  EXPECT_TRUE(cut.starts_with("line 2: found a fault in the XML (")) << cut;
   EXPECT_EQ(FaultOf("<a/>", "dae").substr(0, 26), "is no DAE that can be read");
 }
 

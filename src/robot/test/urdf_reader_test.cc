@@ -171,26 +171,43 @@ TEST_F(UrdfReader, RefusesAJointToALinkThatIsNotThere) {
 }
 
 TEST_F(UrdfReader, RefusesTextThatIsNoUrdf) {
-  EXPECT_TRUE(Complaint("").starts_with("r.urdf: "));
-  EXPECT_TRUE(Complaint("hello").starts_with("r.urdf: "));
+  EXPECT_EQ(Complaint(""), "r.urdf:1: found an empty file, expected a <robot> element");
+  EXPECT_EQ(Complaint("hello"),
+            "r.urdf:1: found something that is not XML, expected a <robot> element");
   EXPECT_TRUE(Complaint("<scene/>").starts_with("r.urdf: "));
   EXPECT_TRUE(Complaint("<robot/>").starts_with("r.urdf: "));
-  EXPECT_EQ(Complaint("<robot name=\"r\">\n<link name=base/></robot>"),
-            "r.urdf:2: the value of \"name\" is not in quotes");
-  EXPECT_EQ(Complaint("<robot name=\"r\">\n<!-- <link/>"), "r.urdf:2: the comment does not end");
-  EXPECT_EQ(Complaint("<robot name=\"r\">\n\n"), "r.urdf:1: the file ends before \"robot\" does");
-  EXPECT_EQ(Complaint("<robot name=\"r\">\n<link></lnk></robot>"),
-            "r.urdf:2: found the end of \"lnk\", expected that of \"link\"");
+  for (const char* broken : {"<link name=base/></robot>", "<!-- <link/>", "<link></lnk></robot>"}) {
+    const std::string message = Complaint("<robot name=\"r\">\n" + std::string(broken));
+    EXPECT_TRUE(message.starts_with("r.urdf:2: found a fault in the XML (")) << message;
+  }
   EXPECT_EQ(Complaint(std::string("<robot\n\0/>", 10)),
-            "r.urdf:2: found a zero byte, expected XML text");
+            "r.urdf:2: found a NUL byte, expected XML text in UTF-8");
   EXPECT_EQ(Complaint("<!DOCTYPE robot [<!ENTITY a \"b\">]><robot name=\"r\"/>"),
-            "r.urdf:1: found a document type or CDATA, expected elements and comments");
+            "r.urdf:1: found a DOCTYPE, expected none: a file stands for itself");
+}
+
+TEST_F(UrdfReader, ReadsWhatOtherToolsLeaveBehind) {
+  const std::string plain = SmallRobot().Text();
+  const std::string extra = R"(
+  <!-- ---- of a simulator ---- -->
+  <gazebo><controller:gazebo_ros name="c"><updateRate>100 Hz</updateRate></controller:gazebo_ros>
+    <plugin name="p"><![CDATA[ <link name="arm"/> ]]></plugin></gazebo>)";
+  EXPECT_EQ(Read(SmallRobot{.extra = extra}.Text()).links, Read(plain).links);
+  const std::string latin = "<?xml version=\"1.0\" encoding=\"ISO-8859-1\"?>\n<!-- \xE9 -->";
+  EXPECT_EQ(Read(latin + plain.substr(plain.find('\n'))).links, Read(plain).links);
+}
+
+TEST_F(UrdfReader, RefusesTagsThatOnlyItsParserWouldSee) {
+  EXPECT_EQ(
+      Complaint("<robot name=\"r\">\n<?note > <a><a> ?></robot>"),
+      "r.urdf:2: found the processing instruction \"note\" with < or > inside, expected none");
 }
 
 TEST_F(UrdfReader, BoundsDepthAndSize) {
   std::string deep = "<robot name=\"r\">";
   for (int i = 0; i < 100000; ++i) deep += "<a>";
-  EXPECT_EQ(Complaint(deep), "r.urdf:1: elements are nested deeper than 32 levels");
+  EXPECT_EQ(Complaint(deep),
+            "r.urdf:1: <a>: found more than 32 elements inside one another, expected fewer");
 
   const auto repeated = [](const std::string& before, const std::string& after, int count) {
     std::string text;
@@ -203,9 +220,9 @@ TEST_F(UrdfReader, BoundsDepthAndSize) {
       Complaint("<robot>" + repeated("<joint><child link=\"l", "\"/></joint>", 20000) + "</robot>"),
       "r.urdf: found 20000 elements <joint>, expected 256 at most");
   EXPECT_EQ(Complaint("<robot " + repeated("a", "=\"\" ", 100000) + "/>"),
-            "r.urdf:1: found more than 32 attributes");
+            "r.urdf:1: found a tag with 100000 attributes, expected at most 32");
   EXPECT_EQ(Complaint("<robot>" + repeated("<a", "/>", 60000) + "</robot>"),
-            "r.urdf:1: found more than 50000 elements");
+            "r.urdf:1: <a49999>: found more than 50000 elements, expected fewer");
 }
 
 TEST_F(UrdfReader, SaysWhichFileIsMissing) {

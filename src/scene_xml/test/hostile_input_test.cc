@@ -49,7 +49,7 @@ TEST(HostileInput, RefusesBrokenXmlWithTheLineAndTheParsersReason) {
 TEST(HostileInput, RefusesADoctypeAndWithItEveryEntity) {
   EXPECT_EQ(FaultOf("<?xml version='1.0'?>\n<!DOCTYPE tabletop [<!ENTITY a 'aaaa'>"
                     "<!ENTITY b SYSTEM 'file:///etc/passwd'>]><tabletop>&a;&b;</tabletop>"),
-            "test.xml:2: found a DOCTYPE, expected none: a scene file stands for itself");
+            "test.xml:2: found a DOCTYPE, expected none: a file stands for itself");
 }
 
 TEST(HostileInput, RefusesOtherEncodings) {

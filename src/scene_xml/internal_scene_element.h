@@ -6,28 +6,28 @@
 #include <vector>
 
 #include "scene_xml/internal_findings.h"
-#include "scene_xml/scene_reader.h"
+#include "scene_xml/scene_limits.h"
 
 namespace smile::scene_xml {
 
 /// The namespace every element of a scene file is in.
 inline constexpr std::string_view kSceneNamespace = "http://synapse.cs.umd.edu/tabletop-xml";
 
-struct XmlAttribute {
+struct SceneAttribute {
   std::string name;  ///< with its prefix, if it has one
   std::string value;
   bool is_faulty = false;  ///< its expression has a fault, which has been reported
 };
 
-/// An element of a well-formed file. Comments, blanks and the attributes that only speak to XML
-/// tools (`xsi:…`, `xml:…`, `xmlns…`) are left out.
-struct XmlElement {
+/// Element of a scene: as xml::Parse() returned it from one of the files, with its place among all
+/// of them, while files are included and templates expanded.
+struct SceneElement {
   std::string name;  ///< without prefix
   Place place;       ///< where its tag begins
   bool is_in_scene_namespace = false;
   std::string found_namespace;  ///< for a message, when it is in another one; empty = in none
-  std::vector<XmlAttribute> attributes;
-  std::vector<XmlElement> children;
+  std::vector<SceneAttribute> attributes;
+  std::vector<SceneElement> children;
 
   /// Whether it is this element of the scene language.
   bool Is(std::string_view element_name) const {
@@ -37,17 +37,15 @@ struct XmlElement {
 };
 
 /// How a message addresses an element: `block id="B3"`, `var name="size"`, `instance def="lid"`.
-std::string AddressOf(const XmlElement& element);
+std::string AddressOf(const SceneElement& element);
 
-/// The file as a tree; nullopt, with the reason in `findings`, when it is not well-formed XML or
-/// passes a limit. Text between elements is a finding, but the tree is still returned.
-///
-/// The parser reads no other file, opens no connection and accepts no DOCTYPE, so a file can
-/// neither define entities nor ask for anything outside itself.
+/// Parses one file of a scene; nullopt, with the reason in `findings`, when it is not well-formed
+/// XML or passes a limit. Text between elements is a finding, but the tree is still returned.
 ///
 /// @param file          of the places in it.
 /// @param num_elements  how many the scene has so far; counted on.
-std::optional<XmlElement> ParseXml(std::string_view text, int file, const SceneLimits& limits,
-                                   int* num_elements, Findings* findings);
+std::optional<SceneElement> ParseSceneXml(std::string_view text, int file,
+                                          const SceneLimits& limits, int* num_elements,
+                                          Findings* findings);
 
 }  // namespace smile::scene_xml

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstddef>
+
+namespace smile::scene_xml {
+
+/// Both ends belong to the range.
+template <class Number>
+struct Range {
+  Number least, most;
+};
+
+// The values that attributes of the scene language may hold, in the unit of the file. The reader
+// checks with these definitions, and the schemas of values in scenes/schema are generated from
+// them (tests/schema).
+
+// Far beyond any table, near enough that no sum or square of them overflows.
+inline constexpr Range<long double> kSpanUnits{0.001L, 1e6L};
+inline constexpr Range<long double> kLocationUnits{-1e6L, 1e6L};
+inline constexpr Range<double> kMetersPerUnitRange{1e-12, 1000};
+// Beyond, a double holds too few digits of an angle to make a clean rotation of it.
+inline constexpr Range<double> kAngleDegrees{-1e6, 1e6};
+inline constexpr Range<double> kMassKilograms{0, 1e6};
+inline constexpr Range<double> kLinkMassKilograms{1e-6, 1e6};
+inline constexpr Range<double> kFriction{0, 10};
+/// Restitution, damping, softness.
+inline constexpr Range<double> kProportion{0, 1};
+// Beyond, a button would stand on its edge.
+inline constexpr Range<double> kButtonDegrees{0, 90};
+inline constexpr Range<double> kFieldOfViewDegrees{1, 170};
+
+inline constexpr int kMaxStates = 256;  ///< of one control
+inline constexpr int kMaxLights = 256;  ///< of one control
+inline constexpr int kMaxStages = 256;  ///< of tightness, of one host point
+inline constexpr int kMaxLinks = 1000;  ///< of one chain
+inline constexpr Range<int> kNumStates{1, kMaxStates};
+inline constexpr Range<int> kStates{0, kMaxStates - 1};
+/// -1 means no change; a state of the control, which may have fewer.
+inline constexpr Range<int> kNextStates{-1, kMaxStates - 1};
+inline constexpr Range<int> kNumLights{1, kMaxLights};
+/// A light of the control, which may have fewer.
+inline constexpr Range<int> kLights{0, kMaxLights - 1};
+/// 0 means not fastened.
+inline constexpr Range<int> kTightness{0, kMaxStages};
+/// 0 means as many as fit.
+inline constexpr Range<int> kNumLinks{0, kMaxLinks};
+inline constexpr Range<int> kCylinderSides{3, 4096};
+inline constexpr Range<int> kPolygonSides{3, 1024};
+
+inline constexpr std::size_t kMaxIdBytes = 100;  ///< ids stand in every log line and label
+inline constexpr std::size_t kMaxRenameDigits = 10;
+inline constexpr std::size_t kMaxBondTypeBytes = 100;
+
+}  // namespace smile::scene_xml

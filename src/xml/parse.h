@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/diagnostic.h"
+#include "xml/element.h"
+
+namespace smile::xml {
+
+/// Bounds of what a file may cost: files come from anywhere. A file beyond a limit is refused with
+/// a diagnostic.
+struct Limits {
+  std::size_t max_bytes = 32u << 20;
+  int max_depth = 256;         ///< elements inside one another; at most 256
+  int max_elements = 100'000;  ///< of this file and ParseOptions::num_elements_before
+  int max_attributes = 256;    ///< of one element, declarations of namespaces among them
+  int max_namespaces = 8;      ///< declared by one element
+  int max_diagnostics = 1000;  ///< about text; the fault that ends parsing comes in addition
+};
+
+/// What happens to text between tags that is not blank.
+enum class TextPolicy {
+  kRefuse,  ///< each is a diagnostic; the tree is returned all the same
+  kSkip,
+  kKeep  ///< in Element::text, blanks included
+};
+
+enum class Strictness {
+  kStrict,  ///< well-formed XML with namespaces
+  /// Additionally accepts what tools that write URDF and COLLADA are known to leave behind, and
+  /// their readers to accept: prefixes without a namespace (they are then part of all names, and
+  /// namespaces are not reported), two hyphens in a comment, the encodings ISO-8859 and
+  /// Windows-125x.
+  kTolerant
+};
+
+struct ParseOptions {
+  Limits limits;
+  std::string_view root = "root";  ///< the element that messages about empty files expect
+  TextPolicy text = TextPolicy::kKeep;
+  Strictness strictness = Strictness::kStrict;
+  /// Of other files, which count towards Limits::max_elements.
+  int num_elements_before = 0;
+  /// The attribute by which people know an element of that name, for addresses in diagnostics;
+  /// nullptr leaves it out.
+  std::string_view (*key_of)(std::string_view element_name) = nullptr;
+};
+
+/// Result of Parse().
+struct Parsed {
+  std::optional<Element> root;  ///< empty when the file is refused; then there is a diagnostic
+  std::vector<Diagnostic> diagnostics;  ///< in the order they were found
+  int num_elements = 0;
+};
+
+/// Reads an XML file in UTF-8 as a tree of bounded size.
+///
+/// The parser opens no other file and no connection and accepts no DOCTYPE, so a file can neither
+/// define entities nor refer to anything outside itself. Processing instructions are skipped,
+/// except those that contain a tag, which other parsers may read. Time and memory are bounded by
+/// the limits; lines are exact for files of any length.
+///
+/// @param file_name  of the diagnostics. Each has a line of at least 1.
+Parsed Parse(std::string_view text, const std::string& file_name, const ParseOptions& options = {});
+
+}  // namespace smile::xml

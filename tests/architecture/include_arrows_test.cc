@@ -1,5 +1,5 @@
 // The walls of the house: who includes whom is what src/CMakeLists.txt and docs/architecture.md
-// say.
+// say, and the files of a room include one another in no large circle.
 
 #include <gtest/gtest.h>
 
@@ -12,6 +12,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "base/files.h"
 
@@ -149,6 +150,88 @@ TEST(Architecture, EveryLibraryHasOneHome) {
       }
     });
   }
+}
+
+// Files of a room that all include one another, directly or by way of others, can only be read
+// together: such knots stay small.
+
+using Units = std::set<std::string>;
+using IncludeGraph = std::map<std::string, Units>;
+
+constexpr std::size_t kMaxFilesInAKnot = 3;
+
+/// Larger knots that are known, by one of their files; their sizes may only shrink.
+const std::map<std::string, std::size_t> kKnownKnots = {{"sim/simulation", 4}};
+
+/// Which units of a room include which; a header and its source are one unit, `room/name`.
+IncludeGraph GraphOf(const std::string& room) {
+  IncludeGraph graph;
+  for (const auto& entry : fs::directory_iterator(kRoot / "src" / room)) {
+    const std::string extension = entry.path().extension();
+    if (extension != ".h" && extension != ".cc") continue;
+    const std::string unit = room + "/" + entry.path().stem().string();
+    for (const std::string& include : IncludesOf(entry.path())) {
+      const std::string included = include.substr(0, include.rfind('.'));
+      if (included != unit && included.starts_with(room + "/")) graph[unit].insert(included);
+    }
+  }
+  return graph;
+}
+
+void AddReachable(const std::string& unit, const IncludeGraph& graph, Units* reached) {
+  const auto includes = graph.find(unit);
+  if (includes == graph.end()) return;
+  for (const std::string& included : includes->second) {
+    if (reached->insert(included).second) AddReachable(included, graph, reached);
+  }
+}
+
+/// The strongly connected components of more than one unit.
+std::vector<Units> KnotsOf(const IncludeGraph& graph) {
+  std::map<std::string, Units> reachable;
+  for (const auto& [unit, includes] : graph) AddReachable(unit, graph, &reachable[unit]);
+  std::set<Units> knots;
+  for (const auto& [unit, reached] : reachable) {
+    Units knot;
+    for (const std::string& other : reached) {
+      if (reachable.contains(other) && reachable.at(other).contains(unit)) knot.insert(other);
+    }
+    if (!knot.empty()) knots.insert(knot);
+  }
+  return {knots.begin(), knots.end()};
+}
+
+std::size_t AllowedSizeOf(const Units& knot) {
+  for (const auto& [unit, size] : kKnownKnots) {
+    if (knot.contains(unit)) return size;
+  }
+  return kMaxFilesInAKnot;
+}
+
+std::string ListOf(const Units& units) {
+  std::string list;
+  for (const std::string& unit : units) list += "\n  " + unit;
+  return list;
+}
+
+TEST(Architecture, FindsKnotsOfUnitsThatIncludeOneAnother) {
+  const IncludeGraph graph = {
+      {"a", {"b"}}, {"b", {"c"}}, {"c", {"a", "d"}}, {"d", {"e"}}, {"f", {"a"}}};
+  EXPECT_EQ(KnotsOf(graph), (std::vector<Units>{{"a", "b", "c"}}));
+}
+
+TEST(Architecture, NoKnotHasMoreThanThreeFiles) {
+  Rooms rooms = TableOfTheBuild();
+  rooms["app"];
+  std::size_t num_units = 0;
+  for (const auto& [room, neighbours] : rooms) {
+    const IncludeGraph graph = GraphOf(room);
+    num_units += graph.size();
+    for (const Units& knot : KnotsOf(graph)) {
+      EXPECT_LE(knot.size(), AllowedSizeOf(knot)) << room << " has a knot of" << ListOf(knot);
+    }
+  }
+  EXPECT_GT(num_units, 200u);
 }
 
 }  // namespace

@@ -53,6 +53,7 @@ Rooms TableOfTheDocument() {
   std::smatch match;
   for (std::string line; std::getline(lines, line);) {
     if (!std::regex_match(line, match, row)) continue;
+    EXPECT_FALSE(table.contains(match[1])) << match[1] << " has two rows";
     std::set<std::string>& neighbours = table[match[1]];
     std::istringstream words(match[2]);
     for (std::string word; words >> word;) {

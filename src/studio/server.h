@@ -29,7 +29,8 @@ struct ServerLimits {
   int clients = 64;
   std::size_t outbox_bytes = 8 << 20;  ///< news that wait for one client
   double stall_seconds = 10;           ///< so long a client may take nothing
-  double silence_seconds = 10;         ///< after which control may be taken from a client
+  double silence_seconds =
+      30;  ///< of a controller who was asked, until control may be taken by force
 };
 
 struct ServerOptions {

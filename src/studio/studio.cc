@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/files.h"
+#include "studio/control_requests.h"
 #include "studio/internal_studio_loop.h"
 #include "studio/library_requests.h"
 #include "studio/pose_stream.h"
@@ -86,6 +87,7 @@ class Studio::Impl {
         server_(WithAnswers(options.server)),
         loop_(&workplace_, &server_) {
     AddLibraryRequests(&library_, &workshop_, workplace_.table());
+    AddControlRequests(workplace_.table());
   }
 
   std::string link() const { return server_.link(); }

@@ -109,6 +109,8 @@ export interface StateMessage {
   playback: { recording: string; seconds: number; length: number; rate: number } | null;
   controls: Record<string, string>;
   gone: string[];
+  /** On the floor, out of play. */
+  fallen: string[];
   attention: Record<string, string[]>;
   robot: {
     shown: boolean;
@@ -173,6 +175,8 @@ export type News =
   | { t: "score"; result: Record<string, unknown> }
   | { t: "progress"; what: string; done: number; total: number }
   | { t: "control_wanted"; by: number }
+  | { t: "control_kept"; by: number }
+  | { t: "library" }
   | { t: "error"; error: string };
 
 /** A binary message: where frames are now. */

@@ -1,4 +1,4 @@
-import { computed, signal } from "@preact/signals";
+import { computed, effect, signal } from "@preact/signals";
 import type { Command } from "./commands";
 import { Connection } from "./connection";
 import type {
@@ -13,6 +13,7 @@ import type {
   SceneMessage,
   StateMessage,
 } from "./protocol";
+import { texts } from "./texts";
 
 /** What the page knows: the program's truth as last told, and what only this page's user chose. */
 export const scene = signal<SceneMessage | null>(null);
@@ -28,12 +29,18 @@ export const progress = signal<{ what: string; done: number; total: number } | n
 export const notices = signal<{ id: number; text: string; isError: boolean }[]>([]);
 /** Who wants control from us. */
 export const controlWantedBy = signal<number | null>(null);
+/** How often recordings came or went. */
+export const numLibraryNews = signal(0);
 
 /** The hand that the mouse is. */
 export const currentHand = signal<HandName>("any");
 export const isController = computed(
   () => clients.value !== null && clients.value.controller === clients.value.you,
 );
+effect(() => {
+  const by = controlWantedBy.value;
+  if (by !== null && !(isController.value && clients.value?.clients.includes(by))) controlWantedBy.value = null;
+});
 export const heldObject = computed(() => state.value?.hands[currentHand.value].object ?? null);
 
 const MAX_CONSOLE_LINES = 500;
@@ -79,6 +86,12 @@ function onNews(news: News): void {
       break;
     case "control_wanted":
       controlWantedBy.value = news.by;
+      break;
+    case "control_kept":
+      notify(texts.people.kept(news.by), true);
+      break;
+    case "library":
+      numLibraryNews.value += 1;
       break;
     case "error":
       notify(news.error, true);

@@ -133,3 +133,33 @@ test("a reload loses nothing; a second page watches, asks for control, and gets 
   await other.press("Finish");
   await witness.until(() => witness.state.recording === null, "who has control may finish");
 });
+
+test("a request for control stops no drag, and who is refused is told", async (t) => {
+  const { studio, page, witness, person } = await browser.workplace(t, { studio: ["--no-robot", "--no-pictures"] });
+  const second = await browser.open(studio);
+  const other = new Person(second, witness);
+  const otherMenu = second.getByRole("button", { name: "Who controls" });
+  await person.grasp("RedBlock");
+  await person.dragTo("RedBlock", [null, null, 2]);
+  const at = await person.take("RedBlock");
+  await page.mouse.move(at.x, at.y - 30, { steps: 3 });
+  await other.press("Take control");
+  const banner = page.getByRole("status", { name: "Somebody asks for control" });
+  await banner.getByText(/Visitor \d+ asks for control/).waitFor();
+  const before = await person.restOf("RedBlock");
+  await page.mouse.move(at.x, at.y - 90, { steps: 3 });
+  await witness.until(() => witness.handOf("RedBlock").place[2] > before[2] + 0.3, "it is dragged on");
+  await page.mouse.up();
+
+  await person.press("Keep control", banner);
+  await second.getByText(/Visitor \d+ keeps control/).waitFor();
+  assert.equal(await banner.count(), 0);
+  await other.press("Take control");
+  await second.getByText(/you may ask again in \d+ s/).waitFor();
+  await otherMenu.click();
+  await second.getByRole("menuitem", { name: "Take control though nobody answers" }).click();
+  await second.getByText(/control may be taken after a silence of 30 s/).waitFor();
+  assert.equal(await banner.count(), 0, "nobody is asked so often");
+  assert.ok(witness.isHeld("RedBlock"));
+  await person.release();
+});

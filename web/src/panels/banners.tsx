@@ -5,7 +5,7 @@ import { texts } from "../texts";
 import { Button } from "../ui/buttons";
 import { openDialogs } from "../ui/dialog";
 import { Notices } from "../ui/notices";
-import { takeControl } from "./control";
+import { ControlWanted, takeControl } from "./control";
 import { failedRecording, isPaused, isPlayback, isRage, mayControl } from "./now";
 
 /** So long a connection may take before anybody is told that it takes long; and that it may never come. */
@@ -70,6 +70,7 @@ function Present() {
     <>
       <Busy />
       <Failure />
+      <ControlWanted />
       {clients.value !== null && !isController.value && (
         <div class="banner">
           <span>{texts.people.watchingBanner}</span>

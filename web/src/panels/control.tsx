@@ -3,7 +3,6 @@ import { effect } from "@preact/signals";
 import { ask, clients, controlWantedBy, isConnected, isController, notify } from "../studio";
 import { texts } from "../texts";
 import { Button } from "../ui/buttons";
-import { Dialog } from "../ui/dialog";
 import { MenuButton, type MenuEntry } from "../ui/menu";
 
 /** Who opens the page, or comes back, controls when nobody else does: but only that soon. */
@@ -67,27 +66,21 @@ export function Control() {
   );
 }
 
-/** Somebody else wants control. */
+/** Somebody else wants control: that is told beside the work, which goes on. */
 export function ControlWanted() {
   const by = controlWantedBy.value;
-  if (by === null || !isController.value) return null;
-  const close = () => (controlWantedBy.value = null);
-  const handOver = () => {
-    close();
-    void ask("give_control", { to: by });
+  if (by === null) return null;
+  const keep = () => {
+    controlWantedBy.value = null;
+    void ask("keep_control", { from: by });
   };
   return (
-    <Dialog
-      title={texts.people.wantedTitle}
-      onClose={close}
-      actions={
-        <>
-          <Button label={texts.people.keep} onClick={close} />
-          <Button label={texts.people.handOver} kind="accent" onClick={handOver} />
-        </>
-      }
-    >
-      <p>{texts.people.wanted(by)}</p>
-    </Dialog>
+    <div class="banner control-wanted" role="status" aria-label={texts.people.wantedTitle}>
+      <span>
+        {texts.people.wanted(by)} <small>{texts.people.wantedHint}</small>
+      </span>
+      <Button label={texts.people.keep} onClick={keep} />
+      <Button label={texts.people.handOver} kind="accent" onClick={() => void ask("give_control", { to: by })} />
+    </div>
   );
 }

@@ -6,7 +6,6 @@ import { isSmall } from "../ui/media";
 import { Banners } from "./banners";
 import { BrainPanel } from "./brain_panel";
 import { ContextMenu } from "./context_menu";
-import { ControlWanted } from "./control";
 import { EyeView } from "./eye_view";
 import { refreshGallery } from "./gallery";
 import { HandsPanel } from "./hands_panel";
@@ -93,7 +92,6 @@ export function StudioPage() {
       <TimelinePanel />
       <TabBar />
       <ContextMenu />
-      <ControlWanted />
       {isHelpOpen.value && <Help />}
       {editedScene.value && <SceneEditor key={editedScene.value.name} />}
       {renamed.value !== null && <RenameDialog id={renamed.value} />}

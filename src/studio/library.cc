@@ -178,6 +178,8 @@ Json Library::List() const {
   return list;
 }
 
+std::string Library::Stamp() const { return StampOf(root_) + ";" + StampOf(bin()); }
+
 fs::path Library::DirectoryOf(const std::string& id) const {
   if (!IsPlainName(id)) FailToFind(id);
   // The root may be a link; nothing under it may.

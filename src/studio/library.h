@@ -29,6 +29,8 @@ class Library {
   /// last frame of its classic view [s], and when it was last recorded into (ISO 8601, UTC). One
   /// that cannot be read has an `error` instead.
   Json List() const;
+  /// Differs after recordings came or went, in the folder or the bin.
+  std::string Stamp() const;
   /// Also of one in the bin.
   /// @throws RequestError if there is no such recording. So do all below.
   std::filesystem::path DirectoryOf(const std::string& id) const;

@@ -113,6 +113,26 @@ void AddEditing(const Library* library, Workshop* workshop, RequestTable* table)
   }};
 }
 
+/// Tells everyone when recordings came or went, whoever did that: a program or a person.
+class LibraryWatch {
+ public:
+  explicit LibraryWatch(const Library* library) : library_(library), stamp_(library->Stamp()) {}
+
+  /// To be called 60 times a second; looks once a second.
+  std::vector<Letter> TakeLetters() {
+    constexpr int kCallsBetween = 60;
+    if (++num_calls_ % kCallsBetween != 0) return {};
+    std::string now = library_->Stamp();
+    if (std::exchange(stamp_, now) == now) return {};
+    return {{.message = {{"t", "library"}}}};
+  }
+
+ private:
+  const Library* library_;
+  std::string stamp_;
+  int num_calls_ = 0;
+};
+
 }  // namespace
 
 void AddLibraryRequests(const Library* library, Workshop* workshop, RequestTable* table) {
@@ -120,6 +140,8 @@ void AddLibraryRequests(const Library* library, Workshop* workshop, RequestTable
   AddTidying(library, table);
   AddEditing(library, workshop, table);
   table->letters.emplace_back([workshop] { return workshop->TakeLetters(); });
+  table->letters.emplace_back(
+      [watch = LibraryWatch(library)]() mutable { return watch.TakeLetters(); });
 }
 
 }  // namespace smile::studio

@@ -1,7 +1,7 @@
 // What becomes of a recording: looked at, played, edited, renamed, thrown away and taken back.
 
 import assert from "node:assert/strict";
-import { existsSync, readdirSync } from "node:fs";
+import { existsSync, readdirSync, rmSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { Browser, replay } from "./workbench.mjs";
@@ -79,4 +79,20 @@ test("a recording is shown, played, edited, renamed, binned and taken back", asy
     await person.press(`More to do with “${title}”`);
     await page.getByRole("menuitem", { name: entry }).click();
   }
+});
+
+test("recordings that come or go by other means are seen without a reload", async (t) => {
+  const { studio, page, person } = await browser.workplace(t, { studio: ["--no-robot", "--no-pictures"] });
+  const id = await person.record(async () => {
+    await person.grasp("RedBlock");
+    await person.release();
+  });
+  await person.showPanel("Library");
+  const cards = page.locator(".recording");
+  const picture = cards.locator("img");
+  await picture.scrollIntoViewIfNeeded();
+  await picture.evaluate((image) => image.decode());
+  rmSync(join(studio.recordings, id), { recursive: true });
+  await page.getByText("No recordings yet.").waitFor();
+  assert.equal(await cards.count(), 0);
 });

@@ -41,6 +41,29 @@ class LibraryRequestsTest : public record::RecordingFixture {
   std::vector<Letter> letters_;
 };
 
+TEST_F(LibraryRequestsTest, TellsEveryoneWhenRecordingsComeOrGo) {
+  Record(R"({"do":"wait","seconds":0.2})");
+  const auto num_told = [this] {
+    int count = 0;
+    for (int i = 0; i < 120; ++i) {
+      for (const Letter& letter : TakeLetters(table_)) {
+        if (letter.client == 0 && letter.message["t"] == "library") ++count;
+      }
+    }
+    return count;
+  };
+  EXPECT_EQ(num_told(), 1);
+  EXPECT_EQ(num_told(), 0) << "nothing changed";
+  std::filesystem::remove_all(root_ / "demo");
+  EXPECT_EQ(num_told(), 1);
+  Record(R"({"do":"wait","seconds":0.2})");
+  EXPECT_EQ(num_told(), 1);
+  EXPECT_EQ(Ask("bin", {{"recording", "demo"}})["ok"], true);
+  EXPECT_EQ(num_told(), 1);
+  std::filesystem::remove_all(root_ / ".bin/demo~1");
+  EXPECT_EQ(num_told(), 1);
+}
+
 TEST_F(LibraryRequestsTest, TidyUp) {
   Record(R"({"do":"wait","seconds":0.2})");
   EXPECT_EQ(Ask("rename", {{"recording", "demo"}, {"title", "Um"}, {"notes", nullptr}})["ok"],

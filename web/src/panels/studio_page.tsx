@@ -1,6 +1,6 @@
 import { useEffect } from "preact/hooks";
 import { useSignalEffect } from "@preact/signals";
-import { isConnected, notify, scene } from "../studio";
+import { isConnected, notify, numLibraryNews, scene } from "../studio";
 import { texts } from "../texts";
 import { isSmall } from "../ui/media";
 import { Banners } from "./banners";
@@ -39,6 +39,14 @@ function useRefresh(): void {
       if (yes && isLost) notify(texts.connection.back);
       isLost = !yes && wasConnected;
       wasConnected = wasConnected || yes;
+    });
+  }, []);
+  useEffect(() => {
+    let num = numLibraryNews.value;
+    return numLibraryNews.subscribe((now) => {
+      // The end of a recording is news anyway.
+      if (now !== num && !isRecording.value) void refreshRecordings();
+      num = now;
     });
   }, []);
   useEffect(() => shownRecording.subscribe((id) => void (id !== null && onRecordingShown(id))), []);

@@ -50,6 +50,14 @@ Json DescribeGone(const world::Tabletop& tabletop) {
   return gone;
 }
 
+Json DescribeFallen(const world::Tabletop& tabletop) {
+  Json fallen = Json::array();
+  for (const world::Object& object : tabletop.objects()) {
+    if (tabletop.IsPresent(object) && tabletop.HasFallen(object)) fallen.push_back(object.id());
+  }
+  return fallen;
+}
+
 Json DescribeAttention(const sim::Simulation& simulation) {
   Json attention = Json::object();
   for (const world::Object& object : simulation.tabletop().objects()) {
@@ -94,6 +102,7 @@ Json DescribeLive(const sim::Simulation& simulation) {
           {"still", simulation.is_still()},
           {"controls", DescribeControls(simulation.model(), simulation.tabletop())},
           {"gone", DescribeGone(simulation.tabletop())},
+          {"fallen", DescribeFallen(simulation.tabletop())},
           {"attention", DescribeAttention(simulation)},
           {"robot", DescribeRobot(simulation)}};
 }
@@ -103,10 +112,15 @@ Json DescribeNothingLive(std::uint64_t tick) {
   for (const sim::HandName name : demonstrator::kHandNames) {
     hands[std::string(ToString(name))] = {{"object", nullptr}, {"plane", 0}};
   }
-  return {{"tick", tick},          {"hands", std::move(hands)},
-          {"undo", false},         {"redo", false},
-          {"still", true},         {"controls", Json::object()},
-          {"gone", Json::array()}, {"attention", Json::object()},
+  return {{"tick", tick},
+          {"hands", std::move(hands)},
+          {"undo", false},
+          {"redo", false},
+          {"still", true},
+          {"controls", Json::object()},
+          {"gone", Json::array()},
+          {"fallen", Json::array()},
+          {"attention", Json::object()},
           {"robot", nullptr}};
 }
 

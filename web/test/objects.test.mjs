@@ -71,3 +71,19 @@ test("the robot's rage leaves all as it was", async (t) => {
     return { places, hands, undo, redo, joints: robot.joints };
   }
 });
+
+test("what fell to the floor is not listed on the table", async (t) => {
+  const { page, witness, person } = await browser.workplace(t, { studio: ["--no-robot", "--no-pictures"] });
+  const list = page.getByRole("listbox", { name: /^Objects/ });
+  const total = witness.ids.length;
+  await person.grasp("RedBlock");
+  await person.typePlace({ z: 3 });
+  await person.typePlace({ x: 16 });
+  await witness.until(() => witness.positionOf("RedBlock")[0] > 15, "it is beside the table");
+  await person.release();
+  await page.getByText(/^On the floor: RedBlock/).waitFor();
+  assert.equal(await list.getByRole("option").count(), total - 1);
+  await page.getByText(`${total - 1} objects`).waitFor();
+  await person.press("Undo");
+  await list.getByRole("option", { name: /RedBlock/ }).waitFor();
+});

@@ -341,6 +341,20 @@ TEST_F(SessionTest, ItIsToldWhereAHeldObjectWouldComeToRest) {
   EXPECT_TRUE(Do(R"({"do":"resting_place","hand":"right"})")["pose"].is_null());
 }
 
+TEST_F(SessionTest, TellsWhatLiesOnTheFloor) {
+  Begin();
+  EXPECT_EQ(State()["fallen"], Json::array());
+  Command(R"({"do":"grasp","hand":"left","object":"a"})");
+  Command(R"({"do":"move_to","hand":"left","position":[0,-2,3]})");
+  TickSeconds(0.5);
+  Command(R"({"do":"move_to","hand":"left","position":[18,-2,3]})");
+  TickSeconds(3);
+  Command(R"({"do":"release","hand":"left"})");
+  TickSeconds(2);
+  EXPECT_EQ(State()["fallen"], Json::array({"a"}));
+  EXPECT_EQ(State()["gone"], Json::array());
+}
+
 TEST_F(SessionTest, TellsWhereTheGraspedPointIsWantedAndWhereTheOriginIsThen) {
   Begin();
   Command(R"({"do":"grasp","hand":"left","object":"a","point":[0,-2,1]})");

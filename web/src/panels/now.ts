@@ -44,7 +44,10 @@ export const holders = settled(() => {
   return found;
 });
 
+/** The objects that lie on the floor. */
+export const fallen = settled(() => state.value?.fallen ?? []);
+
 /** The objects that are still in play. */
 export const objectsHere = computed(
-  () => scene.value?.objects.filter((object) => !gone.value.includes(object.id)) ?? [],
+  () => scene.value?.objects.filter(({ id }) => !gone.value.includes(id) && !fallen.value.includes(id)) ?? [],
 );

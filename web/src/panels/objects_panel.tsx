@@ -9,7 +9,7 @@ import { Card, Empty, isFound, Picture, SearchField } from "../ui/card";
 import { NumberField } from "../ui/number_field";
 import { switchPreference } from "../ui/preference";
 import { gallery, isGalleryLost, pictureOfScene, refreshGallery, textOfScene } from "./gallery";
-import { holders, isRecording, mayAct, mayControl, objectsHere } from "./now";
+import { fallen, holders, isRecording, mayAct, mayControl, objectsHere } from "./now";
 import { chosenObject, draft, editedScene, showPanel, world } from "./page";
 
 const { objects: words } = texts;
@@ -275,6 +275,7 @@ export function ObjectsPanel() {
         aside={<span class="count">{words.show(objectsHere.value.length)}</span>}
       >
         <ObjectList />
+        {fallen.value.length > 0 && <p class="hint">{words.onFloor(fallen.value)}</p>}
       </Card>
       <Card title={words.add} isOpen={isAddOpen}>
         <AddObjects />

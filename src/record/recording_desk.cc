@@ -72,7 +72,7 @@ std::optional<sim::Refusal> RecordingDesk::Finish(const sim::Simulation&) {
 void RecordingDesk::EndIfRemoved() {
   const std::filesystem::path file = directories_.back() / "demo.json";
   std::error_code error;
-  if (std::filesystem::exists(file, error)) return;
+  if (std::filesystem::exists(file, error) || error) return;
   failure_ = file.string() + ": was removed during the recording";
   recorder_.reset();
 }

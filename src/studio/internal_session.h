@@ -112,7 +112,7 @@ class Session::Impl {
   std::optional<Imitation> imitation_;
   RestingPlace resting_place_;
   Json resting_answer_;
-  std::uint64_t resting_call_ = 0;
+  std::uint64_t resting_call_ = 0, resting_tick_ = 0;
   Snapper snapper_;
   bool is_paused_ = false;
   double speed_factor_ = 1, measured_speed_ = 1;

@@ -44,6 +44,16 @@ struct BranchPoint {
   std::optional<double> after;  ///< its beginning [s]; nullopt for its end
 };
 
+/// True while a held object, or another one, has not yet come to where it stays.
+bool IsAnythingMoving(const sim::Simulation& simulation, sim::HandName hand) {
+  constexpr double kSlow = 1e-7, kSlowTurn = 1e-6;  // [m/s, rad/s]
+  const physics::BodyId held = simulation.demonstrator().hand(hand).held;
+  if (!held) return false;
+  const physics::Body& body = simulation.physics().body(held);
+  return body.linear_velocity().norm() > kSlow || body.angular_velocity().norm() > kSlowTurn ||
+         !simulation.is_still();
+}
+
 /// A world that goes on with a recording, made in any thread: the desk's eye, which belongs to
 /// another, is put in only at last, and pictures on the way there are taken with one like it.
 std::unique_ptr<LiveWorld> GoOnWith(const std::filesystem::path& directory, const BranchPoint& from,
@@ -256,13 +266,20 @@ Json Session::Impl::FindRestingPlace(const RequestFields& fields) {
   constexpr std::uint64_t kCallsBetween = 20;
   const sim::HandName hand = HandOf(fields);
   RequireLive();
+  const sim::Simulation& simulation = world_->simulation();
   const bool is_fresh = num_calls_ < resting_call_ + kCallsBetween;
-  if (is_fresh && resting_answer_["hand"] == ToString(hand)) return resting_answer_;
-  const auto X_WB = resting_place_.Find(world_->simulation(), hand);
+  if (is_fresh && resting_answer_["hand"] == ToString(hand)) {
+    if (simulation.tick() != resting_tick_) resting_answer_["stale"] = true;
+    return resting_answer_;
+  }
+  const auto X_WB = resting_place_.Find(simulation, hand);
   resting_call_ = num_calls_;
-  resting_answer_ = {{"hand", ToString(hand)}, {"pose", nullptr}};
+  resting_tick_ = simulation.tick();
+  // Where things fall on edges, the last hundredth of a millimeter decides.
+  resting_answer_ = {
+      {"hand", ToString(hand)}, {"pose", nullptr}, {"stale", IsAnythingMoving(simulation, hand)}};
   if (X_WB) {
-    resting_answer_["pose"] = PoseInUnits(*X_WB, world_->simulation().scene().meters_per_unit);
+    resting_answer_["pose"] = PoseInUnits(*X_WB, simulation.scene().meters_per_unit);
   }
   return resting_answer_;
 }

@@ -72,6 +72,27 @@ test("buttons and keys move things the way they say, as one sees it", async (t) 
   }
 });
 
+test("the ghost shows where a thing comes to rest, also in a heap", async (t) => {
+  const { page, witness, person } = await browser.workplace(t, { studio: [shipped("lidbox"), ...BARE] });
+  const ghost = () => page.evaluate(() => window.smileStudio.ghostPlace());
+  await person.grasp("Lemon");
+  await person.typePlace({ z: 6 });
+  for (const [x, y] of [[2.6, 0.2], [3.4, -0.9]]) {
+    await person.typePlace({ x, y });
+    await person.typePlace({ z: 3.6 });
+    await witness.until(() => witness.positionOf("Lemon")[2] < 3.65, "it hangs there");
+    await page.waitForTimeout(1500);
+    const told = await ghost();
+    await person.release();
+    const rest = await witness.settled(() => (witness.state.still ? witness.positionOf("Lemon") : null), "it rests", 1000);
+    const error = Math.hypot(...rest.map((value, axis) => value - told[axis]));
+    assert.ok(error < 0.03, `it is ${error} units off`);
+    await person.press("Undo");
+    await witness.until(() => witness.isHeld("Lemon"), "it is held again");
+    await person.typePlace({ z: 6 });
+  }
+});
+
 test("a right click triggers and points; what cannot be done is grey, and tells why", async (t) => {
   const { page, witness, person } = await browser.workplace(t, { studio: [shipped("dock"), ...BARE] });
   const [raised, lamp, wall] = [[-4.87, -0.65, 1.1], [-4.9, 0, 0.98], [-5.9, 4, 2.9]];

@@ -341,6 +341,32 @@ TEST_F(SessionTest, ItIsToldWhereAHeldObjectWouldComeToRest) {
   EXPECT_TRUE(Do(R"({"do":"resting_place","hand":"right"})")["pose"].is_null());
 }
 
+TEST_F(SessionTest, ARestingPlaceThatWasFoundEarlierIsMarkedAsStale) {
+  Begin();
+  Command(R"({"do":"grasp","hand":"left","object":"a","point":[0,-2,1]})");
+  Command(R"({"do":"move_to","hand":"left","position":[3,-2,4]})");
+  TickSeconds(0.2);
+  const std::string ask = R"({"do":"resting_place","hand":"left"})";
+  const Json first = Do(ask);
+  EXPECT_EQ(first["stale"], true) << "it moves";
+  TickSeconds(0.1);
+  const Json second = Do(ask);
+  EXPECT_EQ(second["stale"], true);
+  EXPECT_EQ(second["pose"], first["pose"]);
+  TickSeconds(2);
+  const Json third = Do(ask);
+  EXPECT_EQ(third["stale"], false);
+  EXPECT_EQ(Do(ask)["stale"], false) << "time stood still";
+  TickSeconds(0.1);
+  EXPECT_EQ(Do(ask)["stale"], true);
+  Command(R"({"do":"release","hand":"left"})");
+  TickSeconds(1.5);
+  const Vector3 rest = PositionOf("a");
+  for (int axis = 0; axis < 3; ++axis) {
+    EXPECT_NEAR(third["pose"][static_cast<std::size_t>(axis)].get<double>(), rest[axis], 0.01);
+  }
+}
+
 TEST_F(SessionTest, TellsWhatLiesOnTheFloor) {
   Begin();
   EXPECT_EQ(State()["fallen"], Json::array());

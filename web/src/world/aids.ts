@@ -1,4 +1,4 @@
-import { Group, type PerspectiveCamera, Vector3 } from "three";
+import { Group, type Object3D, type PerspectiveCamera, Vector3 } from "three";
 import { heldObject } from "../studio";
 import { Drop } from "./drop";
 import { Ghost } from "./ghost";
@@ -32,6 +32,10 @@ export class Aids {
   ) {
     this.ghost = new Ghost((object) => models.piecesOf(object), onChange);
     this.root.add(...this.sheet.parts, ...this.drop.parts, this.ghost.root, rings.root);
+  }
+
+  get ghostRoot(): Object3D {
+    return this.ghost.root;
   }
 
   setScale(unitsPerMeter: number): void {

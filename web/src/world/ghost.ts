@@ -57,6 +57,8 @@ export class Ghost {
     this.isOutdated = false;
     const reply = await request("resting_place", { hand: currentHand.value }).catch(() => null);
     if (heldObject.value === object) this.show(object, poseOf(reply));
+    // What was found before all came to rest is shown, but not for long.
+    if (reply?.["stale"] === true) this.isOutdated = true;
     await new Promise((resolve) => setTimeout(resolve, PAUSE_MS));
     this.isWaiting = false;
     if (this.isOutdated) this.update();

@@ -1,4 +1,4 @@
-import { Vector3 } from "three";
+import { Vector3, type Object3D } from "three";
 import { fps, isLowDetail } from "./signals";
 import type { Latency } from "./latency";
 import { Models } from "./models";
@@ -16,6 +16,8 @@ export interface TestHook {
   ringPointOf(axis: "x" | "y" | "z", degrees: number): { x: number; y: number } | null;
   /** Where the object is drawn: x, y, z [units]. */
   placeOf(objectId: string): number[] | null;
+  /** Where the ghost of the held object is drawn: x, y, z [units]; null where none is. */
+  ghostPlace(): number[] | null;
   fps(): number;
   /** From commands to the poses they caused, the last ones, oldest first [ms]. */
   lastLatencies(): number[];
@@ -34,9 +36,10 @@ export interface WhatTestsRead {
   picker: Picker;
   rings: Rings;
   latency: Latency;
+  ghost: Object3D;
 }
 
-export function provideTestHook({ stage, models, picker, rings, latency }: WhatTestsRead): void {
+export function provideTestHook({ stage, models, picker, rings, latency, ghost }: WhatTestsRead): void {
   window.smileStudio = {
     screenPointOf(objectId) {
       const ball = Models.ballAbout(models.piecesOf(objectId));
@@ -48,6 +51,7 @@ export function provideTestHook({ stage, models, picker, rings, latency }: WhatT
       return picker.toPage(rings.pointOn("xyz".indexOf(axis) as Axis, degrees));
     },
     placeOf: (objectId) => models.groupOf(objectId)?.position.toArray() ?? null,
+    ghostPlace: () => (ghost.visible ? ghost.position.toArray() : null),
     fps: () => fps.value,
     lastLatencies: () => [...latency.recent],
     stats: () => ({

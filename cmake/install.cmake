@@ -27,7 +27,7 @@ install(EXPORT smile NAMESPACE smile:: FILE smileTargets.cmake DESTINATION lib/c
 install(FILES cmake/smileConfig.cmake DESTINATION lib/cmake/smile COMPONENT agent)
 
 install(TARGETS smile smile_keeper RUNTIME DESTINATION bin)
-install(DIRECTORY robots scenes examples matlab python DESTINATION share/smile
+install(DIRECTORY robots scenes examples matlab python learner DESTINATION share/smile
         PATTERN "__pycache__" EXCLUDE)
 # The studio's page, where it was built.
 install(DIRECTORY build/page DESTINATION share/smile/build OPTIONAL

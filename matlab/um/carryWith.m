@@ -3,10 +3,11 @@ function actions = carryWith(robot, arm, block, take, goal, put, height, others,
 % cannot.
 %   height  of the tool on the way [units]
 %   others  blocks that are not to be touched
-  open = block.size(2) + 0.2;
-  grip = [0, 0, block.size(3) / 2 - 0.2];  % where the tool holds it, from its centre
+  c = constants().carry;
+  open = block.size(2) + c.opening_margin;
+  grip = [0, 0, block.size(3) / 2 - c.grip_below_top];  % where the tool holds it, from its centre
   from = toolPose(block.position + grip, take);
-  to = toolPose(goal.position + grip + [0, 0, 0.01], put);
+  to = toolPose(goal.position + grip + [0, 0, c.put_above], put);
   over_from = from;
   over_from(3, 4) = height;
   over_to = to;

@@ -53,11 +53,12 @@ end
 function [steps, trouble] = onTable(steps, known, robot)
 % Where the arms reach each place, with few blocks in the way.
   trouble = '';
+  c = constants().decide;
   shown = vertcat(steps.position);
   middle = (min(shown, [], 1) + max(shown, [], 1)) / 2;
-  [x, y] = ndgrid(-1.5:0.75:1.5, -2.25:0.5:-0.75);
+  [x, y] = ndgrid(c.site_x(1):c.site_x(2):c.site_x(3), c.site_y(1):c.site_y(2):c.site_y(3));
   % Far from the robot the building hides little, and near it the arms reach more.
-  cost = 0.1 * abs(y + 1.25) + 0.01 * abs(x);
+  cost = c.far_site_cost * abs(y - c.best_site_y) + c.side_site_cost * abs(x);
   for i = 1:numel(x)
     there = shift(steps, [x(i), y(i)] - middle(1:2));
     for block = known

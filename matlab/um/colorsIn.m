@@ -5,13 +5,13 @@ function colors = colorsIn(picture, steps)
   if any(cellfun(@isempty, {steps.color}))
     flat = reshape(round(picture * 255), [], 3);
     [found, ~, which] = unique(flat(all(flat > 0, 2) | any(flat > 100, 2), :), 'rows');
-    many = accumarray(which, 1) > 300;
+    many = accumarray(which, 1) > constants().see.frequent_color_pixels;
     colors = [colors, found(many, :)' / 255];
   end
   % Colors that isColor cannot tell apart are one.
   k = 1;
   while k <= size(colors, 2)
-    same = max(abs(colors - colors(:, k)), [], 1) < 0.02;
+    same = max(abs(colors - colors(:, k)), [], 1) < constants().see.different_colors;
     same(1:k) = false;
     colors(:, same) = [];
     k = k + 1;

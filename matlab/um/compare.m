@@ -1,8 +1,7 @@
 function [building, used] = compare(building)
 % Which steps are done, going by what is known of the blocks, and which of the blocks make them so.
 %   used  which of the known blocks are where a step wants one, 1xN logical
-  near = 0.07;  % units
-  even = 0.06;  % rad
+  c = constants().decide;
   known = building.known;
   used = false(1, numel(known));
   building.done(:) = false;
@@ -10,7 +9,7 @@ function [building, used] = compare(building)
     step = building.steps(k);
     for i = find(~used)
       off = [norm(known(i).position - step.position), abs(turnBetween(step, known(i).yaw))];
-      if isLike(known(i), step) && off(1) < near && off(2) < even
+      if isLike(known(i), step) && off(1) < c.near && off(2) < c.even_rad
         building.miss(k, :) = off;
         building.done(k) = true;
         used(i) = true;

@@ -1,7 +1,6 @@
 function [actions, building] = decide(building, sensor, eye, robot)
 % Looks where the blocks are and says what to do next; {} when all is built or nothing helps.
-  most_tries = 4;
-  most_tidied = 20;
+  c = constants().decide;
   actions = {};
   container = building.container;
   if ~building.hasSite, container = []; end  % where it stands here is not known yet
@@ -28,10 +27,10 @@ function [actions, building] = decide(building, sensor, eye, robot)
   % The next step in the order shown; when nothing helps there, one of those that can be done as well.
   k = open(1 + mod(building.stuck, numel(open)));
   reason = 'it cannot be seen';
-  if building.tries(k) >= most_tries
-    reason = sprintf('%d tries were not enough', most_tries);
-  elseif building.tidied >= most_tidied
-    reason = sprintf('%d blocks had to be put somewhere else already', most_tidied);
+  if building.tries(k) >= c.most_tries
+    reason = sprintf('%d tries were not enough', c.most_tries);
+  elseif building.tidied >= c.most_tidied
+    reason = sprintf('%d blocks had to be put somewhere else already', c.most_tidied);
   else
     for move = proposeMoves(building, k, find(~used))
       [actions, place, reason] = planMove(building, k, move, eye, robot, sensor.jointAngles);

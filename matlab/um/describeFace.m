@@ -25,7 +25,7 @@ function yaw = yawOf(x, y, area)
   z = x + 1i * y;
   long = sum(area .* z .^ 2);
   spread = sum(area .* abs(z) .^ 2);
-  if abs(long) > 0.1 * spread
+  if abs(long) > constants().see.elongated * spread
     yaw = angle(long) / 2;
   else
     % A square has no long side, but its fourth power has a direction: the corners are farthest out and

@@ -11,7 +11,7 @@ function blocks = findBlocks(picture, eye, like, container)
     number = labelRegions(isColor(picture, color'));
     for region = 1:max(number(:))
       [row, column] = find(number == region);
-      if numel(row) < 60, continue; end
+      if numel(row) < constants().see.top_pixels, continue; end
       blocks = [blocks, fitBlocks(row, column, eye, kinds, container, is_possible)];
     end
   end

@@ -5,13 +5,13 @@ function faces = findOutlines(picture, eye, color, height)
   faces = struct('center', {}, 'yaw', {}, 'sides', {}, 'misfit', {});
   if isempty(color), return; end
   number = labelRegions(isColor(picture, color));
-  for region = find(accumarray(number(number > 0), 1) >= 300)'
+  for region = find(accumarray(number(number > 0), 1) >= constants().see.outline_pixels)'
     mask = number == region;
     filled = cumsum(mask, 2) > 0 & fliplr(cumsum(fliplr(mask), 2)) > 0;
     [row, column] = find(filled);
     [x, y, area] = ontoPlane(row, column, eye, height);
     face = describeFace(x, y, area);
-    if face.misfit < 0.05, faces(end + 1) = face; end
+    if face.misfit < constants().see.misfit, faces(end + 1) = face; end
   end
   [~, order] = sort(-arrayfun(@(face) prod(face.sides), faces));
   faces = faces(order);

@@ -7,12 +7,12 @@ function blocks = fitBlocks(row, column, eye, kinds, container, isPossible)
 % On a lower plane the same pixels would be a larger top, on a higher one a smaller. Blocks lie on
 % blocks, so there are only few planes to try: the one on which the top is as large as it should be is
 % the one it lies on. In a container, if there is one, all planes are higher by its floor.
-  most_floors = 6;
-  best = 0.08;  % by how much, in proportion, a side may be wrong
+  c = constants().see;
+  best = c.side_error;  % by how much, in proportion, a side may be wrong
   blocks = noBlocks();
-  for most = [1, 5]  % equal ones side by side
+  for most = [1, c.most_abreast]  % equal ones side by side
     for k = 1:numel(kinds)
-      for top = kinds(k).size(3) + (0:most_floors - 1)
+      for top = kinds(k).size(3) + (0:c.most_floors - 1)
         face = faceAt(top);
         if isInside(container, face.center)
           top = top + container.floor;

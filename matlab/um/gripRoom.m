@@ -1,5 +1,6 @@
 function rectangles = gripRoom(blocks)
 % What blocks cover, seen from above, and with them open fingers at their longer sides: see footprint.
-  rectangles = footprint(blocks, 0.05);
-  rectangles(:, 4) = rectangles(:, 4) + 0.8;
+  c = constants().room;
+  rectangles = footprint(blocks, c.grip_margin);
+  rectangles(:, 4) = rectangles(:, 4) + c.open_fingers;
 end

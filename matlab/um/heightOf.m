@@ -3,14 +3,16 @@ function height = heightOf(top, picture, eye, table)
 % begins. [] if something else is there.
 %   top  as from topsIn
   height = [];
+  c = constants().see;
   [u, v] = edgeBelow(top, eye);
-  for trial = 0.1:0.02:6
+  for trial = c.height_trials(1):c.height_trials(2):c.height_trials(3)
     [x, y] = ontoPlane(v + 0.5, u + 0.5, eye, trial);
     color = colorAt(picture, eye, [x, y, 0]);
     if isempty(color) || ~isShade(color, top.color), break; end
   end
-  rounded = round(4 * trial) / 4;  % pixels cannot tell it finer than that; flatter things are no blocks
-  if ~isempty(color) && max(abs(color - table)) < 0.03 && rounded > 0, height = rounded; end
+  % Pixels cannot tell it finer than that; flatter things are no blocks.
+  rounded = round(c.heights_per_unit * trial) / c.heights_per_unit;
+  if ~isempty(color) && max(abs(color - table)) < c.table_tolerance && rounded > 0, height = rounded; end
 end
 
 function [u, v] = edgeBelow(top, eye)

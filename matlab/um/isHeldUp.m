@@ -12,7 +12,8 @@ function yes = isHeldUp(block, picture, eye, table)
   is_table = [];
   for share = [-0.9, 0, 0.9]
     color = colorAt(picture, eye, edge + share * half(2) * [-sin(toward), cos(toward), 0]);
-    if ~isempty(color), is_table(end + 1) = max(abs(color - table)) < 0.03; end
+    if isempty(color), continue; end
+    is_table(end + 1) = max(abs(color - table)) < constants().see.table_tolerance;
   end
   yes = isempty(is_table) || ~all(is_table);
 end

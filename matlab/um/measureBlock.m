@@ -6,7 +6,7 @@ function block = measureBlock(top, picture, eye, table)
   if isempty(height), return; end
   [x, y, area] = ontoPlane(top.row, top.column, eye, height);
   face = describeFace(x, y, area);
-  if face.misfit > 0.05, return; end
+  if face.misfit > constants().see.misfit, return; end
   block(1) = struct('color', top.color, 'size', [face.sides, height], ...
                     'position', [face.center, height / 2], 'yaw', face.yaw);
 end

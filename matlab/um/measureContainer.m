@@ -8,18 +8,19 @@ function container = measureContainer(demo, steps)
 %   yaw       of its longer side [rad]
 %   floor     how high its floor is inside [units]
   container = [];
+  c = constants().understand;
   bottoms = arrayfun(@(step) step.position(3) - step.size(3) / 2, steps);
-  inside = steps(bottoms > 0.05 & cellfun(@isempty, {steps.on}) & cellfun(@isempty, {steps.way}));
+  inside = steps(bottoms > c.inside_bottom & cellfun(@isempty, {steps.on}) & cellfun(@isempty, {steps.way}));
   if isempty(inside) || isempty(demo.moves), return; end
   for n = setdiff(1:numel(demo.ids), demo.placed)
     height = 2 * demo.start(n, 3);  % it stands on the table
     picture = readPicture(demo, demo.moves(find(demo.moves(:, 2) == n, 1), 1));
     color = colorAt(picture, demo.eye, demo.start(n, 1:3) + [0, 0, height / 2]);
     for face = findOutlines(picture, demo.eye, color, height)
-      if norm(face.center - demo.start(n, 1:2)) > 0.1, continue; end
+      if norm(face.center - demo.start(n, 1:2)) > c.container_error, continue; end
       container = struct('name', demo.ids{n}, 'color', color, 'size', [face.sides, height], ...
                          'position', [face.center, height / 2], 'yaw', face.yaw, ...
-                         'floor', min(bottoms(bottoms > 0.05)));
+                         'floor', min(bottoms(bottoms > c.inside_bottom)));
       if all(arrayfun(@(step) isInside(container, step.position), inside)), return; end
     end
   end

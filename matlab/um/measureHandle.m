@@ -2,6 +2,7 @@ function step = measureHandle(demo, n)
 % What object n of a demonstration can be drawn by, as a step (see understand): the highest flat top that
 % went the same way as the object. The nearer to the eye something is, the farther it goes in the
 % picture; so the way in the picture tells how high it is.
+  c = constants();
   rows = find(demo.moves(:, 2) == n);
   pictures = {readPicture(demo, demo.moves(rows(1), 1)), readPicture(demo, demo.moves(rows(end), 1))};
   way = demo.final(n, 1:2) - demo.start(n, 1:2);
@@ -15,11 +16,11 @@ function step = measureHandle(demo, n)
       for after = regionsLeft(masks{2}, masks{1})
         on_table = centerOf(after{1}, demo.eye, 0) - centerOf(before{1}, demo.eye, 0);
         height = eye_height * (1 - sum(way .^ 2) / sum(way .* on_table));
-        if ~(height > 0.1 && height < eye_height / 2), continue; end
+        if ~(height > c.understand.handle_height && height < eye_height / 2), continue; end
         [at, face] = centerOf(before{1}, demo.eye, height);
         [there, later] = centerOf(after{1}, demo.eye, height);
-        if norm(there - at - way) < 0.05 && face.misfit < 0.05 && sameSize(face.sides, later.sides) && ...
-           height / 2 > step.position(3)
+        if norm(there - at - way) < c.understand.handle_error && face.misfit < c.see.misfit && ...
+           sameSize(face.sides, later.sides) && height / 2 > step.position(3)
           step = struct('name', demo.ids{n}, 'color', color', 'size', [face.sides, height], ...
                         'position', [at, height / 2], 'yaw', face.yaw, 'on', [], 'way', way);
         end
@@ -35,9 +36,9 @@ function regions = regionsLeft(mask, other)
 % The connected pixels of a mask, a 1xN cell of [row, column], that are mostly not in another mask.
   number = labelRegions(mask);
   regions = {};
-  for region = find(accumarray(number(number > 0), 1) >= 60)'
+  for region = find(accumarray(number(number > 0), 1) >= constants().see.top_pixels)'
     [row, column] = find(number == region);
-    if mean(other(number == region)) < 0.5, regions{end + 1} = [row, column]; end
+    if mean(other(number == region)) < constants().understand.left_behind, regions{end + 1} = [row, column]; end
   end
 end
 

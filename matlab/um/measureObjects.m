@@ -26,7 +26,7 @@ function rows = worthLooking(demo, n)
 % Moves of an object after which it may be seen as a whole: at the beginning, and where it was highest.
   rows = find(demo.moves(:, 2) == n);
   [~, order] = sort(-demo.moves(rows, 5));
-  rows = rows([1; order(1:min(8, end))])';
+  rows = rows([1; order(1:min(constants().understand.highest_frames, end))])';
 end
 
 function [color, sides] = measureTop(picture, eye, pose, height)
@@ -40,5 +40,7 @@ function [color, sides] = measureTop(picture, eye, pose, height)
   [row, column] = find(number == number(spot(2), spot(1)));
   [x, y, area] = ontoPlane(row, column, eye, top(3));
   face = describeFace(x, y, area, pose(6) * pi / 180);
-  if norm(face.center - top(1:2)) < 0.03 && face.misfit < 0.05, sides = face.sides; end
+  c = constants();
+  is_whole = norm(face.center - top(1:2)) < c.understand.center_error && face.misfit < c.see.misfit;
+  if is_whole, sides = face.sides; end
 end

@@ -13,7 +13,7 @@ function [actions, place, reason] = planAside(robot, eye, block, others, sites, 
     return
   end
   for site = sites
-    tries = 8;
+    tries = constants().decide.place_tries;
     for place = freePlaces(block, [others, site{1}], goal)
       if ~isSeen(place, eye) || isWalledIn(place, site{1}) || ...
          ~canPassOn(robot, arms, place, goal)
@@ -31,26 +31,29 @@ end
 function places = freePlaces(block, taken, goal)
 % Where a block might lie on the table, the best places first, up to 100: with room for fingers, its own
 % and those of its neighbors.
-  [x, y, yaw] = ndgrid(-6.5:0.5:6.5, -5:0.25:0, [0, pi / 2, pi / 4, -pi / 4]);
+  c = constants().decide;
+  [x, y, yaw] = ndgrid(c.place_x(1):c.place_x(2):c.place_x(3), c.place_y(1):c.place_y(2):c.place_y(3), ...
+                       [0, pi / 2, pi / 4, -pi / 4]);
   x = x(:);
   y = y(:);
-  covered = [x, y, repmat(block.size(1:2), numel(x), 1) + 0.2, yaw(:)];
-  with_fingers = covered + [0, 0, 0, 0.7, 0];
+  covered = [x, y, repmat(block.size(1:2), numel(x), 1) + c.place_margin, yaw(:)];
+  with_fingers = covered + [0, 0, 0, c.place_fingers, 0];
   free = true(numel(x), 1);
-  for rectangle = footprint(taken, 0.1)', free = free & ~overlap(rectangle', with_fingers); end
+  margin = constants().room.site_margin;
+  for rectangle = footprint(taken, margin)', free = free & ~overlap(rectangle', with_fingers); end
   % Square blocks can be held the other way round, too.
   long = ~arrayfun(@hasEqualSides, taken);
   for rectangle = gripRoom(taken(long))', free = free & ~overlap(rectangle', covered); end
 
   if isempty(goal)
     % The middle, where both arms reach, is for passing on.
-    way = sqrt((x - block.position(1)) .^ 2 + (y - block.position(2)) .^ 2) + max(3 - abs(x), 0);
+    way = sqrt((x - block.position(1)) .^ 2 + (y - block.position(2)) .^ 2) + max(c.middle - abs(x), 0);
   else
-    way = abs(x) + 0.1 * abs(y + 3.5);
+    way = abs(x) + c.passing_y_cost * abs(y - c.passing_y);
   end
   way(~free) = Inf;
   [~, order] = sort(way);
-  places = repmat(block, 1, min(100, sum(free)));
+  places = repmat(block, 1, min(c.most_places, sum(free)));
   for i = 1:numel(places)
     places(i).position = [covered(order(i), 1:2), block.size(3) / 2];
     places(i).yaw = covered(order(i), 5);
@@ -60,11 +63,12 @@ end
 function yes = isSeen(place, eye)
 % Whether all of its top is in the eye's picture.
   yes = true;
+  margin = constants().decide.picture_margin_pixels;
   for corner = [1, 1, -1, -1; 1, -1, -1, 1] / 2
     along = corner(1) * place.size(1) * [cos(place.yaw), sin(place.yaw)];
     across = corner(2) * place.size(2) * [-sin(place.yaw), cos(place.yaw)];
     pixel = toPixel([place.position(1:2) + along + across, place.size(3)], eye);
-    yes = yes && all(pixel > 3) && all(pixel < 2 * eye.intrinsics(1:2, 3)' - 3);
+    yes = yes && all(pixel > margin) && all(pixel < 2 * eye.intrinsics(1:2, 3)' - margin);
   end
 end
 

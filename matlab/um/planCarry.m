@@ -10,7 +10,7 @@ function [actions, reason] = planCarry(robot, block, goal, others, q)
   if isempty(takes) || isempty(puts), return; end
 
   height = carryingHeight([others, block], goal);
-  if isDrawn(goal), height = block.position(3) + block.size(3) / 2 + 1; end
+  if isDrawn(goal), height = block.position(3) + block.size(3) / 2 + constants().carry.drawing_height; end
   arms = [1, 2];
   if block.position(1) + goal.position(1) > 0, arms = [2, 1]; end
   for arm = arms
@@ -27,7 +27,9 @@ end
 function height = carryingHeight(all, goal)
 % Of the tool [units]: a held block passes over everything, and empty fingers do, also over the block
 % once it is placed.
+  c = constants().carry;
   highest = max(arrayfun(@(block) block.position(3) + block.size(3) / 2, all));
   bottom = goal.position(3) - goal.size(3) / 2;
-  height = max(max(highest, bottom) + goal.size(3), max(highest, bottom + goal.size(3)) + 0.75) + 0.2;
+  height = max(max(highest, bottom) + goal.size(3), ...
+               max(highest, bottom + goal.size(3)) + c.tip_below_tool) + c.clearance;
 end

@@ -29,7 +29,7 @@ function moves = proposeMoves(building, k, free)
   moves(waits) = [];
 
   function on_top = whatLiesOn(i)
-    higher = free(arrayfun(@(j) known(j).position(3) > known(i).position(3) + 0.5, free));
+    higher = free(arrayfun(@(j) known(j).position(3) > known(i).position(3) + constants().decide.above, free));
     on_top = higher(overlap(footprint(known(i), 0), footprint(known(higher), 0)));
   end
 end

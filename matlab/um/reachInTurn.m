@@ -3,7 +3,7 @@ function first = reachInTurn(robot, arm, poses, q)
   names = {'left', 'right'};
   first = [];
   for i = 1:numel(poses)
-    q = smileInverse(robot, names{arm}, poses{i}, q, 'maxIterations', 200);
+    q = smileInverse(robot, names{arm}, poses{i}, q, 'maxIterations', constants().carry.ik_iterations);
     if isempty(q) || ~keepsOffChest(robot, arm, q)
       first = [];
       return

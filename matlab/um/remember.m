@@ -3,7 +3,7 @@ function known = remember(known, seen, picture, eye)
 % hidden now, by what was built or by what lies on them. Where the table is seen, nothing is left.
   table = tableColor(picture);
   for block = known
-    same = arrayfun(@(other) norm(other.position - block.position) < 0.5, seen);
+    same = arrayfun(@(other) norm(other.position - block.position) < constants().decide.same_block, seen);
     if any(same) || showsTable(picture, eye, block, table), continue; end
     seen(end + 1) = block;
   end

@@ -1,13 +1,14 @@
 function actions = retreat(robot, arm, q)
 % Lets go, goes up as far as possible, parks and looks again.
   names = {'left', 'right'};
-  actions = {struct('kind', 'grip', 'arm', arm, 'to', 1.6)};
+  c = constants().carry;
+  actions = {struct('kind', 'grip', 'arm', arm, 'to', c.retreat_opening)};
   here = smileForward(robot, names{arm}, q(arm, :));
   q = q(arm, :);
-  for height = 5:-0.5:here(3, 4) + 0.5
+  for height = c.retreat_height:-c.retreat_step:here(3, 4) + c.retreat_step
     up = here;
     up(3, 4) = height;
-    path = smileMoveLine(robot, names{arm}, q, up, 'speed', 0.5);
+    path = smileMoveLine(robot, names{arm}, q, up, 'speed', c.retreat_speed);
     if isempty(path), continue; end
     actions{end + 1} = struct('kind', 'follow', 'arm', arm, 'path', path);
     q = path.positions(end, :);

@@ -3,7 +3,7 @@ function support = supportOf(block)
 % if it hides it.
   support = noBlocks();
   bottom = block.position(3) - block.size(3) / 2;
-  if bottom < 0.3, return; end
+  if bottom < constants().decide.stands_high, return; end
   support(1) = block;
   support.size(3) = bottom;
   support.position(3) = bottom / 2;

@@ -3,7 +3,7 @@ function tops = topsIn(picture, table)
 % same color, but brighter, as their sides are.
 %   tops  1xN struct array with color, and row and column of each pixel
   tops = struct('color', {}, 'row', {}, 'column', {});
-  smallest = 150;  % pixels
+  smallest = constants().see.stranger_pixels;
   height = size(picture, 1);
   codes = round(255 * picture(:, :, 1)) * 65536 + round(255 * picture(:, :, 2)) * 256 + ...
           round(255 * picture(:, :, 3));

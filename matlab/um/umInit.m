@@ -17,6 +17,6 @@ building = startBuilding(steps, container);  % what is known about this scene, a
 actions = {struct('kind', 'look')};   % what to do next, in this order
 is_recovering = false;                % true after an action went wrong
 
-aux.imageSeconds = 1;
+aux.imageSeconds = constants().act.image_s;
 % The arms begin where they do not stand in the picture.
 aux.initJointAngles = [parkedAngles(1); parkedAngles(2)];

@@ -21,7 +21,7 @@ function [steps, container] = understand(demo, attention)
     end
     sides = looks(n).size;
     yaw = demo.final(n, 6) * pi / 180;
-    if sides(2) > 1.1 * sides(1)
+    if sides(2) > constants().blocks.equal_sides * sides(1)
       sides(1:2) = sides([2, 1]);
       yaw = yaw + pi / 2;
     end
@@ -38,6 +38,7 @@ end
 function part = takingPart(demo)
 % Numbers of the objects that take part, in the order of building: first what was not moved but has
 % something on it, then what was, in the order in which it was let go for the last time.
+  c = constants().understand;
   last = zeros(1, numel(demo.ids));
   last(demo.placed) = 1:numel(demo.placed);
   moved = find(last > 0);
@@ -46,7 +47,8 @@ function part = takingPart(demo)
   below = zeros(1, 0);
   for n = find(last == 0)
     gap = demo.final(moved, 1:3) - demo.final(n, 1:3);
-    if any(gap(:, 3) > 0.4 & gap(:, 3) < 1.6 & sqrt(sum(gap(:, 1:2) .^ 2, 2)) < 0.7)
+    is_above = sqrt(sum(gap(:, 1:2) .^ 2, 2)) < c.carried_distance;
+    if any(gap(:, 3) > c.carried_heights(1) & gap(:, 3) < c.carried_heights(2) & is_above)
       below(end + 1) = n;
     end
   end
@@ -55,7 +57,7 @@ end
 
 function yes = standsOn(upper, lower)
   gap = (upper.position(3) - upper.size(3) / 2) - (lower.position(3) + lower.size(3) / 2);
-  yes = abs(gap) < 0.1 && overlap(footprint(upper, 0), footprint(lower, 0));
+  yes = abs(gap) < constants().understand.standing_gap && overlap(footprint(upper, 0), footprint(lower, 0));
 end
 
 function yes = colorMatters(attention, name)

@@ -2,7 +2,7 @@ function walls = wallsOf(container)
 % What stands around the inside of a container, as four blocks; none of [].
   walls = noBlocks();
   if isempty(container), return; end
-  thick = 0.2;  % thinner ones keep fingers off as well
+  thick = constants().room.wall;  % thinner ones keep fingers off as well
   along = [cos(container.yaw), sin(container.yaw)];
   for side = [1, -1]
     for axis = [1, 2]

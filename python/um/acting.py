@@ -5,9 +5,9 @@ from dataclasses import dataclass, field
 import numpy as np
 from smile.motion import Trajectory
 
+from constants import ACT
+
 ARMS = ("left", "right")
-ARRIVED = 0.001  # largest joint error at the end of a path [rad]
-NUM_AVERAGED = 12  # measurements of which the mean counts, too: each has noise of its own
 
 
 @dataclass
@@ -40,7 +40,7 @@ def carry_out(action, sensor, motor):
 
 def look(action, sensor, motor):
     # Images come only now and then; the first may be of a moment when the arm still moved.
-    return "done" if "rgbVision" in sensor and action.time > 0.1 else "busy"
+    return "done" if "rgbVision" in sensor and action.time > ACT.settle_s else "busy"
 
 
 def follow(action, sensor, motor):
@@ -48,40 +48,43 @@ def follow(action, sensor, motor):
     # It is over when the joints have arrived, whatever the clock says.
     late = action.time - action.path.duration
     if late > 0:
-        action.errors = [*action.errors[1 - NUM_AVERAGED:], action.path.positions[-1] - q]
+        action.errors = [*action.errors[1 - ACT.num_averaged:], action.path.positions[-1] - q]
         if have_arrived(action.errors):
             return "done"
     wanted, _ = action.path.at(action.time)
     motor.jointVelocities[action.arm] = (wanted - q) / sensor.timeElapsed
-    return "something is in the way of the arm" if late > 1.5 else "busy"
+    return "something is in the way of the arm" if late > ACT.late_s else "busy"
 
 
 def have_arrived(errors):
-    """By the last measurement, or by the mean of the last ones."""
-    if np.abs(errors[-1]).max() < ARRIVED:
+    """By the last measurement, or by the mean of the last ones: each has noise of its own."""
+    if np.abs(errors[-1]).max() < ACT.arrived_rad:
         return True
-    return len(errors) == NUM_AVERAGED and np.abs(np.mean(errors, axis=0)).max() < ARRIVED
+    mean = np.abs(np.mean(errors, axis=0)).max()
+    return len(errors) == ACT.num_averaged and mean < ACT.arrived_rad
 
 
 def grip(action, sensor, motor):
     gap = action.to - gripper_opening(action, sensor)
-    if abs(gap) < 0.02:
+    if abs(gap) < ACT.opening_error:
         return "done"
-    motor.gripperVelocities[action.arm] = np.clip(gap / sensor.timeElapsed, -3, 3)
-    return "something keeps the fingers from opening" if action.time > 3 else "busy"
+    speed = gap / sensor.timeElapsed
+    motor.gripperVelocities[action.arm] = np.clip(speed, -ACT.opening_speed, ACT.opening_speed)
+    late = action.time > ACT.opening_s
+    return "something keeps the fingers from opening" if late else "busy"
 
 
 def take(action, sensor, motor):
     """Closes until the fingers stop. Between them must then be the block."""
     opening = gripper_opening(action, sensor)
-    if abs(opening - action.opening) > 0.001:
+    if abs(opening - action.opening) > ACT.still_opening:
         action.opening = opening
         action.rest = 0
     action.rest += sensor.timeElapsed
-    if action.rest < 0.1:
-        motor.gripperVelocities[action.arm] = -2
+    if action.rest < ACT.still_s:
+        motor.gripperVelocities[action.arm] = -ACT.closing_speed
         return "busy"
-    if abs(opening - action.width) < 0.15:
+    if abs(opening - action.width) < ACT.width_error:
         return "done"
     return "the fingers closed to %.2f units, on no block" % opening
 

@@ -6,6 +6,8 @@ from typing import Optional
 
 import numpy as np
 
+from constants import BLOCKS
+
 
 @dataclass(eq=False)
 class Block:
@@ -60,17 +62,17 @@ def is_like(block, step):
 
 def same_color(wanted, color):
     """Whether a color is the wanted one; None wants any."""
-    return wanted is None or np.abs(wanted - color).max() < 0.05
+    return wanted is None or np.abs(wanted - color).max() < BLOCKS.same_color
 
 
 def same_size(a, b):
     """Whether two blocks are equally large, as far as pictures can tell."""
-    return np.abs(a / b - 1).max() < 0.08
+    return np.abs(a / b - 1).max() < BLOCKS.same_size
 
 
 def has_equal_sides(block):
     """Whether a quarter of a turn makes no difference to how the block looks."""
-    return block.size[0] < 1.1 * block.size[1]
+    return block.size[0] < BLOCKS.equal_sides * block.size[1]
 
 
 def turn_between(block, yaw):

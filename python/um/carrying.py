@@ -6,14 +6,13 @@ import numpy as np
 
 from acting import ARMS, Action
 from blocks import is_drawn
+from constants import CARRY
 from places import finger_turns, footprint, overlap
 
 # The angles of an arm that is turned outwards, beside the table and higher than what is built: out
 # of the eye's sight and of the other arm's way. The fingers point straight down. Row 0 is the left
 # arm; the right one is the left one in a mirror.
-PARKED = np.array([1.315, -1.0540, -0.95, 1.795, 0.4738, 1.0776, -0.2123]) * [
-    [1, 1, 1, 1, 1, 1, 1], [-1, 1, -1, 1, -1, 1, -1]]
-LONGEST = 6  # so long a straight way may take [s]; past a stretched arm it would take longer
+PARKED = np.array(CARRY.parked_left_rad) * [[1] * 7, CARRY.parked_mirror]
 
 
 def plan_carry(robot, block, goal, others, q):
@@ -27,7 +26,10 @@ def plan_carry(robot, block, goal, others, q):
     puts = finger_turns(goal, others)
     if not takes or not puts:
         return [], "there is no room for the fingers"
-    height = block.top + 1 if is_drawn(goal) else carrying_height([*others, block], goal)
+    if is_drawn(goal):
+        height = block.top + CARRY.drawing_height
+    else:
+        height = carrying_height([*others, block], goal)
     arms = [1, 0] if block.position[0] + goal.position[0] > 0 else [0, 1]
     for arm in arms:
         for put in puts:
@@ -44,7 +46,7 @@ def carrying_height(blocks, goal):
     highest = max(block.top for block in blocks)
     bottom = goal.position[2] - goal.size[2] / 2
     return max(max(highest, bottom) + goal.size[2],
-               max(highest, bottom + goal.size[2]) + 0.75) + 0.2
+               max(highest, bottom + goal.size[2]) + CARRY.tip_below_tool) + CARRY.clearance
 
 
 def carry_with(robot, arm, block, take, goal, put, height, others, q):
@@ -53,11 +55,12 @@ def carry_with(robot, arm, block, take, goal, put, height, others, q):
 
     height: of the tool on the way [units]
     """
-    opening = block.size[1] + 0.2
-    grip = np.array([0, 0, block.size[2] / 2 - 0.2])  # where the tool holds it, from its centre
+    opening = block.size[1] + CARRY.opening_margin
+    # Where the tool holds it, from its centre.
+    grip = np.array([0, 0, block.size[2] / 2 - CARRY.grip_below_top])
     start = tool_pose(block.position + grip, take)
     over_start = at_height(start, height)
-    end = tool_pose(goal.position + grip + [0, 0, 0.01], put)
+    end = tool_pose(goal.position + grip + [0, 0, CARRY.put_above], put)
     over_end = at_height(end, height)
     # What is drawn is not lifted.
     way = [end] if is_drawn(goal) else [over_start, over_end, end]
@@ -103,7 +106,7 @@ def reach(robot, arm, poses, q):
     else None."""
     found = []
     for pose in poses:
-        q = robot.inverse(ARMS[arm], pose, q, max_iterations=200)
+        q = robot.inverse(ARMS[arm], pose, q, max_iterations=CARRY.ik_iterations)
         if q is None or not keeps_off_chest(robot, ARMS[arm], q):
             return None
         found.append(q)
@@ -113,20 +116,20 @@ def reach(robot, arm, poses, q):
 def is_within_reach(robot, arm, place):
     """Whether an arm gets its tool to a block's place, and 2 units above it."""
     x, y, z = place.position
-    return any(
-        reach(robot, arm, [tool_pose([x, y, z + 2], across), tool_pose([x, y, z + 0.3], across)],
-              PARKED[arm]) is not None
-        for across in finger_turns(place, []))
+
+    def poses(across):
+        return [tool_pose([x, y, z + height], across) for height in CARRY.reach_heights]
+
+    return any(reach(robot, arm, poses(across), PARKED[arm]) is not None
+               for across in finger_turns(place, []))
 
 
 def arm_clears(robot, arm, q, blocks):
     """Whether the forearm of an arm that holds its tool straight down keeps off blocks. (What the
     hand itself needs, finger_turns knows.)"""
-    hand = 3.11  # from the tool up to the wrist [units]
-    forearm = 3.74  # from there to the elbow
-    radius = 0.65
-    wrist = robot.forward(ARMS[arm], q)[:3, 3] + [0, 0, hand]
-    along = -forearm * robot.jacobian(ARMS[arm], q)[3:, 4]  # joint W0 turns about the forearm
+    radius = CARRY.forearm_radius
+    wrist = robot.forward(ARMS[arm], q)[:3, 3] + [0, 0, CARRY.wrist_above_tool]
+    along = -CARRY.forearm_length * robot.jacobian(ARMS[arm], q)[3:, 4]  # joint W0 turns about the forearm
     for share in np.arange(11) / 10:
         x, y, z = wrist + share * along
         below = footprint([block for block in blocks if block.top > z - radius], radius)
@@ -144,7 +147,7 @@ def is_safe(robot, path):
 def keeps_off_chest(robot, arm, q):
     """Whether angles of an arm, Nx7 or 7, keep its upper arm off the chest, which it would touch
     with S0 turned farthest to the other side."""
-    margin = 0.2  # rad
+    margin = CARRY.chest_margin_rad
     lower, upper = robot.limits(arm)
     turn = np.atleast_2d(q)[:, 0]
     return bool((turn > lower[0] + margin if arm == "left" else turn < upper[0] - margin).all())
@@ -166,24 +169,25 @@ def at_height(pose, height):
 
 
 def move_joints(robot, arm, waypoints):
-    return robot.move_joints(ARMS[arm], waypoints, speed=0.9)
+    return robot.move_joints(ARMS[arm], waypoints, speed=CARRY.speed)
 
 
 def move_line(robot, arm, before, goal):
     """A straight way from the end of another path to a pose; None if there is none, or if it takes
     too long."""
-    path, _ = robot.move_line(ARMS[arm], before.positions[-1], goal, speed=0.9)
-    return path if path and path.duration <= LONGEST else None
+    path, _ = robot.move_line(ARMS[arm], before.positions[-1], goal, speed=CARRY.speed)
+    return path if path and path.duration <= CARRY.longest_line_s else None
 
 
 def retreat(robot, arm, q):
     """The actions of an arm that was stopped: it lets go, goes up as far as possible, parks and
     looks again. q: 2x7, where the arms are [rad]."""
-    actions = [Action("grip", arm, to=1.6)]
+    actions = [Action("grip", arm, to=CARRY.retreat_opening)]
     here = robot.forward(ARMS[arm], q[arm])
     q = q[arm]
-    for height in np.arange(5, here[2, 3] + 0.5, -0.5):
-        path, _ = robot.move_line(ARMS[arm], q, at_height(here, height), speed=0.5)
+    for height in np.arange(CARRY.retreat_height, here[2, 3] + CARRY.retreat_step, -CARRY.retreat_step):
+        path, _ = robot.move_line(ARMS[arm], q, at_height(here, height),
+                                  speed=CARRY.retreat_speed)
         if path:
             actions.append(Action("follow", arm, path))
             q = path.positions[-1]

@@ -9,14 +9,10 @@ import numpy as np
 from acting import Action
 from blocks import Block, Container, Step, has_equal_sides, is_drawn, is_like, turn_between
 from carrying import is_within_reach, plan_carry
+from constants import DECIDE, ROOM, SEE, numbers_of
 from looking import find_blocks, find_container, pixel_at, table_color, to_pixel
 from places import footprint, grip_room, is_walled_in, overlap, walls_of
 from strangers import find_strangers
-
-MOST_TRIES = 4  # to carry a step's block to its place
-MOST_TIDIED = 20  # blocks put somewhere else in all
-NEAR = 0.07  # so far a block may be off [units]
-EVEN = 0.06  # so far it may be turned [rad]
 
 
 @dataclass
@@ -78,10 +74,10 @@ def decide(building, sensor, eye, robot):
     k = steps[building.stuck % len(steps)]
     step = building.steps[k]
     reason = "it cannot be seen"
-    if building.tries[k] >= MOST_TRIES:
-        reason = f"{MOST_TRIES} tries were not enough"
-    elif building.tidied >= MOST_TIDIED:
-        reason = f"{MOST_TIDIED} blocks had to be put somewhere else already"
+    if building.tries[k] >= DECIDE.most_tries:
+        reason = f"{DECIDE.most_tries} tries were not enough"
+    elif building.tidied >= DECIDE.most_tidied:
+        reason = f"{DECIDE.most_tidied} blocks had to be put somewhere else already"
     else:
         free = [block for block in building.known if block not in used]
         for move in propose_moves(building, step, free):
@@ -119,7 +115,7 @@ def remember(known, seen, picture, eye):
     table = table_color(picture)
     now = list(seen)
     for block in known:
-        same = any(np.linalg.norm(it.position - block.position) < 0.5 for it in now)
+        same = any(np.linalg.norm(it.position - block.position) < DECIDE.same_block for it in now)
         if not same and not shows_table(picture, eye, block, table):
             now.append(block)
     return now
@@ -128,7 +124,7 @@ def remember(known, seen, picture, eye):
 def shows_table(picture, eye, block, table):
     """At the middle of its top."""
     spot = pixel_at(picture, eye, [*block.position[:2], block.top])
-    return spot is not None and np.abs(picture[spot] - table).max() < 0.03
+    return spot is not None and np.abs(picture[spot] - table).max() < SEE.table_tolerance
 
 
 def choose_site(building, robot, picture, eye):
@@ -186,12 +182,13 @@ def on_table(steps, known, robot):
     shown = np.array([step.position[:2] for step in steps])
     middle = (shown.min(axis=0) + shown.max(axis=0)) / 2
     sites = []
-    for y in np.arange(-2.25, -0.5, 0.5):
-        for x in np.arange(-1.5, 1.75, 0.75):
+    for y in numbers_of(*DECIDE.site_y):
+        for x in numbers_of(*DECIDE.site_x):
             there = shifted(steps, [x, y] - middle)
             walled_in = [block for block in known if is_walled_in(block, there)]
             # Far from the robot the building hides little, and near it the arms reach more.
-            cost = 0.1 * abs(y + 1.25) + 0.01 * abs(x) + sum(block.size[0] for block in walled_in)
+            cost = DECIDE.far_site_cost * abs(y - DECIDE.best_site_y)
+            cost += DECIDE.side_site_cost * abs(x) + sum(block.size[0] for block in walled_in)
             sites.append((cost, there))
     for _, there in sorted(sites, key=lambda site: site[0]):
         if all(is_within_reach(robot, int(step.position[0] > 0), step) for step in there):
@@ -213,7 +210,8 @@ def compare(building):
         for block in building.known:
             far = np.linalg.norm(block.position - step.position)
             off = abs(turn_between(step, block.yaw))
-            if block not in used and is_like(block, step) and far < NEAR and off < EVEN:
+            is_there = far < DECIDE.near and off < DECIDE.even_rad
+            if block not in used and is_like(block, step) and is_there:
                 building.miss[k] = far, off
                 building.done[k] = True
                 used.append(block)
@@ -256,7 +254,7 @@ def without_doubles(blocks):
 
 def lies_below(block, others):
     """Whether some of the others lies on a block."""
-    higher = [it for it in others if it.position[2] > block.position[2] + 0.5]
+    higher = [it for it in others if it.position[2] > block.position[2] + DECIDE.above]
     [covered] = footprint([block], 0)
     return overlap(covered, footprint(higher, 0)).any()
 
@@ -287,7 +285,7 @@ def plan_move(building, step, move, eye, robot, q):
 def support_of(block):
     """What a block stands on that is not on the table, as if it were one Block: something must be
     there, even if it hides it. In a list, empty for a block on the table."""
-    if block.bottom < 0.3:
+    if block.bottom < DECIDE.stands_high:
         return []
     x, y, _ = block.position
     return [replace(block, size=np.append(block.size[:2], block.bottom),
@@ -307,7 +305,7 @@ def plan_aside(robot, eye, block, others, sites, q, goal):
         return [], [], "no arm reaches it"
     reason = "there is no free place on the table"
     for site in sites:
-        tries = 8
+        tries = DECIDE.place_tries
         for place in free_places(block, others + site, goal):
             if (not is_seen(place, eye) or is_walled_in(place, site)
                     or not can_pass_on(robot, arms, place, goal)):
@@ -326,13 +324,13 @@ def free_places(block, taken, goal):
     """Where a block might lie on the table, a list of up to 100, the best places first: with room
     for fingers, its own and those of its neighbors."""
     yaw, y, x = (it.ravel() for it in np.meshgrid(
-        [0, math.pi / 2, math.pi / 4, -math.pi / 4], np.arange(-5, 0.125, 0.25),
-        np.arange(-6.5, 6.75, 0.5), indexing="ij"))
-    sides = np.ones_like(x)[:, None] * (block.size[:2] + 0.2)
+        [0, math.pi / 2, math.pi / 4, -math.pi / 4], numbers_of(*DECIDE.place_y),
+        numbers_of(*DECIDE.place_x), indexing="ij"))
+    sides = np.ones_like(x)[:, None] * (block.size[:2] + DECIDE.place_margin)
     covered = np.column_stack([x, y, sides, yaw])
-    with_fingers = covered + [0, 0, 0, 0.7, 0]
+    with_fingers = covered + [0, 0, 0, DECIDE.place_fingers, 0]
     free = np.ones(len(x), bool)
-    for rectangle in footprint(taken, 0.1):
+    for rectangle in footprint(taken, ROOM.site_margin):
         free &= ~overlap(rectangle, with_fingers)
     # Square blocks can be held the other way round, too.
     for rectangle in grip_room([it for it in taken if not has_equal_sides(it)]):
@@ -340,10 +338,12 @@ def free_places(block, taken, goal):
 
     if goal is None:
         # The middle, where both arms reach, is for passing on.
-        way = np.hypot(x - block.position[0], y - block.position[1]) + np.maximum(3 - np.abs(x), 0)
+        way = np.hypot(x - block.position[0], y - block.position[1])
+        way += np.maximum(DECIDE.middle - np.abs(x), 0)
     else:
-        way = np.abs(x) + 0.1 * np.abs(y + 3.5)
-    best = np.argsort(np.where(free, way, np.inf), kind="stable")[:min(100, free.sum())]
+        way = np.abs(x) + DECIDE.passing_y_cost * np.abs(y - DECIDE.passing_y)
+    most = min(DECIDE.most_places, free.sum())
+    best = np.argsort(np.where(free, way, np.inf), kind="stable")[:most]
     return [replace(block, position=np.array([x[i], y[i], block.size[2] / 2]), yaw=yaw[i])
             for i in best]
 
@@ -355,7 +355,8 @@ def is_seen(place, eye):
     middle = np.array([*place.position[:2], place.size[2]])
     corners = [middle + a * along + b * across for a in (1, -1) for b in (1, -1)]
     pixels = np.array([to_pixel(corner, eye) for corner in corners])
-    return ((pixels > 3) & (pixels < 2 * eye.intrinsics[:2, 2] - 3)).all()
+    margin = DECIDE.picture_margin_pixels
+    return ((pixels > margin) & (pixels < 2 * eye.intrinsics[:2, 2] - margin)).all()
 
 
 def arms_for(robot, block, goal):

@@ -9,11 +9,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from blocks import Block, same_color, same_size, turn_between
+from constants import SEE
 from places import is_inside
-
-MOST_FLOORS = 6  # so high blocks may lie on blocks
-MOST_ABREAST = 5  # so many equal ones may touch in a row
-FEWEST_PIXELS = 60  # of a top that can be measured
 
 
 @dataclass
@@ -43,7 +40,7 @@ def find_blocks(picture, eye, like, container=None):
         sizes = sizes_of(like, color)
         number = label_regions(is_color(picture, color))
         for region, size in enumerate(np.bincount(number.ravel())):
-            if region == 0 or size < FEWEST_PIXELS:
+            if region == 0 or size < SEE.top_pixels:
                 continue
             row, column = np.nonzero(number == region)
             blocks += fit_blocks(row, column, eye, color, sizes, container,
@@ -65,14 +62,14 @@ def colors_of(picture):
     flat = np.round(picture * 255).astype(int).reshape(-1, 3)
     flat = flat[(flat > 0).all(axis=1) | (flat > 100).any(axis=1)]
     found, count = np.unique(flat @ [65536, 256, 1], return_counts=True)
-    return different_ones([unpacked(color) for color in found[count > 300]])
+    return different_ones([unpacked(color) for color in found[count > SEE.frequent_color_pixels]])
 
 
 def different_ones(colors):
     """Colors that is_color cannot tell apart are one."""
     different = []
     for color in colors:
-        if all(np.abs(color - other).max() >= 0.02 for other in different):
+        if all(np.abs(color - other).max() >= SEE.different_colors for other in different):
             different.append(color)
     return different
 
@@ -94,7 +91,7 @@ def sizes_of(like, color):
 def is_color(picture, color):
     """The pixels of a color: HxW bool. In the robot's eye each face of a block has one flat color:
     the true one on top, darker ones at the sides."""
-    tolerance = 0.02 + 0.03 * max(color)
+    tolerance = SEE.color_tolerance + SEE.color_tolerance_bright * max(color)
     mask = np.abs(picture[:, :, 0] - color[0]) < tolerance
     for channel in (1, 2):
         mask &= np.abs(picture[:, :, channel] - color[channel]) < tolerance
@@ -138,11 +135,11 @@ def fit_blocks(row, column, eye, color, sizes, container, is_possible):
     blocks, so there are only few planes to try: the one on which the top is as large as it should
     be is the one it lies on. In a container, if there is one, all planes are higher by its floor.
     """
-    best = 0.08  # by how much, in proportion, a side may be wrong
+    best = SEE.side_error  # by how much, in proportion, a side may be wrong
     blocks = []
-    for most in (1, MOST_ABREAST):
+    for most in (1, SEE.most_abreast):
         for size in sizes:
-            for floor in range(MOST_FLOORS):
+            for floor in range(SEE.most_floors):
                 top = size[2] + floor
                 face = describe_face(*onto_plane(row, column, eye, top))
                 if is_inside(container, face.center):
@@ -190,7 +187,7 @@ def is_held_up(block, picture, eye, table):
         x, y = edge + share * half * np.array([-math.sin(toward), math.cos(toward)])
         spot = pixel_at(picture, eye, [x, y, under])
         if spot is not None:
-            is_table.append(np.abs(picture[spot] - table).max() < 0.03)
+            is_table.append(np.abs(picture[spot] - table).max() < SEE.table_tolerance)
     return not is_table or not all(is_table)
 
 
@@ -207,14 +204,14 @@ def find_outlines(picture, eye, color, height):
     matter."""
     number = label_regions(is_color(picture, color))
     faces = []
-    for region in np.flatnonzero(np.bincount(number.ravel()) >= 300):
+    for region in np.flatnonzero(np.bincount(number.ravel()) >= SEE.outline_pixels):
         if region == 0:
             continue
         mask = number == region
         filled = np.logical_or.accumulate(mask, axis=1)
         filled &= np.logical_or.accumulate(mask[:, ::-1], axis=1)[:, ::-1]
         face = describe_face(*onto_plane(*np.nonzero(filled), eye, height))
-        if face.misfit < 0.05:
+        if face.misfit < SEE.misfit:
             faces.append(face)
     return sorted(faces, key=lambda face: -face.sides.prod())
 
@@ -271,7 +268,7 @@ def yaw_of(x, y, area):
     z = x + 1j * y
     long = (area * z**2).sum()
     spread = (area * abs(z) ** 2).sum()
-    if abs(long) > 0.1 * spread:
+    if abs(long) > SEE.elongated * spread:
         return float(np.angle(long)) / 2
     # A square has no long side, but its fourth power has a direction: the corners are farthest out
     # and count most, at 0 degrees they lie at 45, and four times that is 180; hence the minus.

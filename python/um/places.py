@@ -9,6 +9,7 @@ import math
 import numpy as np
 
 from blocks import Block, has_equal_sides
+from constants import ROOM
 
 
 def footprint(blocks, margin):
@@ -39,8 +40,8 @@ def reach(rectangles, yaw):
 
 def grip_room(blocks):
     """What blocks cover, and with them open fingers at their longer sides: Nx5."""
-    rectangles = footprint(blocks, 0.05)
-    rectangles[:, 3] += 0.8
+    rectangles = footprint(blocks, ROOM.grip_margin)
+    rectangles[:, 3] += ROOM.open_fingers
     return rectangles
 
 
@@ -54,7 +55,7 @@ def walls_of(container):
     """What stands around the inside of a Container, as four Blocks; none of None."""
     if container is None:
         return []
-    thick = 0.2  # thinner ones keep fingers off as well
+    thick = ROOM.wall  # thinner ones keep fingers off as well
     along = np.array([math.cos(container.yaw), math.sin(container.yaw), 0])
     across = np.array([-along[1], along[0], 0])
     walls = []
@@ -77,26 +78,26 @@ def finger_turns(place, others):
     # What is as high as the fingers, the bar that joins them, and the hand above it, must keep off
     # them.
     tops = np.array([it.top for it in others])
-    covered = footprint(others, 0.03)
-    at_fingers = covered[tops > place.top - place.size[2] + 0.02]
-    at_bar = covered[tops > place.top + 0.3]
-    at_hand = covered[tops > place.top + 0.6]
+    covered = footprint(others, ROOM.margin)
+    at_fingers = covered[tops > place.top - place.size[2] + ROOM.finger_depth_margin]
+    at_bar = covered[tops > place.top + ROOM.bar_above_top]
+    at_hand = covered[tops > place.top + ROOM.hand_above_top]
     return [turn for turn in turns if fits(place, turn, at_fingers, at_bar, at_hand)]
 
 
 def fits(place, across, at_fingers, at_bar, at_hand):
-    """Fingers are 0.3 thick and 0.4 wide, and open 0.1 away from the block; the bar is 2.6 long."""
+    """Whether fingers that are open beside the block, the bar that joins them and the hand have room."""
     x, y = place.position[:2]
-    gap = place.size[1] / 2 + 0.25
+    gap = place.size[1] / 2 + ROOM.finger_gap
     dx, dy = gap * math.cos(across), gap * math.sin(across)
-    return not (overlap([x + dx, y + dy, 0.3, 0.4, across], at_fingers).any()
-                or overlap([x - dx, y - dy, 0.3, 0.4, across], at_fingers).any()
-                or overlap([x, y, 2.6, 0.4, across], at_bar).any()
-                or overlap([x, y, 1.3, 1.3, across], at_hand).any())
+    return not (overlap([x + dx, y + dy, *ROOM.finger, across], at_fingers).any()
+                or overlap([x - dx, y - dy, *ROOM.finger, across], at_fingers).any()
+                or overlap([x, y, *ROOM.bar, across], at_bar).any()
+                or overlap([x, y, *ROOM.hand, across], at_hand).any())
 
 
 def is_walled_in(block, steps):
     """Whether a block lies on the building's site, or so near that no fingers fit in once the
     building stands."""
-    [covered] = footprint([block], 0.1)
+    [covered] = footprint([block], ROOM.site_margin)
     return overlap(covered, grip_room(steps)).any() or not finger_turns(block, steps)

@@ -3,11 +3,10 @@
 import numpy as np
 
 from blocks import Block
+from constants import SEE, numbers_of
 from looking import (describe_face, is_color, label_regions, onto_plane, pixel_at, table_color,
                      to_pixel, unpacked)
 from places import footprint, overlap
-
-FEWEST_PIXELS = 150  # of a flat area that may be a top
 
 
 def find_strangers(picture, eye, known):
@@ -36,11 +35,11 @@ def tops_in(picture, table):
     tops = []
     for code, count in zip(*np.unique(codes, return_counts=True)):
         color = unpacked(code)
-        if code == 0 or count < FEWEST_PIXELS or is_color(color[None, None], table).all():
+        if code == 0 or count < SEE.stranger_pixels or is_color(color[None, None], table).all():
             continue
         number = label_regions(codes == code)
         for region, size in enumerate(np.bincount(number.ravel())):
-            if region == 0 or size < FEWEST_PIXELS:
+            if region == 0 or size < SEE.stranger_pixels:
                 continue
             row, column = np.nonzero(number == region)
             above = codes[np.maximum(row - 1, 0), column]
@@ -54,7 +53,8 @@ def is_shade(color, bright):
     """Whether a color is a darker one of the same hue: that of a side of a block with a bright
     top."""
     share = (color * bright).sum() / max((bright**2).sum(), np.finfo(float).eps)
-    return 0.3 < share < 0.95 and np.abs(color - share * bright).max() < 0.02
+    least, most = SEE.shade
+    return least < share < most and np.abs(color - share * bright).max() < SEE.shade_tolerance
 
 
 def measure_block(color, row, column, picture, eye, table):
@@ -63,7 +63,7 @@ def measure_block(color, row, column, picture, eye, table):
     if height is None:
         return None
     face = describe_face(*onto_plane(row, column, eye, height))
-    if face.misfit > 0.05:
+    if face.misfit > SEE.misfit:
         return None
     return Block(color, np.append(face.sides, height), np.append(face.center, height / 2), face.yaw)
 
@@ -72,13 +72,13 @@ def height_of(color, row, column, picture, eye, table):
     """How high a block is [units]: below the edge of its top one of its sides is seen, down to
     where the table begins. None if something else is there."""
     u, v = edge_below(row, column, eye)
-    for trial in np.arange(0.1, 6.01, 0.02):
+    for trial in numbers_of(*SEE.height_trials):
         x, y, _ = onto_plane(np.array([v - 0.5]), np.array([u - 0.5]), eye, trial)
         spot = pixel_at(picture, eye, [x[0], y[0], 0])
         if spot is None or not is_shade(picture[spot], color):
             break
-    height = round(4 * trial) / 4  # pixels cannot tell it finer; flatter things are no blocks
-    is_table = spot is not None and np.abs(picture[spot] - table).max() < 0.03
+    height = round(SEE.heights_per_unit * trial) / SEE.heights_per_unit  # pixels cannot tell it finer
+    is_table = spot is not None and np.abs(picture[spot] - table).max() < SEE.table_tolerance
     return height if is_table and height > 0 else None
 
 

@@ -11,6 +11,7 @@ from smile.motion import robot_of
 
 from acting import Action, carry_out
 from carrying import PARKED, retreat
+from constants import ACT
 from deciding import Building, decide
 from demonstration import read_demonstration
 from looking import Eye
@@ -35,7 +36,7 @@ def init(aux):
     aux.is_recovering = False  # true after an action went wrong
 
     # The arms begin where they do not stand in the picture.
-    aux.imageSeconds = 1
+    aux.imageSeconds = ACT.image_s
     aux.initJointAngles = PARKED
 
 

@@ -6,9 +6,10 @@ from itertools import product
 import numpy as np
 
 from blocks import Container, Step, same_size
+from constants import BLOCKS, SEE, UNDERSTAND
 from demonstration import read_picture
-from looking import (FEWEST_PIXELS, colors_of, describe_face, find_outlines, is_color,
-                     label_regions, onto_plane, pixel_at)
+from looking import (colors_of, describe_face, find_outlines, is_color, label_regions, onto_plane,
+                     pixel_at)
 from places import footprint, is_inside, overlap
 
 
@@ -30,7 +31,7 @@ def understand(demo, attention):
             color = None
         _, x, y, z, _, _, degrees = demo.moves[n][-1]
         yaw = math.radians(degrees)
-        if size[1] > 1.1 * size[0]:
+        if size[1] > BLOCKS.equal_sides * size[0]:
             size = size[[1, 0, 2]]
             yaw += math.pi / 2
         step = Step(color, size, np.array([x, y, z]), yaw, name, [])
@@ -50,7 +51,9 @@ def taking_part(demo):
     below = []
     for n in range(len(demo.ids)):
         gap = final[moved] - final[n]
-        carries = (gap[:, 2] > 0.4) & (gap[:, 2] < 1.6) & (np.hypot(gap[:, 0], gap[:, 1]) < 0.7)
+        least, most = UNDERSTAND.carried_heights
+        is_above = np.hypot(gap[:, 0], gap[:, 1]) < UNDERSTAND.carried_distance
+        carries = (gap[:, 2] > least) & (gap[:, 2] < most) & is_above
         if n not in moved and carries.any():
             below.append(n)
     return below + moved
@@ -77,7 +80,7 @@ def measure_object(demo, n, pictures):
 def worth_looking(moves):
     """Moves of an object after which it may be seen as a whole: at the beginning, and where it was
     highest."""
-    highest = np.argsort(-moves[:, 3], kind="stable")[:8]
+    highest = np.argsort(-moves[:, 3], kind="stable")[:UNDERSTAND.highest_frames]
     return moves[[0, *highest]]
 
 
@@ -95,14 +98,16 @@ def measure_top(picture, eye, pose, height):
     number = label_regions(is_color(picture, color))
     row, column = np.nonzero(number == number[spot])
     face = describe_face(*onto_plane(row, column, eye, top[2]), math.radians(pose[5]))
-    is_whole = np.hypot(*(face.center - top[:2])) < 0.03 and face.misfit < 0.05
+    off = np.hypot(*(face.center - top[:2]))
+    is_whole = off < UNDERSTAND.center_error and face.misfit < SEE.misfit
     return (color, face.sides) if is_whole else None
 
 
 def was_drawn(moves):
     """Whether an object was only drawn along, like a door, and never lifted or turned."""
     way = np.hypot(*(moves[-1, 1:3] - moves[0, 1:3]))
-    return way > 0.2 and np.abs(moves[:, 3:] - moves[0, 3:]).max() < 0.05
+    wobble = np.abs(moves[:, 3:] - moves[0, 3:]).max()
+    return way > UNDERSTAND.drawn_distance and wobble < UNDERSTAND.drawn_wobble
 
 
 def measure_handle(demo, n):
@@ -125,10 +130,10 @@ def measure_handle(demo, n):
 
             _, on_table = centers(0)
             height = eye_height * (1 - (way @ way) / (way @ on_table))
-            if not 0.1 < height < eye_height / 2:
+            if not UNDERSTAND.handle_height < height < eye_height / 2:
                 continue
             (face, later), gone = centers(height)
-            if (np.hypot(*(gone - way)) < 0.05 and face.misfit < 0.05
+            if (np.hypot(*(gone - way)) < UNDERSTAND.handle_error and face.misfit < SEE.misfit
                     and same_size(face.sides, later.sides)
                     and (step is None or height > step.top)):
                 step = Step(color, np.append(face.sides, height),
@@ -143,8 +148,8 @@ def regions_left(mask, other):
     columns."""
     number = label_regions(mask)
     left = []
-    for region in np.flatnonzero(np.bincount(number.ravel()) >= FEWEST_PIXELS):
-        if region and other[number == region].mean() < 0.5:
+    for region in np.flatnonzero(np.bincount(number.ravel()) >= SEE.top_pixels):
+        if region and other[number == region].mean() < UNDERSTAND.left_behind:
             left.append(np.nonzero(number == region))
     return left
 
@@ -153,7 +158,7 @@ def measure_container(demo, steps):
     """The open box that steps' blocks were put into, from the first picture of the demonstration;
     None if all of them stand on the table or on each other."""
     inside = [step for step in steps
-              if step.bottom > 0.05 and not step.on and step.way is None]
+              if step.bottom > UNDERSTAND.inside_bottom and not step.on and step.way is None]
     if not inside:
         return None
     for n, moves in enumerate(demo.moves):
@@ -169,7 +174,7 @@ def measure_container(demo, steps):
             container = Container(picture[spot], np.append(face.sides, height),
                                   np.append(face.center, z), face.yaw, demo.ids[n],
                                   min(step.bottom for step in inside))
-            is_there = np.hypot(*(face.center - [x, y])) < 0.1
+            is_there = np.hypot(*(face.center - [x, y])) < UNDERSTAND.container_error
             if is_there and all(is_inside(container, step.position) for step in inside):
                 return container
     raise ValueError(f"no picture of the demonstration shows what {inside[0].name} was put into")
@@ -178,7 +183,7 @@ def measure_container(demo, steps):
 def stands_on(upper, lower):
     gap = upper.bottom - lower.top
     [one] = footprint([upper], 0)
-    return abs(gap) < 0.1 and overlap(one, footprint([lower], 0)).any()
+    return abs(gap) < UNDERSTAND.standing_gap and overlap(one, footprint([lower], 0)).any()
 
 
 def color_matters(attention, name):

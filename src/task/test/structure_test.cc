@@ -115,7 +115,7 @@ TEST_F(StructureTest, IsAchievedByItselfAndNotByDoingNothing) {
     EXPECT_EQ(itself.share, 1) << scene;
     EXPECT_LT(itself.mean_error().distance, 1e-9) << scene;
     EXPECT_TRUE(itself.order.is_kept()) << scene;
-    EXPECT_EQ(CauseOf(structure, course, itself, {.status = "failed"}), std::nullopt);
+    EXPECT_EQ(CauseOf(structure, course, itself, {.status = "exited"}), std::nullopt);
     // Who watches sees what the recording tells.
     EXPECT_EQ(CompareWith(structure, witnessed_).order, itself.order) << scene;
 

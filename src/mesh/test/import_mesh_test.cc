@@ -207,7 +207,7 @@ TEST(ImportMesh, BoundsWhatADaeMayCost) {
   std::string deep;
   for (int i = 0; i < 101; ++i) deep += "<node><!--</node></node>--><b c='/>'/>";
   EXPECT_EQ(FaultOf(deep, "dae"),
-            "line 1: <node>: found more than 100 elements inside one another, expected fewer");
+            "line 1: <b>: found more than 100 elements inside one another, expected fewer");
   std::string many = "<a>";
   for (int i = 0; i < 200'000; ++i) many += "<b/>";
   EXPECT_EQ(FaultOf(many, "dae"), "line 1: <b>: found more than 200000 elements, expected fewer");

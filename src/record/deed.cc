@@ -82,6 +82,7 @@ Json ToJson(const std::optional<Deed>& deed) {
   if (!deed) return nullptr;
   Json json = {{"do", ToString(deed->kind)}, {"hand", ToString(deed->hand)}, {"what", deed->what}};
   if (const auto& onto = deed->onto) json[onto->is_container ? "into" : "on"] = onto->object;
+  json["words"] = WordsOf(*deed);
   return json;
 }
 

@@ -39,9 +39,9 @@ std::optional<Deed> DeedOf(const sim::Event& event, const std::optional<Support>
 /// `left hand takes b03`, `both hands put b03 on b01`, `right hand drops b03 into crate`.
 std::string WordsOf(const Deed& deed);
 
-/// For those who have words of their own: `{"do":"take","hand":"left","what":"b03"}`; of what was
-/// put or dropped also `"on"` or `"into"` and the id of what is beneath, empty for the table. null
-/// of none.
+/// `{"do":"take","hand":"left","what":"b03","words":"left hand takes b03"}`; of what was put or
+/// dropped also `"on"` or `"into"` and the id of what is beneath, empty for the table. null of
+/// none.
 Json ToJson(const std::optional<Deed>& deed);
 
 }  // namespace smile::record

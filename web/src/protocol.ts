@@ -84,6 +84,8 @@ export interface Deed {
   what: string;
   on?: string;
   into?: string;
+  /** All of it, for people. */
+  words: string;
 }
 
 export interface Segment {

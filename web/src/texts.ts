@@ -1,6 +1,6 @@
 // All English of the page, by subject. What the program says comes from the program.
 
-import type { Deed, HandName } from "./protocol";
+import type { HandName } from "./protocol";
 
 const count = (number: number, one: string, many: string) => `${number} ${number === 1 ? one : many}`;
 
@@ -357,14 +357,6 @@ export const texts = {
     none: "The first action makes the first segment.",
     segments: "Segments",
     start: "Beginning",
-    /** "left hand takes b03", "both hands put b03 on b01" */
-    deed: ({ do: verb, hand, what, on, into }: Deed) => {
-      const who = hand === "both" ? "both hands" : `${hand} hand`;
-      const does = `${verb}${hand === "both" ? "" : "s"}${verb === "point" ? " at" : ""}`;
-      const beneath = on ?? into;
-      const where = beneath === undefined ? "" : `${into === undefined ? " on" : " into"} ${beneath || "the table"}`;
-      return `${who} ${does} ${what}${where}`;
-    },
     scrub: "Moment",
     play: "Play",
     stop: "Stop",

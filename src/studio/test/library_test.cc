@@ -146,7 +146,8 @@ TEST_F(LibraryTest, TellsWhatWasDoneInWordsAndWhen) {
   const Json& segments = timeline["segments"];
   ASSERT_EQ(segments.size(), 3u) << timeline;
   EXPECT_EQ(segments[0]["deed"], nullptr);
-  EXPECT_EQ(segments[1]["deed"], Json::parse(R"({"do":"take","hand":"left","what":"a"})"));
+  EXPECT_EQ(segments[1]["deed"],
+            Json::parse(R"({"do":"take","hand":"left","what":"a","words":"left hand takes a"})"));
   EXPECT_EQ(segments[2]["deed"], timeline["steps"][3]["deed"]);
   EXPECT_EQ(segments[1]["end"], segments[2]["begin"]);
   EXPECT_EQ(segments[2]["end"], timeline["seconds"]);

@@ -33,8 +33,10 @@ TEST_F(SessionTest, ADemonstrationIsRecordedAndReplays) {
   EXPECT_EQ(recording["segments"].size(), 3u);
   EXPECT_EQ(recording["segments"][0]["deed"], nullptr);
   EXPECT_EQ(recording["segments"][1]["deed"]["do"], "take");
-  EXPECT_EQ(recording["segments"][2]["deed"],
-            Json::parse(R"({"do":"put","hand":"left","what":"a","on":"b"})"));
+  EXPECT_EQ(
+      recording["segments"][2]["deed"],
+      Json::parse(
+          R"({"do":"put","hand":"left","what":"a","on":"b","words":"left hand puts a on b"})"));
   EXPECT_TRUE(State()["undo"].get<bool>() && State()["redo"].get<bool>());
   Command(R"({"do":"finish"})");
   EXPECT_TRUE(State()["recording"].is_null());

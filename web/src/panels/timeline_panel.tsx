@@ -21,7 +21,7 @@ const moment = signal(0);
 const edited = signal<{ kind: EditKind; segment: number } | null>(null);
 
 function wordsOf({ deed }: { deed: Deed | null }): string {
-  return deed === null ? words.start : words.deed(deed);
+  return deed?.words ?? words.start;
 }
 
 /** One segment: how it ends, and what it is. */

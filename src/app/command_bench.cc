@@ -136,7 +136,9 @@ brain::Sensor SensorOf(const benchmark::State& state) {
   picture::RenderedEye eye({.width_px = static_cast<int>(state.range(0)),
                             .height_px = static_cast<int>(state.range(1))});
   brain::Sensor sensor;
-  if (state.range(0) > 1) sensor.pictures.push_back({.image = eye.Look(*simulation)});
+  if (state.range(0) > 1)
+    sensor.pictures.push_back(
+        {.image = eye.Draw(simulation->model().visual_model(), SightOf(*simulation, eye.spec()))});
   return sensor;
 }
 

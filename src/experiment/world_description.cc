@@ -27,7 +27,7 @@ Json DescribeControls(const sim::Simulation& simulation) {
   const world::Tabletop& tabletop = simulation.tabletop();
   for (model::ControlIndex i : simulation.model().controls()) {
     const model::Control& control = simulation.model().control(i);
-    if (!tabletop.IsPresent(control)) continue;
+    if (!tabletop.IsPresent(i)) continue;
     json[control.id()] = RecordedState(control, tabletop.controls().states()[i]);
   }
   return json;

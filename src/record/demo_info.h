@@ -66,7 +66,7 @@ struct DemoInfo {
   bool has_symbols = true;         ///< in the classic view
   std::optional<RobotInfo> robot;  ///< nullopt for a table without one
   std::optional<CameraView> eye;   ///< of the pictures; nullopt for text only
-  std::string eye_camera = sim::kEyeCamera;  ///< which camera that is; see sim::CameraNames()
+  std::string eye_camera = sim::kEyeCamera;  ///< which camera that is; see model::CameraNames()
   DemonstratorLook demonstrator = DemonstratorLook::kInvisible;  ///< in the pictures
 
   bool operator==(const DemoInfo&) const = default;

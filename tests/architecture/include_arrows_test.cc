@@ -235,4 +235,10 @@ TEST(Architecture, NoKnotHasMoreThanThreeFiles) {
   EXPECT_GT(num_units, 200u);
 }
 
+TEST(Architecture, WhoLooksAtModelsAndRobotsSeesNoPhysics) {
+  const Rooms table = TableOfTheBuild();
+  EXPECT_FALSE(VisibleFrom("model", table).contains("physics"));
+  EXPECT_FALSE(VisibleFrom("robot", table).contains("physics"));
+}
+
 }  // namespace

@@ -204,7 +204,7 @@ TEST(RandomLayout, AnArmReachesEverythingFromAbove) {
   const robot::RobotModel model = robot::ReadRobot(DataFile("robots/baxter.urdf"));
   const sim::RobotPlacement usual;
   const scene::SceneSpec scene = Shipped("um_robot");
-  const RigidTransform X_WBase = sim::RobotBasePose(scene.table, usual.gap, usual.height);
+  const RigidTransform X_WBase = model::RobotBasePose(scene.table, usual.gap, usual.height);
   const motion::ArmKinematics left(model, *robot::FindArm(model, "left"), X_WBase);
   const motion::ArmKinematics right(model, *robot::FindArm(model, "right"), X_WBase);
   // The pose `untucked`: hands over the table, fingers down.

@@ -92,7 +92,8 @@ TEST(Cameras, DoNotSeeTheLinkTheyAreFixedTo) {
   EXPECT_EQ(hidden("left_hand").size(), 1u);
   EXPECT_NE(hidden("left_hand"), hidden("right_hand"));
   EXPECT_TRUE(hidden("overhead").empty());
-  EXPECT_GT(FramesHiddenFromEye(simulation.model(), /*is_robot_shown=*/false, "overhead").size(), 10u);
+  EXPECT_GT(FramesHiddenFromEye(simulation.model(), /*is_robot_shown=*/false, "overhead").size(),
+            10u);
 }
 
 TEST(Cameras, OfASceneSeeFromAfar) {

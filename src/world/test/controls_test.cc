@@ -43,7 +43,7 @@ class Panel {
 };
 
 ObjectSpec Switch(const std::string& id, int num_states, std::vector<std::string> downstream,
-              int initial_state = 0, bool is_left_pressed = true) {
+                  int initial_state = 0, bool is_left_pressed = true) {
   return ObjectWith({.id = id,
                      .shape = ToggleSwitch{.is_left_pressed = is_left_pressed,
                                            .num_states = num_states,
@@ -52,7 +52,7 @@ ObjectSpec Switch(const std::string& id, int num_states, std::vector<std::string
 }
 
 ObjectSpec Lights(const std::string& id, std::vector<std::string> names,
-              std::vector<std::string> downstream, int initial_state = 0) {
+                  std::vector<std::string> downstream, int initial_state = 0) {
   IndicatorLights lights{.initial_state = initial_state, .downstream = std::move(downstream)};
   for (std::string& name : names) lights.states.push_back({.name = std::move(name), .lights = {}});
   return ObjectWith({.id = id, .shape = lights});
@@ -60,9 +60,8 @@ ObjectSpec Lights(const std::string& id, std::vector<std::string> names,
 
 /// A switch of three states drives a lamp of three, which drives one of two.
 Panel TrafficLights() {
-  return Panel({Switch("S1", 3, {"L1"}, 0, false),
-                   Lights("L1", {"stop", "caution", "go"}, {"L2"}),
-                   Lights("L2", {"red", "dark"}, {})});
+  return Panel({Switch("S1", 3, {"L1"}, 0, false), Lights("L1", {"stop", "caution", "go"}, {"L2"}),
+                Lights("L2", {"red", "dark"}, {})});
 }
 
 std::vector<std::string> Recorded(const Panel& panel) {

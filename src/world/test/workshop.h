@@ -104,8 +104,7 @@ class WorkshopTest : public ::testing::Test {
   /// As recordings have it.
   std::string StateOf(std::string_view control) {
     const model::ControlIndex index = *tabletop_->model().FindControl(control);
-    return RecordedState(tabletop_->model().control(index),
-                         tabletop_->controls().states()[index]);
+    return RecordedState(tabletop_->model().control(index), tabletop_->controls().states()[index]);
   }
   int TightnessOf(std::string_view host) {
     const auto index = tabletop_->model().FindHost(host);

@@ -12,10 +12,10 @@ namespace smile::picture {
 namespace {
 
 /// Pixels that show one of the scene's objects: their ids follow those of background and table.
-std::ptrdiff_t NumObjectPixels(const sim::Simulation& stage, const Shot& shot) {
-  const std::size_t num_objects = stage.scene().objects.size();
-  Photographer photographer(stage, shot);
-  return std::ranges::count_if(photographer.Take(record::Observe(stage)).ids,
+std::ptrdiff_t NumObjectPixels(const sim::Simulation& simulation, const Shot& shot) {
+  const std::size_t num_objects = simulation.scene().objects.size();
+  Photographer photographer(simulation.model(), shot);
+  return std::ranges::count_if(photographer.Take(record::Observe(simulation)).ids,
                                [&](auto id) { return id >= 2 && id < 2 + num_objects; });
 }
 
@@ -28,11 +28,12 @@ TEST(Photographer, TheRobotDoesNotHideWhatIsClose) {
     const scene::SceneSpec scene =
         scene_xml::LoadScene(DataFile(std::string("scenes/") + name + ".xml"));
     const auto without = static_cast<double>(NumObjectPixels(sim::Simulation(scene), shot));
-    sim::Simulation stage(
+    const sim::Simulation with_robot(
         scene, sim::RobotPlacement{
                    .model = baxter.model, .gripper = baxter.gripper, .files = baxter.files});
     ASSERT_GT(without, 500) << name;
-    EXPECT_GT(static_cast<double>(NumObjectPixels(stage, shot)), (1 - kHidden) * without) << name;
+    EXPECT_GT(static_cast<double>(NumObjectPixels(with_robot, shot)), (1 - kHidden) * without)
+        << name;
   }
 }
 

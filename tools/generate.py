@@ -12,8 +12,11 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-PART = re.compile(r"(?<=^<!-- smile )(.*)( -->\n).*?(?=^<!-- -->$)", re.DOTALL | re.MULTILINE)
-FILES = {"web/src/commands.ts": "commands --typescript"}
+PART = re.compile(r"(?<=^<!-- smile )([^\n]*)( -->\n).*?(?=^<!-- -->$)", re.DOTALL | re.MULTILINE)
+FILES = {
+    "web/src/commands.ts": "commands --typescript",
+    "web/src/messages.ts": "protocol --typescript",
+}
 
 
 def main():

@@ -27,6 +27,7 @@ void AddImitate(CLI::App* program, ExitAnswer answer);
 void AddEvaluate(CLI::App* program, ExitAnswer answer);
 void AddExperiment(CLI::App* program, ExitAnswer answer);
 void AddCommands(CLI::App* program, ExitAnswer answer);
+void AddProtocol(CLI::App* program, ExitAnswer answer);
 void AddBench(CLI::App* program, ExitAnswer answer);
 
 }  // namespace smile::app

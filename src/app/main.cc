@@ -50,6 +50,7 @@ int main(int argc, char** argv) {
   app::AddEvaluate(&program, &answer);
   app::AddExperiment(&program, &answer);
   app::AddCommands(&program, &answer);
+  app::AddProtocol(&program, &answer);
   app::AddBench(&program, &answer);
 
   FillStandardStreams();

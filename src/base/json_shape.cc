@@ -1,6 +1,7 @@
 #include "base/json_shape.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace smile {
@@ -8,6 +9,9 @@ namespace {
 
 /// Longer lists of one length are no tuples.
 constexpr std::size_t kMaxTuple = 8;
+/// More of what does not fit is not told [bytes].
+constexpr std::size_t kMaxFound = 80;
+constexpr std::size_t kNoLimit = std::numeric_limits<std::size_t>::max();
 
 Json CountsFrom(const char* min_key, std::size_t min, const char* max_key, std::size_t max) {
   Json counts = Json::object();
@@ -19,6 +23,34 @@ Json CountsFrom(const char* min_key, std::size_t min, const char* max_key, std::
 }  // namespace
 
 JsonShape::JsonShape(Type type) : type_(type) {}
+
+JsonShape JsonShape::Anything() { return JsonShape(Type::kAnything); }
+
+JsonShape JsonShape::Number() {
+  return Number(std::numeric_limits<double>::lowest(), std::numeric_limits<double>::max());
+}
+
+JsonShape JsonShape::Text() { return Text(kNoLimit); }
+
+JsonShape JsonShape::List(JsonShape item) { return List(std::move(item), 0, kNoLimit); }
+
+JsonShape JsonShape::Map(JsonShape value) {
+  JsonShape shape(Type::kMap);
+  shape.items_.push_back(std::move(value));
+  return shape;
+}
+
+JsonShape JsonShape::OrNull() const {
+  JsonShape shape = *this;
+  shape.may_be_null_ = true;
+  return shape;
+}
+
+JsonShape JsonShape::Called(std::string name) const {
+  JsonShape shape = *this;
+  shape.name_ = std::move(name);
+  return shape;
+}
 
 JsonShape JsonShape::Number(double min, double max) {
   JsonShape shape(Type::kNumber);
@@ -55,8 +87,19 @@ JsonShape JsonShape::Object(std::vector<JsonMember> members) {
   return shape;
 }
 
-bool JsonShape::Fits(const Json& json) const {
+bool JsonShape::Fits(const Json& json, std::string* misfit) const {
+  if (may_be_null_ && json.is_null()) return true;
+  if (!FitsAlone(json)) {
+    if (misfit != nullptr) *misfit = " is " + ToText(json).substr(0, kMaxFound);
+    return false;
+  }
+  return FitsWithin(json, misfit);
+}
+
+bool JsonShape::FitsAlone(const Json& json) const {
   switch (type_) {
+    case Type::kAnything:
+      return true;
     case Type::kNumber:
       return json.is_number() && min_ <= json.get<double>() && json.get<double>() <= max_;
     case Type::kText:
@@ -67,31 +110,62 @@ bool JsonShape::Fits(const Json& json) const {
       return json.is_string() &&
              std::ranges::find(words_, json.get_ref<const std::string&>()) != words_.end();
     case Type::kList:
-      return FitsList(json);
+      return json.is_array() && IsCountRight(json.size());
+    case Type::kMap:
     case Type::kObject:
-      return FitsObject(json);
+      return json.is_object();
   }
   return false;
 }
 
-bool JsonShape::FitsList(const Json& json) const {
-  return json.is_array() && IsCountRight(json.size()) &&
-         std::ranges::all_of(json, [this](const Json& item) { return items_[0].Fits(item); });
+bool JsonShape::FitsWithin(const Json& json, std::string* misfit) const {
+  if (type_ == Type::kObject) return FitsMembers(json, misfit);
+  if (type_ != Type::kList && type_ != Type::kMap) return true;
+  for (const auto& [key, item] : json.items()) {
+    if (items_[0].Fits(item, misfit)) continue;
+    if (misfit != nullptr) *misfit = "." + key + *misfit;
+    return false;
+  }
+  return true;
 }
 
-bool JsonShape::FitsObject(const Json& json) const {
-  if (!json.is_object()) return false;
+bool JsonShape::FitsMembers(const Json& json, std::string* misfit) const {
+  const auto fails = [misfit](const std::string& name, const std::string& why) {
+    if (misfit != nullptr) *misfit = "." + name + why;
+    return false;
+  };
   std::size_t num_known = 0;
   for (const JsonMember& member : members_) {
     const auto found = json.find(member.name);
-    if (found == json.end() ? member.is_required : !member.shape.Fits(*found)) return false;
-    if (found != json.end()) ++num_known;
+    if (found != json.end()) {
+      ++num_known;
+      std::string within;
+      if (!member.shape.Fits(*found, misfit != nullptr ? &within : nullptr)) {
+        return fails(member.name, within);
+      }
+    } else if (member.is_required) {
+      return fails(member.name, " is missing");
+    }
   }
-  return num_known == json.size();
+  if (num_known == json.size()) return true;
+  for (const auto& [key, value] : json.items()) {
+    const auto is_it = [&key = key](const JsonMember& member) { return member.name == key; };
+    if (std::ranges::none_of(members_, is_it)) return fails(key, " is unknown");
+  }
+  return false;
 }
 
 Json JsonShape::Schema() const {
+  if (may_be_null_) {
+    JsonShape itself = *this;
+    itself.may_be_null_ = false;
+    return {{"anyOf", {itself.Schema(), {{"type", "null"}}}}};
+  }
   switch (type_) {
+    case Type::kAnything:
+      return Json::object();
+    case Type::kMap:
+      return {{"type", "object"}, {"additionalProperties", items_[0].Schema()}};
     case Type::kNumber:
       return {{"type", "number"}, {"minimum", min_}, {"maximum", max_}};
     case Type::kText:
@@ -128,7 +202,29 @@ Json JsonShape::ObjectSchema() const {
 }
 
 std::string JsonShape::TypeScript() const {
+  return (name_.empty() ? UnnamedTypeScript() : name_) + (may_be_null_ ? " | null" : "");
+}
+
+std::string JsonShape::TypeScriptDefinition(const std::string& meaning) const {
+  const std::string comment = meaning.empty() ? "" : "/** " + meaning + " */\n";
+  if (type_ != Type::kObject) {
+    return comment + "export type " + name_ + " = " + UnnamedTypeScript() + ";\n";
+  }
+  std::string text = comment + "export interface " + name_ + " {\n";
+  for (const JsonMember& member : members_) {
+    if (!member.meaning.empty()) text += "  /** " + member.meaning + " */\n";
+    text += "  " + member.name + (member.is_required ? ": " : "?: ") + member.shape.TypeScript() +
+            ";\n";
+  }
+  return text + "}\n";
+}
+
+std::string JsonShape::UnnamedTypeScript() const {
   switch (type_) {
+    case Type::kAnything:
+      return "unknown";
+    case Type::kMap:
+      return "Record<string, " + items_[0].TypeScript() + ">";
     case Type::kNumber:
       return "number";
     case Type::kText:
@@ -151,7 +247,7 @@ std::string JsonShape::TypeScript() const {
 std::string JsonShape::ListTypeScript() const {
   const std::string item = items_[0].TypeScript();
   if (min_count_ != max_count_ || max_count_ > kMaxTuple) {
-    return items_[0].type_ == Type::kWord ? "(" + item + ")[]" : item + "[]";
+    return item.find(" | ") == std::string::npos ? item + "[]" : "(" + item + ")[]";
   }
   std::string text = "[";
   for (std::size_t i = 0; i < max_count_; ++i) text += (i > 0 ? ", " : "") + item;

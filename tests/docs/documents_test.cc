@@ -63,19 +63,28 @@ TEST_P(Documents, ScenesAreRight) {
 }
 
 // What tools/generate.py writes is what the program says.
-TEST_F(ProgramTest, TheTableOfCommandsIsTheProgramsOwn) {
-  const std::string document = ReadFile(SMILE_SOURCE_DIR "/docs/commands.md", 1 << 20);
-  const std::string table = Smile("commands --markdown").out;
-  EXPECT_NE(table, "");
-  EXPECT_NE(document.find("<!-- smile commands --markdown -->\n\n" + table + "\n<!-- -->"),
-            std::string::npos)
-      << "run tools/generate.py";
+TEST_F(ProgramTest, TablesInTheDocumentsAreTheProgramsOwn) {
+  const std::vector<std::pair<std::string, std::string>> tables = {
+      {"commands.md", "commands --markdown"},
+      {"studio-protocol.md", "protocol"},
+      {"studio-protocol.md", "protocol --news"}};
+  for (const auto& [document, arguments] : tables) {
+    const std::string text = ReadFile(SMILE_SOURCE_DIR "/docs/" + document, 1 << 20);
+    const std::string table = Smile(arguments).out;
+    EXPECT_NE(table, "");
+    EXPECT_NE(text.find("<!-- smile " + arguments + " -->\n\n" + table + "\n<!-- -->"),
+              std::string::npos)
+        << document << ": run tools/generate.py";
+  }
 }
 
-TEST_F(ProgramTest, ThePagesTypesOfCommandsAreTheProgramsOwn) {
-  EXPECT_EQ(ReadFile(SMILE_SOURCE_DIR "/web/src/commands.ts", 1 << 20),
-            Smile("commands --typescript").out)
-      << "run tools/generate.py";
+TEST_F(ProgramTest, ThePagesTypesAreTheProgramsOwn) {
+  for (const auto& [file, arguments] : {std::pair("commands.ts", "commands --typescript"),
+                                        std::pair("messages.ts", "protocol --typescript")}) {
+    EXPECT_EQ(ReadFile(std::string(SMILE_SOURCE_DIR "/web/src/") + file, 1 << 20),
+              Smile(arguments).out)
+        << "run tools/generate.py";
+  }
 }
 
 TEST_F(ProgramTest, TheCppExampleOfMotionIsCompiled) {

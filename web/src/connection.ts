@@ -1,4 +1,4 @@
-import { decodeBinary, VERSION, type EyeView, type News, type Poses, type Reply } from "./protocol";
+import { decodeBinary, VERSION, type AnswerTo, type EyeView, type FieldsOf, type News, type Poses, type Reply, type Wanted } from "./protocol";
 
 const RECONNECT_MS = 500;
 
@@ -27,14 +27,14 @@ export class Connection {
   }
 
   /** Resolves with the answer; rejects with Refused, or when the connection is lost. */
-  request(what: string, fields: Record<string, unknown> = {}): Promise<Reply> {
+  request<What extends Wanted>(what: What, ...[fields]: FieldsOf<What>): Promise<AnswerTo<What>> {
     const seq = ++this.seq;
-    return new Promise((resolve, reject) => {
+    return new Promise((resolve: (reply: AnswerTo<What>) => void, reject) => {
       if (this.socket?.readyState !== WebSocket.OPEN) {
         reject(new Error("not connected"));
         return;
       }
-      this.waiting.set(seq, { resolve, reject });
+      this.waiting.set(seq, { resolve: (reply) => resolve(reply as AnswerTo<What>), reject });
       this.socket.send(JSON.stringify({ ...fields, seq, do: what }));
     });
   }

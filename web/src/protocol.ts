@@ -1,148 +1,14 @@
-// What page and program say to each other; docs/studio-protocol.md explains it. Lengths are in
+// What page and program say to each other; docs/studio-protocol.md explains it, and the types of
+// messages are made from the program's tables. Lengths are in
 // units of the scene file, angles in degrees, of joints in radians; world frame, z up.
+
+import type { Diagnostic, HandName, Pose, Requests, UnaskedNews } from "./messages";
 
 export const VERSION = 1;
 
-export type Point = [number, number, number];
-/** x, y, z, then the quaternion x, y, z, w. */
-export type Pose = [number, number, number, number, number, number, number];
-export type HandName = "left" | "right" | "both" | "any";
+export type * from "./messages";
+
 export const HANDS: HandName[] = ["left", "right", "both", "any"];
-
-export interface Visual {
-  frame: number;
-  object: number;
-  /** Id of the innermost part it is of that has one. */
-  part?: string;
-  pose: Pose;
-  color: string;
-  choice: number;
-  look: number;
-  glows?: boolean;
-  block?: Point;
-  cylinder?: [radius: number, height: number, sides: number];
-  sphere?: number;
-  mesh?: number;
-  scale?: number;
-}
-
-export interface SceneObject {
-  id: string;
-  frame: number;
-  shape: string;
-  /** It cannot be taken. */
-  fixed: boolean;
-  /** Outer ones first; `within` is the id of the part, or the object, around it. */
-  parts: { id: string; pointable: boolean; within: string }[];
-  controls: { id: string; kind: string; parts: string[] }[];
-  bonds: boolean;
-  properties: string[];
-}
-
-export interface RobotDescription {
-  name: string;
-  joints: {
-    name: string;
-    arm: string;
-    lower: number;
-    upper: number;
-    speed: number;
-    is_length: boolean;
-  }[];
-  grippers: { arm: string; stroke: number }[];
-  poses: string[];
-  cameras: string[];
-}
-
-export interface SceneMessage {
-  t: "scene";
-  scene: number;
-  name: string;
-  metersPerUnit: number;
-  table: { size: Point };
-  numFrames: number;
-  robotFrame: number | null;
-  visuals: Visual[];
-  looks: number[];
-  objects: SceneObject[];
-  robot: RobotDescription | null;
-}
-
-export interface Hand {
-  object: string | null;
-  /** Where the hand wants the grasped point, and where the object's origin is then. */
-  goal?: Point;
-  place?: Point;
-  plane: number;
-  angles?: Point;
-}
-
-/** What a hand did; `on` and `into` name what is beneath, "" for the table. */
-export interface Deed {
-  do: "take" | "put" | "drop" | "release" | "destroy" | "point" | "trigger" | "fasten" | "loosen";
-  hand: HandName;
-  what: string;
-  on?: string;
-  into?: string;
-  /** All of it, for people. */
-  words: string;
-}
-
-export interface Segment {
-  number: number;
-  /** What began it; null of the first. */
-  deed: Deed | null;
-  seconds: number;
-}
-
-export interface StateMessage {
-  t: "state";
-  tick: number;
-  mode: "live" | "playback" | "rage";
-  paused: boolean;
-  speed: number;
-  hands: Record<HandName, Hand>;
-  undo: boolean;
-  redo: boolean;
-  still: boolean;
-  recording: { id: string; title: string; seconds: number; segments: Segment[] } | null;
-  /** The last recording ended by itself; `kept`: it is in the library up to then. */
-  failure: { recording: string; title: string; error: string; kept: boolean } | null;
-  playback: { recording: string; seconds: number; length: number; rate: number } | null;
-  controls: Record<string, string>;
-  gone: string[];
-  /** On the floor, out of play. */
-  fallen: string[];
-  attention: Record<string, string[]>;
-  robot: {
-    shown: boolean;
-    mood: string;
-    following: boolean;
-    joints: Record<string, number>;
-    grippers: number[];
-    head: number;
-  } | null;
-  /** Its status is one of those in `texts.brain.statuses`. */
-  brain: { name: string; status: string; message: string; file: string; line: number };
-  snap: string[];
-  markers: Point[];
-}
-
-export interface EventMessage {
-  t: "event";
-  kind: string;
-  hand?: HandName;
-  object?: string;
-  reason?: string;
-  [more: string]: unknown;
-}
-
-export interface Diagnostic {
-  file: string;
-  line: number;
-  element: string;
-  message: string;
-}
 
 export interface Reply {
   t: "reply";
@@ -153,33 +19,15 @@ export interface Reply {
   [more: string]: unknown;
 }
 
-export interface ClientsMessage {
-  t: "clients";
-  controller: number | null;
-  clients: number[];
-  you: number;
-}
+/** Something that one can ask for, and what the program then says. */
+export type Wanted = keyof Requests;
+export type AnswerTo<What extends Wanted> = Reply & Requests[What]["answer"];
+/** Its fields may be left out where none has to be there. */
+export type FieldsOf<What extends Wanted> = object extends Requests[What]["fields"]
+  ? [fields?: Requests[What]["fields"]]
+  : [fields: Requests[What]["fields"]];
 
-export interface ConsoleLine {
-  text: string;
-  file?: string;
-  line?: number;
-}
-
-export type News =
-  | SceneMessage
-  | StateMessage
-  | EventMessage
-  | ClientsMessage
-  | Reply
-  | { t: "looks"; looks: number[] }
-  | { t: "console"; lines: ConsoleLine[]; all?: boolean }
-  | { t: "score"; result: Record<string, unknown> }
-  | { t: "progress"; what: string; done: number; total: number }
-  | { t: "control_wanted"; by: number }
-  | { t: "control_kept"; by: number }
-  | { t: "library" }
-  | { t: "error"; error: string };
+export type News = UnaskedNews | Reply;
 
 /** A binary message: where frames are now. */
 export interface Poses {

@@ -2,16 +2,19 @@ import { computed, effect, signal } from "@preact/signals";
 import type { Command } from "./commands";
 import { Connection } from "./connection";
 import type {
+  AnswerTo,
   ClientsMessage,
   ConsoleLine,
   EventMessage,
   EyeView,
+  FieldsOf,
   HandName,
   News,
   Poses,
   Reply,
   SceneMessage,
   StateMessage,
+  Wanted,
 } from "./protocol";
 import { texts } from "./texts";
 
@@ -111,15 +114,15 @@ export function connect(): void {
 }
 
 /** Asks the program; rejects with Refused or when the connection is lost. */
-export function request(what: string, fields: Record<string, unknown> = {}): Promise<Reply> {
+export function request<What extends Wanted>(what: What, ...fields: FieldsOf<What>): Promise<AnswerTo<What>> {
   if (connection === null) return Promise.reject(new Error("not connected"));
-  return connection.request(what, fields);
+  return connection.request(what, ...fields);
 }
 
 /** Asks, and shows people why not if not. */
-export async function ask(what: string, fields: Record<string, unknown> = {}): Promise<Reply | null> {
+export async function ask<What extends Wanted>(what: What, ...fields: FieldsOf<What>): Promise<AnswerTo<What> | null> {
   try {
-    return await request(what, fields);
+    return await request(what, ...fields);
   } catch (error) {
     notify(error instanceof Error ? error.message : String(error), true);
     return null;

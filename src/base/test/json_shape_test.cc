@@ -35,6 +35,27 @@ TEST(JsonShape, FitsNothingElse) {
   EXPECT_FALSE(Fits(R"(["name"])"));
 }
 
+TEST(JsonShape, TellsWhatDoesNotFitAndWhere) {
+  const auto misfit = [](const JsonShape& shape, const char* text) {
+    std::string told;
+    EXPECT_FALSE(shape.Fits(ParseJson(text), &told));
+    return told;
+  };
+  const JsonShape tables = JsonShape::Map(JsonShape::List(Table()));
+  EXPECT_EQ(misfit(tables, R"({"a":[],"b":[{"name":"a","kind":"round","place":[0,0,9]}]})"),
+            ".b.0.place.2 is 9");
+  EXPECT_EQ(misfit(Table(), R"({"name":"a","kind":"round"})"), ".place is missing");
+  EXPECT_EQ(misfit(Table(), R"({"name":"a","kind":"round","place":[0,0,0],"size":1})"),
+            ".size is unknown");
+}
+
+TEST(JsonShape, MayBeNull) {
+  const JsonShape shape = JsonShape::Object({{"place", JsonShape::Number().OrNull()}});
+  EXPECT_TRUE(shape.Fits(ParseJson(R"({"place":null})")));
+  EXPECT_FALSE(JsonShape::Number().Fits(Json()));
+  EXPECT_EQ(shape.TypeScript(), "{ place: number | null }");
+}
+
 TEST(JsonShape, TellsItsSchema) {
   const Json schema = Table().Schema();
   EXPECT_EQ(schema["required"], ParseJson(R"(["name","kind","place"])"));
@@ -49,6 +70,18 @@ TEST(JsonShape, TellsItsTypeScriptType) {
   EXPECT_EQ(Table().TypeScript(),
             "{ name: string; kind: \"round\" | \"square\"; place: [number, number, number]; "
             "tags?: (\"a\" | \"b\")[]; free?: boolean }");
+}
+
+TEST(JsonShape, DefinesTheTypeThatItsNameStandsFor) {
+  const JsonShape point = JsonShape::List(JsonShape::Number(), 2, 2).Called("Point");
+  const JsonShape line = JsonShape::Object({{"from", point},
+                                            {"to", point.OrNull(), true, "null: it goes on"},
+                                            {"via", JsonShape::List(point), false}})
+                             .Called("Line");
+  EXPECT_EQ(point.TypeScriptDefinition(), "export type Point = [number, number];\n");
+  EXPECT_EQ(line.TypeScriptDefinition("It is straight."),
+            "/** It is straight. */\nexport interface Line {\n  from: Point;\n"
+            "  /** null: it goes on */\n  to: Point | null;\n  via?: Point[];\n}\n");
 }
 
 }  // namespace

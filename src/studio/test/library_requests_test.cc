@@ -8,6 +8,7 @@
 
 #include "record/replay.h"
 #include "record/test/recording_fixture.h"
+#include "studio/page_protocol.h"
 
 namespace smile::studio {
 namespace {
@@ -19,8 +20,10 @@ class LibraryRequestsTest : public record::RecordingFixture {
   /// Also an answer that comes later.
   Json Ask(const char* what, Json fields, bool is_controller = true) {
     const Request request{.client = 3, .seq = ++seq_, .what = what, .fields = std::move(fields)};
-    const Json answer = Answer(table_, request, is_controller);
-    return IsLater(answer) ? AnswerTo(seq_) : answer;
+    const Json now = Answer(table_, request, is_controller);
+    Json answer = IsLater(now) ? AnswerTo(seq_) : now;
+    EXPECT_EQ(MisfitOf(answer, what), "") << ToText(answer);
+    return answer;
   }
 
   /// Waits for it; keeps what else comes.

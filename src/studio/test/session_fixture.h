@@ -15,12 +15,13 @@
 
 #include "base/files.h"
 #include "robot/urdf_reader.h"
+#include "studio/page_protocol.h"
 #include "studio/session.h"
 
 namespace smile::studio {
 
 /// A session without a network, in a directory of the test's own. Requests are written as a page
-/// would send them.
+/// would send them; all that is said has to be as the tables of the protocol tell.
 class SessionFixture : public ::testing::Test {
  protected:
   SessionFixture() {
@@ -73,14 +74,24 @@ class SessionFixture : public ::testing::Test {
   Json BeginToAsk(const Json& fields) {
     std::string what;
     if (fields.contains("do") && fields["do"].is_string()) what = fields["do"];
-    return Answer(session_->requests(),
-                  {.client = 1, .seq = ++seq_, .what = what, .fields = fields},
-                  /*is_controller=*/true);
+    const Json answer =
+        Answer(session_->requests(), {.client = 1, .seq = ++seq_, .what = what, .fields = fields},
+               /*is_controller=*/true);
+    asked_[seq_] = fields;
+    if (!IsLater(answer)) ExpectAsTold(answer);
+    return answer;
+  }
+  /// That the tables of the protocol have a message.
+  void ExpectAsTold(const Json& message) {
+    Json request = Json::object();
+    if (message["t"] == "reply") request = asked_[message["seq"].get<std::uint32_t>()];
+    EXPECT_EQ(MisfitOf(message, request.value("do", "")), "") << ToText(message);
   }
   /// To the last request.
   Json LaterAnswer() {
     while (true) {
       for (Letter& letter : TakeLetters(session_->requests())) {
+        ExpectAsTold(letter.message);
         latest_[letter.message["t"].get<std::string>()] = letter.message;
       }
       const Json& reply = latest_["reply"];
@@ -92,6 +103,7 @@ class SessionFixture : public ::testing::Test {
   Json Do(const std::string& text) {
     Json answer = Ask(text);
     EXPECT_TRUE(answer["ok"].get<bool>()) << text << " -> " << ToText(answer);
+    EXPECT_EQ(MisfitOfRequest(ParseJson(text)), "") << text;
     return answer;
   }
   Json Command(const std::string& text) { return Do(R"({"do":"command","command":)" + text + "}"); }
@@ -113,6 +125,7 @@ class SessionFixture : public ::testing::Test {
   void Take() {
     News news = session_->TakeNews();
     for (Json& message : news.messages) {
+      ExpectAsTold(message);
       latest_[message["t"].get<std::string>()] = message;
       told_.push_back(std::move(message));
     }
@@ -123,8 +136,13 @@ class SessionFixture : public ::testing::Test {
     Take();
     return latest_[kind];
   }
-  Json State() { return session_->Everything().back(); }
-  Json Scene() { return session_->Everything().front(); }
+  Json State() { return Everything().back(); }
+  Json Scene() { return Everything().front(); }
+  std::vector<Json> Everything() {
+    std::vector<Json> all = session_->Everything();
+    for (const Json& message : all) ExpectAsTold(message);
+    return all;
+  }
   Vector3 PositionOf(const std::string& id) {
     const View view = session_->view();
     const Json scene = Scene();
@@ -158,6 +176,7 @@ class SessionFixture : public ::testing::Test {
   std::optional<Workshop> workshop_{std::in_place};
   std::unique_ptr<Session> session_;
   std::uint32_t seq_ = 0;
+  std::map<std::uint32_t, Json> asked_;  ///< by `seq`
   std::vector<Json> told_;
   std::map<std::string, Json> latest_;
   int num_views_ = 0;

@@ -35,7 +35,7 @@ function useBrains(): void {
     if (!isConnected.value) return;
     void ask("brains").then((reply) => {
       if (reply === null) return;
-      brains.value = reply.brains as Program[];
+      brains.value = reply.brains;
       chosenBrain.value = chosenOf(brains.value, chosenBrain.value);
       chosenImitator.value = chosenOf(imitators.value, chosenImitator.value);
     });
@@ -165,7 +165,7 @@ function Imitation() {
     lastScore.value = null;
     // The imitation becomes the newest recording: the demonstration stays the chosen one.
     toImitate.value = chosen;
-    const place = where.value || scene.value?.name;
+    const place = where.value || (scene.value?.name ?? "");
     await ask("imitate", { recording: chosen, brain: chosenImitator.value, scene: place });
     isBusy.value = false;
   };

@@ -1,7 +1,7 @@
 import { useRef } from "preact/hooks";
 import { command, ask, currentHand, heldObject, isController, scene, state } from "../studio";
 import { axisColors, handColors } from "../colors";
-import { HANDS, type HandName, type Point } from "../protocol";
+import { HANDS, type HandName, type Point, type SnapName } from "../protocol";
 import { texts } from "../texts";
 import { Button, Chips } from "../ui/buttons";
 import { Card } from "../ui/card";
@@ -322,7 +322,7 @@ function Snapping() {
     label: words.snaps[value],
     title: words.snapsWhy[value],
   }));
-  const toggle = (snap: string) => {
+  const toggle = (snap: SnapName) => {
     const now = snaps.value;
     void ask("snap", { to: now.includes(snap) ? now.filter((one) => one !== snap) : [...now, snap] });
   };

@@ -119,7 +119,7 @@ function AddObjects() {
   const preset = useSignal("");
   const seed = useSignal(1);
   const presets = gallery.value?.presets ?? [];
-  const chosen = preset.value || presets[0]?.name;
+  const chosen = preset.value || (presets[0]?.name ?? "");
   const isBlocked = !mayAct.value || isRecording.value;
   const spawn = async () => {
     if ((await ask("spawn", { preset: chosen, seed: seed.value })) !== null) seed.value += 1;

@@ -58,7 +58,7 @@ export function titleOf(id: string): string {
 export async function openRecording(id: string): Promise<Timeline | null> {
   const reply = await ask("open", { recording: id });
   if (reply === null) return null;
-  const timeline = reply.timeline as Timeline;
+  const timeline = reply.timeline;
   opened.value = { id, timeline };
   chosenSegment.value = null;
   return timeline;
@@ -69,7 +69,7 @@ export async function onRecordingShown(id: string): Promise<void> {
   if (opened.value !== null) return;
   const reply = await request("open", { recording: id }).catch(() => null);
   if (reply !== null && opened.value === null && shownRecording.value === id) {
-    opened.value = { id, timeline: reply.timeline as Timeline };
+    opened.value = { id, timeline: reply.timeline };
     chosenSegment.value = null;
   }
 }

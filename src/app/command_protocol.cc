@@ -1,0 +1,39 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include "app/commands.h"
+#include "app/exit_code.h"
+#include "studio/page_protocol.h"
+
+namespace smile::app {
+namespace {
+
+/// Which table is wanted.
+struct ProtocolTable {
+  bool news = false, typescript = false;
+
+  std::string Text() const {
+    if (typescript) return studio::ProtocolTypeScript();
+    return news ? studio::NewsMarkdown() : studio::RequestMarkdown();
+  }
+};
+
+}  // namespace
+
+void AddProtocol(CLI::App* program, ExitAnswer answer) {
+  auto table = std::make_shared<ProtocolTable>();
+  CLI::App* protocol =
+      program->add_subcommand("protocol", "List what the studio's page may ask for");
+  CLI::App* form = protocol->add_option_group("form");
+  form->add_flag("--news", table->news, "what it is told instead");
+  form->add_flag("--typescript", table->typescript, "both, as the page's types");
+  form->require_option(0, 1);
+  protocol->callback([table, answer] {
+    std::printf("%s", table->Text().c_str());
+    *answer = kDone;
+  });
+}
+
+}  // namespace smile::app

@@ -167,6 +167,8 @@ export interface StateMessage {
   failure: { recording: string; title: string; error: string; kept: boolean } | null;
   controls: Record<string, string>;
   gone: string[];
+  /** on the floor, out of play */
+  fallen: string[];
   attention: Record<string, string[]>;
   robot: { shown: boolean; mood: Mood; following: boolean; joints: Record<string, number>; grippers: number[]; head: number } | null;
   brain: { name: string; status: "none" | "starting" | "running" | "exited" | "failed" | "stopped"; message: string; file: string; line: number };
@@ -221,6 +223,15 @@ export interface ControlWantedMessage {
   by: number;
 }
 
+export interface ControlKeptMessage {
+  t: "control_kept";
+  by: number;
+}
+
+export interface LibraryMessage {
+  t: "library";
+}
+
 export interface ErrorMessage {
   t: "error";
   error: string;
@@ -237,6 +248,8 @@ export type UnaskedNews =
   | ScoreMessage
   | ProgressMessage
   | ControlWantedMessage
+  | ControlKeptMessage
+  | LibraryMessage
   | ErrorMessage;
 
 /** What may be asked for, and what is answered beside `ok`. */
@@ -244,13 +257,14 @@ export interface Requests {
   hello: { fields: { version: number }; answer: { client: number; controller: number | null; program: string } };
   ping: { fields: object; answer: object };
   take_control: { fields: { by_force?: boolean }; answer: { granted: boolean } };
+  keep_control: { fields: { from: number }; answer: object };
   give_control: { fields: { to?: number | null }; answer: object };
   command: { fields: { command: Command; exact?: boolean }; answer: { recording?: string } };
   pause: { fields: object; answer: object };
   resume: { fields: object; answer: object };
   speed: { fields: { factor: number }; answer: object };
   snap: { fields: { to: SnapName[] }; answer: object };
-  resting_place: { fields: { hand: HandName }; answer: { hand: HandName; pose: Pose | null } };
+  resting_place: { fields: { hand: HandName }; answer: { hand: HandName; pose: Pose | null; stale?: boolean } };
   load: { fields: { scene?: string; xml?: string; name?: string }; answer: object };
   reload: { fields: object; answer: object };
   check: { fields: { xml: string; name: string }; answer: { diagnostics: Diagnostic[] } };

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <ostream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,5 +28,7 @@ struct HostileReader {
   const char* shipped_folder = nullptr;
   const char* shipped_extension = "";
 };
+/// Lets GoogleTest print the name instead of the bytes.
+inline void PrintTo(const HostileReader& reader, std::ostream* out) { *out << reader.name; }
 
 }  // namespace smile::fuzz

@@ -22,9 +22,11 @@ TEST(Deed, TellsWhereSomethingWasLetGo) {
 TEST(Deed, HasItsFieldsForOtherLanguages) {
   const Json in_crate =
       ToJson(DeedOfRelease(HandName::kLeft, Support{.object = "crate", .is_container = true}));
-  EXPECT_EQ(in_crate, Json::parse(R"({"do":"put","hand":"left","what":"a","into":"crate"})"));
+  EXPECT_EQ(in_crate, Json::parse(R"({"do":"put","hand":"left","what":"a","into":"crate",
+                                      "words":"left hand puts a into crate"})"));
   const Json on_table = ToJson(DeedOfRelease(HandName::kLeft, Support{.height = 0.1}));
-  EXPECT_EQ(on_table, Json::parse(R"({"do":"drop","hand":"left","what":"a","on":""})"));
+  EXPECT_EQ(on_table, Json::parse(R"({"do":"drop","hand":"left","what":"a","on":"",
+                                      "words":"left hand drops a on the table"})"));
 }
 
 TEST(Deed, IsOfHandsOnly) {

@@ -16,8 +16,11 @@ TEST_F(PageProtocol, NamesEveryRequestAndWhoMaySendIt) {
   const Library library(root_ / "recordings");
   AddLibraryRequests(&library, &*workshop_, &table);
   // Those of the connection itself; see server_test.cc.
-  std::map<std::string, bool> done = {
-      {"hello", true}, {"ping", true}, {"take_control", true}, {"give_control", false}};
+  std::map<std::string, bool> done = {{"hello", true},
+                                      {"ping", true},
+                                      {"take_control", true},
+                                      {"keep_control", false},
+                                      {"give_control", false}};
   for (const auto& [name, entry] : table.entries) done[name] = entry.is_for_anyone;
   std::map<std::string, bool> told;
   for (const RequestForm& form : RequestForms()) told[form.name] = form.is_for_anyone;

@@ -43,8 +43,9 @@ class Client:
     def ask(self, request):
         self.seq += 1
         text = json.dumps({"seq": self.seq, **request}).encode()
+        size = struct.pack(">B", 0x80 | len(text)) if len(text) < 126 else struct.pack(">BH", 0x80 | 126, len(text))
         # A mask of zeros changes nothing.
-        self.socket.sendall(struct.pack(">BBH", 0x81, 0x80 | 126, len(text)) + bytes(4) + text)
+        self.socket.sendall(b"\x81" + size + bytes(4) + text)
         self.asked[self.seq] = time.monotonic()
 
     def read(self):

@@ -27,6 +27,7 @@ namespace {
 struct StudioCommand {
   std::string scene, recordings = "recordings", address = "127.0.0.1";
   std::vector<std::string> brains;
+  std::string tls_certificate, tls_key;
   int port = 0;
   double rate = 4;
   bool no_open = false, no_pictures = false;
@@ -67,6 +68,10 @@ int RunStudio(const StudioCommand& options) {
                   .eye = options.no_pictures ? nullptr : &eye,
                   .brains = {options.brains.begin(), options.brains.end()}};
   plan.server = {.address = options.address, .port = options.port, .page = PageFolder()};
+  if (!options.tls_certificate.empty()) {
+    plan.server.tls =
+        web_server::TlsFiles{.certificate = options.tls_certificate, .key = options.tls_key};
+  }
   studio::Studio studio(std::move(plan));
   std::printf("%s\n", studio.link().c_str());
   std::fflush(stdout);
@@ -95,6 +100,17 @@ void AddStudio(CLI::App* program, ExitAnswer answer) {
                    "one, or 0.0.0.0 for all")
       ->capture_default_str()
       ->check(NotEmpty());
+  CLI::Option* certificate =
+      studio
+          ->add_option("--tls-cert", options->tls_certificate,
+                       "certificate chain in PEM format: the page is at https:// only")
+          ->check(CLI::ExistingFile);
+  CLI::Option* key = studio
+                         ->add_option("--tls-key", options->tls_key,
+                                      "key of the certificate in PEM format, without a password")
+                         ->check(CLI::ExistingFile)
+                         ->needs(certificate);
+  certificate->needs(key);
   studio->add_flag("--no-open", options->no_open, "do not open the browser");
   studio->add_option("--recordings", options->recordings, "where recordings are kept")
       ->capture_default_str()

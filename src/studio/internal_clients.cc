@@ -66,84 +66,79 @@ Clients::Client* Clients::Find(ClientId id) {
   return client == clients_.end() ? nullptr : &client->second;
 }
 
-std::optional<ClientId> Clients::Enter() {
-  const Lock lock(mutex_);
-  if (!is_open_ || clients_.size() >= static_cast<std::size_t>(limits_.clients)) {
-    return std::nullopt;
-  }
-  clients_.try_emplace(++last_id_, RateLimit(limits_.requests_per_second, Now()));
-  return last_id_;
+bool Clients::MakeRoom() {
+  const auto is_here = [](const auto& entry) { return !entry.second.is_closing; };
+  if (std::ranges::count_if(clients_, is_here) < limits_.clients) return true;
+  const auto silent = std::ranges::find_if(clients_, [](const auto& entry) {
+    return !entry.second.is_closing && !entry.second.said_hello;
+  });
+  if (silent == clients_.end()) return false;
+  CloseNow(&silent->second, CloseCode::kPolicyViolation, "no hello came, and others are waiting");
+  return true;
 }
 
-void Clients::Leave(ClientId id) {
+bool Clients::Open(ClientId id) {
+  const Lock lock(mutex_);
+  if (!is_open_ || !MakeRoom()) return false;
+  clients_[id].since = Now();
+  return true;
+}
+
+void Clients::Close(ClientId id) {
   const Lock lock(mutex_);
   const bool was_here = roles_.IsHere(id);
   roles_.Leave(id);
   std::erase(new_clients_, id);
-  Client* client = Find(id);
-  client->waiting.clear();
-  client->news.clear();
-  client->is_closing = true;
-  client->mail.notify_all();
+  clients_.erase(id);
   if (was_here) TellWhoIsHere();
 }
 
-void Clients::Forget(ClientId id) {
-  const Lock lock(mutex_);
-  clients_.erase(id);
-}
-
-bool Clients::CountFrames(ClientId id, std::uint64_t count) {
+void Clients::LimitExceeded(ClientId id, const std::string& reason) {
   const Lock lock(mutex_);
   Client* client = Find(id);
-  if (client->rate.LetPass(static_cast<double>(count), Now())) return true;
-  const std::string reason = "more than " +
-                             std::to_string(std::lround(limits_.requests_per_second)) +
-                             " requests a second";
   PostJson(client, {{"t", "error"}, {"error", reason}});
-  CloseNow(client, CloseCode::kAgainstRules, reason);
-  return false;
+  CloseNow(client, CloseCode::kPolicyViolation, reason);
 }
 
-void Clients::Receive(ClientId id, std::string_view text) {
+void Clients::Receive(ClientId id, bool is_text, std::string_view text) {
   std::optional<Request> request;
   std::string error;
   try {
-    request = ParseRequest(id, text);
+    if (is_text) request = ParseRequest(id, text);
   } catch (const std::exception& failure) {
     error = failure.what();
   }
-  Lock lock(mutex_);
+  const Lock lock(mutex_);
   Client* client = Find(id);
   if (client->is_closing) return;
+  if (!is_text) return CloseNow(client, CloseCode::kUnsupported, "requests are text");
   if (!request) return Refuse(client, /*seq=*/0, error);
   if (!client->said_hello && request->what != "hello") {
     return Refuse(client, request->seq, "say hello first");
   }
   if (request->what != "ping") roles_.NoteSignOfLife(id, Now());
   if (!own_requests_.entries.contains(request->what)) {
-    return LetWait(&lock, client, std::move(*request), text.size());
+    client->waiting.push_back({std::move(*request), text.size()});
+    client->waiting_bytes += text.size();
+    return;
   }
   PostJson(client, Answer(own_requests_, *request, roles_.controller() == id));
   client->carried_out = std::max(client->carried_out, request->seq);
   if (std::exchange(is_news_who_is_here_, false)) TellWhoIsHere();
 }
 
+bool Clients::CanReceive(ClientId id) {
+  const Lock lock(mutex_);
+  const Client& client = *Find(id);
+  return client.is_closing || (client.waiting.size() < kMaxWaitingRequests &&
+                               client.waiting_bytes < limits_.message_bytes);
+}
+
 void Clients::Refuse(Client* client, std::uint32_t seq, const std::string& error) {
   PostJson(client, {{"t", "reply"}, {"seq", seq}, {"ok", false}, {"error", error}});
   if (++client->mistakes >= kMaxMistakes) {
-    CloseNow(client, CloseCode::kAgainstRules, "too many wrong requests");
+    CloseNow(client, CloseCode::kPolicyViolation, "too many wrong requests");
   }
-}
-
-void Clients::LetWait(Lock* lock, Client* client, Request request, std::size_t bytes) {
-  client->room.wait(*lock, [this, client] {
-    return client->is_closing || (client->waiting.size() < kMaxWaitingRequests &&
-                                  client->waiting_bytes < limits_.message_bytes);
-  });
-  if (client->is_closing) return;
-  client->waiting.push_back({std::move(request), bytes});
-  client->waiting_bytes += bytes;
 }
 
 RequestTable Clients::OwnRequests() {
@@ -215,11 +210,10 @@ void Clients::Post(Client* client, Mail mail) {
   // One message is always taken, however long it is.
   if (!client->news.empty() && client->news_bytes + mail.body->size() > limits_.outbox_bytes) {
     client->news.clear();
-    return CloseNow(client, CloseCode::kAgainstRules, "too slow: too much waits for you");
+    return CloseNow(client, CloseCode::kPolicyViolation, "too slow: too much waits for you");
   }
   client->news_bytes += mail.body->size();
   client->news.push_back(std::move(mail));
-  client->mail.notify_all();
 }
 
 void Clients::PostJson(Client* client, const Json& message) {
@@ -229,26 +223,9 @@ void Clients::PostJson(Client* client, const Json& message) {
 void Clients::CloseNow(Client* client, CloseCode code, std::string_view reason) {
   if (client->is_closing) return;
   client->is_closing = true;
-  client->news.push_back({.opcode = Opcode::kClose,
-                          .body = std::make_shared<const std::string>(ClosePayload(code, reason))});
-  client->mail.notify_all();
-  client->room.notify_all();
-}
-
-void Clients::SendControl(ClientId id, Opcode opcode, std::string payload) {
-  const Lock lock(mutex_);
-  Post(Find(id),
-       {.opcode = opcode, .body = std::make_shared<const std::string>(std::move(payload))});
-}
-
-void Clients::Close(ClientId id, CloseCode code, std::string_view reason) {
-  const Lock lock(mutex_);
-  CloseNow(Find(id), code, reason);
-}
-
-bool Clients::IsClosing(ClientId id) const {
-  const Lock lock(mutex_);
-  return clients_.at(id).is_closing;
+  client->news.push_back({.kind = Mail::Kind::kClose,
+                          .body = std::make_shared<const std::string>(reason),
+                          .code = code});
 }
 
 void Clients::CloseAll() {
@@ -264,10 +241,9 @@ bool Clients::HasMail(const Client& client) const {
           client.known_view < view_.number);
 }
 
-std::optional<Clients::Mail> Clients::NextMail(ClientId id) {
-  Lock lock(mutex_);
+std::optional<web_server::OutgoingMessage> Clients::NextMessage(ClientId id) {
+  const Lock lock(mutex_);
   Client* client = Find(id);
-  client->mail.wait(lock, [this, client] { return client->is_closing || HasMail(*client); });
   if (!HasMail(*client)) return std::nullopt;
   return TakeMail(client);
 }
@@ -288,7 +264,7 @@ Clients::Mail Clients::PosesFor(Client* client) {
   const PoseBoard::Change change = poses_.Since(client->known_poses);
   client->known_poses = poses_.version();
   client->acknowledged = client->to_acknowledge;
-  return {.opcode = Opcode::kBinary,
+  return {.kind = Mail::Kind::kBinary,
           .head = BinaryHead(kPosesKind, change.is_key, change.count, poses_.scene(), poses_.tick(),
                              client->acknowledged),
           .body = change.bytes};
@@ -296,14 +272,23 @@ Clients::Mail Clients::PosesFor(Client* client) {
 
 Clients::Mail Clients::ViewFor(Client* client) {
   client->known_view = view_.number;
-  return {.opcode = Opcode::kBinary,
+  return {.kind = Mail::Kind::kBinary,
           .head = BinaryHead(kViewKind, view_.is_recorded, 0, view_.scene, view_.tick,
                              client->acknowledged),
           .body = view_.png};
 }
 
+void Clients::CloseSilentClients() {
+  const std::chrono::duration<double> longest(limits_.hello_seconds);
+  for (auto& [id, client] : clients_) {
+    if (client.said_hello || Now() - client.since < longest) continue;
+    CloseNow(&client, CloseCode::kPolicyViolation, "no hello came");
+  }
+}
+
 std::vector<Request> Clients::TakeRequests() {
   const Lock lock(mutex_);
+  CloseSilentClients();
   std::vector<Request> taken;
   for (auto& [id, client] : clients_) {
     const bool takes_all = roles_.controller() == id;
@@ -313,7 +298,6 @@ std::vector<Request> Clients::TakeRequests() {
       client.waiting.pop_front();
       if (!takes_all) break;
     }
-    client.room.notify_all();
   }
   return taken;
 }
@@ -353,7 +337,6 @@ void Clients::SendPoses(const Poses& poses) {
   poses_.Show(poses);
   for (auto& [id, client] : clients_) {
     client.to_acknowledge = client.carried_out;
-    if (HasMail(client)) client.mail.notify_all();
   }
 }
 
@@ -361,7 +344,6 @@ void Clients::SendView(std::uint32_t scene, std::uint32_t tick, std::string png,
   auto shared = std::make_shared<const std::string>(std::move(png));
   const Lock lock(mutex_);
   view_ = {view_.number + 1, scene, tick, is_recorded, std::move(shared)};
-  for (auto& [id, client] : clients_) client.mail.notify_all();
 }
 
 }  // namespace smile::studio

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <chrono>
-#include <condition_variable>
 #include <cstdint>
 #include <deque>
 #include <map>
@@ -12,48 +11,31 @@
 #include <string_view>
 #include <vector>
 
-#include "studio/internal_frames.h"
 #include "studio/internal_pose_board.h"
-#include "studio/internal_rate_limit.h"
 #include "studio/internal_roles.h"
 #include "studio/server.h"
+#include "web_server/web_socket_handler.h"
 
 namespace smile::studio {
 
-/// All clients, what they asked for and what is to be sent to them: the place where the threads of
-/// connections and the one of the session meet. Knows no sockets. Every function may be called from
-/// any thread.
-class Clients {
+/// All clients, their requests and their messages: the place where the thread of the web server and
+/// the one of the session meet. Every function may be called from any thread, and none waits.
+class Clients : public web_server::WebSocketHandler {
  public:
   explicit Clients(const ServerLimits& limits);
   Clients(const Clients&) = delete;
   Clients& operator=(const Clients&) = delete;
 
-  // For the threads of a connection.
+  // For the web server.
 
-  /// A new client; nullopt if there are too many.
-  std::optional<ClientId> Enter();
-  /// Nothing more comes from it, nothing more is sent to it.
-  void Leave(ClientId client);
-  /// To be called last, when no other thread asks for its mail any more.
-  void Forget(ClientId client);
-  /// `count` frames came. False, and the client is told and closed, if they come too fast.
-  bool CountFrames(ClientId client, std::uint64_t count);
-  /// Takes in a request; waits while too many of this client wait already.
-  void Receive(ClientId client, std::string_view text);
-  /// Asks for a frame of the connection itself to be sent.
-  void SendControl(ClientId client, Opcode opcode, std::string payload);
-  /// What is under way is sent, then the reason, then nothing.
-  void Close(ClientId client, CloseCode code, std::string_view reason);
-  bool IsClosing(ClientId client) const;
-
-  struct Mail {
-    Opcode opcode = Opcode::kText;
-    std::string head;                         ///< of binary messages
-    std::shared_ptr<const std::string> body;  ///< shared by all it goes to
-  };
-  /// Waits for what is to be sent next; nullopt when nothing more will be.
-  std::optional<Mail> NextMail(ClientId client);
+  /// Where all places are taken, the oldest client that has not said hello is closed.
+  bool Open(ClientId client) override;
+  void Receive(ClientId client, bool is_text, std::string_view message) override;
+  /// Not while too many requests of this client wait for the session.
+  bool CanReceive(ClientId client) override;
+  void LimitExceeded(ClientId client, const std::string& reason) override;
+  std::optional<web_server::OutgoingMessage> NextMessage(ClientId client) override;
+  void Close(ClientId client) override;
 
   // For the thread of the session; see Server.
 
@@ -65,26 +47,27 @@ class Clients {
   void SendPoses(const Poses& poses);
   void SendView(std::uint32_t scene, std::uint32_t tick, std::string png, bool is_recorded);
 
-  /// Closes all, and lets nobody in.
+  /// Closes all, and refuses new ones.
   void CloseAll();
 
  private:
-  using Lock = std::unique_lock<std::mutex>;
+  using Lock = std::lock_guard<std::mutex>;
+  using Time = std::chrono::steady_clock::time_point;
+  using CloseCode = web_server::CloseCode;
+  using Mail = web_server::OutgoingMessage;
 
   struct Waiting {
     Request request;
     std::size_t bytes = 0;
   };
   struct Client {
-    explicit Client(const RateLimit& limit) : rate(limit) {}
+    Time since;
 
     // What it asks for.
-    RateLimit rate;
     int mistakes = 0;
     bool said_hello = false;
     std::deque<Waiting> waiting;
     std::size_t waiting_bytes = 0;
-    std::condition_variable room;  ///< for another request
 
     // What it is told.
     bool knows_everything = false;  ///< it was told the scene, so news make sense
@@ -96,7 +79,6 @@ class Clients {
     std::uint32_t to_acknowledge = 0;  ///< the same, when poses were sent last
     std::uint32_t acknowledged = 0;
     bool is_closing = false;
-    std::condition_variable mail;
   };
   struct View {
     std::uint64_t number = 0;
@@ -107,7 +89,8 @@ class Clients {
 
   Client* Find(ClientId id);
   void Refuse(Client* client, std::uint32_t seq, const std::string& error);
-  void LetWait(Lock* lock, Client* client, Request request, std::size_t bytes);
+  bool MakeRoom();
+  void CloseSilentClients();
   /// What the server itself carries out.
   RequestTable OwnRequests();
   Json Hello(const Request& request);

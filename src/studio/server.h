@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,23 +9,18 @@
 
 #include "base/json.h"
 #include "studio/requests.h"
+#include "web_server/http.h"
+#include "web_server/web_server.h"
 
 namespace smile::studio {
-
-/// What a GET is answered with; nullopt where there is nothing.
-struct HttpAnswer {
-  std::string type;  ///< `application/json`, `image/png`, …
-  std::string body;
-  std::string file_name;  ///< to be saved under; empty: to be shown
-};
-/// Called from several threads at once.
-using HttpHandler = std::function<std::optional<HttpAnswer>(const std::string& path)>;
 
 /// What nobody may exceed.
 struct ServerLimits {
   std::size_t message_bytes = 1 << 20;
   double requests_per_second = 200;  ///< of one client
   int clients = 64;
+  double hello_seconds = 10;           ///< for the first request; when all places are taken, less
+  int connections = 256;               ///< of clients, and of browsers that load the page
   std::size_t outbox_bytes = 8 << 20;  ///< news that wait for one client
   double stall_seconds = 10;           ///< so long a client may take nothing
   double silence_seconds =
@@ -37,8 +31,9 @@ struct ServerOptions {
   std::string address = "127.0.0.1";  ///< elsewhere than on this machine, a token is asked for
   int port = 0;                       ///< 0: the first free one from 8470 on
   std::filesystem::path page;
-  HttpHandler get;  ///< what is no file of the page; may be empty
+  web_server::HttpHandler get;  ///< what is no file of the page; may be empty
   ServerLimits limits;
+  std::optional<web_server::TlsFiles> tls;  ///< the page is at https:// and wss://
 };
 
 /// Where frames are that moved; of all of them in a key.
@@ -49,8 +44,8 @@ struct Poses {
   std::vector<float> values;  ///< seven a frame: x, y, z [units], qx, qy, qz, qw
 };
 
-/// The page's door: HTTP and WebSocket. Clients come and go; whoever stalls, floods or lies harms
-/// nobody else. Its threads hand over requests and take what is to be sent; none touches a session.
+/// The page and its clients on a web server. Its threads deliver requests and take messages to be
+/// sent; none touches a session.
 class Server {
  public:
   /// Serves at once. @throws std::runtime_error when no port is free or there is no page.

@@ -30,9 +30,9 @@ std::optional<std::size_t> NumberIn(const std::string& text) {
   return number;
 }
 
-std::optional<HttpAnswer> PngAnswer(Darkroom::Picture picture) {
+std::optional<web_server::HttpResponse> PngAnswer(Darkroom::Picture picture) {
   if (!picture) return std::nullopt;
-  return HttpAnswer{.type = "image/png", .body = *std::move(picture)};
+  return web_server::HttpResponse{.type = "image/png", .body = *std::move(picture)};
 }
 
 }  // namespace
@@ -40,10 +40,10 @@ std::optional<HttpAnswer> PngAnswer(Darkroom::Picture picture) {
 Showcase::Showcase(ShowcaseOptions options)
     : options_(std::move(options)), gallery_(options_.scenes), library_(options_.recordings) {}
 
-std::optional<HttpAnswer> Showcase::Get(const std::string& path) {
+std::optional<web_server::HttpResponse> Showcase::Get(const std::string& path) {
   if (path == "/scenes") {
     const Json answer = {{"scenes", gallery_.List()}, {"presets", options_.presets}};
-    return HttpAnswer{.type = "application/json", .body = ToText(answer)};
+    return web_server::HttpResponse{.type = "application/json", .body = ToText(answer)};
   }
   if (const auto scene = Between("/scenes/", path, "")) return GetScene(*scene);
   const auto recording = Between("/recordings/", path, "");
@@ -55,11 +55,12 @@ std::optional<HttpAnswer> Showcase::Get(const std::string& path) {
   }
 }
 
-std::optional<HttpAnswer> Showcase::GetScene(const std::string& name) {
+std::optional<web_server::HttpResponse> Showcase::GetScene(const std::string& name) {
   if (const auto text = Between("", name, ".xml")) {
     const auto file = gallery_.FileOf(*text);
     if (!file) return std::nullopt;
-    return HttpAnswer{.type = "application/xml", .body = ReadFile(*file, kMaxSceneBytes)};
+    return web_server::HttpResponse{.type = "application/xml",
+                                    .body = ReadFile(*file, kMaxSceneBytes)};
   }
   const auto picture = Between("", name, ".png");
   const auto file = picture ? gallery_.FileOf(*picture) : std::nullopt;
@@ -70,10 +71,10 @@ std::optional<HttpAnswer> Showcase::GetScene(const std::string& name) {
       [file = *file, reader](Painter* painter) { return painter->PaintScene(file, reader); }));
 }
 
-std::optional<HttpAnswer> Showcase::GetRecording(const std::string& name) {
+std::optional<web_server::HttpResponse> Showcase::GetRecording(const std::string& name) {
   if (const auto id = Between("", name, ".zip")) {
     const std::lock_guard lock(packing_);
-    return HttpAnswer{
+    return web_server::HttpResponse{
         .type = "application/zip", .body = library_.ZipOf(*id), .file_name = *id + ".zip"};
   }
   if (const auto id = Between("", name, "/picture.png")) return PictureOf(*id, std::nullopt);
@@ -85,8 +86,8 @@ std::optional<HttpAnswer> Showcase::GetRecording(const std::string& name) {
   return PictureOf(name.substr(0, slash), segment);
 }
 
-std::optional<HttpAnswer> Showcase::PictureOf(const std::string& id,
-                                              std::optional<std::size_t> segment) {
+std::optional<web_server::HttpResponse> Showcase::PictureOf(const std::string& id,
+                                                            std::optional<std::size_t> segment) {
   const std::filesystem::path directory = library_.DirectoryOf(id);
   const std::string stamp = StampOf(directory / "trace.bin");
   const std::string which = segment ? std::to_string(*segment) : "end";

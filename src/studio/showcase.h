@@ -9,7 +9,7 @@
 #include "studio/darkroom.h"
 #include "studio/gallery.h"
 #include "studio/library.h"
-#include "studio/server.h"
+#include "web_server/http.h"
 
 namespace smile::studio {
 
@@ -28,12 +28,13 @@ class Showcase {
   /// nullopt where there is nothing. Waits while a picture is drawn.
   /// @throws InputError if a scene or recording cannot be read; std::runtime_error with the reason
   ///         if nothing can draw here, or too many want to see something.
-  std::optional<HttpAnswer> Get(const std::string& path);
+  std::optional<web_server::HttpResponse> Get(const std::string& path);
 
  private:
-  std::optional<HttpAnswer> GetScene(const std::string& name);
-  std::optional<HttpAnswer> GetRecording(const std::string& name);
-  std::optional<HttpAnswer> PictureOf(const std::string& id, std::optional<std::size_t> segment);
+  std::optional<web_server::HttpResponse> GetScene(const std::string& name);
+  std::optional<web_server::HttpResponse> GetRecording(const std::string& name);
+  std::optional<web_server::HttpResponse> PictureOf(const std::string& id,
+                                                    std::optional<std::size_t> segment);
 
   ShowcaseOptions options_;
   Gallery gallery_;

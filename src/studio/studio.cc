@@ -108,10 +108,10 @@ class Studio::Impl {
     return options;
   }
 
-  std::optional<HttpAnswer> GetMesh(MeshName name) const {
+  std::optional<web_server::HttpResponse> GetMesh(MeshName name) const {
     const std::optional<std::string> bytes = workplace_.session().MeshBytes(name.scene, name.mesh);
     if (!bytes) return std::nullopt;
-    return HttpAnswer{.type = "application/octet-stream", .body = *bytes};
+    return web_server::HttpResponse{.type = "application/octet-stream", .body = *bytes};
   }
 
   Library library_;

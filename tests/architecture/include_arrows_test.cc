@@ -129,10 +129,14 @@ TEST(Architecture, InternalHeadersStayInTheirRoom) {
 
 TEST(Architecture, EveryLibraryHasOneHome) {
   const std::map<std::string, std::string> homes = {
-      {"bt", "physics"},   {"Bullet", "physics"}, {"libxml/", "xml"},    {"epoxy/", "camera"},
-      {"EGL/", "camera"},  {"png.h", "image"},    {"urdf_", "robot"},    {"libav", "video"},
-      {"libsw", "video"},  {"CLI/", "app"},       {"benchmark/", "app"}, {"nlohmann/", "base"},
-      {"assimp/", "mesh"}, {"archive", "studio"},
+      {"bt", "physics"},        {"Bullet", "physics"},
+      {"libxml/", "xml"},       {"epoxy/", "camera"},
+      {"EGL/", "camera"},       {"png.h", "image"},
+      {"urdf_", "robot"},       {"libav", "video"},
+      {"libsw", "video"},       {"CLI/", "app"},
+      {"benchmark/", "app"},    {"nlohmann/", "base"},
+      {"assimp/", "mesh"},      {"archive", "studio"},
+      {"boost/", "web_server"}, {"openssl/", "web_server"},
   };
   Rooms table = TableOfTheBuild();
   table["app"];

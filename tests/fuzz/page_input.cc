@@ -1,9 +1,7 @@
 #include "page_input.h"
 
-#include <vector>
-
-#include "studio/internal_frames.h"
-#include "studio/internal_http.h"
+#include "web_server/internal_http.h"
+#include "web_server/internal_transcript.h"
 
 namespace smile::fuzz {
 namespace {
@@ -14,45 +12,23 @@ bool IsHttp(std::string_view bytes) { return bytes.starts_with('H'); }
 
 std::string FaultWithHead(std::string_view head) {
   try {
-    const studio::HttpRequest request = studio::ParseHttpHead(head);
+    const web_server::HttpRequest request = web_server::ParseHttpHead(head);
     if (!request.path.starts_with('/')) return "a path does not begin at the root";
     if ((request.path + "/").find("/../") != std::string::npos) return "a path leads upwards";
     if (request.path.find('\0') != std::string::npos) return "a path holds a zero";
     return "";
-  } catch (const studio::HttpError& error) {
+  } catch (const web_server::HttpError& error) {
     if (error.status() < 400 || error.status() > 599) return "a refusal is no refusal";
     return *error.what() == '\0' ? "refused without a reason" : "";
   }
 }
 
-/// Messages, and why there are no more of them.
-struct Conversation {
-  std::vector<std::string> messages;
-  std::string reason;
-
-  bool operator==(const Conversation&) const = default;
-};
-
-Conversation Read(std::string_view bytes, std::size_t piece_bytes) {
-  studio::MessageReader reader(kMaxMessageBytes);
-  Conversation conversation;
-  try {
-    for (std::size_t at = 0; at < bytes.size(); at += piece_bytes) {
-      reader.Feed(bytes.substr(at, piece_bytes));
-      while (auto message = reader.Next()) {
-        conversation.messages.push_back(std::move(message->payload));
-      }
-    }
-  } catch (const studio::FrameError& error) {
-    conversation.reason = error.what();
-    if (conversation.reason.empty()) conversation.reason = "refused without a reason";
-  }
-  return conversation;
+web_server::Transcript Read(std::string_view bytes, std::size_t piece_bytes) {
+  return web_server::ReadWebSocket(bytes, piece_bytes, kMaxMessageBytes);
 }
 
 std::string FaultWithFrames(std::string_view bytes) {
-  const Conversation whole = Read(bytes, bytes.size() + 1);
-  if (whole.reason == "refused without a reason") return whole.reason;
+  const web_server::Transcript whole = Read(bytes, bytes.size() + 1);
   for (const std::string& message : whole.messages) {
     if (message.size() > kMaxMessageBytes) return "a message is too large";
   }
@@ -63,11 +39,15 @@ std::string FaultWithFrames(std::string_view bytes) {
 }  // namespace
 
 std::string ReasonAgainstPageInput(std::string_view bytes) {
-  if (!IsHttp(bytes)) return Read(bytes, bytes.size() + 1).reason;
+  if (!IsHttp(bytes)) {
+    // 1000 answers a client that says so first.
+    const int code = Read(bytes, bytes.size() + 1).close_code;
+    return code == 0 || code == 1000 ? "" : "closed with " + std::to_string(code);
+  }
   try {
-    studio::ParseHttpHead(bytes.substr(1));
+    web_server::ParseHttpHead(bytes.substr(1));
     return "";
-  } catch (const studio::HttpError& error) {
+  } catch (const web_server::HttpError& error) {
     return error.what();
   }
 }

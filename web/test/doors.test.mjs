@@ -42,7 +42,7 @@ test("from elsewhere the printed link opens the studio, and nothing else does", 
   for (const path of ["/", "/?token=", `/?token=${"0".repeat(32)}`, `/${new URL(other.link).search}`]) {
     const answer = await door.goto(origin + path);
     assert.equal(answer.status(), 403, path);
-    await door.getByText("open the link that `smile studio` printed").waitFor();
+    await door.getByText("open the link that the program printed").waitFor();
   }
   assert.equal(await statusOf(new URL("/ws", origin.replace("http", "ws"))), 403);
   assert.equal(await statusOf(studio.door, { origin: "http://evil.example" }), 403, "not even with the token");

@@ -1,4 +1,4 @@
-#include "studio/internal_page.h"
+#include "web_server/internal_static_files.h"
 
 #include <cstdio>
 #include <stdexcept>
@@ -6,14 +6,14 @@
 #include "base/files.h"
 #include "base/state_hash.h"
 
-namespace smile::studio {
+namespace smile::web_server {
 namespace {
 
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMaxFileBytes = 32 << 20;
 
-std::string PageFileType(const fs::path& file) {
+std::string MediaTypeOf(const fs::path& file) {
   static const std::map<std::string, std::string> kTypes = {
       {".html", "text/html; charset=utf-8"},
       {".js", "text/javascript; charset=utf-8"},
@@ -27,7 +27,7 @@ std::string PageFileType(const fs::path& file) {
   return type == kTypes.end() ? "application/octet-stream" : type->second;
 }
 
-std::string PageFileTag(std::string_view bytes) {
+std::string EntityTagOf(std::string_view bytes) {
   StateHash hash;
   hash.Add(bytes);
   char tag[19];
@@ -37,25 +37,27 @@ std::string PageFileTag(std::string_view bytes) {
 
 }  // namespace
 
-Page::Page(const fs::path& folder) {
+StaticFiles::StaticFiles(const fs::path& folder) {
   if (!fs::is_regular_file(folder / "index.html")) {
-    throw std::runtime_error(folder.string() +
-                             ": the studio's page is not built; ./run studio builds it");
+    throw std::runtime_error(folder.string() + ": this folder has no index.html to serve");
   }
+  const auto read = [](const fs::path& file) {
+    return std::make_shared<const std::string>(ReadFile(file, kMaxFileBytes));
+  };
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-    const fs::path& file = entry.path();
-    if (!entry.is_regular_file() || entry.is_symlink() || file.extension() == ".gz") continue;
-    File read{.type = PageFileType(file), .bytes = ReadFile(file, kMaxFileBytes)};
-    const fs::path gzipped = file.string() + ".gz";
-    if (fs::is_regular_file(gzipped)) read.gzipped = ReadFile(gzipped, kMaxFileBytes);
-    read.tag = PageFileTag(read.bytes);
-    files_["/" + fs::relative(file, folder).generic_string()] = std::move(read);
+    const fs::path& path = entry.path();
+    if (!entry.is_regular_file() || entry.is_symlink() || path.extension() == ".gz") continue;
+    File file{.type = MediaTypeOf(path), .bytes = read(path)};
+    const fs::path gzipped = path.string() + ".gz";
+    if (fs::is_regular_file(gzipped)) file.gzipped = read(gzipped);
+    file.tag = EntityTagOf(*file.bytes);
+    files_["/" + fs::relative(path, folder).generic_string()] = std::move(file);
   }
 }
 
-const Page::File* Page::Find(std::string_view path) const {
+const StaticFiles::File* StaticFiles::Find(std::string_view path) const {
   const auto file = files_.find(path == "/" ? std::string_view("/index.html") : path);
   return file == files_.end() ? nullptr : &file->second;
 }
 
-}  // namespace smile::studio
+}  // namespace smile::web_server

@@ -1,4 +1,4 @@
-#include "studio/internal_doorkeeper.h"
+#include "web_server/internal_access_policy.h"
 
 #include <arpa/inet.h>
 #include <sys/random.h>
@@ -8,15 +8,15 @@
 #include <stdexcept>
 #include <utility>
 
-namespace smile::studio {
+namespace smile::web_server {
 namespace {
 
-/// 128 bits that nobody can guess, as 32 digits.
+/// 128 random bits, as 32 hexadecimal digits.
 std::string RandomToken() {
   constexpr std::string_view kHexDigits = "0123456789abcdef";
   std::array<unsigned char, 16> bytes{};
   if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) {
-    throw std::runtime_error("there are no random numbers for the studio's token");
+    throw std::runtime_error("the machine has no random numbers for a token");
   }
   std::string token;
   for (const unsigned char byte : bytes)
@@ -30,7 +30,7 @@ std::string NameOfMachine() {
   return LowerCase(name.data());
 }
 
-/// `Host` without its port: a tunnel may have another one. An IPv6 number loses its brackets.
+/// `Host` without its port, which differs behind a tunnel. An IPv6 number loses its brackets.
 std::string HostNameIn(std::string_view host) {
   if (host.starts_with('[')) return LowerCase(host.substr(1, host.find(']') - 1));
   return LowerCase(host.substr(0, host.find(':')));
@@ -44,34 +44,32 @@ bool IsAddressNumber(const std::string& name) {
 
 }  // namespace
 
-Doorkeeper::Doorkeeper(std::string address, int port, bool is_loopback)
-    : address_(std::move(address)),
+AccessPolicy::AccessPolicy(Config config)
+    : config_(std::move(config)),
       machine_(NameOfMachine()),
-      port_(port),
-      is_loopback_(is_loopback),
-      token_(is_loopback ? "" : RandomToken()) {}
+      token_(config_.is_loopback ? "" : RandomToken()) {}
 
-std::string Doorkeeper::link() const {
-  std::string host = address_;
-  if (address_ == "0.0.0.0" || address_ == "::") {
+std::string AccessPolicy::link() const {
+  std::string host = config_.address;
+  if (host == "0.0.0.0" || host == "::") {
     host = machine_;
-  } else if (address_.find(':') != std::string::npos) {
-    host = "[" + address_ + "]";
+  } else if (host.find(':') != std::string::npos) {
+    host = "[" + host + "]";
   }
-  return "http://" + host + ":" + std::to_string(port_) + "/" +
+  return scheme() + host + ":" + std::to_string(config_.port) + "/" +
          (token_.empty() ? "" : "?token=" + token_);
 }
 
-bool Doorkeeper::IsOurs(std::string_view host) const {
+bool AccessPolicy::IsOwnHost(std::string_view host) const {
   const std::string name = HostNameIn(host);
-  if (name == "localhost" || name == LowerCase(address_)) return true;
-  // Only a name can be made to lead elsewhere, a number cannot.
-  if (!is_loopback_) return name == machine_ || IsAddressNumber(name);
+  if (name == "localhost" || name == LowerCase(config_.address)) return true;
+  // A foreign name can be made to lead here, a number cannot.
+  if (!config_.is_loopback) return name == machine_ || IsAddressNumber(name);
   return name == "::1" || (name.starts_with("127.") && IsAddressNumber(name));
 }
 
-bool Doorkeeper::IsToken(std::string_view text) const {
-  // Takes as long for a wrong one, whatever of it is right.
+bool AccessPolicy::IsToken(std::string_view text) const {
+  // Takes equally long for each wrong one, however much of it is right.
   if (text.size() != token_.size()) return false;
   unsigned difference = 0;
   for (std::size_t k = 0; k < token_.size(); ++k) {
@@ -80,23 +78,24 @@ bool Doorkeeper::IsToken(std::string_view text) const {
   return difference == 0;
 }
 
-void Doorkeeper::Check(const HttpRequest& request) const {
+void AccessPolicy::Check(const HttpRequest& request) const {
   const std::string_view host = request.Header("host");
-  if (!IsOurs(host)) throw HttpError(403, "the studio is not at the address you asked for");
+  if (!IsOwnHost(host)) throw HttpError(403, "this server is not at the address you asked for");
   const std::string_view origin = request.Header("origin");
-  if (!origin.empty() && LowerCase(origin) != "http://" + LowerCase(host)) {
-    throw HttpError(403, "pages of other sites have no access to the studio");
+  if (!origin.empty() && LowerCase(origin) != scheme() + LowerCase(host)) {
+    throw HttpError(403, "pages of other sites have no access to this server");
   }
   if (token_.empty() || IsToken(request.Parameter("token")) ||
       IsToken(request.Cookie(cookie_name()))) {
     return;
   }
-  throw HttpError(403, "open the link that `smile studio` printed: it has a token in it");
+  throw HttpError(403, "open the link that the program printed: it contains a token");
 }
 
-std::string Doorkeeper::CookieFor(const HttpRequest& request) const {
+std::string AccessPolicy::CookieFor(const HttpRequest& request) const {
   if (token_.empty() || !IsToken(request.Parameter("token"))) return {};
-  return cookie_name() + "=" + token_ + "; HttpOnly; SameSite=Strict; Path=/";
+  return cookie_name() + "=" + token_ + "; HttpOnly; SameSite=Strict; Path=/" +
+         (config_.is_tls ? "; Secure" : "");
 }
 
-}  // namespace smile::studio
+}  // namespace smile::web_server

@@ -1,23 +1,18 @@
-#include "studio/internal_http.h"
+#include "web_server/internal_http.h"
 
 #include <algorithm>
+#include <boost/asio/buffer.hpp>
+#include <boost/beast/http/error.hpp>
+#include <boost/beast/http/parser.hpp>
 #include <charconv>
 
-namespace smile::studio {
+namespace smile::web_server {
 namespace {
 
-constexpr std::string_view kNewLine = "\r\n";
+namespace http = boost::beast::http;
 
 bool IsAlphanumeric(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
-}
-
-/// RFC 9110, section 5.6.2.
-bool IsHttpToken(std::string_view text) {
-  return !text.empty() && std::ranges::all_of(text, [](char c) {
-    return IsAlphanumeric(c) ||
-           std::string_view("!#$%&'*+-.^_`|~").find(c) != std::string_view::npos;
-  });
 }
 
 bool HasControlCharacter(std::string_view text) {
@@ -31,7 +26,7 @@ std::string_view WithoutBlanks(std::string_view text) {
   return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
 }
 
-/// Cuts off what stands before `separator`, or all, and returns it.
+/// Removes and returns the text before `separator`, or all of it.
 std::string_view CutAt(std::string_view separator, std::string_view* rest) {
   const std::size_t end = std::min(rest->find(separator), rest->size());
   const std::string_view first = rest->substr(0, end);
@@ -39,7 +34,7 @@ std::string_view CutAt(std::string_view separator, std::string_view* rest) {
   return first;
 }
 
-/// The value of `name=value` among those that `separator` parts.
+/// The value of `name=value` in a list with this separator.
 std::string_view ValueInPairs(std::string_view name, std::string_view pairs,
                               std::string_view separator) {
   while (!pairs.empty()) {
@@ -68,7 +63,7 @@ std::string PercentDecoded(std::string_view text) {
   return decoded;
 }
 
-/// A path whose every name is one, so that nobody climbs out of a folder with it.
+/// The decoded path, if each of its segments is a name: none leads out of a folder.
 std::string CheckedPath(std::string_view raw) {
   std::string path = PercentDecoded(raw);
   if (path.empty() || path[0] != '/') throw HttpError(400, "the path does not begin with /");
@@ -83,36 +78,7 @@ std::string CheckedPath(std::string_view raw) {
   return path;
 }
 
-const char* StatusReason(int status) {
-  switch (status) {
-    case 101:
-      return "Switching Protocols";
-    case 200:
-      return "OK";
-    case 303:
-      return "See Other";
-    case 304:
-      return "Not Modified";
-    case 400:
-      return "Bad Request";
-    case 403:
-      return "Forbidden";
-    case 404:
-      return "Not Found";
-    case 405:
-      return "Method Not Allowed";
-    case 408:
-      return "Request Timeout";
-    case 426:
-      return "Upgrade Required";
-    case 431:
-      return "Request Header Fields Too Large";
-    case 503:
-      return "Service Unavailable";
-    default:
-      return "Internal Server Error";
-  }
-}
+std::string ToText(boost::beast::string_view text) { return {text.data(), text.size()}; }
 
 }  // namespace
 
@@ -129,41 +95,43 @@ std::string_view HttpRequest::Cookie(std::string_view name) const {
   return ValueInPairs(name, Header("cookie"), ";");
 }
 
-HttpRequest ParseHttpHead(std::string_view head) {
-  std::string_view line = CutAt(kNewLine, &head);
+HttpRequest ToHttpRequest(const BeastRequest& received) {
   HttpRequest request;
-  request.method = CutAt(" ", &line);
-  std::string_view target = CutAt(" ", &line);
-  if (!IsHttpToken(request.method) || (line != "HTTP/1.1" && line != "HTTP/1.0")) {
-    throw HttpError(400, "this is not HTTP/1.1");
-  }
+  request.method = ToText(received.method_string());
+  const std::string whole = ToText(received.target());
+  std::string_view target = whole;
   request.path = CheckedPath(CutAt("?", &target));
   request.query = target;
-  while (!head.empty()) {
-    std::string_view value = CutAt(kNewLine, &head);
-    const std::string_view name = CutAt(":", &value);
-    value = WithoutBlanks(value);
-    if (!IsHttpToken(name) || HasControlCharacter(value)) {
-      throw HttpError(400, "a header is no `name: value`");
-    }
-    if (!request.headers.emplace(LowerCase(name), value).second) {
+  for (const auto& field : received) {
+    // A second one could be what another program on the way goes by.
+    if (!request.headers.emplace(LowerCase(ToText(field.name_string())), ToText(field.value()))
+             .second) {
       throw HttpError(400, "a header is given twice");
     }
   }
   return request;
 }
 
-std::string HttpReply::Head() const {
-  std::string head =
-      "HTTP/1.1 " + std::to_string(status) + " " + StatusReason(status) + std::string(kNewLine);
-  for (const auto& [name, value] : headers) {
-    head.append(name).append(": ").append(value).append(kNewLine);
-  }
-  return head.append(kNewLine);
+HttpRequest ParseHttpHead(std::string_view head) {
+  http::request_parser<http::empty_body> parser;
+  parser.header_limit(kMaxHeadBytes);
+  const std::string bytes = std::string(head) + "\r\n\r\n";
+  boost::system::error_code error;
+  parser.put(boost::asio::buffer(bytes), error);
+  if (error) throw ToHttpError(error);
+  return ToHttpRequest(parser.get());
+}
+
+HttpError ToHttpError(const boost::system::error_code& error) {
+  const bool is_long = error == http::error::header_limit || error == http::error::buffer_overflow;
+  if (is_long) return {431, "the head of the request is too long"};
+  return {400, "this is not HTTP/1.1: " + error.message()};
 }
 
 HttpReply TextReply(int status, std::string_view text) {
-  return {status, {{"Content-Type", "text/plain; charset=utf-8"}}, std::string(text) + "\n"};
+  return {status,
+          {{"Content-Type", "text/plain; charset=utf-8"}},
+          std::make_shared<const std::string>(std::string(text) + "\n")};
 }
 
 std::string LowerCase(std::string_view text) {
@@ -188,4 +156,4 @@ std::string PercentEncoded(std::string_view text) {
   return encoded;
 }
 
-}  // namespace smile::studio
+}  // namespace smile::web_server

@@ -1,17 +1,18 @@
 #pragma once
 
+#include <boost/beast/http/empty_body.hpp>
+#include <boost/beast/http/message.hpp>
 #include <map>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-namespace smile::studio {
+namespace smile::web_server {
 
-// HTTP/1.1 as far as a page needs it: GET and HEAD, one request a connection, no bodies.
-
-/// A request that is not answered as it wishes: with this status and this text.
+/// A request is refused: with this status and this text.
 class HttpError : public std::runtime_error {
  public:
   HttpError(int status, const std::string& message)
@@ -24,8 +25,8 @@ class HttpError : public std::runtime_error {
 
 struct HttpRequest {
   std::string method;
-  std::string path;   ///< decoded; it begins with `/` and names nothing outside
-  std::string query;  ///< as it came
+  std::string path;   ///< decoded; begins with `/`, has no `.` or `..` segment
+  std::string query;  ///< as received
   std::map<std::string, std::string, std::less<>> headers;  ///< names in lower case
 
   /// Empty if there is none.
@@ -36,16 +37,23 @@ struct HttpRequest {
   std::string_view Cookie(std::string_view name) const;
 };
 
-/// @param head  all before the empty line.
-/// @throws HttpError saying what is wrong with it.
+using BeastRequest = boost::beast::http::request<boost::beast::http::empty_body>;
+
+/// @throws HttpError if the path or the headers are ambiguous or unsafe.
+HttpRequest ToHttpRequest(const BeastRequest& request);
+/// Parses all that stands before the empty line, as a connection does.
+/// @throws HttpError that says what is wrong.
 HttpRequest ParseHttpHead(std::string_view head);
+/// What Beast's parser reported.
+HttpError ToHttpError(const boost::system::error_code& error);
+
+/// Most bytes of a request up to its empty line.
+constexpr std::size_t kMaxHeadBytes = 16384;
 
 struct HttpReply {
   int status = 200;
   std::vector<std::pair<std::string, std::string>> headers;
-  std::string body;
-
-  std::string Head() const;
+  std::shared_ptr<const std::string> body = std::make_shared<const std::string>();
 };
 
 /// A text for people.
@@ -56,4 +64,4 @@ std::string LowerCase(std::string_view text);
 /// All but letters, digits and `-._` as `%XX`.
 std::string PercentEncoded(std::string_view text);
 
-}  // namespace smile::studio
+}  // namespace smile::web_server

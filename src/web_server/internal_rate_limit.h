@@ -3,16 +3,17 @@
 #include <algorithm>
 #include <chrono>
 
-namespace smile::studio {
+namespace smile::web_server {
 
-/// Lets so many things pass a second, and as many at once after a quiet second.
+/// Token bucket: allows so many units a second, and as many at once after a quiet second.
 class RateLimit {
  public:
   using Time = std::chrono::steady_clock::time_point;
 
   RateLimit(double per_second, Time now) : per_second_(per_second), left_(per_second), last_(now) {}
 
-  [[nodiscard]] bool LetPass(double count, Time now) {
+  /// Counts `count` units; false if they came too fast.
+  [[nodiscard]] bool Allow(double count, Time now) {
     const std::chrono::duration<double> passed = now - last_;
     last_ = now;
     left_ = std::min(per_second_, left_ + passed.count() * per_second_) - count;
@@ -24,4 +25,4 @@ class RateLimit {
   Time last_;
 };
 
-}  // namespace smile::studio
+}  // namespace smile::web_server

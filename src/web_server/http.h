@@ -1,0 +1,20 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace smile::web_server {
+
+/// Content that a GET is answered with.
+struct HttpResponse {
+  std::string type;  ///< media type: `application/json`, `image/png`, …
+  std::string body;
+  std::string file_name;  ///< name to save it under; empty: the browser displays it
+};
+
+/// Returns the content at a path, nullopt where there is none. The path is decoded, begins with `/`
+/// and contains no `.` or `..` segment. Called from several threads at once.
+using HttpHandler = std::function<std::optional<HttpResponse>(const std::string& path)>;
+
+}  // namespace smile::web_server

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <string>
+
+#include "web_server/internal_http.h"
+
+namespace smile::web_server {
+
+/// Decides which requests are answered. Pages of other sites are not, even if the user's own
+/// browser sends them: `Host` must be this machine, so that no foreign name leads here, and
+/// `Origin` must be this server. Where other machines can connect, the token of link() must be
+/// known as well.
+class AccessPolicy {
+ public:
+  struct Config {
+    std::string address;  ///< where the server listens
+    int port = 0;
+    bool is_loopback = false;  ///< no other machine can connect
+    bool is_tls = false;
+    std::string cookie;  ///< name of the token's cookie, followed by the port
+  };
+  explicit AccessPolicy(Config config);
+
+  /// `http://127.0.0.1:8470/`, with the token where one is needed.
+  std::string link() const;
+  /// @throws HttpError if the request must not be answered.
+  void Check(const HttpRequest& request) const;
+  /// Value of `Set-Cookie` by which a browser remembers the token in this request's query; empty if
+  /// there is none.
+  std::string CookieFor(const HttpRequest& request) const;
+
+ private:
+  bool IsOwnHost(std::string_view host) const;
+  bool IsToken(std::string_view text) const;
+  std::string scheme() const { return config_.is_tls ? "https://" : "http://"; }
+  std::string cookie_name() const { return config_.cookie + "_" + std::to_string(config_.port); }
+
+  Config config_;
+  std::string machine_;
+  std::string token_;  ///< empty: none is needed
+};
+
+}  // namespace smile::web_server

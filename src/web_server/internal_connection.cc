@@ -1,0 +1,38 @@
+#include "web_server/internal_connection.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace smile::web_server {
+
+bool Connections::MakeRoom() {
+  if (all_.size() < max_) return true;
+  std::shared_ptr<Connection> longest;
+  for (const std::shared_ptr<Connection>& each : all_) {
+    if (!each->idle_since()) continue;
+    if (!longest || *each->idle_since() < *longest->idle_since()) longest = each;
+  }
+  if (!longest) return false;
+  Remove(longest.get());
+  longest->Abort();
+  return true;
+}
+
+void Connections::Remove(const Connection* connection) {
+  all_.remove_if([connection](const auto& each) { return each.get() == connection; });
+}
+
+void Connections::Resume() {
+  // A connection that ends meanwhile leaves the list.
+  const std::vector<std::shared_ptr<Connection>> all(all_.begin(), all_.end());
+  for (const std::shared_ptr<Connection>& each : all) each->Resume();
+}
+
+void Connections::AbortIdle() {
+  const std::vector<std::shared_ptr<Connection>> all(all_.begin(), all_.end());
+  for (const std::shared_ptr<Connection>& each : all) {
+    if (each->idle_since()) each->Abort();
+  }
+}
+
+}  // namespace smile::web_server

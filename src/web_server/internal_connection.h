@@ -1,0 +1,115 @@
+#pragma once
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <boost/asio/thread_pool.hpp>
+#include <chrono>
+#include <exception>
+#include <functional>
+#include <list>
+#include <memory>
+#include <optional>
+
+#include "web_server/internal_access_policy.h"
+#include "web_server/internal_static_files.h"
+#include "web_server/web_server.h"
+
+namespace smile::web_server {
+
+/// Time for the other end to read the last message and to end the connection as well.
+constexpr std::chrono::milliseconds kLastWordTimeout{1000};
+
+/// One connection. Belongs to the server's thread.
+///
+/// Shared, because a completion that Asio still has to call may be the last to hold it.
+class Connection {
+ public:
+  using Time = std::chrono::steady_clock::time_point;
+
+  virtual ~Connection() = default;
+  /// Fails whatever it is doing, so that it ends.
+  virtual void Abort() = 0;
+  /// Sends what is waiting, and reads again where that was paused.
+  virtual void Resume() {}
+  /// Since when it has been waiting for a request or for its end; nullopt while it is being served.
+  std::optional<Time> idle_since() const { return idle_since_; }
+
+ protected:
+  void BeginIdle() { idle_since_ = std::chrono::steady_clock::now(); }
+  void EndIdle() { idle_since_.reset(); }
+  /// Releases what it holds, and leaves the server.
+  virtual void End() = 0;
+  /// Where the machine has no more memory, this connection ends and the others stay.
+  template <typename Action>
+  void EndOnFailure(const Action& action) {
+    try {
+      action();
+    } catch (const std::exception&) {
+      End();
+    }
+  }
+
+ private:
+  std::optional<Time> idle_since_;
+};
+
+/// All connections of a server, of which there are only so many.
+class Connections {
+ public:
+  explicit Connections(int max) : max_(static_cast<std::size_t>(max)) {}
+
+  /// If all places are taken, the longest idle connection is ended. False if none is idle.
+  [[nodiscard]] bool MakeRoom();
+  void Add(std::shared_ptr<Connection> connection) { all_.push_back(std::move(connection)); }
+  void Remove(const Connection* connection);
+  bool is_empty() const { return all_.empty(); }
+
+  void Resume();
+  /// Ends those that are idle.
+  void AbortIdle();
+
+ private:
+  std::size_t max_;
+  std::list<std::shared_ptr<Connection>> all_;
+};
+
+/// The server's parts that its connections use.
+struct Services {
+  boost::asio::io_context* context = nullptr;
+  boost::asio::thread_pool* workers = nullptr;  ///< for the handler of GETs
+  const WebServerOptions* options = nullptr;
+  const AccessPolicy* access = nullptr;
+  const StaticFiles* files = nullptr;
+  WebSocketHandler* handler = nullptr;
+  Connections* connections = nullptr;
+  bool is_loopback = false;
+  /// WebServer::Resume().
+  std::function<void()> resume_all;
+  WebSocketId last_id = 0;
+};
+
+/// Runs `action` at a time, unless it is set again or cleared before.
+class Deadline {
+ public:
+  explicit Deadline(boost::asio::io_context* context) : timer_(*context) {}
+
+  template <typename Duration, typename Action>
+  void Set(Duration after, Action action) {
+    const unsigned number = ++*number_;
+    timer_.expires_after(std::chrono::duration_cast<std::chrono::milliseconds>(after));
+    timer_.async_wait([action = std::move(action), shared = number_, number](const auto&) {
+      if (*shared == number) action();
+    });
+  }
+  void Clear() {
+    ++*number_;
+    timer_.cancel();
+  }
+
+ private:
+  boost::asio::steady_timer timer_;
+  /// Counts settings and clearings: a handler that comes late finds another number.
+  std::shared_ptr<unsigned> number_ = std::make_shared<unsigned>(0);
+};
+
+}  // namespace smile::web_server

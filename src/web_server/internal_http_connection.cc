@@ -1,0 +1,221 @@
+#include "web_server/internal_http_connection.h"
+
+#include <boost/beast/http/read.hpp>
+#include <boost/beast/http/write.hpp>
+#include <boost/beast/websocket/rfc6455.hpp>
+#include <cmath>
+#include <exception>
+#include <utility>
+
+#include "web_server/internal_web_socket.h"
+
+namespace smile::web_server {
+namespace {
+
+namespace http = boost::beast::http;
+
+std::chrono::milliseconds Milliseconds(double seconds) {
+  return std::chrono::milliseconds(std::lround(1000 * seconds));
+}
+
+/// Lets a page load from here only, show pictures that it has in memory, and connect to here.
+std::string ContentPolicy(const HttpRequest& request, bool is_tls) {
+  return "default-src 'self'; img-src 'self' blob: data:; connect-src 'self' blob: " +
+         std::string(is_tls ? "wss://" : "ws://") + std::string(request.Header("host")) +
+         "; worker-src 'self' blob:; style-src 'self' 'unsafe-inline'; object-src 'none'; "
+         "base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+}
+
+void AddSafetyHeaders(const HttpRequest& request, const Services& services, HttpReply* reply) {
+  const bool is_tls = services.options->tls.has_value();
+  const std::pair<std::string, std::string> headers[] = {
+      {"Content-Security-Policy", ContentPolicy(request, is_tls)},
+      {"X-Content-Type-Options", "nosniff"},
+      {"Referrer-Policy", "no-referrer"},
+      {"Cross-Origin-Resource-Policy", "same-origin"}};
+  reply->headers.insert(reply->headers.end(), std::begin(headers), std::end(headers));
+  // From elsewhere than this machine browsers ignore it without TLS, and complain.
+  if (services.is_loopback || is_tls) {
+    reply->headers.emplace_back("Cross-Origin-Opener-Policy", "same-origin");
+  }
+}
+
+HttpReply FileReply(const StaticFiles::File& file, const HttpRequest& request) {
+  HttpReply reply;
+  // Browsers ask again each time and learn that nothing changed: a new build shows at once.
+  reply.headers = {{"Content-Type", file.type}, {"ETag", file.tag}, {"Cache-Control", "no-cache"}};
+  if (request.Header("if-none-match") == file.tag) {
+    reply.status = 304;
+  } else if (file.gzipped &&
+             request.Header("accept-encoding").find("gzip") != std::string_view::npos) {
+    reply.headers.emplace_back("Content-Encoding", "gzip");
+    reply.body = file.gzipped;
+  } else {
+    reply.body = file.bytes;
+  }
+  return reply;
+}
+
+HttpReply ContentReply(HttpResponse response) {
+  HttpReply reply;
+  reply.headers = {{"Content-Type", response.type}, {"Cache-Control", "no-cache"}};
+  if (!response.file_name.empty()) {
+    reply.headers.emplace_back("Content-Disposition", "attachment; filename*=UTF-8''" +
+                                                          PercentEncoded(response.file_name));
+  }
+  reply.body = std::make_shared<const std::string>(std::move(response.body));
+  return reply;
+}
+
+HttpReply ErrorReply(const std::exception& error) {
+  const auto* refusal = dynamic_cast<const HttpError*>(&error);
+  return TextReply(refusal == nullptr ? 500 : refusal->status(), error.what());
+}
+
+HttpReply HandlerReply(const HttpHandler& get, const std::string& path) {
+  try {
+    std::optional<HttpResponse> response;
+    if (get) response = get(path);
+    if (!response) throw HttpError(404, "there is no such page");
+    return ContentReply(std::move(*response));
+  } catch (const std::exception& error) {
+    return ErrorReply(error);
+  }
+}
+
+}  // namespace
+
+HttpConnection::HttpConnection(std::unique_ptr<Link> link, Services* services)
+    : services_(services),
+      stream_(services->context, std::move(link),
+              Milliseconds(services->options->limits.stall_seconds)),
+      deadline_(services->context) {}
+
+void HttpConnection::Start() {
+  BeginIdle();
+  const double timeout_seconds = services_->options->limits.head_seconds;
+  deadline_.Set(Milliseconds(timeout_seconds), [self = shared_from_this()] { self->Abort(); });
+  stream_.link().Open([self = shared_from_this(), timeout_seconds](error_code error) {
+    if (error) return self->End();
+    self->ReadRequest(timeout_seconds);
+  });
+}
+
+void HttpConnection::Abort() { stream_.link().Close(); }
+
+void HttpConnection::ReadRequest(double timeout_seconds) {
+  BeginIdle();
+  parser_.emplace();
+  parser_->header_limit(kMaxHeadBytes);
+  deadline_.Set(Milliseconds(timeout_seconds), [self = shared_from_this()] {
+    self->has_timed_out_ = true;
+    self->stream_.link().CancelRead();
+  });
+  http::async_read_header(stream_, buffer_, *parser_,
+                          [self = shared_from_this()](error_code error, std::size_t) {
+                            self->EndOnFailure([&] { self->HandleHead(error); });
+                          });
+}
+
+void HttpConnection::HandleHead(error_code error) {
+  deadline_.Clear();
+  EndIdle();
+  if (!error) return Answer();
+  request_ = {};
+  stays_open_ = false;
+  if (has_timed_out_ && parser_->got_some()) {
+    return Send(TextReply(408, "the request does not end"));
+  }
+  const bool is_end = error == http::error::end_of_stream || error == http::error::partial_message;
+  const auto& parser_category = http::make_error_code(http::error::bad_version).category();
+  if (is_end || error.category() != parser_category) return End();
+  Send(ErrorReply(ToHttpError(error)));
+}
+
+void HttpConnection::Answer() {
+  // The body of a request is not read: what follows it would not be found.
+  const bool has_body = parser_->chunked() || parser_->content_length().value_or(0) > 0;
+  stays_open_ = parser_->keep_alive() && !has_body;
+  try {
+    request_ = {};
+    request_ = ToHttpRequest(parser_->get());
+    services_->access->Check(request_);
+    if (request_.path == services_->options->web_socket_path) return Upgrade();
+    if (request_.method != "GET" && request_.method != "HEAD") {
+      HttpReply reply = TextReply(405, "only GET and HEAD are understood");
+      reply.headers.emplace_back("Allow", "GET, HEAD");
+      return Send(std::move(reply));
+    }
+    const std::string cookie = services_->access->CookieFor(request_);
+    if (!cookie.empty() && request_.path == "/") {
+      // Once the browser remembers the token, it need not be seen in its address line.
+      return Send({.status = 303, .headers = {{"Location", "/"}, {"Set-Cookie", cookie}}});
+    }
+    const StaticFiles::File* file = services_->files->Find(request_.path);
+    if (file != nullptr) return Send(FileReply(*file, request_));
+    AskHandler();
+  } catch (const std::exception& error) {
+    Send(ErrorReply(error));
+  }
+}
+
+void HttpConnection::AskHandler() {
+  net::post(*services_->workers, [self = shared_from_this()] {
+    Services* services = self->services_;
+    HttpReply reply = HandlerReply(services->options->get, self->request_.path);
+    net::post(*services->context, [self, reply = std::move(reply)]() mutable {
+      self->EndOnFailure([&] { self->Send(std::move(reply)); });
+    });
+  });
+}
+
+void HttpConnection::Upgrade() {
+  if (!boost::beast::websocket::is_upgrade(parser_->get())) {
+    throw HttpError(426, "this is the address of a WebSocket");
+  }
+  const WebSocketId id = services_->last_id + 1;
+  if (!services_->handler->Open(id)) throw HttpError(503, "there are as many clients as can be");
+  services_->last_id = id;
+  stream_.PutBack({static_cast<const char*>(buffer_.data().data()), buffer_.size()});
+  const auto web_socket = std::make_shared<WebSocket>(std::move(stream_), id, services_);
+  services_->connections->Add(web_socket);
+  services_->connections->Remove(this);
+  web_socket->Start(parser_->get());
+}
+
+void HttpConnection::Send(HttpReply reply) {
+  // Where a request was wrong, nobody knows where the next begins.
+  if (reply.status == 400) stays_open_ = false;
+  AddSafetyHeaders(request_, *services_, &reply);
+  reply_ = std::move(reply);
+  response_ = Response(http::int_to_status(static_cast<unsigned>(reply_.status)), 11);
+  for (const auto& [name, value] : reply_.headers) response_.set(name, value);
+  if (reply_.status != 304) response_.content_length(reply_.body->size());
+  response_.keep_alive(stays_open_);
+  if (request_.method != "HEAD") {
+    response_.body() = boost::beast::span<const char>(reply_.body->data(), reply_.body->size());
+  }
+  http::async_write(stream_, response_, [self = shared_from_this()](error_code error, std::size_t) {
+    self->HandleSent(error);
+  });
+}
+
+void HttpConnection::HandleSent(error_code error) {
+  if (error) return End();
+  if (!stays_open_) return Linger();
+  ReadRequest(services_->options->limits.keep_alive_seconds);
+}
+
+void HttpConnection::Linger() {
+  BeginIdle();
+  deadline_.Set(kLastWordTimeout, [self = shared_from_this()] { self->Abort(); });
+  stream_.link().Finish([self = shared_from_this()] { self->End(); });
+}
+
+void HttpConnection::End() {
+  deadline_.Clear();
+  Abort();
+  services_->connections->Remove(this);
+}
+
+}  // namespace smile::web_server

@@ -1,0 +1,96 @@
+#include "web_server/internal_listening.h"
+
+#include <algorithm>
+#include <boost/system/system_error.hpp>
+#include <stdexcept>
+#include <utility>
+
+namespace smile::web_server {
+namespace {
+
+using boost::asio::io_context;
+using boost::asio::ip::tcp;
+using boost::system::error_code;
+namespace errc = boost::system::errc;
+
+constexpr int kMaxWaiting = 64;
+constexpr int kNumPortsTried = 100;
+
+void AddEndpointsOf(io_context* context, const std::string& name,
+                    std::vector<tcp::endpoint>* endpoints) {
+  error_code error;
+  const auto found = tcp::resolver(*context).resolve(name, "", tcp::resolver::passive, error);
+  if (error) throw std::runtime_error("cannot listen at " + name + ": " + error.message());
+  for (const auto& entry : found) {
+    // A name may lead to one place in several ways.
+    if (std::ranges::find(*endpoints, entry.endpoint()) == endpoints->end()) {
+      endpoints->push_back(entry.endpoint());
+    }
+  }
+}
+
+/// To browsers `localhost` is both, whatever the machine's tables say.
+std::vector<tcp::endpoint> EndpointsOf(io_context* context, const std::string& name) {
+  std::vector<tcp::endpoint> endpoints;
+  const bool is_localhost = name == "localhost";
+  AddEndpointsOf(context, is_localhost ? "127.0.0.1" : name, &endpoints);
+  if (is_localhost) AddEndpointsOf(context, "::1", &endpoints);
+  return endpoints;
+}
+
+struct Attempt {
+  std::vector<tcp::acceptor> acceptors;  ///< none if it failed
+  error_code error;                      ///< why not, or why not everywhere
+};
+
+/// Opens an acceptor, or returns the reason.
+error_code Open(tcp::acceptor* acceptor, const tcp::endpoint& endpoint) {
+  error_code error;
+  acceptor->open(endpoint.protocol(), error);
+  if (!error) acceptor->set_option(tcp::acceptor::reuse_address(true), error);
+  if (!error) acceptor->bind(endpoint, error);
+  if (!error) acceptor->listen(kMaxWaiting, error);
+  return error;
+}
+
+/// At all addresses that this machine has; nowhere if the port is not free at one of them.
+Attempt TryToListen(io_context* context, std::vector<tcp::endpoint> endpoints, int port) {
+  Attempt attempt;
+  for (tcp::endpoint& endpoint : endpoints) {
+    endpoint.port(static_cast<unsigned short>(port));
+    tcp::acceptor acceptor(*context);
+    const error_code error = Open(&acceptor, endpoint);
+    if (!error) {
+      attempt.acceptors.push_back(std::move(acceptor));
+      continue;
+    }
+    attempt.error = error;
+    const bool is_elsewhere =
+        error == errc::address_not_available || error == errc::address_family_not_supported;
+    if (!is_elsewhere) return {.acceptors = {}, .error = error};
+  }
+  return attempt;
+}
+
+}  // namespace
+
+Listening ListenAt(io_context* context, const std::string& address, int port, int first_port) {
+  const std::vector<tcp::endpoint> endpoints = EndpointsOf(context, address);
+  const int begin = port == 0 ? first_port : port;
+  const int end = port == 0 ? first_port + kNumPortsTried : port + 1;
+  error_code error;
+  for (int tried = begin; tried < end; ++tried) {
+    Attempt attempt = TryToListen(context, endpoints, tried);
+    if (!attempt.acceptors.empty()) {
+      const bool is_loopback = std::ranges::all_of(
+          endpoints, [](const tcp::endpoint& each) { return each.address().is_loopback(); });
+      return {std::move(attempt.acceptors), tried, is_loopback};
+    }
+    error = attempt.error;
+    if (error != errc::address_in_use) break;
+  }
+  throw std::runtime_error("cannot listen at " + address + ", port " + std::to_string(begin) +
+                           (port == 0 ? " and those after it" : "") + ": " + error.message());
+}
+
+}  // namespace smile::web_server

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace smile::web_server {
+
+/// The files of a folder, read once: no request reaches any other file.
+class StaticFiles {
+ public:
+  struct File {
+    std::string type;  ///< media type
+    std::shared_ptr<const std::string> bytes;
+    std::shared_ptr<const std::string> gzipped;  ///< nullptr if there is no `.gz` beside it
+    std::string tag;                             ///< entity tag; differs for other bytes
+  };
+
+  /// @throws std::runtime_error if the folder has no index.html.
+  explicit StaticFiles(const std::filesystem::path& folder);
+
+  /// The file at a path like `/studio.js`; `/` is `/index.html`. nullptr if there is none.
+  const File* Find(std::string_view path) const;
+
+ private:
+  std::map<std::string, File, std::less<>> files_;
+};
+
+}  // namespace smile::web_server

@@ -1,0 +1,38 @@
+#include "web_server/internal_stream.h"
+
+#include <memory>
+#include <utility>
+
+namespace smile::web_server {
+
+void Stream::Read(net::mutable_buffer buffer, Link::Completion completion) {
+  if (before_read_) before_read_();
+  auto counted = [total = bytes_read_.get(), completion = std::move(completion)](
+                     error_code error, std::size_t count) {
+    *total += count;
+    completion(error, count);
+  };
+  if (put_back_.empty()) return link_->Read(buffer, std::move(counted));
+  const std::size_t count = net::buffer_copy(buffer, net::buffer(put_back_));
+  put_back_.erase(0, count);
+  net::post(*context_, [counted = std::move(counted), count] { counted(error_code(), count); });
+}
+
+void Stream::Write(const Link::Buffers& buffers, Link::Completion completion) {
+  timer_->expires_after(stall_);
+  timer_->async_wait([weak = std::weak_ptr<Link>(link_)](error_code error) {
+    const std::shared_ptr<Link> link = weak.lock();
+    if (!error && link) link->Close();
+  });
+  link_->Write(buffers, [timer = timer_.get(), completion = std::move(completion)](
+                            error_code error, std::size_t count) {
+    timer->cancel();
+    completion(error, count);
+  });
+}
+
+void teardown(boost::beast::role_type, Stream& stream, error_code&) { stream.link().Close(); }
+
+void beast_close_socket(Stream& stream) { stream.link().Close(); }
+
+}  // namespace smile::web_server

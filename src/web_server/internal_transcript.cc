@@ -1,0 +1,122 @@
+#include "web_server/internal_transcript.h"
+
+#include <algorithm>
+#include <boost/asio/error.hpp>
+#include <boost/beast/http/parser.hpp>
+#include <chrono>
+#include <memory>
+#include <utility>
+
+#include "web_server/internal_web_socket.h"
+
+namespace smile::web_server {
+namespace {
+
+/// A link whose other end is a text; what is sent to it is kept.
+class MemoryLink : public Link {
+ public:
+  MemoryLink(net::io_context* context, std::string_view bytes, std::size_t piece_bytes,
+             std::string* sent)
+      : context_(context), bytes_(bytes), piece_bytes_(piece_bytes), sent_(sent) {}
+
+  void Open(std::function<void(error_code)> completion) override {
+    net::post(*context_, [completion = std::move(completion)] { completion(error_code()); });
+  }
+  void Read(net::mutable_buffer buffer, Completion completion) override {
+    const std::size_t count = std::min({buffer.size(), piece_bytes_, bytes_.size()});
+    net::buffer_copy(buffer, net::buffer(bytes_.data(), count));
+    bytes_.remove_prefix(count);
+    const error_code error = count == 0 ? net::error::eof : error_code();
+    Complete(std::move(completion), error, count);
+  }
+  void Write(const Buffers& buffers, Completion completion) override {
+    const std::size_t count = net::buffer_size(buffers);
+    std::string bytes(count, 0);
+    net::buffer_copy(net::buffer(bytes), buffers);
+    sent_->append(bytes);
+    Complete(std::move(completion), error_code(), count);
+  }
+  void Finish(std::function<void()> completion) override { net::post(*context_, completion); }
+  void CancelRead() override {}
+  void Close() override { bytes_ = {}; }
+
+ private:
+  void Complete(Completion completion, error_code error, std::size_t count) {
+    net::post(*context_,
+              [completion = std::move(completion), error, count] { completion(error, count); });
+  }
+
+  net::io_context* context_;
+  std::string_view bytes_;
+  std::size_t piece_bytes_;
+  std::string* sent_;
+};
+
+/// Keeps the messages of one WebSocket and answers none.
+class Listener : public WebSocketHandler {
+ public:
+  bool Open(WebSocketId) override { return true; }
+  void Receive(WebSocketId, bool, std::string_view message) override {
+    messages_.emplace_back(message);
+  }
+  bool CanReceive(WebSocketId) override { return true; }
+  void LimitExceeded(WebSocketId, const std::string&) override {}
+  std::optional<OutgoingMessage> NextMessage(WebSocketId) override { return std::nullopt; }
+  void Close(WebSocketId) override {}
+
+  std::vector<std::string> TakeMessages() { return std::move(messages_); }
+
+ private:
+  std::vector<std::string> messages_;
+};
+
+BeastRequest UpgradeRequest() {
+  BeastRequest request(boost::beast::http::verb::get, "/ws", 11);
+  request.set("Host", "localhost");
+  request.set("Upgrade", "websocket");
+  request.set("Connection", "Upgrade");
+  request.set("Sec-WebSocket-Version", "13");
+  request.set("Sec-WebSocket-Key", "dGhlIHNhbXBsZSBub25jZQ==");
+  return request;
+}
+
+/// The code of a close frame at the end of what was sent.
+int CloseCodeIn(std::string_view sent) {
+  const auto byte = [sent](std::size_t at) { return static_cast<unsigned char>(sent[at]); };
+  int code = 0;
+  std::size_t at = sent.find("\r\n\r\n") + 4;
+  // Frames to clients are short here: pongs, and the close frame.
+  for (; at + 2 <= sent.size(); at += 2 + byte(at + 1)) {
+    const bool has_code = byte(at) == 0x88 && byte(at + 1) >= 2;
+    if (has_code) code = byte(at + 2) << 8 | byte(at + 3);
+  }
+  return code;
+}
+
+}  // namespace
+
+Transcript ReadWebSocket(std::string_view bytes, std::size_t piece_bytes,
+                         std::size_t max_message_bytes) {
+  constexpr double kUnlimited = 1e12;
+  net::io_context context(1);
+  Listener listener;
+  Connections connections(1);
+  WebServerOptions options;
+  options.limits.message_bytes = max_message_bytes;
+  options.limits.messages_per_second = kUnlimited;
+  Services services{.context = &context,
+                    .options = &options,
+                    .handler = &listener,
+                    .connections = &connections,
+                    .resume_all = [] {}};
+  std::string sent;
+  Stream stream(&context, std::make_unique<MemoryLink>(&context, bytes, piece_bytes, &sent),
+                std::chrono::seconds(1));
+  const auto web_socket = std::make_shared<WebSocket>(std::move(stream), 1, &services);
+  connections.Add(web_socket);
+  web_socket->Start(UpgradeRequest());
+  context.run();
+  return {.messages = listener.TakeMessages(), .close_code = CloseCodeIn(sent)};
+}
+
+}  // namespace smile::web_server

@@ -1,0 +1,164 @@
+#include "web_server/web_server.h"
+
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <sys/socket.h>
+
+#include <atomic>
+#include <boost/asio/executor_work_guard.hpp>
+#include <boost/asio/ssl/context.hpp>
+#include <chrono>
+#include <cmath>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+#include "web_server/internal_connection.h"
+#include "web_server/internal_http_connection.h"
+#include "web_server/internal_listening.h"
+#include "web_server/internal_tcp_link.h"
+
+namespace smile::web_server {
+namespace {
+
+using net::ip::tcp;
+
+/// How much may be on its way to a client: what is sent later is fresher.
+constexpr int kSendBufferBytes = 256 * 1024;
+/// Threads that run the handler of GETs.
+constexpr std::size_t kNumWorkers = 8;
+constexpr std::chrono::milliseconds kStopTimeout{500};
+/// After an accept that failed, for example because there are too many open files: that passes.
+constexpr std::chrono::milliseconds kAcceptPause{50};
+
+void SetNumber(const tcp::socket& socket, int level, int option, int number) {
+  setsockopt(const_cast<tcp::socket&>(socket).native_handle(), level, option, &number,
+             sizeof number);
+}
+
+}  // namespace
+
+class WebServer::Impl {
+ public:
+  Impl(WebServerOptions options, WebSocketHandler* handler)
+      : options_(std::move(options)),
+        files_(options_.files),
+        tls_(options_.tls ? LoadTls(*options_.tls) : nullptr),
+        listening_(ListenAt(&context_, options_.address, options_.port, options_.first_port)),
+        access_({.address = options_.address,
+                 .port = listening_.port,
+                 .is_loopback = listening_.is_loopback,
+                 .is_tls = options_.tls.has_value(),
+                 .cookie = options_.cookie}),
+        connections_(options_.limits.connections),
+        services_{.context = &context_,
+                  .workers = &workers_,
+                  .options = &options_,
+                  .access = &access_,
+                  .files = &files_,
+                  .handler = handler,
+                  .connections = &connections_,
+                  .is_loopback = listening_.is_loopback,
+                  .resume_all = [this] { Resume(); }} {
+    for (tcp::acceptor& acceptor : listening_.acceptors) Accept(&acceptor);
+    thread_ = std::thread([this] { Serve(); });
+  }
+
+  ~Impl() {
+    net::post(context_, [this] { Stop(); });
+    thread_.join();
+    workers_.stop();
+    workers_.join();
+  }
+
+  std::string link() const { return access_.link(); }
+
+  void Resume() {
+    // One turn of the server's thread is enough for all that happened before it.
+    if (is_resuming_.exchange(true)) return;
+    net::post(context_, [this] {
+      is_resuming_ = false;
+      connections_.Resume();
+    });
+  }
+
+ private:
+  void Serve() {
+    while (!context_.stopped()) {
+      try {
+        context_.run();
+      } catch (const std::exception&) {
+        // The machine has no more memory: what was being done is lost, the server continues.
+      }
+    }
+  }
+
+  void Accept(tcp::acceptor* acceptor) {
+    acceptor->async_accept([this, acceptor](error_code error, tcp::socket socket) {
+      if (is_stopping_) return;
+      if (error) return AcceptLater(acceptor);
+      if (connections_.MakeRoom()) Welcome(std::move(socket));
+      Accept(acceptor);
+    });
+  }
+
+  void AcceptLater(tcp::acceptor* acceptor) {
+    auto timer = std::make_shared<net::steady_timer>(context_, kAcceptPause);
+    timer->async_wait([this, acceptor, timer](error_code) {
+      if (!is_stopping_) Accept(acceptor);
+    });
+  }
+
+  void Welcome(tcp::socket socket) {
+    const auto stall_ms = static_cast<int>(std::lround(1000 * options_.limits.stall_seconds));
+    SetNumber(socket, IPPROTO_TCP, TCP_NODELAY, 1);
+    SetNumber(socket, SOL_SOCKET, SO_SNDBUF, kSendBufferBytes);
+    // A client whose machine is gone acknowledges nothing.
+    SetNumber(socket, IPPROTO_TCP, TCP_USER_TIMEOUT, stall_ms);
+    const auto connection =
+        std::make_shared<HttpConnection>(MakeTcpLink(std::move(socket), tls_.get()), &services_);
+    connections_.Add(connection);
+    connection->Start();
+  }
+
+  /// Lets those that listen hear the last word; the others are not waited for.
+  void Stop() {
+    is_stopping_ = true;
+    for (tcp::acceptor& acceptor : listening_.acceptors) acceptor.close();
+    connections_.AbortIdle();
+    connections_.Resume();
+    stop_deadline_.Set(kStopTimeout, [this] { context_.stop(); });
+    StopWhenEmpty();
+  }
+
+  void StopWhenEmpty() {
+    if (connections_.is_empty()) return context_.stop();
+    constexpr std::chrono::milliseconds kPause{5};
+    stop_poll_.Set(kPause, [this] { StopWhenEmpty(); });
+  }
+
+  WebServerOptions options_;
+  StaticFiles files_;
+  net::io_context context_{1};
+  std::shared_ptr<net::ssl::context> tls_;
+  Listening listening_;
+  AccessPolicy access_;
+  net::thread_pool workers_{kNumWorkers};
+  Connections connections_;
+  Services services_;
+  net::executor_work_guard<net::io_context::executor_type> work_{context_.get_executor()};
+  Deadline stop_deadline_{&context_}, stop_poll_{&context_};
+  bool is_stopping_ = false;
+  std::atomic<bool> is_resuming_ = false;
+  std::thread thread_;
+};
+
+WebServer::WebServer(WebServerOptions options, WebSocketHandler* handler)
+    : impl_(std::make_unique<Impl>(std::move(options), handler)) {}
+WebServer::~WebServer() = default;
+
+std::string WebServer::link() const { return impl_->link(); }
+void WebServer::Resume() { impl_->Resume(); }
+
+}  // namespace smile::web_server

@@ -117,8 +117,7 @@ EditReport ReSimulate(const Recording& recording, const Demonstration& edited,
   LogPlayer player(edited.Schedule(), edited.start);
   RunToStart(recording, &player, &simulation);
   if (output) {
-    recorder.emplace(output->directory, OptionsFor(recording), output->eye, simulation,
-                     edited.past);
+    recorder.emplace(output->directory, OptionsFor(recording), output->eye, simulation);
     simulation.AddListener(&*recorder);
   }
   EditReport report{.ticks_before = edited.recorded_duration(), .ticks_after = edited.duration()};

@@ -1,8 +1,10 @@
 #include "record/recorder.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
+#include "base/demand.h"
 #include "base/files.h"
 #include "record/internal_beginning.h"
 #include "record/internal_recording_files.h"
@@ -86,15 +88,14 @@ std::vector<sim::Event> StandingOf(const sim::Simulation& simulation) {
 }  // namespace
 
 Recorder::Recorder(const std::filesystem::path& directory, const RecorderOptions& options,
-                   sim::Eye* eye, const sim::Simulation& simulation,
-                   const std::optional<std::vector<LoggedCommand>>& past)
+                   sim::Eye* eye, const sim::Simulation& simulation)
     : directory_(directory), tick_(simulation.tick()) {
-  if (simulation.has_begun() && !past) {
-    throw std::invalid_argument("recording: the simulation has already begun");
+  if (!simulation.history().is_complete()) {
+    throw std::invalid_argument("recording: the simulation was restored from a saved state");
   }
   CheckBefore(directory, options, simulation);
   try {
-    Begin(options, eye, simulation, past.value_or(std::vector<LoggedCommand>()));
+    Begin(options, eye, simulation);
   } catch (...) {
     // It never began: nothing is to be left of it.
     std::error_code error;
@@ -104,14 +105,14 @@ Recorder::Recorder(const std::filesystem::path& directory, const RecorderOptions
 }
 
 void Recorder::Begin(const RecorderOptions& options, sim::Eye* eye,
-                     const sim::Simulation& simulation, const std::vector<LoggedCommand>& past) {
+                     const sim::Simulation& simulation) {
   BeginningMark mark(directory_);
   WriteWorld(directory_, simulation.model());
   const TraceTick first = Observe(simulation);
   const std::vector<sim::Event> standing = StandingOf(simulation);
   log_.emplace(directory_ / "commands.jsonl");
-  for (const LoggedCommand& logged : past) {
-    Write({.tick = logged.tick, .what = logged.command}, simulation.scene().meters_per_unit);
+  for (const sim::TimedCommand& past : simulation.history().CommandsDone()) {
+    Write({.tick = past.tick, .what = past.command}, simulation.scene().meters_per_unit);
   }
   trace_.emplace(directory_ / "trace.bin", simulation.model());
   for (const sim::Event& event : standing) trace_->Add(event);
@@ -136,19 +137,20 @@ Recorder::Mark Recorder::MarkNow() const {
 
 std::optional<sim::Refusal> Recorder::Refuse(const sim::Simulation& simulation,
                                              const sim::Command& command) {
-  if (std::holds_alternative<sim::Undo>(command) && before_action_.empty()) {
+  const sim::ActionHistory& history = simulation.history();
+  if (std::holds_alternative<sim::Undo>(command) && marks_.Find(history.current().id) == nullptr) {
     return std::string("there is nothing to undo in this recording") +
-           (simulation.can_undo() ? "; finish it to undo what was before its start" : "");
+           (history.can_undo() ? "; finish it to undo what was before its start" : "");
   }
-  if (std::holds_alternative<sim::Redo>(command) && undone_.empty()) {
+  if (std::holds_alternative<sim::Redo>(command) &&
+      (!history.can_redo() || marks_.Find(history.undone().front().id) == nullptr)) {
     return "there is nothing to do again in this recording";
   }
   return std::nullopt;
 }
 
 void Recorder::OnCommand(const sim::Simulation& simulation, const sim::Command& command) {
-  undone_.clear();
-  if (IsAction(command)) before_action_.push_back(MarkNow());
+  if (IsAction(command)) marks_.Begin(simulation.history(), {.before = MarkNow(), .at_undo = {}});
   Write({.tick = simulation.tick(), .what = command}, simulation.scene().meters_per_unit);
 }
 
@@ -165,21 +167,27 @@ void Recorder::OnTick(const sim::Simulation& simulation) {
   classic_->Watch(now);
 }
 
-void Recorder::OnUndo(const sim::Simulation& simulation) {
-  undone_.push_back({.before = std::move(before_action_.back()), .after = MarkNow()});
-  before_action_.pop_back();
-  const Mark& to = undone_.back().before;
-  Return(ReturnKind::kUndo, to, simulation);
-  classic_->Return(to.classic);
+void Recorder::OnMove(const sim::Simulation& simulation, sim::ActionId from, sim::ActionId to) {
+  // Refuse() lets the cursor move only over actions with marks.
+  ActionMark* mark = marks_.Find(std::max(from, to));
+  SMILE_DEMAND(mark != nullptr);
+  if (to < from) {
+    Undo(simulation, mark);
+  } else {
+    Redo(simulation, *mark);
+  }
 }
 
-void Recorder::OnRedo(const sim::Simulation& simulation) {
-  const Undone redone = std::move(undone_.back());
-  undone_.pop_back();
-  Return(ReturnKind::kRedo, redone.after, simulation);
+void Recorder::Undo(const sim::Simulation& simulation, ActionMark* undone) {
+  undone->at_undo = MarkNow();
+  Return(ReturnKind::kUndo, undone->before, simulation);
+  classic_->Return(undone->before.classic);
+}
+
+void Recorder::Redo(const sim::Simulation& simulation, const ActionMark& redone) {
+  Return(ReturnKind::kRedo, redone.at_undo, simulation);
   classic_->Return(redone.before.classic);
   ShowAgain(redone, simulation);
-  before_action_.push_back(redone.before);
 }
 
 void Recorder::Return(ReturnKind kind, const Mark& to, const sim::Simulation& simulation) {
@@ -189,16 +197,16 @@ void Recorder::Return(ReturnKind kind, const Mark& to, const sim::Simulation& si
   trace_->Return(to.place, num_lines_, tick_);
 }
 
-void Recorder::ShowAgain(const Undone& undone, const sim::Simulation& simulation) {
+void Recorder::ShowAgain(const ActionMark& redone, const sim::Simulation& simulation) {
   TraceReader trace({.directory = directory_,
                      .scene = simulation.scene(),
                      .robot = simulation.model().robot_placement()},
-                    undone.after.place);
+                    redone.at_undo.place);
   // Along one way, what comes later is farther behind in the file.
   while (const auto moment = trace.Next()) {
-    if (trace.places()[0] > undone.before.place) classic_->Watch(*moment);
+    if (trace.places()[0] > redone.before.place) classic_->Watch(*moment);
     for (std::size_t i = 0; i < moment->events.size(); ++i) {
-      if (trace.places()[i + 1] > undone.before.place) classic_->Note(moment->events[i]);
+      if (trace.places()[i + 1] > redone.before.place) classic_->Note(moment->events[i]);
     }
   }
 }

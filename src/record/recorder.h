@@ -11,6 +11,7 @@
 #include "record/progress.h"
 #include "record/recording.h"
 #include "record/trace_writer.h"
+#include "sim/action_marks.h"
 #include "sim/eye.h"
 #include "sim/simulation.h"
 
@@ -30,17 +31,16 @@ struct RecorderOptions {
 /// classic view and stays in log and trace.
 class Recorder : public sim::Listener {
  public:
-  /// Begins a recording at the present moment, also while hands hold something.
-  /// @param eye   takes the pictures of the classic view; nullptr for text only. Must outlive this.
-  /// @param past  what was commanded since the simulation began, as it stands.
+  /// Begins a recording at the present moment, also while hands hold something. The log begins with
+  /// what led there.
+  /// @param eye  takes the pictures of the classic view; nullptr for text only. Must outlive this.
   /// @throws InputError if the directory exists and is not empty: a recording is never overwritten.
-  /// @throws std::invalid_argument if the rate is not in (0, 60], or the simulation has begun and
-  ///         nothing is said of its past.
+  /// @throws std::invalid_argument if the rate is not in (0, 60], or the simulation was restored
+  ///         from a saved state, so that nothing is known of what led there.
   /// @throws std::runtime_error with path and reason if something cannot be written, as do all
   ///         members.
   Recorder(const std::filesystem::path& directory, const RecorderOptions& options, sim::Eye* eye,
-           const sim::Simulation& simulation,
-           const std::optional<std::vector<LoggedCommand>>& past = std::nullopt);
+           const sim::Simulation& simulation);
 
   /// Goes on with a recording from any moment of its history, as a new branch if that is not its
   /// end. The classic view is made anew.
@@ -61,8 +61,7 @@ class Recorder : public sim::Listener {
                                      const sim::Command& command) override;
   void OnCommand(const sim::Simulation& simulation, const sim::Command& command) override;
   void OnEvent(const sim::Simulation& simulation, const sim::Event& event) override;
-  void OnUndo(const sim::Simulation& simulation) override;
-  void OnRedo(const sim::Simulation& simulation) override;
+  void OnMove(const sim::Simulation& simulation, sim::ActionId from, sim::ActionId to) override;
   void OnTick(const sim::Simulation& simulation) override;
 
  private:
@@ -72,19 +71,22 @@ class Recorder : public sim::Listener {
     TracePlace place = 0;
     ClassicRecorder::Mark classic;
   };
-  struct Undone {
-    Mark before, after;
+  /// What the recording remembers of an action that was begun in it.
+  struct ActionMark {
+    Mark before;
+    Mark at_undo;  ///< valid while the action is undone
   };
 
   explicit Recorder(const std::filesystem::path& directory) : directory_(directory) {}
-  void Begin(const RecorderOptions& options, sim::Eye* eye, const sim::Simulation& simulation,
-             const std::vector<LoggedCommand>& past);
+  void Begin(const RecorderOptions& options, sim::Eye* eye, const sim::Simulation& simulation);
   void Write(const LogLine& line, double meters_per_unit);
   Mark MarkNow() const;
+  void Undo(const sim::Simulation& simulation, ActionMark* undone);
+  void Redo(const sim::Simulation& simulation, const ActionMark& redone);
   /// Leads log and trace to another moment, where the simulation already is.
   void Return(ReturnKind kind, const Mark& to, const sim::Simulation& simulation);
   /// Shows again in the classic view what was undone.
-  void ShowAgain(const Undone& undone, const sim::Simulation& simulation);
+  void ShowAgain(const ActionMark& redone, const sim::Simulation& simulation);
   /// Makes the classic view anew along the trace, and the marks of its actions.
   void Rebuild(const Recording& recording, sim::Eye* eye, const sim::Simulation& simulation,
                const Progress& progress);
@@ -94,9 +96,8 @@ class Recorder : public sim::Listener {
   std::optional<TraceWriter> trace_;
   std::optional<ClassicRecorder> classic_;
   std::size_t num_lines_ = 0;
-  std::uint64_t tick_ = 0;           ///< of the last moment
-  std::vector<Mark> before_action_;  ///< one for each action that can be undone
-  std::vector<Undone> undone_;
+  std::uint64_t tick_ = 0;  ///< of the last moment
+  sim::ActionMarks<ActionMark> marks_;
 };
 
 }  // namespace smile::record

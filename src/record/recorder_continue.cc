@@ -178,6 +178,8 @@ void Recorder::Rebuild(const Recording& recording, sim::Eye* eye, const sim::Sim
     if (logged.line <= recording.info.start.line || !IsAction(logged.command)) continue;
     before_actions.push_back({.line = logged.line - 1, .tick = logged.tick});
   }
+  // The simulation has just carried out these last.
+  const auto actions = simulation.history().done().last(before_actions.size());
   TraceReader trace(recording);
   while (const auto moment = trace.Next()) {
     if (classic_) {
@@ -190,9 +192,10 @@ void Recorder::Rebuild(const Recording& recording, sim::Eye* eye, const sim::Sim
     }
     for (std::size_t i = 0; i < moment->events.size(); ++i) {
       if (BeginsSegment(moment->events[i])) {
-        before_action_.push_back({.moment = before_actions.at(before_action_.size()),
-                                  .place = trace.places()[i],
-                                  .classic = classic_->mark()});
+        const std::size_t number = marks_.size();
+        marks_[actions[number].id].before = {.moment = before_actions.at(number),
+                                             .place = trace.places()[i],
+                                             .classic = classic_->mark()};
       }
       classic_->Note(moment->events[i]);
     }

@@ -12,9 +12,6 @@ namespace smile::record {
 
 RecordingDesk::RecordingDesk(sim::Simulation* simulation, Options options)
     : options_(std::move(options)) {
-  if (simulation->has_begun()) {
-    throw std::invalid_argument("recording desk: the simulation has already begun");
-  }
   simulation->AddListener(this);
   simulation->SetRecordingControl(this);
 }
@@ -45,7 +42,7 @@ std::optional<sim::Refusal> RecordingDesk::Start(const sim::Simulation& simulati
 void RecordingDesk::Start(const std::filesystem::path& directory, const RecorderOptions& options,
                           const sim::Simulation& simulation) {
   failure_.reset();
-  recorder_ = std::make_unique<Recorder>(directory, options, options_.eye, simulation, past_);
+  recorder_ = std::make_unique<Recorder>(directory, options, options_.eye, simulation);
   directories_.push_back(directory);
 }
 
@@ -56,7 +53,6 @@ void RecordingDesk::StartIn(const std::filesystem::path& directory,
 
 void RecordingDesk::Continue(const std::filesystem::path& directory, const Moment& from,
                              sim::Simulation* simulation, const Progress& progress) {
-  // What is run again on the way there is remembered, too, so that it can be undone.
   recorder_ = Recorder::Continue(directory, from, options_.eye, simulation, progress);
   directories_.push_back(directory);
 }
@@ -94,9 +90,6 @@ std::optional<sim::Refusal> RecordingDesk::Refuse(const sim::Simulation& simulat
 }
 
 void RecordingDesk::OnCommand(const sim::Simulation& simulation, const sim::Command& command) {
-  undone_.clear();
-  if (IsAction(command)) before_action_.push_back(past_.size());
-  past_.push_back({.tick = simulation.tick(), .command = command});
   Record([&](Recorder& recorder) { recorder.OnCommand(simulation, command); });
 }
 
@@ -104,21 +97,9 @@ void RecordingDesk::OnEvent(const sim::Simulation& simulation, const sim::Event&
   Record([&](Recorder& recorder) { recorder.OnEvent(simulation, event); });
 }
 
-void RecordingDesk::OnUndo(const sim::Simulation& simulation) {
-  const std::size_t before = before_action_.back();
-  const auto first = past_.begin() + static_cast<std::ptrdiff_t>(before);
-  undone_.push_back({before, {first, past_.end()}});
-  past_.erase(first, past_.end());
-  before_action_.pop_back();
-  Record([&](Recorder& recorder) { recorder.OnUndo(simulation); });
-}
-
-void RecordingDesk::OnRedo(const sim::Simulation& simulation) {
-  const Undone& redone = undone_.back();
-  past_.insert(past_.end(), redone.commands.begin(), redone.commands.end());
-  before_action_.push_back(redone.before);
-  undone_.pop_back();
-  Record([&](Recorder& recorder) { recorder.OnRedo(simulation); });
+void RecordingDesk::OnMove(const sim::Simulation& simulation, sim::ActionId from,
+                           sim::ActionId to) {
+  Record([&](Recorder& recorder) { recorder.OnMove(simulation, from, to); });
 }
 
 void RecordingDesk::OnTick(const sim::Simulation& simulation) {

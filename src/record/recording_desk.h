@@ -12,8 +12,7 @@
 
 namespace smile::record {
 
-/// Starts and finishes recordings of a running simulation when told to. Remembers what was
-/// commanded, so that a recording may begin at any time.
+/// Starts and finishes recordings of a running simulation when told to, at any time.
 ///
 /// A disk that is full, or a directory that is removed meanwhile, ends the recording, not the
 /// simulation: see failure().
@@ -25,7 +24,7 @@ class RecordingDesk : public sim::Listener, public sim::RecordingControl {
     sim::Eye* eye = nullptr;                    ///< nullptr for no pictures
   };
 
-  /// @param simulation  fresh; this listens to it from now on, and must outlive it, as the eye.
+  /// @param simulation  this listens to it from now on, and must outlive it, as the eye.
   RecordingDesk(sim::Simulation* simulation, Options options);
   RecordingDesk(const RecordingDesk&) = delete;
   RecordingDesk& operator=(const RecordingDesk&) = delete;
@@ -52,16 +51,10 @@ class RecordingDesk : public sim::Listener, public sim::RecordingControl {
                                      const sim::Command& command) override;
   void OnCommand(const sim::Simulation& simulation, const sim::Command& command) override;
   void OnEvent(const sim::Simulation& simulation, const sim::Event& event) override;
-  void OnUndo(const sim::Simulation& simulation) override;
-  void OnRedo(const sim::Simulation& simulation) override;
+  void OnMove(const sim::Simulation& simulation, sim::ActionId from, sim::ActionId to) override;
   void OnTick(const sim::Simulation& simulation) override;
 
  private:
-  struct Undone {
-    std::size_t before = 0;
-    std::vector<LoggedCommand> commands;
-  };
-
   void Start(const std::filesystem::path& directory, const RecorderOptions& options,
              const sim::Simulation& simulation);
   /// Lets the recorder do its part. If it cannot go on, what it wrote stays.
@@ -72,9 +65,6 @@ class RecordingDesk : public sim::Listener, public sim::RecordingControl {
   void EndIfRemoved();
 
   Options options_;
-  std::vector<LoggedCommand> past_;         ///< what was commanded, as it stands
-  std::vector<std::size_t> before_action_;  ///< how long the past was
-  std::vector<Undone> undone_;
   std::unique_ptr<Recorder> recorder_;
   std::vector<std::filesystem::path> directories_;
   std::optional<std::string> failure_;

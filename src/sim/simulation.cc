@@ -67,15 +67,17 @@ std::optional<Refusal> Simulation::Carry(const Command& command) {
 
 std::optional<Refusal> Simulation::Carry(const Undo&) {
   if (!history_.can_undo()) return "there is nothing to undo";
+  const ActionId from = history_.current().id;
   PutBack(history_.Undo(Save()));
-  for (Listener* listener : listeners_) listener->OnUndo(*this);
+  for (Listener* listener : listeners_) listener->OnMove(*this, from, history_.current().id);
   return std::nullopt;
 }
 
 std::optional<Refusal> Simulation::Carry(const Redo&) {
   if (!history_.can_redo()) return "there is nothing to do again";
-  PutBack(history_.Redo());
-  for (Listener* listener : listeners_) listener->OnRedo(*this);
+  const ActionId from = history_.current().id;
+  PutBack(*history_.Redo());
+  for (Listener* listener : listeners_) listener->OnMove(*this, from, history_.current().id);
   return std::nullopt;
 }
 
@@ -106,11 +108,8 @@ std::optional<Refusal> Simulation::Perform(const Command& command) {
   auto refusal = Carry(command);
   if (refusal) return refusal;
   has_begun_ = true;
-  if (before_action) {
-    history_.Add(*std::move(before_action));
-  } else {
-    history_.ForgetUndone();
-  }
+  if (before_action) history_.Begin(*std::move(before_action));
+  history_.Add({.tick = tick_, .command = command});
   for (Listener* listener : listeners_) listener->OnCommand(*this, command);
   TellOfCommand(command, held_before);
   TellOfBonds(before.bonds, is_of_bonds ? hand : std::nullopt);
@@ -223,7 +222,7 @@ SimulationState Simulation::Save() const {
 void Simulation::Restore(const SimulationState& state) {
   PutBack(state);
   has_begun_ = true;
-  history_ = History();
+  history_.Restart(tick_);
 }
 
 void Simulation::PutBack(const SimulationState& state) {

@@ -9,9 +9,9 @@
 #include "demonstrator/demonstrator.h"
 #include "model/model.h"
 #include "physics/world.h"
+#include "sim/action_history.h"
 #include "sim/command.h"
 #include "sim/event.h"
-#include "sim/history.h"
 #include "sim/simulation_state.h"
 #include "sim/trajectory_follower.h"
 #include "world/robot_body.h"
@@ -43,10 +43,10 @@ class Listener {
   /// A command was carried out at the present tick. Not told of Undo, Redo and of recording.
   virtual void OnCommand(const Simulation&, const Command&) {}
   virtual void OnEvent(const Simulation&, const Event&) {}
-  /// The last action was undone: the world, and its tick, are as they were before it.
-  virtual void OnUndo(const Simulation&) {}
-  /// It was done again: they are as they were when it was undone.
-  virtual void OnRedo(const Simulation&) {}
+  /// An undo or redo has moved the cursor of the history from one action to its neighbor. After an
+  /// undo, `to < from`, the simulation and its tick are as before `from`; after a redo, `from <
+  /// to`, as at the undo of `to`.
+  virtual void OnMove(const Simulation&, ActionId /*from*/, ActionId /*to*/) {}
   /// A tick is over. What happened during it is told after this.
   virtual void OnTick(const Simulation&) {}
 };
@@ -82,8 +82,8 @@ class Simulation {
   std::uint64_t tick() const { return tick_; }
   /// False until the first command or tick.
   bool has_begun() const { return has_begun_; }
-  bool can_undo() const { return history_.can_undo(); }
-  bool can_redo() const { return history_.can_redo(); }
+  /// What was done and what is undone.
+  const ActionHistory& history() const { return history_; }
   double seconds() const { return SecondsOf(tick_); }
   /// Of everything that decides what happens next, the tick included.
   std::uint64_t state_hash() const;
@@ -178,7 +178,7 @@ class Simulation {
   robot::Mood mood_ = robot::Mood::kIdle;
   std::uint64_t tick_ = 0;
   bool has_begun_ = false;
-  History history_;
+  ActionHistory history_;
   std::vector<Listener*> listeners_;
   RecordingControl* recording_control_ = nullptr;
 };

@@ -100,6 +100,7 @@ void Simulation::TellOfControls(const std::vector<model::ControlState>& before) 
 }
 
 void Simulation::Tell(const Event& event) {
+  if (event.kind != EventKind::kCommandRefused) history_.Add(event);
   for (Listener* listener : listeners_) listener->OnEvent(*this, event);
 }
 

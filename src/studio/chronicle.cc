@@ -18,45 +18,30 @@ std::optional<record::Support> SupportOf(const sim::Simulation& simulation, cons
 
 }  // namespace
 
-Json Chronicle::SegmentsSince(std::size_t num_before, std::uint64_t start_tick,
-                              std::uint64_t now_tick) const {
+Json Chronicle::SegmentsSince(sim::ActionId before, std::uint64_t start_tick,
+                              const sim::Simulation& simulation) const {
   Json segments = Json::array();
-  const auto end_of = [&](std::size_t action) {
-    return action < actions_.size() ? actions_[action].tick : now_tick;
-  };
-  segments.push_back({{"number", 0},
-                      {"deed", nullptr},
-                      {"seconds", RoundedSeconds(end_of(num_before) - start_tick)}});
-  for (std::size_t i = num_before; i < actions_.size(); ++i) {
-    segments.push_back({{"number", i - num_before + 1},
-                        {"deed", record::ToJson(actions_[i].deed)},
-                        {"seconds", RoundedSeconds(end_of(i + 1) - actions_[i].tick)}});
+  const auto actions = simulation.history().done();
+  std::uint64_t begin = start_tick;
+  for (std::size_t i = 0; i < actions.size(); ++i) {
+    if (actions[i].id < before) continue;
+    const bool is_last = i + 1 == actions.size();
+    const std::uint64_t end = is_last ? simulation.tick() : actions[i + 1].tick;
+    const record::Deed* deed = segments.empty() ? nullptr : deeds_.Find(actions[i].id);
+    segments.push_back({{"number", segments.size()},
+                        {"deed", deed != nullptr ? record::ToJson(*deed) : Json()},
+                        {"seconds", RoundedSeconds(end - begin)}});
+    begin = end;
   }
   return segments;
 }
 
-void Chronicle::OnCommand(const sim::Simulation& simulation, const sim::Command& command) {
-  undone_.clear();
-  if (sim::IsAction(command)) actions_.push_back({.tick = simulation.tick()});
-}
-
 void Chronicle::OnEvent(const sim::Simulation& simulation, const sim::Event& event) {
-  if (!record::BeginsSegment(event) || actions_.empty()) return;
+  if (!record::BeginsSegment(event)) return;
   const bool lets_go = event.kind == sim::EventKind::kReleased;
-  actions_.back().deed =
-      record::DeedOf(event, lets_go ? SupportOf(simulation, event.object) : std::nullopt);
-}
-
-void Chronicle::OnUndo(const sim::Simulation&) {
-  if (actions_.empty()) return;
-  undone_.push_back(std::move(actions_.back()));
-  actions_.pop_back();
-}
-
-void Chronicle::OnRedo(const sim::Simulation&) {
-  if (undone_.empty()) return;
-  actions_.push_back(std::move(undone_.back()));
-  undone_.pop_back();
+  deeds_.Begin(
+      simulation.history(),
+      *record::DeedOf(event, lets_go ? SupportOf(simulation, event.object) : std::nullopt));
 }
 
 }  // namespace smile::studio

@@ -46,7 +46,7 @@ std::optional<sim::Refusal> LiveWorld::Apply(const sim::Command& command) {
   const auto* start = std::get_if<sim::StartRecording>(&command);
   if (start != nullptr && !refusal) {
     take_ = {.title = start->title.empty() ? usual_title_ : start->title,
-             .num_actions_before = chronicle_.size(),
+             .before = simulation_.history().current().id,
              .start_tick = simulation_.tick()};
   }
   return refusal;
@@ -55,12 +55,12 @@ std::optional<sim::Refusal> LiveWorld::Apply(const sim::Command& command) {
 void LiveWorld::Continue(const record::Recording& recording, const record::Moment& from,
                          const record::Progress& progress) {
   desk_.Continue(recording.directory, from, &simulation_, progress);
-  const auto before = recording.log.WayTo(recording.info.start.line);
-  take_ = {
-      .title = recording.info.title,
-      .num_actions_before = static_cast<std::size_t>(std::ranges::count_if(
-          before, [](const record::LoggedCommand& one) { return sim::IsAction(one.command); })),
-      .start_tick = recording.info.start.tick};
+  const auto num_before =
+      std::ranges::count_if(recording.log.WayTo(recording.info.start.line),
+                            [](const auto& logged) { return sim::IsAction(logged.command); });
+  take_ = {.title = recording.info.title,
+           .before = simulation_.history().done()[static_cast<std::size_t>(num_before)].id,
+           .start_tick = recording.info.start.tick};
   events_.clear();
 }
 
@@ -70,12 +70,11 @@ std::filesystem::path LiveWorld::recording_directory() const {
 
 Json LiveWorld::DescribeRecording() const {
   if (!is_recording()) return nullptr;
-  const std::uint64_t now = simulation_.tick();
-  const double seconds = sim::SecondsOf(now - take_.start_tick);
+  const double seconds = sim::SecondsOf(simulation_.tick() - take_.start_tick);
   return {{"id", recording_directory().filename().string()},
           {"title", take_.title},
           {"seconds", std::round(10 * seconds) / 10},
-          {"segments", chronicle_.SegmentsSince(take_.num_actions_before, take_.start_tick, now)}};
+          {"segments", chronicle_.SegmentsSince(take_.before, take_.start_tick, simulation_)}};
 }
 
 std::optional<Json> LiveWorld::TakeFailure() {

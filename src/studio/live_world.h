@@ -57,7 +57,7 @@ class LiveWorld : private sim::Listener {
  private:
   struct Take {
     std::string title;
-    std::size_t num_actions_before = 0;
+    sim::ActionId before;  ///< the last action before its start
     std::uint64_t start_tick = 0;
   };
 

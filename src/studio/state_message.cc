@@ -97,8 +97,8 @@ Json DescribeRobot(const sim::Simulation& simulation) {
 Json DescribeLive(const sim::Simulation& simulation) {
   return {{"tick", simulation.tick()},
           {"hands", DescribeHands(simulation)},
-          {"undo", simulation.can_undo()},
-          {"redo", simulation.can_redo()},
+          {"undo", simulation.history().can_undo()},
+          {"redo", simulation.history().can_redo()},
           {"still", simulation.is_still()},
           {"controls", DescribeControls(simulation.model(), simulation.tabletop())},
           {"gone", DescribeGone(simulation.tabletop())},

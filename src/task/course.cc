@@ -18,13 +18,14 @@ bool IsTouch(sim::EventKind kind) {
          kind == kFell || kind == kGripperHolds || kind == kGripperLetGo;
 }
 
-void NoteTouch(const sim::Event& event, const record::TraceTick& now, Course* course) {
-  if (!IsTouch(event.kind)) return;
-  const auto object =
-      std::ranges::find(course->scene.objects, event.object, &scene::ObjectSpec::id);
-  if (object == course->scene.objects.end()) return;
-  const auto index = static_cast<std::size_t>(object - course->scene.objects.begin());
-  course->touches.push_back({event, now.tick, now.objects[index].pose_in_world()});
+/// @returns nullopt if the event is no touch of an object of the scene.
+std::optional<Touch> TouchOf(const sim::Event& event, const record::TraceTick& now,
+                             const scene::SceneSpec& scene) {
+  if (!IsTouch(event.kind)) return std::nullopt;
+  const auto object = std::ranges::find(scene.objects, event.object, &scene::ObjectSpec::id);
+  if (object == scene.objects.end()) return std::nullopt;
+  const auto index = static_cast<std::size_t>(object - scene.objects.begin());
+  return Touch{event, now.tick, now.objects[index].pose_in_world()};
 }
 
 /// What the commands of an old recording say, whose trace tells of no events.
@@ -137,7 +138,11 @@ Course CourseOf(const record::Recording& recording) {
   Course course{.scene = recording.scene, .begin = {}, .end = {}, .touches = {}};
   CommandedEvents commanded(recording);
   const auto note = [&course](const std::vector<sim::Event>& events) {
-    for (const sim::Event& event : events) NoteTouch(event, course.end, &course);
+    for (const sim::Event& event : events) {
+      if (auto touch = TouchOf(event, course.end, course.scene)) {
+        course.touches.push_back(*std::move(touch));
+      }
+    }
   };
   bool has_begun = false;
   while (const auto moment = trace.Next()) {
@@ -155,27 +160,41 @@ Course CourseOf(const record::Recording& recording) {
 
 CourseWitness::CourseWitness(sim::Simulation* simulation)
     : simulation_(simulation),
-      course_{.scene = simulation->scene(),
-              .begin = record::Observe(*simulation),
-              .end = {},
-              .touches = {}} {
+      start_{.scene = simulation->scene(),
+             .begin = record::Observe(*simulation),
+             .end = {},
+             .touches = {}} {
   simulation_->AddListener(this);
 }
 
 CourseWitness::~CourseWitness() { simulation_->RemoveListener(this); }
 
 void CourseWitness::OnEvent(const sim::Simulation& simulation, const sim::Event& event) {
-  if (IsTouch(event.kind)) NoteTouch(event, record::Observe(simulation), &course_);
+  if (!IsTouch(event.kind)) return;
+  auto touch = TouchOf(event, record::Observe(simulation), start_.scene);
+  if (!touch) return;
+  const sim::Action& action = simulation.history().current();
+  touches_[action.id].push_back({*std::move(touch), action.events.size()});
 }
 
-void CourseWitness::OnUndo(const sim::Simulation& simulation) {
-  std::erase_if(course_.touches,
-                [&](const Touch& touch) { return touch.tick >= simulation.tick(); });
+void CourseWitness::OnMove(const sim::Simulation& simulation, sim::ActionId from,
+                           sim::ActionId to) {
+  std::vector<NumberedTouch>* touches = touches_.Find(from);
+  if (to < from || touches == nullptr) return;
+  // A redo leads back to where what happened since the undo has not happened.
+  const auto done = simulation.history().done();
+  const std::size_t num_events = done[done.size() - 2].events.size();
+  std::erase_if(*touches, [&](const NumberedTouch& one) { return one.num_events > num_events; });
 }
 
 Course CourseWitness::course() const {
-  Course course = course_;
+  Course course = start_;
   course.end = record::Observe(*simulation_);
+  for (const sim::Action& action : simulation_->history().done()) {
+    const std::vector<NumberedTouch>* touches = touches_.Find(action.id);
+    if (touches == nullptr) continue;
+    for (const NumberedTouch& one : *touches) course.touches.push_back(one.touch);
+  }
   return course;
 }
 

@@ -8,6 +8,7 @@
 
 #include "record/recording.h"
 #include "record/trace.h"
+#include "sim/action_marks.h"
 #include "sim/simulation.h"
 
 namespace smile::task {
@@ -42,14 +43,20 @@ class CourseWitness : public sim::Listener {
   ~CourseWitness() override;
 
   void OnEvent(const sim::Simulation& simulation, const sim::Event& event) override;
-  void OnUndo(const sim::Simulation& simulation) override;
+  void OnMove(const sim::Simulation& simulation, sim::ActionId from, sim::ActionId to) override;
 
   /// Up to now.
   Course course() const;
 
  private:
+  struct NumberedTouch {
+    Touch touch;
+    std::size_t num_events = 0;  ///< of the action up to and with this one
+  };
+
   sim::Simulation* simulation_;
-  Course course_;
+  Course start_;  ///< without touches
+  sim::ActionMarks<std::vector<NumberedTouch>> touches_;
 };
 
 /// The objects that are there, with their poses of that moment.

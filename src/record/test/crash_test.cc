@@ -120,8 +120,7 @@ class SizeNoter : public sim::Listener {
   explicit SizeNoter(std::filesystem::path demo) : demo_(std::move(demo)) { Note(); }
   void OnCommand(const sim::Simulation&, const sim::Command&) override { Note(); }
   void OnEvent(const sim::Simulation&, const sim::Event&) override { Note(); }
-  void OnUndo(const sim::Simulation&) override { NoteReturn(); }
-  void OnRedo(const sim::Simulation&) override { NoteReturn(); }
+  void OnMove(const sim::Simulation&, sim::ActionId, sim::ActionId) override { NoteReturn(); }
   void OnTick(const sim::Simulation&) override { Note(); }
 
   const std::vector<Sizes>& sizes() const { return sizes_; }

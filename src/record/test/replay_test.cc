@@ -187,7 +187,7 @@ TEST_F(ReplayTest, CountsSecondsFromWhereTheDemonstrationBegan) {
   auto simulation = MakeSimulation(false);
   while (simulation->tick() < 30) simulation->Tick();
   {
-    Recorder recorder(root_ / "demo", {}, nullptr, *simulation, std::vector<LoggedCommand>());
+    Recorder recorder(root_ / "demo", {}, nullptr, *simulation);
     simulation->AddListener(&recorder);
     while (simulation->tick() < 120) simulation->Tick();
   }

@@ -1,5 +1,7 @@
 // Undo and redo: any depth, at any time, exact.
 
+#include <algorithm>
+
 #include "everything_scene.h"
 #include "random_hands.h"
 #include "simulation_fixture.h"
@@ -32,7 +34,23 @@ TEST_P(HistoryProperty, EveryUndoAndRedoIsExact) {
   }
   EXPECT_GT(books.num_undone(), 5);
   EXPECT_GT(books.num_redone(), 0);
-  while (simulation.can_undo()) ASSERT_EQ(simulation.Apply(Undo()), std::nullopt);
+  // What is done leads to the present state, and ids and ticks ascend along the way.
+  const std::vector<TimedCommand> way = simulation.history().CommandsDone();
+  EXPECT_TRUE(std::ranges::is_sorted(way, {}, &TimedCommand::tick));
+  EXPECT_TRUE(std::ranges::is_sorted(simulation.history().done(), {}, &Action::id));
+  Simulation again(EverythingScene::Make());
+  for (const TimedCommand& timed : way) {
+    while (again.tick() < timed.tick) again.Tick();
+    ASSERT_EQ(again.Apply(timed.command), std::nullopt);
+  }
+  while (again.tick() < simulation.tick()) again.Tick();
+  EXPECT_EQ(again.state_hash(), simulation.state_hash());
+  ASSERT_TRUE(std::ranges::equal(again.history().done(), simulation.history().done(),
+                                 [](const Action& a, const Action& b) {
+                                   return a.commands == b.commands && a.events == b.events;
+                                 }));
+
+  while (simulation.history().can_undo()) ASSERT_EQ(simulation.Apply(Undo()), std::nullopt);
   EXPECT_FALSE(books.can_undo());
 }
 
@@ -46,7 +64,11 @@ TEST_F(HistoryTest, WhoeverWatchesMayForbidAndIsToldOfTheReturn) {
       return std::nullopt;
     }
     void OnCommand(const Simulation&, const Command&) override { ++num_commands; }
-    void OnUndo(const Simulation& simulation) override { tick_after_undo = simulation.tick(); }
+    void OnMove(const Simulation& simulation, ActionId from, ActionId to) override {
+      EXPECT_EQ(from.value, 1u);
+      EXPECT_EQ(to, ActionId());
+      tick_after_undo = simulation.tick();
+    }
     int num_commands = 0;
     std::uint64_t tick_after_undo = 1;
   };
@@ -61,6 +83,90 @@ TEST_F(HistoryTest, WhoeverWatchesMayForbidAndIsToldOfTheReturn) {
   EXPECT_EQ(watcher.tick_after_undo, 0u);
   EXPECT_EQ(*simulation.Apply(Redo()), "not while I watch");
   EXPECT_EQ(*simulation.Apply(StartRecording()), "nobody records this simulation");
+}
+
+TEST_F(HistoryTest, ACommandAfterAnUndoDiscardsWhatWasUndone) {
+  Simulation simulation(EverythingScene::Make());
+  ASSERT_FALSE(simulation.Apply(Grasp{.hand = HandName::kLeft, .object = "ball"}));
+  ASSERT_FALSE(simulation.Apply(Undo()));
+  ASSERT_FALSE(simulation.Apply(Plane{.hand = HandName::kLeft, .angle_deg = 30}));
+  EXPECT_EQ(*simulation.Apply(Redo()), "there is nothing to do again");
+  ASSERT_FALSE(simulation.Apply(Grasp{.hand = HandName::kLeft, .object = "ball"}));
+  const ActionHistory& history = simulation.history();
+  ASSERT_EQ(history.done().size(), 2u);
+  EXPECT_EQ(history.current().id.value, 2u) << "no id is used twice";
+  EXPECT_EQ(history.done().front().commands.size(), 1u);
+  EXPECT_EQ(history.CommandsDone().size(), 2u);
+}
+
+TEST_F(HistoryTest, KnowsWhetherAnythingIsMissing) {
+  Simulation simulation(EverythingScene::Make());
+  simulation.Tick();
+  EXPECT_TRUE(simulation.history().is_complete());
+  ASSERT_FALSE(simulation.Apply(Grasp{.hand = HandName::kLeft, .object = "ball"}));
+  simulation.Restore(simulation.Save());
+  EXPECT_FALSE(simulation.history().is_complete());
+  EXPECT_EQ(simulation.history().current().tick, 1u);
+  EXPECT_EQ(*simulation.Apply(Undo()), "there is nothing to undo");
+}
+
+TEST(ActionHistory, ForgetsTheOldestStatesButNoAction) {
+  const auto state = [](std::uint64_t tick) {
+    SimulationState large{.tick = tick};
+    large.physics.state.resize(1 << 20);
+    return large;
+  };
+  ActionHistory history(std::size_t{5} << 19);  // two states and a half
+  for (std::uint64_t tick = 0; tick < 10; ++tick) {
+    history.Begin(state(tick));
+    history.Add({.tick = tick, .command = Release()});
+  }
+  EXPECT_EQ(history.done().size(), 11u);
+  EXPECT_EQ(history.CommandsDone().size(), 10u);
+  EXPECT_EQ(history.Undo(state(10)).tick, 9u);
+  EXPECT_EQ(history.Undo(state(9)).tick, 8u);
+  EXPECT_FALSE(history.can_undo());
+  EXPECT_EQ(history.Redo()->tick, 9u);
+  EXPECT_EQ(history.Redo()->tick, 10u);
+  EXPECT_TRUE(history.can_undo());
+
+  // What is discarded makes room for others.
+  history.Undo(state(10));
+  history.Begin(state(9));
+  history.Undo(state(10));
+  EXPECT_TRUE(history.can_undo());
+}
+
+TEST(ActionHistory, ARedoForgetsWhatHappenedSinceTheUndo) {
+  ActionHistory history;
+  const auto event = [](const char* object) {
+    return Event{.kind = EventKind::kFell, .object = object};
+  };
+  history.Add(event("a"));
+  history.Begin({});
+  history.Add(event("b"));
+  history.Undo({});
+  history.Add(event("c"));
+  EXPECT_EQ(history.current().events, (std::vector{event("a"), event("c")}));
+  (void)history.Redo();
+  EXPECT_EQ(history.current().events, (std::vector{event("b")}));
+  EXPECT_EQ(history.done().front().events, (std::vector{event("a")}));
+}
+
+TEST(ActionMarks, OutliveTheUndoButNotTheDiscard) {
+  ActionHistory history;
+  ActionMarks<int> marks;
+  history.Begin({});
+  marks.Begin(history, 1);
+  history.Begin({});
+  marks.Begin(history, 2);
+  history.Undo({});
+  ASSERT_NE(marks.Find(history.undone().front().id), nullptr);
+  history.Begin({});
+  marks.Begin(history, 3);
+  EXPECT_EQ(marks.size(), 2u);
+  EXPECT_EQ(*marks.Find(history.current().id), 3);
+  EXPECT_EQ(marks.Find({2}), nullptr);
 }
 
 }  // namespace

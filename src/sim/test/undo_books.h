@@ -4,52 +4,98 @@
 
 #include <vector>
 
+#include "sim/action_marks.h"
 #include "sim/simulation.h"
 
 namespace smile::sim {
 
-/// Keeps the books a simulation has to keep, and compares: the hash before every action, also those
-/// that a command implied, and at every undo.
+/// Keeps books of its own beside the history of a simulation, and compares: the hash before every
+/// action, also those that a command implied, and at every undo; the actions that are done and
+/// undone; what a listener marked of them.
 class UndoBooks : public Listener {
  public:
   /// Add it as a listener before anything is done.
   explicit UndoBooks(const Simulation& simulation) : now_(simulation.state_hash()) {}
 
   void OnCommand(const Simulation& simulation, const Command& command) override {
-    if (IsAction(command)) befores_.push_back(now_);
+    const ActionHistory& history = simulation.history();
     undone_.clear();
+    if (IsAction(command)) {
+      done_.push_back({.id = history.current().id, .before = now_});
+      marks_.Begin(history, now_);
+    }
+    const auto& commands = history.current().commands;
+    EXPECT_EQ(commands.back(), (TimedCommand{simulation.tick(), command}));
+    EXPECT_EQ(commands.size() == 1 && history.current().id != ActionId(), IsAction(command));
     now_ = simulation.state_hash();
+    Compare(history);
   }
-  void OnUndo(const Simulation& simulation) override {
-    ASSERT_FALSE(befores_.empty());
-    EXPECT_EQ(simulation.state_hash(), befores_.back()) << "after an undo";
-    undone_.push_back({befores_.back(), now_});
-    befores_.pop_back();
-    now_ = simulation.state_hash();
-    ++num_undone_;
+  void OnEvent(const Simulation& simulation, const Event& event) override {
+    if (event.kind == EventKind::kCommandRefused) return;
+    EXPECT_EQ(simulation.history().current().events.back(), event);
   }
-  void OnRedo(const Simulation& simulation) override {
-    ASSERT_FALSE(undone_.empty());
-    EXPECT_EQ(simulation.state_hash(), undone_.back().after) << "after a redo";
-    befores_.push_back(undone_.back().before);
-    undone_.pop_back();
+  void OnMove(const Simulation& simulation, ActionId from, ActionId to) override {
+    if (to < from) {
+      NoteUndo(simulation, from);
+    } else {
+      NoteRedo(simulation, to);
+    }
+    EXPECT_EQ(simulation.history().current().id, to);
     now_ = simulation.state_hash();
-    ++num_redone_;
+    Compare(simulation.history());
   }
   void OnTick(const Simulation& simulation) override { now_ = simulation.state_hash(); }
 
-  bool can_undo() const { return !befores_.empty(); }
+  bool can_undo() const { return !done_.empty(); }
   bool can_redo() const { return !undone_.empty(); }
   int num_undone() const { return num_undone_; }
   int num_redone() const { return num_redone_; }
 
  private:
-  struct Undone {
-    std::uint64_t before, after;
+  struct Line {
+    ActionId id;
+    std::uint64_t before = 0, at_undo = 0;
   };
+
+  void NoteUndo(const Simulation& simulation, ActionId from) {
+    ASSERT_FALSE(done_.empty());
+    EXPECT_EQ(done_.back().id, from);
+    EXPECT_EQ(simulation.state_hash(), done_.back().before) << "after an undo";
+    EXPECT_EQ(simulation.tick(), simulation.history().undone().front().tick);
+    undone_.push_back(done_.back());
+    undone_.back().at_undo = now_;
+    done_.pop_back();
+    ++num_undone_;
+  }
+  void NoteRedo(const Simulation& simulation, ActionId to) {
+    ASSERT_FALSE(undone_.empty());
+    EXPECT_EQ(undone_.back().id, to);
+    EXPECT_EQ(simulation.state_hash(), undone_.back().at_undo) << "after a redo";
+    done_.push_back(undone_.back());
+    undone_.pop_back();
+    ++num_redone_;
+  }
+  /// Makes sure that the cursor, the marks and these books agree.
+  void Compare(const ActionHistory& history) {
+    ASSERT_EQ(history.done().size(), done_.size() + 1);
+    ASSERT_EQ(history.undone().size(), undone_.size());
+    EXPECT_EQ(history.can_undo(), can_undo());
+    EXPECT_EQ(history.can_redo(), can_redo());
+    for (std::size_t i = 0; i < done_.size(); ++i) CompareOne(history.done()[i + 1], done_[i]);
+    for (std::size_t i = 0; i < undone_.size(); ++i) {
+      CompareOne(history.undone()[i], undone_[undone_.size() - 1 - i]);
+    }
+  }
+  void CompareOne(const Action& action, const Line& line) {
+    EXPECT_EQ(action.id, line.id);
+    ASSERT_NE(marks_.Find(line.id), nullptr);
+    EXPECT_EQ(*marks_.Find(line.id), line.before);
+  }
+
   std::uint64_t now_;
-  std::vector<std::uint64_t> befores_;
-  std::vector<Undone> undone_;
+  std::vector<Line> done_;    ///< in order
+  std::vector<Line> undone_;  ///< the last one is the next to be redone
+  ActionMarks<std::uint64_t> marks_;
   int num_undone_ = 0, num_redone_ = 0;
 };
 

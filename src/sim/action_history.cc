@@ -1,0 +1,90 @@
+#include "sim/action_history.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/demand.h"
+
+namespace smile::sim {
+namespace {
+
+/// Nearly: the rest is small and grows with it.
+std::size_t SizeOf(const SimulationState& state) {
+  return sizeof state + state.physics.state.size();
+}
+
+}  // namespace
+
+ActionHistory::ActionHistory(std::size_t max_state_bytes)
+    : max_state_bytes_(max_state_bytes), actions_(1) {}
+
+std::vector<TimedCommand> ActionHistory::CommandsDone() const {
+  std::vector<TimedCommand> commands;
+  for (const Action& action : done()) {
+    commands.insert(commands.end(), action.commands.begin(), action.commands.end());
+  }
+  return commands;
+}
+
+void ActionHistory::Begin(SimulationState before) {
+  DiscardUndone();
+  num_state_bytes_ += SizeOf(before);
+  const std::uint64_t tick = before.tick;
+  const std::size_t num_events_before = current().events.size();
+  actions_.push_back({.id = {++last_id_},
+                      .tick = tick,
+                      .commands = {},
+                      .events = {},
+                      .before = std::make_unique<const SimulationState>(std::move(before)),
+                      .at_undo = nullptr,
+                      .num_events_before = num_events_before});
+  ++cursor_;
+  ForgetOldestStates();
+}
+
+void ActionHistory::Add(TimedCommand command) {
+  DiscardUndone();
+  actions_[cursor_].commands.push_back(std::move(command));
+}
+
+void ActionHistory::Add(Event event) { actions_[cursor_].events.push_back(std::move(event)); }
+
+const SimulationState& ActionHistory::Undo(SimulationState now) {
+  SMILE_DEMAND(can_undo());
+  Action& undone = actions_[cursor_];
+  undone.at_undo = std::make_unique<const SimulationState>(std::move(now));
+  --cursor_;
+  return *undone.before;
+}
+
+std::unique_ptr<const SimulationState> ActionHistory::Redo() {
+  SMILE_DEMAND(can_redo());
+  Action& redone = actions_[cursor_ + 1];
+  // What happened between the undo and now is not on the way to where this leads.
+  actions_[cursor_].events.resize(redone.num_events_before);
+  ++cursor_;
+  return std::move(redone.at_undo);
+}
+
+void ActionHistory::Restart(std::uint64_t tick) {
+  actions_.clear();
+  actions_.emplace_back().tick = tick;
+  cursor_ = 0;
+  num_state_bytes_ = 0;
+  first_state_ = 1;
+  is_complete_ = false;
+}
+
+void ActionHistory::DiscardUndone() {
+  for (const Action& action : undone()) num_state_bytes_ -= SizeOf(*action.before);
+  actions_.resize(cursor_ + 1);
+}
+
+void ActionHistory::ForgetOldestStates() {
+  for (; num_state_bytes_ > max_state_bytes_ && first_state_ < cursor_; ++first_state_) {
+    num_state_bytes_ -= SizeOf(*actions_[first_state_].before);
+    actions_[first_state_].before.reset();
+  }
+}
+
+}  // namespace smile::sim

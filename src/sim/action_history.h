@@ -1,0 +1,102 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "base/strong_id.h"
+#include "sim/command.h"
+#include "sim/event.h"
+#include "sim/simulation_state.h"
+
+namespace smile::sim {
+
+/// Names an action of one simulation. Ids count up from 1 in the order in which the actions were
+/// begun and are never used twice. The id 0 names the start, before the first action.
+using ActionId = StrongId<struct ActionTag>;
+
+struct TimedCommand {
+  std::uint64_t tick = 0;  ///< at which it was carried out
+  Command command;
+
+  bool operator==(const TimedCommand&) const = default;
+};
+
+/// An action of a hand and all that followed it, up to the next action.
+struct Action {
+  ActionId id;
+  std::uint64_t tick = 0;              ///< at which it began
+  std::vector<TimedCommand> commands;  ///< in order; the first is the action itself, see IsAction()
+  std::vector<Event> events;           ///< in order; refusals are left out
+
+  /// The simulation just before; nullptr of the start, and once it is forgotten.
+  std::unique_ptr<const SimulationState> before;
+  /// The simulation at the undo; nullptr while the action is done.
+  std::unique_ptr<const SimulationState> at_undo;
+  std::size_t num_events_before = 0;  ///< of the previous action, when this one began
+};
+
+/// The one history of a simulation: a list of actions and a cursor.
+///
+///     start | a1 | a2 | a3 | a4          a1 and a2 are done, a3 and a4 are undone:
+///                     ^ cursor           Undo() takes back a2, Redo() does a3 again
+///
+/// A command after an undo discards the undone actions. Each action keeps the state before it,
+/// about 2 kB per object. Beyond half a gigabyte the oldest states are forgotten, which ends how
+/// far Undo() leads back; the actions themselves stay.
+///
+/// Everyone else keeps only marks, by ActionId, and is told when the cursor moves: see
+/// Listener::OnMove() and ActionMarks.
+class ActionHistory {
+ public:
+  explicit ActionHistory(std::size_t max_state_bytes = std::size_t{512} << 20);
+
+  /// The start and the actions that are done, in order.
+  std::span<const Action> done() const { return {actions_.data(), cursor_ + 1}; }
+  /// The undone actions, in order.
+  std::span<const Action> undone() const { return std::span(actions_).subspan(cursor_ + 1); }
+  /// The last action that is done; the start if there is none.
+  const Action& current() const { return actions_[cursor_]; }
+  bool can_undo() const { return current().before != nullptr; }
+  bool can_redo() const { return !undone().empty(); }
+
+  /// True when the history goes back to the beginning of the simulation: done() then contains all
+  /// that led to the present state.
+  bool is_complete() const { return is_complete_; }
+  /// The commands of all that is done, in order.
+  std::vector<TimedCommand> CommandsDone() const;
+
+  // What follows is for the simulation that the history belongs to.
+
+  /// Begins an action that was carried out on the simulation in state `before`.
+  void Begin(SimulationState before);
+  /// Adds to the current action.
+  void Add(TimedCommand command);
+  void Add(Event event);
+  /// Moves the cursor back by one action. Requires can_undo().
+  /// @param now  the present state, which Redo() will return.
+  /// @returns the state before the action, valid until the next change of the history.
+  const SimulationState& Undo(SimulationState now);
+  /// Moves the cursor forward by one action. Requires can_redo().
+  /// @returns the state at the undo of the action.
+  std::unique_ptr<const SimulationState> Redo();
+  /// Begins again at `tick` of a state that was restored from elsewhere: nothing can be undone, and
+  /// the history is not complete any longer.
+  void Restart(std::uint64_t tick);
+
+ private:
+  void DiscardUndone();
+  void ForgetOldestStates();
+
+  std::size_t max_state_bytes_;
+  std::vector<Action> actions_;  ///< the first one is the start
+  std::size_t cursor_ = 0;       ///< index of the current action
+  std::uint32_t last_id_ = 0;
+  std::size_t num_state_bytes_ = 0;  ///< of all states before actions
+  std::size_t first_state_ = 1;      ///< index of the first action whose state is not forgotten
+  bool is_complete_ = true;
+};
+
+}  // namespace smile::sim

@@ -1,0 +1,70 @@
+#include "task/course.h"
+
+#include <gtest/gtest.h>
+
+namespace smile::task {
+namespace {
+
+using sim::EventKind, sim::HandName;
+
+class CourseWitnessTest : public ::testing::Test {
+ protected:
+  static scene::SceneSpec OneBlock() {
+    scene::ObjectSpec block;
+    block.whole = {.id = "a",
+                   .X_PE = RigidTransform(Vector3(0, 0, 0.05)),
+                   .shape = scene::Block{{0.1, 0.1, 0.1}}};
+    return {.name = "one", .objects = {block}};
+  }
+  void Do(const sim::Command& command) { ASSERT_EQ(simulation_.Apply(command), std::nullopt); }
+  std::vector<EventKind> Touches() const {
+    std::vector<EventKind> kinds;
+    for (const Touch& touch : witness_.course().touches) kinds.push_back(touch.event.kind);
+    return kinds;
+  }
+
+  sim::Simulation simulation_{OneBlock()};
+  CourseWitness witness_{&simulation_};
+};
+
+TEST_F(CourseWitnessTest, ARedoBringsBackWhatWasTouched) {
+  const std::vector<EventKind> taken{EventKind::kGrasped};
+  const std::vector<EventKind> put{EventKind::kGrasped, EventKind::kReleased};
+  Do(sim::Grasp{.hand = HandName::kLeft, .object = "a"});
+  simulation_.Tick();
+  Do(sim::Release{.hand = HandName::kLeft});
+  EXPECT_EQ(Touches(), put);
+  Do(sim::Undo());
+  EXPECT_EQ(Touches(), taken);
+  Do(sim::Undo());
+  EXPECT_TRUE(Touches().empty());
+  Do(sim::Redo());
+  EXPECT_EQ(Touches(), taken);
+  Do(sim::Redo());
+  EXPECT_EQ(Touches(), put);
+}
+
+/// What was undone at the tick at which something else was done leaves the other.
+TEST_F(CourseWitnessTest, AnUndoTakesOnlyItsOwnAction) {
+  Do(sim::Grasp{.hand = HandName::kLeft, .object = "a"});
+  Do(sim::Release{.hand = HandName::kLeft});
+  Do(sim::Undo());
+  EXPECT_EQ(Touches(), std::vector{EventKind::kGrasped});
+}
+
+/// The object falls to the floor after the undo; a redo leads back to where it is still held.
+TEST_F(CourseWitnessTest, WhatHappenedBetweenUndoAndRedoIsLeftOut) {
+  Do(sim::Grasp{.hand = HandName::kLeft, .object = "a"});
+  Do(sim::MoveTo{.hand = HandName::kLeft, .p_WH = {1.5, 0, 0.3}});
+  for (int i = 0; i < 300; ++i) simulation_.Tick();
+  Do(sim::Release{.hand = HandName::kLeft});
+  Do(sim::Point{.hand = HandName::kRight, .part = "a"});
+  Do(sim::Undo());
+  for (int i = 0; i < 300; ++i) simulation_.Tick();
+  EXPECT_EQ(Touches().back(), EventKind::kFell);
+  Do(sim::Redo());
+  EXPECT_EQ(Touches(), (std::vector{EventKind::kGrasped, EventKind::kReleased}));
+}
+
+}  // namespace
+}  // namespace smile::task

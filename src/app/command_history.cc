@@ -28,7 +28,7 @@ Json ToJson(const record::Recording& recording, const std::vector<record::Histor
     list.push_back({{"step", i},
                     {"parent", steps[i].parent ? Json(*steps[i].parent) : Json()},
                     {"words", WordsOf(steps[i])},
-                    {"deed", record::ToJson(steps[i].deed)},
+                    {"deed", sim::ToJson(steps[i].summary)},
                     {"begin", SecondsInto(recording, steps[i].begin.tick)},
                     {"end", SecondsInto(recording, steps[i].end.tick)},
                     {"on_way", steps[i].is_on_way}});

@@ -15,6 +15,7 @@
 #include "image/png.h"
 #include "record/internal_classic_line.h"
 #include "record/recording.h"
+#include "sim/action_summary.h"
 
 namespace smile::record {
 namespace {
@@ -55,7 +56,7 @@ const ClassicAction* ActionIn(const ClassicLine& line) {
 
 bool OpensSegment(const ClassicLine& line) {
   const ClassicAction* action = ActionIn(line);
-  return action != nullptr && action->kind != sim::EventKind::kAttended;
+  return action != nullptr && sim::BeginsAction({.kind = action->kind, .hand = action->hand});
 }
 
 bool IsDestroy(const ClassicLine& line) {

@@ -76,7 +76,7 @@ class RunAlong {
     if (last_) simulation_->Tick();
     if (simulation_->state_hash() != moment->hash) SayThatItDiffers();
     if (player_.ApplyDue(simulation_)) SayThatItDiffers();
-    num_actions_ += std::ranges::count_if(collector_.events(), &BeginsSegment);
+    num_actions_ += std::ranges::count_if(collector_.events(), &sim::BeginsAction);
     last_ = std::move(moment);
     return true;
   }
@@ -191,7 +191,7 @@ void Recorder::Rebuild(const Recording& recording, sim::Eye* eye, const sim::Sim
                        eye, simulation.model(), *moment, trace.events_before_start());
     }
     for (std::size_t i = 0; i < moment->events.size(); ++i) {
-      if (BeginsSegment(moment->events[i])) {
+      if (BeginsAction(moment->events[i])) {
         const std::size_t number = marks_.size();
         marks_[actions[number].id].before = {.moment = before_actions.at(number),
                                              .place = trace.places()[i],

@@ -1,108 +1,84 @@
 #include "record/recording_history.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <map>
 #include <stdexcept>
 #include <utility>
 
-#include "base/overloaded.h"
 #include "base/wording.h"
+#include "record/commanded_events.h"
 #include "record/imported_history.h"
 #include "record/trace_reader.h"
 
 namespace smile::record {
 namespace {
 
-/// What each hand holds; empty: nothing.
-using Holds = std::array<std::string, demonstrator::kHandNames.size()>;
-
-std::string& HeldBy(demonstrator::HandName hand, Holds* holds) {
-  return (*holds)[static_cast<std::size_t>(hand)];
-}
-
-Holds After(const sim::Command& action, Holds holds) {
-  std::visit(Overloaded{[&](const sim::Grasp& grasp) { HeldBy(grasp.hand, &holds) = grasp.object; },
-                        [&](const sim::Release& release) { HeldBy(release.hand, &holds).clear(); },
-                        [&](const sim::Destroy& destroy) { HeldBy(destroy.hand, &holds).clear(); },
-                        [](const auto&) {}},
-             action);
-  return holds;
-}
-
-/// What an action of the log was told as.
-/// @param holds  before it.
-sim::Event EventOf(const sim::Command& action, Holds holds) {
-  using enum sim::EventKind;
-  return std::visit(
-      Overloaded{[&](const sim::Grasp& what) {
-                   return sim::Event{.kind = kGrasped, .hand = what.hand, .object = what.object};
-                 },
-                 [&](const sim::Release& what) {
-                   return sim::Event{
-                       .kind = kReleased, .hand = what.hand, .object = HeldBy(what.hand, &holds)};
-                 },
-                 [&](const sim::Destroy& what) {
-                   return sim::Event{
-                       .kind = kDestroyed, .hand = what.hand, .object = HeldBy(what.hand, &holds)};
-                 },
-                 [](const sim::Point& what) {
-                   return sim::Event{.kind = kPointed, .hand = what.hand, .part = what.part};
-                 },
-                 [](const sim::Trigger& what) {
-                   return sim::Event{
-                       .kind = kTriggered, .hand = what.hand, .control = what.control};
-                 },
-                 [](const sim::Fasten& what) {
-                   return sim::Event{.kind = kFastened, .hand = what.hand, .object = what.object};
-                 },
-                 [](const sim::Loosen& what) {
-                   return sim::Event{.kind = kLoosened, .hand = what.hand, .object = what.object};
-                 },
-                 [](const auto&) { return sim::Event(); }},
-      action);
-}
-
-/// What hands let go of in a recording, and upon what.
-class Releases {
+/// Says of each step what its action was: as the trace reports it, or, where the trace does not, as
+/// the log commands it.
+class Summaries {
  public:
-  Releases(const Recording& recording, std::vector<HistoryStep>* steps)
+  Summaries(const Recording& recording, std::vector<HistoryStep>* steps)
       : recording_(recording), steps_(*steps) {}
 
-  void Add(std::size_t step, sim::Event event) { waiting_.emplace(step, std::move(event)); }
-  /// Finds it out for all of them: one reading of the trace for each way through the history.
-  void Name() {
-    while (!waiting_.empty()) NameAlongWayTo(waiting_.rbegin()->first);
+  /// Reads the trace once for each way through the history.
+  void AddToSteps() {
+    for (std::size_t step = steps_.size() - 1; step > 0; --step) {
+      if (!steps_[step].summary) AddAlongWayTo(step);
+    }
   }
 
  private:
-  void NameAlongWayTo(std::size_t last) {
-    std::multimap<std::uint64_t, std::size_t> at_tick;
-    for (std::optional<std::size_t> step = last; step; step = steps_[*step].parent) {
-      if (waiting_.contains(*step)) at_tick.emplace(steps_[*step].begin.tick, *step);
-    }
-    TraceReader trace(recording_, steps_[last].begin);
+  void AddAlongWayTo(std::size_t last) {
+    const std::vector<std::size_t> way = WayTo(last);
+    // The action itself is the line after the moment at which it began.
+    const Moment until{.line = steps_[last].begin.line + 1, .tick = steps_[last].begin.tick};
+    const std::vector<sim::Event> commanded = CommandedOnWayTo(until.line);
+    TraceReader trace(recording_, until);
+    std::size_t next = 0;
     while (const auto moment = trace.Next()) {
-      const auto [first, end] = at_tick.equal_range(moment->tick);
-      for (auto found = first; found != end; ++found) NameOne(found->second, *moment);
+      for (const sim::Event& event : moment->events) {
+        if (BeginsAction(event) && next < way.size()) Add(way[next++], event, &*moment);
+      }
+      while (!trace.has_events() && next < way.size() &&
+             steps_[way[next]].begin.tick == moment->tick) {
+        Add(way[next], commanded[next], &*moment);
+        ++next;
+      }
     }
     // A trace may end before its log.
-    for (const auto& [tick, step] : at_tick) waiting_.erase(step);
+    for (; next < way.size(); ++next) Add(way[next], commanded[next], nullptr);
   }
 
-  void NameOne(std::size_t step, const TraceTick& moment) {
-    const sim::Event& event = waiting_.at(step);
-    const auto& objects = recording_.scene.objects;
-    const auto object = std::ranges::find(objects, event.object, &scene::ObjectSpec::id);
-    steps_[step].deed =
-        DeedOf(event, SupportOf(recording_.scene, moment.objects,
-                                static_cast<std::size_t>(object - objects.begin())));
+  /// The steps from the first action to one, in order.
+  std::vector<std::size_t> WayTo(std::size_t last) const {
+    std::vector<std::size_t> way;
+    for (std::size_t step = last; step > 0; step = *steps_[step].parent) way.push_back(step);
+    std::reverse(way.begin(), way.end());
+    return way;
+  }
+
+  /// One for each action since the start.
+  std::vector<sim::Event> CommandedOnWayTo(std::size_t line) const {
+    CommandedEvents commanded;
+    std::vector<sim::Event> events;
+    for (const LoggedCommand& logged : recording_.log.WayTo(line)) {
+      auto event = commanded.Next(logged.command);
+      if (event && logged.line > recording_.info.start.line) events.push_back(*std::move(event));
+    }
+    return events;
+  }
+
+  /// @param moment  at which the action was carried out; nullptr if the trace lacks it.
+  void Add(std::size_t step, const sim::Event& event, const TraceTick* moment) {
+    if (steps_[step].summary) return;
+    const bool lets_go = event.kind == sim::EventKind::kReleased;
+    steps_[step].summary = SummaryOf(event, lets_go && moment != nullptr
+                                                ? SupportAt(*moment, event.object, recording_.scene)
+                                                : std::nullopt);
   }
 
   const Recording& recording_;
   std::vector<HistoryStep>& steps_;
-  std::map<std::size_t, sim::Event> waiting_;  ///< by step
 };
 
 std::uint64_t LastTick(const Recording& recording) {
@@ -119,12 +95,6 @@ std::vector<HistoryStep> HistoryOf(const Recording& recording) {
   const CommandLog& log = recording.log;
   std::vector<HistoryStep> steps;
   steps.push_back({.begin = recording.info.start, .end = recording.info.start});
-  // What hands hold after each step; at the start that is what the commands before it left.
-  std::vector<Holds> holds(1);
-  for (const LoggedCommand& logged : log.WayTo(recording.info.start.line)) {
-    holds[0] = After(logged.command, std::move(holds[0]));
-  }
-  Releases releases(recording, &steps);
   std::vector<std::size_t> step_of_line(log.lines().size() + 1);
   for (std::size_t line = recording.info.start.line + 1; line <= log.lines().size(); ++line) {
     const LogLine& logged = log.lines()[line - 1];
@@ -137,13 +107,10 @@ std::vector<HistoryStep> HistoryOf(const Recording& recording) {
       continue;
     }
     step_of_line[line] = steps.size();
-    const sim::Event event = EventOf(*command, holds[step]);
     steps.push_back({.parent = step,
                      .begin = {.line = line - 1, .tick = logged.tick},
                      .end = {.line = line, .tick = logged.tick},
-                     .deed = DeedOf(event, std::nullopt)});
-    if (event.kind == sim::EventKind::kReleased) releases.Add(steps.size() - 1, event);
-    holds.push_back(After(*command, holds[step]));
+                     .summary = {}});
   }
   const std::size_t last = log.lines().size();
   steps[step_of_line[last]].end = {.line = last, .tick = LastTick(recording)};
@@ -152,12 +119,12 @@ std::vector<HistoryStep> HistoryOf(const Recording& recording) {
     // Whatever else was tried from there since.
     if (const auto& parent = steps[*step].parent) steps[*parent].end = steps[*step].begin;
   }
-  releases.Name();
+  Summaries(recording, &steps).AddToSteps();
   return steps;
 }
 
 std::string WordsOf(const HistoryStep& step) {
-  return step.deed ? WordsOf(*step.deed) : "the start";
+  return step.summary ? WordsOf(*step.summary) : "the start";
 }
 
 std::optional<Moment> MomentIn(const Recording& recording, const HistoryStep& step,

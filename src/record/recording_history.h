@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "record/deed.h"
 #include "record/recording.h"
+#include "sim/action_summary.h"
 
 namespace smile::record {
 
@@ -17,8 +17,8 @@ struct HistoryStep {
   /// As far as it went: to the next action, to where it was left by an undo, or to the recording's
   /// end. If it was gone on with in several ways, the one on the way counts, else the last of them.
   Moment end;
-  std::optional<Deed> deed;  ///< the action; nullopt of the start
-  bool is_on_way = false;    ///< false of what was undone or left, and not done again
+  std::optional<sim::ActionSummary> summary;  ///< of the action; nullopt of the start
+  bool is_on_way = false;  ///< false of what was undone or left, and not done again
 };
 
 /// Everything that was ever done in a recording, also what was undone. Step 0 is the start; the

@@ -1,5 +1,7 @@
 #include "record/trace.h"
 
+#include <algorithm>
+
 #include "math/angles.h"
 
 namespace smile::record {
@@ -48,21 +50,14 @@ TraceTick StartOf(const model::Model& model) {
   return moment;
 }
 
-bool BeginsSegment(const sim::Event& event) {
-  using enum sim::EventKind;
-  if (!event.hand) return false;
-  switch (event.kind) {
-    case kGrasped:
-    case kReleased:
-    case kDestroyed:
-    case kPointed:
-    case kTriggered:
-    case kFastened:
-    case kLoosened:
-      return true;
-    default:
-      return false;
+std::optional<sim::Support> SupportAt(const TraceTick& moment, const std::string& id,
+                                      const scene::SceneSpec& scene) {
+  const auto object = std::ranges::find(scene.objects, id, &scene::ObjectSpec::id);
+  std::vector<std::optional<RigidTransform>> X_WBs;
+  for (const TracePose& pose : moment.objects) {
+    X_WBs.push_back(pose.is_present ? std::optional(pose.pose_in_world()) : std::nullopt);
   }
+  return sim::SupportOf(scene, X_WBs, static_cast<std::size_t>(object - scene.objects.begin()));
 }
 
 }  // namespace smile::record

@@ -8,6 +8,7 @@
 #include "model/model.h"
 #include "sim/event.h"
 #include "sim/simulation.h"
+#include "sim/support.h"
 
 namespace smile::record {
 
@@ -64,8 +65,9 @@ TraceTick Observe(const sim::Simulation& simulation);
 /// and nothing is awake.
 TraceTick StartOf(const model::Model& model);
 
-/// True of what a hand did that begins a new segment: the trace of a sim::IsAction() command.
-bool BeginsSegment(const sim::Event& event);
+/// What an object of the scene would have come to lie on at a moment, see sim::SupportOf().
+std::optional<sim::Support> SupportAt(const TraceTick& moment, const std::string& id,
+                                      const scene::SceneSpec& scene);
 
 /// A place in a trace, between two of its records: how many bytes are before it.
 using TracePlace = std::uint64_t;

@@ -233,7 +233,7 @@ void TraceReader::ReadEvents() {
   std::size_t num_actions = 0;
   while (IsAtRecord() && FlagsAt(place_) == kIsEvent) {
     sim::Event event = ReadEvent();
-    if (BeginsSegment(event)) ++num_actions;
+    if (BeginsAction(event)) ++num_actions;
     if (now_.tick == last_tick_ && num_actions > num_last_actions_) break;
     now_.events.push_back(std::move(event));
     places_.push_back(place_);

@@ -137,7 +137,7 @@ Markup Places(const ExperimentOutcome& outcome) {
 Markup StepsOf(const record::Recording& recording) {
   Markup rows;
   for (const record::HistoryStep& step : record::HistoryOf(recording)) {
-    if (!step.is_on_way || !step.deed) continue;
+    if (!step.is_on_way || !step.summary) continue;
     rows += Row({NumberCell(Fixed(SecondsInto(recording, step.begin.tick), 1) + " s"),
                  WideCell(WordsOf(step))});
   }

@@ -33,6 +33,7 @@ void ActionHistory::Begin(SimulationState before) {
   const std::size_t num_events_before = current().events.size();
   actions_.push_back({.id = {++last_id_},
                       .tick = tick,
+                      .summary = {},
                       .commands = {},
                       .events = {},
                       .before = std::make_unique<const SimulationState>(std::move(before)),

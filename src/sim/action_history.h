@@ -3,10 +3,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "base/strong_id.h"
+#include "sim/action_summary.h"
 #include "sim/command.h"
 #include "sim/event.h"
 #include "sim/simulation_state.h"
@@ -27,7 +30,8 @@ struct TimedCommand {
 /// An action of a hand and all that followed it, up to the next action.
 struct Action {
   ActionId id;
-  std::uint64_t tick = 0;              ///< at which it began
+  std::uint64_t tick = 0;                ///< at which it began
+  std::optional<ActionSummary> summary;  ///< nullopt of the start
   std::vector<TimedCommand> commands;  ///< in order; the first is the action itself, see IsAction()
   std::vector<Event> events;           ///< in order; refusals are left out
 
@@ -75,6 +79,7 @@ class ActionHistory {
   /// Adds to the current action.
   void Add(TimedCommand command);
   void Add(Event event);
+  void Describe(ActionSummary summary) { actions_[cursor_].summary = std::move(summary); }
   /// Moves the cursor back by one action. Requires can_undo().
   /// @param now  the present state, which Redo() will return.
   /// @returns the state before the action, valid until the next change of the history.

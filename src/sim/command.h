@@ -3,7 +3,6 @@
 #include <array>
 #include <optional>
 #include <string>
-#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -397,16 +396,5 @@ using Command = std::variant<Grasp, MoveTo, Plane, Rotate, Release, Destroy, Att
                              Fasten, Loosen, JointVelocities, JointAngles, TurnJoint, MoveGripper,
                              TakePose, FollowTrajectory, ShowRobot, Face, Markers, Undo, Redo,
                              StartRecording, FinishRecording>;
-
-/// True of what a hand does to the world or shows: it begins a new segment of a recording, and can
-/// be undone.
-template <class Kind>
-inline constexpr bool kIsAction =
-    std::is_same_v<Kind, Grasp> || std::is_same_v<Kind, Release> || std::is_same_v<Kind, Destroy> ||
-    std::is_same_v<Kind, Point> || std::is_same_v<Kind, Trigger> || std::is_same_v<Kind, Fasten> ||
-    std::is_same_v<Kind, Loosen>;
-inline bool IsAction(const Command& command) {
-  return std::visit([]<class Kind>(const Kind&) { return kIsAction<Kind>; }, command);
-}
 
 }  // namespace smile::sim

@@ -99,8 +99,24 @@ void Simulation::TellOfControls(const std::vector<model::ControlState>& before) 
   }
 }
 
+std::optional<Support> Simulation::SupportOfReleased(const std::string& id) const {
+  std::vector<std::optional<RigidTransform>> X_WBs;
+  std::size_t index = 0;
+  for (const world::Object& object : tabletop_.objects()) {
+    if (object.id() == id) index = X_WBs.size();
+    X_WBs.push_back(tabletop_.IsPresent(object)
+                        ? std::optional(physics_.body(object.body).pose_in_world())
+                        : std::nullopt);
+  }
+  return SupportOf(scene(), X_WBs, index);
+}
+
 void Simulation::Tell(const Event& event) {
   if (event.kind != EventKind::kCommandRefused) history_.Add(event);
+  const bool lets_go = event.kind == EventKind::kReleased;
+  if (auto summary = SummaryOf(event, lets_go ? SupportOfReleased(event.object) : std::nullopt)) {
+    history_.Describe(*std::move(summary));
+  }
   for (Listener* listener : listeners_) listener->OnEvent(*this, event);
 }
 

@@ -14,6 +14,9 @@ namespace {
 /// More news than these at a time are no use to anybody: a robot program may be refused for ever.
 constexpr std::size_t kMaxEvents = 200;
 
+/// What pages show changes no more often than they can.
+double ToTenths(double seconds) { return std::round(10 * seconds) / 10; }
+
 std::optional<EyeTap> TapOf(sim::Eye* eye) {
   return eye != nullptr ? std::optional<EyeTap>(eye) : std::nullopt;
 }
@@ -32,7 +35,6 @@ LiveWorld::LiveWorld(scene::SceneSpec scene, std::optional<sim::RobotPlacement> 
       desk_(&simulation_, Through(eye(), options)),
       usual_title_(options.recording.title) {
   if (eye_) sim::EyeView(simulation_, eye_->spec());
-  simulation_.AddListener(&chronicle_);
   simulation_.AddListener(this);
   for (const scene::ObjectSpec& object : simulation_.scene().objects) {
     bounds_.push_back(scene::BoundsOf(scene::SolidsOf(object.whole), RigidTransform()));
@@ -70,11 +72,27 @@ std::filesystem::path LiveWorld::recording_directory() const {
 
 Json LiveWorld::DescribeRecording() const {
   if (!is_recording()) return nullptr;
-  const double seconds = sim::SecondsOf(simulation_.tick() - take_.start_tick);
   return {{"id", recording_directory().filename().string()},
           {"title", take_.title},
-          {"seconds", std::round(10 * seconds) / 10},
-          {"segments", chronicle_.SegmentsSince(take_.before, take_.start_tick, simulation_)}};
+          {"seconds", ToTenths(sim::SecondsOf(simulation_.tick() - take_.start_tick))},
+          {"segments", DescribeSegments()}};
+}
+
+Json LiveWorld::DescribeSegments() const {
+  Json segments = Json::array();
+  const auto actions = simulation_.history().done();
+  std::uint64_t begin = take_.start_tick;
+  for (std::size_t i = 0; i < actions.size(); ++i) {
+    if (actions[i].id < take_.before) continue;
+    const bool is_last = i + 1 == actions.size();
+    const std::uint64_t end = is_last ? simulation_.tick() : actions[i + 1].tick;
+    // The first one is the rest of an action that began before the recording.
+    segments.push_back({{"number", segments.size()},
+                        {"deed", segments.empty() ? Json() : sim::ToJson(actions[i].summary)},
+                        {"seconds", ToTenths(sim::SecondsOf(end - begin))}});
+    begin = end;
+  }
+  return segments;
 }
 
 std::optional<Json> LiveWorld::TakeFailure() {

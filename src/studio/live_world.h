@@ -10,7 +10,6 @@
 #include "record/recording_desk.h"
 #include "scene/bounds.h"
 #include "sim/simulation.h"
-#include "studio/chronicle.h"
 #include "studio/eye_tap.h"
 
 namespace smile::studio {
@@ -61,6 +60,9 @@ class LiveWorld : private sim::Listener {
     std::uint64_t start_tick = 0;
   };
 
+  /// `segments` of DescribeRecording(), see docs/studio-protocol.md.
+  Json DescribeSegments() const;
+
   void OnCommand(const sim::Simulation& simulation, const sim::Command& command) override;
   void OnEvent(const sim::Simulation& simulation, const sim::Event& event) override;
 
@@ -68,7 +70,6 @@ class LiveWorld : private sim::Listener {
   sim::Simulation simulation_;
   record::RecordingDesk desk_;
   std::string usual_title_;
-  Chronicle chronicle_;
   Take take_;  ///< that is recorded
   std::vector<Json> events_;
   std::string last_refusal_;

@@ -23,11 +23,11 @@ std::optional<std::string> Painter::PaintRecording(const std::filesystem::path& 
                                                     .playback = Playback("", directory),
                                                     .segments = {}});
     const record::Recording& recording = exhibit_->playback.recording();
-    exhibit_->segments = SegmentsOf(recording, record::HistoryOf(recording));
+    exhibit_->segments = SegmentsOf(record::HistoryOf(recording));
   }
   Playback& playback = exhibit_->playback;
   if (segment && *segment >= exhibit_->segments.size()) return std::nullopt;
-  playback.Seek(segment ? SecondsInto(playback.recording(), exhibit_->segments[*segment].end)
+  playback.Seek(segment ? SecondsInto(playback.recording(), exhibit_->segments[*segment].end.tick)
                         : playback.length());
   return Paint(playback.model(), playback.view().state);
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "base/overloaded.h"
+#include "record/commanded_events.h"
 #include "record/trace_reader.h"
 
 namespace smile::task {
@@ -28,49 +28,24 @@ std::optional<Touch> TouchOf(const sim::Event& event, const record::TraceTick& n
   return Touch{event, now.tick, now.objects[index].pose_in_world()};
 }
 
-/// What the commands of an old recording say, whose trace tells of no events.
-class CommandedEvents {
+/// The actions in the log of an old recording, whose trace contains no events.
+class LoggedActions {
  public:
-  explicit CommandedEvents(const record::Recording& recording) : commands_(recording.commands) {}
+  explicit LoggedActions(const record::Recording& recording) : commands_(recording.commands) {}
 
-  /// Of the commands up to this tick that were not told of yet.
+  /// Those up to this tick that were not returned yet.
   std::vector<sim::Event> UpTo(std::uint64_t tick) {
     std::vector<sim::Event> events;
     for (; next_ < commands_.size() && commands_[next_].tick <= tick; ++next_) {
-      if (const auto event = EventOf(commands_[next_].command)) events.push_back(*event);
+      if (auto event = commanded_.Next(commands_[next_].command)) events.push_back(*event);
     }
     return events;
   }
 
  private:
-  std::optional<sim::Event> EventOf(const sim::Command& command) {
-    using sim::EventKind, sim::Event;
-    return std::visit(
-        Overloaded{
-            [this](const sim::Grasp& grasp) -> std::optional<Event> {
-              held_[grasp.hand] = grasp.object;
-              return Event{.kind = EventKind::kGrasped, .hand = grasp.hand, .object = grasp.object};
-            },
-            [this](const sim::Release& release) -> std::optional<Event> {
-              return Event{.kind = EventKind::kReleased,
-                           .hand = release.hand,
-                           .object = held_[release.hand]};
-            },
-            [](const sim::Fasten& fasten) -> std::optional<Event> {
-              return Event{
-                  .kind = EventKind::kFastened, .hand = fasten.hand, .object = fasten.object};
-            },
-            [](const sim::Loosen& loosen) -> std::optional<Event> {
-              return Event{
-                  .kind = EventKind::kLoosened, .hand = loosen.hand, .object = loosen.object};
-            },
-            [](const auto&) -> std::optional<Event> { return std::nullopt; }},
-        command);
-  }
-
   const std::vector<record::LoggedCommand>& commands_;
   std::size_t next_ = 0;
-  std::map<demonstrator::HandName, std::string> held_;
+  record::CommandedEvents commanded_;
 };
 
 std::string HolderOf(const sim::Event& event) {
@@ -136,7 +111,7 @@ class PlacementOrder {
 Course CourseOf(const record::Recording& recording) {
   record::TraceReader trace(recording);
   Course course{.scene = recording.scene, .begin = {}, .end = {}, .touches = {}};
-  CommandedEvents commanded(recording);
+  LoggedActions logged(recording);
   const auto note = [&course](const std::vector<sim::Event>& events) {
     for (const sim::Event& event : events) {
       if (auto touch = TouchOf(event, course.end, course.scene)) {
@@ -152,7 +127,7 @@ Course CourseOf(const record::Recording& recording) {
       note(trace.events_before_start());
       has_begun = true;
     }
-    note(trace.has_events() ? moment->events : commanded.UpTo(moment->tick));
+    note(trace.has_events() ? moment->events : logged.UpTo(moment->tick));
   }
   if (!has_begun) course.begin = course.end = record::StartOf(model::Model(recording.scene));
   return course;

@@ -65,7 +65,7 @@ class ImportTest : public RecordingFixture {
     std::vector<sim::Event> actions;
     for (const TraceTick& moment : moments) {
       for (const sim::Event& event : moment.events) {
-        if (BeginsSegment(event)) actions.push_back(event);
+        if (BeginsAction(event)) actions.push_back(event);
       }
     }
     return actions;

@@ -129,6 +129,19 @@ TEST_F(RecordingDeskTest, TheHistoryTellsEveryStepAlsoWhatWasUndone) {
   EXPECT_EQ(steps[3].end, (Moment{.line = 4, .tick = 32}));
 }
 
+TEST_F(RecordingDeskTest, TheHistoryNamesFromTheLogWhatTheTraceLacks) {
+  Do(sim::StartRecording{.name = "take"}, 10);
+  Do(sim::Grasp{.hand = HandName::kLeft, .object = "a"}, 10);
+  Do(sim::Release{.hand = HandName::kLeft}, 10);
+  Do(sim::FinishRecording());
+  const Recording recording = OpenRecording(root_ / "take");
+  std::filesystem::resize_file(root_ / "take" / "trace.bin", 2000);
+  const std::vector<HistoryStep> steps = HistoryOf(recording);
+  ASSERT_EQ(steps.size(), 3u);
+  EXPECT_EQ(WordsOf(steps[1]), "left hand takes a");
+  EXPECT_EQ(WordsOf(steps[2]), "left hand releases a");
+}
+
 TEST_F(RecordingDeskTest, AStepOnTheWayEndsWhereTheWayGoesOn) {
   Do(sim::StartRecording{.name = "take"}, 10);
   Do(sim::Grasp{.hand = HandName::kLeft, .object = "a"}, 10);

@@ -1,10 +1,10 @@
-#include "record/support.h"
+#include "sim/support.h"
 
 #include <gtest/gtest.h>
 
 #include "scene_xml/scene_reader.h"
 
-namespace smile::record {
+namespace smile::sim {
 namespace {
 
 /// What object `a` would lie on, at this height above something.
@@ -21,8 +21,9 @@ std::optional<Support> SupportOfAAt(const std::string& place) {
           "some.xml")
           .scene;
   if (!scene) throw std::logic_error("this is no scene");
-  const sim::Simulation simulation(*scene);
-  return SupportOf(*scene, Observe(simulation).objects, 0);
+  std::vector<std::optional<RigidTransform>> X_WBs;
+  for (const scene::ObjectSpec& object : scene->objects) X_WBs.push_back(object.pose_in_world());
+  return SupportOf(*scene, X_WBs, 0);
 }
 
 TEST(Support, IsTheHighestThingStraightBeneath) {
@@ -38,4 +39,4 @@ TEST(Support, IsTheHighestThingStraightBeneath) {
 }
 
 }  // namespace
-}  // namespace smile::record
+}  // namespace smile::sim

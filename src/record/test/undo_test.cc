@@ -1,5 +1,6 @@
 // What undo, redo and going on do to a recording.
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <map>
@@ -79,6 +80,25 @@ class UndoTest : public RecordingFixture {
     return ViewOf(directory);
   }
 
+  /// A simulation that was recorded from its beginning has the history of its recording: actions
+  /// have the numbers of steps.
+  static void ExpectOneHistory(const sim::ActionHistory& history, const Recording& recording) {
+    const std::vector<HistoryStep> steps = HistoryOf(recording);
+    EXPECT_EQ(std::ranges::count_if(steps, &HistoryStep::is_on_way), std::ssize(history.done()));
+    for (const sim::Action& action : history.done()) {
+      ASSERT_LT(action.id.value, steps.size());
+      const HistoryStep& step = steps[action.id.value];
+      EXPECT_TRUE(step.is_on_way);
+      EXPECT_EQ(step.begin.tick, action.tick);
+      EXPECT_EQ(WordsOf(step), action.summary ? WordsOf(*action.summary) : "the start");
+    }
+    for (const sim::Action& action : history.undone()) {
+      ASSERT_LT(action.id.value, steps.size());
+      EXPECT_FALSE(steps[action.id.value].is_on_way);
+      EXPECT_EQ(WordsOf(steps[action.id.value]), WordsOf(*action.summary));
+    }
+  }
+
   /// Whatever comes to the hands' mind, with undo and redo between.
   static void ActAtRandom(sim::Simulation* simulation, unsigned seed, int num_steps) {
     sim::RandomHands hands(seed);
@@ -118,6 +138,7 @@ TEST_P(UndoProperty, WhatWasUndoneLeavesTheViewAndTheRestReplays) {
   EXPECT_EQ(report.first_difference, std::nullopt);
   EXPECT_EQ(report.hash, simulation.state_hash());
   EXPECT_EQ(ViewOf(root_ / "demo"), ViewWithoutUndo(recording, simulation.tick()));
+  ExpectOneHistory(simulation.history(), recording);
 }
 
 TEST_P(UndoProperty, GoesOnFromAnyMomentAsIfItHadNeverStopped) {
@@ -186,9 +207,11 @@ TEST_F(UndoTest, RandomSessionsReplayIdenticallyAndUndoExactly) {
       simulation.Tick();
     }
     EXPECT_GT(books.num_undone(), 0);
-    const ReplayReport report = Replay(OpenRecording(demo));
+    const Recording recording = OpenRecording(demo);
+    const ReplayReport report = Replay(recording);
     ASSERT_EQ(report.first_difference, std::nullopt);
     ASSERT_EQ(report.hash, simulation.state_hash());
+    ExpectOneHistory(simulation.history(), recording);
   }
 }
 

@@ -2,6 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
+#include "record/test/recording_fixture.h"
+#include "scene_xml/scene_writer.h"
+#include "sim/test/everything_scene.h"
+#include "sim/test/random_hands.h"
+
 namespace smile::task {
 namespace {
 
@@ -64,6 +71,41 @@ TEST_F(CourseWitnessTest, WhatHappenedBetweenUndoAndRedoIsLeftOut) {
   EXPECT_EQ(Touches().back(), EventKind::kFell);
   Do(sim::Redo());
   EXPECT_EQ(Touches(), (std::vector{EventKind::kGrasped, EventKind::kReleased}));
+}
+
+class CourseProperty : public record::RecordingFixture {};
+
+TEST_F(CourseProperty, AWitnessTellsWhatTheRecordingShows) {
+  const std::string xml = scene_xml::WriteScene(sim::EverythingScene::Make());
+  sim::Simulation simulation(*scene_xml::ReadSceneText(xml, "everything.xml").scene);
+  record::Recorder recorder(root_ / "demo", {}, nullptr, simulation);
+  simulation.AddListener(&recorder);
+  const CourseWitness witness(&simulation);
+  sim::RandomHands hands(7);
+  std::mt19937 random(7);
+  int num_redone = 0;
+  for (int i = 0; i < 200; ++i) {
+    switch (random() % 8) {
+      case 0:
+        (void)simulation.Apply(sim::Undo());
+        break;
+      case 1:
+        num_redone += simulation.Apply(sim::Redo()) ? 0 : 1;
+        break;
+      default:
+        (void)simulation.Apply(hands.Next(simulation));
+    }
+    for (unsigned ticks = random() % 3 * 4; ticks > 0; --ticks) simulation.Tick();
+  }
+  EXPECT_GT(num_redone, 0);
+  const std::vector<Touch> told = witness.course().touches;
+  const std::vector<Touch> shown = CourseOf(record::OpenRecording(root_ / "demo")).touches;
+  EXPECT_GT(told.size(), 5u);
+  ASSERT_EQ(told.size(), shown.size());
+  for (std::size_t i = 0; i < told.size(); ++i) {
+    EXPECT_EQ(told[i].event, shown[i].event);
+    EXPECT_EQ(told[i].tick, shown[i].tick);
+  }
 }
 
 }  // namespace

@@ -1,10 +1,10 @@
-#include "record/support.h"
+#include "sim/support.h"
 
 #include <algorithm>
 
 #include "scene/bounds.h"
 
-namespace smile::record {
+namespace smile::sim {
 namespace {
 
 /// So deep may one be in the other and still lie on it [m].
@@ -24,12 +24,11 @@ bool IsBeneath(const scene::TableSpec& table, const scene::Bounds& object) {
 }  // namespace
 
 std::optional<Support> SupportOf(const scene::SceneSpec& scene,
-                                 const std::vector<TracePose>& objects, std::size_t object) {
-  if (object >= objects.size() || !objects[object].is_present) return std::nullopt;
-  const auto bounds_of = [&](std::size_t i) {
-    return scene::BoundsOf(scene::SolidsOf(scene.objects[i].whole), objects[i].pose_in_world());
-  };
-  const scene::Bounds whole = bounds_of(object);
+                                 const std::vector<std::optional<RigidTransform>>& X_WBs,
+                                 std::size_t object) {
+  if (object >= X_WBs.size() || !X_WBs[object]) return std::nullopt;
+  const scene::Bounds whole =
+      scene::BoundsOf(scene::SolidsOf(scene.objects[object].whole), *X_WBs[object]);
   std::optional<Support> best;
   const auto consider = [&](const scene::Bounds& piece, Support support) {
     support.height = std::max(0.0, whole.low.z() - piece.high.z());
@@ -38,12 +37,11 @@ std::optional<Support> SupportOf(const scene::SceneSpec& scene,
   if (IsBeneath(scene.table, whole)) {
     consider({.low = Vector3::Zero(), .high = Vector3::Zero()}, Support());
   }
-  for (std::size_t i = 0; i < objects.size(); ++i) {
-    if (i == object || !objects[i].is_present) continue;
+  for (std::size_t i = 0; i < X_WBs.size(); ++i) {
+    if (i == object || !X_WBs[i]) continue;
     const scene::Part& other = scene.objects[i].whole;
     for (const scene::Solid& solid : scene::SolidsOf(other)) {
-      const scene::Bounds piece =
-          scene::BoundsOf(solid.shape, objects[i].pose_in_world() * solid.X_BS);
+      const scene::Bounds piece = scene::BoundsOf(solid.shape, *X_WBs[i] * solid.X_BS);
       if (!IsBeneath(piece, whole)) continue;
       consider(piece, {.object = other.id, .is_container = solid.part_id.ends_with("(floor)")});
     }
@@ -51,4 +49,4 @@ std::optional<Support> SupportOf(const scene::SceneSpec& scene,
   return best;
 }
 
-}  // namespace smile::record
+}  // namespace smile::sim

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "record/trace.h"
+#include "math/rigid_transform.h"
 #include "scene/scene_spec.h"
 
-namespace smile::record {
+namespace smile::sim {
 
 /// What an object would come to lie on if it were let go of.
 struct Support {
@@ -22,8 +22,10 @@ struct Support {
 
 /// The highest thing straight beneath an object, as far as their bounds tell; nullopt beyond the
 /// table's edge, or when the object is gone.
-/// @param objects  of the scene, in its order, at that moment.
+/// @param X_WBs  of the objects of the scene, in its order, at that moment; nullopt of what is
+/// gone.
 std::optional<Support> SupportOf(const scene::SceneSpec& scene,
-                                 const std::vector<TracePose>& objects, std::size_t object);
+                                 const std::vector<std::optional<RigidTransform>>& X_WBs,
+                                 std::size_t object);
 
-}  // namespace smile::record
+}  // namespace smile::sim

@@ -1,0 +1,104 @@
+#include "sim/action_summary.h"
+
+namespace smile::sim {
+namespace {
+
+ActionSummary SummaryOfRelease(const Event& event, const std::optional<Support>& support) {
+  ActionSummary summary{.kind = ActionKind::kRelease, .hand = *event.hand, .what = event.object};
+  if (!support) return summary;
+  summary.kind = support->is_near() ? ActionKind::kPut : ActionKind::kDrop;
+  summary.onto = support;
+  return summary;
+}
+
+/// True if a command of one of these kinds is an action that such an event reports.
+template <class... Kinds>
+bool ReportsOneOf(EventKind event, const std::variant<Kinds...>*) {
+  return ((EventOfAction<Kinds>() == event) || ...);
+}
+
+}  // namespace
+
+bool IsAction(const Command& command) {
+  return std::visit([]<class Kind>(const Kind&) { return EventOfAction<Kind>().has_value(); },
+                    command);
+}
+
+bool BeginsAction(const Event& event) {
+  constexpr const Command* kAnyCommand = nullptr;
+  return event.hand && ReportsOneOf(event.kind, kAnyCommand);
+}
+
+std::string_view ToString(ActionKind kind) {
+  using enum ActionKind;
+  switch (kind) {
+    case kTake:
+      return "take";
+    case kPut:
+      return "put";
+    case kDrop:
+      return "drop";
+    case kRelease:
+      return "release";
+    case kDestroy:
+      return "destroy";
+    case kPoint:
+      return "point";
+    case kTrigger:
+      return "trigger";
+    case kFasten:
+      return "fasten";
+    case kLoosen:
+      return "loosen";
+  }
+  return "";
+}
+
+std::optional<ActionSummary> SummaryOf(const Event& event, const std::optional<Support>& support) {
+  if (!BeginsAction(event)) return std::nullopt;
+  const auto summary = [&event](ActionKind kind, const std::string& what) {
+    return ActionSummary{.kind = kind, .hand = *event.hand, .what = what, .onto = {}};
+  };
+  using enum EventKind;
+  switch (event.kind) {
+    case kGrasped:
+      return summary(ActionKind::kTake, event.object);
+    case kReleased:
+      return SummaryOfRelease(event, support);
+    case kDestroyed:
+      return summary(ActionKind::kDestroy, event.object);
+    case kPointed:
+      return summary(ActionKind::kPoint, event.part);
+    case kTriggered:
+      return summary(ActionKind::kTrigger, event.control);
+    case kFastened:
+      return summary(ActionKind::kFasten, event.object);
+    case kLoosened:
+      return summary(ActionKind::kLoosen, event.object);
+    default:
+      return std::nullopt;
+  }
+}
+
+std::string WordsOf(const ActionSummary& summary) {
+  const bool is_one_hand = summary.hand != HandName::kBoth;
+  std::string words(ToString(summary.hand));
+  words += is_one_hand ? " hand " : " hands ";
+  words += ToString(summary.kind);
+  words += is_one_hand ? "s " : " ";
+  words += (summary.kind == ActionKind::kPoint ? "at " : "") + summary.what;
+  if (!summary.onto) return words;
+  words += summary.onto->is_container ? " into " : " on ";
+  return words + (summary.onto->object.empty() ? "the table" : summary.onto->object);
+}
+
+Json ToJson(const std::optional<ActionSummary>& summary) {
+  if (!summary) return nullptr;
+  Json json = {
+      {"do", ToString(summary->kind)}, {"hand", ToString(summary->hand)}, {"what", summary->what}};
+  if (const auto& onto = summary->onto) json[onto->is_container ? "into" : "on"] = onto->object;
+  json["words"] = WordsOf(*summary);
+  return json;
+}
+
+}  // namespace smile::sim

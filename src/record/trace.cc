@@ -50,14 +50,14 @@ TraceTick StartOf(const model::Model& model) {
   return moment;
 }
 
-std::optional<sim::Support> SupportAt(const TraceTick& moment, const std::string& id,
-                                      const scene::SceneSpec& scene) {
+std::optional<model::Support> SupportAt(const TraceTick& moment, const std::string& id,
+                                        const scene::SceneSpec& scene) {
   const auto object = std::ranges::find(scene.objects, id, &scene::ObjectSpec::id);
   std::vector<std::optional<RigidTransform>> X_WBs;
   for (const TracePose& pose : moment.objects) {
     X_WBs.push_back(pose.is_present ? std::optional(pose.pose_in_world()) : std::nullopt);
   }
-  return sim::SupportOf(scene, X_WBs, static_cast<std::size_t>(object - scene.objects.begin()));
+  return model::SupportOf(scene, X_WBs, static_cast<std::size_t>(object - scene.objects.begin()));
 }
 
 }  // namespace smile::record

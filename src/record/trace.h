@@ -6,9 +6,9 @@
 #include "math/angles.h"
 #include "math/rigid_transform.h"
 #include "model/model.h"
+#include "model/relations.h"
 #include "sim/event.h"
 #include "sim/simulation.h"
-#include "sim/support.h"
 
 namespace smile::record {
 
@@ -65,9 +65,9 @@ TraceTick Observe(const sim::Simulation& simulation);
 /// and nothing is awake.
 TraceTick StartOf(const model::Model& model);
 
-/// What an object of the scene would have come to lie on at a moment, see sim::SupportOf().
-std::optional<sim::Support> SupportAt(const TraceTick& moment, const std::string& id,
-                                      const scene::SceneSpec& scene);
+/// What an object of the scene would have come to lie on at a moment, see model::SupportOf().
+std::optional<model::Support> SupportAt(const TraceTick& moment, const std::string& id,
+                                        const scene::SceneSpec& scene);
 
 /// A place in a trace, between two of its records: how many bytes are before it.
 using TracePlace = std::uint64_t;

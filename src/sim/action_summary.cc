@@ -3,7 +3,7 @@
 namespace smile::sim {
 namespace {
 
-ActionSummary SummaryOfRelease(const Event& event, const std::optional<Support>& support) {
+ActionSummary SummaryOfRelease(const Event& event, const std::optional<model::Support>& support) {
   ActionSummary summary{.kind = ActionKind::kRelease, .hand = *event.hand, .what = event.object};
   if (!support) return summary;
   summary.kind = support->is_near() ? ActionKind::kPut : ActionKind::kDrop;
@@ -54,7 +54,8 @@ std::string_view ToString(ActionKind kind) {
   return "";
 }
 
-std::optional<ActionSummary> SummaryOf(const Event& event, const std::optional<Support>& support) {
+std::optional<ActionSummary> SummaryOf(const Event& event,
+                                       const std::optional<model::Support>& support) {
   if (!BeginsAction(event)) return std::nullopt;
   const auto summary = [&event](ActionKind kind, const std::string& what) {
     return ActionSummary{.kind = kind, .hand = *event.hand, .what = what, .onto = {}};
@@ -88,7 +89,7 @@ std::string WordsOf(const ActionSummary& summary) {
   words += is_one_hand ? "s " : " ";
   words += (summary.kind == ActionKind::kPoint ? "at " : "") + summary.what;
   if (!summary.onto) return words;
-  words += summary.onto->is_container ? " into " : " on ";
+  words += summary.onto->is_inside ? " into " : " on ";
   return words + (summary.onto->object.empty() ? "the table" : summary.onto->object);
 }
 
@@ -96,7 +97,7 @@ Json ToJson(const std::optional<ActionSummary>& summary) {
   if (!summary) return nullptr;
   Json json = {
       {"do", ToString(summary->kind)}, {"hand", ToString(summary->hand)}, {"what", summary->what}};
-  if (const auto& onto = summary->onto) json[onto->is_container ? "into" : "on"] = onto->object;
+  if (const auto& onto = summary->onto) json[onto->is_inside ? "into" : "on"] = onto->object;
   json["words"] = WordsOf(*summary);
   return json;
 }

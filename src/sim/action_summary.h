@@ -5,9 +5,9 @@
 #include <string_view>
 
 #include "base/json.h"
+#include "model/relations.h"
 #include "sim/command.h"
 #include "sim/event.h"
-#include "sim/support.h"
 
 namespace smile::sim {
 
@@ -49,15 +49,16 @@ std::string_view ToString(ActionKind kind);
 struct ActionSummary {
   ActionKind kind = ActionKind::kTake;
   HandName hand = HandName::kLeft;
-  std::string what;             ///< id of the object, or part pointed at, or control
-  std::optional<Support> onto;  ///< of what was put or dropped
+  std::string what;                    ///< id of the object, or part pointed at, or control
+  std::optional<model::Support> onto;  ///< of what was put or dropped
 
   bool operator==(const ActionSummary&) const = default;
 };
 
 /// @param support  of what a hand let go of.
 /// @returns nullopt for events that report no action.
-std::optional<ActionSummary> SummaryOf(const Event& event, const std::optional<Support>& support);
+std::optional<ActionSummary> SummaryOf(const Event& event,
+                                       const std::optional<model::Support>& support);
 
 /// `left hand takes b03`, `both hands put b03 on b01`, `right hand drops b03 into crate`.
 std::string WordsOf(const ActionSummary& summary);

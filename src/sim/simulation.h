@@ -159,7 +159,7 @@ class Simulation {
   void ReleaseFor(const Grasp& grasp);
   void Tell(const Event& event);
   /// Of an object that was let go of just now.
-  std::optional<Support> SupportOfReleased(const std::string& id) const;
+  std::optional<model::Support> SupportOfReleased(const std::string& id) const;
   /// What a command did to the object it is about.
   void TellOfCommand(const Command& command, const std::string& held_before);
   /// Notice what changed since `before`. A bond that ended because an object was destroyed is no

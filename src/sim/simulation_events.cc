@@ -99,7 +99,7 @@ void Simulation::TellOfControls(const std::vector<model::ControlState>& before) 
   }
 }
 
-std::optional<Support> Simulation::SupportOfReleased(const std::string& id) const {
+std::optional<model::Support> Simulation::SupportOfReleased(const std::string& id) const {
   std::vector<std::optional<RigidTransform>> X_WBs;
   std::size_t index = 0;
   for (const world::Object& object : tabletop_.objects()) {
@@ -108,7 +108,7 @@ std::optional<Support> Simulation::SupportOfReleased(const std::string& id) cons
                         ? std::optional(physics_.body(object.body).pose_in_world())
                         : std::nullopt);
   }
-  return SupportOf(scene(), X_WBs, index);
+  return model::SupportOf(scene(), X_WBs, index);
 }
 
 void Simulation::Tell(const Event& event) {

@@ -5,10 +5,10 @@
 
 #include "base/overloaded.h"
 #include "base/wording.h"
+#include "model/relations.h"
 #include "scene/bond_points.h"
 #include "scene/controls_of.h"
 #include "scene/units.h"
-#include "task/relations.h"
 
 namespace smile::task {
 namespace {
@@ -76,7 +76,7 @@ double OffsetOf(const scene::SliderSpec& slider, const record::TraceTick& moment
 }
 
 std::vector<Relation> ContentsAt(const scene::SceneSpec& scene, const record::TraceTick& moment) {
-  std::vector<Relation> relations = RelationsOf(scene, ObjectsAt(scene, moment));
+  std::vector<Relation> relations = model::RelationsOf(scene, ObjectsAt(scene, moment));
   std::erase_if(relations,
                 [](const Relation& relation) { return relation.kind != Relation::Kind::kIn; });
   return relations;

@@ -93,7 +93,7 @@ Structure StructureOf(const record::Recording& demonstration) {
                       .others = {},
                       .fallen = FallenObjects(course),
                       .attention = record::AttentionOf(demonstration)};
-  structure.relations = RelationsOf(course.scene, structure.objects);
+  structure.relations = model::RelationsOf(course.scene, structure.objects);
 
   const std::vector<std::string> touched = TouchedByHands(course);
   const std::set<std::string> members =

@@ -3,12 +3,14 @@
 #include <string>
 #include <vector>
 
+#include "model/relations.h"
 #include "task/course.h"
 #include "task/effects.h"
 #include "task/looks.h"
-#include "task/relations.h"
 
 namespace smile::task {
+
+using model::Relation;
 
 /// What a demonstration achieved: the task is to achieve the same elsewhere on the table.
 struct Structure {

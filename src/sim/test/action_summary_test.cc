@@ -5,26 +5,26 @@
 namespace smile::sim {
 namespace {
 
-ActionSummary SummaryOfARelease(HandName hand, const std::optional<Support>& support) {
+ActionSummary SummaryOfARelease(HandName hand, const std::optional<model::Support>& support) {
   return *SummaryOf({.kind = EventKind::kReleased, .hand = hand, .object = "a"}, support);
 }
 
 TEST(ActionSummary, TellsWhereSomethingWasLetGo) {
-  const Support crate{.object = "crate", .is_container = true};
+  const model::Support crate{.object = "crate", .is_inside = true};
   EXPECT_EQ(WordsOf(SummaryOfARelease(HandName::kBoth, crate)), "both hands put a into crate");
-  EXPECT_EQ(WordsOf(SummaryOfARelease(HandName::kLeft, Support{.height = 0.1})),
+  EXPECT_EQ(WordsOf(SummaryOfARelease(HandName::kLeft, model::Support{.height = 0.1})),
             "left hand drops a on the table");
   EXPECT_EQ(WordsOf(SummaryOfARelease(HandName::kBoth, std::nullopt)), "both hands release a");
 }
 
 TEST(ActionSummary, HasItsFieldsForOtherLanguages) {
-  const Json in_crate =
-      ToJson(SummaryOfARelease(HandName::kLeft, Support{.object = "crate", .is_container = true}));
+  const Json in_crate = ToJson(
+      SummaryOfARelease(HandName::kLeft, model::Support{.object = "crate", .is_inside = true}));
   EXPECT_EQ(
       in_crate,
       Json::parse(
           R"({"do":"put","hand":"left","what":"a","into":"crate","words":"left hand puts a into crate"})"));
-  const Json on_table = ToJson(SummaryOfARelease(HandName::kLeft, Support{.height = 0.1}));
+  const Json on_table = ToJson(SummaryOfARelease(HandName::kLeft, model::Support{.height = 0.1}));
   EXPECT_EQ(
       on_table,
       Json::parse(

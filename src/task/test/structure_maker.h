@@ -3,6 +3,7 @@
 #include <string>
 
 #include "math/angles.h"
+#include "model/test/placed_objects.h"
 #include "task/course.h"
 #include "task/structure.h"
 
@@ -10,17 +11,8 @@ namespace smile::task {
 
 // Structures and outcomes without physics.
 
-inline scene::ObjectSpec ObjectAt(std::string id, const scene::Shape& shape, const Vector3& p,
-                                  const Color& color = {}, double yaw_deg = 0) {
-  return {.whole = {.id = std::move(id),
-                    .X_PE = RigidTransform(RotationFromFixedAxes({0, 0, yaw_deg}), p),
-                    .color = color,
-                    .shape = shape}};
-}
-
-inline scene::ObjectSpec CubeAt(std::string id, const Vector3& p, const Color& color = {}) {
-  return ObjectAt(std::move(id), scene::Block{}, p, color);
-}
+using model::CubeAt;
+using model::ObjectAt;
 
 inline record::TracePose TracePoseAt(const RigidTransform& X_WB) {
   const Quaternion q = X_WB.quaternion();

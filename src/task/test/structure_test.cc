@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "record/recording.h"
+#include "record/recording_history.h"
 #include "record/test/recording_fixture.h"
 #include "structure_maker.h"
 #include "task/cause.h"
@@ -52,6 +53,28 @@ TEST_F(StructureTest, IsWhatHandsMovedAndWhatThatStandsOn) {
   EXPECT_TRUE(structure.effects.empty());
   EXPECT_EQ(TextOf(structure), "1. a on b\nas it was: b on the table\n");
   EXPECT_FALSE(structure.is_fixed());
+}
+
+TEST_F(StructureTest, SaysOfAPlacementWhatTheHistorySays) {
+  // A ring has no floor, so that what lies in it lies on the table, too.
+  const record::Recording demo = record::OpenRecording(Record(
+      R"({"hand":"left","do":"grasp","object":"a"}
+{"hand":"left","do":"move_to","position":[0,0,3]}
+{"do":"wait","until":"arrived"}
+{"hand":"left","do":"move_to","position":[4,0,3]}
+{"do":"wait","until":"arrived"}
+{"hand":"left","do":"move_to","position":[4,0,0.6]}
+{"do":"wait","until":"arrived"}
+{"hand":"left","do":"release"}
+{"do":"wait","until":"still"})",
+      false, nullptr, R"xml(<tabletop xmlns="http://synapse.cs.umd.edu/tabletop-xml">
+  <block id="a" location="(0, 0, 0.5)"/>
+  <ring id="ring" location="(4, 0, 0.5)" radiusOuter="1.5" radiusInner="1" zspan="1"/>
+</tabletop>)xml"));
+  const Structure structure = StructureOf(demo);
+  EXPECT_EQ(structure.relations.front(), (Relation{"a", Relation::Kind::kIn, "ring"}));
+  const std::vector<record::HistoryStep> history = record::HistoryOf(demo);
+  EXPECT_EQ(WordsOf(*history.back().summary), "left hand puts a into ring");
 }
 
 TEST_F(StructureTest, TellsWhatMatters) {

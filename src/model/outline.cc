@@ -1,4 +1,4 @@
-#include "task/outline.h"
+#include "model/outline.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include "base/overloaded.h"
 
-namespace smile::task {
+namespace smile::model {
 namespace {
 
 constexpr int kRoundCorners = 16;
@@ -109,4 +109,4 @@ double OverlapOf(const Outline& a, const Outline& b) {
   return std::min(LeastReachOver(a, b), LeastReachOver(b, a));
 }
 
-}  // namespace smile::task
+}  // namespace smile::model

@@ -1,10 +1,10 @@
-#include "task/relations.h"
+#include "model/relations.h"
 
 #include <gtest/gtest.h>
 
-#include "structure_maker.h"
+#include "model/test/placed_objects.h"
 
-namespace smile::task {
+namespace smile::model {
 namespace {
 
 using Relations = std::vector<Relation>;
@@ -45,4 +45,4 @@ TEST(Relations, AThingLiesInWhatIsAroundIt) {
 }
 
 }  // namespace
-}  // namespace smile::task
+}  // namespace smile::model

@@ -4,7 +4,7 @@
 
 #include "scene/solid.h"
 
-namespace smile::task {
+namespace smile::model {
 
 /// What a convex piece covers of the ground seen from above: the corners of a convex polygon,
 /// counter-clockwise [m]. Round things have 16 corners.
@@ -14,4 +14,4 @@ Outline OutlineOf(const scene::SolidShape& shape, const RigidTransform& X_WS);
 /// How far one would have to be shifted at least to be beside the other; not positive if it is [m].
 double OverlapOf(const Outline& a, const Outline& b);
 
-}  // namespace smile::task
+}  // namespace smile::model

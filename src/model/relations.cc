@@ -1,0 +1,193 @@
+#include "model/relations.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "model/outline.h"
+#include "scene/bounds.h"
+
+namespace smile::model {
+namespace {
+
+/// Two surfaces touch when they are this near [m].
+constexpr double kContact = 0.005;
+/// What stands on something covers at least so much of it [m].
+constexpr double kFooting = 0.001;
+
+struct Piece {
+  scene::Bounds bounds;  ///< in W
+  Outline outline;
+};
+
+/// An object as relations see it.
+struct Placed {
+  const scene::ObjectSpec* object = nullptr;
+  std::vector<scene::Solid> solids;
+  std::vector<Piece> pieces;
+  scene::Bounds bounds;  ///< in W
+};
+
+Placed PlacedOf(const scene::ObjectSpec& object) {
+  Placed placed{
+      .object = &object, .solids = scene::SolidsOf(object.whole), .pieces = {}, .bounds = {}};
+  for (const scene::Solid& solid : placed.solids) {
+    const RigidTransform X_WS = object.pose_in_world() * solid.X_BS;
+    placed.pieces.push_back({scene::BoundsOf(solid.shape, X_WS), OutlineOf(solid.shape, X_WS)});
+    placed.bounds.Add(placed.pieces.back().bounds);
+  }
+  return placed;
+}
+
+bool StandsOn(const Placed& upper, const Placed& lower) {
+  if (!upper.bounds.Meets(lower.bounds, kContact)) return false;
+  for (const Piece& foot : upper.pieces) {
+    for (const Piece& top : lower.pieces) {
+      if (std::abs(foot.bounds.low.z() - top.bounds.high.z()) > kContact) continue;
+      if (foot.bounds.Meets(top.bounds, kContact) &&
+          OverlapOf(foot.outline, top.outline) > kFooting) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+/// True when a cuboid is beside the point, on this side of it along this axis, level with it.
+bool IsBeside(const scene::Bounds& piece, const Vector3& p, int axis, bool is_above) {
+  const int across = 1 - axis;
+  const bool is_on_side = is_above ? piece.low[axis] >= p[axis] : piece.high[axis] <= p[axis];
+  return is_on_side && piece.low[across] <= p[across] && p[across] <= piece.high[across] &&
+         piece.low.z() <= p.z() && p.z() <= piece.high.z();
+}
+
+bool LiesIn(const Placed& object, const Placed& around) {
+  if (!object.bounds.Meets(around.bounds)) return false;
+  const RigidTransform X_BW = around.object->pose_in_world().inverse();
+  const scene::Bounds inner = scene::BoundsOf(object.solids, X_BW * object.object->pose_in_world());
+  Vector3 p = inner.center();
+  p.z() = inner.low.z() + inner.size().z() / 4;
+  std::array<bool, 4> sides{};
+  for (const scene::Solid& solid : around.solids) {
+    const scene::Bounds piece = scene::BoundsOf(solid.shape, solid.X_BS);
+    for (std::size_t side = 0; side < sides.size(); ++side) {
+      sides[side] = sides[side] || IsBeside(piece, p, static_cast<int>(side / 2), side % 2 == 1);
+    }
+  }
+  return std::ranges::all_of(sides, [](bool is_closed) { return is_closed; });
+}
+
+bool StandsOnTable(const Placed& object, const scene::TableSpec& table) {
+  const Vector3 center = object.bounds.center();
+  return !object.bounds.is_empty() && std::abs(object.bounds.low.z()) < kContact &&
+         std::abs(center.x()) < table.x_span / 2 && std::abs(center.y()) < table.y_span / 2;
+}
+
+bool SlidesIn(const scene::SceneSpec& scene, const scene::ObjectSpec& drawer,
+              const scene::ObjectSpec& frame) {
+  return std::ranges::any_of(scene.sliders, [&](const scene::SliderSpec& slider) {
+    return scene.objects[slider.first_object].id() == frame.id() &&
+           scene.objects[slider.first_object + 1].id() == drawer.id();
+  });
+}
+
+/// The relations of one object with all the others.
+std::vector<Relation> RelationsOfOne(const Placed& one, const std::vector<Placed>& all,
+                                     const scene::SceneSpec& scene) {
+  std::vector<Relation> relations;
+  for (const Placed& other : all) {
+    if (one.object->id() == other.object->id() || SlidesIn(scene, *other.object, *one.object)) {
+      continue;
+    }
+    if (LiesIn(one, other)) {
+      relations.push_back({one.object->id(), Relation::Kind::kIn, other.object->id()});
+    } else if (StandsOn(one, other)) {
+      relations.push_back({one.object->id(), Relation::Kind::kOn, other.object->id()});
+    }
+  }
+  if (relations.empty() && StandsOnTable(one, scene.table)) {
+    relations.push_back({one.object->id(), Relation::Kind::kOn, ""});
+  }
+  return relations;
+}
+
+/// How far an object can be lowered until it meets the table or another's top [m]; what it is in up
+/// to kContact does not count as above it.
+double HeightAbove(const Placed& one, const std::vector<Placed>& all,
+                   const scene::SceneSpec& scene) {
+  double height = std::max(0.0, one.bounds.low.z());
+  for (const Placed& other : all) {
+    if (one.object->id() == other.object->id() || SlidesIn(scene, *other.object, *one.object)) {
+      continue;
+    }
+    for (const Piece& foot : one.pieces) {
+      for (const Piece& top : other.pieces) {
+        const double gap = foot.bounds.low.z() - top.bounds.high.z();
+        if (gap < -kContact || gap >= height) continue;
+        if (OverlapOf(foot.outline, top.outline) > kFooting) height = std::max(0.0, gap);
+      }
+    }
+  }
+  return height;
+}
+
+/// The relation that says most of where an object is: the innermost container, else the first.
+const Relation& MainOf(const std::vector<Relation>& relations, const std::vector<Placed>& all) {
+  const auto size_around = [&all](const Relation& relation) {
+    const auto around = std::ranges::find(all, relation.support,
+                                          [](const Placed& placed) { return placed.object->id(); });
+    const bool is_inside = relation.kind == Relation::Kind::kIn && around != all.end();
+    return is_inside ? around->bounds.size().prod() : std::numeric_limits<double>::infinity();
+  };
+  return *std::ranges::min_element(relations, {}, size_around);
+}
+
+}  // namespace
+
+std::vector<Relation> RelationsOf(const scene::SceneSpec& scene,
+                                  const std::vector<scene::ObjectSpec>& objects) {
+  std::vector<Placed> all;
+  for (const scene::ObjectSpec& object : objects) all.push_back(PlacedOf(object));
+  std::vector<Relation> relations;
+  for (const Placed& one : all) {
+    for (Relation& relation : RelationsOfOne(one, all, scene)) {
+      relations.push_back(std::move(relation));
+    }
+  }
+  return relations;
+}
+
+std::optional<Support> SupportOf(const scene::SceneSpec& scene,
+                                 const std::vector<scene::ObjectSpec>& objects,
+                                 const std::string& object) {
+  const auto found = std::ranges::find(objects, object, &scene::ObjectSpec::id);
+  if (found == objects.end()) return std::nullopt;
+  std::vector<Placed> all;
+  for (const scene::ObjectSpec& other : objects) all.push_back(PlacedOf(other));
+  const double height =
+      HeightAbove(all[static_cast<std::size_t>(found - objects.begin())], all, scene);
+  scene::ObjectSpec lowered = *found;
+  lowered.whole.X_PE = RigidTransform(Vector3(0, 0, -height)) * found->pose_in_world();
+  const std::vector<Relation> relations = RelationsOfOne(PlacedOf(lowered), all, scene);
+  if (relations.empty()) return std::nullopt;
+  const Relation& main = MainOf(relations, all);
+  return Support{
+      .object = main.support, .is_inside = main.kind == Relation::Kind::kIn, .height = height};
+}
+
+std::optional<Support> SupportOf(const scene::SceneSpec& scene,
+                                 const std::vector<std::optional<RigidTransform>>& X_WBs,
+                                 std::size_t object) {
+  if (object >= X_WBs.size()) return std::nullopt;
+  std::vector<scene::ObjectSpec> objects;
+  for (std::size_t i = 0; i < X_WBs.size(); ++i) {
+    if (!X_WBs[i]) continue;
+    objects.push_back(scene.objects[i]);
+    objects.back().whole.X_PE = *X_WBs[i];
+  }
+  return SupportOf(scene, objects, scene.objects[object].id());
+}
+
+}  // namespace smile::model

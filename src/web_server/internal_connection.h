@@ -12,7 +12,8 @@
 
 #include "web_server/internal_access_policy.h"
 #include "web_server/internal_static_files.h"
-#include "web_server/web_server.h"
+#include "web_server/web_server_options.h"
+#include "web_server/web_socket_handler.h"
 
 namespace smile::web_server {
 

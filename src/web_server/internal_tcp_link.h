@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "web_server/internal_stream.h"
-#include "web_server/web_server.h"
+#include "web_server/web_server_options.h"
 
 namespace boost::asio::ssl {
 class context;

@@ -277,6 +277,7 @@ TEST_P(RobotCommandsProperty, WhateverItFollowsCanBeTakenBackAndDoneAgain) {
   EXPECT_GT(books.num_undone(), 2);
   EXPECT_GT(num_following, 10);
 
+  simulation->RemoveListener(&books);  // a restored simulation has no history to compare
   auto elsewhere = make();
   for (std::size_t i = moments.size() / 2; i < moments.size(); ++i) {
     std::array<std::uint64_t, 2> hashes{};

@@ -67,7 +67,8 @@ test("buttons and keys move things the way they say, as one sees it", async (t) 
     const before = place();
     await deed();
     await witness.until(() => `${place()}` !== `${before}`, "it moves");
-    const [from, to] = [await person.placeOnPage(before), await person.placeOnPage(place())];
+    const after = await witness.settled(place, "it stays", 150);
+    const [from, to] = [await person.placeOnPage(before), await person.placeOnPage(after)];
     return { x: to.x - from.x, y: to.y - from.y };
   }
 });

@@ -57,8 +57,8 @@ test("the tour leads from nothing to a demonstration that a robot can use", asyn
   const { identical, ticks } = replay(join(studio.recordings, id));
   assert.ok(identical && ticks > 0);
   const [, take, put] = (await witness.request("open", { recording: id })).timeline.segments;
-  assert.deepEqual(take.deed, { do: "take", hand: "any", what: "RedBlock" });
-  assert.deepEqual(put.deed, { do: "put", hand: "any", what: "RedBlock", on: "GreenBlock" });
+  assert.equal(take.deed.words, "any hand takes RedBlock");
+  assert.equal(put.deed.words, "any hand puts RedBlock on GreenBlock");
   await page.reload();
   await page.waitForFunction(() => window.smileStudio?.stats().isShown);
   assert.equal(await page.locator(".tour").count(), 0, "who knows it is left in peace");

@@ -33,7 +33,7 @@ struct Visual {
   std::uint32_t object_id = 0;  ///< index into VisualModel::object_names
   int choice = -1;              ///< index into VisualState::looks; -1: always to be seen
   int look = 0;                 ///< to be seen only while the choice is this
-  bool glows = false;           ///< a screen: shows its color itself, whatever light there is
+  bool glows = false;           ///< a lamp or screen: shows its own color in any light
   bool casts_shadow = true;     ///< false for what is only shown to people
   std::string part_id{};        ///< of the innermost part with an id, as Solid has it
 };

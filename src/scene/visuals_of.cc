@@ -72,6 +72,7 @@ class VisualCollector {
       Visual visual = place;
       visual.shape = DiscOf(lights);
       visual.color = light.color;
+      visual.glows = true;
       visual.X_FV = place.X_FV * PoseOfLight(lights, light.number);
       visuals_.push_back(visual);
     }

@@ -24,22 +24,6 @@ std::string HexColor(const Color& color) {
   return text;
 }
 
-/// Of what is to be seen, the choices whose pieces shine by themselves: lamps, and the robot's
-/// face.
-std::set<int> GlowingChoices(const model::Model& model) {
-  std::set<int> choices;
-  int next = 0;  // of each object its presence, then its controls
-  for (const scene::ObjectSpec& object : model.scene().objects) {
-    ++next;
-    for (const scene::Part* control : scene::ControlsOf(object.whole)) {
-      if (std::holds_alternative<scene::IndicatorLights>(control->shape)) choices.insert(next);
-      ++next;
-    }
-  }
-  if (model.robot() != nullptr) choices.insert(next);
-  return choices;
-}
-
 void DescribeShape(const scene::VisualShape& shape, double unit, const PageMeshes& meshes,
                    Json* visual) {
   const auto units = [unit](double length) { return scene::ToFileUnits(length, unit); };
@@ -59,7 +43,6 @@ void DescribeShape(const scene::VisualShape& shape, double unit, const PageMeshe
 
 Json DescribeVisuals(const model::Model& model, const PageMeshes& meshes) {
   const double unit = model.scene().meters_per_unit;
-  const std::set<int> glowing = GlowingChoices(model);
   Json visuals = Json::array();
   for (const scene::Visual& piece : model.visual_model().visuals) {
     Json visual = {{"frame", piece.frame},
@@ -68,7 +51,7 @@ Json DescribeVisuals(const model::Model& model, const PageMeshes& meshes) {
                    {"color", HexColor(piece.color)},
                    {"choice", piece.choice},
                    {"look", piece.look}};
-    if (glowing.contains(piece.choice)) visual["glows"] = true;
+    if (piece.glows) visual["glows"] = true;
     if (!piece.part_id.empty()) visual["part"] = piece.part_id;
     DescribeShape(piece.shape, unit, meshes, &visual);
     visuals.push_back(std::move(visual));

@@ -60,9 +60,10 @@ TEST(Visuals, KnowTheInnermostPartWithAnId) {
             "one two(floor) two(left) two(right) two(near) two(far) one lamps ");
 }
 
-TEST(Controls, ShowOnlyTheLightsThatAreOn) {
+TEST(Controls, ShowOnlyTheLightsThatAreOnAndThoseGlow) {
   int num_lights_in[2] = {0, 0};
   for (const Visual& visual : VisualsOf(PanelWithAllControls())) {
+    EXPECT_EQ(visual.glows, visual.choice == 2) << "of choice " << visual.choice;
     if (visual.choice == 2) ++num_lights_in[visual.look];
   }
   EXPECT_EQ(num_lights_in[0], 0);

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "base/bytes.h"
+#include "base/files.h"
 #include "record/sight.h"
+#include "robot/urdf_reader.h"
 #include "scene_xml/scene_reader.h"
 #include "studio/pose_stream.h"
 #include "studio/scene_message.h"
@@ -41,6 +43,36 @@ TEST(SceneMessage, TellsAllInUnits) {
   const auto corners = reader.Get<std::uint32_t>(), triangles = reader.Get<std::uint32_t>();
   EXPECT_EQ(bytes.size(), 8 + 24 * corners + 12 * triangles);
   EXPECT_FALSE(meshes.Bytes(1).has_value());
+}
+
+TEST(SceneMessage, TellsWhatGlowsAsFilmsShowIt) {
+  const auto scene = scene_xml::ReadSceneText(
+                         R"xml(<tabletop xmlns="http://synapse.cs.umd.edu/tabletop-xml">
+  <block id="a" color="red" location="(0, 0, 0.5)"/>
+  <indicatorLights id="lamp" location="(6, 3, 0.1)" numLights="2">
+    <state><light id="0" color="green"/></state>
+  </indicatorLights>
+</tabletop>)xml",
+                         "some.xml")
+                         .scene;
+  ASSERT_TRUE(scene.has_value());
+  const model::Model model(
+      *scene, model::RobotPlacement{.model = robot::ReadRobot(DataFile("robots/baxter.urdf"))});
+  const Json message = SceneMessage(1, model, PageMeshes(model.visual_model()),
+                                    record::VisualStateAt(record::StartOf(model), model).looks);
+  const auto& visuals = model.visual_model().visuals;
+  ASSERT_EQ(message["visuals"].size(), visuals.size());
+  int num_lamps = 0, num_of_face = 0;
+  for (std::size_t i = 0; i < visuals.size(); ++i) {
+    const bool is_lamp = visuals[i].part_id == "lamp";
+    const bool is_face = visuals[i].choice == model.visual_model().num_choices - 1;
+    EXPECT_EQ(visuals[i].glows, is_lamp || is_face) << i;
+    EXPECT_EQ(message["visuals"][i].value("glows", false), visuals[i].glows) << i;
+    num_lamps += is_lamp ? 1 : 0;
+    num_of_face += is_face ? 1 : 0;
+  }
+  EXPECT_EQ(num_lamps, 1);
+  EXPECT_GT(num_of_face, 0);
 }
 
 TEST(PoseStream, TellsWhatMovedAndNowAndThenAll) {

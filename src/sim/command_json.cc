@@ -42,7 +42,8 @@ std::string MeaningOf(const CommandField& field) {
 
 void RefuseUnknownKeys(const char* name, const std::vector<CommandField>& fields,
                        const Json& json) {
-  for (const auto& [key, value] : json.items()) {
+  for (const auto& item : json.items()) {
+    const std::string& key = item.key();
     if (key == "do" || key == "tick") continue;
     if (std::ranges::any_of(fields, [&](const auto& field) { return key == field.name; })) continue;
     throw std::invalid_argument("\"" + std::string(name) + "\" has an unknown key \"" + key + "\"");

@@ -66,7 +66,7 @@ std::vector<std::string> NamesOfTouching(const Simulation& simulation, physics::
     std::ranges::copy(physics.BodiesTouching(member), std::back_inserter(touching));
   }
   std::ranges::sort(touching);
-  touching.erase(std::ranges::unique(touching).begin(), touching.end());
+  touching.erase(std::unique(touching.begin(), touching.end()), touching.end());
   std::vector<std::string> names;
   for (physics::BodyId body : touching) {
     if (std::ranges::binary_search(assembly, body)) continue;

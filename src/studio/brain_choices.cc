@@ -54,7 +54,8 @@ void AddProgramsOf(const fs::path& folder, std::vector<FoundProgram>* all) {
     std::optional<BrainChoice> choice = ProgramAt(entry.path());
     if (choice) found[entry.path().filename()] = {entry.path(), *std::move(choice)};
   }
-  for (auto& [name, program] : found) {
+  for (auto& entry : found) {
+    FoundProgram& program = entry.second;
     const bool is_new = std::ranges::none_of(*all, [&](const FoundProgram& other) {
       return fs::equivalent(other.choice.path, program.choice.path, error);
     });

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/wording.h"
+#include "xml/parse.h"
 
 namespace smile::studio {
 namespace {
@@ -20,20 +21,10 @@ std::string BeginningOf(const std::filesystem::path& path) {
   return text;
 }
 
-/// What stands in the first comment, if that comes before the first element, on one line.
-std::string FirstCommentOf(const std::string& xml) {
-  constexpr std::string_view kBegin = "<!--";
-  const std::size_t begin = xml.find(kBegin);
-  const std::size_t end = xml.find("-->", begin);
-  // An element is `<` and a letter; before the comment there may be `<?xml …?>`.
-  std::size_t element = 0;
-  do {
-    element = xml.find('<', element);
-    if (element == std::string::npos) break;
-    ++element;
-  } while (element < xml.size() && (xml[element] == '?' || xml[element] == '!'));
-  if (begin == std::string::npos || end == std::string::npos || begin > element) return "";
-  std::string text = xml.substr(begin + kBegin.size(), end - begin - kBegin.size());
+/// The comment before the root element, on one line; empty without one.
+std::string CommentOf(const std::filesystem::path& path) {
+  // Parsing ends in a fault where the beginning ends; the comment has been read by then.
+  std::string text = xml::Parse(BeginningOf(path), path.string()).comment;
   std::ranges::replace(text, '\n', ' ');
   return Printable(text);
 }
@@ -57,7 +48,7 @@ std::string_view Trimmed(std::string_view text) {
 std::string SceneTitleOf(const std::filesystem::path& path) {
   constexpr std::string_view kAuthor = "Authored for SMILE. ";  // what we ship begins so
   constexpr std::size_t kMaxTitle = 200;
-  const std::string comment = FirstCommentOf(BeginningOf(path));
+  const std::string comment = CommentOf(path);
   std::string_view text = Trimmed(comment);
   if (text.starts_with(kAuthor)) text.remove_prefix(kAuthor.size());
   const std::string_view title = Trimmed(FirstPhraseOf(text));

@@ -13,8 +13,9 @@ struct Attribute {
   bool operator==(const Attribute&) const = default;
 };
 
-/// Element of an XML file with everything inside it. Comments, processing instructions and the
-/// attributes that only concern XML tools (`xsi:…`, `xml:…`, `xmlns…`) are left out.
+/// Element of an XML file with everything inside it. Comments (but see
+/// Parsed::comment), processing instructions and the attributes that only concern XML tools
+/// (`xsi:…`, `xml:…`, `xmlns…`) are left out.
 struct Element {
   std::string name;            ///< without prefix, unless prefixes are part of names
   std::string namespace_name;  ///< empty for none; of a long one the first 100 bytes

@@ -120,6 +120,7 @@ class TreeBuilder {
       Self(self).TakeText({reinterpret_cast<const char*>(text), static_cast<std::size_t>(size)});
     };
     handler.cdataBlock = handler.characters;
+    handler.comment = [](void* self, const xmlChar* text) { Self(self).TakeComment(View(text)); };
     handler.serror = [](void* self, xmlErrorPtr error) { Self(self).TakeSyntaxError(*error); };
     return handler;
   }
@@ -220,6 +221,13 @@ class TreeBuilder {
     if (options_.text == TextPolicy::kRefuse) RefuseText(text);
   }
 
+  void TakeComment(std::string_view text) {
+    const bool is_first_before_root = !parsed_.root && !has_comment_;
+    if (!is_first_before_root) return;
+    has_comment_ = true;
+    parsed_.comment = text.substr(0, limits_.max_comment_bytes);
+  }
+
   /// A long text arrives in pieces; it is one diagnostic.
   void RefuseText(std::string_view text) {
     const auto first = std::ranges::find_if_not(text, IsBlank);
@@ -258,6 +266,7 @@ class TreeBuilder {
   std::vector<Element*> open_;     // from the root inwards
   bool has_refused_text_ = false;  // since the last tag
   bool has_failed_ = false;
+  bool has_comment_ = false;
 };
 
 }  // namespace

@@ -20,6 +20,7 @@ struct Limits {
   int max_attributes = 256;    ///< of one element, declarations of namespaces among them
   int max_namespaces = 8;      ///< declared by one element
   int max_diagnostics = 1000;  ///< about text; the fault that ends parsing comes in addition
+  std::size_t max_comment_bytes = 4096;  ///< of Parsed::comment; a longer one is cut off
 };
 
 /// What happens to text between tags that is not blank.
@@ -54,6 +55,9 @@ struct ParseOptions {
 struct Parsed {
   std::optional<Element> root;  ///< empty when the file is refused; then there is a diagnostic
   std::vector<Diagnostic> diagnostics;  ///< in the order they were found
+  /// The first comment before the root, as it stands between its marks; also that of a file that is
+  /// refused for what follows it.
+  std::string comment;
   int num_elements = 0;
 };
 

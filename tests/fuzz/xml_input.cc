@@ -13,7 +13,8 @@ constexpr xml::Limits kXmlLimits{.max_bytes = 1u << 16,
                                  .max_elements = 200,
                                  .max_attributes = 16,
                                  .max_namespaces = 4,
-                                 .max_diagnostics = 20};
+                                 .max_diagnostics = 20,
+                                 .max_comment_bytes = 100};
 
 std::string EscapedXml(std::string_view text) {
   std::string escaped;
@@ -79,6 +80,7 @@ std::string FaultOf(xml::Parsed parsed, std::string_view text) {
   if (static_cast<int>(parsed.diagnostics.size()) > kXmlLimits.max_diagnostics + 1) {
     return "more diagnostics than the limit";
   }
+  if (parsed.comment.size() > kXmlLimits.max_comment_bytes) return "a comment beyond the limit";
   if (!parsed.root) return parsed.diagnostics.empty() ? "refused without a reason" : "";
   int num_elements = 0;
   const int max_line = 1 + static_cast<int>(std::ranges::count(text, '\n'));

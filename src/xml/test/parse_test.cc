@@ -48,6 +48,20 @@ TEST(Parse, ReturnsElementsWithAttributesTextAndLines) {
   EXPECT_EQ(root.FindChild("d"), nullptr);
 }
 
+TEST(Parse, KeepsTheFirstCommentBeforeTheRoot) {
+  const auto comment_of = [](std::string_view text, const ParseOptions& options = {}) {
+    return Parse(text, "f.xml", options).comment;
+  };
+  EXPECT_EQ(comment_of("<?xml version='1.0'?>\n<!-- one\n<two> &lt; --><!--three--><a/>"),
+            " one\n<two> &lt; ");
+  EXPECT_EQ(comment_of("<!----><!--second--><a/>"), "");
+  EXPECT_EQ(comment_of("<a><!--inside--></a><!--behind-->"), "");
+  EXPECT_EQ(comment_of("<!--kept--><a><b"), "kept") << "of a file that is cut off";
+  EXPECT_EQ(comment_of("<!--no end"), "");
+  EXPECT_EQ(comment_of("<!--" + std::string(9'000'000, 'x') + "--><a/>"), std::string(4096, 'x'));
+  EXPECT_EQ(comment_of("<!--abc--><a/>", {.limits = {.max_comment_bytes = 2}}), "ab");
+}
+
 TEST(Parse, ReportsNamespacesAndLeavesOutWhatIsForTools) {
   const Element root = MustParse(
       "<p:a xmlns:p='urn:p' xmlns='urn:q' xmlns:xsi='http://www.w3.org/2001/XMLSchema-instance'"

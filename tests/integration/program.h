@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <string>
 
 #include "base/files.h"
@@ -33,7 +34,10 @@ class ProgramTest : public ::testing::Test {
         std::filesystem::temp_directory_path() / ("smile_" + std::to_string(getpid()) + "_" + test);
     std::filesystem::create_directories(directory_);
   }
-  ~ProgramTest() override { std::filesystem::remove_all(directory_); }
+  ~ProgramTest() override {
+    if (HasFailure()) std::cerr << complaints_;
+    std::filesystem::remove_all(directory_);
+  }
 
   /// Runs a line of shell in which `smile` is the program.
   Answer Shell(const std::string& line) const {
@@ -41,8 +45,13 @@ class ProgramTest : public ::testing::Test {
                                directory_.string() + "'; { " + line + "\n} >out.txt 2>err.txt";
     Write("script.sh", script);
     const int status = std::system(("bash '" + (directory_ / "script.sh").string() + "'").c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), Read("out.txt"),
-            Read("err.txt")};
+    Answer answer{WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
+                  Read("out.txt"), Read("err.txt")};
+    if (answer.exit_code != 0) {
+      complaints_ +=
+          "[ exit " + std::to_string(answer.exit_code) + " ] " + line + "\n" + answer.err;
+    }
+    return answer;
   }
   Answer Smile(const std::string& arguments) const { return Shell("smile " + arguments); }
 
@@ -60,6 +69,10 @@ class ProgramTest : public ::testing::Test {
   }
 
   std::filesystem::path directory_;
+
+ private:
+  /// What the program said whenever it did not exit with 0: shown when the test fails.
+  mutable std::string complaints_;
 };
 
 /// `root.xml` with this inside.

@@ -5,7 +5,7 @@
 
 #include "app/commands.h"
 #include "app/exit_code.h"
-#include "studio/page_protocol.h"
+#include "page/page_protocol.h"
 
 namespace smile::app {
 namespace {
@@ -15,8 +15,8 @@ struct ProtocolTable {
   bool news = false, typescript = false;
 
   std::string Text() const {
-    if (typescript) return studio::ProtocolTypeScript();
-    return news ? studio::NewsMarkdown() : studio::RequestMarkdown();
+    if (typescript) return page::ProtocolTypeScript();
+    return news ? page::NewsMarkdown() : page::RequestMarkdown();
   }
 };
 

@@ -7,12 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "studio/library.h"
+#include "library/library.h"
+#include "library/playback.h"
+#include "page/request_fields.h"
 #include "studio/live_brain.h"
 #include "studio/live_world.h"
-#include "studio/playback.h"
 #include "studio/rage.h"
-#include "studio/request_fields.h"
 #include "studio/resting_place.h"
 #include "studio/scene_meshes.h"
 #include "studio/session.h"
@@ -25,11 +25,11 @@ class Session::Impl {
  public:
   explicit Impl(SessionOptions options);
 
-  RequestTable& requests() { return requests_; }
+  page::RequestTable& requests() { return requests_; }
   double speed_factor() const { return speed_factor_; }
   void SetMeasuredSpeed(double factor) { measured_speed_ = factor; }
   bool Tick();
-  const View& view() const;
+  const library::View& view() const;
   News TakeNews();
   std::vector<Json> Everything() const;
   std::optional<std::string> MeshBytes(std::uint32_t scene, std::size_t mesh) const;
@@ -49,24 +49,24 @@ class Session::Impl {
   void AddSceneRequests();
   void AddRecordingRequests();
   void AddBrainRequests();
-  Json Command(const Request& request);
+  Json Command(const page::Request& request);
   /// What a page's `command` means now, snapped unless it is to be exact.
   sim::Command MeantBy(const Json& wanted, bool is_exact);
-  Json Load(const RequestFields& fields);
-  Json Check(const RequestFields& fields) const;
-  Json Spawn(const RequestFields& fields);
-  Json Clear(const RequestFields& fields);
-  Json FindRestingPlace(const RequestFields& fields);
-  Json Show(const RequestFields& fields);
-  Json Branch(const Request& request);
+  Json Load(const page::RequestFields& fields);
+  Json Check(const page::RequestFields& fields) const;
+  Json Spawn(const page::RequestFields& fields);
+  Json Clear(const page::RequestFields& fields);
+  Json FindRestingPlace(const page::RequestFields& fields);
+  Json Show(const page::RequestFields& fields);
+  Json Branch(const page::Request& request);
   Json DescribeBrains() const;
-  Json StartBrain(const RequestFields& fields);
-  Json Imitate(const RequestFields& fields);
+  Json StartBrain(const page::RequestFields& fields);
+  Json Imitate(const page::RequestFields& fields);
 
   // Scenes (session_scenes.cc).
   scene::SceneSpec ReadNamedScene(const std::string& name) const;
-  scene_xml::SceneReading ReadText(const RequestFields& fields) const;
-  scene::SceneSpec ReadSceneOf(const RequestFields& fields) const;
+  scene_xml::SceneReading ReadText(const page::RequestFields& fields) const;
+  scene::SceneSpec ReadSceneOf(const page::RequestFields& fields) const;
   record::RecordingDesk::Options DeskOptions() const;
   std::unique_ptr<LiveWorld> MakeWorld(scene::SceneSpec scene,
                                        std::optional<sim::RobotPlacement> robot);
@@ -95,18 +95,18 @@ class Session::Impl {
   Json DescribeScene() const;
   Json DescribeState() const;
   const sim::Simulation& shown() const;
-  BrainChoice FindBrain(const std::string& name) const;
-  std::vector<BrainChoice> Brains() const;
-  void RunBrain(const BrainChoice& choice, const std::filesystem::path& demonstration);
+  library::BrainChoice FindBrain(const std::string& name) const;
+  std::vector<library::BrainChoice> Brains() const;
+  void RunBrain(const library::BrainChoice& choice, const std::filesystem::path& demonstration);
   /// Begins to record the imitation that starts now; its directory.
   std::filesystem::path RecordImitation(const record::Recording& demonstration);
 
   SessionOptions options_;
-  Library library_;
+  library::Library library_;
   scene::SceneSpec loaded_;  ///< what a reload gives
   std::unique_ptr<LiveWorld> world_;
-  std::unique_ptr<Playback> playback_;  ///< nullptr unless a recording is shown
-  std::unique_ptr<Rage> rage_;          ///< nullptr unless the robot clears the table
+  std::unique_ptr<library::Playback> playback_;  ///< nullptr unless a recording is shown
+  std::unique_ptr<Rage> rage_;                   ///< nullptr unless the robot clears the table
   bool is_branching_ = false;  ///< the world that goes on with a recording is in the making
   LiveBrain brain_;
   std::optional<Imitation> imitation_;
@@ -117,7 +117,7 @@ class Session::Impl {
   bool is_paused_ = false;
   double speed_factor_ = 1, measured_speed_ = 1;
 
-  RequestTable requests_;
+  page::RequestTable requests_;
   std::vector<Json> messages_;
   std::optional<Image> picture_;
   bool is_picture_recorded_ = false;
@@ -133,7 +133,7 @@ class Session::Impl {
   std::uint32_t scene_number_ = 0;
   SceneMeshes meshes_;
   std::shared_ptr<const PageMeshes> present_meshes_;
-  mutable std::optional<View> view_;  ///< nullopt when something may have moved since
+  mutable std::optional<library::View> view_;  ///< nullopt when something may have moved since
 };
 
 }  // namespace smile::studio

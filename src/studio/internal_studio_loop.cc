@@ -10,7 +10,7 @@ using Clock = std::chrono::steady_clock;
 
 }  // namespace
 
-StudioLoop::StudioLoop(Workplace* workplace, Server* server)
+StudioLoop::StudioLoop(Workplace* workplace, page::Server* server)
     : workplace_(workplace), server_(server), pacer_(Clock::now()), press_(server) {}
 
 void StudioLoop::Beat() {
@@ -19,7 +19,7 @@ void StudioLoop::Beat() {
   CarryOutRequests();
   DoTicks(ticks_due);
   workplace_->SetMeasuredSpeed(pacer_.speed());
-  const Poses poses = workplace_->NextPoses();
+  const page::Poses poses = workplace_->NextPoses();
   // What poses are of is told before them.
   TellNews(poses);
   TellNewClients();
@@ -27,10 +27,10 @@ void StudioLoop::Beat() {
 }
 
 void StudioLoop::CarryOutRequests() {
-  for (const Request& request : server_->TakeRequests()) {
+  for (const page::Request& request : server_->TakeRequests()) {
     const Json answer =
         Answer(workplace_->requests(), request, server_->IsController(request.client));
-    if (!IsLater(answer)) server_->Send(request.client, answer);
+    if (!page::IsLater(answer)) server_->Send(request.client, answer);
   }
 }
 
@@ -45,10 +45,10 @@ void StudioLoop::DoTicks(int count) {
   pacer_.EndBeat(done, is_waiting ? count - done : 0, Clock::now());
 }
 
-void StudioLoop::TellNews(const Poses& poses) {
+void StudioLoop::TellNews(const page::Poses& poses) {
   News news = workplace_->TakeNews();
   for (const Json& message : news.messages) server_->SendToAll(message);
-  for (const Letter& letter : TakeLetters(workplace_->requests())) {
+  for (const page::Letter& letter : TakeLetters(workplace_->requests())) {
     if (letter.client == 0) {
       server_->SendToAll(letter.message);
     } else {
@@ -64,7 +64,7 @@ void StudioLoop::TellNews(const Poses& poses) {
 }
 
 void StudioLoop::TellNewClients() {
-  for (const ClientId client : server_->TakeNewClients()) {
+  for (const page::ClientId client : server_->TakeNewClients()) {
     for (const Json& message : workplace_->Everything()) server_->Send(client, message);
   }
 }

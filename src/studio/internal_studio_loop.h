@@ -1,8 +1,8 @@
 #pragma once
 
+#include "page/server.h"
 #include "studio/internal_pacer.h"
 #include "studio/internal_view_press.h"
-#include "studio/server.h"
 #include "studio/workplace.h"
 
 namespace smile::studio {
@@ -12,7 +12,7 @@ namespace smile::studio {
 class StudioLoop {
  public:
   /// Both must outlive this.
-  StudioLoop(Workplace* workplace, Server* server);
+  StudioLoop(Workplace* workplace, page::Server* server);
 
   void Beat();
   /// When the next is due.
@@ -22,11 +22,11 @@ class StudioLoop {
   void CarryOutRequests();
   /// As many as there is time for.
   void DoTicks(int count);
-  void TellNews(const Poses& poses);
+  void TellNews(const page::Poses& poses);
   void TellNewClients();
 
   Workplace* workplace_;
-  Server* server_;
+  page::Server* server_;
   Pacer pacer_;
   ViewPress press_;
 };

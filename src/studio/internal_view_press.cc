@@ -6,7 +6,7 @@
 
 namespace smile::studio {
 
-ViewPress::ViewPress(Server* server) : server_(server), thread_([this] { Work(); }) {}
+ViewPress::ViewPress(page::Server* server) : server_(server), thread_([this] { Work(); }) {}
 
 ViewPress::~ViewPress() {
   {

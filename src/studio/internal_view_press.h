@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "image/image.h"
-#include "studio/server.h"
+#include "page/server.h"
 
 namespace smile::studio {
 
@@ -15,7 +15,7 @@ namespace smile::studio {
 /// wait for it. When views come faster than it works, the newest counts.
 class ViewPress {
  public:
-  explicit ViewPress(Server* server);
+  explicit ViewPress(page::Server* server);
   ~ViewPress();
   ViewPress(const ViewPress&) = delete;
   ViewPress& operator=(const ViewPress&) = delete;
@@ -32,7 +32,7 @@ class ViewPress {
   /// nullopt when the work is over.
   std::optional<View> Next();
 
-  Server* server_;
+  page::Server* server_;
   std::mutex mutex_;
   std::condition_variable changed_;
   std::optional<View> next_;

@@ -13,25 +13,25 @@
 namespace smile::studio {
 namespace {
 
-std::optional<std::string> TextIfGiven(const Request& request, const char* key) {
+std::optional<std::string> TextIfGiven(const page::Request& request, const char* key) {
   const auto field = request.fields.find(key);
   if (field == request.fields.end() || field->is_null()) return std::nullopt;
   if (!field->is_string()) {
-    throw RequestError("\"" + std::string(key) + "\" is " + field->type_name() +
-                       ", expected a text");
+    throw page::RequestError("\"" + std::string(key) + "\" is " + field->type_name() +
+                             ", expected a text");
   }
   return field->get<std::string>();
 }
 
-std::string TextOf(const Request& request, const char* key) {
+std::string TextOf(const page::Request& request, const char* key) {
   auto text = TextIfGiven(request, key);
-  if (!text) throw RequestError("\"" + std::string(key) + "\" is missing");
+  if (!text) throw page::RequestError("\"" + std::string(key) + "\" is missing");
   return *std::move(text);
 }
 
-std::vector<record::Edit> EditsOf(const Request& request) {
+std::vector<record::Edit> EditsOf(const page::Request& request) {
   const auto field = request.fields.find("edits");
-  if (field == request.fields.end()) throw RequestError("\"edits\" is missing");
+  if (field == request.fields.end()) throw page::RequestError("\"edits\" is missing");
   return record::ParseEdits(*field);
 }
 
@@ -57,50 +57,50 @@ Json MakeEdits(const std::filesystem::path& directory, const std::vector<record:
   return {{"recording", made.filename().string()}, {"report", ToJson(report)}};
 }
 
-void AddLookUps(const Library* library, Workshop* workshop, RequestTable* table) {
-  const auto list = [library, workshop](const Request& request) {
+void AddLookUps(const library::Library* library, Workshop* workshop, page::RequestTable* table) {
+  const auto list = [library, workshop](const page::Request& request) {
     const auto work = [library](const record::Progress&) -> Json {
       return {{"recordings", library->List()}};
     };
     workshop->Begin({.request = request, .work = work});
-    return AnswersLater();
+    return page::AnswersLater();
   };
   table->entries["library"] = {list, /*is_for_anyone=*/true};
-  const auto open = [library, workshop](const Request& request) {
+  const auto open = [library, workshop](const page::Request& request) {
     const auto work = [library,
                        id = TextOf(request, "recording")](const record::Progress&) -> Json {
       return {{"timeline", library->TimelineOf(id)}};
     };
     workshop->Begin({.request = request, .work = work, .replaces_older = true});
-    return AnswersLater();
+    return page::AnswersLater();
   };
   table->entries["open"] = {open, /*is_for_anyone=*/true};
 }
 
-void AddTidying(const Library* library, RequestTable* table) {
-  table->entries["rename"] = {[library](const Request& request) {
+void AddTidying(const library::Library* library, page::RequestTable* table) {
+  table->entries["rename"] = {[library](const page::Request& request) {
     library->Rename(TextOf(request, "recording"), TextIfGiven(request, "title"),
                     TextIfGiven(request, "notes"));
     return Json::object();
   }};
-  table->entries["bin"] = {[library](const Request& request) -> Json {
+  table->entries["bin"] = {[library](const page::Request& request) -> Json {
     return {{"recording", library->Bin(TextOf(request, "recording"))}};
   }};
-  table->entries["unbin"] = {[library](const Request& request) -> Json {
+  table->entries["unbin"] = {[library](const page::Request& request) -> Json {
     return {{"recording", library->Unbin(TextOf(request, "recording"))}};
   }};
 }
 
-void AddEditing(const Library* library, Workshop* workshop, RequestTable* table) {
-  table->entries["try_edit"] = {[library, workshop](const Request& request) {
+void AddEditing(const library::Library* library, Workshop* workshop, page::RequestTable* table) {
+  table->entries["try_edit"] = {[library, workshop](const page::Request& request) {
     const auto directory = library->DirectoryOf(TextOf(request, "recording"));
     const auto work = [directory, edits = EditsOf(request)](const record::Progress& progress) {
       return TryEdits(directory, edits, progress);
     };
     workshop->Begin({.request = request, .work = work, .replaces_older = true});
-    return AnswersLater();
+    return page::AnswersLater();
   }};
-  table->entries["edit"] = {[library, workshop](const Request& request) {
+  table->entries["edit"] = {[library, workshop](const page::Request& request) {
     const auto directory = library->DirectoryOf(TextOf(request, "recording"));
     const std::string title = TextOf(request, "name");
     record::CheckTitle(title);
@@ -109,17 +109,18 @@ void AddEditing(const Library* library, Workshop* workshop, RequestTable* table)
       return MakeEdits(directory, edits, root, title, progress);
     };
     workshop->Begin({.request = request, .work = work});
-    return AnswersLater();
+    return page::AnswersLater();
   }};
 }
 
 /// Tells everyone when recordings came or went, whoever did that: a program or a person.
 class LibraryWatch {
  public:
-  explicit LibraryWatch(const Library* library) : library_(library), stamp_(library->Stamp()) {}
+  explicit LibraryWatch(const library::Library* library)
+      : library_(library), stamp_(library->Stamp()) {}
 
   /// To be called 60 times a second; looks once a second.
-  std::vector<Letter> TakeLetters() {
+  std::vector<page::Letter> TakeLetters() {
     constexpr int kCallsBetween = 60;
     if (++num_calls_ % kCallsBetween != 0) return {};
     std::string now = library_->Stamp();
@@ -128,14 +129,15 @@ class LibraryWatch {
   }
 
  private:
-  const Library* library_;
+  const library::Library* library_;
   std::string stamp_;
   int num_calls_ = 0;
 };
 
 }  // namespace
 
-void AddLibraryRequests(const Library* library, Workshop* workshop, RequestTable* table) {
+void AddLibraryRequests(const library::Library* library, Workshop* workshop,
+                        page::RequestTable* table) {
   AddLookUps(library, workshop, table);
   AddTidying(library, table);
   AddEditing(library, workshop, table);

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "studio/library.h"
-#include "studio/requests.h"
+#include "library/library.h"
+#include "page/requests.h"
 #include "studio/workshop.h"
 
 namespace smile::studio {
@@ -10,6 +10,7 @@ namespace smile::studio {
 /// and `edit`. What takes its time is done in the workshop, whose letters the table passes on.
 ///
 /// Both must outlive the table, and the library the workshop.
-void AddLibraryRequests(const Library* library, Workshop* workshop, RequestTable* table);
+void AddLibraryRequests(const library::Library* library, Workshop* workshop,
+                        page::RequestTable* table);
 
 }  // namespace smile::studio

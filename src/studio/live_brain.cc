@@ -10,7 +10,7 @@ constexpr std::chrono::milliseconds kMoment(4);
 
 }  // namespace
 
-void LiveBrain::Start(const BrainChoice& choice, const brain::BrainDriverOptions& options,
+void LiveBrain::Start(const library::BrainChoice& choice, const brain::BrainDriverOptions& options,
                       sim::Simulation* simulation) {
   Leave();
   name_ = choice.name;

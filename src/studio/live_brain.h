@@ -10,7 +10,7 @@
 #include "base/json.h"
 #include "brain/brain_driver.h"
 #include "brain/brain_thread.h"
-#include "studio/brain_choices.h"
+#include "library/brain_choices.h"
 #include "studio/console.h"
 
 namespace smile::studio {
@@ -30,7 +30,7 @@ class LiveBrain {
   /// Begins to start it, instead of what ran before.
   /// @throws InputError, std::invalid_argument or std::runtime_error if it cannot be started: see
   ///         brain::BrainProcess and brain::BrainDriver. What goes wrong later, Describe() tells.
-  void Start(const BrainChoice& choice, const brain::BrainDriverOptions& options,
+  void Start(const library::BrainChoice& choice, const brain::BrainDriverOptions& options,
              sim::Simulation* simulation);
   /// Looks whether it has started; to be called often, also while time stands still.
   void Attend(sim::Simulation* simulation);

@@ -7,7 +7,8 @@ namespace {
 
 constexpr int kTicksBetweenAll = 60;
 
-void Append(std::uint32_t frame, const RigidTransform& X_WF, double meters_per_unit, Poses* poses) {
+void Append(std::uint32_t frame, const RigidTransform& X_WF, double meters_per_unit,
+            page::Poses* poses) {
   const Vector3 p = scene::ToFileUnits(X_WF.translation(), meters_per_unit);
   const Quaternion q = X_WF.quaternion();
   poses->frames.push_back(frame);
@@ -18,9 +19,9 @@ void Append(std::uint32_t frame, const RigidTransform& X_WF, double meters_per_u
 
 }  // namespace
 
-Poses PoseStream::Next(const View& view) {
+page::Poses PoseStream::Next(const library::View& view) {
   const scene::FramePoses& now = view.state.poses;
-  Poses poses{.scene = view.scene, .tick = static_cast<std::uint32_t>(view.tick)};
+  page::Poses poses{.scene = view.scene, .tick = static_cast<std::uint32_t>(view.tick)};
   poses.is_key =
       view.scene != scene_ || now.size() != told_.size() || ++since_all_ >= kTicksBetweenAll;
   // Frame 0 is the world, which never moves.

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "studio/server.h"
-#include "studio/stage.h"
+#include "library/view.h"
+#include "page/server.h"
 
 namespace smile::studio {
 
@@ -10,7 +10,7 @@ namespace smile::studio {
 class PoseStream {
  public:
   /// To be called 60 times a second. Without frames there is nothing to tell.
-  Poses Next(const View& view);
+  page::Poses Next(const library::View& view);
   /// The next is of all frames: somebody new has come.
   void TellAll() { told_.clear(); }
 

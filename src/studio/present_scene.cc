@@ -4,7 +4,7 @@
 #include <map>
 #include <optional>
 
-#include "studio/requests.h"
+#include "page/requests.h"
 
 namespace smile::studio {
 namespace {
@@ -177,8 +177,9 @@ scene::SceneSpec PresentScene(const sim::Simulation& simulation) {
     const std::size_t num_pieces = chain.link_ids.size() + 2;
     const std::size_t num_left = CountLeft(chain, is_gone);
     if (num_left > 0 && num_left < num_pieces) {
-      throw RequestError("the string '" + chain.id +
-                         "' lost a piece and cannot be put into a scene; undo that, or reload");
+      throw page::RequestError(
+          "the string '" + chain.id +
+          "' lost a piece and cannot be put into a scene; undo that, or reload");
     }
     std::fill_n(is_piece.begin() + static_cast<std::ptrdiff_t>(chain.first_object), num_pieces,
                 true);

@@ -11,10 +11,10 @@
 #include "base/uniform.h"
 #include "base/wording.h"
 #include "math/angles.h"
+#include "page/requests.h"
 #include "scene/bounds.h"
 #include "scene/units.h"
 #include "studio/present_scene.h"
-#include "studio/requests.h"
 
 namespace smile::studio {
 namespace {
@@ -123,8 +123,8 @@ const Recipe& FindRecipe(const std::string& name) {
     if (name == recipe.preset.name) return recipe;
     known.emplace_back(recipe.preset.name);
   }
-  throw RequestError("\"preset\" is " + Quoted(name) + ", expected " + OneOf(known) +
-                     DidYouMean(name, known));
+  throw page::RequestError("\"preset\" is " + Quoted(name) + ", expected " + OneOf(known) +
+                           DidYouMean(name, known));
 }
 
 /// `ball_1`, or the next number that is free.
@@ -196,7 +196,7 @@ scene::SceneSpec WithPreset(scene::SceneSpec scene, const std::string& preset, s
   FindRecipe(preset).make(&maker);
   std::vector<scene::ObjectSpec> things = maker.Take();
   const auto X_WA = PlaceFinder(scene).Find(things, &random);
-  if (!X_WA) throw RequestError("there is no free place on the table");
+  if (!X_WA) throw page::RequestError("there is no free place on the table");
   std::set<std::string> ids = IdsOf(scene);
   for (scene::ObjectSpec& thing : things) {
     thing.whole.id = NewId(thing.whole.id, &ids);

@@ -1,13 +1,13 @@
 #include "studio/rage.h"
 
 #include "base/uniform.h"
-#include "studio/requests.h"
+#include "page/requests.h"
 
 namespace smile::studio {
 
 Rage::Rage(const sim::Simulation& simulation) : copy_(simulation.shared_model()) {
   if (copy_.robot() == nullptr || copy_.robot()->num_arms() == 0) {
-    throw RequestError("there is no robot to clear the table");
+    throw page::RequestError("there is no robot to clear the table");
   }
   copy_.Restore(simulation.Save());
   for (const sim::HandName hand : demonstrator::kHandNames) {

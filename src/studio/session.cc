@@ -45,16 +45,16 @@ const sim::Simulation& Session::Impl::shown() const {
   return rage_ ? rage_->simulation() : world_->simulation();
 }
 
-const View& Session::Impl::view() const {
+const library::View& Session::Impl::view() const {
   if (view_) return *view_;
   if (playback_) {
     view_ = playback_->view();
     view_->meters_per_unit = playback_->recording().info.meters_per_unit;
   } else {
-    view_ = View{.model = &shown().model().visual_model(),
-                 .state = shown().visual_state(),
-                 .tick = shown().tick(),
-                 .meters_per_unit = shown().scene().meters_per_unit};
+    view_ = library::View{.model = &shown().model().visual_model(),
+                          .state = shown().visual_state(),
+                          .tick = shown().tick(),
+                          .meters_per_unit = shown().scene().meters_per_unit};
   }
   view_->scene = scene_number_;
   return *view_;
@@ -253,12 +253,12 @@ std::optional<std::string> Session::Impl::MeshBytes(std::uint32_t scene, std::si
 
 Session::Session(SessionOptions options) : impl_(std::make_unique<Impl>(std::move(options))) {}
 Session::~Session() = default;
-RequestTable& Session::requests() { return impl_->requests(); }
-const RequestTable& Session::requests() const { return impl_->requests(); }
+page::RequestTable& Session::requests() { return impl_->requests(); }
+const page::RequestTable& Session::requests() const { return impl_->requests(); }
 double Session::speed_factor() const { return impl_->speed_factor(); }
 void Session::SetMeasuredSpeed(double factor) { impl_->SetMeasuredSpeed(factor); }
 bool Session::Tick() { return impl_->Tick(); }
-View Session::view() const { return impl_->view(); }
+library::View Session::view() const { return impl_->view(); }
 News Session::TakeNews() { return impl_->TakeNews(); }
 std::vector<Json> Session::Everything() const { return impl_->Everything(); }
 std::optional<std::string> Session::MeshBytes(std::uint32_t scene, std::size_t mesh) const {

@@ -8,12 +8,12 @@
 
 #include "base/json.h"
 #include "image/image.h"
+#include "library/view.h"
+#include "page/requests.h"
 #include "record/recording_desk.h"
 #include "scene_xml/scene_reader.h"
 #include "sim/eye.h"
 #include "sim/simulation.h"
-#include "studio/requests.h"
-#include "studio/stage.h"
 #include "studio/workshop.h"
 
 namespace smile::studio {
@@ -54,8 +54,8 @@ class Session {
   Session& operator=(const Session&) = delete;
 
   /// All that may be asked of it; others may add what they can do.
-  RequestTable& requests();
-  const RequestTable& requests() const;
+  page::RequestTable& requests();
+  const page::RequestTable& requests() const;
   /// How fast people want time to go, of real time: the loop that calls Tick() keeps to it.
   double speed_factor() const;
   /// What came of that over the last second.
@@ -64,7 +64,7 @@ class Session {
   /// @returns false if the world stood still because a robot program starts or thinks.
   bool Tick();
   /// What is to be seen now.
-  View view() const;
+  library::View view() const;
   /// What was to be told since this was last asked.
   News TakeNews();
   /// All a new client has to know: scene, looks, what robot programs printed and achieved, and last

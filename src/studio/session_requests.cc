@@ -8,6 +8,7 @@
 #include "base/files.h"
 #include "base/wording.h"
 #include "experiment/brain_setup.h"
+#include "page/snap_names.h"
 #include "picture/rendered_eye.h"
 #include "record/recording_history.h"
 #include "record/recording_names.h"
@@ -33,7 +34,7 @@ Json DescribeFindings(const std::vector<Diagnostic>& findings) {
   return described;
 }
 
-sim::HandName HandOf(const RequestFields& fields) {
+sim::HandName HandOf(const page::RequestFields& fields) {
   constexpr std::array<std::string_view, 4> kHands = {"left", "right", "both", "any"};
   // One of them, or it has thrown.
   return demonstrator::ParseHandName(fields.Word("hand", kHands)).value_or(sim::HandName::kAny);
@@ -74,26 +75,27 @@ std::unique_ptr<LiveWorld> GoOnWith(const std::filesystem::path& directory, cons
 }  // namespace
 
 void Session::Impl::RequireLive() const {
-  if (playback_) throw RequestError("a recording is shown: go back to the live world first");
-  if (rage_) throw RequestError("the robot clears the table: wait until it is over");
+  if (playback_) throw page::RequestError("a recording is shown: go back to the live world first");
+  if (rage_) throw page::RequestError("the robot clears the table: wait until it is over");
 }
 
 void Session::Impl::RequireNoBranching() const {
   if (is_branching_) {
-    throw RequestError("the world goes back to a moment of a recording: wait until it is there");
+    throw page::RequestError(
+        "the world goes back to a moment of a recording: wait until it is there");
   }
 }
 
 void Session::Impl::RequireNoRecording() const {
   RequireNoBranching();
   if (world_->is_recording()) {
-    throw RequestError("a recording is in the making: finish it first");
+    throw page::RequestError("a recording is in the making: finish it first");
   }
 }
 
 void Session::Impl::RequireIdleRobot() const {
-  if (!options_.robot) throw RequestError("there is no robot");
-  if (brain_.is_running()) throw RequestError("a robot program is running: stop it first");
+  if (!options_.robot) throw page::RequestError("there is no robot");
+  if (brain_.is_running()) throw page::RequestError("a robot program is running: stop it first");
 }
 
 void Session::Impl::AddRequests() {
@@ -105,89 +107,98 @@ void Session::Impl::AddRequests() {
 
 void Session::Impl::AddWorldRequests() {
   auto& entries = requests_.entries;
-  entries["command"] = {[this](const Request& request) { return Command(request); }};
-  entries["pause"] = {[this](const Request&) {
+  entries["command"] = {[this](const page::Request& request) { return Command(request); }};
+  entries["pause"] = {[this](const page::Request&) {
     is_paused_ = true;
     return Json::object();
   }};
-  entries["resume"] = {[this](const Request&) {
+  entries["resume"] = {[this](const page::Request&) {
     is_paused_ = false;
     return Json::object();
   }};
-  entries["speed"] = {[this](const Request& request) {
-    speed_factor_ = RequestFields(request).Number("factor", 0.1, 4);
+  entries["speed"] = {[this](const page::Request& request) {
+    speed_factor_ = page::RequestFields(request).Number("factor", 0.1, 4);
     return Json::object();
   }};
-  entries["snap"] = {[this](const Request& request) {
-    snapper_.to = SnapToOf(RequestFields(request).Words("to", kSnapNames));
+  entries["snap"] = {[this](const page::Request& request) {
+    snapper_.to = SnapToOf(page::RequestFields(request).Words("to", page::kSnapNames));
     return Json::object();
   }};
-  entries["resting_place"] = {
-      [this](const Request& request) { return FindRestingPlace(RequestFields(request)); }};
+  entries["resting_place"] = {[this](const page::Request& request) {
+    return FindRestingPlace(page::RequestFields(request));
+  }};
 }
 
 void Session::Impl::AddSceneRequests() {
   auto& entries = requests_.entries;
-  entries["load"] = {[this](const Request& request) { return Load(RequestFields(request)); }};
-  entries["reload"] = {[this](const Request&) {
+  entries["load"] = {
+      [this](const page::Request& request) { return Load(page::RequestFields(request)); }};
+  entries["reload"] = {[this](const page::Request&) {
     RequireNoRecording();
     Enter(MakeWorld(loaded_, options_.robot));
     return Json::object();
   }};
-  entries["check"] = {[this](const Request& request) { return Check(RequestFields(request)); },
-                      /*is_for_anyone=*/true};
-  entries["spawn"] = {[this](const Request& request) { return Spawn(RequestFields(request)); }};
-  entries["clear"] = {[this](const Request& request) { return Clear(RequestFields(request)); }};
+  entries["check"] = {
+      [this](const page::Request& request) { return Check(page::RequestFields(request)); },
+      /*is_for_anyone=*/true};
+  entries["spawn"] = {
+      [this](const page::Request& request) { return Spawn(page::RequestFields(request)); }};
+  entries["clear"] = {
+      [this](const page::Request& request) { return Clear(page::RequestFields(request)); }};
 }
 
 void Session::Impl::AddRecordingRequests() {
   auto& entries = requests_.entries;
-  entries["show"] = {[this](const Request& request) { return Show(RequestFields(request)); }};
-  entries["play"] = {[this](const Request& request) {
-    const double rate =
-        RequestFields(request).OptionalNumber("rate", 0, Playback::kMaxRate).value_or(1);
-    if (!playback_) throw RequestError("no recording is shown");
+  entries["show"] = {
+      [this](const page::Request& request) { return Show(page::RequestFields(request)); }};
+  entries["play"] = {[this](const page::Request& request) {
+    const double rate = page::RequestFields(request)
+                            .OptionalNumber("rate", 0, library::Playback::kMaxRate)
+                            .value_or(1);
+    if (!playback_) throw page::RequestError("no recording is shown");
     playback_->SetRate(rate);
     return Json::object();
   }};
-  entries["live"] = {[this](const Request&) {
-    if (!playback_) throw RequestError("no recording is shown");
+  entries["live"] = {[this](const page::Request&) {
+    if (!playback_) throw page::RequestError("no recording is shown");
     view_.reset();
     playback_.reset();
     TellAllOfScene();
     return Json::object();
   }};
-  entries["branch"] = {[this](const Request& request) { return Branch(request); }};
+  entries["branch"] = {[this](const page::Request& request) { return Branch(request); }};
 }
 
 void Session::Impl::AddBrainRequests() {
   auto& entries = requests_.entries;
-  entries["brains"] = {[this](const Request&) { return DescribeBrains(); },
+  entries["brains"] = {[this](const page::Request&) { return DescribeBrains(); },
                        /*is_for_anyone=*/true};
   entries["start_brain"] = {
-      [this](const Request& request) { return StartBrain(RequestFields(request)); }};
-  entries["stop_brain"] = {[this](const Request&) {
-    if (!brain_.is_running()) throw RequestError("no robot program is running");
+      [this](const page::Request& request) { return StartBrain(page::RequestFields(request)); }};
+  entries["stop_brain"] = {[this](const page::Request&) {
+    if (!brain_.is_running()) throw page::RequestError("no robot program is running");
     brain_.Stop(&world_->simulation());
     EndImitation();
     return Json::object();
   }};
-  entries["imitate"] = {[this](const Request& request) { return Imitate(RequestFields(request)); }};
+  entries["imitate"] = {
+      [this](const page::Request& request) { return Imitate(page::RequestFields(request)); }};
 }
 
-Json Session::Impl::Command(const Request& request) {
+Json Session::Impl::Command(const page::Request& request) {
   RequireLive();
-  const RequestFields fields(request);
+  const page::RequestFields fields(request);
   const sim::Command command = MeantBy(fields.Object("command"), fields.Flag("exact"));
   const bool turns_back =
       std::holds_alternative<sim::Undo>(command) || std::holds_alternative<sim::Redo>(command);
   if (turns_back && brain_.is_running()) {
-    throw RequestError("a robot program is running and cannot turn back in time: stop it first");
+    throw page::RequestError(
+        "a robot program is running and cannot turn back in time: stop it first");
   }
   const bool is_start = std::holds_alternative<sim::StartRecording>(command);
   if (is_start) RequireNoBranching();
   view_.reset();
-  if (const auto refusal = world_->Apply(command)) throw RequestError(*refusal);
+  if (const auto refusal = world_->Apply(command)) throw page::RequestError(*refusal);
   Json answer = Json::object();
   if (is_start) {
     answer["recording"] = world_->recording_directory().filename().string();
@@ -204,11 +215,11 @@ sim::Command Session::Impl::MeantBy(const Json& wanted, bool is_exact) {
   const sim::Drag drag = sim::ParseDrag(wanted, meters_per_unit);
   sim::Refusal refusal;
   const auto move = sim::MoveOf(drag, world_->simulation(), &refusal);
-  if (!move) throw RequestError(refusal);
+  if (!move) throw page::RequestError(refusal);
   return is_exact ? *move : snapper_.Snapped(*world_, drag, *move);
 }
 
-Json Session::Impl::Load(const RequestFields& fields) {
+Json Session::Impl::Load(const page::RequestFields& fields) {
   RequireNoRecording();
   scene::SceneSpec scene = ReadSceneOf(fields);
   auto world = MakeWorld(scene, options_.robot);
@@ -217,11 +228,11 @@ Json Session::Impl::Load(const RequestFields& fields) {
   return Json::object();
 }
 
-Json Session::Impl::Check(const RequestFields& fields) const {
+Json Session::Impl::Check(const page::RequestFields& fields) const {
   return {{"diagnostics", DescribeFindings(ReadText(fields).diagnostics)}};
 }
 
-Json Session::Impl::Spawn(const RequestFields& fields) {
+Json Session::Impl::Spawn(const page::RequestFields& fields) {
   RequireLive();
   RequireNoRecording();
   const std::string preset = fields.Text("preset");
@@ -235,7 +246,7 @@ Json Session::Impl::Spawn(const RequestFields& fields) {
   return {{"objects", std::move(added)}};
 }
 
-Json Session::Impl::Clear(const RequestFields& fields) {
+Json Session::Impl::Clear(const page::RequestFields& fields) {
   const bool with_rage = fields.Flag("rage");
   RequireLive();
   RequireNoRecording();
@@ -261,7 +272,7 @@ Json Session::Impl::Clear(const RequestFields& fields) {
   return Json::object();
 }
 
-Json Session::Impl::FindRestingPlace(const RequestFields& fields) {
+Json Session::Impl::FindRestingPlace(const page::RequestFields& fields) {
   // It costs as much as two seconds of the world.
   constexpr std::uint64_t kCallsBetween = 20;
   const sim::HandName hand = HandOf(fields);
@@ -284,13 +295,13 @@ Json Session::Impl::FindRestingPlace(const RequestFields& fields) {
   return resting_answer_;
 }
 
-Json Session::Impl::Show(const RequestFields& fields) {
+Json Session::Impl::Show(const page::RequestFields& fields) {
   const std::string id = fields.Text("recording");
   const double seconds = fields.OptionalNumber("seconds", 0, kMaxSeconds).value_or(0);
   if (rage_) RequireLive();
   const bool is_another = !playback_ || playback_->id() != id;
   if (is_another) {
-    auto playback = std::make_unique<Playback>(id, library_.DirectoryOf(id));
+    auto playback = std::make_unique<library::Playback>(id, library_.DirectoryOf(id));
     view_.reset();
     playback_ = std::move(playback);
   }
@@ -300,8 +311,8 @@ Json Session::Impl::Show(const RequestFields& fields) {
   return {{"length", playback_->length()}};
 }
 
-Json Session::Impl::Branch(const Request& request) {
-  const RequestFields fields(request);
+Json Session::Impl::Branch(const page::Request& request) {
+  const page::RequestFields fields(request);
   const std::string id = fields.Text("recording");
   const BranchPoint from{.step = static_cast<std::size_t>(fields.Whole("step", 1'000'000'000)),
                          .after = fields.OptionalNumber("after", 0, kMaxSeconds)};
@@ -322,36 +333,36 @@ Json Session::Impl::Branch(const Request& request) {
   };
   options_.workshop->Begin({.request = request, .work = work, .conclude = conclude});
   is_branching_ = true;
-  return AnswersLater();
+  return page::AnswersLater();
 }
 
-std::vector<BrainChoice> Session::Impl::Brains() const {
+std::vector<library::BrainChoice> Session::Impl::Brains() const {
   std::vector<std::filesystem::path> folders = options_.brains;
   for (const char* shipped : {"matlab/examples", "python/examples", "matlab", "python"}) {
     folders.push_back(DataFile(shipped));
   }
-  return BrainsIn(folders);
+  return library::BrainsIn(folders);
 }
 
 Json Session::Impl::DescribeBrains() const {
   Json described = Json::array();
-  for (const BrainChoice& choice : Brains()) {
+  for (const library::BrainChoice& choice : Brains()) {
     described.push_back(
         {{"name", choice.name}, {"kind", choice.kind}, {"imitates", choice.imitates}});
   }
   return {{"brains", std::move(described)}};
 }
 
-BrainChoice Session::Impl::FindBrain(const std::string& name) const {
-  const std::vector<BrainChoice> brains = Brains();
-  if (const BrainChoice* choice = BrainNamed(brains, name)) return *choice;
+library::BrainChoice Session::Impl::FindBrain(const std::string& name) const {
+  const std::vector<library::BrainChoice> brains = Brains();
+  if (const library::BrainChoice* choice = library::BrainNamed(brains, name)) return *choice;
   std::vector<std::string_view> known;
-  for (const BrainChoice& choice : brains) known.push_back(choice.name);
-  throw RequestError("\"brain\" is " + Quoted(name) + ", expected " + OneOf(known) +
-                     DidYouMean(name, known));
+  for (const library::BrainChoice& choice : brains) known.push_back(choice.name);
+  throw page::RequestError("\"brain\" is " + Quoted(name) + ", expected " + OneOf(known) +
+                           DidYouMean(name, known));
 }
 
-void Session::Impl::RunBrain(const BrainChoice& choice,
+void Session::Impl::RunBrain(const library::BrainChoice& choice,
                              const std::filesystem::path& demonstration) {
   brain::BrainDriverOptions options = experiment::DriverOptionsFor(choice.path, demonstration);
   options.eye = options_.eye;
@@ -359,8 +370,8 @@ void Session::Impl::RunBrain(const BrainChoice& choice,
   brain_.Start(choice, options, &world_->simulation());
 }
 
-Json Session::Impl::StartBrain(const RequestFields& fields) {
-  const BrainChoice choice = FindBrain(fields.Text("brain"));
+Json Session::Impl::StartBrain(const page::RequestFields& fields) {
+  const library::BrainChoice choice = FindBrain(fields.Text("brain"));
   const auto demonstration = fields.OptionalText("demonstration");
   const auto scene = fields.OptionalText("scene");
   const std::filesystem::path directory =
@@ -375,12 +386,12 @@ Json Session::Impl::StartBrain(const RequestFields& fields) {
   return Json::object();
 }
 
-Json Session::Impl::Imitate(const RequestFields& fields) {
-  const BrainChoice choice = FindBrain(fields.Text("brain"));
+Json Session::Impl::Imitate(const page::RequestFields& fields) {
+  const library::BrainChoice choice = FindBrain(fields.Text("brain"));
   if (!choice.imitates) {
-    throw RequestError(Quoted(choice.name) +
-                       " does not read demonstrations: its script lacks the line "
-                       "\"smile: imitates\"");
+    throw page::RequestError(Quoted(choice.name) +
+                             " does not read demonstrations: its script lacks the line "
+                             "\"smile: imitates\"");
   }
   const std::string scene = fields.Text("scene");
   const std::filesystem::path directory = library_.DirectoryOf(fields.Text("recording"));
@@ -409,7 +420,7 @@ std::filesystem::path Session::Impl::RecordImitation(const record::Recording& de
   if (const auto refusal = world_->Apply(
           sim::StartRecording{.name = record::RecordingNameFor(title), .title = title})) {
     brain_.Stop(&world_->simulation());
-    throw RequestError("the imitation cannot be recorded: " + *refusal);
+    throw page::RequestError("the imitation cannot be recorded: " + *refusal);
   }
   return world_->recording_directory();
 }

@@ -5,7 +5,7 @@
 
 #include "base/files.h"
 #include "base/wording.h"
-#include "studio/gallery.h"
+#include "library/gallery.h"
 #include "studio/internal_session.h"
 #include "studio/present_scene.h"
 #include "studio/presets.h"
@@ -31,12 +31,12 @@ bool OverlapsRobot(const sim::Simulation& simulation, std::size_t first_object) 
 }  // namespace
 
 scene::SceneSpec Session::Impl::ReadNamedScene(const std::string& name) const {
-  const auto file = Gallery(options_.gallery).FileOf(name);
-  if (!file) throw RequestError("there is no scene " + Quoted(name));
+  const auto file = library::Gallery(options_.gallery).FileOf(name);
+  if (!file) throw page::RequestError("there is no scene " + Quoted(name));
   return scene_xml::LoadScene(*file, options_.reader);
 }
 
-scene_xml::SceneReading Session::Impl::ReadText(const RequestFields& fields) const {
+scene_xml::SceneReading Session::Impl::ReadText(const page::RequestFields& fields) const {
   const std::string text = fields.Text("xml", kMaxText);
   std::string name = fields.OptionalText("name").value_or("scene.xml");
   // A name, wherever it came from.
@@ -48,7 +48,7 @@ scene_xml::SceneReading Session::Impl::ReadText(const RequestFields& fields) con
   return scene_xml::ReadSceneText(text, name, options);
 }
 
-scene::SceneSpec Session::Impl::ReadSceneOf(const RequestFields& fields) const {
+scene::SceneSpec Session::Impl::ReadSceneOf(const page::RequestFields& fields) const {
   if (!fields.Has("xml")) return ReadNamedScene(fields.Text("scene"));
   scene_xml::SceneReading reading = ReadText(fields);
   if (!reading.scene) throw InputError(std::move(reading.diagnostics));
@@ -97,7 +97,7 @@ std::unique_ptr<LiveWorld> Session::Impl::WorldWith(const std::string& preset, s
     }
     if (!OverlapsRobot(world->simulation(), present.objects.size())) return world;
   }
-  throw RequestError("there is no free place on the table: the robot's arms are in the way");
+  throw page::RequestError("there is no free place on the table: the robot's arms are in the way");
 }
 
 }  // namespace smile::studio

@@ -21,7 +21,6 @@ struct SnapTo {
 
   bool operator==(const SnapTo&) const = default;
 };
-inline constexpr std::array<std::string_view, 4> kSnapNames = {"faces", "edges", "grid", "angles"};
 SnapTo SnapToOf(std::span<const std::string> names);
 std::vector<std::string> NamesOf(const SnapTo& snap);
 

@@ -6,12 +6,12 @@
 #include <utility>
 
 #include "base/files.h"
-#include "studio/control_requests.h"
+#include "library/showcase.h"
+#include "page/control_requests.h"
 #include "studio/internal_studio_loop.h"
 #include "studio/library_requests.h"
 #include "studio/pose_stream.h"
 #include "studio/presets.h"
-#include "studio/showcase.h"
 #include "studio/workshop.h"
 
 namespace smile::studio {
@@ -21,17 +21,17 @@ class SessionWorkplace : public Workplace {
  public:
   explicit SessionWorkplace(SessionOptions options) : session_(std::move(options)) {}
 
-  const RequestTable& requests() const override { return session_.requests(); }
+  const page::RequestTable& requests() const override { return session_.requests(); }
   bool Tick() override { return session_.Tick(); }
   News TakeNews() override { return session_.TakeNews(); }
   std::vector<Json> Everything() const override { return session_.Everything(); }
   double speed_factor() const override { return session_.speed_factor(); }
   void SetMeasuredSpeed(double factor) override { session_.SetMeasuredSpeed(factor); }
-  Poses NextPoses() override { return poses_.Next(session_.view()); }
+  page::Poses NextPoses() override { return poses_.Next(session_.view()); }
 
   const Session& session() const { return session_; }
   /// Others may put in what they can do.
-  RequestTable* table() { return &session_.requests(); }
+  page::RequestTable* table() { return &session_.requests(); }
 
  private:
   Session session_;
@@ -68,8 +68,8 @@ SessionOptions WithGallery(SessionOptions options) {
   return options;
 }
 
-ShowcaseOptions ShowcaseOf(const SessionOptions& session) {
-  ShowcaseOptions options{.scenes = session.gallery, .recordings = session.recordings};
+library::ShowcaseOptions ShowcaseOf(const SessionOptions& session) {
+  library::ShowcaseOptions options{.scenes = session.gallery, .recordings = session.recordings};
   for (const Preset& preset : Presets()) {
     options.presets.push_back({{"name", preset.name}, {"title", preset.title}});
   }
@@ -87,7 +87,7 @@ class Studio::Impl {
         server_(WithAnswers(options.server)),
         loop_(&workplace_, &server_) {
     AddLibraryRequests(&library_, &workshop_, workplace_.table());
-    AddControlRequests(workplace_.table());
+    page::AddControlRequests(workplace_.table());
   }
 
   std::string link() const { return server_.link(); }
@@ -100,7 +100,7 @@ class Studio::Impl {
   }
 
  private:
-  ServerOptions WithAnswers(ServerOptions options) {
+  page::ServerOptions WithAnswers(page::ServerOptions options) {
     options.get = [this](const std::string& path) {
       const std::optional<MeshName> mesh = ParseMeshPath(path);
       return mesh ? GetMesh(*mesh) : showcase_.Get(path);
@@ -114,11 +114,11 @@ class Studio::Impl {
     return web_server::HttpResponse{.type = "application/octet-stream", .body = *bytes};
   }
 
-  Library library_;
+  library::Library library_;
   Workshop workshop_;
   SessionWorkplace workplace_;
-  Showcase showcase_;
-  Server server_;
+  library::Showcase showcase_;
+  page::Server server_;
   StudioLoop loop_;
 };
 

@@ -5,14 +5,14 @@
 #include <memory>
 #include <string>
 
-#include "studio/server.h"
+#include "page/server.h"
 #include "studio/session.h"
 
 namespace smile::studio {
 
 struct StudioOptions {
-  SessionOptions session;  ///< `workshop` is the studio's own
-  ServerOptions server;    ///< `get` is the studio's own
+  SessionOptions session;      ///< `workshop` is the studio's own
+  page::ServerOptions server;  ///< `get` is the studio's own
 };
 
 /// A session, and the page that shows it in browsers.

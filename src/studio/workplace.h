@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "base/json.h"
-#include "studio/requests.h"
-#include "studio/server.h"
+#include "page/requests.h"
+#include "page/server.h"
 #include "studio/session.h"
 
 namespace smile::studio {
@@ -16,7 +16,7 @@ class Workplace {
 
   // As Session has them.
 
-  virtual const RequestTable& requests() const = 0;
+  virtual const page::RequestTable& requests() const = 0;
   virtual bool Tick() = 0;
   virtual News TakeNews() = 0;
   virtual std::vector<Json> Everything() const = 0;
@@ -24,7 +24,7 @@ class Workplace {
   virtual void SetMeasuredSpeed(double factor) = 0;
 
   /// What moved since this was last asked; to be asked 60 times a second.
-  virtual Poses NextPoses() = 0;
+  virtual page::Poses NextPoses() = 0;
 };
 
 }  // namespace smile::studio

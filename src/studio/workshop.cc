@@ -11,11 +11,11 @@ constexpr int kNumThreads = 2;
 constexpr std::size_t kMaxTasks = 256;
 constexpr int kMaxTasksOfClient = 8;
 
-Letter ProgressLetter(const std::string& what, double done, double total) {
+page::Letter ProgressLetter(const std::string& what, double done, double total) {
   return {.message = {{"t", "progress"}, {"what", what}, {"done", done}, {"total", total}}};
 }
 
-Json FailAsGivenUp() { throw RequestError("given up for what was asked for since"); }
+Json FailAsGivenUp() { throw page::RequestError("given up for what was asked for since"); }
 
 }  // namespace
 
@@ -41,16 +41,16 @@ void Workshop::Begin(Job job) {
       return task.job.request.client == job.request.client && !task.is_given_up;
     });
     if (tasks_.size() >= kMaxTasks || num_of_client >= kMaxTasksOfClient) {
-      throw RequestError("too much is asked for at once: wait a bit");
+      throw page::RequestError("too much is asked for at once: wait a bit");
     }
     tasks_.push_back({.job = std::move(job)});
   }
   changed_.notify_one();
 }
 
-void Workshop::GiveUpOlderThan(const Request& newer) {
+void Workshop::GiveUpOlderThan(const page::Request& newer) {
   for (auto task = tasks_.begin(); task != tasks_.end();) {
-    const Request& request = task->job.request;
+    const page::Request& request = task->job.request;
     const bool is_older = request.client == newer.client && request.what == newer.what;
     if (is_older && !task->is_running) {
       Send(task->job, AnswerWith(request, &FailAsGivenUp));
@@ -62,8 +62,8 @@ void Workshop::GiveUpOlderThan(const Request& newer) {
   }
 }
 
-std::vector<Letter> Workshop::TakeLetters() {
-  std::vector<Letter> letters;
+std::vector<page::Letter> Workshop::TakeLetters() {
+  std::vector<page::Letter> letters;
   for (Outgoing& outgoing : TakeOutgoing()) {
     if (outgoing.conclude) outgoing.conclude();
     letters.push_back(std::move(outgoing.letter));

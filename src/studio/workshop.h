@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "base/json.h"
+#include "page/requests.h"
 #include "record/progress.h"
-#include "studio/requests.h"
 
 namespace smile::studio {
 
@@ -23,7 +23,7 @@ class Workshop {
   using Work = std::function<Json(const record::Progress& progress)>;
 
   struct Job {
-    Request request;
+    page::Request request;
     Work work;
     /// What the same client asked for before with the same `do` is given up.
     bool replaces_older = false;
@@ -42,7 +42,7 @@ class Workshop {
   /// @throws RequestError if too much is waiting.
   void Begin(Job job);
   /// Answers since this was last asked, and how far work is: `{"t":"progress",…}` for everyone.
-  std::vector<Letter> TakeLetters();
+  std::vector<page::Letter> TakeLetters();
 
  private:
   struct Task {
@@ -52,11 +52,11 @@ class Workshop {
     bool has_news = false, has_begun = false;
   };
   struct Outgoing {
-    Letter letter;
+    page::Letter letter;
     std::function<void()> conclude;
   };
   /// Those not yet begun are answered at once.
-  void GiveUpOlderThan(const Request& newer);
+  void GiveUpOlderThan(const page::Request& newer);
   std::vector<Outgoing> TakeOutgoing();
   void Labor();
   /// nullptr when the workshop closes. Where a task is in the list does not change.

@@ -135,7 +135,7 @@ TEST(Architecture, EveryLibraryHasOneHome) {
       {"urdf_", "robot"},       {"libav", "video"},
       {"libsw", "video"},       {"CLI/", "app"},
       {"benchmark/", "app"},    {"nlohmann/", "base"},
-      {"assimp/", "mesh"},      {"archive", "studio"},
+      {"assimp/", "mesh"},      {"archive", "library"},
       {"boost/", "web_server"}, {"openssl/", "web_server"},
   };
   Rooms table = TableOfTheBuild();

@@ -1,4 +1,4 @@
-// Made by tools/generate.py from the program's tables: change src/studio/page_protocol.cc
+// Made by tools/generate.py from the program's tables: change src/page/page_protocol.cc
 // instead.
 
 import type { Command } from "./commands";

@@ -6,9 +6,9 @@
 #include <map>
 #include <thread>
 
+#include "page/page_protocol.h"
 #include "record/replay.h"
 #include "record/test/recording_fixture.h"
-#include "studio/page_protocol.h"
 
 namespace smile::studio {
 namespace {
@@ -19,29 +19,30 @@ class LibraryRequestsTest : public record::RecordingFixture {
 
   /// Also an answer that comes later.
   Json Ask(const char* what, Json fields, bool is_controller = true) {
-    const Request request{.client = 3, .seq = ++seq_, .what = what, .fields = std::move(fields)};
+    const page::Request request{
+        .client = 3, .seq = ++seq_, .what = what, .fields = std::move(fields)};
     const Json now = Answer(table_, request, is_controller);
-    Json answer = IsLater(now) ? AnswerTo(seq_) : now;
-    EXPECT_EQ(MisfitOf(answer, what), "") << ToText(answer);
+    Json answer = page::IsLater(now) ? AnswerTo(seq_) : now;
+    EXPECT_EQ(page::MisfitOf(answer, what), "") << ToText(answer);
     return answer;
   }
 
   /// Waits for it; keeps what else comes.
   Json AnswerTo(std::uint32_t seq) {
     while (true) {
-      for (Letter& letter : TakeLetters(table_)) letters_.push_back(std::move(letter));
-      for (const Letter& letter : letters_) {
+      for (page::Letter& letter : TakeLetters(table_)) letters_.push_back(std::move(letter));
+      for (const page::Letter& letter : letters_) {
         if (letter.client == 3 && letter.message["seq"] == seq) return letter.message;
       }
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
   }
 
-  Library library_{root_};
+  library::Library library_{root_};
   Workshop workshop_;
-  RequestTable table_;
+  page::RequestTable table_;
   std::uint32_t seq_ = 0;
-  std::vector<Letter> letters_;
+  std::vector<page::Letter> letters_;
 };
 
 TEST_F(LibraryRequestsTest, TellsEveryoneWhenRecordingsComeOrGo) {
@@ -49,7 +50,7 @@ TEST_F(LibraryRequestsTest, TellsEveryoneWhenRecordingsComeOrGo) {
   const auto num_told = [this] {
     int count = 0;
     for (int i = 0; i < 120; ++i) {
-      for (const Letter& letter : TakeLetters(table_)) {
+      for (const page::Letter& letter : TakeLetters(table_)) {
         if (letter.client == 0 && letter.message["t"] == "library") ++count;
       }
     }
@@ -158,7 +159,7 @@ TEST(Workshop, GivesUpWhatWasAskedForAnew) {
   begin(2, [](const record::Progress&) { return Json{{"is", "newest"}}; });
   std::map<int, Json> answers;
   while (answers.size() < 2) {
-    for (const Letter& letter : workshop.TakeLetters()) {
+    for (const page::Letter& letter : workshop.TakeLetters()) {
       if (letter.client == 1) answers[letter.message["seq"]] = letter.message;
     }
   }
@@ -168,7 +169,7 @@ TEST(Workshop, GivesUpWhatWasAskedForAnew) {
 
 TEST(Workshop, TakesNoMoreFromAClientThanItCanBear) {
   Workshop workshop;
-  const auto begin = [&](ClientId client) {
+  const auto begin = [&](page::ClientId client) {
     workshop.Begin({.request = {.client = client, .what = "library"},
                     .work = [](const record::Progress& progress) {
                       while (progress(1, 2)) std::this_thread::yield();
@@ -176,7 +177,7 @@ TEST(Workshop, TakesNoMoreFromAClientThanItCanBear) {
                     }});
   };
   for (int i = 0; i < 8; ++i) begin(1);
-  EXPECT_THROW(begin(1), RequestError);
+  EXPECT_THROW(begin(1), page::RequestError);
   EXPECT_NO_THROW(begin(2));
 }
 

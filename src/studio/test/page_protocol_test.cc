@@ -1,4 +1,4 @@
-#include "studio/page_protocol.h"
+#include "page/page_protocol.h"
 
 #include <map>
 
@@ -12,8 +12,8 @@ class PageProtocol : public SessionFixture {};
 
 TEST_F(PageProtocol, NamesEveryRequestAndWhoMaySendIt) {
   Begin();
-  RequestTable table = session_->requests();
-  const Library library(root_ / "recordings");
+  page::RequestTable table = session_->requests();
+  const library::Library library(root_ / "recordings");
   AddLibraryRequests(&library, &*workshop_, &table);
   // Those of the connection itself; see server_test.cc.
   std::map<std::string, bool> done = {{"hello", true},
@@ -23,29 +23,30 @@ TEST_F(PageProtocol, NamesEveryRequestAndWhoMaySendIt) {
                                       {"give_control", false}};
   for (const auto& [name, entry] : table.entries) done[name] = entry.is_for_anyone;
   std::map<std::string, bool> told;
-  for (const RequestForm& form : RequestForms()) told[form.name] = form.is_for_anyone;
+  for (const page::RequestForm& form : page::RequestForms()) told[form.name] = form.is_for_anyone;
   EXPECT_EQ(told, done);
 }
 
 TEST(PageProtocolTable, SaysWhatIsWrongWithAMessage) {
-  EXPECT_EQ(MisfitOf({{"t", "looks"}, {"looks", {1, 2}}}), "");
-  EXPECT_EQ(MisfitOf({{"t", "looks"}, {"looks", {1, "2"}}}), ".looks.1 is \"2\"");
-  EXPECT_EQ(MisfitOf({{"t", "nothing"}}), "there is no message \"nothing\"");
+  EXPECT_EQ(page::MisfitOf({{"t", "looks"}, {"looks", {1, 2}}}), "");
+  EXPECT_EQ(page::MisfitOf({{"t", "looks"}, {"looks", {1, "2"}}}), ".looks.1 is \"2\"");
+  EXPECT_EQ(page::MisfitOf({{"t", "nothing"}}), "there is no message \"nothing\"");
   const Json spawned = {{"t", "reply"}, {"seq", 1}, {"ok", true}, {"objects", {"a"}}};
-  EXPECT_EQ(MisfitOf(spawned, "spawn"), "");
-  EXPECT_EQ(MisfitOf(spawned, "clear"), ".objects is unknown");
-  EXPECT_EQ(MisfitOf({{"t", "reply"}, {"seq", 1}, {"ok", false}}, "clear"), ".error is missing");
-  EXPECT_EQ(MisfitOfRequest({{"do", "spawn"}, {"preset", "blocks"}}), ".seed is missing");
+  EXPECT_EQ(page::MisfitOf(spawned, "spawn"), "");
+  EXPECT_EQ(page::MisfitOf(spawned, "clear"), ".objects is unknown");
+  EXPECT_EQ(page::MisfitOf({{"t", "reply"}, {"seq", 1}, {"ok", false}}, "clear"),
+            ".error is missing");
+  EXPECT_EQ(page::MisfitOfRequest({{"do", "spawn"}, {"preset", "blocks"}}), ".seed is missing");
 }
 
 TEST(PageProtocolTable, DescribesRequestsAndNews) {
-  EXPECT_NE(
-      RequestMarkdown().find("| `speed` | `factor`: 0.1 to 4 | | of simulated to real time |\n"),
-      std::string::npos);
-  EXPECT_NE(NewsMarkdown().find("| `looks` | `looks` | one number per choice |\n"),
+  EXPECT_NE(page::RequestMarkdown().find(
+                "| `speed` | `factor`: 0.1 to 4 | | of simulated to real time |\n"),
+            std::string::npos);
+  EXPECT_NE(page::NewsMarkdown().find("| `looks` | `looks` | one number per choice |\n"),
             std::string::npos);
   EXPECT_NE(
-      ProtocolTypeScript().find(
+      page::ProtocolTypeScript().find(
           "  spawn: { fields: { preset: string; seed: number }; answer: { objects: string[] } "
           "};\n"),
       std::string::npos);

@@ -77,13 +77,13 @@ TEST(SceneMessage, TellsWhatGlowsAsFilmsShowIt) {
 
 TEST(PoseStream, TellsWhatMovedAndNowAndThenAll) {
   scene::VisualModel model{.num_frames = 3};
-  View view{.model = &model, .scene = 1};
+  library::View view{.model = &model, .scene = 1};
   view.state.poses.resize(3);
   PoseStream stream;
   EXPECT_TRUE(stream.Next(view).is_key);
   EXPECT_TRUE(stream.Next(view).frames.empty());
   view.state.poses[2] = RigidTransform(Vector3(0.1, 0, 0.2));
-  const Poses moved = stream.Next(view);
+  const page::Poses moved = stream.Next(view);
   EXPECT_FALSE(moved.is_key);
   EXPECT_EQ(moved.frames, std::vector<std::uint32_t>{2});
   EXPECT_EQ(moved.values, (std::vector<float>{1, 0, 2, 0, 0, 0, 1}));

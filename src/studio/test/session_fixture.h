@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "base/files.h"
+#include "page/page_protocol.h"
 #include "robot/urdf_reader.h"
-#include "studio/page_protocol.h"
 #include "studio/session.h"
 
 namespace smile::studio {
@@ -69,7 +69,7 @@ class SessionFixture : public ::testing::Test {
   Json Ask(const std::string& text) { return AskWith(ParseJson(text)); }
   Json AskWith(const Json& fields) {
     const Json answer = BeginToAsk(fields);
-    return IsLater(answer) ? LaterAnswer() : answer;
+    return page::IsLater(answer) ? LaterAnswer() : answer;
   }
   Json BeginToAsk(const Json& fields) {
     std::string what;
@@ -78,19 +78,19 @@ class SessionFixture : public ::testing::Test {
         Answer(session_->requests(), {.client = 1, .seq = ++seq_, .what = what, .fields = fields},
                /*is_controller=*/true);
     asked_[seq_] = fields;
-    if (!IsLater(answer)) ExpectAsTold(answer);
+    if (!page::IsLater(answer)) ExpectAsTold(answer);
     return answer;
   }
   /// That the tables of the protocol have a message.
   void ExpectAsTold(const Json& message) {
     Json request = Json::object();
     if (message["t"] == "reply") request = asked_[message["seq"].get<std::uint32_t>()];
-    EXPECT_EQ(MisfitOf(message, request.value("do", "")), "") << ToText(message);
+    EXPECT_EQ(page::MisfitOf(message, request.value("do", "")), "") << ToText(message);
   }
   /// To the last request.
   Json LaterAnswer() {
     while (true) {
-      for (Letter& letter : TakeLetters(session_->requests())) {
+      for (page::Letter& letter : TakeLetters(session_->requests())) {
         ExpectAsTold(letter.message);
         latest_[letter.message["t"].get<std::string>()] = letter.message;
       }
@@ -103,7 +103,7 @@ class SessionFixture : public ::testing::Test {
   Json Do(const std::string& text) {
     Json answer = Ask(text);
     EXPECT_TRUE(answer["ok"].get<bool>()) << text << " -> " << ToText(answer);
-    EXPECT_EQ(MisfitOfRequest(ParseJson(text)), "") << text;
+    EXPECT_EQ(page::MisfitOfRequest(ParseJson(text)), "") << text;
     return answer;
   }
   Json Command(const std::string& text) { return Do(R"({"do":"command","command":)" + text + "}"); }
@@ -144,7 +144,7 @@ class SessionFixture : public ::testing::Test {
     return all;
   }
   Vector3 PositionOf(const std::string& id) {
-    const View view = session_->view();
+    const library::View view = session_->view();
     const Json scene = Scene();
     for (const Json& object : scene["objects"]) {
       if (object["id"] != id) continue;

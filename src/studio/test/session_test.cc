@@ -112,7 +112,7 @@ TEST_F(SessionTest, TheWorldGoesOnUntilTheOneOfARecordingIsMade) {
   PutAOnB();
   Command(R"({"do":"finish"})");
   const std::uint64_t tick = State()["tick"].get<std::uint64_t>();
-  ASSERT_TRUE(IsLater(BeginToAsk({{"do", "branch"}, {"recording", "take"}, {"step", 1}})));
+  ASSERT_TRUE(page::IsLater(BeginToAsk({{"do", "branch"}, {"recording", "take"}, {"step", 1}})));
   const std::uint32_t seq = seq_;
   TickSeconds(0.1);
   EXPECT_EQ(State()["tick"], tick + 6);
@@ -143,7 +143,7 @@ TEST_F(SessionTest, WhatIsInTheMakingHarmsNobodyWhenTheSessionEnds) {
   Command(R"({"do":"start","name":"take"})");
   PutAOnB();
   Command(R"({"do":"finish"})");
-  ASSERT_TRUE(IsLater(BeginToAsk({{"do", "branch"}, {"recording", "take"}, {"step", 2}})));
+  ASSERT_TRUE(page::IsLater(BeginToAsk({{"do", "branch"}, {"recording", "take"}, {"step", 2}})));
   session_.reset();
 }
 

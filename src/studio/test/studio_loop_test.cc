@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "web_client.h"
+#include "page/test/web_client.h"
 
 namespace smile::studio {
 namespace {
@@ -16,14 +16,14 @@ using namespace std::chrono_literals;
 class MovingThing : public Workplace {
  public:
   MovingThing() {
-    table_.entries["stop"] = {[this](const Request&) {
+    table_.entries["stop"] = {[this](const page::Request&) {
       is_moving_ = false;
       news_.push_back({{"t", "event"}, {"kind", "stopped"}});
       return Json{{"at", place_}};
     }};
   }
 
-  const RequestTable& requests() const override { return table_; }
+  const page::RequestTable& requests() const override { return table_; }
   bool Tick() override {
     if (is_waiting_) return false;
     ++num_ticks_;
@@ -41,7 +41,7 @@ class MovingThing : public Workplace {
   std::vector<Json> Everything() const override { return {{{"t", "scene"}, {"scene", 1}}}; }
   double speed_factor() const override { return 3; }
   void SetMeasuredSpeed(double factor) override { measured_ = factor; }
-  Poses NextPoses() override {
+  page::Poses NextPoses() override {
     const auto x = static_cast<float>(place_);
     return {.scene = 1, .tick = 5, .is_key = true, .frames = {1}, .values = {x, 0, 0, 0, 0, 0, 1}};
   }
@@ -52,7 +52,7 @@ class MovingThing : public Workplace {
   double measured() const { return measured_; }
 
  private:
-  RequestTable table_;
+  page::RequestTable table_;
   std::vector<Json> news_;
   bool is_moving_ = true, is_seen_ = false, is_waiting_ = false;
   int place_ = 0, num_ticks_ = 0;
@@ -64,19 +64,19 @@ class StudioLoopTest : public ::testing::Test {
   StudioLoopTest() {
     std::filesystem::create_directories(page_);
     std::ofstream(page_ / "index.html") << "page";
-    server_.emplace(ServerOptions{.page = page_});
+    server_.emplace(page::ServerOptions{.page = page_});
     loop_.emplace(&thing_, &*server_);
   }
   ~StudioLoopTest() override { std::filesystem::remove_all(page_); }
 
-  WebClient Join() {
-    WebClient client(std::stoi(server_->link().substr(server_->link().rfind(':') + 1)));
+  page::WebClient Join() {
+    page::WebClient client(std::stoi(server_->link().substr(server_->link().rfind(':') + 1)));
     client.Upgrade();
     client.Hello();
     return client;
   }
   /// What `client` asks for is answered by beats of the loop.
-  Json Ask(WebClient* client, const Json& request) {
+  Json Ask(page::WebClient* client, const Json& request) {
     client->SendJson(request);
     client->SendJson({{"seq", 1000}, {"do", "ping"}});
     // The server has taken in the one when it answers the other.
@@ -89,16 +89,16 @@ class StudioLoopTest : public ::testing::Test {
   std::filesystem::path page_ =
       std::filesystem::temp_directory_path() / ("smile_loop_" + std::to_string(getpid()));
   MovingThing thing_;
-  std::optional<Server> server_;
+  std::optional<page::Server> server_;
   std::optional<StudioLoop> loop_;
 };
 
 TEST_F(StudioLoopTest, TellsEverythingThenPosesToWhoIsNew) {
-  WebClient client = Join();
+  page::WebClient client = Join();
   loop_->Beat();
   std::vector<int> opcodes;
   while (opcodes.empty() || opcodes.back() != 2) {
-    const std::optional<WebClient::Message> message = client.Next();
+    const std::optional<page::WebClient::Message> message = client.Next();
     ASSERT_TRUE(message);
     if (message->payload.find("clients") == std::string::npos) opcodes.push_back(message->opcode);
   }
@@ -106,7 +106,7 @@ TEST_F(StudioLoopTest, TellsEverythingThenPosesToWhoIsNew) {
 }
 
 TEST_F(StudioLoopTest, CarriesOutRequestsBeforeTimeGoesOn) {
-  WebClient client = Join();
+  page::WebClient client = Join();
   client.Ask({{"do", "take_control"}});
   loop_->Beat();
   const Json reply = Ask(&client, {{"seq", 9}, {"do", "stop"}});
@@ -133,11 +133,11 @@ TEST_F(StudioLoopTest, TicksThatHaveToWaitAreMadeUpForAndNotCountedAsDone) {
 }
 
 TEST_F(StudioLoopTest, SendsViewsAsPictures) {
-  WebClient client = Join();
+  page::WebClient client = Join();
   loop_->Beat();
   thing_.See();
   loop_->Beat();
-  std::optional<WebClient::Message> view = client.Next();
+  std::optional<page::WebClient::Message> view = client.Next();
   while (view && (view->opcode != 2 || view->payload[0] != 2)) view = client.Next();
   ASSERT_TRUE(view);
   EXPECT_EQ(view->payload[1], 1);  // it was recorded

@@ -1,0 +1,129 @@
+#include "library/brain_choices.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <optional>
+#include <sstream>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+namespace smile::library {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The declaration is looked for in so much of a script.
+constexpr std::size_t kMaxDeclarationBytes = 16u << 10;
+
+/// A program, and the path by which people know it: of its folder where it has one of its own.
+struct FoundProgram {
+  fs::path known_as;
+  BrainChoice choice;
+};
+
+bool IsPlainFile(const fs::path& path) {
+  std::error_code error;
+  return fs::is_regular_file(path, error);
+}
+
+std::optional<BrainChoice> ProgramAt(const fs::path& path) {
+  const fs::path octave = path / "agentBehavior.m";
+  if (IsPlainFile(octave)) {
+    return BrainChoice{.kind = "octave", .path = path, .imitates = DeclaresImitation(octave)};
+  }
+  const fs::path package = path / (path.filename().string() + ".py");
+  const fs::path file = IsPlainFile(package) ? package : path;
+  if (!IsPlainFile(file)) return std::nullopt;
+  const bool is_python = file.extension() == ".py";
+  if (!is_python && ::access(file.c_str(), X_OK) != 0) return std::nullopt;
+  return BrainChoice{.name = "",
+                     .kind = is_python ? "python" : "program",
+                     .path = file,
+                     .imitates = DeclaresImitation(file)};
+}
+
+/// Adds the programs of a folder that are not there yet.
+void AddProgramsOf(const fs::path& folder, std::vector<FoundProgram>* all) {
+  std::error_code error;
+  std::map<std::string, FoundProgram> found;
+  for (const auto& entry : fs::directory_iterator(fs::absolute(folder).lexically_normal(), error)) {
+    std::optional<BrainChoice> choice = ProgramAt(entry.path());
+    if (choice) found[entry.path().filename()] = {entry.path(), *std::move(choice)};
+  }
+  for (auto& entry : found) {
+    FoundProgram& program = entry.second;
+    const bool is_new = std::ranges::none_of(*all, [&](const FoundProgram& other) {
+      return fs::equivalent(other.choice.path, program.choice.path, error);
+    });
+    if (is_new) all->push_back(std::move(program));
+  }
+}
+
+/// The last parts of a path, or all of it where it has fewer.
+fs::path LastPartsOf(const fs::path& path, std::ptrdiff_t num_parts) {
+  const std::ptrdiff_t all = std::distance(path.begin(), path.end());
+  fs::path end;
+  for (auto part = std::next(path.begin(), std::max<std::ptrdiff_t>(0, all - num_parts));
+       part != path.end(); ++part) {
+    end /= *part;
+  }
+  return end;
+}
+
+/// The shortest end of a path that no other program's path has.
+std::string ProgramNameOf(const fs::path& path, const std::vector<FoundProgram>& all) {
+  const std::ptrdiff_t num_parts = std::distance(path.begin(), path.end());
+  for (std::ptrdiff_t count = 1; count < num_parts; ++count) {
+    const fs::path name = LastPartsOf(path, count);
+    const auto has_it = [&](const FoundProgram& one) {
+      return LastPartsOf(one.known_as, count) == name;
+    };
+    if (std::ranges::count_if(all, has_it) == 1) return name;
+  }
+  return path;
+}
+
+/// A line of a script without what makes it a comment.
+std::string_view UncommentedOf(std::string_view line) {
+  const std::size_t begin = line.find_first_not_of("%#/*\"' \t");
+  if (begin == std::string_view::npos) return {};
+  return line.substr(begin, line.find_last_not_of(" \t\r") + 1 - begin);
+}
+
+}  // namespace
+
+std::vector<BrainChoice> BrainsIn(const std::vector<fs::path>& folders) {
+  std::vector<FoundProgram> all;
+  for (const fs::path& folder : folders) AddProgramsOf(folder, &all);
+  std::vector<BrainChoice> choices;
+  for (const FoundProgram& found : all) {
+    choices.push_back(found.choice);
+    choices.back().name = ProgramNameOf(found.known_as, all);
+  }
+  return choices;
+}
+
+const BrainChoice* BrainNamed(const std::vector<BrainChoice>& choices, const std::string& name) {
+  const auto exact = std::ranges::find(choices, name, &BrainChoice::name);
+  if (exact != choices.end()) return &*exact;
+  const auto last = std::ranges::find_if(
+      choices, [&](const BrainChoice& choice) { return choice.name.ends_with("/" + name); });
+  return last == choices.end() || name.empty() ? nullptr : &*last;
+}
+
+bool DeclaresImitation(const fs::path& script) {
+  std::ifstream file(script, std::ios::binary);
+  std::string begin(kMaxDeclarationBytes, '\0');
+  file.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+  std::istringstream lines(begin.substr(0, static_cast<std::size_t>(file.gcount())));
+  for (std::string line; std::getline(lines, line);) {
+    if (UncommentedOf(line) == "smile: imitates") return true;
+  }
+  return false;
+}
+
+}  // namespace smile::library

@@ -1,0 +1,92 @@
+#include "library/gallery.h"
+
+#include <algorithm>
+#include <fstream>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+#include "base/wording.h"
+#include "xml/parse.h"
+
+namespace smile::library {
+namespace {
+
+/// The beginning of a file; empty if it cannot be read.
+std::string BeginningOf(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string text(2048, '\0');
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  return text;
+}
+
+/// The comment before the root element, on one line; empty without one.
+std::string CommentOf(const std::filesystem::path& path) {
+  // Parsing ends in a fault where the beginning ends; the comment has been read by then.
+  std::string text = xml::Parse(BeginningOf(path), path.string()).comment;
+  std::ranges::replace(text, '\n', ' ');
+  return Printable(text);
+}
+
+/// Up to where the first sentence, or a part of it that stands alone, ends.
+std::string_view FirstPhraseOf(std::string_view text) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool is_stop = std::string_view(".:;").find(text[i]) != std::string_view::npos;
+    if (is_stop && (i + 1 == text.size() || text[i + 1] == ' ')) return text.substr(0, i);
+    if (text[i] == '(') return text.substr(0, i);
+  }
+  return text;
+}
+
+std::string_view Trimmed(std::string_view text) {
+  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
+  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
+  return text;
+}
+
+std::string SceneTitleOf(const std::filesystem::path& path) {
+  constexpr std::string_view kAuthor = "Authored for SMILE. ";  // what we ship begins so
+  constexpr std::size_t kMaxTitle = 200;
+  const std::string comment = CommentOf(path);
+  std::string_view text = Trimmed(comment);
+  if (text.starts_with(kAuthor)) text.remove_prefix(kAuthor.size());
+  const std::string_view title = Trimmed(FirstPhraseOf(text));
+  const bool is_fit = !title.empty() && title.size() <= kMaxTitle;
+  return is_fit ? std::string(title) : path.stem().string();
+}
+
+}  // namespace
+
+Json Gallery::List() const {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (std::filesystem::directory_iterator it(folder_, error), end; !error && it != end;
+       it.increment(error)) {
+    if (it->path().extension() != ".xml" || names.size() >= kMaxScenes) continue;
+    if (FileOf(it->path().stem().string())) names.push_back(it->path().stem().string());
+  }
+  std::ranges::sort(names);
+  Json list = Json::array();
+  for (const std::string& name : names) {
+    list.push_back({{"name", name},
+                    {"title", SceneTitleOf(folder_ / (name + ".xml"))},
+                    {"picture", "/scenes/" + name + ".png"}});
+  }
+  return list;
+}
+
+std::optional<std::filesystem::path> Gallery::FileOf(const std::string& name) const {
+  const bool is_plain = !name.empty() && name.size() <= 200 && name.front() != '.' &&
+                        name.find('/') == std::string::npos && name.find('\0') == std::string::npos;
+  if (!is_plain) return std::nullopt;
+  std::filesystem::path file = folder_ / (name + ".xml");
+  std::error_code error;
+  // A link may lead anywhere.
+  if (!std::filesystem::is_regular_file(std::filesystem::symlink_status(file, error))) {
+    return std::nullopt;
+  }
+  return file;
+}
+
+}  // namespace smile::library

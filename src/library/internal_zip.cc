@@ -1,0 +1,115 @@
+#include "library/internal_zip.h"
+
+#include <archive.h>
+#include <archive_entry.h>
+#include <locale.h>
+
+#include <algorithm>
+#include <ctime>
+#include <memory>
+#include <stdexcept>
+#include <vector>
+
+#include "base/files.h"
+#include "base/wording.h"
+#include "library/internal_file_state.h"
+
+namespace smile::library {
+namespace {
+
+constexpr std::size_t kMaxZippedFiles = 100'000;
+
+std::vector<std::filesystem::path> PlainFilesBelow(const std::filesystem::path& directory,
+                                                   std::uint64_t max_bytes) {
+  std::vector<std::filesystem::path> files;
+  std::uint64_t bytes = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(directory)) {
+    if (!std::filesystem::is_regular_file(entry.symlink_status())) continue;
+    files.push_back(entry.path());
+    bytes += entry.file_size();
+    if (bytes > max_bytes || files.size() > kMaxZippedFiles) {
+      throw std::runtime_error(Quoted(directory.filename().string()) + " is larger than " +
+                               std::to_string(max_bytes >> 20) + " MiB: copy it from " +
+                               directory.string());
+    }
+  }
+  std::ranges::sort(files);
+  return files;
+}
+
+la_ssize_t TakeBytes(archive*, void* zip, const void* bytes, std::size_t count) {
+  static_cast<std::string*>(zip)->append(static_cast<const char*>(bytes), count);
+  return static_cast<la_ssize_t>(count);
+}
+
+/// While it lives, its thread takes names for UTF-8, whatever the user's language: libarchive marks
+/// them so.
+class Utf8Names {
+ public:
+  Utf8Names()
+      : utf8_(newlocale(LC_CTYPE_MASK, "C.UTF-8", nullptr)),
+        before_(utf8_ != nullptr ? uselocale(utf8_) : nullptr) {}
+  ~Utf8Names() {
+    if (utf8_ == nullptr) return;
+    uselocale(before_);
+    freelocale(utf8_);
+  }
+  Utf8Names(const Utf8Names&) = delete;
+  Utf8Names& operator=(const Utf8Names&) = delete;
+
+ private:
+  locale_t utf8_, before_;
+};
+
+/// Packs files one after another.
+class Zipper {
+ public:
+  explicit Zipper(std::string* zip) : archive_(archive_write_new(), &archive_write_free) {
+    Check(archive_write_set_format_zip(archive_.get()));
+    Check(archive_write_set_bytes_in_last_block(archive_.get(), 1));  // no padding
+    Check(archive_write_open(archive_.get(), zip, nullptr, &TakeBytes, nullptr));
+  }
+
+  void Add(const std::string& name, const std::string& text, std::time_t changed) {
+    const std::unique_ptr<archive_entry, void (*)(archive_entry*)> entry(
+        archive_entry_new2(archive_.get()), &archive_entry_free);
+    archive_entry_set_pathname(entry.get(), name.c_str());
+    archive_entry_set_filetype(entry.get(), AE_IFREG);
+    archive_entry_set_perm(entry.get(), 0644);
+    archive_entry_set_size(entry.get(), static_cast<la_int64_t>(text.size()));
+    archive_entry_set_mtime(entry.get(), changed, 0);
+    Check(archive_write_header(archive_.get(), entry.get()));
+    if (archive_write_data(archive_.get(), text.data(), text.size()) < 0) Check(ARCHIVE_FATAL);
+  }
+  void Finish() { Check(archive_write_close(archive_.get())); }
+
+ private:
+  /// A warning is about letters of names that another system may not know.
+  void Check(int result) const {
+    if (result >= ARCHIVE_WARN) return;
+    const char* reason = archive_error_string(archive_.get());
+    throw std::runtime_error("cannot be packed: " + std::string(reason ? reason : "unknown"));
+  }
+
+  std::unique_ptr<archive, int (*)(archive*)> archive_;
+};
+
+}  // namespace
+
+std::string Zipped(const std::filesystem::path& directory, std::uint64_t max_bytes) {
+  const Utf8Names names;
+  std::string zip;
+  Zipper zipper(&zip);
+  std::uint64_t left = max_bytes;
+  for (const auto& path : PlainFilesBelow(directory, max_bytes)) {
+    // It may have grown since.
+    const std::string text = ReadFile(path, left);
+    left -= text.size();
+    zipper.Add((directory.filename() / path.lexically_relative(directory)).string(), text,
+               StateOf(path).changed / 1'000'000'000LL);
+  }
+  zipper.Finish();
+  return zip;
+}
+
+}  // namespace smile::library

@@ -1,0 +1,234 @@
+#include "library/library.h"
+
+#include <algorithm>
+#include <charconv>
+#include <ctime>
+#include <fstream>
+#include <system_error>
+#include <tuple>
+#include <vector>
+
+#include "base/wording.h"
+#include "library/internal_file_state.h"
+#include "library/internal_zip.h"
+#include "library/timeline.h"
+#include "record/append_file.h"
+#include "record/recording.h"
+#include "record/recording_names.h"
+#include "record/time_range.h"
+
+namespace smile::library {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMaxDirectories = 10'000;  ///< looked at in a folder
+constexpr std::size_t kMaxIdBytes = 255;
+
+/// Differs after whatever changes what is listed of a recording.
+std::string ListingStampOf(const fs::path& directory) {
+  return StampOf(directory / "demo.json") + ";" + StampOf(directory / "frames.csv") + ";" +
+         StampOf(directory);
+}
+
+bool IsPlainName(const std::string& id) {
+  return !id.empty() && id.size() <= kMaxIdBytes && id.front() != '.' &&
+         id.find('/') == std::string::npos && id.find('\0') == std::string::npos;
+}
+
+bool IsRecordingIn(const fs::path& folder, const std::string& id) {
+  return StateOf(folder).is_directory && StateOf(folder / id).is_directory &&
+         StateOf(folder / id / "demo.json").is_file;
+}
+
+std::string TimeText(std::int64_t nanoseconds) {
+  const std::time_t seconds = nanoseconds / 1'000'000'000LL;
+  std::tm utc{};
+  char text[40];
+  if (gmtime_r(&seconds, &utc) == nullptr) return "";
+  return {text, std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc)};
+}
+
+/// The tick of the last frame of the classic view; nullopt if it has none. Reads the end of
+/// frames.csv only.
+std::optional<std::uint64_t> LastFrameTick(const fs::path& directory) {
+  constexpr std::streamoff kTail = 4096;
+  std::ifstream file(directory / "frames.csv", std::ios::binary | std::ios::ate);
+  if (!file) return std::nullopt;
+  const std::streamoff size = file.tellg();
+  file.seekg(std::max<std::streamoff>(0, size - kTail));
+  std::string tail(static_cast<std::size_t>(std::min(size, kTail)), '\0');
+  file.read(tail.data(), static_cast<std::streamsize>(tail.size()));
+  const std::size_t end = tail.rfind('\n');
+  if (!file || end == std::string::npos || end == 0) return std::nullopt;
+  const std::size_t before = tail.rfind('\n', end - 1);
+  const std::string line = tail.substr(before + 1, end - before - 1);
+  const std::size_t comma = line.find(',');
+  if (comma == std::string::npos) return std::nullopt;
+  std::uint64_t tick = 0;
+  const auto [rest, error] =
+      std::from_chars(line.data() + comma + 1, line.data() + line.size(), tick);
+  if (error != std::errc()) return std::nullopt;
+  return tick;
+}
+
+/// Of the classic view: they are numbered from 0 on, each with a folder of pictures.
+int NumSegments(const fs::path& directory) {
+  constexpr int kMostSegments = 100'000;
+  int count = 0;
+  while (count < kMostSegments && StateOf(directory / std::to_string(count)).is_directory) ++count;
+  return count;
+}
+
+Json EntryOf(const fs::path& directory) {
+  try {
+    const record::DemoInfo info = record::ReadDemoInfo(directory / "demo.json");
+    const record::Recording recording{.directory = directory, .info = info};
+    const auto last = LastFrameTick(directory);
+    return {{"title", info.title},
+            {"notes", info.notes},
+            {"scene", info.scene},
+            {"seconds", last ? std::max(0.0, record::SecondsInto(recording, *last)) : 0.0},
+            {"segments", NumSegments(directory)}};
+  } catch (const std::exception& error) {
+    return {{"error", error.what()}};
+  }
+}
+
+[[noreturn]] void FailToFind(const std::string& id) {
+  throw LibraryError("there is no recording " + Quoted(id));
+}
+
+/// As long as it lives, nobody records there.
+std::optional<record::AppendFile> Hold(const fs::path& directory) {
+  if (!StateOf(directory / "commands.jsonl").is_file) return std::nullopt;
+  try {
+    return record::AppendFile(directory / "commands.jsonl", record::AppendFile::kExisting);
+  } catch (const std::runtime_error& error) {
+    throw LibraryError(Quoted(directory.filename().string()) +
+                       " cannot be changed now: " + error.what());
+  }
+}
+
+void Move(const fs::path& from, const fs::path& to) {
+  std::error_code error;
+  fs::rename(from, to, error);
+  if (error) throw LibraryError(from.string() + " cannot be moved: " + error.message());
+}
+
+/// Without the number it got in the bin.
+std::string NameOutsideOfBin(const std::string& id) {
+  const std::size_t mark = id.rfind('~');
+  const bool is_numbered = mark != std::string::npos && mark > 0 && mark + 1 < id.size() &&
+                           id.find_first_not_of("0123456789", mark + 1) == std::string::npos;
+  return is_numbered ? id.substr(0, mark) : id;
+}
+
+}  // namespace
+
+struct Library::Place {
+  std::string id;
+  fs::path directory;
+  bool is_binned = false;
+  std::int64_t recorded = 0;  ///< [ns]
+};
+
+std::vector<Library::Place> Library::Places() const {
+  std::vector<Place> places;
+  for (const bool is_binned : {false, true}) {
+    const fs::path folder = is_binned ? bin() : root_;
+    std::error_code error;
+    std::size_t num_seen = 0;
+    for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+      if (++num_seen > kMaxDirectories) break;
+      Place place{
+          .id = it->path().filename().string(), .directory = it->path(), .is_binned = is_binned};
+      if (!IsPlainName(place.id) || !IsRecordingIn(folder, place.id)) continue;
+      const FileState log = StateOf(place.directory / "commands.jsonl");
+      place.recorded = log.is_file ? log.changed : StateOf(place.directory / "demo.json").changed;
+      places.push_back(std::move(place));
+    }
+  }
+  std::ranges::sort(places, [](const Place& a, const Place& b) {
+    return std::tie(b.recorded, a.directory) < std::tie(a.recorded, b.directory);
+  });
+  if (places.size() > kMaxListed) places.resize(kMaxListed);
+  return places;
+}
+
+Json Library::List() const {
+  const std::vector<Place> places = Places();
+  Json list = Json::array();
+  std::map<std::string, Listed> listed;
+  const std::lock_guard lock(mutex_);
+  for (const Place& place : places) {
+    Listed& now = listed[place.directory.string()];
+    now.stamp = ListingStampOf(place.directory);
+    const auto before = listed_.find(place.directory.string());
+    const bool is_known = before != listed_.end() && before->second.stamp == now.stamp;
+    now.entry = is_known ? before->second.entry : EntryOf(place.directory);
+    Json entry = {{"id", place.id}};
+    entry.update(now.entry);
+    entry["made"] = TimeText(place.recorded);
+    entry["binned"] = place.is_binned;
+    list.push_back(std::move(entry));
+  }
+  listed_ = std::move(listed);
+  return list;
+}
+
+std::string Library::Stamp() const { return StampOf(root_) + ";" + StampOf(bin()); }
+
+fs::path Library::DirectoryOf(const std::string& id) const {
+  if (!IsPlainName(id)) FailToFind(id);
+  // The root may be a link; nothing under it may.
+  std::error_code error;
+  const fs::path root = fs::canonical(root_, error);
+  if (error) FailToFind(id);
+  for (const fs::path& folder : {root, root / bin().filename()}) {
+    if (IsRecordingIn(folder, id)) return folder / id;
+  }
+  FailToFind(id);
+}
+
+void Library::Rename(const std::string& id, const std::optional<std::string>& title,
+                     const std::optional<std::string>& notes) const {
+  record::Retitle(DirectoryOf(id), title, notes);
+}
+
+std::string Library::Bin(const std::string& id) const {
+  const fs::path directory = DirectoryOf(id);
+  if (directory.parent_path().filename() == bin().filename()) {
+    throw LibraryError(Quoted(id) + " is in the bin already");
+  }
+  const auto hold = Hold(directory);
+  std::error_code error;
+  fs::create_directory(bin(), error);
+  if (error) throw LibraryError(bin().string() + " cannot be made: " + error.message());
+  for (int number = 1;; ++number) {
+    const std::string name = id + "~" + std::to_string(number);
+    if (fs::exists(bin() / name) || fs::exists(root_ / name)) continue;
+    Move(directory, bin() / name);
+    return name;
+  }
+}
+
+std::string Library::Unbin(const std::string& id) const {
+  const fs::path directory = DirectoryOf(id);
+  if (directory.parent_path().filename() != bin().filename()) {
+    throw LibraryError(Quoted(id) + " is not in the bin");
+  }
+  const fs::path back = record::NewDirectory(root_, NameOutsideOfBin(id));
+  Move(directory, back);
+  return back.filename().string();
+}
+
+Json Library::TimelineOf(const std::string& id) const {
+  return library::TimelineOf(record::OpenRecording(DirectoryOf(id)));
+}
+
+std::string Library::ZipOf(const std::string& id) const {
+  return Zipped(DirectoryOf(id), kMaxZipped);
+}
+
+}  // namespace smile::library

@@ -1,0 +1,46 @@
+#include "library/painter.h"
+
+#include "image/png.h"
+#include "model/eye.h"
+#include "picture/viewpoint.h"
+#include "record/sight.h"
+#include "record/time_range.h"
+
+namespace smile::library {
+
+std::string Painter::PaintScene(const std::filesystem::path& file,
+                                const scene_xml::SceneReaderOptions& reader) {
+  const model::Model model(scene_xml::LoadScene(file, reader));
+  return Paint(model, record::VisualStateAt(record::StartOf(model), model));
+}
+
+std::optional<std::string> Painter::PaintRecording(const std::filesystem::path& directory,
+                                                   const std::string& stamp,
+                                                   std::optional<std::size_t> segment) {
+  if (!exhibit_ || exhibit_->directory != directory || exhibit_->stamp != stamp) {
+    exhibit_ = std::unique_ptr<Exhibit>(new Exhibit{.directory = directory,
+                                                    .stamp = stamp,
+                                                    .playback = Playback("", directory),
+                                                    .segments = {}});
+    const record::Recording& recording = exhibit_->playback.recording();
+    exhibit_->segments = SegmentsOf(record::HistoryOf(recording));
+  }
+  Playback& playback = exhibit_->playback;
+  if (segment && *segment >= exhibit_->segments.size()) return std::nullopt;
+  playback.Seek(segment ? SecondsInto(playback.recording(), exhibit_->segments[*segment].end.tick)
+                        : playback.length());
+  return Paint(playback.model(), playback.view().state);
+}
+
+std::string Painter::Paint(const model::Model& model, const scene::VisualState& state) {
+  if (!renderer_) renderer_ = std::make_unique<camera::Renderer>();
+  const CameraView view = picture::FindView(
+      "close", model.scene(), model::EyeSpec{.width_px = kWidth, .height_px = kHeight}, {});
+  camera::RenderOptions options{.look = camera::Look::kPresentation};
+  for (model::FrameIndex frame : model.robot_frames()) {
+    options.excluded_frames.push_back(static_cast<int>(frame));
+  }
+  return EncodePng(renderer_->Render(model.visual_model(), state, view, options));
+}
+
+}  // namespace smile::library

@@ -1,0 +1,142 @@
+#include "library/playback.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "base/diagnostic.h"
+#include "base/wording.h"
+#include "record/sight.h"
+#include "record/trace_reader.h"
+
+namespace smile::library {
+namespace {
+
+/// Kept of a recording, however long it is.
+constexpr std::size_t kMaxBookmarks = 2048;
+
+}  // namespace
+
+class Playback::Impl {
+ public:
+  Impl(std::string id, const std::filesystem::path& directory)
+      : id_(std::move(id)),
+        recording_(record::OpenRecording(directory)),
+        model_(recording_.scene, recording_.robot),
+        trace_(recording_) {
+    Survey();
+    GoTo(0);
+  }
+
+  const std::string& id() const { return id_; }
+  const record::Recording& recording() const { return recording_; }
+  const model::Model& model() const { return model_; }
+  const record::TraceTick& moment() const { return moment_; }
+
+  double seconds() const { return at_ / sim::kTicksPerSecond; }
+  double length() const { return sim::SecondsOf(num_ticks_); }
+  double rate() const { return rate_; }
+
+  void SetRate(double rate) {
+    if (!(rate >= 0 && rate <= kMaxRate)) {
+      throw std::invalid_argument("rate is " + NumberText(rate) + ", expected 0 to " +
+                                  NumberText(kMaxRate));
+    }
+    if (rate > 0 && is_at_end()) GoTo(0);
+    rate_ = rate;
+  }
+
+  void Seek(double seconds) {
+    if (std::isnan(seconds)) throw std::invalid_argument("seconds is NaN, expected a time");
+    GoTo(std::clamp(seconds, 0.0, length()) * sim::kTicksPerSecond);
+  }
+
+  void Tick() {
+    if (rate_ == 0) return;
+    GoTo(std::min(at_ + rate_, static_cast<double>(num_ticks_)));
+    if (is_at_end()) rate_ = 0;
+  }
+
+  View view() const {
+    return {.model = &model_.visual_model(),
+            .state = record::VisualStateAt(moment_, model_),
+            .tick = moment_.tick};
+  }
+
+ private:
+  bool is_at_end() const { return at_ >= static_cast<double>(num_ticks_); }
+
+  /// Reads all of it once, to know how long it is and to come back quickly.
+  void Survey() {
+    std::uint64_t spacing = sim::kTicksPerSecond;
+    while (const auto moment = trace_.Next()) {
+      if (bookmarks_.empty()) first_tick_ = moment->tick;
+      num_ticks_ = moment->tick - first_tick_;
+      if (num_ticks_ % spacing != 0) continue;
+      bookmarks_.push_back(trace_.Mark());
+      if (bookmarks_.size() < kMaxBookmarks) continue;
+      // Every other one will do.
+      for (std::size_t i = 1; 2 * i < bookmarks_.size(); ++i) {
+        bookmarks_[i] = std::move(bookmarks_[2 * i]);
+      }
+      bookmarks_.resize((bookmarks_.size() + 1) / 2);
+      spacing *= 2;
+    }
+    if (bookmarks_.empty()) {
+      throw InputError({(recording_.directory / "trace.bin").string(), 0, "", "holds no moment"});
+    }
+  }
+
+  /// @param at  [ticks from the start].
+  void GoTo(double at) {
+    const std::uint64_t tick = first_tick_ + static_cast<std::uint64_t>(std::llround(at));
+    const auto after = std::upper_bound(
+        bookmarks_.begin(), bookmarks_.end(), tick,
+        [](std::uint64_t wanted, const auto& mark) { return wanted < mark.moment().tick; });
+    const record::TraceReader::Bookmark& before = *std::prev(after);
+    const bool is_on_the_way =
+        has_moment_ && moment_.tick <= tick && moment_.tick >= before.moment().tick;
+    if (!is_on_the_way) {
+      trace_.ReturnTo(before);
+      moment_ = before.moment();
+      has_moment_ = true;
+    }
+    while (moment_.tick < tick) {
+      auto next = trace_.Next();
+      if (!next) break;
+      moment_ = *std::move(next);
+    }
+    at_ = at;
+  }
+
+  std::string id_;
+  record::Recording recording_;
+  model::Model model_;
+  record::TraceReader trace_;
+  std::vector<record::TraceReader::Bookmark> bookmarks_;  ///< in order; the first tick's first
+  std::uint64_t first_tick_ = 0, num_ticks_ = 0;
+  record::TraceTick moment_;
+  bool has_moment_ = false;
+  double at_ = 0;  ///< [ticks from the start]
+  double rate_ = 0;
+};
+
+Playback::Playback(std::string id, const std::filesystem::path& directory)
+    : impl_(std::make_unique<Impl>(std::move(id), directory)) {}
+Playback::~Playback() = default;
+
+const std::string& Playback::id() const { return impl_->id(); }
+const record::Recording& Playback::recording() const { return impl_->recording(); }
+const model::Model& Playback::model() const { return impl_->model(); }
+double Playback::seconds() const { return impl_->seconds(); }
+double Playback::length() const { return impl_->length(); }
+double Playback::rate() const { return impl_->rate(); }
+void Playback::SetRate(double rate) { impl_->SetRate(rate); }
+void Playback::Seek(double seconds) { impl_->Seek(seconds); }
+void Playback::Tick() { impl_->Tick(); }
+const record::TraceTick& Playback::moment() const { return impl_->moment(); }
+View Playback::view() const { return impl_->view(); }
+
+}  // namespace smile::library

@@ -1,0 +1,100 @@
+#include "library/showcase.h"
+
+#include <charconv>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "base/files.h"
+#include "library/internal_file_state.h"
+#include "library/painter.h"
+
+namespace smile::library {
+namespace {
+
+constexpr std::size_t kMaxSceneBytes = 32u << 20;
+
+/// What stands between them; nullopt if the text does not begin and end so.
+std::optional<std::string> Between(std::string_view begin, std::string_view text,
+                                   std::string_view end) {
+  if (text.size() < begin.size() + end.size() || !text.starts_with(begin) || !text.ends_with(end)) {
+    return std::nullopt;
+  }
+  return std::string(text.substr(begin.size(), text.size() - begin.size() - end.size()));
+}
+
+std::optional<std::size_t> NumberIn(const std::string& text) {
+  std::size_t number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return number;
+}
+
+std::optional<web_server::HttpResponse> PngAnswer(Darkroom::Picture picture) {
+  if (!picture) return std::nullopt;
+  return web_server::HttpResponse{.type = "image/png", .body = *std::move(picture)};
+}
+
+}  // namespace
+
+Showcase::Showcase(ShowcaseOptions options)
+    : options_(std::move(options)), gallery_(options_.scenes), library_(options_.recordings) {}
+
+std::optional<web_server::HttpResponse> Showcase::Get(const std::string& path) {
+  if (path == "/scenes") {
+    const Json answer = {{"scenes", gallery_.List()}, {"presets", options_.presets}};
+    return web_server::HttpResponse{.type = "application/json", .body = ToText(answer)};
+  }
+  if (const auto scene = Between("/scenes/", path, "")) return GetScene(*scene);
+  const auto recording = Between("/recordings/", path, "");
+  if (!recording) return std::nullopt;
+  try {
+    return GetRecording(*recording);
+  } catch (const LibraryError&) {
+    return std::nullopt;  // there is no such recording
+  }
+}
+
+std::optional<web_server::HttpResponse> Showcase::GetScene(const std::string& name) {
+  if (const auto text = Between("", name, ".xml")) {
+    const auto file = gallery_.FileOf(*text);
+    if (!file) return std::nullopt;
+    return web_server::HttpResponse{.type = "application/xml",
+                                    .body = ReadFile(*file, kMaxSceneBytes)};
+  }
+  const auto picture = Between("", name, ".png");
+  const auto file = picture ? gallery_.FileOf(*picture) : std::nullopt;
+  if (!file) return std::nullopt;
+  const scene_xml::SceneReaderOptions reader{.search_roots = {options_.scenes}};
+  return PngAnswer(darkroom_.Get(
+      file->string() + "|" + StampOf(*file),
+      [file = *file, reader](Painter* painter) { return painter->PaintScene(file, reader); }));
+}
+
+std::optional<web_server::HttpResponse> Showcase::GetRecording(const std::string& name) {
+  if (const auto id = Between("", name, ".zip")) {
+    const std::lock_guard lock(packing_);
+    return web_server::HttpResponse{
+        .type = "application/zip", .body = library_.ZipOf(*id), .file_name = *id + ".zip"};
+  }
+  if (const auto id = Between("", name, "/picture.png")) return PictureOf(*id, std::nullopt);
+  const std::size_t slash = name.find('/');
+  if (slash == std::string::npos) return std::nullopt;
+  const auto number = Between("/segments/", std::string_view(name).substr(slash), ".png");
+  const auto segment = number ? NumberIn(*number) : std::nullopt;
+  if (!segment) return std::nullopt;
+  return PictureOf(name.substr(0, slash), segment);
+}
+
+std::optional<web_server::HttpResponse> Showcase::PictureOf(const std::string& id,
+                                                            std::optional<std::size_t> segment) {
+  const std::filesystem::path directory = library_.DirectoryOf(id);
+  const std::string stamp = StampOf(directory / "trace.bin");
+  const std::string which = segment ? std::to_string(*segment) : "end";
+  return PngAnswer(darkroom_.Get(directory.string() + "|" + stamp + "|" + which,
+                                 [directory, stamp, segment](Painter* painter) {
+                                   return painter->PaintRecording(directory, stamp, segment);
+                                 }));
+}
+
+}  // namespace smile::library

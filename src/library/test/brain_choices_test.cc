@@ -1,0 +1,97 @@
+#include "library/brain_choices.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <map>
+
+#include "base/files.h"
+
+namespace smile::library {
+namespace {
+
+namespace fs = std::filesystem;
+
+class BrainChoicesTest : public ::testing::Test {
+ protected:
+  BrainChoicesTest() { fs::create_directories(root_); }
+  ~BrainChoicesTest() override { fs::remove_all(root_); }
+
+  void Write(const fs::path& file, const std::string& text = "") {
+    MakeDirectories((root_ / file).parent_path());
+    WriteFile(root_ / file, text);
+  }
+  std::vector<BrainChoice> In(const std::vector<std::string>& folders) const {
+    std::vector<fs::path> paths;
+    for (const std::string& folder : folders) paths.push_back(root_ / folder);
+    return BrainsIn(paths);
+  }
+  std::vector<std::string> NamesIn(const std::vector<std::string>& folders) const {
+    std::vector<std::string> names;
+    for (const BrainChoice& choice : In(folders)) names.push_back(choice.name);
+    return names;
+  }
+
+  fs::path root_ =
+      fs::temp_directory_path() / ("smile_brain_choices_" + std::to_string(::getpid()));
+};
+
+using Names = std::vector<std::string>;
+
+TEST_F(BrainChoicesTest, TellsProgramsOfOneNameApartByTheirPaths) {
+  Write("matlab/um/agentBehavior.m");
+  Write("python/um/um.py");
+  Write("python/um/parts.py");
+  Write("matlab/sway/agentBehavior.m");
+  EXPECT_EQ(NamesIn({"matlab", "python"}), (Names{"sway", "matlab/um", "python/um"}));
+  EXPECT_EQ(NamesIn({"python"}), Names{"um"});
+  EXPECT_EQ(In({"python"})[0].path, root_ / "python/um/um.py");
+  EXPECT_EQ(In({"python"})[0].kind, "python");
+}
+
+TEST_F(BrainChoicesTest, ListsAProgramOnceHoweverOftenItsFolderIsNamed) {
+  Write("own/a.py");
+  EXPECT_EQ(NamesIn({"own", "own/../own", "none"}), Names{"a.py"});
+}
+
+TEST_F(BrainChoicesTest, FindsAProgramByTheEndOfItsPath) {
+  Write("own/wave.py");
+  Write("shipped/wave.py");
+  const std::vector<BrainChoice> choices = In({"own", "shipped"});
+  EXPECT_EQ(BrainNamed(choices, "shipped/wave.py"), &choices[1]);
+  EXPECT_EQ(BrainNamed(choices, "wave.py"), &choices[0]) << "the first folder's";
+  EXPECT_EQ(BrainNamed(choices, "ave.py"), nullptr);
+  EXPECT_EQ(BrainNamed(choices, ""), nullptr);
+}
+
+TEST_F(BrainChoicesTest, ImitatesWhoSaysSoInACommentOfItsScript) {
+  Write("own/comment.py", "import os\n  # smile: imitates \r\n");
+  Write("own/docstring.py", "\"\"\"Learns.\n\nsmile: imitates\n\"\"\"\n");
+  Write("own/octave/agentBehavior.m", "function f()\n% smile: imitates\nend\n");
+  Write("own/other.py", "# This smile: imitates nobody\n# smile: imitates not\n");
+  Write("own/waves/agentBehavior.m", "function f()\nend\n");
+  Write("own/x_late.py", std::string(20'000, '\n') + "# smile: imitates\n");
+  std::map<std::string, bool> imitates;
+  for (const BrainChoice& choice : In({"own"})) imitates[choice.name] = choice.imitates;
+  EXPECT_EQ(imitates, (std::map<std::string, bool>{{"comment.py", true},
+                                                   {"docstring.py", true},
+                                                   {"octave", true},
+                                                   {"other.py", false},
+                                                   {"waves", false},
+                                                   {"x_late.py", false}}));
+}
+
+TEST_F(BrainChoicesTest, TheShippedLearnersImitateAndTheWavesDoNot) {
+  const std::vector<BrainChoice> choices =
+      BrainsIn({DataFile("matlab"), DataFile("python"), DataFile("matlab/examples"),
+                DataFile("python/examples")});
+  std::map<std::string, bool> imitates;
+  for (const BrainChoice& choice : choices) imitates[choice.name] = choice.imitates;
+  EXPECT_EQ(imitates,
+            (std::map<std::string, bool>{
+                {"matlab/um", true}, {"python/um", true}, {"wave", false}, {"wave.py", false}}));
+  EXPECT_EQ(choices.front().name, "matlab/um");
+}
+
+}  // namespace
+}  // namespace smile::library

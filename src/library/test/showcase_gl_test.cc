@@ -1,0 +1,121 @@
+#include "library/showcase.h"
+
+#include <cstdlib>
+#include <set>
+#include <thread>
+
+#include "image/png.h"
+#include "record/test/recording_fixture.h"
+
+namespace smile::library {
+namespace {
+
+class ShowcaseTest : public record::RecordingFixture {
+ protected:
+  ShowcaseTest() {
+    std::filesystem::create_directories(scenes());
+    WriteFile(scenes() / "pair.xml", std::string("<?xml version=\"1.0\"?>\n"
+                                                 "<!-- Authored for SMILE. A red block: of two.\n"
+                                                 "  More. -->\n") +
+                                         kScene);
+    WriteFile(scenes() / "wrong.xml", "<tabletop><block/></tabletop>");
+    WriteFile(root_ / "secret.xml", kScene);
+    std::filesystem::create_symlink(root_ / "secret.xml", scenes() / "link.xml");
+  }
+
+  std::filesystem::path scenes() const { return root_ / "scenes"; }
+
+  /// The picture; its text if it is none.
+  Image PictureAt(const std::string& path) {
+    const auto answer = showcase_.Get(path);
+    EXPECT_TRUE(answer) << path;
+    if (!answer) return {};
+    EXPECT_EQ(answer->type, "image/png");
+    WriteFile(root_ / "got.png", answer->body);
+    return ReadPng(root_ / "got.png");
+  }
+
+  Showcase showcase_{{.scenes = root_ / "scenes",
+                      .recordings = root_,
+                      .presets = {{{"name", "bricks"}, {"title", "Bricks"}}}}};
+};
+
+TEST_F(ShowcaseTest, HasAGalleryOfScenes) {
+  const auto answer = showcase_.Get("/scenes");
+  ASSERT_TRUE(answer);
+  EXPECT_EQ(answer->type, "application/json");
+  const Json gallery = ParseJson(answer->body);
+  ASSERT_EQ(gallery["scenes"].size(), 2u) << answer->body;
+  EXPECT_EQ(gallery["scenes"][0],
+            (Json{{"name", "pair"}, {"title", "A red block"}, {"picture", "/scenes/pair.png"}}));
+  EXPECT_EQ(gallery["scenes"][1]["title"], "wrong");
+  EXPECT_EQ(gallery["presets"][0]["title"], "Bricks");
+  const auto text = showcase_.Get("/scenes/pair.xml");
+  ASSERT_TRUE(text);
+  EXPECT_EQ(text->body, ReadFile(scenes() / "pair.xml", 1 << 20));
+}
+
+TEST_F(ShowcaseTest, ShowsNothingElse) {
+  Record(R"({"do":"wait","seconds":0.1})");
+  for (const char* path :
+       {"/scenes/../secret.xml", "/scenes/link.xml", "/scenes/link.png", "/scenes/none.png",
+        "/scenes/.xml", "/scenes/", "/recordings/none/picture.png", "/recordings/none.zip",
+        "/recordings/../demo/picture.png", "/recordings/demo/segments/9.png",
+        "/recordings/demo/segments/-1.png", "/recordings/demo/segments/0x.png",
+        "/recordings/demo/trace.bin", "/recordings/demo", "/recordings/.zip", "/", ""}) {
+    EXPECT_FALSE(showcase_.Get(path)) << path;
+  }
+  EXPECT_THROW(showcase_.Get("/scenes/wrong.png"), InputError);
+}
+
+TEST_F(ShowcaseTest, PicturesChangeWithWhatTheyShow) {
+  Record(kStackAOnB, /*with_robot=*/true);
+  const Image scene = PictureAt("/scenes/pair.png");
+  EXPECT_EQ(scene.width_px, 320);
+  EXPECT_EQ(scene.height_px, 240);
+  const Image start = PictureAt("/recordings/demo/segments/0.png");
+  const Image moved = PictureAt("/recordings/demo/segments/1.png");
+  const Image end = PictureAt("/recordings/demo/segments/2.png");
+  EXPECT_TRUE(start.color == scene.color) << "nothing has moved, and there is no robot to be seen";
+  EXPECT_TRUE(moved.color != start.color);
+  EXPECT_TRUE(end.color != moved.color);
+  EXPECT_TRUE(PictureAt("/recordings/demo/picture.png").color == end.color);
+  EXPECT_GT(std::set<std::uint8_t>(end.color.begin(), end.color.end()).size(), 50u);
+}
+
+TEST_F(ShowcaseTest, ShowsASceneThatWasChanged) {
+  const Image before = PictureAt("/scenes/pair.png");
+  std::string xml = kScene;
+  xml.replace(xml.find("red"), 3, "blue");
+  WriteFile(scenes() / "pair.xml", xml);
+  EXPECT_TRUE(PictureAt("/scenes/pair.png").color != before.color);
+}
+
+TEST_F(ShowcaseTest, ServesManyAtOnce) {
+  Record();
+  std::vector<std::thread> visitors;
+  std::vector<std::string> seen(8);
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    visitors.emplace_back([this, i, &seen] {
+      const auto answer =
+          showcase_.Get("/recordings/demo/segments/" + std::to_string(i % 2) + ".png");
+      if (answer) seen[i] = answer->body;
+    });
+  }
+  for (std::thread& visitor : visitors) visitor.join();
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    EXPECT_FALSE(seen[i].empty());
+    EXPECT_TRUE(seen[i] == seen[i % 2]) << i;
+  }
+  EXPECT_TRUE(seen[0] != seen[1]);
+}
+
+TEST_F(ShowcaseTest, GivesTheReasonWhereNothingCanDraw) {
+  setenv("SMILE_EGL_PLATFORM", "none", 1);
+  EXPECT_THROW(showcase_.Get("/scenes/pair.png"), std::runtime_error);
+  unsetenv("SMILE_EGL_PLATFORM");
+  EXPECT_TRUE(showcase_.Get("/scenes/pair.png")) << "next time it may go well";
+}
+
+}  // namespace
+}  // namespace smile::library

@@ -1,0 +1,349 @@
+#include "page/internal_clients.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+#include "base/bytes.h"
+#include "base/version.h"
+
+namespace smile::page {
+namespace {
+
+constexpr int kProtocolVersion = 1;
+/// A program that is wrong so often is not the page.
+constexpr int kMaxMistakes = 10;
+/// Requests of one client that may wait for the session; the next are left in the network.
+constexpr std::size_t kMaxWaitingRequests = 64;
+
+constexpr std::uint8_t kPosesKind = 1, kViewKind = 2;
+
+std::chrono::steady_clock::time_point Now() { return std::chrono::steady_clock::now(); }
+
+/// How every binary message begins.
+std::string BinaryHead(std::uint8_t kind, bool flag, std::uint16_t count, std::uint32_t scene,
+                       std::uint32_t tick, std::uint32_t ack) {
+  ByteWriter head;
+  head.Put(kind);
+  head.Put(static_cast<std::uint8_t>(flag ? 1 : 0));
+  head.Put(count);
+  head.Put(scene);
+  head.Put(tick);
+  head.Put(ack);
+  return {reinterpret_cast<const char*>(head.bytes().data()), head.size()};
+}
+
+/// @throws std::invalid_argument if the text is no request.
+Request ParseRequest(ClientId client, std::string_view text) {
+  Json fields = ParseJson(text);
+  if (!fields.is_object()) throw std::invalid_argument("a request is an object");
+  const auto seq = fields.find("seq");
+  constexpr std::uint64_t kMaxSeq = std::numeric_limits<std::uint32_t>::max();
+  if (seq == fields.end() || !seq->is_number_unsigned() || seq->get<std::uint64_t>() < 1 ||
+      seq->get<std::uint64_t>() > kMaxSeq) {
+    throw std::invalid_argument("a request has a `seq`, a number from 1 up");
+  }
+  const auto what = fields.find("do");
+  if (what == fields.end() || !what->is_string()) {
+    throw std::invalid_argument("a request has a `do`, a word");
+  }
+  const auto number = seq->get<std::uint32_t>();
+  std::string word = what->get<std::string>();
+  return {.client = client, .seq = number, .what = std::move(word), .fields = std::move(fields)};
+}
+
+}  // namespace
+
+Clients::Clients(const ServerLimits& limits)
+    : limits_(limits),
+      own_requests_(OwnRequests()),
+      roles_(std::chrono::milliseconds(std::lround(1000 * limits.silence_seconds))) {}
+
+Clients::Client* Clients::Find(ClientId id) {
+  const auto client = clients_.find(id);
+  return client == clients_.end() ? nullptr : &client->second;
+}
+
+bool Clients::MakeRoom() {
+  const auto is_here = [](const auto& entry) { return !entry.second.is_closing; };
+  if (std::ranges::count_if(clients_, is_here) < limits_.clients) return true;
+  const auto silent = std::ranges::find_if(clients_, [](const auto& entry) {
+    return !entry.second.is_closing && !entry.second.said_hello;
+  });
+  if (silent == clients_.end()) return false;
+  CloseNow(&silent->second, CloseCode::kPolicyViolation, "no hello came, and others are waiting");
+  return true;
+}
+
+bool Clients::Open(ClientId id) {
+  const Lock lock(mutex_);
+  if (!is_open_ || !MakeRoom()) return false;
+  clients_[id].since = Now();
+  return true;
+}
+
+void Clients::Close(ClientId id) {
+  const Lock lock(mutex_);
+  const bool was_here = roles_.IsHere(id);
+  roles_.Leave(id);
+  std::erase(new_clients_, id);
+  clients_.erase(id);
+  if (was_here) TellWhoIsHere();
+}
+
+void Clients::LimitExceeded(ClientId id, const std::string& reason) {
+  const Lock lock(mutex_);
+  Client* client = Find(id);
+  PostJson(client, {{"t", "error"}, {"error", reason}});
+  CloseNow(client, CloseCode::kPolicyViolation, reason);
+}
+
+void Clients::Receive(ClientId id, bool is_text, std::string_view text) {
+  std::optional<Request> request;
+  std::string error;
+  try {
+    if (is_text) request = ParseRequest(id, text);
+  } catch (const std::exception& failure) {
+    error = failure.what();
+  }
+  const Lock lock(mutex_);
+  Client* client = Find(id);
+  if (client->is_closing) return;
+  if (!is_text) return CloseNow(client, CloseCode::kUnsupported, "requests are text");
+  if (!request) return Refuse(client, /*seq=*/0, error);
+  if (!client->said_hello && request->what != "hello") {
+    return Refuse(client, request->seq, "say hello first");
+  }
+  if (request->what != "ping") roles_.NoteSignOfLife(id, Now());
+  if (!own_requests_.entries.contains(request->what)) {
+    client->waiting.push_back({std::move(*request), text.size()});
+    client->waiting_bytes += text.size();
+    return;
+  }
+  PostJson(client, Answer(own_requests_, *request, roles_.controller() == id));
+  client->carried_out = std::max(client->carried_out, request->seq);
+  if (std::exchange(is_news_who_is_here_, false)) TellWhoIsHere();
+}
+
+bool Clients::CanReceive(ClientId id) {
+  const Lock lock(mutex_);
+  const Client& client = *Find(id);
+  return client.is_closing || (client.waiting.size() < kMaxWaitingRequests &&
+                               client.waiting_bytes < limits_.message_bytes);
+}
+
+void Clients::Refuse(Client* client, std::uint32_t seq, const std::string& error) {
+  PostJson(client, {{"t", "reply"}, {"seq", seq}, {"ok", false}, {"error", error}});
+  if (++client->mistakes >= kMaxMistakes) {
+    CloseNow(client, CloseCode::kPolicyViolation, "too many wrong requests");
+  }
+}
+
+RequestTable Clients::OwnRequests() {
+  RequestTable table;
+  table.entries["hello"] = {[this](const Request& request) { return Hello(request); }, true};
+  table.entries["ping"] = {[](const Request&) { return Json::object(); }, true};
+  table.entries["take_control"] = {[this](const Request& request) { return TakeControl(request); },
+                                   true};
+  table.entries["give_control"] = {[this](const Request& request) { return GiveControl(request); }};
+  return table;
+}
+
+Json Clients::Hello(const Request& request) {
+  const Json version = request.fields.value("version", Json());
+  if (version != kProtocolVersion) {
+    throw RequestError("found version " + ToText(version) + ", expected " +
+                       std::to_string(kProtocolVersion));
+  }
+  Client* client = Find(request.client);
+  if (!client->said_hello) {
+    client->said_hello = true;
+    roles_.Join(request.client);
+    new_clients_.push_back(request.client);
+    is_news_who_is_here_ = true;
+  }
+  return {
+      {"client", request.client}, {"controller", ControllerNumber()}, {"program", ProgramName()}};
+}
+
+Json Clients::TakeControl(const Request& request) {
+  const bool by_force = request.fields.value("by_force", Json(false)) == true;
+  const std::optional<ClientId> before = roles_.controller();
+  const bool is_granted = roles_.Take(request.client, by_force, Now());
+  if (!is_granted) {
+    PostJson(Find(*before), {{"t", "control_wanted"}, {"by", request.client}});
+  } else if (before != request.client) {
+    is_news_who_is_here_ = true;
+  }
+  return {{"granted", is_granted}};
+}
+
+Json Clients::GiveControl(const Request& request) {
+  const Json to = request.fields.value("to", Json());
+  if (!to.is_null() && !(to.is_number_unsigned() && to <= std::numeric_limits<ClientId>::max())) {
+    throw RequestError("`to` is " + ToText(to) + ", expected the number of a client or null");
+  }
+  std::optional<ClientId> receiver;
+  if (!to.is_null()) receiver = to.get<ClientId>();
+  roles_.Give(request.client, receiver, Now());
+  is_news_who_is_here_ = true;
+  return Json::object();
+}
+
+Json Clients::ControllerNumber() const {
+  return roles_.controller() ? Json(*roles_.controller()) : Json();
+}
+
+void Clients::TellWhoIsHere() {
+  for (const ClientId id : roles_.clients()) {
+    PostJson(Find(id), {{"t", "clients"},
+                        {"controller", ControllerNumber()},
+                        {"clients", roles_.clients()},
+                        {"you", id}});
+  }
+}
+
+void Clients::Post(Client* client, Mail mail) {
+  if (client->is_closing) return;
+  // One message is always taken, however long it is.
+  if (!client->news.empty() && client->news_bytes + mail.body->size() > limits_.outbox_bytes) {
+    client->news.clear();
+    return CloseNow(client, CloseCode::kPolicyViolation, "too slow: too much waits for you");
+  }
+  client->news_bytes += mail.body->size();
+  client->news.push_back(std::move(mail));
+}
+
+void Clients::PostJson(Client* client, const Json& message) {
+  Post(client, {.body = std::make_shared<const std::string>(ToText(message))});
+}
+
+void Clients::CloseNow(Client* client, CloseCode code, std::string_view reason) {
+  if (client->is_closing) return;
+  client->is_closing = true;
+  client->news.push_back({.kind = Mail::Kind::kClose,
+                          .body = std::make_shared<const std::string>(reason),
+                          .code = code});
+}
+
+void Clients::CloseAll() {
+  const Lock lock(mutex_);
+  is_open_ = false;
+  for (auto& [id, client] : clients_) CloseNow(&client, CloseCode::kGoingAway, "the studio ends");
+}
+
+bool Clients::HasMail(const Client& client) const {
+  if (!client.news.empty()) return true;
+  return client.knows_everything && !client.is_closing &&
+         (client.known_poses < poses_.version() || client.acknowledged != client.to_acknowledge ||
+          client.known_view < view_.number);
+}
+
+std::optional<web_server::OutgoingMessage> Clients::NextMessage(ClientId id) {
+  const Lock lock(mutex_);
+  Client* client = Find(id);
+  if (!HasMail(*client)) return std::nullopt;
+  return TakeMail(client);
+}
+
+Clients::Mail Clients::TakeMail(Client* client) {
+  if (!client->news.empty()) {
+    Mail mail = std::move(client->news.front());
+    client->news.pop_front();
+    client->news_bytes -= std::min(client->news_bytes, mail.body->size());
+    return mail;
+  }
+  const bool wants_poses =
+      client->known_poses < poses_.version() || client->acknowledged != client->to_acknowledge;
+  return wants_poses ? PosesFor(client) : ViewFor(client);
+}
+
+Clients::Mail Clients::PosesFor(Client* client) {
+  const PoseBoard::Change change = poses_.Since(client->known_poses);
+  client->known_poses = poses_.version();
+  client->acknowledged = client->to_acknowledge;
+  return {.kind = Mail::Kind::kBinary,
+          .head = BinaryHead(kPosesKind, change.is_key, change.count, poses_.scene(), poses_.tick(),
+                             client->acknowledged),
+          .body = change.bytes};
+}
+
+Clients::Mail Clients::ViewFor(Client* client) {
+  client->known_view = view_.number;
+  return {.kind = Mail::Kind::kBinary,
+          .head = BinaryHead(kViewKind, view_.is_recorded, 0, view_.scene, view_.tick,
+                             client->acknowledged),
+          .body = view_.png};
+}
+
+void Clients::CloseSilentClients() {
+  const std::chrono::duration<double> longest(limits_.hello_seconds);
+  for (auto& [id, client] : clients_) {
+    if (client.said_hello || Now() - client.since < longest) continue;
+    CloseNow(&client, CloseCode::kPolicyViolation, "no hello came");
+  }
+}
+
+std::vector<Request> Clients::TakeRequests() {
+  const Lock lock(mutex_);
+  CloseSilentClients();
+  std::vector<Request> taken;
+  for (auto& [id, client] : clients_) {
+    const bool takes_all = roles_.controller() == id;
+    while (!client.waiting.empty()) {
+      client.waiting_bytes -= client.waiting.front().bytes;
+      taken.push_back(std::move(client.waiting.front().request));
+      client.waiting.pop_front();
+      if (!takes_all) break;
+    }
+  }
+  return taken;
+}
+
+std::vector<ClientId> Clients::TakeNewClients() {
+  const Lock lock(mutex_);
+  for (const ClientId id : new_clients_) Find(id)->knows_everything = true;
+  return std::exchange(new_clients_, {});
+}
+
+bool Clients::IsController(ClientId id) const {
+  const Lock lock(mutex_);
+  return roles_.controller() == id;
+}
+
+void Clients::Send(ClientId id, const Json& message) {
+  const Lock lock(mutex_);
+  Client* client = Find(id);
+  if (client == nullptr) return;
+  PostJson(client, message);
+  if (message.value("t", "") == "reply") {
+    // What takes long is answered after what was asked for later.
+    client->carried_out = std::max(client->carried_out, message.value("seq", 0U));
+  }
+}
+
+void Clients::SendToAll(const Json& message) {
+  const auto body = std::make_shared<const std::string>(ToText(message));
+  const Lock lock(mutex_);
+  for (auto& [id, client] : clients_) {
+    if (client.knows_everything) Post(&client, {.body = body});
+  }
+}
+
+void Clients::SendPoses(const Poses& poses) {
+  const Lock lock(mutex_);
+  poses_.Show(poses);
+  for (auto& [id, client] : clients_) {
+    client.to_acknowledge = client.carried_out;
+  }
+}
+
+void Clients::SendView(std::uint32_t scene, std::uint32_t tick, std::string png, bool is_recorded) {
+  auto shared = std::make_shared<const std::string>(std::move(png));
+  const Lock lock(mutex_);
+  view_ = {view_.number + 1, scene, tick, is_recorded, std::move(shared)};
+}
+
+}  // namespace smile::page

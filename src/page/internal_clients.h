@@ -1,0 +1,122 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "page/internal_pose_board.h"
+#include "page/internal_roles.h"
+#include "page/server.h"
+#include "web_server/web_socket_handler.h"
+
+namespace smile::page {
+
+/// All clients, their requests and their messages: the place where the thread of the web server and
+/// the one of the session meet. Every function may be called from any thread, and none waits.
+class Clients : public web_server::WebSocketHandler {
+ public:
+  explicit Clients(const ServerLimits& limits);
+  Clients(const Clients&) = delete;
+  Clients& operator=(const Clients&) = delete;
+
+  // For the web server.
+
+  /// Where all places are taken, the oldest client that has not said hello is closed.
+  bool Open(ClientId client) override;
+  void Receive(ClientId client, bool is_text, std::string_view message) override;
+  /// Not while too many requests of this client wait for the session.
+  bool CanReceive(ClientId client) override;
+  void LimitExceeded(ClientId client, const std::string& reason) override;
+  std::optional<web_server::OutgoingMessage> NextMessage(ClientId client) override;
+  void Close(ClientId client) override;
+
+  // For the thread of the session; see Server.
+
+  std::vector<Request> TakeRequests();
+  std::vector<ClientId> TakeNewClients();
+  bool IsController(ClientId client) const;
+  void Send(ClientId client, const Json& message);
+  void SendToAll(const Json& message);
+  void SendPoses(const Poses& poses);
+  void SendView(std::uint32_t scene, std::uint32_t tick, std::string png, bool is_recorded);
+
+  /// Closes all, and refuses new ones.
+  void CloseAll();
+
+ private:
+  using Lock = std::lock_guard<std::mutex>;
+  using Time = std::chrono::steady_clock::time_point;
+  using CloseCode = web_server::CloseCode;
+  using Mail = web_server::OutgoingMessage;
+
+  struct Waiting {
+    Request request;
+    std::size_t bytes = 0;
+  };
+  struct Client {
+    Time since;
+
+    // What it asks for.
+    int mistakes = 0;
+    bool said_hello = false;
+    std::deque<Waiting> waiting;
+    std::size_t waiting_bytes = 0;
+
+    // What it is told.
+    bool knows_everything = false;  ///< it was told the scene, so news make sense
+    std::deque<Mail> news;
+    std::size_t news_bytes = 0;
+    PoseBoard::Version known_poses = 0;
+    std::uint64_t known_view = 0;
+    std::uint32_t carried_out = 0;     ///< its last request that was
+    std::uint32_t to_acknowledge = 0;  ///< the same, when poses were sent last
+    std::uint32_t acknowledged = 0;
+    bool is_closing = false;
+  };
+  struct View {
+    std::uint64_t number = 0;
+    std::uint32_t scene = 0, tick = 0;
+    bool is_recorded = false;
+    std::shared_ptr<const std::string> png;
+  };
+
+  Client* Find(ClientId id);
+  void Refuse(Client* client, std::uint32_t seq, const std::string& error);
+  bool MakeRoom();
+  void CloseSilentClients();
+  /// What the server itself carries out.
+  RequestTable OwnRequests();
+  Json Hello(const Request& request);
+  Json TakeControl(const Request& request);
+  Json GiveControl(const Request& request);
+  Json ControllerNumber() const;
+  void Post(Client* client, Mail mail);
+  void PostJson(Client* client, const Json& message);
+  void CloseNow(Client* client, CloseCode code, std::string_view reason);
+  void TellWhoIsHere();
+  bool HasMail(const Client& client) const;
+  Mail TakeMail(Client* client);
+  Mail PosesFor(Client* client);
+  Mail ViewFor(Client* client);
+
+  ServerLimits limits_;
+  RequestTable own_requests_;
+  mutable std::mutex mutex_;
+  std::map<ClientId, Client> clients_;
+  ClientId last_id_ = 0;
+  bool is_open_ = true;
+  Roles roles_;
+  bool is_news_who_is_here_ = false;  ///< to be told after the answer
+  std::vector<ClientId> new_clients_;
+  PoseBoard poses_;
+  View view_;
+};
+
+}  // namespace smile::page

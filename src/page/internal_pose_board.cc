@@ -1,0 +1,54 @@
+#include "page/internal_pose_board.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace smile::page {
+namespace {
+
+constexpr std::size_t kValuesPerFrame = 7;
+
+}  // namespace
+
+void PoseBoard::Show(const Poses& poses) {
+  if (!poses.is_key && (version_ == 0 || poses.scene != scene_)) return;
+  scene_ = poses.scene;
+  tick_ = poses.tick;
+  if (poses.frames.empty() && !poses.is_key) return;
+  ++version_;
+  cached_ = {};
+  if (poses.is_key) {
+    key_ = version_;
+    const std::size_t num_frames =
+        poses.frames.empty() ? 0 : std::size_t{1} + *std::ranges::max_element(poses.frames);
+    values_.assign(kValuesPerFrame * num_frames, 0);
+    changed_.assign(num_frames, 0);
+  }
+  for (std::size_t k = 0; k < poses.frames.size(); ++k) {
+    const std::size_t frame = poses.frames[k];
+    if (frame >= changed_.size()) continue;
+    changed_[frame] = version_;
+    std::copy_n(&poses.values[k * kValuesPerFrame], kValuesPerFrame,
+                &values_[frame * kValuesPerFrame]);
+  }
+}
+
+PoseBoard::Change PoseBoard::Since(Version known) {
+  if (cached_.bytes && cached_for_ == known) return cached_;
+  auto bytes = std::make_shared<std::string>();
+  Change change{.is_key = known < key_};
+  const std::size_t most = std::numeric_limits<std::uint16_t>::max();
+  for (std::uint32_t frame = 0; frame < changed_.size() && change.count < most; ++frame) {
+    // The key of a scene need not have each frame.
+    if (change.is_key ? changed_[frame] == 0 : changed_[frame] <= known) continue;
+    bytes->append(reinterpret_cast<const char*>(&frame), sizeof frame);
+    bytes->append(reinterpret_cast<const char*>(&values_[frame * kValuesPerFrame]),
+                  kValuesPerFrame * sizeof(float));
+    ++change.count;
+  }
+  change.bytes = std::move(bytes);
+  cached_for_ = known;
+  return cached_ = change;
+}
+
+}  // namespace smile::page

@@ -1,0 +1,74 @@
+#include "page/requests.h"
+
+#include <string_view>
+#include <utility>
+
+#include "base/wording.h"
+
+namespace smile::page {
+namespace {
+
+Json Failure(const std::string& message) { return {{"ok", false}, {"error", message}}; }
+
+Json Failure(const InputError& error) {
+  Json failure = Failure(error.what());
+  failure["diagnostics"] = Json::array();
+  for (const Diagnostic& finding : error.diagnostics()) {
+    failure["diagnostics"].push_back({{"file", finding.file},
+                                      {"line", finding.line},
+                                      {"element", finding.element},
+                                      {"message", finding.message}});
+  }
+  return failure;
+}
+
+Json Unknown(const RequestTable& table, const std::string& what) {
+  std::vector<std::string_view> known;
+  for (const auto& [name, entry] : table.entries) known.push_back(name);
+  return Failure("there is no request " + Quoted(what) + ", expected " + OneOf(known) +
+                 DidYouMean(what, known));
+}
+
+Json Reply(const Request& request, const Json& fields) {
+  Json answer = {{"t", "reply"}, {"seq", request.seq}};
+  answer.update(fields);
+  return answer;
+}
+
+}  // namespace
+
+Json AnswersLater() { return Json(Json::value_t::discarded); }
+bool IsLater(const Json& answer) { return answer.is_discarded(); }
+
+Json Answer(const RequestTable& table, const Request& request, bool is_controller) {
+  const auto entry = table.entries.find(request.what);
+  if (entry == table.entries.end()) return Reply(request, Unknown(table, request.what));
+  if (!entry->second.is_for_anyone && !is_controller) {
+    return Reply(request, Failure("you are watching: take control first"));
+  }
+  return AnswerWith(request, [&] { return entry->second.handle(request); });
+}
+
+Json AnswerWith(const Request& request, const std::function<Json()>& carry_out) {
+  try {
+    const Json found = carry_out();
+    if (IsLater(found)) return found;
+    Json fields = {{"ok", true}};
+    fields.update(found);
+    return Reply(request, fields);
+  } catch (const InputError& error) {
+    return Reply(request, Failure(error));
+  } catch (const std::exception& error) {
+    return Reply(request, Failure(error.what()));
+  }
+}
+
+std::vector<Letter> TakeLetters(const RequestTable& table) {
+  std::vector<Letter> all;
+  for (const auto& take : table.letters) {
+    for (Letter& letter : take()) all.push_back(std::move(letter));
+  }
+  return all;
+}
+
+}  // namespace smile::page

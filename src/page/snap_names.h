@@ -1,0 +1,11 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace smile::page {
+
+/// What drags and turns may snap to; see studio/snapping.h.
+inline constexpr std::array<std::string_view, 4> kSnapNames = {"faces", "edges", "grid", "angles"};
+
+}  // namespace smile::page

@@ -1,0 +1,60 @@
+#include "page/requests.h"
+
+#include <gtest/gtest.h>
+
+namespace smile::page {
+namespace {
+
+RequestTable MakeTable() {
+  RequestTable table;
+  table.entries["look"] = {[](const Request&) {
+                             return Json{{"seen", 3}};
+                           },
+                           /*is_for_anyone=*/true};
+  table.entries["load"] = {[](const Request&) -> Json {
+    throw InputError(
+        Diagnostic{.file = "a.xml", .line = 4, .element = "<block>", .message = "mass is -1"});
+  }};
+  return table;
+}
+
+TEST(Answer, AddsWhatTheHandlerFound) {
+  EXPECT_EQ(Answer(MakeTable(), {.seq = 7, .what = "look"}, /*is_controller=*/false),
+            (Json{{"t", "reply"}, {"seq", 7}, {"ok", true}, {"seen", 3}}));
+}
+
+TEST(Answer, GivesTheAddressOfEveryFinding) {
+  const Json answer = Answer(MakeTable(), {.seq = 8, .what = "load"}, /*is_controller=*/true);
+  EXPECT_FALSE(answer["ok"]);
+  EXPECT_EQ(answer["diagnostics"][0]["line"], 4);
+}
+
+TEST(Answer, LetsWatchersOnlyWatch) {
+  const Json answer = Answer(MakeTable(), {.what = "load"}, /*is_controller=*/false);
+  EXPECT_EQ(answer["error"], "you are watching: take control first");
+}
+
+TEST(Answer, MayComeLaterAsALetter) {
+  RequestTable table = MakeTable();
+  table.entries["dig"] = {[](const Request&) { return AnswersLater(); }};
+  table.letters.emplace_back([] {
+    return std::vector<Letter>{{.client = 2, .message = AnswerWith({.seq = 9}, []() -> Json {
+                                               throw RequestError("nothing found");
+                                             })}};
+  });
+  EXPECT_TRUE(IsLater(Answer(table, {.seq = 9, .what = "dig"}, /*is_controller=*/true)));
+  EXPECT_FALSE(IsLater(Answer(table, {.seq = 9, .what = "dig"}, /*is_controller=*/false)));
+  const std::vector<Letter> letters = TakeLetters(table);
+  ASSERT_EQ(letters.size(), 1u);
+  EXPECT_EQ(letters[0].message,
+            (Json{{"t", "reply"}, {"seq", 9}, {"ok", false}, {"error", "nothing found"}}));
+}
+
+TEST(Answer, TellsWhatThereIsInsteadOfAnUnknownRequest) {
+  const Json answer = Answer(MakeTable(), {.what = "loat"}, /*is_controller=*/true);
+  EXPECT_EQ(answer["error"],
+            R"(there is no request "loat", expected load or look; did you mean "load"?)");
+}
+
+}  // namespace
+}  // namespace smile::page

@@ -1,0 +1,67 @@
+#include "page/internal_roles.h"
+
+#include <gtest/gtest.h>
+
+#include "page/control_requests.h"
+
+namespace smile::page {
+namespace {
+
+using std::chrono::seconds;
+
+class RolesTest : public ::testing::Test {
+ protected:
+  RolesTest() {
+    for (const ClientId client : {1, 2, 3}) roles_.Join(client);
+    EXPECT_TRUE(roles_.Take(1, /*by_force=*/false, At(0)));
+  }
+
+  static Roles::Time At(int second) { return Roles::Time(seconds(100 + second)); }
+  bool Ask(ClientId client, int second) { return roles_.Take(client, false, At(second)); }
+  bool Force(ClientId client, int second) { return roles_.Take(client, true, At(second)); }
+
+  Roles roles_{seconds(30)};
+};
+
+TEST_F(RolesTest, OneAsksOnceInTenSeconds) {
+  EXPECT_FALSE(Ask(2, 5));
+  EXPECT_THROW((void)Ask(2, 6), RequestError);
+  EXPECT_FALSE(Ask(3, 6)) << "another may";
+  EXPECT_THROW((void)Ask(2, 14), RequestError);
+  EXPECT_FALSE(Ask(2, 15));
+  EXPECT_EQ(roles_.controller(), 1);
+}
+
+TEST_F(RolesTest, ForceWantsASilenceAfterTheControllerWasAsked) {
+  EXPECT_FALSE(Force(2, 500)) << "it asks: who was idle till now has not been asked";
+  EXPECT_THROW((void)Force(2, 529), RequestError);
+  EXPECT_EQ(roles_.controller(), 1);
+  EXPECT_FALSE(Force(3, 529)) << "who did not ask cannot force";
+  EXPECT_TRUE(Force(2, 530));
+  EXPECT_EQ(roles_.controller(), 2);
+  EXPECT_FALSE(Force(3, 1000)) << "who is new was not asked";
+}
+
+TEST_F(RolesTest, WhoDoesSomethingKeepsControl) {
+  EXPECT_FALSE(Ask(2, 0));
+  roles_.NoteSignOfLife(1, At(20));
+  EXPECT_THROW((void)Force(2, 49), RequestError);
+  EXPECT_TRUE(Force(2, 50));
+}
+
+TEST(ControlRequests, WhoIsRefusedIsTold) {
+  RequestTable table;
+  AddControlRequests(&table);
+  const Request request{.client = 1, .seq = 1, .what = "keep_control", .fields = {{"from", 2}}};
+  EXPECT_EQ(Answer(table, request, /*is_controller=*/false)["ok"], false);
+  EXPECT_TRUE(TakeLetters(table).empty());
+  EXPECT_EQ(Answer(table, request, /*is_controller=*/true)["ok"], true);
+  const std::vector<Letter> letters = TakeLetters(table);
+  ASSERT_EQ(letters.size(), 1u);
+  EXPECT_EQ(letters[0].client, 2);
+  EXPECT_EQ(letters[0].message, (Json{{"t", "control_kept"}, {"by", 1}}));
+  EXPECT_TRUE(TakeLetters(table).empty());
+}
+
+}  // namespace
+}  // namespace smile::page

@@ -1,11 +1,11 @@
-#include "studio/gallery.h"
+#include "library/gallery.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include "base/files.h"
 
-namespace smile::studio {
+namespace smile::library {
 namespace {
 
 class GalleryTest : public ::testing::Test {
@@ -58,4 +58,4 @@ TEST_F(GalleryTest, NoNameLeadsOutOfTheFolder) {
 }
 
 }  // namespace
-}  // namespace smile::studio
+}  // namespace smile::library

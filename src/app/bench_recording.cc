@@ -10,8 +10,8 @@
 
 #include "app/options.h"
 #include "base/files.h"
-#include "record/recorder.h"
-#include "record/replay.h"
+#include "recorder/recorder.h"
+#include "replay/replay.h"
 #include "scene_xml/scene_reader.h"
 #include "sim/script.h"
 #include "sim/simulation.h"
@@ -58,9 +58,9 @@ void CarryOn(sim::Simulation* simulation) {
 void TickOfAHandAtWork(benchmark::State& state, bool is_recorded) {
   const ScratchFolder folder;
   sim::Simulation simulation(LettersScene());
-  std::optional<record::Recorder> recorder;
+  std::optional<recorder::Recorder> recorder;
   if (is_recorded) {
-    recorder.emplace(folder.path() / "demo", record::RecorderOptions(), nullptr, simulation);
+    recorder.emplace(folder.path() / "demo", recorder::RecorderOptions(), nullptr, simulation);
     simulation.AddListener(&*recorder);
   }
   for (auto _ : state) {
@@ -87,7 +87,7 @@ scene::SceneSpec FiftyBlocks() {
 void UndoAmongFiftyBlocks(benchmark::State& state) {
   const ScratchFolder folder;
   sim::Simulation simulation(FiftyBlocks());
-  record::Recorder recorder(folder.path() / "demo", {}, nullptr, simulation);
+  recorder::Recorder recorder(folder.path() / "demo", {}, nullptr, simulation);
   simulation.AddListener(&recorder);
   for (auto _ : state) {
     simulation.Apply(sim::Grasp{.hand = HandName::kLeft, .object = "b22"});
@@ -105,7 +105,7 @@ void ReplayUm(benchmark::State& state, bool with_robot) {
   const auto demo = folder.path() / "demo";
   sim::Simulation simulation(LettersScene(), PlaceRobot({.no_robot = !with_robot}));
   {
-    record::Recorder recorder(demo, {}, nullptr, simulation);
+    recorder::Recorder recorder(demo, {}, nullptr, simulation);
     simulation.AddListener(&recorder);
     sim::ScriptPlayer player(
         sim::ReadScript(DataFile("examples/um.jsonl"), simulation.scene().meters_per_unit));
@@ -114,9 +114,9 @@ void ReplayUm(benchmark::State& state, bool with_robot) {
     }
     simulation.RemoveListener(&recorder);
   }
-  const record::Recording recording = record::OpenRecording(demo);
+  const recording::Recording recording = recording::OpenRecording(demo);
   for (auto _ : state) {
-    if (record::Replay(recording).first_difference) state.SkipWithError("the replay differs");
+    if (replay::Replay(recording).first_difference) state.SkipWithError("the replay differs");
   }
   std::uintmax_t bytes = 0;
   for (const auto& file : std::filesystem::recursive_directory_iterator(demo)) {

@@ -9,9 +9,9 @@
 #include "app/options.h"
 #include "experiment/content_hash.h"
 #include "experiment/run.h"
-#include "record/recording_history.h"
-#include "record/sight.h"
-#include "record/time_range.h"
+#include "recording/recording_history.h"
+#include "recording/sight.h"
+#include "recording/time_range.h"
 
 namespace smile::app {
 namespace {
@@ -24,16 +24,16 @@ struct CheckoutOptions {
 };
 
 /// The moment that is meant; the end of the recording if nothing is said.
-record::Moment MomentOf(const CheckoutOptions& options, const record::Recording& recording) {
-  const std::vector<record::HistoryStep> steps = record::HistoryOf(recording);
+recording::Moment MomentOf(const CheckoutOptions& options, const recording::Recording& recording) {
+  const std::vector<recording::HistoryStep> steps = recording::HistoryOf(recording);
   std::size_t at = steps.size() - 1;
   while (!options.at && !steps[at].is_on_way) --at;
-  return record::MomentOf(recording, steps, options.at.value_or(at), options.after);
+  return recording::MomentOf(recording, steps, options.at.value_or(at), options.after);
 }
 
 int CheckOut(const CheckoutOptions& options) {
-  const record::Recording recording = OpenAndTell(options.demo);
-  const record::Moment from = MomentOf(options, recording);
+  const recording::Recording recording = OpenAndTell(options.demo);
+  const recording::Moment from = MomentOf(options, recording);
   experiment::RunPlan plan{.scene = recording.scene,
                            .robot = recording.robot,
                            .seconds = options.commands.empty()
@@ -54,8 +54,8 @@ int CheckOut(const CheckoutOptions& options) {
     std::printf("%s\n", ToText(ToJson(outcome), 2).c_str());
   } else {
     std::printf("%s: went on from %.2f s, ends at %.2f s, state %s\n", options.demo.c_str(),
-                record::SecondsInto(recording, from.tick),
-                record::SecondsInto(recording, outcome.ticks),
+                recording::SecondsInto(recording, from.tick),
+                recording::SecondsInto(recording, outcome.ticks),
                 experiment::HashText(outcome.state_hash).c_str());
     for (std::size_t i = 1; i < outcome.recordings.size(); ++i) {
       std::printf("recorded in %s\n", outcome.recordings[i].c_str());

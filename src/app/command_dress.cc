@@ -19,10 +19,10 @@ struct DressOptions {
 };
 
 int DressOne(const DressOptions& options) {
-  const record::RedrawOptions copy{
-      .demonstrator = record::ParseDemonstratorLook(options.demonstrator),
+  const classic::RedrawOptions copy{
+      .demonstrator = recording::ParseDemonstratorLook(options.demonstrator),
       .has_symbols = !options.no_symbols};
-  const record::Recording recording = OpenAndTell(options.demo);
+  const recording::Recording recording = OpenAndTell(options.demo);
   ConsoleReporter console;
   const std::size_t num_pictures =
       experiment::Rerender(recording, options.out, copy, console.callbacks());

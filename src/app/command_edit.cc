@@ -10,10 +10,10 @@
 #include "app/open_recording.h"
 #include "app/options.h"
 #include "app/progress.h"
+#include "editing/edit_json.h"
+#include "editing/re_simulation.h"
 #include "picture/rendered_eye.h"
-#include "record/edit_json.h"
-#include "record/re_simulation.h"
-#include "record/sight.h"
+#include "recording/sight.h"
 
 namespace smile::app {
 namespace {
@@ -21,7 +21,7 @@ namespace {
 /// An edit, as somebody typed it.
 struct TypedEdit {
   std::string text;
-  record::Edit edit;
+  editing::Edit edit;
 };
 
 struct EditOptions {
@@ -30,13 +30,13 @@ struct EditOptions {
   bool dry_run = false, no_pictures = false, json = false;
 };
 
-void Print(const record::EditReport& report) {
+void Print(const editing::EditReport& report) {
   std::printf("lasts %.2f s, was %.2f s\n", sim::SecondsOf(report.ticks_after),
               sim::SecondsOf(report.ticks_before));
-  for (const record::LeftOut& command : report.left_out) {
+  for (const editing::LeftOut& command : report.left_out) {
     std::printf("line %zu of the log is left out: %s\n", command.line, command.reason.c_str());
   }
-  for (const record::Displaced& object : report.displaced) {
+  for (const editing::Displaced& object : report.displaced) {
     std::printf("%s ends %.1f mm and %.1f degrees from where it did\n", object.id.c_str(),
                 object.gap.millimeters(), object.gap.degrees());
   }
@@ -46,11 +46,11 @@ void Print(const record::EditReport& report) {
   for (const std::string& id : report.there_again) {
     std::printf("%s was gone in the end, and is there\n", id.c_str());
   }
-  for (const record::ChangedState& control : report.controls) {
+  for (const editing::ChangedState& control : report.controls) {
     std::printf("%s ends in state %s, was %s\n", control.id.c_str(), control.after.c_str(),
                 control.before.c_str());
   }
-  for (const record::ChangedState& host : report.host_points) {
+  for (const editing::ChangedState& host : report.host_points) {
     std::printf("%s ends with tightness %s, was %s\n", host.id.c_str(), host.after.c_str(),
                 host.before.c_str());
   }
@@ -60,8 +60,8 @@ void Print(const record::EditReport& report) {
   if (report.ends_the_same()) std::printf("everything ends as it did\n");
 }
 
-record::Demonstration Perform(const std::vector<TypedEdit>& edits,
-                              record::Demonstration demonstration) {
+recording::Demonstration Perform(const std::vector<TypedEdit>& edits,
+                                 recording::Demonstration demonstration) {
   for (const TypedEdit& typed : edits) {
     try {
       demonstration = Edited(std::move(demonstration), typed.edit);
@@ -72,10 +72,10 @@ record::Demonstration Perform(const std::vector<TypedEdit>& edits,
   return demonstration;
 }
 
-record::EditReport Simulate(const record::Recording& recording, const record::Demonstration& edited,
-                            const EditOptions& options) {
+editing::EditReport Simulate(const recording::Recording& recording,
+                             const recording::Demonstration& edited, const EditOptions& options) {
   std::optional<picture::RenderedEye> eye;
-  std::optional<record::EditOutput> output;
+  std::optional<editing::EditOutput> output;
   if (!options.dry_run) {
     const auto spec = EyeOf(recording.info);
     if (spec && !options.no_pictures) eye.emplace(*spec);
@@ -86,8 +86,8 @@ record::EditReport Simulate(const record::Recording& recording, const record::De
     progress.Show(done, total);
     return !IsInterrupted();
   };
-  const auto report = output ? MakeEdited(recording, edited, *output, show)
-                             : ReSimulate(recording, edited, std::nullopt, show);
+  const auto report = output ? editing::MakeEdited(recording, edited, *output, show)
+                             : editing::ReSimulate(recording, edited, std::nullopt, show);
   if (IsInterrupted()) throw std::runtime_error("interrupted");
   return report;
 }
@@ -96,9 +96,9 @@ void EditDemo(const EditOptions& options) {
   if (options.out.empty() && !options.dry_run) {
     throw std::invalid_argument("nothing says where the result goes: give --out or --dry-run");
   }
-  const record::Recording recording = OpenAndTell(options.demo);
+  const recording::Recording recording = OpenAndTell(options.demo);
   const auto edited = Perform(options.edits, DemonstrationOf(recording));
-  const record::EditReport report = Simulate(recording, edited, options);
+  const editing::EditReport report = Simulate(recording, edited, options);
   if (options.json) {
     std::printf("%s\n", ToText(ToJson(report), 2).c_str());
   } else {

@@ -11,7 +11,7 @@
 #include "app/exit_code.h"
 #include "app/layout_options.h"
 #include "base/wording.h"
-#include "record/demo_info.h"
+#include "recording/demo_info.h"
 
 namespace smile::app {
 namespace {
@@ -82,8 +82,8 @@ void AddEvaluate(CLI::App* program, ExitAnswer answer) {
                                "who is seen in the pictures of the recording, to be compared: "
                                "some of invisible, ghost and forearm, with commas between them"))
           ->delimiter(',')
-          ->check(CLI::IsMember(std::vector<std::string>(record::kDemonstratorLooks.begin(),
-                                                         record::kDemonstratorLooks.end())));
+          ->check(CLI::IsMember(std::vector<std::string>(recording::kDemonstratorLooks.begin(),
+                                                         recording::kDemonstratorLooks.end())));
   evaluate
       ->add_flag("--no-symbols", options->no_symbols,
                  "with --demonstrators: without the texts of the classic view")

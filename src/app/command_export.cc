@@ -15,14 +15,14 @@
 #include "motion/limit_check.h"
 #include "motion/trajectory_files.h"
 #include "motion/trajectory_shape.h"
-#include "record/joint_motion.h"
+#include "recording/joint_motion.h"
 
 namespace smile::app {
 namespace {
 
 struct ExportOptions {
   std::string demo, format, out, part = "all";
-  record::TimeRange range;
+  recording::TimeRange range;
   double rate = sim::kTicksPerSecond;
   bool no_grippers = false, slow_down = false, allow_breaches = false;
 };
@@ -130,7 +130,7 @@ void RequireReadable(const motion::JointTrajectory& trajectory, const std::strin
 int Export(const ExportOptions& options) {
   const Format& format = FormatOf(options);
   RequireOutsideOfRecordings(options.out);
-  const record::Recording recording = OpenAndTell(options.demo);
+  const recording::Recording recording = OpenAndTell(options.demo);
   Motion motion;
   if (recording.robot) motion.channels = ChosenChannels(recording.robot->model, options);
   if (recording.robot && motion.channels.empty()) {

@@ -8,8 +8,8 @@
 #include "app/open_recording.h"
 #include "base/json.h"
 #include "base/wording.h"
-#include "record/recording_history.h"
-#include "record/time_range.h"
+#include "recording/recording_history.h"
+#include "recording/time_range.h"
 
 namespace smile::app {
 namespace {
@@ -22,7 +22,8 @@ struct HistoryOptions {
   bool json = false;
 };
 
-Json ToJson(const record::Recording& recording, const std::vector<record::HistoryStep>& steps) {
+Json ToJson(const recording::Recording& recording,
+            const std::vector<recording::HistoryStep>& steps) {
   Json list = Json::array();
   for (std::size_t i = 0; i < steps.size(); ++i) {
     list.push_back({{"step", i},
@@ -38,7 +39,8 @@ Json ToJson(const record::Recording& recording, const std::vector<record::Histor
 
 /// Prints a step and everything that followed upon it: first what was left, one column farther
 /// right each time, then the way on.
-void PrintTree(const record::Recording& recording, const std::vector<record::HistoryStep>& steps) {
+void PrintTree(const recording::Recording& recording,
+               const std::vector<recording::HistoryStep>& steps) {
   std::vector<std::vector<std::size_t>> children(steps.size());
   for (std::size_t i = 1; i < steps.size(); ++i) children[*steps[i].parent].push_back(i);
   struct Row {
@@ -49,7 +51,7 @@ void PrintTree(const record::Recording& recording, const std::vector<record::His
   while (!rows.empty()) {
     const Row row = rows.back();
     rows.pop_back();
-    const record::HistoryStep& step = steps[row.step];
+    const recording::HistoryStep& step = steps[row.step];
     std::printf("%s%s %3zu  %7.2f s  %s%s\n",
                 std::string(2 * std::min(row.depth, kMaxDepth), ' ').c_str(),
                 step.is_on_way ? "*" : "-", row.step, SecondsInto(recording, step.begin.tick),
@@ -68,8 +70,8 @@ void PrintTree(const record::Recording& recording, const std::vector<record::His
 }
 
 int ShowHistory(const HistoryOptions& options) {
-  const record::Recording recording = OpenAndTell(options.demo);
-  const std::vector<record::HistoryStep> steps = record::HistoryOf(recording);
+  const recording::Recording recording = OpenAndTell(options.demo);
+  const std::vector<recording::HistoryStep> steps = recording::HistoryOf(recording);
   if (options.json) {
     std::printf("%s\n", ToText(ToJson(recording, steps), 2).c_str());
   } else {

@@ -6,8 +6,8 @@
 #include "app/exit_code.h"
 #include "app/options.h"
 #include "base/json.h"
-#include "record/demo_info.h"
-#include "record/import_classic.h"
+#include "classic/import_classic.h"
+#include "recording/demo_info.h"
 #include "scene_xml/scene_reader.h"
 
 namespace smile::app {
@@ -15,18 +15,18 @@ namespace {
 
 struct ImportCommandOptions {
   std::string classic, out, scene;
-  record::ImportOptions import;
+  classic::ImportOptions import;
   PathOptions path;
   bool json = false;
 };
 
 int Import(ImportCommandOptions* options) {
-  record::CheckTitle(options->import.title);
+  recording::CheckTitle(options->import.title);
   if (!options->scene.empty()) {
     options->import.scene = scene_xml::LoadScene(options->scene, options->path.reader());
   }
-  const record::ImportReport report =
-      record::ImportClassic(options->classic, options->out, options->import);
+  const classic::ImportReport report =
+      classic::ImportClassic(options->classic, options->out, options->import);
   for (const std::string& remark : report.remarks) {
     std::fprintf(stderr, "%s: %s\n", options->classic.c_str(), remark.c_str());
   }

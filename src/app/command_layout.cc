@@ -8,7 +8,7 @@
 #include "app/layout_options.h"
 #include "app/options.h"
 #include "base/diagnostic.h"
-#include "record/scene_files.h"
+#include "recording/scene_files.h"
 #include "scene_xml/mesh_files.h"
 #include "scene_xml/scene_reader.h"
 
@@ -35,7 +35,7 @@ int WriteLayout(const LayoutCommandOptions& options) {
   if (!scene_xml::MeshFilesOf(scene).empty()) {
     RequireNew(out.parent_path() / scene_xml::kMeshFolder);
   }
-  record::WriteSceneFiles(scene, out);
+  recording::WriteSceneFiles(scene, out);
   std::printf("%s: seed %llu, %s\n", out.c_str(),
               static_cast<unsigned long long>(*options.layout.seed), options.layout.level.c_str());
   return kDone;

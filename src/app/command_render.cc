@@ -12,7 +12,7 @@
 #include "picture/film.h"
 #include "picture/photographer.h"
 #include "picture/viewpoint.h"
-#include "record/markers.h"
+#include "recording/markers.h"
 #include "scene_xml/scene_reader.h"
 
 namespace smile::app {
@@ -22,7 +22,7 @@ struct RenderCommandOptions {
   std::string subject, camera = "nice", size = "1280x720", channels = "rgb", out;
   std::string demonstrator = "invisible";
   std::optional<double> at;
-  record::TimeRange range;
+  recording::TimeRange range;
   double rate = 30, speed = 1;
   bool as_pictures = false;
   RobotOptions robot;
@@ -48,7 +48,7 @@ void CheckTimes(const RenderCommandOptions& options, Product product) {
   if (options.at && product != Product::kPicture) {
     throw std::invalid_argument("--at is for a picture; a film has --from and --to");
   }
-  if (options.range != record::TimeRange() && product == Product::kPicture) {
+  if (options.range != recording::TimeRange() && product == Product::kPicture) {
     throw std::invalid_argument("--from and --to are for films; a picture has --at");
   }
 }
@@ -63,11 +63,11 @@ picture::Shot ShotOf(const RenderCommandOptions& options, const std::string& eye
           .channels = picture::ParseChannels(options.channels)};
 }
 
-record::DemonstratorLook LookOf(const RenderCommandOptions& options) {
-  return record::ParseDemonstratorLook(options.demonstrator);
+recording::DemonstratorLook LookOf(const RenderCommandOptions& options) {
+  return recording::ParseDemonstratorLook(options.demonstrator);
 }
 
-void RenderPicture(const model::Model& model, const record::TraceTick& moment,
+void RenderPicture(const model::Model& model, const recording::TraceTick& moment,
                    const std::vector<Vector3>& markers, const RenderCommandOptions& options,
                    const std::string& eye, const picture::SeenDemonstrator* demonstrator) {
   const picture::Shot shot = ShotOf(options, eye);
@@ -84,24 +84,24 @@ void RenderScene(const RenderCommandOptions& options, Product product) {
   const std::string but = ", but '" + options.subject + "' is none";
   if (product != Product::kPicture) throw std::invalid_argument("a film needs a recording" + but);
   if (options.at) throw std::invalid_argument("--at needs a recording" + but);
-  if (LookOf(options) != record::DemonstratorLook::kInvisible) {
+  if (LookOf(options) != recording::DemonstratorLook::kInvisible) {
     throw std::invalid_argument("--demonstrator needs a recording" + but);
   }
-  RenderPicture(model, record::StartOf(model), {}, options, model::kEyeCamera, nullptr);
+  RenderPicture(model, recording::StartOf(model), {}, options, model::kEyeCamera, nullptr);
 }
 
-void RenderMoment(const record::Recording& recording, const RenderCommandOptions& options) {
-  const record::TickRange whole = TicksOf(recording);
+void RenderMoment(const recording::Recording& recording, const RenderCommandOptions& options) {
+  const recording::TickRange whole = TicksOf(recording);
   const std::uint64_t tick = options.at ? TickAt(*options.at, whole, "at") : whole.last;
   const auto moment = MomentAt(recording, tick);
   if (!moment) throw InputError({options.subject, 0, "", "its trace holds no moment"});
   const model::Model model(recording.scene, recording.robot);
   const auto demonstrator = picture::DemonstratorOf(recording, model, LookOf(options));
-  RenderPicture(model, *moment, record::MarkerTrack(recording).At(tick), options,
+  RenderPicture(model, *moment, recording::MarkerTrack(recording).At(tick), options,
                 recording.info.eye_camera, demonstrator.get());
 }
 
-void RenderFilm(const record::Recording& recording, const RenderCommandOptions& options,
+void RenderFilm(const recording::Recording& recording, const RenderCommandOptions& options,
                 Product product) {
   if (product == Product::kFilm && options.channels != "rgb") {
     throw std::invalid_argument("a film has the channel rgb only; pictures, DIR/, have all");
@@ -122,7 +122,7 @@ int Render(const RenderCommandOptions& options) {
   const Product product = ProductOf(options);
   RequireOutsideOfRecordings(options.out);
   CheckTimes(options, product);
-  if (!record::IsRecording(options.subject)) {
+  if (!recording::IsRecording(options.subject)) {
     RenderScene(options, product);
     return kDone;
   }
@@ -130,7 +130,7 @@ int Render(const RenderCommandOptions& options) {
     throw std::invalid_argument(
         "the robot's options and --path are of scenes; a recording has its own robot and files");
   }
-  const record::Recording recording = OpenAndTell(options.subject);
+  const recording::Recording recording = OpenAndTell(options.subject);
   if (product == Product::kPicture) {
     RenderMoment(recording, options);
   } else {

@@ -10,21 +10,21 @@
 #include "app/progress.h"
 #include "base/json.h"
 #include "base/version.h"
-#include "record/replay.h"
+#include "replay/replay.h"
 
 namespace smile::app {
 namespace {
 
 struct ReplayCommandOptions {
   std::string demo;
-  record::TimeRange range;
+  recording::TimeRange range;
   bool verify = false, json = false;
 };
 
 /// More lines than these of a kind are for programs to read.
 constexpr std::size_t kMaxLines = 10;
 
-Json ToJson(const record::Difference& difference) {
+Json ToJson(const replay::Difference& difference) {
   return {{"tick", difference.tick},
           {"object", difference.object},
           {"quantity", difference.quantity},
@@ -32,7 +32,7 @@ Json ToJson(const record::Difference& difference) {
           {"replayed", difference.replayed}};
 }
 
-Json ToJson(const record::Departure& departure) {
+Json ToJson(const replay::Departure& departure) {
   const auto& end = departure.end;
   return {{"object", departure.object},
           {"largest_mm", departure.largest.millimeters()},
@@ -42,7 +42,7 @@ Json ToJson(const record::Departure& departure) {
           {"end_degrees", end ? Json(end->degrees()) : Json()}};
 }
 
-Json ToJson(const record::RefusedCommand& command) {
+Json ToJson(const replay::RefusedCommand& command) {
   return {{"tick", command.tick}, {"line", command.line}, {"reason", command.reason}};
 }
 
@@ -53,7 +53,7 @@ Json ArrayOf(const std::vector<T>& all) {
   return array;
 }
 
-Json ToJson(const record::ReplayReport& report, const record::Recording& recording) {
+Json ToJson(const replay::ReplayReport& report, const recording::Recording& recording) {
   const auto& first = report.first_difference;
   return {{"identical", !first},
           {"ticks", report.ticks()},
@@ -65,22 +65,22 @@ Json ToJson(const record::ReplayReport& report, const record::Recording& recordi
           {"refused", ArrayOf(report.refused)}};
 }
 
-std::string GapText(const record::PoseGap& gap) {
+std::string GapText(const recording::PoseGap& gap) {
   char text[64];
   std::snprintf(text, sizeof text, "%.3g mm and %.3g degrees", gap.millimeters(), gap.degrees());
   return text;
 }
 
-std::string LineOf(const record::Departure& departure) {
+std::string LineOf(const replay::Departure& departure) {
   return departure.object + ": " + GapText(departure.largest) + " apart at tick " +
          std::to_string(departure.tick) + ", " +
          (departure.end ? GapText(*departure.end) + " in the end" : "gone in the end");
 }
-std::string LineOf(const record::Difference& difference) {
+std::string LineOf(const replay::Difference& difference) {
   return difference.object + ": " + difference.quantity + ": ends as " + difference.replayed +
          ", recorded " + difference.recorded;
 }
-std::string LineOf(const record::RefusedCommand& command) {
+std::string LineOf(const replay::RefusedCommand& command) {
   return "commands.jsonl:" + std::to_string(command.line) + ": at tick " +
          std::to_string(command.tick) + ": " + command.reason;
 }
@@ -93,19 +93,19 @@ void PrintSome(const std::vector<T>& all) {
   if (all.size() > kMaxLines) std::printf("  and %zu more\n", all.size() - kMaxLines);
 }
 
-void Print(const record::ReplayReport& report, const record::Recording& recording,
+void Print(const replay::ReplayReport& report, const recording::Recording& recording,
            const ReplayCommandOptions& options) {
   const auto ticks = static_cast<unsigned long long>(report.ticks());
   if (!report.first_difference) {
     std::printf("%s: identical, %llu ticks", options.demo.c_str(), ticks);
-    if (options.range != record::TimeRange()) {
+    if (options.range != recording::TimeRange()) {
       std::printf(" from %.2f s to %.2f s", SecondsInto(recording, report.compared.first),
                   SecondsInto(recording, report.compared.last));
     }
     std::printf("\n");
     return;
   }
-  const record::Difference& first = *report.first_difference;
+  const replay::Difference& first = *report.first_difference;
   std::printf("%s: differs at tick %llu: %s: %s: recorded %s, replayed %s\n", options.demo.c_str(),
               static_cast<unsigned long long>(first.tick), first.object.c_str(),
               first.quantity.c_str(), first.recorded.c_str(), first.replayed.c_str());
@@ -117,12 +117,12 @@ void Print(const record::ReplayReport& report, const record::Recording& recordin
   PrintSome(report.departures);
 }
 
-record::ReplayReport ReplayIt(const record::Recording& recording,
+replay::ReplayReport ReplayIt(const recording::Recording& recording,
                               const ReplayCommandOptions& options) {
   // That another program runs differently is no surprise; how, is what one wants to know.
   const bool is_ours = recording.info.program == ProgramName();
   ProgressLine progress("replaying");
-  return record::Replay(recording,
+  return replay::Replay(recording,
                         {.range = options.range, .stops_at_difference = options.verify && is_ours},
                         [&progress](double done, double total) {
                           progress.Show(done, total);
@@ -131,8 +131,8 @@ record::ReplayReport ReplayIt(const record::Recording& recording,
 }
 
 int ReplayDemo(const ReplayCommandOptions& options) {
-  const record::Recording recording = OpenAndTell(options.demo);
-  const record::ReplayReport report = ReplayIt(recording, options);
+  const recording::Recording recording = OpenAndTell(options.demo);
+  const replay::ReplayReport report = ReplayIt(recording, options);
   if (IsInterrupted()) throw std::runtime_error("interrupted");
   if (report.is_cut) {
     std::fprintf(stderr, "%s: the last tick of trace.bin was cut and is left out\n",

@@ -46,26 +46,26 @@ class EditText {
   const char* rest_;
 };
 
-record::Edit ParseDrop(const std::string& text) {
+editing::Edit ParseDrop(const std::string& text) {
   EditText in(text, "the number of a segment, or two like 2-4");
-  record::Drop drop{.first = in.Number<int>()};
+  editing::Drop drop{.first = in.Number<int>()};
   drop.last = in.Take('-') ? in.Number<int>() : drop.first;
   in.ExpectEnd();
   return drop;
 }
 
-record::Edit ParseMove(const std::string& text) {
+editing::Edit ParseMove(const std::string& text) {
   EditText in(text, "the number of a segment and its place, like 5:2");
-  record::Move move{.segment = in.Number<int>()};
+  editing::Move move{.segment = in.Number<int>()};
   in.Expect(':');
   move.place = in.Number<int>();
   in.ExpectEnd();
   return move;
 }
 
-record::Edit ParseTrim(const std::string& text) {
+editing::Edit ParseTrim(const std::string& text) {
   EditText in(text, "the number of a segment and the seconds to keep, like 3:0.5-2");
-  record::Trim trim{.segment = in.Number<int>()};
+  editing::Trim trim{.segment = in.Number<int>()};
   in.Expect(':');
   trim.from = in.Number<double>();
   in.Expect('-');
@@ -74,25 +74,25 @@ record::Edit ParseTrim(const std::string& text) {
   return trim;
 }
 
-record::Edit ParseMaxPause(const std::string& text) {
+editing::Edit ParseMaxPause(const std::string& text) {
   EditText in(text, "seconds, like 0.5");
-  const record::MaxPause longest{in.Number<double>()};
+  const editing::MaxPause longest{in.Number<double>()};
   in.ExpectEnd();
   return longest;
 }
 
-record::Edit ParseRetime(const std::string& text) {
+editing::Edit ParseRetime(const std::string& text) {
   EditText in(text, "the number of a segment and its seconds, like 3:1.5");
-  record::Retime retime{.segment = in.Number<int>()};
+  editing::Retime retime{.segment = in.Number<int>()};
   in.Expect(':');
   retime.seconds = in.Number<double>();
   in.ExpectEnd();
   return retime;
 }
 
-record::Edit ParseSpeed(const std::string& text) {
+editing::Edit ParseSpeed(const std::string& text) {
   EditText in(text, "a factor, like 1.5");
-  const record::Speed speed{in.Number<double>()};
+  const editing::Speed speed{in.Number<double>()};
   in.ExpectEnd();
   return speed;
 }

@@ -3,7 +3,7 @@
 #include <span>
 #include <string>
 
-#include "record/edit.h"
+#include "editing/edit.h"
 
 namespace smile::app {
 
@@ -13,7 +13,7 @@ struct EditOption {
   const char* form;     ///< of its value
   const char* meaning;  ///< for the help
   /// @throws std::invalid_argument saying what was found and expected.
-  record::Edit (*parse)(const std::string& text);
+  editing::Edit (*parse)(const std::string& text);
 };
 
 std::span<const EditOption> AllEditOptions();

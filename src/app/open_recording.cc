@@ -8,8 +8,8 @@
 
 namespace smile::app {
 
-record::Recording OpenAndTell(const std::string& demo) {
-  record::Recording recording = record::OpenRecording(demo);
+recording::Recording OpenAndTell(const std::string& demo) {
+  recording::Recording recording = recording::OpenRecording(demo);
   for (const std::string& cut : recording.cuts) {
     std::fprintf(stderr, "%s: %s\n", demo.c_str(), cut.c_str());
   }
@@ -21,7 +21,7 @@ record::Recording OpenAndTell(const std::string& demo) {
 }
 
 void RequireOutsideOfRecordings(const std::string& out) {
-  const auto around = record::RecordingAround(out);
+  const auto around = recording::RecordingAround(out);
   if (!around) return;
   throw InputError(
       {out, 0, "", "lies within the recording " + around->string() + ", which stays as it is"});

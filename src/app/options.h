@@ -86,7 +86,7 @@ brain::SensorNoise ParseNoise(const std::string& text);
 /// `--noise`.
 void AddNoiseOption(CLI::App* command, std::string* text);
 
-/// `--demonstrator`: how the demonstrator is seen in pictures, see record::DemonstratorLook.
+/// `--demonstrator`: how the demonstrator is seen in pictures, see recording::DemonstratorLook.
 CLI::Option* AddDemonstratorOption(CLI::App* command, std::string* look);
 
 /// Accepts finite numbers from `low` to `high`; CLI::Range would let NaN pass.

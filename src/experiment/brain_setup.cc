@@ -1,7 +1,7 @@
 #include "experiment/brain_setup.h"
 
-#include "record/attention.h"
-#include "record/recording.h"
+#include "recording/attention.h"
+#include "recording/recording.h"
 
 namespace smile::experiment {
 
@@ -10,7 +10,7 @@ brain::BrainDriverOptions DriverOptionsFor(const std::filesystem::path& brain,
   brain::BrainDriverOptions options{.has_trackers = brain::MayReadTrackers(brain),
                                     .demonstration = demonstration};
   if (!demonstration.empty()) {
-    options.attention = record::AttentionOf(record::OpenRecording(demonstration));
+    options.attention = recording::AttentionOf(recording::OpenRecording(demonstration));
   }
   return options;
 }

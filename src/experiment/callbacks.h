@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "record/progress.h"
+#include "recording/progress.h"
 
 namespace smile::experiment {
 
@@ -27,7 +27,7 @@ struct Callbacks {
     if (on_message) on_message(message);
   }
   /// The same for work in lower rooms, as one step. The result refers to this object.
-  record::Progress ProgressOf(std::string step) const {
+  recording::Progress ProgressOf(std::string step) const {
     return [this, name = std::move(step)](double done, double total) {
       Report(name, done, total);
       return !IsCancelled();

@@ -9,7 +9,7 @@ namespace smile::experiment {
 
 ImitationResult Imitate(const ImitationPlan& plan, const Callbacks& callbacks) {
   const task::Exercise exercise =
-      task::MakeExercise(plan.task, record::OpenRecording(plan.demonstration), plan.scene);
+      task::MakeExercise(plan.task, recording::OpenRecording(plan.demonstration), plan.scene);
   const RunResult run = Run({.scene = plan.scene,
                              .robot = plan.robot,
                              .brain = plan.brain,
@@ -24,7 +24,7 @@ ImitationResult Imitate(const ImitationPlan& plan, const Callbacks& callbacks) {
                              .noise = plan.noise,
                              .label = "the robot builds"},
                             callbacks);
-  const task::Course outcome = task::CourseOf(record::OpenRecording(plan.record));
+  const task::Course outcome = task::CourseOf(recording::OpenRecording(plan.record));
   Json result = task::ResultOf(
       exercise, outcome,
       {.seconds = run.seconds, .realtime_factor = run.realtime_factor, .brain = BrainJson(run)});

@@ -3,7 +3,7 @@
 #include "base/files.h"
 #include "experiment/move_aside.h"
 #include "picture/photographer.h"
-#include "record/sight.h"
+#include "recording/sight.h"
 
 namespace smile::experiment {
 namespace {
@@ -26,15 +26,15 @@ bool IsMarked(const std::filesystem::path& mark, const std::string& text) {
 
 }  // namespace
 
-std::size_t Rerender(const record::Recording& recording, const std::filesystem::path& out,
-                     const record::RedrawOptions& copy, const Callbacks& callbacks) {
+std::size_t Rerender(const recording::Recording& recording, const std::filesystem::path& out,
+                     const classic::RedrawOptions& copy, const Callbacks& callbacks) {
   const model::Model model(recording.scene, recording.robot);
   const auto demonstrator = picture::DemonstratorOf(recording, model, copy.demonstrator);
   picture::Photographer photographer(
       model, ShotOf(EyeOf(recording.info).value_or(model::EyeSpec())), demonstrator.get());
   return Redraw(
       recording, out, copy,
-      [&photographer](const record::TraceTick& moment) -> const Image& {
+      [&photographer](const recording::TraceTick& moment) -> const Image& {
         return photographer.Take(moment);
       },
       callbacks.ProgressOf("drawing"));
@@ -52,10 +52,10 @@ std::vector<std::filesystem::path> MakeCopies(const DemonstratorCopies& copies,
     const bool exists = std::filesystem::exists(copy, error);
     if (!exists || !IsMarked(mark, text)) {
       if (exists) MoveAside(copy, callbacks);
-      Rerender(
-          record::OpenRecording(copies.demonstration), copy,
-          {.demonstrator = record::ParseDemonstratorLook(look), .has_symbols = copies.has_symbols},
-          callbacks);
+      Rerender(recording::OpenRecording(copies.demonstration), copy,
+               {.demonstrator = recording::ParseDemonstratorLook(look),
+                .has_symbols = copies.has_symbols},
+               callbacks);
       WriteFile(mark, text);
     }
     paths.push_back(copy);

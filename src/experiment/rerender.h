@@ -6,22 +6,22 @@
 #include <vector>
 
 #include "base/json.h"
+#include "classic/redraw.h"
 #include "experiment/callbacks.h"
-#include "record/recording.h"
-#include "record/redraw.h"
+#include "recording/recording.h"
 
 namespace smile::experiment {
 
 /// Copies a recording with another demonstrator in its pictures.
 /// @returns the number of pictures.
-/// @throws as record::Redraw(), also when it is cancelled.
-std::size_t Rerender(const record::Recording& recording, const std::filesystem::path& out,
-                     const record::RedrawOptions& copy, const Callbacks& callbacks = {});
+/// @throws as classic::Redraw(), also when it is cancelled.
+std::size_t Rerender(const recording::Recording& recording, const std::filesystem::path& out,
+                     const classic::RedrawOptions& copy, const Callbacks& callbacks = {});
 
 /// Copies of a recording, one for each demonstrator.
 struct DemonstratorCopies {
   std::filesystem::path demonstration;
-  std::vector<std::string> demonstrators;  ///< words of record::DemonstratorLook, each once
+  std::vector<std::string> demonstrators;  ///< words of recording::DemonstratorLook, each once
   bool has_symbols = true;                 ///< the texts of the classic view
   Json depends_on;  ///< everything the copies depend on, except the demonstrator
 };

@@ -43,9 +43,9 @@ class LiveRun {
     }
     if (records) {
       desk_.emplace(&simulation_,
-                    record::RecordingDesk::Options{.root = plan.recordings,
-                                                   .recording = plan.recording,
-                                                   .eye = takes_pictures ? &*eye_ : nullptr});
+                    recorder::RecordingDesk::Options{.root = plan.recordings,
+                                                     .recording = plan.recording,
+                                                     .eye = takes_pictures ? &*eye_ : nullptr});
     }
     if (!plan.record.empty()) desk_->StartIn(plan.record, simulation_);
     if (plan.continuation) {
@@ -192,7 +192,7 @@ class LiveRun {
   const RunPlan& plan_;
   const Callbacks& callbacks_;
   std::optional<picture::RenderedEye> eye_;
-  std::optional<record::RecordingDesk> desk_;
+  std::optional<recorder::RecordingDesk> desk_;
   sim::Simulation simulation_;
   std::uint64_t first_tick_ = 0;
   int farewell_ticks_ = 0;  ///< to go on, though the brain has ended

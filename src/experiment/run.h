@@ -9,7 +9,7 @@
 #include "base/json.h"
 #include "brain/brain_driver.h"
 #include "experiment/callbacks.h"
-#include "record/recording_desk.h"
+#include "recorder/recording_desk.h"
 #include "scene/scene_spec.h"
 #include "sim/eye.h"
 #include "sim/script.h"
@@ -34,10 +34,10 @@ struct RunPlan {
   /// scene and robot.
   struct Continuation {
     std::filesystem::path recording;
-    record::Moment from;
+    recording::Moment from;
   };
   std::optional<Continuation> continuation;
-  record::RecorderOptions recording;
+  recorder::RecorderOptions recording;
   bool has_pictures = true;  ///< in recordings
   sim::EyeSpec eye;
   brain::SensorNoise noise;       ///< in the sensor values of the brain

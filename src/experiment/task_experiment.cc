@@ -36,7 +36,7 @@ void FilmBoth(const std::filesystem::path& out, const Callbacks& callbacks) {
   for (const char* name : {"demonstration", "imitation"}) {
     if (callbacks.IsCancelled()) return;
     picture::Film(
-        record::OpenRecording(out / name), (out / name).string() + ".mp4",
+        recording::OpenRecording(out / name), (out / name).string() + ".mp4",
         {.shot = {.width_px = 854, .height_px = 480}, .frames_per_second = 20, .speed = kFilmSpeed},
         callbacks.ProgressOf(std::string("filming the ") + name));
   }
@@ -52,8 +52,8 @@ void WriteReport(const TaskExperimentPlan& plan, const Json& result, const Callb
   enclosures.push_back({"demonstration", "recording of the demonstration"});
   enclosures.push_back({"imitation", "recording of the robot"});
   enclosures.push_back({"result.json", "the result, for programs"});
-  const record::Recording demonstration = record::OpenRecording(plan.out / "demonstration");
-  const record::Recording imitation = record::OpenRecording(plan.out / "imitation");
+  const recording::Recording demonstration = recording::OpenRecording(plan.out / "demonstration");
+  const recording::Recording imitation = recording::OpenRecording(plan.out / "imitation");
   WriteFile(plan.out / "report.html", report::PageOf({.name = plan.task,
                                                       .demonstration = demonstration,
                                                       .imitation = imitation,

@@ -12,10 +12,10 @@
 #include "library/internal_file_state.h"
 #include "library/internal_zip.h"
 #include "library/timeline.h"
-#include "record/append_file.h"
-#include "record/recording.h"
-#include "record/recording_names.h"
-#include "record/time_range.h"
+#include "recording/append_file.h"
+#include "recording/recording.h"
+#include "recording/recording_names.h"
+#include "recording/time_range.h"
 
 namespace smile::library {
 namespace {
@@ -82,13 +82,13 @@ int NumSegments(const fs::path& directory) {
 
 Json EntryOf(const fs::path& directory) {
   try {
-    const record::DemoInfo info = record::ReadDemoInfo(directory / "demo.json");
-    const record::Recording recording{.directory = directory, .info = info};
+    const recording::DemoInfo info = recording::ReadDemoInfo(directory / "demo.json");
+    const recording::Recording recording{.directory = directory, .info = info};
     const auto last = LastFrameTick(directory);
     return {{"title", info.title},
             {"notes", info.notes},
             {"scene", info.scene},
-            {"seconds", last ? std::max(0.0, record::SecondsInto(recording, *last)) : 0.0},
+            {"seconds", last ? std::max(0.0, recording::SecondsInto(recording, *last)) : 0.0},
             {"segments", NumSegments(directory)}};
   } catch (const std::exception& error) {
     return {{"error", error.what()}};
@@ -100,10 +100,10 @@ Json EntryOf(const fs::path& directory) {
 }
 
 /// As long as it lives, nobody records there.
-std::optional<record::AppendFile> Hold(const fs::path& directory) {
+std::optional<recording::AppendFile> Hold(const fs::path& directory) {
   if (!StateOf(directory / "commands.jsonl").is_file) return std::nullopt;
   try {
-    return record::AppendFile(directory / "commands.jsonl", record::AppendFile::kExisting);
+    return recording::AppendFile(directory / "commands.jsonl", recording::AppendFile::kExisting);
   } catch (const std::runtime_error& error) {
     throw LibraryError(Quoted(directory.filename().string()) +
                        " cannot be changed now: " + error.what());
@@ -193,7 +193,7 @@ fs::path Library::DirectoryOf(const std::string& id) const {
 
 void Library::Rename(const std::string& id, const std::optional<std::string>& title,
                      const std::optional<std::string>& notes) const {
-  record::Retitle(DirectoryOf(id), title, notes);
+  recording::Retitle(DirectoryOf(id), title, notes);
 }
 
 std::string Library::Bin(const std::string& id) const {
@@ -218,13 +218,13 @@ std::string Library::Unbin(const std::string& id) const {
   if (directory.parent_path().filename() != bin().filename()) {
     throw LibraryError(Quoted(id) + " is not in the bin");
   }
-  const fs::path back = record::NewDirectory(root_, NameOutsideOfBin(id));
+  const fs::path back = recording::NewDirectory(root_, NameOutsideOfBin(id));
   Move(directory, back);
   return back.filename().string();
 }
 
 Json Library::TimelineOf(const std::string& id) const {
-  return library::TimelineOf(record::OpenRecording(DirectoryOf(id)));
+  return library::TimelineOf(recording::OpenRecording(DirectoryOf(id)));
 }
 
 std::string Library::ZipOf(const std::string& id) const {

@@ -41,7 +41,7 @@ class Library {
   /// Also of one in the bin.
   /// @throws LibraryError if there is no such recording. So do all below.
   std::filesystem::path DirectoryOf(const std::string& id) const;
-  /// Throws as record::Retitle(), too.
+  /// Throws as recording::Retitle(), too.
   void Rename(const std::string& id, const std::optional<std::string>& title,
               const std::optional<std::string>& notes) const;
   /// Into the folder `.bin` under the root; nothing is ever deleted. Not while it is recorded.

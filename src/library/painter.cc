@@ -3,15 +3,15 @@
 #include "image/png.h"
 #include "model/eye.h"
 #include "picture/viewpoint.h"
-#include "record/sight.h"
-#include "record/time_range.h"
+#include "recording/sight.h"
+#include "recording/time_range.h"
 
 namespace smile::library {
 
 std::string Painter::PaintScene(const std::filesystem::path& file,
                                 const scene_xml::SceneReaderOptions& reader) {
   const model::Model model(scene_xml::LoadScene(file, reader));
-  return Paint(model, record::VisualStateAt(record::StartOf(model), model));
+  return Paint(model, recording::VisualStateAt(recording::StartOf(model), model));
 }
 
 std::optional<std::string> Painter::PaintRecording(const std::filesystem::path& directory,
@@ -22,8 +22,8 @@ std::optional<std::string> Painter::PaintRecording(const std::filesystem::path& 
                                                     .stamp = stamp,
                                                     .playback = Playback("", directory),
                                                     .segments = {}});
-    const record::Recording& recording = exhibit_->playback.recording();
-    exhibit_->segments = SegmentsOf(record::HistoryOf(recording));
+    const recording::Recording& recording = exhibit_->playback.recording();
+    exhibit_->segments = SegmentsOf(recording::HistoryOf(recording));
   }
   Playback& playback = exhibit_->playback;
   if (segment && *segment >= exhibit_->segments.size()) return std::nullopt;

@@ -37,7 +37,7 @@ class Painter {
     std::filesystem::path directory;
     std::string stamp;
     Playback playback;
-    std::vector<record::HistoryStep> segments;
+    std::vector<recording::HistoryStep> segments;
   };
 
   std::string Paint(const model::Model& model, const scene::VisualState& state);

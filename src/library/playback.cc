@@ -8,8 +8,8 @@
 
 #include "base/diagnostic.h"
 #include "base/wording.h"
-#include "record/sight.h"
-#include "record/trace_reader.h"
+#include "recording/sight.h"
+#include "recording/trace_reader.h"
 
 namespace smile::library {
 namespace {
@@ -23,7 +23,7 @@ class Playback::Impl {
  public:
   Impl(std::string id, const std::filesystem::path& directory)
       : id_(std::move(id)),
-        recording_(record::OpenRecording(directory)),
+        recording_(recording::OpenRecording(directory)),
         model_(recording_.scene, recording_.robot),
         trace_(recording_) {
     Survey();
@@ -31,9 +31,9 @@ class Playback::Impl {
   }
 
   const std::string& id() const { return id_; }
-  const record::Recording& recording() const { return recording_; }
+  const recording::Recording& recording() const { return recording_; }
   const model::Model& model() const { return model_; }
-  const record::TraceTick& moment() const { return moment_; }
+  const recording::TraceTick& moment() const { return moment_; }
 
   double seconds() const { return at_ / sim::kTicksPerSecond; }
   double length() const { return sim::SecondsOf(num_ticks_); }
@@ -61,7 +61,7 @@ class Playback::Impl {
 
   View view() const {
     return {.model = &model_.visual_model(),
-            .state = record::VisualStateAt(moment_, model_),
+            .state = recording::VisualStateAt(moment_, model_),
             .tick = moment_.tick};
   }
 
@@ -95,7 +95,7 @@ class Playback::Impl {
     const auto after = std::upper_bound(
         bookmarks_.begin(), bookmarks_.end(), tick,
         [](std::uint64_t wanted, const auto& mark) { return wanted < mark.moment().tick; });
-    const record::TraceReader::Bookmark& before = *std::prev(after);
+    const recording::TraceReader::Bookmark& before = *std::prev(after);
     const bool is_on_the_way =
         has_moment_ && moment_.tick <= tick && moment_.tick >= before.moment().tick;
     if (!is_on_the_way) {
@@ -112,12 +112,12 @@ class Playback::Impl {
   }
 
   std::string id_;
-  record::Recording recording_;
+  recording::Recording recording_;
   model::Model model_;
-  record::TraceReader trace_;
-  std::vector<record::TraceReader::Bookmark> bookmarks_;  ///< in order; the first tick's first
+  recording::TraceReader trace_;
+  std::vector<recording::TraceReader::Bookmark> bookmarks_;  ///< in order; the first tick's first
   std::uint64_t first_tick_ = 0, num_ticks_ = 0;
-  record::TraceTick moment_;
+  recording::TraceTick moment_;
   bool has_moment_ = false;
   double at_ = 0;  ///< [ticks from the start]
   double rate_ = 0;
@@ -128,7 +128,7 @@ Playback::Playback(std::string id, const std::filesystem::path& directory)
 Playback::~Playback() = default;
 
 const std::string& Playback::id() const { return impl_->id(); }
-const record::Recording& Playback::recording() const { return impl_->recording(); }
+const recording::Recording& Playback::recording() const { return impl_->recording(); }
 const model::Model& Playback::model() const { return impl_->model(); }
 double Playback::seconds() const { return impl_->seconds(); }
 double Playback::length() const { return impl_->length(); }
@@ -136,7 +136,7 @@ double Playback::rate() const { return impl_->rate(); }
 void Playback::SetRate(double rate) { impl_->SetRate(rate); }
 void Playback::Seek(double seconds) { impl_->Seek(seconds); }
 void Playback::Tick() { impl_->Tick(); }
-const record::TraceTick& Playback::moment() const { return impl_->moment(); }
+const recording::TraceTick& Playback::moment() const { return impl_->moment(); }
 View Playback::view() const { return impl_->view(); }
 
 }  // namespace smile::library

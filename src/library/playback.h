@@ -6,8 +6,8 @@
 
 #include "library/view.h"
 #include "model/model.h"
-#include "record/recording.h"
-#include "record/trace.h"
+#include "recording/recording.h"
+#include "recording/trace.h"
 
 namespace smile::library {
 
@@ -27,7 +27,7 @@ class Playback {
   Playback& operator=(const Playback&) = delete;
 
   const std::string& id() const;
-  const record::Recording& recording() const;
+  const recording::Recording& recording() const;
   /// Of its scene and robot: what it is that is shown.
   const model::Model& model() const;
 
@@ -44,7 +44,7 @@ class Playback {
   void Tick();
 
   /// What was recorded of this moment.
-  const record::TraceTick& moment() const;
+  const recording::TraceTick& moment() const;
   /// `scene` is the caller's to fill in. Its model lasts as long as this.
   View view() const;
 

@@ -3,28 +3,28 @@
 #include <algorithm>
 #include <iterator>
 
-#include "record/time_range.h"
+#include "recording/time_range.h"
 
 namespace smile::library {
-std::vector<record::HistoryStep> SegmentsOf(const std::vector<record::HistoryStep>& history) {
-  std::vector<record::HistoryStep> on_way;
-  std::ranges::copy_if(history, std::back_inserter(on_way), &record::HistoryStep::is_on_way);
+std::vector<recording::HistoryStep> SegmentsOf(const std::vector<recording::HistoryStep>& history) {
+  std::vector<recording::HistoryStep> on_way;
+  std::ranges::copy_if(history, std::back_inserter(on_way), &recording::HistoryStep::is_on_way);
   return on_way;
 }
 
-Json TimelineOf(const record::Recording& recording) {
-  const std::vector<record::HistoryStep> history = record::HistoryOf(recording);
+Json TimelineOf(const recording::Recording& recording) {
+  const std::vector<recording::HistoryStep> history = recording::HistoryOf(recording);
   const auto seconds = [&](std::uint64_t tick) { return SecondsInto(recording, tick); };
   Json segments = Json::array(), steps = Json::array();
   double end = 0;
-  for (const record::HistoryStep& segment : SegmentsOf(history)) {
+  for (const recording::HistoryStep& segment : SegmentsOf(history)) {
     end = seconds(segment.end.tick);
     segments.push_back({{"number", segments.size()},
                         {"deed", sim::ToJson(segment.summary)},
                         {"begin", seconds(segment.begin.tick)},
                         {"end", end}});
   }
-  for (const record::HistoryStep& step : history) {
+  for (const recording::HistoryStep& step : history) {
     steps.push_back({{"step", steps.size()},
                      {"parent", step.parent ? Json(*step.parent) : Json()},
                      {"deed", sim::ToJson(step.summary)},

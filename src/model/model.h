@@ -27,7 +27,7 @@ struct SceneState {
 
 /// A scene and a robot, compiled once: everything about them that does not change while they are
 /// simulated, shown or compared, as MuJoCo's mjModel and Drake's MultibodyPlant. What changes is a
-/// plain value beside it (a record::TraceTick, a sim::SimulationState), and what can be seen of
+/// plain value beside it (a recording::TraceTick, a sim::SimulationState), and what can be seen of
 /// such a value is a pure function of both. Knows no physics: who only looks needs no world.
 ///
 /// Immutable, and neither copied nor moved, so that any thread may read it and the pointers of its

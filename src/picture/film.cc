@@ -8,9 +8,9 @@
 #include "base/diagnostic.h"
 #include "base/files.h"
 #include "base/wording.h"
-#include "record/append_file.h"
-#include "record/markers.h"
-#include "record/trace_reader.h"
+#include "recording/append_file.h"
+#include "recording/markers.h"
+#include "recording/trace_reader.h"
 #include "video/video_writer.h"
 
 namespace smile::picture {
@@ -21,19 +21,19 @@ using AddFrame = std::function<void(std::uint64_t frame, std::uint64_t tick, con
 
 /// Takes a picture of each frame of a range of a recording.
 /// @returns false if `progress` cancelled it.
-bool ForEachFrame(const record::Recording& recording, const record::TickRange& range,
+bool ForEachFrame(const recording::Recording& recording, const recording::TickRange& range,
                   const FilmOptions& options, Photographer* photographer,
-                  const record::Progress& progress, const AddFrame& add) {
+                  const recording::Progress& progress, const AddFrame& add) {
   const double rate = options.frames_per_second / options.speed;
-  const double total = record::SecondsInto(recording, range.last);
+  const double total = recording::SecondsInto(recording, range.last);
   const auto is_due = [&](std::uint64_t frame, std::uint64_t tick) {
-    return record::IsFrameDue(frame, tick - range.first, rate);
+    return recording::IsFrameDue(frame, tick - range.first, rate);
   };
   const auto goes_on = [&](std::uint64_t tick) {
-    return !progress || progress(record::SecondsInto(recording, tick), total);
+    return !progress || progress(recording::SecondsInto(recording, tick), total);
   };
-  record::TraceReader trace(recording);
-  const record::MarkerTrack markers(recording);
+  recording::TraceReader trace(recording);
+  const recording::MarkerTrack markers(recording);
   std::uint64_t frame = 0;
   while (const auto moment = trace.Next()) {
     if (moment->tick > range.last) break;
@@ -64,9 +64,9 @@ std::string NumberedName(std::uint64_t frame) {
   return name;
 }
 
-void FilmInto(const std::filesystem::path& mp4, const record::Recording& recording,
-              const record::TickRange& range, const FilmOptions& options,
-              const record::Progress& progress, Photographer* photographer) {
+void FilmInto(const std::filesystem::path& mp4, const recording::Recording& recording,
+              const recording::TickRange& range, const FilmOptions& options,
+              const recording::Progress& progress, Photographer* photographer) {
   video::VideoWriter video(mp4, options.shot.width_px, options.shot.height_px,
                            options.frames_per_second);
   const bool is_whole = ForEachFrame(
@@ -78,9 +78,9 @@ void FilmInto(const std::filesystem::path& mp4, const record::Recording& recordi
 
 }  // namespace
 
-void Film(const record::Recording& recording, const std::filesystem::path& mp4,
-          const FilmOptions& options, const record::Progress& progress) {
-  const record::TickRange range = TicksOf(options.range, recording);
+void Film(const recording::Recording& recording, const std::filesystem::path& mp4,
+          const FilmOptions& options, const recording::Progress& progress) {
+  const recording::TickRange range = TicksOf(options.range, recording);
   const model::Model model(recording.scene, recording.robot);
   const auto demonstrator = DemonstratorOf(recording, model, options.demonstrator);
   Photographer photographer(model, options.shot, demonstrator.get());
@@ -96,21 +96,21 @@ void Film(const record::Recording& recording, const std::filesystem::path& mp4,
   }
 }
 
-void FilmAsPictures(const record::Recording& recording, const std::filesystem::path& directory,
-                    const FilmOptions& options, const record::Progress& progress) {
-  const record::TickRange range = TicksOf(options.range, recording);
+void FilmAsPictures(const recording::Recording& recording, const std::filesystem::path& directory,
+                    const FilmOptions& options, const recording::Progress& progress) {
+  const recording::TickRange range = TicksOf(options.range, recording);
   const model::Model model(recording.scene, recording.robot);
   const auto demonstrator = DemonstratorOf(recording, model, options.demonstrator);
   Photographer photographer(model, options.shot, demonstrator.get());
   MakeNewDirectory(directory);
-  record::AppendFile index(directory / "frames.csv");
+  recording::AppendFile index(directory / "frames.csv");
   index.Append("frame,tick,seconds,image\n");
   ForEachFrame(recording, range, options, &photographer, progress,
                [&](std::uint64_t frame, std::uint64_t tick, const Image& image) {
                  const auto written =
                      WriteChannels(directory / NumberedName(frame), image, options.shot.channels);
                  index.Append(std::to_string(frame) + "," + std::to_string(tick) + "," +
-                              NumberText(record::SecondsInto(recording, tick)) + "," +
+                              NumberText(recording::SecondsInto(recording, tick)) + "," +
                               written.front().filename().string() + "\n");
                });
 }

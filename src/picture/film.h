@@ -3,18 +3,18 @@
 #include <filesystem>
 
 #include "picture/photographer.h"
-#include "record/progress.h"
-#include "record/recording.h"
-#include "record/time_range.h"
+#include "recording/progress.h"
+#include "recording/recording.h"
+#include "recording/time_range.h"
 
 namespace smile::picture {
 
 struct FilmOptions {
   Shot shot;
   double frames_per_second = 30;
-  double speed = 1;         ///< 2 shows two seconds in one
-  record::TimeRange range;  ///< of the demonstration
-  record::DemonstratorLook demonstrator = record::DemonstratorLook::kInvisible;
+  double speed = 1;            ///< 2 shows two seconds in one
+  recording::TimeRange range;  ///< of the demonstration
+  recording::DemonstratorLook demonstrator = recording::DemonstratorLook::kInvisible;
 };
 
 // Both film a recording from its trace, without physics. Frame k shows the first tick that is at
@@ -25,15 +25,15 @@ struct FilmOptions {
 ///         camera.
 /// @throws InputError if the trace cannot be read; std::runtime_error if the film cannot be
 ///         written, or `progress` cancels it.
-void Film(const record::Recording& recording, const std::filesystem::path& mp4,
-          const FilmOptions& options = {}, const record::Progress& progress = {});
+void Film(const recording::Recording& recording, const std::filesystem::path& mp4,
+          const FilmOptions& options = {}, const recording::Progress& progress = {});
 
 /// Makes a new directory of numbered pictures `000000.png`, one for each frame and channel, with a
 /// `frames.csv` of tick, seconds since the demonstration began and picture of every frame. When
 /// `progress` cancels it, the pictures made until then are kept.
 /// Throws as Film() does, and
 /// @throws InputError if the directory exists and is not empty.
-void FilmAsPictures(const record::Recording& recording, const std::filesystem::path& directory,
-                    const FilmOptions& options = {}, const record::Progress& progress = {});
+void FilmAsPictures(const recording::Recording& recording, const std::filesystem::path& directory,
+                    const FilmOptions& options = {}, const recording::Progress& progress = {});
 
 }  // namespace smile::picture

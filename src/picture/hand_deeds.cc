@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "base/diagnostic.h"
-#include "record/sight.h"
-#include "record/trace_reader.h"
+#include "recording/sight.h"
+#include "recording/trace_reader.h"
 
 namespace smile::picture {
 namespace {
@@ -26,11 +26,12 @@ struct NamedDeed {
 /// Collects deeds along the trace.
 class DeedCollector {
  public:
-  DeedCollector(const record::Recording& recording, const model::Model& model, const Touch& touch)
+  DeedCollector(const recording::Recording& recording, const model::Model& model,
+                const Touch& touch)
       : recording_(recording), model_(model), touch_(touch) {}
 
   std::vector<NamedDeed> Collect() {
-    record::TraceReader trace(recording_);
+    recording::TraceReader trace(recording_);
     if (!trace.has_events()) {
       throw InputError({(recording_.directory / "trace.bin").string(), 0, "",
                         "is of an old format that does not tell what hands did"});
@@ -49,7 +50,7 @@ class DeedCollector {
   }
 
  private:
-  void Note(const record::TraceTick& moment, const sim::Event& event) {
+  void Note(const recording::TraceTick& moment, const sim::Event& event) {
     using enum sim::EventKind;
     if (!event.hand) return;
     std::optional<NamedDeed>& held = held_[static_cast<std::size_t>(*event.hand)];
@@ -82,7 +83,7 @@ class DeedCollector {
     deeds_.push_back(*std::exchange(*held, std::nullopt));
   }
 
-  std::optional<NamedDeed> DeedAt(const record::TraceTick& moment, const sim::Event& event,
+  std::optional<NamedDeed> DeedAt(const recording::TraceTick& moment, const sim::Event& event,
                                   HandDeed::Kind kind, const Vector3& p_BQ) const {
     const auto object = model_.FindObject(event.object);
     if (!object || !event.hand) return std::nullopt;
@@ -92,12 +93,12 @@ class DeedCollector {
                              .last = moment.tick,
                              .object = *object,
                              .frame = model_.frame_of(*object),
-                             .begin = record::VisualStateAt(moment, model_)}};
+                             .begin = recording::VisualStateAt(moment, model_)}};
     named.deed.p_BQ = touch_.PointWithin(named.deed.frame, named.deed.begin.looks, p_BQ);
     return named;
   }
 
-  void AddTouch(const record::TraceTick& moment, const sim::Event& event, HandDeed::Kind kind,
+  void AddTouch(const recording::TraceTick& moment, const sim::Event& event, HandDeed::Kind kind,
                 const Vector3& p_BQ) {
     auto named = DeedAt(moment, event, kind, p_BQ);
     if (!named) return;
@@ -108,13 +109,14 @@ class DeedCollector {
 
   /// The log knows at which point a hand took hold; where it does not say, or there is none, it is
   /// the object's origin.
-  Vector3 GraspedAt(const record::TraceTick& moment, const sim::Event& event) const {
+  Vector3 GraspedAt(const recording::TraceTick& moment, const sim::Event& event) const {
     const auto object = model_.FindObject(event.object);
     if (!object) return Vector3::Zero();
     // A recording that begins while a hand holds something may know when it took hold, but not
     // where the object was then.
     const auto& commands = recording_.commands;
-    auto logged = std::ranges::lower_bound(commands, moment.tick, {}, &record::LoggedCommand::tick);
+    auto logged =
+        std::ranges::lower_bound(commands, moment.tick, {}, &recording::LoggedCommand::tick);
     for (; logged != commands.end() && logged->tick == moment.tick; ++logged) {
       const auto* grasp = std::get_if<sim::Grasp>(&logged->command);
       const bool is_it =
@@ -142,7 +144,7 @@ class DeedCollector {
     return count > 0 ? Vector3(sum / count) : Vector3::Zero();
   }
 
-  const record::Recording& recording_;
+  const recording::Recording& recording_;
   const model::Model& model_;
   const Touch& touch_;
   std::uint64_t last_tick_ = 0;
@@ -226,7 +228,7 @@ Side CalledLeft(const std::vector<NamedDeed>& all) {
 
 }  // namespace
 
-HandDeeds DeedsIn(const record::Recording& recording, const model::Model& model,
+HandDeeds DeedsIn(const recording::Recording& recording, const model::Model& model,
                   const Touch& touch) {
   const std::vector<NamedDeed> all = DeedCollector(recording, model, touch).Collect();
   const Side left = CalledLeft(all), right = left == Side::kLeft ? Side::kRight : Side::kLeft;

@@ -7,7 +7,7 @@
 #include "model/model.h"
 #include "picture/hand_anatomy.h"
 #include "picture/touch.h"
-#include "record/recording.h"
+#include "recording/recording.h"
 
 namespace smile::picture {
 
@@ -42,7 +42,7 @@ struct HandDeeds {
 /// @param model  of its scene and robot.
 /// @throws InputError if the trace cannot be read, or is of the old format that does not tell what
 ///         hands did.
-HandDeeds DeedsIn(const record::Recording& recording, const model::Model& model,
+HandDeeds DeedsIn(const recording::Recording& recording, const model::Model& model,
                   const Touch& touch);
 
 }  // namespace smile::picture

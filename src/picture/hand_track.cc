@@ -9,8 +9,8 @@
 #include "base/diagnostic.h"
 #include "math/angles.h"
 #include "picture/touch.h"
-#include "record/sight.h"
-#include "record/trace_reader.h"
+#include "recording/sight.h"
+#include "recording/trace_reader.h"
 
 namespace smile::picture {
 namespace {
@@ -269,15 +269,15 @@ class HandPlayer {
 
 }  // namespace
 
-HandTrack::HandTrack(const record::Recording& recording, const model::Model& model) {
+HandTrack::HandTrack(const recording::Recording& recording, const model::Model& model) {
   const Touch touch(model);
   deeds_ = DeedsIn(recording, model, touch);
   const double edge = recording.scene.table.y_span / 2;
   HandPlayer left(Side::kLeft, deeds_.of[0], touch, edge);
   HandPlayer right(Side::kRight, deeds_.of[1], touch, edge);
-  record::TraceReader trace(recording);
+  recording::TraceReader trace(recording);
   while (const auto moment = trace.Next()) {
-    const scene::VisualState state = record::VisualStateAt(*moment, model);
+    const scene::VisualState state = recording::VisualStateAt(*moment, model);
     samples_.push_back(
         {moment->tick, {left.GoTo(moment->tick, state), right.GoTo(moment->tick, state)}});
   }

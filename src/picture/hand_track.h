@@ -6,7 +6,7 @@
 
 #include "picture/hand_anatomy.h"
 #include "picture/hand_deeds.h"
-#include "record/recording.h"
+#include "recording/recording.h"
 
 namespace smile::picture {
 
@@ -22,7 +22,7 @@ class HandTrack {
  public:
   /// @param model  of its scene and robot.
   /// Throws as DeedsIn() does.
-  HandTrack(const record::Recording& recording, const model::Model& model);
+  HandTrack(const recording::Recording& recording, const model::Model& model);
 
   /// The two hands, left first; of a tick that the trace does not tell, as at the one before.
   const std::array<HandPosture, kSides.size()>& At(std::uint64_t tick) const;

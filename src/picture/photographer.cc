@@ -6,7 +6,7 @@
 #include "base/wording.h"
 #include "image/png.h"
 #include "picture/viewpoint.h"
-#include "record/sight.h"
+#include "recording/sight.h"
 
 namespace smile::picture {
 namespace {
@@ -51,9 +51,9 @@ Photographer::Photographer(const model::Model& model, Shot shot,
   }
 }
 
-const Image& Photographer::Take(const record::TraceTick& moment,
+const Image& Photographer::Take(const recording::TraceTick& moment,
                                 const std::vector<Vector3>& markers) {
-  model::Sight sight = record::SightAt(moment, model_, eye_);
+  model::Sight sight = recording::SightAt(moment, model_, eye_);
   if (view_for_people_) {
     sight.view = *view_for_people_;
     // Only the eye does not see the head it sits in.

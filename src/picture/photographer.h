@@ -8,7 +8,7 @@
 #include "camera/renderer.h"
 #include "model/eye.h"
 #include "picture/seen_demonstrator.h"
-#include "record/trace.h"
+#include "recording/trace.h"
 
 namespace smile::picture {
 
@@ -38,7 +38,7 @@ class Photographer {
 
   /// @param markers  points that views for people show as translucent balls [m].
   /// The picture lasts until the next one.
-  const Image& Take(const record::TraceTick& moment, const std::vector<Vector3>& markers = {});
+  const Image& Take(const recording::TraceTick& moment, const std::vector<Vector3>& markers = {});
 
  private:
   /// All that hides what is behind it.

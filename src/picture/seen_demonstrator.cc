@@ -11,7 +11,7 @@ constexpr Color kGhost{.red = 0.45, .green = 0.66, .blue = 0.98};
 
 }  // namespace
 
-SeenDemonstrator::SeenDemonstrator(const record::Recording& recording, const model::Model& model,
+SeenDemonstrator::SeenDemonstrator(const recording::Recording& recording, const model::Model& model,
                                    DemonstratorLook look)
     : look_(look),
       table_edge_(recording.scene.table.y_span / 2),
@@ -47,7 +47,7 @@ void SeenDemonstrator::AddTo(scene::VisualState* state, std::uint64_t tick) cons
   }
 }
 
-std::unique_ptr<const SeenDemonstrator> DemonstratorOf(const record::Recording& recording,
+std::unique_ptr<const SeenDemonstrator> DemonstratorOf(const recording::Recording& recording,
                                                        const model::Model& model,
                                                        DemonstratorLook look) {
   if (look == DemonstratorLook::kInvisible) return nullptr;

@@ -5,13 +5,13 @@
 #include <memory>
 
 #include "picture/hand_track.h"
-#include "record/demo_info.h"
-#include "record/recording.h"
+#include "recording/demo_info.h"
+#include "recording/recording.h"
 #include "scene/visual_model.h"
 
 namespace smile::picture {
 
-using record::DemonstratorLook;
+using recording::DemonstratorLook;
 
 /// The demonstrator of a recording as somebody to be seen: what is added to the visual model of its
 /// scene and robot. Nothing else changes, so that pictures of a moment with and without differ only
@@ -21,7 +21,7 @@ class SeenDemonstrator {
   /// @param model  of the recording's scene and robot.
   /// @param look   not kInvisible.
   /// Throws as HandTrack does.
-  SeenDemonstrator(const record::Recording& recording, const model::Model& model,
+  SeenDemonstrator(const recording::Recording& recording, const model::Model& model,
                    DemonstratorLook look);
 
   /// The model's visual model with the hands after all else: one frame for each of their pieces.
@@ -49,7 +49,7 @@ class SeenDemonstrator {
 };
 
 /// nullptr for an invisible one. Throws as SeenDemonstrator does.
-std::unique_ptr<const SeenDemonstrator> DemonstratorOf(const record::Recording& recording,
+std::unique_ptr<const SeenDemonstrator> DemonstratorOf(const recording::Recording& recording,
                                                        const model::Model& model,
                                                        DemonstratorLook look);
 

@@ -2,8 +2,8 @@
 
 #include "image/png.h"
 #include "picture/photographer.h"
-#include "record/recording_history.h"
-#include "record/time_range.h"
+#include "recording/recording_history.h"
+#include "recording/time_range.h"
 #include "report/internal_activity.h"
 #include "report/internal_placements.h"
 #include "report/internal_table.h"
@@ -23,8 +23,8 @@ Markup Captioned(const Markup& picture, const std::string& words) {
 }
 
 /// The first and the last moment, as the robot's eye sees them and as people do.
-Markup PicturesOf(const record::Recording& recording, const std::string& whose) {
-  const record::TickRange ticks = TicksOf(recording);
+Markup PicturesOf(const recording::Recording& recording, const std::string& whose) {
+  const recording::TickRange ticks = TicksOf(recording);
   const model::Model model(recording.scene, recording.robot);
   Markup gallery;
   for (const char* camera : {"nice", model::kEyeCamera}) {
@@ -134,9 +134,9 @@ Markup Places(const ExperimentOutcome& outcome) {
   return content;
 }
 
-Markup StepsOf(const record::Recording& recording) {
+Markup StepsOf(const recording::Recording& recording) {
   Markup rows;
-  for (const record::HistoryStep& step : record::HistoryOf(recording)) {
+  for (const recording::HistoryStep& step : recording::HistoryOf(recording)) {
     if (!step.is_on_way || !step.summary) continue;
     rows += Row({NumberCell(Fixed(SecondsInto(recording, step.begin.tick), 1) + " s"),
                  WideCell(WordsOf(step))});
@@ -155,7 +155,7 @@ Markup RobotStepsOf(const std::vector<Carry>& carries) {
 }
 
 Markup Work(const ExperimentOutcome& outcome) {
-  const auto length = [](const record::Recording& recording) {
+  const auto length = [](const recording::Recording& recording) {
     return SecondsInto(recording, TicksOf(recording).last);
   };
   const std::vector<Carry> carries = CarriesOf(outcome.imitation);

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "base/json.h"
-#include "record/recording.h"
+#include "recording/recording.h"
 
 namespace smile::report {
 
@@ -17,8 +17,8 @@ struct Enclosure {
 /// One experiment: somebody showed a task, the robot did it.
 struct ExperimentOutcome {
   std::string name;
-  const record::Recording& demonstration;
-  const record::Recording& imitation;
+  const recording::Recording& demonstration;
+  const recording::Recording& imitation;
   const Json& result;  ///< `result.json`, as task::ResultOf() and its caller have made it
   std::vector<Enclosure> enclosures;
 };

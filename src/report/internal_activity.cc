@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <map>
 
-#include "record/time_range.h"
-#include "record/trace_reader.h"
+#include "recording/time_range.h"
+#include "recording/trace_reader.h"
 #include "report/internal_plots.h"
 #include "report/wording.h"
 
@@ -28,10 +28,10 @@ bool IsLetGo(sim::EventKind kind) {
 
 }  // namespace
 
-std::vector<Carry> CarriesOf(const record::Recording& recording) {
+std::vector<Carry> CarriesOf(const recording::Recording& recording) {
   std::vector<Carry> carries;
   std::map<std::pair<std::string, std::string>, double> held;  // by whom and what, since when
-  record::TraceReader trace(recording);
+  recording::TraceReader trace(recording);
   double now = 0;
   while (const auto moment = trace.Next()) {
     now = SecondsInto(recording, moment->tick);

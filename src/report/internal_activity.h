@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "record/recording.h"
+#include "recording/recording.h"
 #include "report/markup.h"
 
 namespace smile::report {
@@ -17,7 +17,7 @@ struct Carry {
 
 /// What hands and grippers held in a recording, in the order in which it was let go.
 /// @throws InputError if its trace cannot be read.
-std::vector<Carry> CarriesOf(const record::Recording& recording);
+std::vector<Carry> CarriesOf(const recording::Recording& recording);
 
 /// When each object was held: a row each.
 /// @param seconds  how long all took.

@@ -51,7 +51,7 @@ class Listener {
   virtual void OnTick(const Simulation&) {}
 };
 
-/// Who records when told to; see record/recording_desk.h.
+/// Who records when told to; see recorder/recording_desk.h.
 class RecordingControl {
  public:
   virtual ~RecordingControl() = default;

@@ -67,7 +67,7 @@ class Session::Impl {
   scene::SceneSpec ReadNamedScene(const std::string& name) const;
   scene_xml::SceneReading ReadText(const page::RequestFields& fields) const;
   scene::SceneSpec ReadSceneOf(const page::RequestFields& fields) const;
-  record::RecordingDesk::Options DeskOptions() const;
+  recorder::RecordingDesk::Options DeskOptions() const;
   std::unique_ptr<LiveWorld> MakeWorld(scene::SceneSpec scene,
                                        std::optional<sim::RobotPlacement> robot);
   /// What is there becomes another world, in which hands and robot go on.
@@ -99,7 +99,7 @@ class Session::Impl {
   std::vector<library::BrainChoice> Brains() const;
   void RunBrain(const library::BrainChoice& choice, const std::filesystem::path& demonstration);
   /// Begins to record the imitation that starts now; its directory.
-  std::filesystem::path RecordImitation(const record::Recording& demonstration);
+  std::filesystem::path RecordImitation(const recording::Recording& demonstration);
 
   SessionOptions options_;
   library::Library library_;

@@ -5,10 +5,10 @@
 #include <utility>
 #include <vector>
 
+#include "editing/edit_json.h"
 #include "picture/rendered_eye.h"
-#include "record/edit_json.h"
-#include "record/recording_names.h"
-#include "record/sight.h"
+#include "recording/recording_names.h"
+#include "recording/sight.h"
 
 namespace smile::studio {
 namespace {
@@ -29,37 +29,37 @@ std::string TextOf(const page::Request& request, const char* key) {
   return *std::move(text);
 }
 
-std::vector<record::Edit> EditsOf(const page::Request& request) {
+std::vector<editing::Edit> EditsOf(const page::Request& request) {
   const auto field = request.fields.find("edits");
   if (field == request.fields.end()) throw page::RequestError("\"edits\" is missing");
-  return record::ParseEdits(*field);
+  return editing::ParseEdits(*field);
 }
 
-Json TryEdits(const std::filesystem::path& directory, const std::vector<record::Edit>& edits,
-              const record::Progress& progress) {
-  const record::Recording recording = record::OpenRecording(directory);
+Json TryEdits(const std::filesystem::path& directory, const std::vector<editing::Edit>& edits,
+              const recording::Progress& progress) {
+  const recording::Recording recording = recording::OpenRecording(directory);
   const auto edited = EditedByAll(DemonstrationOf(recording), edits);
-  return {{"report", ToJson(ReSimulate(recording, edited, std::nullopt, progress))}};
+  return {{"report", ToJson(editing::ReSimulate(recording, edited, std::nullopt, progress))}};
 }
 
 /// @param title  of the new recording.
-Json MakeEdits(const std::filesystem::path& directory, const std::vector<record::Edit>& edits,
+Json MakeEdits(const std::filesystem::path& directory, const std::vector<editing::Edit>& edits,
                const std::filesystem::path& root, const std::string& title,
-               const record::Progress& progress) {
-  const record::Recording recording = record::OpenRecording(directory);
+               const recording::Progress& progress) {
+  const recording::Recording recording = recording::OpenRecording(directory);
   const auto edited = EditedByAll(DemonstrationOf(recording), edits);
-  const auto made = record::NewDirectory(root, record::RecordingNameFor(title));
+  const auto made = recording::NewDirectory(root, recording::RecordingNameFor(title));
   std::optional<picture::RenderedEye> eye;
   if (const auto spec = EyeOf(recording.info)) eye.emplace(*spec);
-  const auto report =
-      MakeEdited(recording, edited, {.directory = made, .eye = eye ? &*eye : nullptr}, progress);
-  record::Retitle(made, title, std::nullopt);
+  const auto report = editing::MakeEdited(
+      recording, edited, {.directory = made, .eye = eye ? &*eye : nullptr}, progress);
+  recording::Retitle(made, title, std::nullopt);
   return {{"recording", made.filename().string()}, {"report", ToJson(report)}};
 }
 
 void AddLookUps(const library::Library* library, Workshop* workshop, page::RequestTable* table) {
   const auto list = [library, workshop](const page::Request& request) {
-    const auto work = [library](const record::Progress&) -> Json {
+    const auto work = [library](const recording::Progress&) -> Json {
       return {{"recordings", library->List()}};
     };
     workshop->Begin({.request = request, .work = work});
@@ -68,7 +68,7 @@ void AddLookUps(const library::Library* library, Workshop* workshop, page::Reque
   table->entries["library"] = {list, /*is_for_anyone=*/true};
   const auto open = [library, workshop](const page::Request& request) {
     const auto work = [library,
-                       id = TextOf(request, "recording")](const record::Progress&) -> Json {
+                       id = TextOf(request, "recording")](const recording::Progress&) -> Json {
       return {{"timeline", library->TimelineOf(id)}};
     };
     workshop->Begin({.request = request, .work = work, .replaces_older = true});
@@ -94,7 +94,7 @@ void AddTidying(const library::Library* library, page::RequestTable* table) {
 void AddEditing(const library::Library* library, Workshop* workshop, page::RequestTable* table) {
   table->entries["try_edit"] = {[library, workshop](const page::Request& request) {
     const auto directory = library->DirectoryOf(TextOf(request, "recording"));
-    const auto work = [directory, edits = EditsOf(request)](const record::Progress& progress) {
+    const auto work = [directory, edits = EditsOf(request)](const recording::Progress& progress) {
       return TryEdits(directory, edits, progress);
     };
     workshop->Begin({.request = request, .work = work, .replaces_older = true});
@@ -103,9 +103,9 @@ void AddEditing(const library::Library* library, Workshop* workshop, page::Reque
   table->entries["edit"] = {[library, workshop](const page::Request& request) {
     const auto directory = library->DirectoryOf(TextOf(request, "recording"));
     const std::string title = TextOf(request, "name");
-    record::CheckTitle(title);
+    recording::CheckTitle(title);
     const auto work = [directory, edits = EditsOf(request), root = library->root(),
-                       title](const record::Progress& progress) {
+                       title](const recording::Progress& progress) {
       return MakeEdits(directory, edits, root, title, progress);
     };
     workshop->Begin({.request = request, .work = work});

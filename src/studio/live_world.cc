@@ -21,7 +21,7 @@ std::optional<EyeTap> TapOf(sim::Eye* eye) {
   return eye != nullptr ? std::optional<EyeTap>(eye) : std::nullopt;
 }
 
-record::RecordingDesk::Options Through(EyeTap* eye, record::RecordingDesk::Options options) {
+recorder::RecordingDesk::Options Through(EyeTap* eye, recorder::RecordingDesk::Options options) {
   options.eye = eye;
   return options;
 }
@@ -29,7 +29,7 @@ record::RecordingDesk::Options Through(EyeTap* eye, record::RecordingDesk::Optio
 }  // namespace
 
 LiveWorld::LiveWorld(scene::SceneSpec scene, std::optional<sim::RobotPlacement> robot,
-                     record::RecordingDesk::Options options)
+                     recorder::RecordingDesk::Options options)
     : eye_(TapOf(options.eye)),
       simulation_(std::move(scene), std::move(robot)),
       desk_(&simulation_, Through(eye(), options)),
@@ -54,8 +54,8 @@ std::optional<sim::Refusal> LiveWorld::Apply(const sim::Command& command) {
   return refusal;
 }
 
-void LiveWorld::Continue(const record::Recording& recording, const record::Moment& from,
-                         const record::Progress& progress) {
+void LiveWorld::Continue(const recording::Recording& recording, const recording::Moment& from,
+                         const recording::Progress& progress) {
   desk_.Continue(recording.directory, from, &simulation_, progress);
   const auto num_before =
       std::ranges::count_if(recording.log.WayTo(recording.info.start.line),

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/json.h"
-#include "record/recording_desk.h"
+#include "recorder/recording_desk.h"
 #include "scene/bounds.h"
 #include "sim/simulation.h"
 #include "studio/eye_tap.h"
@@ -20,7 +20,7 @@ class LiveWorld : private sim::Listener {
  public:
   /// @throws std::invalid_argument if the scene lacks the camera of the desk's eye.
   LiveWorld(scene::SceneSpec scene, std::optional<sim::RobotPlacement> robot,
-            record::RecordingDesk::Options options);
+            recorder::RecordingDesk::Options options);
   LiveWorld(const LiveWorld&) = delete;
   LiveWorld& operator=(const LiveWorld&) = delete;
 
@@ -29,10 +29,10 @@ class LiveWorld : private sim::Listener {
 
   /// The one door: `start` and `finish` too. What was refused is no event.
   std::optional<sim::Refusal> Apply(const sim::Command& command);
-  /// Goes on with a recording, see record::RecordingDesk::Continue(). To be called before anything
-  /// else is done.
-  void Continue(const record::Recording& recording, const record::Moment& from,
-                const record::Progress& progress);
+  /// Goes on with a recording, see recorder::RecordingDesk::Continue(). To be called before
+  /// anything else is done.
+  void Continue(const recording::Recording& recording, const recording::Moment& from,
+                const recording::Progress& progress);
 
   /// What the desk's eye sees for recordings; nullptr without one.
   EyeTap* eye() { return eye_ ? &*eye_ : nullptr; }
@@ -68,7 +68,7 @@ class LiveWorld : private sim::Listener {
 
   std::optional<EyeTap> eye_;
   sim::Simulation simulation_;
-  record::RecordingDesk desk_;
+  recorder::RecordingDesk desk_;
   std::string usual_title_;
   Take take_;  ///< that is recorded
   std::vector<Json> events_;

@@ -6,7 +6,7 @@
 #include "base/files.h"
 #include "brain/brain_log.h"
 #include "experiment/brain_setup.h"
-#include "record/sight.h"
+#include "recording/sight.h"
 #include "studio/internal_session.h"
 #include "studio/scene_message.h"
 #include "studio/state_message.h"
@@ -161,7 +161,7 @@ sim::Sight Session::Impl::SightNow() const {
   sim::EyeSpec spec = options_.eye->spec();
   if (!playback_) return sim::SightOf(shown(), spec);
   spec.camera = playback_->recording().info.eye_camera;
-  return record::SightAt(playback_->moment(), playback_->model(), spec);
+  return recording::SightAt(playback_->moment(), playback_->model(), spec);
 }
 
 void Session::Impl::TellLooks() {

@@ -10,7 +10,7 @@
 #include "image/image.h"
 #include "library/view.h"
 #include "page/requests.h"
-#include "record/recording_desk.h"
+#include "recorder/recording_desk.h"
 #include "scene_xml/scene_reader.h"
 #include "sim/eye.h"
 #include "sim/simulation.h"
@@ -23,7 +23,7 @@ struct SessionOptions {
   scene_xml::SceneReaderOptions reader;
   std::optional<sim::RobotPlacement> robot;
   std::filesystem::path recordings = "recordings";
-  record::RecorderOptions recording;
+  recorder::RecorderOptions recording;
   sim::Eye* eye = nullptr;  ///< takes the recorded pictures; must outlive the session
   /// Where scenes are called by name; empty: those we ship.
   std::filesystem::path gallery;

@@ -10,8 +10,8 @@
 #include "experiment/brain_setup.h"
 #include "page/snap_names.h"
 #include "picture/rendered_eye.h"
-#include "record/recording_history.h"
-#include "record/recording_names.h"
+#include "recording/recording_history.h"
+#include "recording/recording_names.h"
 #include "sim/command_json.h"
 #include "studio/internal_session.h"
 #include "studio/present_scene.h"
@@ -58,12 +58,12 @@ bool IsAnythingMoving(const sim::Simulation& simulation, sim::HandName hand) {
 /// A world that goes on with a recording, made in any thread: the desk's eye, which belongs to
 /// another, is put in only at last, and pictures on the way there are taken with one like it.
 std::unique_ptr<LiveWorld> GoOnWith(const std::filesystem::path& directory, const BranchPoint& from,
-                                    const record::RecordingDesk::Options& desk,
-                                    const record::Progress& progress) {
-  const record::Recording recording = record::OpenRecording(directory);
-  const record::Moment moment =
-      record::MomentOf(recording, record::HistoryOf(recording), from.step, from.after);
-  record::RecordingDesk::Options options = desk;
+                                    const recorder::RecordingDesk::Options& desk,
+                                    const recording::Progress& progress) {
+  const recording::Recording recording = recording::OpenRecording(directory);
+  const recording::Moment moment =
+      recording::MomentOf(recording, recording::HistoryOf(recording), from.step, from.after);
+  recorder::RecordingDesk::Options options = desk;
   std::optional<picture::RenderedEye> eye;
   if (desk.eye != nullptr) options.eye = &eye.emplace(desk.eye->spec());
   auto world = std::make_unique<LiveWorld>(recording.scene, recording.robot, options);
@@ -321,7 +321,7 @@ Json Session::Impl::Branch(const page::Request& request) {
   // Made in the workshop, entered here. It belongs to both: each may be gone before the other.
   const auto made = std::make_shared<std::unique_ptr<LiveWorld>>();
   const auto work = [made, id, directory, from,
-                     desk = DeskOptions()](const record::Progress& progress) -> Json {
+                     desk = DeskOptions()](const recording::Progress& progress) -> Json {
     *made = GoOnWith(directory, from, desk, progress);
     return {{"recording", id}};
   };
@@ -397,7 +397,7 @@ Json Session::Impl::Imitate(const page::RequestFields& fields) {
   const std::filesystem::path directory = library_.DirectoryOf(fields.Text("recording"));
   RequireNoRecording();
   RequireIdleRobot();
-  const record::Recording demonstration = record::OpenRecording(directory);
+  const recording::Recording demonstration = recording::OpenRecording(directory);
   Imitation imitation{.exercise = task::MakeExercise(scene, demonstration, ReadNamedScene(scene)),
                       .witness = nullptr};
   auto world = MakeWorld(imitation.exercise.scene, options_.robot);
@@ -410,15 +410,15 @@ Json Session::Impl::Imitate(const page::RequestFields& fields) {
   return {{"recording", imitation_->recording.filename().string()}};
 }
 
-std::filesystem::path Session::Impl::RecordImitation(const record::Recording& demonstration) {
+std::filesystem::path Session::Impl::RecordImitation(const recording::Recording& demonstration) {
   constexpr std::string_view kEnd = ", imitated";
   std::string title = demonstration.info.title;
-  if (title.empty() || title.size() + kEnd.size() > record::kMaxTitleBytes) {
+  if (title.empty() || title.size() + kEnd.size() > recording::kMaxTitleBytes) {
     title = demonstration.directory.filename().string();
   }
   title += kEnd;
   if (const auto refusal = world_->Apply(
-          sim::StartRecording{.name = record::RecordingNameFor(title), .title = title})) {
+          sim::StartRecording{.name = recording::RecordingNameFor(title), .title = title})) {
     brain_.Stop(&world_->simulation());
     throw page::RequestError("the imitation cannot be recorded: " + *refusal);
   }

@@ -55,7 +55,7 @@ scene::SceneSpec Session::Impl::ReadSceneOf(const page::RequestFields& fields) c
   return *std::move(reading.scene);
 }
 
-record::RecordingDesk::Options Session::Impl::DeskOptions() const {
+recorder::RecordingDesk::Options Session::Impl::DeskOptions() const {
   return {.root = options_.recordings, .recording = options_.recording, .eye = options_.eye};
 }
 

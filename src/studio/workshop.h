@@ -11,7 +11,7 @@
 
 #include "base/json.h"
 #include "page/requests.h"
-#include "record/progress.h"
+#include "recording/progress.h"
 
 namespace smile::studio {
 
@@ -20,7 +20,7 @@ class Workshop {
  public:
   /// Its answer, or what it throws, is that to its request. It may tell how far it is, and ends
   /// when it hears that it shall not go on.
-  using Work = std::function<Json(const record::Progress& progress)>;
+  using Work = std::function<Json(const recording::Progress& progress)>;
 
   struct Job {
     page::Request request;

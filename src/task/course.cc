@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <set>
 
-#include "record/commanded_events.h"
-#include "record/trace_reader.h"
+#include "recording/commanded_events.h"
+#include "recording/trace_reader.h"
 
 namespace smile::task {
 namespace {
 
 /// Who lets go of an object that is no farther from where it was has not moved it.
-constexpr record::PoseGap kStayed{.distance = 0.01, .angle = DegreesToRadians(5.0)};
+constexpr recording::PoseGap kStayed{.distance = 0.01, .angle = DegreesToRadians(5.0)};
 
 bool IsTouch(sim::EventKind kind) {
   using enum sim::EventKind;
@@ -19,7 +19,7 @@ bool IsTouch(sim::EventKind kind) {
 }
 
 /// @returns nullopt if the event is no touch of an object of the scene.
-std::optional<Touch> TouchOf(const sim::Event& event, const record::TraceTick& now,
+std::optional<Touch> TouchOf(const sim::Event& event, const recording::TraceTick& now,
                              const scene::SceneSpec& scene) {
   if (!IsTouch(event.kind)) return std::nullopt;
   const auto object = std::ranges::find(scene.objects, event.object, &scene::ObjectSpec::id);
@@ -31,7 +31,7 @@ std::optional<Touch> TouchOf(const sim::Event& event, const record::TraceTick& n
 /// The actions in the log of an old recording, whose trace contains no events.
 class LoggedActions {
  public:
-  explicit LoggedActions(const record::Recording& recording) : commands_(recording.commands) {}
+  explicit LoggedActions(const recording::Recording& recording) : commands_(recording.commands) {}
 
   /// Those up to this tick that were not returned yet.
   std::vector<sim::Event> UpTo(std::uint64_t tick) {
@@ -43,16 +43,16 @@ class LoggedActions {
   }
 
  private:
-  const std::vector<record::LoggedCommand>& commands_;
+  const std::vector<recording::LoggedCommand>& commands_;
   std::size_t next_ = 0;
-  record::CommandedEvents commanded_;
+  recording::CommandedEvents commanded_;
 };
 
 std::string HolderOf(const sim::Event& event) {
   return event.hand ? "hand " + std::string(ToString(*event.hand)) : "arm " + event.arm;
 }
 
-record::TracePose TracePoseOf(const RigidTransform& X_WB) {
+recording::TracePose TracePoseOf(const RigidTransform& X_WB) {
   const Quaternion q = X_WB.quaternion();
   return {.position = X_WB.translation(), .rotation = {q.w(), q.x(), q.y(), q.z()}};
 }
@@ -108,8 +108,8 @@ class PlacementOrder {
 
 }  // namespace
 
-Course CourseOf(const record::Recording& recording) {
-  record::TraceReader trace(recording);
+Course CourseOf(const recording::Recording& recording) {
+  recording::TraceReader trace(recording);
   Course course{.scene = recording.scene, .begin = {}, .end = {}, .touches = {}};
   LoggedActions logged(recording);
   const auto note = [&course](const std::vector<sim::Event>& events) {
@@ -129,14 +129,14 @@ Course CourseOf(const record::Recording& recording) {
     }
     note(trace.has_events() ? moment->events : logged.UpTo(moment->tick));
   }
-  if (!has_begun) course.begin = course.end = record::StartOf(model::Model(recording.scene));
+  if (!has_begun) course.begin = course.end = recording::StartOf(model::Model(recording.scene));
   return course;
 }
 
 CourseWitness::CourseWitness(sim::Simulation* simulation)
     : simulation_(simulation),
       start_{.scene = simulation->scene(),
-             .begin = record::Observe(*simulation),
+             .begin = recording::Observe(*simulation),
              .end = {},
              .touches = {}} {
   simulation_->AddListener(this);
@@ -146,7 +146,7 @@ CourseWitness::~CourseWitness() { simulation_->RemoveListener(this); }
 
 void CourseWitness::OnEvent(const sim::Simulation& simulation, const sim::Event& event) {
   if (!IsTouch(event.kind)) return;
-  auto touch = TouchOf(event, record::Observe(simulation), start_.scene);
+  auto touch = TouchOf(event, recording::Observe(simulation), start_.scene);
   if (!touch) return;
   const sim::Action& action = simulation.history().current();
   touches_[action.id].push_back({*std::move(touch), action.events.size()});
@@ -164,7 +164,7 @@ void CourseWitness::OnMove(const sim::Simulation& simulation, sim::ActionId from
 
 Course CourseWitness::course() const {
   Course course = start_;
-  course.end = record::Observe(*simulation_);
+  course.end = recording::Observe(*simulation_);
   for (const sim::Action& action : simulation_->history().done()) {
     const std::vector<NumberedTouch>* touches = touches_.Find(action.id);
     if (touches == nullptr) continue;
@@ -174,7 +174,7 @@ Course CourseWitness::course() const {
 }
 
 std::vector<scene::ObjectSpec> ObjectsAt(const scene::SceneSpec& scene,
-                                         const record::TraceTick& moment) {
+                                         const recording::TraceTick& moment) {
   std::vector<scene::ObjectSpec> objects;
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     if (!moment.objects[i].is_present) continue;
@@ -184,7 +184,7 @@ std::vector<scene::ObjectSpec> ObjectsAt(const scene::SceneSpec& scene,
   return objects;
 }
 
-ObjectPoses PosesAt(const scene::SceneSpec& scene, const record::TraceTick& moment) {
+ObjectPoses PosesAt(const scene::SceneSpec& scene, const recording::TraceTick& moment) {
   ObjectPoses poses = StartOf(scene);
   for (const scene::ObjectSpec& object : ObjectsAt(scene, moment)) {
     poses[object.id()] = object.pose_in_world();

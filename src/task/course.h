@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "record/recording.h"
-#include "record/trace.h"
+#include "recording/recording.h"
+#include "recording/trace.h"
 #include "sim/action_marks.h"
 #include "sim/simulation.h"
 
@@ -27,12 +27,12 @@ struct Touch {
 /// touched in between.
 struct Course {
   scene::SceneSpec scene;
-  record::TraceTick begin, end;
+  recording::TraceTick begin, end;
   std::vector<Touch> touches;  ///< in order
 };
 
 /// @throws InputError if the recording's trace cannot be read.
-Course CourseOf(const record::Recording& recording);
+Course CourseOf(const recording::Recording& recording);
 
 /// Follows a simulation from now on, as long as both live.
 class CourseWitness : public sim::Listener {
@@ -61,10 +61,10 @@ class CourseWitness : public sim::Listener {
 
 /// The objects that are there, with their poses of that moment.
 std::vector<scene::ObjectSpec> ObjectsAt(const scene::SceneSpec& scene,
-                                         const record::TraceTick& moment);
+                                         const recording::TraceTick& moment);
 
 /// Of all objects; those that are not there are where they began.
-ObjectPoses PosesAt(const scene::SceneSpec& scene, const record::TraceTick& moment);
+ObjectPoses PosesAt(const scene::SceneSpec& scene, const recording::TraceTick& moment);
 /// Where the objects of a scene begin.
 ObjectPoses StartOf(const scene::SceneSpec& scene);
 

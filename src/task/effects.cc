@@ -16,7 +16,7 @@ namespace {
 /// What slid less has not moved [m].
 constexpr double kSlid = 0.01;
 
-bool IsThere(const scene::SceneSpec& scene, const record::TraceTick& moment,
+bool IsThere(const scene::SceneSpec& scene, const recording::TraceTick& moment,
              const std::string& object) {
   const auto spec = std::ranges::find(scene.objects, object, &scene::ObjectSpec::id);
   return spec != scene.objects.end() &&
@@ -26,7 +26,7 @@ bool IsThere(const scene::SceneSpec& scene, const record::TraceTick& moment,
 /// The controls of all objects in scene order, as the trace has them; `from` as they are, `to`
 /// empty.
 std::vector<ControlEffect> ControlsAt(const scene::SceneSpec& scene,
-                                      const record::TraceTick& moment) {
+                                      const recording::TraceTick& moment) {
   std::vector<ControlEffect> controls;
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     std::size_t number = 0;
@@ -68,14 +68,15 @@ bool IsSamePair(const BondEffect& a, const BondEffect& b) {
 
 /// How far out a slider's second member is [m]: its way in the first one's frame, along -x of the
 /// rail J.
-double OffsetOf(const scene::SliderSpec& slider, const record::TraceTick& moment) {
+double OffsetOf(const scene::SliderSpec& slider, const recording::TraceTick& moment) {
   const RigidTransform X_WA = moment.objects[slider.first_object].pose_in_world();
   const RigidTransform X_WB = moment.objects[slider.first_object + 1].pose_in_world();
   const RigidTransform X_JB = slider.X_JA * X_WA.inverse() * X_WB;
   return slider.X_JB.translation().x() - X_JB.translation().x();
 }
 
-std::vector<Relation> ContentsAt(const scene::SceneSpec& scene, const record::TraceTick& moment) {
+std::vector<Relation> ContentsAt(const scene::SceneSpec& scene,
+                                 const recording::TraceTick& moment) {
   std::vector<Relation> relations = model::RelationsOf(scene, ObjectsAt(scene, moment));
   std::erase_if(relations,
                 [](const Relation& relation) { return relation.kind != Relation::Kind::kIn; });
@@ -211,7 +212,7 @@ double InUnits(double length, double meters_per_unit) { return length / meters_p
 
 }  // namespace
 
-std::vector<BondEffect> BondsAt(const scene::SceneSpec& scene, const record::TraceTick& moment) {
+std::vector<BondEffect> BondsAt(const scene::SceneSpec& scene, const recording::TraceTick& moment) {
   const std::vector<PointPlace> guests = PointsIn(scene, scene::GuestsOf);
   const std::vector<PointPlace> hosts = PointsIn(scene, scene::HostsOf);
   std::vector<BondEffect> bonds;

@@ -55,7 +55,7 @@ using Effect = std::variant<ControlEffect, BondEffect, SlideEffect, ContainerEff
 std::vector<Effect> EffectsOf(const Course& course);
 
 /// What is fastened at a moment, in the order of the hosts.
-std::vector<BondEffect> BondsAt(const scene::SceneSpec& scene, const record::TraceTick& moment);
+std::vector<BondEffect> BondsAt(const scene::SceneSpec& scene, const recording::TraceTick& moment);
 
 /// The objects an effect is about.
 std::vector<std::string> ObjectsOf(const Effect& effect);

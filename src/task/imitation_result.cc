@@ -50,7 +50,7 @@ ProgramEnd EndOf(const Json& brain) {
 
 }  // namespace
 
-Exercise MakeExercise(std::string name, const record::Recording& demonstration,
+Exercise MakeExercise(std::string name, const recording::Recording& demonstration,
                       scene::SceneSpec scene) {
   Exercise exercise{
       .name = std::move(name), .structure = StructureOf(demonstration), .scene = std::move(scene)};

@@ -16,7 +16,7 @@ struct Exercise {
 };
 
 /// @throws InputError if there is nothing to imitate, or something is missing in the scene.
-Exercise MakeExercise(std::string name, const record::Recording& demonstration,
+Exercise MakeExercise(std::string name, const recording::Recording& demonstration,
                       scene::SceneSpec scene);
 
 /// What the recording of an imitation does not tell.

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "base/diagnostic.h"
-#include "record/attention.h"
+#include "recording/attention.h"
 
 namespace smile::task {
 namespace {
@@ -12,7 +12,7 @@ namespace {
 /// Comparing takes the longer the more there are, by more than their square.
 constexpr std::size_t kMaxObjects = 500;
 
-[[noreturn]] void Fail(const record::Recording& demonstration, const std::string& message) {
+[[noreturn]] void Fail(const recording::Recording& demonstration, const std::string& message) {
   throw InputError({demonstration.directory.string(), 0, "", message});
 }
 
@@ -60,7 +60,7 @@ std::set<std::string> ConcernedBy(const std::vector<Effect>& effects) {
   return concerned;
 }
 
-void RequireATask(const Structure& structure, const record::Recording& demonstration) {
+void RequireATask(const Structure& structure, const recording::Recording& demonstration) {
   if (structure.objects.empty() && structure.effects.empty()) {
     Fail(demonstration,
          "no hand moved anything in this recording that is still there, and nothing else changed, "
@@ -84,7 +84,7 @@ std::vector<std::string> Structure::AttendedOf(const std::string& object) const 
   return told != attention.end() ? told->second : std::vector<std::string>();
 }
 
-Structure StructureOf(const record::Recording& demonstration) {
+Structure StructureOf(const recording::Recording& demonstration) {
   const Course course = CourseOf(demonstration);
   Structure structure{.objects = ObjectsAt(course.scene, course.end),
                       .relations = {},
@@ -92,7 +92,7 @@ Structure StructureOf(const record::Recording& demonstration) {
                       .effects = EffectsOf(course),
                       .others = {},
                       .fallen = FallenObjects(course),
-                      .attention = record::AttentionOf(demonstration)};
+                      .attention = recording::AttentionOf(demonstration)};
   structure.relations = model::RelationsOf(course.scene, structure.objects);
 
   const std::vector<std::string> touched = TouchedByHands(course);

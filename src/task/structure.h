@@ -34,6 +34,6 @@ struct Structure {
 };
 
 /// @throws InputError if the recording's trace cannot be read, or nothing was achieved.
-Structure StructureOf(const record::Recording& demonstration);
+Structure StructureOf(const recording::Recording& demonstration);
 
 }  // namespace smile::task

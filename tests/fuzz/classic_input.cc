@@ -4,27 +4,27 @@
 #include <vector>
 
 #include "base/diagnostic.h"
-#include "record/stand_ins.h"
+#include "classic/stand_ins.h"
 #include "scene_xml/scene_reader.h"
 #include "scene_xml/scene_writer.h"
 
 namespace smile::fuzz {
 
-record::ClassicRecording ReadSegments(std::string_view text) {
-  std::vector<record::ClassicText> texts;
+classic::ClassicRecording ReadSegments(std::string_view text) {
+  std::vector<classic::ClassicText> texts;
   for (std::size_t start = 0; start <= text.size();) {
     const std::size_t end = std::min(text.find('\f', start), text.size());
     texts.push_back(
         {std::to_string(texts.size()) + ".txt", std::string(text.substr(start, end - start))});
     start = end + 1;
   }
-  return record::ReadClassicTexts(texts);
+  return classic::ReadClassicTexts(texts);
 }
 
 std::string FaultWithClassic(std::string_view text) {
   scene::SceneSpec scene;
   try {
-    scene = record::MakeStandIns(ReadSegments(text));
+    scene = classic::MakeStandIns(ReadSegments(text));
   } catch (const InputError& error) {
     for (const Diagnostic& finding : error.diagnostics()) {
       if (!finding.file.ends_with(".txt")) return "refused without a place";

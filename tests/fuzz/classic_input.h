@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "record/classic_reader.h"
+#include "classic/classic_reader.h"
 
 namespace smile::fuzz {
 
@@ -14,7 +14,7 @@ namespace smile::fuzz {
 /// from their own scene file the same.
 std::string FaultWithClassic(std::string_view text);
 
-/// @throws InputError as record::ReadClassicTexts() does.
-record::ClassicRecording ReadSegments(std::string_view text);
+/// @throws InputError as classic::ReadClassicTexts() does.
+classic::ClassicRecording ReadSegments(std::string_view text);
 
 }  // namespace smile::fuzz

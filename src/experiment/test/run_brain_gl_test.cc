@@ -3,8 +3,8 @@
 #include "base/diagnostic.h"
 #include "experiment/imitation.h"
 #include "experiment_fixture.h"
-#include "record/recording.h"
-#include "record/time_range.h"
+#include "recording/recording.h"
+#include "recording/time_range.h"
 
 namespace smile::experiment {
 namespace {
@@ -42,7 +42,7 @@ TEST_F(RunBrain, AFailureIsReportedAndTheRecordingKept) {
   ASSERT_TRUE(result.brain_error);
   EXPECT_NE(result.brain_error->message.find("no idea"), std::string::npos);
   EXPECT_EQ(result.recordings, std::vector<fs::path>{root_ / "run"});
-  EXPECT_GE(TicksOf(record::OpenRecording(root_ / "run")).last, 12u);
+  EXPECT_GE(TicksOf(recording::OpenRecording(root_ / "run")).last, 12u);
   EXPECT_NE(Read("run/brain.log").find("no idea"), std::string::npos);
 }
 
@@ -92,7 +92,7 @@ TEST_F(ImitationTest, IsScoredAgainstTheDemonstration) {
   EXPECT_EQ(result.json["task"], "stack");
   EXPECT_EQ(result.json["brain"]["status"], "exited");
   EXPECT_LT(result.json["score"].get<double>(), 1);
-  EXPECT_TRUE(record::IsRecording(root_ / "imitation"));
+  EXPECT_TRUE(recording::IsRecording(root_ / "imitation"));
 }
 
 TEST_F(ImitationTest, ACancelledOneIsScoredAsFarAsItCame) {
@@ -104,7 +104,7 @@ TEST_F(ImitationTest, ACancelledOneIsScoredAsFarAsItCame) {
        .on_progress = [&](const std::string&, double done, double) { has_begun = done > 0.3; }});
   EXPECT_FALSE(result.is_rebuilt);
   EXPECT_NEAR(result.json["seconds"].get<double>(), 0.3, 0.05);
-  EXPECT_TRUE(record::IsRecording(root_ / "imitation"));
+  EXPECT_TRUE(recording::IsRecording(root_ / "imitation"));
 }
 
 TEST_F(ImitationTest, ASceneWithoutTheObjectsIsRefused) {

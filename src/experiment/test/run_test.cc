@@ -5,8 +5,8 @@
 
 #include "base/diagnostic.h"
 #include "experiment_fixture.h"
-#include "record/recording.h"
-#include "record/time_range.h"
+#include "recording/recording.h"
+#include "recording/time_range.h"
 
 namespace smile::experiment {
 namespace {
@@ -82,7 +82,7 @@ TEST_F(RunTest, AScriptThatFailsKeepsWhatWasRecorded) {
           {.on_message = [&](std::string_view text) { message = text; }}),
       InputError);
   EXPECT_EQ(message, "recorded in " + (root_ / "demo").string());
-  EXPECT_EQ(TicksOf(record::OpenRecording(root_ / "demo")).last, 30u);
+  EXPECT_EQ(TicksOf(recording::OpenRecording(root_ / "demo")).last, 30u);
 }
 
 TEST_F(RunTest, ACancelledRunIsAShorterOne) {
@@ -90,21 +90,21 @@ TEST_F(RunTest, ACancelledRunIsAShorterOne) {
       .scene = Pair(), .seconds = 10, .record = root_ / "demo", .has_pictures = false};
   const RunResult cancelled = experiment::Run(plan, CancelledAtPoll(13));
   EXPECT_EQ(cancelled.ticks, 12u);
-  EXPECT_EQ(TicksOf(record::OpenRecording(root_ / "demo")).last, 12u);
+  EXPECT_EQ(TicksOf(recording::OpenRecording(root_ / "demo")).last, 12u);
   EXPECT_EQ(experiment::Run({.scene = Pair(), .seconds = 0.2}).state_hash, cancelled.state_hash);
 }
 
 TEST_F(RunTest, ContinuesARecordingWhereItIsToldTo) {
   const fs::path demo = root_ / "demo";
   experiment::Run({.scene = Pair(), .seconds = 0.5, .record = demo, .has_pictures = false});
-  const record::Recording recording = record::OpenRecording(demo);
+  const recording::Recording recording = recording::OpenRecording(demo);
   const RunResult continued =
       experiment::Run({.scene = recording.scene,
                        .seconds = 0.25,
                        .continuation = RunPlan::Continuation{demo, {.tick = 30}},
                        .has_pictures = false});
   EXPECT_EQ(continued.ticks, 45u);
-  EXPECT_EQ(TicksOf(record::OpenRecording(demo)).last, 45u);
+  EXPECT_EQ(TicksOf(recording::OpenRecording(demo)).last, 45u);
   EXPECT_EQ(experiment::Run({.scene = Pair(), .seconds = 0.75}).state_hash, continued.state_hash);
 }
 

@@ -1,7 +1,7 @@
 #include "experiment/task_experiment.h"
 
 #include "experiment_fixture.h"
-#include "record/recording.h"
+#include "recording/recording.h"
 
 namespace smile::experiment {
 namespace {
@@ -27,7 +27,7 @@ TEST_F(TaskExperiment, CancelledInTheDemonstrationKeepsItAndTheEarlierResults) {
   EXPECT_THROW(
       RunTaskExperiment({.task = "row", .out = root_ / "out", .robot = Baxter()}, callbacks),
       std::runtime_error);
-  EXPECT_TRUE(record::IsRecording(root_ / "out/demonstration"));
+  EXPECT_TRUE(recording::IsRecording(root_ / "out/demonstration"));
   EXPECT_FALSE(Exists("out/imitation"));
   EXPECT_TRUE(Exists("out.1/result.json"));
 }

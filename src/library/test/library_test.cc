@@ -6,15 +6,15 @@
 #include <clocale>
 #include <map>
 
-#include "record/replay.h"
-#include "record/test/recording_fixture.h"
+#include "recorder/test/recording_fixture.h"
+#include "replay/replay.h"
 
 namespace smile::library {
 namespace {
 
 namespace fs = std::filesystem;
 
-class LibraryTest : public record::RecordingFixture {
+class LibraryTest : public recorder::RecordingFixture {
  protected:
   /// Records `demo`, and gives it another name.
   fs::path RecordAs(const std::string& id, const char* script = R"({"do":"wait","seconds":0.5})") {
@@ -78,13 +78,13 @@ TEST_F(LibraryTest, ListsTheNewestFirstAndWhatCannotBeRead) {
 
 TEST_F(LibraryTest, RenamesForGoodAndChangesNothingElse) {
   const auto demo = RecordAs("demo2");
-  const auto before = record::ReadDemoInfo(demo / "demo.json");
+  const auto before = recording::ReadDemoInfo(demo / "demo.json");
   ASSERT_EQ(EntryOf("demo2")["title"], "");
   library_.Rename("demo2", "Türme \"hoch\"", std::nullopt);
   library_.Rename("demo2", std::nullopt, "two\nlines");
   EXPECT_EQ(EntryOf("demo2")["title"], "Türme \"hoch\"");
   EXPECT_EQ(EntryOf("demo2")["notes"], "two\nlines");
-  auto after = record::OpenRecording(demo).info;
+  auto after = recording::OpenRecording(demo).info;
   after.title = before.title;
   after.notes = before.notes;
   EXPECT_EQ(after, before);
@@ -93,7 +93,7 @@ TEST_F(LibraryTest, RenamesForGoodAndChangesNothingElse) {
 
 TEST_F(LibraryTest, LeavesWhatIsBeingRecordedAlone) {
   auto simulation = MakeSimulation(/*with_robot=*/false);
-  const record::Recorder recorder(root_ / "now", {}, nullptr, *simulation);
+  const recorder::Recorder recorder(root_ / "now", {}, nullptr, *simulation);
   EXPECT_EQ(EntryOf("now")["binned"], false);
   EXPECT_THROW(library_.Rename("now", "later", {}), std::runtime_error);
   EXPECT_THROW(library_.Bin("now"), LibraryError);
@@ -105,7 +105,7 @@ TEST_F(LibraryTest, TakesBackFromTheBinEvenWhenTheNameIsTaken) {
   EXPECT_EQ(library_.Bin("um"), "um~1");
   EXPECT_EQ(EntryOf("um~1")["binned"], true);
   EXPECT_THROW(library_.DirectoryOf("um"), LibraryError);
-  EXPECT_TRUE(record::IsRecording(library_.DirectoryOf("um~1")));
+  EXPECT_TRUE(recording::IsRecording(library_.DirectoryOf("um~1")));
   RecordAs("um");
   EXPECT_EQ(library_.Bin("um"), "um~2");
   RecordAs("um");
@@ -179,8 +179,8 @@ TEST_F(LibraryTest, PutsAllFilesIntoAZipThatOpensAgain) {
     fs::create_directories((root_ / "unzipped" / name).parent_path());
     WriteFile(root_ / "unzipped" / name, text);
   }
-  const auto again = record::OpenRecording(root_ / "unzipped" / "größe");
-  EXPECT_FALSE(record::Replay(again).first_difference);
+  const auto again = recording::OpenRecording(root_ / "unzipped" / "größe");
+  EXPECT_FALSE(replay::Replay(again).first_difference);
 }
 
 }  // namespace

@@ -3,22 +3,22 @@
 #include <cmath>
 #include <limits>
 
-#include "record/test/recording_fixture.h"
-#include "record/trace_reader.h"
+#include "recorder/test/recording_fixture.h"
+#include "recording/trace_reader.h"
 
 namespace smile::library {
 namespace {
 
-class PlaybackTest : public record::RecordingFixture {
+class PlaybackTest : public recorder::RecordingFixture {
  protected:
-  static std::vector<record::TraceTick> MomentsOf(const std::filesystem::path& demo) {
-    record::TraceReader trace(record::OpenRecording(demo));
-    std::vector<record::TraceTick> moments;
+  static std::vector<recording::TraceTick> MomentsOf(const std::filesystem::path& demo) {
+    recording::TraceReader trace(recording::OpenRecording(demo));
+    std::vector<recording::TraceTick> moments;
     while (auto moment = trace.Next()) moments.push_back(*std::move(moment));
     return moments;
   }
 
-  static void ExpectShows(const record::TraceTick& moment, const Playback& playback) {
+  static void ExpectShows(const recording::TraceTick& moment, const Playback& playback) {
     const View view = playback.view();
     ASSERT_EQ(view.tick, moment.tick);
     ASSERT_EQ(view.state.poses.size(), static_cast<std::size_t>(view.model->num_frames));

@@ -5,12 +5,12 @@
 #include <thread>
 
 #include "image/png.h"
-#include "record/test/recording_fixture.h"
+#include "recorder/test/recording_fixture.h"
 
 namespace smile::library {
 namespace {
 
-class ShowcaseTest : public record::RecordingFixture {
+class ShowcaseTest : public recorder::RecordingFixture {
  protected:
   ShowcaseTest() {
     std::filesystem::create_directories(scenes());

@@ -5,9 +5,9 @@
 #include <limits>
 
 #include "picture/touch.h"
-#include "record/sight.h"
-#include "record/test/recording_fixture.h"
-#include "record/trace_reader.h"
+#include "recorder/test/recording_fixture.h"
+#include "recording/sight.h"
+#include "recording/trace_reader.h"
 
 namespace smile::picture {
 namespace {
@@ -21,18 +21,18 @@ constexpr const char* kTable = R"xml(<tabletop xmlns="http://synapse.cs.umd.edu/
   <block id="plank" location="(-4, 1, 0.5)" xspan="3" yspan="1" zspan="1"/>
 </tabletop>)xml";
 
-class HandTrackTest : public record::RecordingFixture {
+class HandTrackTest : public recorder::RecordingFixture {
  protected:
   /// The track of a script's recording.
   HandTrack TrackOf(const char* script, const char* xml = kTable) {
     if (!recording_) {
-      recording_ = record::OpenRecording(Record(script, false, nullptr, xml));
+      recording_ = recording::OpenRecording(Record(script, false, nullptr, xml));
       model_ = std::make_unique<model::Model>(recording_->scene);
     }
     return {*recording_, *model_};
   }
 
-  std::optional<record::Recording> recording_;
+  std::optional<recording::Recording> recording_;
   std::unique_ptr<model::Model> model_;
 };
 
@@ -67,7 +67,7 @@ constexpr const char* kWork = R"({"do":"wait","seconds":1}
 
 TEST_F(HandTrackTest, NeverJumpsNorHurries) {
   const HandTrack track = TrackOf(kWork);
-  record::TraceReader trace(*recording_);
+  recording::TraceReader trace(*recording_);
   double fastest = 0;
   std::optional<std::array<HandPosture, 2>> before;
   while (const auto moment = trace.Next()) {
@@ -102,7 +102,7 @@ TEST_F(HandTrackTest, NeverJumpsNorHurries) {
 
 TEST_F(HandTrackTest, TouchesWhatItHolds) {
   const HandTrack track = TrackOf(kWork);
-  record::TraceReader trace(*recording_);
+  recording::TraceReader trace(*recording_);
   int num_held = 0;
   while (const auto moment = trace.Next()) {
     for (const Side side : kSides) {
@@ -202,7 +202,7 @@ TEST_F(HandTrackTest, FindsMaterialToTakeHoldOf) {
   <box id="bin" location="(0, 0, 1)" xspan="4" yspan="4" zspan="2"/>
 </tabletop>)xml");
   const Touch touch(*model_);
-  const auto looks = record::VisualStateAt(record::StartOf(*model_), *model_).looks;
+  const auto looks = recording::VisualStateAt(recording::StartOf(*model_), *model_).looks;
   const model::FrameIndex bin = model_->frame_of(*model_->FindObject("bin"));
   const Vector3 hollow(0, 0, 0.05);
   EXPECT_EQ(touch.Around(bin, looks, hollow, Vector3::UnitX()).to, 0);

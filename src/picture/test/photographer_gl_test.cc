@@ -15,7 +15,7 @@ namespace {
 std::ptrdiff_t NumObjectPixels(const sim::Simulation& simulation, const Shot& shot) {
   const std::size_t num_objects = simulation.scene().objects.size();
   Photographer photographer(simulation.model(), shot);
-  return std::ranges::count_if(photographer.Take(record::Observe(simulation)).ids,
+  return std::ranges::count_if(photographer.Take(recording::Observe(simulation)).ids,
                                [&](auto id) { return id >= 2 && id < 2 + num_objects; });
 }
 

@@ -4,27 +4,27 @@
 #include <map>
 
 #include "picture/photographer.h"
-#include "record/test/recording_fixture.h"
-#include "record/time_range.h"
-#include "record/trace_reader.h"
+#include "recorder/test/recording_fixture.h"
+#include "recording/time_range.h"
+#include "recording/trace_reader.h"
 
 namespace smile::picture {
 namespace {
 
-using SeenDemonstratorTest = record::RecordingFixture;
+using SeenDemonstratorTest = recorder::RecordingFixture;
 using enum DemonstratorLook;
 
 constexpr Channels kAll{.rgb = true, .depth = true, .id = true};
 
 TEST_F(SeenDemonstratorTest, ChangesPicturesOnlyWhereHandsAre) {
-  const record::Recording recording = record::OpenRecording(Record());
+  const recording::Recording recording = recording::OpenRecording(Record());
   const model::Model model(recording.scene);
   const SeenDemonstrator ghost(recording, model, kGhost), person(recording, model, kForearm);
   const Shot shot{.camera = "eye", .width_px = 160, .height_px = 120, .channels = kAll};
   Photographer plain(model, shot), with_ghost(model, shot, &ghost),
       with_person(model, shot, &person);
   std::size_t num_changed = 0, least_seen = 1000, most_seen = 0, num_ghostly = 0;
-  record::TraceReader trace(recording);
+  recording::TraceReader trace(recording);
   while (const auto moment = trace.Next()) {
     if (moment->tick % 15 != 0) continue;
     const Image without = plain.Take(*moment), pale = with_ghost.Take(*moment),
@@ -63,9 +63,9 @@ TEST_F(SeenDemonstratorTest, ChangesPicturesOnlyWhereHandsAre) {
 }
 
 TEST_F(SeenDemonstratorTest, IsTheSameAgainFromEverywhere) {
-  const record::Recording recording = record::OpenRecording(Record());
+  const recording::Recording recording = recording::OpenRecording(Record());
   const model::Model model(recording.scene);
-  const auto moment = record::MomentAt(recording, 60);
+  const auto moment = recording::MomentAt(recording, 60);
   ASSERT_TRUE(moment);
   for (const DemonstratorLook look : {kGhost, kForearm}) {
     const SeenDemonstrator one(recording, model, look), other(recording, model, look);

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "record/recorder.h"
+#include "recorder/recorder.h"
 
 namespace smile::report {
 namespace {
@@ -40,14 +40,14 @@ class ExperimentPage : public ::testing::Test {
   /// Of a table without a robot, for a moment.
   ExperimentPage() {
     sim::Simulation simulation(OneBlock());
-    record::Recorder recorder(directory_, {}, nullptr, simulation);
+    recorder::Recorder recorder(directory_, {}, nullptr, simulation);
     simulation.AddListener(&recorder);
     for (int i = 0; i < 3; ++i) simulation.Tick();
   }
   ~ExperimentPage() override { std::filesystem::remove_all(directory_); }
 
   std::string PageWith(const Json& result) const {
-    const record::Recording recording = record::OpenRecording(directory_);
+    const recording::Recording recording = recording::OpenRecording(directory_);
     return PageOf({.name = kHostile,
                    .demonstration = recording,
                    .imitation = recording,

@@ -7,13 +7,13 @@
 #include <thread>
 
 #include "page/page_protocol.h"
-#include "record/replay.h"
-#include "record/test/recording_fixture.h"
+#include "recorder/test/recording_fixture.h"
+#include "replay/replay.h"
 
 namespace smile::studio {
 namespace {
 
-class LibraryRequestsTest : public record::RecordingFixture {
+class LibraryRequestsTest : public recorder::RecordingFixture {
  protected:
   LibraryRequestsTest() { AddLibraryRequests(&library_, &workshop_, &table_); }
 
@@ -74,7 +74,7 @@ TEST_F(LibraryRequestsTest, TidyUp) {
             true);
   EXPECT_EQ(Ask("library", {}, /*is_controller=*/false)["recordings"][0]["title"], "Um");
   EXPECT_EQ(Ask("rename", {{"recording", "demo"}, {"title", "  "}, {"notes", nullptr}})["error"],
-            record::kBlankTitle);
+            recording::kBlankTitle);
   EXPECT_EQ(library_.List()[0]["title"], "Um");
   EXPECT_EQ(Ask("bin", {{"recording", "demo"}})["recording"], "demo~1");
   EXPECT_EQ(Ask("unbin", {{"recording", "demo~1"}})["recording"], "demo");
@@ -113,12 +113,12 @@ TEST_F(LibraryRequestsTest, AnEditIsANewRecordingThatReplays) {
   };
   EXPECT_EQ(edit()["recording"], "brisk_ _1_");
   EXPECT_EQ(edit()["recording"], "brisk_ _1_-2") << "nothing is overwritten";
-  const auto made = record::OpenRecording(root_ / "brisk_ _1_");
+  const auto made = recording::OpenRecording(root_ / "brisk_ _1_");
   EXPECT_EQ(made.info.title, "brisk: <1>");
-  EXPECT_EQ(made.info.origin, record::Origin::kEdited);
-  const auto replay = record::Replay(made);
+  EXPECT_EQ(made.info.origin, recording::Origin::kEdited);
+  const auto replay = replay::Replay(made);
   EXPECT_FALSE(replay.first_difference);
-  EXPECT_LT(replay.ticks(), record::Replay(record::OpenRecording(root_ / "demo")).ticks());
+  EXPECT_LT(replay.ticks(), replay::Replay(recording::OpenRecording(root_ / "demo")).ticks());
 }
 
 TEST_F(LibraryRequestsTest, SaysWhichEditIsWrong) {
@@ -144,7 +144,7 @@ TEST_F(LibraryRequestsTest, SaysWhichEditIsWrong) {
 TEST(Workshop, GivesUpWhatWasAskedForAnew) {
   Workshop workshop;
   std::promise<void> has_begun;
-  const auto endless = [&has_begun](const record::Progress& progress) {
+  const auto endless = [&has_begun](const recording::Progress& progress) {
     has_begun.set_value();
     while (progress(1, 2)) std::this_thread::yield();
     return Json{{"never", "told"}};
@@ -156,7 +156,7 @@ TEST(Workshop, GivesUpWhatWasAskedForAnew) {
   };
   begin(1, endless);
   has_begun.get_future().wait();
-  begin(2, [](const record::Progress&) { return Json{{"is", "newest"}}; });
+  begin(2, [](const recording::Progress&) { return Json{{"is", "newest"}}; });
   std::map<int, Json> answers;
   while (answers.size() < 2) {
     for (const page::Letter& letter : workshop.TakeLetters()) {
@@ -171,7 +171,7 @@ TEST(Workshop, TakesNoMoreFromAClientThanItCanBear) {
   Workshop workshop;
   const auto begin = [&](page::ClientId client) {
     workshop.Begin({.request = {.client = client, .what = "library"},
-                    .work = [](const record::Progress& progress) {
+                    .work = [](const recording::Progress& progress) {
                       while (progress(1, 2)) std::this_thread::yield();
                       return Json::object();
                     }});
@@ -185,7 +185,7 @@ TEST(Workshop, EndsWhatIsUnderWayWhenItCloses) {
   std::atomic<bool> has_begun = false, has_ended = false;
   {
     Workshop workshop;
-    workshop.Begin({.request = {.what = "edit"}, .work = [&](const record::Progress& progress) {
+    workshop.Begin({.request = {.what = "edit"}, .work = [&](const recording::Progress& progress) {
                       has_begun = true;
                       while (progress(1, 2)) std::this_thread::yield();
                       has_ended = true;

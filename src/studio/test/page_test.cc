@@ -4,7 +4,7 @@
 
 #include "base/bytes.h"
 #include "base/files.h"
-#include "record/sight.h"
+#include "recording/sight.h"
 #include "robot/urdf_reader.h"
 #include "scene_xml/scene_reader.h"
 #include "studio/pose_stream.h"
@@ -27,8 +27,8 @@ TEST(SceneMessage, TellsAllInUnits) {
   const model::Model model(*scene);
   const PageMeshes meshes(model.visual_model());
   EXPECT_EQ(meshes.size(), 1u) << "equal frustums are one mesh";
-  const Json message =
-      SceneMessage(3, model, meshes, record::VisualStateAt(record::StartOf(model), model).looks);
+  const Json message = SceneMessage(
+      3, model, meshes, recording::VisualStateAt(recording::StartOf(model), model).looks);
   EXPECT_EQ(message["table"]["size"], Json::array({24.0, 12.0, 4.0}));
   EXPECT_EQ(message["visuals"][1]["block"], Json::array({2.0, 1.0, 1.0}));
   EXPECT_EQ(message["visuals"][1]["color"], "#ff0000");
@@ -58,8 +58,9 @@ TEST(SceneMessage, TellsWhatGlowsAsFilmsShowIt) {
   ASSERT_TRUE(scene.has_value());
   const model::Model model(
       *scene, model::RobotPlacement{.model = robot::ReadRobot(DataFile("robots/baxter.urdf"))});
-  const Json message = SceneMessage(1, model, PageMeshes(model.visual_model()),
-                                    record::VisualStateAt(record::StartOf(model), model).looks);
+  const Json message =
+      SceneMessage(1, model, PageMeshes(model.visual_model()),
+                   recording::VisualStateAt(recording::StartOf(model), model).looks);
   const auto& visuals = model.visual_model().visuals;
   ASSERT_EQ(message["visuals"].size(), visuals.size());
   int num_lamps = 0, num_of_face = 0;

@@ -1,7 +1,7 @@
 // Robot programs in a session, which does not wait for those that take their time.
 
 #include "brain/brain_driver.h"
-#include "record/replay.h"
+#include "replay/replay.h"
 #include "scene_xml/scene_reader.h"
 #include "session_fixture.h"
 #include "studio/live_brain.h"
@@ -93,9 +93,9 @@ TEST_F(SessionBrainTest, AnImitationIsScoredAndRecorded) {
   TickSeconds(0.5);
   EXPECT_TRUE(State()["recording"].is_null()) << "it ends with the imitation";
   const auto recording =
-      record::OpenRecording(root_ / "recordings" / begun["recording"].get<std::string>());
+      recording::OpenRecording(root_ / "recordings" / begun["recording"].get<std::string>());
   EXPECT_EQ(recording.scene.name, "pair_elsewhere");
-  EXPECT_EQ(record::Replay(recording).first_difference, std::nullopt);
+  EXPECT_EQ(replay::Replay(recording).first_difference, std::nullopt);
   const Json result = Latest("score")["result"];
   EXPECT_EQ(result["task"], "pair_elsewhere");
   EXPECT_FALSE(result["rebuilt"].get<bool>());
@@ -166,7 +166,7 @@ TEST_F(SessionBrainTest, NobodyButTheWorldWaitsWhileAProgramThinks) {
   TickSeconds(0.4);
   EXPECT_EQ(Status(), "exited") << ToText(State()["brain"]);
   Command(R"({"do":"finish"})");
-  EXPECT_EQ(record::Replay(record::OpenRecording(root_ / "recordings/take")).first_difference,
+  EXPECT_EQ(replay::Replay(recording::OpenRecording(root_ / "recordings/take")).first_difference,
             std::nullopt);
 }
 
@@ -234,7 +234,7 @@ TEST_F(SessionBrainTest, ARunThatNobodyWaitsForIsTheSameRun) {
   TickSeconds(0.6);
   EXPECT_EQ(Status(), "exited") << ToText(State()["brain"]);
   Command(R"({"do":"finish"})");
-  const record::Recording kept = record::OpenRecording(root_ / "recordings/take");
+  const recording::Recording kept = recording::OpenRecording(root_ / "recordings/take");
 
   sim::Simulation simulation(scene_xml::LoadScene(root_ / "scenes/pair.xml", {}), Baxter());
   const std::filesystem::path program = root_ / "brains/dance.py";
@@ -243,7 +243,7 @@ TEST_F(SessionBrainTest, ARunThatNobodyWaitsForIsTheSameRun) {
   driver.Drive(&process, &simulation);
   while (driver.Drive(&process, &simulation) == brain::BrainStatus::kRunning) simulation.Tick();
   while (simulation.tick() < 36) simulation.Tick();
-  const record::ReplayReport replay = record::Replay(kept);
+  const replay::ReplayReport replay = replay::Replay(kept);
   EXPECT_EQ(replay.first_difference, std::nullopt);
   EXPECT_EQ(replay.ticks(), 36u);
   EXPECT_EQ(replay.hash, simulation.state_hash());

@@ -5,9 +5,9 @@
 #include <csignal>
 #include <random>
 
-#include "../../record/test/painted_eye.h"
-#include "record/recording_history.h"
-#include "record/replay.h"
+#include "recorder/test/painted_eye.h"
+#include "recording/recording_history.h"
+#include "replay/replay.h"
 #include "session_fixture.h"
 
 namespace smile::studio {
@@ -40,9 +40,9 @@ TEST_F(SessionTest, ADemonstrationIsRecordedAndReplays) {
   EXPECT_TRUE(State()["undo"].get<bool>() && State()["redo"].get<bool>());
   Command(R"({"do":"finish"})");
   EXPECT_TRUE(State()["recording"].is_null());
-  const record::Recording kept = record::OpenRecording(root_ / "recordings/take");
-  EXPECT_EQ(record::Replay(kept).first_difference, std::nullopt);
-  EXPECT_EQ(WordsOf(record::HistoryOf(kept)[2]), "left hand puts a on b");
+  const recording::Recording kept = recording::OpenRecording(root_ / "recordings/take");
+  EXPECT_EQ(replay::Replay(kept).first_difference, std::nullopt);
+  EXPECT_EQ(WordsOf(recording::HistoryOf(kept)[2]), "left hand puts a on b");
 }
 
 TEST_F(SessionTest, AFullDiskEndsTheRecordingAndTheStateTellsIt) {
@@ -64,7 +64,7 @@ TEST_F(SessionTest, AFullDiskEndsTheRecordingAndTheStateTellsIt) {
   EXPECT_NE(failure["error"].get<std::string>().find("File too large"), std::string::npos);
   EXPECT_EQ(failure["kept"], true);
   EXPECT_EQ(Latest("error"), Json()) << "it is told once";
-  EXPECT_EQ(record::Replay(record::OpenRecording(root_ / "recordings/take")).first_difference,
+  EXPECT_EQ(replay::Replay(recording::OpenRecording(root_ / "recordings/take")).first_difference,
             std::nullopt);
   Command(R"({"do":"start","name":"next"})");
   TickOnce();
@@ -102,8 +102,8 @@ TEST_F(SessionTest, ARecordingIsGoneOnWithFromAnyOfItsSteps) {
   Command(R"({"do":"release","hand":"left"})");
   TickSeconds(0.2);
   Command(R"({"do":"finish"})");
-  const record::Recording kept = record::OpenRecording(root_ / "recordings/take");
-  EXPECT_EQ(record::Replay(kept).first_difference, std::nullopt);
+  const recording::Recording kept = recording::OpenRecording(root_ / "recordings/take");
+  EXPECT_EQ(replay::Replay(kept).first_difference, std::nullopt);
 }
 
 TEST_F(SessionTest, TheWorldGoesOnUntilTheOneOfARecordingIsMade) {
@@ -211,8 +211,9 @@ TEST_F(SessionTest, PresetsComeToFreePlacesThatTheSeedDecides) {
   Command(R"({"do":"start","name":"composed"})");
   TickSeconds(0.2);
   Command(R"({"do":"finish"})");
-  EXPECT_EQ(record::Replay(record::OpenRecording(root_ / "recordings/composed")).first_difference,
-            std::nullopt);
+  EXPECT_EQ(
+      replay::Replay(recording::OpenRecording(root_ / "recordings/composed")).first_difference,
+      std::nullopt);
 
   Do(R"({"do":"reload"})");
   Command(R"({"do":"grasp","hand":"right","object":"b","point":[3,-2,1]})");
@@ -256,8 +257,9 @@ TEST_F(SessionTest, ScenesThatWereUsedCanBeComposedAnew) {
     Command(R"({"do":"start","name":")" + name + "\"}");
     TickSeconds(0.2);
     Command(R"({"do":"finish"})");
-    EXPECT_EQ(record::Replay(record::OpenRecording(root_ / "recordings" / name)).first_difference,
-              std::nullopt)
+    EXPECT_EQ(
+        replay::Replay(recording::OpenRecording(root_ / "recordings" / name)).first_difference,
+        std::nullopt)
         << name;
   }
 }
@@ -393,7 +395,7 @@ TEST_F(SessionTest, TellsWhereTheGraspedPointIsWantedAndWhereTheOriginIsThen) {
 }
 
 TEST_F(SessionTest, TheEyeShowsWhatIsRecordedAndRestsWhenNothingMoves) {
-  record::PaintedEye eye;
+  recorder::PaintedEye eye;
   Begin(&eye);
   TickSeconds(3);  // until all is asleep
   const int looks = eye.looks();

@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "record/test/recording_fixture.h"
+#include "recorder/test/recording_fixture.h"
 #include "scene_xml/scene_writer.h"
 #include "sim/test/everything_scene.h"
 #include "sim/test/random_hands.h"
@@ -73,12 +73,12 @@ TEST_F(CourseWitnessTest, WhatHappenedBetweenUndoAndRedoIsLeftOut) {
   EXPECT_EQ(Touches(), (std::vector{EventKind::kGrasped, EventKind::kReleased}));
 }
 
-class CourseProperty : public record::RecordingFixture {};
+class CourseProperty : public recorder::RecordingFixture {};
 
 TEST_F(CourseProperty, AWitnessTellsWhatTheRecordingShows) {
   const std::string xml = scene_xml::WriteScene(sim::EverythingScene::Make());
   sim::Simulation simulation(*scene_xml::ReadSceneText(xml, "everything.xml").scene);
-  record::Recorder recorder(root_ / "demo", {}, nullptr, simulation);
+  recorder::Recorder recorder(root_ / "demo", {}, nullptr, simulation);
   simulation.AddListener(&recorder);
   const CourseWitness witness(&simulation);
   sim::RandomHands hands(7);
@@ -99,7 +99,7 @@ TEST_F(CourseProperty, AWitnessTellsWhatTheRecordingShows) {
   }
   EXPECT_GT(num_redone, 0);
   const std::vector<Touch> told = witness.course().touches;
-  const std::vector<Touch> shown = CourseOf(record::OpenRecording(root_ / "demo")).touches;
+  const std::vector<Touch> shown = CourseOf(recording::OpenRecording(root_ / "demo")).touches;
   EXPECT_GT(told.size(), 5u);
   ASSERT_EQ(told.size(), shown.size());
   for (std::size_t i = 0; i < told.size(); ++i) {

@@ -14,7 +14,7 @@ namespace smile::task {
 using model::CubeAt;
 using model::ObjectAt;
 
-inline record::TracePose TracePoseAt(const RigidTransform& X_WB) {
+inline recording::TracePose TracePoseAt(const RigidTransform& X_WB) {
   const Quaternion q = X_WB.quaternion();
   return {.position = X_WB.translation(), .rotation = {q.w(), q.x(), q.y(), q.z()}};
 }

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <functional>
 
-#include "record/recording.h"
-#include "record/recording_history.h"
-#include "record/test/recording_fixture.h"
+#include "recorder/test/recording_fixture.h"
+#include "recording/recording.h"
+#include "recording/recording_history.h"
 #include "structure_maker.h"
 #include "task/cause.h"
 #include "task/structure_json.h"
@@ -18,13 +18,13 @@ namespace {
 using Ids = std::vector<std::string>;
 using sim::EventKind;
 
-class StructureTest : public record::RecordingFixture {
+class StructureTest : public recorder::RecordingFixture {
  protected:
   /// Of a scene and a script that we ship.
-  record::Recording Play(const std::string& scene) {
+  recording::Recording Play(const std::string& scene) {
     const auto text = [](const std::string& name) { return ReadFile(DataFile(name), 1 << 20); };
     sim::Simulation simulation(scene_xml::LoadScene(DataFile("scenes/" + scene + ".xml")));
-    record::Recorder recorder(root_ / scene, {}, nullptr, simulation);
+    recorder::Recorder recorder(root_ / scene, {}, nullptr, simulation);
     simulation.AddListener(&recorder);
     CourseWitness witness(&simulation);
     sim::ScriptPlayer player(
@@ -33,7 +33,7 @@ class StructureTest : public record::RecordingFixture {
       simulation.Tick();
     }
     witnessed_ = witness.course();
-    return record::OpenRecording(root_ / scene);
+    return recording::OpenRecording(root_ / scene);
   }
 
   std::string TextOf(const Structure& structure) {
@@ -46,7 +46,7 @@ class StructureTest : public record::RecordingFixture {
 };
 
 TEST_F(StructureTest, IsWhatHandsMovedAndWhatThatStandsOn) {
-  const Structure structure = StructureOf(record::OpenRecording(Record()));
+  const Structure structure = StructureOf(recording::OpenRecording(Record()));
   EXPECT_EQ(structure.order, Ids{"a"});
   EXPECT_EQ(structure.relations, (std::vector<Relation>{{"a", Relation::Kind::kOn, "b"},
                                                         {"b", Relation::Kind::kOn, ""}}));
@@ -57,7 +57,7 @@ TEST_F(StructureTest, IsWhatHandsMovedAndWhatThatStandsOn) {
 
 TEST_F(StructureTest, SaysOfAPlacementWhatTheHistorySays) {
   // A ring has no floor, so that what lies in it lies on the table, too.
-  const record::Recording demo = record::OpenRecording(Record(
+  const recording::Recording demo = recording::OpenRecording(Record(
       R"({"hand":"left","do":"grasp","object":"a"}
 {"hand":"left","do":"move_to","position":[0,0,3]}
 {"do":"wait","until":"arrived"}
@@ -73,12 +73,12 @@ TEST_F(StructureTest, SaysOfAPlacementWhatTheHistorySays) {
 </tabletop>)xml"));
   const Structure structure = StructureOf(demo);
   EXPECT_EQ(structure.relations.front(), (Relation{"a", Relation::Kind::kIn, "ring"}));
-  const std::vector<record::HistoryStep> history = record::HistoryOf(demo);
+  const std::vector<recording::HistoryStep> history = recording::HistoryOf(demo);
   EXPECT_EQ(WordsOf(*history.back().summary), "left hand puts a into ring");
 }
 
 TEST_F(StructureTest, TellsWhatMatters) {
-  const Structure structure = StructureOf(record::OpenRecording(Record(
+  const Structure structure = StructureOf(recording::OpenRecording(Record(
       R"({"hand":"left","do":"grasp","object":"a"}
 {"hand":"left","do":"attend","properties":["color","size"]}
 {"hand":"left","do":"release"})")));
@@ -87,7 +87,7 @@ TEST_F(StructureTest, TellsWhatMatters) {
 }
 
 TEST_F(StructureTest, TellsWhatFellToTheFloor) {
-  const Structure structure = StructureOf(record::OpenRecording(Record(
+  const Structure structure = StructureOf(recording::OpenRecording(Record(
       R"({"hand":"left","do":"grasp","object":"a"}
 {"hand":"left","do":"move_to","position":[-9.7,0,3]}
 {"do":"wait","until":"arrived"}
@@ -104,7 +104,7 @@ TEST_F(StructureTest, TellsWhatFellToTheFloor) {
 
 TEST_F(StructureTest, IsNoneWhereNothingWasDone) {
   const auto demo = Record(R"({"do":"wait","seconds":0.1})");
-  EXPECT_THROW(StructureOf(record::OpenRecording(demo)), InputError);
+  EXPECT_THROW(StructureOf(recording::OpenRecording(demo)), InputError);
 }
 
 TEST_F(StructureTest, OfMechanismsTellsTheirEffects) {
@@ -131,7 +131,7 @@ TEST_F(StructureTest, OfMechanismsTellsTheirEffects) {
 
 TEST_F(StructureTest, IsAchievedByItselfAndNotByDoingNothing) {
   for (const char* scene : {"lidbox", "controls", "screws", "panel", "trapdoor", "dock"}) {
-    const record::Recording recording = Play(scene);
+    const recording::Recording recording = Play(scene);
     const Structure structure = StructureOf(recording);
     const Course course = CourseOf(recording);
     const Comparison itself = CompareWith(structure, course);

@@ -1,0 +1,115 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "math/rigid_transform.h"
+#include "scene/scene_spec.h"
+#include "sim/event.h"
+
+namespace smile::classic {
+
+// A classic recording as plain values, as it is written: lengths in units, angles in degrees. What
+// the lines mean: docs/recording-format.md, "The classic view".
+
+struct ClassicCreate {
+  std::string object;
+  std::vector<scene::Description> descriptions;  ///< as written; none for objects of the menus
+};
+
+struct ClassicDelete {
+  std::string object;
+};
+
+struct ClassicMove {
+  std::string object;
+  Vector3 position = Vector3::Zero();    ///< [units]
+  Vector3 angles_deg = Vector3::Zero();  ///< see RotationFromFixedAxes()
+};
+
+struct ClassicControl {
+  std::string control, kind, object, state;
+};
+
+struct ClassicControlChange {
+  std::string control, state;
+  std::string object;  ///< that has the control
+};
+
+struct ClassicAction {
+  sim::EventKind kind = sim::EventKind::kGrasped;
+  demonstrator::HandName hand = demonstrator::HandName::kAny;
+  /// It is done to: of a release, what the hand took last, empty where the recording does not tell;
+  /// of a bond, the guest's; of a trigger, the one that has the control.
+  std::string object;
+  std::string part, control;
+  std::string host, host_object, guest;
+  int tightness = 0;
+  std::vector<std::string> properties;
+};
+
+struct ClassicLine {
+  int number = 0;           ///< in its file; 1 is the first
+  std::uint64_t frame = 0;  ///< of an action: the one to come
+  std::variant<ClassicCreate, ClassicDelete, ClassicMove, ClassicControl, ClassicControlChange,
+               ClassicAction>
+      what;
+};
+
+struct ClassicSegment {
+  std::string file;  ///< as messages name it
+  std::vector<ClassicLine> lines;
+};
+
+struct ClassicPicture {
+  std::size_t segment = 0;
+  std::uint64_t frame = 0;
+
+  auto operator<=>(const ClassicPicture&) const = default;
+};
+
+/// Everything in it is sound: what moves, is grasped or deleted has been created, frames never go
+/// back.
+struct ClassicRecording {
+  std::vector<ClassicSegment> segments;
+  std::vector<ClassicPicture> pictures;  ///< sorted; all of one size
+  int picture_width_px = 0, picture_height_px = 0;
+
+  std::uint64_t last_frame() const;
+  /// Ids, in the order in which they were first created.
+  std::vector<std::string> Objects() const;
+};
+
+/// What a classic recording may cost; each limit, when passed, is an error.
+struct ClassicLimits {
+  std::size_t max_bytes = 64u << 20;  ///< of all texts together
+  std::size_t max_line_bytes = 64u << 10;
+  std::size_t max_segments = 100'000;
+  std::uint64_t max_frame = 100'000;  ///< seven hours
+  std::size_t max_objects = 2'000;
+  std::uintmax_t max_picture_bytes = 64u << 20;  ///< of each
+};
+
+/// What a classic recording consists of: `0.txt`, `1.txt`, … with a folder of pictures for each.
+/// Links are not followed, other files are not looked at.
+/// @throws InputError with all lines that are malformed; if none is, with the first that
+///         contradicts those before it.
+/// @throws std::runtime_error with path and reason if the machine does not let us read it.
+ClassicRecording ReadClassic(const std::filesystem::path& directory,
+                             const ClassicLimits& limits = {});
+
+struct ClassicText {
+  std::string file;  ///< as messages name it
+  std::string text;
+};
+
+/// The same for the texts of the segments, at hand.
+ClassicRecording ReadClassicTexts(std::span<const ClassicText> texts,
+                                  const ClassicLimits& limits = {});
+
+}  // namespace smile::classic

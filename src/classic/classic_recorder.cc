@@ -1,0 +1,224 @@
+#include "classic/classic_recorder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/files.h"
+#include "classic/classic_text.h"
+#include "image/png.h"
+#include "math/angles.h"
+#include "recording/segment_files.h"
+#include "recording/sight.h"
+#include "recording/time_range.h"
+#include "scene/controls_of.h"
+#include "scene/units.h"
+
+namespace smile::classic {
+namespace {
+
+// An object has moved when it went this far or turned this much since its last line.
+constexpr double kMovedSquared = 0.001;  ///< [units squared]
+constexpr double kTurned_deg = 0.5;
+
+bool HasTurned(const Vector3& from_deg, const Vector3& to_deg) {
+  for (int i = 0; i < 3; ++i) {
+    if (std::abs(std::remainder(to_deg[i] - from_deg[i], 360.0)) > kTurned_deg) return true;
+  }
+  return false;
+}
+
+std::string Joined(const std::vector<std::string>& texts) {
+  std::string joined;
+  for (const std::string& text : texts) joined += "," + ClassicValue(text);
+  return joined;
+}
+
+}  // namespace
+
+ClassicRecorder::ClassicRecorder(const std::filesystem::path& directory,
+                                 const ClassicOptions& options, model::Eye* eye,
+                                 const model::Model& model, const recording::TraceTick& first,
+                                 const std::vector<sim::Event>& standing)
+    : directory_(directory),
+      options_(options),
+      eye_(eye),
+      model_(model),
+      first_tick_(first.tick),
+      index_(directory / "frames.csv") {
+  state_.written.resize(first.objects.size());
+  state_.is_gone.resize(first.objects.size());
+  index_.Append("frame,tick,image\n");
+  OpenSegment();
+  WriteStart(first, standing);
+  Watch(first);
+}
+
+void ClassicRecorder::OpenSegment() {
+  MakeDirectories(recording::SegmentPictures(directory_, state_.segment));
+  if (options_.has_symbols) text_.emplace(recording::SegmentText(directory_, state_.segment));
+}
+
+void ClassicRecorder::WriteStart(const recording::TraceTick& first,
+                                 const std::vector<sim::Event>& standing) {
+  for (const sim::Event& event : standing) {
+    if (event.kind == sim::EventKind::kFell) state_.is_gone[IndexOf(event.object)] = true;
+  }
+  for (std::size_t i = 0; i < first.objects.size(); ++i) {
+    const scene::ObjectSpec& object = model_.object(model::ObjectIndex(i));
+    if (!first.objects[i].is_present || state_.is_gone[i]) continue;
+    std::string line = "create," + object.id();
+    for (const scene::Description& description : object.descriptions) {
+      line += "," + description.name + "," + ClassicValue(description.value);
+    }
+    WriteLine(line);
+  }
+  for (model::ControlIndex i : model_.controls()) {
+    const model::Control& control = model_.control(i);
+    if (!first.objects[control.object].is_present || state_.is_gone[control.object]) continue;
+    WriteLine("initializeControl," + control.id() + "," + scene::KindOf(*control.part) + "," +
+              model_.id(control.object) + "," + RecordedState(control, first.controls[i]));
+  }
+  for (const sim::Event& event : standing) {
+    if (event.kind == sim::EventKind::kAttended) WriteAttention(event);
+    if (event.kind != sim::EventKind::kGrasped) continue;
+    WriteLine("grasp," + std::string(ClassicHandName(*event.hand)) + "," + event.object);
+  }
+}
+
+std::size_t ClassicRecorder::IndexOf(const std::string& object) const {
+  // Events name objects of the scene only.
+  return *model_.FindObject(object);
+}
+
+void ClassicRecorder::WriteAttention(const sim::Event& event) {
+  WriteLine("attend," + std::string(ClassicHandName(*event.hand)) + "," + event.object +
+            Joined(event.properties));
+}
+
+void ClassicRecorder::WriteLine(const std::string& fields) {
+  if (text_) text_->Append(std::to_string(state_.frame) + "," + fields + "\n");
+}
+
+void ClassicRecorder::Begin(const std::string& action, const sim::Event& event,
+                            const std::string& fields) {
+  ++state_.segment;
+  OpenSegment();
+  WriteLine(action + "," + std::string(ClassicHandName(*event.hand)) +
+            (fields.empty() ? "" : "," + fields));
+}
+
+void ClassicRecorder::Note(const sim::Event& event) {
+  using enum sim::EventKind;
+  switch (event.kind) {
+    case kControlChanged:
+      WriteLine("changeControlState," + event.control + "," + event.state);
+      state_.has_news = true;
+      return;
+    case kFell:
+      state_.falling.push_back(IndexOf(event.object));
+      return;
+    default:
+      break;
+  }
+  if (!event.hand) return;
+  switch (event.kind) {
+    case kGrasped:
+      return Begin("grasp", event, event.object);
+    case kReleased:
+      return Begin("release", event);
+    case kDestroyed:
+      Begin("destroy", event);
+      WriteLine("delete," + event.object);
+      state_.has_news = true;
+      return;
+    case kPointed:
+      return Begin("pointTo", event, event.part + "," + event.object);
+    case kTriggered:
+      return Begin("trigger", event, event.control);
+    case kFastened:
+    case kLoosened: {
+      const auto index = [](int number) { return static_cast<std::size_t>(number); };
+      const model::Host& host = model_.host(model::HostIndex(index(event.host)));
+      const model::Guest& guest = model_.guest(model::GuestIndex(index(event.guest)));
+      return Begin(event.kind == kFastened ? "fasten" : "loosen", event,
+                   host.point->id + "," + model_.id(host.object) + "," + guest.point->id + "," +
+                       event.object + "," + std::to_string(event.tightness));
+    }
+    case kAttended:
+      return WriteAttention(event);
+    default:
+      return;
+  }
+}
+
+void ClassicRecorder::Watch(const recording::TraceTick& now) {
+  if (recording::IsFrameDue(state_.frame, now.tick - first_tick_, options_.frames_per_second))
+    WriteFrame(now);
+}
+
+std::string ClassicRecorder::PathOf(std::uint64_t frame) const {
+  return std::to_string(state_.segment) + "/" + std::to_string(frame) + ".png";
+}
+
+void ClassicRecorder::WriteFrame(const recording::TraceTick& now) {
+  bool has_changed = std::exchange(state_.has_news, false);
+  for (std::size_t i = 0; i < now.objects.size(); ++i) {
+    if (!now.objects[i].is_present || state_.is_gone[i]) continue;
+    has_changed = WriteMove(i, now.objects[i]) || has_changed;
+  }
+  for (std::size_t i : std::exchange(state_.falling, {})) {
+    if (!now.objects[i].is_present || state_.is_gone[i]) continue;
+    WriteMove(i, now.objects[i], /*is_last=*/true);
+    WriteLine("delete," + model_.id(model::ObjectIndex(i)));
+    state_.is_gone[i] = true;
+  }
+  std::string image;
+  if (has_changed && eye_ != nullptr) {
+    image = PathOf(state_.frame);
+    WritePng(directory_ / image,
+             eye_->Draw(model_.visual_model(), recording::SightAt(now, model_, eye_->spec())));
+  }
+  index_.Append(std::to_string(state_.frame) + "," + std::to_string(now.tick) + "," + image + "\n");
+  ++state_.frame;
+}
+
+bool ClassicRecorder::WriteMove(std::size_t i, const recording::TracePose& pose, bool is_last) {
+  const RigidTransform X_WB = pose.pose_in_world();
+  const Written now{
+      .position = scene::ToFileUnits(X_WB.translation(), model_.scene().meters_per_unit),
+      .angles_deg = FixedAxesAngles(X_WB.rotation()),
+      .is_awake = pose.is_awake};
+  std::optional<Written>& last = state_.written[i];
+  const bool fell_asleep = last && last->is_awake && !now.is_awake;
+  // Also when it moved between two frames and sleeps again.
+  const bool has_moved = last && ((now.position - last->position).squaredNorm() > kMovedSquared ||
+                                  HasTurned(last->angles_deg, now.angles_deg));
+  if (last && !fell_asleep && !has_moved && !is_last) return false;
+
+  std::string line = "move," + model_.id(model::ObjectIndex(i));
+  for (double number : now.position) line += "," + ClassicNumber(number);
+  for (double number : now.angles_deg) line += "," + ClassicNumber(number);
+  WriteLine(line);
+  last = now;
+  return true;
+}
+
+void ClassicRecorder::Return(const Mark& mark) {
+  for (std::uint64_t frame = mark.state.frame; frame < state_.frame; ++frame) {
+    std::filesystem::remove(recording::SegmentPictures(directory_, mark.state.segment) /
+                            (std::to_string(frame) + ".png"));
+  }
+  for (int segment = state_.segment; segment > mark.state.segment; --segment) {
+    recording::RemoveSegment(directory_, segment);
+  }
+  if (text_) {
+    text_.emplace(recording::SegmentText(directory_, mark.state.segment),
+                  recording::AppendFile::kExisting);
+    text_->Cut(mark.text_size);
+  }
+  index_.Cut(mark.index_size);
+  state_ = mark.state;
+}
+
+}  // namespace smile::classic

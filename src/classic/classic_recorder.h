@@ -1,0 +1,93 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/eye.h"
+#include "recording/append_file.h"
+#include "recording/trace.h"
+
+namespace smile::classic {
+
+struct ClassicOptions {
+  double frames_per_second = 4;  ///< at most 60
+  bool has_symbols = true;       ///< false: pictures only
+};
+
+/// Writes the classic view of a recording, while it happens or from its trace: numbered text
+/// segments, one action in each, and a picture of the robot's eye for every frame in which
+/// something changed.
+///
+///     0.txt  0/0.png      what is there
+///     1.txt  1/4.png …    `4,grasp,AnyHand,b01`, then what moved
+///
+/// The layout is the original's (docs/recording-format.md); `frames.csv` is ours and tells tick and
+/// picture of every frame.
+class ClassicRecorder {
+ public:
+  /// @param eye       takes the pictures; nullptr for text only.
+  /// @param model     of the recording's scene and robot. Must outlive this, as the eye.
+  /// @param first     the moment it begins with.
+  /// @param standing  see TraceReader::events_before_start().
+  ClassicRecorder(const std::filesystem::path& directory, const ClassicOptions& options,
+                  model::Eye* eye, const model::Model& model, const recording::TraceTick& first,
+                  const std::vector<sim::Event>& standing);
+
+  /// Something happened. An action of a hand begins a new segment.
+  void Note(const sim::Event& event);
+  /// To be called after each tick: writes a frame when one is due.
+  void Watch(const recording::TraceTick& now);
+
+ private:
+  struct Written {                       ///< an object's last `move` line
+    Vector3 position = Vector3::Zero();  ///< [units]
+    Vector3 angles_deg = Vector3::Zero();
+    bool is_awake = false;
+  };
+  /// What the lines to come depend on.
+  struct State {
+    int segment = 0;
+    std::uint64_t frame = 0;  ///< the next one to be written
+    std::vector<std::optional<Written>> written;
+    std::vector<std::size_t> falling;  ///< objects on the floor that have no last line yet
+    std::vector<bool> is_gone;         ///< fell: has no lines any more
+    bool has_news = false;             ///< something looks different, though nothing moved
+  };
+
+ public:
+  /// Where it stands, to return to.
+  struct Mark {
+    State state;
+    std::uint64_t text_size = 0, index_size = 0;
+  };
+  Mark mark() const { return {state_, text_ ? text_->size() : 0, index_.size()}; }
+  /// Takes out everything that was written since.
+  void Return(const Mark& mark);
+
+ private:
+  void OpenSegment();
+  void WriteStart(const recording::TraceTick& first, const std::vector<sim::Event>& standing);
+  std::size_t IndexOf(const std::string& object) const;
+  void WriteAttention(const sim::Event& event);
+  /// Opens a segment with its action, which is its first line.
+  void Begin(const std::string& action, const sim::Event& event, const std::string& fields = {});
+  void WriteLine(const std::string& fields);
+  void WriteFrame(const recording::TraceTick& now);
+  /// Writes where an object is, if that is news.
+  bool WriteMove(std::size_t object, const recording::TracePose& pose, bool is_last = false);
+  std::string PathOf(std::uint64_t frame) const;
+
+  std::filesystem::path directory_;
+  ClassicOptions options_;
+  model::Eye* eye_;
+  const model::Model& model_;
+  std::uint64_t first_tick_;
+  State state_;
+  std::optional<recording::AppendFile> text_;
+  recording::AppendFile index_;
+};
+
+}  // namespace smile::classic

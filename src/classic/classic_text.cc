@@ -1,0 +1,52 @@
+#include "classic/classic_text.h"
+
+#include <charconv>
+#include <cmath>
+
+namespace smile::classic {
+
+std::string ClassicNumber(double number) {
+  const auto value = static_cast<float>(number);
+  if (std::isnan(value)) return "NaN";
+  if (std::isinf(value)) return value < 0 ? "-Infinity" : "Infinity";
+  char buffer[32];
+  const auto size = std::fabs(value);
+  const bool is_plain = value == 0 || (size >= 1e-3f && size < 1e7f);
+  const auto end =
+      std::to_chars(buffer, buffer + sizeof buffer, value,
+                    is_plain ? std::chars_format::fixed : std::chars_format::scientific)
+          .ptr;
+  std::string text(buffer, end);
+  if (is_plain) return text.find('.') == std::string::npos ? text + ".0" : text;
+
+  // 3.4144908e-04 becomes 3.4144908E-4, 1e+07 becomes 1.0E7.
+  const std::size_t e = text.find('e');
+  std::string mantissa = text.substr(0, e);
+  if (mantissa.find('.') == std::string::npos) mantissa += ".0";
+  return mantissa + "E" + std::to_string(std::stoi(text.substr(e + 1)));
+}
+
+std::string ClassicValue(std::string_view text) {
+  std::string escaped;
+  for (char letter : text) {
+    if (letter == ',') escaped += '\\';
+    escaped += letter;
+  }
+  return escaped;
+}
+
+std::string_view ClassicHandName(demonstrator::HandName hand) {
+  switch (hand) {
+    case demonstrator::HandName::kLeft:
+      return "LeftHand";
+    case demonstrator::HandName::kRight:
+      return "RightHand";
+    case demonstrator::HandName::kBoth:
+      return "BothHands";
+    case demonstrator::HandName::kAny:
+      return "AnyHand";
+  }
+  return "";
+}
+
+}  // namespace smile::classic

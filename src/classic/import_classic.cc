@@ -1,0 +1,202 @@
+#include "classic/import_classic.h"
+
+#include <map>
+#include <set>
+#include <stdexcept>
+#include <system_error>
+
+#include "base/diagnostic.h"
+#include "base/files.h"
+#include "base/wording.h"
+#include "classic/internal_classic_player.h"
+#include "classic/stand_ins.h"
+#include "model/eye.h"
+#include "recording/recording.h"
+#include "recording/recording_files.h"
+#include "recording/trace_writer.h"
+
+namespace smile::classic {
+namespace {
+
+/// The original's; its recordings do not tell.
+constexpr double kFramesPerSecond = 4;
+constexpr std::uint64_t kTicksPerFrame = 15;
+static_assert(kTicksPerFrame * kFramesPerSecond == sim::kTicksPerSecond);
+
+/// Where the objects of a recording are in a scene.
+using Places = std::map<std::string, std::size_t>;
+
+Places PlacesIn(const scene::SceneSpec& scene, const ClassicRecording& recording,
+                const std::filesystem::path& classic) {
+  Places in_scene, places;
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) in_scene[scene.objects[i].id()] = i;
+  std::string missing;
+  for (const std::string& object : recording.Objects()) {
+    const auto found = in_scene.find(object);
+    if (found != in_scene.end()) {
+      places.insert(*found);
+    } else {
+      missing += (missing.empty() ? "" : ", ") + object;
+    }
+  }
+  if (missing.empty()) return places;
+  throw InputError(
+      {classic.string(), 0, "",
+       "is about objects that the scene " + Quoted(scene.name) + " does not have: " + missing});
+}
+
+Places PlacesOfStandIns(const ClassicRecording& recording) {
+  Places places;
+  for (const std::string& object : recording.Objects()) places.insert({object, places.size()});
+  return places;
+}
+
+/// What stand-ins cannot show, and what is only known of them.
+std::vector<std::string> RemarksOnStandIns(const ClassicRecording& recording,
+                                           const scene::SceneSpec& scene) {
+  std::set<std::string> controls;
+  std::size_t num_bonds = 0;
+  for (const ClassicSegment& segment : recording.segments) {
+    for (const ClassicLine& line : segment.lines) {
+      if (const auto* control = std::get_if<ClassicControl>(&line.what)) {
+        controls.insert(control->control);
+      } else if (const auto* action = std::get_if<ClassicAction>(&line.what)) {
+        if (!action->host.empty()) ++num_bonds;
+      }
+    }
+  }
+  std::vector<std::string> remarks{
+      "without its scene, every object is shown as a block; name the scene with --scene"};
+  if (!controls.empty()) {
+    remarks.push_back("blocks have no controls: the states of " + std::to_string(controls.size()) +
+                      " are in the texts only");
+  }
+  if (num_bonds > 0) {
+    remarks.push_back("blocks have no bond points: " + std::to_string(num_bonds) +
+                      " times fasten or loosen are in the texts only");
+  }
+  const std::vector<std::string> objects = recording.Objects();
+  std::string renamed;
+  std::size_t num_renamed = 0;
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    const std::string& id = scene.objects[i].id();
+    if (id != objects[i] && ++num_renamed == 1) renamed = objects[i] + " is now " + id;
+  }
+  if (num_renamed > 0) {
+    remarks.push_back("scene files cannot have all ids: " + std::to_string(num_renamed) +
+                      " are changed, as " + renamed);
+  }
+  return remarks;
+}
+
+void WriteTrace(const std::filesystem::path& path, ClassicPlayer player,
+                const model::Model& model) {
+  recording::TraceWriter trace(path, model);
+  recording::TraceTick last;
+  for (std::uint64_t frame = 0; auto next = player.Next(); ++frame) {
+    // An action is told with the frame to come: it happened before.
+    for (std::uint64_t tick = last.tick + 1; tick < frame * kTicksPerFrame; ++tick) {
+      last.tick = tick;
+      trace.Add(last);
+    }
+    const auto tell = [&trace](const std::vector<sim::Event>& events) {
+      for (const sim::Event& event : events) trace.Add(event);
+    };
+    last = std::move(next->moment);
+    last.tick = frame * kTicksPerFrame;
+    tell(next->holds);
+    if (frame > 0) tell(next->events);
+    trace.Add(last);
+    if (frame == 0) tell(next->events);
+  }
+}
+
+void CopyAsItIs(const std::filesystem::path& from, const std::filesystem::path& to) {
+  std::error_code error;
+  std::filesystem::copy_file(from, to, error);
+  if (error) throw std::runtime_error(to.string() + ": cannot be written: " + error.message());
+}
+
+void CopyView(const std::filesystem::path& classic, const ClassicRecording& recording,
+              const std::filesystem::path& directory) {
+  std::map<std::uint64_t, std::string> image_of;
+  for (std::size_t segment = 0; segment < recording.segments.size(); ++segment) {
+    const std::string name = std::to_string(segment);
+    CopyAsItIs(classic / (name + ".txt"), directory / (name + ".txt"));
+    MakeDirectories(directory / name);
+  }
+  for (const ClassicPicture& picture : recording.pictures) {
+    const std::string name =
+        std::to_string(picture.segment) + "/" + std::to_string(picture.frame) + ".png";
+    CopyAsItIs(classic / name, directory / name);
+    image_of[picture.frame] = name;
+  }
+  recording::AppendFile index(directory / "frames.csv");
+  index.Append("frame,tick,image\n");
+  const std::uint64_t last_frame = recording.last_frame();
+  for (std::uint64_t frame = 0; frame <= last_frame; ++frame) {
+    const auto image = image_of.find(frame);
+    index.Append(std::to_string(frame) + "," + std::to_string(frame * kTicksPerFrame) + "," +
+                 (image != image_of.end() ? image->second : "") + "\n");
+  }
+}
+
+recording::DemoInfo InfoOfImport(const ClassicRecording& recording, const model::Model& model,
+                                 const ImportOptions& options) {
+  recording::DemoInfo info{.scene = model.scene().name,
+                           .title = options.title,
+                           .notes = options.notes,
+                           .meters_per_unit = model.scene().meters_per_unit,
+                           .physics_version = model.scene().physics_version,
+                           .origin = recording::Origin::kImported,
+                           .frames_per_second = kFramesPerSecond};
+  if (recording.pictures.empty()) return info;
+  info.eye = model::EyeView(
+      model, {},
+      {.width_px = recording.picture_width_px, .height_px = recording.picture_height_px});
+  return info;
+}
+
+/// `demo` of `demo`, `demo/` and `.`.
+std::string NameOfFolder(const std::filesystem::path& folder) {
+  const auto path = std::filesystem::weakly_canonical(folder);
+  return path.filename().string();
+}
+
+}  // namespace
+
+ImportReport ImportClassic(const std::filesystem::path& classic,
+                           const std::filesystem::path& directory, const ImportOptions& options) {
+  recording::RequireNewDirectory(directory);
+  const ClassicRecording recording = ReadClassic(classic);
+  ImportReport report{.frames = recording.last_frame() + 1,
+                      .segments = recording.segments.size(),
+                      .objects = recording.Objects().size(),
+                      .pictures = recording.pictures.size()};
+  scene::SceneSpec scene;
+  Places places;
+  if (options.scene) {
+    scene = *options.scene;
+    places = PlacesIn(scene, recording, classic);
+  } else {
+    scene = MakeStandIns(recording);
+    scene.name = NameOfFolder(classic);
+    places = PlacesOfStandIns(recording);
+    report.remarks = RemarksOnStandIns(recording, scene);
+  }
+  const model::Model model(scene);
+  const ClassicPlayer player(recording, model, places, options.scene.has_value());
+  // Once to see that all goes well, before anything is written.
+  for (ClassicPlayer rehearsal = player; rehearsal.Next();) continue;
+
+  recording::WriteWorld(directory, model);
+  WriteFile(directory / "commands.jsonl", "");
+  WriteTrace(directory / "trace.bin", player, model);
+  CopyView(classic, recording, directory);
+  // Last: whatever has it can be opened.
+  WriteFile(directory / "demo.json",
+            recording::ToJsonText(InfoOfImport(recording, model, options)));
+  return report;
+}
+
+}  // namespace smile::classic

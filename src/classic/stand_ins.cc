@@ -1,0 +1,143 @@
+#include "classic/stand_ins.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <map>
+#include <set>
+#include <stdexcept>
+
+#include "base/diagnostic.h"
+#include "classic/internal_classic_line.h"
+#include "math/angles.h"
+#include "scene/units.h"
+
+namespace smile::classic {
+namespace {
+
+// What a scene file can say.
+constexpr double kMaxLocation = 1e6;                ///< [units]
+constexpr double kMinSpan = 0.001, kMaxSpan = 1e6;  ///< [units]
+constexpr std::size_t kMaxName = 100;
+
+constexpr std::array<std::string_view, 9> kPalette = {"red",  "blue",    "yellow", "green", "brown",
+                                                      "cyan", "magenta", "orange", "pink"};
+
+/// What a recording first says of an object.
+struct FirstSight {
+  const ClassicCreate* create = nullptr;
+  const std::string* file = nullptr;
+  int line = 0;
+  const ClassicMove* move = nullptr;
+};
+
+std::map<std::string, FirstSight> FirstSights(const ClassicRecording& recording) {
+  std::map<std::string, FirstSight> sights;
+  for (const ClassicSegment& segment : recording.segments) {
+    for (const ClassicLine& line : segment.lines) {
+      if (const auto* create = std::get_if<ClassicCreate>(&line.what)) {
+        sights.insert({create->object, {create, &segment.file, line.number}});
+      } else if (const auto* move = std::get_if<ClassicMove>(&line.what)) {
+        FirstSight& sight = sights[move->object];
+        if (sight.move == nullptr) sight.move = move;
+      }
+    }
+  }
+  return sights;
+}
+
+double SpanOf(const scene::Description& description, const FirstSight& sight) {
+  try {
+    const double span =
+        ParseClassicNumber(description.value, "the length " + description.name, kMaxSpan);
+    if (span >= kMinSpan) return span;
+    throw std::invalid_argument(description.name + " is " + description.value +
+                                ", expected at least 0.001");
+  } catch (const std::invalid_argument& error) {
+    throw InputError({*sight.file, sight.line, "", error.what()});
+  }
+}
+
+/// With `_` for what is no letter, digit or `_`.
+std::string Letters(std::string_view text) {
+  std::string letters(text);
+  for (char& letter : letters) {
+    if (std::isalnum(static_cast<unsigned char>(letter)) == 0) letter = '_';
+  }
+  return letters;
+}
+
+/// Without what a scene file would take for an expression.
+std::string Plain(std::string value) {
+  std::ranges::replace(value, '$', '_');
+  return value;
+}
+
+/// As scene files have them: `shape` first; a later value of the same name holds.
+std::vector<scene::Description> DescriptionsOf(const ClassicCreate& create) {
+  std::vector<scene::Description> descriptions{{"shape", "block"}};
+  for (const scene::Description& given : create.descriptions) {
+    const std::string name = given.name.empty() ? "_" : Letters(given.name).substr(0, kMaxName);
+    const auto earlier = std::ranges::find(descriptions, name, &scene::Description::name);
+    if (earlier != descriptions.end()) {
+      earlier->value = Plain(given.value);
+    } else {
+      descriptions.push_back({name, Plain(given.value)});
+    }
+  }
+  return descriptions;
+}
+
+bool IsRenamed(const std::string& id, std::size_t hash) {
+  if (hash == 0 || hash == std::string::npos) return false;
+  const std::string number = id.substr(hash + 1);
+  return !number.empty() && number.size() <= 10 &&
+         std::ranges::all_of(number, [](unsigned char digit) { return std::isdigit(digit) != 0; });
+}
+
+/// An id a scene file may have, and no other object has.
+std::string IdFor(const std::string& object, std::set<std::string>* taken) {
+  const std::size_t hash = object.find('#');
+  const std::string stem = Letters(object.substr(0, hash));
+  std::string id = IsRenamed(object, hash) ? stem + object.substr(hash) : Letters(object);
+  for (int number = 0; !taken->insert(id).second; ++number) {
+    id = (stem.empty() ? "_" : stem) + "#" + std::to_string(number);
+  }
+  return id;
+}
+
+scene::ObjectSpec StandIn(const FirstSight& sight, std::size_t index) {
+  scene::ObjectSpec object;
+  Vector3 spans(1, 1, 1);
+  object.whole.color = *ParseColor(kPalette[index % kPalette.size()]);
+  object.descriptions = DescriptionsOf(*sight.create);
+  for (const scene::Description& description : object.descriptions) {
+    const auto& [name, value] = description;
+    if (name == "bboxx") spans.x() = SpanOf(description, sight);
+    if (name == "bboxy") spans.y() = SpanOf(description, sight);
+    if (name == "bboxz") spans.z() = SpanOf(description, sight);
+    if (name != "color") continue;
+    if (const auto color = ParseColor(value)) object.whole.color = *color;
+  }
+  object.whole.shape = scene::Block{.size = scene::FromFileUnits(spans, scene::kMetersPerUnit)};
+  if (sight.move == nullptr) return object;
+  const Vector3 place = sight.move->position.cwiseMax(-kMaxLocation).cwiseMin(kMaxLocation);
+  object.whole.X_PE = RigidTransform(RotationFromFixedAxes(sight.move->angles_deg),
+                                     scene::FromFileUnits(place, scene::kMetersPerUnit));
+  return object;
+}
+
+}  // namespace
+
+scene::SceneSpec MakeStandIns(const ClassicRecording& recording) {
+  scene::SceneSpec scene;
+  const auto sights = FirstSights(recording);
+  std::set<std::string> taken;
+  for (const std::string& id : recording.Objects()) {
+    scene.objects.push_back(StandIn(sights.at(id), scene.objects.size()));
+    scene.objects.back().whole.id = IdFor(id, &taken);
+  }
+  return scene;
+}
+
+}  // namespace smile::classic

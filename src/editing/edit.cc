@@ -1,0 +1,203 @@
+#include "editing/edit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <stdexcept>
+#include <string>
+
+#include "base/overloaded.h"
+#include "base/wording.h"
+#include "motion/trajectory_shape.h"
+#include "sim/command_json.h"
+#include "sim/simulation.h"
+
+namespace smile::editing {
+namespace {
+
+using SegmentPlace = std::vector<recording::Segment>::iterator;
+
+std::uint64_t TicksOf(double seconds) {
+  if (!(seconds >= 0 && seconds <= kMaxSeconds)) {
+    throw std::invalid_argument("time is " + NumberText(seconds) + " s, expected 0 to " +
+                                NumberText(kMaxSeconds));
+  }
+  return static_cast<std::uint64_t>(std::llround(seconds * sim::kTicksPerSecond));
+}
+
+void CheckNumber(const char* what, int found, int low, int high) {
+  if (found >= low && found <= high) return;
+  throw std::invalid_argument(std::string(what) + " is " + std::to_string(found) + ", expected " +
+                              std::to_string(low) + " to " + std::to_string(high));
+}
+
+SegmentPlace Find(int number, recording::Demonstration* demonstration) {
+  CheckNumber("segment", number, 0, demonstration->num_recorded - 1);
+  auto& segments = demonstration->segments;
+  const auto found = std::find_if(segments.begin(), segments.end(),
+                                  [&](const recording::Segment& s) { return s.number == number; });
+  if (found == segments.end()) {
+    throw std::invalid_argument("segment " + std::to_string(number) + " is dropped already");
+  }
+  return found;
+}
+
+/// Where each moment of a segment goes, in ticks from its begin. What was earlier stays earlier.
+using TimeMap = std::function<std::uint64_t(std::uint64_t)>;
+
+void Warp(const TimeMap& map, recording::Segment* segment) {
+  for (recording::SegmentCommand& command : segment->commands) command.offset = map(command.offset);
+  for (recording::TickSpan& pause : segment->pauses) pause = {map(pause.begin), map(pause.end)};
+  std::erase_if(segment->pauses,
+                [](const recording::TickSpan& pause) { return pause.length() == 0; });
+  segment->duration = map(segment->duration);
+}
+
+TimeMap Scaled(double factor) {
+  return [factor](std::uint64_t offset) {
+    return static_cast<std::uint64_t>(std::llround(static_cast<double>(offset) * factor));
+  };
+}
+
+void Perform(const Drop& drop, recording::Demonstration* demonstration) {
+  CheckNumber("segment", drop.first, 0, demonstration->num_recorded - 1);
+  CheckNumber("last segment", drop.last, drop.first, demonstration->num_recorded - 1);
+  for (int number = drop.first; number <= drop.last; ++number) {
+    demonstration->segments.erase(Find(number, demonstration));
+  }
+}
+
+void Perform(const Move& move, recording::Demonstration* demonstration) {
+  if (demonstration->num_recorded == 1) {
+    throw std::invalid_argument("no segment can be moved: the recording has no action");
+  }
+  CheckNumber("segment", move.segment, 1, demonstration->num_recorded - 1);
+  const SegmentPlace from = Find(move.segment, demonstration);
+  auto& segments = demonstration->segments;
+  const int first_action = segments.front().number == 0 ? 1 : 0;
+  CheckNumber("place", move.place, 1, static_cast<int>(segments.size()) - first_action);
+  const SegmentPlace to = segments.begin() + first_action + move.place - 1;
+  if (from < to) {
+    std::rotate(from, from + 1, to + 1);
+  } else {
+    std::rotate(to, from, from + 1);
+  }
+}
+
+void Perform(const Trim& trim, recording::Demonstration* demonstration) {
+  recording::Segment& segment = *Find(trim.segment, demonstration);
+  const std::uint64_t from = TicksOf(trim.from);
+  const std::uint64_t to = std::min(TicksOf(trim.to), segment.duration);
+  if (from > to) {
+    throw std::invalid_argument("what is to be kept is from " + NumberText(trim.from) + " to " +
+                                NumberText(trim.to) + " s, expected a part of the segment's " +
+                                NumberText(sim::SecondsOf(segment.duration)) + " s");
+  }
+  std::erase_if(segment.commands, [&](const recording::SegmentCommand& command) {
+    return !IsAction(command.command) && (command.offset < from || command.offset > to);
+  });
+  Warp([&](std::uint64_t offset) { return std::clamp(offset, from, to) - from; }, &segment);
+}
+
+void Perform(const MaxPause& longest, recording::Demonstration* demonstration) {
+  const std::uint64_t kept = TicksOf(longest.seconds);
+  for (recording::Segment& segment : demonstration->segments) {
+    const std::vector<recording::TickSpan> pauses = segment.pauses;
+    const auto without_rest_of_pauses = [&](std::uint64_t offset) {
+      std::uint64_t removed = 0;
+      for (const recording::TickSpan& pause : pauses) {
+        const std::uint64_t waited = std::clamp(offset, pause.begin, pause.end) - pause.begin;
+        removed += waited - std::min(waited, kept);
+      }
+      return offset - removed;
+    };
+    Warp(without_rest_of_pauses, &segment);
+  }
+}
+
+void Perform(const Retime& retime, recording::Demonstration* demonstration) {
+  recording::Segment& segment = *Find(retime.segment, demonstration);
+  const std::uint64_t wanted = TicksOf(retime.seconds);
+  if (segment.duration > 0) {
+    Warp(Scaled(static_cast<double>(wanted) / static_cast<double>(segment.duration)), &segment);
+  }
+  segment.duration = wanted;
+}
+
+/// A hand where a speed is given, and a robot that follows, are so many times as fast.
+/// @returns true if that changes the command.
+bool SpeedUp(double factor, sim::Command* command) {
+  return std::visit(Overloaded{[&](sim::MoveTo& move) {
+                                 if (move.speed) *move.speed *= factor;
+                                 return move.speed.has_value();
+                               },
+                               [&](sim::JointVelocities& velocities) {
+                                 for (auto* arm : {&velocities.left, &velocities.right}) {
+                                   if (!*arm) continue;
+                                   for (double& rate : **arm) rate *= factor;
+                                 }
+                                 if (velocities.grippers) {
+                                   for (double& rate : *velocities.grippers) rate *= factor;
+                                 }
+                                 if (velocities.head) *velocities.head *= factor;
+                                 return true;
+                               },
+                               [&](sim::TurnJoint& turn) {
+                                 turn.velocity *= factor;
+                                 return true;
+                               },
+                               [&](sim::MoveGripper& move) {
+                                 move.velocity *= factor;
+                                 return true;
+                               },
+                               [&](sim::TakePose& pose) {
+                                 pose.speed = std::min(1.0, pose.speed * factor);
+                                 return true;
+                               },
+                               [&](sim::FollowTrajectory& follow) {
+                                 motion::Stretch(1 / factor, &follow.trajectory);
+                                 return true;
+                               },
+                               [](auto&) { return false; }},
+                    *command);
+}
+
+/// @throws std::invalid_argument if a speed or time becomes none that can be written down.
+void SpeedUp(double factor, double meters_per_unit, recording::SegmentCommand* command) {
+  if (!SpeedUp(factor, &command->command)) return;
+  try {
+    (void)sim::ParseCommand(sim::ToJson(command->command, meters_per_unit), meters_per_unit);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument("line " + std::to_string(command->line) +
+                                " of the log: " + error.what());
+  }
+}
+
+void Perform(const Speed& speed, recording::Demonstration* demonstration) {
+  if (!(speed.factor >= kMinFactor && speed.factor <= 1 / kMinFactor)) {
+    throw std::invalid_argument("factor is " + NumberText(speed.factor) + ", expected " +
+                                NumberText(kMinFactor) + " to " + NumberText(1 / kMinFactor));
+  }
+  for (recording::Segment& segment : demonstration->segments) {
+    Warp(Scaled(1 / speed.factor), &segment);
+    for (recording::SegmentCommand& command : segment.commands) {
+      SpeedUp(speed.factor, demonstration->meters_per_unit, &command);
+    }
+  }
+}
+
+}  // namespace
+
+recording::Demonstration Edited(recording::Demonstration demonstration, const Edit& edit) {
+  const std::uint64_t before = demonstration.duration();
+  std::visit([&](const auto& what) { Perform(what, &demonstration); }, edit);
+  const std::uint64_t after = demonstration.duration();
+  if (after > std::max(before, TicksOf(kMaxSeconds))) {
+    throw std::invalid_argument("the demonstration would last " +
+                                NumberText(sim::SecondsOf(after)) + " s, expected at most " +
+                                NumberText(kMaxSeconds));
+  }
+  return demonstration;
+}
+
+}  // namespace smile::editing

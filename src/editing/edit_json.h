@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "base/json.h"
+#include "editing/edit.h"
+#include "editing/re_simulation.h"
+
+namespace smile::editing {
+
+inline constexpr std::size_t kMaxEdits = 1000;
+
+/// Edits as JSON, in the order in which they are done:
+///
+///     [{"do":"drop","first":1,"last":2}, {"do":"move","segment":5,"place":2},
+///      {"do":"trim","segment":3,"from":0.5,"to":2}, {"do":"max_pause","seconds":0.5},
+///      {"do":"retime","segment":3,"seconds":1.5}, {"do":"speed","factor":1.5}]
+///
+/// @throws std::invalid_argument saying which, what was found and what was expected.
+std::vector<Edit> ParseEdits(const Json& json);
+
+/// The demonstration after all of them.
+/// @throws std::invalid_argument as Edited(), saying which.
+recording::Demonstration EditedByAll(recording::Demonstration demonstration,
+                                     const std::vector<Edit>& edits);
+
+/// As docs/editing.md has it.
+Json ToJson(const EditReport& report);
+
+}  // namespace smile::editing

@@ -1,0 +1,157 @@
+#include "editing/re_simulation.h"
+
+#include <cmath>
+#include <stdexcept>
+#include <system_error>
+
+#include "base/diagnostic.h"
+#include "recorder/recorder.h"
+#include "replay/log_player.h"
+
+namespace smile::editing {
+namespace {
+
+recorder::RecorderOptions OptionsFor(const recording::Recording& recording) {
+  return {.frames_per_second = recording.info.frames_per_second,
+          .has_symbols = recording.info.has_symbols,
+          .title = recording.info.title,
+          .notes = recording.info.notes,
+          .origin = recording::Origin::kEdited};
+}
+
+void CompareObjects(const recording::TraceTick& before, const recording::TraceTick& after,
+                    const model::Model& model, EditReport* report) {
+  for (std::size_t i = 0; i < after.objects.size(); ++i) {
+    const recording::TracePose &was = before.objects[i], &is = after.objects[i];
+    const std::string& id = model.id(model::ObjectIndex(i));
+    if (was.is_present && is.is_present) {
+      const recording::PoseGap gap = recording::GapBetween(was, is);
+      if (gap.IsBeyond(kSamePlace)) report->displaced.push_back({id, gap});
+    } else if (was.is_present) {
+      report->gone.push_back(id);
+    } else if (is.is_present) {
+      report->there_again.push_back(id);
+    }
+  }
+}
+
+/// Of objects that are there before and after.
+void CompareControls(const recording::TraceTick& before, const recording::TraceTick& after,
+                     const model::Model& model, EditReport* report) {
+  for (model::ControlIndex i : model.controls()) {
+    const model::Control& control = model.control(i);
+    if (!before.objects[control.object].is_present || !after.objects[control.object].is_present) {
+      continue;
+    }
+    const std::string was = RecordedState(control, before.controls[i]);
+    const std::string is = RecordedState(control, after.controls[i]);
+    if (was != is) report->controls.push_back({control.id(), was, is});
+  }
+}
+
+void CompareHostPoints(const recording::TraceTick& before, const recording::TraceTick& after,
+                       const model::Model& model, EditReport* report) {
+  for (std::size_t i = 0; i < after.bonds.size(); ++i) {
+    const int was = before.bonds[i].tightness, is = after.bonds[i].tightness;
+    if (was == is) continue;
+    report->host_points.push_back(
+        {model.host(model::HostIndex(i)).point->id, std::to_string(was), std::to_string(is)});
+  }
+}
+
+/// Runs a fresh simulation to where the demonstration begins.
+void RunToStart(const recording::Recording& recording, replay::LogPlayer* player,
+                sim::Simulation* simulation) {
+  const auto failure = player->RunToStart(simulation);
+  if (!failure) return;
+  throw InputError(
+      {(recording.directory / "commands.jsonl").string(), static_cast<int>(failure->command.line),
+       "", "was carried out when it was recorded, and is refused now: " + failure->refusal});
+}
+
+/// Goes on for so many ticks, and carries out what is due then.
+/// @returns what was refused.
+std::vector<LeftOut> RunFor(std::uint64_t ticks, replay::LogPlayer* player,
+                            sim::Simulation* simulation, const recording::Progress& progress) {
+  std::vector<LeftOut> left_out;
+  for (std::uint64_t tick = 0;; ++tick) {
+    while (auto refused = player->ApplyDue(simulation)) {
+      left_out.push_back({refused->command.line, std::move(refused->refusal)});
+    }
+    if (tick == ticks) return left_out;
+    simulation->Tick();
+    if (progress && !progress(sim::SecondsOf(tick + 1), sim::SecondsOf(ticks))) return left_out;
+  }
+}
+
+/// How the recording ends. A trace does not tell what the commands of its last tick changed; then
+/// it takes another run.
+recording::TraceTick EndOf(const recording::Recording& recording,
+                           const recording::Demonstration& edited,
+                           const recording::Progress& progress) {
+  const bool is_told =
+      recording.commands.empty() || recording.commands.back().tick < edited.recorded_end.tick;
+  if (is_told) return edited.recorded_end;
+  sim::Simulation simulation(recording.scene, recording.robot);
+  replay::LogPlayer player(recording.commands, recording.info.start);
+  RunToStart(recording, &player, &simulation);
+  RunFor(edited.recorded_duration(), &player, &simulation, progress);
+  return recording::Observe(simulation);
+}
+
+void CompareJoints(const recording::TraceTick& before, const recording::TraceTick& after,
+                   const model::Model& model, EditReport* report) {
+  for (std::size_t i = 0; i < after.joints.size(); ++i) {
+    const scene::LinkSpec& link = model.robot()->links[i];
+    const bool slides = link.joint_type == scene::JointType::kPrismatic;
+    const double allowed = slides ? kSamePlace.distance : kSameAngle;
+    if (std::abs(after.joints[i] - before.joints[i]) > allowed) {
+      report->joints.push_back(link.joint_name);
+    }
+  }
+}
+
+}  // namespace
+
+EditReport ReSimulate(const recording::Recording& recording, const recording::Demonstration& edited,
+                      const std::optional<EditOutput>& output,
+                      const recording::Progress& progress) {
+  std::optional<recorder::Recorder> recorder;  // outlives what it listens to
+  sim::Simulation simulation(recording.scene, recording.robot);
+  replay::LogPlayer player(edited.Schedule(), edited.start);
+  RunToStart(recording, &player, &simulation);
+  if (output) {
+    recorder.emplace(output->directory, OptionsFor(recording), output->eye, simulation);
+    simulation.AddListener(&*recorder);
+  }
+  EditReport report{.ticks_before = edited.recorded_duration(), .ticks_after = edited.duration()};
+  report.left_out = RunFor(report.ticks_after, &player, &simulation, progress);
+  const recording::TraceTick before = EndOf(recording, edited, progress),
+                             after = recording::Observe(simulation);
+  CompareObjects(before, after, simulation.model(), &report);
+  CompareControls(before, after, simulation.model(), &report);
+  CompareHostPoints(before, after, simulation.model(), &report);
+  CompareJoints(before, after, simulation.model(), &report);
+  return report;
+}
+
+EditReport MakeEdited(const recording::Recording& recording, const recording::Demonstration& edited,
+                      const EditOutput& output, const recording::Progress& progress) {
+  std::error_code error;
+  const bool was_there = std::filesystem::exists(output.directory, error);
+  bool goes_on = true;
+  const auto watch = [&](double done, double total) {
+    goes_on = !progress || progress(done, total);
+    return goes_on;
+  };
+  try {
+    const EditReport report = ReSimulate(recording, edited, output, watch);
+    if (!goes_on) throw std::runtime_error("interrupted");
+    return report;
+  } catch (...) {
+    if (!was_there) std::filesystem::remove_all(output.directory, error);
+    throw;
+  }
+}
+
+}  // namespace smile::editing

@@ -1,0 +1,218 @@
+#include "recorder/recorder.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "base/demand.h"
+#include "base/files.h"
+#include "recording/beginning.h"
+#include "recording/recording_files.h"
+#include "recording/trace_reader.h"
+#include "sim/eye.h"
+
+namespace smile::recorder {
+namespace {
+
+void CheckBefore(const std::filesystem::path& directory, const RecorderOptions& options,
+                 const sim::Simulation& simulation) {
+  if (!(options.frames_per_second > 0 && options.frames_per_second <= sim::kTicksPerSecond)) {
+    throw std::invalid_argument("recording: frames per second are " +
+                                std::to_string(options.frames_per_second) +
+                                ", expected more than 0 and at most 60");
+  }
+  if (recording::IsBlank(options.title))
+    throw std::invalid_argument(std::string("recording: ") + recording::kBlankTitle);
+  const auto& placement = simulation.model().robot_placement();
+  if (placement && placement->files.empty()) {
+    throw std::invalid_argument("recording: a robot without its files cannot be recorded");
+  }
+  if (!recording::IsAbandoned(directory)) recording::RequireNewDirectory(directory);
+}
+
+recording::DemoInfo InfoOf(const RecorderOptions& options, const sim::Eye* eye,
+                           const sim::Simulation& simulation, const recording::Moment& start) {
+  recording::DemoInfo info{.scene = simulation.scene().name,
+                           .title = options.title,
+                           .notes = options.notes,
+                           .meters_per_unit = simulation.scene().meters_per_unit,
+                           .physics_version = simulation.scene().physics_version,
+                           .origin = options.origin,
+                           .start = start,
+                           .frames_per_second = options.frames_per_second,
+                           .has_symbols = options.has_symbols};
+  if (const auto& placement = simulation.model().robot_placement()) {
+    info.robot = recording::RobotInfo{
+        .name = placement->model.name,
+        .gap = placement->gap,
+        .height = placement->height,
+        .urdf = (std::filesystem::path(recording::kRobotFolder) / placement->files.front().name)
+                    .string(),
+        .gripper = placement->gripper,
+        .body = placement->body};
+  }
+  if (eye != nullptr) {
+    info.eye = EyeView(simulation, eye->spec());
+    info.eye_camera = eye->spec().camera;
+  }
+  return info;
+}
+
+classic::ClassicOptions ClassicOptionsOf(const RecorderOptions& options) {
+  return {.frames_per_second = options.frames_per_second, .has_symbols = options.has_symbols};
+}
+
+/// What happened before a recording begins, as far as it still matters: what lies on the floor,
+/// what hands hold and what was said of objects.
+std::vector<sim::Event> StandingOf(const sim::Simulation& simulation) {
+  using enum sim::EventKind;
+  std::vector<sim::Event> standing;
+  for (const world::Object& object : simulation.tabletop().objects()) {
+    if (simulation.tabletop().HasFallen(object)) {
+      standing.push_back({.kind = kFell, .object = object.id()});
+    }
+    const auto& properties = simulation.demonstrator().PropertiesThatMatter(object);
+    if (properties.empty()) continue;
+    standing.push_back({.kind = kAttended,
+                        .hand = demonstrator::HandName::kAny,
+                        .object = object.id(),
+                        .properties = properties});
+  }
+  for (demonstrator::HandName name : demonstrator::kHandNames) {
+    const demonstrator::Hand& hand = simulation.demonstrator().hand(name);
+    if (!hand.is_holding()) continue;
+    standing.push_back(
+        {.kind = kGrasped, .hand = name, .object = simulation.tabletop().Find(hand.held)->id()});
+  }
+  return standing;
+}
+
+}  // namespace
+
+Recorder::Recorder(const std::filesystem::path& directory, const RecorderOptions& options,
+                   sim::Eye* eye, const sim::Simulation& simulation)
+    : directory_(directory), tick_(simulation.tick()) {
+  if (!simulation.history().is_complete()) {
+    throw std::invalid_argument("recording: the simulation was restored from a saved state");
+  }
+  CheckBefore(directory, options, simulation);
+  try {
+    Begin(options, eye, simulation);
+  } catch (...) {
+    // It never began: nothing is to be left of it.
+    std::error_code error;
+    std::filesystem::remove_all(directory, error);
+    throw;
+  }
+}
+
+void Recorder::Begin(const RecorderOptions& options, sim::Eye* eye,
+                     const sim::Simulation& simulation) {
+  recording::BeginningMark mark(directory_);
+  recording::WriteWorld(directory_, simulation.model());
+  const recording::TraceTick first = recording::Observe(simulation);
+  const std::vector<sim::Event> standing = StandingOf(simulation);
+  log_.emplace(directory_ / "commands.jsonl");
+  for (const sim::TimedCommand& past : simulation.history().CommandsDone()) {
+    Write({.tick = past.tick, .what = past.command}, simulation.scene().meters_per_unit);
+  }
+  trace_.emplace(directory_ / "trace.bin", simulation.model());
+  for (const sim::Event& event : standing) trace_->Add(event);
+  trace_->Add(first);
+  classic_.emplace(directory_, ClassicOptionsOf(options), eye, simulation.model(), first, standing);
+  // Last: whatever has it can be opened.
+  const recording::Moment start{.line = num_lines_, .tick = tick_};
+  WriteFile(directory_ / "demo.json",
+            recording::ToJsonText(InfoOf(options, eye, simulation, start)));
+  mark.Remove();
+}
+
+void Recorder::Write(const recording::LogLine& line, double meters_per_unit) {
+  log_->Append(recording::ToJsonLine(line, meters_per_unit));
+  ++num_lines_;
+}
+
+Recorder::Mark Recorder::MarkNow() const {
+  return {.moment = {.line = num_lines_, .tick = tick_},
+          .place = trace_->place(),
+          .classic = classic_->mark()};
+}
+
+std::optional<sim::Refusal> Recorder::Refuse(const sim::Simulation& simulation,
+                                             const sim::Command& command) {
+  const sim::ActionHistory& history = simulation.history();
+  if (std::holds_alternative<sim::Undo>(command) && marks_.Find(history.current().id) == nullptr) {
+    return std::string("there is nothing to undo in this recording") +
+           (history.can_undo() ? "; finish it to undo what was before its start" : "");
+  }
+  if (std::holds_alternative<sim::Redo>(command) &&
+      (!history.can_redo() || marks_.Find(history.undone().front().id) == nullptr)) {
+    return "there is nothing to do again in this recording";
+  }
+  return std::nullopt;
+}
+
+void Recorder::OnCommand(const sim::Simulation& simulation, const sim::Command& command) {
+  if (IsAction(command)) marks_.Begin(simulation.history(), {.before = MarkNow(), .at_undo = {}});
+  Write({.tick = simulation.tick(), .what = command}, simulation.scene().meters_per_unit);
+}
+
+void Recorder::OnEvent(const sim::Simulation&, const sim::Event& event) {
+  if (event.kind == sim::EventKind::kCommandRefused) return;
+  trace_->Add(event);
+  classic_->Note(event);
+}
+
+void Recorder::OnTick(const sim::Simulation& simulation) {
+  tick_ = simulation.tick();
+  const recording::TraceTick now = recording::Observe(simulation);
+  trace_->Add(now);
+  classic_->Watch(now);
+}
+
+void Recorder::OnMove(const sim::Simulation& simulation, sim::ActionId from, sim::ActionId to) {
+  // Refuse() lets the cursor move only over actions with marks.
+  ActionMark* mark = marks_.Find(std::max(from, to));
+  SMILE_DEMAND(mark != nullptr);
+  if (to < from) {
+    Undo(simulation, mark);
+  } else {
+    Redo(simulation, *mark);
+  }
+}
+
+void Recorder::Undo(const sim::Simulation& simulation, ActionMark* undone) {
+  undone->at_undo = MarkNow();
+  Return(recording::ReturnKind::kUndo, undone->before, simulation);
+  classic_->Return(undone->before.classic);
+}
+
+void Recorder::Redo(const sim::Simulation& simulation, const ActionMark& redone) {
+  Return(recording::ReturnKind::kRedo, redone.at_undo, simulation);
+  classic_->Return(redone.before.classic);
+  ShowAgain(redone, simulation);
+}
+
+void Recorder::Return(recording::ReturnKind kind, const Mark& to,
+                      const sim::Simulation& simulation) {
+  Write({.tick = tick_, .what = recording::Return{.kind = kind, .to = to.moment}},
+        simulation.scene().meters_per_unit);
+  tick_ = simulation.tick();
+  trace_->Return(to.place, num_lines_, tick_);
+}
+
+void Recorder::ShowAgain(const ActionMark& redone, const sim::Simulation& simulation) {
+  recording::TraceReader trace({.directory = directory_,
+                                .scene = simulation.scene(),
+                                .robot = simulation.model().robot_placement()},
+                               redone.at_undo.place);
+  // Along one way, what comes later is farther behind in the file.
+  while (const auto moment = trace.Next()) {
+    if (trace.places()[0] > redone.before.place) classic_->Watch(*moment);
+    for (std::size_t i = 0; i < moment->events.size(); ++i) {
+      if (trace.places()[i + 1] > redone.before.place) classic_->Note(moment->events[i]);
+    }
+  }
+}
+
+}  // namespace smile::recorder

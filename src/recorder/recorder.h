@@ -1,0 +1,103 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "classic/classic_recorder.h"
+#include "recording/append_file.h"
+#include "recording/progress.h"
+#include "recording/recording.h"
+#include "recording/trace_writer.h"
+#include "sim/action_marks.h"
+#include "sim/eye.h"
+#include "sim/simulation.h"
+
+namespace smile::recorder {
+
+struct RecorderOptions {
+  double frames_per_second = 4;  ///< of the classic view, at most 60
+  bool has_symbols = true;       ///< false: the classic view has pictures only
+  std::string title, notes;
+  recording::Origin origin = recording::Origin::kRecorded;
+};
+
+/// Records a simulation into a new directory (what is in it: docs/recording-format.md). Everything
+/// is written as it happens: whatever ends the program, what was complete stays readable.
+///
+/// Undo and redo lead the recording back and forth with the simulation. What was undone leaves the
+/// classic view and stays in log and trace.
+class Recorder : public sim::Listener {
+ public:
+  /// Begins a recording at the present moment, also while hands hold something. The log begins with
+  /// what led there.
+  /// @param eye  takes the pictures of the classic view; nullptr for text only. Must outlive this.
+  /// @throws InputError if the directory exists and is not empty: a recording is never overwritten.
+  /// @throws std::invalid_argument if the rate is not in (0, 60], or the simulation was restored
+  ///         from a saved state, so that nothing is known of what led there.
+  /// @throws std::runtime_error with path and reason if something cannot be written, as do all
+  ///         members.
+  Recorder(const std::filesystem::path& directory, const RecorderOptions& options, sim::Eye* eye,
+           const sim::Simulation& simulation);
+
+  /// Goes on with a recording from any moment of its history, as a new branch if that is not its
+  /// end. The classic view is made anew.
+  /// @param simulation  fresh, of the recording's scene and robot; is run to the moment.
+  /// @param progress    of that, and again of the classic view, which is finished in any case.
+  /// @throws InputError if there is no such moment, the recording has no commands, or they do not
+  ///         lead there any more. Nothing is changed then.
+  /// @throws std::runtime_error if another program is recording into it.
+  static std::unique_ptr<Recorder> Continue(const std::filesystem::path& directory,
+                                            const recording::Moment& from, sim::Eye* eye,
+                                            sim::Simulation* simulation,
+                                            const recording::Progress& progress = {});
+
+  Recorder(const Recorder&) = delete;
+  Recorder& operator=(const Recorder&) = delete;
+
+  std::optional<sim::Refusal> Refuse(const sim::Simulation& simulation,
+                                     const sim::Command& command) override;
+  void OnCommand(const sim::Simulation& simulation, const sim::Command& command) override;
+  void OnEvent(const sim::Simulation& simulation, const sim::Event& event) override;
+  void OnMove(const sim::Simulation& simulation, sim::ActionId from, sim::ActionId to) override;
+  void OnTick(const sim::Simulation& simulation) override;
+
+ private:
+  /// Where log, trace and classic view stood at a moment.
+  struct Mark {
+    recording::Moment moment;
+    recording::TracePlace place = 0;
+    classic::ClassicRecorder::Mark classic;
+  };
+  /// What the recording remembers of an action that was begun in it.
+  struct ActionMark {
+    Mark before;
+    Mark at_undo;  ///< valid while the action is undone
+  };
+
+  explicit Recorder(const std::filesystem::path& directory) : directory_(directory) {}
+  void Begin(const RecorderOptions& options, sim::Eye* eye, const sim::Simulation& simulation);
+  void Write(const recording::LogLine& line, double meters_per_unit);
+  Mark MarkNow() const;
+  void Undo(const sim::Simulation& simulation, ActionMark* undone);
+  void Redo(const sim::Simulation& simulation, const ActionMark& redone);
+  /// Leads log and trace to another moment, where the simulation already is.
+  void Return(recording::ReturnKind kind, const Mark& to, const sim::Simulation& simulation);
+  /// Shows again in the classic view what was undone.
+  void ShowAgain(const ActionMark& redone, const sim::Simulation& simulation);
+  /// Makes the classic view anew along the trace, and the marks of its actions.
+  void Rebuild(const recording::Recording& recording, sim::Eye* eye,
+               const sim::Simulation& simulation, const recording::Progress& progress);
+
+  std::filesystem::path directory_;
+  std::optional<recording::AppendFile> log_;
+  std::optional<recording::TraceWriter> trace_;
+  std::optional<classic::ClassicRecorder> classic_;
+  std::size_t num_lines_ = 0;
+  std::uint64_t tick_ = 0;  ///< of the last moment
+  sim::ActionMarks<ActionMark> marks_;
+};
+
+}  // namespace smile::recorder

@@ -1,0 +1,208 @@
+// Going on with a recording.
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "base/diagnostic.h"
+#include "base/files.h"
+#include "recorder/recorder.h"
+#include "recording/segment_files.h"
+#include "recording/time_range.h"
+#include "recording/trace_reader.h"
+#include "replay/event_collector.h"
+#include "replay/log_player.h"
+
+namespace smile::recorder {
+namespace {
+
+[[noreturn]] void Fail(const recording::Recording& recording, const std::string& message) {
+  throw InputError({recording.directory.string(), 0, "", message});
+}
+
+/// A moment that was run to again.
+struct Reached {
+  recording::TracePlace place = 0;  ///< in the trace
+  /// What the trace does not tell of what the log says was done then: the program ended between the
+  /// two.
+  std::vector<sim::Event> untold;
+};
+
+/// Runs a fresh simulation along the recording to a moment, and makes sure that it is the same.
+class RunAlong {
+ public:
+  RunAlong(const recording::Recording& recording, const std::vector<recording::LoggedCommand>& way,
+           const recording::Moment& until, sim::Simulation* simulation)
+      : recording_(recording),
+        way_(way),
+        until_(until),
+        simulation_(simulation),
+        player_(way, recording.info.start),
+        trace_(recording, until) {
+    simulation_->AddListener(&collector_);
+  }
+  ~RunAlong() { simulation_->RemoveListener(&collector_); }
+  RunAlong(const RunAlong&) = delete;
+  RunAlong& operator=(const RunAlong&) = delete;
+
+  Reached Go(const recording::Progress& progress) {
+    const auto goes_on = [&](std::uint64_t tick) {
+      const bool does = !progress || progress(sim::SecondsOf(tick), sim::SecondsOf(until_.tick));
+      if (!does) throw std::runtime_error("interrupted");
+      return does;
+    };
+    if (!trace_.has_events())
+      Fail(recording_, "is of an older format, which cannot be gone on with");
+    if (player_.RunToStart(simulation_, goes_on)) SayThatItDiffers();
+    collector_.Forget();
+    while (Step()) goes_on(simulation_->tick());
+    CheckThatItIsThere();
+    const auto& events = collector_.events();
+    const auto num_told = static_cast<std::ptrdiff_t>(last_->events.size());
+    return {trace_.places().back(), {events.begin() + num_told, events.end()}};
+  }
+
+ private:
+  [[noreturn]] void SayThatItDiffers() const {
+    Fail(recording_, "cannot go on: run again, it differs at tick " +
+                         std::to_string(simulation_->tick()) + " (it was made by " +
+                         recording_.info.program + ")");
+  }
+
+  /// Goes on by one moment; false after the last one.
+  bool Step() {
+    auto moment = trace_.Next();
+    if (!moment) return false;
+    if (last_ && last_->events != collector_.events()) SayThatItDiffers();
+    if (last_) simulation_->Tick();
+    if (simulation_->state_hash() != moment->hash) SayThatItDiffers();
+    if (player_.ApplyDue(simulation_)) SayThatItDiffers();
+    num_actions_ += std::ranges::count_if(collector_.events(), &sim::BeginsAction);
+    last_ = std::move(moment);
+    return true;
+  }
+
+  /// Of the last moment the trace may tell only a part.
+  void CheckThatItIsThere() const {
+    if (!last_ || last_->tick != until_.tick || player_.next() != nullptr) {
+      Fail(recording_, "has no moment at tick " + std::to_string(until_.tick) + " after line " +
+                           std::to_string(until_.line) + " of its log");
+    }
+    const auto& events = collector_.events();
+    const std::size_t num_told = last_->events.size();
+    if (num_told > events.size() ||
+        !std::equal(last_->events.begin(), last_->events.end(), events.begin())) {
+      SayThatItDiffers();
+    }
+    const auto is_action = [this](const recording::LoggedCommand& logged) {
+      return logged.line > recording_.info.start.line && IsAction(logged.command);
+    };
+    if (std::ranges::count_if(way_, is_action) != num_actions_) {
+      Fail(recording_, "has other actions in its trace than in its log");
+    }
+  }
+
+  const recording::Recording& recording_;
+  const std::vector<recording::LoggedCommand>& way_;
+  recording::Moment until_;
+  sim::Simulation* simulation_;
+  replay::LogPlayer player_;
+  recording::TraceReader trace_;
+  replay::EventCollector collector_;
+  std::optional<recording::TraceTick> last_;
+  std::ptrdiff_t num_actions_ = 0;
+};
+
+/// How many bytes the first lines of a file are.
+std::uint64_t BytesOfLines(const std::filesystem::path& path, std::size_t num_lines) {
+  const std::string text = ReadFile(path, std::size_t{1} << 30);
+  std::size_t end = 0;
+  for (std::size_t i = 0; i < num_lines; ++i) end = text.find('\n', end) + 1;
+  return end;
+}
+
+/// What is written to shall be the recording's own.
+void RefuseLinks(const std::filesystem::path& directory) {
+  for (const auto& entry : std::filesystem::directory_iterator(directory)) {
+    if (!entry.is_symlink()) continue;
+    throw InputError({entry.path().string(), 0, "",
+                      "is a link; expected a recording whose files are its own to go on with it"});
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<Recorder> Recorder::Continue(const std::filesystem::path& directory,
+                                             const recording::Moment& from, sim::Eye* eye,
+                                             sim::Simulation* simulation,
+                                             const recording::Progress& progress) {
+  if (recording::IsRecording(directory)) RefuseLinks(directory);
+  // First the log is ours, then it is read.
+  std::unique_ptr<Recorder> recorder(new Recorder(directory));
+  const auto log_path = directory / "commands.jsonl";
+  recorder->log_.emplace(log_path, recording::AppendFile::kExisting);
+  const recording::Recording recording = recording::OpenRecording(directory);
+  if (recording.info.origin == recording::Origin::kImported) {
+    Fail(recording, "was imported from a classic recording; it has no commands to go on from");
+  }
+  if (recording.info.demonstrator != recording::DemonstratorLook::kInvisible) {
+    Fail(recording, "shows its demonstrator; go on with the recording that it is a copy of");
+  }
+  const std::size_t num_lines = recording.log.lines().size();
+  if (from.line > num_lines) {
+    Fail(recording, "has no line " + std::to_string(from.line) + " in its log");
+  }
+  const std::vector<recording::LoggedCommand> way = recording.log.WayTo(from.line);
+  const Reached reached = RunAlong(recording, way, from, simulation).Go(progress);
+
+  // Made anew, whatever happens on the way: first it is gone, then log and trace go on.
+  recording::RemoveClassicView(directory);
+  recorder->log_->Cut(BytesOfLines(log_path, num_lines));
+  recorder->num_lines_ = num_lines;
+  recorder->tick_ = recording::TicksOf(recording).last;
+  const recording::TracePlace end = recording::TraceReader(recording).size();
+  recorder->trace_.emplace(directory / "trace.bin", end, from.tick);
+  const recording::CommandLog& log = recording.log;
+  if (log.LineBefore(num_lines + 1) != log.LineBefore(from.line + 1) || reached.place != end) {
+    recorder->Return(recording::ReturnKind::kCheckout, {.moment = from, .place = reached.place},
+                     *simulation);
+  }
+  for (const sim::Event& event : reached.untold) recorder->trace_->Add(event);
+  recorder->tick_ = from.tick;
+  recorder->Rebuild(recording::OpenRecording(directory), eye, *simulation, progress);
+  return recorder;
+}
+
+void Recorder::Rebuild(const recording::Recording& recording, sim::Eye* eye,
+                       const sim::Simulation& simulation, const recording::Progress& progress) {
+  std::vector<recording::Moment> before_actions;
+  for (const recording::LoggedCommand& logged : recording.commands) {
+    if (logged.line <= recording.info.start.line || !IsAction(logged.command)) continue;
+    before_actions.push_back({.line = logged.line - 1, .tick = logged.tick});
+  }
+  // The simulation has just carried out these last.
+  const auto actions = simulation.history().done().last(before_actions.size());
+  recording::TraceReader trace(recording);
+  while (const auto moment = trace.Next()) {
+    if (classic_) {
+      classic_->Watch(*moment);
+    } else {
+      classic_.emplace(
+          directory_,
+          classic::ClassicOptions{.frames_per_second = recording.info.frames_per_second,
+                                  .has_symbols = recording.info.has_symbols},
+          eye, simulation.model(), *moment, trace.events_before_start());
+    }
+    for (std::size_t i = 0; i < moment->events.size(); ++i) {
+      if (BeginsAction(moment->events[i])) {
+        const std::size_t number = marks_.size();
+        marks_[actions[number].id].before = {.moment = before_actions.at(number),
+                                             .place = trace.places()[i],
+                                             .classic = classic_->mark()};
+      }
+      classic_->Note(moment->events[i]);
+    }
+    if (progress) progress(sim::SecondsOf(moment->tick), sim::SecondsOf(simulation.tick()));
+  }
+}
+
+}  // namespace smile::recorder

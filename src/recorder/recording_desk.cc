@@ -1,0 +1,111 @@
+#include "recorder/recording_desk.h"
+
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+#include "base/diagnostic.h"
+#include "base/wording.h"
+#include "recording/recording_names.h"
+
+namespace smile::recorder {
+
+RecordingDesk::RecordingDesk(sim::Simulation* simulation, Options options)
+    : options_(std::move(options)) {
+  simulation->AddListener(this);
+  simulation->SetRecordingControl(this);
+}
+
+std::optional<sim::Refusal> RecordingDesk::Start(const sim::Simulation& simulation,
+                                                 const sim::StartRecording& start) {
+  if (recorder_) {
+    return "already recording into " + directories_.back().string() + "; finish that first";
+  }
+  std::string name = start.name.empty() ? simulation.scene().name : start.name;
+  if (start.name.empty() && !recording::IsRecordingName(name)) name = "recording";
+  if (!recording::IsRecordingName(name))
+    return "\"name\" is " + Quoted(name) + ", expected " + recording::kNameForm;
+  if (recording::IsBlank(start.title)) return recording::kBlankTitle;
+  RecorderOptions options = options_.recording;
+  if (!start.title.empty()) options.title = start.title;
+  if (!start.notes.empty()) options.notes = start.notes;
+  try {
+    Start(recording::NewDirectory(options_.root, name), options, simulation);
+  } catch (const InputError& error) {
+    return error.what();
+  } catch (const std::exception& error) {
+    failure_ = error.what();
+    return failure_;
+  }
+  return std::nullopt;
+}
+
+void RecordingDesk::Start(const std::filesystem::path& directory, const RecorderOptions& options,
+                          const sim::Simulation& simulation) {
+  failure_.reset();
+  recorder_ = std::make_unique<Recorder>(directory, options, options_.eye, simulation);
+  directories_.push_back(directory);
+}
+
+void RecordingDesk::StartIn(const std::filesystem::path& directory,
+                            const sim::Simulation& simulation) {
+  Start(directory, options_.recording, simulation);
+}
+
+void RecordingDesk::Continue(const std::filesystem::path& directory, const recording::Moment& from,
+                             sim::Simulation* simulation, const recording::Progress& progress) {
+  recorder_ = Recorder::Continue(directory, from, options_.eye, simulation, progress);
+  directories_.push_back(directory);
+}
+
+std::optional<sim::Refusal> RecordingDesk::Finish(const sim::Simulation&) {
+  if (!recorder_) return "nothing is being recorded";
+  EndIfRemoved();
+  if (!recorder_) return failure_;
+  recorder_.reset();
+  return std::nullopt;
+}
+
+void RecordingDesk::EndIfRemoved() {
+  const std::filesystem::path file = directories_.back() / "demo.json";
+  std::error_code error;
+  if (std::filesystem::exists(file, error) || error) return;
+  failure_ = file.string() + ": was removed during the recording";
+  recorder_.reset();
+}
+
+template <class Part>
+void RecordingDesk::Record(const Part& part) {
+  if (!recorder_) return;
+  try {
+    part(*recorder_);
+  } catch (const std::exception& error) {
+    failure_ = error.what();
+    recorder_.reset();
+  }
+}
+
+std::optional<sim::Refusal> RecordingDesk::Refuse(const sim::Simulation& simulation,
+                                                  const sim::Command& command) {
+  return recorder_ ? recorder_->Refuse(simulation, command) : std::nullopt;
+}
+
+void RecordingDesk::OnCommand(const sim::Simulation& simulation, const sim::Command& command) {
+  Record([&](Recorder& recorder) { recorder.OnCommand(simulation, command); });
+}
+
+void RecordingDesk::OnEvent(const sim::Simulation& simulation, const sim::Event& event) {
+  Record([&](Recorder& recorder) { recorder.OnEvent(simulation, event); });
+}
+
+void RecordingDesk::OnMove(const sim::Simulation& simulation, sim::ActionId from,
+                           sim::ActionId to) {
+  Record([&](Recorder& recorder) { recorder.OnMove(simulation, from, to); });
+}
+
+void RecordingDesk::OnTick(const sim::Simulation& simulation) {
+  if (recorder_ && simulation.tick() % sim::kTicksPerSecond == 0) EndIfRemoved();
+  Record([&](Recorder& recorder) { recorder.OnTick(simulation); });
+}
+
+}  // namespace smile::recorder

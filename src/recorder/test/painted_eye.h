@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+
+#include "sim/eye.h"
+
+namespace smile::recorder {
+
+/// An eye that paints what it is told: the number of looks, so that pictures can be told apart.
+class PaintedEye : public sim::Eye {
+ public:
+  const Image& Draw(const scene::VisualModel&, const sim::Sight&) override {
+    ++looks_;
+    image_.color.assign(static_cast<std::size_t>(spec_.width_px) * spec_.height_px * 3,
+                        static_cast<std::uint8_t>(looks_));
+    return image_;
+  }
+  const sim::EyeSpec& spec() const override { return spec_; }
+  int looks() const { return looks_; }
+
+ private:
+  sim::EyeSpec spec_{.width_px = 8, .height_px = 6};
+  Image image_{.width_px = 8, .height_px = 6};
+  int looks_ = 0;
+};
+
+}  // namespace smile::recorder

@@ -1,0 +1,172 @@
+#include "recorder/recording_desk.h"
+
+#include "recording/recording_history.h"
+#include "recording_fixture.h"
+#include "replay/replay.h"
+
+namespace smile::recorder {
+namespace {
+
+using sim::HandName;
+
+class RecordingDeskTest : public RecordingFixture {
+ protected:
+  RecordingDeskTest()
+      : simulation_(MakeSimulation(false)), desk_(simulation_.get(), {.root = root_}) {}
+
+  void Do(const sim::Command& command, int ticks = 0) {
+    const auto refusal = simulation_->Apply(command);
+    ASSERT_EQ(refusal, std::nullopt) << *refusal;
+    for (int i = 0; i < ticks; ++i) simulation_->Tick();
+  }
+
+  std::unique_ptr<sim::Simulation> simulation_;
+  RecordingDesk desk_;
+};
+
+TEST_F(RecordingDeskTest, EveryRecordingHasADirectoryOfItsOwn) {
+  EXPECT_EQ(*simulation_->Apply(sim::FinishRecording()), "nothing is being recorded");
+  Do(sim::StartRecording{.name = "take", .title = "first"}, 3);
+  EXPECT_NE(simulation_->Apply(sim::StartRecording())->find("already recording"),
+            std::string::npos);
+  Do(sim::FinishRecording());
+  Do(sim::StartRecording{.name = "take"}, 5);
+  Do(sim::FinishRecording());
+  Do(sim::StartRecording(), 1);
+  EXPECT_EQ(desk_.directories(),
+            (std::vector<std::filesystem::path>{root_ / "take", root_ / "take-2", root_ / "pair"}));
+  EXPECT_EQ(recording::OpenRecording(root_ / "take").info.title, "first");
+  EXPECT_EQ(recording::OpenRecording(root_ / "take-2").info.title, "");
+  EXPECT_EQ(recording::OpenRecording(root_ / "take-2").info.start.tick, 3u);
+}
+
+TEST_F(RecordingDeskTest, ADirectoryThatIsRemovedEndsTheRecording) {
+  Do(sim::StartRecording{.name = "take"}, 10);
+  std::filesystem::remove_all(root_ / "take");
+  EXPECT_NE(simulation_->Apply(sim::FinishRecording())->find("take/demo.json: was removed"),
+            std::string::npos);
+  EXPECT_FALSE(desk_.is_recording());
+  Do(sim::StartRecording{.name = "take"}, 10);
+  EXPECT_EQ(desk_.failure(), std::nullopt);
+  std::filesystem::remove_all(root_ / "take");
+  for (int i = 0; i < sim::kTicksPerSecond; ++i) simulation_->Tick();
+  EXPECT_FALSE(desk_.is_recording()) << "it is noticed within a second";
+  EXPECT_NE(desk_.failure()->find("was removed"), std::string::npos);
+}
+
+TEST_F(RecordingDeskTest, NoNameLeadsOutOfItsFolder) {
+  for (const char* name : {"../up", "/tmp/x", ".hidden", "a/b", "a\\b", "a\nb", ".."}) {
+    const auto refusal = simulation_->Apply(sim::StartRecording{.name = name});
+    ASSERT_TRUE(refusal.has_value()) << name;
+    EXPECT_NE(refusal->find("expected up to 100 letters"), std::string::npos);
+  }
+  EXPECT_TRUE(std::filesystem::is_empty(root_));
+}
+
+TEST_F(RecordingDeskTest, ABlankTitleIsRefused) {
+  EXPECT_EQ(*simulation_->Apply(sim::StartRecording{.name = "take", .title = " \t "}),
+            recording::kBlankTitle);
+  EXPECT_TRUE(std::filesystem::is_empty(root_));
+  EXPECT_THROW(Recorder(root_ / "demo", {.title = "  "}, nullptr, *simulation_),
+               std::invalid_argument);
+}
+
+TEST_F(RecordingDeskTest, WhatWasUndoneBeforeTheStartIsNoPartOfThePast) {
+  Do(sim::Grasp{.hand = HandName::kLeft, .object = "a"}, 20);
+  Do(sim::Undo());
+  Do(sim::Grasp{.hand = HandName::kRight, .object = "b"}, 20);
+  Do(sim::Release{.hand = HandName::kRight}, 5);
+  Do(sim::Undo());
+  Do(sim::Redo(), 7);
+  Do(sim::StartRecording{.name = "take"}, 10);
+  const recording::Recording recording = recording::OpenRecording(root_ / "take");
+  EXPECT_EQ(recording.commands.size(), 2u);
+  EXPECT_EQ(recording.info.start, (recording::Moment{.line = 2, .tick = 32}));
+  const replay::ReplayReport report = replay::Replay(recording);
+  EXPECT_EQ(report.first_difference, std::nullopt);
+  EXPECT_EQ(report.hash, simulation_->state_hash());
+}
+
+TEST_F(RecordingDeskTest, AfterTheFinishTheWorldCanBeUndoneButNotTheRecording) {
+  Do(sim::Grasp{.hand = HandName::kLeft, .object = "a"}, 20);
+  Do(sim::StartRecording{.name = "take"}, 5);
+  EXPECT_NE(simulation_->Apply(sim::Undo()), std::nullopt);
+  Do(sim::FinishRecording());
+  Do(sim::Undo());
+  EXPECT_EQ(simulation_->tick(), 0u);
+  EXPECT_EQ(replay::Replay(recording::OpenRecording(root_ / "take")).ticks(), 5u);
+}
+
+TEST_F(RecordingDeskTest, NobodyGoesOnWithWhatIsBeingRecorded) {
+  Do(sim::StartRecording{.name = "take"}, 10);
+  auto other = MakeSimulation(false);
+  const auto go_on = [&] {
+    return Recorder::Continue(root_ / "take", {.line = 0, .tick = 5}, nullptr, other.get());
+  };
+  EXPECT_THROW(go_on(), std::runtime_error);
+  Do(sim::FinishRecording());
+  EXPECT_EQ(recording::OpenRecording(root_ / "take").log.lines().size(), 0u);
+  EXPECT_NE(go_on(), nullptr);
+}
+
+TEST_F(RecordingDeskTest, TheHistoryTellsEveryStepAlsoWhatWasUndone) {
+  Do(sim::StartRecording{.name = "take"}, 10);
+  Do(sim::Grasp{.hand = HandName::kLeft, .object = "a"}, 10);
+  Do(sim::Release{.hand = HandName::kLeft}, 10);
+  Do(sim::Undo(), 2);
+  Do(sim::Point{.hand = HandName::kRight, .part = "b"}, 10);
+  Do(sim::FinishRecording());
+  const std::vector<recording::HistoryStep> steps =
+      recording::HistoryOf(recording::OpenRecording(root_ / "take"));
+  ASSERT_EQ(steps.size(), 4u);
+  EXPECT_EQ(recording::WordsOf(steps[0]), "the start");
+  EXPECT_EQ(recording::WordsOf(steps[1]), "left hand takes a");
+  EXPECT_EQ(recording::WordsOf(steps[2]), "left hand puts a on the table");
+  EXPECT_EQ(recording::WordsOf(steps[3]), "right hand points at b");
+  EXPECT_EQ(steps[3].parent, 1u);
+  EXPECT_FALSE(steps[2].is_on_way);
+  EXPECT_TRUE(steps[1].is_on_way && steps[3].is_on_way);
+  EXPECT_EQ(steps[2].end, (recording::Moment{.line = 2, .tick = 30}));
+  EXPECT_EQ(steps[1].end, (recording::Moment{.line = 3, .tick = 22}));
+  EXPECT_EQ(steps[3].end, (recording::Moment{.line = 4, .tick = 32}));
+}
+
+TEST_F(RecordingDeskTest, TheHistoryNamesFromTheLogWhatTheTraceLacks) {
+  Do(sim::StartRecording{.name = "take"}, 10);
+  Do(sim::Grasp{.hand = HandName::kLeft, .object = "a"}, 10);
+  Do(sim::Release{.hand = HandName::kLeft}, 10);
+  Do(sim::FinishRecording());
+  const recording::Recording recording = recording::OpenRecording(root_ / "take");
+  std::filesystem::resize_file(root_ / "take" / "trace.bin", 2000);
+  const std::vector<recording::HistoryStep> steps = recording::HistoryOf(recording);
+  ASSERT_EQ(steps.size(), 3u);
+  EXPECT_EQ(recording::WordsOf(steps[1]), "left hand takes a");
+  EXPECT_EQ(recording::WordsOf(steps[2]), "left hand releases a");
+}
+
+TEST_F(RecordingDeskTest, AStepOnTheWayEndsWhereTheWayGoesOn) {
+  Do(sim::StartRecording{.name = "take"}, 10);
+  Do(sim::Grasp{.hand = HandName::kLeft, .object = "a"}, 10);
+  Do(sim::Release{.hand = HandName::kLeft}, 10);
+  Do(sim::FinishRecording());
+  const auto steps = [this] {
+    return recording::HistoryOf(recording::OpenRecording(root_ / "take"));
+  };
+  const auto go_on = [this](const recording::Moment& from, const sim::Command& command) {
+    const auto simulation = MakeSimulation(false);
+    const auto recorder = Recorder::Continue(root_ / "take", from, nullptr, simulation.get());
+    simulation->AddListener(recorder.get());
+    EXPECT_EQ(simulation->Apply(command), std::nullopt);
+    simulation->Tick();
+  };
+  const recording::Moment drop_end = steps()[2].end;
+  go_on({.line = 1, .tick = 14}, sim::Release{.hand = HandName::kLeft});
+  EXPECT_EQ(steps()[1].end, (recording::Moment{.line = 3, .tick = 14}));
+  // Back to what was left: nothing of the way there is shorter for what was tried meanwhile.
+  go_on(drop_end, sim::Point{.hand = HandName::kRight, .part = "b"});
+  EXPECT_EQ(steps()[1].end, steps()[2].begin);
+  EXPECT_EQ(steps()[1].end, (recording::Moment{.line = 1, .tick = 20}));
+}
+
+}  // namespace
+}  // namespace smile::recorder

@@ -1,0 +1,22 @@
+#include "recording/attention.h"
+
+#include "recording/trace_reader.h"
+
+namespace smile::recording {
+
+std::map<std::string, std::vector<std::string>> AttentionOf(const Recording& recording) {
+  std::map<std::string, std::vector<std::string>> attention;
+  const auto note = [&attention](const std::vector<sim::Event>& events) {
+    for (const sim::Event& event : events) {
+      if (event.kind != sim::EventKind::kAttended) continue;
+      attention.erase(event.object);
+      if (!event.properties.empty()) attention[event.object] = event.properties;
+    }
+  };
+  TraceReader trace(recording);
+  note(trace.events_before_start());
+  while (const auto moment = trace.Next()) note(moment->events);
+  return attention;
+}
+
+}  // namespace smile::recording

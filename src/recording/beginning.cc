@@ -1,0 +1,46 @@
+#include "recording/beginning.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <system_error>
+
+#include "base/files.h"
+#include "recording/recording.h"
+
+namespace smile::recording {
+namespace {
+
+constexpr const char* kMark = ".smile-beginning";
+
+/// The path of the mark in an empty directory.
+std::filesystem::path MakeRoom(const std::filesystem::path& directory) {
+  if (IsAbandoned(directory)) {
+    std::error_code error;  // what cannot be deleted is reported when it cannot be written
+    std::filesystem::remove_all(directory, error);
+  }
+  MakeDirectories(directory);
+  return directory / kMark;
+}
+
+}  // namespace
+
+BeginningMark::BeginningMark(const std::filesystem::path& directory)
+    : path_(MakeRoom(directory)), lock_(path_, AppendFile::kNew) {}
+
+void BeginningMark::Remove() {
+  std::error_code error;  // a mark in a recording that can be opened does no harm
+  std::filesystem::remove(path_, error);
+}
+
+bool IsAbandoned(const std::filesystem::path& directory) {
+  if (IsRecording(directory)) return false;
+  const int file = open((directory / kMark).c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW);
+  if (file < 0) return false;
+  const bool is_free = flock(file, LOCK_SH | LOCK_NB) == 0;
+  close(file);
+  return is_free;
+}
+
+}  // namespace smile::recording

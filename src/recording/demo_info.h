@@ -1,0 +1,95 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "math/camera_projection.h"
+#include "recording/command_log.h"
+#include "scene/scene_spec.h"
+#include "scene/units.h"
+#include "sim/eye.h"
+#include "sim/simulation.h"
+
+namespace smile::recording {
+
+/// Written; those from kOldestFormatVersion on are read.
+inline constexpr int kFormatVersion = 3, kOldestFormatVersion = 1;
+/// The folder in a recording with all files its robot was read from.
+inline constexpr const char* kRobotFolder = "robot";
+/// Before there was the folder: the robot, its side file beside it.
+inline constexpr const char* kOldRobotFile = "robot.urdf";
+
+/// Where a recording comes from.
+enum class Origin {
+  kRecorded,  ///< a simulation
+  kEdited,    ///< another recording, and a simulation
+  kImported,  ///< a classic recording: what was seen, without commands
+};
+
+/// How the demonstrator is seen in pictures.
+enum class DemonstratorLook {
+  kInvisible,  ///< not at all: only what it does
+  kGhost,      ///< translucent hands
+  kForearm,    ///< hands and arms of a person, which hide what is behind them
+};
+inline constexpr std::array<std::string_view, 3> kDemonstratorLooks{"invisible", "ghost",
+                                                                    "forearm"};
+/// `invisible`, `ghost` or `forearm`.
+std::string_view ToString(DemonstratorLook look);
+/// @throws std::invalid_argument saying what was found and expected.
+DemonstratorLook ParseDemonstratorLook(std::string_view text);
+
+struct RobotInfo {
+  std::string name;
+  double gap = 0, height = 0;        ///< where it stands, see sim::RobotPlacement [m]
+  std::string urdf = kOldRobotFile;  ///< from the recording's directory
+  std::string gripper;               ///< see sim::RobotPlacement
+  model::RobotBodyOptions body;
+
+  bool operator==(const RobotInfo&) const = default;
+};
+
+/// `demo.json`: what a recording is.
+struct DemoInfo {
+  int format = kFormatVersion;
+  std::string program;  ///< that made it; empty = this one
+  std::string scene;    ///< name
+  std::string title, notes;
+  double meters_per_unit = scene::kMetersPerUnit;
+  int physics_version = scene::kPhysicsVersion;  ///< see SceneSpec; `physics`, absent = 1
+  Origin origin = Origin::kRecorded;
+  Moment start;                    ///< what was done before is no part of the demonstration
+  double frames_per_second = 4;    ///< of the classic view
+  bool has_symbols = true;         ///< in the classic view
+  std::optional<RobotInfo> robot;  ///< nullopt for a table without one
+  std::optional<CameraView> eye;   ///< of the pictures; nullopt for text only
+  std::string eye_camera = sim::kEyeCamera;  ///< which camera that is; see model::CameraNames()
+  DemonstratorLook demonstrator = DemonstratorLook::kInvisible;  ///< in the pictures
+
+  bool operator==(const DemoInfo&) const = default;
+};
+
+std::string ToJsonText(const DemoInfo& info);
+
+/// @throws InputError naming the place in the file, what was found and what was expected.
+DemoInfo ReadDemoInfo(const std::filesystem::path& path);
+
+inline constexpr std::size_t kMaxTitleBytes = 256, kMaxNotesBytes = 8 << 10;
+inline constexpr const char* kBlankTitle = "title is blank, expected words or nothing";
+/// True of a title that is not empty and shows nothing.
+bool IsBlank(std::string_view title);
+/// @throws std::invalid_argument if it is longer than kMaxTitleBytes or blank.
+void CheckTitle(const std::string& title);
+
+/// Says of a recording otherwise; all else in its `demo.json` stays as it is.
+/// @param title, notes  nullopt: as they are.
+/// @throws std::invalid_argument if they are longer than kMaxTitleBytes and kMaxNotesBytes, or
+///         the title is blank; InputError if it is no recording; std::runtime_error while it is
+///         being recorded.
+void Retitle(const std::filesystem::path& directory, const std::optional<std::string>& title,
+             const std::optional<std::string>& notes);
+
+}  // namespace smile::recording

@@ -1,0 +1,149 @@
+#include "recording/demonstration.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/diagnostic.h"
+#include "math/angles.h"
+#include "recording/trace_reader.h"
+
+namespace smile::recording {
+namespace {
+
+/// Who comes no farther than this rests.
+constexpr PoseGap kRest{.distance = 1e-4, .angle = DegreesToRadians(0.1)};
+constexpr double kJointRest = 1e-4;  // [rad or m]
+
+/// True when nothing has come away from where it was at `then`.
+bool IsWhereItWas(const TraceTick& then, const TraceTick& now) {
+  if (then.controls != now.controls || then.bonds != now.bonds) return false;
+  for (std::size_t i = 0; i < now.objects.size(); ++i) {
+    const TracePose &was = then.objects[i], &is = now.objects[i];
+    if (was.is_present != is.is_present) return false;
+    if (is.is_present && GapBetween(was, is).IsBeyond(kRest)) return false;
+  }
+  for (std::size_t i = 0; i < now.joints.size(); ++i) {
+    if (std::abs(now.joints[i] - then.joints[i]) > kJointRest) return false;
+  }
+  return true;
+}
+
+/// What a trace tells an editor.
+struct Watched {
+  TraceTick end;
+  /// For each moment, in ticks from the start: since when everything has been where it is.
+  std::vector<std::uint64_t> at_rest_since;
+};
+
+Watched Watch(const Recording& recording) {
+  TraceReader trace(recording);
+  Watched watched;
+  TraceTick anchor;
+  while (const std::optional<TraceTick> now = trace.Next()) {
+    const std::uint64_t moment = watched.at_rest_since.size();
+    const bool rests = moment > 0 && IsWhereItWas(anchor, *now);
+    if (!rests) anchor = *now;
+    watched.at_rest_since.push_back(rests ? watched.at_rest_since.back() : moment);
+    watched.end = *now;
+  }
+  return watched;
+}
+
+/// Makes sure that the commands since the start happen while the trace lasts.
+void CheckAgainstTrace(const Recording& recording, const Watched& watched) {
+  const std::uint64_t start = recording.info.start.tick;
+  const auto log_path = (recording.directory / "commands.jsonl").string();
+  if (watched.at_rest_since.empty() ||
+      watched.end.tick != start + watched.at_rest_since.size() - 1) {
+    throw InputError({(recording.directory / "trace.bin").string(), 0, "",
+                      "does not begin at tick " + std::to_string(start) + ", as demo.json says"});
+  }
+  for (const LoggedCommand& logged : recording.commands) {
+    if (logged.line <= recording.info.start.line) continue;
+    if (logged.tick >= start && logged.tick <= watched.end.tick) continue;
+    throw InputError({log_path, static_cast<int>(logged.line), "",
+                      "\"tick\" is " + std::to_string(logged.tick) + ", expected " +
+                          std::to_string(start) + " to " + std::to_string(watched.end.tick) +
+                          ", the ticks in trace.bin"});
+  }
+}
+
+/// @param duration  of them all [ticks].
+std::vector<Segment> CutAtActions(const std::vector<LoggedCommand>& commands, const Moment& start,
+                                  std::uint64_t duration) {
+  std::vector<Segment> segments{Segment()};
+  std::uint64_t begin = 0;
+  for (const LoggedCommand& logged : commands) {
+    if (logged.line <= start.line) continue;
+    const std::uint64_t at = logged.tick - start.tick;
+    if (IsAction(logged.command)) {
+      segments.back().duration = at - begin;
+      begin = at;
+      segments.push_back({.number = static_cast<int>(segments.size())});
+    }
+    segments.back().commands.push_back(
+        {.line = logged.line, .offset = at - begin, .command = logged.command});
+  }
+  segments.back().duration = duration - begin;
+  return segments;
+}
+
+/// Finds where a segment that begins at some tick after the start waits for its next command. What
+/// comes to rest by itself and moves again by itself is physics at work, and no pause.
+void FindPauses(std::uint64_t begin, const Watched& watched, Segment* segment) {
+  std::uint64_t last = 0;
+  const auto add_before = [&](std::uint64_t offset) {
+    const std::uint64_t rest = watched.at_rest_since[begin + offset];
+    const std::uint64_t from = std::max(last, rest > begin ? rest - begin : 0);
+    if (from < offset) segment->pauses.push_back({from, offset});
+    last = offset;
+  };
+  for (const SegmentCommand& command : segment->commands) add_before(command.offset);
+  add_before(segment->duration);
+}
+
+}  // namespace
+
+std::uint64_t Demonstration::duration() const {
+  std::uint64_t sum = 0;
+  for (const Segment& segment : segments) sum += segment.duration;
+  return sum;
+}
+
+std::vector<LoggedCommand> Demonstration::Schedule() const {
+  std::vector<LoggedCommand> schedule = past;
+  std::uint64_t begin = start.tick;
+  for (const Segment& segment : segments) {
+    for (const SegmentCommand& command : segment.commands) {
+      schedule.push_back({command.line, begin + command.offset, command.command});
+    }
+    begin += segment.duration;
+  }
+  return schedule;
+}
+
+Demonstration DemonstrationOf(const Recording& recording) {
+  if (recording.info.origin == Origin::kImported) {
+    throw InputError({recording.directory.string(), 0, "",
+                      "was imported from a classic recording; it has no commands to edit"});
+  }
+  const Watched watched = Watch(recording);
+  CheckAgainstTrace(recording, watched);
+  Demonstration demonstration{.start = recording.info.start,
+                              .recorded_end = watched.end,
+                              .meters_per_unit = recording.scene.meters_per_unit};
+  for (const LoggedCommand& logged : recording.commands) {
+    if (logged.line <= demonstration.start.line) demonstration.past.push_back(logged);
+  }
+  demonstration.segments =
+      CutAtActions(recording.commands, demonstration.start, demonstration.recorded_duration());
+  demonstration.num_recorded = static_cast<int>(demonstration.segments.size());
+  std::uint64_t begin = 0;
+  for (Segment& segment : demonstration.segments) {
+    FindPauses(begin, watched, &segment);
+    begin += segment.duration;
+  }
+  return demonstration;
+}
+
+}  // namespace smile::recording

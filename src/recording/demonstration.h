@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "recording/recording.h"
+#include "recording/trace.h"
+
+namespace smile::recording {
+
+/// A command of a segment.
+struct SegmentCommand {
+  std::size_t line = 0;      ///< of the log it was recorded in
+  std::uint64_t offset = 0;  ///< [ticks] from the begin of its segment
+  sim::Command command;
+
+  bool operator==(const SegmentCommand&) const = default;
+};
+
+/// A stretch of a segment, in ticks from its begin.
+struct TickSpan {
+  std::uint64_t begin = 0, end = 0;
+
+  std::uint64_t length() const { return end - begin; }
+  bool operator==(const TickSpan&) const = default;
+};
+
+/// What was done from one action to the next.
+struct Segment {
+  int number = 0;  ///< in the recording: that of the classic view's text file
+  /// In order. The first one is the action, at offset 0, except in segment 0, which has none.
+  std::vector<SegmentCommand> commands;
+  /// When nothing happened any more, until the next command or the end; in order.
+  std::vector<TickSpan> pauses;
+  std::uint64_t duration = 0;  ///< [ticks]
+
+  bool operator==(const Segment&) const = default;
+};
+
+/// What a recording shows, cut at its actions:
+///
+///     past | segment 0 | grasp … | release … | grasp … |
+///          start                                       end
+struct Demonstration {
+  std::vector<LoggedCommand> past;  ///< what led to the start
+  Moment start;
+  std::vector<Segment> segments;
+  int num_recorded = 0;  ///< numbers of segments go from 0 to one less, also when some are dropped
+  TraceTick recorded_end;  ///< the last moment of the trace
+  double meters_per_unit = 0;
+
+  std::uint64_t duration() const;  ///< [ticks]
+  std::uint64_t recorded_duration() const { return recorded_end.tick - start.tick; }
+  /// Everything that is to be commanded since the simulation began: past and segments, in order.
+  std::vector<LoggedCommand> Schedule() const;
+};
+
+/// Cuts the way the recording ends with.
+/// @throws InputError if it was imported and has no commands, if its trace cannot be read, or if
+///         log and trace contradict each other.
+Demonstration DemonstrationOf(const Recording& recording);
+
+}  // namespace smile::recording

@@ -1,0 +1,36 @@
+#include "recording/imported_history.h"
+
+#include <utility>
+
+#include "recording/trace_reader.h"
+
+namespace smile::recording {
+
+std::vector<HistoryStep> ImportedHistoryOf(const Recording& recording) {
+  std::vector<HistoryStep> steps{
+      {.begin = recording.info.start, .end = recording.info.start, .is_on_way = true}};
+  // An action is written with the frame that follows it: there an object lies where it was put.
+  std::vector<std::pair<std::size_t, sim::Event>> of_next_moment;
+  TraceReader trace(recording);
+  while (const auto moment = trace.Next()) {
+    const Moment now{.line = recording.info.start.line, .tick = moment->tick};
+    const auto summary_of = [&](const sim::Event& event) {
+      return SummaryOf(event, SupportAt(*moment, event.object, recording.scene));
+    };
+    for (const auto& [step, event] : of_next_moment) steps[step].summary = summary_of(event);
+    of_next_moment.clear();
+    steps.back().end = now;
+    for (const sim::Event& event : moment->events) {
+      if (!BeginsAction(event)) continue;
+      of_next_moment.emplace_back(steps.size(), event);
+      steps.push_back({.parent = steps.size() - 1,
+                       .begin = now,
+                       .end = now,
+                       .summary = summary_of(event),
+                       .is_on_way = true});
+    }
+  }
+  return steps;
+}
+
+}  // namespace smile::recording

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "base/bytes.h"
+#include "sim/event.h"
+
+namespace smile::recording {
+
+inline constexpr std::array kTraceMagic = {'S', 'M', 'I', 'L', 'E', 'T', 'R', 'C'};
+/// Written; those from kOldestTraceVersion on are read. Version 2 had no events, no returns, and
+/// did not know what is awake; in version 3, too, every face is idle.
+inline constexpr std::uint32_t kTraceVersion = 4, kOldestTraceVersion = 2;
+
+// What a record is, or says besides tick, hash and moved objects.
+inline constexpr std::uint8_t kJointsChanged = 1;
+inline constexpr std::uint8_t kRobotHidden = 2;
+inline constexpr std::uint8_t kControlsChanged = 4;
+inline constexpr std::uint8_t kBondsChanged = 8;
+inline constexpr std::uint8_t kIsReturn = 16;
+inline constexpr std::uint8_t kIsEvent = 32;
+inline constexpr std::uint8_t kMoodChanged = 64;
+inline constexpr std::uint8_t kTickFlags = 15 | kMoodChanged;
+
+// Of an object in a record.
+inline constexpr std::uint8_t kIsPresent = 1;
+inline constexpr std::uint8_t kIsAwake = 2;
+
+// Sizes in bytes.
+inline constexpr std::uint64_t kRecordHead = 8 + 8 + 1;  ///< tick, hash, flags
+inline constexpr std::uint64_t kMovedObject = 4 + 1 + 7 * 8;
+inline constexpr std::uint64_t kControlRecord = 3 * 4;
+inline constexpr std::uint64_t kBondRecord = 2 * 4 + 1;
+inline constexpr std::uint64_t kMoodRecord = 1;
+
+void Put(const sim::Event& event, ByteWriter* out);
+/// @returns nullopt if it is cut short, or of no kind or hand there is; what its texts and numbers
+/// say
+///          is not checked.
+std::optional<sim::Event> GetEvent(ByteReader* in);
+
+}  // namespace smile::recording

@@ -1,0 +1,51 @@
+#include "recording/joint_motion.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/diagnostic.h"
+#include "motion/trajectory_shape.h"
+#include "recording/trace_reader.h"
+
+namespace smile::recording {
+namespace {
+
+/// What limits give when a joint is pushed against them [rad or m].
+constexpr double kGive = 1e-3;
+
+double AtItsLimit(const motion::JointLimits& limits, double q) {
+  const double clamped = std::clamp(q, limits.lower, limits.upper);
+  return std::abs(q - clamped) <= kGive ? clamped : q;
+}
+
+}  // namespace
+
+motion::JointTrajectory JointMotionOf(const Recording& recording,
+                                      const std::vector<motion::Channel>& channels,
+                                      const TimeRange& range, double points_per_second) {
+  if (!recording.robot) {
+    throw InputError({recording.directory.string(), 0, "", "was made without a robot"});
+  }
+  const TickRange ticks = TicksOf(range, recording);
+  motion::JointTrajectory trajectory;
+  for (const motion::Channel& channel : channels) trajectory.joint_names.push_back(channel.name);
+  TraceReader trace(recording);
+  std::uint64_t frame = 0;
+  while (const auto moment = trace.Next()) {
+    if (moment->tick < ticks.first || moment->tick > ticks.last) continue;
+    const std::uint64_t since = moment->tick - ticks.first;
+    const bool is_due = IsFrameDue(frame, since, points_per_second);
+    if (!is_due && moment->tick != ticks.last) continue;
+    if (is_due) ++frame;
+    motion::TrajectoryPoint point{.seconds = sim::SecondsOf(since)};
+    for (const motion::Channel& channel : channels) {
+      const double q = PositionOf(channel, recording.robot->model, moment->joints);
+      point.positions.push_back(AtItsLimit(channel.limits, q));
+    }
+    trajectory.points.push_back(std::move(point));
+  }
+  motion::SetVelocitiesFromPositions(&trajectory);
+  return trajectory;
+}
+
+}  // namespace smile::recording

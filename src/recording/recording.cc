@@ -1,0 +1,146 @@
+#include "recording/recording.h"
+
+#include <system_error>
+#include <utility>
+
+#include "base/diagnostic.h"
+#include "base/files.h"
+#include "image/png.h"
+#include "recording/beginning.h"
+#include "recording/segment_files.h"
+#include "recording/trace_reader.h"
+#include "robot/urdf_reader.h"
+#include "scene_xml/scene_reader.h"
+
+namespace smile::recording {
+namespace {
+
+/// The last undo, redo or checkout is in the log before it is in the trace. What ended the program
+/// between the two undid it.
+void LeaveOutUnfinishedReturn(Recording* recording) {
+  const auto& lines = recording->log.lines();
+  if (lines.empty() || !std::holds_alternative<Return>(lines.back().what)) return;
+  if (TraceReader(*recording).last_return() >= lines.size()) return;
+  recording->cuts.push_back("the last " +
+                            std::string(ToString(std::get<Return>(lines.back().what).kind)) +
+                            " was cut and is left out");
+  recording->log.RemoveLast();
+}
+
+/// From the folder of its URDF and from nowhere else, links followed; neither may that folder be a
+/// link that leads out of the recording.
+/// @param name  of the URDF, from the recording's directory.
+robot::RobotReading ReadKeptRobot(const std::filesystem::path& directory, const std::string& name,
+                                  const std::string& gripper) {
+  const std::filesystem::path urdf = directory / name;
+  std::error_code error;
+  const auto folder = std::filesystem::canonical(urdf.parent_path(), error);
+  if (error) throw InputError({urdf.string(), 0, "", "no such file"});
+  if (!IsWithin(folder, directory)) {
+    throw InputError({urdf.string(), 0, "", "lies elsewhere, expected it in the recording"});
+  }
+  const auto open = [&folder](const std::string& file,
+                              std::size_t max_bytes) -> std::optional<std::string> {
+    std::error_code missing;
+    const auto path = std::filesystem::canonical(folder / file, missing);
+    if (missing || !IsWithin(path, folder)) return std::nullopt;
+    return ReadFile(path, max_bytes);
+  };
+  return robot::LoadKeptRobot(urdf, gripper, open);
+}
+
+/// Whoever goes on with a recording, or learns from it, takes the eye to be that of the pictures.
+void CheckEye(const Recording& recording) {
+  const auto& eye = recording.info.eye;
+  const auto picture = SegmentPictures(recording.directory, 0) / "0.png";
+  std::error_code error;
+  if (!eye || !std::filesystem::is_regular_file(picture, error)) return;
+  const std::optional<PngSize> size = ReadPngSize(picture);
+  if (!size) throw InputError({picture.string(), 0, "", "is no picture, expected a PNG"});
+  const auto [width, height] = std::pair(eye->intrinsics.width_px, eye->intrinsics.height_px);
+  if (size->width_px == width && size->height_px == height) return;
+  const auto text = [](int x, int y) { return std::to_string(x) + "x" + std::to_string(y); };
+  throw InputError({(recording.directory / "demo.json").string(), 0, "eye",
+                    "is of " + text(width, height) + " pixels, expected " +
+                        text(size->width_px, size->height_px) + " as " + picture.string()});
+}
+
+/// What was commanded before the demonstration is fixed: nothing leads back to it.
+void CheckStart(const Recording& recording) {
+  const Moment& start = recording.info.start;
+  const auto& lines = recording.log.lines();
+  const auto fail = [&recording](const std::string& message) {
+    throw InputError({(recording.directory / "demo.json").string(), 1, "", message});
+  };
+  if (start.line > lines.size()) fail("\"start\" is behind the end of commands.jsonl");
+  if (recording.log.After(start.line).tick > start.tick) {
+    fail("\"start\" is tick " + std::to_string(start.tick) + ", but its line is later");
+  }
+  for (std::size_t line = 1; line <= lines.size(); ++line) {
+    const auto* back = std::get_if<Return>(&lines[line - 1].what);
+    const bool is_before = line <= start.line;
+    if (back != nullptr &&
+        (is_before || back->to.line < start.line || back->to.tick < start.tick)) {
+      throw InputError({(recording.directory / "commands.jsonl").string(), static_cast<int>(line),
+                        "", "leads back to before the start of the demonstration"});
+    }
+    if (!is_before && lines[line - 1].tick < start.tick) {
+      throw InputError({(recording.directory / "commands.jsonl").string(), static_cast<int>(line),
+                        "", "is before the start of the demonstration"});
+    }
+  }
+}
+
+}  // namespace
+
+bool IsRecording(const std::filesystem::path& directory) {
+  std::error_code error;
+  return std::filesystem::is_directory(directory, error) &&
+         std::filesystem::exists(directory / "demo.json", error);
+}
+
+std::optional<std::filesystem::path> RecordingAround(const std::filesystem::path& path) {
+  std::error_code error;
+  std::filesystem::path around = std::filesystem::weakly_canonical(path, error);
+  while (!error && around.has_relative_path()) {
+    around = around.parent_path();
+    if (IsRecording(around)) return around;
+  }
+  return std::nullopt;
+}
+
+Recording OpenRecording(const std::filesystem::path& directory) {
+  if (IsAbandoned(directory)) {
+    throw InputError({directory.string(), 0, "",
+                      "holds no recording: the program was killed before it had begun one; a new "
+                      "recording may take its place"});
+  }
+  if (!IsRecording(directory)) {
+    throw InputError({directory.string(), 0, "",
+                      "is not a recording; expected a directory with a demo.json in it"});
+  }
+  Recording recording{.directory = directory, .info = ReadDemoInfo(directory / "demo.json")};
+  recording.scene = scene_xml::LoadScene(directory / "scene.xml");
+  recording.scene.name = recording.info.scene;
+  recording.scene.physics_version = recording.info.physics_version;
+  if (const auto& robot = recording.info.robot) {
+    robot::RobotReading reading = ReadKeptRobot(directory, robot->urdf, robot->gripper);
+    recording.robot = sim::RobotPlacement{.model = std::move(reading.model),
+                                          .gripper = std::move(reading.gripper),
+                                          .files = std::move(reading.files),
+                                          .gap = robot->gap,
+                                          .height = robot->height,
+                                          .body = robot->body};
+  }
+  CheckEye(recording);
+  std::optional<std::string> cut;
+  recording.log =
+      ReadCommandLog(directory / "commands.jsonl", recording.scene.meters_per_unit, &cut);
+  if (cut) recording.cuts.push_back(*cut);
+  LeaveOutUnfinishedReturn(&recording);
+  CheckStart(recording);
+  recording.commands = recording.log.WayTo(recording.log.lines().size());
+  return recording;
+}
+
+}  // namespace smile::recording

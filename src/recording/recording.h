@@ -1,0 +1,37 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "recording/command_log.h"
+#include "recording/demo_info.h"
+#include "scene/scene_spec.h"
+#include "sim/simulation.h"
+
+namespace smile::recording {
+
+/// A recording, opened. It stands for itself: the scene file it was made from is not needed.
+struct Recording {
+  std::filesystem::path directory;
+  DemoInfo info;
+  scene::SceneSpec scene;
+  std::optional<sim::RobotPlacement> robot;
+  CommandLog log;  ///< the whole history
+  /// The way the recording ends with, from the first tick of the simulation on, in order.
+  std::vector<LoggedCommand> commands;
+  /// What had to be left out, in words: a last line or tick cut by whatever ended the program.
+  std::vector<std::string> cuts;
+};
+
+/// True when the directory looks like a recording.
+bool IsRecording(const std::filesystem::path& directory);
+
+/// The recording within whose directory a path lies, or would lie; nullopt if in none.
+std::optional<std::filesystem::path> RecordingAround(const std::filesystem::path& path);
+
+/// @throws InputError with all findings, each with its file.
+Recording OpenRecording(const std::filesystem::path& directory);
+
+}  // namespace smile::recording

@@ -1,0 +1,36 @@
+#include "recording/recording_files.h"
+
+#include <system_error>
+
+#include "base/diagnostic.h"
+#include "base/files.h"
+#include "recording/recording.h"
+#include "recording/scene_files.h"
+
+namespace smile::recording {
+void RequireNewDirectory(const std::filesystem::path& directory) {
+  if (const auto around = RecordingAround(directory)) {
+    throw InputError({directory.string(), 0, "",
+                      "lies within the recording " + around->string() + ", which stays as it is"});
+  }
+  std::error_code error;
+  if (std::filesystem::exists(directory, error) && !std::filesystem::is_empty(directory, error)) {
+    throw InputError({directory.string(), 0, "",
+                      "exists already; a recording is never overwritten, name a new directory"});
+  }
+}
+
+void WriteWorld(const std::filesystem::path& directory, const model::Model& model) {
+  MakeDirectories(directory);
+  // What the scene is made of belongs to the recording, which may outlive the original.
+  WriteSceneFiles(model.scene(), directory / "scene.xml");
+  const auto& placement = model.robot_placement();
+  if (!placement) return;
+  for (const robot::RobotFile& file : placement->files) {
+    const std::filesystem::path path = directory / kRobotFolder / file.name;
+    MakeDirectories(path.parent_path());
+    WriteFile(path, *file.bytes);
+  }
+}
+
+}  // namespace smile::recording

@@ -1,0 +1,161 @@
+#include "recording/recording_history.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "base/wording.h"
+#include "recording/commanded_events.h"
+#include "recording/imported_history.h"
+#include "recording/trace_reader.h"
+
+namespace smile::recording {
+namespace {
+
+/// Says of each step what its action was: as the trace reports it, or, where the trace does not, as
+/// the log commands it.
+class Summaries {
+ public:
+  Summaries(const Recording& recording, std::vector<HistoryStep>* steps)
+      : recording_(recording), steps_(*steps) {}
+
+  /// Reads the trace once for each way through the history.
+  void AddToSteps() {
+    for (std::size_t step = steps_.size() - 1; step > 0; --step) {
+      if (!steps_[step].summary) AddAlongWayTo(step);
+    }
+  }
+
+ private:
+  void AddAlongWayTo(std::size_t last) {
+    const std::vector<std::size_t> way = WayTo(last);
+    // The action itself is the line after the moment at which it began.
+    const Moment until{.line = steps_[last].begin.line + 1, .tick = steps_[last].begin.tick};
+    const std::vector<sim::Event> commanded = CommandedOnWayTo(until.line);
+    TraceReader trace(recording_, until);
+    std::size_t next = 0;
+    while (const auto moment = trace.Next()) {
+      for (const sim::Event& event : moment->events) {
+        if (BeginsAction(event) && next < way.size()) Add(way[next++], event, &*moment);
+      }
+      while (!trace.has_events() && next < way.size() &&
+             steps_[way[next]].begin.tick == moment->tick) {
+        Add(way[next], commanded[next], &*moment);
+        ++next;
+      }
+    }
+    // A trace may end before its log.
+    for (; next < way.size(); ++next) Add(way[next], commanded[next], nullptr);
+  }
+
+  /// The steps from the first action to one, in order.
+  std::vector<std::size_t> WayTo(std::size_t last) const {
+    std::vector<std::size_t> way;
+    for (std::size_t step = last; step > 0; step = *steps_[step].parent) way.push_back(step);
+    std::reverse(way.begin(), way.end());
+    return way;
+  }
+
+  /// One for each action since the start.
+  std::vector<sim::Event> CommandedOnWayTo(std::size_t line) const {
+    CommandedEvents commanded;
+    std::vector<sim::Event> events;
+    for (const LoggedCommand& logged : recording_.log.WayTo(line)) {
+      auto event = commanded.Next(logged.command);
+      if (event && logged.line > recording_.info.start.line) events.push_back(*std::move(event));
+    }
+    return events;
+  }
+
+  /// @param moment  at which the action was carried out; nullptr if the trace lacks it.
+  void Add(std::size_t step, const sim::Event& event, const TraceTick* moment) {
+    if (steps_[step].summary) return;
+    const bool lets_go = event.kind == sim::EventKind::kReleased;
+    steps_[step].summary = SummaryOf(event, lets_go && moment != nullptr
+                                                ? SupportAt(*moment, event.object, recording_.scene)
+                                                : std::nullopt);
+  }
+
+  const Recording& recording_;
+  std::vector<HistoryStep>& steps_;
+};
+
+std::uint64_t LastTick(const Recording& recording) {
+  TraceReader trace(recording);
+  std::uint64_t tick = recording.info.start.tick;
+  while (const auto moment = trace.Next()) tick = moment->tick;
+  return tick;
+}
+
+}  // namespace
+
+std::vector<HistoryStep> HistoryOf(const Recording& recording) {
+  if (recording.info.origin == Origin::kImported) return ImportedHistoryOf(recording);
+  const CommandLog& log = recording.log;
+  std::vector<HistoryStep> steps;
+  steps.push_back({.begin = recording.info.start, .end = recording.info.start});
+  std::vector<std::size_t> step_of_line(log.lines().size() + 1);
+  for (std::size_t line = recording.info.start.line + 1; line <= log.lines().size(); ++line) {
+    const LogLine& logged = log.lines()[line - 1];
+    const std::size_t step = step_of_line[line - 1];
+    const auto* command = std::get_if<sim::Command>(&logged.what);
+    const bool goes_on = command != nullptr && !IsAction(*command);
+    steps[step].end = {.line = goes_on ? line : line - 1, .tick = logged.tick};
+    if (command == nullptr || goes_on) {
+      step_of_line[line] = step_of_line[goes_on ? line - 1 : log.After(line).line];
+      continue;
+    }
+    step_of_line[line] = steps.size();
+    steps.push_back({.parent = step,
+                     .begin = {.line = line - 1, .tick = logged.tick},
+                     .end = {.line = line, .tick = logged.tick},
+                     .summary = {}});
+  }
+  const std::size_t last = log.lines().size();
+  steps[step_of_line[last]].end = {.line = last, .tick = LastTick(recording)};
+  for (std::optional<std::size_t> step = step_of_line[last]; step; step = steps[*step].parent) {
+    steps[*step].is_on_way = true;
+    // Whatever else was tried from there since.
+    if (const auto& parent = steps[*step].parent) steps[*parent].end = steps[*step].begin;
+  }
+  Summaries(recording, &steps).AddToSteps();
+  return steps;
+}
+
+std::string WordsOf(const HistoryStep& step) {
+  return step.summary ? WordsOf(*step.summary) : "the start";
+}
+
+std::optional<Moment> MomentIn(const Recording& recording, const HistoryStep& step,
+                               std::uint64_t ticks) {
+  if (ticks > step.end.tick - step.begin.tick) return std::nullopt;
+  const std::uint64_t tick = step.begin.tick + ticks;
+  // The last line on the way to the step's end that was not yet behind that tick.
+  std::size_t line = step.end.line;
+  while (line > step.begin.line) {
+    const LogLine& logged = recording.log.lines()[line - 1];
+    const auto* back = std::get_if<Return>(&logged.what);
+    if ((back != nullptr ? back->to.tick : logged.tick) <= tick) break;
+    line = back != nullptr ? back->to.line : line - 1;
+  }
+  return Moment{.line = line, .tick = tick};
+}
+
+Moment MomentOf(const Recording& recording, const std::vector<HistoryStep>& steps, std::size_t step,
+                const std::optional<double>& after) {
+  if (step >= steps.size()) {
+    throw std::invalid_argument(recording.directory.string() + " has no step " +
+                                std::to_string(step) + ", expected 0 to " +
+                                std::to_string(steps.size() - 1) + " (see: smile history)");
+  }
+  if (!after) return steps[step].end;
+  const auto ticks = static_cast<std::uint64_t>(std::llround(*after * sim::kTicksPerSecond));
+  if (const auto moment = MomentIn(recording, steps[step], ticks)) return *moment;
+  throw std::invalid_argument(
+      "step " + std::to_string(step) + " lasted " +
+      NumberText(sim::SecondsOf(steps[step].end.tick - steps[step].begin.tick)) +
+      " s, expected a moment that is no later");
+}
+
+}  // namespace smile::recording

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "recording/recording.h"
+#include "sim/action_summary.h"
+
+namespace smile::recording {
+
+/// One action of a recording's history and what followed upon it, up to the next one.
+struct HistoryStep {
+  std::optional<std::size_t> parent;  ///< the step before; nullopt for the start
+  Moment begin;                       ///< just before the action
+  /// As far as it went: to the next action, to where it was left by an undo, or to the recording's
+  /// end. If it was gone on with in several ways, the one on the way counts, else the last of them.
+  Moment end;
+  std::optional<sim::ActionSummary> summary;  ///< of the action; nullopt of the start
+  bool is_on_way = false;  ///< false of what was undone or left, and not done again
+};
+
+/// Everything that was ever done in a recording, also what was undone. Step 0 is the start; the
+/// others are in the order in which they were done, each after its parent. The recording ends with
+/// the last one on the way.
+/// @throws InputError if the recording's trace cannot be read.
+std::vector<HistoryStep> HistoryOf(const Recording& recording);
+
+/// `left hand takes b03`; of step 0 `the start`.
+std::string WordsOf(const HistoryStep& step);
+
+/// The moment some ticks after a step's begin; nullopt if it did not last that long.
+std::optional<Moment> MomentIn(const Recording& recording, const HistoryStep& step,
+                               std::uint64_t ticks);
+
+/// The moment so many seconds after a step began; its end if nothing is said of them.
+/// @param steps  of the recording, as HistoryOf() has them.
+/// @throws std::invalid_argument if there is no such step, or it did not last that long.
+Moment MomentOf(const Recording& recording, const std::vector<HistoryStep>& steps, std::size_t step,
+                const std::optional<double>& after);
+
+}  // namespace smile::recording

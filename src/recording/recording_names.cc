@@ -1,0 +1,55 @@
+#include "recording/recording_names.h"
+
+#include <algorithm>
+#include <cctype>
+#include <string_view>
+
+#include "recording/beginning.h"
+
+namespace smile::recording {
+namespace {
+
+constexpr std::size_t kMaxNameBytes = 100;
+constexpr int kMaxSameNames = 100'000;
+
+bool IsNameLetter(char letter) {
+  const auto byte = static_cast<unsigned char>(letter);
+  const bool is_ordinary = byte >= 0x80 || std::isalnum(byte) != 0;
+  return is_ordinary || std::string_view(" -_.").find(letter) != std::string_view::npos;
+}
+
+}  // namespace
+
+bool IsRecordingName(const std::string& name) {
+  return !name.empty() && name.size() <= kMaxNameBytes && name.front() != '.' &&
+         std::ranges::all_of(name, &IsNameLetter);
+}
+
+std::string RecordingNameFor(const std::string& title) {
+  std::string name = title;
+  if (name.size() > kMaxNameBytes) {
+    // Not in the middle of a letter of several bytes.
+    std::size_t end = kMaxNameBytes;
+    while (end > 0 && (static_cast<unsigned char>(name[end]) & 0xc0) == 0x80) --end;
+    name.resize(end);
+  }
+  for (char& letter : name) {
+    if (!IsNameLetter(letter)) letter = '_';
+  }
+  if (name.empty()) return "recording";
+  if (name.front() == '.') name.front() = '_';
+  return name;
+}
+
+std::filesystem::path NewDirectory(const std::filesystem::path& root, const std::string& name) {
+  std::filesystem::path directory = root / name;
+  const auto is_taken = [&] {
+    return std::filesystem::exists(directory) && !IsAbandoned(directory);
+  };
+  for (int number = 2; is_taken() && number < kMaxSameNames; ++number) {
+    directory = root / (name + "-" + std::to_string(number));
+  }
+  return directory;
+}
+
+}  // namespace smile::recording

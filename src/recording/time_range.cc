@@ -1,0 +1,82 @@
+#include "recording/time_range.h"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "base/diagnostic.h"
+#include "base/wording.h"
+#include "recording/trace_reader.h"
+
+namespace smile::recording {
+namespace {
+
+/// Seconds for a message, to the millisecond: near enough to find the tick again.
+std::string SecondsText(double seconds) { return NumberText(std::round(seconds * 1000) / 1000); }
+
+}  // namespace
+
+TickRange TicksOf(const Recording& recording) {
+  const std::uint64_t begin = recording.info.start.tick;
+  TickRange whole{.first = begin, .last = begin};
+  TraceReader trace(recording);
+  for (bool has_begun = false; const auto moment = trace.Next(); has_begun = true) {
+    if (!has_begun && moment->tick != begin) {
+      throw InputError({(recording.directory / "trace.bin").string(), 0, "",
+                        "begins at tick " + std::to_string(moment->tick) +
+                            ", but demo.json says at tick " + std::to_string(begin)});
+    }
+    whole.last = moment->tick;
+  }
+  return whole;
+}
+
+std::uint64_t TickAt(double seconds, const TickRange& whole, const std::string& name) {
+  const std::string found = name + " is " + NumberText(seconds) + " s";
+  if (!(seconds >= 0)) throw std::invalid_argument(found + ", expected 0 or more");
+  const double ticks = std::round(seconds * sim::kTicksPerSecond);
+  const auto num_ticks = static_cast<double>(whole.last - whole.first);
+  if (ticks > num_ticks) {
+    throw std::invalid_argument(found + ", but the recording is " +
+                                SecondsText(num_ticks / sim::kTicksPerSecond) + " s long");
+  }
+  return whole.first + static_cast<std::uint64_t>(ticks);
+}
+
+TickRange TicksOf(const TimeRange& range, const Recording& recording) {
+  const TickRange whole = TicksOf(recording);
+  const TickRange ticks{.first = range.from ? TickAt(*range.from, whole, "from") : whole.first,
+                        .last = range.to ? TickAt(*range.to, whole, "to") : whole.last};
+  if (ticks.first > ticks.last) {
+    throw std::invalid_argument("from is " + NumberText(*range.from) + " s, which is after to, " +
+                                NumberText(*range.to) + " s");
+  }
+  return ticks;
+}
+
+double SecondsInto(const Recording& recording, std::uint64_t tick) {
+  const std::uint64_t start = recording.info.start.tick;
+  return tick >= start ? sim::SecondsOf(tick - start) : -sim::SecondsOf(start - tick);
+}
+
+bool IsFrameDue(std::uint64_t frame, std::uint64_t ticks_since_first, double frames_per_second) {
+  constexpr double kRounding = 1e-9;  // [ticks]
+  const double due = static_cast<double>(frame) * sim::kTicksPerSecond / frames_per_second;
+  return static_cast<double>(ticks_since_first) + kRounding >= due;
+}
+
+std::optional<TraceTick> MomentAt(const Recording& recording, std::uint64_t tick) {
+  TraceReader trace(recording);
+  while (auto moment = trace.Next()) {
+    if (moment->tick == tick) return moment;
+  }
+  return std::nullopt;
+}
+
+std::optional<TraceTick> LastMoment(const Recording& recording) {
+  TraceReader trace(recording);
+  std::optional<TraceTick> last;
+  while (auto moment = trace.Next()) last = std::move(moment);
+  return last;
+}
+
+}  // namespace smile::recording

@@ -1,0 +1,63 @@
+#include "recording/trace.h"
+
+#include <algorithm>
+
+#include "math/angles.h"
+
+namespace smile::recording {
+
+PoseGap GapBetween(const TracePose& from, const TracePose& to) {
+  const Vector3 turn =
+      RotationVectorBetween(from.pose_in_world().quaternion(), to.pose_in_world().quaternion());
+  return {.distance = (to.position - from.position).norm(), .angle = turn.norm()};
+}
+
+TracePose TracePose::At(const RigidTransform& X_WB, bool is_awake) {
+  const Quaternion q = X_WB.quaternion();
+  return {.is_awake = is_awake,
+          .position = X_WB.translation(),
+          .rotation = {q.w(), q.x(), q.y(), q.z()}};
+}
+
+TraceTick Observe(const sim::Simulation& simulation) {
+  TraceTick now{.tick = simulation.tick(),
+                .hash = simulation.state_hash(),
+                .is_robot_shown = simulation.is_robot_shown(),
+                .mood = simulation.mood()};
+  now.objects.reserve(simulation.tabletop().objects().size());
+  for (const world::Object& object : simulation.tabletop().objects()) {
+    if (!simulation.tabletop().IsPresent(object)) {
+      now.objects.push_back({.is_present = false});
+      continue;
+    }
+    const physics::Body& body = simulation.physics().body(object.body);
+    now.objects.push_back(TracePose::At(body.pose_in_world(), body.is_awake()));
+  }
+  now.controls = simulation.tabletop().controls().states();
+  const auto& bonds = simulation.tabletop().bonds().states();
+  now.bonds.assign(bonds.begin(), bonds.end());
+  if (simulation.robot() != nullptr) now.joints = simulation.robot()->positions();
+  return now;
+}
+
+TraceTick StartOf(const model::Model& model) {
+  const model::SceneState& start = model.initial_state();
+  TraceTick moment{.objects = {}, .controls = start.controls, .bonds = start.hosts};
+  for (const auto& X_WB : start.X_WB) {
+    moment.objects.push_back(TracePose::At(*X_WB, /*is_awake=*/false));
+  }
+  if (model.robot() != nullptr) moment.joints = model.robot()->q_start;
+  return moment;
+}
+
+std::optional<model::Support> SupportAt(const TraceTick& moment, const std::string& id,
+                                        const scene::SceneSpec& scene) {
+  const auto object = std::ranges::find(scene.objects, id, &scene::ObjectSpec::id);
+  std::vector<std::optional<RigidTransform>> X_WBs;
+  for (const TracePose& pose : moment.objects) {
+    X_WBs.push_back(pose.is_present ? std::optional(pose.pose_in_world()) : std::nullopt);
+  }
+  return model::SupportOf(scene, X_WBs, static_cast<std::size_t>(object - scene.objects.begin()));
+}
+
+}  // namespace smile::recording

@@ -1,0 +1,340 @@
+#include "recording/trace_reader.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/diagnostic.h"
+#include "base/files.h"
+#include "recording/internal_trace_format.h"
+#include "scene/bond_points.h"
+#include "scene/controls_of.h"
+
+namespace smile::recording {
+namespace {
+
+constexpr std::uint32_t kMaxNames = 1'000'000;
+/// How far a quaternion's length may be from 1.
+constexpr double kUnitLength = 1e-6;
+constexpr std::size_t kMaxTraceBytes = std::size_t{4} << 30;
+
+std::vector<std::string> GetNames(ByteReader* in) {
+  std::vector<std::string> names;
+  const auto count = in->Get<std::uint32_t>();
+  for (std::uint32_t i = 0; i < count && count <= kMaxNames && in->ok(); ++i) {
+    names.push_back(in->GetString());
+  }
+  return names;
+}
+
+}  // namespace
+
+TraceLimits::TraceLimits(const scene::SceneSpec& scene) {
+  for (const scene::ObjectSpec& object : scene.objects) {
+    for (const scene::Part* control : scene::ControlsOf(object.whole)) {
+      num_states.push_back(scene::NumStatesOf(*control));
+    }
+    for (const auto& host : scene::HostsOf(object.whole)) {
+      max_tightness.push_back(static_cast<int>(host.point->stages.size()));
+    }
+    num_guests += static_cast<int>(scene::GuestsOf(object.whole).size());
+  }
+}
+
+bool TraceLimits::Allow(std::size_t control, const model::ControlState& state) const {
+  return state.state >= 0 && state.state < num_states[control] && state.override_state >= -1 &&
+         state.override_state < num_states[control] && state.position >= 0 && state.position <= 1;
+}
+
+bool TraceLimits::Allow(std::size_t host, const model::HostState& bond) const {
+  return bond.guest >= -1 && bond.guest < num_guests && bond.tightness >= 0 &&
+         bond.tightness <= max_tightness[host] && (bond.guest < 0) == (bond.tightness == 0);
+}
+
+TraceReader::TraceReader(const Recording& recording, Unopened)
+    : path_(recording.directory / "trace.bin"),
+      bytes_(ReadFile(path_, kMaxTraceBytes)),
+      limits_(recording.scene) {
+  ReadHeader(recording);
+  Survey();
+}
+
+TraceReader::TraceReader(const Recording& recording) : TraceReader(recording, Unopened()) {
+  FindWayTo(size_);
+  ReadEventsBeforeStart();
+}
+
+TraceReader::TraceReader(const Recording& recording, TracePlace end)
+    : TraceReader(recording, Unopened()) {
+  FindWayTo(end);
+  ReadEventsBeforeStart();
+}
+
+TraceReader::TraceReader(const Recording& recording, const Moment& moment)
+    : TraceReader(recording, Unopened()) {
+  auto stretch =
+      std::upper_bound(stretches_.begin(), stretches_.end(), moment.line,
+                       [](std::size_t line, const Stretch& s) { return line < s.log_line; });
+  FindWayTo((--stretch)->end);
+  last_tick_ = moment.tick;
+  for (const LoggedCommand& logged : recording.log.WayTo(moment.line)) {
+    const bool is_last = logged.line > recording.info.start.line && logged.tick == moment.tick;
+    if (is_last && IsAction(logged.command)) ++num_last_actions_;
+  }
+  ReadEventsBeforeStart();
+}
+
+void TraceReader::ReadEventsBeforeStart() {
+  while (IsAtRecord() && FlagsAt(place_) == kIsEvent) events_before_start_.push_back(ReadEvent());
+}
+
+void TraceReader::Fail(const std::string& message) const {
+  throw InputError({path_.string(), 0, "", message});
+}
+
+ByteReader TraceReader::BytesAt(TracePlace place) const {
+  return ByteReader(std::as_bytes(std::span(bytes_)).subspan(place));
+}
+
+void TraceReader::ReadHeader(const Recording& recording) {
+  ByteReader in = BytesAt(0);
+  for (char letter : kTraceMagic) {
+    if (in.Get<char>() != letter) Fail("this is not a trace of a recording");
+  }
+  version_ = in.Get<std::uint32_t>();
+  if (version_ < kOldestTraceVersion || version_ > kTraceVersion) {
+    Fail("its format is version " + std::to_string(version_) + ", expected " +
+         std::to_string(kOldestTraceVersion) + " to " + std::to_string(kTraceVersion));
+  }
+  object_names_ = GetNames(&in);
+  joint_names_ = GetNames(&in);
+  if (!in.ok()) Fail("its header is cut short");
+  size_ = bytes_.size() - in.remaining();
+
+  bool fits = object_names_.size() == recording.scene.objects.size();
+  for (std::size_t i = 0; fits && i < object_names_.size(); ++i) {
+    fits = object_names_[i] == recording.scene.objects[i].id();
+  }
+  const std::size_t num_joints = recording.robot ? recording.robot->model.links.size() : 0;
+  if (!fits || joint_names_.size() != num_joints) {
+    Fail("is of another scene or robot than scene.xml and the robot's files");
+  }
+  now_.objects.resize(object_names_.size());
+  now_.joints.resize(joint_names_.size());
+  now_.controls.resize(limits_.num_states.size());
+  now_.bonds.resize(limits_.max_tightness.size());
+}
+
+std::uint8_t TraceReader::FlagsAt(TracePlace place) const {
+  return static_cast<std::uint8_t>(bytes_[place + kRecordHead - 1]);
+}
+
+std::optional<std::uint64_t> TraceReader::SizeAt(TracePlace place) const {
+  ByteReader in = BytesAt(place);
+  in.GetBytes(kRecordHead - 1);
+  const auto flags = in.Get<std::uint8_t>();
+  std::uint64_t size = kRecordHead;
+  if (flags == kIsReturn) {
+    size += 2 * 8;
+  } else if (flags == kIsEvent) {
+    size += 4 + std::uint64_t{in.Get<std::uint32_t>()};
+  } else {
+    size += 4 + kMovedObject * in.Get<std::uint32_t>();
+    if ((flags & kJointsChanged) != 0) size += 8 * now_.joints.size();
+    if ((flags & kControlsChanged) != 0) size += kControlRecord * now_.controls.size();
+    if ((flags & kBondsChanged) != 0) size += kBondRecord * now_.bonds.size();
+    if ((flags & kMoodChanged) != 0) size += kMoodRecord;
+  }
+  if (!in.ok() || size > bytes_.size() - place) return std::nullopt;
+  return size;
+}
+
+void TraceReader::Survey() {
+  stretches_.push_back({.begin = size_});
+  std::vector<TracePlace> bounds{size_};
+  while (const auto size = SizeAt(size_)) {
+    const TracePlace place = size_;
+    size_ += *size;
+    bounds.push_back(size_);
+    if (FlagsAt(place) != kIsReturn) continue;
+    stretches_.back().end = place;
+    ByteReader in = BytesAt(place);
+    Stretch next{.begin = size_, .tick = in.Get<std::uint64_t>()};
+    in.GetBytes(kRecordHead - 8);
+    next.past = in.Get<TracePlace>();
+    next.log_line = in.Get<std::uint64_t>();
+    if (next.past > place || !std::binary_search(bounds.begin(), bounds.end(), next.past)) {
+      Fail("returns to a place where no record ends, at byte " + std::to_string(place));
+    }
+    if (next.log_line <= stretches_.back().log_line) {
+      Fail("returns in another order than the log, at byte " + std::to_string(place));
+    }
+    stretches_.push_back(next);
+  }
+  stretches_.back().end = size_;
+}
+
+void TraceReader::FindWayTo(TracePlace end) {
+  while (true) {
+    // The stretch that holds what was written just before `end`.
+    auto stretch = std::upper_bound(stretches_.begin(), stretches_.end(), end,
+                                    [](TracePlace at, const Stretch& s) { return at < s.begin; });
+    if (stretch == stretches_.begin()) Fail("returns into its header");
+    Stretch part = *--stretch;
+    part.end = std::min(end, part.end);
+    way_.push_back(part);
+    if (stretch == stretches_.begin()) break;
+    end = part.past;
+  }
+  place_ = way_.back().begin;
+  whole_way_ = way_;
+}
+
+TraceReader::Bookmark TraceReader::Mark() const {
+  Bookmark bookmark;
+  bookmark.moment_ = now_;
+  bookmark.places_ = places_;
+  bookmark.place_ = place_;
+  bookmark.num_stretches_ = way_.size();
+  return bookmark;
+}
+
+void TraceReader::ReturnTo(const Bookmark& bookmark) {
+  now_ = bookmark.moment_;
+  places_ = bookmark.places_;
+  place_ = bookmark.place_;
+  way_.assign(whole_way_.begin(),
+              whole_way_.begin() + static_cast<std::ptrdiff_t>(bookmark.num_stretches_));
+  has_begun_ = true;
+}
+
+bool TraceReader::IsAtRecord() {
+  while (!way_.empty() && place_ == way_.back().end) {
+    way_.pop_back();
+    if (way_.empty()) break;
+    place_ = way_.back().begin;
+    if (has_begun_ && now_.tick != way_.back().tick) {
+      Fail("returns to tick " + std::to_string(way_.back().tick) + ", but there it is " +
+           std::to_string(now_.tick));
+    }
+  }
+  return !way_.empty();
+}
+
+std::optional<TraceTick> TraceReader::Next() {
+  if (!IsAtRecord()) return std::nullopt;
+  ReadTick();
+  ReadEvents();
+  if (now_.tick == last_tick_) way_.clear();
+  return now_;
+}
+
+void TraceReader::ReadEvents() {
+  places_ = {place_};
+  std::size_t num_actions = 0;
+  while (IsAtRecord() && FlagsAt(place_) == kIsEvent) {
+    sim::Event event = ReadEvent();
+    if (BeginsAction(event)) ++num_actions;
+    if (now_.tick == last_tick_ && num_actions > num_last_actions_) break;
+    now_.events.push_back(std::move(event));
+    places_.push_back(place_);
+  }
+}
+
+void TraceReader::ReadTick() {
+  ByteReader in = BytesAt(place_);
+  TraceTick next = now_;
+  next.events.clear();
+  next.tick = in.Get<std::uint64_t>();
+  next.hash = in.Get<std::uint64_t>();
+  const auto flags = in.Get<std::uint8_t>();
+  next.is_robot_shown = (flags & kRobotHidden) == 0;
+  const auto num_moved = in.Get<std::uint32_t>();
+  bool is_sound = (flags & ~kTickFlags) == 0 && num_moved <= next.objects.size() &&
+                  (!has_begun_ || next.tick == now_.tick + 1);
+  for (std::uint32_t k = 0; k < num_moved && is_sound; ++k) {
+    const auto i = in.Get<std::uint32_t>();
+    is_sound = i < next.objects.size();
+    if (!is_sound) break;
+    const auto what = in.Get<std::uint8_t>();
+    next.objects[i].is_present = (what & kIsPresent) != 0;
+    next.objects[i].is_awake = (what & kIsAwake) != 0;
+    for (double& number : next.objects[i].position) number = in.Get<double>();
+    for (double& number : next.objects[i].rotation) number = in.Get<double>();
+    is_sound = next.objects[i].position.allFinite() &&
+               std::abs(next.objects[i].rotation.norm() - 1) < kUnitLength;
+  }
+  if ((flags & kJointsChanged) != 0) {
+    for (double& q : next.joints) q = in.Get<double>();
+  }
+  if ((flags & kControlsChanged) != 0) {
+    for (std::size_t i = 0; i < next.controls.size(); ++i) {
+      model::ControlState& control = next.controls[i];
+      control.state = in.Get<int>();
+      control.override_state = in.Get<int>();
+      control.position = in.Get<int>();
+      is_sound = is_sound && limits_.Allow(i, control);
+    }
+  }
+  if ((flags & kBondsChanged) != 0) {
+    for (std::size_t i = 0; i < next.bonds.size(); ++i) {
+      model::HostState& bond = next.bonds[i];
+      bond.guest = in.Get<int>();
+      bond.tightness = in.Get<int>();
+      bond.is_locked = in.Get<std::uint8_t>() != 0;
+      is_sound = is_sound && limits_.Allow(i, bond);
+    }
+  }
+  if ((flags & kMoodChanged) != 0) {
+    const auto mood = in.Get<std::uint8_t>();
+    is_sound = is_sound && mood < robot::kMoods.size();
+    if (is_sound) next.mood = robot::kMoods[mood];
+  }
+  for (double q : next.joints) is_sound = is_sound && std::isfinite(q);
+  if (!is_sound) Fail("is damaged in the record after tick " + std::to_string(now_.tick));
+  has_begun_ = true;
+  now_ = std::move(next);
+  place_ += *SizeAt(place_);
+}
+
+bool TraceReader::IsSound(const sim::Event& event) const {
+  using enum sim::EventKind;
+  const auto is_one_of = [](int index, std::size_t count) {
+    return index >= 0 && static_cast<std::size_t>(index) < count;
+  };
+  // An imported release may not know of what.
+  const bool may_be_nameless = event.kind == kReleased && event.object.empty();
+  const bool is_known = std::ranges::find(object_names_, event.object) != object_names_.end();
+  if (!is_known && !may_be_nameless) return false;
+  switch (event.kind) {
+    case kFastened:
+    case kLoosened:
+      return (event.hand || event.kind == kLoosened) && is_one_of(event.host, now_.bonds.size()) &&
+             is_one_of(event.guest, static_cast<std::size_t>(limits_.num_guests));
+    case kGrasped:
+    case kReleased:
+    case kDestroyed:
+    case kPointed:
+    case kTriggered:
+    case kAttended:
+      return event.hand.has_value();
+    case kCommandRefused:
+      return false;
+    default:
+      return true;
+  }
+}
+
+sim::Event TraceReader::ReadEvent() {
+  ByteReader in = BytesAt(place_);
+  in.GetBytes(kRecordHead + 4);
+  std::optional<sim::Event> event = GetEvent(&in);
+  const std::uint64_t size = *SizeAt(place_);
+  const std::uint64_t read = bytes_.size() - place_ - in.remaining();
+  if (!event || read != size || !IsSound(*event)) {
+    Fail("is damaged in an event after tick " + std::to_string(now_.tick));
+  }
+  place_ += size;
+  return *std::move(event);
+}
+
+}  // namespace smile::recording

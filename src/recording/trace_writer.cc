@@ -1,0 +1,107 @@
+#include "recording/trace_writer.h"
+
+#include "recording/internal_trace_format.h"
+
+namespace smile::recording {
+namespace {
+
+void PutNames(const std::vector<std::string>& names, ByteWriter* out) {
+  out->Put(static_cast<std::uint32_t>(names.size()));
+  for (const std::string& name : names) out->PutString(name);
+}
+
+}  // namespace
+
+TraceWriter::TraceWriter(const std::filesystem::path& path, const model::Model& model)
+    : file_(path) {
+  ByteWriter out;
+  for (char letter : kTraceMagic) out.Put(letter);
+  out.Put(kTraceVersion);
+  std::vector<std::string> names;
+  for (const scene::ObjectSpec& object : model.scene().objects) names.push_back(object.id());
+  PutNames(names, &out);
+  names.clear();
+  if (model.robot() != nullptr) {
+    for (const auto& link : model.robot()->links) names.push_back(link.joint_name);
+  }
+  PutNames(names, &out);
+  file_.Append(out.bytes());
+}
+
+TraceWriter::TraceWriter(const std::filesystem::path& path, std::uint64_t size, std::uint64_t tick)
+    : file_(path, AppendFile::kExisting), tick_(tick) {
+  file_.Cut(size);
+}
+
+void TraceWriter::Add(const TraceTick& tick) {
+  ByteWriter record;
+  record.Put(tick.tick);
+  record.Put(tick.hash);
+  const bool joints_changed = !last_ || tick.joints != last_->joints;
+  const bool controls_changed = !last_ || tick.controls != last_->controls;
+  const bool bonds_changed = !last_ || tick.bonds != last_->bonds;
+  const bool mood_changed = !last_ || tick.mood != last_->mood;
+  record.Put(static_cast<std::uint8_t>(
+      (joints_changed ? kJointsChanged : 0) | (tick.is_robot_shown ? 0 : kRobotHidden) |
+      (controls_changed ? kControlsChanged : 0) | (bonds_changed ? kBondsChanged : 0) |
+      (mood_changed ? kMoodChanged : 0)));
+  std::vector<std::uint32_t> moved;
+  for (std::uint32_t i = 0; i < tick.objects.size(); ++i) {
+    if (!last_ || tick.objects[i] != last_->objects[i]) moved.push_back(i);
+  }
+  record.Put(static_cast<std::uint32_t>(moved.size()));
+  for (std::uint32_t i : moved) {
+    record.Put(i);
+    record.Put(static_cast<std::uint8_t>((tick.objects[i].is_present ? kIsPresent : 0) |
+                                         (tick.objects[i].is_awake ? kIsAwake : 0)));
+    for (double number : tick.objects[i].position) record.Put(number);
+    for (double number : tick.objects[i].rotation) record.Put(number);
+  }
+  if (joints_changed) {
+    for (double q : tick.joints) record.Put(q);
+  }
+  if (controls_changed) {
+    for (const model::ControlState& control : tick.controls) {
+      record.Put(control.state);
+      record.Put(control.override_state);
+      record.Put(control.position);
+    }
+  }
+  if (bonds_changed) {
+    for (const model::HostState& bond : tick.bonds) {
+      record.Put(bond.guest);
+      record.Put(bond.tightness);
+      record.Put(bond.is_locked);
+    }
+  }
+  if (mood_changed) record.Put(static_cast<std::uint8_t>(tick.mood));
+  file_.Append(record.bytes());
+  last_ = tick;
+  tick_ = tick.tick;
+}
+
+void TraceWriter::Add(const sim::Event& event) {
+  ByteWriter content;
+  Put(event, &content);
+  ByteWriter record;
+  record.Put(tick_);
+  record.Put(std::uint64_t{0});
+  record.Put(kIsEvent);
+  record.Put(static_cast<std::uint32_t>(content.size()));
+  record.PutBytes(content.bytes());
+  file_.Append(record.bytes());
+}
+
+void TraceWriter::Return(TracePlace place, std::size_t log_line, std::uint64_t tick) {
+  ByteWriter record;
+  record.Put(tick);
+  record.Put(std::uint64_t{0});
+  record.Put(kIsReturn);
+  record.Put(place);
+  record.Put(std::uint64_t{log_line});
+  file_.Append(record.bytes());
+  tick_ = tick;
+  last_.reset();
+}
+
+}  // namespace smile::recording

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+#include "sim/simulation.h"
+
+namespace smile::replay {
+
+/// Collects what happens from each moment on, until the next one, as a trace has it.
+class EventCollector : public sim::Listener {
+ public:
+  void OnEvent(const sim::Simulation&, const sim::Event& event) override {
+    if (event.kind != sim::EventKind::kCommandRefused) events_.push_back(event);
+  }
+  void OnTick(const sim::Simulation&) override { events_.clear(); }
+
+  const std::vector<sim::Event>& events() const { return events_; }
+  /// What is not history any more: everything so far.
+  void Forget() { events_.clear(); }
+
+ private:
+  std::vector<sim::Event> events_;
+};
+
+}  // namespace smile::replay

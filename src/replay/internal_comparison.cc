@@ -1,0 +1,180 @@
+#include "replay/internal_comparison.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "base/wording.h"
+#include "math/angles.h"
+#include "scene/units.h"
+
+namespace smile::replay {
+namespace {
+
+/// The quantity of a difference that only the hash sees.
+constexpr const char* kHidden = "state_hash";
+
+std::string Written(const Vector3& v) {
+  return "(" + NumberText(v.x()) + ", " + NumberText(v.y()) + ", " + NumberText(v.z()) + ")";
+}
+std::string Written(const model::ControlState& control) {
+  std::string text =
+      std::to_string(control.state) + " in position " + std::to_string(control.position);
+  if (control.override_state >= 0) text += ", shows " + std::to_string(control.override_state);
+  return text;
+}
+std::string Written(const model::HostState& bond) {
+  return std::to_string(bond.tightness) + (bond.is_locked ? ", locked" : "") +
+         (bond.guest >= 0 ? ", of guest point " + std::to_string(bond.guest) : "");
+}
+std::string Written(bool is_true) { return is_true ? "true" : "false"; }
+std::string WrittenHash(std::uint64_t hash) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
+  return text;
+}
+
+}  // namespace
+
+bool IsVisible(const Difference& difference) { return difference.quantity != kHidden; }
+
+std::optional<Difference> Comparison::Presence(std::size_t i) const {
+  const bool was = recorded_.objects[i].is_present, is = replayed_.objects[i].is_present;
+  if (was == is) return std::nullopt;
+  return Difference{recorded_.tick, model_.id(model::ObjectIndex(i)), "present", Written(was),
+                    Written(is)};
+}
+
+std::optional<Difference> Comparison::Pose(std::size_t i) const {
+  const recording::TracePose& was = recorded_.objects[i];
+  const recording::TracePose& is = replayed_.objects[i];
+  const std::string& id = model_.id(model::ObjectIndex(i));
+  if (was.position != is.position) {
+    const double unit = model_.scene().meters_per_unit;
+    return Difference{recorded_.tick, id, "position",
+                      Written(scene::ToFileUnits(was.position, unit)),
+                      Written(scene::ToFileUnits(is.position, unit))};
+  }
+  if (was.rotation != is.rotation) {
+    return Difference{recorded_.tick, id, "rotation",
+                      Written(FixedAxesAngles(was.pose_in_world().rotation())),
+                      Written(FixedAxesAngles(is.pose_in_world().rotation()))};
+  }
+  return std::nullopt;
+}
+
+std::optional<Difference> Comparison::Control(std::size_t i) const {
+  if (recorded_.controls[i] == replayed_.controls[i]) return std::nullopt;
+  return Difference{recorded_.tick, model_.control(model::ControlIndex(i)).id(), "state",
+                    Written(recorded_.controls[i]), Written(replayed_.controls[i])};
+}
+
+std::optional<Difference> Comparison::Bond(std::size_t i) const {
+  if (recorded_.bonds[i] == replayed_.bonds[i]) return std::nullopt;
+  return Difference{recorded_.tick, model_.host(model::HostIndex(i)).point->id, "tightness",
+                    Written(recorded_.bonds[i]), Written(replayed_.bonds[i])};
+}
+
+std::optional<Difference> Comparison::Joint(std::size_t i) const {
+  if (recorded_.joints[i] == replayed_.joints[i]) return std::nullopt;
+  return Difference{recorded_.tick, model_.robot()->links[i].joint_name, "angle",
+                    NumberText(recorded_.joints[i]), NumberText(replayed_.joints[i])};
+}
+
+std::optional<Difference> Comparison::RobotShown() const {
+  if (recorded_.is_robot_shown == replayed_.is_robot_shown) return std::nullopt;
+  return Difference{recorded_.tick, "robot", "shown", Written(recorded_.is_robot_shown),
+                    Written(replayed_.is_robot_shown)};
+}
+
+std::optional<Difference> Comparison::Mood() const {
+  if (recorded_.mood == replayed_.mood) return std::nullopt;
+  return Difference{recorded_.tick, "robot", "mood", std::string(ToString(recorded_.mood)),
+                    std::string(ToString(replayed_.mood))};
+}
+
+std::optional<Difference> Comparison::First() const {
+  for (std::size_t i = 0; i < replayed_.objects.size(); ++i) {
+    if (auto difference = Presence(i)) return difference;
+    if (auto difference = Pose(i)) return difference;
+  }
+  for (std::size_t i = 0; i < replayed_.controls.size(); ++i) {
+    if (auto difference = Control(i)) return difference;
+  }
+  for (std::size_t i = 0; i < replayed_.bonds.size(); ++i) {
+    if (auto difference = Bond(i)) return difference;
+  }
+  for (std::size_t i = 0; i < replayed_.joints.size(); ++i) {
+    if (auto difference = Joint(i)) return difference;
+  }
+  if (auto difference = RobotShown()) return difference;
+  if (auto difference = Mood()) return difference;
+  if (recorded_.hash == replayed_.hash) return std::nullopt;
+  return Difference{recorded_.tick, "simulation", kHidden, WrittenHash(recorded_.hash),
+                    WrittenHash(replayed_.hash)};
+}
+
+std::vector<Difference> Comparison::States() const {
+  std::vector<Difference> all;
+  const auto add = [&all](std::optional<Difference> difference) {
+    if (difference) all.push_back(*std::move(difference));
+  };
+  for (std::size_t i = 0; i < replayed_.objects.size(); ++i) add(Presence(i));
+  for (std::size_t i = 0; i < replayed_.controls.size(); ++i) add(Control(i));
+  for (std::size_t i = 0; i < replayed_.bonds.size(); ++i) add(Bond(i));
+  add(RobotShown());
+  add(Mood());
+  return all;
+}
+
+std::optional<recording::PoseGap> Comparison::GapOfObject(std::size_t i) const {
+  if (!recorded_.objects[i].is_present || !replayed_.objects[i].is_present) return std::nullopt;
+  return recording::GapBetween(recorded_.objects[i], replayed_.objects[i]);
+}
+
+recording::PoseGap Comparison::GapOfJoint(std::size_t i) const {
+  const double gap = std::abs(replayed_.joints[i] - recorded_.joints[i]);
+  const bool slides = model_.robot()->links[i].joint_type == scene::JointType::kPrismatic;
+  return slides ? recording::PoseGap{.distance = gap} : recording::PoseGap{.angle = gap};
+}
+
+DepartureMeter::DepartureMeter(const model::Model& model) : model_(model) {
+  for (const scene::ObjectSpec& object : model.scene().objects) {
+    all_.push_back({.object = object.id()});
+  }
+  if (model.robot() == nullptr) return;
+  for (const auto& link : model.robot()->links) all_.push_back({.object = link.joint_name});
+}
+
+void DepartureMeter::Note(std::size_t index, std::uint64_t tick,
+                          const std::optional<recording::PoseGap>& gap) {
+  Departure& departure = all_[index];
+  departure.end = gap;
+  if (!gap || gap->size() <= departure.largest.size()) return;
+  departure.largest = *gap;
+  departure.tick = tick;
+}
+
+void DepartureMeter::Watch(const recording::TraceTick& recorded,
+                           const recording::TraceTick& replayed) {
+  const Comparison comparison(recorded, replayed, model_);
+  const std::size_t num_objects = recorded.objects.size();
+  for (std::size_t i = 0; i < num_objects; ++i) {
+    Note(i, recorded.tick, comparison.GapOfObject(i));
+  }
+  for (std::size_t i = 0; i < recorded.joints.size(); ++i) {
+    Note(num_objects + i, recorded.tick, comparison.GapOfJoint(i));
+  }
+}
+
+std::vector<Departure> DepartureMeter::Departures() const {
+  std::vector<Departure> departures;
+  std::copy_if(all_.begin(), all_.end(), std::back_inserter(departures),
+               [](const Departure& departure) { return departure.largest.size() > 0; });
+  std::stable_sort(
+      departures.begin(), departures.end(),
+      [](const Departure& a, const Departure& b) { return a.largest.size() > b.largest.size(); });
+  return departures;
+}
+
+}  // namespace smile::replay

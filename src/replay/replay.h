@@ -1,0 +1,64 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "recording/progress.h"
+#include "recording/recording.h"
+#include "recording/time_range.h"
+
+namespace smile::replay {
+
+/// Where a replay departs from its recording.
+struct Difference {
+  std::uint64_t tick = 0;
+  std::string object;    ///< id, a joint's name, or `simulation`
+  std::string quantity;  ///< `position`, `rotation`, `angle`, `state_hash`, `command`, …
+  std::string recorded, replayed;  ///< lengths in units, angles in degrees, joints in radians
+
+  bool operator==(const Difference&) const = default;
+};
+
+/// How far something that moves departs from its recording.
+struct Departure {
+  std::string object;          ///< id, or a joint's name
+  recording::PoseGap largest;  ///< at `tick`
+  std::uint64_t tick = 0;
+  std::optional<recording::PoseGap> end;  ///< nullopt if it is not there any more in one of the two
+};
+
+/// A command that was carried out when it was recorded.
+struct RefusedCommand {
+  std::uint64_t tick = 0;
+  std::size_t line = 0;  ///< of commands.jsonl
+  std::string reason;
+};
+
+struct ReplayOptions {
+  recording::TimeRange range;        ///< what is compared
+  bool stops_at_difference = false;  ///< at the first that can be seen, and measures nothing
+};
+
+struct ReplayReport {
+  bool is_cut = false;            ///< the trace ends in the middle of a record
+  recording::TickRange compared;  ///< ends early where the replay did
+  /// As far as can be seen; where nothing can be seen to the end, the first tick whose state hash
+  /// differs. A command that is refused is one too, also before the range.
+  std::optional<Difference> first_difference;
+  std::vector<Departure> departures;          ///< largest first
+  std::vector<Difference> state_differences;  ///< what ends otherwise, besides where things are
+  std::vector<RefusedCommand> refused;
+  std::uint64_t hash = 0;  ///< of the last tick replayed
+
+  std::uint64_t ticks() const { return compared.last - compared.first; }
+};
+
+/// Runs a recording again, command by command, and compares every tick: poses, states, joints,
+/// state hash.
+/// @throws std::invalid_argument if the range is none of the recording's.
+/// @throws InputError if the recording has no commands or its trace cannot be read.
+ReplayReport Replay(const recording::Recording& recording, const ReplayOptions& options = {},
+                    const recording::Progress& progress = {});
+
+}  // namespace smile::replay

@@ -45,8 +45,8 @@ class ProgramTest : public ::testing::Test {
                                directory_.string() + "'; { " + line + "\n} >out.txt 2>err.txt";
     Write("script.sh", script);
     const int status = std::system(("bash '" + (directory_ / "script.sh").string() + "'").c_str());
-    Answer answer{WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
-                  Read("out.txt"), Read("err.txt")};
+    Answer answer{WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), Read("out.txt"),
+                  Read("err.txt")};
     if (answer.exit_code != 0) {
       complaints_ +=
           "[ exit " + std::to_string(answer.exit_code) + " ] " + line + "\n" + answer.err;

@@ -25,6 +25,11 @@ int LookOf(const Control& control, const ControlState& state) {
   return state.state;
 }
 
+std::optional<scene::Button> PressedButtonOf(const Control& control, const ControlState& state) {
+  if (!std::holds_alternative<ToggleSwitch>(control.part->shape)) return std::nullopt;
+  return state.position == 0 ? scene::Button::kLeft : scene::Button::kRight;
+}
+
 std::string RecordedState(const Control& control, const ControlState& state) {
   const int number = EffectiveState(state);
   const auto name_in = [number](const auto& states) {

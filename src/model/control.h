@@ -32,6 +32,8 @@ struct Control {
 int EffectiveState(const ControlState& state);
 /// The number of the Visual::look that shows the state.
 int LookOf(const Control& control, const ControlState& state);
+/// The button of a switch that is down and cannot be pressed; nullopt of other controls.
+std::optional<scene::Button> PressedButtonOf(const Control& control, const ControlState& state);
 /// The state as recordings write it: the position of a switch, else the name of the state, or its
 /// number where it has no name.
 std::string RecordedState(const Control& control, const ControlState& state);

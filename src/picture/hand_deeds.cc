@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <set>
 #include <string_view>
 #include <utility>
 
 #include "base/diagnostic.h"
 #include "recording/sight.h"
 #include "recording/trace_reader.h"
+#include "scene/parts.h"
 
 namespace smile::picture {
 namespace {
@@ -22,6 +24,18 @@ struct NamedDeed {
   HandName hand = HandName::kAny;
   HandDeed deed;
 };
+
+/// The ids of a part and of all parts within it.
+std::set<std::string_view> IdsWithin(const scene::Part& whole, std::string_view id) {
+  std::set<std::string_view> ids;
+  scene::ForEachPart(whole, [&](const scene::Part& part) {
+    if (part.id != id) return;
+    scene::ForEachPart(part, [&](const scene::Part& inner) {
+      if (!inner.id.empty()) ids.insert(inner.id);
+    });
+  });
+  return ids;
+}
 
 /// Collects deeds along the trace.
 class DeedCollector {
@@ -131,12 +145,13 @@ class DeedCollector {
   /// The middle of what is to be seen of a part or control of an object, in its body.
   Vector3 PlaceOf(const sim::Event& event, std::string_view id) const {
     const auto object = model_.FindObject(event.object);
+    const std::set<std::string_view> meant = IdsWithin(model_.object(*object).whole, id);
     if (!object || id == event.object) return Vector3::Zero();
     Vector3 sum = Vector3::Zero();
     int count = 0;
     for (const scene::Visual& visual : model_.visual_model().visuals) {
       const bool is_meant = visual.frame == static_cast<int>(model_.frame_of(*object)) &&
-                            std::string_view(visual.part_id).starts_with(id);
+                            meant.contains(visual.part_id);
       if (!is_meant) continue;
       sum += visual.X_FV.translation();
       ++count;

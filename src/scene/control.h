@@ -15,6 +15,9 @@ struct Part;
 // Controls have a state and may drive others downstream. They are shapes: a whole object, or a part
 // of a composite.
 
+/// One of the two buttons of a switch.
+enum class Button { kLeft, kRight };
+
 /// A rocker switch of two buttons about a hinge along y at its origin. In position 0 the left
 /// button (-x) lies flat and the right one is raised; in position 1 the other way round.
 struct ToggleSwitch {

@@ -43,6 +43,10 @@ std::string KindOf(const Part& control) {
                           [](const CustomControl& custom) { return custom.name; }});
 }
 
+std::string ButtonId(const std::string& switch_id, Button button) {
+  return switch_id + (button == Button::kLeft ? "-b1" : "-b2");
+}
+
 int NumStatesOf(const Part& control) {
   return Ask<int>(
       control, Overloaded{[](const ToggleSwitch& toggle) { return toggle.num_states; },

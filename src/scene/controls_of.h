@@ -15,6 +15,9 @@ std::vector<const Part*> ControlsOf(const Part& whole);
 /// `toggleSwitch`, `indicatorLights`, or the name a custom control has been given.
 /// @throws std::logic_error if the part is no control.
 std::string KindOf(const Part& control);
+/// The name that commands and pages have for a button of a switch: `ID-b1` for the left one,
+/// `ID-b2` for the right one.
+std::string ButtonId(const std::string& switch_id, Button button);
 int NumStatesOf(const Part& control);
 int InitialStateOf(const Part& control);
 const std::vector<std::string>& DownstreamOf(const Part& control);

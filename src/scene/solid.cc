@@ -47,9 +47,8 @@ class SolidCollector {
                      ++num_controls_;
                      for (int i = 0; i < lights.num_lights; ++i) {
                        const Belonging at = place.Child(PoseOfLight(lights, i));
-                       solids_.push_back({DiscOf(lights), at.X_BE, part.color,
-                                          part.id + "-light" + std::to_string(i), at.control,
-                                          at.look});
+                       solids_.push_back(
+                           {DiscOf(lights), at.X_BE, part.color, part.id, at.control, at.look});
                      }
                    },
                    [&](const CustomControl& control) {
@@ -73,17 +72,16 @@ class SolidCollector {
 
   void AppendContainer(const Box& box, const Part& part, const Belonging& place) {
     const double X = box.size.x(), Y = box.size.y(), Z = box.size.z(), t = box.thickness;
-    const auto wall = [&](const char* name, const Vector3& size, const Vector3& center) {
+    const auto wall = [&](const Vector3& size, const Vector3& center) {
       const Belonging at = place.Child(RigidTransform(center));
-      solids_.push_back(
-          {Block{size}, at.X_BE, part.color, part.id + "(" + name + ")", at.control, at.look});
+      solids_.push_back({Block{size}, at.X_BE, part.color, part.id, at.control, at.look});
     };
-    // The floor spans the full area; the side walls stand on it.
-    wall("floor", {X, Y, t}, {0, 0, -Z / 2 + t / 2});
-    wall("left", {t, Y - 2 * t, Z - t}, {-(X / 2 - t / 2), 0, t / 2});
-    wall("right", {t, Y - 2 * t, Z - t}, {X / 2 - t / 2, 0, t / 2});
-    wall("near", {X, t, Z - t}, {0, Y / 2 - t / 2, t / 2});
-    wall("far", {X, t, Z - t}, {0, -(Y / 2 - t / 2), t / 2});
+    // The floor spans the full area; the walls (left, right, near, far) stand on it.
+    wall({X, Y, t}, {0, 0, -Z / 2 + t / 2});
+    wall({t, Y - 2 * t, Z - t}, {-(X / 2 - t / 2), 0, t / 2});
+    wall({t, Y - 2 * t, Z - t}, {X / 2 - t / 2, 0, t / 2});
+    wall({X, t, Z - t}, {0, Y / 2 - t / 2, t / 2});
+    wall({X, t, Z - t}, {0, -(Y / 2 - t / 2), t / 2});
   }
 
   void AppendSwitch(const ToggleSwitch& toggle, const Part& part, const Belonging& place) {
@@ -95,12 +93,12 @@ class SolidCollector {
         AboutY(-toggle.angle) * RigidTransform(Vector3(width / 2, 0, height / 2));
     for (int position : {0, 1}) {
       const RigidTransform X_ERocker = position == 0 ? RigidTransform() : AboutY(toggle.angle);
-      const auto add = [&](const char* suffix, const RigidTransform& X_RockerButton) {
-        solids_.push_back({button, place.X_BE * (X_ERocker * X_RockerButton), part.color,
-                           part.id + suffix, number, position});
+      const auto add = [&](Button which, const RigidTransform& X_RockerButton) {
+        solids_.push_back({button, place.X_BE * (X_ERocker * X_RockerButton), part.color, part.id,
+                           number, position, which});
       };
-      add("-b1", X_flat);
-      add("-b2", X_raised);
+      add(Button::kLeft, X_flat);
+      add(Button::kRight, X_raised);
     }
   }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -18,10 +19,10 @@ struct Solid {
   SolidShape shape;
   RigidTransform X_BS;
   Color color;
-  std::string part_id;  ///< of the part it belongs to; `id(floor)`, … of a container, `id-b1` and
-                        ///< `id-b2` of a switch, `id-light0`, … of lights
+  std::string part_id;  ///< of the part it belongs to
   int control = -1;     ///< the control it belongs to, numbered as ControlsOf() has them; -1: none
   int look = 0;         ///< it is there only while the control looks so
+  std::optional<Button> button{};  ///< of a switch; nullopt: none
 
   bool operator==(const Solid&) const = default;
 };

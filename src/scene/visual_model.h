@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -29,13 +30,14 @@ struct Visual {
   VisualShape shape;
   Color color;
   RigidTransform X_FV;
-  int frame = 0;                ///< index into the poses the model is drawn with
-  std::uint32_t object_id = 0;  ///< index into VisualModel::object_names
-  int choice = -1;              ///< index into VisualState::looks; -1: always to be seen
-  int look = 0;                 ///< to be seen only while the choice is this
-  bool glows = false;           ///< a lamp or screen: shows its own color in any light
-  bool casts_shadow = true;     ///< false for what is only shown to people
-  std::string part_id{};        ///< of the innermost part with an id, as Solid has it
+  int frame = 0;                   ///< index into the poses the model is drawn with
+  std::uint32_t object_id = 0;     ///< index into VisualModel::object_names
+  int choice = -1;                 ///< index into VisualState::looks; -1: always to be seen
+  int look = 0;                    ///< to be seen only while the choice is this
+  bool glows = false;              ///< a lamp or screen: shows its own color in any light
+  bool casts_shadow = true;        ///< false for what is only shown to people
+  std::string part_id{};           ///< of the innermost part with an id
+  std::optional<Button> button{};  ///< of a switch; nullopt: none
 };
 
 /// What is there to be seen, apart from where it is: drawn with one pose per frame, it is a

@@ -61,7 +61,7 @@ class VisualCollector {
       visual.X_FV = place.X_FV * solid.X_BS;
       visual.choice = choice;
       if (solid.control >= 0) visual.look = solid.look;
-      if (!part.id.empty()) visual.part_id = solid.part_id;
+      if (!part.id.empty()) visual.button = solid.button;
       visuals_.push_back(visual);
     }
   }

@@ -9,6 +9,7 @@
 #include "model/eye.h"
 #include "scene/bond_points.h"
 #include "scene/controls_of.h"
+#include "scene/parts.h"
 #include "scene/units.h"
 
 namespace smile::studio {
@@ -53,35 +54,16 @@ Json DescribeVisuals(const model::Model& model, const PageMeshes& meshes) {
                    {"look", piece.look}};
     if (piece.glows) visual["glows"] = true;
     if (!piece.part_id.empty()) visual["part"] = piece.part_id;
+    if (piece.button) visual["button"] = scene::ButtonId(piece.part_id, *piece.button);
     DescribeShape(piece.shape, unit, meshes, &visual);
     visuals.push_back(std::move(visual));
   }
   return visuals;
 }
 
-template <class Visit>
-void ForEachChild(const scene::Part& part, const Visit& visit) {
-  const auto visit_all = [&visit](const std::vector<scene::Part>& parts) {
-    for (const scene::Part& child : parts) visit(child);
-  };
-  if (const auto* composite = std::get_if<scene::Composite>(&part.shape)) {
-    visit_all(composite->parts);
-  }
-  if (const auto* control = std::get_if<scene::CustomControl>(&part.shape)) {
-    for (const scene::CustomControl::State& state : control->states) visit_all(state.parts);
-  }
-}
-
-/// Calls `visit` with the part and all within it.
-template <class Visit>
-void ForEachPart(const scene::Part& part, const Visit& visit) {
-  visit(part);
-  ForEachChild(part, [&visit](const scene::Part& child) { ForEachPart(child, visit); });
-}
-
 /// Appends the parts with an id, outer ones first; `around` is the id of the part about them.
 void DescribePartsIn(const scene::Part& part, const std::string& around, Json* parts) {
-  ForEachChild(part, [&](const scene::Part& child) {
+  scene::ForEachChild(part, [&](const scene::Part& child) {
     if (child.id.empty()) {
       DescribePartsIn(child, around, parts);
       return;
@@ -103,10 +85,11 @@ Json DescribeControls(const scene::Part& whole) {
   for (const scene::Part* control : scene::ControlsOf(whole)) {
     Json parts = Json::array();
     if (std::holds_alternative<scene::ToggleSwitch>(control->shape)) {
-      parts = {control->id + "-b1", control->id + "-b2"};
+      parts = {scene::ButtonId(control->id, scene::Button::kLeft),
+               scene::ButtonId(control->id, scene::Button::kRight)};
     } else if (std::holds_alternative<scene::CustomControl>(control->shape)) {
       std::set<std::string> ids;
-      ForEachPart(*control, [&](const scene::Part& part) {
+      scene::ForEachPart(*control, [&](const scene::Part& part) {
         if (&part != control && !part.id.empty()) ids.insert(part.id);
       });
       parts = ids;

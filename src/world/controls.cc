@@ -5,6 +5,7 @@
 
 #include "base/overloaded.h"
 #include "base/wording.h"
+#include "scene/controls_of.h"
 
 namespace smile::world {
 namespace {
@@ -57,8 +58,10 @@ std::optional<Refusal> Controls::Trigger(model::ControlIndex index, std::string_
   ControlState& state = states_[index];
   const std::string name = Named(control.id());
   const auto press = [&](const ToggleSwitch& toggle) -> std::optional<Refusal> {
-    const std::string left = control.id() + "-b1", right = control.id() + "-b2";
-    const std::string& raised = state.position == 0 ? right : left;
+    const std::string left = scene::ButtonId(control.id(), scene::Button::kLeft);
+    const std::string right = scene::ButtonId(control.id(), scene::Button::kRight);
+    const bool is_left_down = PressedButtonOf(control, state) == scene::Button::kLeft;
+    const std::string& raised = is_left_down ? right : left;
     if (!part.empty() && part != left && part != right) {
       return name + " has no button " + Named(part) + ", expected " + left + " or " + right;
     }

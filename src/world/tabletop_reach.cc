@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/wording.h"
+#include "scene/parts.h"
 #include "world/tabletop.h"
 
 namespace smile::world {
@@ -11,18 +12,10 @@ namespace {
 /// What stands this much lower than at the start has come down [m].
 constexpr double kFall = 0.1;
 
-bool HasPart(const scene::Part& part, std::string_view id) {
-  const auto any_of = [id](const std::vector<scene::Part>& parts) {
-    return std::ranges::any_of(parts, [id](const auto& child) { return HasPart(child, id); });
-  };
-  if (part.id == id) return true;
-  if (const auto* composite = std::get_if<scene::Composite>(&part.shape)) {
-    return any_of(composite->parts);
-  }
-  const auto* custom = std::get_if<scene::CustomControl>(&part.shape);
-  return custom != nullptr && std::ranges::any_of(custom->states, [&any_of](const auto& state) {
-           return any_of(state.parts);
-         });
+bool HasPart(const scene::Part& whole, std::string_view id) {
+  bool has = false;
+  scene::ForEachPart(whole, [&](const scene::Part& part) { has = has || part.id == id; });
+  return has;
 }
 
 }  // namespace

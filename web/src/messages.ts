@@ -20,6 +20,8 @@ export interface Visual {
   object: number;
   /** id of the innermost part it is of that has one */
   part?: string;
+  /** of a switch: its name in commands */
+  button?: string;
   pose: Pose;
   /** #rrggbb */
   color: string;

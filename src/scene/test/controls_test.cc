@@ -45,7 +45,7 @@ TEST(Controls, AreFeltAsTheyLook) {
   EXPECT_EQ(SolidsWith({0, 0, 0}, solids).size(), 2u + 1 + 1 + 3);
   EXPECT_EQ(SolidsWith({1, 1, 1}, solids).size(), 2u + 7 + 1 + 3);
   EXPECT_EQ(solids.size(), NumSolidsOf(PanelWithAllControls()));
-  EXPECT_EQ(solids.back().part_id, "lamps-light2");
+  EXPECT_EQ(solids.back().part_id, "lamps");
 }
 
 TEST(Visuals, KnowTheInnermostPartWithAnId) {
@@ -55,9 +55,7 @@ TEST(Visuals, KnowTheInnermostPartWithAnId) {
   }
   // The switch looks so or so, and so does the dial. The sphere has no id, nor has what is around
   // it.
-  EXPECT_EQ(parts,
-            "switch-b1 switch-b2 switch-b1 switch-b2 "
-            "one two(floor) two(left) two(right) two(near) two(far) one lamps ");
+  EXPECT_EQ(parts, "switch one two one lamps ");
 }
 
 TEST(Controls, ShowOnlyTheLightsThatAreOnAndThoseGlow) {
@@ -68,6 +66,15 @@ TEST(Controls, ShowOnlyTheLightsThatAreOnAndThoseGlow) {
   }
   EXPECT_EQ(num_lights_in[0], 0);
   EXPECT_EQ(num_lights_in[1], 2);
+}
+
+TEST(Visuals, KnowTheButtonOfASwitch) {
+  std::string buttons;
+  for (const Visual& visual : VisualsOf(PanelWithAllControls())) {
+    EXPECT_EQ(visual.button.has_value(), visual.part_id == "switch");
+    if (visual.button) buttons += ButtonId(visual.part_id, *visual.button) + " ";
+  }
+  EXPECT_EQ(buttons, "switch-b1 switch-b2 switch-b1 switch-b2 ") << "in each of the two positions";
 }
 
 TEST(Solids, AreAsManyAsTheyAreSaidToBe) {
@@ -88,8 +95,9 @@ TEST(ToggleSwitch, HasOneButtonFlatAndOneRaised) {
   const double w = 0.17 / (1 + std::cos(angle)), h = 0.05;
   const double x = (w * std::cos(angle) - h * std::sin(angle)) / 2;
   const double z = (h * std::cos(angle) + w * std::sin(angle)) / 2;
-  const auto expect = [&](int i, const char* id, int position, const Vector3& p, double turned) {
-    EXPECT_EQ(solids[i].part_id, id);
+  const auto expect = [&](int i, Button button, int position, const Vector3& p, double turned) {
+    EXPECT_EQ(solids[i].part_id, "S");
+    EXPECT_EQ(solids[i].button, button);
     EXPECT_EQ(solids[i].look, position);
     EXPECT_LT((std::get<Block>(solids[i].shape).size - Vector3(w, 0.1, h)).norm(), kPlaceTolerance);
     EXPECT_LT((solids[i].X_BS.translation() - p).norm(), kPlaceTolerance);
@@ -97,10 +105,10 @@ TEST(ToggleSwitch, HasOneButtonFlatAndOneRaised) {
                   .norm(),
               1e-12);
   };
-  expect(0, "S-b1", 0, {-w / 2, 0, h / 2}, 0);
-  expect(1, "S-b2", 0, {x, 0, z}, -angle);
-  expect(2, "S-b1", 1, {-x, 0, z}, angle);
-  expect(3, "S-b2", 1, {w / 2, 0, h / 2}, 0);
+  expect(0, Button::kLeft, 0, {-w / 2, 0, h / 2}, 0);
+  expect(1, Button::kRight, 0, {x, 0, z}, -angle);
+  expect(2, Button::kLeft, 1, {-x, 0, z}, angle);
+  expect(3, Button::kRight, 1, {w / 2, 0, h / 2}, 0);
 }
 
 TEST(IndicatorLights, StandInARowFromTheLeft) {

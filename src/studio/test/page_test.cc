@@ -36,6 +36,11 @@ TEST(SceneMessage, TellsAllInUnits) {
   EXPECT_EQ(message["visuals"][2]["scale"], 10.0);
   EXPECT_EQ(message["objects"][0]["frame"], 1);
   EXPECT_EQ(message["objects"][3]["controls"][0]["parts"], Json::array({"s-b1", "s-b2"}));
+  const Json left = message["visuals"][4], right = message["visuals"][5];
+  EXPECT_EQ(left["part"], "s");
+  EXPECT_EQ(left["button"], "s-b1");
+  EXPECT_EQ(right["button"], "s-b2");
+  EXPECT_FALSE(message["visuals"][1].contains("button"));
   EXPECT_TRUE(message["robot"].is_null() && message["robotFrame"].is_null());
 
   const std::string bytes = *meshes.Bytes(0);

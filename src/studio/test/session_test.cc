@@ -345,6 +345,25 @@ TEST_F(SessionTest, ItIsToldWhereAHeldObjectWouldComeToRest) {
   EXPECT_TRUE(Do(R"({"do":"resting_place","hand":"right"})")["pose"].is_null());
 }
 
+TEST_F(SessionTest, ItIsToldWhichButtonsArePressed) {
+  Begin();
+  const std::string scene = R"xml(<tabletop xmlns="http://synapse.cs.umd.edu/tabletop-xml">
+  <toggleSwitch id="s" numStates="3" location="(0, 0, 0.1)"/>
+  <toggleSwitch id="t" leftPressed="false" location="(3, 0, 0.1)"/>
+  <indicatorLights id="l" numLights="1" location="(6, 0, 0.1)"><state/></indicatorLights>
+</tabletop>)xml";
+  Do(Json({{"do", "load"}, {"name", "switches"}, {"xml", scene}}).dump());
+  EXPECT_EQ(State()["pressed"], Json({"s-b1", "t-b2"}));
+  for (const char* raised : {"s-b2", "s-b1", "s-b2"}) {
+    Command(R"({"do":"trigger","hand":"left","control":"s","part":")" + std::string(raised) +
+            R"("})");
+    EXPECT_EQ(State()["pressed"], Json({raised, "t-b2"}));
+  }
+  Command(R"({"do":"grasp","hand":"left","object":"t"})");
+  Command(R"({"do":"destroy","hand":"left"})");
+  EXPECT_EQ(State()["pressed"], Json({"s-b2"}));
+}
+
 TEST_F(SessionTest, ARestingPlaceThatWasFoundEarlierIsMarkedAsStale) {
   Begin();
   Command(R"({"do":"grasp","hand":"left","object":"a","point":[0,-2,1]})");

@@ -8,6 +8,7 @@ import { contextMenu } from "../world/signals";
 interface Place {
   object: SceneObject;
   part: string | null;
+  button: string | null;
   point: [number, number, number];
 }
 
@@ -15,11 +16,6 @@ interface Place {
 function partAndAround(object: SceneObject, part: string | null): SceneObject["parts"] {
   const found = object.parts.find((one) => one.id === part);
   return found === undefined ? [] : [found, ...partAndAround(object, found.within)];
-}
-
-/** Pieces of switches and boxes are no parts themselves: `ID-b1`, `ID(floor)` belong to the part ID. */
-function partOfPiece(piece: string | null): string | null {
-  return piece?.replace(/-b[12]$|\(\w+\)$/, "") ?? null;
 }
 
 function entry(label: string, reason: string | null, wanted: Command): MenuEntry {
@@ -32,8 +28,8 @@ type Control = SceneObject["controls"][number];
 const isLights = ({ kind }: Control) => kind === "indicatorLights";
 
 /** The control that was clicked; elsewhere what there is to trigger in the least part around, if it is one thing only. */
-function controlAt(object: SceneObject, piece: string | null, around: string[]): Control | null {
-  const isClicked = ({ id, parts }: Control) => around.includes(id) || id === piece || parts.includes(piece ?? "");
+function controlAt(object: SceneObject, part: string | null, around: string[]): Control | null {
+  const isClicked = ({ id, parts }: Control) => around.includes(id) || id === part || parts.includes(part ?? "");
   const clicked = object.controls.find(isClicked);
   if (clicked) return clicked;
   const others = object.controls.filter((one) => !isLights(one));
@@ -42,41 +38,34 @@ function controlAt(object: SceneObject, piece: string | null, around: string[]):
   return nearest?.length === 1 ? nearest[0]! : null;
 }
 
-/** Of the two buttons of a switch one is down. */
-function isDown({ id, kind }: Control, pressed: string | null): boolean {
-  if (kind !== "toggleSwitch") return false;
-  return pressed === (state.value?.controls[id] === "0" ? `${id}-b1` : `${id}-b2`);
-}
-
 /** Why it cannot be triggered there at all. */
-function whyNoTrigger(control: Control | null, pressed: string | null): string | null {
+function whyNoTrigger(control: Control | null, part: string | null): string | null {
   const { menuReasons: reasons } = texts;
   if (control === null) return reasons.noControl;
   if (isLights(control)) return reasons.lights;
-  return isDown(control, pressed) ? reasons.isDown : null;
+  return part !== null && state.value?.pressed.includes(part) ? reasons.isDown : null;
 }
 
 /** What a hand may do with what was clicked, and why not. */
-function entriesAt({ object, part: piece, point }: Place): MenuEntry[] {
+function entriesAt({ object, part, button, point }: Place): MenuEntry[] {
   const { menu, menuReasons: reasons } = texts;
   const hand = currentHand.value;
   const held = heldObject.value;
-  const found = partAndAround(object, piece);
-  const around = found.length > 0 ? found : partAndAround(object, partOfPiece(piece));
+  const around = partAndAround(object, part);
   const ids = around.map(({ id }) => id);
-  const control = controlAt(object, piece, ids);
-  const pressed = [piece, ...ids].find((id) => id !== null && control?.parts.includes(id)) ?? null;
+  const control = controlAt(object, part, ids);
+  const triggered = [button, part, ...ids].find((id) => id !== null && control?.parts.includes(id)) ?? null;
   const pointed = around.find(({ pointable }) => pointable)?.id ?? object.id;
   const watching = isController.value ? null : reasons.watching;
   const idle = watching ?? (held === null ? null : reasons.handFull);
   const bonds =
     watching ?? (held !== null && held !== object.id ? reasons.onlyHeld : object.bonds ? null : reasons.noBonds);
   return [
-    entry(menu.trigger, whyNoTrigger(control, pressed) ?? idle, {
+    entry(menu.trigger, whyNoTrigger(control, triggered) ?? idle, {
       do: "trigger",
       hand,
       control: control?.id ?? "",
-      ...(pressed === null ? {} : { part: pressed }),
+      ...(triggered === null ? {} : { part: triggered }),
     }),
     entry(menu.point, idle, { do: "point", hand, part: pointed }),
     entry(menu.fasten, bonds, { do: "fasten", hand, object: object.id, point }),
@@ -94,7 +83,7 @@ export function ContextMenu() {
       label={texts.menu.title(object.id)}
       x={at.x}
       y={at.y}
-      entries={entriesAt({ object, part: at.part, point: at.point })}
+      entries={entriesAt({ object, part: at.part, button: at.button, point: at.point })}
       onClose={() => (contextMenu.value = null)}
     />
   );

@@ -85,8 +85,8 @@ export class Hands {
 
   menu({ x, y }: PointerAt, picked: Picked | null): void {
     if (!this.canAct || !picked?.object) return;
-    const { object, part, point } = picked;
-    contextMenu.value = { x, y, object, part, point: point.toArray() };
+    const { object, part, button, point } = picked;
+    contextMenu.value = { x, y, object, part, button, point: point.toArray() };
   }
 
   /** At a point, or its origin; then its plane faces the camera. */

@@ -14,6 +14,8 @@ export interface Picked {
   /** Id of the object; "" for table and robot. */
   object: string;
   part: string | null;
+  /** Of a switch, as commands name it. */
+  button: string | null;
   point: Vector3;
 }
 
@@ -70,7 +72,7 @@ export class Picker {
     }
     if (best === null) return null;
     const { hit, piece } = best;
-    return { object: piece.object, part: piece.visual.part ?? null, point: hit.point };
+    return { object: piece.object, part: piece.visual.part ?? null, button: piece.visual.button ?? null, point: hit.point };
   }
 }
 

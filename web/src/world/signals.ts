@@ -15,6 +15,7 @@ export const contextMenu = signal<{
   y: number;
   object: string;
   part: string | null;
+  button: string | null;
   point: Point;
 } | null>(null);
 /** Of the plane in which the current hand drags, from the x axis [degrees]. */

@@ -347,6 +347,11 @@ std::vector<RequestForm> WorldRequests() {
        "what drags and turns snap to from now on: by at most 0.15 units within the plane of the "
        "drag, and 5 degrees. Faces and edges count of objects that are turned alike; `angles` are "
        "right angles to the table and to the nearest object"},
+      {"support",
+       {{"object", TextShape(), true, "its id"}},
+       {{"on", TextShape(), kOptional}, {"into", TextShape(), kOptional}},
+       "id of what the object stands on (`on`) or lies in (`into`) now, empty for the table; "
+       "neither while it is in the air, on the floor or gone"},
       {"resting_place",
        {{"hand", HandNameShape()}},
        {{"hand", HandNameShape()},

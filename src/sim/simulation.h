@@ -106,6 +106,9 @@ class Simulation {
   /// True when nothing but what hands hold moves faster than 2 mm/s or 0.02 rad/s.
   bool is_still() const;
 
+  /// What an object stands on or lies in, or would if it were released, see model::SupportOf().
+  std::optional<model::Support> SupportOf(model::ObjectIndex object) const;
+
   /// The present moment, for the model's visual model.
   scene::VisualState visual_state() const;
 
@@ -159,7 +162,6 @@ class Simulation {
   void ReleaseFor(const Grasp& grasp);
   void Tell(const Event& event);
   /// Of an object that was let go of just now.
-  std::optional<model::Support> SupportOfReleased(const std::string& id) const;
   /// What a command did to the object it is about.
   void TellOfCommand(const Command& command, const std::string& held_before);
   /// Notice what changed since `before`. A bond that ended because an object was destroyed is no

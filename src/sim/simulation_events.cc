@@ -99,11 +99,9 @@ void Simulation::TellOfControls(const std::vector<model::ControlState>& before) 
   }
 }
 
-std::optional<model::Support> Simulation::SupportOfReleased(const std::string& id) const {
+std::optional<model::Support> Simulation::SupportOf(model::ObjectIndex index) const {
   std::vector<std::optional<RigidTransform>> X_WBs;
-  std::size_t index = 0;
   for (const world::Object& object : tabletop_.objects()) {
-    if (object.id() == id) index = X_WBs.size();
     X_WBs.push_back(tabletop_.IsPresent(object)
                         ? std::optional(physics_.body(object.body).pose_in_world())
                         : std::nullopt);
@@ -113,8 +111,9 @@ std::optional<model::Support> Simulation::SupportOfReleased(const std::string& i
 
 void Simulation::Tell(const Event& event) {
   if (event.kind != EventKind::kCommandRefused) history_.Add(event);
-  const bool lets_go = event.kind == EventKind::kReleased;
-  if (auto summary = SummaryOf(event, lets_go ? SupportOfReleased(event.object) : std::nullopt)) {
+  std::optional<model::Support> support;
+  if (event.kind == EventKind::kReleased) support = SupportOf(*model_->FindObject(event.object));
+  if (auto summary = SummaryOf(event, support)) {
     history_.Describe(*std::move(summary));
   }
   for (Listener* listener : listeners_) listener->OnEvent(*this, event);

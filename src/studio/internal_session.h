@@ -56,6 +56,7 @@ class Session::Impl {
   Json Check(const page::RequestFields& fields) const;
   Json Spawn(const page::RequestFields& fields);
   Json Clear(const page::RequestFields& fields);
+  Json FindSupport(const page::RequestFields& fields);
   Json FindRestingPlace(const page::RequestFields& fields);
   Json Show(const page::RequestFields& fields);
   Json Branch(const page::Request& request);

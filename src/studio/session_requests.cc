@@ -124,6 +124,9 @@ void Session::Impl::AddWorldRequests() {
     snapper_.to = SnapToOf(page::RequestFields(request).Words("to", page::kSnapNames));
     return Json::object();
   }};
+  entries["support"] = {[this](const page::Request& request) {
+    return FindSupport(page::RequestFields(request));
+  }};
   entries["resting_place"] = {[this](const page::Request& request) {
     return FindRestingPlace(page::RequestFields(request));
   }};
@@ -270,6 +273,17 @@ Json Session::Impl::Clear(const page::RequestFields& fields) {
     return !kept.contains(object.id());
   }));
   return Json::object();
+}
+
+Json Session::Impl::FindSupport(const page::RequestFields& fields) {
+  RequireLive();
+  const sim::Simulation& simulation = world_->simulation();
+  const std::string id = fields.Text("object");
+  const auto object = simulation.model().FindObject(id);
+  if (!object) throw page::RequestError("there is no object " + Quoted(id));
+  const auto support = simulation.SupportOf(*object);
+  if (!support || !support->is_near()) return Json::object();
+  return {{support->is_inside ? "into" : "on", support->object}};
 }
 
 Json Session::Impl::FindRestingPlace(const page::RequestFields& fields) {

@@ -345,6 +345,22 @@ TEST_F(SessionTest, ItIsToldWhereAHeldObjectWouldComeToRest) {
   EXPECT_TRUE(Do(R"({"do":"resting_place","hand":"right"})")["pose"].is_null());
 }
 
+TEST_F(SessionTest, ItIsToldWhatAnObjectStandsOn) {
+  Begin();
+  const std::string ask = R"({"do":"support","object":"a"})";
+  EXPECT_EQ(Do(ask)["on"], "");
+  Command(R"({"do":"grasp","hand":"left","object":"a","point":[0,-2,1]})");
+  Command(R"({"do":"move_to","hand":"left","position":[3,-2,4]})");
+  TickSeconds(1);
+  EXPECT_FALSE(Do(ask).contains("on")) << "it is in the air";
+  Command(R"({"do":"release","hand":"left"})");
+  EXPECT_FALSE(Do(ask).contains("on")) << "it falls";
+  TickSeconds(2);
+  EXPECT_EQ(Do(ask)["on"], "b");
+  EXPECT_FALSE(Do(ask).contains("into"));
+  EXPECT_EQ(Ask(R"({"do":"support","object":"c"})")["error"], "there is no object \"c\"");
+}
+
 TEST_F(SessionTest, ItIsToldWhichButtonsArePressed) {
   Begin();
   const std::string scene = R"xml(<tabletop xmlns="http://synapse.cs.umd.edu/tabletop-xml">

@@ -1,13 +1,10 @@
-import { eventListeners, poseListeners, scene, state } from "../studio";
+import { eventListeners, request, state } from "../studio";
 import { HANDS, type EventMessage, type Point } from "../protocol";
 
 /** What a step of the tour waits for: calls `onDone` at the deed itself, and returns how to stop watching. */
 export type Deed = (onDone: () => void) => () => void;
 
 const LIFT = 0.8; // [units]
-/** What stands on another is that much higher, and not farther aside [units]. */
-const ABOVE = 0.4;
-const ASIDE = 1;
 
 function heldNow(): { object: string; goal: Point; angles: Point } | null {
   for (const name of HANDS) {
@@ -24,23 +21,6 @@ function once(isDone: () => boolean): Deed {
       if (isDone()) onDone();
     });
 }
-
-function afterEvent(isIt: (event: EventMessage) => boolean): Deed {
-  return (onDone) => {
-    const listener = (event: EventMessage) => {
-      if (isIt(event)) onDone();
-    };
-    eventListeners.add(listener);
-    return () => eventListeners.delete(listener);
-  };
-}
-
-/** Where every frame is; the world has the same, but draws it. */
-const places = new Map<number, Point>();
-poseListeners.add(({ isKey, frames }) => {
-  if (isKey) places.clear();
-  for (const { frame, pose } of frames) places.set(frame, [pose[0], pose[1], pose[2]]);
-});
 
 export const grasped: Deed = once(() => heldNow() !== null);
 
@@ -63,24 +43,33 @@ export const turned: Deed = (onDone) => {
   })(onDone);
 };
 
-/** Something was let go of, and something rests on something else that no hand holds. */
+/** What was let go of last has come to rest on another object. */
 export const stacked: Deed = (onDone) => {
-  let isReleased = false;
-  const stops = [
-    afterEvent((event) => event.kind === "released")(() => (isReleased = true)),
-    once(() => isReleased && (state.value?.still ?? false) && isAnythingStacked())(onDone),
-  ];
-  return () => stops.forEach((stop) => stop());
+  let released: string | null = null;
+  let isAsking = false;
+  let isOver = false;
+  const ask = async (object: string) => {
+    isAsking = true;
+    const support = await request("support", { object }).catch(() => null);
+    isAsking = false;
+    if (isOver || released !== object || support === null) return;
+    if (support.on) onDone();
+    if (support.on !== undefined || support.into !== undefined) released = null;
+  };
+  const listener = (event: EventMessage) => {
+    if (event.kind === "released") released = event.object ?? null;
+  };
+  eventListeners.add(listener);
+  const unsubscribe = state.subscribe((now) => {
+    const isFree = released !== null && released !== heldNow()?.object;
+    if (isFree && now?.still && !isAsking) void ask(released!);
+  });
+  return () => {
+    isOver = true;
+    eventListeners.delete(listener);
+    unsubscribe();
+  };
 };
-
-function isAnythingStacked(): boolean {
-  const held = heldNow()?.object;
-  const free = (scene.value?.objects ?? []).filter((object) => object.id !== held);
-  const points = free.map((object) => places.get(object.frame)).filter((point) => point !== undefined);
-  return points.some((high) =>
-    points.some((low) => high[2] - low[2] > ABOVE && Math.hypot(high[0] - low[0], high[1] - low[1]) < ASIDE),
-  );
-}
 
 export const recording: Deed = once(() => (state.value?.recording ?? null) !== null);
 

@@ -13,6 +13,7 @@
 #include "sim/command.h"
 #include "sim/event.h"
 #include "sim/simulation_state.h"
+#include "sim/tick.h"
 #include "sim/trajectory_follower.h"
 #include "world/robot_body.h"
 #include "world/tabletop.h"
@@ -20,14 +21,6 @@
 namespace smile::sim {
 
 using demonstrator::Refusal;
-
-/// One tick = 1/60 s = 8 physics steps.
-inline constexpr int kTicksPerSecond = 60;
-inline constexpr int kStepsPerTick = 8;
-/// How long so many ticks are [s].
-inline double SecondsOf(std::uint64_t ticks) {
-  return static_cast<double>(ticks) / kTicksPerSecond;
-}
 
 using model::RobotPlacement;
 

@@ -9,7 +9,7 @@
 #include "base/wording.h"
 #include "motion/limit_check.h"
 #include "motion/trajectory_shape.h"
-#include "sim/simulation.h"
+#include "sim/tick.h"
 
 namespace smile::sim {
 namespace {

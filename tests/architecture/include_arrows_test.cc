@@ -165,9 +165,6 @@ using IncludeGraph = std::map<std::string, Units>;
 
 constexpr std::size_t kMaxFilesInAKnot = 3;
 
-/// Larger knots that are known, by one of their files; their sizes may only shrink.
-const std::map<std::string, std::size_t> kKnownKnots = {{"sim/simulation", 4}};
-
 /// Which units of a room include which; a header and its source are one unit, `room/name`.
 IncludeGraph GraphOf(const std::string& room) {
   IncludeGraph graph;
@@ -206,13 +203,6 @@ std::vector<Units> KnotsOf(const IncludeGraph& graph) {
   return {knots.begin(), knots.end()};
 }
 
-std::size_t AllowedSizeOf(const Units& knot) {
-  for (const auto& [unit, size] : kKnownKnots) {
-    if (knot.contains(unit)) return size;
-  }
-  return kMaxFilesInAKnot;
-}
-
 std::string ListOf(const Units& units) {
   std::string list;
   for (const std::string& unit : units) list += "\n  " + unit;
@@ -233,7 +223,7 @@ TEST(Architecture, NoKnotHasMoreThanThreeFiles) {
     const IncludeGraph graph = GraphOf(room);
     num_units += graph.size();
     for (const Units& knot : KnotsOf(graph)) {
-      EXPECT_LE(knot.size(), AllowedSizeOf(knot)) << room << " has a knot of" << ListOf(knot);
+      EXPECT_LE(knot.size(), kMaxFilesInAKnot) << room << " has a knot of" << ListOf(knot);
     }
   }
   EXPECT_GT(num_units, 200u);

@@ -138,9 +138,8 @@ void ClassicRecorder::Note(const sim::Event& event) {
       return Begin("trigger", event, event.control);
     case kFastened:
     case kLoosened: {
-      const auto index = [](int number) { return static_cast<std::size_t>(number); };
-      const model::Host& host = model_.host(model::HostIndex(index(event.host)));
-      const model::Guest& guest = model_.guest(model::GuestIndex(index(event.guest)));
+      const model::Host& host = model_.host(*event.host);
+      const model::Guest& guest = model_.guest(*event.guest);
       return Begin(event.kind == kFastened ? "fasten" : "loosen", event,
                    host.point->id + "," + model_.id(host.object) + "," + guest.point->id + "," +
                        event.object + "," + std::to_string(event.tightness));

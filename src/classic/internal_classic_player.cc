@@ -55,10 +55,9 @@ void ClassicPlayer::Follow(const ClassicDelete& gone) {
   const model::ObjectIndex object(objects_.at(gone.object));
   now_.moment.objects[object] = {.is_present = false};
   for (model::HostIndex host : model_.hosts()) {
-    const int guest = now_.moment.bonds[host].guest;
-    if (guest < 0) continue;
-    const model::GuestIndex held(static_cast<std::size_t>(guest));
-    const bool is_its = model_.host(host).object == object || model_.guest(held).object == object;
+    const auto guest = now_.moment.bonds[host].guest;
+    if (!guest) continue;
+    const bool is_its = model_.host(host).object == object || model_.guest(*guest).object == object;
     if (is_its) SetBond(host, {.is_locked = now_.moment.bonds[host].is_locked});
   }
 }
@@ -133,8 +132,8 @@ void ClassicPlayer::FollowBond(const ClassicAction& action, sim::Event* event) {
     Fail("found tightness " + std::to_string(action.tightness) + ", expected at most " +
          std::to_string(num_stages) + " of " + Quoted(action.host));
   }
-  event->host = static_cast<int>(*host);
-  event->guest = static_cast<int>(*guest);
+  event->host = *host;
+  event->guest = *guest;
   model::HostState bond{.is_locked = now_.moment.bonds[*host].is_locked};
   if (action.tightness > 0) {
     bond.guest = event->guest;

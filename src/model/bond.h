@@ -25,7 +25,7 @@ struct Host {
 
 /// What a host holds, and whether that can change.
 struct HostState {
-  int guest = -1;  ///< value of the GuestIndex; -1: none
+  std::optional<GuestIndex> guest{};  ///< nullopt: none
   int tightness = 0;
   bool is_locked = false;  ///< can be neither fastened nor loosened
 

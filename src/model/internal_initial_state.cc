@@ -27,7 +27,7 @@ class Fastener {
     Move(guest.object, *state_.X_WB[host.object] * GuestBodyInHostBody(host, guest, tightness));
     Tie(host.object, guest.object);
     HostState& held = state_.hosts[host_index];
-    held.guest = static_cast<int>(guest_index);
+    held.guest = guest_index;
     held.tightness = tightness;
     // What is downstream of a host follows its tightness.
     if (host.downstream) {

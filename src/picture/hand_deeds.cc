@@ -82,10 +82,9 @@ class DeedCollector {
         return AddTouch(moment, event, HandDeed::Kind::kTouch, PlaceOf(event, event.control));
       case kFastened:
       case kLoosened:
-        if (event.guest < 0 || held) return;
+        if (!event.guest || held) return;
         return AddTouch(moment, event, HandDeed::Kind::kTurn,
-                        model_.guest(model::GuestIndex(static_cast<std::size_t>(event.guest)))
-                            .X_BG.translation());
+                        model_.guest(*event.guest).X_BG.translation());
       default:
         return;
     }
@@ -145,8 +144,8 @@ class DeedCollector {
   /// The middle of what is to be seen of a part or control of an object, in its body.
   Vector3 PlaceOf(const sim::Event& event, std::string_view id) const {
     const auto object = model_.FindObject(event.object);
-    const std::set<std::string_view> meant = IdsWithin(model_.object(*object).whole, id);
     if (!object || id == event.object) return Vector3::Zero();
+    const std::set<std::string_view> meant = IdsWithin(model_.object(*object).whole, id);
     Vector3 sum = Vector3::Zero();
     int count = 0;
     for (const scene::Visual& visual : model_.visual_model().visuals) {

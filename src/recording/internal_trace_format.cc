@@ -16,7 +16,9 @@ void Put(const sim::Event& event, ByteWriter* out) {
        {&event.arm, &event.object, &event.reason, &event.part, &event.control, &event.state}) {
     out->PutString(*text);
   }
-  for (int number : {event.guest, event.host, event.tightness}) out->Put(number);
+  for (int number : {NumberOf(event.guest), NumberOf(event.host), event.tightness}) {
+    out->Put(number);
+  }
   out->Put(static_cast<std::uint32_t>(event.properties.size()));
   for (const std::string& property : event.properties) out->PutString(property);
 }
@@ -32,7 +34,9 @@ std::optional<sim::Event> GetEvent(ByteReader* in) {
        {&event.arm, &event.object, &event.reason, &event.part, &event.control, &event.state}) {
     *text = in->GetString();
   }
-  for (int* number : {&event.guest, &event.host, &event.tightness}) *number = in->Get<int>();
+  event.guest = IndexOf<model::GuestIndex>(in->Get<int>());
+  event.host = IndexOf<model::HostIndex>(in->Get<int>());
+  event.tightness = in->Get<int>();
   const auto num_properties = in->Get<std::uint32_t>();
   for (std::uint32_t i = 0; i < num_properties && i < kMaxProperties && in->ok(); ++i) {
     event.properties.push_back(in->GetString());

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "base/bytes.h"
+#include "model/indices.h"
 #include "sim/event.h"
 
 namespace smile::recording {
@@ -34,6 +35,17 @@ inline constexpr std::uint64_t kMovedObject = 4 + 1 + 7 * 8;
 inline constexpr std::uint64_t kControlRecord = 3 * 4;
 inline constexpr std::uint64_t kBondRecord = 2 * 4 + 1;
 inline constexpr std::uint64_t kMoodRecord = 1;
+
+/// An index as traces have it; -1: none.
+template <class I>
+int NumberOf(const std::optional<I>& index) {
+  return index ? static_cast<int>(*index) : -1;
+}
+/// The index of a number in a trace; nullopt of those below 0.
+template <class I>
+std::optional<I> IndexOf(int number) {
+  return number < 0 ? std::nullopt : std::optional(I(static_cast<std::size_t>(number)));
+}
 
 void Put(const sim::Event& event, ByteWriter* out);
 /// @returns nullopt if it is cut short, or of no kind or hand there is; what its texts and numbers

@@ -36,7 +36,7 @@ TraceLimits::TraceLimits(const scene::SceneSpec& scene) {
     for (const auto& host : scene::HostsOf(object.whole)) {
       max_tightness.push_back(static_cast<int>(host.point->stages.size()));
     }
-    num_guests += static_cast<int>(scene::GuestsOf(object.whole).size());
+    num_guests += scene::GuestsOf(object.whole).size();
   }
 }
 
@@ -46,8 +46,8 @@ bool TraceLimits::Allow(std::size_t control, const model::ControlState& state) c
 }
 
 bool TraceLimits::Allow(std::size_t host, const model::HostState& bond) const {
-  return bond.guest >= -1 && bond.guest < num_guests && bond.tightness >= 0 &&
-         bond.tightness <= max_tightness[host] && (bond.guest < 0) == (bond.tightness == 0);
+  return (!bond.guest || *bond.guest < num_guests) && bond.tightness >= 0 &&
+         bond.tightness <= max_tightness[host] && bond.guest.has_value() == (bond.tightness > 0);
 }
 
 TraceReader::TraceReader(const Recording& recording, Unopened)
@@ -278,7 +278,9 @@ void TraceReader::ReadTick() {
   if ((flags & kBondsChanged) != 0) {
     for (std::size_t i = 0; i < next.bonds.size(); ++i) {
       model::HostState& bond = next.bonds[i];
-      bond.guest = in.Get<int>();
+      const int guest = in.Get<int>();
+      is_sound = is_sound && guest >= -1;
+      bond.guest = IndexOf<model::GuestIndex>(guest);
       bond.tightness = in.Get<int>();
       bond.is_locked = in.Get<std::uint8_t>() != 0;
       is_sound = is_sound && limits_.Allow(i, bond);
@@ -298,8 +300,8 @@ void TraceReader::ReadTick() {
 
 bool TraceReader::IsSound(const sim::Event& event) const {
   using enum sim::EventKind;
-  const auto is_one_of = [](int index, std::size_t count) {
-    return index >= 0 && static_cast<std::size_t>(index) < count;
+  const auto is_one_of = [](const auto& index, std::size_t count) {
+    return index && *index < count;
   };
   // An imported release may not know of what.
   const bool may_be_nameless = event.kind == kReleased && event.object.empty();
@@ -309,7 +311,7 @@ bool TraceReader::IsSound(const sim::Event& event) const {
     case kFastened:
     case kLoosened:
       return (event.hand || event.kind == kLoosened) && is_one_of(event.host, now_.bonds.size()) &&
-             is_one_of(event.guest, static_cast<std::size_t>(limits_.num_guests));
+             is_one_of(event.guest, limits_.num_guests);
     case kGrasped:
     case kReleased:
     case kDestroyed:

@@ -15,7 +15,7 @@ namespace smile::recording {
 struct TraceLimits {
   std::vector<int> num_states;     ///< of each control
   std::vector<int> max_tightness;  ///< of each host point
-  int num_guests = 0;
+  std::size_t num_guests = 0;
 
   explicit TraceLimits(const scene::SceneSpec& scene);
   bool Allow(std::size_t control, const model::ControlState& state) const;

@@ -69,7 +69,7 @@ void TraceWriter::Add(const TraceTick& tick) {
   }
   if (bonds_changed) {
     for (const model::HostState& bond : tick.bonds) {
-      record.Put(bond.guest);
+      record.Put(NumberOf(bond.guest));
       record.Put(bond.tightness);
       record.Put(bond.is_locked);
     }

@@ -25,7 +25,7 @@ std::string Written(const model::ControlState& control) {
 }
 std::string Written(const model::HostState& bond) {
   return std::to_string(bond.tightness) + (bond.is_locked ? ", locked" : "") +
-         (bond.guest >= 0 ? ", of guest point " + std::to_string(bond.guest) : "");
+         (bond.guest ? ", of guest point " + std::to_string(*bond.guest) : "");
 }
 std::string Written(bool is_true) { return is_true ? "true" : "false"; }
 std::string WrittenHash(std::uint64_t hash) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "demonstrator/hand.h"
+#include "model/indices.h"
 
 namespace smile::sim {
 
@@ -38,10 +39,11 @@ struct Event {
   std::string object;                          ///< id of the object it happened to
   std::string reason;
 
-  std::string part;           ///< id of what was pointed at
-  std::string control;        ///< id of the control it happened to
-  std::string state;          ///< as recordings have it, see model::RecordedState()
-  int guest = -1, host = -1;  ///< of Bonds::guests() and Bonds::hosts(), where a bond's
+  std::string part;                        ///< id of what was pointed at
+  std::string control;                     ///< id of the control it happened to
+  std::string state;                       ///< as recordings have it, see model::RecordedState()
+  std::optional<model::GuestIndex> guest;  ///< where a bond's
+  std::optional<model::HostIndex> host;    ///< where a bond's
   int tightness = 0;
   std::vector<std::string> properties;  ///< that matter; none: nothing in particular
 

@@ -70,17 +70,16 @@ void Simulation::TellOfCommand(const Command& command, const std::string& held_b
 
 void Simulation::TellOfBonds(const std::vector<world::BondState>& before,
                              std::optional<HandName> hand) {
-  for (std::size_t i = 0; i < before.size(); ++i) {
-    const world::BondState& was = before[i];
-    const world::BondState& is = tabletop_.bonds().states()[i];
+  for (model::HostIndex host : IndexRange<model::HostIndex>(before.size())) {
+    const world::BondState& was = before[host];
+    const world::BondState& is = tabletop_.bonds().states()[host];
     if (was.tightness == is.tightness) continue;
-    const int guest = is.guest >= 0 ? is.guest : was.guest;
-    const model::GuestIndex moved(static_cast<std::size_t>(guest));
+    const model::GuestIndex guest = is.guest ? *is.guest : *was.guest;
     Tell({.kind = is.tightness > was.tightness ? EventKind::kFastened : EventKind::kLoosened,
           .hand = hand,
-          .object = model_->id(model_->guest(moved).object),
+          .object = model_->id(model_->guest(guest).object),
           .guest = guest,
-          .host = static_cast<int>(i),
+          .host = host,
           .tightness = is.tightness});
   }
 }

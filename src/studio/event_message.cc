@@ -14,11 +14,9 @@ Json EventMessage(const sim::Event& event, const sim::Simulation& simulation) {
   add("part", event.part);
   add("control", event.control);
   add("state", event.state);
-  if (event.guest >= 0 && event.host >= 0) {
-    const model::GuestIndex guest(static_cast<std::size_t>(event.guest));
-    const model::HostIndex host(static_cast<std::size_t>(event.host));
-    message["guest"] = simulation.model().guest(guest).point->id;
-    message["host"] = simulation.model().host(host).point->id;
+  if (event.guest && event.host) {
+    message["guest"] = simulation.model().guest(*event.guest).point->id;
+    message["host"] = simulation.model().host(*event.host).point->id;
     message["tightness"] = event.tightness;
   }
   if (event.kind == sim::EventKind::kAttended) message["properties"] = event.properties;

@@ -53,9 +53,8 @@ void BeginBonds(const sim::Simulation& simulation, scene::SceneSpec* scene) {
   const std::vector<world::BondState>& bonds = simulation.tabletop().bonds().states();
   std::map<std::string, model::HostIndex> host_of_guest;
   for (model::HostIndex host : model.hosts()) {
-    if (bonds[host].guest < 0) continue;
-    const model::GuestIndex guest(static_cast<std::size_t>(bonds[host].guest));
-    host_of_guest.insert_or_assign(model.guest(guest).point->id, host);
+    if (!bonds[host].guest) continue;
+    host_of_guest.insert_or_assign(model.guest(*bonds[host].guest).point->id, host);
   }
   for (scene::ObjectSpec& object : scene->objects) {
     VisitParts(object.whole, [&](scene::Part& part) {

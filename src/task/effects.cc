@@ -218,8 +218,8 @@ std::vector<BondEffect> BondsAt(const scene::SceneSpec& scene, const recording::
   std::vector<BondEffect> bonds;
   for (std::size_t i = 0; i < hosts.size(); ++i) {
     const model::HostState& bond = moment.bonds[i];
-    if (bond.guest < 0) continue;
-    const PointPlace& guest = guests[static_cast<std::size_t>(bond.guest)];
+    if (!bond.guest) continue;
+    const PointPlace& guest = guests[*bond.guest];
     bonds.push_back({.guest_object = guest.object,
                      .host_object = hosts[i].object,
                      .guest_number = guest.number,

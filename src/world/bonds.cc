@@ -34,7 +34,7 @@ void Bonds::FastenInitially() {
 
 std::optional<HostIndex> Bonds::HostOf(GuestIndex guest) const {
   for (HostIndex host : model_.hosts()) {
-    if (states_[host].guest == static_cast<int>(guest)) return host;
+    if (states_[host].guest == guest) return host;
   }
   return std::nullopt;
 }
@@ -57,9 +57,9 @@ std::vector<bool> Bonds::ConnectedWith(ObjectIndex object) const {
   // Bonds between static objects have no joint, other joints have no bond.
   std::multimap<std::size_t, std::size_t> neighbours;
   for (HostIndex host : model_.hosts()) {
-    if (states_[host].guest < 0) continue;
-    const GuestIndex guest(static_cast<std::size_t>(states_[host].guest));
-    const std::size_t a = model_.host(host).object, b = model_.guest(guest).object;
+    if (!states_[host].guest) continue;
+    const std::size_t a = model_.host(host).object;
+    const std::size_t b = model_.guest(*states_[host].guest).object;
     neighbours.insert({{a, b}, {b, a}});
   }
   std::vector<bool> is_connected(objects_->size());
@@ -92,8 +92,8 @@ std::optional<HostIndex> Bonds::HostInReach(GuestIndex guest, double reach,
   bool is_any_locked = false;
   for (HostIndex host : model_.hosts()) {
     const model::Host& hole = model_.host(host);
-    if (hole.point->type != plug.point->type || states_[host].guest >= 0 ||
-        is_connected[hole.object] || !IsInPlay(hole.object)) {
+    if (hole.point->type != plug.point->type || states_[host].guest || is_connected[hole.object] ||
+        !IsInPlay(hole.object)) {
       continue;
     }
     const double distance = (point_in_world(hole.object, hole.X_BH) - p_WG).norm();
@@ -199,7 +199,7 @@ void Bonds::Join(GuestIndex guest, HostIndex host, int tightness) {
   const physics::BodyId holder = BodyOf(host), body = BodyOf(guest);
   BondState& state = states_[host];
   state.tightness = tightness;
-  state.guest = tightness > 0 ? static_cast<int>(guest) : -1;
+  state.guest = tightness > 0 ? std::optional(guest) : std::nullopt;
   if (tightness > 0 && !(world_->body(holder).is_static() && world_->body(body).is_static())) {
     state.joint = world_->AddJoint(physics::FixedJointSpec{
         .a = holder,
@@ -227,9 +227,8 @@ void Bonds::TellDownstream(HostIndex index) {
 void Bonds::EndBondsOf(ObjectIndex object) {
   for (HostIndex host : model_.hosts()) {
     BondState& state = states_[host];
-    if (state.guest < 0) continue;
-    const GuestIndex guest(static_cast<std::size_t>(state.guest));
-    if (model_.host(host).object != object && model_.guest(guest).object != object) continue;
+    if (!state.guest) continue;
+    if (model_.host(host).object != object && model_.guest(*state.guest).object != object) continue;
     if (state.joint) world_->RemoveJoint(state.joint);
     state = BondState{{.is_locked = state.is_locked}};
     TellDownstream(host);

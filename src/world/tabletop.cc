@@ -179,7 +179,7 @@ void Tabletop::AddToHash(StateHash* hash) const {
     hash->Add(static_cast<std::uint64_t>(control.position));
   }
   for (const BondState& bond : bonds_.states()) {
-    hash->Add(static_cast<std::uint64_t>(bond.guest));
+    hash->Add(bond.guest ? std::uint64_t{*bond.guest} : ~std::uint64_t{0});
     hash->Add(static_cast<std::uint64_t>(bond.tightness));
     hash->Add(std::uint64_t{bond.is_locked});
     hash->Add(std::uint64_t{bond.joint.value});

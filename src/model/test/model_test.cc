@@ -154,7 +154,7 @@ TEST(Model, BeginsWithWhatIsFastenedFromTheStart) {
   EXPECT_EQ(loose.initial_state().X_WB[screw]->translation(), Vector3(0, 0, 0.05));
   const SceneState& start = fastened.initial_state();
   EXPECT_EQ(start.controls[lamp].state, 1) << "its hole sets it";
-  EXPECT_EQ(start.hosts[hole].guest, 0);
+  EXPECT_EQ(start.hosts[hole].guest, loose.FindGuest("tip"));
   EXPECT_EQ(start.hosts[hole].tightness, 1);
   EXPECT_TRUE(start.hosts[spare].is_locked);
   EXPECT_LT((start.X_WB[screw]->translation() - Vector3(0.5, 0, 0.2)).norm(), 1e-12);

@@ -90,7 +90,7 @@ TEST_F(ChangesTest, TheTraceOfADestroyedObjectEndsWithTheCommand) {
     ++ticks;
     const bool is_before = moment->tick <= destroyed;
     ASSERT_EQ(moment->objects[2].is_present, is_before) << moment->tick;
-    ASSERT_EQ(moment->bonds[0].guest, is_before ? 0 : -1) << moment->tick;
+    ASSERT_EQ(moment->bonds[0].guest.has_value(), is_before) << moment->tick;
     ASSERT_EQ(moment->controls[2].override_state, is_before ? 1 : -1) << moment->tick;
     ASSERT_TRUE(moment->objects[3].is_present);
     ASSERT_EQ(moment->objects[3].position, Vector3(0.4, 0, 0.05)) << "that after it stays";

@@ -175,7 +175,7 @@ TEST_F(MechanismsRecordingTest, TheTraceShowsControlsBondsAndWhatIsGone) {
   EXPECT_EQ(last.controls.at(0).state, 1);
   EXPECT_EQ(first.bonds.at(0).tightness, 1);
   EXPECT_EQ(max_tightness, 2);
-  EXPECT_EQ(last.bonds.at(0).guest, -1);
+  EXPECT_EQ(last.bonds.at(0).guest, std::nullopt);
   std::vector<std::string> gone;
   for (std::size_t i = 0; i < last.objects.size(); ++i) {
     if (!last.objects[i].is_present) gone.push_back(trace.object_names()[i]);

@@ -87,7 +87,8 @@ JsonShape SceneObjectShape() {
 
 JsonShape RobotDescriptionShape() {
   const JsonShape joint = ObjectShape({{"name", TextShape()},
-                                       {"arm", TextShape()},
+                                       {"arm", TextShape(), true, "empty: of none"},
+                                       {"is_head", FlagShape(), true, "it turns the head"},
                                        {"lower", NumberShape()},
                                        {"upper", NumberShape()},
                                        {"speed", NumberShape()},

@@ -157,6 +157,7 @@ Json DescribeRobot(const model::Model& model) {
     const scene::LinkSpec& link = robot.links[static_cast<std::size_t>(i)];
     joints.push_back({{"name", link.joint_name},
                       {"arm", ArmOf(robot, i)},
+                      {"is_head", robot.head && robot.head->joint == i},
                       {"lower", link.lower},
                       {"upper", link.upper},
                       {"speed", link.max_velocity},

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { Browser, replay } from "./workbench.mjs";
+import { Browser, replay, sceneFile } from "./workbench.mjs";
 
 const browser = new Browser();
 before(() => browser.start());
@@ -62,4 +62,35 @@ test("the tour leads from nothing to a demonstration that a robot can use", asyn
   await page.reload();
   await page.waitForFunction(() => window.smileStudio?.stats().isShown);
   assert.equal(await page.locator(".tour").count(), 0, "who knows it is left in peace");
+});
+
+test("the tour takes no stack that was there before for the person's own", async (t) => {
+  const scene = sceneFile(
+    t,
+    "stacked",
+    `<tabletop xmlns="http://synapse.cs.umd.edu/tabletop-xml">
+  <block id="Lower" location="(4,1,0.5)" color="green"/>
+  <block id="Upper" location="(4,1,1.5)" color="blue"/>
+  <block id="Free" location="(-1,-2,0.5)" color="red"/>
+</tabletop>
+`,
+  );
+  const { page, witness, person } = await browser.workplace(t, { studio: [scene], likes: { "tour-known": false } });
+  const says = (title) => page.locator(".tour h2", { hasText: title }).waitFor();
+  await says("Show a robot what to do");
+  await person.press("Start");
+  for (const title of ["Look around", "Record", "Take a block", "Lift it", "Turn it"]) {
+    await says(title);
+    await person.press("Skip this step");
+  }
+  await says("Put it on another");
+  await person.grasp("Free");
+  await person.release();
+  await witness.until(() => witness.state.still && !witness.isHeld("Free"), "it rests on the table");
+  await page.waitForTimeout(1500);
+  await says("Put it on another");
+  await person.grasp("Free");
+  await person.carryOnto("Free", [4, 1, 2.55]);
+  await person.release();
+  await says("Take it back");
 });

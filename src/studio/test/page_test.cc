@@ -81,6 +81,21 @@ TEST(SceneMessage, TellsWhatGlowsAsFilmsShowIt) {
   EXPECT_GT(num_of_face, 0);
 }
 
+TEST(SceneMessage, TellsWhichJointTurnsTheHead) {
+  robot::RobotModel robot = robot::ReadRobot(DataFile("robots/baxter.urdf"));
+  robot.links[1].joint_name = "head_of_nothing";
+  const std::string pan = robot.links[static_cast<std::size_t>(robot.head->joint)].joint_name;
+  const model::Model model({}, model::RobotPlacement{.model = std::move(robot)});
+  const Json message =
+      SceneMessage(1, model, PageMeshes(model.visual_model()),
+                   recording::VisualStateAt(recording::StartOf(model), model).looks);
+  std::string heads;
+  for (const Json& joint : message["robot"]["joints"]) {
+    if (joint["is_head"] == true) heads += joint["name"].get<std::string>();
+  }
+  EXPECT_EQ(heads, pan);
+}
+
 TEST(PoseStream, TellsWhatMovedAndNowAndThenAll) {
   scene::VisualModel model{.num_frames = 3};
   library::View view{.model = &model, .scene = 1};

@@ -40,7 +40,7 @@ function turn(joint: Joint, share: number): void {
 
 /** The head's joints are of no arm. */
 function groupOf(joint: Joint): string {
-  return joint.arm || (joint.name.startsWith("head") ? "head" : "others");
+  return joint.arm || (joint.is_head ? "head" : "others");
 }
 
 function shortName(joint: Joint): string {

@@ -124,9 +124,8 @@ void Session::Impl::AddWorldRequests() {
     snapper_.to = SnapToOf(page::RequestFields(request).Words("to", page::kSnapNames));
     return Json::object();
   }};
-  entries["support"] = {[this](const page::Request& request) {
-    return FindSupport(page::RequestFields(request));
-  }};
+  entries["support"] = {
+      [this](const page::Request& request) { return FindSupport(page::RequestFields(request)); }};
   entries["resting_place"] = {[this](const page::Request& request) {
     return FindRestingPlace(page::RequestFields(request));
   }};
@@ -287,12 +286,13 @@ Json Session::Impl::FindSupport(const page::RequestFields& fields) {
 }
 
 Json Session::Impl::FindRestingPlace(const page::RequestFields& fields) {
-  // It costs as much as two seconds of the world.
-  constexpr std::uint64_t kCallsBetween = 20;
+  // So long as this, and a sixth of what the last one took, none is found anew.
+  constexpr std::uint64_t kMinCallsBetween = 20;
+  const std::uint64_t calls_between = std::max(kMinCallsBetween, resting_place_.ticks_tried() / 6);
   const sim::HandName hand = HandOf(fields);
   RequireLive();
   const sim::Simulation& simulation = world_->simulation();
-  const bool is_fresh = num_calls_ < resting_call_ + kCallsBetween;
+  const bool is_fresh = num_calls_ < resting_call_ + calls_between;
   if (is_fresh && resting_answer_["hand"] == ToString(hand)) {
     if (simulation.tick() != resting_tick_) resting_answer_["stale"] = true;
     return resting_answer_;

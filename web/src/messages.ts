@@ -58,7 +58,7 @@ export interface SceneObject {
 
 export interface RobotDescription {
   name: string;
-  joints: { name: string; arm: string; lower: number; upper: number; speed: number; is_length: boolean }[];
+  joints: { name: string; arm: string; is_head: boolean; lower: number; upper: number; speed: number; is_length: boolean }[];
   grippers: { arm: string; stroke: number }[];
   poses: string[];
   cameras: string[];
@@ -167,7 +167,10 @@ export interface StateMessage {
   playback: { recording: string; seconds: number; length: number; rate: number } | null;
   /** the last recording ended by itself */
   failure: { recording: string; title: string; error: string; kept: boolean } | null;
+  /** states as recordings have them; of a switch its position */
   controls: Record<string, string>;
+  /** buttons of switches that are down */
+  pressed: string[];
   gone: string[];
   /** on the floor, out of play */
   fallen: string[];
@@ -266,6 +269,7 @@ export interface Requests {
   resume: { fields: object; answer: object };
   speed: { fields: { factor: number }; answer: object };
   snap: { fields: { to: SnapName[] }; answer: object };
+  support: { fields: { object: string }; answer: { on?: string; into?: string } };
   resting_place: { fields: { hand: HandName }; answer: { hand: HandName; pose: Pose | null; stale?: boolean } };
   load: { fields: { scene?: string; xml?: string; name?: string }; answer: object };
   reload: { fields: object; answer: object };

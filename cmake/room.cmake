@@ -71,6 +71,14 @@ function(smile_unknown_to_fuzzers TARGET)
   endif()
 endfunction()
 
+# For what Python or Octave load: they do not run under a sanitizer.
+function(smile_not_sanitized TARGET)
+  if(SMILE_SANITIZE)
+    target_compile_options(${TARGET} PRIVATE -fno-sanitize=all)
+    target_link_options(${TARGET} PRIVATE -fno-sanitize=all)
+  endif()
+endfunction()
+
 function(smile_warnings TARGET)
   # Every field of our structs has a default, so naming only some of them is what we want.
   target_compile_options(${TARGET} PRIVATE -Wall -Wextra -Wshadow -Wnon-virtual-dtor

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "agent/internal_connection.h"
+#include "agent/simulator_connection.h"
 
 namespace smile::agent {
 namespace {
@@ -29,14 +29,6 @@ std::string InOneLine(const std::vector<std::string>& names) {
   return line;
 }
 
-std::vector<std::byte> HelloFrame() {
-  MessageWriter writer(MessageType::kHello, 0);
-  writer.AddScalar("version", wire::kProtocolVersion);
-  writer.AddText("client", "c++");
-  writer.AddLogical("rows", true);
-  return writer.Finish();
-}
-
 std::vector<std::byte> ErrorFrame(std::uint32_t sequence, std::string_view message) {
   MessageWriter writer(MessageType::kError, sequence);
   writer.AddText("message", message);
@@ -46,14 +38,14 @@ std::vector<std::byte> ErrorFrame(std::uint32_t sequence, std::string_view messa
 /// One program in conversation with one simulator.
 class Conversation {
  public:
-  Conversation(Program* program, Connection* connection)
+  Conversation(Program* program, SimulatorConnection* connection)
       : program_(program), connection_(connection) {}
 
   void Go() {
-    connection_->Send(HelloFrame());
-    while (auto message = connection_->Receive()) {
+    connection_->Greet({.client = "c++", .language = {}, .takes_rows = true});
+    while (const auto message = connection_->Receive()) {
       if (message->type == MessageType::kBye) return;
-      connection_->Send(AnswerTo(std::move(*message)));
+      connection_->Send(AnswerTo(Copied(*message)));
     }
   }
 
@@ -106,7 +98,7 @@ class Conversation {
   }
 
   Program* program_;
-  Connection* connection_;
+  SimulatorConnection* connection_;
   Aux aux_;
   Motor motor_;
   Eigen::MatrixX3d sent_markers_ = Eigen::MatrixX3d(0, 3);
@@ -124,7 +116,7 @@ int Run(Program& program) {
           "a robot program is started by the simulator: smile run SCENE "
           "--brain PROGRAM");
     }
-    Connection connection(address);
+    SimulatorConnection connection(address);
     Conversation(&program, &connection).Go();
     return 0;
   } catch (const std::exception& error) {

@@ -55,10 +55,10 @@ Image Fields::Picture(std::string_view name) const {
   if (array.type != wire::ElementType::kByte || array.dims.size() != 3 || array.dims[2] != 3) {
     Reject(array, "HxWx3 bytes");
   }
-  const std::size_t height = array.dims[0], width = array.dims[1], plane = height * width;
+  const std::size_t height = array.dims[0], width = array.dims[1];
   Image image{.width_px = static_cast<int>(width),
               .height_px = static_cast<int>(height),
-              .color = std::vector<std::uint8_t>(3 * plane),
+              .color = std::vector<std::uint8_t>(array.data.size()),
               .depth = {},
               .ids = {}};
   if (array.is_row_major) {
@@ -66,14 +66,7 @@ Image Fields::Picture(std::string_view name) const {
                       std::as_writable_bytes(std::span(image.color)).begin());
     return image;
   }
-  // From Matlab's columns of one color after the other.
-  for (std::size_t row = 0; row < height; ++row) {
-    for (std::size_t column = 0; column < width; ++column) {
-      const std::byte* red = array.data.data() + column * height + row;
-      std::uint8_t* pixel = image.color.data() + 3 * (row * width + column);
-      for (std::size_t k = 0; k < 3; ++k) pixel[k] = std::to_integer<std::uint8_t>(red[k * plane]);
-    }
-  }
+  wire::CopyToRowMajor(array.dims, 1, array.data, std::as_writable_bytes(std::span(image.color)));
   return image;
 }
 

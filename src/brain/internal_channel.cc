@@ -108,7 +108,7 @@ std::variant<wire::Message, ChannelFault> Channel::Receive(const process::WaitLi
   const auto watchful_until = process::WaitLimit::Clock::now() + kWatchfulTime;
   while (true) {
     if (auto received = inbox_.TakeMessage()) {
-      if (auto* message = std::get_if<wire::Message>(&*received)) return std::move(*message);
+      if (const auto* message = std::get_if<wire::MessageView>(&*received)) return Copied(*message);
       return ChannelFault{ChannelFault::Kind::kNonsense,
                           std::get<wire::WireError>(*received).message};
     }

@@ -6,27 +6,56 @@
 namespace smile::wire {
 namespace {
 
-constexpr std::size_t kUsualBytes = 64 << 10;  ///< all but pictures
+constexpr std::size_t kSmallBytes = 64 << 10;  ///< all but pictures
 
 }  // namespace
 
-std::optional<std::variant<Message, WireError>> Inbox::TakeMessage() {
-  std::size_t needed = kHeaderBytes;
-  FrameHeader header;
-  if (filled_ >= kHeaderBytes) {
+std::span<std::byte> Inbox::Room() {
+  RemoveTaken();
+  return (large_ ? large_body_ : std::span(bytes_)).subspan(filled_);
+}
+
+std::optional<std::variant<MessageView, WireError>> Inbox::TakeMessage() {
+  RemoveTaken();
+  if (bytes_.empty()) bytes_.resize(kSmallBytes);
+  if (!large_) {
+    if (filled_ < kHeaderBytes) return std::nullopt;
     const auto decoded = DecodeHeader(std::span(bytes_).first<kHeaderBytes>());
     if (const auto* error = std::get_if<WireError>(&decoded)) return *error;
-    header = std::get<FrameHeader>(decoded);
-    needed += header.body_bytes;
+    const FrameHeader header = std::get<FrameHeader>(decoded);
+    const std::size_t size = kHeaderBytes + header.body_bytes;
+    if (size <= bytes_.size()) {
+      if (filled_ < size) return std::nullopt;
+      taken_ = size;
+      return DecodeBody(header, std::span(bytes_).subspan(kHeaderBytes, header.body_bytes));
+    }
+    BeginLargeBody(header);
   }
-  if (filled_ < needed) {
-    if (bytes_.size() < needed) bytes_.resize(std::max(needed, kUsualBytes));
-    return std::nullopt;
+  if (filled_ < large_body_.size()) return std::nullopt;
+  const FrameHeader header = *large_;
+  large_.reset();
+  filled_ = 0;
+  return DecodeBody(header, large_body_);
+}
+
+void Inbox::RemoveTaken() {
+  if (taken_ == 0) return;
+  std::memmove(bytes_.data(), bytes_.data() + taken_, filled_ - taken_);
+  filled_ -= taken_;
+  taken_ = 0;
+}
+
+/// What has come so far belongs to this message: it has more than there is room for.
+void Inbox::BeginLargeBody(const FrameHeader& header) {
+  if (make_room_) {
+    large_body_ = make_room_(header.body_bytes);
+  } else {
+    own_room_.resize(std::max<std::size_t>(own_room_.size(), header.body_bytes));
+    large_body_ = std::span(own_room_).first(header.body_bytes);
   }
-  auto message = DecodeBody(header, std::span(bytes_).subspan(kHeaderBytes, header.body_bytes));
-  std::memmove(bytes_.data(), bytes_.data() + needed, filled_ - needed);
-  filled_ -= needed;
-  return message;
+  filled_ -= kHeaderBytes;
+  std::memcpy(large_body_.data(), bytes_.data() + kHeaderBytes, filled_);
+  large_ = header;
 }
 
 }  // namespace smile::wire

@@ -13,8 +13,6 @@ constexpr std::size_t kAlignment = 8;
 constexpr std::uint8_t kFractionFlag = 1;
 constexpr std::uint8_t kRowMajorFlag = 2;
 
-std::size_t ElementBytes(ElementType type) { return type == ElementType::kDouble ? 8 : 1; }
-
 std::size_t Padding(std::size_t size) { return (kAlignment - size % kAlignment) % kAlignment; }
 
 /// Bytes the elements take; nullopt when more than a body may hold.
@@ -60,33 +58,55 @@ void SkipPadding(ByteReader& reader, std::size_t body_bytes) {
   reader.GetBytes(Padding(body_bytes - reader.remaining()));
 }
 
-std::variant<NamedArray, WireError> DecodeArray(ByteReader& reader, std::size_t body_bytes) {
-  NamedArray array;
+std::variant<ArrayView, WireError> DecodeArray(ByteReader& reader, std::size_t body_bytes) {
+  ArrayView array;
   const auto name_letters = reader.Get<std::uint8_t>();
   array.type = reader.Get<ElementType>();
   const auto dim_count = reader.Get<std::uint8_t>();
   const auto flags = reader.Get<std::uint8_t>();
-  array.dims.resize(std::min<std::size_t>(dim_count, reader.remaining() / sizeof(std::uint32_t)));
-  for (std::uint32_t& dim : array.dims) dim = reader.Get<std::uint32_t>();
-  if (array.dims.size() < dim_count) return WireError{"the body ends inside an array's head"};
+  std::array<std::uint32_t, 255> room;  // as many as a head can have
+  const std::span<std::uint32_t> dims = std::span(room).first(dim_count);
+  for (std::uint32_t& dim : dims) dim = reader.Get<std::uint32_t>();
   const std::span<const std::byte> letters = reader.GetBytes(name_letters);
-  array.name.assign(reinterpret_cast<const char*>(letters.data()), letters.size());
+  array.name = {reinterpret_cast<const char*>(letters.data()), letters.size()};
   SkipPadding(reader, body_bytes);
   if (!reader.ok()) return WireError{"the body ends inside an array's head"};
 
-  const std::string unfit = WhyUnfit(array.name, array.type, flags, array.dims);
+  const std::string unfit = WhyUnfit(array.name, array.type, flags, dims);
   if (!unfit.empty()) return WireError{unfit};
   array.is_fraction = (flags & kFractionFlag) != 0;
   array.is_row_major = (flags & kRowMajorFlag) != 0;
+  std::ranges::copy(dims, array.all_dims.begin());
+  array.dim_count = dim_count;
 
-  const std::span<const std::byte> data = reader.GetBytes(*DataBytes(array.type, array.dims));
+  array.data = reader.GetBytes(*DataBytes(array.type, dims));
   SkipPadding(reader, body_bytes);
-  if (!reader.ok()) return WireError{"the body ends inside array '" + array.name + "'"};
-  array.data.assign(data.begin(), data.end());
+  if (!reader.ok())
+    return WireError{"the body ends inside array '" + std::string(array.name) + "'"};
   return array;
 }
 
 }  // namespace
+
+std::size_t ElementBytes(ElementType type) { return type == ElementType::kDouble ? 8 : 1; }
+
+void CopyToRowMajor(std::span<const std::uint32_t> dims, std::size_t element_bytes,
+                    std::span<const std::byte> from, std::span<std::byte> to) {
+  std::array<std::size_t, kMaxDimensions> index = {};
+  std::size_t at = 0;
+  for (std::size_t k = 0; k < to.size(); k += element_bytes) {
+    std::memcpy(&to[k], &from[at], element_bytes);
+    // One step on in the last dimension; at its end back to 0 there, and a step in the one before.
+    std::size_t stride = from.size();
+    for (std::size_t d = dims.size(); d-- > 0;) {
+      stride /= dims[d];
+      at += stride;
+      if (++index[d] < dims[d]) break;
+      at -= stride * dims[d];
+      index[d] = 0;
+    }
+  }
+}
 
 std::string ShapeText(std::span<const std::uint32_t> dims) {
   std::string text;
@@ -110,6 +130,20 @@ std::optional<std::vector<double>> NamedArray::Numbers() const {
 std::optional<std::string> NamedArray::Text() const {
   if (type != ElementType::kText) return std::nullopt;
   return std::string(reinterpret_cast<const char*>(data.data()), data.size());
+}
+
+Message Copied(const MessageView& view) {
+  Message message{.type = view.type, .sequence = view.sequence, .arrays = {}};
+  message.arrays.reserve(view.arrays.size());
+  for (const ArrayView& array : view.arrays) {
+    message.arrays.push_back({.name = std::string(array.name),
+                              .type = array.type,
+                              .is_fraction = array.is_fraction,
+                              .is_row_major = array.is_row_major,
+                              .dims = {array.dims().begin(), array.dims().end()},
+                              .data = {array.data.begin(), array.data.end()}});
+  }
+  return message;
 }
 
 std::string Message::TextOf(std::string_view name) const {
@@ -240,8 +274,8 @@ std::variant<FrameHeader, WireError> DecodeHeader(std::span<const std::byte, kHe
   return header;
 }
 
-std::variant<Message, WireError> DecodeBody(const FrameHeader& header,
-                                            std::span<const std::byte> body) {
+std::variant<MessageView, WireError> DecodeBody(const FrameHeader& header,
+                                                std::span<const std::byte> body) {
   if (body.size() != header.body_bytes) return WireError{"the body is not as long as announced"};
   ByteReader reader(body);
   const auto count = reader.Get<std::uint32_t>();
@@ -249,14 +283,16 @@ std::variant<Message, WireError> DecodeBody(const FrameHeader& header,
   if (!reader.ok()) return WireError{"the body ends before its first array"};
   if (count > kMaxArrays) return WireError{std::to_string(count) + " arrays in one message"};
 
-  Message message{.type = header.type, .sequence = header.sequence, .arrays = {}};
+  MessageView message{.type = header.type, .sequence = header.sequence, .arrays = {}};
   message.arrays.reserve(count);
   for (std::uint32_t k = 0; k < count; ++k) {
     auto decoded = DecodeArray(reader, body.size());
     if (auto* error = std::get_if<WireError>(&decoded)) return std::move(*error);
-    auto& array = std::get<NamedArray>(decoded);
-    if (message.Find(array.name)) return WireError{"array '" + array.name + "' is there twice"};
-    message.arrays.push_back(std::move(array));
+    const auto& array = std::get<ArrayView>(decoded);
+    const bool is_double = std::any_of(message.arrays.begin(), message.arrays.end(),
+                                       [&](const ArrayView& it) { return it.name == array.name; });
+    if (is_double) return WireError{"array '" + std::string(array.name) + "' is there twice"};
+    message.arrays.push_back(array);
   }
   if (reader.remaining() > 0) return WireError{"bytes are left over after the last array"};
   return message;
@@ -266,7 +302,9 @@ std::variant<Message, WireError> DecodeFrame(std::span<const std::byte> frame) {
   if (frame.size() < kHeaderBytes) return WireError{"the frame ends inside its header"};
   const auto header = DecodeHeader(frame.first<kHeaderBytes>());
   if (const auto* error = std::get_if<WireError>(&header)) return *error;
-  return DecodeBody(std::get<FrameHeader>(header), frame.subspan(kHeaderBytes));
+  auto body = DecodeBody(std::get<FrameHeader>(header), frame.subspan(kHeaderBytes));
+  if (auto* error = std::get_if<WireError>(&body)) return std::move(*error);
+  return Copied(std::get<MessageView>(body));
 }
 
 }  // namespace smile::wire

@@ -39,6 +39,12 @@ enum class ElementType : std::uint8_t { kDouble = 0, kByte = 1, kLogical = 2, kT
 /// `2x7`.
 std::string ShapeText(std::span<const std::uint32_t> dims);
 
+std::size_t ElementBytes(ElementType type);
+
+/// Copies elements from column-major to row-major order; `to` has the size of `from`.
+void CopyToRowMajor(std::span<const std::uint32_t> dims, std::size_t element_bytes,
+                    std::span<const std::byte> from, std::span<std::byte> to);
+
 /// One array with a name.
 struct NamedArray {
   std::string name;  ///< a letter or _, then letters, digits, _; at most kMaxNameLetters
@@ -57,6 +63,26 @@ struct NamedArray {
   bool operator==(const NamedArray&) const = default;
 };
 
+/// One array of a message that lies in bytes which somebody else keeps.
+struct ArrayView {
+  std::string_view name;
+  ElementType type = ElementType::kDouble;
+  bool is_fraction = false;
+  bool is_row_major = false;
+  std::array<std::uint32_t, kMaxDimensions> all_dims = {};  ///< only the first `dim_count` count
+  std::size_t dim_count = 0;
+  std::span<const std::byte> data;
+
+  std::span<const std::uint32_t> dims() const { return std::span(all_dims).first(dim_count); }
+};
+
+/// A message whose arrays lie in bytes which somebody else keeps.
+struct MessageView {
+  MessageType type = MessageType::kHello;
+  std::uint32_t sequence = 0;
+  std::vector<ArrayView> arrays;  ///< each name once
+};
+
 struct Message {
   MessageType type = MessageType::kHello;
   std::uint32_t sequence = 0;  ///< an answer carries the number of its question
@@ -69,6 +95,8 @@ struct Message {
 
   bool operator==(const Message&) const = default;
 };
+
+Message Copied(const MessageView& view);
 
 /// Writes one frame, array by array.
 ///
@@ -126,9 +154,9 @@ struct FrameHeader {
 /// Checks magic, type and length. Never throws.
 std::variant<FrameHeader, WireError> DecodeHeader(std::span<const std::byte, kHeaderBytes> bytes);
 
-/// Checks every bound; memory used is at most in proportion to the body. Never throws on any bytes.
-std::variant<Message, WireError> DecodeBody(const FrameHeader& header,
-                                            std::span<const std::byte> body);
+/// Checks every bound; the arrays lie in `body`. Never throws on any bytes.
+std::variant<MessageView, WireError> DecodeBody(const FrameHeader& header,
+                                                std::span<const std::byte> body);
 
 /// Header and body of exactly one frame.
 std::variant<Message, WireError> DecodeFrame(std::span<const std::byte> frame);

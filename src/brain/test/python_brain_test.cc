@@ -177,17 +177,22 @@ TEST_F(PythonBrainTest, ShowsWhatItPrintsAndItsTraceback) {
   EXPECT_NE(output[2].find("agent/think.py\", line 4, in step"), std::string::npos) << output[2];
 }
 
-TEST_F(PythonBrainTest, SaysWhichPythonHasNoNumpy) {
-  const fs::path bare = Program("bare", "#!/bin/sh\nexec /usr/bin/python3 -S \"$@\"\n");
-  ::setenv("SMILE_PYTHON", bare.c_str(), 1);
-  BrainProcess brain(Step("  pass\n"));
-  const auto reply = brain.Init({});
-  ::unsetenv("SMILE_PYTHON");
-  ASSERT_TRUE(std::holds_alternative<BrainError>(reply));
-  const auto& output = std::get<BrainError>(reply).output;
-  ASSERT_FALSE(output.empty());
-  EXPECT_NE(output.back().find("has no numpy; install it, or name another Python"),
-            std::string::npos);
+TEST_F(PythonBrainTest, SaysWhatItsPythonLacks) {
+  const std::string source = fs::path(SMILE_SOURCE_DIR) / "python";
+  const std::pair<std::string, const char*> pythons[] = {
+      {"exec /usr/bin/python3 -S", "has no numpy; install it, or name another Python"},
+      {"PYTHONPATH=" + source + " exec /usr/bin/python3", "cannot load smile_brain_native"}};
+  for (const auto& [command, message] : pythons) {
+    const fs::path bare = Program("bare", "#!/bin/sh\n" + command + " \"$@\"\n");
+    ::setenv("SMILE_PYTHON", bare.c_str(), 1);
+    BrainProcess brain(Step("  pass\n"));
+    const auto reply = brain.Init({});
+    ::unsetenv("SMILE_PYTHON");
+    ASSERT_TRUE(std::holds_alternative<BrainError>(reply));
+    std::string output;
+    for (const std::string& line : std::get<BrainError>(reply).output) output += line + "\n";
+    EXPECT_NE(output.find(message), std::string::npos) << output;
+  }
 }
 
 TEST_F(PythonBrainTest, TheWaveExampleWaves) {

@@ -77,6 +77,20 @@ TEST(Wire, DataLiesOnMultiplesOfEightBytes) {
   EXPECT_EQ(frame.size() % 8, 0u);
 }
 
+TEST(Wire, ElementsGoFromColumnsToRows) {
+  std::array<std::byte, 24> columns, rows;
+  for (std::size_t k = 0; k < columns.size(); ++k) columns[k] = std::byte(k);
+  CopyToRowMajor(std::array{2u, 3u, 4u}, 1, columns, rows);
+  for (std::size_t i = 0; i < 2; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      for (std::size_t k = 0; k < 4; ++k) {
+        EXPECT_EQ(rows[(i * 3 + j) * 4 + k], columns[i + 2 * (j + 3 * k)]);
+      }
+    }
+  }
+  CopyToRowMajor(std::array{0u, 4u}, 8, {}, {});
+}
+
 TEST(Wire, NamesWhatIsWrong) {
   auto frame = SampleFrame();
   EXPECT_EQ(ErrorOf(std::span(frame).first(7)), "the frame ends inside its header");
@@ -109,6 +123,11 @@ TEST(Wire, NamesWhatIsWrong) {
   wrong = frame;
   Overwrite(wrong, 27, std::uint8_t{1});
   EXPECT_EQ(ErrorOf(wrong), "array 'timeElapsed' has unknown flags");
+  wrong = frame;
+  Overwrite(wrong, 26, std::uint8_t{1});
+  EXPECT_NE(ErrorOf(wrong), "no error");
+  Overwrite(wrong, 26, std::uint8_t{255});
+  EXPECT_NE(ErrorOf(wrong), "no error");
   wrong = frame;
   Overwrite(wrong, 28, std::uint64_t{0xffffffffffffffff});
   EXPECT_EQ(ErrorOf(wrong), "array 'timeElapsed' is too large: 4294967295x4294967295");
@@ -198,6 +217,15 @@ TEST(WireProperty, RandomMessagesComeBackUnchanged) {
   }
 }
 
+/// Puts as many bytes of the stream into the inbox as fit, up to `most`.
+std::size_t Receive(Inbox& inbox, std::span<const std::byte> stream, std::size_t most) {
+  const std::span<std::byte> room = inbox.Room();
+  const std::size_t count = std::min({most, stream.size(), room.size()});
+  std::ranges::copy(stream.first(count), room.begin());
+  inbox.Fill(count);
+  return count;
+}
+
 TEST(Inbox, GivesEachMessageWhenAllOfItIsThere) {
   const std::vector<std::byte> frame = SampleFrame();
   std::vector<std::byte> stream = frame;
@@ -208,17 +236,47 @@ TEST(Inbox, GivesEachMessageWhenAllOfItIsThere) {
     while (sent < stream.size()) {
       const auto taken = inbox.TakeMessage();
       EXPECT_FALSE(taken) << "after " << sent << " bytes";
-      const std::size_t count = std::min({piece, stream.size() - sent, inbox.Room().size()});
+      const std::size_t count = Receive(inbox, std::span(stream).subspan(sent), piece);
       ASSERT_GT(count, 0u);
-      std::memcpy(inbox.Room().data(), &stream[sent], count);
-      inbox.Fill(count);
       for (sent += count; (messages + 1) * frame.size() <= sent; ++messages) {
         const auto message = inbox.TakeMessage();
         ASSERT_TRUE(message);
-        EXPECT_EQ(std::get<Message>(*message), Decoded(frame));
+        EXPECT_EQ(Copied(std::get<MessageView>(*message)), Decoded(frame));
       }
     }
     EXPECT_EQ(messages, 2u);
+  }
+}
+
+TEST(Inbox, PutsLargeBodiesWhereTheyAreToStay) {
+  MessageWriter writer(MessageType::kStep, 1);
+  const auto pixels = writer.AddSpace("p", ElementType::kByte, false, std::array{400u, 500u});
+  for (std::size_t k = 0; k < pixels.size(); ++k) pixels[k] = std::byte(k);
+  const std::vector<std::byte> large = writer.Finish(), small = SampleFrame();
+  std::vector<std::byte> stream;
+  for (const auto* frame : {&small, &large, &small, &large, &large, &small}) {
+    stream.insert(stream.end(), frame->begin(), frame->end());
+  }
+
+  std::vector<std::vector<std::byte>> rooms;
+  Inbox given([&rooms](std::size_t size) { return std::span(rooms.emplace_back(size)); });
+  Inbox own;
+  for (Inbox* inbox : {&given, &own}) {
+    std::vector<std::byte> again;
+    for (std::size_t sent = 0; again.size() < stream.size();) {
+      if (const auto taken = inbox->TakeMessage()) {
+        const auto frame = Encoded(Copied(std::get<MessageView>(*taken)));
+        again.insert(again.end(), frame.begin(), frame.end());
+      } else {
+        ASSERT_LT(sent, stream.size());
+        sent += Receive(*inbox, std::span(stream).subspan(sent), 70'000);
+      }
+    }
+    EXPECT_EQ(again, stream);
+  }
+  ASSERT_EQ(rooms.size(), 3u);
+  for (const auto& room : rooms) {
+    EXPECT_TRUE(std::ranges::equal(room, std::span(large).subspan(kHeaderBytes)));
   }
 }
 

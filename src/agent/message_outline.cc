@@ -1,0 +1,32 @@
+#include "agent/message_outline.h"
+
+namespace smile::agent {
+namespace {
+
+template <class Value>
+void Append(std::string* bytes, const Value& value) {
+  bytes->append(reinterpret_cast<const char*>(&value), sizeof value);
+}
+
+}  // namespace
+
+bool MessageOutline::Changes(const wire::MessageView& message) {
+  outline_.clear();
+  Append(&outline_, message.type);
+  for (const wire::ArrayView& array : message.arrays) {
+    Append(&outline_, array.name.size());
+    outline_ += array.name;
+    Append(&outline_, array.type);
+    Append(&outline_, array.is_fraction);
+    Append(&outline_, array.is_row_major);
+    Append(&outline_, array.dim_count);
+    for (const std::uint32_t dim : array.dims()) Append(&outline_, dim);
+    if (array.type == wire::ElementType::kText) {
+      outline_.append(reinterpret_cast<const char*>(array.data.data()), array.data.size());
+    }
+  }
+  outline_.swap(last_);
+  return outline_ != last_;
+}
+
+}  // namespace smile::agent

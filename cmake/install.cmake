@@ -22,6 +22,8 @@ foreach(room IN LISTS installed_rooms)
   install(DIRECTORY src/${room} DESTINATION include/smile COMPONENT agent FILES_MATCHING PATTERN "*.h"
           PATTERN "internal_*" EXCLUDE PATTERN "test" EXCLUDE)
 endforeach()
+# For `mex`: what smilelink.cc needs of us.
+install(TARGETS smile_brain_client ARCHIVE DESTINATION lib COMPONENT agent)
 install(EXPORT smile NAMESPACE smile:: FILE smileTargets.cmake DESTINATION lib/cmake/smile
         COMPONENT agent)
 install(FILES cmake/smileConfig.cmake DESTINATION lib/cmake/smile COMPONENT agent)
@@ -36,6 +38,8 @@ install(FILES ${CMAKE_BINARY_DIR}/matlab/smilelink.mex
               ${CMAKE_BINARY_DIR}/matlab/smile_guard.oct
               ${CMAKE_BINARY_DIR}/matlab/smilemotion.mex
         DESTINATION share/smile/matlab/client OPTIONAL)
-if(TARGET smile_motion_native)
-  install(TARGETS smile_motion_native LIBRARY DESTINATION share/smile/python)
-endif()
+foreach(module smile_brain_native smile_motion_native)
+  if(TARGET ${module})
+    install(TARGETS ${module} LIBRARY DESTINATION share/smile/python)
+  endif()
+endforeach()

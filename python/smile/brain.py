@@ -8,7 +8,8 @@ The simulator starts `python3 -m smile.brain` and tells it in the environment
     SMILE_BRAIN_FOLDER     the folder it lies in
 
 The program is a module with a function `step(sensor, motor, aux)` and, if it likes, `init(aux)`.
-docs/brains.md tells what these are, docs/brain-protocol.md describes the messages. Needs numpy only.
+docs/brains.md tells what these are, docs/brain-protocol.md describes the messages. Needs numpy, and
+the compiled module smile_brain_native.
 """
 
 import importlib.util
@@ -23,8 +24,13 @@ try:
 except ImportError:
     sys.exit(f"{sys.executable} has no numpy; install it, or name another Python in SMILE_PYTHON")
 
+try:
+    from smile.messages import (
+        BYE, ERROR, FINAL_MOTOR, INIT, INIT_DONE, MOTOR, Connection, ProtocolError)
+except ImportError as error:
+    sys.exit(str(error))
+
 from smile.brain_values import Motor, aux_of, sensor_of, wish_of, wishes_of
-from smile.messages import BYE, ERROR, FINAL_MOTOR, HELLO, INIT, INIT_DONE, MOTOR, Connection
 
 NO_MARKERS = np.zeros((0, 3))
 
@@ -121,8 +127,7 @@ class Program:
 
 
 def serve(connection, program, guard):
-    connection.send(HELLO, 0, {
-        "version": 1, "guard": 1, "rows": 1, "client": "python", "language": platform.python_version()})
+    connection.greet(client="python", language=platform.python_version(), guard=True)
     while True:
         kind, sequence, values = connection.receive()
         if kind == BYE:
@@ -133,7 +138,10 @@ def serve(connection, program, guard):
         except BaseException as error:  # whatever it is, the simulator is told
             program.show(error)
             kind, values = ERROR, program.describe(error)
-        connection.send(kind, sequence, values)
+        try:
+            connection.send(kind, sequence, values)
+        except ValueError as error:  # too much for a message, or no letters
+            connection.send(ERROR, sequence, program.describe(error))
 
 
 def main():
@@ -143,7 +151,11 @@ def main():
     os.environ.pop("PYTHONSAFEPATH", None)
     sys.path[:] = [path for path in sys.path if path not in ("", os.getcwd())]
     sys.path.insert(0, os.environ["SMILE_BRAIN_FOLDER"])
-    serve(Connection(os.environ["SMILE_BRAIN_ADDRESS"]), Program(), Guard())
+    try:
+        connection = Connection(os.fsencode(os.environ["SMILE_BRAIN_ADDRESS"]))
+        serve(connection, Program(), Guard())
+    except ProtocolError as error:
+        sys.exit(str(error))
 
 
 if __name__ == "__main__":

@@ -8,13 +8,11 @@ All runs in this process, without a simulator. Lengths are in the scene's unit, 
 poses 4x4 matrices in the world; docs/motion.md teaches it.
 """
 
-try:
-    from smile_motion_native import InvalidMoment, LineFault, Robot, Trajectory
-except ImportError as error:
-    raise ImportError(
-        "smile.motion needs its compiled half, smile_motion_native: build SMILE, then put "
-        "build/release/python on PYTHONPATH (%s)" % error
-    ) from error
+from smile.native import load
+
+_native = load("smile_motion_native")
+InvalidMoment, LineFault = _native.InvalidMoment, _native.LineFault
+Robot, Trajectory = _native.Robot, _native.Trajectory
 
 __all__ = ["InvalidMoment", "LineFault", "Robot", "Trajectory", "robot_of"]
 

@@ -22,10 +22,10 @@ import sys
 import tempfile
 from pathlib import Path
 
-import numpy as np
-from smile.messages import (
-    BYE, HEADER, INIT, LOGICAL, NUMPY_TYPES, STEP, TEXT, Layout, arrays_of, encode)
+from smile.messages import BYE, INIT, STEP, decode, encode
 
+HEADER = struct.Struct("<4I")  # magic, type, sequence, length of the body
+DOUBLE, BYTE, LOGICAL, TEXT = range(4)  # kinds of elements
 TRUE = {"timeElapsed", "simTime", "jointAngles", "gripperOpening", "rgbVision"}
 
 
@@ -92,26 +92,42 @@ def tell_again(folder, brain, command, true):
 def altered(question, folder, true):
     """A question in which only some arrays are still true."""
     if kind_of(question) == INIT:
-        values = values_of(question)
+        kind, sequence, values = decode(question)
         robot = Path(folder) / "robot" / Path(values["robot"]).name
-        body = encode(values | {"robot": str(robot), "demonstration": f"{folder}/told"})
-        magic, kind, sequence, _ = HEADER.unpack_from(question)
-        return HEADER.pack(magic, kind, sequence, len(body)) + body
+        return encode(kind, sequence,
+                      values | {"robot": str(robot), "demonstration": f"{folder}/told"})
     if kind_of(question) != STEP:
         return question
     frame = bytearray(question)
-    body = memoryview(frame)[HEADER.size:]
-    for name, kind, _, dims, at in arrays_of(body):
+    for name, kind, at, end in arrays_of(question):
         if name in true:
             continue
-        end = at + math.prod(dims) * np.dtype(NUMPY_TYPES[kind]).itemsize
         if kind == LOGICAL:
-            body[at:end] = bytes(not it for it in body[at:end])
+            frame[at:end] = bytes(not it for it in frame[at:end])
         elif kind == TEXT:
-            body[at:end] = bytes(it if it == ord("\n") else ord("x") for it in body[at:end])
+            frame[at:end] = bytes(it if it == ord("\n") else ord("x") for it in frame[at:end])
         else:
-            body[at:end] = bytes(end - at)
+            frame[at:end] = bytes(end - at)
     return bytes(frame)
+
+
+def arrays_of(message):
+    """Name and kind of each array, and where in the message its elements begin and end."""
+    (count,) = struct.unpack_from("<I", message, HEADER.size)
+    at = HEADER.size + 8
+    for _ in range(count):
+        letters, kind, num_dims = struct.unpack_from("3B", message, at)
+        dims = struct.unpack_from(f"<{num_dims}I", message, at + 4)
+        at += 4 + 4 * num_dims
+        name = message[at:at + letters].decode()
+        at = padded(at + letters)
+        end = at + math.prod(dims) * (8 if kind == DOUBLE else 1)
+        yield name, kind, at, end
+        at = padded(end)
+
+
+def padded(size):
+    return (size + 7) // 8 * 8
 
 
 @contextlib.contextmanager
@@ -158,8 +174,7 @@ def kind_of(message):
 
 
 def values_of(message):
-    body = np.frombuffer(message, "u1")[HEADER.size:].copy()
-    return Layout(body).read(body)
+    return decode(message)[2]
 
 
 if sys.argv[1] == "--listen":

@@ -67,7 +67,7 @@ bool IsSingle(const ArrayView& array) {
 /// The values of one message, made by and by.
 class ValueReader {
  public:
-  /// @param body  memory in which a large message lies, else null.
+  /// @param body  memory in which a large message may lie, or null.
   ValueReader(const wire::MessageView& message, py::object body) : body_(std::move(body)) {
     std::size_t size = 0;
     for (const ArrayView& array : message.arrays) {
@@ -106,13 +106,20 @@ class ValueReader {
       CopyElements(array, BytesOf(small_).subspan(offset, size));
       return NewArray(array, small_, offset);
     }
-    if (body_ && array.is_row_major && array.type != ElementType::kLogical) {
+    if (LiesInBody(array) && array.is_row_major && array.type != ElementType::kLogical) {
       return NewArray(array, body_,
                       static_cast<std::size_t>(array.data.data() - BytesOf(body_).data()));
     }
     const py::object memory = NewMemory(size);
     CopyElements(array, BytesOf(memory));
     return NewArray(array, memory, 0);
+  }
+
+  bool LiesInBody(const ArrayView& array) const {
+    if (!body_) return false;
+    const std::span<std::byte> body = BytesOf(body_);
+    return array.data.data() >= body.data() &&
+           array.data.data() + array.data.size() <= body.data() + body.size();
   }
 
   static void CopyElements(const ArrayView& array, std::span<std::byte> to) {
@@ -239,7 +246,6 @@ class Connection {
 
   py::tuple Receive() {
     std::optional<wire::MessageView> message;
-    body_ = {};
     {
       const py::gil_scoped_release unlocked;
       message = connection_.Receive();
@@ -263,7 +269,7 @@ class Connection {
   }
 
   SimulatorConnection connection_;
-  py::object body_;  ///< of the large message that is being received
+  py::object body_;  ///< of a large message; kept while a signal interrupts its arrival
 };
 
 std::unique_ptr<Connection> Connected(const std::string& address) {

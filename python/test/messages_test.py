@@ -75,6 +75,10 @@ class ValuesTest(unittest.TestCase):
             messages.decode(frame_of((b"a", 0, 0, (1,) * 200, b"")))
 
 
+class Rung(Exception):
+    """An alarm has."""
+
+
 class ConnectionTest(unittest.TestCase):
     def setUp(self):
         folder = self.enterContext(tempfile.TemporaryDirectory())
@@ -106,22 +110,31 @@ class ConnectionTest(unittest.TestCase):
         self.assertLess(len(values["pose"].base), 1000, "to keep it would keep the picture")
 
     def test_lets_signals_through_while_it_waits(self):
-        class Rung(Exception):
-            pass
+        with self.assertRaises(Rung):
+            self.receive_until_it_rings()
+        self.simulator.sendall(step({}, 8))
+        self.assertEqual(self.connection.receive()[1], 8)
 
+    def test_goes_on_in_the_middle_of_a_picture(self):
+        pixels = bytes(k % 251 for k in range(240 * 320 * 3))
+        frame = frame_of((b"picture", 1, 3, (240, 320, 3), pixels))
+        self.simulator.sendall(frame[:100_000])
+        with self.assertRaises(Rung):
+            self.receive_until_it_rings()
+        threading.Thread(target=self.simulator.sendall, args=(frame[100_000:],)).start()
+        self.assertEqual(self.connection.receive()[2]["picture"].tobytes(), pixels)
+
+    def receive_until_it_rings(self):
         def ring(*_):
             raise Rung
 
         before = signal.signal(signal.SIGALRM, ring)
         try:
             signal.setitimer(signal.ITIMER_REAL, 0.05, 0.05)
-            with self.assertRaises(Rung):
-                self.connection.receive()
+            self.connection.receive()
         finally:
             signal.setitimer(signal.ITIMER_REAL, 0)
             signal.signal(signal.SIGALRM, before)
-        self.simulator.sendall(step({}, 8))
-        self.assertEqual(self.connection.receive()[1], 8)
 
     def test_lets_other_threads_run_while_it_waits(self):
         threading.Timer(0.05, self.simulator.sendall, args=(step({}, 9),)).start()

@@ -67,7 +67,7 @@ end
 function yes = isHeldUp(block, objects)
 % By the table, or by an object below it.
   bottom = block.position(3) - block.size(3) / 2;
-  yes = bottom < 0.1 || any(arrayfun(@(object) isCovered(object, block), objects));
+  yes = bottom < constants().see.on_table || any(arrayfun(@(object) isCovered(object, block), objects));
 end
 
 function yes = isCovered(object, others)

@@ -130,7 +130,7 @@ def arm_clears(robot, arm, q, blocks):
     radius = CARRY.forearm_radius
     wrist = robot.forward(ARMS[arm], q)[:3, 3] + [0, 0, CARRY.wrist_above_tool]
     along = -CARRY.forearm_length * robot.jacobian(ARMS[arm], q)[3:, 4]  # joint W0 turns about the forearm
-    for share in np.arange(11) / 10:
+    for share in np.arange(CARRY.forearm_steps + 1) / CARRY.forearm_steps:
         x, y, z = wrist + share * along
         below = footprint([block for block in blocks if block.top > z - radius], radius)
         if overlap([x, y, 0, 0, 0], below).any():

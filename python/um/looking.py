@@ -174,8 +174,8 @@ def is_held_up(block, picture, eye, table):
     """Whether a block may be where it seems to be: if the table, of a color, is seen right below
     all of the edge that is nearest to the eye, it is not so high up but larger and nearer to the
     table."""
-    under = block.bottom - 0.3
-    if under < 0.1:
+    under = block.bottom - SEE.below_edge
+    if under < SEE.on_table:
         return True
     way = eye.pose[:2, 3] - block.position[:2]
     turns = round((math.atan2(way[1], way[0]) - block.yaw) / (math.pi / 2))
@@ -183,7 +183,7 @@ def is_held_up(block, picture, eye, table):
     far, half = np.roll(block.size[:2], turns) / 2
     edge = block.position[:2] + far * np.array([math.cos(toward), math.sin(toward)])
     is_table = []
-    for share in (-0.9, 0, 0.9):
+    for share in SEE.edge_shares:
         x, y = edge + share * half * np.array([-math.sin(toward), math.cos(toward)])
         spot = pixel_at(picture, eye, [x, y, under])
         if spot is not None:

@@ -2,14 +2,19 @@
 link_test.m."""
 
 import os
+import re
 import socket
 import struct
 import subprocess
 import sys
 import tempfile
+from pathlib import Path
 
 import numpy as np
+from smile import messages
 from smile.messages import HELLO, MOTOR, decode
+
+CLIENT = Path(__file__).parents[2] / "matlab" / "client" / "smile_brain.m"
 
 DOUBLE, BYTE, LOGICAL, TEXT = range(4)
 
@@ -40,7 +45,16 @@ def check_values(values):
     assert values == {"empty": ""}, values
 
 
+def check_message_types():
+    """The client of scripts has their numbers, since it also speaks where nothing is compiled."""
+    (table,) = re.findall(r"message = struct\('nothing', 0, (.*?)\);", CLIENT.read_text(), re.DOTALL)
+    numbers = {name.upper(): int(number) for name, number in re.findall(r"'(\w+)', (\d+)", table)}
+    names = "HELLO INIT INIT_DONE STEP MOTOR FINAL_MOTOR ERROR BYE".split()
+    assert numbers == {name: getattr(messages, name) for name in names}, numbers
+
+
 def main(*octave):
+    check_message_types()
     with tempfile.TemporaryDirectory() as folder, socket.socket(socket.AF_UNIX) as door:
         door.settimeout(60)
         door.bind(f"{folder}/door")

@@ -25,7 +25,7 @@ struct CheckoutOptions {
 
 /// The moment that is meant; the end of the recording if nothing is said.
 recording::Moment MomentOf(const CheckoutOptions& options, const recording::Recording& recording) {
-  const std::vector<recording::HistoryStep> steps = recording::HistoryOf(recording);
+  const std::vector<recording::Segment> steps = recording::HistoryOf(recording);
   std::size_t at = steps.size() - 1;
   while (!options.at && !steps[at].is_on_way) --at;
   return recording::MomentOf(recording, steps, options.at.value_or(at), options.after);

@@ -22,8 +22,7 @@ struct HistoryOptions {
   bool json = false;
 };
 
-Json ToJson(const recording::Recording& recording,
-            const std::vector<recording::HistoryStep>& steps) {
+Json ToJson(const recording::Recording& recording, const std::vector<recording::Segment>& steps) {
   Json list = Json::array();
   for (std::size_t i = 0; i < steps.size(); ++i) {
     list.push_back({{"step", i},
@@ -40,7 +39,7 @@ Json ToJson(const recording::Recording& recording,
 /// Prints a step and everything that followed upon it: first what was left, one column farther
 /// right each time, then the way on.
 void PrintTree(const recording::Recording& recording,
-               const std::vector<recording::HistoryStep>& steps) {
+               const std::vector<recording::Segment>& steps) {
   std::vector<std::vector<std::size_t>> children(steps.size());
   for (std::size_t i = 1; i < steps.size(); ++i) children[*steps[i].parent].push_back(i);
   struct Row {
@@ -51,7 +50,7 @@ void PrintTree(const recording::Recording& recording,
   while (!rows.empty()) {
     const Row row = rows.back();
     rows.pop_back();
-    const recording::HistoryStep& step = steps[row.step];
+    const recording::Segment& step = steps[row.step];
     std::printf("%s%s %3zu  %7.2f s  %s%s\n",
                 std::string(2 * std::min(row.depth, kMaxDepth), ' ').c_str(),
                 step.is_on_way ? "*" : "-", row.step, SecondsInto(recording, step.begin.tick),
@@ -71,7 +70,7 @@ void PrintTree(const recording::Recording& recording,
 
 int ShowHistory(const HistoryOptions& options) {
   const recording::Recording recording = OpenAndTell(options.demo);
-  const std::vector<recording::HistoryStep> steps = recording::HistoryOf(recording);
+  const std::vector<recording::Segment> steps = recording::HistoryOf(recording);
   if (options.json) {
     std::printf("%s\n", ToText(ToJson(recording, steps), 2).c_str());
   } else {

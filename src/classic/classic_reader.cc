@@ -24,9 +24,9 @@ namespace {
 constexpr std::size_t kMaxMalformed = 100;
 
 /// The lines of a text; those malformed become findings.
-ClassicSegment ReadSegment(const ClassicText& source, const ClassicLimits& limits,
-                           std::vector<Diagnostic>* findings) {
-  ClassicSegment segment{.file = source.file};
+ClassicFile ReadSegment(const ClassicText& source, const ClassicLimits& limits,
+                        std::vector<Diagnostic>* findings) {
+  ClassicFile segment{.file = source.file};
   const std::string_view text = source.text;
   int number = 0;
   for (std::size_t start = 0; start < text.size();) {
@@ -65,7 +65,7 @@ bool IsDestroy(const ClassicLine& line) {
 }
 
 /// The original wrote what is gone first, then that a hand destroyed it.
-void PutDestroyFirst(ClassicSegment* segment) {
+void PutDestroyFirst(ClassicFile* segment) {
   auto& lines = segment->lines;
   const auto action = std::ranges::find_if_not(lines, [](const ClassicLine& line) {
     return std::holds_alternative<ClassicDelete>(line.what);
@@ -80,7 +80,7 @@ class Consistency {
   explicit Consistency(const ClassicLimits& limits) : limits_(limits) {}
 
   /// @throws InputError at the first contradiction.
-  void Check(ClassicSegment* segment, bool is_first) {
+  void Check(ClassicFile* segment, bool is_first) {
     segment_ = segment;
     PutDestroyFirst(segment);
     if (!is_first && (segment->lines.empty() || !OpensSegment(segment->lines[0]))) {
@@ -169,7 +169,7 @@ class Consistency {
   }
 
   const ClassicLimits& limits_;
-  ClassicSegment* segment_ = nullptr;
+  ClassicFile* segment_ = nullptr;
   ClassicLine* line_ = nullptr;
   std::uint64_t frame_ = 0;
   std::set<std::string> present_, created_;
@@ -285,7 +285,7 @@ void MeasurePictures(const std::filesystem::path& directory, ClassicRecording* r
 
 std::uint64_t ClassicRecording::last_frame() const {
   std::uint64_t last = 0;
-  for (const ClassicSegment& segment : segments) {
+  for (const ClassicFile& segment : segments) {
     if (!segment.lines.empty()) last = std::max(last, segment.lines.back().frame);
   }
   for (const ClassicPicture& picture : pictures) last = std::max(last, picture.frame);
@@ -295,7 +295,7 @@ std::uint64_t ClassicRecording::last_frame() const {
 std::vector<std::string> ClassicRecording::Objects() const {
   std::vector<std::string> objects;
   std::set<std::string> known;
-  for (const ClassicSegment& segment : segments) {
+  for (const ClassicFile& segment : segments) {
     for (const ClassicLine& line : segment.lines) {
       const auto* create = std::get_if<ClassicCreate>(&line.what);
       if (create != nullptr && known.insert(create->object).second) {
@@ -314,7 +314,7 @@ ClassicRecording ReadClassicTexts(std::span<const ClassicText> texts, const Clas
   }
   if (!findings.empty()) throw InputError(std::move(findings));
   Consistency consistency(limits);
-  for (ClassicSegment& segment : recording.segments) {
+  for (ClassicFile& segment : recording.segments) {
     consistency.Check(&segment, &segment == &recording.segments.front());
   }
   return recording;

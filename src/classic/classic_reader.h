@@ -61,7 +61,8 @@ struct ClassicLine {
       what;
 };
 
-struct ClassicSegment {
+/// The lines of a segment.
+struct ClassicFile {
   std::string file;  ///< as messages name it
   std::vector<ClassicLine> lines;
 };
@@ -76,7 +77,7 @@ struct ClassicPicture {
 /// Everything in it is sound: what moves, is grasped or deleted has been created, frames never go
 /// back.
 struct ClassicRecording {
-  std::vector<ClassicSegment> segments;
+  std::vector<ClassicFile> segments;     ///< by their numbers
   std::vector<ClassicPicture> pictures;  ///< sorted; all of one size
   int picture_width_px = 0, picture_height_px = 0;
 

@@ -13,6 +13,7 @@
 #include "recording/time_range.h"
 #include "scene/controls_of.h"
 #include "scene/units.h"
+#include "sim/action_summary.h"
 
 namespace smile::classic {
 namespace {
@@ -80,9 +81,9 @@ void ClassicRecorder::WriteStart(const recording::TraceTick& first,
               model_.id(control.object) + "," + RecordedState(control, first.controls[i]));
   }
   for (const sim::Event& event : standing) {
-    if (event.kind == sim::EventKind::kAttended) WriteAttention(event);
-    if (event.kind != sim::EventKind::kGrasped) continue;
-    WriteLine("grasp," + std::string(ClassicHandName(*event.hand)) + "," + event.object);
+    const bool is_written =
+        event.kind == sim::EventKind::kGrasped || event.kind == sim::EventKind::kAttended;
+    if (is_written) WriteLine(FieldsOf(event));
   }
 }
 
@@ -91,63 +92,60 @@ std::size_t ClassicRecorder::IndexOf(const std::string& object) const {
   return *model_.FindObject(object);
 }
 
-void ClassicRecorder::WriteAttention(const sim::Event& event) {
-  WriteLine("attend," + std::string(ClassicHandName(*event.hand)) + "," + event.object +
-            Joined(event.properties));
-}
-
 void ClassicRecorder::WriteLine(const std::string& fields) {
   if (text_) text_->Append(std::to_string(state_.frame) + "," + fields + "\n");
 }
 
-void ClassicRecorder::Begin(const std::string& action, const sim::Event& event,
-                            const std::string& fields) {
-  ++state_.segment;
-  OpenSegment();
-  WriteLine(action + "," + std::string(ClassicHandName(*event.hand)) +
-            (fields.empty() ? "" : "," + fields));
-}
-
-void ClassicRecorder::Note(const sim::Event& event) {
+std::string ClassicRecorder::FieldsOf(const sim::Event& event) const {
+  const std::string action =
+      std::string(ClassicWordFor(event.kind)) + "," + std::string(ClassicHandName(*event.hand));
   using enum sim::EventKind;
   switch (event.kind) {
-    case kControlChanged:
-      WriteLine("changeControlState," + event.control + "," + event.state);
-      state_.has_news = true;
-      return;
-    case kFell:
-      state_.falling.push_back(IndexOf(event.object));
-      return;
-    default:
-      break;
-  }
-  if (!event.hand) return;
-  switch (event.kind) {
     case kGrasped:
-      return Begin("grasp", event, event.object);
-    case kReleased:
-      return Begin("release", event);
-    case kDestroyed:
-      Begin("destroy", event);
-      WriteLine("delete," + event.object);
-      state_.has_news = true;
-      return;
+      return action + "," + event.object;
     case kPointed:
-      return Begin("pointTo", event, event.part + "," + event.object);
+      return action + "," + event.part + "," + event.object;
     case kTriggered:
-      return Begin("trigger", event, event.control);
+      return action + "," + event.control;
     case kFastened:
     case kLoosened: {
       const model::Host& host = model_.host(*event.host);
       const model::Guest& guest = model_.guest(*event.guest);
-      return Begin(event.kind == kFastened ? "fasten" : "loosen", event,
-                   host.point->id + "," + model_.id(host.object) + "," + guest.point->id + "," +
-                       event.object + "," + std::to_string(event.tightness));
+      return action + "," + host.point->id + "," + model_.id(host.object) + "," + guest.point->id +
+             "," + event.object + "," + std::to_string(event.tightness);
     }
     case kAttended:
-      return WriteAttention(event);
+      return action + "," + event.object + Joined(event.properties);
     default:
-      return;
+      return action;
+  }
+}
+
+void ClassicRecorder::Note(const sim::Event& event) {
+  using enum sim::EventKind;
+  if (BeginsAction(event)) {
+    ++state_.segment;
+    OpenSegment();
+    WriteLine(FieldsOf(event));
+  }
+  switch (event.kind) {
+    case kControlChanged:
+      WriteLine("changeControlState," + event.control + "," + event.state);
+      state_.has_news = true;
+      break;
+    case kFell:
+      state_.falling.push_back(IndexOf(event.object));
+      break;
+    case kDestroyed:
+      if (!event.hand) break;
+      WriteLine("delete," + event.object);
+      state_.has_news = true;
+      break;
+    case kAttended:
+      if (event.hand) WriteLine(FieldsOf(event));
+      break;
+    default:
+      break;
   }
 }
 

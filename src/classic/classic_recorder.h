@@ -71,9 +71,8 @@ class ClassicRecorder {
   void OpenSegment();
   void WriteStart(const recording::TraceTick& first, const std::vector<sim::Event>& standing);
   std::size_t IndexOf(const std::string& object) const;
-  void WriteAttention(const sim::Event& event);
-  /// Opens a segment with its action, which is its first line.
-  void Begin(const std::string& action, const sim::Event& event, const std::string& fields = {});
+  /// What a hand did, without the frame: `grasp,LeftHand,b01`.
+  std::string FieldsOf(const sim::Event& event) const;
   void WriteLine(const std::string& fields);
   void WriteFrame(const recording::TraceTick& now);
   /// Writes where an object is, if that is news.

@@ -49,4 +49,11 @@ std::string_view ClassicHandName(demonstrator::HandName hand) {
   return "";
 }
 
+std::string_view ClassicWordFor(sim::EventKind kind) {
+  for (const ClassicWord& word : kClassicWords) {
+    if (word.kind == kind) return word.word;
+  }
+  return "";
+}
+
 }  // namespace smile::classic

@@ -1,9 +1,10 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
 
-#include "demonstrator/hand.h"
+#include "sim/event.h"
 
 namespace smile::classic {
 
@@ -17,5 +18,21 @@ std::string ClassicValue(std::string_view text);
 
 /// `LeftHand`, `RightHand`, `BothHands`, `AnyHand`.
 std::string_view ClassicHandName(demonstrator::HandName hand);
+
+/// What hands do, as the lines call it.
+struct ClassicWord {
+  std::string_view word;
+  sim::EventKind kind;
+};
+inline constexpr std::array<ClassicWord, 8> kClassicWords{{{"grasp", sim::EventKind::kGrasped},
+                                                           {"release", sim::EventKind::kReleased},
+                                                           {"destroy", sim::EventKind::kDestroyed},
+                                                           {"trigger", sim::EventKind::kTriggered},
+                                                           {"pointTo", sim::EventKind::kPointed},
+                                                           {"fasten", sim::EventKind::kFastened},
+                                                           {"loosen", sim::EventKind::kLoosened},
+                                                           {"attend", sim::EventKind::kAttended}}};
+/// The word for what an event reports; empty if there is none.
+std::string_view ClassicWordFor(sim::EventKind kind);
 
 }  // namespace smile::classic

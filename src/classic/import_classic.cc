@@ -56,7 +56,7 @@ std::vector<std::string> RemarksOnStandIns(const ClassicRecording& recording,
                                            const scene::SceneSpec& scene) {
   std::set<std::string> controls;
   std::size_t num_bonds = 0;
-  for (const ClassicSegment& segment : recording.segments) {
+  for (const ClassicFile& segment : recording.segments) {
     for (const ClassicLine& line : segment.lines) {
       if (const auto* control = std::get_if<ClassicControl>(&line.what)) {
         controls.insert(control->control);

@@ -173,19 +173,6 @@ ClassicAction TakeAction(EventKind kind, Fields* fields) {
   return action;
 }
 
-struct ActionWord {
-  std::string_view word;
-  EventKind kind;
-};
-constexpr std::array<ActionWord, 8> kActions{{{"grasp", EventKind::kGrasped},
-                                              {"release", EventKind::kReleased},
-                                              {"destroy", EventKind::kDestroyed},
-                                              {"trigger", EventKind::kTriggered},
-                                              {"pointTo", EventKind::kPointed},
-                                              {"fasten", EventKind::kFastened},
-                                              {"loosen", EventKind::kLoosened},
-                                              {"attend", EventKind::kAttended}}};
-
 decltype(ClassicLine::what) TakeWhat(const std::string& event, Fields* fields) {
   if (event == "create") return TakeCreate(fields);
   if (event == "delete") return ClassicDelete{.object = fields->TakeId("an object")};
@@ -204,7 +191,7 @@ decltype(ClassicLine::what) TakeWhat(const std::string& event, Fields* fields) {
   }
   std::vector<std::string_view> known{"create", "delete", "move", "initializeControl",
                                       "changeControlState"};
-  for (const ActionWord& action : kActions) {
+  for (const ClassicWord& action : kClassicWords) {
     if (event == action.word) return TakeAction(action.kind, fields);
     known.push_back(action.word);
   }

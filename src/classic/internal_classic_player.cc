@@ -41,7 +41,7 @@ std::optional<ClassicFrame> ClassicPlayer::Next() {
 }
 
 void ClassicPlayer::Fail(const std::string& message) const {
-  const ClassicSegment& segment = recording_.segments[segment_];
+  const ClassicFile& segment = recording_.segments[segment_];
   throw InputError({segment.file, segment.lines[line_].number, "", message});
 }
 

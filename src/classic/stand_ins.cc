@@ -33,7 +33,7 @@ struct FirstSight {
 
 std::map<std::string, FirstSight> FirstSights(const ClassicRecording& recording) {
   std::map<std::string, FirstSight> sights;
-  for (const ClassicSegment& segment : recording.segments) {
+  for (const ClassicFile& segment : recording.segments) {
     for (const ClassicLine& line : segment.lines) {
       if (const auto* create = std::get_if<ClassicCreate>(&line.what)) {
         sights.insert({create->object, {create, &segment.file, line.number}});

@@ -15,7 +15,7 @@
 namespace smile::editing {
 namespace {
 
-using SegmentPlace = std::vector<recording::Segment>::iterator;
+using SegmentPlace = std::vector<recording::EditableSegment>::iterator;
 
 std::uint64_t TicksOf(double seconds) {
   if (!(seconds >= 0 && seconds <= kMaxSeconds)) {
@@ -34,8 +34,9 @@ void CheckNumber(const char* what, int found, int low, int high) {
 SegmentPlace Find(int number, recording::Demonstration* demonstration) {
   CheckNumber("segment", number, 0, demonstration->num_recorded - 1);
   auto& segments = demonstration->segments;
-  const auto found = std::find_if(segments.begin(), segments.end(),
-                                  [&](const recording::Segment& s) { return s.number == number; });
+  const auto found =
+      std::find_if(segments.begin(), segments.end(),
+                   [&](const recording::EditableSegment& s) { return s.number == number; });
   if (found == segments.end()) {
     throw std::invalid_argument("segment " + std::to_string(number) + " is dropped already");
   }
@@ -45,7 +46,7 @@ SegmentPlace Find(int number, recording::Demonstration* demonstration) {
 /// Where each moment of a segment goes, in ticks from its begin. What was earlier stays earlier.
 using TimeMap = std::function<std::uint64_t(std::uint64_t)>;
 
-void Warp(const TimeMap& map, recording::Segment* segment) {
+void Warp(const TimeMap& map, recording::EditableSegment* segment) {
   for (recording::SegmentCommand& command : segment->commands) command.offset = map(command.offset);
   for (recording::TickSpan& pause : segment->pauses) pause = {map(pause.begin), map(pause.end)};
   std::erase_if(segment->pauses,
@@ -85,7 +86,7 @@ void Perform(const Move& move, recording::Demonstration* demonstration) {
 }
 
 void Perform(const Trim& trim, recording::Demonstration* demonstration) {
-  recording::Segment& segment = *Find(trim.segment, demonstration);
+  recording::EditableSegment& segment = *Find(trim.segment, demonstration);
   const std::uint64_t from = TicksOf(trim.from);
   const std::uint64_t to = std::min(TicksOf(trim.to), segment.duration);
   if (from > to) {
@@ -101,7 +102,7 @@ void Perform(const Trim& trim, recording::Demonstration* demonstration) {
 
 void Perform(const MaxPause& longest, recording::Demonstration* demonstration) {
   const std::uint64_t kept = TicksOf(longest.seconds);
-  for (recording::Segment& segment : demonstration->segments) {
+  for (recording::EditableSegment& segment : demonstration->segments) {
     const std::vector<recording::TickSpan> pauses = segment.pauses;
     const auto without_rest_of_pauses = [&](std::uint64_t offset) {
       std::uint64_t removed = 0;
@@ -116,7 +117,7 @@ void Perform(const MaxPause& longest, recording::Demonstration* demonstration) {
 }
 
 void Perform(const Retime& retime, recording::Demonstration* demonstration) {
-  recording::Segment& segment = *Find(retime.segment, demonstration);
+  recording::EditableSegment& segment = *Find(retime.segment, demonstration);
   const std::uint64_t wanted = TicksOf(retime.seconds);
   if (segment.duration > 0) {
     Warp(Scaled(static_cast<double>(wanted) / static_cast<double>(segment.duration)), &segment);
@@ -178,7 +179,7 @@ void Perform(const Speed& speed, recording::Demonstration* demonstration) {
     throw std::invalid_argument("factor is " + NumberText(speed.factor) + ", expected " +
                                 NumberText(kMinFactor) + " to " + NumberText(1 / kMinFactor));
   }
-  for (recording::Segment& segment : demonstration->segments) {
+  for (recording::EditableSegment& segment : demonstration->segments) {
     Warp(Scaled(1 / speed.factor), &segment);
     for (recording::SegmentCommand& command : segment.commands) {
       SpeedUp(speed.factor, demonstration->meters_per_unit, &command);

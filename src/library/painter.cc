@@ -23,7 +23,7 @@ std::optional<std::string> Painter::PaintRecording(const std::filesystem::path& 
                                                     .playback = Playback("", directory),
                                                     .segments = {}});
     const recording::Recording& recording = exhibit_->playback.recording();
-    exhibit_->segments = SegmentsOf(recording::HistoryOf(recording));
+    exhibit_->segments = OnWay(recording::HistoryOf(recording));
   }
   Playback& playback = exhibit_->playback;
   if (segment && *segment >= exhibit_->segments.size()) return std::nullopt;

@@ -9,7 +9,7 @@
 
 #include "camera/renderer.h"
 #include "library/playback.h"
-#include "library/timeline.h"
+#include "recording/recording_history.h"
 #include "scene_xml/scene_reader.h"
 
 namespace smile::library {
@@ -37,7 +37,7 @@ class Painter {
     std::filesystem::path directory;
     std::string stamp;
     Playback playback;
-    std::vector<recording::HistoryStep> segments;
+    std::vector<recording::Segment> segments;
   };
 
   std::string Paint(const model::Model& model, const scene::VisualState& state);

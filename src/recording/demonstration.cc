@@ -5,6 +5,7 @@
 
 #include "base/diagnostic.h"
 #include "math/angles.h"
+#include "recording/recording_history.h"
 #include "recording/trace_reader.h"
 
 namespace smile::recording {
@@ -68,29 +69,27 @@ void CheckAgainstTrace(const Recording& recording, const Watched& watched) {
   }
 }
 
-/// @param duration  of them all [ticks].
-std::vector<Segment> CutAtActions(const std::vector<LoggedCommand>& commands, const Moment& start,
-                                  std::uint64_t duration) {
-  std::vector<Segment> segments{Segment()};
-  std::uint64_t begin = 0;
-  for (const LoggedCommand& logged : commands) {
-    if (logged.line <= start.line) continue;
-    const std::uint64_t at = logged.tick - start.tick;
-    if (IsAction(logged.command)) {
-      segments.back().duration = at - begin;
-      begin = at;
-      segments.push_back({.number = static_cast<int>(segments.size())});
+/// The segments with their commands, without pauses.
+std::vector<EditableSegment> EditableSegmentsOf(const Recording& recording,
+                                                std::uint64_t last_tick) {
+  std::vector<EditableSegment> editable;
+  auto logged = recording.commands.begin();
+  for (const Segment& segment : OnWay(CutAtActions(recording, last_tick))) {
+    editable.push_back({.number = static_cast<int>(editable.size())});
+    editable.back().duration = segment.end.tick - segment.begin.tick;
+    for (; logged != recording.commands.end() && logged->line <= segment.end.line; ++logged) {
+      if (logged->line <= segment.begin.line) continue;
+      editable.back().commands.push_back({.line = logged->line,
+                                          .offset = logged->tick - segment.begin.tick,
+                                          .command = logged->command});
     }
-    segments.back().commands.push_back(
-        {.line = logged.line, .offset = at - begin, .command = logged.command});
   }
-  segments.back().duration = duration - begin;
-  return segments;
+  return editable;
 }
 
 /// Finds where a segment that begins at some tick after the start waits for its next command. What
 /// comes to rest by itself and moves again by itself is physics at work, and no pause.
-void FindPauses(std::uint64_t begin, const Watched& watched, Segment* segment) {
+void FindPauses(std::uint64_t begin, const Watched& watched, EditableSegment* segment) {
   std::uint64_t last = 0;
   const auto add_before = [&](std::uint64_t offset) {
     const std::uint64_t rest = watched.at_rest_since[begin + offset];
@@ -106,14 +105,14 @@ void FindPauses(std::uint64_t begin, const Watched& watched, Segment* segment) {
 
 std::uint64_t Demonstration::duration() const {
   std::uint64_t sum = 0;
-  for (const Segment& segment : segments) sum += segment.duration;
+  for (const EditableSegment& segment : segments) sum += segment.duration;
   return sum;
 }
 
 std::vector<LoggedCommand> Demonstration::Schedule() const {
   std::vector<LoggedCommand> schedule = past;
   std::uint64_t begin = start.tick;
-  for (const Segment& segment : segments) {
+  for (const EditableSegment& segment : segments) {
     for (const SegmentCommand& command : segment.commands) {
       schedule.push_back({command.line, begin + command.offset, command.command});
     }
@@ -135,11 +134,10 @@ Demonstration DemonstrationOf(const Recording& recording) {
   for (const LoggedCommand& logged : recording.commands) {
     if (logged.line <= demonstration.start.line) demonstration.past.push_back(logged);
   }
-  demonstration.segments =
-      CutAtActions(recording.commands, demonstration.start, demonstration.recorded_duration());
+  demonstration.segments = EditableSegmentsOf(recording, watched.end.tick);
   demonstration.num_recorded = static_cast<int>(demonstration.segments.size());
   std::uint64_t begin = 0;
-  for (Segment& segment : demonstration.segments) {
+  for (EditableSegment& segment : demonstration.segments) {
     FindPauses(begin, watched, &segment);
     begin += segment.duration;
   }

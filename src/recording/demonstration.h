@@ -25,26 +25,26 @@ struct TickSpan {
   bool operator==(const TickSpan&) const = default;
 };
 
-/// What was done from one action to the next.
-struct Segment {
-  int number = 0;  ///< in the recording: that of the classic view's text file
+/// A segment to be edited: its commands and pauses in ticks from its begin.
+struct EditableSegment {
+  int number = 0;  ///< of the Segment in the recording
   /// In order. The first one is the action, at offset 0, except in segment 0, which has none.
   std::vector<SegmentCommand> commands;
   /// When nothing happened any more, until the next command or the end; in order.
   std::vector<TickSpan> pauses;
   std::uint64_t duration = 0;  ///< [ticks]
 
-  bool operator==(const Segment&) const = default;
+  bool operator==(const EditableSegment&) const = default;
 };
 
-/// What a recording shows, cut at its actions:
+/// What a recording shows, segment by segment:
 ///
 ///     past | segment 0 | grasp … | release … | grasp … |
 ///          start                                       end
 struct Demonstration {
   std::vector<LoggedCommand> past;  ///< what led to the start
   Moment start;
-  std::vector<Segment> segments;
+  std::vector<EditableSegment> segments;
   int num_recorded = 0;  ///< numbers of segments go from 0 to one less, also when some are dropped
   TraceTick recorded_end;  ///< the last moment of the trace
   double meters_per_unit = 0;

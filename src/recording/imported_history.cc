@@ -6,8 +6,8 @@
 
 namespace smile::recording {
 
-std::vector<HistoryStep> ImportedHistoryOf(const Recording& recording) {
-  std::vector<HistoryStep> steps{
+std::vector<Segment> ImportedHistoryOf(const Recording& recording) {
+  std::vector<Segment> steps{
       {.begin = recording.info.start, .end = recording.info.start, .is_on_way = true}};
   // An action is written with the frame that follows it: there an object lies where it was put.
   std::vector<std::pair<std::size_t, sim::Event>> of_next_moment;

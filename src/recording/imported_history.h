@@ -9,6 +9,6 @@ namespace smile::recording {
 /// The history of an imported recording, which has no commands: the actions of its trace, one after
 /// another, after the start.
 /// @throws InputError if the recording's trace cannot be read.
-std::vector<HistoryStep> ImportedHistoryOf(const Recording& recording);
+std::vector<Segment> ImportedHistoryOf(const Recording& recording);
 
 }  // namespace smile::recording

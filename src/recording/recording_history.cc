@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <stdexcept>
 #include <utility>
 
@@ -17,7 +18,7 @@ namespace {
 /// the log commands it.
 class Summaries {
  public:
-  Summaries(const Recording& recording, std::vector<HistoryStep>* steps)
+  Summaries(const Recording& recording, std::vector<Segment>* steps)
       : recording_(recording), steps_(*steps) {}
 
   /// Reads the trace once for each way through the history.
@@ -78,7 +79,7 @@ class Summaries {
   }
 
   const Recording& recording_;
-  std::vector<HistoryStep>& steps_;
+  std::vector<Segment>& steps_;
 };
 
 std::uint64_t LastTick(const Recording& recording) {
@@ -90,10 +91,9 @@ std::uint64_t LastTick(const Recording& recording) {
 
 }  // namespace
 
-std::vector<HistoryStep> HistoryOf(const Recording& recording) {
-  if (recording.info.origin == Origin::kImported) return ImportedHistoryOf(recording);
+std::vector<Segment> CutAtActions(const Recording& recording, std::uint64_t last_tick) {
   const CommandLog& log = recording.log;
-  std::vector<HistoryStep> steps;
+  std::vector<Segment> steps;
   steps.push_back({.begin = recording.info.start, .end = recording.info.start});
   std::vector<std::size_t> step_of_line(log.lines().size() + 1);
   for (std::size_t line = recording.info.start.line + 1; line <= log.lines().size(); ++line) {
@@ -113,21 +113,33 @@ std::vector<HistoryStep> HistoryOf(const Recording& recording) {
                      .summary = {}});
   }
   const std::size_t last = log.lines().size();
-  steps[step_of_line[last]].end = {.line = last, .tick = LastTick(recording)};
+  steps[step_of_line[last]].end = {.line = last, .tick = last_tick};
   for (std::optional<std::size_t> step = step_of_line[last]; step; step = steps[*step].parent) {
     steps[*step].is_on_way = true;
     // Whatever else was tried from there since.
     if (const auto& parent = steps[*step].parent) steps[*parent].end = steps[*step].begin;
   }
+  return steps;
+}
+
+std::vector<Segment> HistoryOf(const Recording& recording) {
+  if (recording.info.origin == Origin::kImported) return ImportedHistoryOf(recording);
+  std::vector<Segment> steps = CutAtActions(recording, LastTick(recording));
   Summaries(recording, &steps).AddToSteps();
   return steps;
 }
 
-std::string WordsOf(const HistoryStep& step) {
+std::vector<Segment> OnWay(const std::vector<Segment>& history) {
+  std::vector<Segment> on_way;
+  std::ranges::copy_if(history, std::back_inserter(on_way), &Segment::is_on_way);
+  return on_way;
+}
+
+std::string WordsOf(const Segment& step) {
   return step.summary ? WordsOf(*step.summary) : "the start";
 }
 
-std::optional<Moment> MomentIn(const Recording& recording, const HistoryStep& step,
+std::optional<Moment> MomentIn(const Recording& recording, const Segment& step,
                                std::uint64_t ticks) {
   if (ticks > step.end.tick - step.begin.tick) return std::nullopt;
   const std::uint64_t tick = step.begin.tick + ticks;
@@ -142,7 +154,7 @@ std::optional<Moment> MomentIn(const Recording& recording, const HistoryStep& st
   return Moment{.line = line, .tick = tick};
 }
 
-Moment MomentOf(const Recording& recording, const std::vector<HistoryStep>& steps, std::size_t step,
+Moment MomentOf(const Recording& recording, const std::vector<Segment>& steps, std::size_t step,
                 const std::optional<double>& after) {
   if (step >= steps.size()) {
     throw std::invalid_argument(recording.directory.string() + " has no step " +

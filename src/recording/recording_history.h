@@ -10,8 +10,12 @@
 
 namespace smile::recording {
 
-/// One action of a recording's history and what followed upon it, up to the next one.
-struct HistoryStep {
+/// One action and what followed upon it, up to the next one. sim::EventOfAction() defines what
+/// begins a segment; while it is being recorded, it is a sim::Action.
+///
+/// The index of a segment in the whole history is its step. Its index among the segments on the
+/// recording's own way is its number, by which editing and the files of the classic view call it.
+struct Segment {
   std::optional<std::size_t> parent;  ///< the step before; nullopt for the start
   Moment begin;                       ///< just before the action
   /// As far as it went: to the next action, to where it was left by an undo, or to the recording's
@@ -25,19 +29,26 @@ struct HistoryStep {
 /// others are in the order in which they were done, each after its parent. The recording ends with
 /// the last one on the way.
 /// @throws InputError if the recording's trace cannot be read.
-std::vector<HistoryStep> HistoryOf(const Recording& recording);
+std::vector<Segment> HistoryOf(const Recording& recording);
+
+/// The same as far as the log knows it: without summaries. Only for recordings that have commands.
+/// @param last_tick  of the recording; its last segment ends there.
+std::vector<Segment> CutAtActions(const Recording& recording, std::uint64_t last_tick);
+
+/// The segments on the recording's own way, by their numbers.
+std::vector<Segment> OnWay(const std::vector<Segment>& history);
 
 /// `left hand takes b03`; of step 0 `the start`.
-std::string WordsOf(const HistoryStep& step);
+std::string WordsOf(const Segment& step);
 
 /// The moment some ticks after a step's begin; nullopt if it did not last that long.
-std::optional<Moment> MomentIn(const Recording& recording, const HistoryStep& step,
+std::optional<Moment> MomentIn(const Recording& recording, const Segment& step,
                                std::uint64_t ticks);
 
 /// The moment so many seconds after a step began; its end if nothing is said of them.
 /// @param steps  of the recording, as HistoryOf() has them.
 /// @throws std::invalid_argument if there is no such step, or it did not last that long.
-Moment MomentOf(const Recording& recording, const std::vector<HistoryStep>& steps, std::size_t step,
+Moment MomentOf(const Recording& recording, const std::vector<Segment>& steps, std::size_t step,
                 const std::optional<double>& after);
 
 }  // namespace smile::recording

@@ -102,7 +102,7 @@ class ImportTest : public recorder::RecordingFixture {
 TEST_F(ImportTest, ItsHistoryIsThatOfTheRecording) {
   const auto words = [](const recording::Recording& recording) {
     std::vector<std::string> of_steps;
-    for (const recording::HistoryStep& step : recording::HistoryOf(recording))
+    for (const recording::Segment& step : recording::HistoryOf(recording))
       of_steps.push_back(recording::WordsOf(step));
     return of_steps;
   };
@@ -113,7 +113,7 @@ TEST_F(ImportTest, ItsHistoryIsThatOfTheRecording) {
   options.scene = SceneFrom(kScene);
   const recording::Recording imported = Import(Strip(demo), options);
   EXPECT_EQ(words(imported), recorded);
-  const std::vector<recording::HistoryStep> steps = recording::HistoryOf(imported);
+  const std::vector<recording::Segment> steps = recording::HistoryOf(imported);
   for (std::size_t i = 1; i < steps.size(); ++i) {
     EXPECT_EQ(steps[i].parent, i - 1);
     EXPECT_EQ(steps[i].begin.tick, steps[i - 1].end.tick);

@@ -32,11 +32,11 @@ class EditTest : public recorder::RecordingFixture {
 
   static std::vector<int> Numbers(const recording::Demonstration& demonstration) {
     std::vector<int> numbers;
-    for (const recording::Segment& segment : demonstration.segments)
+    for (const recording::EditableSegment& segment : demonstration.segments)
       numbers.push_back(segment.number);
     return numbers;
   }
-  static std::vector<std::uint64_t> Offsets(const recording::Segment& segment) {
+  static std::vector<std::uint64_t> Offsets(const recording::EditableSegment& segment) {
     std::vector<std::uint64_t> offsets;
     for (const recording::SegmentCommand& command : segment.commands)
       offsets.push_back(command.offset);
@@ -76,7 +76,7 @@ TEST_F(EditTest, TheScheduleFollowsTheSegments) {
 }
 
 TEST_F(EditTest, TrimKeepsTheActionAndAPart) {
-  const recording::Segment trimmed = Edited(Short(), Trim{1, 0.5, 10}).segments[1];
+  const recording::EditableSegment trimmed = Edited(Short(), Trim{1, 0.5, 10}).segments[1];
   EXPECT_EQ(Offsets(trimmed), (std::vector<std::uint64_t>{0, 70}));
   EXPECT_EQ(trimmed.duration, 90u);
   EXPECT_EQ(trimmed.pauses, (std::vector<recording::TickSpan>{{10, 70}}));
@@ -137,14 +137,14 @@ TEST_F(EditTest, SpeedIsAlsoThatOfTheRobot) {
       {2, 10, sim::FollowTrajectory{{{"head_pan"}, {{0, {0}, {0.1}}, {4, {1}, {0.2}}}}}},
       {3, 20, sim::JointVelocities{.left = {{0.5}}, .grippers = {{0.1, -0.1}}, .head = 0.2}},
       {4, 30, sim::TurnJoint{.joint = "left_s0", .velocity = 0.3}}};
-  const recording::Segment twice = Edited(robot, Speed{2}).segments[0];
+  const recording::EditableSegment twice = Edited(robot, Speed{2}).segments[0];
   EXPECT_EQ(std::get<sim::TakePose>(twice.commands[0].command).speed, 0.6);
   EXPECT_EQ(std::get<sim::FollowTrajectory>(twice.commands[1].command).trajectory.points,
             (std::vector<motion::TrajectoryPoint>{{0, {0}, {0.2}}, {2, {1}, {0.4}}}));
   EXPECT_EQ(std::get<sim::JointVelocities>(twice.commands[2].command),
             (sim::JointVelocities{.left = {{1.0}}, .grippers = {{0.2, -0.2}}, .head = 0.4}));
   EXPECT_EQ(std::get<sim::TurnJoint>(twice.commands[3].command).velocity, 0.6);
-  const recording::Segment fastest = Edited(robot, Speed{10}).segments[0];
+  const recording::EditableSegment fastest = Edited(robot, Speed{10}).segments[0];
   EXPECT_EQ(std::get<sim::TakePose>(fastest.commands[0].command).speed, 1);
 }
 
@@ -241,7 +241,7 @@ TEST_F(EditTest, ARobotsCommandsAreEditedLikeOthers) {
 {"do":"joint_velocities","head":0}
 {"do":"wait","seconds":2})",
                                       /*with_robot=*/true));
-  const recording::Segment segment = recording::DemonstrationOf(recording).segments.at(0);
+  const recording::EditableSegment segment = recording::DemonstrationOf(recording).segments.at(0);
   ASSERT_EQ(segment.pauses.size(), 1u);
   const std::uint64_t stopped = segment.pauses[0].begin;  // the head brakes first
   EXPECT_NEAR(static_cast<double>(stopped), 60, 10);

@@ -65,7 +65,7 @@ class CrashTest : public RecordingFixture {
 
     // And it can be gone on with.
     auto simulation = MakeSimulation(false);
-    const std::vector<recording::HistoryStep> steps = recording::HistoryOf(recording);
+    const std::vector<recording::Segment> steps = recording::HistoryOf(recording);
     std::size_t last = steps.size() - 1;
     while (!steps[last].is_on_way) --last;
     const auto recorder = Recorder::Continue(demo, steps[last].end, nullptr, simulation.get());

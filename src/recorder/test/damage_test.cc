@@ -39,7 +39,7 @@ class DamageProperty : public RecordingFixture, public ::testing::WithParamInter
     const recording::Recording recording = recording::OpenRecording(demo);
     (void)recording::AttentionOf(recording);
     (void)recording::DemonstrationOf(recording);
-    for (const recording::HistoryStep& step : recording::HistoryOf(recording)) {
+    for (const recording::Segment& step : recording::HistoryOf(recording)) {
       recording::TraceReader trace(recording, step.end);
       while (trace.Next()) {
       }

@@ -116,7 +116,7 @@ TEST_F(RecordingDeskTest, TheHistoryTellsEveryStepAlsoWhatWasUndone) {
   Do(sim::Undo(), 2);
   Do(sim::Point{.hand = HandName::kRight, .part = "b"}, 10);
   Do(sim::FinishRecording());
-  const std::vector<recording::HistoryStep> steps =
+  const std::vector<recording::Segment> steps =
       recording::HistoryOf(recording::OpenRecording(root_ / "take"));
   ASSERT_EQ(steps.size(), 4u);
   EXPECT_EQ(recording::WordsOf(steps[0]), "the start");
@@ -138,7 +138,7 @@ TEST_F(RecordingDeskTest, TheHistoryNamesFromTheLogWhatTheTraceLacks) {
   Do(sim::FinishRecording());
   const recording::Recording recording = recording::OpenRecording(root_ / "take");
   std::filesystem::resize_file(root_ / "take" / "trace.bin", 2000);
-  const std::vector<recording::HistoryStep> steps = recording::HistoryOf(recording);
+  const std::vector<recording::Segment> steps = recording::HistoryOf(recording);
   ASSERT_EQ(steps.size(), 3u);
   EXPECT_EQ(recording::WordsOf(steps[1]), "left hand takes a");
   EXPECT_EQ(recording::WordsOf(steps[2]), "left hand releases a");

@@ -7,7 +7,9 @@
 #include <random>
 
 #include "base/state_hash.h"
+#include "recording/demonstration.h"
 #include "recording/recording_history.h"
+#include "recording/segment_files.h"
 #include "recording/trace_reader.h"
 #include "recording_fixture.h"
 #include "replay/replay.h"
@@ -84,12 +86,12 @@ class UndoTest : public RecordingFixture {
   /// have the numbers of steps.
   static void ExpectOneHistory(const sim::ActionHistory& history,
                                const recording::Recording& recording) {
-    const std::vector<recording::HistoryStep> steps = recording::HistoryOf(recording);
-    EXPECT_EQ(std::ranges::count_if(steps, &recording::HistoryStep::is_on_way),
+    const std::vector<recording::Segment> steps = recording::HistoryOf(recording);
+    EXPECT_EQ(std::ranges::count_if(steps, &recording::Segment::is_on_way),
               std::ssize(history.done()));
     for (const sim::Action& action : history.done()) {
       ASSERT_LT(action.id.value, steps.size());
-      const recording::HistoryStep& step = steps[action.id.value];
+      const recording::Segment& step = steps[action.id.value];
       EXPECT_TRUE(step.is_on_way);
       EXPECT_EQ(step.begin.tick, action.tick);
       EXPECT_EQ(recording::WordsOf(step),
@@ -100,6 +102,25 @@ class UndoTest : public RecordingFixture {
       EXPECT_FALSE(steps[action.id.value].is_on_way);
       EXPECT_EQ(recording::WordsOf(steps[action.id.value]), sim::WordsOf(*action.summary));
     }
+    ExpectSameSegments(history.done(), recording);
+  }
+
+  /// What is done is also what editing cuts a recording into, and the classic view its texts.
+  static void ExpectSameSegments(std::span<const sim::Action> done,
+                                 const recording::Recording& recording) {
+    const recording::Demonstration demonstration = recording::DemonstrationOf(recording);
+    ASSERT_EQ(demonstration.segments.size(), done.size());
+    for (std::size_t i = 0; i < done.size(); ++i) {
+      std::vector<sim::TimedCommand> commands;
+      for (const recording::SegmentCommand& logged : demonstration.segments[i].commands) {
+        commands.push_back({done[i].tick + logged.offset, logged.command});
+      }
+      EXPECT_EQ(commands, done[i].commands) << "of segment " << i;
+      EXPECT_TRUE(std::filesystem::exists(
+          recording::SegmentText(recording.directory, static_cast<int>(i))));
+    }
+    EXPECT_FALSE(std::filesystem::exists(
+        recording::SegmentText(recording.directory, static_cast<int>(done.size()))));
   }
 
   /// Whatever comes to the hands' mind, with undo and redo between.
@@ -159,8 +180,8 @@ TEST_P(UndoProperty, GoesOnFromAnyMomentAsIfItHadNeverStopped) {
     const std::size_t line = random() % (recording.log.lines().size() + 1);
     recording::Moment from = recording.log.After(line);
     if (i % 2 == 1) {
-      const std::vector<recording::HistoryStep> steps = recording::HistoryOf(recording);
-      const recording::HistoryStep& step = steps[random() % steps.size()];
+      const std::vector<recording::Segment> steps = recording::HistoryOf(recording);
+      const recording::Segment& step = steps[random() % steps.size()];
       from =
           *recording::MomentIn(recording, step, random() % (step.end.tick - step.begin.tick + 1));
     }

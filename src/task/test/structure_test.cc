@@ -73,7 +73,7 @@ TEST_F(StructureTest, SaysOfAPlacementWhatTheHistorySays) {
 </tabletop>)xml"));
   const Structure structure = StructureOf(demo);
   EXPECT_EQ(structure.relations.front(), (Relation{"a", Relation::Kind::kIn, "ring"}));
-  const std::vector<recording::HistoryStep> history = recording::HistoryOf(demo);
+  const std::vector<recording::Segment> history = recording::HistoryOf(demo);
   EXPECT_EQ(WordsOf(*history.back().summary), "left hand puts a into ring");
 }
 

@@ -189,12 +189,14 @@ py::tuple MoveLine(const PlanningRobot& robot, const std::string& arm, const Arr
                         py::none());
 }
 
-void BindRobot(py::module_& m) {
-  const IkOptions ik;
-  py::class_<PlanningRobot>(m, "Robot", R"(A robot as programs plan with it.
+using RobotClass = py::class_<PlanningRobot>;
+
+RobotClass BindRobot(py::module_& m) {
+  RobotClass robot_class(m, "Robot", R"(A robot as programs plan with it.
 
 Lengths are in the scene's unit, angles in radians; poses are 4x4 matrices of the tool in the world:
-z is the approach direction, y goes across the fingers. Arms are 'left' and 'right'.)")
+z is the approach direction, y goes across the fingers. Arms are 'left' and 'right'.)");
+  robot_class
       .def(py::init([](const std::string& path, const std::optional<Array>& base, double unit,
                        const std::string& gripper) {
              return ReadPlanningRobot(
@@ -232,7 +234,13 @@ gripper: which of the robot's grippers; the usual one without it.)")
           },
           py::arg("arm"), py::arg("name"),
           "The angles of a pose that comes with the robot, such as 'untucked'; None if it has none "
-          "of that name.")
+          "of that name.");
+  return robot_class;
+}
+
+void BindKinematics(RobotClass& robot_class) {
+  const IkOptions ik;
+  robot_class
       .def(
           "forward",
           [](const PlanningRobot& robot, const std::string& arm, const Array& q) {
@@ -258,7 +266,11 @@ gripper: which of the robot's grippers; the usual one without it.)")
 q_start: 7 angles near which to look first.
 any_turn: the tool may be turned about its own axis as the arm likes.
 position_tolerance [units], angle_tolerance [rad].
-max_iterations: of all attempts together, about 1.5 microseconds each.)")
+max_iterations: of all attempts together, about 1.5 microseconds each.)");
+}
+
+void BindPlanning(RobotClass& robot_class) {
+  robot_class
       .def(
           "move_joints",
           [](const PlanningRobot& robot, const std::string& arm, const Array& waypoints,
@@ -312,7 +324,9 @@ void BindMotion(py::module_& m) {
   });
   BindAnswers(m);
   BindTrajectory(m);
-  BindRobot(m);
+  RobotClass robot_class = BindRobot(m);
+  BindKinematics(robot_class);
+  BindPlanning(robot_class);
 }
 
 }  // namespace

@@ -111,7 +111,7 @@ void JointBlock::Factor(btAlignedObjectArray<btSolverBody>& bodies) {
   FindJointsOfBodies(bodies);
   FindGraph();
   if (graph_ != ordered_graph_) {
-    elimination_ = OrderElimination(graph_, kMaxWork);
+    elimination_ = sparse::OrderElimination(graph_, kMaxWork);
     ordered_graph_ = graph_;
   }
   matrix_.Begin(&elimination_);
@@ -230,7 +230,7 @@ void JointBlock::AssembleHub(int node, int body, const btSolverBody& solver_body
   }
 }
 
-void JointBlock::FactorSoftened(double softness, BlockMatrix* matrix) {
+void JointBlock::FactorSoftened(double softness, sparse::BlockMatrix* matrix) {
   least_pivots_.assign(matrix->num_rows(), -1);  // hubs
   for (const Row& row : rows_) least_pivots_[row.unknown] = softness * row.self_response;
   matrix->Factor(least_pivots_);

@@ -5,9 +5,9 @@
 
 #include <vector>
 
-#include "physics/internal_block_factor.h"
 #include "physics/internal_bullet.h"
-#include "physics/internal_elimination.h"
+#include "sparse/block_matrix.h"
+#include "sparse/elimination.h"
 
 namespace smile::physics {
 
@@ -55,15 +55,15 @@ class JointBlock {
   void AssemblePair(int joint, int other, int body, double inverse_mass);
   void AssembleHub(int node, int body, const btSolverBody& solver_body);
   void ReduceReturns();
-  void FactorSoftened(double softness, BlockMatrix* matrix);
+  void FactorSoftened(double softness, sparse::BlockMatrix* matrix);
 
   std::vector<Row> rows_;
   std::vector<JointRows> joints_;
-  std::vector<std::vector<int>> joints_of_;  ///< of each body that they move, ascending
-  std::vector<int> light_bodies_, hubs_;     ///< in the order of their joints
-  BlockGraph graph_, ordered_graph_;         ///< of this step, and that of `elimination_`
-  Elimination elimination_;
-  BlockMatrix matrix_, softened_;
+  std::vector<std::vector<int>> joints_of_;   ///< of each body that they move, ascending
+  std::vector<int> light_bodies_, hubs_;      ///< in the order of their joints
+  sparse::BlockGraph graph_, ordered_graph_;  ///< of this step, and that of `elimination_`
+  sparse::Elimination elimination_;
+  sparse::BlockMatrix matrix_, softened_;
   std::vector<double> least_pivots_, unknowns_;
 };
 

@@ -1,4 +1,4 @@
-#include "physics/internal_elimination.h"
+#include "sparse/elimination.h"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <cmath>
 #include <random>
 
-#include "physics/internal_block_factor.h"
+#include "sparse/block_matrix.h"
 
-namespace smile::physics {
+namespace smile::sparse {
 namespace {
 
 constexpr double kEnough = 1e9;
@@ -112,4 +112,4 @@ TEST(BlockMatrix, SolvesWhatItFactored) {
 }
 
 }  // namespace
-}  // namespace smile::physics
+}  // namespace smile::sparse

@@ -1,4 +1,4 @@
-#include "physics/internal_elimination.h"
+#include "sparse/elimination.h"
 
 #include <algorithm>
 #include <iterator>
@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-namespace smile::physics {
+namespace smile::sparse {
 namespace {
 
 void EraseFrom(std::vector<int>* sorted, int value) {
@@ -137,4 +137,4 @@ Elimination OrderElimination(const BlockGraph& graph, double max_work) {
   return elimination;
 }
 
-}  // namespace smile::physics
+}  // namespace smile::sparse

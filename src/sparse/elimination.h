@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace smile::physics {
+namespace smile::sparse {
 
 /// A symmetric matrix of blocks: which of its block rows (nodes) have entries in common.
 struct BlockGraph {
@@ -40,4 +40,4 @@ struct Elimination {
 /// of all multiplications over `max_work` is left out as a whole.
 Elimination OrderElimination(const BlockGraph& graph, double max_work);
 
-}  // namespace smile::physics
+}  // namespace smile::sparse

@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "physics/internal_elimination.h"
+#include "sparse/elimination.h"
 
-namespace smile::physics {
+namespace smile::sparse {
 
 /// A symmetric matrix of blocks and its factors L D L^T: one column of blocks for each step of an
 /// elimination, of which it keeps what lies on and below the diagonal.
@@ -50,4 +50,4 @@ class BlockMatrix {
   int num_rows_ = 0;
 };
 
-}  // namespace smile::physics
+}  // namespace smile::sparse

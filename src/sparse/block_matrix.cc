@@ -1,8 +1,8 @@
-#include "physics/internal_block_factor.h"
+#include "sparse/block_matrix.h"
 
 #include <algorithm>
 
-namespace smile::physics {
+namespace smile::sparse {
 namespace {
 
 /// target -= a b^T, all row by row; a and b have rows of `width`.
@@ -149,4 +149,4 @@ void BlockMatrix::Backward(std::size_t place, double* x) const {
   }
 }
 
-}  // namespace smile::physics
+}  // namespace smile::sparse

@@ -5,7 +5,7 @@
 
 #include "app/commands.h"
 #include "app/exit_code.h"
-#include "page/page_protocol.h"
+#include "page/protocol_text.h"
 
 namespace smile::app {
 namespace {

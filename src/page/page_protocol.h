@@ -35,11 +35,4 @@ std::string MisfitOf(const Json& message, const std::string& request = "");
 /// The same of the fields of a request.
 std::string MisfitOfRequest(const Json& request);
 
-/// The tables of docs/studio-protocol.md.
-std::string RequestMarkdown();
-std::string NewsMarkdown();
-
-/// The page's types: web/src/messages.ts.
-std::string ProtocolTypeScript();
-
 }  // namespace smile::page

@@ -1,5 +1,4 @@
-// Made by tools/generate.py from the program's tables: change src/page/page_protocol.cc
-// instead.
+// Made by tools/generate.py from the tables in src/page: change those instead.
 
 import type { Command } from "./commands";
 

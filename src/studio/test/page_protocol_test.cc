@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "page/protocol_text.h"
 #include "session_fixture.h"
 #include "studio/library_requests.h"
 

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/json_shape.h"
+
+// What messages and requests consist of.
+
+namespace smile::page {
+
+inline constexpr bool kOptional = false;
+
+JsonShape NumberShape();
+JsonShape TextShape();
+JsonShape FlagShape();
+JsonShape TextsShape();
+JsonShape NumbersShape();
+JsonShape ObjectShape(std::vector<JsonMember> members);
+/// `t` of a message.
+JsonMember KindMember(const char* name);
+
+// Types that have a name of their own.
+
+JsonShape HandNameShape();
+JsonShape MoodShape();
+JsonShape SnapNameShape();
+JsonShape PointShape();
+JsonShape PoseShape();
+JsonShape VisualShape();
+JsonShape SceneObjectShape();
+JsonShape RobotDescriptionShape();
+JsonShape HandShape();
+JsonShape DeedShape();
+JsonShape SegmentShape();
+JsonShape TimelineShape();
+JsonShape DiagnosticShape();
+JsonShape ConsoleLineShape();
+JsonShape LibraryEntryShape();
+
+}  // namespace smile::page

@@ -1,0 +1,101 @@
+#include "page/protocol_text.h"
+
+#include <vector>
+
+#include "page/internal_shapes.h"
+#include "page/page_protocol.h"
+
+namespace smile::page {
+namespace {
+
+/// `` `factor`: 0.1 to 4, `exact`? ``
+std::string NamesIn(const std::vector<JsonMember>& members) {
+  std::string text;
+  bool has_meaning = false;
+  for (const JsonMember& member : members) {
+    if (member.name == "t") continue;
+    if (!text.empty()) text += has_meaning ? "; " : ", ";
+    text += "`" + member.name + (member.is_required ? "`" : "`?");
+    has_meaning = !member.meaning.empty();
+    if (has_meaning) text += ": " + member.meaning;
+  }
+  return text;
+}
+
+std::string TableCell(const std::string& text) { return text.empty() ? " |" : " " + text + " |"; }
+
+/// A type of the page's, with what it is for.
+struct NamedShape {
+  JsonShape shape;
+  std::string meaning = "";
+};
+
+/// What the page's types are made of, and what has a name of its own.
+std::vector<NamedShape> NamedShapes() {
+  return {{HandNameShape()},
+          {MoodShape()},
+          {SnapNameShape()},
+          {PointShape()},
+          {PoseShape(), "x, y, z, then the quaternion x, y, z, w."},
+          {VisualShape()},
+          {SceneObjectShape()},
+          {RobotDescriptionShape()},
+          {HandShape()},
+          {DeedShape(),
+           "What a hand did; `on` and `into` tell what is beneath what was put or dropped."},
+          {SegmentShape()},
+          {TimelineShape(), "All times from the start [s]."},
+          {LibraryEntryShape()},
+          {DiagnosticShape()},
+          {ConsoleLineShape()}};
+}
+
+}  // namespace
+
+std::string RequestMarkdown() {
+  std::string text = "| `do` | fields | answered with | |\n|---|---|---|---|\n";
+  for (const RequestForm& form : RequestForms()) {
+    const char* who = !form.is_for_anyone ? "" : form.remark.empty() ? "*anyone*" : "*anyone*; ";
+    text += "|" + TableCell("`" + form.name + "`") + TableCell(NamesIn(form.fields)) +
+            TableCell(NamesIn(form.answer)) + TableCell(who + form.remark) + "\n";
+  }
+  return text;
+}
+
+std::string NewsMarkdown() {
+  std::string text = "| `t` | fields | |\n|---|---|---|\n";
+  for (const NewsForm& form : NewsForms()) {
+    text += "|" + TableCell("`" + form.name + "`") + TableCell(NamesIn(form.shape.members())) +
+            TableCell(form.remark) + "\n";
+  }
+  return text;
+}
+
+std::string ProtocolTypeScript() {
+  std::string text =
+      "// Made by tools/generate.py from the tables in src/page: change those instead.\n\n"
+      "import type { Command } from \"./commands\";\n";
+  for (const NamedShape& named : NamedShapes()) {
+    text += "\n" + named.shape.TypeScriptDefinition(named.meaning);
+  }
+  std::string names;
+  for (const NewsForm& form : NewsForms()) {
+    text += "\n" + form.shape.TypeScriptDefinition();
+    names += "\n  | " + form.shape.TypeScript();
+  }
+  text +=
+      "\n/** What is told without being asked for. */\nexport type UnaskedNews =" + names + ";\n";
+  text +=
+      "\n/** What may be asked for, and what is answered beside `ok`. */\n"
+      "export interface Requests {\n";
+  const auto type_of = [](const std::vector<JsonMember>& members) {
+    return members.empty() ? std::string("object") : ObjectShape(members).TypeScript();
+  };
+  for (const RequestForm& form : RequestForms()) {
+    text += "  " + form.name + ": { fields: " + type_of(form.fields) +
+            "; answer: " + type_of(form.answer) + " };\n";
+  }
+  return text + "}\n";
+}
+
+}  // namespace smile::page

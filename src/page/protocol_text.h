@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+// The tables of page_protocol.h, as tools/generate.py writes them to files.
+
+namespace smile::page {
+
+/// The tables of docs/studio-protocol.md.
+std::string RequestMarkdown();
+std::string NewsMarkdown();
+
+/// The page's types: web/src/messages.ts.
+std::string ProtocolTypeScript();
+
+}  // namespace smile::page

@@ -46,6 +46,12 @@ JsonShape JsonShape::OrNull() const {
   return shape;
 }
 
+JsonShape JsonShape::OrTrue() const {
+  JsonShape shape = *this;
+  shape.may_be_true_ = true;
+  return shape;
+}
+
 JsonShape JsonShape::Called(std::string name) const {
   JsonShape shape = *this;
   shape.name_ = std::move(name);
@@ -89,6 +95,7 @@ JsonShape JsonShape::Object(std::vector<JsonMember> members) {
 
 bool JsonShape::Fits(const Json& json, std::string* misfit) const {
   if (may_be_null_ && json.is_null()) return true;
+  if (may_be_true_ && json == true) return true;
   if (!FitsAlone(json)) {
     if (misfit != nullptr) *misfit = " is " + ToText(json).substr(0, kMaxFound);
     return false;
@@ -156,10 +163,13 @@ bool JsonShape::FitsMembers(const Json& json, std::string* misfit) const {
 }
 
 Json JsonShape::Schema() const {
-  if (may_be_null_) {
+  if (may_be_null_ || may_be_true_) {
     JsonShape itself = *this;
-    itself.may_be_null_ = false;
-    return {{"anyOf", {itself.Schema(), {{"type", "null"}}}}};
+    itself.may_be_null_ = itself.may_be_true_ = false;
+    Json any = Json::array({itself.Schema()});
+    if (may_be_true_) any.push_back({{"const", true}});
+    if (may_be_null_) any.push_back({{"type", "null"}});
+    return {{"anyOf", std::move(any)}};
   }
   switch (type_) {
     case Type::kAnything:
@@ -220,6 +230,11 @@ std::string JsonShape::TypeScriptDefinition(const std::string& meaning) const {
 }
 
 std::string JsonShape::UnnamedTypeScript() const {
+  if (may_be_true_) {
+    JsonShape itself = *this;
+    itself.may_be_true_ = false;
+    return itself.UnnamedTypeScript() + " | true";
+  }
   switch (type_) {
     case Type::kAnything:
       return "unknown";

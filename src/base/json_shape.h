@@ -33,6 +33,8 @@ class JsonShape {
 
   /// The same, or null.
   JsonShape OrNull() const;
+  /// The same, or true.
+  JsonShape OrTrue() const;
   /// The same under a name, which TypeScript() then tells instead.
   JsonShape Called(std::string name) const;
 
@@ -64,7 +66,7 @@ class JsonShape {
 
   Type type_;
   std::string name_;  ///< empty without one
-  bool may_be_null_ = false;
+  bool may_be_null_ = false, may_be_true_ = false;
   double min_ = 0, max_ = 0;                   ///< of a number
   std::size_t min_count_ = 0, max_count_ = 0;  ///< of the bytes of a text, the items of a list
   std::vector<std::string> words_;             ///< one of which it is

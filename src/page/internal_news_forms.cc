@@ -60,22 +60,22 @@ JsonShape StateNewsShape() {
                                          {"title", TextShape()},
                                          {"error", TextShape()},
                                          {"kept", FlagShape(), true, "it is in the library"}});
+  const JsonShape allowed = ObjectShape(
+      {{"requests", JsonShape::Map(AllowedShape())}, {"commands", JsonShape::Map(AllowedShape())}});
   return ObjectShape(
              {KindMember("state"),
               {"tick", NumberShape()},
               {"mode", JsonShape::Word({"live", "playback", "rage"})},
+              {"allowed", allowed, true, "what may be asked for now, else why not"},
               {"paused", FlagShape()},
               {"speed", NumberShape(), true, "simulated per real second, over the last one"},
               {"hands", HandsNowShape()},
-              {"undo", FlagShape()},
-              {"redo", FlagShape()},
               {"still", FlagShape()},
               {"recording", recording.OrNull()},
               {"playback", playback.OrNull()},
               {"failure", failure.OrNull(), true, "the last recording ended by itself"},
               {"controls", JsonShape::Map(TextShape()), true,
                "states as recordings have them; of a switch its position"},
-              {"pressed", TextsShape(), true, "buttons of switches that are down"},
               {"gone", TextsShape()},
               {"fallen", TextsShape(), true, "on the floor, out of play"},
               {"attention", JsonShape::Map(TextsShape())},

@@ -39,6 +39,12 @@ std::vector<RequestForm> WorldRequests() {
         {"exact", FlagShape(), kOptional, "it does not snap"}},
        {{"recording", TextShape(), kOptional}},
        "`recording` of `start`"},
+      {"allowed",
+       {{"requests", JsonShape::List(JsonShape::Map(JsonShape::Anything()), 0, 16), true,
+         "requests, at most 16, that are not carried out"}},
+       {{"allowed", JsonShape::List(AllowedShape())}},
+       "of each in order: true, or why it would be refused. Also a command to a hand, an object or "
+       "the robot is tried, on a copy of the world"},
       {"pause", {}, {}, "time stands still; commands are still carried out"},
       {"resume", {}, {}, ""},
       {"speed", {{"factor", NumberShape(), true, "0.1 to 4"}}, {}, "of simulated to real time"},

@@ -135,6 +135,8 @@ JsonShape TimelineShape() {
       .Called("Timeline");
 }
 
+JsonShape AllowedShape() { return TextShape().OrTrue().Called("Allowed"); }
+
 JsonShape DiagnosticShape() {
   return ObjectShape({{"file", TextShape()},
                       {"line", NumberShape()},

@@ -34,6 +34,8 @@ JsonShape HandShape();
 JsonShape DeedShape();
 JsonShape SegmentShape();
 JsonShape TimelineShape();
+/// True, or the reason why not.
+JsonShape AllowedShape();
 JsonShape DiagnosticShape();
 JsonShape ConsoleLineShape();
 JsonShape LibraryEntryShape();

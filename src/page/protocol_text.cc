@@ -46,6 +46,7 @@ std::vector<NamedShape> NamedShapes() {
           {SegmentShape()},
           {TimelineShape(), "All times from the start [s]."},
           {LibraryEntryShape()},
+          {AllowedShape(), "True, or the reason why not."},
           {DiagnosticShape()},
           {ConsoleLineShape()}};
 }

@@ -109,6 +109,14 @@ std::vector<std::string> RequestFields::Words(const char* name,
   return words;
 }
 
+const Json& RequestFields::List(const char* name, std::size_t max_count) const {
+  const std::string expected = "a list of up to " + Size(max_count);
+  const Json& list = Get(name, expected);
+  if (!list.is_array()) Expected(name, Found(list), expected);
+  if (list.size() > max_count) Expected(name, "a list of " + Size(list.size()), expected);
+  return list;
+}
+
 const Json& RequestFields::Object(const char* name) const {
   const Json& value = Get(name, "an object");
   if (!value.is_object()) Expected(name, Found(value), "an object");

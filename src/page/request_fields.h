@@ -20,7 +20,9 @@ inline constexpr std::size_t kMaxRequestText = 256;
 class RequestFields {
  public:
   /// `request` must outlive this.
-  explicit RequestFields(const Request& request) : fields_(request.fields) {}
+  explicit RequestFields(const Request& request) : request_(request), fields_(request.fields) {}
+
+  const Request& request() const { return request_; }
 
   bool Has(const char* name) const;
   /// Not empty.
@@ -38,6 +40,8 @@ class RequestFields {
   std::vector<std::string> Words(const char* name, std::span<const std::string_view> known) const;
   /// One of `known`.
   std::string Word(const char* name, std::span<const std::string_view> known) const;
+  /// Of up to so many items.
+  const Json& List(const char* name, std::size_t max_count) const;
   /// An object.
   const Json& Object(const char* name) const;
 
@@ -46,6 +50,7 @@ class RequestFields {
   const Json* Find(const char* name) const;
   const Json& Get(const char* name, const std::string& expected) const;
 
+  const Request& request_;
   const Json& fields_;
 };
 

@@ -46,7 +46,26 @@ Json Answer(const RequestTable& table, const Request& request, bool is_controlle
   if (!entry->second.is_for_anyone && !is_controller) {
     return Reply(request, Failure("you are watching: take control first"));
   }
-  return AnswerWith(request, [&] { return entry->second.handle(request); });
+  return AnswerWith(request, [&] {
+    const Precondition& refuse = entry->second.refuse;
+    const auto refusal = refuse ? refuse(request) : std::nullopt;
+    if (refusal) throw RequestError(*refusal);
+    return entry->second.handle(request);
+  });
+}
+
+Json AllowedRequests(const RequestTable& table) {
+  Json allowed = Json::object();
+  for (const auto& [name, entry] : table.entries) {
+    if (!entry.refuse) continue;
+    const Request request{.what = name, .fields = Json::object()};
+    allowed[name] = AllowedUnless(entry.refuse(request));
+  }
+  return allowed;
+}
+
+Json AllowedUnless(const std::optional<std::string>& refusal) {
+  return refusal ? Json(*refusal) : Json(true);
 }
 
 Json AnswerWith(const Request& request, const std::function<Json()>& carry_out) {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -33,6 +34,10 @@ struct Request {
 /// it throws, a RequestError, InputError or std::invalid_argument, is the answer.
 using RequestHandler = std::function<Json(const Request&)>;
 
+/// Says why a request cannot be carried out as things are now; nullopt if it can. May throw as a
+/// RequestHandler does.
+using Precondition = std::function<std::optional<std::string>(const Request&)>;
+
 /// What takes its time is answered by a Letter.
 Json AnswersLater();
 bool IsLater(const Json& answer);
@@ -48,6 +53,7 @@ struct RequestTable {
   struct Entry {
     RequestHandler handle;
     bool is_for_anyone = false;  ///< else for the controller alone
+    Precondition refuse = {};    ///< empty if nothing but its fields matters
   };
   std::map<std::string, Entry, std::less<>> entries;
   /// What there is to be told since they were last asked; to be asked 60 times a second.
@@ -58,7 +64,13 @@ struct RequestTable {
 /// is.
 Json Answer(const RequestTable& table, const Request& request, bool is_controller);
 
-/// The same of a request that somebody carries out, in whatever thread.
+/// Of each request with a precondition: may it be sent as things are now, without any field that
+/// may be left out? As AllowedUnless() has it, by name.
+Json AllowedRequests(const RequestTable& table);
+/// True, or the reason why not.
+Json AllowedUnless(const std::optional<std::string>& refusal);
+
+/// Answer() to a request that somebody carries out, in whatever thread.
 Json AnswerWith(const Request& request, const std::function<Json()>& carry_out);
 
 /// From all who have something to tell, in order.

@@ -18,9 +18,6 @@ RecordingDesk::RecordingDesk(sim::Simulation* simulation, Options options)
 
 std::optional<sim::Refusal> RecordingDesk::Start(const sim::Simulation& simulation,
                                                  const sim::StartRecording& start) {
-  if (recorder_) {
-    return "already recording into " + directories_.back().string() + "; finish that first";
-  }
   std::string name = start.name.empty() ? simulation.scene().name : start.name;
   if (start.name.empty() && !recording::IsRecordingName(name)) name = "recording";
   if (!recording::IsRecordingName(name))
@@ -59,7 +56,6 @@ void RecordingDesk::Continue(const std::filesystem::path& directory, const recor
 }
 
 std::optional<sim::Refusal> RecordingDesk::Finish(const sim::Simulation&) {
-  if (!recorder_) return "nothing is being recorded";
   EndIfRemoved();
   if (!recorder_) return failure_;
   recorder_.reset();
@@ -87,6 +83,12 @@ void RecordingDesk::Record(const Part& part) {
 
 std::optional<sim::Refusal> RecordingDesk::Refuse(const sim::Simulation& simulation,
                                                   const sim::Command& command) {
+  if (std::holds_alternative<sim::StartRecording>(command) && recorder_) {
+    return "already recording into " + directories_.back().string() + "; finish that first";
+  }
+  if (std::holds_alternative<sim::FinishRecording>(command) && !recorder_) {
+    return "nothing is being recorded";
+  }
   return recorder_ ? recorder_->Refuse(simulation, command) : std::nullopt;
 }
 

@@ -52,13 +52,26 @@ bool ChangesWorld(const Command& command) {
 
 std::optional<Refusal> Simulation::Apply(const Command& wanted) {
   const Command command = OnFileGrid(wanted, scene().meters_per_unit);
-  std::optional<Refusal> refusal;
-  for (Listener* listener : listeners_) {
-    if (!refusal) refusal = listener->Refuse(*this, command);
-  }
+  std::optional<Refusal> refusal = Refuse(command);
   if (!refusal) refusal = ChangesWorld(command) ? Perform(command) : Carry(command);
   if (refusal) Tell({.kind = EventKind::kCommandRefused, .reason = *refusal});
   return refusal;
+}
+
+std::optional<Refusal> Simulation::Refuse(const Command& command) const {
+  for (Listener* listener : listeners_) {
+    if (auto refusal = listener->Refuse(*this, command)) return refusal;
+  }
+  if (std::holds_alternative<Undo>(command) && !history_.can_undo()) {
+    return "there is nothing to undo";
+  }
+  if (std::holds_alternative<Redo>(command) && !history_.can_redo()) {
+    return "there is nothing to do again";
+  }
+  const bool is_of_recording = std::holds_alternative<StartRecording>(command) ||
+                               std::holds_alternative<FinishRecording>(command);
+  if (is_of_recording && recording_control_ == nullptr) return "nobody records this simulation";
+  return std::nullopt;
 }
 
 std::optional<Refusal> Simulation::Carry(const Command& command) {
@@ -66,7 +79,6 @@ std::optional<Refusal> Simulation::Carry(const Command& command) {
 }
 
 std::optional<Refusal> Simulation::Carry(const Undo&) {
-  if (!history_.can_undo()) return "there is nothing to undo";
   const ActionId from = history_.current().id;
   PutBack(history_.Undo(Save()));
   for (Listener* listener : listeners_) listener->OnMove(*this, from, history_.current().id);
@@ -74,7 +86,6 @@ std::optional<Refusal> Simulation::Carry(const Undo&) {
 }
 
 std::optional<Refusal> Simulation::Carry(const Redo&) {
-  if (!history_.can_redo()) return "there is nothing to do again";
   const ActionId from = history_.current().id;
   PutBack(*history_.Redo());
   for (Listener* listener : listeners_) listener->OnMove(*this, from, history_.current().id);
@@ -82,12 +93,10 @@ std::optional<Refusal> Simulation::Carry(const Redo&) {
 }
 
 std::optional<Refusal> Simulation::Carry(const StartRecording& start) {
-  if (recording_control_ == nullptr) return "nobody records this simulation";
   return recording_control_->Start(*this, start);
 }
 
 std::optional<Refusal> Simulation::Carry(const FinishRecording&) {
-  if (recording_control_ == nullptr) return "nobody records this simulation";
   return recording_control_->Finish(*this);
 }
 

@@ -69,6 +69,9 @@ class Simulation {
   /// The one door. Applies the command at once, before the next tick.
   /// @returns why it was refused; the world is then as before.
   std::optional<Refusal> Apply(const Command& command);
+  /// Why a command would be refused, as far as that does not depend on hands, objects and robot:
+  /// by listeners, or because there is nothing to undo, to redo or to record with.
+  std::optional<Refusal> Refuse(const Command& command) const;
   /// Advances by 1/60 s.
   void Tick();
 

@@ -1,23 +1,25 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "library/brain_choices.h"
 #include "library/library.h"
-#include "library/playback.h"
 #include "page/request_fields.h"
+#include "studio/internal_console_news.h"
+#include "studio/internal_eye_preview.h"
+#include "studio/internal_scene_announcer.h"
+#include "studio/internal_session_state.h"
 #include "studio/live_brain.h"
 #include "studio/live_world.h"
-#include "studio/rage.h"
+#include "studio/rehearsal.h"
 #include "studio/resting_place.h"
-#include "studio/scene_meshes.h"
 #include "studio/session.h"
 #include "studio/snapping.h"
-#include "task/imitation_result.h"
 
 namespace smile::studio {
 
@@ -32,37 +34,82 @@ class Session::Impl {
   const library::View& view() const;
   News TakeNews();
   std::vector<Json> Everything() const;
-  std::optional<std::string> MeshBytes(std::uint32_t scene, std::size_t mesh) const;
+  std::optional<std::string> MeshBytes(std::uint32_t scene, std::size_t mesh) const {
+    return announcer_.MeshBytes(scene, mesh);
+  }
 
  private:
-  /// An imitation that is watched live.
-  struct Imitation {
-    task::Exercise exercise;
-    std::unique_ptr<task::CourseWitness> witness;
-    std::filesystem::path recording;  ///< its directory
-    std::uint64_t start_tick = 0;
-  };
-
   // What may be asked (session_requests.cc).
+
+  /// What a request needs to be carried out.
+  enum class Need {
+    kLiveWorld,
+    kPlayback,
+    kNoRage,
+    kNoRecording,
+    kNoRestoring,
+    kRobot,
+    kProgram,
+    kNoProgram,
+  };
+  using Needs = std::vector<Need>;
+  using Handler = Json (Impl::*)(const page::RequestFields&);
+  /// Further reasons to refuse a request, by its fields.
+  using Refuser = std::optional<std::string> (Impl::*)(const page::RequestFields&);
+  struct RequestRow {
+    const char* what;
+    Handler handle;
+    Needs needs = {};
+    bool is_for_anyone = false;
+    Refuser refuse = nullptr;
+  };
+  static const std::vector<RequestRow>& RequestRows();
   void AddRequests();
-  void AddWorldRequests();
-  void AddSceneRequests();
-  void AddRecordingRequests();
-  void AddBrainRequests();
-  Json Command(const page::Request& request);
+  /// Why it is not met; nullopt if it is.
+  std::optional<std::string> Unmet(Need need) const;
+  std::optional<std::string> FirstUnmet(const Needs& needs) const;
+  std::optional<std::string> RefusalOf(const RequestRow& row, const page::Request& request);
+  /// Of a command, as far as the simulation has no part in it.
+  std::optional<std::string> RefusalInSession(const sim::Command& command) const;
+  /// As far as it does not depend on hands, objects and robot.
+  std::optional<std::string> RefusalOf(const sim::Command& command) const;
+  /// Of any request, without carrying it out.
+  std::optional<std::string> RefusalOf(const Json& wanted);
+  /// `allowed` of a state message.
+  Json DescribeAllowed() const;
+
+  Json Allowed(const page::RequestFields& fields);
+  std::optional<std::string> RefuseStartBrain(const page::RequestFields& fields);
+  std::optional<std::string> RefuseClear(const page::RequestFields& fields);
+  Json Command(const page::RequestFields& fields);
   /// What a page's `command` means now, snapped unless it is to be exact.
   sim::Command MeantBy(const Json& wanted, bool is_exact);
+  Json Pause(const page::RequestFields& fields);
+  Json Resume(const page::RequestFields& fields);
+  Json SetSpeed(const page::RequestFields& fields);
+  Json SetSnap(const page::RequestFields& fields);
+  Json AnswerRestingPlace(const page::RequestFields& fields);
   Json Load(const page::RequestFields& fields);
-  Json Check(const page::RequestFields& fields) const;
+  Json Reload(const page::RequestFields& fields);
+  Json Check(const page::RequestFields& fields);
   Json Spawn(const page::RequestFields& fields);
   Json Clear(const page::RequestFields& fields);
   Json FindSupport(const page::RequestFields& fields);
-  Json FindRestingPlace(const page::RequestFields& fields);
   Json Show(const page::RequestFields& fields);
-  Json Branch(const page::Request& request);
-  Json DescribeBrains() const;
+  Json Play(const page::RequestFields& fields);
+  Json GoLive(const page::RequestFields& fields);
+  Json Branch(const page::RequestFields& fields);
+
+  // Robot programs (session_brains.cc).
+  Json DescribeBrains(const page::RequestFields& fields);
   Json StartBrain(const page::RequestFields& fields);
+  Json StopBrain(const page::RequestFields& fields);
   Json Imitate(const page::RequestFields& fields);
+  library::BrainChoice FindBrain(const std::string& name) const;
+  std::vector<library::BrainChoice> Brains() const;
+  void RunBrain(const library::BrainChoice& choice, const std::filesystem::path& demonstration);
+  /// Begins to record the imitation that starts now; its directory.
+  std::filesystem::path RecordImitation(const recording::Recording& demonstration);
 
   // Scenes (session_scenes.cc).
   scene::SceneSpec ReadNamedScene(const std::string& name) const;
@@ -77,63 +124,41 @@ class Session::Impl {
   /// With a preset's objects, none of them in the robot.
   std::unique_ptr<LiveWorld> WorldWith(const std::string& preset, std::uint64_t seed);
 
-  /// Throw a RequestError with the reason.
-  void RequireLive() const;
-  void RequireNoBranching() const;
-  void RequireNoRecording() const;
-  void RequireIdleRobot() const;
-
+  // States and news (session.cc).
+  SessionState& state() { return playback_ ? *playback_ : *world_state_; }
+  const SessionState& state() const { return playback_ ? *playback_ : *world_state_; }
+  void EndStateIfOver();
   /// Of a recording that ended by itself.
   void NoteFailure();
-  bool TickLive();
-  void EndImitation();
   void TellAllOfScene();
-  void TellLooks();
+  void TellIfAny(std::optional<Json> message);
   void TellStateIfDue();
   void TellConsole();
-  void LookThroughEye();
-  sim::Sight SightNow() const;
-  Json DescribeScene() const;
   Json DescribeState() const;
-  const sim::Simulation& shown() const;
-  library::BrainChoice FindBrain(const std::string& name) const;
-  std::vector<library::BrainChoice> Brains() const;
-  void RunBrain(const library::BrainChoice& choice, const std::filesystem::path& demonstration);
-  /// Begins to record the imitation that starts now; its directory.
-  std::filesystem::path RecordImitation(const recording::Recording& demonstration);
 
   SessionOptions options_;
   library::Library library_;
   scene::SceneSpec loaded_;  ///< what a reload gives
   std::unique_ptr<LiveWorld> world_;
-  std::unique_ptr<library::Playback> playback_;  ///< nullptr unless a recording is shown
-  std::unique_ptr<Rage> rage_;                   ///< nullptr unless the robot clears the table
-  bool is_branching_ = false;  ///< the world that goes on with a recording is in the making
   LiveBrain brain_;
-  std::optional<Imitation> imitation_;
+  std::unique_ptr<SessionState> world_state_;  ///< of the world: live, imitating or rage
+  std::unique_ptr<PlaybackState> playback_;    ///< over it; nullptr unless a recording is shown
+  bool is_restoring_ = false;  ///< the world that goes on with a recording is in the making
+  Rehearsal rehearsal_;
   RestingPlace resting_place_;
-  Json resting_answer_;
-  std::uint64_t resting_call_ = 0, resting_tick_ = 0;
   Snapper snapper_;
   bool is_paused_ = false;
   double speed_factor_ = 1, measured_speed_ = 1;
 
   page::RequestTable requests_;
   std::vector<Json> messages_;
-  std::optional<Image> picture_;
-  bool is_picture_recorded_ = false;
-  /// Through the eye, at last; nullopt when somebody waits for a picture.
-  mutable std::optional<sim::Sight> seen_;
-  bool is_eye_broken_ = false;  ///< it cannot draw; that was told
-  std::deque<Json> console_;    ///< the last lines that robot programs printed
-  Json score_;                  ///< the last one that was told; null before
-  Json failure_;                ///< `failure` of a state message
-  Json told_state_;             ///< without the time
-  std::vector<int> told_looks_;
-  std::uint64_t num_calls_ = 0;  ///< of Tick()
-  std::uint32_t scene_number_ = 0;
-  SceneMeshes meshes_;
-  std::shared_ptr<const PageMeshes> present_meshes_;
+  EyePreview eye_preview_;
+  ConsoleNews console_;
+  SceneAnnouncer announcer_;
+  Json score_;                                 ///< the last one that was told; null before
+  Json failure_;                               ///< `failure` of a state message
+  Json told_state_;                            ///< without the time
+  std::uint64_t num_calls_ = 0;                ///< of Tick()
   mutable std::optional<library::View> view_;  ///< nullopt when something may have moved since
 };
 

@@ -1,14 +1,14 @@
 #include "studio/rage.h"
 
 #include "base/uniform.h"
-#include "page/requests.h"
 
 namespace smile::studio {
 
+bool Rage::IsPossible(const sim::Simulation& simulation) {
+  return simulation.robot() != nullptr && simulation.robot()->num_arms() > 0;
+}
+
 Rage::Rage(const sim::Simulation& simulation) : copy_(simulation.shared_model()) {
-  if (copy_.robot() == nullptr || copy_.robot()->num_arms() == 0) {
-    throw page::RequestError("there is no robot to clear the table");
-  }
   copy_.Restore(simulation.Save());
   for (const sim::HandName hand : demonstrator::kHandNames) {
     if (copy_.demonstrator().hand(hand).is_holding()) (void)copy_.Apply(sim::Release{.hand = hand});

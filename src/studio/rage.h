@@ -12,7 +12,10 @@ class Rage {
  public:
   static constexpr int kTicks = 10 * sim::kTicksPerSecond;
 
-  /// @throws RequestError if there is no robot with arms.
+  /// There is a robot with arms.
+  static bool IsPossible(const sim::Simulation& simulation);
+
+  /// To be made where it is possible.
   explicit Rage(const sim::Simulation& simulation);
 
   void Tick();

@@ -1,34 +1,70 @@
 #include "studio/resting_place.h"
 
-namespace smile::studio {
+#include <algorithm>
 
-std::optional<RigidTransform> RestingPlace::Find(const sim::Simulation& simulation,
-                                                 sim::HandName hand) {
+#include "studio/scene_message.h"
+
+namespace smile::studio {
+namespace {
+
+/// True while a held object, or another one, has not yet come to where it stays.
+bool IsAnythingMoving(const sim::Simulation& simulation, sim::HandName hand) {
+  constexpr double kSlow = 1e-7, kSlowTurn = 1e-6;  // [m/s, rad/s]
+  const physics::BodyId held = simulation.demonstrator().hand(hand).held;
+  if (!held) return false;
+  const physics::Body& body = simulation.physics().body(held);
+  return body.linear_velocity().norm() > kSlow || body.angular_velocity().norm() > kSlowTurn ||
+         !simulation.is_still();
+}
+
+}  // namespace
+
+RestingAttempt FindRestingPlace(const sim::Simulation& simulation, sim::HandName hand,
+                                Rehearsal* rehearsal) {
   // Measured in November 2026 with blocks that fall onto heaps of 14 things: after two seconds 3 of
   // 40 are still 0.06 to 1.4 units from where they come to rest, after six none of 100 is by 0.01.
   constexpr std::uint64_t kMaxTicks = 6 * sim::kTicksPerSecond;
   // What is slow for a moment may bounce or tip over yet.
   constexpr int kCalmTicks = sim::kTicksPerSecond / 4;
   constexpr double kSlow = 0.002, kSlowTurn = 0.02;  // as Simulation::is_still() [m/s, rad/s]
-  ticks_tried_ = 0;
+  RestingAttempt attempt;
   const physics::BodyId held = simulation.demonstrator().hand(hand).held;
-  if (!held) return std::nullopt;
-  if (!copy_) {
-    copy_ = std::make_unique<sim::Simulation>(simulation.shared_model());
-  }
-  copy_->Restore(simulation.Save());
-  if (copy_->Apply(sim::Release{.hand = hand})) return std::nullopt;
-  const physics::Body& body = copy_->physics().body(held);
-  for (int num_calm = 0; ticks_tried_ < kMaxTicks && num_calm < kCalmTicks; ++ticks_tried_) {
-    copy_->Tick();
+  if (!held) return attempt;
+  sim::Simulation& copy = rehearsal->CopyOf(simulation);
+  if (copy.Apply(sim::Release{.hand = hand})) return attempt;
+  const physics::Body& body = copy.physics().body(held);
+  for (int num_calm = 0; attempt.num_ticks < kMaxTicks && num_calm < kCalmTicks;
+       ++attempt.num_ticks) {
+    copy.Tick();
     const bool is_slow =
         body.linear_velocity().norm() < kSlow && body.angular_velocity().norm() < kSlowTurn;
     num_calm = is_slow ? num_calm + 1 : 0;
     if (body.pose_in_world().translation().z() < -simulation.scene().table.thickness) {
-      return std::nullopt;
+      return attempt;
     }
   }
-  return body.pose_in_world();
+  attempt.X_WB = body.pose_in_world();
+  return attempt;
+}
+
+Json RestingPlace::Answer(const sim::Simulation& simulation, sim::HandName hand, std::uint64_t beat,
+                          Rehearsal* rehearsal) {
+  // So long as this, and a sixth of what the last one took, none is found anew.
+  constexpr std::uint64_t kMinBeatsBetween = 20;
+  const bool is_fresh = beat < beat_ + std::max(kMinBeatsBetween, num_ticks_tried_ / 6);
+  if (is_fresh && answer_["hand"] == ToString(hand)) {
+    if (simulation.tick() != tick_) answer_["stale"] = true;
+    return answer_;
+  }
+  const auto [X_WB, num_ticks] = FindRestingPlace(simulation, hand, rehearsal);
+  num_ticks_tried_ = num_ticks;
+  beat_ = beat;
+  tick_ = simulation.tick();
+  // Where things fall on edges, the last hundredth of a millimeter decides.
+  answer_ = {
+      {"hand", ToString(hand)}, {"pose", nullptr}, {"stale", IsAnythingMoving(simulation, hand)}};
+  if (X_WB) answer_["pose"] = PoseInUnits(*X_WB, simulation.scene().meters_per_unit);
+  return answer_;
 }
 
 }  // namespace smile::studio

@@ -1,27 +1,38 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 
+#include "base/json.h"
 #include "sim/simulation.h"
+#include "studio/rehearsal.h"
 
 namespace smile::studio {
 
-/// Tries on a copy of the world what would become of a thing if it were let go of.
+/// What came of letting go of what a hand holds, on a copy of the world.
+struct RestingAttempt {
+  /// Where the object came to rest, or was after six seconds; nullopt if it fell off the table or
+  /// the hand was empty.
+  std::optional<RigidTransform> X_WB;
+  std::uint64_t num_ticks = 0;  ///< that were simulated
+};
+RestingAttempt FindRestingPlace(const sim::Simulation& simulation, sim::HandName hand,
+                                Rehearsal* rehearsal);
+
+/// Answers where held objects would come to rest. As that costs up to six seconds of the world, it
+/// is found out a few times a second, and the more rarely the longer it takes.
 class RestingPlace {
  public:
-  /// Where the held object comes to rest, or is six seconds later; nullopt if it falls off the
-  /// table or the hand is empty. The simulation is not changed.
-  std::optional<RigidTransform> Find(const sim::Simulation& simulation, sim::HandName hand);
-  /// How much of the world's time was simulated to find the last one.
-  std::uint64_t ticks_tried() const { return ticks_tried_; }
+  /// The answer to a request `resting_place`.
+  /// @param beat  counts up 60 times a second.
+  Json Answer(const sim::Simulation& simulation, sim::HandName hand, std::uint64_t beat,
+              Rehearsal* rehearsal);
   /// The simulation will be another one.
-  void Forget() { copy_.reset(); }
+  void Forget() { answer_ = nullptr; }
 
  private:
-  std::unique_ptr<sim::Simulation> copy_;  ///< of the same scene and robot
-  std::uint64_t ticks_tried_ = 0;
+  Json answer_;  ///< the last; null before
+  std::uint64_t beat_ = 0, tick_ = 0, num_ticks_tried_ = 0;
 };
 
 }  // namespace smile::studio

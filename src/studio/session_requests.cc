@@ -1,22 +1,17 @@
-// What a session can be asked for.
+// What a session can be asked for, and when.
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 #include <utility>
 
-#include "base/files.h"
 #include "base/wording.h"
-#include "experiment/brain_setup.h"
 #include "page/snap_names.h"
 #include "picture/rendered_eye.h"
 #include "recording/recording_history.h"
-#include "recording/recording_names.h"
 #include "sim/command_json.h"
 #include "studio/internal_session.h"
 #include "studio/present_scene.h"
 #include "studio/presets.h"
-#include "studio/scene_message.h"
 
 namespace smile::studio {
 namespace {
@@ -45,16 +40,6 @@ struct BranchPoint {
   std::optional<double> after;  ///< its beginning [s]; nullopt for its end
 };
 
-/// True while a held object, or another one, has not yet come to where it stays.
-bool IsAnythingMoving(const sim::Simulation& simulation, sim::HandName hand) {
-  constexpr double kSlow = 1e-7, kSlowTurn = 1e-6;  // [m/s, rad/s]
-  const physics::BodyId held = simulation.demonstrator().hand(hand).held;
-  if (!held) return false;
-  const physics::Body& body = simulation.physics().body(held);
-  return body.linear_velocity().norm() > kSlow || body.angular_velocity().norm() > kSlowTurn ||
-         !simulation.is_still();
-}
-
 /// A world that goes on with a recording, made in any thread: the desk's eye, which belongs to
 /// another, is put in only at last, and pictures on the way there are taken with one like it.
 std::unique_ptr<LiveWorld> GoOnWith(const std::filesystem::path& directory, const BranchPoint& from,
@@ -74,138 +59,169 @@ std::unique_ptr<LiveWorld> GoOnWith(const std::filesystem::path& directory, cons
 
 }  // namespace
 
-void Session::Impl::RequireLive() const {
-  if (playback_) throw page::RequestError("a recording is shown: go back to the live world first");
-  if (rage_) throw page::RequestError("the robot clears the table: wait until it is over");
-}
-
-void Session::Impl::RequireNoBranching() const {
-  if (is_branching_) {
-    throw page::RequestError(
-        "the world goes back to a moment of a recording: wait until it is there");
-  }
-}
-
-void Session::Impl::RequireNoRecording() const {
-  RequireNoBranching();
-  if (world_->is_recording()) {
-    throw page::RequestError("a recording is in the making: finish it first");
-  }
-}
-
-void Session::Impl::RequireIdleRobot() const {
-  if (!options_.robot) throw page::RequestError("there is no robot");
-  if (brain_.is_running()) throw page::RequestError("a robot program is running: stop it first");
+const std::vector<Session::Impl::RequestRow>& Session::Impl::RequestRows() {
+  static const Needs kToLoad = {Need::kNoRestoring, Need::kNoRecording};
+  static const Needs kToAdd = {Need::kLiveWorld, Need::kNoRestoring, Need::kNoRecording};
+  static const std::vector<RequestRow> kRows = {
+      {"allowed", &Impl::Allowed},
+      {"command", &Impl::Command, {Need::kLiveWorld}},
+      {"pause", &Impl::Pause},
+      {"resume", &Impl::Resume},
+      {"speed", &Impl::SetSpeed},
+      {"snap", &Impl::SetSnap},
+      {"support", &Impl::FindSupport, {Need::kLiveWorld}},
+      {"resting_place", &Impl::AnswerRestingPlace, {Need::kLiveWorld}},
+      {"load", &Impl::Load, kToLoad},
+      {"reload", &Impl::Reload, kToLoad},
+      {"check", &Impl::Check, {}, /*is_for_anyone=*/true},
+      {"spawn", &Impl::Spawn, kToAdd},
+      {"clear", &Impl::Clear, kToAdd, false, &Impl::RefuseClear},
+      {"show", &Impl::Show, {Need::kNoRage}},
+      {"play", &Impl::Play, {Need::kPlayback}},
+      {"live", &Impl::GoLive, {Need::kPlayback}},
+      {"branch", &Impl::Branch, kToLoad},
+      {"brains", &Impl::DescribeBrains, {}, /*is_for_anyone=*/true},
+      {"start_brain",
+       &Impl::StartBrain,
+       {Need::kRobot, Need::kNoProgram},
+       false,
+       &Impl::RefuseStartBrain},
+      {"stop_brain", &Impl::StopBrain, {Need::kProgram}},
+      {"imitate",
+       &Impl::Imitate,
+       {Need::kNoRestoring, Need::kNoRecording, Need::kRobot, Need::kNoProgram}},
+  };
+  return kRows;
 }
 
 void Session::Impl::AddRequests() {
-  AddWorldRequests();
-  AddSceneRequests();
-  AddRecordingRequests();
-  AddBrainRequests();
+  for (const RequestRow& row : RequestRows()) {
+    page::RequestTable::Entry& entry = requests_.entries[row.what];
+    entry.is_for_anyone = row.is_for_anyone;
+    entry.handle = [this, &row](const page::Request& request) {
+      // It may change what is to be seen.
+      view_.reset();
+      Json answer = (this->*row.handle)(page::RequestFields(request));
+      view_.reset();
+      return answer;
+    };
+    if (row.needs.empty() && row.refuse == nullptr) continue;
+    entry.refuse = [this, &row](const page::Request& request) { return RefusalOf(row, request); };
+  }
 }
 
-void Session::Impl::AddWorldRequests() {
-  auto& entries = requests_.entries;
-  entries["command"] = {[this](const page::Request& request) { return Command(request); }};
-  entries["pause"] = {[this](const page::Request&) {
-    is_paused_ = true;
-    return Json::object();
-  }};
-  entries["resume"] = {[this](const page::Request&) {
-    is_paused_ = false;
-    return Json::object();
-  }};
-  entries["speed"] = {[this](const page::Request& request) {
-    speed_factor_ = page::RequestFields(request).Number("factor", 0.1, 4);
-    return Json::object();
-  }};
-  entries["snap"] = {[this](const page::Request& request) {
-    snapper_.to = SnapToOf(page::RequestFields(request).Words("to", page::kSnapNames));
-    return Json::object();
-  }};
-  entries["support"] = {
-      [this](const page::Request& request) { return FindSupport(page::RequestFields(request)); }};
-  entries["resting_place"] = {[this](const page::Request& request) {
-    return FindRestingPlace(page::RequestFields(request));
-  }};
+std::optional<std::string> Session::Impl::Unmet(Need need) const {
+  const auto unless = [](bool is_met, const char* reason) {
+    return is_met ? std::nullopt : std::optional<std::string>(reason);
+  };
+  switch (need) {
+    case Need::kLiveWorld:
+      return state().RefuseCommands();
+    case Need::kNoRage:
+      return world_state_->RefuseCommands();
+    case Need::kPlayback:
+      return unless(playback_ != nullptr, "no recording is shown");
+    case Need::kNoRecording:
+      return unless(!world_->is_recording(), "a recording is in the making: finish it first");
+    case Need::kNoRestoring:
+      return unless(!is_restoring_,
+                    "the world goes back to a moment of a recording: wait until it is there");
+    case Need::kRobot:
+      return unless(options_.robot.has_value(), "there is no robot");
+    case Need::kProgram:
+      return unless(brain_.is_running(), "no robot program is running");
+    case Need::kNoProgram:
+      return unless(!brain_.is_running(), "a robot program is running: stop it first");
+  }
+  return std::nullopt;
 }
 
-void Session::Impl::AddSceneRequests() {
-  auto& entries = requests_.entries;
-  entries["load"] = {
-      [this](const page::Request& request) { return Load(page::RequestFields(request)); }};
-  entries["reload"] = {[this](const page::Request&) {
-    RequireNoRecording();
-    Enter(MakeWorld(loaded_, options_.robot));
-    return Json::object();
-  }};
-  entries["check"] = {
-      [this](const page::Request& request) { return Check(page::RequestFields(request)); },
-      /*is_for_anyone=*/true};
-  entries["spawn"] = {
-      [this](const page::Request& request) { return Spawn(page::RequestFields(request)); }};
-  entries["clear"] = {
-      [this](const page::Request& request) { return Clear(page::RequestFields(request)); }};
+std::optional<std::string> Session::Impl::FirstUnmet(const Needs& needs) const {
+  for (const Need need : needs) {
+    if (auto reason = Unmet(need)) return reason;
+  }
+  return std::nullopt;
 }
 
-void Session::Impl::AddRecordingRequests() {
-  auto& entries = requests_.entries;
-  entries["show"] = {
-      [this](const page::Request& request) { return Show(page::RequestFields(request)); }};
-  entries["play"] = {[this](const page::Request& request) {
-    const double rate = page::RequestFields(request)
-                            .OptionalNumber("rate", 0, library::Playback::kMaxRate)
-                            .value_or(1);
-    if (!playback_) throw page::RequestError("no recording is shown");
-    playback_->SetRate(rate);
-    return Json::object();
-  }};
-  entries["live"] = {[this](const page::Request&) {
-    if (!playback_) throw page::RequestError("no recording is shown");
-    view_.reset();
-    playback_.reset();
-    TellAllOfScene();
-    return Json::object();
-  }};
-  entries["branch"] = {[this](const page::Request& request) { return Branch(request); }};
+std::optional<std::string> Session::Impl::RefusalOf(const RequestRow& row,
+                                                    const page::Request& request) {
+  if (auto reason = FirstUnmet(row.needs)) return reason;
+  if (row.refuse == nullptr) return std::nullopt;
+  return (this->*row.refuse)(page::RequestFields(request));
 }
 
-void Session::Impl::AddBrainRequests() {
-  auto& entries = requests_.entries;
-  entries["brains"] = {[this](const page::Request&) { return DescribeBrains(); },
-                       /*is_for_anyone=*/true};
-  entries["start_brain"] = {
-      [this](const page::Request& request) { return StartBrain(page::RequestFields(request)); }};
-  entries["stop_brain"] = {[this](const page::Request&) {
-    if (!brain_.is_running()) throw page::RequestError("no robot program is running");
-    brain_.Stop(&world_->simulation());
-    EndImitation();
-    return Json::object();
-  }};
-  entries["imitate"] = {
-      [this](const page::Request& request) { return Imitate(page::RequestFields(request)); }};
+std::optional<std::string> Session::Impl::RefuseStartBrain(const page::RequestFields& fields) {
+  if (!fields.OptionalText("scene")) return Unmet(Need::kLiveWorld);
+  return FirstUnmet({Need::kNoRestoring, Need::kNoRecording});
 }
 
-Json Session::Impl::Command(const page::Request& request) {
-  RequireLive();
-  const page::RequestFields fields(request);
-  const sim::Command command = MeantBy(fields.Object("command"), fields.Flag("exact"));
+std::optional<std::string> Session::Impl::RefuseClear(const page::RequestFields& fields) {
+  if (!fields.Flag("rage") || Rage::IsPossible(world_->simulation())) return std::nullopt;
+  return "there is no robot to clear the table";
+}
+
+std::optional<std::string> Session::Impl::RefusalInSession(const sim::Command& command) const {
   const bool turns_back =
       std::holds_alternative<sim::Undo>(command) || std::holds_alternative<sim::Redo>(command);
   if (turns_back && brain_.is_running()) {
-    throw page::RequestError(
-        "a robot program is running and cannot turn back in time: stop it first");
+    return "a robot program is running and cannot turn back in time: stop it first";
   }
   const bool is_start = std::holds_alternative<sim::StartRecording>(command);
-  if (is_start) RequireNoBranching();
-  view_.reset();
-  if (const auto refusal = world_->Apply(command)) throw page::RequestError(*refusal);
-  Json answer = Json::object();
-  if (is_start) {
-    answer["recording"] = world_->recording_directory().filename().string();
+  return is_start ? Unmet(Need::kNoRestoring) : std::nullopt;
+}
+
+std::optional<std::string> Session::Impl::RefusalOf(const sim::Command& command) const {
+  if (auto reason = Unmet(Need::kLiveWorld)) return reason;
+  if (auto reason = RefusalInSession(command)) return reason;
+  return world_->simulation().Refuse(command);
+}
+
+Json Session::Impl::DescribeAllowed() const {
+  Json commands = Json::object();
+  for (const sim::Command& command :
+       {sim::Command(sim::StartRecording()), sim::Command(sim::FinishRecording()),
+        sim::Command(sim::Undo()), sim::Command(sim::Redo())}) {
+    const char* name = std::visit([](const auto& one) { return one.kName.name; }, command);
+    commands[name] = page::AllowedUnless(RefusalOf(command));
   }
-  return answer;
+  return {{"requests", page::AllowedRequests(requests_)}, {"commands", std::move(commands)}};
+}
+
+Json Session::Impl::Allowed(const page::RequestFields& fields) {
+  constexpr std::size_t kMaxRequests = 16;
+  Json allowed = Json::array();
+  for (const Json& wanted : fields.List("requests", kMaxRequests)) {
+    allowed.push_back(page::AllowedUnless(RefusalOf(wanted)));
+  }
+  return {{"allowed", std::move(allowed)}};
+}
+
+std::optional<std::string> Session::Impl::RefusalOf(const Json& wanted) {
+  page::Request request{.fields = wanted};
+  const page::RequestFields fields(request);
+  request.what = fields.Text("do");
+  const auto row = std::ranges::find(RequestRows(), request.what, &RequestRow::what);
+  if (row == RequestRows().end()) {
+    throw page::RequestError("whether " + Quoted(request.what) + " is allowed is not known");
+  }
+  if (auto reason = RefusalOf(*row, request)) return reason;
+  if (request.what != "command") return std::nullopt;
+  const sim::Command command = MeantBy(fields.Object("command"), /*is_exact=*/true);
+  if (auto reason = RefusalOf(command)) return reason;
+  // Only the world itself has a history and recordings.
+  const bool is_of_history = std::holds_alternative<sim::Undo>(command) ||
+                             std::holds_alternative<sim::Redo>(command) ||
+                             std::holds_alternative<sim::StartRecording>(command) ||
+                             std::holds_alternative<sim::FinishRecording>(command);
+  return is_of_history ? std::nullopt : rehearsal_.Try(command, world_->simulation());
+}
+
+Json Session::Impl::Command(const page::RequestFields& fields) {
+  const sim::Command command = MeantBy(fields.Object("command"), fields.Flag("exact"));
+  if (const auto refusal = RefusalInSession(command)) throw page::RequestError(*refusal);
+  if (const auto refusal = world_->Apply(command)) throw page::RequestError(*refusal);
+  if (!std::holds_alternative<sim::StartRecording>(command)) return Json::object();
+  return {{"recording", world_->recording_directory().filename().string()}};
 }
 
 sim::Command Session::Impl::MeantBy(const Json& wanted, bool is_exact) {
@@ -221,8 +237,31 @@ sim::Command Session::Impl::MeantBy(const Json& wanted, bool is_exact) {
   return is_exact ? *move : snapper_.Snapped(*world_, drag, *move);
 }
 
+Json Session::Impl::Pause(const page::RequestFields&) {
+  is_paused_ = true;
+  return Json::object();
+}
+
+Json Session::Impl::Resume(const page::RequestFields&) {
+  is_paused_ = false;
+  return Json::object();
+}
+
+Json Session::Impl::SetSpeed(const page::RequestFields& fields) {
+  speed_factor_ = fields.Number("factor", 0.1, 4);
+  return Json::object();
+}
+
+Json Session::Impl::SetSnap(const page::RequestFields& fields) {
+  snapper_.to = SnapToOf(fields.Words("to", page::kSnapNames));
+  return Json::object();
+}
+
+Json Session::Impl::AnswerRestingPlace(const page::RequestFields& fields) {
+  return resting_place_.Answer(world_->simulation(), HandOf(fields), num_calls_, &rehearsal_);
+}
+
 Json Session::Impl::Load(const page::RequestFields& fields) {
-  RequireNoRecording();
   scene::SceneSpec scene = ReadSceneOf(fields);
   auto world = MakeWorld(scene, options_.robot);
   loaded_ = std::move(scene);
@@ -230,13 +269,16 @@ Json Session::Impl::Load(const page::RequestFields& fields) {
   return Json::object();
 }
 
-Json Session::Impl::Check(const page::RequestFields& fields) const {
+Json Session::Impl::Reload(const page::RequestFields&) {
+  Enter(MakeWorld(loaded_, options_.robot));
+  return Json::object();
+}
+
+Json Session::Impl::Check(const page::RequestFields& fields) {
   return {{"diagnostics", DescribeFindings(ReadText(fields).diagnostics)}};
 }
 
 Json Session::Impl::Spawn(const page::RequestFields& fields) {
-  RequireLive();
-  RequireNoRecording();
   const std::string preset = fields.Text("preset");
   const auto seed = fields.Whole("seed", std::uint64_t{1} << 53);
   const std::set<std::string> before = IdsOf(world_->simulation().scene());
@@ -250,11 +292,8 @@ Json Session::Impl::Spawn(const page::RequestFields& fields) {
 
 Json Session::Impl::Clear(const page::RequestFields& fields) {
   const bool with_rage = fields.Flag("rage");
-  RequireLive();
-  RequireNoRecording();
-  view_.reset();
   if (with_rage) {
-    rage_ = std::make_unique<Rage>(world_->simulation());
+    world_state_ = std::make_unique<RageState>(world_->simulation());
     return Json::object();
   }
   const sim::Simulation& simulation = world_->simulation();
@@ -275,7 +314,6 @@ Json Session::Impl::Clear(const page::RequestFields& fields) {
 }
 
 Json Session::Impl::FindSupport(const page::RequestFields& fields) {
-  RequireLive();
   const sim::Simulation& simulation = world_->simulation();
   const std::string id = fields.Text("object");
   const auto object = simulation.model().FindObject(id);
@@ -285,53 +323,34 @@ Json Session::Impl::FindSupport(const page::RequestFields& fields) {
   return {{support->is_inside ? "into" : "on", support->object}};
 }
 
-Json Session::Impl::FindRestingPlace(const page::RequestFields& fields) {
-  // So long as this, and a sixth of what the last one took, none is found anew.
-  constexpr std::uint64_t kMinCallsBetween = 20;
-  const std::uint64_t calls_between = std::max(kMinCallsBetween, resting_place_.ticks_tried() / 6);
-  const sim::HandName hand = HandOf(fields);
-  RequireLive();
-  const sim::Simulation& simulation = world_->simulation();
-  const bool is_fresh = num_calls_ < resting_call_ + calls_between;
-  if (is_fresh && resting_answer_["hand"] == ToString(hand)) {
-    if (simulation.tick() != resting_tick_) resting_answer_["stale"] = true;
-    return resting_answer_;
-  }
-  const auto X_WB = resting_place_.Find(simulation, hand);
-  resting_call_ = num_calls_;
-  resting_tick_ = simulation.tick();
-  // Where things fall on edges, the last hundredth of a millimeter decides.
-  resting_answer_ = {
-      {"hand", ToString(hand)}, {"pose", nullptr}, {"stale", IsAnythingMoving(simulation, hand)}};
-  if (X_WB) {
-    resting_answer_["pose"] = PoseInUnits(*X_WB, simulation.scene().meters_per_unit);
-  }
-  return resting_answer_;
-}
-
 Json Session::Impl::Show(const page::RequestFields& fields) {
   const std::string id = fields.Text("recording");
   const double seconds = fields.OptionalNumber("seconds", 0, kMaxSeconds).value_or(0);
-  if (rage_) RequireLive();
-  const bool is_another = !playback_ || playback_->id() != id;
-  if (is_another) {
-    auto playback = std::make_unique<library::Playback>(id, library_.DirectoryOf(id));
-    view_.reset();
-    playback_ = std::move(playback);
-  }
-  view_.reset();
-  playback_->Seek(seconds);
+  const bool is_another = !playback_ || playback_->playback().id() != id;
+  if (is_another) playback_ = std::make_unique<PlaybackState>(id, library_.DirectoryOf(id));
+  library::Playback& playback = playback_->playback();
+  playback.Seek(seconds);
   if (is_another) TellAllOfScene();
-  return {{"length", playback_->length()}};
+  return {{"length", playback.length()}};
 }
 
-Json Session::Impl::Branch(const page::Request& request) {
-  const page::RequestFields fields(request);
+Json Session::Impl::Play(const page::RequestFields& fields) {
+  const double rate = fields.OptionalNumber("rate", 0, library::Playback::kMaxRate).value_or(1);
+  playback_->playback().SetRate(rate);
+  return Json::object();
+}
+
+Json Session::Impl::GoLive(const page::RequestFields&) {
+  playback_.reset();
+  TellAllOfScene();
+  return Json::object();
+}
+
+Json Session::Impl::Branch(const page::RequestFields& fields) {
   const std::string id = fields.Text("recording");
   const BranchPoint from{.step = static_cast<std::size_t>(fields.Whole("step", 1'000'000'000)),
                          .after = fields.OptionalNumber("after", 0, kMaxSeconds)};
   const std::filesystem::path directory = library_.DirectoryOf(id);
-  RequireNoRecording();
   // Made in the workshop, entered here. It belongs to both: each may be gone before the other.
   const auto made = std::make_shared<std::unique_ptr<LiveWorld>>();
   const auto work = [made, id, directory, from,
@@ -340,103 +359,14 @@ Json Session::Impl::Branch(const page::Request& request) {
     return {{"recording", id}};
   };
   const auto conclude = [this, made] {
-    is_branching_ = false;
+    is_restoring_ = false;
     if (!*made) return;
     loaded_ = (*made)->simulation().scene();
     Enter(std::move(*made));
   };
-  options_.workshop->Begin({.request = request, .work = work, .conclude = conclude});
-  is_branching_ = true;
+  options_.workshop->Begin({.request = fields.request(), .work = work, .conclude = conclude});
+  is_restoring_ = true;
   return page::AnswersLater();
-}
-
-std::vector<library::BrainChoice> Session::Impl::Brains() const {
-  std::vector<std::filesystem::path> folders = options_.brains;
-  for (const char* shipped : {"matlab/examples", "python/examples", "matlab", "python"}) {
-    folders.push_back(DataFile(shipped));
-  }
-  return library::BrainsIn(folders);
-}
-
-Json Session::Impl::DescribeBrains() const {
-  Json described = Json::array();
-  for (const library::BrainChoice& choice : Brains()) {
-    described.push_back(
-        {{"name", choice.name}, {"kind", choice.kind}, {"imitates", choice.imitates}});
-  }
-  return {{"brains", std::move(described)}};
-}
-
-library::BrainChoice Session::Impl::FindBrain(const std::string& name) const {
-  const std::vector<library::BrainChoice> brains = Brains();
-  if (const library::BrainChoice* choice = library::BrainNamed(brains, name)) return *choice;
-  std::vector<std::string_view> known;
-  for (const library::BrainChoice& choice : brains) known.push_back(choice.name);
-  throw page::RequestError("\"brain\" is " + Quoted(name) + ", expected " + OneOf(known) +
-                           DidYouMean(name, known));
-}
-
-void Session::Impl::RunBrain(const library::BrainChoice& choice,
-                             const std::filesystem::path& demonstration) {
-  brain::BrainDriverOptions options = experiment::DriverOptionsFor(choice.path, demonstration);
-  options.eye = options_.eye;
-  view_.reset();
-  brain_.Start(choice, options, &world_->simulation());
-}
-
-Json Session::Impl::StartBrain(const page::RequestFields& fields) {
-  const library::BrainChoice choice = FindBrain(fields.Text("brain"));
-  const auto demonstration = fields.OptionalText("demonstration");
-  const auto scene = fields.OptionalText("scene");
-  const std::filesystem::path directory =
-      demonstration ? library_.DirectoryOf(*demonstration) : std::filesystem::path();
-  RequireIdleRobot();
-  if (scene) {
-    (void)Load(fields);
-  } else {
-    RequireLive();
-  }
-  RunBrain(choice, directory);
-  return Json::object();
-}
-
-Json Session::Impl::Imitate(const page::RequestFields& fields) {
-  const library::BrainChoice choice = FindBrain(fields.Text("brain"));
-  if (!choice.imitates) {
-    throw page::RequestError(Quoted(choice.name) +
-                             " does not read demonstrations: its script lacks the line "
-                             "\"smile: imitates\"");
-  }
-  const std::string scene = fields.Text("scene");
-  const std::filesystem::path directory = library_.DirectoryOf(fields.Text("recording"));
-  RequireNoRecording();
-  RequireIdleRobot();
-  const recording::Recording demonstration = recording::OpenRecording(directory);
-  Imitation imitation{.exercise = task::MakeExercise(scene, demonstration, ReadNamedScene(scene)),
-                      .witness = nullptr};
-  auto world = MakeWorld(imitation.exercise.scene, options_.robot);
-  loaded_ = imitation.exercise.scene;
-  Enter(std::move(world));
-  RunBrain(choice, directory);
-  imitation.recording = RecordImitation(demonstration);
-  imitation.witness = std::make_unique<task::CourseWitness>(&world_->simulation());
-  imitation_ = std::move(imitation);
-  return {{"recording", imitation_->recording.filename().string()}};
-}
-
-std::filesystem::path Session::Impl::RecordImitation(const recording::Recording& demonstration) {
-  constexpr std::string_view kEnd = ", imitated";
-  std::string title = demonstration.info.title;
-  if (title.empty() || title.size() + kEnd.size() > recording::kMaxTitleBytes) {
-    title = demonstration.directory.filename().string();
-  }
-  title += kEnd;
-  if (const auto refusal = world_->Apply(
-          sim::StartRecording{.name = recording::RecordingNameFor(title), .title = title})) {
-    brain_.Stop(&world_->simulation());
-    throw page::RequestError("the imitation cannot be recorded: " + *refusal);
-  }
-  return world_->recording_directory();
 }
 
 }  // namespace smile::studio

@@ -66,13 +66,12 @@ std::unique_ptr<LiveWorld> Session::Impl::MakeWorld(scene::SceneSpec scene,
 
 void Session::Impl::Enter(std::unique_ptr<LiveWorld> world) {
   brain_.Leave();
-  imitation_.reset();
   playback_.reset();
-  rage_.reset();
+  world_state_.reset();
+  rehearsal_.Forget();
   resting_place_.Forget();
-  resting_answer_ = nullptr;
-  view_.reset();
   world_ = std::move(world);
+  world_state_ = std::make_unique<LiveState>(world_.get(), &brain_);
   // What its recording saw when it was made anew is no news.
   if (EyeTap* eye = world_->eye()) (void)eye->Take();
   TellAllOfScene();

@@ -42,16 +42,6 @@ Json DescribeControls(const model::Model& model, const world::Tabletop& tabletop
   return controls;
 }
 
-Json DescribePressedButtons(const model::Model& model, const world::Tabletop& tabletop) {
-  Json pressed = Json::array();
-  for (model::ControlIndex i : model.controls()) {
-    const model::Control& control = model.control(i);
-    const auto button = PressedButtonOf(control, tabletop.controls().states()[i]);
-    if (button && tabletop.IsPresent(i)) pressed.push_back(ButtonId(control.id(), *button));
-  }
-  return pressed;
-}
-
 Json DescribeGone(const world::Tabletop& tabletop) {
   Json gone = Json::array();
   for (const world::Object& object : tabletop.objects()) {
@@ -107,11 +97,8 @@ Json DescribeRobot(const sim::Simulation& simulation) {
 Json DescribeLive(const sim::Simulation& simulation) {
   return {{"tick", simulation.tick()},
           {"hands", DescribeHands(simulation)},
-          {"undo", simulation.history().can_undo()},
-          {"redo", simulation.history().can_redo()},
           {"still", simulation.is_still()},
           {"controls", DescribeControls(simulation.model(), simulation.tabletop())},
-          {"pressed", DescribePressedButtons(simulation.model(), simulation.tabletop())},
           {"gone", DescribeGone(simulation.tabletop())},
           {"fallen", DescribeFallen(simulation.tabletop())},
           {"attention", DescribeAttention(simulation)},
@@ -125,11 +112,8 @@ Json DescribeNothingLive(std::uint64_t tick) {
   }
   return {{"tick", tick},
           {"hands", std::move(hands)},
-          {"undo", false},
-          {"redo", false},
           {"still", true},
           {"controls", Json::object()},
-          {"pressed", Json::array()},
           {"gone", Json::array()},
           {"fallen", Json::array()},
           {"attention", Json::object()},

@@ -5,8 +5,8 @@
 
 namespace smile::studio {
 
-/// Of a state message what a live simulation says: tick, hands, what may be undone, controls, what
-/// is gone, what matters, the robot. In units, rounded to what can be seen.
+/// Of a state message what a live simulation says: tick, hands, controls, what is gone, what
+/// matters, the robot. In units, rounded to what can be seen.
 Json DescribeLive(const sim::Simulation& simulation);
 
 /// The same of a moment at which nothing can be grasped.

@@ -116,6 +116,9 @@ export interface LibraryEntry {
   binned: boolean;
 }
 
+/** True, or the reason why not. */
+export type Allowed = string | true;
+
 export interface Diagnostic {
   file: string;
   line: number;
@@ -155,12 +158,12 @@ export interface StateMessage {
   t: "state";
   tick: number;
   mode: "live" | "playback" | "rage";
+  /** what may be asked for now, else why not */
+  allowed: { requests: Record<string, Allowed>; commands: Record<string, Allowed> };
   paused: boolean;
   /** simulated per real second, over the last one */
   speed: number;
   hands: { left: Hand; right: Hand; both: Hand; any: Hand };
-  undo: boolean;
-  redo: boolean;
   still: boolean;
   recording: { id: string; title: string; seconds: number; segments: Segment[] } | null;
   playback: { recording: string; seconds: number; length: number; rate: number } | null;
@@ -264,6 +267,7 @@ export interface Requests {
   keep_control: { fields: { from: number }; answer: object };
   give_control: { fields: { to?: number | null }; answer: object };
   command: { fields: { command: Command; exact?: boolean }; answer: { recording?: string } };
+  allowed: { fields: { requests: Record<string, unknown>[] }; answer: { allowed: Allowed[] } };
   pause: { fields: object; answer: object };
   resume: { fields: object; answer: object };
   speed: { fields: { factor: number }; answer: object };

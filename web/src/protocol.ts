@@ -27,6 +27,9 @@ export type FieldsOf<What extends Wanted> = object extends Requests[What]["field
   ? [fields?: Requests[What]["fields"]]
   : [fields: Requests[What]["fields"]];
 
+/** A request as it is sent. */
+export type RequestWithFields = { [What in Wanted]: { do: What } & Requests[What]["fields"] }[Wanted];
+
 export type News = UnaskedNews | Reply;
 
 /** A binary message: where frames are now. */

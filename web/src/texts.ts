@@ -144,6 +144,7 @@ export const texts = {
     give: (client: number) => `Give control to visitor ${client}`,
     letGo: "Let go of control",
     watchingBanner: "You are watching.",
+    watchingReason: "You are watching: take control first",
     asked: "Asked for control",
     taken: "You control now",
     wantedTitle: "Somebody asks for control",
@@ -176,12 +177,6 @@ export const texts = {
   menu: { trigger: "Trigger", point: "Point to", fasten: "Fasten", loosen: "Loosen", title: (object: string) => `What to do with ${object}` },
   menuReasons: {
     noControl: "It is no part of a control",
-    lights: "Lights follow other controls",
-    isDown: "It is pressed already",
-    handFull: "Only with an empty hand",
-    noBonds: "It has nothing to fasten",
-    onlyHeld: "Only of what the hand holds",
-    watching: "You are watching",
   },
 
   panels: {
@@ -223,7 +218,7 @@ export const texts = {
     write: "Edit",
     writeWhy: "Change this scene’s text, or write a new one",
     isHere: "on the table",
-    whileRecording: "Finish the recording first",
+    noPresets: "There is nothing to choose from.",
     picture: (title: string) => `Picture of ${title}`,
   },
 
@@ -288,6 +283,7 @@ export const texts = {
     choose: "Program",
     program: (name: string, kind: string) => `${name} (${kind})`,
     none: "There is no robot program to choose from.",
+    noneYet: "No program was started yet.",
     start: "Start",
     stop: "Stop",
     restart: "Restart",

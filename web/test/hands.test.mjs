@@ -99,19 +99,19 @@ test("a right click triggers and points; what cannot be done is grey, and tells 
   const [raised, lamp, wall] = [[-4.87, -0.65, 1.1], [-4.9, 0, 0.98], [-5.9, 4, 2.9]];
   const switches = () => [1, 2, 3, 4].map((number) => witness.state.controls[`DockSwitch${number}`]);
   await person.press("Top");
-  await isRefused("Trigger", lamp, "Lights follow other controls");
+  await isRefused("Trigger", lamp, "follows others and cannot be triggered");
   await isRefused("Trigger", wall, "It is no part of a control");
 
   await choose("Trigger", raised);
   await witness.until(() => switches()[2] === "1", "the third switch is over");
   assert.deepEqual(switches(), ["0", "0", "1", "0"], "and no other");
   assert.equal(witness.state.controls.DockLight3, "off");
-  await isRefused("Trigger", raised, "It is pressed already");
+  await isRefused("Trigger", raised, "is pressed already");
   await choose("Point to", raised);
   await witness.until(() => witness.events.some(({ kind, part }) => kind === "pointed" && part === "DockPanel3"), "it is pointed at");
 
   await person.grasp("Spare");
-  await isRefused("Point to", raised, "Only with an empty hand");
+  await isRefused("Point to", raised, "it must be empty to point");
   assert.ok(witness.isHeld("Spare"), "a menu lets nothing go");
   assert.equal(witness.events.filter(({ kind }) => kind === "pointed" || kind === "triggered").length, 2);
 
@@ -145,10 +145,11 @@ test("screws are fastened and loosened, nuts are not", async (t) => {
 
   const menu = await person.menuAt([-4.5, -2.9, 1.2]);
   assert.equal(await menu.getAttribute("aria-label"), "What to do with Nut");
-  for (const name of ["Fasten", "Loosen"]) {
+  const reasons = { Fasten: "has no guestBondPoint to fasten it by", Loosen: "is not fastened there" };
+  for (const [name, reason] of Object.entries(reasons)) {
     const entry = person.entry(name, menu);
     assert.equal(await entry.getAttribute("aria-disabled"), "true", name);
-    await entry.getByText("It has nothing to fasten").waitFor();
+    await entry.getByText(reason).waitFor();
   }
 
   function headOfScrew() {
@@ -239,7 +240,7 @@ test("while recording nothing is loaded or added: it is grey, tells why, and wha
   await person.press("Record");
   await witness.until(() => witness.state.recording !== null, "a recording");
   await person.grasp("RedBlock");
-  const why = "Finish the recording first";
+  const why = "a recording is in the making: finish it first";
   for (const name of ["Add", "Clear", "Rage", "Reload"]) await isGrey(person.button(name));
   const gallery = page.getByRole("list", { name: "Scenes" });
   await gallery.getByRole("button", { disabled: true }).first().waitFor();

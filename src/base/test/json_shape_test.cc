@@ -56,6 +56,18 @@ TEST(JsonShape, MayBeNull) {
   EXPECT_EQ(shape.TypeScript(), "{ place: number | null }");
 }
 
+TEST(JsonShape, MayBeTrue) {
+  const JsonShape shape = JsonShape::Text().OrTrue();
+  EXPECT_TRUE(shape.Fits(true));
+  EXPECT_TRUE(shape.Fits("a reason"));
+  EXPECT_FALSE(shape.Fits(false));
+  EXPECT_FALSE(JsonShape::Text().Fits(true));
+  EXPECT_EQ(JsonShape::List(shape).TypeScript(), "(string | true)[]");
+  EXPECT_EQ(shape.Called("Allowed").OrNull().TypeScriptDefinition(),
+            "export type Allowed = string | true;\n");
+  EXPECT_EQ(shape.Schema()["anyOf"][1], Json({{"const", true}}));
+}
+
 TEST(JsonShape, TellsItsSchema) {
   const Json schema = Table().Schema();
   EXPECT_EQ(schema["required"], ParseJson(R"(["name","kind","place"])"));

@@ -29,6 +29,24 @@ TEST(Answer, GivesTheAddressOfEveryFinding) {
   EXPECT_EQ(answer["diagnostics"][0]["line"], 4);
 }
 
+TEST(Answer, IsThePreconditionThatIsToldBeforehand) {
+  RequestTable table = MakeTable();
+  std::optional<std::string> reason;
+  int num_done = 0;
+  table.entries["dig"] = {.handle =
+                              [&num_done](const Request&) {
+                                ++num_done;
+                                return Json::object();
+                              },
+                          .refuse = [&reason](const Request&) { return reason; }};
+  EXPECT_EQ(AllowedRequests(table), (Json{{"dig", true}})) << "others have no precondition";
+  EXPECT_TRUE(Answer(table, {.what = "dig"}, /*is_controller=*/true)["ok"]);
+  reason = "the ground is frozen";
+  EXPECT_EQ(AllowedRequests(table), (Json{{"dig", *reason}}));
+  EXPECT_EQ(Answer(table, {.what = "dig"}, /*is_controller=*/true)["error"], *reason);
+  EXPECT_EQ(num_done, 1);
+}
+
 TEST(Answer, LetsWatchersOnlyWatch) {
   const Json answer = Answer(MakeTable(), {.what = "load"}, /*is_controller=*/false);
   EXPECT_EQ(answer["error"], "you are watching: take control first");

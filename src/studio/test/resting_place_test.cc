@@ -31,17 +31,17 @@ TEST(RestingPlace, IsWhereAThingComesToRestAlsoWhenThatTakesLong) {
   ASSERT_FALSE(simulation.Apply(sim::Grasp{.hand = hand, .object = "ball"}));
   ASSERT_FALSE(simulation.Apply(sim::MoveTo{.hand = hand, .p_WH = {-0.45, 0, 0.15}}));
   for (int i = 0; i < 2 * sim::kTicksPerSecond; ++i) simulation.Tick();
-  RestingPlace resting_place;
-  const auto found = resting_place.Find(simulation, hand);
-  ASSERT_TRUE(found);
-  EXPECT_GT(resting_place.ticks_tried(), 2u * sim::kTicksPerSecond) << "it takes longer than that";
+  Rehearsal rehearsal;
+  const RestingAttempt found = FindRestingPlace(simulation, hand, &rehearsal);
+  ASSERT_TRUE(found.X_WB);
+  EXPECT_GT(found.num_ticks, 2u * sim::kTicksPerSecond) << "it takes longer than that";
   ASSERT_FALSE(simulation.Apply(sim::Release{.hand = hand}));
   for (int i = 0; i < 10 * sim::kTicksPerSecond; ++i) simulation.Tick();
   const Vector3 rest =
       simulation.physics().body(simulation.tabletop().Find("ball")->body).pose_in_world() *
       Vector3::Zero();
   EXPECT_GT(rest.x(), 0.3) << "it rolled down";
-  EXPECT_LT((found->translation() - rest).norm(), 0.001);
+  EXPECT_LT((found.X_WB->translation() - rest).norm(), 0.001);
 }
 
 }  // namespace

@@ -8,7 +8,9 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -112,6 +114,37 @@ class SessionFixture : public ::testing::Test {
     const Json answer = Ask(text);
     EXPECT_FALSE(answer["ok"].get<bool>()) << text;
     return answer.value("error", "");
+  }
+
+  /// Whatever a state message says is refused now is refused, for the reason that it tells.
+  /// @returns the names of the rest.
+  std::set<std::string> AllowedNow() {
+    std::set<std::string> allowed;
+    const Json told = State()["allowed"];
+    for (const char* kind : {"requests", "commands"}) {
+      for (const auto& [name, reason] : told[kind].items()) {
+        if (reason == true) {
+          allowed.insert(name);
+          continue;
+        }
+        const bool is_command = std::string_view(kind) == "commands";
+        const Json wanted = {{"do", name}};
+        const Json answer =
+            AskWith(is_command ? Json{{"do", "command"}, {"command", wanted}} : wanted);
+        EXPECT_EQ(answer.value("error", "it is carried out"), reason) << name;
+      }
+    }
+    return allowed;
+  }
+  /// Of commands, whether each would be carried out.
+  Json AllowedCommands(const std::string& list) {
+    Json requests = Json::array();
+    for (const Json& command : ParseJson(list)) {
+      requests.push_back({{"do", "command"}, {"command", command}});
+    }
+    const Json answer = AskWith({{"do", "allowed"}, {"requests", std::move(requests)}});
+    EXPECT_TRUE(answer["ok"].get<bool>()) << ToText(answer);
+    return answer["allowed"];
   }
 
   void TickSeconds(double seconds) {

@@ -1,5 +1,6 @@
 import { useEffect } from "preact/hooks";
 import { effect, signal, useSignal } from "@preact/signals";
+import { may, when } from "../allowed";
 import { ask, clients, isConnected, isController, progress } from "../studio";
 import { texts } from "../texts";
 import { Button } from "../ui/buttons";
@@ -83,7 +84,7 @@ function Present() {
           <Button
             label={texts.timeline.live}
             kind="accent"
-            disabled={!mayControl.value}
+            {...when(may("live"))}
             onClick={() => void ask("live")}
           />
         </div>

@@ -1,12 +1,13 @@
 import { useEffect, useRef } from "preact/hooks";
 import { computed, signal, useSignal, type Signal } from "@preact/signals";
+import { may, when } from "../allowed";
 import { ask, consoleLines, isConnected, lastScore, notify, scene } from "../studio";
 import type { ConsoleLine } from "../protocol";
 import { texts } from "../texts";
 import { Button } from "../ui/buttons";
 import { Card, Empty } from "../ui/card";
 import { gallery } from "./gallery";
-import { brain, isBrainAtWork, isRecording, mayAct, mayControl } from "./now";
+import { brain, isBrainAtWork } from "./now";
 import { toImitate } from "./page";
 import { recordings, titleOf } from "./recordings";
 
@@ -109,7 +110,7 @@ function StartProgram() {
             icon="stop"
             kind="danger"
             class="grow"
-            disabled={!mayControl.value}
+            {...when(may("stop_brain"))}
             onClick={() => void ask("stop_brain")}
           />
         ) : (
@@ -118,14 +119,14 @@ function StartProgram() {
             icon="play"
             kind="accent"
             class="grow"
-            disabled={!mayAct.value || chosenBrain.value === ""}
+            {...when(chosenBrain.value === "" ? words.none : may("start_brain"))}
             onClick={() => start(chosenBrain.value)}
           />
         )}
         <Button
           label={words.restart}
           icon="reload"
-          disabled={!mayAct.value || !now?.name}
+          {...when(now?.name ? may(isBrainAtWork.value ? "stop_brain" : "start_brain") : words.noneYet)}
           onClick={() => void restart()}
         />
       </div>
@@ -200,9 +201,8 @@ function Imitation() {
         label={words.imitate}
         icon="robot"
         kind="accent"
-        title={words.imitateWhy}
         isBusy={isBusy.value}
-        disabled={!mayControl.value || isRecording.value || isBrainAtWork.value}
+        {...when(may("imitate"), words.imitateWhy)}
         onClick={() => void imitate()}
       />
       <Score />

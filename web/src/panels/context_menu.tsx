@@ -1,9 +1,10 @@
 import type { Command } from "../commands";
-import { command, currentHand, heldObject, isController, scene, state } from "../studio";
+import { command, currentHand, scene } from "../studio";
 import type { SceneObject } from "../protocol";
 import { texts } from "../texts";
 import { Menu, type MenuEntry } from "../ui/menu";
 import { contextMenu } from "../world/signals";
+import { useAllowed } from "./use_allowed";
 
 interface Place {
   object: SceneObject;
@@ -16,11 +17,6 @@ interface Place {
 function partAndAround(object: SceneObject, part: string | null): SceneObject["parts"] {
   const found = object.parts.find((one) => one.id === part);
   return found === undefined ? [] : [found, ...partAndAround(object, found.within)];
-}
-
-function entry(label: string, reason: string | null, wanted: Command): MenuEntry {
-  const onChoose = () => void command(wanted);
-  return reason === null ? { label, onChoose } : { label, reason, disabled: true, onChoose };
 }
 
 type Control = SceneObject["controls"][number];
@@ -38,53 +34,63 @@ function controlAt(object: SceneObject, part: string | null, around: string[]): 
   return nearest?.length === 1 ? nearest[0]! : null;
 }
 
-/** Why it cannot be triggered there at all. */
-function whyNoTrigger(control: Control | null, part: string | null): string | null {
-  const { menuReasons: reasons } = texts;
-  if (control === null) return reasons.noControl;
-  if (isLights(control)) return reasons.lights;
-  return part !== null && state.value?.pressed.includes(part) ? reasons.isDown : null;
+interface Choice {
+  label: string;
+  /** Null where there is nothing that a command could name. */
+  wanted: Command | null;
 }
 
-/** What a hand may do with what was clicked, and why not. */
-function entriesAt({ object, part, button, point }: Place): MenuEntry[] {
-  const { menu, menuReasons: reasons } = texts;
+/** What a hand might do with what was clicked. */
+function choicesAt({ object, part, button, point }: Place): Choice[] {
+  const { menu } = texts;
   const hand = currentHand.value;
-  const held = heldObject.value;
   const around = partAndAround(object, part);
   const ids = around.map(({ id }) => id);
   const control = controlAt(object, part, ids);
   const triggered = [button, part, ...ids].find((id) => id !== null && control?.parts.includes(id)) ?? null;
   const pointed = around.find(({ pointable }) => pointable)?.id ?? object.id;
-  const watching = isController.value ? null : reasons.watching;
-  const idle = watching ?? (held === null ? null : reasons.handFull);
-  const bonds =
-    watching ?? (held !== null && held !== object.id ? reasons.onlyHeld : object.bonds ? null : reasons.noBonds);
+  const trigger: Command | null = control && {
+    do: "trigger",
+    hand,
+    control: control.id,
+    ...(triggered === null ? {} : { part: triggered }),
+  };
   return [
-    entry(menu.trigger, whyNoTrigger(control, triggered) ?? idle, {
-      do: "trigger",
-      hand,
-      control: control?.id ?? "",
-      ...(triggered === null ? {} : { part: triggered }),
-    }),
-    entry(menu.point, idle, { do: "point", hand, part: pointed }),
-    entry(menu.fasten, bonds, { do: "fasten", hand, object: object.id, point }),
-    entry(menu.loosen, bonds, { do: "loosen", hand, object: object.id, point }),
+    { label: menu.trigger, wanted: trigger },
+    { label: menu.point, wanted: { do: "point", hand, part: pointed } },
+    { label: menu.fasten, wanted: { do: "fasten", hand, object: object.id, point } },
+    { label: menu.loosen, wanted: { do: "loosen", hand, object: object.id, point } },
   ];
+}
+
+/** Each choice, or in grey why the program refuses it. */
+function ChoiceMenu(props: { object: string; x: number; y: number; choices: Choice[] }) {
+  const wanted = props.choices.map((choice) => choice.wanted).filter((one) => one !== null);
+  const allowed = useAllowed(wanted.map((one) => ({ do: "command", command: one })));
+  if (allowed.includes(null)) return null;
+  const entries = props.choices.map(({ label, wanted: one }): MenuEntry => {
+    if (one === null) {
+      return { label, reason: texts.menuReasons.noControl, disabled: true, onChoose: () => {} };
+    }
+    const onChoose = () => void command(one);
+    const why = allowed[wanted.indexOf(one)];
+    return why === true ? { label, onChoose } : { label, reason: why ?? "", disabled: true, onChoose };
+  });
+  return (
+    <Menu
+      label={texts.menu.title(props.object)}
+      x={props.x}
+      y={props.y}
+      entries={entries}
+      onClose={() => (contextMenu.value = null)}
+    />
+  );
 }
 
 export function ContextMenu() {
   const at = contextMenu.value;
   const object = scene.value?.objects.find((one) => one.id === at?.object);
   if (!at || !object) return null;
-  return (
-    <Menu
-      key={`${at.x} ${at.y}`}
-      label={texts.menu.title(object.id)}
-      x={at.x}
-      y={at.y}
-      entries={entriesAt({ object, part: at.part, button: at.button, point: at.point })}
-      onClose={() => (contextMenu.value = null)}
-    />
-  );
+  const choices = choicesAt({ object, part: at.part, button: at.button, point: at.point });
+  return <ChoiceMenu key={`${at.x} ${at.y}`} object={object.id} x={at.x} y={at.y} choices={choices} />;
 }

@@ -1,4 +1,5 @@
 import { useSignal } from "@preact/signals";
+import { may } from "../allowed";
 import { ask, notify, state } from "../studio";
 import { texts } from "../texts";
 import { Button } from "../ui/buttons";
@@ -63,7 +64,7 @@ function entriesOf(recording: Recording): MenuEntry[] {
   const { id } = recording;
   const disabled = !mayControl.value;
   return [
-    { label: words.show, icon: "eye", disabled: disabled || isRecording.value, onChoose: () => void showEnd(id) },
+    { label: words.show, icon: "eye", disabled: may("show") !== true || isRecording.value, onChoose: () => void showEnd(id) },
     { label: words.imitate, icon: "robot", onChoose: () => imitate(id) },
     { label: words.rename, icon: "pencil", disabled, onChoose: () => (renamed.value = id) },
     { label: words.download, icon: "download", onChoose: () => download(id) },

@@ -1,29 +1,19 @@
-import { computed, type ReadonlySignal } from "@preact/signals";
-import { isConnected, isController, scene, state } from "../studio";
+import { computed } from "@preact/signals";
+import { may, mayControlNow } from "../allowed";
 import { HANDS, type HandName } from "../protocol";
-
-/** What is computed of the state twenty times a second, but tells its readers only when it is another. */
-function settled<T>(read: () => T): ReadonlySignal<T> {
-  let last: { text: string; value: T } | null = null;
-  return computed(() => {
-    const value = read();
-    const text = JSON.stringify(value) ?? "";
-    if (last?.text !== text) last = { text, value };
-    return last.value;
-  });
-}
+import { settled } from "../settled";
+import { scene, state } from "../studio";
 
 export const isPaused = computed(() => state.value?.paused ?? false);
-export const isLive = computed(() => state.value?.mode === "live");
 export const isRage = computed(() => state.value?.mode === "rage");
 export const isPlayback = computed(() => state.value?.mode === "playback");
 export const isRecording = computed(() => (state.value?.recording ?? null) !== null);
 /** The recording that the views show; null while they show the table. */
 export const shownRecording = computed(() => state.value?.playback?.recording ?? null);
 export const recordingId = computed(() => state.value?.recording?.id ?? null);
-/** The controller may reach into the world; not while a recording is shown or the robot rages. */
-export const mayAct = computed(() => isConnected.value && isController.value && isLive.value);
-export const mayControl = computed(() => isConnected.value && isController.value);
+/** The controller may reach into the world now. */
+export const mayAct = computed(() => may("command") === true);
+export const mayControl = computed(() => mayControlNow() === true);
 export const liveSegments = settled(() => state.value?.recording?.segments ?? []);
 export const brain = settled(() => state.value?.brain ?? null);
 /** A robot program is at work, or is about to. */

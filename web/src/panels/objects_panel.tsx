@@ -1,5 +1,6 @@
 import { useEffect, useRef } from "preact/hooks";
 import { useSignal } from "@preact/signals";
+import { may, when } from "../allowed";
 import { ask, command, currentHand, heldObject, notify, scene } from "../studio";
 import { handColors } from "../colors";
 import type { SceneObject } from "../protocol";
@@ -9,8 +10,9 @@ import { Card, Empty, isFound, Picture, SearchField } from "../ui/card";
 import { NumberField } from "../ui/number_field";
 import { switchPreference } from "../ui/preference";
 import { gallery, isGalleryLost, pictureOfScene, refreshGallery, textOfScene } from "./gallery";
-import { fallen, holders, isRecording, mayAct, mayControl, objectsHere } from "./now";
+import { fallen, holders, objectsHere } from "./now";
 import { chosenObject, draft, editedScene, showPanel, world } from "./page";
+import { useAllowed } from "./use_allowed";
 
 const { objects: words } = texts;
 const isListOpen = switchPreference("list-open", true);
@@ -36,6 +38,9 @@ function ObjectList() {
   useEffect(() => {
     if (held !== null) chosenObject.value = held;
   }, [held]);
+  const [mayTake] = useAllowed([
+    { do: "command", command: { do: "grasp", hand: currentHand.value, object: chosen ?? "" } },
+  ]);
   const go = (event: KeyboardEvent) => {
     const at = chosen === null ? -1 : ids.indexOf(chosen);
     const places: Record<string, number> = {
@@ -49,7 +54,7 @@ function ObjectList() {
     event.preventDefault();
     event.stopPropagation();
     if (place === undefined) {
-      if (chosen !== null && mayAct.value) void take(chosen);
+      if (chosen !== null && may("command") === true) void take(chosen);
       return;
     }
     chosenObject.value = ids[place] ?? null;
@@ -75,7 +80,7 @@ function ObjectList() {
             role="option"
             aria-selected={object.id === chosen}
             onClick={() => (chosenObject.value = object.id)}
-            onDblClick={() => mayAct.value && void take(object.id)}
+            onDblClick={() => may("command") === true && void take(object.id)}
           >
             <span class="object-id">{object.id}</span>
             <ObjectNote object={object} />
@@ -87,7 +92,7 @@ function ObjectList() {
           label={words.take}
           icon="hand"
           class="grow"
-          disabled={!mayAct.value || chosen === null || heldObject.value !== null}
+          {...when(chosen === null ? words.none : mayTake)}
           onClick={() => chosen !== null && void take(chosen)}
         />
         <Button
@@ -120,7 +125,7 @@ function AddObjects() {
   const seed = useSignal(1);
   const presets = gallery.value?.presets ?? [];
   const chosen = preset.value || (presets[0]?.name ?? "");
-  const isBlocked = !mayAct.value || isRecording.value;
+  const [mayRage] = useAllowed([{ do: "clear", rage: true }]);
   const spawn = async () => {
     if ((await ask("spawn", { preset: chosen, seed: seed.value })) !== null) seed.value += 1;
   };
@@ -157,20 +162,17 @@ function AddObjects() {
           label={words.spawn}
           icon="plus"
           class="grow"
-          disabled={isBlocked || chosen === undefined}
-          title={isRecording.value ? words.whileRecording : undefined}
+          {...when(chosen === "" ? words.noPresets : may("spawn"))}
           onClick={() => void spawn()}
         />
         <Button
           label={words.clear}
-          title={isRecording.value ? words.whileRecording : words.clearWhy}
-          disabled={isBlocked}
+          {...when(may("clear"), words.clearWhy)}
           onClick={() => void ask("clear")}
         />
         <Button
           label={words.rage}
-          title={isRecording.value ? words.whileRecording : words.rageWhy}
-          disabled={isBlocked || !scene.value?.robot}
+          {...when(mayRage, words.rageWhy)}
           onClick={() => void ask("clear", { rage: true })}
         />
       </div>
@@ -181,7 +183,7 @@ function AddObjects() {
 function SceneGallery() {
   const search = useSignal("");
   const busy = useSignal<string | null>(null);
-  const isBlocked = !mayControl.value || isRecording.value;
+  const mayLoad = when(may("load"));
   const load = async (name: string) => {
     busy.value = name;
     await ask("load", { scene: name });
@@ -200,14 +202,14 @@ function SceneGallery() {
       <SearchField label={words.search} text={search} />
       {gallery.value === null && <span class="spinner" />}
       {gallery.value !== null && scenes.length === 0 && <Empty icon="search" text={words.noScenes} />}
-      <ul class="gallery" aria-label={words.scenes} title={isRecording.value ? words.whileRecording : undefined}>
+      <ul class="gallery" aria-label={words.scenes} title={mayLoad.title}>
         {scenes.map(({ name, title }) => (
           <li key={name}>
             <button
               type="button"
               class="scene"
               title={title}
-              disabled={isBlocked}
+              disabled={mayLoad.disabled}
               aria-current={name === scene.value?.name}
               aria-busy={busy.value === name}
               onClick={() => void load(name)}
@@ -244,8 +246,7 @@ function SceneActions() {
       <Button
         label={words.reload}
         icon="reload"
-        title={isRecording.value ? words.whileRecording : words.reloadWhy}
-        disabled={!mayControl.value || isRecording.value}
+        {...when(may("reload"), words.reloadWhy)}
         onClick={() => void ask("reload")}
       />
       <Button label={words.upload} icon="upload" title={words.uploadWhy} onClick={() => input.current?.click()} />

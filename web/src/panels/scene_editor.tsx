@@ -1,5 +1,6 @@
 import { useEffect, useRef } from "preact/hooks";
 import { useSignal } from "@preact/signals";
+import { may, when } from "../allowed";
 import { ask, isConnected, request } from "../studio";
 import { Refused } from "../connection";
 import type { Diagnostic } from "../protocol";
@@ -7,7 +8,6 @@ import { texts } from "../texts";
 import { Button } from "../ui/buttons";
 import { Dialog } from "../ui/dialog";
 import { Icon } from "../ui/icons";
-import { isRecording, mayControl } from "./now";
 import { draft, editedScene } from "./page";
 
 const { editor: words } = texts;
@@ -129,8 +129,8 @@ export function SceneEditor() {
             label={words.load}
             kind="accent"
             isBusy={isLoading.value}
-            disabled={!mayControl.value || isRecording.value || diagnostics.length > 0 || name.value === ""}
-            title={isRecording.value ? texts.objects.whileRecording : undefined}
+            title={when(may("load")).title}
+            disabled={may("load") !== true || diagnostics.length > 0 || name.value === ""}
             onClick={() => void load()}
           />
         </>

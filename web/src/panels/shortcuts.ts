@@ -1,6 +1,7 @@
 import { ask, command } from "../studio";
+import { mayCommand } from "../allowed";
 import { listenToKeys } from "../keys";
-import { isPaused, isPlayback, isRecording, mayAct, mayControl } from "./now";
+import { isPaused, isPlayback, isRecording, mayControl } from "./now";
 import { isHelpOpen } from "./page";
 import { finishRecording } from "./recordings";
 
@@ -9,13 +10,13 @@ export function listenToShortcuts(): () => void {
   return listenToKeys({
     "record.toggle": () => {
       if (isRecording.value) {
-        if (mayControl.value) void finishRecording();
-      } else if (mayAct.value) {
+        if (mayCommand("finish") === true) void finishRecording();
+      } else if (mayCommand("start") === true) {
         void command({ do: "start" });
       }
     },
-    "record.undo": () => mayAct.value && void command({ do: "undo" }),
-    "record.redo": () => mayAct.value && void command({ do: "redo" }),
+    "record.undo": () => mayCommand("undo") === true && void command({ do: "undo" }),
+    "record.redo": () => mayCommand("redo") === true && void command({ do: "redo" }),
     "time.pause": () => mayControl.value && !isPlayback.value && void ask(isPaused.value ? "resume" : "pause"),
     help: () => (isHelpOpen.value = true),
   });

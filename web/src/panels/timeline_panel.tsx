@@ -1,6 +1,7 @@
 import { useEffect, useRef } from "preact/hooks";
 import { signal, useSignal } from "@preact/signals";
 import type { Deed, Segment } from "../protocol";
+import { may, when } from "../allowed";
 import { ask, state } from "../studio";
 import { texts } from "../texts";
 import { Button } from "../ui/buttons";
@@ -108,7 +109,7 @@ function Scrubber({ id, timeline }: { id: string; timeline: Timeline }) {
         max={timeline.seconds}
         step={0.05}
         value={moment.value}
-        disabled={!mayControl.value}
+        disabled={may("show") !== true}
         style={{ "--filled": `${(100 * moment.value) / Math.max(timeline.seconds, 1e-9)}%` }}
         onInput={(event) => void show(id, event.currentTarget.valueAsNumber)}
       />
@@ -148,7 +149,7 @@ function PlayButtons({ id, timeline }: { id: string; timeline: Timeline }) {
         label={isPlaying ? words.stop : words.play}
         icon={isPlaying ? "pause" : "play"}
         kind="accent"
-        disabled={!mayControl.value}
+        {...when(may("show"))}
         onClick={() => void (isPlaying ? ask("play", { rate: 0 }) : play())}
       />
       <select
@@ -183,7 +184,7 @@ function HistoryButton({ id, timeline }: { id: string; timeline: Timeline }) {
   });
   return (
     <span ref={holder}>
-      <Button label={words.history} title={words.historyTitle} disabled={!mayControl.value} onClick={open} />
+      <Button label={words.history} {...when(may("branch"), words.historyTitle)} onClick={open} />
       {at.value && (
         <Menu label={`${words.historyTitle}. ${words.branch}`} {...at.value} entries={entries} onClose={() => (at.value = null)} />
       )}
@@ -202,8 +203,8 @@ function EditButtons({ id, timeline }: { id: string; timeline: Timeline }) {
       <Button
         label={words.branch}
         icon="branch"
-        title={words.branchWhy}
-        disabled={!mayControl.value || here === null}
+        title={when(may("branch"), words.branchWhy).title}
+        disabled={may("branch") !== true || here === null}
         onClick={() => here && void branch(id, here.step, here.after)}
       />
       <Button label={words.trim} icon="cut" title={why(words.trimWhy)} disabled={isBlocked} onClick={edit("trim")} />
@@ -307,7 +308,7 @@ function Head() {
             kind="quiet"
             isIconOnly
             onClick={() => {
-              if (state.value?.playback && mayControl.value) void ask("live");
+              if (may("live") === true) void ask("live");
               opened.value = null;
             }}
           />

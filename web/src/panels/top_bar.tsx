@@ -1,5 +1,6 @@
 import { useRef } from "preact/hooks";
 import { useSignal } from "@preact/signals";
+import { mayCommand, when } from "../allowed";
 import { ask, command, scene, state } from "../studio";
 import { texts } from "../texts";
 import { Button } from "../ui/buttons";
@@ -7,7 +8,7 @@ import { Menu } from "../ui/menu";
 import { fps } from "../world/signals";
 import { Control } from "./control";
 import { keyFor } from "./key_names";
-import { isPaused, isPlayback, isRecording, mayAct, mayControl } from "./now";
+import { isPaused, isPlayback, isRecording, mayControl } from "./now";
 import { DETAILS, detail, isHelpOpen, theme, THEMES } from "./page";
 import { finishRecording } from "./recordings";
 
@@ -17,7 +18,6 @@ const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4];
 function RecordButtons() {
   const { record: words } = texts;
   const seconds = state.value?.recording?.seconds ?? 0;
-  const isBlocked = !mayAct.value;
   return (
     <div class="record" role="group" aria-label={words.group}>
       {isRecording.value ? (
@@ -28,7 +28,7 @@ function RecordButtons() {
           class="record-button is-recording"
           keys={keyFor("record.toggle")}
           tour="record"
-          disabled={!mayControl.value}
+          {...when(mayCommand("finish"))}
           onClick={() => void finishRecording()}
         >
           <span class="record-time" aria-hidden="true">{texts.seconds(seconds)}</span>
@@ -40,7 +40,7 @@ function RecordButtons() {
           class="record-button"
           keys={keyFor("record.toggle")}
           tour="record"
-          disabled={isBlocked}
+          {...when(mayCommand("start"))}
           onClick={() => void command({ do: "start" })}
         />
       )}
@@ -49,7 +49,7 @@ function RecordButtons() {
         icon="undo"
         keys={keyFor("record.undo")}
         tour="undo"
-        disabled={isBlocked || !state.value?.undo}
+        {...when(mayCommand("undo"))}
         onClick={() => void command({ do: "undo" })}
       />
       <Button
@@ -57,7 +57,7 @@ function RecordButtons() {
         icon="redo"
         keys={keyFor("record.redo")}
         tour="redo"
-        disabled={isBlocked || !state.value?.redo}
+        {...when(mayCommand("redo"))}
         onClick={() => void command({ do: "redo" })}
       />
     </div>

@@ -1,3 +1,4 @@
+import { mayCommand } from "../allowed";
 import { eventListeners, request, state } from "../studio";
 import { HANDS, type EventMessage, type Point } from "../protocol";
 
@@ -76,9 +77,9 @@ export const recording: Deed = once(() => (state.value?.recording ?? null) !== n
 /** There comes to be something to redo, or no longer is. */
 function onceRedo(isThere: boolean): Deed {
   return (onDone) => {
-    let wasThere = state.value?.redo ?? false;
+    let wasThere = mayCommand("redo") === true;
     return once(() => {
-      const isNow = state.value?.redo ?? false;
+      const isNow = mayCommand("redo") === true;
       const hasChanged = isNow !== wasThere;
       wasThere = isNow;
       return hasChanged && isNow === isThere;

@@ -1,8 +1,9 @@
 import { signal } from "@preact/signals";
 import { Vector3 } from "three";
+import { may } from "../allowed";
 import type { Command } from "../commands";
 import { HANDS, type HandName, type Point } from "../protocol";
-import { command, currentHand, heldObject, isController, scene, state } from "../studio";
+import { command, currentHand, heldObject, scene, state } from "../studio";
 import { Latency } from "./latency";
 import { meet, type Picked, type Picker, type PointerAt } from "./pick";
 import { type Axis, directionOf, type Rings } from "./rings";
@@ -52,7 +53,7 @@ export class Hands {
   }
 
   get canAct(): boolean {
-    return isController.value && state.value?.mode === "live";
+    return may("command") === true;
   }
 
   /** What dragging would do from here; null: nothing. */

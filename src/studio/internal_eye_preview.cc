@@ -1,0 +1,30 @@
+#include "studio/internal_eye_preview.h"
+
+#include <stdexcept>
+#include <utility>
+
+namespace smile::studio {
+
+std::optional<std::string> EyePreview::Look(LiveWorld* world, const SessionState& shown) {
+  constexpr std::uint64_t kTicksPerPicture = 15;  // 4 a second, as classic recordings have them
+  ++num_calls_;
+  if (eye_ == nullptr || is_broken_) return std::nullopt;
+  if (auto recorded = world->eye()->Take()) {
+    picture_ = Picture{.image = *std::move(recorded), .is_recorded = true};
+    seen_ = sim::SightOf(world->simulation(), eye_->spec());
+    return std::nullopt;
+  }
+  if (num_calls_ % kTicksPerPicture != 0) return std::nullopt;
+  sim::Sight sight = shown.SightThrough(eye_->spec());
+  if (seen_ == sight) return std::nullopt;
+  try {
+    picture_ = Picture{.image = eye_->Draw(shown.model().visual_model(), sight)};
+  } catch (const std::runtime_error& error) {
+    is_broken_ = true;
+    return error.what();
+  }
+  seen_ = std::move(sight);
+  return std::nullopt;
+}
+
+}  // namespace smile::studio

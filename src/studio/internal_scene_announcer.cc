@@ -1,0 +1,30 @@
+#include "studio/internal_scene_announcer.h"
+
+#include "studio/scene_message.h"
+
+namespace smile::studio {
+
+Json LooksMessage(const std::vector<int>& looks) { return {{"t", "looks"}, {"looks", looks}}; }
+
+Json SceneAnnouncer::Announce(const model::Model& model, const std::vector<int>& looks) {
+  present_ = meshes_.Add(++number_, model.visual_model());
+  told_looks_ = looks;
+  return Describe(model, looks);
+}
+
+Json SceneAnnouncer::Describe(const model::Model& model, const std::vector<int>& looks) const {
+  return SceneMessage(number_, model, *present_, looks);
+}
+
+std::optional<Json> SceneAnnouncer::TellLooks(const std::vector<int>& looks) {
+  if (looks == told_looks_) return std::nullopt;
+  told_looks_ = looks;
+  return LooksMessage(looks);
+}
+
+std::optional<std::string> SceneAnnouncer::MeshBytes(std::uint32_t scene, std::size_t mesh) const {
+  const auto meshes = meshes_.Find(scene);
+  return meshes ? meshes->Bytes(mesh) : std::nullopt;
+}
+
+}  // namespace smile::studio

@@ -1,0 +1,109 @@
+#include "studio/internal_session_state.h"
+
+#include <cmath>
+#include <utility>
+
+#include "experiment/brain_setup.h"
+#include "recording/sight.h"
+#include "sim/eye.h"
+#include "studio/state_message.h"
+
+namespace smile::studio {
+namespace {
+
+library::View ViewOf(const sim::Simulation& simulation) {
+  return {.model = &simulation.model().visual_model(),
+          .state = simulation.visual_state(),
+          .tick = simulation.tick(),
+          .meters_per_unit = simulation.scene().meters_per_unit};
+}
+
+}  // namespace
+
+library::View LiveState::view() const { return ViewOf(world_->simulation()); }
+
+model::Sight LiveState::SightThrough(model::EyeSpec eye) const {
+  return sim::SightOf(world_->simulation(), eye);
+}
+
+Json LiveState::Describe() const { return DescribeLive(world_->simulation()); }
+
+bool LiveState::Tick(bool is_paused) {
+  if (is_paused) return true;
+  if (!brain_->Drive(&world_->simulation())) return false;
+  world_->simulation().Tick();
+  return true;
+}
+
+ImitatingState::ImitatingState(task::Exercise exercise, LiveWorld* world, LiveBrain* brain)
+    : LiveState(world, brain),
+      exercise_(std::move(exercise)),
+      witness_(&world->simulation()),
+      recording_(world->recording_directory()),
+      start_tick_(world->simulation().tick()) {}
+
+bool ImitatingState::Tick(bool is_paused) {
+  if (!LiveState::Tick(is_paused)) return false;
+  const double seconds = sim::SecondsOf(world().simulation().tick() - start_tick_);
+  if (seconds >= experiment::kMaxImitationSeconds) brain().Stop(&world().simulation());
+  return true;
+}
+
+std::optional<Json> ImitatingState::End(double measured_speed) {
+  const bool is_recorded = world().is_recording() && world().recording_directory() == recording_;
+  if (is_recorded) (void)world().Apply(sim::FinishRecording{});
+  Json result =
+      task::ResultOf(exercise_, witness_.course(),
+                     {.seconds = sim::SecondsOf(world().simulation().tick() - start_tick_),
+                      .realtime_factor = measured_speed,
+                      .brain = brain().Describe()});
+  return Json{{"t", "score"}, {"result", std::move(result)}};
+}
+
+std::optional<std::string> RageState::RefuseCommands() const {
+  return "the robot clears the table: wait until it is over";
+}
+
+library::View RageState::view() const { return ViewOf(rage_.simulation()); }
+
+model::Sight RageState::SightThrough(model::EyeSpec eye) const {
+  return sim::SightOf(rage_.simulation(), eye);
+}
+
+Json RageState::Describe() const { return DescribeLive(rage_.simulation()); }
+
+bool RageState::Tick(bool is_paused) {
+  if (!is_paused) rage_.Tick();
+  return true;
+}
+
+Json PlaybackState::DescribePlayback() const {
+  return {{"recording", playback_.id()},
+          {"seconds", std::round(1000 * playback_.seconds()) / 1000},
+          {"length", playback_.length()},
+          {"rate", playback_.rate()}};
+}
+
+std::optional<std::string> PlaybackState::RefuseCommands() const {
+  return "a recording is shown: go back to the live world first";
+}
+
+library::View PlaybackState::view() const {
+  library::View view = playback_.view();
+  view.meters_per_unit = playback_.recording().info.meters_per_unit;
+  return view;
+}
+
+model::Sight PlaybackState::SightThrough(model::EyeSpec eye) const {
+  eye.camera = playback_.recording().info.eye_camera;
+  return recording::SightAt(playback_.moment(), playback_.model(), eye);
+}
+
+Json PlaybackState::Describe() const { return DescribeNothingLive(view().tick); }
+
+bool PlaybackState::Tick(bool /*is_paused*/) {
+  playback_.Tick();
+  return true;
+}
+
+}  // namespace smile::studio

@@ -1,0 +1,137 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "base/json.h"
+#include "library/playback.h"
+#include "library/view.h"
+#include "model/eye.h"
+#include "model/model.h"
+#include "studio/live_brain.h"
+#include "studio/live_world.h"
+#include "studio/rage.h"
+#include "task/imitation_result.h"
+
+// The states of a session: each shows something, lets something go on while time goes by, and
+// decides whether the live world takes commands.
+
+namespace smile::studio {
+
+class SessionState {
+ public:
+  virtual ~SessionState() = default;
+
+  /// `mode` of a state message.
+  virtual const char* mode() const = 0;
+  /// Why the live world takes no commands; nullopt if it does.
+  virtual std::optional<std::string> RefuseCommands() const = 0;
+
+  /// Of what is shown.
+  virtual const model::Model& model() const = 0;
+  /// `scene` is the caller's to fill in.
+  virtual library::View view() const = 0;
+  virtual model::Sight SightThrough(model::EyeSpec eye) const = 0;
+  /// What a state message says of it: tick, hands, controls, the robot.
+  virtual Json Describe() const = 0;
+
+  /// 1/60 s goes by.
+  /// @returns false if the world stood still because a robot program starts or thinks.
+  virtual bool Tick(bool is_paused) = 0;
+  /// The live world follows.
+  virtual bool is_over() const { return false; }
+  /// Ends it when it is over, or stopped.
+  /// @returns a message for all; nullopt without one.
+  virtual std::optional<Json> End(double /*measured_speed*/) { return std::nullopt; }
+};
+
+/// People and a robot program act in the world.
+class LiveState : public SessionState {
+ public:
+  /// Both must outlive this.
+  LiveState(LiveWorld* world, LiveBrain* brain) : world_(world), brain_(brain) {}
+
+  const char* mode() const override { return "live"; }
+  std::optional<std::string> RefuseCommands() const override { return std::nullopt; }
+  const model::Model& model() const override { return world_->simulation().model(); }
+  library::View view() const override;
+  model::Sight SightThrough(model::EyeSpec eye) const override;
+  Json Describe() const override;
+  bool Tick(bool is_paused) override;
+
+ protected:
+  LiveWorld& world() { return *world_; }
+  LiveBrain& brain() { return *brain_; }
+  const LiveBrain& brain() const { return *brain_; }
+
+ private:
+  LiveWorld* world_;
+  LiveBrain* brain_;
+};
+
+/// A robot program imitates a demonstration, recorded, until it ends or its time is over.
+class ImitatingState : public LiveState {
+ public:
+  /// The program runs and the recording has begun.
+  ImitatingState(task::Exercise exercise, LiveWorld* world, LiveBrain* brain);
+
+  bool Tick(bool is_paused) override;
+  bool is_over() const override { return !brain().is_running(); }
+  /// Finishes the recording, if it still goes on; returns the score.
+  std::optional<Json> End(double measured_speed) override;
+
+ private:
+  task::Exercise exercise_;
+  task::CourseWitness witness_;
+  std::filesystem::path recording_;  ///< its directory
+  std::uint64_t start_tick_ = 0;
+};
+
+/// The robot clears the table, in a copy of the world.
+class RageState : public SessionState {
+ public:
+  explicit RageState(const sim::Simulation& simulation) : rage_(simulation) {}
+
+  const char* mode() const override { return "rage"; }
+  std::optional<std::string> RefuseCommands() const override;
+  const model::Model& model() const override { return rage_.simulation().model(); }
+  library::View view() const override;
+  model::Sight SightThrough(model::EyeSpec eye) const override;
+  Json Describe() const override;
+  bool Tick(bool is_paused) override;
+  bool is_over() const override { return rage_.is_over(); }
+
+ private:
+  Rage rage_;
+};
+
+/// A recording is shown; the world waits.
+class PlaybackState : public SessionState {
+ public:
+  /// @throws InputError if the recording cannot be read.
+  PlaybackState(std::string id, const std::filesystem::path& directory)
+      : playback_(std::move(id), directory) {}
+
+  library::Playback& playback() { return playback_; }
+  const library::Playback& playback() const { return playback_; }
+  /// `playback` of a state message.
+  Json DescribePlayback() const;
+
+  const char* mode() const override { return "playback"; }
+  std::optional<std::string> RefuseCommands() const override;
+  const model::Model& model() const override { return playback_.model(); }
+  library::View view() const override;
+  /// With the camera that the recording was made with.
+  model::Sight SightThrough(model::EyeSpec eye) const override;
+  Json Describe() const override;
+  /// A pause is the world's alone.
+  bool Tick(bool is_paused) override;
+
+ private:
+  library::Playback playback_;
+};
+
+}  // namespace smile::studio

@@ -1,0 +1,16 @@
+#include "studio/rehearsal.h"
+
+namespace smile::studio {
+
+sim::Simulation& Rehearsal::CopyOf(const sim::Simulation& simulation) {
+  if (!copy_) copy_ = std::make_unique<sim::Simulation>(simulation.shared_model());
+  copy_->Restore(simulation.Save());
+  return *copy_;
+}
+
+std::optional<sim::Refusal> Rehearsal::Try(const sim::Command& command,
+                                           const sim::Simulation& simulation) {
+  return CopyOf(simulation).Apply(command);
+}
+
+}  // namespace smile::studio

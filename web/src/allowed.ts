@@ -1,0 +1,32 @@
+// What this page may ask for now. The program knows, and tells it with each state; the page adds
+// only whether it is connected and controls.
+
+import { isConnected, isController, state } from "./studio";
+import type { Allowed, Wanted } from "./protocol";
+import { settled } from "./settled";
+import { texts } from "./texts";
+
+const told = settled(() => state.value?.allowed ?? null);
+
+/** Whether this page may ask for anything but to watch. */
+export function mayControlNow(): Allowed {
+  if (!isConnected.value) return texts.connection.none;
+  return isController.value || texts.people.watchingReason;
+}
+
+/** Whether a request is carried out now; the reason why not. */
+export function may(what: Wanted): Allowed {
+  const control = mayControlNow();
+  return control === true ? (told.value?.requests[what] ?? true) : control;
+}
+
+/** The same of a command that needs no object. */
+export function mayCommand(what: "start" | "finish" | "undo" | "redo"): Allowed {
+  const control = may("command");
+  return control === true ? (told.value?.commands[what] ?? true) : control;
+}
+
+/** For a button: as it is, or grey with the reason; null: that is not known yet. */
+export function when(allowed: Allowed | null | undefined, title?: string): { disabled: boolean; title: string | undefined } {
+  return allowed === true ? { disabled: false, title } : { disabled: true, title: allowed ?? title };
+}

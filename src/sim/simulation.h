@@ -157,7 +157,6 @@ class Simulation {
   /// Applies the releases a grasp implies, as commands of their own; none if it will be refused.
   void ReleaseFor(const Grasp& grasp);
   void Tell(const Event& event);
-  /// Of an object that was let go of just now.
   /// What a command did to the object it is about.
   void TellOfCommand(const Command& command, const std::string& held_before);
   /// Notice what changed since `before`. A bond that ended because an object was destroyed is no

@@ -24,5 +24,5 @@ def how_to_get(name, error):
     return text + (
         f"There is {', '.join(found)}, for another Python: name that one in SMILE_PYTHON, like "
         "/usr/bin/python3. Or build it for this one as well, in SMILE's folder:\n"
-        f"cmake --preset release -DPython3_EXECUTABLE={sys.executable} && "
+        f"cmake --preset release -U '*Python3*' -DPython3_EXECUTABLE={sys.executable} && "
         f"cmake --build --preset release --target {name}")

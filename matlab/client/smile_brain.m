@@ -81,13 +81,14 @@ function callback = answer_init(link, message, sequence, aux)
   script = 'agentBehavior';
   try
     [init, callback, files] = load_scripts();
+    still = struct('jointVelocities', zeros(aux.numLimbs, aux.numJoints), ...
+                   'gripperVelocities', zeros(aux.numLimbs, 1));
     aux.attention = with_properties(aux.attention);
     aux.cameraNames = lines_of(aux.cameraNames);
     assignin('base', 'aux', aux);
     script = init;
     evalin('base', [init ';']);
-    assignin('base', 'motor', ...
-             struct('jointVelocities', zeros(2, 7), 'gripperVelocities', zeros(2, 1)));
+    assignin('base', 'motor', still);
     aux = base_aux();
     new_markers(aux);
     link('send', message.init_done, sequence, wishes(aux, files));

@@ -65,6 +65,12 @@ JsonShape JsonShape::Number(double min, double max) {
   return shape;
 }
 
+JsonShape JsonShape::Whole(std::uint64_t min, std::uint64_t max) {
+  JsonShape shape = Number(static_cast<double>(min), static_cast<double>(max));
+  shape.is_whole_ = true;
+  return shape;
+}
+
 JsonShape JsonShape::Text(std::size_t max_length) {
   JsonShape shape(Type::kText);
   shape.max_count_ = max_length;
@@ -108,6 +114,7 @@ bool JsonShape::FitsAlone(const Json& json) const {
     case Type::kAnything:
       return true;
     case Type::kNumber:
+      if (is_whole_ && !json.is_number_unsigned()) return false;
       return json.is_number() && min_ <= json.get<double>() && json.get<double>() <= max_;
     case Type::kText:
       return json.is_string() && IsCountRight(json.get_ref<const std::string&>().size());
@@ -177,7 +184,7 @@ Json JsonShape::Schema() const {
     case Type::kMap:
       return {{"type", "object"}, {"additionalProperties", items_[0].Schema()}};
     case Type::kNumber:
-      return {{"type", "number"}, {"minimum", min_}, {"maximum", max_}};
+      return {{"type", is_whole_ ? "integer" : "number"}, {"minimum", min_}, {"maximum", max_}};
     case Type::kText:
       return {{"type", "string"}, {"maxLength", max_count_}};
     case Type::kFlag:

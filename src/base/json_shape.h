@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +20,8 @@ class JsonShape {
   /// Both limits included.
   static JsonShape Number(double min, double max);
   static JsonShape Number();
+  /// A whole number; both limits included, from 0 on.
+  static JsonShape Whole(std::uint64_t min, std::uint64_t max);
   /// @param max_length  [bytes].
   static JsonShape Text(std::size_t max_length);
   static JsonShape Text();
@@ -68,6 +71,7 @@ class JsonShape {
   std::string name_;  ///< empty without one
   bool may_be_null_ = false, may_be_true_ = false;
   double min_ = 0, max_ = 0;                   ///< of a number
+  bool is_whole_ = false;                      ///< of a number: it has no fraction
   std::size_t min_count_ = 0, max_count_ = 0;  ///< of the bytes of a text, the items of a list
   std::vector<std::string> words_;             ///< one of which it is
   std::vector<JsonShape> items_;               ///< one shape: of all in a list or map

@@ -49,6 +49,16 @@ TEST(JsonShape, TellsWhatDoesNotFitAndWhere) {
             ".size is unknown");
 }
 
+TEST(JsonShape, MayBeAWholeNumber) {
+  const JsonShape shape = JsonShape::Whole(1, std::uint64_t{1} << 53);
+  for (const char* text : {"1", "9007199254740992"}) EXPECT_TRUE(shape.Fits(ParseJson(text)));
+  for (const char* text : {"0", "-1", "1.5", "1.0", "9007199254740994", "\"1\""}) {
+    EXPECT_FALSE(shape.Fits(ParseJson(text))) << text;
+  }
+  EXPECT_EQ(shape.Schema().at("type"), "integer");
+  EXPECT_EQ(shape.TypeScript(), "number");
+}
+
 TEST(JsonShape, MayBeNull) {
   const JsonShape shape = JsonShape::Object({{"place", JsonShape::Number().OrNull()}});
   EXPECT_TRUE(shape.Fits(ParseJson(R"({"place":null})")));

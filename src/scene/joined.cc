@@ -1,0 +1,50 @@
+#include "scene/joined.h"
+
+#include <utility>
+#include <vector>
+
+#include "scene/control.h"
+
+namespace smile::scene {
+namespace {
+
+void AddIdsOf(const Part& part, std::set<std::string>* ids) {
+  if (!part.id.empty()) ids->insert(part.id);
+  if (const auto* composite = std::get_if<Composite>(&part.shape)) {
+    for (const Part& child : composite->parts) AddIdsOf(child, ids);
+    for (const GuestPoint& guest : composite->guests) ids->insert(guest.id);
+    for (const HostPoint& host : composite->hosts) ids->insert(host.id);
+  } else if (const auto* control = std::get_if<CustomControl>(&part.shape)) {
+    for (const CustomControl::State& state : control->states) {
+      for (const Part& child : state.parts) AddIdsOf(child, ids);
+    }
+  }
+}
+
+}  // namespace
+
+std::set<std::string> IdsOf(const SceneSpec& scene) {
+  std::set<std::string> ids;
+  for (const ObjectSpec& object : scene.objects) AddIdsOf(object.whole, &ids);
+  for (const SliderSpec& slider : scene.sliders) {
+    if (!slider.id.empty()) ids.insert(slider.id);
+  }
+  for (const ChainSpec& chain : scene.chains) ids.insert(chain.id);
+  return ids;
+}
+
+SceneSpec Joined(SceneSpec scene, SceneSpec added) {
+  const std::size_t num_objects = scene.objects.size();
+  for (ObjectSpec& object : added.objects) scene.objects.push_back(std::move(object));
+  for (SliderSpec& slider : added.sliders) {
+    slider.first_object += num_objects;
+    scene.sliders.push_back(std::move(slider));
+  }
+  for (ChainSpec& chain : added.chains) {
+    chain.first_object += num_objects;
+    scene.chains.push_back(std::move(chain));
+  }
+  return scene;
+}
+
+}  // namespace smile::scene

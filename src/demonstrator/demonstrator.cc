@@ -168,6 +168,16 @@ std::optional<Refusal> Demonstrator::Destroy(HandName name) {
   return std::nullopt;
 }
 
+std::optional<Refusal> Demonstrator::Remove(const world::Object& object) {
+  for (HandName name : kHandNames) {
+    if (hand(name).held == object.body) return WhatHolds(name) + "; it must be released first";
+  }
+  if (world_->body(object.body).is_carried()) return Named(object.id()) + " is held by the robot";
+  state_.attention.erase(object.body);
+  tabletop_->Destroy(object);
+  return std::nullopt;
+}
+
 std::optional<Refusal> Demonstrator::RefuseIfHolding(HandName name, const char* what) const {
   if (!hand(name).is_holding()) return std::nullopt;
   return WhatHolds(name) + "; it must be empty to " + what;

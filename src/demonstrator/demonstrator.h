@@ -74,6 +74,8 @@ class Demonstrator {
 
   /// Takes the held object out of the world.
   [[nodiscard]] std::optional<Refusal> Destroy(HandName hand);
+  /// Takes an object out of the world that no hand and no gripper holds.
+  [[nodiscard]] std::optional<Refusal> Remove(const world::Object& object);
   /// Tells which properties of the held object matter, instead of what was told of it before; none:
   /// nothing in particular. Known are color (or colour), shape, size, position, orientation, order,
   /// and the names of its descriptions.

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "base/demand.h"
 #include "model/internal_initial_state.h"
 #include "robot/robot_visuals.h"
 #include "scene/solid.h"
@@ -32,6 +33,15 @@ std::uint32_t AddName(const std::string& name, scene::VisualModel* model) {
 }  // namespace
 
 Model::Model(scene::SceneSpec scene, std::optional<RobotPlacement> robot)
+    : Model(std::move(scene),
+            std::make_shared<const std::optional<RobotPlacement>>(std::move(robot))) {}
+
+Model::Model(const Model& smaller, scene::SceneSpec scene)
+    : Model(std::move(scene), smaller.placement_) {
+  SMILE_DEMAND(scene_.objects.size() >= smaller.scene_.objects.size());
+}
+
+Model::Model(scene::SceneSpec scene, std::shared_ptr<const std::optional<RobotPlacement>> robot)
     : scene_(std::move(scene)), placement_(std::move(robot)) {
   for (ObjectIndex object : objects()) AddMechanismsOf(object);
   first_control_.emplace_back(controls_.size());
@@ -43,9 +53,9 @@ Model::Model(scene::SceneSpec scene, std::optional<RobotPlacement> robot)
                                    .X_FV = table.X_BS,
                                    .object_id = AddName("table", &visual_model_)});
   for (ObjectIndex object : objects()) AppendVisuals(object);
-  if (placement_) {
-    X_WBase_ = RobotBasePose(scene_.table, placement_->gap, placement_->height);
-    robot::AppendVisuals(placement_->model, static_cast<int>(1 + scene_.objects.size()),
+  if (const auto& placement = robot_placement()) {
+    X_WBase_ = RobotBasePose(scene_.table, placement->gap, placement->height);
+    robot::AppendVisuals(placement->model, static_cast<int>(1 + scene_.objects.size()),
                          AddName("robot", &visual_model_), &visual_model_);
   }
   initial_state_ = InitialStateOf(*this);
@@ -129,7 +139,7 @@ FrameIndex Model::frame_of(const robot::Frame& frame) const {
 
 IndexRange<FrameIndex> Model::robot_frames() const {
   const FrameIndex first(1 + scene_.objects.size());
-  return {first, FrameIndex(first + (placement_ ? 1 + placement_->model.links.size() : 0))};
+  return {first, FrameIndex(first + (robot() != nullptr ? 1 + robot()->links.size() : 0))};
 }
 
 std::optional<ObjectIndex> Model::object_of(FrameIndex frame) const {
@@ -156,8 +166,8 @@ scene::VisualState Model::VisualStateOf(const SceneState& state, std::span<const
     visual.looks.push_back(X_WB ? 0 : kHidden);
     for (int look : LooksOf(object, state.controls)) visual.looks.push_back(X_WB ? look : kHidden);
   }
-  if (placement_) {
-    const auto robot_poses = robot::FramePosesOf(placement_->model, X_WBase_, q);
+  if (robot() != nullptr) {
+    const auto robot_poses = robot::FramePosesOf(*robot(), X_WBase_, q);
     visual.poses.insert(visual.poses.end(), robot_poses.begin(), robot_poses.end());
     visual.looks.push_back(robot::LookOf(mood));
   }

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -34,10 +35,17 @@ struct SceneState {
 /// Controls, Guests and Hosts into its scene stay valid. Shared ownership is for whoever outlives
 /// the maker: a world that runs it, and pages and pictures of that world which are still being made
 /// when it is replaced, own it by `shared_ptr<const Model>`; the last one ends it.
+///
+/// A model that is to have more objects is another model, which has them behind those of before:
+/// all indices of objects, controls, guests and hosts stay valid. Those of frames and choices are
+/// the model's own.
 class Model {
  public:
   /// @param robot  nullopt for a table without one.
   explicit Model(scene::SceneSpec scene, std::optional<RobotPlacement> robot = std::nullopt);
+  /// A model with more objects and the same robot, which both share.
+  /// @param scene  that of `smaller`, and what is added behind it; see scene::Joined().
+  Model(const Model& smaller, scene::SceneSpec scene);
   Model(const Model&) = delete;
   Model& operator=(const Model&) = delete;
 
@@ -66,9 +74,11 @@ class Model {
   const Host& host(HostIndex host) const { return hosts_[host]; }
   [[nodiscard]] std::optional<HostIndex> FindHost(std::string_view id) const;
 
-  const std::optional<RobotPlacement>& robot_placement() const { return placement_; }
+  const std::optional<RobotPlacement>& robot_placement() const { return *placement_; }
   /// nullptr without one.
-  const robot::RobotModel* robot() const { return placement_ ? &placement_->model : nullptr; }
+  const robot::RobotModel* robot() const {
+    return robot_placement() ? &robot_placement()->model : nullptr;
+  }
   /// X_WBase; the identity without a robot.
   const RigidTransform& robot_base_pose() const { return X_WBase_; }
 
@@ -107,13 +117,14 @@ class Model {
   template <class I>
   using IndexOfId = std::map<std::string, I, std::less<>>;
 
+  Model(scene::SceneSpec scene, std::shared_ptr<const std::optional<RobotPlacement>> robot);
   void AddMechanismsOf(ObjectIndex object);
   /// Resolves the ids by which controls and hosts name what is downstream of them.
   void ConnectMechanisms();
   void AppendVisuals(ObjectIndex object);
 
   scene::SceneSpec scene_;
-  std::optional<RobotPlacement> placement_;
+  std::shared_ptr<const std::optional<RobotPlacement>> placement_;  ///< never null
   RigidTransform X_WBase_;
   std::vector<Control> controls_;
   std::vector<ControlIndex> first_control_;  ///< of each object; one more at the end

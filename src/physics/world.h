@@ -101,6 +101,9 @@ class World {
   /// What this body would overlap by more than `depth` [m] if it stood there. Not what it may pass
   /// through.
   Overlaps OverlapsAt(BodyId id, const RigidTransform& X_WB, double depth) const;
+  /// What a body of these solids would overlap by more than `depth` [m] if it were added there.
+  Overlaps OverlapsOf(const std::vector<scene::Solid>& solids, const RigidTransform& X_WB,
+                      double depth) const;
 
   bool Has(BodyId id) const;
   Body& body(BodyId id);  ///< @throws std::logic_error if there is no such body
@@ -175,6 +178,7 @@ class World {
   void EndPassingApart();
   void EndCloseFitsApart();
   void EndAllPassing();
+  Overlaps OverlapsOf(const Body& body, const RigidTransform& X_WB, double depth) const;
   double OverlapDepth(const Body& a, const btTransform& X_WAcm, const btCollisionObject& b) const;
   double OverlapDepth(const std::pair<BodyId, BodyId>& pair) const;
   bool IsAnyAwake(const std::pair<BodyId, BodyId>& pair) const;

@@ -87,7 +87,18 @@ double World::OverlapDepth(const Body& a, const btTransform& X_WAcm,
 }
 
 Overlaps World::OverlapsAt(BodyId id, const RigidTransform& X_WB, double depth) const {
-  const Body& moved = body(id);
+  return OverlapsOf(body(id), X_WB, depth);
+}
+
+Overlaps World::OverlapsOf(const std::vector<scene::Solid>& solids, const RigidTransform& X_WB,
+                           double depth) const {
+  // Static, as no bodies are yet that are to be weighed; of no id, which nothing may pass.
+  const Body imagined(BodyId(), std::make_shared<const BodySpec>(BodySpec{.solids = solids}));
+  return OverlapsOf(imagined, X_WB, depth);
+}
+
+Overlaps World::OverlapsOf(const Body& moved, const RigidTransform& X_WB, double depth) const {
+  const BodyId id = moved.id();
   const btTransform X_WBcm = ToBullet(X_WB * moved.X_BcmB_.inverse());
   const PairFilter& filter = engine_->broadphase.filter();
   const auto is_in_the_way = [&](const btCollisionObject& other) {

@@ -10,12 +10,16 @@ std::optional<sim::Event> CommandedEvents::Next(const sim::Command& command) {
       [this]<class Kind>(const Kind& action) -> std::optional<sim::Event> {
         constexpr std::optional<sim::EventKind> kEvent = sim::EventOfAction<Kind>();
         if constexpr (kEvent.has_value()) {
-          sim::Event event{.kind = *kEvent, .hand = action.hand};
-          std::string& held = held_[static_cast<std::size_t>(action.hand)];
-          if constexpr (std::is_same_v<Kind, sim::Release> || std::is_same_v<Kind, sim::Destroy>) {
-            event.object = std::exchange(held, "");
+          sim::Event event{.kind = *kEvent};
+          if constexpr (std::is_same_v<Kind, sim::Remove>) {
+            event.objects = {action.object};
+            return event;
           }
-          if constexpr (std::is_same_v<Kind, sim::Grasp>) held = action.object;
+          if constexpr (requires { action.hand; }) event.hand = action.hand;
+          if constexpr (std::is_same_v<Kind, sim::Release> || std::is_same_v<Kind, sim::Destroy>) {
+            event.object = std::exchange(HeldBy(action.hand), "");
+          }
+          if constexpr (std::is_same_v<Kind, sim::Grasp>) HeldBy(action.hand) = action.object;
           if constexpr (requires { action.object; }) event.object = action.object;
           if constexpr (std::is_same_v<Kind, sim::Point>) event.part = action.part;
           if constexpr (std::is_same_v<Kind, sim::Trigger>) event.control = action.control;

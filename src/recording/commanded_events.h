@@ -18,6 +18,7 @@ class CommandedEvents {
   std::optional<sim::Event> Next(const sim::Command& command);
 
  private:
+  std::string& HeldBy(sim::HandName hand) { return held_[static_cast<std::size_t>(hand)]; }
   /// Ids of what each hand holds; empty for nothing.
   std::array<std::string, demonstrator::kHandNames.size()> held_;
 };

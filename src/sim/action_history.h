@@ -27,7 +27,7 @@ struct TimedCommand {
   bool operator==(const TimedCommand&) const = default;
 };
 
-/// An action of a hand and all that followed it, up to the next action.
+/// An action and all that followed it, up to the next one.
 struct Action {
   ActionId id;
   std::uint64_t tick = 0;                ///< at which it began

@@ -4,20 +4,42 @@ namespace smile::sim {
 namespace {
 
 ActionSummary SummaryOfRelease(const Event& event, const std::optional<model::Support>& support) {
-  ActionSummary summary{.kind = ActionKind::kRelease, .hand = *event.hand, .what = event.object};
+  ActionSummary summary{.kind = ActionKind::kRelease, .hand = event.hand, .what = event.object};
   if (!support) return summary;
   summary.kind = support->is_near() ? ActionKind::kPut : ActionKind::kDrop;
   summary.onto = support;
   return summary;
 }
 
-/// True if a command of one of these kinds is an action that such an event reports.
+/// True if a command of the kind is an action that such an event reports.
+template <class Kind>
+bool Reports(const Event& event) {
+  constexpr bool kIsOfHand = requires(Kind kind) { kind.hand; };
+  return EventOfAction<Kind>() == event.kind && (event.hand.has_value() || !kIsOfHand);
+}
 template <class... Kinds>
-bool ReportsOneOf(EventKind event, const std::variant<Kinds...>*) {
-  return ((EventOfAction<Kinds>() == event) || ...);
+bool ReportsOneOf(const Event& event, const std::variant<Kinds...>*) {
+  return (Reports<Kinds>(event) || ...);
+}
+
+std::string NameOf(const std::vector<std::string>& objects) {
+  if (objects.size() == 1) return objects.front();
+  return (objects.empty() ? "" : std::to_string(objects.size()) + " ") + "objects";
 }
 
 }  // namespace
+
+std::optional<HandName> HandOf(const Command& command) {
+  return std::visit(
+      [](const auto& what) -> std::optional<HandName> {
+        if constexpr (requires { what.hand; }) {
+          return what.hand;
+        } else {
+          return std::nullopt;
+        }
+      },
+      command);
+}
 
 bool IsAction(const Command& command) {
   return std::visit([]<class Kind>(const Kind&) { return EventOfAction<Kind>().has_value(); },
@@ -26,7 +48,7 @@ bool IsAction(const Command& command) {
 
 bool BeginsAction(const Event& event) {
   constexpr const Command* kAnyCommand = nullptr;
-  return event.hand && ReportsOneOf(event.kind, kAnyCommand);
+  return ReportsOneOf(event, kAnyCommand);
 }
 
 std::string_view ToString(ActionKind kind) {
@@ -50,6 +72,12 @@ std::string_view ToString(ActionKind kind) {
       return "fasten";
     case kLoosen:
       return "loosen";
+    case kAdd:
+      return "add";
+    case kRemove:
+      return "remove";
+    case kClear:
+      return "clear";
   }
   return "";
 }
@@ -58,7 +86,7 @@ std::optional<ActionSummary> SummaryOf(const Event& event,
                                        const std::optional<model::Support>& support) {
   if (!BeginsAction(event)) return std::nullopt;
   const auto summary = [&event](ActionKind kind, const std::string& what) {
-    return ActionSummary{.kind = kind, .hand = *event.hand, .what = what, .onto = {}};
+    return ActionSummary{.kind = kind, .hand = event.hand, .what = what, .onto = {}};
   };
   using enum EventKind;
   switch (event.kind) {
@@ -76,14 +104,23 @@ std::optional<ActionSummary> SummaryOf(const Event& event,
       return summary(ActionKind::kFasten, event.object);
     case kLoosened:
       return summary(ActionKind::kLoosen, event.object);
+    case kAdded:
+      return summary(ActionKind::kAdd, NameOf(event.objects));
+    case kRemoved:
+      return summary(ActionKind::kRemove, NameOf(event.objects));
+    case kCleared:
+      return summary(ActionKind::kClear, NameOf(event.objects));
     default:
       return std::nullopt;
   }
 }
 
 std::string WordsOf(const ActionSummary& summary) {
+  if (summary.kind == ActionKind::kAdd) return "added " + summary.what;
+  if (summary.kind == ActionKind::kRemove) return "removed " + summary.what;
+  if (summary.kind == ActionKind::kClear) return "cleared the table of " + summary.what;
   const bool is_one_hand = summary.hand != HandName::kBoth;
-  std::string words(ToString(summary.hand));
+  std::string words(ToString(*summary.hand));
   words += is_one_hand ? " hand " : " hands ";
   words += ToString(summary.kind);
   words += is_one_hand ? "s " : " ";
@@ -95,8 +132,8 @@ std::string WordsOf(const ActionSummary& summary) {
 
 Json ToJson(const std::optional<ActionSummary>& summary) {
   if (!summary) return nullptr;
-  Json json = {
-      {"do", ToString(summary->kind)}, {"hand", ToString(summary->hand)}, {"what", summary->what}};
+  Json json = {{"do", ToString(summary->kind)}, {"hand", nullptr}, {"what", summary->what}};
+  if (summary->hand) json["hand"] = ToString(*summary->hand);
   if (const auto& onto = summary->onto) json[onto->is_inside ? "into" : "on"] = onto->object;
   json["words"] = WordsOf(*summary);
   return json;

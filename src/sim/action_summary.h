@@ -12,8 +12,8 @@
 namespace smile::sim {
 
 /// The one definition of an action: a command of a kind that has an event here, reported by this
-/// event of a hand. It can be undone, and it begins a new segment of a recording. nullopt for
-/// commands that belong to the action before them.
+/// event, of a hand if the command is one of a hand. It can be undone, and it begins a new segment
+/// of a recording. nullopt for commands that belong to the action before them.
 template <class Kind>
 constexpr std::optional<EventKind> EventOfAction() {
   if constexpr (std::is_same_v<Kind, Grasp>) return EventKind::kGrasped;
@@ -23,9 +23,14 @@ constexpr std::optional<EventKind> EventOfAction() {
   if constexpr (std::is_same_v<Kind, Trigger>) return EventKind::kTriggered;
   if constexpr (std::is_same_v<Kind, Fasten>) return EventKind::kFastened;
   if constexpr (std::is_same_v<Kind, Loosen>) return EventKind::kLoosened;
+  if constexpr (std::is_same_v<Kind, Spawn>) return EventKind::kAdded;
+  if constexpr (std::is_same_v<Kind, Remove>) return EventKind::kRemoved;
+  if constexpr (std::is_same_v<Kind, Clear>) return EventKind::kCleared;
   return std::nullopt;
 }
 
+/// Whose doing a command is, where a hand's.
+std::optional<HandName> HandOf(const Command& command);
 /// True of a command that begins an action.
 bool IsAction(const Command& command);
 /// True of the event that reports an action. Each action has exactly one.
@@ -40,16 +45,21 @@ enum class ActionKind {
   kPoint,
   kTrigger,
   kFasten,
-  kLoosen
+  kLoosen,
+  kAdd,
+  kRemove,
+  kClear
 };
-/// `take`, `put`, `drop`, `release`, `destroy`, `point`, `trigger`, `fasten`, `loosen`.
+/// `take`, `put`, `drop`, `release`, `destroy`, `point`, `trigger`, `fasten`, `loosen`, `add`,
+/// `remove`, `clear`.
 std::string_view ToString(ActionKind kind);
 
 /// An action in short.
 struct ActionSummary {
   ActionKind kind = ActionKind::kTake;
-  HandName hand = HandName::kLeft;
-  std::string what;                    ///< id of the object, or part pointed at, or control
+  std::optional<HandName> hand;        ///< nullopt of what no hand did
+  std::string what;                    ///< id of the object, or part pointed at, or control; where
+                                       ///< there are several objects, how many: `5 objects`
   std::optional<model::Support> onto;  ///< of what was put or dropped
 
   bool operator==(const ActionSummary&) const = default;
@@ -60,12 +70,13 @@ struct ActionSummary {
 std::optional<ActionSummary> SummaryOf(const Event& event,
                                        const std::optional<model::Support>& support);
 
-/// `left hand takes b03`, `both hands put b03 on b01`, `right hand drops b03 into crate`.
+/// `left hand takes b03`, `both hands put b03 on b01`, `right hand drops b03 into crate`; `added
+/// b03`, `removed b03`, `cleared the table of 5 objects`.
 std::string WordsOf(const ActionSummary& summary);
 
 /// `{"do":"take","hand":"left","what":"b03","words":"left hand takes b03"}`; of what was put or
-/// dropped also `"on"` or `"into"` and the id of what is beneath, empty for the table. null of
-/// none.
+/// dropped also `"on"` or `"into"` and the id of what is beneath, empty for the table. `hand` is
+/// null of what no hand did. null of none.
 Json ToJson(const std::optional<ActionSummary>& summary);
 
 }  // namespace smile::sim

@@ -349,10 +349,46 @@ struct Face {
   bool operator==(const Face&) const = default;
 };
 
-/// Takes back the last action of a hand, with everything since; see IsAction().
+/// Adds objects where a scene has them; see sim/spawning.h. Nothing else changes.
+struct Spawn {
+  static constexpr CommandName kName{"spawn",
+                                     "adds the objects of a scene; all else stays as it is"};
+  std::string xml;
+
+  static void VisitFields(auto& command, auto&& visit) {
+    visit(command.xml,
+          CommandField{"xml", ValueKind::kSceneText,
+                       "a scene file (docs/scene-format.md) in the unit of the scene, which names "
+                       "no files and has none of the ids that were used before"});
+  }
+  bool operator==(const Spawn&) const = default;
+};
+
+/// Takes an object out of the world that nothing holds.
+struct Remove {
+  static constexpr CommandName kName{
+      "remove", "takes an object out of the world, without a hand; none may hold it"};
+  std::string object;
+
+  static void VisitFields(auto& command, auto&& visit) {
+    visit(command.object, CommandField{"object", ValueKind::kText, "id of a whole object"});
+  }
+  bool operator==(const Remove&) const = default;
+};
+
+/// Takes all objects out of the world but those that a hand or gripper holds, with what hangs
+/// together with them.
+struct Clear {
+  static constexpr CommandName kName{
+      "clear", "takes all objects out of the world but what is held, with what hangs on it"};
+
+  static void VisitFields(auto&, auto&&) {}
+  bool operator==(const Clear&) const = default;
+};
+
+/// Takes back the last action, with everything since; see IsAction().
 struct Undo {
-  static constexpr CommandName kName{"undo",
-                                     "takes back the last action of a hand, with everything since"};
+  static constexpr CommandName kName{"undo", "takes back the last action, with everything since"};
 
   static void VisitFields(auto&, auto&&) {}
   bool operator==(const Undo&) const = default;
@@ -394,7 +430,7 @@ struct FinishRecording {
 
 using Command = std::variant<Grasp, MoveTo, Plane, Rotate, Release, Destroy, Attend, Point, Trigger,
                              Fasten, Loosen, JointVelocities, JointAngles, TurnJoint, MoveGripper,
-                             TakePose, FollowTrajectory, ShowRobot, Face, Markers, Undo, Redo,
-                             StartRecording, FinishRecording>;
+                             TakePose, FollowTrajectory, ShowRobot, Face, Markers, Spawn, Remove,
+                             Clear, Undo, Redo, StartRecording, FinishRecording>;
 
 }  // namespace smile::sim

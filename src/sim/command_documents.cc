@@ -5,6 +5,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "sim/add.h"
 #include "sim/drag.h"
 #include "sim/internal_command_fields.h"
 
@@ -17,7 +18,7 @@ struct CommandForm {
   std::vector<CommandField> fields;
 };
 
-/// In the order in which they are listed; last what is written like a command and is none.
+/// In the order in which they are listed; last those that are written like a command and are none.
 std::vector<CommandForm> FormsOfCommands() {
   std::vector<CommandForm> forms;
   AnyKindOfCommand([&]<class What>(std::type_identity<What>) {
@@ -25,6 +26,7 @@ std::vector<CommandForm> FormsOfCommands() {
     return false;
   });
   forms.push_back({Drag::kName, FieldsOf<Drag>()});
+  forms.push_back({Add::kName, FieldsOf<Add>()});
   return forms;
 }
 

@@ -1,12 +1,17 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 namespace smile::sim {
 
 /// Longer names and arrays than these are nobody's.
 inline constexpr std::size_t kMaxText = 256;
 inline constexpr std::size_t kMaxJoints = 64;
+/// Of a scene in a command [bytes].
+inline constexpr std::size_t kMaxSceneText = std::size_t{1} << 20;
+/// JSON of any language keeps whole numbers up to here.
+inline constexpr std::uint64_t kMaxSeed = std::uint64_t{1} << 53;
 /// No length, angle or speed is larger, and no speed limit smaller [units, degrees, rad, per s].
 inline constexpr double kMaxNumber = 1e6, kMinSpeed = 1e-6;
 
@@ -27,7 +32,9 @@ enum class ValueKind {
   kArm,
   kShare,
   kJointNames,
-  kTrajectoryPoints
+  kTrajectoryPoints,
+  kSceneText,
+  kSeed
 };
 
 /// In what its numbers are written. Those in units are meters in a command.

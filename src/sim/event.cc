@@ -30,6 +30,12 @@ std::string_view ToString(EventKind kind) {
       return "gripper_let_go";
     case EventKind::kCommandRefused:
       return "command_refused";
+    case EventKind::kAdded:
+      return "added";
+    case EventKind::kRemoved:
+      return "removed";
+    case EventKind::kCleared:
+      return "cleared";
   }
   return "";
 }

@@ -27,6 +27,9 @@ enum class EventKind {
   kGripperHolds,    ///< a closing gripper got hold of an object
   kGripperLetGo,    ///< an opening gripper let go of it
   kCommandRefused,  ///< a command was not carried out; `reason` says why
+  kAdded,           ///< `objects` were added to the scene
+  kRemoved,         ///< `objects` were taken out of the world, by no hand
+  kCleared,         ///< likewise: all but what was held
 };
 
 std::string_view ToString(EventKind kind);
@@ -46,6 +49,7 @@ struct Event {
   std::optional<model::HostIndex> host;    ///< where a bond's
   int tightness = 0;
   std::vector<std::string> properties;  ///< that matter; none: nothing in particular
+  std::vector<std::string> objects;     ///< ids of those that were added or removed, in scene order
 
   bool operator==(const Event&) const = default;
 };

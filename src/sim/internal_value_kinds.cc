@@ -72,6 +72,8 @@ std::map<ValueKind, Allowed> MakeKinds() {
        {JsonShape::List(TrajectoryPointShape(JsonShape::Number(0, motion::kMaxTrajectorySeconds)),
                         1, motion::kMaxTrajectoryPoints),
         "1 to 10000 points"}},
+      {kSceneText, {JsonShape::Text(kMaxSceneText), "a text of at most 1048576 letters"}},
+      {kSeed, {JsonShape::Whole(0, kMaxSeed), "a whole number from 0 to 2^53"}},
   };
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -43,6 +44,7 @@ inline Json Written(const Vector3& p, const WrittenUnit& unit) {
 }
 inline Json Written(double number, const WrittenUnit& unit) { return unit.Write(number); }
 inline Json Written(bool flag, const WrittenUnit&) { return flag; }
+inline Json Written(std::uint64_t number, const WrittenUnit&) { return number; }
 inline Json Written(const std::string& text, const WrittenUnit&) { return text; }
 inline Json Written(HandName hand, const WrittenUnit&) { return ToString(hand); }
 inline Json Written(robot::Mood mood, const WrittenUnit&) { return ToString(mood); }
@@ -72,6 +74,9 @@ inline void Read(const Json& json, const WrittenUnit& unit, double* number) {
   *number = unit.Read(json.get<double>());
 }
 inline void Read(const Json& json, const WrittenUnit&, bool* flag) { *flag = json.get<bool>(); }
+inline void Read(const Json& json, const WrittenUnit&, std::uint64_t* number) {
+  *number = json.get<std::uint64_t>();
+}
 inline void Read(const Json& json, const WrittenUnit&, std::string* text) {
   *text = json.get<std::string>();
 }

@@ -9,6 +9,7 @@
 
 #include "base/diagnostic.h"
 #include "base/files.h"
+#include "base/overloaded.h"
 #include "base/wording.h"
 #include "motion/trajectory_files.h"
 #include "sim/command_json.h"
@@ -131,6 +132,8 @@ class LineReader {
       read.what = ParseWait(json);
     } else if (IsDrag(json)) {
       read.what = ParseDrag(json, meters_per_unit_);
+    } else if (IsAdd(json)) {
+      read.what = ParseAdd(json);
     } else if (has_do && json.at("do") == "trajectory" && json.contains("file")) {
       read.what = ReadTrajectoryOf(json);
     } else {
@@ -227,11 +230,22 @@ void ScriptPlayer::Advance(Simulation* simulation) {
       wait_start_.reset();
       continue;
     }
-    const auto* drag = std::get_if<Drag>(&line.what);
-    const auto refusal = drag != nullptr ? Carry(*drag, simulation)
-                                         : simulation->Apply(std::get<Command>(line.what));
+    const auto refusal =
+        std::visit(Overloaded{[](const Wait&) -> std::optional<Refusal> { return std::nullopt; },
+                              [&](const auto& what) { return Carry(what, simulation); }},
+                   line.what);
     if (refusal) Fail(line, *refusal);
   }
+}
+
+std::optional<Refusal> ScriptPlayer::Carry(const Command& command, Simulation* simulation) {
+  return simulation->Apply(command);
+}
+
+std::optional<Refusal> ScriptPlayer::Carry(const Add& add, Simulation* simulation) {
+  Refusal refusal;
+  const auto spawn = SpawnOf(add, *simulation, &refusal);
+  return spawn ? simulation->Apply(*spawn) : refusal;
 }
 
 std::optional<Refusal> ScriptPlayer::Carry(const Drag& drag, Simulation* simulation) {

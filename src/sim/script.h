@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "sim/add.h"
 #include "sim/command.h"
 #include "sim/drag.h"
 #include "sim/simulation.h"
@@ -25,7 +26,7 @@ struct Wait {
 struct ScriptLine {
   int line = 0;                       ///< in the file, 1 is the first
   std::optional<std::uint64_t> tick;  ///< not before this tick
-  std::variant<Command, Drag, Wait> what;
+  std::variant<Command, Drag, Add, Wait> what;
 };
 
 /// A demonstration or a test, written down: one command per line as JSON, blank lines and lines
@@ -63,8 +64,11 @@ class ScriptPlayer {
   }
 
  private:
+  // What is asked becomes a command.
   /// @returns why it was refused.
+  static std::optional<Refusal> Carry(const Command& command, Simulation* simulation);
   static std::optional<Refusal> Carry(const Drag& drag, Simulation* simulation);
+  static std::optional<Refusal> Carry(const Add& add, Simulation* simulation);
   bool IsOver(const Wait& wait, const ScriptLine& line, const Simulation& simulation);
   [[noreturn]] void Fail(const ScriptLine& line, const std::string& message) const;
 

@@ -10,7 +10,8 @@
 namespace smile::sim {
 
 Simulation::Simulation(std::shared_ptr<const model::Model> model)
-    : model_(std::move(model)),
+    : start_model_(std::move(model)),
+      model_(start_model_),
       physics_(physics::WorldConfig{.eases_close_fits = model_->scene().physics_version >= 2}),
       tabletop_(&physics_, model_),
       demonstrator_(&physics_, &tabletop_) {
@@ -28,19 +29,6 @@ scene::VisualState Simulation::visual_state() const {
 }
 
 namespace {
-
-/// Whose doing a command is, where a hand's.
-std::optional<HandName> HandOf(const Command& command) {
-  return std::visit(
-      [](const auto& what) -> std::optional<HandName> {
-        if constexpr (requires { what.hand; }) {
-          return what.hand;
-        } else {
-          return std::nullopt;
-        }
-      },
-      command);
-}
 
 bool ChangesWorld(const Command& command) {
   return !std::holds_alternative<Undo>(command) && !std::holds_alternative<Redo>(command) &&
@@ -108,19 +96,20 @@ std::optional<Refusal> Simulation::Perform(const Command& command) {
   const bool is_of_bonds =
       std::holds_alternative<Fasten>(command) || std::holds_alternative<Loosen>(command);
   const bool changes_mechanisms = is_of_bonds || std::holds_alternative<Trigger>(command) ||
-                                  std::holds_alternative<Destroy>(command);
+                                  std::holds_alternative<Destroy>(command) ||
+                                  std::holds_alternative<Remove>(command) ||
+                                  std::holds_alternative<Clear>(command);
   const world::TabletopState before =
       changes_mechanisms ? tabletop_.state() : world::TabletopState();
   const std::optional<HandName> hand = HandOf(command);
-  const world::Object* held = hand ? tabletop_.Find(demonstrator_.hand(*hand).held) : nullptr;
-  const std::string held_before = held != nullptr ? held->id() : "";
+  const Before looked = LookBefore(command);
   auto refusal = Carry(command);
   if (refusal) return refusal;
   has_begun_ = true;
   if (before_action) history_.Begin(*std::move(before_action));
   history_.Add({.tick = tick_, .command = command});
   for (Listener* listener : listeners_) listener->OnCommand(*this, command);
-  TellOfCommand(command, held_before);
+  TellOfCommand(command, looked);
   TellOfBonds(before.bonds, is_of_bonds ? hand : std::nullopt);
   TellOfControls(before.controls);
   TellOfGrippers(held_by_grippers);
@@ -219,6 +208,7 @@ std::uint64_t Simulation::state_hash() const {
 
 SimulationState Simulation::Save() const {
   return {.tick = tick_,
+          .model = model_,
           .physics = physics_.Save(),
           .tabletop = tabletop_.state(),
           .demonstrator = demonstrator_.state(),
@@ -236,7 +226,8 @@ void Simulation::Restore(const SimulationState& state) {
 
 void Simulation::PutBack(const SimulationState& state) {
   physics_.Restore(state.physics);
-  tabletop_.Restore(state.tabletop);
+  tabletop_.Restore(state.tabletop, state.model);
+  model_ = state.model;
   demonstrator_.Restore(state.demonstrator);
   if (robot_) {
     robot_->Restore(state.robot);

@@ -84,9 +84,12 @@ class Simulation {
   /// Of everything that decides what happens next, the tick included.
   std::uint64_t state_hash() const;
 
-  /// What does not change while it runs.
+  /// What does not change while it runs, but for a spawn or the undo of one: then it is another
+  /// model, with more or fewer objects. Who keeps it beyond a command shares it.
   const model::Model& model() const { return *model_; }
   const std::shared_ptr<const model::Model>& shared_model() const { return model_; }
+  /// With which it was made.
+  const std::shared_ptr<const model::Model>& start_model() const { return start_model_; }
   const scene::SceneSpec& scene() const { return model_->scene(); }
   const world::Tabletop& tabletop() const { return tabletop_; }
   const physics::World& physics() const { return physics_; }
@@ -115,8 +118,8 @@ class Simulation {
   void SetRecordingControl(RecordingControl* control) { recording_control_ = control; }
 
   SimulationState Save() const;
-  /// Goes on from a saved state of this or of another simulation of the same scene and robot. What
-  /// was done before can no more be undone.
+  /// Goes on from a saved state of this or of another simulation that was made of the same scene
+  /// and robot, whatever was added to either since. What was done before can no more be undone.
   void Restore(const SimulationState& state);
 
  private:
@@ -145,6 +148,9 @@ class Simulation {
   std::optional<Refusal> Carry(const ShowRobot& show);
   std::optional<Refusal> Carry(const Face& face);
   std::optional<Refusal> Carry(const Markers& markers);
+  std::optional<Refusal> Carry(const Spawn& spawn);
+  std::optional<Refusal> Carry(const Remove& remove);
+  std::optional<Refusal> Carry(const Clear& clear);
   std::optional<Refusal> Carry(const Undo& undo);
   std::optional<Refusal> Carry(const Redo& redo);
   std::optional<Refusal> Carry(const StartRecording& start);
@@ -157,8 +163,16 @@ class Simulation {
   /// Applies the releases a grasp implies, as commands of their own; none if it will be refused.
   void ReleaseFor(const Grasp& grasp);
   void Tell(const Event& event);
-  /// What a command did to the object it is about.
-  void TellOfCommand(const Command& command, const std::string& held_before);
+  /// What an event of a command has to say of the moment before it.
+  struct Before {
+    std::string held;                ///< id of what its hand held
+    std::vector<bool> were_present;  ///< of each object, where the command may change that
+  };
+  Before LookBefore(const Command& command) const;
+  /// What a command did to the objects it is about.
+  void TellOfCommand(const Command& command, const Before& before);
+  /// Ids of the objects that came or went.
+  std::vector<std::string> ChangedSince(const Before& before) const;
   /// Notice what changed since `before`. A bond that ended because an object was destroyed is no
   /// hand's.
   void TellOfBonds(const std::vector<world::BondState>& before, std::optional<HandName> hand);
@@ -167,6 +181,7 @@ class Simulation {
   void TellOfGrippers(const std::vector<std::vector<physics::BodyId>>& before);
   std::vector<std::vector<physics::BodyId>> HeldByGrippers() const;
 
+  std::shared_ptr<const model::Model> start_model_;
   std::shared_ptr<const model::Model> model_;
   physics::World physics_;
   world::Tabletop tabletop_;

@@ -6,6 +6,15 @@
 #include "sim/simulation.h"
 
 namespace smile::sim {
+namespace {
+
+/// True of a command that adds or takes away objects, whoever it is from.
+bool ChangesObjects(const Command& command) {
+  return std::holds_alternative<Spawn>(command) || std::holds_alternative<Remove>(command) ||
+         std::holds_alternative<Clear>(command);
+}
+
+}  // namespace
 
 std::vector<std::vector<physics::BodyId>> Simulation::HeldByGrippers() const {
   std::vector<std::vector<physics::BodyId>> held;
@@ -32,7 +41,31 @@ void Simulation::TellOfGrippers(const std::vector<std::vector<physics::BodyId>>&
   }
 }
 
-void Simulation::TellOfCommand(const Command& command, const std::string& held_before) {
+Simulation::Before Simulation::LookBefore(const Command& command) const {
+  Before before;
+  if (const auto hand = HandOf(command)) {
+    const world::Object* held = tabletop_.Find(demonstrator_.hand(*hand).held);
+    if (held != nullptr) before.held = held->id();
+  }
+  if (!ChangesObjects(command)) return before;
+  for (const world::Object& object : tabletop_.objects()) {
+    before.were_present.push_back(tabletop_.IsPresent(object));
+  }
+  return before;
+}
+
+std::vector<std::string> Simulation::ChangedSince(const Before& before) const {
+  std::vector<std::string> changed;
+  for (const world::Object& object : tabletop_.objects()) {
+    const bool was_present =
+        object.index < before.were_present.size() && before.were_present[object.index];
+    if (was_present != tabletop_.IsPresent(object)) changed.push_back(object.id());
+  }
+  return changed;
+}
+
+void Simulation::TellOfCommand(const Command& command, const Before& before) {
+  const std::string& held_before = before.held;
   std::visit(
       Overloaded{
           [this](const Grasp& grasp) {
@@ -63,6 +96,13 @@ void Simulation::TellOfCommand(const Command& command, const std::string& held_b
                   .hand = trigger.hand,
                   .object = model_->id(model_->control(*control).object),
                   .control = trigger.control});
+          },
+          [&](const Spawn&) { Tell({.kind = EventKind::kAdded, .objects = ChangedSince(before)}); },
+          [&](const Remove&) {
+            Tell({.kind = EventKind::kRemoved, .objects = ChangedSince(before)});
+          },
+          [&](const Clear&) {
+            Tell({.kind = EventKind::kCleared, .objects = ChangedSince(before)});
           },
           [](const auto&) {}},
       command);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 
 #include "demonstrator/demonstrator.h"
 #include "physics/snapshot.h"
@@ -14,6 +15,7 @@ namespace smile::sim {
 /// Everything a simulation needs to go on exactly as it would have.
 struct SimulationState {
   std::uint64_t tick = 0;
+  std::shared_ptr<const model::Model> model;  ///< of all that follows; it outlives the simulation
   physics::Snapshot physics;
   world::TabletopState tabletop;
   demonstrator::DemonstratorState demonstrator;

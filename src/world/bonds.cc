@@ -16,16 +16,27 @@ constexpr double kMaxOverlap = 0.002;
 Bonds::Bonds(physics::World* world, const model::Model& model, const std::vector<Object>* objects,
              const std::vector<ObjectState>* object_states, Controls* controls)
     : world_(world),
-      model_(model),
+      model_(&model),
       objects_(objects),
       object_states_(object_states),
       controls_(controls),
       states_(model.hosts().size()) {}
 
-void Bonds::FastenInitially() {
-  for (GuestIndex guest : model_.guests()) {
-    const scene::GuestPoint& point = *model_.guest(guest).point;
-    const auto host = model_.FindHost(point.initial_host);
+void Bonds::Grow(const model::Model& model) {
+  model_ = &model;
+  states_.resize(model.hosts().size());
+}
+
+void Bonds::Restore(std::vector<BondState> states, const model::Model& model) {
+  states_ = std::move(states);
+  model_ = &model;
+}
+
+void Bonds::FastenInitially(GuestIndex first) {
+  for (GuestIndex guest : model_->guests()) {
+    if (guest < first) continue;
+    const scene::GuestPoint& point = *model_->guest(guest).point;
+    const auto host = model_->FindHost(point.initial_host);
     if (!host || point.initial_tightness < 1) continue;
     world_->MoveAssembly(BodyOf(guest), GuestBodyAt(guest, *host, point.initial_tightness));
     Join(guest, *host, point.initial_tightness);
@@ -33,7 +44,7 @@ void Bonds::FastenInitially() {
 }
 
 std::optional<HostIndex> Bonds::HostOf(GuestIndex guest) const {
-  for (HostIndex host : model_.hosts()) {
+  for (HostIndex host : model_->hosts()) {
     if (states_[host].guest == guest) return host;
   }
   return std::nullopt;
@@ -43,9 +54,9 @@ std::optional<GuestIndex> Bonds::NearestGuest(ObjectIndex object, const Vector3&
   std::optional<GuestIndex> nearest;
   double nearest_distance = 0;
   const RigidTransform X_WB = world_->body((*objects_)[object].body).pose_in_world();
-  for (GuestIndex guest : model_.guests()) {
-    if (model_.guest(guest).object != object) continue;
-    const double distance = (X_WB * model_.guest(guest).X_BG.translation() - p_WQ).norm();
+  for (GuestIndex guest : model_->guests()) {
+    if (model_->guest(guest).object != object) continue;
+    const double distance = (X_WB * model_->guest(guest).X_BG.translation() - p_WQ).norm();
     if (nearest && distance >= nearest_distance) continue;
     nearest = guest;
     nearest_distance = distance;
@@ -56,10 +67,10 @@ std::optional<GuestIndex> Bonds::NearestGuest(ObjectIndex object, const Vector3&
 std::vector<bool> Bonds::ConnectedWith(ObjectIndex object) const {
   // Bonds between static objects have no joint, other joints have no bond.
   std::multimap<std::size_t, std::size_t> neighbours;
-  for (HostIndex host : model_.hosts()) {
+  for (HostIndex host : model_->hosts()) {
     if (!states_[host].guest) continue;
-    const std::size_t a = model_.host(host).object;
-    const std::size_t b = model_.guest(*states_[host].guest).object;
+    const std::size_t a = model_->host(host).object;
+    const std::size_t b = model_->guest(*states_[host].guest).object;
     neighbours.insert({{a, b}, {b, a}});
   }
   std::vector<bool> is_connected(objects_->size());
@@ -81,7 +92,7 @@ std::vector<bool> Bonds::ConnectedWith(ObjectIndex object) const {
 
 std::optional<HostIndex> Bonds::HostInReach(GuestIndex guest, double reach,
                                             Refusal* refusal) const {
-  const model::Guest& plug = model_.guest(guest);
+  const model::Guest& plug = model_->guest(guest);
   const auto point_in_world = [this](ObjectIndex object, const RigidTransform& X_BPoint) {
     return world_->body((*objects_)[object].body).pose_in_world() * X_BPoint.translation();
   };
@@ -90,8 +101,8 @@ std::optional<HostIndex> Bonds::HostInReach(GuestIndex guest, double reach,
   std::optional<HostIndex> nearest;
   double nearest_distance = reach;
   bool is_any_locked = false;
-  for (HostIndex host : model_.hosts()) {
-    const model::Host& hole = model_.host(host);
+  for (HostIndex host : model_->hosts()) {
+    const model::Host& hole = model_->host(host);
     if (hole.point->type != plug.point->type || states_[host].guest || is_connected[hole.object] ||
         !IsInPlay(hole.object)) {
       continue;
@@ -115,7 +126,7 @@ std::optional<HostIndex> Bonds::HostInReach(GuestIndex guest, double reach,
 
 RigidTransform Bonds::GuestBodyAt(GuestIndex guest, HostIndex host, int tightness) const {
   return world_->body(BodyOf(host)).pose_in_world() *
-         model::GuestBodyInHostBody(model_.host(host), model_.guest(guest), tightness);
+         model::GuestBodyInHostBody(model_->host(host), model_->guest(guest), tightness);
 }
 
 std::optional<Refusal> Bonds::Fasten(ObjectIndex object, const Vector3& p_WQ) {
@@ -124,13 +135,13 @@ std::optional<Refusal> Bonds::Fasten(ObjectIndex object, const Vector3& p_WQ) {
   if (!guest) return name + " has no guestBondPoint to fasten it by";
   if (const auto host = HostOf(*guest)) {
     const int tightness = states_[*host].tightness;
-    if (tightness == static_cast<int>(model_.host(*host).point->stages.size())) {
+    if (tightness == static_cast<int>(model_->host(*host).point->stages.size())) {
       return name + " is fastened as tightly as it can be";
     }
     return Tighten(*guest, *host, tightness + 1);
   }
   Refusal refusal;
-  const auto host = HostInReach(*guest, kReachUnits * model_.scene().meters_per_unit, &refusal);
+  const auto host = HostInReach(*guest, kReachUnits * model_->scene().meters_per_unit, &refusal);
   if (!host) return refusal;
   return Tighten(*guest, *host, 1);
 }
@@ -144,7 +155,7 @@ std::optional<Refusal> Bonds::Loosen(ObjectIndex object, const Vector3& p_WQ) {
 
 /// Goes to another stage, or refuses and leaves everything as it was.
 std::optional<Refusal> Bonds::Tighten(GuestIndex guest, HostIndex host, int tightness) {
-  if (states_[host].is_locked) return Named(model_.host(host).point->id) + " is locked";
+  if (states_[host].is_locked) return Named(model_->host(host).point->id) + " is locked";
   const RigidTransform X_WB = GuestBodyAt(guest, host, tightness);
   if (auto refusal = RefuseToMove(guest, host, X_WB)) return refusal;
 
@@ -204,7 +215,7 @@ void Bonds::Join(GuestIndex guest, HostIndex host, int tightness) {
     state.joint = world_->AddJoint(physics::FixedJointSpec{
         .a = holder,
         .b = body,
-        .X_AB = model::GuestBodyInHostBody(model_.host(host), model_.guest(guest), tightness)});
+        .X_AB = model::GuestBodyInHostBody(model_->host(host), model_->guest(guest), tightness)});
   } else if (tightness == 0) {
     // Still inside the hole, it must not be thrown out.
     world_->LetPass(holder, body);
@@ -213,7 +224,7 @@ void Bonds::Join(GuestIndex guest, HostIndex host, int tightness) {
 }
 
 void Bonds::TellDownstream(HostIndex index) {
-  const model::Host& host = model_.host(index);
+  const model::Host& host = model_->host(index);
   const int tightness = states_[index].tightness;
   if (host.downstream) controls_->Set(*host.downstream, tightness);
   if (host.downstream_override) {
@@ -225,10 +236,11 @@ void Bonds::TellDownstream(HostIndex index) {
 }
 
 void Bonds::EndBondsOf(ObjectIndex object) {
-  for (HostIndex host : model_.hosts()) {
+  for (HostIndex host : model_->hosts()) {
     BondState& state = states_[host];
     if (!state.guest) continue;
-    if (model_.host(host).object != object && model_.guest(*state.guest).object != object) continue;
+    if (model_->host(host).object != object && model_->guest(*state.guest).object != object)
+      continue;
     if (state.joint) world_->RemoveJoint(state.joint);
     state = BondState{{.is_locked = state.is_locked}};
     TellDownstream(host);

@@ -27,11 +27,15 @@ class Bonds {
   /// All must outlive this.
   Bonds(physics::World* world, const model::Model& model, const std::vector<Object>* objects,
         const std::vector<ObjectState>* object_states, Controls* controls);
-  /// Fastens what is fastened from the start. The objects must have bodies by now.
-  void FastenInitially();
+  /// Adds the hosts that a larger model has behind those of before, empty.
+  /// @param model  must outlive this, as the one of Restore().
+  void Grow(const model::Model& model);
+  /// Fastens what is fastened from the start, of the guests from `first` on. Their objects must
+  /// have bodies by now.
+  void FastenInitially(GuestIndex first);
 
   const std::vector<BondState>& states() const { return states_; }  ///< by HostIndex
-  void Restore(std::vector<BondState> states) { states_ = std::move(states); }
+  void Restore(std::vector<BondState> states, const model::Model& model);
 
   /// One stage tighter: of the object's guest point nearest to `p_WQ`. A free one goes to the
   /// nearest host that fits, is free, not locked, not on the floor, less than two units away and
@@ -51,10 +55,10 @@ class Bonds {
   /// Of each object, whether it hangs together with this one through bonds or other joints.
   std::vector<bool> ConnectedWith(ObjectIndex object) const;
   physics::BodyId BodyOf(GuestIndex guest) const {
-    return (*objects_)[model_.guest(guest).object].body;
+    return (*objects_)[model_->guest(guest).object].body;
   }
   physics::BodyId BodyOf(HostIndex host) const {
-    return (*objects_)[model_.host(host).object].body;
+    return (*objects_)[model_->host(host).object].body;
   }
   /// The object of a body, as refusals name it.
   std::string NameOf(physics::BodyId body) const;
@@ -71,7 +75,7 @@ class Bonds {
   }
 
   physics::World* world_;
-  const model::Model& model_;
+  const model::Model* model_;
   const std::vector<Object>* objects_;
   const std::vector<ObjectState>* object_states_;
   Controls* controls_;

@@ -51,10 +51,21 @@ std::string NamesOf(const std::vector<Target>& targets) {
 }  // namespace
 
 Controls::Controls(const model::Model& model)
-    : model_(model), states_(model::InitialStates(model.all_controls())) {}
+    : model_(&model), states_(model::InitialStates(model.all_controls())) {}
+
+void Controls::Grow(const model::Model& model) {
+  const std::vector<ControlState> initial = model::InitialStates(model.all_controls());
+  for (std::size_t i = states_.size(); i < initial.size(); ++i) states_.push_back(initial[i]);
+  model_ = &model;
+}
+
+void Controls::Restore(std::vector<ControlState> states, const model::Model& model) {
+  states_ = std::move(states);
+  model_ = &model;
+}
 
 std::optional<Refusal> Controls::Trigger(model::ControlIndex index, std::string_view part) {
-  const model::Control& control = model_.control(index);
+  const model::Control& control = model_->control(index);
   ControlState& state = states_[index];
   const std::string name = Named(control.id());
   const auto press = [&](const ToggleSwitch& toggle) -> std::optional<Refusal> {
@@ -96,16 +107,16 @@ std::optional<Refusal> Controls::Trigger(model::ControlIndex index, std::string_
                    return name + " is a row of lights: it follows others and cannot be triggered";
                  }},
       control.part->shape);
-  if (!refusal) model::DriveDownstream(model_.all_controls(), index, &states_);
+  if (!refusal) model::DriveDownstream(model_->all_controls(), index, &states_);
   return refusal;
 }
 
 void Controls::Set(model::ControlIndex control, int state) {
-  model::TakeState(model_.control(control), state, &states_[control]);
+  model::TakeState(model_->control(control), state, &states_[control]);
 }
 
 void Controls::Override(model::ControlIndex control, int state) {
-  model::OverrideState(model_.control(control), state, &states_[control]);
+  model::OverrideState(model_->control(control), state, &states_[control]);
 }
 
 }  // namespace smile::world

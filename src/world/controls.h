@@ -24,7 +24,10 @@ class Controls {
   explicit Controls(const model::Model& model);
 
   const std::vector<ControlState>& states() const { return states_; }  ///< by ControlIndex
-  void Restore(std::vector<ControlState> states) { states_ = std::move(states); }
+  /// Adds the controls that a larger model has behind those of before, in their initial states.
+  /// @param model  must outlive this, as the one of Restore().
+  void Grow(const model::Model& model);
+  void Restore(std::vector<ControlState> states, const model::Model& model);
 
   /// A hand presses a switch, or triggers a custom control. `part` is the button (`ID-b1`, `ID-b2`)
   /// or the id of a part of the control's present state; empty: whatever leads on.
@@ -35,7 +38,7 @@ class Controls {
   void Override(model::ControlIndex control, int state);
 
  private:
-  const model::Model& model_;
+  const model::Model* model_;
   std::vector<ControlState> states_;
 };
 

@@ -12,11 +12,14 @@ namespace {
 /// Of a chain's links, which shall swing but hardly spin. With 1 they would not even swing.
 constexpr double kLinkAngularDamping = 0.9;
 
-/// Without bodies yet.
-std::vector<Object> ObjectsOf(const model::Model& model) {
+/// @param bodies  of the first ones; the others have none yet.
+std::vector<Object> ObjectsOf(const model::Model& model,
+                              const std::vector<physics::BodyId>& bodies = {}) {
   std::vector<Object> objects;
   for (model::ObjectIndex object : model.objects()) {
-    objects.push_back({.index = object, .spec = &model.object(object)});
+    objects.push_back({.index = object,
+                       .spec = &model.object(object),
+                       .body = object < bodies.size() ? bodies[object] : physics::BodyId()});
   }
   return objects;
 }
@@ -30,36 +33,55 @@ Tabletop::Tabletop(physics::World* world, std::shared_ptr<const model::Model> mo
       controls_(*model_),
       object_states_(objects_.size()),
       bonds_(world, *model_, &objects_, &object_states_, &controls_) {
-  AddBodiesAndJoints();
-  const std::vector<ControlState> before = controls_.states();
-  bonds_.FastenInitially();
-  FollowControls(before);
+  const scene::Solid table = scene::TableSolid(model_->scene().table);
+  world_->AddBody({.solids = {table}, .restitution = kGroundRestitution});
+  floor_ = world_->AddBody({.solids = {FloorSolid()}, .restitution = kGroundRestitution});
+  AddBeyond({});
 }
 
 Tabletop::Tabletop(physics::World* world, scene::SceneSpec scene)
     : Tabletop(world, std::make_shared<const model::Model>(std::move(scene))) {}
 
-void Tabletop::AddBodiesAndJoints() {
+void Tabletop::Grow(std::shared_ptr<const model::Model> model) {
+  const scene::SceneSpec& before = model_->scene();
+  const Extent extent{.num_objects = before.objects.size(),
+                      .num_sliders = before.sliders.size(),
+                      .num_chains = before.chains.size(),
+                      .num_guests = model_->guests().size()};
+  objects_ = ObjectsOf(*model, state().bodies);
+  object_states_.resize(objects_.size());
+  controls_.Grow(*model);
+  bonds_.Grow(*model);
+  model_ = std::move(model);
+  AddBeyond(extent);
+}
+
+void Tabletop::AddBeyond(const Extent& extent) {
   const scene::SceneSpec& scene = model_->scene();
-  world_->AddBody({.solids = {scene::TableSolid(scene.table)}, .restitution = kGroundRestitution});
-  floor_ = world_->AddBody({.solids = {FloorSolid()}, .restitution = kGroundRestitution});
-  for (Object& object : objects_) {
-    const scene::ObjectSpec& spec = *object.spec;
-    const std::vector<scene::Solid> solids = SolidsNow(object);
-    const bool is_link = model_->chain_of_link(object.index) != nullptr;
-    object.body = world_->AddBody(
-        {.solids = solids,
-         .mass = scene::MassPropertiesOf(solids, spec.mass, spec.center_of_mass),
-         .X_WB = spec.pose_in_world(),
-         .friction = spec.surface.friction,
-         .restitution = spec.surface.restitution,
-         .rolling_friction = spec.surface.rolling_friction,
-         .angular_damping = is_link ? std::optional(kLinkAngularDamping) : std::nullopt});
+  for (std::size_t i = extent.num_objects; i < objects_.size(); ++i) AddBody(&objects_[i]);
+  for (std::size_t i = extent.num_sliders; i < scene.sliders.size(); ++i) {
+    AddSliderJoint(scene.sliders[i], objects_, world_);
   }
-  for (const scene::SliderSpec& slider : scene.sliders) AddSliderJoint(slider, objects_, world_);
-  for (const scene::ChainSpec& chain : scene.chains) {
-    AddChainJoints(chain, scene.meters_per_unit, objects_, world_);
+  for (std::size_t i = extent.num_chains; i < scene.chains.size(); ++i) {
+    AddChainJoints(scene.chains[i], scene.meters_per_unit, objects_, world_);
   }
+  const std::vector<ControlState> before = controls_.states();
+  bonds_.FastenInitially(model::GuestIndex(extent.num_guests));
+  FollowControls(before);
+}
+
+void Tabletop::AddBody(Object* object) {
+  const scene::ObjectSpec& spec = *object->spec;
+  const std::vector<scene::Solid> solids = SolidsNow(*object);
+  const bool is_link = model_->chain_of_link(object->index) != nullptr;
+  object->body = world_->AddBody(
+      {.solids = solids,
+       .mass = scene::MassPropertiesOf(solids, spec.mass, spec.center_of_mass),
+       .X_WB = spec.pose_in_world(),
+       .friction = spec.surface.friction,
+       .restitution = spec.surface.restitution,
+       .rolling_friction = spec.surface.rolling_friction,
+       .angular_damping = is_link ? std::optional(kLinkAngularDamping) : std::nullopt});
 }
 
 const Object* Tabletop::Find(std::string_view id) const {
@@ -166,10 +188,21 @@ model::SceneState Tabletop::scene_state() const {
   return state;
 }
 
-void Tabletop::Restore(const TabletopState& state) {
-  controls_.Restore(state.controls);
-  bonds_.Restore(state.bonds);
+TabletopState Tabletop::state() const {
+  TabletopState state{.controls = controls_.states(),
+                      .bonds = bonds_.states(),
+                      .objects = object_states_,
+                      .bodies = {}};
+  for (const Object& object : objects_) state.bodies.push_back(object.body);
+  return state;
+}
+
+void Tabletop::Restore(const TabletopState& state, std::shared_ptr<const model::Model> model) {
+  objects_ = ObjectsOf(*model, state.bodies);
   object_states_ = state.objects;
+  controls_.Restore(state.controls, *model);
+  bonds_.Restore(state.bonds, *model);
+  model_ = std::move(model);
 }
 
 void Tabletop::AddToHash(StateHash* hash) const {

@@ -19,9 +19,10 @@ inline constexpr double kFloorDepth = 0.9;
 
 /// What can change about a tabletop apart from its bodies, whose state is the physics world's.
 struct TabletopState {
-  std::vector<ControlState> controls;  ///< by model::ControlIndex
-  std::vector<BondState> bonds;        ///< by model::HostIndex
-  std::vector<ObjectState> objects;    ///< in scene order
+  std::vector<ControlState> controls;   ///< by model::ControlIndex
+  std::vector<BondState> bonds;         ///< by model::HostIndex
+  std::vector<ObjectState> objects;     ///< in scene order
+  std::vector<physics::BodyId> bodies;  ///< of the objects, also of those that are gone
 
   bool operator==(const TabletopState&) const = default;
 };
@@ -37,7 +38,11 @@ class Tabletop {
   Tabletop(const Tabletop&) = delete;
   Tabletop& operator=(const Tabletop&) = delete;
 
-  /// All that the scene began with; some may be destroyed.
+  /// Adds to `world` the objects and joints that a larger model has behind those of before. What
+  /// was there keeps its state to the last bit.
+  void Grow(std::shared_ptr<const model::Model> model);
+
+  /// All that the model has; some may be destroyed.
   const std::vector<Object>& objects() const { return objects_; }
   bool IsPresent(const Object& object) const { return world_->Has(object.body); }
   /// nullptr when there is no such object (any more).
@@ -75,17 +80,23 @@ class Tabletop {
   /// Takes the object away, with its joints, bonds and controls. It must be present.
   void Destroy(const Object& object);
 
-  TabletopState state() const { return {controls_.states(), bonds_.states(), object_states_}; }
+  TabletopState state() const;
   /// To be called after the physics world has been restored.
-  void Restore(const TabletopState& state);
+  /// @param model  that the state belongs to.
+  void Restore(const TabletopState& state, std::shared_ptr<const model::Model> model);
   void AddToHash(StateHash* hash) const;
 
   /// What can be seen of it now.
   model::SceneState scene_state() const;
 
  private:
-  /// Adds everything that bonds may join.
-  void AddBodiesAndJoints();
+  /// How much of the model is in the world already.
+  struct Extent {
+    std::size_t num_objects = 0, num_sliders = 0, num_chains = 0, num_guests = 0;
+  };
+  /// Adds what the model has beyond that.
+  void AddBeyond(const Extent& extent);
+  void AddBody(Object* object);
   /// The solids that are there while its controls look as they do.
   std::vector<scene::Solid> SolidsNow(const Object& object) const;
   /// Gives objects another form whose controls looked otherwise before.

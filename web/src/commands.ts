@@ -186,7 +186,26 @@ export interface MarkersCommand {
   points: [number, number, number][];
 }
 
-/** It takes back the last action of a hand, with everything since. */
+/** It adds the objects of a scene; all else stays as it is. */
+export interface SpawnCommand {
+  do: "spawn";
+  /** a scene file (docs/scene-format.md) in the unit of the scene, which names no files and has none of the ids that were used before */
+  xml: string;
+}
+
+/** It takes an object out of the world, without a hand; none may hold it. */
+export interface RemoveCommand {
+  do: "remove";
+  /** id of a whole object */
+  object: string;
+}
+
+/** It takes all objects out of the world but what is held, with what hangs on it. */
+export interface ClearCommand {
+  do: "clear";
+}
+
+/** It takes back the last action, with everything since. */
 export interface UndoCommand {
   do: "undo";
 }
@@ -227,6 +246,15 @@ export interface DragCommand {
   speed?: number;
 }
 
+/** It adds ready-made objects at a free place; becomes a spawn. */
+export interface AddCommand {
+  do: "add";
+  /** big_block, stack_3, stack_5, stack_8, box, ball, prism, ring or dominoes */
+  preset: string;
+  /** same objects there and same seed: same place and colors */
+  seed?: number;
+}
+
 export type Command =
   | GraspCommand
   | MoveToCommand
@@ -248,8 +276,12 @@ export type Command =
   | RobotCommand
   | FaceCommand
   | MarkersCommand
+  | SpawnCommand
+  | RemoveCommand
+  | ClearCommand
   | UndoCommand
   | RedoCommand
   | StartCommand
   | FinishCommand
-  | DragCommand;
+  | DragCommand
+  | AddCommand;

@@ -408,6 +408,11 @@ TEST_F(JointTest, WhatOverlapsElsewhereIsToldWithoutATrace) {
   EXPECT_EQ(overlaps(0.12, 0.05), std::vector<BodyId>{box});
   EXPECT_EQ(overlaps(0.12, 0.04), (std::vector<BodyId>{table, box}));
   EXPECT_EQ(overlaps(0.101, 0.05), std::vector<BodyId>{});
+  const std::vector<scene::Solid> imagined = world_.body(cube).spec().solids;
+  EXPECT_EQ(overlaps(0.04, 0.05), std::vector<BodyId>{});
+  EXPECT_EQ(world_.OverlapsOf(imagined, RigidTransform(Vector3(0.04, 0, 0.05)), 0.002).bodies,
+            std::vector<BodyId>{cube})
+      << "another one like it would be in it";
   EXPECT_EQ(world_.state_hash(), hash);
   EXPECT_EQ(Serialize(world_.Save()), before);
 }

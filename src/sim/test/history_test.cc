@@ -18,7 +18,7 @@ TEST_P(HistoryProperty, EveryUndoAndRedoIsExact) {
   Simulation simulation(EverythingScene::Make());
   UndoBooks books(simulation);
   simulation.AddListener(&books);
-  RandomHands hands(GetParam());
+  RandomHands hands(GetParam(), /*changes_objects=*/true);
   std::mt19937 random(GetParam());
   for (int i = 0; i < 150; ++i) {
     if (const auto dice = random() % 8; dice == 0) {

@@ -12,9 +12,12 @@ namespace smile::sim {
 /// Hands that do whatever comes to their mind to an EverythingScene.
 class RandomHands {
  public:
-  explicit RandomHands(unsigned seed) : random_(seed) {}
+  /// @param changes_objects  adds, removes and clears objects, too.
+  explicit RandomHands(unsigned seed, bool changes_objects = false)
+      : random_(seed), changes_objects_(changes_objects) {}
 
   Command Next(const Simulation& simulation) {
+    if (changes_objects_ && random_() % 6 == 0) return NextChange(simulation);
     // Mostly two of them, so that they hold what the other wants; `any` is free for mechanisms.
     using enum HandName;
     const HandName hand = Pick(std::vector{kLeft, kLeft, kLeft, kRight, kRight, kRight, kBoth});
@@ -70,6 +73,55 @@ class RandomHands {
     return held != nullptr ? held->id() : "";
   }
 
+  Command NextChange(const Simulation& simulation) {
+    if (random_() % 16 == 0) return Clear{};
+    if (random_() % 2 == 0) return Spawn{.xml = SomethingNew()};
+    return Remove{.object = Pick(simulation.tabletop().objects()).id()};
+  }
+
+  /// A scene with ids that were never used, and one of several mechanisms.
+  std::string SomethingNew() {
+    const std::string number = std::to_string(num_spawned_++);
+    const double x = Uniform(6), y = Uniform(4);
+    const auto at = [x, y](double z, double dx = 0) {
+      return "(" + std::to_string(x + dx) + "," + std::to_string(y) + "," + std::to_string(z) + ")";
+    };
+    const auto id = [&number](const char* name) { return "id=\"" + (name + number) + "\""; };
+    std::string content;
+    switch (num_spawned_ % 5) {
+      case 0:
+        content = "<block " + id("new_block") + " location=\"" + at(2) + "\"/>";
+        break;
+      case 1:
+        content = "<chain " + id("new_rope") + " start=\"" + at(5) + "\" end=\"" + at(6, 1.5) +
+                  "\" linkCount=\"4\"/>";
+        break;
+      case 2:
+        content = "<sliderJoint location=\"" + at(3) + "\" max=\"2\" init=\"1\"><box " +
+                  id("new_case") +
+                  " location=\"(0,0,0)\" xspan=\"3\" yspan=\"2\" zspan=\"1\"/><block " +
+                  id("new_drawer") +
+                  " location=\"(0,0,0.2)\" xspan=\"2\" yspan=\"1\" zspan=\"0.4\"/></sliderJoint>";
+        break;
+      case 3:
+        content = "<composite " + id("new_nut") + " location=\"" + at(1) +
+                  "\"><block location=\"(0,0,0)\" zspan=\"0.5\"/><hostBondPoint " + id("new_hole") +
+                  " type=\"new\" location=\"(0,0,0.25)\" downstream=\"new_switch" + number +
+                  "\"><tightness location=\"(0,0,0)\"/></hostBondPoint></composite><composite " +
+                  id("new_screw") + " location=\"" + at(4) +
+                  "\"><block location=\"(0,0,0)\" xspan=\"0.3\" yspan=\"0.3\"/><guestBondPoint " +
+                  id("new_tip") +
+                  " type=\"new\" location=\"(0,0,-0.5)\" initBondHostId=\"new_hole" + number +
+                  "\" initBondTightness=\"1\"/></composite><composite location=\"" + at(3, 2) +
+                  "\" " + id("new_panel") + "><toggleSwitch " + id("new_switch") +
+                  " location=\"(0,0,0)\" numStates=\"3\"/></composite>";
+        break;
+      default:
+        content = "<sphere " + id("new_ball") + " radius=\"0.4\" location=\"" + at(3) + "\"/>";
+    }
+    return "<tabletop xmlns=\"http://synapse.cs.umd.edu/tabletop-xml\">" + content + "</tabletop>";
+  }
+
   inline static const std::vector<std::string> kScrews = {"screw", "spare"};
   inline static const std::vector<std::string> kProperties = {"colour", "shape", "order"};
 
@@ -80,6 +132,8 @@ class RandomHands {
   double Uniform(double limit) { return std::uniform_real_distribution(-limit, limit)(random_); }
 
   std::mt19937 random_;
+  bool changes_objects_;
+  int num_spawned_ = 0;
 };
 
 }  // namespace smile::sim

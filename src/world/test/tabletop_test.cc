@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+
 #include "math/angles.h"
 
 namespace smile::world {
@@ -30,6 +32,30 @@ TEST(Tabletop, TheFloorCatchesWhatLeavesTheTable) {
   for (int i = 0; i < 1440; ++i) world.Step();
   EXPECT_NEAR(world.body(tabletop.Find("b")->body).pose_in_world().translation().z(),
               -kFloorDepth + 0.05, 1e-3);
+}
+
+TEST(Tabletop, GrowsBehindWhatIsThereAndGoesBack) {
+  physics::World world;
+  const auto small = std::make_shared<const model::Model>(SceneWith({BlockAt("a", {0, 0, 0.3})}));
+  Tabletop tabletop(&world, small);
+  for (int i = 0; i < 30; ++i) world.Step();
+  const physics::Snapshot before = world.Save();
+  const TabletopState state = tabletop.state();
+  const physics::BodyId a = tabletop.Find("a")->body;
+  const Vector3 velocity = world.body(a).linear_velocity();
+  tabletop.Grow(std::make_shared<const model::Model>(
+      *small, SceneWith({BlockAt("a", {0, 0, 0.3}), BlockAt("b", {0.5, 0, 0.3})})));
+  EXPECT_EQ(tabletop.Find("a")->body, a);
+  EXPECT_EQ(world.body(a).linear_velocity(), velocity);
+  EXPECT_EQ(tabletop.state().bodies.size(), 2u);
+  EXPECT_GT(tabletop.Find("b")->body, a);
+  for (int i = 0; i < 30; ++i) world.Step();
+  EXPECT_LT(world.body(tabletop.Find("b")->body).pose_in_world().translation().z(), 0.299);
+  world.Restore(before);
+  tabletop.Restore(state, small);
+  EXPECT_EQ(tabletop.Find("b"), nullptr);
+  EXPECT_EQ(tabletop.state(), state);
+  EXPECT_EQ(tabletop.objects().size(), 1u);
 }
 
 /// Ids of what came to the floor within so many steps.

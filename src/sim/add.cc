@@ -1,0 +1,60 @@
+#include "sim/add.h"
+
+#include <stdexcept>
+
+#include "layout/presets.h"
+#include "scene/joined.h"
+#include "scene_xml/scene_writer.h"
+#include "sim/internal_command_fields.h"
+#include "sim/spawning.h"
+
+namespace smile::sim {
+namespace {
+
+layout::Surroundings SurroundingsIn(const Simulation& simulation) {
+  const scene::SceneSpec& scene = simulation.scene();
+  layout::Surroundings around{.meters_per_unit = scene.meters_per_unit,
+                              .table = scene.table,
+                              .taken = {},
+                              .ids = scene::IdsOf(scene)};
+  for (const world::Object& object : simulation.tabletop().objects()) {
+    if (!simulation.tabletop().IsPresent(object)) continue;
+    const physics::Body& body = simulation.physics().body(object.body);
+    around.taken.push_back(scene::BoundsOf(body.spec().solids, body.pose_in_world()));
+  }
+  return around;
+}
+
+}  // namespace
+
+bool IsAdd(const Json& json) {
+  return json.is_object() && json.contains("do") && json.at("do") == Add::kName.name;
+}
+
+Add ParseAdd(const Json& json) { return ReadFields<Add>(json, scene::kMetersPerUnit); }
+
+std::optional<Spawn> SpawnOf(const Add& add, const Simulation& simulation, Refusal* refusal) {
+  constexpr std::uint64_t kMaxTries = 20, kBetweenSeeds = 0x9E3779B97F4A7C15;
+  const layout::Surroundings around = SurroundingsIn(simulation);
+  for (std::uint64_t i = 0; i < kMaxTries; ++i) {
+    std::optional<scene::SceneSpec> scene;
+    try {
+      scene = layout::MakePreset(add.preset, around, add.seed + i * kBetweenSeeds);
+    } catch (const std::invalid_argument& error) {
+      *refusal = error.what();
+      return std::nullopt;
+    }
+    if (!scene) {
+      *refusal = "there is no free place on the table";
+      return std::nullopt;
+    }
+    Spawn spawn{.xml = scene_xml::WriteScene(*scene)};
+    const auto grown = GrownModel(simulation.model(), spawn, refusal);
+    if (grown == nullptr) return std::nullopt;
+    if (!RefuseOverlap(*grown, simulation.tabletop(), simulation.physics())) return spawn;
+  }
+  *refusal = "there is no free place on the table: the robot's arms are in the way";
+  return std::nullopt;
+}
+
+}  // namespace smile::sim

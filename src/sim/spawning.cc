@@ -1,0 +1,118 @@
+#include "sim/spawning.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <set>
+#include <utility>
+
+#include "base/wording.h"
+#include "scene/controls_of.h"
+#include "scene/joined.h"
+#include "scene/units.h"
+#include "scene_xml/scene_reader.h"
+
+namespace smile::sim {
+namespace {
+
+using world::Refusal;
+
+constexpr int kMaxElements = 20'000;
+/// What is no deeper in another thing touches it [m].
+constexpr double kTouching = 0.0005;
+
+std::string Listed(const std::vector<std::string>& names) {
+  constexpr std::size_t kMaxListed = 10;
+  std::string list;
+  for (std::size_t i = 0; i < names.size() && i < kMaxListed; ++i) {
+    list += (i == 0 ? "" : i + 1 < names.size() ? ", " : " and ") + names[i];
+  }
+  if (names.size() > kMaxListed) list += std::to_string(names.size() - kMaxListed) + " more";
+  return list;
+}
+
+/// Nothing of the table is added: a text may leave it at what scene files have, or say the same.
+bool IsOfTable(const scene::TableSpec& found, const scene::SceneSpec& scene) {
+  constexpr double kSame = 1e-9;
+  const auto is_span = [&](double span, double own, double units) {
+    return std::abs(span - own) < kSame ||
+           std::abs(span - scene::FromFileUnits(units, scene.meters_per_unit)) < kSame;
+  };
+  return is_span(found.x_span, scene.table.x_span, 20) &&
+         is_span(found.y_span, scene.table.y_span, 12);
+}
+
+std::optional<Refusal> RefuseToAdd(const scene::SceneSpec& added, const scene::SceneSpec& scene) {
+  if (added.meters_per_unit != scene.meters_per_unit) {
+    return "what is to be added has " + NumberText(added.meters_per_unit) +
+           " meters per unit, expected those of the scene, " + NumberText(scene.meters_per_unit);
+  }
+  if (!IsOfTable(added.table, scene)) return "what is to be added has a table of another size";
+  if (!added.cameras.empty()) return "a camera cannot be added";
+  if (added.objects.empty()) return "there is no object to add";
+  const std::set<std::string> known = scene::IdsOf(scene), ids = scene::IdsOf(added);
+  std::vector<std::string> taken;
+  std::ranges::set_intersection(known, ids, std::back_inserter(taken));
+  if (!taken.empty()) {
+    return "what is to be added has ids that were used before: " + Listed(taken);
+  }
+  if (scene.objects.size() + added.objects.size() > kMaxObjects) {
+    return "there would be more than " + std::to_string(kMaxObjects) + " objects";
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<scene::SceneSpec> WithSpawned(const scene::SceneSpec& scene, const Spawn& spawn,
+                                            Refusal* refusal) {
+  if (spawn.xml.size() > kMaxSceneText) {
+    *refusal = "what is to be added is longer than 1 MiB";
+    return std::nullopt;
+  }
+  // Without folders to look in, it can name no files.
+  const scene_xml::SceneReading reading = scene_xml::ReadSceneText(
+      spawn.xml, "added",
+      {.search_roots = {},
+       .limits = {.max_elements = kMaxElements, .max_objects = kMaxSpawnedObjects}});
+  if (!reading.scene) {
+    *refusal = "what is to be added is no scene: " + ToString(reading.diagnostics.front());
+    return std::nullopt;
+  }
+  if (auto why = RefuseToAdd(*reading.scene, scene)) {
+    *refusal = *std::move(why);
+    return std::nullopt;
+  }
+  return scene::Joined(scene, *reading.scene);
+}
+
+std::shared_ptr<const model::Model> GrownModel(const model::Model& model, const Spawn& spawn,
+                                               Refusal* refusal) {
+  auto scene = WithSpawned(model.scene(), spawn, refusal);
+  if (!scene) return nullptr;
+  return std::make_shared<const model::Model>(model, *std::move(scene));
+}
+
+std::optional<Refusal> RefuseOverlap(const model::Model& grown, const world::Tabletop& tabletop,
+                                     const physics::World& world) {
+  const model::SceneState& start = grown.initial_state();
+  for (std::size_t i = tabletop.objects().size(); i < grown.objects().size(); ++i) {
+    const model::ObjectIndex object(i);
+    const std::vector<scene::Solid> solids = scene::SolidsWith(
+        grown.LooksOf(object, start.controls), scene::SolidsOf(grown.object(object).whole));
+    const physics::Overlaps overlaps = world.OverlapsOf(solids, *start.X_WB[i], kTouching);
+    std::vector<std::string> blockers;
+    for (physics::BodyId body : overlaps.bodies) {
+      // A table and a floor press out what is in them, as those of a scene do.
+      const world::Object* blocker = tabletop.Find(body);
+      if (blocker != nullptr) blockers.push_back(world::Named(blocker->id()));
+    }
+    if (overlaps.with_articulation) blockers.emplace_back("the robot");
+    if (blockers.empty()) continue;
+    return "there is no room for " + world::Named(grown.id(object)) + ": " + Listed(blockers) +
+           (blockers.size() == 1 ? " is in the way" : " are in the way");
+  }
+  return std::nullopt;
+}
+
+}  // namespace smile::sim

@@ -59,6 +59,12 @@ bool OpensSegment(const ClassicLine& line) {
   return action != nullptr && sim::BeginsAction({.kind = action->kind, .hand = action->hand});
 }
 
+/// An action, or the first of the objects that were added or removed without a hand.
+bool BeginsSegment(const ClassicLine& line) {
+  return OpensSegment(line) || std::holds_alternative<ClassicCreate>(line.what) ||
+         std::holds_alternative<ClassicDelete>(line.what);
+}
+
 bool IsDestroy(const ClassicLine& line) {
   const ClassicAction* action = ActionIn(line);
   return action != nullptr && action->kind == sim::EventKind::kDestroyed;
@@ -83,10 +89,10 @@ class Consistency {
   void Check(ClassicFile* segment, bool is_first) {
     segment_ = segment;
     PutDestroyFirst(segment);
-    if (!is_first && (segment->lines.empty() || !OpensSegment(segment->lines[0]))) {
+    if (!is_first && (segment->lines.empty() || !BeginsSegment(segment->lines[0]))) {
       Fail(segment->lines.empty() ? 0 : segment->lines[0].number,
-           "found no action, expected grasp, release, destroy, trigger, pointTo, fasten or loosen "
-           "in the first line of a segment");
+           "found no action, expected grasp, release, destroy, trigger, pointTo, fasten, loosen, "
+           "create or delete in the first line of a segment");
     }
     for (std::size_t i = 0; i < segment->lines.size(); ++i) {
       line_ = &segment->lines[i];

@@ -39,12 +39,13 @@ std::string Joined(const std::vector<std::string>& texts) {
 
 ClassicRecorder::ClassicRecorder(const std::filesystem::path& directory,
                                  const ClassicOptions& options, model::Eye* eye,
-                                 const model::Model& model, const recording::TraceTick& first,
+                                 std::shared_ptr<const model::Model> model,
+                                 const recording::TraceTick& first,
                                  const std::vector<sim::Event>& standing)
     : directory_(directory),
       options_(options),
       eye_(eye),
-      model_(model),
+      model_(std::move(model)),
       first_tick_(first.tick),
       index_(directory / "frames.csv") {
   state_.written.resize(first.objects.size());
@@ -60,25 +61,33 @@ void ClassicRecorder::OpenSegment() {
   if (options_.has_symbols) text_.emplace(recording::SegmentText(directory_, state_.segment));
 }
 
+void ClassicRecorder::WriteCreate(model::ObjectIndex index) {
+  const scene::ObjectSpec& object = model_->object(index);
+  std::string line = "create," + object.id();
+  for (const scene::Description& description : object.descriptions) {
+    line += "," + description.name + "," + ClassicValue(description.value);
+  }
+  WriteLine(line);
+}
+
+void ClassicRecorder::WriteControl(model::ControlIndex index, const model::ControlState& state) {
+  const model::Control& control = model_->control(index);
+  WriteLine("initializeControl," + control.id() + "," + scene::KindOf(*control.part) + "," +
+            model_->id(control.object) + "," + RecordedState(control, state));
+}
+
 void ClassicRecorder::WriteStart(const recording::TraceTick& first,
                                  const std::vector<sim::Event>& standing) {
   for (const sim::Event& event : standing) {
     if (event.kind == sim::EventKind::kFell) state_.is_gone[IndexOf(event.object)] = true;
   }
   for (std::size_t i = 0; i < first.objects.size(); ++i) {
-    const scene::ObjectSpec& object = model_.object(model::ObjectIndex(i));
-    if (!first.objects[i].is_present || state_.is_gone[i]) continue;
-    std::string line = "create," + object.id();
-    for (const scene::Description& description : object.descriptions) {
-      line += "," + description.name + "," + ClassicValue(description.value);
-    }
-    WriteLine(line);
+    if (first.objects[i].is_present && !state_.is_gone[i]) WriteCreate(model::ObjectIndex(i));
   }
-  for (model::ControlIndex i : model_.controls()) {
-    const model::Control& control = model_.control(i);
-    if (!first.objects[control.object].is_present || state_.is_gone[control.object]) continue;
-    WriteLine("initializeControl," + control.id() + "," + scene::KindOf(*control.part) + "," +
-              model_.id(control.object) + "," + RecordedState(control, first.controls[i]));
+  for (model::ControlIndex i : model_->controls()) {
+    const std::size_t object = model_->control(i).object;
+    if (!first.objects[object].is_present || state_.is_gone[object]) continue;
+    WriteControl(i, first.controls[i]);
   }
   for (const sim::Event& event : standing) {
     const bool is_written =
@@ -89,7 +98,7 @@ void ClassicRecorder::WriteStart(const recording::TraceTick& first,
 
 std::size_t ClassicRecorder::IndexOf(const std::string& object) const {
   // Events name objects of the scene only.
-  return *model_.FindObject(object);
+  return *model_->FindObject(object);
 }
 
 void ClassicRecorder::WriteLine(const std::string& fields) {
@@ -109,9 +118,9 @@ std::string ClassicRecorder::FieldsOf(const sim::Event& event) const {
       return action + "," + event.control;
     case kFastened:
     case kLoosened: {
-      const model::Host& host = model_.host(*event.host);
-      const model::Guest& guest = model_.guest(*event.guest);
-      return action + "," + host.point->id + "," + model_.id(host.object) + "," + guest.point->id +
+      const model::Host& host = model_->host(*event.host);
+      const model::Guest& guest = model_->guest(*event.guest);
+      return action + "," + host.point->id + "," + model_->id(host.object) + "," + guest.point->id +
              "," + event.object + "," + std::to_string(event.tightness);
     }
     case kAttended:
@@ -121,8 +130,34 @@ std::string ClassicRecorder::FieldsOf(const sim::Event& event) const {
   }
 }
 
+void ClassicRecorder::BeginWithoutHand(const sim::Event& event) {
+  ++state_.segment;
+  OpenSegment();
+  state_.has_news = true;
+  const bool is_new = event.kind == sim::EventKind::kAdded;
+  state_.written.resize(model_->objects().size());
+  state_.is_gone.resize(model_->objects().size());
+  for (const std::string& id : event.objects) {
+    const model::ObjectIndex object(IndexOf(id));
+    if (is_new) {
+      WriteCreate(object);
+    } else if (!state_.is_gone[object]) {
+      WriteLine("delete," + id);
+    }
+  }
+  for (const std::string& id : event.objects) {
+    if (!is_new) break;
+    for (model::ControlIndex i : model_->controls_of(model::ObjectIndex(IndexOf(id)))) {
+      WriteControl(i, model_->initial_state().controls[i]);
+    }
+  }
+}
+
 void ClassicRecorder::Note(const sim::Event& event) {
   using enum sim::EventKind;
+  if (event.kind == kAdded || event.kind == kRemoved || event.kind == kCleared) {
+    return BeginWithoutHand(event);
+  }
   if (BeginsAction(event)) {
     ++state_.segment;
     OpenSegment();
@@ -167,14 +202,14 @@ void ClassicRecorder::WriteFrame(const recording::TraceTick& now) {
   for (std::size_t i : std::exchange(state_.falling, {})) {
     if (!now.objects[i].is_present || state_.is_gone[i]) continue;
     WriteMove(i, now.objects[i], /*is_last=*/true);
-    WriteLine("delete," + model_.id(model::ObjectIndex(i)));
+    WriteLine("delete," + model_->id(model::ObjectIndex(i)));
     state_.is_gone[i] = true;
   }
   std::string image;
   if (has_changed && eye_ != nullptr) {
     image = PathOf(state_.frame);
     WritePng(directory_ / image,
-             eye_->Draw(model_.visual_model(), recording::SightAt(now, model_, eye_->spec())));
+             eye_->Draw(model_->visual_model(), recording::SightAt(now, *model_, eye_->spec())));
   }
   index_.Append(std::to_string(state_.frame) + "," + std::to_string(now.tick) + "," + image + "\n");
   ++state_.frame;
@@ -183,7 +218,7 @@ void ClassicRecorder::WriteFrame(const recording::TraceTick& now) {
 bool ClassicRecorder::WriteMove(std::size_t i, const recording::TracePose& pose, bool is_last) {
   const RigidTransform X_WB = pose.pose_in_world();
   const Written now{
-      .position = scene::ToFileUnits(X_WB.translation(), model_.scene().meters_per_unit),
+      .position = scene::ToFileUnits(X_WB.translation(), model_->scene().meters_per_unit),
       .angles_deg = FixedAxesAngles(X_WB.rotation()),
       .is_awake = pose.is_awake};
   std::optional<Written>& last = state_.written[i];
@@ -193,7 +228,7 @@ bool ClassicRecorder::WriteMove(std::size_t i, const recording::TracePose& pose,
                                   HasTurned(last->angles_deg, now.angles_deg));
   if (last && !fell_asleep && !has_moved && !is_last) return false;
 
-  std::string line = "move," + model_.id(model::ObjectIndex(i));
+  std::string line = "move," + model_->id(model::ObjectIndex(i));
   for (double number : now.position) line += "," + ClassicNumber(number);
   for (double number : now.angles_deg) line += "," + ClassicNumber(number);
   WriteLine(line);

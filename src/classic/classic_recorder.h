@@ -2,8 +2,10 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "model/eye.h"
@@ -29,13 +31,15 @@ struct ClassicOptions {
 class ClassicRecorder {
  public:
   /// @param eye       takes the pictures; nullptr for text only.
-  /// @param model     of the recording's scene and robot. Must outlive this, as the eye.
+  /// @param model     of the moment's objects and robot. The eye must outlive this.
   /// @param first     the moment it begins with.
   /// @param standing  see TraceReader::events_before_start().
   ClassicRecorder(const std::filesystem::path& directory, const ClassicOptions& options,
-                  model::Eye* eye, const model::Model& model, const recording::TraceTick& first,
-                  const std::vector<sim::Event>& standing);
+                  model::Eye* eye, std::shared_ptr<const model::Model> model,
+                  const recording::TraceTick& first, const std::vector<sim::Event>& standing);
 
+  /// What follows is of a model with more objects, or with fewer after what was added is undone.
+  void Use(std::shared_ptr<const model::Model> model) { model_ = std::move(model); }
   /// Something happened. An action of a hand begins a new segment.
   void Note(const sim::Event& event);
   /// To be called after each tick: writes a frame when one is due.
@@ -69,10 +73,14 @@ class ClassicRecorder {
 
  private:
   void OpenSegment();
+  void WriteCreate(model::ObjectIndex object);
+  void WriteControl(model::ControlIndex control, const model::ControlState& state);
   void WriteStart(const recording::TraceTick& first, const std::vector<sim::Event>& standing);
   std::size_t IndexOf(const std::string& object) const;
   /// What a hand did, without the frame: `grasp,LeftHand,b01`.
   std::string FieldsOf(const sim::Event& event) const;
+  /// Opens a segment with what was added or removed, which is told object by object.
+  void BeginWithoutHand(const sim::Event& event);
   void WriteLine(const std::string& fields);
   void WriteFrame(const recording::TraceTick& now);
   /// Writes where an object is, if that is news.
@@ -82,7 +90,7 @@ class ClassicRecorder {
   std::filesystem::path directory_;
   ClassicOptions options_;
   model::Eye* eye_;
-  const model::Model& model_;
+  std::shared_ptr<const model::Model> model_;
   std::uint64_t first_tick_;
   State state_;
   std::optional<recording::AppendFile> text_;

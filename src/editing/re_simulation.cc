@@ -35,6 +35,29 @@ void CompareObjects(const recording::TraceTick& before, const recording::TraceTi
   }
 }
 
+/// A moment of a model with some of the same objects, for the recording's model: an edit may leave
+/// out that objects are added, or change the order in which they are. The others are absent.
+recording::TraceTick AsOf(const model::Model& recorded, const recording::TraceTick& moment,
+                          const model::Model& model) {
+  recording::TraceTick same = moment;
+  same.objects.assign(recorded.objects().size(), recording::TracePose{.is_present = false});
+  same.controls.assign(recorded.controls().size(), {});
+  same.bonds.assign(recorded.hosts().size(), {});
+  for (model::ObjectIndex i : recorded.objects()) {
+    if (const auto index = model.FindObject(recorded.id(i)))
+      same.objects[i] = moment.objects[*index];
+  }
+  for (model::ControlIndex i : recorded.controls()) {
+    const auto index = model.FindControl(recorded.control(i).id());
+    if (index) same.controls[i] = moment.controls[*index];
+  }
+  for (model::HostIndex i : recorded.hosts()) {
+    const auto index = model.FindHost(recorded.host(i).point->id);
+    if (index) same.bonds[i] = moment.bonds[*index];
+  }
+  return same;
+}
+
 /// Of objects that are there before and after.
 void CompareControls(const recording::TraceTick& before, const recording::TraceTick& after,
                      const model::Model& model, EditReport* report) {
@@ -92,7 +115,7 @@ recording::TraceTick EndOf(const recording::Recording& recording,
   const bool is_told =
       recording.commands.empty() || recording.commands.back().tick < edited.recorded_end.tick;
   if (is_told) return edited.recorded_end;
-  sim::Simulation simulation(recording.scene, recording.robot);
+  sim::Simulation simulation(recording.start_scene, recording.robot);
   replay::LogPlayer player(recording.commands, recording.info.start);
   RunToStart(recording, &player, &simulation);
   RunFor(edited.recorded_duration(), &player, &simulation, progress);
@@ -117,7 +140,7 @@ EditReport ReSimulate(const recording::Recording& recording, const recording::De
                       const std::optional<EditOutput>& output,
                       const recording::Progress& progress) {
   std::optional<recorder::Recorder> recorder;  // outlives what it listens to
-  sim::Simulation simulation(recording.scene, recording.robot);
+  sim::Simulation simulation(recording.start_scene, recording.robot);
   replay::LogPlayer player(edited.Schedule(), edited.start);
   RunToStart(recording, &player, &simulation);
   if (output) {
@@ -126,12 +149,14 @@ EditReport ReSimulate(const recording::Recording& recording, const recording::De
   }
   EditReport report{.ticks_before = edited.recorded_duration(), .ticks_after = edited.duration()};
   report.left_out = RunFor(report.ticks_after, &player, &simulation, progress);
-  const recording::TraceTick before = EndOf(recording, edited, progress),
-                             after = recording::Observe(simulation);
-  CompareObjects(before, after, simulation.model(), &report);
-  CompareControls(before, after, simulation.model(), &report);
-  CompareHostPoints(before, after, simulation.model(), &report);
-  CompareJoints(before, after, simulation.model(), &report);
+  const model::Model model(recording.scene, recording.robot);
+  const recording::TraceTick before = EndOf(recording, edited, progress);
+  const recording::TraceTick after =
+      AsOf(model, recording::Observe(simulation), simulation.model());
+  CompareObjects(before, after, model, &report);
+  CompareControls(before, after, model, &report);
+  CompareHostPoints(before, after, model, &report);
+  CompareJoints(before, after, model, &report);
   return report;
 }
 

@@ -14,7 +14,7 @@ bool IsPartOf(const model::Sight& sight, const model::Sight& other) {
 }  // namespace
 
 const Image& RenderedEye::Draw(const scene::VisualModel& model, const model::Sight& sight) {
-  if (seen_ && IsPartOf(sight, *seen_)) return image_;
+  if (seen_ && &model == model_seen_ && IsPartOf(sight, *seen_)) return image_;
   renderer_.Render(model, sight.state, sight.view,
                    {.color = sight.channels.rgb,
                     .depth = sight.channels.depth,
@@ -23,6 +23,7 @@ const Image& RenderedEye::Draw(const scene::VisualModel& model, const model::Sig
                     .excluded_frames = sight.hidden_frames},
                    &image_);
   seen_ = sight;
+  model_seen_ = &model;
   return image_;
 }
 

@@ -20,6 +20,7 @@ class RenderedEye : public model::Eye {
   camera::Renderer renderer_;
   Image image_;
   std::optional<model::Sight> seen_;
+  const scene::VisualModel* model_seen_ = nullptr;  ///< to be compared only
 };
 
 }  // namespace smile::picture

@@ -109,17 +109,19 @@ Recorder::Recorder(const std::filesystem::path& directory, const RecorderOptions
 void Recorder::Begin(const RecorderOptions& options, sim::Eye* eye,
                      const sim::Simulation& simulation) {
   recording::BeginningMark mark(directory_);
-  recording::WriteWorld(directory_, simulation.model());
+  // With what the log tells of what was added since, it is the present one.
+  recording::WriteWorld(directory_, *simulation.start_model());
   const recording::TraceTick first = recording::Observe(simulation);
   const std::vector<sim::Event> standing = StandingOf(simulation);
   log_.emplace(directory_ / "commands.jsonl");
   for (const sim::TimedCommand& past : simulation.history().CommandsDone()) {
     Write({.tick = past.tick, .what = past.command}, simulation.scene().meters_per_unit);
   }
-  trace_.emplace(directory_ / "trace.bin", simulation.model());
+  trace_.emplace(directory_ / "trace.bin", *simulation.start_model());
   for (const sim::Event& event : standing) trace_->Add(event);
   trace_->Add(first);
-  classic_.emplace(directory_, ClassicOptionsOf(options), eye, simulation.model(), first, standing);
+  classic_.emplace(directory_, ClassicOptionsOf(options), eye, simulation.shared_model(), first,
+                   standing);
   // Last: whatever has it can be opened.
   const recording::Moment start{.line = num_lines_, .tick = tick_};
   WriteFile(directory_ / "demo.json",
@@ -157,9 +159,10 @@ void Recorder::OnCommand(const sim::Simulation& simulation, const sim::Command& 
   Write({.tick = simulation.tick(), .what = command}, simulation.scene().meters_per_unit);
 }
 
-void Recorder::OnEvent(const sim::Simulation&, const sim::Event& event) {
+void Recorder::OnEvent(const sim::Simulation& simulation, const sim::Event& event) {
   if (event.kind == sim::EventKind::kCommandRefused) return;
   trace_->Add(event);
+  classic_->Use(simulation.shared_model());
   classic_->Note(event);
 }
 
@@ -184,11 +187,13 @@ void Recorder::OnMove(const sim::Simulation& simulation, sim::ActionId from, sim
 void Recorder::Undo(const sim::Simulation& simulation, ActionMark* undone) {
   undone->at_undo = MarkNow();
   Return(recording::ReturnKind::kUndo, undone->before, simulation);
+  classic_->Use(simulation.shared_model());
   classic_->Return(undone->before.classic);
 }
 
 void Recorder::Redo(const sim::Simulation& simulation, const ActionMark& redone) {
   Return(recording::ReturnKind::kRedo, redone.at_undo, simulation);
+  classic_->Use(simulation.shared_model());
   classic_->Return(redone.before.classic);
   ShowAgain(redone, simulation);
 }
@@ -203,6 +208,7 @@ void Recorder::Return(recording::ReturnKind kind, const Mark& to,
 
 void Recorder::ShowAgain(const ActionMark& redone, const sim::Simulation& simulation) {
   recording::TraceReader trace({.directory = directory_,
+                                .start_scene = simulation.start_model()->scene(),
                                 .scene = simulation.scene(),
                                 .robot = simulation.model().robot_placement()},
                                redone.at_undo.place);

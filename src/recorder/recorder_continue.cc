@@ -190,7 +190,7 @@ void Recorder::Rebuild(const recording::Recording& recording, sim::Eye* eye,
           directory_,
           classic::ClassicOptions{.frames_per_second = recording.info.frames_per_second,
                                   .has_symbols = recording.info.has_symbols},
-          eye, simulation.model(), *moment, trace.events_before_start());
+          eye, simulation.shared_model(), *moment, trace.events_before_start());
     }
     for (std::size_t i = 0; i < moment->events.size(); ++i) {
       if (BeginsAction(moment->events[i])) {

@@ -9,6 +9,32 @@ constexpr std::uint32_t kMaxProperties = 256;
 
 }  // namespace
 
+void PutNames(const std::vector<std::string>& names, ByteWriter* out) {
+  out->Put(static_cast<std::uint32_t>(names.size()));
+  for (const std::string& name : names) out->PutString(name);
+}
+
+std::vector<std::string> GetNames(std::uint32_t max_count, ByteReader* in) {
+  std::vector<std::string> names;
+  const auto count = in->Get<std::uint32_t>();
+  for (std::uint32_t i = 0; i < count && i < max_count && in->ok(); ++i) {
+    names.push_back(in->GetString());
+  }
+  return names;
+}
+
+void Put(const TraceCounts& counts, ByteWriter* out) {
+  for (std::uint32_t count : {counts.objects, counts.controls, counts.bonds}) out->Put(count);
+}
+
+TraceCounts GetCounts(ByteReader* in) {
+  TraceCounts counts;
+  for (auto* count : {&counts.objects, &counts.controls, &counts.bonds}) {
+    *count = in->Get<std::uint32_t>();
+  }
+  return counts;
+}
+
 void Put(const sim::Event& event, ByteWriter* out) {
   out->Put(static_cast<std::uint8_t>(event.kind));
   out->Put(event.hand ? static_cast<std::uint8_t>(*event.hand) : kNoHand);
@@ -19,14 +45,15 @@ void Put(const sim::Event& event, ByteWriter* out) {
   for (int number : {NumberOf(event.guest), NumberOf(event.host), event.tightness}) {
     out->Put(number);
   }
-  out->Put(static_cast<std::uint32_t>(event.properties.size()));
-  for (const std::string& property : event.properties) out->PutString(property);
+  PutNames(event.properties, out);
+  // Only when it says something: older programs know none.
+  if (!event.objects.empty()) PutNames(event.objects, out);
 }
 
 std::optional<sim::Event> GetEvent(ByteReader* in) {
   const auto kind = in->Get<std::uint8_t>();
   const auto hand = in->Get<std::uint8_t>();
-  if (kind > static_cast<std::uint8_t>(sim::EventKind::kCommandRefused)) return std::nullopt;
+  if (kind > static_cast<std::uint8_t>(sim::EventKind::kCleared)) return std::nullopt;
   if (hand != kNoHand && hand >= demonstrator::kHandNames.size()) return std::nullopt;
   sim::Event event{.kind = static_cast<sim::EventKind>(kind)};
   if (hand != kNoHand) event.hand = demonstrator::kHandNames[hand];
@@ -37,10 +64,8 @@ std::optional<sim::Event> GetEvent(ByteReader* in) {
   event.guest = IndexOf<model::GuestIndex>(in->Get<int>());
   event.host = IndexOf<model::HostIndex>(in->Get<int>());
   event.tightness = in->Get<int>();
-  const auto num_properties = in->Get<std::uint32_t>();
-  for (std::uint32_t i = 0; i < num_properties && i < kMaxProperties && in->ok(); ++i) {
-    event.properties.push_back(in->GetString());
-  }
+  event.properties = GetNames(kMaxProperties, in);
+  if (in->remaining() > 0) event.objects = GetNames(kMaxNames, in);
   if (!in->ok()) return std::nullopt;
   return event;
 }

@@ -3,17 +3,21 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "base/bytes.h"
 #include "model/indices.h"
+#include "recording/trace.h"
 #include "sim/event.h"
 
 namespace smile::recording {
 
 inline constexpr std::array kTraceMagic = {'S', 'M', 'I', 'L', 'E', 'T', 'R', 'C'};
 /// Written; those from kOldestTraceVersion on are read. Version 2 had no events, no returns, and
-/// did not know what is awake; in version 3, too, every face is idle.
-inline constexpr std::uint32_t kTraceVersion = 4, kOldestTraceVersion = 2;
+/// did not know what is awake; in version 3, too, every face is idle; up to version 4, no objects
+/// were added.
+inline constexpr std::uint32_t kTraceVersion = 5, kOldestTraceVersion = 2;
 
 // What a record is, or says besides tick, hash and moved objects.
 inline constexpr std::uint8_t kJointsChanged = 1;
@@ -23,7 +27,8 @@ inline constexpr std::uint8_t kBondsChanged = 8;
 inline constexpr std::uint8_t kIsReturn = 16;
 inline constexpr std::uint8_t kIsEvent = 32;
 inline constexpr std::uint8_t kMoodChanged = 64;
-inline constexpr std::uint8_t kTickFlags = 15 | kMoodChanged;
+inline constexpr std::uint8_t kCountsChanged = 128;
+inline constexpr std::uint8_t kTickFlags = 15 | kMoodChanged | kCountsChanged;
 
 // Of an object in a record.
 inline constexpr std::uint8_t kIsPresent = 1;
@@ -35,6 +40,16 @@ inline constexpr std::uint64_t kMovedObject = 4 + 1 + 7 * 8;
 inline constexpr std::uint64_t kControlRecord = 3 * 4;
 inline constexpr std::uint64_t kBondRecord = 2 * 4 + 1;
 inline constexpr std::uint64_t kMoodRecord = 1;
+inline constexpr std::uint64_t kCountsRecord = 3 * 4;
+
+/// Of objects or joints; no trace has more.
+inline constexpr std::uint32_t kMaxNames = 1'000'000;
+void PutNames(const std::vector<std::string>& names, ByteWriter* out);
+/// Reads at most so many; what is left of more then is not read.
+std::vector<std::string> GetNames(std::uint32_t max_count, ByteReader* in);
+
+void Put(const TraceCounts& counts, ByteWriter* out);
+TraceCounts GetCounts(ByteReader* in);
 
 /// An index as traces have it; -1: none.
 template <class I>
@@ -48,9 +63,9 @@ std::optional<I> IndexOf(int number) {
 }
 
 void Put(const sim::Event& event, ByteWriter* out);
+/// @param in  ends with the event.
 /// @returns nullopt if it is cut short, or of no kind or hand there is; what its texts and numbers
-/// say
-///          is not checked.
+///          say is not checked.
 std::optional<sim::Event> GetEvent(ByteReader* in);
 
 }  // namespace smile::recording

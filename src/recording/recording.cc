@@ -11,6 +11,7 @@
 #include "recording/trace_reader.h"
 #include "robot/urdf_reader.h"
 #include "scene_xml/scene_reader.h"
+#include "sim/spawning.h"
 
 namespace smile::recording {
 namespace {
@@ -93,6 +94,22 @@ void CheckStart(const Recording& recording) {
 
 }  // namespace
 
+scene::SceneSpec SceneAfter(const Recording& recording, std::size_t line) {
+  scene::SceneSpec scene = recording.start_scene;
+  for (const LoggedCommand& logged : recording.log.WayTo(line)) {
+    const auto* spawn = std::get_if<sim::Spawn>(&logged.command);
+    if (spawn == nullptr) continue;
+    sim::Refusal refusal;
+    auto grown = sim::WithSpawned(scene, *spawn, &refusal);
+    if (!grown) {
+      throw InputError({(recording.directory / "commands.jsonl").string(),
+                        static_cast<int>(logged.line), "", refusal});
+    }
+    scene = *std::move(grown);
+  }
+  return scene;
+}
+
 bool IsRecording(const std::filesystem::path& directory) {
   std::error_code error;
   return std::filesystem::is_directory(directory, error) &&
@@ -120,9 +137,9 @@ Recording OpenRecording(const std::filesystem::path& directory) {
                       "is not a recording; expected a directory with a demo.json in it"});
   }
   Recording recording{.directory = directory, .info = ReadDemoInfo(directory / "demo.json")};
-  recording.scene = scene_xml::LoadScene(directory / "scene.xml");
-  recording.scene.name = recording.info.scene;
-  recording.scene.physics_version = recording.info.physics_version;
+  recording.start_scene = scene_xml::LoadScene(directory / "scene.xml");
+  recording.start_scene.name = recording.info.scene;
+  recording.start_scene.physics_version = recording.info.physics_version;
   if (const auto& robot = recording.info.robot) {
     robot::RobotReading reading = ReadKeptRobot(directory, robot->urdf, robot->gripper);
     recording.robot = sim::RobotPlacement{.model = std::move(reading.model),
@@ -135,11 +152,13 @@ Recording OpenRecording(const std::filesystem::path& directory) {
   CheckEye(recording);
   std::optional<std::string> cut;
   recording.log =
-      ReadCommandLog(directory / "commands.jsonl", recording.scene.meters_per_unit, &cut);
+      ReadCommandLog(directory / "commands.jsonl", recording.start_scene.meters_per_unit, &cut);
   if (cut) recording.cuts.push_back(*cut);
+  recording.scene = recording.start_scene;
   LeaveOutUnfinishedReturn(&recording);
   CheckStart(recording);
   recording.commands = recording.log.WayTo(recording.log.lines().size());
+  recording.scene = SceneAfter(recording, recording.log.lines().size());
   return recording;
 }
 

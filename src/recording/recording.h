@@ -16,6 +16,9 @@ namespace smile::recording {
 struct Recording {
   std::filesystem::path directory;
   DemoInfo info;
+  scene::SceneSpec start_scene;  ///< of scene.xml: with which the simulation began
+  /// The same with all that was added on the way the recording ends with. A model of it shows every
+  /// moment on that way: what was not yet added is absent.
   scene::SceneSpec scene;
   std::optional<sim::RobotPlacement> robot;
   CommandLog log;  ///< the whole history
@@ -30,6 +33,10 @@ bool IsRecording(const std::filesystem::path& directory);
 
 /// The recording within whose directory a path lies, or would lie; nullopt if in none.
 std::optional<std::filesystem::path> RecordingAround(const std::filesystem::path& path);
+
+/// The scene at a line of the log: with what was added on the way there.
+/// @throws InputError if something cannot be added (any more).
+scene::SceneSpec SceneAfter(const Recording& recording, std::size_t line);
 
 /// @throws InputError with all findings, each with its file.
 Recording OpenRecording(const std::filesystem::path& directory);

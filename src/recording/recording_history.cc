@@ -35,6 +35,7 @@ class Summaries {
     const Moment until{.line = steps_[last].begin.line + 1, .tick = steps_[last].begin.tick};
     const std::vector<sim::Event> commanded = CommandedOnWayTo(until.line);
     TraceReader trace(recording_, until);
+    scene_ = SceneAfter(recording_, until.line);
     std::size_t next = 0;
     while (const auto moment = trace.Next()) {
       for (const sim::Event& event : moment->events) {
@@ -73,12 +74,13 @@ class Summaries {
   void Add(std::size_t step, const sim::Event& event, const TraceTick* moment) {
     if (steps_[step].summary) return;
     const bool lets_go = event.kind == sim::EventKind::kReleased;
-    steps_[step].summary = SummaryOf(event, lets_go && moment != nullptr
-                                                ? SupportAt(*moment, event.object, recording_.scene)
-                                                : std::nullopt);
+    steps_[step].summary =
+        SummaryOf(event, lets_go && moment != nullptr ? SupportAt(*moment, event.object, scene_)
+                                                      : std::nullopt);
   }
 
   const Recording& recording_;
+  scene::SceneSpec scene_;  ///< on the way that is being read
   std::vector<Segment>& steps_;
 };
 

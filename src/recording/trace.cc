@@ -19,6 +19,12 @@ TracePose TracePose::At(const RigidTransform& X_WB, bool is_awake) {
           .rotation = {q.w(), q.x(), q.y(), q.z()}};
 }
 
+TraceCounts CountsOf(const TraceTick& moment) {
+  return {.objects = static_cast<std::uint32_t>(moment.objects.size()),
+          .controls = static_cast<std::uint32_t>(moment.controls.size()),
+          .bonds = static_cast<std::uint32_t>(moment.bonds.size())};
+}
+
 TraceTick Observe(const sim::Simulation& simulation) {
   TraceTick now{.tick = simulation.tick(),
                 .hash = simulation.state_hash(),
@@ -38,6 +44,13 @@ TraceTick Observe(const sim::Simulation& simulation) {
   now.bonds.assign(bonds.begin(), bonds.end());
   if (simulation.robot() != nullptr) now.joints = simulation.robot()->positions();
   return now;
+}
+
+TraceTick WithAbsent(TraceTick moment, const model::Model& model) {
+  moment.objects.resize(model.objects().size(), TracePose{.is_present = false});
+  moment.controls.resize(model.controls().size());
+  moment.bonds.resize(model.hosts().size());
+  return moment;
 }
 
 TraceTick StartOf(const model::Model& model) {

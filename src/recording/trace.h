@@ -59,8 +59,18 @@ struct TraceTick {
   std::vector<sim::Event> events;
 };
 
+/// How many objects, controls and host points a moment has: more, once some were added.
+struct TraceCounts {
+  std::uint32_t objects = 0, controls = 0, bonds = 0;
+
+  bool operator==(const TraceCounts&) const = default;
+};
+TraceCounts CountsOf(const TraceTick& moment);
+
 /// The present moment of a simulation.
 TraceTick Observe(const sim::Simulation& simulation);
+/// A moment of a model with fewer objects, for a model that has more behind them: they are absent.
+TraceTick WithAbsent(TraceTick moment, const model::Model& model);
 /// The moment at which a simulation of the model starts, as far as it can be seen: without a hash,
 /// and nothing is awake.
 TraceTick StartOf(const model::Model& model);

@@ -12,23 +12,14 @@
 namespace smile::recording {
 namespace {
 
-constexpr std::uint32_t kMaxNames = 1'000'000;
 /// How far a quaternion's length may be from 1.
 constexpr double kUnitLength = 1e-6;
 constexpr std::size_t kMaxTraceBytes = std::size_t{4} << 30;
 
-std::vector<std::string> GetNames(ByteReader* in) {
-  std::vector<std::string> names;
-  const auto count = in->Get<std::uint32_t>();
-  for (std::uint32_t i = 0; i < count && count <= kMaxNames && in->ok(); ++i) {
-    names.push_back(in->GetString());
-  }
-  return names;
-}
-
 }  // namespace
 
 TraceLimits::TraceLimits(const scene::SceneSpec& scene) {
+  counts.emplace_back();
   for (const scene::ObjectSpec& object : scene.objects) {
     for (const scene::Part* control : scene::ControlsOf(object.whole)) {
       num_states.push_back(scene::NumStatesOf(*control));
@@ -37,6 +28,9 @@ TraceLimits::TraceLimits(const scene::SceneSpec& scene) {
       max_tightness.push_back(static_cast<int>(host.point->stages.size()));
     }
     num_guests += scene::GuestsOf(object.whole).size();
+    counts.push_back({.objects = static_cast<std::uint32_t>(counts.size()),
+                      .controls = static_cast<std::uint32_t>(num_states.size()),
+                      .bonds = static_cast<std::uint32_t>(max_tightness.size())});
   }
 }
 
@@ -50,27 +44,32 @@ bool TraceLimits::Allow(std::size_t host, const model::HostState& bond) const {
          bond.tightness <= max_tightness[host] && bond.guest.has_value() == (bond.tightness > 0);
 }
 
-TraceReader::TraceReader(const Recording& recording, Unopened)
+bool TraceLimits::Allow(const TraceCounts& found) const {
+  return found.objects < counts.size() && counts[found.objects] == found;
+}
+
+TraceReader::TraceReader(const Recording& recording, const scene::SceneSpec& scene, Unopened)
     : path_(recording.directory / "trace.bin"),
       bytes_(ReadFile(path_, kMaxTraceBytes)),
-      limits_(recording.scene) {
-  ReadHeader(recording);
+      limits_(scene) {
+  ReadHeader(recording, scene);
   Survey();
 }
 
-TraceReader::TraceReader(const Recording& recording) : TraceReader(recording, Unopened()) {
+TraceReader::TraceReader(const Recording& recording)
+    : TraceReader(recording, recording.scene, Unopened()) {
   FindWayTo(size_);
   ReadEventsBeforeStart();
 }
 
 TraceReader::TraceReader(const Recording& recording, TracePlace end)
-    : TraceReader(recording, Unopened()) {
+    : TraceReader(recording, recording.scene, Unopened()) {
   FindWayTo(end);
   ReadEventsBeforeStart();
 }
 
 TraceReader::TraceReader(const Recording& recording, const Moment& moment)
-    : TraceReader(recording, Unopened()) {
+    : TraceReader(recording, SceneAfter(recording, moment.line), Unopened()) {
   auto stretch =
       std::upper_bound(stretches_.begin(), stretches_.end(), moment.line,
                        [](std::size_t line, const Stretch& s) { return line < s.log_line; });
@@ -84,18 +83,25 @@ TraceReader::TraceReader(const Recording& recording, const Moment& moment)
 }
 
 void TraceReader::ReadEventsBeforeStart() {
-  while (IsAtRecord() && FlagsAt(place_) == kIsEvent) events_before_start_.push_back(ReadEvent());
+  while (IsAtRecord() && FlagsAt(place_) == kIsEvent) {
+    events_before_start_.push_back(ReadEvent());
+    if (!IsSound(events_before_start_.back())) FailInEvent();
+  }
 }
 
 void TraceReader::Fail(const std::string& message) const {
   throw InputError({path_.string(), 0, "", message});
 }
 
+void TraceReader::FailInEvent() const {
+  Fail("is damaged in an event after tick " + std::to_string(now_.tick));
+}
+
 ByteReader TraceReader::BytesAt(TracePlace place) const {
   return ByteReader(std::as_bytes(std::span(bytes_)).subspan(place));
 }
 
-void TraceReader::ReadHeader(const Recording& recording) {
+void TraceReader::ReadHeader(const Recording& recording, const scene::SceneSpec& scene) {
   ByteReader in = BytesAt(0);
   for (char letter : kTraceMagic) {
     if (in.Get<char>() != letter) Fail("this is not a trace of a recording");
@@ -105,20 +111,24 @@ void TraceReader::ReadHeader(const Recording& recording) {
     Fail("its format is version " + std::to_string(version_) + ", expected " +
          std::to_string(kOldestTraceVersion) + " to " + std::to_string(kTraceVersion));
   }
-  object_names_ = GetNames(&in);
-  joint_names_ = GetNames(&in);
+  object_names_ = GetNames(kMaxNames, &in);
+  joint_names_ = GetNames(kMaxNames, &in);
   if (!in.ok()) Fail("its header is cut short");
   size_ = bytes_.size() - in.remaining();
 
-  bool fits = object_names_.size() == recording.scene.objects.size();
-  for (std::size_t i = 0; fits && i < object_names_.size(); ++i) {
-    fits = object_names_[i] == recording.scene.objects[i].id();
-  }
+  bool fits = std::ranges::equal(object_names_, recording.start_scene.objects, {}, {},
+                                 &scene::ObjectSpec::id);
   const std::size_t num_joints = recording.robot ? recording.robot->model.links.size() : 0;
   if (!fits || joint_names_.size() != num_joints) {
     Fail("is of another scene or robot than scene.xml and the robot's files");
   }
-  now_.objects.resize(object_names_.size());
+  // What the scene has more was added later.
+  first_counts_ = limits_.counts[object_names_.size()];
+  counts_ = first_counts_;
+  for (std::size_t i = object_names_.size(); i < scene.objects.size(); ++i) {
+    object_names_.push_back(scene.objects[i].id());
+  }
+  now_.objects.resize(object_names_.size(), TracePose{.is_present = false});
   now_.joints.resize(joint_names_.size());
   now_.controls.resize(limits_.num_states.size());
   now_.bonds.resize(limits_.max_tightness.size());
@@ -133,15 +143,20 @@ std::optional<std::uint64_t> TraceReader::SizeAt(TracePlace place) const {
   in.GetBytes(kRecordHead - 1);
   const auto flags = in.Get<std::uint8_t>();
   std::uint64_t size = kRecordHead;
+  TraceCounts counts = counts_;
   if (flags == kIsReturn) {
     size += 2 * 8;
   } else if (flags == kIsEvent) {
     size += 4 + std::uint64_t{in.Get<std::uint32_t>()};
   } else {
+    if ((flags & kCountsChanged) != 0) {
+      counts = GetCounts(&in);
+      size += kCountsRecord;
+    }
     size += 4 + kMovedObject * in.Get<std::uint32_t>();
     if ((flags & kJointsChanged) != 0) size += 8 * now_.joints.size();
-    if ((flags & kControlsChanged) != 0) size += kControlRecord * now_.controls.size();
-    if ((flags & kBondsChanged) != 0) size += kBondRecord * now_.bonds.size();
+    if ((flags & kControlsChanged) != 0) size += kControlRecord * counts.controls;
+    if ((flags & kBondsChanged) != 0) size += kBondRecord * counts.bonds;
     if ((flags & kMoodChanged) != 0) size += kMoodRecord;
   }
   if (!in.ok() || size > bytes_.size() - place) return std::nullopt;
@@ -155,7 +170,14 @@ void TraceReader::Survey() {
     const TracePlace place = size_;
     size_ += *size;
     bounds.push_back(size_);
-    if (FlagsAt(place) != kIsReturn) continue;
+    const std::uint8_t flags = FlagsAt(place);
+    if (flags != kIsReturn) {
+      if ((flags & kCountsChanged) != 0) {
+        ByteReader in = BytesAt(place + kRecordHead);
+        counts_ = GetCounts(&in);
+      }
+      continue;
+    }
     stretches_.back().end = place;
     ByteReader in = BytesAt(place);
     Stretch next{.begin = size_, .tick = in.Get<std::uint64_t>()};
@@ -171,6 +193,7 @@ void TraceReader::Survey() {
     stretches_.push_back(next);
   }
   stretches_.back().end = size_;
+  counts_ = first_counts_;
 }
 
 void TraceReader::FindWayTo(TracePlace end) {
@@ -194,6 +217,7 @@ TraceReader::Bookmark TraceReader::Mark() const {
   bookmark.moment_ = now_;
   bookmark.places_ = places_;
   bookmark.place_ = place_;
+  bookmark.counts_ = counts_;
   bookmark.num_stretches_ = way_.size();
   return bookmark;
 }
@@ -202,6 +226,7 @@ void TraceReader::ReturnTo(const Bookmark& bookmark) {
   now_ = bookmark.moment_;
   places_ = bookmark.places_;
   place_ = bookmark.place_;
+  counts_ = bookmark.counts_;
   way_.assign(whole_way_.begin(),
               whole_way_.begin() + static_cast<std::ptrdiff_t>(bookmark.num_stretches_));
   has_begun_ = true;
@@ -234,7 +259,9 @@ void TraceReader::ReadEvents() {
   while (IsAtRecord() && FlagsAt(place_) == kIsEvent) {
     sim::Event event = ReadEvent();
     if (BeginsAction(event)) ++num_actions;
+    // What comes after the moment may be about objects that were added then.
     if (now_.tick == last_tick_ && num_actions > num_last_actions_) break;
+    if (!IsSound(event)) FailInEvent();
     now_.events.push_back(std::move(event));
     places_.push_back(place_);
   }
@@ -248,12 +275,17 @@ void TraceReader::ReadTick() {
   next.hash = in.Get<std::uint64_t>();
   const auto flags = in.Get<std::uint8_t>();
   next.is_robot_shown = (flags & kRobotHidden) == 0;
+  bool is_sound = (flags & ~kTickFlags) == 0 && (!has_begun_ || next.tick == now_.tick + 1);
+  if ((flags & kCountsChanged) != 0) {
+    const TraceCounts found = GetCounts(&in);
+    is_sound = is_sound && found.objects >= counts_.objects && limits_.Allow(found);
+    if (is_sound) counts_ = found;
+  }
   const auto num_moved = in.Get<std::uint32_t>();
-  bool is_sound = (flags & ~kTickFlags) == 0 && num_moved <= next.objects.size() &&
-                  (!has_begun_ || next.tick == now_.tick + 1);
+  is_sound = is_sound && num_moved <= counts_.objects;
   for (std::uint32_t k = 0; k < num_moved && is_sound; ++k) {
     const auto i = in.Get<std::uint32_t>();
-    is_sound = i < next.objects.size();
+    is_sound = i < counts_.objects;
     if (!is_sound) break;
     const auto what = in.Get<std::uint8_t>();
     next.objects[i].is_present = (what & kIsPresent) != 0;
@@ -267,7 +299,7 @@ void TraceReader::ReadTick() {
     for (double& q : next.joints) q = in.Get<double>();
   }
   if ((flags & kControlsChanged) != 0) {
-    for (std::size_t i = 0; i < next.controls.size(); ++i) {
+    for (std::size_t i = 0; i < counts_.controls && is_sound; ++i) {
       model::ControlState& control = next.controls[i];
       control.state = in.Get<int>();
       control.override_state = in.Get<int>();
@@ -276,7 +308,7 @@ void TraceReader::ReadTick() {
     }
   }
   if ((flags & kBondsChanged) != 0) {
-    for (std::size_t i = 0; i < next.bonds.size(); ++i) {
+    for (std::size_t i = 0; i < counts_.bonds && is_sound; ++i) {
       model::HostState& bond = next.bonds[i];
       const int guest = in.Get<int>();
       is_sound = is_sound && guest >= -1;
@@ -305,7 +337,14 @@ bool TraceReader::IsSound(const sim::Event& event) const {
   };
   // An imported release may not know of what.
   const bool may_be_nameless = event.kind == kReleased && event.object.empty();
-  const bool is_known = std::ranges::find(object_names_, event.object) != object_names_.end();
+  const auto is_object = [this](const std::string& id) {
+    return std::ranges::find(object_names_, id) != object_names_.end();
+  };
+  const bool is_of_several =
+      event.kind == kAdded || event.kind == kRemoved || event.kind == kCleared;
+  if (is_of_several != !event.objects.empty()) return false;
+  if (is_of_several) return event.object.empty() && std::ranges::all_of(event.objects, is_object);
+  const bool is_known = is_object(event.object);
   if (!is_known && !may_be_nameless) return false;
   switch (event.kind) {
     case kFastened:
@@ -327,14 +366,11 @@ bool TraceReader::IsSound(const sim::Event& event) const {
 }
 
 sim::Event TraceReader::ReadEvent() {
-  ByteReader in = BytesAt(place_);
-  in.GetBytes(kRecordHead + 4);
-  std::optional<sim::Event> event = GetEvent(&in);
   const std::uint64_t size = *SizeAt(place_);
-  const std::uint64_t read = bytes_.size() - place_ - in.remaining();
-  if (!event || read != size || !IsSound(*event)) {
-    Fail("is damaged in an event after tick " + std::to_string(now_.tick));
-  }
+  constexpr std::uint64_t kHead = kRecordHead + 4;
+  ByteReader in(std::as_bytes(std::span(bytes_)).subspan(place_ + kHead, size - kHead));
+  std::optional<sim::Event> event = GetEvent(&in);
+  if (!event || in.remaining() > 0) FailInEvent();
   place_ += size;
   return *std::move(event);
 }

@@ -11,19 +11,25 @@
 
 namespace smile::recording {
 
-/// What a trace of a scene may say of its controls and bonds.
+/// What a trace of a scene may say of its objects, controls and bonds.
 struct TraceLimits {
-  std::vector<int> num_states;     ///< of each control
-  std::vector<int> max_tightness;  ///< of each host point
+  std::vector<int> num_states;      ///< of each control
+  std::vector<int> max_tightness;   ///< of each host point
+  std::vector<TraceCounts> counts;  ///< that the scene had when its last objects were not yet
+                                    ///< added: by the number of objects
   std::size_t num_guests = 0;
 
   explicit TraceLimits(const scene::SceneSpec& scene);
   bool Allow(std::size_t control, const model::ControlState& state) const;
   bool Allow(std::size_t host, const model::HostState& bond) const;
+  bool Allow(const TraceCounts& found) const;
 };
 
 /// Reads a trace, tick by tick, along one way through its returns. A file cut in the middle of a
 /// record ends with the last whole one.
+///
+/// Each moment has all objects of the scene that the way ends with. Those that were not yet added
+/// are absent, as those that are gone.
 class TraceReader {
  private:
   /// Records that follow one another without a return.
@@ -39,9 +45,10 @@ class TraceReader {
   /// @throws InputError if this is not a trace of a known format version, or not one of the
   ///         recording's objects and robot, or damaged.
   explicit TraceReader(const Recording& recording);
-  /// Along the way to some place between two records.
+  /// Along the way to some place between two records, where the scene is that of `recording`.
   TraceReader(const Recording& recording, TracePlace end);
-  /// Along the way to a moment of the recording's history; ends before if there is none.
+  /// Along the way to a moment of the recording's history, with the scene of that moment; ends
+  /// before if there is none.
   TraceReader(const Recording& recording, const Moment& moment);
 
   const std::vector<std::string>& object_names() const { return object_names_; }
@@ -69,6 +76,7 @@ class TraceReader {
     TraceTick moment_;
     std::vector<TracePlace> places_;
     TracePlace place_ = 0;
+    TraceCounts counts_;
     std::size_t num_stretches_ = 0;  ///< still to be read
   };
   /// Of the last moment.
@@ -86,8 +94,8 @@ class TraceReader {
  private:
   /// Leaves the way open.
   struct Unopened {};
-  TraceReader(const Recording& recording, Unopened);
-  void ReadHeader(const Recording& recording);
+  TraceReader(const Recording& recording, const scene::SceneSpec& scene, Unopened);
+  void ReadHeader(const Recording& recording, const scene::SceneSpec& scene);
   /// Finds the stretches, and where what is whole ends.
   void Survey();
   void FindWayTo(TracePlace end);
@@ -101,15 +109,19 @@ class TraceReader {
   std::optional<std::uint64_t> SizeAt(TracePlace place) const;
   ByteReader BytesAt(TracePlace place) const;
   void ReadTick();
+  /// Reads an event whatever it says.
   sim::Event ReadEvent();
   bool IsSound(const sim::Event& event) const;
   [[noreturn]] void Fail(const std::string& message) const;
+  [[noreturn]] void FailInEvent() const;
 
   std::filesystem::path path_;
   std::string bytes_;
   std::vector<std::string> object_names_, joint_names_;
   TraceLimits limits_;
   std::uint32_t version_ = 0;
+  TraceCounts first_counts_;                ///< those of the header's objects
+  TraceCounts counts_;                      ///< at the last record
   std::vector<Stretch> stretches_;          ///< in the order of the file
   std::vector<Stretch> whole_way_;          ///< the first one last
   std::vector<Stretch> way_;                ///< still to be read, the next one last

@@ -3,14 +3,6 @@
 #include "recording/internal_trace_format.h"
 
 namespace smile::recording {
-namespace {
-
-void PutNames(const std::vector<std::string>& names, ByteWriter* out) {
-  out->Put(static_cast<std::uint32_t>(names.size()));
-  for (const std::string& name : names) out->PutString(name);
-}
-
-}  // namespace
 
 TraceWriter::TraceWriter(const std::filesystem::path& path, const model::Model& model)
     : file_(path) {
@@ -34,6 +26,9 @@ TraceWriter::TraceWriter(const std::filesystem::path& path, std::uint64_t size, 
 }
 
 void TraceWriter::Add(const TraceTick& tick) {
+  const TraceCounts counts = CountsOf(tick);
+  const bool counts_changed = !last_ || CountsOf(*last_) != counts;
+  if (counts_changed) last_.reset();
   ByteWriter record;
   record.Put(tick.tick);
   record.Put(tick.hash);
@@ -44,7 +39,8 @@ void TraceWriter::Add(const TraceTick& tick) {
   record.Put(static_cast<std::uint8_t>(
       (joints_changed ? kJointsChanged : 0) | (tick.is_robot_shown ? 0 : kRobotHidden) |
       (controls_changed ? kControlsChanged : 0) | (bonds_changed ? kBondsChanged : 0) |
-      (mood_changed ? kMoodChanged : 0)));
+      (mood_changed ? kMoodChanged : 0) | (counts_changed ? kCountsChanged : 0)));
+  if (counts_changed) Put(counts, &record);
   std::vector<std::uint32_t> moved;
   for (std::uint32_t i = 0; i < tick.objects.size(); ++i) {
     if (!last_ || tick.objects[i] != last_->objects[i]) moved.push_back(i);

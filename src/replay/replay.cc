@@ -19,9 +19,10 @@ class ReplayRun {
         range_(recording::TicksOf(options.range, recording)),
         trace_(recording),
         start_tick_(recording.info.start.tick),
-        simulation_(recording.scene, recording.robot),
+        model_(recording.scene, recording.robot),
+        simulation_(recording.start_scene, recording.robot),
         player_(recording.commands, recording.info.start),
-        meter_(simulation_.model()) {
+        meter_(model_) {
     report_.compared = {.first = range_.first, .last = range_.first};
     simulation_.AddListener(&collector_);
   }
@@ -79,10 +80,11 @@ class ReplayRun {
   }
 
   void Compare(const recording::TraceTick& recorded) {
-    const recording::TraceTick replayed = recording::Observe(simulation_);
+    const recording::TraceTick replayed =
+        recording::WithAbsent(recording::Observe(simulation_), model_);
     report_.compared.last = recorded.tick;
     report_.hash = replayed.hash;
-    const Comparison comparison(recorded, replayed, simulation_.model());
+    const Comparison comparison(recorded, replayed, model_);
     if (const auto difference = comparison.First()) Note(*difference);
     if (!has_visible_difference_ || is_over()) return;
     meter_.Watch(recorded, replayed);
@@ -116,6 +118,7 @@ class ReplayRun {
   recording::TickRange range_;
   recording::TraceReader trace_;
   std::uint64_t start_tick_;
+  model::Model model_;  ///< with all that was added on the way
   sim::Simulation simulation_;
   LogPlayer player_;
   EventCollector collector_;

@@ -134,11 +134,7 @@ Course CourseOf(const recording::Recording& recording) {
 }
 
 CourseWitness::CourseWitness(sim::Simulation* simulation)
-    : simulation_(simulation),
-      start_{.scene = simulation->scene(),
-             .begin = recording::Observe(*simulation),
-             .end = {},
-             .touches = {}} {
+    : simulation_(simulation), begin_(recording::Observe(*simulation)) {
   simulation_->AddListener(this);
 }
 
@@ -146,7 +142,7 @@ CourseWitness::~CourseWitness() { simulation_->RemoveListener(this); }
 
 void CourseWitness::OnEvent(const sim::Simulation& simulation, const sim::Event& event) {
   if (!IsTouch(event.kind)) return;
-  auto touch = TouchOf(event, recording::Observe(simulation), start_.scene);
+  auto touch = TouchOf(event, recording::Observe(simulation), simulation.scene());
   if (!touch) return;
   const sim::Action& action = simulation.history().current();
   touches_[action.id].push_back({*std::move(touch), action.events.size()});
@@ -163,8 +159,11 @@ void CourseWitness::OnMove(const sim::Simulation& simulation, sim::ActionId from
 }
 
 Course CourseWitness::course() const {
-  Course course = start_;
-  course.end = recording::Observe(*simulation_);
+  // What was added since was not there in the beginning.
+  Course course{.scene = simulation_->scene(),
+                .begin = recording::WithAbsent(begin_, simulation_->model()),
+                .end = recording::Observe(*simulation_),
+                .touches = {}};
   for (const sim::Action& action : simulation_->history().done()) {
     const std::vector<NumberedTouch>* touches = touches_.Find(action.id);
     if (touches == nullptr) continue;

@@ -55,7 +55,7 @@ class CourseWitness : public sim::Listener {
   };
 
   sim::Simulation* simulation_;
-  Course start_;  ///< without touches
+  recording::TraceTick begin_;
   sim::ActionMarks<std::vector<NumberedTouch>> touches_;
 };
 

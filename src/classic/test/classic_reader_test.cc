@@ -146,10 +146,10 @@ TEST(ClassicReader, RefusesWhatContradictsTheLinesBefore) {
   EXPECT_EQ(refused("5,grasp,AnyHand,a\n", ""),
             "0.txt:2: found another action, expected one in a segment, in its first line");
   const std::string no_action =
-      "found no action, expected grasp, release, destroy, trigger, pointTo, fasten or loosen in "
-      "the first line of a segment";
+      "found no action, expected grasp, release, destroy, trigger, pointTo, fasten, loosen, "
+      "create or delete in the first line of a segment";
   EXPECT_EQ(refused("", ""), "1.txt: " + no_action);
-  EXPECT_EQ(refused("", "1,delete,a\n"), "1.txt:1: " + no_action);
+  EXPECT_EQ(refused("", "1,move,a,0,0,0,0,0,0\n"), "1.txt:1: " + no_action);
 }
 
 TEST(ClassicReader, TakesNoMoreThanItsLimits) {

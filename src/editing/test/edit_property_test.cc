@@ -21,7 +21,7 @@ class EditProperty : public recorder::RecordingFixture,
   recording::Recording RecordAtRandom() {
     const std::string xml = scene_xml::WriteScene(sim::EverythingScene::Make());
     sim::Simulation simulation(*scene_xml::ReadSceneText(xml, "everything.xml").scene);
-    sim::RandomHands hands(GetParam());
+    sim::RandomHands hands(GetParam(), /*changes_objects=*/true);
     recorder::RecordingDesk desk(&simulation, {.recording = {.frames_per_second = 12}});
     for (int i = 0; i < 12; ++i) {
       (void)simulation.Apply(hands.Next(simulation));

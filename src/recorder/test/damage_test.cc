@@ -25,7 +25,7 @@ class DamageProperty : public RecordingFixture, public ::testing::WithParamInter
     const std::string xml = scene_xml::WriteScene(sim::EverythingScene::Make());
     sim::Simulation simulation(*scene_xml::ReadSceneText(xml, "everything.xml").scene);
     RecordingDesk desk(&simulation, {.root = root_});
-    sim::RandomHands hands(7);
+    sim::RandomHands hands(7, /*changes_objects=*/true);
     for (int i = 0; i < 60; ++i) {
       if (i == 10) (void)simulation.Apply(sim::StartRecording{.name = "demo"});
       (void)simulation.Apply(i % 6 == 5 ? sim::Command(sim::Undo()) : hands.Next(simulation));

@@ -24,12 +24,17 @@ namespace {
 /// An eye whose pictures tell apart what it sees.
 class HashingEye : public sim::Eye {
  public:
-  const Image& Draw(const scene::VisualModel&, const sim::Sight& sight) override {
+  const Image& Draw(const scene::VisualModel& model, const sim::Sight& sight) override {
     StateHash hash;
-    for (const RigidTransform& pose : sight.state.poses) {
-      for (double number : pose.translation()) hash.Add(number);
+    for (const scene::Visual& visual : model.visuals) {
+      const bool is_seen =
+          visual.choice < 0 ||
+          sight.state.looks[static_cast<std::size_t>(visual.choice)] == visual.look;
+      if (!is_seen) continue;
+      const RigidTransform& X_WF = sight.state.poses[static_cast<std::size_t>(visual.frame)];
+      for (double number : X_WF* visual.X_FV.translation()) hash.Add(number);
+      hash.Add(visual.color.red);
     }
-    for (int look : sight.state.looks) hash.Add(std::uint64_t(look));
     image_.color = {std::uint8_t(hash.value()), std::uint8_t(hash.value() >> 8),
                     std::uint8_t(hash.value() >> 16)};
     return image_;
@@ -65,7 +70,7 @@ class UndoTest : public RecordingFixture {
   std::map<std::string, std::string> ViewWithoutUndo(const recording::Recording& recording,
                                                      std::uint64_t last_tick) {
     HashingEye eye;
-    sim::Simulation simulation(recording.scene, recording.robot);
+    sim::Simulation simulation(recording.start_scene, recording.robot);
     const auto directory = root_ / ("straight" + std::to_string(num_straight_++));
     Recorder recorder(directory, {.frames_per_second = recording.info.frames_per_second}, &eye,
                       simulation);
@@ -125,7 +130,7 @@ class UndoTest : public RecordingFixture {
 
   /// Whatever comes to the hands' mind, with undo and redo between.
   static void ActAtRandom(sim::Simulation* simulation, unsigned seed, int num_steps) {
-    sim::RandomHands hands(seed);
+    sim::RandomHands hands(seed, /*changes_objects=*/true);
     std::mt19937 random(seed);
     for (int i = 0; i < num_steps; ++i) {
       const auto dice = random() % 8;
@@ -186,7 +191,7 @@ TEST_P(UndoProperty, GoesOnFromAnyMomentAsIfItHadNeverStopped) {
           *recording::MomentIn(recording, step, random() % (step.end.tick - step.begin.tick + 1));
     }
     HashingEye eye;
-    sim::Simulation simulation(recording.scene);
+    sim::Simulation simulation(recording.start_scene);
     const auto recorder = Recorder::Continue(root_ / "demo", from, &eye, &simulation);
     EXPECT_EQ(simulation.tick(), from.tick);
     simulation.AddListener(recorder.get());
@@ -218,7 +223,7 @@ TEST_F(UndoTest, RandomSessionsReplayIdenticallyAndUndoExactly) {
     simulation.AddListener(&recorder);
     sim::UndoBooks books(simulation);
     simulation.AddListener(&books);
-    sim::RandomHands hands(static_cast<unsigned>(session));
+    sim::RandomHands hands(static_cast<unsigned>(session), /*changes_objects=*/true);
     std::mt19937 random(static_cast<unsigned>(session));
     for (int i = 0; i < num_ticks; ++i) {
       const auto dice = random() % 40;

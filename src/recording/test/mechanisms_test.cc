@@ -74,7 +74,8 @@ TEST_F(MechanismsRecordingTest, ReplaysIdentically) {
   EXPECT_EQ(report.hash, final_hash_);
 }
 
-/// A trace of today as version 2 had it: without events, moods and what is awake, else the same.
+/// A trace of today as version 2 had it: without events, counts, moods and what is awake, else the
+/// same.
 std::string AsVersion2(std::string trace, const TraceReader& reader, const TraceTick& shape) {
   const auto number_at = [&trace](std::uint64_t place) {
     std::uint32_t number = 0;
@@ -89,6 +90,7 @@ std::string AsVersion2(std::string trace, const TraceReader& reader, const Trace
   std::string old = trace.substr(0, place);
   while (place < trace.size()) {
     const auto flags = static_cast<std::uint8_t>(trace[place + kRecordHead - 1]);
+    if ((flags & kCountsChanged) != 0) trace.erase(place + kRecordHead, kCountsRecord);
     const std::uint32_t count = number_at(place + kRecordHead);
     std::uint64_t size = kRecordHead + 4;
     if (flags == kIsEvent) {
@@ -101,7 +103,7 @@ std::string AsVersion2(std::string trace, const TraceReader& reader, const Trace
     if ((flags & kJointsChanged) != 0) size += 8 * shape.joints.size();
     if ((flags & kControlsChanged) != 0) size += kControlRecord * shape.controls.size();
     if ((flags & kBondsChanged) != 0) size += kBondRecord * shape.bonds.size();
-    trace[place + kRecordHead - 1] &= static_cast<char>(~kMoodChanged);
+    trace[place + kRecordHead - 1] &= static_cast<char>(~(kMoodChanged | kCountsChanged));
     old += trace.substr(place, size);
     if ((flags & kMoodChanged) != 0) size += kMoodRecord;
     place += size;

@@ -231,9 +231,9 @@ TEST_F(ReplayTest, OpensWhatACrashCutShortAndSaysSo) {
 TEST_F(ReplayTest, NoticesAPoseThatWasChangedInTheTrace) {
   const auto directory = Record();
   std::string trace = Text(directory / "trace.bin");
-  // The height of the first object in the first record, after the header, the record's head, the
-  // object's index and whether it is there.
-  const std::size_t header = 8 + 4 + 4 + 2 * (4 + 1) + 4, head = 8 + 8 + 1 + 4;
+  // The height of the first object in the first record, after the header, the record's head and
+  // counts, the object's index and whether it is there.
+  const std::size_t header = 8 + 4 + 4 + 2 * (4 + 1) + 4, head = 8 + 8 + 1 + 3 * 4 + 4;
   const double lower = 0.04;
   std::memcpy(&trace[header + head + 4 + 1 + 2 * sizeof(double)], &lower, sizeof lower);
   Overwrite(directory / "trace.bin", trace);

@@ -81,7 +81,7 @@ TEST_F(CourseProperty, AWitnessTellsWhatTheRecordingShows) {
   recorder::Recorder recorder(root_ / "demo", {}, nullptr, simulation);
   simulation.AddListener(&recorder);
   const CourseWitness witness(&simulation);
-  sim::RandomHands hands(7);
+  sim::RandomHands hands(7, /*changes_objects=*/true);
   std::mt19937 random(7);
   int num_redone = 0;
   for (int i = 0; i < 200; ++i) {

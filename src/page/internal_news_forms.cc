@@ -100,7 +100,8 @@ JsonShape EventNewsShape() {
                       {"guest", TextShape(), kOptional},
                       {"host", TextShape(), kOptional},
                       {"tightness", NumberShape(), kOptional},
-                      {"properties", TextsShape(), kOptional}})
+                      {"properties", TextsShape(), kOptional},
+                      {"objects", TextsShape(), kOptional, "that were added or removed"}})
       .Called("EventMessage");
 }
 

@@ -88,12 +88,12 @@ std::vector<RequestForm> SceneRequests() {
       {"spawn",
        {{"preset", TextShape(), true, "one of the gallery's presets"}, {"seed", NumberShape()}},
        {{"objects", TextsShape()}},
-       "puts new objects at free places and tells their ids; refused while recording"},
+       "puts new objects at free places and tells their ids: the command `add`"},
       {"clear",
        {{"rage", FlagShape(), kOptional}},
        {},
-       "takes away all that no hand holds; with rage the robot does it, and after 10 s all is as "
-       "before; refused while recording"},
+       "takes away all that nothing holds: the command `clear`. With rage the robot does it, and "
+       "after 10 s all is as before; that is refused while recording"},
   };
 }
 

@@ -19,6 +19,7 @@ Json EventMessage(const sim::Event& event, const sim::Simulation& simulation) {
     message["host"] = simulation.model().host(*event.host).point->id;
     message["tightness"] = event.tightness;
   }
+  if (!event.objects.empty()) message["objects"] = event.objects;
   if (event.kind == sim::EventKind::kAttended) message["properties"] = event.properties;
   return message;
 }

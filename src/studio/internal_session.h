@@ -82,6 +82,9 @@ class Session::Impl {
   std::optional<std::string> RefuseStartBrain(const page::RequestFields& fields);
   std::optional<std::string> RefuseClear(const page::RequestFields& fields);
   Json Command(const page::RequestFields& fields);
+  /// Through the one door. If the scene has more or fewer objects then, pages are told it anew.
+  /// @throws page::RequestError if it is refused.
+  void Apply(const sim::Command& command);
   /// What a page's `command` means now, snapped unless it is to be exact.
   sim::Command MeantBy(const Json& wanted, bool is_exact);
   Json Pause(const page::RequestFields& fields);
@@ -92,8 +95,6 @@ class Session::Impl {
   Json Load(const page::RequestFields& fields);
   Json Reload(const page::RequestFields& fields);
   Json Check(const page::RequestFields& fields);
-  Json Spawn(const page::RequestFields& fields);
-  Json Clear(const page::RequestFields& fields);
   Json FindSupport(const page::RequestFields& fields);
   Json Show(const page::RequestFields& fields);
   Json Play(const page::RequestFields& fields);
@@ -118,11 +119,9 @@ class Session::Impl {
   recorder::RecordingDesk::Options DeskOptions() const;
   std::unique_ptr<LiveWorld> MakeWorld(scene::SceneSpec scene,
                                        std::optional<sim::RobotPlacement> robot);
-  /// What is there becomes another world, in which hands and robot go on.
-  void Recompose(scene::SceneSpec scene);
   void Enter(std::unique_ptr<LiveWorld> world);
-  /// With a preset's objects, none of them in the robot.
-  std::unique_ptr<LiveWorld> WorldWith(const std::string& preset, std::uint64_t seed);
+  Json Spawn(const page::RequestFields& fields);
+  Json Clear(const page::RequestFields& fields);
 
   // States and news (session.cc).
   SessionState& state() { return playback_ ? *playback_ : *world_state_; }

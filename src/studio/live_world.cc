@@ -36,7 +36,15 @@ LiveWorld::LiveWorld(scene::SceneSpec scene, std::optional<sim::RobotPlacement> 
       usual_title_(options.recording.title) {
   if (eye_) sim::EyeView(simulation_, eye_->spec());
   simulation_.AddListener(this);
-  for (const scene::ObjectSpec& object : simulation_.scene().objects) {
+  FollowModel();
+}
+
+/// Another model has other objects.
+void LiveWorld::FollowModel() {
+  if (bounded_ == simulation_.shared_model()) return;
+  bounded_ = simulation_.shared_model();
+  bounds_.clear();
+  for (const scene::ObjectSpec& object : bounded_->scene().objects) {
     bounds_.push_back(scene::BoundsOf(scene::SolidsOf(object.whole), RigidTransform()));
   }
 }
@@ -106,7 +114,10 @@ std::optional<Json> LiveWorld::TakeFailure() {
               {"kept", std::filesystem::exists(directory / "demo.json", error)}};
 }
 
+void LiveWorld::OnMove(const sim::Simulation&, sim::ActionId, sim::ActionId) { FollowModel(); }
+
 void LiveWorld::OnCommand(const sim::Simulation&, const sim::Command& command) {
+  FollowModel();
   if (const auto* marks = std::get_if<sim::Markers>(&command)) markers_ = marks->points_in_world;
 }
 

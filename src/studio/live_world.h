@@ -60,10 +60,12 @@ class LiveWorld : private sim::Listener {
     std::uint64_t start_tick = 0;
   };
 
+  void FollowModel();
   /// `segments` of DescribeRecording(), see docs/studio-protocol.md.
   Json DescribeSegments() const;
 
   void OnCommand(const sim::Simulation& simulation, const sim::Command& command) override;
+  void OnMove(const sim::Simulation& simulation, sim::ActionId from, sim::ActionId to) override;
   void OnEvent(const sim::Simulation& simulation, const sim::Event& event) override;
 
   std::optional<EyeTap> eye_;
@@ -76,6 +78,7 @@ class LiveWorld : private sim::Listener {
   bool is_applying_ = false;
   bool was_recording_ = false;  ///< when TakeFailure() was last called
   std::vector<Vector3> markers_;
+  std::shared_ptr<const model::Model> bounded_;  ///< whose objects have the bounds
   std::vector<scene::Bounds> bounds_;
 };
 

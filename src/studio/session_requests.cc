@@ -1,17 +1,15 @@
 // What a session can be asked for, and when.
 
 #include <algorithm>
-#include <set>
 #include <utility>
 
 #include "base/wording.h"
 #include "page/snap_names.h"
 #include "picture/rendered_eye.h"
 #include "recording/recording_history.h"
+#include "sim/add.h"
 #include "sim/command_json.h"
 #include "studio/internal_session.h"
-#include "studio/present_scene.h"
-#include "studio/presets.h"
 
 namespace smile::studio {
 namespace {
@@ -51,7 +49,7 @@ std::unique_ptr<LiveWorld> GoOnWith(const std::filesystem::path& directory, cons
   recorder::RecordingDesk::Options options = desk;
   std::optional<picture::RenderedEye> eye;
   if (desk.eye != nullptr) options.eye = &eye.emplace(desk.eye->spec());
-  auto world = std::make_unique<LiveWorld>(recording.scene, recording.robot, options);
+  auto world = std::make_unique<LiveWorld>(recording.start_scene, recording.robot, options);
   world->Continue(recording, moment, progress);
   if (EyeTap* tap = world->eye()) tap->SetEye(desk.eye);
   return world;
@@ -61,7 +59,6 @@ std::unique_ptr<LiveWorld> GoOnWith(const std::filesystem::path& directory, cons
 
 const std::vector<Session::Impl::RequestRow>& Session::Impl::RequestRows() {
   static const Needs kToLoad = {Need::kNoRestoring, Need::kNoRecording};
-  static const Needs kToAdd = {Need::kLiveWorld, Need::kNoRestoring, Need::kNoRecording};
   static const std::vector<RequestRow> kRows = {
       {"allowed", &Impl::Allowed},
       {"command", &Impl::Command, {Need::kLiveWorld}},
@@ -74,8 +71,8 @@ const std::vector<Session::Impl::RequestRow>& Session::Impl::RequestRows() {
       {"load", &Impl::Load, kToLoad},
       {"reload", &Impl::Reload, kToLoad},
       {"check", &Impl::Check, {}, /*is_for_anyone=*/true},
-      {"spawn", &Impl::Spawn, kToAdd},
-      {"clear", &Impl::Clear, kToAdd, false, &Impl::RefuseClear},
+      {"spawn", &Impl::Spawn, {Need::kLiveWorld}},
+      {"clear", &Impl::Clear, {Need::kLiveWorld}, false, &Impl::RefuseClear},
       {"show", &Impl::Show, {Need::kNoRage}},
       {"play", &Impl::Play, {Need::kPlayback}},
       {"live", &Impl::GoLive, {Need::kPlayback}},
@@ -156,7 +153,9 @@ std::optional<std::string> Session::Impl::RefuseStartBrain(const page::RequestFi
 }
 
 std::optional<std::string> Session::Impl::RefuseClear(const page::RequestFields& fields) {
-  if (!fields.Flag("rage") || Rage::IsPossible(world_->simulation())) return std::nullopt;
+  if (!fields.Flag("rage")) return std::nullopt;
+  if (auto reason = FirstUnmet({Need::kNoRestoring, Need::kNoRecording})) return reason;
+  if (Rage::IsPossible(world_->simulation())) return std::nullopt;
   return "there is no robot to clear the table";
 }
 
@@ -219,13 +218,26 @@ std::optional<std::string> Session::Impl::RefusalOf(const Json& wanted) {
 Json Session::Impl::Command(const page::RequestFields& fields) {
   const sim::Command command = MeantBy(fields.Object("command"), fields.Flag("exact"));
   if (const auto refusal = RefusalInSession(command)) throw page::RequestError(*refusal);
-  if (const auto refusal = world_->Apply(command)) throw page::RequestError(*refusal);
+  Apply(command);
   if (!std::holds_alternative<sim::StartRecording>(command)) return Json::object();
   return {{"recording", world_->recording_directory().filename().string()}};
 }
 
+void Session::Impl::Apply(const sim::Command& command) {
+  view_.reset();
+  const std::shared_ptr<const model::Model> before = world_->simulation().shared_model();
+  if (const auto refusal = world_->Apply(command)) throw page::RequestError(*refusal);
+  if (world_->simulation().shared_model() != before) TellAllOfScene();
+}
+
 sim::Command Session::Impl::MeantBy(const Json& wanted, bool is_exact) {
   const double meters_per_unit = world_->simulation().scene().meters_per_unit;
+  if (sim::IsAdd(wanted)) {
+    sim::Refusal refusal;
+    const auto spawn = sim::SpawnOf(sim::ParseAdd(wanted), world_->simulation(), &refusal);
+    if (!spawn) throw page::RequestError(refusal);
+    return *spawn;
+  }
   if (!sim::IsDrag(wanted)) {
     const sim::Command command = sim::ParseCommand(wanted, meters_per_unit);
     return is_exact ? command : snapper_.Snapped(*world_, command);
@@ -278,41 +290,6 @@ Json Session::Impl::Check(const page::RequestFields& fields) {
   return {{"diagnostics", DescribeFindings(ReadText(fields).diagnostics)}};
 }
 
-Json Session::Impl::Spawn(const page::RequestFields& fields) {
-  const std::string preset = fields.Text("preset");
-  const auto seed = fields.Whole("seed", std::uint64_t{1} << 53);
-  const std::set<std::string> before = IdsOf(world_->simulation().scene());
-  Enter(WorldWith(preset, seed));
-  Json added = Json::array();
-  for (const scene::ObjectSpec& object : world_->simulation().scene().objects) {
-    if (!before.contains(object.id())) added.push_back(object.id());
-  }
-  return {{"objects", std::move(added)}};
-}
-
-Json Session::Impl::Clear(const page::RequestFields& fields) {
-  const bool with_rage = fields.Flag("rage");
-  if (with_rage) {
-    world_state_ = std::make_unique<RageState>(world_->simulation());
-    return Json::object();
-  }
-  const sim::Simulation& simulation = world_->simulation();
-  std::set<std::string> kept;
-  for (const sim::HandName name : demonstrator::kHandNames) {
-    const physics::BodyId held = simulation.demonstrator().hand(name).held;
-    if (!held) continue;
-    for (const physics::BodyId body : simulation.physics().Assembly(held)) {
-      if (const world::Object* object = simulation.tabletop().Find(body)) {
-        kept.insert(object->id());
-      }
-    }
-  }
-  Recompose(Without(PresentScene(simulation), [&kept](const scene::ObjectSpec& object) {
-    return !kept.contains(object.id());
-  }));
-  return Json::object();
-}
-
 Json Session::Impl::FindSupport(const page::RequestFields& fields) {
   const sim::Simulation& simulation = world_->simulation();
   const std::string id = fields.Text("object");
@@ -361,7 +338,7 @@ Json Session::Impl::Branch(const page::RequestFields& fields) {
   const auto conclude = [this, made] {
     is_restoring_ = false;
     if (!*made) return;
-    loaded_ = (*made)->simulation().scene();
+    loaded_ = (*made)->simulation().start_model()->scene();
     Enter(std::move(*made));
   };
   options_.workshop->Begin({.request = fields.request(), .work = work, .conclude = conclude});

@@ -6,9 +6,8 @@
 #include "base/files.h"
 #include "base/wording.h"
 #include "library/gallery.h"
+#include "sim/add.h"
 #include "studio/internal_session.h"
-#include "studio/present_scene.h"
-#include "studio/presets.h"
 
 namespace smile::studio {
 namespace {
@@ -16,17 +15,6 @@ namespace {
 /// A scene that came from a page is no larger: it is read while people wait.
 constexpr int kMaxObjects = 2'000, kMaxElements = 20'000;
 constexpr std::size_t kMaxText = std::size_t{1} << 20;
-
-bool OverlapsRobot(const sim::Simulation& simulation, std::size_t first_object) {
-  constexpr double kDepth = 0.0005;  // [m]
-  const auto& objects = simulation.tabletop().objects();
-  return std::any_of(objects.begin() + static_cast<std::ptrdiff_t>(first_object), objects.end(),
-                     [&](const world::Object& object) {
-                       return simulation.physics()
-                           .OverlapsAt(object.body, object.spec->pose_in_world(), kDepth)
-                           .with_articulation;
-                     });
-}
 
 }  // namespace
 
@@ -77,26 +65,22 @@ void Session::Impl::Enter(std::unique_ptr<LiveWorld> world) {
   TellAllOfScene();
 }
 
-void Session::Impl::Recompose(scene::SceneSpec scene) {
-  auto world = MakeWorld(std::move(scene), world_->simulation().model().robot_placement());
-  for (const sim::Command& command : WhatGoesOn(world_->simulation())) {
-    (void)world->Apply(command);
-  }
-  Enter(std::move(world));
+Json Session::Impl::Spawn(const page::RequestFields& fields) {
+  const sim::Add add{.preset = fields.Text("preset"), .seed = fields.Whole("seed", sim::kMaxSeed)};
+  sim::Refusal refusal;
+  const auto spawn = sim::SpawnOf(add, world_->simulation(), &refusal);
+  if (!spawn) throw page::RequestError(refusal);
+  Apply(*spawn);
+  return {{"objects", world_->simulation().history().current().events.front().objects}};
 }
 
-std::unique_ptr<LiveWorld> Session::Impl::WorldWith(const std::string& preset, std::uint64_t seed) {
-  constexpr std::uint64_t kMaxTries = 20, kBetweenSeeds = 0x9E3779B97F4A7C15;
-  const scene::SceneSpec present = PresentScene(world_->simulation());
-  for (std::uint64_t i = 0; i < kMaxTries; ++i) {
-    auto world = MakeWorld(WithPreset(present, preset, seed + i * kBetweenSeeds),
-                           world_->simulation().model().robot_placement());
-    for (const sim::Command& command : WhatGoesOn(world_->simulation())) {
-      (void)world->Apply(command);
-    }
-    if (!OverlapsRobot(world->simulation(), present.objects.size())) return world;
+Json Session::Impl::Clear(const page::RequestFields& fields) {
+  if (fields.Flag("rage")) {
+    world_state_ = std::make_unique<RageState>(world_->simulation());
+  } else {
+    Apply(sim::Clear{});
   }
-  throw page::RequestError("there is no free place on the table: the robot's arms are in the way");
+  return Json::object();
 }
 
 }  // namespace smile::studio

@@ -6,12 +6,12 @@
 #include <utility>
 
 #include "base/files.h"
+#include "layout/presets.h"
 #include "library/showcase.h"
 #include "page/control_requests.h"
 #include "studio/internal_studio_loop.h"
 #include "studio/library_requests.h"
 #include "studio/pose_stream.h"
-#include "studio/presets.h"
 #include "studio/workshop.h"
 
 namespace smile::studio {
@@ -70,7 +70,7 @@ SessionOptions WithGallery(SessionOptions options) {
 
 library::ShowcaseOptions ShowcaseOf(const SessionOptions& session) {
   library::ShowcaseOptions options{.scenes = session.gallery, .recordings = session.recordings};
-  for (const Preset& preset : Presets()) {
+  for (const layout::Preset& preset : layout::Presets()) {
     options.presets.push_back({{"name", preset.name}, {"title", preset.title}});
   }
   return options;

@@ -77,8 +77,10 @@ export interface Hand {
 
 /** What a hand did; `on` and `into` tell what is beneath what was put or dropped. */
 export interface Deed {
-  do: "take" | "put" | "drop" | "release" | "destroy" | "point" | "trigger" | "fasten" | "loosen";
-  hand: HandName;
+  do: "take" | "put" | "drop" | "release" | "destroy" | "point" | "trigger" | "fasten" | "loosen" | "add" | "remove" | "clear";
+  /** null of what no hand did */
+  hand: HandName | null;
+  /** an id, or `5 objects` */
   what: string;
   /** id of what is beneath, empty for the table */
   on?: string;
@@ -198,6 +200,8 @@ export interface EventMessage {
   host?: string;
   tightness?: number;
   properties?: string[];
+  /** that were added or removed */
+  objects?: string[];
 }
 
 export interface ConsoleMessage {

@@ -40,6 +40,13 @@ test("a wrong scene changes nothing and shows where it is wrong; a right one is 
   await page.getByRole("spinbutton", { name: "Seed" }).fill("7");
   assert.deepEqual(await spawn(), places, "the same seed, the same places");
 
+  await person.press("Clear");
+  await witness.until(() => witness.ids.length === 0, "an empty table");
+  await person.press("Undo");
+  await witness.until(() => witness.ids.length > 2, "all is back");
+  await person.press("Undo");
+  await witness.until(() => witness.ids.length === 2, "what was added is gone");
+
   async function spawn() {
     await person.press("Add");
     await witness.until(() => witness.ids.length > 2 && witness.ids.every((id) => witness.positionOf(id)[2] > 0), "new objects");

@@ -15,12 +15,14 @@ TEST_F(SessionAllowed, AStateTellsWhatIsRefusedAndWhy) {
                       "clear",   "show",          "branch", "start",  "support"};
   EXPECT_EQ(AllowedNow(), live);
   Command(R"({"do":"start","name":"take"})");
-  EXPECT_EQ(AllowedNow(), (Names{"command", "resting_place", "support", "show", "finish"}));
-  PutAOnB();
-  EXPECT_EQ(AllowedNow(), (Names{"command", "resting_place", "support", "show", "finish", "undo"}));
-  Command(R"({"do":"undo"})");
   EXPECT_EQ(AllowedNow(),
-            (Names{"command", "resting_place", "support", "show", "finish", "undo", "redo"}));
+            (Names{"command", "resting_place", "support", "spawn", "clear", "show", "finish"}));
+  PutAOnB();
+  EXPECT_EQ(AllowedNow(), (Names{"command", "resting_place", "support", "spawn", "clear", "show",
+                                 "finish", "undo"}));
+  Command(R"({"do":"undo"})");
+  EXPECT_EQ(AllowedNow(), (Names{"command", "resting_place", "support", "spawn", "clear", "show",
+                                 "finish", "undo", "redo"}));
   Command(R"({"do":"finish"})");
   Do(R"({"do":"show","recording":"take"})");
   EXPECT_EQ(AllowedNow(), (Names{"load", "reload", "show", "play", "live", "branch"}));
@@ -43,7 +45,8 @@ TEST_F(SessionAllowed, WhileAMomentIsRestoredNothingElseIsLoadedOrRecorded) {
   Command(R"({"do":"finish"})");
   ASSERT_TRUE(page::IsLater(BeginToAsk({{"do", "branch"}, {"recording", "take"}, {"step", 1}})));
   const std::uint32_t branch = seq_;
-  EXPECT_EQ(AllowedNow(), (Names{"command", "resting_place", "support", "show", "undo"}));
+  EXPECT_EQ(AllowedNow(),
+            (Names{"command", "resting_place", "support", "spawn", "clear", "show", "undo"}));
   seq_ = branch;
   EXPECT_TRUE(LaterAnswer()["ok"].get<bool>());
   EXPECT_TRUE(AllowedNow().contains("finish")) << "it is recorded on";

@@ -181,8 +181,44 @@ TEST_F(SessionTest, ScenesAreLoadedAndLoadedAgain) {
   EXPECT_EQ(State()["gone"], Json::array());
   Command(R"({"do":"start"})");
   EXPECT_NE(Refused(R"({"do":"load","scene":"pair"})").find("finish it first"), std::string::npos);
-  EXPECT_NE(Refused(R"({"do":"spawn","preset":"ball","seed":1})").find("finish it first"),
-            std::string::npos);
+  EXPECT_NE(Refused(R"({"do":"clear","rage":true})").find("finish it first"), std::string::npos);
+}
+
+TEST_F(SessionTest, WhatIsAddedCanBeUndoneAndIsRecorded) {
+  Begin();
+  Command(R"({"do":"grasp","hand":"left","object":"a","point":[0,-2,1]})");
+  Command(R"({"do":"move_to","hand":"left","position":[0,-2,4]})");
+  TickSeconds(0.3);  // it is on its way
+  Command(R"({"do":"start","name":"take"})");
+  const Vector3 way = PositionOf("a");
+  const std::uint32_t number = session_->view().scene;
+  const std::string id = Do(R"({"do":"spawn","preset":"ball","seed":1})")["objects"][0];
+  EXPECT_GT(session_->view().scene, number) << "pages are told the scene anew";
+  EXPECT_EQ(Latest("scene")["objects"].back()["id"], id);
+  EXPECT_EQ(PositionOf("a"), way);
+  EXPECT_EQ(State()["hands"]["left"]["object"], "a");
+  TickOnce();
+  EXPECT_GT((PositionOf("a") - way).norm(), 0.01) << "it goes on as fast as it was";
+  EXPECT_EQ(State()["recording"]["segments"].back()["deed"]["words"], "added " + id);
+  Command(R"({"do":"undo"})");
+  EXPECT_EQ(Latest("scene")["objects"].size(), 2u);
+  EXPECT_EQ(PositionOf("a"), way);
+  Command(R"({"do":"redo"})");
+  EXPECT_EQ(Latest("scene")["objects"].size(), 3u);
+  Command(R"({"do":"add","preset":"ring","seed":2})");
+  Do(R"({"do":"clear"})");
+  TickSeconds(0.5);
+  EXPECT_EQ(State()["gone"], Json({"b", id, "ring_1"}));
+  Command(R"({"do":"undo"})");
+  TickSeconds(0.1);
+  Command(R"({"do":"finish"})");
+  const recording::Recording take = recording::OpenRecording(root_ / "recordings/take");
+  EXPECT_EQ(take.start_scene.objects.size(), 2u);
+  EXPECT_EQ(take.scene.objects.size(), 4u);
+  EXPECT_EQ(replay::Replay(take).first_difference, std::nullopt);
+  Do(R"({"do":"show","recording":"take","seconds":0})");
+  EXPECT_EQ(Latest("scene")["objects"].size(), 4u);
+  EXPECT_EQ(session_->view().state.looks, (std::vector<int>{0, 0, -1, -1})) << "not yet added";
 }
 
 TEST_F(SessionTest, PresetsComeToFreePlacesThatTheSeedDecides) {
@@ -223,13 +259,12 @@ TEST_F(SessionTest, PresetsComeToFreePlacesThatTheSeedDecides) {
   const std::vector<Vector3> again = spawn_all();
   for (std::size_t i = 0; i < places.size(); ++i) EXPECT_EQ(again[i], places[i]);
   Do(R"({"do":"clear"})");
-  EXPECT_EQ(Scene()["objects"].size(), 1u);
+  EXPECT_EQ(State()["gone"].size(), Scene()["objects"].size() - 1);
   EXPECT_EQ(State()["hands"]["right"]["object"], "b");
 }
 
-// Sliders, strings, controls and bonds, used before: the scene that is made of them is recorded in
-// words and read again.
-TEST_F(SessionTest, ScenesThatWereUsedCanBeComposedAnew) {
+// Sliders, strings, controls and bonds, used before.
+TEST_F(SessionTest, ScenesThatWereUsedTakeMoreObjects) {
   for (const std::string name : {"controls", "dock", "lidbox", "screws", "strings", "valve"}) {
     WriteFile(root_ / "scenes" / (name + ".xml"),
               ReadFile(DataFile("scenes/" + name + ".xml"), 1 << 20));

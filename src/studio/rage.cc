@@ -8,7 +8,7 @@ bool Rage::IsPossible(const sim::Simulation& simulation) {
   return simulation.robot() != nullptr && simulation.robot()->num_arms() > 0;
 }
 
-Rage::Rage(const sim::Simulation& simulation) : copy_(simulation.shared_model()) {
+Rage::Rage(const sim::Simulation& simulation) : copy_(simulation.start_model()) {
   copy_.Restore(simulation.Save());
   for (const sim::HandName hand : demonstrator::kHandNames) {
     if (copy_.demonstrator().hand(hand).is_holding()) (void)copy_.Apply(sim::Release{.hand = hand});

@@ -3,7 +3,7 @@
 namespace smile::studio {
 
 sim::Simulation& Rehearsal::CopyOf(const sim::Simulation& simulation) {
-  if (!copy_) copy_ = std::make_unique<sim::Simulation>(simulation.shared_model());
+  if (!copy_) copy_ = std::make_unique<sim::Simulation>(simulation.start_model());
   copy_->Restore(simulation.Save());
   return *copy_;
 }

@@ -209,6 +209,19 @@ TEST_F(SpawnTest, ReadyMadeObjectsGoWhereThereIsRoom) {
   EXPECT_EQ(refusal.substr(0, 31), "\"preset\" is \"tower\", expected b");
 }
 
+TEST_F(SpawnTest, AStateWithAddedObjectsIsTakenOverWithTheRobot) {
+  simulation_ = MakeSimulation({BlockAt("a", {0, 0, 0.05})}, /*with_robot=*/true);
+  ASSERT_EQ(Add("<block id=\"c\" location=\"(-5,2,2)\"/>"), std::nullopt);
+  TickSeconds(*simulation_, 0.1);
+  Simulation fresh(simulation_->start_model());
+  fresh.Restore(simulation_->Save());
+  for (int i = 0; i < 10; ++i) {
+    fresh.Tick();
+    simulation_->Tick();
+  }
+  EXPECT_EQ(fresh.state_hash(), simulation_->state_hash());
+}
+
 class SpawnProperty : public SimulationFixture, public ::testing::WithParamInterface<unsigned> {};
 
 INSTANTIATE_TEST_SUITE_P(Seeds, SpawnProperty, testing::Range(31u, 34u));

@@ -463,6 +463,11 @@ TEST_F(SessionTest, TheEyeShowsWhatIsRecordedAndRestsWhenNothingMoves) {
 
 TEST_F(SessionTest, TheRobotsRageLeavesAllAsItWas) {
   Begin(nullptr, /*with_robot=*/true);
+  // The copies in which this is tried out have what was added, too.
+  Do(R"({"do":"spawn","preset":"ball","seed":1})");
+  Command(R"({"do":"grasp","hand":"left","object":"ball_1"})");
+  EXPECT_FALSE(Do(R"({"do":"resting_place","hand":"left"})")["pose"].is_null());
+  Command(R"({"do":"release","hand":"left"})");
   TickSeconds(0.1);
   const Json before = State();
   const Vector3 a_before = PositionOf("a");

@@ -34,8 +34,8 @@ recording::Moment MomentOf(const CheckoutOptions& options, const recording::Reco
 int CheckOut(const CheckoutOptions& options) {
   const recording::Recording recording = OpenAndTell(options.demo);
   const recording::Moment from = MomentOf(options, recording);
-  experiment::RunPlan plan{.scene = recording.start_scene,
-                           .robot = recording.robot,
+  experiment::RunPlan plan{.scene = recording.start_scene(),
+                           .robot = recording.robot(),
                            .seconds = options.commands.empty()
                                           ? std::optional(options.seconds.value_or(0))
                                           : options.seconds,

@@ -19,7 +19,7 @@ struct DescribeOptions {
 int DescribeDemo(const DescribeOptions& options) {
   const recording::Recording recording = OpenAndTell(options.demo);
   const task::Structure structure = task::StructureOf(recording);
-  const double unit = recording.scene.meters_per_unit;
+  const double unit = recording.scene().meters_per_unit;
   if (options.json) {
     std::printf("%s\n", ToText(task::ToJson(structure, unit), 2).c_str());
     return kDone;

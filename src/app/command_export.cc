@@ -132,8 +132,8 @@ int Export(const ExportOptions& options) {
   RequireOutsideOfRecordings(options.out);
   const recording::Recording recording = OpenAndTell(options.demo);
   Motion motion;
-  if (recording.robot) motion.channels = ChosenChannels(recording.robot->model, options);
-  if (recording.robot && motion.channels.empty()) {
+  if (recording.robot()) motion.channels = ChosenChannels(recording.robot()->model, options);
+  if (recording.robot() && motion.channels.empty()) {
     throw std::invalid_argument("the robot of " + Quoted(options.demo) + " has no " + options.part);
   }
   motion.trajectory = JointMotionOf(recording, motion.channels, options.range, options.rate);

@@ -95,8 +95,8 @@ void RenderMoment(const recording::Recording& recording, const RenderCommandOpti
   const std::uint64_t tick = options.at ? TickAt(*options.at, whole, "at") : whole.last;
   const auto moment = MomentAt(recording, tick);
   if (!moment) throw InputError({options.subject, 0, "", "its trace holds no moment"});
-  const model::Model model(recording.scene, recording.robot);
-  const auto demonstrator = picture::DemonstratorOf(recording, model, LookOf(options));
+  const model::Model& model = *recording.model;
+  const auto demonstrator = picture::DemonstratorOf(recording, LookOf(options));
   RenderPicture(model, *moment, recording::MarkerTrack(recording).At(tick), options,
                 recording.info.eye_camera, demonstrator.get());
 }

@@ -115,7 +115,7 @@ recording::TraceTick EndOf(const recording::Recording& recording,
   const bool is_told =
       recording.commands.empty() || recording.commands.back().tick < edited.recorded_end.tick;
   if (is_told) return edited.recorded_end;
-  sim::Simulation simulation(recording.start_scene, recording.robot);
+  sim::Simulation simulation(recording.start_model);
   replay::LogPlayer player(recording.commands, recording.info.start);
   RunToStart(recording, &player, &simulation);
   RunFor(edited.recorded_duration(), &player, &simulation, progress);
@@ -140,7 +140,7 @@ EditReport ReSimulate(const recording::Recording& recording, const recording::De
                       const std::optional<EditOutput>& output,
                       const recording::Progress& progress) {
   std::optional<recorder::Recorder> recorder;  // outlives what it listens to
-  sim::Simulation simulation(recording.start_scene, recording.robot);
+  sim::Simulation simulation(recording.start_model);
   replay::LogPlayer player(edited.Schedule(), edited.start);
   RunToStart(recording, &player, &simulation);
   if (output) {
@@ -149,7 +149,7 @@ EditReport ReSimulate(const recording::Recording& recording, const recording::De
   }
   EditReport report{.ticks_before = edited.recorded_duration(), .ticks_after = edited.duration()};
   report.left_out = RunFor(report.ticks_after, &player, &simulation, progress);
-  const model::Model model(recording.scene, recording.robot);
+  const model::Model& model = *recording.model;
   const recording::TraceTick before = EndOf(recording, edited, progress);
   const recording::TraceTick after =
       AsOf(model, recording::Observe(simulation), simulation.model());

@@ -28,8 +28,8 @@ bool IsMarked(const std::filesystem::path& mark, const std::string& text) {
 
 std::size_t Rerender(const recording::Recording& recording, const std::filesystem::path& out,
                      const classic::RedrawOptions& copy, const Callbacks& callbacks) {
-  const model::Model model(recording.scene, recording.robot);
-  const auto demonstrator = picture::DemonstratorOf(recording, model, copy.demonstrator);
+  const model::Model& model = *recording.model;
+  const auto demonstrator = picture::DemonstratorOf(recording, copy.demonstrator);
   picture::Photographer photographer(
       model, ShotOf(EyeOf(recording.info).value_or(model::EyeSpec())), demonstrator.get());
   return Redraw(

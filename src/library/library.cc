@@ -15,7 +15,7 @@
 #include "recording/append_file.h"
 #include "recording/recording.h"
 #include "recording/recording_names.h"
-#include "recording/time_range.h"
+#include "sim/tick.h"
 
 namespace smile::library {
 namespace {
@@ -83,12 +83,12 @@ int NumSegments(const fs::path& directory) {
 Json EntryOf(const fs::path& directory) {
   try {
     const recording::DemoInfo info = recording::ReadDemoInfo(directory / "demo.json");
-    const recording::Recording recording{.directory = directory, .info = info};
-    const auto last = LastFrameTick(directory);
+    const std::uint64_t first = info.start.tick;
+    const std::uint64_t last = LastFrameTick(directory).value_or(first);
     return {{"title", info.title},
             {"notes", info.notes},
             {"scene", info.scene},
-            {"seconds", last ? std::max(0.0, recording::SecondsInto(recording, *last)) : 0.0},
+            {"seconds", last > first ? sim::SecondsOf(last - first) : 0.0},
             {"segments", NumSegments(directory)}};
   } catch (const std::exception& error) {
     return {{"error", error.what()}};

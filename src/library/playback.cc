@@ -22,17 +22,14 @@ constexpr std::size_t kMaxBookmarks = 2048;
 class Playback::Impl {
  public:
   Impl(std::string id, const std::filesystem::path& directory)
-      : id_(std::move(id)),
-        recording_(recording::OpenRecording(directory)),
-        model_(recording_.scene, recording_.robot),
-        trace_(recording_) {
+      : id_(std::move(id)), recording_(recording::OpenRecording(directory)), trace_(recording_) {
     Survey();
     GoTo(0);
   }
 
   const std::string& id() const { return id_; }
   const recording::Recording& recording() const { return recording_; }
-  const model::Model& model() const { return model_; }
+  const model::Model& model() const { return *recording_.model; }
   const recording::TraceTick& moment() const { return moment_; }
 
   double seconds() const { return at_ / sim::kTicksPerSecond; }
@@ -60,8 +57,8 @@ class Playback::Impl {
   }
 
   View view() const {
-    return {.model = &model_.visual_model(),
-            .state = recording::VisualStateAt(moment_, model_),
+    return {.model = &model().visual_model(),
+            .state = recording::VisualStateAt(moment_, model()),
             .tick = moment_.tick};
   }
 
@@ -113,7 +110,6 @@ class Playback::Impl {
 
   std::string id_;
   recording::Recording recording_;
-  model::Model model_;
   recording::TraceReader trace_;
   std::vector<recording::TraceReader::Bookmark> bookmarks_;  ///< in order; the first tick's first
   std::uint64_t first_tick_ = 0, num_ticks_ = 0;

@@ -81,8 +81,8 @@ void FilmInto(const std::filesystem::path& mp4, const recording::Recording& reco
 void Film(const recording::Recording& recording, const std::filesystem::path& mp4,
           const FilmOptions& options, const recording::Progress& progress) {
   const recording::TickRange range = TicksOf(options.range, recording);
-  const model::Model model(recording.scene, recording.robot);
-  const auto demonstrator = DemonstratorOf(recording, model, options.demonstrator);
+  const model::Model& model = *recording.model;
+  const auto demonstrator = DemonstratorOf(recording, options.demonstrator);
   Photographer photographer(model, options.shot, demonstrator.get());
   // Under another name until it is whole: an older film is not lost to half a new one.
   const std::filesystem::path part = mp4.string() + ".part.mp4";
@@ -99,8 +99,8 @@ void Film(const recording::Recording& recording, const std::filesystem::path& mp
 void FilmAsPictures(const recording::Recording& recording, const std::filesystem::path& directory,
                     const FilmOptions& options, const recording::Progress& progress) {
   const recording::TickRange range = TicksOf(options.range, recording);
-  const model::Model model(recording.scene, recording.robot);
-  const auto demonstrator = DemonstratorOf(recording, model, options.demonstrator);
+  const model::Model& model = *recording.model;
+  const auto demonstrator = DemonstratorOf(recording, options.demonstrator);
   Photographer photographer(model, options.shot, demonstrator.get());
   MakeNewDirectory(directory);
   recording::AppendFile index(directory / "frames.csv");

@@ -40,9 +40,8 @@ std::set<std::string_view> IdsWithin(const scene::Part& whole, std::string_view 
 /// Collects deeds along the trace.
 class DeedCollector {
  public:
-  DeedCollector(const recording::Recording& recording, const model::Model& model,
-                const Touch& touch)
-      : recording_(recording), model_(model), touch_(touch) {}
+  DeedCollector(const recording::Recording& recording, const Touch& touch)
+      : recording_(recording), model_(*recording.model), touch_(touch) {}
 
   std::vector<NamedDeed> Collect() {
     recording::TraceReader trace(recording_);
@@ -242,9 +241,8 @@ Side CalledLeft(const std::vector<NamedDeed>& all) {
 
 }  // namespace
 
-HandDeeds DeedsIn(const recording::Recording& recording, const model::Model& model,
-                  const Touch& touch) {
-  const std::vector<NamedDeed> all = DeedCollector(recording, model, touch).Collect();
+HandDeeds DeedsIn(const recording::Recording& recording, const Touch& touch) {
+  const std::vector<NamedDeed> all = DeedCollector(recording, touch).Collect();
   const Side left = CalledLeft(all), right = left == Side::kLeft ? Side::kRight : Side::kLeft;
   HandDeeds deeds;
   for (const auto& [hand, deed] : all) {

@@ -39,10 +39,8 @@ struct HandDeeds {
 /// Some demonstrations call hands as the person would who has them, others as they are seen from
 /// the robot's side of the table. Either way the hand at +x is the person's left; `left` is meant
 /// to be the one with which the arms cross less.
-/// @param model  of its scene and robot.
 /// @throws InputError if the trace cannot be read, or is of the old format that does not tell what
 ///         hands did.
-HandDeeds DeedsIn(const recording::Recording& recording, const model::Model& model,
-                  const Touch& touch);
+HandDeeds DeedsIn(const recording::Recording& recording, const Touch& touch);
 
 }  // namespace smile::picture

@@ -269,10 +269,11 @@ class HandPlayer {
 
 }  // namespace
 
-HandTrack::HandTrack(const recording::Recording& recording, const model::Model& model) {
+HandTrack::HandTrack(const recording::Recording& recording) {
+  const model::Model& model = *recording.model;
   const Touch touch(model);
-  deeds_ = DeedsIn(recording, model, touch);
-  const double edge = recording.scene.table.y_span / 2;
+  deeds_ = DeedsIn(recording, touch);
+  const double edge = recording.scene().table.y_span / 2;
   HandPlayer left(Side::kLeft, deeds_.of[0], touch, edge);
   HandPlayer right(Side::kRight, deeds_.of[1], touch, edge);
   recording::TraceReader trace(recording);

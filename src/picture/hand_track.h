@@ -20,9 +20,8 @@ inline constexpr double kFastestHand = 1.4;
 /// to where it rests beyond the table's edge when there is time for both ways.
 class HandTrack {
  public:
-  /// @param model  of its scene and robot.
   /// Throws as DeedsIn() does.
-  HandTrack(const recording::Recording& recording, const model::Model& model);
+  explicit HandTrack(const recording::Recording& recording);
 
   /// The two hands, left first; of a tick that the trace does not tell, as at the one before.
   const std::array<HandPosture, kSides.size()>& At(std::uint64_t tick) const;

@@ -11,12 +11,11 @@ constexpr Color kGhost{.red = 0.45, .green = 0.66, .blue = 0.98};
 
 }  // namespace
 
-SeenDemonstrator::SeenDemonstrator(const recording::Recording& recording, const model::Model& model,
-                                   DemonstratorLook look)
+SeenDemonstrator::SeenDemonstrator(const recording::Recording& recording, DemonstratorLook look)
     : look_(look),
-      table_edge_(recording.scene.table.y_span / 2),
-      track_(recording, model),
-      visual_model_(model.visual_model()) {
+      table_edge_(recording.scene().table.y_span / 2),
+      track_(recording),
+      visual_model_(recording.model->visual_model()) {
   for (const Side side : kSides) AddHand(side);
 }
 
@@ -48,10 +47,9 @@ void SeenDemonstrator::AddTo(scene::VisualState* state, std::uint64_t tick) cons
 }
 
 std::unique_ptr<const SeenDemonstrator> DemonstratorOf(const recording::Recording& recording,
-                                                       const model::Model& model,
                                                        DemonstratorLook look) {
   if (look == DemonstratorLook::kInvisible) return nullptr;
-  return std::make_unique<const SeenDemonstrator>(recording, model, look);
+  return std::make_unique<const SeenDemonstrator>(recording, look);
 }
 
 }  // namespace smile::picture

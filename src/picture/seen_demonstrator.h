@@ -18,13 +18,12 @@ using recording::DemonstratorLook;
 /// where hands and arms are.
 class SeenDemonstrator {
  public:
-  /// @param model  of the recording's scene and robot.
-  /// @param look   not kInvisible.
+  /// @param look  not kInvisible.
   /// Throws as HandTrack does.
-  SeenDemonstrator(const recording::Recording& recording, const model::Model& model,
-                   DemonstratorLook look);
+  SeenDemonstrator(const recording::Recording& recording, DemonstratorLook look);
 
-  /// The model's visual model with the hands after all else: one frame for each of their pieces.
+  /// The recording's visual model with the hands after all else: one frame for each of their
+  /// pieces.
   const scene::VisualModel& model() const { return visual_model_; }
   /// Adds the hands to a state of the model.
   void AddTo(scene::VisualState* state, std::uint64_t tick) const;
@@ -50,7 +49,6 @@ class SeenDemonstrator {
 
 /// nullptr for an invisible one. Throws as SeenDemonstrator does.
 std::unique_ptr<const SeenDemonstrator> DemonstratorOf(const recording::Recording& recording,
-                                                       const model::Model& model,
                                                        DemonstratorLook look);
 
 }  // namespace smile::picture

@@ -208,9 +208,8 @@ void Recorder::Return(recording::ReturnKind kind, const Mark& to,
 
 void Recorder::ShowAgain(const ActionMark& redone, const sim::Simulation& simulation) {
   recording::TraceReader trace({.directory = directory_,
-                                .start_scene = simulation.start_model()->scene(),
-                                .scene = simulation.scene(),
-                                .robot = simulation.model().robot_placement()},
+                                .start_model = simulation.start_model(),
+                                .model = simulation.shared_model()},
                                redone.at_undo.place);
   // Along one way, what comes later is farther behind in the file.
   while (const auto moment = trace.Next()) {

@@ -130,7 +130,7 @@ Demonstration DemonstrationOf(const Recording& recording) {
   CheckAgainstTrace(recording, watched);
   Demonstration demonstration{.start = recording.info.start,
                               .recorded_end = watched.end,
-                              .meters_per_unit = recording.scene.meters_per_unit};
+                              .meters_per_unit = recording.scene().meters_per_unit};
   for (const LoggedCommand& logged : recording.commands) {
     if (logged.line <= demonstration.start.line) demonstration.past.push_back(logged);
   }

@@ -15,7 +15,7 @@ std::vector<Segment> ImportedHistoryOf(const Recording& recording) {
   while (const auto moment = trace.Next()) {
     const Moment now{.line = recording.info.start.line, .tick = moment->tick};
     const auto summary_of = [&](const sim::Event& event) {
-      return SummaryOf(event, SupportAt(*moment, event.object, recording.scene));
+      return SummaryOf(event, SupportAt(*moment, event.object, recording.scene()));
     };
     for (const auto& [step, event] : of_next_moment) steps[step].summary = summary_of(event);
     of_next_moment.clear();

@@ -23,7 +23,7 @@ double AtItsLimit(const motion::JointLimits& limits, double q) {
 motion::JointTrajectory JointMotionOf(const Recording& recording,
                                       const std::vector<motion::Channel>& channels,
                                       const TimeRange& range, double points_per_second) {
-  if (!recording.robot) {
+  if (!recording.robot()) {
     throw InputError({recording.directory.string(), 0, "", "was made without a robot"});
   }
   const TickRange ticks = TicksOf(range, recording);
@@ -39,7 +39,7 @@ motion::JointTrajectory JointMotionOf(const Recording& recording,
     if (is_due) ++frame;
     motion::TrajectoryPoint point{.seconds = sim::SecondsOf(since)};
     for (const motion::Channel& channel : channels) {
-      const double q = PositionOf(channel, recording.robot->model, moment->joints);
+      const double q = PositionOf(channel, recording.robot()->model, moment->joints);
       point.positions.push_back(AtItsLimit(channel.limits, q));
     }
     trajectory.points.push_back(std::move(point));

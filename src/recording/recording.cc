@@ -92,10 +92,28 @@ void CheckStart(const Recording& recording) {
   }
 }
 
+std::shared_ptr<const model::Model> ModelOf(const std::filesystem::path& directory,
+                                            const DemoInfo& info) {
+  scene::SceneSpec scene = scene_xml::LoadScene(directory / "scene.xml");
+  scene.name = info.scene;
+  scene.physics_version = info.physics_version;
+  std::optional<model::RobotPlacement> placement;
+  if (const auto& robot = info.robot) {
+    robot::RobotReading reading = ReadKeptRobot(directory, robot->urdf, robot->gripper);
+    placement = model::RobotPlacement{.model = std::move(reading.model),
+                                      .gripper = std::move(reading.gripper),
+                                      .files = std::move(reading.files),
+                                      .gap = robot->gap,
+                                      .height = robot->height,
+                                      .body = robot->body};
+  }
+  return std::make_shared<const model::Model>(std::move(scene), std::move(placement));
+}
+
 }  // namespace
 
 scene::SceneSpec SceneAfter(const Recording& recording, std::size_t line) {
-  scene::SceneSpec scene = recording.start_scene;
+  scene::SceneSpec scene = recording.start_scene();
   for (const LoggedCommand& logged : recording.log.WayTo(line)) {
     const auto* spawn = std::get_if<sim::Spawn>(&logged.command);
     if (spawn == nullptr) continue;
@@ -137,28 +155,19 @@ Recording OpenRecording(const std::filesystem::path& directory) {
                       "is not a recording; expected a directory with a demo.json in it"});
   }
   Recording recording{.directory = directory, .info = ReadDemoInfo(directory / "demo.json")};
-  recording.start_scene = scene_xml::LoadScene(directory / "scene.xml");
-  recording.start_scene.name = recording.info.scene;
-  recording.start_scene.physics_version = recording.info.physics_version;
-  if (const auto& robot = recording.info.robot) {
-    robot::RobotReading reading = ReadKeptRobot(directory, robot->urdf, robot->gripper);
-    recording.robot = sim::RobotPlacement{.model = std::move(reading.model),
-                                          .gripper = std::move(reading.gripper),
-                                          .files = std::move(reading.files),
-                                          .gap = robot->gap,
-                                          .height = robot->height,
-                                          .body = robot->body};
-  }
+  recording.start_model = recording.model = ModelOf(directory, recording.info);
   CheckEye(recording);
   std::optional<std::string> cut;
   recording.log =
-      ReadCommandLog(directory / "commands.jsonl", recording.start_scene.meters_per_unit, &cut);
+      ReadCommandLog(directory / "commands.jsonl", recording.scene().meters_per_unit, &cut);
   if (cut) recording.cuts.push_back(*cut);
-  recording.scene = recording.start_scene;
   LeaveOutUnfinishedReturn(&recording);
   CheckStart(recording);
   recording.commands = recording.log.WayTo(recording.log.lines().size());
-  recording.scene = SceneAfter(recording, recording.log.lines().size());
+  scene::SceneSpec whole = SceneAfter(recording, recording.log.lines().size());
+  if (whole != recording.start_scene()) {
+    recording.model = std::make_shared<const model::Model>(std::move(whole), recording.robot());
+  }
   return recording;
 }
 

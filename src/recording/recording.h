@@ -1,14 +1,14 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "model/model.h"
 #include "recording/command_log.h"
 #include "recording/demo_info.h"
-#include "scene/scene_spec.h"
-#include "sim/simulation.h"
 
 namespace smile::recording {
 
@@ -16,16 +16,21 @@ namespace smile::recording {
 struct Recording {
   std::filesystem::path directory;
   DemoInfo info;
-  scene::SceneSpec start_scene;  ///< of scene.xml: with which the simulation began
-  /// The same with all that was added on the way the recording ends with. A model of it shows every
-  /// moment on that way: what was not yet added is absent.
-  scene::SceneSpec scene;
-  std::optional<sim::RobotPlacement> robot;
+  /// Of scene.xml and its robot, with which the simulation began. Never null, as the next.
+  std::shared_ptr<const model::Model> start_model;
+  /// The same with all that was added on the way the recording ends with; the same one without any.
+  /// It shows every moment on that way: what was not yet added is absent. Compiled once: shared by
+  /// all that show or compare the recording, which may outlast this.
+  std::shared_ptr<const model::Model> model;
   CommandLog log;  ///< the whole history
   /// The way the recording ends with, from the first tick of the simulation on, in order.
   std::vector<LoggedCommand> commands;
   /// What had to be left out, in words: a last line or tick cut by whatever ended the program.
   std::vector<std::string> cuts;
+
+  const scene::SceneSpec& start_scene() const { return start_model->scene(); }
+  const scene::SceneSpec& scene() const { return model->scene(); }
+  const std::optional<model::RobotPlacement>& robot() const { return model->robot_placement(); }
 };
 
 /// True when the directory looks like a recording.

@@ -57,13 +57,13 @@ TraceReader::TraceReader(const Recording& recording, const scene::SceneSpec& sce
 }
 
 TraceReader::TraceReader(const Recording& recording)
-    : TraceReader(recording, recording.scene, Unopened()) {
+    : TraceReader(recording, recording.scene(), Unopened()) {
   FindWayTo(size_);
   ReadEventsBeforeStart();
 }
 
 TraceReader::TraceReader(const Recording& recording, TracePlace end)
-    : TraceReader(recording, recording.scene, Unopened()) {
+    : TraceReader(recording, recording.scene(), Unopened()) {
   FindWayTo(end);
   ReadEventsBeforeStart();
 }
@@ -116,9 +116,9 @@ void TraceReader::ReadHeader(const Recording& recording, const scene::SceneSpec&
   if (!in.ok()) Fail("its header is cut short");
   size_ = bytes_.size() - in.remaining();
 
-  bool fits = std::ranges::equal(object_names_, recording.start_scene.objects, {}, {},
+  bool fits = std::ranges::equal(object_names_, recording.start_scene().objects, {}, {},
                                  &scene::ObjectSpec::id);
-  const std::size_t num_joints = recording.robot ? recording.robot->model.links.size() : 0;
+  const std::size_t num_joints = recording.robot() ? recording.robot()->model.links.size() : 0;
   if (!fits || joint_names_.size() != num_joints) {
     Fail("is of another scene or robot than scene.xml and the robot's files");
   }

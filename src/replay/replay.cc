@@ -19,8 +19,8 @@ class ReplayRun {
         range_(recording::TicksOf(options.range, recording)),
         trace_(recording),
         start_tick_(recording.info.start.tick),
-        model_(recording.scene, recording.robot),
-        simulation_(recording.start_scene, recording.robot),
+        model_(*recording.model),
+        simulation_(recording.start_model),
         player_(recording.commands, recording.info.start),
         meter_(model_) {
     report_.compared = {.first = range_.first, .last = range_.first};
@@ -118,7 +118,7 @@ class ReplayRun {
   recording::TickRange range_;
   recording::TraceReader trace_;
   std::uint64_t start_tick_;
-  model::Model model_;  ///< with all that was added on the way
+  const model::Model& model_;  ///< with all that was added on the way
   sim::Simulation simulation_;
   LogPlayer player_;
   EventCollector collector_;

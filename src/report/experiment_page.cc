@@ -25,11 +25,11 @@ Markup Captioned(const Markup& picture, const std::string& words) {
 /// The first and the last moment, as the robot's eye sees them and as people do.
 Markup PicturesOf(const recording::Recording& recording, const std::string& whose) {
   const recording::TickRange ticks = TicksOf(recording);
-  const model::Model model(recording.scene, recording.robot);
+  const model::Model& model = *recording.model;
   Markup gallery;
   for (const char* camera : {"nice", model::kEyeCamera}) {
     const bool is_eye = camera == std::string_view(model::kEyeCamera);
-    if (is_eye && !recording.robot) continue;
+    if (is_eye && !recording.robot()) continue;
     picture::Photographer photographer(model, {.camera = camera,
                                                .eye = recording.info.eye_camera,
                                                .width_px = kPictureWidth,
@@ -115,7 +115,7 @@ Markup PlacementTable(const std::vector<Placement>& placements, double meters_pe
 }
 
 Markup Places(const ExperimentOutcome& outcome) {
-  const scene::SceneSpec& scene = outcome.imitation.scene;
+  const scene::SceneSpec& scene = outcome.imitation.scene();
   const double tolerance_mm =
       1000 * scene.meters_per_unit * outcome.result.at("tolerance").get<double>();
   const std::vector<Placement> placements = PlacementsOf(outcome.result, scene.meters_per_unit);

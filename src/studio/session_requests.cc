@@ -49,7 +49,7 @@ std::unique_ptr<LiveWorld> GoOnWith(const std::filesystem::path& directory, cons
   recorder::RecordingDesk::Options options = desk;
   std::optional<picture::RenderedEye> eye;
   if (desk.eye != nullptr) options.eye = &eye.emplace(desk.eye->spec());
-  auto world = std::make_unique<LiveWorld>(recording.start_scene, recording.robot, options);
+  auto world = std::make_unique<LiveWorld>(recording.start_scene(), recording.robot(), options);
   world->Continue(recording, moment, progress);
   if (EyeTap* tap = world->eye()) tap->SetEye(desk.eye);
   return world;

@@ -110,7 +110,7 @@ class PlacementOrder {
 
 Course CourseOf(const recording::Recording& recording) {
   recording::TraceReader trace(recording);
-  Course course{.scene = recording.scene, .begin = {}, .end = {}, .touches = {}};
+  Course course{.scene = recording.scene(), .begin = {}, .end = {}, .touches = {}};
   LoggedActions logged(recording);
   const auto note = [&course](const std::vector<sim::Event>& events) {
     for (const sim::Event& event : events) {
@@ -129,7 +129,7 @@ Course CourseOf(const recording::Recording& recording) {
     }
     note(trace.has_events() ? moment->events : logged.UpTo(moment->tick));
   }
-  if (!has_begun) course.begin = course.end = recording::StartOf(model::Model(recording.scene));
+  if (!has_begun) course.begin = course.end = recording::StartOf(*recording.model);
   return course;
 }
 

@@ -99,7 +99,7 @@ TEST_F(RunTest, ContinuesARecordingWhereItIsToldTo) {
   experiment::Run({.scene = Pair(), .seconds = 0.5, .record = demo, .has_pictures = false});
   const recording::Recording recording = recording::OpenRecording(demo);
   const RunResult continued =
-      experiment::Run({.scene = recording.scene,
+      experiment::Run({.scene = recording.scene(),
                        .seconds = 0.25,
                        .continuation = RunPlan::Continuation{demo, {.tick = 30}},
                        .has_pictures = false});

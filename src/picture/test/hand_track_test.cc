@@ -25,15 +25,11 @@ class HandTrackTest : public recorder::RecordingFixture {
  protected:
   /// The track of a script's recording.
   HandTrack TrackOf(const char* script, const char* xml = kTable) {
-    if (!recording_) {
-      recording_ = recording::OpenRecording(Record(script, false, nullptr, xml));
-      model_ = std::make_unique<model::Model>(recording_->scene);
-    }
-    return {*recording_, *model_};
+    if (!recording_) recording_ = recording::OpenRecording(Record(script, false, nullptr, xml));
+    return HandTrack(*recording_);
   }
 
   std::optional<recording::Recording> recording_;
-  std::unique_ptr<model::Model> model_;
 };
 
 /// How far a point is from a cuboid about the origin, from outside or inside [m].
@@ -201,9 +197,10 @@ TEST_F(HandTrackTest, FindsMaterialToTakeHoldOf) {
                 R"xml(<tabletop xmlns="http://synapse.cs.umd.edu/tabletop-xml">
   <box id="bin" location="(0, 0, 1)" xspan="4" yspan="4" zspan="2"/>
 </tabletop>)xml");
-  const Touch touch(*model_);
-  const auto looks = recording::VisualStateAt(recording::StartOf(*model_), *model_).looks;
-  const model::FrameIndex bin = model_->frame_of(*model_->FindObject("bin"));
+  const model::Model& model = *recording_->model;
+  const Touch touch(model);
+  const auto looks = recording::VisualStateAt(recording::StartOf(model), model).looks;
+  const model::FrameIndex bin = model.frame_of(*model.FindObject("bin"));
   const Vector3 hollow(0, 0, 0.05);
   EXPECT_EQ(touch.Around(bin, looks, hollow, Vector3::UnitX()).to, 0);
   const Vector3 wall = touch.PointWithin(bin, looks, hollow);

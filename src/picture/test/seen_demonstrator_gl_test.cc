@@ -18,8 +18,8 @@ constexpr Channels kAll{.rgb = true, .depth = true, .id = true};
 
 TEST_F(SeenDemonstratorTest, ChangesPicturesOnlyWhereHandsAre) {
   const recording::Recording recording = recording::OpenRecording(Record());
-  const model::Model model(recording.scene);
-  const SeenDemonstrator ghost(recording, model, kGhost), person(recording, model, kForearm);
+  const model::Model& model = *recording.model;
+  const SeenDemonstrator ghost(recording, kGhost), person(recording, kForearm);
   const Shot shot{.camera = "eye", .width_px = 160, .height_px = 120, .channels = kAll};
   Photographer plain(model, shot), with_ghost(model, shot, &ghost),
       with_person(model, shot, &person);
@@ -64,11 +64,11 @@ TEST_F(SeenDemonstratorTest, ChangesPicturesOnlyWhereHandsAre) {
 
 TEST_F(SeenDemonstratorTest, IsTheSameAgainFromEverywhere) {
   const recording::Recording recording = recording::OpenRecording(Record());
-  const model::Model model(recording.scene);
+  const model::Model& model = *recording.model;
   const auto moment = recording::MomentAt(recording, 60);
   ASSERT_TRUE(moment);
   for (const DemonstratorLook look : {kGhost, kForearm}) {
-    const SeenDemonstrator one(recording, model, look), other(recording, model, look);
+    const SeenDemonstrator one(recording, look), other(recording, look);
     for (const char* camera : {"eye", "nice"}) {
       const Shot shot{.camera = camera, .width_px = 160, .height_px = 120};
       const Image nobody = Photographer(model, shot).Take(*moment);

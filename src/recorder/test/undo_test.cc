@@ -70,7 +70,7 @@ class UndoTest : public RecordingFixture {
   std::map<std::string, std::string> ViewWithoutUndo(const recording::Recording& recording,
                                                      std::uint64_t last_tick) {
     HashingEye eye;
-    sim::Simulation simulation(recording.start_scene, recording.robot);
+    sim::Simulation simulation(recording.start_model);
     const auto directory = root_ / ("straight" + std::to_string(num_straight_++));
     Recorder recorder(directory, {.frames_per_second = recording.info.frames_per_second}, &eye,
                       simulation);
@@ -191,7 +191,7 @@ TEST_P(UndoProperty, GoesOnFromAnyMomentAsIfItHadNeverStopped) {
           *recording::MomentIn(recording, step, random() % (step.end.tick - step.begin.tick + 1));
     }
     HashingEye eye;
-    sim::Simulation simulation(recording.start_scene);
+    sim::Simulation simulation(recording.start_model);
     const auto recorder = Recorder::Continue(root_ / "demo", from, &eye, &simulation);
     EXPECT_EQ(simulation.tick(), from.tick);
     simulation.AddListener(recorder.get());

@@ -113,7 +113,7 @@ TEST_F(ReplayTest, KnowsWhatKindOfBodyTheRobotHad) {
       for (int i = 0; i < 120; ++i) simulation->Tick();
       simulation->RemoveListener(&recorder);
     }
-    EXPECT_EQ(recording::OpenRecording(directory).robot->body, body);
+    EXPECT_EQ(recording::OpenRecording(directory).robot()->body, body);
     EXPECT_FALSE(Replay(recording::OpenRecording(directory)).first_difference.has_value());
 
     std::string info = Text(directory / "demo.json");

@@ -94,7 +94,7 @@ TEST_F(SessionBrainTest, AnImitationIsScoredAndRecorded) {
   EXPECT_TRUE(State()["recording"].is_null()) << "it ends with the imitation";
   const auto recording =
       recording::OpenRecording(root_ / "recordings" / begun["recording"].get<std::string>());
-  EXPECT_EQ(recording.scene.name, "pair_elsewhere");
+  EXPECT_EQ(recording.scene().name, "pair_elsewhere");
   EXPECT_EQ(replay::Replay(recording).first_difference, std::nullopt);
   const Json result = Latest("score")["result"];
   EXPECT_EQ(result["task"], "pair_elsewhere");

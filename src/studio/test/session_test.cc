@@ -213,8 +213,8 @@ TEST_F(SessionTest, WhatIsAddedCanBeUndoneAndIsRecorded) {
   TickSeconds(0.1);
   Command(R"({"do":"finish"})");
   const recording::Recording take = recording::OpenRecording(root_ / "recordings/take");
-  EXPECT_EQ(take.start_scene.objects.size(), 2u);
-  EXPECT_EQ(take.scene.objects.size(), 4u);
+  EXPECT_EQ(take.start_scene().objects.size(), 2u);
+  EXPECT_EQ(take.scene().objects.size(), 4u);
   EXPECT_EQ(replay::Replay(take).first_difference, std::nullopt);
   Do(R"({"do":"show","recording":"take","seconds":0})");
   EXPECT_EQ(Latest("scene")["objects"].size(), 4u);

@@ -173,8 +173,6 @@ export interface StateMessage {
   failure: { recording: string; title: string; error: string; kept: boolean } | null;
   /** states as recordings have them; of a switch its position */
   controls: Record<string, string>;
-  /** buttons of switches that are down */
-  pressed: string[];
   gone: string[];
   /** on the floor, out of play */
   fallen: string[];

@@ -36,10 +36,8 @@ Model::Model(scene::SceneSpec scene, std::optional<RobotPlacement> robot)
     : Model(std::move(scene),
             std::make_shared<const std::optional<RobotPlacement>>(std::move(robot))) {}
 
-Model::Model(const Model& smaller, scene::SceneSpec scene)
-    : Model(std::move(scene), smaller.placement_) {
-  SMILE_DEMAND(scene_.objects.size() >= smaller.scene_.objects.size());
-}
+Model::Model(const Model& other, scene::SceneSpec scene)
+    : Model(std::move(scene), other.placement_) {}
 
 Model::Model(scene::SceneSpec scene, std::shared_ptr<const std::optional<RobotPlacement>> robot)
     : scene_(std::move(scene)), placement_(std::move(robot)) {

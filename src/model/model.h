@@ -43,9 +43,9 @@ class Model {
  public:
   /// @param robot  nullopt for a table without one.
   explicit Model(scene::SceneSpec scene, std::optional<RobotPlacement> robot = std::nullopt);
-  /// A model with more objects and the same robot, which both share.
-  /// @param scene  that of `smaller`, and what is added behind it; see scene::Joined().
-  Model(const Model& smaller, scene::SceneSpec scene);
+  /// Another scene with the same robot, which both models share. If it is to have more objects than
+  /// that of `other`, these are behind its own; see scene::Joined().
+  Model(const Model& other, scene::SceneSpec scene);
   Model(const Model&) = delete;
   Model& operator=(const Model&) = delete;
 

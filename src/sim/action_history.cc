@@ -23,10 +23,22 @@ ActionHistory::ActionHistory(std::size_t max_state_bytes)
 
 std::vector<TimedCommand> ActionHistory::CommandsDone() const {
   std::vector<TimedCommand> commands;
-  for (const Action& action : done()) {
+  const std::size_t first = LastLoad();
+  for (const Action& action : done().subspan(first)) {
     commands.insert(commands.end(), action.commands.begin(), action.commands.end());
   }
+  // The load itself led into the scene, not on in it.
+  if (first > 0) commands.erase(commands.begin());
   return commands;
+}
+
+std::size_t ActionHistory::LastLoad() const {
+  std::size_t last = cursor_;
+  const auto is_load = [](const Action& action) {
+    return !action.commands.empty() && std::holds_alternative<Load>(action.commands[0].command);
+  };
+  while (last > 0 && !is_load(actions_[last])) --last;
+  return last;
 }
 
 void ActionHistory::Begin(SimulationState before) {

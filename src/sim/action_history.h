@@ -66,10 +66,10 @@ class ActionHistory {
   bool can_undo() const { return current().before != nullptr; }
   bool can_redo() const { return !undone().empty(); }
 
-  /// True when the history goes back to the beginning of the simulation: done() then contains all
-  /// that led to the present state.
-  bool is_complete() const { return is_complete_; }
-  /// The commands of all that is done, in order.
+  /// True when the history goes back to the start of the scene: done() then contains all that led
+  /// from there to the present state.
+  bool is_complete() const { return is_complete_ || LastLoad() > 0; }
+  /// The commands of all that was done in the present scene, in order.
   std::vector<TimedCommand> CommandsDone() const;
 
   // What follows is for the simulation that the history belongs to.
@@ -92,6 +92,8 @@ class ActionHistory {
   void Restart(std::uint64_t tick);
 
  private:
+  /// Index of the last action that is done and loaded a scene; 0, the start, if there is none.
+  std::size_t LastLoad() const;
   void DiscardUndone();
   void ForgetOldestStates();
 

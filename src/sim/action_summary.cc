@@ -78,6 +78,8 @@ std::string_view ToString(ActionKind kind) {
       return "remove";
     case kClear:
       return "clear";
+    case kLoad:
+      return "load";
   }
   return "";
 }
@@ -110,6 +112,8 @@ std::optional<ActionSummary> SummaryOf(const Event& event,
       return summary(ActionKind::kRemove, NameOf(event.objects));
     case kCleared:
       return summary(ActionKind::kClear, NameOf(event.objects));
+    case kLoaded:
+      return summary(ActionKind::kLoad, event.object);
     default:
       return std::nullopt;
   }
@@ -119,6 +123,7 @@ std::string WordsOf(const ActionSummary& summary) {
   if (summary.kind == ActionKind::kAdd) return "added " + summary.what;
   if (summary.kind == ActionKind::kRemove) return "removed " + summary.what;
   if (summary.kind == ActionKind::kClear) return "cleared the table of " + summary.what;
+  if (summary.kind == ActionKind::kLoad) return "loaded " + summary.what;
   const bool is_one_hand = summary.hand != HandName::kBoth;
   std::string words(ToString(*summary.hand));
   words += is_one_hand ? " hand " : " hands ";

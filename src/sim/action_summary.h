@@ -26,6 +26,7 @@ constexpr std::optional<EventKind> EventOfAction() {
   if constexpr (std::is_same_v<Kind, Spawn>) return EventKind::kAdded;
   if constexpr (std::is_same_v<Kind, Remove>) return EventKind::kRemoved;
   if constexpr (std::is_same_v<Kind, Clear>) return EventKind::kCleared;
+  if constexpr (std::is_same_v<Kind, Load>) return EventKind::kLoaded;
   return std::nullopt;
 }
 
@@ -48,10 +49,11 @@ enum class ActionKind {
   kLoosen,
   kAdd,
   kRemove,
-  kClear
+  kClear,
+  kLoad
 };
 /// `take`, `put`, `drop`, `release`, `destroy`, `point`, `trigger`, `fasten`, `loosen`, `add`,
-/// `remove`, `clear`.
+/// `remove`, `clear`, `load`.
 std::string_view ToString(ActionKind kind);
 
 /// An action in short.
@@ -59,7 +61,8 @@ struct ActionSummary {
   ActionKind kind = ActionKind::kTake;
   std::optional<HandName> hand;        ///< nullopt of what no hand did
   std::string what;                    ///< id of the object, or part pointed at, or control; where
-                                       ///< there are several objects, how many: `5 objects`
+                                       ///< there are several objects, how many: `5 objects`; or
+                                       ///< the name of the scene
   std::optional<model::Support> onto;  ///< of what was put or dropped
 
   bool operator==(const ActionSummary&) const = default;
@@ -71,7 +74,7 @@ std::optional<ActionSummary> SummaryOf(const Event& event,
                                        const std::optional<model::Support>& support);
 
 /// `left hand takes b03`, `both hands put b03 on b01`, `right hand drops b03 into crate`; `added
-/// b03`, `removed b03`, `cleared the table of 5 objects`.
+/// b03`, `removed b03`, `cleared the table of 5 objects`, `loaded um`.
 std::string WordsOf(const ActionSummary& summary);
 
 /// `{"do":"take","hand":"left","what":"b03","words":"left hand takes b03"}`; of what was put or

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -9,6 +10,7 @@
 #include "demonstrator/hand.h"
 #include "motion/joint_trajectory.h"
 #include "robot/mood.h"
+#include "scene/scene_spec.h"
 #include "sim/command_field.h"
 
 namespace smile::sim {
@@ -386,6 +388,28 @@ struct Clear {
   bool operator==(const Clear&) const = default;
 };
 
+/// Leaves the present scene for another one at its start, with the same robot in its start
+/// configuration; the tick is 0 again. An undo leads back into the scene that was left.
+///
+/// A recording is of one scene: while one is made this is refused, and one that is begun later
+/// begins with the loaded scene and what was commanded since.
+struct Load {
+  static constexpr CommandName kName{
+      "load", "goes to another scene, at its start; undo leads back into the one that was left"};
+  std::shared_ptr<const scene::SceneSpec> scene;  ///< never null in a command that is applied
+
+  static void VisitFields(auto& command, auto&& visit) {
+    visit(command.scene,
+          CommandField{"xml", ValueKind::kSceneText,
+                       "a scene file (docs/scene-format.md) that names no files; a script may "
+                       "have the name of a `file` in its place"});
+  }
+  bool operator==(const Load& other) const {
+    return scene == other.scene ||
+           (scene != nullptr && other.scene != nullptr && *scene == *other.scene);
+  }
+};
+
 /// Takes back the last action, with everything since; see IsAction().
 struct Undo {
   static constexpr CommandName kName{"undo", "takes back the last action, with everything since"};
@@ -431,6 +455,6 @@ struct FinishRecording {
 using Command = std::variant<Grasp, MoveTo, Plane, Rotate, Release, Destroy, Attend, Point, Trigger,
                              Fasten, Loosen, JointVelocities, JointAngles, TurnJoint, MoveGripper,
                              TakePose, FollowTrajectory, ShowRobot, Face, Markers, Spawn, Remove,
-                             Clear, Undo, Redo, StartRecording, FinishRecording>;
+                             Clear, Load, Undo, Redo, StartRecording, FinishRecording>;
 
 }  // namespace smile::sim

@@ -6,8 +6,10 @@
 #include <string>
 #include <utility>
 
+#include "base/diagnostic.h"
 #include "motion/trajectory_shape.h"
 #include "sim/internal_command_fields.h"
+#include "sim/spawning.h"
 
 namespace smile::sim {
 namespace {
@@ -34,6 +36,14 @@ void Complete(FollowTrajectory* follow) {
 }
 
 }  // namespace
+
+void Read(const Json& json, const WrittenUnit&, std::shared_ptr<const scene::SceneSpec>* scene) {
+  scene_xml::SceneReading reading = ReadCommandScene(json.get<std::string>(), "scene");
+  if (!reading.scene) {
+    throw std::invalid_argument("\"xml\" is no scene: " + ToString(reading.diagnostics.front()));
+  }
+  *scene = std::make_shared<const scene::SceneSpec>(*std::move(reading.scene));
+}
 
 std::string MeaningOf(const CommandField& field) {
   constexpr std::array kUnits = {"", " [units]", " [units/s]", " [degrees]", " [rad]", " [rad/s]"};

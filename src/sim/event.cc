@@ -36,6 +36,8 @@ std::string_view ToString(EventKind kind) {
       return "removed";
     case EventKind::kCleared:
       return "cleared";
+    case EventKind::kLoaded:
+      return "loaded";
   }
   return "";
 }

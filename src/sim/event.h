@@ -30,6 +30,7 @@ enum class EventKind {
   kAdded,           ///< `objects` were added to the scene
   kRemoved,         ///< `objects` were taken out of the world, by no hand
   kCleared,         ///< likewise: all but what was held
+  kLoaded,          ///< another scene was loaded, its name in `object`; in no trace
 };
 
 std::string_view ToString(EventKind kind);

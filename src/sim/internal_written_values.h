@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -10,6 +11,7 @@
 
 #include "base/json.h"
 #include "scene/units.h"
+#include "scene_xml/scene_writer.h"
 #include "sim/command.h"
 #include "sim/internal_value_kinds.h"
 
@@ -51,6 +53,10 @@ inline Json Written(robot::Mood mood, const WrittenUnit&) { return ToString(mood
 inline Json Written(MoveGripper::Which which, const WrittenUnit&) {
   return kArmNames[static_cast<std::size_t>(which)];
 }
+/// Without its name, which a text has not.
+inline Json Written(const std::shared_ptr<const scene::SceneSpec>& scene, const WrittenUnit&) {
+  return scene_xml::WriteScene(*scene);
+}
 inline Json Written(const motion::TrajectoryPoint& point, const WrittenUnit&) {
   return {
       {"seconds", point.seconds}, {"positions", point.positions}, {"velocities", point.velocities}};
@@ -90,6 +96,8 @@ inline void Read(const Json& json, const WrittenUnit&, MoveGripper::Which* which
   const auto name = std::ranges::find(kArmNames, json.get<std::string>());
   *which = static_cast<MoveGripper::Which>(name - kArmNames.begin());
 }
+/// @throws std::invalid_argument if the text is no scene.
+void Read(const Json& json, const WrittenUnit&, std::shared_ptr<const scene::SceneSpec>* scene);
 inline void Read(const Json& json, const WrittenUnit&, motion::TrajectoryPoint* point) {
   *point = {.seconds = json.at("seconds").get<double>(),
             .positions = json.at("positions"),

@@ -12,7 +12,9 @@
 #include "base/overloaded.h"
 #include "base/wording.h"
 #include "motion/trajectory_files.h"
+#include "scene_xml/scene_reader.h"
 #include "sim/command_json.h"
+#include "sim/spawning.h"
 
 namespace smile::sim {
 namespace {
@@ -136,18 +138,42 @@ class LineReader {
       read.what = ParseAdd(json);
     } else if (has_do && json.at("do") == "trajectory" && json.contains("file")) {
       read.what = ReadTrajectoryOf(json);
+    } else if (has_do && json.at("do") == "load" && json.contains("file")) {
+      read.what = ReadLoadOf(json);
     } else {
       read.what = ParseCommand(json, meters_per_unit_);
     }
+    if (const auto* command = std::get_if<Command>(&read.what)) CheckUnit(*command);
     return read;
   }
 
  private:
+  /// The lengths of all lines are in the unit of the scene that the script was read for.
+  void CheckUnit(const Command& command) const {
+    const auto* load = std::get_if<Load>(&command);
+    if (load == nullptr || load->scene->meters_per_unit == meters_per_unit_) return;
+    throw std::invalid_argument("the scene to load has " +
+                                NumberText(load->scene->meters_per_unit) +
+                                " meters per unit, expected those of the script's scene, " +
+                                NumberText(meters_per_unit_));
+  }
+
+  Command ReadLoadOf(const Json& json) {
+    const std::filesystem::path file = FileNamedBy(json, "load");
+    scene_xml::SceneReaderOptions options{.search_roots = folders_, .limits = kCommandSceneLimits};
+    return Load{std::make_shared<const scene::SceneSpec>(scene_xml::LoadScene(file, options))};
+  }
+
   Command ReadTrajectoryOf(const Json& json) {
-    for (const auto& [key, value] : json.items()) {
-      if (key != "do" && key != "tick" && key != "file") {
-        throw std::invalid_argument("\"trajectory\" with a \"file\" has an unknown key \"" + key +
-                                    "\"");
+    return FollowTrajectory{TrajectoryIn(FileNamedBy(json, "trajectory"))};
+  }
+
+  /// The file that a line names in place of what the command has in it.
+  std::filesystem::path FileNamedBy(const Json& json, const std::string& name) const {
+    for (const auto& item : json.items()) {
+      if (item.key() != "do" && item.key() != "tick" && item.key() != "file") {
+        throw std::invalid_argument("\"" + name + "\" with a \"file\" has an unknown key \"" +
+                                    item.key() + "\"");
       }
     }
     const Json& file = json.at("file");
@@ -155,7 +181,7 @@ class LineReader {
       throw std::invalid_argument("\"file\" is " + ToText(file) +
                                   ", expected the name of a file, in a script that is one");
     }
-    return FollowTrajectory{TrajectoryIn(FindFile(file.get<std::string>(), folders_))};
+    return FindFile(file.get<std::string>(), folders_);
   }
 
   /// @param file  its canonical path.

@@ -5,9 +5,7 @@
 
 #include "demonstrator/demonstrator.h"
 #include "physics/snapshot.h"
-#include "robot/mood.h"
-#include "sim/trajectory_follower.h"
-#include "world/robot_body.h"
+#include "sim/simulated_robot.h"
 #include "world/tabletop.h"
 
 namespace smile::sim {
@@ -15,14 +13,12 @@ namespace smile::sim {
 /// Everything a simulation needs to go on exactly as it would have.
 struct SimulationState {
   std::uint64_t tick = 0;
-  std::shared_ptr<const model::Model> model;  ///< of all that follows; it outlives the simulation
+  /// With which it began, and that of all that follows: they outlive the simulation.
+  std::shared_ptr<const model::Model> start_model, model;
   physics::Snapshot physics;
   world::TabletopState tabletop;
   demonstrator::DemonstratorState demonstrator;
-  world::RobotBodyState robot;
-  FollowerState follower;
-  bool is_robot_shown = true;
-  robot::Mood mood = robot::Mood::kIdle;
+  SimulatedRobotState robot;
 };
 
 }  // namespace smile::sim

@@ -10,14 +10,12 @@
 #include "scene/controls_of.h"
 #include "scene/joined.h"
 #include "scene/units.h"
-#include "scene_xml/scene_reader.h"
 
 namespace smile::sim {
 namespace {
 
 using world::Refusal;
 
-constexpr int kMaxElements = 20'000;
 /// What is no deeper in another thing touches it [m].
 constexpr double kTouching = 0.0005;
 
@@ -64,17 +62,19 @@ std::optional<Refusal> RefuseToAdd(const scene::SceneSpec& added, const scene::S
 
 }  // namespace
 
+scene_xml::SceneReading ReadCommandScene(std::string_view xml, const std::string& name) {
+  // Without folders to look in, it can name no files.
+  return scene_xml::ReadSceneText(
+      xml, name, {.search_roots = {}, .limits = kCommandSceneLimits});
+}
+
 std::optional<scene::SceneSpec> WithSpawned(const scene::SceneSpec& scene, const Spawn& spawn,
                                             Refusal* refusal) {
   if (spawn.xml.size() > kMaxSceneText) {
     *refusal = "what is to be added is longer than 1 MiB";
     return std::nullopt;
   }
-  // Without folders to look in, it can name no files.
-  const scene_xml::SceneReading reading = scene_xml::ReadSceneText(
-      spawn.xml, "added",
-      {.search_roots = {},
-       .limits = {.max_elements = kMaxElements, .max_objects = kMaxSpawnedObjects}});
+  const scene_xml::SceneReading reading = ReadCommandScene(spawn.xml, "added");
   if (!reading.scene) {
     *refusal = "what is to be added is no scene: " + ToString(reading.diagnostics.front());
     return std::nullopt;

@@ -2,17 +2,26 @@
 
 #include <memory>
 #include <optional>
+#include <string>
+#include <string_view>
 
+#include "scene_xml/scene_reader.h"
 #include "sim/command.h"
 #include "world/tabletop.h"
 
-// What a command may add to a scene.
+// Scenes in commands: what may be in their texts, and what they may add to a scene.
 
 namespace smile::sim {
 
-/// By one command, and in all: each adds to what every tick costs and every recording holds.
-inline constexpr int kMaxSpawnedObjects = 2'000;
+/// Of the scene of one command, and of all objects: each adds to what every tick costs and every
+/// recording holds.
+inline constexpr scene_xml::SceneLimits kCommandSceneLimits{.max_elements = 20'000,
+                                                            .max_objects = 2'000};
 inline constexpr std::size_t kMaxObjects = 10'000;
+
+/// Reads the scene text of a command, which can name no files.
+/// @param name  of the scene, and of the text in diagnostics.
+scene_xml::SceneReading ReadCommandScene(std::string_view xml, const std::string& name);
 
 /// A scene with what a command adds behind its own, see scene::Joined(). Depends on these two
 /// alone.

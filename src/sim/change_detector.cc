@@ -1,0 +1,166 @@
+#include "sim/change_detector.h"
+
+#include <algorithm>
+
+#include "base/overloaded.h"
+#include "sim/action_summary.h"
+
+namespace smile::sim {
+namespace {
+
+template <class... Kinds>
+bool IsOneOf(const Command& command) {
+  return (std::holds_alternative<Kinds>(command) || ...);
+}
+
+bool TurnsBonds(const Command& command) { return IsOneOf<Fasten, Loosen>(command); }
+
+}  // namespace
+
+ChangeDetector::ChangeDetector(const RunningModel* running)
+    : running_(*running), held_by_grippers_(running->HeldByGrippers()) {}
+
+ChangeDetector::ChangeDetector(const RunningModel* running, const Command& command)
+    : ChangeDetector(running) {
+  const world::Tabletop& tabletop = running_.tabletop();
+  if (const auto hand = HandOf(command)) {
+    const world::Object* held = tabletop.Find(running_.demonstrator().hand(*hand).held);
+    if (held != nullptr) held_by_hand_ = held->id();
+  }
+  if (TurnsBonds(command) || IsOneOf<Trigger, Destroy, Remove, Clear>(command)) {
+    mechanisms_ = tabletop.state();
+  }
+  if (!IsOneOf<Spawn, Remove, Clear>(command)) return;
+  for (const world::Object& object : tabletop.objects()) {
+    were_present_.push_back(tabletop.IsPresent(object));
+  }
+}
+
+std::vector<Event> ChangeDetector::EventsOf(const Command& command) const {
+  std::vector<Event> events;
+  AppendOwn(command, &events);
+  AppendBonds(command, &events);
+  AppendControls(&events);
+  AppendGrippers(&events);
+  return events;
+}
+
+std::vector<Event> ChangeDetector::EventsOfTick() const {
+  std::vector<Event> events;
+  AppendGrippers(&events);
+  return events;
+}
+
+std::vector<std::string> ChangeDetector::ChangedObjects() const {
+  const world::Tabletop& tabletop = running_.tabletop();
+  std::vector<std::string> changed;
+  for (const world::Object& object : tabletop.objects()) {
+    const bool was_present = object.index < were_present_.size() && were_present_[object.index];
+    if (was_present != tabletop.IsPresent(object)) changed.push_back(object.id());
+  }
+  return changed;
+}
+
+void ChangeDetector::AppendOwn(const Command& command, std::vector<Event>* events) const {
+  const world::Tabletop& tabletop = running_.tabletop();
+  const auto event = std::visit(
+      Overloaded{
+          [](const Grasp& grasp) -> std::optional<Event> {
+            return Event{.kind = EventKind::kGrasped, .hand = grasp.hand, .object = grasp.object};
+          },
+          [&](const Release& release) -> std::optional<Event> {
+            return Event{
+                .kind = EventKind::kReleased, .hand = release.hand, .object = held_by_hand_};
+          },
+          [&](const Destroy& destroy) -> std::optional<Event> {
+            return Event{
+                .kind = EventKind::kDestroyed, .hand = destroy.hand, .object = held_by_hand_};
+          },
+          [&](const Attend& attend) -> std::optional<Event> {
+            const world::Object& object = *tabletop.Find(held_by_hand_);
+            return Event{.kind = EventKind::kAttended,
+                         .hand = attend.hand,
+                         .object = object.id(),
+                         .properties = running_.demonstrator().PropertiesThatMatter(object)};
+          },
+          [&](const Point& point) -> std::optional<Event> {
+            return Event{.kind = EventKind::kPointed,
+                         .hand = point.hand,
+                         .object = tabletop.FindPointable(point.part)->id(),
+                         .part = point.part};
+          },
+          [&](const Trigger& trigger) -> std::optional<Event> {
+            const model::Model& model = *running_.model();
+            const auto control = model.FindControl(trigger.control);
+            return Event{.kind = EventKind::kTriggered,
+                         .hand = trigger.hand,
+                         .object = model.id(model.control(*control).object),
+                         .control = trigger.control};
+          },
+          [&](const Spawn&) -> std::optional<Event> {
+            return Event{.kind = EventKind::kAdded, .objects = ChangedObjects()};
+          },
+          [&](const Remove&) -> std::optional<Event> {
+            return Event{.kind = EventKind::kRemoved, .objects = ChangedObjects()};
+          },
+          [&](const Clear&) -> std::optional<Event> {
+            return Event{.kind = EventKind::kCleared, .objects = ChangedObjects()};
+          },
+          [](const auto&) -> std::optional<Event> { return std::nullopt; }},
+      command);
+  if (event) events->push_back(*event);
+}
+
+void ChangeDetector::AppendBonds(const Command& command, std::vector<Event>* events) const {
+  const auto& before = mechanisms_.bonds;
+  const model::Model& model = *running_.model();
+  for (model::HostIndex host : IndexRange<model::HostIndex>(before.size())) {
+    const world::BondState& was = before[host];
+    const world::BondState& is = running_.tabletop().bonds().states()[host];
+    if (was.tightness == is.tightness) continue;
+    const model::GuestIndex guest = is.guest ? *is.guest : *was.guest;
+    events->push_back(
+        {.kind = is.tightness > was.tightness ? EventKind::kFastened : EventKind::kLoosened,
+         .hand = TurnsBonds(command) ? HandOf(command) : std::nullopt,
+         .object = model.id(model.guest(guest).object),
+         .guest = guest,
+         .host = host,
+         .tightness = is.tightness});
+  }
+}
+
+void ChangeDetector::AppendControls(std::vector<Event>* events) const {
+  const auto& before = mechanisms_.controls;
+  const world::Tabletop& tabletop = running_.tabletop();
+  const model::Model& model = *running_.model();
+  for (model::ControlIndex i : IndexRange<model::ControlIndex>(before.size())) {
+    const model::ControlState& now = tabletop.controls().states()[i];
+    if (before[i] == now || !tabletop.IsPresent(i)) continue;
+    const model::Control& control = model.control(i);
+    const std::string state = RecordedState(control, now);
+    if (state == RecordedState(control, before[i])) continue;
+    events->push_back({.kind = EventKind::kControlChanged,
+                       .object = model.id(control.object),
+                       .control = control.id(),
+                       .state = state});
+  }
+}
+
+void ChangeDetector::AppendGrippers(std::vector<Event>* events) const {
+  const auto now = running_.HeldByGrippers();
+  if (now == held_by_grippers_) return;
+  for (std::size_t arm = 0; arm < now.size(); ++arm) {
+    const auto append_missing = [&](const auto& from, const auto& in, EventKind kind) {
+      for (physics::BodyId body : from) {
+        if (std::find(in.begin(), in.end(), body) != in.end()) continue;
+        events->push_back({.kind = kind,
+                           .arm = running_.robot()->body().model().arms[arm].name,
+                           .object = running_.tabletop().Find(body)->id()});
+      }
+    };
+    append_missing(held_by_grippers_[arm], now[arm], EventKind::kGripperLetGo);
+    append_missing(now[arm], held_by_grippers_[arm], EventKind::kGripperHolds);
+  }
+}
+
+}  // namespace smile::sim

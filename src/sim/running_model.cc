@@ -1,0 +1,192 @@
+#include "sim/running_model.h"
+
+#include <algorithm>
+#include <iterator>
+#include <string>
+#include <utility>
+
+#include "base/state_hash.h"
+#include "sim/spawning.h"
+#include "sim/tick.h"
+
+namespace smile::sim {
+
+RunningModel::RunningModel(std::shared_ptr<const model::Model> model)
+    : start_model_(std::move(model)),
+      model_(start_model_),
+      physics_(physics::WorldConfig{.eases_close_fits = model_->scene().physics_version >= 2}),
+      tabletop_(&physics_, model_),
+      demonstrator_(&physics_, &tabletop_) {
+  if (model_->robot() != nullptr) robot_.emplace(&physics_, model_);
+}
+
+std::optional<Refusal> RunningModel::Execute(const Command& command) {
+  return std::visit(
+      [this]<class What>(const What& what) -> std::optional<Refusal> {
+        constexpr bool kIsForRobot = requires(SimulatedRobot robot) { robot.Execute(what); };
+        constexpr bool kMovesRobot = requires(SimulatedRobot robot) { robot.Execute(what, 0); };
+        if constexpr (kIsForRobot || kMovesRobot) {
+          if (!robot_) return "there is no robot in this simulation";
+        }
+        if constexpr (kIsForRobot) return robot_->Execute(what);
+        if constexpr (kMovesRobot) return robot_->Execute(what, tick_);
+        if constexpr (requires { this->ExecuteOne(what); }) return ExecuteOne(what);
+        return std::nullopt;
+      },
+      command);
+}
+
+std::optional<Refusal> RunningModel::ExecuteOne(const Grasp& grasp) {
+  return demonstrator_.Grasp(grasp.hand, grasp.object, grasp.p_WQ);
+}
+std::optional<Refusal> RunningModel::ExecuteOne(const MoveTo& move) {
+  return demonstrator_.MoveTo(move.hand, move.p_WH, move.speed);
+}
+std::optional<Refusal> RunningModel::ExecuteOne(const Plane& plane) {
+  demonstrator_.TurnPlane(plane.hand, plane.angle_deg);
+  return std::nullopt;
+}
+std::optional<Refusal> RunningModel::ExecuteOne(const Attend& attend) {
+  return demonstrator_.Attend(attend.hand, attend.properties);
+}
+std::optional<Refusal> RunningModel::ExecuteOne(const Rotate& rotate) {
+  return demonstrator_.Rotate(rotate.hand, rotate.angles_deg);
+}
+std::optional<Refusal> RunningModel::ExecuteOne(const Release& release) {
+  return demonstrator_.Release(release.hand);
+}
+std::optional<Refusal> RunningModel::ExecuteOne(const Destroy& destroy) {
+  return demonstrator_.Destroy(destroy.hand);
+}
+std::optional<Refusal> RunningModel::ExecuteOne(const Point& point) {
+  return demonstrator_.PointAt(point.hand, point.part);
+}
+std::optional<Refusal> RunningModel::ExecuteOne(const Trigger& trigger) {
+  return demonstrator_.Trigger(trigger.hand, trigger.control, trigger.part);
+}
+std::optional<Refusal> RunningModel::ExecuteOne(const Fasten& fasten) {
+  return demonstrator_.Fasten(fasten.hand, fasten.object, fasten.p_WQ);
+}
+std::optional<Refusal> RunningModel::ExecuteOne(const Loosen& loosen) {
+  return demonstrator_.Loosen(loosen.hand, loosen.object, loosen.p_WQ);
+}
+
+std::optional<Refusal> RunningModel::ExecuteOne(const Markers& markers) {
+  if (markers.points_in_world.size() <= kMaxMarkers) return std::nullopt;
+  return "there are more than " + std::to_string(kMaxMarkers) + " markers";
+}
+
+std::optional<Refusal> RunningModel::ExecuteOne(const Spawn& spawn) {
+  Refusal refusal;
+  auto grown = GrownModel(*model_, spawn, &refusal);
+  if (grown == nullptr) return refusal;
+  if (auto overlap = RefuseOverlap(*grown, tabletop_, physics_)) return overlap;
+  model_ = std::move(grown);
+  tabletop_.Grow(model_);
+  return std::nullopt;
+}
+
+std::optional<Refusal> RunningModel::ExecuteOne(const Remove& remove) {
+  const world::Object* object = tabletop_.Find(remove.object);
+  if (object == nullptr) return tabletop_.RefuseToReach(remove.object);
+  return demonstrator_.Remove(*object);
+}
+
+std::optional<Refusal> RunningModel::ExecuteOne(const Clear&) {
+  std::vector<physics::BodyId> kept;
+  std::vector<const world::Object*> taken;
+  for (const world::Object& object : tabletop_.objects()) {
+    if (!tabletop_.IsPresent(object) || !physics_.body(object.body).is_carried()) continue;
+    for (physics::BodyId member : physics_.Assembly(object.body)) kept.push_back(member);
+  }
+  for (const world::Object& object : tabletop_.objects()) {
+    const bool is_kept = std::ranges::find(kept, object.body) != kept.end();
+    if (tabletop_.IsPresent(object) && !is_kept) taken.push_back(&object);
+  }
+  if (taken.empty()) return "there is nothing to clear away";
+  for (const world::Object* object : taken) {
+    if (auto refusal = demonstrator_.Remove(*object)) return refusal;
+  }
+  return std::nullopt;
+}
+
+std::vector<const world::Object*> RunningModel::Tick() {
+  std::vector<const world::Object*> fallen;
+  if (robot_) robot_->BeforeTick(tick_);
+  for (int step = 0; step < kStepsPerTick; ++step) {
+    demonstrator_.BeforeStep();
+    physics_.Step();
+    if (robot_) robot_->AfterStep();
+    std::ranges::copy(tabletop_.NoticeFallen(), std::back_inserter(fallen));
+  }
+  ++tick_;
+  return fallen;
+}
+
+std::vector<std::vector<physics::BodyId>> RunningModel::HeldByGrippers() const {
+  std::vector<std::vector<physics::BodyId>> held;
+  for (int arm = 0; robot_ && arm < robot_->body().num_arms(); ++arm) {
+    held.push_back(robot_->body().HeldBodies(arm));
+  }
+  return held;
+}
+
+bool RunningModel::is_still() const {
+  constexpr double kSpeed = 0.002, kAngularSpeed = 0.02;
+  for (const world::Object& object : tabletop_.objects()) {
+    if (!tabletop_.IsPresent(object)) continue;
+    const physics::Body& body = physics_.body(object.body);
+    if (body.is_carried() || !body.is_awake()) continue;
+    if (body.linear_velocity().norm() > kSpeed || body.angular_velocity().norm() > kAngularSpeed) {
+      return false;
+    }
+  }
+  return true;
+}
+
+std::optional<model::Support> RunningModel::SupportOf(model::ObjectIndex index) const {
+  std::vector<std::optional<RigidTransform>> X_WBs;
+  for (const world::Object& object : tabletop_.objects()) {
+    X_WBs.push_back(tabletop_.IsPresent(object)
+                        ? std::optional(physics_.body(object.body).pose_in_world())
+                        : std::nullopt);
+  }
+  return model::SupportOf(model_->scene(), X_WBs, index);
+}
+
+scene::VisualState RunningModel::visual_state() const {
+  return model_->VisualStateOf(tabletop_.scene_state(),
+                               robot_ ? robot_->body().positions() : std::vector<double>(),
+                               robot_ ? robot_->mood() : robot::Mood::kIdle);
+}
+
+std::uint64_t RunningModel::state_hash() const {
+  StateHash hash;
+  hash.Add(tick_);
+  hash.Add(physics_.state_hash());
+  tabletop_.AddToHash(&hash);
+  demonstrator_.AddToHash(&hash);
+  if (robot_) robot_->AddToHash(&hash);
+  return hash.value();
+}
+
+SimulationState RunningModel::Save() const {
+  return {.tick = tick_,
+          .start_model = start_model_,
+          .model = model_,
+          .physics = physics_.Save(),
+          .tabletop = tabletop_.state(),
+          .demonstrator = demonstrator_.state(),
+          .robot = robot_ ? robot_->Save() : SimulatedRobotState()};
+}
+
+void RunningModel::Restore(const SimulationState& state) {
+  physics_.Restore(state.physics);
+  tabletop_.Restore(state.tabletop, state.model);
+  model_ = state.model;
+  demonstrator_.Restore(state.demonstrator);
+  if (robot_) robot_->Restore(state.robot);
+  tick_ = state.tick;
+}
+
+}  // namespace smile::sim

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "demonstrator/demonstrator.h"
+#include "model/model.h"
+#include "model/relations.h"
+#include "physics/world.h"
+#include "sim/command.h"
+#include "sim/simulated_robot.h"
+#include "sim/simulation_state.h"
+#include "world/tabletop.h"
+
+namespace smile::sim {
+
+/// A model in motion: its physics world with tabletop, hands and robot, and the tick. Carries out
+/// commands and advances; knows no history, no listeners and no recordings.
+///
+/// Same model, same commands at the same ticks: same bits.
+class RunningModel {
+ public:
+  /// The model at its start.
+  explicit RunningModel(std::shared_ptr<const model::Model> model);
+  RunningModel(const RunningModel&) = delete;
+  RunningModel& operator=(const RunningModel&) = delete;
+
+  /// Carries out one command for hands, objects or the robot. Others have no effect here.
+  /// @returns why it was refused; everything is then as before.
+  std::optional<Refusal> Execute(const Command& command);
+  /// Advances by 1/60 s.
+  /// @returns the objects that fell to the floor, in the order in which they did.
+  std::vector<const world::Object*> Tick();
+
+  std::uint64_t tick() const { return tick_; }
+  /// See Simulation::model().
+  const std::shared_ptr<const model::Model>& model() const { return model_; }
+  const std::shared_ptr<const model::Model>& start_model() const { return start_model_; }
+  const world::Tabletop& tabletop() const { return tabletop_; }
+  const physics::World& physics() const { return physics_; }
+  const demonstrator::Demonstrator& demonstrator() const { return demonstrator_; }
+  /// nullptr without one.
+  const SimulatedRobot* robot() const { return robot_ ? &*robot_ : nullptr; }
+  /// The bodies that each gripper holds, by arm; empty without a robot.
+  std::vector<std::vector<physics::BodyId>> HeldByGrippers() const;
+  /// See Simulation.
+  bool is_still() const;
+  std::optional<model::Support> SupportOf(model::ObjectIndex object) const;
+  scene::VisualState visual_state() const;
+
+  std::uint64_t state_hash() const;
+  SimulationState Save() const;
+  /// @param state  of this or of another one that began with the same scene and robot.
+  void Restore(const SimulationState& state);
+
+ private:
+  std::optional<Refusal> ExecuteOne(const Grasp& grasp);
+  std::optional<Refusal> ExecuteOne(const MoveTo& move);
+  std::optional<Refusal> ExecuteOne(const Plane& plane);
+  std::optional<Refusal> ExecuteOne(const Attend& attend);
+  std::optional<Refusal> ExecuteOne(const Rotate& rotate);
+  std::optional<Refusal> ExecuteOne(const Release& release);
+  std::optional<Refusal> ExecuteOne(const Destroy& destroy);
+  std::optional<Refusal> ExecuteOne(const Point& point);
+  std::optional<Refusal> ExecuteOne(const Trigger& trigger);
+  std::optional<Refusal> ExecuteOne(const Fasten& fasten);
+  std::optional<Refusal> ExecuteOne(const Loosen& loosen);
+  std::optional<Refusal> ExecuteOne(const Markers& markers);
+  std::optional<Refusal> ExecuteOne(const Spawn& spawn);
+  std::optional<Refusal> ExecuteOne(const Remove& remove);
+  std::optional<Refusal> ExecuteOne(const Clear& clear);
+
+  std::shared_ptr<const model::Model> start_model_;
+  std::shared_ptr<const model::Model> model_;
+  physics::World physics_;
+  world::Tabletop tabletop_;
+  demonstrator::Demonstrator demonstrator_;
+  std::optional<SimulatedRobot> robot_;
+  std::uint64_t tick_ = 0;
+};
+
+}  // namespace smile::sim

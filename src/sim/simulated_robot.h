@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "robot/mood.h"
+#include "sim/command.h"
+#include "sim/trajectory_follower.h"
+#include "world/robot_body.h"
+
+namespace smile::sim {
+
+/// What can change about a robot apart from its bodies, whose state is the physics world's.
+struct SimulatedRobotState {
+  world::RobotBodyState body;
+  FollowerState follower;
+  bool is_shown = true;
+  robot::Mood mood = robot::Mood::kIdle;
+};
+
+/// The robot of a simulation: its body, the trajectories it follows, and what people see of it.
+class SimulatedRobot {
+ public:
+  /// Adds the model's robot to `world`, which must outlive this.
+  SimulatedRobot(physics::World* world, std::shared_ptr<const model::Model> model);
+  SimulatedRobot(const SimulatedRobot&) = delete;
+  SimulatedRobot& operator=(const SimulatedRobot&) = delete;
+
+  /// Carries out a command, at `tick` where it begins a motion.
+  /// @returns why it was refused; the robot is then as before.
+  std::optional<Refusal> Execute(const JointVelocities& velocities);
+  std::optional<Refusal> Execute(const JointAngles& angles);
+  std::optional<Refusal> Execute(const TurnJoint& turn);
+  std::optional<Refusal> Execute(const MoveGripper& move);
+  std::optional<Refusal> Execute(const TakePose& pose, std::uint64_t tick);
+  std::optional<Refusal> Execute(const FollowTrajectory& follow, std::uint64_t tick);
+  std::optional<Refusal> Execute(const ShowRobot& show);
+  std::optional<Refusal> Execute(const Face& face);
+
+  /// To be called before the physics steps of a tick and after each of them.
+  void BeforeTick(std::uint64_t tick) { follower_.BeforeTick(tick); }
+  void AfterStep() { body_.AfterStep(); }
+
+  const world::RobotBody& body() const { return body_; }
+  /// True while joints are on their way to a pose or along a trajectory.
+  bool is_following() const { return follower_.is_following(); }
+  bool is_shown() const { return is_shown_; }
+  robot::Mood mood() const { return mood_; }
+
+  SimulatedRobotState Save() const;
+  void Restore(const SimulatedRobotState& state);
+  void AddToHash(StateHash* hash) const;
+
+ private:
+  /// Their joints are commanded otherwise: they no longer follow anything.
+  void StopFollowingWithArm(int arm);
+  void StopFollowingWithGripper(int arm);
+  void StopFollowingWithHead();
+  /// Why an arm cannot take these values; nullopt if it can or there are none.
+  std::optional<Refusal> RefuseValues(const std::optional<std::vector<double>>& values,
+                                      int arm) const;
+
+  world::RobotBody body_;
+  TrajectoryFollower follower_;
+  bool is_shown_ = true;
+  robot::Mood mood_ = robot::Mood::kIdle;
+};
+
+}  // namespace smile::sim

@@ -83,15 +83,18 @@ std::vector<std::string> CameraNames(const Model& model) {
   return names;
 }
 
+bool IsSceneCamera(const Model& model, std::string_view camera) {
+  const robot::RobotModel* robot = model.robot();
+  if (camera == kEyeCamera || (robot != nullptr && FrameOf(*robot, camera))) return false;
+  return FindSceneCamera(model, camera) != nullptr;
+}
+
 CameraView EyeView(const Model& model, std::span<const double> q, const EyeSpec& spec) {
+  if (IsSceneCamera(model, spec.camera)) return ViewOf(*FindSceneCamera(model, spec.camera), spec);
   const robot::RobotModel* robot = model.robot();
   const auto frame = robot != nullptr ? FrameOf(*robot, spec.camera) : std::nullopt;
   const bool is_eye = spec.camera == kEyeCamera;
-  if (!frame && !is_eye) {
-    const scene::CameraSpec* camera = FindSceneCamera(model, spec.camera);
-    if (camera == nullptr) RefuseCamera(model, spec.camera);
-    return ViewOf(*camera, spec);
-  }
+  if (!frame && !is_eye) RefuseCamera(model, spec.camera);
   return {.intrinsics = is_eye ? CameraIntrinsics::FromVerticalFieldOfView(
                                      spec.width_px, spec.height_px, kEyeAngle)
                                : CameraIntrinsics::FromHorizontalFieldOfView(

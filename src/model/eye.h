@@ -31,6 +31,9 @@ struct EyeSpec {
 /// those that stand in the scene.
 std::vector<std::string> CameraNames(const Model& model);
 
+/// True of a camera that stands in the scene: not `eye`, and none of the robot's.
+bool IsSceneCamera(const Model& model, std::string_view camera);
+
 /// Where a camera is when the robot's joints are at `q` [rad or m; empty without a robot]. Without
 /// a robot the eye stays where Baxter's would be, so that a demonstration on an empty table is seen
 /// from the same place.

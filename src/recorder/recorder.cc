@@ -151,6 +151,9 @@ std::optional<sim::Refusal> Recorder::Refuse(const sim::Simulation& simulation,
       (!history.can_redo() || marks_.Find(history.undone().front().id) == nullptr)) {
     return "there is nothing to do again in this recording";
   }
+  if (std::holds_alternative<sim::Load>(command)) {
+    return "a recording is in progress, which is of one scene; finish it first";
+  }
   return std::nullopt;
 }
 

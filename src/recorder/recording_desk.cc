@@ -1,11 +1,13 @@
 #include "recorder/recording_desk.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
 
 #include "base/diagnostic.h"
 #include "base/wording.h"
+#include "model/eye.h"
 #include "recording/recording_names.h"
 
 namespace smile::recorder {
@@ -89,7 +91,21 @@ std::optional<sim::Refusal> RecordingDesk::Refuse(const sim::Simulation& simulat
   if (std::holds_alternative<sim::FinishRecording>(command) && !recorder_) {
     return "nothing is being recorded";
   }
-  return recorder_ ? recorder_->Refuse(simulation, command) : std::nullopt;
+  if (recorder_) return recorder_->Refuse(simulation, command);
+  const auto* load = std::get_if<sim::Load>(&command);
+  return load != nullptr ? RefuseWithoutCamera(simulation, *load) : std::nullopt;
+}
+
+std::optional<sim::Refusal> RecordingDesk::RefuseWithoutCamera(const sim::Simulation& simulation,
+                                                               const sim::Load& load) const {
+  if (options_.eye == nullptr) return std::nullopt;
+  const std::string& camera = options_.eye->spec().camera;
+  if (!model::IsSceneCamera(simulation.model(), camera)) return std::nullopt;
+  const auto& cameras = load.scene->cameras;
+  if (std::ranges::find(cameras, camera, &scene::CameraSpec::id) != cameras.end()) {
+    return std::nullopt;
+  }
+  return "the scene to load lacks the camera " + Quoted(camera) + ", which takes the pictures";
 }
 
 void RecordingDesk::OnCommand(const sim::Simulation& simulation, const sim::Command& command) {

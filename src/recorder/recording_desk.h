@@ -60,6 +60,9 @@ class RecordingDesk : public sim::Listener, public sim::RecordingControl {
   /// Lets the recorder do its part. If it cannot go on, what it wrote stays.
   template <class Part>
   void Record(const Part& part);
+  /// A scene must have the camera of the eye.
+  std::optional<sim::Refusal> RefuseWithoutCamera(const sim::Simulation& simulation,
+                                                  const sim::Load& load) const;
   /// Ends the recording if its directory is missing: files that were removed can still be written
   /// to, so nothing else reports that.
   void EndIfRemoved();

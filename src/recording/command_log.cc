@@ -44,7 +44,8 @@ LogLine ParseLogLine(std::string_view text, double meters_per_unit) {
   }
   sim::Command command = sim::ParseCommand(json, meters_per_unit);
   if (std::holds_alternative<sim::StartRecording>(command) ||
-      std::holds_alternative<sim::FinishRecording>(command)) {
+      std::holds_alternative<sim::FinishRecording>(command) ||
+      std::holds_alternative<sim::Load>(command)) {
     throw std::invalid_argument("\"do\" is " + ToText(json.at("do")) + ", which is in no log");
   }
   return {.tick = *tick, .what = std::move(command)};

@@ -36,9 +36,9 @@ class ChangeDetector {
 
   const RunningModel& running_;
   std::vector<std::vector<physics::BodyId>> held_by_grippers_;
-  std::string held_by_hand_;          ///< id of what the command's hand held
-  std::vector<bool> were_present_;    ///< of each object, where the command may change that
-  world::TabletopState mechanisms_;   ///< where the command may change them
+  std::string held_by_hand_;         ///< id of what the command's hand held
+  std::vector<bool> were_present_;   ///< of each object, where the command may change that
+  world::TabletopState mechanisms_;  ///< where the command may change them
 };
 
 }  // namespace smile::sim

@@ -152,10 +152,9 @@ class LineReader {
   void CheckUnit(const Command& command) const {
     const auto* load = std::get_if<Load>(&command);
     if (load == nullptr || load->scene->meters_per_unit == meters_per_unit_) return;
-    throw std::invalid_argument("the scene to load has " +
-                                NumberText(load->scene->meters_per_unit) +
-                                " meters per unit, expected those of the script's scene, " +
-                                NumberText(meters_per_unit_));
+    throw std::invalid_argument(
+        "the scene to load has " + NumberText(load->scene->meters_per_unit) +
+        " meters per unit, expected those of the script's scene, " + NumberText(meters_per_unit_));
   }
 
   Command ReadLoadOf(const Json& json) {

@@ -11,8 +11,8 @@ namespace smile::sim {
 SimulatedRobot::SimulatedRobot(physics::World* world, std::shared_ptr<const model::Model> model)
     : body_(world, std::move(model)), follower_(&body_) {}
 
-std::optional<Refusal> SimulatedRobot::RefuseValues(const std::optional<std::vector<double>>& values,
-                                             int arm) const {
+std::optional<Refusal> SimulatedRobot::RefuseValues(
+    const std::optional<std::vector<double>>& values, int arm) const {
   if (!values) return std::nullopt;
   if (arm >= body_.num_arms()) return "the robot has no such arm";
   const robot::Arm& which = body_.model().arms[arm];
@@ -120,10 +120,8 @@ std::optional<Refusal> SimulatedRobot::Execute(const Face& face) {
 }
 
 SimulatedRobotState SimulatedRobot::Save() const {
-  return {.body = body_.state(),
-          .follower = follower_.state(),
-          .is_shown = is_shown_,
-          .mood = mood_};
+  return {
+      .body = body_.state(), .follower = follower_.state(), .is_shown = is_shown_, .mood = mood_};
 }
 
 void SimulatedRobot::Restore(const SimulatedRobotState& state) {

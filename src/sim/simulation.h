@@ -86,9 +86,7 @@ class Simulation {
   const model::Model& model() const { return *shared_model(); }
   const std::shared_ptr<const model::Model>& shared_model() const { return running_->model(); }
   /// The model with which the scene began, when the simulation was made or the scene loaded.
-  const std::shared_ptr<const model::Model>& start_model() const {
-    return running_->start_model();
-  }
+  const std::shared_ptr<const model::Model>& start_model() const { return running_->start_model(); }
   const scene::SceneSpec& scene() const { return model().scene(); }
   /// What is in the running model. References to it are valid until the next Load, Undo or Redo.
   const world::Tabletop& tabletop() const { return running_->tabletop(); }

@@ -64,8 +64,7 @@ std::optional<Refusal> RefuseToAdd(const scene::SceneSpec& added, const scene::S
 
 scene_xml::SceneReading ReadCommandScene(std::string_view xml, const std::string& name) {
   // Without folders to look in, it can name no files.
-  return scene_xml::ReadSceneText(
-      xml, name, {.search_roots = {}, .limits = kCommandSceneLimits});
+  return scene_xml::ReadSceneText(xml, name, {.search_roots = {}, .limits = kCommandSceneLimits});
 }
 
 std::optional<scene::SceneSpec> WithSpawned(const scene::SceneSpec& scene, const Spawn& spawn,

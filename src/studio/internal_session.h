@@ -82,7 +82,8 @@ class Session::Impl {
   std::optional<std::string> RefuseStartBrain(const page::RequestFields& fields);
   std::optional<std::string> RefuseClear(const page::RequestFields& fields);
   Json Command(const page::RequestFields& fields);
-  /// Through the one door. If the scene has more or fewer objects then, pages are told it anew.
+  /// Through the one door. If the scene is another one then, or has more or fewer objects, pages
+  /// are told it anew.
   /// @throws page::RequestError if it is refused.
   void Apply(const sim::Command& command);
   /// What a page's `command` means now, snapped unless it is to be exact.
@@ -117,9 +118,11 @@ class Session::Impl {
   scene_xml::SceneReading ReadText(const page::RequestFields& fields) const;
   scene::SceneSpec ReadSceneOf(const page::RequestFields& fields) const;
   recorder::RecordingDesk::Options DeskOptions() const;
-  std::unique_ptr<LiveWorld> MakeWorld(scene::SceneSpec scene,
-                                       std::optional<sim::RobotPlacement> robot);
   void Enter(std::unique_ptr<LiveWorld> world);
+  /// The world is in another scene: what belonged to the one before ends, and pages are told.
+  void BeginScene();
+  /// @throws page::RequestError if it is refused.
+  void LoadScene(scene::SceneSpec scene);
   Json Spawn(const page::RequestFields& fields);
   Json Clear(const page::RequestFields& fields);
 
@@ -137,7 +140,6 @@ class Session::Impl {
 
   SessionOptions options_;
   library::Library library_;
-  scene::SceneSpec loaded_;  ///< what a reload gives
   std::unique_ptr<LiveWorld> world_;
   LiveBrain brain_;
   std::unique_ptr<SessionState> world_state_;  ///< of the world: live, imitating or rage

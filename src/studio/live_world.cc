@@ -39,8 +39,10 @@ LiveWorld::LiveWorld(scene::SceneSpec scene, std::optional<sim::RobotPlacement> 
   FollowModel();
 }
 
-/// Another model has other objects.
 void LiveWorld::FollowModel() {
+  if (std::exchange(marked_, simulation_.start_model()) != simulation_.start_model()) {
+    markers_.clear();
+  }
   if (bounded_ == simulation_.shared_model()) return;
   bounded_ = simulation_.shared_model();
   bounds_.clear();

@@ -60,6 +60,7 @@ class LiveWorld : private sim::Listener {
     std::uint64_t start_tick = 0;
   };
 
+  /// Another model has other objects; one of another scene also other markers.
   void FollowModel();
   /// `segments` of DescribeRecording(), see docs/studio-protocol.md.
   Json DescribeSegments() const;
@@ -79,6 +80,7 @@ class LiveWorld : private sim::Listener {
   bool was_recording_ = false;  ///< when TakeFailure() was last called
   std::vector<Vector3> markers_;
   std::shared_ptr<const model::Model> bounded_;  ///< whose objects have the bounds
+  std::shared_ptr<const model::Model> marked_;   ///< in whose scene the markers are
   std::vector<scene::Bounds> bounds_;
 };
 

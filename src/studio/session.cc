@@ -27,13 +27,11 @@ Json WithoutTime(Json state) {
 }  // namespace
 
 Session::Impl::Impl(SessionOptions options)
-    : options_(std::move(options)),
-      library_(options_.recordings),
-      loaded_(scene_xml::LoadScene(options_.scene, options_.reader)),
-      eye_preview_(options_.eye) {
+    : options_(std::move(options)), library_(options_.recordings), eye_preview_(options_.eye) {
   if (options_.gallery.empty()) options_.gallery = DataFile("scenes");
   AddRequests();
-  Enter(MakeWorld(loaded_, options_.robot));
+  Enter(std::make_unique<LiveWorld>(scene_xml::LoadScene(options_.scene, options_.reader),
+                                    options_.robot, DeskOptions()));
 }
 
 const library::View& Session::Impl::view() const {

@@ -70,9 +70,7 @@ Json Session::Impl::Imitate(const page::RequestFields& fields) {
   const std::filesystem::path directory = library_.DirectoryOf(fields.Text("recording"));
   const recording::Recording demonstration = recording::OpenRecording(directory);
   task::Exercise exercise = task::MakeExercise(scene, demonstration, ReadNamedScene(scene));
-  auto world = MakeWorld(exercise.scene, options_.robot);
-  loaded_ = exercise.scene;
-  Enter(std::move(world));
+  LoadScene(exercise.scene);
   RunBrain(choice, directory);
   const std::filesystem::path recording = RecordImitation(demonstration);
   world_state_ = std::make_unique<ImitatingState>(std::move(exercise), world_.get(), &brain_);

@@ -165,8 +165,9 @@ std::optional<std::string> Session::Impl::RefusalInSession(const sim::Command& c
   if (turns_back && brain_.is_running()) {
     return "a robot program is running and cannot turn back in time: stop it first";
   }
-  const bool is_start = std::holds_alternative<sim::StartRecording>(command);
-  return is_start ? Unmet(Need::kNoRestoring) : std::nullopt;
+  const bool is_ended_by_restoring = std::holds_alternative<sim::StartRecording>(command) ||
+                                     std::holds_alternative<sim::Load>(command);
+  return is_ended_by_restoring ? Unmet(Need::kNoRestoring) : std::nullopt;
 }
 
 std::optional<std::string> Session::Impl::RefusalOf(const sim::Command& command) const {
@@ -225,9 +226,15 @@ Json Session::Impl::Command(const page::RequestFields& fields) {
 
 void Session::Impl::Apply(const sim::Command& command) {
   view_.reset();
-  const std::shared_ptr<const model::Model> before = world_->simulation().shared_model();
+  const sim::Simulation& simulation = world_->simulation();
+  const std::shared_ptr<const model::Model> model = simulation.shared_model();
+  const std::shared_ptr<const model::Model> start_model = simulation.start_model();
   if (const auto refusal = world_->Apply(command)) throw page::RequestError(*refusal);
-  if (world_->simulation().shared_model() != before) TellAllOfScene();
+  if (simulation.start_model() != start_model) {
+    BeginScene();
+  } else if (simulation.shared_model() != model) {
+    TellAllOfScene();
+  }
 }
 
 sim::Command Session::Impl::MeantBy(const Json& wanted, bool is_exact) {
@@ -274,15 +281,12 @@ Json Session::Impl::AnswerRestingPlace(const page::RequestFields& fields) {
 }
 
 Json Session::Impl::Load(const page::RequestFields& fields) {
-  scene::SceneSpec scene = ReadSceneOf(fields);
-  auto world = MakeWorld(scene, options_.robot);
-  loaded_ = std::move(scene);
-  Enter(std::move(world));
+  LoadScene(ReadSceneOf(fields));
   return Json::object();
 }
 
 Json Session::Impl::Reload(const page::RequestFields&) {
-  Enter(MakeWorld(loaded_, options_.robot));
+  LoadScene(world_->simulation().start_model()->scene());
   return Json::object();
 }
 
@@ -338,7 +342,6 @@ Json Session::Impl::Branch(const page::RequestFields& fields) {
   const auto conclude = [this, made] {
     is_restoring_ = false;
     if (!*made) return;
-    loaded_ = (*made)->simulation().start_model()->scene();
     Enter(std::move(*made));
   };
   options_.workshop->Begin({.request = fields.request(), .work = work, .conclude = conclude});

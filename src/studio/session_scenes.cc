@@ -47,22 +47,24 @@ recorder::RecordingDesk::Options Session::Impl::DeskOptions() const {
   return {.root = options_.recordings, .recording = options_.recording, .eye = options_.eye};
 }
 
-std::unique_ptr<LiveWorld> Session::Impl::MakeWorld(scene::SceneSpec scene,
-                                                    std::optional<sim::RobotPlacement> robot) {
-  return std::make_unique<LiveWorld>(std::move(scene), std::move(robot), DeskOptions());
-}
-
 void Session::Impl::Enter(std::unique_ptr<LiveWorld> world) {
-  brain_.Leave();
-  playback_.reset();
   world_state_.reset();
-  rehearsal_.Forget();
-  resting_place_.Forget();
   world_ = std::move(world);
-  world_state_ = std::make_unique<LiveState>(world_.get(), &brain_);
   // What its recording saw when it was made anew is no news.
   if (EyeTap* eye = world_->eye()) (void)eye->Take();
+  BeginScene();
+}
+
+void Session::Impl::BeginScene() {
+  brain_.Leave();
+  playback_.reset();
+  resting_place_.Forget();
+  world_state_ = std::make_unique<LiveState>(world_.get(), &brain_);
   TellAllOfScene();
+}
+
+void Session::Impl::LoadScene(scene::SceneSpec scene) {
+  Apply(sim::Load{std::make_shared<const scene::SceneSpec>(std::move(scene))});
 }
 
 Json Session::Impl::Spawn(const page::RequestFields& fields) {

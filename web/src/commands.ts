@@ -205,6 +205,13 @@ export interface ClearCommand {
   do: "clear";
 }
 
+/** It goes to another scene, at its start; undo leads back into the one that was left. */
+export interface LoadCommand {
+  do: "load";
+  /** a scene file (docs/scene-format.md) that names no files; a script may have the name of a `file` in its place */
+  xml: string;
+}
+
 /** It takes back the last action, with everything since. */
 export interface UndoCommand {
   do: "undo";
@@ -279,6 +286,7 @@ export type Command =
   | SpawnCommand
   | RemoveCommand
   | ClearCommand
+  | LoadCommand
   | UndoCommand
   | RedoCommand
   | StartCommand

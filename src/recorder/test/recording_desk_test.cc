@@ -54,6 +54,33 @@ TEST_F(RecordingDeskTest, ADirectoryThatIsRemovedEndsTheRecording) {
   EXPECT_NE(desk_.failure()->find("was removed"), std::string::npos);
 }
 
+TEST_F(RecordingDeskTest, ARecordingIsOfOneSceneAndBeginsWithTheLoadedOne) {
+  Do(sim::Grasp{.hand = HandName::kLeft, .object = "a"}, 20);
+  scene::SceneSpec other = simulation_->scene();
+  other.name = "other";
+  other.objects.pop_back();
+  const sim::Load load{std::make_shared<const scene::SceneSpec>(other)};
+  Do(load, 10);
+  Do(sim::Grasp{.hand = HandName::kRight, .object = "a"}, 10);
+  Do(sim::StartRecording(), 10);
+  EXPECT_EQ(*simulation_->Apply(load),
+            "a recording is in progress, which is of one scene; finish it first");
+  EXPECT_NE(simulation_->Apply(sim::Undo()), std::nullopt);
+  Do(sim::Release{.hand = HandName::kRight}, 30);
+  Do(sim::FinishRecording());
+  const recording::Recording take = recording::OpenRecording(root_ / "other");
+  EXPECT_EQ(take.start_scene(), other);
+  EXPECT_EQ(take.info.start.tick, 20u);
+  EXPECT_EQ(replay::Replay(take).first_difference, std::nullopt);
+  // Nobody can load in a log: what is seen of a recording is of one scene.
+  WriteFile(root_ / "other/commands.jsonl", R"({"tick":0,"do":"load","xml":""})"
+                                            "\n");
+  EXPECT_THROW((void)recording::OpenRecording(root_ / "other"), InputError);
+  for (int i = 0; i < 3; ++i) Do(sim::Undo());
+  EXPECT_EQ(simulation_->tick(), 20u);
+  EXPECT_EQ(simulation_->scene().name, "pair");
+}
+
 TEST_F(RecordingDeskTest, NoNameLeadsOutOfItsFolder) {
   for (const char* name : {"../up", "/tmp/x", ".hidden", "a/b", "a\\b", "a\nb", ".."}) {
     const auto refusal = simulation_->Apply(sim::StartRecording{.name = name});

@@ -86,6 +86,8 @@ std::vector<Written> OtherExamples() {
       {Spawn{.xml = "<tabletop/>\n"}, R"({"do":"spawn","xml":"<tabletop/>\n"})"},
       {Remove{.object = "b03"}, R"({"do":"remove","object":"b03"})"},
       {Clear(), R"({"do":"clear"})"},
+      {Load{std::make_shared<const scene::SceneSpec>(scene::SceneSpec{.name = "scene"})},
+       R"x({"do":"load","xml":"<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<tabletop xmlns=\"http://synapse.cs.umd.edu/tabletop-xml\" xspan=\"20\" yspan=\"12\"/>\n"})x"},
       {Undo(), R"({"do":"undo"})"},
       {Redo(), R"({"do":"redo"})"},
       {StartRecording{}, R"({"do":"start"})"},

@@ -45,6 +45,7 @@ TEST(CommandJson, RoundTripsEveryKindToTheLastBit) {
         Rotate{.hand = HandName::kBoth, .angles_deg = point() * 60},
         Release{.hand = HandName::kLeft},
         Destroy{.hand = HandName::kRight},
+        Load{std::make_shared<const scene::SceneSpec>(scene::SceneSpec{.name = "scene"})},
         Point{.hand = HandName::kAny, .part = "knob"},
         Trigger{.hand = HandName::kLeft, .control = "S1"},
         Trigger{.hand = HandName::kLeft, .control = "S1", .part = "S1-b2"},
@@ -84,7 +85,7 @@ TEST(CommandJson, SaysWhatWasFoundAndExpected) {
             "\"do\" is \"grab\", expected one of grasp, move_to, plane, rotate, release, "
             "destroy, attend, point, trigger, fasten, loosen, "
             "joint_velocities, joint_angles, turn, gripper, pose, trajectory, robot, face, "
-            "markers, spawn, remove, clear, undo, redo, start, finish");
+            "markers, spawn, remove, clear, load, undo, redo, start, finish");
   EXPECT_EQ(MessageOf(R"({"hand":"third","do":"release"})"),
             "\"hand\" is \"third\", expected left, right, both or any");
   EXPECT_EQ(MessageOf(R"({"do":"face","mood":"angry"})"),

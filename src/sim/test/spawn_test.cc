@@ -124,7 +124,8 @@ TEST_F(SpawnTest, SaysWhyNothingIsAdded) {
             std::string::npos);
   EXPECT_NE(RefusalOf("<include file=\"/etc/passwd\"/>").find("no scene"), std::string::npos);
   std::string many;
-  for (int i = 0; i <= kMaxSpawnedObjects; ++i) many += "<block location=\"(0,0,0)\"/>";
+  for (int i = 0; i <= kCommandSceneLimits.max_objects; ++i)
+    many += "<block location=\"(0,0,0)\"/>";
   EXPECT_NE(RefusalOf(many).find("2000"), std::string::npos);
   EXPECT_EQ(RefusalOf(std::string(kMaxSceneText, ' ')), "what is to be added is longer than 1 MiB");
 }

@@ -184,6 +184,32 @@ TEST_F(SessionTest, ScenesAreLoadedAndLoadedAgain) {
   EXPECT_NE(Refused(R"({"do":"clear","rage":true})").find("finish it first"), std::string::npos);
 }
 
+TEST_F(SessionTest, AnUndoLeadsBackIntoTheSceneThatWasLeft) {
+  Begin();
+  Command(R"({"do":"grasp","hand":"left","object":"a","point":[0,-2,1]})");
+  Command(R"({"do":"move_to","hand":"left","position":[0,-2,4]})");
+  Command(R"({"do":"markers","points":[[1,2,3]]})");
+  TickSeconds(0.3);
+  const Vector3 place = PositionOf("a");
+  const std::uint64_t tick = State()["tick"].get<std::uint64_t>();
+  Do(R"({"do":"load","scene":"pair_elsewhere"})");
+  EXPECT_EQ(State()["markers"], Json::array());
+  EXPECT_EQ(State()["hands"]["left"]["object"], Json());
+  TickSeconds(0.1);
+  Command(R"({"do":"undo"})");
+  EXPECT_EQ(Latest("scene")["name"], "pair");
+  EXPECT_EQ(State()["tick"], tick);
+  EXPECT_EQ(State()["hands"]["left"]["object"], "a");
+  EXPECT_EQ(PositionOf("a"), place);
+  Command(R"({"do":"redo"})");
+  EXPECT_EQ(Latest("scene")["name"], "pair_elsewhere");
+  EXPECT_EQ(State()["tick"], 6);
+  Do(R"({"do":"reload"})");
+  Do(R"({"do":"spawn","preset":"ball","seed":1})");
+  for (int i = 0; i < 3; ++i) Command(R"({"do":"undo"})");
+  EXPECT_EQ(PositionOf("a"), place);
+}
+
 TEST_F(SessionTest, WhatIsAddedCanBeUndoneAndIsRecorded) {
   Begin();
   Command(R"({"do":"grasp","hand":"left","object":"a","point":[0,-2,1]})");

@@ -45,7 +45,10 @@ std::vector<RequestForm> WorldRequests() {
        {{"allowed", JsonShape::List(AllowedShape())}},
        "of each in order: true, or why it would be refused. Also a command to a hand, an object or "
        "the robot is tried, on a copy of the world"},
-      {"pause", {}, {}, "time stands still; commands are still carried out"},
+      {"pause",
+       {},
+       {},
+       "time stands still; commands are still carried out. Refused in playback, as `resume` is"},
       {"resume", {}, {}, ""},
       {"speed", {{"factor", NumberShape(), true, "0.1 to 4"}}, {}, "of simulated to real time"},
       {"snap",
@@ -141,7 +144,8 @@ std::vector<RequestForm> PlaybackRequests() {
       {"show",
        {recording, {"seconds", NumberShape(), kOptional}},
        {{"length", NumberShape()}},
-       "the world shows this moment of it, and nothing can be grasped (`mode` is `playback`)"},
+       "the world shows this moment of it, and nothing can be grasped (`mode` is `playback`); "
+       "refused while recording"},
       {"play",
        {{"rate", NumberShape(), kOptional}},
        {},

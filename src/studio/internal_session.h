@@ -45,6 +45,7 @@ class Session::Impl {
   enum class Need {
     kLiveWorld,
     kPlayback,
+    kNoPlayback,
     kNoRage,
     kNoRecording,
     kNoRestoring,

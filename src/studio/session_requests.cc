@@ -62,8 +62,8 @@ const std::vector<Session::Impl::RequestRow>& Session::Impl::RequestRows() {
   static const std::vector<RequestRow> kRows = {
       {"allowed", &Impl::Allowed},
       {"command", &Impl::Command, {Need::kLiveWorld}},
-      {"pause", &Impl::Pause},
-      {"resume", &Impl::Resume},
+      {"pause", &Impl::Pause, {Need::kNoPlayback}},
+      {"resume", &Impl::Resume, {Need::kNoPlayback}},
       {"speed", &Impl::SetSpeed},
       {"snap", &Impl::SetSnap},
       {"support", &Impl::FindSupport, {Need::kLiveWorld}},
@@ -73,7 +73,7 @@ const std::vector<Session::Impl::RequestRow>& Session::Impl::RequestRows() {
       {"check", &Impl::Check, {}, /*is_for_anyone=*/true},
       {"spawn", &Impl::Spawn, {Need::kLiveWorld}},
       {"clear", &Impl::Clear, {Need::kLiveWorld}, false, &Impl::RefuseClear},
-      {"show", &Impl::Show, {Need::kNoRage}},
+      {"show", &Impl::Show, {Need::kNoRage, Need::kNoRecording}},
       {"play", &Impl::Play, {Need::kPlayback}},
       {"live", &Impl::GoLive, {Need::kPlayback}},
       {"branch", &Impl::Branch, kToLoad},
@@ -118,6 +118,8 @@ std::optional<std::string> Session::Impl::Unmet(Need need) const {
       return world_state_->RefuseCommands();
     case Need::kPlayback:
       return unless(playback_ != nullptr, "no recording is shown");
+    case Need::kNoPlayback:
+      return playback_ ? playback_->RefuseCommands() : std::nullopt;
     case Need::kNoRecording:
       return unless(!world_->is_recording(), "a recording is in the making: finish it first");
     case Need::kNoRestoring:

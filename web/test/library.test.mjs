@@ -34,11 +34,14 @@ test("a recording is shown, played, edited, renamed, binned and taken back", asy
   await witness.until(() => witness.ids.length === 0, "an empty table");
   await timeline.getByRole("slider", { name: "Moment" }).fill("1");
   await witness.until(() => witness.state.mode === "playback" && witness.state.playback.seconds === 1, "a moment of it");
+  const pause = page.getByRole("button", { name: "Pause", exact: true });
+  assert.ok(await pause.isDisabled(), "the world waits anyway");
   await person.press("Play", timeline);
   await witness.until(() => witness.state.playback.seconds > 1.2, "it plays");
   await person.press("Stop", timeline);
   await person.press("Back to the table");
   await witness.until(() => witness.state.mode === "live", "the table again");
+  await page.waitForFunction((button) => !button.disabled, await pause.elementHandle());
   assert.deepEqual(witness.ids, [], "as it was left");
 
   // Without its last action the block is still in the air: that is told, and then done.

@@ -7,7 +7,7 @@ import { Button } from "../ui/buttons";
 import { openDialogs } from "../ui/dialog";
 import { Notices } from "../ui/notices";
 import { ControlWanted, takeControl } from "./control";
-import { failedRecording, isPaused, isPlayback, isRage, mayControl } from "./now";
+import { failedRecording, isPaused, isPlayback, isRage } from "./now";
 
 /** So long a connection may take before anybody is told that it takes long; and that it may never come. */
 const PATIENCE_MS = 800;
@@ -100,7 +100,7 @@ function Present() {
           <Button
             label={texts.time.resume}
             kind="accent"
-            disabled={!mayControl.value}
+            {...when(may("resume"))}
             onClick={() => void ask("resume")}
           />
         </div>

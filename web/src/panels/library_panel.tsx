@@ -5,7 +5,7 @@ import { texts } from "../texts";
 import { Button } from "../ui/buttons";
 import { Empty, isFound, Picture, SearchField } from "../ui/card";
 import { MenuButton, type MenuEntry } from "../ui/menu";
-import { isRecording, mayControl } from "./now";
+import { mayControl } from "./now";
 import { isTimelineOpen, renamed, sheet, showPanel, toImitate } from "./page";
 import { opened, openRecording, pictureOfRecording, recordings, refreshRecordings, titleOf, type Recording, type Timeline } from "./recordings";
 
@@ -63,8 +63,10 @@ function imitate(id: string): void {
 function entriesOf(recording: Recording): MenuEntry[] {
   const { id } = recording;
   const disabled = !mayControl.value;
+  const show = may("show");
+  const why = show === true ? {} : { disabled: true, reason: show };
   return [
-    { label: words.show, icon: "eye", disabled: may("show") !== true || isRecording.value, onChoose: () => void showEnd(id) },
+    { label: words.show, icon: "eye", ...why, onChoose: () => void showEnd(id) },
     { label: words.imitate, icon: "robot", onChoose: () => imitate(id) },
     { label: words.rename, icon: "pencil", disabled, onChoose: () => (renamed.value = id) },
     { label: words.download, icon: "download", onChoose: () => download(id) },

@@ -1,7 +1,7 @@
 import { ask, command } from "../studio";
-import { mayCommand } from "../allowed";
+import { may, mayCommand } from "../allowed";
 import { listenToKeys } from "../keys";
-import { isPaused, isPlayback, isRecording, mayControl } from "./now";
+import { isPaused, isRecording } from "./now";
 import { isHelpOpen } from "./page";
 import { finishRecording } from "./recordings";
 
@@ -17,7 +17,10 @@ export function listenToShortcuts(): () => void {
     },
     "record.undo": () => mayCommand("undo") === true && void command({ do: "undo" }),
     "record.redo": () => mayCommand("redo") === true && void command({ do: "redo" }),
-    "time.pause": () => mayControl.value && !isPlayback.value && void ask(isPaused.value ? "resume" : "pause"),
+    "time.pause": () => {
+      const what = isPaused.value ? "resume" : "pause";
+      if (may(what) === true) void ask(what);
+    },
     help: () => (isHelpOpen.value = true),
   });
 }

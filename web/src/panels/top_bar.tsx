@@ -1,6 +1,6 @@
 import { useRef } from "preact/hooks";
 import { useSignal } from "@preact/signals";
-import { mayCommand, when } from "../allowed";
+import { may, mayCommand, when } from "../allowed";
 import { ask, command, scene, state } from "../studio";
 import { texts } from "../texts";
 import { Button } from "../ui/buttons";
@@ -8,7 +8,7 @@ import { Menu } from "../ui/menu";
 import { fps } from "../world/signals";
 import { Control } from "./control";
 import { keyFor } from "./key_names";
-import { isPaused, isPlayback, isRecording, mayControl } from "./now";
+import { isPaused, isRecording, mayControl } from "./now";
 import { DETAILS, detail, isHelpOpen, theme, THEMES } from "./page";
 import { finishRecording } from "./recordings";
 
@@ -80,7 +80,7 @@ function Time() {
         isIconOnly
         keys={keyFor("time.pause")}
         isPressed={isPaused.value}
-        disabled={!mayControl.value || isPlayback.value}
+        {...when(may(isPaused.value ? "resume" : "pause"))}
         onClick={() => void ask(isPaused.value ? "resume" : "pause")}
       />
       <select

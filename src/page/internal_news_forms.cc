@@ -73,6 +73,8 @@ JsonShape StateNewsShape() {
               {"still", FlagShape()},
               {"recording", recording.OrNull()},
               {"playback", playback.OrNull()},
+              {"restoring", TextShape().OrNull(), true,
+               "the recording to a moment of which the world goes back"},
               {"failure", failure.OrNull(), true, "the last recording ended by itself"},
               {"controls", JsonShape::Map(TextShape()), true,
                "states as recordings have them; of a switch its position"},

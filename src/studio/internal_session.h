@@ -12,6 +12,7 @@
 #include "page/request_fields.h"
 #include "studio/internal_console_news.h"
 #include "studio/internal_eye_preview.h"
+#include "studio/internal_restoring.h"
 #include "studio/internal_scene_announcer.h"
 #include "studio/internal_session_state.h"
 #include "studio/live_brain.h"
@@ -41,18 +42,6 @@ class Session::Impl {
  private:
   // What may be asked (session_requests.cc).
 
-  /// What a request needs to be carried out.
-  enum class Need {
-    kLiveWorld,
-    kPlayback,
-    kNoPlayback,
-    kNoRage,
-    kNoRecording,
-    kNoRestoring,
-    kRobot,
-    kProgram,
-    kNoProgram,
-  };
   using Needs = std::vector<Need>;
   using Handler = Json (Impl::*)(const page::RequestFields&);
   /// Further reasons to refuse a request, by its fields.
@@ -145,7 +134,7 @@ class Session::Impl {
   LiveBrain brain_;
   std::unique_ptr<SessionState> world_state_;  ///< of the world: live, imitating or rage
   std::unique_ptr<PlaybackState> playback_;    ///< over it; nullptr unless a recording is shown
-  bool is_restoring_ = false;  ///< the world that goes on with a recording is in the making
+  std::shared_ptr<Restoring> restoring_;       ///< nullptr unless it goes on; see Branch()
   Rehearsal rehearsal_;
   RestingPlace resting_place_;
   Snapper snapper_;

@@ -20,18 +20,24 @@ library::View ViewOf(const sim::Simulation& simulation) {
 
 }  // namespace
 
-library::View LiveState::view() const { return ViewOf(world_->simulation()); }
-
-model::Sight LiveState::SightThrough(model::EyeSpec eye) const {
-  return sim::SightOf(world_->simulation(), eye);
+std::optional<std::string> WorldState::Unmet(Need need) const {
+  const bool is_bound = need == Need::kOtherWorld || need == Need::kShow;
+  if (!is_bound || !world_->is_recording()) return std::nullopt;
+  return "a recording is in the making: finish it first";
 }
 
-Json LiveState::Describe() const { return DescribeLive(world_->simulation()); }
+library::View LiveState::view() const { return ViewOf(world().simulation()); }
+
+model::Sight LiveState::SightThrough(model::EyeSpec eye) const {
+  return sim::SightOf(world().simulation(), eye);
+}
+
+Json LiveState::Describe() const { return DescribeLive(world().simulation()); }
 
 bool LiveState::Tick(bool is_paused) {
   if (is_paused) return true;
-  if (!brain_->Drive(&world_->simulation())) return false;
-  world_->simulation().Tick();
+  if (!brain_->Drive(&world().simulation())) return false;
+  world().simulation().Tick();
   return true;
 }
 
@@ -60,7 +66,9 @@ std::optional<Json> ImitatingState::End(double measured_speed) {
   return Json{{"t", "score"}, {"result", std::move(result)}};
 }
 
-std::optional<std::string> RageState::RefuseCommands() const {
+std::optional<std::string> RageState::Unmet(Need need) const {
+  const bool must_wait = need == Need::kCommands || need == Need::kShow;
+  if (!must_wait) return WorldState::Unmet(need);
   return "the robot clears the table: wait until it is over";
 }
 
@@ -84,7 +92,9 @@ Json PlaybackState::DescribePlayback() const {
           {"rate", playback_.rate()}};
 }
 
-std::optional<std::string> PlaybackState::RefuseCommands() const {
+std::optional<std::string> PlaybackState::Unmet(Need need) const {
+  const bool is_of_world = need == Need::kCommands || need == Need::kTime;
+  if (!is_of_world) return std::nullopt;
   return "a recording is shown: go back to the live world first";
 }
 

@@ -17,18 +17,36 @@
 #include "task/imitation_result.h"
 
 // The states of a session: each shows something, lets something go on while time goes by, and
-// decides whether the live world takes commands.
+// decides which needs of requests are met.
 
 namespace smile::studio {
 
-class SessionState {
- public:
-  virtual ~SessionState() = default;
+/// A condition of a request.
+enum class Need {
+  kCommands,      ///< the live world takes commands
+  kTime,          ///< its time may be stopped
+  kOtherWorld,    ///< another world may take its place
+  kNewRecording,  ///< a recording of it may begin
+  kShow,          ///< a recording may be shown
+  kPlayback,      ///< one is shown
+  kRobot,
+  kProgram,
+  kNoProgram,
+};
 
+/// An activity of a session: while it lasts, some needs are not met.
+class Activity {
+ public:
+  virtual ~Activity() = default;
+
+  /// The reason why a need is not met; nullopt unless this activity stands against it.
+  virtual std::optional<std::string> Unmet(Need need) const = 0;
+};
+
+class SessionState : public Activity {
+ public:
   /// `mode` of a state message.
   virtual const char* mode() const = 0;
-  /// Why the live world takes no commands; nullopt if it does.
-  virtual std::optional<std::string> RefuseCommands() const = 0;
 
   /// Of what is shown.
   virtual const model::Model& model() const = 0;
@@ -48,27 +66,41 @@ class SessionState {
   virtual std::optional<Json> End(double /*measured_speed*/) { return std::nullopt; }
 };
 
+/// A state of the live world.
+class WorldState : public SessionState {
+ public:
+  /// `world` must outlive this.
+  explicit WorldState(LiveWorld* world) : world_(world) {}
+
+  /// While it is recorded, the world stays, and is shown.
+  std::optional<std::string> Unmet(Need need) const override;
+
+ protected:
+  LiveWorld& world() { return *world_; }
+  const LiveWorld& world() const { return *world_; }
+
+ private:
+  LiveWorld* world_;
+};
+
 /// People and a robot program act in the world.
-class LiveState : public SessionState {
+class LiveState : public WorldState {
  public:
   /// Both must outlive this.
-  LiveState(LiveWorld* world, LiveBrain* brain) : world_(world), brain_(brain) {}
+  LiveState(LiveWorld* world, LiveBrain* brain) : WorldState(world), brain_(brain) {}
 
   const char* mode() const override { return "live"; }
-  std::optional<std::string> RefuseCommands() const override { return std::nullopt; }
-  const model::Model& model() const override { return world_->simulation().model(); }
+  const model::Model& model() const override { return world().simulation().model(); }
   library::View view() const override;
   model::Sight SightThrough(model::EyeSpec eye) const override;
   Json Describe() const override;
   bool Tick(bool is_paused) override;
 
  protected:
-  LiveWorld& world() { return *world_; }
   LiveBrain& brain() { return *brain_; }
   const LiveBrain& brain() const { return *brain_; }
 
  private:
-  LiveWorld* world_;
   LiveBrain* brain_;
 };
 
@@ -91,12 +123,13 @@ class ImitatingState : public LiveState {
 };
 
 /// The robot clears the table, in a copy of the world.
-class RageState : public SessionState {
+class RageState : public WorldState {
  public:
-  explicit RageState(const sim::Simulation& simulation) : rage_(simulation) {}
+  /// Must be possible, see Rage. `world` must outlive this.
+  explicit RageState(LiveWorld* world) : WorldState(world), rage_(world->simulation()) {}
 
   const char* mode() const override { return "rage"; }
-  std::optional<std::string> RefuseCommands() const override;
+  std::optional<std::string> Unmet(Need need) const override;
   const model::Model& model() const override { return rage_.simulation().model(); }
   library::View view() const override;
   model::Sight SightThrough(model::EyeSpec eye) const override;
@@ -121,7 +154,7 @@ class PlaybackState : public SessionState {
   Json DescribePlayback() const;
 
   const char* mode() const override { return "playback"; }
-  std::optional<std::string> RefuseCommands() const override;
+  std::optional<std::string> Unmet(Need need) const override;
   const model::Model& model() const override { return playback_.model(); }
   library::View view() const override;
   /// With the camera that the recording was made with.

@@ -108,6 +108,7 @@ Json Session::Impl::DescribeState() const {
   state_message["recording"] = world_->DescribeRecording();
   state_message["failure"] = failure_;
   state_message["playback"] = playback_ ? playback_->DescribePlayback() : Json();
+  state_message["restoring"] = restoring_ ? Json(restoring_->recording()) : Json();
   state_message["brain"] = brain_.Describe();
   state_message["snap"] = NamesOf(snapper_.to);
   state_message["markers"] = Json::array();

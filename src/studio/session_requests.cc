@@ -5,8 +5,6 @@
 
 #include "base/wording.h"
 #include "page/snap_names.h"
-#include "picture/rendered_eye.h"
-#include "recording/recording_history.h"
 #include "sim/add.h"
 #include "sim/command_json.h"
 #include "studio/internal_session.h"
@@ -33,50 +31,27 @@ sim::HandName HandOf(const page::RequestFields& fields) {
   return demonstrator::ParseHandName(fields.Word("hand", kHands)).value_or(sim::HandName::kAny);
 }
 
-struct BranchPoint {
-  std::size_t step = 0;         ///< of the recording's history
-  std::optional<double> after;  ///< its beginning [s]; nullopt for its end
-};
-
-/// A world that goes on with a recording, made in any thread: the desk's eye, which belongs to
-/// another, is put in only at last, and pictures on the way there are taken with one like it.
-std::unique_ptr<LiveWorld> GoOnWith(const std::filesystem::path& directory, const BranchPoint& from,
-                                    const recorder::RecordingDesk::Options& desk,
-                                    const recording::Progress& progress) {
-  const recording::Recording recording = recording::OpenRecording(directory);
-  const recording::Moment moment =
-      recording::MomentOf(recording, recording::HistoryOf(recording), from.step, from.after);
-  recorder::RecordingDesk::Options options = desk;
-  std::optional<picture::RenderedEye> eye;
-  if (desk.eye != nullptr) options.eye = &eye.emplace(desk.eye->spec());
-  auto world = std::make_unique<LiveWorld>(recording.start_scene(), recording.robot(), options);
-  world->Continue(recording, moment, progress);
-  if (EyeTap* tap = world->eye()) tap->SetEye(desk.eye);
-  return world;
-}
-
 }  // namespace
 
 const std::vector<Session::Impl::RequestRow>& Session::Impl::RequestRows() {
-  static const Needs kToLoad = {Need::kNoRestoring, Need::kNoRecording};
   static const std::vector<RequestRow> kRows = {
       {"allowed", &Impl::Allowed},
-      {"command", &Impl::Command, {Need::kLiveWorld}},
-      {"pause", &Impl::Pause, {Need::kNoPlayback}},
-      {"resume", &Impl::Resume, {Need::kNoPlayback}},
+      {"command", &Impl::Command, {Need::kCommands}},
+      {"pause", &Impl::Pause, {Need::kTime}},
+      {"resume", &Impl::Resume, {Need::kTime}},
       {"speed", &Impl::SetSpeed},
       {"snap", &Impl::SetSnap},
-      {"support", &Impl::FindSupport, {Need::kLiveWorld}},
-      {"resting_place", &Impl::AnswerRestingPlace, {Need::kLiveWorld}},
-      {"load", &Impl::Load, kToLoad},
-      {"reload", &Impl::Reload, kToLoad},
+      {"support", &Impl::FindSupport, {Need::kCommands}},
+      {"resting_place", &Impl::AnswerRestingPlace, {Need::kCommands}},
+      {"load", &Impl::Load, {Need::kOtherWorld}},
+      {"reload", &Impl::Reload, {Need::kOtherWorld}},
       {"check", &Impl::Check, {}, /*is_for_anyone=*/true},
-      {"spawn", &Impl::Spawn, {Need::kLiveWorld}},
-      {"clear", &Impl::Clear, {Need::kLiveWorld}, false, &Impl::RefuseClear},
-      {"show", &Impl::Show, {Need::kNoRage, Need::kNoRecording}},
+      {"spawn", &Impl::Spawn, {Need::kCommands}},
+      {"clear", &Impl::Clear, {Need::kCommands}, false, &Impl::RefuseClear},
+      {"show", &Impl::Show, {Need::kShow}},
       {"play", &Impl::Play, {Need::kPlayback}},
       {"live", &Impl::GoLive, {Need::kPlayback}},
-      {"branch", &Impl::Branch, kToLoad},
+      {"branch", &Impl::Branch, {Need::kOtherWorld}},
       {"brains", &Impl::DescribeBrains, {}, /*is_for_anyone=*/true},
       {"start_brain",
        &Impl::StartBrain,
@@ -84,9 +59,7 @@ const std::vector<Session::Impl::RequestRow>& Session::Impl::RequestRows() {
        false,
        &Impl::RefuseStartBrain},
       {"stop_brain", &Impl::StopBrain, {Need::kProgram}},
-      {"imitate",
-       &Impl::Imitate,
-       {Need::kNoRestoring, Need::kNoRecording, Need::kRobot, Need::kNoProgram}},
+      {"imitate", &Impl::Imitate, {Need::kOtherWorld, Need::kRobot, Need::kNoProgram}},
   };
   return kRows;
 }
@@ -112,25 +85,22 @@ std::optional<std::string> Session::Impl::Unmet(Need need) const {
     return is_met ? std::nullopt : std::optional<std::string>(reason);
   };
   switch (need) {
-    case Need::kLiveWorld:
-      return state().RefuseCommands();
-    case Need::kNoRage:
-      return world_state_->RefuseCommands();
     case Need::kPlayback:
       return unless(playback_ != nullptr, "no recording is shown");
-    case Need::kNoPlayback:
-      return playback_ ? playback_->RefuseCommands() : std::nullopt;
-    case Need::kNoRecording:
-      return unless(!world_->is_recording(), "a recording is in the making: finish it first");
-    case Need::kNoRestoring:
-      return unless(!is_restoring_,
-                    "the world goes back to a moment of a recording: wait until it is there");
     case Need::kRobot:
       return unless(options_.robot.has_value(), "there is no robot");
     case Need::kProgram:
       return unless(brain_.is_running(), "no robot program is running");
     case Need::kNoProgram:
       return unless(!brain_.is_running(), "a robot program is running: stop it first");
+    default:
+      break;
+  }
+  const std::initializer_list<const Activity*> all = {playback_.get(), restoring_.get(),
+                                                      world_state_.get()};
+  for (const Activity* activity : all) {
+    if (activity == nullptr) continue;
+    if (auto reason = activity->Unmet(need)) return reason;
   }
   return std::nullopt;
 }
@@ -150,13 +120,13 @@ std::optional<std::string> Session::Impl::RefusalOf(const RequestRow& row,
 }
 
 std::optional<std::string> Session::Impl::RefuseStartBrain(const page::RequestFields& fields) {
-  if (!fields.OptionalText("scene")) return Unmet(Need::kLiveWorld);
-  return FirstUnmet({Need::kNoRestoring, Need::kNoRecording});
+  if (!fields.OptionalText("scene")) return Unmet(Need::kCommands);
+  return Unmet(Need::kOtherWorld);
 }
 
 std::optional<std::string> Session::Impl::RefuseClear(const page::RequestFields& fields) {
   if (!fields.Flag("rage")) return std::nullopt;
-  if (auto reason = FirstUnmet({Need::kNoRestoring, Need::kNoRecording})) return reason;
+  if (auto reason = Unmet(Need::kOtherWorld)) return reason;
   if (Rage::IsPossible(world_->simulation())) return std::nullopt;
   return "there is no robot to clear the table";
 }
@@ -169,11 +139,11 @@ std::optional<std::string> Session::Impl::RefusalInSession(const sim::Command& c
   }
   const bool is_ended_by_restoring = std::holds_alternative<sim::StartRecording>(command) ||
                                      std::holds_alternative<sim::Load>(command);
-  return is_ended_by_restoring ? Unmet(Need::kNoRestoring) : std::nullopt;
+  return is_ended_by_restoring ? Unmet(Need::kNewRecording) : std::nullopt;
 }
 
 std::optional<std::string> Session::Impl::RefusalOf(const sim::Command& command) const {
-  if (auto reason = Unmet(Need::kLiveWorld)) return reason;
+  if (auto reason = Unmet(Need::kCommands)) return reason;
   if (auto reason = RefusalInSession(command)) return reason;
   return world_->simulation().Refuse(command);
 }
@@ -333,21 +303,20 @@ Json Session::Impl::Branch(const page::RequestFields& fields) {
   const std::string id = fields.Text("recording");
   const BranchPoint from{.step = static_cast<std::size_t>(fields.Whole("step", 1'000'000'000)),
                          .after = fields.OptionalNumber("after", 0, kMaxSeconds)};
-  const std::filesystem::path directory = library_.DirectoryOf(id);
-  // Made in the workshop, entered here. It belongs to both: each may be gone before the other.
-  const auto made = std::make_shared<std::unique_ptr<LiveWorld>>();
-  const auto work = [made, id, directory, from,
-                     desk = DeskOptions()](const recording::Progress& progress) -> Json {
-    *made = GoOnWith(directory, from, desk, progress);
-    return {{"recording", id}};
+  // It belongs to the session and to the workshop: each may be gone before the other.
+  const auto restoring =
+      std::make_shared<Restoring>(id, library_.DirectoryOf(id), from, DeskOptions());
+  const auto work = [restoring](const recording::Progress& progress) -> Json {
+    restoring->Make(progress);
+    return {{"recording", restoring->recording()}};
   };
-  const auto conclude = [this, made] {
-    is_restoring_ = false;
-    if (!*made) return;
-    Enter(std::move(*made));
+  const auto conclude = [this] {
+    std::unique_ptr<LiveWorld> made = std::exchange(restoring_, nullptr)->TakeWorld();
+    if (!made) return;
+    Enter(std::move(made));
   };
   options_.workshop->Begin({.request = fields.request(), .work = work, .conclude = conclude});
-  is_restoring_ = true;
+  restoring_ = restoring;
   return page::AnswersLater();
 }
 

@@ -78,7 +78,7 @@ Json Session::Impl::Spawn(const page::RequestFields& fields) {
 
 Json Session::Impl::Clear(const page::RequestFields& fields) {
   if (fields.Flag("rage")) {
-    world_state_ = std::make_unique<RageState>(world_->simulation());
+    world_state_ = std::make_unique<RageState>(world_.get());
   } else {
     Apply(sim::Clear{});
   }

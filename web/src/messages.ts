@@ -169,6 +169,8 @@ export interface StateMessage {
   still: boolean;
   recording: { id: string; title: string; seconds: number; segments: Segment[] } | null;
   playback: { recording: string; seconds: number; length: number; rate: number } | null;
+  /** the recording to a moment of which the world goes back */
+  restoring: string | null;
   /** the last recording ended by itself */
   failure: { recording: string; title: string; error: string; kept: boolean } | null;
   /** states as recordings have them; of a switch its position */

@@ -48,8 +48,10 @@ TEST_F(SessionAllowed, WhileAMomentIsRestoredNothingElseIsLoadedOrRecorded) {
   const std::uint32_t branch = seq_;
   EXPECT_EQ(AllowedNow(), (Names{"command", "resting_place", "support", "spawn", "clear", "show",
                                  "undo", "pause", "resume"}));
+  EXPECT_EQ(State()["restoring"], "take");
   seq_ = branch;
   EXPECT_TRUE(LaterAnswer()["ok"].get<bool>());
+  EXPECT_TRUE(State()["restoring"].is_null());
   EXPECT_TRUE(AllowedNow().contains("finish")) << "it is recorded on";
 }
 

@@ -7,7 +7,7 @@ import { Button } from "../ui/buttons";
 import { openDialogs } from "../ui/dialog";
 import { Notices } from "../ui/notices";
 import { ControlWanted, takeControl } from "./control";
-import { failedRecording, isPaused, isPlayback, isRage } from "./now";
+import { failedRecording, isPaused, isPlayback, isRage, isRestoring } from "./now";
 
 /** So long a connection may take before anybody is told that it takes long; and that it may never come. */
 const PATIENCE_MS = 800;
@@ -34,12 +34,12 @@ function Disconnected() {
 }
 
 function Busy() {
-  if (progress.value === null || openDialogs.value.length > 0) return null;
-  const { what, done, total } = progress.value;
+  const what = progress.value?.what ?? (isRestoring.value ? "branch" : null);
+  if (what === null || openDialogs.value.length > 0) return null;
   return (
     <div class="banner busy">
       <label for="busy">{texts.progress[what] ?? what}</label>
-      <progress id="busy" value={done} max={total} />
+      {progress.value === null ? <progress id="busy" /> : <progress id="busy" value={progress.value.done} max={progress.value.total} />}
     </div>
   );
 }

@@ -7,6 +7,8 @@ import { scene, state } from "../studio";
 export const isPaused = computed(() => state.value?.paused ?? false);
 export const isRage = computed(() => state.value?.mode === "rage");
 export const isPlayback = computed(() => state.value?.mode === "playback");
+/** The world goes back to a moment of a recording. */
+export const isRestoring = computed(() => (state.value?.restoring ?? null) !== null);
 export const isRecording = computed(() => (state.value?.recording ?? null) !== null);
 /** The recording that the views show; null while they show the table. */
 export const shownRecording = computed(() => state.value?.playback?.recording ?? null);

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "recorder/recording_desk.h"
+#include "recording/progress.h"
+#include "studio/internal_session_state.h"
+#include "studio/live_world.h"
+
+namespace smile::studio {
+
+/// A moment of a recording's history.
+struct BranchPoint {
+  std::size_t step = 0;
+  std::optional<double> after;  ///< the step's beginning [s]; nullopt for its end
+};
+
+/// The activity of going back to a moment of a recording: the world that continues it is made in
+/// another thread. Until then the live world and playback go on, but nothing else is recorded or
+/// loaded.
+class Restoring : public Activity {
+ public:
+  /// @param directory  of the recording with this id.
+  Restoring(std::string recording, std::filesystem::path directory, const BranchPoint& from,
+            recorder::RecordingDesk::Options desk);
+
+  /// The id of the recording.
+  const std::string& recording() const { return recording_; }
+  std::optional<std::string> Unmet(Need need) const override;
+
+  /// Makes the world, in any thread, once.
+  /// @throws InputError or std::invalid_argument if the recording cannot be read or has no such
+  ///         moment.
+  void Make(const recording::Progress& progress);
+  /// Returns the world after Make() has returned or thrown; nullptr if it threw.
+  std::unique_ptr<LiveWorld> TakeWorld() { return std::move(world_); }
+
+ private:
+  std::string recording_;
+  std::filesystem::path directory_;
+  BranchPoint from_;
+  recorder::RecordingDesk::Options desk_;
+  std::unique_ptr<LiveWorld> world_;
+};
+
+}  // namespace smile::studio

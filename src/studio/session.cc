@@ -1,11 +1,23 @@
 #include "studio/session.h"
 
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include "base/files.h"
 #include "brain/brain_log.h"
-#include "studio/internal_session.h"
+#include "library/library.h"
+#include "studio/internal_brain_requests.h"
+#include "studio/internal_console_news.h"
+#include "studio/internal_eye_preview.h"
+#include "studio/internal_playback_requests.h"
+#include "studio/internal_scene_announcer.h"
+#include "studio/internal_scene_requests.h"
+#include "studio/internal_scene_source.h"
+#include "studio/internal_session_requests.h"
+#include "studio/internal_state_announcer.h"
+#include "studio/internal_state_machine.h"
+#include "studio/internal_world_requests.h"
 #include "studio/scene_message.h"
 
 namespace smile::studio {
@@ -13,122 +25,209 @@ namespace {
 
 constexpr std::uint64_t kTicksPerState = 3;  // at most 20 states a second
 
-/// A state message without what goes on while nothing happens: time alone is no news, but that a
-/// recording is a second longer.
-Json WithoutTime(Json state) {
-  state.erase("tick");
-  Json& recording = state["recording"];
-  if (!recording.is_object()) return state;
-  recording["seconds"] = std::floor(recording["seconds"].get<double>());
-  recording["segments"].back().erase("seconds");
-  return state;
+SessionOptions WithDefaults(SessionOptions options) {
+  if (options.gallery.empty()) options.gallery = DataFile("scenes");
+  return options;
+}
+
+/// Binds a member function to its object, which may come into being later.
+template <class Requests, class Member>
+auto Bound(Requests* requests, Member member) {
+  return
+      [requests, member](const page::RequestFields& fields) { return (requests->*member)(fields); };
 }
 
 }  // namespace
 
+/// Puts the parts together: states, requests, and the news of both.
+class Session::Impl : private StateMachine::Listener {
+ public:
+  explicit Impl(SessionOptions options);
+
+  SessionRequests& requests() { return requests_; }
+  Pace& pace() { return states_.pace(); }
+  bool Tick();
+  const library::View& view() const;
+  News TakeNews();
+  std::vector<Json> Everything() const;
+  std::optional<std::string> MeshBytes(std::uint32_t scene, std::size_t mesh) const {
+    return scene_announcer_.MeshBytes(scene, mesh);
+  }
+
+ private:
+  /// All that may be asked for, with what it needs.
+  std::vector<RequestRow> RequestRows();
+
+  void OnOtherWorld() override { world_requests_.Forget(); }
+  void OnOtherScene() override;
+  void OnScore(Json score) override;
+  /// Of a recording that ended by itself.
+  void NoteFailure();
+  void TellConsole();
+  void TellIfAny(std::optional<Json> message);
+  Json DescribeState() const;
+
+  const SessionOptions options_;
+  library::Library library_;
+  SceneSource scene_source_;
+  StateMachine states_;
+  SceneRequests scene_requests_;
+  WorldRequests world_requests_;
+  PlaybackRequests playback_requests_;
+  BrainRequests brain_requests_;
+  SessionRequests requests_;
+
+  std::vector<Json> messages_;
+  SceneAnnouncer scene_announcer_;
+  StateAnnouncer state_announcer_;
+  EyePreview eye_preview_;
+  ConsoleNews console_;
+  Json score_;                                 ///< the last one that was told; null before
+  Json failure_;                               ///< `failure` of a state message
+  mutable std::optional<library::View> view_;  ///< nullopt when something may have moved since
+};
+
 Session::Impl::Impl(SessionOptions options)
-    : options_(std::move(options)), library_(options_.recordings), eye_preview_(options_.eye) {
-  if (options_.gallery.empty()) options_.gallery = DataFile("scenes");
-  AddRequests();
-  Enter(std::make_unique<LiveWorld>(scene_xml::LoadScene(options_.scene, options_.reader),
-                                    options_.robot, DeskOptions()));
+    : options_(WithDefaults(std::move(options))),
+      library_(options_.recordings),
+      scene_source_(options_.gallery, options_.reader),
+      states_(options_.robot.has_value(), this),
+      scene_requests_(&scene_source_, &states_),
+      world_requests_(&states_),
+      playback_requests_(&options_, &library_, &states_),
+      brain_requests_(&options_, &library_, &scene_source_, &scene_requests_, &states_),
+      // A request may change what is to be seen.
+      requests_(&states_, RequestRows(), [this] { view_.reset(); }),
+      eye_preview_(options_.eye) {
+  states_.Enter(std::make_unique<LiveWorld>(scene_xml::LoadScene(options_.scene, options_.reader),
+                                            options_.robot, DeskOptionsOf(options_)));
+}
+
+std::vector<RequestRow> Session::Impl::RequestRows() {
+  SceneRequests* scenes = &scene_requests_;
+  WorldRequests* world = &world_requests_;
+  PlaybackRequests* playback = &playback_requests_;
+  BrainRequests* brains = &brain_requests_;
+  return {
+      {"allowed", Bound(&requests_, &SessionRequests::Allowed)},
+      {.what = "command",
+       .handle = Bound(world, &WorldRequests::Command),
+       .needs = {Need::kCommands},
+       .try_out = Bound(world, &WorldRequests::TryCommand)},
+      {"pause", Bound(world, &WorldRequests::Pause), {Need::kTime}},
+      {"resume", Bound(world, &WorldRequests::Resume), {Need::kTime}},
+      {"speed", Bound(world, &WorldRequests::SetSpeed)},
+      {"snap", Bound(world, &WorldRequests::SetSnap)},
+      {"support", Bound(world, &WorldRequests::FindSupport), {Need::kCommands}},
+      {"resting_place", Bound(world, &WorldRequests::AnswerRestingPlace), {Need::kCommands}},
+      {"spawn", Bound(world, &WorldRequests::Spawn), {Need::kCommands}},
+      {.what = "clear",
+       .handle = Bound(world, &WorldRequests::Clear),
+       .needs = {Need::kCommands},
+       .refuse = Bound(world, &WorldRequests::RefuseClear)},
+      {"load", Bound(scenes, &SceneRequests::Load), {Need::kOtherWorld}},
+      {"reload", Bound(scenes, &SceneRequests::Reload), {Need::kOtherWorld}},
+      {"check", Bound(scenes, &SceneRequests::Check), {}, /*is_for_anyone=*/true},
+      {"show", Bound(playback, &PlaybackRequests::Show), {Need::kShow}},
+      {"play", Bound(playback, &PlaybackRequests::Play), {Need::kPlayback}},
+      {"live", Bound(playback, &PlaybackRequests::GoLive), {Need::kPlayback}},
+      {"branch", Bound(playback, &PlaybackRequests::Branch), {Need::kOtherWorld}},
+      {"brains", Bound(brains, &BrainRequests::Describe), {}, /*is_for_anyone=*/true},
+      {.what = "start_brain",
+       .handle = Bound(brains, &BrainRequests::Start),
+       .needs = {Need::kRobot, Need::kNoProgram},
+       .refuse = Bound(brains, &BrainRequests::RefuseStart)},
+      {"stop_brain", Bound(brains, &BrainRequests::Stop), {Need::kProgram}},
+      {"imitate",
+       Bound(brains, &BrainRequests::Imitate),
+       {Need::kOtherWorld, Need::kRobot, Need::kNoProgram}},
+  };
 }
 
 const library::View& Session::Impl::view() const {
   if (!view_) {
-    view_ = state().view();
-    view_->scene = announcer_.number();
+    view_ = states_.shown().view();
+    view_->scene = scene_announcer_.number();
   }
   return *view_;
 }
 
 bool Session::Impl::Tick() {
-  ++num_calls_;
   view_.reset();
-  brain_.Attend(&world_->simulation());
-  const bool has_ticked = state().Tick(is_paused_);
-  if (has_ticked && !playback_) EndStateIfOver();
+  const bool has_ticked = states_.Tick();
   NoteFailure();
   TellConsole();
-  if (const auto trouble = eye_preview_.Look(world_.get(), state())) {
+  if (const auto trouble = eye_preview_.Look(&states_.world(), states_.shown())) {
     messages_.push_back({{"t", "error"}, {"error", *trouble}});
   }
-  TellIfAny(announcer_.TellLooks(view().state.looks));
-  TellStateIfDue();
+  TellIfAny(scene_announcer_.TellLooks(view().state.looks));
+  if (states_.num_ticks() % kTicksPerState == 0) TellIfAny(state_announcer_.Tell(DescribeState()));
   return has_ticked;
 }
 
-void Session::Impl::EndStateIfOver() {
-  if (!world_state_->is_over()) return;
-  if (auto score = world_state_->End(measured_speed_)) {
-    score_ = *std::move(score);
-    messages_.push_back(score_);
-  }
-  world_state_ = std::make_unique<LiveState>(world_.get(), &brain_);
+void Session::Impl::OnOtherScene() {
+  view_.reset();
+  eye_preview_.Forget();
+  state_announcer_.Forget();
+  const SessionState& shown = states_.shown();
+  messages_.push_back(scene_announcer_.Announce(shown.model(), shown.view().state.looks));
+}
+
+void Session::Impl::OnScore(Json score) {
+  score_ = std::move(score);
+  messages_.push_back(score_);
 }
 
 void Session::Impl::NoteFailure() {
-  if (auto failure = world_->TakeFailure()) {
+  LiveWorld& world = states_.world();
+  if (auto failure = world.TakeFailure()) {
     failure_ = *std::move(failure);
-  } else if (world_->is_recording()) {
+  } else if (world.is_recording()) {
     failure_ = nullptr;
   }
+}
+
+void Session::Impl::TellConsole() {
+  const std::vector<ConsoleLine> lines = states_.brain().TakeLines();
+  if (!lines.empty() && states_.world().is_recording()) {
+    brain::BrainLog log(states_.world().recording_directory());
+    for (const ConsoleLine& line : lines) log.Write(line.text);
+  }
+  TellIfAny(console_.Tell(lines));
 }
 
 void Session::Impl::TellIfAny(std::optional<Json> message) {
   if (message) messages_.push_back(*std::move(message));
 }
 
-void Session::Impl::TellConsole() {
-  const std::vector<ConsoleLine> lines = brain_.TakeLines();
-  if (!lines.empty() && world_->is_recording()) {
-    brain::BrainLog log(world_->recording_directory());
-    for (const ConsoleLine& line : lines) log.Write(line.text);
-  }
-  TellIfAny(console_.Tell(lines));
-}
-
-void Session::Impl::TellStateIfDue() {
-  if (num_calls_ % kTicksPerState != 0) return;
-  Json state = DescribeState();
-  Json what_counts = WithoutTime(state);
-  if (what_counts == told_state_) return;
-  told_state_ = std::move(what_counts);
-  messages_.push_back(std::move(state));
-}
-
 Json Session::Impl::DescribeState() const {
-  const double unit = world_->simulation().scene().meters_per_unit;
+  const LiveWorld& world = states_.world();
+  const PlaybackState* playback = states_.playback();
+  const Restoring* restoring = states_.restoring();
+  const double unit = world.simulation().scene().meters_per_unit;
   Json state_message = {{"t", "state"}};
-  state_message.update(state().Describe());
-  state_message["mode"] = state().mode();
-  state_message["allowed"] = DescribeAllowed();
-  state_message["paused"] = is_paused_;
-  state_message["speed"] = std::round(100 * measured_speed_) / 100;
-  state_message["recording"] = world_->DescribeRecording();
+  state_message.update(states_.shown().Describe());
+  state_message["mode"] = states_.shown().mode();
+  state_message["allowed"] = {{"requests", page::AllowedRequests(requests_.table())},
+                              {"commands", world_requests_.DescribeAllowedCommands()}};
+  state_message["paused"] = states_.pace().is_paused;
+  state_message["speed"] = std::round(100 * states_.pace().measured_speed) / 100;
+  state_message["recording"] = world.DescribeRecording();
   state_message["failure"] = failure_;
-  state_message["playback"] = playback_ ? playback_->DescribePlayback() : Json();
-  state_message["restoring"] = restoring_ ? Json(restoring_->recording()) : Json();
-  state_message["brain"] = brain_.Describe();
-  state_message["snap"] = NamesOf(snapper_.to);
+  state_message["playback"] = playback != nullptr ? playback->DescribePlayback() : Json();
+  state_message["restoring"] = restoring != nullptr ? Json(restoring->recording()) : Json();
+  state_message["brain"] = states_.brain().Describe();
+  state_message["snap"] = world_requests_.snap();
   state_message["markers"] = Json::array();
-  for (const Vector3& point : world_->markers()) {
+  for (const Vector3& point : world.markers()) {
     state_message["markers"].push_back(PointInUnits(point, unit));
   }
   return state_message;
 }
 
-/// What is shown is another scene from now on.
-void Session::Impl::TellAllOfScene() {
-  view_.reset();
-  eye_preview_.Forget();
-  told_state_ = nullptr;
-  messages_.push_back(announcer_.Announce(state().model(), state().view().state.looks));
-}
-
 News Session::Impl::TakeNews() {
   // Hands and recordings do something also while time stands still.
-  for (Json& event : world_->TakeEvents()) messages_.push_back(std::move(event));
+  for (Json& event : states_.world().TakeEvents()) messages_.push_back(std::move(event));
   News news{.messages = std::exchange(messages_, {})};
   if (auto picture = eye_preview_.Take()) {
     news.view = std::move(picture->image);
@@ -140,7 +239,8 @@ News Session::Impl::TakeNews() {
 std::vector<Json> Session::Impl::Everything() const {
   eye_preview_.Forget();
   const std::vector<int>& looks = view().state.looks;
-  std::vector<Json> all = {announcer_.Describe(state().model(), looks), LooksMessage(looks)};
+  std::vector<Json> all = {scene_announcer_.Describe(states_.shown().model(), looks),
+                           LooksMessage(looks)};
   if (auto lines = console_.Everything()) all.push_back(*std::move(lines));
   if (!score_.is_null()) all.push_back(score_);
   all.push_back(DescribeState());
@@ -149,10 +249,10 @@ std::vector<Json> Session::Impl::Everything() const {
 
 Session::Session(SessionOptions options) : impl_(std::make_unique<Impl>(std::move(options))) {}
 Session::~Session() = default;
-page::RequestTable& Session::requests() { return impl_->requests(); }
-const page::RequestTable& Session::requests() const { return impl_->requests(); }
-double Session::speed_factor() const { return impl_->speed_factor(); }
-void Session::SetMeasuredSpeed(double factor) { impl_->SetMeasuredSpeed(factor); }
+page::RequestTable& Session::requests() { return impl_->requests().table(); }
+const page::RequestTable& Session::requests() const { return impl_->requests().table(); }
+double Session::speed_factor() const { return impl_->pace().speed_factor; }
+void Session::SetMeasuredSpeed(double factor) { impl_->pace().measured_speed = factor; }
 bool Session::Tick() { return impl_->Tick(); }
 library::View Session::view() const { return impl_->view(); }
 News Session::TakeNews() { return impl_->TakeNews(); }

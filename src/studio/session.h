@@ -1,6 +1,6 @@
 #pragma once
 
-#include <filesystem>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,29 +10,9 @@
 #include "image/image.h"
 #include "library/view.h"
 #include "page/requests.h"
-#include "recorder/recording_desk.h"
-#include "scene_xml/scene_reader.h"
-#include "sim/eye.h"
-#include "sim/simulation.h"
-#include "studio/workshop.h"
+#include "studio/session_options.h"
 
 namespace smile::studio {
-
-struct SessionOptions {
-  std::filesystem::path scene;  ///< the first one
-  scene_xml::SceneReaderOptions reader;
-  std::optional<sim::RobotPlacement> robot;
-  std::filesystem::path recordings = "recordings";
-  recorder::RecorderOptions recording;
-  sim::Eye* eye = nullptr;  ///< takes the recorded pictures; must outlive the session
-  /// Where scenes are called by name; empty: those we ship.
-  std::filesystem::path gallery;
-  /// Where robot programs are, before those we ship.
-  std::vector<std::filesystem::path> brains;
-  /// Does what takes its time, not without; its letters have to be taken where the session lives.
-  /// Must outlive it.
-  Workshop* workshop = nullptr;
-};
 
 /// What a session has to tell, besides answers.
 struct News {

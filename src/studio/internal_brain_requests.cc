@@ -1,34 +1,34 @@
-// Robot programs at work in a session.
+#include "studio/internal_brain_requests.h"
 
+#include <string_view>
 #include <utility>
 
 #include "base/files.h"
 #include "base/wording.h"
 #include "experiment/brain_setup.h"
 #include "recording/recording_names.h"
-#include "studio/internal_session.h"
 
 namespace smile::studio {
 
-std::vector<library::BrainChoice> Session::Impl::Brains() const {
-  std::vector<std::filesystem::path> folders = options_.brains;
+std::vector<library::BrainChoice> BrainRequests::Choices() const {
+  std::vector<std::filesystem::path> folders = options_->brains;
   for (const char* shipped : {"matlab/examples", "python/examples", "matlab", "python"}) {
     folders.push_back(DataFile(shipped));
   }
   return library::BrainsIn(folders);
 }
 
-Json Session::Impl::DescribeBrains(const page::RequestFields&) {
+Json BrainRequests::Describe(const page::RequestFields&) {
   Json described = Json::array();
-  for (const library::BrainChoice& choice : Brains()) {
+  for (const library::BrainChoice& choice : Choices()) {
     described.push_back(
         {{"name", choice.name}, {"kind", choice.kind}, {"imitates", choice.imitates}});
   }
   return {{"brains", std::move(described)}};
 }
 
-library::BrainChoice Session::Impl::FindBrain(const std::string& name) const {
-  const std::vector<library::BrainChoice> brains = Brains();
+library::BrainChoice BrainRequests::Find(const std::string& name) const {
+  const std::vector<library::BrainChoice> brains = Choices();
   if (const library::BrainChoice* choice = library::BrainNamed(brains, name)) return *choice;
   std::vector<std::string_view> known;
   for (const library::BrainChoice& choice : brains) known.push_back(choice.name);
@@ -36,60 +36,65 @@ library::BrainChoice Session::Impl::FindBrain(const std::string& name) const {
                            DidYouMean(name, known));
 }
 
-void Session::Impl::RunBrain(const library::BrainChoice& choice,
-                             const std::filesystem::path& demonstration) {
+void BrainRequests::Run(const library::BrainChoice& choice,
+                        const std::filesystem::path& demonstration) {
   brain::BrainDriverOptions options = experiment::DriverOptionsFor(choice.path, demonstration);
-  options.eye = options_.eye;
-  brain_.Start(choice, options, &world_->simulation());
+  options.eye = options_->eye;
+  states_->brain().Start(choice, options, &states_->world().simulation());
 }
 
-Json Session::Impl::StartBrain(const page::RequestFields& fields) {
-  const library::BrainChoice choice = FindBrain(fields.Text("brain"));
+Json BrainRequests::Start(const page::RequestFields& fields) {
+  const library::BrainChoice choice = Find(fields.Text("brain"));
   const auto demonstration = fields.OptionalText("demonstration");
   const std::filesystem::path directory =
-      demonstration ? library_.DirectoryOf(*demonstration) : std::filesystem::path();
-  if (fields.OptionalText("scene")) (void)Load(fields);
-  RunBrain(choice, directory);
+      demonstration ? library_->DirectoryOf(*demonstration) : std::filesystem::path();
+  if (fields.OptionalText("scene")) (void)scenes_->Load(fields);
+  Run(choice, directory);
   return Json::object();
 }
 
-Json Session::Impl::StopBrain(const page::RequestFields&) {
-  brain_.Stop(&world_->simulation());
-  EndStateIfOver();
+std::optional<std::string> BrainRequests::RefuseStart(const page::RequestFields& fields) const {
+  return states_->Unmet(fields.OptionalText("scene") ? Need::kOtherWorld : Need::kCommands);
+}
+
+Json BrainRequests::Stop(const page::RequestFields&) {
+  states_->brain().Stop(&states_->world().simulation());
+  states_->EndIfOver();
   return Json::object();
 }
 
-Json Session::Impl::Imitate(const page::RequestFields& fields) {
-  const library::BrainChoice choice = FindBrain(fields.Text("brain"));
+Json BrainRequests::Imitate(const page::RequestFields& fields) {
+  const library::BrainChoice choice = Find(fields.Text("brain"));
   if (!choice.imitates) {
     throw page::RequestError(Quoted(choice.name) +
                              " does not read demonstrations: its script lacks the line "
                              "\"smile: imitates\"");
   }
   const std::string scene = fields.Text("scene");
-  const std::filesystem::path directory = library_.DirectoryOf(fields.Text("recording"));
+  const std::filesystem::path directory = library_->DirectoryOf(fields.Text("recording"));
   const recording::Recording demonstration = recording::OpenRecording(directory);
-  task::Exercise exercise = task::MakeExercise(scene, demonstration, ReadNamedScene(scene));
-  LoadScene(exercise.scene);
-  RunBrain(choice, directory);
+  task::Exercise exercise = task::MakeExercise(scene, demonstration, source_->Named(scene));
+  scenes_->LoadScene(exercise.scene);
+  Run(choice, directory);
   const std::filesystem::path recording = RecordImitation(demonstration);
-  world_state_ = std::make_unique<ImitatingState>(std::move(exercise), world_.get(), &brain_);
+  states_->Imitate(std::move(exercise));
   return {{"recording", recording.filename().string()}};
 }
 
-std::filesystem::path Session::Impl::RecordImitation(const recording::Recording& demonstration) {
+std::filesystem::path BrainRequests::RecordImitation(const recording::Recording& demonstration) {
   constexpr std::string_view kEnd = ", imitated";
   std::string title = demonstration.info.title;
   if (title.empty() || title.size() + kEnd.size() > recording::kMaxTitleBytes) {
     title = demonstration.directory.filename().string();
   }
   title += kEnd;
-  if (const auto refusal = world_->Apply(
+  LiveWorld& world = states_->world();
+  if (const auto refusal = world.Apply(
           sim::StartRecording{.name = recording::RecordingNameFor(title), .title = title})) {
-    brain_.Stop(&world_->simulation());
+    states_->brain().Stop(&world.simulation());
     throw page::RequestError("the imitation cannot be recorded: " + *refusal);
   }
-  return world_->recording_directory();
+  return world.recording_directory();
 }
 
 }  // namespace smile::studio

@@ -1,0 +1,58 @@
+#include "studio/internal_playback_requests.h"
+
+#include <memory>
+#include <string>
+#include <utility>
+
+namespace smile::studio {
+namespace {
+
+constexpr double kMaxSeconds = 1e6;
+
+}  // namespace
+
+Json PlaybackRequests::Show(const page::RequestFields& fields) {
+  const std::string id = fields.Text("recording");
+  const double seconds = fields.OptionalNumber("seconds", 0, kMaxSeconds).value_or(0);
+  if (PlaybackState* shown = states_->playback(); shown && shown->playback().id() == id) {
+    shown->playback().Seek(seconds);
+    return {{"length", shown->playback().length()}};
+  }
+  auto another = std::make_unique<PlaybackState>(id, library_->DirectoryOf(id));
+  another->playback().Seek(seconds);
+  const double length = another->playback().length();
+  states_->Show(std::move(another));
+  return {{"length", length}};
+}
+
+Json PlaybackRequests::Play(const page::RequestFields& fields) {
+  const double rate = fields.OptionalNumber("rate", 0, library::Playback::kMaxRate).value_or(1);
+  states_->playback()->playback().SetRate(rate);
+  return Json::object();
+}
+
+Json PlaybackRequests::GoLive(const page::RequestFields&) {
+  states_->GoLive();
+  return Json::object();
+}
+
+Json PlaybackRequests::Branch(const page::RequestFields& fields) {
+  const std::string id = fields.Text("recording");
+  const BranchPoint from{.step = static_cast<std::size_t>(fields.Whole("step", 1'000'000'000)),
+                         .after = fields.OptionalNumber("after", 0, kMaxSeconds)};
+  // It belongs to the session and to the workshop: each may be gone before the other.
+  const auto restoring =
+      std::make_shared<Restoring>(id, library_->DirectoryOf(id), from, DeskOptionsOf(*options_));
+  const auto work = [restoring](const recording::Progress& progress) -> Json {
+    restoring->Make(progress);
+    return {{"recording", restoring->recording()}};
+  };
+  const auto conclude = [this] {
+    if (auto made = states_->TakeRestored()) states_->Enter(std::move(made));
+  };
+  options_->workshop->Begin({.request = fields.request(), .work = work, .conclude = conclude});
+  states_->Restore(restoring);
+  return page::AnswersLater();
+}
+
+}  // namespace smile::studio

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "base/json.h"
+#include "library/library.h"
+#include "page/request_fields.h"
+#include "studio/internal_state_machine.h"
+#include "studio/session_options.h"
+
+namespace smile::studio {
+
+/// The requests that show a recording, and that go on from one of its moments.
+class PlaybackRequests {
+ public:
+  /// All must outlive this. Without a workshop nothing may branch.
+  PlaybackRequests(const SessionOptions* options, const library::Library* library,
+                   StateMachine* states)
+      : options_(options), library_(library), states_(states) {}
+
+  Json Show(const page::RequestFields& fields);
+  Json Play(const page::RequestFields& fields);
+  Json GoLive(const page::RequestFields& fields);
+  Json Branch(const page::RequestFields& fields);
+
+ private:
+  const SessionOptions* options_;
+  const library::Library* library_;
+  StateMachine* states_;
+};
+
+}  // namespace smile::studio

@@ -1,0 +1,46 @@
+#include "studio/internal_scene_source.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/wording.h"
+#include "library/gallery.h"
+
+namespace smile::studio {
+namespace {
+
+/// A scene that came from a page is no larger: it is read while people wait.
+constexpr int kMaxObjects = 2'000, kMaxElements = 20'000;
+constexpr std::size_t kMaxText = std::size_t{1} << 20;
+
+}  // namespace
+
+SceneSource::SceneSource(std::filesystem::path gallery, scene_xml::SceneReaderOptions reader)
+    : gallery_(std::move(gallery)), reader_(std::move(reader)) {}
+
+scene::SceneSpec SceneSource::Named(const std::string& name) const {
+  const auto file = library::Gallery(gallery_).FileOf(name);
+  if (!file) throw page::RequestError("there is no scene " + Quoted(name));
+  return scene_xml::LoadScene(*file, reader_);
+}
+
+scene_xml::SceneReading SceneSource::ReadText(const page::RequestFields& fields) const {
+  const std::string text = fields.Text("xml", kMaxText);
+  std::string name = fields.OptionalText("name").value_or("scene.xml");
+  // A name, wherever it came from.
+  name = std::filesystem::path(name).filename().string();
+  scene_xml::SceneReaderOptions options = reader_;
+  options.search_roots.push_back(gallery_);
+  options.limits.max_objects = std::min(options.limits.max_objects, kMaxObjects);
+  options.limits.max_elements = std::min(options.limits.max_elements, kMaxElements);
+  return scene_xml::ReadSceneText(text, name, options);
+}
+
+scene::SceneSpec SceneSource::SceneOf(const page::RequestFields& fields) const {
+  if (!fields.Has("xml")) return Named(fields.Text("scene"));
+  scene_xml::SceneReading reading = ReadText(fields);
+  if (!reading.scene) throw InputError(std::move(reading.diagnostics));
+  return *std::move(reading.scene);
+}
+
+}  // namespace smile::studio

@@ -1,0 +1,58 @@
+#include "studio/internal_session_requests.h"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+#include "base/wording.h"
+
+namespace smile::studio {
+
+SessionRequests::SessionRequests(const StateMachine* states, std::vector<RequestRow> rows,
+                                 const std::function<void()>& on_request)
+    : states_(states), rows_(std::move(rows)) {
+  for (const RequestRow& row : rows_) {
+    page::RequestTable::Entry& entry = table_.entries[row.what];
+    entry.is_for_anyone = row.is_for_anyone;
+    entry.handle = [&row, on_request](const page::Request& request) {
+      on_request();
+      Json answer = row.handle(page::RequestFields(request));
+      on_request();
+      return answer;
+    };
+    if (row.needs.empty() && !row.refuse) continue;
+    entry.refuse = [this, &row](const page::Request& request) { return RefusalOf(row, request); };
+  }
+}
+
+Json SessionRequests::Allowed(const page::RequestFields& fields) const {
+  constexpr std::size_t kMaxRequests = 16;
+  Json allowed = Json::array();
+  for (const Json& wanted : fields.List("requests", kMaxRequests)) {
+    allowed.push_back(page::AllowedUnless(RefusalOf(wanted)));
+  }
+  return {{"allowed", std::move(allowed)}};
+}
+
+std::optional<std::string> SessionRequests::RefusalOf(const RequestRow& row,
+                                                      const page::Request& request) const {
+  for (const Need need : row.needs) {
+    if (auto reason = states_->Unmet(need)) return reason;
+  }
+  return row.refuse ? row.refuse(page::RequestFields(request)) : std::nullopt;
+}
+
+std::optional<std::string> SessionRequests::RefusalOf(const Json& wanted) const {
+  page::Request request{.fields = wanted};
+  const page::RequestFields fields(request);
+  request.what = fields.Text("do");
+  const auto row = std::ranges::find_if(
+      rows_, [&request](const RequestRow& one) { return one.what == request.what; });
+  if (row == rows_.end()) {
+    throw page::RequestError("whether " + Quoted(request.what) + " is allowed is not known");
+  }
+  if (auto reason = RefusalOf(*row, request)) return reason;
+  return row->try_out ? row->try_out(fields) : std::nullopt;
+}
+
+}  // namespace smile::studio

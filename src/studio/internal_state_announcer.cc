@@ -1,0 +1,27 @@
+#include "studio/internal_state_announcer.h"
+
+#include <cmath>
+#include <utility>
+
+namespace smile::studio {
+namespace {
+
+Json WithoutTime(Json state) {
+  state.erase("tick");
+  Json& recording = state["recording"];
+  if (!recording.is_object()) return state;
+  recording["seconds"] = std::floor(recording["seconds"].get<double>());
+  recording["segments"].back().erase("seconds");
+  return state;
+}
+
+}  // namespace
+
+std::optional<Json> StateAnnouncer::Tell(Json state) {
+  Json what_counts = WithoutTime(state);
+  if (what_counts == told_) return std::nullopt;
+  told_ = std::move(what_counts);
+  return state;
+}
+
+}  // namespace smile::studio

@@ -1,0 +1,102 @@
+#include "studio/internal_state_machine.h"
+
+#include <initializer_list>
+#include <utility>
+
+namespace smile::studio {
+
+std::optional<std::string> StateMachine::Unmet(Need need) const {
+  const auto unless = [](bool is_met, const char* reason) {
+    return is_met ? std::nullopt : std::optional<std::string>(reason);
+  };
+  switch (need) {
+    case Need::kPlayback:
+      return unless(playback_ != nullptr, "no recording is shown");
+    case Need::kRobot:
+      return unless(has_robot_, "there is no robot");
+    case Need::kProgram:
+      return unless(brain_.is_running(), "no robot program is running");
+    case Need::kNoProgram:
+      return unless(!brain_.is_running(), "a robot program is running: stop it first");
+    default:
+      break;
+  }
+  const std::initializer_list<const Activity*> activities = {playback_.get(), restoring_.get(),
+                                                             world_state_.get()};
+  for (const Activity* activity : activities) {
+    if (activity == nullptr) continue;
+    if (auto reason = activity->Unmet(need)) return reason;
+  }
+  return std::nullopt;
+}
+
+bool StateMachine::Tick() {
+  ++num_ticks_;
+  brain_.Attend(&world_->simulation());
+  SessionState& shown = playback_ ? *playback_ : *world_state_;
+  const bool has_ticked = shown.Tick(pace_.is_paused);
+  if (has_ticked && !playback_) EndIfOver();
+  return has_ticked;
+}
+
+void StateMachine::Enter(std::unique_ptr<LiveWorld> world) {
+  LeaveWorld();
+  world_ = std::move(world);
+  // What its recording saw when it was made anew is no news.
+  if (EyeTap* eye = world_->eye()) (void)eye->Take();
+  BeginWorld();
+}
+
+std::optional<sim::Refusal> StateMachine::Apply(const sim::Command& command) {
+  const sim::Simulation& simulation = world_->simulation();
+  const std::shared_ptr<const model::Model> model = simulation.shared_model();
+  const std::shared_ptr<const model::Model> start_model = simulation.start_model();
+  if (auto refusal = world_->Apply(command)) return refusal;
+  if (simulation.start_model() != start_model) {
+    LeaveWorld();
+    BeginWorld();
+  } else if (simulation.shared_model() != model) {
+    listener_->OnOtherScene();
+  }
+  return std::nullopt;
+}
+
+void StateMachine::LeaveWorld() {
+  brain_.Leave();
+  playback_.reset();
+  world_state_.reset();
+}
+
+void StateMachine::BeginWorld() {
+  world_state_ = std::make_unique<LiveState>(world_.get(), &brain_);
+  listener_->OnOtherWorld();
+  listener_->OnOtherScene();
+}
+
+void StateMachine::Imitate(task::Exercise exercise) {
+  world_state_ = std::make_unique<ImitatingState>(std::move(exercise), world_.get(), &brain_);
+}
+
+void StateMachine::ClearInRage() { world_state_ = std::make_unique<RageState>(world_.get()); }
+
+void StateMachine::EndIfOver() {
+  if (!world_state_->is_over()) return;
+  if (auto score = world_state_->End(pace_.measured_speed)) listener_->OnScore(*std::move(score));
+  world_state_ = std::make_unique<LiveState>(world_.get(), &brain_);
+}
+
+void StateMachine::Show(std::unique_ptr<PlaybackState> playback) {
+  playback_ = std::move(playback);
+  listener_->OnOtherScene();
+}
+
+void StateMachine::GoLive() {
+  playback_.reset();
+  listener_->OnOtherScene();
+}
+
+std::unique_ptr<LiveWorld> StateMachine::TakeRestored() {
+  return std::exchange(restoring_, nullptr)->TakeWorld();
+}
+
+}  // namespace smile::studio

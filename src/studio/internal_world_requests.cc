@@ -1,0 +1,166 @@
+#include "studio/internal_world_requests.h"
+
+#include <array>
+#include <memory>
+#include <string_view>
+#include <utility>
+
+#include "base/wording.h"
+#include "page/snap_names.h"
+#include "sim/add.h"
+#include "sim/command_json.h"
+
+namespace smile::studio {
+namespace {
+
+sim::HandName HandOf(const page::RequestFields& fields) {
+  constexpr std::array<std::string_view, 4> kHands = {"left", "right", "both", "any"};
+  // One of them, or it has thrown.
+  return demonstrator::ParseHandName(fields.Word("hand", kHands)).value_or(sim::HandName::kAny);
+}
+
+/// Only the world itself has a history and recordings, not a copy of it.
+bool IsOfHistory(const sim::Command& command) {
+  return std::holds_alternative<sim::Undo>(command) || std::holds_alternative<sim::Redo>(command) ||
+         std::holds_alternative<sim::StartRecording>(command) ||
+         std::holds_alternative<sim::FinishRecording>(command);
+}
+
+}  // namespace
+
+Json WorldRequests::Command(const page::RequestFields& fields) {
+  const sim::Command command = MeantBy(fields.Object("command"), fields.Flag("exact"));
+  if (const auto refusal = RefusalInSession(command)) throw page::RequestError(*refusal);
+  Apply(command);
+  if (!std::holds_alternative<sim::StartRecording>(command)) return Json::object();
+  return {{"recording", states_->world().recording_directory().filename().string()}};
+}
+
+std::optional<std::string> WorldRequests::TryCommand(const page::RequestFields& fields) {
+  const sim::Command command = MeantBy(fields.Object("command"), /*is_exact=*/true);
+  if (auto reason = RefusalOf(command)) return reason;
+  if (IsOfHistory(command)) return std::nullopt;
+  return rehearsal_.Try(command, states_->world().simulation());
+}
+
+Json WorldRequests::Spawn(const page::RequestFields& fields) {
+  const sim::Add add{.preset = fields.Text("preset"), .seed = fields.Whole("seed", sim::kMaxSeed)};
+  const sim::Simulation& simulation = states_->world().simulation();
+  sim::Refusal refusal;
+  const auto spawn = sim::SpawnOf(add, simulation, &refusal);
+  if (!spawn) throw page::RequestError(refusal);
+  Apply(*spawn);
+  return {{"objects", simulation.history().current().events.front().objects}};
+}
+
+Json WorldRequests::Clear(const page::RequestFields& fields) {
+  if (fields.Flag("rage")) {
+    states_->ClearInRage();
+  } else {
+    Apply(sim::Clear{});
+  }
+  return Json::object();
+}
+
+std::optional<std::string> WorldRequests::RefuseClear(const page::RequestFields& fields) const {
+  if (!fields.Flag("rage")) return std::nullopt;
+  if (auto reason = states_->Unmet(Need::kOtherWorld)) return reason;
+  if (Rage::IsPossible(states_->world().simulation())) return std::nullopt;
+  return "there is no robot to clear the table";
+}
+
+Json WorldRequests::SetSnap(const page::RequestFields& fields) {
+  snapper_.to = SnapToOf(fields.Words("to", page::kSnapNames));
+  return Json::object();
+}
+
+Json WorldRequests::FindSupport(const page::RequestFields& fields) {
+  const sim::Simulation& simulation = states_->world().simulation();
+  const std::string id = fields.Text("object");
+  const auto object = simulation.model().FindObject(id);
+  if (!object) throw page::RequestError("there is no object " + Quoted(id));
+  const auto support = simulation.SupportOf(*object);
+  if (!support || !support->is_near()) return Json::object();
+  return {{support->is_inside ? "into" : "on", support->object}};
+}
+
+Json WorldRequests::AnswerRestingPlace(const page::RequestFields& fields) {
+  return resting_place_.Answer(states_->world().simulation(), HandOf(fields), states_->num_ticks(),
+                               &rehearsal_);
+}
+
+Json WorldRequests::Pause(const page::RequestFields&) {
+  states_->pace().is_paused = true;
+  return Json::object();
+}
+
+Json WorldRequests::Resume(const page::RequestFields&) {
+  states_->pace().is_paused = false;
+  return Json::object();
+}
+
+Json WorldRequests::SetSpeed(const page::RequestFields& fields) {
+  states_->pace().speed_factor = fields.Number("factor", 0.1, 4);
+  return Json::object();
+}
+
+Json WorldRequests::DescribeAllowedCommands() const {
+  Json commands = Json::object();
+  for (const sim::Command& command :
+       {sim::Command(sim::StartRecording()), sim::Command(sim::FinishRecording()),
+        sim::Command(sim::Undo()), sim::Command(sim::Redo())}) {
+    const char* name = std::visit([](const auto& one) { return one.kName.name; }, command);
+    commands[name] = page::AllowedUnless(RefusalOf(command));
+  }
+  return commands;
+}
+
+void WorldRequests::Forget() {
+  rehearsal_.Forget();
+  resting_place_.Forget();
+}
+
+void WorldRequests::Apply(const sim::Command& command) {
+  if (const auto refusal = states_->Apply(command)) throw page::RequestError(*refusal);
+}
+
+sim::Command WorldRequests::MeantBy(const Json& wanted, bool is_exact) {
+  const LiveWorld& world = states_->world();
+  const double meters_per_unit = world.simulation().scene().meters_per_unit;
+  if (sim::IsAdd(wanted)) {
+    sim::Refusal refusal;
+    const auto spawn = sim::SpawnOf(sim::ParseAdd(wanted), world.simulation(), &refusal);
+    if (!spawn) throw page::RequestError(refusal);
+    return *spawn;
+  }
+  if (!sim::IsDrag(wanted)) {
+    const sim::Command command = sim::ParseCommand(wanted, meters_per_unit);
+    return is_exact ? command : snapper_.Snapped(world, command);
+  }
+  const sim::Drag drag = sim::ParseDrag(wanted, meters_per_unit);
+  sim::Refusal refusal;
+  const auto move = sim::MoveOf(drag, world.simulation(), &refusal);
+  if (!move) throw page::RequestError(refusal);
+  return is_exact ? *move : snapper_.Snapped(world, drag, *move);
+}
+
+std::optional<std::string> WorldRequests::RefusalInSession(const sim::Command& command) const {
+  const bool turns_back =
+      std::holds_alternative<sim::Undo>(command) || std::holds_alternative<sim::Redo>(command);
+  if (turns_back && states_->brain().is_running()) {
+    return "a robot program is running and cannot turn back in time: stop it first";
+  }
+  if (std::holds_alternative<sim::StartRecording>(command)) {
+    return states_->Unmet(Need::kNewRecording);
+  }
+  return std::holds_alternative<sim::Load>(command) ? states_->Unmet(Need::kOtherWorld)
+                                                    : std::nullopt;
+}
+
+std::optional<std::string> WorldRequests::RefusalOf(const sim::Command& command) const {
+  if (auto reason = states_->Unmet(Need::kCommands)) return reason;
+  if (auto reason = RefusalInSession(command)) return reason;
+  return states_->world().simulation().Refuse(command);
+}
+
+}  // namespace smile::studio

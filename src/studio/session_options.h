@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "recorder/recording_desk.h"
+#include "scene_xml/scene_reader.h"
+#include "sim/eye.h"
+#include "sim/simulation.h"
+#include "studio/workshop.h"
+
+namespace smile::studio {
+
+struct SessionOptions {
+  std::filesystem::path scene;  ///< the first one
+  scene_xml::SceneReaderOptions reader;
+  std::optional<sim::RobotPlacement> robot;
+  std::filesystem::path recordings = "recordings";
+  recorder::RecorderOptions recording;
+  sim::Eye* eye = nullptr;  ///< takes the recorded pictures; must outlive the session
+  /// Where scenes are called by name; empty: those we ship.
+  std::filesystem::path gallery;
+  /// Where robot programs are, before those we ship.
+  std::vector<std::filesystem::path> brains;
+  /// Does what takes its time, not without; its letters have to be taken where the session lives.
+  /// Must outlive it.
+  Workshop* workshop = nullptr;
+};
+
+/// Returns what worlds are recorded with.
+inline recorder::RecordingDesk::Options DeskOptionsOf(const SessionOptions& options) {
+  return {.root = options.recordings, .recording = options.recording, .eye = options.eye};
+}
+
+}  // namespace smile::studio

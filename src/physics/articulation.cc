@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "math/principal_inertia.h"
 #include "physics/internal_articulation_links.h"
 #include "physics/internal_led_object.h"
 

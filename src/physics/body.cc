@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "math/principal_inertia.h"
 #include "physics/internal_body_shapes.h"
 #include "physics/internal_led_object.h"
 

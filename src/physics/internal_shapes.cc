@@ -1,10 +1,9 @@
 #include "physics/internal_shapes.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 
 #include "base/overloaded.h"
-#include "physics/internal_shrunk_hull.h"
+#include "scene/shrunk_hull.h"
 
 namespace smile::physics {
 namespace {
@@ -12,8 +11,11 @@ namespace {
 /// Bullet rounds cylinders by its margin, 40 mm unless told: more than our parts are thick.
 constexpr double kCylinderMargin = 0.0005;
 
+/// Hulls are shrunk by this, and Bullet adds it again [m].
+constexpr double kHullMargin = 0.0005;
+
 std::unique_ptr<btCollisionShape> MakeHull(const scene::Polyhedron& polyhedron) {
-  const ShrunkHull shrunk = Shrink(polyhedron);
+  const scene::ShrunkHull shrunk = scene::Shrink(polyhedron, kHullMargin);
   auto shape = std::make_unique<btConvexHullShape>();
   for (const Vector3& corner : shrunk.corners) {
     shape->addPoint(ToBullet(corner), /*recalculateLocalAabb=*/false);
@@ -54,17 +56,6 @@ CollisionShape MakeCollisionShape(const std::vector<scene::Solid>& solids,
   for (std::size_t i = 0; i < solids.size(); ++i) {
     result.compound->addChildShape(ToBullet(X_AB * solids[i].X_BS), result.parts[i].get());
   }
-  return result;
-}
-
-PrincipalInertia PrincipalInertiaOf(const Matrix3& inertia) {
-  const Matrix3 off_diagonal = inertia - Matrix3(inertia.diagonal().asDiagonal());
-  if (off_diagonal.cwiseAbs().maxCoeff() <= 1e-12 * inertia.trace()) {
-    return {.moments = inertia.diagonal()};
-  }
-  const Eigen::SelfAdjointEigenSolver<Matrix3> solver(inertia);
-  PrincipalInertia result{.axes = solver.eigenvectors(), .moments = solver.eigenvalues()};
-  if (result.axes.determinant() < 0) result.axes.col(0) *= -1;
   return result;
 }
 

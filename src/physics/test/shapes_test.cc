@@ -4,7 +4,6 @@
 
 #include <numbers>
 
-#include "physics/internal_shrunk_hull.h"
 #include "physics_fixture.h"
 
 namespace smile::physics {
@@ -101,28 +100,6 @@ TEST_F(ShapesTest, AnUprightRingRolls) {
   StepSeconds(1);
   EXPECT_GT(PlaceOf(ring).x(), -0.6 + 0.3);
   EXPECT_NEAR(PlaceOf(ring).z(), kRadius, 1e-3) << "it is still upright";
-}
-
-TEST(Shrink, MovesEveryFaceInwardsByTheMargin) {
-  for (const scene::Shape& shape : std::initializer_list<scene::Shape>{
-           scene::Frustum{}, scene::Frustum{.radius_top = 0, .sides = 1024},
-           scene::Frustum{.radius_top = 1e-4, .radius_bottom = 0.05, .sides = 7},
-           scene::Frustum{.radius_top = 0.05, .radius_bottom = 0.05, .height = 1e-4}, scene::Ring{},
-           scene::Ring{.radius_inner = 0.0999, .sides = 1024}}) {
-    const scene::SolidShape solid = scene::SolidsOf({.shape = shape}).front().shape;
-    const scene::Polyhedron& polyhedron = std::get<scene::Hull>(solid).polyhedron();
-    const ShrunkHull shrunk = Shrink(polyhedron);
-    EXPECT_GT(shrunk.margin, 0);
-    EXPECT_LE(shrunk.margin, 0.0005);
-    for (const scene::Polyhedron::Face& face : polyhedron.faces) {
-      const Vector3 normal = polyhedron.AreaVectorOf(face).normalized();
-      double nearest = 1;
-      for (const Vector3& corner : shrunk.corners) {
-        nearest = std::min(nearest, normal.dot(polyhedron.corners[face[0]] - corner));
-      }
-      EXPECT_NEAR(nearest, shrunk.margin, 1e-9);
-    }
-  }
 }
 
 }  // namespace

@@ -1,21 +1,19 @@
-#include "physics/internal_shrunk_hull.h"
+#include "scene/shrunk_hull.h"
 
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cstdint>
 #include <utility>
 
-namespace smile::physics {
+namespace smile::scene {
 namespace {
-
-constexpr double kHullMargin = 0.0005;
 
 /// How each corner moves when the faces around it move inwards by 1: by x, where normal . x = -1
 /// for each of their normals. Where more than three faces meet there may be no such x; the least
 /// squares one is then lengthened until all faces have moved far enough.
-std::vector<Vector3> InwardMoves(const scene::Polyhedron& polyhedron) {
+std::vector<Vector3> InwardMoves(const Polyhedron& polyhedron) {
   std::vector<std::vector<Vector3>> normals(polyhedron.corners.size());
-  for (const scene::Polyhedron::Face& face : polyhedron.faces) {
+  for (const Polyhedron::Face& face : polyhedron.faces) {
     const Vector3 normal = polyhedron.AreaVectorOf(face).normalized();
     for (const std::uint32_t corner : face) normals[corner].push_back(normal);
   }
@@ -43,8 +41,8 @@ std::vector<Vector3> Moved(std::vector<Vector3> corners, const std::vector<Vecto
 }
 
 /// As long as every edge points where it did, the moved faces still meet in the moved corners.
-bool KeepsItsEdges(const scene::Polyhedron& polyhedron, const std::vector<Vector3>& moved) {
-  for (const scene::Polyhedron::Face& face : polyhedron.faces) {
+bool KeepsItsEdges(const Polyhedron& polyhedron, const std::vector<Vector3>& moved) {
+  for (const Polyhedron::Face& face : polyhedron.faces) {
     for (std::size_t k = 0; k < face.size(); ++k) {
       const std::uint32_t from = face[k], to = face[(k + 1) % face.size()];
       const Vector3 edge = polyhedron.corners[to] - polyhedron.corners[from];
@@ -56,14 +54,14 @@ bool KeepsItsEdges(const scene::Polyhedron& polyhedron, const std::vector<Vector
 
 }  // namespace
 
-ShrunkHull Shrink(const scene::Polyhedron& polyhedron) {
+ShrunkHull Shrink(const Polyhedron& polyhedron, double max_margin) {
   constexpr double kLeastMargin = 1e-7;
   const std::vector<Vector3> moves = InwardMoves(polyhedron);
-  for (double margin = kHullMargin; margin > kLeastMargin; margin /= 2) {
+  for (double margin = max_margin; margin > kLeastMargin; margin /= 2) {
     std::vector<Vector3> corners = Moved(polyhedron.corners, moves, margin);
     if (KeepsItsEdges(polyhedron, corners)) return {std::move(corners), margin};
   }
   return {polyhedron.corners, 0};
 }
 
-}  // namespace smile::physics
+}  // namespace smile::scene

@@ -7,9 +7,10 @@
 #include <string>
 #include <utility>
 
+#include "base/state_hash.h"
 #include "math/principal_inertia.h"
 #include "physics/internal_articulation_links.h"
-#include "physics/internal_led_object.h"
+#include "physics/internal_collision_object.h"
 
 namespace smile::physics {
 namespace {
@@ -84,7 +85,7 @@ void Articulation::MakeColliders() {
     links_->base_collision = MakeCollisionShape(spec_->base_solids, RigidTransform());
     links_->base_collider = MakeCollider(-1);
     links_->base_collider->setCollisionFlags(btCollisionObject::CF_STATIC_OBJECT);
-    Place(spec_->X_WBase, links_->base_collider.get());
+    SetPose(spec_->X_WBase, links_->base_collider.get());
   }
   for (int i = 0; i < num_joints(); ++i) {
     Links::Link& link = links_->links[i];
@@ -100,9 +101,9 @@ std::unique_ptr<btCollisionObject> Articulation::MakeCollider(int link) {
       is_base ? links_->base_collision.shape() : links_->links[link].collision.shape();
   std::unique_ptr<btCollisionObject> collider;
   if (spec_->is_kinematic) {
-    auto led = std::make_unique<btRigidBody>(/*mass=*/0, /*motionState=*/nullptr, shape);
-    if (!is_base) MakeLed(led.get());
-    collider = std::move(led);
+    auto kinematic = std::make_unique<btRigidBody>(/*mass=*/0, /*motionState=*/nullptr, shape);
+    if (!is_base) MakeKinematic(kinematic.get());
+    collider = std::move(kinematic);
   } else {
     auto of_multibody = std::make_unique<btMultiBodyLinkCollider>(bullet_.get(), link);
     of_multibody->setCollisionShape(shape);
@@ -193,7 +194,7 @@ void Articulation::UpdateLinkTransforms() {
     const std::vector<RigidTransform> X_WL = link_poses();
     for (int i = 0; i < num_joints(); ++i) {
       const Links::Link& link = links_->links[i];
-      if (link.collider) Place(X_WL[i] * link.X_LLcm, link.collider.get());
+      if (link.collider) SetPose(X_WL[i] * link.X_LLcm, link.collider.get());
     }
     return;
   }
@@ -213,9 +214,41 @@ bool Articulation::is_at_rest() const {
   return true;
 }
 
+void Articulation::Save(ByteWriter* out) const {
+  for (int i = 0; i < num_joints(); ++i) {
+    out->Put(static_cast<double>(bullet_->getJointPos(i)));
+    out->Put(static_cast<double>(bullet_->getJointVel(i)));
+    out->Put(velocity_targets_[i]);
+    out->Put(position_references_[i]);
+  }
+  for (int i = -1; i < num_joints(); ++i) {
+    if (const auto* collider = links_->collider(i)) SaveObject(*collider, out);
+  }
+}
+
+void Articulation::Restore(ByteReader* in) {
+  for (int i = 0; i < num_joints(); ++i) {
+    bullet_->setJointPos(i, in->Get<double>());
+    bullet_->setJointVel(i, in->Get<double>());
+    velocity_targets_[i] = in->Get<double>();
+    position_references_[i] = in->Get<double>();
+  }
+  UpdateLinkTransforms();
+  for (int i = -1; i < num_joints(); ++i) {
+    if (auto* collider = links_->collider(i)) RestoreObject(in, collider);
+  }
+}
+
+void Articulation::AddTo(StateHash* hash) const {
+  hash->Add(positions());
+  hash->Add(velocities());
+  hash->Add(velocity_targets_);
+  hash->Add(position_references_);
+}
+
 void Articulation::BeforeStep(double step_seconds, double gravity) {
   if (spec_->is_kinematic) {
-    LeadLinks(step_seconds);
+    DriveKinematicLinks(step_seconds);
   } else {
     DriveMotors(step_seconds, gravity);
   }
@@ -231,7 +264,7 @@ void Articulation::NoteOverload(int link) {
   for (int i = link; i >= 0; i = spec_->links[i].parent) is_overloaded_[i] = true;
 }
 
-void Articulation::LeadLinks(double step_seconds) {
+void Articulation::DriveKinematicLinks(double step_seconds) {
   for (int i = 0; i < num_joints(); ++i) {
     const scene::LinkSpec& link = spec_->links[i];
     const double q = bullet_->getJointPos(i);
@@ -243,15 +276,15 @@ void Articulation::LeadLinks(double step_seconds) {
   for (int i = 0; i < num_joints(); ++i) {
     const Links::Link& link = links_->links[i];
     if (!link.collider) continue;
-    btRigidBody* led = btRigidBody::upcast(link.collider.get());
+    btRigidBody* object = btRigidBody::upcast(link.collider.get());
     const bool moves = !(X_WNext[i] == X_WNow[i]);
     // What stands still lets those fall asleep that lean on it.
-    led->forceActivationState(moves ? DISABLE_DEACTIVATION : ISLAND_SLEEPING);
+    object->forceActivationState(moves ? DISABLE_DEACTIVATION : ISLAND_SLEEPING);
     if (moves) {
-      Lead(X_WNext[i] * link.X_LLcm, step_seconds, led);
+      SetVelocityToReach(X_WNext[i] * link.X_LLcm, step_seconds, object);
     } else {
-      led->setLinearVelocity(btVector3(0, 0, 0));
-      led->setAngularVelocity(btVector3(0, 0, 0));
+      object->setLinearVelocity(btVector3(0, 0, 0));
+      object->setAngularVelocity(btVector3(0, 0, 0));
     }
   }
 }

@@ -10,6 +10,12 @@
 class btCollisionObject;
 class btMultiBody;
 
+namespace smile {
+class ByteReader;
+class ByteWriter;
+class StateHash;
+}  // namespace smile
+
 namespace smile::physics {
 
 /// How joint motors follow their targets; measured values, see docs/decisions/physics.md.
@@ -34,12 +40,17 @@ struct MotorConfig {
 /// limits nor exceed their velocity limits, whatever pushes them. The World owns it.
 class Articulation {
  public:
+  /// Makes an articulation that is in no World yet; see World::AddArticulation().
+  Articulation(ArticulationId id, std::shared_ptr<const scene::ArticulationSpec> spec,
+               const MotorConfig& config);
   ~Articulation();
   Articulation(const Articulation&) = delete;
   Articulation& operator=(const Articulation&) = delete;
 
   ArticulationId id() const { return id_; }
   const scene::ArticulationSpec& spec() const { return *spec_; }
+  /// Shared with snapshots, like Body's.
+  const std::shared_ptr<const scene::ArticulationSpec>& shared_spec() const { return spec_; }
   int num_joints() const { return static_cast<int>(spec_->links.size()); }
 
   std::vector<double> positions() const;   ///< q, one per joint [rad or m]
@@ -63,10 +74,15 @@ class Articulation {
   /// True when nothing is commanded and nothing moves.
   bool is_at_rest() const;
 
+  /// Bullet's side of the articulation, for this room; see internal_articulation_links.h.
+  struct Links;
+  const Links& links() const { return *links_; }
+  btMultiBody& bullet() const { return *bullet_; }
+
  private:
+  friend class HeldBodies;
   friend class World;
-  Articulation(ArticulationId id, std::shared_ptr<const scene::ArticulationSpec> spec,
-               const MotorConfig& config);
+  friend class WorldObjects;
   void CheckJoint(int joint) const;
   double MaxLead(int joint) const;
   void AddBulletLink(int link);
@@ -83,19 +99,21 @@ class Articulation {
   /// Moves references on and commands the motors.
   void DriveMotors(double step_seconds, double gravity);
   /// Sets the velocities of a kinematic one's links; its references are where joints will be.
-  void LeadLinks(double step_seconds);
+  void DriveKinematicLinks(double step_seconds);
   /// Once after each physics step: a kinematic one arrives at its references.
   void AfterStep();
   /// X_WL of every link after the step that is to come, of a kinematic one.
   std::vector<RigidTransform> next_link_poses() const;
+  void Save(ByteWriter* out) const;
+  void Restore(ByteReader* in);
+  void AddTo(StateHash* hash) const;
 
   ArticulationId id_;
-  std::shared_ptr<const scene::ArticulationSpec> spec_;  ///< shared with snapshots, like Body's
+  std::shared_ptr<const scene::ArticulationSpec> spec_;
   MotorConfig config_;
   std::vector<double> velocity_targets_;
   std::vector<double> position_references_;
   std::vector<bool> is_overloaded_;  ///< for one step
-  struct Links;
   std::unique_ptr<Links> links_;
   std::unique_ptr<btMultiBody> bullet_;
 };

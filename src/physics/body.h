@@ -7,8 +7,6 @@
 #include "physics/ids.h"
 #include "scene/solid.h"
 
-class btRigidBody;
-
 namespace smile::physics {
 
 /// What a rigid body is, and where it starts.
@@ -30,12 +28,16 @@ struct BodySpec {
 /// A rigid body of a World. Reached through World::body(); the World owns it.
 class Body {
  public:
+  /// Makes a body that is in no World yet; see World::AddBody().
+  Body(BodyId id, std::shared_ptr<const BodySpec> spec);
   ~Body();
   Body(const Body&) = delete;
   Body& operator=(const Body&) = delete;
 
   BodyId id() const { return id_; }
   const BodySpec& spec() const { return *spec_; }
+  /// Shared with snapshots: a spec never changes, and a snapshot may outlive the body.
+  const std::shared_ptr<const BodySpec>& shared_spec() const { return spec_; }
   bool is_static() const { return spec_->mass.mass == 0; }
 
   RigidTransform pose_in_world() const;  ///< X_WB
@@ -45,7 +47,7 @@ class Body {
   bool is_awake() const;
   /// A hand or a gripper has it: it weighs nothing (but see WeldSpec::holds_up) and never falls
   /// asleep.
-  bool is_carried() const { return is_carried_; }
+  bool is_carried() const;
 
   /// Starts or ends being carried; both wake it and what it touches, both keep its velocity.
   /// @throws std::logic_error if the body is static.
@@ -56,34 +58,15 @@ class Body {
   void SetVelocity(const Vector3& linear, const Vector3& angular);
   void WakeUp();
 
+  /// Bullet's side of the body, for this room; see internal_body_dynamics.h.
+  class Dynamics;
+  Dynamics& dynamics() { return *dynamics_; }
+  const Dynamics& dynamics() const { return *dynamics_; }
+
  private:
-  friend class World;
-  /// What hangs on a carried body, for the time being: so much mass [kg], and so much resistance to
-  /// turning about any axis [kg m2], are added to its own.
-  void Load(double mass, double moment);
-  /// Led, it is moved by what holds it alone: nothing pushes it.
-  void SetLed(bool is_led);
-  /// What it has to do in the next step to be there after it; see internal_led_object.h.
-  void LeadTo(const RigidTransform& X_WB, double seconds);
-  void PlaceAt(const RigidTransform& X_WB);
-  /// Its own mass and what hangs on it [kg].
-  double loaded_mass() const { return spec_->mass.mass + load_mass_; }
-  Body(BodyId id, std::shared_ptr<const BodySpec> spec);
-
   BodyId id_;
-  /// Shared with snapshots: a spec never changes, and a snapshot may outlive the body.
   std::shared_ptr<const BodySpec> spec_;
-  struct Shapes;
-  std::unique_ptr<Shapes> shapes_;
-  std::unique_ptr<btRigidBody> bullet_;
-  Vector3 moments_;  ///< principal moments of inertia, without load
-  /// From the centre of mass to the body's origin, along the world's axes [m].
-  Vector3 p_BcmB_W() const;
-
-  RigidTransform X_BcmB_;  ///< B in the frame of its centre of mass and principal axes of inertia
-  bool is_carried_ = false;
-  bool is_led_ = false;
-  double load_mass_ = 0, load_moment_ = 0;  ///< set anew in every step
+  std::unique_ptr<Dynamics> dynamics_;
 };
 
 }  // namespace smile::physics

@@ -14,7 +14,7 @@ namespace smile::physics {
 
 /// Bullet's side of an Articulation. Bullet moves each link at its centre of mass along its
 /// principal axes (frame Lcm). Of a kinematic one, Bullet's world has only the colliders, which are
-/// led objects.
+/// kinematic objects.
 struct Articulation::Links {
   struct Link {
     RigidTransform X_LLcm;

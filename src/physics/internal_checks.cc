@@ -120,9 +120,7 @@ void CheckIds(const Snapshot& snapshot) {
 }  // namespace
 
 void CheckBody(const BodySpec& spec) {
-  if (!spec.X_WB.rotation().allFinite() || !spec.X_WB.translation().allFinite()) {
-    throw std::invalid_argument("body: its pose is not finite");
-  }
+  if (!IsFinite(spec.X_WB)) throw std::invalid_argument("body: its pose is not finite");
   if (!(spec.mass.mass >= 0) || !std::isfinite(spec.mass.mass) || !spec.mass.inertia.allFinite() ||
       !spec.mass.center.allFinite()) {
     throw std::invalid_argument("body: mass is " + std::to_string(spec.mass.mass) +

@@ -1,22 +1,16 @@
 #pragma once
 
-#include <BulletDynamics/Featherstone/btMultiBodyFixedConstraint.h>
-
-#include <map>
-#include <memory>
-
 #include "physics/internal_compound_pairs.h"
 #include "physics/internal_exact_world.h"
-#include "physics/internal_joint_constraint.h"
 #include "physics/internal_joint_solver.h"
 #include "physics/internal_overlap_probe.h"
 #include "physics/internal_stateless_broadphase.h"
-#include "physics/world.h"
+#include "physics/world_config.h"
 
 namespace smile::physics {
 
 /// The Bullet objects behind a World, set to its configuration.
-struct World::Engine {
+struct Engine {
   explicit Engine(const WorldConfig& config);
 
   btDefaultCollisionConfiguration collision_configuration;
@@ -25,8 +19,6 @@ struct World::Engine {
   StatelessBroadphase broadphase;
   JointSolver solver;
   ExactWorld world;
-  std::map<JointId, std::unique_ptr<btMultiBodyFixedConstraint>> welds;
-  std::map<JointId, std::unique_ptr<JointConstraint>> joints;  ///< between bodies
   OverlapProbe overlap_probe;
 };
 

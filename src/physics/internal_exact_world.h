@@ -34,7 +34,7 @@ class ExactWorld : public btMultiBodyDynamicsWorld {
   void ReplaceConstraint(btTypedConstraint* constraint, btTypedConstraint* with);
 
  protected:
-  /// Led objects are given their velocities, where Bullet would work them out of poses.
+  /// Kinematic objects are given their velocities, where Bullet would work them out of poses.
   void saveKinematicState(btScalar) override {}
   /// Joints stay within their limits, whatever the solver left them with.
   void integrateTransforms(btScalar seconds) override;

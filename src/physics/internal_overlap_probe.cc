@@ -47,4 +47,12 @@ double OverlapProbe::Depth(btCollisionShape* a, const btTransform& X_WA, btColli
   return deepest.depth;
 }
 
+double OverlapProbe::Depth(const btCollisionObject& a, const btTransform& X_WA,
+                           const btCollisionObject& b) {
+  const auto shape_of = [](const btCollisionObject& object) {
+    return const_cast<btCollisionShape*>(object.getCollisionShape());
+  };
+  return Depth(shape_of(a), X_WA, shape_of(b), b.getWorldTransform());
+}
+
 }  // namespace smile::physics

@@ -33,8 +33,9 @@ struct Snapshot {
   std::vector<BodyEntry> bodies;
   std::vector<ArticulationEntry> articulations;
   std::vector<Joint> joints;
-  std::vector<std::pair<BodyId, BodyId>> passing;     ///< those that pass through each other
-  std::vector<std::pair<BodyId, BodyId>> close_fits;  ///< those that have play; see LetPass()
+  /// Pairs that pass through each other, and pairs that have play; see
+  /// World::IgnoreCollisionUntilSeparated().
+  std::vector<std::pair<BodyId, BodyId>> passing, close_fits;
   std::vector<std::byte> state;
 };
 

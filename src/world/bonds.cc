@@ -218,7 +218,7 @@ void Bonds::Join(GuestIndex guest, HostIndex host, int tightness) {
         .X_AB = model::GuestBodyInHostBody(model_->host(host), model_->guest(guest), tightness)});
   } else if (tightness == 0) {
     // Still inside the hole, it must not be thrown out.
-    world_->LetPass(holder, body);
+    world_->IgnoreCollisionUntilSeparated(holder, body);
   }
   TellDownstream(host);
 }

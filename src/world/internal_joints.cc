@@ -55,7 +55,7 @@ void AddSliderJoint(const scene::SliderSpec& slider, const std::vector<Object>& 
   // Contact would push apart what the rail holds together, for ever.
   const auto blockers =
       world->OverlapsAt(b, world->body(b).pose_in_world(), kMaxMemberOverlap).bodies;
-  if (std::ranges::find(blockers, a) != blockers.end()) world->LetPass(a, b);
+  if (std::ranges::find(blockers, a) != blockers.end()) world->IgnoreCollisionUntilSeparated(a, b);
 }
 
 }  // namespace smile::world

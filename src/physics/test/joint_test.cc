@@ -383,7 +383,7 @@ TEST_F(JointTest, JoinedBodiesDoNotCollideUntilTheLastReasonEnds) {
   StepSeconds(0.5);
   EXPECT_NEAR(Place(b).x(), 0.05, 1e-6);
   EXPECT_TRUE(world_.OverlapsAt(b, Pose(b), 0).bodies.empty());
-  world_.LetPass(b, a);
+  world_.IgnoreCollisionUntilSeparated(b, a);
   world_.RemoveJoint(second);
   world_.body(b).SetCarried(true);
   world_.body(b).SetVelocity({0.2, 0, 0}, {0, 0, 0});

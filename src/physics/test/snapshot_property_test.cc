@@ -158,7 +158,7 @@ class JointedWorld : public PhysicsWorldBuilder {
     const auto& lids = made.lids_;
     for (int tick = 0; tick < 400; ++tick) {
       if (tick == 20) world.RemoveJoint(made.fixed_);
-      if (tick == 20) world.LetPass(made.posts_[0], made.links_[0]);
+      if (tick == 20) world.IgnoreCollisionUntilSeparated(made.posts_[0], made.links_[0]);
       if (tick == 60) Widen(world, made.boxes_[1]);
       if (tick == 90) world.body(lids[0]).SetCarried(false);
       if (tick == 120) world.RemoveBody(made.links_[4]);
@@ -255,7 +255,7 @@ class JointedWorld : public PhysicsWorldBuilder {
   }
 
   void PutIntoOneAnother() {
-    world_.LetPass(boxes_[0], boxes_[2]);
+    world_.IgnoreCollisionUntilSeparated(boxes_[0], boxes_[2]);
     world_.body(boxes_[2]).SetPose(RigidTransform(
         Vector3(world_.body(boxes_[0]).pose_in_world().translation() + Vector3(0.05, 0.02, 0.03))));
   }

@@ -1,10 +1,40 @@
-#include "physics/internal_joint_groups.h"
+#include "physics/internal_joint_graph.h"
 
 #include <algorithm>
 
 #include "physics/internal_joint_constraint.h"
 
 namespace smile::physics {
+
+JointGraph::JointGraph(std::span<const Joint> joints, JointId without) {
+  for (const Joint& joint : joints) {
+    if (joint.id == without) continue;
+    const auto pair = BodyPairOf(joint.spec);
+    if (!pair) continue;
+    edges_.push_back(*pair);
+    edges_.emplace_back(pair->second, pair->first);
+  }
+  std::sort(edges_.begin(), edges_.end());
+}
+
+std::vector<BodyId> JointGraph::ConnectedWith(BodyId start,
+                                              const std::function<bool(BodyId)>& is_end) const {
+  std::vector<BodyId> found = {start};  // sorted
+  std::vector<BodyId> to_visit = {start};
+  while (!to_visit.empty()) {
+    const BodyId from = to_visit.back();
+    to_visit.pop_back();
+    if (is_end(from)) continue;
+    for (auto edge = std::lower_bound(edges_.begin(), edges_.end(), std::pair(from, BodyId{0}));
+         edge != edges_.end() && edge->first == from; ++edge) {
+      const auto place = std::lower_bound(found.begin(), found.end(), edge->second);
+      if (place != found.end() && *place == edge->second) continue;
+      found.insert(place, edge->second);
+      to_visit.push_back(edge->second);
+    }
+  }
+  return found;
+}
 
 JointGroups::JointGroups(const std::vector<std::unique_ptr<Body>>& bodies,
                          const std::vector<Joint>& joints, bool only_fixed) {

@@ -1,12 +1,31 @@
 #pragma once
 
+#include <functional>
 #include <memory>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "physics/body.h"
 #include "physics/joint.h"
 
+// Which bodies hang together: around one of them, and for all of them.
+
 namespace smile::physics {
+
+/// The bodies as nodes, with an edge for each joint between two of them; welds are no edges.
+class JointGraph {
+ public:
+  /// @param without  a joint that does not count.
+  explicit JointGraph(std::span<const Joint> joints, JointId without = {});
+
+  /// Returns the bodies that a path connects with this one, itself included, by id. Paths end at
+  /// bodies for which `is_end` holds, which are among the result.
+  std::vector<BodyId> ConnectedWith(BodyId start, const std::function<bool(BodyId)>& is_end) const;
+
+ private:
+  std::vector<std::pair<BodyId, BodyId>> edges_;  ///< in both directions, sorted
+};
 
 /// Which bodies hang together, for all of them at once. A static body belongs to no group, and
 /// nothing hangs together through it; groups it holds are anchored.

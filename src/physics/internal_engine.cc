@@ -2,7 +2,7 @@
 
 namespace smile::physics {
 
-World::Engine::Engine(const WorldConfig& config)
+Engine::Engine(const WorldConfig& config)
     : dispatcher(&collision_configuration),
       world(&dispatcher, &broadphase, &solver, &collision_configuration) {
   compound_pairs.RegisterWith(&dispatcher);

@@ -1,0 +1,117 @@
+#include "physics/internal_body_dynamics.h"
+
+#include <algorithm>
+
+#include "physics/internal_collision_object.h"
+
+namespace smile::physics {
+namespace {
+
+/// Of balls, rollers and rings [m].
+constexpr double kRollingResistance = 0.001;
+
+/// Hulls count as round: a ring's segments are, and the resistance does no harm to the others.
+bool IsRound(const BodySpec& spec) {
+  return std::any_of(spec.solids.begin(), spec.solids.end(), [](const scene::Solid& solid) {
+    return !std::holds_alternative<scene::Block>(solid.shape);
+  });
+}
+
+bool IsStatic(const BodySpec& spec) { return spec.mass.mass == 0; }
+
+btRigidBody::btRigidBodyConstructionInfo ConstructionInfoOf(const BodySpec& spec,
+                                                            const RigidTransform& X_BcmB,
+                                                            const Vector3& moments,
+                                                            btCollisionShape* shape) {
+  btRigidBody::btRigidBodyConstructionInfo info(spec.mass.mass, nullptr, shape, ToBullet(moments));
+  info.m_startWorldTransform = ToBullet(spec.X_WB * X_BcmB.inverse());
+  info.m_friction = spec.friction;
+  info.m_restitution = spec.restitution;
+  info.m_rollingFriction = spec.rolling_friction.value_or(IsRound(spec) ? kRollingResistance : 0.0);
+  return info;
+}
+
+}  // namespace
+
+Body::Dynamics::Dynamics(BodyId id, const BodySpec& spec)
+    : Dynamics(id, spec,
+               IsStatic(spec) ? PrincipalInertia() : PrincipalInertiaOf(spec.mass.inertia)) {}
+
+Body::Dynamics::Dynamics(BodyId id, const BodySpec& spec, const PrincipalInertia& inertia)
+    : mass_(spec.mass.mass),
+      moments_(inertia.moments),
+      X_BcmB_(RigidTransform(inertia.axes, IsStatic(spec) ? Vector3::Zero() : spec.mass.center)
+                  .inverse()),
+      collision_(MakeCollisionShape(spec.solids, X_BcmB_)),
+      bullet_(ConstructionInfoOf(spec, X_BcmB_, moments_, collision_.shape())) {
+  bullet_.setUserIndex(static_cast<int>(id.value));
+  // Friction anchors remember where a contact first stuck: without them stacks creep.
+  bullet_.setCollisionFlags(bullet_.getCollisionFlags() |
+                            btCollisionObject::CF_HAS_FRICTION_ANCHOR);
+}
+
+Vector3 Body::Dynamics::p_BcmB_W() const {
+  return FromBullet(bullet_.getWorldTransform().getBasis()) * X_BcmB_.translation();
+}
+
+void Body::Dynamics::Load(double mass, double moment) {
+  if (mass == load_mass_ && moment == load_moment_) return;
+  load_mass_ = mass;
+  load_moment_ = moment;
+  if (!is_kinematic_) UpdateMass();
+}
+
+void Body::Dynamics::SetKinematic(bool is_kinematic) {
+  if (is_kinematic == is_kinematic_) return;
+  is_kinematic_ = is_kinematic;
+  if (is_kinematic) {
+    MakeKinematic(&bullet_);
+    return;
+  }
+  bullet_.setCollisionFlags(bullet_.getCollisionFlags() & ~btCollisionObject::CF_KINEMATIC_OBJECT);
+  UpdateMass();
+}
+
+void Body::Dynamics::UpdateMass() {
+  bullet_.setMassProps(loaded_mass(), ToBullet(Vector3(moments_.array() + load_moment_)));
+  bullet_.updateInertiaTensor();
+}
+
+void Body::Dynamics::SetVelocityToReach(const RigidTransform& X_WB, double seconds) {
+  physics::SetVelocityToReach(X_WB * X_BcmB_.inverse(), seconds, &bullet_);
+}
+
+void Body::Dynamics::SetPose(const RigidTransform& X_WB) {
+  physics::SetPose(X_WB * X_BcmB_.inverse(), &bullet_);
+}
+
+void Body::Dynamics::Save(ByteWriter* out) const {
+  SaveObject(bullet_, out);
+  WriteVector(bullet_.getLinearVelocity(), out);
+  WriteVector(bullet_.getAngularVelocity(), out);
+  out->Put(is_carried_);
+}
+
+void Body::Dynamics::Restore(ByteReader* in) {
+  RestoreObject(in, &bullet_);
+  bullet_.setLinearVelocity(ReadVector(in));
+  bullet_.setAngularVelocity(ReadVector(in));
+  bullet_.clearForces();
+  bullet_.updateInertiaTensor();
+  is_carried_ = in->Get<bool>();
+}
+
+void Body::Dynamics::AddTo(StateHash* hash) const {
+  const auto add_vector = [hash](const btVector3& v) {
+    for (int i = 0; i < 3; ++i) hash->Add(static_cast<double>(v[i]));
+  };
+  const btTransform& X_WBcm = bullet_.getWorldTransform();
+  for (int row = 0; row < 3; ++row) add_vector(X_WBcm.getBasis()[row]);
+  add_vector(X_WBcm.getOrigin());
+  add_vector(bullet_.getLinearVelocity());
+  add_vector(bullet_.getAngularVelocity());
+  hash->Add(static_cast<std::uint64_t>(bullet_.getActivationState()));
+  hash->Add(static_cast<double>(bullet_.getDeactivationTime()));
+}
+
+}  // namespace smile::physics

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "base/bytes.h"
+#include "base/state_hash.h"
+#include "math/principal_inertia.h"
+#include "physics/body.h"
+#include "physics/internal_shapes.h"
+
+namespace smile::physics {
+
+/// Bullet's side of a Body: its state of motion, and who moves it. Bullet moves each body at its
+/// centre of mass along its principal axes (frame Bcm).
+class Body::Dynamics {
+ public:
+  Dynamics(BodyId id, const BodySpec& spec);
+  Dynamics(const Dynamics&) = delete;
+  Dynamics& operator=(const Dynamics&) = delete;
+
+  btRigidBody& bullet() { return bullet_; }
+  const btRigidBody& bullet() const { return bullet_; }
+  const RigidTransform& X_BcmB() const { return X_BcmB_; }
+  /// Returns the vector from the centre of mass to the body's origin, along the world's axes [m].
+  Vector3 p_BcmB_W() const;
+
+  bool is_carried() const { return is_carried_; }
+  void set_is_carried(bool is_carried) { is_carried_ = is_carried; }
+
+  /// Adds mass [kg] and resistance to turning about any axis [kg m2] to the body's own, for what
+  /// hangs on it while it is carried.
+  void Load(double mass, double moment);
+  /// Returns its own mass and what hangs on it [kg].
+  double loaded_mass() const { return mass_ + load_mass_; }
+
+  bool is_kinematic() const { return is_kinematic_; }
+  /// Makes it follow what holds it, so that nothing else pushes it.
+  void SetKinematic(bool is_kinematic);
+  /// Gives a kinematic body the velocity that brings it to `X_WB` in so many seconds.
+  void SetVelocityToReach(const RigidTransform& X_WB, double seconds);
+  /// Moves a kinematic body to `X_WB`; it keeps its velocity.
+  void SetPose(const RigidTransform& X_WB);
+
+  void Save(ByteWriter* out) const;
+  void Restore(ByteReader* in);
+  void AddTo(StateHash* hash) const;
+
+ private:
+  Dynamics(BodyId id, const BodySpec& spec, const PrincipalInertia& inertia);
+  void UpdateMass();
+
+  double mass_;
+  Vector3 moments_;        ///< principal moments of inertia, without load
+  RigidTransform X_BcmB_;  ///< B in the frame of its centre of mass and principal axes of inertia
+  CollisionShape collision_;
+  btRigidBody bullet_;
+  bool is_carried_ = false;
+  bool is_kinematic_ = false;
+  double load_mass_ = 0, load_moment_ = 0;  ///< set in every step
+};
+
+}  // namespace smile::physics

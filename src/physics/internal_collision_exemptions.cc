@@ -1,0 +1,108 @@
+#include "physics/internal_collision_exemptions.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "base/state_hash.h"
+#include "physics/internal_body_dynamics.h"
+
+namespace smile::physics {
+namespace {
+
+/// Two that ignore each other and overlap by no more than this collide again: what merely touches
+/// must not fall through. A close fit has as much play [m].
+constexpr double kCloseFitDepth = ExactWorld::kCloseFitPlay;
+
+void InsertPair(const std::pair<BodyId, BodyId>& pair,
+                std::vector<std::pair<BodyId, BodyId>>* pairs) {
+  const auto place = std::lower_bound(pairs->begin(), pairs->end(), pair);
+  if (place == pairs->end() || *place != pair) pairs->insert(place, pair);
+}
+
+}  // namespace
+
+CollisionExemptions::CollisionExemptions(const WorldConfig& config, const WorldObjects& objects,
+                                         Engine& engine)
+    : config_(config), objects_(objects), engine_(engine) {}
+
+void CollisionExemptions::IgnoreUntilSeparated(BodyId a, BodyId b) {
+  if (a == b) throw std::invalid_argument("world: a body cannot pass through itself");
+  const BodyPair pair = std::minmax(a, b);
+  Body &body_a = objects_.body(a), &body_b = objects_.body(b);
+  if (body_a.is_static() && body_b.is_static()) return;
+  if (std::binary_search(ignored_.begin(), ignored_.end(), pair)) return;
+  std::erase(close_fits_, pair);
+  InsertPair(pair, &ignored_);
+  engine_.broadphase.Exclude(body_a.dynamics().bullet(), body_b.dynamics().bullet(),
+                             &engine_.dispatcher);
+}
+
+template <class IsOver>
+void CollisionExemptions::EndIgnoring(IsOver is_over) {
+  std::erase_if(ignored_, [this, &is_over](const BodyPair& pair) {
+    if (!is_over(pair)) return false;
+    engine_.broadphase.filter().Include(static_cast<int>(pair.first.value),
+                                        static_cast<int>(pair.second.value));
+    return true;
+  });
+}
+
+void CollisionExemptions::EndAllOf(BodyId id) {
+  const auto is_of = [id](const BodyPair& pair) { return pair.first == id || pair.second == id; };
+  EndIgnoring(is_of);
+  std::erase_if(close_fits_, is_of);
+}
+
+void CollisionExemptions::EndAll() {
+  EndIgnoring([](const BodyPair&) { return true; });
+  close_fits_.clear();
+}
+
+void CollisionExemptions::Update() {
+  std::erase_if(close_fits_, [this](const BodyPair& pair) {
+    return IsAnyAwake(pair) && OverlapDepth(pair) <= 0;
+  });
+  EndIgnoring([this](const BodyPair& pair) {
+    if (!IsAnyAwake(pair)) return false;
+    const double depth = OverlapDepth(pair);
+    if (depth > kCloseFitDepth) return false;
+    if (depth > 0 && config_.eases_close_fits) InsertPair(pair, &close_fits_);
+    return true;
+  });
+  engine_.world.SetCloseFits(close_fits_);
+}
+
+bool CollisionExemptions::IsAnyAwake(const BodyPair& pair) const {
+  return objects_.body(pair.first).is_awake() || objects_.body(pair.second).is_awake();
+}
+
+double CollisionExemptions::OverlapDepth(const BodyPair& pair) const {
+  const btRigidBody& a = objects_.body(pair.first).dynamics().bullet();
+  const btRigidBody& b = objects_.body(pair.second).dynamics().bullet();
+  return engine_.overlap_probe.Depth(a, a.getWorldTransform(), b);
+}
+
+void CollisionExemptions::Save(Snapshot* snapshot) const {
+  snapshot->passing = ignored_;
+  snapshot->close_fits = close_fits_;
+}
+
+void CollisionExemptions::Restore(const Snapshot& snapshot) {
+  for (const auto& [a, b] : snapshot.passing) IgnoreUntilSeparated(a, b);
+  close_fits_ = snapshot.close_fits;
+}
+
+void CollisionExemptions::AddTo(StateHash* hash) const {
+  const auto add = [hash](const std::vector<BodyPair>& pairs) {
+    for (const auto& [a, b] : pairs) {
+      hash->Add(std::uint64_t{a.value});
+      hash->Add(std::uint64_t{b.value});
+    }
+  };
+  add(ignored_);
+  // Nothing is added without them: hashes of worlds that never had any stay as they were.
+  if (!close_fits_.empty()) hash->Add("close fits");
+  add(close_fits_);
+}
+
+}  // namespace smile::physics

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "physics/internal_world_objects.h"
+
+namespace smile::physics {
+
+/// The pairs of bodies that were inside each other when their joint ended, and collide again step
+/// by step: first not at all, then as a close fit; see World::IgnoreCollisionUntilSeparated().
+class CollisionExemptions {
+ public:
+  /// All must outlive it.
+  CollisionExemptions(const WorldConfig& config, const WorldObjects& objects, Engine& engine);
+
+  void IgnoreUntilSeparated(BodyId a, BodyId b);
+  /// Ends the exemptions of a body that is about to be removed.
+  void EndAllOf(BodyId id);
+  void EndAll();
+  /// Before a step: turns ignored pairs that hardly overlap any longer into close fits, and ends
+  /// the close fits of pairs that are apart.
+  void Update();
+
+  void Save(Snapshot* snapshot) const;
+  /// Adopts the exemptions of a snapshot of the same objects. Call EndAll() before.
+  void Restore(const Snapshot& snapshot);
+  void AddTo(StateHash* hash) const;
+
+ private:
+  using BodyPair = std::pair<BodyId, BodyId>;
+
+  template <class IsOver>
+  void EndIgnoring(IsOver is_over);
+  double OverlapDepth(const BodyPair& pair) const;
+  bool IsAnyAwake(const BodyPair& pair) const;
+
+  const WorldConfig& config_;
+  const WorldObjects& objects_;
+  Engine& engine_;
+  std::vector<BodyPair> ignored_;     ///< sorted, the smaller id first
+  std::vector<BodyPair> close_fits_;  ///< likewise
+};
+
+}  // namespace smile::physics

@@ -1,0 +1,72 @@
+#include "physics/internal_collision_object.h"
+
+namespace smile::physics {
+namespace {
+
+void WriteTransform(const btTransform& X, ByteWriter* out) {
+  for (int row = 0; row < 3; ++row) WriteVector(X.getBasis()[row], out);
+  WriteVector(X.getOrigin(), out);
+}
+
+btTransform ReadTransform(ByteReader* in) {
+  btMatrix3x3 R;
+  for (int row = 0; row < 3; ++row) R[row] = ReadVector(in);
+  return btTransform(R, ReadVector(in));
+}
+
+}  // namespace
+
+void MakeKinematic(btRigidBody* object) {
+  object->setMassProps(0, btVector3(0, 0, 0));
+  object->updateInertiaTensor();
+  const int flags = object->getCollisionFlags() & ~btCollisionObject::CF_STATIC_OBJECT;
+  object->setCollisionFlags(flags | btCollisionObject::CF_KINEMATIC_OBJECT);
+}
+
+void SetVelocityToReach(const RigidTransform& X_WGoal, double seconds, btRigidBody* object) {
+  const RigidTransform X_WNow = FromBullet(object->getWorldTransform());
+  const Vector3 displacement = X_WGoal.translation() - X_WNow.translation();
+  const Eigen::AngleAxisd rotation(Matrix3(X_WGoal.rotation() * X_WNow.rotation().transpose()));
+  object->setLinearVelocity(ToBullet(Vector3(displacement / seconds)));
+  object->setAngularVelocity(ToBullet(Vector3(rotation.axis() * rotation.angle() / seconds)));
+}
+
+void SetPose(const RigidTransform& X_W, btCollisionObject* object) {
+  object->setWorldTransform(ToBullet(X_W));
+  object->setInterpolationWorldTransform(ToBullet(X_W));
+}
+
+void WriteVector(const btVector3& v, ByteWriter* out) {
+  for (int i = 0; i < 3; ++i) out->Put(static_cast<double>(v[i]));
+}
+
+btVector3 ReadVector(ByteReader* in) {
+  const double x = in->Get<double>(), y = in->Get<double>(), z = in->Get<double>();
+  return {x, y, z};
+}
+
+void SaveObject(const btCollisionObject& object, ByteWriter* out) {
+  WriteTransform(object.getWorldTransform(), out);
+  WriteTransform(object.getInterpolationWorldTransform(), out);
+  WriteVector(object.getInterpolationLinearVelocity(), out);
+  WriteVector(object.getInterpolationAngularVelocity(), out);
+  out->Put(object.getActivationState());
+  out->Put(static_cast<double>(object.getDeactivationTime()));
+  out->Put(static_cast<double>(object.getHitFraction()));
+  WriteVector(object.getBroadphaseHandle()->m_aabbMin, out);
+  WriteVector(object.getBroadphaseHandle()->m_aabbMax, out);
+}
+
+void RestoreObject(ByteReader* in, btCollisionObject* object) {
+  object->setWorldTransform(ReadTransform(in));
+  object->setInterpolationWorldTransform(ReadTransform(in));
+  object->setInterpolationLinearVelocity(ReadVector(in));
+  object->setInterpolationAngularVelocity(ReadVector(in));
+  object->forceActivationState(in->Get<int>());
+  object->setDeactivationTime(in->Get<double>());
+  object->setHitFraction(in->Get<double>());
+  object->getBroadphaseHandle()->m_aabbMin = ReadVector(in);
+  object->getBroadphaseHandle()->m_aabbMax = ReadVector(in);
+}
+
+}  // namespace smile::physics

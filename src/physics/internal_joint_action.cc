@@ -1,0 +1,103 @@
+#include "physics/internal_joint_action.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "physics/internal_body_dynamics.h"
+#include "physics/internal_joint_graph.h"
+
+namespace smile::physics {
+namespace {
+
+/// What a carried body has to bear of another that hangs on it, as if the two were one.
+double MomentAbout(const Body& carried, const Body& other) {
+  const Vector3 arm = other.pose_in_world() * other.spec().mass.center -
+                      carried.pose_in_world() * carried.spec().mass.center;
+  // No axis has more than half the trace.
+  return other.spec().mass.inertia.trace() / 2 + other.spec().mass.mass * arm.squaredNorm();
+}
+
+/// Fraction of the speed that a soft slider keeps in this step: in the outer part of its range the
+/// speed towards the limit falls in proportion to the displacement that remains.
+double SoftFractionKept(const SliderJointSpec& slider, double offset, double speed,
+                        double seconds) {
+  const double middle = (slider.lower + slider.upper) / 2;
+  const double half = (slider.upper - slider.lower) / 2;
+  const double from_middle = std::abs(offset - middle);
+  const double approach = offset > middle ? speed : -speed;
+  const double remaining = half - from_middle;
+  if (from_middle <= slider.softness * half || remaining <= 0 || approach <= 0) return 1;
+  return 1 / (1 + approach * seconds / remaining);
+}
+
+/// Of each group, as Bullet has it now; 0 when it is anchored.
+std::vector<double> InverseMassesOf(const JointGroups& rigid, const WorldObjects& objects) {
+  std::vector<double> masses(objects.bodies().size(), 0.0);
+  for (const auto& one : objects.bodies()) {
+    masses[rigid.group_of(one->id())] += one->dynamics().loaded_mass();
+  }
+  for (std::size_t i = 0; i < masses.size(); ++i) {
+    masses[i] = rigid.is_anchored(static_cast<int>(i)) ? 0 : 1 / masses[i];
+  }
+  return masses;
+}
+
+}  // namespace
+
+void LoadCarriedBodies(const WorldObjects& objects, const JointSet& joints) {
+  const auto& bodies = objects.bodies();
+  const bool is_any_carried =
+      std::any_of(bodies.begin(), bodies.end(), [](const auto& one) { return one->is_carried(); });
+  std::vector<std::pair<double, double>> loads(bodies.size());  // mass, moment
+  if (is_any_carried && joints.has_constraints()) {
+    const JointGroups groups(bodies, joints.joints(), /*only_fixed=*/false);
+    std::vector<std::vector<std::size_t>> carried_in(bodies.size());
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      if (bodies[i]->is_carried()) carried_in[groups.group_of(bodies[i]->id())].push_back(i);
+    }
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      Body& one = *bodies[i];
+      if (one.is_static()) continue;
+      for (std::size_t carried : carried_in[groups.group_of(one.id())]) {
+        one.WakeUp();
+        if (carried == i) continue;
+        loads[carried].first += one.spec().mass.mass;
+        loads[carried].second += MomentAbout(*bodies[carried], one);
+      }
+    }
+  }
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (!bodies[i]->is_static()) bodies[i]->dynamics().Load(loads[i].first, loads[i].second);
+  }
+}
+
+void DampSliders(const WorldObjects& objects, const JointSet& joints, double step_seconds) {
+  std::optional<JointGroups> rigid;  // worked out when a slider moves
+  std::vector<double> inverse_masses;
+  for (const Joint& joint : joints.joints()) {
+    const auto* slider = std::get_if<SliderJointSpec>(&joint.spec);
+    if (slider == nullptr) continue;
+    const bool is_carried =
+        objects.body(slider->a).is_carried() || objects.body(slider->b).is_carried();
+    JointConstraint& constraint = joints.constraint(joint.id);
+    constraint.HoldUnless(is_carried);
+    if (slider->damping >= 1 && !is_carried) continue;
+    const double speed = constraint.sliding_speed();
+    if (speed == 0) continue;
+    double kept = SoftFractionKept(*slider, constraint.offset(), speed, step_seconds);
+    if (!is_carried) kept *= std::pow(1 - slider->damping, step_seconds);
+    if (kept == 1) continue;
+    if (!rigid) {
+      rigid.emplace(objects.bodies(), joints.joints(), /*only_fixed=*/true);
+      inverse_masses = InverseMassesOf(*rigid, objects);
+    }
+    const double inverse_mass =
+        inverse_masses[rigid->group_of(slider->a)] + inverse_masses[rigid->group_of(slider->b)];
+    if (inverse_mass > 0) constraint.Push(speed * (kept - 1) / inverse_mass);
+  }
+}
+
+}  // namespace smile::physics

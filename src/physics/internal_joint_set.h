@@ -1,0 +1,66 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "physics/internal_held_bodies.h"
+#include "physics/internal_joint_constraint.h"
+#include "physics/internal_world_objects.h"
+#include "physics/joint.h"
+
+namespace smile::physics {
+
+/// The joints of a World, by id. Joints between bodies are constraints of Bullet's world; welds are
+/// passed on to HeldBodies.
+class JointSet {
+ public:
+  /// All must outlive it.
+  JointSet(const WorldObjects& objects, HeldBodies& held_bodies, Engine& engine);
+  ~JointSet();
+  JointSet(const JointSet&) = delete;
+  JointSet& operator=(const JointSet&) = delete;
+
+  const std::vector<Joint>& joints() const { return joints_; }
+  /// True when there is a joint other than a weld.
+  bool has_constraints() const { return !constraints_.empty(); }
+  /// Returns the constraint of a joint between bodies.
+  JointConstraint& constraint(JointId id) const { return *constraints_.at(id); }
+
+  /// See World. All these wake the bodies.
+  JointId Add(const JointSpec& spec);
+  void Remove(JointId id);
+  void RemoveAllOf(BodyId id);
+  void RemoveAll();
+  /// Ties the joints of a body whose form changed to the new one, each in its place in the order.
+  void Rejoin(BodyId id);
+
+  std::vector<BodyId> Assembly(BodyId id, JointId without) const;
+  bool IsAnchored(BodyId id, JointId without) const;
+
+  /// Adds the joints to the snapshot, and their states to `state`.
+  void Save(Snapshot* snapshot, ByteWriter* state) const;
+  /// Adopts the joints of a snapshot of the same objects. Call RemoveAll() before.
+  void Restore(const Snapshot& snapshot);
+  void RestoreState(ByteReader* in);
+  void AddTo(StateHash* hash) const;
+
+ private:
+  void Check(const JointSpec& spec) const;
+  /// The joint is the newest.
+  void Insert(const Joint& joint);
+  void Wake(const std::pair<BodyId, BodyId>& pair);
+  std::unique_ptr<JointConstraint> MakeConstraint(const Joint& joint) const;
+  bool IsStatic(BodyId id) const { return objects_.body(id).is_static(); }
+  /// The body and those that hang on it through joints, up to and with static ones; by id.
+  std::vector<BodyId> JoinedWith(BodyId id, JointId without) const;
+
+  const WorldObjects& objects_;
+  HeldBodies& held_bodies_;
+  Engine& engine_;
+  std::uint32_t next_id_ = 1;
+  std::vector<Joint> joints_;  ///< by id
+  std::map<JointId, std::unique_ptr<JointConstraint>> constraints_;
+};
+
+}  // namespace smile::physics

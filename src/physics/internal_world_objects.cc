@@ -1,0 +1,237 @@
+#include "physics/internal_world_objects.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "base/state_hash.h"
+#include "physics/internal_articulation_links.h"
+#include "physics/internal_body_dynamics.h"
+#include "physics/internal_checks.h"
+
+namespace smile::physics {
+namespace {
+
+template <class Things, class Id>
+auto FindById(Things& things, Id id) {
+  const auto found = std::lower_bound(things.begin(), things.end(), id,
+                                      [](const auto& thing, Id key) { return thing->id() < key; });
+  return found != things.end() && (*found)->id() == id ? found : things.end();
+}
+
+template <class Things, class Thing>
+Thing& InsertById(Things& things, std::unique_ptr<Thing> thing) {
+  const auto place = std::lower_bound(things.begin(), things.end(), thing->id(),
+                                      [](const auto& other, auto id) { return other->id() < id; });
+  return **things.insert(place, std::move(thing));
+}
+
+/// True when the entry is of this very thing.
+template <class Thing, class Entry>
+bool Is(const Thing& thing, const Entry& entry) {
+  return thing.id() == entry.id &&
+         (&thing.spec() == entry.spec.get() || thing.spec() == *entry.spec);
+}
+
+}  // namespace
+
+WorldObjects::WorldObjects(const WorldConfig& config, Engine& engine)
+    : config_(config), engine_(engine) {}
+
+WorldObjects::~WorldObjects() {
+  while (!bodies_.empty()) Erase(*bodies_.back());
+  for (const auto& articulation : articulations_) {
+    for (const auto& link : articulation->links().links) {
+      if (link.drive) engine_.world.removeMultiBodyConstraint(link.drive.get());
+      engine_.world.removeCollisionObject(link.collider.get());
+    }
+    if (auto* base = articulation->links().collider(-1)) engine_.world.removeCollisionObject(base);
+    if (!articulation->spec().is_kinematic) engine_.world.removeMultiBody(&articulation->bullet());
+  }
+}
+
+Body* WorldObjects::Find(BodyId id) const {
+  const auto found = FindById(bodies_, id);
+  return found == bodies_.end() ? nullptr : found->get();
+}
+
+Body& WorldObjects::body(BodyId id) const {
+  if (Body* found = Find(id)) return *found;
+  throw std::logic_error("body " + std::to_string(id.value) + " does not exist");
+}
+
+Articulation& WorldObjects::articulation(ArticulationId id) const {
+  const auto found = FindById(articulations_, id);
+  if (found == articulations_.end()) {
+    throw std::logic_error("articulation " + std::to_string(id.value) + " does not exist");
+  }
+  return **found;
+}
+
+BodyId WorldObjects::AddBody(const BodySpec& spec) {
+  CheckBody(spec);
+  const BodyId id{next_id_++};
+  Insert(std::make_unique<Body>(id, std::make_shared<const BodySpec>(spec)));
+  return id;
+}
+
+ArticulationId WorldObjects::AddArticulation(const scene::ArticulationSpec& spec) {
+  const ArticulationId id{next_id_};
+  next_id_ += 1 + static_cast<std::uint32_t>(spec.links.size());
+  Insert(std::make_unique<Articulation>(id, std::make_shared<const scene::ArticulationSpec>(spec),
+                                        config_.motor));
+  return id;
+}
+
+void WorldObjects::Insert(std::unique_ptr<Body> fresh) {
+  Body& body = InsertById(bodies_, std::move(fresh));
+  btRigidBody& bullet = body.dynamics().bullet();
+  bullet.setSleepingThresholds(config_.sleep_linear_speed, config_.sleep_angular_speed);
+  bullet.setDamping(config_.damping, body.spec().angular_damping.value_or(config_.damping));
+  engine_.world.addRigidBody(&bullet);
+  engine_.world.SortObjects();
+}
+
+void WorldObjects::Insert(std::unique_ptr<Articulation> fresh) {
+  Articulation& articulation = InsertById(articulations_, std::move(fresh));
+  const Articulation::Links& links = articulation.links();
+  ExactWorld& world = engine_.world;
+  const int base_order = static_cast<int>(articulation.id().value);
+  for (const auto& [a, b] : articulation.spec().never_collide) {
+    engine_.broadphase.filter().Exclude(base_order + 1 + a, base_order + 1 + b);
+  }
+  if (!articulation.spec().is_kinematic) world.addMultiBody(&articulation.bullet());
+  if (auto* base = links.collider(-1)) world.addCollisionObject(base);
+  for (const auto& link : links.links) {
+    world.addCollisionObject(link.collider.get());
+    if (link.drive) world.addMultiBodyConstraint(link.drive.get());
+  }
+  world.SortObjects();
+}
+
+void WorldObjects::RemoveBody(BodyId id) {
+  const Body& gone = body(id);
+  WakeTouching(gone);
+  Erase(gone);
+}
+
+void WorldObjects::Erase(const Body& gone) {
+  const auto found = FindById(bodies_, gone.id());
+  engine_.world.removeRigidBody(&(*found)->dynamics().bullet());
+  engine_.world.SortObjects();
+  bodies_.erase(found);
+}
+
+void WorldObjects::ChangeForm(BodyId id, const std::vector<scene::Solid>& solids,
+                              const scene::MassProperties& mass) {
+  const Body& old = body(id);
+  auto spec = std::make_shared<BodySpec>(old.spec());
+  spec->solids = solids;
+  spec->mass = mass;
+  CheckBody(*spec);
+  if ((mass.mass == 0) != old.is_static()) {
+    throw std::invalid_argument("body: another form cannot make it static, or end that");
+  }
+  auto fresh = std::make_unique<Body>(id, spec);
+  fresh->dynamics().set_is_carried(old.is_carried());
+  fresh->SetPose(old.pose_in_world());
+  fresh->SetVelocity(old.linear_velocity(), old.angular_velocity());
+  WakeTouching(old);
+  Erase(old);
+  Insert(std::move(fresh));
+  WakeNear(body(id));
+}
+
+/// What leans on a body must notice when it changes.
+void WorldObjects::WakeTouching(const Body& body) {
+  ForEachManifoldOf(&body.dynamics().bullet(),
+                    [](const btPersistentManifold& manifold, Body& other) {
+                      if (manifold.getNumContacts() > 0) other.WakeUp();
+                    });
+}
+
+void WorldObjects::WakeNear(const Body& body) {
+  btVector3 min, max;
+  body.dynamics().bullet().getAabb(min, max);
+  for (const auto& other : bodies_) {
+    btVector3 other_min, other_max;
+    other->dynamics().bullet().getAabb(other_min, other_max);
+    if (TestAabbAgainstAabb2(min, max, other_min, other_max)) other->WakeUp();
+  }
+}
+
+bool WorldObjects::is_at_rest() const {
+  return std::none_of(bodies_.begin(), bodies_.end(),
+                      [](const auto& b) { return b->is_awake(); }) &&
+         std::all_of(articulations_.begin(), articulations_.end(),
+                     [](const auto& a) { return a->is_at_rest(); });
+}
+
+void WorldObjects::WakeAll() {
+  for (const auto& body : bodies_) body->WakeUp();
+}
+
+void WorldObjects::Save(Snapshot* snapshot, ByteWriter* state) const {
+  snapshot->next_id = next_id_;
+  for (const auto& body : bodies_) {
+    snapshot->bodies.push_back({body->id(), body->shared_spec()});
+    body->dynamics().Save(state);
+  }
+  for (const auto& articulation : articulations_) {
+    snapshot->articulations.push_back({articulation->id(), articulation->shared_spec()});
+    articulation->Save(state);
+  }
+}
+
+void WorldObjects::RestoreState(ByteReader* in) {
+  for (const auto& body : bodies_) body->dynamics().Restore(in);
+  for (const auto& articulation : articulations_) articulation->Restore(in);
+}
+
+void WorldObjects::AddTo(StateHash* hash) const {
+  for (const auto& body : bodies_) {
+    hash->Add(std::uint64_t{body->id().value});
+    body->dynamics().AddTo(hash);
+  }
+  for (const auto& articulation : articulations_) {
+    hash->Add(std::uint64_t{articulation->id().value});
+    articulation->AddTo(hash);
+  }
+}
+
+WorldObjects::Replacement WorldObjects::ReplacementFor(const Snapshot& snapshot) const {
+  Replacement result{.next_id = snapshot.next_id};
+  for (std::size_t i = 0; i < std::max(articulations_.size(), snapshot.articulations.size()); ++i) {
+    if (i >= articulations_.size()) {
+      const auto& entry = snapshot.articulations[i];
+      result.fresh_articulations.push_back(
+          std::make_unique<Articulation>(entry.id, entry.spec, config_.motor));
+    } else if (i >= snapshot.articulations.size() ||
+               !Is(*articulations_[i], snapshot.articulations[i])) {
+      throw std::invalid_argument("snapshot: it is of a world without this robot");
+    }
+  }
+  auto old = bodies_.begin();
+  for (const auto& entry : snapshot.bodies) {
+    while (old != bodies_.end() && (*old)->id() < entry.id) result.gone.push_back((*old++)->id());
+    const bool is_there = old != bodies_.end() && (*old)->id() == entry.id;
+    if (is_there && Is(**old++, entry)) continue;
+    if (is_there) result.gone.push_back(entry.id);
+    result.fresh_bodies.push_back(std::make_unique<Body>(entry.id, entry.spec));
+  }
+  while (old != bodies_.end()) result.gone.push_back((*old++)->id());
+  return result;
+}
+
+void WorldObjects::Apply(Replacement replacement) {
+  while (!replacement.gone.empty()) {
+    Erase(body(replacement.gone.back()));
+    replacement.gone.pop_back();
+  }
+  for (auto& fresh : replacement.fresh_bodies) Insert(std::move(fresh));
+  for (auto& fresh : replacement.fresh_articulations) Insert(std::move(fresh));
+  next_id_ = replacement.next_id;
+}
+
+}  // namespace smile::physics

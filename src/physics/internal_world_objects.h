@@ -1,0 +1,84 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "physics/articulation.h"
+#include "physics/body.h"
+#include "physics/internal_engine.h"
+#include "physics/snapshot.h"
+
+namespace smile::physics {
+
+/// The bodies and articulations of a World, by id, each with its place in Bullet's world.
+class WorldObjects {
+ public:
+  /// Both must outlive it.
+  WorldObjects(const WorldConfig& config, Engine& engine);
+  ~WorldObjects();
+  WorldObjects(const WorldObjects&) = delete;
+  WorldObjects& operator=(const WorldObjects&) = delete;
+
+  const std::vector<std::unique_ptr<Body>>& bodies() const { return bodies_; }
+  const std::vector<std::unique_ptr<Articulation>>& articulations() const { return articulations_; }
+
+  Body* Find(BodyId id) const;  ///< null if it does not exist
+  /// @throws std::logic_error if it does not exist.
+  Body& body(BodyId id) const;
+  Articulation& articulation(ArticulationId id) const;
+
+  /// Calls visit(const btPersistentManifold&, Body& other) for all that an object has with bodies.
+  template <class Visit>
+  void ForEachManifoldOf(const btCollisionObject* object, Visit visit) const {
+    for (int i = 0; i < engine_.dispatcher.getNumManifolds(); ++i) {
+      const auto& manifold = *engine_.dispatcher.getManifoldByIndexInternal(i);
+      const bool is_a = manifold.getBody0() == object;
+      if (!is_a && manifold.getBody1() != object) continue;
+      const int order = OrderOf(is_a ? manifold.getBody1() : manifold.getBody0());
+      if (Body* other = Find(BodyId{static_cast<std::uint32_t>(order)})) visit(manifold, *other);
+    }
+  }
+
+  /// See World.
+  BodyId AddBody(const BodySpec& spec);
+  ArticulationId AddArticulation(const scene::ArticulationSpec& spec);
+  /// Wakes what touches the body. Nothing else may refer to it any longer.
+  void RemoveBody(BodyId id);
+  /// Replaces the body by one of another form in its place; Bullet's object is another one then.
+  void ChangeForm(BodyId id, const std::vector<scene::Solid>& solids,
+                  const scene::MassProperties& mass);
+
+  bool is_at_rest() const;
+  void WakeAll();
+
+  /// Adds the objects to the snapshot, and their states to `state`.
+  void Save(Snapshot* snapshot, ByteWriter* state) const;
+  void RestoreState(ByteReader* in);
+  void AddTo(StateHash* hash) const;
+
+  /// What turns these objects into those of a snapshot.
+  struct Replacement {
+    std::vector<std::unique_ptr<Articulation>> fresh_articulations;
+    std::vector<std::unique_ptr<Body>> fresh_bodies;
+    std::vector<BodyId> gone;  ///< replaced or removed, by id
+    std::uint32_t next_id = 1;
+  };
+  /// @throws std::invalid_argument if the snapshot lacks an articulation of this world.
+  Replacement ReplacementFor(const Snapshot& snapshot) const;
+  void Apply(Replacement replacement);
+
+ private:
+  void Insert(std::unique_ptr<Body> body);
+  void Insert(std::unique_ptr<Articulation> articulation);
+  void Erase(const Body& body);
+  void WakeTouching(const Body& body);
+  void WakeNear(const Body& body);
+
+  const WorldConfig& config_;
+  Engine& engine_;
+  std::uint32_t next_id_ = 1;  ///< bodies and links share one counter: it orders everything
+  std::vector<std::unique_ptr<Articulation>> articulations_;
+  std::vector<std::unique_ptr<Body>> bodies_;
+};
+
+}  // namespace smile::physics

@@ -10,9 +10,9 @@
 #include <stdexcept>
 #include <vector>
 
+#include "base/file_state.h"
 #include "base/files.h"
 #include "base/wording.h"
-#include "library/internal_file_state.h"
 
 namespace smile::library {
 namespace {

@@ -8,8 +8,8 @@
 #include <tuple>
 #include <vector>
 
+#include "base/file_state.h"
 #include "base/wording.h"
-#include "library/internal_file_state.h"
 #include "library/internal_zip.h"
 #include "library/timeline.h"
 #include "recording/append_file.h"

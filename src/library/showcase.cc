@@ -5,8 +5,8 @@
 #include <system_error>
 #include <utility>
 
+#include "base/file_state.h"
 #include "base/files.h"
-#include "library/internal_file_state.h"
 #include "library/painter.h"
 
 namespace smile::library {

@@ -1,8 +1,8 @@
-#include "library/internal_file_state.h"
+#include "base/file_state.h"
 
 #include <sys/stat.h>
 
-namespace smile::library {
+namespace smile {
 
 FileState StateOf(const std::filesystem::path& path) {
   struct stat found {};
@@ -20,4 +20,4 @@ std::string StampOf(const std::filesystem::path& path) {
          std::to_string(state.changed);
 }
 
-}  // namespace smile::library
+}  // namespace smile

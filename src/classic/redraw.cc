@@ -14,6 +14,7 @@
 #include "base/files.h"
 #include "base/wording.h"
 #include "image/png.h"
+#include "recording/beginning.h"
 #include "recording/recording_files.h"
 #include "recording/segment_files.h"
 #include "recording/time_range.h"
@@ -23,7 +24,7 @@
 namespace smile::classic {
 namespace {
 
-constexpr std::size_t kMaxIndexBytes = 256u << 20;
+constexpr std::size_t kMaxIndexBytes = 256u << 20, kMaxInfoBytes = 1u << 20;
 
 /// A line of `frames.csv` with a picture.
 struct PictureLine {
@@ -117,6 +118,7 @@ void CopyTexts(const std::filesystem::path& from, const std::filesystem::path& t
 
 std::size_t DrawAll(const recording::Recording& recording, const std::filesystem::path& directory,
                     const DrawMoment& draw, const recording::Progress& progress) {
+  if (!draw) return 0;
   const std::filesystem::path index = recording.directory / "frames.csv";
   const std::vector<PictureLine> pictures = PicturesOf(index);
   recording::TraceReader trace(recording);
@@ -150,7 +152,7 @@ std::size_t RedrawInto(const recording::Recording& recording,
                                "trace.bin",
                                "frames.csv",
                                "brain.log"};
-  MakeDirectories(directory);
+  recording::BeginningMark mark(directory);
   for (const char* name : kCopied) CopyOf(recording.directory / name, directory / name);
   CopyTexts(recording.directory, directory, options.has_symbols);
   const std::size_t num_pictures = DrawAll(recording, directory, draw, progress);
@@ -158,8 +160,13 @@ std::size_t RedrawInto(const recording::Recording& recording,
   info.format = recording::kFormatVersion;
   info.has_symbols = options.has_symbols;
   info.demonstrator = options.demonstrator;
+  // As it is if it says the same: written anew, a number may end in another bit.
+  const std::string text = info == recording.info
+                               ? ReadFile(recording.directory / "demo.json", kMaxInfoBytes)
+                               : recording::ToJsonText(info);
   // Last: whatever has it can be opened.
-  WriteFile(directory / "demo.json", recording::ToJsonText(info));
+  WriteFile(directory / "demo.json", text);
+  mark.Remove();
   return num_pictures;
 }
 
@@ -168,8 +175,9 @@ std::size_t RedrawInto(const recording::Recording& recording,
 std::size_t Redraw(const recording::Recording& recording, const std::filesystem::path& directory,
                    const RedrawOptions& options, const DrawMoment& draw,
                    const recording::Progress& progress) {
-  recording::RequireNewDirectory(directory);
-  if (!recording.info.eye) {
+  const bool is_abandoned = recording::IsAbandoned(directory);
+  if (!is_abandoned) recording::RequireNewDirectory(directory);
+  if (draw && !recording.info.eye) {
     throw InputError({recording.directory.string(), 0, "",
                       "has no pictures; expected a recording with some to draw them again"});
   }
@@ -178,7 +186,7 @@ std::size_t Redraw(const recording::Recording& recording, const std::filesystem:
                                 ": has no texts, its copy can have none");
   }
   std::error_code error;
-  const bool was_there = std::filesystem::exists(directory, error);
+  const bool was_there = !is_abandoned && std::filesystem::exists(directory, error);
   try {
     return RedrawInto(recording, directory, options, draw, progress);
   } catch (...) {

@@ -22,6 +22,7 @@ using DrawMoment = std::function<const Image&(const recording::TraceTick& moment
 
 /// Copies a recording into a new directory, with its pictures drawn again: of the same moments,
 /// under the same names. All else is the same: history, trace, texts. Whole or not at all.
+/// @param draw  empty: nothing is drawn, as for a recording that has no pictures.
 /// @returns how many pictures it has.
 /// @throws InputError if the directory is there and not empty, the recording has no pictures, its
 ///         `frames.csv` or trace cannot be read, or something in it is a link.

@@ -1,17 +1,22 @@
 #include "studio/library_requests.h"
 
+#include <chrono>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "editing/edit_json.h"
+#include "editing/edit_previews.h"
 #include "picture/rendered_eye.h"
 #include "recording/recording_names.h"
-#include "recording/sight.h"
 
 namespace smile::studio {
 namespace {
+
+/// An older preview of an edit is not kept.
+constexpr auto kMaxPreviewAge = std::chrono::minutes(10);
 
 std::optional<std::string> TextIfGiven(const page::Request& request, const char* key) {
   const auto field = request.fields.find(key);
@@ -29,30 +34,19 @@ std::string TextOf(const page::Request& request, const char* key) {
   return *std::move(text);
 }
 
-std::vector<editing::Edit> EditsOf(const page::Request& request) {
+editing::EditRequest EditsOf(const library::Library& library, const page::Request& request) {
+  auto directory = library.DirectoryOf(TextOf(request, "recording"));
   const auto field = request.fields.find("edits");
   if (field == request.fields.end()) throw page::RequestError("\"edits\" is missing");
-  return editing::ParseEdits(*field);
-}
-
-Json TryEdits(const std::filesystem::path& directory, const std::vector<editing::Edit>& edits,
-              const recording::Progress& progress) {
-  const recording::Recording recording = recording::OpenRecording(directory);
-  const auto edited = EditedByAll(DemonstrationOf(recording), edits);
-  return {{"report", ToJson(editing::ReSimulate(recording, edited, std::nullopt, progress))}};
+  return {.recording = std::move(directory), .edits = editing::ParseEdits(*field)};
 }
 
 /// @param title  of the new recording.
-Json MakeEdits(const std::filesystem::path& directory, const std::vector<editing::Edit>& edits,
+Json MakeEdits(editing::EditPreviews* previews, const editing::EditRequest& edits,
                const std::filesystem::path& root, const std::string& title,
                const recording::Progress& progress) {
-  const recording::Recording recording = recording::OpenRecording(directory);
-  const auto edited = EditedByAll(DemonstrationOf(recording), edits);
   const auto made = recording::NewDirectory(root, recording::RecordingNameFor(title));
-  std::optional<picture::RenderedEye> eye;
-  if (const auto spec = EyeOf(recording.info)) eye.emplace(*spec);
-  const auto report = editing::MakeEdited(
-      recording, edited, {.directory = made, .eye = eye ? &*eye : nullptr}, progress);
+  const auto report = previews->Save(edits, made, progress);
   recording::Retitle(made, title, std::nullopt);
   return {{"recording", made.filename().string()}, {"report", ToJson(report)}};
 }
@@ -92,25 +86,31 @@ void AddTidying(const library::Library* library, page::RequestTable* table) {
 }
 
 void AddEditing(const library::Library* library, Workshop* workshop, page::RequestTable* table) {
-  table->entries["try_edit"] = {[library, workshop](const page::Request& request) {
-    const auto directory = library->DirectoryOf(TextOf(request, "recording"));
-    const auto work = [directory, edits = EditsOf(request)](const recording::Progress& progress) {
-      return TryEdits(directory, edits, progress);
+  // Belongs to the table and to the work that is under way: each may be gone before the other.
+  const auto previews = std::make_shared<editing::EditPreviews>(
+      [](const model::EyeSpec& spec) { return std::make_unique<picture::RenderedEye>(spec); });
+  table->entries["try_edit"] = {[=](const page::Request& request) {
+    const auto work = [previews, edits = EditsOf(*library, request)](
+                          const recording::Progress& progress) -> Json {
+      return {{"report", ToJson(previews->Preview(edits, progress))}};
     };
     workshop->Begin({.request = request, .work = work, .replaces_older = true});
     return page::AnswersLater();
   }};
-  table->entries["edit"] = {[library, workshop](const page::Request& request) {
-    const auto directory = library->DirectoryOf(TextOf(request, "recording"));
+  table->entries["edit"] = {[=](const page::Request& request) {
     const std::string title = TextOf(request, "name");
     recording::CheckTitle(title);
-    const auto work = [directory, edits = EditsOf(request), root = library->root(),
+    const auto work = [previews, edits = EditsOf(*library, request), root = library->root(),
                        title](const recording::Progress& progress) {
-      return MakeEdits(directory, edits, root, title, progress);
+      return MakeEdits(previews.get(), edits, root, title, progress);
     };
     workshop->Begin({.request = request, .work = work});
     return page::AnswersLater();
   }};
+  table->letters.emplace_back([previews] {
+    previews->RemoveOlderThan(kMaxPreviewAge);
+    return std::vector<page::Letter>();
+  });
 }
 
 /// Tells everyone when recordings came or went, whoever did that: a program or a person.

@@ -1,49 +1,18 @@
 #include "studio/library_requests.h"
 
+#include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <future>
 #include <map>
 #include <thread>
 
-#include "page/page_protocol.h"
-#include "recorder/test/recording_fixture.h"
+#include "library_requests_fixture.h"
 #include "replay/replay.h"
 
 namespace smile::studio {
 namespace {
 
-class LibraryRequestsTest : public recorder::RecordingFixture {
- protected:
-  LibraryRequestsTest() { AddLibraryRequests(&library_, &workshop_, &table_); }
-
-  /// Also an answer that comes later.
-  Json Ask(const char* what, Json fields, bool is_controller = true) {
-    const page::Request request{
-        .client = 3, .seq = ++seq_, .what = what, .fields = std::move(fields)};
-    const Json now = Answer(table_, request, is_controller);
-    Json answer = page::IsLater(now) ? AnswerTo(seq_) : now;
-    EXPECT_EQ(page::MisfitOf(answer, what), "") << ToText(answer);
-    return answer;
-  }
-
-  /// Waits for it; keeps what else comes.
-  Json AnswerTo(std::uint32_t seq) {
-    while (true) {
-      for (page::Letter& letter : TakeLetters(table_)) letters_.push_back(std::move(letter));
-      for (const page::Letter& letter : letters_) {
-        if (letter.client == 3 && letter.message["seq"] == seq) return letter.message;
-      }
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-  }
-
-  library::Library library_{root_};
-  Workshop workshop_;
-  page::RequestTable table_;
-  std::uint32_t seq_ = 0;
-  std::vector<page::Letter> letters_;
-};
+using LibraryRequestsTest = LibraryRequestsFixture;
 
 TEST_F(LibraryRequestsTest, TellsEveryoneWhenRecordingsComeOrGo) {
   Record(R"({"do":"wait","seconds":0.2})");
@@ -119,6 +88,29 @@ TEST_F(LibraryRequestsTest, AnEditIsANewRecordingThatReplays) {
   const auto replay = replay::Replay(made);
   EXPECT_FALSE(replay.first_difference);
   EXPECT_LT(replay.ticks(), replay::Replay(recording::OpenRecording(root_ / "demo")).ticks());
+}
+
+TEST_F(LibraryRequestsTest, SavesWhatItsPreviewSimulated) {
+  Record();
+  const Json edits = {{{"do", "drop"}, {"first", 1}}};
+  const auto save = [&] {
+    letters_.clear();
+    return Ask("edit", {{"recording", "demo"}, {"edits", edits}, {"name", "short"}});
+  };
+  // How far a simulation is, is told; a copy is made at once.
+  const auto is_simulated = [this] {
+    return std::ranges::any_of(letters_, [](const page::Letter& letter) {
+      return letter.message["t"] == "progress" && letter.message["what"] == "edit";
+    });
+  };
+  const Json simulated = save();
+  EXPECT_TRUE(is_simulated());
+  const Json preview = Ask("try_edit", {{"recording", "demo"}, {"edits", edits}});
+  const Json saved = save();
+  EXPECT_FALSE(is_simulated());
+  EXPECT_EQ(saved["report"], preview["report"]);
+  EXPECT_EQ(saved["report"], simulated["report"]);
+  EXPECT_EQ(FilesThatDiffer("short", "short-2"), std::vector<std::string>());
 }
 
 TEST_F(LibraryRequestsTest, SaysWhichEditIsWrong) {

@@ -1,0 +1,163 @@
+#include "editing/edit_previews.h"
+
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include "base/file_state.h"
+#include "classic/redraw.h"
+#include "editing/edit_json.h"
+#include "editing/internal_temporary_directory.h"
+#include "recording/segment_files.h"
+#include "recording/sight.h"
+
+namespace smile::editing {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Of each file in a directory and below, by its path from there.
+using FileStates = std::map<fs::path, FileState>;
+
+/// nullopt if they do not tell whether a recording changes: one is a link, or cannot be looked at.
+std::optional<FileStates> StatesOfFilesIn(const fs::path& directory) {
+  FileStates states;
+  std::error_code error;
+  for (fs::recursive_directory_iterator entry(directory, error), end; !error && entry != end;
+       entry.increment(error)) {
+    if (entry->is_symlink()) return std::nullopt;
+    const FileState state = StateOf(entry->path());
+    if (!state.is_directory) states[entry->path().lexically_relative(directory)] = state;
+  }
+  if (error) return std::nullopt;
+  return states;
+}
+
+/// Takes the place of the eye while a preview is simulated: the recording tells of pictures that
+/// are one pixel each.
+class PlaceholderEye : public sim::Eye {
+ public:
+  explicit PlaceholderEye(const sim::EyeSpec& spec) : spec_(spec) {}
+
+  const Image& Draw(const scene::VisualModel&, const sim::Sight&) override { return pixel_; }
+  const sim::EyeSpec& spec() const override { return spec_; }
+
+ private:
+  sim::EyeSpec spec_;
+  Image pixel_{.width_px = 1, .height_px = 1, .color = {0, 0, 0}};
+};
+
+/// Makes a recording that tells of the pictures it is to have, and has none.
+EditReport MakePreview(const recording::Recording& recording,
+                       const recording::Demonstration& edited, const fs::path& directory,
+                       const recording::Progress& progress) {
+  const auto spec = EyeOf(recording.info);
+  if (!spec) return MakeEdited(recording, edited, {.directory = directory}, progress);
+  PlaceholderEye eye(*spec);
+  EditReport report =
+      MakeEdited(recording, edited, {.directory = directory, .eye = &eye}, progress);
+  for (int segment = 0; fs::is_directory(recording::SegmentPictures(directory, segment));
+       ++segment) {
+    const fs::path pictures = recording::SegmentPictures(directory, segment);
+    fs::remove_all(pictures);
+    fs::create_directory(pictures);
+  }
+  return report;
+}
+
+}  // namespace
+
+/// A preview: a recording as it will be saved, but for its pictures.
+struct EditPreviews::Kept {
+  EditRequest request;
+  FileStates source;  ///< the files of the edited recording
+  EditReport report;
+  std::chrono::steady_clock::time_point made;
+  TemporaryDirectory folder;
+
+  fs::path directory() const { return folder.path() / "edited"; }
+};
+
+EditPreviews::EditPreviews(MakeEye make_eye) : make_eye_(std::move(make_eye)) {}
+EditPreviews::~EditPreviews() = default;
+
+EditReport EditPreviews::Preview(const EditRequest& request, const recording::Progress& progress) {
+  RemoveOlderThan({});
+  // Before anything is read, so that whatever changes from now on is noticed.
+  auto source = StatesOfFilesIn(request.recording);
+  const recording::Recording recording = recording::OpenRecording(request.recording);
+  const auto edited = EditedByAll(DemonstrationOf(recording), request.edits);
+  bool goes_on = true;
+  const recording::Progress watch = [&](double done, double total) {
+    goes_on = !progress || progress(done, total);
+    return goes_on;
+  };
+  if (source) {
+    try {
+      auto kept = std::make_shared<Kept>();
+      kept->report = MakePreview(recording, edited, kept->directory(), watch);
+      kept->request = request;
+      kept->source = *std::move(source);
+      kept->made = std::chrono::steady_clock::now();
+      const std::lock_guard lock(mutex_);
+      kept_ = kept;
+      return kept->report;
+    } catch (const std::runtime_error&) {
+      if (!goes_on) throw;
+      // It could not be written, for example as the disk is full. All other errors come again.
+    }
+  }
+  EditReport report = ReSimulate(recording, edited, std::nullopt, watch);
+  if (!goes_on) throw std::runtime_error("interrupted");
+  return report;
+}
+
+std::shared_ptr<const EditPreviews::Kept> EditPreviews::Find(const EditRequest& request) const {
+  std::shared_ptr<const Kept> kept;
+  {
+    const std::lock_guard lock(mutex_);
+    kept = kept_;
+  }
+  // Who tidies up temporary files may have taken it.
+  const bool is_usable = kept && kept->request == request &&
+                         StatesOfFilesIn(request.recording) == kept->source &&
+                         recording::IsRecording(kept->directory());
+  return is_usable ? kept : nullptr;
+}
+
+EditReport EditPreviews::Save(const EditRequest& request, const fs::path& directory,
+                              const recording::Progress& progress) {
+  const auto kept = Find(request);
+  const recording::Recording recording =
+      recording::OpenRecording(kept ? kept->directory() : request.recording);
+  std::unique_ptr<sim::Eye> eye;
+  if (const auto spec = EyeOf(recording.info)) eye = make_eye_(*spec);
+  if (!kept) {
+    const auto edited = EditedByAll(DemonstrationOf(recording), request.edits);
+    return MakeEdited(recording, edited, {.directory = directory, .eye = eye.get()}, progress);
+  }
+  classic::DrawMoment draw;
+  if (eye) {
+    draw = [&](const recording::TraceTick& moment) -> const Image& {
+      const model::Model& model = *recording.model;
+      return eye->Draw(model.visual_model(), SightAt(moment, model, eye->spec()));
+    };
+  }
+  classic::Redraw(recording, directory, {.has_symbols = recording.info.has_symbols}, draw,
+                  progress);
+  const std::lock_guard lock(mutex_);
+  if (kept_ == kept) kept_.reset();
+  return kept->report;
+}
+
+void EditPreviews::RemoveOlderThan(std::chrono::steady_clock::duration age) {
+  std::shared_ptr<const Kept> old;
+  const std::lock_guard lock(mutex_);
+  const bool is_old = kept_ && std::chrono::steady_clock::now() - kept_->made >= age;
+  if (is_old) old = std::exchange(kept_, nullptr);
+}
+
+}  // namespace smile::editing

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+
+namespace smile::editing {
+
+/// An empty directory of our own, removed in the end with all that is in it.
+class TemporaryDirectory {
+ public:
+  /// @throws std::runtime_error with path and reason if it cannot be made.
+  TemporaryDirectory();
+  ~TemporaryDirectory();
+  TemporaryDirectory(const TemporaryDirectory&) = delete;
+  TemporaryDirectory& operator=(const TemporaryDirectory&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace smile::editing

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <iterator>
+#include <map>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "page/page_protocol.h"
+#include "recorder/test/recording_fixture.h"
+#include "studio/library_requests.h"
+
+namespace smile::studio {
+
+/// A library's requests, as a page sends them.
+class LibraryRequestsFixture : public recorder::RecordingFixture {
+ protected:
+  LibraryRequestsFixture() { AddLibraryRequests(&library_, &workshop_, &table_); }
+
+  /// Also an answer that comes later.
+  Json Ask(const char* what, Json fields, bool is_controller = true) {
+    const page::Request request{
+        .client = 3, .seq = ++seq_, .what = what, .fields = std::move(fields)};
+    const Json now = Answer(table_, request, is_controller);
+    Json answer = page::IsLater(now) ? AnswerTo(seq_) : now;
+    EXPECT_EQ(page::MisfitOf(answer, what), "") << ToText(answer);
+    return answer;
+  }
+
+  /// Waits for it; keeps what else comes.
+  Json AnswerTo(std::uint32_t seq) {
+    while (true) {
+      for (page::Letter& letter : TakeLetters(table_)) letters_.push_back(std::move(letter));
+      for (const page::Letter& letter : letters_) {
+        if (letter.client == 3 && letter.message["seq"] == seq) return letter.message;
+      }
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+  }
+
+  /// Names of files that two recordings do not both have, or not the same.
+  std::vector<std::string> FilesThatDiffer(const char* one, const char* other) const {
+    const auto first = FilesIn(root_ / one), second = FilesIn(root_ / other);
+    std::vector<std::pair<std::string, std::string>> different;
+    std::ranges::set_symmetric_difference(first, second, std::back_inserter(different));
+    std::vector<std::string> names;
+    for (const auto& [name, bytes] : different) names.push_back(name);
+    return names;
+  }
+
+  static std::map<std::string, std::string> FilesIn(const std::filesystem::path& directory) {
+    std::map<std::string, std::string> files;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(directory)) {
+      files[entry.path().lexically_relative(directory)] =
+          entry.is_directory() ? "" : ReadFile(entry.path(), 1 << 24);
+    }
+    return files;
+  }
+
+  library::Library library_{root_};
+  Workshop workshop_;
+  page::RequestTable table_;
+  std::uint32_t seq_ = 0;
+  std::vector<page::Letter> letters_;
+};
+
+}  // namespace smile::studio

@@ -134,7 +134,13 @@ std::vector<RequestForm> LibraryRequests() {
       {"edit",
        {recording, edits, {"name", TextShape()}},
        {recording, report},
-       "writes the edited demonstration as a new recording with this title"},
+       "writes the edited demonstration as a new recording with this title; what the newest "
+       "`try_edit` simulated is not simulated again"},
+      {"cancel",
+       {{"request", NumberShape(), true, "`seq` of a `try_edit` or `edit` of this client"}},
+       {},
+       "it fails at once, and writes nothing, unless it is done already",
+       true},
   };
 }
 

@@ -1,6 +1,8 @@
 #include "studio/library_requests.h"
 
 #include <chrono>
+#include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -9,6 +11,7 @@
 
 #include "editing/edit_json.h"
 #include "editing/edit_previews.h"
+#include "page/request_fields.h"
 #include "picture/rendered_eye.h"
 #include "recording/recording_names.h"
 
@@ -94,7 +97,8 @@ void AddEditing(const library::Library* library, Workshop* workshop, page::Reque
                           const recording::Progress& progress) -> Json {
       return {{"report", ToJson(previews->Preview(edits, progress))}};
     };
-    workshop->Begin({.request = request, .work = work, .replaces_older = true});
+    workshop->Begin(
+        {.request = request, .work = work, .replaces_older = true, .can_be_canceled = true});
     return page::AnswersLater();
   }};
   table->entries["edit"] = {[=](const page::Request& request) {
@@ -104,9 +108,16 @@ void AddEditing(const library::Library* library, Workshop* workshop, page::Reque
                        title](const recording::Progress& progress) {
       return MakeEdits(previews.get(), edits, root, title, progress);
     };
-    workshop->Begin({.request = request, .work = work});
+    workshop->Begin({.request = request, .work = work, .can_be_canceled = true});
     return page::AnswersLater();
   }};
+  const auto cancel = [workshop](const page::Request& request) {
+    constexpr auto kMaxSeq = std::numeric_limits<std::uint32_t>::max();
+    const std::uint64_t seq = page::RequestFields(request).Whole("request", kMaxSeq);
+    workshop->Cancel(request.client, static_cast<std::uint32_t>(seq));
+    return Json::object();
+  };
+  table->entries["cancel"] = {cancel, /*is_for_anyone=*/true};
   table->letters.emplace_back([previews] {
     previews->RemoveOlderThan(kMaxPreviewAge);
     return std::vector<page::Letter>();

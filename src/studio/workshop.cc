@@ -15,8 +15,6 @@ page::Letter ProgressLetter(const std::string& what, double done, double total) 
   return {.message = {{"t", "progress"}, {"what", what}, {"done", done}, {"total", total}}};
 }
 
-Json FailAsGivenUp() { throw page::RequestError("given up for what was asked for since"); }
-
 }  // namespace
 
 Workshop::Workshop() {
@@ -27,7 +25,7 @@ Workshop::~Workshop() {
   {
     const std::lock_guard lock(mutex_);
     is_closing_ = true;
-    for (Task& task : tasks_) task.is_given_up = true;
+    for (Task& task : tasks_) task.given_up_for = "the program ends";
   }
   changed_.notify_all();
   for (std::thread& thread : threads_) thread.join();
@@ -36,9 +34,14 @@ Workshop::~Workshop() {
 void Workshop::Begin(Job job) {
   {
     const std::lock_guard lock(mutex_);
-    if (job.replaces_older) GiveUpOlderThan(job.request);
+    if (job.replaces_older) {
+      const auto is_older = [&newer = job.request](const Job& other) {
+        return other.request.client == newer.client && other.request.what == newer.what;
+      };
+      GiveUp(is_older, "given up for what was asked for since");
+    }
     const auto num_of_client = std::ranges::count_if(tasks_, [&job](const Task& task) {
-      return task.job.request.client == job.request.client && !task.is_given_up;
+      return task.job.request.client == job.request.client && task.given_up_for.empty();
     });
     if (tasks_.size() >= kMaxTasks || num_of_client >= kMaxTasksOfClient) {
       throw page::RequestError("too much is asked for at once: wait a bit");
@@ -48,17 +51,26 @@ void Workshop::Begin(Job job) {
   changed_.notify_one();
 }
 
-void Workshop::GiveUpOlderThan(const page::Request& newer) {
+void Workshop::Cancel(page::ClientId client, std::uint32_t seq) {
+  const std::lock_guard lock(mutex_);
+  const auto is_meant = [&](const Job& job) {
+    return job.can_be_canceled && job.request.client == client && job.request.seq == seq;
+  };
+  GiveUp(is_meant, "canceled");
+}
+
+void Workshop::GiveUp(const std::function<bool(const Job&)>& is_meant, const std::string& why) {
   for (auto task = tasks_.begin(); task != tasks_.end();) {
-    const page::Request& request = task->job.request;
-    const bool is_older = request.client == newer.client && request.what == newer.what;
-    if (is_older && !task->is_running) {
-      Send(task->job, AnswerWith(request, &FailAsGivenUp));
+    if (!is_meant(task->job)) {
+      ++task;
+    } else if (task->is_running) {
+      task->given_up_for = why;
+      ++task;
+    } else {
+      const auto fail = [&why]() -> Json { throw page::RequestError(why); };
+      Send(task->job, AnswerWith(task->job.request, fail));
       task = tasks_.erase(task);
-      continue;
     }
-    if (is_older) task->is_given_up = true;
-    ++task;
   }
 }
 
@@ -104,16 +116,23 @@ Workshop::Task* Workshop::TakeTask() {
 
 Json Workshop::CarryOut(Task* task) {
   return AnswerWith(task->job.request, [this, task] {
-    const auto fail_if_given_up = [this, task] {
-      const std::lock_guard lock(mutex_);
-      if (task->is_given_up) FailAsGivenUp();
-    };
-    fail_if_given_up();
-    Json answer =
-        task->job.work([this, task](double done, double total) { return Tell(task, done, total); });
-    fail_if_given_up();
-    return answer;
+    FailIfGivenUp(*task);
+    try {
+      Json answer = task->job.work(
+          [this, task](double done, double total) { return Tell(task, done, total); });
+      // What somebody replaced is of no use; else what is done is done.
+      if (task->job.replaces_older || task->was_told_to_end) FailIfGivenUp(*task);
+      return answer;
+    } catch (const std::exception&) {
+      if (task->was_told_to_end) FailIfGivenUp(*task);
+      throw;
+    }
   });
+}
+
+void Workshop::FailIfGivenUp(const Task& task) {
+  const std::lock_guard lock(mutex_);
+  if (!task.given_up_for.empty()) throw page::RequestError(task.given_up_for);
 }
 
 bool Workshop::Tell(Task* task, double done, double total) {
@@ -121,7 +140,8 @@ bool Workshop::Tell(Task* task, double done, double total) {
   task->done = done;
   task->total = total;
   task->has_news = task->has_begun = true;
-  return !task->is_given_up;
+  task->was_told_to_end = !task->given_up_for.empty();
+  return !task->was_told_to_end;
 }
 
 void Workshop::Finish(Task* task, Json answer) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <condition_variable>
+#include <cstdint>
 #include <deque>
 #include <functional>
 #include <list>
@@ -27,6 +28,8 @@ class Workshop {
     Work work;
     /// What the same client asked for before with the same `do` is given up.
     bool replaces_older = false;
+    /// The client may give it up.
+    bool can_be_canceled = false;
     /// What is left to do, whatever became of the work, just before its answer is told: by who
     /// takes the letters, in that thread.
     std::function<void()> conclude = {};
@@ -41,27 +44,34 @@ class Workshop {
   /// Begins as soon as a thread is free. `work` must not refer to anything that may be gone then.
   /// @throws RequestError if too much is waiting.
   void Begin(Job job);
+  /// Gives up what a client asked for with this request, if that can be canceled and is not done.
+  /// What it was about to finish may be finished: its answer says so.
+  void Cancel(page::ClientId client, std::uint32_t seq);
   /// Answers since this was last asked, and how far work is: `{"t":"progress",…}` for everyone.
   std::vector<page::Letter> TakeLetters();
 
  private:
   struct Task {
     Job job;
-    bool is_given_up = false, is_running = false;
+    std::string given_up_for;  ///< why it is given up; empty: it is not
+    bool is_running = false;
     double done = 0, total = 0;  ///< [s]
     bool has_news = false, has_begun = false;
+    bool was_told_to_end = false;  ///< by the answer to its progress
   };
   struct Outgoing {
     page::Letter letter;
     std::function<void()> conclude;
   };
   /// Those not yet begun are answered at once.
-  void GiveUpOlderThan(const page::Request& newer);
+  void GiveUp(const std::function<bool(const Job&)>& is_meant, const std::string& why);
   std::vector<Outgoing> TakeOutgoing();
   void Labor();
   /// nullptr when the workshop closes. Where a task is in the list does not change.
   Task* TakeTask();
   Json CarryOut(Task* task);
+  /// @throws RequestError if the task is given up.
+  void FailIfGivenUp(const Task& task);
   bool Tell(Task* task, double done, double total);
   void Finish(Task* task, Json answer);
   void Send(const Job& job, Json answer);

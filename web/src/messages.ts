@@ -290,6 +290,7 @@ export interface Requests {
   open: { fields: { recording: string }; answer: { timeline: Timeline } };
   try_edit: { fields: { recording: string; edits: unknown[] }; answer: { report: unknown } };
   edit: { fields: { recording: string; edits: unknown[]; name: string }; answer: { recording: string; report: unknown } };
+  cancel: { fields: { request: number }; answer: object };
   show: { fields: { recording: string; seconds?: number }; answer: { length: number } };
   play: { fields: { rate?: number }; answer: object };
   live: { fields: object; answer: object };

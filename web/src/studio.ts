@@ -119,6 +119,20 @@ export function request<What extends Wanted>(what: What, ...fields: FieldsOf<Wha
   return connection.request(what, ...fields);
 }
 
+/** Asks for what takes its time, and may be given up before it is answered: then it fails. */
+export function cancelableRequest<What extends Wanted>(
+  what: What,
+  ...fields: FieldsOf<What>
+): { answer: Promise<AnswerTo<What>>; cancel: () => void } {
+  let isAnswered = false;
+  const answer = request(what, ...fields).finally(() => (isAnswered = true));
+  const seq = lastSeq();
+  const cancel = () => {
+    if (!isAnswered) request("cancel", { request: seq }).catch(() => undefined);
+  };
+  return { answer, cancel };
+}
+
 /** Asks, and shows people why not if not. */
 export async function ask<What extends Wanted>(what: What, ...fields: FieldsOf<What>): Promise<AnswerTo<What> | null> {
   try {

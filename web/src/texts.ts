@@ -383,7 +383,7 @@ export const texts = {
     from: "From",
     to: "To",
     trying: "Simulating the edit…",
-    saving: "Writing the new recording: it is simulated once more, with its pictures…",
+    saving: "Writing the new recording and its pictures…",
     effect: "Result",
     same: "Everything ends as before.",
     lasts: (after: number, before: number) => `It lasts ${after.toFixed(1)} s; it was ${before.toFixed(1)} s.`,

@@ -169,7 +169,7 @@ test("what an edit does is told before it is done, and what is told becomes true
   }
 });
 
-test("what an edit made is what is seen at once, from its start", async (t) => {
+test("an edit is canceled while it is written, or is seen at once, from its start", async (t) => {
   const { page, witness, person } = await browser.workplace(t, { studio: ["--no-robot"] });
   const { timeline } = person;
   const id = await person.record(async () => {
@@ -182,9 +182,22 @@ test("what an edit made is what is seen at once, from its start", async (t) => {
   await person.segments.nth(3).click();
   await witness.until(() => witness.state.playback?.recording === id, "the segment's end is shown");
   await heightIs("GreenBlock", 2.4, 9);
-  await person.press("Delete", timeline);
   const dialog = page.getByRole("dialog");
-  await dialog.getByText(/^It lasts/).waitFor();
+  await tryDelete();
+  await page.evaluate(() => {
+    const cancelOnceBegun = () => {
+      if (document.querySelector("dialog progress[aria-label^=Writing]") === null) return;
+      observer.disconnect();
+      [...document.querySelectorAll("dialog footer button")].find((one) => one.innerText === "Cancel").click();
+    };
+    const observer = new MutationObserver(cancelOnceBegun);
+    observer.observe(document.body, { childList: true, subtree: true });
+  });
+  await person.press("Save as a new recording", dialog);
+  await dialog.waitFor({ state: "detached" });
+  assert.deepEqual(await recordings(), [id]);
+
+  await tryDelete();
   await page.evaluate(() => {
     window.barNames = new Set();
     const note = () => document.querySelectorAll("dialog progress").forEach((bar) => window.barNames.add(bar.ariaLabel));
@@ -198,6 +211,16 @@ test("what an edit made is what is seen at once, from its start", async (t) => {
   assert.equal(witness.state.playback.seconds, 0);
   await timeline.getByText(/^0\.0 of /).waitFor();
   await heightIs("GreenBlock", 0, 0.6);
+  assert.equal((await recordings()).length, 2, "what was canceled is not there");
+
+  async function tryDelete() {
+    await person.press("Delete", timeline);
+    await dialog.getByText(/^It lasts/).waitFor();
+  }
+
+  async function recordings() {
+    return (await witness.request("library")).recordings.map((one) => one.id);
+  }
 
   function heightIs(block, low, high) {
     const isThere = ([object, from, to]) => {

@@ -113,6 +113,34 @@ TEST_F(LibraryRequestsTest, SavesWhatItsPreviewSimulated) {
   EXPECT_EQ(FilesThatDiffer("short", "short-2"), std::vector<std::string>());
 }
 
+TEST_F(LibraryRequestsTest, PreviewsAndSavesNothingThatIsCanceled) {
+  Record();
+  for (const char* what : {"try_edit", "edit"}) {
+    const page::Request request{
+        .client = 3,
+        .seq = 1000,
+        .what = what,
+        // Takes long.
+        .fields = {{"recording", "demo"},
+                   {"edits", {{{"do", "retime"}, {"segment", 0}, {"seconds", 80'000}}}},
+                   {"name", "long"}}};
+    ASSERT_TRUE(page::IsLater(Answer(table_, request, /*is_controller=*/true)));
+    const auto has_begun = [&](const page::Letter& letter) {
+      return letter.message["t"] == "progress" && letter.message["what"] == what;
+    };
+    while (std::ranges::none_of(letters_, has_begun)) {
+      for (page::Letter& letter : TakeLetters(table_)) letters_.push_back(std::move(letter));
+    }
+    EXPECT_EQ(Ask("cancel", {{"request", 1001}})["ok"], true) << "nothing is canceled";
+    EXPECT_EQ(Ask("cancel", {{"request", 1000}}, /*is_controller=*/false)["ok"], true);
+    EXPECT_EQ(AnswerTo(1000)["error"], "canceled");
+    letters_.clear();
+  }
+  EXPECT_EQ(library_.List().size(), 1u);
+  EXPECT_EQ(Ask("cancel", {{"request", -1}})["error"],
+            "\"request\" is -1, expected a number from 0 to 4294967295");
+}
+
 TEST_F(LibraryRequestsTest, SaysWhichEditIsWrong) {
   Record(R"({"do":"wait","seconds":0.2})");
   const auto error_of = [&](const Json& edits) {
@@ -157,6 +185,46 @@ TEST(Workshop, GivesUpWhatWasAskedForAnew) {
   }
   EXPECT_EQ(answers[1]["error"], "given up for what was asked for since");
   EXPECT_EQ(answers[2]["is"], "newest");
+}
+
+TEST(Workshop, CancelsWhatMayBeCanceledAndIsNotDone) {
+  Workshop workshop;
+  std::promise<void> is_canceled;
+  const auto begin = [&](std::uint32_t seq, bool can_be_canceled, const Workshop::Work& work) {
+    workshop.Begin({.request = {.client = 1, .seq = seq, .what = "edit"},
+                    .work = work,
+                    .can_be_canceled = can_be_canceled});
+  };
+  const auto do_nothing = [](const recording::Progress&) { return Json{{"is", "done"}}; };
+  // The first two keep both threads until all is canceled.
+  const std::shared_future<void> all(is_canceled.get_future());
+  std::atomic<int> num_begun = 0;
+  begin(1, true, [&](const recording::Progress&) {
+    ++num_begun;
+    all.wait();
+    return Json{{"is", "done"}};
+  });
+  begin(2, true, [&](const recording::Progress& progress) -> Json {
+    ++num_begun;
+    all.wait();
+    if (!progress(1, 2)) throw std::runtime_error("interrupted");
+    return Json::object();
+  });
+  while (num_begun < 2) std::this_thread::yield();
+  begin(3, true, do_nothing);
+  begin(4, false, do_nothing);
+  for (std::uint32_t seq = 1; seq <= 5; ++seq) workshop.Cancel(1, seq);
+  is_canceled.set_value();
+  std::map<int, Json> answers;
+  while (answers.size() < 4) {
+    for (const page::Letter& letter : workshop.TakeLetters()) {
+      if (letter.client == 1) answers[letter.message["seq"]] = letter.message;
+    }
+  }
+  EXPECT_EQ(answers[1]["is"], "done") << "it could not be stopped any more";
+  EXPECT_EQ(answers[2]["error"], "canceled");
+  EXPECT_EQ(answers[3]["error"], "canceled") << "before it began";
+  EXPECT_EQ(answers[4]["is"], "done");
 }
 
 TEST(Workshop, TakesNoMoreFromAClientThanItCanBear) {

@@ -1,6 +1,6 @@
-import { useEffect } from "preact/hooks";
+import { useEffect, useRef } from "preact/hooks";
 import { useSignal } from "@preact/signals";
-import { ask, notify, progress, request } from "../studio";
+import { ask, cancelableRequest, notify, progress } from "../studio";
 import { texts } from "../texts";
 import { Button } from "../ui/buttons";
 import { Dialog } from "../ui/dialog";
@@ -43,12 +43,13 @@ function sentencesOf(report: Report): string[] {
   return [...sentences.slice(0, MAX_SENTENCES), words.andMore(sentences.length - MAX_SENTENCES)];
 }
 
-/** How far a simulation is, as soon as that is known. */
-function Bar({ label }: { label: string }) {
+/** That a request takes its time, and how far it is as soon as that is known. */
+function Bar({ what, label }: { what: "try_edit" | "edit"; label: string }) {
+  const known = progress.value?.what === what ? progress.value : null;
   return (
     <p class="hint">
       <span class="spinner" /> {label}
-      {progress.value && <progress aria-label={label} value={progress.value.done} max={progress.value.total} />}
+      <progress aria-label={label} value={known?.done} max={known?.total} />
     </p>
   );
 }
@@ -57,7 +58,7 @@ type Trial = { state: "trying" } | { state: "refused"; error: string } | { state
 
 function Effect({ trial }: { trial: Trial }) {
   if (trial.state === "trying") {
-    return <Bar label={words.trying} />;
+    return <Bar what="try_edit" label={words.trying} />;
   }
   if (trial.state === "refused") return <p class="trouble">{trial.error}</p>;
   const { report } = trial;
@@ -87,6 +88,8 @@ export function EditDialog(props: {
   const name = useSignal(words.nameOf(titleOf(recording)));
   const trial = useSignal<Trial>({ state: "trying" });
   const isSaving = useSignal(false);
+  /** null unless it is being saved. */
+  const cancelSaving = useRef<(() => void) | null>(null);
   /** So that both ends can be reached. */
   const step = segment.seconds / TRIM_STEPS;
   const edits =
@@ -97,8 +100,11 @@ export function EditDialog(props: {
   useEffect(() => {
     let isLatest = true;
     trial.value = { state: "trying" };
+    let cancel = () => {};
     const timer = setTimeout(() => {
-      request("try_edit", { recording, edits }).then(
+      const trying = cancelableRequest("try_edit", { recording, edits });
+      cancel = trying.cancel;
+      trying.answer.then(
         (reply) => isLatest && (trial.value = { state: "told", report: reply.report as Report }),
         (error: Error) => isLatest && (trial.value = { state: "refused", error: error.message }),
       );
@@ -106,29 +112,40 @@ export function EditDialog(props: {
     return () => {
       isLatest = false;
       clearTimeout(timer);
+      cancel();
     };
   }, [from.value, to.value]);
 
   const save = async () => {
     isSaving.value = true;
-    const reply = await ask("edit", { recording, edits, name: name.value });
-    if (reply !== null) {
-      const made = reply.recording as string;
+    const saving = cancelableRequest("edit", { recording, edits, name: name.value });
+    cancelSaving.current = saving.cancel;
+    try {
+      const { recording: made } = await saving.answer;
+      cancelSaving.current = null;
       await refreshRecordings();
       await openRecording(made);
       await ask("show", { recording: made, seconds: 0 });
       notify(words.saved(titleOf(made)));
       props.onClose();
+    } catch (error) {
+      // Who canceled it knows why it failed.
+      if (cancelSaving.current !== null) notify((error as Error).message, true);
     }
     isSaving.value = false;
+  };
+  const close = () => {
+    cancelSaving.current?.();
+    cancelSaving.current = null;
+    props.onClose();
   };
   return (
     <Dialog
       title={kind === "drop" ? words.dropTitle(segment.title) : words.trimTitle(segment.title)}
-      onClose={props.onClose}
+      onClose={close}
       actions={
         <>
-          <Button label={texts.cancel} onClick={props.onClose} />
+          <Button label={texts.cancel} onClick={close} />
           <Button
             label={words.save}
             kind="accent"
@@ -168,7 +185,7 @@ export function EditDialog(props: {
         <h3>{words.effect}</h3>
         <Effect trial={trial.value} />
       </section>
-      {isSaving.value && <Bar label={words.saving} />}
+      {isSaving.value && <Bar what="edit" label={words.saving} />}
       <label class="field">
         <span class="field-label">{words.name}</span>
         <input type="text" value={name.value} maxLength={200} onInput={(event) => (name.value = event.currentTarget.value)} />

@@ -16,6 +16,71 @@ namespace {
 constexpr double kUnitLength = 1e-6;
 constexpr std::size_t kMaxTraceBytes = std::size_t{4} << 30;
 
+// The parts of a record of a tick, in their order. Each is read into `tick`; false if it is
+// damaged.
+
+bool ReadCounts(const TraceLimits& limits, TraceCounts* counts, ByteReader* in) {
+  const TraceCounts found = GetCounts(in);
+  if (found.objects < counts->objects || !limits.Allow(found)) return false;
+  *counts = found;
+  return true;
+}
+
+bool ReadMoved(std::uint32_t num_objects, ByteReader* in, TraceTick* tick) {
+  const auto num_moved = in->Get<std::uint32_t>();
+  if (num_moved > num_objects) return false;
+  for (std::uint32_t k = 0; k < num_moved; ++k) {
+    const auto i = in->Get<std::uint32_t>();
+    if (i >= num_objects) return false;
+    TracePose& object = tick->objects[i];
+    const auto what = in->Get<std::uint8_t>();
+    object.is_present = (what & kIsPresent) != 0;
+    object.is_awake = (what & kIsAwake) != 0;
+    for (double& number : object.position) number = in->Get<double>();
+    for (double& number : object.rotation) number = in->Get<double>();
+    const bool is_unit = std::abs(object.rotation.norm() - 1) < kUnitLength;
+    if (!object.position.allFinite() || !is_unit) return false;
+  }
+  return true;
+}
+
+bool ReadJoints(ByteReader* in, TraceTick* tick) {
+  for (double& q : tick->joints) q = in->Get<double>();
+  return std::ranges::all_of(tick->joints, [](double q) { return std::isfinite(q); });
+}
+
+bool ReadControls(const TraceLimits& limits, std::size_t num_controls, ByteReader* in,
+                  TraceTick* tick) {
+  for (std::size_t i = 0; i < num_controls; ++i) {
+    model::ControlState& control = tick->controls[i];
+    control.state = in->Get<int>();
+    control.override_state = in->Get<int>();
+    control.position = in->Get<int>();
+    if (!limits.Allow(i, control)) return false;
+  }
+  return true;
+}
+
+bool ReadBonds(const TraceLimits& limits, std::size_t num_bonds, ByteReader* in, TraceTick* tick) {
+  for (std::size_t i = 0; i < num_bonds; ++i) {
+    model::HostState& bond = tick->bonds[i];
+    const int guest = in->Get<int>();
+    if (guest < -1) return false;
+    bond.guest = IndexOf<model::GuestIndex>(guest);
+    bond.tightness = in->Get<int>();
+    bond.is_locked = in->Get<std::uint8_t>() != 0;
+    if (!limits.Allow(i, bond)) return false;
+  }
+  return true;
+}
+
+bool ReadMood(ByteReader* in, TraceTick* tick) {
+  const auto mood = in->Get<std::uint8_t>();
+  if (mood >= robot::kMoods.size()) return false;
+  tick->mood = robot::kMoods[mood];
+  return true;
+}
+
 }  // namespace
 
 TraceLimits::TraceLimits(const scene::SceneSpec& scene) {
@@ -275,55 +340,14 @@ void TraceReader::ReadTick() {
   next.hash = in.Get<std::uint64_t>();
   const auto flags = in.Get<std::uint8_t>();
   next.is_robot_shown = (flags & kRobotHidden) == 0;
-  bool is_sound = (flags & ~kTickFlags) == 0 && (!has_begun_ || next.tick == now_.tick + 1);
-  if ((flags & kCountsChanged) != 0) {
-    const TraceCounts found = GetCounts(&in);
-    is_sound = is_sound && found.objects >= counts_.objects && limits_.Allow(found);
-    if (is_sound) counts_ = found;
-  }
-  const auto num_moved = in.Get<std::uint32_t>();
-  is_sound = is_sound && num_moved <= counts_.objects;
-  for (std::uint32_t k = 0; k < num_moved && is_sound; ++k) {
-    const auto i = in.Get<std::uint32_t>();
-    is_sound = i < counts_.objects;
-    if (!is_sound) break;
-    const auto what = in.Get<std::uint8_t>();
-    next.objects[i].is_present = (what & kIsPresent) != 0;
-    next.objects[i].is_awake = (what & kIsAwake) != 0;
-    for (double& number : next.objects[i].position) number = in.Get<double>();
-    for (double& number : next.objects[i].rotation) number = in.Get<double>();
-    is_sound = next.objects[i].position.allFinite() &&
-               std::abs(next.objects[i].rotation.norm() - 1) < kUnitLength;
-  }
-  if ((flags & kJointsChanged) != 0) {
-    for (double& q : next.joints) q = in.Get<double>();
-  }
-  if ((flags & kControlsChanged) != 0) {
-    for (std::size_t i = 0; i < counts_.controls && is_sound; ++i) {
-      model::ControlState& control = next.controls[i];
-      control.state = in.Get<int>();
-      control.override_state = in.Get<int>();
-      control.position = in.Get<int>();
-      is_sound = is_sound && limits_.Allow(i, control);
-    }
-  }
-  if ((flags & kBondsChanged) != 0) {
-    for (std::size_t i = 0; i < counts_.bonds && is_sound; ++i) {
-      model::HostState& bond = next.bonds[i];
-      const int guest = in.Get<int>();
-      is_sound = is_sound && guest >= -1;
-      bond.guest = IndexOf<model::GuestIndex>(guest);
-      bond.tightness = in.Get<int>();
-      bond.is_locked = in.Get<std::uint8_t>() != 0;
-      is_sound = is_sound && limits_.Allow(i, bond);
-    }
-  }
-  if ((flags & kMoodChanged) != 0) {
-    const auto mood = in.Get<std::uint8_t>();
-    is_sound = is_sound && mood < robot::kMoods.size();
-    if (is_sound) next.mood = robot::kMoods[mood];
-  }
-  for (double q : next.joints) is_sound = is_sound && std::isfinite(q);
+  const auto has = [flags](std::uint8_t part) { return (flags & part) != 0; };
+  const bool is_sound =
+      (flags & ~kTickFlags) == 0 && (!has_begun_ || next.tick == now_.tick + 1) &&
+      (!has(kCountsChanged) || ReadCounts(limits_, &counts_, &in)) &&
+      ReadMoved(counts_.objects, &in, &next) && (!has(kJointsChanged) || ReadJoints(&in, &next)) &&
+      (!has(kControlsChanged) || ReadControls(limits_, counts_.controls, &in, &next)) &&
+      (!has(kBondsChanged) || ReadBonds(limits_, counts_.bonds, &in, &next)) &&
+      (!has(kMoodChanged) || ReadMood(&in, &next));
   if (!is_sound) Fail("is damaged in the record after tick " + std::to_string(now_.tick));
   has_begun_ = true;
   now_ = std::move(next);

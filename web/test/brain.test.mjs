@@ -77,6 +77,8 @@ test("the shipped learner is chosen, begins, and is recorded", async (t) => {
     await person.typePlace({ x: 2, y: -2 });
     await person.typePlace({ z: 1 });
     await person.release();
+    // A block that still falls when the recording ends would be taken for one in a container.
+    await witness.until(() => witness.positionOf("RedBlock")[2] < 0.51, "it lies on the table");
   });
   await person.showPanel("Brain");
   const imitator = page.getByRole("combobox", { name: "Program that imitates" });

@@ -46,6 +46,12 @@ test("a wrong scene changes nothing and shows where it is wrong; a right one is 
   await witness.until(() => witness.ids.length > 2, "all is back");
   await person.press("Undo");
   await witness.until(() => witness.ids.length === 2, "what was added is gone");
+  await person.press("Undo");
+  await witness.until(() => witness.ids.length > 2, "the scene as it was before it was loaded again");
+  await person.press("Undo");
+  await witness.until(() => witness.ids.length === 2, "without what was added");
+  await person.press("Undo");
+  await witness.until(() => witness.scene.name === "tower", "the scene that was left");
 
   async function spawn() {
     await person.press("Add");

@@ -71,11 +71,16 @@ test("a robot program runs, its error tells its line, and an imitation its score
 test("the shipped learner is chosen, begins, and is recorded", async (t) => {
   const { page, witness, person } = await browser.workplace(t);
   await person.showPanel("Hands");
+  const isAt = (place) => {
+    const at = witness.positionOf("RedBlock");
+    return ["x", "y", "z"].every((axis, k) => !(Math.abs(place[axis] - at[k]) > 0.01));
+  };
   const id = await person.record(async () => {
     await person.grasp("RedBlock");
-    await person.typePlace({ z: 3 });
-    await person.typePlace({ x: 2, y: -2 });
-    await person.typePlace({ z: 1 });
+    for (const place of [{ z: 3 }, { x: 2, y: -2 }, { z: 1 }]) {
+      await person.typePlace(place);
+      await witness.until(() => isAt(place), "it is where it was asked to be");
+    }
     await person.release();
     // A block that still falls when the recording ends would be taken for one in a container.
     await witness.until(() => witness.positionOf("RedBlock")[2] < 0.51, "it lies on the table");

@@ -1,7 +1,7 @@
 import { useRef } from "preact/hooks";
 import { command, ask, currentHand, heldObject, isController, scene, state } from "../studio";
 import { axisColors, handColors } from "../colors";
-import { HANDS, type HandName, type Point, type SnapName } from "../protocol";
+import { HANDS, type HandName, type Point, type Reply, type SnapName } from "../protocol";
 import { texts } from "../texts";
 import { Button, Chips } from "../ui/buttons";
 import { Card } from "../ui/card";
@@ -39,21 +39,31 @@ export function releaseHeld(): void {
   void command({ do: "release", hand: currentHand.value });
 }
 
-/** What is asked for goes on from what was asked for last: so long the state may take to follow. */
+/** After its answer, a command takes this long at most to show in the state. */
 const FOLLOW_MS = 400;
 
 /** Three numbers of a held object, of which people change one after the other, faster than the state follows. */
 class Wanted {
-  private last: { object: string; numbers: Point; until: number } | null = null;
+  private last: { object: string; numbers: Point } | null = null;
+  private unanswered = 0;
+  private followedAt = 0;
 
-  /** @param reading as the state tells them; returns what is changed, and what it becomes */
-  change(object: string, reading: Point, to: (old: Point) => Point): { from: Point; numbers: Point } {
+  /**
+   * Changes what was asked for last; what the state tells where it has followed, or where the last was refused.
+   * @param reading as the state tells them
+   */
+  change(object: string, reading: Point, to: (old: Point) => Point, send: (from: Point, numbers: Point) => Promise<Reply | null>): void {
+    const isFollowed = this.unanswered === 0 && performance.now() >= this.followedAt;
     const { last } = this;
-    const now = performance.now();
-    const from = last !== null && last.object === object && now < last.until ? last.numbers : reading;
+    const from = last !== null && last.object === object && !isFollowed ? last.numbers : reading;
     const numbers = to(from);
-    this.last = { object, numbers, until: now + FOLLOW_MS };
-    return { from, numbers };
+    this.last = { object, numbers };
+    ++this.unanswered;
+    void send(from, numbers).then((answer) => {
+      --this.unanswered;
+      this.followedAt = performance.now() + FOLLOW_MS;
+      if (answer === null) this.last = null;
+    });
   }
 }
 
@@ -69,9 +79,10 @@ function moveHeld(to: (place: Point) => Point): void {
   const hand = currentHand.value;
   const { object, goal, place } = state.value?.hands[hand] ?? {};
   if (!object || !goal || !place) return;
-  const { numbers } = wantedPlace.change(object, place, to);
-  const position = goal.map((old, k) => old + numbers[k]! - place[k]!) as Point;
-  void command({ do: "move_to", hand, position });
+  wantedPlace.change(object, place, to, (_, numbers) => {
+    const position = goal.map((old, k) => old + numbers[k]! - place[k]!) as Point;
+    return command({ do: "move_to", hand, position });
+  });
 }
 
 /** Along the axis of the world that goes most nearly this way in the picture: as keys and drags do, but by round numbers. */
@@ -231,18 +242,18 @@ function Position({ place }: { place: Point }) {
 }
 
 /** By numbers: what is typed does not snap. */
-function rotate(angles: Point): void {
-  void ask("command", { command: { do: "rotate", hand: currentHand.value, angles }, exact: true });
+function rotate(angles: Point): Promise<Reply | null> {
+  return ask("command", { command: { do: "rotate", hand: currentHand.value, angles }, exact: true });
 }
 
 function turnBy(axis: number, degrees: number): void {
-  rotate([0, 1, 2].map((k) => (k === axis ? degrees : 0)) as Point);
+  void rotate([0, 1, 2].map((k) => (k === axis ? degrees : 0)) as Point);
 }
 
 /** Gives the held object one angle of three, and keeps the others. */
 function turnTo(object: string, reading: Point, axis: number, degrees: number): void {
-  const { from, numbers } = wantedAngles.change(object, reading, (angles) => withNumber(angles, axis, degrees));
-  rotate(turnFromTo(from, numbers));
+  const to = (angles: Point) => withNumber(angles, axis, degrees);
+  wantedAngles.change(object, reading, to, (from, numbers) => rotate(turnFromTo(from, numbers)));
 }
 
 /** About y half a turn is all: three angles tell every orientation once. */

@@ -139,6 +139,22 @@ TEST_F(Evaluate, ARunThatCrashesOrHangsIsAFailureWithACause) {
   EXPECT_EQ(Started(), "shaky 1;");
 }
 
+TEST_F(Evaluate, ACrashAtTheStartIsNoSuccessWhereNothingHadToBeDone) {
+  Write("crashes.py",
+        "def init(aux): raise RuntimeError('no camera')\n"
+        "def step(sensor, motor, aux): pass\n");
+  const Answer answer = EvaluateOf("lifted", "--brain crashes.py --scenes 2");
+  ASSERT_EQ(answer.exit_code, 0) << answer.err;
+  const Json crashes = answer.json()["agents"][0];
+  EXPECT_EQ(crashes["summary"]["rebuilt"], 0);
+  for (const Json& run : crashes["runs"]) {
+    EXPECT_EQ(run["score"], 1);
+    EXPECT_EQ(run["rebuilt"], false);
+    EXPECT_EQ(run["cause"]["word"], "brain_failed");
+    EXPECT_NE(run["cause"]["text"].get<std::string>().find("no camera"), std::string::npos) << run;
+  }
+}
+
 TEST_F(Evaluate, AnInterruptedEvaluationGoesOnWhereItWas) {
   WriteBrain("slow", "  while seed > 1 and not os.path.exists('" + (directory_ / "go").string() +
                          "'): time.sleep(0.02)\n");

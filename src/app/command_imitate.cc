@@ -28,6 +28,16 @@ struct ImitateOptions {
   PathOptions path;
 };
 
+void PrintResult(const experiment::ImitationResult& outcome) {
+  const Json& result = outcome.json;
+  std::printf("%s after %.1f s: %.0f %% of the structure, mean error %.1f mm\n",
+              outcome.is_rebuilt ? "rebuilt" : "not rebuilt", result["seconds"].get<double>(),
+              100 * result["score"].get<double>(), result["mean_error_mm"].get<double>());
+  // What is in its place may have been there from the start: the score alone tells no failure.
+  const Json& cause = result["cause"];
+  if (!cause.is_null()) std::printf("%s\n", cause["text"].get<std::string>().c_str());
+}
+
 int ImitateDemo(const ImitateOptions& options) {
   const std::filesystem::path out = options.out;
   ConsoleReporter console;
@@ -51,10 +61,8 @@ int ImitateDemo(const ImitateOptions& options) {
   if (options.json) {
     std::printf("%s\n", ToText(outcome.json, 2).c_str());
   } else {
-    std::printf("%s after %.1f s: %.0f %% of the structure, mean error %.1f mm\n%s\n",
-                outcome.is_rebuilt ? "rebuilt" : "not rebuilt",
-                outcome.json["seconds"].get<double>(), 100 * outcome.json["score"].get<double>(),
-                outcome.json["mean_error_mm"].get<double>(), (out / "result.json").c_str());
+    PrintResult(outcome);
+    std::printf("%s\n", (out / "result.json").c_str());
   }
   if (IsInterrupted()) throw std::runtime_error("interrupted; what was recorded is kept");
   if (!outcome.brain_error) return kDone;

@@ -47,5 +47,28 @@ TEST_F(Describe, OfASwitchIsATaskThatARobotCanMiss) {
   EXPECT_EQ(result["work"], Json({{"grasps", 0}, {"retries", 0}}));
 }
 
+TEST_F(Describe, WhyItIsNotRebuiltIsPrintedAlsoWhereAllIsInItsPlace) {
+  Write("pair.xml", PairOfBlocks());
+  Write("lift.jsonl",
+        "{\"hand\":\"right\",\"do\":\"grasp\",\"object\":\"a\"}\n"
+        "{\"do\":\"wait\",\"seconds\":0.2}\n"
+        "{\"hand\":\"right\",\"do\":\"release\"}\n"
+        "{\"do\":\"wait\",\"until\":\"still\"}\n");
+  ASSERT_EQ(Smile("run pair.xml --commands lift.jsonl --record lifted --no-pictures").exit_code, 0);
+  Write("idle.py", "def step(sensor, motor, aux): aux.exit = True\n");
+  Write("crashes.py",
+        "def init(aux): raise RuntimeError('no camera')\n"
+        "def step(sensor, motor, aux): pass\n");
+  const Answer done = Smile("imitate lifted pair.xml --brain idle.py --out idle");
+  EXPECT_EQ(done.exit_code, 0);
+  EXPECT_TRUE(done.out.starts_with("rebuilt after ")) << done.out;
+  EXPECT_EQ(std::ranges::count(done.out, '\n'), 2) << done.out;
+  const Answer failed = Smile("imitate lifted pair.xml --brain crashes.py --out crashed");
+  EXPECT_EQ(failed.exit_code, 1);
+  EXPECT_TRUE(failed.out.starts_with("not rebuilt after ")) << failed.out;
+  const std::string cause = Json::parse(Read("crashed/result.json"))["cause"]["text"];
+  EXPECT_NE(failed.out.find("\n" + cause + "\n"), std::string::npos) << failed.out;
+}
+
 }  // namespace
 }  // namespace smile

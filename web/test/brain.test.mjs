@@ -21,6 +21,12 @@ const RESTS = `# smile: imitates
 def step(sensor, motor, aux):
     aux.exit = True
 `;
+const TRIPS = `# smile: imitates
+def init(aux):
+    raise RuntimeError("no camera")
+def step(sensor, motor, aux):
+    pass
+`;
 const DAWDLES = `import time
 def init(aux):
     time.sleep(1000)
@@ -37,7 +43,7 @@ function brains(t, programs) {
 }
 
 test("a robot program runs, its error tells its line, and an imitation its score", async (t) => {
-  const folder = brains(t, { stumbles: STUMBLES, rests: RESTS });
+  const folder = brains(t, { stumbles: STUMBLES, rests: RESTS, trips: TRIPS });
   const { page, witness, person } = await browser.workplace(t, { studio: ["--brains", folder] });
   await person.showPanel("Brain");
   const program = page.getByRole("combobox", { name: "Program" });
@@ -59,13 +65,22 @@ test("a robot program runs, its error tells its line, and an imitation its score
   // What does not read demonstrations is not offered for them.
   const imitator = page.getByRole("combobox", { name: "Program that imitates" });
   const offered = await imitator.getByRole("option").allTextContents();
-  assert.deepEqual(offered, ["rests.py (python)", "matlab/um (octave)", "python/um (python)"]);
+  assert.deepEqual(offered, ["rests.py (python)", "trips.py (python)", "matlab/um (octave)", "python/um (python)"]);
   assert.equal(await imitator.inputValue(), "rests.py", "one's own comes first");
   await person.press("Imitate");
-  await page.getByRole("status", { name: "Score" }).getByText("100 %").waitFor();
+  const score = page.getByRole("status", { name: "Score" });
+  await score.getByText("100 %").waitFor();
+  await score.getByText("Everything is in its place.").waitFor();
   assert.equal(witness.state.brain.status, "exited");
   await person.showPanel("Library");
   await page.locator(".recording").getByText("tower, imitated").waitFor();
+
+  // All is in its place again, and none of it is the program's merit: the cause is told.
+  await person.showPanel("Brain");
+  await imitator.selectOption("trips.py");
+  await person.press("Imitate");
+  await score.getByText(/^the robot program failed: .*no camera/).waitFor();
+  assert.doesNotMatch(await score.textContent(), /in its place/);
 });
 
 test("the shipped learner is chosen, begins, and is recorded", async (t) => {

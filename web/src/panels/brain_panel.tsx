@@ -139,6 +139,12 @@ function StartProgram() {
   );
 }
 
+/** Why it is not rebuilt, in words: all may be in its place from the start, and the program have failed. */
+function causeOf(result: Record<string, unknown>): string {
+  const cause = result.cause as { text?: unknown } | null | undefined;
+  return typeof cause?.text === "string" ? cause.text : words.notRebuilt;
+}
+
 function Score() {
   const result = lastScore.value;
   if (result === null) return null;
@@ -148,7 +154,7 @@ function Score() {
   return (
     <div class={`score ${result.rebuilt === true ? "good" : ""}`} role="status" aria-label={words.score}>
       <strong>{words.scored(Math.round(100 * score))}</strong>
-      <span>{result.rebuilt === true ? words.rebuilt : words.notRebuilt}</span>
+      <span>{result.rebuilt === true ? words.rebuilt : causeOf(result)}</span>
       <small>{[error, took].filter((text) => text !== null).join(" · ")}</small>
     </div>
   );

@@ -116,6 +116,30 @@ TEST_F(SessionBrainTest, ImitationWantsAProgramThatReadsDemonstrations) {
   EXPECT_EQ(State()["brain"]["status"], "none");
 }
 
+TEST_F(SessionBrainTest, ImitationWantsASceneWithTheObjectsShown) {
+  WritePython("lazy.py", "# smile: imitates\ndef step(sensor, motor, aux): aux.exit = True\n");
+  WriteFile(root_ / "scenes/other.xml",
+            R"xml(<tabletop xmlns="http://synapse.cs.umd.edu/tabletop-xml">
+  <block id="b" color="blue" location="(3, -2, 0.5)"/>
+  <block id="c" color="green" location="(0, -2, 0.5)"/>
+</tabletop>)xml");
+  Command(R"({"do":"start","name":"take"})");
+  PutAOnB();
+  Command(R"({"do":"finish"})");
+  const Json scene = Scene();
+  const Vector3 place = PositionOf("a");
+  EXPECT_NE(Refused(R"({"do":"imitate","recording":"take","brain":"lazy.py","scene":"other"})")
+                .find("'a'"),
+            std::string::npos);
+  // All is as it was left, and nothing has begun.
+  EXPECT_EQ(Scene(), scene);
+  EXPECT_EQ(PositionOf("a"), place);
+  EXPECT_EQ(Status(), "none");
+  EXPECT_TRUE(State()["recording"].is_null());
+  const std::filesystem::directory_iterator recordings(root_ / "recordings");
+  EXPECT_EQ(std::distance(begin(recordings), end(recordings)), 1);
+}
+
 TEST_F(SessionBrainTest, AnImitationThatIsStoppedIsRecordedTillThen) {
   WritePython("long.py", "# smile: imitates\ndef step(sensor, motor, aux): pass\n");
   Command(R"({"do":"start","name":"take"})");

@@ -19,9 +19,9 @@ std::vector<RequestForm> ConnectionRequests() {
        {{"by_force", FlagShape(), kOptional}},
        {{"granted", FlagShape()}},
        "granted when nobody controls, else the controller is asked by `control_wanted`; one client "
-       "asks at most once in 10 s. By force it is taken from a controller whom this client has "
-       "asked, and who has asked for nothing (but pings) for 30 s since; else the request asks, or "
-       "fails and reports how long it takes",
+       "asks at most once in 10 s, all together once in 3 s. By force it is taken from a "
+       "controller whom this client has asked, and who has asked for nothing (but pings) for 30 s "
+       "since; else the request asks, or fails and reports how long it takes",
        true},
       {"keep_control",
        {{"from", NumberShape(), true, "a client who asked"}},

@@ -8,6 +8,8 @@ namespace {
 
 /// Between two requests of one client for control.
 constexpr std::chrono::seconds kAskPause(10);
+/// Between two requests of anyone: who comes back is another client, and has no pause of its own.
+constexpr std::chrono::seconds kAskPauseOfAll(3);
 
 std::string SecondsText(std::chrono::steady_clock::duration time) {
   return std::to_string(std::chrono::ceil<std::chrono::seconds>(time).count()) + " s";
@@ -33,23 +35,36 @@ bool Roles::Take(ClientId client, bool by_force, Time now) {
 }
 
 bool Roles::MayAsk(ClientId client, Time now) {
-  const auto [asked, is_first] = asked_.try_emplace(client, now);
-  if (!is_first && now - asked->second < kAskPause) {
+  const auto asked = asked_.find(client);
+  if (asked != asked_.end() && now - asked->second < kAskPause) {
     throw RequestError("the controller was asked already; you may ask again in " +
                        SecondsText(kAskPause - (now - asked->second)));
   }
-  asked->second = now;
+  NoteAsked(client, now);
   return false;
 }
 
 bool Roles::MayForce(ClientId client, Time now) {
-  const auto [asked, is_first] = asked_.try_emplace(client, now);
-  const auto silent = now - std::max(asked->second, last_sign_);
-  if (silent >= silence_) return true;
-  if (is_first) return false;
+  const auto asked = asked_.find(client);
+  const bool is_first = asked == asked_.end();
+  const auto silence = now - std::max(is_first ? now : asked->second, last_sign_);
+  if (silence >= silence_) return true;
+  if (is_first) {
+    NoteAsked(client, now);
+    return false;
+  }
   throw RequestError("the controller was asked; control may be taken after a silence of " +
                      SecondsText(silence_) + ", which is over in " +
-                     SecondsText(silence_ - silent) + " at the earliest");
+                     SecondsText(silence_ - silence) + " at the earliest");
+}
+
+void Roles::NoteAsked(ClientId client, Time now) {
+  if (last_asked_ && now - *last_asked_ < kAskPauseOfAll) {
+    throw RequestError("the controller was asked by another; you may ask in " +
+                       SecondsText(kAskPauseOfAll - (now - *last_asked_)));
+  }
+  asked_[client] = now;
+  last_asked_ = now;
 }
 
 void Roles::Give(ClientId from, std::optional<ClientId> to, Time now) {
@@ -64,6 +79,7 @@ void Roles::SetController(std::optional<ClientId> client, Time now) {
   controller_ = client;
   last_sign_ = now;
   asked_.clear();
+  last_asked_.reset();
 }
 
 bool Roles::IsHere(ClientId client) const {

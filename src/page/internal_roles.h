@@ -27,7 +27,7 @@ class Roles {
   ///
   /// By force control is taken only from a controller whom this client has asked, and who has done
   /// nothing since for the time of silence.
-  /// @throws RequestError if the client asked a moment ago, or the silence is not over.
+  /// @throws RequestError if the client or another asked a moment ago, or the silence is not over.
   [[nodiscard]] bool Take(ClientId client, bool by_force, Time now);
   /// @throws RequestError if `from` does not control, or `to` is not here.
   void Give(ClientId from, std::optional<ClientId> to, Time now);
@@ -39,6 +39,8 @@ class Roles {
  private:
   bool MayAsk(ClientId client, Time now);
   bool MayForce(ClientId client, Time now);
+  /// @throws RequestError if the controller was asked a moment ago, whoever did that.
+  void NoteAsked(ClientId client, Time now);
   void SetController(std::optional<ClientId> client, Time now);
 
   std::chrono::milliseconds silence_;
@@ -46,6 +48,7 @@ class Roles {
   std::optional<ClientId> controller_;
   Time last_sign_{};                ///< of the controller
   std::map<ClientId, Time> asked_;  ///< those who asked the controller for control, and when
+  std::optional<Time> last_asked_;  ///< when anyone did, also one who left since
 };
 
 }  // namespace smile::page

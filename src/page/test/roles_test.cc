@@ -26,10 +26,26 @@ class RolesTest : public ::testing::Test {
 TEST_F(RolesTest, OneAsksOnceInTenSeconds) {
   EXPECT_FALSE(Ask(2, 5));
   EXPECT_THROW((void)Ask(2, 6), RequestError);
-  EXPECT_FALSE(Ask(3, 6)) << "another may";
+  EXPECT_FALSE(Ask(3, 8)) << "another may";
   EXPECT_THROW((void)Ask(2, 14), RequestError);
   EXPECT_FALSE(Ask(2, 15));
   EXPECT_EQ(roles_.controller(), 1);
+}
+
+TEST_F(RolesTest, TheControllerIsAskedOnceInThreeSecondsWhoeverAsks) {
+  EXPECT_FALSE(Ask(2, 5));
+  EXPECT_THROW((void)Ask(3, 6), RequestError);
+  // Who leaves and comes again is another client.
+  roles_.Leave(2);
+  roles_.Join(4);
+  EXPECT_THROW((void)Ask(4, 7), RequestError);
+  EXPECT_THROW((void)Force(4, 7), RequestError) << "it would ask, too";
+  EXPECT_FALSE(Ask(4, 8)) << "what was refused asked nobody";
+  EXPECT_THROW((void)Force(3, 10), RequestError);
+  EXPECT_FALSE(Force(3, 11));
+  // A new controller was not asked.
+  roles_.Give(1, 3, At(11));
+  EXPECT_FALSE(Ask(4, 11));
 }
 
 TEST_F(RolesTest, ForceWantsASilenceAfterTheControllerWasAsked) {

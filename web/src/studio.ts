@@ -30,9 +30,9 @@ export const lastScore = signal<Record<string, unknown> | null>(null);
 export const progress = signal<{ what: string; done: number; total: number } | null>(null);
 /** Things to tell people for a moment. */
 export const notices = signal<{ id: number; text: string; isError: boolean }[]>([]);
-/** Who wants control from us. */
-export const controlWantedBy = signal<number | null>(null);
-/** How often recordings came or went. */
+/** Who want control from us, and were not answered. */
+export const controlWantedBy = signal<number[]>([]);
+/** How often recordings came, went or got other titles. */
 export const numLibraryNews = signal(0);
 
 /** The hand that the mouse is. */
@@ -41,8 +41,8 @@ export const isController = computed(
   () => clients.value !== null && clients.value.controller === clients.value.you,
 );
 effect(() => {
-  const by = controlWantedBy.value;
-  if (by !== null && !(isController.value && clients.value?.clients.includes(by))) controlWantedBy.value = null;
+  const waiting = controlWantedBy.value.filter((by) => isController.value && clients.value?.clients.includes(by));
+  if (waiting.length < controlWantedBy.value.length) controlWantedBy.value = waiting;
 });
 export const heldObject = computed(() => state.value?.hands[currentHand.value].object ?? null);
 
@@ -88,7 +88,7 @@ function onNews(news: News): void {
       progress.value = news.done < news.total ? news : null;
       break;
     case "control_wanted":
-      controlWantedBy.value = news.by;
+      controlWantedBy.value = [...controlWantedBy.value.filter((by) => by !== news.by), news.by];
       break;
     case "control_kept":
       notify(texts.people.kept(news.by), true);

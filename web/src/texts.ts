@@ -148,7 +148,10 @@ export const texts = {
     asked: "Asked for control",
     taken: "You control now",
     wantedTitle: "Somebody asks for control",
-    wanted: (client: number) => `Visitor ${client} asks for control.`,
+    wanted: (clients: number[]) =>
+      clients.length === 1
+        ? `Visitor ${clients[0]} asks for control.`
+        : `Visitors ${clients.slice(0, -1).join(", ")} and ${clients.at(-1)} ask for control.`,
     wantedHint: "If you do nothing for 30 s, it may be taken.",
     kept: (client: number) => `Visitor ${client} keeps control`,
     handOver: "Hand over",

@@ -134,11 +134,13 @@ test("a reload loses nothing; a second page watches, asks for control, and gets 
   await witness.until(() => witness.state.recording === null, "who has control may finish");
 });
 
-test("a request for control stops no drag, and who is refused is told", async (t) => {
+/** The controller is asked once in so long, whoever asks. */
+const PAUSE_MS = 3000;
+
+test("requests for control stop no drag, and all who are refused are told", async (t) => {
   const { studio, page, witness, person } = await browser.workplace(t, { studio: ["--no-robot", "--no-pictures"] });
-  const second = await browser.open(studio);
-  const other = new Person(second, witness);
-  const otherMenu = second.getByRole("button", { name: "Who controls" });
+  const [second, third] = [await browser.open(studio), await browser.open(studio)];
+  const [other, another] = [new Person(second, witness), new Person(third, witness)];
   await person.grasp("RedBlock");
   await person.dragTo("RedBlock", [null, null, 2]);
   const at = await person.take("RedBlock");
@@ -151,15 +153,38 @@ test("a request for control stops no drag, and who is refused is told", async (t
   await witness.until(() => witness.handOf("RedBlock").place[2] > before[2] + 0.3, "it is dragged on");
   await page.mouse.up();
 
+  await page.waitForTimeout(PAUSE_MS);
+  await another.press("Take control");
+  await banner.getByText(/Visitors \d+ and \d+ ask for control/).waitFor();
   await person.press("Keep control", banner);
   await second.getByText(/Visitor \d+ keeps control/).waitFor();
+  await third.getByText(/Visitor \d+ keeps control/).waitFor();
   assert.equal(await banner.count(), 0);
-  await other.press("Take control");
-  await second.getByText(/you may ask again in \d+ s/).waitFor();
-  await otherMenu.click();
-  await second.getByRole("menuitem", { name: "Take control though nobody answers" }).click();
-  await second.getByText(/control may be taken after a silence of 30 s/).waitFor();
+  await another.press("Take control");
+  await third.getByText(/you may ask again in \d+ s/).waitFor();
+  await third.getByRole("button", { name: "Who controls" }).click();
+  await third.getByRole("menuitem", { name: "Take control though nobody answers" }).click();
+  await third.getByText(/control may be taken after a silence of 30 s/).waitFor();
   assert.equal(await banner.count(), 0, "nobody is asked so often");
   assert.ok(witness.isHeld("RedBlock"));
   await person.release();
+});
+
+test("of several who ask, one is chosen to have control", async (t) => {
+  const { studio, page, person } = await browser.workplace(t, { studio: ["--no-robot", "--no-pictures"] });
+  const banner = page.getByRole("status", { name: "Somebody asks for control" });
+  const askers = [await browser.open(studio), await browser.open(studio)];
+  for (const asker of askers) {
+    await asker.getByRole("button", { name: "Take control" }).click();
+    await asker.getByText("Asked for control").waitFor();
+    await page.waitForTimeout(PAUSE_MS);
+  }
+  const [, first, second] = /Visitors (\d+) and (\d+) ask/.exec(await banner.textContent());
+  assert.notEqual(first, second);
+  await person.press("Hand over", banner);
+  await page.getByRole("menuitem", { name: `Give control to visitor ${first}` }).click();
+  await askers[0].getByText(/^You control/).first().waitFor();
+  await banner.waitFor({ state: "detached" });
+  await page.getByText("You are watching.").waitFor();
+  assert.equal(await askers[1].getByText("You are watching.").count(), 1);
 });

@@ -29,6 +29,14 @@ function useControlOnArrival(): void {
   }, []);
 }
 
+function giveTo(client: number): void {
+  void ask("give_control", { to: client });
+}
+
+function giving(client: number): MenuEntry {
+  return { label: texts.people.give(client), onChoose: () => giveTo(client) };
+}
+
 function entries(): MenuEntry[] {
   const now = clients.value;
   if (now === null) return [];
@@ -40,10 +48,7 @@ function entries(): MenuEntry[] {
   }
   const others = now.clients.filter((client) => client !== now.you);
   return [
-    ...others.map((client) => ({
-      label: texts.people.give(client),
-      onChoose: () => void ask("give_control", { to: client }),
-    })),
+    ...others.map(giving),
     { label: texts.people.letGo, onChoose: () => void ask("give_control", { to: null }) },
   ];
 }
@@ -66,21 +71,26 @@ export function Control() {
   );
 }
 
-/** Somebody else wants control: that is told beside the work, which goes on. */
+/** Others want control: that is told beside the work, which goes on. */
 export function ControlWanted() {
-  const by = controlWantedBy.value;
-  if (by === null) return null;
+  const waiting = controlWantedBy.value;
+  const [first] = waiting;
+  if (first === undefined) return null;
   const keep = () => {
-    controlWantedBy.value = null;
-    void ask("keep_control", { from: by });
+    controlWantedBy.value = [];
+    for (const from of waiting) void ask("keep_control", { from });
   };
   return (
     <div class="banner control-wanted" role="status" aria-label={texts.people.wantedTitle}>
       <span>
-        {texts.people.wanted(by)} <small>{texts.people.wantedHint}</small>
+        {texts.people.wanted(waiting)} <small>{texts.people.wantedHint}</small>
       </span>
       <Button label={texts.people.keep} onClick={keep} />
-      <Button label={texts.people.handOver} kind="accent" onClick={() => void ask("give_control", { to: by })} />
+      {waiting.length === 1 ? (
+        <Button label={texts.people.handOver} kind="accent" onClick={() => giveTo(first)} />
+      ) : (
+        <MenuButton label={texts.people.handOver} isInWords entries={waiting.map(giving)} />
+      )}
     </div>
   );
 }

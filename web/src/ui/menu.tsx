@@ -78,8 +78,8 @@ export function Menu(props: { label: string; x: number; y: number; entries: Menu
   );
 }
 
-/** A button with three dots whose menu has what is done less often. */
-export function MenuButton(props: { label: string; entries: MenuEntry[] }) {
+/** A button with three dots whose menu has what is done less often; or in words, with a choice of how it is done. */
+export function MenuButton(props: { label: string; entries: MenuEntry[]; isInWords?: boolean }) {
   const at = useSignal<{ x: number; y: number } | null>(null);
   const holder = useRef<HTMLSpanElement>(null);
   const open = () => {
@@ -88,7 +88,11 @@ export function MenuButton(props: { label: string; entries: MenuEntry[] }) {
   };
   return (
     <span ref={holder} class="menu-button">
-      <Button label={props.label} icon="more" kind="quiet" isIconOnly onClick={open} />
+      {props.isInWords ? (
+        <Button label={props.label} kind="accent" onClick={open} />
+      ) : (
+        <Button label={props.label} icon="more" kind="quiet" isIconOnly onClick={open} />
+      )}
       {at.value && <Menu label={props.label} {...at.value} entries={props.entries} onClose={() => (at.value = null)} />}
     </span>
   );

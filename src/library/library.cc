@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/file_state.h"
+#include "base/state_hash.h"
 #include "base/wording.h"
 #include "library/internal_zip.h"
 #include "library/timeline.h"
@@ -29,6 +30,18 @@ constexpr std::size_t kMaxIdBytes = 255;
 std::string ListingStampOf(const fs::path& directory) {
   return StampOf(directory / "demo.json") + ";" + StampOf(directory / "frames.csv") + ";" +
          StampOf(directory);
+}
+
+/// Visits what is in a folder, so many at most. The order is the file system's, the same as long as
+/// nothing changes there.
+template <class Visit>
+void ForEachIn(const fs::path& folder, std::size_t most, const Visit& visit) {
+  std::error_code error;
+  std::size_t num_seen = 0;
+  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+    if (++num_seen > most) break;
+    visit(it->path());
+  }
 }
 
 bool IsPlainName(const std::string& id) {
@@ -137,17 +150,14 @@ std::vector<Library::Place> Library::Places() const {
   std::vector<Place> places;
   for (const bool is_binned : {false, true}) {
     const fs::path folder = is_binned ? bin() : root_;
-    std::error_code error;
-    std::size_t num_seen = 0;
-    for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
-      if (++num_seen > kMaxDirectories) break;
+    ForEachIn(folder, kMaxDirectories, [&](const fs::path& directory) {
       Place place{
-          .id = it->path().filename().string(), .directory = it->path(), .is_binned = is_binned};
-      if (!IsPlainName(place.id) || !IsRecordingIn(folder, place.id)) continue;
-      const FileState log = StateOf(place.directory / "commands.jsonl");
-      place.recorded = log.is_file ? log.changed : StateOf(place.directory / "demo.json").changed;
+          .id = directory.filename().string(), .directory = directory, .is_binned = is_binned};
+      if (!IsPlainName(place.id) || !IsRecordingIn(folder, place.id)) return;
+      const FileState log = StateOf(directory / "commands.jsonl");
+      place.recorded = log.is_file ? log.changed : StateOf(directory / "demo.json").changed;
       places.push_back(std::move(place));
-    }
+    });
   }
   std::ranges::sort(places, [](const Place& a, const Place& b) {
     return std::tie(b.recorded, a.directory) < std::tie(a.recorded, b.directory);
@@ -177,7 +187,18 @@ Json Library::List() const {
   return list;
 }
 
-std::string Library::Stamp() const { return StampOf(root_) + ";" + StampOf(bin()); }
+std::string Library::Stamp() const {
+  StateHash hash;
+  for (const fs::path& folder : {root_, bin()}) {
+    hash.Add(StampOf(folder));
+    // A folder that stays may cease to be a recording. Looking at 1000 takes 3 ms.
+    ForEachIn(folder, kMaxListed, [&](const fs::path& directory) {
+      hash.Add(directory.filename().string());
+      hash.Add(StampOf(directory / "demo.json"));
+    });
+  }
+  return std::to_string(hash.value());
+}
 
 fs::path Library::DirectoryOf(const std::string& id) const {
   if (!IsPlainName(id)) FailToFind(id);

@@ -36,7 +36,7 @@ class Library {
   /// last frame of its classic view [s], and when it was last recorded into (ISO 8601, UTC). One
   /// that cannot be read has an `error` instead.
   Json List() const;
-  /// Differs after recordings came or went, in the folder or the bin.
+  /// Differs after recordings came, went or got other titles or notes, in the folder or the bin.
   std::string Stamp() const;
   /// Also of one in the bin.
   /// @throws LibraryError if there is no such recording. So do all below.

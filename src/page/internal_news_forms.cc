@@ -148,7 +148,7 @@ std::vector<NewsForm> MakeNewsForms() {
            .Called("ControlKeptMessage"),
        "`by`: the controller; to a client who asked for control"},
       {"library", ObjectShape({KindMember("library")}).Called("LibraryMessage"),
-       "recordings came or went: ask for `library` again"},
+       "recordings came, went or got other titles: ask for `library` again"},
       {"error", ObjectShape({KindMember("error"), {"error", TextShape()}}).Called("ErrorMessage"),
        "something went wrong that was nobody's request, for example the eye cannot draw"},
   };

@@ -124,7 +124,8 @@ void AddEditing(const library::Library* library, Workshop* workshop, page::Reque
   });
 }
 
-/// Tells everyone when recordings came or went, whoever did that: a program or a person.
+/// Tells everyone when recordings came, went or got other titles, whoever did that: a program or a
+/// person.
 class LibraryWatch {
  public:
   explicit LibraryWatch(const library::Library* library)

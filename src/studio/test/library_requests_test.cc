@@ -35,6 +35,20 @@ TEST_F(LibraryRequestsTest, TellsEveryoneWhenRecordingsComeOrGo) {
   EXPECT_EQ(num_told(), 1);
   std::filesystem::remove_all(root_ / ".bin/demo~1");
   EXPECT_EQ(num_told(), 1);
+  // A recording also goes when its folder stays.
+  Record(R"({"do":"wait","seconds":0.2})");
+  EXPECT_EQ(num_told(), 1);
+  std::filesystem::rename(root_ / "demo/demo.json", root_ / "demo/kept.json");
+  EXPECT_EQ(num_told(), 1);
+  std::filesystem::rename(root_ / "demo/kept.json", root_ / "demo/demo.json");
+  EXPECT_EQ(num_told(), 1);
+  EXPECT_EQ(Ask("bin", {{"recording", "demo"}})["ok"], true);
+  EXPECT_EQ(num_told(), 1);
+  for (const auto& entry : std::filesystem::directory_iterator(root_ / ".bin/demo~1")) {
+    std::filesystem::remove_all(entry);
+  }
+  EXPECT_EQ(num_told(), 1);
+  EXPECT_EQ(num_told(), 0);
 }
 
 TEST_F(LibraryRequestsTest, TidyUp) {

@@ -32,6 +32,14 @@ class Playback::Impl {
   const model::Model& model() const { return *recording_.model; }
   const recording::TraceTick& moment() const { return moment_; }
 
+  std::vector<std::string> fallen() const {
+    std::vector<std::string> ids;
+    for (const Fall& fall : falls_) {
+      if (fall.tick <= moment_.tick) ids.push_back(fall.object);
+    }
+    return ids;
+  }
+
   double seconds() const { return at_ / sim::kTicksPerSecond; }
   double length() const { return sim::SecondsOf(num_ticks_); }
   double rate() const { return rate_; }
@@ -65,10 +73,24 @@ class Playback::Impl {
  private:
   bool is_at_end() const { return at_ >= static_cast<double>(num_ticks_); }
 
-  /// Reads all of it once, to know how long it is and to come back quickly.
+  /// An object that came to the floor, or lay there when the recording began.
+  struct Fall {
+    std::uint64_t tick = 0;
+    std::string object;
+  };
+
+  void NoteFalls(std::uint64_t tick, const std::vector<sim::Event>& events) {
+    for (const sim::Event& event : events) {
+      if (event.kind == sim::EventKind::kFell) falls_.push_back({tick, event.object});
+    }
+  }
+
+  /// Reads all of it once, to know how long it is, what falls, and to come back quickly.
   void Survey() {
     std::uint64_t spacing = sim::kTicksPerSecond;
+    NoteFalls(0, trace_.events_before_start());
     while (const auto moment = trace_.Next()) {
+      NoteFalls(moment->tick, moment->events);
       if (bookmarks_.empty()) first_tick_ = moment->tick;
       num_ticks_ = moment->tick - first_tick_;
       if (num_ticks_ % spacing != 0) continue;
@@ -112,6 +134,7 @@ class Playback::Impl {
   recording::Recording recording_;
   recording::TraceReader trace_;
   std::vector<recording::TraceReader::Bookmark> bookmarks_;  ///< in order; the first tick's first
+  std::vector<Fall> falls_;                                  ///< in order
   std::uint64_t first_tick_ = 0, num_ticks_ = 0;
   recording::TraceTick moment_;
   bool has_moment_ = false;
@@ -133,6 +156,7 @@ void Playback::SetRate(double rate) { impl_->SetRate(rate); }
 void Playback::Seek(double seconds) { impl_->Seek(seconds); }
 void Playback::Tick() { impl_->Tick(); }
 const recording::TraceTick& Playback::moment() const { return impl_->moment(); }
+std::vector<std::string> Playback::fallen() const { return impl_->fallen(); }
 View Playback::view() const { return impl_->view(); }
 
 }  // namespace smile::library

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "library/view.h"
 #include "model/model.h"
@@ -45,6 +46,9 @@ class Playback {
 
   /// What was recorded of this moment.
   const recording::TraceTick& moment() const;
+  /// Ids of the objects that have come to the floor by then, also of those that are gone since. In
+  /// the order in which they did; empty of recordings that do not tell.
+  std::vector<std::string> fallen() const;
   /// `scene` is the caller's to fill in. Its model lasts as long as this.
   View view() const;
 

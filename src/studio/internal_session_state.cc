@@ -109,7 +109,7 @@ model::Sight PlaybackState::SightThrough(model::EyeSpec eye) const {
   return recording::SightAt(playback_.moment(), playback_.model(), eye);
 }
 
-Json PlaybackState::Describe() const { return DescribeNothingLive(view().tick); }
+Json PlaybackState::Describe() const { return DescribeShown(playback_); }
 
 bool PlaybackState::Tick(bool /*is_paused*/) {
   playback_.Tick();

@@ -58,6 +58,23 @@ Json DescribeFallen(const world::Tabletop& tabletop) {
   return fallen;
 }
 
+Json DescribeGone(const model::Model& model, const recording::TraceTick& moment) {
+  Json gone = Json::array();
+  for (model::ObjectIndex object : model.objects()) {
+    if (!moment.objects[object].is_present) gone.push_back(model.id(object));
+  }
+  return gone;
+}
+
+Json DescribeFallen(const library::Playback& playback) {
+  Json fallen = Json::array();
+  for (const std::string& id : playback.fallen()) {
+    const auto object = playback.model().FindObject(id);
+    if (object && playback.moment().objects[*object].is_present) fallen.push_back(id);
+  }
+  return fallen;
+}
+
 Json DescribeAttention(const sim::Simulation& simulation) {
   Json attention = Json::object();
   for (const world::Object& object : simulation.tabletop().objects()) {
@@ -105,17 +122,18 @@ Json DescribeLive(const sim::Simulation& simulation) {
           {"robot", DescribeRobot(simulation)}};
 }
 
-Json DescribeNothingLive(std::uint64_t tick) {
+Json DescribeShown(const library::Playback& playback) {
+  const recording::TraceTick& moment = playback.moment();
   Json hands = Json::object();
   for (const sim::HandName name : demonstrator::kHandNames) {
     hands[std::string(ToString(name))] = {{"object", nullptr}, {"plane", 0}};
   }
-  return {{"tick", tick},
+  return {{"tick", moment.tick},
           {"hands", std::move(hands)},
           {"still", true},
           {"controls", Json::object()},
-          {"gone", Json::array()},
-          {"fallen", Json::array()},
+          {"gone", DescribeGone(playback.model(), moment)},
+          {"fallen", DescribeFallen(playback)},
           {"attention", Json::object()},
           {"robot", nullptr}};
 }

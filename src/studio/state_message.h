@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/json.h"
+#include "library/playback.h"
 #include "sim/simulation.h"
 
 namespace smile::studio {
@@ -9,7 +10,8 @@ namespace smile::studio {
 /// matters, the robot. In units, rounded to what can be seen.
 Json DescribeLive(const sim::Simulation& simulation);
 
-/// The same of a moment at which nothing can be grasped.
-Json DescribeNothingLive(std::uint64_t tick);
+/// The same of the moment of a recording that is shown: nothing can be grasped, and of controls and
+/// the robot nothing is told.
+Json DescribeShown(const library::Playback& playback);
 
 }  // namespace smile::studio

@@ -452,6 +452,7 @@ TEST_F(SessionTest, ARestingPlaceThatWasFoundEarlierIsMarkedAsStale) {
 TEST_F(SessionTest, TellsWhatLiesOnTheFloor) {
   Begin();
   EXPECT_EQ(State()["fallen"], Json::array());
+  Command(R"({"do":"start","name":"take"})");
   Command(R"({"do":"grasp","hand":"left","object":"a"})");
   Command(R"({"do":"move_to","hand":"left","position":[0,-2,3]})");
   TickSeconds(0.5);
@@ -461,6 +462,24 @@ TEST_F(SessionTest, TellsWhatLiesOnTheFloor) {
   TickSeconds(2);
   EXPECT_EQ(State()["fallen"], Json::array({"a"}));
   EXPECT_EQ(State()["gone"], Json::array());
+
+  // So does a recording that is shown, of each moment; also one that began after the fall.
+  Command(R"({"do":"finish"})");
+  Command(R"({"do":"start","name":"after"})");
+  Command(R"({"do":"grasp","hand":"left","object":"b"})");
+  Command(R"({"do":"destroy","hand":"left"})");
+  TickSeconds(0.5);
+  Command(R"({"do":"finish"})");
+  const auto told_at = [this](const std::string& recording, const char* seconds) {
+    Do(R"({"do":"show","recording":")" + recording + R"(","seconds":)" + seconds + "}");
+    const Json state = State();
+    EXPECT_EQ(state["mode"], "playback");
+    return Json{state["fallen"], state["gone"]};
+  };
+  EXPECT_EQ(told_at("take", "0"), ParseJson("[[],[]]"));
+  EXPECT_EQ(told_at("take", "99"), ParseJson(R"([["a"],[]])"));
+  EXPECT_EQ(told_at("take", "3"), ParseJson("[[],[]]"));
+  EXPECT_EQ(told_at("after", "99"), ParseJson(R"([["a"],["b"]])"));
 }
 
 TEST_F(SessionTest, TellsWhereTheGraspedPointIsWantedAndWhereTheOriginIsThen) {

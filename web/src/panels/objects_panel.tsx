@@ -10,7 +10,7 @@ import { Card, Empty, isFound, Picture, SearchField } from "../ui/card";
 import { NumberField } from "../ui/number_field";
 import { switchPreference } from "../ui/preference";
 import { gallery, isGalleryLost, pictureOfScene, refreshGallery, textOfScene } from "./gallery";
-import { fallen, holders, objectsHere } from "./now";
+import { fallen, holders, isPlayback, objectsHere } from "./now";
 import { chosenObject, draft, editedScene, showPanel, world } from "./page";
 import { useAllowed } from "./use_allowed";
 
@@ -276,7 +276,11 @@ export function ObjectsPanel() {
         aside={<span class="count">{words.show(objectsHere.value.length)}</span>}
       >
         <ObjectList />
-        {fallen.value.length > 0 && <p class="hint">{words.onFloor(fallen.value)}</p>}
+        {fallen.value.length > 0 && (
+          <p class="hint">
+            {words.onFloor(fallen.value)} {!isPlayback.value && words.onFloorHint}
+          </p>
+        )}
       </Card>
       <Card title={words.add} isOpen={isAddOpen}>
         <AddObjects />

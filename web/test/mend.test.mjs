@@ -179,9 +179,15 @@ test("an edit is canceled while it is written, or is seen at once, from its star
       await person.release();
     }
   });
+  await person.segments.nth(0).click();
+  await timeline.getByRole("slider", { name: "Moment" }).press("Home");
+  await witness.until(() => witness.state.playback?.seconds === 0, "its start is shown");
+  await heightIs("GreenBlock", 0, 0.6);
+  const start = await seenByRobot();
   await person.segments.nth(3).click();
-  await witness.until(() => witness.state.playback?.recording === id, "the segment's end is shown");
+  await witness.until(() => witness.state.playback?.seconds > 0, "the segment's end is shown");
   await heightIs("GreenBlock", 2.4, 9);
+  assert.notEqual(await seenByRobot(), start, "the robot sees it lifted");
   const dialog = page.getByRole("dialog");
   await tryDelete();
   await page.evaluate(() => {
@@ -211,6 +217,7 @@ test("an edit is canceled while it is written, or is seen at once, from its star
   assert.equal(witness.state.playback.seconds, 0);
   await timeline.getByText(/^0\.0 of /).waitFor();
   await heightIs("GreenBlock", 0, 0.6);
+  assert.equal(await seenByRobot(), start, "the robot sees the start as well");
   assert.equal((await recordings()).length, 2, "what was canceled is not there");
 
   async function tryDelete() {
@@ -220,6 +227,26 @@ test("an edit is canceled while it is written, or is seen at once, from its star
 
   async function recordings() {
     return (await witness.request("library")).recordings.map((one) => one.id);
+  }
+
+  /** The picture of the robot's eye, once it stays the same for a second: four a second are drawn. */
+  async function seenByRobot() {
+    const eye = page.getByAltText("What the robot’s eye sees");
+    const draw = async (image) => {
+      await image.decode();
+      const size = { width: image.naturalWidth, height: image.naturalHeight };
+      const canvas = Object.assign(document.createElement("canvas"), size);
+      canvas.getContext("2d").drawImage(image, 0, 0);
+      return canvas.toDataURL();
+    };
+    let [before, since] = [null, 0];
+    while (before === null || Date.now() - since < 1000) {
+      // A picture may be replaced while it is looked at.
+      const now = await eye.evaluate(draw).catch(() => null);
+      if (now !== before) [before, since] = [now, Date.now()];
+      await page.waitForTimeout(50);
+    }
+    return before;
   }
 
   function heightIs(block, low, high) {

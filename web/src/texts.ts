@@ -161,7 +161,7 @@ export const texts = {
   connection: {
     connecting: "Connecting to the table…",
     lost: "Connection lost. Reconnecting…",
-    doubt: "The program does not answer. Does it still run? What was recorded until now is on its disk.",
+    doubt: "The program does not answer. Does it still run? A recording that was going on may lack its last moments.",
     none: "No connection",
     back: "Connected again",
   },

@@ -25,6 +25,9 @@ test("when the program dies, the page claims nothing that it cannot know", async
   const alert = page.getByRole("alert").filter({ hasText: "Connection lost" });
   await alert.waitFor();
   assert.equal((await alert.textContent()).trim(), "Connection lost. Reconnecting…");
+  const doubt = page.getByRole("alert").filter({ hasText: "The program does not answer" });
+  await doubt.waitFor();
+  assert.match(await doubt.textContent(), /A recording that was going on may lack its last moments\.$/);
 });
 
 test("a full disk ends the recording, and that is told once, till it is read", async (t) => {

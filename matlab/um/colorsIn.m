@@ -4,8 +4,9 @@ function colors = colorsIn(picture, steps)
   colors = vertcat(steps.color)';
   if any(cellfun(@isempty, {steps.color}))
     flat = reshape(round(picture * 255), [], 3);
-    [found, ~, which] = unique(flat(all(flat > 0, 2) | any(flat > 100, 2), :), 'rows');
-    many = accumarray(which, 1) > constants().see.frequent_color_pixels;
+    see = constants().see;
+    [found, ~, which] = unique(flat(all(flat > 0, 2) | any(flat > see.bright_of_255, 2), :), 'rows');
+    many = accumarray(which, 1) > see.frequent_color_pixels;
     colors = [colors, found(many, :)' / 255];
   end
   % Colors that isColor cannot tell apart are one.

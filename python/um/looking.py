@@ -60,7 +60,7 @@ def colors_in(picture, like):
 def colors_of(picture):
     """Every color of a picture that more than a few pixels have, a list."""
     flat = np.round(picture * 255).astype(int).reshape(-1, 3)
-    flat = flat[(flat > 0).all(axis=1) | (flat > 100).any(axis=1)]
+    flat = flat[(flat > 0).all(axis=1) | (flat > SEE.bright_of_255).any(axis=1)]
     found, count = np.unique(flat @ [65536, 256, 1], return_counts=True)
     return different_ones([unpacked(color) for color in found[count > SEE.frequent_color_pixels]])
 
@@ -193,7 +193,8 @@ def is_held_up(block, picture, eye, table):
 
 def table_color(picture):
     """The table's is the most frequent color but black, which is where there is nothing."""
-    pixels = np.round(255 * picture[::4, ::4]).astype(int).reshape(-1, 3) @ [65536, 256, 1]
+    step = SEE.table_pixel_step
+    pixels = np.round(255 * picture[::step, ::step]).astype(int).reshape(-1, 3) @ [65536, 256, 1]
     colors, count = np.unique(pixels[pixels > 0], return_counts=True)
     return unpacked(colors[count.argmax()]) if len(colors) else np.full(3, np.nan)
 

@@ -1,6 +1,7 @@
 import { useEffect, useRef } from "preact/hooks";
-import { useSignal } from "@preact/signals";
+import { useSignal, type Signal } from "@preact/signals";
 import { ask, cancelableRequest, notify, progress } from "../studio";
+import type { Requests } from "../protocol";
 import { texts } from "../texts";
 import { Button } from "../ui/buttons";
 import { Dialog } from "../ui/dialog";
@@ -9,6 +10,7 @@ import { openRecording, refreshRecordings, titleOf } from "./recordings";
 
 const { edit: words } = texts;
 export type EditKind = "drop" | "trim";
+type Edits = Requests["edit"]["fields"]["edits"];
 
 /** What becomes of a recording by an edit, as docs/editing.md has it. */
 interface Report {
@@ -75,28 +77,9 @@ function Effect({ trial }: { trial: Trial }) {
   );
 }
 
-/** An edit is told first, and done when it is wanted: into a new recording. */
-export function EditDialog(props: {
-  kind: EditKind;
-  recording: string;
-  segment: { number: number; title: string; seconds: number };
-  onClose: () => void;
-}) {
-  const { kind, recording, segment } = props;
-  const from = useSignal(0);
-  const to = useSignal(segment.seconds);
-  const name = useSignal(words.nameOf(titleOf(recording)));
+/** What an edit would do, told as soon as it is simulated; anew whenever `from` or `to` changes. */
+function useTrial(recording: string, edits: Edits, from: number, to: number) {
   const trial = useSignal<Trial>({ state: "trying" });
-  const isSaving = useSignal(false);
-  /** null unless it is being saved. */
-  const cancelSaving = useRef<(() => void) | null>(null);
-  /** So that both ends can be reached. */
-  const step = segment.seconds / TRIM_STEPS;
-  const edits =
-    kind === "drop"
-      ? [{ do: "drop", first: segment.number, last: segment.number }]
-      : [{ do: "trim", segment: segment.number, from: from.value, to: to.value }];
-
   useEffect(() => {
     let isLatest = true;
     trial.value = { state: "trying" };
@@ -114,11 +97,18 @@ export function EditDialog(props: {
       clearTimeout(timer);
       cancel();
     };
-  }, [from.value, to.value]);
+  }, [from, to]);
+  return trial;
+}
 
-  const save = async () => {
+/** Saves an edit as a new recording and shows it; can be canceled until it is there. */
+function useSaving(onSaved: () => void) {
+  const isSaving = useSignal(false);
+  /** null unless it is being saved. */
+  const cancelSaving = useRef<(() => void) | null>(null);
+  const save = async (recording: string, edits: Edits, name: string) => {
     isSaving.value = true;
-    const saving = cancelableRequest("edit", { recording, edits, name: name.value });
+    const saving = cancelableRequest("edit", { recording, edits, name });
     cancelSaving.current = saving.cancel;
     try {
       const { recording: made } = await saving.answer;
@@ -127,16 +117,65 @@ export function EditDialog(props: {
       await openRecording(made);
       await ask("show", { recording: made, seconds: 0 });
       notify(words.saved(titleOf(made)));
-      props.onClose();
+      onSaved();
     } catch (error) {
       // Who canceled it knows why it failed.
       if (cancelSaving.current !== null) notify((error as Error).message, true);
     }
     isSaving.value = false;
   };
-  const close = () => {
+  const cancel = () => {
     cancelSaving.current?.();
     cancelSaving.current = null;
+  };
+  return { isSaving, save, cancel };
+}
+
+/** Where a trimmed segment begins and ends [s]. */
+function Ends({ from, to, seconds }: { from: Signal<number>; to: Signal<number>; seconds: number }) {
+  // So that both ends can be reached.
+  const common = { step: seconds / TRIM_STEPS, digits: 2, unit: "s" };
+  return (
+    <>
+      <Slider
+        {...common}
+        label={words.from}
+        value={from.value}
+        min={0}
+        max={to.value}
+        onInput={(value) => (from.value = value)}
+      />
+      <Slider
+        {...common}
+        label={words.to}
+        value={to.value}
+        min={from.value}
+        max={seconds}
+        onInput={(value) => (to.value = value)}
+      />
+    </>
+  );
+}
+
+/** An edit is told first, and done when it is wanted: into a new recording. */
+export function EditDialog(props: {
+  kind: EditKind;
+  recording: string;
+  segment: { number: number; title: string; seconds: number };
+  onClose: () => void;
+}) {
+  const { kind, recording, segment } = props;
+  const from = useSignal(0);
+  const to = useSignal(segment.seconds);
+  const name = useSignal(words.nameOf(titleOf(recording)));
+  const edits: Edits =
+    kind === "drop"
+      ? [{ do: "drop", first: segment.number, last: segment.number }]
+      : [{ do: "trim", segment: segment.number, from: from.value, to: to.value }];
+  const trial = useTrial(recording, edits, from.value, to.value);
+  const { isSaving, save, cancel } = useSaving(props.onClose);
+  const close = () => {
+    cancel();
     props.onClose();
   };
   return (
@@ -151,36 +190,13 @@ export function EditDialog(props: {
             kind="accent"
             isBusy={isSaving.value}
             disabled={trial.value.state !== "told" || name.value === ""}
-            onClick={() => void save()}
+            onClick={() => void save(recording, edits, name.value)}
           />
         </>
       }
     >
       <p class="hint">{words.original}</p>
-      {kind === "trim" && (
-        <>
-          <Slider
-            label={words.from}
-            value={from.value}
-            min={0}
-            max={to.value}
-            step={step}
-            digits={2}
-            unit="s"
-            onInput={(value) => (from.value = value)}
-          />
-          <Slider
-            label={words.to}
-            value={to.value}
-            min={from.value}
-            max={segment.seconds}
-            step={step}
-            digits={2}
-            unit="s"
-            onInput={(value) => (to.value = value)}
-          />
-        </>
-      )}
+      {kind === "trim" && <Ends from={from} to={to} seconds={segment.seconds} />}
       <section class="effect" aria-label={words.effect} role="status">
         <h3>{words.effect}</h3>
         <Effect trial={trial.value} />

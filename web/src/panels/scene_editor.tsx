@@ -68,12 +68,30 @@ function FindingList({ findings, onGo }: { findings: Findings; onGo: (line: numb
   );
 }
 
+/** What is wrong with a scene, once nobody has written for a moment. */
+function useFindings(name: string, xml: string) {
+  const findings = useSignal<Findings>({ state: "checking" });
+  useEffect(() => {
+    let isLatest = true;
+    const timer = setTimeout(() => {
+      void check(name, xml).then((found) => {
+        if (isLatest) findings.value = found;
+      });
+    }, PAUSE_MS);
+    return () => {
+      isLatest = false;
+      clearTimeout(timer);
+    };
+  }, [xml, name, isConnected.value]);
+  return findings;
+}
+
 /** A scene as text, checked while it is written; errors are marked at their lines. */
 export function SceneEditor() {
   const given = editedScene.value!;
   const name = useSignal(given.name);
   const xml = useSignal(given.xml);
-  const findings = useSignal<Findings>({ state: "checking" });
+  const findings = useFindings(name.value, xml.value);
   const top = useSignal(0);
   const isLoading = useSignal(false);
   const area = useRef<HTMLTextAreaElement>(null);
@@ -83,19 +101,6 @@ export function SceneEditor() {
     close();
   };
   const isChanged = xml.value !== given.xml || name.value !== given.name || draft.value !== null;
-
-  useEffect(() => {
-    let isLatest = true;
-    const timer = setTimeout(() => {
-      void check(name.value, xml.value).then((found) => {
-        if (isLatest) findings.value = found;
-      });
-    }, PAUSE_MS);
-    return () => {
-      isLatest = false;
-      clearTimeout(timer);
-    };
-  }, [xml.value, name.value, isConnected.value]);
 
   const change = (text: string) => {
     xml.value = text;

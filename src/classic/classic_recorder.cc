@@ -81,11 +81,11 @@ void ClassicRecorder::WriteStart(const recording::TraceTick& first,
   for (const sim::Event& event : standing) {
     if (event.kind == sim::EventKind::kFell) state_.is_gone[IndexOf(event.object)] = true;
   }
-  for (std::size_t i = 0; i < first.objects.size(); ++i) {
-    if (first.objects[i].is_present && !state_.is_gone[i]) WriteCreate(model::ObjectIndex(i));
+  for (const auto i : IndexRange<model::ObjectIndex>(first.objects.size())) {
+    if (first.objects[i].is_present && !state_.is_gone[i]) WriteCreate(i);
   }
   for (model::ControlIndex i : model_->controls()) {
-    const std::size_t object = model_->control(i).object;
+    const model::ObjectIndex object = model_->control(i).object;
     if (!first.objects[object].is_present || state_.is_gone[object]) continue;
     WriteControl(i, first.controls[i]);
   }
@@ -96,7 +96,7 @@ void ClassicRecorder::WriteStart(const recording::TraceTick& first,
   }
 }
 
-std::size_t ClassicRecorder::IndexOf(const std::string& object) const {
+model::ObjectIndex ClassicRecorder::IndexOf(const std::string& object) const {
   // Events name objects of the scene only.
   return *model_->FindObject(object);
 }
@@ -138,7 +138,7 @@ void ClassicRecorder::BeginWithoutHand(const sim::Event& event) {
   state_.written.resize(model_->objects().size());
   state_.is_gone.resize(model_->objects().size());
   for (const std::string& id : event.objects) {
-    const model::ObjectIndex object(IndexOf(id));
+    const model::ObjectIndex object = IndexOf(id);
     if (is_new) {
       WriteCreate(object);
     } else if (!state_.is_gone[object]) {
@@ -147,7 +147,7 @@ void ClassicRecorder::BeginWithoutHand(const sim::Event& event) {
   }
   for (const std::string& id : event.objects) {
     if (!is_new) break;
-    for (model::ControlIndex i : model_->controls_of(model::ObjectIndex(IndexOf(id)))) {
+    for (model::ControlIndex i : model_->controls_of(IndexOf(id))) {
       WriteControl(i, model_->initial_state().controls[i]);
     }
   }
@@ -195,14 +195,14 @@ std::string ClassicRecorder::PathOf(std::uint64_t frame) const {
 
 void ClassicRecorder::WriteFrame(const recording::TraceTick& now) {
   bool has_changed = std::exchange(state_.has_news, false);
-  for (std::size_t i = 0; i < now.objects.size(); ++i) {
+  for (const auto i : IndexRange<model::ObjectIndex>(now.objects.size())) {
     if (!now.objects[i].is_present || state_.is_gone[i]) continue;
     has_changed = WriteMove(i, now.objects[i]) || has_changed;
   }
-  for (std::size_t i : std::exchange(state_.falling, {})) {
+  for (model::ObjectIndex i : std::exchange(state_.falling, {})) {
     if (!now.objects[i].is_present || state_.is_gone[i]) continue;
     WriteMove(i, now.objects[i], /*is_last=*/true);
-    WriteLine("delete," + model_->id(model::ObjectIndex(i)));
+    WriteLine("delete," + model_->id(i));
     state_.is_gone[i] = true;
   }
   std::string image;
@@ -215,7 +215,8 @@ void ClassicRecorder::WriteFrame(const recording::TraceTick& now) {
   ++state_.frame;
 }
 
-bool ClassicRecorder::WriteMove(std::size_t i, const recording::TracePose& pose, bool is_last) {
+bool ClassicRecorder::WriteMove(model::ObjectIndex i, const recording::TracePose& pose,
+                                bool is_last) {
   const RigidTransform X_WB = pose.pose_in_world();
   const Written now{
       .position = scene::ToFileUnits(X_WB.translation(), model_->scene().meters_per_unit),
@@ -228,7 +229,7 @@ bool ClassicRecorder::WriteMove(std::size_t i, const recording::TracePose& pose,
                                   HasTurned(last->angles_deg, now.angles_deg));
   if (last && !fell_asleep && !has_moved && !is_last) return false;
 
-  std::string line = "move," + model_->id(model::ObjectIndex(i));
+  std::string line = "move," + model_->id(i);
   for (double number : now.position) line += "," + ClassicNumber(number);
   for (double number : now.angles_deg) line += "," + ClassicNumber(number);
   WriteLine(line);

@@ -56,9 +56,9 @@ class ClassicRecorder {
     int segment = 0;
     std::uint64_t frame = 0;  ///< the next one to be written
     std::vector<std::optional<Written>> written;
-    std::vector<std::size_t> falling;  ///< objects on the floor that have no last line yet
-    std::vector<bool> is_gone;         ///< fell: has no lines any more
-    bool has_news = false;             ///< something looks different, though nothing moved
+    std::vector<model::ObjectIndex> falling;  ///< objects on the floor that have no last line yet
+    std::vector<bool> is_gone;                ///< fell: has no lines any more
+    bool has_news = false;                    ///< something looks different, though nothing moved
   };
 
  public:
@@ -76,7 +76,7 @@ class ClassicRecorder {
   void WriteCreate(model::ObjectIndex object);
   void WriteControl(model::ControlIndex control, const model::ControlState& state);
   void WriteStart(const recording::TraceTick& first, const std::vector<sim::Event>& standing);
-  std::size_t IndexOf(const std::string& object) const;
+  model::ObjectIndex IndexOf(const std::string& object) const;
   /// What a hand did, without the frame: `grasp,LeftHand,b01`.
   std::string FieldsOf(const sim::Event& event) const;
   /// Opens a segment with what was added or removed, which is told object by object.
@@ -84,7 +84,7 @@ class ClassicRecorder {
   void WriteLine(const std::string& fields);
   void WriteFrame(const recording::TraceTick& now);
   /// Writes where an object is, if that is news.
-  bool WriteMove(std::size_t object, const recording::TracePose& pose, bool is_last = false);
+  bool WriteMove(model::ObjectIndex object, const recording::TracePose& pose, bool is_last = false);
   std::string PathOf(std::uint64_t frame) const;
 
   std::filesystem::path directory_;

@@ -53,7 +53,7 @@ Model::Model(scene::SceneSpec scene, std::shared_ptr<const std::optional<RobotPl
   for (ObjectIndex object : objects()) AppendVisuals(object);
   if (const auto& placement = robot_placement()) {
     X_WBase_ = RobotBasePose(scene_.table, placement->gap, placement->height);
-    robot::AppendVisuals(placement->model, static_cast<int>(1 + scene_.objects.size()),
+    robot::AppendVisuals(placement->model, static_cast<int>(*robot_frames().begin()),
                          AddName("robot", &visual_model_), &visual_model_);
   }
   initial_state_ = InitialStateOf(*this);
@@ -130,14 +130,19 @@ const scene::ChainSpec* Model::chain_of_link(ObjectIndex object) const {
   return nullptr;
 }
 
-FrameIndex Model::frame_of(const robot::Frame& frame) const {
-  if (frame.link < 0) return *robot_frames().begin();
-  return frame_of(LinkIndex(static_cast<std::size_t>(frame.link)));
+FrameIndex Model::frame_of(LinkIndex link) const { return FrameOfLink(static_cast<int>(link)); }
+
+FrameIndex Model::frame_of(const robot::Frame& frame) const { return FrameOfLink(frame.link); }
+
+FrameIndex Model::FrameOfLink(int link) const {
+  return FrameIndex(*robot_frames().begin() + static_cast<std::size_t>(robot::VisualFrameOf(link)));
 }
 
 IndexRange<FrameIndex> Model::robot_frames() const {
   const FrameIndex first(1 + scene_.objects.size());
-  return {first, FrameIndex(first + (robot() != nullptr ? 1 + robot()->links.size() : 0))};
+  const auto num_frames =
+      static_cast<std::size_t>(robot() != nullptr ? robot::NumVisualFrames(*robot()) : 0);
+  return {first, FrameIndex(first + num_frames)};
 }
 
 std::optional<ObjectIndex> Model::object_of(FrameIndex frame) const {

@@ -87,9 +87,7 @@ class Model {
   const scene::VisualModel& visual_model() const { return visual_model_; }
   FrameIndex frame_of(ObjectIndex object) const { return FrameIndex(1 + object); }
   /// The robot must have such a link.
-  FrameIndex frame_of(LinkIndex link) const {
-    return FrameIndex(*robot_frames().begin() + 1 + link);
-  }
+  FrameIndex frame_of(LinkIndex link) const;
   /// The frame that carries a frame of the robot's description.
   FrameIndex frame_of(const robot::Frame& frame) const;
   /// The base's, then one per link; empty without a robot.
@@ -118,6 +116,8 @@ class Model {
   using IndexOfId = std::map<std::string, I, std::less<>>;
 
   Model(scene::SceneSpec scene, std::shared_ptr<const std::optional<RobotPlacement>> robot);
+  /// @param link  -1: the base.
+  FrameIndex FrameOfLink(int link) const;
   void AddMechanismsOf(ObjectIndex object);
   /// Resolves the ids by which controls and hosts name what is downstream of them.
   void ConnectMechanisms();

@@ -179,7 +179,7 @@ std::optional<Support> SupportOf(const scene::SceneSpec& scene,
 
 std::optional<Support> SupportOf(const scene::SceneSpec& scene,
                                  const std::vector<std::optional<RigidTransform>>& X_WBs,
-                                 std::size_t object) {
+                                 ObjectIndex object) {
   if (object >= X_WBs.size()) return std::nullopt;
   std::vector<scene::ObjectSpec> objects;
   for (std::size_t i = 0; i < X_WBs.size(); ++i) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "model/indices.h"
 #include "scene/scene_spec.h"
 
 namespace smile::model {
@@ -57,6 +58,6 @@ std::optional<Support> SupportOf(const scene::SceneSpec& scene,
 /// @param X_WBs  of the objects of the scene, in its order; nullopt of what is gone.
 std::optional<Support> SupportOf(const scene::SceneSpec& scene,
                                  const std::vector<std::optional<RigidTransform>>& X_WBs,
-                                 std::size_t object);
+                                 ObjectIndex object);
 
 }  // namespace smile::model

@@ -70,7 +70,8 @@ std::optional<model::Support> SupportAt(const TraceTick& moment, const std::stri
   for (const TracePose& pose : moment.objects) {
     X_WBs.push_back(pose.is_present ? std::optional(pose.pose_in_world()) : std::nullopt);
   }
-  return model::SupportOf(scene, X_WBs, static_cast<std::size_t>(object - scene.objects.begin()));
+  const auto index = static_cast<std::size_t>(object - scene.objects.begin());
+  return model::SupportOf(scene, X_WBs, model::ObjectIndex(index));
 }
 
 }  // namespace smile::recording

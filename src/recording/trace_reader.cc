@@ -51,7 +51,7 @@ bool ReadJoints(ByteReader* in, TraceTick* tick) {
 
 bool ReadControls(const TraceLimits& limits, std::size_t num_controls, ByteReader* in,
                   TraceTick* tick) {
-  for (std::size_t i = 0; i < num_controls; ++i) {
+  for (const auto i : IndexRange<model::ControlIndex>(num_controls)) {
     model::ControlState& control = tick->controls[i];
     control.state = in->Get<int>();
     control.override_state = in->Get<int>();
@@ -62,7 +62,7 @@ bool ReadControls(const TraceLimits& limits, std::size_t num_controls, ByteReade
 }
 
 bool ReadBonds(const TraceLimits& limits, std::size_t num_bonds, ByteReader* in, TraceTick* tick) {
-  for (std::size_t i = 0; i < num_bonds; ++i) {
+  for (const auto i : IndexRange<model::HostIndex>(num_bonds)) {
     model::HostState& bond = tick->bonds[i];
     const int guest = in->Get<int>();
     if (guest < -1) return false;
@@ -99,12 +99,12 @@ TraceLimits::TraceLimits(const scene::SceneSpec& scene) {
   }
 }
 
-bool TraceLimits::Allow(std::size_t control, const model::ControlState& state) const {
+bool TraceLimits::Allow(model::ControlIndex control, const model::ControlState& state) const {
   return state.state >= 0 && state.state < num_states[control] && state.override_state >= -1 &&
          state.override_state < num_states[control] && state.position >= 0 && state.position <= 1;
 }
 
-bool TraceLimits::Allow(std::size_t host, const model::HostState& bond) const {
+bool TraceLimits::Allow(model::HostIndex host, const model::HostState& bond) const {
   return (!bond.guest || *bond.guest < num_guests) && bond.tightness >= 0 &&
          bond.tightness <= max_tightness[host] && bond.guest.has_value() == (bond.tightness > 0);
 }

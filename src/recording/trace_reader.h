@@ -20,8 +20,8 @@ struct TraceLimits {
   std::size_t num_guests = 0;
 
   explicit TraceLimits(const scene::SceneSpec& scene);
-  bool Allow(std::size_t control, const model::ControlState& state) const;
-  bool Allow(std::size_t host, const model::HostState& bond) const;
+  bool Allow(model::ControlIndex control, const model::ControlState& state) const;
+  bool Allow(model::HostIndex host, const model::HostState& bond) const;
   bool Allow(const TraceCounts& found) const;
 };
 

@@ -38,17 +38,16 @@ std::string WrittenHash(std::uint64_t hash) {
 
 bool IsVisible(const Difference& difference) { return difference.quantity != kHidden; }
 
-std::optional<Difference> Comparison::Presence(std::size_t i) const {
+std::optional<Difference> Comparison::Presence(model::ObjectIndex i) const {
   const bool was = recorded_.objects[i].is_present, is = replayed_.objects[i].is_present;
   if (was == is) return std::nullopt;
-  return Difference{recorded_.tick, model_.id(model::ObjectIndex(i)), "present", Written(was),
-                    Written(is)};
+  return Difference{recorded_.tick, model_.id(i), "present", Written(was), Written(is)};
 }
 
-std::optional<Difference> Comparison::Pose(std::size_t i) const {
+std::optional<Difference> Comparison::Pose(model::ObjectIndex i) const {
   const recording::TracePose& was = recorded_.objects[i];
   const recording::TracePose& is = replayed_.objects[i];
-  const std::string& id = model_.id(model::ObjectIndex(i));
+  const std::string& id = model_.id(i);
   if (was.position != is.position) {
     const double unit = model_.scene().meters_per_unit;
     return Difference{recorded_.tick, id, "position",
@@ -63,19 +62,19 @@ std::optional<Difference> Comparison::Pose(std::size_t i) const {
   return std::nullopt;
 }
 
-std::optional<Difference> Comparison::Control(std::size_t i) const {
+std::optional<Difference> Comparison::Control(model::ControlIndex i) const {
   if (recorded_.controls[i] == replayed_.controls[i]) return std::nullopt;
-  return Difference{recorded_.tick, model_.control(model::ControlIndex(i)).id(), "state",
-                    Written(recorded_.controls[i]), Written(replayed_.controls[i])};
+  return Difference{recorded_.tick, model_.control(i).id(), "state", Written(recorded_.controls[i]),
+                    Written(replayed_.controls[i])};
 }
 
-std::optional<Difference> Comparison::Bond(std::size_t i) const {
+std::optional<Difference> Comparison::Bond(model::HostIndex i) const {
   if (recorded_.bonds[i] == replayed_.bonds[i]) return std::nullopt;
-  return Difference{recorded_.tick, model_.host(model::HostIndex(i)).point->id, "tightness",
+  return Difference{recorded_.tick, model_.host(i).point->id, "tightness",
                     Written(recorded_.bonds[i]), Written(replayed_.bonds[i])};
 }
 
-std::optional<Difference> Comparison::Joint(std::size_t i) const {
+std::optional<Difference> Comparison::Joint(model::LinkIndex i) const {
   if (recorded_.joints[i] == replayed_.joints[i]) return std::nullopt;
   return Difference{recorded_.tick, model_.robot()->links[i].joint_name, "angle",
                     NumberText(recorded_.joints[i]), NumberText(replayed_.joints[i])};
@@ -94,17 +93,17 @@ std::optional<Difference> Comparison::Mood() const {
 }
 
 std::optional<Difference> Comparison::First() const {
-  for (std::size_t i = 0; i < replayed_.objects.size(); ++i) {
+  for (model::ObjectIndex i : model_.objects()) {
     if (auto difference = Presence(i)) return difference;
     if (auto difference = Pose(i)) return difference;
   }
-  for (std::size_t i = 0; i < replayed_.controls.size(); ++i) {
+  for (model::ControlIndex i : model_.controls()) {
     if (auto difference = Control(i)) return difference;
   }
-  for (std::size_t i = 0; i < replayed_.bonds.size(); ++i) {
+  for (model::HostIndex i : model_.hosts()) {
     if (auto difference = Bond(i)) return difference;
   }
-  for (std::size_t i = 0; i < replayed_.joints.size(); ++i) {
+  for (model::LinkIndex i : IndexRange<model::LinkIndex>(replayed_.joints.size())) {
     if (auto difference = Joint(i)) return difference;
   }
   if (auto difference = RobotShown()) return difference;
@@ -119,20 +118,20 @@ std::vector<Difference> Comparison::States() const {
   const auto add = [&all](std::optional<Difference> difference) {
     if (difference) all.push_back(*std::move(difference));
   };
-  for (std::size_t i = 0; i < replayed_.objects.size(); ++i) add(Presence(i));
-  for (std::size_t i = 0; i < replayed_.controls.size(); ++i) add(Control(i));
-  for (std::size_t i = 0; i < replayed_.bonds.size(); ++i) add(Bond(i));
+  for (model::ObjectIndex i : model_.objects()) add(Presence(i));
+  for (model::ControlIndex i : model_.controls()) add(Control(i));
+  for (model::HostIndex i : model_.hosts()) add(Bond(i));
   add(RobotShown());
   add(Mood());
   return all;
 }
 
-std::optional<recording::PoseGap> Comparison::GapOfObject(std::size_t i) const {
+std::optional<recording::PoseGap> Comparison::GapOf(model::ObjectIndex i) const {
   if (!recorded_.objects[i].is_present || !replayed_.objects[i].is_present) return std::nullopt;
   return recording::GapBetween(recorded_.objects[i], replayed_.objects[i]);
 }
 
-recording::PoseGap Comparison::GapOfJoint(std::size_t i) const {
+recording::PoseGap Comparison::GapOfJoint(model::LinkIndex i) const {
   const double gap = std::abs(replayed_.joints[i] - recorded_.joints[i]);
   const bool slides = model_.robot()->links[i].joint_type == scene::JointType::kPrismatic;
   return slides ? recording::PoseGap{.distance = gap} : recording::PoseGap{.angle = gap};
@@ -158,12 +157,9 @@ void DepartureMeter::Note(std::size_t index, std::uint64_t tick,
 void DepartureMeter::Watch(const recording::TraceTick& recorded,
                            const recording::TraceTick& replayed) {
   const Comparison comparison(recorded, replayed, model_);
-  const std::size_t num_objects = recorded.objects.size();
-  for (std::size_t i = 0; i < num_objects; ++i) {
-    Note(i, recorded.tick, comparison.GapOfObject(i));
-  }
-  for (std::size_t i = 0; i < recorded.joints.size(); ++i) {
-    Note(num_objects + i, recorded.tick, comparison.GapOfJoint(i));
+  for (model::ObjectIndex i : model_.objects()) Note(i, recorded.tick, comparison.GapOf(i));
+  for (model::LinkIndex i : IndexRange<model::LinkIndex>(recorded.joints.size())) {
+    Note(model_.objects().size() + i, recorded.tick, comparison.GapOfJoint(i));
   }
 }
 

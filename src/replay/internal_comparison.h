@@ -24,15 +24,15 @@ class Comparison {
   std::vector<Difference> States() const;
 
   /// How far apart an object is; nullopt if one of the two has none.
-  std::optional<recording::PoseGap> GapOfObject(std::size_t object) const;
-  recording::PoseGap GapOfJoint(std::size_t joint) const;
+  std::optional<recording::PoseGap> GapOf(model::ObjectIndex object) const;
+  recording::PoseGap GapOfJoint(model::LinkIndex link) const;
 
  private:
-  std::optional<Difference> Presence(std::size_t object) const;
-  std::optional<Difference> Pose(std::size_t object) const;
-  std::optional<Difference> Control(std::size_t control) const;
-  std::optional<Difference> Bond(std::size_t host) const;
-  std::optional<Difference> Joint(std::size_t joint) const;
+  std::optional<Difference> Presence(model::ObjectIndex object) const;
+  std::optional<Difference> Pose(model::ObjectIndex object) const;
+  std::optional<Difference> Control(model::ControlIndex control) const;
+  std::optional<Difference> Bond(model::HostIndex host) const;
+  std::optional<Difference> Joint(model::LinkIndex link) const;
   std::optional<Difference> RobotShown() const;
   std::optional<Difference> Mood() const;
 

@@ -23,7 +23,7 @@ void AppendVisuals(const RobotModel& model, int first_frame, std::uint32_t objec
     visual_model->visuals.push_back({.shape = visual.shape,
                                      .color = visual.color,
                                      .X_FV = visual.X_LV,
-                                     .frame = first_frame + 1 + visual.link,
+                                     .frame = first_frame + VisualFrameOf(visual.link),
                                      .object_id = object_id,
                                      .choice = visual.mood ? choice : -1,
                                      .look = visual.mood ? LookOf(*visual.mood) : 0,

@@ -11,8 +11,10 @@ namespace smile::robot {
 /// How many frames of a VisualModel a robot takes: one for the base, then one for each link in the
 /// order of `model.links`.
 inline int NumVisualFrames(const RobotModel& model) { return 1 + model.num_joints(); }
+/// Which of these is a link's; `link` is -1 for the base, as in Frame and LinkVisual.
+inline int VisualFrameOf(int link) { return 1 + link; }
 
-/// Appends all a robot shows, as frames `first_frame` (the base), `first_frame` + 1 (link 0), …
+/// Appends all a robot shows, as NumVisualFrames() frames from `first_frame` on.
 /// Its mood is one more choice, whose looks are numbered as kMoods; see LookOf().
 ///
 /// @param first_frame  at least 1, since frame 0 is the world; `visual_model->num_frames` grows to

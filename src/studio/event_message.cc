@@ -2,8 +2,8 @@
 
 namespace smile::studio {
 
-Json EventMessage(const sim::Event& event, const sim::Simulation& simulation) {
-  Json message = {{"t", "event"}, {"kind", ToString(event.kind)}, {"tick", simulation.tick()}};
+Json EventMessage(const sim::Event& event, std::uint64_t tick, const model::Model& model) {
+  Json message = {{"t", "event"}, {"kind", ToString(event.kind)}, {"tick", tick}};
   if (event.hand) message["hand"] = ToString(*event.hand);
   const auto add = [&message](const char* name, const std::string& text) {
     if (!text.empty()) message[name] = text;
@@ -15,8 +15,8 @@ Json EventMessage(const sim::Event& event, const sim::Simulation& simulation) {
   add("control", event.control);
   add("state", event.state);
   if (event.guest && event.host) {
-    message["guest"] = simulation.model().guest(*event.guest).point->id;
-    message["host"] = simulation.model().host(*event.host).point->id;
+    message["guest"] = model.guest(*event.guest).point->id;
+    message["host"] = model.host(*event.host).point->id;
     message["tightness"] = event.tightness;
   }
   if (!event.objects.empty()) message["objects"] = event.objects;

@@ -1,11 +1,13 @@
 #pragma once
 
 #include "base/json.h"
-#include "sim/simulation.h"
+#include "model/model.h"
+#include "sim/event.h"
 
 namespace smile::studio {
 
 /// `{"t":"event",…}`: the kind, and what there is to tell of it.
-Json EventMessage(const sim::Event& event, const sim::Simulation& simulation);
+/// @param model  of the scene in which it happened.
+Json EventMessage(const sim::Event& event, std::uint64_t tick, const model::Model& model);
 
 }  // namespace smile::studio

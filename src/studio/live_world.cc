@@ -129,7 +129,9 @@ void LiveWorld::OnEvent(const sim::Simulation& simulation, const sim::Event& eve
     if (is_applying_ || event.reason == last_refusal_) return;
     last_refusal_ = event.reason;
   }
-  if (events_.size() < kMaxEvents) events_.push_back(EventMessage(event, simulation));
+  if (events_.size() < kMaxEvents) {
+    events_.push_back(EventMessage(event, simulation.tick(), simulation.model()));
+  }
 }
 
 }  // namespace smile::studio

@@ -11,6 +11,7 @@
 #include "classic/internal_classic_player.h"
 #include "classic/stand_ins.h"
 #include "model/eye.h"
+#include "recording/beginning.h"
 #include "recording/recording.h"
 #include "recording/recording_files.h"
 #include "recording/trace_writer.h"
@@ -167,7 +168,7 @@ std::string NameOfFolder(const std::filesystem::path& folder) {
 
 ImportReport ImportClassic(const std::filesystem::path& classic,
                            const std::filesystem::path& directory, const ImportOptions& options) {
-  recording::RequireNewDirectory(directory);
+  recording::RequireFree(directory);
   const ClassicRecording recording = ReadClassic(classic);
   ImportReport report{.frames = recording.last_frame() + 1,
                       .segments = recording.segments.size(),
@@ -189,6 +190,7 @@ ImportReport ImportClassic(const std::filesystem::path& classic,
   // Once to see that all goes well, before anything is written.
   for (ClassicPlayer rehearsal = player; rehearsal.Next();) continue;
 
+  recording::BeginningMark mark(directory);
   recording::WriteWorld(directory, model);
   WriteFile(directory / "commands.jsonl", "");
   WriteTrace(directory / "trace.bin", player, model);
@@ -196,6 +198,7 @@ ImportReport ImportClassic(const std::filesystem::path& classic,
   // Last: whatever has it can be opened.
   WriteFile(directory / "demo.json",
             recording::ToJsonText(InfoOfImport(recording, model, options)));
+  mark.Remove();
   return report;
 }
 

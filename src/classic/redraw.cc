@@ -175,8 +175,7 @@ std::size_t RedrawInto(const recording::Recording& recording,
 std::size_t Redraw(const recording::Recording& recording, const std::filesystem::path& directory,
                    const RedrawOptions& options, const DrawMoment& draw,
                    const recording::Progress& progress) {
-  const bool is_abandoned = recording::IsAbandoned(directory);
-  if (!is_abandoned) recording::RequireNewDirectory(directory);
+  recording::RequireFree(directory);
   if (draw && !recording.info.eye) {
     throw InputError({recording.directory.string(), 0, "",
                       "has no pictures; expected a recording with some to draw them again"});
@@ -186,7 +185,8 @@ std::size_t Redraw(const recording::Recording& recording, const std::filesystem:
                                 ": has no texts, its copy can have none");
   }
   std::error_code error;
-  const bool was_there = !is_abandoned && std::filesystem::exists(directory, error);
+  const bool was_there =
+      std::filesystem::exists(directory, error) && !recording::IsAbandoned(directory);
   try {
     return RedrawInto(recording, directory, options, draw, progress);
   } catch (...) {

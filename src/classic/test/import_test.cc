@@ -7,6 +7,7 @@
 #include "math/angles.h"
 #include "recorder/test/painted_eye.h"
 #include "recorder/test/recording_fixture.h"
+#include "recording/beginning.h"
 #include "recording/recording_history.h"
 #include "recording/trace_reader.h"
 #include "replay/replay.h"
@@ -119,6 +120,15 @@ TEST_F(ImportTest, ItsHistoryIsThatOfTheRecording) {
     EXPECT_EQ(steps[i].begin.tick, steps[i - 1].end.tick);
   }
   EXPECT_EQ(steps.back().end.tick, Moments(imported).back().tick);
+}
+
+TEST_F(ImportTest, TakesThePlaceOfOneThatWasKilled) {
+  const auto classic = WriteTexts({"0,create,a,shape,block\n0,move,a,0,0,0.5,0,0,0\n"});
+  { const recording::BeginningMark killed(root_ / "imported"); }
+  std::ofstream(root_ / "imported/scene.xml") << "<tabl";
+  EXPECT_EQ(Import(classic).scene().objects.size(), 1u);
+  EXPECT_FALSE(recording::IsAbandoned(root_ / "imported"));
+  EXPECT_THROW(ImportClassic(classic, root_ / "imported", {}), InputError);
 }
 
 TEST_F(ImportTest, EveryFrameIsAsItWasAndNothingIsBetween) {

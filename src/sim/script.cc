@@ -76,6 +76,8 @@ std::vector<std::string> NamesOfTouching(const Simulation& simulation, physics::
     const world::Object* object = simulation.tabletop().Find(body);
     names.push_back(object != nullptr ? world::Named(object->id()) : "the table");
   }
+  const world::RobotBody* robot = simulation.robot();
+  if (robot != nullptr && robot->IsTouching(assembly)) names.push_back("the robot");
   return names;
 }
 

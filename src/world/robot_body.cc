@@ -225,6 +225,15 @@ std::vector<physics::BodyId> RobotBody::HeldBodies(int arm) const {
   return held;
 }
 
+bool RobotBody::IsTouching(const std::vector<physics::BodyId>& bodies) const {
+  for (int link = 0; link < model().num_joints(); ++link) {
+    for (const physics::Contact& contact : world_->ContactsWith(articulation_, link)) {
+      if (std::ranges::find(bodies, contact.body) != bodies.end()) return true;
+    }
+  }
+  return false;
+}
+
 std::vector<double> RobotBody::positions() const { return articulation().positions(); }
 
 }  // namespace smile::world

@@ -64,6 +64,8 @@ class RobotBody {
   RigidTransform ToolPose(int arm) const;            ///< X_WG, between the fingers
   /// Those attached to the gripper; none where friction holds.
   std::vector<physics::BodyId> HeldBodies(int arm) const;
+  /// True when a link touches one of these.
+  bool IsTouching(const std::vector<physics::BodyId>& bodies) const;
   std::vector<double> positions() const;  ///< q of all joints, as in model()
   const RigidTransform& base_pose() const { return model_->robot_base_pose(); }
 

@@ -3,6 +3,8 @@
 #include <unistd.h>
 
 #include "base/diagnostic.h"
+#include "base/wording.h"
+#include "scene/units.h"
 #include "simulation_fixture.h"
 
 namespace smile::sim {
@@ -90,6 +92,29 @@ TEST_F(ScriptTest, SaysWhenAHandCannotArrive) {
 {"hand": "any", "do": "move_to", "position": [0, 0, -1]}
 {"do": "wait", "until": "arrived", "seconds": 2})"),
             "demo.jsonl:3: waited 2 s, but a hand has not arrived: the table is in the way of 'a'");
+}
+
+TEST_F(ScriptTest, NamesTheObjectsAndTheRobotInTheWay) {
+  EXPECT_EQ(Play(R"({"hand": "any", "do": "grasp", "object": "a"}
+{"hand": "any", "do": "move_to", "position": [0, 0, 2]}
+{"do": "wait", "until": "arrived"}
+{"hand": "any", "do": "move_to", "position": [3, 0, 2]}
+{"do": "wait", "until": "arrived"}
+{"hand": "any", "do": "move_to", "position": [3, 0, 0.5]}
+{"do": "wait", "until": "arrived", "seconds": 2})"),
+            "demo.jsonl:7: waited 2 s, but a hand has not arrived: 'b' is in the way of 'a'");
+
+  simulation_ = MakeSimulation({BlockAt("a", {0, 0, 0.05})}, true);
+  const Vector3 torso =
+      scene::ToFileUnits(simulation_->robot()->base_pose().translation(), scene::kMetersPerUnit);
+  const std::string inside = NumberText(torso.x()) + ", " + NumberText(torso.y()) + ", 2]}";
+  EXPECT_EQ(Play(R"({"hand": "any", "do": "grasp", "object": "a"}
+{"hand": "any", "do": "move_to", "position": [0, 0, 2]}
+{"do": "wait", "until": "arrived"}
+{"hand": "any", "do": "move_to", "position": [)" +
+                 inside + R"(
+{"do": "wait", "until": "arrived", "seconds": 2})"),
+            "demo.jsonl:5: waited 2 s, but a hand has not arrived: the robot is in the way of 'a'");
 }
 
 TEST_F(ScriptTest, ReadsTheTrajectoriesItNamesInItsFolderOnly) {

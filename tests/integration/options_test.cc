@@ -45,6 +45,7 @@ TEST_F(Options, ABlankTitleIsRefused) {
   EXPECT_EQ(answer.exit_code, 2);
   EXPECT_EQ(answer.err, "smile: recording: title is blank, expected words or nothing\n");
   EXPECT_FALSE(Exists("demo"));
+  EXPECT_EQ(Smile("import nothing --out demo --title ' '").exit_code, 2);
 }
 
 }  // namespace

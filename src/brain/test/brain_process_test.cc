@@ -310,8 +310,8 @@ TEST_F(BrainProcessTest, KillsWhatRefusesToListen) {
 
 TEST_F(BrainProcessTest, StopsAnEndlessInit) {
   const fs::path folder = Brain("while true, end", "");
-  EXPECT_EQ(ErrorOfInit(folder, {.start_seconds = 1}),
-            "agent/begin.m:1: init took longer than 1 s and was stopped");
+  EXPECT_EQ(ErrorOfInit(folder, {.start_seconds = 4}),
+            "agent/begin.m:1: init took longer than 4 s and was stopped");
 }
 
 TEST_F(BrainProcessTest, TellsHowACrashedProgramEnded) {

@@ -42,7 +42,7 @@ std::vector<NamedShape> NamedShapes() {
           {RobotDescriptionShape()},
           {HandShape()},
           {DeedShape(),
-           "What a hand did; `on` and `into` tell what is beneath what was put or dropped."},
+           "An action; `on` and `into` tell what is beneath what was put or dropped."},
           {SegmentShape()},
           {TimelineShape(), "All times from the start [s]."},
           {LibraryEntryShape()},

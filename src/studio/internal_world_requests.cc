@@ -7,6 +7,7 @@
 
 #include "base/wording.h"
 #include "page/snap_names.h"
+#include "sim/action_summary.h"
 #include "sim/add.h"
 #include "sim/command_json.h"
 
@@ -32,8 +33,14 @@ Json WorldRequests::Command(const page::RequestFields& fields) {
   const sim::Command command = MeantBy(fields.Object("command"), fields.Flag("exact"));
   if (const auto refusal = RefusalInSession(command)) throw page::RequestError(*refusal);
   Apply(command);
-  if (!std::holds_alternative<sim::StartRecording>(command)) return Json::object();
-  return {{"recording", states_->world().recording_directory().filename().string()}};
+  const LiveWorld& world = states_->world();
+  if (std::holds_alternative<sim::StartRecording>(command)) {
+    return {{"recording", world.recording_directory().filename().string()}};
+  }
+  if (sim::IsAction(command)) {
+    return {{"deed", sim::ToJson(world.simulation().history().current().summary)}};
+  }
+  return Json::object();
 }
 
 std::optional<std::string> WorldRequests::TryCommand(const page::RequestFields& fields) {

@@ -75,12 +75,12 @@ export interface Hand {
   angles?: Point;
 }
 
-/** What a hand did; `on` and `into` tell what is beneath what was put or dropped. */
+/** An action; `on` and `into` tell what is beneath what was put or dropped. */
 export interface Deed {
-  do: "take" | "put" | "drop" | "release" | "destroy" | "point" | "trigger" | "fasten" | "loosen" | "add" | "remove" | "clear";
+  do: "take" | "put" | "drop" | "release" | "destroy" | "point" | "trigger" | "fasten" | "loosen" | "add" | "remove" | "clear" | "load";
   /** null of what no hand did */
   hand: HandName | null;
-  /** an id, or `5 objects` */
+  /** an id, `5 objects`, or the name of a scene */
   what: string;
   /** id of what is beneath, empty for the table */
   on?: string;
@@ -270,7 +270,7 @@ export interface Requests {
   take_control: { fields: { by_force?: boolean }; answer: { granted: boolean } };
   keep_control: { fields: { from: number }; answer: object };
   give_control: { fields: { to?: number | null }; answer: object };
-  command: { fields: { command: Command; exact?: boolean }; answer: { recording?: string } };
+  command: { fields: { command: Command; exact?: boolean }; answer: { recording?: string; deed?: Deed } };
   allowed: { fields: { requests: Record<string, unknown>[] }; answer: { allowed: Allowed[] } };
   pause: { fields: object; answer: object };
   resume: { fields: object; answer: object };

@@ -11,7 +11,6 @@ import type {
   HandName,
   News,
   Poses,
-  Reply,
   SceneMessage,
   StateMessage,
   Wanted,
@@ -144,7 +143,7 @@ export async function ask<What extends Wanted>(what: What, ...fields: FieldsOf<W
 }
 
 /** A command of docs/commands.md. */
-export function command(wanted: Command): Promise<Reply | null> {
+export function command(wanted: Command): Promise<AnswerTo<"command"> | null> {
   return ask("command", { command: wanted });
 }
 

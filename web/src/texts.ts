@@ -27,8 +27,7 @@ export const texts = {
     isEmpty: "empty",
     held: "Held object",
     nothingHeld: "This hand is empty. Click an object, or choose one in the list of objects and press Enter.",
-    nothingInPlayback: "A recording is shown: nothing can be taken until you are back at the table.",
-    nothingToWatch: "You are watching: whoever controls takes the objects.",
+    nothingMoves: (reason: string) => `Nothing can be taken: ${reason}`,
     release: "Release",
     destroy: "Destroy",
     destroyWhy: "Takes the object out of the world; Undo brings it back",
@@ -64,7 +63,6 @@ export const texts = {
       grid: "Drags end at multiples of half a unit",
       angles: "Turns end at right angles to the table and to what is near",
     },
-    taken: (hand: HandName, object: string) => `${texts.hands.names[hand]} hand takes ${object}`,
   },
 
   properties: {

@@ -8,6 +8,8 @@
 #include <thread>
 
 #include "base/bytes.h"
+#include "page/control_requests.h"
+#include "page/page_protocol.h"
 #include "web_client.h"
 
 namespace smile::page {
@@ -104,6 +106,30 @@ TEST_F(ServerTest, OneControlsAndHandsOver) {
             "there is no client 9 to give control to");
   EXPECT_EQ(first.Ask({{"do", "give_control"}, {"to", 2}})["ok"], true);
   EXPECT_TRUE(server().IsController(2));
+}
+
+TEST_F(ServerTest, SaysWhatTheTablesTell) {
+  const auto expect_as_told = [](const Json& message, const std::string& request = "") {
+    EXPECT_TRUE(message.is_object());
+    EXPECT_EQ(MisfitOf(message, request), "") << ToText(message);
+  };
+  WebClient first = Connect();
+  first.Upgrade();
+  expect_as_told(first.Hello(), "hello");
+  expect_as_told(first.Ask({{"do", "take_control"}}), "take_control");
+  expect_as_told(first.Await("clients"));
+  WebClient second = Join();
+  expect_as_told(second.Ask({{"do", "take_control"}}), "take_control");
+  expect_as_told(first.Await("control_wanted"));
+  expect_as_told(first.Ask({{"do", "give_control"}, {"to", 9}}), "give_control");
+  expect_as_told(first.Ask({{"do", "give_control"}, {"to", 2}}), "give_control");
+  expect_as_told(second.Await("clients"));
+
+  RequestTable table;
+  AddControlRequests(&table);
+  const Request keep{.client = 2, .seq = 1, .what = "keep_control", .fields = {{"from", 1}}};
+  expect_as_told(Answer(table, keep, /*is_controller=*/true), "keep_control");
+  for (const Letter& letter : TakeLetters(table)) expect_as_told(letter.message);
 }
 
 TEST_F(ServerTest, ASilentControllerMayBeReplacedAndOneThatLeftIsNone) {

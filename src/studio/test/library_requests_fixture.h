@@ -26,14 +26,21 @@ class LibraryRequestsFixture : public recorder::RecordingFixture {
         .client = 3, .seq = ++seq_, .what = what, .fields = std::move(fields)};
     const Json now = Answer(table_, request, is_controller);
     Json answer = page::IsLater(now) ? AnswerTo(seq_) : now;
-    EXPECT_EQ(page::MisfitOf(answer, what), "") << ToText(answer);
+    ExpectAsTold(answer, what);
     return answer;
+  }
+  /// That the tables of the protocol have a message.
+  static void ExpectAsTold(const Json& message, const char* request = "") {
+    EXPECT_EQ(page::MisfitOf(message, request), "") << ToText(message);
   }
 
   /// Waits for it; keeps what else comes.
   Json AnswerTo(std::uint32_t seq) {
     while (true) {
-      for (page::Letter& letter : TakeLetters(table_)) letters_.push_back(std::move(letter));
+      for (page::Letter& letter : TakeLetters(table_)) {
+        if (letter.message["t"] != "reply") ExpectAsTold(letter.message);
+        letters_.push_back(std::move(letter));
+      }
       for (const page::Letter& letter : letters_) {
         if (letter.client == 3 && letter.message["seq"] == seq) return letter.message;
       }

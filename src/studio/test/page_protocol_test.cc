@@ -4,6 +4,7 @@
 
 #include "page/protocol_text.h"
 #include "session_fixture.h"
+#include "sim/action_summary.h"
 #include "studio/library_requests.h"
 
 namespace smile::studio {
@@ -38,6 +39,15 @@ TEST(PageProtocolTable, SaysWhatIsWrongWithAMessage) {
   EXPECT_EQ(page::MisfitOf({{"t", "reply"}, {"seq", 1}, {"ok", false}}, "clear"),
             ".error is missing");
   EXPECT_EQ(page::MisfitOfRequest({{"do", "spawn"}, {"preset", "blocks"}}), ".seed is missing");
+}
+
+TEST(PageProtocolTable, KnowsEveryKindOfAction) {
+  for (int kind = 0; kind <= static_cast<int>(sim::ActionKind::kLoad); ++kind) {
+    const sim::ActionSummary summary{.kind = static_cast<sim::ActionKind>(kind), .what = "a"};
+    const Json reply = {
+        {"t", "reply"}, {"seq", 1}, {"ok", true}, {"deed", sim::ToJson(summary)}};
+    EXPECT_EQ(page::MisfitOf(reply, "command"), "") << ToText(reply);
+  }
 }
 
 TEST(PageProtocolTable, DescribesRequestsAndNews) {

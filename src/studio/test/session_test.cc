@@ -21,7 +21,8 @@ TEST_F(SessionTest, ADemonstrationIsRecordedAndReplays) {
   EXPECT_EQ(id, "take");
   PutAOnB();
   Command(R"({"do":"plane","hand":"left","angle":90})");
-  Command(R"({"do":"grasp","hand":"left","object":"a"})");
+  const Json taken = Command(R"({"do":"grasp","hand":"left","object":"a"})");
+  EXPECT_EQ(taken["deed"]["words"], "left hand takes a");
   Command(R"({"do":"rotate","hand":"left","angles":[0,0,30]})");
   Command(R"({"do":"drag","hand":"left","origin":[30,-2,8],"direction":[-1,0,-0.1]})");
   TickSeconds(0.5);

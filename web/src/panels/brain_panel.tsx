@@ -2,7 +2,7 @@ import { useEffect, useRef } from "preact/hooks";
 import { computed, signal, useSignal, type Signal } from "@preact/signals";
 import { may, when } from "../allowed";
 import { ask, consoleLines, isConnected, lastScore, notify, scene } from "../studio";
-import type { ConsoleLine } from "../protocol";
+import type { ConsoleLine, Requests } from "../protocol";
 import { texts } from "../texts";
 import { Button } from "../ui/buttons";
 import { Card, Empty } from "../ui/card";
@@ -13,12 +13,7 @@ import { recordings, titleOf } from "./recordings";
 
 const { brain: words } = texts;
 
-interface Program {
-  name: string;
-  kind: string;
-  /** It reads demonstrations. */
-  imitates: boolean;
-}
+type Program = Requests["brains"]["answer"]["brains"][number];
 
 /** The programs that may be started; null until they are known. */
 const brains = signal<Program[] | null>(null);

@@ -1,5 +1,6 @@
 import { useRef } from "preact/hooks";
-import { command, ask, currentHand, heldObject, isController, scene, state } from "../studio";
+import { may } from "../allowed";
+import { command, ask, currentHand, heldObject, scene, state } from "../studio";
 import { axisColors, handColors } from "../colors";
 import { HANDS, type HandName, type Point, type Reply, type SnapName } from "../protocol";
 import { texts } from "../texts";
@@ -11,7 +12,7 @@ import { NumberField } from "../ui/number_field";
 import { Slider } from "../ui/slider";
 import { turnFromTo } from "./fixed_axes";
 import { keyFor } from "./key_names";
-import { attention, isPlayback, isRage, mayAct, snaps } from "./now";
+import { attention, mayAct, snaps } from "./now";
 import { guides } from "../world/signals";
 import { world } from "./page";
 
@@ -355,9 +356,8 @@ function Snapping() {
 }
 
 function whyNothingIsHeld(): string {
-  if (isPlayback.value) return words.nothingInPlayback;
-  if (isRage.value) return texts.objects.rageBanner;
-  return isController.value ? words.nothingHeld : words.nothingToWatch;
+  const allowed = may("command");
+  return allowed === true ? words.nothingHeld : words.nothingMoves(allowed);
 }
 
 export function HandsPanel() {

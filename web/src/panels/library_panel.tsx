@@ -1,13 +1,13 @@
 import { useSignal } from "@preact/signals";
 import { may } from "../allowed";
+import type { Allowed, LibraryEntry, Timeline } from "../protocol";
 import { ask, notify, state } from "../studio";
 import { texts } from "../texts";
 import { Button } from "../ui/buttons";
 import { Empty, isFound, Picture, SearchField } from "../ui/card";
 import { MenuButton, type MenuEntry } from "../ui/menu";
-import { mayControl } from "./now";
 import { isTimelineOpen, renamed, sheet, showPanel, toImitate } from "./page";
-import { opened, openRecording, pictureOfRecording, recordings, refreshRecordings, titleOf, type Recording, type Timeline } from "./recordings";
+import { opened, openRecording, pictureOfRecording, recordings, refreshRecordings, titleOf } from "./recordings";
 
 const { library: words } = texts;
 
@@ -60,21 +60,19 @@ function imitate(id: string): void {
   showPanel("brain");
 }
 
-function entriesOf(recording: Recording): MenuEntry[] {
+function entriesOf(recording: LibraryEntry): MenuEntry[] {
   const { id } = recording;
-  const disabled = !mayControl.value;
-  const show = may("show");
-  const why = show === true ? {} : { disabled: true, reason: show };
+  const unless = (allowed: Allowed) => (allowed === true ? {} : { disabled: true, reason: allowed });
   return [
-    { label: words.show, icon: "eye", ...why, onChoose: () => void showEnd(id) },
+    { label: words.show, icon: "eye", ...unless(may("show")), onChoose: () => void showEnd(id) },
     { label: words.imitate, icon: "robot", onChoose: () => imitate(id) },
-    { label: words.rename, icon: "pencil", disabled, onChoose: () => (renamed.value = id) },
+    { label: words.rename, icon: "pencil", ...unless(may("rename")), onChoose: () => (renamed.value = id) },
     { label: words.download, icon: "download", onChoose: () => download(id) },
-    { label: words.toBin, icon: "trash", isDanger: true, disabled, onChoose: () => void bin(id) },
+    { label: words.toBin, icon: "trash", isDanger: true, ...unless(may("bin")), onChoose: () => void bin(id) },
   ];
 }
 
-function RecordingCard({ recording }: { recording: Recording }) {
+function RecordingCard({ recording }: { recording: LibraryEntry }) {
   const { id, binned } = recording;
   const title = titleOf(id);
   const isOpen = opened.value?.id === id;
@@ -87,7 +85,7 @@ function RecordingCard({ recording }: { recording: Recording }) {
           <p class="trouble">{recording.error}</p>
         ) : (
           <small>
-            {texts.seconds(recording.seconds)} · {words.segments(recording.segments)}
+            {texts.seconds(recording.seconds ?? 0)} · {words.segments(recording.segments ?? 0)}
           </small>
         )}
         <small>
@@ -97,7 +95,7 @@ function RecordingCard({ recording }: { recording: Recording }) {
         {recording.notes && <p class="notes">{recording.notes}</p>}
         <div class="row tight">
           {binned ? (
-            <Button label={words.takeBack} disabled={!mayControl.value} onClick={() => void takeBack(id)} />
+            <Button label={words.takeBack} disabled={may("unbin") !== true} onClick={() => void takeBack(id)} />
           ) : (
             <>
               <Button
@@ -120,7 +118,7 @@ export function LibraryPanel() {
   const isBin = useSignal(false);
   const all = recordings.value;
   const here = (all ?? []).filter((recording) => recording.binned === isBin.value);
-  const found = here.filter(({ id, title, notes, scene }) => isFound(search.value, id, title, notes, scene));
+  const found = here.filter(({ id, title = "", notes = "", scene = "" }) => isFound(search.value, id, title, notes, scene));
   const numBinned = (all ?? []).filter((recording) => recording.binned).length;
   return (
     <>

@@ -23,7 +23,7 @@ const MAX_FILE_BYTES = 1e6;
 async function take(object: string): Promise<void> {
   const reply = await command({ do: "grasp", hand: currentHand.value, object });
   if (reply === null) return;
-  notify(texts.hands.taken(currentHand.value, object));
+  if (reply.deed) notify(reply.deed.words);
   showPanel("hands");
   // Keys carry it at once, for whoever came here by keys.
   setTimeout(() => document.getElementById("nudge")?.focus(), 100);

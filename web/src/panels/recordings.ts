@@ -1,31 +1,13 @@
 import { signal } from "@preact/signals";
-import type { Deed } from "../protocol";
+import type { LibraryEntry, Timeline } from "../protocol";
 import { ask, notify, request, state } from "../studio";
 import { texts } from "../texts";
 import { holders, shownRecording } from "./now";
 
 const { record: words } = texts;
 
-export interface Recording {
-  id: string;
-  title: string;
-  notes: string;
-  scene: string;
-  seconds: number;
-  made: string;
-  segments: number;
-  binned: boolean;
-  error?: string;
-}
-
-export interface Timeline {
-  segments: { number: number; deed: Deed | null; begin: number; end: number }[];
-  steps: { step: number; parent: number | null; deed: Deed | null; begin: number; end: number; on_way: boolean }[];
-  seconds: number;
-}
-
 /** Newest first; null until they are there. */
-export const recordings = signal<Recording[] | null>(null);
+export const recordings = signal<LibraryEntry[] | null>(null);
 /** The one whose timeline is seen. */
 export const opened = signal<{ id: string; timeline: Timeline } | null>(null);
 /** The segment of it that is chosen. */
@@ -36,13 +18,13 @@ export const pictureAge = signal(0);
 export async function refreshRecordings(): Promise<void> {
   try {
     const reply = await request("library");
-    recordings.value = reply.recordings as Recording[];
+    recordings.value = reply.recordings;
   } catch (error) {
     notify(error instanceof Error ? error.message : String(error), true);
   }
 }
 
-export function recordingOf(id: string): Recording | undefined {
+export function recordingOf(id: string): LibraryEntry | undefined {
   return recordings.value?.find((recording) => recording.id === id);
 }
 

@@ -1,6 +1,6 @@
 import { useEffect, useRef } from "preact/hooks";
 import { signal, useSignal } from "@preact/signals";
-import type { Deed, Segment } from "../protocol";
+import type { Deed, Segment, Timeline } from "../protocol";
 import { may, when } from "../allowed";
 import { ask, state } from "../studio";
 import { texts } from "../texts";
@@ -11,7 +11,7 @@ import { Menu } from "../ui/menu";
 import { EditDialog, type EditKind } from "./edit_dialog";
 import { isRecording, liveSegments, mayControl, recordingId } from "./now";
 import { isTimelineOpen, renamed, sheet } from "./page";
-import { chosenSegment, opened, pictureOfSegment, titleOf, type Timeline } from "./recordings";
+import { chosenSegment, opened, pictureOfSegment, titleOf } from "./recordings";
 
 const { timeline: words } = texts;
 const RATES = [0.25, 0.5, 1, 2, 4];
@@ -194,10 +194,11 @@ function HistoryButton({ id, timeline }: { id: string; timeline: Timeline }) {
 
 function EditButtons({ id, timeline }: { id: string; timeline: Timeline }) {
   const chosen = chosenSegment.value;
-  const isBlocked = !mayControl.value || chosen === null;
+  const allowed = may("edit");
+  const isBlocked = allowed !== true || chosen === null;
   const edit = (kind: EditKind) => () => chosen !== null && (edited.value = { kind, segment: chosen });
   const here = stepAt(timeline, moment.value);
-  const why = (sentence: string) => (chosen === null ? words.chooseFirst : sentence);
+  const why = (sentence: string) => when(allowed, chosen === null ? words.chooseFirst : sentence).title;
   return (
     <>
       <Button

@@ -96,7 +96,7 @@ test("what an edit does is told before it is done, and what is told becomes true
       await person.release();
     }
   });
-  const original = filesIn(id);
+  const original = filesIn(studio, id);
   await person.showPanel("Library");
   await page.locator(".recording").waitFor();
   const listed = await witness.request("library");
@@ -110,7 +110,7 @@ test("what an edit does is told before it is done, and what is told becomes true
   await person.press("Cancel", dialog);
   await dialog.waitFor({ state: "detached" });
   assert.deepEqual((await witness.request("library")).recordings, listed.recordings, "nothing was done");
-  assert.deepEqual(recordings(), [id]);
+  assert.deepEqual(recordingsOf(studio), [id]);
 
   // The red block is taken and not carried: told, and done.
   await choose(1, "Trim");
@@ -121,10 +121,10 @@ test("what an edit does is told before it is done, and what is told becomes true
   await tells(trimmed, "RedBlock");
   await person.press("Save as a new recording", dialog);
   await dialog.waitFor({ state: "detached" });
-  const made = recordings().filter((name) => name !== id);
+  const made = recordingsOf(studio).filter((name) => name !== id);
   assert.equal(made.length, 1, `${made}`);
   assert.equal(replay(join(studio.recordings, made[0])).identical, true);
-  assert.deepEqual(filesIn(id), original, "the original stays as it is, to the last byte");
+  assert.deepEqual(filesIn(studio, id), original, "the original stays as it is, to the last byte");
 
   const ends = [await endOf("RedBlock", id), await endOf("RedBlock", made[0])];
   const distance = MILLIMETERS_PER_UNIT * Math.hypot(...ends[0].map((value, k) => value - ends[1][k]));
@@ -157,16 +157,6 @@ test("what an edit does is told before it is done, and what is told becomes true
     await page.waitForFunction((moment) => moment.max - moment.value < 0.06, slider);
     return page.evaluate((object) => window.smileStudio.placeOf(object), block);
   }
-
-  function recordings() {
-    return readdirSync(studio.recordings).filter((name) => !name.startsWith("."));
-  }
-
-  function filesIn(recording) {
-    const folder = join(studio.recordings, recording);
-    const files = readdirSync(folder, { recursive: true, withFileTypes: true }).filter((entry) => entry.isFile());
-    return files.map(({ parentPath, name }) => [name, readFileSync(join(parentPath, name), "base64")]).sort();
-  }
 });
 
 test("an edit is canceled while it is written, or is seen at once, from its start", async (t) => {
@@ -183,11 +173,11 @@ test("an edit is canceled while it is written, or is seen at once, from its star
   await timeline.getByRole("slider", { name: "Moment" }).press("Home");
   await witness.until(() => witness.state.playback?.seconds === 0, "its start is shown");
   await heightIs("GreenBlock", 0, 0.6);
-  const start = await seenByRobot();
+  const start = await seenByRobot(page);
   await person.segments.nth(3).click();
   await witness.until(() => witness.state.playback?.seconds > 0, "the segment's end is shown");
   await heightIs("GreenBlock", 2.4, 9);
-  assert.notEqual(await seenByRobot(), start, "the robot sees it lifted");
+  assert.notEqual(await seenByRobot(page), start, "the robot sees it lifted");
   const dialog = page.getByRole("dialog");
   await tryDelete();
   await page.evaluate(() => {
@@ -217,7 +207,7 @@ test("an edit is canceled while it is written, or is seen at once, from its star
   assert.equal(witness.state.playback.seconds, 0);
   await timeline.getByText(/^0\.0 of /).waitFor();
   await heightIs("GreenBlock", 0, 0.6);
-  assert.equal(await seenByRobot(), start, "the robot sees the start as well");
+  assert.equal(await seenByRobot(page), start, "the robot sees the start as well");
   assert.equal((await recordings()).length, 2, "what was canceled is not there");
 
   async function tryDelete() {
@@ -227,26 +217,6 @@ test("an edit is canceled while it is written, or is seen at once, from its star
 
   async function recordings() {
     return (await witness.request("library")).recordings.map((one) => one.id);
-  }
-
-  /** The picture of the robot's eye, once it stays the same for a second: four a second are drawn. */
-  async function seenByRobot() {
-    const eye = page.getByAltText("What the robot’s eye sees");
-    const draw = async (image) => {
-      await image.decode();
-      const size = { width: image.naturalWidth, height: image.naturalHeight };
-      const canvas = Object.assign(document.createElement("canvas"), size);
-      canvas.getContext("2d").drawImage(image, 0, 0);
-      return canvas.toDataURL();
-    };
-    let [before, since] = [null, 0];
-    while (before === null || Date.now() - since < 1000) {
-      // A picture may be replaced while it is looked at.
-      const now = await eye.evaluate(draw).catch(() => null);
-      if (now !== before) [before, since] = [now, Date.now()];
-      await page.waitForTimeout(50);
-    }
-    return before;
   }
 
   function heightIs(block, low, high) {
@@ -326,6 +296,37 @@ test("a recording is scrubbed and played while the table waits as it was left", 
     return { places, hand: witness.handOf("GreenBlock") };
   }
 });
+
+/** The picture of the robot's eye, once it stays the same for a second: four a second are drawn. */
+async function seenByRobot(page) {
+  const eye = page.getByAltText("What the robot’s eye sees");
+  const draw = async (image) => {
+    await image.decode();
+    const size = { width: image.naturalWidth, height: image.naturalHeight };
+    const canvas = Object.assign(document.createElement("canvas"), size);
+    canvas.getContext("2d").drawImage(image, 0, 0);
+    return canvas.toDataURL();
+  };
+  let [before, since] = [null, 0];
+  while (before === null || Date.now() - since < 1000) {
+    // A picture may be replaced while it is looked at.
+    const now = await eye.evaluate(draw).catch(() => null);
+    if (now !== before) [before, since] = [now, Date.now()];
+    await page.waitForTimeout(50);
+  }
+  return before;
+}
+
+function recordingsOf(studio) {
+  return readdirSync(studio.recordings).filter((name) => !name.startsWith("."));
+}
+
+/** Each file of a recording, with its bytes. */
+function filesIn(studio, recording) {
+  const folder = join(studio.recordings, recording);
+  const files = readdirSync(folder, { recursive: true, withFileTypes: true }).filter((entry) => entry.isFile());
+  return files.map(({ parentPath, name }) => [name, readFileSync(join(parentPath, name), "base64")]).sort();
+}
 
 /** The red block is taken, lifted and let fall. */
 function recordFall(person, witness) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <sstream>
@@ -23,8 +24,10 @@ class RecordingFixture : public ::testing::Test {
  protected:
   RecordingFixture() {
     const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+    std::string name = test->name();  // of one of several parameters: with a slash
+    std::ranges::replace(name, '/', '_');
     root_ = std::filesystem::temp_directory_path() /
-            ("smile_record_" + std::to_string(getpid()) + "_" + test->name());
+            ("smile_record_" + std::to_string(getpid()) + "_" + name);
     std::filesystem::create_directories(root_);
   }
   ~RecordingFixture() override { std::filesystem::remove_all(root_); }

@@ -143,6 +143,7 @@ BrainStatus BrainDriver::Drive(BrainProcess* process, sim::Simulation* simulatio
 
 BrainQuestion BrainDriver::Ask(sim::Simulation* simulation) {
   if (status_ != BrainStatus::kStarting) {
+    if (!first_tick_) first_tick_ = simulation->tick();
     Show(robot::Mood::kWorking, simulation);
     return Sense(*simulation);
   }
@@ -208,7 +209,8 @@ Sensor BrainDriver::Sense(const sim::Simulation& simulation) {
 bool BrainDriver::IsPictureDue(const sim::Simulation& simulation) const {
   if (options_.eye == nullptr || wishes_.channels == sim::Channels{.rgb = false}) return false;
   const double period = wishes_.image_seconds.value_or(options_.image_seconds);
-  return simulation.seconds() + 1e-9 >= static_cast<double>(num_images_) * period;
+  const double seconds = simulation.seconds() - sim::SecondsOf(first_tick_.value_or(0));
+  return seconds + 1e-9 >= static_cast<double>(num_images_) * period;
 }
 
 void BrainDriver::Look(const sim::Simulation& simulation, Sensor* sensor) {

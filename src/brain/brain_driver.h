@@ -72,6 +72,7 @@ class BrainDriver {
   BrainStatus status_ = BrainStatus::kStarting;
   std::optional<BrainError> error_;
   PictureWishes wishes_;
+  std::optional<std::uint64_t> first_tick_;  ///< of its steps
   std::uint64_t num_images_ = 0;
   bool has_markers_ = false;  ///< to be taken away when it fails
   std::optional<sim::JointVelocities> sent_velocities_;

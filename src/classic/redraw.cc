@@ -1,18 +1,14 @@
 #include "classic/redraw.h"
 
 #include <array>
-#include <charconv>
-#include <map>
-#include <optional>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <system_error>
 #include <vector>
 
 #include "base/diagnostic.h"
 #include "base/files.h"
-#include "base/wording.h"
+#include "classic/frame_index.h"
 #include "image/png.h"
 #include "recording/beginning.h"
 #include "recording/recording_files.h"
@@ -24,66 +20,7 @@
 namespace smile::classic {
 namespace {
 
-constexpr std::size_t kMaxIndexBytes = 256u << 20, kMaxInfoBytes = 1u << 20;
-
-/// A line of `frames.csv` with a picture.
-struct PictureLine {
-  std::uint64_t tick = 0;
-  int segment = 0;
-  std::string image;  ///< from the recording's directory
-};
-
-/// Takes a number from the front of a text, and the letter behind it.
-std::optional<std::uint64_t> TakeNumber(std::string_view* text, char letter) {
-  std::uint64_t number = 0;
-  const auto [end, error] = std::from_chars(text->data(), text->data() + text->size(), number);
-  const auto size = static_cast<std::size_t>(end - text->data());
-  if (error != std::errc() || size >= text->size() || (*text)[size] != letter) return std::nullopt;
-  text->remove_prefix(size + 1);
-  return number;
-}
-
-/// Reads `frame,tick,image`; no image: nullopt.
-std::optional<PictureLine> ReadPictureLine(const std::filesystem::path& path, int number,
-                                           std::string_view line) {
-  const auto fail = [&](const std::string& expected) {
-    throw InputError({path.string(), number, "",
-                      "found " + Quoted(std::string(line)) + ", expected " + expected});
-  };
-  std::string_view rest = line;
-  const auto frame = TakeNumber(&rest, ','), tick = TakeNumber(&rest, ',');
-  if (!frame || !tick) fail("frame,tick,image");
-  if (rest.empty()) return std::nullopt;
-  const std::string image(rest);
-  const auto segment = TakeNumber(&rest, '/'), picture = TakeNumber(&rest, '.');
-  if (!segment || *segment > 1'000'000'000 || !picture || rest != "png") {
-    fail("a picture like 3/14.png");
-  }
-  return PictureLine{
-      .tick = tick.value_or(0), .segment = static_cast<int>(segment.value_or(0)), .image = image};
-}
-
-/// The pictures of the classic view, in order of time. A last line without its end is none.
-std::vector<PictureLine> PicturesOf(const std::filesystem::path& path) {
-  const std::string text = ReadFile(path, kMaxIndexBytes);
-  std::vector<PictureLine> pictures;
-  int number = 0;
-  for (std::size_t start = 0;;) {
-    const std::size_t end = text.find('\n', start);
-    if (end == std::string::npos) return pictures;
-    const std::string_view line(text.data() + start, end - start);
-    start = end + 1;
-    if (++number == 1) continue;  // the head
-    auto picture = ReadPictureLine(path, number, line);
-    if (!picture) continue;
-    if (!pictures.empty() && picture->tick <= pictures.back().tick) {
-      throw InputError({path.string(), number, "",
-                        "found tick " + std::to_string(picture->tick) + ", expected more than " +
-                            std::to_string(pictures.back().tick)});
-    }
-    pictures.push_back(*std::move(picture));
-  }
-}
+constexpr std::size_t kMaxInfoBytes = 1u << 20;
 
 void RequireNoLink(const std::filesystem::path& path) {
   if (!std::filesystem::is_symlink(path)) return;
@@ -120,18 +57,13 @@ std::size_t DrawAll(const recording::Recording& recording, const std::filesystem
                     const DrawMoment& draw, const recording::Progress& progress) {
   if (!draw) return 0;
   const std::filesystem::path index = recording.directory / "frames.csv";
-  const std::vector<PictureLine> pictures = PicturesOf(index);
+  std::vector<FrameEntry> pictures = ReadFrameIndex(index);
+  std::erase_if(pictures, [](const FrameEntry& entry) { return entry.image.empty(); });
   recording::TraceReader trace(recording);
-  auto moment = trace.Next();
-  for (const PictureLine& picture : pictures) {
-    while (moment && moment->tick < picture.tick) moment = trace.Next();
-    if (!moment || moment->tick != picture.tick) {
-      throw InputError({index.string(), 0, "",
-                        "has a picture of tick " + std::to_string(picture.tick) +
-                            ", which the trace does not have"});
-    }
+  for (const FrameEntry& picture : pictures) {
+    const recording::TraceTick moment = ReadMomentOf(picture, index, &trace);
     MakeDirectories(recording::SegmentPictures(directory, picture.segment));
-    WritePng(directory / picture.image, draw(*moment));
+    WritePng(directory / picture.image, draw(moment));
     const bool goes_on =
         !progress || progress(recording::SecondsInto(recording, picture.tick),
                               recording::SecondsInto(recording, pictures.back().tick));

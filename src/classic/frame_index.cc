@@ -1,0 +1,78 @@
+#include "classic/frame_index.h"
+
+#include <charconv>
+#include <optional>
+#include <string_view>
+#include <system_error>
+
+#include "base/diagnostic.h"
+#include "base/files.h"
+#include "base/wording.h"
+
+namespace smile::classic {
+namespace {
+
+constexpr std::size_t kMaxIndexBytes = 256u << 20;
+
+/// Takes a number from the front of a text, and the letter behind it.
+std::optional<std::uint64_t> TakeNumber(std::string_view* text, char letter) {
+  std::uint64_t number = 0;
+  const auto [end, error] = std::from_chars(text->data(), text->data() + text->size(), number);
+  const auto size = static_cast<std::size_t>(end - text->data());
+  if (error != std::errc() || size >= text->size() || (*text)[size] != letter) return std::nullopt;
+  text->remove_prefix(size + 1);
+  return number;
+}
+
+/// Reads `frame,tick,image`.
+FrameEntry ReadEntry(const std::filesystem::path& csv, int number, std::string_view line) {
+  const auto fail = [&](const std::string& expected) {
+    throw InputError({csv.string(), number, "",
+                      "found " + Quoted(std::string(line)) + ", expected " + expected});
+  };
+  std::string_view rest = line;
+  const auto frame = TakeNumber(&rest, ','), tick = TakeNumber(&rest, ',');
+  if (!frame || !tick) fail("frame,tick,image");
+  FrameEntry entry{.tick = tick.value_or(0), .image = std::string(rest)};
+  if (rest.empty()) return entry;
+  const auto segment = TakeNumber(&rest, '/'), picture = TakeNumber(&rest, '.');
+  if (!segment || *segment > 1'000'000'000 || !picture || rest != "png") {
+    fail("a picture like 3/14.png");
+  }
+  entry.segment = static_cast<int>(segment.value_or(0));
+  return entry;
+}
+
+}  // namespace
+
+std::vector<FrameEntry> ReadFrameIndex(const std::filesystem::path& csv) {
+  const std::string text = ReadFile(csv, kMaxIndexBytes);
+  std::vector<FrameEntry> entries;
+  int number = 0;
+  for (std::size_t start = 0;;) {
+    const std::size_t end = text.find('\n', start);
+    if (end == std::string::npos) return entries;
+    const std::string_view line(text.data() + start, end - start);
+    start = end + 1;
+    if (++number == 1) continue;  // the head
+    FrameEntry entry = ReadEntry(csv, number, line);
+    if (!entries.empty() && entry.tick <= entries.back().tick) {
+      throw InputError({csv.string(), number, "",
+                        "found tick " + std::to_string(entry.tick) + ", expected more than " +
+                            std::to_string(entries.back().tick)});
+    }
+    entries.push_back(std::move(entry));
+  }
+}
+
+recording::TraceTick ReadMomentOf(const FrameEntry& frame, const std::filesystem::path& csv,
+                                  recording::TraceReader* trace) {
+  auto moment = trace->Next();
+  while (moment && moment->tick < frame.tick) moment = trace->Next();
+  if (moment && moment->tick == frame.tick) return *std::move(moment);
+  throw InputError(
+      {csv.string(), 0, "",
+       "has a frame of tick " + std::to_string(frame.tick) + ", which the trace does not have"});
+}
+
+}  // namespace smile::classic

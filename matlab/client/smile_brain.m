@@ -235,9 +235,9 @@ function aux = base_aux()
 end
 
 function values = wishes(aux, values)
-  if isfield(aux, 'initJointAngles'), values.initJointAngles = aux.initJointAngles; end
-  if isfield(aux, 'drawMarkers'), values.drawMarkers = aux.drawMarkers; end
-  if isfield(aux, 'imageSeconds'), values.imageSeconds = aux.imageSeconds; end
+  for name = {'initJointAngles', 'drawMarkers', 'imageSeconds', 'watch'}
+    if isfield(aux, name{1}), values.(name{1}) = aux.(name{1}); end
+  end
   for name = {'channels', 'cameras'}
     if isfield(aux, name{1}), values.(name{1}) = in_one_line(aux.(name{1}), name{1}); end
   end

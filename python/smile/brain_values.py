@@ -145,7 +145,7 @@ def aux_of(values):
 def wishes_of(aux):
     """What init left in aux for the simulator."""
     values = {}
-    for name in ("initJointAngles", "drawMarkers", "imageSeconds"):
+    for name in ("initJointAngles", "drawMarkers", "imageSeconds", "watch"):
         if name in aux:
             values[name] = wish_of(aux, name)
     for name in ("channels", "cameras"):

@@ -74,6 +74,7 @@ class Conversation {
     if (!aux_.channels.empty()) writer.AddText("channels", InOneLine(aux_.channels));
     if (!aux_.cameras.empty()) writer.AddText("cameras", InOneLine(aux_.cameras));
     if (aux_.image_seconds) writer.AddScalar("imageSeconds", *aux_.image_seconds);
+    if (aux_.watch) writer.AddLogical("watch", true);
     AddNewMarkers(&writer);
     return writer.Finish();
   }

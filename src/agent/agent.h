@@ -18,8 +18,9 @@ struct Aux : Fields {
   std::vector<std::string> channels;                 ///< in Init(): `rgb`, `depth`, `segmentation`
   std::vector<std::string> cameras;                  ///< in Init(): beside the robot's eye
   std::optional<double> image_seconds;               ///< in Init(): between fresh images
-  std::optional<Eigen::MatrixX3d> draw_markers;      ///< at any time: points for people [units]
-  bool exit = false;                                 ///< the step that has set it is the last
+  bool watch = false;                            ///< in Init(): be shown the demonstration first
+  std::optional<Eigen::MatrixX3d> draw_markers;  ///< at any time: points for people [units]
+  bool exit = false;                             ///< the step that has set it is the last
 };
 
 /// What a program is told at every step.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/files.h"
+#include "brain/brain_messages.h"
 #include "robot/robot_visuals.h"
 #include "scene/units.h"
 
@@ -138,18 +139,20 @@ std::string_view ToString(BrainStatus status) {
 }
 
 BrainStatus BrainDriver::Drive(BrainProcess* process, sim::Simulation* simulation) {
-  return Take(process->Answer(Ask(simulation)), simulation);
+  const std::optional<BrainQuestion> question = Ask(simulation);
+  return question ? Take(process->Answer(*question), simulation) : status_;
 }
 
-BrainQuestion BrainDriver::Ask(sim::Simulation* simulation) {
-  if (status_ != BrainStatus::kStarting) {
-    if (!first_tick_) first_tick_ = simulation->tick();
-    Show(robot::Mood::kWorking, simulation);
-    return Sense(*simulation);
+std::optional<BrainQuestion> BrainDriver::Ask(sim::Simulation* simulation) {
+  if (status_ == BrainStatus::kStarting) {
+    RequireTwoArms(*simulation);
+    Show(options_.demonstration.empty() ? robot::Mood::kIdle : robot::Mood::kWatching, simulation);
+    return Describe(*simulation);
   }
-  RequireTwoArms(*simulation);
-  Show(options_.demonstration.empty() ? robot::Mood::kIdle : robot::Mood::kWatching, simulation);
-  return Describe(*simulation);
+  if (frame_) return Watch(*simulation);
+  if (!first_tick_) first_tick_ = simulation->tick();
+  Show(robot::Mood::kWorking, simulation);
+  return Sense(*simulation);
 }
 
 BrainStatus BrainDriver::Take(BrainAnswer answer, sim::Simulation* simulation) {
@@ -185,7 +188,7 @@ Aux BrainDriver::Describe(const sim::Simulation& simulation) const {
   return aux;
 }
 
-Sensor BrainDriver::Sense(const sim::Simulation& simulation) {
+Sensor BrainDriver::SenseBody(const sim::Simulation& simulation) const {
   const world::RobotBody& robot = *simulation.robot();
   Sensor sensor{.time_elapsed = 1.0 / sim::kTicksPerSecond, .sim_time = simulation.seconds()};
   sensor.joint_angles = OfBothArms(robot, &world::RobotBody::ArmAngles);
@@ -198,12 +201,49 @@ Sensor BrainDriver::Sense(const sim::Simulation& simulation) {
   sensor.joint_velocities = OfBothArms(robot, &world::RobotBody::ArmVelocities);
   sensor.head_angle = robot.HeadAngle();
   sensor.held_objects = HeldObjects(simulation);
+  return sensor;
+}
+
+Sensor BrainDriver::Sense(const sim::Simulation& simulation) {
+  Sensor sensor = SenseBody(simulation);
   if (IsPictureDue(simulation)) {
     Look(simulation, &sensor);
     ++num_images_;
   }
   AddNoise(options_.noise, simulation.tick(), &sensor);
   return sensor;
+}
+
+std::optional<Sensor> BrainDriver::Watch(const sim::Simulation& simulation) {
+  const std::uint64_t tick = simulation.tick();
+  if (tick < begin_tick_) return std::nullopt;  // undone until then; it watches on from there
+  watched_ticks_ = tick - begin_tick_ + 1;
+  if (tick < begin_tick_ + frame_->tick) return std::nullopt;
+  Sensor sensor = SenseBody(simulation);
+  if (last_frame_tick_) sensor.time_elapsed = sim::SecondsOf(tick - *last_frame_tick_);
+  last_frame_tick_ = tick;
+  sensor.demo_cue = true;
+  AddNoise(options_.noise, tick, &sensor);
+  // Shown as it was recorded, without noise.
+  sensor.pictures.push_back(
+      {.camera = DescribeCamera(frame_->view, simulation), .image = frame_->image});
+  return sensor;
+}
+
+void BrainDriver::TakeNextFrame(sim::Simulation* simulation) {
+  try {
+    frame_ = options_.frames();
+    if (frame_ && frame_->image.color.size() > kMaxPictureBytes) {
+      throw std::runtime_error("its pictures are too large for a message, expected at most " +
+                               std::to_string(kMaxPictureBytes >> 20) + " MiB");
+    }
+  } catch (const std::exception& error) {
+    frame_.reset();
+    Fail({.phase = BrainError::Phase::kCallback,
+          .message = std::string("the demonstration cannot be shown: ") + error.what()},
+         simulation);
+  }
+  if (!frame_) options_.frames = nullptr;
 }
 
 bool BrainDriver::IsPictureDue(const sim::Simulation& simulation) const {
@@ -243,6 +283,8 @@ void BrainDriver::Begin(const InitReply& reply, sim::Simulation* simulation) {
   }
   wishes_ = reply.pictures;
   ShowMarkers(reply.draw_markers, simulation);
+  begin_tick_ = simulation->tick();
+  if (reply.watch) TakeNextFrame(simulation);
 }
 
 void BrainDriver::ShowMarkers(const Points& markers, sim::Simulation* simulation) {
@@ -258,8 +300,13 @@ void BrainDriver::ShowMarkers(const Points& markers, sim::Simulation* simulation
 
 void BrainDriver::MakeStep(const StepReply& reply, sim::Simulation* simulation) {
   if (reply.draw_markers) ShowMarkers(*reply.draw_markers, simulation);
-  Send(reply.motor, simulation);
-  if (!reply.exit) return;
+  const bool is_watching = frame_.has_value();
+  if (!is_watching) Send(reply.motor, simulation);
+  if (!reply.exit) {
+    if (is_watching) TakeNextFrame(simulation);
+    return;
+  }
+  frame_.reset();
   status_ = BrainStatus::kExited;
   StopRobot(simulation);
   Show(robot::Mood::kDone, simulation);

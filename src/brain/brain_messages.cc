@@ -18,8 +18,6 @@ constexpr double kFarthest = 1e6;
 constexpr std::size_t kMaxErrorLetters = 2'000;
 constexpr std::size_t kMaxExtraCameras = 8;
 constexpr double kMaxImageSeconds = 3600;
-/// Of the pictures in one message; the rest is for names and numbers.
-constexpr std::size_t kMaxPictureBytes = kMaxBodyBytes - (std::size_t{12} << 20);
 
 template <class Matrix>
 void AddMatrix(MessageWriter& writer, std::string_view name, const Matrix& matrix) {
@@ -339,6 +337,14 @@ double ReadImageSeconds(const NamedArray& array, MatrixReader& reader) {
   return seconds;
 }
 
+bool ReadWatch(const NamedArray& array, const Aux& aux, MatrixReader& reader) {
+  const bool watch = reader.Read(array, 1, 1)(0, 0) != 0;
+  if (watch && aux.demonstration.empty()) {
+    reader.Fail(array.name + " is true, but there is no demonstration to watch");
+  }
+  return watch;
+}
+
 void CheckSize(const PictureWishes& wishes, const Aux& aux, MatrixReader& reader) {
   if (!aux.camera) return;
   const std::size_t pixel_bytes =
@@ -441,6 +447,9 @@ std::variant<InitReply, WireError> DecodeInitReply(const Message& message, const
     reply.draw_markers = ReadMarkers(*markers, reader);
   }
   reply.pictures = ReadPictureWishes(message, aux, reader);
+  if (const NamedArray* watch = message.Find("watch")) {
+    reply.watch = ReadWatch(*watch, aux, reader);
+  }
   if (!reader.ok()) return reader.error();
   return reply;
 }

@@ -23,6 +23,9 @@ using wire::NamedArray;
 using wire::ShapeText;
 using wire::WireError;
 
+/// Limit of all pictures in one message; the rest is for names and numbers.
+inline constexpr std::size_t kMaxPictureBytes = kMaxBodyBytes - (std::size_t{12} << 20);
+
 /// The fields of `aux`; `path` ends in `/`.
 /// @throws std::invalid_argument when the camera is larger than a message.
 std::vector<std::byte> EncodeAux(std::uint32_t sequence, const Aux& aux, std::string_view path,

@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -42,6 +44,17 @@ struct CameraPicture {
   std::string name;  ///< of the camera; empty for the robot's eye
 };
 
+/// A frame of a demonstration, as it is shown to a program that asked to watch.
+struct DemonstrationFrame {
+  std::uint64_t tick = 0;  ///< since the first frame
+  CameraView view;         ///< of the demonstration's eye [m]
+  Image image;             ///< color
+};
+
+/// Returns the next frame of a demonstration; nullopt after the last one. Throws a std::exception
+/// saying why it cannot be read or drawn.
+using DemonstrationFrames = std::function<std::optional<DemonstrationFrame>()>;
+
 /// Of objects of a demonstration, by id: which of their properties matter, as the demonstrator
 /// told.
 using Attention = std::map<std::string, std::vector<std::string>>;
@@ -71,7 +84,7 @@ struct Sensor {
   LimbPoints end_effector_positions = LimbPoints::Zero();            ///< gripper origins [units]
   Eigen::RowVector2d gripper_openings = Eigen::RowVector2d::Zero();  ///< left, right [units]
   std::map<std::string, Eigen::RowVector3d, std::less<>> tracker_locations;  ///< [units]
-  bool demo_cue = false;                             ///< a demonstration is being shown
+  bool demo_cue = false;                             ///< the picture is of the demonstration
   LimbJoints joint_velocities = LimbJoints::Zero();  ///< [rad/s]
   double head_angle = 0;                             ///< [rad]
   /// What each gripper holds, by id; empty when it holds nothing.
@@ -104,6 +117,7 @@ struct InitReply {
   std::optional<LimbJoints> init_joint_angles;  ///< where to start [rad]
   Points draw_markers = Points(0, 3);           ///< points to show to people [units]
   PictureWishes pictures;
+  bool watch = false;  ///< to be shown the demonstration first
 };
 
 /// What the callback answered.

@@ -1,16 +1,19 @@
 #include "experiment/brain_setup.h"
 
+#include "experiment/demonstration_frames.h"
 #include "recording/attention.h"
 #include "recording/recording.h"
 
 namespace smile::experiment {
 
 brain::BrainDriverOptions DriverOptionsFor(const std::filesystem::path& brain,
-                                           const std::filesystem::path& demonstration) {
-  brain::BrainDriverOptions options{.has_trackers = brain::MayReadTrackers(brain),
-                                    .demonstration = demonstration};
+                                           const std::filesystem::path& demonstration,
+                                           sim::Eye* eye) {
+  brain::BrainDriverOptions options{
+      .eye = eye, .has_trackers = brain::MayReadTrackers(brain), .demonstration = demonstration};
   if (!demonstration.empty()) {
     options.attention = recording::AttentionOf(recording::OpenRecording(demonstration));
+    options.frames = FramesOf(demonstration, eye);
   }
   return options;
 }

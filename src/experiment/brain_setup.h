@@ -9,10 +9,13 @@ namespace smile::experiment {
 /// Limit of an imitation [s of simulated time].
 inline constexpr double kMaxImitationSeconds = 600;
 
-/// Options of the driver that follow from the brain itself and from the demonstration it is given.
+/// Options of the driver that follow from the brain itself, the demonstration it is given, and the
+/// robot's eye.
 /// @param demonstration  recording; empty for none.
+/// @param eye            nullptr for a blind brain. Must outlive the driver.
 /// @throws InputError if the demonstration cannot be opened.
 brain::BrainDriverOptions DriverOptionsFor(const std::filesystem::path& brain,
-                                           const std::filesystem::path& demonstration);
+                                           const std::filesystem::path& demonstration,
+                                           sim::Eye* eye);
 
 }  // namespace smile::experiment

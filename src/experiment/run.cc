@@ -100,8 +100,7 @@ class LiveRun {
   }
 
   void StartBrain() {
-    brain::BrainDriverOptions options = DriverOptionsFor(plan_.brain, plan_.demonstration);
-    options.eye = &*eye_;
+    brain::BrainDriverOptions options = DriverOptionsFor(plan_.brain, plan_.demonstration, &*eye_);
     options.image_seconds = plan_.image_seconds;
     options.noise = plan_.noise;
     driver_.emplace(std::move(options));

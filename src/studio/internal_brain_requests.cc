@@ -38,9 +38,9 @@ library::BrainChoice BrainRequests::Find(const std::string& name) const {
 
 void BrainRequests::Run(const library::BrainChoice& choice,
                         const std::filesystem::path& demonstration) {
-  brain::BrainDriverOptions options = experiment::DriverOptionsFor(choice.path, demonstration);
-  options.eye = options_->eye;
-  states_->brain().Start(choice, options, &states_->world().simulation());
+  states_->brain().Start(choice,
+                         experiment::DriverOptionsFor(choice.path, demonstration, options_->eye),
+                         &states_->world().simulation());
 }
 
 Json BrainRequests::Start(const page::RequestFields& fields) {

@@ -35,12 +35,13 @@ bool LiveBrain::Drive(sim::Simulation* simulation) {
   if (is_starting()) return false;
   if (!is_running()) return true;
   if (!is_asked_) Ask(simulation);
-  return TakeAnswer(kMoment, simulation);
+  return !is_asked_ || TakeAnswer(kMoment, simulation);
 }
 
 void LiveBrain::Ask(sim::Simulation* simulation) {
-  thread_->Ask(driver_->Ask(simulation));
-  is_asked_ = true;
+  std::optional<brain::BrainQuestion> question = driver_->Ask(simulation);
+  is_asked_ = question.has_value();
+  if (question) thread_->Ask(*std::move(question));
 }
 
 bool LiveBrain::TakeAnswer(std::chrono::nanoseconds patience, sim::Simulation* simulation) {
@@ -48,7 +49,10 @@ bool LiveBrain::TakeAnswer(std::chrono::nanoseconds patience, sim::Simulation* s
   if (!answer) return false;
   is_asked_ = false;
   driver_->Take(*std::move(answer), simulation);
-  if (driver_->error()) console_.Write(ToString(*driver_->error()));
+  if (const auto& error = driver_->error()) {
+    console_.Write(ToString(*error));
+    thread_->Leave();  // the program may be well, and what it was to be shown not
+  }
   return true;
 }
 

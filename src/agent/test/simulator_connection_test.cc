@@ -7,6 +7,7 @@
 #include <sys/un.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <filesystem>
@@ -14,6 +15,7 @@
 #include <thread>
 #include <vector>
 
+#include "agent/agent.h"
 #include "agent/message_outline.h"
 #include "wire/test/wire_verbs.h"
 
@@ -58,6 +60,14 @@ class SimulatorConnectionTest : public testing::Test {
     }
   }
 
+  /// A short message.
+  wire::Message Hear() const {
+    std::array<std::byte, 4096> bytes;
+    const ssize_t count = ::read(socket_, bytes.data(), bytes.size());
+    return wire::Decoded(
+        std::span(bytes).first(static_cast<std::size_t>(std::max<ssize_t>(0, count))));
+  }
+
   std::filesystem::path folder_;
   int listener_ = -1, socket_ = -1;
 };
@@ -72,11 +82,7 @@ TEST_F(SimulatorConnectionTest, GreetsAsTheProtocolSays) {
   SimulatorConnection connection(Address());
   Accept();
   connection.Greet({.client = "lua", .language = "5.4", .takes_rows = true});
-  std::array<std::byte, 4096> bytes;
-  const ssize_t count = ::read(socket_, bytes.data(), bytes.size());
-  ASSERT_GT(count, 0);
-  const wire::Message hello =
-      wire::Decoded(std::span(bytes).first(static_cast<std::size_t>(count)));
+  const wire::Message hello = Hear();
   EXPECT_EQ(hello.type, MessageType::kHello);
   EXPECT_EQ(hello.Find("version")->Numbers(), std::vector<double>{wire::kProtocolVersion});
   EXPECT_EQ(hello.TextOf("client"), "lua");
@@ -170,6 +176,47 @@ TEST(SimulatorConnection, SaysWhereNobodyIs) {
     EXPECT_STREQ(error.what(), "/nowhere/socket: No such file or directory");
   }
   EXPECT_THROW(SimulatorConnection(std::string(200, 'x')), std::system_error);
+}
+
+/// Watches whenever there is something to be watched, then turns its head.
+class Watcher : public Program {
+  void Init(Aux& aux) override {
+    aux.watch = aux.Has("demonstration");
+    aux.image_seconds = 2;
+  }
+  void Step(const Sensor& sensor, Motor& motor, Aux&) override {
+    if (sensor.Number("demoCue") == 0) motor.head_velocity = 0.5;
+  }
+};
+
+TEST_F(SimulatorConnectionTest, AProgramInCppWishesAndAnswers) {
+  ::setenv("SMILE_BRAIN_ADDRESS", Address().c_str(), 1);
+  Watcher program;
+  int result = -1;
+  std::thread thread([&] { result = agent::Run(program); });
+  Accept();
+  EXPECT_EQ(Hear().type, MessageType::kHello);
+  MessageWriter init(MessageType::kInit, 1);
+  init.AddScalar("numLimbs", 2);
+  init.AddScalar("numJoints", 7);
+  init.AddText("demonstration", "out/demo");
+  Say(init.Finish());
+  const wire::Message wishes = Hear();
+  EXPECT_EQ(wishes.type, MessageType::kInitDone);
+  EXPECT_EQ(wishes.Find("watch")->Numbers(), std::vector{1.0});
+  EXPECT_EQ(wishes.Find("imageSeconds")->Numbers(), std::vector{2.0});
+  for (const bool is_shown : {true, false}) {
+    MessageWriter step(MessageType::kStep, 2);
+    step.AddLogical("demoCue", is_shown);
+    Say(step.Finish());
+    const wire::Message motor = Hear();
+    EXPECT_EQ(motor.type, MessageType::kMotor);
+    EXPECT_EQ(motor.Find("headVelocity") == nullptr, is_shown);
+  }
+  HangUp();
+  thread.join();
+  EXPECT_EQ(result, 0);
+  ::unsetenv("SMILE_BRAIN_ADDRESS");
 }
 
 TEST(MessageOutline, ChangesWithAllButNumbers) {

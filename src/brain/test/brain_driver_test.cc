@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <string>
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
 #include <vector>
 
 #include "base/files.h"
@@ -34,15 +37,38 @@ class BrainDriverTest : public ::testing::Test {
     for (int i = 0; i < seconds * sim::kTicksPerSecond; ++i) simulation_.Tick();
   }
   void Start(const InitReply& reply = {}) {
-    EXPECT_TRUE(std::holds_alternative<Aux>(driver_.Ask(&simulation_)));
+    EXPECT_TRUE(std::holds_alternative<Aux>(driver_.Ask(&simulation_).value()));
     driver_.Take(reply, &simulation_);
-    EXPECT_EQ(driver_.status(), BrainStatus::kRunning);
   }
-  Sensor Step(const StepReply& reply = {}) {
-    const Sensor sensor = std::get<Sensor>(driver_.Ask(&simulation_));
-    driver_.Take(reply, &simulation_);
+  /// A tick, and what the brain was told before it; nullopt if it was not asked.
+  std::optional<Sensor> Step(const StepReply& reply = {}) {
+    const std::optional<BrainQuestion> question = driver_.Ask(&simulation_);
+    if (question) driver_.Take(reply, &simulation_);
     simulation_.Tick();
-    return sensor;
+    return question ? std::optional(std::get<Sensor>(*question)) : std::nullopt;
+  }
+  /// A brain that is given a demonstration with frames at these ticks, and asks to watch it. The
+  /// picture of frame k is of the color k + 1.
+  void StartToWatch(std::vector<std::uint64_t> ticks) {
+    const auto frames = [ticks, next = std::size_t{0}]() mutable {
+      const std::size_t frame = next++;
+      return frame < ticks.size() ? FrameAt(ticks[frame], frame + 1) : std::nullopt;
+    };
+    driver_ = BrainDriver({.eye = &eye_, .demonstration = "demo", .frames = frames});
+    Start({.watch = true});
+  }
+  static std::optional<DemonstrationFrame> FrameAt(std::uint64_t tick, std::size_t color) {
+    const auto byte = static_cast<std::uint8_t>(color);
+    return DemonstrationFrame{.tick = tick,
+                              .view = {.intrinsics = {.width_px = 1, .height_px = 1},
+                                       .X_WC = RigidTransform(Vector3(0.1, 0, 0))},
+                              .image = {.width_px = 1, .height_px = 1, .color = {byte, 0, 0}}};
+  }
+  /// An answer that turns all joints.
+  static StepReply Turning() {
+    StepReply reply;
+    reply.motor.joint_velocities.setConstant(0.5);
+    return reply;
   }
 
   GrayEye eye_;
@@ -55,9 +81,84 @@ TEST_F(BrainDriverTest, PicturesComeAtTheirRateInAnOldSimulation) {
   Start();
   std::vector<int> steps_with_picture;
   for (int step = 0; step < 40; ++step) {
-    if (!Step().pictures.empty()) steps_with_picture.push_back(step);
+    if (!Step().value().pictures.empty()) steps_with_picture.push_back(step);
   }
   EXPECT_EQ(steps_with_picture, (std::vector<int>{0, 15, 30}));
+}
+
+TEST_F(BrainDriverTest, ShowsTheDemonstrationFrameByFrameToABrainThatAsks) {
+  TickSeconds(1);
+  StartToWatch({0, 15, 18});
+  std::vector<int> ticks;
+  for (int tick = 0; tick <= 18; ++tick) {
+    const std::optional<Sensor> sensor = Step(Turning());
+    EXPECT_EQ(simulation_.mood(), robot::Mood::kWatching);
+    if (!sensor) continue;
+    ticks.push_back(tick);
+    EXPECT_TRUE(sensor->demo_cue);
+    ASSERT_EQ(sensor->pictures.size(), 1u);
+    EXPECT_EQ(sensor->pictures[0].image.color[0], ticks.size()) << "a picture of another frame";
+    EXPECT_EQ(sensor->pictures[0].camera.width_px, 1);
+    EXPECT_NEAR(sensor->pictures[0].camera.X_WC(0, 3), 1, 1e-12) << "in units";
+    EXPECT_EQ(sensor->time_elapsed, (std::array{1., 15., 3.}[ticks.size() - 1] / 60));
+    EXPECT_EQ(sensor->sim_time, 1 + tick / 60.);
+    EXPECT_EQ(sensor->joint_velocities, LimbJoints(LimbJoints::Zero())) << "the robot rests";
+  }
+  EXPECT_EQ(ticks, (std::vector<int>{0, 15, 18}));
+  const Sensor first = Step(Turning()).value();
+  EXPECT_FALSE(first.demo_cue);
+  EXPECT_EQ(first.time_elapsed, 1 / 60.);
+  ASSERT_EQ(first.pictures.size(), 1u);
+  EXPECT_EQ(first.pictures[0].image.color[0], 128) << "of its own eye";
+  EXPECT_EQ(driver_.watched_ticks(), 19u);
+  EXPECT_TRUE(Step(Turning()).value().pictures.empty()) << "its own come at their rate";
+  EXPECT_GT(Step().value().joint_velocities.norm(), 0.01) << "now it moves";
+  EXPECT_EQ(driver_.watched_ticks(), 19u);
+}
+
+TEST_F(BrainDriverTest, ShowsThePicturesAsRecordedWhenSensorsAreNoisy) {
+  driver_ = BrainDriver({.demonstration = "demo",
+                         .frames = [] { return FrameAt(0, 100); },
+                         .noise = {.joints = 0.1, .image = 0.5}});
+  Start({.watch = true});
+  const Sensor sensor = Step().value();
+  EXPECT_EQ(sensor.pictures.at(0).image.color, (std::vector<std::uint8_t>{100, 0, 0}));
+  EXPECT_GT(sensor.joint_angles.norm(), 0.01);
+}
+
+TEST_F(BrainDriverTest, ABrainThatDoesNotAskIsNotShownTheDemonstration) {
+  driver_ = BrainDriver({.demonstration = "demo", .frames = [] { return FrameAt(0, 1); }});
+  Start();
+  EXPECT_FALSE(Step().value().demo_cue);
+  EXPECT_EQ(driver_.watched_ticks(), 0u);
+}
+
+TEST_F(BrainDriverTest, ABrainMayExitWhileItWatches) {
+  StartToWatch({0, 15, 30});
+  Step({.exit = true});
+  EXPECT_EQ(driver_.status(), BrainStatus::kExited);
+  EXPECT_EQ(simulation_.mood(), robot::Mood::kDone);
+}
+
+TEST_F(BrainDriverTest, ADemonstrationThatCannotBeShownEndsTheBrain) {
+  driver_ =
+      BrainDriver({.demonstration = "demo", .frames = []() -> std::optional<DemonstrationFrame> {
+                     throw std::runtime_error("demo/0/0.png: no such file");
+                   }});
+  Start({.watch = true});
+  EXPECT_EQ(driver_.status(), BrainStatus::kFailed);
+  EXPECT_EQ(driver_.error().value().message,
+            "the demonstration cannot be shown: demo/0/0.png: no such file");
+
+  driver_ = BrainDriver({.demonstration = "demo", .frames = [] {
+                           DemonstrationFrame frame;
+                           frame.image.color.resize(std::size_t{53} << 20);
+                           return std::optional(std::move(frame));
+                         }});
+  Start({.watch = true});
+  EXPECT_EQ(driver_.error().value().message,
+            "the demonstration cannot be shown: its pictures are too large for a message, expected "
+            "at most 52 MiB");
 }
 
 }  // namespace

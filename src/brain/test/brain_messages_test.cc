@@ -145,7 +145,12 @@ class WishMessage {
     writer_.AddScalar("imageSeconds", seconds);
     return *this;
   }
-  PictureWishes Wishes() { return std::get<InitReply>(Decode(AuxWithCameras())).pictures; }
+  WishMessage& Watch(bool watch) {
+    writer_.AddLogical("watch", watch);
+    return *this;
+  }
+  PictureWishes Wishes() { return Reply(AuxWithCameras()).pictures; }
+  InitReply Reply(const Aux& aux) { return std::get<InitReply>(Decode(aux)); }
   std::string Error(const Aux& aux = AuxWithCameras()) {
     return std::get<WireError>(Decode(aux)).message;
   }
@@ -190,6 +195,17 @@ TEST(DecodeInitReply, RefusesWishesThatCannotBe) {
   EXPECT_EQ(WishMessage().Text("channels", "rgb,depth").Text("cameras", "head").Error(large),
             "aux.channels and cameras ask for 83 MiB at a time, expected at most 52: smaller "
             "pictures, or fewer of them");
+}
+
+TEST(DecodeInitReply, TakesTheWishToWatchWhereThereIsADemonstration) {
+  const Aux with_demonstration{.demonstration = "out/demo"};
+  EXPECT_TRUE(WishMessage().Watch(true).Reply(with_demonstration).watch);
+  EXPECT_FALSE(WishMessage().Reply(with_demonstration).watch);
+  EXPECT_FALSE(WishMessage().Watch(false).Reply({}).watch);
+  EXPECT_EQ(WishMessage().Watch(true).Error(),
+            "aux.watch is true, but there is no demonstration to watch");
+  EXPECT_EQ(WishMessage().Text("watch", "yes").Error(with_demonstration),
+            "aux.watch is text, expected a 1x1 matrix");
 }
 
 TEST(DecodeStepReply, TakesMarkersThatChanged) {

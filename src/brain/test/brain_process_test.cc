@@ -161,7 +161,7 @@ TEST_F(BrainProcessTest, BothTransportsBringWhatItAskedFor) {
       "assert(aux.robotBase, eye(4)); assert(fileread(aux.robot), '<robot/>');\n"
       "assert(aux.maxJointVelocities, zeros(2, 7));\n"
       "aux.channels = {'depth', 'segmentation'}; aux.cameras = {'overhead'};\n"
-      "aux.imageSeconds = 2;",
+      "aux.imageSeconds = 2; aux.watch = isfield(aux, 'demonstration');",
       "assert(sensor.jointVelocities(2, 7), 3); assert(sensor.headAngle, 0.25);\n"
       "assert(sensor.isHolding, [false true]); assert(islogical(sensor.isHolding));\n"
       "assert(isempty(sensor.heldObject{1})); assert(sensor.heldObject{2}, 'cube');\n"
@@ -179,6 +179,7 @@ TEST_F(BrainProcessTest, BothTransportsBringWhatItAskedFor) {
   aux.camera_names = {"eye", "overhead"};
   aux.robot_files = {{"r.urdf", std::make_shared<const std::string>("<robot/>")}};
   aux.meters_per_unit = 0.5;
+  aux.demonstration = "out/demo";
   const Image image{.width_px = 2, .height_px = 2, .depth = {1, 2, 3, 4}, .ids = {0, 1, 2, 1}};
   Sensor sensor{.head_angle = 0.25};
   sensor.joint_velocities(1, 6) = 3;
@@ -188,10 +189,11 @@ TEST_F(BrainProcessTest, BothTransportsBringWhatItAskedFor) {
   seeing.segment_names = {"table", "cube"};
   for (const auto transport : {BrainTransport::kMex, BrainTransport::kPlain}) {
     BrainProcess brain(folder, {.transport = transport});
-    EXPECT_EQ(Started(brain, aux).pictures,
-              (PictureWishes{.channels = {.rgb = false, .depth = true, .id = true},
-                             .cameras = {"overhead"},
-                             .image_seconds = 2}));
+    const InitReply reply = Started(brain, aux);
+    EXPECT_EQ(reply.pictures, (PictureWishes{.channels = {.rgb = false, .depth = true, .id = true},
+                                             .cameras = {"overhead"},
+                                             .image_seconds = 2}));
+    EXPECT_TRUE(reply.watch);
     Stepped(brain, seeing);
     Stepped(brain, sensor);
   }

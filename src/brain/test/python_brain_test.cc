@@ -60,6 +60,7 @@ TEST_F(PythonBrainTest, IsToldWhatTheScriptsAreTold) {
       "  aux.initJointAngles = aux.maxJointAngles\n"
       "  aux.drawMarkers = [[1, 2, 3]]\n"
       "  aux.channels, aux.cameras, aux.imageSeconds = ['rgb', 'depth'], 'overhead', 2\n"
+      "  aux.watch = 'demonstration' in aux\n"
       "  assert open(aux.robot).read() == '<robot/>' and aux.cameraNames == ['eye', 'overhead']\n"
       "def step(sensor, motor, aux):\n"
       "  assert (sensor.timeElapsed, sensor.simTime, sensor.demoCue) == (0.25, 2, True)\n"
@@ -78,6 +79,7 @@ TEST_F(PythonBrainTest, IsToldWhatTheScriptsAreTold) {
   EXPECT_EQ(reply.pictures, (PictureWishes{.channels = {.rgb = true, .depth = true},
                                            .cameras = {"overhead"},
                                            .image_seconds = 2}));
+  EXPECT_TRUE(reply.watch);
   ASSERT_TRUE(reply.init_joint_angles);
   EXPECT_EQ(*reply.init_joint_angles, aux.max_joint_angles);
   EXPECT_EQ(reply.draw_markers, Eigen::RowVector3d(1, 2, 3));

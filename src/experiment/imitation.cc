@@ -25,9 +25,11 @@ ImitationResult Imitate(const ImitationPlan& plan, const Callbacks& callbacks) {
                              .label = "the robot builds"},
                             callbacks);
   const task::Course outcome = task::CourseOf(recording::OpenRecording(plan.record));
-  Json result = task::ResultOf(
-      exercise, outcome,
-      {.seconds = run.seconds, .realtime_factor = run.realtime_factor, .brain = BrainJson(run)});
+  Json result = task::ResultOf(exercise, outcome,
+                               {.seconds = run.seconds - run.watched_seconds,
+                                .watched_seconds = run.watched_seconds,
+                                .realtime_factor = run.realtime_factor,
+                                .brain = BrainJson(run)});
   const bool is_rebuilt = result["rebuilt"].get<bool>();
   return {.json = std::move(result), .is_rebuilt = is_rebuilt, .brain_error = run.brain_error};
 }

@@ -25,7 +25,7 @@ struct ImitationPlan {
   bool is_attached = false;                           ///< a person starts the brain in a debugger
   std::filesystem::path record;               ///< new directory for the recording of the robot
   bool has_pictures = true;                   ///< in the recording; the brain gets them anyway
-  double max_seconds = kMaxImitationSeconds;  ///< simulated
+  double max_seconds = kMaxImitationSeconds;  ///< simulated, from the end of watching
   sim::EyeSpec eye;
   brain::SensorNoise noise;  ///< in the sensor values of the brain
   std::optional<sim::RobotPlacement> robot;

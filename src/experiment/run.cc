@@ -151,8 +151,10 @@ class LiveRun {
   bool IsOver() {
     if (callbacks_.IsCancelled()) return true;
     ThrowIfNotRecorded();
-    const auto limit = static_cast<std::uint64_t>(
+    auto limit = static_cast<std::uint64_t>(
         std::llround(plan_.seconds.value_or(plan_.max_seconds) * sim::kTicksPerSecond));
+    // What a brain may take counts from the end of watching.
+    if (!plan_.seconds && driver_) limit += driver_->watched_ticks();
     if (simulation_.tick() >= first_tick_ + limit) return true;
     if (player_) AdvanceScript();
     if (is_brain_running()) {
@@ -183,6 +185,7 @@ class LiveRun {
     if (driver_) {
       result.brain_status = driver_->status();
       result.brain_error = driver_->error();
+      result.watched_seconds = sim::SecondsOf(driver_->watched_ticks());
     }
     if (desk_) result.recordings = desk_->directories();
     return result;

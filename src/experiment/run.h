@@ -27,8 +27,9 @@ struct RunPlan {
   bool is_attached = false;                           ///< a person starts the brain in a debugger
   std::filesystem::path demonstration;  ///< recording that the brain is given; empty for none
   std::optional<double> seconds;        ///< exact length [s]; nullopt: until script and brain end
-  double max_seconds = 86400;           ///< limit of runs that end by themselves [s]
-  std::filesystem::path record;         ///< new directory of the recording; empty for none
+  /// Limit of runs that end by themselves, from the end of watching [s].
+  double max_seconds = 86400;
+  std::filesystem::path record;  ///< new directory of the recording; empty for none
   std::filesystem::path recordings = "recordings";  ///< root of recordings that the script starts
   /// Continues a recording from this moment instead of starting one. The plan has the recording's
   /// scene and robot.
@@ -57,6 +58,7 @@ struct RunResult {
   std::uint64_t late_ticks = 0;  ///< of a paced run: ticks that were done after they were due
   double worst_delay = 0;        ///< the longest of these delays [s]
   std::optional<brain::BrainStatus> brain_status;  ///< nullopt without a brain
+  double watched_seconds = 0;  ///< of `seconds`, in which the brain watched the demonstration
   std::optional<brain::BrainError> brain_error;
   std::vector<std::filesystem::path> recordings;  ///< started or continued, in order
   Json objects, controls, robot;                  ///< see world_description.h

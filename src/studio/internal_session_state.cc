@@ -50,19 +50,22 @@ ImitatingState::ImitatingState(task::Exercise exercise, LiveWorld* world, LiveBr
 
 bool ImitatingState::Tick(bool is_paused) {
   if (!LiveState::Tick(is_paused)) return false;
+  const double limit = experiment::kMaxImitationSeconds + sim::SecondsOf(brain().watched_ticks());
   const double seconds = sim::SecondsOf(world().simulation().tick() - start_tick_);
-  if (seconds >= experiment::kMaxImitationSeconds) brain().Stop(&world().simulation());
+  if (seconds >= limit) brain().Stop(&world().simulation());
   return true;
 }
 
 std::optional<Json> ImitatingState::End(double measured_speed) {
   const bool is_recorded = world().is_recording() && world().recording_directory() == recording_;
   if (is_recorded) (void)world().Apply(sim::FinishRecording{});
-  Json result =
-      task::ResultOf(exercise_, witness_.course(),
-                     {.seconds = sim::SecondsOf(world().simulation().tick() - start_tick_),
-                      .realtime_factor = measured_speed,
-                      .brain = brain().Describe()});
+  const double watched = sim::SecondsOf(brain().watched_ticks());
+  Json result = task::ResultOf(
+      exercise_, witness_.course(),
+      {.seconds = sim::SecondsOf(world().simulation().tick() - start_tick_) - watched,
+       .watched_seconds = watched,
+       .realtime_factor = measured_speed,
+       .brain = brain().Describe()});
   return Json{{"t", "score"}, {"result", std::move(result)}};
 }
 

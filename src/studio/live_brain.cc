@@ -14,6 +14,7 @@ void LiveBrain::Start(const library::BrainChoice& choice, const brain::BrainDriv
                       sim::Simulation* simulation) {
   Leave();
   name_ = choice.name;
+  watched_ticks_ = 0;
   brain::BrainOptions brain_options = limits_;
   brain_options.on_output = [this](std::string_view line) { console_.Write(line); };
   thread_ = std::make_unique<brain::BrainThread>(choice.path, std::move(brain_options),
@@ -41,6 +42,7 @@ bool LiveBrain::Drive(sim::Simulation* simulation) {
 void LiveBrain::Ask(sim::Simulation* simulation) {
   std::optional<brain::BrainQuestion> question = driver_->Ask(simulation);
   is_asked_ = question.has_value();
+  watched_ticks_ = driver_->watched_ticks();
   if (question) thread_->Ask(*std::move(question));
 }
 

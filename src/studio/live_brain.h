@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -44,6 +45,8 @@ class LiveBrain {
 
   /// Or is about to.
   bool is_running() const { return is_starting() || HasStatus(brain::BrainStatus::kRunning); }
+  /// How long the program that was started last has watched the demonstration.
+  std::uint64_t watched_ticks() const { return watched_ticks_; }
   /// `brain` of a state message.
   Json Describe() const;
   /// What was printed since this was last asked.
@@ -61,6 +64,7 @@ class LiveBrain {
   std::string name_;
   bool was_stopped_ = false;
   bool is_asked_ = false;
+  std::uint64_t watched_ticks_ = 0;
   std::unique_ptr<brain::BrainThread> former_;  ///< left, and maybe about to end
   std::unique_ptr<brain::BrainThread> thread_;
   std::optional<brain::BrainDriver> driver_;

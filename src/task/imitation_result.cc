@@ -64,24 +64,28 @@ Json ResultOf(const Exercise& exercise, const Course& outcome, const Circumstanc
   const double unit = exercise.scene.meters_per_unit;
   const ObjectError mean = comparison.mean_error();
   const ProgramEnd program = EndOf(circumstances.brain);
-  return {{"task", exercise.name},
-          {"rebuilt", IsSuccess(comparison, program)},
-          {"score", comparison.share},
-          {"tolerance", kTolerance / unit},
-          {"match", comparison.match},
-          {"goal", {{"objects", PosesJson(comparison.goal, unit)}}},
-          {"initial", {{"objects", PosesJson(StartOf(exercise.scene), unit)}}},
-          {"final", {{"objects", PosesJson(PosesAt(outcome.scene, outcome.end), unit)}}},
-          {"errors", ErrorsJson(comparison.errors)},
-          {"mean_error_mm", MillimetersOf(mean)},
-          {"mean_error_degrees", DegreesOf(mean)},
-          {"order", ToJson(comparison.order)},
-          {"effects", EffectsJson(structure, comparison.achieved, unit)},
-          {"work", ToJson(WorkOf(outcome))},
-          {"cause", ToJson(CauseOf(structure, outcome, comparison, program))},
-          {"seconds", circumstances.seconds},
-          {"realtime_factor", circumstances.realtime_factor},
-          {"brain", circumstances.brain}};
+  Json result = {{"task", exercise.name},
+                 {"rebuilt", IsSuccess(comparison, program)},
+                 {"score", comparison.share},
+                 {"tolerance", kTolerance / unit},
+                 {"match", comparison.match},
+                 {"goal", {{"objects", PosesJson(comparison.goal, unit)}}},
+                 {"initial", {{"objects", PosesJson(StartOf(exercise.scene), unit)}}},
+                 {"final", {{"objects", PosesJson(PosesAt(outcome.scene, outcome.end), unit)}}},
+                 {"errors", ErrorsJson(comparison.errors)},
+                 {"mean_error_mm", MillimetersOf(mean)},
+                 {"mean_error_degrees", DegreesOf(mean)},
+                 {"order", ToJson(comparison.order)},
+                 {"effects", EffectsJson(structure, comparison.achieved, unit)},
+                 {"work", ToJson(WorkOf(outcome))},
+                 {"cause", ToJson(CauseOf(structure, outcome, comparison, program))},
+                 {"seconds", circumstances.seconds},
+                 {"realtime_factor", circumstances.realtime_factor},
+                 {"brain", circumstances.brain}};
+  if (circumstances.watched_seconds > 0) {
+    result["watched_seconds"] = circumstances.watched_seconds;
+  }
+  return result;
 }
 
 }  // namespace smile::task

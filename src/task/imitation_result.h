@@ -21,7 +21,8 @@ Exercise MakeExercise(std::string name, const recording::Recording& demonstratio
 
 /// What the recording of an imitation does not tell.
 struct Circumstances {
-  double seconds = 0;          ///< that it took, simulated
+  double seconds = 0;          ///< that it took, simulated, from the end of watching
+  double watched_seconds = 0;  ///< before that, in which the program watched the demonstration
   double realtime_factor = 0;  ///< how much faster than the clock it ran
   Json brain;                  ///< with `status` and `message`
 };

@@ -87,6 +87,78 @@ TEST_F(BrainLanguages, ScriptsOfTheOriginalRunAsTheyAre) {
   EXPECT_NE(Read("matlab/result.mat").find("# name: elbow"), std::string::npos);
 }
 
+/// A demonstration is watched before anything moves, picture by picture.
+class BrainWatches : public BrainLanguages {
+ protected:
+  BrainWatches() {
+    Write("stack.jsonl", StackPair());
+    const Answer made =
+        Smile("run pair.xml --commands stack.jsonl --no-robot --size 64x48 --record demo");
+    EXPECT_EQ(made.exit_code, 0);
+    const std::string index = Read("demo/frames.csv");
+    num_frames_ = static_cast<int>(std::ranges::count(index, '\n')) - 1;
+  }
+  Json Imitate(const std::string& brain) const {
+    const Answer answer =
+        Smile("imitate demo pair.xml --size 64x48 --out out --json --brain " + brain);
+    EXPECT_EQ(answer.exit_code, 0) << answer.err;
+    const Answer again = Smile("replay out/imitation --verify");
+    EXPECT_EQ(again.exit_code, 0) << again.out << again.err;
+    return answer.exit_code == 0 ? answer.json() : Json::object();
+  }
+
+  int num_frames_ = 0;
+};
+
+TEST_F(BrainWatches, InTheStyleOfTheOriginalsScripts) {
+  Write("matlab/agentBehavior.m",
+        "function [init, callback] = agentBehavior()\n"
+        "init = @keepInit;\ncallback = @keepCallback;\n");
+  Write("matlab/keepInit.m",
+        "aux.watch = true;\nfolder = [aux.path 'kept'];\nmkdir(folder);\ncount = 0;\n");
+  Write("matlab/keepCallback.m",
+        "if sensor.demoCue\n"
+        "  imwrite(sensor.rgbVision, sprintf('%s/%d.png', folder, count));\n"
+        "  count = count + 1;\n"
+        "  return\n"
+        "end\n"
+        "same = 0; image = '';\n"
+        "lines = regexp(fileread([aux.demonstration '/frames.csv']), '[^\\n]+', 'match');\n"
+        "for k = 1:numel(lines) - 1\n"
+        "  words = regexp(lines{k + 1}, ',', 'split');\n"
+        "  if ~isempty(words{3}), image = words{3}; end\n"
+        "  shown = uint16(imread([aux.demonstration '/' image])) * 257;  % kept with 16 bits\n"
+        "  same = same + isequal(imread(sprintf('%s/%d.png', folder, k - 1)), shown);\n"
+        "end\n"
+        "fprintf('%d kept, %d same\\n', count, same);\n"
+        "aux.exit = true;\n");
+  const Json result = Imitate("matlab");
+  const std::string count = std::to_string(num_frames_);
+  EXPECT_EQ(Read("out/imitation/brain.log"), count + " kept, " + count + " same\n");
+  EXPECT_GT(result["watched_seconds"], 0.5);
+  EXPECT_LT(result["seconds"], 0.5) << "from the end of watching";
+}
+
+TEST_F(BrainWatches, InPython) {
+  Write("watcher.py",
+        "import numpy as np\n"
+        "def init(aux):\n"
+        "    aux.watch, aux.shown = True, []\n"
+        "def step(sensor, motor, aux):\n"
+        "    motor.jointVelocities[:] = 0.2\n"
+        "    if sensor.demoCue:\n"
+        "        assert sensor.rgbVision.shape == (48, 64, 3)\n"
+        "        assert sensor.cameraPose.shape == (4, 4)\n"
+        "        aux.shown.append(sensor.rgbVision.copy())\n"
+        "        aux.last = sensor.jointAngles\n"
+        "        return\n"
+        "    assert (sensor.jointAngles == aux.last).all()\n"
+        "    print(len(aux.shown), 'shown,', round(sensor.timeElapsed * 60), 'tick ago')\n"
+        "    aux.exit = (aux.shown[0] != aux.shown[-1]).any()\n");
+  EXPECT_EQ(Imitate("watcher.py")["brain"]["status"], "exited");
+  EXPECT_EQ(Read("out/imitation/brain.log"), std::to_string(num_frames_) + " shown, 1 tick ago\n");
+}
+
 TEST_F(BrainLanguages, MatlabIsStartedTheWayItsManualSays) {
   // No Matlab: a stand-in that takes the same arguments and lets Octave do the work.
   Write("matlab", "#!/bin/sh\n[ \"$1\" = -batch ] || exit 9\nexec octave-cli -q --eval \"$2\"\n");

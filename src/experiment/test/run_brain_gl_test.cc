@@ -5,6 +5,7 @@
 #include "experiment_fixture.h"
 #include "recording/recording.h"
 #include "recording/time_range.h"
+#include "replay/replay.h"
 
 namespace smile::experiment {
 namespace {
@@ -71,6 +72,15 @@ TEST_F(RunBrain, StartMayTakeTwelveTimesAsLongAsACallback) {
       << result.brain_error->message;
 }
 
+TEST_F(RunBrain, ThereIsNothingToWatchWithoutADemonstration) {
+  const RunResult result = experiment::Run(
+      PlanWith(Write("brain/watcher.py",
+                     "def init(aux): aux.watch = True\ndef step(sensor, motor, aux): pass\n")));
+  EXPECT_EQ(ToString(result.brain_error.value()),
+            "brain/watcher.py: aux.watch is true, but there is no demonstration to watch");
+  EXPECT_EQ(result.ticks, 0u);
+}
+
 class ImitationTest : public ExperimentTest {
  protected:
   ImitationPlan PlanWith(const fs::path& brain) const {
@@ -105,6 +115,35 @@ TEST_F(ImitationTest, ACancelledOneIsScoredAsFarAsItCame) {
   EXPECT_FALSE(result.is_rebuilt);
   EXPECT_NEAR(result.json["seconds"].get<double>(), 0.3, 0.05);
   EXPECT_TRUE(recording::IsRecording(root_ / "imitation"));
+}
+
+TEST_F(ImitationTest, AProgramThatAsksWatchesTheDemonstrationBeforeItActs) {
+  ImitationPlan plan = PlanWith(Write("brain/watcher.py",
+                                      "def init(aux): aux.watch, aux.frames = True, []\n"
+                                      "def step(sensor, motor, aux):\n"
+                                      "  motor.jointVelocities[:] = 0.1\n"
+                                      "  if sensor.demoCue:\n"
+                                      "    assert (sensor.jointVelocities == 0).all()\n"
+                                      "    aux.frames.append(sensor.rgbVision.tobytes())\n"
+                                      "  elif sensor.jointVelocities.any():\n"
+                                      "    print(len(aux.frames), len(set(aux.frames)) > 2)\n"));
+  // What it may take counts from the end of watching, which is longer.
+  plan.max_seconds = 0.5;
+  const recording::Recording demonstration = recording::OpenRecording(plan.demonstration);
+  const double length = recording::SecondsInto(demonstration, TicksOf(demonstration).last);
+  ASSERT_GT(length, 0.5);
+  const ImitationResult result = Imitate(plan);
+  EXPECT_FALSE(result.brain_error) << ToString(*result.brain_error);
+  EXPECT_NEAR(result.json["seconds"].get<double>(), 0.5, 1e-9);
+  EXPECT_NEAR(result.json["watched_seconds"].get<double>(), length, 0.25);
+  const int num_frames = CountLines("stacked/frames.csv") - 1;
+  EXPECT_TRUE(Read("imitation/brain.log").starts_with(std::to_string(num_frames) + " True\n"))
+      << Read("imitation/brain.log");
+  // The robot stood still meanwhile, and a replay needs no demonstration.
+  const recording::Recording imitation = recording::OpenRecording(root_ / "imitation");
+  EXPECT_EQ(replay::Replay(imitation).first_difference, std::nullopt);
+  EXPECT_NEAR(recording::SecondsInto(imitation, TicksOf(imitation).last),
+              result.json["watched_seconds"].get<double>() + 0.5, 1e-9);
 }
 
 TEST_F(ImitationTest, ASceneWithoutTheObjectsIsRefused) {

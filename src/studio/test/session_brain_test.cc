@@ -1,6 +1,8 @@
 // Robot programs in a session, which does not wait for those that take their time.
 
 #include "brain/brain_driver.h"
+#include "recorder/test/painted_eye.h"
+#include "recording/time_range.h"
 #include "replay/replay.h"
 #include "scene_xml/scene_reader.h"
 #include "session_fixture.h"
@@ -102,6 +104,62 @@ TEST_F(SessionBrainTest, AnImitationIsScoredAndRecorded) {
   EXPECT_EQ(result["match"]["a"], "a");
   EXPECT_EQ(result["cause"]["word"], "never_taken");
   EXPECT_EQ(result["brain"]["status"], "exited");
+}
+
+TEST_F(SessionBrainTest, AProgramThatAsksWatchesTheDemonstrationFirst) {
+  recorder::PaintedEye eye;
+  Begin(&eye, /*with_robot=*/true);
+  WritePython("watcher.py",
+              "# smile: imitates\n"
+              "def init(aux): aux.watch, aux.shown = True, []\n"
+              "def step(sensor, motor, aux):\n"
+              "  motor.jointVelocities[:] = 0.2\n"
+              "  if sensor.demoCue: aux.shown.append(int(sensor.rgbVision[0, 0, 0]))\n"
+              "  elif sensor.jointVelocities.any():\n"
+              "    print('shown', aux.shown[0], len(aux.shown))\n"
+              "    aux.exit = True\n");
+  Command(R"({"do":"start","name":"take"})");
+  PutAOnB();
+  Command(R"({"do":"finish"})");
+  const recording::Recording demo = recording::OpenRecording(root_ / "recordings/take");
+  const double length = recording::SecondsInto(demo, TicksOf(demo).last);
+  const Json begun =
+      Do(R"({"do":"imitate","recording":"take","brain":"watcher.py","scene":"pair"})");
+  TickSeconds(length / 2);
+  EXPECT_EQ(Status(), "running");
+  EXPECT_EQ(State()["robot"]["mood"], "watching");
+  TickSeconds(length / 2 + 0.5);
+  EXPECT_EQ(Status(), "exited") << ToText(State()["brain"]);
+  const Json result = Latest("score")["result"];
+  EXPECT_NEAR(result["watched_seconds"].get<double>(), length, 0.25);
+  EXPECT_LT(result["seconds"].get<double>(), 0.2);
+  const auto imitation =
+      recording::OpenRecording(root_ / "recordings" / begun["recording"].get<std::string>());
+  EXPECT_EQ(replay::Replay(imitation).first_difference, std::nullopt);
+  const int num_frames = 1 + static_cast<int>(4 * length);
+  EXPECT_EQ(ReadFile(imitation.directory / "brain.log", 100),
+            "shown 1 " + std::to_string(num_frames) + "\n");
+}
+
+TEST_F(SessionBrainTest, ADemonstrationThatCannotBeShownIsTold) {
+  WritePython("watcher.py",
+              "def init(aux): aux.watch = True\ndef step(sensor, motor, aux): pass\n");
+  Do(R"({"do":"start_brain","brain":"watcher.py"})");
+  TickSeconds(0.1);
+  EXPECT_EQ(Status(), "failed");
+  EXPECT_EQ(State()["brain"]["message"],
+            "aux.watch is true, but there is no demonstration to watch");
+  // Without an eye nothing is recorded, and nothing can be drawn.
+  Command(R"({"do":"start","name":"take"})");
+  PutAOnB();
+  Command(R"({"do":"finish"})");
+  Do(R"({"do":"start_brain","brain":"watcher.py","demonstration":"take"})");
+  TickSeconds(0.1);
+  EXPECT_EQ(Status(), "failed");
+  EXPECT_NE(State()["brain"]["message"].get<std::string>().find("there is no eye"),
+            std::string::npos);
+  Do(R"({"do":"load","scene":"pair"})");
+  EXPECT_EQ(Status(), "none");
 }
 
 TEST_F(SessionBrainTest, ImitationWantsAProgramThatReadsDemonstrations) {

@@ -168,7 +168,7 @@ std::string NameOfFolder(const std::filesystem::path& folder) {
 
 ImportReport ImportClassic(const std::filesystem::path& classic,
                            const std::filesystem::path& directory, const ImportOptions& options) {
-  recording::RequireFree(directory);
+  recording::RequireNewDirectory(directory);
   const ClassicRecording recording = ReadClassic(classic);
   ImportReport report{.frames = recording.last_frame() + 1,
                       .segments = recording.segments.size(),

@@ -107,7 +107,7 @@ std::size_t RedrawInto(const recording::Recording& recording,
 std::size_t Redraw(const recording::Recording& recording, const std::filesystem::path& directory,
                    const RedrawOptions& options, const DrawMoment& draw,
                    const recording::Progress& progress) {
-  recording::RequireFree(directory);
+  recording::RequireNewDirectory(directory);
   if (draw && !recording.info.eye) {
     throw InputError({recording.directory.string(), 0, "",
                       "has no pictures; expected a recording with some to draw them again"});

@@ -101,15 +101,14 @@ JsonShape HandShape() {
 }
 
 JsonShape DeedShape() {
-  return ObjectShape(
-             {{"do", JsonShape::Word({"take", "put", "drop", "release", "destroy", "point",
-                                      "trigger", "fasten", "loosen", "add", "remove", "clear",
-                                      "load"})},
-              {"hand", HandNameShape().OrNull(), true, "null of what no hand did"},
-              {"what", TextShape(), true, "an id, `5 objects`, or the name of a scene"},
-              {"on", TextShape(), kOptional, "id of what is beneath, empty for the table"},
-              {"into", TextShape(), kOptional},
-              {"words", TextShape(), true, "all of it, for people"}})
+  return ObjectShape({{"do", JsonShape::Word({"take", "put", "drop", "release", "destroy", "point",
+                                              "trigger", "fasten", "loosen", "add", "remove",
+                                              "clear", "load"})},
+                      {"hand", HandNameShape().OrNull(), true, "null of what no hand did"},
+                      {"what", TextShape(), true, "an id, `5 objects`, or the name of a scene"},
+                      {"on", TextShape(), kOptional, "id of what is beneath, empty for the table"},
+                      {"into", TextShape(), kOptional},
+                      {"words", TextShape(), true, "all of it, for people"}})
       .Called("Deed");
 }
 

@@ -27,7 +27,7 @@ void CheckBefore(const std::filesystem::path& directory, const RecorderOptions& 
   if (placement && placement->files.empty()) {
     throw std::invalid_argument("recording: a robot without its files cannot be recorded");
   }
-  recording::RequireFree(directory);
+  recording::RequireNewDirectory(directory);
 }
 
 recording::DemoInfo InfoOf(const RecorderOptions& options, const sim::Eye* eye,

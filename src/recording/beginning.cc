@@ -8,7 +8,6 @@
 
 #include "base/files.h"
 #include "recording/recording.h"
-#include "recording/recording_files.h"
 
 namespace smile::recording {
 namespace {
@@ -33,10 +32,6 @@ BeginningMark::BeginningMark(const std::filesystem::path& directory)
 void BeginningMark::Remove() {
   std::error_code error;  // a mark in a recording that can be opened does no harm
   std::filesystem::remove(path_, error);
-}
-
-void RequireFree(const std::filesystem::path& directory) {
-  if (!IsAbandoned(directory)) RequireNewDirectory(directory);
 }
 
 bool IsAbandoned(const std::filesystem::path& directory) {

@@ -23,10 +23,6 @@ class BeginningMark {
   AppendFile lock_;
 };
 
-/// @throws InputError unless a recording may begin in `directory`: it is not there, or empty, or
-///         holds nothing but a beginning that was abandoned.
-void RequireFree(const std::filesystem::path& directory);
-
 /// True when a directory holds nothing but a beginning that was abandoned.
 bool IsAbandoned(const std::filesystem::path& directory);
 

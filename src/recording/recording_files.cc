@@ -4,6 +4,7 @@
 
 #include "base/diagnostic.h"
 #include "base/files.h"
+#include "recording/beginning.h"
 #include "recording/recording.h"
 #include "recording/scene_files.h"
 
@@ -13,6 +14,7 @@ void RequireNewDirectory(const std::filesystem::path& directory) {
     throw InputError({directory.string(), 0, "",
                       "lies within the recording " + around->string() + ", which stays as it is"});
   }
+  if (IsAbandoned(directory)) return;
   std::error_code error;
   if (std::filesystem::exists(directory, error) && !std::filesystem::is_empty(directory, error)) {
     throw InputError({directory.string(), 0, "",

@@ -226,7 +226,7 @@ std::vector<physics::BodyId> RobotBody::HeldBodies(int arm) const {
 }
 
 bool RobotBody::IsTouching(const std::vector<physics::BodyId>& bodies) const {
-  for (int link = 0; link < model().num_joints(); ++link) {
+  for (int link = -1; link < model().num_joints(); ++link) {  // -1: the base
     for (const physics::Contact& contact : world_->ContactsWith(articulation_, link)) {
       if (std::ranges::find(bodies, contact.body) != bodies.end()) return true;
     }

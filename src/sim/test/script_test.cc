@@ -113,8 +113,8 @@ TEST_F(ScriptTest, NamesTheObjectsAndTheRobotInTheWay) {
 {"do": "wait", "until": "arrived"}
 {"hand": "any", "do": "move_to", "position": [)" +
                  inside + R"(
-{"do": "wait", "until": "arrived", "seconds": 2})"),
-            "demo.jsonl:5: waited 2 s, but a hand has not arrived: the robot is in the way of 'a'");
+{"do": "wait", "until": "arrived", "seconds": 6})"),
+            "demo.jsonl:5: waited 6 s, but a hand has not arrived: the robot is in the way of 'a'");
 }
 
 TEST_F(ScriptTest, ReadsTheTrajectoriesItNamesInItsFolderOnly) {

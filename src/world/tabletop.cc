@@ -16,6 +16,7 @@ constexpr double kLinkAngularDamping = 0.9;
 std::vector<Object> ObjectsOf(const model::Model& model,
                               const std::vector<physics::BodyId>& bodies = {}) {
   std::vector<Object> objects;
+  objects.reserve(model.objects().size());
   for (model::ObjectIndex object : model.objects()) {
     objects.push_back({.index = object,
                        .spec = &model.object(object),
@@ -198,7 +199,8 @@ TabletopState Tabletop::state() const {
 }
 
 void Tabletop::Restore(const TabletopState& state, std::shared_ptr<const model::Model> model) {
-  objects_ = ObjectsOf(*model, state.bodies);
+  if (model != model_) objects_ = ObjectsOf(*model, state.bodies);
+  for (Object& object : objects_) object.body = state.bodies[object.index];
   object_states_ = state.objects;
   controls_.Restore(state.controls, *model);
   bonds_.Restore(state.bonds, *model);

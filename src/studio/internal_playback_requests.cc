@@ -40,7 +40,7 @@ Json PlaybackRequests::Branch(const page::RequestFields& fields) {
   const std::string id = fields.Text("recording");
   const BranchPoint from{.step = static_cast<std::size_t>(fields.Whole("step", 1'000'000'000)),
                          .after = fields.OptionalNumber("after", 0, kMaxSeconds)};
-  // It belongs to the session and to the workshop: each may be gone before the other.
+  // Shared by the session and the background job, either of which may end first.
   const auto restoring =
       std::make_shared<Restoring>(id, library_->DirectoryOf(id), from, DeskOptionsOf(*options_));
   const auto work = [restoring](const recording::Progress& progress) -> Json {
@@ -50,7 +50,7 @@ Json PlaybackRequests::Branch(const page::RequestFields& fields) {
   const auto conclude = [this] {
     if (auto made = states_->TakeRestored()) states_->Enter(std::move(made));
   };
-  options_->workshop->Begin({.request = fields.request(), .work = work, .conclude = conclude});
+  options_->jobs->Begin({.request = fields.request(), .work = work, .conclude = conclude});
   states_->Restore(restoring);
   return page::AnswersLater();
 }

@@ -11,7 +11,7 @@ namespace smile::studio {
 /// The requests that show a recording, and that go on from one of its moments.
 class PlaybackRequests {
  public:
-  /// All must outlive this. Without a workshop nothing may branch.
+  /// All must outlive this. Without background jobs no request may branch.
   PlaybackRequests(const SessionOptions* options, const library::Library* library,
                    StateMachine* states)
       : options_(options), library_(library), states_(states) {}

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "base/wording.h"
-#include "library/gallery.h"
+#include "library/scene_catalog.h"
 
 namespace smile::studio {
 namespace {
@@ -15,11 +15,11 @@ constexpr std::size_t kMaxText = std::size_t{1} << 20;
 
 }  // namespace
 
-SceneSource::SceneSource(std::filesystem::path gallery, scene_xml::SceneReaderOptions reader)
-    : gallery_(std::move(gallery)), reader_(std::move(reader)) {}
+SceneSource::SceneSource(std::filesystem::path scene_folder, scene_xml::SceneReaderOptions reader)
+    : scene_folder_(std::move(scene_folder)), reader_(std::move(reader)) {}
 
 scene::SceneSpec SceneSource::Named(const std::string& name) const {
-  const auto file = library::Gallery(gallery_).FileOf(name);
+  const auto file = library::SceneCatalog(scene_folder_).FileOf(name);
   if (!file) throw page::RequestError("there is no scene " + Quoted(name));
   return scene_xml::LoadScene(*file, reader_);
 }
@@ -30,7 +30,7 @@ scene_xml::SceneReading SceneSource::ReadText(const page::RequestFields& fields)
   // A name, wherever it came from.
   name = std::filesystem::path(name).filename().string();
   scene_xml::SceneReaderOptions options = reader_;
-  options.search_roots.push_back(gallery_);
+  options.search_roots.push_back(scene_folder_);
   options.limits.max_objects = std::min(options.limits.max_objects, kMaxObjects);
   options.limits.max_elements = std::min(options.limits.max_elements, kMaxElements);
   return scene_xml::ReadSceneText(text, name, options);

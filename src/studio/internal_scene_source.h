@@ -9,12 +9,13 @@
 
 namespace smile::studio {
 
-/// The scenes that pages may ask for: those of a gallery by name, and any as XML text.
+/// Scene source: reads the scenes that clients load, those of a folder by name, others from XML
+/// text.
 class SceneSource {
  public:
-  SceneSource(std::filesystem::path gallery, scene_xml::SceneReaderOptions reader);
+  SceneSource(std::filesystem::path scene_folder, scene_xml::SceneReaderOptions reader);
 
-  /// @throws page::RequestError if the gallery has no such scene, InputError if it is wrong.
+  /// @throws page::RequestError if the folder has no such scene, InputError if it is invalid.
   scene::SceneSpec Named(const std::string& name) const;
   /// Reads the fields `xml` and `name`.
   scene_xml::SceneReading ReadText(const page::RequestFields& fields) const;
@@ -23,7 +24,7 @@ class SceneSource {
   scene::SceneSpec SceneOf(const page::RequestFields& fields) const;
 
  private:
-  std::filesystem::path gallery_;
+  std::filesystem::path scene_folder_;
   scene_xml::SceneReaderOptions reader_;
 };
 

@@ -54,21 +54,21 @@ Json MakeEdits(editing::EditPreviews* previews, const editing::EditRequest& edit
   return {{"recording", made.filename().string()}, {"report", ToJson(report)}};
 }
 
-void AddLookUps(const library::Library* library, Workshop* workshop, page::RequestTable* table) {
-  const auto list = [library, workshop](const page::Request& request) {
+void AddLookUps(const library::Library* library, BackgroundJobs* jobs, page::RequestTable* table) {
+  const auto list = [library, jobs](const page::Request& request) {
     const auto work = [library](const recording::Progress&) -> Json {
       return {{"recordings", library->List()}};
     };
-    workshop->Begin({.request = request, .work = work});
+    jobs->Begin({.request = request, .work = work});
     return page::AnswersLater();
   };
   table->entries["library"] = {list, /*is_for_anyone=*/true};
-  const auto open = [library, workshop](const page::Request& request) {
+  const auto open = [library, jobs](const page::Request& request) {
     const auto work = [library,
                        id = TextOf(request, "recording")](const recording::Progress&) -> Json {
       return {{"timeline", library->TimelineOf(id)}};
     };
-    workshop->Begin({.request = request, .work = work, .replaces_older = true});
+    jobs->Begin({.request = request, .work = work, .replaces_older = true});
     return page::AnswersLater();
   };
   table->entries["open"] = {open, /*is_for_anyone=*/true};
@@ -88,7 +88,7 @@ void AddTidying(const library::Library* library, page::RequestTable* table) {
   }};
 }
 
-void AddEditing(const library::Library* library, Workshop* workshop, page::RequestTable* table) {
+void AddEditing(const library::Library* library, BackgroundJobs* jobs, page::RequestTable* table) {
   // Belongs to the table and to the work that is under way: each may be gone before the other.
   const auto previews = std::make_shared<editing::EditPreviews>(
       [](const model::EyeSpec& spec) { return std::make_unique<picture::RenderedEye>(spec); });
@@ -97,7 +97,7 @@ void AddEditing(const library::Library* library, Workshop* workshop, page::Reque
                           const recording::Progress& progress) -> Json {
       return {{"report", ToJson(previews->Preview(edits, progress))}};
     };
-    workshop->Begin(
+    jobs->Begin(
         {.request = request, .work = work, .replaces_older = true, .can_be_canceled = true});
     return page::AnswersLater();
   }};
@@ -108,13 +108,13 @@ void AddEditing(const library::Library* library, Workshop* workshop, page::Reque
                        title](const recording::Progress& progress) {
       return MakeEdits(previews.get(), edits, root, title, progress);
     };
-    workshop->Begin({.request = request, .work = work, .can_be_canceled = true});
+    jobs->Begin({.request = request, .work = work, .can_be_canceled = true});
     return page::AnswersLater();
   }};
-  const auto cancel = [workshop](const page::Request& request) {
+  const auto cancel = [jobs](const page::Request& request) {
     constexpr auto kMaxSeq = std::numeric_limits<std::uint32_t>::max();
     const std::uint64_t seq = page::RequestFields(request).Whole("request", kMaxSeq);
-    workshop->Cancel(request.client, static_cast<std::uint32_t>(seq));
+    jobs->Cancel(request.client, static_cast<std::uint32_t>(seq));
     return Json::object();
   };
   table->entries["cancel"] = {cancel, /*is_for_anyone=*/true};
@@ -148,12 +148,12 @@ class LibraryWatch {
 
 }  // namespace
 
-void AddLibraryRequests(const library::Library* library, Workshop* workshop,
+void AddLibraryRequests(const library::Library* library, BackgroundJobs* jobs,
                         page::RequestTable* table) {
-  AddLookUps(library, workshop, table);
+  AddLookUps(library, jobs, table);
   AddTidying(library, table);
-  AddEditing(library, workshop, table);
-  table->letters.emplace_back([workshop] { return workshop->TakeLetters(); });
+  AddEditing(library, jobs, table);
+  table->letters.emplace_back([jobs] { return jobs->TakeLetters(); });
   table->letters.emplace_back(
       [watch = LibraryWatch(library)]() mutable { return watch.TakeLetters(); });
 }

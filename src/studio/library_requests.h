@@ -2,16 +2,16 @@
 
 #include "library/library.h"
 #include "page/requests.h"
-#include "studio/workshop.h"
+#include "studio/background_jobs.h"
 
 namespace smile::studio {
 
 /// Puts in what may be asked of a library: `library`, `rename`, `bin`, `unbin`, `open`, `try_edit`,
-/// `edit` and `cancel`. What takes its time is done in the workshop, whose letters the table passes
+/// `edit` and `cancel`. What takes its time is done in the jobs, whose letters the table passes
 /// on.
 ///
-/// Both must outlive the table, and the library the workshop.
-void AddLibraryRequests(const library::Library* library, Workshop* workshop,
+/// Both must outlive the table, and the library must outlive the jobs.
+void AddLibraryRequests(const library::Library* library, BackgroundJobs* jobs,
                         page::RequestTable* table);
 
 }  // namespace smile::studio

@@ -26,7 +26,7 @@ namespace {
 constexpr std::uint64_t kTicksPerState = 3;  // at most 20 states a second
 
 SessionOptions WithDefaults(SessionOptions options) {
-  if (options.gallery.empty()) options.gallery = DataFile("scenes");
+  if (options.scene_folder.empty()) options.scene_folder = DataFile("scenes");
   return options;
 }
 
@@ -90,7 +90,7 @@ class Session::Impl : private StateMachine::Listener {
 Session::Impl::Impl(SessionOptions options)
     : options_(WithDefaults(std::move(options))),
       library_(options_.recordings),
-      scene_source_(options_.gallery, options_.reader),
+      scene_source_(options_.scene_folder, options_.reader),
       states_(options_.robot.has_value(), this),
       scene_requests_(&scene_source_, &states_),
       world_requests_(&states_),

@@ -8,7 +8,7 @@
 #include "scene_xml/scene_reader.h"
 #include "sim/eye.h"
 #include "sim/simulation.h"
-#include "studio/workshop.h"
+#include "studio/background_jobs.h"
 
 namespace smile::studio {
 
@@ -19,13 +19,13 @@ struct SessionOptions {
   std::filesystem::path recordings = "recordings";
   recorder::RecorderOptions recording;
   sim::Eye* eye = nullptr;  ///< takes the recorded pictures; must outlive the session
-  /// Where scenes are called by name; empty: those we ship.
-  std::filesystem::path gallery;
+  /// Folder of the scenes that clients load by name; empty: the shipped scenes.
+  std::filesystem::path scene_folder;
   /// Where robot programs are, before those we ship.
   std::vector<std::filesystem::path> brains;
   /// Does what takes its time, not without; its letters have to be taken where the session lives.
   /// Must outlive it.
-  Workshop* workshop = nullptr;
+  BackgroundJobs* jobs = nullptr;
 };
 
 /// Returns what worlds are recorded with.

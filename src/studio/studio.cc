@@ -7,12 +7,12 @@
 
 #include "base/files.h"
 #include "layout/presets.h"
-#include "library/showcase.h"
+#include "library/content_routes.h"
 #include "page/control_requests.h"
+#include "studio/background_jobs.h"
 #include "studio/internal_studio_loop.h"
 #include "studio/library_requests.h"
 #include "studio/pose_stream.h"
-#include "studio/workshop.h"
 
 namespace smile::studio {
 
@@ -58,18 +58,19 @@ std::optional<MeshName> ParseMeshPath(std::string_view path) {
   return name;
 }
 
-SessionOptions WithWorkshop(SessionOptions options, Workshop* workshop) {
-  options.workshop = workshop;
+SessionOptions WithJobs(SessionOptions options, BackgroundJobs* jobs) {
+  options.jobs = jobs;
   return options;
 }
 
-SessionOptions WithGallery(SessionOptions options) {
-  if (options.gallery.empty()) options.gallery = DataFile("scenes");
+SessionOptions WithSceneFolder(SessionOptions options) {
+  if (options.scene_folder.empty()) options.scene_folder = DataFile("scenes");
   return options;
 }
 
-library::ShowcaseOptions ShowcaseOf(const SessionOptions& session) {
-  library::ShowcaseOptions options{.scenes = session.gallery, .recordings = session.recordings};
+library::ContentRoutesOptions ContentRoutesOptionsOf(const SessionOptions& session) {
+  library::ContentRoutesOptions options{.scenes = session.scene_folder,
+                                        .recordings = session.recordings};
   for (const layout::Preset& preset : layout::Presets()) {
     options.presets.push_back({{"name", preset.name}, {"title", preset.title}});
   }
@@ -82,11 +83,11 @@ class Studio::Impl {
  public:
   explicit Impl(const StudioOptions& options)
       : library_(options.session.recordings),
-        workplace_(WithWorkshop(options.session, &workshop_)),
-        showcase_(ShowcaseOf(options.session)),
+        workplace_(WithJobs(options.session, &jobs_)),
+        content_routes_(ContentRoutesOptionsOf(options.session)),
         server_(WithAnswers(options.server)),
         loop_(&workplace_, &server_) {
-    AddLibraryRequests(&library_, &workshop_, workplace_.table());
+    AddLibraryRequests(&library_, &jobs_, workplace_.table());
     page::AddControlRequests(workplace_.table());
   }
 
@@ -103,7 +104,7 @@ class Studio::Impl {
   page::ServerOptions WithAnswers(page::ServerOptions options) {
     options.get = [this](const std::string& path) {
       const std::optional<MeshName> mesh = ParseMeshPath(path);
-      return mesh ? GetMesh(*mesh) : showcase_.Get(path);
+      return mesh ? GetMesh(*mesh) : content_routes_.Get(path);
     };
     return options;
   }
@@ -115,15 +116,15 @@ class Studio::Impl {
   }
 
   library::Library library_;
-  Workshop workshop_;
+  BackgroundJobs jobs_;
   SessionWorkplace workplace_;
-  library::Showcase showcase_;
+  library::ContentRoutes content_routes_;
   page::Server server_;
   StudioLoop loop_;
 };
 
 Studio::Studio(StudioOptions options) {
-  options.session = WithGallery(std::move(options.session));
+  options.session = WithSceneFolder(std::move(options.session));
   impl_ = std::make_unique<Impl>(options);
 }
 Studio::~Studio() = default;

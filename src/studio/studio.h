@@ -11,7 +11,7 @@
 namespace smile::studio {
 
 struct StudioOptions {
-  SessionOptions session;      ///< `workshop` is the studio's own
+  SessionOptions session;      ///< `jobs` is the studio's own
   page::ServerOptions server;  ///< `get` is the studio's own
 };
 

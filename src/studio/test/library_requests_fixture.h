@@ -18,7 +18,7 @@ namespace smile::studio {
 /// A library's requests, as a page sends them.
 class LibraryRequestsFixture : public recorder::RecordingFixture {
  protected:
-  LibraryRequestsFixture() { AddLibraryRequests(&library_, &workshop_, &table_); }
+  LibraryRequestsFixture() { AddLibraryRequests(&library_, &jobs_, &table_); }
 
   /// Also an answer that comes later.
   Json Ask(const char* what, Json fields, bool is_controller = true) {
@@ -68,7 +68,7 @@ class LibraryRequestsFixture : public recorder::RecordingFixture {
   }
 
   library::Library library_{root_};
-  Workshop workshop_;
+  BackgroundJobs jobs_;
   page::RequestTable table_;
   std::uint32_t seq_ = 0;
   std::vector<page::Letter> letters_;

@@ -175,25 +175,25 @@ TEST_F(LibraryRequestsTest, SaysWhichEditIsWrong) {
   EXPECT_EQ(error_of(7), "\"edits\" is no list of at most 1000");
 }
 
-TEST(Workshop, GivesUpWhatWasAskedForAnew) {
-  Workshop workshop;
+TEST(BackgroundJobs, CancelsReplacedJobs) {
+  BackgroundJobs jobs;
   std::promise<void> has_begun;
   const auto endless = [&has_begun](const recording::Progress& progress) {
     has_begun.set_value();
     while (progress(1, 2)) std::this_thread::yield();
     return Json{{"never", "told"}};
   };
-  const auto begin = [&](std::uint32_t seq, const Workshop::Work& work) {
-    workshop.Begin({.request = {.client = 1, .seq = seq, .what = "try_edit"},
-                    .work = work,
-                    .replaces_older = true});
+  const auto begin = [&](std::uint32_t seq, const BackgroundJobs::Work& work) {
+    jobs.Begin({.request = {.client = 1, .seq = seq, .what = "try_edit"},
+                .work = work,
+                .replaces_older = true});
   };
   begin(1, endless);
   has_begun.get_future().wait();
   begin(2, [](const recording::Progress&) { return Json{{"is", "newest"}}; });
   std::map<int, Json> answers;
   while (answers.size() < 2) {
-    for (const page::Letter& letter : workshop.TakeLetters()) {
+    for (const page::Letter& letter : jobs.TakeLetters()) {
       if (letter.client == 1) answers[letter.message["seq"]] = letter.message;
     }
   }
@@ -201,13 +201,14 @@ TEST(Workshop, GivesUpWhatWasAskedForAnew) {
   EXPECT_EQ(answers[2]["is"], "newest");
 }
 
-TEST(Workshop, CancelsWhatMayBeCanceledAndIsNotDone) {
-  Workshop workshop;
+TEST(BackgroundJobs, CancelsUnfinishedCancelableJobs) {
+  BackgroundJobs jobs;
   std::promise<void> is_canceled;
-  const auto begin = [&](std::uint32_t seq, bool can_be_canceled, const Workshop::Work& work) {
-    workshop.Begin({.request = {.client = 1, .seq = seq, .what = "edit"},
-                    .work = work,
-                    .can_be_canceled = can_be_canceled});
+  const auto begin = [&](std::uint32_t seq, bool can_be_canceled,
+                         const BackgroundJobs::Work& work) {
+    jobs.Begin({.request = {.client = 1, .seq = seq, .what = "edit"},
+                .work = work,
+                .can_be_canceled = can_be_canceled});
   };
   const auto do_nothing = [](const recording::Progress&) { return Json{{"is", "done"}}; };
   // The first two keep both threads until all is canceled.
@@ -227,44 +228,44 @@ TEST(Workshop, CancelsWhatMayBeCanceledAndIsNotDone) {
   while (num_begun < 2) std::this_thread::yield();
   begin(3, true, do_nothing);
   begin(4, false, do_nothing);
-  for (std::uint32_t seq = 1; seq <= 5; ++seq) workshop.Cancel(1, seq);
+  for (std::uint32_t seq = 1; seq <= 5; ++seq) jobs.Cancel(1, seq);
   is_canceled.set_value();
   std::map<int, Json> answers;
   while (answers.size() < 4) {
-    for (const page::Letter& letter : workshop.TakeLetters()) {
+    for (const page::Letter& letter : jobs.TakeLetters()) {
       if (letter.client == 1) answers[letter.message["seq"]] = letter.message;
     }
   }
-  EXPECT_EQ(answers[1]["is"], "done") << "it could not be stopped any more";
+  EXPECT_EQ(answers[1]["is"], "done") << "it could no longer be stopped";
   EXPECT_EQ(answers[2]["error"], "canceled");
   EXPECT_EQ(answers[3]["error"], "canceled") << "before it began";
   EXPECT_EQ(answers[4]["is"], "done");
 }
 
-TEST(Workshop, TakesNoMoreFromAClientThanItCanBear) {
-  Workshop workshop;
+TEST(BackgroundJobs, LimitsTheJobsOfAClient) {
+  BackgroundJobs jobs;
   const auto begin = [&](page::ClientId client) {
-    workshop.Begin({.request = {.client = client, .what = "library"},
-                    .work = [](const recording::Progress& progress) {
-                      while (progress(1, 2)) std::this_thread::yield();
-                      return Json::object();
-                    }});
+    jobs.Begin({.request = {.client = client, .what = "library"},
+                .work = [](const recording::Progress& progress) {
+                  while (progress(1, 2)) std::this_thread::yield();
+                  return Json::object();
+                }});
   };
   for (int i = 0; i < 8; ++i) begin(1);
   EXPECT_THROW(begin(1), page::RequestError);
   EXPECT_NO_THROW(begin(2));
 }
 
-TEST(Workshop, EndsWhatIsUnderWayWhenItCloses) {
+TEST(BackgroundJobs, DestructionEndsRunningJobs) {
   std::atomic<bool> has_begun = false, has_ended = false;
   {
-    Workshop workshop;
-    workshop.Begin({.request = {.what = "edit"}, .work = [&](const recording::Progress& progress) {
-                      has_begun = true;
-                      while (progress(1, 2)) std::this_thread::yield();
-                      has_ended = true;
-                      return Json::object();
-                    }});
+    BackgroundJobs jobs;
+    jobs.Begin({.request = {.what = "edit"}, .work = [&](const recording::Progress& progress) {
+                  has_begun = true;
+                  while (progress(1, 2)) std::this_thread::yield();
+                  has_ended = true;
+                  return Json::object();
+                }});
     while (!has_begun) std::this_thread::yield();
   }
   EXPECT_TRUE(has_ended);

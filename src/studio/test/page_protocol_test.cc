@@ -16,7 +16,7 @@ TEST_F(PageProtocol, NamesEveryRequestAndWhoMaySendIt) {
   Begin();
   page::RequestTable table = session_->requests();
   const library::Library library(root_ / "recordings");
-  AddLibraryRequests(&library, &*workshop_, &table);
+  AddLibraryRequests(&library, &*jobs_, &table);
   // Those of the connection itself; see server_test.cc.
   std::map<std::string, bool> done = {{"hello", true},
                                       {"ping", true},

@@ -36,7 +36,7 @@ class SessionFixture : public ::testing::Test {
   }
   ~SessionFixture() override {
     session_.reset();
-    workshop_.reset();
+    jobs_.reset();
     std::filesystem::remove_all(root_);
   }
 
@@ -60,12 +60,12 @@ class SessionFixture : public ::testing::Test {
     SessionOptions options{.scene = root_ / "scenes/pair.xml",
                            .recordings = root_ / "recordings",
                            .eye = eye,
-                           .gallery = root_ / "scenes",
+                           .scene_folder = root_ / "scenes",
                            .brains = {root_ / "brains"},
-                           .workshop = &*workshop_};
+                           .jobs = &*jobs_};
     if (with_robot) options.robot = Baxter();
     session_ = std::make_unique<Session>(std::move(options));
-    session_->requests().letters.emplace_back([this] { return workshop_->TakeLetters(); });
+    session_->requests().letters.emplace_back([this] { return jobs_->TakeLetters(); });
   }
 
   Json Ask(const std::string& text) { return AskWith(ParseJson(text)); }
@@ -206,7 +206,7 @@ class SessionFixture : public ::testing::Test {
   }
 
   std::filesystem::path root_;
-  std::optional<Workshop> workshop_{std::in_place};
+  std::optional<BackgroundJobs> jobs_{std::in_place};
   std::unique_ptr<Session> session_;
   std::uint32_t seq_ = 0;
   std::map<std::uint32_t, Json> asked_;  ///< by `seq`

@@ -1,4 +1,4 @@
-#include "library/showcase.h"
+#include "library/content_routes.h"
 
 #include <charconv>
 #include <string_view>
@@ -7,14 +7,14 @@
 
 #include "base/file_state.h"
 #include "base/files.h"
-#include "library/painter.h"
+#include "library/thumbnail_renderer.h"
 
 namespace smile::library {
 namespace {
 
 constexpr std::size_t kMaxSceneBytes = 32u << 20;
 
-/// What stands between them; nullopt if the text does not begin and end so.
+/// Returns the text between `begin` and `end`; nullopt if `text` does not begin and end with them.
 std::optional<std::string> Between(std::string_view begin, std::string_view text,
                                    std::string_view end) {
   if (text.size() < begin.size() + end.size() || !text.starts_with(begin) || !text.ends_with(end)) {
@@ -30,19 +30,19 @@ std::optional<std::size_t> NumberIn(const std::string& text) {
   return number;
 }
 
-std::optional<web_server::HttpResponse> PngAnswer(Darkroom::Picture picture) {
+std::optional<web_server::HttpResponse> PngResponse(ThumbnailQueue::Picture picture) {
   if (!picture) return std::nullopt;
   return web_server::HttpResponse{.type = "image/png", .body = *std::move(picture)};
 }
 
 }  // namespace
 
-Showcase::Showcase(ShowcaseOptions options)
-    : options_(std::move(options)), gallery_(options_.scenes), library_(options_.recordings) {}
+ContentRoutes::ContentRoutes(ContentRoutesOptions options)
+    : options_(std::move(options)), catalog_(options_.scenes), library_(options_.recordings) {}
 
-std::optional<web_server::HttpResponse> Showcase::Get(const std::string& path) {
+std::optional<web_server::HttpResponse> ContentRoutes::Get(const std::string& path) {
   if (path == "/scenes") {
-    const Json answer = {{"scenes", gallery_.List()}, {"presets", options_.presets}};
+    const Json answer = {{"scenes", catalog_.List()}, {"presets", options_.presets}};
     return web_server::HttpResponse{.type = "application/json", .body = ToText(answer)};
   }
   if (const auto scene = Between("/scenes/", path, "")) return GetScene(*scene);
@@ -51,27 +51,28 @@ std::optional<web_server::HttpResponse> Showcase::Get(const std::string& path) {
   try {
     return GetRecording(*recording);
   } catch (const LibraryError&) {
-    return std::nullopt;  // there is no such recording
+    return std::nullopt;  // no such recording
   }
 }
 
-std::optional<web_server::HttpResponse> Showcase::GetScene(const std::string& name) {
+std::optional<web_server::HttpResponse> ContentRoutes::GetScene(const std::string& name) {
   if (const auto text = Between("", name, ".xml")) {
-    const auto file = gallery_.FileOf(*text);
+    const auto file = catalog_.FileOf(*text);
     if (!file) return std::nullopt;
     return web_server::HttpResponse{.type = "application/xml",
                                     .body = ReadFile(*file, kMaxSceneBytes)};
   }
   const auto picture = Between("", name, ".png");
-  const auto file = picture ? gallery_.FileOf(*picture) : std::nullopt;
+  const auto file = picture ? catalog_.FileOf(*picture) : std::nullopt;
   if (!file) return std::nullopt;
   const scene_xml::SceneReaderOptions reader{.search_roots = {options_.scenes}};
-  return PngAnswer(darkroom_.Get(
-      file->string() + "|" + StampOf(*file),
-      [file = *file, reader](Painter* painter) { return painter->PaintScene(file, reader); }));
+  return PngResponse(thumbnails_.Get(file->string() + "|" + StampOf(*file),
+                                     [file = *file, reader](ThumbnailRenderer* renderer) {
+                                       return renderer->RenderScene(file, reader);
+                                     }));
 }
 
-std::optional<web_server::HttpResponse> Showcase::GetRecording(const std::string& name) {
+std::optional<web_server::HttpResponse> ContentRoutes::GetRecording(const std::string& name) {
   if (const auto id = Between("", name, ".zip")) {
     const std::lock_guard lock(packing_);
     return web_server::HttpResponse{
@@ -86,15 +87,15 @@ std::optional<web_server::HttpResponse> Showcase::GetRecording(const std::string
   return PictureOf(name.substr(0, slash), segment);
 }
 
-std::optional<web_server::HttpResponse> Showcase::PictureOf(const std::string& id,
-                                                            std::optional<std::size_t> segment) {
+std::optional<web_server::HttpResponse> ContentRoutes::PictureOf(
+    const std::string& id, std::optional<std::size_t> segment) {
   const std::filesystem::path directory = library_.DirectoryOf(id);
   const std::string stamp = StampOf(directory / "trace.bin");
   const std::string which = segment ? std::to_string(*segment) : "end";
-  return PngAnswer(darkroom_.Get(directory.string() + "|" + stamp + "|" + which,
-                                 [directory, stamp, segment](Painter* painter) {
-                                   return painter->PaintRecording(directory, stamp, segment);
-                                 }));
+  return PngResponse(thumbnails_.Get(directory.string() + "|" + stamp + "|" + which,
+                                     [directory, stamp, segment](ThumbnailRenderer* renderer) {
+                                       return renderer->RenderRecording(directory, stamp, segment);
+                                     }));
 }
 
 }  // namespace smile::library

@@ -6,28 +6,29 @@
 #include <string>
 
 #include "base/json.h"
-#include "library/darkroom.h"
-#include "library/gallery.h"
 #include "library/library.h"
+#include "library/scene_catalog.h"
+#include "library/thumbnail_queue.h"
 #include "web_server/http.h"
 
 namespace smile::library {
 
-struct ShowcaseOptions {
-  std::filesystem::path scenes;      ///< the gallery's folder
-  std::filesystem::path recordings;  ///< the library's
+struct ContentRoutesOptions {
+  std::filesystem::path scenes;      ///< the catalog's folder
+  std::filesystem::path recordings;  ///< folder of the library
   Json presets = Json::array();      ///< `[{"name","title"}]`
 };
 
-/// What is looked at over HTTP: scenes and recordings, their pictures and their files, see
-/// docs/studio-protocol.md. May be used from several threads at once.
-class Showcase {
+/// Content routes: serves scenes and recordings, their thumbnails and their files over HTTP; see
+/// docs/studio-protocol.md. Thread-safe.
+class ContentRoutes {
  public:
-  explicit Showcase(ShowcaseOptions options);
+  explicit ContentRoutes(ContentRoutesOptions options);
 
-  /// nullopt where there is nothing. Waits while a picture is drawn.
+  /// Returns the content at a path; nullopt if the path does not exist. Waits while a thumbnail is
+  /// rendered.
   /// @throws InputError if a scene or recording cannot be read; std::runtime_error with the reason
-  ///         if nothing can draw here, or too many want to see something.
+  ///         if rendering is unavailable or too many thumbnails are queued.
   std::optional<web_server::HttpResponse> Get(const std::string& path);
 
  private:
@@ -36,11 +37,11 @@ class Showcase {
   std::optional<web_server::HttpResponse> PictureOf(const std::string& id,
                                                     std::optional<std::size_t> segment);
 
-  ShowcaseOptions options_;
-  Gallery gallery_;
+  ContentRoutesOptions options_;
+  SceneCatalog catalog_;
   Library library_;
   std::mutex packing_;  ///< one ZIP file at a time: they are large
-  Darkroom darkroom_;
+  ThumbnailQueue thumbnails_;
 };
 
 }  // namespace smile::library

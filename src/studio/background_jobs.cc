@@ -1,4 +1,4 @@
-#include "studio/workshop.h"
+#include "studio/background_jobs.h"
 
 #include <algorithm>
 #include <utility>
@@ -6,7 +6,7 @@
 namespace smile::studio {
 namespace {
 
-/// One for what is looked up, one for what is simulated.
+/// One for look-ups, one for simulations.
 constexpr int kNumThreads = 2;
 constexpr std::size_t kMaxTasks = 256;
 constexpr int kMaxTasksOfClient = 8;
@@ -17,31 +17,31 @@ page::Letter ProgressLetter(const std::string& what, double done, double total) 
 
 }  // namespace
 
-Workshop::Workshop() {
-  for (int i = 0; i < kNumThreads; ++i) threads_.emplace_back([this] { Labor(); });
+BackgroundJobs::BackgroundJobs() {
+  for (int i = 0; i < kNumThreads; ++i) threads_.emplace_back([this] { WorkerLoop(); });
 }
 
-Workshop::~Workshop() {
+BackgroundJobs::~BackgroundJobs() {
   {
     const std::lock_guard lock(mutex_);
     is_closing_ = true;
-    for (Task& task : tasks_) task.given_up_for = "the program ends";
+    for (Task& task : tasks_) task.canceled_because = "the program ends";
   }
   changed_.notify_all();
   for (std::thread& thread : threads_) thread.join();
 }
 
-void Workshop::Begin(Job job) {
+void BackgroundJobs::Begin(Job job) {
   {
     const std::lock_guard lock(mutex_);
     if (job.replaces_older) {
       const auto is_older = [&newer = job.request](const Job& other) {
         return other.request.client == newer.client && other.request.what == newer.what;
       };
-      GiveUp(is_older, "given up for what was asked for since");
+      CancelMatching(is_older, "given up for what was asked for since");
     }
     const auto num_of_client = std::ranges::count_if(tasks_, [&job](const Task& task) {
-      return task.job.request.client == job.request.client && task.given_up_for.empty();
+      return task.job.request.client == job.request.client && task.canceled_because.empty();
     });
     if (tasks_.size() >= kMaxTasks || num_of_client >= kMaxTasksOfClient) {
       throw page::RequestError("too much is asked for at once: wait a bit");
@@ -51,20 +51,21 @@ void Workshop::Begin(Job job) {
   changed_.notify_one();
 }
 
-void Workshop::Cancel(page::ClientId client, std::uint32_t seq) {
+void BackgroundJobs::Cancel(page::ClientId client, std::uint32_t seq) {
   const std::lock_guard lock(mutex_);
   const auto is_meant = [&](const Job& job) {
     return job.can_be_canceled && job.request.client == client && job.request.seq == seq;
   };
-  GiveUp(is_meant, "canceled");
+  CancelMatching(is_meant, "canceled");
 }
 
-void Workshop::GiveUp(const std::function<bool(const Job&)>& is_meant, const std::string& why) {
+void BackgroundJobs::CancelMatching(const std::function<bool(const Job&)>& is_meant,
+                                    const std::string& why) {
   for (auto task = tasks_.begin(); task != tasks_.end();) {
     if (!is_meant(task->job)) {
       ++task;
     } else if (task->is_running) {
-      task->given_up_for = why;
+      task->canceled_because = why;
       ++task;
     } else {
       const auto fail = [&why]() -> Json { throw page::RequestError(why); };
@@ -74,7 +75,7 @@ void Workshop::GiveUp(const std::function<bool(const Job&)>& is_meant, const std
   }
 }
 
-std::vector<page::Letter> Workshop::TakeLetters() {
+std::vector<page::Letter> BackgroundJobs::TakeLetters() {
   std::vector<page::Letter> letters;
   for (Outgoing& outgoing : TakeOutgoing()) {
     if (outgoing.conclude) outgoing.conclude();
@@ -83,24 +84,24 @@ std::vector<page::Letter> Workshop::TakeLetters() {
   return letters;
 }
 
-std::vector<Workshop::Outgoing> Workshop::TakeOutgoing() {
+std::vector<BackgroundJobs::Outgoing> BackgroundJobs::TakeOutgoing() {
   const std::lock_guard lock(mutex_);
   for (Task& task : tasks_) {
-    if (!std::exchange(task.has_news, false)) continue;
+    if (!std::exchange(task.has_progressed, false)) continue;
     outgoing_.push_back({ProgressLetter(task.job.request.what, task.done, task.total), {}});
   }
   return std::exchange(outgoing_, {});
 }
 
-void Workshop::Send(const Job& job, Json answer) {
+void BackgroundJobs::Send(const Job& job, Json answer) {
   outgoing_.push_back({{.client = job.request.client, .message = std::move(answer)}, job.conclude});
 }
 
-void Workshop::Labor() {
+void BackgroundJobs::WorkerLoop() {
   while (Task* task = TakeTask()) Finish(task, CarryOut(task));
 }
 
-Workshop::Task* Workshop::TakeTask() {
+BackgroundJobs::Task* BackgroundJobs::TakeTask() {
   std::unique_lock lock(mutex_);
   while (!is_closing_) {
     const auto next =
@@ -114,39 +115,39 @@ Workshop::Task* Workshop::TakeTask() {
   return nullptr;
 }
 
-Json Workshop::CarryOut(Task* task) {
+Json BackgroundJobs::CarryOut(Task* task) {
   return AnswerWith(task->job.request, [this, task] {
-    FailIfGivenUp(*task);
+    ThrowIfCanceled(*task);
     try {
       Json answer = task->job.work(
-          [this, task](double done, double total) { return Tell(task, done, total); });
-      // What somebody replaced is of no use; else what is done is done.
-      if (task->job.replaces_older || task->was_told_to_end) FailIfGivenUp(*task);
+          [this, task](double done, double total) { return ReportProgress(task, done, total); });
+      // The result of a replaced job is useless; any other result is kept.
+      if (task->job.replaces_older || task->has_seen_cancel) ThrowIfCanceled(*task);
       return answer;
     } catch (const std::exception&) {
-      if (task->was_told_to_end) FailIfGivenUp(*task);
+      if (task->has_seen_cancel) ThrowIfCanceled(*task);
       throw;
     }
   });
 }
 
-void Workshop::FailIfGivenUp(const Task& task) {
+void BackgroundJobs::ThrowIfCanceled(const Task& task) {
   const std::lock_guard lock(mutex_);
-  if (!task.given_up_for.empty()) throw page::RequestError(task.given_up_for);
+  if (!task.canceled_because.empty()) throw page::RequestError(task.canceled_because);
 }
 
-bool Workshop::Tell(Task* task, double done, double total) {
+bool BackgroundJobs::ReportProgress(Task* task, double done, double total) {
   const std::lock_guard lock(mutex_);
   task->done = done;
   task->total = total;
-  task->has_news = task->has_begun = true;
-  task->was_told_to_end = !task->given_up_for.empty();
-  return !task->was_told_to_end;
+  task->has_progressed = task->has_begun = true;
+  task->has_seen_cancel = !task->canceled_because.empty();
+  return !task->has_seen_cancel;
 }
 
-void Workshop::Finish(Task* task, Json answer) {
+void BackgroundJobs::Finish(Task* task, Json answer) {
   const std::lock_guard lock(mutex_);
-  // Whoever saw it begin sees it end, also when it failed.
+  // Clients that saw it begin see it end, also when it failed.
   if (task->has_begun) {
     outgoing_.push_back({ProgressLetter(task->job.request.what, task->total, task->total), {}});
   }

@@ -1,4 +1,4 @@
-#include "library/gallery.h"
+#include "library/scene_catalog.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -8,26 +8,26 @@
 namespace smile::library {
 namespace {
 
-class GalleryTest : public ::testing::Test {
+class SceneCatalogTest : public ::testing::Test {
  protected:
-  GalleryTest() {
+  SceneCatalogTest() {
     folder_ = std::filesystem::temp_directory_path() /
-              ("smile_gallery_" + std::to_string(getpid()) + "_" +
+              ("smile_scene_catalog_" + std::to_string(getpid()) + "_" +
                ::testing::UnitTest::GetInstance()->current_test_info()->name());
     std::filesystem::create_directories(folder_);
   }
-  ~GalleryTest() override { std::filesystem::remove_all(folder_); }
+  ~SceneCatalogTest() override { std::filesystem::remove_all(folder_); }
 
   std::string TitleOf(const std::string& text) {
     WriteFile(folder_ / "scene.xml", text);
-    const Json list = Gallery(folder_).List();
+    const Json list = SceneCatalog(folder_).List();
     return list.size() == 1 ? list[0]["title"].get<std::string>() : "not listed";
   }
 
   std::filesystem::path folder_;
 };
 
-TEST_F(GalleryTest, TitlesAreThePhraseThatTheFirstCommentBeginsWith) {
+TEST_F(SceneCatalogTest, TitlesAreThePhraseThatTheFirstCommentBeginsWith) {
   EXPECT_EQ(TitleOf("<!-- Authored for SMILE. Two towers: the taller one\nfalls. --><tabletop/>"),
             "Two towers");
   EXPECT_EQ(TitleOf("<?xml version='1.0'?>\n<!-- Three\nblocks (1.5 high) --><tabletop/>"),
@@ -38,7 +38,7 @@ TEST_F(GalleryTest, TitlesAreThePhraseThatTheFirstCommentBeginsWith) {
   EXPECT_EQ(TitleOf("<!-- A broken scene. --><tabletop>"), "A broken scene");
 }
 
-TEST_F(GalleryTest, ScenesWithoutACommentInFrontHaveTheirName) {
+TEST_F(SceneCatalogTest, ScenesWithoutACommentInFrontHaveTheirName) {
   EXPECT_EQ(TitleOf("<tabletop><!-- Inside. --></tabletop>"), "scene");
   EXPECT_EQ(TitleOf("<tabletop/><!-- Behind. -->"), "scene");
   EXPECT_EQ(TitleOf("<!-- " + std::string(300, 'x') + " --><tabletop/>"), "scene");
@@ -47,13 +47,13 @@ TEST_F(GalleryTest, ScenesWithoutACommentInFrontHaveTheirName) {
   EXPECT_EQ(TitleOf(""), "scene");
 }
 
-TEST_F(GalleryTest, NoNameLeadsOutOfTheFolder) {
+TEST_F(SceneCatalogTest, NoNameLeadsOutOfTheFolder) {
   WriteFile(folder_ / "scene.xml", "<tabletop/>");
-  const Gallery gallery(folder_);
-  EXPECT_TRUE(gallery.FileOf("scene"));
+  const SceneCatalog catalog(folder_);
+  EXPECT_TRUE(catalog.FileOf("scene"));
   std::filesystem::create_symlink(folder_ / "scene.xml", folder_ / "link.xml");
   for (const char* name : {"", "link", "missing", ".", "../scene", "/scene"}) {
-    EXPECT_FALSE(gallery.FileOf(name)) << name;
+    EXPECT_FALSE(catalog.FileOf(name)) << name;
   }
 }
 

@@ -1,4 +1,4 @@
-#include "library/showcase.h"
+#include "library/content_routes.h"
 
 #include <cstdlib>
 #include <set>
@@ -10,9 +10,9 @@
 namespace smile::library {
 namespace {
 
-class ShowcaseTest : public recorder::RecordingFixture {
+class ContentRoutesTest : public recorder::RecordingFixture {
  protected:
-  ShowcaseTest() {
+  ContentRoutesTest() {
     std::filesystem::create_directories(scenes());
     WriteFile(scenes() / "pair.xml", std::string("<?xml version=\"1.0\"?>\n"
                                                  "<!-- Authored for SMILE. A red block: of two.\n"
@@ -25,9 +25,9 @@ class ShowcaseTest : public recorder::RecordingFixture {
 
   std::filesystem::path scenes() const { return root_ / "scenes"; }
 
-  /// The picture; its text if it is none.
+  /// Returns the picture at a path.
   Image PictureAt(const std::string& path) {
-    const auto answer = showcase_.Get(path);
+    const auto answer = content_routes_.Get(path);
     EXPECT_TRUE(answer) << path;
     if (!answer) return {};
     EXPECT_EQ(answer->type, "image/png");
@@ -35,27 +35,27 @@ class ShowcaseTest : public recorder::RecordingFixture {
     return ReadPng(root_ / "got.png");
   }
 
-  Showcase showcase_{{.scenes = root_ / "scenes",
-                      .recordings = root_,
-                      .presets = {{{"name", "bricks"}, {"title", "Bricks"}}}}};
+  ContentRoutes content_routes_{{.scenes = root_ / "scenes",
+                                 .recordings = root_,
+                                 .presets = {{{"name", "bricks"}, {"title", "Bricks"}}}}};
 };
 
-TEST_F(ShowcaseTest, HasAGalleryOfScenes) {
-  const auto answer = showcase_.Get("/scenes");
+TEST_F(ContentRoutesTest, ListsScenesAndPresets) {
+  const auto answer = content_routes_.Get("/scenes");
   ASSERT_TRUE(answer);
   EXPECT_EQ(answer->type, "application/json");
-  const Json gallery = ParseJson(answer->body);
-  ASSERT_EQ(gallery["scenes"].size(), 2u) << answer->body;
-  EXPECT_EQ(gallery["scenes"][0],
+  const Json catalog = ParseJson(answer->body);
+  ASSERT_EQ(catalog["scenes"].size(), 2u) << answer->body;
+  EXPECT_EQ(catalog["scenes"][0],
             (Json{{"name", "pair"}, {"title", "A red block"}, {"picture", "/scenes/pair.png"}}));
-  EXPECT_EQ(gallery["scenes"][1]["title"], "wrong");
-  EXPECT_EQ(gallery["presets"][0]["title"], "Bricks");
-  const auto text = showcase_.Get("/scenes/pair.xml");
+  EXPECT_EQ(catalog["scenes"][1]["title"], "wrong");
+  EXPECT_EQ(catalog["presets"][0]["title"], "Bricks");
+  const auto text = content_routes_.Get("/scenes/pair.xml");
   ASSERT_TRUE(text);
   EXPECT_EQ(text->body, ReadFile(scenes() / "pair.xml", 1 << 20));
 }
 
-TEST_F(ShowcaseTest, ShowsNothingElse) {
+TEST_F(ContentRoutesTest, RefusesAllOtherPaths) {
   Record(R"({"do":"wait","seconds":0.1})");
   for (const char* path :
        {"/scenes/../secret.xml", "/scenes/link.xml", "/scenes/link.png", "/scenes/none.png",
@@ -63,12 +63,12 @@ TEST_F(ShowcaseTest, ShowsNothingElse) {
         "/recordings/../demo/picture.png", "/recordings/demo/segments/9.png",
         "/recordings/demo/segments/-1.png", "/recordings/demo/segments/0x.png",
         "/recordings/demo/trace.bin", "/recordings/demo", "/recordings/.zip", "/", ""}) {
-    EXPECT_FALSE(showcase_.Get(path)) << path;
+    EXPECT_FALSE(content_routes_.Get(path)) << path;
   }
-  EXPECT_THROW(showcase_.Get("/scenes/wrong.png"), InputError);
+  EXPECT_THROW(content_routes_.Get("/scenes/wrong.png"), InputError);
 }
 
-TEST_F(ShowcaseTest, PicturesChangeWithWhatTheyShow) {
+TEST_F(ContentRoutesTest, ThumbnailsDependOnContent) {
   Record(kStackAOnB, /*with_robot=*/true);
   const Image scene = PictureAt("/scenes/pair.png");
   EXPECT_EQ(scene.width_px, 320);
@@ -83,7 +83,7 @@ TEST_F(ShowcaseTest, PicturesChangeWithWhatTheyShow) {
   EXPECT_GT(std::set<std::uint8_t>(end.color.begin(), end.color.end()).size(), 50u);
 }
 
-TEST_F(ShowcaseTest, ShowsASceneThatWasChanged) {
+TEST_F(ContentRoutesTest, RendersAChangedSceneAgain) {
   const Image before = PictureAt("/scenes/pair.png");
   std::string xml = kScene;
   xml.replace(xml.find("red"), 3, "blue");
@@ -91,18 +91,18 @@ TEST_F(ShowcaseTest, ShowsASceneThatWasChanged) {
   EXPECT_TRUE(PictureAt("/scenes/pair.png").color != before.color);
 }
 
-TEST_F(ShowcaseTest, ServesManyAtOnce) {
+TEST_F(ContentRoutesTest, ServesSeveralThreadsAtOnce) {
   Record();
-  std::vector<std::thread> visitors;
+  std::vector<std::thread> clients;
   std::vector<std::string> seen(8);
   for (std::size_t i = 0; i < seen.size(); ++i) {
-    visitors.emplace_back([this, i, &seen] {
+    clients.emplace_back([this, i, &seen] {
       const auto answer =
-          showcase_.Get("/recordings/demo/segments/" + std::to_string(i % 2) + ".png");
+          content_routes_.Get("/recordings/demo/segments/" + std::to_string(i % 2) + ".png");
       if (answer) seen[i] = answer->body;
     });
   }
-  for (std::thread& visitor : visitors) visitor.join();
+  for (std::thread& client : clients) client.join();
   for (std::size_t i = 0; i < seen.size(); ++i) {
     EXPECT_FALSE(seen[i].empty());
     EXPECT_TRUE(seen[i] == seen[i % 2]) << i;
@@ -110,11 +110,11 @@ TEST_F(ShowcaseTest, ServesManyAtOnce) {
   EXPECT_TRUE(seen[0] != seen[1]);
 }
 
-TEST_F(ShowcaseTest, GivesTheReasonWhereNothingCanDraw) {
+TEST_F(ContentRoutesTest, ReportsThatRenderingIsUnavailable) {
   setenv("SMILE_EGL_PLATFORM", "none", 1);
-  EXPECT_THROW(showcase_.Get("/scenes/pair.png"), std::runtime_error);
+  EXPECT_THROW(content_routes_.Get("/scenes/pair.png"), std::runtime_error);
   unsetenv("SMILE_EGL_PLATFORM");
-  EXPECT_TRUE(showcase_.Get("/scenes/pair.png")) << "next time it may go well";
+  EXPECT_TRUE(content_routes_.Get("/scenes/pair.png")) << "the next call may succeed";
 }
 
 }  // namespace

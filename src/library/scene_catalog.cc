@@ -1,4 +1,4 @@
-#include "library/gallery.h"
+#include "library/scene_catalog.h"
 
 #include <algorithm>
 #include <fstream>
@@ -58,7 +58,7 @@ std::string SceneTitleOf(const std::filesystem::path& path) {
 
 }  // namespace
 
-Json Gallery::List() const {
+Json SceneCatalog::List() const {
   std::vector<std::string> names;
   std::error_code error;
   for (std::filesystem::directory_iterator it(folder_, error), end; !error && it != end;
@@ -76,7 +76,7 @@ Json Gallery::List() const {
   return list;
 }
 
-std::optional<std::filesystem::path> Gallery::FileOf(const std::string& name) const {
+std::optional<std::filesystem::path> SceneCatalog::FileOf(const std::string& name) const {
   const bool is_plain = !name.empty() && name.size() <= 200 && name.front() != '.' &&
                         name.find('/') == std::string::npos && name.find('\0') == std::string::npos;
   if (!is_plain) return std::nullopt;

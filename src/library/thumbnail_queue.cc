@@ -1,0 +1,84 @@
+#include "library/thumbnail_queue.h"
+
+#include <stdexcept>
+#include <utility>
+
+#include "library/thumbnail_renderer.h"
+
+namespace smile::library {
+namespace {
+
+constexpr std::size_t kMaxJobs = 256;
+constexpr std::size_t kMaxKept = 2000;
+constexpr std::size_t kMaxKeptBytes = 64 << 20;
+
+std::size_t SizeOf(const ThumbnailQueue::Picture& picture) { return picture ? picture->size() : 0; }
+
+}  // namespace
+
+ThumbnailQueue::ThumbnailQueue() : thread_([this] { WorkerLoop(); }) {}
+
+ThumbnailQueue::~ThumbnailQueue() {
+  {
+    const std::lock_guard lock(mutex_);
+    is_closing_ = true;
+    jobs_.clear();  // breaks their promises
+  }
+  changed_.notify_all();
+  thread_.join();
+}
+
+ThumbnailQueue::Picture ThumbnailQueue::Get(const std::string& key, const Render& render) {
+  return Enqueue(key, render).get();
+}
+
+std::shared_future<ThumbnailQueue::Picture> ThumbnailQueue::Enqueue(const std::string& key,
+                                                                    const Render& render) {
+  const std::lock_guard lock(mutex_);
+  const auto known = pictures_.find(key);
+  if (known != pictures_.end()) return known->second;
+  if (is_closing_ || jobs_.size() >= kMaxJobs) {
+    throw std::runtime_error("too many pictures are asked for at once");
+  }
+  jobs_.push_back({.key = key, .render = render});
+  changed_.notify_one();
+  return pictures_[key] = jobs_.back().picture.get_future().share();
+}
+
+void ThumbnailQueue::WorkerLoop() {
+  ThumbnailRenderer renderer;
+  while (auto job = TakeJob()) Run(*std::move(job), &renderer);
+}
+
+std::optional<ThumbnailQueue::Job> ThumbnailQueue::TakeJob() {
+  std::unique_lock lock(mutex_);
+  changed_.wait(lock, [this] { return is_closing_ || !jobs_.empty(); });
+  if (is_closing_) return std::nullopt;
+  Job job = std::move(jobs_.front());
+  jobs_.pop_front();
+  return job;
+}
+
+void ThumbnailQueue::Run(Job job, ThumbnailRenderer* renderer) {
+  try {
+    Picture picture = job.render(renderer);
+    const std::lock_guard lock(mutex_);
+    kept_.push_back(job.key);
+    kept_bytes_ += SizeOf(picture);
+    while (kept_.size() > kMaxKept || kept_bytes_ > kMaxKeptBytes) {
+      const auto oldest = pictures_.find(kept_.front());
+      // The promise of the newest is not fulfilled yet.
+      if (oldest->first == job.key) break;
+      kept_bytes_ -= SizeOf(oldest->second.get());
+      pictures_.erase(oldest);
+      kept_.pop_front();
+    }
+    job.picture.set_value(std::move(picture));
+  } catch (...) {
+    const std::lock_guard lock(mutex_);
+    pictures_.erase(job.key);  // the next call may succeed
+    job.picture.set_exception(std::current_exception());
+  }
+}
+
+}  // namespace smile::library

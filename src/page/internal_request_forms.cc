@@ -38,7 +38,7 @@ std::vector<RequestForm> WorldRequests() {
          "as docs/commands.md has it, or `drag`"},
         {"exact", FlagShape(), kOptional, "it does not snap"}},
        {{"recording", TextShape(), kOptional, "that was begun"},
-        {"deed", DeedShape(), kOptional, "the action that was done, as in a timeline"}},
+        {"deed", ActionSummaryShape(), kOptional, "the action that was done, as in a timeline"}},
        ""},
       {"allowed",
        {{"requests", JsonShape::List(JsonShape::Map(JsonShape::Anything()), 0, 16), true,

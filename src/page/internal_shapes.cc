@@ -100,7 +100,7 @@ JsonShape HandShape() {
       .Called("Hand");
 }
 
-JsonShape DeedShape() {
+JsonShape ActionSummaryShape() {
   return ObjectShape({{"do", JsonShape::Word({"take", "put", "drop", "release", "destroy", "point",
                                               "trigger", "fasten", "loosen", "add", "remove",
                                               "clear", "load"})},
@@ -109,24 +109,25 @@ JsonShape DeedShape() {
                       {"on", TextShape(), kOptional, "id of what is beneath, empty for the table"},
                       {"into", TextShape(), kOptional},
                       {"words", TextShape(), true, "all of it, for people"}})
-      .Called("Deed");
+      .Called("ActionSummary");
 }
 
 JsonShape SegmentShape() {
-  return ObjectShape({{"number", NumberShape()},
-                      {"deed", DeedShape().OrNull(), true, "what began it; null of the first"},
-                      {"seconds", NumberShape()}})
+  return ObjectShape(
+             {{"number", NumberShape()},
+              {"deed", ActionSummaryShape().OrNull(), true, "what began it; null of the first"},
+              {"seconds", NumberShape()}})
       .Called("Segment");
 }
 
 JsonShape TimelineShape() {
   const JsonShape segment = ObjectShape({{"number", NumberShape()},
-                                         {"deed", DeedShape().OrNull()},
+                                         {"deed", ActionSummaryShape().OrNull()},
                                          {"begin", NumberShape()},
                                          {"end", NumberShape()}});
   const JsonShape step = ObjectShape({{"step", NumberShape()},
                                       {"parent", NumberShape().OrNull()},
-                                      {"deed", DeedShape().OrNull()},
+                                      {"deed", ActionSummaryShape().OrNull()},
                                       {"begin", NumberShape()},
                                       {"end", NumberShape()},
                                       {"on_way", FlagShape()}});

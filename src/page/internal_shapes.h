@@ -31,7 +31,7 @@ JsonShape VisualShape();
 JsonShape SceneObjectShape();
 JsonShape RobotDescriptionShape();
 JsonShape HandShape();
-JsonShape DeedShape();
+JsonShape ActionSummaryShape();
 JsonShape SegmentShape();
 JsonShape TimelineShape();
 /// True, or the reason why not.

@@ -76,7 +76,7 @@ export interface Hand {
 }
 
 /** An action; `on` and `into` tell what is beneath what was put or dropped. */
-export interface Deed {
+export interface ActionSummary {
   do: "take" | "put" | "drop" | "release" | "destroy" | "point" | "trigger" | "fasten" | "loosen" | "add" | "remove" | "clear" | "load";
   /** null of what no hand did */
   hand: HandName | null;
@@ -92,14 +92,14 @@ export interface Deed {
 export interface Segment {
   number: number;
   /** what began it; null of the first */
-  deed: Deed | null;
+  deed: ActionSummary | null;
   seconds: number;
 }
 
 /** All times from the start [s]. */
 export interface Timeline {
-  segments: ({ number: number; deed: Deed | null; begin: number; end: number })[];
-  steps: ({ step: number; parent: number | null; deed: Deed | null; begin: number; end: number; on_way: boolean })[];
+  segments: ({ number: number; deed: ActionSummary | null; begin: number; end: number })[];
+  steps: ({ step: number; parent: number | null; deed: ActionSummary | null; begin: number; end: number; on_way: boolean })[];
   seconds: number;
 }
 
@@ -270,7 +270,7 @@ export interface Requests {
   take_control: { fields: { by_force?: boolean }; answer: { granted: boolean } };
   keep_control: { fields: { from: number }; answer: object };
   give_control: { fields: { to?: number | null }; answer: object };
-  command: { fields: { command: Command; exact?: boolean }; answer: { recording?: string; deed?: Deed } };
+  command: { fields: { command: Command; exact?: boolean }; answer: { recording?: string; deed?: ActionSummary } };
   allowed: { fields: { requests: Record<string, unknown>[] }; answer: { allowed: Allowed[] } };
   pause: { fields: object; answer: object };
   resume: { fields: object; answer: object };

@@ -1,6 +1,6 @@
 import { useEffect, useRef } from "preact/hooks";
 import { signal, useSignal } from "@preact/signals";
-import type { Deed, Segment, Timeline } from "../protocol";
+import type { ActionSummary, Segment, Timeline } from "../protocol";
 import { may, when } from "../allowed";
 import { ask, state } from "../studio";
 import { texts } from "../texts";
@@ -21,7 +21,7 @@ const rate = signal(1);
 const moment = signal(0);
 const edited = signal<{ kind: EditKind; segment: number } | null>(null);
 
-function wordsOf({ deed }: { deed: Deed | null }): string {
+function wordsOf({ deed }: { deed: ActionSummary | null }): string {
   return deed?.words ?? words.start;
 }
 

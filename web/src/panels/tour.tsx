@@ -4,27 +4,27 @@ import { isController, scene } from "../studio";
 import { texts } from "../texts";
 import { Button } from "../ui/buttons";
 import { isTourKnown, showPanel } from "./page";
-import * as deeds from "./tour_deeds";
+import * as conditions from "./tour_conditions";
 
 interface Step {
   name: string;
-  /** Absent: the user says when to go on. */
-  deed?: deeds.Deed;
+  /** Absent: the user presses a button to continue. */
+  condition?: conditions.Condition;
   /** What it is about: the element with this data-tour. */
   about?: string;
 }
 
 const STEPS: Step[] = [
   { name: "welcome" },
-  { name: "look", deed: deeds.lookedAround },
-  { name: "record", deed: deeds.recording, about: "record" },
-  { name: "grasp", deed: deeds.grasped, about: "objects" },
-  { name: "lift", deed: deeds.lifted, about: "nudge" },
-  { name: "turn", deed: deeds.turned, about: "turn" },
-  { name: "stack", deed: deeds.stacked, about: "release" },
-  { name: "undo", deed: deeds.undone, about: "undo" },
-  { name: "redo", deed: deeds.redone, about: "redo" },
-  { name: "finish", deed: deeds.finished, about: "record" },
+  { name: "look", condition: conditions.lookedAround },
+  { name: "record", condition: conditions.recording, about: "record" },
+  { name: "grasp", condition: conditions.grasped, about: "objects" },
+  { name: "lift", condition: conditions.lifted, about: "nudge" },
+  { name: "turn", condition: conditions.turned, about: "turn" },
+  { name: "stack", condition: conditions.stacked, about: "release" },
+  { name: "undo", condition: conditions.undone, about: "undo" },
+  { name: "redo", condition: conditions.redone, about: "redo" },
+  { name: "finish", condition: conditions.finished, about: "record" },
   { name: "end" },
 ];
 /** So long one is told that it was well done. */
@@ -59,13 +59,13 @@ function skip(): void {
   if (isUndo) next();
 }
 
-/** Watches for the deed of the step, praises it, and goes on. */
-function useDeed(): void {
+/** Watches the condition of the step, praises the user when it is met, and goes on. */
+function useCondition(): void {
   useEffect(() => {
-    const deed = step.value?.deed;
-    if (!deed) return;
+    const condition = step.value?.condition;
+    if (!condition) return;
     let timer = 0;
-    const stop = deed(() => {
+    const stop = condition(() => {
       if (timer !== 0) return;
       isPraised.value = true;
       timer = window.setTimeout(next, PRAISE_MS);
@@ -106,7 +106,7 @@ function TourButtons({ now }: { now: Step }) {
       </>
     );
   }
-  if (!now.deed) return <Button label={words.done} kind="accent" onClick={next} />;
+  if (!now.condition) return <Button label={words.done} kind="accent" onClick={next} />;
   return (
     <>
       <Button label={words.leave} kind="quiet" onClick={leave} />
@@ -115,10 +115,10 @@ function TourButtons({ now }: { now: Step }) {
   );
 }
 
-/** Two minutes with a block, recorded from the first grasp on: every step waits for the deed itself. */
+/** Two minutes with a block, recorded from the first grasp on: every step waits for its condition. */
 export function Tour() {
   useFirstStart();
-  useDeed();
+  useCondition();
   useMark();
   const now = step.value;
   if (now === null) return null;
@@ -130,7 +130,7 @@ export function Tour() {
         <small>{words.step(number + 1, STEPS.length)}</small>
         <h2>{isPraised.value ? words.well : title}</h2>
         <p>{sentence}</p>
-        {now.deed && !isController.value && <p class="trouble">{words.needsControl}</p>}
+        {now.condition && !isController.value && <p class="trouble">{words.needsControl}</p>}
       </div>
       <progress aria-hidden="true" value={number} max={STEPS.length - 1} />
       <div class="row end">

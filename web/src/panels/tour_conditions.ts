@@ -2,8 +2,8 @@ import { mayCommand } from "../allowed";
 import { eventListeners, request, state } from "../studio";
 import { HANDS, type EventMessage, type Point } from "../protocol";
 
-/** What a step of the tour waits for: calls `onDone` at the deed itself, and returns how to stop watching. */
-export type Deed = (onDone: () => void) => () => void;
+/** What a step of the tour waits for: calls `onDone` when it is met, and returns a function that stops watching. */
+export type Condition = (onDone: () => void) => () => void;
 
 const LIFT = 0.8; // [units]
 
@@ -16,16 +16,16 @@ function heldNow(): { object: string; goal: Point; angles: Point } | null {
 }
 
 /** Done as soon as this is true of the state. */
-function once(isDone: () => boolean): Deed {
+function once(isDone: () => boolean): Condition {
   return (onDone) =>
     state.subscribe(() => {
       if (isDone()) onDone();
     });
 }
 
-export const grasped: Deed = once(() => heldNow() !== null);
+export const grasped: Condition = once(() => heldNow() !== null);
 
-export const lifted: Deed = (onDone) => {
+export const lifted: Condition = (onDone) => {
   let lowest = Infinity;
   return once(() => {
     const height = heldNow()?.goal[2];
@@ -35,7 +35,7 @@ export const lifted: Deed = (onDone) => {
   })(onDone);
 };
 
-export const turned: Deed = (onDone) => {
+export const turned: Condition = (onDone) => {
   let before: Point | null = null;
   return once(() => {
     const angles = heldNow()?.angles ?? null;
@@ -45,7 +45,7 @@ export const turned: Deed = (onDone) => {
 };
 
 /** What was let go of last has come to rest on another object. */
-export const stacked: Deed = (onDone) => {
+export const stacked: Condition = (onDone) => {
   let released: string | null = null;
   let isAsking = false;
   let isOver = false;
@@ -72,10 +72,10 @@ export const stacked: Deed = (onDone) => {
   };
 };
 
-export const recording: Deed = once(() => (state.value?.recording ?? null) !== null);
+export const recording: Condition = once(() => (state.value?.recording ?? null) !== null);
 
 /** There comes to be something to redo, or no longer is. */
-function onceRedo(isThere: boolean): Deed {
+function onceRedo(isThere: boolean): Condition {
   return (onDone) => {
     let wasThere = mayCommand("redo") === true;
     return once(() => {
@@ -87,13 +87,13 @@ function onceRedo(isThere: boolean): Deed {
   };
 }
 
-export const undone: Deed = onceRedo(true);
-export const redone: Deed = onceRedo(false);
+export const undone: Condition = onceRedo(true);
+export const redone: Condition = onceRedo(false);
 
-export const finished: Deed = once(() => (state.value?.recording ?? null) === null);
+export const finished: Condition = once(() => (state.value?.recording ?? null) === null);
 
 /** The view was turned or came nearer, by mouse, finger or wheel in the world, or a key anywhere. */
-export const lookedAround: Deed = (onDone) => {
+export const lookedAround: Condition = (onDone) => {
   const world = document.querySelector(".world");
   let moved = 0;
   /** It was pressed in the world, and not beside it. */

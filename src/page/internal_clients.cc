@@ -59,7 +59,7 @@ Request ParseRequest(ClientId client, std::string_view text) {
 Clients::Clients(const ServerLimits& limits)
     : limits_(limits),
       own_requests_(OwnRequests()),
-      roles_(std::chrono::milliseconds(std::lround(1000 * limits.silence_seconds))) {}
+      arbiter_(std::chrono::milliseconds(std::lround(1000 * limits.silence_seconds))) {}
 
 Clients::Client* Clients::Find(ClientId id) {
   const auto client = clients_.find(id);
@@ -86,8 +86,8 @@ bool Clients::Open(ClientId id) {
 
 void Clients::Close(ClientId id) {
   const Lock lock(mutex_);
-  const bool was_here = roles_.IsHere(id);
-  roles_.Leave(id);
+  const bool was_here = arbiter_.IsHere(id);
+  arbiter_.Leave(id);
   std::erase(new_clients_, id);
   clients_.erase(id);
   if (was_here) TellWhoIsHere();
@@ -116,13 +116,13 @@ void Clients::Receive(ClientId id, bool is_text, std::string_view text) {
   if (!client->said_hello && request->what != "hello") {
     return Refuse(client, request->seq, "say hello first");
   }
-  if (request->what != "ping") roles_.NoteSignOfLife(id, Now());
+  if (request->what != "ping") arbiter_.NoteSignOfLife(id, Now());
   if (!own_requests_.entries.contains(request->what)) {
     client->waiting.push_back({std::move(*request), text.size()});
     client->waiting_bytes += text.size();
     return;
   }
-  PostJson(client, Answer(own_requests_, *request, roles_.controller() == id));
+  PostJson(client, Answer(own_requests_, *request, arbiter_.controller() == id));
   client->carried_out = std::max(client->carried_out, request->seq);
   if (std::exchange(is_news_who_is_here_, false)) TellWhoIsHere();
 }
@@ -160,7 +160,7 @@ Json Clients::Hello(const Request& request) {
   Client* client = Find(request.client);
   if (!client->said_hello) {
     client->said_hello = true;
-    roles_.Join(request.client);
+    arbiter_.Join(request.client);
     new_clients_.push_back(request.client);
     is_news_who_is_here_ = true;
   }
@@ -170,8 +170,8 @@ Json Clients::Hello(const Request& request) {
 
 Json Clients::TakeControl(const Request& request) {
   const bool by_force = request.fields.value("by_force", Json(false)) == true;
-  const std::optional<ClientId> before = roles_.controller();
-  const bool is_granted = roles_.Take(request.client, by_force, Now());
+  const std::optional<ClientId> before = arbiter_.controller();
+  const bool is_granted = arbiter_.Take(request.client, by_force, Now());
   if (!is_granted) {
     PostJson(Find(*before), {{"t", "control_wanted"}, {"by", request.client}});
   } else if (before != request.client) {
@@ -187,20 +187,20 @@ Json Clients::GiveControl(const Request& request) {
   }
   std::optional<ClientId> receiver;
   if (!to.is_null()) receiver = to.get<ClientId>();
-  roles_.Give(request.client, receiver, Now());
+  arbiter_.Give(request.client, receiver, Now());
   is_news_who_is_here_ = true;
   return Json::object();
 }
 
 Json Clients::ControllerNumber() const {
-  return roles_.controller() ? Json(*roles_.controller()) : Json();
+  return arbiter_.controller() ? Json(*arbiter_.controller()) : Json();
 }
 
 void Clients::TellWhoIsHere() {
-  for (const ClientId id : roles_.clients()) {
+  for (const ClientId id : arbiter_.clients()) {
     PostJson(Find(id), {{"t", "clients"},
                         {"controller", ControllerNumber()},
-                        {"clients", roles_.clients()},
+                        {"clients", arbiter_.clients()},
                         {"you", id}});
   }
 }
@@ -261,7 +261,7 @@ Clients::Mail Clients::TakeMail(Client* client) {
 }
 
 Clients::Mail Clients::PosesFor(Client* client) {
-  const PoseBoard::Change change = poses_.Since(client->known_poses);
+  const PoseBroadcaster::Change change = poses_.Since(client->known_poses);
   client->known_poses = poses_.version();
   client->acknowledged = client->to_acknowledge;
   return {.kind = Mail::Kind::kBinary,
@@ -291,7 +291,7 @@ std::vector<Request> Clients::TakeRequests() {
   CloseSilentClients();
   std::vector<Request> taken;
   for (auto& [id, client] : clients_) {
-    const bool takes_all = roles_.controller() == id;
+    const bool takes_all = arbiter_.controller() == id;
     while (!client.waiting.empty()) {
       client.waiting_bytes -= client.waiting.front().bytes;
       taken.push_back(std::move(client.waiting.front().request));
@@ -310,7 +310,7 @@ std::vector<ClientId> Clients::TakeNewClients() {
 
 bool Clients::IsController(ClientId id) const {
   const Lock lock(mutex_);
-  return roles_.controller() == id;
+  return arbiter_.controller() == id;
 }
 
 void Clients::Send(ClientId id, const Json& message) {
@@ -334,7 +334,7 @@ void Clients::SendToAll(const Json& message) {
 
 void Clients::SendPoses(const Poses& poses) {
   const Lock lock(mutex_);
-  poses_.Show(poses);
+  poses_.Update(poses);
   for (auto& [id, client] : clients_) {
     client.to_acknowledge = client.carried_out;
   }

@@ -11,8 +11,8 @@
 #include <string_view>
 #include <vector>
 
-#include "page/internal_pose_board.h"
-#include "page/internal_roles.h"
+#include "page/internal_control_arbiter.h"
+#include "page/internal_pose_broadcaster.h"
 #include "page/server.h"
 #include "web_server/web_socket_handler.h"
 
@@ -73,7 +73,7 @@ class Clients : public web_server::WebSocketHandler {
     bool knows_everything = false;  ///< it was told the scene, so news make sense
     std::deque<Mail> news;
     std::size_t news_bytes = 0;
-    PoseBoard::Version known_poses = 0;
+    PoseBroadcaster::Version known_poses = 0;
     std::uint64_t known_view = 0;
     std::uint32_t carried_out = 0;     ///< its last request that was
     std::uint32_t to_acknowledge = 0;  ///< the same, when poses were sent last
@@ -112,10 +112,10 @@ class Clients : public web_server::WebSocketHandler {
   std::map<ClientId, Client> clients_;
   ClientId last_id_ = 0;
   bool is_open_ = true;
-  Roles roles_;
+  ControlArbiter arbiter_;
   bool is_news_who_is_here_ = false;  ///< to be told after the answer
   std::vector<ClientId> new_clients_;
-  PoseBoard poses_;
+  PoseBroadcaster poses_;
   View view_;
 };
 

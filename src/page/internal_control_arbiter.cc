@@ -1,4 +1,4 @@
-#include "page/internal_roles.h"
+#include "page/internal_control_arbiter.h"
 
 #include <algorithm>
 #include <string>
@@ -6,9 +6,9 @@
 namespace smile::page {
 namespace {
 
-/// Between two requests of one client for control.
+/// Minimum time between two requests of one client for control.
 constexpr std::chrono::seconds kAskPause(10);
-/// Between two requests of anyone: who comes back is another client, and has no pause of its own.
+/// Minimum time between requests of any clients: a client that reconnects counts as another one.
 constexpr std::chrono::seconds kAskPauseOfAll(3);
 
 std::string SecondsText(std::chrono::steady_clock::duration time) {
@@ -17,24 +17,24 @@ std::string SecondsText(std::chrono::steady_clock::duration time) {
 
 }  // namespace
 
-void Roles::Leave(ClientId client) {
+void ControlArbiter::Leave(ClientId client) {
   std::erase(clients_, client);
   asked_.erase(client);
   if (controller_ == client) SetController(std::nullopt, last_sign_);
 }
 
-void Roles::NoteSignOfLife(ClientId client, Time now) {
+void ControlArbiter::NoteSignOfLife(ClientId client, Time now) {
   if (controller_ == client) last_sign_ = now;
 }
 
-bool Roles::Take(ClientId client, bool by_force, Time now) {
+bool ControlArbiter::Take(ClientId client, bool by_force, Time now) {
   if (controller_ == client) return true;
   if (controller_ && !(by_force ? MayForce(client, now) : MayAsk(client, now))) return false;
   SetController(client, now);
   return true;
 }
 
-bool Roles::MayAsk(ClientId client, Time now) {
+bool ControlArbiter::MayAsk(ClientId client, Time now) {
   const auto asked = asked_.find(client);
   if (asked != asked_.end() && now - asked->second < kAskPause) {
     throw RequestError("the controller was asked already; you may ask again in " +
@@ -44,7 +44,7 @@ bool Roles::MayAsk(ClientId client, Time now) {
   return false;
 }
 
-bool Roles::MayForce(ClientId client, Time now) {
+bool ControlArbiter::MayForce(ClientId client, Time now) {
   const auto asked = asked_.find(client);
   const bool is_first = asked == asked_.end();
   const auto silence = now - std::max(is_first ? now : asked->second, last_sign_);
@@ -58,7 +58,7 @@ bool Roles::MayForce(ClientId client, Time now) {
                      SecondsText(silence_ - silence) + " at the earliest");
 }
 
-void Roles::NoteAsked(ClientId client, Time now) {
+void ControlArbiter::NoteAsked(ClientId client, Time now) {
   if (last_asked_ && now - *last_asked_ < kAskPauseOfAll) {
     throw RequestError("the controller was asked by another; you may ask in " +
                        SecondsText(kAskPauseOfAll - (now - *last_asked_)));
@@ -67,7 +67,7 @@ void Roles::NoteAsked(ClientId client, Time now) {
   last_asked_ = now;
 }
 
-void Roles::Give(ClientId from, std::optional<ClientId> to, Time now) {
+void ControlArbiter::Give(ClientId from, std::optional<ClientId> to, Time now) {
   if (controller_ != from) throw RequestError("you are watching: there is no control to give");
   if (to && !IsHere(*to)) {
     throw RequestError("there is no client " + std::to_string(*to) + " to give control to");
@@ -75,14 +75,14 @@ void Roles::Give(ClientId from, std::optional<ClientId> to, Time now) {
   SetController(to, now);
 }
 
-void Roles::SetController(std::optional<ClientId> client, Time now) {
+void ControlArbiter::SetController(std::optional<ClientId> client, Time now) {
   controller_ = client;
   last_sign_ = now;
   asked_.clear();
   last_asked_.reset();
 }
 
-bool Roles::IsHere(ClientId client) const {
+bool ControlArbiter::IsHere(ClientId client) const {
   return std::ranges::find(clients_, client) != clients_.end();
 }
 

@@ -1,4 +1,4 @@
-#include "page/internal_pose_board.h"
+#include "page/internal_pose_broadcaster.h"
 
 #include <algorithm>
 #include <limits>
@@ -10,7 +10,7 @@ constexpr std::size_t kValuesPerFrame = 7;
 
 }  // namespace
 
-void PoseBoard::Show(const Poses& poses) {
+void PoseBroadcaster::Update(const Poses& poses) {
   if (!poses.is_key && (version_ == 0 || poses.scene != scene_)) return;
   scene_ = poses.scene;
   tick_ = poses.tick;
@@ -33,13 +33,13 @@ void PoseBoard::Show(const Poses& poses) {
   }
 }
 
-PoseBoard::Change PoseBoard::Since(Version known) {
+PoseBroadcaster::Change PoseBroadcaster::Since(Version known) {
   if (cached_.bytes && cached_for_ == known) return cached_;
   auto bytes = std::make_shared<std::string>();
   Change change{.is_key = known < key_};
   const std::size_t most = std::numeric_limits<std::uint16_t>::max();
   for (std::uint32_t frame = 0; frame < changed_.size() && change.count < most; ++frame) {
-    // The key of a scene need not have each frame.
+    // A key need not contain every frame.
     if (change.is_key ? changed_[frame] == 0 : changed_[frame] <= known) continue;
     bytes->append(reinterpret_cast<const char*>(&frame), sizeof frame);
     bytes->append(reinterpret_cast<const char*>(&values_[frame * kValuesPerFrame]),

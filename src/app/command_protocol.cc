@@ -12,11 +12,11 @@ namespace {
 
 /// Which table is wanted.
 struct ProtocolTable {
-  bool news = false, typescript = false;
+  bool updates = false, typescript = false;
 
   std::string Text() const {
     if (typescript) return page::ProtocolTypeScript();
-    return news ? page::NewsMarkdown() : page::RequestMarkdown();
+    return updates ? page::UpdateMarkdown() : page::RequestMarkdown();
   }
 };
 
@@ -27,7 +27,7 @@ void AddProtocol(CLI::App* program, ExitAnswer answer) {
   CLI::App* protocol =
       program->add_subcommand("protocol", "List what the studio's page may ask for");
   CLI::App* form = protocol->add_option_group("form");
-  form->add_flag("--news", table->news, "what it is told instead");
+  form->add_flag("--news", table->updates, "what it is told instead");
   form->add_flag("--typescript", table->typescript, "both, as the page's types");
   form->require_option(0, 1);
   protocol->callback([table, answer] {

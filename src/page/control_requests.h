@@ -4,8 +4,8 @@
 
 namespace smile::page {
 
-/// Lets the controller answer a client who asked for control: `keep_control` with `from`, the
-/// client, who is told `{"t":"control_kept"}`.
+/// Adds `keep_control`, by which the controller refuses a client `from` that asked for control; the
+/// client receives `{"t":"control_kept"}`.
 void AddControlRequests(RequestTable* table);
 
 }  // namespace smile::page

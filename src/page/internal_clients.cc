@@ -13,7 +13,7 @@ namespace smile::page {
 namespace {
 
 constexpr int kProtocolVersion = 1;
-/// A program that is wrong so often is not the page.
+/// A client with so many invalid requests is not the page.
 constexpr int kMaxMistakes = 10;
 /// Requests of one client that may wait for the session; the next are left in the network.
 constexpr std::size_t kMaxWaitingRequests = 64;
@@ -22,7 +22,7 @@ constexpr std::uint8_t kPosesKind = 1, kViewKind = 2;
 
 std::chrono::steady_clock::time_point Now() { return std::chrono::steady_clock::now(); }
 
-/// How every binary message begins.
+/// Returns the header of a binary message.
 std::string BinaryHead(std::uint8_t kind, bool flag, std::uint16_t count, std::uint32_t scene,
                        std::uint32_t tick, std::uint32_t ack) {
   ByteWriter head;
@@ -90,7 +90,7 @@ void Clients::Close(ClientId id) {
   arbiter_.Leave(id);
   std::erase(new_clients_, id);
   clients_.erase(id);
-  if (was_here) TellWhoIsHere();
+  if (was_here) SendClientList();
 }
 
 void Clients::LimitExceeded(ClientId id, const std::string& reason) {
@@ -124,7 +124,7 @@ void Clients::Receive(ClientId id, bool is_text, std::string_view text) {
   }
   PostJson(client, Answer(own_requests_, *request, arbiter_.controller() == id));
   client->carried_out = std::max(client->carried_out, request->seq);
-  if (std::exchange(is_news_who_is_here_, false)) TellWhoIsHere();
+  if (std::exchange(must_send_clients_, false)) SendClientList();
 }
 
 bool Clients::CanReceive(ClientId id) {
@@ -162,7 +162,7 @@ Json Clients::Hello(const Request& request) {
     client->said_hello = true;
     arbiter_.Join(request.client);
     new_clients_.push_back(request.client);
-    is_news_who_is_here_ = true;
+    must_send_clients_ = true;
   }
   return {
       {"client", request.client}, {"controller", ControllerNumber()}, {"program", ProgramName()}};
@@ -175,7 +175,7 @@ Json Clients::TakeControl(const Request& request) {
   if (!is_granted) {
     PostJson(Find(*before), {{"t", "control_wanted"}, {"by", request.client}});
   } else if (before != request.client) {
-    is_news_who_is_here_ = true;
+    must_send_clients_ = true;
   }
   return {{"granted", is_granted}};
 }
@@ -188,7 +188,7 @@ Json Clients::GiveControl(const Request& request) {
   std::optional<ClientId> receiver;
   if (!to.is_null()) receiver = to.get<ClientId>();
   arbiter_.Give(request.client, receiver, Now());
-  is_news_who_is_here_ = true;
+  must_send_clients_ = true;
   return Json::object();
 }
 
@@ -196,7 +196,7 @@ Json Clients::ControllerNumber() const {
   return arbiter_.controller() ? Json(*arbiter_.controller()) : Json();
 }
 
-void Clients::TellWhoIsHere() {
+void Clients::SendClientList() {
   for (const ClientId id : arbiter_.clients()) {
     PostJson(Find(id), {{"t", "clients"},
                         {"controller", ControllerNumber()},
@@ -205,15 +205,16 @@ void Clients::TellWhoIsHere() {
   }
 }
 
-void Clients::Post(Client* client, Mail mail) {
+void Clients::Post(Client* client, OutgoingMessage message) {
   if (client->is_closing) return;
   // One message is always taken, however long it is.
-  if (!client->news.empty() && client->news_bytes + mail.body->size() > limits_.outbox_bytes) {
-    client->news.clear();
+  if (!client->outbox.empty() &&
+      client->outbox_bytes + message.body->size() > limits_.outbox_bytes) {
+    client->outbox.clear();
     return CloseNow(client, CloseCode::kPolicyViolation, "too slow: too much waits for you");
   }
-  client->news_bytes += mail.body->size();
-  client->news.push_back(std::move(mail));
+  client->outbox_bytes += message.body->size();
+  client->outbox.push_back(std::move(message));
 }
 
 void Clients::PostJson(Client* client, const Json& message) {
@@ -223,9 +224,9 @@ void Clients::PostJson(Client* client, const Json& message) {
 void Clients::CloseNow(Client* client, CloseCode code, std::string_view reason) {
   if (client->is_closing) return;
   client->is_closing = true;
-  client->news.push_back({.kind = Mail::Kind::kClose,
-                          .body = std::make_shared<const std::string>(reason),
-                          .code = code});
+  client->outbox.push_back({.kind = OutgoingMessage::Kind::kClose,
+                            .body = std::make_shared<const std::string>(reason),
+                            .code = code});
 }
 
 void Clients::CloseAll() {
@@ -234,8 +235,8 @@ void Clients::CloseAll() {
   for (auto& [id, client] : clients_) CloseNow(&client, CloseCode::kGoingAway, "the studio ends");
 }
 
-bool Clients::HasMail(const Client& client) const {
-  if (!client.news.empty()) return true;
+bool Clients::HasMessage(const Client& client) const {
+  if (!client.outbox.empty()) return true;
   return client.knows_everything && !client.is_closing &&
          (client.known_poses < poses_.version() || client.acknowledged != client.to_acknowledge ||
           client.known_view < view_.number);
@@ -244,35 +245,35 @@ bool Clients::HasMail(const Client& client) const {
 std::optional<web_server::OutgoingMessage> Clients::NextMessage(ClientId id) {
   const Lock lock(mutex_);
   Client* client = Find(id);
-  if (!HasMail(*client)) return std::nullopt;
-  return TakeMail(client);
+  if (!HasMessage(*client)) return std::nullopt;
+  return TakeMessage(client);
 }
 
-Clients::Mail Clients::TakeMail(Client* client) {
-  if (!client->news.empty()) {
-    Mail mail = std::move(client->news.front());
-    client->news.pop_front();
-    client->news_bytes -= std::min(client->news_bytes, mail.body->size());
-    return mail;
+Clients::OutgoingMessage Clients::TakeMessage(Client* client) {
+  if (!client->outbox.empty()) {
+    OutgoingMessage message = std::move(client->outbox.front());
+    client->outbox.pop_front();
+    client->outbox_bytes -= std::min(client->outbox_bytes, message.body->size());
+    return message;
   }
   const bool wants_poses =
       client->known_poses < poses_.version() || client->acknowledged != client->to_acknowledge;
   return wants_poses ? PosesFor(client) : ViewFor(client);
 }
 
-Clients::Mail Clients::PosesFor(Client* client) {
+Clients::OutgoingMessage Clients::PosesFor(Client* client) {
   const PoseBroadcaster::Change change = poses_.Since(client->known_poses);
   client->known_poses = poses_.version();
   client->acknowledged = client->to_acknowledge;
-  return {.kind = Mail::Kind::kBinary,
+  return {.kind = OutgoingMessage::Kind::kBinary,
           .head = BinaryHead(kPosesKind, change.is_key, change.count, poses_.scene(), poses_.tick(),
                              client->acknowledged),
           .body = change.bytes};
 }
 
-Clients::Mail Clients::ViewFor(Client* client) {
+Clients::OutgoingMessage Clients::ViewFor(Client* client) {
   client->known_view = view_.number;
-  return {.kind = Mail::Kind::kBinary,
+  return {.kind = OutgoingMessage::Kind::kBinary,
           .head = BinaryHead(kViewKind, view_.is_recorded, 0, view_.scene, view_.tick,
                              client->acknowledged),
           .body = view_.png};
@@ -319,7 +320,7 @@ void Clients::Send(ClientId id, const Json& message) {
   if (client == nullptr) return;
   PostJson(client, message);
   if (message.value("t", "") == "reply") {
-    // What takes long is answered after what was asked for later.
+    // Slow requests are answered after later ones.
     client->carried_out = std::max(client->carried_out, message.value("seq", 0U));
   }
 }

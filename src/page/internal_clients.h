@@ -18,8 +18,8 @@
 
 namespace smile::page {
 
-/// All clients, their requests and their messages: the place where the thread of the web server and
-/// the one of the session meet. Every function may be called from any thread, and none waits.
+/// Clients: their requests and messages, exchanged between the threads of the web server and the
+/// thread of the session. Thread-safe; no function waits.
 class Clients : public web_server::WebSocketHandler {
  public:
   explicit Clients(const ServerLimits& limits);
@@ -28,10 +28,10 @@ class Clients : public web_server::WebSocketHandler {
 
   // For the web server.
 
-  /// Where all places are taken, the oldest client that has not said hello is closed.
+  /// Closes the oldest client that has not said hello if the limit of clients is reached.
   bool Open(ClientId client) override;
   void Receive(ClientId client, bool is_text, std::string_view message) override;
-  /// Not while too many requests of this client wait for the session.
+  /// Returns false while too many requests of this client wait for the session.
   bool CanReceive(ClientId client) override;
   void LimitExceeded(ClientId client, const std::string& reason) override;
   std::optional<web_server::OutgoingMessage> NextMessage(ClientId client) override;
@@ -47,14 +47,14 @@ class Clients : public web_server::WebSocketHandler {
   void SendPoses(const Poses& poses);
   void SendView(std::uint32_t scene, std::uint32_t tick, std::string png, bool is_recorded);
 
-  /// Closes all, and refuses new ones.
+  /// Closes all clients, and refuses new ones.
   void CloseAll();
 
  private:
   using Lock = std::lock_guard<std::mutex>;
   using Time = std::chrono::steady_clock::time_point;
   using CloseCode = web_server::CloseCode;
-  using Mail = web_server::OutgoingMessage;
+  using OutgoingMessage = web_server::OutgoingMessage;
 
   struct Waiting {
     Request request;
@@ -63,19 +63,19 @@ class Clients : public web_server::WebSocketHandler {
   struct Client {
     Time since;
 
-    // What it asks for.
+    // Its requests.
     int mistakes = 0;
     bool said_hello = false;
     std::deque<Waiting> waiting;
     std::size_t waiting_bytes = 0;
 
-    // What it is told.
-    bool knows_everything = false;  ///< it was told the scene, so news make sense
-    std::deque<Mail> news;
-    std::size_t news_bytes = 0;
+    // Its messages.
+    bool knows_everything = false;  ///< has received the scene, so updates make sense
+    std::deque<OutgoingMessage> outbox;
+    std::size_t outbox_bytes = 0;
     PoseBroadcaster::Version known_poses = 0;
     std::uint64_t known_view = 0;
-    std::uint32_t carried_out = 0;     ///< its last request that was
+    std::uint32_t carried_out = 0;     ///< seq of its last request that was carried out
     std::uint32_t to_acknowledge = 0;  ///< the same, when poses were sent last
     std::uint32_t acknowledged = 0;
     bool is_closing = false;
@@ -91,20 +91,20 @@ class Clients : public web_server::WebSocketHandler {
   void Refuse(Client* client, std::uint32_t seq, const std::string& error);
   bool MakeRoom();
   void CloseSilentClients();
-  /// What the server itself carries out.
+  /// Returns the requests that the server itself carries out.
   RequestTable OwnRequests();
   Json Hello(const Request& request);
   Json TakeControl(const Request& request);
   Json GiveControl(const Request& request);
   Json ControllerNumber() const;
-  void Post(Client* client, Mail mail);
+  void Post(Client* client, OutgoingMessage message);
   void PostJson(Client* client, const Json& message);
   void CloseNow(Client* client, CloseCode code, std::string_view reason);
-  void TellWhoIsHere();
-  bool HasMail(const Client& client) const;
-  Mail TakeMail(Client* client);
-  Mail PosesFor(Client* client);
-  Mail ViewFor(Client* client);
+  void SendClientList();
+  bool HasMessage(const Client& client) const;
+  OutgoingMessage TakeMessage(Client* client);
+  OutgoingMessage PosesFor(Client* client);
+  OutgoingMessage ViewFor(Client* client);
 
   ServerLimits limits_;
   RequestTable own_requests_;
@@ -113,7 +113,7 @@ class Clients : public web_server::WebSocketHandler {
   ClientId last_id_ = 0;
   bool is_open_ = true;
   ControlArbiter arbiter_;
-  bool is_news_who_is_here_ = false;  ///< to be told after the answer
+  bool must_send_clients_ = false;  ///< after the reply
   std::vector<ClientId> new_clients_;
   PoseBroadcaster poses_;
   View view_;

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "page/internal_news_forms.h"
 #include "page/internal_request_forms.h"
 #include "page/internal_shapes.h"
+#include "page/internal_update_forms.h"
 
 namespace smile::page {
 namespace {
@@ -38,16 +38,16 @@ const std::vector<RequestForm>& RequestForms() {
   return kForms;
 }
 
-const std::vector<NewsForm>& NewsForms() {
-  static const std::vector<NewsForm> kForms = MakeNewsForms();
+const std::vector<UpdateForm>& UpdateForms() {
+  static const std::vector<UpdateForm> kForms = MakeUpdateForms();
   return kForms;
 }
 
 std::string MisfitOf(const Json& message, const std::string& request) {
   const std::string kind = message.value("t", "");
   if (kind == "reply") return MisfitOfReply(message, request);
-  const auto form = std::ranges::find(NewsForms(), kind, &NewsForm::name);
-  if (form == NewsForms().end()) return "there is no message \"" + kind + "\"";
+  const auto form = std::ranges::find(UpdateForms(), kind, &UpdateForm::name);
+  if (form == UpdateForms().end()) return "there is no message \"" + kind + "\"";
   std::string misfit;
   form->shape.Fits(message, &misfit);
   return misfit;

@@ -6,8 +6,8 @@
 #include "base/json.h"
 #include "base/json_shape.h"
 
-// What pages and the studio say to each other, as tables: docs/studio-protocol.md and the page's
-// types are made from them, and tests hold against them what is really said.
+// The protocol between pages and the studio as tables: docs/studio-protocol.md and the page's types
+// are generated from them, and tests compare all messages with them.
 
 namespace smile::page {
 
@@ -21,13 +21,13 @@ struct RequestForm {
 };
 const std::vector<RequestForm>& RequestForms();
 
-/// One kind of message that nobody asked for.
-struct NewsForm {
+/// One kind of update: a message that is not a reply.
+struct UpdateForm {
   std::string name;  ///< its `t`
   JsonShape shape;
   std::string remark;
 };
-const std::vector<NewsForm>& NewsForms();
+const std::vector<UpdateForm>& UpdateForms();
 
 /// What is wrong with a message that is sent to a page, and where; empty: nothing.
 /// @param request  `do` of the request that it answers, if it is a reply.

@@ -63,9 +63,9 @@ std::string RequestMarkdown() {
   return text;
 }
 
-std::string NewsMarkdown() {
+std::string UpdateMarkdown() {
   std::string text = "| `t` | fields | |\n|---|---|---|\n";
-  for (const NewsForm& form : NewsForms()) {
+  for (const UpdateForm& form : UpdateForms()) {
     text += "|" + TableCell("`" + form.name + "`") + TableCell(NamesIn(form.shape.members())) +
             TableCell(form.remark) + "\n";
   }
@@ -80,12 +80,11 @@ std::string ProtocolTypeScript() {
     text += "\n" + named.shape.TypeScriptDefinition(named.meaning);
   }
   std::string names;
-  for (const NewsForm& form : NewsForms()) {
+  for (const UpdateForm& form : UpdateForms()) {
     text += "\n" + form.shape.TypeScriptDefinition();
     names += "\n  | " + form.shape.TypeScript();
   }
-  text +=
-      "\n/** What is told without being asked for. */\nexport type UnaskedNews =" + names + ";\n";
+  text += "\n/** Messages that are not replies. */\nexport type Update =" + names + ";\n";
   text +=
       "\n/** What may be asked for, and what is answered beside `ok`. */\n"
       "export interface Requests {\n";

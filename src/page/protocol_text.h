@@ -8,7 +8,7 @@ namespace smile::page {
 
 /// The tables of docs/studio-protocol.md.
 std::string RequestMarkdown();
-std::string NewsMarkdown();
+std::string UpdateMarkdown();
 
 /// The page's types: web/src/messages.ts.
 std::string ProtocolTypeScript();

@@ -82,10 +82,10 @@ Json AnswerWith(const Request& request, const std::function<Json()>& carry_out) 
   }
 }
 
-std::vector<Letter> TakeLetters(const RequestTable& table) {
-  std::vector<Letter> all;
-  for (const auto& take : table.letters) {
-    for (Letter& letter : take()) all.push_back(std::move(letter));
+std::vector<DeferredMessage> TakeDeferred(const RequestTable& table) {
+  std::vector<DeferredMessage> all;
+  for (const auto& take : table.deferred) {
+    for (DeferredMessage& deferred : take()) all.push_back(std::move(deferred));
   }
   return all;
 }

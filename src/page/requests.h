@@ -13,7 +13,7 @@
 
 namespace smile::page {
 
-/// Numbers clients from 1 on, in the order in which they came.
+/// Numbers clients from 1 on, in order of arrival.
 using ClientId = int;
 
 /// A request that cannot be carried out: its message is the answer.
@@ -38,26 +38,27 @@ using RequestHandler = std::function<Json(const Request&)>;
 /// RequestHandler does.
 using Precondition = std::function<std::optional<std::string>(const Request&)>;
 
-/// What takes its time is answered by a Letter.
+/// Returned for slow requests, which are answered by a DeferredMessage.
 Json AnswersLater();
 bool IsLater(const Json& answer);
 
-/// What a client is told without being asked just now.
-struct Letter {
-  ClientId client = 0;  ///< 0: everyone
+/// Deferred message: a late reply to one client, or an update that a request caused.
+struct DeferredMessage {
+  ClientId client = 0;  ///< 0: all clients
   Json message;
 };
 
-/// Who carries out what. The rooms' parts put in what they can do.
+/// Request table: the handlers of all requests. Each part of the program adds its own.
 struct RequestTable {
   struct Entry {
     RequestHandler handle;
-    bool is_for_anyone = false;  ///< else for the controller alone
+    bool is_for_anyone = false;  ///< else only for the controller
     Precondition refuse = {};    ///< empty if nothing but its fields matters
   };
   std::map<std::string, Entry, std::less<>> entries;
-  /// What there is to be told since they were last asked; to be asked 60 times a second.
-  std::vector<std::function<std::vector<Letter>()>> letters;
+  /// Sources of deferred messages: each returns those since its last call; called 60 times a
+  /// second.
+  std::vector<std::function<std::vector<DeferredMessage>()>> deferred;
 };
 
 /// `{"t":"reply",…}`, whatever happens; or IsLater(). An unknown `do` is answered with what there
@@ -70,10 +71,10 @@ Json AllowedRequests(const RequestTable& table);
 /// True, or the reason why not.
 Json AllowedUnless(const std::optional<std::string>& refusal);
 
-/// Answer() to a request that somebody carries out, in whatever thread.
+/// Returns the reply to a request that `carry_out` carries out, in any thread.
 Json AnswerWith(const Request& request, const std::function<Json()>& carry_out);
 
-/// From all who have something to tell, in order.
-std::vector<Letter> TakeLetters(const RequestTable& table);
+/// Returns the deferred messages of all sources, in order.
+std::vector<DeferredMessage> TakeDeferred(const RequestTable& table);
 
 }  // namespace smile::page

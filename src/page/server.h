@@ -21,7 +21,7 @@ struct ServerLimits {
   int clients = 64;
   double hello_seconds = 10;           ///< for the first request; when all places are taken, less
   int connections = 256;               ///< of clients, and of browsers that load the page
-  std::size_t outbox_bytes = 8 << 20;  ///< news that wait for one client
+  std::size_t outbox_bytes = 8 << 20;  ///< of messages that wait for one client
   double stall_seconds = 10;           ///< so long a client may take nothing
   double silence_seconds =
       30;  ///< of a controller who was asked, until control may be taken by force

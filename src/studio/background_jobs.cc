@@ -11,7 +11,7 @@ constexpr int kNumThreads = 2;
 constexpr std::size_t kMaxTasks = 256;
 constexpr int kMaxTasksOfClient = 8;
 
-page::Letter ProgressLetter(const std::string& what, double done, double total) {
+page::DeferredMessage ProgressMessage(const std::string& what, double done, double total) {
   return {.message = {{"t", "progress"}, {"what", what}, {"done", done}, {"total", total}}};
 }
 
@@ -75,20 +75,20 @@ void BackgroundJobs::CancelMatching(const std::function<bool(const Job&)>& is_me
   }
 }
 
-std::vector<page::Letter> BackgroundJobs::TakeLetters() {
-  std::vector<page::Letter> letters;
+std::vector<page::DeferredMessage> BackgroundJobs::TakeDeferred() {
+  std::vector<page::DeferredMessage> deferred;
   for (Outgoing& outgoing : TakeOutgoing()) {
     if (outgoing.conclude) outgoing.conclude();
-    letters.push_back(std::move(outgoing.letter));
+    deferred.push_back(std::move(outgoing.message));
   }
-  return letters;
+  return deferred;
 }
 
 std::vector<BackgroundJobs::Outgoing> BackgroundJobs::TakeOutgoing() {
   const std::lock_guard lock(mutex_);
   for (Task& task : tasks_) {
     if (!std::exchange(task.has_progressed, false)) continue;
-    outgoing_.push_back({ProgressLetter(task.job.request.what, task.done, task.total), {}});
+    outgoing_.push_back({ProgressMessage(task.job.request.what, task.done, task.total), {}});
   }
   return std::exchange(outgoing_, {});
 }
@@ -149,7 +149,7 @@ void BackgroundJobs::Finish(Task* task, Json answer) {
   const std::lock_guard lock(mutex_);
   // Clients that saw it begin see it end, also when it failed.
   if (task->has_begun) {
-    outgoing_.push_back({ProgressLetter(task->job.request.what, task->total, task->total), {}});
+    outgoing_.push_back({ProgressMessage(task->job.request.what, task->total, task->total), {}});
   }
   Send(task->job, std::move(answer));
   tasks_.remove_if([task](const Task& other) { return &other == task; });

@@ -31,7 +31,7 @@ class BackgroundJobs {
     /// The client may cancel it.
     bool can_be_canceled = false;
     /// Called whether the work succeeded or not, just before its answer is returned: by
-    /// TakeLetters(), in the caller's thread.
+    /// TakeDeferred(), in the caller's thread.
     std::function<void()> conclude = {};
   };
 
@@ -49,7 +49,7 @@ class BackgroundJobs {
   void Cancel(page::ClientId client, std::uint32_t seq);
   /// Returns the answers since the last call, and the progress of running jobs:
   /// `{"t":"progress",…}` for all clients.
-  std::vector<page::Letter> TakeLetters();
+  std::vector<page::DeferredMessage> TakeDeferred();
 
  private:
   struct Task {
@@ -62,7 +62,7 @@ class BackgroundJobs {
     bool has_seen_cancel = false;  ///< its progress callback returned false
   };
   struct Outgoing {
-    page::Letter letter;
+    page::DeferredMessage message;
     std::function<void()> conclude;
   };
   /// Cancels the matching tasks; those not yet begun are answered at once.

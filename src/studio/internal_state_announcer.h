@@ -9,8 +9,8 @@ namespace smile::studio {
 /// Tells pages the state when it has changed.
 class StateAnnouncer {
  public:
-  /// Returns the message; nullopt if nothing but time has changed since the last one: time alone is
-  /// no news, but that a recording is a second longer.
+  /// Returns the message; nullopt if nothing but time has changed since the last one: time alone
+  /// is no change, except that a recording is a second longer.
   std::optional<Json> Tell(Json state);
   /// The next state is told, whatever it is.
   void Forget() { told_ = nullptr; }

@@ -42,7 +42,7 @@ bool StateMachine::Tick() {
 void StateMachine::Enter(std::unique_ptr<LiveWorld> world) {
   LeaveWorld();
   world_ = std::move(world);
-  // What its recording saw when it was made anew is no news.
+  // Pictures that its recording took while it was restored are not sent.
   if (EyeTap* eye = world_->eye()) (void)eye->Take();
   BeginWorld();
 }

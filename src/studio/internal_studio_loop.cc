@@ -21,7 +21,7 @@ void StudioLoop::Beat() {
   workplace_->SetMeasuredSpeed(pacer_.speed());
   const page::Poses poses = workplace_->NextPoses();
   // What poses are of is told before them.
-  TellNews(poses);
+  SendUpdates(poses);
   TellNewClients();
   server_->SendPoses(poses);
 }
@@ -45,19 +45,19 @@ void StudioLoop::DoTicks(int count) {
   pacer_.EndBeat(done, is_waiting ? count - done : 0, Clock::now());
 }
 
-void StudioLoop::TellNews(const page::Poses& poses) {
-  News news = workplace_->TakeNews();
-  for (const Json& message : news.messages) server_->SendToAll(message);
-  for (const page::Letter& letter : TakeLetters(workplace_->requests())) {
-    if (letter.client == 0) {
-      server_->SendToAll(letter.message);
+void StudioLoop::SendUpdates(const page::Poses& poses) {
+  SessionUpdates updates = workplace_->TakeUpdates();
+  for (const Json& message : updates.messages) server_->SendToAll(message);
+  for (const page::DeferredMessage& deferred : TakeDeferred(workplace_->requests())) {
+    if (deferred.client == 0) {
+      server_->SendToAll(deferred.message);
     } else {
-      server_->Send(letter.client, letter.message);
+      server_->Send(deferred.client, deferred.message);
     }
   }
-  if (news.view) {
-    press_.Print({.image = std::move(*news.view),
-                  .is_recorded = news.is_view_recorded,
+  if (updates.view) {
+    press_.Print({.image = std::move(*updates.view),
+                  .is_recorded = updates.is_view_recorded,
                   .scene = poses.scene,
                   .tick = poses.tick});
   }

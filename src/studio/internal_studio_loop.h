@@ -22,7 +22,7 @@ class StudioLoop {
   void CarryOutRequests();
   /// As many as there is time for.
   void DoTicks(int count);
-  void TellNews(const page::Poses& poses);
+  void SendUpdates(const page::Poses& poses);
   void TellNewClients();
 
   Workplace* workplace_;

@@ -118,9 +118,9 @@ void AddEditing(const library::Library* library, BackgroundJobs* jobs, page::Req
     return Json::object();
   };
   table->entries["cancel"] = {cancel, /*is_for_anyone=*/true};
-  table->letters.emplace_back([previews] {
+  table->deferred.emplace_back([previews] {
     previews->RemoveOlderThan(kMaxPreviewAge);
-    return std::vector<page::Letter>();
+    return std::vector<page::DeferredMessage>();
   });
 }
 
@@ -132,7 +132,7 @@ class LibraryWatch {
       : library_(library), stamp_(library->Stamp()) {}
 
   /// To be called 60 times a second; looks once a second.
-  std::vector<page::Letter> TakeLetters() {
+  std::vector<page::DeferredMessage> TakeDeferred() {
     constexpr int kCallsBetween = 60;
     if (++num_calls_ % kCallsBetween != 0) return {};
     std::string now = library_->Stamp();
@@ -153,9 +153,9 @@ void AddLibraryRequests(const library::Library* library, BackgroundJobs* jobs,
   AddLookUps(library, jobs, table);
   AddTidying(library, table);
   AddEditing(library, jobs, table);
-  table->letters.emplace_back([jobs] { return jobs->TakeLetters(); });
-  table->letters.emplace_back(
-      [watch = LibraryWatch(library)]() mutable { return watch.TakeLetters(); });
+  table->deferred.emplace_back([jobs] { return jobs->TakeDeferred(); });
+  table->deferred.emplace_back(
+      [watch = LibraryWatch(library)]() mutable { return watch.TakeDeferred(); });
 }
 
 }  // namespace smile::studio

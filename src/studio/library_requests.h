@@ -6,8 +6,8 @@
 
 namespace smile::studio {
 
-/// Puts in what may be asked of a library: `library`, `rename`, `bin`, `unbin`, `open`, `try_edit`,
-/// `edit` and `cancel`. What takes its time is done in the jobs, whose letters the table passes
+/// Adds the requests of a library: `library`, `rename`, `bin`, `unbin`, `open`, `try_edit`,
+/// `edit` and `cancel`. Slow ones are background jobs, whose deferred messages the table passes
 /// on.
 ///
 /// Both must outlive the table, and the library must outlive the jobs.

@@ -11,7 +11,7 @@
 namespace smile::studio {
 namespace {
 
-/// More news than these at a time are no use to anybody: a robot program may be refused for ever.
+/// Limits the messages of one batch: a brain may be refused continuously.
 constexpr std::size_t kMaxEvents = 200;
 
 /// What pages show changes no more often than they can.

@@ -8,7 +8,7 @@
 #include "brain/brain_log.h"
 #include "library/library.h"
 #include "studio/internal_brain_requests.h"
-#include "studio/internal_console_news.h"
+#include "studio/internal_console_updates.h"
 #include "studio/internal_eye_preview.h"
 #include "studio/internal_playback_requests.h"
 #include "studio/internal_scene_announcer.h"
@@ -39,7 +39,7 @@ auto Bound(Requests* requests, Member member) {
 
 }  // namespace
 
-/// Puts the parts together: states, requests, and the news of both.
+/// Connects the parts: states, requests, and the updates of both.
 class Session::Impl : private StateMachine::Listener {
  public:
   explicit Impl(SessionOptions options);
@@ -48,7 +48,7 @@ class Session::Impl : private StateMachine::Listener {
   Pace& pace() { return states_.pace(); }
   bool Tick();
   const library::View& view() const;
-  News TakeNews();
+  SessionUpdates TakeUpdates();
   std::vector<Json> Everything() const;
   std::optional<std::string> MeshBytes(std::uint32_t scene, std::size_t mesh) const {
     return scene_announcer_.MeshBytes(scene, mesh);
@@ -81,7 +81,7 @@ class Session::Impl : private StateMachine::Listener {
   SceneAnnouncer scene_announcer_;
   StateAnnouncer state_announcer_;
   EyePreview eye_preview_;
-  ConsoleNews console_;
+  ConsoleUpdates console_;
   Json score_;                                 ///< the last one that was told; null before
   Json failure_;                               ///< `failure` of a state message
   mutable std::optional<library::View> view_;  ///< nullopt when something may have moved since
@@ -193,7 +193,7 @@ void Session::Impl::TellConsole() {
     brain::BrainLog log(states_.world().recording_directory());
     for (const ConsoleLine& line : lines) log.Write(line.text);
   }
-  TellIfAny(console_.Tell(lines));
+  TellIfAny(console_.Add(lines));
 }
 
 void Session::Impl::TellIfAny(std::optional<Json> message) {
@@ -225,15 +225,15 @@ Json Session::Impl::DescribeState() const {
   return state_message;
 }
 
-News Session::Impl::TakeNews() {
+SessionUpdates Session::Impl::TakeUpdates() {
   // Hands and recordings do something also while time stands still.
   for (Json& event : states_.world().TakeEvents()) messages_.push_back(std::move(event));
-  News news{.messages = std::exchange(messages_, {})};
+  SessionUpdates updates{.messages = std::exchange(messages_, {})};
   if (auto picture = eye_preview_.Take()) {
-    news.view = std::move(picture->image);
-    news.is_view_recorded = picture->is_recorded;
+    updates.view = std::move(picture->image);
+    updates.is_view_recorded = picture->is_recorded;
   }
-  return news;
+  return updates;
 }
 
 std::vector<Json> Session::Impl::Everything() const {
@@ -255,7 +255,7 @@ double Session::speed_factor() const { return impl_->pace().speed_factor; }
 void Session::SetMeasuredSpeed(double factor) { impl_->pace().measured_speed = factor; }
 bool Session::Tick() { return impl_->Tick(); }
 library::View Session::view() const { return impl_->view(); }
-News Session::TakeNews() { return impl_->TakeNews(); }
+SessionUpdates Session::TakeUpdates() { return impl_->TakeUpdates(); }
 std::vector<Json> Session::Everything() const { return impl_->Everything(); }
 std::optional<std::string> Session::MeshBytes(std::uint32_t scene, std::size_t mesh) const {
   return impl_->MeshBytes(scene, mesh);

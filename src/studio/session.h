@@ -14,10 +14,10 @@
 
 namespace smile::studio {
 
-/// What a session has to tell, besides answers.
-struct News {
-  std::vector<Json> messages;  ///< for everyone, in order; see docs/studio-protocol.md
-  std::optional<Image> view;   ///< a fresh picture of the robot's eye
+/// The updates of a session: all its messages except replies.
+struct SessionUpdates {
+  std::vector<Json> messages;  ///< for all clients, in order; see docs/studio-protocol.md
+  std::optional<Image> view;   ///< the newest picture of the robot's eye
   bool is_view_recorded = false;
 };
 
@@ -45,10 +45,10 @@ class Session {
   bool Tick();
   /// What is to be seen now.
   library::View view() const;
-  /// What was to be told since this was last asked.
-  News TakeNews();
+  /// Returns the updates since the last call.
+  SessionUpdates TakeUpdates();
   /// All a new client has to know: scene, looks, what robot programs printed and achieved, and last
-  /// the state. The eye's picture comes again as news.
+  /// the state. The eye's picture follows with the updates.
   std::vector<Json> Everything() const;
   /// Triangles of a mesh of the present scene or one of those shortly before, as
   /// docs/studio-protocol.md has them; nullopt if there is none. From any thread.

@@ -21,10 +21,10 @@ struct SessionOptions {
   sim::Eye* eye = nullptr;  ///< takes the recorded pictures; must outlive the session
   /// Folder of the scenes that clients load by name; empty: the shipped scenes.
   std::filesystem::path scene_folder;
-  /// Where robot programs are, before those we ship.
+  /// Folders of brains, searched before the shipped ones.
   std::vector<std::filesystem::path> brains;
-  /// Does what takes its time, not without; its letters have to be taken where the session lives.
-  /// Must outlive it.
+  /// Carries out slow requests, which are refused without it; its deferred messages have to be
+  /// taken in the thread of the session. Must outlive the session.
   BackgroundJobs* jobs = nullptr;
 };
 

@@ -23,7 +23,7 @@ class SessionWorkplace : public Workplace {
 
   const page::RequestTable& requests() const override { return session_.requests(); }
   bool Tick() override { return session_.Tick(); }
-  News TakeNews() override { return session_.TakeNews(); }
+  SessionUpdates TakeUpdates() override { return session_.TakeUpdates(); }
   std::vector<Json> Everything() const override { return session_.Everything(); }
   double speed_factor() const override { return session_.speed_factor(); }
   void SetMeasuredSpeed(double factor) override { session_.SetMeasuredSpeed(factor); }

@@ -18,7 +18,7 @@ class Workplace {
 
   virtual const page::RequestTable& requests() const = 0;
   virtual bool Tick() = 0;
-  virtual News TakeNews() = 0;
+  virtual SessionUpdates TakeUpdates() = 0;
   virtual std::vector<Json> Everything() const = 0;
   virtual double speed_factor() const = 0;
   virtual void SetMeasuredSpeed(double factor) = 0;

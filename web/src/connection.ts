@@ -1,9 +1,9 @@
-import { decodeBinary, VERSION, type AnswerTo, type EyeView, type FieldsOf, type News, type Poses, type Reply, type Wanted } from "./protocol";
+import { decodeBinary, VERSION, type AnswerTo, type EyeView, type FieldsOf, type TextMessage, type Poses, type Reply, type Update, type Wanted } from "./protocol";
 
 const RECONNECT_MS = 500;
 
 export interface Listener {
-  onNews(news: News): void;
+  onUpdate(update: Update): void;
   onPoses(poses: Poses): void;
   onEyeView(view: EyeView): void;
   onConnected(isConnected: boolean): void;
@@ -72,14 +72,14 @@ export class Connection {
       else this.listener.onPoses(message);
       return;
     }
-    const news = JSON.parse(data) as News;
-    if (news.t !== "reply") {
-      this.listener.onNews(news);
+    const message = JSON.parse(data) as TextMessage;
+    if (message.t !== "reply") {
+      this.listener.onUpdate(message);
       return;
     }
-    const request = this.waiting.get(news.seq);
-    this.waiting.delete(news.seq);
-    if (news.ok) request?.resolve(news);
-    else request?.reject(new Refused(news));
+    const request = this.waiting.get(message.seq);
+    this.waiting.delete(message.seq);
+    if (message.ok) request?.resolve(message);
+    else request?.reject(new Refused(message));
   }
 }

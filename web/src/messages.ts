@@ -248,8 +248,8 @@ export interface ErrorMessage {
   error: string;
 }
 
-/** What is told without being asked for. */
-export type UnaskedNews =
+/** Messages that are not replies. */
+export type Update =
   | SceneMessage
   | LooksMessage
   | StateMessage

@@ -2,7 +2,7 @@
 // messages are made from the program's tables. Lengths are in
 // units of the scene file, angles in degrees, of joints in radians; world frame, z up.
 
-import type { Diagnostic, HandName, Pose, Requests, UnaskedNews } from "./messages";
+import type { Diagnostic, HandName, Pose, Requests, Update } from "./messages";
 
 export const VERSION = 1;
 
@@ -30,7 +30,8 @@ export type FieldsOf<What extends Wanted> = object extends Requests[What]["field
 /** A request as it is sent. */
 export type RequestWithFields = { [What in Wanted]: { do: What } & Requests[What]["fields"] }[Wanted];
 
-export type News = UnaskedNews | Reply;
+/** A text message of the program. */
+export type TextMessage = Update | Reply;
 
 /** A binary message: where frames are now. */
 export interface Poses {

@@ -9,10 +9,10 @@ import type {
   EyeView,
   FieldsOf,
   HandName,
-  News,
   Poses,
   SceneMessage,
   StateMessage,
+  Update,
   Wanted,
 } from "./protocol";
 import { texts } from "./texts";
@@ -32,7 +32,7 @@ export const notices = signal<{ id: number; text: string; isError: boolean }[]>(
 /** Who want control from us, and were not answered. */
 export const controlWantedBy = signal<number[]>([]);
 /** How often recordings came, went or got other titles. */
-export const numLibraryNews = signal(0);
+export const numLibraryUpdates = signal(0);
 
 /** The hand that the mouse is. */
 export const currentHand = signal<HandName>("any");
@@ -59,44 +59,44 @@ export function notify(text: string, isError = false): void {
 export const poseListeners = new Set<(poses: Poses) => void>();
 export const eventListeners = new Set<(event: EventMessage) => void>();
 
-function onNews(news: News): void {
-  switch (news.t) {
+function onUpdate(update: Update): void {
+  switch (update.t) {
     case "scene":
-      scene.value = news;
-      looks.value = news.looks;
+      scene.value = update;
+      looks.value = update.looks;
       break;
     case "looks":
-      looks.value = news.looks;
+      looks.value = update.looks;
       break;
     case "state":
-      state.value = news;
+      state.value = update;
       break;
     case "clients":
-      clients.value = news;
+      clients.value = update;
       break;
     case "event":
-      for (const listener of eventListeners) listener(news);
+      for (const listener of eventListeners) listener(update);
       break;
     case "console":
-      consoleLines.value = [...(news.all ? [] : consoleLines.value), ...news.lines].slice(-MAX_CONSOLE_LINES);
+      consoleLines.value = [...(update.all ? [] : consoleLines.value), ...update.lines].slice(-MAX_CONSOLE_LINES);
       break;
     case "score":
-      lastScore.value = news.result;
+      lastScore.value = update.result;
       break;
     case "progress":
-      progress.value = news.done < news.total ? news : null;
+      progress.value = update.done < update.total ? update : null;
       break;
     case "control_wanted":
-      controlWantedBy.value = [...controlWantedBy.value.filter((by) => by !== news.by), news.by];
+      controlWantedBy.value = [...controlWantedBy.value.filter((by) => by !== update.by), update.by];
       break;
     case "control_kept":
-      notify(texts.people.kept(news.by), true);
+      notify(texts.people.kept(update.by), true);
       break;
     case "library":
-      numLibraryNews.value += 1;
+      numLibraryUpdates.value += 1;
       break;
     case "error":
-      notify(news.error, true);
+      notify(update.error, true);
       break;
   }
 }
@@ -105,7 +105,7 @@ let connection: Connection | null = null;
 
 export function connect(): void {
   connection = new Connection({
-    onNews,
+    onUpdate,
     onPoses: (poses) => poseListeners.forEach((listener) => listener(poses)),
     onEyeView: (view) => (eyeView.value = view),
     onConnected: (yes) => (isConnected.value = yes),

@@ -70,13 +70,13 @@ TEST(ControlRequests, NotifiesTheRefusedClient) {
   AddControlRequests(&table);
   const Request request{.client = 1, .seq = 1, .what = "keep_control", .fields = {{"from", 2}}};
   EXPECT_EQ(Answer(table, request, /*is_controller=*/false)["ok"], false);
-  EXPECT_TRUE(TakeLetters(table).empty());
+  EXPECT_TRUE(TakeDeferred(table).empty());
   EXPECT_EQ(Answer(table, request, /*is_controller=*/true)["ok"], true);
-  const std::vector<Letter> letters = TakeLetters(table);
-  ASSERT_EQ(letters.size(), 1u);
-  EXPECT_EQ(letters[0].client, 2);
-  EXPECT_EQ(letters[0].message, (Json{{"t", "control_kept"}, {"by", 1}}));
-  EXPECT_TRUE(TakeLetters(table).empty());
+  const std::vector<DeferredMessage> deferred = TakeDeferred(table);
+  ASSERT_EQ(deferred.size(), 1u);
+  EXPECT_EQ(deferred[0].client, 2);
+  EXPECT_EQ(deferred[0].message, (Json{{"t", "control_kept"}, {"by", 1}}));
+  EXPECT_TRUE(TakeDeferred(table).empty());
 }
 
 }  // namespace

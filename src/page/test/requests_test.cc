@@ -52,19 +52,19 @@ TEST(Answer, LetsWatchersOnlyWatch) {
   EXPECT_EQ(answer["error"], "you are watching: take control first");
 }
 
-TEST(Answer, MayComeLaterAsALetter) {
+TEST(Answer, MayComeLaterAsADeferredMessage) {
   RequestTable table = MakeTable();
   table.entries["dig"] = {[](const Request&) { return AnswersLater(); }};
-  table.letters.emplace_back([] {
-    return std::vector<Letter>{{.client = 2, .message = AnswerWith({.seq = 9}, []() -> Json {
-                                               throw RequestError("nothing found");
-                                             })}};
+  table.deferred.emplace_back([] {
+    return std::vector<DeferredMessage>{
+        {.client = 2,
+         .message = AnswerWith({.seq = 9}, []() -> Json { throw RequestError("nothing found"); })}};
   });
   EXPECT_TRUE(IsLater(Answer(table, {.seq = 9, .what = "dig"}, /*is_controller=*/true)));
   EXPECT_FALSE(IsLater(Answer(table, {.seq = 9, .what = "dig"}, /*is_controller=*/false)));
-  const std::vector<Letter> letters = TakeLetters(table);
-  ASSERT_EQ(letters.size(), 1u);
-  EXPECT_EQ(letters[0].message,
+  const std::vector<DeferredMessage> deferred = TakeDeferred(table);
+  ASSERT_EQ(deferred.size(), 1u);
+  EXPECT_EQ(deferred[0].message,
             (Json{{"t", "reply"}, {"seq", 9}, {"ok", false}, {"error", "nothing found"}}));
 }
 

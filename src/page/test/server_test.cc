@@ -129,7 +129,7 @@ TEST_F(ServerTest, SaysWhatTheTablesTell) {
   AddControlRequests(&table);
   const Request keep{.client = 2, .seq = 1, .what = "keep_control", .fields = {{"from", 1}}};
   expect_as_told(Answer(table, keep, /*is_controller=*/true), "keep_control");
-  for (const Letter& letter : TakeLetters(table)) expect_as_told(letter.message);
+  for (const DeferredMessage& deferred : TakeDeferred(table)) expect_as_told(deferred.message);
 }
 
 TEST_F(ServerTest, ASilentControllerMayBeReplacedAndOneThatLeftIsNone) {
@@ -164,7 +164,7 @@ TEST_F(ServerTest, HandsOverTheControllersRequestsAndOneOfEachWatcher) {
   EXPECT_EQ(server().TakeRequests().front().seq, 3u);
 }
 
-TEST_F(ServerTest, NewsGoToThoseWhoKnowWhatTheyAreAbout) {
+TEST_F(ServerTest, UpdatesGoOnlyToClientsThatKnowTheScene) {
   WebClient client = Join(/*knows_everything=*/false);
   server().SendToAll({{"t", "event"}, {"kind", "early"}});
   EXPECT_EQ(server().TakeNewClients(), std::vector<ClientId>{1});

@@ -37,12 +37,12 @@ class LibraryRequestsFixture : public recorder::RecordingFixture {
   /// Waits for it; keeps what else comes.
   Json AnswerTo(std::uint32_t seq) {
     while (true) {
-      for (page::Letter& letter : TakeLetters(table_)) {
-        if (letter.message["t"] != "reply") ExpectAsTold(letter.message);
-        letters_.push_back(std::move(letter));
+      for (page::DeferredMessage& deferred : TakeDeferred(table_)) {
+        if (deferred.message["t"] != "reply") ExpectAsTold(deferred.message);
+        deferred_.push_back(std::move(deferred));
       }
-      for (const page::Letter& letter : letters_) {
-        if (letter.client == 3 && letter.message["seq"] == seq) return letter.message;
+      for (const page::DeferredMessage& deferred : deferred_) {
+        if (deferred.client == 3 && deferred.message["seq"] == seq) return deferred.message;
       }
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
@@ -71,7 +71,7 @@ class LibraryRequestsFixture : public recorder::RecordingFixture {
   BackgroundJobs jobs_;
   page::RequestTable table_;
   std::uint32_t seq_ = 0;
-  std::vector<page::Letter> letters_;
+  std::vector<page::DeferredMessage> deferred_;
 };
 
 }  // namespace smile::studio

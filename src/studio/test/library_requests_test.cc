@@ -19,8 +19,8 @@ TEST_F(LibraryRequestsTest, TellsEveryoneWhenRecordingsComeOrGo) {
   const auto num_told = [this] {
     int count = 0;
     for (int i = 0; i < 120; ++i) {
-      for (const page::Letter& letter : TakeLetters(table_)) {
-        if (letter.client == 0 && letter.message["t"] == "library") ++count;
+      for (const page::DeferredMessage& deferred : TakeDeferred(table_)) {
+        if (deferred.client == 0 && deferred.message["t"] == "library") ++count;
       }
     }
     return count;
@@ -82,8 +82,8 @@ TEST_F(LibraryRequestsTest, TellsWhatWouldBecomeOfAnEditAndWritesNothing) {
   EXPECT_EQ(answer["report"]["left_out"][0]["reason"], "the left hand holds nothing");
   EXPECT_EQ(library_.List().size(), 1u);
   // Everyone sees how far it is, and that it ends.
-  ASSERT_EQ(letters_.at(letters_.size() - 2).client, 0);
-  const Json& progress = letters_.at(letters_.size() - 2).message;
+  ASSERT_EQ(deferred_.at(deferred_.size() - 2).client, 0);
+  const Json& progress = deferred_.at(deferred_.size() - 2).message;
   EXPECT_EQ(progress["what"], "try_edit");
   EXPECT_EQ(progress["done"], progress["total"]);
 }
@@ -108,13 +108,13 @@ TEST_F(LibraryRequestsTest, SavesWhatItsPreviewSimulated) {
   Record();
   const Json edits = {{{"do", "drop"}, {"first", 1}}};
   const auto save = [&] {
-    letters_.clear();
+    deferred_.clear();
     return Ask("edit", {{"recording", "demo"}, {"edits", edits}, {"name", "short"}});
   };
   // How far a simulation is, is told; a copy is made at once.
   const auto is_simulated = [this] {
-    return std::ranges::any_of(letters_, [](const page::Letter& letter) {
-      return letter.message["t"] == "progress" && letter.message["what"] == "edit";
+    return std::ranges::any_of(deferred_, [](const page::DeferredMessage& deferred) {
+      return deferred.message["t"] == "progress" && deferred.message["what"] == "edit";
     });
   };
   const Json simulated = save();
@@ -139,16 +139,17 @@ TEST_F(LibraryRequestsTest, PreviewsAndSavesNothingThatIsCanceled) {
                    {"edits", {{{"do", "retime"}, {"segment", 0}, {"seconds", 80'000}}}},
                    {"name", "long"}}};
     ASSERT_TRUE(page::IsLater(Answer(table_, request, /*is_controller=*/true)));
-    const auto has_begun = [&](const page::Letter& letter) {
-      return letter.message["t"] == "progress" && letter.message["what"] == what;
+    const auto has_begun = [&](const page::DeferredMessage& deferred) {
+      return deferred.message["t"] == "progress" && deferred.message["what"] == what;
     };
-    while (std::ranges::none_of(letters_, has_begun)) {
-      for (page::Letter& letter : TakeLetters(table_)) letters_.push_back(std::move(letter));
+    while (std::ranges::none_of(deferred_, has_begun)) {
+      for (page::DeferredMessage& deferred : TakeDeferred(table_))
+        deferred_.push_back(std::move(deferred));
     }
     EXPECT_EQ(Ask("cancel", {{"request", 1001}})["ok"], true) << "nothing is canceled";
     EXPECT_EQ(Ask("cancel", {{"request", 1000}}, /*is_controller=*/false)["ok"], true);
     EXPECT_EQ(AnswerTo(1000)["error"], "canceled");
-    letters_.clear();
+    deferred_.clear();
   }
   EXPECT_EQ(library_.List().size(), 1u);
   EXPECT_EQ(Ask("cancel", {{"request", -1}})["error"],
@@ -193,8 +194,8 @@ TEST(BackgroundJobs, CancelsReplacedJobs) {
   begin(2, [](const recording::Progress&) { return Json{{"is", "newest"}}; });
   std::map<int, Json> answers;
   while (answers.size() < 2) {
-    for (const page::Letter& letter : jobs.TakeLetters()) {
-      if (letter.client == 1) answers[letter.message["seq"]] = letter.message;
+    for (const page::DeferredMessage& deferred : jobs.TakeDeferred()) {
+      if (deferred.client == 1) answers[deferred.message["seq"]] = deferred.message;
     }
   }
   EXPECT_EQ(answers[1]["error"], "given up for what was asked for since");
@@ -232,8 +233,8 @@ TEST(BackgroundJobs, CancelsUnfinishedCancelableJobs) {
   is_canceled.set_value();
   std::map<int, Json> answers;
   while (answers.size() < 4) {
-    for (const page::Letter& letter : jobs.TakeLetters()) {
-      if (letter.client == 1) answers[letter.message["seq"]] = letter.message;
+    for (const page::DeferredMessage& deferred : jobs.TakeDeferred()) {
+      if (deferred.client == 1) answers[deferred.message["seq"]] = deferred.message;
     }
   }
   EXPECT_EQ(answers[1]["is"], "done") << "it could no longer be stopped";

@@ -49,11 +49,11 @@ TEST(PageProtocolTable, KnowsEveryKindOfAction) {
   }
 }
 
-TEST(PageProtocolTable, DescribesRequestsAndNews) {
+TEST(PageProtocolTable, DescribesRequestsAndUpdates) {
   EXPECT_NE(page::RequestMarkdown().find(
                 "| `speed` | `factor`: 0.1 to 4 | | of simulated to real time |\n"),
             std::string::npos);
-  EXPECT_NE(page::NewsMarkdown().find("| `looks` | `looks` | one number per choice |\n"),
+  EXPECT_NE(page::UpdateMarkdown().find("| `looks` | `looks` | one number per choice |\n"),
             std::string::npos);
   EXPECT_NE(
       page::ProtocolTypeScript().find(

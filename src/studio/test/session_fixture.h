@@ -65,7 +65,7 @@ class SessionFixture : public ::testing::Test {
                            .jobs = &*jobs_};
     if (with_robot) options.robot = Baxter();
     session_ = std::make_unique<Session>(std::move(options));
-    session_->requests().letters.emplace_back([this] { return jobs_->TakeLetters(); });
+    session_->requests().deferred.emplace_back([this] { return jobs_->TakeDeferred(); });
   }
 
   Json Ask(const std::string& text) { return AskWith(ParseJson(text)); }
@@ -92,9 +92,9 @@ class SessionFixture : public ::testing::Test {
   /// To the last request.
   Json LaterAnswer() {
     while (true) {
-      for (page::Letter& letter : TakeLetters(session_->requests())) {
-        ExpectAsTold(letter.message);
-        latest_[letter.message["t"].get<std::string>()] = letter.message;
+      for (page::DeferredMessage& deferred : TakeDeferred(session_->requests())) {
+        ExpectAsTold(deferred.message);
+        latest_[deferred.message["t"].get<std::string>()] = deferred.message;
       }
       const Json& reply = latest_["reply"];
       if (reply.is_object() && reply["seq"] == seq_) return reply;
@@ -156,13 +156,13 @@ class SessionFixture : public ::testing::Test {
     Take();
   }
   void Take() {
-    News news = session_->TakeNews();
-    for (Json& message : news.messages) {
+    SessionUpdates updates = session_->TakeUpdates();
+    for (Json& message : updates.messages) {
       ExpectAsTold(message);
       latest_[message["t"].get<std::string>()] = message;
       told_.push_back(std::move(message));
     }
-    if (news.view) ++num_views_;
+    if (updates.view) ++num_views_;
   }
   /// The last message of a kind, null without one.
   Json Latest(const std::string& kind) {

@@ -501,10 +501,10 @@ TEST_F(SessionTest, TheEyeShowsWhatIsRecordedAndRestsWhenNothingMoves) {
   EXPECT_EQ(eye.looks(), looks);
   Command(R"({"do":"start","name":"take"})");
   session_->Tick();
-  const News news = session_->TakeNews();
-  ASSERT_TRUE(news.view.has_value());
-  EXPECT_TRUE(news.is_view_recorded);
-  EXPECT_EQ(news.view->color.front(), eye.looks());
+  const SessionUpdates updates = session_->TakeUpdates();
+  ASSERT_TRUE(updates.view.has_value());
+  EXPECT_TRUE(updates.is_view_recorded);
+  EXPECT_EQ(updates.view->color.front(), eye.looks());
 }
 
 TEST_F(SessionTest, TheRobotsRageLeavesAllAsItWas) {

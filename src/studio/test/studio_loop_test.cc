@@ -18,7 +18,7 @@ class MovingThing : public Workplace {
   MovingThing() {
     table_.entries["stop"] = {[this](const page::Request&) {
       is_moving_ = false;
-      news_.push_back({{"t", "event"}, {"kind", "stopped"}});
+      messages_.push_back({{"t", "event"}, {"kind", "stopped"}});
       return Json{{"at", place_}};
     }};
   }
@@ -30,13 +30,13 @@ class MovingThing : public Workplace {
     if (is_moving_) ++place_;
     return true;
   }
-  News TakeNews() override {
-    News news{.messages = std::exchange(news_, {})};
+  SessionUpdates TakeUpdates() override {
+    SessionUpdates updates{.messages = std::exchange(messages_, {})};
     if (std::exchange(is_seen_, false)) {
-      news.view = Image{.width_px = 1, .height_px = 1, .color = {1, 2, 3}};
-      news.is_view_recorded = true;
+      updates.view = Image{.width_px = 1, .height_px = 1, .color = {1, 2, 3}};
+      updates.is_view_recorded = true;
     }
-    return news;
+    return updates;
   }
   std::vector<Json> Everything() const override { return {{{"t", "scene"}, {"scene", 1}}}; }
   double speed_factor() const override { return 3; }
@@ -53,7 +53,7 @@ class MovingThing : public Workplace {
 
  private:
   page::RequestTable table_;
-  std::vector<Json> news_;
+  std::vector<Json> messages_;
   bool is_moving_ = true, is_seen_ = false, is_waiting_ = false;
   int place_ = 0, num_ticks_ = 0;
   double measured_ = 0;

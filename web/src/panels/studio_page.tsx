@@ -1,6 +1,6 @@
 import { useEffect } from "preact/hooks";
 import { useSignalEffect } from "@preact/signals";
-import { isConnected, notify, numLibraryNews, scene } from "../studio";
+import { isConnected, notify, numLibraryUpdates, scene } from "../studio";
 import { texts } from "../texts";
 import { isSmall } from "../ui/media";
 import { Banners } from "./banners";
@@ -42,9 +42,9 @@ function useRefresh(): void {
     });
   }, []);
   useEffect(() => {
-    let num = numLibraryNews.value;
-    return numLibraryNews.subscribe((now) => {
-      // The end of a recording is news anyway.
+    let num = numLibraryUpdates.value;
+    return numLibraryUpdates.subscribe((now) => {
+      // The end of a recording updates the library anyway.
       if (now !== num && !isRecording.value) void refreshRecordings();
       num = now;
     });

@@ -151,27 +151,27 @@ class DrawnWorld implements World {
   }
 
   private load(): void {
-    const news = scene.value;
-    if (news === null) return;
-    const unitsPerMeter = 1 / news.metersPerUnit;
+    const message = scene.value;
+    if (message === null) return;
+    const unitsPerMeter = 1 / message.metersPerUnit;
     for (const part of [this.stage, this.aids, this.hands, this.markers]) part.setScale(unitsPerMeter);
-    this.camera.setTable(unitsPerMeter, news.table.size[1], news.robotFrame !== null);
-    this.models.load(news);
+    this.camera.setTable(unitsPerMeter, message.table.size[1], message.robotFrame !== null);
+    this.models.load(message);
     hovered.value = null;
     contextMenu.value = null;
-    if (!this.isStarted) this.camera.show(news.robotFrame === null ? "robot" : "front", true);
+    if (!this.isStarted) this.camera.show(message.robotFrame === null ? "robot" : "front", true);
     this.isStarted = true;
   }
 
   private takeState(): void {
-    const news = state.value;
-    if (news === null) return;
-    this.models.setGone(news.gone);
-    this.models.setRobotShown(news.robot?.shown ?? true);
-    const seen = JSON.stringify([news.hands, news.mode, news.markers]);
+    const message = state.value;
+    if (message === null) return;
+    this.models.setGone(message.gone);
+    this.models.setRobotShown(message.robot?.shown ?? true);
+    const seen = JSON.stringify([message.hands, message.mode, message.markers]);
     if (seen === this.seenState) return;
     this.seenState = seen;
-    this.markers.show(news.markers);
+    this.markers.show(message.markers);
     this.redraw();
   }
 

@@ -6,7 +6,7 @@
 
 namespace smile::page {
 
-/// What NewsForms() returns.
-std::vector<NewsForm> MakeNewsForms();
+/// Makes what UpdateForms() returns.
+std::vector<UpdateForm> MakeUpdateForms();
 
 }  // namespace smile::page

@@ -1,4 +1,4 @@
-#include "page/internal_news_forms.h"
+#include "page/internal_update_forms.h"
 
 #include "demonstrator/hand.h"
 #include "page/internal_shapes.h"
@@ -6,7 +6,7 @@
 namespace smile::page {
 namespace {
 
-JsonShape SceneNewsShape() {
+JsonShape SceneUpdateShape() {
   return ObjectShape({KindMember("scene"),
                       {"scene", NumberShape(), true, "counts up"},
                       {"name", TextShape()},
@@ -47,7 +47,7 @@ JsonShape BrainNowShape() {
        {"line", NumberShape()}});
 }
 
-JsonShape StateNewsShape() {
+JsonShape StateUpdateShape() {
   const JsonShape recording = ObjectShape({{"id", TextShape()},
                                            {"title", TextShape()},
                                            {"seconds", NumberShape()},
@@ -88,7 +88,7 @@ JsonShape StateNewsShape() {
       .Called("StateMessage");
 }
 
-JsonShape EventNewsShape() {
+JsonShape EventUpdateShape() {
   return ObjectShape({KindMember("event"),
                       {"kind", TextShape()},
                       {"tick", NumberShape()},
@@ -109,7 +109,7 @@ JsonShape EventNewsShape() {
 
 }  // namespace
 
-std::vector<NewsForm> MakeNewsForms() {
+std::vector<UpdateForm> MakeUpdateForms() {
   const JsonShape clients = ObjectShape({KindMember("clients"),
                                          {"controller", NumberShape().OrNull()},
                                          {"clients", NumbersShape()},
@@ -125,12 +125,12 @@ std::vector<NewsForm> MakeNewsForms() {
                                           {"total", NumberShape()}})
                                  .Called("ProgressMessage");
   return {
-      {"scene", SceneNewsShape(), "see below"},
+      {"scene", SceneUpdateShape(), "see below"},
       {"looks",
        ObjectShape({KindMember("looks"), {"looks", NumbersShape()}}).Called("LooksMessage"),
        "one number per choice"},
-      {"state", StateNewsShape(), "see below; at most 20 a second"},
-      {"event", EventNewsShape(), "as docs/recording-format.md has them"},
+      {"state", StateUpdateShape(), "see below; at most 20 a second"},
+      {"event", EventUpdateShape(), "as docs/recording-format.md has them"},
       {"console", console, "lines of the brain; with `all`: true instead of those told before"},
       {"clients", clients, "their numbers"},
       {"score",

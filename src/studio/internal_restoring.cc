@@ -31,7 +31,7 @@ void Restoring::Make(const recording::Progress& progress) {
   if (desk_.eye != nullptr) options.eye = &eye.emplace(desk_.eye->spec());
   auto world = std::make_unique<LiveWorld>(recording.start_scene(), recording.robot(), options);
   world->Continue(recording, moment, progress);
-  if (EyeTap* tap = world->eye()) tap->SetEye(desk_.eye);
+  if (CapturingEye* capturing = world->eye()) capturing->SetEye(desk_.eye);
   world_ = std::move(world);
 }
 

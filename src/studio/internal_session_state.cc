@@ -69,22 +69,22 @@ std::optional<Json> ImitatingState::End(double measured_speed) {
   return Json{{"t", "score"}, {"result", std::move(result)}};
 }
 
-std::optional<std::string> RageState::Unmet(Need need) const {
+std::optional<std::string> ClearTableState::Unmet(Need need) const {
   const bool must_wait = need == Need::kCommands || need == Need::kShow;
   if (!must_wait) return WorldState::Unmet(need);
   return "the robot clears the table: wait until it is over";
 }
 
-library::View RageState::view() const { return ViewOf(rage_.simulation()); }
+library::View ClearTableState::view() const { return ViewOf(animation_.simulation()); }
 
-model::Sight RageState::SightThrough(model::EyeSpec eye) const {
-  return sim::SightOf(rage_.simulation(), eye);
+model::Sight ClearTableState::SightThrough(model::EyeSpec eye) const {
+  return sim::SightOf(animation_.simulation(), eye);
 }
 
-Json RageState::Describe() const { return DescribeLive(rage_.simulation()); }
+Json ClearTableState::Describe() const { return DescribeLive(animation_.simulation()); }
 
-bool RageState::Tick(bool is_paused) {
-  if (!is_paused) rage_.Tick();
+bool ClearTableState::Tick(bool is_paused) {
+  if (!is_paused) animation_.Tick();
   return true;
 }
 

@@ -11,9 +11,9 @@
 #include "library/view.h"
 #include "model/eye.h"
 #include "model/model.h"
+#include "studio/clear_table_animation.h"
 #include "studio/live_brain.h"
 #include "studio/live_world.h"
-#include "studio/rage.h"
 #include "task/imitation_result.h"
 
 // The states of a session: each shows something, lets something go on while time goes by, and
@@ -123,22 +123,22 @@ class ImitatingState : public LiveState {
 };
 
 /// The robot clears the table, in a copy of the world.
-class RageState : public WorldState {
+class ClearTableState : public WorldState {
  public:
-  /// Must be possible, see Rage. `world` must outlive this.
-  explicit RageState(LiveWorld* world) : WorldState(world), rage_(world->simulation()) {}
+  /// Requires ClearTableAnimation::IsPossible(). `world` must outlive this.
+  explicit ClearTableState(LiveWorld* world) : WorldState(world), animation_(world->simulation()) {}
 
   const char* mode() const override { return "rage"; }
   std::optional<std::string> Unmet(Need need) const override;
-  const model::Model& model() const override { return rage_.simulation().model(); }
+  const model::Model& model() const override { return animation_.simulation().model(); }
   library::View view() const override;
   model::Sight SightThrough(model::EyeSpec eye) const override;
   Json Describe() const override;
   bool Tick(bool is_paused) override;
-  bool is_over() const override { return rage_.is_over(); }
+  bool is_over() const override { return animation_.is_over(); }
 
  private:
-  Rage rage_;
+  ClearTableAnimation animation_;
 };
 
 /// A recording is shown; the world waits.

@@ -43,7 +43,7 @@ void StateMachine::Enter(std::unique_ptr<LiveWorld> world) {
   LeaveWorld();
   world_ = std::move(world);
   // Pictures that its recording took while it was restored are not sent.
-  if (EyeTap* eye = world_->eye()) (void)eye->Take();
+  if (CapturingEye* eye = world_->eye()) (void)eye->Take();
   BeginWorld();
 }
 
@@ -77,7 +77,9 @@ void StateMachine::Imitate(task::Exercise exercise) {
   world_state_ = std::make_unique<ImitatingState>(std::move(exercise), world_.get(), &brain_);
 }
 
-void StateMachine::ClearInRage() { world_state_ = std::make_unique<RageState>(world_.get()); }
+void StateMachine::AnimateClearTable() {
+  world_state_ = std::make_unique<ClearTableState>(world_.get());
+}
 
 void StateMachine::EndIfOver() {
   if (!world_state_->is_over()) return;

@@ -23,8 +23,8 @@ struct Pace {
 /// The states of a session and the transitions between them, with the world and the robot program
 /// that they are about.
 ///
-/// The live world is always in one state: live, imitating or rage. Playback may lie over it, and
-/// is shown instead. Restoring goes on beneath both, in another thread.
+/// The live world is always in one state: live, imitating or clearing the table (rage). Playback
+/// may lie over it, and is shown instead. Restoring goes on beneath both, in another thread.
 class StateMachine {
  public:
   class Listener {
@@ -74,8 +74,8 @@ class StateMachine {
   std::optional<sim::Refusal> Apply(const sim::Command& command);
   /// The program runs and the recording has begun.
   void Imitate(task::Exercise exercise);
-  /// Must be possible, see Rage.
-  void ClearInRage();
+  /// Starts the clear-table animation, which must be possible.
+  void AnimateClearTable();
   /// The world's state is live if what went on in it is over.
   void EndIfOver();
   void Show(std::unique_ptr<PlaybackState> playback);

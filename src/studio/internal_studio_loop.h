@@ -1,34 +1,35 @@
 #pragma once
 
 #include "page/server.h"
-#include "studio/internal_pacer.h"
-#include "studio/internal_view_press.h"
-#include "studio/workplace.h"
+#include "studio/internal_eye_view_encoder.h"
+#include "studio/internal_frame_timer.h"
+#include "studio/session_interface.h"
 
 namespace smile::studio {
 
-/// Lets a workplace live: 60 times a second what clients ask for is carried out, time goes on, and
-/// all is told. Belongs to the thread of the workplace.
+/// Studio loop: carries out requests, advances the session and sends updates, 60 times a second.
+/// Belongs to the thread of the session.
 class StudioLoop {
  public:
   /// Both must outlive this.
-  StudioLoop(Workplace* workplace, page::Server* server);
+  StudioLoop(SessionInterface* session, page::Server* server);
 
-  void Beat();
-  /// When the next is due.
-  Pacer::Time next_beat() const { return pacer_.next_beat(); }
+  /// Carries out one 60th of a second.
+  void Step();
+  /// Returns the time at which the next step is due.
+  FrameTimer::Time next_step() const { return timer_.next_frame(); }
 
  private:
   void CarryOutRequests();
-  /// As many as there is time for.
+  /// Does at most `count` ticks, as many as fit into one step.
   void DoTicks(int count);
   void SendUpdates(const page::Poses& poses);
-  void TellNewClients();
+  void SendToNewClients();
 
-  Workplace* workplace_;
+  SessionInterface* session_;
   page::Server* server_;
-  Pacer pacer_;
-  ViewPress press_;
+  FrameTimer timer_;
+  EyeViewEncoder view_encoder_;
 };
 
 }  // namespace smile::studio

@@ -62,7 +62,7 @@ Json WorldRequests::Spawn(const page::RequestFields& fields) {
 
 Json WorldRequests::Clear(const page::RequestFields& fields) {
   if (fields.Flag("rage")) {
-    states_->ClearInRage();
+    states_->AnimateClearTable();
   } else {
     Apply(sim::Clear{});
   }
@@ -72,7 +72,7 @@ Json WorldRequests::Clear(const page::RequestFields& fields) {
 std::optional<std::string> WorldRequests::RefuseClear(const page::RequestFields& fields) const {
   if (!fields.Flag("rage")) return std::nullopt;
   if (auto reason = states_->Unmet(Need::kOtherWorld)) return reason;
-  if (Rage::IsPossible(states_->world().simulation())) return std::nullopt;
+  if (ClearTableAnimation::IsPossible(states_->world().simulation())) return std::nullopt;
   return "there is no robot to clear the table";
 }
 

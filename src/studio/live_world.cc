@@ -17,11 +17,12 @@ constexpr std::size_t kMaxEvents = 200;
 /// What pages show changes no more often than they can.
 double ToTenths(double seconds) { return std::round(10 * seconds) / 10; }
 
-std::optional<EyeTap> TapOf(sim::Eye* eye) {
-  return eye != nullptr ? std::optional<EyeTap>(eye) : std::nullopt;
+std::optional<CapturingEye> CapturingEyeOf(sim::Eye* eye) {
+  return eye != nullptr ? std::optional<CapturingEye>(eye) : std::nullopt;
 }
 
-recorder::RecordingDesk::Options Through(EyeTap* eye, recorder::RecordingDesk::Options options) {
+recorder::RecordingDesk::Options Through(CapturingEye* eye,
+                                         recorder::RecordingDesk::Options options) {
   options.eye = eye;
   return options;
 }
@@ -30,7 +31,7 @@ recorder::RecordingDesk::Options Through(EyeTap* eye, recorder::RecordingDesk::O
 
 LiveWorld::LiveWorld(scene::SceneSpec scene, std::optional<sim::RobotPlacement> robot,
                      recorder::RecordingDesk::Options options)
-    : eye_(TapOf(options.eye)),
+    : eye_(CapturingEyeOf(options.eye)),
       simulation_(std::move(scene), std::move(robot)),
       desk_(&simulation_, Through(eye(), options)),
       usual_title_(options.recording.title) {

@@ -10,7 +10,7 @@
 #include "recorder/recording_desk.h"
 #include "scene/bounds.h"
 #include "sim/simulation.h"
-#include "studio/eye_tap.h"
+#include "studio/capturing_eye.h"
 
 namespace smile::studio {
 
@@ -34,8 +34,8 @@ class LiveWorld : private sim::Listener {
   void Continue(const recording::Recording& recording, const recording::Moment& from,
                 const recording::Progress& progress);
 
-  /// What the desk's eye sees for recordings; nullptr without one.
-  EyeTap* eye() { return eye_ ? &*eye_ : nullptr; }
+  /// Returns the eye of recordings; nullptr without one.
+  CapturingEye* eye() { return eye_ ? &*eye_ : nullptr; }
 
   bool is_recording() const { return desk_.is_recording(); }
   /// Of the last one that was begun; empty before.
@@ -69,7 +69,7 @@ class LiveWorld : private sim::Listener {
   void OnMove(const sim::Simulation& simulation, sim::ActionId from, sim::ActionId to) override;
   void OnEvent(const sim::Simulation& simulation, const sim::Event& event) override;
 
-  std::optional<EyeTap> eye_;
+  std::optional<CapturingEye> eye_;
   sim::Simulation simulation_;
   recorder::RecordingDesk desk_;
   std::string usual_title_;

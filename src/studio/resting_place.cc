@@ -47,18 +47,18 @@ RestingAttempt FindRestingPlace(const sim::Simulation& simulation, sim::HandName
   return attempt;
 }
 
-Json RestingPlace::Answer(const sim::Simulation& simulation, sim::HandName hand, std::uint64_t beat,
+Json RestingPlace::Answer(const sim::Simulation& simulation, sim::HandName hand, std::uint64_t step,
                           Rehearsal* rehearsal) {
   // So long as this, and a sixth of what the last one took, none is found anew.
-  constexpr std::uint64_t kMinBeatsBetween = 20;
-  const bool is_fresh = beat < beat_ + std::max(kMinBeatsBetween, num_ticks_tried_ / 6);
+  constexpr std::uint64_t kMinStepsBetween = 20;
+  const bool is_fresh = step < step_ + std::max(kMinStepsBetween, num_ticks_tried_ / 6);
   if (is_fresh && answer_["hand"] == ToString(hand)) {
     if (simulation.tick() != tick_) answer_["stale"] = true;
     return answer_;
   }
   const auto [X_WB, num_ticks] = FindRestingPlace(simulation, hand, rehearsal);
   num_ticks_tried_ = num_ticks;
-  beat_ = beat;
+  step_ = step;
   tick_ = simulation.tick();
   // Where things fall on edges, the last hundredth of a millimeter decides.
   answer_ = {

@@ -24,15 +24,15 @@ RestingAttempt FindRestingPlace(const sim::Simulation& simulation, sim::HandName
 class RestingPlace {
  public:
   /// The answer to a request `resting_place`.
-  /// @param beat  counts up 60 times a second.
-  Json Answer(const sim::Simulation& simulation, sim::HandName hand, std::uint64_t beat,
+  /// @param step  counts up 60 times a second.
+  Json Answer(const sim::Simulation& simulation, sim::HandName hand, std::uint64_t step,
               Rehearsal* rehearsal);
   /// The simulation will be another one.
   void Forget() { answer_ = nullptr; }
 
  private:
   Json answer_;  ///< the last; null before
-  std::uint64_t beat_ = 0, tick_ = 0, num_ticks_tried_ = 0;
+  std::uint64_t step_ = 0, tick_ = 0, num_ticks_tried_ = 0;
 };
 
 }  // namespace smile::studio

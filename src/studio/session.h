@@ -21,7 +21,7 @@ struct SessionUpdates {
   bool is_view_recorded = false;
 };
 
-/// One person's workplace without a network: a scene come alive, what is commanded by mouse and
+/// Session of one person, without a network: a scene come alive, what is commanded by mouse and
 /// keys, a recording in the making, a recording that is shown, a brain at work.
 ///
 /// Belongs to one thread. No wall clock: whoever owns it calls Tick() when it is time.

@@ -23,7 +23,7 @@ struct SessionOptions {
   std::filesystem::path scene_folder;
   /// Folders of brains, searched before the shipped ones.
   std::vector<std::filesystem::path> brains;
-  /// Carries out slow requests, which are refused without it; its deferred messages have to be
+  /// Carries out slow requests, which require it; its deferred messages have to be
   /// taken in the thread of the session. Must outlive the session.
   BackgroundJobs* jobs = nullptr;
 };

@@ -16,10 +16,10 @@
 
 namespace smile::studio {
 
-/// A session, as the loop sees it.
-class SessionWorkplace : public Workplace {
+/// Session adapter: drives a Session and its pose stream for the studio loop.
+class SessionAdapter : public SessionInterface {
  public:
-  explicit SessionWorkplace(SessionOptions options) : session_(std::move(options)) {}
+  explicit SessionAdapter(SessionOptions options) : session_(std::move(options)) {}
 
   const page::RequestTable& requests() const override { return session_.requests(); }
   bool Tick() override { return session_.Tick(); }
@@ -29,8 +29,11 @@ class SessionWorkplace : public Workplace {
   void SetMeasuredSpeed(double factor) override { session_.SetMeasuredSpeed(factor); }
   page::Poses NextPoses() override { return poses_.Next(session_.view()); }
 
-  const Session& session() const { return session_; }
-  /// Others may put in what they can do.
+  /// See Session::MeshBytes().
+  std::optional<std::string> MeshBytes(std::uint32_t scene, std::size_t mesh) const {
+    return session_.MeshBytes(scene, mesh);
+  }
+  /// Other parts may add requests.
   page::RequestTable* table() { return &session_.requests(); }
 
  private:
@@ -83,20 +86,20 @@ class Studio::Impl {
  public:
   explicit Impl(const StudioOptions& options)
       : library_(options.session.recordings),
-        workplace_(WithJobs(options.session, &jobs_)),
+        session_(WithJobs(options.session, &jobs_)),
         content_routes_(ContentRoutesOptionsOf(options.session)),
         server_(WithAnswers(options.server)),
-        loop_(&workplace_, &server_) {
-    AddLibraryRequests(&library_, &jobs_, workplace_.table());
-    page::AddControlRequests(workplace_.table());
+        loop_(&session_, &server_) {
+    AddLibraryRequests(&library_, &jobs_, session_.table());
+    page::AddControlRequests(session_.table());
   }
 
   std::string link() const { return server_.link(); }
 
   void Run(const std::function<bool()>& is_over) {
     while (!is_over()) {
-      loop_.Beat();
-      std::this_thread::sleep_until(loop_.next_beat());
+      loop_.Step();
+      std::this_thread::sleep_until(loop_.next_step());
     }
   }
 
@@ -110,14 +113,14 @@ class Studio::Impl {
   }
 
   std::optional<web_server::HttpResponse> GetMesh(MeshName name) const {
-    const std::optional<std::string> bytes = workplace_.session().MeshBytes(name.scene, name.mesh);
+    const std::optional<std::string> bytes = session_.MeshBytes(name.scene, name.mesh);
     if (!bytes) return std::nullopt;
     return web_server::HttpResponse{.type = "application/octet-stream", .body = *bytes};
   }
 
   library::Library library_;
   BackgroundJobs jobs_;
-  SessionWorkplace workplace_;
+  SessionAdapter session_;
   library::ContentRoutes content_routes_;
   page::Server server_;
   StudioLoop loop_;

@@ -12,8 +12,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// One thing that moves on with every tick, unless somebody says `stop`.
-class MovingThing : public Workplace {
+/// Session with one thing that moves in each tick until the request `stop`.
+class MovingThing : public SessionInterface {
  public:
   MovingThing() {
     table_.entries["stop"] = {[this](const page::Request&) {
@@ -75,14 +75,14 @@ class StudioLoopTest : public ::testing::Test {
     client.Hello();
     return client;
   }
-  /// What `client` asks for is answered by beats of the loop.
+  /// Returns the reply to a request, after one step of the loop.
   Json Ask(page::WebClient* client, const Json& request) {
     client->SendJson(request);
     client->SendJson({{"seq", 1000}, {"do", "ping"}});
     // The server has taken in the one when it answers the other.
     while (client->Await("reply")["seq"] != 1000) {
     }
-    loop_->Beat();
+    loop_->Step();
     return client->Await("reply");
   }
 
@@ -93,9 +93,9 @@ class StudioLoopTest : public ::testing::Test {
   std::optional<StudioLoop> loop_;
 };
 
-TEST_F(StudioLoopTest, TellsEverythingThenPosesToWhoIsNew) {
+TEST_F(StudioLoopTest, SendsEverythingThenPosesToNewClients) {
   page::WebClient client = Join();
-  loop_->Beat();
+  loop_->Step();
   std::vector<int> opcodes;
   while (opcodes.empty() || opcodes.back() != 2) {
     const std::optional<page::WebClient::Message> message = client.Next();
@@ -105,38 +105,38 @@ TEST_F(StudioLoopTest, TellsEverythingThenPosesToWhoIsNew) {
   EXPECT_EQ(opcodes, (std::vector<int>{1, 2}));
 }
 
-TEST_F(StudioLoopTest, CarriesOutRequestsBeforeTimeGoesOn) {
+TEST_F(StudioLoopTest, CarriesOutRequestsBeforeTicks) {
   page::WebClient client = Join();
   client.Ask({{"do", "take_control"}});
-  loop_->Beat();
+  loop_->Step();
   const Json reply = Ask(&client, {{"seq", 9}, {"do", "stop"}});
   EXPECT_EQ(reply["seq"], 9);
-  EXPECT_EQ(reply["at"], 3);  // one beat before it
+  EXPECT_EQ(reply["at"], 3);  // after one step
   EXPECT_EQ(client.Await("event")["kind"], "stopped");
 }
 
-TEST_F(StudioLoopTest, KeepsToTheSpeedThatIsWantedAndTellsWhatCameOfIt) {
-  for (int beat = 0; beat < 5; ++beat) loop_->Beat();
+TEST_F(StudioLoopTest, KeepsTheRequestedSpeedAndReportsTheMeasuredOne) {
+  for (int frame = 0; frame < 5; ++frame) loop_->Step();
   EXPECT_EQ(thing_.num_ticks(), 15);
   EXPECT_GT(thing_.measured(), 0);
 }
 
-TEST_F(StudioLoopTest, TicksThatHaveToWaitAreMadeUpForAndNotCountedAsDone) {
+TEST_F(StudioLoopTest, CatchesUpOnWaitingTicks) {
   thing_.SetWaiting(true);
-  for (int beat = 0; beat < 2; ++beat) loop_->Beat();
+  for (int frame = 0; frame < 2; ++frame) loop_->Step();
   EXPECT_EQ(thing_.measured(), 0);
   thing_.SetWaiting(false);
-  loop_->Beat();
+  loop_->Step();
   EXPECT_EQ(thing_.num_ticks(), 9);
-  loop_->Beat();
+  loop_->Step();
   EXPECT_EQ(thing_.num_ticks(), 12);
 }
 
 TEST_F(StudioLoopTest, SendsViewsAsPictures) {
   page::WebClient client = Join();
-  loop_->Beat();
+  loop_->Step();
   thing_.See();
-  loop_->Beat();
+  loop_->Step();
   std::optional<page::WebClient::Message> view = client.Next();
   while (view && (view->opcode != 2 || view->payload[0] != 2)) view = client.Next();
   ASSERT_TRUE(view);
@@ -144,45 +144,45 @@ TEST_F(StudioLoopTest, SendsViewsAsPictures) {
   EXPECT_EQ(view->payload.substr(16, 4), "\x89PNG");
 }
 
-TEST(Pacer, KeepsTimeAndDropsWhatCannotBeMadeUpFor) {
-  const Pacer::Time start{};
-  Pacer pacer(start);
-  Pacer::Time now = start;
-  for (int beat = 0; beat < 120; ++beat) {
-    pacer.EndBeat(pacer.BeginBeat(now), 0, now);
-    now = pacer.next_beat();
+TEST(FrameTimer, KeepsTimeAndDropsLateTicks) {
+  const FrameTimer::Time start{};
+  FrameTimer timer(start);
+  FrameTimer::Time now = start;
+  for (int frame = 0; frame < 120; ++frame) {
+    timer.EndFrame(timer.BeginFrame(now), 0, now);
+    now = timer.next_frame();
   }
-  EXPECT_NEAR(pacer.speed(), 1, 1e-6);
+  EXPECT_NEAR(timer.speed(), 1, 1e-6);
   EXPECT_NEAR(std::chrono::duration<double>(now - start).count(), 2, 1e-6);
 
   // Every tick takes a tenth of a second: a sixth of real time is what can be.
-  for (int beat = 0; beat < 40; ++beat) {
-    const int ticks = pacer.BeginBeat(now);
+  for (int frame = 0; frame < 40; ++frame) {
+    const int ticks = timer.BeginFrame(now);
     now += 100ms * ticks;
-    pacer.EndBeat(ticks, 0, now);
+    timer.EndFrame(ticks, 0, now);
   }
-  EXPECT_NEAR(pacer.speed(), 1 / 6.0, 1e-6);
-  // What is late is not run after.
-  pacer.BeginBeat(now);
-  EXPECT_GE(pacer.next_beat(), now - 100ms);
+  EXPECT_NEAR(timer.speed(), 1 / 6.0, 1e-6);
+  // Late frames are not made up for.
+  timer.BeginFrame(now);
+  EXPECT_GE(timer.next_frame(), now - 100ms);
 }
 
-TEST(Pacer, OfWhatWaitedAMomentIsMadeUpFor) {
-  Pacer pacer(Pacer::Time{});
-  for (int beat = 0; beat < 100; ++beat) {
-    const Pacer::Time now = pacer.next_beat();
-    const int due = pacer.BeginBeat(now);
-    pacer.EndBeat(0, due, now);
+TEST(FrameTimer, CatchesUpOnShortWaits) {
+  FrameTimer timer(FrameTimer::Time{});
+  for (int frame = 0; frame < 100; ++frame) {
+    const FrameTimer::Time now = timer.next_frame();
+    const int due = timer.BeginFrame(now);
+    timer.EndFrame(0, due, now);
   }
-  EXPECT_EQ(pacer.speed(), 0);
-  EXPECT_EQ(pacer.BeginBeat(pacer.next_beat()), 7);
+  EXPECT_EQ(timer.speed(), 0);
+  EXPECT_EQ(timer.BeginFrame(timer.next_frame()), 7);
 }
 
-TEST(Pacer, SlowTimeHasBeatsWithoutTicks) {
-  Pacer pacer(Pacer::Time{});
-  pacer.SetFactor(0.25);
+TEST(FrameTimer, SlowTimeHasFramesWithoutTicks) {
+  FrameTimer timer(FrameTimer::Time{});
+  timer.SetFactor(0.25);
   int ticks = 0;
-  for (int beat = 0; beat < 8; ++beat) ticks += pacer.BeginBeat(Pacer::Time{});
+  for (int frame = 0; frame < 8; ++frame) ticks += timer.BeginFrame(FrameTimer::Time{});
   EXPECT_EQ(ticks, 2);
 }
 

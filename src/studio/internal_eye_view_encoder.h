@@ -11,25 +11,26 @@
 
 namespace smile::studio {
 
-/// Makes PNGs of the robot's views and sends them, in a thread of its own: the simulation does not
-/// wait for it. When views come faster than it works, the newest counts.
-class ViewPress {
+/// Eye view encoder: encodes the pictures of the robot's eye as PNG and sends them, on a worker
+/// thread. When pictures arrive faster than it encodes, older ones are skipped.
+class EyeViewEncoder {
  public:
-  explicit ViewPress(page::Server* server);
-  ~ViewPress();
-  ViewPress(const ViewPress&) = delete;
-  ViewPress& operator=(const ViewPress&) = delete;
+  explicit EyeViewEncoder(page::Server* server);
+  ~EyeViewEncoder();
+  EyeViewEncoder(const EyeViewEncoder&) = delete;
+  EyeViewEncoder& operator=(const EyeViewEncoder&) = delete;
 
   struct View {
     Image image;
     bool is_recorded = false;
     std::uint32_t scene = 0, tick = 0;
   };
-  void Print(View view);
+  /// Encodes and sends a picture; returns at once.
+  void Encode(View view);
 
  private:
-  void Work();
-  /// nullopt when the work is over.
+  void WorkerLoop();
+  /// Returns nullopt when this object is destroyed.
   std::optional<View> Next();
 
   page::Server* server_;

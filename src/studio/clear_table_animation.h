@@ -6,17 +6,17 @@
 
 namespace smile::studio {
 
-/// The robot clears the table in a rage, as it did in the original: in a copy of the world, so that
-/// all is as before when it is over.
-class Rage {
+/// Clear-table animation: the robot sweeps the table as in the original's rage, in a copy of the
+/// world, so that nothing has changed when it is over.
+class ClearTableAnimation {
  public:
   static constexpr int kTicks = 10 * sim::kTicksPerSecond;
 
-  /// There is a robot with arms.
+  /// Returns true if the simulation has a robot with arms.
   static bool IsPossible(const sim::Simulation& simulation);
 
-  /// To be made where it is possible.
-  explicit Rage(const sim::Simulation& simulation);
+  /// Requires IsPossible().
+  explicit ClearTableAnimation(const sim::Simulation& simulation);
 
   void Tick();
   bool is_over() const { return ticks_ >= kTicks; }

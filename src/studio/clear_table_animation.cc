@@ -1,14 +1,15 @@
-#include "studio/rage.h"
+#include "studio/clear_table_animation.h"
 
 #include "base/uniform.h"
 
 namespace smile::studio {
 
-bool Rage::IsPossible(const sim::Simulation& simulation) {
+bool ClearTableAnimation::IsPossible(const sim::Simulation& simulation) {
   return simulation.robot() != nullptr && simulation.robot()->num_arms() > 0;
 }
 
-Rage::Rage(const sim::Simulation& simulation) : copy_(simulation.start_model()) {
+ClearTableAnimation::ClearTableAnimation(const sim::Simulation& simulation)
+    : copy_(simulation.start_model()) {
   copy_.Restore(simulation.Save());
   for (const sim::HandName hand : demonstrator::kHandNames) {
     if (copy_.demonstrator().hand(hand).is_holding()) (void)copy_.Apply(sim::Release{.hand = hand});
@@ -17,7 +18,7 @@ Rage::Rage(const sim::Simulation& simulation) : copy_(simulation.start_model()) 
   (void)copy_.Apply(sim::Face{.mood = robot::Mood::kPuzzled});
 }
 
-std::vector<double> Rage::RandomVelocities(int arm) {
+std::vector<double> ClearTableAnimation::RandomVelocities(int arm) {
   const robot::RobotModel& model = copy_.robot()->model();
   std::vector<double> velocities;
   for (const int joint : model.arms[static_cast<std::size_t>(arm)].joints) {
@@ -27,7 +28,7 @@ std::vector<double> Rage::RandomVelocities(int arm) {
   return velocities;
 }
 
-void Rage::Tick() {
+void ClearTableAnimation::Tick() {
   constexpr int kTicksBetween = sim::kTicksPerSecond / 4;
   if (ticks_ % kTicksBetween == 0) {
     sim::JointVelocities velocities{.left = RandomVelocities(0)};

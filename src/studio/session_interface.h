@@ -9,12 +9,13 @@
 
 namespace smile::studio {
 
-/// What the studio's loop needs of a session, so that tests can have a simple one.
-class Workplace {
+/// Session interface: the part of a session that StudioLoop drives; tests replace it by a simple
+/// one.
+class SessionInterface {
  public:
-  virtual ~Workplace() = default;
+  virtual ~SessionInterface() = default;
 
-  // As Session has them.
+  // See Session.
 
   virtual const page::RequestTable& requests() const = 0;
   virtual bool Tick() = 0;
@@ -23,7 +24,7 @@ class Workplace {
   virtual double speed_factor() const = 0;
   virtual void SetMeasuredSpeed(double factor) = 0;
 
-  /// What moved since this was last asked; to be asked 60 times a second.
+  /// Returns the poses that changed since the last call; called 60 times a second.
   virtual page::Poses NextPoses() = 0;
 };
 

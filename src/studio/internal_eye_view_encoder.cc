@@ -1,4 +1,4 @@
-#include "studio/internal_view_press.h"
+#include "studio/internal_eye_view_encoder.h"
 
 #include <utility>
 
@@ -6,9 +6,10 @@
 
 namespace smile::studio {
 
-ViewPress::ViewPress(page::Server* server) : server_(server), thread_([this] { Work(); }) {}
+EyeViewEncoder::EyeViewEncoder(page::Server* server)
+    : server_(server), thread_([this] { WorkerLoop(); }) {}
 
-ViewPress::~ViewPress() {
+EyeViewEncoder::~EyeViewEncoder() {
   {
     const std::lock_guard lock(mutex_);
     is_over_ = true;
@@ -17,7 +18,7 @@ ViewPress::~ViewPress() {
   thread_.join();
 }
 
-void ViewPress::Print(View view) {
+void EyeViewEncoder::Encode(View view) {
   {
     const std::lock_guard lock(mutex_);
     next_ = std::move(view);
@@ -25,14 +26,14 @@ void ViewPress::Print(View view) {
   changed_.notify_all();
 }
 
-std::optional<ViewPress::View> ViewPress::Next() {
+std::optional<EyeViewEncoder::View> EyeViewEncoder::Next() {
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [this] { return is_over_ || next_; });
   if (is_over_) return std::nullopt;
   return std::exchange(next_, std::nullopt);
 }
 
-void ViewPress::Work() {
+void EyeViewEncoder::WorkerLoop() {
   while (const std::optional<View> view = Next()) {
     server_->SendView(view->scene, view->tick, EncodePng(view->image), view->is_recorded);
   }

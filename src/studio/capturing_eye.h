@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+#include <utility>
+
+#include "sim/eye.h"
+
+namespace smile::studio {
+
+/// Capturing eye: keeps the last picture that another eye draws, so that people see what is
+/// recorded.
+class CapturingEye : public sim::Eye {
+ public:
+  explicit CapturingEye(sim::Eye* eye) : eye_(eye) {}
+  /// Replaces the wrapped eye; the new one must have the same spec.
+  void SetEye(sim::Eye* eye) { eye_ = eye; }
+
+  const Image& Draw(const scene::VisualModel& model, const sim::Sight& sight) override {
+    const Image& image = eye_->Draw(model, sight);
+    captured_ = image;
+    return image;
+  }
+  const sim::EyeSpec& spec() const override { return eye_->spec(); }
+
+  /// Returns the last picture since the last call.
+  std::optional<Image> Take() { return std::exchange(captured_, std::nullopt); }
+
+ private:
+  sim::Eye* eye_;
+  std::optional<Image> captured_;
+};
+
+}  // namespace smile::studio

@@ -13,7 +13,7 @@ export const axisColors = ["#e5484d", "#2f9e52", "#3b7dff"] as const;
 
 export const guideColors = {
   plane: "#6470e8",
-  drop: "#5d6678",
+  plumbLine: "#5d6678",
   ghost: "#6470e8",
   hover: "#5b68f0",
   marker: "#d6336c",

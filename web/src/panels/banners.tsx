@@ -7,7 +7,7 @@ import { Button } from "../ui/buttons";
 import { openDialogs } from "../ui/dialog";
 import { Notices } from "../ui/notices";
 import { ControlWanted, takeControl } from "./control";
-import { failedRecording, isPaused, isPlayback, isRage, isRestoring } from "./now";
+import { failedRecording, isPaused, isPlayback, isRage, isRestoring } from "./derived_signals";
 
 /** So long a connection may take before anybody is told that it takes long; and that it may never come. */
 const PATIENCE_MS = 800;

@@ -7,7 +7,7 @@ import { texts } from "../texts";
 import { Button } from "../ui/buttons";
 import { Card, Empty } from "../ui/card";
 import { gallery } from "./gallery";
-import { brain, isBrainAtWork } from "./now";
+import { brain, isBrainAtWork } from "./derived_signals";
 import { toImitate } from "./page";
 import { recordings, titleOf } from "./recordings";
 

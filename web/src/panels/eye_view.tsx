@@ -3,7 +3,7 @@ import { useSignal } from "@preact/signals";
 import { eyeView } from "../studio";
 import { texts } from "../texts";
 import { Button } from "../ui/buttons";
-import { isRecording } from "./now";
+import { isRecording } from "./derived_signals";
 import { eyeWidth, isEyeOpen } from "./page";
 
 const WIDTHS = { min: 120, max: 640, step: 20 };

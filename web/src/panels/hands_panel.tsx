@@ -12,7 +12,7 @@ import { NumberField } from "../ui/number_field";
 import { Slider } from "../ui/slider";
 import { turnFromTo } from "./fixed_axes";
 import { keyFor } from "./key_names";
-import { attention, mayAct, snaps } from "./now";
+import { attention, mayAct, snaps } from "./derived_signals";
 import { guides } from "../world/signals";
 import { world } from "./page";
 

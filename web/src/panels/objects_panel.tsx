@@ -10,7 +10,7 @@ import { Card, Empty, isFound, Picture, SearchField } from "../ui/card";
 import { NumberField } from "../ui/number_field";
 import { switchPreference } from "../ui/preference";
 import { gallery, isGalleryLost, pictureOfScene, refreshGallery, textOfScene } from "./gallery";
-import { fallen, holders, isPlayback, objectsHere } from "./now";
+import { fallen, holders, isPlayback, objectsHere } from "./derived_signals";
 import { chosenObject, draft, editedScene, showPanel, world } from "./page";
 import { useAllowed } from "./use_allowed";
 

@@ -2,7 +2,7 @@ import { signal } from "@preact/signals";
 import type { LibraryEntry, Timeline } from "../protocol";
 import { ask, notify, request, state } from "../studio";
 import { texts } from "../texts";
-import { holders, shownRecording } from "./now";
+import { holders, shownRecording } from "./derived_signals";
 
 const { record: words } = texts;
 

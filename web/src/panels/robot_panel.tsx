@@ -8,7 +8,7 @@ import { Button, HoldButton } from "../ui/buttons";
 import { Card, Empty } from "../ui/card";
 import { Slider } from "../ui/slider";
 import { switchPreference } from "../ui/preference";
-import { isBrainAtWork, isPlayback, mayAct } from "./now";
+import { isBrainAtWork, isPlayback, mayAct } from "./derived_signals";
 
 type Joint = RobotDescription["joints"][number];
 

@@ -1,7 +1,7 @@
 import { ask, command } from "../studio";
 import { may, mayCommand } from "../allowed";
 import { listenToKeys } from "../keys";
-import { isPaused, isRecording } from "./now";
+import { isPaused, isRecording } from "./derived_signals";
 import { isHelpOpen } from "./page";
 import { finishRecording } from "./recordings";
 

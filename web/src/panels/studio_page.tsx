@@ -11,7 +11,7 @@ import { refreshGallery } from "./gallery";
 import { HandsPanel } from "./hands_panel";
 import { Help } from "./help";
 import { LibraryPanel } from "./library_panel";
-import { isRecording, recordingId, shownRecording } from "./now";
+import { isRecording, recordingId, shownRecording } from "./derived_signals";
 import { ObjectsPanel } from "./objects_panel";
 import { editedScene, isHelpOpen, isLeftOpen, isRightOpen, leftTab, LEFT_TABS, renamed, rightTab, RIGHT_TABS, sheet } from "./page";
 import { onRecordingFinished, onRecordingShown, refreshRecordings } from "./recordings";

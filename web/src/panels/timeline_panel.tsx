@@ -9,7 +9,7 @@ import { Picture } from "../ui/card";
 import { isSmall } from "../ui/media";
 import { Menu } from "../ui/menu";
 import { EditDialog, type EditKind } from "./edit_dialog";
-import { isRecording, liveSegments, mayControl, recordingId } from "./now";
+import { isRecording, liveSegments, mayControl, recordingId } from "./derived_signals";
 import { isTimelineOpen, renamed, sheet } from "./page";
 import { chosenSegment, opened, pictureOfSegment, titleOf } from "./recordings";
 

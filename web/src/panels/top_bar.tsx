@@ -8,7 +8,7 @@ import { Menu } from "../ui/menu";
 import { fps } from "../world/signals";
 import { Control } from "./control";
 import { keyFor } from "./key_names";
-import { isPaused, isRecording, mayControl } from "./now";
+import { isPaused, isRecording, mayControl } from "./derived_signals";
 import { DETAILS, detail, isHelpOpen, theme, THEMES } from "./page";
 import { finishRecording } from "./recordings";
 

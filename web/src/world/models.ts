@@ -58,9 +58,9 @@ export class Models {
   private readonly materials = new Map<string, Material>();
   private readonly shapes = new Map<string, BufferGeometry>();
 
-  /** @param dress what every material is made ready with */
+  /** @param prepare called with each new material */
   constructor(
-    private readonly dress: (material: Material) => void,
+    private readonly prepare: (material: Material) => void,
     private readonly onChange: () => void,
   ) {}
 
@@ -243,7 +243,7 @@ export class Models {
     const known = this.materials.get(name);
     if (known) return known;
     const material = make();
-    this.dress(material);
+    this.prepare(material);
     this.materials.set(name, material);
     return material;
   }

@@ -3,14 +3,14 @@ import { handColors } from "../colors";
 import { listenToKeys } from "../keys";
 import type { Poses } from "../protocol";
 import { currentHand, heldObject, isController, looks, poseListeners, scene, state } from "../studio";
-import { Aids } from "./aids";
+import { DragGuides } from "./drag_guides";
 import { DetailKeeper } from "./detail";
 import { Hands } from "./hands";
 import { actionsOf } from "./key_actions";
 import { Markers } from "./markers";
 import { Marks } from "./marks";
 import { Models } from "./models";
-import { Overhead } from "./overhead";
+import { DropShadow } from "./drop_shadow";
 import { Picker, type PointerAt } from "./pick";
 import { Pointers } from "./pointers";
 import { nameOf, Rings } from "./rings";
@@ -43,9 +43,9 @@ export function mountWorld(host: HTMLElement): World {
 
 class DrawnWorld implements World {
   private readonly stage: Stage;
-  private readonly overhead = new Overhead();
+  private readonly dropShadow = new DropShadow();
   private readonly models = new Models(
-    (material) => this.overhead.dress(material),
+    (material) => this.dropShadow.addTo(material),
     () => this.redraw(true),
   );
   private readonly camera: ViewCamera;
@@ -54,7 +54,7 @@ class DrawnWorld implements World {
   private readonly marks = new Marks();
   private readonly markers = new Markers();
   private readonly hands: Hands;
-  private readonly aids: Aids;
+  private readonly dragGuides: DragGuides;
   private readonly pointers: Pointers;
   private readonly detail = new DetailKeeper(
     (isLow) => this.setDetail(isLow),
@@ -84,14 +84,14 @@ class DrawnWorld implements World {
       (object) => this.models.groupOf(object)?.position.clone() ?? null,
       () => this.redraw(),
     );
-    this.aids = new Aids(this.models, this.picker, this.rings, this.hands, this.overhead, () => this.redraw());
+    this.dragGuides = new DragGuides(this.models, this.picker, this.rings, this.hands, this.dropShadow, () => this.redraw());
     this.pointers = new Pointers(host, this.picker, this.hands, this.camera, (at) => this.hover(at));
-    this.stage.scene.add(this.models.root, this.aids.root, this.marks.root, this.markers.root);
+    this.stage.scene.add(this.models.root, this.dragGuides.root, this.marks.root, this.markers.root);
     this.styleTag();
     this.listen();
     this.resized();
     const { stage, models, picker, rings, hands } = this;
-    provideTestHook({ stage, models, picker, rings, latency: hands.latency, ghost: this.aids.ghostRoot });
+    provideTestHook({ stage, models, picker, rings, latency: hands.latency, ghost: this.dragGuides.ghostRoot });
   }
 
   showPreset(name: Preset): void {
@@ -154,7 +154,7 @@ class DrawnWorld implements World {
     const message = scene.value;
     if (message === null) return;
     const unitsPerMeter = 1 / message.metersPerUnit;
-    for (const part of [this.stage, this.aids, this.hands, this.markers]) part.setScale(unitsPerMeter);
+    for (const part of [this.stage, this.dragGuides, this.hands, this.markers]) part.setScale(unitsPerMeter);
     this.camera.setTable(unitsPerMeter, message.table.size[1], message.robotFrame !== null);
     this.models.load(message);
     hovered.value = null;
@@ -205,7 +205,7 @@ class DrawnWorld implements World {
 
   private resized(): void {
     const { width, height } = this.stage;
-    for (const part of [this.marks, this.aids]) part.setSize(width, height);
+    for (const part of [this.marks, this.dragGuides]) part.setSize(width, height);
     this.redraw();
   }
 
@@ -229,10 +229,10 @@ class DrawnWorld implements World {
     this.models.root.updateMatrixWorld();
     this.lookUnderMouse();
     this.marks.update(this.models, this.stage.camera);
-    this.aids.update(this.stage.camera, this.hasMoved);
+    this.dragGuides.update(this.stage.camera, this.hasMoved);
     this.hasMoved = false;
     if (hasMoved) this.stage.shadowsMoved();
-    this.overhead.draw(this.stage);
+    this.dropShadow.draw(this.stage);
     this.stage.draw();
     if (isCameraMoving || this.models.isMoving) this.redraw();
   }

@@ -1,22 +1,22 @@
 import { Group, type Object3D, type PerspectiveCamera, Vector3 } from "three";
 import { heldObject } from "../studio";
-import { Drop } from "./drop";
+import { PlumbLine } from "./plumb_line";
 import { Ghost } from "./ghost";
 import type { Hands } from "./hands";
 import { Models } from "./models";
-import type { Overhead } from "./overhead";
+import type { DropShadow } from "./drop_shadow";
 import type { Picker } from "./pick";
 import type { Rings } from "./rings";
-import { Sheet } from "./sheet";
+import { DragPlane } from "./drag_plane";
 import { guides } from "./signals";
 
 const FLOOR_DEPTH = 0.9; // [m]
 
-/** What helps to see where a held object is and how it may be moved. The robot never sees it. */
-export class Aids {
+/** Drag guides: show where a held object is and how it can be moved. Not visible to the robot. */
+export class DragGuides {
   readonly root = new Group();
-  private readonly sheet = new Sheet();
-  private readonly drop = new Drop();
+  private readonly dragPlane = new DragPlane();
+  private readonly plumbLine = new PlumbLine();
   private readonly ghost: Ghost;
   private unitsPerMeter = 10;
   private shown: string | null = null;
@@ -27,11 +27,11 @@ export class Aids {
     private readonly picker: Picker,
     private readonly rings: Rings,
     private readonly hands: Hands,
-    private readonly overhead: Overhead,
+    private readonly dropShadow: DropShadow,
     onChange: () => void,
   ) {
     this.ghost = new Ghost((object) => models.piecesOf(object), onChange);
-    this.root.add(...this.sheet.parts, ...this.drop.parts, this.ghost.root, rings.root);
+    this.root.add(...this.dragPlane.parts, ...this.plumbLine.parts, this.ghost.root, rings.root);
   }
 
   get ghostRoot(): Object3D {
@@ -40,15 +40,15 @@ export class Aids {
 
   setScale(unitsPerMeter: number): void {
     this.unitsPerMeter = unitsPerMeter;
-    this.sheet.setScale(unitsPerMeter);
-    this.drop.setScale(unitsPerMeter);
-    this.overhead.setScale(unitsPerMeter);
+    this.dragPlane.setScale(unitsPerMeter);
+    this.plumbLine.setScale(unitsPerMeter);
+    this.dropShadow.setScale(unitsPerMeter);
     this.ghost.setScale(unitsPerMeter);
   }
 
   setSize(width: number, height: number): void {
-    this.sheet.setSize(width, height);
-    this.drop.setSize(width, height);
+    this.dragPlane.setSize(width, height);
+    this.plumbLine.setSize(width, height);
   }
 
   /** @param isNew whether what is there, and how it looks, may be another than the last time */
@@ -62,9 +62,9 @@ export class Aids {
     this.shown = held;
     this.isGuided = guides.value;
     if (held === null || group === null || ball === null) {
-      this.sheet.hide();
-      this.drop.hide();
-      this.overhead.hide();
+      this.dragPlane.hide();
+      this.plumbLine.hide();
+      this.dropShadow.hide();
       this.rings.hide();
       return;
     }
@@ -72,10 +72,10 @@ export class Aids {
       (piece) => piece.object !== held && !this.models.isOfRobot(piece),
     );
     const isCutNew = isNew || others.some(({ mesh }) => mesh.parent && this.models.moved.has(mesh.parent));
-    this.sheet.show(this.hands.planeNormal, this.hands.goal ?? group.position, others, isCutNew);
+    this.dragPlane.show(this.hands.planeNormal, this.hands.goal ?? group.position, others, isCutNew);
     const floor = new Vector3(ball.center.x, ball.center.y, -FLOOR_DEPTH * this.unitsPerMeter);
-    this.drop.show(ball.center, this.picker.below(ball.center, held)?.point ?? floor);
-    this.overhead.show(pieces, ball.center, ball.radius);
+    this.plumbLine.show(ball.center, this.picker.below(ball.center, held)?.point ?? floor);
+    this.dropShadow.show(pieces, ball.center, ball.radius);
     if (this.hands.isCarrying.value) this.rings.hide();
     else {
       const radius = ball.radius + ball.center.distanceTo(group.position);

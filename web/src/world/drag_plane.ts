@@ -11,23 +11,23 @@ const UP = new Vector3(0, 0, 1);
 const MOST_TRIANGLES = 60000;
 
 /**
- * The plane in which a hand drags: a sheet about the held object, and the line in which it cuts the
- * table and what stands there.
+ * Drag plane: the plane in which a hand drags, drawn as a surface around the held object with the line
+ * in which it cuts the table and the objects on it.
  */
-export class Sheet {
-  private readonly sheet = new Mesh(new PlaneGeometry(2, 2), sheetMaterial());
+export class DragPlane {
+  private readonly surface = new Mesh(new PlaneGeometry(2, 2), surfaceMaterial());
   private readonly cut = new LineSegments2(
     new LineSegmentsGeometry(),
     new LineMaterial({ color: guideColors.plane, linewidth: 2.5, transparent: true, opacity: 0.95 }),
   );
-  readonly parts = [this.sheet, this.cut];
+  readonly parts = [this.surface, this.cut];
   private readonly normal = new Vector3();
   private readonly point = new Vector3();
   private unitsPerMeter = 10;
 
   constructor() {
-    this.sheet.renderOrder = 5;
-    this.sheet.frustumCulled = false;
+    this.surface.renderOrder = 5;
+    this.surface.frustumCulled = false;
     this.cut.renderOrder = 6;
     this.cut.frustumCulled = false;
     this.hide();
@@ -64,10 +64,10 @@ export class Sheet {
     const isLevel = this.normal.z > 0.5;
     const right = isLevel ? new Vector3(1, 0, 0) : new Vector3().crossVectors(UP, this.normal);
     const up = new Vector3().crossVectors(this.normal, right);
-    this.sheet.quaternion.setFromRotationMatrix(new Matrix4().makeBasis(right, up, this.normal));
-    this.sheet.position.copy(this.point);
-    this.sheet.scale.setScalar(half);
-    const { size, corner } = this.sheet.material.uniforms;
+    this.surface.quaternion.setFromRotationMatrix(new Matrix4().makeBasis(right, up, this.normal));
+    this.surface.position.copy(this.point);
+    this.surface.scale.setScalar(half);
+    const { size, corner } = this.surface.material.uniforms;
     size!.value = half;
     corner!.value.set(this.point.dot(right), this.point.dot(up));
   }
@@ -119,7 +119,7 @@ function cutMesh(mesh: Mesh, normal: Vector3, point: Vector3, places: number[]):
 }
 
 /** Fades away from its middle, with a line at each unit. */
-function sheetMaterial(): ShaderMaterial {
+function surfaceMaterial(): ShaderMaterial {
   return new ShaderMaterial({
     transparent: true,
     depthWrite: false,

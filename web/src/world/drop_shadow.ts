@@ -16,24 +16,24 @@ import type { Stage } from "./stage";
 
 const SIZE = 512; // [px]
 const DARKNESS = 0.42;
-/** What is no deeper below than this touches [m]. */
+/** Surfaces no deeper than this below the object touch it [m]. */
 const NEAR = 0.005;
 const DEPTH = 1.5; // below the held object, to which shadows fall [m]
 
 /**
- * The shadow of a held object, as if the sun stood overhead: on all that is below it. What is drawn
- * with a dressed material asks a picture of the object, taken from below, whether it is under it.
+ * Drop shadow: the shadow of a held object on everything below it, as if lit from straight above.
+ * Materials passed to addTo() compare depths with a picture of the object, taken from below.
  */
-export class Overhead {
+export class DropShadow {
   private readonly picture = new WebGLRenderTarget(SIZE, SIZE, { depthTexture: new DepthTexture(SIZE, SIZE) });
   private readonly scene = new Scene();
   private readonly camera = new OrthographicCamera();
   private readonly plain = new MeshBasicMaterial({ side: DoubleSide, colorWrite: false });
   private readonly uniforms = {
-    overheadDepths: { value: this.picture.depthTexture },
-    overheadMatrix: { value: new Matrix4() },
-    overheadNear: { value: 0 },
-    overheadDarkness: { value: 0 },
+    dropShadowDepths: { value: this.picture.depthTexture },
+    dropShadowMatrix: { value: new Matrix4() },
+    dropShadowNear: { value: 0 },
+    dropShadowDarkness: { value: 0 },
   };
   private unitsPerMeter = 10;
 
@@ -41,42 +41,42 @@ export class Overhead {
     this.unitsPerMeter = unitsPerMeter;
   }
 
-  /** Shadows may fall on what has this material. */
-  dress(material: Material): void {
+  /** Adds the shadow to the shader of a material on which it may fall. */
+  addTo(material: Material): void {
     material.onBeforeCompile = (shader) => {
       Object.assign(shader.uniforms, this.uniforms);
       shader.vertexShader = shader.vertexShader
         .replace("#include <common>", `#include <common>\n${IN_VERTEX}`)
         .replace(
           "#include <project_vertex>",
-          "#include <project_vertex>\noverheadPlace = (overheadMatrix * modelMatrix * vec4(transformed, 1.0)).xyz;",
+          "#include <project_vertex>\ndropShadowPlace = (dropShadowMatrix * modelMatrix * vec4(transformed, 1.0)).xyz;",
         );
       shader.fragmentShader = shader.fragmentShader
         .replace("#include <common>", `#include <common>\n${IN_FRAGMENT}`)
         .replace(
           "#include <tonemapping_fragment>",
-          "gl_FragColor.rgb *= 1.0 - overheadShade();\n#include <tonemapping_fragment>",
+          "gl_FragColor.rgb *= 1.0 - dropShadowShade();\n#include <tonemapping_fragment>",
         );
     };
   }
 
   hide(): void {
-    this.uniforms.overheadDarkness.value = 0;
+    this.uniforms.dropShadowDarkness.value = 0;
   }
 
-  /** Of these pieces, which are in a ball. */
+  /** Shows the shadow of these pieces, which lie within a sphere. */
   show(pieces: Piece[], center: Vector3, radius: number): void {
     this.place(center, radius);
     this.scene.clear();
     for (const { mesh } of pieces) {
       if (mesh.visible) this.scene.add(this.copyOf(mesh));
     }
-    this.uniforms.overheadDarkness.value = DARKNESS;
+    this.uniforms.dropShadowDarkness.value = DARKNESS;
   }
 
-  /** To be called before the world is drawn. */
+  /** Draws the picture from below; call before the world is drawn. */
   draw(stage: Stage): void {
-    if (this.uniforms.overheadDarkness.value > 0) stage.drawInto(this.picture, this.scene, this.camera);
+    if (this.uniforms.dropShadowDarkness.value > 0) stage.drawInto(this.picture, this.scene, this.camera);
   }
 
   /** Below the object, looking up. */
@@ -91,8 +91,8 @@ export class Overhead {
     camera.up.set(0, 1, 0);
     camera.lookAt(center);
     camera.updateMatrixWorld();
-    this.uniforms.overheadNear.value = (NEAR * this.unitsPerMeter) / camera.far;
-    this.uniforms.overheadMatrix.value
+    this.uniforms.dropShadowNear.value = (NEAR * this.unitsPerMeter) / camera.far;
+    this.uniforms.dropShadowMatrix.value
       .makeTranslation(0.5, 0.5, 0.5)
       .multiply(new Matrix4().makeScale(0.5, 0.5, 0.5))
       .multiply(camera.projectionMatrix)
@@ -108,25 +108,25 @@ export class Overhead {
 }
 
 const IN_VERTEX = `
-  uniform mat4 overheadMatrix;
-  varying vec3 overheadPlace;`;
+  uniform mat4 dropShadowMatrix;
+  varying vec3 dropShadowPlace;`;
 
-/** Four looks make a softer edge. Where the picture is empty its depth is 1. */
+/** Four samples soften the edge. The depth is 1 where the picture is empty. */
 const IN_FRAGMENT = `
-  uniform highp sampler2D overheadDepths;
-  uniform float overheadNear;
-  uniform float overheadDarkness;
-  varying vec3 overheadPlace;
+  uniform highp sampler2D dropShadowDepths;
+  uniform float dropShadowNear;
+  uniform float dropShadowDarkness;
+  varying vec3 dropShadowPlace;
 
-  float overheadAt(vec2 aside) {
-    float depth = texture2D(overheadDepths, overheadPlace.xy + aside / ${SIZE}.0).r;
-    return depth < 0.9999 && overheadPlace.z < depth - overheadNear ? 0.25 : 0.0;
+  float dropShadowAt(vec2 aside) {
+    float depth = texture2D(dropShadowDepths, dropShadowPlace.xy + aside / ${SIZE}.0).r;
+    return depth < 0.9999 && dropShadowPlace.z < depth - dropShadowNear ? 0.25 : 0.0;
   }
 
-  float overheadShade() {
-    vec2 away = abs(overheadPlace.xy - 0.5);
-    if (overheadDarkness == 0.0 || max(away.x, away.y) > 0.49) return 0.0;
-    float covered = overheadAt(vec2(-0.8, -0.4)) + overheadAt(vec2(0.4, -0.8)) +
-                    overheadAt(vec2(0.8, 0.4)) + overheadAt(vec2(-0.4, 0.8));
-    return overheadDarkness * covered;
+  float dropShadowShade() {
+    vec2 away = abs(dropShadowPlace.xy - 0.5);
+    if (dropShadowDarkness == 0.0 || max(away.x, away.y) > 0.49) return 0.0;
+    float covered = dropShadowAt(vec2(-0.8, -0.4)) + dropShadowAt(vec2(0.4, -0.8)) +
+                    dropShadowAt(vec2(0.8, 0.4)) + dropShadowAt(vec2(-0.4, 0.8));
+    return dropShadowDarkness * covered;
   }`;

@@ -4,12 +4,12 @@ import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
 import { guideColors } from "../colors";
 
-/** What lies straight below a held object: a line down, and where it ends. */
-export class Drop {
+/** Plumb line: a line straight down from a held object, with a mark where it ends. */
+export class PlumbLine {
   private readonly line = new LineSegments2(
     new LineSegmentsGeometry().setPositions([0, 0, 0, 0, 0, -1]),
     new LineMaterial({
-      color: guideColors.drop,
+      color: guideColors.plumbLine,
       linewidth: 2,
       dashed: true,
       dashSize: 0.12,
@@ -20,7 +20,7 @@ export class Drop {
   );
   private readonly aim = new Mesh(
     new RingGeometry(0.1, 0.15, 40),
-    new MeshBasicMaterial({ color: guideColors.drop, transparent: true, opacity: 0.8, depthWrite: false }),
+    new MeshBasicMaterial({ color: guideColors.plumbLine, transparent: true, opacity: 0.8, depthWrite: false }),
   );
   readonly parts = [this.line, this.aim];
   private unitsPerMeter = 10;

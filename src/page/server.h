@@ -61,15 +61,16 @@ class Server {
   /// one of each watcher, so that no crowd delays who works. Hellos, pings and control are the
   /// server's own.
   std::vector<Request> TakeRequests();
-  /// Clients that have said hello since this was last asked: tell them everything.
+  /// Returns the clients that have said hello since the last call: the caller sends them
+  /// everything.
   std::vector<ClientId> TakeNewClients();
   bool IsController(ClientId client) const;
 
-  /// A reply tells that the request was carried out; poses sent from then on acknowledge it.
+  /// A reply marks its request as carried out; poses sent from then on acknowledge it.
   void Send(ClientId client, const Json& message);
-  /// To all that were told everything.
+  /// Sends to all clients that have received everything.
   void SendToAll(const Json& message);
-  /// A client that misses some is told of each frame that moved since the last it knows.
+  /// A client that missed some poses receives each frame that moved since the last one it received.
   void SendPoses(const Poses& poses);
   /// Clients that do not keep up miss views.
   void SendView(std::uint32_t scene, std::uint32_t tick, std::string png, bool is_recorded);

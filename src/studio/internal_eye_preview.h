@@ -33,7 +33,7 @@ class EyePreview {
 
  private:
   sim::Eye* eye_;
-  bool is_broken_ = false;  ///< it cannot draw; that was told
+  bool is_broken_ = false;  ///< it cannot draw, which was reported
   std::uint64_t num_calls_ = 0;
   std::optional<Picture> picture_;
   mutable std::optional<sim::Sight> seen_;  ///< at last; nullopt when somebody waits for a picture

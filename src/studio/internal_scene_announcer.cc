@@ -8,7 +8,7 @@ Json LooksMessage(const std::vector<int>& looks) { return {{"t", "looks"}, {"loo
 
 Json SceneAnnouncer::Announce(const model::Model& model, const std::vector<int>& looks) {
   present_ = meshes_.Add(++number_, model.visual_model());
-  told_looks_ = looks;
+  sent_looks_ = looks;
   return Describe(model, looks);
 }
 
@@ -16,9 +16,9 @@ Json SceneAnnouncer::Describe(const model::Model& model, const std::vector<int>&
   return SceneMessage(number_, model, *present_, looks);
 }
 
-std::optional<Json> SceneAnnouncer::TellLooks(const std::vector<int>& looks) {
-  if (looks == told_looks_) return std::nullopt;
-  told_looks_ = looks;
+std::optional<Json> SceneAnnouncer::UpdateLooks(const std::vector<int>& looks) {
+  if (looks == sent_looks_) return std::nullopt;
+  sent_looks_ = looks;
   return LooksMessage(looks);
 }
 

@@ -12,16 +12,16 @@
 
 namespace smile::studio {
 
-/// Tells pages which scene they see, and which of its looks.
+/// Scene announcer: makes the messages about the shown scene and its looks.
 class SceneAnnouncer {
  public:
-  /// Another model is shown from now on.
-  /// @returns the message for all.
+  /// Sets the shown model.
+  /// @returns the message for all clients.
   Json Announce(const model::Model& model, const std::vector<int>& looks);
-  /// The same for who comes later.
+  /// Returns the same message, for new clients.
   Json Describe(const model::Model& model, const std::vector<int>& looks) const;
-  /// nullopt if these are the looks that were told last.
-  std::optional<Json> TellLooks(const std::vector<int>& looks);
+  /// Returns the message with these looks; nullopt if they were sent last.
+  std::optional<Json> UpdateLooks(const std::vector<int>& looks);
 
   /// Counts up with each model; see library::View::scene.
   std::uint32_t number() const { return number_; }
@@ -32,7 +32,7 @@ class SceneAnnouncer {
   std::uint32_t number_ = 0;
   SceneMeshes meshes_;
   std::shared_ptr<const PageMeshes> present_;
-  std::vector<int> told_looks_;
+  std::vector<int> sent_looks_;
 };
 
 /// `{"t":"looks",…}`.

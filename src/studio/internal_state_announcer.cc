@@ -17,10 +17,10 @@ Json WithoutTime(Json state) {
 
 }  // namespace
 
-std::optional<Json> StateAnnouncer::Tell(Json state) {
+std::optional<Json> StateAnnouncer::Update(Json state) {
   Json what_counts = WithoutTime(state);
-  if (what_counts == told_) return std::nullopt;
-  told_ = std::move(what_counts);
+  if (what_counts == sent_) return std::nullopt;
+  sent_ = std::move(what_counts);
   return state;
 }
 

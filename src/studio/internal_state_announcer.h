@@ -6,17 +6,17 @@
 
 namespace smile::studio {
 
-/// Tells pages the state when it has changed.
+/// State announcer: selects the states that have to be sent because something has changed.
 class StateAnnouncer {
  public:
   /// Returns the message; nullopt if nothing but time has changed since the last one: time alone
   /// is no change, except that a recording is a second longer.
-  std::optional<Json> Tell(Json state);
-  /// The next state is told, whatever it is.
-  void Forget() { told_ = nullptr; }
+  std::optional<Json> Update(Json state);
+  /// Makes the next Update() return the state in any case.
+  void Forget() { sent_ = nullptr; }
 
  private:
-  Json told_;  ///< without the time
+  Json sent_;  ///< the last one, without the time
 };
 
 }  // namespace smile::studio

@@ -126,7 +126,7 @@ void LiveWorld::OnCommand(const sim::Simulation&, const sim::Command& command) {
 
 void LiveWorld::OnEvent(const sim::Simulation& simulation, const sim::Event& event) {
   if (event.kind == sim::EventKind::kCommandRefused) {
-    // Who asked is answered. A program that goes on wanting the same is told of once.
+    // The sender has its answer. A repeated refusal of a brain is reported once.
     if (is_applying_ || event.reason == last_refusal_) return;
     last_refusal_ = event.reason;
   }

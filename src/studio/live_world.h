@@ -14,8 +14,7 @@
 
 namespace smile::studio {
 
-/// A scene come alive, with all who watch it: what may be recorded of it, what hands did, what
-/// pages have to be told.
+/// Live world: a simulation with its recorder, its markers, and the messages about its events.
 class LiveWorld : private sim::Listener {
  public:
   /// @throws std::invalid_argument if the scene lacks the camera of the desk's eye.

@@ -23,15 +23,15 @@ page::Poses PoseStream::Next(const library::View& view) {
   const scene::FramePoses& now = view.state.poses;
   page::Poses poses{.scene = view.scene, .tick = static_cast<std::uint32_t>(view.tick)};
   poses.is_key =
-      view.scene != scene_ || now.size() != told_.size() || ++since_all_ >= kTicksBetweenAll;
+      view.scene != scene_ || now.size() != sent_.size() || ++since_all_ >= kTicksBetweenAll;
   // Frame 0 is the world, which never moves.
   for (std::size_t frame = 1; frame < now.size(); ++frame) {
-    if (!poses.is_key && now[frame] == told_[frame]) continue;
+    if (!poses.is_key && now[frame] == sent_[frame]) continue;
     Append(static_cast<std::uint32_t>(frame), now[frame], view.meters_per_unit, &poses);
   }
   if (poses.is_key) since_all_ = 0;
   scene_ = view.scene;
-  told_ = now;
+  sent_ = now;
   return poses;
 }
 

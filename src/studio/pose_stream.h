@@ -5,17 +5,15 @@
 
 namespace smile::studio {
 
-/// What to tell pages about where things are: the frames that moved since it was asked last; once a
-/// second, and of another scene, all of them.
+/// Pose stream: selects the frames that moved since the last call; all frames once a second and
+/// when the scene changes.
 class PoseStream {
  public:
-  /// To be called 60 times a second. Without frames there is nothing to tell.
+  /// Returns the poses to send; called 60 times a second. Without frames nothing has to be sent.
   page::Poses Next(const library::View& view);
-  /// The next is of all frames: somebody new has come.
-  void TellAll() { told_.clear(); }
 
  private:
-  scene::FramePoses told_;
+  scene::FramePoses sent_;
   std::uint32_t scene_ = 0;
   int since_all_ = 0;
 };

@@ -63,8 +63,8 @@ class Session::Impl : private StateMachine::Listener {
   void OnScore(Json score) override;
   /// Of a recording that ended by itself.
   void NoteFailure();
-  void TellConsole();
-  void TellIfAny(std::optional<Json> message);
+  void SendConsole();
+  void SendIfAny(std::optional<Json> message);
   Json DescribeState() const;
 
   const SessionOptions options_;
@@ -82,7 +82,7 @@ class Session::Impl : private StateMachine::Listener {
   StateAnnouncer state_announcer_;
   EyePreview eye_preview_;
   ConsoleUpdates console_;
-  Json score_;                                 ///< the last one that was told; null before
+  Json score_;                                 ///< the last one that was sent; null before
   Json failure_;                               ///< `failure` of a state message
   mutable std::optional<library::View> view_;  ///< nullopt when something may have moved since
 };
@@ -156,12 +156,13 @@ bool Session::Impl::Tick() {
   view_.reset();
   const bool has_ticked = states_.Tick();
   NoteFailure();
-  TellConsole();
+  SendConsole();
   if (const auto trouble = eye_preview_.Look(&states_.world(), states_.shown())) {
     messages_.push_back({{"t", "error"}, {"error", *trouble}});
   }
-  TellIfAny(scene_announcer_.TellLooks(view().state.looks));
-  if (states_.num_ticks() % kTicksPerState == 0) TellIfAny(state_announcer_.Tell(DescribeState()));
+  SendIfAny(scene_announcer_.UpdateLooks(view().state.looks));
+  if (states_.num_ticks() % kTicksPerState == 0)
+    SendIfAny(state_announcer_.Update(DescribeState()));
   return has_ticked;
 }
 
@@ -187,16 +188,16 @@ void Session::Impl::NoteFailure() {
   }
 }
 
-void Session::Impl::TellConsole() {
+void Session::Impl::SendConsole() {
   const std::vector<ConsoleLine> lines = states_.brain().TakeLines();
   if (!lines.empty() && states_.world().is_recording()) {
     brain::BrainLog log(states_.world().recording_directory());
     for (const ConsoleLine& line : lines) log.Write(line.text);
   }
-  TellIfAny(console_.Add(lines));
+  SendIfAny(console_.Add(lines));
 }
 
-void Session::Impl::TellIfAny(std::optional<Json> message) {
+void Session::Impl::SendIfAny(std::optional<Json> message) {
   if (message) messages_.push_back(*std::move(message));
 }
 

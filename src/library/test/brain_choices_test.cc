@@ -38,7 +38,7 @@ class BrainChoicesTest : public ::testing::Test {
 
 using Names = std::vector<std::string>;
 
-TEST_F(BrainChoicesTest, TellsProgramsOfOneNameApartByTheirPaths) {
+TEST_F(BrainChoicesTest, DistinguishesProgramsOfOneNameByTheirPaths) {
   Write("matlab/um/agentBehavior.m");
   Write("python/um/um.py");
   Write("python/um/parts.py");

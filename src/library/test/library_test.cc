@@ -135,7 +135,7 @@ TEST_F(LibraryTest, KnowsOnlyDirectoriesOfItsOwn) {
   EXPECT_THROW(library.DirectoryOf(std::string("inside\0", 7)), LibraryError);
 }
 
-TEST_F(LibraryTest, TellsWhatWasDoneInWordsAndWhen) {
+TEST_F(LibraryTest, DescribesActionsWithTheirTimes) {
   const std::string script = R"({"hand":"left","do":"grasp","object":"b"}
 {"do":"wait","seconds":1}
 {"do":"undo"}

@@ -29,7 +29,7 @@ TEST(Answer, GivesTheAddressOfEveryFinding) {
   EXPECT_EQ(answer["diagnostics"][0]["line"], 4);
 }
 
-TEST(Answer, IsThePreconditionThatIsToldBeforehand) {
+TEST(Answer, ReportsTheFailedPrecondition) {
   RequestTable table = MakeTable();
   std::optional<std::string> reason;
   int num_done = 0;
@@ -68,7 +68,7 @@ TEST(Answer, MayComeLaterAsADeferredMessage) {
             (Json{{"t", "reply"}, {"seq", 9}, {"ok", false}, {"error", "nothing found"}}));
 }
 
-TEST(Answer, TellsWhatThereIsInsteadOfAnUnknownRequest) {
+TEST(Answer, ListsKnownRequestsForAnUnknownOne) {
   const Json answer = Answer(MakeTable(), {.what = "loat"}, /*is_controller=*/true);
   EXPECT_EQ(answer["error"],
             R"(there is no request "loat", expected load or look; did you mean "load"?)");

@@ -36,7 +36,7 @@ class ServerTest : public ::testing::Test {
   }
   int port() { return std::stoi(server().link().substr(server().link().rfind(':') + 1)); }
   WebClient Connect() { return WebClient(port()); }
-  /// A client that said hello and, if asked for, was told everything.
+  /// Returns a client that has said hello and, on request, has received everything.
   WebClient Join(bool knows_everything = true) {
     WebClient client = Connect();
     EXPECT_EQ(client.Upgrade(), 101);
@@ -109,27 +109,28 @@ TEST_F(ServerTest, OneControlsAndHandsOver) {
 }
 
 TEST_F(ServerTest, SaysWhatTheTablesTell) {
-  const auto expect_as_told = [](const Json& message, const std::string& request = "") {
+  const auto expect_fits_protocol = [](const Json& message, const std::string& request = "") {
     EXPECT_TRUE(message.is_object());
     EXPECT_EQ(MisfitOf(message, request), "") << ToText(message);
   };
   WebClient first = Connect();
   first.Upgrade();
-  expect_as_told(first.Hello(), "hello");
-  expect_as_told(first.Ask({{"do", "take_control"}}), "take_control");
-  expect_as_told(first.Await("clients"));
+  expect_fits_protocol(first.Hello(), "hello");
+  expect_fits_protocol(first.Ask({{"do", "take_control"}}), "take_control");
+  expect_fits_protocol(first.Await("clients"));
   WebClient second = Join();
-  expect_as_told(second.Ask({{"do", "take_control"}}), "take_control");
-  expect_as_told(first.Await("control_wanted"));
-  expect_as_told(first.Ask({{"do", "give_control"}, {"to", 9}}), "give_control");
-  expect_as_told(first.Ask({{"do", "give_control"}, {"to", 2}}), "give_control");
-  expect_as_told(second.Await("clients"));
+  expect_fits_protocol(second.Ask({{"do", "take_control"}}), "take_control");
+  expect_fits_protocol(first.Await("control_wanted"));
+  expect_fits_protocol(first.Ask({{"do", "give_control"}, {"to", 9}}), "give_control");
+  expect_fits_protocol(first.Ask({{"do", "give_control"}, {"to", 2}}), "give_control");
+  expect_fits_protocol(second.Await("clients"));
 
   RequestTable table;
   AddControlRequests(&table);
   const Request keep{.client = 2, .seq = 1, .what = "keep_control", .fields = {{"from", 1}}};
-  expect_as_told(Answer(table, keep, /*is_controller=*/true), "keep_control");
-  for (const DeferredMessage& deferred : TakeDeferred(table)) expect_as_told(deferred.message);
+  expect_fits_protocol(Answer(table, keep, /*is_controller=*/true), "keep_control");
+  for (const DeferredMessage& deferred : TakeDeferred(table))
+    expect_fits_protocol(deferred.message);
 }
 
 TEST_F(ServerTest, ASilentControllerMayBeReplacedAndOneThatLeftIsNone) {
@@ -224,7 +225,7 @@ TEST_F(ServerTest, MessagesMayComeInPieces) {
   EXPECT_EQ(client.Await("reply")["seq"], 5);
 }
 
-TEST_F(ServerTest, WhoFloodsIsToldAndSentAway) {
+TEST_F(ServerTest, ReportsTheLimitToFloodingClientsAndClosesThem) {
   WebClient client = Join();
   std::string flood;
   for (int k = 0; k < 1000; ++k) flood += WebClient::Frame("{\"seq\":2,\"do\":\"ping\"}");

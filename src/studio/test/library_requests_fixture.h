@@ -20,25 +20,25 @@ class LibraryRequestsFixture : public recorder::RecordingFixture {
  protected:
   LibraryRequestsFixture() { AddLibraryRequests(&library_, &jobs_, &table_); }
 
-  /// Also an answer that comes later.
+  /// Returns the reply, also a deferred one.
   Json Ask(const char* what, Json fields, bool is_controller = true) {
     const page::Request request{
         .client = 3, .seq = ++seq_, .what = what, .fields = std::move(fields)};
     const Json now = Answer(table_, request, is_controller);
     Json answer = page::IsLater(now) ? AnswerTo(seq_) : now;
-    ExpectAsTold(answer, what);
+    ExpectFitsProtocol(answer, what);
     return answer;
   }
-  /// That the tables of the protocol have a message.
-  static void ExpectAsTold(const Json& message, const char* request = "") {
+  /// Expects that a message fits the tables of the protocol.
+  static void ExpectFitsProtocol(const Json& message, const char* request = "") {
     EXPECT_EQ(page::MisfitOf(message, request), "") << ToText(message);
   }
 
-  /// Waits for it; keeps what else comes.
+  /// Waits for a reply; keeps all other messages.
   Json AnswerTo(std::uint32_t seq) {
     while (true) {
       for (page::DeferredMessage& deferred : TakeDeferred(table_)) {
-        if (deferred.message["t"] != "reply") ExpectAsTold(deferred.message);
+        if (deferred.message["t"] != "reply") ExpectFitsProtocol(deferred.message);
         deferred_.push_back(std::move(deferred));
       }
       for (const page::DeferredMessage& deferred : deferred_) {

@@ -14,9 +14,9 @@ namespace {
 
 using LibraryRequestsTest = LibraryRequestsFixture;
 
-TEST_F(LibraryRequestsTest, TellsEveryoneWhenRecordingsComeOrGo) {
+TEST_F(LibraryRequestsTest, NotifiesAllClientsOfChangedRecordings) {
   Record(R"({"do":"wait","seconds":0.2})");
-  const auto num_told = [this] {
+  const auto num_updates = [this] {
     int count = 0;
     for (int i = 0; i < 120; ++i) {
       for (const page::DeferredMessage& deferred : TakeDeferred(table_)) {
@@ -25,30 +25,30 @@ TEST_F(LibraryRequestsTest, TellsEveryoneWhenRecordingsComeOrGo) {
     }
     return count;
   };
-  EXPECT_EQ(num_told(), 1);
-  EXPECT_EQ(num_told(), 0) << "nothing changed";
+  EXPECT_EQ(num_updates(), 1);
+  EXPECT_EQ(num_updates(), 0) << "nothing changed";
   std::filesystem::remove_all(root_ / "demo");
-  EXPECT_EQ(num_told(), 1);
+  EXPECT_EQ(num_updates(), 1);
   Record(R"({"do":"wait","seconds":0.2})");
-  EXPECT_EQ(num_told(), 1);
+  EXPECT_EQ(num_updates(), 1);
   EXPECT_EQ(Ask("bin", {{"recording", "demo"}})["ok"], true);
-  EXPECT_EQ(num_told(), 1);
+  EXPECT_EQ(num_updates(), 1);
   std::filesystem::remove_all(root_ / ".bin/demo~1");
-  EXPECT_EQ(num_told(), 1);
+  EXPECT_EQ(num_updates(), 1);
   // A recording also goes when its folder stays.
   Record(R"({"do":"wait","seconds":0.2})");
-  EXPECT_EQ(num_told(), 1);
+  EXPECT_EQ(num_updates(), 1);
   std::filesystem::rename(root_ / "demo/demo.json", root_ / "demo/kept.json");
-  EXPECT_EQ(num_told(), 1);
+  EXPECT_EQ(num_updates(), 1);
   std::filesystem::rename(root_ / "demo/kept.json", root_ / "demo/demo.json");
-  EXPECT_EQ(num_told(), 1);
+  EXPECT_EQ(num_updates(), 1);
   EXPECT_EQ(Ask("bin", {{"recording", "demo"}})["ok"], true);
-  EXPECT_EQ(num_told(), 1);
+  EXPECT_EQ(num_updates(), 1);
   for (const auto& entry : std::filesystem::directory_iterator(root_ / ".bin/demo~1")) {
     std::filesystem::remove_all(entry);
   }
-  EXPECT_EQ(num_told(), 1);
-  EXPECT_EQ(num_told(), 0);
+  EXPECT_EQ(num_updates(), 1);
+  EXPECT_EQ(num_updates(), 0);
 }
 
 TEST_F(LibraryRequestsTest, TidyUp) {
@@ -73,7 +73,7 @@ TEST_F(LibraryRequestsTest, OpensATimelineForWatchersToo) {
   EXPECT_EQ(answer["timeline"], library_.TimelineOf("demo"));
 }
 
-TEST_F(LibraryRequestsTest, TellsWhatWouldBecomeOfAnEditAndWritesNothing) {
+TEST_F(LibraryRequestsTest, TryEditReportsTheEffectAndWritesNothing) {
   Record();
   const Json edits = {{{"do", "drop"}, {"first", 1}}};
   const Json answer = Ask("try_edit", {{"recording", "demo"}, {"edits", edits}});
@@ -111,7 +111,7 @@ TEST_F(LibraryRequestsTest, SavesWhatItsPreviewSimulated) {
     deferred_.clear();
     return Ask("edit", {{"recording", "demo"}, {"edits", edits}, {"name", "short"}});
   };
-  // How far a simulation is, is told; a copy is made at once.
+  // Simulations report progress; copies are made at once.
   const auto is_simulated = [this] {
     return std::ranges::any_of(deferred_, [](const page::DeferredMessage& deferred) {
       return deferred.message["t"] == "progress" && deferred.message["what"] == "edit";
@@ -182,7 +182,7 @@ TEST(BackgroundJobs, CancelsReplacedJobs) {
   const auto endless = [&has_begun](const recording::Progress& progress) {
     has_begun.set_value();
     while (progress(1, 2)) std::this_thread::yield();
-    return Json{{"never", "told"}};
+    return Json{{"never", "sent"}};
   };
   const auto begin = [&](std::uint32_t seq, const BackgroundJobs::Work& work) {
     jobs.Begin({.request = {.client = 1, .seq = seq, .what = "try_edit"},

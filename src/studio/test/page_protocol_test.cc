@@ -24,9 +24,10 @@ TEST_F(PageProtocol, NamesEveryRequestAndWhoMaySendIt) {
                                       {"keep_control", false},
                                       {"give_control", false}};
   for (const auto& [name, entry] : table.entries) done[name] = entry.is_for_anyone;
-  std::map<std::string, bool> told;
-  for (const page::RequestForm& form : page::RequestForms()) told[form.name] = form.is_for_anyone;
-  EXPECT_EQ(told, done);
+  std::map<std::string, bool> described;
+  for (const page::RequestForm& form : page::RequestForms())
+    described[form.name] = form.is_for_anyone;
+  EXPECT_EQ(described, done);
 }
 
 TEST(PageProtocolTable, SaysWhatIsWrongWithAMessage) {

@@ -1,4 +1,4 @@
-// What pages are told of a scene.
+// The messages about scenes.
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 namespace smile::studio {
 namespace {
 
-TEST(SceneMessage, TellsAllInUnits) {
+TEST(SceneMessage, UsesTheUnitsOfTheFile) {
   const auto scene = scene_xml::ReadSceneText(
                          R"xml(<tabletop xmlns="http://synapse.cs.umd.edu/tabletop-xml" xspan="24">
   <block id="a" color="red" xspan="2" location="(1, 2, 0.5)"/>
@@ -50,7 +50,7 @@ TEST(SceneMessage, TellsAllInUnits) {
   EXPECT_FALSE(meshes.Bytes(1).has_value());
 }
 
-TEST(SceneMessage, TellsWhatGlowsAsFilmsShowIt) {
+TEST(SceneMessage, MarksGlowingVisualsAsFilmsDo) {
   const auto scene = scene_xml::ReadSceneText(
                          R"xml(<tabletop xmlns="http://synapse.cs.umd.edu/tabletop-xml">
   <block id="a" color="red" location="(0, 0, 0.5)"/>
@@ -81,7 +81,7 @@ TEST(SceneMessage, TellsWhatGlowsAsFilmsShowIt) {
   EXPECT_GT(num_of_face, 0);
 }
 
-TEST(SceneMessage, TellsWhichJointTurnsTheHead) {
+TEST(SceneMessage, NamesTheJointOfTheHead) {
   robot::RobotModel robot = robot::ReadRobot(DataFile("robots/baxter.urdf"));
   robot.links[1].joint_name = "head_of_nothing";
   const std::string pan = robot.links[static_cast<std::size_t>(robot.head->joint)].joint_name;
@@ -96,7 +96,7 @@ TEST(SceneMessage, TellsWhichJointTurnsTheHead) {
   EXPECT_EQ(heads, pan);
 }
 
-TEST(PoseStream, TellsWhatMovedAndNowAndThenAll) {
+TEST(PoseStream, SendsMovedFramesAndSometimesAll) {
   scene::VisualModel model{.num_frames = 3};
   library::View view{.model = &model, .scene = 1};
   view.state.poses.resize(3);

@@ -73,7 +73,7 @@ TEST_F(SessionAllowed, CommandsAreTriedWithoutEffect) {
   std::vector<bool> are_allowed;
   for (const Json& one : allowed) are_allowed.push_back(one == true);
   EXPECT_EQ(are_allowed, (std::vector<bool>{true, false, true, false, false, false, true, false}));
-  // What is refused is refused for the reason that was told.
+  // Requests are refused for the reason that the state message gives.
   const Json list = ParseJson(commands);
   for (std::size_t i = 0; i < list.size(); ++i) {
     if (allowed[i] == true) continue;

@@ -71,7 +71,7 @@ TEST_F(SessionBrainTest, ARobotProgramRunsAndItsErrorHasAPlace) {
   EXPECT_TRUE(brain["file"].get<std::string>().ends_with("wave.py"));
   TickSeconds(0.1);
   bool has_place = false;
-  for (const Json& message : told_) {
+  for (const Json& message : sent_) {
     if (message["t"] != "console") continue;
     for (const Json& line : message["lines"]) {
       has_place = has_place || (line.value("file", "") == "wave.py" && line["line"] == 2);
@@ -141,7 +141,7 @@ TEST_F(SessionBrainTest, AProgramThatAsksWatchesTheDemonstrationFirst) {
             "shown 1 " + std::to_string(num_frames) + "\n");
 }
 
-TEST_F(SessionBrainTest, ADemonstrationThatCannotBeShownIsTold) {
+TEST_F(SessionBrainTest, ReportsADemonstrationThatCannotBeShown) {
   WritePython("watcher.py",
               "def init(aux): aux.watch = True\ndef step(sensor, motor, aux): pass\n");
   Do(R"({"do":"start_brain","brain":"watcher.py"})");
@@ -277,7 +277,7 @@ TEST_F(SessionBrainTest, AProgramThatNeverAnswersIsLeftAtAnyTime) {
   session_.reset();
 }
 
-TEST_F(SessionBrainTest, WhatFailsAtTheStartIsTold) {
+TEST_F(SessionBrainTest, ReportsFailuresAtTheStart) {
   WritePython("hasty.py", "def init(aux):\n  undefined\ndef step(sensor, motor, aux): pass\n");
   Do(R"({"do":"start_brain","brain":"hasty.py"})");
   TickSeconds(0.1);
@@ -285,12 +285,13 @@ TEST_F(SessionBrainTest, WhatFailsAtTheStartIsTold) {
   EXPECT_EQ(brain["status"], "failed");
   EXPECT_NE(brain["message"].get<std::string>().find("undefined"), std::string::npos);
   EXPECT_EQ(brain["line"], 2);
-  bool is_told = false;
-  for (const Json& message : told_) {
+  bool is_reported = false;
+  for (const Json& message : sent_) {
     if (message["t"] != "console") continue;
-    for (const Json& line : message["lines"]) is_told = is_told || line.value("line", 0) == 2;
+    for (const Json& line : message["lines"])
+      is_reported = is_reported || line.value("line", 0) == 2;
   }
-  EXPECT_TRUE(is_told);
+  EXPECT_TRUE(is_reported);
 }
 
 TEST(LiveBrain, GivesProgramsTheDocumentedTime) {

@@ -22,8 +22,8 @@
 
 namespace smile::studio {
 
-/// A session without a network, in a directory of the test's own. Requests are written as a page
-/// would send them; all that is said has to be as the tables of the protocol tell.
+/// Session without a network, in a temporary directory. Requests are written as a page sends them;
+/// all messages must fit the tables of the protocol.
 class SessionFixture : public ::testing::Test {
  protected:
   SessionFixture() {
@@ -80,11 +80,11 @@ class SessionFixture : public ::testing::Test {
         Answer(session_->requests(), {.client = 1, .seq = ++seq_, .what = what, .fields = fields},
                /*is_controller=*/true);
     asked_[seq_] = fields;
-    if (!page::IsLater(answer)) ExpectAsTold(answer);
+    if (!page::IsLater(answer)) ExpectFitsProtocol(answer);
     return answer;
   }
-  /// That the tables of the protocol have a message.
-  void ExpectAsTold(const Json& message) {
+  /// Expects that a message fits the tables of the protocol.
+  void ExpectFitsProtocol(const Json& message) {
     Json request = Json::object();
     if (message["t"] == "reply") request = asked_[message["seq"].get<std::uint32_t>()];
     EXPECT_EQ(page::MisfitOf(message, request.value("do", "")), "") << ToText(message);
@@ -93,7 +93,7 @@ class SessionFixture : public ::testing::Test {
   Json LaterAnswer() {
     while (true) {
       for (page::DeferredMessage& deferred : TakeDeferred(session_->requests())) {
-        ExpectAsTold(deferred.message);
+        ExpectFitsProtocol(deferred.message);
         latest_[deferred.message["t"].get<std::string>()] = deferred.message;
       }
       const Json& reply = latest_["reply"];
@@ -116,13 +116,13 @@ class SessionFixture : public ::testing::Test {
     return answer.value("error", "");
   }
 
-  /// Whatever a state message says is refused now is refused, for the reason that it tells.
-  /// @returns the names of the rest.
+  /// Expects that everything the state message refuses is refused for the reason that it gives.
+  /// @returns the names of the others.
   std::set<std::string> AllowedNow() {
     std::set<std::string> allowed;
-    const Json told = State()["allowed"];
+    const Json reasons = State()["allowed"];
     for (const char* kind : {"requests", "commands"}) {
-      for (const auto& [name, reason] : told[kind].items()) {
+      for (const auto& [name, reason] : reasons[kind].items()) {
         if (reason == true) {
           allowed.insert(name);
           continue;
@@ -158,9 +158,9 @@ class SessionFixture : public ::testing::Test {
   void Take() {
     SessionUpdates updates = session_->TakeUpdates();
     for (Json& message : updates.messages) {
-      ExpectAsTold(message);
+      ExpectFitsProtocol(message);
       latest_[message["t"].get<std::string>()] = message;
-      told_.push_back(std::move(message));
+      sent_.push_back(std::move(message));
     }
     if (updates.view) ++num_views_;
   }
@@ -173,7 +173,7 @@ class SessionFixture : public ::testing::Test {
   Json Scene() { return Everything().front(); }
   std::vector<Json> Everything() {
     std::vector<Json> all = session_->Everything();
-    for (const Json& message : all) ExpectAsTold(message);
+    for (const Json& message : all) ExpectFitsProtocol(message);
     return all;
   }
   Vector3 PositionOf(const std::string& id) {
@@ -210,7 +210,7 @@ class SessionFixture : public ::testing::Test {
   std::unique_ptr<Session> session_;
   std::uint32_t seq_ = 0;
   std::map<std::uint32_t, Json> asked_;  ///< by `seq`
-  std::vector<Json> told_;
+  std::vector<Json> sent_;
   std::map<std::string, Json> latest_;
   int num_views_ = 0;
 };

@@ -65,7 +65,7 @@ TEST_F(SessionTest, AFullDiskEndsTheRecordingAndTheStateTellsIt) {
   EXPECT_EQ(failure["recording"], "take");
   EXPECT_NE(failure["error"].get<std::string>().find("File too large"), std::string::npos);
   EXPECT_EQ(failure["kept"], true);
-  EXPECT_EQ(Latest("error"), Json()) << "it is told once";
+  EXPECT_EQ(Latest("error"), Json()) << "it is sent once";
   EXPECT_EQ(replay::Replay(recording::OpenRecording(root_ / "recordings/take")).first_difference,
             std::nullopt);
   Command(R"({"do":"start","name":"next"})");
@@ -220,7 +220,7 @@ TEST_F(SessionTest, WhatIsAddedCanBeUndoneAndIsRecorded) {
   const Vector3 way = PositionOf("a");
   const std::uint32_t number = session_->view().scene;
   const std::string id = Do(R"({"do":"spawn","preset":"ball","seed":1})")["objects"][0];
-  EXPECT_GT(session_->view().scene, number) << "pages are told the scene anew";
+  EXPECT_GT(session_->view().scene, number) << "pages receive the scene again";
   EXPECT_EQ(Latest("scene")["objects"].back()["id"], id);
   EXPECT_EQ(PositionOf("a"), way);
   EXPECT_EQ(State()["hands"]["left"]["object"], "a");
@@ -378,24 +378,24 @@ TEST_F(SessionTest, WhenItIsPausedTimeStandsStillAndHandsDoNot) {
   EXPECT_EQ(State()["tick"], 30);
 }
 
-TEST_F(SessionTest, StatesAreToldOnlyWhenSomethingChanged) {
+TEST_F(SessionTest, SendsStatesOnlyWhenSomethingChanged) {
   Begin();
   TickSeconds(1);
-  told_.clear();
+  sent_.clear();
   TickSeconds(2);
-  EXPECT_TRUE(told_.empty()) << ToText(told_.front());
+  EXPECT_TRUE(sent_.empty()) << ToText(sent_.front());
   Command(R"({"do":"grasp","hand":"left","object":"a","point":[0,-2,1]})");
   for (int i = 0; i < 60; ++i) {
     Command(R"({"do":"move_to","hand":"left","position":[)" + std::to_string(0.02 * i) + ",-2,3]}");
     TickSeconds(1.0 / 60);
   }
   const auto num_states =
-      std::ranges::count_if(told_, [](const Json& message) { return message["t"] == "state"; });
+      std::ranges::count_if(sent_, [](const Json& message) { return message["t"] == "state"; });
   EXPECT_GE(num_states, 15);
   EXPECT_LE(num_states, 20);
 }
 
-TEST_F(SessionTest, ItIsToldWhereAHeldObjectWouldComeToRest) {
+TEST_F(SessionTest, ReportsWhereAHeldObjectWouldComeToRest) {
   Begin();
   Command(R"({"do":"grasp","hand":"left","object":"a","point":[0,-2,1]})");
   Command(R"({"do":"move_to","hand":"left","position":[3.1,-2,4]})");
@@ -408,7 +408,7 @@ TEST_F(SessionTest, ItIsToldWhereAHeldObjectWouldComeToRest) {
   EXPECT_TRUE(Do(R"({"do":"resting_place","hand":"right"})")["pose"].is_null());
 }
 
-TEST_F(SessionTest, ItIsToldWhatAnObjectStandsOn) {
+TEST_F(SessionTest, ReportsWhatAnObjectStandsOn) {
   Begin();
   const std::string ask = R"({"do":"support","object":"a"})";
   EXPECT_EQ(Do(ask)["on"], "");
@@ -450,7 +450,7 @@ TEST_F(SessionTest, ARestingPlaceThatWasFoundEarlierIsMarkedAsStale) {
   }
 }
 
-TEST_F(SessionTest, TellsWhatLiesOnTheFloor) {
+TEST_F(SessionTest, ReportsObjectsOnTheFloor) {
   Begin();
   EXPECT_EQ(State()["fallen"], Json::array());
   Command(R"({"do":"start","name":"take"})");
@@ -471,19 +471,19 @@ TEST_F(SessionTest, TellsWhatLiesOnTheFloor) {
   Command(R"({"do":"destroy","hand":"left"})");
   TickSeconds(0.5);
   Command(R"({"do":"finish"})");
-  const auto told_at = [this](const std::string& recording, const char* seconds) {
+  const auto fallen_and_gone_at = [this](const std::string& recording, const char* seconds) {
     Do(R"({"do":"show","recording":")" + recording + R"(","seconds":)" + seconds + "}");
     const Json state = State();
     EXPECT_EQ(state["mode"], "playback");
     return Json{state["fallen"], state["gone"]};
   };
-  EXPECT_EQ(told_at("take", "0"), ParseJson("[[],[]]"));
-  EXPECT_EQ(told_at("take", "99"), ParseJson(R"([["a"],[]])"));
-  EXPECT_EQ(told_at("take", "3"), ParseJson("[[],[]]"));
-  EXPECT_EQ(told_at("after", "99"), ParseJson(R"([["a"],["b"]])"));
+  EXPECT_EQ(fallen_and_gone_at("take", "0"), ParseJson("[[],[]]"));
+  EXPECT_EQ(fallen_and_gone_at("take", "99"), ParseJson(R"([["a"],[]])"));
+  EXPECT_EQ(fallen_and_gone_at("take", "3"), ParseJson("[[],[]]"));
+  EXPECT_EQ(fallen_and_gone_at("after", "99"), ParseJson(R"([["a"],["b"]])"));
 }
 
-TEST_F(SessionTest, TellsWhereTheGraspedPointIsWantedAndWhereTheOriginIsThen) {
+TEST_F(SessionTest, ReportsGoalsOfTheGraspedPointAndTheOrigin) {
   Begin();
   Command(R"({"do":"grasp","hand":"left","object":"a","point":[0,-2,1]})");
   Command(R"({"do":"move_to","hand":"left","position":[1,-2,3]})");

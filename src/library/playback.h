@@ -12,15 +12,15 @@
 
 namespace smile::library {
 
-/// A recording that is shown, without physics: its trace, moment by moment. Going to any moment
-/// takes a few milliseconds, however long the recording is.
+/// Playback: shows a recording tick by tick from its trace, without physics. Seeking takes a few
+/// milliseconds, independent of the length of the recording.
 ///
-/// Belongs to one thread. No wall clock: whoever owns it calls Tick() when it is time.
+/// Belongs to one thread. Uses no wall clock: the owner calls Tick().
 class Playback {
  public:
   static constexpr double kMaxRate = 16;
 
-  /// Stands still at its start.
+  /// Opens a recording, paused at its start.
   /// @throws InputError if it cannot be read.
   Playback(std::string id, const std::filesystem::path& directory);
   ~Playback();
@@ -29,27 +29,27 @@ class Playback {
 
   const std::string& id() const;
   const recording::Recording& recording() const;
-  /// Of its scene and robot: what it is that is shown.
+  /// Returns the model of its scene and robot.
   const model::Model& model() const;
 
   double seconds() const;  ///< from its start [s]
   double length() const;   ///< [s]
-  double rate() const;     ///< of recorded to real time; 0: it stands still
-  /// From its end, it begins anew.
+  double rate() const;     ///< of recorded to wall-clock time; 0: paused
+  /// Sets the rate; continues from the start if the recording is at its end.
   /// @throws std::invalid_argument if the rate is not within 0 and kMaxRate.
   void SetRate(double rate);
-  /// To the tick nearest to that, within 0 and length().
+  /// Seeks the tick nearest to `seconds`, within 0 and length().
   /// @throws std::invalid_argument if it is not a number.
   void Seek(double seconds);
-  /// 1/60 s goes by; at its end it stands still.
+  /// Advances by 1/60 s of wall-clock time; pauses at the end.
   void Tick();
 
-  /// What was recorded of this moment.
+  /// Returns the recorded tick that is shown.
   const recording::TraceTick& moment() const;
-  /// Ids of the objects that have come to the floor by then, also of those that are gone since. In
-  /// the order in which they did; empty of recordings that do not tell.
+  /// Returns the ids of the objects that have fallen to the floor so far, in order, including those
+  /// that are gone since; empty if the recording does not contain them.
   std::vector<std::string> fallen() const;
-  /// `scene` is the caller's to fill in. Its model lasts as long as this.
+  /// Returns the view, whose `scene` the caller sets. Its model is valid as long as this object.
   View view() const;
 
  private:

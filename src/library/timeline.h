@@ -5,8 +5,8 @@
 
 namespace smile::library {
 
-/// What was done in a recording, for people to look through: its segments, and its steps as
-/// recording::HistoryOf() has them. All times are from its start [s]:
+/// Returns the timeline of a recording: its segments, and its steps as in recording::HistoryOf().
+/// All times are from its start [s]:
 ///
 ///     {"segments":[{"number","deed","begin","end"}],
 ///      "steps":[{"step","parent","deed","begin","end","on_way"}],"seconds"}

@@ -7,12 +7,12 @@
 
 namespace smile::library {
 
-/// What people see at this moment: the simulation, or a recording that is shown.
+/// View: the displayed state of the simulation or of a recording.
 struct View {
   const scene::VisualModel* model = nullptr;
   scene::VisualState state;
   std::uint64_t tick = 0;
-  std::uint32_t scene = 0;                         ///< counts up whenever `model` is another one
+  std::uint32_t scene = 0;                         ///< increases whenever `model` changes
   double meters_per_unit = scene::kMetersPerUnit;  ///< of the scene's file
 };
 

@@ -6,7 +6,7 @@
 
 namespace smile::page {
 
-/// What RequestForms() returns.
+/// Makes what RequestForms() returns.
 std::vector<RequestForm> MakeRequestForms();
 
 }  // namespace smile::page

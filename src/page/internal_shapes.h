@@ -5,7 +5,7 @@
 
 #include "base/json_shape.h"
 
-// What messages and requests consist of.
+// The shapes of messages and requests.
 
 namespace smile::page {
 
@@ -20,7 +20,7 @@ JsonShape ObjectShape(std::vector<JsonMember> members);
 /// `t` of a message.
 JsonMember KindMember(const char* name);
 
-// Types that have a name of their own.
+// Named types.
 
 JsonShape HandNameShape();
 JsonShape MoodShape();

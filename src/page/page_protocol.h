@@ -29,10 +29,10 @@ struct UpdateForm {
 };
 const std::vector<UpdateForm>& UpdateForms();
 
-/// What is wrong with a message that is sent to a page, and where; empty: nothing.
+/// Returns what is wrong with a message to a page, and where; empty if nothing is.
 /// @param request  `do` of the request that it answers, if it is a reply.
 std::string MisfitOf(const Json& message, const std::string& request = "");
-/// The same of the fields of a request.
+/// Returns the same for the fields of a request.
 std::string MisfitOfRequest(const Json& request);
 
 }  // namespace smile::page

@@ -2,7 +2,7 @@
 
 #include <string>
 
-// The tables of page_protocol.h, as tools/generate.py writes them to files.
+// The tables of page_protocol.h as text, which tools/generate.py writes to files.
 
 namespace smile::page {
 

@@ -12,11 +12,11 @@
 
 namespace smile::page {
 
-/// No name or id in a request is longer.
+/// Maximum length of names and ids in requests [bytes].
 inline constexpr std::size_t kMaxRequestText = 256;
 
-/// Reads what a request says. Whoever sends it may send anything: each member throws a RequestError
-/// that names the field, what was found and what was expected.
+/// Request fields: reads the fields of a request, which may contain anything. Each member throws a
+/// RequestError that names the field, what was found and what was expected.
 class RequestFields {
  public:
   /// `request` must outlive this.
@@ -25,28 +25,28 @@ class RequestFields {
   const Request& request() const { return request_; }
 
   bool Has(const char* name) const;
-  /// Not empty.
+  /// Returns a text that is not empty.
   std::string Text(const char* name, std::size_t max_bytes = kMaxRequestText) const;
   std::optional<std::string> OptionalText(const char* name,
                                           std::size_t max_bytes = kMaxRequestText) const;
-  /// Finite, from `low` to `high`.
+  /// Returns a finite number from `low` to `high`.
   double Number(const char* name, double low, double high) const;
   std::optional<double> OptionalNumber(const char* name, double low, double high) const;
-  /// From 0 to `high`.
+  /// Returns a whole number from 0 to `high`.
   std::uint64_t Whole(const char* name, std::uint64_t high) const;
-  /// False if it is not there.
+  /// Returns false if the field is missing.
   bool Flag(const char* name) const;
-  /// A list of some of `known`.
+  /// Returns a list of words, each one of `known`.
   std::vector<std::string> Words(const char* name, std::span<const std::string_view> known) const;
-  /// One of `known`.
+  /// Returns a word, one of `known`.
   std::string Word(const char* name, std::span<const std::string_view> known) const;
-  /// Of up to so many items.
+  /// Returns a list of at most `max_count` items.
   const Json& List(const char* name, std::size_t max_count) const;
-  /// An object.
+  /// Returns an object.
   const Json& Object(const char* name) const;
 
  private:
-  /// nullptr if it is not there.
+  /// Returns nullptr if the field is missing.
   const Json* Find(const char* name) const;
   const Json& Get(const char* name, const std::string& expected) const;
 

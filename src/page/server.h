@@ -14,29 +14,30 @@
 
 namespace smile::page {
 
-/// What nobody may exceed.
+/// Limits on what clients may use.
 struct ServerLimits {
   std::size_t message_bytes = 1 << 20;
   double requests_per_second = 200;  ///< of one client
   int clients = 64;
-  double hello_seconds = 10;           ///< for the first request; when all places are taken, less
-  int connections = 256;               ///< of clients, and of browsers that load the page
+  double hello_seconds =
+      10;                 ///< until the first request; less when the limit of clients is reached
+  int connections = 256;  ///< of clients and of browsers that load the page
   std::size_t outbox_bytes = 8 << 20;  ///< of messages that wait for one client
-  double stall_seconds = 10;           ///< so long a client may take nothing
+  double stall_seconds = 10;           ///< for which a client may receive nothing
   double silence_seconds =
-      30;  ///< of a controller who was asked, until control may be taken by force
+      30;  ///< of inactivity of the asked controller, until control may be taken by force
 };
 
 struct ServerOptions {
-  std::string address = "127.0.0.1";  ///< elsewhere than on this machine, a token is asked for
+  std::string address = "127.0.0.1";  ///< other than this machine: a token is required
   int port = 0;                       ///< 0: the first free one from 8470 on
   std::filesystem::path page;
-  web_server::HttpHandler get;  ///< what is no file of the page; may be empty
+  web_server::HttpHandler get;  ///< for all other paths; may be empty
   ServerLimits limits;
   std::optional<web_server::TlsFiles> tls;  ///< the page is at https:// and wss://
 };
 
-/// Where frames are that moved; of all of them in a key.
+/// Poses of the frames that moved; of all frames in a key.
 struct Poses {
   std::uint32_t scene = 0, tick = 0;
   bool is_key = false;
@@ -44,8 +45,8 @@ struct Poses {
   std::vector<float> values;  ///< seven a frame: x, y, z [units], qx, qy, qz, qw
 };
 
-/// The page and its clients on a web server. Its threads deliver requests and take messages to be
-/// sent; none touches a session.
+/// Server: serves the page and its clients. Its threads only queue requests and send messages; none
+/// accesses a session.
 class Server {
  public:
   /// Serves at once. @throws std::runtime_error when no port is free or there is no page.
@@ -57,9 +58,9 @@ class Server {
   /// `http://127.0.0.1:8470/`, with the token where one is needed.
   std::string link() const;
 
-  /// What is asked for since this was last asked: all of the controller's requests, in order, and
-  /// one of each watcher, so that no crowd delays who works. Hellos, pings and control are the
-  /// server's own.
+  /// Returns the requests since the last call: all of the controller, in order, and one of each
+  /// watcher, so that many watchers do not delay the controller. The server itself carries out
+  /// hello, ping and requests about control.
   std::vector<Request> TakeRequests();
   /// Returns the clients that have said hello since the last call: the caller sends them
   /// everything.

@@ -40,11 +40,6 @@ void WriteVector(const btVector3& v, ByteWriter* out) {
   for (int i = 0; i < 3; ++i) out->Put(static_cast<double>(v[i]));
 }
 
-btVector3 ReadVector(ByteReader* in) {
-  const double x = in->Get<double>(), y = in->Get<double>(), z = in->Get<double>();
-  return {x, y, z};
-}
-
 void SaveObject(const btCollisionObject& object, ByteWriter* out) {
   WriteTransform(object.getWorldTransform(), out);
   WriteTransform(object.getInterpolationWorldTransform(), out);

@@ -17,7 +17,10 @@ void SetVelocityToReach(const RigidTransform& X_WGoal, double seconds, btRigidBo
 void SetPose(const RigidTransform& X_W, btCollisionObject* object);
 
 void WriteVector(const btVector3& v, ByteWriter* out);
-btVector3 ReadVector(ByteReader* in);
+inline btVector3 ReadVector(ByteReader* in) {
+  const double x = in->Get<double>(), y = in->Get<double>(), z = in->Get<double>();
+  return {x, y, z};
+}
 /// Writes poses, sleep state and bounds.
 void SaveObject(const btCollisionObject& object, ByteWriter* out);
 void RestoreObject(ByteReader* in, btCollisionObject* object);

@@ -42,15 +42,15 @@ class LiveRun {
       eye_.emplace(plan.eye);
     }
     if (records) {
-      desk_.emplace(&simulation_,
-                    recorder::RecordingDesk::Options{.root = plan.recordings,
-                                                     .recording = plan.recording,
-                                                     .eye = takes_pictures ? &*eye_ : nullptr});
+      controller_.emplace(&simulation_, recorder::RecordingController::Options{
+                                            .root = plan.recordings,
+                                            .recording = plan.recording,
+                                            .eye = takes_pictures ? &*eye_ : nullptr});
     }
-    if (!plan.record.empty()) desk_->StartIn(plan.record, simulation_);
+    if (!plan.record.empty()) controller_->StartIn(plan.record, simulation_);
     if (plan.continuation) {
-      desk_->Continue(plan.continuation->recording, plan.continuation->from, &simulation_,
-                      callbacks_.ProgressOf(plan.label));
+      controller_->Continue(plan.continuation->recording, plan.continuation->from, &simulation_,
+                            callbacks_.ProgressOf(plan.label));
     }
     first_tick_ = simulation_.tick();
     if (plan.script) player_.emplace(*plan.script);
@@ -130,8 +130,8 @@ class LiveRun {
       player_->Advance(&simulation_);
     } catch (const InputError&) {
       ThrowIfNotRecorded();  // then that is why
-      if (desk_) {
-        for (const auto& directory : desk_->directories()) {
+      if (controller_) {
+        for (const auto& directory : controller_->directories()) {
           callbacks_.Say("recorded in " + directory.string());
         }
       }
@@ -140,7 +140,7 @@ class LiveRun {
   }
 
   void ThrowIfNotRecorded() const {
-    if (desk_ && desk_->failure()) throw std::runtime_error(*desk_->failure());
+    if (controller_ && controller_->failure()) throw std::runtime_error(*controller_->failure());
   }
 
   bool is_brain_running() const {
@@ -187,14 +187,14 @@ class LiveRun {
       result.brain_error = driver_->error();
       result.watched_seconds = sim::SecondsOf(driver_->watched_ticks());
     }
-    if (desk_) result.recordings = desk_->directories();
+    if (controller_) result.recordings = controller_->directories();
     return result;
   }
 
   const RunPlan& plan_;
   const Callbacks& callbacks_;
   std::optional<picture::RenderedEye> eye_;
-  std::optional<recorder::RecordingDesk> desk_;
+  std::optional<recorder::RecordingController> controller_;
   sim::Simulation simulation_;
   std::uint64_t first_tick_ = 0;
   int farewell_ticks_ = 0;  ///< to go on, though the brain has ended

@@ -9,7 +9,7 @@
 #include "base/json.h"
 #include "brain/brain_driver.h"
 #include "experiment/callbacks.h"
-#include "recorder/recording_desk.h"
+#include "recorder/recording_controller.h"
 #include "scene/scene_spec.h"
 #include "sim/eye.h"
 #include "sim/script.h"

@@ -39,7 +39,7 @@ class Listener {
   virtual void OnTick(const Simulation&) {}
 };
 
-/// Who records when told to; see recorder/recording_desk.h.
+/// Interface of what records on command; see recorder/recording_controller.h.
 class RecordingControl {
  public:
   virtual ~RecordingControl() = default;

@@ -41,8 +41,8 @@ Json PlaybackRequests::Branch(const page::RequestFields& fields) {
   const BranchPoint from{.step = static_cast<std::size_t>(fields.Whole("step", 1'000'000'000)),
                          .after = fields.OptionalNumber("after", 0, kMaxSeconds)};
   // Shared by the session and the background job, either of which may end first.
-  const auto restoring =
-      std::make_shared<Restoring>(id, library_->DirectoryOf(id), from, DeskOptionsOf(*options_));
+  const auto restoring = std::make_shared<Restoring>(id, library_->DirectoryOf(id), from,
+                                                     RecordingOptionsOf(*options_));
   const auto work = [restoring](const recording::Progress& progress) -> Json {
     restoring->Make(progress);
     return {{"recording", restoring->recording()}};

@@ -8,11 +8,11 @@
 namespace smile::studio {
 
 Restoring::Restoring(std::string recording, std::filesystem::path directory,
-                     const BranchPoint& from, recorder::RecordingDesk::Options desk)
+                     const BranchPoint& from, recorder::RecordingController::Options options)
     : recording_(std::move(recording)),
       directory_(std::move(directory)),
       from_(from),
-      desk_(std::move(desk)) {}
+      options_(std::move(options)) {}
 
 std::optional<std::string> Restoring::Unmet(Need need) const {
   const bool is_bound = need == Need::kOtherWorld || need == Need::kNewRecording;
@@ -20,18 +20,18 @@ std::optional<std::string> Restoring::Unmet(Need need) const {
   return "the world goes back to a moment of a recording: wait until it is there";
 }
 
-// The desk's eye belongs to another thread: it is put in only at last, and pictures on the way
-// there are taken with one like it.
+// The eye of the options belongs to another thread: it is installed last, and pictures of the path
+// there are rendered with a second eye of the same specification.
 void Restoring::Make(const recording::Progress& progress) {
   const recording::Recording recording = recording::OpenRecording(directory_);
   const recording::Moment moment =
       recording::MomentOf(recording, recording::HistoryOf(recording), from_.step, from_.after);
-  recorder::RecordingDesk::Options options = desk_;
+  recorder::RecordingController::Options options = options_;
   std::optional<picture::RenderedEye> eye;
-  if (desk_.eye != nullptr) options.eye = &eye.emplace(desk_.eye->spec());
+  if (options_.eye != nullptr) options.eye = &eye.emplace(options_.eye->spec());
   auto world = std::make_unique<LiveWorld>(recording.start_scene(), recording.robot(), options);
   world->Continue(recording, moment, progress);
-  if (CapturingEye* capturing = world->eye()) capturing->SetEye(desk_.eye);
+  if (CapturingEye* capturing = world->eye()) capturing->SetEye(options_.eye);
   world_ = std::move(world);
 }
 

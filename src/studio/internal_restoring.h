@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "recorder/recording_desk.h"
+#include "recorder/recording_controller.h"
 #include "recording/progress.h"
 #include "studio/internal_session_state.h"
 #include "studio/live_world.h"
@@ -26,7 +26,7 @@ class Restoring : public Activity {
  public:
   /// @param directory  of the recording with this id.
   Restoring(std::string recording, std::filesystem::path directory, const BranchPoint& from,
-            recorder::RecordingDesk::Options desk);
+            recorder::RecordingController::Options options);
 
   /// The id of the recording.
   const std::string& recording() const { return recording_; }
@@ -43,7 +43,7 @@ class Restoring : public Activity {
   std::string recording_;
   std::filesystem::path directory_;
   BranchPoint from_;
-  recorder::RecordingDesk::Options desk_;
+  recorder::RecordingController::Options options_;
   std::unique_ptr<LiveWorld> world_;
 };
 

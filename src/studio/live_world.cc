@@ -21,8 +21,8 @@ std::optional<CapturingEye> CapturingEyeOf(sim::Eye* eye) {
   return eye != nullptr ? std::optional<CapturingEye>(eye) : std::nullopt;
 }
 
-recorder::RecordingDesk::Options Through(CapturingEye* eye,
-                                         recorder::RecordingDesk::Options options) {
+recorder::RecordingController::Options Through(CapturingEye* eye,
+                                               recorder::RecordingController::Options options) {
   options.eye = eye;
   return options;
 }
@@ -30,10 +30,10 @@ recorder::RecordingDesk::Options Through(CapturingEye* eye,
 }  // namespace
 
 LiveWorld::LiveWorld(scene::SceneSpec scene, std::optional<sim::RobotPlacement> robot,
-                     recorder::RecordingDesk::Options options)
+                     recorder::RecordingController::Options options)
     : eye_(CapturingEyeOf(options.eye)),
       simulation_(std::move(scene), std::move(robot)),
-      desk_(&simulation_, Through(eye(), options)),
+      controller_(&simulation_, Through(eye(), options)),
       usual_title_(options.recording.title) {
   if (eye_) sim::EyeView(simulation_, eye_->spec());
   simulation_.AddListener(this);
@@ -67,7 +67,7 @@ std::optional<sim::Refusal> LiveWorld::Apply(const sim::Command& command) {
 
 void LiveWorld::Continue(const recording::Recording& recording, const recording::Moment& from,
                          const recording::Progress& progress) {
-  desk_.Continue(recording.directory, from, &simulation_, progress);
+  controller_.Continue(recording.directory, from, &simulation_, progress);
   const auto num_before =
       std::ranges::count_if(recording.log.WayTo(recording.info.start.line),
                             [](const auto& logged) { return sim::IsAction(logged.command); });
@@ -78,7 +78,8 @@ void LiveWorld::Continue(const recording::Recording& recording, const recording:
 }
 
 std::filesystem::path LiveWorld::recording_directory() const {
-  return desk_.directories().empty() ? std::filesystem::path() : desk_.directories().back();
+  return controller_.directories().empty() ? std::filesystem::path()
+                                           : controller_.directories().back();
 }
 
 Json LiveWorld::DescribeRecording() const {
@@ -108,12 +109,12 @@ Json LiveWorld::DescribeSegments() const {
 
 std::optional<Json> LiveWorld::TakeFailure() {
   const bool has_ended = std::exchange(was_recording_, is_recording()) && !is_recording();
-  if (!has_ended || !desk_.failure()) return std::nullopt;
+  if (!has_ended || !controller_.failure()) return std::nullopt;
   const std::filesystem::path directory = recording_directory();
   std::error_code error;
   return Json{{"recording", directory.filename().string()},
               {"title", take_.title},
-              {"error", *desk_.failure()},
+              {"error", *controller_.failure()},
               {"kept", std::filesystem::exists(directory / "demo.json", error)}};
 }
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/json.h"
-#include "recorder/recording_desk.h"
+#include "recorder/recording_controller.h"
 #include "scene/bounds.h"
 #include "sim/simulation.h"
 #include "studio/capturing_eye.h"
@@ -17,9 +17,9 @@ namespace smile::studio {
 /// Live world: a simulation with its recorder, its markers, and the messages about its events.
 class LiveWorld : private sim::Listener {
  public:
-  /// @throws std::invalid_argument if the scene lacks the camera of the desk's eye.
+  /// @throws std::invalid_argument if the scene lacks the camera of the recording eye.
   LiveWorld(scene::SceneSpec scene, std::optional<sim::RobotPlacement> robot,
-            recorder::RecordingDesk::Options options);
+            recorder::RecordingController::Options options);
   LiveWorld(const LiveWorld&) = delete;
   LiveWorld& operator=(const LiveWorld&) = delete;
 
@@ -28,7 +28,7 @@ class LiveWorld : private sim::Listener {
 
   /// The one door: `start` and `finish` too. What was refused is no event.
   std::optional<sim::Refusal> Apply(const sim::Command& command);
-  /// Goes on with a recording, see recorder::RecordingDesk::Continue(). To be called before
+  /// Goes on with a recording, see recorder::RecordingController::Continue(). To be called before
   /// anything else is done.
   void Continue(const recording::Recording& recording, const recording::Moment& from,
                 const recording::Progress& progress);
@@ -36,7 +36,7 @@ class LiveWorld : private sim::Listener {
   /// Returns the eye of recordings; nullptr without one.
   CapturingEye* eye() { return eye_ ? &*eye_ : nullptr; }
 
-  bool is_recording() const { return desk_.is_recording(); }
+  bool is_recording() const { return controller_.is_recording(); }
   /// Of the last one that was begun; empty before.
   std::filesystem::path recording_directory() const;
   /// `recording` of a state message; null without one.
@@ -70,7 +70,7 @@ class LiveWorld : private sim::Listener {
 
   std::optional<CapturingEye> eye_;
   sim::Simulation simulation_;
-  recorder::RecordingDesk desk_;
+  recorder::RecordingController controller_;
   std::string usual_title_;
   Take take_;  ///< that is recorded
   std::vector<Json> events_;

@@ -100,7 +100,7 @@ Session::Impl::Impl(SessionOptions options)
       requests_(&states_, RequestRows(), [this] { view_.reset(); }),
       eye_preview_(options_.eye) {
   states_.Enter(std::make_unique<LiveWorld>(scene_xml::LoadScene(options_.scene, options_.reader),
-                                            options_.robot, DeskOptionsOf(options_)));
+                                            options_.robot, RecordingOptionsOf(options_)));
 }
 
 std::vector<RequestRow> Session::Impl::RequestRows() {

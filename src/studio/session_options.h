@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "recorder/recording_desk.h"
+#include "recorder/recording_controller.h"
 #include "scene_xml/scene_reader.h"
 #include "sim/eye.h"
 #include "sim/simulation.h"
@@ -28,8 +28,8 @@ struct SessionOptions {
   BackgroundJobs* jobs = nullptr;
 };
 
-/// Returns what worlds are recorded with.
-inline recorder::RecordingDesk::Options DeskOptionsOf(const SessionOptions& options) {
+/// Returns the options with which worlds are recorded.
+inline recorder::RecordingController::Options RecordingOptionsOf(const SessionOptions& options) {
   return {.root = options.recordings, .recording = options.recording, .eye = options.eye};
 }
 

@@ -5,7 +5,7 @@
 
 #include "classic/classic_text.h"
 #include "image/png.h"
-#include "recorder/recording_desk.h"
+#include "recorder/recording_controller.h"
 #include "recorder/test/painted_eye.h"
 #include "recorder/test/recording_fixture.h"
 #include "recording/attention.h"
@@ -99,7 +99,7 @@ TEST_F(ClassicRecorderTest, WhatMattersAndWhatFellIsTold) {
 
 TEST_F(ClassicRecorderTest, BeginsWithWhatMattersAndWithoutWhatFell) {
   auto simulation = MakeSimulation(false);
-  recorder::RecordingDesk desk(simulation.get(), {.root = root_});
+  recorder::RecordingController controller(simulation.get(), {.root = root_});
   sim::ScriptPlayer player(sim::ParseScript(kThrowAway, "script", 0.1));
   for (player.Advance(simulation.get()); !player.is_finished(); player.Advance(simulation.get())) {
     simulation->Tick();

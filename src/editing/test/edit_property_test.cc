@@ -5,7 +5,7 @@
 
 #include "editing/edit.h"
 #include "editing/re_simulation.h"
-#include "recorder/recording_desk.h"
+#include "recorder/recording_controller.h"
 #include "recorder/test/recording_fixture.h"
 #include "scene_xml/scene_writer.h"
 #include "sim/test/everything_scene.h"
@@ -22,12 +22,12 @@ class EditProperty : public recorder::RecordingFixture,
     const std::string xml = scene_xml::WriteScene(sim::EverythingScene::Make());
     sim::Simulation simulation(*scene_xml::ReadSceneText(xml, "everything.xml").scene);
     sim::RandomHands hands(GetParam(), /*changes_objects=*/true);
-    recorder::RecordingDesk desk(&simulation, {.recording = {.frames_per_second = 12}});
+    recorder::RecordingController controller(&simulation, {.recording = {.frames_per_second = 12}});
     for (int i = 0; i < 12; ++i) {
       (void)simulation.Apply(hands.Next(simulation));
       Wait(&simulation);
     }
-    desk.StartIn(root_ / "demo", simulation);
+    controller.StartIn(root_ / "demo", simulation);
     for (int i = 0; i < 40; ++i) {
       const bool undoes = random_() % 8 == 0;
       (void)simulation.Apply(undoes ? sim::Command(sim::Undo()) : hands.Next(simulation));

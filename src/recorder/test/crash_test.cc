@@ -7,7 +7,7 @@
 #include <fstream>
 #include <random>
 
-#include "recorder/recording_desk.h"
+#include "recorder/recording_controller.h"
 #include "recording/recording_history.h"
 #include "recording/trace_reader.h"
 #include "recording_fixture.h"
@@ -176,12 +176,12 @@ TEST_F(CrashTest, AFullDiskEndsTheRecordingNotTheSimulation) {
       const rlimit size{limit, limit};
       setrlimit(RLIMIT_FSIZE, &size);
       auto simulation = MakeSimulation(false);
-      RecordingDesk desk(simulation.get(), {});
-      desk.StartIn(demo, *simulation);
+      RecordingController controller(simulation.get(), {});
+      controller.StartIn(demo, *simulation);
       Work(simulation.get(), 3, 2000);
       const bool told =
-          desk.failure() && desk.failure()->find("File too large") != std::string::npos;
-      _exit(told && !desk.is_recording() ? 42 : 1);
+          controller.failure() && controller.failure()->find("File too large") != std::string::npos;
+      _exit(told && !controller.is_recording() ? 42 : 1);
     });
     int status = 0;
     ASSERT_EQ(waitpid(child, &status, 0), child);
@@ -194,11 +194,11 @@ TEST_F(CrashTest, ADirectoryThatCannotBeWrittenIsARefusal) {
   auto simulation = MakeSimulation(false);
   std::filesystem::create_directories(root_ / "file");
   std::ofstream(root_ / "notafolder") << "x";
-  RecordingDesk desk(simulation.get(), {.root = root_ / "notafolder"});
+  RecordingController controller(simulation.get(), {.root = root_ / "notafolder"});
   const auto refusal = simulation->Apply(sim::StartRecording{.name = "demo"});
   ASSERT_TRUE(refusal.has_value());
   EXPECT_NE(refusal->find("notafolder"), std::string::npos) << *refusal;
-  EXPECT_FALSE(desk.is_recording());
+  EXPECT_FALSE(controller.is_recording());
 }
 
 }  // namespace

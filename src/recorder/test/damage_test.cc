@@ -4,7 +4,7 @@
 #include <random>
 
 #include "base/diagnostic.h"
-#include "recorder/recording_desk.h"
+#include "recorder/recording_controller.h"
 #include "recording/attention.h"
 #include "recording/demonstration.h"
 #include "recording/recording_history.h"
@@ -24,7 +24,7 @@ class DamageProperty : public RecordingFixture, public ::testing::WithParamInter
   std::filesystem::path RecordEverything() {
     const std::string xml = scene_xml::WriteScene(sim::EverythingScene::Make());
     sim::Simulation simulation(*scene_xml::ReadSceneText(xml, "everything.xml").scene);
-    RecordingDesk desk(&simulation, {.root = root_});
+    RecordingController controller(&simulation, {.root = root_});
     sim::RandomHands hands(7, /*changes_objects=*/true);
     for (int i = 0; i < 60; ++i) {
       if (i == 10) (void)simulation.Apply(sim::StartRecording{.name = "demo"});

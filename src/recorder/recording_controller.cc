@@ -1,4 +1,4 @@
-#include "recorder/recording_desk.h"
+#include "recorder/recording_controller.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -12,14 +12,14 @@
 
 namespace smile::recorder {
 
-RecordingDesk::RecordingDesk(sim::Simulation* simulation, Options options)
+RecordingController::RecordingController(sim::Simulation* simulation, Options options)
     : options_(std::move(options)) {
   simulation->AddListener(this);
   simulation->SetRecordingControl(this);
 }
 
-std::optional<sim::Refusal> RecordingDesk::Start(const sim::Simulation& simulation,
-                                                 const sim::StartRecording& start) {
+std::optional<sim::Refusal> RecordingController::Start(const sim::Simulation& simulation,
+                                                       const sim::StartRecording& start) {
   std::string name = start.name.empty() ? simulation.scene().name : start.name;
   if (start.name.empty() && !recording::IsRecordingName(name)) name = "recording";
   if (!recording::IsRecordingName(name))
@@ -39,32 +39,33 @@ std::optional<sim::Refusal> RecordingDesk::Start(const sim::Simulation& simulati
   return std::nullopt;
 }
 
-void RecordingDesk::Start(const std::filesystem::path& directory, const RecorderOptions& options,
-                          const sim::Simulation& simulation) {
+void RecordingController::Start(const std::filesystem::path& directory,
+                                const RecorderOptions& options, const sim::Simulation& simulation) {
   failure_.reset();
   recorder_ = std::make_unique<Recorder>(directory, options, options_.eye, simulation);
   directories_.push_back(directory);
 }
 
-void RecordingDesk::StartIn(const std::filesystem::path& directory,
-                            const sim::Simulation& simulation) {
+void RecordingController::StartIn(const std::filesystem::path& directory,
+                                  const sim::Simulation& simulation) {
   Start(directory, options_.recording, simulation);
 }
 
-void RecordingDesk::Continue(const std::filesystem::path& directory, const recording::Moment& from,
-                             sim::Simulation* simulation, const recording::Progress& progress) {
+void RecordingController::Continue(const std::filesystem::path& directory,
+                                   const recording::Moment& from, sim::Simulation* simulation,
+                                   const recording::Progress& progress) {
   recorder_ = Recorder::Continue(directory, from, options_.eye, simulation, progress);
   directories_.push_back(directory);
 }
 
-std::optional<sim::Refusal> RecordingDesk::Finish(const sim::Simulation&) {
+std::optional<sim::Refusal> RecordingController::Finish(const sim::Simulation&) {
   EndIfRemoved();
   if (!recorder_) return failure_;
   recorder_.reset();
   return std::nullopt;
 }
 
-void RecordingDesk::EndIfRemoved() {
+void RecordingController::EndIfRemoved() {
   const std::filesystem::path file = directories_.back() / "demo.json";
   std::error_code error;
   if (std::filesystem::exists(file, error) || error) return;
@@ -73,7 +74,7 @@ void RecordingDesk::EndIfRemoved() {
 }
 
 template <class Part>
-void RecordingDesk::Record(const Part& part) {
+void RecordingController::Record(const Part& part) {
   if (!recorder_) return;
   try {
     part(*recorder_);
@@ -83,8 +84,8 @@ void RecordingDesk::Record(const Part& part) {
   }
 }
 
-std::optional<sim::Refusal> RecordingDesk::Refuse(const sim::Simulation& simulation,
-                                                  const sim::Command& command) {
+std::optional<sim::Refusal> RecordingController::Refuse(const sim::Simulation& simulation,
+                                                        const sim::Command& command) {
   if (std::holds_alternative<sim::StartRecording>(command) && recorder_) {
     return "already recording into " + directories_.back().string() + "; finish that first";
   }
@@ -96,8 +97,8 @@ std::optional<sim::Refusal> RecordingDesk::Refuse(const sim::Simulation& simulat
   return load != nullptr ? RefuseWithoutCamera(simulation, *load) : std::nullopt;
 }
 
-std::optional<sim::Refusal> RecordingDesk::RefuseWithoutCamera(const sim::Simulation& simulation,
-                                                               const sim::Load& load) const {
+std::optional<sim::Refusal> RecordingController::RefuseWithoutCamera(
+    const sim::Simulation& simulation, const sim::Load& load) const {
   if (options_.eye == nullptr) return std::nullopt;
   const std::string& camera = options_.eye->spec().camera;
   if (!model::IsSceneCamera(simulation.model(), camera)) return std::nullopt;
@@ -108,20 +109,21 @@ std::optional<sim::Refusal> RecordingDesk::RefuseWithoutCamera(const sim::Simula
   return "the scene to load lacks the camera " + Quoted(camera) + ", which takes the pictures";
 }
 
-void RecordingDesk::OnCommand(const sim::Simulation& simulation, const sim::Command& command) {
+void RecordingController::OnCommand(const sim::Simulation& simulation,
+                                    const sim::Command& command) {
   Record([&](Recorder& recorder) { recorder.OnCommand(simulation, command); });
 }
 
-void RecordingDesk::OnEvent(const sim::Simulation& simulation, const sim::Event& event) {
+void RecordingController::OnEvent(const sim::Simulation& simulation, const sim::Event& event) {
   Record([&](Recorder& recorder) { recorder.OnEvent(simulation, event); });
 }
 
-void RecordingDesk::OnMove(const sim::Simulation& simulation, sim::ActionId from,
-                           sim::ActionId to) {
+void RecordingController::OnMove(const sim::Simulation& simulation, sim::ActionId from,
+                                 sim::ActionId to) {
   Record([&](Recorder& recorder) { recorder.OnMove(simulation, from, to); });
 }
 
-void RecordingDesk::OnTick(const sim::Simulation& simulation) {
+void RecordingController::OnTick(const sim::Simulation& simulation) {
   if (recorder_ && simulation.tick() % sim::kTicksPerSecond == 0) EndIfRemoved();
   Record([&](Recorder& recorder) { recorder.OnTick(simulation); });
 }

@@ -12,11 +12,11 @@
 
 namespace smile::recorder {
 
-/// Starts and finishes recordings of a running simulation when told to, at any time.
+/// Starts and finishes recordings of a running simulation on command, at any time.
 ///
 /// A disk that is full, or a directory that is removed meanwhile, ends the recording, not the
 /// simulation: see failure().
-class RecordingDesk : public sim::Listener, public sim::RecordingControl {
+class RecordingController : public sim::Listener, public sim::RecordingControl {
  public:
   struct Options {
     std::filesystem::path root = "recordings";  ///< where recordings go that are started by name
@@ -25,26 +25,28 @@ class RecordingDesk : public sim::Listener, public sim::RecordingControl {
   };
 
   /// @param simulation  this listens to it from now on, and must outlive it, as the eye.
-  RecordingDesk(sim::Simulation* simulation, Options options);
-  RecordingDesk(const RecordingDesk&) = delete;
-  RecordingDesk& operator=(const RecordingDesk&) = delete;
+  RecordingController(sim::Simulation* simulation, Options options);
+  RecordingController(const RecordingController&) = delete;
+  RecordingController& operator=(const RecordingController&) = delete;
 
-  /// Into a new directory under the root; a number is added to its name if it is taken.
+  /// Starts a recording in a new directory under the root; a number is added to its name if it is
+  /// taken.
   std::optional<sim::Refusal> Start(const sim::Simulation& simulation,
                                     const sim::StartRecording& start) override;
-  /// Refused, though it ends the recording, when its directory is missing: then nothing is kept.
+  /// Ends the recording. Refuses, though the recording ends, if its directory is missing: then
+  /// nothing is kept.
   std::optional<sim::Refusal> Finish(const sim::Simulation& simulation) override;
 
-  /// Into this very directory. Throws as Recorder does.
+  /// Starts a recording in exactly this directory. Throws as Recorder does.
   void StartIn(const std::filesystem::path& directory, const sim::Simulation& simulation);
-  /// Goes on with a recording, see Recorder::Continue(). To be called before anything else is done.
+  /// Continues a recording, see Recorder::Continue(). To be called before anything else is done.
   void Continue(const std::filesystem::path& directory, const recording::Moment& from,
                 sim::Simulation* simulation, const recording::Progress& progress = {});
 
   bool is_recording() const { return recorder_ != nullptr; }
-  /// All that were begun, in order.
+  /// Returns the directories of all recordings that were started, in order.
   const std::vector<std::filesystem::path>& directories() const { return directories_; }
-  /// Why the last recording ended by itself or could not begin: path and reason.
+  /// Returns why the last recording ended by itself or could not start: path and reason.
   const std::optional<std::string>& failure() const { return failure_; }
 
   std::optional<sim::Refusal> Refuse(const sim::Simulation& simulation,
@@ -57,7 +59,7 @@ class RecordingDesk : public sim::Listener, public sim::RecordingControl {
  private:
   void Start(const std::filesystem::path& directory, const RecorderOptions& options,
              const sim::Simulation& simulation);
-  /// Lets the recorder do its part. If it cannot go on, what it wrote stays.
+  /// Calls part with the recorder, if there is one. If that fails, what was written stays.
   template <class Part>
   void Record(const Part& part);
   /// A scene must have the camera of the eye.

@@ -1,4 +1,4 @@
-#include "recorder/recording_desk.h"
+#include "recorder/recording_controller.h"
 
 #include "recording/recording_history.h"
 #include "recording_fixture.h"
@@ -9,10 +9,10 @@ namespace {
 
 using sim::HandName;
 
-class RecordingDeskTest : public RecordingFixture {
+class RecordingControllerTest : public RecordingFixture {
  protected:
-  RecordingDeskTest()
-      : simulation_(MakeSimulation(false)), desk_(simulation_.get(), {.root = root_}) {}
+  RecordingControllerTest()
+      : simulation_(MakeSimulation(false)), controller_(simulation_.get(), {.root = root_}) {}
 
   void Do(const sim::Command& command, int ticks = 0) {
     const auto refusal = simulation_->Apply(command);
@@ -21,10 +21,10 @@ class RecordingDeskTest : public RecordingFixture {
   }
 
   std::unique_ptr<sim::Simulation> simulation_;
-  RecordingDesk desk_;
+  RecordingController controller_;
 };
 
-TEST_F(RecordingDeskTest, EveryRecordingHasADirectoryOfItsOwn) {
+TEST_F(RecordingControllerTest, EveryRecordingHasADirectoryOfItsOwn) {
   EXPECT_EQ(*simulation_->Apply(sim::FinishRecording()), "nothing is being recorded");
   Do(sim::StartRecording{.name = "take", .title = "first"}, 3);
   EXPECT_NE(simulation_->Apply(sim::StartRecording())->find("already recording"),
@@ -33,28 +33,28 @@ TEST_F(RecordingDeskTest, EveryRecordingHasADirectoryOfItsOwn) {
   Do(sim::StartRecording{.name = "take"}, 5);
   Do(sim::FinishRecording());
   Do(sim::StartRecording(), 1);
-  EXPECT_EQ(desk_.directories(),
+  EXPECT_EQ(controller_.directories(),
             (std::vector<std::filesystem::path>{root_ / "take", root_ / "take-2", root_ / "pair"}));
   EXPECT_EQ(recording::OpenRecording(root_ / "take").info.title, "first");
   EXPECT_EQ(recording::OpenRecording(root_ / "take-2").info.title, "");
   EXPECT_EQ(recording::OpenRecording(root_ / "take-2").info.start.tick, 3u);
 }
 
-TEST_F(RecordingDeskTest, ADirectoryThatIsRemovedEndsTheRecording) {
+TEST_F(RecordingControllerTest, ADirectoryThatIsRemovedEndsTheRecording) {
   Do(sim::StartRecording{.name = "take"}, 10);
   std::filesystem::remove_all(root_ / "take");
   EXPECT_NE(simulation_->Apply(sim::FinishRecording())->find("take/demo.json: was removed"),
             std::string::npos);
-  EXPECT_FALSE(desk_.is_recording());
+  EXPECT_FALSE(controller_.is_recording());
   Do(sim::StartRecording{.name = "take"}, 10);
-  EXPECT_EQ(desk_.failure(), std::nullopt);
+  EXPECT_EQ(controller_.failure(), std::nullopt);
   std::filesystem::remove_all(root_ / "take");
   for (int i = 0; i < sim::kTicksPerSecond; ++i) simulation_->Tick();
-  EXPECT_FALSE(desk_.is_recording()) << "it is noticed within a second";
-  EXPECT_NE(desk_.failure()->find("was removed"), std::string::npos);
+  EXPECT_FALSE(controller_.is_recording()) << "it is noticed within a second";
+  EXPECT_NE(controller_.failure()->find("was removed"), std::string::npos);
 }
 
-TEST_F(RecordingDeskTest, ARecordingIsOfOneSceneAndBeginsWithTheLoadedOne) {
+TEST_F(RecordingControllerTest, ARecordingIsOfOneSceneAndBeginsWithTheLoadedOne) {
   Do(sim::Grasp{.hand = HandName::kLeft, .object = "a"}, 20);
   scene::SceneSpec other = simulation_->scene();
   other.name = "other";
@@ -81,7 +81,7 @@ TEST_F(RecordingDeskTest, ARecordingIsOfOneSceneAndBeginsWithTheLoadedOne) {
   EXPECT_EQ(simulation_->scene().name, "pair");
 }
 
-TEST_F(RecordingDeskTest, NoNameLeadsOutOfItsFolder) {
+TEST_F(RecordingControllerTest, NoNameLeadsOutOfItsFolder) {
   for (const char* name : {"../up", "/tmp/x", ".hidden", "a/b", "a\\b", "a\nb", ".."}) {
     const auto refusal = simulation_->Apply(sim::StartRecording{.name = name});
     ASSERT_TRUE(refusal.has_value()) << name;
@@ -90,7 +90,7 @@ TEST_F(RecordingDeskTest, NoNameLeadsOutOfItsFolder) {
   EXPECT_TRUE(std::filesystem::is_empty(root_));
 }
 
-TEST_F(RecordingDeskTest, ABlankTitleIsRefused) {
+TEST_F(RecordingControllerTest, ABlankTitleIsRefused) {
   EXPECT_EQ(*simulation_->Apply(sim::StartRecording{.name = "take", .title = " \t "}),
             recording::kBlankTitle);
   EXPECT_TRUE(std::filesystem::is_empty(root_));
@@ -98,7 +98,7 @@ TEST_F(RecordingDeskTest, ABlankTitleIsRefused) {
                std::invalid_argument);
 }
 
-TEST_F(RecordingDeskTest, WhatWasUndoneBeforeTheStartIsNoPartOfThePast) {
+TEST_F(RecordingControllerTest, WhatWasUndoneBeforeTheStartIsNoPartOfThePast) {
   Do(sim::Grasp{.hand = HandName::kLeft, .object = "a"}, 20);
   Do(sim::Undo());
   Do(sim::Grasp{.hand = HandName::kRight, .object = "b"}, 20);
@@ -114,7 +114,7 @@ TEST_F(RecordingDeskTest, WhatWasUndoneBeforeTheStartIsNoPartOfThePast) {
   EXPECT_EQ(report.hash, simulation_->state_hash());
 }
 
-TEST_F(RecordingDeskTest, AfterTheFinishTheWorldCanBeUndoneButNotTheRecording) {
+TEST_F(RecordingControllerTest, AfterTheFinishTheWorldCanBeUndoneButNotTheRecording) {
   Do(sim::Grasp{.hand = HandName::kLeft, .object = "a"}, 20);
   Do(sim::StartRecording{.name = "take"}, 5);
   EXPECT_NE(simulation_->Apply(sim::Undo()), std::nullopt);
@@ -124,7 +124,7 @@ TEST_F(RecordingDeskTest, AfterTheFinishTheWorldCanBeUndoneButNotTheRecording) {
   EXPECT_EQ(replay::Replay(recording::OpenRecording(root_ / "take")).ticks(), 5u);
 }
 
-TEST_F(RecordingDeskTest, NobodyGoesOnWithWhatIsBeingRecorded) {
+TEST_F(RecordingControllerTest, NobodyGoesOnWithWhatIsBeingRecorded) {
   Do(sim::StartRecording{.name = "take"}, 10);
   auto other = MakeSimulation(false);
   const auto go_on = [&] {
@@ -136,7 +136,7 @@ TEST_F(RecordingDeskTest, NobodyGoesOnWithWhatIsBeingRecorded) {
   EXPECT_NE(go_on(), nullptr);
 }
 
-TEST_F(RecordingDeskTest, TheHistoryTellsEveryStepAlsoWhatWasUndone) {
+TEST_F(RecordingControllerTest, TheHistoryTellsEveryStepAlsoWhatWasUndone) {
   Do(sim::StartRecording{.name = "take"}, 10);
   Do(sim::Grasp{.hand = HandName::kLeft, .object = "a"}, 10);
   Do(sim::Release{.hand = HandName::kLeft}, 10);
@@ -158,7 +158,7 @@ TEST_F(RecordingDeskTest, TheHistoryTellsEveryStepAlsoWhatWasUndone) {
   EXPECT_EQ(steps[3].end, (recording::Moment{.line = 4, .tick = 32}));
 }
 
-TEST_F(RecordingDeskTest, TheHistoryNamesFromTheLogWhatTheTraceLacks) {
+TEST_F(RecordingControllerTest, TheHistoryNamesFromTheLogWhatTheTraceLacks) {
   Do(sim::StartRecording{.name = "take"}, 10);
   Do(sim::Grasp{.hand = HandName::kLeft, .object = "a"}, 10);
   Do(sim::Release{.hand = HandName::kLeft}, 10);
@@ -171,7 +171,7 @@ TEST_F(RecordingDeskTest, TheHistoryNamesFromTheLogWhatTheTraceLacks) {
   EXPECT_EQ(recording::WordsOf(steps[2]), "left hand releases a");
 }
 
-TEST_F(RecordingDeskTest, AStepOnTheWayEndsWhereTheWayGoesOn) {
+TEST_F(RecordingControllerTest, AStepOnTheWayEndsWhereTheWayGoesOn) {
   Do(sim::StartRecording{.name = "take"}, 10);
   Do(sim::Grasp{.hand = HandName::kLeft, .object = "a"}, 10);
   Do(sim::Release{.hand = HandName::kLeft}, 10);

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "base/uniform.h"
-#include "layout/internal_clump.h"
+#include "layout/internal_object_group.h"
 #include "math/angles.h"
 #include "scene/solid.h"
 
@@ -21,7 +21,7 @@ namespace {
 /// The room between things that is tried, in this order [m].
 constexpr std::array kGaps{0.10, 0.06, 0.05, kFingerGap};
 static_assert(kGaps.back() == kFingerGap);
-/// With each, so many times from the beginning, and so many places for each clump.
+/// With each, so many attempts from the beginning, and so many poses for each group.
 constexpr int kAttempts = 80, kTries = 200;
 /// What is nearer to the end of the region than this lies at its rim [m].
 constexpr double kRim = 0.08;
@@ -144,9 +144,9 @@ bool IsAtRim(const LayoutRules& rules, const Footprint& footprint, double top) {
 
 /// True when the robot reaches the middle of each member: a row may be longer than the arm's
 /// margin.
-bool AreMembersReached(const LayoutRules& rules, const Clump& clump, const Footprint& place) {
+bool AreMembersReached(const LayoutRules& rules, const ObjectGroup& group, const Footprint& place) {
   const Eigen::Rotation2Dd R_WK(DegreesToRadians(place.yaw_deg));
-  return std::ranges::all_of(clump.members, [&](const ClumpMember& member) {
+  return std::ranges::all_of(group.members, [&](const GroupMember& member) {
     return rules.region.Reaches(rules.table, place.center + R_WK * member.center);
   });
 }
@@ -178,22 +178,22 @@ Footprint Somewhere(const LayoutRules& rules, const Vector2& half_size, std::mt1
           .half_size = half_size};
 }
 
-/// A place for each clump, or for as many as there is room for, one after another.
-std::vector<Footprint> PlacesFor(const scene::SceneSpec& scene, const std::vector<Clump>& clumps,
-                                 const LayoutRules& rules, bool has_edges, std::uint64_t seed,
-                                 std::uint64_t attempt) {
+/// Returns a place for each group, or for as many as fit, in order.
+std::vector<Footprint> PlacesFor(const scene::SceneSpec& scene,
+                                 const std::vector<ObjectGroup>& groups, const LayoutRules& rules,
+                                 bool has_edges, std::uint64_t seed, std::uint64_t attempt) {
   std::vector<Footprint> taken;
-  for (std::size_t k = 0; k < clumps.size(); ++k) {
-    const Clump& clump = clumps[k];
+  for (std::size_t k = 0; k < groups.size(); ++k) {
+    const ObjectGroup& group = groups[k];
     std::mt19937_64 random =
-        StreamOf(seed, attempt, scene.objects[clump.members.front().object].id());
+        StreamOf(seed, attempt, scene.objects[group.members.front().object].id());
     const bool wants_rim = has_edges && k % 2 == 0;
     bool is_placed = false;
     for (int i = 0; i < kTries && !is_placed; ++i) {
-      const Footprint place = Somewhere(rules, clump.half_size, &random);
-      is_placed = rules.region.Holds(rules.table, place, clump.top) &&
-                  AreMembersReached(rules, clump, place) &&
-                  (!wants_rim || IsAtRim(rules, place, clump.top)) && IsFree(rules, taken, place);
+      const Footprint place = Somewhere(rules, group.half_size, &random);
+      is_placed = rules.region.Holds(rules.table, place, group.top) &&
+                  AreMembersReached(rules, group, place) &&
+                  (!wants_rim || IsAtRim(rules, place, group.top)) && IsFree(rules, taken, place);
       if (is_placed) taken.push_back(place);
     }
     if (!is_placed) break;
@@ -201,10 +201,10 @@ std::vector<Footprint> PlacesFor(const scene::SceneSpec& scene, const std::vecto
   return taken;
 }
 
-void Put(const Clump& clump, const Footprint& place, scene::SceneSpec* scene) {
+void Put(const ObjectGroup& group, const Footprint& place, scene::SceneSpec* scene) {
   const RigidTransform X_WK(RotationFromFixedAxes({0, 0, place.yaw_deg}),
                             Vector3(place.center.x(), place.center.y(), 0));
-  for (const ClumpMember& member : clump.members) {
+  for (const GroupMember& member : group.members) {
     const Vector3 angles_deg = member.angles_deg + Vector3(0, 0, place.yaw_deg);
     scene->objects[member.object].whole.X_PE =
         RigidTransform(RotationFromFixedAxes(angles_deg), X_WK * member.p_KB);
@@ -221,10 +221,10 @@ scene::SceneSpec RandomLayout(scene::SceneSpec scene, std::uint64_t seed, Layout
                                 "' stands loose on the table, so nothing can be moved");
   }
   LayoutRules rules{.table = scene.table, .region = region, .obstacles = ObstaclesOf(scene, loose)};
-  std::vector<Clump> clumps = ClumpsOf(scene, loose, seed, level);
+  std::vector<ObjectGroup> groups = ObjectGroupsOf(scene, loose, seed, level);
   if (HasDistractors(level)) {
     for (std::size_t i : AddDistractors(seed, loose, &scene)) {
-      clumps.push_back(ClumpsOf(scene, {i}, seed, LayoutLevel::kScattered).front());
+      groups.push_back(ObjectGroupsOf(scene, {i}, seed, LayoutLevel::kScattered).front());
     }
   }
 
@@ -236,16 +236,16 @@ scene::SceneSpec RandomLayout(scene::SceneSpec scene, std::uint64_t seed, Layout
       rules.gap = gap;
       for (int i = 0; i < kAttempts; ++i, ++attempt) {
         const std::vector<Footprint> places =
-            PlacesFor(scene, clumps, rules, HasEdges(level), seed, attempt);
+            PlacesFor(scene, groups, rules, HasEdges(level), seed, attempt);
         most_placed = std::max(most_placed, places.size());
-        if (places.size() < clumps.size()) continue;
-        for (std::size_t k = 0; k < clumps.size(); ++k) Put(clumps[k], places[k], &scene);
+        if (places.size() < groups.size()) continue;
+        for (std::size_t k = 0; k < groups.size(); ++k) Put(groups[k], places[k], &scene);
         return scene;
       }
     }
   }
   throw std::invalid_argument("layout: there is no room for '" +
-                              scene.objects[clumps[most_placed].members.front().object].id() +
+                              scene.objects[groups[most_placed].members.front().object].id() +
                               "' beside " + std::to_string(most_placed) +
                               " others within the robot's reach");
 }

@@ -1,4 +1,4 @@
-#include "layout/internal_clump.h"
+#include "layout/internal_object_group.h"
 
 #include <algorithm>
 #include <set>
@@ -80,8 +80,8 @@ bool DoTouch(const scene::ObjectSpec& a, const scene::ObjectSpec& b) {
              kTouching;
 }
 
-/// The object by itself, as it stands but not turned about the vertical.
-Clump Alone(const scene::SceneSpec& scene, std::size_t i) {
+/// Returns a group of one object, as it stands but with a yaw of 0.
+ObjectGroup Alone(const scene::SceneSpec& scene, std::size_t i) {
   const scene::ObjectSpec& object = scene.objects[i];
   Vector3 angles_deg = FixedAxesAngles(object.pose_in_world().rotation());
   angles_deg.z() = 0;
@@ -96,14 +96,14 @@ Clump Alone(const scene::SceneSpec& scene, std::size_t i) {
           .top = bounds.high.z()};
 }
 
-/// Side by side along x, in contact.
-Clump Row(const std::vector<Clump>& alone) {
-  Clump row;
-  for (const Clump& one : alone) row.half_size.x() += one.half_size.x();
+/// Returns a row of the groups, side by side along x, in contact.
+ObjectGroup Row(const std::vector<ObjectGroup>& alone) {
+  ObjectGroup row;
+  for (const ObjectGroup& one : alone) row.half_size.x() += one.half_size.x();
   row.half_size.x() += kContactGap * static_cast<double>(alone.size() - 1) / 2;
   double x = -row.half_size.x();
-  for (const Clump& one : alone) {
-    ClumpMember member = one.members.front();
+  for (const ObjectGroup& one : alone) {
+    GroupMember member = one.members.front();
     member.p_KB.x() += x + one.half_size.x();
     member.center.x() = x + one.half_size.x();
     row.members.push_back(member);
@@ -114,13 +114,13 @@ Clump Row(const std::vector<Clump>& alone) {
   return row;
 }
 
-/// One on another, not quite straight.
-Clump Stack(const Clump& lower, const Clump& upper, std::mt19937_64* random) {
+/// Returns a stack of two groups, the upper one slightly displaced and rotated.
+ObjectGroup Stack(const ObjectGroup& lower, const ObjectGroup& upper, std::mt19937_64* random) {
   const double yaw_deg = std::round(Uniform(random, -kMostTurnDeg, kMostTurnDeg));
   const Vector2 offset(Uniform(random, -kMostOffset, kMostOffset),
                        Uniform(random, -kMostOffset, kMostOffset));
-  Clump stack = lower;
-  ClumpMember member = upper.members.front();
+  ObjectGroup stack = lower;
+  GroupMember member = upper.members.front();
   const RigidTransform X_KU(RotationFromFixedAxes({0, 0, yaw_deg}),
                             Vector3(offset.x(), offset.y(), lower.top));
   member.p_KB = X_KU * member.p_KB;
@@ -139,11 +139,12 @@ bool IsBlock(const scene::ObjectSpec& object) {
   return std::holds_alternative<scene::Block>(object.whole.shape);
 }
 
-/// Numbers of the clumps that are blocks equal to most others, in an order that the seed shuffles.
-std::vector<std::size_t> EqualBlocks(const scene::SceneSpec& scene, const std::vector<Clump>& alone,
-                                     std::uint64_t seed) {
+/// Returns the indices of the groups in `alone` that are blocks of the most frequent size, in an
+/// order that the seed shuffles.
+std::vector<std::size_t> EqualBlocks(const scene::SceneSpec& scene,
+                                     const std::vector<ObjectGroup>& alone, std::uint64_t seed) {
   std::vector<std::size_t> most;
-  for (const Clump& model : alone) {
+  for (const ObjectGroup& model : alone) {
     std::vector<std::size_t> equals;
     for (std::size_t i = 0; i < alone.size(); ++i) {
       if (IsBlock(scene.objects[alone[i].members.front().object]) &&
@@ -164,11 +165,11 @@ std::vector<std::size_t> EqualBlocks(const scene::SceneSpec& scene, const std::v
   return most;
 }
 
-/// How many rows and stacks there are among so many equal blocks.
-struct ClumpCounts {
+/// Numbers of rows and stacks that equal blocks are grouped into.
+struct GroupCounts {
   std::size_t rows = 0, stacks = 0;
 };
-ClumpCounts CountsFor(LayoutLevel level, std::size_t num_blocks) {
+GroupCounts CountsFor(LayoutLevel level, std::size_t num_blocks) {
   if (num_blocks < 2) return {};
   const std::size_t count = (num_blocks + 2) / 4;
   if (level == LayoutLevel::kTouching) return {.rows = count};
@@ -177,7 +178,7 @@ ClumpCounts CountsFor(LayoutLevel level, std::size_t num_blocks) {
   return {};
 }
 
-double AreaOf(const Clump& clump) { return clump.half_size.x() * clump.half_size.y(); }
+double AreaOf(const ObjectGroup& group) { return group.half_size.x() * group.half_size.y(); }
 
 }  // namespace
 
@@ -205,9 +206,10 @@ std::vector<std::size_t> LooseObjects(const scene::SceneSpec& scene) {
   return loose;
 }
 
-std::vector<Clump> ClumpsOf(const scene::SceneSpec& scene, const std::vector<std::size_t>& objects,
-                            std::uint64_t seed, LayoutLevel level) {
-  std::vector<Clump> alone, clumps;
+std::vector<ObjectGroup> ObjectGroupsOf(const scene::SceneSpec& scene,
+                                        const std::vector<std::size_t>& objects, std::uint64_t seed,
+                                        LayoutLevel level) {
+  std::vector<ObjectGroup> alone, groups;
   for (std::size_t i : objects) alone.push_back(Alone(scene, i));
   std::vector<std::size_t> blocks = EqualBlocks(scene, alone, seed);
   std::vector<bool> is_used(alone.size());
@@ -218,25 +220,27 @@ std::vector<Clump> ClumpsOf(const scene::SceneSpec& scene, const std::vector<std
     return alone[i];
   };
 
+  // The name of the stream is kept: another one would change the layout of every seed.
   std::mt19937_64 random = StreamOf(seed, 0, "clumps");
-  const ClumpCounts counts = CountsFor(level, blocks.size());
+  const GroupCounts counts = CountsFor(level, blocks.size());
   for (std::size_t k = 0; k < counts.stacks && blocks.size() >= 2; ++k) {
-    const Clump lower = take();
-    clumps.push_back(Stack(lower, take(), &random));
+    const ObjectGroup lower = take();
+    groups.push_back(Stack(lower, take(), &random));
   }
   for (std::size_t k = 0; k < counts.rows && blocks.size() >= 2; ++k) {
-    std::vector<Clump> row{take(), take()};
+    std::vector<ObjectGroup> row{take(), take()};
     // A row more is wanted as long as it has its two.
     const std::size_t spare = blocks.size() - std::min(blocks.size(), 2 * (counts.rows - k - 1));
     if (spare > 0 && Uniform(&random, 0, 1) < 0.3) row.push_back(take());
-    clumps.push_back(Row(row));
+    groups.push_back(Row(row));
   }
   for (std::size_t i = 0; i < alone.size(); ++i) {
-    if (!is_used[i]) clumps.push_back(alone[i]);
+    if (!is_used[i]) groups.push_back(alone[i]);
   }
-  std::ranges::stable_sort(
-      clumps, [](const Clump& a, const Clump& b) { return AreaOf(a) > AreaOf(b) + 1e-9; });
-  return clumps;
+  std::ranges::stable_sort(groups, [](const ObjectGroup& a, const ObjectGroup& b) {
+    return AreaOf(a) > AreaOf(b) + 1e-9;
+  });
+  return groups;
 }
 
 }  // namespace smile::layout

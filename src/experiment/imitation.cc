@@ -24,7 +24,7 @@ ImitationResult Imitate(const ImitationPlan& plan, const Callbacks& callbacks) {
                              .noise = plan.noise,
                              .label = "the robot builds"},
                             callbacks);
-  const task::Course outcome = task::CourseOf(recording::OpenRecording(plan.record));
+  const task::Episode outcome = task::EpisodeOf(recording::OpenRecording(plan.record));
   Json result = task::ResultOf(exercise, outcome,
                                {.seconds = run.seconds - run.watched_seconds,
                                 .watched_seconds = run.watched_seconds,

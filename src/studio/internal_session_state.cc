@@ -44,7 +44,7 @@ bool LiveState::Tick(bool is_paused) {
 ImitatingState::ImitatingState(task::Exercise exercise, LiveWorld* world, LiveBrain* brain)
     : LiveState(world, brain),
       exercise_(std::move(exercise)),
-      witness_(&world->simulation()),
+      observer_(&world->simulation()),
       recording_(world->recording_directory()),
       start_tick_(world->simulation().tick()) {}
 
@@ -61,7 +61,7 @@ std::optional<Json> ImitatingState::End(double measured_speed) {
   if (is_recorded) (void)world().Apply(sim::FinishRecording{});
   const double watched = sim::SecondsOf(brain().watched_ticks());
   Json result = task::ResultOf(
-      exercise_, witness_.course(),
+      exercise_, observer_.episode(),
       {.seconds = sim::SecondsOf(world().simulation().tick() - start_tick_) - watched,
        .watched_seconds = watched,
        .realtime_factor = measured_speed,

@@ -117,7 +117,7 @@ class ImitatingState : public LiveState {
 
  private:
   task::Exercise exercise_;
-  task::CourseWitness witness_;
+  task::EpisodeObserver observer_;
   std::filesystem::path recording_;  ///< its directory
   std::uint64_t start_tick_ = 0;
 };

@@ -17,7 +17,7 @@ constexpr double kNear = 0.1;
 /// Looks for what went wrong with the objects that are not where they should be.
 class Inquest {
  public:
-  Inquest(const Structure& structure, const Course& outcome, const Comparison& comparison)
+  Inquest(const Structure& structure, const Episode& outcome, const Comparison& comparison)
       : outcome_(outcome),
         comparison_(comparison),
         start_(StartOf(outcome.scene)),
@@ -105,13 +105,13 @@ class Inquest {
     return NumberText(std::round(RadiansToDegrees(angle))) + " degrees";
   }
 
-  const Course& outcome_;
+  const Episode& outcome_;
   const Comparison& comparison_;
   ObjectPoses start_, end_;
   std::vector<const scene::ObjectSpec*> wrong_;  ///< of the structure
 };
 
-std::optional<Cause> CauseOfMissingEffect(const Structure& structure, const Course& outcome,
+std::optional<Cause> CauseOfMissingEffect(const Structure& structure, const Episode& outcome,
                                           const Comparison& comparison) {
   for (std::size_t i = 0; i < structure.effects.size(); ++i) {
     if (comparison.achieved[i]) continue;
@@ -129,7 +129,7 @@ bool IsSuccess(const Comparison& comparison, const ProgramEnd& program) {
   return comparison.is_rebuilt() && !HasFailed(program);
 }
 
-std::optional<Cause> CauseOf(const Structure& structure, const Course& outcome,
+std::optional<Cause> CauseOf(const Structure& structure, const Episode& outcome,
                              const Comparison& comparison, const ProgramEnd& program) {
   if (IsSuccess(comparison, program)) return std::nullopt;
   if (HasFailed(program)) {

@@ -29,7 +29,7 @@ struct Cause {
 /// `toppled`, `misplaced`, `not_placed`, `effect_missing`. Of objects that of which it is told is
 /// the one that was to be put first.
 /// @returns nullopt after a success, see IsSuccess().
-std::optional<Cause> CauseOf(const Structure& structure, const Course& outcome,
+std::optional<Cause> CauseOf(const Structure& structure, const Episode& outcome,
                              const Comparison& comparison, const ProgramEnd& program);
 
 }  // namespace smile::task

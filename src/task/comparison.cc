@@ -23,7 +23,7 @@ std::vector<std::string> InDemoIds(const std::vector<std::string>& scene_ids, co
   return ids;
 }
 
-Order CompareOrder(const Structure& structure, const Course& outcome,
+Order CompareOrder(const Structure& structure, const Episode& outcome,
                    const Comparison& comparison) {
   std::vector<std::string> done = InDemoIds(PlacementsOf(outcome), comparison.match);
   std::erase_if(done, [&](const std::string& id) { return !comparison.errors.contains(id); });
@@ -53,7 +53,7 @@ ObjectError Comparison::mean_error() const {
   return mean;
 }
 
-Comparison CompareWith(const Structure& structure, const Course& outcome) {
+Comparison CompareWith(const Structure& structure, const Episode& outcome) {
   const ObjectPoses poses = PosesAt(outcome.scene, outcome.end);
   Placing placing =
       FindPlacing(structure, outcome.scene, poses, MatchObjects(structure, outcome.scene));

@@ -43,6 +43,6 @@ struct Comparison {
 /// about z, and up to an exchange of objects that look alike. Motion and match are chosen together
 /// so that as many objects as possible are within tolerance, then with least errors among these. A
 /// structure with something fixed stands where that is in the scene.
-Comparison CompareWith(const Structure& structure, const Course& outcome);
+Comparison CompareWith(const Structure& structure, const Episode& outcome);
 
 }  // namespace smile::task

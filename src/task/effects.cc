@@ -83,53 +83,55 @@ std::vector<Relation> ContentsAt(const scene::SceneSpec& scene,
   return relations;
 }
 
-void AppendControlEffects(const Course& course, std::vector<Effect>* effects) {
-  std::vector<ControlEffect> controls = ControlsAt(course.scene, course.begin);
-  const std::vector<ControlEffect> after = ControlsAt(course.scene, course.end);
+void AppendControlEffects(const Episode& episode, std::vector<Effect>* effects) {
+  std::vector<ControlEffect> controls = ControlsAt(episode.scene, episode.begin);
+  const std::vector<ControlEffect> after = ControlsAt(episode.scene, episode.end);
   for (std::size_t i = 0; i < controls.size(); ++i) {
     controls[i].to = after[i].from;
     if (controls[i].from == controls[i].to) continue;
-    if (IsThere(course.scene, course.end, controls[i].object)) effects->push_back(controls[i]);
+    if (IsThere(episode.scene, episode.end, controls[i].object)) effects->push_back(controls[i]);
   }
 }
 
-void AppendBondEffects(const Course& course, std::vector<Effect>* effects) {
-  const std::vector<BondEffect> before = BondsAt(course.scene, course.begin);
-  const std::vector<BondEffect> after = BondsAt(course.scene, course.end);
+void AppendBondEffects(const Episode& episode, std::vector<Effect>* effects) {
+  const std::vector<BondEffect> before = BondsAt(episode.scene, episode.begin);
+  const std::vector<BondEffect> after = BondsAt(episode.scene, episode.end);
   for (const BondEffect& bond : after) {
     if (std::ranges::find(before, bond) == before.end()) effects->push_back(bond);
   }
   for (BondEffect bond : before) {
     const bool is_kept =
         std::ranges::any_of(after, [&](const BondEffect& now) { return IsSamePair(bond, now); });
-    const bool are_there = IsThere(course.scene, course.end, bond.guest_object) &&
-                           IsThere(course.scene, course.end, bond.host_object);
+    const bool are_there = IsThere(episode.scene, episode.end, bond.guest_object) &&
+                           IsThere(episode.scene, episode.end, bond.host_object);
     if (is_kept || !are_there) continue;
     bond.tightness = 0;
     effects->push_back(bond);
   }
 }
 
-void AppendSlideEffects(const Course& course, std::vector<Effect>* effects) {
-  for (const scene::SliderSpec& slider : course.scene.sliders) {
-    const std::string& first = course.scene.objects[slider.first_object].id();
-    const std::string& second = course.scene.objects[slider.first_object + 1].id();
-    if (!IsThere(course.scene, course.end, first) || !IsThere(course.scene, course.end, second)) {
+void AppendSlideEffects(const Episode& episode, std::vector<Effect>* effects) {
+  for (const scene::SliderSpec& slider : episode.scene.sliders) {
+    const std::string& first = episode.scene.objects[slider.first_object].id();
+    const std::string& second = episode.scene.objects[slider.first_object + 1].id();
+    if (!IsThere(episode.scene, episode.end, first) ||
+        !IsThere(episode.scene, episode.end, second)) {
       continue;
     }
-    const double from = OffsetOf(slider, course.begin), to = OffsetOf(slider, course.end);
+    const double from = OffsetOf(slider, episode.begin), to = OffsetOf(slider, episode.end);
     if (std::abs(to - from) > kSlid) effects->push_back(SlideEffect{second, from, to});
   }
 }
 
 /// True of a drawer and what it slides in, and of a screw and its nut: of these other effects tell.
-bool AreJoined(const Relation& relation, const Course& course, const std::vector<Effect>& effects) {
+bool AreJoined(const Relation& relation, const Episode& episode,
+               const std::vector<Effect>& effects) {
   const auto are_these = [&](const std::string& a, const std::string& b) {
     return (a == relation.object && b == relation.support) ||
            (a == relation.support && b == relation.object);
   };
-  const auto& objects = course.scene.objects;
-  for (const scene::SliderSpec& slider : course.scene.sliders) {
+  const auto& objects = episode.scene.objects;
+  for (const scene::SliderSpec& slider : episode.scene.sliders) {
     const std::size_t first = slider.first_object;
     if (are_these(objects[first].id(), objects[first + 1].id())) return true;
   }
@@ -139,16 +141,16 @@ bool AreJoined(const Relation& relation, const Course& course, const std::vector
   });
 }
 
-void AppendContainerEffects(const Course& course, std::vector<Effect>* effects) {
-  const std::vector<Relation> before = ContentsAt(course.scene, course.begin);
-  const std::vector<Relation> after = ContentsAt(course.scene, course.end);
+void AppendContainerEffects(const Episode& episode, std::vector<Effect>* effects) {
+  const std::vector<Relation> before = ContentsAt(episode.scene, episode.begin);
+  const std::vector<Relation> after = ContentsAt(episode.scene, episode.end);
   const auto append_missing = [&](const std::vector<Relation>& from,
                                   const std::vector<Relation>& in, bool is_inside) {
     for (const Relation& relation : from) {
       if (std::ranges::find(in, relation) != in.end()) continue;
-      if (AreJoined(relation, course, *effects)) continue;
-      const bool are_there = IsThere(course.scene, course.end, relation.object) &&
-                             IsThere(course.scene, course.end, relation.support);
+      if (AreJoined(relation, episode, *effects)) continue;
+      const bool are_there = IsThere(episode.scene, episode.end, relation.object) &&
+                             IsThere(episode.scene, episode.end, relation.support);
       if (!are_there) continue;
       effects->push_back(ContainerEffect{relation.object, relation.support, is_inside});
     }
@@ -157,16 +159,16 @@ void AppendContainerEffects(const Course& course, std::vector<Effect>* effects) 
   append_missing(before, after, /*is_inside=*/false);
 }
 
-/// How things are in the end of a course, to be compared with what effects want.
+/// State at the end of an episode, to be compared with what effects want.
 class Ending {
  public:
-  Ending(const Course& course, const Counterpart& counterpart, double tolerance)
-      : course_(course),
+  Ending(const Episode& episode, const Counterpart& counterpart, double tolerance)
+      : episode_(episode),
         counterpart_(counterpart),
         tolerance_(tolerance),
-        controls_(ControlsAt(course.scene, course.end)),
-        bonds_(BondsAt(course.scene, course.end)),
-        contents_(ContentsAt(course.scene, course.end)) {}
+        controls_(ControlsAt(episode.scene, episode.end)),
+        bonds_(BondsAt(episode.scene, episode.end)),
+        contents_(ContentsAt(episode.scene, episode.end)) {}
 
   bool IsAs(const ControlEffect& wanted) const {
     return std::ranges::any_of(controls_, [&](const ControlEffect& control) {
@@ -185,9 +187,9 @@ class Ending {
   }
 
   bool IsAs(const SlideEffect& wanted) const {
-    return std::ranges::any_of(course_.scene.sliders, [&](const scene::SliderSpec& slider) {
-      return course_.scene.objects[slider.first_object + 1].id() == counterpart_(wanted.object) &&
-             std::abs(OffsetOf(slider, course_.end) - wanted.to) <= tolerance_;
+    return std::ranges::any_of(episode_.scene.sliders, [&](const scene::SliderSpec& slider) {
+      return episode_.scene.objects[slider.first_object + 1].id() == counterpart_(wanted.object) &&
+             std::abs(OffsetOf(slider, episode_.end) - wanted.to) <= tolerance_;
     });
   }
 
@@ -200,7 +202,7 @@ class Ending {
   }
 
  private:
-  const Course& course_;
+  const Episode& episode_;
   const Counterpart& counterpart_;
   double tolerance_;  ///< [m]
   std::vector<ControlEffect> controls_;
@@ -231,12 +233,12 @@ std::vector<BondEffect> BondsAt(const scene::SceneSpec& scene, const recording::
   return bonds;
 }
 
-std::vector<Effect> EffectsOf(const Course& course) {
+std::vector<Effect> EffectsOf(const Episode& episode) {
   std::vector<Effect> effects;
-  AppendControlEffects(course, &effects);
-  AppendBondEffects(course, &effects);
-  AppendSlideEffects(course, &effects);
-  AppendContainerEffects(course, &effects);
+  AppendControlEffects(episode, &effects);
+  AppendBondEffects(episode, &effects);
+  AppendSlideEffects(episode, &effects);
+  AppendContainerEffects(episode, &effects);
   return effects;
 }
 
@@ -253,9 +255,9 @@ std::vector<std::string> ObjectsOf(const Effect& effect) {
                     effect);
 }
 
-std::vector<bool> AreAchieved(const std::vector<Effect>& effects, const Course& course,
+std::vector<bool> AreAchieved(const std::vector<Effect>& effects, const Episode& episode,
                               const Counterpart& counterpart, double tolerance) {
-  const Ending ending(course, counterpart, tolerance);
+  const Ending ending(episode, counterpart, tolerance);
   std::vector<bool> achieved;
   for (const Effect& effect : effects) {
     achieved.push_back(std::visit([&](const auto& wanted) { return ending.IsAs(wanted); }, effect));

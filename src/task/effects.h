@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/json.h"
-#include "task/course.h"
+#include "task/episode.h"
 
 namespace smile::task {
 
@@ -52,7 +52,7 @@ struct ContainerEffect {
 using Effect = std::variant<ControlEffect, BondEffect, SlideEffect, ContainerEffect>;
 
 /// In the order of the kinds above, each in scene order.
-std::vector<Effect> EffectsOf(const Course& course);
+std::vector<Effect> EffectsOf(const Episode& episode);
 
 /// What is fastened at a moment, in the order of the hosts.
 std::vector<BondEffect> BondsAt(const scene::SceneSpec& scene, const recording::TraceTick& moment);
@@ -63,10 +63,10 @@ std::vector<std::string> ObjectsOf(const Effect& effect);
 /// Who plays an object's part.
 using Counterpart = std::function<std::string(const std::string& object)>;
 
-/// Of each effect, whether in the end of another course it is as the effect wants it: a control in
-/// the same state, a bond as tight, a slider within `tolerance` [m], an object in the container, or
-/// not.
-std::vector<bool> AreAchieved(const std::vector<Effect>& effects, const Course& course,
+/// Returns for each effect whether, at the end of another episode, it is as the effect wants it: a
+/// control in the same state, a bond as tight, a slider within `tolerance` [m], an object in the
+/// container, or not.
+std::vector<bool> AreAchieved(const std::vector<Effect>& effects, const Episode& episode,
                               const Counterpart& counterpart, double tolerance);
 
 /// `Lamp from dark to blue`, `Tip fastened to Hole, stage 3`, `Lid slid from 0 to 4 units`, `Cherry

@@ -58,7 +58,8 @@ Exercise MakeExercise(std::string name, const recording::Recording& demonstratio
   return exercise;
 }
 
-Json ResultOf(const Exercise& exercise, const Course& outcome, const Circumstances& circumstances) {
+Json ResultOf(const Exercise& exercise, const Episode& outcome,
+              const Circumstances& circumstances) {
   const Structure& structure = exercise.structure;
   const Comparison comparison = CompareWith(structure, outcome);
   const double unit = exercise.scene.meters_per_unit;

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "base/json.h"
-#include "task/course.h"
+#include "task/episode.h"
 #include "task/structure.h"
 
 namespace smile::task {
@@ -29,6 +29,6 @@ struct Circumstances {
 
 /// What came of it, as `result.json` tells it (docs/results.md).
 /// @param outcome  in the exercise's scene.
-Json ResultOf(const Exercise& exercise, const Course& outcome, const Circumstances& circumstances);
+Json ResultOf(const Exercise& exercise, const Episode& outcome, const Circumstances& circumstances);
 
 }  // namespace smile::task

@@ -21,7 +21,8 @@ using Belonging = std::pair<std::string, std::string>;
 
 /// What is beneath and around things belongs to them, and what slides in them or is fastened to
 /// them, and the other way round.
-std::vector<Belonging> BelongingsIn(const Course& course, const std::vector<Relation>& relations) {
+std::vector<Belonging> BelongingsIn(const Episode& episode,
+                                    const std::vector<Relation>& relations) {
   std::vector<Belonging> belongings;
   const auto add_both = [&](const std::string& a, const std::string& b) {
     belongings.emplace_back(a, b);
@@ -30,11 +31,11 @@ std::vector<Belonging> BelongingsIn(const Course& course, const std::vector<Rela
   for (const Relation& relation : relations) {
     if (!relation.support.empty()) belongings.emplace_back(relation.object, relation.support);
   }
-  for (const scene::SliderSpec& slider : course.scene.sliders) {
-    add_both(course.scene.objects[slider.first_object].id(),
-             course.scene.objects[slider.first_object + 1].id());
+  for (const scene::SliderSpec& slider : episode.scene.sliders) {
+    add_both(episode.scene.objects[slider.first_object].id(),
+             episode.scene.objects[slider.first_object + 1].id());
   }
-  for (const BondEffect& bond : BondsAt(course.scene, course.end)) {
+  for (const BondEffect& bond : BondsAt(episode.scene, episode.end)) {
     add_both(bond.guest_object, bond.host_object);
   }
   return belongings;
@@ -85,19 +86,19 @@ std::vector<std::string> Structure::AttendedOf(const std::string& object) const 
 }
 
 Structure StructureOf(const recording::Recording& demonstration) {
-  const Course course = CourseOf(demonstration);
-  Structure structure{.objects = ObjectsAt(course.scene, course.end),
+  const Episode episode = EpisodeOf(demonstration);
+  Structure structure{.objects = ObjectsAt(episode.scene, episode.end),
                       .relations = {},
-                      .order = PlacementsOf(course),
-                      .effects = EffectsOf(course),
+                      .order = PlacementsOf(episode),
+                      .effects = EffectsOf(episode),
                       .others = {},
-                      .fallen = FallenObjects(course),
+                      .fallen = FallenObjects(episode),
                       .attention = recording::AttentionOf(demonstration)};
-  structure.relations = model::RelationsOf(course.scene, structure.objects);
+  structure.relations = model::RelationsOf(episode.scene, structure.objects);
 
-  const std::vector<std::string> touched = TouchedByHands(course);
+  const std::vector<std::string> touched = TouchedByHands(episode);
   const std::set<std::string> members =
-      WithBelongings({touched.begin(), touched.end()}, BelongingsIn(course, structure.relations));
+      WithBelongings({touched.begin(), touched.end()}, BelongingsIn(episode, structure.relations));
   const std::set<std::string> concerned = ConcernedBy(structure.effects);
   for (const scene::ObjectSpec& object : structure.objects) {
     if (!members.contains(object.id()) && concerned.contains(object.id())) {

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "model/relations.h"
-#include "task/course.h"
 #include "task/effects.h"
+#include "task/episode.h"
 #include "task/looks.h"
 
 namespace smile::task {

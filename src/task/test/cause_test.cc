@@ -14,17 +14,17 @@ const Structure& Pair() {
   return kPair;
 }
 
-std::string WordOf(const Course& course, const ProgramEnd& program = {.status = "exited"},
+std::string WordOf(const Episode& episode, const ProgramEnd& program = {.status = "exited"},
                    const Structure& structure = Pair()) {
-  const auto cause = CauseOf(structure, course, CompareWith(structure, course), program);
+  const auto cause = CauseOf(structure, episode, CompareWith(structure, episode), program);
   return cause ? cause->word + ": " + cause->text : "";
 }
 
 /// Where the upper block ends.
-Course EndingAt(const Vector3& p, const Vector3& angles_deg = {0, 0, 0}) {
+Episode EndingAt(const Vector3& p, const Vector3& angles_deg = {0, 0, 0}) {
   std::vector<scene::ObjectSpec> outcome = Pair().objects;
   outcome[1].whole.X_PE = RigidTransform(RotationFromFixedAxes(angles_deg), p);
-  return CourseTo(outcome);
+  return EpisodeTo(outcome);
 }
 
 TEST(Cause, IsNoneOfWhatIsRight) {
@@ -39,17 +39,17 @@ TEST(Cause, AProgramThatFailedNeverSucceeds) {
 }
 
 TEST(Cause, WhatIsStillHeldIsNotPlaced) {
-  Course course = EndingAt({0, 0, 0.15});
-  Carry("high", course.begin.objects[1].pose_in_world(), course.end.objects[1].pose_in_world(),
-        &course);
-  EXPECT_EQ(WordOf(course), "");
-  course.touches.pop_back();
-  EXPECT_EQ(WordOf(course), "still_held: high is still held");
-  EXPECT_EQ(CompareWith(Pair(), course).share, 0.5);
+  Episode episode = EndingAt({0, 0, 0.15});
+  Carry("high", episode.begin.objects[1].pose_in_world(), episode.end.objects[1].pose_in_world(),
+        &episode);
+  EXPECT_EQ(WordOf(episode), "");
+  episode.touches.pop_back();
+  EXPECT_EQ(WordOf(episode), "still_held: high is still held");
+  EXPECT_EQ(CompareWith(Pair(), episode).share, 0.5);
 }
 
 TEST(Cause, IsTheFirstThatFits) {
-  Course untouched = EndingAt({0, 0, 0.15});
+  Episode untouched = EndingAt({0, 0, 0.15});
   untouched.end.objects[1] = untouched.begin.objects[1];
   EXPECT_EQ(WordOf(untouched), "never_taken: high still lies where it began");
   EXPECT_EQ(WordOf(untouched, {.status = "running"}),
@@ -60,7 +60,7 @@ TEST(Cause, IsTheFirstThatFits) {
             "misplaced: high is 40 mm from its place, turned by 0 degrees");
   EXPECT_EQ(WordOf(EndingAt({0.3, 0, 0.15})), "not_placed: high is 300 mm from its place");
 
-  Course fallen = EndingAt({0, -3, -0.5});
+  Episode fallen = EndingAt({0, -3, -0.5});
   fallen.touches.push_back({{.kind = sim::EventKind::kFell, .object = "high"}, 3, {}});
   EXPECT_EQ(WordOf(fallen, {.status = "running"}), "fell_off_table: high fell off the table");
   EXPECT_EQ(WordOf(fallen, {.status = "failed", .message = "no"}),
@@ -71,9 +71,9 @@ TEST(Cause, AMissingEffectIsOne) {
   Structure structure = Pair();
   structure.objects.push_back(ObjectAt("box", scene::Box{}, {0.5, 0.3, 0.05}));
   structure.effects = {ContainerEffect{"high", "box", true}};
-  const Course course = CourseTo(structure.objects);
-  EXPECT_DOUBLE_EQ(CompareWith(structure, course).share, 0.75);
-  EXPECT_EQ(WordOf(course, {.status = "exited"}, structure),
+  const Episode episode = EpisodeTo(structure.objects);
+  EXPECT_DOUBLE_EQ(CompareWith(structure, episode).share, 0.75);
+  EXPECT_EQ(WordOf(episode, {.status = "exited"}, structure),
             "effect_missing: not achieved: high put into box");
 }
 

@@ -48,7 +48,7 @@ TEST(Comparison, IsPerfectAfterAnyMotionAndExchangeOfLookAlikes) {
     for (std::size_t i = 0; i < outcome.size(); ++i) outcome[i].whole.X_PE = poses[i];
     outcome.push_back(CubeAt("distractor", {0, 0.9, 0.05}, kRed));
 
-    const Comparison comparison = CompareWith(structure, CourseTo(outcome));
+    const Comparison comparison = CompareWith(structure, EpisodeTo(outcome));
     ASSERT_TRUE(comparison.is_rebuilt()) << "trial " << trial;
     EXPECT_LT(comparison.mean_error().distance, 1e-9);
     EXPECT_LT(comparison.mean_error().angle, 1e-6);
@@ -63,9 +63,9 @@ TEST(Comparison, SwappedColorsAreNotRebuilt) {
                                   CubeAt("s", {0.3, 0, 0.05}, kRed)}};
   std::vector<scene::ObjectSpec> outcome = structure.objects;
   std::swap(outcome[0].whole.X_PE, outcome[2].whole.X_PE);
-  EXPECT_TRUE(CompareWith(structure, CourseTo(outcome)).is_rebuilt());
+  EXPECT_TRUE(CompareWith(structure, EpisodeTo(outcome)).is_rebuilt());
   std::swap(outcome[0].whole.X_PE, outcome[1].whole.X_PE);
-  EXPECT_FALSE(CompareWith(structure, CourseTo(outcome)).is_rebuilt());
+  EXPECT_FALSE(CompareWith(structure, EpisodeTo(outcome)).is_rebuilt());
 }
 
 TEST(Comparison, TakesForAlikeWhatAgreesInTheAttendedProperties) {
@@ -74,18 +74,18 @@ TEST(Comparison, TakesForAlikeWhatAgreesInTheAttendedProperties) {
                                   ObjectAt("p", scene::Block{{0.1, 0.3, 0.1}}, {0, 0.3, 0.05})}};
   std::vector<scene::ObjectSpec> outcome = structure.objects;
   std::swap(outcome[0].whole.X_PE, outcome[1].whole.X_PE);
-  EXPECT_FALSE(CompareWith(structure, CourseTo(outcome)).is_rebuilt());
+  EXPECT_FALSE(CompareWith(structure, EpisodeTo(outcome)).is_rebuilt());
   structure.attention = {{"r", {"size", "position"}}, {"b", {"size"}}};
-  EXPECT_TRUE(CompareWith(structure, CourseTo(outcome)).is_rebuilt());
+  EXPECT_TRUE(CompareWith(structure, EpisodeTo(outcome)).is_rebuilt());
   // Placing alone says nothing of looks.
   structure.attention = {{"r", {"position"}}, {"b", {"order"}}};
-  EXPECT_FALSE(CompareWith(structure, CourseTo(outcome)).is_rebuilt());
+  EXPECT_FALSE(CompareWith(structure, EpisodeTo(outcome)).is_rebuilt());
 }
 
 TEST(Comparison, OneFallenBlockDoesNotBlameTheOthers) {
   std::vector<scene::ObjectSpec> outcome = Moved(Tower().objects, 20, {0.2, 0.1, 0});
   outcome[2].whole.X_PE = RigidTransform(Vector3(0.7, 0.7, 0.05));
-  const Comparison comparison = CompareWith(Tower(), CourseTo(outcome));
+  const Comparison comparison = CompareWith(Tower(), EpisodeTo(outcome));
   EXPECT_DOUBLE_EQ(comparison.share, 0.75);
   EXPECT_LT(comparison.errors.at("a").distance, 0.001);
   EXPECT_GT(comparison.errors.at("c").distance, 0.2);
@@ -93,13 +93,13 @@ TEST(Comparison, OneFallenBlockDoesNotBlameTheOthers) {
 
 TEST(Comparison, HeightsAreNotShifted) {
   const auto outcome = Moved(Tower().objects, 0, {0, 0, 0.4});
-  EXPECT_EQ(CompareWith(Tower(), CourseTo(outcome)).share, 0);
+  EXPECT_EQ(CompareWith(Tower(), EpisodeTo(outcome)).share, 0);
 }
 
 TEST(Comparison, SmallErrorsAreMeasured) {
   std::vector<scene::ObjectSpec> outcome = Tower().objects;
   outcome[3].whole.X_PE = RigidTransform(Vector3(0.41, 0.1, 0.05));
-  const Comparison comparison = CompareWith(Tower(), CourseTo(outcome));
+  const Comparison comparison = CompareWith(Tower(), EpisodeTo(outcome));
   EXPECT_TRUE(comparison.is_rebuilt());
   EXPECT_GT(comparison.mean_error().distance, 0.001);
   EXPECT_LT(comparison.mean_error().distance, 0.005);
@@ -114,7 +114,7 @@ TEST(Comparison, ATurnOfAPartIsAnErrorUnlessItLooksTheSame) {
     std::vector<scene::ObjectSpec> outcome = structure.objects;
     outcome[1] = ObjectAt("q", plank, {0, 0, 0.15}, kRed, q_deg);
     outcome[2] = ObjectAt("c", scene::Block{}, {0, 0, 0.25}, {}, c_deg);
-    return CompareWith(structure, CourseTo(Moved(outcome, 77, {0.1, 0.1, 0})));
+    return CompareWith(structure, EpisodeTo(Moved(outcome, 77, {0.1, 0.1, 0})));
   };
   EXPECT_LT(with_turns(180, 90).mean_error().angle, 1e-6);
   EXPECT_TRUE(with_turns(180, 90).is_rebuilt());
@@ -130,12 +130,12 @@ TEST(Comparison, AStructureOnSomethingFixedMayStandNowhereElse) {
   structure.objects[0].mass = 0;
   EXPECT_TRUE(structure.is_fixed());
   std::vector<scene::ObjectSpec> outcome = Moved(structure.objects, 30, {0.2, 0, 0});
-  EXPECT_TRUE(CompareWith(structure, CourseTo(outcome)).is_rebuilt());
+  EXPECT_TRUE(CompareWith(structure, EpisodeTo(outcome)).is_rebuilt());
   // A tray is the same the other way round, but not so long as it is broad.
   outcome[1].whole.X_PE = outcome[0].pose_in_world() * RigidTransform(Vector3(-0.1, 0, 0.1));
-  EXPECT_TRUE(CompareWith(structure, CourseTo(outcome)).is_rebuilt());
+  EXPECT_TRUE(CompareWith(structure, EpisodeTo(outcome)).is_rebuilt());
   outcome[1].whole.X_PE = outcome[0].pose_in_world() * RigidTransform(Vector3(0, 0.1, 0.1));
-  const Comparison aside = CompareWith(structure, CourseTo(outcome));
+  const Comparison aside = CompareWith(structure, EpisodeTo(outcome));
   EXPECT_EQ(aside.share, 0.5);
   EXPECT_EQ(aside.errors.at("tray").distance, 0);
 }
@@ -148,52 +148,52 @@ TEST(Comparison, EndsSoonWhereAllLooksTheSame) {
   }
   std::vector<scene::ObjectSpec> outcome = structure.objects;
   outcome[0].whole.X_PE = RigidTransform(Vector3(0.5, -0.5, 0.05));
-  EXPECT_GE(CompareWith(structure, CourseTo(outcome)).share, 0.9);
+  EXPECT_GE(CompareWith(structure, EpisodeTo(outcome)).share, 0.9);
 }
 
 TEST(Comparison, WhatAHandOrAGripperHoldsDoesNotCount) {
   using enum sim::EventKind;
   const Structure tower = Colored(Tower());
-  Course course = CourseTo(tower.objects);
-  const auto touch = [&course](const sim::Event& event) {
-    course.touches.push_back({event, 1, {}});
+  Episode episode = EpisodeTo(tower.objects);
+  const auto touch = [&episode](const sim::Event& event) {
+    episode.touches.push_back({event, 1, {}});
   };
   touch({.kind = kGripperHolds, .arm = "left", .object = "c"});
   touch({.kind = kGrasped, .hand = sim::HandName::kRight, .object = "d"});
-  EXPECT_EQ(CompareWith(tower, course).share, 0.5);
-  EXPECT_TRUE(CompareWith(tower, course).errors.at("c").is_held);
+  EXPECT_EQ(CompareWith(tower, episode).share, 0.5);
+  EXPECT_TRUE(CompareWith(tower, episode).errors.at("c").is_held);
   touch({.kind = kGripperHolds, .arm = "right", .object = "c"});
   touch({.kind = kGripperLetGo, .arm = "left", .object = "c"});
-  EXPECT_EQ(CompareWith(tower, course).share, 0.5) << "the other arm has it";
+  EXPECT_EQ(CompareWith(tower, episode).share, 0.5) << "the other arm has it";
   touch({.kind = kGripperLetGo, .arm = "right", .object = "c"});
   touch({.kind = kReleased, .hand = sim::HandName::kRight, .object = "d"});
-  EXPECT_TRUE(CompareWith(tower, course).is_rebuilt());
+  EXPECT_TRUE(CompareWith(tower, episode).is_rebuilt());
 }
 
 TEST(Comparison, WhatIsHeldInAContainerIsNotPutInto) {
   Structure structure{.objects = {ObjectAt("box", scene::Box{}, {0.5, 0.3, 0.05})},
                       .effects = {ContainerEffect{"high", "box", true}},
                       .others = {CubeAt("high", {0.5, 0.3, 0.05})}};
-  Course course = CourseBetween({structure.objects[0], CubeAt("high", {0, 0, 0.05})},
-                                {structure.objects[0], structure.others[0]});
-  ASSERT_TRUE(CompareWith(structure, course).is_rebuilt());
-  course.touches.push_back(
+  Episode episode = EpisodeBetween({structure.objects[0], CubeAt("high", {0, 0, 0.05})},
+                                   {structure.objects[0], structure.others[0]});
+  ASSERT_TRUE(CompareWith(structure, episode).is_rebuilt());
+  episode.touches.push_back(
       {{.kind = sim::EventKind::kGripperHolds, .arm = "left", .object = "high"}, 1, {}});
-  EXPECT_EQ(CompareWith(structure, course).share, 0.5);
+  EXPECT_EQ(CompareWith(structure, episode).share, 0.5);
 }
 
 TEST(Comparison, TellsWhichPlacementsCameInTheOrderShown) {
   const Structure tower = Colored(Tower());
-  Course course = CourseTo(tower.objects);
+  Episode episode = EpisodeTo(tower.objects);
   const auto carry = [&](std::size_t i) {
-    Carry(tower.objects[i].id(), course.begin.objects[i].pose_in_world(),
-          tower.objects[i].pose_in_world(), &course);
+    Carry(tower.objects[i].id(), episode.begin.objects[i].pose_in_world(),
+          tower.objects[i].pose_in_world(), &episode);
   };
   carry(1);
   carry(0);
   carry(2);
   carry(3);
-  Order order = CompareWith(tower, course).order;
+  Order order = CompareWith(tower, episode).order;
   EXPECT_EQ(order.done, (std::vector<std::string>{"b", "a", "c", "d"}));
   EXPECT_FALSE(order.is_kept());
   EXPECT_DOUBLE_EQ(order.share, 5.0 / 6);
@@ -201,7 +201,7 @@ TEST(Comparison, TellsWhichPlacementsCameInTheOrderShown) {
   carry(1);
   carry(2);
   carry(3);
-  EXPECT_TRUE(CompareWith(tower, course).order.is_kept());
+  EXPECT_TRUE(CompareWith(tower, episode).order.is_kept());
 }
 
 TEST(Order, WhatWasInPlaceAlreadyCameFirst) {

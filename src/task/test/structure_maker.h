@@ -4,7 +4,7 @@
 
 #include "math/angles.h"
 #include "model/test/placed_objects.h"
-#include "task/course.h"
+#include "task/episode.h"
 #include "task/structure.h"
 
 namespace smile::task {
@@ -20,29 +20,29 @@ inline recording::TracePose TracePoseAt(const RigidTransform& X_WB) {
 }
 
 /// Nothing is touched in it.
-inline Course CourseBetween(const std::vector<scene::ObjectSpec>& start,
-                            const std::vector<scene::ObjectSpec>& end) {
-  Course course;
-  course.scene.name = "elsewhere";
-  course.scene.objects = start;
+inline Episode EpisodeBetween(const std::vector<scene::ObjectSpec>& start,
+                              const std::vector<scene::ObjectSpec>& end) {
+  Episode episode;
+  episode.scene.name = "elsewhere";
+  episode.scene.objects = start;
   for (const auto& object : start) {
-    course.begin.objects.push_back(TracePoseAt(object.pose_in_world()));
+    episode.begin.objects.push_back(TracePoseAt(object.pose_in_world()));
   }
   for (const auto& object : end) {
-    course.end.objects.push_back(TracePoseAt(object.pose_in_world()));
+    episode.end.objects.push_back(TracePoseAt(object.pose_in_world()));
   }
-  return course;
+  return episode;
 }
 
-/// A course that ends with these objects, which all began far off.
-inline Course CourseTo(const std::vector<scene::ObjectSpec>& end) {
+/// Returns an episode that ends with these objects, which all began far away.
+inline Episode EpisodeTo(const std::vector<scene::ObjectSpec>& end) {
   std::vector<scene::ObjectSpec> start = end;
   double x = -0.9;
   for (scene::ObjectSpec& object : start) {
     if (object.is_static()) continue;
     object.whole.X_PE = RigidTransform(Vector3(x += 0.15, -0.5, 0.05));
   }
-  return CourseBetween(start, end);
+  return EpisodeBetween(start, end);
 }
 
 inline std::vector<scene::ObjectSpec> Moved(std::vector<scene::ObjectSpec> objects,
@@ -56,10 +56,10 @@ inline std::vector<scene::ObjectSpec> Moved(std::vector<scene::ObjectSpec> objec
 
 /// A gripper carries an object from there to here.
 inline void Carry(const std::string& object, const RigidTransform& from, const RigidTransform& to,
-                  Course* course) {
+                  Episode* episode) {
   using enum sim::EventKind;
-  course->touches.push_back({{.kind = kGripperHolds, .arm = "left", .object = object}, 1, from});
-  course->touches.push_back({{.kind = kGripperLetGo, .arm = "left", .object = object}, 2, to});
+  episode->touches.push_back({{.kind = kGripperHolds, .arm = "left", .object = object}, 1, from});
+  episode->touches.push_back({{.kind = kGripperLetGo, .arm = "left", .object = object}, 2, to});
 }
 
 }  // namespace smile::task

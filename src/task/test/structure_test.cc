@@ -26,13 +26,13 @@ class StructureTest : public recorder::RecordingFixture {
     sim::Simulation simulation(scene_xml::LoadScene(DataFile("scenes/" + scene + ".xml")));
     recorder::Recorder recorder(root_ / scene, {}, nullptr, simulation);
     simulation.AddListener(&recorder);
-    CourseWitness witness(&simulation);
+    EpisodeObserver observer(&simulation);
     sim::ScriptPlayer player(
         sim::ParseScript(text("examples/scenes/" + scene + ".jsonl"), scene, 0.1));
     for (player.Advance(&simulation); !player.is_finished(); player.Advance(&simulation)) {
       simulation.Tick();
     }
-    witnessed_ = witness.course();
+    observed_ = observer.episode();
     return recording::OpenRecording(root_ / scene);
   }
 
@@ -42,7 +42,7 @@ class StructureTest : public recorder::RecordingFixture {
     return text;
   }
 
-  Course witnessed_;
+  Episode observed_;
 };
 
 TEST_F(StructureTest, IsWhatHandsMovedAndWhatThatStandsOn) {
@@ -133,17 +133,17 @@ TEST_F(StructureTest, IsAchievedByItselfAndNotByDoingNothing) {
   for (const char* scene : {"lidbox", "controls", "screws", "panel", "trapdoor", "dock"}) {
     const recording::Recording recording = Play(scene);
     const Structure structure = StructureOf(recording);
-    const Course course = CourseOf(recording);
-    const Comparison itself = CompareWith(structure, course);
+    const Episode episode = EpisodeOf(recording);
+    const Comparison itself = CompareWith(structure, episode);
     EXPECT_EQ(itself.share, 1) << scene;
     EXPECT_LT(itself.mean_error().distance, 1e-9) << scene;
     EXPECT_TRUE(itself.order.is_kept()) << scene;
-    EXPECT_EQ(CauseOf(structure, course, itself, {.status = "exited"}), std::nullopt);
+    EXPECT_EQ(CauseOf(structure, episode, itself, {.status = "exited"}), std::nullopt);
     // Who watches sees what the recording tells.
-    EXPECT_EQ(CompareWith(structure, witnessed_).order, itself.order) << scene;
+    EXPECT_EQ(CompareWith(structure, observed_).order, itself.order) << scene;
 
-    Course idle = course;
-    idle.end = course.begin;
+    Episode idle = episode;
+    idle.end = episode.begin;
     idle.touches.clear();
     const Comparison nothing = CompareWith(structure, idle);
     EXPECT_FALSE(nothing.is_rebuilt()) << scene;
@@ -155,39 +155,39 @@ TEST_F(StructureTest, IsAchievedByItselfAndNotByDoingNothing) {
 }
 
 /// Of blocks that begin apart, each in its corner.
-Course ThreeBlocks() {
+Episode ThreeBlocks() {
   const std::vector<scene::ObjectSpec> start = {
       CubeAt("a", {-0.3, 0, 0.05}), CubeAt("b", {0, 0, 0.05}), CubeAt("c", {0.3, 0, 0.05})};
-  return CourseBetween(start, start);
+  return EpisodeBetween(start, start);
 }
 
-void Note(EventKind kind, const std::string& object, const Vector3& p, Course* course,
+void Note(EventKind kind, const std::string& object, const Vector3& p, Episode* episode,
           const std::string& arm = "left") {
-  course->touches.push_back({{.kind = kind, .arm = arm, .object = object}, 1, RigidTransform(p)});
+  episode->touches.push_back({{.kind = kind, .arm = arm, .object = object}, 1, RigidTransform(p)});
 }
 
-TEST(Course, WhatIsNotMovedIsNotPlacedAndWhatIsHeldNotYet) {
-  Course course = ThreeBlocks();
-  Note(EventKind::kGripperHolds, "a", {0, 0.3, 0}, &course);
-  Note(EventKind::kGripperLetGo, "a", {-0.3, 0, 0.05}, &course);
-  Note(EventKind::kGripperHolds, "b", {0, 0, 0.05}, &course);
-  Note(EventKind::kGripperLetGo, "b", {0, 0.004, 0.05}, &course);
-  EXPECT_EQ(PlacementsOf(course), Ids{"a"});
-  Note(EventKind::kGripperHolds, "c", {0.3, 0.3, 0.05}, &course);
-  Note(EventKind::kGripperHolds, "a", {0, 0.9, 0}, &course, "right");
-  EXPECT_EQ(PlacementsOf(course), Ids{});
+TEST(Episode, WhatIsNotMovedIsNotPlacedAndWhatIsHeldNotYet) {
+  Episode episode = ThreeBlocks();
+  Note(EventKind::kGripperHolds, "a", {0, 0.3, 0}, &episode);
+  Note(EventKind::kGripperLetGo, "a", {-0.3, 0, 0.05}, &episode);
+  Note(EventKind::kGripperHolds, "b", {0, 0, 0.05}, &episode);
+  Note(EventKind::kGripperLetGo, "b", {0, 0.004, 0.05}, &episode);
+  EXPECT_EQ(PlacementsOf(episode), Ids{"a"});
+  Note(EventKind::kGripperHolds, "c", {0.3, 0.3, 0.05}, &episode);
+  Note(EventKind::kGripperHolds, "a", {0, 0.9, 0}, &episode, "right");
+  EXPECT_EQ(PlacementsOf(episode), Ids{});
 }
 
-TEST(Course, CountsGraspsAndRetries) {
-  Course course = ThreeBlocks();
-  Note(EventKind::kGripperHolds, "a", Vector3(0, 0, 0), &course);
-  Note(EventKind::kGripperHolds, "a", Vector3(0, 0, 0), &course, "right");  // both arms carry it
-  Note(EventKind::kGripperLetGo, "a", Vector3(0, 0, 0), &course);
-  Note(EventKind::kGripperLetGo, "a", Vector3(0, 0, 0), &course, "right");
-  Note(EventKind::kGripperHolds, "b", Vector3(0, 0, 0), &course);
-  EXPECT_EQ(WorkOf(course), (Work{.grasps = 3, .retries = 0}));
-  Note(EventKind::kGripperHolds, "a", Vector3(0, 0, 0), &course);
-  EXPECT_EQ(WorkOf(course), (Work{.grasps = 4, .retries = 1}));
+TEST(Episode, CountsGraspsAndRetries) {
+  Episode episode = ThreeBlocks();
+  Note(EventKind::kGripperHolds, "a", Vector3(0, 0, 0), &episode);
+  Note(EventKind::kGripperHolds, "a", Vector3(0, 0, 0), &episode, "right");  // both arms carry it
+  Note(EventKind::kGripperLetGo, "a", Vector3(0, 0, 0), &episode);
+  Note(EventKind::kGripperLetGo, "a", Vector3(0, 0, 0), &episode, "right");
+  Note(EventKind::kGripperHolds, "b", Vector3(0, 0, 0), &episode);
+  EXPECT_EQ(WorkOf(episode), (Work{.grasps = 3, .retries = 0}));
+  Note(EventKind::kGripperHolds, "a", Vector3(0, 0, 0), &episode);
+  EXPECT_EQ(WorkOf(episode), (Work{.grasps = 4, .retries = 1}));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "task/course.h"
+#include "task/episode.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ namespace {
 
 using sim::EventKind, sim::HandName;
 
-class CourseWitnessTest : public ::testing::Test {
+class EpisodeObserverTest : public ::testing::Test {
  protected:
   static scene::SceneSpec OneBlock() {
     scene::ObjectSpec block;
@@ -26,15 +26,15 @@ class CourseWitnessTest : public ::testing::Test {
   void Do(const sim::Command& command) { ASSERT_EQ(simulation_.Apply(command), std::nullopt); }
   std::vector<EventKind> Touches() const {
     std::vector<EventKind> kinds;
-    for (const Touch& touch : witness_.course().touches) kinds.push_back(touch.event.kind);
+    for (const Touch& touch : observer_.episode().touches) kinds.push_back(touch.event.kind);
     return kinds;
   }
 
   sim::Simulation simulation_{OneBlock()};
-  CourseWitness witness_{&simulation_};
+  EpisodeObserver observer_{&simulation_};
 };
 
-TEST_F(CourseWitnessTest, ARedoBringsBackWhatWasTouched) {
+TEST_F(EpisodeObserverTest, ARedoBringsBackWhatWasTouched) {
   const std::vector<EventKind> taken{EventKind::kGrasped};
   const std::vector<EventKind> put{EventKind::kGrasped, EventKind::kReleased};
   Do(sim::Grasp{.hand = HandName::kLeft, .object = "a"});
@@ -52,7 +52,7 @@ TEST_F(CourseWitnessTest, ARedoBringsBackWhatWasTouched) {
 }
 
 /// What was undone at the tick at which something else was done leaves the other.
-TEST_F(CourseWitnessTest, AnUndoTakesOnlyItsOwnAction) {
+TEST_F(EpisodeObserverTest, AnUndoTakesOnlyItsOwnAction) {
   Do(sim::Grasp{.hand = HandName::kLeft, .object = "a"});
   Do(sim::Release{.hand = HandName::kLeft});
   Do(sim::Undo());
@@ -60,7 +60,7 @@ TEST_F(CourseWitnessTest, AnUndoTakesOnlyItsOwnAction) {
 }
 
 /// The object falls to the floor after the undo; a redo leads back to where it is still held.
-TEST_F(CourseWitnessTest, WhatHappenedBetweenUndoAndRedoIsLeftOut) {
+TEST_F(EpisodeObserverTest, WhatHappenedBetweenUndoAndRedoIsLeftOut) {
   Do(sim::Grasp{.hand = HandName::kLeft, .object = "a"});
   Do(sim::MoveTo{.hand = HandName::kLeft, .p_WH = {1.5, 0, 0.3}});
   for (int i = 0; i < 300; ++i) simulation_.Tick();
@@ -73,14 +73,14 @@ TEST_F(CourseWitnessTest, WhatHappenedBetweenUndoAndRedoIsLeftOut) {
   EXPECT_EQ(Touches(), (std::vector{EventKind::kGrasped, EventKind::kReleased}));
 }
 
-class CourseProperty : public recorder::RecordingFixture {};
+class EpisodeProperty : public recorder::RecordingFixture {};
 
-TEST_F(CourseProperty, AWitnessTellsWhatTheRecordingShows) {
+TEST_F(EpisodeProperty, AnObserverReportsWhatTheRecordingShows) {
   const std::string xml = scene_xml::WriteScene(sim::EverythingScene::Make());
   sim::Simulation simulation(*scene_xml::ReadSceneText(xml, "everything.xml").scene);
   recorder::Recorder recorder(root_ / "demo", {}, nullptr, simulation);
   simulation.AddListener(&recorder);
-  const CourseWitness witness(&simulation);
+  const EpisodeObserver observer(&simulation);
   sim::RandomHands hands(7, /*changes_objects=*/true);
   std::mt19937 random(7);
   int num_redone = 0;
@@ -98,8 +98,8 @@ TEST_F(CourseProperty, AWitnessTellsWhatTheRecordingShows) {
     for (unsigned ticks = random() % 3 * 4; ticks > 0; --ticks) simulation.Tick();
   }
   EXPECT_GT(num_redone, 0);
-  const std::vector<Touch> told = witness.course().touches;
-  const std::vector<Touch> shown = CourseOf(recording::OpenRecording(root_ / "demo")).touches;
+  const std::vector<Touch> told = observer.episode().touches;
+  const std::vector<Touch> shown = EpisodeOf(recording::OpenRecording(root_ / "demo")).touches;
   EXPECT_GT(told.size(), 5u);
   ASSERT_EQ(told.size(), shown.size());
   for (std::size_t i = 0; i < told.size(); ++i) {

@@ -1,4 +1,4 @@
-#include "task/course.h"
+#include "task/episode.h"
 
 #include <algorithm>
 #include <set>
@@ -108,39 +108,39 @@ class PlacementOrder {
 
 }  // namespace
 
-Course CourseOf(const recording::Recording& recording) {
+Episode EpisodeOf(const recording::Recording& recording) {
   recording::TraceReader trace(recording);
-  Course course{.scene = recording.scene(), .begin = {}, .end = {}, .touches = {}};
+  Episode episode{.scene = recording.scene(), .begin = {}, .end = {}, .touches = {}};
   LoggedActions logged(recording);
-  const auto note = [&course](const std::vector<sim::Event>& events) {
+  const auto note = [&episode](const std::vector<sim::Event>& events) {
     for (const sim::Event& event : events) {
-      if (auto touch = TouchOf(event, course.end, course.scene)) {
-        course.touches.push_back(*std::move(touch));
+      if (auto touch = TouchOf(event, episode.end, episode.scene)) {
+        episode.touches.push_back(*std::move(touch));
       }
     }
   };
   bool has_begun = false;
   while (const auto moment = trace.Next()) {
-    course.end = *moment;
+    episode.end = *moment;
     if (!has_begun) {
-      course.begin = *moment;
+      episode.begin = *moment;
       note(trace.events_before_start());
       has_begun = true;
     }
     note(trace.has_events() ? moment->events : logged.UpTo(moment->tick));
   }
-  if (!has_begun) course.begin = course.end = recording::StartOf(*recording.model);
-  return course;
+  if (!has_begun) episode.begin = episode.end = recording::StartOf(*recording.model);
+  return episode;
 }
 
-CourseWitness::CourseWitness(sim::Simulation* simulation)
+EpisodeObserver::EpisodeObserver(sim::Simulation* simulation)
     : simulation_(simulation), begin_(recording::Observe(*simulation)) {
   simulation_->AddListener(this);
 }
 
-CourseWitness::~CourseWitness() { simulation_->RemoveListener(this); }
+EpisodeObserver::~EpisodeObserver() { simulation_->RemoveListener(this); }
 
-void CourseWitness::OnEvent(const sim::Simulation& simulation, const sim::Event& event) {
+void EpisodeObserver::OnEvent(const sim::Simulation& simulation, const sim::Event& event) {
   if (!IsTouch(event.kind)) return;
   auto touch = TouchOf(event, recording::Observe(simulation), simulation.scene());
   if (!touch) return;
@@ -148,8 +148,8 @@ void CourseWitness::OnEvent(const sim::Simulation& simulation, const sim::Event&
   touches_[action.id].push_back({*std::move(touch), action.events.size()});
 }
 
-void CourseWitness::OnMove(const sim::Simulation& simulation, sim::ActionId from,
-                           sim::ActionId to) {
+void EpisodeObserver::OnMove(const sim::Simulation& simulation, sim::ActionId from,
+                             sim::ActionId to) {
   std::vector<NumberedTouch>* touches = touches_.Find(from);
   if (to < from || touches == nullptr) return;
   // A redo leads back to where what happened since the undo has not happened.
@@ -158,18 +158,18 @@ void CourseWitness::OnMove(const sim::Simulation& simulation, sim::ActionId from
   std::erase_if(*touches, [&](const NumberedTouch& one) { return one.num_events > num_events; });
 }
 
-Course CourseWitness::course() const {
+Episode EpisodeObserver::episode() const {
   // What was added since was not there in the beginning.
-  Course course{.scene = simulation_->scene(),
-                .begin = recording::WithAbsent(begin_, simulation_->model()),
-                .end = recording::Observe(*simulation_),
-                .touches = {}};
+  Episode episode{.scene = simulation_->scene(),
+                  .begin = recording::WithAbsent(begin_, simulation_->model()),
+                  .end = recording::Observe(*simulation_),
+                  .touches = {}};
   for (const sim::Action& action : simulation_->history().done()) {
     const std::vector<NumberedTouch>* touches = touches_.Find(action.id);
     if (touches == nullptr) continue;
-    for (const NumberedTouch& one : *touches) course.touches.push_back(one.touch);
+    for (const NumberedTouch& one : *touches) episode.touches.push_back(one.touch);
   }
-  return course;
+  return episode;
 }
 
 std::vector<scene::ObjectSpec> ObjectsAt(const scene::SceneSpec& scene,
@@ -199,9 +199,9 @@ ObjectPoses StartOf(const scene::SceneSpec& scene) {
   return poses;
 }
 
-std::vector<std::string> TouchedByHands(const Course& course) {
+std::vector<std::string> TouchedByHands(const Episode& episode) {
   std::vector<std::string> touched;
-  for (const Touch& touch : course.touches) {
+  for (const Touch& touch : episode.touches) {
     const bool counts = touch.event.kind == sim::EventKind::kGrasped ||
                         touch.event.kind == sim::EventKind::kFastened ||
                         touch.event.kind == sim::EventKind::kLoosened;
@@ -213,10 +213,10 @@ std::vector<std::string> TouchedByHands(const Course& course) {
   return touched;
 }
 
-std::vector<std::string> FallenObjects(const Course& course) {
+std::vector<std::string> FallenObjects(const Episode& episode) {
   std::vector<std::string> fallen;
-  for (const Touch& touch : course.touches) {
-    if (touch.event.kind != sim::EventKind::kFell || touch.tick == course.begin.tick) continue;
+  for (const Touch& touch : episode.touches) {
+    if (touch.event.kind != sim::EventKind::kFell || touch.tick == episode.begin.tick) continue;
     if (std::ranges::find(fallen, touch.event.object) == fallen.end()) {
       fallen.push_back(touch.event.object);
     }
@@ -224,9 +224,9 @@ std::vector<std::string> FallenObjects(const Course& course) {
   return fallen;
 }
 
-std::set<std::string> HeldInTheEnd(const Course& course) {
+std::set<std::string> HeldInTheEnd(const Episode& episode) {
   std::set<std::pair<std::string, std::string>> holds;  // holder and object
-  for (const Touch& touch : course.touches) {
+  for (const Touch& touch : episode.touches) {
     const std::pair hold(HolderOf(touch.event), touch.event.object);
     switch (touch.event.kind) {
       case sim::EventKind::kGrasped:
@@ -246,10 +246,10 @@ std::set<std::string> HeldInTheEnd(const Course& course) {
   return held;
 }
 
-Work WorkOf(const Course& course) {
+Work WorkOf(const Episode& episode) {
   Work work;
   std::map<std::string, int> holders;  // of what was ever held: by how many grippers now
-  for (const Touch& touch : course.touches) {
+  for (const Touch& touch : episode.touches) {
     const std::string& object = touch.event.object;
     if (touch.event.kind == sim::EventKind::kGripperHolds) {
       ++work.grasps;
@@ -263,10 +263,10 @@ Work WorkOf(const Course& course) {
   return work;
 }
 
-std::vector<std::string> PlacementsOf(const Course& course) {
+std::vector<std::string> PlacementsOf(const Episode& episode) {
   PlacementOrder order;
-  for (const Touch& touch : course.touches) order.Note(touch);
-  return std::move(order).InTheEnd(PosesAt(course.scene, course.end));
+  for (const Touch& touch : episode.touches) order.Note(touch);
+  return std::move(order).InTheEnd(PosesAt(episode.scene, episode.end));
 }
 
 }  // namespace smile::task

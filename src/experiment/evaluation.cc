@@ -50,7 +50,7 @@ std::vector<std::string> NamesOf(const std::vector<std::string>& brains) {
 /// Finds errors of the plan before any run.
 /// @returns everything the results of a robot program depend on, except the program and the seed.
 Json CheckAndDescribe(const EvaluationPlan& plan) {
-  task::MakeExercise("", recording::OpenRecording(plan.demonstration), plan.scene);
+  task::MakeImitationTask("", recording::OpenRecording(plan.demonstration), plan.scene);
   for (const std::string& brain : plan.brains) brain::BrainProcess{brain};
   return {{"format", kRunsFormat},
           {"program", ProgramName()},

@@ -8,8 +8,8 @@
 namespace smile::experiment {
 
 ImitationResult Imitate(const ImitationPlan& plan, const Callbacks& callbacks) {
-  const task::Exercise exercise =
-      task::MakeExercise(plan.task, recording::OpenRecording(plan.demonstration), plan.scene);
+  const task::ImitationTask imitation_task =
+      task::MakeImitationTask(plan.task, recording::OpenRecording(plan.demonstration), plan.scene);
   const RunResult run = Run({.scene = plan.scene,
                              .robot = plan.robot,
                              .brain = plan.brain,
@@ -25,7 +25,7 @@ ImitationResult Imitate(const ImitationPlan& plan, const Callbacks& callbacks) {
                              .label = "the robot builds"},
                             callbacks);
   const task::Episode outcome = task::EpisodeOf(recording::OpenRecording(plan.record));
-  Json result = task::ResultOf(exercise, outcome,
+  Json result = task::ResultOf(imitation_task, outcome,
                                {.seconds = run.seconds - run.watched_seconds,
                                 .watched_seconds = run.watched_seconds,
                                 .realtime_factor = run.realtime_factor,

@@ -73,11 +73,12 @@ Json BrainRequests::Imitate(const page::RequestFields& fields) {
   const std::string scene = fields.Text("scene");
   const std::filesystem::path directory = library_->DirectoryOf(fields.Text("recording"));
   const recording::Recording demonstration = recording::OpenRecording(directory);
-  task::Exercise exercise = task::MakeExercise(scene, demonstration, source_->Named(scene));
-  scenes_->LoadScene(exercise.scene);
+  task::ImitationTask imitation_task =
+      task::MakeImitationTask(scene, demonstration, source_->Named(scene));
+  scenes_->LoadScene(imitation_task.scene);
   Run(choice, directory);
   const std::filesystem::path recording = RecordImitation(demonstration);
-  states_->Imitate(std::move(exercise));
+  states_->Imitate(std::move(imitation_task));
   return {{"recording", recording.filename().string()}};
 }
 

@@ -41,9 +41,10 @@ bool LiveState::Tick(bool is_paused) {
   return true;
 }
 
-ImitatingState::ImitatingState(task::Exercise exercise, LiveWorld* world, LiveBrain* brain)
+ImitatingState::ImitatingState(task::ImitationTask imitation_task, LiveWorld* world,
+                               LiveBrain* brain)
     : LiveState(world, brain),
-      exercise_(std::move(exercise)),
+      task_(std::move(imitation_task)),
       observer_(&world->simulation()),
       recording_(world->recording_directory()),
       start_tick_(world->simulation().tick()) {}
@@ -61,7 +62,7 @@ std::optional<Json> ImitatingState::End(double measured_speed) {
   if (is_recorded) (void)world().Apply(sim::FinishRecording{});
   const double watched = sim::SecondsOf(brain().watched_ticks());
   Json result = task::ResultOf(
-      exercise_, observer_.episode(),
+      task_, observer_.episode(),
       {.seconds = sim::SecondsOf(world().simulation().tick() - start_tick_) - watched,
        .watched_seconds = watched,
        .realtime_factor = measured_speed,

@@ -108,7 +108,7 @@ class LiveState : public WorldState {
 class ImitatingState : public LiveState {
  public:
   /// The program runs and the recording has begun.
-  ImitatingState(task::Exercise exercise, LiveWorld* world, LiveBrain* brain);
+  ImitatingState(task::ImitationTask imitation_task, LiveWorld* world, LiveBrain* brain);
 
   bool Tick(bool is_paused) override;
   bool is_over() const override { return !brain().is_running(); }
@@ -116,7 +116,7 @@ class ImitatingState : public LiveState {
   std::optional<Json> End(double measured_speed) override;
 
  private:
-  task::Exercise exercise_;
+  task::ImitationTask task_;
   task::EpisodeObserver observer_;
   std::filesystem::path recording_;  ///< its directory
   std::uint64_t start_tick_ = 0;

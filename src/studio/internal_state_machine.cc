@@ -73,8 +73,8 @@ void StateMachine::BeginWorld() {
   listener_->OnOtherScene();
 }
 
-void StateMachine::Imitate(task::Exercise exercise) {
-  world_state_ = std::make_unique<ImitatingState>(std::move(exercise), world_.get(), &brain_);
+void StateMachine::Imitate(task::ImitationTask imitation_task) {
+  world_state_ = std::make_unique<ImitatingState>(std::move(imitation_task), world_.get(), &brain_);
 }
 
 void StateMachine::AnimateClearTable() {

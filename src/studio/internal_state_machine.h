@@ -73,7 +73,7 @@ class StateMachine {
   /// @returns why it was refused.
   std::optional<sim::Refusal> Apply(const sim::Command& command);
   /// The program runs and the recording has begun.
-  void Imitate(task::Exercise exercise);
+  void Imitate(task::ImitationTask imitation_task);
   /// Starts the clear-table animation, which must be possible.
   void AnimateClearTable();
   /// The world's state is live if what went on in it is over.

@@ -50,28 +50,27 @@ ProgramEnd EndOf(const Json& brain) {
 
 }  // namespace
 
-Exercise MakeExercise(std::string name, const recording::Recording& demonstration,
-                      scene::SceneSpec scene) {
-  Exercise exercise{
+ImitationTask MakeImitationTask(std::string name, const recording::Recording& demonstration,
+                                scene::SceneSpec scene) {
+  ImitationTask task{
       .name = std::move(name), .structure = StructureOf(demonstration), .scene = std::move(scene)};
-  (void)MatchObjects(exercise.structure, exercise.scene);
-  return exercise;
+  (void)MatchObjects(task.structure, task.scene);
+  return task;
 }
 
-Json ResultOf(const Exercise& exercise, const Episode& outcome,
-              const Circumstances& circumstances) {
-  const Structure& structure = exercise.structure;
+Json ResultOf(const ImitationTask& task, const Episode& outcome, const RunInfo& run_info) {
+  const Structure& structure = task.structure;
   const Comparison comparison = CompareWith(structure, outcome);
-  const double unit = exercise.scene.meters_per_unit;
+  const double unit = task.scene.meters_per_unit;
   const ObjectError mean = comparison.mean_error();
-  const ProgramEnd program = EndOf(circumstances.brain);
-  Json result = {{"task", exercise.name},
+  const ProgramEnd program = EndOf(run_info.brain);
+  Json result = {{"task", task.name},
                  {"rebuilt", IsSuccess(comparison, program)},
                  {"score", comparison.share},
                  {"tolerance", kTolerance / unit},
                  {"match", comparison.match},
                  {"goal", {{"objects", PosesJson(comparison.goal, unit)}}},
-                 {"initial", {{"objects", PosesJson(StartOf(exercise.scene), unit)}}},
+                 {"initial", {{"objects", PosesJson(StartOf(task.scene), unit)}}},
                  {"final", {{"objects", PosesJson(PosesAt(outcome.scene, outcome.end), unit)}}},
                  {"errors", ErrorsJson(comparison.errors)},
                  {"mean_error_mm", MillimetersOf(mean)},
@@ -80,11 +79,11 @@ Json ResultOf(const Exercise& exercise, const Episode& outcome,
                  {"effects", EffectsJson(structure, comparison.achieved, unit)},
                  {"work", ToJson(WorkOf(outcome))},
                  {"cause", ToJson(CauseOf(structure, outcome, comparison, program))},
-                 {"seconds", circumstances.seconds},
-                 {"realtime_factor", circumstances.realtime_factor},
-                 {"brain", circumstances.brain}};
-  if (circumstances.watched_seconds > 0) {
-    result["watched_seconds"] = circumstances.watched_seconds;
+                 {"seconds", run_info.seconds},
+                 {"realtime_factor", run_info.realtime_factor},
+                 {"brain", run_info.brain}};
+  if (run_info.watched_seconds > 0) {
+    result["watched_seconds"] = run_info.watched_seconds;
   }
   return result;
 }

@@ -8,27 +8,29 @@
 
 namespace smile::task {
 
-/// What a demonstration achieved, and the scene in which somebody else is to achieve it.
-struct Exercise {
+/// Task of an imitation: the structure that a demonstration achieved, and the scene in which it is
+/// to be achieved again.
+struct ImitationTask {
   std::string name;  ///< in the result
   Structure structure;
   scene::SceneSpec scene;  ///< as it was before
 };
 
+/// Returns the task of imitating a demonstration in a scene.
 /// @throws InputError if there is nothing to imitate, or something is missing in the scene.
-Exercise MakeExercise(std::string name, const recording::Recording& demonstration,
-                      scene::SceneSpec scene);
+ImitationTask MakeImitationTask(std::string name, const recording::Recording& demonstration,
+                                scene::SceneSpec scene);
 
-/// What the recording of an imitation does not tell.
-struct Circumstances {
+/// Facts on the run of an imitation that its recording does not contain.
+struct RunInfo {
   double seconds = 0;          ///< that it took, simulated, from the end of watching
   double watched_seconds = 0;  ///< before that, in which the program watched the demonstration
   double realtime_factor = 0;  ///< how much faster than the clock it ran
   Json brain;                  ///< with `status` and `message`
 };
 
-/// What came of it, as `result.json` tells it (docs/results.md).
-/// @param outcome  in the exercise's scene.
-Json ResultOf(const Exercise& exercise, const Episode& outcome, const Circumstances& circumstances);
+/// Returns the result of an imitation, the content of `result.json` (docs/results.md).
+/// @param outcome  the episode of the imitation, in the task's scene.
+Json ResultOf(const ImitationTask& task, const Episode& outcome, const RunInfo& run_info);
 
 }  // namespace smile::task

@@ -47,8 +47,8 @@ int Evaluate(const EvaluateOptions& options) {
                    line.Wipe();
                    std::fprintf(stderr, "%s, seed %llu: %s: %s\n", brain.c_str(),
                                 static_cast<unsigned long long>(run.seed),
-                                Printable(run.cause->word).c_str(),
-                                Printable(run.cause->text).c_str());
+                                Printable(run.failure_reason->code).c_str(),
+                                Printable(run.failure_reason->text).c_str());
                  }});
   line.Wipe();
   if (options.json) {

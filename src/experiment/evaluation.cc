@@ -103,12 +103,12 @@ struct OpenRun {
 report::EvaluatedRun FailedRun(std::uint64_t seed, const PoolEnd& end, double wall_seconds) {
   report::EvaluatedRun run{.seed = seed};
   if (end.was_late) {
-    run.cause = {"hung",
-                 "no end after " + NumberText(wall_seconds) + " s by the clock on the wall"};
+    run.failure_reason = {
+        "hung", "no end after " + NumberText(wall_seconds) + " s by the clock on the wall"};
   } else {
-    run.cause = {end.exit_code ? "no_result" : "crashed", end.how};
+    run.failure_reason = {end.exit_code ? "no_result" : "crashed", end.how};
   }
-  if (!end.last_line.empty()) run.cause->text += ": " + end.last_line;
+  if (!end.last_line.empty()) run.failure_reason->text += ": " + end.last_line;
   return run;
 }
 
@@ -167,7 +167,7 @@ class Evaluator {
     const auto end_run = [&](std::size_t job, const PoolEnd& end) {
       const report::EvaluatedRun& run = Take(open[job], end);
       counter.Count(run);
-      if (run.cause && callbacks_.on_failed_run) {
+      if (run.failure_reason && callbacks_.on_failed_run) {
         callbacks_.on_failed_run(open[job].candidate->name, run);
       }
     };

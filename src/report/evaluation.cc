@@ -28,15 +28,15 @@ std::optional<std::uint64_t> CountIn(const JsonNode& node, const std::string& na
   return node.Member(name).Whole(0, kMaxCount);
 }
 
-std::optional<Cause> CauseIn(const JsonNode& result) {
+std::optional<task::FailureReason> FailureReasonIn(const JsonNode& result) {
   if (!result.Has("cause") || result.Member("cause").IsNull()) return std::nullopt;
   const JsonNode cause = result.Member("cause");
-  return Cause{.word = cause.Member("word").ShortString(kMaxWordBytes),
-               .text = cause.Member("text").ShortString(kMaxTextBytes)};
+  return task::FailureReason{.code = cause.Member("word").ShortString(kMaxWordBytes),
+                             .text = cause.Member("text").ShortString(kMaxTextBytes)};
 }
 
-/// What the fields of every version tell of a failure.
-Cause PlainCause(const JsonNode& result) {
+/// Returns the reason that follows from the fields that every version has.
+task::FailureReason FailureReasonFromStatus(const JsonNode& result) {
   const JsonNode brain = result.Member("brain");
   const std::string status = brain.Member("status").String();
   if (status == "failed") {
@@ -59,8 +59,8 @@ EvaluatedRun RunIn(const JsonNode& result, std::uint64_t seed) {
     run.grasps = CountIn(result.Member("work"), "grasps");
     run.retries = CountIn(result.Member("work"), "retries");
   }
-  if (!run.is_rebuilt) run.cause = CauseIn(result);
-  if (!run.is_rebuilt && !run.cause) run.cause = PlainCause(result);
+  if (!run.is_rebuilt) run.failure_reason = FailureReasonIn(result);
+  if (!run.is_rebuilt && !run.failure_reason) run.failure_reason = FailureReasonFromStatus(result);
   return run;
 }
 
@@ -105,7 +105,7 @@ Json MeanJson(const std::optional<Mean>& mean) {
 
 Json SummaryJson(const Summary& summary) {
   Json causes = Json::object();
-  for (const auto& [word, count] : summary.causes) causes[word] = count;
+  for (const auto& [word, count] : summary.num_failures) causes[word] = count;
   return {{"runs", summary.runs},
           {"rebuilt", summary.rebuilt},
           {"success_rate", summary.success_rate()},
@@ -120,18 +120,19 @@ Json SummaryJson(const Summary& summary) {
 }
 
 Json RunJson(const EvaluatedRun& run) {
-  return {
-      {"seed", run.seed},
-      {"rebuilt", run.is_rebuilt},
-      {"score", run.score},
-      {"error_mm", OrNull(run.error_mm)},
-      {"error_degrees", OrNull(run.error_degrees)},
-      {"seconds", OrNull(run.seconds)},
-      {"grasps", OrNull(run.grasps)},
-      {"retries", OrNull(run.retries)},
-      {"cause", run.cause ? Json{{"word", run.cause->word}, {"text", run.cause->text}} : Json()},
-      {"recording", run.recording.empty() ? Json() : Json(run.recording)},
-      {"realtime_factor", OrNull(run.realtime_factor)}};
+  return {{"seed", run.seed},
+          {"rebuilt", run.is_rebuilt},
+          {"score", run.score},
+          {"error_mm", OrNull(run.error_mm)},
+          {"error_degrees", OrNull(run.error_degrees)},
+          {"seconds", OrNull(run.seconds)},
+          {"grasps", OrNull(run.grasps)},
+          {"retries", OrNull(run.retries)},
+          {"cause", run.failure_reason ? Json{{"word", run.failure_reason->code},
+                                              {"text", run.failure_reason->text}}
+                                       : Json()},
+          {"recording", run.recording.empty() ? Json() : Json(run.recording)},
+          {"realtime_factor", OrNull(run.realtime_factor)}};
 }
 
 Json ComparisonJson(const Comparison& comparison) {
@@ -169,9 +170,9 @@ std::string InColumns(const std::vector<std::vector<std::string>>& rows) {
   return text;
 }
 
-std::string CausesText(const Summary& summary) {
+std::string FailureCountsText(const Summary& summary) {
   std::string text;
-  for (const auto& [word, count] : summary.causes) {
+  for (const auto& [word, count] : summary.num_failures) {
     text += (text.empty() ? "" : ", ") + std::to_string(count) + " x " + Printable(word);
   }
   return text;
@@ -212,7 +213,7 @@ Summary SummaryOf(const EvaluatedAgent& agent) {
   Summary summary{.runs = agent.runs.size()};
   for (const EvaluatedRun& run : agent.runs) {
     if (run.is_rebuilt) ++summary.rebuilt;
-    if (run.cause) ++summary.causes[run.cause->word];
+    if (run.failure_reason) ++summary.num_failures[run.failure_reason->code];
     AddCount(run.grasps, &summary.grasps);
     AddCount(run.retries, &summary.retries);
   }
@@ -297,7 +298,8 @@ std::string ToText(const Evaluation& evaluation) {
                     WithInterval(summary.error_mm, 2), WithInterval(summary.error_degrees, 2),
                     Fixed(summary.seconds_p50, 1), Fixed(summary.seconds_p95, 1),
                     Count(summary.retries)});
-    if (!summary.causes.empty()) failures += name + " failed: " + CausesText(summary) + "\n";
+    if (!summary.num_failures.empty())
+      failures += name + " failed: " + FailureCountsText(summary) + "\n";
   }
   for (const auto& [first, second] : ComparablePairs(evaluation)) {
     comparisons += ComparisonText(*first, *second);

@@ -10,16 +10,9 @@
 
 #include "base/json.h"
 #include "report/statistics.h"
+#include "task/failure_reason.h"
 
 namespace smile::report {
-
-/// Why a run failed.
-struct Cause {
-  std::string word;  ///< by which failures are counted
-  std::string text;  ///< for people
-
-  bool operator==(const Cause&) const = default;
-};
 
 /// One imitation: a robot program in one starting layout.
 struct EvaluatedRun {
@@ -30,9 +23,9 @@ struct EvaluatedRun {
   std::optional<double> error_mm, error_degrees;  ///< mean over the structure
   std::optional<double> seconds;                  ///< simulated
   std::optional<std::uint64_t> grasps, retries;
-  std::optional<double> realtime_factor;  ///< by the clock on the wall
-  std::optional<Cause> cause;             ///< of failures, each of which has one
-  std::string recording;                  ///< seen from the report; empty where none was kept
+  std::optional<double> realtime_factor;              ///< by the clock on the wall
+  std::optional<task::FailureReason> failure_reason;  ///< of failures, each of which has one
+  std::string recording;  ///< seen from the report; empty where none was kept
 
   bool operator==(const EvaluatedRun&) const = default;
 };
@@ -66,8 +59,8 @@ struct Summary {
   Interval success;  ///< of the share that is rebuilt
   std::optional<Mean> error_mm, error_degrees;
   std::optional<double> seconds_p50, seconds_p95;
-  std::optional<std::uint64_t> grasps, retries;  ///< in all runs together that tell
-  std::map<std::string, std::size_t> causes;     ///< of failures, by word
+  std::optional<std::uint64_t> grasps, retries;     ///< in all runs together that tell
+  std::map<std::string, std::size_t> num_failures;  ///< by FailureReason::code
 
   double success_rate() const { return static_cast<double>(rebuilt) / static_cast<double>(runs); }
 };

@@ -106,8 +106,9 @@ Markup Map(const Evaluation& evaluation) {
   for (const EvaluatedAgent& agent : evaluation.agents) {
     MapRow row{.name = agent.name, .cells = {}};
     for (const EvaluatedRun& run : agent.runs) {
-      row.cells.push_back({run.is_rebuilt, "seed " + std::to_string(run.seed) + ": " +
-                                               (run.cause ? run.cause->word : "rebuilt")});
+      row.cells.push_back(
+          {run.is_rebuilt, "seed " + std::to_string(run.seed) + ": " +
+                               (run.failure_reason ? run.failure_reason->code : "rebuilt")});
     }
     rows.push_back(row);
   }
@@ -150,7 +151,7 @@ Markup CauseTable(const Evaluation& evaluation) {
   std::vector<Summary> summaries;
   for (const EvaluatedAgent& agent : evaluation.agents) {
     summaries.push_back(SummaryOf(agent));
-    for (const auto& [word, count] : summaries.back().causes) words.insert(word);
+    for (const auto& [word, count] : summaries.back().num_failures) words.insert(word);
   }
   if (words.empty()) return {};
   Markup head = Head("Cause");
@@ -158,7 +159,8 @@ Markup CauseTable(const Evaluation& evaluation) {
   Markup rows;
   for (const std::string& word : words) {
     Markup row = RowHead(word);
-    for (Summary& summary : summaries) row += NumberCell(std::to_string(summary.causes[word]));
+    for (Summary& summary : summaries)
+      row += NumberCell(std::to_string(summary.num_failures[word]));
     rows += Element("tr", {}, row);
   }
   return Section("Failures by cause",
@@ -213,10 +215,10 @@ Markup FailureTable(const Evaluation& evaluation) {
   Markup rows;
   for (std::size_t i = 0; i < evaluation.agents.size(); ++i) {
     for (const EvaluatedRun& run : evaluation.agents[i].runs) {
-      if (!run.cause) continue;
+      if (!run.failure_reason) continue;
       rows += Row(
           {AgentHead(evaluation.agents[i].name, i), NumberCell(std::to_string(run.seed)),
-           Cell(run.cause->word), WideCell(run.cause->text),
+           Cell(run.failure_reason->code), WideCell(run.failure_reason->text),
            Element("td", {},
                    run.recording.empty() ? Text("not kept") : LinkTo(run.recording, "recording"))});
     }
@@ -230,7 +232,7 @@ Markup FailureTable(const Evaluation& evaluation) {
 Markup Failures(const Evaluation& evaluation) {
   bool is_any = false;
   for (const EvaluatedAgent& agent : evaluation.agents) {
-    for (const EvaluatedRun& run : agent.runs) is_any |= run.cause.has_value();
+    for (const EvaluatedRun& run : agent.runs) is_any |= run.failure_reason.has_value();
   }
   if (!is_any) return Section("Failures", Element("p", {}, "None."));
   Markup content = FailureTable(evaluation);
@@ -255,7 +257,9 @@ Markup SeedTable(const Evaluation& evaluation) {
                          std::to_string(evaluation.agents.front().runs[k].seed));
     for (const EvaluatedAgent& agent : evaluation.agents) {
       const EvaluatedRun& run = agent.runs[k];
-      row += Element("td", {}, Badge(run.is_rebuilt, run.cause ? run.cause->word : "rebuilt"));
+      row +=
+          Element("td", {},
+                  Badge(run.is_rebuilt, run.failure_reason ? run.failure_reason->code : "rebuilt"));
       row += NumberCell(Fixed(run.error_mm, 2));
       row += NumberCell(Fixed(run.error_degrees, 2));
       row += NumberCell(Fixed(run.seconds, 1));

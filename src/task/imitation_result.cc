@@ -2,8 +2,8 @@
 
 #include "math/angles.h"
 #include "scene/units.h"
-#include "task/cause.h"
 #include "task/comparison.h"
+#include "task/failure_reason.h"
 #include "task/structure_json.h"
 
 namespace smile::task {
@@ -39,9 +39,9 @@ Json EffectsJson(const Structure& structure, const std::vector<bool>& achieved, 
 
 Json ToJson(const Work& work) { return {{"grasps", work.grasps}, {"retries", work.retries}}; }
 
-Json ToJson(const std::optional<Cause>& cause) {
-  if (!cause) return nullptr;
-  return {{"word", cause->word}, {"text", cause->text}};
+Json ToJson(const std::optional<FailureReason>& reason) {
+  if (!reason) return nullptr;
+  return {{"word", reason->code}, {"text", reason->text}};
 }
 
 ProgramEnd EndOf(const Json& brain) {
@@ -78,7 +78,7 @@ Json ResultOf(const ImitationTask& task, const Episode& outcome, const RunInfo& 
                  {"order", ToJson(comparison.order)},
                  {"effects", EffectsJson(structure, comparison.achieved, unit)},
                  {"work", ToJson(WorkOf(outcome))},
-                 {"cause", ToJson(CauseOf(structure, outcome, comparison, program))},
+                 {"cause", ToJson(FailureReasonOf(structure, outcome, comparison, program))},
                  {"seconds", run_info.seconds},
                  {"realtime_factor", run_info.realtime_factor},
                  {"brain", run_info.brain}};

@@ -142,9 +142,10 @@ TEST_F(EvaluationTest, AFailedRunHasACause) {
                                                         {"hung", "no end after 0.5 s"},
                                                         {"no_result", "no room"}};
   for (std::size_t i = 0; i < 4; ++i) {
-    ASSERT_TRUE(runs[i].cause);
-    EXPECT_EQ(runs[i].cause->word, causes[i].first);
-    EXPECT_NE(runs[i].cause->text.find(causes[i].second), std::string::npos) << runs[i].cause->text;
+    ASSERT_TRUE(runs[i].failure_reason);
+    EXPECT_EQ(runs[i].failure_reason->code, causes[i].first);
+    EXPECT_NE(runs[i].failure_reason->text.find(causes[i].second), std::string::npos)
+        << runs[i].failure_reason->text;
   }
 }
 

@@ -21,7 +21,7 @@ EvaluatedRun Rebuilt(std::uint64_t seed, double error_mm, double seconds) {
 EvaluatedRun Failed(std::uint64_t seed, const std::string& word) {
   return {.seed = seed,
           .seconds = 600,
-          .cause = Cause{.word = word, .text = "for some reason"},
+          .failure_reason = task::FailureReason{.code = word, .text = "for some reason"},
           .recording = "runs/" + std::to_string(seed)};
 }
 
@@ -49,7 +49,8 @@ TEST(Evaluation, SummarizesRebuiltStructuresAndCountsCauses) {
   EXPECT_EQ(summary.seconds_p50, 32);
   EXPECT_EQ(summary.retries, 2u);
   EXPECT_EQ(summary.grasps, std::nullopt);
-  EXPECT_EQ(summary.causes, (std::map<std::string, std::size_t>{{"fell", 2}, {"time up", 1}}));
+  EXPECT_EQ(summary.num_failures,
+            (std::map<std::string, std::size_t>{{"fell", 2}, {"time up", 1}}));
 }
 
 TEST(Evaluation, ComparesSeedBySeed) {
@@ -101,7 +102,7 @@ TEST(Evaluation, ReadsResultsOfAllVersions) {
   const EvaluatedRun old = Read(
       R"({"rebuilt": false, "score": 0.5, "mean_error_mm": 30, "seconds": 12,
           "realtime_factor": 9, "brain": {"status": "failed", "message": "oh"}})");
-  EXPECT_EQ(old.cause, (Cause{.word = "brain_failed", .text = "oh"}));
+  EXPECT_EQ(old.failure_reason, (task::FailureReason{.code = "brain_failed", .text = "oh"}));
   EXPECT_EQ(old.error_mm, 30);
   EXPECT_EQ(old.seed, 7u);
   const EvaluatedRun now = Read(
@@ -109,7 +110,8 @@ TEST(Evaluation, ReadsResultsOfAllVersions) {
           "seconds": 12, "realtime_factor": 9, "work": {"grasps": 5, "retries": 2},
           "brain": {"status": "exited", "message": ""},
           "cause": {"word": "fell", "text": "b1 fell to the floor"}})");
-  EXPECT_EQ(now.cause, (Cause{.word = "fell", .text = "b1 fell to the floor"}));
+  EXPECT_EQ(now.failure_reason,
+            (task::FailureReason{.code = "fell", .text = "b1 fell to the floor"}));
   EXPECT_EQ(now.retries, 2u);
   EXPECT_EQ(now.error_degrees, 2);
 }
@@ -143,7 +145,7 @@ TEST(EvaluationPage, HostileNamesAndMessagesAreTextsOnly) {
     agent.name += hostile;
     agent.brain = hostile;
     for (EvaluatedRun& run : agent.runs) {
-      if (run.cause) *run.cause = {hostile, hostile};
+      if (run.failure_reason) *run.failure_reason = {hostile, hostile};
       run.recording = hostile;
     }
   }

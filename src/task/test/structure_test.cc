@@ -9,7 +9,7 @@
 #include "recording/recording.h"
 #include "recording/recording_history.h"
 #include "structure_maker.h"
-#include "task/cause.h"
+#include "task/failure_reason.h"
 #include "task/structure_json.h"
 
 namespace smile::task {
@@ -138,7 +138,7 @@ TEST_F(StructureTest, IsAchievedByItselfAndNotByDoingNothing) {
     EXPECT_EQ(itself.share, 1) << scene;
     EXPECT_LT(itself.mean_error().distance, 1e-9) << scene;
     EXPECT_TRUE(itself.order.is_kept()) << scene;
-    EXPECT_EQ(CauseOf(structure, episode, itself, {.status = "exited"}), std::nullopt);
+    EXPECT_EQ(FailureReasonOf(structure, episode, itself, {.status = "exited"}), std::nullopt);
     // Who watches sees what the recording tells.
     EXPECT_EQ(CompareWith(structure, observed_).order, itself.order) << scene;
 
@@ -148,9 +148,9 @@ TEST_F(StructureTest, IsAchievedByItselfAndNotByDoingNothing) {
     const Comparison nothing = CompareWith(structure, idle);
     EXPECT_FALSE(nothing.is_rebuilt()) << scene;
     EXPECT_FALSE(std::ranges::all_of(nothing.achieved, std::identity())) << scene;
-    const auto cause = CauseOf(structure, idle, nothing, {.status = "exited"});
-    ASSERT_TRUE(cause) << scene;
-    EXPECT_EQ(cause->word, structure.objects.empty() ? "effect_missing" : "never_taken") << scene;
+    const auto reason = FailureReasonOf(structure, idle, nothing, {.status = "exited"});
+    ASSERT_TRUE(reason) << scene;
+    EXPECT_EQ(reason->code, structure.objects.empty() ? "effect_missing" : "never_taken") << scene;
   }
 }
 

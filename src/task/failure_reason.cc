@@ -1,4 +1,4 @@
-#include "task/cause.h"
+#include "task/failure_reason.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,10 +14,10 @@ constexpr double kWhereItBegan = 0.01;
 /// What is farther from its place was not put there: a unit block [m].
 constexpr double kNear = 0.1;
 
-/// Looks for what went wrong with the objects that are not where they should be.
-class Inquest {
+/// Determines the failure reason from the objects that are not at their goal poses.
+class FailureAnalysis {
  public:
-  Inquest(const Structure& structure, const Episode& outcome, const Comparison& comparison)
+  FailureAnalysis(const Structure& structure, const Episode& outcome, const Comparison& comparison)
       : outcome_(outcome),
         comparison_(comparison),
         start_(StartOf(outcome.scene)),
@@ -26,7 +26,7 @@ class Inquest {
     for (const scene::ObjectSpec& object : structure.objects) AddIfWrong(object.id(), structure);
   }
 
-  std::optional<Cause> Fallen() const {
+  std::optional<FailureReason> Fallen() const {
     return OfFirst("fell_off_table", [this](const scene::ObjectSpec& object) -> std::string {
       const std::string& id = IdOf(object);
       const bool has_fallen = std::ranges::any_of(outcome_.touches, [&](const Touch& touch) {
@@ -36,13 +36,13 @@ class Inquest {
     });
   }
 
-  std::optional<Cause> StillHeld() const {
+  std::optional<FailureReason> StillHeld() const {
     return OfFirst("still_held", [this](const scene::ObjectSpec& object) -> std::string {
       return comparison_.errors.at(object.id()).is_held ? " is still held" : "";
     });
   }
 
-  std::optional<Cause> NeverTaken() const {
+  std::optional<FailureReason> NeverTaken() const {
     return OfFirst("never_taken", [this](const scene::ObjectSpec& object) -> std::string {
       const std::string& id = IdOf(object);
       const double way = (end_.at(id).translation() - start_.at(id).translation()).norm();
@@ -50,7 +50,7 @@ class Inquest {
     });
   }
 
-  std::optional<Cause> Toppled() const {
+  std::optional<FailureReason> Toppled() const {
     return OfFirst("toppled", [this](const scene::ObjectSpec& object) -> std::string {
       const RigidTransform& X_WGoal = comparison_.goal.at(object.id());
       const RigidTransform& X_WB = end_.at(IdOf(object));
@@ -61,7 +61,7 @@ class Inquest {
     });
   }
 
-  std::optional<Cause> Misplaced() const {
+  std::optional<FailureReason> Misplaced() const {
     return OfFirst("misplaced", [this](const scene::ObjectSpec& object) -> std::string {
       const ObjectError& error = comparison_.errors.at(object.id());
       if (error.distance > kNear) return "";
@@ -70,7 +70,7 @@ class Inquest {
     });
   }
 
-  std::optional<Cause> NotPlaced() const {
+  std::optional<FailureReason> NotPlaced() const {
     return OfFirst("not_placed", [this](const scene::ObjectSpec& object) -> std::string {
       return " is " + Millimeters(comparison_.errors.at(object.id()).distance) + " from its place";
     });
@@ -88,12 +88,12 @@ class Inquest {
     return comparison_.match.at(object.id());
   }
 
-  /// Of the first object of which there is something to tell.
+  /// Returns a reason with the text of the first object for which `tell` returns one.
   template <class Tell>
-  std::optional<Cause> OfFirst(const char* word, const Tell& tell) const {
+  std::optional<FailureReason> OfFirst(const char* code, const Tell& tell) const {
     for (const scene::ObjectSpec* object : wrong_) {
       const std::string what = tell(*object);
-      if (!what.empty()) return Cause{word, IdOf(*object) + what};
+      if (!what.empty()) return FailureReason{code, IdOf(*object) + what};
     }
     return std::nullopt;
   }
@@ -111,12 +111,14 @@ class Inquest {
   std::vector<const scene::ObjectSpec*> wrong_;  ///< of the structure
 };
 
-std::optional<Cause> CauseOfMissingEffect(const Structure& structure, const Episode& outcome,
-                                          const Comparison& comparison) {
+std::optional<FailureReason> ReasonOfMissingEffect(const Structure& structure,
+                                                   const Episode& outcome,
+                                                   const Comparison& comparison) {
   for (std::size_t i = 0; i < structure.effects.size(); ++i) {
     if (comparison.achieved[i]) continue;
-    return Cause{"effect_missing",
-                 "not achieved: " + WordsOf(structure.effects[i], outcome.scene.meters_per_unit)};
+    return FailureReason{
+        "effect_missing",
+        "not achieved: " + WordsOf(structure.effects[i], outcome.scene.meters_per_unit)};
   }
   return std::nullopt;
 }
@@ -129,23 +131,24 @@ bool IsSuccess(const Comparison& comparison, const ProgramEnd& program) {
   return comparison.is_rebuilt() && !HasFailed(program);
 }
 
-std::optional<Cause> CauseOf(const Structure& structure, const Episode& outcome,
-                             const Comparison& comparison, const ProgramEnd& program) {
+std::optional<FailureReason> FailureReasonOf(const Structure& structure, const Episode& outcome,
+                                             const Comparison& comparison,
+                                             const ProgramEnd& program) {
   if (IsSuccess(comparison, program)) return std::nullopt;
   if (HasFailed(program)) {
-    return Cause{"brain_failed", "the robot program failed: " + program.message};
+    return FailureReason{"brain_failed", "the robot program failed: " + program.message};
   }
-  const Inquest inquest(structure, outcome, comparison);
-  if (const auto cause = inquest.Fallen()) return cause;
+  const FailureAnalysis analysis(structure, outcome, comparison);
+  if (const auto reason = analysis.Fallen()) return reason;
   if (program.status == "running" || program.status == "stopped") {
-    return Cause{"time_up", "the robot program was still at work when it had to end"};
+    return FailureReason{"time_up", "the robot program was still at work when it had to end"};
   }
-  if (const auto cause = inquest.StillHeld()) return cause;
-  if (const auto cause = inquest.NeverTaken()) return cause;
-  if (const auto cause = inquest.Toppled()) return cause;
-  if (const auto cause = inquest.Misplaced()) return cause;
-  if (const auto cause = inquest.NotPlaced()) return cause;
-  return CauseOfMissingEffect(structure, outcome, comparison);
+  if (const auto reason = analysis.StillHeld()) return reason;
+  if (const auto reason = analysis.NeverTaken()) return reason;
+  if (const auto reason = analysis.Toppled()) return reason;
+  if (const auto reason = analysis.Misplaced()) return reason;
+  if (const auto reason = analysis.NotPlaced()) return reason;
+  return ReasonOfMissingEffect(structure, outcome, comparison);
 }
 
 }  // namespace smile::task

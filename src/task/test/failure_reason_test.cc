@@ -1,4 +1,4 @@
-#include "task/cause.h"
+#include "task/failure_reason.h"
 
 #include <gtest/gtest.h>
 
@@ -16,8 +16,8 @@ const Structure& Pair() {
 
 std::string WordOf(const Episode& episode, const ProgramEnd& program = {.status = "exited"},
                    const Structure& structure = Pair()) {
-  const auto cause = CauseOf(structure, episode, CompareWith(structure, episode), program);
-  return cause ? cause->word + ": " + cause->text : "";
+  const auto reason = FailureReasonOf(structure, episode, CompareWith(structure, episode), program);
+  return reason ? reason->code + ": " + reason->text : "";
 }
 
 /// Where the upper block ends.
@@ -27,18 +27,18 @@ Episode EndingAt(const Vector3& p, const Vector3& angles_deg = {0, 0, 0}) {
   return EpisodeTo(outcome);
 }
 
-TEST(Cause, IsNoneOfWhatIsRight) {
+TEST(FailureReason, IsNoneOfWhatIsRight) {
   for (const char* status : {"exited", "stopped", "running"}) {
     EXPECT_EQ(WordOf(EndingAt({0.01, 0, 0.15}), {.status = status}), "");
   }
 }
 
-TEST(Cause, AProgramThatFailedNeverSucceeds) {
+TEST(FailureReason, AProgramThatFailedNeverSucceeds) {
   EXPECT_EQ(WordOf(EndingAt({0.01, 0, 0.15}), {.status = "failed", .message = "in init"}),
             "brain_failed: the robot program failed: in init");
 }
 
-TEST(Cause, WhatIsStillHeldIsNotPlaced) {
+TEST(FailureReason, WhatIsStillHeldIsNotPlaced) {
   Episode episode = EndingAt({0, 0, 0.15});
   Carry("high", episode.begin.objects[1].pose_in_world(), episode.end.objects[1].pose_in_world(),
         &episode);
@@ -48,7 +48,7 @@ TEST(Cause, WhatIsStillHeldIsNotPlaced) {
   EXPECT_EQ(CompareWith(Pair(), episode).share, 0.5);
 }
 
-TEST(Cause, IsTheFirstThatFits) {
+TEST(FailureReason, IsTheFirstThatFits) {
   Episode untouched = EndingAt({0, 0, 0.15});
   untouched.end.objects[1] = untouched.begin.objects[1];
   EXPECT_EQ(WordOf(untouched), "never_taken: high still lies where it began");
@@ -67,7 +67,7 @@ TEST(Cause, IsTheFirstThatFits) {
             "brain_failed: the robot program failed: no");
 }
 
-TEST(Cause, AMissingEffectIsOne) {
+TEST(FailureReason, AMissingEffectIsOne) {
   Structure structure = Pair();
   structure.objects.push_back(ObjectAt("box", scene::Box{}, {0.5, 0.3, 0.05}));
   structure.effects = {ContainerEffect{"high", "box", true}};

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "task/comparison.h"
+
+namespace smile::task {
+
+/// State of the robot program at the end of an imitation.
+struct ProgramEnd {
+  std::string status;   ///< `exited`, `running` or `stopped` (time was up), or `failed`
+  std::string message;  ///< why it failed
+};
+
+/// True when everything was achieved and the program did not fail: it may have failed before it did
+/// anything, where the goal held from the start.
+bool IsSuccess(const Comparison& comparison, const ProgramEnd& program);
+
+/// Reason why an imitation failed.
+struct FailureReason {
+  std::string code;  ///< see docs/results.md
+  std::string text;  ///< a sentence for people
+
+  bool operator==(const FailureReason&) const = default;
+};
+
+/// Returns the first reason that applies, in this order: `brain_failed`, `fell_off_table`,
+/// `time_up`, `still_held`, `never_taken`, `toppled`, `misplaced`, `not_placed`, `effect_missing`.
+/// If it applies to several objects, the text names the one that was to be placed first.
+/// @returns nullopt after a success, see IsSuccess().
+std::optional<FailureReason> FailureReasonOf(const Structure& structure, const Episode& outcome,
+                                             const Comparison& comparison,
+                                             const ProgramEnd& program);
+
+}  // namespace smile::task

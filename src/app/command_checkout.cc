@@ -23,17 +23,18 @@ struct CheckoutOptions {
   bool json = false;
 };
 
-/// The moment that is meant; the end of the recording if nothing is said.
-recording::Moment MomentOf(const CheckoutOptions& options, const recording::Recording& recording) {
+/// Returns the point of the options; the end of the recording without any.
+recording::HistoryPoint HistoryPointOf(const CheckoutOptions& options,
+                                       const recording::Recording& recording) {
   const std::vector<recording::Segment> steps = recording::HistoryOf(recording);
   std::size_t at = steps.size() - 1;
-  while (!options.at && !steps[at].is_on_way) --at;
-  return recording::MomentOf(recording, steps, options.at.value_or(at), options.after);
+  while (!options.at && !steps[at].is_on_path) --at;
+  return recording::HistoryPointOf(recording, steps, options.at.value_or(at), options.after);
 }
 
 int CheckOut(const CheckoutOptions& options) {
   const recording::Recording recording = OpenAndTell(options.demo);
-  const recording::Moment from = MomentOf(options, recording);
+  const recording::HistoryPoint from = HistoryPointOf(options, recording);
   experiment::RunPlan plan{.scene = recording.start_scene(),
                            .robot = recording.robot(),
                            .seconds = options.commands.empty()

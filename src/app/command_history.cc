@@ -31,7 +31,7 @@ Json ToJson(const recording::Recording& recording, const std::vector<recording::
                     {"deed", sim::ToJson(steps[i].summary)},
                     {"begin", SecondsInto(recording, steps[i].begin.tick)},
                     {"end", SecondsInto(recording, steps[i].end.tick)},
-                    {"on_way", steps[i].is_on_way}});
+                    {"on_way", steps[i].is_on_path}});
   }
   return {{"title", recording.info.title}, {"steps", list}};
 }
@@ -53,16 +53,16 @@ void PrintTree(const recording::Recording& recording,
     const recording::Segment& step = steps[row.step];
     std::printf("%s%s %3zu  %7.2f s  %s%s\n",
                 std::string(2 * std::min(row.depth, kMaxDepth), ' ').c_str(),
-                step.is_on_way ? "*" : "-", row.step, SecondsInto(recording, step.begin.tick),
-                Printable(WordsOf(step)).c_str(), step.is_on_way ? "" : " (undone)");
+                step.is_on_path ? "*" : "-", row.step, SecondsInto(recording, step.begin.tick),
+                Printable(WordsOf(step)).c_str(), step.is_on_path ? "" : " (undone)");
     // The newest child goes on in the same column; it is the one on the way, where there is one.
     const auto& next = children[row.step];
     for (std::size_t k = next.size(); k-- > 0;) {
-      const bool is_main = steps[next[k]].is_on_way || (k + 1 == next.size() && !step.is_on_way);
+      const bool is_main = steps[next[k]].is_on_path || (k + 1 == next.size() && !step.is_on_path);
       if (is_main) rows.push_back({next[k], row.depth});
     }
     for (std::size_t k = next.size(); k-- > 0;) {
-      const bool is_main = steps[next[k]].is_on_way || (k + 1 == next.size() && !step.is_on_way);
+      const bool is_main = steps[next[k]].is_on_path || (k + 1 == next.size() && !step.is_on_path);
       if (!is_main) rows.push_back({next[k], row.depth + 1});
     }
   }

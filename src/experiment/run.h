@@ -31,11 +31,11 @@ struct RunPlan {
   double max_seconds = 86400;
   std::filesystem::path record;  ///< new directory of the recording; empty for none
   std::filesystem::path recordings = "recordings";  ///< root of recordings that the script starts
-  /// Continues a recording from this moment instead of starting one. The plan has the recording's
+  /// Continues a recording from this point instead of starting one. The plan has the recording's
   /// scene and robot.
   struct Continuation {
     std::filesystem::path recording;
-    recording::Moment from;
+    recording::HistoryPoint from;
   };
   std::optional<Continuation> continuation;
   recorder::RecorderOptions recording;

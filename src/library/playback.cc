@@ -115,9 +115,9 @@ class Playback::Impl {
         bookmarks_.begin(), bookmarks_.end(), tick,
         [](std::uint64_t wanted, const auto& mark) { return wanted < mark.moment().tick; });
     const recording::TraceReader::Bookmark& before = *std::prev(after);
-    const bool is_on_the_way =
+    const bool can_read_on =
         has_moment_ && moment_.tick <= tick && moment_.tick >= before.moment().tick;
-    if (!is_on_the_way) {
+    if (!can_read_on) {
       trace_.ReturnTo(before);
       moment_ = before.moment();
       has_moment_ = true;

@@ -24,7 +24,7 @@ std::optional<std::string> ThumbnailRenderer::RenderRecording(
                                                              .playback = Playback("", directory),
                                                              .segments = {}});
     const recording::Recording& recording = cached_->playback.recording();
-    cached_->segments = OnWay(recording::HistoryOf(recording));
+    cached_->segments = OnPath(recording::HistoryOf(recording));
   }
   Playback& playback = cached_->playback;
   if (segment && *segment >= cached_->segments.size()) return std::nullopt;

@@ -12,7 +12,7 @@ Json TimelineOf(const recording::Recording& recording) {
   const auto seconds = [&](std::uint64_t tick) { return SecondsInto(recording, tick); };
   Json segments = Json::array(), steps = Json::array();
   double end = 0;
-  for (const recording::Segment& segment : OnWay(history)) {
+  for (const recording::Segment& segment : OnPath(history)) {
     end = seconds(segment.end.tick);
     segments.push_back({{"number", segments.size()},
                         {"deed", sim::ToJson(segment.summary)},
@@ -25,7 +25,7 @@ Json TimelineOf(const recording::Recording& recording) {
                      {"deed", sim::ToJson(step.summary)},
                      {"begin", seconds(step.begin.tick)},
                      {"end", seconds(step.end.tick)},
-                     {"on_way", step.is_on_way}});
+                     {"on_way", step.is_on_path}});
   }
   return {{"segments", segments}, {"steps", steps}, {"seconds", end}};
 }

@@ -31,7 +31,8 @@ void CheckBefore(const std::filesystem::path& directory, const RecorderOptions& 
 }
 
 recording::DemoInfo InfoOf(const RecorderOptions& options, const sim::Eye* eye,
-                           const sim::Simulation& simulation, const recording::Moment& start) {
+                           const sim::Simulation& simulation,
+                           const recording::HistoryPoint& start) {
   recording::DemoInfo info{.scene = simulation.scene().name,
                            .title = options.title,
                            .notes = options.notes,
@@ -123,7 +124,7 @@ void Recorder::Begin(const RecorderOptions& options, sim::Eye* eye,
   classic_.emplace(directory_, ClassicOptionsOf(options), eye, simulation.shared_model(), first,
                    standing);
   // Last: whatever has it can be opened.
-  const recording::Moment start{.line = num_lines_, .tick = tick_};
+  const recording::HistoryPoint start{.line = num_lines_, .tick = tick_};
   WriteFile(directory_ / "demo.json",
             recording::ToJsonText(InfoOf(options, eye, simulation, start)));
   mark.Remove();
@@ -135,7 +136,7 @@ void Recorder::Write(const recording::LogLine& line, double meters_per_unit) {
 }
 
 Recorder::Mark Recorder::MarkNow() const {
-  return {.moment = {.line = num_lines_, .tick = tick_},
+  return {.point = {.line = num_lines_, .tick = tick_},
           .place = trace_->place(),
           .classic = classic_->mark()};
 }
@@ -203,7 +204,7 @@ void Recorder::Redo(const sim::Simulation& simulation, const ActionMark& redone)
 
 void Recorder::Return(recording::ReturnKind kind, const Mark& to,
                       const sim::Simulation& simulation) {
-  Write({.tick = tick_, .what = recording::Return{.kind = kind, .to = to.moment}},
+  Write({.tick = tick_, .what = recording::Return{.kind = kind, .to = to.point}},
         simulation.scene().meters_per_unit);
   tick_ = simulation.tick();
   trace_->Return(to.place, num_lines_, tick_);
@@ -214,7 +215,7 @@ void Recorder::ShowAgain(const ActionMark& redone, const sim::Simulation& simula
                                 .start_model = simulation.start_model(),
                                 .model = simulation.shared_model()},
                                redone.at_undo.place);
-  // Along one way, what comes later is farther behind in the file.
+  // On one path, later records are farther behind in the file.
   while (const auto moment = trace.Next()) {
     if (trace.places()[0] > redone.before.place) classic_->Watch(*moment);
     for (std::size_t i = 0; i < moment->events.size(); ++i) {

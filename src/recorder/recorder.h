@@ -42,15 +42,15 @@ class Recorder : public sim::Listener {
   Recorder(const std::filesystem::path& directory, const RecorderOptions& options, sim::Eye* eye,
            const sim::Simulation& simulation);
 
-  /// Goes on with a recording from any moment of its history, as a new branch if that is not its
-  /// end. The classic view is made anew.
-  /// @param simulation  fresh, of the recording's scene and robot; is run to the moment.
+  /// Continues a recording from any point of its history, as a new branch if that is not its end.
+  /// The classic view is rebuilt.
+  /// @param simulation  fresh, of the recording's scene and robot; is run to the point.
   /// @param progress    of that, and again of the classic view, which is finished in any case.
-  /// @throws InputError if there is no such moment, the recording has no commands, or they do not
+  /// @throws InputError if there is no such point, the recording has no commands, or they do not
   ///         lead there any more. Nothing is changed then.
   /// @throws std::runtime_error if another program is recording into it.
   static std::unique_ptr<Recorder> Continue(const std::filesystem::path& directory,
-                                            const recording::Moment& from, sim::Eye* eye,
+                                            const recording::HistoryPoint& from, sim::Eye* eye,
                                             sim::Simulation* simulation,
                                             const recording::Progress& progress = {});
 
@@ -65,9 +65,9 @@ class Recorder : public sim::Listener {
   void OnTick(const sim::Simulation& simulation) override;
 
  private:
-  /// Where log, trace and classic view stood at a moment.
+  /// Ends of log, trace and classic view at a point of the history.
   struct Mark {
-    recording::Moment moment;
+    recording::HistoryPoint point;
     recording::TracePlace place = 0;
     classic::ClassicRecorder::Mark classic;
   };
@@ -83,11 +83,11 @@ class Recorder : public sim::Listener {
   Mark MarkNow() const;
   void Undo(const sim::Simulation& simulation, ActionMark* undone);
   void Redo(const sim::Simulation& simulation, const ActionMark& redone);
-  /// Leads log and trace to another moment, where the simulation already is.
+  /// Moves log and trace to another point, where the simulation already is.
   void Return(recording::ReturnKind kind, const Mark& to, const sim::Simulation& simulation);
   /// Shows again in the classic view what was undone.
   void ShowAgain(const ActionMark& redone, const sim::Simulation& simulation);
-  /// Makes the classic view anew along the trace, and the marks of its actions.
+  /// Rebuilds the classic view from the trace, and the marks of its actions.
   void Rebuild(const recording::Recording& recording, sim::Eye* eye,
                const sim::Simulation& simulation, const recording::Progress& progress);
 
@@ -96,7 +96,7 @@ class Recorder : public sim::Listener {
   std::optional<recording::TraceWriter> trace_;
   std::optional<classic::ClassicRecorder> classic_;
   std::size_t num_lines_ = 0;
-  std::uint64_t tick_ = 0;  ///< of the last moment
+  std::uint64_t tick_ = 0;  ///< the last one recorded
   sim::ActionMarks<ActionMark> marks_;
 };
 

@@ -19,30 +19,32 @@ namespace {
   throw InputError({recording.directory.string(), 0, "", message});
 }
 
-/// A moment that was run to again.
+/// Result of a replay up to a point of the history.
 struct Reached {
   recording::TracePlace place = 0;  ///< in the trace
-  /// What the trace does not tell of what the log says was done then: the program ended between the
-  /// two.
+  /// Events of the last tick that the log implies and the trace lacks, since the program ended
+  /// between writing the two.
   std::vector<sim::Event> untold;
 };
 
-/// Runs a fresh simulation along the recording to a moment, and makes sure that it is the same.
-class RunAlong {
+/// Replays a recording in a fresh simulation up to a point of its history, and checks that each
+/// tick is the same as recorded.
+class ReplayAlong {
  public:
-  RunAlong(const recording::Recording& recording, const std::vector<recording::LoggedCommand>& way,
-           const recording::Moment& until, sim::Simulation* simulation)
+  ReplayAlong(const recording::Recording& recording,
+              const std::vector<recording::LoggedCommand>& path,
+              const recording::HistoryPoint& until, sim::Simulation* simulation)
       : recording_(recording),
-        way_(way),
+        path_(path),
         until_(until),
         simulation_(simulation),
-        player_(way, recording.info.start),
+        player_(path, recording.info.start),
         trace_(recording, until) {
     simulation_->AddListener(&collector_);
   }
-  ~RunAlong() { simulation_->RemoveListener(&collector_); }
-  RunAlong(const RunAlong&) = delete;
-  RunAlong& operator=(const RunAlong&) = delete;
+  ~ReplayAlong() { simulation_->RemoveListener(&collector_); }
+  ReplayAlong(const ReplayAlong&) = delete;
+  ReplayAlong& operator=(const ReplayAlong&) = delete;
 
   Reached Go(const recording::Progress& progress) {
     const auto goes_on = [&](std::uint64_t tick) {
@@ -52,37 +54,37 @@ class RunAlong {
     };
     if (!trace_.has_events())
       Fail(recording_, "is of an older format, which cannot be gone on with");
-    if (player_.RunToStart(simulation_, goes_on)) SayThatItDiffers();
+    if (player_.RunToStart(simulation_, goes_on)) FailAsDifferent();
     collector_.Forget();
     while (Step()) goes_on(simulation_->tick());
-    CheckThatItIsThere();
+    CheckEnd();
     const auto& events = collector_.events();
     const auto num_told = static_cast<std::ptrdiff_t>(last_->events.size());
     return {trace_.places().back(), {events.begin() + num_told, events.end()}};
   }
 
  private:
-  [[noreturn]] void SayThatItDiffers() const {
+  [[noreturn]] void FailAsDifferent() const {
     Fail(recording_, "cannot go on: run again, it differs at tick " +
                          std::to_string(simulation_->tick()) + " (it was made by " +
                          recording_.info.program + ")");
   }
 
-  /// Goes on by one moment; false after the last one.
+  /// Replays one tick; returns false after the last one.
   bool Step() {
     auto moment = trace_.Next();
     if (!moment) return false;
-    if (last_ && last_->events != collector_.events()) SayThatItDiffers();
+    if (last_ && last_->events != collector_.events()) FailAsDifferent();
     if (last_) simulation_->Tick();
-    if (simulation_->state_hash() != moment->hash) SayThatItDiffers();
-    if (player_.ApplyDue(simulation_)) SayThatItDiffers();
+    if (simulation_->state_hash() != moment->hash) FailAsDifferent();
+    if (player_.ApplyDue(simulation_)) FailAsDifferent();
     num_actions_ += std::ranges::count_if(collector_.events(), &sim::BeginsAction);
     last_ = std::move(moment);
     return true;
   }
 
-  /// Of the last moment the trace may tell only a part.
-  void CheckThatItIsThere() const {
+  /// Checks that the replay reached its end. The trace may lack events of the last tick.
+  void CheckEnd() const {
     if (!last_ || last_->tick != until_.tick || player_.next() != nullptr) {
       Fail(recording_, "has no moment at tick " + std::to_string(until_.tick) + " after line " +
                            std::to_string(until_.line) + " of its log");
@@ -91,19 +93,19 @@ class RunAlong {
     const std::size_t num_told = last_->events.size();
     if (num_told > events.size() ||
         !std::equal(last_->events.begin(), last_->events.end(), events.begin())) {
-      SayThatItDiffers();
+      FailAsDifferent();
     }
     const auto is_action = [this](const recording::LoggedCommand& logged) {
       return logged.line > recording_.info.start.line && IsAction(logged.command);
     };
-    if (std::ranges::count_if(way_, is_action) != num_actions_) {
+    if (std::ranges::count_if(path_, is_action) != num_actions_) {
       Fail(recording_, "has other actions in its trace than in its log");
     }
   }
 
   const recording::Recording& recording_;
-  const std::vector<recording::LoggedCommand>& way_;
-  recording::Moment until_;
+  const std::vector<recording::LoggedCommand>& path_;
+  recording::HistoryPoint until_;
   sim::Simulation* simulation_;
   replay::LogPlayer player_;
   recording::TraceReader trace_;
@@ -112,7 +114,7 @@ class RunAlong {
   std::ptrdiff_t num_actions_ = 0;
 };
 
-/// How many bytes the first lines of a file are.
+/// Returns the size of the first lines of a file [bytes].
 std::uint64_t BytesOfLines(const std::filesystem::path& path, std::size_t num_lines) {
   const std::string text = ReadFile(path, std::size_t{1} << 30);
   std::size_t end = 0;
@@ -120,7 +122,7 @@ std::uint64_t BytesOfLines(const std::filesystem::path& path, std::size_t num_li
   return end;
 }
 
-/// What is written to shall be the recording's own.
+/// Fails if a file of the recording is a link, so that nothing outside is written to.
 void RefuseLinks(const std::filesystem::path& directory) {
   for (const auto& entry : std::filesystem::directory_iterator(directory)) {
     if (!entry.is_symlink()) continue;
@@ -132,11 +134,11 @@ void RefuseLinks(const std::filesystem::path& directory) {
 }  // namespace
 
 std::unique_ptr<Recorder> Recorder::Continue(const std::filesystem::path& directory,
-                                             const recording::Moment& from, sim::Eye* eye,
+                                             const recording::HistoryPoint& from, sim::Eye* eye,
                                              sim::Simulation* simulation,
                                              const recording::Progress& progress) {
   if (recording::IsRecording(directory)) RefuseLinks(directory);
-  // First the log is ours, then it is read.
+  // The log is locked before it is read.
   std::unique_ptr<Recorder> recorder(new Recorder(directory));
   const auto log_path = directory / "commands.jsonl";
   recorder->log_.emplace(log_path, recording::AppendFile::kExisting);
@@ -151,10 +153,11 @@ std::unique_ptr<Recorder> Recorder::Continue(const std::filesystem::path& direct
   if (from.line > num_lines) {
     Fail(recording, "has no line " + std::to_string(from.line) + " in its log");
   }
-  const std::vector<recording::LoggedCommand> way = recording.log.WayTo(from.line);
-  const Reached reached = RunAlong(recording, way, from, simulation).Go(progress);
+  const std::vector<recording::LoggedCommand> path = recording.log.PathTo(from.line);
+  const Reached reached = ReplayAlong(recording, path, from, simulation).Go(progress);
 
-  // Made anew, whatever happens on the way: first it is gone, then log and trace go on.
+  // The classic view is rebuilt, whatever happens meanwhile: first the view is removed, then log
+  // and trace continue.
   recording::RemoveClassicView(directory);
   recorder->log_->Cut(BytesOfLines(log_path, num_lines));
   recorder->num_lines_ = num_lines;
@@ -163,7 +166,7 @@ std::unique_ptr<Recorder> Recorder::Continue(const std::filesystem::path& direct
   recorder->trace_.emplace(directory / "trace.bin", end, from.tick);
   const recording::CommandLog& log = recording.log;
   if (log.LineBefore(num_lines + 1) != log.LineBefore(from.line + 1) || reached.place != end) {
-    recorder->Return(recording::ReturnKind::kCheckout, {.moment = from, .place = reached.place},
+    recorder->Return(recording::ReturnKind::kCheckout, {.point = from, .place = reached.place},
                      *simulation);
   }
   for (const sim::Event& event : reached.untold) recorder->trace_->Add(event);
@@ -174,7 +177,7 @@ std::unique_ptr<Recorder> Recorder::Continue(const std::filesystem::path& direct
 
 void Recorder::Rebuild(const recording::Recording& recording, sim::Eye* eye,
                        const sim::Simulation& simulation, const recording::Progress& progress) {
-  std::vector<recording::Moment> before_actions;
+  std::vector<recording::HistoryPoint> before_actions;
   for (const recording::LoggedCommand& logged : recording.commands) {
     if (logged.line <= recording.info.start.line || !IsAction(logged.command)) continue;
     before_actions.push_back({.line = logged.line - 1, .tick = logged.tick});
@@ -195,7 +198,7 @@ void Recorder::Rebuild(const recording::Recording& recording, sim::Eye* eye,
     for (std::size_t i = 0; i < moment->events.size(); ++i) {
       if (BeginsAction(moment->events[i])) {
         const std::size_t number = marks_.size();
-        marks_[actions[number].id].before = {.moment = before_actions.at(number),
+        marks_[actions[number].id].before = {.point = before_actions.at(number),
                                              .place = trace.places()[i],
                                              .classic = classic_->mark()};
       }

@@ -52,7 +52,7 @@ void RecordingController::StartIn(const std::filesystem::path& directory,
 }
 
 void RecordingController::Continue(const std::filesystem::path& directory,
-                                   const recording::Moment& from, sim::Simulation* simulation,
+                                   const recording::HistoryPoint& from, sim::Simulation* simulation,
                                    const recording::Progress& progress) {
   recorder_ = Recorder::Continue(directory, from, options_.eye, simulation, progress);
   directories_.push_back(directory);

@@ -40,7 +40,7 @@ class RecordingController : public sim::Listener, public sim::RecordingControl {
   /// Starts a recording in exactly this directory. Throws as Recorder does.
   void StartIn(const std::filesystem::path& directory, const sim::Simulation& simulation);
   /// Continues a recording, see Recorder::Continue(). To be called before anything else is done.
-  void Continue(const std::filesystem::path& directory, const recording::Moment& from,
+  void Continue(const std::filesystem::path& directory, const recording::HistoryPoint& from,
                 sim::Simulation* simulation, const recording::Progress& progress = {});
 
   bool is_recording() const { return recorder_ != nullptr; }

@@ -66,7 +66,7 @@ std::string_view ToString(ReturnKind kind) {
 }
 
 void CommandLog::Add(LogLine line) {
-  const Moment last = After(lines_.size());
+  const HistoryPoint last = After(lines_.size());
   if (line.tick < last.tick) {
     throw std::invalid_argument("\"tick\" goes back, expected at least " +
                                 std::to_string(last.tick));
@@ -85,7 +85,7 @@ void CommandLog::Add(LogLine line) {
   lines_.push_back(std::move(line));
 }
 
-Moment CommandLog::After(std::size_t line) const {
+HistoryPoint CommandLog::After(std::size_t line) const {
   if (line == 0) return {};
   const LogLine& last = lines_[line - 1];
   if (const auto* back = std::get_if<Return>(&last.what)) return back->to;
@@ -93,7 +93,7 @@ Moment CommandLog::After(std::size_t line) const {
 }
 
 std::size_t CommandLog::LineBefore(std::size_t line) const {
-  // A return stands for the moment it leads to.
+  // A return stands for the point it leads to.
   std::size_t before = line - 1;
   while (before > 0) {
     const auto* back = std::get_if<Return>(&lines_[before - 1].what);
@@ -103,15 +103,15 @@ std::size_t CommandLog::LineBefore(std::size_t line) const {
   return before;
 }
 
-std::vector<LoggedCommand> CommandLog::WayTo(std::size_t line) const {
-  std::vector<LoggedCommand> way;
+std::vector<LoggedCommand> CommandLog::PathTo(std::size_t line) const {
+  std::vector<LoggedCommand> path;
   // One behind the line: its predecessor is the line itself, or what it leads to.
   for (line = LineBefore(line + 1); line > 0; line = LineBefore(line)) {
     const LogLine& logged = lines_[line - 1];
-    way.push_back({line, logged.tick, std::get<sim::Command>(logged.what)});
+    path.push_back({line, logged.tick, std::get<sim::Command>(logged.what)});
   }
-  std::reverse(way.begin(), way.end());
-  return way;
+  std::reverse(path.begin(), path.end());
+  return path;
 }
 
 std::string ToJsonLine(const LogLine& line, double meters_per_unit) {

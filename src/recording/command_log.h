@@ -14,22 +14,22 @@
 
 namespace smile::recording {
 
-/// A moment of a recording's history: what the log up to its `line` says is done, and the world has
-/// run on to `tick`. A line that leads back stands for what it leads to.
-struct Moment {
+/// Point of a recording's history: the commands of the log up to `line` are executed, and the
+/// simulation has run to `tick`. A line that is a return stands for the point it leads to.
+struct HistoryPoint {
   std::size_t line = 0;  ///< 1 is the first; 0: nothing is done yet
   std::uint64_t tick = 0;
 
-  bool operator==(const Moment&) const = default;
+  bool operator==(const HistoryPoint&) const = default;
 };
 
 enum class ReturnKind { kUndo, kRedo, kCheckout };
 std::string_view ToString(ReturnKind kind);
 
-/// From here on the recording goes on from another moment of its history.
+/// Return: from here on, the recording continues from another point of its history.
 struct Return {
   ReturnKind kind = ReturnKind::kUndo;
-  Moment to;
+  HistoryPoint to;
 
   bool operator==(const Return&) const = default;
 };
@@ -47,8 +47,8 @@ struct LoggedCommand {
 };
 
 /// `commands.jsonl`, the source of truth: everything that was commanded, in order. An undo, redo or
-/// checkout takes nothing out: it leads back to another moment, from where the log goes on. So the
-/// log is a tree, and each of its lines is the end of one way from the start.
+/// checkout takes nothing out: it leads back to another point, from where the log continues. So the
+/// log is a tree, and each of its lines is the end of one path from the root.
 class CommandLog {
  public:
   /// @throws std::invalid_argument if the line cannot follow those before it.
@@ -56,12 +56,12 @@ class CommandLog {
   void RemoveLast() { lines_.pop_back(); }
 
   const std::vector<LogLine>& lines() const { return lines_; }
-  /// The moment a line leads to, from where the next one goes on.
-  Moment After(std::size_t line) const;
-  /// The line that came before a line, on its own way; 0 for the start.
+  /// Returns the point that a line leads to, from where the next one continues.
+  HistoryPoint After(std::size_t line) const;
+  /// Returns the predecessor of a line on its path; 0 for the start.
   std::size_t LineBefore(std::size_t line) const;
-  /// The commands on the way to a moment after `line`, in order.
-  std::vector<LoggedCommand> WayTo(std::size_t line) const;
+  /// Returns the commands on the path to the point after `line`, in order.
+  std::vector<LoggedCommand> PathTo(std::size_t line) const;
 
  private:
   std::vector<LogLine> lines_;

@@ -61,7 +61,7 @@ struct DemoInfo {
   double meters_per_unit = scene::kMetersPerUnit;
   int physics_version = scene::kPhysicsVersion;  ///< see SceneSpec; `physics`, absent = 1
   Origin origin = Origin::kRecorded;
-  Moment start;                    ///< what was done before is no part of the demonstration
+  HistoryPoint start;              ///< what was done before is no part of the demonstration
   double frames_per_second = 4;    ///< of the classic view
   bool has_symbols = true;         ///< in the classic view
   std::optional<RobotInfo> robot;  ///< nullopt for a table without one

@@ -74,7 +74,7 @@ std::vector<EditableSegment> EditableSegmentsOf(const Recording& recording,
                                                 std::uint64_t last_tick) {
   std::vector<EditableSegment> editable;
   auto logged = recording.commands.begin();
-  for (const Segment& segment : OnWay(CutAtActions(recording, last_tick))) {
+  for (const Segment& segment : OnPath(CutAtActions(recording, last_tick))) {
     editable.push_back({.number = static_cast<int>(editable.size())});
     editable.back().duration = segment.end.tick - segment.begin.tick;
     for (; logged != recording.commands.end() && logged->line <= segment.end.line; ++logged) {

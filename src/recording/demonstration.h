@@ -17,7 +17,7 @@ struct SegmentCommand {
   bool operator==(const SegmentCommand&) const = default;
 };
 
-/// A stretch of a segment, in ticks from its begin.
+/// Part of a segment, in ticks from its begin.
 struct TickSpan {
   std::uint64_t begin = 0, end = 0;
 
@@ -43,7 +43,7 @@ struct EditableSegment {
 ///          start                                       end
 struct Demonstration {
   std::vector<LoggedCommand> past;  ///< what led to the start
-  Moment start;
+  HistoryPoint start;
   std::vector<EditableSegment> segments;
   int num_recorded = 0;  ///< numbers of segments go from 0 to one less, also when some are dropped
   TraceTick recorded_end;  ///< the last moment of the trace
@@ -55,7 +55,7 @@ struct Demonstration {
   std::vector<LoggedCommand> Schedule() const;
 };
 
-/// Cuts the way the recording ends with.
+/// Cuts the recording's path into segments.
 /// @throws InputError if it was imported and has no commands, if its trace cannot be read, or if
 ///         log and trace contradict each other.
 Demonstration DemonstrationOf(const Recording& recording);

@@ -8,12 +8,12 @@ namespace smile::recording {
 
 std::vector<Segment> ImportedHistoryOf(const Recording& recording) {
   std::vector<Segment> steps{
-      {.begin = recording.info.start, .end = recording.info.start, .is_on_way = true}};
+      {.begin = recording.info.start, .end = recording.info.start, .is_on_path = true}};
   // An action is written with the frame that follows it: there an object lies where it was put.
   std::vector<std::pair<std::size_t, sim::Event>> of_next_moment;
   TraceReader trace(recording);
   while (const auto moment = trace.Next()) {
-    const Moment now{.line = recording.info.start.line, .tick = moment->tick};
+    const HistoryPoint now{.line = recording.info.start.line, .tick = moment->tick};
     const auto summary_of = [&](const sim::Event& event) {
       return SummaryOf(event, SupportAt(*moment, event.object, recording.scene()));
     };
@@ -27,7 +27,7 @@ std::vector<Segment> ImportedHistoryOf(const Recording& recording) {
                        .begin = now,
                        .end = now,
                        .summary = summary_of(event),
-                       .is_on_way = true});
+                       .is_on_path = true});
     }
   }
   return steps;

@@ -68,7 +68,7 @@ void CheckEye(const Recording& recording) {
 
 /// What was commanded before the demonstration is fixed: nothing leads back to it.
 void CheckStart(const Recording& recording) {
-  const Moment& start = recording.info.start;
+  const HistoryPoint& start = recording.info.start;
   const auto& lines = recording.log.lines();
   const auto fail = [&recording](const std::string& message) {
     throw InputError({(recording.directory / "demo.json").string(), 1, "", message});
@@ -114,7 +114,7 @@ std::shared_ptr<const model::Model> ModelOf(const std::filesystem::path& directo
 
 scene::SceneSpec SceneAfter(const Recording& recording, std::size_t line) {
   scene::SceneSpec scene = recording.start_scene();
-  for (const LoggedCommand& logged : recording.log.WayTo(line)) {
+  for (const LoggedCommand& logged : recording.log.PathTo(line)) {
     const auto* spawn = std::get_if<sim::Spawn>(&logged.command);
     if (spawn == nullptr) continue;
     sim::Refusal refusal;
@@ -163,7 +163,7 @@ Recording OpenRecording(const std::filesystem::path& directory) {
   if (cut) recording.cuts.push_back(*cut);
   LeaveOutUnfinishedReturn(&recording);
   CheckStart(recording);
-  recording.commands = recording.log.WayTo(recording.log.lines().size());
+  recording.commands = recording.log.PathTo(recording.log.lines().size());
   scene::SceneSpec whole = SceneAfter(recording, recording.log.lines().size());
   if (whole != recording.start_scene()) {
     recording.model = std::make_shared<const model::Model>(std::move(whole), recording.robot());

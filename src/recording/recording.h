@@ -18,12 +18,12 @@ struct Recording {
   DemoInfo info;
   /// Of scene.xml and its robot, with which the simulation began. Never null, as the next.
   std::shared_ptr<const model::Model> start_model;
-  /// The same with all that was added on the way the recording ends with; the same one without any.
-  /// It shows every moment on that way: what was not yet added is absent. Compiled once: shared by
+  /// The same with all objects that were added on the recording's path; start_model if none was.
+  /// It fits each tick of that path: objects not yet added are absent. Compiled once: shared by
   /// all that show or compare the recording, which may outlast this.
   std::shared_ptr<const model::Model> model;
   CommandLog log;  ///< the whole history
-  /// The way the recording ends with, from the first tick of the simulation on, in order.
+  /// The commands on the recording's path, from the first tick of the simulation on, in order.
   std::vector<LoggedCommand> commands;
   /// What had to be left out, in words: a last line or tick cut by whatever ended the program.
   std::vector<std::string> cuts;
@@ -39,7 +39,7 @@ bool IsRecording(const std::filesystem::path& directory);
 /// The recording within whose directory a path lies, or would lie; nullopt if in none.
 std::optional<std::filesystem::path> RecordingAround(const std::filesystem::path& path);
 
-/// The scene at a line of the log: with what was added on the way there.
+/// Returns the scene at a line of the log, with the objects that were added on the path to it.
 /// @throws InputError if something cannot be added (any more).
 scene::SceneSpec SceneAfter(const Recording& recording, std::size_t line);
 

@@ -21,49 +21,49 @@ class Summaries {
   Summaries(const Recording& recording, std::vector<Segment>* steps)
       : recording_(recording), steps_(*steps) {}
 
-  /// Reads the trace once for each way through the history.
+  /// Reads the trace once for each path through the history.
   void AddToSteps() {
     for (std::size_t step = steps_.size() - 1; step > 0; --step) {
-      if (!steps_[step].summary) AddAlongWayTo(step);
+      if (!steps_[step].summary) AddAlongPathTo(step);
     }
   }
 
  private:
-  void AddAlongWayTo(std::size_t last) {
-    const std::vector<std::size_t> way = WayTo(last);
-    // The action itself is the line after the moment at which it began.
-    const Moment until{.line = steps_[last].begin.line + 1, .tick = steps_[last].begin.tick};
-    const std::vector<sim::Event> commanded = CommandedOnWayTo(until.line);
+  void AddAlongPathTo(std::size_t last) {
+    const std::vector<std::size_t> path = PathTo(last);
+    // The action itself is the line after the point at which it began.
+    const HistoryPoint until{.line = steps_[last].begin.line + 1, .tick = steps_[last].begin.tick};
+    const std::vector<sim::Event> commanded = CommandedOnPathTo(until.line);
     TraceReader trace(recording_, until);
     scene_ = SceneAfter(recording_, until.line);
     std::size_t next = 0;
     while (const auto moment = trace.Next()) {
       for (const sim::Event& event : moment->events) {
-        if (BeginsAction(event) && next < way.size()) Add(way[next++], event, &*moment);
+        if (BeginsAction(event) && next < path.size()) Add(path[next++], event, &*moment);
       }
-      while (!trace.has_events() && next < way.size() &&
-             steps_[way[next]].begin.tick == moment->tick) {
-        Add(way[next], commanded[next], &*moment);
+      while (!trace.has_events() && next < path.size() &&
+             steps_[path[next]].begin.tick == moment->tick) {
+        Add(path[next], commanded[next], &*moment);
         ++next;
       }
     }
     // A trace may end before its log.
-    for (; next < way.size(); ++next) Add(way[next], commanded[next], nullptr);
+    for (; next < path.size(); ++next) Add(path[next], commanded[next], nullptr);
   }
 
   /// The steps from the first action to one, in order.
-  std::vector<std::size_t> WayTo(std::size_t last) const {
-    std::vector<std::size_t> way;
-    for (std::size_t step = last; step > 0; step = *steps_[step].parent) way.push_back(step);
-    std::reverse(way.begin(), way.end());
-    return way;
+  std::vector<std::size_t> PathTo(std::size_t last) const {
+    std::vector<std::size_t> path;
+    for (std::size_t step = last; step > 0; step = *steps_[step].parent) path.push_back(step);
+    std::reverse(path.begin(), path.end());
+    return path;
   }
 
   /// One for each action since the start.
-  std::vector<sim::Event> CommandedOnWayTo(std::size_t line) const {
+  std::vector<sim::Event> CommandedOnPathTo(std::size_t line) const {
     CommandedEvents commanded;
     std::vector<sim::Event> events;
-    for (const LoggedCommand& logged : recording_.log.WayTo(line)) {
+    for (const LoggedCommand& logged : recording_.log.PathTo(line)) {
       auto event = commanded.Next(logged.command);
       if (event && logged.line > recording_.info.start.line) events.push_back(*std::move(event));
     }
@@ -80,7 +80,7 @@ class Summaries {
   }
 
   const Recording& recording_;
-  scene::SceneSpec scene_;  ///< on the way that is being read
+  scene::SceneSpec scene_;  ///< on the path that is being read
   std::vector<Segment>& steps_;
 };
 
@@ -117,7 +117,7 @@ std::vector<Segment> CutAtActions(const Recording& recording, std::uint64_t last
   const std::size_t last = log.lines().size();
   steps[step_of_line[last]].end = {.line = last, .tick = last_tick};
   for (std::optional<std::size_t> step = step_of_line[last]; step; step = steps[*step].parent) {
-    steps[*step].is_on_way = true;
+    steps[*step].is_on_path = true;
     // Whatever else was tried from there since.
     if (const auto& parent = steps[*step].parent) steps[*parent].end = steps[*step].begin;
   }
@@ -131,21 +131,21 @@ std::vector<Segment> HistoryOf(const Recording& recording) {
   return steps;
 }
 
-std::vector<Segment> OnWay(const std::vector<Segment>& history) {
-  std::vector<Segment> on_way;
-  std::ranges::copy_if(history, std::back_inserter(on_way), &Segment::is_on_way);
-  return on_way;
+std::vector<Segment> OnPath(const std::vector<Segment>& history) {
+  std::vector<Segment> on_path;
+  std::ranges::copy_if(history, std::back_inserter(on_path), &Segment::is_on_path);
+  return on_path;
 }
 
 std::string WordsOf(const Segment& step) {
   return step.summary ? WordsOf(*step.summary) : "the start";
 }
 
-std::optional<Moment> MomentIn(const Recording& recording, const Segment& step,
-                               std::uint64_t ticks) {
+std::optional<HistoryPoint> HistoryPointIn(const Recording& recording, const Segment& step,
+                                           std::uint64_t ticks) {
   if (ticks > step.end.tick - step.begin.tick) return std::nullopt;
   const std::uint64_t tick = step.begin.tick + ticks;
-  // The last line on the way to the step's end that was not yet behind that tick.
+  // The last line on the path to the step's end that was not yet behind that tick.
   std::size_t line = step.end.line;
   while (line > step.begin.line) {
     const LogLine& logged = recording.log.lines()[line - 1];
@@ -153,11 +153,11 @@ std::optional<Moment> MomentIn(const Recording& recording, const Segment& step,
     if ((back != nullptr ? back->to.tick : logged.tick) <= tick) break;
     line = back != nullptr ? back->to.line : line - 1;
   }
-  return Moment{.line = line, .tick = tick};
+  return HistoryPoint{.line = line, .tick = tick};
 }
 
-Moment MomentOf(const Recording& recording, const std::vector<Segment>& steps, std::size_t step,
-                const std::optional<double>& after) {
+HistoryPoint HistoryPointOf(const Recording& recording, const std::vector<Segment>& steps,
+                            std::size_t step, const std::optional<double>& after) {
   if (step >= steps.size()) {
     throw std::invalid_argument(recording.directory.string() + " has no step " +
                                 std::to_string(step) + ", expected 0 to " +
@@ -165,7 +165,7 @@ Moment MomentOf(const Recording& recording, const std::vector<Segment>& steps, s
   }
   if (!after) return steps[step].end;
   const auto ticks = static_cast<std::uint64_t>(std::llround(*after * sim::kTicksPerSecond));
-  if (const auto moment = MomentIn(recording, steps[step], ticks)) return *moment;
+  if (const auto point = HistoryPointIn(recording, steps[step], ticks)) return *point;
   throw std::invalid_argument(
       "step " + std::to_string(step) + " lasted " +
       NumberText(sim::SecondsOf(steps[step].end.tick - steps[step].begin.tick)) +

@@ -123,25 +123,25 @@ TraceReader::TraceReader(const Recording& recording, const scene::SceneSpec& sce
 
 TraceReader::TraceReader(const Recording& recording)
     : TraceReader(recording, recording.scene(), Unopened()) {
-  FindWayTo(size_);
+  FindPathTo(size_);
   ReadEventsBeforeStart();
 }
 
 TraceReader::TraceReader(const Recording& recording, TracePlace end)
     : TraceReader(recording, recording.scene(), Unopened()) {
-  FindWayTo(end);
+  FindPathTo(end);
   ReadEventsBeforeStart();
 }
 
-TraceReader::TraceReader(const Recording& recording, const Moment& moment)
-    : TraceReader(recording, SceneAfter(recording, moment.line), Unopened()) {
-  auto stretch =
-      std::upper_bound(stretches_.begin(), stretches_.end(), moment.line,
-                       [](std::size_t line, const Stretch& s) { return line < s.log_line; });
-  FindWayTo((--stretch)->end);
-  last_tick_ = moment.tick;
-  for (const LoggedCommand& logged : recording.log.WayTo(moment.line)) {
-    const bool is_last = logged.line > recording.info.start.line && logged.tick == moment.tick;
+TraceReader::TraceReader(const Recording& recording, const HistoryPoint& point)
+    : TraceReader(recording, SceneAfter(recording, point.line), Unopened()) {
+  auto segment =
+      std::upper_bound(segments_.begin(), segments_.end(), point.line,
+                       [](std::size_t line, const BranchSegment& s) { return line < s.log_line; });
+  FindPathTo((--segment)->end);
+  last_tick_ = point.tick;
+  for (const LoggedCommand& logged : recording.log.PathTo(point.line)) {
+    const bool is_last = logged.line > recording.info.start.line && logged.tick == point.tick;
     if (is_last && IsAction(logged.command)) ++num_last_actions_;
   }
   ReadEventsBeforeStart();
@@ -229,7 +229,7 @@ std::optional<std::uint64_t> TraceReader::SizeAt(TracePlace place) const {
 }
 
 void TraceReader::Survey() {
-  stretches_.push_back({.begin = size_});
+  segments_.push_back({.begin = size_});
   std::vector<TracePlace> bounds{size_};
   while (const auto size = SizeAt(size_)) {
     const TracePlace place = size_;
@@ -243,38 +243,39 @@ void TraceReader::Survey() {
       }
       continue;
     }
-    stretches_.back().end = place;
+    segments_.back().end = place;
     ByteReader in = BytesAt(place);
-    Stretch next{.begin = size_, .tick = in.Get<std::uint64_t>()};
+    BranchSegment next{.begin = size_, .tick = in.Get<std::uint64_t>()};
     in.GetBytes(kRecordHead - 8);
     next.past = in.Get<TracePlace>();
     next.log_line = in.Get<std::uint64_t>();
     if (next.past > place || !std::binary_search(bounds.begin(), bounds.end(), next.past)) {
       Fail("returns to a place where no record ends, at byte " + std::to_string(place));
     }
-    if (next.log_line <= stretches_.back().log_line) {
+    if (next.log_line <= segments_.back().log_line) {
       Fail("returns in another order than the log, at byte " + std::to_string(place));
     }
-    stretches_.push_back(next);
+    segments_.push_back(next);
   }
-  stretches_.back().end = size_;
+  segments_.back().end = size_;
   counts_ = first_counts_;
 }
 
-void TraceReader::FindWayTo(TracePlace end) {
+void TraceReader::FindPathTo(TracePlace end) {
   while (true) {
-    // The stretch that holds what was written just before `end`.
-    auto stretch = std::upper_bound(stretches_.begin(), stretches_.end(), end,
-                                    [](TracePlace at, const Stretch& s) { return at < s.begin; });
-    if (stretch == stretches_.begin()) Fail("returns into its header");
-    Stretch part = *--stretch;
+    // The segment that holds what was written just before `end`.
+    auto segment =
+        std::upper_bound(segments_.begin(), segments_.end(), end,
+                         [](TracePlace at, const BranchSegment& s) { return at < s.begin; });
+    if (segment == segments_.begin()) Fail("returns into its header");
+    BranchSegment part = *--segment;
     part.end = std::min(end, part.end);
-    way_.push_back(part);
-    if (stretch == stretches_.begin()) break;
+    segments_left_.push_back(part);
+    if (segment == segments_.begin()) break;
     end = part.past;
   }
-  place_ = way_.back().begin;
-  whole_way_ = way_;
+  place_ = segments_left_.back().begin;
+  path_segments_ = segments_left_;
 }
 
 TraceReader::Bookmark TraceReader::Mark() const {
@@ -283,7 +284,7 @@ TraceReader::Bookmark TraceReader::Mark() const {
   bookmark.places_ = places_;
   bookmark.place_ = place_;
   bookmark.counts_ = counts_;
-  bookmark.num_stretches_ = way_.size();
+  bookmark.num_segments_left_ = segments_left_.size();
   return bookmark;
 }
 
@@ -292,29 +293,30 @@ void TraceReader::ReturnTo(const Bookmark& bookmark) {
   places_ = bookmark.places_;
   place_ = bookmark.place_;
   counts_ = bookmark.counts_;
-  way_.assign(whole_way_.begin(),
-              whole_way_.begin() + static_cast<std::ptrdiff_t>(bookmark.num_stretches_));
+  segments_left_.assign(
+      path_segments_.begin(),
+      path_segments_.begin() + static_cast<std::ptrdiff_t>(bookmark.num_segments_left_));
   has_begun_ = true;
 }
 
 bool TraceReader::IsAtRecord() {
-  while (!way_.empty() && place_ == way_.back().end) {
-    way_.pop_back();
-    if (way_.empty()) break;
-    place_ = way_.back().begin;
-    if (has_begun_ && now_.tick != way_.back().tick) {
-      Fail("returns to tick " + std::to_string(way_.back().tick) + ", but there it is " +
+  while (!segments_left_.empty() && place_ == segments_left_.back().end) {
+    segments_left_.pop_back();
+    if (segments_left_.empty()) break;
+    place_ = segments_left_.back().begin;
+    if (has_begun_ && now_.tick != segments_left_.back().tick) {
+      Fail("returns to tick " + std::to_string(segments_left_.back().tick) + ", but there it is " +
            std::to_string(now_.tick));
     }
   }
-  return !way_.empty();
+  return !segments_left_.empty();
 }
 
 std::optional<TraceTick> TraceReader::Next() {
   if (!IsAtRecord()) return std::nullopt;
   ReadTick();
   ReadEvents();
-  if (now_.tick == last_tick_) way_.clear();
+  if (now_.tick == last_tick_) segments_left_.clear();
   return now_;
 }
 
@@ -324,7 +326,7 @@ void TraceReader::ReadEvents() {
   while (IsAtRecord() && FlagsAt(place_) == kIsEvent) {
     sim::Event event = ReadEvent();
     if (BeginsAction(event)) ++num_actions;
-    // What comes after the moment may be about objects that were added then.
+    // Events after the point may be about objects that were added then.
     if (now_.tick == last_tick_ && num_actions > num_last_actions_) break;
     if (!IsSound(event)) FailInEvent();
     now_.events.push_back(std::move(event));

@@ -25,48 +25,48 @@ struct TraceLimits {
   bool Allow(const TraceCounts& found) const;
 };
 
-/// Reads a trace, tick by tick, along one way through its returns. A file cut in the middle of a
+/// Reads a trace, tick by tick, along one path through its returns. A file cut in the middle of a
 /// record ends with the last whole one.
 ///
-/// Each moment has all objects of the scene that the way ends with. Those that were not yet added
-/// are absent, as those that are gone.
+/// Each tick has all objects of the scene at the end of the path. Those that were not yet added are
+/// absent, as those that are gone.
 class TraceReader {
  private:
-  /// Records that follow one another without a return.
-  struct Stretch {
+  /// Records that follow one another in the file without a return.
+  struct BranchSegment {
     TracePlace begin = 0, end = 0;
-    TracePlace past = 0;     ///< what was written before goes before it
-    std::uint64_t tick = 0;  ///< of the moment there
+    TracePlace past = 0;     ///< end of the records that precede it on its path
+    std::uint64_t tick = 0;  ///< at its begin
     std::size_t log_line = 0;
   };
 
  public:
-  /// Along the way the recording ends with.
+  /// Reads the path to the recording's end.
   /// @throws InputError if this is not a trace of a known format version, or not one of the
   ///         recording's objects and robot, or damaged.
   explicit TraceReader(const Recording& recording);
-  /// Along the way to some place between two records, where the scene is that of `recording`.
+  /// Reads the path to a place between two records, where the scene is that of `recording`.
   TraceReader(const Recording& recording, TracePlace end);
-  /// Along the way to a moment of the recording's history, with the scene of that moment; ends
+  /// Reads the path to a point of the recording's history, with the scene at that point; ends
   /// before if there is none.
-  TraceReader(const Recording& recording, const Moment& moment);
+  TraceReader(const Recording& recording, const HistoryPoint& point);
 
   const std::vector<std::string>& object_names() const { return object_names_; }
   const std::vector<std::string>& joint_names() const { return joint_names_; }
-  /// What happened before and still mattered when the recording began: falls to the floor, grasps
+  /// Returns the events before the recording's start that still matter: falls to the floor, grasps
   /// of what hands held, and what had been said of objects.
   const std::vector<sim::Event>& events_before_start() const { return events_before_start_; }
 
-  /// False of traces of old versions, which tell of nothing that happened between two moments.
+  /// Returns false for traces of old versions, which contain no events.
   bool has_events() const { return version_ >= 3; }
 
-  /// The next moment; nullopt after the last one.
+  /// Returns the next tick; nullopt after the last one.
   /// @throws InputError if a record contradicts the header or the record before it.
   std::optional<TraceTick> Next();
-  /// The places behind the last moment: first before all of its events, then after each.
+  /// Returns the places behind the last tick: first before all of its events, then after each.
   const std::vector<TracePlace>& places() const { return places_; }
 
-  /// A moment that was read, to which the reader can come back.
+  /// Tick that was read, to which the reader can return.
   class Bookmark {
    public:
     const TraceTick& moment() const { return moment_; }
@@ -77,30 +77,30 @@ class TraceReader {
     std::vector<TracePlace> places_;
     TracePlace place_ = 0;
     TraceCounts counts_;
-    std::size_t num_stretches_ = 0;  ///< still to be read
+    std::size_t num_segments_left_ = 0;
   };
-  /// Of the last moment.
+  /// Returns a bookmark of the last tick.
   Bookmark Mark() const;
-  /// Next() goes on after a moment that this reader marked.
+  /// Makes Next() continue after a tick that this reader marked.
   void ReturnTo(const Bookmark& bookmark);
 
-  /// True when bytes were left over at the end: the recording was interrupted.
+  /// Returns true if bytes are left over at the end: the recording was interrupted.
   bool is_cut() const { return size_ < bytes_.size(); }
-  /// Of what can be read.
+  /// Returns the size of what can be read [bytes].
   TracePlace size() const { return size_; }
-  /// The line of the log at which the trace returned last; 0 if it never did.
-  std::size_t last_return() const { return stretches_.back().log_line; }
+  /// Returns the line of the log of the last return; 0 if there is none.
+  std::size_t last_return() const { return segments_.back().log_line; }
 
  private:
-  /// Leaves the way open.
+  /// Tag of the constructor that does not yet select a path.
   struct Unopened {};
   TraceReader(const Recording& recording, const scene::SceneSpec& scene, Unopened);
   void ReadHeader(const Recording& recording, const scene::SceneSpec& scene);
-  /// Finds the stretches, and where what is whole ends.
+  /// Finds the segments, and where the last complete record ends.
   void Survey();
-  void FindWayTo(TracePlace end);
+  void FindPathTo(TracePlace end);
   void ReadEventsBeforeStart();
-  /// Reads what happened at this moment.
+  /// Reads the events of this tick.
   void ReadEvents();
   bool IsAtRecord();
   /// The flags of the record at a place.
@@ -120,13 +120,13 @@ class TraceReader {
   std::vector<std::string> object_names_, joint_names_;
   TraceLimits limits_;
   std::uint32_t version_ = 0;
-  TraceCounts first_counts_;                ///< those of the header's objects
-  TraceCounts counts_;                      ///< at the last record
-  std::vector<Stretch> stretches_;          ///< in the order of the file
-  std::vector<Stretch> whole_way_;          ///< the first one last
-  std::vector<Stretch> way_;                ///< still to be read, the next one last
-  std::optional<std::uint64_t> last_tick_;  ///< to be read, when not all is
-  std::size_t num_last_actions_ = 0;        ///< of it
+  TraceCounts first_counts_;                  ///< those of the header's objects
+  TraceCounts counts_;                        ///< at the last record
+  std::vector<BranchSegment> segments_;       ///< in the order of the file
+  std::vector<BranchSegment> path_segments_;  ///< of the path, the first one last
+  std::vector<BranchSegment> segments_left_;  ///< of the path, still to be read, the next one last
+  std::optional<std::uint64_t> last_tick_;    ///< to be read, when not all is
+  std::size_t num_last_actions_ = 0;          ///< of it
   TracePlace size_ = 0;
   TracePlace place_ = 0;  ///< of the next record
   std::vector<sim::Event> events_before_start_;

@@ -14,7 +14,7 @@ class LogPlayer {
  public:
   /// @param commands  in order.
   /// @param start     where the demonstration begins; see DemoInfo::start.
-  LogPlayer(std::vector<recording::LoggedCommand> commands, const recording::Moment& start)
+  LogPlayer(std::vector<recording::LoggedCommand> commands, const recording::HistoryPoint& start)
       : commands_(std::move(commands)), start_(start) {}
 
   /// A command that was carried out when it was recorded.
@@ -44,7 +44,7 @@ class LogPlayer {
   static bool RunToTick(std::uint64_t tick, sim::Simulation* simulation, const GoesOn& goes_on);
 
   std::vector<recording::LoggedCommand> commands_;
-  recording::Moment start_;
+  recording::HistoryPoint start_;
   std::size_t next_ = 0;
 };
 

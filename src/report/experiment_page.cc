@@ -137,7 +137,7 @@ Markup Places(const ExperimentOutcome& outcome) {
 Markup StepsOf(const recording::Recording& recording) {
   Markup rows;
   for (const recording::Segment& step : recording::HistoryOf(recording)) {
-    if (!step.is_on_way || !step.summary) continue;
+    if (!step.is_on_path || !step.summary) continue;
     rows += Row({NumberCell(Fixed(SecondsInto(recording, step.begin.tick), 1) + " s"),
                  WideCell(WordsOf(step))});
   }

@@ -8,7 +8,7 @@
 
 namespace smile::studio {
 
-/// The requests that show a recording, and that go on from one of its moments.
+/// Requests that show a recording, or continue it from a point of its history.
 class PlaybackRequests {
  public:
   /// All must outlive this. Without background jobs no request may branch.

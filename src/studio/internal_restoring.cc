@@ -24,13 +24,13 @@ std::optional<std::string> Restoring::Unmet(Need need) const {
 // there are rendered with a second eye of the same specification.
 void Restoring::Make(const recording::Progress& progress) {
   const recording::Recording recording = recording::OpenRecording(directory_);
-  const recording::Moment moment =
-      recording::MomentOf(recording, recording::HistoryOf(recording), from_.step, from_.after);
+  const recording::HistoryPoint point = recording::HistoryPointOf(
+      recording, recording::HistoryOf(recording), from_.step, from_.after);
   recorder::RecordingController::Options options = options_;
   std::optional<picture::RenderedEye> eye;
   if (options_.eye != nullptr) options.eye = &eye.emplace(options_.eye->spec());
   auto world = std::make_unique<LiveWorld>(recording.start_scene(), recording.robot(), options);
-  world->Continue(recording, moment, progress);
+  world->Continue(recording, point, progress);
   if (CapturingEye* capturing = world->eye()) capturing->SetEye(options_.eye);
   world_ = std::move(world);
 }

@@ -13,14 +13,14 @@
 
 namespace smile::studio {
 
-/// A moment of a recording's history.
+/// Point of a recording's history, by its step.
 struct BranchPoint {
   std::size_t step = 0;
   std::optional<double> after;  ///< the step's beginning [s]; nullopt for its end
 };
 
-/// The activity of going back to a moment of a recording: the world that continues it is made in
-/// another thread. Until then the live world and playback go on, but nothing else is recorded or
+/// Activity that continues a recording from a point of its history: the world for it is made in
+/// another thread. Until then the live world and playback continue, but nothing else is recorded or
 /// loaded.
 class Restoring : public Activity {
  public:
@@ -34,7 +34,7 @@ class Restoring : public Activity {
 
   /// Makes the world, in any thread, once.
   /// @throws InputError or std::invalid_argument if the recording cannot be read or has no such
-  ///         moment.
+  ///         point.
   void Make(const recording::Progress& progress);
   /// Returns the world after Make() has returned or thrown; nullptr if it threw.
   std::unique_ptr<LiveWorld> TakeWorld() { return std::move(world_); }

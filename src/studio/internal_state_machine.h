@@ -56,7 +56,7 @@ class StateMachine {
   /// nullptr unless a recording is shown.
   PlaybackState* playback() { return playback_.get(); }
   const PlaybackState* playback() const { return playback_.get(); }
-  /// nullptr unless the world goes back to a moment of a recording.
+  /// Returns nullptr unless a recording is being continued from a point of its history.
   const Restoring* restoring() const { return restoring_.get(); }
   /// The reason why a need is not met; nullopt if it is.
   std::optional<std::string> Unmet(Need need) const;

@@ -65,11 +65,11 @@ std::optional<sim::Refusal> LiveWorld::Apply(const sim::Command& command) {
   return refusal;
 }
 
-void LiveWorld::Continue(const recording::Recording& recording, const recording::Moment& from,
+void LiveWorld::Continue(const recording::Recording& recording, const recording::HistoryPoint& from,
                          const recording::Progress& progress) {
   controller_.Continue(recording.directory, from, &simulation_, progress);
   const auto num_before =
-      std::ranges::count_if(recording.log.WayTo(recording.info.start.line),
+      std::ranges::count_if(recording.log.PathTo(recording.info.start.line),
                             [](const auto& logged) { return sim::IsAction(logged.command); });
   take_ = {.title = recording.info.title,
            .before = simulation_.history().done()[static_cast<std::size_t>(num_before)].id,

@@ -30,7 +30,7 @@ class LiveWorld : private sim::Listener {
   std::optional<sim::Refusal> Apply(const sim::Command& command);
   /// Goes on with a recording, see recorder::RecordingController::Continue(). To be called before
   /// anything else is done.
-  void Continue(const recording::Recording& recording, const recording::Moment& from,
+  void Continue(const recording::Recording& recording, const recording::HistoryPoint& from,
                 const recording::Progress& progress);
 
   /// Returns the eye of recordings; nullptr without one.

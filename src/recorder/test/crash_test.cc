@@ -67,7 +67,7 @@ class CrashTest : public RecordingFixture {
     auto simulation = MakeSimulation(false);
     const std::vector<recording::Segment> steps = recording::HistoryOf(recording);
     std::size_t last = steps.size() - 1;
-    while (!steps[last].is_on_way) --last;
+    while (!steps[last].is_on_path) --last;
     const auto recorder = Recorder::Continue(demo, steps[last].end, nullptr, simulation.get());
     simulation->AddListener(recorder.get());
     Work(simulation.get(), 7, 6);

@@ -43,7 +43,7 @@ class DamageProperty : public RecordingFixture, public ::testing::WithParamInter
       recording::TraceReader trace(recording, step.end);
       while (trace.Next()) {
       }
-      (void)recording::MomentIn(recording, step, (step.end.tick - step.begin.tick) / 2);
+      (void)recording::HistoryPointIn(recording, step, (step.end.tick - step.begin.tick) / 2);
     }
   }
 };

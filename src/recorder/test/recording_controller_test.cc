@@ -108,7 +108,7 @@ TEST_F(RecordingControllerTest, WhatWasUndoneBeforeTheStartIsNoPartOfThePast) {
   Do(sim::StartRecording{.name = "take"}, 10);
   const recording::Recording recording = recording::OpenRecording(root_ / "take");
   EXPECT_EQ(recording.commands.size(), 2u);
-  EXPECT_EQ(recording.info.start, (recording::Moment{.line = 2, .tick = 32}));
+  EXPECT_EQ(recording.info.start, (recording::HistoryPoint{.line = 2, .tick = 32}));
   const replay::ReplayReport report = replay::Replay(recording);
   EXPECT_EQ(report.first_difference, std::nullopt);
   EXPECT_EQ(report.hash, simulation_->state_hash());
@@ -151,11 +151,11 @@ TEST_F(RecordingControllerTest, TheHistoryTellsEveryStepAlsoWhatWasUndone) {
   EXPECT_EQ(recording::WordsOf(steps[2]), "left hand puts a on the table");
   EXPECT_EQ(recording::WordsOf(steps[3]), "right hand points at b");
   EXPECT_EQ(steps[3].parent, 1u);
-  EXPECT_FALSE(steps[2].is_on_way);
-  EXPECT_TRUE(steps[1].is_on_way && steps[3].is_on_way);
-  EXPECT_EQ(steps[2].end, (recording::Moment{.line = 2, .tick = 30}));
-  EXPECT_EQ(steps[1].end, (recording::Moment{.line = 3, .tick = 22}));
-  EXPECT_EQ(steps[3].end, (recording::Moment{.line = 4, .tick = 32}));
+  EXPECT_FALSE(steps[2].is_on_path);
+  EXPECT_TRUE(steps[1].is_on_path && steps[3].is_on_path);
+  EXPECT_EQ(steps[2].end, (recording::HistoryPoint{.line = 2, .tick = 30}));
+  EXPECT_EQ(steps[1].end, (recording::HistoryPoint{.line = 3, .tick = 22}));
+  EXPECT_EQ(steps[3].end, (recording::HistoryPoint{.line = 4, .tick = 32}));
 }
 
 TEST_F(RecordingControllerTest, TheHistoryNamesFromTheLogWhatTheTraceLacks) {
@@ -179,20 +179,20 @@ TEST_F(RecordingControllerTest, AStepOnTheWayEndsWhereTheWayGoesOn) {
   const auto steps = [this] {
     return recording::HistoryOf(recording::OpenRecording(root_ / "take"));
   };
-  const auto go_on = [this](const recording::Moment& from, const sim::Command& command) {
+  const auto go_on = [this](const recording::HistoryPoint& from, const sim::Command& command) {
     const auto simulation = MakeSimulation(false);
     const auto recorder = Recorder::Continue(root_ / "take", from, nullptr, simulation.get());
     simulation->AddListener(recorder.get());
     EXPECT_EQ(simulation->Apply(command), std::nullopt);
     simulation->Tick();
   };
-  const recording::Moment drop_end = steps()[2].end;
+  const recording::HistoryPoint drop_end = steps()[2].end;
   go_on({.line = 1, .tick = 14}, sim::Release{.hand = HandName::kLeft});
-  EXPECT_EQ(steps()[1].end, (recording::Moment{.line = 3, .tick = 14}));
+  EXPECT_EQ(steps()[1].end, (recording::HistoryPoint{.line = 3, .tick = 14}));
   // Back to what was left: nothing of the way there is shorter for what was tried meanwhile.
   go_on(drop_end, sim::Point{.hand = HandName::kRight, .part = "b"});
   EXPECT_EQ(steps()[1].end, steps()[2].begin);
-  EXPECT_EQ(steps()[1].end, (recording::Moment{.line = 1, .tick = 20}));
+  EXPECT_EQ(steps()[1].end, (recording::HistoryPoint{.line = 1, .tick = 20}));
 }
 
 }  // namespace

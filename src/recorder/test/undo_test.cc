@@ -92,19 +92,19 @@ class UndoTest : public RecordingFixture {
   static void ExpectOneHistory(const sim::ActionHistory& history,
                                const recording::Recording& recording) {
     const std::vector<recording::Segment> steps = recording::HistoryOf(recording);
-    EXPECT_EQ(std::ranges::count_if(steps, &recording::Segment::is_on_way),
+    EXPECT_EQ(std::ranges::count_if(steps, &recording::Segment::is_on_path),
               std::ssize(history.done()));
     for (const sim::Action& action : history.done()) {
       ASSERT_LT(action.id.value, steps.size());
       const recording::Segment& step = steps[action.id.value];
-      EXPECT_TRUE(step.is_on_way);
+      EXPECT_TRUE(step.is_on_path);
       EXPECT_EQ(step.begin.tick, action.tick);
       EXPECT_EQ(recording::WordsOf(step),
                 action.summary ? sim::WordsOf(*action.summary) : "the start");
     }
     for (const sim::Action& action : history.undone()) {
       ASSERT_LT(action.id.value, steps.size());
-      EXPECT_FALSE(steps[action.id.value].is_on_way);
+      EXPECT_FALSE(steps[action.id.value].is_on_path);
       EXPECT_EQ(recording::WordsOf(steps[action.id.value]), sim::WordsOf(*action.summary));
     }
     ExpectSameSegments(history.done(), recording);
@@ -183,12 +183,12 @@ TEST_P(UndoProperty, GoesOnFromAnyMomentAsIfItHadNeverStopped) {
     const recording::Recording recording = recording::OpenRecording(root_ / "demo");
     // A moment after any line, or within any step, also of an undone branch.
     const std::size_t line = random() % (recording.log.lines().size() + 1);
-    recording::Moment from = recording.log.After(line);
+    recording::HistoryPoint from = recording.log.After(line);
     if (i % 2 == 1) {
       const std::vector<recording::Segment> steps = recording::HistoryOf(recording);
       const recording::Segment& step = steps[random() % steps.size()];
-      from =
-          *recording::MomentIn(recording, step, random() % (step.end.tick - step.begin.tick + 1));
+      from = *recording::HistoryPointIn(recording, step,
+                                        random() % (step.end.tick - step.begin.tick + 1));
     }
     HashingEye eye;
     sim::Simulation simulation(recording.start_model);
@@ -264,7 +264,7 @@ TEST_F(UndoTest, TheLogKeepsWhatWasUndone) {
   const recording::Recording recording = recording::OpenRecording(root_ / "demo");
   ASSERT_EQ(recording.commands.size(), 1u);
   EXPECT_EQ(recording.commands[0].line, 3u);
-  EXPECT_EQ(recording.log.WayTo(1).size(), 1u);
+  EXPECT_EQ(recording.log.PathTo(1).size(), 1u);
 }
 
 TEST_F(UndoTest, BeginsAnyTimeAlsoWhileHolding) {
@@ -284,7 +284,7 @@ TEST_F(UndoTest, BeginsAnyTimeAlsoWhileHolding) {
   EXPECT_EQ(Lines(root_ / "demo" / "0.txt")[2], "0,grasp,LeftHand,a");
   EXPECT_EQ(Lines(root_ / "demo" / "1.txt")[0], "1,release,LeftHand");
   const recording::Recording recording = recording::OpenRecording(root_ / "demo");
-  EXPECT_EQ(recording.info.start, (recording::Moment{.line = 2, .tick = 47}));
+  EXPECT_EQ(recording.info.start, (recording::HistoryPoint{.line = 2, .tick = 47}));
   const replay::ReplayReport report = replay::Replay(recording);
   EXPECT_EQ(report.first_difference, std::nullopt);
   EXPECT_EQ(report.ticks(), 60u);

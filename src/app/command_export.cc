@@ -81,7 +81,7 @@ std::vector<motion::Channel> ChosenChannels(const robot::RobotModel& model,
   return chosen;
 }
 
-/// Stretches a motion so much that no joint is too fast.
+/// Scales the time of a motion such that no joint exceeds its velocity limit.
 /// @returns how many times as long it takes.
 double SlowDown(Motion* motion) {
   constexpr double kRounding = 1 + 1e-9;
@@ -90,7 +90,7 @@ double SlowDown(Motion* motion) {
     if (breach.quantity != motion::LimitedQuantity::kVelocity) continue;
     factor = std::max(factor, breach.value / breach.limit * kRounding);
   }
-  motion::Stretch(factor, &motion->trajectory);
+  motion::ScaleTime(factor, &motion->trajectory);
   return factor;
 }
 

@@ -18,7 +18,7 @@ void CheckFrame(int frame, const scene::VisualModel& model, const char* whose) {
 
 Piece Place(const scene::Visual& visual, const RigidTransform& X_WF) {
   const RigidTransform X_WV = X_WF * visual.X_FV;
-  const Vector3 stretch = mesh::StretchOf(visual.shape);
+  const Vector3 scale = mesh::ScaleOf(visual.shape);
   const Vector3 color(visual.color.red, visual.color.green, visual.color.blue);
   Piece piece{.unit_mesh = mesh::UnitMeshOf(visual.shape),
               .instance = {.object_id = visual.object_id, .glows = visual.glows ? 1u : 0u},
@@ -28,7 +28,7 @@ Piece Place(const scene::Visual& visual, const RigidTransform& X_WF) {
   for (int row = 0; row < 3; ++row) {
     for (int column = 0; column < 3; ++column) {
       piece.instance.rows[row][column] =
-          static_cast<float>(X_WV.rotation()(row, column) * stretch[column]);
+          static_cast<float>(X_WV.rotation()(row, column) * scale[column]);
     }
     piece.instance.color[row] = static_cast<float>(color[row]);
     piece.instance.rows[row][3] = static_cast<float>(X_WV.translation()[row]);

@@ -156,7 +156,7 @@ bool SpeedUp(double factor, sim::Command* command) {
                                  return true;
                                },
                                [&](sim::FollowTrajectory& follow) {
-                                 motion::Stretch(1 / factor, &follow.trajectory);
+                                 motion::ScaleTime(1 / factor, &follow.trajectory);
                                  return true;
                                },
                                [](auto&) { return false; }},

@@ -164,7 +164,7 @@ UnitMesh UnitMeshOf(const scene::VisualShape& shape, int sphere_facets) {
       shape);
 }
 
-Vector3 StretchOf(const scene::VisualShape& shape) {
+Vector3 ScaleOf(const scene::VisualShape& shape) {
   return std::visit(
       Overloaded{
           [](const scene::Block& block) { return block.size; },
@@ -186,7 +186,7 @@ double BoundingRadiusOf(const scene::VisualShape& shape) {
     return std::sqrt(radius) * drawn->scale;
   }
   const auto* hull = std::get_if<scene::Hull>(&shape);
-  if (!hull) return StretchOf(shape).norm() / 2;
+  if (!hull) return ScaleOf(shape).norm() / 2;
   for (const Vector3& corner : hull->polyhedron().corners) radius = std::max(radius, corner.norm());
   return radius;
 }
@@ -206,7 +206,7 @@ TriangleMesh MakeMesh(const UnitMesh& unit_mesh) {
 }
 
 TriangleMesh MeshOf(const scene::VisualShape& shape) {
-  return Scaled(MakeMesh(UnitMeshOf(shape)), StretchOf(shape).cast<float>());
+  return Scaled(MakeMesh(UnitMeshOf(shape)), ScaleOf(shape).cast<float>());
 }
 
 }  // namespace smile::mesh

@@ -18,7 +18,7 @@ struct SharedSurface {
 };
 
 /// A mesh that spans one metre along x, y and z about the origin. Shapes that differ in size only
-/// share one, stretched by their StretchOf(), so that many are drawn at one stroke. A hull is a
+/// share one, scaled by their ScaleOf(), so that many are drawn in one draw call. A hull is a
 /// unit mesh of its own, in its true size; the surface of a mesh file is one in the file's unit.
 struct UnitMesh {
   enum class Kind { kBlock, kCylinder, kSphere, kHull, kSurface };
@@ -39,9 +39,9 @@ inline constexpr int kSphereFacets = 32;
 /// sphere has `sphere_facets`.
 UnitMesh UnitMeshOf(const scene::VisualShape& shape, int sphere_facets = kSphereFacets);
 
-/// What a shape's unit mesh is stretched by along its own x, y, z: its full lengths [m]; a hull by
-/// nothing: 1; a surface by the length of its unit.
-Vector3 StretchOf(const scene::VisualShape& shape);
+/// Returns the factors that scale a shape's unit mesh along its own x, y, z: its full lengths [m];
+/// a hull by nothing: 1; a surface by the length of its unit.
+Vector3 ScaleOf(const scene::VisualShape& shape);
 
 /// Of a sphere about the shape's origin that holds all of it [m].
 double BoundingRadiusOf(const scene::VisualShape& shape);

@@ -19,7 +19,8 @@ struct TriangleMesh {
   bool operator==(const TriangleMesh&) const = default;
 };
 
-/// The mesh stretched by a positive factor along each axis; normals stay upright on their surface.
+/// Returns the mesh scaled by a positive factor along each axis; normals stay normal to their
+/// surface.
 TriangleMesh Scaled(TriangleMesh mesh, const Eigen::Vector3f& factors);
 
 }  // namespace smile::mesh

@@ -117,7 +117,7 @@ void SetVelocitiesFromPositions(JointTrajectory* trajectory) {
   }
 }
 
-void Stretch(double factor, JointTrajectory* trajectory) {
+void ScaleTime(double factor, JointTrajectory* trajectory) {
   for (TrajectoryPoint& point : trajectory->points) {
     point.seconds *= factor;
     for (double& velocity : point.velocities) velocity /= factor;

@@ -35,8 +35,8 @@ void CheckShape(const JointTrajectory& trajectory, bool has_velocities = true);
 /// @param trajectory  its points in strict order of time.
 void SetVelocitiesFromPositions(JointTrajectory* trajectory);
 
-/// Makes it take so many times as long, by the same way.
+/// Scales the time of the trajectory: it takes `factor` times as long along the same path.
 /// @param factor  > 0.
-void Stretch(double factor, JointTrajectory* trajectory);
+void ScaleTime(double factor, JointTrajectory* trajectory);
 
 }  // namespace smile::motion

@@ -26,7 +26,7 @@ bool IsPlainName(const std::string& name) {
          name.find_first_of("/\\:") == std::string::npos;
 }
 
-scene::SurfaceMesh Stretched(scene::SurfaceMesh mesh, const Vector3& scale) {
+scene::SurfaceMesh Scaled(scene::SurfaceMesh mesh, const Vector3& scale) {
   for (Eigen::Vector3f& vertex : mesh.vertices) {
     vertex = vertex.cast<double>().cwiseProduct(scale).cast<float>();
     if (vertex.cwiseAbs().maxCoeff() < kMaxCoordinate) continue;
@@ -96,7 +96,7 @@ std::pair<RobotShelf::Key, RobotShelf::Mesh> RobotShelf::FetchSurface(const Foun
   const Key key{file.name, scale.x(), scale.y(), scale.z()};
   auto entry = drawn_.find(key);
   if (entry == drawn_.end()) {
-    const scene::CustomMesh mesh{.surface = Stretched(Import(file), scale), .pieces = {}};
+    const scene::CustomMesh mesh{.surface = Scaled(Import(file), scale), .pieces = {}};
     entry = drawn_.emplace(key, std::make_shared<const scene::CustomMesh>(mesh)).first;
   }
   return *entry;

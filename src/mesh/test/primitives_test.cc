@@ -87,7 +87,7 @@ TEST(Primitives, ReachTheExtentsOfTheirShape) {
   for (const auto& shape : {kBlock, kCylinder, kSphere}) {
     Eigen::Vector3f most = Eigen::Vector3f::Zero();
     for (const auto& position : MeshOf(shape).positions) most = most.cwiseMax(position.cwiseAbs());
-    EXPECT_TRUE(most.isApprox(0.5f * StretchOf(shape).cast<float>(), 1e-6f));
+    EXPECT_TRUE(most.isApprox(0.5f * ScaleOf(shape).cast<float>(), 1e-6f));
   }
 }
 

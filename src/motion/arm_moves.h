@@ -11,7 +11,7 @@
 namespace smile::motion {
 
 /// A motion in joint space through waypoints, from rest to rest, without stopping between: along
-/// cubics that do not swing over them, so that what lies between two waypoints lies within the
+/// cubics that do not overshoot them, so that what lies between two waypoints lies within the
 /// limits when they do, and as fast as the limits allow everywhere. Where a joint turns back it
 /// rests for a moment. Through two waypoints it is MoveStraight().
 ///

@@ -2,25 +2,25 @@
 
 namespace smile::motion {
 
-/// The cubic with these values and slopes at both ends of a span of time.
+/// Cubic with these values and derivatives at both ends of a span of time.
 struct Cubic {
-  double from, to, from_slope, to_slope, seconds;
+  double from, to, from_derivative, to_derivative, seconds;
 
-  /// At the share `u` of its length, as the other two.
+  /// Returns the value at the fraction `u` of the span, as the other two their quantities.
   double At(double u) const {
     const double u2 = u * u, u3 = u2 * u;
-    return (2 * u3 - 3 * u2 + 1) * from + (u3 - 2 * u2 + u) * seconds * from_slope +
-           (-2 * u3 + 3 * u2) * to + (u3 - u2) * seconds * to_slope;
+    return (2 * u3 - 3 * u2 + 1) * from + (u3 - 2 * u2 + u) * seconds * from_derivative +
+           (-2 * u3 + 3 * u2) * to + (u3 - u2) * seconds * to_derivative;
   }
-  double SlopeAt(double u) const {
+  double DerivativeAt(double u) const {
     const double u2 = u * u;
-    return (6 * u2 - 6 * u) * (from - to) / seconds + (3 * u2 - 4 * u + 1) * from_slope +
-           (3 * u2 - 2 * u) * to_slope;
+    return (6 * u2 - 6 * u) * (from - to) / seconds + (3 * u2 - 4 * u + 1) * from_derivative +
+           (3 * u2 - 2 * u) * to_derivative;
   }
-  /// How fast the slope changes; a straight line over time.
-  double CurveAt(double u) const {
-    return ((12 * u - 6) * (from - to) / seconds + (6 * u - 4) * from_slope +
-            (6 * u - 2) * to_slope) /
+  /// Linear in u.
+  double SecondDerivativeAt(double u) const {
+    return ((12 * u - 6) * (from - to) / seconds + (6 * u - 4) * from_derivative +
+            (6 * u - 2) * to_derivative) /
            seconds;
   }
 };

@@ -10,12 +10,15 @@
 namespace smile::motion {
 namespace {
 
-/// The largest slope of a cubic, without its sign.
-double TopSlope(const Cubic& cubic) {
-  double top = std::max(std::abs(cubic.from_slope), std::abs(cubic.to_slope));
-  const double from_curve = cubic.CurveAt(0), to_curve = cubic.CurveAt(1);
-  if (from_curve * to_curve < 0) {
-    top = std::max(top, std::abs(cubic.SlopeAt(from_curve / (from_curve - to_curve))));
+/// Returns the maximum absolute derivative of a cubic.
+double MaxAbsDerivative(const Cubic& cubic) {
+  double top = std::max(std::abs(cubic.from_derivative), std::abs(cubic.to_derivative));
+  const double from_second_derivative = cubic.SecondDerivativeAt(0),
+               to_second_derivative = cubic.SecondDerivativeAt(1);
+  if (from_second_derivative * to_second_derivative < 0) {
+    top = std::max(top,
+                   std::abs(cubic.DerivativeAt(from_second_derivative /
+                                               (from_second_derivative - to_second_derivative))));
   }
   return top;
 }
@@ -28,9 +31,10 @@ double SlownessNeeded(const TrajectoryPoint& from, const TrajectoryPoint& to,
   for (std::size_t i = 0; i < limits.size(); ++i) {
     const Cubic cubic{from.positions[i], to.positions[i], from.velocities[i], to.velocities[i],
                       to.seconds - from.seconds};
-    const double curve = std::max(std::abs(cubic.CurveAt(0)), std::abs(cubic.CurveAt(1)));
-    needed = std::max({needed, TopSlope(cubic) / (speed * limits[i].max_velocity),
-                       std::sqrt(curve / limits[i].max_acceleration)});
+    const double max_second_derivative =
+        std::max(std::abs(cubic.SecondDerivativeAt(0)), std::abs(cubic.SecondDerivativeAt(1)));
+    needed = std::max({needed, MaxAbsDerivative(cubic) / (speed * limits[i].max_velocity),
+                       std::sqrt(max_second_derivative / limits[i].max_acceleration)});
   }
   return needed;
 }
@@ -48,7 +52,7 @@ void SlowDownToLimits(std::span<const JointLimits> limits, double speed,
   }
 }
 
-double CalmSlope(double before, double after, double seconds_before, double seconds_after) {
+double MonotoneTangent(double before, double after, double seconds_before, double seconds_after) {
   if (before * after <= 0) return 0;
   const double weight_before = 2 * seconds_after + seconds_before;
   const double weight_after = seconds_after + 2 * seconds_before;

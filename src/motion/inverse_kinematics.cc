@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <random>
 
-#include "motion/internal_descent.h"
+#include "motion/internal_damped_least_squares.h"
 
 namespace smile::motion {
 namespace {
@@ -39,17 +39,17 @@ std::optional<std::vector<double>> SolveInverseKinematics(const ArmKinematics& a
   CheckGoal(X_WG_goal);
   CheckOptions(options);
   const ArmVector start = WithinLimits(arm, q_start);
-  const Descent descent(arm, X_WG_goal, options);
+  const DampedLeastSquares solver(arm, X_WG_goal, options);
   int iterations_left = options.max_iterations;
   ArmVector q = start;
-  if (descent.Run(&q, &iterations_left)) return std::vector<double>(q.begin(), q.end());
+  if (solver.Run(&q, &iterations_left)) return std::vector<double>(q.begin(), q.end());
 
   // From here on an answer may lie anywhere: of a few, the nearest.
   std::mt19937_64 random(options.seed);
   std::optional<ArmVector> nearest;
   for (int attempt = 1, num_found = 0; iterations_left > 0 && num_found < kCandidates; ++attempt) {
     q = Elsewhere(arm, start, attempt, &random);
-    if (!descent.Run(&q, &iterations_left)) continue;
+    if (!solver.Run(&q, &iterations_left)) continue;
     if (num_found++ == 0) iterations_left = std::min(iterations_left, kIterationsForNearer);
     if (!nearest || (q - start).squaredNorm() < (*nearest - start).squaredNorm()) nearest = q;
   }

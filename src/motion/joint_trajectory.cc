@@ -55,7 +55,7 @@ TrajectoryPoint SampleAt(const JointTrajectory& trajectory, double seconds) {
     const Cubic cubic{from.positions[i], to.positions[i], from.velocities[i], to.velocities[i],
                       span};
     sample.positions.push_back(cubic.At(u));
-    sample.velocities.push_back(cubic.SlopeAt(u));
+    sample.velocities.push_back(cubic.DerivativeAt(u));
   }
   return sample;
 }

@@ -70,13 +70,13 @@ class WorstBreach {
   std::optional<LimitBreach> breach_;
 };
 
-/// The moments within a cubic at which its value or its slope may be extreme, as shares.
+/// Returns where the value or the derivative of a cubic may be extreme, as fractions of its span.
 std::vector<double> TurningPoints(const Cubic& cubic) {
-  // SlopeAt(u) = a u^2 + b u + c.
-  const double way = 6 * (cubic.from - cubic.to) / cubic.seconds;
-  const double a = way + 3 * (cubic.from_slope + cubic.to_slope);
-  const double b = -way - 4 * cubic.from_slope - 2 * cubic.to_slope;
-  const double c = cubic.from_slope;
+  // DerivativeAt(u) = a u^2 + b u + c.
+  const double secant_term = 6 * (cubic.from - cubic.to) / cubic.seconds;
+  const double a = secant_term + 3 * (cubic.from_derivative + cubic.to_derivative);
+  const double b = -secant_term - 4 * cubic.from_derivative - 2 * cubic.to_derivative;
+  const double c = cubic.from_derivative;
   std::vector<double> shares{0, 1};
   const auto add = [&](double u) {
     if (u > 0 && u < 1) shares.push_back(u);  // false for NaN, too
@@ -131,8 +131,8 @@ std::vector<LimitBreach> CheckLimits(const JointTrajectory& trajectory,
       for (const double u : TurningPoints(cubic)) {
         const double seconds = from.seconds + u * cubic.seconds;
         position.See(seconds, cubic.At(u));
-        velocity.See(seconds, cubic.SlopeAt(u));
-        acceleration.See(seconds, cubic.CurveAt(u));
+        velocity.See(seconds, cubic.DerivativeAt(u));
+        acceleration.See(seconds, cubic.SecondDerivativeAt(u));
       }
     }
     for (const WorstBreach* worst : {&position, &velocity, &acceleration}) {

@@ -9,8 +9,8 @@
 #include "math/angles.h"
 #include "motion/arm_moves.h"
 #include "motion/internal_cubic.h"
-#include "motion/internal_descent.h"
-#include "motion/internal_pace.h"
+#include "motion/internal_damped_least_squares.h"
+#include "motion/internal_time_parameterize.h"
 #include "motion/internal_timing.h"
 
 namespace smile::motion {
@@ -27,10 +27,11 @@ constexpr int kMostPlacesInTheEnd = 8000;
 constexpr double kLongestJump = 0.2;
 /// A neighbour is found in a few iterations or not at all.
 constexpr int kIterationsPerPlace = 60;
-/// Joints are told closer than is asked of the line, so that their slopes are smooth [m, rad].
+/// Joints are solved more exactly than the line requires, so that their derivatives are smooth [m,
+/// rad].
 constexpr double kPlaceTolerance = 1e-9;
 
-/// The way of the tool, by shares from 0 to 1.
+/// Path of the tool, by fractions from 0 to 1.
 class ToolLine {
  public:
   ToolLine(const RigidTransform& X_WG_from, const RigidTransform& X_WG_to, bool any_turn)
@@ -51,7 +52,7 @@ class ToolLine {
     const Quaternion turned(Eigen::AngleAxisd(share * angle(), turn_ / angle()));
     return {turned * q_from_, p};
   }
-  /// How far a point is off the line [m].
+  /// Returns the distance of a point from the line [m].
   double Distance(const Vector3& p) const {
     if (length() == 0) return (p - from_.translation()).norm();
     const Vector3 along = (to_.translation() - from_.translation()) / length();
@@ -65,10 +66,10 @@ class ToolLine {
   Vector3 turn_;
 };
 
-/// The joints at evenly spaced places of a line, and how they change from there with the share.
+/// Joint positions at evenly spaced places of a line, and their derivatives by the fraction of it.
 struct JointPath {
   std::vector<ArmVector> q;
-  std::vector<ArmVector> slopes;
+  std::vector<ArmVector> derivatives;
 
   int num_spans() const { return static_cast<int>(q.size()) - 1; }
 };
@@ -89,7 +90,7 @@ std::variant<JointPath, LineFault> Follow(const ArmKinematics& arm, const ArmVec
     };
     ArmVector q = path.q.back();
     int iterations_left = kIterationsPerPlace;
-    if (!Descent(arm, X_WG, options).Run(&q, &iterations_left)) {
+    if (!DampedLeastSquares(arm, X_WG, options).Run(&q, &iterations_left)) {
       return fault("the arm cannot follow further: out of reach, or a joint is at its limit");
     }
     Eigen::Index joint = 0;
@@ -100,25 +101,25 @@ std::variant<JointPath, LineFault> Follow(const ArmKinematics& arm, const ArmVec
   return path;
 }
 
-/// As the neighbours tell them.
-void FindSlopes(JointPath* path) {
+/// Sets the derivatives to the central differences of the positions, one-sided at both ends.
+void SetDerivatives(JointPath* path) {
   const int n = path->num_spans();
   for (int k = 0; k <= n; ++k) {
     const int before = std::max(0, k - 1), after = std::min(n, k + 1);
-    path->slopes.push_back((path->q[after] - path->q[before]) * n / (after - before));
+    path->derivatives.push_back((path->q[after] - path->q[before]) * n / (after - before));
   }
 }
 
-/// How far the tool strays between the places [m].
+/// Returns the largest deviation of the tool from the line between the places [m].
 double LargestDeviation(const ArmKinematics& arm, const ToolLine& line, const JointPath& path) {
   double largest = 0;
   const int n = path.num_spans();
   for (int k = 0; k < n; ++k) {
     ArmVector q = path.q[k];
     for (int i = 0; i < q.size(); ++i) {
-      q[i] =
-          Cubic{path.q[k][i], path.q[k + 1][i], path.slopes[k][i], path.slopes[k + 1][i], 1.0 / n}
-              .At(0.5);
+      q[i] = Cubic{path.q[k][i], path.q[k + 1][i], path.derivatives[k][i],
+                   path.derivatives[k + 1][i], 1.0 / n}
+                 .At(0.5);
     }
     const RigidTransform X_WG = arm.ToolPose({q.data(), static_cast<std::size_t>(q.size())});
     largest = std::max(largest, line.Distance(X_WG.translation()));
@@ -126,15 +127,16 @@ double LargestDeviation(const ArmKinematics& arm, const ToolLine& line, const Jo
   return largest;
 }
 
-/// The path by shares of the line.
+/// Returns the path with the fraction of the line as its parameter.
 std::vector<PathPlace> PlacesOf(const JointPath& path) {
   const int n = path.num_spans();
   std::vector<PathPlace> places;
   for (int k = 0; k <= n; ++k) {
     const int middle = std::clamp(k, 1, n - 1);
-    const Eigen::VectorXd bend =
+    const Eigen::VectorXd d2q_ds2 =
         (path.q[middle + 1] - 2 * path.q[middle] + path.q[middle - 1]) * n * n;
-    places.push_back({static_cast<double>(k) / n, path.q[k], path.slopes[k], bend, bend});
+    places.push_back(
+        {static_cast<double>(k) / n, path.q[k], path.derivatives[k], d2q_ds2, d2q_ds2});
   }
   return places;
 }
@@ -176,14 +178,14 @@ std::variant<JointTrajectory, LineFault> MoveAlongLine(const ArmKinematics& arm,
     auto followed = Follow(arm, start, line, X_WG_goal, options.any_turn, num_spans);
     if (auto* fault = std::get_if<LineFault>(&followed)) return std::move(*fault);
     JointPath& path = std::get<JointPath>(followed);
-    FindSlopes(&path);
+    SetDerivatives(&path);
     if (LargestDeviation(arm, line, path) > kLineTolerance) {
       if (num_spans * 2 <= kMostPlacesInTheEnd) continue;
       return LineFault{0, X_WG_goal, "the joints cannot keep the tool on the line"};
     }
     // Infinite where the tool only turns.
     const double top_rate = options.tool_speed / line.length();
-    trajectory.points = RunAlong(PlacesOf(path), arm.limits(), options.speed, top_rate);
+    trajectory.points = TimeParameterize(PlacesOf(path), arm.limits(), options.speed, top_rate);
     return trajectory;
   }
 }

@@ -6,18 +6,18 @@
 
 #include "motion/arm_moves.h"
 #include "motion/internal_cubic.h"
-#include "motion/internal_pace.h"
+#include "motion/internal_time_parameterize.h"
 #include "motion/internal_timing.h"
 
 namespace smile::motion {
 namespace {
 
-/// Between two waypoints the pace is decided at so many places at least, and at about so many in
-/// all.
+/// Numbers of places at which the path velocity is decided: at least between two waypoints, and
+/// about in all.
 constexpr int kFewestPlacesBetween = 4;
 constexpr int kPlacesInAll = 120;
 
-/// All but those that repeat the one before.
+/// Returns the waypoints without those that repeat the one before.
 std::vector<std::vector<double>> Distinct(std::span<const std::vector<double>> waypoints,
                                           std::span<const JointLimits> limits) {
   std::vector<std::vector<double>> distinct;
@@ -28,7 +28,8 @@ std::vector<std::vector<double>> Distinct(std::span<const std::vector<double>> w
   return distinct;
 }
 
-/// How far apart two waypoints are: how long the slowest joint takes at its full speed.
+/// Returns the distance of two waypoints: the time that the slowest joint takes at its full speed
+/// [s].
 double Between(const std::vector<double>& from, const std::vector<double>& to,
                std::span<const JointLimits> limits) {
   double longest = 0;
@@ -38,17 +39,18 @@ double Between(const std::vector<double>& from, const std::vector<double>& to,
   return longest;
 }
 
-/// Cubics through all waypoints that swing over none.
-class CalmPath {
+/// Monotone piecewise cubic path through all waypoints: it overshoots none.
+class MonotonePath {
  public:
-  CalmPath(const std::vector<std::vector<double>>& waypoints, std::span<const JointLimits> limits)
+  MonotonePath(const std::vector<std::vector<double>>& waypoints,
+               std::span<const JointLimits> limits)
       : waypoints_(waypoints) {
     for (std::size_t k = 1; k < waypoints.size(); ++k) {
       spans_.push_back(Between(waypoints[k - 1], waypoints[k], limits));
     }
     for (std::size_t k = 0; k < waypoints.size(); ++k) {
-      std::vector<double>& slopes = slopes_.emplace_back();
-      for (std::size_t i = 0; i < limits.size(); ++i) slopes.push_back(SlopeAt(k, i));
+      std::vector<double>& tangents = tangents_.emplace_back();
+      for (std::size_t i = 0; i < limits.size(); ++i) tangents.push_back(TangentAt(k, i));
     }
   }
 
@@ -61,8 +63,8 @@ class CalmPath {
       for (int part = 0; part <= between; ++part) {
         const double share = static_cast<double>(part) / between;
         PathPlace place = PlaceIn(k, share, s + share * spans_[k]);
-        if (part == 0 && k > 0) {  // seen from before, too
-          places.back().bend_after = place.bend_after;
+        if (part == 0 && k > 0) {  // also the end of the span before
+          places.back().d2q_ds2_after = place.d2q_ds2_after;
         } else {
           places.push_back(std::move(place));
         }
@@ -76,29 +78,29 @@ class CalmPath {
   double Secant(std::size_t k, std::size_t i) const {
     return (waypoints_[k + 1][i] - waypoints_[k][i]) / spans_[k];
   }
-  double SlopeAt(std::size_t k, std::size_t i) const {
+  double TangentAt(std::size_t k, std::size_t i) const {
     if (k == 0) return Secant(0, i);
     if (k == spans_.size()) return Secant(k - 1, i);
-    return CalmSlope(Secant(k - 1, i), Secant(k, i), spans_[k - 1], spans_[k]);
+    return MonotoneTangent(Secant(k - 1, i), Secant(k, i), spans_[k - 1], spans_[k]);
   }
   PathPlace PlaceIn(std::size_t k, double share, double s) const {
     const auto count = static_cast<Eigen::Index>(waypoints_[k].size());
-    PathPlace place{.s = s, .q = Eigen::VectorXd(count), .slope = Eigen::VectorXd(count)};
-    place.bend_before = Eigen::VectorXd(count);
+    PathPlace place{.s = s, .q = Eigen::VectorXd(count), .dq_ds = Eigen::VectorXd(count)};
+    place.d2q_ds2_before = Eigen::VectorXd(count);
     for (Eigen::Index j = 0; j < count; ++j) {
-      const Cubic cubic{waypoints_[k][j], waypoints_[k + 1][j], slopes_[k][j], slopes_[k + 1][j],
-                        spans_[k]};
+      const Cubic cubic{waypoints_[k][j], waypoints_[k + 1][j], tangents_[k][j],
+                        tangents_[k + 1][j], spans_[k]};
       place.q[j] = share == 0 ? cubic.from : share == 1 ? cubic.to : cubic.At(share);
-      place.slope[j] = cubic.SlopeAt(share);
-      place.bend_before[j] = cubic.CurveAt(share);
+      place.dq_ds[j] = cubic.DerivativeAt(share);
+      place.d2q_ds2_before[j] = cubic.SecondDerivativeAt(share);
     }
-    place.bend_after = place.bend_before;
+    place.d2q_ds2_after = place.d2q_ds2_before;
     return place;
   }
 
   const std::vector<std::vector<double>>& waypoints_;
   std::vector<double> spans_;
-  std::vector<std::vector<double>> slopes_;
+  std::vector<std::vector<double>> tangents_;
 };
 
 }  // namespace
@@ -109,7 +111,7 @@ std::vector<TrajectoryPoint> MoveThrough(std::span<const std::vector<double>> wa
   if (waypoints.empty()) throw std::invalid_argument("there are no waypoints");
   const std::vector<std::vector<double>> distinct = Distinct(waypoints, limits);
   if (distinct.size() < 3) return MoveStraight(distinct.front(), distinct.back(), limits, speed);
-  return RunAlong(CalmPath(distinct, limits).Places(), limits, speed);
+  return TimeParameterize(MonotonePath(distinct, limits).Places(), limits, speed);
 }
 
 }  // namespace smile::motion

@@ -39,9 +39,9 @@ std::string FaultOfNumbers(const std::vector<double>& numbers, std::size_t expec
   return {};
 }
 
-/// The slope at a point between two others, of which the chords from and to it are `before`,
-/// `after`.
-double SlopeBetween(double before, double after, double central) {
+/// Returns the tangent at a point, limited to keep the cubics monotone where the data are; `before`
+/// and `after` are the slopes of the secants.
+double LimitedTangent(double before, double after, double central) {
   if (before * after <= 0) return 0;
   const double most = 3 * std::min(std::abs(before), std::abs(after));
   return std::clamp(central, -most, most);
@@ -111,7 +111,7 @@ void SetVelocitiesFromPositions(JointTrajectory* trajectory) {
     points[0].velocities[i] = chord(0, 1, i);
     for (std::size_t k = 1; k < last; ++k) {
       points[k].velocities[i] =
-          SlopeBetween(chord(k - 1, k, i), chord(k, k + 1, i), chord(k - 1, k + 1, i));
+          LimitedTangent(chord(k - 1, k, i), chord(k, k + 1, i), chord(k - 1, k + 1, i));
     }
     points[last].velocities[i] = chord(last - 1, last, i);
   }

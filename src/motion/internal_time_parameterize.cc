@@ -1,4 +1,4 @@
-#include "motion/internal_pace.h"
+#include "motion/internal_time_parameterize.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,13 +9,13 @@
 namespace smile::motion {
 namespace {
 
-/// A rate need not be known better than this share.
+/// Bisections of a squared path velocity: the error is at most 2^-30 of its upper bound.
 constexpr int kHalvings = 30;
-/// The places see nothing of what is between them. Where that breaks a limit by more than this
-/// share, it is passed more slowly in the next round.
+/// Limits are checked at the places only. Where the cubic between two places exceeds a limit by
+/// more than this factor, the path velocity there is reduced in the next round.
 constexpr double kHardlySlower = 1.02;
 constexpr int kRounds = 6;
-/// Stands for no limit at all: no rate is larger [1/s2].
+/// Upper bound of all squared path velocities, stands for no limit [1/s2].
 constexpr double kHighest = 1e12;
 
 struct Interval {
@@ -34,31 +34,31 @@ struct Interval {
   }
 };
 
-/// From one place to the next, where the rate of s changes evenly. Squares of rates are linear
-/// then: square_to = square_from + 2 * way * growth.
-class Stretch {
+/// Span between two places of a path, with a constant path acceleration `growth`. The squared path
+/// velocity is then linear in s: square_to = square_from + 2 * length * growth.
+class PathSpan {
  public:
-  Stretch(const PathPlace& from, const PathPlace& to, std::span<const JointLimits> limits)
-      : from_(from), to_(to), limits_(limits), way_(to.s - from.s) {}
+  PathSpan(const PathPlace& from, const PathPlace& to, std::span<const JointLimits> limits)
+      : from_(from), to_(to), limits_(limits), length_(to.s - from.s) {}
 
   double SquareAfter(double square, double growth) const {
-    return std::max(0.0, square + 2 * way_ * growth);
+    return std::max(0.0, square + 2 * length_ * growth);
   }
-  /// How the rate may grow from there, so that no joint breaks its limit of acceleration at either
+  /// Returns the path accelerations with which no joint exceeds its limit of acceleration at either
   /// end and the next square is at most `next_square`.
   Interval Growths(double square, double next_square) const {
-    Interval growths{-square / (2 * way_), (next_square - square) / (2 * way_)};
+    Interval growths{-square / (2 * length_), (next_square - square) / (2 * length_)};
     for (std::size_t i = 0; i < limits_.size(); ++i) {
       const auto j = static_cast<Eigen::Index>(i);
       const double bound = limits_[i].max_acceleration;
-      growths.Restrict(from_.slope[j], from_.bend_after[j] * square, bound);
-      growths.Restrict(to_.slope[j] + 2 * way_ * to_.bend_before[j], to_.bend_before[j] * square,
-                       bound);
+      growths.Restrict(from_.dq_ds[j], from_.d2q_ds2_after[j] * square, bound);
+      growths.Restrict(to_.dq_ds[j] + 2 * length_ * to_.d2q_ds2_before[j],
+                       to_.d2q_ds2_before[j] * square, bound);
     }
     return growths;
   }
-  /// The largest square, up to `top`, from which one can get to at most `next_square`. All from 0
-  /// up to it are as good: what is allowed is convex, and standing still is always allowed.
+  /// Returns the largest square, up to `top`, from which a square of at most `next_square` can be
+  /// reached. The same holds for all smaller squares: the admissible set is convex and contains 0.
   double LargestSquare(double top, double next_square) const {
     if (!Growths(top, next_square).is_empty()) return top;
     double low = 0, high = top;
@@ -73,23 +73,23 @@ class Stretch {
   const PathPlace& from_;
   const PathPlace& to_;
   std::span<const JointLimits> limits_;
-  double way_;
+  double length_;
 };
 
-/// What the limits of velocity and the bends alone allow at one place.
+/// Returns the squared path velocity that the limits of joint velocity alone allow at a place.
 double TopSquare(const PathPlace& place, std::span<const JointLimits> limits, double speed,
                  double top_rate) {
   double square = std::min(kHighest, top_rate * top_rate);
   for (std::size_t i = 0; i < limits.size(); ++i) {
     const auto j = static_cast<Eigen::Index>(i);
-    const double rate = speed * limits[i].max_velocity / std::abs(place.slope[j]);
+    const double rate = speed * limits[i].max_velocity / std::abs(place.dq_ds[j]);
     square = std::min(square, rate * rate);
   }
   return square;
 }
 
-/// Takes so much from velocities near limits of position that no cubic swings over one: the corners
-/// of its control polygon, between which it lies, stay within.
+/// Reduces velocities near limits of position such that no cubic exceeds one: the corners of its
+/// control polygon, whose convex hull contains it, stay within.
 void KeepWithin(std::span<const JointLimits> limits, std::vector<TrajectoryPoint>* points) {
   for (std::size_t k = 1; k < points->size(); ++k) {
     TrajectoryPoint &from = (*points)[k - 1], &to = (*points)[k];
@@ -104,22 +104,22 @@ void KeepWithin(std::span<const JointLimits> limits, std::vector<TrajectoryPoint
   }
 }
 
-/// The squares of the rates at all places, from rest to rest, each at most its top.
+/// Returns the squared path velocities at all places, from rest to rest, each at most its top.
 std::vector<double> FastestSquares(const std::vector<PathPlace>& path,
                                    std::span<const JointLimits> limits,
                                    const std::vector<double>& tops) {
-  // Backwards: the largest rates from which one can still stop in time.
+  // Backward pass: the largest path velocities from which the motion can still stop in time.
   const std::size_t count = path.size();
   std::vector<double> squares(count, 0.0);
   for (std::size_t k = count - 1; k-- > 0;) {
-    squares[k] = Stretch(path[k], path[k + 1], limits).LargestSquare(tops[k], squares[k + 1]);
+    squares[k] = PathSpan(path[k], path[k + 1], limits).LargestSquare(tops[k], squares[k + 1]);
   }
-  // Forwards: as fast as one gets, within those.
+  // Forward pass: the largest path velocities that can be reached, within those.
   squares[0] = 0;
   for (std::size_t k = 0; k + 1 < count; ++k) {
-    const Stretch stretch(path[k], path[k + 1], limits);
-    const double growth = stretch.Growths(squares[k], squares[k + 1]).high;
-    squares[k + 1] = std::min(squares[k + 1], stretch.SquareAfter(squares[k], growth));
+    const PathSpan span(path[k], path[k + 1], limits);
+    const double growth = span.Growths(squares[k], squares[k + 1]).high;
+    squares[k + 1] = std::min(squares[k + 1], span.SquareAfter(squares[k], growth));
   }
   return squares;
 }
@@ -131,20 +131,20 @@ std::vector<TrajectoryPoint> PointsAt(const std::vector<PathPlace>& path,
     const double rate = std::sqrt(squares[k]);
     TrajectoryPoint point;
     if (k > 0) {
-      const double way = path[k].s - path[k - 1].s;
-      point.seconds = points.back().seconds + 2 * way / (std::sqrt(squares[k - 1]) + rate);
+      const double length = path[k].s - path[k - 1].s;
+      point.seconds = points.back().seconds + 2 * length / (std::sqrt(squares[k - 1]) + rate);
     }
     for (Eigen::Index j = 0; j < path[k].q.size(); ++j) {
       point.positions.push_back(path[k].q[j]);
-      point.velocities.push_back(rate * path[k].slope[j]);
+      point.velocities.push_back(rate * path[k].dq_ds[j]);
     }
     points.push_back(std::move(point));
   }
   return points;
 }
 
-/// Lowers the tops where the cubics between two points break a limit.
-/// @returns whether it had to.
+/// Lowers the tops where the cubics between two points exceed a limit.
+/// @returns true if any top was lowered.
 bool LowerTops(const std::vector<TrajectoryPoint>& points, std::span<const JointLimits> limits,
                double speed, const std::vector<double>& squares, std::vector<double>* tops) {
   bool had_to = false;
@@ -161,9 +161,9 @@ bool LowerTops(const std::vector<TrajectoryPoint>& points, std::span<const Joint
 
 }  // namespace
 
-std::vector<TrajectoryPoint> RunAlong(const std::vector<PathPlace>& path,
-                                      std::span<const JointLimits> limits, double speed,
-                                      double top_rate) {
+std::vector<TrajectoryPoint> TimeParameterize(const std::vector<PathPlace>& path,
+                                              std::span<const JointLimits> limits, double speed,
+                                              double top_rate) {
   std::vector<double> tops;
   for (const PathPlace& place : path) tops.push_back(TopSquare(place, limits, speed, top_rate));
   for (int round = 1;; ++round) {

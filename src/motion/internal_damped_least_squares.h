@@ -7,12 +7,13 @@ namespace smile::motion {
 /// A configuration of an arm, without memory of its own.
 using ArmVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, kMaxArmJoints, 1>;
 
-/// Damped least squares from one start, within limits, until the goal is met or nothing gets
-/// better.
-class Descent {
+/// Damped least squares solver: iterates from one start, within limits, until the goal is met or
+/// the error no longer decreases.
+class DampedLeastSquares {
  public:
   /// All must outlive this.
-  Descent(const ArmKinematics& arm, const RigidTransform& X_WG_goal, const IkOptions& options);
+  DampedLeastSquares(const ArmKinematics& arm, const RigidTransform& X_WG_goal,
+                     const IkOptions& options);
 
   /// Improves `q`, which lies within limits.
   /// @param iterations_left  counted down; it ends at 0.

@@ -1,4 +1,4 @@
-#include "motion/internal_descent.h"
+#include "motion/internal_damped_least_squares.h"
 
 #include <Eigen/Cholesky>
 #include <algorithm>
@@ -28,7 +28,7 @@ constexpr double kLongestStep = 0.8;
 constexpr int kPatience = 8;
 constexpr double kClearlySmaller = 0.8;
 
-/// The rotation vector that turns the direction `from` into `to`, the short way.
+/// The rotation vector that rotates the direction `from` to `to` by the smaller angle.
 Vector3 TurnBetween(const Matrix3& R_from, const Vector3& to) {
   const Vector3 from = R_from.col(2);
   const Vector3 axis = from.cross(to);
@@ -76,23 +76,24 @@ ArmVector WithinLimits(const ArmKinematics& arm, std::span<const double> q) {
   return within;
 }
 
-Descent::Descent(const ArmKinematics& arm, const RigidTransform& X_WG_goal,
-                 const IkOptions& options)
+DampedLeastSquares::DampedLeastSquares(const ArmKinematics& arm, const RigidTransform& X_WG_goal,
+                                       const IkOptions& options)
     : arm_(&arm), X_WG_goal_(X_WG_goal), q_WG_goal_(X_WG_goal.quaternion()), options_(options) {}
 
-Descent::Error Descent::ErrorOf(const RigidTransform& X_WG) const {
-  const Vector3 way = X_WG_goal_.translation() - X_WG.translation();
-  const Vector3 turn = options_.any_turn
-                           ? TurnBetween(X_WG.rotation(), X_WG_goal_.rotation().col(2))
-                           : RotationVectorBetween(Quaternion(X_WG.rotation()), q_WG_goal_);
+DampedLeastSquares::Error DampedLeastSquares::ErrorOf(const RigidTransform& X_WG) const {
+  const Vector3 displacement = X_WG_goal_.translation() - X_WG.translation();
+  const Vector3 rotation = options_.any_turn
+                               ? TurnBetween(X_WG.rotation(), X_WG_goal_.rotation().col(2))
+                               : RotationVectorBetween(Quaternion(X_WG.rotation()), q_WG_goal_);
   Error error;
-  error.weighted << way * kRadiansPerMeter, turn;
-  error.is_met =
-      way.norm() <= options_.position_tolerance && turn.norm() <= options_.angle_tolerance;
+  error.weighted << displacement * kRadiansPerMeter, rotation;
+  error.is_met = displacement.norm() <= options_.position_tolerance &&
+                 rotation.norm() <= options_.angle_tolerance;
   return error;
 }
 
-void Descent::HoldAtLimits(const ArmVector& q, const Vector6& error, ArmJacobian* J) const {
+void DampedLeastSquares::HoldAtLimits(const ArmVector& q, const Vector6& error,
+                                      ArmJacobian* J) const {
   for (int i = 0; i < arm_->num_joints(); ++i) {
     const JointLimits& limit = arm_->limits()[i];
     const double push = J->col(i).dot(error);
@@ -102,7 +103,7 @@ void Descent::HoldAtLimits(const ArmVector& q, const Vector6& error, ArmJacobian
   }
 }
 
-bool Descent::Run(ArmVector* q, int* iterations_left) const {
+bool DampedLeastSquares::Run(ArmVector* q, int* iterations_left) const {
   ArmJacobian J;
   const auto configuration = [q] { return std::span<const double>(q->data(), q->size()); };
   double best = HUGE_VAL;

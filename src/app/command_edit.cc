@@ -33,7 +33,7 @@ struct EditOptions {
 void Print(const editing::EditReport& report) {
   std::printf("lasts %.2f s, was %.2f s\n", sim::SecondsOf(report.ticks_after),
               sim::SecondsOf(report.ticks_before));
-  for (const editing::LeftOut& command : report.left_out) {
+  for (const editing::SkippedCommand& command : report.skipped) {
     std::printf("line %zu of the log is left out: %s\n", command.line, command.reason.c_str());
   }
   for (const editing::Displaced& object : report.displaced) {

@@ -59,7 +59,7 @@ void OutputDrain::Run() {
   }
   if (watched[0].fd >= 0) ReadAvailable(kMaxLastBytes);
   if (!line_.empty()) EndLine();
-  TellLeftOut();
+  ReportSkippedLines();
 }
 
 bool OutputDrain::ReadAvailable(std::size_t max_bytes) {
@@ -103,22 +103,22 @@ void OutputDrain::EndLine() {
 void OutputDrain::HandOn(const std::string& line) {
   const auto now = std::chrono::steady_clock::now();
   if (now - second_began_ >= std::chrono::seconds(1)) {
-    TellLeftOut();
+    ReportSkippedLines();
     second_began_ = now;
     lines_this_second_ = 0;
   }
   if (++lines_this_second_ > kMaxLinesPerSecond) {
-    ++lines_left_out_;
+    ++num_skipped_lines_;
   } else if (on_line_) {
     on_line_(line);
   }
 }
 
-void OutputDrain::TellLeftOut() {
-  if (lines_left_out_ > 0 && on_line_) {
-    on_line_("... " + std::to_string(lines_left_out_) + " more lines were not shown");
+void OutputDrain::ReportSkippedLines() {
+  if (num_skipped_lines_ > 0 && on_line_) {
+    on_line_("... " + std::to_string(num_skipped_lines_) + " more lines were not shown");
   }
-  lines_left_out_ = 0;
+  num_skipped_lines_ = 0;
 }
 
 }  // namespace smile::brain

@@ -43,7 +43,7 @@ class OutputDrain {
   void TakeText(std::string_view text);
   void EndLine();
   void HandOn(const std::string& line);
-  void TellLeftOut();
+  void ReportSkippedLines();
 
   process::UniqueFd pipe_;
   process::UniqueFd wake_read_, wake_write_;
@@ -52,7 +52,7 @@ class OutputDrain {
   std::string line_;  ///< the line that has not ended yet, cut
   std::chrono::steady_clock::time_point second_began_;
   int lines_this_second_ = 0;
-  std::size_t lines_left_out_ = 0;
+  std::size_t num_skipped_lines_ = 0;
 
   mutable std::mutex mutex_;
   std::deque<std::string> last_lines_;  ///< guarded by mutex_

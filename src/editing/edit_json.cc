@@ -149,9 +149,9 @@ recording::Demonstration EditedByAll(recording::Demonstration demonstration,
 }
 
 Json ToJson(const EditReport& report) {
-  Json left_out = Json::array(), displaced = Json::array();
-  for (const LeftOut& command : report.left_out) {
-    left_out.push_back({{"line", command.line}, {"reason", command.reason}});
+  Json skipped = Json::array(), displaced = Json::array();
+  for (const SkippedCommand& command : report.skipped) {
+    skipped.push_back({{"line", command.line}, {"reason", command.reason}});
   }
   for (const Displaced& object : report.displaced) {
     displaced.push_back({{"id", object.id},
@@ -161,7 +161,7 @@ Json ToJson(const EditReport& report) {
   return {{"ends_the_same", report.ends_the_same()},
           {"seconds_before", sim::SecondsOf(report.ticks_before)},
           {"seconds_after", sim::SecondsOf(report.ticks_after)},
-          {"left_out", left_out},
+          {"left_out", skipped},
           {"displaced", displaced},
           {"gone", report.gone},
           {"there_again", report.there_again},

@@ -94,16 +94,17 @@ void RunToStart(const recording::Recording& recording, replay::LogPlayer* player
 
 /// Goes on for so many ticks, and carries out what is due then.
 /// @returns what was refused.
-std::vector<LeftOut> RunFor(std::uint64_t ticks, replay::LogPlayer* player,
-                            sim::Simulation* simulation, const recording::Progress& progress) {
-  std::vector<LeftOut> left_out;
+std::vector<SkippedCommand> RunFor(std::uint64_t ticks, replay::LogPlayer* player,
+                                   sim::Simulation* simulation,
+                                   const recording::Progress& progress) {
+  std::vector<SkippedCommand> skipped;
   for (std::uint64_t tick = 0;; ++tick) {
     while (auto refused = player->ApplyDue(simulation)) {
-      left_out.push_back({refused->command.line, std::move(refused->refusal)});
+      skipped.push_back({refused->command.line, std::move(refused->refusal)});
     }
-    if (tick == ticks) return left_out;
+    if (tick == ticks) return skipped;
     simulation->Tick();
-    if (progress && !progress(sim::SecondsOf(tick + 1), sim::SecondsOf(ticks))) return left_out;
+    if (progress && !progress(sim::SecondsOf(tick + 1), sim::SecondsOf(ticks))) return skipped;
   }
 }
 
@@ -148,7 +149,7 @@ EditReport ReSimulate(const recording::Recording& recording, const recording::De
     simulation.AddListener(&*recorder);
   }
   EditReport report{.ticks_before = edited.recorded_duration(), .ticks_after = edited.duration()};
-  report.left_out = RunFor(report.ticks_after, &player, &simulation, progress);
+  report.skipped = RunFor(report.ticks_after, &player, &simulation, progress);
   const model::Model& model = *recording.model;
   const recording::TraceTick before = EndOf(recording, edited, progress);
   const recording::TraceTick after =

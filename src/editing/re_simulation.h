@@ -12,12 +12,12 @@
 
 namespace smile::editing {
 
-/// A command that could not be carried out any more.
-struct LeftOut {
+/// Command that is refused in the edited demonstration and therefore skipped.
+struct SkippedCommand {
   std::size_t line = 0;  ///< of the log it was recorded in
   sim::Refusal reason;
 
-  bool operator==(const LeftOut&) const = default;
+  bool operator==(const SkippedCommand&) const = default;
 };
 
 /// An object that ends elsewhere.
@@ -37,7 +37,7 @@ struct ChangedState {
 /// What an edit came to: how what happens now ends, against what was recorded. All in scene order.
 struct EditReport {
   std::uint64_t ticks_before = 0, ticks_after = 0;
-  std::vector<LeftOut> left_out;
+  std::vector<SkippedCommand> skipped;
   std::vector<Displaced> displaced;       ///< by more than kSamePlace
   std::vector<std::string> gone;          ///< ids of objects that were there in the end
   std::vector<std::string> there_again;   ///< ids of objects that were destroyed
@@ -62,7 +62,7 @@ struct EditOutput {
   sim::Eye* eye = nullptr;          ///< takes the pictures; nullptr for text only
 };
 
-/// Simulates an edited demonstration; what is refused is left out.
+/// Simulates an edited demonstration; commands that are refused are skipped.
 /// @param recording  that it was cut from. Title, notes and how it is shown are kept.
 /// @param output     makes a recording; nullopt only tells what would be.
 /// @param progress   when it answers false, all ends there.

@@ -80,7 +80,7 @@ TEST_P(EditProperty, NoEditChangesNothing) {
   const EditReport report =
       ReSimulate(recording, recording::DemonstrationOf(recording), EditOutput{root_ / "same"});
   EXPECT_TRUE(report.ends_the_same());
-  EXPECT_TRUE(report.left_out.empty());
+  EXPECT_TRUE(report.skipped.empty());
   EXPECT_EQ(replay::Replay(recording::OpenRecording(root_ / "same")).hash, final_hash_);
   EXPECT_EQ(TextsOf(root_ / "same"), TextsOf(root_ / "demo"));
 }
@@ -103,7 +103,7 @@ TEST_P(EditProperty, AnyEditGivesARecordingThatReplays) {
     EXPECT_EQ(replay.first_difference, std::nullopt);
     EXPECT_EQ(replay.ticks(), edited.duration());
     // A hand that takes what another holds lets it go by itself: that is a command more.
-    EXPECT_GE(result.commands.size() + report.left_out.size(), edited.Schedule().size());
+    EXPECT_GE(result.commands.size() + report.skipped.size(), edited.Schedule().size());
   }
 }
 

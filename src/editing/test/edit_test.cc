@@ -178,14 +178,14 @@ TEST_F(EditTest, CutsAtActionsAndFindsPauses) {
   EXPECT_EQ(demonstration.duration(), demonstration.recorded_end.tick);
 }
 
-TEST_F(EditTest, WhatCannotBeCarriedOutIsLeftOutAndTold) {
+TEST_F(EditTest, CommandsThatAreRefusedAreSkippedAndReported) {
   recorder::PaintedEye eye;
   const auto demo = Record(kStackAOnB, false, nullptr, kScene,
                            {.frames_per_second = 12, .title = "stack", .notes = "a on b"});
   const recording::Recording recording = recording::OpenRecording(demo);
   const std::string log = ReadFile(demo / "commands.jsonl", 1 << 20);
   const EditReport report = ReSimulated(recording, {Drop{1, 1}}, &eye);
-  EXPECT_EQ(report.left_out, (std::vector<LeftOut>{{5, "the left hand holds nothing"}}));
+  EXPECT_EQ(report.skipped, (std::vector<SkippedCommand>{{5, "the left hand holds nothing"}}));
   ASSERT_EQ(report.displaced.size(), 1u);
   EXPECT_EQ(report.displaced[0].id, "a");
   EXPECT_NEAR(report.displaced[0].gap.distance, std::hypot(0.3, 0.1), 0.002);

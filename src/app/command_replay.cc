@@ -32,12 +32,12 @@ Json ToJson(const replay::Difference& difference) {
           {"replayed", difference.replayed}};
 }
 
-Json ToJson(const replay::Departure& departure) {
-  const auto& end = departure.end;
-  return {{"object", departure.object},
-          {"largest_mm", departure.largest.millimeters()},
-          {"largest_degrees", departure.largest.degrees()},
-          {"at_tick", departure.tick},
+Json ToJson(const replay::Deviation& deviation) {
+  const auto& end = deviation.end;
+  return {{"object", deviation.object},
+          {"largest_mm", deviation.largest.millimeters()},
+          {"largest_degrees", deviation.largest.degrees()},
+          {"at_tick", deviation.tick},
           {"end_mm", end ? Json(end->millimeters()) : Json()},
           {"end_degrees", end ? Json(end->degrees()) : Json()}};
 }
@@ -60,7 +60,7 @@ Json ToJson(const replay::ReplayReport& report, const recording::Recording& reco
           {"from", SecondsInto(recording, report.compared.first)},
           {"to", SecondsInto(recording, report.compared.last)},
           {"first_difference", first ? ToJson(*first) : Json()},
-          {"differences", ArrayOf(report.departures)},
+          {"differences", ArrayOf(report.deviations)},
           {"state_differences", ArrayOf(report.state_differences)},
           {"refused", ArrayOf(report.refused)}};
 }
@@ -71,10 +71,10 @@ std::string GapText(const recording::PoseGap& gap) {
   return text;
 }
 
-std::string LineOf(const replay::Departure& departure) {
-  return departure.object + ": " + GapText(departure.largest) + " apart at tick " +
-         std::to_string(departure.tick) + ", " +
-         (departure.end ? GapText(*departure.end) + " in the end" : "gone in the end");
+std::string LineOf(const replay::Deviation& deviation) {
+  return deviation.object + ": " + GapText(deviation.largest) + " apart at tick " +
+         std::to_string(deviation.tick) + ", " +
+         (deviation.end ? GapText(*deviation.end) + " in the end" : "gone in the end");
 }
 std::string LineOf(const replay::Difference& difference) {
   return difference.object + ": " + difference.quantity + ": ends as " + difference.replayed +
@@ -114,7 +114,7 @@ void Print(const replay::ReplayReport& report, const recording::Recording& recor
               SecondsInto(recording, report.compared.last), ticks);
   PrintSome(report.refused);
   PrintSome(report.state_differences);
-  PrintSome(report.departures);
+  PrintSome(report.deviations);
 }
 
 replay::ReplayReport ReplayIt(const recording::Recording& recording,

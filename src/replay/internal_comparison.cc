@@ -38,13 +38,13 @@ std::string WrittenHash(std::uint64_t hash) {
 
 bool IsVisible(const Difference& difference) { return difference.quantity != kHidden; }
 
-std::optional<Difference> Comparison::Presence(model::ObjectIndex i) const {
+std::optional<Difference> TickComparison::Presence(model::ObjectIndex i) const {
   const bool was = recorded_.objects[i].is_present, is = replayed_.objects[i].is_present;
   if (was == is) return std::nullopt;
   return Difference{recorded_.tick, model_.id(i), "present", Written(was), Written(is)};
 }
 
-std::optional<Difference> Comparison::Pose(model::ObjectIndex i) const {
+std::optional<Difference> TickComparison::Pose(model::ObjectIndex i) const {
   const recording::TracePose& was = recorded_.objects[i];
   const recording::TracePose& is = replayed_.objects[i];
   const std::string& id = model_.id(i);
@@ -62,37 +62,37 @@ std::optional<Difference> Comparison::Pose(model::ObjectIndex i) const {
   return std::nullopt;
 }
 
-std::optional<Difference> Comparison::Control(model::ControlIndex i) const {
+std::optional<Difference> TickComparison::Control(model::ControlIndex i) const {
   if (recorded_.controls[i] == replayed_.controls[i]) return std::nullopt;
   return Difference{recorded_.tick, model_.control(i).id(), "state", Written(recorded_.controls[i]),
                     Written(replayed_.controls[i])};
 }
 
-std::optional<Difference> Comparison::Bond(model::HostIndex i) const {
+std::optional<Difference> TickComparison::Bond(model::HostIndex i) const {
   if (recorded_.bonds[i] == replayed_.bonds[i]) return std::nullopt;
   return Difference{recorded_.tick, model_.host(i).point->id, "tightness",
                     Written(recorded_.bonds[i]), Written(replayed_.bonds[i])};
 }
 
-std::optional<Difference> Comparison::Joint(model::LinkIndex i) const {
+std::optional<Difference> TickComparison::Joint(model::LinkIndex i) const {
   if (recorded_.joints[i] == replayed_.joints[i]) return std::nullopt;
   return Difference{recorded_.tick, model_.robot()->links[i].joint_name, "angle",
                     NumberText(recorded_.joints[i]), NumberText(replayed_.joints[i])};
 }
 
-std::optional<Difference> Comparison::RobotShown() const {
+std::optional<Difference> TickComparison::RobotShown() const {
   if (recorded_.is_robot_shown == replayed_.is_robot_shown) return std::nullopt;
   return Difference{recorded_.tick, "robot", "shown", Written(recorded_.is_robot_shown),
                     Written(replayed_.is_robot_shown)};
 }
 
-std::optional<Difference> Comparison::Mood() const {
+std::optional<Difference> TickComparison::Mood() const {
   if (recorded_.mood == replayed_.mood) return std::nullopt;
   return Difference{recorded_.tick, "robot", "mood", std::string(ToString(recorded_.mood)),
                     std::string(ToString(replayed_.mood))};
 }
 
-std::optional<Difference> Comparison::First() const {
+std::optional<Difference> TickComparison::First() const {
   for (model::ObjectIndex i : model_.objects()) {
     if (auto difference = Presence(i)) return difference;
     if (auto difference = Pose(i)) return difference;
@@ -113,7 +113,7 @@ std::optional<Difference> Comparison::First() const {
                     WrittenHash(replayed_.hash)};
 }
 
-std::vector<Difference> Comparison::States() const {
+std::vector<Difference> TickComparison::States() const {
   std::vector<Difference> all;
   const auto add = [&all](std::optional<Difference> difference) {
     if (difference) all.push_back(*std::move(difference));
@@ -126,18 +126,18 @@ std::vector<Difference> Comparison::States() const {
   return all;
 }
 
-std::optional<recording::PoseGap> Comparison::GapOf(model::ObjectIndex i) const {
+std::optional<recording::PoseGap> TickComparison::GapOf(model::ObjectIndex i) const {
   if (!recorded_.objects[i].is_present || !replayed_.objects[i].is_present) return std::nullopt;
   return recording::GapBetween(recorded_.objects[i], replayed_.objects[i]);
 }
 
-recording::PoseGap Comparison::GapOfJoint(model::LinkIndex i) const {
+recording::PoseGap TickComparison::GapOfJoint(model::LinkIndex i) const {
   const double gap = std::abs(replayed_.joints[i] - recorded_.joints[i]);
   const bool slides = model_.robot()->links[i].joint_type == scene::JointType::kPrismatic;
   return slides ? recording::PoseGap{.distance = gap} : recording::PoseGap{.angle = gap};
 }
 
-DepartureMeter::DepartureMeter(const model::Model& model) : model_(model) {
+DeviationMeter::DeviationMeter(const model::Model& model) : model_(model) {
   for (const scene::ObjectSpec& object : model.scene().objects) {
     all_.push_back({.object = object.id()});
   }
@@ -145,32 +145,32 @@ DepartureMeter::DepartureMeter(const model::Model& model) : model_(model) {
   for (const auto& link : model.robot()->links) all_.push_back({.object = link.joint_name});
 }
 
-void DepartureMeter::Note(std::size_t index, std::uint64_t tick,
+void DeviationMeter::Note(std::size_t index, std::uint64_t tick,
                           const std::optional<recording::PoseGap>& gap) {
-  Departure& departure = all_[index];
-  departure.end = gap;
-  if (!gap || gap->size() <= departure.largest.size()) return;
-  departure.largest = *gap;
-  departure.tick = tick;
+  Deviation& deviation = all_[index];
+  deviation.end = gap;
+  if (!gap || gap->size() <= deviation.largest.size()) return;
+  deviation.largest = *gap;
+  deviation.tick = tick;
 }
 
-void DepartureMeter::Watch(const recording::TraceTick& recorded,
+void DeviationMeter::Watch(const recording::TraceTick& recorded,
                            const recording::TraceTick& replayed) {
-  const Comparison comparison(recorded, replayed, model_);
+  const TickComparison comparison(recorded, replayed, model_);
   for (model::ObjectIndex i : model_.objects()) Note(i, recorded.tick, comparison.GapOf(i));
   for (model::LinkIndex i : IndexRange<model::LinkIndex>(recorded.joints.size())) {
     Note(model_.objects().size() + i, recorded.tick, comparison.GapOfJoint(i));
   }
 }
 
-std::vector<Departure> DepartureMeter::Departures() const {
-  std::vector<Departure> departures;
-  std::copy_if(all_.begin(), all_.end(), std::back_inserter(departures),
-               [](const Departure& departure) { return departure.largest.size() > 0; });
+std::vector<Deviation> DeviationMeter::Deviations() const {
+  std::vector<Deviation> deviations;
+  std::copy_if(all_.begin(), all_.end(), std::back_inserter(deviations),
+               [](const Deviation& deviation) { return deviation.largest.size() > 0; });
   std::stable_sort(
-      departures.begin(), departures.end(),
-      [](const Departure& a, const Departure& b) { return a.largest.size() > b.largest.size(); });
-  return departures;
+      deviations.begin(), deviations.end(),
+      [](const Deviation& a, const Deviation& b) { return a.largest.size() > b.largest.size(); });
+  return deviations;
 }
 
 }  // namespace smile::replay

@@ -8,22 +8,22 @@
 
 namespace smile::replay {
 
-/// One moment, as it was recorded and as it is replayed.
-class Comparison {
+/// Comparison of a tick as recorded and as replayed.
+class TickComparison {
  public:
   /// @param model  of the recording's scene and robot, for names and units. All must
   ///               outlive this.
-  Comparison(const recording::TraceTick& recorded, const recording::TraceTick& replayed,
-             const model::Model& model)
+  TickComparison(const recording::TraceTick& recorded, const recording::TraceTick& replayed,
+                 const model::Model& model)
       : recorded_(recorded), replayed_(replayed), model_(model) {}
 
-  /// What differs first: an object, what is shown, a joint, else something that cannot be seen
-  /// (yet).
+  /// Returns the first difference: of an object, of the visual state, of a joint, else of something
+  /// that is not visible (yet).
   std::optional<Difference> First() const;
-  /// Everything besides poses and joints that differs: what is there, states, bonds.
+  /// Returns all differences besides poses and joints: presence, states, bonds.
   std::vector<Difference> States() const;
 
-  /// How far apart an object is; nullopt if one of the two has none.
+  /// Returns the distance between the two poses of an object; nullopt if one of the two lacks it.
   std::optional<recording::PoseGap> GapOf(model::ObjectIndex object) const;
   recording::PoseGap GapOfJoint(model::LinkIndex link) const;
 
@@ -41,24 +41,24 @@ class Comparison {
   const model::Model& model_;
 };
 
-/// True unless only the state hash tells.
+/// Returns false if only the state hash differs.
 bool IsVisible(const Difference& difference);
 
-/// Keeps how far what moves departs from a recording, moment by moment.
-class DepartureMeter {
+/// Measures how far objects and joints deviate from a recording, tick by tick.
+class DeviationMeter {
  public:
-  /// @param model  as Comparison's.
-  explicit DepartureMeter(const model::Model& model);
+  /// @param model  as TickComparison's.
+  explicit DeviationMeter(const model::Model& model);
 
   void Watch(const recording::TraceTick& recorded, const recording::TraceTick& replayed);
-  /// Of what ever departed, largest first.
-  std::vector<Departure> Departures() const;
+  /// Returns the deviations of all that ever deviated, the largest first.
+  std::vector<Deviation> Deviations() const;
 
  private:
   void Note(std::size_t index, std::uint64_t tick, const std::optional<recording::PoseGap>& gap);
 
   const model::Model& model_;
-  std::vector<Departure> all_;  ///< objects, then joints
+  std::vector<Deviation> all_;  ///< objects, then joints
 };
 
 }  // namespace smile::replay

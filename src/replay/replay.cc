@@ -33,7 +33,7 @@ class ReplayRun {
     collector_.Forget();
     while (!is_over() && Step() && !is_over() && goes_on(simulation_.tick())) {
     }
-    report_.departures = meter_.Departures();
+    report_.deviations = meter_.Deviations();
     return std::move(report_);
   }
   const recording::TickRange& range() const { return range_; }
@@ -84,7 +84,7 @@ class ReplayRun {
         recording::WithAbsent(recording::Observe(simulation_), model_);
     report_.compared.last = recorded.tick;
     report_.hash = replayed.hash;
-    const Comparison comparison(recorded, replayed, model_);
+    const TickComparison comparison(recorded, replayed, model_);
     if (const auto difference = comparison.First()) Note(*difference);
     if (!has_visible_difference_ || is_over()) return;
     meter_.Watch(recorded, replayed);
@@ -122,7 +122,7 @@ class ReplayRun {
   sim::Simulation simulation_;
   LogPlayer player_;
   EventCollector collector_;
-  DepartureMeter meter_;
+  DeviationMeter meter_;
   ReplayReport report_;
   bool has_begun_ = false, has_visible_difference_ = false;
 };

@@ -10,7 +10,7 @@
 
 namespace smile::replay {
 
-/// Where a replay departs from its recording.
+/// Difference between a replay and its recording.
 struct Difference {
   std::uint64_t tick = 0;
   std::string object;    ///< id, a joint's name, or `simulation`
@@ -20,15 +20,15 @@ struct Difference {
   bool operator==(const Difference&) const = default;
 };
 
-/// How far something that moves departs from its recording.
-struct Departure {
+/// Deviation of an object or a joint from its recording.
+struct Deviation {
   std::string object;          ///< id, or a joint's name
   recording::PoseGap largest;  ///< at `tick`
   std::uint64_t tick = 0;
   std::optional<recording::PoseGap> end;  ///< nullopt if it is not there any more in one of the two
 };
 
-/// A command that was carried out when it was recorded.
+/// Command that is refused in the replay, but was executed when it was recorded.
 struct RefusedCommand {
   std::uint64_t tick = 0;
   std::size_t line = 0;  ///< of commands.jsonl
@@ -46,7 +46,7 @@ struct ReplayReport {
   /// As far as can be seen; where nothing can be seen to the end, the first tick whose state hash
   /// differs. A command that is refused is one too, also before the range.
   std::optional<Difference> first_difference;
-  std::vector<Departure> departures;          ///< largest first
+  std::vector<Deviation> deviations;          ///< largest first
   std::vector<Difference> state_differences;  ///< what ends otherwise, besides where things are
   std::vector<RefusedCommand> refused;
   std::uint64_t hash = 0;  ///< of the last tick replayed

@@ -137,13 +137,13 @@ TEST_F(ReplayTest, NamesTheFirstTickObjectAndQuantityThatDiffers) {
   EXPECT_EQ(report.compared, (recording::TickRange{0, tick}));
 }
 
-TEST_F(ReplayTest, TellsHowFarEverythingDepartsAndWhereItEnds) {
+TEST_F(ReplayTest, ReportsTheDeviationOfEverythingAndWhereItEnds) {
   const recording::Recording recording = RecordAndReword("[3.0,-2.0,1.51]", "[3.3,-2.0,1.51]");
   const ReplayReport report = Replay(recording);
   EXPECT_EQ(report.compared, recording::TicksOf(recording));
-  ASSERT_GE(report.departures.size(), 1u);
+  ASSERT_GE(report.deviations.size(), 1u);
   // On its way down it lags behind; set down, it is as far away as it was sent.
-  const Departure& a = report.departures[0];
+  const Deviation& a = report.deviations[0];
   EXPECT_EQ(a.object, "a");
   EXPECT_NEAR(a.end->distance, 0.03, 0.002);
   EXPECT_GE(a.largest.size(), a.end->size());
@@ -160,9 +160,9 @@ TEST_F(ReplayTest, GoesOnAfterCommandsThatAreRefusedAndTellsThem) {
   EXPECT_EQ(report.refused[0].line, 1u);
   EXPECT_EQ(report.refused[0].reason, report.first_difference->replayed);
   EXPECT_EQ(report.compared, recording::TicksOf(recording));
-  ASSERT_FALSE(report.departures.empty());
-  EXPECT_EQ(report.departures[0].object, "a");
-  EXPECT_GT(report.departures[0].end->distance, 0.3);
+  ASSERT_FALSE(report.deviations.empty());
+  EXPECT_EQ(report.deviations[0].object, "a");
+  EXPECT_GT(report.deviations[0].end->distance, 0.3);
 }
 
 TEST_F(ReplayTest, ComparesOnlyTheRangeAskedFor) {
@@ -176,7 +176,7 @@ TEST_F(ReplayTest, ComparesOnlyTheRangeAskedFor) {
       Replay(recording, {.range = {.from = seconds + 0.1, .to = seconds + 0.2}});
   EXPECT_EQ(after.first_difference->tick, tick + 6);
   EXPECT_EQ(after.compared, (recording::TickRange{tick + 6, tick + 12}));
-  EXPECT_LE(after.departures.at(0).tick, tick + 12);
+  EXPECT_LE(after.deviations.at(0).tick, tick + 12);
 }
 
 TEST_F(ReplayTest, SaysWhatIsWrongWithARange) {

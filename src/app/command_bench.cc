@@ -101,15 +101,15 @@ void SnapshotRestore(benchmark::State& state) {
 /// Color, depth and id in one pass.
 void EyePicture(benchmark::State& state, bool with_robot) {
   const auto simulation = MakeUm({.no_robot = !with_robot});
-  const sim::Sight sight =
-      sim::SightOf(*simulation, {.width_px = static_cast<int>(state.range(0)),
-                                 .height_px = static_cast<int>(state.range(1))});
+  const sim::ViewSample sample =
+      sim::ViewSampleOf(*simulation, {.width_px = static_cast<int>(state.range(0)),
+                                      .height_px = static_cast<int>(state.range(1))});
   const camera::RenderOptions options{
-      .depth = true, .ids = true, .excluded_frames = sight.hidden_frames};
+      .depth = true, .ids = true, .excluded_frames = sample.hidden_frames};
   camera::Renderer renderer;
   Image image;
   for (auto _ : state) {
-    renderer.Render(simulation->model().visual_model(), sight.state, sight.view, options, &image);
+    renderer.Render(simulation->model().visual_model(), sample.state, sample.view, options, &image);
   }
   state.SetLabel(renderer.device_name());
 }
@@ -137,8 +137,8 @@ brain::Sensor SensorOf(const benchmark::State& state) {
                             .height_px = static_cast<int>(state.range(1))});
   brain::Sensor sensor;
   if (state.range(0) > 1)
-    sensor.pictures.push_back(
-        {.image = eye.Draw(simulation->model().visual_model(), SightOf(*simulation, eye.spec()))});
+    sensor.pictures.push_back({.image = eye.Draw(simulation->model().visual_model(),
+                                                 ViewSampleOf(*simulation, eye.spec()))});
   return sensor;
 }
 

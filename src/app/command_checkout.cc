@@ -10,8 +10,8 @@
 #include "experiment/content_hash.h"
 #include "experiment/run.h"
 #include "recording/recording_history.h"
-#include "recording/sight.h"
 #include "recording/time_range.h"
+#include "recording/view_sample.h"
 
 namespace smile::app {
 namespace {

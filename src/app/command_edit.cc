@@ -13,7 +13,7 @@
 #include "editing/edit_json.h"
 #include "editing/re_simulation.h"
 #include "picture/rendered_eye.h"
-#include "recording/sight.h"
+#include "recording/view_sample.h"
 
 namespace smile::app {
 namespace {

@@ -10,7 +10,7 @@
 #include "app/options.h"
 #include "base/diagnostic.h"
 #include "picture/film.h"
-#include "picture/photographer.h"
+#include "picture/recording_renderer.h"
 #include "picture/viewpoint.h"
 #include "recording/markers.h"
 #include "scene_xml/scene_reader.h"
@@ -54,7 +54,8 @@ void CheckTimes(const RenderCommandOptions& options, Product product) {
 }
 
 /// @param eye  the camera that is meant by `eye`.
-picture::Shot ShotOf(const RenderCommandOptions& options, const std::string& eye) {
+picture::RenderRequest RenderRequestOf(const RenderCommandOptions& options,
+                                       const std::string& eye) {
   const PictureSize size = ParseSize(options.size);
   return {.camera = options.camera,
           .eye = eye,
@@ -70,10 +71,10 @@ recording::DemonstratorLook LookOf(const RenderCommandOptions& options) {
 void RenderPicture(const model::Model& model, const recording::TraceTick& moment,
                    const std::vector<Vector3>& markers, const RenderCommandOptions& options,
                    const std::string& eye, const picture::SeenDemonstrator* demonstrator) {
-  const picture::Shot shot = ShotOf(options, eye);
-  picture::Photographer photographer(model, shot, demonstrator);
+  const picture::RenderRequest request = RenderRequestOf(options, eye);
+  picture::RecordingRenderer renderer(model, request, demonstrator);
   for (const auto& path :
-       picture::WriteChannels(options.out, photographer.Take(moment, markers), shot.channels)) {
+       picture::WriteChannels(options.out, renderer.Take(moment, markers), request.channels)) {
     std::printf("%s\n", path.c_str());
   }
 }
@@ -106,7 +107,7 @@ void RenderFilm(const recording::Recording& recording, const RenderCommandOption
   if (product == Product::kFilm && options.channels != "rgb") {
     throw std::invalid_argument("a film has the channel rgb only; pictures, DIR/, have all");
   }
-  const picture::FilmOptions film{.shot = ShotOf(options, recording.info.eye_camera),
+  const picture::FilmOptions film{.request = RenderRequestOf(options, recording.info.eye_camera),
                                   .frames_per_second = options.rate,
                                   .speed = options.speed,
                                   .range = options.range,

@@ -256,11 +256,11 @@ bool BrainDriver::IsPictureDue(const sim::Simulation& simulation) const {
 void BrainDriver::Look(const sim::Simulation& simulation, Sensor* sensor) {
   const scene::VisualModel& model = simulation.model().visual_model();
   const auto add = [&](const sim::EyeSpec& spec, const std::string& name) {
-    sim::Sight sight = SightOf(simulation, spec);
-    sight.channels = wishes_.channels;
-    const Image& image = options_.eye->Draw(model, sight);
+    sim::ViewSample sample = ViewSampleOf(simulation, spec);
+    sample.channels = wishes_.channels;
+    const Image& image = options_.eye->Draw(model, sample);
     sensor->pictures.push_back(
-        {.camera = DescribeCamera(sight.view, simulation),
+        {.camera = DescribeCamera(sample.view, simulation),
          .image = InUnits(image, wishes_.channels, simulation.scene().meters_per_unit),
          .name = name});
   };

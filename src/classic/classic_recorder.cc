@@ -9,8 +9,8 @@
 #include "image/png.h"
 #include "math/angles.h"
 #include "recording/segment_files.h"
-#include "recording/sight.h"
 #include "recording/time_range.h"
+#include "recording/view_sample.h"
 #include "scene/controls_of.h"
 #include "scene/units.h"
 #include "sim/action_summary.h"
@@ -208,8 +208,8 @@ void ClassicRecorder::WriteFrame(const recording::TraceTick& now) {
   std::string image;
   if (has_changed && eye_ != nullptr) {
     image = PathOf(state_.frame);
-    WritePng(directory_ / image,
-             eye_->Draw(model_->visual_model(), recording::SightAt(now, *model_, eye_->spec())));
+    WritePng(directory_ / image, eye_->Draw(model_->visual_model(),
+                                            recording::ViewSampleAt(now, *model_, eye_->spec())));
   }
   index_.Append(std::to_string(state_.frame) + "," + std::to_string(now.tick) + "," + image + "\n");
   ++state_.frame;

@@ -24,29 +24,29 @@ constexpr std::array<std::string_view, 9> kPalette = {"red",  "blue",    "yellow
                                                       "cyan", "magenta", "orange", "pink"};
 
 /// What a recording first says of an object.
-struct FirstSight {
+struct FirstAppearance {
   const ClassicCreate* create = nullptr;
   const std::string* file = nullptr;
   int line = 0;
   const ClassicMove* move = nullptr;
 };
 
-std::map<std::string, FirstSight> FirstSights(const ClassicRecording& recording) {
-  std::map<std::string, FirstSight> sights;
+std::map<std::string, FirstAppearance> FirstAppearances(const ClassicRecording& recording) {
+  std::map<std::string, FirstAppearance> appearances;
   for (const ClassicFile& segment : recording.segments) {
     for (const ClassicLine& line : segment.lines) {
       if (const auto* create = std::get_if<ClassicCreate>(&line.what)) {
-        sights.insert({create->object, {create, &segment.file, line.number}});
+        appearances.insert({create->object, {create, &segment.file, line.number}});
       } else if (const auto* move = std::get_if<ClassicMove>(&line.what)) {
-        FirstSight& sight = sights[move->object];
-        if (sight.move == nullptr) sight.move = move;
+        FirstAppearance& appearance = appearances[move->object];
+        if (appearance.move == nullptr) appearance.move = move;
       }
     }
   }
-  return sights;
+  return appearances;
 }
 
-double SpanOf(const scene::Description& description, const FirstSight& sight) {
+double SpanOf(const scene::Description& description, const FirstAppearance& appearance) {
   try {
     const double span =
         ParseClassicNumber(description.value, "the length " + description.name, kMaxSpan);
@@ -54,7 +54,7 @@ double SpanOf(const scene::Description& description, const FirstSight& sight) {
     throw std::invalid_argument(description.name + " is " + description.value +
                                 ", expected at least 0.001");
   } catch (const std::invalid_argument& error) {
-    throw InputError({*sight.file, sight.line, "", error.what()});
+    throw InputError({*appearance.file, appearance.line, "", error.what()});
   }
 }
 
@@ -106,23 +106,23 @@ std::string IdFor(const std::string& object, std::set<std::string>* taken) {
   return id;
 }
 
-scene::ObjectSpec StandIn(const FirstSight& sight, std::size_t index) {
+scene::ObjectSpec StandIn(const FirstAppearance& appearance, std::size_t index) {
   scene::ObjectSpec object;
   Vector3 spans(1, 1, 1);
   object.whole.color = *ParseColor(kPalette[index % kPalette.size()]);
-  object.descriptions = DescriptionsOf(*sight.create);
+  object.descriptions = DescriptionsOf(*appearance.create);
   for (const scene::Description& description : object.descriptions) {
     const auto& [name, value] = description;
-    if (name == "bboxx") spans.x() = SpanOf(description, sight);
-    if (name == "bboxy") spans.y() = SpanOf(description, sight);
-    if (name == "bboxz") spans.z() = SpanOf(description, sight);
+    if (name == "bboxx") spans.x() = SpanOf(description, appearance);
+    if (name == "bboxy") spans.y() = SpanOf(description, appearance);
+    if (name == "bboxz") spans.z() = SpanOf(description, appearance);
     if (name != "color") continue;
     if (const auto color = ParseColor(value)) object.whole.color = *color;
   }
   object.whole.shape = scene::Block{.size = scene::FromFileUnits(spans, scene::kMetersPerUnit)};
-  if (sight.move == nullptr) return object;
-  const Vector3 place = sight.move->position.cwiseMax(-kMaxLocation).cwiseMin(kMaxLocation);
-  object.whole.X_PE = RigidTransform(RotationFromFixedAxes(sight.move->angles_deg),
+  if (appearance.move == nullptr) return object;
+  const Vector3 place = appearance.move->position.cwiseMax(-kMaxLocation).cwiseMin(kMaxLocation);
+  object.whole.X_PE = RigidTransform(RotationFromFixedAxes(appearance.move->angles_deg),
                                      scene::FromFileUnits(place, scene::kMetersPerUnit));
   return object;
 }
@@ -131,10 +131,10 @@ scene::ObjectSpec StandIn(const FirstSight& sight, std::size_t index) {
 
 scene::SceneSpec MakeStandIns(const ClassicRecording& recording) {
   scene::SceneSpec scene;
-  const auto sights = FirstSights(recording);
+  const auto appearances = FirstAppearances(recording);
   std::set<std::string> taken;
   for (const std::string& id : recording.Objects()) {
-    scene.objects.push_back(StandIn(sights.at(id), scene.objects.size()));
+    scene.objects.push_back(StandIn(appearances.at(id), scene.objects.size()));
     scene.objects.back().whole.id = IdFor(id, &taken);
   }
   return scene;

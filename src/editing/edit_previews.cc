@@ -12,7 +12,7 @@
 #include "editing/edit_json.h"
 #include "editing/internal_temporary_directory.h"
 #include "recording/segment_files.h"
-#include "recording/sight.h"
+#include "recording/view_sample.h"
 
 namespace smile::editing {
 namespace {
@@ -42,7 +42,7 @@ class PlaceholderEye : public sim::Eye {
  public:
   explicit PlaceholderEye(const sim::EyeSpec& spec) : spec_(spec) {}
 
-  const Image& Draw(const scene::VisualModel&, const sim::Sight&) override { return pixel_; }
+  const Image& Draw(const scene::VisualModel&, const sim::ViewSample&) override { return pixel_; }
   const sim::EyeSpec& spec() const override { return spec_; }
 
  private:
@@ -143,7 +143,7 @@ EditReport EditPreviews::Save(const EditRequest& request, const fs::path& direct
   if (eye) {
     draw = [&](const recording::TraceTick& moment) -> const Image& {
       const model::Model& model = *recording.model;
-      return eye->Draw(model.visual_model(), SightAt(moment, model, eye->spec()));
+      return eye->Draw(model.visual_model(), ViewSampleAt(moment, model, eye->spec()));
     };
   }
   classic::Redraw(recording, directory, {.has_symbols = recording.info.has_symbols}, draw,

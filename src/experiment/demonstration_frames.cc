@@ -9,8 +9,8 @@
 #include "base/diagnostic.h"
 #include "classic/frame_index.h"
 #include "image/png.h"
-#include "recording/sight.h"
 #include "recording/trace_reader.h"
+#include "recording/view_sample.h"
 
 namespace smile::experiment {
 namespace {
@@ -56,7 +56,7 @@ class FrameReader {
  private:
   void Draw(const recording::TraceTick& moment) {
     const Image& drawn = eye_->Draw(recording_.model->visual_model(),
-                                    recording::SightAt(moment, *recording_.model, spec_));
+                                    recording::ViewSampleAt(moment, *recording_.model, spec_));
     image_ = {.width_px = drawn.width_px, .height_px = drawn.height_px, .color = drawn.color};
   }
 

@@ -2,8 +2,8 @@
 
 #include "base/files.h"
 #include "experiment/move_aside.h"
-#include "picture/photographer.h"
-#include "recording/sight.h"
+#include "picture/recording_renderer.h"
+#include "recording/view_sample.h"
 
 namespace smile::experiment {
 namespace {
@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t kMaxMarkBytes = 1 << 20;
 
 /// The view of the eye that took the pictures of a recording.
-picture::Shot ShotOf(const model::EyeSpec& eye) {
+picture::RenderRequest RenderRequestOf(const model::EyeSpec& eye) {
   return {.camera = model::kEyeCamera,
           .eye = eye.camera,
           .width_px = eye.width_px,
@@ -30,12 +30,12 @@ std::size_t Rerender(const recording::Recording& recording, const std::filesyste
                      const classic::RedrawOptions& copy, const Callbacks& callbacks) {
   const model::Model& model = *recording.model;
   const auto demonstrator = picture::DemonstratorOf(recording, copy.demonstrator);
-  picture::Photographer photographer(
-      model, ShotOf(EyeOf(recording.info).value_or(model::EyeSpec())), demonstrator.get());
+  picture::RecordingRenderer renderer(
+      model, RenderRequestOf(EyeOf(recording.info).value_or(model::EyeSpec())), demonstrator.get());
   return Redraw(
       recording, out, copy,
-      [&photographer](const recording::TraceTick& moment) -> const Image& {
-        return photographer.Take(moment);
+      [&renderer](const recording::TraceTick& moment) -> const Image& {
+        return renderer.Take(moment);
       },
       callbacks.ProgressOf("drawing"));
 }

@@ -35,10 +35,11 @@ void RecordDemonstration(const TaskExperimentPlan& plan, const std::filesystem::
 void FilmBoth(const std::filesystem::path& out, const Callbacks& callbacks) {
   for (const char* name : {"demonstration", "imitation"}) {
     if (callbacks.IsCancelled()) return;
-    picture::Film(
-        recording::OpenRecording(out / name), (out / name).string() + ".mp4",
-        {.shot = {.width_px = 854, .height_px = 480}, .frames_per_second = 20, .speed = kFilmSpeed},
-        callbacks.ProgressOf(std::string("filming the ") + name));
+    picture::Film(recording::OpenRecording(out / name), (out / name).string() + ".mp4",
+                  {.request = {.width_px = 854, .height_px = 480},
+                   .frames_per_second = 20,
+                   .speed = kFilmSpeed},
+                  callbacks.ProgressOf(std::string("filming the ") + name));
   }
 }
 

@@ -8,8 +8,8 @@
 
 #include "base/diagnostic.h"
 #include "base/wording.h"
-#include "recording/sight.h"
 #include "recording/trace_reader.h"
+#include "recording/view_sample.h"
 
 namespace smile::library {
 namespace {

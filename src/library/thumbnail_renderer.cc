@@ -3,8 +3,8 @@
 #include "image/png.h"
 #include "model/eye.h"
 #include "picture/viewpoint.h"
-#include "recording/sight.h"
 #include "recording/time_range.h"
+#include "recording/view_sample.h"
 
 namespace smile::library {
 

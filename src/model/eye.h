@@ -52,14 +52,14 @@ struct Channels {
   bool operator==(const Channels&) const = default;
 };
 
-/// One moment of a visual model, as a camera sees it.
-struct Sight {
+/// Sample of a visual model for a camera: the state and the view to render.
+struct ViewSample {
   scene::VisualState state;
   CameraView view;
   std::vector<int> hidden_frames;
   Channels channels;
 
-  bool operator==(const Sight&) const = default;
+  bool operator==(const ViewSample&) const = default;
 };
 
 /// Takes pictures with the robot's cameras. Implemented where there are graphics, so that recorders
@@ -67,10 +67,10 @@ struct Sight {
 class Eye {
  public:
   virtual ~Eye() = default;
-  /// The picture of a moment, with the channels it asks for or more. It lasts until the next one is
-  /// drawn.
-  virtual const Image& Draw(const scene::VisualModel& model, const Sight& sight) = 0;
-  /// The camera that is the robot's eye.
+  /// Returns the picture of a sample, with the channels that it requests or more. It is valid until
+  /// the next call.
+  virtual const Image& Draw(const scene::VisualModel& model, const ViewSample& sample) = 0;
+  /// Returns the camera that is the robot's eye.
   virtual const EyeSpec& spec() const = 0;
 };
 

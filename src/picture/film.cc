@@ -22,7 +22,7 @@ using AddFrame = std::function<void(std::uint64_t frame, std::uint64_t tick, con
 /// Takes a picture of each frame of a range of a recording.
 /// @returns false if `progress` cancelled it.
 bool ForEachFrame(const recording::Recording& recording, const recording::TickRange& range,
-                  const FilmOptions& options, Photographer* photographer,
+                  const FilmOptions& options, RecordingRenderer* renderer,
                   const recording::Progress& progress, const AddFrame& add) {
   const double rate = options.frames_per_second / options.speed;
   const double total = recording::SecondsInto(recording, range.last);
@@ -39,7 +39,7 @@ bool ForEachFrame(const recording::Recording& recording, const recording::TickRa
     if (moment->tick > range.last) break;
     if (!goes_on(moment->tick)) return false;
     if (moment->tick < range.first || !is_due(frame, moment->tick)) continue;
-    const Image& image = photographer->Take(*moment, markers.At(moment->tick));
+    const Image& image = renderer->Take(*moment, markers.At(moment->tick));
     // A rate above the ticks' shows a moment more than once.
     for (; is_due(frame, moment->tick); ++frame) {
       add(frame, moment->tick, image);
@@ -66,11 +66,11 @@ std::string NumberedName(std::uint64_t frame) {
 
 void FilmInto(const std::filesystem::path& mp4, const recording::Recording& recording,
               const recording::TickRange& range, const FilmOptions& options,
-              const recording::Progress& progress, Photographer* photographer) {
-  video::VideoWriter video(mp4, options.shot.width_px, options.shot.height_px,
+              const recording::Progress& progress, RecordingRenderer* renderer) {
+  video::VideoWriter video(mp4, options.request.width_px, options.request.height_px,
                            options.frames_per_second);
   const bool is_whole = ForEachFrame(
-      recording, range, options, photographer, progress,
+      recording, range, options, renderer, progress,
       [&video](std::uint64_t, std::uint64_t, const Image& image) { video.Add(image); });
   if (!is_whole) throw std::runtime_error("interrupted");
   video.Finish();
@@ -83,11 +83,11 @@ void Film(const recording::Recording& recording, const std::filesystem::path& mp
   const recording::TickRange range = TicksOf(options.range, recording);
   const model::Model& model = *recording.model;
   const auto demonstrator = DemonstratorOf(recording, options.demonstrator);
-  Photographer photographer(model, options.shot, demonstrator.get());
+  RecordingRenderer renderer(model, options.request, demonstrator.get());
   // Under another name until it is whole: an older film is not lost to half a new one.
   const std::filesystem::path part = mp4.string() + ".part.mp4";
   try {
-    FilmInto(part, recording, range, options, progress, &photographer);
+    FilmInto(part, recording, range, options, progress, &renderer);
     std::filesystem::rename(part, mp4);
   } catch (...) {
     std::error_code error;
@@ -101,14 +101,14 @@ void FilmAsPictures(const recording::Recording& recording, const std::filesystem
   const recording::TickRange range = TicksOf(options.range, recording);
   const model::Model& model = *recording.model;
   const auto demonstrator = DemonstratorOf(recording, options.demonstrator);
-  Photographer photographer(model, options.shot, demonstrator.get());
+  RecordingRenderer renderer(model, options.request, demonstrator.get());
   MakeNewDirectory(directory);
   recording::AppendFile index(directory / "frames.csv");
   index.Append("frame,tick,seconds,image\n");
-  ForEachFrame(recording, range, options, &photographer, progress,
+  ForEachFrame(recording, range, options, &renderer, progress,
                [&](std::uint64_t frame, std::uint64_t tick, const Image& image) {
-                 const auto written =
-                     WriteChannels(directory / NumberedName(frame), image, options.shot.channels);
+                 const auto written = WriteChannels(directory / NumberedName(frame), image,
+                                                    options.request.channels);
                  index.Append(std::to_string(frame) + "," + std::to_string(tick) + "," +
                               NumberText(recording::SecondsInto(recording, tick)) + "," +
                               written.front().filename().string() + "\n");

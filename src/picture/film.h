@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "picture/photographer.h"
+#include "picture/recording_renderer.h"
 #include "recording/progress.h"
 #include "recording/recording.h"
 #include "recording/time_range.h"
@@ -10,7 +10,7 @@
 namespace smile::picture {
 
 struct FilmOptions {
-  Shot shot;
+  RenderRequest request;
   double frames_per_second = 30;
   double speed = 1;            ///< 2 shows two seconds in one
   recording::TimeRange range;  ///< of the demonstration

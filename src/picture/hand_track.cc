@@ -9,8 +9,8 @@
 #include "base/diagnostic.h"
 #include "math/angles.h"
 #include "picture/touch.h"
-#include "recording/sight.h"
 #include "recording/trace_reader.h"
+#include "recording/view_sample.h"
 
 namespace smile::picture {
 namespace {
@@ -78,22 +78,23 @@ struct Aim {
 /// One hand on its way through time.
 class HandPlayer {
  public:
-  HandPlayer(Side side, const std::vector<HandDeed>& deeds, const Touch& touch, double table_edge)
-      : side_(side), deeds_(deeds), touch_(touch), edge_(table_edge) {
-    for (const HandDeed& deed : deeds_) {
-      yaws_.push_back(deed.kind == HandDeed::Kind::kTouch ? 0 : BestYaw(deed));
+  HandPlayer(Side side, const std::vector<ContactInterval>& intervals, const Touch& touch,
+             double table_edge)
+      : side_(side), intervals_(intervals), touch_(touch), edge_(table_edge) {
+    for (const ContactInterval& interval : intervals_) {
+      yaws_.push_back(interval.kind == ContactInterval::Kind::kTouch ? 0 : BestYaw(interval));
     }
     LookAhead();
   }
 
   /// Goes on to a moment.
   HandPosture GoTo(std::uint64_t tick, const scene::VisualState& state) {
-    while (next_ < deeds_.size() && deeds_[next_].first <= tick) {
+    while (next_ < intervals_.size() && intervals_[next_].first <= tick) {
       now_ = next_++;
-      left_ = AimAt(*now_, deeds_[*now_].begin);
+      left_ = AimAt(*now_, intervals_[*now_].begin);
       LookAhead();
     }
-    const bool is_at_it = now_ && tick <= deeds_[*now_].last;
+    const bool is_at_it = now_ && tick <= intervals_[*now_].last;
     const Aim aim = is_at_it ? AimAt(*now_, state) : AimBetween(tick);
     if (is_at_it) left_ = aim;
     const double dt = is_begun_ ? sim::SecondsOf(tick - tick_) : 1e9;
@@ -126,14 +127,14 @@ class HandPlayer {
 
   /// Turned about the hand's z axis so that what is to be held is thin between thumb and fingers,
   /// and the wrist not bent too far.
-  double BestYaw(const HandDeed& deed) const {
+  double BestYaw(const ContactInterval& interval) const {
     constexpr double kStep = DegreesToRadians(4);
     constexpr double kPerRadian = 0.02;  // of thickness that a bent wrist is worth [m]
-    const RigidTransform& X_WB = deed.begin.poses[deed.frame];
+    const RigidTransform& X_WB = interval.begin.poses[interval.frame];
     double best = 0, least = std::numeric_limits<double>::infinity();
     for (int k = -14; k <= 14; ++k) {
-      Aim aim = BeginOf(deed, k * kStep);
-      Feel(deed, X_WB, deed.begin.looks, &aim);
+      Aim aim = BeginOf(interval, k * kStep);
+      Feel(interval, X_WB, interval.begin.looks, &aim);
       const double cost = aim.reach[0] + aim.reach[1] + kPerRadian * std::abs(k * kStep) +
                           2 * std::max(0.0, aim.lift);
       if (cost >= least - 1e-6) continue;
@@ -144,29 +145,29 @@ class HandPlayer {
   }
 
   /// Not knowing yet how thick the object is.
-  Aim BeginOf(const HandDeed& deed, double yaw) const {
+  Aim BeginOf(const ContactInterval& interval, double yaw) const {
     Aim aim;
-    aim.p_WQ = deed.begin.poses[deed.frame] * deed.p_BQ;
+    aim.p_WQ = interval.begin.poses[interval.frame] * interval.p_BQ;
     aim.R_WH = NaturalRotation(side_, aim.p_WQ, edge_) *
                Eigen::AngleAxisd(yaw, Vector3::UnitZ()).toRotationMatrix();
     return aim;
   }
 
   /// Closes the hand on an object: as deep as the fingers reach, or onto it where it is too thick.
-  void Feel(const HandDeed& deed, const RigidTransform& X_WB, const std::vector<int>& looks,
-            Aim* aim) const {
+  void Feel(const ContactInterval& interval, const RigidTransform& X_WB,
+            const std::vector<int>& looks, Aim* aim) const {
     constexpr double kDeepest = 0.042;  // fingertips below the top [m]
     const Matrix3 R_BH = X_WB.rotation().transpose() * aim->R_WH;
     const Vector3 p_BQ = X_WB.inverse() * aim->p_WQ;
-    const double depth = touch_.Around(deed.frame, looks, p_BQ, R_BH.col(2)).to;
-    if (deed.kind == HandDeed::Kind::kTouch) {
+    const double depth = touch_.Around(interval.frame, looks, p_BQ, R_BH.col(2)).to;
+    if (interval.kind == ContactInterval::Kind::kTouch) {
       aim->lift = depth;
       aim->pointing = 1;
       return;
     }
     aim->lift = std::max(0.0, depth - kDeepest);
     const Vector3 p_BH = p_BQ + aim->lift * R_BH.col(2);
-    const Span across = touch_.Around(deed.frame, looks, p_BH, R_BH.col(0));
+    const Span across = touch_.Around(interval.frame, looks, p_BH, R_BH.col(0));
     if (across.to - across.from > kWidestGrip) {
       aim->lift = depth + kFingertipRadius;
     } else {
@@ -178,7 +179,7 @@ class HandPlayer {
       aim->reach = Reach(shift - across.from, across.to - shift);
       for (std::size_t digit = 0; digit < kDigits; ++digit) {
         const Vector3 p_BDigit = p_BH + R_BH * (GripLine(side_, digit) + Vector3(shift, 0, 0));
-        const Span along = touch_.Around(deed.frame, looks, p_BDigit, R_BH.col(0));
+        const Span along = touch_.Around(interval.frame, looks, p_BDigit, R_BH.col(0));
         const double at = digit == 0 ? -along.from : along.to;
         if (at > 0) aim->reach[digit] = std::min(at, kWidestGrip);
       }
@@ -189,24 +190,24 @@ class HandPlayer {
   }
 
   Aim AimAt(std::size_t index, const scene::VisualState& state) const {
-    const HandDeed& deed = deeds_[index];
-    const RigidTransform& X_WB = state.poses[deed.frame];
-    Aim aim = BeginOf(deed, yaws_[index]);
-    if (deed.kind == HandDeed::Kind::kHold) {
-      const Matrix3 R_begin = deed.begin.poses[deed.frame].rotation();
+    const ContactInterval& interval = intervals_[index];
+    const RigidTransform& X_WB = state.poses[interval.frame];
+    Aim aim = BeginOf(interval, yaws_[index]);
+    if (interval.kind == ContactInterval::Kind::kHold) {
+      const Matrix3 R_begin = interval.begin.poses[interval.frame].rotation();
       const Matrix3 R_with_it = X_WB.rotation() * R_begin.transpose() * aim.R_WH;
-      aim.p_WQ = X_WB * deed.p_BQ;
+      aim.p_WQ = X_WB * interval.p_BQ;
       const Matrix3 R_natural = NaturalRotation(side_, aim.p_WQ, edge_);
       aim.R_WH = TurnedTowards(R_natural, R_with_it, kMostTwist);
     }
-    aim.p_WQ = X_WB * deed.p_BQ;
-    Feel(deed, X_WB, state.looks, &aim);
+    aim.p_WQ = X_WB * interval.p_BQ;
+    Feel(interval, X_WB, state.looks, &aim);
     return aim;
   }
 
   void LookAhead() {
-    ahead_ =
-        next_ < deeds_.size() ? std::optional(AimAt(next_, deeds_[next_].begin)) : std::nullopt;
+    ahead_ = next_ < intervals_.size() ? std::optional(AimAt(next_, intervals_[next_].begin))
+                                       : std::nullopt;
   }
 
   static double WayTime(const Aim& from, const Aim& to) {
@@ -236,12 +237,12 @@ class HandPlayer {
     return aim;
   }
 
-  /// Between two deeds, or before the first, or after the last.
+  /// Between two intervals, or before the first, or after the last.
   Aim AimBetween(std::uint64_t tick) const {
     const Aim rest = Rest();
     const std::optional<Aim>& to = ahead_;
-    const double since = now_ ? sim::SecondsOf(tick - deeds_[*now_].last) : 0;
-    const double until = to ? sim::SecondsOf(deeds_[next_].first - tick) : 0;
+    const double since = now_ ? sim::SecondsOf(tick - intervals_[*now_].last) : 0;
+    const double until = to ? sim::SecondsOf(intervals_[next_].first - tick) : 0;
     const double back = now_ ? WayTime(left_, rest) : 0, there = to ? WayTime(rest, *to) : 0;
     if (now_ && to && since + until < back + kShortestRest + there) {
       const double seconds = std::max(since + until, WayTime(left_, *to));
@@ -253,10 +254,10 @@ class HandPlayer {
   }
 
   Side side_;
-  const std::vector<HandDeed>& deeds_;
+  const std::vector<ContactInterval>& intervals_;
   const Touch& touch_;
   double edge_;
-  std::vector<double> yaws_;  ///< one per deed
+  std::vector<double> yaws_;  ///< one per interval
   std::size_t next_ = 0;
   std::optional<std::size_t> now_;  ///< the last that has begun
   std::optional<Aim> ahead_;        ///< how the next begins
@@ -272,10 +273,10 @@ class HandPlayer {
 HandTrack::HandTrack(const recording::Recording& recording) {
   const model::Model& model = *recording.model;
   const Touch touch(model);
-  deeds_ = DeedsIn(recording, touch);
+  schedule_ = HandScheduleOf(recording, touch);
   const double edge = recording.scene().table.y_span / 2;
-  HandPlayer left(Side::kLeft, deeds_.of[0], touch, edge);
-  HandPlayer right(Side::kRight, deeds_.of[1], touch, edge);
+  HandPlayer left(Side::kLeft, schedule_.of[0], touch, edge);
+  HandPlayer right(Side::kRight, schedule_.of[1], touch, edge);
   recording::TraceReader trace(recording);
   while (const auto moment = trace.Next()) {
     const scene::VisualState state = recording::VisualStateAt(*moment, model);

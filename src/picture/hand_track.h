@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "picture/hand_anatomy.h"
-#include "picture/hand_deeds.h"
+#include "picture/hand_schedule.h"
 #include "recording/recording.h"
 
 namespace smile::picture {
@@ -20,13 +20,13 @@ inline constexpr double kFastestHand = 1.4;
 /// to where it rests beyond the table's edge when there is time for both ways.
 class HandTrack {
  public:
-  /// Throws as DeedsIn() does.
+  /// Throws as HandScheduleOf() does.
   explicit HandTrack(const recording::Recording& recording);
 
   /// The two hands, left first; of a tick that the trace does not tell, as at the one before.
   const std::array<HandPosture, kSides.size()>& At(std::uint64_t tick) const;
-  /// What they do, for the curious.
-  const HandDeeds& deeds() const { return deeds_; }
+  /// Returns the contacts of the hands, for tests.
+  const HandSchedule& schedule() const { return schedule_; }
 
  private:
   struct Sample {
@@ -34,7 +34,7 @@ class HandTrack {
     std::array<HandPosture, kSides.size()> hands;
   };
 
-  HandDeeds deeds_;
+  HandSchedule schedule_;
   std::vector<Sample> samples_;  ///< by tick; never empty
 };
 

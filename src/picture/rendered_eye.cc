@@ -4,25 +4,25 @@ namespace smile::picture {
 namespace {
 
 /// The same as the other, or without channels that the other has.
-bool IsPartOf(const model::Sight& sight, const model::Sight& other) {
-  const auto [rgb, depth, id] = sight.channels;
+bool IsPartOf(const model::ViewSample& sample, const model::ViewSample& other) {
+  const auto [rgb, depth, id] = sample.channels;
   const model::Channels& there = other.channels;
-  return rgb <= there.rgb && depth <= there.depth && id <= there.id && sight.view == other.view &&
-         sight.hidden_frames == other.hidden_frames && sight.state == other.state;
+  return rgb <= there.rgb && depth <= there.depth && id <= there.id && sample.view == other.view &&
+         sample.hidden_frames == other.hidden_frames && sample.state == other.state;
 }
 
 }  // namespace
 
-const Image& RenderedEye::Draw(const scene::VisualModel& model, const model::Sight& sight) {
-  if (seen_ && &model == model_seen_ && IsPartOf(sight, *seen_)) return image_;
-  renderer_.Render(model, sight.state, sight.view,
-                   {.color = sight.channels.rgb,
-                    .depth = sight.channels.depth,
-                    .ids = sight.channels.id,
+const Image& RenderedEye::Draw(const scene::VisualModel& model, const model::ViewSample& sample) {
+  if (seen_ && &model == model_seen_ && IsPartOf(sample, *seen_)) return image_;
+  renderer_.Render(model, sample.state, sample.view,
+                   {.color = sample.channels.rgb,
+                    .depth = sample.channels.depth,
+                    .ids = sample.channels.id,
                     .look = camera::Look::kRobotEye,
-                    .excluded_frames = sight.hidden_frames},
+                    .excluded_frames = sample.hidden_frames},
                    &image_);
-  seen_ = sight;
+  seen_ = sample;
   model_seen_ = &model;
   return image_;
 }

@@ -12,14 +12,14 @@ class RenderedEye : public model::Eye {
  public:
   explicit RenderedEye(const model::EyeSpec& spec) : spec_(spec) {}
 
-  const Image& Draw(const scene::VisualModel& model, const model::Sight& sight) override;
+  const Image& Draw(const scene::VisualModel& model, const model::ViewSample& sample) override;
   const model::EyeSpec& spec() const override { return spec_; }
 
  private:
   model::EyeSpec spec_;
   camera::Renderer renderer_;
   Image image_;
-  std::optional<model::Sight> seen_;
+  std::optional<model::ViewSample> seen_;
   const scene::VisualModel* model_seen_ = nullptr;  ///< to be compared only
 };
 

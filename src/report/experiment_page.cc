@@ -1,7 +1,7 @@
 #include "report/experiment_page.h"
 
 #include "image/png.h"
-#include "picture/photographer.h"
+#include "picture/recording_renderer.h"
 #include "recording/recording_history.h"
 #include "recording/time_range.h"
 #include "report/internal_activity.h"
@@ -30,17 +30,17 @@ Markup PicturesOf(const recording::Recording& recording, const std::string& whos
   for (const char* camera : {"nice", model::kEyeCamera}) {
     const bool is_eye = camera == std::string_view(model::kEyeCamera);
     if (is_eye && !recording.robot()) continue;
-    picture::Photographer photographer(model, {.camera = camera,
-                                               .eye = recording.info.eye_camera,
-                                               .width_px = kPictureWidth,
-                                               .height_px = kPictureHeight,
-                                               .channels = {}});
+    picture::RecordingRenderer renderer(model, {.camera = camera,
+                                                .eye = recording.info.eye_camera,
+                                                .width_px = kPictureWidth,
+                                                .height_px = kPictureHeight,
+                                                .channels = {}});
     for (std::uint64_t tick : {ticks.first, ticks.last}) {
       const auto moment = MomentAt(recording, tick);
       if (!moment) continue;
       const std::string words = whose + (tick == ticks.first ? ", the beginning" : ", the end") +
                                 (is_eye ? ", as the robot's eye sees it" : "");
-      gallery += Captioned(Picture(EncodePng(photographer.Take(*moment)), words), words);
+      gallery += Captioned(Picture(EncodePng(renderer.Take(*moment)), words), words);
     }
   }
   return Element("div", {{"class", "gallery"}}, gallery);

@@ -30,13 +30,14 @@ void CheckName(const std::string& id, const std::vector<scene::CameraSpec>& came
   }
 }
 
-void CheckSight(const scene::CameraSpec& camera, AttributeReader* attributes) {
+void CheckViewDirection(const scene::CameraSpec& camera, AttributeReader* attributes) {
   if (attributes->has_findings()) return;
-  const Vector3 sight = camera.p_WQ - camera.p_WC;
-  if (!(sight.norm() > 0)) {
+  const Vector3 view_direction = camera.p_WQ - camera.p_WC;
+  if (!(view_direction.norm() > 0)) {
     attributes->Refuse("target", "another place than location");
   } else if (attributes->Text("up") &&
-             sight.normalized().cross(camera.up_in_world.normalized()).norm() < kParallel) {
+             view_direction.normalized().cross(camera.up_in_world.normalized()).norm() <
+                 kParallel) {
     attributes->Refuse("up", "another direction than that from location to target");
   }
 }
@@ -55,7 +56,7 @@ void ReadCamera(const SceneElement& element, Reading* reading,
     camera.vertical_field_of_view =
         DegreesToRadians(attributes.Number("fov", 60, kFieldOfViewDegrees));
   }
-  CheckSight(camera, &attributes);
+  CheckViewDirection(camera, &attributes);
   attributes.RefuseUnknown();
   RefuseContent(element, reading);
   if (attributes.has_findings()) return;

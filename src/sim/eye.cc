@@ -8,7 +8,7 @@ CameraView EyeView(const Simulation& simulation, const EyeSpec& spec) {
                         robot != nullptr ? robot->positions() : std::vector<double>(), spec);
 }
 
-Sight SightOf(const Simulation& simulation, const EyeSpec& spec) {
+ViewSample ViewSampleOf(const Simulation& simulation, const EyeSpec& spec) {
   return {.state = simulation.visual_state(),
           .view = EyeView(simulation, spec),
           .hidden_frames = model::FramesHiddenFromEye(simulation.model(),

@@ -10,11 +10,11 @@ using model::Eye;
 using model::EyeSpec;
 using model::kEyeCamera;
 using model::kHeadCamera;
-using model::Sight;
+using model::ViewSample;
 
 /// Where a camera is now; see model::EyeView().
 CameraView EyeView(const Simulation& simulation, const EyeSpec& spec);
 /// The present moment, as a camera sees it.
-Sight SightOf(const Simulation& simulation, const EyeSpec& spec);
+ViewSample ViewSampleOf(const Simulation& simulation, const EyeSpec& spec);
 
 }  // namespace smile::sim

@@ -15,8 +15,8 @@ class CapturingEye : public sim::Eye {
   /// Replaces the wrapped eye; the new one must have the same spec.
   void SetEye(sim::Eye* eye) { eye_ = eye; }
 
-  const Image& Draw(const scene::VisualModel& model, const sim::Sight& sight) override {
-    const Image& image = eye_->Draw(model, sight);
+  const Image& Draw(const scene::VisualModel& model, const sim::ViewSample& sample) override {
+    const Image& image = eye_->Draw(model, sample);
     captured_ = image;
     return image;
   }

@@ -11,19 +11,19 @@ std::optional<std::string> EyePreview::Look(LiveWorld* world, const SessionState
   if (eye_ == nullptr || is_broken_) return std::nullopt;
   if (auto recorded = world->eye()->Take()) {
     picture_ = Picture{.image = *std::move(recorded), .is_recorded = true};
-    seen_ = sim::SightOf(world->simulation(), eye_->spec());
+    seen_ = sim::ViewSampleOf(world->simulation(), eye_->spec());
     return std::nullopt;
   }
   if (num_calls_ % kTicksPerPicture != 0) return std::nullopt;
-  sim::Sight sight = shown.SightThrough(eye_->spec());
-  if (seen_ == sight) return std::nullopt;
+  sim::ViewSample sample = shown.ViewSampleThrough(eye_->spec());
+  if (seen_ == sample) return std::nullopt;
   try {
-    picture_ = Picture{.image = eye_->Draw(shown.model().visual_model(), sight)};
+    picture_ = Picture{.image = eye_->Draw(shown.model().visual_model(), sample)};
   } catch (const std::runtime_error& error) {
     is_broken_ = true;
     return error.what();
   }
-  seen_ = std::move(sight);
+  seen_ = std::move(sample);
   return std::nullopt;
 }
 

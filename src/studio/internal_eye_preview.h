@@ -36,7 +36,8 @@ class EyePreview {
   bool is_broken_ = false;  ///< it cannot draw, which was reported
   std::uint64_t num_calls_ = 0;
   std::optional<Picture> picture_;
-  mutable std::optional<sim::Sight> seen_;  ///< at last; nullopt when somebody waits for a picture
+  mutable std::optional<sim::ViewSample>
+      seen_;  ///< at last; nullopt when somebody waits for a picture
 };
 
 }  // namespace smile::studio

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "experiment/brain_setup.h"
-#include "recording/sight.h"
+#include "recording/view_sample.h"
 #include "sim/eye.h"
 #include "studio/state_message.h"
 
@@ -28,8 +28,8 @@ std::optional<std::string> WorldState::Unmet(Need need) const {
 
 library::View LiveState::view() const { return ViewOf(world().simulation()); }
 
-model::Sight LiveState::SightThrough(model::EyeSpec eye) const {
-  return sim::SightOf(world().simulation(), eye);
+model::ViewSample LiveState::ViewSampleThrough(model::EyeSpec eye) const {
+  return sim::ViewSampleOf(world().simulation(), eye);
 }
 
 Json LiveState::Describe() const { return DescribeLive(world().simulation()); }
@@ -78,8 +78,8 @@ std::optional<std::string> ClearTableState::Unmet(Need need) const {
 
 library::View ClearTableState::view() const { return ViewOf(animation_.simulation()); }
 
-model::Sight ClearTableState::SightThrough(model::EyeSpec eye) const {
-  return sim::SightOf(animation_.simulation(), eye);
+model::ViewSample ClearTableState::ViewSampleThrough(model::EyeSpec eye) const {
+  return sim::ViewSampleOf(animation_.simulation(), eye);
 }
 
 Json ClearTableState::Describe() const { return DescribeLive(animation_.simulation()); }
@@ -108,9 +108,9 @@ library::View PlaybackState::view() const {
   return view;
 }
 
-model::Sight PlaybackState::SightThrough(model::EyeSpec eye) const {
+model::ViewSample PlaybackState::ViewSampleThrough(model::EyeSpec eye) const {
   eye.camera = playback_.recording().info.eye_camera;
-  return recording::SightAt(playback_.moment(), playback_.model(), eye);
+  return recording::ViewSampleAt(playback_.moment(), playback_.model(), eye);
 }
 
 Json PlaybackState::Describe() const { return DescribeShown(playback_); }

@@ -52,7 +52,7 @@ class SessionState : public Activity {
   virtual const model::Model& model() const = 0;
   /// `scene` is the caller's to fill in.
   virtual library::View view() const = 0;
-  virtual model::Sight SightThrough(model::EyeSpec eye) const = 0;
+  virtual model::ViewSample ViewSampleThrough(model::EyeSpec eye) const = 0;
   /// What a state message says of it: tick, hands, controls, the robot.
   virtual Json Describe() const = 0;
 
@@ -92,7 +92,7 @@ class LiveState : public WorldState {
   const char* mode() const override { return "live"; }
   const model::Model& model() const override { return world().simulation().model(); }
   library::View view() const override;
-  model::Sight SightThrough(model::EyeSpec eye) const override;
+  model::ViewSample ViewSampleThrough(model::EyeSpec eye) const override;
   Json Describe() const override;
   bool Tick(bool is_paused) override;
 
@@ -132,7 +132,7 @@ class ClearTableState : public WorldState {
   std::optional<std::string> Unmet(Need need) const override;
   const model::Model& model() const override { return animation_.simulation().model(); }
   library::View view() const override;
-  model::Sight SightThrough(model::EyeSpec eye) const override;
+  model::ViewSample ViewSampleThrough(model::EyeSpec eye) const override;
   Json Describe() const override;
   bool Tick(bool is_paused) override;
   bool is_over() const override { return animation_.is_over(); }
@@ -158,7 +158,7 @@ class PlaybackState : public SessionState {
   const model::Model& model() const override { return playback_.model(); }
   library::View view() const override;
   /// With the camera that the recording was made with.
-  model::Sight SightThrough(model::EyeSpec eye) const override;
+  model::ViewSample ViewSampleThrough(model::EyeSpec eye) const override;
   Json Describe() const override;
   /// A pause is the world's alone.
   bool Tick(bool is_paused) override;

@@ -17,7 +17,7 @@ namespace {
 /// An eye whose pictures are all alike.
 class GrayEye : public sim::Eye {
  public:
-  const Image& Draw(const scene::VisualModel&, const sim::Sight&) override { return image_; }
+  const Image& Draw(const scene::VisualModel&, const sim::ViewSample&) override { return image_; }
   const sim::EyeSpec& spec() const override { return spec_; }
 
  private:

@@ -16,15 +16,15 @@ namespace {
 /// Keeps what it saw.
 class WitnessEye : public recorder::PaintedEye {
  public:
-  explicit WitnessEye(std::vector<sim::Sight>* seen) : seen_(seen) {}
+  explicit WitnessEye(std::vector<sim::ViewSample>* seen) : seen_(seen) {}
 
-  const Image& Draw(const scene::VisualModel& model, const sim::Sight& sight) override {
-    seen_->push_back(sight);
-    return PaintedEye::Draw(model, sight);
+  const Image& Draw(const scene::VisualModel& model, const sim::ViewSample& sample) override {
+    seen_->push_back(sample);
+    return PaintedEye::Draw(model, sample);
   }
 
  private:
-  std::vector<sim::Sight>* seen_;
+  std::vector<sim::ViewSample>* seen_;
 };
 
 class EditPreviewsTest : public recorder::RecordingFixture {
@@ -99,7 +99,7 @@ class EditPreviewsTest : public recorder::RecordingFixture {
     EXPECT_FALSE(is_any_kept());
   }
 
-  std::vector<sim::Sight> seen_;
+  std::vector<sim::ViewSample> seen_;
   std::uint64_t num_steps_ = 0;
   EditPreviews previews_{
       [this](const sim::EyeSpec&) { return std::make_unique<WitnessEye>(&seen_); }};

@@ -6,8 +6,8 @@
 
 #include "picture/touch.h"
 #include "recorder/test/recording_fixture.h"
-#include "recording/sight.h"
 #include "recording/trace_reader.h"
+#include "recording/view_sample.h"
 
 namespace smile::picture {
 namespace {
@@ -103,23 +103,23 @@ TEST_F(HandTrackTest, TouchesWhatItHolds) {
   while (const auto moment = trace.Next()) {
     for (const Side side : kSides) {
       const auto k = static_cast<std::size_t>(side);
-      for (const HandDeed& deed : track.deeds().of[k]) {
-        const bool is_held = deed.kind == HandDeed::Kind::kHold && moment->tick >= deed.first &&
-                             moment->tick < deed.last;
+      for (const ContactInterval& interval : track.schedule().of[k]) {
+        const bool is_held = interval.kind == ContactInterval::Kind::kHold &&
+                             moment->tick >= interval.first && moment->tick < interval.last;
         if (!is_held) continue;
         ++num_held;
         const HandPosture& hand = track.At(moment->tick)[k];
-        const RigidTransform X_WB = moment->objects[deed.object].pose_in_world();
+        const RigidTransform X_WB = moment->objects[interval.object].pose_in_world();
         const Vector3 half_size =
-            deed.object == 2 ? Vector3(0.15, 0.05, 0.05) : Vector3(0.05, 0.05, 0.05);
+            interval.object == 2 ? Vector3(0.15, 0.05, 0.05) : Vector3(0.05, 0.05, 0.05);
         // Thumb and index finger lie on it, the point at which it was grasped between them.
         const auto tips = FingertipsInHand(side, hand);
         for (const std::size_t tip : {0u, 1u}) {
           const Vector3 p_BTip = X_WB.inverse() * (hand.X_WH * tips[tip]);
           EXPECT_LT(DistanceToCuboid(p_BTip, half_size), 0.0095)
-              << "tick " << moment->tick << ", object " << deed.object;
+              << "tick " << moment->tick << ", object " << interval.object;
         }
-        const Vector3 p_HQ = hand.X_WH.inverse() * (X_WB * deed.p_BQ);
+        const Vector3 p_HQ = hand.X_WH.inverse() * (X_WB * interval.p_BQ);
         EXPECT_LT(std::hypot(p_HQ.y(), p_HQ.z()), 0.045) << moment->tick;
         EXPECT_LT(p_HQ.x(), tips[1].x());
         EXPECT_GT(p_HQ.x(), tips[0].x());
@@ -139,7 +139,7 @@ TEST_F(HandTrackTest, GivesAnyToTheHandThatIsFree) {
 {"do":"wait","seconds":1}
 {"hand":"any","do":"grasp","object":"b"}
 {"do":"wait","seconds":0.5})");
-  const auto& [left, right] = track.deeds().of;
+  const auto& [left, right] = track.schedule().of;
   // `b` is on the left hand's side, but that is needed for `a`; later it is not.
   ASSERT_EQ(right.size(), 1u);
   EXPECT_EQ(right[0].object, model::ObjectIndex(1));
@@ -153,7 +153,7 @@ TEST_F(HandTrackTest, CrossesNoArmsThatNeedNot) {
   const HandTrack track = TrackOf(R"({"hand":"left","do":"grasp","object":"plank"}
 {"hand":"right","do":"grasp","object":"b"}
 {"do":"wait","seconds":0.5})");
-  const auto& [left, right] = track.deeds().of;
+  const auto& [left, right] = track.schedule().of;
   ASSERT_EQ(left.size(), 1u);
   EXPECT_EQ(left[0].object, model::ObjectIndex(1));
   ASSERT_EQ(right.size(), 1u);
@@ -165,7 +165,7 @@ TEST_F(HandTrackTest, TakesHoldWhereTheLogSays) {
       R"({"hand":"right","do":"grasp","object":"plank","point":[-5.2,1,0.8]}
 {"hand":"right","do":"move_to","position":[-5.2,1,3]}
 {"do":"wait","until":"arrived"})");
-  const auto& right = track.deeds().of[1];
+  const auto& right = track.schedule().of[1];
   ASSERT_EQ(right.size(), 1u);
   EXPECT_LT((right[0].p_BQ - Vector3(-0.12, 0, 0.03)).norm(), 1e-6);
 }
@@ -176,7 +176,7 @@ TEST_F(HandTrackTest, ArrivesLateRatherThanJumps) {
 {"hand":"right","do":"release"}
 {"hand":"right","do":"grasp","object":"plank"}
 {"do":"wait","seconds":1})");
-  const auto& right = track.deeds().of[1];
+  const auto& right = track.schedule().of[1];
   ASSERT_EQ(right.size(), 2u);
   const Vector3 goal = right[1].begin.poses[3] * right[1].p_BQ;
   const auto distance = [&](std::uint64_t tick) {

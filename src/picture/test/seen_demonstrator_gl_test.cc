@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "picture/photographer.h"
+#include "picture/recording_renderer.h"
 #include "recorder/test/recording_fixture.h"
 #include "recording/time_range.h"
 #include "recording/trace_reader.h"
@@ -20,9 +20,9 @@ TEST_F(SeenDemonstratorTest, ChangesPicturesOnlyWhereHandsAre) {
   const recording::Recording recording = recording::OpenRecording(Record());
   const model::Model& model = *recording.model;
   const SeenDemonstrator ghost(recording, kGhost), person(recording, kForearm);
-  const Shot shot{.camera = "eye", .width_px = 160, .height_px = 120, .channels = kAll};
-  Photographer plain(model, shot), with_ghost(model, shot, &ghost),
-      with_person(model, shot, &person);
+  const RenderRequest request{.camera = "eye", .width_px = 160, .height_px = 120, .channels = kAll};
+  RecordingRenderer plain(model, request), with_ghost(model, request, &ghost),
+      with_person(model, request, &person);
   std::size_t num_changed = 0, least_seen = 1000, most_seen = 0, num_ghostly = 0;
   recording::TraceReader trace(recording);
   while (const auto moment = trace.Next()) {
@@ -70,10 +70,10 @@ TEST_F(SeenDemonstratorTest, IsTheSameAgainFromEverywhere) {
   for (const DemonstratorLook look : {kGhost, kForearm}) {
     const SeenDemonstrator one(recording, look), other(recording, look);
     for (const char* camera : {"eye", "nice"}) {
-      const Shot shot{.camera = camera, .width_px = 160, .height_px = 120};
-      const Image nobody = Photographer(model, shot).Take(*moment);
-      const Image first = Photographer(model, shot, &one).Take(*moment);
-      EXPECT_EQ(first.color, Photographer(model, shot, &other).Take(*moment).color);
+      const RenderRequest request{.camera = camera, .width_px = 160, .height_px = 120};
+      const Image nobody = RecordingRenderer(model, request).Take(*moment);
+      const Image first = RecordingRenderer(model, request, &one).Take(*moment);
+      EXPECT_EQ(first.color, RecordingRenderer(model, request, &other).Take(*moment).color);
       EXPECT_NE(first.color, nobody.color);
     }
   }

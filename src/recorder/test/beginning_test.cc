@@ -14,7 +14,7 @@ namespace {
 /// Ends its process while the first picture is taken.
 class DeadlyEye : public PaintedEye {
  public:
-  const Image& Draw(const scene::VisualModel&, const sim::Sight&) override {
+  const Image& Draw(const scene::VisualModel&, const sim::ViewSample&) override {
     kill(getpid(), SIGKILL);
     std::abort();
   }

@@ -9,7 +9,7 @@ namespace smile::recorder {
 /// An eye that paints what it is told: the number of looks, so that pictures can be told apart.
 class PaintedEye : public sim::Eye {
  public:
-  const Image& Draw(const scene::VisualModel&, const sim::Sight&) override {
+  const Image& Draw(const scene::VisualModel&, const sim::ViewSample&) override {
     ++looks_;
     image_.color.assign(static_cast<std::size_t>(spec_.width_px) * spec_.height_px * 3,
                         static_cast<std::uint8_t>(looks_));

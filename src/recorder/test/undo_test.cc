@@ -24,14 +24,14 @@ namespace {
 /// An eye whose pictures tell apart what it sees.
 class HashingEye : public sim::Eye {
  public:
-  const Image& Draw(const scene::VisualModel& model, const sim::Sight& sight) override {
+  const Image& Draw(const scene::VisualModel& model, const sim::ViewSample& sample) override {
     StateHash hash;
     for (const scene::Visual& visual : model.visuals) {
       const bool is_seen =
           visual.choice < 0 ||
-          sight.state.looks[static_cast<std::size_t>(visual.choice)] == visual.look;
+          sample.state.looks[static_cast<std::size_t>(visual.choice)] == visual.look;
       if (!is_seen) continue;
-      const RigidTransform& X_WF = sight.state.poses[static_cast<std::size_t>(visual.frame)];
+      const RigidTransform& X_WF = sample.state.poses[static_cast<std::size_t>(visual.frame)];
       for (double number : X_WF* visual.X_FV.translation()) hash.Add(number);
       hash.Add(visual.color.red);
     }

@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "base/files.h"
-#include "recording/sight.h"
+#include "recording/view_sample.h"
 #include "scene_xml/scene_reader.h"
 #include "sim/test/everything_scene.h"
 

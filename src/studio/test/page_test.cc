@@ -4,7 +4,7 @@
 
 #include "base/bytes.h"
 #include "base/files.h"
-#include "recording/sight.h"
+#include "recording/view_sample.h"
 #include "robot/urdf_reader.h"
 #include "scene_xml/scene_reader.h"
 #include "studio/pose_stream.h"

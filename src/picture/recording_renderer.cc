@@ -1,4 +1,4 @@
-#include "picture/photographer.h"
+#include "picture/recording_renderer.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -6,7 +6,7 @@
 #include "base/wording.h"
 #include "image/png.h"
 #include "picture/viewpoint.h"
-#include "recording/sight.h"
+#include "recording/view_sample.h"
 
 namespace smile::picture {
 namespace {
@@ -37,61 +37,63 @@ Channels ParseChannels(const std::string& text) {
   return channels;
 }
 
-Photographer::Photographer(const model::Model& model, Shot shot,
-                           const SeenDemonstrator* demonstrator)
+RecordingRenderer::RecordingRenderer(const model::Model& model, RenderRequest request,
+                                     const SeenDemonstrator* demonstrator)
     : model_(model),
       demonstrator_(demonstrator),
-      shot_(std::move(shot)),
-      eye_{.width_px = shot_.width_px, .height_px = shot_.height_px} {
+      request_(std::move(request)),
+      eye_{.width_px = request_.width_px, .height_px = request_.height_px} {
   const std::vector<std::string> names = model::CameraNames(model);
-  if (std::ranges::find(names, shot_.camera) != names.end()) {
-    eye_.camera = shot_.camera == model::kEyeCamera ? shot_.eye : shot_.camera;
+  if (std::ranges::find(names, request_.camera) != names.end()) {
+    eye_.camera = request_.camera == model::kEyeCamera ? request_.eye : request_.camera;
   } else {
-    view_for_people_ = FindView(shot_.camera, model.scene(), eye_, names, model.robot() != nullptr);
+    view_for_people_ =
+        FindView(request_.camera, model.scene(), eye_, names, model.robot() != nullptr);
   }
 }
 
-const Image& Photographer::Take(const recording::TraceTick& moment,
-                                const std::vector<Vector3>& markers) {
-  model::Sight sight = recording::SightAt(moment, model_, eye_);
+const Image& RecordingRenderer::Take(const recording::TraceTick& moment,
+                                     const std::vector<Vector3>& markers) {
+  model::ViewSample sample = recording::ViewSampleAt(moment, model_, eye_);
   if (view_for_people_) {
-    sight.view = *view_for_people_;
+    sample.view = *view_for_people_;
     // Only the eye does not see the head it sits in.
-    if (moment.is_robot_shown) sight.hidden_frames.clear();
+    if (moment.is_robot_shown) sample.hidden_frames.clear();
   }
   const bool is_somebody_there = demonstrator_ != nullptr;
   const bool is_ghost = is_somebody_there && demonstrator_->look() == DemonstratorLook::kGhost;
-  if (is_somebody_there && !is_ghost) demonstrator_->AddTo(&sight.state, moment.tick);
-  Render(opaque_model(), sight, shot_.channels, &image_);
-  if (is_ghost && shot_.channels.rgb) AddGhost(sight, moment.tick);
-  if (view_for_people_ && shot_.channels.rgb && !markers.empty()) AddMarkers(sight, markers);
+  if (is_somebody_there && !is_ghost) demonstrator_->AddTo(&sample.state, moment.tick);
+  Render(opaque_model(), sample, request_.channels, &image_);
+  if (is_ghost && request_.channels.rgb) AddGhost(sample, moment.tick);
+  if (view_for_people_ && request_.channels.rgb && !markers.empty()) AddMarkers(sample, markers);
   return image_;
 }
 
-const scene::VisualModel& Photographer::opaque_model() const {
+const scene::VisualModel& RecordingRenderer::opaque_model() const {
   const bool has_arms =
       demonstrator_ != nullptr && demonstrator_->look() == DemonstratorLook::kForearm;
   return has_arms ? demonstrator_->model() : model_.visual_model();
 }
 
-void Photographer::Render(const scene::VisualModel& model, const model::Sight& sight,
-                          const Channels& channels, Image* image) {
+void RecordingRenderer::Render(const scene::VisualModel& model, const model::ViewSample& sample,
+                               const Channels& channels, Image* image) {
   renderer_.Render(
-      model, sight.state, sight.view,
+      model, sample.state, sample.view,
       {.color = channels.rgb,
        .depth = channels.depth,
        .ids = channels.id,
        .look = view_for_people_ ? camera::Look::kPresentation : camera::Look::kRobotEye,
-       .excluded_frames = sight.hidden_frames},
+       .excluded_frames = sample.hidden_frames},
       image);
 }
 
-void Photographer::AddGhost(model::Sight sight, std::uint64_t tick) {
-  demonstrator_->AddTo(&sight.state, tick);
-  Mix(demonstrator_->model(), sight);
+void RecordingRenderer::AddGhost(model::ViewSample sample, std::uint64_t tick) {
+  demonstrator_->AddTo(&sample.state, tick);
+  Mix(demonstrator_->model(), sample);
 }
 
-void Photographer::AddMarkers(const model::Sight& sight, const std::vector<Vector3>& markers) {
+void RecordingRenderer::AddMarkers(const model::ViewSample& sample,
+                                   const std::vector<Vector3>& markers) {
   constexpr double kRadiusUnits = 0.15;
   scene::VisualModel model = opaque_model();
   scene::Visual marker;
@@ -103,11 +105,11 @@ void Photographer::AddMarkers(const model::Sight& sight, const std::vector<Vecto
     marker.X_FV = RigidTransform(p_WM);
     model.visuals.push_back(marker);
   }
-  Mix(model, sight);
+  Mix(model, sample);
 }
 
-void Photographer::Mix(const scene::VisualModel& model, const model::Sight& sight) {
-  Render(model, sight, {}, &mixed_image_);
+void RecordingRenderer::Mix(const scene::VisualModel& model, const model::ViewSample& sample) {
+  Render(model, sample, {}, &mixed_image_);
   for (std::size_t i = 0; i < image_.color.size(); ++i) {
     image_.color[i] = static_cast<std::uint8_t>((image_.color[i] + mixed_image_.color[i] + 1) / 2);
   }

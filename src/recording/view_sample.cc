@@ -1,4 +1,4 @@
-#include "recording/sight.h"
+#include "recording/view_sample.h"
 
 namespace smile::recording {
 
@@ -10,8 +10,8 @@ scene::VisualState VisualStateAt(const TraceTick& moment, const model::Model& mo
   return model.VisualStateOf(state, moment.joints, moment.mood);
 }
 
-model::Sight SightAt(const TraceTick& moment, const model::Model& model,
-                     const model::EyeSpec& spec) {
+model::ViewSample ViewSampleAt(const TraceTick& moment, const model::Model& model,
+                               const model::EyeSpec& spec) {
   return {.state = VisualStateAt(moment, model),
           .view = EyeView(model, moment.joints, spec),
           .hidden_frames = FramesHiddenFromEye(model, moment.is_robot_shown, spec.camera)};

@@ -11,8 +11,8 @@
 
 namespace smile::picture {
 
-/// From when to when a hand is at an object, and where.
-struct HandDeed {
+/// Interval of time in which a hand is in contact with an object.
+struct ContactInterval {
   enum class Kind {
     kHold,   ///< takes hold of it
     kTouch,  ///< touches it for a moment with the index finger: points, triggers
@@ -23,24 +23,24 @@ struct HandDeed {
   std::uint64_t first = 0, last = 0;  ///< ticks, both included
   model::ObjectIndex object{0};
   model::FrameIndex frame{0};      ///< the object's
-  Vector3 p_BQ = Vector3::Zero();  ///< the place, in the object's body B [m]
-  scene::VisualState begin;        ///< how everything is when it begins
+  Vector3 p_BQ = Vector3::Zero();  ///< the contact point, in the object's body B [m]
+  scene::VisualState begin;        ///< at its begin
 };
 
-/// What each of the two hands does, in order of time; never two things at once.
-struct HandDeeds {
-  std::array<std::vector<HandDeed>, kSides.size()> of;
+/// Contact intervals of each of the two hands, in order of time, not overlapping.
+struct HandSchedule {
+  std::array<std::vector<ContactInterval>, kSides.size()> of;
 };
 
-/// What the demonstrator of a recording did, by its trace and its log, with two hands: `both` are
-/// the two, `any` is the one that does nothing else meanwhile, and of two that are free the one on
-/// whose side of the table the object is.
+/// Assigns the actions of a recording's demonstrator to two hands, by its trace and its log: `both`
+/// are the two, `any` is the one that is free meanwhile, and if both are, the one on whose side of
+/// the table the object is.
 ///
 /// Some demonstrations call hands as the person would who has them, others as they are seen from
 /// the robot's side of the table. Either way the hand at +x is the person's left; `left` is meant
 /// to be the one with which the arms cross less.
 /// @throws InputError if the trace cannot be read, or is of the old format that does not tell what
 ///         hands did.
-HandDeeds DeedsIn(const recording::Recording& recording, const Touch& touch);
+HandSchedule HandScheduleOf(const recording::Recording& recording, const Touch& touch);
 
 }  // namespace smile::picture

@@ -18,41 +18,41 @@ using model::Channels;
 /// @throws std::invalid_argument saying what was found and expected.
 Channels ParseChannels(const std::string& text);
 
-/// How something is to be seen.
-struct Shot {
+/// Request for a picture: camera, size and channels.
+struct RenderRequest {
   std::string camera = "nice";          ///< one of model::CameraNames(), or see FindView()
   std::string eye = model::kEyeCamera;  ///< which camera is meant by `eye`: a recording has its own
   int width_px = 1280, height_px = 720;
   Channels channels;
 };
 
-/// Takes pictures of recorded moments from anywhere, without physics. What the robot's cameras saw,
-/// it sees to the last bit; the scene's see as they do.
-class Photographer {
+/// Renders recorded ticks from any viewpoint, without physics. Pictures of the robot's cameras are
+/// bit-identical to the recorded ones; the scene's cameras see as they do.
+class RecordingRenderer {
  public:
   /// @param model         of the recording's scene and robot. Must outlive this.
-  /// @param demonstrator  who is to be seen; nullptr for nobody. Must outlive this.
+  /// @param demonstrator  who is visible; nullptr for none. Must outlive this.
   /// @throws std::invalid_argument if there is no such camera.
-  Photographer(const model::Model& model, Shot shot,
-               const SeenDemonstrator* demonstrator = nullptr);
+  RecordingRenderer(const model::Model& model, RenderRequest request,
+                    const SeenDemonstrator* demonstrator = nullptr);
 
   /// @param markers  points that views for people show as translucent balls [m].
   /// The picture lasts until the next one.
   const Image& Take(const recording::TraceTick& moment, const std::vector<Vector3>& markers = {});
 
  private:
-  /// All that hides what is behind it.
+  /// Returns the model of all that is opaque.
   const scene::VisualModel& opaque_model() const;
-  void Render(const scene::VisualModel& model, const model::Sight& sight, const Channels& channels,
-              Image* image);
-  void AddGhost(model::Sight sight, std::uint64_t tick);
-  void AddMarkers(const model::Sight& sight, const std::vector<Vector3>& markers);
-  /// Half of what is seen is of another model, half what is behind it. Depth and ids are without.
-  void Mix(const scene::VisualModel& model, const model::Sight& sight);
+  void Render(const scene::VisualModel& model, const model::ViewSample& sample,
+              const Channels& channels, Image* image);
+  void AddGhost(model::ViewSample sample, std::uint64_t tick);
+  void AddMarkers(const model::ViewSample& sample, const std::vector<Vector3>& markers);
+  /// Blends another model into the picture, half transparent. Depth and ids do not contain it.
+  void Mix(const scene::VisualModel& model, const model::ViewSample& sample);
 
   const model::Model& model_;
   const SeenDemonstrator* demonstrator_;
-  Shot shot_;
+  RenderRequest request_;
   model::EyeSpec eye_;
   std::optional<CameraView> view_for_people_;  ///< nullopt: the eye's
   camera::Renderer renderer_;

@@ -141,16 +141,16 @@ scene::Bounds BoundsIn(const scene::ObjectSpec& object, const RigidTransform& X_
 /// A place A where things meet nothing that is there, and nothing hangs over the table's edge.
 class PlaceFinder {
  public:
-  /// @param around  must outlive this.
-  explicit PlaceFinder(const Surroundings& around)
-      : margin_(scene::FromFileUnits(0.2, around.meters_per_unit)), around_(around) {}
+  /// @param context  must outlive this.
+  explicit PlaceFinder(const PlacementContext& context)
+      : margin_(scene::FromFileUnits(0.2, context.meters_per_unit)), context_(context) {}
 
   std::optional<RigidTransform> Find(const std::vector<scene::ObjectSpec>& things,
                                      Random* random) const {
     constexpr int kMaxTries = 2'000;
     for (int i = 0; i < kMaxTries; ++i) {
-      const double x = Uniform(random, -around_.table.x_span / 2, around_.table.x_span / 2);
-      const double y = Uniform(random, -around_.table.y_span / 2, around_.table.y_span / 2);
+      const double x = Uniform(random, -context_.table.x_span / 2, context_.table.x_span / 2);
+      const double y = Uniform(random, -context_.table.y_span / 2, context_.table.y_span / 2);
       const RigidTransform X_WA(RotationFromFixedAxes({0, 0, Uniform(random, 0, 90)}), {x, y, 0});
       scene::Bounds bounds;
       for (const scene::ObjectSpec& thing : things) bounds.Add(BoundsIn(thing, X_WA));
@@ -161,17 +161,17 @@ class PlaceFinder {
 
  private:
   bool IsFree(const scene::Bounds& bounds) const {
-    const Vector3 edge(around_.table.x_span / 2 - margin_, around_.table.y_span / 2 - margin_, 0);
+    const Vector3 edge(context_.table.x_span / 2 - margin_, context_.table.y_span / 2 - margin_, 0);
     if ((bounds.low.head<2>().array() < -edge.head<2>().array()).any()) return false;
     if ((bounds.high.head<2>().array() > edge.head<2>().array()).any()) return false;
-    for (const scene::Bounds& other : around_.taken) {
+    for (const scene::Bounds& other : context_.taken) {
       if (bounds.Meets(other, margin_)) return false;
     }
     return true;
   }
 
   double margin_;  ///< around everything [m]
-  const Surroundings& around_;
+  const PlacementContext& context_;
 };
 
 }  // namespace
@@ -186,16 +186,16 @@ const std::vector<Preset>& Presets() {
 }
 
 std::optional<scene::SceneSpec> MakePreset(const std::string& preset,
-                                           const Surroundings& surroundings, std::uint64_t seed) {
+                                           const PlacementContext& context, std::uint64_t seed) {
   Random random(seed);
-  Maker maker(surroundings.meters_per_unit, &random);
+  Maker maker(context.meters_per_unit, &random);
   FindRecipe(preset).make(&maker);
   std::vector<scene::ObjectSpec> things = maker.Take();
-  const auto X_WA = PlaceFinder(surroundings).Find(things, &random);
+  const auto X_WA = PlaceFinder(context).Find(things, &random);
   if (!X_WA) return std::nullopt;
   scene::SceneSpec scene{
-      .name = preset, .meters_per_unit = surroundings.meters_per_unit, .table = surroundings.table};
-  std::set<std::string> ids = surroundings.ids;
+      .name = preset, .meters_per_unit = context.meters_per_unit, .table = context.table};
+  std::set<std::string> ids = context.ids;
   for (scene::ObjectSpec& thing : things) {
     thing.whole.id = NewId(thing.whole.id, &ids);
     thing.whole.X_PE = *X_WA * thing.whole.X_PE;

@@ -27,7 +27,7 @@ std::vector<int> JointsOf(const robot::RobotModel& model, const JointTrajectory&
 
 std::string Tell(const robot::RobotModel& model, const physics::LinkOverlap& overlap) {
   const auto name = [&](int link) -> std::string {
-    if (link == physics::kSurroundings) return "what stands around";
+    if (link == physics::kEnvironment) return "what stands around";
     return link < 0 ? "the base" : model.links[link].name;
   };
   return name(overlap.link) + " would touch " + name(overlap.other);

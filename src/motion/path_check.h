@@ -20,7 +20,7 @@ struct InvalidMoment {
 };
 
 /// The first moment of a trajectory that breaks a limit of position, velocity or acceleration, or
-/// at which links touch each other, the base or the surroundings. Limits are looked at exactly,
+/// at which links touch each other, the base or the environment. Limits are looked at exactly,
 /// touching wherever a joint has moved by 0.02 rad (or 0.02 m). A broken limit is told at its worst
 /// moment between the two points where that happens first.
 ///

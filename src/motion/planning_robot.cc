@@ -164,9 +164,9 @@ std::optional<InvalidMoment> PlanningRobot::FirstInvalid(
       q[robot::FindJoint(model_, names[i]).value()] = q_both[i];
     }
   }
-  std::vector<scene::Solid> surroundings;
-  if (table) surroundings.push_back(TableOf(table->first, table->second, meters_per_unit_));
-  physics::ArticulationProbe probe(robot::MakeArticulationSpec(model_, X_WBase_), surroundings);
+  std::vector<scene::Solid> environment;
+  if (table) environment.push_back(TableOf(table->first, table->second, meters_per_unit_));
+  physics::ArticulationProbe probe(robot::MakeArticulationSpec(model_, X_WBase_), environment);
   return motion::FirstInvalid(model_, trajectory, q, &probe);
 }
 

@@ -40,17 +40,17 @@ void ArticulationProbe::Parts::Add(int link, const RigidTransform& X_WL,
 }
 
 ArticulationProbe::ArticulationProbe(const scene::ArticulationSpec& spec,
-                                     const std::vector<scene::Solid>& surroundings)
+                                     const std::vector<scene::Solid>& environment)
     : parts_(std::make_unique<Parts>()) {
   parts_->links = spec.links;
   parts_->X_WBase = spec.X_WBase;
-  parts_->Add(kSurroundings, {}, surroundings);
+  parts_->Add(kEnvironment, {}, environment);
   parts_->Add(-1, spec.X_WBase, spec.base_solids);
   for (std::size_t i = 0; i < spec.links.size(); ++i) {
     parts_->Add(static_cast<int>(i), {}, spec.links[i].solids);
   }
 
-  std::set<std::pair<int, int>> never{{kSurroundings, -1}};
+  std::set<std::pair<int, int>> never{{kEnvironment, -1}};
   for (const auto& [a, b] : spec.never_collide) never.insert(std::minmax(a, b));
   const auto& pieces = parts_->pieces;
   for (std::size_t i = 0; i < pieces.size(); ++i) {

@@ -10,12 +10,12 @@
 namespace smile::physics {
 
 /// Stands for what surrounds an articulation, where links are numbered; -1 is its base.
-inline constexpr int kSurroundings = -2;
+inline constexpr int kEnvironment = -2;
 
 /// Two that reach into each other.
 struct LinkOverlap {
   int link = -1;     ///< the one with the larger number
-  int other = -1;    ///< -1: the base; kSurroundings
+  int other = -1;    ///< -1: the base; kEnvironment
   double depth = 0;  ///< [m]
 
   bool operator==(const LinkOverlap&) const = default;
@@ -26,9 +26,9 @@ struct LinkOverlap {
 /// asked before. To be used from one thread at a time.
 class ArticulationProbe {
  public:
-  /// @param surroundings  what stands still around it; Solid::X_BS is X_WS. The base may touch it.
+  /// @param environment  what is static around it; Solid::X_BS is X_WS. The base may touch it.
   explicit ArticulationProbe(const scene::ArticulationSpec& spec,
-                             const std::vector<scene::Solid>& surroundings = {});
+                             const std::vector<scene::Solid>& environment = {});
   ~ArticulationProbe();
   ArticulationProbe(ArticulationProbe&&) noexcept;
   ArticulationProbe& operator=(ArticulationProbe&&) noexcept;

@@ -30,11 +30,11 @@ struct Template {
 
 using Templates = std::map<std::string, Template, std::less<>>;
 
-/// What is around an element while it is expanded.
-struct Surroundings {
+/// Context of an element that is being expanded.
+struct ExpansionContext {
   Scope* scope;
   int expansion;  // of Sources
-  int depth;      // of the element around, the root being 1
+  int depth;      // of the parent element, the root being 1
 };
 
 void AddCost(const SceneElement& element, Template* target) {
@@ -108,44 +108,44 @@ class Expander {
 
  private:
   std::vector<SceneElement> Expanded(std::vector<SceneElement> content,
-                                     const Surroundings& around) {
+                                     const ExpansionContext& context) {
     std::vector<SceneElement> result;
-    ExpandInto(&result, std::move(content), around);
+    ExpandInto(&result, std::move(content), context);
     return result;
   }
 
   void ExpandInto(std::vector<SceneElement>* target, std::vector<SceneElement> content,
-                  const Surroundings& around) {
+                  const ExpansionContext& context) {
     for (SceneElement& element : content) {
       if (budget_.is_spent()) return;
-      element.place.expansion = around.expansion;
+      element.place.expansion = context.expansion;
       if (element.Is("instance")) {
-        ExpandInstance(std::move(element), around, target);
+        ExpandInstance(std::move(element), context, target);
       } else if (!IsMisplaced(element)) {
-        ExpandElement(std::move(element), around, target);
+        ExpandElement(std::move(element), context, target);
       }
     }
   }
 
-  void ExpandElement(SceneElement element, const Surroundings& around,
+  void ExpandElement(SceneElement element, const ExpansionContext& context,
                      std::vector<SceneElement>* target) {
-    if (around.depth >= limits_.max_depth) {
+    if (context.depth >= limits_.max_depth) {
       return Fail(element, "found more than " + std::to_string(limits_.max_depth) +
                                " elements inside one another, expected fewer");
     }
-    SubstituteAttributes(&element, around.scope);
-    element.children =
-        Expanded(std::move(element.children), {around.scope, around.expansion, around.depth + 1});
+    SubstituteAttributes(&element, context.scope);
+    element.children = Expanded(std::move(element.children),
+                                {context.scope, context.expansion, context.depth + 1});
     target->push_back(std::move(element));
   }
 
-  void ExpandInstance(SceneElement instance, const Surroundings& around,
+  void ExpandInstance(SceneElement instance, const ExpansionContext& context,
                       std::vector<SceneElement>* target) {
-    SubstituteAttributes(&instance, around.scope);
+    SubstituteAttributes(&instance, context.scope);
     AttributeReader attributes(instance, &reading_);
     const std::string name = attributes.RequiredName("def");
     attributes.RefuseUnknown();
-    const std::vector<VariableText> variables = ReadVariables(&instance, around);
+    const std::vector<VariableText> variables = ReadVariables(&instance, context);
     if (attributes.has_findings()) return;
     const auto found = templates_.find(name);
     if (found == templates_.end()) return RefuseName(instance, name);
@@ -156,16 +156,16 @@ class Expander {
     const int expansion = reading_.findings->sources().AddExpansion(instance.place);
     std::vector<VariableText> defaults = used.defaults;
     for (VariableText& variable : defaults) variable.place.expansion = expansion;
-    Scope scope(around.scope, variables, defaults, &budget_, reading_.findings);
+    Scope scope(context.scope, variables, defaults, &budget_, reading_.findings);
     open_.push_back(name);
-    ExpandInto(target, used.content, {&scope, expansion, around.depth});
+    ExpandInto(target, used.content, {&scope, expansion, context.depth});
     open_.pop_back();
   }
 
-  std::vector<VariableText> ReadVariables(SceneElement* instance, const Surroundings& around) {
+  std::vector<VariableText> ReadVariables(SceneElement* instance, const ExpansionContext& context) {
     std::vector<VariableText> variables;
     for (SceneElement& child : instance->children) {
-      child.place.expansion = around.expansion;
+      child.place.expansion = context.expansion;
       if (child.Is("var")) {
         variables.push_back(ReadVariable(child, &reading_));
       } else if (CheckNamespace(child, &reading_)) {

@@ -11,18 +11,18 @@
 namespace smile::sim {
 namespace {
 
-layout::Surroundings SurroundingsIn(const Simulation& simulation) {
+layout::PlacementContext PlacementContextOf(const Simulation& simulation) {
   const scene::SceneSpec& scene = simulation.scene();
-  layout::Surroundings around{.meters_per_unit = scene.meters_per_unit,
-                              .table = scene.table,
-                              .taken = {},
-                              .ids = scene::IdsOf(scene)};
+  layout::PlacementContext context{.meters_per_unit = scene.meters_per_unit,
+                                   .table = scene.table,
+                                   .taken = {},
+                                   .ids = scene::IdsOf(scene)};
   for (const world::Object& object : simulation.tabletop().objects()) {
     if (!simulation.tabletop().IsPresent(object)) continue;
     const physics::Body& body = simulation.physics().body(object.body);
-    around.taken.push_back(scene::BoundsOf(body.spec().solids, body.pose_in_world()));
+    context.taken.push_back(scene::BoundsOf(body.spec().solids, body.pose_in_world()));
   }
-  return around;
+  return context;
 }
 
 }  // namespace
@@ -35,11 +35,11 @@ Add ParseAdd(const Json& json) { return ReadFields<Add>(json, scene::kMetersPerU
 
 std::optional<Spawn> SpawnOf(const Add& add, const Simulation& simulation, Refusal* refusal) {
   constexpr std::uint64_t kMaxTries = 20, kBetweenSeeds = 0x9E3779B97F4A7C15;
-  const layout::Surroundings around = SurroundingsIn(simulation);
+  const layout::PlacementContext context = PlacementContextOf(simulation);
   for (std::uint64_t i = 0; i < kMaxTries; ++i) {
     std::optional<scene::SceneSpec> scene;
     try {
-      scene = layout::MakePreset(add.preset, around, add.seed + i * kBetweenSeeds);
+      scene = layout::MakePreset(add.preset, context, add.seed + i * kBetweenSeeds);
     } catch (const std::invalid_argument& error) {
       *refusal = error.what();
       return std::nullopt;

@@ -18,31 +18,31 @@ scene::Bounds BoundsOfAll(const scene::SceneSpec& scene) {
 }
 
 TEST(Presets, StandOnTheTableWhereNothingIsYet) {
-  Surroundings around;
+  PlacementContext context;
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     for (const Preset& preset : Presets()) {
-      const auto made = MakePreset(preset.name, around, seed);
+      const auto made = MakePreset(preset.name, context, seed);
       ASSERT_TRUE(made.has_value()) << preset.name;
       const scene::Bounds bounds = BoundsOfAll(*made);
       EXPECT_NEAR(bounds.low.z(), 0, 1e-9) << preset.name;
-      EXPECT_LT(bounds.high.x(), around.table.x_span / 2);
+      EXPECT_LT(bounds.high.x(), context.table.x_span / 2);
       EXPECT_FALSE(made->objects.front().descriptions.empty());
-      EXPECT_EQ(MakePreset(preset.name, around, seed), made) << "same seed, same place";
-      EXPECT_NE(MakePreset(preset.name, around, seed + 9), made);
+      EXPECT_EQ(MakePreset(preset.name, context, seed), made) << "same seed, same place";
+      EXPECT_NE(MakePreset(preset.name, context, seed + 9), made);
     }
-    const auto stack = MakePreset("stack_3", around, seed);
-    around.taken.push_back(BoundsOfAll(*stack));
+    const auto stack = MakePreset("stack_3", context, seed);
+    context.taken.push_back(BoundsOfAll(*stack));
     for (const scene::ObjectSpec& object : stack->objects) {
-      EXPECT_TRUE(around.ids.insert(object.id()).second) << object.id() << " is new";
+      EXPECT_TRUE(context.ids.insert(object.id()).second) << object.id() << " is new";
     }
-    const auto next = MakePreset("stack_3", around, seed);
+    const auto next = MakePreset("stack_3", context, seed);
     ASSERT_TRUE(next.has_value());
-    EXPECT_FALSE(BoundsOfAll(*next).Meets(around.taken.back()));
+    EXPECT_FALSE(BoundsOfAll(*next).Meets(context.taken.back()));
   }
 }
 
 TEST(Presets, SayWhenThereIsNoRoomOrNoSuchPreset) {
-  Surroundings full;
+  PlacementContext full;
   full.taken = {{.low = {-2, -2, 0}, .high = {2, 2, 1}}};
   EXPECT_EQ(MakePreset("ball", full, 1), std::nullopt);
   try {

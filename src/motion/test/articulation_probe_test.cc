@@ -63,7 +63,7 @@ TEST(ArticulationProbe, FindsNamedPosesFreeUntilSomethingStandsInTheWay) {
   physics::ArticulationProbe beside(MakeArticulationSpec(Baxter(), {}), {post});
   const auto overlap = beside.FirstOverlap(q);
   ASSERT_TRUE(overlap);
-  EXPECT_EQ(overlap->other, physics::kSurroundings);
+  EXPECT_EQ(overlap->other, physics::kEnvironment);
   EXPECT_GE(overlap->link, left.joints.front());
   EXPECT_LE(overlap->link, left.gripper->right_finger);
   EXPECT_THROW(beside.FirstOverlap(std::vector<double>(3)), std::invalid_argument);

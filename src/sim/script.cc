@@ -259,23 +259,23 @@ void ScriptPlayer::Advance(Simulation* simulation) {
     }
     const auto refusal =
         std::visit(Overloaded{[](const Wait&) -> std::optional<Refusal> { return std::nullopt; },
-                              [&](const auto& what) { return Carry(what, simulation); }},
+                              [&](const auto& what) { return Execute(what, simulation); }},
                    line.what);
     if (refusal) Fail(line, *refusal);
   }
 }
 
-std::optional<Refusal> ScriptPlayer::Carry(const Command& command, Simulation* simulation) {
+std::optional<Refusal> ScriptPlayer::Execute(const Command& command, Simulation* simulation) {
   return simulation->Apply(command);
 }
 
-std::optional<Refusal> ScriptPlayer::Carry(const Add& add, Simulation* simulation) {
+std::optional<Refusal> ScriptPlayer::Execute(const Add& add, Simulation* simulation) {
   Refusal refusal;
   const auto spawn = SpawnOf(add, *simulation, &refusal);
   return spawn ? simulation->Apply(*spawn) : refusal;
 }
 
-std::optional<Refusal> ScriptPlayer::Carry(const Drag& drag, Simulation* simulation) {
+std::optional<Refusal> ScriptPlayer::Execute(const Drag& drag, Simulation* simulation) {
   Refusal refusal;
   const auto move = MoveOf(drag, *simulation, &refusal);
   return move ? simulation->Apply(*move) : refusal;

@@ -64,11 +64,11 @@ class ScriptPlayer {
   }
 
  private:
-  // What is asked becomes a command.
-  /// @returns why it was refused.
-  static std::optional<Refusal> Carry(const Command& command, Simulation* simulation);
-  static std::optional<Refusal> Carry(const Drag& drag, Simulation* simulation);
-  static std::optional<Refusal> Carry(const Add& add, Simulation* simulation);
+  /// Executes a line of the script as a command.
+  /// @returns why it was refused; nullopt if it was executed.
+  static std::optional<Refusal> Execute(const Command& command, Simulation* simulation);
+  static std::optional<Refusal> Execute(const Drag& drag, Simulation* simulation);
+  static std::optional<Refusal> Execute(const Add& add, Simulation* simulation);
   bool IsOver(const Wait& wait, const ScriptLine& line, const Simulation& simulation);
   [[noreturn]] void Fail(const ScriptLine& line, const std::string& message) const;
 

@@ -7,7 +7,7 @@
 #include "base/diagnostic.h"
 #include "base/files.h"
 #include "base/wording.h"
-#include "robot/internal_robot_shelf.h"
+#include "robot/internal_robot_file_set.h"
 
 namespace smile::robot::internal {
 namespace {

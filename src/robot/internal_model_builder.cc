@@ -37,8 +37,8 @@ struct MassSum {
 
 class ModelBuilder {
  public:
-  ModelBuilder(const std::vector<UrdfPart>& parts, RobotShelf* shelf)
-      : parts_(parts), shelf_(*shelf) {}
+  ModelBuilder(const std::vector<UrdfPart>& parts, RobotFileSet* files)
+      : parts_(parts), files_(*files) {}
 
   BuiltModel Build() {
     built_.is_used.resize(parts_.size());
@@ -125,8 +125,8 @@ class ModelBuilder {
       LinkVisual drawn{.link = carrier, .shape = {}, .color = {}, .X_LV = {}};
       if (const auto* mesh = dynamic_cast<const urdf::Mesh*>(visual->geometry.get())) {
         const Vector3 scale = element.ReadScale(*mesh);
-        drawn.shape = scene::DrawnMesh{FromShelf(
-            element, *mesh, [&] { return shelf_.FetchDrawn(part.file, mesh->filename, scale); })};
+        drawn.shape = scene::DrawnMesh{FetchMesh(
+            element, *mesh, [&] { return files_.FetchDrawn(part.file, mesh->filename, scale); })};
         drawn.X_LV = X_LF * element.ReadPose(visual->origin);
       } else {
         const scene::Solid solid = element.ReadSolid(visual->geometry.get(), visual->origin);
@@ -156,8 +156,8 @@ class ModelBuilder {
     const Vector3 scale = element.ReadScale(*mesh);
     const RigidTransform X_FS = element.ReadPose(origin);
     std::vector<scene::Solid> solids;
-    FromShelf(element, *mesh, [&] {
-      for (const scene::Hull& hull : shelf_.FetchPieces(part.file, mesh->filename, scale)) {
+    FetchMesh(element, *mesh, [&] {
+      for (const scene::Hull& hull : files_.FetchPieces(part.file, mesh->filename, scale)) {
         solids.push_back({.shape = hull, .X_BS = X_FS});
       }
       return 0;
@@ -166,7 +166,7 @@ class ModelBuilder {
   }
 
   template <class Fetch>
-  static std::invoke_result_t<Fetch> FromShelf(const UrdfElement& element, const urdf::Mesh& mesh,
+  static std::invoke_result_t<Fetch> FetchMesh(const UrdfElement& element, const urdf::Mesh& mesh,
                                                Fetch fetch) {
     try {
       return fetch();
@@ -221,7 +221,7 @@ class ModelBuilder {
   }
 
   const std::vector<UrdfPart>& parts_;
-  RobotShelf& shelf_;
+  RobotFileSet& files_;
   BuiltModel built_;
   std::set<std::string> names_;
   std::vector<MassSum> masses_;  ///< one for each moving link
@@ -230,8 +230,8 @@ class ModelBuilder {
 
 }  // namespace
 
-BuiltModel BuildModel(const std::vector<UrdfPart>& parts, RobotShelf* shelf) {
-  return ModelBuilder(parts, shelf).Build();
+BuiltModel BuildModel(const std::vector<UrdfPart>& parts, RobotFileSet* files) {
+  return ModelBuilder(parts, files).Build();
 }
 
 }  // namespace smile::robot::internal

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "robot/internal_robot_shelf.h"
+#include "robot/internal_robot_file_set.h"
 #include "robot/internal_urdf_parse.h"
 #include "robot/robot_model.h"
 
@@ -37,6 +37,6 @@ struct BuiltModel {
 /// Walks the tree of `parts[0]` and puts everything where it belongs; branches of the other parts
 /// grow as if they stood in the same file.
 /// @throws InputError
-BuiltModel BuildModel(const std::vector<UrdfPart>& parts, RobotShelf* shelf);
+BuiltModel BuildModel(const std::vector<UrdfPart>& parts, RobotFileSet* files);
 
 }  // namespace smile::robot::internal

@@ -1,4 +1,4 @@
-#include "robot/internal_robot_shelf.h"
+#include "robot/internal_robot_file_set.h"
 
 #include <algorithm>
 #include <utility>
@@ -41,7 +41,7 @@ scene::SurfaceMesh Scaled(scene::SurfaceMesh mesh, const Vector3& scale) {
 
 }  // namespace
 
-void RobotShelf::Keep(const FoundFile& file) {
+void RobotFileSet::Keep(const FoundFile& file) {
   for (const RobotFile& other : files_) {
     if (other.name != file.name) continue;
     if (other.bytes == file.bytes || *other.bytes == *file.bytes) return;
@@ -56,20 +56,20 @@ void RobotShelf::Keep(const FoundFile& file) {
   files_.push_back({file.name, file.bytes});
 }
 
-FoundFile RobotShelf::Fetch(const FoundFile& from, const std::string& reference,
-                            std::size_t max_bytes) {
+FoundFile RobotFileSet::Fetch(const FoundFile& from, const std::string& reference,
+                              std::size_t max_bytes) {
   FoundFile file = finder_->Find(from, reference, max_bytes);
   Keep(file);
   return file;
 }
 
-std::optional<FoundFile> RobotShelf::FetchSideFile(const FoundFile& urdf, std::size_t max_bytes) {
+std::optional<FoundFile> RobotFileSet::FetchSideFile(const FoundFile& urdf, std::size_t max_bytes) {
   std::optional<FoundFile> file = finder_->FindSideFile(urdf, max_bytes);
   if (file) Keep(*file);
   return file;
 }
 
-scene::SurfaceMesh RobotShelf::Import(const FoundFile& file) {
+scene::SurfaceMesh RobotFileSet::Import(const FoundFile& file) {
   const mesh::MeshLimits limits{.max_triangles = kMaxTriangles - num_triangles_};
   const std::string extension = file.path.extension().string();
   const auto open = [&](const std::string& name, std::size_t max_bytes) {
@@ -89,9 +89,8 @@ scene::SurfaceMesh RobotShelf::Import(const FoundFile& file) {
   }
 }
 
-std::pair<RobotShelf::Key, RobotShelf::Mesh> RobotShelf::FetchSurface(const FoundFile& from,
-                                                                      const std::string& reference,
-                                                                      const Vector3& scale) {
+std::pair<RobotFileSet::Key, RobotFileSet::Mesh> RobotFileSet::FetchSurface(
+    const FoundFile& from, const std::string& reference, const Vector3& scale) {
   const FoundFile file = Fetch(from, reference, mesh::MeshLimits().max_file_bytes);
   const Key key{file.name, scale.x(), scale.y(), scale.z()};
   auto entry = drawn_.find(key);
@@ -102,14 +101,14 @@ std::pair<RobotShelf::Key, RobotShelf::Mesh> RobotShelf::FetchSurface(const Foun
   return *entry;
 }
 
-RobotShelf::Mesh RobotShelf::FetchDrawn(const FoundFile& from, const std::string& reference,
-                                        const Vector3& scale) {
+RobotFileSet::Mesh RobotFileSet::FetchDrawn(const FoundFile& from, const std::string& reference,
+                                            const Vector3& scale) {
   return FetchSurface(from, reference, scale).second;
 }
 
-const std::vector<scene::Hull>& RobotShelf::FetchPieces(const FoundFile& from,
-                                                        const std::string& reference,
-                                                        const Vector3& scale) {
+const std::vector<scene::Hull>& RobotFileSet::FetchPieces(const FoundFile& from,
+                                                          const std::string& reference,
+                                                          const Vector3& scale) {
   const auto [key, mesh] = FetchSurface(from, reference, scale);
   const auto entry = pieces_.find(key);
   if (entry != pieces_.end()) return entry->second;

@@ -49,12 +49,13 @@ std::unique_ptr<FileFinder> MakeOriginalFinder(const std::filesystem::path& urdf
 /// Looks among the kept ones.
 std::unique_ptr<FileFinder> MakeKeptFinder(const OpenRobotFile& open);
 
-/// All files of a robot that is being read, each once; meshes come ready to be used.
-class RobotShelf {
+/// Set of all files of a robot that is being read, each read once; meshes are returned ready for
+/// use.
+class RobotFileSet {
  public:
-  explicit RobotShelf(std::unique_ptr<FileFinder> finder) : finder_(std::move(finder)) {}
+  explicit RobotFileSet(std::unique_ptr<FileFinder> finder) : finder_(std::move(finder)) {}
 
-  /// Puts a file on the shelf. @throws BadReference when another one has the same name.
+  /// Adds a file. @throws BadReference if another one has the same name.
   void Keep(const FoundFile& file);
   /// @throws BadReference
   FoundFile Fetch(const FoundFile& from, const std::string& reference, std::size_t max_bytes);

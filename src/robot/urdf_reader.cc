@@ -9,7 +9,7 @@
 #include "base/json.h"
 #include "base/wording.h"
 #include "robot/internal_model_builder.h"
-#include "robot/internal_robot_shelf.h"
+#include "robot/internal_robot_file_set.h"
 #include "robot/internal_side_file.h"
 
 namespace smile::robot {
@@ -17,7 +17,7 @@ namespace {
 
 using internal::FoundFile;
 using internal::Mounting;
-using internal::RobotShelf;
+using internal::RobotFileSet;
 using internal::SideFile;
 using internal::UrdfDocument;
 using internal::UrdfPart;
@@ -36,8 +36,8 @@ void LetLinksPass(RobotModel* model) {
 /// Parts that hang where the side file says.
 class PartReader {
  public:
-  PartReader(const SideFile& side_file, const FoundFile& from, RobotShelf* shelf)
-      : side_file_(side_file), from_(from), shelf_(*shelf) {}
+  PartReader(const SideFile& side_file, const FoundFile& from, RobotFileSet* files)
+      : side_file_(side_file), from_(from), files_(*files) {}
 
   UrdfPart Read(const Mounting& mounting) {
     auto entry = documents_.find(mounting.urdf);
@@ -55,7 +55,7 @@ class PartReader {
  private:
   FoundFile Fetch(const Mounting& mounting) {
     try {
-      return shelf_.Fetch(from_, mounting.urdf, kMaxUrdfBytes);
+      return files_.Fetch(from_, mounting.urdf, kMaxUrdfBytes);
     } catch (const internal::BadReference& error) {
       side_file_.Fail(mounting.place + "/urdf", "found " + Quoted(mounting.urdf) + error.what());
     }
@@ -63,28 +63,28 @@ class PartReader {
 
   const SideFile& side_file_;
   const FoundFile& from_;
-  RobotShelf& shelf_;
+  RobotFileSet& files_;
   std::map<std::string, std::pair<FoundFile, std::shared_ptr<const UrdfDocument>>> documents_;
 };
 
-RobotReading Read(const FoundFile& urdf, const RobotReaderOptions& options, RobotShelf* shelf) {
-  shelf->Keep(urdf);
+RobotReading Read(const FoundFile& urdf, const RobotReaderOptions& options, RobotFileSet* files) {
+  files->Keep(urdf);
   std::vector<UrdfPart> parts{
       {urdf, std::make_shared<const UrdfDocument>(*urdf.bytes, urdf.path.string()), "", ""}};
-  const std::optional<FoundFile> side = shelf->FetchSideFile(urdf, kMaxSideFileBytes);
+  const std::optional<FoundFile> side = files->FetchSideFile(urdf, kMaxSideFileBytes);
   std::optional<SideFile> side_file;
   std::vector<Mounting> mountings;
   if (side) {
     side_file.emplace(*side, options.gripper);
     mountings = side_file->Mountings();
-    PartReader reader(*side_file, *side, shelf);
+    PartReader reader(*side_file, *side, files);
     for (const Mounting& mounting : mountings) parts.push_back(reader.Read(mounting));
   } else if (!options.gripper.empty()) {
     throw InputError(
         {urdf.path.string(), 0, "",
          "has no side file that offers grippers, found the wish for " + Quoted(options.gripper)});
   }
-  internal::BuiltModel built = internal::BuildModel(parts, shelf);
+  internal::BuiltModel built = internal::BuildModel(parts, files);
   for (std::size_t i = 0; i < mountings.size(); ++i) {
     if (built.is_used[i + 1]) continue;
     side_file->Fail(mountings[i].place,
@@ -100,7 +100,7 @@ RobotReading Read(const FoundFile& urdf, const RobotReaderOptions& options, Robo
           .gripper = side_file ? side_file->gripper() : "",
           .gap = side_file ? side_file->Place("gap") : std::nullopt,
           .height = side_file ? side_file->Place("height") : std::nullopt,
-          .files = shelf->TakeFiles()};
+          .files = files->TakeFiles()};
 }
 
 /// Recordings say in JSON which file it is: a name that is no UTF-8 is not kept.
@@ -116,8 +116,8 @@ FoundFile UrdfAt(const std::filesystem::path& path, std::string bytes) {
 }  // namespace
 
 RobotReading LoadRobot(const std::filesystem::path& urdf_path, const RobotReaderOptions& options) {
-  RobotShelf shelf(internal::MakeOriginalFinder(urdf_path, options));
-  return Read(UrdfAt(urdf_path, ReadFile(urdf_path, kMaxUrdfBytes)), options, &shelf);
+  RobotFileSet files(internal::MakeOriginalFinder(urdf_path, options));
+  return Read(UrdfAt(urdf_path, ReadFile(urdf_path, kMaxUrdfBytes)), options, &files);
 }
 
 RobotModel ReadRobot(const std::filesystem::path& urdf_path, const RobotReaderOptions& options) {
@@ -126,10 +126,10 @@ RobotModel ReadRobot(const std::filesystem::path& urdf_path, const RobotReaderOp
 
 RobotReading LoadKeptRobot(const std::filesystem::path& urdf_path, const std::string& gripper,
                            const OpenRobotFile& open) {
-  RobotShelf shelf(internal::MakeKeptFinder(open));
+  RobotFileSet files(internal::MakeKeptFinder(open));
   std::optional<std::string> bytes = open(urdf_path.filename().string(), kMaxUrdfBytes);
   if (!bytes) throw InputError({urdf_path.string(), 0, "", "no such file"});
-  return Read(UrdfAt(urdf_path, *std::move(bytes)), {.gripper = gripper}, &shelf);
+  return Read(UrdfAt(urdf_path, *std::move(bytes)), {.gripper = gripper}, &files);
 }
 
 }  // namespace smile::robot

@@ -1,4 +1,4 @@
-#include "scene_xml/internal_mesh_shelf.h"
+#include "scene_xml/internal_mesh_cache.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -14,11 +14,11 @@ namespace smile::scene_xml {
 
 namespace fs = std::filesystem;
 
-MeshShelf::MeshShelf(const fs::path* main_file, const std::vector<fs::path>& search_roots,
+MeshCache::MeshCache(const fs::path* main_file, const std::vector<fs::path>& search_roots,
                      const SceneLimits& limits)
     : has_folder_(main_file != nullptr), folders_(main_file, search_roots), limits_(limits) {}
 
-bool MeshShelf::Fetch(const Sources& sources, const Place& place, scene::Custom* custom,
+bool MeshCache::Fetch(const Sources& sources, const Place& place, scene::Custom* custom,
                       std::string* fault) {
   const bool is_text = place.file == 0 && !has_folder_;
   const fs::path folder = FolderOf(sources.FileOf(place));
@@ -40,7 +40,7 @@ bool MeshShelf::Fetch(const Sources& sources, const Place& place, scene::Custom*
   return true;
 }
 
-MeshShelf::Entry MeshShelf::Read(const AllowedFolders::FoundFile& file) {
+MeshCache::Entry MeshCache::Read(const AllowedFolders::FoundFile& file) {
   if (entries_.size() >= static_cast<std::size_t>(limits_.max_files)) {
     return {.fault = "found more than " + std::to_string(limits_.max_files) +
                      " mesh files in the scene, expected fewer"};

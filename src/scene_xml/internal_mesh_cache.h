@@ -15,11 +15,11 @@ namespace smile::scene_xml {
 
 struct SceneLimits;
 
-/// The mesh files of a scene, each read and taken apart once.
-class MeshShelf {
+/// Cache of the mesh files of a scene: each is read and decomposed once.
+class MeshCache {
  public:
   /// @param main_file  nullptr for a text without a file; must outlive this, as the limits.
-  MeshShelf(const std::filesystem::path* main_file,
+  MeshCache(const std::filesystem::path* main_file,
             const std::vector<std::filesystem::path>& search_roots, const SceneLimits& limits);
 
   /// Looks for `custom->file` as for an included file, puts its mesh there and the name by which

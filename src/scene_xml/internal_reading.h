@@ -3,7 +3,7 @@
 #include "scene/scene_spec.h"
 #include "scene_xml/internal_findings.h"
 #include "scene_xml/internal_id_registry.h"
-#include "scene_xml/internal_mesh_shelf.h"
+#include "scene_xml/internal_mesh_cache.h"
 #include "scene_xml/internal_references.h"
 
 namespace smile::scene_xml {
@@ -13,7 +13,7 @@ struct Reading {
   Findings* findings = nullptr;
   IdRegistry ids;
   References references;
-  MeshShelf* meshes = nullptr;
+  MeshCache* meshes = nullptr;
   double meters_per_unit = scene::kMetersPerUnit;
 };
 

@@ -11,7 +11,7 @@
 #include "scene_xml/internal_inclusion.h"
 #include "scene_xml/internal_joint_reader.h"
 #include "scene_xml/internal_mechanisms.h"
-#include "scene_xml/internal_mesh_shelf.h"
+#include "scene_xml/internal_mesh_cache.h"
 #include "scene_xml/internal_object_reader.h"
 #include "scene_xml/internal_root_reader.h"
 
@@ -37,7 +37,7 @@ SceneReading ReadTree(SceneElement root, const std::filesystem::path* path,
                       Findings* findings) {
   SceneReading result;
   scene::SceneSpec& scene = result.scene.emplace();
-  MeshShelf meshes(path, options.search_roots, options.limits);
+  MeshCache meshes(path, options.search_roots, options.limits);
   Reading reading{.findings = findings, .meshes = &meshes};
   if (!ReadRoot(root, &reading, &scene)) return result;
   const bool has_all_files =

@@ -146,12 +146,14 @@ BrainStatus BrainDriver::Drive(BrainProcess* process, sim::Simulation* simulatio
 std::optional<BrainQuestion> BrainDriver::Ask(sim::Simulation* simulation) {
   if (status_ == BrainStatus::kStarting) {
     RequireTwoArms(*simulation);
-    Show(options_.demonstration.empty() ? robot::Mood::kIdle : robot::Mood::kWatching, simulation);
+    Show(options_.demonstration.empty() ? robot::FaceExpression::kIdle
+                                        : robot::FaceExpression::kWatching,
+         simulation);
     return Describe(*simulation);
   }
   if (frame_) return Watch(*simulation);
   if (!first_tick_) first_tick_ = simulation->tick();
-  Show(robot::Mood::kWorking, simulation);
+  Show(robot::FaceExpression::kWorking, simulation);
   return Sense(*simulation);
 }
 
@@ -309,7 +311,7 @@ void BrainDriver::MakeStep(const StepReply& reply, sim::Simulation* simulation) 
   frame_.reset();
   status_ = BrainStatus::kExited;
   StopRobot(simulation);
-  Show(robot::Mood::kDone, simulation);
+  Show(robot::FaceExpression::kDone, simulation);
 }
 
 /// Only changes are sent: velocities stay in force, so the log holds one line for a long motion.
@@ -341,15 +343,16 @@ void BrainDriver::StopRobot(sim::Simulation* simulation) {
       sim::JointVelocities{.left = still, .right = still, .grippers = {{0, 0}}, .head = 0.0});
 }
 
-void BrainDriver::Show(robot::Mood mood, sim::Simulation* simulation) {
-  if (simulation->mood() != mood) simulation->Apply(sim::Face{.mood = mood});
+void BrainDriver::Show(robot::FaceExpression face_expression, sim::Simulation* simulation) {
+  if (simulation->face_expression() != face_expression)
+    simulation->Apply(sim::Face{.face_expression = face_expression});
 }
 
 void BrainDriver::Fail(BrainError error, sim::Simulation* simulation) {
   status_ = BrainStatus::kFailed;
   error_ = std::move(error);
   StopRobot(simulation);
-  Show(robot::Mood::kPuzzled, simulation);
+  Show(robot::FaceExpression::kPuzzled, simulation);
   ShowMarkers(Points(0, 3), simulation);
 }
 

@@ -78,7 +78,7 @@ class BrainDriver {
   void Fail(BrainError error, sim::Simulation* simulation);
   void StopRobot(sim::Simulation* simulation);
   /// Changes the robot's face, for people to see how it fares.
-  static void Show(robot::Mood mood, sim::Simulation* simulation);
+  static void Show(robot::FaceExpression face_expression, sim::Simulation* simulation);
 
   BrainDriverOptions options_;
   BrainStatus status_ = BrainStatus::kStarting;

@@ -159,7 +159,7 @@ std::vector<int> Model::LooksOf(ObjectIndex object, std::span<const ControlState
 }
 
 scene::VisualState Model::VisualStateOf(const SceneState& state, std::span<const double> q,
-                                        robot::Mood mood) const {
+                                        robot::FaceExpression face_expression) const {
   scene::VisualState visual;
   visual.poses.reserve(static_cast<std::size_t>(visual_model_.num_frames));
   visual.looks.reserve(static_cast<std::size_t>(visual_model_.num_choices));
@@ -172,7 +172,7 @@ scene::VisualState Model::VisualStateOf(const SceneState& state, std::span<const
   if (robot() != nullptr) {
     const auto robot_poses = robot::FramePosesOf(*robot(), X_WBase_, q);
     visual.poses.insert(visual.poses.end(), robot_poses.begin(), robot_poses.end());
-    visual.looks.push_back(robot::LookOf(mood));
+    visual.looks.push_back(robot::LookOf(face_expression));
   }
   return visual;
 }

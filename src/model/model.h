@@ -13,7 +13,7 @@
 #include "model/control.h"
 #include "model/indices.h"
 #include "model/robot_placement.h"
-#include "robot/mood.h"
+#include "robot/face_expression.h"
 #include "scene/scene_spec.h"
 #include "scene/visual_model.h"
 
@@ -83,7 +83,8 @@ class Model {
   const RigidTransform& robot_base_pose() const { return X_WBase_; }
 
   /// All that may be seen. Its frames are the world's, one per object, then the robot's base and
-  /// links; its choices are per object whether it is there and its controls, then the robot's mood.
+  /// links; its choices are per object whether it is there and its controls, then the robot's face
+  /// expression.
   const scene::VisualModel& visual_model() const { return visual_model_; }
   FrameIndex frame_of(ObjectIndex object) const { return FrameIndex(1 + object); }
   /// The robot must have such a link.
@@ -109,7 +110,7 @@ class Model {
   /// What a moment looks like.
   /// @param q  of the robot's joints [rad or m]; empty without one.
   scene::VisualState VisualStateOf(const SceneState& state, std::span<const double> q,
-                                   robot::Mood mood) const;
+                                   robot::FaceExpression face_expression) const;
 
  private:
   template <class I>

@@ -4,7 +4,7 @@
 
 #include "demonstrator/hand.h"
 #include "page/snap_names.h"
-#include "robot/mood.h"
+#include "robot/face_expression.h"
 
 namespace smile::page {
 
@@ -26,7 +26,8 @@ JsonShape HandNameShape() {
 }
 
 JsonShape MoodShape() {
-  return JsonShape::Word({robot::kMoodNames.begin(), robot::kMoodNames.end()}).Called("Mood");
+  return JsonShape::Word({robot::kFaceExpressionNames.begin(), robot::kFaceExpressionNames.end()})
+      .Called("Mood");
 }
 
 JsonShape SnapNameShape() {

@@ -26,9 +26,9 @@ inline constexpr std::uint8_t kControlsChanged = 4;
 inline constexpr std::uint8_t kBondsChanged = 8;
 inline constexpr std::uint8_t kIsReturn = 16;
 inline constexpr std::uint8_t kIsEvent = 32;
-inline constexpr std::uint8_t kMoodChanged = 64;
+inline constexpr std::uint8_t kFaceExpressionChanged = 64;
 inline constexpr std::uint8_t kCountsChanged = 128;
-inline constexpr std::uint8_t kTickFlags = 15 | kMoodChanged | kCountsChanged;
+inline constexpr std::uint8_t kTickFlags = 15 | kFaceExpressionChanged | kCountsChanged;
 
 // Of an object in a record.
 inline constexpr std::uint8_t kIsPresent = 1;
@@ -39,7 +39,7 @@ inline constexpr std::uint64_t kRecordHead = 8 + 8 + 1;  ///< tick, hash, flags
 inline constexpr std::uint64_t kMovedObject = 4 + 1 + 7 * 8;
 inline constexpr std::uint64_t kControlRecord = 3 * 4;
 inline constexpr std::uint64_t kBondRecord = 2 * 4 + 1;
-inline constexpr std::uint64_t kMoodRecord = 1;
+inline constexpr std::uint64_t kFaceExpressionRecord = 1;
 inline constexpr std::uint64_t kCountsRecord = 3 * 4;
 
 /// Of objects or joints; no trace has more.

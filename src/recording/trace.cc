@@ -29,7 +29,7 @@ TraceTick Observe(const sim::Simulation& simulation) {
   TraceTick now{.tick = simulation.tick(),
                 .hash = simulation.state_hash(),
                 .is_robot_shown = simulation.is_robot_shown(),
-                .mood = simulation.mood()};
+                .face_expression = simulation.face_expression()};
   now.objects.reserve(simulation.tabletop().objects().size());
   for (const world::Object& object : simulation.tabletop().objects()) {
     if (!simulation.tabletop().IsPresent(object)) {

@@ -54,7 +54,7 @@ struct TraceTick {
   std::vector<model::HostState> bonds;        ///< by model::HostIndex
   std::vector<double> joints;                 ///< q of the robot [rad or m]; empty without one
   bool is_robot_shown = true;
-  robot::Mood mood = robot::Mood::kIdle;  ///< idle without a robot
+  robot::FaceExpression face_expression = robot::FaceExpression::kIdle;  ///< idle without a robot
   /// What happened from this moment on, until the next one. Observe() leaves it empty.
   std::vector<sim::Event> events;
 };

@@ -74,10 +74,10 @@ bool ReadBonds(const TraceLimits& limits, std::size_t num_bonds, ByteReader* in,
   return true;
 }
 
-bool ReadMood(ByteReader* in, TraceTick* tick) {
-  const auto mood = in->Get<std::uint8_t>();
-  if (mood >= robot::kMoods.size()) return false;
-  tick->mood = robot::kMoods[mood];
+bool ReadFaceExpression(ByteReader* in, TraceTick* tick) {
+  const auto face_expression = in->Get<std::uint8_t>();
+  if (face_expression >= robot::kFaceExpressions.size()) return false;
+  tick->face_expression = robot::kFaceExpressions[face_expression];
   return true;
 }
 
@@ -222,7 +222,7 @@ std::optional<std::uint64_t> TraceReader::SizeAt(TracePlace place) const {
     if ((flags & kJointsChanged) != 0) size += 8 * now_.joints.size();
     if ((flags & kControlsChanged) != 0) size += kControlRecord * counts.controls;
     if ((flags & kBondsChanged) != 0) size += kBondRecord * counts.bonds;
-    if ((flags & kMoodChanged) != 0) size += kMoodRecord;
+    if ((flags & kFaceExpressionChanged) != 0) size += kFaceExpressionRecord;
   }
   if (!in.ok() || size > bytes_.size() - place) return std::nullopt;
   return size;
@@ -349,7 +349,7 @@ void TraceReader::ReadTick() {
       ReadMoved(counts_.objects, &in, &next) && (!has(kJointsChanged) || ReadJoints(&in, &next)) &&
       (!has(kControlsChanged) || ReadControls(limits_, counts_.controls, &in, &next)) &&
       (!has(kBondsChanged) || ReadBonds(limits_, counts_.bonds, &in, &next)) &&
-      (!has(kMoodChanged) || ReadMood(&in, &next));
+      (!has(kFaceExpressionChanged) || ReadFaceExpression(&in, &next));
   if (!is_sound) Fail("is damaged in the record after tick " + std::to_string(now_.tick));
   has_begun_ = true;
   now_ = std::move(next);

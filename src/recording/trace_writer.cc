@@ -35,11 +35,12 @@ void TraceWriter::Add(const TraceTick& tick) {
   const bool joints_changed = !last_ || tick.joints != last_->joints;
   const bool controls_changed = !last_ || tick.controls != last_->controls;
   const bool bonds_changed = !last_ || tick.bonds != last_->bonds;
-  const bool mood_changed = !last_ || tick.mood != last_->mood;
+  const bool face_expression_changed = !last_ || tick.face_expression != last_->face_expression;
   record.Put(static_cast<std::uint8_t>(
       (joints_changed ? kJointsChanged : 0) | (tick.is_robot_shown ? 0 : kRobotHidden) |
       (controls_changed ? kControlsChanged : 0) | (bonds_changed ? kBondsChanged : 0) |
-      (mood_changed ? kMoodChanged : 0) | (counts_changed ? kCountsChanged : 0)));
+      (face_expression_changed ? kFaceExpressionChanged : 0) |
+      (counts_changed ? kCountsChanged : 0)));
   if (counts_changed) Put(counts, &record);
   std::vector<std::uint32_t> moved;
   for (std::uint32_t i = 0; i < tick.objects.size(); ++i) {
@@ -70,7 +71,7 @@ void TraceWriter::Add(const TraceTick& tick) {
       record.Put(bond.is_locked);
     }
   }
-  if (mood_changed) record.Put(static_cast<std::uint8_t>(tick.mood));
+  if (face_expression_changed) record.Put(static_cast<std::uint8_t>(tick.face_expression));
   file_.Append(record.bytes());
   last_ = tick;
   tick_ = tick.tick;

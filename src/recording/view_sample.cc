@@ -7,7 +7,7 @@ scene::VisualState VisualStateAt(const TraceTick& moment, const model::Model& mo
   for (const TracePose& object : moment.objects) {
     state.X_WB.push_back(object.is_present ? std::optional(object.pose_in_world()) : std::nullopt);
   }
-  return model.VisualStateOf(state, moment.joints, moment.mood);
+  return model.VisualStateOf(state, moment.joints, moment.face_expression);
 }
 
 model::ViewSample ViewSampleAt(const TraceTick& moment, const model::Model& model,

@@ -86,10 +86,11 @@ std::optional<Difference> TickComparison::RobotShown() const {
                     Written(replayed_.is_robot_shown)};
 }
 
-std::optional<Difference> TickComparison::Mood() const {
-  if (recorded_.mood == replayed_.mood) return std::nullopt;
-  return Difference{recorded_.tick, "robot", "mood", std::string(ToString(recorded_.mood)),
-                    std::string(ToString(replayed_.mood))};
+std::optional<Difference> TickComparison::FaceExpression() const {
+  if (recorded_.face_expression == replayed_.face_expression) return std::nullopt;
+  return Difference{recorded_.tick, "robot", "mood",
+                    std::string(ToString(recorded_.face_expression)),
+                    std::string(ToString(replayed_.face_expression))};
 }
 
 std::optional<Difference> TickComparison::First() const {
@@ -107,7 +108,7 @@ std::optional<Difference> TickComparison::First() const {
     if (auto difference = Joint(i)) return difference;
   }
   if (auto difference = RobotShown()) return difference;
-  if (auto difference = Mood()) return difference;
+  if (auto difference = FaceExpression()) return difference;
   if (recorded_.hash == replayed_.hash) return std::nullopt;
   return Difference{recorded_.tick, "simulation", kHidden, WrittenHash(recorded_.hash),
                     WrittenHash(replayed_.hash)};
@@ -122,7 +123,7 @@ std::vector<Difference> TickComparison::States() const {
   for (model::ControlIndex i : model_.controls()) add(Control(i));
   for (model::HostIndex i : model_.hosts()) add(Bond(i));
   add(RobotShown());
-  add(Mood());
+  add(FaceExpression());
   return all;
 }
 

@@ -34,7 +34,7 @@ class TickComparison {
   std::optional<Difference> Bond(model::HostIndex host) const;
   std::optional<Difference> Joint(model::LinkIndex link) const;
   std::optional<Difference> RobotShown() const;
-  std::optional<Difference> Mood() const;
+  std::optional<Difference> FaceExpression() const;
 
   const recording::TraceTick& recorded_;
   const recording::TraceTick& replayed_;

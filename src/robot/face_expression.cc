@@ -1,16 +1,18 @@
-#include "robot/mood.h"
+#include "robot/face_expression.h"
 
 #include <algorithm>
 #include <cstddef>
 
 namespace smile::robot {
 
-std::string_view ToString(Mood mood) { return kMoodNames[static_cast<std::size_t>(mood)]; }
+std::string_view ToString(FaceExpression expression) {
+  return kFaceExpressionNames[static_cast<std::size_t>(expression)];
+}
 
-std::optional<Mood> ParseMood(std::string_view name) {
-  const auto found = std::find(kMoodNames.begin(), kMoodNames.end(), name);
-  if (found == kMoodNames.end()) return std::nullopt;
-  return kMoods[static_cast<std::size_t>(found - kMoodNames.begin())];
+std::optional<FaceExpression> ParseFaceExpression(std::string_view name) {
+  const auto found = std::find(kFaceExpressionNames.begin(), kFaceExpressionNames.end(), name);
+  if (found == kFaceExpressionNames.end()) return std::nullopt;
+  return kFaceExpressions[static_cast<std::size_t>(found - kFaceExpressionNames.begin())];
 }
 
 }  // namespace smile::robot

@@ -6,17 +6,18 @@
 
 namespace smile::robot {
 
-/// What a robot's face shows; without a face, nothing.
-enum class Mood { kIdle, kWatching, kWorking, kPuzzled, kDone };
+/// Expression of a robot's face; without a face, not visible.
+enum class FaceExpression { kIdle, kWatching, kWorking, kPuzzled, kDone };
 
-inline constexpr std::array kMoods = {Mood::kIdle, Mood::kWatching, Mood::kWorking, Mood::kPuzzled,
-                                      Mood::kDone};
-/// In the order of kMoods.
-inline constexpr std::array<std::string_view, 5> kMoodNames = {"idle", "watching", "working",
-                                                               "puzzled", "done"};
+inline constexpr std::array kFaceExpressions = {FaceExpression::kIdle, FaceExpression::kWatching,
+                                                FaceExpression::kWorking, FaceExpression::kPuzzled,
+                                                FaceExpression::kDone};
+/// In the order of kFaceExpressions.
+inline constexpr std::array<std::string_view, 5> kFaceExpressionNames = {
+    "idle", "watching", "working", "puzzled", "done"};
 
-std::string_view ToString(Mood mood);
-/// nullopt for what is none of kMoodNames.
-[[nodiscard]] std::optional<Mood> ParseMood(std::string_view name);
+std::string_view ToString(FaceExpression expression);
+/// Returns nullopt if the name is none of kFaceExpressionNames.
+[[nodiscard]] std::optional<FaceExpression> ParseFaceExpression(std::string_view name);
 
 }  // namespace smile::robot

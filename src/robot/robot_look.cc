@@ -17,22 +17,23 @@ struct LookPiece {
   std::string link;
   Color color;
   std::shared_ptr<const scene::CustomMesh> mesh;
-  std::optional<Mood> mood;  ///< visible only in this mood
+  std::optional<FaceExpression> face_expression;  ///< visible only with this face expression
 };
 using Look = std::vector<LookPiece>;
 
-std::optional<Mood> MoodOf(const mesh::MeshPiece& piece) {
+std::optional<FaceExpression> FaceExpressionOf(const mesh::MeshPiece& piece) {
   const auto it = piece.extras.find("mood");
   if (it == piece.extras.end()) return std::nullopt;
-  const auto mood = ParseMood(it->get<std::string>());
-  if (!mood) throw std::runtime_error("a look shows the unknown mood " + Quoted(it->dump()));
-  return mood;
+  const auto face_expression = ParseFaceExpression(it->get<std::string>());
+  if (!face_expression)
+    throw std::runtime_error("a look shows the unknown mood " + Quoted(it->dump()));
+  return face_expression;
 }
 
 Look LoadLook(const std::string& name) {
   Look look;
   for (mesh::MeshPiece& piece : mesh::ImportPieces(DataFile("robots/looks/" + name + ".glb"))) {
-    look.push_back({piece.node, piece.color, std::move(piece.mesh), MoodOf(piece)});
+    look.push_back({piece.node, piece.color, std::move(piece.mesh), FaceExpressionOf(piece)});
   }
   return look;
 }
@@ -56,7 +57,7 @@ void AddLook(std::string_view name, const std::string& prefix, RobotModel* model
                               .shape = scene::DrawnMesh{piece.mesh},
                               .color = piece.color,
                               .X_LV = at.X_LF,
-                              .mood = piece.mood});
+                              .face_expression = piece.face_expression});
   }
 }
 

@@ -8,12 +8,13 @@
 namespace smile::robot {
 
 /// Adds a shipped look to the visuals of a robot's description: `robots/looks/NAME.glb`, each piece
-/// fixed to the link of its node's name, pieces with a mood visible only in that mood.
+/// fixed to the link of its node's name, pieces with a face expression visible only with that one.
 ///
 /// Each look is loaded once per program: its meshes are large, never change, and cameras identify
 /// them by their address.
 ///
-/// @param name    `baxter` (shells, screen, springs, and a face for each mood) or `classic` (the
+/// @param name    `baxter` (shells, screen, springs, and a face for each expression) or `classic`
+/// (the
 ///                gripper of the 2015 program).
 /// @param prefix  before the names of the links: `left_`.
 /// @throws std::invalid_argument naming the link that is missing.

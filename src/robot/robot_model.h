@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "robot/mood.h"
+#include "robot/face_expression.h"
 #include "scene/articulation_spec.h"
 #include "scene/visual_model.h"
 
@@ -30,7 +30,8 @@ struct LinkVisual {
   scene::VisualShape shape;
   Color color;
   RigidTransform X_LV;
-  std::optional<Mood> mood;  ///< a piece of the face: to be seen only in this mood
+  std::optional<FaceExpression>
+      face_expression;  ///< a piece of the face: to be seen only with this face expression
 
   bool operator==(const LinkVisual&) const = default;
 };

@@ -20,14 +20,15 @@ void AppendVisuals(const RobotModel& model, int first_frame, std::uint32_t objec
   }
   const int choice = visual_model->num_choices++;
   for (const LinkVisual& visual : model.visuals) {
-    visual_model->visuals.push_back({.shape = visual.shape,
-                                     .color = visual.color,
-                                     .X_FV = visual.X_LV,
-                                     .frame = first_frame + VisualFrameOf(visual.link),
-                                     .object_id = object_id,
-                                     .choice = visual.mood ? choice : -1,
-                                     .look = visual.mood ? LookOf(*visual.mood) : 0,
-                                     .glows = visual.mood.has_value()});  // the face is a screen
+    visual_model->visuals.push_back(
+        {.shape = visual.shape,
+         .color = visual.color,
+         .X_FV = visual.X_LV,
+         .frame = first_frame + VisualFrameOf(visual.link),
+         .object_id = object_id,
+         .choice = visual.face_expression ? choice : -1,
+         .look = visual.face_expression ? LookOf(*visual.face_expression) : 0,
+         .glows = visual.face_expression.has_value()});  // the face is a screen
   }
   visual_model->num_frames =
       std::max(visual_model->num_frames, first_frame + NumVisualFrames(model));

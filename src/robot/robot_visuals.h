@@ -15,7 +15,8 @@ inline int NumVisualFrames(const RobotModel& model) { return 1 + model.num_joint
 inline int VisualFrameOf(int link) { return 1 + link; }
 
 /// Appends all a robot shows, as NumVisualFrames() frames from `first_frame` on.
-/// Its mood is one more choice, whose looks are numbered as kMoods; see LookOf().
+/// Its face expression is one more choice, whose looks are numbered as kFaceExpressions; see
+/// LookOf().
 ///
 /// @param first_frame  at least 1, since frame 0 is the world; `visual_model->num_frames` grows to
 ///                     hold the robot's frames when they lie beyond it.
@@ -25,8 +26,8 @@ inline int VisualFrameOf(int link) { return 1 + link; }
 void AppendVisuals(const RobotModel& model, int first_frame, std::uint32_t object_id,
                    scene::VisualModel* visual_model);
 
-/// What the choice AppendVisuals() added is in a mood.
-inline int LookOf(Mood mood) { return static_cast<int>(mood); }
+/// Returns the value of the choice that AppendVisuals() added for a face expression.
+inline int LookOf(FaceExpression expression) { return static_cast<int>(expression); }
 
 /// The poses X_WF that belong to the frames AppendVisuals() made: the base, then every link.
 /// @throws std::invalid_argument if `q` has the wrong size.

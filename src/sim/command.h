@@ -9,7 +9,7 @@
 
 #include "demonstrator/hand.h"
 #include "motion/joint_trajectory.h"
-#include "robot/mood.h"
+#include "robot/face_expression.h"
 #include "scene/scene_spec.h"
 #include "sim/command_field.h"
 
@@ -342,11 +342,11 @@ struct Markers {
 struct Face {
   static constexpr CommandName kName{
       "face", "changes the robot's face, for people to see; physics is not changed"};
-  robot::Mood mood = robot::Mood::kIdle;
+  robot::FaceExpression face_expression = robot::FaceExpression::kIdle;
 
   static void VisitFields(auto& command, auto&& visit) {
-    visit(command.mood,
-          CommandField{"mood", ValueKind::kMood, "idle, watching, working, puzzled or done"});
+    visit(command.face_expression, CommandField{"mood", ValueKind::kFaceExpression,
+                                                "idle, watching, working, puzzled or done"});
   }
   bool operator==(const Face&) const = default;
 };

@@ -27,7 +27,7 @@ enum class ValueKind {
   kGrippers,
   kNumber,
   kFlag,
-  kMood,
+  kFaceExpression,
   kProperties,
   kArm,
   kShare,

@@ -9,7 +9,7 @@
 #include "base/wording.h"
 #include "demonstrator/demonstrator.h"
 #include "motion/trajectory_shape.h"
-#include "robot/mood.h"
+#include "robot/face_expression.h"
 #include "sim/command.h"
 
 namespace smile::sim {
@@ -60,7 +60,7 @@ std::map<ValueKind, Allowed> MakeKinds() {
       {kGrippers, {JsonShape::List(AnyNumber(), 2, 2), "two numbers [left, right]"}},
       {kNumber, {AnyNumber(), "a number of at most 1e6"}},
       {kFlag, {JsonShape::Flag(), "true or false"}},
-      {kMood, WordOf(robot::kMoodNames)},
+      {kFaceExpression, WordOf(robot::kFaceExpressionNames)},
       {kProperties,
        {JsonShape::List(JsonShape::Text(demonstrator::kMaxPropertyLength), 0,
                         demonstrator::kMaxProperties),

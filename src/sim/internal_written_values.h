@@ -49,7 +49,9 @@ inline Json Written(bool flag, const WrittenUnit&) { return flag; }
 inline Json Written(std::uint64_t number, const WrittenUnit&) { return number; }
 inline Json Written(const std::string& text, const WrittenUnit&) { return text; }
 inline Json Written(HandName hand, const WrittenUnit&) { return ToString(hand); }
-inline Json Written(robot::Mood mood, const WrittenUnit&) { return ToString(mood); }
+inline Json Written(robot::FaceExpression face_expression, const WrittenUnit&) {
+  return ToString(face_expression);
+}
 inline Json Written(MoveGripper::Which which, const WrittenUnit&) {
   return kArmNames[static_cast<std::size_t>(which)];
 }
@@ -89,8 +91,8 @@ inline void Read(const Json& json, const WrittenUnit&, std::string* text) {
 inline void Read(const Json& json, const WrittenUnit&, HandName* hand) {
   *hand = *demonstrator::ParseHandName(json.get<std::string>());
 }
-inline void Read(const Json& json, const WrittenUnit&, robot::Mood* mood) {
-  *mood = *robot::ParseMood(json.get<std::string>());
+inline void Read(const Json& json, const WrittenUnit&, robot::FaceExpression* face_expression) {
+  *face_expression = *robot::ParseFaceExpression(json.get<std::string>());
 }
 inline void Read(const Json& json, const WrittenUnit&, MoveGripper::Which* which) {
   const auto name = std::ranges::find(kArmNames, json.get<std::string>());

@@ -157,7 +157,7 @@ std::optional<model::Support> RunningModel::SupportOf(model::ObjectIndex index) 
 scene::VisualState RunningModel::visual_state() const {
   return model_->VisualStateOf(tabletop_.scene_state(),
                                robot_ ? robot_->body().positions() : std::vector<double>(),
-                               robot_ ? robot_->mood() : robot::Mood::kIdle);
+                               robot_ ? robot_->face_expression() : robot::FaceExpression::kIdle);
 }
 
 std::uint64_t RunningModel::state_hash() const {

@@ -115,20 +115,22 @@ std::optional<Refusal> SimulatedRobot::Execute(const ShowRobot& show) {
 }
 
 std::optional<Refusal> SimulatedRobot::Execute(const Face& face) {
-  mood_ = face.mood;
+  face_expression_ = face.face_expression;
   return std::nullopt;
 }
 
 SimulatedRobotState SimulatedRobot::Save() const {
-  return {
-      .body = body_.state(), .follower = follower_.state(), .is_shown = is_shown_, .mood = mood_};
+  return {.body = body_.state(),
+          .follower = follower_.state(),
+          .is_shown = is_shown_,
+          .face_expression = face_expression_};
 }
 
 void SimulatedRobot::Restore(const SimulatedRobotState& state) {
   body_.Restore(state.body);
   follower_.Restore(state.follower);
   is_shown_ = state.is_shown;
-  mood_ = state.mood;
+  face_expression_ = state.face_expression;
 }
 
 void SimulatedRobot::AddToHash(StateHash* hash) const {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "robot/mood.h"
+#include "robot/face_expression.h"
 #include "sim/command.h"
 #include "sim/trajectory_follower.h"
 #include "world/robot_body.h"
@@ -17,7 +17,7 @@ struct SimulatedRobotState {
   world::RobotBodyState body;
   FollowerState follower;
   bool is_shown = true;
-  robot::Mood mood = robot::Mood::kIdle;
+  robot::FaceExpression face_expression = robot::FaceExpression::kIdle;
 };
 
 /// The robot of a simulation: its body, the trajectories it follows, and what people see of it.
@@ -47,7 +47,7 @@ class SimulatedRobot {
   /// True while joints are on their way to a pose or along a trajectory.
   bool is_following() const { return follower_.is_following(); }
   bool is_shown() const { return is_shown_; }
-  robot::Mood mood() const { return mood_; }
+  robot::FaceExpression face_expression() const { return face_expression_; }
 
   SimulatedRobotState Save() const;
   void Restore(const SimulatedRobotState& state);
@@ -65,7 +65,7 @@ class SimulatedRobot {
   world::RobotBody body_;
   TrajectoryFollower follower_;
   bool is_shown_ = true;
-  robot::Mood mood_ = robot::Mood::kIdle;
+  robot::FaceExpression face_expression_ = robot::FaceExpression::kIdle;
 };
 
 }  // namespace smile::sim

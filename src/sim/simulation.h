@@ -104,8 +104,9 @@ class Simulation {
     return running_->robot() != nullptr && running_->robot()->is_following();
   }
   /// What the robot's face shows; idle without one.
-  robot::Mood mood() const {
-    return running_->robot() != nullptr ? running_->robot()->mood() : robot::Mood::kIdle;
+  robot::FaceExpression face_expression() const {
+    return running_->robot() != nullptr ? running_->robot()->face_expression()
+                                        : robot::FaceExpression::kIdle;
   }
 
   /// True when nothing but what hands hold moves faster than 2 mm/s or 0.02 rad/s.

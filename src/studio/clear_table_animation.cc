@@ -15,7 +15,7 @@ ClearTableAnimation::ClearTableAnimation(const sim::Simulation& simulation)
     if (copy_.demonstrator().hand(hand).is_holding()) (void)copy_.Apply(sim::Release{.hand = hand});
   }
   (void)copy_.Apply(sim::ShowRobot{});
-  (void)copy_.Apply(sim::Face{.mood = robot::Mood::kPuzzled});
+  (void)copy_.Apply(sim::Face{.face_expression = robot::FaceExpression::kPuzzled});
 }
 
 std::vector<double> ClearTableAnimation::RandomVelocities(int arm) {

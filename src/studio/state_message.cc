@@ -102,7 +102,7 @@ Json DescribeRobot(const sim::Simulation& simulation) {
     }
   }
   return {{"shown", simulation.is_robot_shown()},
-          {"mood", ToString(simulation.mood())},
+          {"mood", ToString(simulation.face_expression())},
           {"following", simulation.is_robot_following()},
           {"joints", std::move(joints)},
           {"grippers", std::move(grippers)},

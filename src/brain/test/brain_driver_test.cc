@@ -92,7 +92,7 @@ TEST_F(BrainDriverTest, ShowsTheDemonstrationFrameByFrameToABrainThatAsks) {
   std::vector<int> ticks;
   for (int tick = 0; tick <= 18; ++tick) {
     const std::optional<Sensor> sensor = Step(Turning());
-    EXPECT_EQ(simulation_.mood(), robot::Mood::kWatching);
+    EXPECT_EQ(simulation_.face_expression(), robot::FaceExpression::kWatching);
     if (!sensor) continue;
     ticks.push_back(tick);
     EXPECT_TRUE(sensor->demo_cue);
@@ -137,7 +137,7 @@ TEST_F(BrainDriverTest, ABrainMayExitWhileItWatches) {
   StartToWatch({0, 15, 30});
   Step({.exit = true});
   EXPECT_EQ(driver_.status(), BrainStatus::kExited);
-  EXPECT_EQ(simulation_.mood(), robot::Mood::kDone);
+  EXPECT_EQ(simulation_.face_expression(), robot::FaceExpression::kDone);
 }
 
 TEST_F(BrainDriverTest, ADemonstrationThatCannotBeShownEndsTheBrain) {

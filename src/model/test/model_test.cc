@@ -119,7 +119,8 @@ TEST(Model, LaysOutChoicesAsItsVisualsHaveThem) {
     } else if (object) {
       EXPECT_EQ(choice, model.presence_of(*object)) << visual.part_id;
     } else {
-      EXPECT_EQ(visual.choice, model.visual_model().num_choices - 1) << "the robot's mood";
+      EXPECT_EQ(visual.choice, model.visual_model().num_choices - 1)
+          << "the robot's face expression";
     }
   }
 }
@@ -131,7 +132,7 @@ TEST(Model, ShowsAMomentWithoutPhysics) {
   state.X_WB[block] = RigidTransform(Vector3(1, 2, 3));
   state.controls[*model.FindControl("lamp")].state = 1;
   const auto& q = model.robot()->q_start;
-  const scene::VisualState shown = model.VisualStateOf(state, q, robot::Mood::kWorking);
+  const scene::VisualState shown = model.VisualStateOf(state, q, robot::FaceExpression::kWorking);
   EXPECT_EQ(shown.poses.size(), static_cast<std::size_t>(model.visual_model().num_frames));
   EXPECT_EQ(shown.looks.size(), static_cast<std::size_t>(model.visual_model().num_choices));
   EXPECT_EQ(shown.poses[model.frame_of(block)], *state.X_WB[block]);
@@ -139,7 +140,7 @@ TEST(Model, ShowsAMomentWithoutPhysics) {
   EXPECT_EQ(shown.looks[model.presence_of(panel)], 0);
   EXPECT_EQ(shown.looks[model.choice_of(*model.FindControl("lamp"))], 1);
   state.X_WB[panel].reset();
-  const scene::VisualState without = model.VisualStateOf(state, q, robot::Mood::kWorking);
+  const scene::VisualState without = model.VisualStateOf(state, q, robot::FaceExpression::kWorking);
   EXPECT_EQ(without.looks[model.presence_of(panel)], -1);
   EXPECT_EQ(without.looks[model.choice_of(*model.FindControl("lamp"))], -1);
 }

@@ -74,8 +74,8 @@ TEST_F(MechanismsRecordingTest, ReplaysIdentically) {
   EXPECT_EQ(report.hash, final_hash_);
 }
 
-/// A trace of today as version 2 had it: without events, counts, moods and what is awake, else the
-/// same.
+/// A trace of today as version 2 had it: without events, counts, face expressions and what is
+/// awake, else the same.
 std::string AsVersion2(std::string trace, const TraceReader& reader, const TraceTick& shape) {
   const auto number_at = [&trace](std::uint64_t place) {
     std::uint32_t number = 0;
@@ -103,9 +103,9 @@ std::string AsVersion2(std::string trace, const TraceReader& reader, const Trace
     if ((flags & kJointsChanged) != 0) size += 8 * shape.joints.size();
     if ((flags & kControlsChanged) != 0) size += kControlRecord * shape.controls.size();
     if ((flags & kBondsChanged) != 0) size += kBondRecord * shape.bonds.size();
-    trace[place + kRecordHead - 1] &= static_cast<char>(~(kMoodChanged | kCountsChanged));
+    trace[place + kRecordHead - 1] &= static_cast<char>(~(kFaceExpressionChanged | kCountsChanged));
     old += trace.substr(place, size);
-    if ((flags & kMoodChanged) != 0) size += kMoodRecord;
+    if ((flags & kFaceExpressionChanged) != 0) size += kFaceExpressionRecord;
     place += size;
   }
   return old;

@@ -76,11 +76,14 @@ TEST_F(ReplayTest, TheTraceShowsTheFace) {
   const recording::Recording recording =
       recording::OpenRecording(Record(kFaces, /*with_robot=*/true));
   recording::TraceReader trace(recording);
-  std::vector<robot::Mood> moods;
+  std::vector<robot::FaceExpression> face_expressions;
   while (const auto moment = trace.Next()) {
-    if (moods.empty() || moods.back() != moment->mood) moods.push_back(moment->mood);
+    if (face_expressions.empty() || face_expressions.back() != moment->face_expression)
+      face_expressions.push_back(moment->face_expression);
   }
-  EXPECT_EQ(moods, (std::vector{robot::Mood::kIdle, robot::Mood::kWorking, robot::Mood::kDone}));
+  EXPECT_EQ(face_expressions,
+            (std::vector{robot::FaceExpression::kIdle, robot::FaceExpression::kWorking,
+                         robot::FaceExpression::kDone}));
   EXPECT_FALSE(Replay(recording).first_difference.has_value());
 }
 

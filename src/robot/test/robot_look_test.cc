@@ -34,7 +34,7 @@ bool IsClosedAndOutwards(const Surface& surface) {
 
 TEST(RobotLook, IsMadeOfClosedShells) {
   for (const LinkVisual& visual : Baxter().visuals) {
-    if (visual.mood) continue;  // the display is flat
+    if (visual.face_expression) continue;  // the display is flat
     EXPECT_TRUE(IsClosedAndOutwards(SurfaceOf(visual))) << "link " << visual.link;
   }
 }
@@ -43,7 +43,7 @@ TEST(RobotLook, IsRichAndYetDrawnQuickly) {
   std::size_t triangles = 0;
   std::set<const scene::CustomMesh*> meshes;
   for (const LinkVisual& visual : Baxter().visuals) {
-    if (visual.mood && visual.mood != Mood::kIdle) continue;
+    if (visual.face_expression && visual.face_expression != FaceExpression::kIdle) continue;
     triangles += SurfaceOf(visual).triangles.size();
     meshes.insert(std::get<scene::DrawnMesh>(visual.shape).mesh.get());
   }
@@ -85,12 +85,12 @@ TEST(RobotLook, FingersLieWithinTheBoxesThatCollide) {
   }
 }
 
-TEST(RobotLook, HasAFaceForEveryMood) {
-  std::map<Mood, std::set<const scene::CustomMesh*>> faces;
+TEST(RobotLook, HasAFaceForEveryExpression) {
+  std::map<FaceExpression, std::set<const scene::CustomMesh*>> faces;
   for (const LinkVisual& visual : Baxter().visuals) {
-    if (!visual.mood) continue;
+    if (!visual.face_expression) continue;
     EXPECT_EQ(visual.link, Baxter().head->joint);
-    faces[*visual.mood].insert(std::get<scene::DrawnMesh>(visual.shape).mesh.get());
+    faces[*visual.face_expression].insert(std::get<scene::DrawnMesh>(visual.shape).mesh.get());
     // Towards who stands in front, and down.
     for (const auto& [a, b, c] : SurfaceOf(visual).triangles) {
       const auto& v = SurfaceOf(visual).vertices;
@@ -99,7 +99,7 @@ TEST(RobotLook, HasAFaceForEveryMood) {
       EXPECT_LE(normal.z(), 0);
     }
   }
-  EXPECT_EQ(faces.size(), kMoods.size());
+  EXPECT_EQ(faces.size(), kFaceExpressions.size());
 }
 
 TEST(RobotLook, IsRefusedToARobotWithoutItsArms) {
@@ -120,9 +120,10 @@ TEST(RobotLook, OfAGripperIsThatOfItsOwnDescription) {
   EXPECT_TRUE(shows(electric, false) && !shows(electric, true));
 }
 
-TEST(Mood, NamesReadBack) {
-  for (const Mood mood : kMoods) EXPECT_EQ(ParseMood(ToString(mood)), mood);
-  EXPECT_EQ(ParseMood("Idle"), std::nullopt);
+TEST(FaceExpression, NamesReadBack) {
+  for (const FaceExpression face_expression : kFaceExpressions)
+    EXPECT_EQ(ParseFaceExpression(ToString(face_expression)), face_expression);
+  EXPECT_EQ(ParseFaceExpression("Idle"), std::nullopt);
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ TEST(RobotVisuals, TakesOneFrameForTheBaseAndOneForEachLink) {
   EXPECT_EQ(std::count(is_shown.begin() + 5, is_shown.end(), false), 0) << "every link shows";
 }
 
-TEST(RobotVisuals, TheMoodIsAChoiceOfFaces) {
+TEST(RobotVisuals, TheFaceExpressionIsAChoice) {
   scene::VisualModel visual_model{.object_names = {"", "robot"}, .num_choices = 3};
   AppendVisuals(Baxter(), 1, 1, &visual_model);
   EXPECT_EQ(visual_model.num_choices, 4);
@@ -34,8 +34,8 @@ TEST(RobotVisuals, TheMoodIsAChoiceOfFaces) {
     if (visual.choice >= 0) looks.insert(visual.look);
     EXPECT_TRUE(visual.choice == -1 || visual.choice == 3);
   }
-  EXPECT_EQ(looks.size(), kMoods.size());
-  EXPECT_TRUE(looks.contains(LookOf(Mood::kPuzzled)));
+  EXPECT_EQ(looks.size(), kFaceExpressions.size());
+  EXPECT_TRUE(looks.contains(LookOf(FaceExpression::kPuzzled)));
 }
 
 TEST(RobotVisuals, PosesFollowTheOrderOfTheFrames) {

@@ -61,7 +61,7 @@ TEST(CommandJson, RoundTripsEveryKindToTheLastBit) {
                           {{0, {number(), number()}, {number(), number()}},
                            {0.1, {number(), number()}, {number(), number()}}}}},
         ShowRobot{.is_shown = false},
-        Face{.mood = robot::kMoods[i % robot::kMoods.size()]},
+        Face{.face_expression = robot::kFaceExpressions[i % robot::kFaceExpressions.size()]},
         Markers{.points_in_world = {point(), point()}},
         Markers(),
         Undo(),

@@ -99,7 +99,7 @@ TEST_F(SimulationTest, TheFaceIsSeenAndKeptAndChangesNoPhysics) {
   auto plain = MakeSimulation({BlockAt("a", {0, 0, 0.05})}, true);
   auto puzzled = MakeSimulation({BlockAt("a", {0, 0, 0.05})}, true);
   EXPECT_EQ(plain->visual_state(), puzzled->visual_state());
-  puzzled->Apply(Face{.mood = robot::Mood::kPuzzled});
+  puzzled->Apply(Face{.face_expression = robot::FaceExpression::kPuzzled});
   EXPECT_NE(plain->visual_state(), puzzled->visual_state());
   TickSeconds(*plain, 0.2);
   TickSeconds(*puzzled, 0.2);
@@ -107,20 +107,20 @@ TEST_F(SimulationTest, TheFaceIsSeenAndKeptAndChangesNoPhysics) {
 
   const SimulationState state = puzzled->Save();
   puzzled->Apply(Grasp{.object = "a"});
-  puzzled->Apply(Face{.mood = robot::Mood::kDone});
+  puzzled->Apply(Face{.face_expression = robot::FaceExpression::kDone});
   puzzled->Apply(Undo{});
-  EXPECT_EQ(puzzled->mood(), robot::Mood::kPuzzled);
+  EXPECT_EQ(puzzled->face_expression(), robot::FaceExpression::kPuzzled);
   puzzled->Apply(Redo{});
-  EXPECT_EQ(puzzled->mood(), robot::Mood::kDone);
+  EXPECT_EQ(puzzled->face_expression(), robot::FaceExpression::kDone);
   plain->Restore(state);
-  EXPECT_EQ(plain->mood(), robot::Mood::kPuzzled);
+  EXPECT_EQ(plain->face_expression(), robot::FaceExpression::kPuzzled);
 }
 
 TEST_F(SimulationTest, WithoutARobotThereIsNoFace) {
   auto simulation = MakeSimulation({}, false);
-  EXPECT_EQ(simulation->Apply(Face{.mood = robot::Mood::kDone}),
+  EXPECT_EQ(simulation->Apply(Face{.face_expression = robot::FaceExpression::kDone}),
             "there is no robot in this simulation");
-  EXPECT_EQ(simulation->mood(), robot::Mood::kIdle);
+  EXPECT_EQ(simulation->face_expression(), robot::FaceExpression::kIdle);
 }
 
 TEST_F(SimulationTest, TheRobotStandsStillUnlessTold) {

@@ -9,7 +9,7 @@ BrainThread::BrainThread(const std::filesystem::path& brain, BrainOptions option
                          std::unique_ptr<BrainThread>&& before)
     : process_(brain, WithEnd(std::move(options))),
       before_(std::move(before)),
-      thread_([this] { Labor(); }) {}
+      thread_([this] { WorkerLoop(); }) {}
 
 BrainThread::~BrainThread() {
   Leave();
@@ -45,7 +45,7 @@ void BrainThread::Leave() {
   changed_.notify_all();
 }
 
-void BrainThread::Labor() {
+void BrainThread::WorkerLoop() {
   before_.reset();
   while (const auto question = AwaitQuestion()) PutAnswer(AnswerTo(*question));
   process_.Stop();

@@ -40,7 +40,7 @@ class BrainThread {
 
  private:
   BrainOptions WithEnd(BrainOptions options);
-  void Labor();
+  void WorkerLoop();
   /// nullopt when it shall leave.
   std::optional<BrainQuestion> AwaitQuestion();
   BrainAnswer AnswerTo(const BrainQuestion& question);

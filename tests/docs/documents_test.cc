@@ -92,14 +92,16 @@ TEST_F(ProgramTest, TheCppExampleOfMotionIsCompiled) {
             ReadFile(SMILE_SOURCE_DIR "/tests/motion/example.cc", 1 << 16));
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    All, Documents,
-    ::testing::Values("README.md", "docs/architecture.md", "docs/brains.md",
-                      "docs/brain-protocol.md", "docs/commands.md", "docs/demonstrators.md",
-                      "docs/editing.md", "docs/experiments.md", "docs/importing.md",
-                      "docs/learner.md", "docs/motion.md", "docs/recording-format.md",
-                      "docs/results.md", "docs/robot.md", "docs/scene-format.md", "docs/scenes.md",
-                      "docs/studio.md", "docs/studio-protocol.md"));
+INSTANTIATE_TEST_SUITE_P(All, Documents,
+                         ::testing::Values("README.md", "docs/architecture.md", "docs/brains.md",
+                                           "docs/brain-protocol.md", "docs/commands.md",
+                                           "docs/demonstrators.md", "docs/editing.md",
+                                           "docs/experiments.md", "docs/glossary.md",
+                                           "docs/importing.md", "docs/learner.md", "docs/motion.md",
+                                           "docs/recording-format.md", "docs/results.md",
+                                           "docs/robot.md", "docs/scene-format.md",
+                                           "docs/scenes.md", "docs/studio.md",
+                                           "docs/studio-protocol.md"));
 
 }  // namespace
 }  // namespace smile

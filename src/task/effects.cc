@@ -13,6 +13,8 @@
 namespace smile::task {
 namespace {
 
+using model::Relation;
+
 /// What slid less has not moved [m].
 constexpr double kSlid = 0.01;
 

@@ -44,7 +44,10 @@ TEST(PageProtocolTable, SaysWhatIsWrongWithAMessage) {
 
 TEST(PageProtocolTable, KnowsEveryKindOfAction) {
   for (int kind = 0; kind <= static_cast<int>(sim::ActionKind::kLoad); ++kind) {
-    const sim::ActionSummary summary{.kind = static_cast<sim::ActionKind>(kind), .what = "a"};
+    const sim::ActionSummary summary{.kind = static_cast<sim::ActionKind>(kind),
+                                     .hand = sim::HandName::kLeft,
+                                     .what = "a",
+                                     .onto = model::Support{.object = "b"}};
     const Json reply = {{"t", "reply"}, {"seq", 1}, {"ok", true}, {"deed", sim::ToJson(summary)}};
     EXPECT_EQ(page::MisfitOf(reply, "command"), "") << ToText(reply);
   }

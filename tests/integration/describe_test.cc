@@ -49,11 +49,7 @@ TEST_F(Describe, OfASwitchIsATaskThatARobotCanMiss) {
 
 TEST_F(Describe, WhyItIsNotRebuiltIsPrintedAlsoWhereAllIsInItsPlace) {
   Write("pair.xml", PairOfBlocks());
-  Write("lift.jsonl",
-        "{\"hand\":\"right\",\"do\":\"grasp\",\"object\":\"a\"}\n"
-        "{\"do\":\"wait\",\"seconds\":0.2}\n"
-        "{\"hand\":\"right\",\"do\":\"release\"}\n"
-        "{\"do\":\"wait\",\"until\":\"still\"}\n");
+  Write("lift.jsonl", LiftAndPutBack());
   ASSERT_EQ(Smile("run pair.xml --commands lift.jsonl --record lifted --no-pictures").exit_code, 0);
   Write("idle.py", "def step(sensor, motor, aux): aux.exit = True\n");
   Write("crashes.py",

@@ -10,11 +10,7 @@ class Evaluate : public ProgramTest {
   /// Shown is a block that is lifted and put back: any layout has it rebuilt from the start.
   Evaluate() {
     Write("pair.xml", PairOfBlocks());
-    Write("lift.jsonl",
-          "{\"hand\":\"right\",\"do\":\"grasp\",\"object\":\"a\"}\n"
-          "{\"do\":\"wait\",\"seconds\":0.2}\n"
-          "{\"hand\":\"right\",\"do\":\"release\"}\n"
-          "{\"do\":\"wait\",\"until\":\"still\"}\n");
+    Write("lift.jsonl", LiftAndPutBack());
     Write("stack.jsonl", StackPair());
     EXPECT_EQ(Smile("run pair.xml --commands lift.jsonl --record lifted --no-pictures").exit_code,
               0);

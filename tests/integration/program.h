@@ -88,6 +88,14 @@ inline std::string PairOfBlocks() {
       "<block id=\"b\" color=\"blue\" location=\"(2, -3, 0.5)\"/>");
 }
 
+/// Takes `a` and lets go of it where it is.
+inline std::string LiftAndPutBack() {
+  return "{\"hand\":\"right\",\"do\":\"grasp\",\"object\":\"a\"}\n"
+         "{\"do\":\"wait\",\"seconds\":0.2}\n"
+         "{\"hand\":\"right\",\"do\":\"release\"}\n"
+         "{\"do\":\"wait\",\"until\":\"still\"}\n";
+}
+
 /// Puts `a` on `b`.
 inline std::string StackPair() {
   return "{\"hand\":\"right\",\"do\":\"grasp\",\"object\":\"a\"}\n"

@@ -27,7 +27,7 @@ export const texts = {
     isEmpty: "empty",
     held: "Held object",
     nothingHeld: "This hand is empty. Click an object, or choose one in the list of objects and press Enter.",
-    nothingMoves: (reason: string) => `Nothing can be taken: ${reason}`,
+    notNow: (reason: string) => `${capital(reason)}.`,
     release: "Release",
     destroy: "Destroy",
     destroyWhy: "Takes the object out of the world; Undo brings it back",

@@ -357,7 +357,7 @@ function Snapping() {
 
 function whyNothingIsHeld(): string {
   const allowed = may("command");
-  return allowed === true ? words.nothingHeld : words.nothingMoves(allowed);
+  return allowed === true ? words.nothingHeld : words.notNow(allowed);
 }
 
 export function HandsPanel() {

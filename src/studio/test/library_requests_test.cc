@@ -82,10 +82,13 @@ TEST_F(LibraryRequestsTest, TryEditReportsTheEffectAndWritesNothing) {
   EXPECT_EQ(answer["report"]["left_out"][0]["reason"], "the left hand holds nothing");
   EXPECT_EQ(library_.List().size(), 1u);
   // Everyone sees how far it is, and that it ends.
-  ASSERT_EQ(deferred_.at(deferred_.size() - 2).client, 0);
-  const Json& progress = deferred_.at(deferred_.size() - 2).message;
-  EXPECT_EQ(progress["what"], "try_edit");
-  EXPECT_EQ(progress["done"], progress["total"]);
+  const auto last = std::ranges::find_if(
+      deferred_.rbegin(), deferred_.rend(),
+      [](const page::DeferredMessage& deferred) { return deferred.message["t"] == "progress"; });
+  ASSERT_NE(last, deferred_.rend());
+  EXPECT_EQ(last->client, 0);
+  EXPECT_EQ(last->message["what"], "try_edit");
+  EXPECT_EQ(last->message["done"], last->message["total"]);
 }
 
 TEST_F(LibraryRequestsTest, AnEditIsANewRecordingThatReplays) {

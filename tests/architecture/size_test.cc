@@ -33,10 +33,17 @@ bool IsOfThePage(const fs::path& path) {
   return path.extension() == ".ts" || path.extension() == ".tsx" || path.extension() == ".mjs";
 }
 
+std::size_t IndentOf(const std::string& line) {
+  return std::min(line.find_first_not_of(' '), line.size());
+}
+
+/// Lines of code: explanations make no file harder to read, so lines of comments do not count.
 std::vector<std::string> LinesOf(const fs::path& path) {
   std::vector<std::string> lines;
   std::istringstream text(ReadFile(path, 1 << 24));
-  for (std::string line; std::getline(text, line);) lines.push_back(line);
+  for (std::string line; std::getline(text, line);) {
+    if (line.compare(IndentOf(line), 2, "//") != 0) lines.push_back(line);
+  }
   return lines;
 }
 
@@ -57,10 +64,6 @@ std::vector<std::string> WithoutRawStrings(std::vector<std::string> lines) {
     if (line.find(close, match.position() + match.length()) == std::string::npos) end = close;
   }
   return lines;
-}
-
-std::size_t IndentOf(const std::string& line) {
-  return std::min(line.find_first_not_of(' '), line.size());
 }
 
 /// How long each block is that begins with a line of its own, as `… {`, and is no namespace or

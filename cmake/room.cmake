@@ -26,6 +26,9 @@ function(smile_room NAME)
   endif()
 
   file(GLOB test_sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${NAME}/test/*_test.cc)
+  if(SMILE_SANITIZE AND NOT NAME IN_LIST smile_rooms_whose_tests_are_sanitized)
+    set(test_sources)
+  endif()
   if(SMILE_TESTS AND test_sources)
     add_executable(smile_${NAME}_test ${test_sources})
     target_link_libraries(smile_${NAME}_test PRIVATE smile_${NAME} ${ROOM_TESTS_MAY_INCLUDE}

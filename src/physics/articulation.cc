@@ -15,9 +15,10 @@
 namespace smile::physics {
 namespace {
 
-/// Slower than this, and nearer to its reference than this, a joint is at rest [rad or m, per s].
+/// A joint below this speed and this close to its reference is at rest [rad/s or m/s; rad or m].
 constexpr double kRest = 1e-7;
 
+/// Returns a rotation as Bullet's quaternion.
 btQuaternion QuaternionOf(const Matrix3& R) {
   btQuaternion q;
   ToBullet(R).getRotation(q);
@@ -33,6 +34,7 @@ Articulation::Articulation(ArticulationId id, std::shared_ptr<const scene::Artic
   velocity_targets_.assign(count, 0.0);
   position_references_.assign(count, 0.0);
   is_overloaded_.assign(count, false);
+  // The base is fixed, so its mass and inertia have no effect.
   bullet_ = std::make_unique<btMultiBody>(count, /*mass=*/1.0, btVector3(1, 1, 1),
                                           /*fixedBase=*/true, /*canSleep=*/false);
   links_->links.resize(count);
@@ -53,6 +55,8 @@ Articulation::Articulation(ArticulationId id, std::shared_ptr<const scene::Artic
   SetPositions(joints, std::vector<double>(count, 0.0));
 }
 
+/// Adds a link to Bullet's multibody. Bullet wants each link in the frame of its centre of mass and
+/// principal axes (Lcm), relative to that of its parent (Pcm).
 void Articulation::AddBulletLink(int number) {
   const scene::LinkSpec& link = spec_->links[number];
   const PrincipalInertia inertia = PrincipalInertiaOf(link.inertia);
@@ -61,6 +65,7 @@ void Articulation::AddBulletLink(int number) {
   const RigidTransform X_PPcm =
       link.parent < 0 ? RigidTransform() : links_->links[link.parent].X_LLcm;
 
+  // At q = 0 the link frame L coincides with the joint frame J.
   const Matrix3 R_LcmPcm =
       (X_PPcm.rotation().transpose() * link.X_PJ.rotation() * X_LLcm.rotation()).transpose();
   const Vector3 axis_in_Lcm = X_LLcm.rotation().transpose() * link.axis;
@@ -89,7 +94,7 @@ void Articulation::MakeColliders() {
   }
   for (int i = 0; i < num_joints(); ++i) {
     Links::Link& link = links_->links[i];
-    // Without solids, too: Bullet finds the drive of a joint by its link's collider.
+    // Links without solids also get a collider: Bullet finds the drive of a joint by it.
     link.collision = MakeCollisionShape(spec_->links[i].solids, link.X_LLcm.inverse());
     link.collider = MakeCollider(i);
   }
@@ -115,7 +120,7 @@ std::unique_ptr<btCollisionObject> Articulation::MakeCollider(int link) {
     collider = std::move(of_multibody);
   }
   collider->setFriction(is_base ? scene::LinkSpec().friction : spec_->links[link].friction);
-  // The base takes the articulation's own number in the order, links the ones after it.
+  // The base has the articulation's own number in the order, links the numbers after it.
   collider->setUserIndex(static_cast<int>(id_.value) + 1 + link);
   return collider;
 }
@@ -157,6 +162,7 @@ void Articulation::SetVelocityTarget(int joint, double velocity) {
     throw std::invalid_argument(link.joint_name + ": velocity is not finite");
   }
   const double target = std::clamp(velocity, -link.max_velocity, link.max_velocity);
+  // A lead above half its bound means that the joint is blocked; ordinary lag is smaller.
   const double lead = position_references_[joint] - bullet_->getJointPos(joint);
   const bool is_blocked = std::abs(lead) > MaxLead(joint) / 2;
   if (is_blocked && target != velocity_targets_[joint] && lead * target <= 0) HoldStill(joint);
@@ -278,7 +284,7 @@ void Articulation::DriveKinematicLinks(double step_seconds) {
     if (!link.collider) continue;
     btRigidBody* object = btRigidBody::upcast(link.collider.get());
     const bool moves = !(X_WNext[i] == X_WNow[i]);
-    // What stands still lets those fall asleep that lean on it.
+    // Bodies in contact with a link that stands still may fall asleep.
     object->forceActivationState(moves ? DISABLE_DEACTIVATION : ISLAND_SLEEPING);
     if (moves) {
       SetVelocityToReach(X_WNext[i] * link.X_LLcm, step_seconds, object);
@@ -298,10 +304,12 @@ void Articulation::DriveMotors(double step_seconds, double gravity) {
     const scene::LinkSpec& link = spec_->links[i];
     const double q = bullet_->getJointPos(i);
     const double max_lead = MaxLead(i);
+    // The reference advances with the commanded speed, but leads the joint by a bounded amount
+    // only, and stays within the limits.
     const double wanted = position_references_[i] + velocity_targets_[i] * step_seconds;
     const double reference =
         std::clamp(std::clamp(wanted, q - max_lead, q + max_lead), link.lower, link.upper);
-    // At a limit or when blocked the reference stands still, and so does the commanded speed.
+    // At a limit or when blocked, the reference stops, and so does the commanded speed.
     const double speed = reference == wanted ? velocity_targets_[i]
                                              : (reference - position_references_[i]) / step_seconds;
     position_references_[i] = reference;
@@ -309,6 +317,7 @@ void Articulation::DriveMotors(double step_seconds, double gravity) {
     const double return_speed = config_.position_gain * (reference - q) / step_seconds;
     const double effort = link.max_effort * (is_overloaded_[i] ? 1.0 : config_.effort_scale);
     links_->links[i].drive->SetTarget(speed + return_speed, effort * step_seconds);
+    // Gravity compensation.
     bullet_->addLinkForce(i, btVector3(0, 0, gravity * link.mass));
   }
   is_overloaded_.assign(is_overloaded_.size(), false);

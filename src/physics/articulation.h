@@ -18,29 +18,29 @@ class StateHash;
 
 namespace smile::physics {
 
-/// How joint motors follow their targets; measured values, see docs/decisions/physics.md.
+/// Parameters of joint motors; measured values, see docs/decisions/physics.md.
 struct MotorConfig {
-  /// Share of the position error that is taken back in every physics step.
+  /// Fraction of the position error that is corrected in each physics step.
   double position_gain = 0.1;
-  /// The reference never runs farther ahead of the joint than this: a blocked arm stays gentle and
-  /// resumes without a jump.
+  /// The reference leads the joint by at most this: a blocked arm stays gentle and resumes without
+  /// a jump.
   double max_lead_angle = 0.05;    ///< of a turning joint [rad]
   double max_lead_length = 0.002;  ///< of a sliding one [m]
-  /// Motors may use this multiple of the listed effort: velocity commands arrive without
-  /// acceleration limits, which the real controller would smooth. Not while they bear an overload,
-  /// see WeldSpec::holds_up.
+  /// Multiple of the listed effort that motors may use: velocity commands arrive without
+  /// acceleration limits, which the real controller would smooth. It is 1 while they bear an
+  /// overload, see WeldSpec::holds_up.
   double effort_scale = 4.0;
 
   bool operator==(const MotorConfig&) const = default;
 };
 
-/// Links and motors on a fixed base, in reduced coordinates (Featherstone). Gravity is compensated.
-/// It collides with bodies, with other articulations and with itself; see
-/// scene::ArticulationSpec::is_kinematic for one that does not. Joints never leave their position
-/// limits nor exceed their velocity limits, whatever pushes them. The World owns it.
+/// Links and motors on a fixed base, in reduced coordinates (R. Featherstone, Rigid Body Dynamics
+/// Algorithms). Gravity is compensated. It collides with bodies, with other articulations and with
+/// itself, unless it is kinematic; see scene::ArticulationSpec::is_kinematic. Joints never leave
+/// their position limits nor exceed their velocity limits, whatever pushes them. The World owns it.
 class Articulation {
  public:
-  /// Makes an articulation that is in no World yet; see World::AddArticulation().
+  /// Makes an articulation that is not yet in a World; see World::AddArticulation().
   Articulation(ArticulationId id, std::shared_ptr<const scene::ArticulationSpec> spec,
                const MotorConfig& config);
   ~Articulation();
@@ -49,7 +49,7 @@ class Articulation {
 
   ArticulationId id() const { return id_; }
   const scene::ArticulationSpec& spec() const { return *spec_; }
-  /// Shared with snapshots, like Body's.
+  /// The spec, shared with snapshots like that of a Body.
   const std::shared_ptr<const scene::ArticulationSpec>& shared_spec() const { return spec_; }
   int num_joints() const { return static_cast<int>(spec_->links.size()); }
 
@@ -58,20 +58,20 @@ class Articulation {
   std::span<const double> velocity_targets() const { return velocity_targets_; }
   std::vector<RigidTransform> link_poses() const;  ///< X_WL, one per link
 
-  /// Keeps moving a joint at this speed until told otherwise [rad/s or m/s]. Clamped to the joint's
-  /// velocity limit; at a position limit the joint stops. A blocked one that is told to stop or to
-  /// turn back does so at once: how far its reference had run ahead is forgotten.
-  /// @throws std::invalid_argument if there is no such joint or the velocity is not finite.
+  /// Moves a joint at this speed until the next command [rad/s or m/s]. Clamped to the joint's
+  /// velocity limit; at a position limit the joint stops. If the joint is blocked and is commanded
+  /// to stop or to reverse, it does so at once: the lead of its reference is dropped. @throws
+  /// std::invalid_argument if there is no such joint or the velocity is not finite.
   void SetVelocityTarget(int joint, double velocity);
-  /// Stops a joint where it is now, forgetting how far its reference had run ahead.
+  /// Stops a joint at its present position and drops the lead of its reference.
   void HoldStill(int joint);
-  /// Puts these joints there at once, at rest, clamped to their limits; the others go on. Bodies
-  /// near by notice only if they are awake: see World::WakeAll().
+  /// Puts these joints at positions [rad or m] at once, at rest, clamped to their limits; the
+  /// others keep their motion. Nearby bodies react only if they are awake: see World::WakeAll().
   /// @throws std::invalid_argument if the counts differ, a joint does not exist or a value is not
-  /// finite.
+  ///         finite.
   void SetPositions(std::span<const int> joints, std::span<const double> positions);
 
-  /// True when nothing is commanded and nothing moves.
+  /// Returns true if no velocity is commanded and no joint moves.
   bool is_at_rest() const;
 
   /// Bullet's side of the articulation, for this room; see internal_articulation_links.h.
@@ -87,22 +87,23 @@ class Articulation {
   double MaxLead(int joint) const;
   void AddBulletLink(int link);
   void MakeColliders();
-  /// Of a link, or of the base: -1.
+  /// Makes the collision object of a link, or of the base (-1).
   std::unique_ptr<btCollisionObject> MakeCollider(int link);
   /// Brings Bullet's own copies of the link poses up to date with q.
   void UpdateLinkTransforms();
-  /// Once before each physics step.
+  /// Called once before each physics step.
   void BeforeStep(double step_seconds, double gravity);
-  /// Something too heavy hangs on this link: in the next step, the motors that bear it have no more
-  /// than the listed effort.
+  /// Reports an overload on this link: in the next step, the motors that bear it have only the
+  /// listed effort.
   void NoteOverload(int link);
-  /// Moves references on and commands the motors.
+  /// Advances the references and commands the motors.
   void DriveMotors(double step_seconds, double gravity);
-  /// Sets the velocities of a kinematic one's links; its references are where joints will be.
+  /// Sets the velocities of kinematic links, and the references to the joint positions after the
+  /// step.
   void DriveKinematicLinks(double step_seconds);
-  /// Once after each physics step: a kinematic one arrives at its references.
+  /// Called once after each physics step: a kinematic articulation arrives at its references.
   void AfterStep();
-  /// X_WL of every link after the step that is to come, of a kinematic one.
+  /// X_WL of each link of a kinematic articulation after the next step.
   std::vector<RigidTransform> next_link_poses() const;
   void Save(ByteWriter* out) const;
   void Restore(ByteReader* in);

@@ -31,6 +31,7 @@ struct ArticulationProbe::Parts {
 
 void ArticulationProbe::Parts::Add(int link, const RigidTransform& X_WL,
                                    const std::vector<scene::Solid>& solids) {
+  // Each shape gets its own pose: parts are tested one pair at a time.
   for (const scene::Solid& solid : solids) {
     scene::Solid centred = solid;
     centred.X_BS = {};
@@ -50,6 +51,7 @@ ArticulationProbe::ArticulationProbe(const scene::ArticulationSpec& spec,
     parts_->Add(static_cast<int>(i), {}, spec.links[i].solids);
   }
 
+  // Pairs are found once here, since each query visits all of them.
   std::set<std::pair<int, int>> never{{kEnvironment, -1}};
   for (const auto& [a, b] : spec.never_collide) never.insert(std::minmax(a, b));
   const auto& pieces = parts_->pieces;

@@ -9,26 +9,26 @@
 
 namespace smile::physics {
 
-/// What a rigid body is, and where it starts.
+/// Definition of a rigid body and its initial pose.
 struct BodySpec {
-  std::vector<scene::Solid> solids;  ///< what it collides with, in its own frame B
+  std::vector<scene::Solid> solids;  ///< collision solids, in the body's own frame B
   scene::MassProperties mass;        ///< mass 0 = static
-  RigidTransform X_WB;               ///< where it starts
+  RigidTransform X_WB;               ///< initial pose
   double friction = 0.6;
   double restitution = 0.0;
-  /// Keeps what rolls from rolling for ever: how far before the middle of its footprint it is
-  /// supported [m]. Unset: 1 mm for all but blocks.
+  /// Rolling resistance: distance from the middle of the footprint to the point of support [m].
+  /// Unset: 0 for a body of blocks only, otherwise 1 mm.
   std::optional<double> rolling_friction;
-  /// Share of its spin lost in a second; unset: WorldConfig::damping.
+  /// Fraction of the angular velocity lost per second; unset: WorldConfig::damping.
   std::optional<double> angular_damping;
 
   bool operator==(const BodySpec&) const = default;
 };
 
-/// A rigid body of a World. Reached through World::body(); the World owns it.
+/// Rigid body of a World, which owns it. See World::body().
 class Body {
  public:
-  /// Makes a body that is in no World yet; see World::AddBody().
+  /// Makes a body that is not yet in a World; see World::AddBody().
   Body(BodyId id, std::shared_ptr<const BodySpec> spec);
   ~Body();
   Body(const Body&) = delete;
@@ -36,26 +36,27 @@ class Body {
 
   BodyId id() const { return id_; }
   const BodySpec& spec() const { return *spec_; }
-  /// Shared with snapshots: a spec never changes, and a snapshot may outlive the body.
+  /// The spec, shared with snapshots: it never changes, and a snapshot may outlive the body.
   const std::shared_ptr<const BodySpec>& shared_spec() const { return spec_; }
   bool is_static() const { return spec_->mass.mass == 0; }
 
   RigidTransform pose_in_world() const;  ///< X_WB
   Vector3 linear_velocity() const;       ///< v_WB of the origin [m/s]
   Vector3 angular_velocity() const;      ///< w_WB [rad/s]
-  /// False when it came to rest: it costs nothing until something touches it.
+  /// False after it came to rest: it then costs nothing until something touches it.
   bool is_awake() const;
-  /// A hand or a gripper has it: it weighs nothing (but see WeldSpec::holds_up) and never falls
-  /// asleep.
+  /// True while a hand or a gripper holds it: it weighs nothing (but see WeldSpec::holds_up) and
+  /// never falls asleep.
   bool is_carried() const;
 
-  /// Starts or ends being carried; both wake it and what it touches, both keep its velocity.
-  /// @throws std::logic_error if the body is static.
+  /// Marks the body as carried or no longer carried; either way it wakes, as does everything it
+  /// touches, and keeps its velocity. @throws std::logic_error if the body is static.
   void SetCarried(bool is_carried);
-  /// Puts the body there at once, at rest, and wakes it.
+  /// Puts the body at `X_WB` at once, at rest, and wakes it.
   void SetPose(const RigidTransform& X_WB);
   /// Sets v_WB [m/s] and w_WB [rad/s] and wakes the body.
   void SetVelocity(const Vector3& linear, const Vector3& angular);
+  /// Wakes the body unless it is static; restarts the time it must rest before it falls asleep.
   void WakeUp();
 
   /// Bullet's side of the body, for this room; see internal_body_dynamics.h.

@@ -4,8 +4,8 @@
 
 namespace smile::physics {
 
-/// Names a body of one World. Ids count up from 1 in order of creation and are not used twice,
-/// except that World::Restore() also takes the counter back: ids handed out since the snapshot are
+/// Identifier of a body in one World. Ids count up from 1 in order of creation and are not used
+/// twice, except that World::Restore() also restores the counter: ids made since the snapshot are
 /// then void.
 using BodyId = StrongId<struct BodyTag>;
 using JointId = StrongId<struct JointTag>;

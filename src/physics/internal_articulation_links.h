@@ -12,9 +12,9 @@
 
 namespace smile::physics {
 
-/// Bullet's side of an Articulation. Bullet moves each link at its centre of mass along its
-/// principal axes (frame Lcm). Of a kinematic one, Bullet's world has only the colliders, which are
-/// kinematic objects.
+/// Bullet's part of an Articulation. Bullet moves each link at its centre of mass along its
+/// principal axes (frame Lcm). If the articulation is kinematic, Bullet's world contains only the
+/// colliders, which are kinematic objects.
 struct Articulation::Links {
   struct Link {
     RigidTransform X_LLcm;
@@ -26,7 +26,7 @@ struct Articulation::Links {
   std::unique_ptr<btCollisionObject> base_collider;
   std::vector<Link> links;
 
-  /// -1 is the base, null without solids.
+  /// Returns the collider of a link or of the base (-1); null for a base without solids.
   btCollisionObject* collider(int link) const {
     return link < 0 ? base_collider.get() : links[link].collider.get();
   }

@@ -7,10 +7,11 @@
 namespace smile::physics {
 namespace {
 
-/// Of balls, rollers and rings [m].
+/// Rolling resistance of balls, rollers and rings [m].
 constexpr double kRollingResistance = 0.001;
 
-/// Hulls count as round: a ring's segments are, and the resistance does no harm to the others.
+/// Returns true if a solid may roll. Hulls count as round: the segments of a ring are hulls, and
+/// the resistance does not disturb other hulls.
 bool IsRound(const BodySpec& spec) {
   return std::any_of(spec.solids.begin(), spec.solids.end(), [](const scene::Solid& solid) {
     return !std::holds_alternative<scene::Block>(solid.shape);
@@ -45,7 +46,7 @@ Body::Dynamics::Dynamics(BodyId id, const BodySpec& spec, const PrincipalInertia
       collision_(MakeCollisionShape(spec.solids, X_BcmB_)),
       bullet_(ConstructionInfoOf(spec, X_BcmB_, moments_, collision_.shape())) {
   bullet_.setUserIndex(static_cast<int>(id.value));
-  // Friction anchors remember where a contact first stuck: without them stacks creep.
+  // Friction anchors store the point where a contact first stuck: without them stacks creep.
   bullet_.setCollisionFlags(bullet_.getCollisionFlags() |
                             btCollisionObject::CF_HAS_FRICTION_ANCHOR);
 }
@@ -58,6 +59,7 @@ void Body::Dynamics::Load(double mass, double moment) {
   if (mass == load_mass_ && moment == load_moment_) return;
   load_mass_ = mass;
   load_moment_ = moment;
+  // A kinematic body has no mass in Bullet; the load takes effect when it becomes dynamic.
   if (!is_kinematic_) UpdateMass();
 }
 
@@ -96,6 +98,7 @@ void Body::Dynamics::Restore(ByteReader* in) {
   RestoreObject(in, &bullet_);
   bullet_.setLinearVelocity(ReadVector(in));
   bullet_.setAngularVelocity(ReadVector(in));
+  // Forces are zero between steps; the world inertia follows from the pose.
   bullet_.clearForces();
   bullet_.updateInertiaTensor();
   is_carried_ = in->Get<bool>();

@@ -8,7 +8,7 @@
 
 namespace smile::physics {
 
-/// Bullet's side of a Body: its state of motion, and who moves it. Bullet moves each body at its
+/// Bullet's part of a Body: its state of motion, and what moves it. Bullet moves each body at its
 /// centre of mass along its principal axes (frame Bcm).
 class Body::Dynamics {
  public:
@@ -25,16 +25,17 @@ class Body::Dynamics {
   bool is_carried() const { return is_carried_; }
   void set_is_carried(bool is_carried) { is_carried_ = is_carried; }
 
-  /// Adds mass [kg] and resistance to turning about any axis [kg m2] to the body's own, for what
-  /// hangs on it while it is carried.
+  /// Adds mass [kg] and moment of inertia about each axis [kg m2] to the body's own, for what hangs
+  /// on it while it is carried.
   void Load(double mass, double moment);
-  /// Returns its own mass and what hangs on it [kg].
+  /// Returns its own mass plus the load [kg].
   double loaded_mass() const { return mass_ + load_mass_; }
 
   bool is_kinematic() const { return is_kinematic_; }
-  /// Makes it follow what holds it, so that nothing else pushes it.
+  /// Makes the body kinematic, or dynamic again. A kinematic body follows its holder; nothing else
+  /// pushes it.
   void SetKinematic(bool is_kinematic);
-  /// Gives a kinematic body the velocity that brings it to `X_WB` in so many seconds.
+  /// Gives a kinematic body the velocity that brings it to `X_WB` in `seconds`.
   void SetVelocityToReach(const RigidTransform& X_WB, double seconds);
   /// Moves a kinematic body to `X_WB`; it keeps its velocity.
   void SetPose(const RigidTransform& X_WB);
@@ -54,7 +55,7 @@ class Body::Dynamics {
   btRigidBody bullet_;
   bool is_carried_ = false;
   bool is_kinematic_ = false;
-  double load_mass_ = 0, load_moment_ = 0;  ///< set in every step
+  double load_mass_ = 0, load_moment_ = 0;  ///< set in each step
 };
 
 }  // namespace smile::physics

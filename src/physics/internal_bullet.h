@@ -1,6 +1,7 @@
 #pragma once
 
-// Bullet's types and ours. Only src/physics/*.cc include this.
+// Conversions between Bullet's types and those of this project. Only src/physics/*.cc and internal
+// headers include this.
 
 #include <btBulletDynamicsCommon.h>
 
@@ -29,8 +30,8 @@ inline RigidTransform FromBullet(const btTransform& X) {
   return {FromBullet(X.getBasis()), FromBullet(X.getOrigin())};
 }
 
-/// Every collision object carries its place in the order of creation as user index; pairs, islands,
-/// contacts and world arrays are all sorted by it.
+/// Returns an object's place in the order of creation, which is stored as its user index. Pairs,
+/// islands, contacts and world arrays are all sorted by it.
 inline int OrderOf(const btCollisionObject* object) { return object->getUserIndex(); }
 
 }  // namespace smile::physics

@@ -54,6 +54,7 @@ void CheckLink(int link, int least, int num_links) {
                               std::to_string(least) + " to " + std::to_string(num_links - 1));
 }
 
+/// Throws unless the condition holds.
 void DemandOfSnapshot(bool holds, const char* complaint) {
   if (!holds) throw std::invalid_argument("snapshot: " + std::string(complaint));
 }
@@ -75,6 +76,7 @@ bool IsAscending(const std::vector<Entry>& entries) {
 
 void CheckArticulation(const scene::ArticulationSpec& spec) {
   const int count = static_cast<int>(spec.links.size());
+  // A parent comes before its children, so link trees have no cycles.
   bool is_sound = IsFinite(spec.X_WBase);
   for (int i = 0; i < count; ++i) {
     const scene::LinkSpec& link = spec.links[i];
@@ -89,7 +91,7 @@ void CheckArticulation(const scene::ArticulationSpec& spec) {
   DemandOfSnapshot(is_sound, "a robot's links contradict each other");
 }
 
-/// Bodies and links share one counter.
+/// Checks that no two objects share an id. Bodies and links share one counter.
 void CheckIds(const Snapshot& snapshot) {
   DemandOfSnapshot(snapshot.next_id <= std::numeric_limits<int>::max(), "its ids run out");
   DemandOfSnapshot(IsAscending(snapshot.bodies) && IsAscending(snapshot.articulations) &&

@@ -6,17 +6,22 @@
 #include "physics/joint.h"
 #include "physics/snapshot.h"
 
-// What may not be part of a World. All throw std::invalid_argument with what was found.
+// Checks of what becomes part of a World. All throw std::invalid_argument with what was found.
 
 namespace smile::physics {
 
+/// Checks a body's definition. @throws std::invalid_argument if a number is not finite or out of
+/// range.
 void CheckBody(const BodySpec& spec);
 
-/// Both functions are to throw, of their own kind, when there is no such thing.
+/// Checks a joint: numbers, existing bodies and links. The two functions throw, each in its own
+/// way, if their argument does not exist. @throws std::invalid_argument if the joint is not
+/// possible.
 void CheckJoint(const JointSpec& spec, const std::function<bool(BodyId)>& is_static,
                 const std::function<int(ArticulationId)>& num_links);
 
-/// That ids are in order and used once, and that joints join what is there. `state` is not read.
+/// Checks that ids are in order and used once, and that joints refer to existing bodies and links.
+/// Does not read `state`. @throws std::invalid_argument if not.
 void CheckSnapshot(const Snapshot& snapshot);
 
 }  // namespace smile::physics

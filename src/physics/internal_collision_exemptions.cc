@@ -9,10 +9,11 @@
 namespace smile::physics {
 namespace {
 
-/// Two that ignore each other and overlap by no more than this collide again: what merely touches
-/// must not fall through. A close fit has as much play [m].
+/// An ignored pair that overlaps by at most this collides again: a body that only touches another
+/// must not fall through it. A close fit has the same play [m].
 constexpr double kCloseFitDepth = ExactWorld::kCloseFitPlay;
 
+/// Inserts a pair into a sorted list, once.
 void InsertPair(const std::pair<BodyId, BodyId>& pair,
                 std::vector<std::pair<BodyId, BodyId>>* pairs) {
   const auto place = std::lower_bound(pairs->begin(), pairs->end(), pair);
@@ -59,6 +60,7 @@ void CollisionExemptions::EndAll() {
 }
 
 void CollisionExemptions::Update() {
+  // The depth of a pair of sleeping bodies cannot change, so only awake ones are measured.
   std::erase_if(close_fits_, [this](const BodyPair& pair) {
     return IsAnyAwake(pair) && OverlapDepth(pair) <= 0;
   });
@@ -100,7 +102,7 @@ void CollisionExemptions::AddTo(StateHash* hash) const {
     }
   };
   add(ignored_);
-  // Nothing is added without them: hashes of worlds that never had any stay as they were.
+  // Added only if present, so that hashes of worlds without close fits stay unchanged.
   if (!close_fits_.empty()) hash->Add("close fits");
   add(close_fits_);
 }

@@ -7,8 +7,8 @@
 
 namespace smile::physics {
 
-/// The pairs of bodies that were inside each other when their joint ended, and collide again step
-/// by step: first not at all, then as a close fit; see World::IgnoreCollisionUntilSeparated().
+/// Pairs of bodies that were inside each other when their joint ended. They collide again in two
+/// stages: first not at all, then as a close fit; see World::IgnoreCollisionUntilSeparated().
 class CollisionExemptions {
  public:
   /// All must outlive it.
@@ -18,8 +18,8 @@ class CollisionExemptions {
   /// Ends the exemptions of a body that is about to be removed.
   void EndAllOf(BodyId id);
   void EndAll();
-  /// Before a step: turns ignored pairs that hardly overlap any longer into close fits, and ends
-  /// the close fits of pairs that are apart.
+  /// Call before each step: turns ignored pairs that overlap by no more than the play into close
+  /// fits, and ends the close fits of pairs that are apart.
   void Update();
 
   void Save(Snapshot* snapshot) const;
@@ -39,7 +39,7 @@ class CollisionExemptions {
   const WorldObjects& objects_;
   Engine& engine_;
   std::vector<BodyPair> ignored_;     ///< sorted, the smaller id first
-  std::vector<BodyPair> close_fits_;  ///< likewise
+  std::vector<BodyPair> close_fits_;  ///< sorted, the smaller id first
 };
 
 }  // namespace smile::physics

@@ -26,6 +26,7 @@ void MakeKinematic(btRigidBody* object) {
 void SetVelocityToReach(const RigidTransform& X_WGoal, double seconds, btRigidBody* object) {
   const RigidTransform X_WNow = FromBullet(object->getWorldTransform());
   const Vector3 displacement = X_WGoal.translation() - X_WNow.translation();
+  // The rotation from now to the goal, as axis and angle in the world.
   const Eigen::AngleAxisd rotation(Matrix3(X_WGoal.rotation() * X_WNow.rotation().transpose()));
   object->setLinearVelocity(ToBullet(Vector3(displacement / seconds)));
   object->setAngularVelocity(ToBullet(Vector3(rotation.axis() * rotation.angle() / seconds)));
@@ -33,6 +34,7 @@ void SetVelocityToReach(const RigidTransform& X_WGoal, double seconds, btRigidBo
 
 void SetPose(const RigidTransform& X_W, btCollisionObject* object) {
   object->setWorldTransform(ToBullet(X_W));
+  // Bullet's second copy of the pose.
   object->setInterpolationWorldTransform(ToBullet(X_W));
 }
 

@@ -5,8 +5,10 @@
 namespace smile::physics {
 namespace {
 
+/// Base of the pair number: more parts than any body has.
 constexpr int kMaxParts = 4096;
 
+/// A shape that is not a compound counts as its own single part.
 int NumParts(const btCollisionShape* shape) {
   return shape->isCompound() ? static_cast<const btCompoundShape*>(shape)->getNumChildShapes() : 1;
 }
@@ -16,6 +18,7 @@ const btCollisionShape* PartShape(const btCollisionShape* shape, int part) {
   return static_cast<const btCompoundShape*>(shape)->getChildShape(part);
 }
 
+/// Returns the pose of a part in the world.
 btTransform PartPose(const btCollisionObjectWrapper* object, int part) {
   const btCollisionShape* shape = object->getCollisionShape();
   if (!shape->isCompound()) return object->getWorldTransform();
@@ -36,6 +39,8 @@ struct Part {
     btVector3 min, max, other_min, other_max;
     wrapper.getCollisionShape()->getAabb(X_WP, min, max);
     other.wrapper.getCollisionShape()->getAabb(other.X_WP, other_min, other_max);
+    // Contacts persist up to this distance, so parts are processed while their boxes are this
+    // close.
     const btVector3 reach(gContactBreakingThreshold, gContactBreakingThreshold,
                           gContactBreakingThreshold);
     return TestAabbAgainstAabb2(min - reach, max + reach, other_min, other_max);
@@ -52,6 +57,7 @@ thread_local bool CompoundPairAlgorithm::LookAtAllPairs::is_active_ = false;
 btCollisionAlgorithm* CompoundPairAlgorithm::CreateFunc::CreateCollisionAlgorithm(
     btCollisionAlgorithmConstructionInfo& info, const btCollisionObjectWrapper*,
     const btCollisionObjectWrapper*) {
+  // The dispatcher owns the memory of algorithms: it frees them by its own pool.
   void* memory = info.m_dispatcher1->allocateCollisionAlgorithm(sizeof(CompoundPairAlgorithm));
   return new (memory) CompoundPairAlgorithm(info);
 }
@@ -97,6 +103,7 @@ void CompoundPairAlgorithm::Collide(PartPair& pair, const btCollisionObjectWrapp
   const Part part_a(a, pair.part_a), part_b(b, pair.part_b);
   const btCollisionObjectWrapper* whole_a = result->getBody0Wrap();
   const btCollisionObjectWrapper* whole_b = result->getBody1Wrap();
+  // Bullet's result takes the poses and part numbers of contact points from these.
   result->setBody0Wrap(&part_a.wrapper);
   result->setBody1Wrap(&part_b.wrapper);
   result->setShapeIdentifiersA(-1, pair.part_a);
@@ -108,10 +115,13 @@ void CompoundPairAlgorithm::Collide(PartPair& pair, const btCollisionObjectWrapp
       pair.algorithm->getAllContactManifolds(manifolds);
       for (int i = 0; i < manifolds.size(); ++i) {
         pair.manifold = manifolds[i];
+        // The algorithm has a manifold from its first call on. Numbers begin at 1: 0 means a pair
+        // without parts.
         pair.manifold->m_companionIdA = 1 + pair.part_a * kMaxParts + pair.part_b;
       }
     }
   } else if (pair.manifold != nullptr && pair.manifold->getNumContacts() > 0) {
+    // The parts moved apart: let the points of earlier steps expire.
     result->setPersistentManifold(pair.manifold);
     result->refreshContactPoints();
   }

@@ -6,22 +6,23 @@
 
 namespace smile::physics {
 
-/// Collides two shapes of which at least one is made of parts, with one contact manifold per pair
-/// of parts. The pair of part numbers is kept in the manifold (PartPairOf), so that a saved contact
-/// finds its manifold again; the manifolds of Bullet's own compound algorithms cannot be told
-/// apart.
+/// Collision algorithm for two shapes of which at least one is made of parts, with one contact
+/// manifold per pair of parts. The manifold contains the pair of part numbers (PartPairOf), so that
+/// a saved contact finds its manifold again; the manifolds of Bullet's own compound algorithms
+/// cannot be told apart.
 class CompoundPairAlgorithm : public btCollisionAlgorithm {
  public:
   struct CreateFunc : btCollisionAlgorithmCreateFunc {
     btCollisionAlgorithm* CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info,
                                                    const btCollisionObjectWrapper* a,
                                                    const btCollisionObjectWrapper* b) override;
-    /// Lets the dispatcher use this for every pair with a compound; must outlive it.
+    /// Registers this for each pair with a compound; must outlive the dispatcher.
     void RegisterWith(btCollisionDispatcher* dispatcher);
   };
 
-  /// While alive, algorithms look at all pairs of parts, also at those whose boxes do not overlap,
-  /// so that every manifold exists before saved points are put back. Used on one thread at a time.
+  /// While alive, algorithms process all pairs of parts, including those whose boxes do not
+  /// overlap, so that each manifold exists before saved points are restored. Applies to the current
+  /// thread.
   class LookAtAllPairs {
    public:
     LookAtAllPairs() { is_active_ = true; }
@@ -58,7 +59,8 @@ class CompoundPairAlgorithm : public btCollisionAlgorithm {
   std::vector<PartPair> pairs_;
 };
 
-/// Which parts of two bodies a manifold belongs to; 0 for bodies of one part each.
+/// Returns the number of the pair of parts that a manifold belongs to; 0 for bodies of one part
+/// each.
 inline int PartPairOf(const btPersistentManifold* manifold) { return manifold->m_companionIdA; }
 
 }  // namespace smile::physics

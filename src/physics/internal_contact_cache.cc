@@ -11,9 +11,9 @@
 namespace smile::physics {
 namespace {
 
-/// Applies `field` to every number of a contact point that outlives a step. Saving and restoring
-/// walk the same list, so they cannot disagree. Bullet's struct has padding, hence not byte by
-/// byte.
+/// Applies `field` to each number of a contact point that persists between steps. Saving and
+/// restoring walk the same list, so they cannot disagree. Not byte by byte, since Bullet's struct
+/// has padding.
 template <class Point, class Field>
 void ForEachField(Point& point, Field field) {
   for (auto* v : {&point.m_localPointA, &point.m_localPointB, &point.m_positionWorldOnA,
@@ -35,7 +35,7 @@ void ForEachField(Point& point, Field field) {
   }
 }
 
-using ManifoldKey = std::tuple<int, int, int>;  ///< the orders of both objects, the pair of parts
+using ManifoldKey = std::tuple<int, int, int>;  ///< order of both objects, then their pair of parts
 
 ManifoldKey KeyOf(const btPersistentManifold* manifold) {
   return {OrderOf(manifold->getBody0()), OrderOf(manifold->getBody1()), PartPairOf(manifold)};
@@ -47,6 +47,7 @@ struct SavedManifold {
   std::array<btManifoldPoint, MANIFOLD_CACHE_SIZE> points;
 };
 
+/// Reads all manifolds. The input is not trusted: counts are checked before they are used.
 std::vector<SavedManifold> ReadManifolds(ByteReader* in) {
   std::vector<SavedManifold> manifolds;
   const auto num_manifolds = in->Get<std::uint32_t>();
@@ -70,6 +71,7 @@ std::vector<SavedManifold> ReadManifolds(ByteReader* in) {
   return manifolds;
 }
 
+/// Removes all pairs, and with them their contacts and algorithms.
 void DropAllPairs(ExactWorld& world, StatelessBroadphase& broadphase) {
   auto* cache = broadphase.getOverlappingPairCache();
   auto& pairs = cache->getOverlappingPairArray();
@@ -78,7 +80,7 @@ void DropAllPairs(ExactWorld& world, StatelessBroadphase& broadphase) {
   }
 }
 
-/// Makes the (empty) manifolds of the saved pairs by colliding them once.
+/// Makes the manifolds of the saved pairs by colliding them once.
 void MakeManifolds(ExactWorld& world, StatelessBroadphase& broadphase,
                    const std::vector<SavedManifold>& saved) {
   std::map<int, btBroadphaseProxy*> proxies;
@@ -95,7 +97,7 @@ void MakeManifolds(ExactWorld& world, StatelessBroadphase& broadphase,
     }
     cache->addOverlappingPair(a->second, b->second);
   }
-  // Bullet collides no pair of sleepers: keep all awake for this moment.
+  // Bullet does not collide two sleeping objects: keep all awake meanwhile.
   std::vector<int> activation;
   for (int i = 0; i < objects.size(); ++i) {
     activation.push_back(objects[i]->getActivationState());
@@ -112,6 +114,7 @@ void MakeManifolds(ExactWorld& world, StatelessBroadphase& broadphase,
 }  // namespace
 
 void SaveContacts(ExactWorld& world, ByteWriter* out) {
+  // The bytes must not depend on the order in which contacts arose.
   world.SortManifolds();
   btDispatcher* dispatcher = world.getDispatcher();
   std::vector<btPersistentManifold*> touching;
@@ -149,6 +152,8 @@ void RestoreContacts(ExactWorld& world, StatelessBroadphase& broadphase, ByteRea
     if (to == manifolds.end()) {
       throw std::invalid_argument("snapshot: a contact fits no pair of shapes in this world");
     }
+    // Overwrite the points of the collision above: only the saved ones have the right impulses and
+    // ages.
     to->second->setNumContacts(from.count);
     for (int k = 0; k < from.count; ++k) to->second->getContactPoint(k) = from.points[k];
   }

@@ -9,6 +9,7 @@ Engine::Engine(const WorldConfig& config)
   world.setGravity(btVector3(0, 0, -config.gravity));
   world.getDispatchInfo().m_deterministicOverlappingPairs = true;
 
+  // Values and their measurements: docs/decisions/physics.md.
   btContactSolverInfo& solving = world.getSolverInfo();
   solving.m_numIterations = config.solver_iterations;
   solving.m_erp = 0.2;
@@ -18,10 +19,12 @@ Engine::Engine(const WorldConfig& config)
   solving.m_linearSlop = 0;
   solving.m_frictionERP = 0.2;
   solving.m_warmstartingFactor = 0.85;
+  // No early end of the iterations at a small residual.
   solving.m_leastSquaresResidualThreshold = 0;
+  // Without SOLVER_RANDMIZE_ORDER, which would shuffle rows.
   solving.m_solverMode = SOLVER_SIMD | SOLVER_USE_WARMSTARTING;
 
-  // Bullet keeps this one for the whole process.
+  // Bullet has one such value per process.
   gDeactivationTime = config.sleep_after_seconds;
 }
 

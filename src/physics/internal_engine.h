@@ -9,7 +9,7 @@
 
 namespace smile::physics {
 
-/// The Bullet objects behind a World, set to its configuration.
+/// Bullet's objects behind a World, configured for it.
 struct Engine {
   explicit Engine(const WorldConfig& config);
 

@@ -12,7 +12,7 @@
 namespace smile::physics {
 namespace {
 
-/// Contacts count as no deeper than this, which is taken back at 0.5 m/s [m].
+/// Contacts count as at most this deep, which is corrected at 0.5 m/s [m].
 constexpr btScalar kMaxDepth = 0.005;
 
 template <class Constraint>
@@ -22,7 +22,8 @@ void RemoveInOrder(btAlignedObjectArray<Constraint*>& constraints, Constraint* c
   if (index < constraints.size()) constraints.pop_back();
 }
 
-/// What a solver that is out of iterations leaves of joints' limits.
+/// Clamps joint speeds [rad/s or m/s] to the limits: corrects the error that the solver leaves
+/// after its last iteration.
 void LimitJointSpeeds(double seconds, btMultiBody* multibody) {
   for (int i = 0; i < multibody->getNumLinks(); ++i) {
     const JointSpeeds allowed = AllowedSpeeds(*multibody, i, seconds);
@@ -32,7 +33,7 @@ void LimitJointSpeeds(double seconds, btMultiBody* multibody) {
   }
 }
 
-/// True for what a push can send flying; joints have their limits of speed.
+/// Returns true for a body that moves freely. Links are not: their joints have limits of speed.
 bool IsLoose(const btCollisionObject* object) {
   return btRigidBody::upcast(object) != nullptr && !object->isStaticOrKinematicObject();
 }
@@ -74,6 +75,7 @@ void ExactWorld::SortManifolds() {
   btPersistentManifold** manifolds = getDispatcher()->getInternalManifoldPointer();
   std::sort(manifolds, manifolds + count,
             [&key](const auto* a, const auto* b) { return key(a) < key(b); });
+  // Bullet removes a manifold by its stored index.
   for (int i = 0; i < count; ++i) manifolds[i]->m_index1a = i;
 }
 
@@ -97,10 +99,12 @@ void ExactWorld::integrateTransforms(btScalar seconds) {
 
 void ExactWorld::calculateSimulationIslands() {
   btMultiBodyDynamicsWorld::calculateSimulationIslands();
-  // Which member stands for an island depends on the order of merging; let it be the smallest.
+  // The representative of an island depends on the order of merging; use its smallest member
+  // instead.
   btUnionFind& islands = getSimulationIslandManager()->getUnionFind();
   const int count = islands.getNumElements();
   smallest_in_island_.assign(count, std::numeric_limits<int>::max());
+  // All roots first: find() would follow changed ids.
   std::vector<int> root(count);
   for (int i = 0; i < count; ++i) {
     root[i] = islands.find(i);
@@ -113,8 +117,8 @@ void ExactWorld::calculateSimulationIslands() {
   LimitDepths();
 }
 
-/// Adds the play of close fits to the distances of their contacts. Distances are worked out from
-/// the points: those of sleeping pairs are not refreshed, and have it already.
+/// Adds the play of close fits to the distances of their contacts. Distances are computed from the
+/// points: those of sleeping pairs are not refreshed and already include it.
 void ExactWorld::EaseCloseFits() {
   const auto id_of = [](const btCollisionObject* object) {
     return BodyId{static_cast<std::uint32_t>(OrderOf(object))};
@@ -133,8 +137,9 @@ void ExactWorld::EaseCloseFits() {
   }
 }
 
-/// What suddenly stands in something else, as a gate that opens onto a block, is pushed out at a
-/// walk: Bullet takes back a fifth of the depth in a step, with whatever speed that makes.
+/// Limits the depth of contacts of free bodies, so that a body inside another, such as a block
+/// under an opening gate, is pushed out slowly: Bullet corrects a fifth of the depth per step, at
+/// any speed.
 void ExactWorld::LimitDepths() {
   for (int i = 0; i < getDispatcher()->getNumManifolds(); ++i) {
     btPersistentManifold* manifold = getDispatcher()->getManifoldByIndexInternal(i);

@@ -11,34 +11,37 @@
 namespace smile::physics {
 
 /// Bullet's multibody world in a canonical order: its arrays, islands and contact manifolds are
-/// sorted by the objects' order of creation, so that the order in which a step works through them,
-/// and with it every rounding, follows from the state alone and not from how it came about.
+/// sorted by the objects' order of creation. The order of work in a step, and with it all rounding,
+/// therefore depends on the state only and not on its history.
 class ExactWorld : public btMultiBodyDynamicsWorld {
  public:
   using btMultiBodyDynamicsWorld::btMultiBodyDynamicsWorld;
 
-  /// By how much two that fit closely may overlap before contacts between them bear [m].
+  /// Overlap of a close fit up to which its contacts bear no load [m].
   static constexpr double kCloseFitPlay = 0.0005;
 
-  /// The pairs to which kCloseFitPlay applies in the steps to come, sorted, the smaller id first.
+  /// Sets the pairs to which kCloseFitPlay applies from now on, sorted, the smaller id first.
   void SetCloseFits(const std::vector<std::pair<BodyId, BodyId>>& pairs) { close_fits_ = pairs; }
-  /// Call after objects were added or removed. Costs next to nothing when the order is right
-  /// already, as it is after the usual addition at the end.
+  /// Restores the order after objects were added or removed. Cheap if they are already in order, as
+  /// after the usual addition at the end.
   void SortObjects();
   void SortManifolds();
-  /// Bullet's own removal fills the gap with the last constraint; this one keeps the order.
+  /// Removes a constraint and keeps the order; Bullet's own removal fills the gap with the last
+  /// one.
   void RemoveConstraintInOrder(btMultiBodyConstraint* constraint);
   void RemoveConstraintInOrder(btTypedConstraint* constraint);
-  /// Puts a constraint in the place of another, which is then no longer part of the world.
+  /// Replaces a constraint, which is then no longer part of the world, by another in its place.
   void ReplaceConstraint(btMultiBodyConstraint* constraint, btMultiBodyConstraint* with);
   void ReplaceConstraint(btTypedConstraint* constraint, btTypedConstraint* with);
 
  protected:
-  /// Kinematic objects are given their velocities, where Bullet would work them out of poses.
+  /// Does nothing: kinematic objects are given their velocities, which Bullet would derive from
+  /// poses.
   void saveKinematicState(btScalar) override {}
-  /// Joints stay within their limits, whatever the solver left them with.
+  /// Clamps joint speeds before integration, so that joints stay within their limits whatever the
+  /// solver left.
   void integrateTransforms(btScalar seconds) override;
-  /// The last thing before the solver: here contacts are put in order and limited.
+  /// Runs last before the solver; puts islands and contacts in order, and limits contacts.
   void calculateSimulationIslands() override;
 
  private:

@@ -9,7 +9,7 @@
 namespace smile::physics {
 namespace {
 
-/// Force and torque a weld may use against what the held body runs into [N s per second of step].
+/// Force and torque that a weld may use against obstacles [N, N m].
 constexpr double kWeldEffort = 2000.0;
 
 }  // namespace
@@ -20,6 +20,7 @@ HeldBodies::HeldBodies(const WorldConfig& config, const WorldObjects& objects, E
 void HeldBodies::Hold(JointId id, const WeldSpec& spec) {
   Body& held = objects_.body(spec.body);
   held.SetCarried(true);
+  // The fingers touch the body: contacts would fight the weld.
   ForEachLinkNotColliding(spec, [&](const btCollisionObject& link) {
     engine_.broadphase.Exclude(link, held.dynamics().bullet(), &engine_.dispatcher);
   });
@@ -71,7 +72,8 @@ bool HeldBodies::IsKinematic(const WeldSpec& weld) const {
   return objects_.articulation(weld.articulation).spec().is_kinematic;
 }
 
-/// What nothing can push collides with less than others.
+/// Changes whether a body is kinematic. Two objects that nothing can push make no pair, so its
+/// pairs are dropped and found again.
 void HeldBodies::SetKinematic(BodyId id, bool is_kinematic) {
   Body::Dynamics& held = objects_.body(id).dynamics();
   if (held.is_kinematic() == is_kinematic) return;
@@ -82,6 +84,7 @@ void HeldBodies::SetKinematic(BodyId id, bool is_kinematic) {
 std::unique_ptr<btMultiBodyFixedConstraint> HeldBodies::MakeConstraint(const WeldSpec& weld) const {
   const Articulation& holder = objects_.articulation(weld.articulation);
   Body::Dynamics& held = objects_.body(weld.body).dynamics();
+  // Bullet's constraint is between the frames of the centres of mass.
   const RigidTransform X_LcmBcm =
       holder.links().links[weld.link].X_LLcm.inverse() * weld.X_LB * held.X_BcmB().inverse();
   auto constraint = std::make_unique<btMultiBodyFixedConstraint>(
@@ -102,10 +105,12 @@ void HeldBodies::ForEachLinkNotColliding(const WeldSpec& weld, Visit visit) cons
 void HeldBodies::ApplyExcessWeight() {
   for (const auto& [id, weld] : welds_) {
     Body& held = objects_.body(weld.spec.body);
+    // A carried body is weightless; gravity acts on the excess only, spread over the loaded mass.
     const double excess = std::max(0.0, held.spec().mass.mass - weld.spec.holds_up);
     Body::Dynamics& dynamics = held.dynamics();
     dynamics.bullet().setGravity(
         btVector3(0, 0, -config_.gravity * excess / dynamics.loaded_mass()));
+    // The motors of the arm must bear the excess with their listed effort only.
     if (excess > 0) objects_.articulation(weld.spec.articulation).NoteOverload(weld.spec.link);
   }
 }

@@ -10,25 +10,25 @@
 
 namespace smile::physics {
 
-/// The bodies that articulations hold: all welds of a World. A held body is carried. Bullet welds
-/// it to the link of a multibody; on a kinematic link it is kinematic itself.
+/// Bodies held by articulations: all welds of a World. A held body is carried. Bullet welds it to
+/// the link of a multibody; on a kinematic link it is kinematic itself.
 class HeldBodies {
  public:
   /// All must outlive it.
   HeldBodies(const WorldConfig& config, const WorldObjects& objects, Engine& engine);
 
-  /// @param id  greater than those of all other welds.
+  /// Starts to hold a body. @param id  greater than those of all other welds.
   void Hold(JointId id, const WeldSpec& weld);
   void Release(JointId id);
-  /// Welds a body whose form changed again.
+  /// Welds a body again after its form changed.
   void Rejoin(BodyId id);
 
-  /// Before a step: lets articulations bear the weight that their welds do not hold up.
+  /// Call before each step: loads articulations with the weight that their welds do not hold up.
   void ApplyExcessWeight();
-  /// Gives the kinematic ones the velocities of their links in the next step; articulations have
-  /// theirs already.
+  /// Gives kinematic bodies the velocities of their links in the next step, which the articulations
+  /// must already have.
   void SetKinematicVelocities();
-  /// After the step: puts them where their links are.
+  /// Call after each step: puts kinematic bodies at the poses given by their links.
   void MoveKinematicBodies();
 
  private:

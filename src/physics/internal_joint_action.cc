@@ -1,3 +1,6 @@
+// Actions of joints before a step that are not rows of the solver: loads of carried bodies, and
+// damping and softness of sliders (docs/decisions/physics.md).
+
 #include "physics/internal_joint_action.h"
 
 #include <algorithm>
@@ -12,16 +15,19 @@
 namespace smile::physics {
 namespace {
 
-/// What a carried body has to bear of another that hangs on it, as if the two were one.
+/// Returns the moment of inertia [kg m2] that another body adds to a carried one, as if the two
+/// were one rigid body: an upper bound for all axes (parallel axis theorem).
 double MomentAbout(const Body& carried, const Body& other) {
   const Vector3 arm = other.pose_in_world() * other.spec().mass.center -
                       carried.pose_in_world() * carried.spec().mass.center;
-  // No axis has more than half the trace.
+  // The moment about any axis is at most half the trace: the largest principal moment is at most
+  // the sum of the other two.
   return other.spec().mass.inertia.trace() / 2 + other.spec().mass.mass * arm.squaredNorm();
 }
 
-/// Fraction of the speed that a soft slider keeps in this step: in the outer part of its range the
-/// speed towards the limit falls in proportion to the displacement that remains.
+/// Returns the fraction of the speed that a soft slider keeps in this step: in the outer part of
+/// its range the speed towards the limit falls in proportion to the remaining displacement
+/// (implicit Euler).
 double SoftFractionKept(const SliderJointSpec& slider, double offset, double speed,
                         double seconds) {
   const double middle = (slider.lower + slider.upper) / 2;
@@ -33,7 +39,7 @@ double SoftFractionKept(const SliderJointSpec& slider, double offset, double spe
   return 1 / (1 + approach * seconds / remaining);
 }
 
-/// Of each group, as Bullet has it now; 0 when it is anchored.
+/// Returns the inverse mass [1/kg] of each group as loaded now; 0 for an anchored group.
 std::vector<double> InverseMassesOf(const JointGroups& rigid, const WorldObjects& objects) {
   std::vector<double> masses(objects.bodies().size(), 0.0);
   for (const auto& one : objects.bodies()) {
@@ -53,6 +59,7 @@ void LoadCarriedBodies(const WorldObjects& objects, const JointSet& joints) {
       std::any_of(bodies.begin(), bodies.end(), [](const auto& one) { return one->is_carried(); });
   std::vector<std::pair<double, double>> loads(bodies.size());  // mass, moment
   if (is_any_carried && joints.has_constraints()) {
+    // A carried body bears all bodies of its group, whatever joints lie between them.
     const JointGroups groups(bodies, joints.joints(), /*only_fixed=*/false);
     std::vector<std::vector<std::size_t>> carried_in(bodies.size());
     for (std::size_t i = 0; i < bodies.size(); ++i) {
@@ -94,6 +101,8 @@ void DampSliders(const WorldObjects& objects, const JointSet& joints, double ste
       rigid.emplace(objects.bodies(), joints.joints(), /*only_fixed=*/true);
       inverse_masses = InverseMassesOf(*rigid, objects);
     }
+    // Equal and opposite impulses change the sliding speed by impulse (1/m_A + 1/m_B), where the
+    // masses are those of everything rigidly fixed to either side.
     const double inverse_mass =
         inverse_masses[rigid->group_of(slider->a)] + inverse_masses[rigid->group_of(slider->b)];
     if (inverse_mass > 0) constraint.Push(speed * (kept - 1) / inverse_mass);

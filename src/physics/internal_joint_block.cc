@@ -1,3 +1,14 @@
+// Assembly and solution of the joint equations. In block form, with the joint impulses x and the
+// scaled velocity changes u of the hubs,
+//
+//     [ A    B ] [ x ]   [ wanted speeds ]
+//     [ B^T -I ] [ u ] = [ 0             ]
+//
+// A holds the responses through light bodies, B = J_hub R with W_hub = R R^T. Eliminating u gives
+// A + B B^T = J W J^T. The matrix is quasidefinite, so L D L^T exists for each order in which a
+// joint with a zero block in A comes after one of its hubs. docs/decisions/physics.md has the
+// measurements.
+
 #include "physics/internal_joint_block.h"
 
 #include <algorithm>
@@ -8,21 +19,24 @@
 namespace smile::physics {
 namespace {
 
-/// Softens every row by this share of itself, so that joints that say the same thing twice, as in a
-/// closed loop, share the work.
+/// Softens each row by this fraction of its own response, so that redundant joints, as in a closed
+/// loop, share the load instead of making the matrix singular.
 constexpr double kSoftness = 1e-9;
-/// The same for taking back what came apart: with 1e-3, a chain of 20 links that is 1 % too long
-/// for its ends breaks into a tangle; with 0.1 it bends. A sag of 0.1 um is not made worse by it,
-/// since velocities are exact.
+/// Softness for position errors: with 1e-3, a chain of 20 links that is 1 % too long for its ends
+/// breaks into a tangle; with 0.1 it bends. It does not increase a sag of 0.1 um, since velocities
+/// are exact.
 constexpr double kReturnSoftness = 0.1;
-/// Multiplications for a factor, about 30 ms. 300 guests on a hub take a hundredth of it.
+/// Upper bound of multiplications per factorization, about 30 ms. 300 guests on a hub take a
+/// hundredth of it.
 constexpr double kMaxWork = 3e7;
 
+/// Unknowns of a hub: linear and angular velocity change.
 constexpr int kHubRows = 6;
-/// A body of more joints is a hub.
+/// A body with more joints than this is a hub.
 constexpr std::size_t kMaxJointsOfLight = 2;
 
-/// The part of a row that acts on one of its two bodies.
+/// The part of a row that acts on one of its two bodies: Jacobian (linear, angular) and the angular
+/// velocity change per unit impulse.
 struct Side {
   Side(const btSolverConstraint& row, int body)
       : normal(row.m_solverBodyIdA == body ? row.m_contactNormal1 : row.m_contactNormal2),
@@ -32,19 +46,21 @@ struct Side {
   const btVector3 &normal, &turn, &turning;
 };
 
-/// How much speed along `row` an impulse along `other` makes, through one body.
+/// Returns the change of speed along `row` per unit impulse along `other`, through one body that
+/// both rows act on.
 double Response(const btSolverConstraint& row, const btSolverConstraint& other, int body,
                 double inverse_mass) {
   const Side a(row, body), b(other, body);
   return a.normal.dot(b.normal) * inverse_mass + a.turn.dot(b.turning);
 }
 
-/// A hub's velocity change in units in which its inertia is 1.
+/// Scales a hub's velocity change by the root R of its inverse inertia (R R^T = W), so that its own
+/// block of the matrix is -I.
 class HubScale {
  public:
   explicit HubScale(const btSolverBody& body)
       : root_inverse_mass_(std::sqrt(body.internalGetInvMass().x())) {
-    // Cholesky; a body without inertia has zeros here.
+    // Cholesky factor of the inverse inertia; a body that cannot rotate has zeros here.
     const btMatrix3x3& inverse = body.m_originalBody->getInvInertiaTensorWorld();
     for (int i = 0; i < 3; ++i) {
       for (int j = 0; j <= i; ++j) {
@@ -59,7 +75,7 @@ class HubScale {
     }
   }
 
-  /// How each of its unknowns counts in the speed along a row.
+  /// Returns the row of B: the derivative of the speed along a row by each unknown of the hub.
   std::array<double, kHubRows> SpeedsOf(const Side& side) const {
     const btVector3 linear = side.normal * root_inverse_mass_;
     const btVector3 angular = side.turn * root_;  // transposed times turn
@@ -71,6 +87,7 @@ class HubScale {
   btMatrix3x3 root_ = btMatrix3x3(0, 0, 0, 0, 0, 0, 0, 0, 0);
 };
 
+/// Returns the speed along a row that this step's impulses have produced so far, in m/s or rad/s.
 double SpeedGained(const btSolverConstraint& row,
                    const btAlignedObjectArray<btSolverBody>& bodies) {
   const btSolverBody& a = bodies[row.m_solverBodyIdA];
@@ -81,6 +98,7 @@ double SpeedGained(const btSolverConstraint& row,
          row.m_relpos2CrossNormal.dot(b.m_deltaAngularVelocity);
 }
 
+/// Applies an impulse along a row to both bodies and adds it to the row's total.
 void Apply(const btSolverConstraint& row, double impulse,
            btAlignedObjectArray<btSolverBody>& bodies) {
   btSolverBody& a = bodies[row.m_solverBodyIdA];
@@ -100,6 +118,7 @@ void JointBlock::Begin() {
 }
 
 void JointBlock::AddRow(btSolverConstraint* row, double return_speed) {
+  // Bullet stores the joint of a row in m_originalContactPoint.
   const bool is_next = !rows_.empty() && rows_.back().constraint->m_originalContactPoint ==
                                              row->m_originalContactPoint;
   if (!is_next) joints_.push_back({static_cast<int>(rows_.size()), 0});
@@ -110,6 +129,8 @@ void JointBlock::AddRow(btSolverConstraint* row, double return_speed) {
 void JointBlock::Factor(btAlignedObjectArray<btSolverBody>& bodies) {
   FindJointsOfBodies(bodies);
   FindGraph();
+  // The order depends only on the pattern of the matrix: keep it while joints and bodies stay the
+  // same.
   if (graph_ != ordered_graph_) {
     elimination_ = sparse::OrderElimination(graph_, kMaxWork);
     ordered_graph_ = graph_;
@@ -117,11 +138,13 @@ void JointBlock::Factor(btAlignedObjectArray<btSolverBody>& bodies) {
   matrix_.Begin(&elimination_);
   PlaceRows();
   Assemble(bodies);
+  // Rows without an unknown stay with Bullet's iteration.
   std::erase_if(rows_, [](const Row& row) { return row.unknown < 0; });
   ReduceReturns();
   FactorSoftened(kSoftness, &matrix_);
 }
 
+/// Sorts movable bodies into light ones and hubs, in the order of their joints.
 void JointBlock::FindJointsOfBodies(const btAlignedObjectArray<btSolverBody>& bodies) {
   joints_of_.resize(std::max<std::size_t>(joints_of_.size(), bodies.size()));
   for (auto& joints : joints_of_) joints.clear();
@@ -130,6 +153,7 @@ void JointBlock::FindJointsOfBodies(const btAlignedObjectArray<btSolverBody>& bo
   for (std::size_t joint = 0; joint < joints_.size(); ++joint) {
     const btSolverConstraint& row = *rows_[joints_[joint].first].constraint;
     for (int body : {row.m_solverBodyIdA, row.m_solverBodyIdB}) {
+      // Static and kinematic bodies respond to no impulse: they couple no rows.
       if (bodies[body].internalGetInvMass().x() == 0) continue;
       joints_of_[body].push_back(static_cast<int>(joint));
       const std::size_t count = joints_of_[body].size();
@@ -141,13 +165,14 @@ void JointBlock::FindJointsOfBodies(const btAlignedObjectArray<btSolverBody>& bo
                 [this](int body) { return joints_of_[body].size() > kMaxJointsOfLight; });
 }
 
-/// Joints are the first nodes, hubs the others.
+/// Builds the graph of the matrix. Nodes are the joints, followed by the hubs.
 void JointBlock::FindGraph() {
   graph_.sizes.clear();
   for (const JointRows& joint : joints_) graph_.sizes.push_back(joint.count);
   graph_.sizes.resize(joints_.size() + hubs_.size(), kHubRows);
   graph_.neighbours.assign(graph_.sizes.size(), {});
   graph_.waits.assign(graph_.sizes.size(), false);
+  // A joint without a light body has a zero block in A and must wait for a hub.
   std::fill_n(graph_.waits.begin(), joints_.size(), true);
   const auto connect = [this](int a, int b) {
     graph_.neighbours[a].push_back(b);
@@ -167,6 +192,7 @@ void JointBlock::FindGraph() {
   }
 }
 
+/// Assigns each row its unknown, and disables it in Bullet's iteration.
 void JointBlock::PlaceRows() {
   for (std::size_t joint = 0; joint < joints_.size(); ++joint) {
     const int place = elimination_.place_of_node[joint];
@@ -174,11 +200,13 @@ void JointBlock::PlaceRows() {
     for (int i = 0; i < joints_[joint].count; ++i) {
       Row& row = rows_[joints_[joint].first + i];
       row.unknown = matrix_.first_row(place) + i;
-      row.constraint->m_overrideNumSolverIterations = 0;  // Bullet leaves it alone
+      // Zero iterations of Bullet's own for this row.
+      row.constraint->m_overrideNumSolverIterations = 0;
     }
   }
 }
 
+/// Fills in A through light bodies, and B through hubs.
 void JointBlock::Assemble(const btAlignedObjectArray<btSolverBody>& bodies) {
   for (int body : light_bodies_) {
     const double inverse_mass = bodies[body].internalGetInvMass().x();
@@ -191,7 +219,8 @@ void JointBlock::Assemble(const btAlignedObjectArray<btSolverBody>& bodies) {
   }
 }
 
-/// What two joints do to each other through a light body.
+/// Adds the responses between the rows of two joints through a light body. Only blocks on and below
+/// the diagonal exist, so the joint that is eliminated first is the column.
 void JointBlock::AssemblePair(int joint, int other, int body, double inverse_mass) {
   int place = elimination_.place_of_node[joint], other_place = elimination_.place_of_node[other];
   if (place < 0) return;
@@ -209,7 +238,7 @@ void JointBlock::AssemblePair(int joint, int other, int body, double inverse_mas
   }
 }
 
-/// The hub's unknowns are its velocity change, scaled so that its inertia is 1.
+/// Fills in -I and the blocks of B or B^T, depending on whether the joint or the hub comes first.
 void JointBlock::AssembleHub(int node, int body, const btSolverBody& solver_body) {
   const int place = elimination_.place_of_node[node];
   if (place < 0) return;
@@ -230,13 +259,16 @@ void JointBlock::AssembleHub(int node, int body, const btSolverBody& solver_body
   }
 }
 
+/// Factors with a softness: each joint row is regularized by this fraction of its own response. Hub
+/// pivots stay at or below -1.
 void JointBlock::FactorSoftened(double softness, sparse::BlockMatrix* matrix) {
   least_pivots_.assign(matrix->num_rows(), -1);  // hubs
   for (const Row& row : rows_) least_pivots_[row.unknown] = softness * row.self_response;
   matrix->Factor(least_pivots_);
 }
 
-/// Asks for the speeds e' = A x that the impulses x of the softened rows, (A + s D) x = e, make.
+/// Reduces the return speeds e to the speeds e' = A x that the impulses x of the softened system
+/// (A + s D) x = e produce; e - e' = s D x.
 void JointBlock::ReduceReturns() {
   if (std::ranges::all_of(rows_, [](const Row& row) { return row.return_speed == 0; })) return;
   softened_ = matrix_;
@@ -250,6 +282,8 @@ void JointBlock::ReduceReturns() {
   }
 }
 
+/// Solves for the impulses that close the gap between each row's wanted speed and the speed gained
+/// so far. Bullet's m_rhs is that speed times m_jacDiagABInv.
 void JointBlock::Solve(btAlignedObjectArray<btSolverBody>& bodies) {
   unknowns_.assign(matrix_.num_rows(), 0);
   for (const Row& row : rows_) {

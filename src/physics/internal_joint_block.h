@@ -11,37 +11,42 @@
 
 namespace smile::physics {
 
-/// Rows of joints that are solved exactly, all at once, instead of one after another.
+/// Direct solver for the rows of all joints together, where Bullet would solve one row after
+/// another.
 ///
 /// With the rows' Jacobian J and the inverse masses W, the impulses x satisfy (J W J^T) x = wanted
-/// velocity changes. In this matrix all joints of one body have entries in common. For a body of
-/// more than two joints, a hub, that would be a full block; so a hub's velocity change is an
-/// unknown of its own, which has entries in common with its joints alone. The matrix is factored
-/// once per step and used in every iteration. Chains, trees and hubs cost a time linear in their
-/// size.
+/// velocity changes. In this matrix the joints of one body form a full block. For a body with more
+/// than two joints, a hub, that block would be large, so the velocity change of a hub is an unknown
+/// of its own, which has entries in common only with its joints. The matrix is factored once per
+/// step and used in every iteration. The cost of chains, trees and hubs is linear in their size.
 ///
-/// Velocities are always possible; to take back what came apart may not be, as in a taut chain that
-/// is too long for its ends: exactly solved, that would be a blow without end. So the speeds with
-/// which rows return are first reduced to what can be had by moderate impulses.
+/// Velocity errors can always be removed; position errors may not be, as in a taut chain that is
+/// too long for its ends: solved exactly, that would demand unbounded impulses. The speeds with
+/// which rows correct position errors are therefore first reduced to those that moderate impulses
+/// can reach.
 class JointBlock {
  public:
-  /// Starts anew.
+  /// Removes all rows, for a new step.
   void Begin();
-  /// Rows come in the order of their joints. They must stay where they are.
-  /// @param return_speed  the part of the row's wanted speed that takes back what came apart.
+  /// Adds a row. Rows come in the order of their joints, and must stay at their addresses until
+  /// Solve().
+  /// @param return_speed  the part of the row's wanted speed that corrects a position error, in
+  ///                      m/s or rad/s.
   void AddRow(btSolverConstraint* row, double return_speed);
-  /// Takes the rows out of Bullet's hands, but for those of islands that are too much work.
-  /// @param bodies  the solver's, to which the rows refer.
+  /// Factors the matrix, and disables the rows in Bullet's own iteration. Rows of islands that are
+  /// too much work stay with Bullet.
+  /// @param bodies  the solver's bodies, to which the rows refer.
   void Factor(btAlignedObjectArray<btSolverBody>& bodies);
-  /// Gives the bodies what makes all rows hold, given what else has changed their velocities.
+  /// Applies the impulses that make all rows hold, given all other changes of the bodies'
+  /// velocities so far.
   void Solve(btAlignedObjectArray<btSolverBody>& bodies);
 
  private:
   struct Row {
     btSolverConstraint* constraint;
     double return_speed;
-    double self_response;  ///< its diagonal of J W J^T
-    int unknown;           ///< its place among all; -1: too much work
+    double self_response;  ///< its diagonal entry of J W J^T
+    int unknown;           ///< its index among the unknowns, -1 if left to Bullet
   };
   /// The rows of one joint.
   struct JointRows {
@@ -59,9 +64,9 @@ class JointBlock {
 
   std::vector<Row> rows_;
   std::vector<JointRows> joints_;
-  std::vector<std::vector<int>> joints_of_;   ///< of each body that they move, ascending
-  std::vector<int> light_bodies_, hubs_;      ///< in the order of their joints
-  sparse::BlockGraph graph_, ordered_graph_;  ///< of this step, and that of `elimination_`
+  std::vector<std::vector<int>> joints_of_;   ///< joints of each movable body, ascending
+  std::vector<int> light_bodies_, hubs_;      ///< in the order of their first joints
+  sparse::BlockGraph graph_, ordered_graph_;  ///< of this step, and the one of `elimination_`
   sparse::Elimination elimination_;
   sparse::BlockMatrix matrix_, softened_;
   std::vector<double> least_pivots_, unknowns_;

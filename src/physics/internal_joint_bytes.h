@@ -5,7 +5,7 @@
 
 namespace smile::physics {
 
-/// All that a joint is, as it stands in a serialized snapshot.
+/// Writes a joint as in a serialized snapshot.
 void PutJoint(const Joint& joint, ByteWriter* out);
 
 }  // namespace smile::physics

@@ -1,3 +1,12 @@
+// Rows of a joint, in this order:
+//   ball:   x, y, z of K's origin in J
+//   fixed:  the same, then rotation about x, y, z of J
+//   slider: y, z, rotation about x, y, z, then the rail: one row if it has a single possible place,
+//           otherwise one row per limit
+// A row measures the speed of A minus the speed of B along its axis. Position errors are corrected
+// by adding a fraction of the error per step to the wanted speed (J. Baumgarte, Stabilization of
+// constraints and integrals of motion in dynamical systems, 1972).
+
 #include "physics/internal_joint_constraint.h"
 
 #include <algorithm>
@@ -8,28 +17,31 @@
 namespace smile::physics {
 namespace {
 
-/// Share of a joint's error that is taken back in a step.
+/// Fraction of a joint's position error that is corrected in a step.
 constexpr double kErrorReduction = 0.3;
-/// What came apart comes back no faster than this [m/s], [rad/s].
+/// Upper bounds of the correction speed [m/s], [rad/s].
 constexpr double kMaxReturnSpeed = 2.0;
 constexpr double kMaxReturnTurn = 10.0;
-/// Slower than this a slider does not bounce off its limit [m/s].
+/// Minimum approach speed for a rebound from a limit [m/s].
 constexpr double kMinBounce = 0.05;
-/// Put elsewhere by more than this, a held slider stays at its new place [m].
+/// A held slider that is moved by more than this stays at its new offset [m].
 constexpr double kMaxHeldError = 0.005;
 
+/// First row of a slider that acts along its rail.
 constexpr int kFirstRailRow = 5;
 
-/// The rotation vector of R [rad].
+/// Returns the rotation vector of R: axis times angle [rad], the angle at most pi.
 btVector3 TurnOf(const btMatrix3x3& R) {
   btQuaternion q;
   R.getRotation(q);
+  // q and -q are the same rotation; the one with w >= 0 has the smaller angle.
   if (q.w() < 0) q = -q;
   const btVector3 v(q.x(), q.y(), q.z());
   const double sine = v.length();
   return sine < 1e-12 ? v * 2 : v * (2 * std::atan2(sine, q.w()) / sine);
 }
 
+/// Writes a vector to a row of one of Bullet's Jacobians.
 void PutVector(const btVector3& v, int row, int rowskip, btScalar* to) {
   for (int i = 0; i < 3; ++i) to[row * rowskip + i] = v[i];
 }
@@ -50,6 +62,7 @@ bool DoCollide(const JointSpec& spec) {
   return slider != nullptr && slider->do_collide;
 }
 
+/// Present poses of both joint frames in the world.
 struct JointConstraint::Pose {
   btTransform X_WJ, X_WK;
   btVector3 p_AcmK, p_BcmK;  ///< from the centres of mass to K's origin, along world axes
@@ -79,6 +92,7 @@ JointConstraint::JointConstraint(int order, const JointSpec& spec, btRigidBody& 
   }
   X_AcmJ_ = ToBullet(X_AcmA * X_AJ);
   X_BcmK_ = ToBullet(X_BcmB * X_BK);
+  // A slider with damping 1 is held where it is when the joint is made.
   held_offset_ = std::clamp(offset(), rail_.lower, rail_.upper);
 }
 
@@ -95,8 +109,11 @@ void JointConstraint::HoldUnless(bool is_carried) {
   const bool shall_hold = rail_.damping >= 1 && !is_carried;
   const bool was_held = is_held_;
   is_held_ = shall_hold;
+  // The number of rows changes: a pressed limit has no row while the slider is held.
   if (is_held_ != was_held) is_pressed_ = {};
   const double now = offset();
+  // While held, keep the offset: the solver corrects small deviations from it. Larger ones are
+  // moves from outside: adopt them.
   if (!was_held || !is_held_ || std::abs(now - held_offset_) > kMaxHeldError) {
     held_offset_ = std::clamp(now, rail_.lower, rail_.upper);
   }
@@ -123,6 +140,8 @@ bool JointConstraint::IsHeld(int row) const {
 
 void JointConstraint::NoteImpulse(int row, double impulse) {
   if (row < kFirstRailRow || kind_ != Kind::kSlider || has_one_place()) return;
+  // A limit counts as pressed only if it pushed inwards. One that had to pull is free again in the
+  // next step, and a rebound must not be held.
   const double inwards = row == kFirstRailRow ? -impulse : impulse;
   is_pressed_[row - kFirstRailRow] = inwards > 0 && !bounces_;
 }
@@ -187,6 +206,7 @@ void JointConstraint::LockPoint(const Pose& pose, int axis, double error, int ro
                                 btConstraintInfo2* info) const {
   const btVector3 n = pose.axis(axis);
   PutVector(n, row, info->rowskip, info->m_J1linearAxis);
+  // Both lever arms end at K's origin, so that the impulses are equal, opposite and on one line.
   PutVector(pose.p_AcmK.cross(n), row, info->rowskip, info->m_J1angularAxis);
   PutVector(-n, row, info->rowskip, info->m_J2linearAxis);
   PutVector(-pose.p_BcmK.cross(n), row, info->rowskip, info->m_J2angularAxis);
@@ -194,6 +214,8 @@ void JointConstraint::LockPoint(const Pose& pose, int axis, double error, int ro
       std::clamp(kErrorReduction * info->fps * error, -kMaxReturnSpeed, kMaxReturnSpeed);
 }
 
+/// Holds the orientation of K in J, one row per axis of J. Rows without linear parts stay zero
+/// there.
 void JointConstraint::LockTurning(const Pose& pose, int first_row, btConstraintInfo2* info) const {
   const btVector3 turn = TurnOf(pose.X_WJ.getBasis().transposeTimes(pose.X_WK.getBasis()));
   for (int axis = 0; axis < 3; ++axis) {
@@ -205,8 +227,8 @@ void JointConstraint::LockTurning(const Pose& pose, int first_row, btConstraintI
   }
 }
 
-/// One row for each limit; either only pushes inwards. A limit out of reach allows just the speed
-/// that ends at it.
+/// Adds one row per limit, which can only push inwards. A limit out of reach allows exactly the
+/// speed that reaches it at the end of the step.
 void JointConstraint::StopAtLimits(const Pose& pose, int first_row, btConstraintInfo2* info) {
   const double offset = pose.p_JK().x();
   const double speed = sliding_speed();
@@ -215,13 +237,16 @@ void JointConstraint::StopAtLimits(const Pose& pose, int first_row, btConstraint
     const double gap = is_lower ? offset - rail_.lower : rail_.upper - offset;
     const double approach = is_lower ? -speed : speed;
     LockPoint(pose, 0, 0, row, info);
+    // Behind the limit: return inwards at a bounded speed. Within the range: allow the outward
+    // speed (negative inwards) that ends at the limit.
     double inwards =
         gap < 0 ? std::min(-gap * kErrorReduction * info->fps, kMaxReturnSpeed) : -gap * info->fps;
+    // Rebound in the step in which the slider would reach the limit.
     if (rail_.restitution > 0 && approach > kMinBounce && gap * info->fps <= approach) {
       inwards = std::max(inwards, rail_.restitution * approach);
       bounces_ = true;
     }
-    // The row counts A's speed against B's, that is outwards at the upper limit as negative.
+    // The row measures A's speed minus B's, the negative sliding speed.
     info->m_constraintError[row * info->rowskip] = is_lower ? -inwards : inwards;
     (is_lower ? info->m_upperLimit : info->m_lowerLimit)[row * info->rowskip] = 0;
   }

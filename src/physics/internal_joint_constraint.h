@@ -10,36 +10,38 @@
 
 namespace smile::physics {
 
-/// The two bodies that a joint holds together; none for a weld, which holds one on a link.
+/// Returns the two bodies that a joint holds together; nothing for a weld, which holds one body on
+/// a link.
 std::optional<std::pair<BodyId, BodyId>> BodyPairOf(const JointSpec& spec);
 
-/// False when the bodies of the joint pass through each other while it lasts.
+/// Returns false if the bodies of the joint pass through each other while it exists.
 bool DoCollide(const JointSpec& spec);
 
-/// Fixed, slider and ball joint as rows for Bullet's solver: frame K of B against frame J of A.
+/// Fixed, slider or ball joint as rows for Bullet's solver: frame K of B against frame J of A.
 ///
-/// All its rows hold exactly (JointSolver) but those of limits that were not pressed in the last
-/// step. Which were is state: part of a snapshot.
+/// All its rows hold exactly (JointSolver), except those of limits that were not pressed in the
+/// last step. The pressed limits are state and part of a snapshot.
 class JointConstraint : public btTypedConstraint {
  public:
   /// @param order  its place among all joints.
-  /// @param X_AcmA, X_BcmB  the bodies' own frames in those that Bullet moves.
+  /// @param X_AcmA, X_BcmB  the bodies' own frames in the frames that Bullet moves.
   JointConstraint(int order, const JointSpec& spec, btRigidBody& a, const RigidTransform& X_AcmA,
                   btRigidBody& b, const RigidTransform& X_BcmB);
 
-  /// Before a step: a slider that stays where it is put is held, unless a hand moves it.
+  /// Call before each step: a slider with damping 1 is held at its offset, unless a hand moves it.
   void HoldUnless(bool is_carried);
 
-  double offset() const;         ///< of a slider [m]
-  double sliding_speed() const;  ///< of K along the rail [m/s]
+  double offset() const;         ///< K's x in J of a slider [m]
+  double sliding_speed() const;  ///< speed of K along the rail [m/s]
   /// Changes the sliding speed by equal and opposite impulses [N s] along the rail.
   void Push(double impulse);
 
-  /// True for rows that hold in both directions, and for a limit that was pressed.
+  /// Returns true for rows that hold in both directions, and for a limit that was pressed.
   bool IsHeld(int row) const;
-  /// The speed with which a row takes back what came apart, in this step [m/s] or [rad/s].
+  /// Returns the speed with which a row corrects its position error in this step [m/s] or [rad/s].
   double return_speed(int row) const { return return_speeds_[static_cast<std::size_t>(row)]; }
-  /// What a row did in a step.
+  /// Reports the impulse of a row after a step [N s] or [N m s]; decides which limits count as
+  /// pressed.
   void NoteImpulse(int row, double impulse);
   double held_offset() const { return held_offset_; }
   void Save(ByteWriter* out) const;
@@ -68,8 +70,8 @@ class JointConstraint : public btTypedConstraint {
   bool is_held_ = false;
   double held_offset_ = 0;
   std::array<double, 7> return_speeds_{};  ///< in this step
-  bool bounces_ = false;                   ///< off a limit, in this step
-  std::array<bool, 2> is_pressed_{};       ///< the lower and the upper limit, in the last step
+  bool bounces_ = false;                   ///< rebounds from a limit in this step
+  std::array<bool, 2> is_pressed_{};       ///< lower and upper limit, in the last step
 };
 
 }  // namespace smile::physics

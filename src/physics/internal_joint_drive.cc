@@ -10,9 +10,10 @@ namespace {
 
 enum { kMotorRow, kLowerRow, kUpperRow, kNumRows };
 
-/// Impulse a limit may take: as good as any [N m s or N s].
+/// Impulse available to a limit: practically unlimited [N m s or N s].
 constexpr double kLimitImpulse = 100;
-/// A limit is watched from this share of the highest speed on.
+/// A limit gets a row when the joint is within this fraction of its highest speed of the allowed
+/// range. Other limits cost nothing.
 constexpr double kWatch = 0.05;
 
 }  // namespace
@@ -39,6 +40,7 @@ void JointDrive::SetTarget(double velocity, double max_impulse) {
 
 void JointDrive::finalizeMultiDof() {
   allocateJacobiansMultiDof();
+  // The six columns of the base precede those of the joints, also for a fixed base.
   const int column = 6 + m_bodyA->getLink(m_linkA).m_dofOffset;
   for (int row = 0; row < kNumRows; ++row) jacobianA(row)[column] = 1;
   m_numDofsFinalized = m_jacSizeBoth;
@@ -56,6 +58,8 @@ void JointDrive::createConstraintRows(btMultiBodyConstraintArray& rows,
   if (max_impulse_ > 0) {
     AddRow(kMotorRow, velocity_, {-max_impulse_, max_impulse_}, rows, data, info);
   }
+  // Limits count as velocities: the speed that would reach the position limit at the end of the
+  // step.
   const JointSpeeds allowed = AllowedSpeeds(*m_bodyA, m_linkA, info.m_timeStep);
   const double v = m_bodyA->getJointVel(m_linkA);
   const double near = kWatch * m_bodyA->getLink(m_linkA).m_jointMaxVelocity;
@@ -73,6 +77,7 @@ void JointDrive::AddRow(int number, double velocity, const Range& impulse,
   btMultiBodySolverConstraint& row = rows.expandNonInitializing();
   row.m_orgConstraint = this;
   row.m_orgDofIndex = number;
+  // There is no rigid body at either end: the row acts on the multibody alone.
   row.m_solverBodyIdA = row.m_solverBodyIdB = data.m_fixedBodyId;
   const btVector3 none(0, 0, 0);
   fillMultiBodyConstraint(row, data, jacobianA(number), jacobianB(number), none, none, none, none,

@@ -4,17 +4,18 @@
 
 namespace smile::physics {
 
-/// The motor of one joint of a multibody, and its limits of position and speed, as rows for
-/// Bullet's solver.
+/// Motor of one joint of a multibody, with its limits of position and speed, as rows for Bullet's
+/// solver.
 ///
 /// Bullet's own motor names its multibody twice, as if it stood between two, and costs twice as
-/// much; its own limits know nothing of speed.
+/// much; its own limits ignore speed.
 class JointDrive : public btMultiBodyConstraint {
  public:
-  /// Limits are those in the multibody's link.
+  /// Makes a motor; its limits are those in the multibody's link.
   JointDrive(btMultiBody* multibody, int link);
 
-  /// For the next step: the velocity to reach [rad/s or m/s], and the impulse it may take.
+  /// Sets the velocity to reach in the next step [rad/s or m/s], and the impulse available for it
+  /// [N m s or N s].
   void SetTarget(double velocity, double max_impulse);
 
   void finalizeMultiDof() override;
@@ -26,15 +27,15 @@ class JointDrive : public btMultiBodyConstraint {
 
  private:
   struct Range;
-  /// Asks for a velocity, with an impulse within the range.
+  /// Adds a row that reaches a velocity with an impulse within the range.
   void AddRow(int number, double velocity, const Range& impulse, btMultiBodyConstraintArray& rows,
               btMultiBodyJacobianData& data, const btContactSolverInfo& info);
 
   double velocity_ = 0, max_impulse_ = 0;
 };
 
-/// The velocities a joint may have, so that it is not faster than it may be and a step of so many
-/// seconds ends within its limits.
+/// Range of velocities [rad/s or m/s] with which a joint respects its speed limit and ends a step
+/// of `seconds` within its position limits.
 struct JointSpeeds {
   double least = 0, most = 0;
 };

@@ -25,6 +25,7 @@ std::vector<BodyId> JointGraph::ConnectedWith(BodyId start,
     const BodyId from = to_visit.back();
     to_visit.pop_back();
     if (is_end(from)) continue;
+    // The edges of a body are contiguous, since edges are sorted.
     for (auto edge = std::lower_bound(edges_.begin(), edges_.end(), std::pair(from, BodyId{0}));
          edge != edges_.end() && edge->first == from; ++edge) {
       const auto place = std::lower_bound(found.begin(), found.end(), edge->second);
@@ -51,6 +52,8 @@ JointGroups::JointGroups(const std::vector<std::unique_ptr<Body>>& bodies,
     if (!pair) continue;
     const int a = IndexOf(pair->first), b = IndexOf(pair->second);
     const int root_a = FindRoot(a), root_b = FindRoot(b);
+    // Union-find with the smaller index as root, so that the number of a group does not depend on
+    // the order of joints.
     const int first = std::min(root_a, root_b), second = std::max(root_a, root_b);
     if (is_static[a] || is_static[b]) {
       is_anchored_[first] = is_anchored_[second] = true;
@@ -67,6 +70,7 @@ int JointGroups::IndexOf(BodyId id) const {
 }
 
 int JointGroups::FindRoot(int index) {
+  // Path halving: each visited body then points to its grandparent.
   while (parents_[index] != index) index = parents_[index] = parents_[parents_[index]];
   return index;
 }

@@ -85,6 +85,7 @@ void JointSet::Rejoin(BodyId id) {
     const auto found = constraints_.find(joint.id);
     if (found == constraints_.end() || !Joins(joint.spec, id)) continue;
     auto& old = found->second;
+    // The new constraint refers to the new Bullet body; held offset and pressed limits carry over.
     auto fresh = MakeConstraint(joint);
     ByteWriter state;
     old->Save(&state);
@@ -110,6 +111,7 @@ void JointSet::Wake(const std::pair<BodyId, BodyId>& pair) {
 }
 
 std::vector<BodyId> JointSet::JoinedWith(BodyId id, JointId without) const {
+  // Static bodies end the search: what is fixed to the same table is not one assembly.
   return JointGraph(joints_, without).ConnectedWith(id, [this](BodyId other) {
     return IsStatic(other);
   });
@@ -146,6 +148,7 @@ void JointSet::AddTo(StateHash* hash) const {
   for (const Joint& joint : joints_) {
     ByteWriter bytes;
     PutJoint(joint, &bytes);
+    // Welds have no state of their own.
     const auto constraint = constraints_.find(joint.id);
     if (constraint != constraints_.end()) constraint->second->Save(&bytes);
     hash->Add(std::string_view(reinterpret_cast<const char*>(bytes.bytes().data()), bytes.size()));

@@ -11,7 +11,7 @@
 
 namespace smile::physics {
 
-/// The joints of a World, by id. Joints between bodies are constraints of Bullet's world; welds are
+/// Joints of a World, by id. Joints between bodies are constraints of Bullet's world; welds are
 /// passed on to HeldBodies.
 class JointSet {
  public:
@@ -22,17 +22,18 @@ class JointSet {
   JointSet& operator=(const JointSet&) = delete;
 
   const std::vector<Joint>& joints() const { return joints_; }
-  /// True when there is a joint other than a weld.
+  /// Returns true if there is a joint other than a weld.
   bool has_constraints() const { return !constraints_.empty(); }
   /// Returns the constraint of a joint between bodies.
   JointConstraint& constraint(JointId id) const { return *constraints_.at(id); }
 
-  /// See World. All these wake the bodies.
+  /// See World. All of these wake the bodies.
   JointId Add(const JointSpec& spec);
   void Remove(JointId id);
   void RemoveAllOf(BodyId id);
   void RemoveAll();
-  /// Ties the joints of a body whose form changed to the new one, each in its place in the order.
+  /// Makes the joints of a body whose form changed again for the new one, each in its place in the
+  /// order.
   void Rejoin(BodyId id);
 
   std::vector<BodyId> Assembly(BodyId id, JointId without) const;
@@ -40,19 +41,20 @@ class JointSet {
 
   /// Adds the joints to the snapshot, and their states to `state`.
   void Save(Snapshot* snapshot, ByteWriter* state) const;
-  /// Adopts the joints of a snapshot of the same objects. Call RemoveAll() before.
+  /// Makes the joints of a snapshot of the same objects. Call RemoveAll() before.
   void Restore(const Snapshot& snapshot);
   void RestoreState(ByteReader* in);
   void AddTo(StateHash* hash) const;
 
  private:
   void Check(const JointSpec& spec) const;
-  /// The joint is the newest.
+  /// Adds a joint whose id is greater than all others.
   void Insert(const Joint& joint);
   void Wake(const std::pair<BodyId, BodyId>& pair);
   std::unique_ptr<JointConstraint> MakeConstraint(const Joint& joint) const;
   bool IsStatic(BodyId id) const { return objects_.body(id).is_static(); }
-  /// The body and those that hang on it through joints, up to and with static ones; by id.
+  /// Returns the body and all bodies connected with it, including the static ones at the ends of
+  /// paths, by id.
   std::vector<BodyId> JoinedWith(BodyId id, JointId without) const;
 
   const WorldObjects& objects_;

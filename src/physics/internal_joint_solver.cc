@@ -10,14 +10,14 @@
 namespace smile::physics {
 namespace {
 
-/// A row of a joint, and which of the joint's it is.
+/// A solver row with its joint and its number among the joint's rows.
 struct NumberedRow {
   btSolverConstraint* row;
   JointConstraint* joint;
   int number;
 };
 
-/// All rows, in the order of their joints.
+/// Returns all rows, in the order of their joints; the rows of one joint keep their order.
 std::vector<NumberedRow> RowsOf(btConstraintArray& pool) {
   std::vector<NumberedRow> rows;
   for (int i = 0; i < pool.size(); ++i) {
@@ -32,6 +32,7 @@ std::vector<NumberedRow> RowsOf(btConstraintArray& pool) {
   return rows;
 }
 
+/// Returns true for a link of a (non-kinematic) articulation.
 bool IsLink(const btCollisionObject* object) {
   return btMultiBodyLinkCollider::upcast(object) != nullptr;
 }
@@ -40,6 +41,7 @@ bool IsLink(const btCollisionObject* object) {
 
 void JointSolver::convertContacts(btPersistentManifold** manifolds, int num_manifolds,
                                   const btContactSolverInfo& info) {
+  // Each kind keeps its order; only the contacts of links are converted with two directions.
   btAlignedObjectArray<btPersistentManifold*> of_bodies, of_links;
   for (int i = 0; i < num_manifolds; ++i) {
     const bool is_of_link = IsLink(manifolds[i]->getBody0()) || IsLink(manifolds[i]->getBody1());
@@ -71,6 +73,8 @@ btScalar JointSolver::solveSingleIteration(int iteration, btCollisionObject** bo
                                            int num_manifolds, btTypedConstraint** joints,
                                            int num_joints, const btContactSolverInfo& info,
                                            btIDebugDraw* draw) {
+  // Contacts come last in each iteration; the joint error that they leave is corrected in the next
+  // step.
   if (num_joints > 0) block_.Solve(m_tmpSolverBodyPool);
   return btMultiBodyConstraintSolver::solveSingleIteration(
       iteration, bodies, num_bodies, manifolds, num_manifolds, joints, num_joints, info, draw);

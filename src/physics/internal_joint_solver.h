@@ -6,16 +6,17 @@
 
 namespace smile::physics {
 
-/// Bullet's solver, but joints between bodies are solved exactly in each of its iterations. Limits
-/// out of reach stay with Bullet; one that was pressed in the last step counts as a joint's row.
-/// All typed constraints must be JointConstraints with their place in the order as user id.
+/// Bullet's iterative solver, with joints between bodies solved exactly in each of its iterations.
+/// Limits out of reach stay with Bullet; one that was pressed in the last step counts as a joint's
+/// row. All typed constraints must be JointConstraints with their place in the order as user id.
 class JointSolver : public btMultiBodyConstraintSolver {
  public:
   btScalar solveGroupCacheFriendlyFinish(btCollisionObject** bodies, int num_bodies,
                                          const btContactSolverInfo& info) override;
 
-  /// Links rub in all directions. Bullet would rub them in one only, and then passes over every row
-  /// of friction that has no partner in another direction: links would be of ice.
+  /// Gives contacts of links two directions of friction. Bullet would use one direction, and then
+  /// skips each friction row of a multibody without a partner in another direction: links would be
+  /// frictionless.
   void convertContacts(btPersistentManifold** manifolds, int num_manifolds,
                        const btContactSolverInfo& info) override;
 

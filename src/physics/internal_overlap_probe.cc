@@ -5,7 +5,7 @@
 namespace smile::physics {
 namespace {
 
-/// Keeps only how deep the deepest point is.
+/// Keeps only the depth of the deepest point.
 struct DeepestPoint : btManifoldResult {
   using btManifoldResult::btManifoldResult;
   void addContactPoint(const btVector3&, const btVector3&, btScalar distance) override {

@@ -4,15 +4,15 @@
 
 namespace smile::physics {
 
-/// Measures how deep shapes overlap without touching any world: it has a dispatcher of its own.
+/// Measures the overlap of shapes without a world: it has a dispatcher of its own.
 class OverlapProbe {
  public:
   OverlapProbe();
 
-  /// How deep they overlap [m]; zero or less when they do not.
+  /// Returns the depth of the overlap [m]; 0 if there is none.
   double Depth(btCollisionShape* a, const btTransform& X_WA, btCollisionShape* b,
                const btTransform& X_WB);
-  /// How deep `a` would overlap `b` [m] if it stood at `X_WA`.
+  /// Returns the depth by which `a` would overlap `b` [m] if it stood at `X_WA`.
   double Depth(const btCollisionObject& a, const btTransform& X_WA, const btCollisionObject& b);
 
  private:

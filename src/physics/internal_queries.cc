@@ -8,7 +8,7 @@
 namespace smile::physics {
 namespace {
 
-/// Farther apart than this, two things do not touch [m].
+/// Greatest distance at which two objects touch [m].
 constexpr double kTouching = 1e-4;
 
 }  // namespace
@@ -16,6 +16,7 @@ constexpr double kTouching = 1e-4;
 std::vector<Contact> FindContacts(const Articulation& articulation, int link,
                                   const WorldObjects& objects, Engine& engine) {
   const btCollisionObject* collider = articulation.links().collider(link);
+  // Manifolds are sorted in each step; after a restore their order may differ.
   engine.world.SortManifolds();
   std::vector<Contact> contacts;
   objects.ForEachManifoldOf(collider, [&](const btPersistentManifold& manifold, Body& body) {

@@ -3,7 +3,7 @@
 #include "physics/contact.h"
 #include "physics/internal_world_objects.h"
 
-// What touches and what overlaps in a World. No query leaves a trace.
+// Queries for contacts and overlaps in a World. No query leaves a trace.
 
 namespace smile::physics {
 
@@ -15,8 +15,8 @@ std::vector<Contact> FindContacts(const Articulation& articulation, int link,
 /// off it in the last step.
 std::vector<BodyId> FindTouchingBodies(const Body& body, const WorldObjects& objects);
 
-/// Returns what a body would overlap by more than `depth` [m] if it stood at `X_WB`, without the
-/// objects that it does not collide with. It need not be one of `objects`.
+/// Returns the objects that a body would overlap by more than `depth` [m] if it stood at `X_WB`,
+/// without those that it does not collide with. The body need not be one of `objects`.
 Overlaps FindOverlaps(const Body& body, const RigidTransform& X_WB, double depth,
                       const WorldObjects& objects, Engine& engine);
 

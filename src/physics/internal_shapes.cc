@@ -8,10 +8,11 @@
 namespace smile::physics {
 namespace {
 
-/// Bullet rounds cylinders by its margin, 40 mm unless told: more than our parts are thick.
+/// Margin by which Bullet rounds cylinders [m]. Its default of 40 mm is more than the thickness of
+/// most parts.
 constexpr double kCylinderMargin = 0.0005;
 
-/// Hulls are shrunk by this, and Bullet adds it again [m].
+/// Distance by which hulls are shrunk; Bullet adds it again as margin [m].
 constexpr double kHullMargin = 0.0005;
 
 std::unique_ptr<btCollisionShape> MakeHull(const scene::Polyhedron& polyhedron) {
@@ -50,6 +51,7 @@ CollisionShape MakeCollisionShape(const std::vector<scene::Solid>& solids,
                                   const RigidTransform& X_AB) {
   CollisionShape result;
   for (const scene::Solid& solid : solids) result.parts.push_back(MakePart(solid.shape));
+  // A single part in the origin needs no compound.
   if (solids.size() == 1 && X_AB * solids.front().X_BS == RigidTransform()) return result;
 
   result.compound = std::make_unique<btCompoundShape>(/*enableDynamicAabbTree=*/false);

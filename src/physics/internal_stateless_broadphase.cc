@@ -13,7 +13,7 @@ bool Overlap(const btBroadphaseProxy* a, const btBroadphaseProxy* b) {
   return TestAabbAgainstAabb2(a->m_aabbMin, a->m_aabbMax, b->m_aabbMin, b->m_aabbMax);
 }
 
-/// A link without solids.
+/// Returns true for a link without solids.
 bool IsEmpty(const btCollisionObject* object) {
   const btCollisionShape* shape = object->getCollisionShape();
   return shape->isCompound() &&
@@ -46,7 +46,7 @@ StatelessBroadphase::StatelessBroadphase() { pairs_.setOverlapFilterCallback(&fi
 void StatelessBroadphase::Exclude(const btCollisionObject& a, const btCollisionObject& b,
                                   btDispatcher* dispatcher) {
   filter_.Exclude(OrderOf(&a), OrderOf(&b));
-  // The cache wants to change the proxies' pointers to pairs, which it does not keep itself.
+  // The cache takes non-const proxies but does not change these.
   pairs_.removeOverlappingPair(const_cast<btBroadphaseProxy*>(a.getBroadphaseHandle()),
                                const_cast<btBroadphaseProxy*>(b.getBroadphaseHandle()), dispatcher);
 }
@@ -103,8 +103,11 @@ void StatelessBroadphase::calculateOverlappingPairs(btDispatcher* dispatcher) {
       return !Overlap(pair.m_pProxy0, pair.m_pProxy1);
     }
   } remove_separated;
+  // First remove pairs that have separated: their contacts end with them.
   pairs_.processAllOverlappingPairs(&remove_separated, dispatcher);
 
+  // Sweep: after sorting by lower x, the partners of a box follow it up to its upper x. Ties are
+  // broken by creation order, so the order of new pairs is reproducible.
   sorted_.clear();
   for (const auto& proxy : proxies_) sorted_.push_back(proxy.get());
   std::sort(sorted_.begin(), sorted_.end(), [](const auto* a, const auto* b) {
@@ -114,7 +117,7 @@ void StatelessBroadphase::calculateOverlappingPairs(btDispatcher* dispatcher) {
   for (std::size_t i = 0; i < sorted_.size(); ++i) {
     const btScalar end = sorted_[i]->m_aabbMax.x();
     for (std::size_t j = i + 1; j < sorted_.size() && sorted_[j]->m_aabbMin.x() <= end; ++j) {
-      // The cache asks the filter and keeps each pair once.
+      // The cache applies the filter and keeps each pair once.
       if (Overlap(sorted_[i], sorted_[j])) pairs_.addOverlappingPair(sorted_[i], sorted_[j]);
     }
   }

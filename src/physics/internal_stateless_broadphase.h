@@ -9,9 +9,8 @@
 
 namespace smile::physics {
 
-/// Decides which pairs may collide at all: not two things that nothing can push, and no pair that
-/// is excluded. A pair that was excluded for several reasons collides again when the last of them
-/// ends.
+/// Filter of pairs that may collide: neither two objects that nothing can push, nor an excluded
+/// pair. A pair that was excluded for several reasons collides again when the last of them ends.
 class PairFilter : public btOverlapFilterCallback {
  public:
   bool needBroadphaseCollision(btBroadphaseProxy* a, btBroadphaseProxy* b) const override;
@@ -21,24 +20,24 @@ class PairFilter : public btOverlapFilterCallback {
   bool IsExcluded(int order_a, int order_b) const;
 
  private:
-  std::map<std::pair<int, int>, int> excluded_;  ///< and for how many reasons
+  std::map<std::pair<int, int>, int> excluded_;  ///< number of reasons per pair
 };
 
-/// Finds overlapping bounding boxes by sweeping along x.
+/// Finds overlapping bounding boxes by a sweep along x.
 ///
-/// The set of pairs is a function of the present boxes and the objects' order alone. Bullet's own
-/// dynamic tree keeps fattened boxes whose history decides which pairs exist, so that a restored
-/// world would differ from the one that went on.
+/// The set of pairs is a function of the present boxes and the objects' order only. Bullet's own
+/// dynamic tree keeps enlarged boxes whose history decides which pairs exist, so that a restored
+/// world would differ from the original.
 class StatelessBroadphase : public btBroadphaseInterface {
  public:
   StatelessBroadphase();
 
   PairFilter& filter() { return filter_; }
-  /// Excludes two objects of this broadphase and drops the contacts they have.
+  /// Excludes two objects of this broadphase and drops their contacts.
   void Exclude(const btCollisionObject& a, const btCollisionObject& b, btDispatcher* dispatcher);
 
-  /// Drops all contacts of an object, for when it changes what it may collide with; pairs are found
-  /// anew in the next step.
+  /// Drops all contacts of an object, for a change in what it may collide with; the next step finds
+  /// its pairs again.
   void DropPairsOf(const btCollisionObject& object, btDispatcher* dispatcher);
 
   btBroadphaseProxy* createProxy(const btVector3& aabb_min, const btVector3& aabb_max,

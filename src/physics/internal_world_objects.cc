@@ -13,6 +13,7 @@
 namespace smile::physics {
 namespace {
 
+/// Returns an iterator to the element with this id in a sorted list, or its end.
 template <class Things, class Id>
 auto FindById(Things& things, Id id) {
   const auto found = std::lower_bound(things.begin(), things.end(), id,
@@ -20,6 +21,7 @@ auto FindById(Things& things, Id id) {
   return found != things.end() && (*found)->id() == id ? found : things.end();
 }
 
+/// Inserts an element into a list sorted by id, and returns it.
 template <class Things, class Thing>
 Thing& InsertById(Things& things, std::unique_ptr<Thing> thing) {
   const auto place = std::lower_bound(things.begin(), things.end(), thing->id(),
@@ -27,7 +29,7 @@ Thing& InsertById(Things& things, std::unique_ptr<Thing> thing) {
   return **things.insert(place, std::move(thing));
 }
 
-/// True when the entry is of this very thing.
+/// Returns true if the entry describes this object: same id, equal spec.
 template <class Thing, class Entry>
 bool Is(const Thing& thing, const Entry& entry) {
   return thing.id() == entry.id &&
@@ -40,6 +42,7 @@ WorldObjects::WorldObjects(const WorldConfig& config, Engine& engine)
     : config_(config), engine_(engine) {}
 
 WorldObjects::~WorldObjects() {
+  // Bullet's world does not own its objects; they must leave it before they are destroyed.
   while (!bodies_.empty()) Erase(*bodies_.back());
   for (const auto& articulation : articulations_) {
     for (const auto& link : articulation->links().links) {
@@ -78,6 +81,7 @@ BodyId WorldObjects::AddBody(const BodySpec& spec) {
 
 ArticulationId WorldObjects::AddArticulation(const scene::ArticulationSpec& spec) {
   const ArticulationId id{next_id_};
+  // One number for the base and one per link: contacts sort links individually.
   next_id_ += 1 + static_cast<std::uint32_t>(spec.links.size());
   Insert(std::make_unique<Articulation>(id, std::make_shared<const scene::ArticulationSpec>(spec),
                                         config_.motor));
@@ -130,6 +134,7 @@ void WorldObjects::ChangeForm(BodyId id, const std::vector<scene::Solid>& solids
   spec->solids = solids;
   spec->mass = mass;
   CheckBody(*spec);
+  // Joints and carrying rely on this.
   if ((mass.mass == 0) != old.is_static()) {
     throw std::invalid_argument("body: another form cannot make it static, or end that");
   }
@@ -138,12 +143,13 @@ void WorldObjects::ChangeForm(BodyId id, const std::vector<scene::Solid>& solids
   fresh->SetPose(old.pose_in_world());
   fresh->SetVelocity(old.linear_velocity(), old.angular_velocity());
   WakeTouching(old);
+  // `old` is destroyed here; the new body takes its id, and with it its place in all orders.
   Erase(old);
   Insert(std::move(fresh));
   WakeNear(body(id));
 }
 
-/// What leans on a body must notice when it changes.
+/// Wakes bodies in contact with a body, which must react when it changes.
 void WorldObjects::WakeTouching(const Body& body) {
   ForEachManifoldOf(&body.dynamics().bullet(),
                     [](const btPersistentManifold& manifold, Body& other) {
@@ -151,6 +157,7 @@ void WorldObjects::WakeTouching(const Body& body) {
                     });
 }
 
+/// Wakes bodies whose bounding boxes overlap that of a body.
 void WorldObjects::WakeNear(const Body& body) {
   btVector3 min, max;
   body.dynamics().bullet().getAabb(min, max);
@@ -202,6 +209,7 @@ void WorldObjects::AddTo(StateHash* hash) const {
 
 WorldObjects::Replacement WorldObjects::ReplacementFor(const Snapshot& snapshot) const {
   Replacement result{.next_id = snapshot.next_id};
+  // Articulations are never removed, so a snapshot's list must begin with those of this world.
   for (std::size_t i = 0; i < std::max(articulations_.size(), snapshot.articulations.size()); ++i) {
     if (i >= articulations_.size()) {
       const auto& entry = snapshot.articulations[i];
@@ -212,6 +220,7 @@ WorldObjects::Replacement WorldObjects::ReplacementFor(const Snapshot& snapshot)
       throw std::invalid_argument("snapshot: it is of a world without this robot");
     }
   }
+  // Both lists are sorted by id: merge them. A body that is unchanged stays.
   auto old = bodies_.begin();
   for (const auto& entry : snapshot.bodies) {
     while (old != bodies_.end() && (*old)->id() < entry.id) result.gone.push_back((*old++)->id());

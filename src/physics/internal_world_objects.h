@@ -10,7 +10,7 @@
 
 namespace smile::physics {
 
-/// The bodies and articulations of a World, by id, each with its place in Bullet's world.
+/// Bodies and articulations of a World, by id, each with its place in Bullet's world.
 class WorldObjects {
  public:
   /// Both must outlive it.
@@ -27,7 +27,8 @@ class WorldObjects {
   Body& body(BodyId id) const;
   Articulation& articulation(ArticulationId id) const;
 
-  /// Calls visit(const btPersistentManifold&, Body& other) for all that an object has with bodies.
+  /// Calls visit(const btPersistentManifold&, Body& other) for each manifold of an object with a
+  /// body.
   template <class Visit>
   void ForEachManifoldOf(const btCollisionObject* object, Visit visit) const {
     for (int i = 0; i < engine_.dispatcher.getNumManifolds(); ++i) {
@@ -42,9 +43,9 @@ class WorldObjects {
   /// See World.
   BodyId AddBody(const BodySpec& spec);
   ArticulationId AddArticulation(const scene::ArticulationSpec& spec);
-  /// Wakes what touches the body. Nothing else may refer to it any longer.
+  /// Removes a body and wakes those that touch it. Nothing may refer to it afterwards.
   void RemoveBody(BodyId id);
-  /// Replaces the body by one of another form in its place; Bullet's object is another one then.
+  /// Replaces the body by one of another form in its place; its Bullet object is replaced too.
   void ChangeForm(BodyId id, const std::vector<scene::Solid>& solids,
                   const scene::MassProperties& mass);
 
@@ -56,14 +57,15 @@ class WorldObjects {
   void RestoreState(ByteReader* in);
   void AddTo(StateHash* hash) const;
 
-  /// What turns these objects into those of a snapshot.
+  /// Changes that turn these objects into those of a snapshot.
   struct Replacement {
     std::vector<std::unique_ptr<Articulation>> fresh_articulations;
     std::vector<std::unique_ptr<Body>> fresh_bodies;
     std::vector<BodyId> gone;  ///< replaced or removed, by id
     std::uint32_t next_id = 1;
   };
-  /// @throws std::invalid_argument if the snapshot lacks an articulation of this world.
+  /// Computes the changes without applying them. @throws std::invalid_argument if the snapshot
+  /// lacks an articulation of this world.
   Replacement ReplacementFor(const Snapshot& snapshot) const;
   void Apply(Replacement replacement);
 

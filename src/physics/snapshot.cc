@@ -13,7 +13,8 @@ namespace {
 constexpr std::array kMagic = {'S', 'M', 'I', 'L', 'E', 'S', 'N', 'P'};
 constexpr std::uint32_t kVersion = 5;
 
-// How these two write and read is in scene/field_archive.h.
+// Walk() names the fields of each type once; the archive writes or reads them. See
+// scene/field_archive.h.
 struct Writer : scene::FieldWriter {
   using FieldWriter::FieldWriter;
 };

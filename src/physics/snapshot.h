@@ -11,13 +11,13 @@
 
 namespace smile::physics {
 
-/// Everything a World needs to go on exactly as it would have: restored into the same world, a
-/// fresh one, or one in another process, the next steps give the same bits.
+/// Complete state of a World: restored into the same world, a fresh one, or one in another process,
+/// the next steps give the same bits.
 ///
-/// `state` holds numbers field by field (no padding): per body and link the poses, velocities,
-/// sleep state and bounds; per articulation q, v, references and targets; all joints and
-/// contact points with the impulses they start from. What bodies *are* is kept by reference to
-/// their unchanging specs.
+/// `state` contains numbers field by field (no padding): per body and link the poses, velocities,
+/// sleep state and bounds; per articulation q, v, references and targets; all joints and contact
+/// points with the impulses they start from. Definitions of bodies are kept by reference to their
+/// unchanging specs.
 struct Snapshot {
   struct BodyEntry {
     BodyId id;
@@ -33,16 +33,17 @@ struct Snapshot {
   std::vector<BodyEntry> bodies;
   std::vector<ArticulationEntry> articulations;
   std::vector<Joint> joints;
-  /// Pairs that pass through each other, and pairs that have play; see
+  /// Pairs that pass through each other, and close fits; see
   /// World::IgnoreCollisionUntilSeparated().
   std::vector<std::pair<BodyId, BodyId>> passing, close_fits;
   std::vector<std::byte> state;
 };
 
-/// A self-contained byte string, for a file or another process of the same build.
+/// Returns a self-contained byte string, for a file or another process of the same build.
 std::vector<std::byte> Serialize(const Snapshot& snapshot);
 
-/// @throws std::runtime_error if the bytes are not a whole snapshot of this format version.
+/// Returns the snapshot that Serialize() wrote. @throws std::runtime_error if the bytes are not a
+/// whole snapshot of this format version.
 Snapshot ParseSnapshot(std::span<const std::byte> bytes);
 
 }  // namespace smile::physics

@@ -76,7 +76,7 @@ Overlaps World::OverlapsAt(BodyId id, const RigidTransform& X_WB, double depth) 
 
 Overlaps World::OverlapsOf(const std::vector<scene::Solid>& solids, const RigidTransform& X_WB,
                            double depth) const {
-  // Static, as no bodies are yet that are to be weighed; of no id, which nothing may pass.
+  // Static, so that it needs no mass; with an empty id, to which no exclusion applies.
   const Body imagined(BodyId(), std::make_shared<const BodySpec>(BodySpec{.solids = solids}));
   return FindOverlaps(imagined, X_WB, depth, *objects_, *engine_);
 }
@@ -101,7 +101,9 @@ bool World::is_at_rest() const { return objects_->is_at_rest(); }
 void World::WakeAll() { objects_->WakeAll(); }
 
 void World::Step() {
+  // The condition depends on saved state only, so a replay skips the same steps.
   if (is_at_rest()) return;
+  // Prepare: masses and forces of this step, and the pairs that collide in it.
   LoadCarriedBodies(*objects_, *joints_);
   if (joints_->has_constraints()) DampSliders(*objects_, *joints_, config_.step_seconds);
   exemptions_->Update();
@@ -109,6 +111,7 @@ void World::Step() {
   for (const auto& articulation : objects_->articulations()) {
     articulation->BeforeStep(config_.step_seconds, config_.gravity);
   }
+  // Articulations come before the bodies they hold, which need the next link poses.
   held_bodies_->SetKinematicVelocities();
   engine_->world.stepSimulation(config_.step_seconds, /*maxSubSteps=*/0);
   for (const auto& articulation : objects_->articulations()) articulation->AfterStep();
@@ -118,7 +121,7 @@ void World::Step() {
 void World::ApplyGravity() {
   for (const auto& body : objects_->bodies()) {
     if (body->is_static()) continue;
-    // What touches nothing would fall for ever.
+    // A body without solids would never stop falling.
     const bool floats = body->is_carried() || body->spec().solids.empty();
     const double gravity = floats ? 0.0 : -config_.gravity;
     body->dynamics().bullet().setGravity(btVector3(0, 0, gravity));
@@ -146,12 +149,12 @@ Snapshot World::Save() const {
   return snapshot;
 }
 
-/// The recipe is in docs/decisions/physics.md.
+/// The procedure is explained in docs/decisions/physics.md.
 void World::Restore(const Snapshot& snapshot) {
   CheckSnapshot(snapshot);
   WorldObjects::Replacement replacement = objects_->ReplacementFor(snapshot);
-  // From here on nothing fails until states are read. Joints are made from their specs again: they
-  // read their own state later.
+  // From here on nothing fails until states are read. Joints are made again from their specs; their
+  // states are read below.
   joints_->RemoveAll();
   exemptions_->EndAll();
   objects_->Apply(std::move(replacement));

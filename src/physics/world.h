@@ -21,9 +21,9 @@ struct Engine;
 
 /// Rigid bodies and articulations under gravity, stepped at a fixed rate.
 ///
-/// Same calls, same bits: results depend only on the calls made and the state they found, never on
-/// addresses, time or threads. Save() and Restore() are exact, contacts included. Not thread-safe;
-/// any number of worlds may live in different threads, with equal `sleep_after_seconds`.
+/// Deterministic: results depend only on the calls and the state they found, never on addresses,
+/// time or threads. Save() and Restore() are exact, contacts included. Not thread-safe; any number
+/// of worlds may exist in different threads if their `sleep_after_seconds` are equal.
 class World {
  public:
   explicit World(const WorldConfig& config = {});
@@ -33,42 +33,45 @@ class World {
 
   const WorldConfig& config() const { return config_; }
 
-  /// A body without solids passes through everything, and floats.
-  /// @throws std::invalid_argument if a number is not finite or a mass negative.
+  /// Adds a body. Without solids it passes through everything and floats. @throws
+  /// std::invalid_argument if a number is not finite or a mass negative.
   BodyId AddBody(const BodySpec& spec);
-  /// Wakes what it touched; ends the joints it was part of.
+  /// Removes a body and its joints, and wakes the bodies that it touched.
   void RemoveBody(BodyId id);
   ArticulationId AddArticulation(const scene::ArticulationSpec& spec);
-  /// Gives a body another form in its place; it keeps its velocity, its joints and who carries it.
-  /// Wakes it and what is near.
-  /// @throws std::invalid_argument like AddBody(), or if it would become static or cease to be.
+  /// Changes the form of a body in place; it keeps its velocity, its joints and whether it is
+  /// carried. Wakes it and nearby bodies.
+  /// @throws std::invalid_argument like AddBody(), or if the body would become static or cease to
+  /// be
+  ///         static.
   void ChangeForm(BodyId id, const std::vector<scene::Solid>& solids,
                   const scene::MassProperties& mass);
 
-  /// Starts to hold bodies together. What a weld holds becomes carried. Wakes the bodies.
+  /// Adds a joint and wakes its bodies. A body held by a weld becomes carried.
   /// @throws std::invalid_argument if a number is not finite, limits are the wrong way round, or
   ///         both bodies are static or the same; std::logic_error if one does not exist.
   JointId AddJoint(const JointSpec& spec);
-  /// Ends a joint and wakes its bodies; what a weld held is no longer carried.
+  /// Removes a joint and wakes its bodies; a body held by a weld is no longer carried.
   void RemoveJoint(JointId id);
-  /// Returns all bodies that hang together with this one through joints other than welds, not
-  /// through static bodies; static ones are not among them, the body itself is. By id.
-  /// @param without  a joint that does not count.
+  /// Returns all bodies connected with this one through joints other than welds, not through static
+  /// bodies, by id. The body itself is included, static ones are not. @param without  a joint to
+  /// leave out.
   std::vector<BodyId> Assembly(BodyId id, JointId without = {}) const;
-  /// True when a joint other than `without` ties its assembly to a static body.
+  /// Returns true if a joint other than `without` ties its assembly to a static body.
   bool IsAnchored(BodyId id, JointId without = {}) const;
-  /// Moves a body to a pose at once, at rest, and all that hangs together with it likewise.
+  /// Moves a body to a pose at once, at rest, and its assembly with it.
   void MoveAssembly(BodyId id, const RigidTransform& X_WB);
 
-  /// Lets two bodies pass through each other until they overlap by at most 0.5 mm: for what was in
-  /// the other when its joint ended. Until they no longer overlap at all they are a close fit, as a
-  /// screw in a hole of its own radius: contacts between them then begin to bear 0.5 mm deeper, so
-  /// that the screw rests in its hole and slides out of it.
+  /// Ends collisions between two bodies until they overlap by at most 0.5 mm: for a body that was
+  /// inside the other when its joint ended. Until they no longer overlap at all they are a close
+  /// fit, like a screw in a hole of its own radius: contacts between them then begin to bear 0.5 mm
+  /// deeper, so that the screw rests in its hole and slides out of it.
   void IgnoreCollisionUntilSeparated(BodyId a, BodyId b);
-  /// Returns what this body would overlap by more than `depth` [m] if it stood there, without what
-  /// it may pass through.
+  /// Returns the objects that this body would overlap by more than `depth` [m] at `X_WB`, without
+  /// those that it may pass through.
   Overlaps OverlapsAt(BodyId id, const RigidTransform& X_WB, double depth) const;
-  /// Returns what a body of these solids would overlap by more than `depth` [m] there.
+  /// Returns the objects that a body of these solids would overlap by more than `depth` [m] at
+  /// `X_WB`.
   Overlaps OverlapsOf(const std::vector<scene::Solid>& solids, const RigidTransform& X_WB,
                       double depth) const;
 
@@ -81,35 +84,37 @@ class World {
 
   /// Returns the contacts of bodies with a link, by body. Contacts up to 0.1 mm apart count.
   std::vector<Contact> ContactsWith(ArticulationId id, int link) const;
-  /// Returns all bodies that touch this one, static ones too, by id: those up to 0.1 mm apart, and
-  /// those that bounced off it in the last step.
+  /// Returns all bodies that touch this one, including static ones, by id: those up to 0.1 mm
+  /// apart, and those that bounced off it in the last step.
   std::vector<BodyId> BodiesTouching(BodyId id) const;
 
-  /// True when every body sleeps and no articulation moves: a step would change nothing.
+  /// Returns true if all bodies sleep and no articulation moves: a step would change nothing.
   bool is_at_rest() const;
 
-  /// Wakes all bodies, as is needed after something was put among them at once.
+  /// Wakes all bodies; needed after an object was put among them at once.
   void WakeAll();
-  /// Advances by config().step_seconds.
+  /// Advances the world by config().step_seconds; does nothing at rest.
   void Step();
 
   /// Returns a hash of all poses, velocities and sleep states, of articulations' positions, targets
   /// and references, of joints with their state, and of the pairs that pass through each other or
-  /// fit closely. Not of what bodies are, nor of contact points: those are in Save().
+  /// fit closely. It excludes definitions of bodies and contact points; those are in Save().
   std::uint64_t state_hash() const;
 
+  /// Returns the complete state.
   Snapshot Save() const;
+  /// Restores the complete state.
   /// @throws std::invalid_argument if the snapshot's objects or joints contradict themselves or
   ///         lack an articulation of this world: the world is then unchanged. The same if its
-  ///         `state` does not fit its objects: the world then has these objects, but in no state
-  ///         to go on from, until it is restored from another snapshot.
+  ///         `state` does not fit its objects: the world then has these objects, but no valid state
+  ///         until it is restored from another snapshot.
   void Restore(const Snapshot& snapshot);
 
  private:
   void ApplyGravity();
 
   WorldConfig config_;
-  std::unique_ptr<Engine> engine_;  ///< Bullet's objects; outlives what follows
+  std::unique_ptr<Engine> engine_;  ///< Bullet's objects; outlives the members below
   std::unique_ptr<WorldObjects> objects_;
   std::unique_ptr<HeldBodies> held_bodies_;
   std::unique_ptr<JointSet> joints_;

@@ -6,34 +6,38 @@
 
 namespace smile::sparse {
 
-/// A symmetric matrix of blocks and its factors L D L^T: one column of blocks for each step of an
-/// elimination, of which it keeps what lies on and below the diagonal.
+/// Symmetric block matrix and its factors L D L^T. It has one column of blocks per step of an
+/// elimination and stores only the blocks on and below the diagonal.
 class BlockMatrix {
  public:
-  /// All zeros. The elimination must outlive the matrix.
+  /// Sets all entries to zero. The elimination must outlive the matrix.
   void Begin(const Elimination* elimination);
 
-  /// The block of the node at `row_place` against the one at `place`, which must not come later;
-  /// row by row, rows are as long as the earlier one's size.
+  /// Returns the block in the row of the node at `row_place` and the column of the node at `place`,
+  /// which must not come later. It is stored row by row; each row is as long as the size of the
+  /// node at `place`.
   double* block(int row_place, int place);
+  /// Returns the i-th diagonal entry of the block on the diagonal at `place`.
   double& diagonal(int place, int i);
 
-  /// @param least_pivots  row by row in the order of elimination: positive where the pivot shall be
-  ///                      this much larger than it is and at least this, negative where it must be
-  ///                      no larger than this.
+  /// Replaces the matrix by its factors L D L^T.
+  /// @param least_pivots  one per row, in the order of elimination. A positive value is added to
+  /// the
+  ///                      pivot, which is then at least this value; a negative one is an upper
+  ///                      bound of the pivot.
   void Factor(const std::vector<double>& least_pivots);
-  /// Once factored: x becomes the solution of (matrix) (solution) = x; rows in the order of
-  /// elimination.
+  /// Solves (matrix) (solution) = x after Factor() and stores the solution in x; rows are in the
+  /// order of elimination.
   void Solve(std::vector<double>* x) const;
 
-  /// The first row of a place.
+  /// Returns the first scalar row of the node at a place.
   int first_row(int place) const { return columns_[place].first_row; }
   int num_rows() const { return num_rows_; }
 
  private:
   using Step = Elimination::Step;
   struct Column {
-    std::size_t start;  ///< of its entries, row by row
+    std::size_t start;  ///< index of its first entry; entries are stored row by row
     int first_row;
   };
 

@@ -1,3 +1,7 @@
+// Minimum degree ordering on an explicit elimination graph (A. George, J. W. H. Liu, The evolution
+// of the minimum degree ordering algorithm, SIAM Review 1989), with scalar rows as weights.
+// Eliminating a node connects its neighbours with each other; those edges are the fill-in.
+
 #include "sparse/elimination.h"
 
 #include <algorithm>
@@ -9,12 +13,13 @@
 namespace smile::sparse {
 namespace {
 
+/// Removes a value from a sorted list if it is there.
 void EraseFrom(std::vector<int>* sorted, int value) {
   const auto place = std::lower_bound(sorted->begin(), sorted->end(), value);
   if (place != sorted->end() && *place == value) sorted->erase(place);
 }
 
-/// Both must be sorted.
+/// Merges one sorted list into another, without duplicates.
 void MergeInto(std::vector<int>* sorted, const std::vector<int>& others) {
   std::vector<int> merged;
   merged.reserve(sorted->size() + others.size());
@@ -23,10 +28,11 @@ void MergeInto(std::vector<int>* sorted, const std::vector<int>& others) {
   *sorted = std::move(merged);
 }
 
-/// The nodes that hang together with this one, ascending; marks them.
+/// Returns the connected component of a node, ascending, and marks its members.
 std::vector<int> IslandOf(const BlockGraph& graph, int first, std::vector<bool>* is_marked) {
   std::vector<int> island = {first};
   (*is_marked)[first] = true;
+  // Breadth-first search; the list of results is also the queue.
   for (std::size_t i = 0; i < island.size(); ++i) {
     for (int next : graph.neighbours[island[i]]) {
       if ((*is_marked)[next]) continue;
@@ -38,17 +44,20 @@ std::vector<int> IslandOf(const BlockGraph& graph, int first, std::vector<bool>*
   return island;
 }
 
-using Order = std::vector<std::pair<int, std::vector<int>>>;  ///< nodes with those they touch
+using Order =
+    std::vector<std::pair<int, std::vector<int>>>;  ///< Nodes in the order of elimination, each
+                                                    ///< with its neighbours at that time.
 
 /// Eliminates the nodes of an island one after another.
 class Eliminator {
  public:
-  /// `graph` becomes what is left of it.
+  /// `graph` is reduced as nodes are eliminated.
   Eliminator(BlockGraph* graph, const std::vector<int>& island) : graph_(*graph) {
     for (int node : island) PutInQueue(node);
   }
 
-  /// Empty if that is more than the work that is left, of which it takes its part otherwise.
+  /// Returns the order, or nothing if it takes more than `work_left` multiplications; otherwise
+  /// subtracts its work from `work_left`.
   Order Run(double* work_left) {
     Order order;
     double work = 0;
@@ -56,6 +65,7 @@ class Eliminator {
       const auto [rows_touched, node] = *queue_.begin();
       queue_.erase(queue_.begin());
       const double rows = graph_.sizes[node] + rows_touched;
+      // The update of later columns dominates: an outer product of all rows, once per own row.
       work += rows * rows * graph_.sizes[node];
       if (work > *work_left) return {};
       order.emplace_back(node, Eliminate(node));
@@ -65,6 +75,7 @@ class Eliminator {
   }
 
  private:
+  /// Returns the priority of a node: the rows of its neighbours, then its number to break ties.
   std::pair<int, int> KeyOf(int node) const {
     int rows = 0;
     for (int other : graph_.neighbours[node]) rows += graph_.sizes[other];
@@ -74,15 +85,17 @@ class Eliminator {
     if (!graph_.waits[node]) queue_.insert(KeyOf(node));
   }
 
-  /// Those it touched now touch each other.
+  /// Removes a node and returns its neighbours, which become neighbours of each other.
   std::vector<int> Eliminate(int node) {
     std::vector<int> touched = std::move(graph_.neighbours[node]);
+    // Priorities change with the neighbours: take the old ones out of the queue first.
     for (int other : touched) queue_.erase(KeyOf(other));
     for (int other : touched) {
       std::vector<int>& theirs = graph_.neighbours[other];
       if (touched.size() > 1) MergeInto(&theirs, touched);
       EraseFrom(&theirs, other);
       EraseFrom(&theirs, node);
+      // The Schur complement of the eliminated node makes this one's diagonal block nonsingular.
       graph_.waits[other] = false;
     }
     for (int other : touched) PutInQueue(other);
@@ -93,7 +106,7 @@ class Eliminator {
   std::set<std::pair<int, int>> queue_;  ///< rows touched, node
 };
 
-/// Tells each step who comes later in it, now that the order is known.
+/// Fills in each step's later nodes with their offsets, once the order is known.
 void FillSteps(const BlockGraph& graph, const Order& order, Elimination* elimination) {
   for (const auto& [node, touched] : order) {
     Elimination::Step step{.node = node, .size = graph.sizes[node]};
@@ -119,6 +132,7 @@ std::size_t Elimination::num_entries() const {
 }
 
 Elimination OrderElimination(const BlockGraph& graph, double max_work) {
+  // A copy, since the eliminator consumes its graph.
   BlockGraph rest = graph;
   Order order;
   std::vector<bool> is_marked(graph.sizes.size(), false);

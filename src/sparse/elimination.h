@@ -5,39 +5,42 @@
 
 namespace smile::sparse {
 
-/// A symmetric matrix of blocks: which of its block rows (nodes) have entries in common.
+/// Sparsity pattern of a symmetric block matrix: a node per block row, an edge per nonzero block
+/// off the diagonal.
 struct BlockGraph {
-  std::vector<int> sizes;                    ///< of each node: its number of scalar rows
-  std::vector<std::vector<int>> neighbours;  ///< of each node, ascending, both ways
-  /// Of each node: it has no pivots of its own before the first of its neighbours is eliminated.
-  /// Nodes that wait are not neighbours of each other.
+  std::vector<int> sizes;                    ///< number of scalar rows of each node
+  std::vector<std::vector<int>> neighbours;  ///< of each node, ascending; symmetric
+  /// True for each node that must not be eliminated before its first neighbour, since its own
+  /// diagonal block is zero until then. Such nodes are not neighbours of each other.
   std::vector<bool> waits;
 
   bool operator==(const BlockGraph&) const = default;
 };
 
-/// The order in which to eliminate nodes, so that little fills in: always the one that touches the
-/// fewest rows, ties by number. Leaves of a tree come first, and what many hang on comes last: a
-/// tree costs a time linear in its size.
+/// Order of elimination with little fill-in, by minimum degree: the next node is always the one
+/// whose neighbours have the fewest scalar rows, ties by number. Leaves of a tree come first and
+/// nodes with many neighbours last, so the cost of a tree is linear in its size.
 struct Elimination {
   struct Later {
     int place;
-    int offset;  ///< of its rows in the column, where the node's own rows come first
+    int offset;  ///< first of its rows in the column; the node's own rows come first
   };
   struct Step {
     int node;
     int size;                  ///< its own rows
-    int num_rows;              ///< with those of the later ones
-    std::vector<Later> later;  ///< those it touches when its turn comes, ascending
+    int num_rows;              ///< own rows and those of the later nodes
+    std::vector<Later> later;  ///< neighbours when the node is eliminated, ascending
   };
   std::vector<Step> steps;
-  std::vector<int> place_of_node;  ///< -1: left out
+  std::vector<int> place_of_node;  ///< step of each node, -1 if left out
 
+  /// Returns the number of scalar entries of all columns.
   std::size_t num_entries() const;
 };
 
-/// Islands, nodes that hang together, are taken by their first node; one that would bring the sum
-/// of all multiplications over `max_work` is left out as a whole.
+/// Orders the nodes of a graph, one island (connected component) after another, by first node. An
+/// island that would raise the total number of multiplications above `max_work` is left out as a
+/// whole; later islands may still fit.
 Elimination OrderElimination(const BlockGraph& graph, double max_work);
 
 }  // namespace smile::sparse

@@ -1,3 +1,8 @@
+// Convex decomposition by recursive cuts across the axes, best first, followed by merging. The
+// lattice (mesh/internal_lattice_hull.h) makes each geometric decision exact, and cost is counted
+// in triangles instead of time, so that the result is the same on each machine. Steps and
+// measurements: docs/decisions/meshes.md.
+
 #include "mesh/convex_pieces.h"
 
 #include <algorithm>
@@ -15,21 +20,23 @@
 namespace smile::mesh {
 namespace {
 
-// Shares of a hull that may be filled where the solid is not.
-constexpr double kConvexExcess = 0.01;   // of the whole: then it counts as convex
+// Fractions of a hull's volume that may lie outside the solid (excess volume).
+constexpr double kConvexExcess = 0.01;   // of the whole: below this it counts as convex
 constexpr double kPieceExcess = 0.04;    // of a piece
-constexpr double kLeastExcess = 0.0005;  // of the whole: smaller ones are not worth a cut
+constexpr double kLeastExcess = 0.0005;  // of the whole: less is not worth a cut
 
-constexpr double kExactTolerance = 3;  // [steps], what rounding may do
+constexpr double kExactTolerance = 3;  // [steps], effect of rounding to the lattice
+// Points of pieces may lie this far outside their hull [steps].
 constexpr double kTolerance = 0.001 * static_cast<double>(kLatticeSteps);
-constexpr std::int64_t kThinnest = kLatticeSteps / 200;  // [steps] between two cuts
+constexpr std::int64_t kThinnest = kLatticeSteps / 200;  // least distance of two cuts [steps]
+// Places tried per axis, and corners of the rough hulls that compare them.
 constexpr int kCutsPerAxis = 8, kRoughCorners = 48;
 constexpr std::size_t kMaxTrianglesToCut = 20'000;
-constexpr std::size_t kMaxWork = 60'000'000;  // triangles looked at: seconds
+constexpr std::size_t kMaxWork = 60'000'000;  // triangles visited: a few seconds
 
 using Points = std::vector<LatticePoint>;
 
-/// A box of the lattice and the solid within.
+/// A box of the lattice and the part of the solid in it.
 struct Cell {
   LatticeBox box;
   LatticeSolid::Numbers touching, above;
@@ -39,16 +46,19 @@ struct Cell {
   double excess() const { return hull.volume - volume; }
 };
 
+/// Splits the solid into cells whose hulls are the pieces.
 class Decomposition {
  public:
   Decomposition(LatticeSolid solid, const PieceLimits& limits)
       : solid_(std::move(solid)), limits_(limits) {}
 
-  /// @param whole  the hull of the solid.
+  /// Returns the hulls of all pieces. @param whole  the hull of the solid.
   std::vector<LatticeHull> Run(LatticeHull whole) {
     least_excess_ = kLeastExcess * whole.volume;
     cells_.push_back(
         {solid_.bounds(), solid_.All(), solid_.All(), std::move(whole), solid_.volume()});
+    // Best first: each cut goes where it can remove the most excess volume, so that stopping early
+    // at a limit leaves the least.
     while (cells_.size() < limits_.max_pieces && solid_.work() < kMaxWork) {
       const auto worst = Worst();
       if (!worst) break;
@@ -66,11 +76,14 @@ class Decomposition {
     std::int64_t place;
   };
 
+  /// Returns true if a cell has much excess volume, relative to itself and to the whole, and is
+  /// wide enough to cut.
   bool IsWorthACut(const Cell& cell) const {
     return cell.excess() > std::max(kPieceExcess * cell.hull.volume, least_excess_) &&
            (cell.box.high - cell.box.low).maxCoeff() > 2 * kThinnest;
   }
 
+  /// Returns the cell with the largest excess volume among those worth a cut.
   std::optional<std::size_t> Worst() const {
     std::optional<std::size_t> worst;
     for (std::size_t i = 0; i < cells_.size(); ++i) {
@@ -80,6 +93,7 @@ class Decomposition {
     return worst;
   }
 
+  /// Replaces a cell by its two halves; an empty half is dropped.
   void Split(std::size_t number) {
     const Cell cell = std::move(cells_[number]);
     cells_.erase(cells_.begin() + static_cast<std::ptrdiff_t>(number));
@@ -91,6 +105,9 @@ class Decomposition {
     }
   }
 
+  /// Returns the cell of a box within its parent, or nothing if the solid in it is flat or empty.
+  /// The hull of the solid in a box is that of its clipped surface and of the box corners inside
+  /// the solid.
   std::optional<Cell> MakeCell(LatticeBox box, const Cell& parent) const {
     LatticeSolid::Numbers touching = solid_.Touching(box, parent.touching);
     LatticeSolid::Numbers above = solid_.Above(box, parent.above);
@@ -105,8 +122,8 @@ class Decomposition {
     return Cell{box, std::move(touching), std::move(above), *std::move(hull), volume};
   }
 
-  /// Places to cut at: in each of some equal parts the place with the most vertices, since there
-  /// the solid's own faces are.
+  /// Returns places to cut at, ascending: in each of kCutsPerAxis equal parts the place with the
+  /// most vertices, since the solid's own faces are there.
   std::vector<std::int64_t> PlacesToCut(const Cell& cell, int axis) const {
     const std::int64_t low = cell.box.low[axis], high = cell.box.high[axis];
     if (high - low < 2 * kThinnest) return {};
@@ -117,7 +134,7 @@ class Decomposition {
       }
     }
     std::sort(vertices.begin(), vertices.end());
-    // The middle is the first of them, so that it wins where all are as good.
+    // Without a vertex, the middle of the part.
     std::vector<std::int64_t> places;
     auto vertex = vertices.begin();
     for (int part = 0; part < kCutsPerAxis; ++part) {
@@ -125,6 +142,7 @@ class Decomposition {
       const std::int64_t end = low + (high - low) * (part + 1) / kCutsPerAxis;
       std::int64_t best = (begin + end) / 2;
       std::ptrdiff_t most = 0;
+      // Vertices are sorted: count each group of equal ones.
       while (vertex != vertices.end() && *vertex < end) {
         const auto next = std::upper_bound(vertex, vertices.end(), *vertex);
         if (next - vertex > most) {
@@ -133,16 +151,18 @@ class Decomposition {
         }
         vertex = next;
       }
+      // Drop places that would leave a thin slab.
       const std::int64_t before = places.empty() ? low : places.back();
       if (best - before >= kThinnest && high - best >= kThinnest) places.push_back(best);
     }
     return places;
   }
 
-  /// The plane whose two sides have the smallest hulls together; of those that are alike, the one
-  /// that cuts most evenly.
+  /// Returns the plane whose two sides have the smallest hulls together; among similar ones, the
+  /// one that cuts most evenly.
   Plane BestPlane(const Cell& cell) const {
     constexpr double kEvenness = 0.03;
+    // If no place qualifies: halve the longest side.
     Plane best{.axis = 0, .place = 0};
     (cell.box.high - cell.box.low).maxCoeff(&best.axis);
     best.place = (cell.box.low[best.axis] + cell.box.high[best.axis]) / 2;
@@ -161,10 +181,13 @@ class Decomposition {
     return best;
   }
 
-  /// Of what lies on the two sides of each place, nearly: slab by slab, each added to those before.
+  /// Returns the approximate hull volumes [steps3] on both sides of each place. Slab by slab, each
+  /// is added to the hull of those before, so n places cost 2 n hulls of few points instead of 2 n
+  /// hulls of the whole.
   std::vector<std::pair<double, double>> HullVolumes(
       const Cell& cell, int axis, const std::vector<std::int64_t>& places) const {
-    // What the corners of the slabs are tested with: along each edge of the cell the same few.
+    // Triangles needed to test the slabs' corners: the same for all corners on one edge of the
+    // cell.
     std::array<LatticeSolid::Numbers, 8> near;
     for (int corner = 0; corner < 8 && !places.empty(); ++corner) {
       if (corner >> axis & 1) continue;
@@ -183,6 +206,7 @@ class Decomposition {
     std::vector<std::pair<double, double>> volumes(places.size());
     Points low, high;
     for (std::size_t i = 0; i < places.size(); ++i) {
+      // Grow the low side upwards and the high side downwards.
       volumes[i].first = Add(slabs[i], &low);
       const std::size_t j = places.size() - 1 - i;
       volumes[j].second = Add(slabs[j + 1], &high);
@@ -190,7 +214,7 @@ class Decomposition {
     return volumes;
   }
 
-  /// The corners of the hull of the solid within a box.
+  /// Returns the hull corners of the solid in a box; all points if they are flat.
   Points SpanOf(const LatticeBox& box, const LatticeSolid::Numbers& touching,
                 const std::array<LatticeSolid::Numbers, 8>& near) const {
     Points points;
@@ -202,7 +226,7 @@ class Decomposition {
     return points;
   }
 
-  /// @returns the volume of the hull of both.
+  /// Adds points, reduces the result to its hull corners and returns the hull's volume [steps3].
   static double Add(const Points& more, Points* points) {
     points->insert(points->end(), more.begin(), more.end());
     auto hull = HullOf(*points, kRoughCorners, kTolerance);
@@ -211,11 +235,12 @@ class Decomposition {
     return hull->volume;
   }
 
-  /// Cuts go all the way through a cell, so there are pieces that were better left whole.
+  /// Merges neighbors while their common hull has hardly more volume than both. A cut goes all the
+  /// way through a cell, so it also splits parts that were convex.
   void Join() {
     while (cells_.size() > 1) {
       std::optional<std::pair<std::size_t, std::size_t>> best;
-      // Not more than the pieces fill too much already, and a little.
+      // Greatest excess volume of a merge, relative to the common hull.
       double least = 0.01;
       LatticeHull joined;
       for (std::size_t i = 0; i < cells_.size(); ++i) {
@@ -231,6 +256,7 @@ class Decomposition {
           joined = *std::move(hull);
         }
       }
+      // Merge the best pair, then search again: its hull has changed.
       if (!best) return;
       Cell& kept = cells_[best->first];
       const Cell& gone = cells_[best->second];
@@ -241,6 +267,7 @@ class Decomposition {
     }
   }
 
+  /// Returns true if two boxes overlap or share a face, an edge or a corner.
   static bool DoTouch(const LatticeBox& a, const LatticeBox& b) {
     return ((a.low - b.high).array() <= 0).all() && ((b.low - a.high).array() <= 0).all();
   }
@@ -257,7 +284,8 @@ class Decomposition {
   std::vector<Cell> cells_;
 };
 
-/// With its faces, in the mesh's units, without corners that are in the middle of faces.
+/// Returns a hull with polygonal faces, in the mesh's units. Corners in the middle of merged faces
+/// are dropped.
 scene::Hull Finish(const LatticeHull& hull, const LatticeSolid& solid) {
   scene::Polyhedron polyhedron{.faces = FacesOf(hull)};
   constexpr std::uint32_t kUnused = std::numeric_limits<std::uint32_t>::max();

@@ -17,6 +17,7 @@ namespace fs = std::filesystem;
 
 constexpr std::array<std::string_view, 5> kExtensions{"stl", "obj", "dae", "gltf", "glb"};
 
+/// Chooses the reader by extension.
 void ReadInto(std::string_view bytes, std::string_view extension, const OpenNeighbour& open,
               const MeshLimits& limits, TriangleSoup* soup) {
   const auto is = [&](std::string_view known) { return IsSameWord(extension, known); };
@@ -27,12 +28,14 @@ void ReadInto(std::string_view bytes, std::string_view extension, const OpenNeig
   throw BadMesh("found the extension " + Quoted(extension) + ", expected " + OneOf(kExtensions));
 }
 
+/// Returns true for a file name without folders.
 bool IsPlainName(const std::string& name) {
   return !name.empty() && name.size() <= 255 && name != "." && name != ".." &&
          name.find_first_of(std::string_view("/\\:\0", 4)) == std::string::npos;
 }
 
-/// From the folder of a mesh file, links followed, and from nowhere else.
+/// Reads a file from the folder of a mesh file. Links are followed first, so that they cannot lead
+/// out of it.
 std::string ReadNeighbour(const fs::path& mesh_file, const std::string& name,
                           std::size_t max_bytes) {
   std::error_code error;
@@ -75,7 +78,7 @@ scene::SurfaceMesh ParseMesh(std::string_view bytes, std::string_view extension,
 
 scene::SurfaceMesh ImportMesh(const fs::path& path, const MeshLimits& limits) {
   const std::string extension = ExtensionOf(path);
-  // Before it is read: what has another extension is none of our business.
+  // Do not read files with other extensions at all.
   const std::string bytes = IsKnown(extension) ? ReadFile(path, limits.max_file_bytes) : "";
   return ParseMesh(bytes, extension, limits, path.string(),
                    [&](const std::string& name, std::size_t max_bytes) {

@@ -30,12 +30,12 @@ namespace {
 
 constexpr const char* kOnlyFile = "mesh.dae";
 constexpr std::size_t kMaxBytes = 16u << 20;
-/// How the child ends when its answer is what is wrong; unlike any ending of a library's.
+/// Exit status of a child whose output is an error message; no library uses it.
 constexpr int kRefused = 42;
 constexpr const char* kTooMuch =
     "is no DAE that can be read: it is damaged or takes too much time or memory";
 
-/// A file in memory, which is never written.
+/// Read-only file in memory.
 class MemoryStream : public Assimp::IOStream {
  public:
   explicit MemoryStream(std::string_view bytes) : bytes_(bytes) {}
@@ -66,7 +66,7 @@ class MemoryStream : public Assimp::IOStream {
   std::size_t position_ = 0;
 };
 
-/// A disk on which there is one file: whatever that file names, nothing else is opened.
+/// File system with a single file: no other file can be opened, whatever the DAE names.
 class OneFileSystem : public Assimp::IOSystem {
  public:
   explicit OneFileSystem(std::string_view bytes) : bytes_(bytes) {}
@@ -82,6 +82,8 @@ class OneFileSystem : public Assimp::IOSystem {
   std::string_view bytes_;
 };
 
+/// Refuses references to nodes: nested references multiply, so a few lines could make millions of
+/// nodes.
 void RefuseInstances(const xml::Element& element) {
   if (element.name == "instance_node") {
     throw BadMesh("line " + std::to_string(element.line) +
@@ -90,8 +92,7 @@ void RefuseInstances(const xml::Element& element) {
   for (const xml::Element& child : element.children) RefuseInstances(child);
 }
 
-/// Bounds what the library does not: elements, their depth, parts by reference (of which a few
-/// lines make millions).
+/// Enforces limits that the library does not: number of elements, their depth, references.
 void CheckCost(std::string_view bytes) {
   const xml::ParseOptions options{
       .limits = {.max_bytes = kMaxBytes, .max_depth = 100, .max_elements = 200'000},
@@ -105,8 +106,9 @@ void CheckCost(std::string_view bytes) {
   throw BadMesh("line " + std::to_string(fault.line) + ": " + element + fault.message);
 }
 
-using Corners = std::vector<TriangleSoup::Corner>;  // three for each triangle
+using Corners = std::vector<TriangleSoup::Corner>;  // three per triangle
 
+/// Appends the triangles of a node and its children, in the frame of the scene.
 void AddNode(const aiScene& scene, const aiNode& node, const aiMatrix4x4& X_SP, Corners* corners) {
   const aiMatrix4x4 X_SN = X_SP * node.mTransformation;
   const bool is_mirrored = aiMatrix3x3(X_SN).Determinant() < 0;
@@ -115,6 +117,7 @@ void AddNode(const aiScene& scene, const aiNode& node, const aiMatrix4x4& X_SP, 
     for (unsigned k = 0; k < mesh.mNumFaces; ++k) {
       const aiFace& face = mesh.mFaces[k];
       if (face.mNumIndices != 3) continue;  // points and lines
+      // A mirrored node turns its triangles inside out: swap two corners.
       for (const int c : {0, is_mirrored ? 2 : 1, is_mirrored ? 1 : 2}) {
         const unsigned number = face.mIndices[c];
         if (number >= mesh.mNumVertices) throw BadMesh("found a corner that is none");
@@ -132,7 +135,7 @@ Corners CornersOf(std::string_view bytes, MeshAxes axes) {
   Assimp::Importer importer;
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION,
                            axes == MeshAxes::kAsWritten);
-  importer.SetIOHandler(new OneFileSystem(bytes));  // the importer's own from here on
+  importer.SetIOHandler(new OneFileSystem(bytes));  // owned by the importer from here on
   const aiScene* scene = importer.ReadFile(kOnlyFile, aiProcess_Triangulate);
   if (!scene || !scene->mRootNode) {
     const std::string reason = importer.GetErrorString();
@@ -167,7 +170,7 @@ std::string ReadAll(int from, std::size_t max_bytes) {
   return bytes;
 }
 
-/// Memory this process has for itself now: heap and the like.
+/// Returns the private memory of this process in bytes: heap, stack and static data.
 std::size_t BytesInUse() {
   std::size_t pages[6] = {};  // the sixth number of statm, see proc(5)
   std::ifstream statm("/proc/self/statm");
@@ -175,7 +178,7 @@ std::size_t BytesInUse() {
   return pages[5] * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
 }
 
-/// A file may promise any number of numbers: so much time and memory, and no more.
+/// Limits time and memory of this process: a small file can demand any amount.
 void LimitThisProcess() {
   constexpr std::size_t kMaxMore = 320u << 20;
   const rlimit seconds{2, 2}, no_core{0, 0};
@@ -186,9 +189,10 @@ void LimitThisProcess() {
   setrlimit(RLIMIT_DATA, &memory);
 }
 
-/// The child's work: corners, or what is wrong, into the pipe.
+/// Runs in the child: writes the corners, or an error message, into the pipe.
 [[noreturn]] void AnswerAndExit(std::string_view bytes, MeshAxes axes, int to) {
   LimitThisProcess();
+  // Without the parent's signal handlers: a crash ends the child at once.
   for (const int fault : {SIGSEGV, SIGABRT, SIGBUS, SIGFPE}) std::signal(fault, SIG_DFL);
   try {
     const Corners corners = CornersOf(bytes, axes);
@@ -208,7 +212,7 @@ void ReadCollada(std::string_view bytes, TriangleSoup* soup) {
     throw BadMesh("is larger than " + std::to_string(kMaxBytes) + " bytes, the most for DAE");
   }
   CheckCost(bytes);
-  // The library falls over some damaged files (seen with 5.2.5): only its own process then.
+  // The library crashes on some damaged files (seen with 5.2.5): run it in a process of its own.
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error("no pipe to read a DAE with");
   const pid_t child = fork();
@@ -217,12 +221,14 @@ void ReadCollada(std::string_view bytes, TriangleSoup* soup) {
     AnswerAndExit(bytes, soup->axes(), ends[1]);
   }
   close(ends[1]);
+  // Read to the end before waiting: a full pipe would block the child.
   const std::string answer = child > 0 ? ReadAll(ends[0], kMaxAnswer) : "";
   close(ends[0]);
   if (child < 0) throw std::runtime_error("no process to read a DAE in");
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
+  // Any other end of the child is a crash or a limit.
   if (WIFEXITED(status) && WEXITSTATUS(status) == kRefused && !answer.empty())
     throw BadMesh(answer);
   Corners corners(answer.size() / sizeof(TriangleSoup::Corner));

@@ -17,12 +17,13 @@
 namespace smile::mesh {
 namespace {
 
-// Numbers of the format: https://registry.khronos.org/glTF/specs/2.0/glTF-2.0.html
+// Constants of the format: https://registry.khronos.org/glTF/specs/2.0/glTF-2.0.html
 constexpr std::uint32_t kMagic = 0x46546C67, kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
 constexpr int kByte = 5121, kShort = 5123, kInt = 5125, kFloat = 5126;
 constexpr int kTriangles = 4, kStrip = 5, kFan = 6;
 constexpr int kMaxDepth = 64;
 
+/// Returns a little-endian 32-bit number.
 std::uint32_t WordAt(std::string_view bytes, std::size_t offset) {
   if (offset > bytes.size() || bytes.size() - offset < sizeof(std::uint32_t)) {
     throw BadMesh("found the end in the middle of a number: it is cut short");
@@ -32,12 +33,13 @@ std::uint32_t WordAt(std::string_view bytes, std::size_t offset) {
   return word;
 }
 
-/// The JSON of a file and, of a GLB, the bytes that came with it.
+/// The JSON of a file and, for a GLB, its binary chunk.
 struct Container {
   std::string_view json;
   std::optional<std::string_view> binary;
 };
 
+/// Splits a GLB into its chunks; any other file is all JSON.
 Container Open(std::string_view bytes) {
   if (bytes.size() < 4 || WordAt(bytes, 0) != kMagic) return {bytes, std::nullopt};
   if (WordAt(bytes, 4) != 2) {
@@ -79,6 +81,7 @@ std::string FromBase64(std::string_view text) {
   return bytes;
 }
 
+/// Reads the geometry of a glTF file. All offsets, counts and indices are checked before use.
 class GltfReader {
  public:
   GltfReader(std::string_view bytes, const OpenNeighbour& open, std::size_t max_bytes)
@@ -102,7 +105,7 @@ class GltfReader {
     }
   }
 
-  /// Reads each mesh of the scene's root nodes once, however many nodes it hangs on.
+  /// Returns the pieces of the scene's root nodes; a mesh that several nodes use is read once.
   std::vector<MeshPiece> ReadPieces() {
     std::vector<MeshPiece> pieces;
     std::map<std::size_t, std::vector<MeshPiece>> pieces_of_mesh;
@@ -126,6 +129,7 @@ class GltfReader {
   }
 
  private:
+  /// Returns a top-level list, empty if it is missing.
   const Json& List(const char* name) const {
     static const Json kNothing = Json::array();
     const auto it = json_.find(name);
@@ -172,7 +176,7 @@ class GltfReader {
     return pieces;
   }
 
-  /// glTF's colors are linear, ours are those of a screen (IEC 61966-2-1).
+  /// Returns the base color. glTF's colors are linear, those of the project sRGB (IEC 61966-2-1).
   Color ColorOf(const Json& primitive) const {
     const Json& material = At("materials", primitive.at("material").get<std::size_t>());
     const auto linear =
@@ -186,6 +190,7 @@ class GltfReader {
 
   void Visit(std::size_t number, const Eigen::Affine3d& X_SP, int depth, TriangleSoup* soup) {
     const Json& node = At("nodes", number);
+    // The format demands a tree; shared nodes could multiply without bound.
     if (is_used_[number]) {
       throw BadMesh("found node " + std::to_string(number) + " in two places, expected one");
     }
@@ -204,6 +209,7 @@ class GltfReader {
     }
   }
 
+  /// Returns the transform of a node in its parent.
   static Eigen::Affine3d PlaceOf(const Json& node) {
     Eigen::Affine3d place = Eigen::Affine3d::Identity();
     if (const auto it = node.find("matrix"); it != node.end()) {
@@ -234,6 +240,8 @@ class GltfReader {
     const bool is_mirrored = X_SN.linear().determinant() < 0;
     for (std::size_t k = 2; k < order.size(); k += mode == kTriangles ? 3 : 1) {
       std::uint32_t a = order[mode == kFan ? 0 : k - 2], b = order[k - 1];
+      // Every second triangle of a strip runs the other way, and so do all triangles of a mirrored
+      // node.
       if (is_mirrored != (mode == kStrip && k % 2 == 1)) std::swap(a, b);
       soup->Add(corners[a], corners[b], corners[order[k]]);
     }
@@ -250,13 +258,14 @@ class GltfReader {
     return Positions(primitive.at("attributes").at("POSITION").get<std::size_t>(), X_SN);
   }
 
-  /// The bytes of an accessor's elements, one after the other `stride` apart.
+  /// Elements of an accessor: `count` of them, `stride` bytes apart.
   struct Elements {
     const char* begin;
     std::size_t stride, count;
     int type;
   };
 
+  /// Returns the elements of an accessor after checking that all of them lie within their buffer.
   Elements Access(std::size_t number, std::string_view shape, std::size_t components) {
     const Json& accessor = At("accessors", number);
     if (accessor.at("type") != shape || accessor.contains("sparse") ||
@@ -316,13 +325,14 @@ class GltfReader {
     return indices;
   }
 
-  /// Many nodes may name the same numbers: what is read for them all is limited.
+  /// Limits the number of elements read in all: many nodes may name the same accessor.
   void CountWork(std::size_t count) {
     constexpr std::size_t kMaxRead = 4'000'000;
     num_read_ += count;
     if (num_read_ > kMaxRead) throw BadMesh("found more than 4000000 corners, expected fewer");
   }
 
+  /// Returns the bytes of a buffer, loaded once.
   std::string_view Buffer(std::size_t number) {
     const Json& buffer = At("buffers", number);
     if (buffers_.size() <= number) buffers_.resize(number + 1);
@@ -359,7 +369,7 @@ class GltfReader {
 
 namespace {
 
-/// Lets `read` use a reader of the file; what JSON finds wrong becomes BadMesh.
+/// Runs `read` with a reader of the file; JSON errors become BadMesh.
 template <class Read>
 auto WithReader(std::string_view bytes, const OpenNeighbour& open, std::size_t max_bytes,
                 const Read& read) {

@@ -10,16 +10,21 @@
 namespace smile::mesh {
 namespace {
 
+/// Lexicographic order of points.
 bool IsBefore(const LatticePoint& a, const LatticePoint& b) {
   return std::tuple(a.x(), a.y(), a.z()) < std::tuple(b.x(), b.y(), b.z());
 }
 
 double LengthOf(const LatticePoint& v) { return v.cast<double>().norm(); }
 
+/// Quickhull on lattice points. Faces that a new point can see are replaced by a cone from their
+/// horizon to the point. Points not yet enclosed are stored with the face they are farthest outside
+/// of.
 class Quickhull {
  public:
   Quickhull(std::vector<LatticePoint> points, double tolerance)
       : points_(std::move(points)), tolerance_(tolerance) {
+    // Sorted and unique: the result depends on the set of points only.
     std::sort(points_.begin(), points_.end(), IsBefore);
     points_.erase(std::unique(points_.begin(), points_.end()), points_.end());
   }
@@ -29,7 +34,8 @@ class Quickhull {
     for (int num_corners = 4; num_corners < max_corners; ++num_corners) {
       std::optional<Farthest> farthest = FarthestOutside();
       if (!farthest) {
-        // A point near the plane of its face may be far from another's.
+        // Stored points were assigned when their face was new; a later face may be the one they are
+        // far outside of.
         Reassign();
         farthest = FarthestOutside();
       }
@@ -45,16 +51,17 @@ class Quickhull {
     std::array<int, 3> neighbours;  // across the edge from corner i to the next
     LatticePoint normal;
     double length;
-    std::vector<std::pair<double, int>> outside;  // how far, which point
+    std::vector<std::pair<double, int>> outside;  // distance [steps] and point
     bool is_alive = true;
   };
   struct Farthest {
     int face, point;
   };
   struct Edge {
-    int from, to, beyond;  // the face that stays
+    int from, to, beyond;  // the hidden face across the edge
   };
 
+  /// Returns the height of a point above a face, times the length of its normal; exact.
   std::int64_t Height(const Face& face, int point) const {
     return face.normal.dot(points_[point] - points_[face.corners[0]]);
   }
@@ -65,6 +72,7 @@ class Quickhull {
     return static_cast<int>(faces_.size()) - 1;
   }
 
+  /// Returns the first point with the greatest measure.
   template <class Measure>
   int ArgMax(Measure measure) const {
     int best = 0;
@@ -74,7 +82,8 @@ class Quickhull {
     return best;
   }
 
-  /// Four points that span a body.
+  /// Builds the first tetrahedron from the farthest points; returns false if all points lie in a
+  /// plane, within the tolerance.
   bool Begin() {
     if (points_.size() < 4) return false;
     const LatticePoint a = points_.front();
@@ -87,12 +96,14 @@ class Quickhull {
     const int id = ArgMax(height);
     if (static_cast<double>(height(points_[id])) <= tolerance_ * LengthOf(normal)) return false;
     if (height(points_[id]) == 0) return false;
+    // Order the base so that its normal points away from the fourth point.
     const bool is_above = normal.dot(points_[id] - a) > 0;
     const int p = 0, q = is_above ? ic : ib, r = is_above ? ib : ic, s = id;
     AddFace(p, q, r);
     AddFace(p, s, q);
     AddFace(q, s, r);
     AddFace(r, s, p);
+    // Neighbors across the edges of each face, in the order of its corners.
     faces_[0].neighbours = {1, 2, 3};
     faces_[1].neighbours = {3, 2, 0};
     faces_[2].neighbours = {1, 3, 0};
@@ -103,7 +114,8 @@ class Quickhull {
     return true;
   }
 
-  /// Each point to the face it is farthest outside of, of those from `first` on.
+  /// Assigns each point to the face it is farthest outside of, among those from `first` on. Points
+  /// outside none of them are inside the hull and are dropped for good: a hull only grows.
   void Assign(const std::vector<int>& points, std::size_t first) {
     for (const int point : points) {
       double most = 0;
@@ -123,6 +135,7 @@ class Quickhull {
     }
   }
 
+  /// Assigns all stored points again, to all faces.
   void Reassign() {
     std::vector<int> left;
     for (Face& face : faces_) {
@@ -132,6 +145,7 @@ class Quickhull {
     Assign(left, 0);
   }
 
+  /// Returns the point farthest outside of its face, if it is farther than the tolerance.
   std::optional<Farthest> FarthestOutside() const {
     double most = tolerance_;
     std::optional<Farthest> farthest;
@@ -145,11 +159,12 @@ class Quickhull {
     return farthest;
   }
 
-  /// Takes away the faces that see the point and closes the hole with a cone to it.
+  /// Removes the faces that see a point and closes the hole by a cone to the point.
   void Extend(const Farthest& farthest) {
     std::vector<int> visible{farthest.face};
     faces_[farthest.face].is_alive = false;
     std::vector<Edge> horizon;
+    // Visible faces are connected: search from the first across shared edges.
     for (std::size_t k = 0; k < visible.size(); ++k) {
       for (int side = 0; side < 3; ++side) {
         const Face& face = faces_[visible[k]];
@@ -169,6 +184,7 @@ class Quickhull {
             {faces_[gone].corners[side], faces_[gone].corners[(side + 1) % 3], neighbour});
       }
     }
+    // One new face per horizon edge, linked with the hidden face across it.
     const std::size_t first = faces_.size();
     std::map<int, int> starting_at, ending_at;  // the new face at a corner of the horizon
     for (const Edge& edge : horizon) {
@@ -184,9 +200,11 @@ class Quickhull {
     }
     for (const Edge& edge : horizon) {
       const int face = starting_at[edge.from];
+      // Edge 1 goes from `to` to the apex, edge 2 from the apex to `from`.
       faces_[face].neighbours[1] = starting_at[edge.to];
       faces_[face].neighbours[2] = ending_at[edge.from];
     }
+    // Only the new faces can have the points of the removed ones outside.
     std::vector<int> orphans;
     for (const int gone : visible) {
       for (const auto& [distance, point] : faces_[gone].outside) {
@@ -210,6 +228,7 @@ class Quickhull {
         triangle[i] = entry->second;
       }
       hull.triangles.push_back(triangle);
+      // Signed tetrahedra from one corner of the hull.
       hull.volume +=
           static_cast<double>(face.normal.dot(points_[face.corners[0]] - points_.front())) / 6;
     }
@@ -221,7 +240,8 @@ class Quickhull {
   std::vector<Face> faces_;
 };
 
-/// Grows flat faces over the triangles of a hull.
+/// Merges triangles of a hull into flat faces: each grows from its largest triangle, whose plane is
+/// least affected by rounding.
 class FaceJoiner {
  public:
   explicit FaceJoiner(const LatticeHull& hull) : hull_(hull), face_of_(hull.triangles.size(), -1) {
@@ -246,6 +266,7 @@ class FaceJoiner {
         faces.push_back(std::move(outline));
         continue;
       }
+      // Not a simple polygon: keep the triangles.
       for (const int member : members) faces.push_back(Corners(member));
     }
     return faces;
@@ -263,6 +284,8 @@ class FaceJoiner {
             static_cast<std::uint32_t>(c[2])};
   }
 
+  /// Returns the triangles connected with a seed whose corners are all within a few steps of its
+  /// plane.
   std::vector<int> Grow(int seed) {
     constexpr double kFlatSteps = 3;
     const LatticePoint normal = Normal(seed);
@@ -290,7 +313,7 @@ class FaceJoiner {
     return members;
   }
 
-  /// The corners around some triangles; empty when they go around in more than one circle.
+  /// Returns the outline of some triangles, counter-clockwise; empty if it has more than one loop.
   std::vector<std::uint32_t> OutlineOf(const std::vector<int>& members) const {
     std::map<int, int> next;
     for (const int t : members) {

@@ -10,14 +10,15 @@ namespace {
 
 using Point = Eigen::Vector3d;
 
-/// A convex polygon with room for a triangle that is cut by six planes.
+/// Convex polygon with room for a triangle clipped by six planes.
 class Polygon {
  public:
   explicit Polygon(const LatticeSolid::Triangle& triangle) : size_(3) {
     for (int i = 0; i < 3; ++i) points_[i] = triangle[i].cast<double>();
   }
 
-  /// Keeps what has side * p[axis] >= side * place.
+  /// Keeps the part with side * p[axis] >= side * place (Sutherland-Hodgman clipping against one
+  /// plane).
   void Cut(int axis, double place, double side) {
     std::array<Point, kMax> kept;
     int count = 0;
@@ -27,7 +28,8 @@ class Polygon {
       if (above_a >= 0 && count < kMax) kept[count++] = a;
       if ((above_a > 0 && above_b < 0) || (above_a < 0 && above_b > 0)) {
         if (count == kMax) break;
-        // From the same end whichever way the edge is seen, so that neighbours agree.
+        // Interpolate from the same end in both triangles of an edge, so that they get the same
+        // bits.
         const bool is_forward = above_a < above_b;
         const Point& from = is_forward ? a : b;
         const Point& to = is_forward ? b : a;
@@ -40,6 +42,7 @@ class Polygon {
     size_ = count;
   }
 
+  /// Clips at the planes of a box across the first `num_axes` axes.
   void CutToBox(const LatticeBox& box, int num_axes) {
     for (int axis = 0; axis < num_axes && size_ > 0; ++axis) {
       Cut(axis, static_cast<double>(box.low[axis]), 1);
@@ -47,7 +50,8 @@ class Polygon {
     }
   }
 
-  /// Between the polygon and the plane z = floor; negative when it is seen from below.
+  /// Returns the volume between the polygon and the plane z = floor; negative if the polygon faces
+  /// down.
   double VolumeAbove(double floor) const {
     double volume = 0;
     for (int i = 2; i < size_; ++i) {
@@ -68,6 +72,7 @@ class Polygon {
   int size_;
 };
 
+/// Returns the signed volume of a surface (divergence theorem), and whether it is closed.
 double MeasureClosed(const std::vector<LatticeSolid::Triangle>& triangles, bool* is_closed) {
   using Edge = std::array<std::int64_t, 6>;
   std::vector<std::pair<Edge, int>> edges;
@@ -76,6 +81,7 @@ double MeasureClosed(const std::vector<LatticeSolid::Triangle>& triangles, bool*
   for (const LatticeSolid::Triangle& triangle : triangles) {
     for (int i = 0; i < 3; ++i) {
       const LatticePoint &a = triangle[i], &b = triangle[(i + 1) % 3];
+      // Count each edge once per direction: +1 one way, -1 the other.
       const Edge forth{a.x(), a.y(), a.z(), b.x(), b.y(), b.z()};
       const Edge back{b.x(), b.y(), b.z(), a.x(), a.y(), a.z()};
       edges.emplace_back(std::min(forth, back), forth < back ? 1 : -1);
@@ -84,6 +90,7 @@ double MeasureClosed(const std::vector<LatticeSolid::Triangle>& triangles, bool*
     volume += corner(0).cross(corner(1)).dot(corner(2)) / 6;
   }
   std::sort(edges.begin(), edges.end());
+  // Closed if the directions of each edge cancel out. This also accepts solids that share an edge.
   *is_closed = true;
   int balance = 0;
   for (std::size_t i = 0; i < edges.size(); ++i) {
@@ -109,6 +116,7 @@ LatticeSolid::LatticeSolid(const scene::SurfaceMesh& mesh) {
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3f& vertex : mesh.vertices) box.extend(vertex.cast<double>());
   origin_ = box.min();
+  // The longest side spans the whole lattice.
   step_ = box.sizes().maxCoeff() / static_cast<double>(kLatticeSteps);
   if (!(step_ > 0)) step_ = 1;
   std::vector<LatticePoint> vertices;
@@ -118,6 +126,7 @@ LatticeSolid::LatticeSolid(const scene::SurfaceMesh& mesh) {
       const double place = static_cast<double>(vertex[axis]);
       point[axis] =
           std::clamp<std::int64_t>(std::llround((place - origin_[axis]) / step_), 0, kLatticeSteps);
+      // Remember the exact coordinates, for PlaceOf().
       known_places_[axis].try_emplace(point[axis], place);
     }
   }
@@ -128,11 +137,13 @@ LatticeSolid::LatticeSolid(const scene::SurfaceMesh& mesh) {
   SetTriangles(std::move(triangles));
 }
 
+/// Takes triangles without degenerate ones, facing outwards, and measures them.
 void LatticeSolid::SetTriangles(std::vector<Triangle> triangles) {
   std::erase_if(triangles,
                 [](const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
   triangles_ = std::move(triangles);
   volume_ = MeasureClosed(triangles_, &is_closed_);
+  // The file's triangles face inwards: reverse all.
   if (volume_ < 0) {
     volume_ = -volume_;
     for (Triangle& triangle : triangles_) std::swap(triangle[1], triangle[2]);
@@ -152,7 +163,8 @@ LatticeSolid LatticeSolid::Simplified(std::size_t max_triangles) const {
   constexpr std::int64_t kFinest = kLatticeSteps / 1024, kCoarsest = kLatticeSteps / 64;
   for (std::int64_t size = kFinest; size <= kCoarsest && simple.triangles_.size() > max_triangles;
        size *= 2) {
-    // The first vertex of each cube of the lattice stands for all of them.
+    // Vertex clustering: the first vertex in each cube of the lattice replaces all others in it.
+    // Replacing corners consistently keeps the surface closed.
     std::map<std::array<std::int64_t, 3>, LatticePoint> chosen;
     std::vector<Triangle> triangles = triangles_;
     for (Triangle& triangle : triangles) {
@@ -183,7 +195,8 @@ LatticeSolid::Numbers LatticeSolid::Touching(const LatticeBox& box, const Number
       if (bounds.low[axis] != bounds.high[axis]) {
         is_inside = bounds.high[axis] > box.low[axis] && bounds.low[axis] < box.high[axis];
       } else {
-        // In a plane across the axis: the solid is behind it.
+        // In a plane across the axis: the surface belongs to the side of the solid, behind the
+        // normal.
         const std::int64_t place = bounds.low[axis];
         is_inside = (place > box.low[axis] && place < box.high[axis]) ||
                     (place == box.low[axis] && normal[axis] < 0) ||
@@ -233,6 +246,8 @@ double LatticeSolid::VolumeWithin(const LatticeBox& box, const Numbers& above) c
         bounds.high.z() <= box.low.z()) {
       continue;
     }
+    // The column under a triangle within the box: what is under the clipped triangle, less what is
+    // above the ceiling.
     Polygon column(triangles_[i]);
     column.CutToBox(box, 2);
     if (bounds.low.z() < box.low.z()) column.Cut(2, floor, 1);
@@ -245,6 +260,7 @@ double LatticeSolid::VolumeWithin(const LatticeBox& box, const Numbers& above) c
 }
 
 LatticeBox LatticeSolid::SmallBoxAt(int corner, const LatticeBox& box) {
+  // Small against the box, so that the test is local, but at least one step.
   constexpr std::int64_t kPart = 1000;
   LatticeBox small = box;
   for (int axis = 0; axis < 3; ++axis) {
@@ -260,6 +276,7 @@ LatticeBox LatticeSolid::SmallBoxAt(int corner, const LatticeBox& box) {
 
 bool LatticeSolid::Fills(const LatticeBox& box, int corner, const Numbers& above) const {
   const LatticeBox small = SmallBoxAt(corner, box);
+  // More than half full, since a surface through the corner may fill it partly.
   return VolumeWithin(small, above) > 0.5 * (small.high - small.low).cast<double>().prod();
 }
 

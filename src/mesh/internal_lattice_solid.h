@@ -10,56 +10,58 @@
 
 namespace smile::mesh {
 
-/// A cuboid along the axes of the lattice; what lies in a face belongs to the side its solid is on.
+/// Cuboid along the axes of the lattice. Surface in the plane of a face belongs to the box on whose
+/// side the solid is.
 struct LatticeBox {
   LatticePoint low, high;
 };
 
-/// A surface moved onto a lattice as fine as floats nearly are, which also closes cracks of
-/// rounding, and exact answers about the solid it bounds.
+/// A surface on a lattice nearly as fine as floats, which also closes cracks of rounding, with
+/// exact queries about the solid that it bounds.
 class LatticeSolid {
  public:
   using Triangle = std::array<LatticePoint, 3>;
-  using Numbers = std::vector<std::uint32_t>;  ///< of triangles
+  using Numbers = std::vector<std::uint32_t>;  ///< indices of triangles
 
   /// @param mesh  not empty.
   explicit LatticeSolid(const scene::SurfaceMesh& mesh);
 
-  /// With vertices that are near to each other made one, until there are at most so many triangles
-  /// or they were a sixtieth of the whole apart. A closed surface stays closed.
+  /// Returns a copy in which nearby vertices are merged, until there are at most `max_triangles` or
+  /// the merging distance reaches 1/64 of the size. A closed surface stays closed.
   LatticeSolid Simplified(std::size_t max_triangles) const;
 
   const std::vector<Triangle>& triangles() const { return triangles_; }
   LatticeBox bounds() const { return bounds_; }
-  /// Whether the triangles bound a solid that is not next to nothing.
+  /// True if the triangles bound a solid: each edge is shared in both directions equally often.
   bool is_closed() const { return is_closed_; }
-  double volume() const { return volume_; }  ///< [steps3]; of a closed one at least 0
+  double volume() const { return volume_; }  ///< [steps3]; at least 0
 
-  /// Those of `among` that may have to do with the solid inside the box: with its surface there,
-  /// or from there on upwards.
+  /// Return the triangles among some that matter for the solid in a box: Touching() for its surface
+  /// in the box, Above() for its volume there, which needs all triangles over the floor of the box.
   Numbers Touching(const LatticeBox& box, const Numbers& among) const;
   Numbers Above(const LatticeBox& box, const Numbers& among) const;
   Numbers All() const;
 
-  /// Where the solid within a box has its surface: corners of the triangles cut off at the box,
-  /// rounded to the lattice. Together with the corners of the box that lie in the solid they span
-  /// the hull of the solid within the box.
+  /// Appends the corners of the surface within a box: of the triangles clipped at the box, rounded
+  /// to the lattice. Together with the corners of the box inside the solid they span the hull of
+  /// the solid in the box.
   void AppendSurface(const LatticeBox& box, const Numbers& touching,
                      std::vector<LatticePoint>* points) const;
 
-  /// Of the solid within the box, exactly: the signed sum over all triangles of what lies under
-  /// them [steps3].
+  /// Returns the volume of the solid in a box: the signed sum over all triangles of the volume
+  /// under them [steps3].
   double VolumeWithin(const LatticeBox& box, const Numbers& above) const;
 
-  /// Whether the solid fills the box near its corner; 0 to 7, one bit for each axis.
+  /// Returns true if the solid fills a box near one of its corners; 0 to 7, one bit per axis.
   bool Fills(const LatticeBox& box, int corner, const Numbers& above) const;
-  /// Where that is looked at.
+  /// Returns the small box at a corner in which Fills() measures.
   static LatticeBox SmallBoxAt(int corner, const LatticeBox& box);
 
-  /// In the mesh's own units; what was a vertex's number is that number again.
+  /// Returns a point in the mesh's own units; coordinates of vertices are restored exactly.
   Vector3 PlaceOf(const LatticePoint& point) const;
 
-  /// Triangles that were looked at so far: what a decomposition costs, whatever the machine.
+  /// Returns the number of triangles visited so far: the cost of a decomposition, independent of
+  /// the machine.
   std::size_t work() const { return work_; }
 
  private:
@@ -76,6 +78,7 @@ class LatticeSolid {
   mutable std::size_t work_ = 0;
 };
 
+/// Returns a corner of a box, 0 to 7: bit i chooses the high side along axis i.
 LatticePoint CornerOf(const LatticeBox& box, int corner);
 
 }  // namespace smile::mesh

@@ -6,21 +6,22 @@
 
 namespace smile::mesh {
 
-// One reader per format: each adds the triangles of a file to the soup.
-// All throw BadMesh for a file that is damaged, cut short or not of the format.
+// One reader per format, which adds the triangles of a file to the soup. All throw BadMesh for a
+// file that is damaged, truncated or of another format.
 
-/// Text or binary; what comes after the first solid is not read.
+/// Reads STL, text or binary; content after the first solid is ignored.
 void ReadStl(std::string_view bytes, TriangleSoup* soup);
 
-/// `v` and `f`; a face of more than three corners becomes a fan of triangles.
+/// Reads `v` and `f` lines of OBJ; a face of more than three corners becomes a fan of triangles.
 void ReadObj(std::string_view bytes, TriangleSoup* soup);
 
-/// All meshes of the scene, each in its place. @param max_bytes  of all files together.
+/// Reads all meshes of a glTF scene, each in its place. @param max_bytes  limit for all files
+/// together.
 void ReadGltf(std::string_view bytes, const OpenNeighbour& open, std::size_t max_bytes,
               TriangleSoup* soup);
 
-/// The same of a DAE file; what its `up_axis` says is up is along Y, unless the soup wants it as it
-/// is written.
+/// Reads all meshes of a DAE file, each in its place. The direction that its `up_axis` names
+/// becomes Y, unless the soup keeps axes as written.
 void ReadCollada(std::string_view bytes, TriangleSoup* soup);
 
 }  // namespace smile::mesh

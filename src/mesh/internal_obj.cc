@@ -8,11 +8,12 @@
 namespace smile::mesh {
 namespace {
 
-// More vertices than can be named are not worth their memory.
+// Upper bound of listed vertices, whether faces name them or not.
 constexpr std::size_t kMaxListed = 1'000'000;
 constexpr std::size_t kMaxFaceCorners = 1000;
 
-/// Of `7`, `7/1`, `7//2`, `-1/…`: negative numbers count back from the last vertex.
+/// Returns the vertex index of a word such as `7`, `7/1`, `7//2` or `-1`: the number before a
+/// slash, where negative numbers count back from the last vertex so far.
 std::size_t CornerNumber(std::string_view word, std::size_t num_vertices, const Words& words) {
   long long number = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);

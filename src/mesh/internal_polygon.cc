@@ -13,12 +13,12 @@ using Triangle = scene::SurfaceMesh::Triangle;
 
 double Cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-/// Twice its area, above 0 if it runs counter-clockwise.
+/// Returns twice the area of a triangle, positive if it runs counter-clockwise.
 double TurnAt(const Vector2d& a, const Vector2d& b, const Vector2d& c) {
   return Cross(b - a, c - b);
 }
 
-/// The section in its own plane, where it runs counter-clockwise.
+/// Returns the section in its own plane, where it runs counter-clockwise.
 Outline Flattened(const Section& section) {
   Vector3 normal = Vector3::Zero();  // Newell's method
   for (std::size_t i = 0; i < section.size(); ++i) {
@@ -30,6 +30,8 @@ Outline Flattened(const Section& section) {
   return outline;
 }
 
+/// Returns true if the corner `at` of the remaining polygon is convex and no other corner lies in
+/// its triangle.
 bool IsEar(const Outline& outline, const std::vector<std::uint32_t>& rest, std::size_t at) {
   const std::size_t n = rest.size();
   const Vector2d &a = outline[rest[(at + n - 1) % n]], &b = outline[rest[at]],
@@ -42,7 +44,7 @@ bool IsEar(const Outline& outline, const std::vector<std::uint32_t>& rest, std::
   });
 }
 
-/// Of the ears, the one with the shortest cut: slim triangles are drawn badly.
+/// Returns the ear with the shortest cut: slim triangles are shaded badly.
 std::size_t BestEar(const Outline& outline, const std::vector<std::uint32_t>& rest) {
   const std::size_t n = rest.size();
   std::size_t best = 0;
@@ -59,6 +61,7 @@ std::size_t BestEar(const Outline& outline, const std::vector<std::uint32_t>& re
 }  // namespace
 
 std::vector<Triangle> Triangulated(const Section& section) {
+  // Ear clipping: each simple polygon has an ear, so the loop removes one corner per round.
   const Outline outline = Flattened(section);
   std::vector<std::uint32_t> rest(section.size());
   std::iota(rest.begin(), rest.end(), 0u);
@@ -77,7 +80,7 @@ Outline Inset(const Outline& outline, double distance) {
   for (std::size_t i = 0; i < n; ++i) {
     const Vector2d before = (outline[i] - outline[(i + n - 1) % n]).normalized();
     const Vector2d after = (outline[(i + 1) % n] - outline[i]).normalized();
-    // Along the bisector, far enough to be `distance` from both sides; no further at sharp tips.
+    // Along the bisector, far enough to be `distance` from both sides; bounded at sharp tips.
     const Vector2d inwards(-(before + after).y(), (before + after).x());
     const double share = std::max(0.5, inwards.squaredNorm() / 2);
     inset.emplace_back(outline[i] + distance * inwards / share);

@@ -6,12 +6,12 @@
 
 namespace smile::mesh::internal {
 
-/// A flat section cut into triangles that run as it does. Concave ones too, as long as no side
-/// crosses another.
+/// Returns the triangles of a flat section, in its direction of rotation. The section may be
+/// concave if no two sides cross.
 std::vector<scene::SurfaceMesh::Triangle> Triangulated(const Section& section);
 
-/// The outline with every side moved inwards by `distance`; as many corners. Only for distances
-/// smaller than the radii of its curves and half of its width.
+/// Returns the outline with each side moved inwards by `distance`; it has as many corners. Only for
+/// distances below the radii of its curves and half of its width.
 Outline Inset(const Outline& outline, double distance);
 
 }  // namespace smile::mesh::internal

@@ -10,7 +10,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// As long as twice the triangle is large.
+/// Returns the normal of a triangle, twice as long as its area, so that sums of normals are
+/// weighted by area.
 Vector3d AreaNormal(const scene::SurfaceMesh& surface, const scene::SurfaceMesh::Triangle& t) {
   const Vector3d a = surface.vertices[t[0]].cast<double>();
   const Vector3d b = surface.vertices[t[1]].cast<double>();
@@ -18,7 +19,8 @@ Vector3d AreaNormal(const scene::SurfaceMesh& surface, const scene::SurfaceMesh:
   return (b - a).cross(c - a);
 }
 
-/// Corners at a vertex that have the same normal are one: a card then works them out once.
+/// Merges corners at a vertex that have the same normal, so that a graphics card processes them
+/// once.
 class SharedCorners {
  public:
   explicit SharedCorners(std::size_t num_vertices) : at_(num_vertices) {}
@@ -26,7 +28,7 @@ class SharedCorners {
   std::uint32_t IndexOf(std::uint32_t vertex, const Eigen::Vector3f& position,
                         const Eigen::Vector3f& normal, TriangleMesh* mesh) {
     std::vector<std::uint32_t>& known = at_[vertex];
-    // The middle of a fan may have thousands: only the latest are looked through.
+    // The center of a fan may have thousands of corners: compare with the latest only.
     constexpr std::size_t kLatest = 8;
     const std::size_t first = known.size() > kLatest ? known.size() - kLatest : 0;
     for (std::size_t k = first; k < known.size(); ++k) {
@@ -45,7 +47,8 @@ class SharedCorners {
 }  // namespace
 
 TriangleMesh SmoothSurface(const scene::SurfaceMesh& surface) {
-  // The middle of a fan of thousands is flat enough, and each with each would take hours.
+  // Upper bound of triangles at a smoothed vertex, since cost is quadratic in it. The center of a
+  // larger fan is shaded flat.
   constexpr std::size_t kMostSmoothed = 64;
   const double crease_cosine = std::cos(std::numbers::pi / 6);
 
@@ -59,16 +62,18 @@ TriangleMesh SmoothSurface(const scene::SurfaceMesh& surface) {
   SharedCorners corners(surface.vertices.size());
   for (std::uint32_t i = 0; i < surface.triangles.size(); ++i) {
     const Vector3d& own = normals[i];
-    if (!(own.squaredNorm() > 0)) continue;  // a line: nothing to be seen
+    if (!(own.squaredNorm() > 0)) continue;  // degenerate: invisible
     scene::SurfaceMesh::Triangle triangle{};
     for (std::size_t k = 0; k < triangle.size(); ++k) {
       const std::uint32_t vertex = surface.triangles[i][k];
       const bool is_smoothed = around[vertex].size() <= kMostSmoothed;
       Vector3d normal = is_smoothed ? Vector3d::Zero() : own;
       if (is_smoothed) {
-        // Always in the same order, so that triangles with the same neighbours get the same sum.
+        // Always in the same order: triangles with the same neighbors then get the same bits, and
+        // share the corner.
         for (const std::uint32_t other : around[vertex]) {
           const double cosine = normals[other].dot(own);
+          // Average the normals that differ from this triangle's by less than the crease angle.
           if (other == i || cosine > crease_cosine * normals[other].norm() * own.norm()) {
             normal += normals[other];
           }

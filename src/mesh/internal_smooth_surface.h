@@ -5,8 +5,8 @@
 
 namespace smile::mesh {
 
-/// The triangles with normals that make flat what is flat and round what is round: where triangles
-/// meet at less than 30 degrees the light changes smoothly, elsewhere there is an edge.
+/// Returns the triangles with smooth normals: where triangles meet at less than 30 degrees the
+/// shading changes smoothly, elsewhere there is a sharp edge.
 TriangleMesh SmoothSurface(const scene::SurfaceMesh& surface);
 
 }  // namespace smile::mesh

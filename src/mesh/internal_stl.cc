@@ -13,8 +13,9 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "binary STL is little-endian");
 
-constexpr std::size_t kHeaderBytes = 84;    // 80 of anything and the number of triangles
-constexpr std::size_t kTriangleBytes = 50;  // a normal, three corners and 2 of anything
+// Layout of binary STL.
+constexpr std::size_t kHeaderBytes = 84;    // 80 arbitrary bytes and the number of triangles
+constexpr std::size_t kTriangleBytes = 50;  // a normal, three corners and 2 arbitrary bytes
 
 std::uint32_t CountIn(std::string_view bytes) {
   std::uint32_t count = 0;
@@ -47,6 +48,7 @@ void ReadBinary(std::string_view bytes, TriangleSoup* soup) {
   }
 }
 
+/// Reads a word that must follow here.
 void Expect(std::string_view word, Words* words) {
   const std::string_view found = words->Next();
   if (IsSameWord(found, word)) return;
@@ -69,7 +71,7 @@ void ReadText(std::string_view bytes, TriangleSoup* soup) {
     if (word.empty()) words.Fail("the end", "facet or endsolid: it is cut short");
     if (!IsSameWord(word, "facet")) words.Fail(Quoted(word), "facet or endsolid");
     Expect("normal", &words);
-    for (int i = 0; i < 3; ++i) words.Next();  // some programs write what is no number here
+    for (int i = 0; i < 3; ++i) words.Next();  // the normal; some programs write "nan" here
     Expect("outer", &words);
     Expect("loop", &words);
     std::array<TriangleSoup::Corner, 3> corners;
@@ -84,14 +86,14 @@ void ReadText(std::string_view bytes, TriangleSoup* soup) {
 }
 
 void Append(const Eigen::Vector3f& v, std::string* bytes) {
-  const std::array<float, 3> row{v.x(), v.z(), -v.y()};  // the file's axes
+  const std::array<float, 3> row{v.x(), v.z(), -v.y()};  // inverse of MeshAxes::kStanding
   bytes->append(reinterpret_cast<const char*>(row.data()), sizeof row);
 }
 
 }  // namespace
 
 void ReadStl(std::string_view bytes, TriangleSoup* soup) {
-  // Binary files may begin with "solid" too.
+  // Binary files may also begin with "solid", so the size decides.
   if (!IsBinaryOfRightSize(bytes) && IsSameWord(Words(bytes.substr(0, 200)).Next(), "solid")) {
     return ReadText(bytes, soup);
   }

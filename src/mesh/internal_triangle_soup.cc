@@ -8,15 +8,16 @@
 namespace smile::mesh {
 namespace {
 
-/// Squares and cubes of it are still numbers, and nothing on a table is as large.
+/// Greatest coordinate: its cube is still finite, and no real object is as large.
 constexpr float kMaxCoordinate = 1e9f;
 
 }  // namespace
 
-/// Negative zeros become zeros, so that equal places are equal bits.
+/// Converts file axes to those of a mesh. Adding 0 turns negative zeros into zeros, so that equal
+/// places have equal bits.
 Eigen::Vector3f TriangleSoup::FromFileAxes(const Corner& corner) const {
   for (const float coordinate : corner) {
-    if (std::abs(coordinate) <= kMaxCoordinate) continue;  // not so for what is no number
+    if (std::abs(coordinate) <= kMaxCoordinate) continue;  // false for NaN
     throw BadMesh("found the coordinate " + NumberText(coordinate) + ", expected -1e9 to 1e9");
   }
   if (axes_ == MeshAxes::kAsWritten) {
@@ -32,7 +33,7 @@ void TriangleSoup::Add(const Corner& a, const Corner& b, const Corner& c) {
   }
   const Eigen::Vector3f places[] = {FromFileAxes(a), FromFileAxes(b), FromFileAxes(c)};
   if (places[0] == places[1] || places[1] == places[2] || places[2] == places[0]) return;
-  // One by one: the order in which vertices get their numbers is that of these lines.
+  // One statement each: the order fixes the numbers of the vertices.
   const std::uint32_t first = Weld(places[0]), second = Weld(places[1]), third = Weld(places[2]);
   mesh_.triangles.push_back({first, second, third});
 }

@@ -12,13 +12,13 @@
 
 namespace smile::mesh {
 
-/// What is wrong with a mesh file, in words that follow its name.
+/// Error in a mesh file; the message continues a sentence that begins with the file's name.
 class BadMesh : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Collects the triangles of a file, corner by corner as the file has them.
+/// Collects the triangles of a file and merges equal vertices.
 class TriangleSoup {
  public:
   using Corner = std::array<float, 3>;  ///< (X, Y, Z) of the file
@@ -28,10 +28,11 @@ class TriangleSoup {
 
   MeshAxes axes() const { return axes_; }
 
-  /// @throws BadMesh beyond the limits, or for a coordinate that is no number or beyond all bounds.
+  /// Adds a triangle; drops it if two of its corners are equal. @throws BadMesh beyond the limits,
+  /// or for a coordinate that is not finite or too large.
   void Add(const Corner& a, const Corner& b, const Corner& c);
 
-  /// @throws BadMesh if there is no triangle.
+  /// Returns the mesh. @throws BadMesh if it has no triangle.
   scene::SurfaceMesh Take();
 
  private:

@@ -47,7 +47,7 @@ std::string_view Words::Next() {
 float Words::Number(std::string_view word) const {
   std::string_view digits = word;
   if (digits.starts_with('+')) digits.remove_prefix(1);
-  // By way of double: what a float cannot hold becomes 0 or infinite, as it should.
+  // Parse as double: values beyond the range of a float become 0 or infinity.
   double number = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
   if (error != std::errc() || end != digits.data() + digits.size()) {

@@ -5,21 +5,21 @@
 
 namespace smile::mesh {
 
-/// Goes through a text word by word, knowing its line.
+/// Reads a text word by word and counts its lines.
 class Words {
  public:
   explicit Words(std::string_view text) : rest_(text) {}
 
-  /// The next word of the text; empty at its end.
+  /// Returns the next word of the text; empty at its end.
   std::string_view Next();
-  /// The next word of this line; empty at its end.
+  /// Returns the next word of this line; empty at its end.
   std::string_view NextInLine();
-  /// Goes on to the next line; false at the end of the text.
+  /// Moves to the next line; returns false at the end of the text.
   bool NextLine();
 
-  /// @throws BadMesh unless `word` is a number.
+  /// Returns the number that a word spells. @throws BadMesh unless it is one.
   float Number(std::string_view word) const;
-  /// @throws BadMesh with the line.
+  /// Throws BadMesh with the line.
   [[noreturn]] void Fail(const std::string& found, const std::string& expected) const;
 
  private:
@@ -27,7 +27,7 @@ class Words {
   int line_ = 1;
 };
 
-/// As people compare words that computers wrote: `FACET` is `facet`.
+/// Returns true if two words are equal except for the case of ASCII letters.
 bool IsSameWord(std::string_view a, std::string_view b);
 
 }  // namespace smile::mesh

@@ -17,12 +17,13 @@ using Index = std::uint32_t;
 
 double FullTurn(int part, int parts) { return 2 * std::numbers::pi * part / parts; }
 
+/// Returns true if all points of a section coincide.
 bool IsTip(const Section& section) {
   return std::all_of(section.begin(), section.end(),
                      [&](const Vector3& p) { return p == section.front(); });
 }
 
-/// Adds sections as rows of corners and sews each to the one before.
+/// Adds sections as rows of corners and connects each to the row before.
 class Sewing {
  public:
   struct Row {
@@ -39,6 +40,7 @@ class Sewing {
   }
 
   void Sew(const Row& low, const Row& high) {
+    // A tip has one corner: one of the two triangles per side is degenerate and left out.
     const Index sides = std::max(low.count, high.count);
     for (Index k = 0; k < sides; ++k) {
       const Index a = Corner(low, k), b = Corner(low, k + 1);
@@ -48,7 +50,8 @@ class Sewing {
     }
   }
 
-  /// @param is_top  seen from outside its corners run as they do in the row.
+  /// Closes a row by a flat lid. @param is_top  true if its corners run counter-clockwise seen from
+  /// outside.
   void Close(const Section& section, const Row& row, bool is_top) {
     if (row.count == 1) return;
     for (auto [a, b, c] : internal::Triangulated(section)) {
@@ -75,7 +78,7 @@ void CheckSections(const std::vector<Section>& sections) {
   }
 }
 
-/// The middle line of a tube: its corners replaced by arcs.
+/// Returns the center line of a tube: its corners replaced by arcs.
 std::vector<Vector3> Bent(const std::vector<Vector3>& path, double bend_radius) {
   constexpr double kChord = std::numbers::pi / 8;
   std::vector<Vector3> line{path.front()};
@@ -83,13 +86,14 @@ std::vector<Vector3> Bent(const std::vector<Vector3>& path, double bend_radius) 
     const Vector3 back = path[i - 1] - path[i], ahead = path[i + 1] - path[i];
     const Vector3 u = back.normalized(), v = ahead.normalized();
     const double turn = std::numbers::pi - std::acos(std::clamp(u.dot(v), -1.0, 1.0));
+    // Two bends share a side, so each takes less than half of it.
     const double room = 0.499 * std::min(back.norm(), ahead.norm());
     const double reach = std::min(bend_radius * std::tan(turn / 2), room);
     if (turn < 0.01) {
       line.push_back(path[i]);
       continue;
     }
-    // On the arc between the touching points, about its centre.
+    // Points on the arc between the tangent points, about its center.
     const double radius = reach / std::tan(turn / 2);
     const Vector3 center = path[i] + (u + v).normalized() * std::hypot(reach, radius);
     const Vector3 from = path[i] + reach * u - center;
@@ -202,6 +206,7 @@ scene::SurfaceMesh Extrusion(const Outline& outline, double z_min, double z_max,
     add(0, z_max);
     return Skin(sections);
   }
+  // A quarter circle at either end.
   for (int end : {0, 1}) {
     for (int k = 0; k <= edge_sides; ++k) {
       const double angle = std::numbers::pi / 2 * (end == 0 ? k : edge_sides - k) / edge_sides;
@@ -234,12 +239,12 @@ scene::SurfaceMesh Tube(const std::vector<Vector3>& path, double radius, double 
   std::vector<Section> sections;
   Vector3 side = Vector3::Zero();
   for (std::size_t i = 0; i < line.size(); ++i) {
-    // Square to the mean direction: equal halves of the bend on both sides.
+    // Perpendicular to the mean direction: a miter with equal angles on both sides.
     const Vector3 before = i > 0 ? (line[i] - line[i - 1]).normalized() : Vector3::Zero().eval();
     const Vector3 after =
         i + 1 < line.size() ? (line[i + 1] - line[i]).normalized() : Vector3::Zero().eval();
     const Vector3 along = (before + after).normalized();
-    // Turned no more about the line than needed, so that the rows of corners do not wind.
+    // Carry the side direction along by projection, so that the rows of corners do not twist.
     if (side.isZero()) side = along.unitOrthogonal();
     side = (side - side.dot(along) * along).normalized();
     const Vector3 up = along.cross(side);

@@ -40,7 +40,7 @@ TriangleMesh MakeBlock() {
   return mesh;
 }
 
-/// Points of the unit circle in the plane of z and x, counter-clockwise seen from +y.
+/// Returns points of the unit circle in the plane of z and x, counter-clockwise seen from +y.
 std::vector<Vector3f> CircleAboutY(int facets) {
   std::vector<Vector3f> circle;
   for (int k = 0; k < facets; ++k) {
@@ -51,6 +51,7 @@ std::vector<Vector3f> CircleAboutY(int facets) {
   return circle;
 }
 
+/// Adds a flat cap at y = side / 2.
 void AddCap(const std::vector<Vector3f>& circle, float side, TriangleMesh* mesh) {
   const Vector3f normal = side * Vector3f::UnitY();
   const std::uint32_t center = AddCorner(0.5f * normal, normal, mesh);
@@ -88,6 +89,7 @@ TriangleMesh MakeSphere(int facets) {
     return AddCorner(0.5f * normal, normal, &mesh);
   };
 
+  // Corners: south pole, rings from south to north, north pole.
   const std::uint32_t south = add(-Vector3f::UnitY());
   for (int ring = 1; ring <= num_rings; ++ring) {
     const double latitude = std::numbers::pi * (static_cast<double>(ring) / (num_rings + 1) - 0.5);
@@ -126,6 +128,7 @@ TriangleMesh MakeHull(const scene::Polyhedron& polyhedron) {
   return mesh;
 }
 
+/// Lexicographic order; weak_order() also orders NaN.
 std::weak_ordering Compare(const Vector3f& a, const Vector3f& b) {
   for (int i = 0; i < 3; ++i) {
     if (const auto order = std::weak_order(a[i], b[i]); order != 0) return order;
@@ -136,6 +139,7 @@ std::weak_ordering Compare(const Vector3f& a, const Vector3f& b) {
 }  // namespace
 
 std::weak_ordering SharedSurface::operator<=>(const SharedSurface& other) const {
+  // The same object needs no comparison of its contents.
   if (mesh == other.mesh) return std::weak_ordering::equivalent;
   if (!mesh || !other.mesh) return !mesh <=> !other.mesh;
   const scene::SurfaceMesh &a = mesh->surface, &b = other.mesh->surface;

@@ -10,6 +10,7 @@ TriangleMesh Scaled(TriangleMesh mesh, const Eigen::Vector3f& factors) {
                                 ", expected factors above 0");
   }
   for (Eigen::Vector3f& position : mesh.positions) position = position.cwiseProduct(factors);
+  // Normals transform by the inverse transpose, here the reciprocal factors.
   for (Eigen::Vector3f& normal : mesh.normals) {
     normal = normal.cwiseQuotient(factors).normalized();
   }

@@ -7,10 +7,10 @@
 
 namespace smile::mesh {
 
-/// Triangles that bound a solid, as a graphics card likes them.
+/// Triangles that bound a solid, in the layout of a graphics card.
 ///
-/// Seen from outside, a triangle's corners run counter-clockwise. Corners that share a place but
-/// not a normal (the edges of a block) are stored once for each normal.
+/// Seen from outside, a triangle's corners run counter-clockwise. Corners at the same place with
+/// different normals (edges of a block) are stored once per normal.
 struct TriangleMesh {
   std::vector<Eigen::Vector3f> positions;               ///< corners [m]
   std::vector<Eigen::Vector3f> normals;                 ///< unit length, one per corner
@@ -19,8 +19,8 @@ struct TriangleMesh {
   bool operator==(const TriangleMesh&) const = default;
 };
 
-/// Returns the mesh scaled by a positive factor along each axis; normals stay normal to their
-/// surface.
+/// Returns the mesh scaled by a positive factor along each axis; normals stay perpendicular to
+/// their surface. @throws std::invalid_argument unless all factors are positive.
 TriangleMesh Scaled(TriangleMesh mesh, const Eigen::Vector3f& factors);
 
 }  // namespace smile::mesh

@@ -55,7 +55,7 @@ Articulation::Articulation(ArticulationId id, std::shared_ptr<const scene::Artic
   SetPositions(joints, std::vector<double>(count, 0.0));
 }
 
-/// Adds a link to Bullet's multibody. Bullet wants each link in the frame of its centre of mass and
+/// Adds a link to Bullet's multibody. Bullet wants each link in the frame of its center of mass and
 /// principal axes (Lcm), relative to that of its parent (Pcm).
 void Articulation::AddBulletLink(int number) {
   const scene::LinkSpec& link = spec_->links[number];

@@ -12,7 +12,7 @@
 
 namespace smile::physics {
 
-/// Bullet's part of an Articulation. Bullet moves each link at its centre of mass along its
+/// Bullet's part of an Articulation. Bullet moves each link at its center of mass along its
 /// principal axes (frame Lcm). If the articulation is kinematic, Bullet's world contains only the
 /// colliders, which are kinematic objects.
 struct Articulation::Links {

@@ -9,7 +9,7 @@
 namespace smile::physics {
 
 /// Bullet's part of a Body: its state of motion, and what moves it. Bullet moves each body at its
-/// centre of mass along its principal axes (frame Bcm).
+/// center of mass along its principal axes (frame Bcm).
 class Body::Dynamics {
  public:
   Dynamics(BodyId id, const BodySpec& spec);
@@ -19,7 +19,7 @@ class Body::Dynamics {
   btRigidBody& bullet() { return bullet_; }
   const btRigidBody& bullet() const { return bullet_; }
   const RigidTransform& X_BcmB() const { return X_BcmB_; }
-  /// Returns the vector from the centre of mass to the body's origin, along the world's axes [m].
+  /// Returns the vector from the center of mass to the body's origin, along the world's axes [m].
   Vector3 p_BcmB_W() const;
 
   bool is_carried() const { return is_carried_; }
@@ -50,7 +50,7 @@ class Body::Dynamics {
 
   double mass_;
   Vector3 moments_;        ///< principal moments of inertia, without load
-  RigidTransform X_BcmB_;  ///< B in the frame of its centre of mass and principal axes of inertia
+  RigidTransform X_BcmB_;  ///< B in the frame of its center of mass and principal axes of inertia
   CollisionShape collision_;
   btRigidBody bullet_;
   bool is_carried_ = false;

@@ -84,7 +84,7 @@ void HeldBodies::SetKinematic(BodyId id, bool is_kinematic) {
 std::unique_ptr<btMultiBodyFixedConstraint> HeldBodies::MakeConstraint(const WeldSpec& weld) const {
   const Articulation& holder = objects_.articulation(weld.articulation);
   Body::Dynamics& held = objects_.body(weld.body).dynamics();
-  // Bullet's constraint is between the frames of the centres of mass.
+  // Bullet's constraint is between the frames of the centers of mass.
   const RigidTransform X_LcmBcm =
       holder.links().links[weld.link].X_LLcm.inverse() * weld.X_LB * held.X_BcmB().inverse();
   auto constraint = std::make_unique<btMultiBodyFixedConstraint>(

@@ -65,7 +65,7 @@ bool DoCollide(const JointSpec& spec) {
 /// Present poses of both joint frames in the world.
 struct JointConstraint::Pose {
   btTransform X_WJ, X_WK;
-  btVector3 p_AcmK, p_BcmK;  ///< from the centres of mass to K's origin, along world axes
+  btVector3 p_AcmK, p_BcmK;  ///< from the centers of mass to K's origin, along world axes
 
   btVector3 axis(int i) const { return X_WJ.getBasis().getColumn(i); }
   btVector3 p_JK() const { return X_WJ.invXform(X_WK.getOrigin()); }

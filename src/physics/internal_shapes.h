@@ -12,7 +12,7 @@ namespace smile::physics {
 struct CollisionShape {
   std::vector<std::unique_ptr<btCollisionShape>> parts;
   std::unique_ptr<btCompoundShape>
-      compound;  ///< null when one centred part is enough; may be empty
+      compound;  ///< null when one centered part is enough; may be empty
 
   btCollisionShape* shape() const { return compound ? compound.get() : parts.front().get(); }
 };

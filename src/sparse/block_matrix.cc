@@ -113,7 +113,7 @@ void BlockMatrix::UpdateLater(const Step& step, double* column) {
       for (int k = 0; k < size; ++k) rows_a[i * size + k] /= column[k * (size + 1)];
     }
     Subtract(scratch_.data(), target.size, rows_a, target.size, size, target_column);
-    // Elimination made all later nodes of this step neighbours of each other, so the target column
+    // Elimination made all later nodes of this step neighbors of each other, so the target column
     // has a block for each of them. Both lists ascend.
     auto there = target.later.begin();
     for (std::size_t b = a + 1; b < step.later.size(); ++b) {

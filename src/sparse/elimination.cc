@@ -1,6 +1,6 @@
 // Minimum degree ordering on an explicit elimination graph (A. George, J. W. H. Liu, The evolution
 // of the minimum degree ordering algorithm, SIAM Review 1989), with scalar rows as weights.
-// Eliminating a node connects its neighbours with each other; those edges are the fill-in.
+// Eliminating a node connects its neighbors with each other; those edges are the fill-in.
 
 #include "sparse/elimination.h"
 
@@ -46,7 +46,7 @@ std::vector<int> IslandOf(const BlockGraph& graph, int first, std::vector<bool>*
 
 using Order =
     std::vector<std::pair<int, std::vector<int>>>;  ///< Nodes in the order of elimination, each
-                                                    ///< with its neighbours at that time.
+                                                    ///< with its neighbors at that time.
 
 /// Eliminates the nodes of an island one after another.
 class Eliminator {
@@ -75,7 +75,7 @@ class Eliminator {
   }
 
  private:
-  /// Returns the priority of a node: the rows of its neighbours, then its number to break ties.
+  /// Returns the priority of a node: the rows of its neighbors, then its number to break ties.
   std::pair<int, int> KeyOf(int node) const {
     int rows = 0;
     for (int other : graph_.neighbours[node]) rows += graph_.sizes[other];
@@ -85,10 +85,10 @@ class Eliminator {
     if (!graph_.waits[node]) queue_.insert(KeyOf(node));
   }
 
-  /// Removes a node and returns its neighbours, which become neighbours of each other.
+  /// Removes a node and returns its neighbors, which become neighbors of each other.
   std::vector<int> Eliminate(int node) {
     std::vector<int> touched = std::move(graph_.neighbours[node]);
-    // Priorities change with the neighbours: take the old ones out of the queue first.
+    // Priorities change with the neighbors: take the old ones out of the queue first.
     for (int other : touched) queue_.erase(KeyOf(other));
     for (int other : touched) {
       std::vector<int>& theirs = graph_.neighbours[other];

@@ -10,16 +10,16 @@ namespace smile::sparse {
 struct BlockGraph {
   std::vector<int> sizes;                    ///< number of scalar rows of each node
   std::vector<std::vector<int>> neighbours;  ///< of each node, ascending; symmetric
-  /// True for each node that must not be eliminated before its first neighbour, since its own
-  /// diagonal block is zero until then. Such nodes are not neighbours of each other.
+  /// True for each node that must not be eliminated before its first neighbor, since its own
+  /// diagonal block is zero until then. Such nodes are not neighbors of each other.
   std::vector<bool> waits;
 
   bool operator==(const BlockGraph&) const = default;
 };
 
 /// Order of elimination with little fill-in, by minimum degree: the next node is always the one
-/// whose neighbours have the fewest scalar rows, ties by number. Leaves of a tree come first and
-/// nodes with many neighbours last, so the cost of a tree is linear in its size.
+/// whose neighbors have the fewest scalar rows, ties by number. Leaves of a tree come first and
+/// nodes with many neighbors last, so the cost of a tree is linear in its size.
 struct Elimination {
   struct Later {
     int place;
@@ -29,7 +29,7 @@ struct Elimination {
     int node;
     int size;                  ///< its own rows
     int num_rows;              ///< own rows and those of the later nodes
-    std::vector<Later> later;  ///< neighbours when the node is eliminated, ascending
+    std::vector<Later> later;  ///< neighbors when the node is eliminated, ascending
   };
   std::vector<Step> steps;
   std::vector<int> place_of_node;  ///< step of each node, -1 if left out

@@ -11,7 +11,7 @@ namespace {
 using scene::JointType;
 using scene::LinkSpec;
 
-/// The links that carry a frame, the base's neighbour first.
+/// Returns the links that carry a frame, from the base outwards.
 std::vector<int> CarriersOf(const robot::RobotModel& model, const robot::Frame& F) {
   std::vector<int> carriers;
   for (int link = F.link; link >= 0; link = model.links[link].parent) carriers.push_back(link);
@@ -19,11 +19,12 @@ std::vector<int> CarriersOf(const robot::RobotModel& model, const robot::Frame& 
   return carriers;
 }
 
-/// A frame at the same place whose z axis is `axis`.
+/// Returns a frame at the same origin whose z axis is `axis`.
 RigidTransform TurnedTowards(const Vector3& axis) {
   return {Quaternion::FromTwoVectors(Vector3::UnitZ(), axis), Vector3::Zero()};
 }
 
+/// Returns the transform that a joint's motion by q adds.
 RigidTransform MotionOf(const LinkSpec& link, double q) {
   if (link.joint_type == JointType::kPrismatic) return RigidTransform(Vector3(link.axis * q));
   return {Eigen::AngleAxisd(q, link.axis).toRotationMatrix(), Vector3::Zero()};
@@ -53,7 +54,8 @@ ArmKinematics::ArmKinematics(const robot::RobotModel& model, const robot::Arm& a
   for (const int joint : arm.joints) joint_names_.push_back(model.links[joint].joint_name);
 
   const robot::Frame& tool = model.frames[arm.tool];
-  RigidTransform X = X_WBase;  // of what comes next, in what the last step moves
+  // pose of the next joint or tool in the frame that the last step moves
+  RigidTransform X = X_WBase;
   for (const int carrier : CarriersOf(model, tool)) {
     const LinkSpec& link = model.links[carrier];
     const auto joint = std::ranges::find(arm.joints, carrier);
@@ -61,6 +63,8 @@ ArmKinematics::ArmKinematics(const robot::RobotModel& model, const robot::Arm& a
       X = X * link.X_PJ * MotionOf(link, q_others[carrier]);
       continue;
     }
+    // Put the joint axis along z, so that ToolPose() only rotates columns x and y or moves along z.
+    // Joints that do not move are folded into the transform of the next step.
     const RigidTransform X_JZ = TurnedTowards(link.axis);
     steps_.push_back({X * link.X_PJ * X_JZ, static_cast<int>(joint - arm.joints.begin()),
                       link.joint_type == JointType::kRevolute});
@@ -84,6 +88,7 @@ RigidTransform ArmKinematics::ToolPose(std::span<const double> q) const {
 
 RigidTransform ArmKinematics::ToolPose(std::span<const double> q, ArmJacobian* J) const {
   CheckSize(q);
+  // R and p are the pose of the present frame in the world.
   Matrix3 R = Matrix3::Identity();
   Vector3 p = Vector3::Zero();
   if (J) J->resize(6, num_joints());
@@ -105,6 +110,7 @@ RigidTransform ArmKinematics::ToolPose(std::span<const double> q, ArmJacobian* J
   R = Matrix3(R * X_LastTool_.rotation());
   if (J) {
     for (const Step& step : steps_) {
+      // A revolute joint moves the tool by axis x lever, a prismatic one along its axis.
       auto column = J->col(step.column);
       const Vector3 origin = column.head<3>(), axis = column.tail<3>();
       if (step.turns) {

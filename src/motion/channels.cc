@@ -14,7 +14,8 @@ Channel JointChannel(const robot::RobotModel& model, int joint) {
       .name = model.links[joint].joint_name, .joint = joint, .limits = LimitsOfJoint(model, joint)};
 }
 
-/// Both fingers share the motion; some stay apart where both are at 0.
+/// Returns the channel of a gripper. Its opening is the sum of both fingers' positions and of the
+/// gap that remains when both are at 0; both fingers move at the speed of the slower one.
 Channel GripperChannel(const robot::RobotModel& model, int arm) {
   const robot::Gripper& gripper = *model.arms[arm].gripper;
   const JointLimits left = LimitsOfJoint(model, gripper.left_finger);

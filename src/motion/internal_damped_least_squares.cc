@@ -16,25 +16,27 @@ namespace {
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
-/// An error of a metre counts like one of so many radians: about an arm's length.
+/// Weight of position errors: one meter counts as this many radians, about the inverse of an arm's
+/// length.
 constexpr double kRadiansPerMeter = 2;
-/// Damping: this share of the squared error, and never nothing, so that a singular arm stays still
-/// rather than jumps. Found by trying: success within few iterations over random poses.
+/// Damping: this fraction of the squared error, and never zero, so that a singular arm stays still
+/// instead of jumping. Tuned for success within few iterations over random poses.
 constexpr double kDampingShare = 0.02;
 constexpr double kLeastDamping = 1e-10;
-/// No joint moves further in one iteration [rad or m]; the linear picture is not true for longer.
+/// Greatest motion of a joint in one iteration [rad or m]: the linearization does not hold beyond.
 constexpr double kLongestStep = 0.8;
-/// An attempt is given up when so many iterations did not make the error clearly smaller.
+/// An attempt ends after this many iterations without reducing the error by the factor.
 constexpr int kPatience = 8;
 constexpr double kClearlySmaller = 0.8;
 
-/// The rotation vector that rotates the direction `from` to `to` by the smaller angle.
+/// Returns the rotation vector that rotates the z axis of a frame to a direction, by the smaller
+/// angle [rad].
 Vector3 TurnBetween(const Matrix3& R_from, const Vector3& to) {
   const Vector3 from = R_from.col(2);
   const Vector3 axis = from.cross(to);
   const double sine = axis.norm(), cosine = from.dot(to);
   if (sine > 1e-12) return axis * (std::atan2(sine, cosine) / sine);
-  // Opposite: any axis across will do.
+  // Opposite directions: any perpendicular axis works.
   return cosine > 0 ? Vector3(axis) : Vector3(R_from.col(0) * std::numbers::pi);
 }
 
@@ -92,6 +94,8 @@ DampedLeastSquares::Error DampedLeastSquares::ErrorOf(const RigidTransform& X_WG
   return error;
 }
 
+/// Removes the columns of joints that are at a limit and would move beyond it, so that the others
+/// take over their share.
 void DampedLeastSquares::HoldAtLimits(const ArmVector& q, const Vector6& error,
                                       ArmJacobian* J) const {
   for (int i = 0; i < arm_->num_joints(); ++i) {
@@ -106,6 +110,9 @@ void DampedLeastSquares::HoldAtLimits(const ArmVector& q, const Vector6& error,
 bool DampedLeastSquares::Run(ArmVector* q, int* iterations_left) const {
   ArmJacobian J;
   const auto configuration = [q] { return std::span<const double>(q->data(), q->size()); };
+  // Levenberg-Marquardt step: dq = J^T (J J^T + lambda I)^-1 error, with lambda proportional to the
+  // squared error. The 6 x 6 form does not grow with the number of joints, and is always positive
+  // definite.
   double best = HUGE_VAL;
   for (int waited = 0; waited < kPatience; ++waited) {
     const RigidTransform X_WG = arm_->ToolPose(configuration(), &J);
@@ -113,13 +120,16 @@ bool DampedLeastSquares::Run(ArmVector* q, int* iterations_left) const {
     if (error.is_met) return true;
     if (--*iterations_left < 0) return false;
     const double size = error.weighted.squaredNorm();
+    // Progress: the count of iterations without it starts again.
     if (size < kClearlySmaller * best) {
       best = size;
       waited = -1;
     }
 
+    // The rows get the same weight as the error.
     J.topRows<3>() *= kRadiansPerMeter;
     if (options_.any_turn) {
+      // Rotation about the tool's own axis is free: remove it from the Jacobian.
       const Vector3 z = X_WG.rotation().col(2);
       J.bottomRows<3>() -= z * (z.transpose() * J.bottomRows<3>()).eval();
     }

@@ -4,25 +4,26 @@
 
 namespace smile::motion {
 
-/// A configuration of an arm, without memory of its own.
+/// Configuration of an arm, in fixed storage.
 using ArmVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, kMaxArmJoints, 1>;
 
 /// Damped least squares solver: iterates from one start, within limits, until the goal is met or
 /// the error no longer decreases.
 class DampedLeastSquares {
  public:
-  /// All must outlive this.
+  /// Prepares a solver. All arguments must outlive it.
   DampedLeastSquares(const ArmKinematics& arm, const RigidTransform& X_WG_goal,
                      const IkOptions& options);
 
-  /// Improves `q`, which lies within limits.
-  /// @param iterations_left  counted down; it ends at 0.
-  /// @returns true when the goal is met.
+  /// Improves `q`, which must lie within limits.
+  /// @param iterations_left  counted down; the solver stops at 0.
+  /// @returns true if the goal is met.
   bool Run(ArmVector* q, int* iterations_left) const;
 
  private:
   struct Error {
-    Eigen::Matrix<double, 6, 1> weighted;  ///< what is missing: along the world's axes
+    /// translation and rotation to the goal, along the world's axes
+    Eigen::Matrix<double, 6, 1> weighted;
     bool is_met = false;
   };
   Error ErrorOf(const RigidTransform& X_WG) const;
@@ -35,11 +36,11 @@ class DampedLeastSquares {
   IkOptions options_;
 };
 
-/// @throws std::invalid_argument; see SolveInverseKinematics().
+/// Check arguments; see SolveInverseKinematics(). @throws std::invalid_argument
 void CheckGoal(const RigidTransform& X_WG_goal);
 void CheckOptions(const IkOptions& options);
-/// `q`, moved onto the limits where it is beyond them.
-/// @throws std::invalid_argument if the count is wrong or a value is not finite.
+/// Returns `q` clamped to the limits. @throws std::invalid_argument if the count is wrong or a
+/// value is not finite.
 ArmVector WithinLimits(const ArmKinematics& arm, std::span<const double> q);
 
 }  // namespace smile::motion

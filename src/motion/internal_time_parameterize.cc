@@ -1,3 +1,9 @@
+// Time-optimal path parameterization by reachability analysis (TOPP-RA), in terms of the squared
+// path velocity x = s'^2 and the path acceleration u = s''. Joint accelerations q'' = dq_ds u +
+// d2q_ds2 x are linear in both, and x is linear in s for a constant u, so each span is a small
+// linear problem. Limits at the places do not imply limits between them; a few rounds lower the
+// velocity where that matters.
+
 #include "motion/internal_time_parameterize.h"
 
 #include <algorithm>
@@ -18,6 +24,7 @@ constexpr int kRounds = 6;
 /// Upper bound of all squared path velocities, stands for no limit [1/s2].
 constexpr double kHighest = 1e12;
 
+/// Closed interval of path accelerations.
 struct Interval {
   double low = -HUGE_VAL, high = HUGE_VAL;
 
@@ -48,6 +55,8 @@ class PathSpan {
   /// end and the next square is at most `next_square`.
   Interval Growths(double square, double next_square) const {
     Interval growths{-square / (2 * length_), (next_square - square) / (2 * length_)};
+    // At the start of the span x is `square`, at its end square + 2 length growth; both must
+    // respect the limit.
     for (std::size_t i = 0; i < limits_.size(); ++i) {
       const auto j = static_cast<Eigen::Index>(i);
       const double bound = limits_[i].max_acceleration;
@@ -89,7 +98,7 @@ double TopSquare(const PathPlace& place, std::span<const JointLimits> limits, do
 }
 
 /// Reduces velocities near limits of position such that no cubic exceeds one: the corners of its
-/// control polygon, whose convex hull contains it, stay within.
+/// control polygon, whose convex hull contains the cubic, stay within.
 void KeepWithin(std::span<const JointLimits> limits, std::vector<TrajectoryPoint>* points) {
   for (std::size_t k = 1; k < points->size(); ++k) {
     TrajectoryPoint &from = (*points)[k - 1], &to = (*points)[k];
@@ -124,6 +133,8 @@ std::vector<double> FastestSquares(const std::vector<PathPlace>& path,
   return squares;
 }
 
+/// Returns the points of a motion with these squared path velocities. With constant path
+/// acceleration, a span takes its length divided by the mean of the velocities at its ends.
 std::vector<TrajectoryPoint> PointsAt(const std::vector<PathPlace>& path,
                                       const std::vector<double>& squares) {
   std::vector<TrajectoryPoint> points;
@@ -166,6 +177,7 @@ std::vector<TrajectoryPoint> TimeParameterize(const std::vector<PathPlace>& path
                                               double top_rate) {
   std::vector<double> tops;
   for (const PathPlace& place : path) tops.push_back(TopSquare(place, limits, speed, top_rate));
+  // After the last round, the remaining small excess is removed by scaling the whole trajectory.
   for (int round = 1;; ++round) {
     const std::vector<double> squares = FastestSquares(path, limits, tops);
     std::vector<TrajectoryPoint> points = PointsAt(path, squares);

@@ -23,7 +23,7 @@ struct PathPlace {
 /// `top_rate`. Source: H. Pham, Q.-C. Pham, "A New Approach to Time-Optimal Path Parameterization
 /// Based on Reachability Analysis" (2018).
 ///
-/// @param path      at least two places, all within the limits of position; neighbours differ.
+/// @param path      at least two places, all within the limits of position; neighbors differ.
 /// @param top_rate  of s [1/s]; may be infinite.
 /// @returns a point for each place. All limits hold exactly, also between the places: the whole
 ///          trajectory is slowed down slightly where necessary.

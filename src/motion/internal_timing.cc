@@ -15,6 +15,7 @@ double MaxAbsDerivative(const Cubic& cubic) {
   double top = std::max(std::abs(cubic.from_derivative), std::abs(cubic.to_derivative));
   const double from_second_derivative = cubic.SecondDerivativeAt(0),
                to_second_derivative = cubic.SecondDerivativeAt(1);
+  // The derivative is a parabola: its vertex is where the second derivative changes sign.
   if (from_second_derivative * to_second_derivative < 0) {
     top = std::max(top,
                    std::abs(cubic.DerivativeAt(from_second_derivative /
@@ -53,7 +54,10 @@ void SlowDownToLimits(std::span<const JointLimits> limits, double speed,
 }
 
 double MonotoneTangent(double before, double after, double seconds_before, double seconds_after) {
+  // A local extreme of the data: the curve must rest here to stay monotone on both sides.
   if (before * after <= 0) return 0;
+  // Weighted harmonic mean of the slopes: never more than three times the smaller one, which keeps
+  // cubics monotone.
   const double weight_before = 2 * seconds_after + seconds_before;
   const double weight_after = seconds_after + 2 * seconds_before;
   return (weight_before + weight_after) / (weight_before / before + weight_after / after);

@@ -8,16 +8,19 @@
 namespace smile::motion {
 namespace {
 
-/// The attempt from which on starts lie anywhere within limits.
+/// From this attempt on, starts lie anywhere within limits.
 constexpr int kAnywhere = 8;
-/// So many answers of further attempts are compared, if they are found soon after the first.
+/// Number of solutions of further attempts that are compared, if they are found soon after the
+/// first.
 constexpr int kCandidates = 4;
 constexpr int kIterationsForNearer = 100;
 
-/// Between 0 and 1, the same on every machine.
+/// Returns a random number from 0 to below 1, the same on each machine: std distributions differ
+/// between libraries.
 double Share(std::mt19937_64* random) { return static_cast<double>((*random)() >> 11) * 0x1.0p-53; }
 
-/// A start for a further attempt: from `q_start` towards somewhere within limits.
+/// Returns a start for a further attempt: from `q_start` towards a random place within limits,
+/// farther with each attempt.
 ArmVector Elsewhere(const ArmKinematics& arm, const ArmVector& q_start, int attempt,
                     std::mt19937_64* random) {
   const double reach = std::min(1.0, static_cast<double>(attempt) / kAnywhere);
@@ -42,9 +45,10 @@ std::optional<std::vector<double>> SolveInverseKinematics(const ArmKinematics& a
   const DampedLeastSquares solver(arm, X_WG_goal, options);
   int iterations_left = options.max_iterations;
   ArmVector q = start;
+  // The first attempt usually ends near `q_start`: take its solution without a comparison.
   if (solver.Run(&q, &iterations_left)) return std::vector<double>(q.begin(), q.end());
 
-  // From here on an answer may lie anywhere: of a few, the nearest.
+  // Solutions of other starts may lie anywhere: take the nearest of a few.
   std::mt19937_64 random(options.seed);
   std::optional<ArmVector> nearest;
   for (int attempt = 1, num_found = 0; iterations_left > 0 && num_found < kCandidates; ++attempt) {

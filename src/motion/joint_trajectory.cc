@@ -11,6 +11,7 @@
 namespace smile::motion {
 namespace {
 
+/// Returns the point with zero velocities.
 TrajectoryPoint AtRest(TrajectoryPoint point) {
   std::fill(point.velocities.begin(), point.velocities.end(), 0.0);
   return point;
@@ -79,7 +80,8 @@ std::vector<JointLimits> LimitsOf(const robot::RobotModel& model, std::span<cons
 std::vector<TrajectoryPoint> MoveStraight(std::span<const double> from, std::span<const double> to,
                                           std::span<const JointLimits> limits, double speed) {
   CheckMove(from, to, limits, speed);
-  // The way as a share s from 0 to 1: the joint with the longest way for its limits decides.
+  // The path parameter s goes from 0 to 1; the joint with the longest way for its limits decides
+  // the rates [1/s, 1/s2].
   double rate = std::numeric_limits<double>::infinity(), growth = rate;
   for (std::size_t i = 0; i < limits.size(); ++i) {
     const double way = std::abs(to[i] - from[i]);
@@ -90,7 +92,7 @@ std::vector<TrajectoryPoint> MoveStraight(std::span<const double> from, std::spa
   const auto point = [&](double seconds, double s, double s_rate) {
     TrajectoryPoint made{.seconds = seconds};
     for (std::size_t i = 0; i < limits.size(); ++i) {
-      // The end is hit exactly, not up to rounding.
+      // The end is exact, without rounding.
       made.positions.push_back(s == 1 ? to[i] : from[i] + s * (to[i] - from[i]));
       made.velocities.push_back(s_rate * (to[i] - from[i]));
     }
@@ -98,7 +100,8 @@ std::vector<TrajectoryPoint> MoveStraight(std::span<const double> from, std::spa
   };
   if (!std::isfinite(rate)) return {point(0, 0, 0)};
 
-  // Faster and faster, evenly, slower and slower; a short way never gets to the even part.
+  // Trapezoidal velocity profile: accelerate, constant speed, decelerate. A short way is a triangle
+  // without the middle part.
   const bool has_even_part = rate < std::sqrt(growth);
   const double top = has_even_part ? rate : std::sqrt(growth);
   const double ramp = top / growth;

@@ -12,7 +12,7 @@
 namespace smile::motion {
 namespace {
 
-/// Rounding is no breach.
+/// Relative excess that counts as rounding.
 constexpr double kRoundingShare = 1e-9;
 
 void CheckPoint(const TrajectoryPoint& point, std::size_t num_joints, double seconds_before) {
@@ -44,7 +44,7 @@ void Check(const JointTrajectory& trajectory, std::size_t num_limits) {
   }
 }
 
-/// The worst breach of one limit so far, if any.
+/// Collects the worst violation of one limit.
 class WorstBreach {
  public:
   WorstBreach(const std::string& joint, bool slides, LimitedQuantity quantity, double lower,
@@ -54,6 +54,7 @@ class WorstBreach {
   void See(double seconds, double value) {
     const double limit = value > upper_ ? upper_ : lower_;
     const double beyond = std::max(value - upper_, lower_ - value);
+    // Relative to the limit's size, with a floor for limits near zero.
     const double size = std::max({1e-3, std::abs(lower_), std::abs(upper_)});
     if (beyond <= std::max(beyond_, kRoundingShare * size)) return;
     beyond_ = beyond;
@@ -70,7 +71,7 @@ class WorstBreach {
   std::optional<LimitBreach> breach_;
 };
 
-/// Returns where the value or the derivative of a cubic may be extreme, as fractions of its span.
+/// Returns the fractions of a cubic's span at which its value or its derivative may be extreme.
 std::vector<double> TurningPoints(const Cubic& cubic) {
   // DerivativeAt(u) = a u^2 + b u + c.
   const double secant_term = 6 * (cubic.from - cubic.to) / cubic.seconds;
@@ -81,10 +82,12 @@ std::vector<double> TurningPoints(const Cubic& cubic) {
   const auto add = [&](double u) {
     if (u > 0 && u < 1) shares.push_back(u);  // false for NaN, too
   };
+  // Extreme of the derivative.
   add(-b / (2 * a));
   const double root = std::sqrt(std::max(0.0, b * b - 4 * a * c));
   // Both roots, neither as a difference of nearly equal numbers.
   const double q = -0.5 * (b + std::copysign(root, b));
+  // Extremes of the value.
   add(q / a);
   add(c / q);
   return shares;

@@ -9,29 +9,31 @@
 
 namespace smile::motion {
 
-/// What of a joint a limit is about.
+/// Quantity of a joint that is limited.
 enum class LimitedQuantity { kPosition, kVelocity, kAcceleration };
 
-/// `position`, `velocity`, `acceleration`.
+/// Returns `position`, `velocity` or `acceleration`.
 std::string_view NameOf(LimitedQuantity quantity);
 
-/// One joint goes too far, too fast, or changes its speed too quickly.
+/// Violation of a limit by one joint.
 struct LimitBreach {
-  double seconds = 0;  ///< the moment at which it is worst, since the trajectory's start
+  double seconds = 0;  ///< time of the worst violation, since the trajectory's start
   std::string joint_name;
   LimitedQuantity quantity = LimitedQuantity::kPosition;
-  double value = 0;     ///< then and there, with its sign [rad, rad/s, rad/s2; m for what slides]
-  double limit = 0;     ///< the one that it is beyond
-  bool slides = false;  ///< in m, else it turns, in rad
+  double value = 0;     ///< signed value at that time [rad, rad/s, rad/s2, or m instead of rad]
+  double limit = 0;     ///< the limit that is exceeded
+  bool slides = false;  ///< true for m, false for rad
 
   bool operator==(const LimitBreach&) const = default;
 };
 
-/// `left_e1: velocity is 2 rad/s, expected at most 1.5 rad/s`; the moment is not told.
+/// Returns, for example, `left_e1: velocity is 2 rad/s, expected at most 1.5 rad/s`, without the
+/// time.
 std::string ToString(const LimitBreach& breach);
 
-/// Each joint's worst breach of each of its limits, in order of time. Exact: it looks at the
-/// extremes of the cubics, not at samples. What rounding alone explains (a share of 1e-9) is none.
+/// Returns each joint's worst violation of each of its limits, in order of time. Exact: it
+/// evaluates the extremes of the cubics instead of samples. Excess due to rounding (a fraction of
+/// 1e-9) does not count.
 ///
 /// @param limits  one per joint of the trajectory.
 /// @throws std::invalid_argument if counts differ, a number is not finite, or the points are not

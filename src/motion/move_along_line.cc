@@ -1,4 +1,6 @@
-// MoveAlongLine(): see arm_moves.h.
+// MoveAlongLine(), see arm_moves.h: solves the inverse kinematics at evenly spaced places of the
+// line, each from the solution before, connects them by cubics, and doubles the number of places
+// until the cubics keep the tool on the line.
 
 #include <algorithm>
 #include <cmath>
@@ -16,27 +18,29 @@
 namespace smile::motion {
 namespace {
 
-/// The joints are asked for at places so close together.
+/// Initial distance of the places at which the joints are solved.
 constexpr double kPlaceEvery = 0.005;  // [m]
 constexpr double kAngleEvery = 0.03;   // [rad]
 constexpr int kFewestPlaces = 8;
 constexpr int kMostPlaces = 1000;
-/// After so many doublings the line is given up.
+/// Upper bound of places after doubling.
 constexpr int kMostPlacesInTheEnd = 8000;
-/// From one place to the next no joint may go further: it would be a jump [rad or m].
+/// Greatest motion of a joint between two places: more would be a jump to another solution [rad or
+/// m].
 constexpr double kLongestJump = 0.2;
-/// A neighbour is found in a few iterations or not at all.
+/// Iterations per place: the solution at the next place is found in a few iterations or not at all.
 constexpr int kIterationsPerPlace = 60;
 /// Joints are solved more exactly than the line requires, so that their derivatives are smooth [m,
 /// rad].
 constexpr double kPlaceTolerance = 1e-9;
 
-/// Path of the tool, by fractions from 0 to 1.
+/// Path of the tool, by fractions of the line from 0 to 1.
 class ToolLine {
  public:
   ToolLine(const RigidTransform& X_WG_from, const RigidTransform& X_WG_to, bool any_turn)
       : from_(X_WG_from), to_(X_WG_to), q_from_(from_.quaternion()), q_to_(to_.quaternion()) {
     if (any_turn) {
+      // The smallest rotation that aligns the axes; the rotation about the axis is free.
       const Vector3 z_from = from_.rotation().col(2), z_to = to_.rotation().col(2);
       q_to_ = Quaternion::FromTwoVectors(z_from, z_to) * q_from_;
     }
@@ -74,6 +78,8 @@ struct JointPath {
   int num_spans() const { return static_cast<int>(q.size()) - 1; }
 };
 
+/// Returns the joint positions at all places, or the first place that the arm cannot reach without
+/// a jump.
 std::variant<JointPath, LineFault> Follow(const ArmKinematics& arm, const ArmVector& q_from,
                                           const ToolLine& line, const RigidTransform& X_WG_goal,
                                           bool any_turn, int num_spans) {
@@ -132,6 +138,7 @@ std::vector<PathPlace> PlacesOf(const JointPath& path) {
   const int n = path.num_spans();
   std::vector<PathPlace> places;
   for (int k = 0; k <= n; ++k) {
+    // Central second difference; the ends use that of their neighbors.
     const int middle = std::clamp(k, 1, n - 1);
     const Eigen::VectorXd d2q_ds2 =
         (path.q[middle + 1] - 2 * path.q[middle] + path.q[middle - 1]) * n * n;
@@ -148,6 +155,7 @@ void CheckLine(const LineOptions& options) {
                               ", expected above 0");
 }
 
+/// Returns the initial number of spans between places, even.
 int NumSpans(const ToolLine& line) {
   const double wanted = std::max(line.length() / kPlaceEvery, line.angle() / kAngleEvery);
   const int spans =
@@ -173,7 +181,7 @@ std::variant<JointTrajectory, LineFault> MoveAlongLine(const ArmKinematics& arm,
     return trajectory;
   }
 
-  // Closer and closer places, until the joints' cubics keep to the line.
+  // Double the places until the joints' cubics keep to the line.
   for (int num_spans = NumSpans(line);; num_spans *= 2) {
     auto followed = Follow(arm, start, line, X_WG_goal, options.any_turn, num_spans);
     if (auto* fault = std::get_if<LineFault>(&followed)) return std::move(*fault);
@@ -183,7 +191,7 @@ std::variant<JointTrajectory, LineFault> MoveAlongLine(const ArmKinematics& arm,
       if (num_spans * 2 <= kMostPlacesInTheEnd) continue;
       return LineFault{0, X_WG_goal, "the joints cannot keep the tool on the line"};
     }
-    // Infinite where the tool only turns.
+    // Fraction of the line per second [1/s]; infinite for a rotation in place.
     const double top_rate = options.tool_speed / line.length();
     trajectory.points = TimeParameterize(PlacesOf(path), arm.limits(), options.speed, top_rate);
     return trajectory;

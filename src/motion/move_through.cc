@@ -1,4 +1,5 @@
-// MoveThrough(): see arm_moves.h.
+// MoveThrough(), see arm_moves.h: a monotone cubic path through the waypoints, with time-optimal
+// velocity along it.
 
 #include <algorithm>
 #include <cmath>

@@ -10,9 +10,9 @@
 namespace smile::motion {
 namespace {
 
-/// What is thinner than a joint's motion in between may be missed [rad or m].
+/// Motion of a joint between two checks [rad or m]: thinner obstacles may be missed.
 constexpr double kLookEvery = 0.02;
-/// A trajectory that runs to and fro without end is not looked at for ever.
+/// Bounds the work for a trajectory that oscillates.
 constexpr int kMostLooksPerSpan = 10'000;
 
 std::vector<int> JointsOf(const robot::RobotModel& model, const JointTrajectory& trajectory) {
@@ -25,6 +25,7 @@ std::vector<int> JointsOf(const robot::RobotModel& model, const JointTrajectory&
   return joints;
 }
 
+/// Returns a sentence that names the overlapping links.
 std::string Tell(const robot::RobotModel& model, const physics::LinkOverlap& overlap) {
   const auto name = [&](int link) -> std::string {
     if (link == physics::kEnvironment) return "what stands around";
@@ -33,8 +34,8 @@ std::string Tell(const robot::RobotModel& model, const physics::LinkOverlap& ove
   return name(overlap.link) + " would touch " + name(overlap.other);
 }
 
-/// How often to look between two points: no joint's way is longer than the sides of its cubic's
-/// control polygon.
+/// Returns the number of checks between two points. No joint moves farther than the length of its
+/// cubic's control polygon.
 int NumLooks(const TrajectoryPoint& from, const TrajectoryPoint& to) {
   const double third = (to.seconds - from.seconds) / 3;
   double longest = 0;
@@ -47,7 +48,7 @@ int NumLooks(const TrajectoryPoint& from, const TrajectoryPoint& to) {
       std::clamp(std::ceil(longest / kLookEvery), 1.0, double{kMostLooksPerSpan}));
 }
 
-/// The first moment up to `until` at which something touches.
+/// Returns the first moment up to `until` at which links touch.
 std::optional<InvalidMoment> FirstTouch(const robot::RobotModel& model,
                                         const JointTrajectory& trajectory, std::vector<double> q,
                                         double until, physics::ArticulationProbe* probe) {
@@ -75,8 +76,8 @@ std::optional<InvalidMoment> FirstTouch(const robot::RobotModel& model,
   return std::nullopt;
 }
 
-/// When each breach begins is not told by CheckLimits(), which knows the worst moments: the first
-/// span between points that has one is where to look.
+/// Returns the worst moment of the first span between two points that violates a limit.
+/// CheckLimits() on the whole trajectory would report the worst moments overall instead.
 std::optional<InvalidMoment> FirstBreach(const JointTrajectory& trajectory,
                                          std::span<const JointLimits> limits) {
   if (CheckLimits(trajectory, limits).empty()) return std::nullopt;
@@ -103,6 +104,7 @@ std::optional<InvalidMoment> FirstInvalid(const robot::RobotModel& model,
   const std::vector<int> joints = JointsOf(model, trajectory);
   const auto breach = FirstBreach(trajectory, LimitsOf(model, joints));
   if (trajectory.points.empty()) return breach;
+  // Contacts after the first violation of a limit do not matter.
   auto touch = FirstTouch(model, trajectory, {q_others.begin(), q_others.end()},
                           breach ? breach->seconds : HUGE_VAL, probe);
   return touch ? touch : breach;

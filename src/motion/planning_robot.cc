@@ -13,9 +13,9 @@ namespace {
 
 constexpr std::string_view kBoth = "both";
 
-/// As thick as the table of scenes may be [m].
+/// Thickness of the table: the maximum for tables of scenes [m].
 constexpr double kTableThickness = 0.4;
-/// What people write with three digits is still a rotation.
+/// Tolerance of rotation matrices: enough for numbers written with three digits.
 constexpr double kLooseRotation = 1e-3;
 
 double CheckedUnit(double meters_per_unit) {

@@ -15,37 +15,39 @@
 
 namespace smile::motion {
 
-/// A robot as programs plan with it, whatever their language: it stands in the world of a scene,
-/// and all lengths are in the scene's unit. The C++, Python and Octave doors lead through here, so
-/// that the same question has the same answer, to the last bit.
+/// A robot for planning programs in any language: it stands in the world of a scene, and all
+/// lengths are in the scene's unit. The C++, Python and Octave interfaces all use this class, so
+/// the same question has the same answer, to the last bit.
 ///
-/// Arms go by name. Where `both` is allowed, the joints of all arms follow one another, left first.
-/// Poses are homogeneous 4 x 4 matrices X_WG [units]; what is a rotation to 1e-3 is made one.
-/// All throw std::invalid_argument, naming what was found and expected, when an arm is unknown or a
-/// value has the wrong size or is not finite.
+/// Arms are given by name. Where `both` is allowed, the joints of all arms follow one another, left
+/// first. Poses are homogeneous 4 x 4 matrices X_WG [units]; a rotation that is exact to 1e-3 is
+/// normalized. All functions throw std::invalid_argument, naming what was found and expected, if an
+/// arm is unknown or a value has the wrong size or is not finite.
 class PlanningRobot {
  public:
-  /// @param base_pose        4 x 4, where the base stands in the world [units].
+  /// @param base_pose        4 x 4, pose of the base in the world [units].
   /// @param meters_per_unit  > 0.
   PlanningRobot(robot::RobotModel model, const Eigen::Matrix4d& base_pose, double meters_per_unit);
 
   const robot::RobotModel& model() const { return model_; }
   double meters_per_unit() const { return meters_per_unit_; }
 
-  /// Names and limits of an arm's joints, or of both arms'.
+  /// Return names and limits of an arm's joints, or of both arms'.
   std::vector<std::string> JointNames(std::string_view arm) const;
   std::vector<JointLimits> Limits(std::string_view arm) const;
-  /// How many rows people write a configuration in: 1 for an arm, one per arm for `both`.
+  /// Returns the number of rows of a configuration as people write it: 1 for an arm, one per arm
+  /// for `both`.
   int NumRows(std::string_view arm) const;
-  /// One of the poses that come with the robot; nullopt when it has no such pose.
+  /// Returns a named pose of the robot; nullopt if it has no such pose.
   std::optional<std::vector<double>> NamedPose(std::string_view arm, std::string_view name) const;
 
-  /// Where the tool is.
+  /// Returns the pose of the tool.
   Eigen::Matrix4d Forward(std::string_view arm, std::span<const double> q) const;
-  /// 6 x joints: rows 0..2 [units/s per rad/s], rows 3..5 angular; along the world's axes.
+  /// Returns the Jacobian, 6 x joints: rows 0..2 [units/s per rad/s], rows 3..5 angular; along the
+  /// world's axes.
   Eigen::MatrixXd Jacobian(std::string_view arm, std::span<const double> q) const;
 
-  /// @param options  its position_tolerance in units, too.
+  /// See SolveInverseKinematics(). @param options  its position_tolerance in units.
   std::optional<std::vector<double>> Inverse(std::string_view arm, const Eigen::Matrix4d& goal,
                                              std::span<const double> q_start,
                                              IkOptions options = {}) const;
@@ -61,15 +63,15 @@ class PlanningRobot {
                                                     LineOptions options = {}) const;
 
   /// See motion::FirstInvalid().
-  /// @param q_both  where the arms are that do not move: one value per joint of both; empty: where
-  ///                the robot starts.
+  /// @param q_both  positions of the arms that do not move: one value per joint of both; empty: the
+  ///                robot's start positions.
   /// @param table   width along x and depth along y of a table around the origin, its top at z = 0
-  ///                [units]; nullopt: none is there.
+  ///                [units]; nullopt for no table.
   std::optional<InvalidMoment> FirstInvalid(const JointTrajectory& trajectory,
                                             std::span<const double> q_both,
                                             std::optional<std::pair<double, double>> table) const;
 
-  /// A pose in metres as 4 x 4 in units.
+  /// Returns a pose in meters as 4 x 4 in units.
   Eigen::Matrix4d InUnits(const RigidTransform& X_WF) const;
 
  private:
@@ -82,10 +84,10 @@ class PlanningRobot {
   std::vector<ArmKinematics> arms_;  ///< as in the model
 };
 
-/// Reads a robot's description, also as a brain gets it: from kept files.
+/// Reads a robot's description from a URDF file or from the files that a brain receives.
 ///
-/// @param gripper  which of the robot's grippers; empty: the usual one.
-/// See robot::ReadRobot() for what it throws.
+/// @param gripper  name of one of the robot's grippers; empty: the default one. See
+/// robot::ReadRobot() for errors.
 PlanningRobot ReadPlanningRobot(const std::filesystem::path& urdf,
                                 const Eigen::Matrix4d& base_pose = Eigen::Matrix4d::Identity(),
                                 double meters_per_unit = 1, const std::string& gripper = "");

@@ -22,7 +22,7 @@ constexpr std::size_t kMaxFileBytes = 32u << 20;
 constexpr std::size_t kMaxFindings = 100;
 constexpr std::int64_t kNanoseconds = 1'000'000'000;
 
-/// Cuts a line at its commas; blanks around a cell are nobody's.
+/// Splits a line at its commas and removes blanks around cells.
 std::vector<std::string_view> CellsOf(std::string_view line) {
   std::vector<std::string_view> cells;
   for (std::size_t start = 0; start <= line.size();) {
@@ -44,12 +44,13 @@ std::optional<double> NumberIn(std::string_view cell) {
   return number;
 }
 
+/// Reads CSV and collects the findings of all lines.
 class CsvReader {
  public:
   explicit CsvReader(const std::string& file) : file_(file) {}
 
   JointTrajectory Read(std::string_view text) {
-    // Spreadsheets begin a table with the mark of UTF-8.
+    // Spreadsheets may begin a table with the byte order mark of UTF-8.
     if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
     for (int line = 1; !text.empty() && findings_.size() < kMaxFindings && !is_full_; ++line) {
       const std::size_t end = std::min(text.find('\n'), text.size());
@@ -59,7 +60,7 @@ class CsvReader {
       if (content.find_first_not_of(" \t") == std::string_view::npos) continue;
       if (!has_header_) {
         ReadHeader(CellsOf(content), line);
-        // What follows cannot be understood without it.
+        // The points have no meaning without it.
         if (!findings_.empty()) break;
       } else {
         ReadPoint(CellsOf(content), line);
@@ -72,7 +73,7 @@ class CsvReader {
     if (!findings_.empty()) throw InputError(std::move(findings_));
     SetVelocitiesFromPositions(&trajectory_);
     try {
-      CheckShape(trajectory_);  // points may be so near each other that nothing is as fast
+      CheckShape(trajectory_);  // points may be too close in time for a bounded velocity
     } catch (const std::invalid_argument& error) {
       throw InputError({file_, 0, "", error.what()});
     }
@@ -129,7 +130,7 @@ class CsvReader {
   bool has_header_ = false, is_full_ = false;
 };
 
-/// A value of the JSON form, with its place for messages. What it throws becomes an InputError.
+/// A JSON value with its path for messages. Its exceptions become an InputError.
 class RosNode {
  public:
   RosNode(const Json& value, std::string place) : value_(value), place_(std::move(place)) {}
@@ -254,7 +255,7 @@ JointTrajectory ParseTrajectoryCsv(std::string_view text, const std::string& fil
 }
 
 JointTrajectory ParseTrajectoryRosJson(std::string_view text, const std::string& file) {
-  // A point has five keys, and its time two.
+  // Upper bound of keys: a point has five, its time two.
   constexpr int kMaxKeys = 7 * static_cast<int>(kMaxTrajectoryPoints) + 100;
   try {
     const Json json = ParseJson(text, kMaxKeys);

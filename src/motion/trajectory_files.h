@@ -8,20 +8,21 @@
 
 namespace smile::motion {
 
-/// As files of Rethink Robotics' joint_recorder: `time,left_s0,…`, one line a point, seconds and
-/// radians; the opening of a gripper in meters, where theirs has percent. No velocities.
+/// Returns CSV like the files of Rethink Robotics' joint_recorder: `time,left_s0,…`, one line per
+/// point, in seconds and radians; gripper openings are in meters, where theirs are in percent.
+/// Without velocities.
 std::string ToCsv(const JointTrajectory& trajectory);
 
-/// JSON with the fields of a trajectory_msgs/JointTrajectory, which holds radians and meters, too.
+/// Returns JSON with the fields of a trajectory_msgs/JointTrajectory, also in radians and meters.
 /// Source: ROS 1, common_msgs, trajectory_msgs/msg/JointTrajectory.msg, JointTrajectoryPoint.msg.
 std::string ToRosJson(const JointTrajectory& trajectory);
 
-/// Reads what ToCsv() writes; the velocities are made from the positions.
+/// Reads the output of ToCsv(); velocities are computed from positions.
 /// @param file  as the user named it, for messages.
 /// @throws InputError with all findings.
 JointTrajectory ParseTrajectoryCsv(std::string_view text, const std::string& file);
-/// Reads what ToRosJson() writes; velocities may be missing from all points, and the header.
-/// @throws InputError naming the first finding.
+/// Reads the output of ToRosJson(); the header, and the velocities of all points, may be missing.
+/// @throws InputError with the first finding.
 JointTrajectory ParseTrajectoryRosJson(std::string_view text, const std::string& file);
 
 /// Reads a `.csv` or `.json` file.

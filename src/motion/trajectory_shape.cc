@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kMaxName = 256;
 
-/// True of what comes back from a cell of a table.
+/// Returns true for a name that survives a round trip through CSV and JSON.
 bool IsName(const std::string& name) {
   if (name.empty() || name.size() > kMaxName || name.front() == ' ' || name.back() == ' ') {
     return false;
@@ -20,11 +20,12 @@ bool IsName(const std::string& name) {
   const bool is_plain = std::ranges::none_of(name, [](char letter) {
     return letter == ',' || static_cast<unsigned char>(letter) < ' ' || letter == '\x7f';
   });
-  // What is no UTF-8 would come back from JSON as another name.
+  // JSON would replace invalid UTF-8.
   return is_plain && ParseJson(ToText(Json(name))) == name;
 }
 
-/// @param what  `positions` or `velocities`.
+/// Returns the fault in the values of a point, or an empty text. @param what  `positions` or
+/// `velocities`.
 std::string FaultOfNumbers(const std::vector<double>& numbers, std::size_t expected,
                            const char* what) {
   if (numbers.size() != expected) {
@@ -43,6 +44,7 @@ std::string FaultOfNumbers(const std::vector<double>& numbers, std::size_t expec
 /// and `after` are the slopes of the secants.
 double LimitedTangent(double before, double after, double central) {
   if (before * after <= 0) return 0;
+  // Three times the smaller slope is the limit of Fritsch and Carlson for monotonicity.
   const double most = 3 * std::min(std::abs(before), std::abs(after));
   return std::clamp(central, -most, most);
 }

@@ -9,7 +9,8 @@
 namespace smile::layout {
 namespace {
 
-/// True when a line along one of a's sides parts the two.
+/// Returns true if a line along one of a's sides separates the two (one half of the separating axis
+/// test).
 bool IsPartedAlongSides(const Footprint& a, const Footprint& b) {
   const Eigen::Matrix2d R_AW = Eigen::Rotation2Dd(-DegreesToRadians(a.yaw_deg)).toRotationMatrix();
   Vector2 low = Vector2::Constant(std::numeric_limits<double>::infinity()), high = -low;
@@ -21,7 +22,7 @@ bool IsPartedAlongSides(const Footprint& a, const Footprint& b) {
   return (low.array() > a.half_size.array()).any() || (high.array() < -a.half_size.array()).any();
 }
 
-/// From a point outside to a rectangle [m].
+/// Returns the distance of a point outside from a rectangle [m].
 double DistanceTo(const Footprint& footprint, const Vector2& p_WQ) {
   const Vector2 p_FQ = Eigen::Rotation2Dd(-DegreesToRadians(footprint.yaw_deg)).toRotationMatrix() *
                        (p_WQ - footprint.center);
@@ -39,7 +40,7 @@ std::array<Vector2, 4> Footprint::corners() const {
 
 double GapBetween(const Footprint& a, const Footprint& b) {
   if (!IsPartedAlongSides(a, b) && !IsPartedAlongSides(b, a)) return 0;
-  // Of two convex polygons that are apart, a corner of one is nearest to the other.
+  // The shortest distance of two disjoint convex polygons is at a corner of one of them.
   double gap = std::numeric_limits<double>::infinity();
   for (const Vector2& corner : a.corners()) gap = std::min(gap, DistanceTo(b, corner));
   for (const Vector2& corner : b.corners()) gap = std::min(gap, DistanceTo(a, corner));

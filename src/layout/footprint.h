@@ -9,20 +9,20 @@ namespace smile::layout {
 
 using Vector2 = Eigen::Vector2d;
 
-/// The rectangle of the table that a thing stands on or hangs over, turned about the vertical.
+/// Rectangle of the table that an object covers, rotated about the vertical.
 struct Footprint {
   Vector2 center = Vector2::Zero();     ///< on the table, in the world [m]
-  double yaw_deg = 0;                   ///< of its first side from the world's x axis
+  double yaw_deg = 0;                   ///< from the world's x axis to its first side
   Vector2 half_size = Vector2::Zero();  ///< [m]
 
-  /// In order around it [m].
+  /// Returns its corners in order around it [m].
   std::array<Vector2, 4> corners() const;
 };
 
-/// By how much two footprints are apart; 0 if they have a point in common [m].
+/// Returns the distance of two footprints [m]; 0 if they have a point in common.
 double GapBetween(const Footprint& a, const Footprint& b);
 
-/// The least one, along the object's own sides, about all its pieces as the object stands at
+/// Returns the smallest footprint along the object's own sides that covers all its pieces at
 /// `X_WB`.
 Footprint FootprintOf(const scene::ObjectSpec& object, const RigidTransform& X_WB);
 

@@ -15,15 +15,14 @@
 namespace smile::layout {
 namespace {
 
-/// Nearer than this things touch [m].
+/// Objects closer than this touch [m].
 constexpr double kTouching = 0.0005;
-/// Blocks that lie in contact are this far apart, so that physics finds them beside each other and
-/// not within [m].
+/// Distance of blocks in contact, so that physics finds them beside each other and not inside [m].
 constexpr double kContactGap = 0.0002;
-/// An upper block of a stack is off its lower one by up to so much, along x and y.
+/// Greatest offset and rotation of the upper block of a stack.
 constexpr double kMostOffset = 0.01, kMostTurnDeg = 20;  // [m], [degrees]
 
-/// Guests and hosts that are fastened to each other from the start.
+/// Collects the hosts of guests that are fastened from the start.
 void NoteBonds(const scene::Part& part, std::set<std::string>* hosts, bool* has_fastened_guest) {
   const auto* composite = std::get_if<scene::Composite>(&part.shape);
   if (!composite) return;
@@ -44,12 +43,14 @@ bool HasHost(const scene::Part& part, const std::set<std::string>& hosts) {
                              [&](const auto& child) { return HasHost(child, hosts); });
 }
 
-/// What a mechanism has of the scene's objects: one entry per object.
+/// Returns which of the scene's objects belong to a mechanism: slider, chain, fastened bond, or
+/// controls.
 std::vector<bool> PartsOfMechanisms(const scene::SceneSpec& scene) {
   std::vector<bool> is_part(scene.objects.size());
   for (const scene::SliderSpec& slider : scene.sliders) {
     is_part[slider.first_object] = is_part[slider.first_object + 1] = true;
   }
+  // A chain has two objects more than links.
   for (const scene::ChainSpec& chain : scene.chains) {
     for (std::size_t i = 0; i < chain.link_ids.size() + 2; ++i) {
       is_part[chain.first_object + i] = true;
@@ -73,6 +74,7 @@ scene::Bounds BoundsInWorld(const scene::ObjectSpec& object) {
   return scene::BoundsOf(scene::SolidsOf(object.whole), object.pose_in_world());
 }
 
+/// Returns true if two objects touch: by their boxes, then by their footprints.
 bool DoTouch(const scene::ObjectSpec& a, const scene::ObjectSpec& b) {
   const scene::Bounds bounds_a = BoundsInWorld(a), bounds_b = BoundsInWorld(b);
   return !bounds_a.is_empty() && !bounds_b.is_empty() && bounds_a.Meets(bounds_b, kTouching) &&
@@ -88,6 +90,7 @@ ObjectGroup Alone(const scene::SceneSpec& scene, std::size_t i) {
   const double z = object.pose_in_world().translation().z();
   const RigidTransform X_KB(RotationFromFixedAxes(angles_deg), Vector3(0, 0, z));
   const scene::Bounds bounds = scene::BoundsOf(scene::SolidsOf(object.whole), X_KB);
+  // The group's frame is at the center of the footprint, not at the object's origin.
   const Vector3 center = bounds.center();
   return {.members = {{.object = i,
                        .p_KB = Vector3(-center.x(), -center.y(), z),
@@ -100,6 +103,7 @@ ObjectGroup Alone(const scene::SceneSpec& scene, std::size_t i) {
 ObjectGroup Row(const std::vector<ObjectGroup>& alone) {
   ObjectGroup row;
   for (const ObjectGroup& one : alone) row.half_size.x() += one.half_size.x();
+  // Half of all gaps between the members.
   row.half_size.x() += kContactGap * static_cast<double>(alone.size() - 1) / 2;
   double x = -row.half_size.x();
   for (const ObjectGroup& one : alone) {
@@ -130,6 +134,7 @@ ObjectGroup Stack(const ObjectGroup& lower, const ObjectGroup& upper, std::mt199
   stack.top += upper.top;
   for (const Vector2& corner :
        Footprint{.center = offset, .yaw_deg = yaw_deg, .half_size = upper.half_size}.corners()) {
+    // The footprint stays centered at the lower block and also covers the upper one.
     stack.half_size = stack.half_size.cwiseMax(corner.cwiseAbs());
   }
   return stack;
@@ -155,6 +160,8 @@ std::vector<std::size_t> EqualBlocks(const scene::SceneSpec& scene,
     }
     if (equals.size() > most.size()) most = equals;
   }
+  // Shuffle by a random key per id, so that another object in the scene does not change the order
+  // of these.
   std::vector<std::pair<std::uint64_t, std::size_t>> keyed;
   for (std::size_t i : most) {
     const std::string& id = scene.objects[alone[i].members.front().object].id();
@@ -169,6 +176,7 @@ std::vector<std::size_t> EqualBlocks(const scene::SceneSpec& scene,
 struct GroupCounts {
   std::size_t rows = 0, stacks = 0;
 };
+/// Returns the counts for a level: about half of the blocks are grouped.
 GroupCounts CountsFor(LayoutLevel level, std::size_t num_blocks) {
   if (num_blocks < 2) return {};
   const std::size_t count = (num_blocks + 2) / 4;
@@ -220,7 +228,7 @@ std::vector<ObjectGroup> ObjectGroupsOf(const scene::SceneSpec& scene,
     return alone[i];
   };
 
-  // The name of the stream is kept: another one would change the layout of every seed.
+  // The name of the stream must stay: another one would change the layout of each seed.
   std::mt19937_64 random = StreamOf(seed, 0, "clumps");
   const GroupCounts counts = CountsFor(level, blocks.size());
   for (std::size_t k = 0; k < counts.stacks && blocks.size() >= 2; ++k) {
@@ -229,7 +237,7 @@ std::vector<ObjectGroup> ObjectGroupsOf(const scene::SceneSpec& scene,
   }
   for (std::size_t k = 0; k < counts.rows && blocks.size() >= 2; ++k) {
     std::vector<ObjectGroup> row{take(), take()};
-    // A row more is wanted as long as it has its two.
+    // A third block only if two remain for each further row.
     const std::size_t spare = blocks.size() - std::min(blocks.size(), 2 * (counts.rows - k - 1));
     if (spare > 0 && Uniform(&random, 0, 1) < 0.3) row.push_back(take());
     groups.push_back(Row(row));
@@ -237,6 +245,7 @@ std::vector<ObjectGroup> ObjectGroupsOf(const scene::SceneSpec& scene,
   for (std::size_t i = 0; i < alone.size(); ++i) {
     if (!is_used[i]) groups.push_back(alone[i]);
   }
+  // Large groups are harder to place, so they come first; the margin ignores rounding.
   std::ranges::stable_sort(groups, [](const ObjectGroup& a, const ObjectGroup& b) {
     return AreaOf(a) > AreaOf(b) + 1e-9;
   });

@@ -25,10 +25,10 @@ struct GroupMember {
 struct ObjectGroup {
   std::vector<GroupMember> members;
   Vector2 half_size = Vector2::Zero();  ///< of the footprint [m]
-  double top = 0;                       ///< [m]
+  double top = 0;                       ///< height above the table [m]
 };
 
-/// Returns a random number generator that depends on nothing but these.
+/// Returns a random number generator that depends only on these arguments.
 std::mt19937_64 StreamOf(std::uint64_t seed, std::uint64_t attempt, std::string_view name);
 
 /// Returns the objects that may be moved; see RandomLayout().

@@ -1,3 +1,7 @@
+// Rejection sampling: groups of objects are placed one after another, large ones first, at random
+// poses that satisfy all rules. If that fails, the next attempt starts over with other random
+// numbers, and later ones with smaller distances, finally without a free strip.
+
 #include "layout/layout.h"
 
 #include <algorithm>
@@ -18,12 +22,12 @@
 namespace smile::layout {
 namespace {
 
-/// The room between things that is tried, in this order [m].
+/// Distances between objects, tried in this order [m].
 constexpr std::array kGaps{0.10, 0.06, 0.05, kFingerGap};
 static_assert(kGaps.back() == kFingerGap);
-/// With each, so many attempts from the beginning, and so many poses for each group.
+/// Attempts per distance, and poses per group and attempt.
 constexpr int kAttempts = 80, kTries = 200;
-/// What is nearer to the end of the region than this lies at its rim [m].
+/// An object within this distance of the region's boundary counts as at the rim [m].
 constexpr double kRim = 0.08;
 constexpr int kNumDistractors = 3;
 
@@ -34,7 +38,7 @@ bool HasEdges(LayoutLevel level) {
   return level == LayoutLevel::kEdges || level == LayoutLevel::kMixed;
 }
 
-/// Where the offset of a slider may bring its second object: footprints along its way.
+/// Appends footprints of a slider's second object along its range.
 void AppendWay(const scene::SceneSpec& scene, const scene::SliderSpec& slider,
                std::vector<Footprint>* footprints) {
   constexpr int kParts = 10;
@@ -46,7 +50,7 @@ void AppendWay(const scene::SceneSpec& scene, const scene::SliderSpec& slider,
   }
 }
 
-/// Of all that a layout leaves in its place.
+/// Returns the footprints of all objects that stay in place.
 std::vector<Footprint> ObstaclesOf(const scene::SceneSpec& scene,
                                    const std::vector<std::size_t>& loose) {
   std::vector<Footprint> obstacles;
@@ -58,6 +62,7 @@ std::vector<Footprint> ObstaclesOf(const scene::SceneSpec& scene,
   return obstacles;
 }
 
+/// Returns an id that no object has.
 std::string FreeId(const scene::SceneSpec& scene, std::string id) {
   const auto is_taken = [&] {
     return std::ranges::any_of(scene.objects, [&](const auto& o) { return o.id() == id; });
@@ -66,7 +71,8 @@ std::string FreeId(const scene::SceneSpec& scene, std::string id) {
   return id;
 }
 
-/// Colors that nothing in the scene has; the table is white, and black shows no sides.
+/// Returns colors that the scene does not use; not white like the table, nor black, whose sides
+/// look alike.
 std::vector<Color> StrangeColors(const scene::SceneSpec& scene) {
   std::vector<Color> used{*ParseColor("white"), *ParseColor("black")};
   for (const scene::ObjectSpec& object : scene.objects) {
@@ -80,7 +86,7 @@ std::vector<Color> StrangeColors(const scene::SceneSpec& scene) {
   return strange;
 }
 
-/// Sides of cubes a gripper can take that no block of the scene has [m].
+/// Returns sides of cubes that a gripper can take and that no block of the scene has [m].
 std::vector<double> StrangeSides(const scene::SceneSpec& scene) {
   std::vector<double> sides{0.06, 0.07, 0.13, 0.14};
   for (const scene::ObjectSpec& object : scene.objects) {
@@ -98,9 +104,8 @@ const T& AnyOf(const std::vector<T>& choice, std::mt19937_64* random) {
   return choice[(*random)() % choice.size()];
 }
 
-/// Adds blocks that have no part in what is built: by turns of a strange color, and of a strange
-/// size with a color that the scene has.
-/// @returns their numbers.
+/// Adds blocks that no task uses: alternately of a new color, and of a new size with a color of the
+/// scene. @returns their indices.
 std::vector<std::size_t> AddDistractors(std::uint64_t seed, const std::vector<std::size_t>& loose,
                                         scene::SceneSpec* scene) {
   const std::vector<Color> colors = StrangeColors(*scene);
@@ -125,7 +130,7 @@ std::vector<std::size_t> AddDistractors(std::uint64_t seed, const std::vector<st
   return added;
 }
 
-/// What must hold of an attempt's places.
+/// Conditions for the places of an attempt.
 struct LayoutRules {
   scene::TableSpec table;
   LayoutRegion region;
@@ -134,6 +139,7 @@ struct LayoutRules {
   bool keeps_strip_free = true;
 };
 
+/// Returns true if a footprint, grown by the rim, does not fit into the region reduced by it.
 bool IsAtRim(const LayoutRules& rules, const Footprint& footprint, double top) {
   LayoutRegion inner = rules.region;
   inner.reach -= kRim;
@@ -142,8 +148,8 @@ bool IsAtRim(const LayoutRules& rules, const Footprint& footprint, double top) {
   return !inner.Holds(rules.table, grown, top);
 }
 
-/// True when the robot reaches the middle of each member: a row may be longer than the arm's
-/// margin.
+/// Returns true if the robot reaches the center of each member: a row may be longer than the margin
+/// of the arm.
 bool AreMembersReached(const LayoutRules& rules, const ObjectGroup& group, const Footprint& place) {
   const Eigen::Rotation2Dd R_WK(DegreesToRadians(place.yaw_deg));
   return std::ranges::all_of(group.members, [&](const GroupMember& member) {
@@ -154,7 +160,7 @@ bool AreMembersReached(const LayoutRules& rules, const ObjectGroup& group, const
 bool IsFree(const LayoutRules& rules, const std::vector<Footprint>& taken,
             const Footprint& footprint) {
   const auto is_near = [&](const Footprint& other) {
-    // Most are so far that circles about them tell.
+    // A cheap test first: most circles about the footprints are apart.
     const double most = other.half_size.norm() + footprint.half_size.norm() + rules.gap;
     return (other.center - footprint.center).squaredNorm() < most * most &&
            GapBetween(other, footprint) < rules.gap;
@@ -165,7 +171,7 @@ bool IsFree(const LayoutRules& rules, const std::vector<Footprint>& taken,
          GapBetween(rules.region.StripOn(rules.table), footprint) > 0;
 }
 
-/// Somewhere, in whole millimeters and tenths of a degree, so that files stay readable.
+/// Returns a random pose in whole millimeters and tenths of a degree, so that files stay readable.
 Footprint Somewhere(const LayoutRules& rules, const Vector2& half_size, std::mt19937_64* random) {
   const LayoutRegion& region = rules.region;
   const double edge = -rules.table.y_span / 2;
@@ -187,6 +193,7 @@ std::vector<Footprint> PlacesFor(const scene::SceneSpec& scene,
     const ObjectGroup& group = groups[k];
     std::mt19937_64 random =
         StreamOf(seed, attempt, scene.objects[group.members.front().object].id());
+    // Every second group.
     const bool wants_rim = has_edges && k % 2 == 0;
     bool is_placed = false;
     for (int i = 0; i < kTries && !is_placed; ++i) {
@@ -201,6 +208,7 @@ std::vector<Footprint> PlacesFor(const scene::SceneSpec& scene,
   return taken;
 }
 
+/// Moves the objects of a group to its place.
 void Put(const ObjectGroup& group, const Footprint& place, scene::SceneSpec* scene) {
   const RigidTransform X_WK(RotationFromFixedAxes({0, 0, place.yaw_deg}),
                             Vector3(place.center.x(), place.center.y(), 0));
@@ -228,6 +236,7 @@ scene::SceneSpec RandomLayout(scene::SceneSpec scene, std::uint64_t seed, Layout
     }
   }
 
+  // Relax one rule at a time: the distance first, then the free strip.
   std::uint64_t attempt = 0;
   std::size_t most_placed = 0;
   for (bool keeps_strip_free : {true, false}) {

@@ -7,15 +7,17 @@
 namespace smile::layout {
 namespace {
 
-// The robot's eye, as in sim/eye.h: where it is above the usual robot, how it looks down, and how
-// much it sees, less one percent.
+// The robot's eye, as in sim/eye.h: its position above the robot's default place, its tilt, and its
+// field of view, less one percent.
 constexpr double kEyeDepth = -0.20 + 0.18832, kEyeHeight = 0.20 + 0.95921;  // [m]
 const double kEyeTiltCos = std::cos(DegreesToRadians(56.05));
 const double kEyeTiltSin = std::sin(DegreesToRadians(56.05));
 constexpr double kVerticalShare = 0.99 * 0.577350269;  // tan of 30 degrees
 constexpr double kHorizontalShare = kVerticalShare * 4 / 3;
 
+/// Returns true if the eye sees a point: sideways x, depth, and height z above the table [m].
 bool IsInView(double x, double depth, double z) {
+  // Coordinates along and across the eye's optical axis.
   const double away = depth - kEyeDepth, below = kEyeHeight - z;
   const double forward = away * kEyeTiltCos + below * kEyeTiltSin;
   const double down = below * kEyeTiltCos - away * kEyeTiltSin;

@@ -20,7 +20,7 @@ namespace {
 
 using Random = std::mt19937_64;
 
-/// What there is to draw lots for, and what it is made of: lengths in units.
+/// Makes the objects of a preset; lengths are in units of the scene.
 class Maker {
  public:
   Maker(double meters_per_unit, Random* random) : unit_(meters_per_unit), random_(random) {}
@@ -34,7 +34,7 @@ class Maker {
     return ParseColor(kColors[std::min(lot, kColors.size() - 1)]).value_or(Color());
   }
 
-  /// One that stands with its lowest point at `bottom` [units] above the table.
+  /// Adds an object whose lowest point is at `bottom` [units] above the table.
   void Add(const std::string& id, const std::string& word, const scene::Shape& shape, double bottom,
            const Color& color, double mass = 1, double x = 0) {
     scene::ObjectSpec object{.whole = {.id = id, .color = color, .shape = shape}, .mass = mass};
@@ -126,7 +126,7 @@ const Recipe& FindRecipe(const std::string& name) {
                               DidYouMean(name, known));
 }
 
-/// `ball_1`, or the next number that is free.
+/// Returns `ball_1`, or the next free number.
 std::string NewId(const std::string& word, std::set<std::string>* ids) {
   for (int number = 1;; ++number) {
     std::string id = word + "_" + std::to_string(number);
@@ -138,7 +138,7 @@ scene::Bounds BoundsIn(const scene::ObjectSpec& object, const RigidTransform& X_
   return scene::BoundsOf(scene::SolidsOf(object.whole), X_WA * object.pose_in_world());
 }
 
-/// A place A where things meet nothing that is there, and nothing hangs over the table's edge.
+/// Finds a place A where objects meet no others and do not extend over the table's edge.
 class PlaceFinder {
  public:
   /// @param context  must outlive this.
@@ -147,6 +147,7 @@ class PlaceFinder {
 
   std::optional<RigidTransform> Find(const std::vector<scene::ObjectSpec>& things,
                                      Random* random) const {
+    // Rejection sampling: a full table ends it after this many tries.
     constexpr int kMaxTries = 2'000;
     for (int i = 0; i < kMaxTries; ++i) {
       const double x = Uniform(random, -context_.table.x_span / 2, context_.table.x_span / 2);

@@ -11,26 +11,26 @@
 
 namespace smile::layout {
 
-/// Objects that can be put on the table at any time.
+/// Objects that can be added to the table at any time.
 struct Preset {
   const char* name;
-  const char* title;  ///< for people
+  const char* title;  ///< title for people
 };
 
-/// In the order in which they are offered: those of the original, then ours.
+/// Returns all presets in the order of the menu: those of the original program first.
 const std::vector<Preset>& Presets();
 
-/// Context of a placement: table, occupied space and ids that are taken.
+/// Context of a placement: table, occupied space and existing ids.
 struct PlacementContext {
   double meters_per_unit = scene::kMetersPerUnit;
   scene::TableSpec table;
-  std::vector<scene::Bounds> taken;  ///< by what is there, in the world
-  std::set<std::string> ids;         ///< that are taken
+  std::vector<scene::Bounds> taken;  ///< of objects already there, in the world
+  std::set<std::string> ids;         ///< existing ids
 };
 
-/// A preset's objects at a free place of the table, turned about the vertical, both by the seed, as
-/// a scene of their own. Same context, same seed: same place. Their ids are new, their colors
-/// the seed's.
+/// Returns a preset's objects at a free place of the table, rotated about the vertical, as a scene
+/// of their own. Place, rotation and colors depend on the seed only, given the same context; ids
+/// are new.
 /// @returns nullopt if there is no free place on the table.
 /// @throws std::invalid_argument if there is no such preset.
 std::optional<scene::SceneSpec> MakePreset(const std::string& preset,

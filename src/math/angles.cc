@@ -5,7 +5,7 @@
 namespace smile {
 
 Matrix3 RotationFromFixedAxes(const Vector3& angles_deg) {
-  // Whole quarter turns are exact: a block turned by 90 degrees stays axis-aligned to the last bit.
+  // Quarter turns are exact: a block rotated by 90 degrees stays axis-aligned to the last bit.
   const auto sine = [](double angle_deg) {
     const double quarter = std::remainder(angle_deg, 360.0) / 90.0;
     if (quarter == std::round(quarter)) return quarter == 1 ? 1.0 : quarter == -1 ? -1.0 : 0.0;
@@ -36,9 +36,11 @@ Vector3 FixedAxesAngles(const Matrix3& R) {
 }
 
 Vector3 RotationVectorBetween(const Quaternion& from, const Quaternion& to) {
+  // q and -q are the same rotation; the one with w >= 0 has the smaller angle.
   Quaternion turn = to * from.conjugate();
   if (turn.w() < 0) turn.coeffs() = -turn.coeffs();
   const double sine_of_half = turn.vec().norm();
+  // Small angles: sin(x/2) = x/2.
   if (sine_of_half < 1e-12) return 2.0 * turn.vec();
   return turn.vec() * (2.0 * std::atan2(sine_of_half, turn.w()) / sine_of_half);
 }

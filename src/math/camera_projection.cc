@@ -17,7 +17,7 @@ void CheckSize(int width_px, int height_px) {
                               std::to_string(kMaxSize) + " pixels each");
 }
 
-/// Of a camera that sees `angle` [rad] across `size_px` [px].
+/// Returns the focal length [px] of a camera that sees `angle` [rad] across `size_px`.
 double FocalLength(const std::string& direction, int size_px, double angle) {
   if (angle > 0 && angle < std::numbers::pi) return 0.5 * size_px / std::tan(0.5 * angle);
   throw std::invalid_argument(direction + " field of view is " + std::to_string(angle) +
@@ -52,6 +52,7 @@ RigidTransform LookAt(const Vector3& p_WC, const Vector3& p_WQ, const Vector3& u
   if (sight.norm() == 0) throw std::invalid_argument("a camera cannot look at its own position");
   const Vector3 z = sight.normalized();
   Vector3 x = z.cross(up_in_world);
+  // The line of sight is parallel to the up direction.
   if (x.norm() < 1e-9 * up_in_world.norm()) {
     x = Vector3::UnitX();
     if (std::abs(z.dot(x)) > 1e-9) throw std::invalid_argument("a camera's top points forward");

@@ -13,7 +13,8 @@ struct NamedColor {
   Color color;
 };
 
-// The palette of the scene language; brown, orange and pink keep the values scenes were made with.
+// The palette of the scene language; brown, orange and pink keep the values that existing scenes
+// were made with.
 constexpr std::array<NamedColor, 14> kNamedColors{{
     {"black", {0, 0, 0}},
     {"blue", {0, 0, 1}},

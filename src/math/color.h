@@ -14,13 +14,13 @@ struct Color {
   bool operator==(const Color&) const = default;
 };
 
-/// One of the 14 names of the scene language, or `#RRGGBB`; surrounding blanks are allowed.
+/// Returns the color of a name (one of 14) or `#RRGGBB`; surrounding blanks are allowed.
 std::optional<Color> ParseColor(std::string_view text);
 
-/// The name where there is one, else `#rrggbb` (rounded to 8 bits).
+/// Returns the color's name if it has one, else `#rrggbb` (rounded to 8 bits).
 std::string ToString(const Color& color);
 
-/// The names ParseColor() knows, in alphabetic order.
+/// Returns the names that ParseColor() accepts, in alphabetical order.
 std::vector<std::string_view> ColorNames();
 
 }  // namespace smile

@@ -11,6 +11,7 @@ PrincipalInertia PrincipalInertiaOf(const Matrix3& inertia) {
   }
   const Eigen::SelfAdjointEigenSolver<Matrix3> solver(inertia);
   PrincipalInertia result{.axes = solver.eigenvectors(), .moments = solver.eigenvalues()};
+  // Eigenvectors may be left-handed; a rotation must not be.
   if (result.axes.determinant() < 0) result.axes.col(0) *= -1;
   return result;
 }

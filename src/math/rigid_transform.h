@@ -9,8 +9,7 @@ using Vector3 = Eigen::Vector3d;
 using Matrix3 = Eigen::Matrix3d;
 using Quaternion = Eigen::Quaterniond;
 
-/// The pose X_AB of a frame B in a frame A: a rotation R_AB and the position p_AB of B's origin
-/// [m].
+/// Pose X_AB of a frame B in a frame A: a rotation R_AB and the position p_AB of B's origin [m].
 class RigidTransform {
  public:
   RigidTransform() = default;
@@ -21,7 +20,7 @@ class RigidTransform {
 
   const Matrix3& rotation() const { return rotation_; }
   const Vector3& translation() const { return translation_; }
-  /// Unit length, w >= 0.
+  /// Returns the rotation as a quaternion of unit length with w >= 0.
   Quaternion quaternion() const {
     Quaternion q(rotation_);
     if (q.w() < 0) q.coeffs() = -q.coeffs();
@@ -31,11 +30,11 @@ class RigidTransform {
   RigidTransform inverse() const {
     return {Matrix3(rotation_.transpose()), -(rotation_.transpose() * translation_)};
   }
-  /// X_AC = X_AB * X_BC.
+  /// Returns X_AC = X_AB * X_BC.
   RigidTransform operator*(const RigidTransform& X_BC) const {
     return {Matrix3(rotation_ * X_BC.rotation_), *this * X_BC.translation_};
   }
-  /// p_AQ = X_AB * p_BQ.
+  /// Returns p_AQ = X_AB * p_BQ.
   Vector3 operator*(const Vector3& p_BQ) const { return rotation_ * p_BQ + translation_; }
 
   bool operator==(const RigidTransform& other) const {

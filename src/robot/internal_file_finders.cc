@@ -16,15 +16,15 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMaxReference = 1000;
 constexpr std::string_view kPackageScheme = "package://", kFileScheme = "file://";
-/// Where files are kept that no other folder's name belongs to.
+/// Folders of kept files that are not below the URDF.
 constexpr const char* kPackages = "packages";
 constexpr const char* kElsewhere = "elsewhere";
 
-/// What is written, without what does not matter.
+/// A parsed reference.
 struct Reference {
   enum class Kind { kPackage, kAbsolute, kRelative } kind = Kind::kRelative;
   std::string package;
-  fs::path path;  ///< in the package, from the root, or from the folder of the file that names it
+  fs::path path;  ///< in the package, from the root, or from the folder of the referring file
 };
 
 bool HasStepsUp(const fs::path& path) { return std::ranges::find(path, "..") != path.end(); }
@@ -55,7 +55,8 @@ Reference Parse(const std::string& text) {
           path.lexically_normal()};
 }
 
-/// The same for the same reference wherever the files lie: a kept robot finds its own files.
+/// Returns the name under which a file is kept. It depends on the reference only, not on where the
+/// file lies, so that a kept robot finds its own files.
 std::string NameOfKept(const FoundFile& from, const Reference& reference) {
   if (reference.kind == Reference::Kind::kPackage) {
     return (fs::path(kPackages) / reference.package / reference.path).string();
@@ -63,7 +64,7 @@ std::string NameOfKept(const FoundFile& from, const Reference& reference) {
   const fs::path place = fs::path(from.name).parent_path() / reference.path;
   const fs::path normal = place.lexically_normal();
   if (reference.kind == Reference::Kind::kRelative && !HasStepsUp(normal)) return normal.string();
-  // Somewhere above: the steps up become folders.
+  // Outside the folder: steps up become folders named `up`.
   fs::path name = kElsewhere;
   for (const fs::path& step : normal.relative_path()) name /= step == ".." ? "up" : step;
   return name.string();
@@ -73,10 +74,11 @@ fs::path FolderOf(const fs::path& file) {
   return file.has_parent_path() ? file.parent_path() : fs::path(".");
 }
 
-/// What was read before: a mesh may be named thousands of times.
+/// Cache of files: a mesh may be referred to thousands of times.
 class ReadFiles {
  public:
-  /// @param read  gives the bytes, or throws; asked again when there are more than allowed.
+  /// Returns the bytes of a file. @param read  reads the bytes or throws; called again if the
+  /// cached file exceeds the limit.
   std::shared_ptr<const std::string> Get(const fs::path& path, std::size_t max_bytes,
                                          const std::function<std::string()>& read) {
     std::shared_ptr<const std::string>& bytes = files_[path];
@@ -120,7 +122,7 @@ class OriginalFinder : public FileFinder {
   std::optional<FoundFile> FindSideFile(const FoundFile& urdf,
                                         std::size_t max_bytes) const override {
     fs::path path = side_file_;
-    if (path.empty()) {  // nobody named it: a link must not lead anywhere
+    if (path.empty()) {  // not requested by name: links must not lead elsewhere
       path = urdf.path;
       path.replace_extension(".robot.json");
       std::error_code error;
@@ -132,7 +134,7 @@ class OriginalFinder : public FileFinder {
                           "folder or named by --side-file"});
       }
     }
-    // Kept beside the URDF, wherever it lies.
+    // Its kept name is beside the URDF, wherever it lies.
     const std::string name = fs::path(urdf.name).replace_extension(".robot.json").string();
     return FoundFile{name, path, std::make_shared<const std::string>(ReadFile(path, max_bytes))};
   }
@@ -142,7 +144,7 @@ class OriginalFinder : public FileFinder {
     return std::ranges::any_of(allowed_,
                                [&](const fs::path& folder) { return IsWithin(canonical, folder); });
   }
-  /// Last, the one that it has when the robot was kept.
+  /// Returns the places to search, in order; the last one is that of a kept robot.
   std::vector<fs::path> PlacesOf(const FoundFile& from, const Reference& reference) const {
     const fs::path kept = kept_ / NameOfKept(from, reference);
     if (reference.kind == Reference::Kind::kAbsolute) return {reference.path, kept};
@@ -197,7 +199,7 @@ class KeptFinder : public FileFinder {
  private:
   static FoundFile Found(const std::string& name, const FoundFile& from,
                          std::shared_ptr<const std::string> bytes) {
-    // The folder of all: what is left of the path without the name.
+    // The folder of all files: the path without as many components as the name has.
     fs::path folder = from.path;
     for (fs::path left = from.name; !left.empty(); left = left.parent_path()) {
       folder = folder.parent_path();

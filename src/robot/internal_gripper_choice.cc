@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kMaxChoices = 16;  // of a gripper
 constexpr std::size_t kMaxMadeText = 1000;
 
-/// One thing that can be chosen.
+/// A property of a gripper that can be chosen.
 struct Choice {
   std::string name;
   std::vector<std::string> words;
@@ -58,7 +58,7 @@ bool IsOf(const Choice& choice, const std::string& word) {
   return std::ranges::find(choice.words, word) != choice.words.end();
 }
 
-/// Makes the choice that a word is of; false if there is none, or it is made already.
+/// Makes the choice that a word belongs to; returns false if no open choice has the word.
 bool Choose(const std::string& word, std::vector<Choice>* choices) {
   for (Choice& choice : *choices) {
     if (choice.chosen || !IsOf(choice, word)) continue;
@@ -85,6 +85,7 @@ bool Choose(const std::string& word, std::vector<Choice>* choices) {
   gripper.Fail("found the word " + Quoted(word) + ", expected " + expected);
 }
 
+/// Returns the text with all placeholders `{CHOICE}` replaced by the chosen words.
 std::string Replaced(std::string text, const std::vector<Choice>& choices,
                      const JsonNode& gripper) {
   for (const Choice& choice : choices) {
@@ -114,6 +115,7 @@ GripperChoice ChooseGripper(const JsonNode& grippers, const std::string& wanted)
   for (const auto& [name, gripper] : grippers.Members()) {
     ExpectShortName(name, grippers);
     names.push_back(name);
+    // The longest matching name wins: a gripper's name may be the beginning of another's.
     const bool fits = wanted == name || wanted.starts_with(name + "-");
     if (fits && name.size() > best.size()) best = name;
   }

@@ -6,20 +6,21 @@
 
 namespace smile::robot::internal {
 
-/// Of texts that are put into many others [bytes].
+/// Maximum length of texts that are inserted into many others [bytes].
 inline constexpr std::size_t kMaxShortText = 64;
 
-/// One of the grippers a side file offers, its choices made.
+/// A gripper of a side file after all its choices are made.
 struct GripperChoice {
-  std::string name;   ///< with a word for each choice: `electric-extended-wide-2-paddle`
-  std::string place;  ///< in the file
-  Json value;         ///< of the gripper, `{slot}` and the like replaced
+  std::string name;   ///< with one word per choice: `electric-extended-wide-2-paddle`
+  std::string place;  ///< path in the file, for messages
+  Json value;         ///< of the gripper, with `{slot}` and other placeholders replaced
 };
 
+/// Selects a gripper and its choices.
 /// @param grippers  the side file's member of that name.
-/// @param wanted    the gripper's name and some words of its choices, `-` between them; what is not
-///                  said is the first word of each choice.
-/// @throws InputError naming the grippers or words there are.
+/// @param wanted    the gripper's name and some words of its choices, separated by `-`; choices not
+///                  mentioned take their first word.
+/// @throws InputError with the available grippers or words.
 GripperChoice ChooseGripper(const JsonNode& grippers, const std::string& wanted);
 
 }  // namespace smile::robot::internal

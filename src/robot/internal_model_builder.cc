@@ -15,9 +15,9 @@ namespace {
 constexpr std::size_t kMaxSolids = 4096;
 constexpr std::size_t kMaxFrames = 2048;
 
-/// What hangs rigidly together on one moving link L, summed up about L's origin.
+/// Mass properties of all links that are fixed to one moving link L, summed about L's origin.
 struct MassSum {
-  const UrdfPart* part = nullptr;     ///< where the moving link stands …
+  const UrdfPart* part = nullptr;     ///< part of the moving link …
   std::string name;                   ///< … and its name there
   double mass = 0;                    ///< [kg]
   Vector3 moment = Vector3::Zero();   ///< sum of mass * p_LLcm [kg m]
@@ -53,7 +53,7 @@ class ModelBuilder {
   }
 
  private:
-  /// A joint below a link, in the file of the link or of a part that hangs on it.
+  /// A joint below a link, in the link's file or in that of an attached part.
   struct Branch {
     std::string name;
     const UrdfPart* part;
@@ -63,7 +63,8 @@ class ModelBuilder {
 
   RobotModel& model() { return built_.model; }
 
-  /// @param carrier  the moving link L that carries this one, whose frame is F; -1 = the base.
+  /// Adds a link, its fixed attachments and its joints. @param carrier  the moving link L that
+  /// carries this one, whose frame is F; -1 = the base.
   void AddLink(const UrdfPart& part, const urdf::Link& link, int carrier,
                const RigidTransform& X_LF) {
     const std::string name = part.prefix + link.name;
@@ -77,6 +78,7 @@ class ModelBuilder {
     model().frames.push_back({name, carrier, X_LF});
     AddContents(part, link, carrier, X_LF);
     std::vector<Branch> branches = BranchesOf(part, link);
+    // Parts attached to this link: their roots merge with it.
     for (std::size_t i = 1; i < parts_.size(); ++i) {
       const UrdfPart& hung = parts_[i];
       if (hung.to != name) continue;
@@ -86,6 +88,7 @@ class ModelBuilder {
       AddContents(hung, root, carrier, X_LF);
       std::ranges::move(BranchesOf(hung, root), std::back_inserter(branches));
     }
+    // Sorted by name: indices of links must not depend on the order in files.
     std::ranges::stable_sort(branches, {}, &Branch::name);
     for (const Branch& branch : branches) AddJoint(branch, carrier, X_LF);
   }
@@ -103,7 +106,7 @@ class ModelBuilder {
                    const RigidTransform& X_LF) {
     const UrdfElement element(*part.document, "link", link.name);
     AddShapes(part, link, element, carrier, X_LF);
-    // The base never moves: what it weighs does not matter.
+    // The base never moves, so its mass does not matter.
     if (!link.inertial || carrier < 0) return;
     const UrdfInertial piece = element.ReadInertial(*link.inertial);
     masses_[static_cast<std::size_t>(carrier)].Add(piece, X_LF * piece.X_FI);
@@ -144,7 +147,7 @@ class ModelBuilder {
     if (!material.empty() && !part.document->model().getMaterial(material)) {
       element.Fail("material " + Quoted(material) + " is nowhere defined");
     }
-    // With a texture, which is not read, the color is black unless it is given.
+    // Textures are not read; the parser's color beside one is black unless it is specified.
     if (!visual.material || !visual.material->texture_filename.empty()) return {};
     return element.ReadColor(visual.material->color);
   }
@@ -185,6 +188,7 @@ class ModelBuilder {
     const urdf::Joint& joint = *branch.joint;
     const UrdfElement element(*part.document, "joint", joint.name);
     const RigidTransform X_PJ = X_PF * element.ReadPose(joint.parent_to_joint_origin_transform);
+    // A link behind a fixed joint merges with the link that carries it.
     if (joint.type == urdf::Joint::FIXED) return AddLink(part, *branch.child, parent, X_PJ);
 
     scene::LinkSpec link;
@@ -205,7 +209,8 @@ class ModelBuilder {
     AddLink(part, *branch.child, model().num_joints() - 1, RigidTransform());
   }
 
-  /// From the sum about the link's origin to the centre of mass (parallel-axis theorem).
+  /// Converts the sum about the link's origin to the center of mass (parallel axis theorem), and
+  /// checks it.
   static void FinishMass(const MassSum& sum, scene::LinkSpec* link) {
     const UrdfElement element(*sum.part->document, "link", sum.name);
     if (!(sum.mass > 0)) {

@@ -11,32 +11,32 @@
 
 namespace smile::robot::internal {
 
-/// A URDF, or a part of a gripper that hangs on another link.
+/// A URDF, or a part of a gripper that is attached to another link.
 struct UrdfPart {
   FoundFile file;
   std::shared_ptr<const UrdfDocument> document;
-  std::string prefix;  ///< before all names of links and joints
-  std::string to;      ///< the link, prefix and all, that the part's root is; unused for the first
+  std::string prefix;  ///< put before all names of links and joints
+  /// link, with its prefix, that the part's root merges with; unused for the first
+  std::string to;  ///<
 };
 
-/// A joint that moves as another one does, as far as the file goes.
+/// A joint that follows another one (URDF's <mimic>).
 struct Mimic {
   std::string joint, master;
   double multiplier = 1, offset = 0;
 };
 
-/// A robot without what the side file says of it.
+/// A robot before the side file is applied.
 struct BuiltModel {
   RobotModel model;
   std::vector<Mimic> mimics;
-  /// The roots of parts and the frames they are.
+  /// Names of the parts' roots and the frames they merge with.
   std::vector<std::pair<std::string, int>> part_roots;
-  std::vector<bool> is_used;  ///< of each part: the link it hangs on is there
+  std::vector<bool> is_used;  ///< of each part: the link it is attached to exists
 };
 
-/// Walks the tree of `parts[0]` and puts everything where it belongs; branches of the other parts
-/// grow as if they stood in the same file.
-/// @throws InputError
+/// Builds a robot from the tree of `parts[0]`; branches of the other parts are added as if they
+/// were in the same file. @throws InputError
 BuiltModel BuildModel(const std::vector<UrdfPart>& parts, RobotFileSet* files);
 
 }  // namespace smile::robot::internal

@@ -11,14 +11,14 @@
 namespace smile::robot::internal {
 namespace {
 
-// Of all files of a robot together.
+// Limits for all files of a robot together.
 constexpr std::size_t kMaxFiles = 400;
 constexpr std::size_t kMaxBytes = 128u << 20;
 constexpr std::size_t kMaxTriangles = 600'000;
 
 constexpr float kMaxCoordinate = 100;  // [m]
 
-/// Coarse: links touch each other and things, and nobody feels the inside of a shell.
+/// Coarse pieces: robots only need their outer shape for contacts.
 constexpr mesh::PieceLimits kPieceLimits{.max_pieces = 8, .max_corners = 32};
 
 bool IsPlainName(const std::string& name) {
@@ -33,7 +33,7 @@ scene::SurfaceMesh Scaled(scene::SurfaceMesh mesh, const Vector3& scale) {
     throw BadReference(" reaches " + NumberText(vertex.cwiseAbs().maxCoeff()) +
                        " m from the origin, expected less than 100");
   }
-  if (scale.prod() < 0) {  // in a mirror, the other side is outside
+  if (scale.prod() < 0) {  // a mirrored mesh is inside out
     for (auto& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
   }
   return mesh;

@@ -15,38 +15,40 @@
 
 namespace smile::robot::internal {
 
-/// A file that a robot is read from.
+/// A file of a robot.
 struct FoundFile {
   std::string name;            ///< as RobotFile::name
-  std::filesystem::path path;  ///< for people
+  std::filesystem::path path;  ///< for messages
   std::shared_ptr<const std::string> bytes;
 };
 
-/// Why a file that was named cannot be had, in words that follow its name.
+/// Error for a file that cannot be read; the message continues a sentence that begins with its
+/// name.
 class BadReference : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Finds the files that files of a robot name, and reads each once however often it is named.
+/// Finds the files that a robot's files refer to, and reads each once.
 class FileFinder {
  public:
   virtual ~FileFinder() = default;
-  /// @param from       the file that names it.
+  /// Returns a file.
+  /// @param from       the file that refers to it.
   /// @param reference  as written: `package://PKG/…`, `file://…` or a path.
   /// @throws BadReference
   virtual FoundFile Find(const FoundFile& from, const std::string& reference,
                          std::size_t max_bytes) = 0;
-  /// The side file of a URDF; nullopt when there is none and none was asked for.
+  /// Returns the side file of a URDF; nullopt if it is missing and was not requested.
   virtual std::optional<FoundFile> FindSideFile(const FoundFile& urdf,
                                                 std::size_t max_bytes) const = 0;
 };
 
-/// Looks where people keep them.
-/// @param urdf_path  its folder, that of `options.side_file` and the package roots may be read.
+/// Makes a finder for files in their original folders. @param urdf_path  its folder, that of
+/// `options.side_file` and the package roots may be read.
 std::unique_ptr<FileFinder> MakeOriginalFinder(const std::filesystem::path& urdf_path,
                                                const RobotReaderOptions& options);
-/// Looks among the kept ones.
+/// Makes a finder for the files of a kept robot.
 std::unique_ptr<FileFinder> MakeKeptFinder(const OpenRobotFile& open);
 
 /// Set of all files of a robot that is being read, each read once; meshes are returned ready for
@@ -57,16 +59,17 @@ class RobotFileSet {
 
   /// Adds a file. @throws BadReference if another one has the same name.
   void Keep(const FoundFile& file);
+  /// Finds a file and adds it.
   /// @throws BadReference
   FoundFile Fetch(const FoundFile& from, const std::string& reference, std::size_t max_bytes);
   std::optional<FoundFile> FetchSideFile(const FoundFile& urdf, std::size_t max_bytes);
 
   using Mesh = std::shared_ptr<const scene::CustomMesh>;
-  /// What is drawn of a mesh: as it lies in the link's frame, without pieces.
+  /// Returns a mesh for drawing: in the link's frame, without convex pieces.
   /// @param scale  along x, y and z.
   /// @throws BadReference
   Mesh FetchDrawn(const FoundFile& from, const std::string& reference, const Vector3& scale);
-  /// What collides: a few pieces. @throws BadReference
+  /// Returns a few convex pieces for collisions. @throws BadReference
   const std::vector<scene::Hull>& FetchPieces(const FoundFile& from, const std::string& reference,
                                               const Vector3& scale);
 
@@ -76,7 +79,7 @@ class RobotFileSet {
   using Key = std::tuple<std::string, double, double, double>;  // name of the file, scale
 
   scene::SurfaceMesh Import(const FoundFile& file);
-  /// The mesh of a key, and the key; imported at most once.
+  /// Returns the key and the mesh of a reference; imported at most once.
   std::pair<Key, Mesh> FetchSurface(const FoundFile& from, const std::string& reference,
                                     const Vector3& scale);
 

@@ -19,10 +19,10 @@ namespace {
 constexpr std::size_t kMaxPlaces = 100, kMaxArms = 16;  // of a robot
 constexpr std::size_t kMaxParts = 16;                   // of a gripper
 constexpr std::size_t kMaxJoints = 16, kMaxArmName = 40;
-/// What commands and poses call something else.
+/// Words with another meaning in commands and poses.
 constexpr std::array<std::string_view, 5> kNoArmNames{"both", "any", "all", "head", "opening"};
 
-constexpr double kMaxPayload = 1e5;  // [kg], as much as a link may weigh
+constexpr double kMaxPayload = 1e5;  // [kg], the limit for links
 
 constexpr std::array<std::string_view, 12> kFileMembers{
     "format", "frames",        "arms",  "grippers", "gripper", "head",
@@ -45,7 +45,7 @@ Json ParsedWithLimits(const std::string& text, const std::string& file) {
   }
 }
 
-/// Commands, poses and columns of trajectories are named after arms.
+/// Checks the name of an arm, which is part of commands, poses and columns of trajectories.
 void ExpectArmName(const std::string& name, const JsonNode& arms) {
   constexpr auto is_letter = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
@@ -63,11 +63,13 @@ void ExpectArmName(const std::string& name, const JsonNode& arms) {
   arms.Fail("found the name " + Quoted(name) + ", expected another than " + OneOf(kNoArmNames));
 }
 
-/// What comes before the names of what hangs on an arm.
+/// Returns the prefix of names attached to an arm.
 std::string PrefixOf(const std::string& arm, const JsonNode& node) {
   return node.Has("prefix") ? node.Member("prefix").ShortString(kMaxShortText) : arm + "_";
 }
 
+/// Applies a side file to a robot. The order matters: frames and limits before the arms that use
+/// them, poses after all limits.
 class SideFileReader {
  public:
   SideFileReader(const JsonNode* gripper, bool has_look, BuiltModel* built)
@@ -89,7 +91,7 @@ class SideFileReader {
     if (root.Has("never_collide")) {
       for (const JsonNode& pair : root.Member("never_collide").Items()) ReadPair(pair, "");
     }
-    // In one order, whatever the order in the files.
+    // Sorted and unique, whatever the order in the file.
     std::ranges::sort(model_.never_collide);
     auto& pairs = model_.never_collide;
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
@@ -110,19 +112,20 @@ class SideFileReader {
   }
 
  private:
-  /// A place on a link, for which the URDF has no name.
+  /// Reads a frame on a link for which the URDF has no name.
   void ReadFrame(const std::string& name, const JsonNode& node) {
     node.ExpectMembers(kFrameMembers);
     if (FindFrame(model_, name)) node.Fail("there is a link or frame of that name already");
     const Frame link = model_.frames[FrameNamedBy(node.Member("on"))];
     const Vector3 p = ReadVector(node, "xyz"), rpy = ReadVector(node, "rpy");
+    // Fixed axes x, y, z as in URDF.
     const Matrix3 R = (Eigen::AngleAxisd(rpy.z(), Vector3::UnitZ()) *
                        Eigen::AngleAxisd(rpy.y(), Vector3::UnitY()) *
                        Eigen::AngleAxisd(rpy.x(), Vector3::UnitX()))
                           .toRotationMatrix();
     model_.frames.push_back({name, link.link, link.X_LF * RigidTransform(R, p)});
   }
-  /// Three numbers, or 0.
+  /// Returns three numbers, or zeros.
   static Vector3 ReadVector(const JsonNode& node, const std::string& member) {
     Vector3 vector = Vector3::Zero();
     if (!node.Has(member)) return vector;
@@ -133,7 +136,8 @@ class SideFileReader {
     return vector;
   }
 
-  /// Descriptions have placeholders where the real robot has limits of its own.
+  /// Reads narrower limits of a joint: some descriptions have placeholders where the real robot has
+  /// limits.
   void ReadLimits(const std::string& name, const JsonNode& node) {
     node.ExpectMembers(kLimitMembers);
     const auto joint = FindJoint(model_, name);
@@ -184,7 +188,7 @@ class SideFileReader {
         ReadLook(gripper_->Member("look"), "classic", prefix);
       }
     }
-    // Trajectories call the gripper so.
+    // Trajectories use this name for the gripper.
     if (const std::string own = name + "_gripper"; arm.gripper && FindJoint(model_, own)) {
       node.Fail("there is a joint " + Quoted(own) + ", expected that name for the gripper alone");
     }
@@ -197,8 +201,8 @@ class SideFileReader {
     ExpectOnArm(model_.frames[frame].link, arm, node);
     return frame;
   }
-  /// A link, or the joint that carries it, must move with all joints the arm has so far. Whoever
-  /// plans with the arm takes it for one chain.
+  /// Checks that a link, or the joint that carries it, moves with all joints of the arm so far:
+  /// planners treat an arm as one chain.
   void ExpectOnArm(int link, const Arm& arm, const JsonNode& node) const {
     if (arm.joints.empty()) return;
     const int last = arm.joints.back();
@@ -210,7 +214,7 @@ class SideFileReader {
               "then the gripper");
   }
 
-  /// Whoever moves a joint is the only one.
+  /// Claims a joint: an arm, a finger and the head must not share one.
   void Take(int joint, const JsonNode& node) {
     if (taken_.insert(joint).second) return;
     node.Fail("joint " + Quoted(model_.links[joint].joint_name) +
@@ -224,7 +228,7 @@ class SideFileReader {
     }
   }
 
-  /// Of an arm or a gripper.
+  /// Returns the gripper described by an arm or a gripper node, if any.
   std::optional<Gripper> ReadGripper(const JsonNode& node, const std::string& prefix,
                                      const Arm& arm) {
     if (!node.Has("fingers")) return std::nullopt;
@@ -253,7 +257,7 @@ class SideFileReader {
     return gripper;
   }
 
-  /// A finger whose joint runs from 0 down is one that runs from 0 up along the other direction.
+  /// Reverses the axis of a finger whose joint runs from 0 downwards, so that it runs upwards.
   void LetSlideFromZero(scene::LinkSpec* link, const JsonNode& node) {
     if (link->joint_type == scene::JointType::kPrismatic && link->upper == 0) {
       link->axis = -link->axis;
@@ -266,7 +270,7 @@ class SideFileReader {
               "\" does not slide from 0 on, expected a finger that does");
   }
 
-  /// Fingers that would go through each other when closed are closed where they meet.
+  /// Shifts the origins of fingers that would overlap when closed, such that they meet at 0.
   void LetMeetAtZero(Gripper* gripper, const JsonNode& node) {
     const double way = -gripper->closed_opening / 2;
     for (int finger : {gripper->left_finger, gripper->right_finger}) {
@@ -278,7 +282,8 @@ class SideFileReader {
     gripper->closed_opening = 0;
   }
 
-  /// From the right to the left of two frames along y of the tool, all joints at 0 [m].
+  /// Returns the distance of two frames along y of the tool, left minus right, with all joints at 0
+  /// [m].
   double GapBetween(const JsonNode& pads, const std::string& prefix, int tool) const {
     const std::vector<JsonNode> names = pads.Items(2);
     const std::vector<double> q(model_.links.size(), 0.0);
@@ -303,8 +308,8 @@ class SideFileReader {
     model_.never_collide.emplace_back(std::min(first, second), std::max(first, second));
   }
 
-  /// A joint that shall move as another does may only be one of two fingers: these share a motion
-  /// anyhow. Joints that nothing moves may say what they like.
+  /// Checks that joints that follow others are pairs of fingers: these share a motion anyway.
+  /// Joints that nothing moves may follow any.
   void CheckMimics(const JsonNode& root) const {
     for (const Mimic& mimic : built_.mimics) {
       if (!IsDriven(mimic.joint) && !IsDriven(mimic.master)) continue;
@@ -333,7 +338,7 @@ class SideFileReader {
     });
   }
 
-  /// 0, or the limit next to it.
+  /// Returns 0 for each joint, or its nearest limit.
   std::vector<double> NeutralPose() const {
     std::vector<double> q;
     for (const scene::LinkSpec& link : model_.links) {
@@ -342,8 +347,8 @@ class SideFileReader {
     return q;
   }
 
-  /// One list of joint values for each arm, `head`, and the `opening` of all grippers; what a
-  /// pose leaves out stays at 0 or at the limit next to it.
+  /// Reads a pose: a list of joint values per arm, `head`, and the `opening` of all grippers.
+  /// Joints that it does not mention are at 0 or at the nearest limit.
   void ReadPose(const std::string& name, const JsonNode& node) {
     NamedPose pose{name, NeutralPose()};
     for (const auto& [key, value] : node.Members()) {
@@ -365,7 +370,7 @@ class SideFileReader {
     model_.poses.push_back(std::move(pose));
   }
 
-  /// A width between the fingers, or `open` or `closed`, which suit any gripper.
+  /// Sets a gripper's opening: a width, or `open` or `closed`, which suit any gripper.
   void SetOpening(const Gripper& gripper, const JsonNode& node, NamedPose* pose) const {
     for (int finger : {gripper.left_finger, gripper.right_finger}) {
       if (!node.IsString()) {
@@ -378,7 +383,7 @@ class SideFileReader {
     }
   }
 
-  /// Adds a look that ships with the program, for links whose names begin with `prefix`.
+  /// Adds a shipped look, for links whose names begin with `prefix`.
   void ReadLook(const JsonNode& node, std::string_view known, const std::string& prefix) {
     if (!has_look_) return;
     const std::string name = node.String();
@@ -422,7 +427,7 @@ class SideFileReader {
   bool has_look_;
   BuiltModel& built_;
   RobotModel& model_;
-  std::vector<std::string> turned_;  // fingers whose axis was turned
+  std::vector<std::string> turned_;  // fingers whose axis was reversed
   std::set<int> taken_;              // joints of arms, fingers and the head
 };
 

@@ -9,32 +9,32 @@
 
 namespace smile::robot::internal {
 
-/// Where a part of a gripper hangs.
+/// Attachment of a part of a gripper.
 struct Mounting {
-  std::string urdf;    ///< as the side file names it
-  std::string prefix;  ///< before the names in it
-  std::string to;      ///< the link its root is
-  std::string place;   ///< in the side file
+  std::string urdf;    ///< file, as written in the side file
+  std::string prefix;  ///< put before its names
+  std::string to;      ///< link that its root merges with
+  std::string place;   ///< path in the side file, for messages
 };
 
-/// What a URDF cannot say: arms, grippers, head, links that may touch, poses, the pose to start
-/// in, and a shipped look. docs/robot.md describes the file. All that is wrong is an
-/// InputError naming the place inside the file, as `arms/left/joints`.
+/// Side file of a URDF: arms, grippers, head, links that may touch, poses, the start pose, and a
+/// shipped look, none of which URDF can express. docs/robot.md describes the file. Each error is an
+/// InputError with the path inside the file, such as `arms/left/joints`.
 class SideFile {
  public:
-  /// @param gripper  the wanted one; empty: the usual one.
+  /// Parses a file. @param gripper  name of the wanted gripper; empty: the default one.
   SideFile(const FoundFile& file, const std::string& gripper);
 
-  /// The gripper with its choices; empty if there are none to choose from.
+  /// Returns the gripper with its choices; empty if the file offers none.
   std::string gripper() const { return gripper_ ? gripper_->name : ""; }
-  /// Where the robot stands: `gap` or `height`; nullopt if it is not said [m].
+  /// Returns the place of the robot [m]: `gap` or `height`; nullopt if it is not specified.
   std::optional<double> Place(const std::string& member) const;
-  /// The parts of the gripper, for each arm that has a flange.
+  /// Returns the parts of the gripper for each arm that has a flange.
   std::vector<Mounting> Mountings() const;
   [[noreturn]] void Fail(const std::string& place, const std::string& message) const;
 
-  /// Adds all it says to a robot built with these mountings.
-  /// @param has_look  false leaves out the shipped look.
+  /// Applies the file to a robot built with these mountings. @param has_look  false leaves out the
+  /// shipped look.
   void Apply(BuiltModel* built, bool has_look) const;
 
  private:

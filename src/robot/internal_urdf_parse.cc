@@ -18,7 +18,7 @@ namespace {
 constexpr std::ptrdiff_t kMaxLinks = 256;  // and as many joints
 constexpr std::size_t kMaxLogBytes = 500;
 
-/// Keeps what the parser would print.
+/// Captures what the parser would print.
 class LogCollector : public console_bridge::OutputHandler {
  public:
   LogCollector() { console_bridge::useOutputHandler(this); }
@@ -26,7 +26,7 @@ class LogCollector : public console_bridge::OutputHandler {
   void log(const std::string& text, console_bridge::LogLevel level, const char*, int) override {
     if (level < console_bridge::CONSOLE_BRIDGE_LOG_ERROR || text_.size() > kMaxLogBytes) return;
     if (!text_.empty()) text_ += "; ";
-    // It quotes the file, which may hold anything.
+    // The log quotes the file, so control characters are replaced.
     for (char letter : text.substr(0, kMaxLogBytes)) {
       text_ += static_cast<unsigned char>(letter) < 0x20 ? ' ' : letter;
     }
@@ -52,7 +52,7 @@ xml::Element ParseTree(const std::string& text, const std::string& file) {
   return *std::move(parsed.root);
 }
 
-/// The link that `<parent>` or `<child>` names inside a joint; empty when there is none.
+/// Returns the link that `<parent>` or `<child>` names inside a joint; empty if it names none.
 std::string LinkNamedBy(const xml::Element& joint, std::string_view element) {
   const xml::Element* named = joint.FindChild(element);
   const std::string* link = named ? named->FindAttribute("link") : nullptr;
@@ -64,12 +64,12 @@ std::string LinkNamedBy(const xml::Element& joint, std::string_view element) {
 UrdfDocument::UrdfDocument(const std::string& text, std::string file)
     : file_(std::move(file)), root_(ParseTree(text, file_)) {
   CheckTree();
-  // The parser's log is one for the whole process, so one call at a time.
+  // The parser's log is global to the process, so one call at a time.
   static std::mutex mutex;
   const std::lock_guard lock(mutex);
   LogCollector log;
   model_ = urdf::parseURDF(text);
-  // It may complain about a piece, leave it out and go on; we do not.
+  // The parser may report an error, leave out an element and continue; here any report is an error.
   if (!model_ || !log.text().empty()) FailLikeParser(log.text());
 }
 
@@ -81,7 +81,7 @@ void UrdfDocument::Fail(std::string_view element, std::string_view name,
                               .message = message});
 }
 
-/// Sees to it before parsing: the parser neither notices a loop nor frees one.
+/// Checks before parsing that joints form a tree: the parser neither detects a loop nor frees one.
 void UrdfDocument::CheckTree() const {
   CheckCount("link");
   CheckCount("joint");
@@ -94,6 +94,7 @@ void UrdfDocument::CheckTree() const {
     }
   }
   for (const auto& [child, parent] : parents) {
+    // A walk towards the root that takes more steps than there are joints is in a loop.
     std::size_t steps = 0;
     for (auto joint = parents.find(child); joint != parents.end();
          joint = parents.find(joint->second)) {
@@ -121,7 +122,8 @@ int UrdfDocument::LineOf(std::string_view element, std::string_view name) const 
   return found == root_.children.end() ? 0 : found->line;
 }
 
-/// The parser puts the names of links and joints in brackets; the first known one gives the line.
+/// Throws the parser's report. Names of links and joints are in brackets in it; the first known one
+/// gives the line.
 void UrdfDocument::FailLikeParser(const std::string& log) const {
   Diagnostic diagnostic{.file = file_, .message = log.empty() ? "not a URDF" : log};
   for (auto open = log.find('['); open != std::string::npos && diagnostic.line == 0;

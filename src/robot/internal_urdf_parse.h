@@ -11,18 +11,20 @@
 
 namespace smile::robot::internal {
 
-/// A URDF as its parser understood it, together with the lines of its links and joints.
+/// A parsed URDF, with the lines of its links and joints.
 ///
-/// The parser recurses without bound on nested elements, follows loops of joints and forgets lines:
-/// it only gets a text of which xml::Parse() has made a tree of bounded size.
+/// The parser recurses without bound on nested elements, follows loops of joints and drops line
+/// numbers. It is therefore called only with a text that xml::Parse() accepted, which is bounded in
+/// size and depth.
 class UrdfDocument {
  public:
-  /// @throws InputError when it is not well-formed, too large, or its links are not one tree.
+  /// Parses a text. @throws InputError if it is not well-formed, too large, or its links do not
+  /// form one tree.
   UrdfDocument(const std::string& text, std::string file);
 
   const urdf::ModelInterface& model() const { return *model_; }
 
-  /// Throws the InputError of one `<element name="name">` of the robot, with its line.
+  /// Throws an InputError for an `<element name="name">` of the robot, with its line.
   [[noreturn]] void Fail(std::string_view element, std::string_view name,
                          const std::string& message) const;
 

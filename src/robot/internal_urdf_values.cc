@@ -8,12 +8,12 @@
 namespace smile::robot::internal {
 namespace {
 
-// Far beyond any robot, near enough that products stay finite.
+// Upper bounds: far beyond any robot, small enough that products stay finite.
 constexpr double kMaxLength = 100;   // [m]
 constexpr double kMaxMass = 1e5;     // [kg]
 constexpr double kMaxInertia = 1e6;  // [kg m2]
 constexpr double kMaxAngle = 100;    // [rad]
-constexpr double kContinuous = 1e4;  // how far a joint without limits turns [rad]
+constexpr double kContinuous = 1e4;  // range of a joint without limits [rad]
 constexpr double kMaxScale = 1e4;
 constexpr double kMaxRate = 1e4;    // [rad/s or m/s]
 constexpr double kMaxEffort = 1e6;  // [N m or N]
@@ -51,7 +51,7 @@ scene::Solid UrdfElement::ReadSolid(const urdf::Geometry* geometry,
     solid.shape =
         scene::Cylinder{.radius = Positive(cylinder->radius, kMaxLength, "cylinder radius"),
                         .length = Positive(cylinder->length, kMaxLength, "cylinder length")};
-    // URDF's cylinders stand along z, ours lie along y.
+    // URDF's cylinders are along z, those of scenes along y.
     Matrix3 R_zy;
     R_zy << 1, 0, 0, 0, 0, -1, 0, 1, 0;
     solid.X_BS = solid.X_BS * RigidTransform(R_zy, Vector3::Zero());

@@ -8,15 +8,15 @@
 
 namespace smile::robot::internal {
 
-/// Mass of one link; its frame I has the centre of mass as origin.
+/// Mass properties of one link; its frame I has the center of mass as origin.
 struct UrdfInertial {
   double mass = 0;                    ///< [kg], 0 or more
   Matrix3 inertia = Matrix3::Zero();  ///< about I's origin, along I's axes [kg m2]
   RigidTransform X_FI;
 };
 
-/// One `<link>` or `<joint>`: turns the parser's values into ours, each one checked, and complains
-/// in the element's name. All functions throw InputError.
+/// Converts the values of one `<link>` or `<joint>` from the parser's types and checks each; errors
+/// name the element. All functions throw InputError.
 class UrdfElement {
  public:
   /// Keeps references: the document and the name must outlive it.
@@ -29,11 +29,11 @@ class UrdfElement {
 
   RigidTransform ReadPose(const urdf::Pose& pose) const;
   UrdfInertial ReadInertial(const urdf::Inertial& inertial) const;
-  /// A shape that is no mesh, in its place in the link's frame F: Solid::X_BS is X_FS.
+  /// Returns a shape other than a mesh, in the link's frame F: Solid::X_BS is X_FS.
   scene::Solid ReadSolid(const urdf::Geometry* geometry, const urdf::Pose& origin) const;
   Vector3 ReadScale(const urdf::Mesh& mesh) const;
   Color ReadColor(const urdf::Color& color) const;
-  /// Type, axis and limits of a joint that moves; a continuous one has limits far away.
+  /// Reads type, axis and limits of a movable joint; a continuous one gets very wide limits.
   void ReadMotion(const urdf::Joint& joint, scene::LinkSpec* link) const;
 
  private:

@@ -32,7 +32,7 @@ void CheckJoints(const RobotModel& model, std::span<const int> joints) {
   }
 }
 
-/// X_WF, when the links are at `X_WL`.
+/// Returns X_WF for links at `X_WL`.
 RigidTransform PoseOf(const Frame& F, const RigidTransform& X_WBase,
                       const std::vector<RigidTransform>& X_WL) {
   return (F.link < 0 ? X_WBase : X_WL[F.link]) * F.X_LF;
@@ -59,10 +59,10 @@ Eigen::MatrixXd GeometricJacobian(const RobotModel& model, std::span<const doubl
   const Vector3 p_BaseF = PoseOf(F, {}, X_BaseL).translation();
 
   Eigen::MatrixXd J = Eigen::MatrixXd::Zero(6, static_cast<Eigen::Index>(joints.size()));
-  // From the frame's link down to the base: these joints carry it.
+  // From the frame's link down to the base: only these joints carry it.
   for (int carrier = F.link; carrier >= 0; carrier = model.links[carrier].parent) {
     const LinkSpec& link = model.links[carrier];
-    // The joint's own motion leaves its axis where it was, so L's axes do as well as J's.
+    // A joint's motion does not move its own axis, so it can be taken from L instead of J.
     const Vector3 axis_Base = X_BaseL[carrier].rotation() * link.axis;
     Eigen::Matrix<double, 6, 1> column;
     if (link.joint_type == JointType::kRevolute) {

@@ -12,7 +12,7 @@
 namespace smile::robot {
 namespace {
 
-/// All of a link that has one color.
+/// Piece of a link in one color.
 struct LookPiece {
   std::string link;
   Color color;

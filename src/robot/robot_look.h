@@ -7,16 +7,15 @@
 
 namespace smile::robot {
 
-/// Adds a shipped look to the visuals of a robot's description: `robots/looks/NAME.glb`, each piece
-/// fixed to the link of its node's name, pieces with a face expression visible only with that one.
+/// Adds a shipped look to the visuals of a robot: `robots/looks/NAME.glb`, each piece fixed to the
+/// link named by its node; pieces with a face expression are visible only with that one.
 ///
 /// Each look is loaded once per program: its meshes are large, never change, and cameras identify
 /// them by their address.
 ///
 /// @param name    `baxter` (shells, screen, springs, and a face for each expression) or `classic`
-/// (the
-///                gripper of the 2015 program).
-/// @param prefix  before the names of the links: `left_`.
+///                (the gripper of the 2015 program).
+/// @param prefix  put before the names of links: `left_`.
 /// @throws std::invalid_argument naming the link that is missing.
 /// @throws std::runtime_error or InputError if the file is missing or damaged.
 void AddLook(std::string_view name, const std::string& prefix, RobotModel* model);

@@ -5,7 +5,7 @@
 namespace smile::robot {
 namespace {
 
-/// The index of the first item whose name is `name`.
+/// Returns the index of the first item named `name`.
 template <class Items, class NameOf>
 std::optional<int> IndexOf(const Items& items, std::string_view name, NameOf name_of) {
   const auto found = std::ranges::find(items, name, name_of);

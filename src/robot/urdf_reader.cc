@@ -24,8 +24,9 @@ using internal::UrdfPart;
 
 constexpr std::size_t kMaxUrdfBytes = 4 << 20, kMaxSideFileBytes = 1 << 20;
 
-/// Without a side file nothing moves the joints, and nobody has said which links touch by
-/// construction: they all may. Else links that overlap would keep physics busy for nothing.
+/// Lets all pairs of links pass through each other, for a robot without a side file: links that
+/// touch by construction are unknown, and overlapping links would keep physics busy. No joint moves
+/// anyway.
 void LetLinksPass(RobotModel* model) {
   for (int second = 0; second < model->num_joints(); ++second) {
     for (int first = -1; first < second; ++first) model->never_collide.emplace_back(first, second);
@@ -33,7 +34,7 @@ void LetLinksPass(RobotModel* model) {
   std::ranges::sort(model->never_collide);
 }
 
-/// Parts that hang where the side file says.
+/// Reads the parts of grippers, each file once.
 class PartReader {
  public:
   PartReader(const SideFile& side_file, const FoundFile& from, RobotFileSet* files)
@@ -85,6 +86,7 @@ RobotReading Read(const FoundFile& urdf, const RobotReaderOptions& options, Robo
          "has no side file that offers grippers, found the wish for " + Quoted(options.gripper)});
   }
   internal::BuiltModel built = internal::BuildModel(parts, files);
+  // Part 0 is the robot itself.
   for (std::size_t i = 0; i < mountings.size(); ++i) {
     if (built.is_used[i + 1]) continue;
     side_file->Fail(mountings[i].place,
@@ -103,7 +105,8 @@ RobotReading Read(const FoundFile& urdf, const RobotReaderOptions& options, Robo
           .files = files->TakeFiles()};
 }
 
-/// Recordings say in JSON which file it is: a name that is no UTF-8 is not kept.
+/// Returns the name for a kept URDF. Recordings store it in JSON, so a name that is not UTF-8 is
+/// replaced.
 std::string NameOfKept(const std::filesystem::path& urdf_path) {
   const Json name = urdf_path.filename().string();
   return ParseJson(ToText(name)) == name ? name.get<std::string>() : "robot.urdf";

@@ -1,4 +1,4 @@
-// What hands say of the objects they hold.
+// Properties of held objects that matter.
 
 #include <algorithm>
 
@@ -11,7 +11,7 @@ using world::Named;
 
 namespace {
 
-/// Those that every object has, and those described of this one.
+/// Returns the properties that all objects have, and those described for this one.
 std::vector<std::string_view> PropertiesOf(const scene::ObjectSpec& object) {
   std::vector<std::string_view> known = {"color",    "shape",       "size",
                                          "position", "orientation", "order"};

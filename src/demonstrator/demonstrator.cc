@@ -12,7 +12,7 @@ using world::Named;
 
 namespace {
 
-/// As one thing, of which is said what it holds.
+/// Returns the name of a hand as a singular subject.
 std::string NameOf(HandName hand) {
   if (hand == HandName::kBoth) return "the pair of hands";
   if (hand == HandName::kAny) return "the hand 'any'";
@@ -52,7 +52,7 @@ GraspPlan Demonstrator::PlanGrasp(HandName name, std::string_view object_id) con
   for (HandName other : kHandNames) {
     if (hand(other).held == body) plan.to_release.push_back(other);
   }
-  // The rules ask who holds what once the object is handed over.
+  // The rules apply to the situation after the object is handed over.
   const auto holds = [&](HandName other) {
     return hand(other).is_holding() && hand(other).held != body;
   };
@@ -105,6 +105,7 @@ std::optional<Refusal> Demonstrator::MoveTo(HandName name, const Vector3& p_WH,
                                             const std::optional<double>& speed) {
   if (auto refusal = RefuseIfEmpty(name)) return refusal;
   Hand& mover = MutableHand(name);
+  // Keep the orientation; the grasped point goes to p_WH.
   const Matrix3 R_WB = mover.X_WB_goal.rotation();
   mover.X_WB_goal = RigidTransform(R_WB, p_WH - R_WB * mover.p_BH);
   mover.speed = speed.value_or(servo_.max_speed);
@@ -130,6 +131,7 @@ std::optional<Vector3> Demonstrator::PointOnPlane(HandName name, const Ray& ray,
   const Vector3 normal =
       is_level ? Vector3::UnitZ() : Vector3(-std::sin(angle), std::cos(angle), 0);
   const Vector3 p_WH = hand(name).X_WB_goal * hand(name).p_BH;
+  // Intersection of the ray with the plane through the hand's goal.
   const double approach = normal.dot(direction);
   const std::string plane =
       std::string(is_level ? "the level plane of " : "the motion plane of ") + NameOf(name);
@@ -222,7 +224,7 @@ std::optional<Refusal> Demonstrator::Turn(HandName name, std::string_view object
   }
   const Vector3 p_WPoint = p_WQ.value_or(body.pose_in_world().translation());
   if (auto refusal = (tabletop_->*turning)(*object, p_WPoint)) return refusal;
-  // What a hand holds was put elsewhere: where the hand wants it goes along.
+  // Held objects that the bond moved: their goals move with them, or hands would pull them back.
   for (std::size_t i = 0; i < before.size(); ++i) {
     Hand& hand_of = state_.hands[i];
     if (!hand_of.is_holding()) continue;

@@ -7,6 +7,7 @@
 namespace smile::demonstrator {
 namespace {
 
+/// Returns a vector shortened to a length.
 Vector3 Limited(const Vector3& v, double max_length) {
   const double length = v.norm();
   return length > max_length ? Vector3(v * (max_length / length)) : v;
@@ -20,6 +21,7 @@ void DriveTowards(const RigidTransform& X_WB_goal, double speed, double step_sec
   const Vector3 gap = X_WB_goal.translation() - X_WB.translation();
   const Vector3 turn = RotationVectorBetween(X_WB.quaternion(), X_WB_goal.quaternion());
 
+  // Proportional to the error near the goal, limited farther away.
   const Vector3 v_wanted =
       Limited(gap / config.response_seconds, std::min(speed, config.max_speed));
   const Vector3 w_wanted = Limited(turn / config.response_seconds, config.max_angular_speed);

@@ -6,9 +6,9 @@
 namespace smile::world {
 namespace {
 
-/// How far a guest may be from a host to be fastened [units].
+/// Greatest distance of a guest from the host it is fastened to [units].
 constexpr double kReachUnits = 2.0;
-/// What a guest may cut into where it is put, apart from its host [m].
+/// Overlap that a guest may have with other objects than its host at its new place [m].
 constexpr double kMaxOverlap = 0.002;
 
 }  // namespace
@@ -65,7 +65,8 @@ std::optional<GuestIndex> Bonds::NearestGuest(ObjectIndex object, const Vector3&
 }
 
 std::vector<bool> Bonds::ConnectedWith(ObjectIndex object) const {
-  // Bonds between static objects have no joint, other joints have no bond.
+  // Two sources of connections: bonds between static objects have no joint, and other joints have
+  // no bond.
   std::multimap<std::size_t, std::size_t> neighbours;
   for (HostIndex host : model_->hosts()) {
     if (!states_[host].guest) continue;
@@ -109,6 +110,7 @@ std::optional<HostIndex> Bonds::HostInReach(GuestIndex guest, double reach,
     }
     const double distance = (point_in_world(hole.object, hole.X_BH) - p_WG).norm();
     if (distance >= nearest_distance) continue;
+    // Locked hosts are noted for the message, but not used.
     if (states_[host].is_locked) {
       is_any_locked = true;
       continue;
@@ -153,10 +155,11 @@ std::optional<Refusal> Bonds::Loosen(ObjectIndex object, const Vector3& p_WQ) {
   return Tighten(*guest, *host, states_[*host].tightness - 1);
 }
 
-/// Goes to another stage, or refuses and leaves everything as it was.
+/// Changes the stage, or refuses and leaves everything unchanged.
 std::optional<Refusal> Bonds::Tighten(GuestIndex guest, HostIndex host, int tightness) {
   if (states_[host].is_locked) return Named(model_->host(host).point->id) + " is locked";
   const RigidTransform X_WB = GuestBodyAt(guest, host, tightness);
+  // All reasons to refuse come before the first change.
   if (auto refusal = RefuseToMove(guest, host, X_WB)) return refusal;
 
   if (states_[host].joint) world_->RemoveJoint(states_[host].joint);
@@ -171,6 +174,7 @@ std::optional<Refusal> Bonds::RefuseToMove(GuestIndex guest, HostIndex host,
   const physics::BodyId body = BodyOf(guest), holder = BodyOf(host);
   const physics::JointId bond = states_[host].joint;
   if (world_->body(body).is_static()) return NameOf(body) + " is fixed (its mass is 0)";
+  // The bond itself does not count: it is about to change.
   if (world_->IsAnchored(body, bond)) {
     return NameOf(body) + " hangs on something fixed and cannot be put there";
   }
@@ -184,6 +188,7 @@ std::optional<Refusal> Bonds::RefuseToMove(GuestIndex guest, HostIndex host,
     const RigidTransform X_there = X_moved * world_->body(member).pose_in_world();
     const physics::Overlaps overlaps = world_->OverlapsAt(member, X_there, kMaxOverlap);
     for (physics::BodyId blocker : overlaps.bodies) {
+      // A guest is inside its host's hole by design.
       const bool is_hole = member == body && blocker == holder;
       if (is_hole || std::ranges::binary_search(moved, blocker)) continue;
       return "there is no room for " + NameOf(member) + ": " + NameOf(blocker) + " is in the way";
@@ -217,7 +222,7 @@ void Bonds::Join(GuestIndex guest, HostIndex host, int tightness) {
         .b = body,
         .X_AB = model::GuestBodyInHostBody(model_->host(host), model_->guest(guest), tightness)});
   } else if (tightness == 0) {
-    // Still inside the hole, it must not be thrown out.
+    // The guest is still inside the hole: contacts would eject it.
     world_->IgnoreCollisionUntilSeparated(holder, body);
   }
   TellDownstream(host);

@@ -14,35 +14,35 @@ using model::GuestIndex;
 using model::HostIndex;
 using model::ObjectIndex;
 
-/// What can change about a host.
+/// State of a host.
 struct BondState : model::HostState {
-  physics::JointId joint;  ///< of the bond; none between two static objects
+  physics::JointId joint;  ///< joint of the bond; none between two static objects
 
   bool operator==(const BondState&) const = default;
 };
 
-/// The bond points of a scene: which guest is fastened to which host, and how tightly.
+/// Bond points of a scene: which guest is fastened to which host, and how tightly.
 class Bonds {
  public:
   /// All must outlive this.
   Bonds(physics::World* world, const model::Model& model, const std::vector<Object>* objects,
         const std::vector<ObjectState>* object_states, Controls* controls);
-  /// Adds the hosts that a larger model has behind those of before, empty.
-  /// @param model  must outlive this, as the one of Restore().
+  /// Adds the hosts that a larger model has behind the present ones, empty. @param model  must
+  /// outlive this, as the one of Restore().
   void Grow(const model::Model& model);
-  /// Fastens what is fastened from the start, of the guests from `first` on. Their objects must
-  /// have bodies by now.
+  /// Fastens the guests from `first` on that are fastened from the start. Their objects must
+  /// already have bodies.
   void FastenInitially(GuestIndex first);
 
   const std::vector<BondState>& states() const { return states_; }  ///< by HostIndex
   void Restore(std::vector<BondState> states, const model::Model& model);
 
-  /// One stage tighter: of the object's guest point nearest to `p_WQ`. A free one goes to the
+  /// Tightens the object's guest point nearest to `p_WQ` by one stage. A free guest goes to the
   /// nearest host that fits, is free, not locked, not on the floor, less than two units away and
-  /// not connected with the object already. The guest, and all that hangs on it, is put where the
-  /// stage has it; the host stays.
+  /// not already connected with the object. The guest and its assembly move to the place of the
+  /// stage; the host stays.
   [[nodiscard]] std::optional<Refusal> Fasten(ObjectIndex object, const Vector3& p_WQ);
-  /// One stage looser; from the first stage the guest comes free.
+  /// Loosens a guest by one stage; from the first stage it comes free.
   [[nodiscard]] std::optional<Refusal> Loosen(ObjectIndex object, const Vector3& p_WQ);
   /// Ends the bonds of an object that is about to be destroyed.
   void EndBondsOf(ObjectIndex object);
@@ -50,9 +50,9 @@ class Bonds {
  private:
   std::optional<HostIndex> HostOf(GuestIndex guest) const;
   std::optional<GuestIndex> NearestGuest(ObjectIndex object, const Vector3& p_WQ) const;
-  /// The host a free guest would go to; or why there is none.
+  /// Returns the host that a free guest would go to, or nullopt with the reason in `refusal`.
   std::optional<HostIndex> HostInReach(GuestIndex guest, double reach, Refusal* refusal) const;
-  /// Of each object, whether it hangs together with this one through bonds or other joints.
+  /// Returns for each object whether it is connected with this one through bonds or other joints.
   std::vector<bool> ConnectedWith(ObjectIndex object) const;
   physics::BodyId BodyOf(GuestIndex guest) const {
     return (*objects_)[model_->guest(guest).object].body;
@@ -60,12 +60,12 @@ class Bonds {
   physics::BodyId BodyOf(HostIndex host) const {
     return (*objects_)[model_->host(host).object].body;
   }
-  /// The object of a body, as refusals name it.
+  /// Returns the name of a body's object for refusals.
   std::string NameOf(physics::BodyId body) const;
   RigidTransform GuestBodyAt(GuestIndex guest, HostIndex host, int tightness) const;
   std::optional<Refusal> Tighten(GuestIndex guest, HostIndex host, int tightness);
   void Join(GuestIndex guest, HostIndex host, int tightness);
-  /// Why a guest, with all that hangs on it, cannot be put there.
+  /// Returns the reason why a guest and its assembly cannot be put at `X_WB`.
   std::optional<Refusal> RefuseToMove(GuestIndex guest, HostIndex host,
                                       const RigidTransform& X_WB) const;
   bool IsHeldByRobot(physics::BodyId body) const;

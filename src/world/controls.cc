@@ -14,12 +14,13 @@ using scene::CustomControl;
 using scene::IndicatorLights;
 using scene::ToggleSwitch;
 
-/// A part of a custom control's state, and where triggering it leads.
+/// A part of a custom control's state and the state it leads to.
 struct Target {
   std::string part;
   int next_state;
 };
 
+/// Appends a part and its children; children inherit the next state unless they name one.
 void AppendTargets(const scene::Part& part, int inherited, std::vector<Target>* targets) {
   const int next_state = part.next_state.value_or(inherited);
   targets->push_back({part.id, next_state});
@@ -28,7 +29,7 @@ void AppendTargets(const scene::Part& part, int inherited, std::vector<Target>* 
   }
 }
 
-/// Where the parts of the present state lead that lead anywhere else.
+/// Returns the parts of the present state that lead to another state.
 std::vector<Target> TargetsOf(const CustomControl& control, int state) {
   std::vector<Target> targets;
   for (const scene::Part& part : control.states[state].parts) AppendTargets(part, -1, &targets);
@@ -79,6 +80,7 @@ std::optional<Refusal> Controls::Trigger(model::ControlIndex index, std::string_
     if (!part.empty() && part != raised) {
       return Named(part) + " is pressed already; press " + Named(raised);
     }
+    // The lowered button comes up and the other one goes down; the state advances either way.
     state.position = 1 - state.position;
     state.state = (state.state + 1) % toggle.num_states;
     return std::nullopt;
@@ -93,6 +95,7 @@ std::optional<Refusal> Controls::Trigger(model::ControlIndex index, std::string_
       }
     }
     if (targets.empty()) return "nothing would happen: no part of " + name + " leads on";
+    // Without a named part, all parts must agree.
     const bool is_one = std::ranges::all_of(targets, [&](const Target& target) {
       return target.next_state == targets.front().next_state;
     });

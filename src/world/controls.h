@@ -12,29 +12,29 @@ namespace smile::world {
 
 using model::ControlState;
 
-/// The states of all controls of a scene, and the rules by which they change.
+/// States of all controls of a scene, and the rules by which they change.
 ///
-/// A control takes a state only if it has such a state and is not in it already; only then does it
-/// pass it on downstream. Each control takes at most one state per propagation, so that it ends
-/// whatever the wiring.
+/// A control takes a state only if it has such a state and is not already in it; only then does it
+/// pass the state on downstream. Each control takes at most one state per propagation, so
+/// propagation ends whatever the wiring.
 class Controls {
  public:
-  /// Begins with the states that model::InitialStates() has.
-  /// @param model  must outlive this.
+  /// Starts with model::InitialStates(). @param model  must outlive this.
   explicit Controls(const model::Model& model);
 
   const std::vector<ControlState>& states() const { return states_; }  ///< by ControlIndex
-  /// Adds the controls that a larger model has behind those of before, in their initial states.
+  /// Adds the controls that a larger model has behind the present ones, in their initial states.
   /// @param model  must outlive this, as the one of Restore().
   void Grow(const model::Model& model);
   void Restore(std::vector<ControlState> states, const model::Model& model);
 
-  /// A hand presses a switch, or triggers a custom control. `part` is the button (`ID-b1`, `ID-b2`)
-  /// or the id of a part of the control's present state; empty: whatever leads on.
+  /// Presses a switch, or triggers a custom control. `part` is the button (`ID-b1`, `ID-b2`) or the
+  /// id of a part of the control's present state; empty: any part that leads to another state.
   [[nodiscard]] std::optional<Refusal> Trigger(model::ControlIndex control, std::string_view part);
-  /// Sets a state without driving anything downstream; a state it does not have is ignored.
+  /// Sets a state without driving downstream controls; ignores a state that the control does not
+  /// have.
   void Set(model::ControlIndex control, int state);
-  /// Forces a state to be shown; -1 ends that.
+  /// Forces a displayed state; -1 ends that.
   void Override(model::ControlIndex control, int state);
 
  private:

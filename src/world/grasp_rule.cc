@@ -7,7 +7,7 @@
 namespace smile::world {
 namespace {
 
-/// How well a contact normal must agree with the closing direction: within 45 degrees.
+/// Least cosine between a contact normal and the closing direction: 45 degrees.
 constexpr double kFacing = 0.7071;
 
 }  // namespace
@@ -16,6 +16,7 @@ std::vector<physics::BodyId> GraspedBodies(std::span<const physics::Contact> lef
                                            std::span<const physics::Contact> right,
                                            const RigidTransform& X_WG, double opening) {
   const Vector3 across = X_WG.rotation().col(1), along = X_WG.rotation().col(2);
+  // Greatest difference in depth of two opposite points [m].
   const double max_offset = opening * std::tan(std::numbers::pi / 16);
   std::vector<physics::BodyId> bodies;
   for (const physics::Contact& a : left) {

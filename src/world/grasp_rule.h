@@ -7,13 +7,13 @@
 
 namespace smile::world {
 
-/// Which bodies a closing gripper has got hold of: one-shot, no friction involved.
+/// Returns the bodies that a closing gripper has grasped: decided once, without friction.
 ///
-/// A body counts when it touches both fingers, its contact normals face each other across the
+/// A body counts if it touches both fingers, its contact normals face each other across the
 /// opening, and the two points lie at nearly the same depth along the fingers: the line between
-/// them leaves the finger's normal by less than pi/16.
+/// them deviates from the finger's normal by less than pi/16.
 ///
-/// @param left, right  what touches each finger; the left one is on the +y side of the tool.
+/// @param left, right  contacts of each finger; the left one is on the +y side of the tool.
 /// @param X_WG         the tool frame: y across the opening, z along the fingers.
 /// @param opening      between the fingers [m].
 /// @returns ids in ascending order, each once.

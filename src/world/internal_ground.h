@@ -4,10 +4,11 @@
 
 namespace smile::world {
 
-/// Bodies bounce with the product of both restitutions: with 1 here, an object's own one counts.
+/// Restitution of the ground. Bullet multiplies both bodies' restitutions: with 1 here, the
+/// object's own value applies.
 inline constexpr double kGroundRestitution = 1;
 
-/// What catches things that leave the table.
+/// Returns the floor that catches objects that leave the table.
 scene::Solid FloorSolid();
 
 }  // namespace smile::world

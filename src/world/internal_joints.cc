@@ -5,9 +5,9 @@
 namespace smile::world {
 namespace {
 
-/// How far from the middle of an end piece the chain hangs on it, towards the other end [units].
+/// Distance of a chain's anchor from the middle of an end piece, towards the other end [units].
 constexpr double kEndAnchorUnits = 0.1;
-/// Members of a slider that begin deeper in one another than this do not collide [m].
+/// Members of a slider that initially overlap by more than this do not collide [m].
 constexpr double kMaxMemberOverlap = 0.001;
 
 void AddBall(physics::BodyId a, const Vector3& p_AQ, physics::BodyId b, const Vector3& p_BQ,
@@ -22,8 +22,10 @@ void AddChainJoints(const scene::ChainSpec& chain, double meters_per_unit,
                     const std::vector<Object>& objects, physics::World* world) {
   const physics::BodyId start = objects[chain.first_object].body;
   const physics::BodyId end = objects[chain.first_object + 1].body;
+  // Links extend along their y axis.
   const Vector3 to_end(0, chain.link_size.y() / 2, 0);
   const Vector3 anchor(0, kEndAnchorUnits * meters_per_unit, 0);
+  // The scene lists both end pieces before the links.
   const std::size_t first_link = chain.first_object + 2;
   physics::BodyId previous = start;
   Vector3 p_PreviousQ = anchor;
@@ -40,7 +42,7 @@ void AddSliderJoint(const scene::SliderSpec& slider, const std::vector<Object>& 
                     physics::World* world) {
   const physics::BodyId a = objects[slider.first_object].body;
   const physics::BodyId b = objects[slider.first_object + 1].body;
-  // The scene counts the offset along -x of the rail, physics along +x.
+  // The offset counts along -x of the rail in scenes, along +x in physics.
   world->AddJoint(physics::SliderJointSpec{.a = a,
                                            .b = b,
                                            .X_AJ = slider.X_JA.inverse(),
@@ -52,7 +54,7 @@ void AddSliderJoint(const scene::SliderSpec& slider, const std::vector<Object>& 
                                            .restitution = slider.restitution,
                                            .softness = slider.softness});
   if (!slider.do_members_collide) return;
-  // Contact would push apart what the rail holds together, for ever.
+  // Contacts would push apart members that the rail holds together, without end.
   const auto blockers =
       world->OverlapsAt(b, world->body(b).pose_in_world(), kMaxMemberOverlap).bodies;
   if (std::ranges::find(blockers, a) != blockers.end()) world->IgnoreCollisionUntilSeparated(a, b);

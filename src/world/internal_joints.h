@@ -8,7 +8,8 @@
 
 namespace smile::world {
 
-/// The ball joints of a chain and the rail of a slider, between the bodies of the scene's objects.
+/// Add the ball joints of a chain and the rail of a slider between the bodies of the scene's
+/// objects.
 void AddChainJoints(const scene::ChainSpec& chain, double meters_per_unit,
                     const std::vector<Object>& objects, physics::World* world);
 void AddSliderJoint(const scene::SliderSpec& slider, const std::vector<Object>& objects,

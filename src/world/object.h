@@ -7,20 +7,20 @@
 
 namespace smile::world {
 
-/// A whole object of the scene, alive. Once destroyed, its body is no longer in the physics world;
-/// it keeps its place in the list.
+/// Object of the running scene. Once destroyed, its body is no longer in the physics world, but it
+/// keeps its place in the list.
 struct Object {
-  model::ObjectIndex index{0};              ///< its place in the scene and in the list
-  const scene::ObjectSpec* spec = nullptr;  ///< of the Model; never null
+  model::ObjectIndex index{0};              ///< place in the scene and in the list
+  const scene::ObjectSpec* spec = nullptr;  ///< from the Model; never null
   physics::BodyId body{};
 
   const std::string& id() const { return spec->id(); }
 };
 
-/// Where an object has been.
+/// History of an object that cannot be seen from its pose.
 struct ObjectState {
-  bool was_raised = false;  ///< a hand or a gripper carried it above the table top
-  bool has_fallen = false;  ///< to the floor: it is out of play
+  bool was_raised = false;  ///< was carried above the table top by a hand or gripper
+  bool has_fallen = false;  ///< fell to the floor: out of play
 
   bool operator==(const ObjectState&) const = default;
 };

@@ -18,11 +18,12 @@ void CheckCount(std::span<const double> values, std::size_t expected, const std:
                               " values, expected " + std::to_string(expected));
 }
 
-/// Of a finger that holds by friction: rubber. Blocks have 0.6, and Bullet multiplies.
+/// Friction of a finger that holds by friction, like rubber. Blocks have 0.6, and Bullet
+/// multiplies.
 constexpr double kPadFriction = 1.5;
 
-/// Fingers that attach what they grasp are smooth, so that it turns until it lies flat between
-/// them, as soft pads would let it.
+/// Friction of fingers that attach what they grasp. Smooth, so that an object rotates until it lies
+/// flat between them, as with soft pads.
 constexpr double kSmoothFriction = 0;
 
 void SmoothFingers(const robot::RobotModel& model, scene::ArticulationSpec* spec) {
@@ -33,8 +34,8 @@ void SmoothFingers(const robot::RobotModel& model, scene::ArticulationSpec* spec
   }
 }
 
-/// The left finger of a gripper that holds by friction keeps its place with all a motor may use,
-/// and the right one presses with just the effort its description names.
+/// Sets up fingers that hold by friction: the left one keeps its place with the full effort of its
+/// motor, and the right one presses with the effort that its description names.
 void PadFingers(const robot::RobotModel& model, double effort_scale,
                 scene::ArticulationSpec* spec) {
   for (const robot::Arm& arm : model.arms) {
@@ -82,9 +83,9 @@ void RobotBody::SetGripperVelocity(int arm, double velocity) {
   CommandFingers(arm);
 }
 
-/// Both fingers share the motion. A gripper that something is attached to keeps its opening; of one
-/// that squeezes something the left finger stays: were both to press, nothing would keep what they
-/// hold from moving with them.
+/// Commands the fingers, which share the motion. A gripper that holds an attached object keeps its
+/// opening. If it squeezes an object, the left finger stays: if both pressed, nothing would keep
+/// the object from moving with them.
 void RobotBody::CommandFingers(int arm) {
   const robot::Gripper& gripper = *model().arms[arm].gripper;
   const GripperState& state = state_.grippers[arm];
@@ -120,6 +121,7 @@ void RobotBody::SetArmAngles(int arm, std::span<const double> angles) {
   CheckCount(angles, which.joints.size(), which.name);
   articulation().SetPositions(which.joints, angles);
 
+  // Held bodies move with their links, at once.
   const std::vector<RigidTransform> X_WL = articulation().link_poses();
   const std::vector<physics::JointId>& welds = state_.grippers[arm].welds;
   for (const physics::Joint& joint : world_->joints()) {
@@ -152,6 +154,7 @@ void RobotBody::CloseAround(int arm) {
   const robot::Gripper& gripper = *model().arms[arm].gripper;
   const auto left = world_->ContactsWith(articulation_, gripper.left_finger);
   const auto right = world_->ContactsWith(articulation_, gripper.right_finger);
+  // The common case while closing: nothing to compute.
   if (left.empty() || right.empty()) return;
 
   const int palm = model().frames[model().arms[arm].tool].link;
@@ -167,6 +170,7 @@ void RobotBody::CloseAround(int arm) {
                           .X_LB = X_LW * body.pose_in_world(),
                           .links_not_colliding = {palm, gripper.left_finger, gripper.right_finger},
                           .holds_up = payload}));
+    // Several bodies share the payload.
     payload = std::max(0.0, payload - body.spec().mass.mass);
   }
   if (state_.grippers[arm].welds.empty()) return;
@@ -180,6 +184,7 @@ void RobotBody::LetGo(int arm) {
       if (joint.id != weld) continue;
       const physics::BodyId held = std::get<physics::WeldSpec>(joint.spec).body;
       world_->RemoveJoint(weld);
+      // A released body starts at rest, like one released by a hand.
       world_->body(held).SetVelocity(Vector3::Zero(), Vector3::Zero());
       break;
     }

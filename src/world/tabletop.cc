@@ -9,10 +9,11 @@
 namespace smile::world {
 namespace {
 
-/// Of a chain's links, which shall swing but hardly spin. With 1 they would not even swing.
+/// Angular damping of a chain's links, so that they swing but hardly spin. With 1 they would not
+/// even swing.
 constexpr double kLinkAngularDamping = 0.9;
 
-/// @param bodies  of the first ones; the others have none yet.
+/// Returns the objects of a model. @param bodies  of the first objects; the others have none yet.
 std::vector<Object> ObjectsOf(const model::Model& model,
                               const std::vector<physics::BodyId>& bodies = {}) {
   std::vector<Object> objects;
@@ -45,6 +46,7 @@ Tabletop::Tabletop(physics::World* world, scene::SceneSpec scene)
 
 void Tabletop::Grow(std::shared_ptr<const model::Model> model) {
   const scene::SceneSpec& before = model_->scene();
+  // The extent is that of the old model.
   const Extent extent{.num_objects = before.objects.size(),
                       .num_sliders = before.sliders.size(),
                       .num_chains = before.chains.size(),
@@ -106,6 +108,8 @@ const Object* Tabletop::FindPointable(std::string_view id) const {
 }
 
 bool Tabletop::HasPointable(const Object& object, std::string_view id) const {
+  // Walks the object's parts in the order in which the model lists its controls; a control shows
+  // the parts of its present state.
   auto next_control = model_->controls_of(object.index).begin();
   const auto has = [&](const auto& self, const scene::Part& part) -> bool {
     const auto any = [&](const std::vector<scene::Part>& parts) {
@@ -136,7 +140,7 @@ void Tabletop::FollowControls(const std::vector<ControlState>& before) {
       continue;
     }
     const std::vector<scene::Solid> solids = SolidsNow(object);
-    // Lights look otherwise and feel the same.
+    // Lights look different but have the same form.
     if (solids == world_->body(object.body).spec().solids) continue;
     world_->ChangeForm(
         object.body, solids,

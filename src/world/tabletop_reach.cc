@@ -1,4 +1,4 @@
-// Which objects hands can reach, and which have fallen to the floor.
+// Rules for objects that hands can reach, and for objects that have fallen to the floor.
 
 #include <algorithm>
 
@@ -9,7 +9,7 @@
 namespace smile::world {
 namespace {
 
-/// What stands this much lower than at the start has come down [m].
+/// An object this much lower than at the start has come down [m].
 constexpr double kFall = 0.1;
 
 bool HasPart(const scene::Part& whole, std::string_view id) {

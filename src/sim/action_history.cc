@@ -8,8 +8,8 @@
 namespace smile::sim {
 namespace {
 
-/// Nearly: the rest is small and grows with it. A model is shared by many states, so that each has
-/// only a little of it.
+/// Returns the approximate size of a state [bytes]. Models are shared by many states, so each
+/// counts only a little per object.
 std::size_t SizeOf(const SimulationState& state) {
   constexpr std::size_t kBytesPerObject = 1000;
   const std::size_t num_objects = state.model ? state.model->objects().size() : 0;
@@ -27,7 +27,7 @@ std::vector<TimedCommand> ActionHistory::CommandsDone() const {
   for (const Action& action : done().subspan(first)) {
     commands.insert(commands.end(), action.commands.begin(), action.commands.end());
   }
-  // The load itself led into the scene, not on in it.
+  // The load itself is not a command of the scene it loaded.
   if (first > 0) commands.erase(commands.begin());
   return commands;
 }
@@ -76,7 +76,7 @@ const SimulationState& ActionHistory::Undo(SimulationState now) {
 std::unique_ptr<const SimulationState> ActionHistory::Redo() {
   SMILE_DEMAND(can_redo());
   Action& redone = actions_[cursor_ + 1];
-  // What happened between the undo and now is not on the way to where this leads.
+  // Events since the undo are not on the path to the redone state.
   actions_[cursor_].events.resize(redone.num_events_before);
   ++cursor_;
   return std::move(redone.at_undo);
@@ -97,6 +97,7 @@ void ActionHistory::DiscardUndone() {
 }
 
 void ActionHistory::ForgetOldestStates() {
+  // The state of the current action always stays, so that one undo is possible.
   for (; num_state_bytes_ > max_state_bytes_ && first_state_ < cursor_; ++first_state_) {
     num_state_bytes_ -= SizeOf(*actions_[first_state_].before);
     actions_[first_state_].before.reset();

@@ -16,67 +16,69 @@
 
 namespace smile::sim {
 
-/// Names an action of one simulation. Ids count up from 1 in the order in which the actions were
-/// begun and are never used twice. The id 0 names the start, before the first action.
+/// Identifier of an action of one simulation. Ids count up from 1 in the order in which actions
+/// began and are never used twice. Id 0 is the start, before the first action.
 using ActionId = StrongId<struct ActionTag>;
 
+/// A command and the tick at which it was applied.
 struct TimedCommand {
-  std::uint64_t tick = 0;  ///< at which it was carried out
+  std::uint64_t tick = 0;  ///< at which it was applied
   Command command;
 
   bool operator==(const TimedCommand&) const = default;
 };
 
-/// An action and all that followed it, up to the next one.
+/// An action with everything that followed it, up to the next action.
 struct Action {
   ActionId id;
   std::uint64_t tick = 0;                ///< at which it began
-  std::optional<ActionSummary> summary;  ///< nullopt of the start
+  std::optional<ActionSummary> summary;  ///< nullopt for the start
   std::vector<TimedCommand> commands;  ///< in order; the first is the action itself, see IsAction()
   std::vector<Event> events;           ///< in order; refusals are left out
 
-  /// The simulation just before; nullptr of the start, and once it is forgotten.
+  /// State before the action; nullptr for the start, and after it was discarded for space.
   std::unique_ptr<const SimulationState> before;
-  /// The simulation at the undo; nullptr while the action is done.
+  /// State at the undo; nullptr while the action is done.
   std::unique_ptr<const SimulationState> at_undo;
-  std::size_t num_events_before = 0;  ///< of the previous action, when this one began
+  /// number of events of the previous action when this one began
+  std::size_t num_events_before = 0;
 };
 
-/// The one history of a simulation: a list of actions and a cursor.
+/// History of a simulation: a list of actions and a cursor.
 ///
 ///     start | a1 | a2 | a3 | a4          a1 and a2 are done, a3 and a4 are undone:
 ///                     ^ cursor           Undo() takes back a2, Redo() does a3 again
 ///
 /// A command after an undo discards the undone actions. Each action keeps the state before it,
-/// about 2 kB per object. Beyond half a gigabyte the oldest states are forgotten, which ends how
-/// far Undo() leads back; the actions themselves stay.
+/// about 2 kB per object. Beyond half a gigabyte the oldest states are discarded, so Undo() no
+/// longer reaches them; the actions themselves stay.
 ///
-/// Everyone else keeps only marks, by ActionId, and is told when the cursor moves: see
-/// Listener::OnMove() and ActionMarks.
+/// There is no other copy of the history: listeners keep only marks, by ActionId, and are notified
+/// when the cursor moves; see Listener::OnMove() and ActionMarks.
 class ActionHistory {
  public:
   explicit ActionHistory(std::size_t max_state_bytes = std::size_t{512} << 20);
 
-  /// The start and the actions that are done, in order.
+  /// Returns the start and the actions that are done, in order.
   std::span<const Action> done() const { return {actions_.data(), cursor_ + 1}; }
-  /// The undone actions, in order.
+  /// Returns the undone actions, in order.
   std::span<const Action> undone() const { return std::span(actions_).subspan(cursor_ + 1); }
-  /// The last action that is done; the start if there is none.
+  /// Returns the last action that is done, or the start.
   const Action& current() const { return actions_[cursor_]; }
   bool can_undo() const { return current().before != nullptr; }
   bool can_redo() const { return !undone().empty(); }
 
-  /// True when the history goes back to the start of the scene: done() then contains all that led
-  /// from there to the present state.
+  /// Returns true if the history reaches back to the start of the scene: done() then contains all
+  /// actions that led from there to the present state.
   bool is_complete() const { return is_complete_ || LastLoad() > 0; }
-  /// The commands of all that was done in the present scene, in order.
+  /// Returns all commands that were done in the present scene, in order.
   std::vector<TimedCommand> CommandsDone() const;
 
-  // What follows is for the simulation that the history belongs to.
+  // The members below are for the simulation that owns the history.
 
-  /// Begins an action that was carried out on the simulation in state `before`.
+  /// Begins an action that was applied to the simulation in state `before`.
   void Begin(SimulationState before);
-  /// Adds to the current action.
+  /// Add to the current action.
   void Add(TimedCommand command);
   void Add(Event event);
   void Describe(ActionSummary summary) { actions_[cursor_].summary = std::move(summary); }
@@ -87,12 +89,12 @@ class ActionHistory {
   /// Moves the cursor forward by one action. Requires can_redo().
   /// @returns the state at the undo of the action.
   std::unique_ptr<const SimulationState> Redo();
-  /// Begins again at `tick` of a state that was restored from elsewhere: nothing can be undone, and
-  /// the history is not complete any longer.
+  /// Restarts the history at `tick` of a state that was restored from elsewhere: nothing can be
+  /// undone, and the history is no longer complete.
   void Restart(std::uint64_t tick);
 
  private:
-  /// Index of the last action that is done and loaded a scene; 0, the start, if there is none.
+  /// Returns the index of the last done action that loaded a scene; 0, the start, if none did.
   std::size_t LastLoad() const;
   void DiscardUndone();
   void ForgetOldestStates();
@@ -102,7 +104,7 @@ class ActionHistory {
   std::size_t cursor_ = 0;       ///< index of the current action
   std::uint32_t last_id_ = 0;
   std::size_t num_state_bytes_ = 0;  ///< of all states before actions
-  std::size_t first_state_ = 1;      ///< index of the first action whose state is not forgotten
+  std::size_t first_state_ = 1;      ///< index of the first action whose state is kept
   bool is_complete_ = true;
 };
 

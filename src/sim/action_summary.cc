@@ -3,6 +3,7 @@
 namespace smile::sim {
 namespace {
 
+/// A release is a put, a drop or a plain release, depending on the support.
 ActionSummary SummaryOfRelease(const Event& event, const std::optional<model::Support>& support) {
   ActionSummary summary{.kind = ActionKind::kRelease, .hand = event.hand, .what = event.object};
   if (!support) return summary;
@@ -11,7 +12,8 @@ ActionSummary SummaryOfRelease(const Event& event, const std::optional<model::Su
   return summary;
 }
 
-/// True if a command of the kind is an action that such an event reports.
+/// Returns true if a command of the kind is an action that such an event reports. Events of bonds
+/// also occur without a hand, when an object is destroyed; those begin no action.
 template <class Kind>
 bool Reports(const Event& event) {
   constexpr bool kIsOfHand = requires(Kind kind) { kind.hand; };

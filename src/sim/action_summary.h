@@ -11,9 +11,9 @@
 
 namespace smile::sim {
 
-/// The one definition of an action: a command of a kind that has an event here, reported by this
-/// event, of a hand if the command is one of a hand. It can be undone, and it begins a new segment
-/// of a recording. nullopt for commands that belong to the action before them.
+/// The definition of an action: a command of a kind that has an event here. This event reports the
+/// action, with a hand if the command has one. An action can be undone, and begins a new segment of
+/// a recording. nullopt for commands that belong to the action before them.
 template <class Kind>
 constexpr std::optional<EventKind> EventOfAction() {
   if constexpr (std::is_same_v<Kind, Grasp>) return EventKind::kGrasped;
@@ -30,18 +30,18 @@ constexpr std::optional<EventKind> EventOfAction() {
   return std::nullopt;
 }
 
-/// Whose doing a command is, where a hand's.
+/// Returns the hand of a command, if it has one.
 std::optional<HandName> HandOf(const Command& command);
-/// True of a command that begins an action.
+/// Returns true for a command that begins an action.
 bool IsAction(const Command& command);
-/// True of the event that reports an action. Each action has exactly one.
+/// Returns true for the event that reports an action. Each action has exactly one.
 bool BeginsAction(const Event& event);
 
 enum class ActionKind {
   kTake,
-  kPut,      ///< let go of where it lay already
-  kDrop,     ///< let go of above something
-  kRelease,  ///< let go of beyond the table
+  kPut,      ///< released where it already lay
+  kDrop,     ///< released above something
+  kRelease,  ///< released beyond the table
   kDestroy,
   kPoint,
   kTrigger,
@@ -52,34 +52,34 @@ enum class ActionKind {
   kClear,
   kLoad
 };
-/// `take`, `put`, `drop`, `release`, `destroy`, `point`, `trigger`, `fasten`, `loosen`, `add`,
-/// `remove`, `clear`, `load`.
+/// Returns `take`, `put`, `drop`, `release`, `destroy`, `point`, `trigger`, `fasten`, `loosen`,
+/// `add`, `remove`, `clear` or `load`.
 std::string_view ToString(ActionKind kind);
 
-/// An action in short.
+/// Summary of an action.
 struct ActionSummary {
   ActionKind kind = ActionKind::kTake;
-  std::optional<HandName> hand;        ///< nullopt of what no hand did
+  std::optional<HandName> hand;        ///< nullopt if no hand did it
   std::string what;                    ///< id of the object, or part pointed at, or control; where
                                        ///< there are several objects, how many: `5 objects`; or
                                        ///< the name of the scene
-  std::optional<model::Support> onto;  ///< of what was put or dropped
+  std::optional<model::Support> onto;  ///< for a put or dropped object
 
   bool operator==(const ActionSummary&) const = default;
 };
 
-/// @param support  of what a hand let go of.
-/// @returns nullopt for events that report no action.
+/// Returns the summary of an action. @param support  of a released object. @returns nullopt for
+/// events that report no action.
 std::optional<ActionSummary> SummaryOf(const Event& event,
                                        const std::optional<model::Support>& support);
 
-/// `left hand takes b03`, `both hands put b03 on b01`, `right hand drops b03 into crate`; `added
-/// b03`, `removed b03`, `cleared the table of 5 objects`, `loaded um`.
+/// Returns a phrase: `left hand takes b03`, `both hands put b03 on b01`, `right hand drops b03 into
+/// crate`; `added b03`, `removed b03`, `cleared the table of 5 objects`, `loaded um`.
 std::string WordsOf(const ActionSummary& summary);
 
-/// `{"do":"take","hand":"left","what":"b03","words":"left hand takes b03"}`; of what was put or
-/// dropped also `"on"` or `"into"` and the id of what is beneath, empty for the table. `hand` is
-/// null of what no hand did. null of none.
+/// Returns `{"do":"take","hand":"left","what":"b03","words":"left hand takes b03"}`; for a put or
+/// dropped object also `"on"` or `"into"` with the id of its support, empty for the table. `hand`
+/// is null if no hand did it. Returns null for nullopt.
 Json ToJson(const std::optional<ActionSummary>& summary);
 
 }  // namespace smile::sim

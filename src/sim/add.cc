@@ -34,6 +34,8 @@ bool IsAdd(const Json& json) {
 Add ParseAdd(const Json& json) { return ReadFields<Add>(json, scene::kMetersPerUnit); }
 
 std::optional<Spawn> SpawnOf(const Add& add, const Simulation& simulation, Refusal* refusal) {
+  // A place that is free of objects may still be taken by the robot: try other seeds. The constant
+  // between seeds (2^64 divided by the golden ratio) spreads them well.
   constexpr std::uint64_t kMaxTries = 20, kBetweenSeeds = 0x9E3779B97F4A7C15;
   const layout::PlacementContext context = PlacementContextOf(simulation);
   for (std::uint64_t i = 0; i < kMaxTries; ++i) {

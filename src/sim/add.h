@@ -11,9 +11,9 @@
 
 namespace smile::sim {
 
-/// Some of the objects that are offered ready-made, at a free place that the seed chooses; see
-/// layout/presets.h. Written like a command, but no command: which objects go where depends on what
-/// is there, so the answer is a Spawn, as that of a Drag is a MoveTo.
+/// Ready-made objects at a free place that the seed chooses; see layout/presets.h. Written like a
+/// command, but not one: the result depends on the present objects, so it is turned into a Spawn,
+/// as a Drag into a MoveTo.
 struct Add {
   static constexpr CommandName kName{"add",
                                      "adds ready-made objects at a free place; becomes a spawn"};
@@ -31,12 +31,13 @@ struct Add {
   bool operator==(const Add&) const = default;
 };
 
+/// Returns true for the written form of an Add.
 bool IsAdd(const Json& json);
-/// @throws std::invalid_argument saying what was found and what was expected.
+/// Reads the written form. @throws std::invalid_argument with what was found and expected.
 Add ParseAdd(const Json& json);
 
-/// What to command so that the objects are there.
-/// @returns nullopt where that cannot be; `refusal` then says why.
+/// Returns the command that adds the objects. @returns nullopt if that is not possible, with the
+/// reason in `refusal`.
 std::optional<Spawn> SpawnOf(const Add& add, const Simulation& simulation, Refusal* refusal);
 
 }  // namespace smile::sim

@@ -13,6 +13,7 @@ bool IsOneOf(const Command& command) {
   return (std::holds_alternative<Kinds>(command) || ...);
 }
 
+/// Returns true for commands that fasten or loosen.
 bool TurnsBonds(const Command& command) { return IsOneOf<Fasten, Loosen>(command); }
 
 }  // namespace
@@ -55,6 +56,7 @@ std::vector<std::string> ChangeDetector::ChangedObjects() const {
   const world::Tabletop& tabletop = running_.tabletop();
   std::vector<std::string> changed;
   for (const world::Object& object : tabletop.objects()) {
+    // Objects that a command added have no entry before it.
     const bool was_present = object.index < were_present_.size() && were_present_[object.index];
     if (was_present != tabletop.IsPresent(object)) changed.push_back(object.id());
   }

@@ -14,31 +14,31 @@ namespace smile::sim {
 /// events.
 class ChangeDetector {
  public:
-  /// Notes what is there before a tick. `running` must outlive this.
+  /// Captures the state before a tick. `running` must outlive this.
   explicit ChangeDetector(const RunningModel* running);
-  /// Notes what is there before a command, as far as the command may change it.
+  /// Captures the state before a command, as far as the command may change it.
   ChangeDetector(const RunningModel* running, const Command& command);
 
-  /// The events of the command, which has been carried out: its own, then those of bonds, controls
-  /// and grippers that followed from it.
+  /// Returns the events of the command, which has been applied: its own, then those of bonds,
+  /// controls and grippers that followed.
   std::vector<Event> EventsOf(const Command& command) const;
-  /// The events of the tick, which is over: what grippers got hold of or let go.
+  /// Returns the events of the tick, which is over: bodies that grippers grasped or released.
   std::vector<Event> EventsOfTick() const;
 
  private:
   void AppendOwn(const Command& command, std::vector<Event>* events) const;
-  /// A bond that ended because an object was destroyed is no hand's.
+  /// Bonds that ended because an object was destroyed have no hand.
   void AppendBonds(const Command& command, std::vector<Event>* events) const;
   void AppendControls(std::vector<Event>* events) const;
   void AppendGrippers(std::vector<Event>* events) const;
-  /// Ids of the objects that came or went.
+  /// Returns the ids of the objects that were added or removed.
   std::vector<std::string> ChangedObjects() const;
 
   const RunningModel& running_;
   std::vector<std::vector<physics::BodyId>> held_by_grippers_;
-  std::string held_by_hand_;         ///< id of what the command's hand held
-  std::vector<bool> were_present_;   ///< of each object, where the command may change that
-  world::TabletopState mechanisms_;  ///< where the command may change them
+  std::string held_by_hand_;         ///< id of the object that the command's hand held
+  std::vector<bool> were_present_;   ///< per object, if the command may change that
+  world::TabletopState mechanisms_;  ///< if the command may change them
 };
 
 }  // namespace smile::sim

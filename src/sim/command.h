@@ -17,24 +17,25 @@ namespace smile::sim {
 
 using demonstrator::HandName;
 
-// What somebody wants. Mouse, brain, script, replay and tests all send these; the simulation
-// applies them between ticks, in order. SI units and the world frame.
+// Commands. Mouse, brain, script, replay and tests all send these; the simulation applies them
+// between ticks, in order. SI units and the world frame.
 //
-// Each struct lists its fields once, in `VisitFields(command, visit)`, which calls
-// `visit(value, CommandField)` for each in the order in which they are written. All that is known
-// of the written form follows from that: its reader, its writer and the file grid (command_json.h),
-// the JSON Schema, the documents and the page's types (command_documents.h). A field `hand` is
-// written before `do`, all others after it.
+// Each struct lists its fields once, in `VisitFields(command, visit)`, which calls `visit(value,
+// CommandField)` for each in the order in which they are written. Everything about the written form
+// follows from that: its reader, its writer and the file grid (command_json.h), the JSON Schema,
+// the documents and the page's types (command_documents.h). A field `hand` is written before `do`,
+// all others after it.
 
-/// Whose doing a command of a hand is.
+/// Field for the hand of a command.
 inline constexpr CommandField kHandField{"hand", ValueKind::kHand,
                                          "which of the demonstrator's hands"};
 
+/// Takes an object.
 struct Grasp {
   static constexpr CommandName kName{"grasp", "takes hold of an object"};
   HandName hand = HandName::kAny;
   std::string object;
-  std::optional<Vector3> p_WQ;  ///< where the hand takes hold; the object's origin if not given [m]
+  std::optional<Vector3> p_WQ;  ///< point where it is grasped; the object's origin if not given [m]
 
   static void VisitFields(auto& command, auto&& visit) {
     visit(command.hand, kHandField);
@@ -46,14 +47,15 @@ struct Grasp {
   bool operator==(const Grasp&) const = default;
 };
 
-/// What the `speed` of a hand means.
+/// Meaning of the `speed` of a hand.
 inline constexpr const char* kSpeedMeaning = "at most this fast; 10 if not given";
 
+/// Carries the held object.
 struct MoveTo {
   static constexpr CommandName kName{"move_to", "carries the held object"};
   HandName hand = HandName::kAny;
-  Vector3 p_WH = Vector3::Zero();  ///< where the grasped point shall go [m]
-  std::optional<double> speed;     ///< at most this fast [m/s]
+  Vector3 p_WH = Vector3::Zero();  ///< goal of the grasped point [m]
+  std::optional<double> speed;     ///< greatest speed [m/s]
 
   static void VisitFields(auto& command, auto&& visit) {
     visit(command.hand, kHandField);
@@ -65,7 +67,7 @@ struct MoveTo {
   bool operator==(const MoveTo&) const = default;
 };
 
-/// Turns the vertical plane in which the hand is dragged.
+/// Rotates the vertical plane in which the hand is dragged.
 struct Plane {
   static constexpr CommandName kName{"plane",
                                      "turns the vertical plane in which the hand is dragged"};
@@ -83,6 +85,7 @@ struct Plane {
   bool operator==(const Plane&) const = default;
 };
 
+/// Rotates the held object.
 struct Rotate {
   static constexpr CommandName kName{"rotate", "turns the held object about its origin"};
   HandName hand = HandName::kAny;
@@ -97,6 +100,7 @@ struct Rotate {
   bool operator==(const Rotate&) const = default;
 };
 
+/// Releases the held object.
 struct Release {
   static constexpr CommandName kName{"release", "lets go of the held object"};
   HandName hand = HandName::kAny;
@@ -105,7 +109,7 @@ struct Release {
   bool operator==(const Release&) const = default;
 };
 
-/// Takes the held object out of the world.
+/// Removes the held object from the world.
 struct Destroy {
   static constexpr CommandName kName{"destroy", "takes the held object out of the world"};
   HandName hand = HandName::kAny;
@@ -114,7 +118,7 @@ struct Destroy {
   bool operator==(const Destroy&) const = default;
 };
 
-/// Tells which properties of the held object matter; none: nothing in particular.
+/// Sets the properties of the held object that matter; empty: none in particular.
 struct Attend {
   static constexpr CommandName kName{
       "attend",
@@ -131,7 +135,7 @@ struct Attend {
   bool operator==(const Attend&) const = default;
 };
 
-/// Shows an object or a pointable part; only the log knows.
+/// Points at an object or a pointable part; changes only the log.
 struct Point {
   static constexpr CommandName kName{"point",
                                      "points at an object or a pointable part; only the log knows"};
@@ -145,12 +149,14 @@ struct Point {
   bool operator==(const Point&) const = default;
 };
 
+/// Presses a switch or triggers a custom control.
 struct Trigger {
   static constexpr CommandName kName{
       "trigger", "presses a switch or triggers a custom control, with an empty hand"};
   HandName hand = HandName::kAny;
   std::string control;
-  std::string part;  ///< the button, or the part of a custom control; empty: whatever leads on
+  /// button, or part of a custom control; empty: any that leads to another state
+  std::string part;
 
   static void VisitFields(auto& command, auto&& visit) {
     visit(command.hand, kHandField);
@@ -163,11 +169,11 @@ struct Trigger {
   bool operator==(const Trigger&) const = default;
 };
 
-/// What the `point` of those that fasten and loosen means.
+/// Meaning of the `point` of fasten and loosen.
 inline constexpr const char* kGuestMeaning =
     "near its guest point that is meant; the object's origin if not given";
 
-/// One stage tighter, of the object's guest point nearest to a point.
+/// Fastens the object's guest point nearest to a point by one stage.
 struct Fasten {
   static constexpr CommandName kName{"fasten", "fastens an object one stage tighter"};
   HandName hand = HandName::kAny;
@@ -184,6 +190,7 @@ struct Fasten {
   bool operator==(const Fasten&) const = default;
 };
 
+/// Loosens the object's guest point nearest to a point by one stage.
 struct Loosen {
   static constexpr CommandName kName{"loosen", "loosens an object one stage"};
   HandName hand = HandName::kAny;
@@ -200,7 +207,7 @@ struct Loosen {
   bool operator==(const Loosen&) const = default;
 };
 
-/// Velocities the robot keeps until the next command; what is not given stays as it was.
+/// Sets velocities that the robot keeps until the next command; omitted ones stay unchanged.
 struct JointVelocities {
   static constexpr CommandName kName{"joint_velocities",
                                      "sets the robot's speeds until the next such command"};
@@ -222,7 +229,7 @@ struct JointVelocities {
   bool operator==(const JointVelocities&) const = default;
 };
 
-/// Angles the robot takes at once; what is not given stays as it was.
+/// Sets joint angles at once; omitted ones stay unchanged.
 struct JointAngles {
   static constexpr CommandName kName{"joint_angles", "puts the robot's joints there at once"};
   std::optional<std::vector<double>> left, right;  ///< one per arm joint [rad]
@@ -239,11 +246,11 @@ struct JointAngles {
   bool operator==(const JointAngles&) const = default;
 };
 
-/// Turns one joint, and keeps the others as they are.
+/// Sets the velocity of one joint; the others keep theirs.
 struct TurnJoint {
   static constexpr CommandName kName{
       "turn", "turns one joint of the robot until it is told otherwise; the others go on"};
-  std::string joint;    ///< by its name; no finger
+  std::string joint;    ///< name of a joint, not of a finger
   double velocity = 0;  ///< [rad/s or m/s]; 0 stops it
 
   static void VisitFields(auto& command, auto&& visit) {
@@ -272,14 +279,14 @@ struct MoveGripper {
   bool operator==(const MoveGripper&) const = default;
 };
 
-/// Moves arms and head to a named pose of the robot, all joints straight there. Grippers stay as
-/// they are, so that nothing is dropped.
+/// Moves arms and head to a named pose of the robot, straight in joint space. Grippers stay as they
+/// are, so that nothing is dropped.
 struct TakePose {
   static constexpr CommandName kName{
       "pose", "moves the robot's arms and head straight to a named pose; grippers stay"};
   static constexpr double kSpeed = 0.5;
   std::string name;
-  double speed = kSpeed;  ///< share of the joints' limits of velocity, 0 < speed <= 1
+  double speed = kSpeed;  ///< fraction of the joints' limits of velocity, 0 < speed <= 1
 
   static void VisitFields(auto& command, auto&& visit) {
     visit(command.name,
@@ -291,7 +298,7 @@ struct TakePose {
   bool operator==(const TakePose&) const = default;
 };
 
-/// Lets joints follow a trajectory, see TrajectoryFollower. A gripper's column is its opening.
+/// Makes joints follow a trajectory, see TrajectoryFollower. A gripper's column is its opening.
 struct FollowTrajectory {
   static constexpr CommandName kName{
       "trajectory",
@@ -310,7 +317,7 @@ struct FollowTrajectory {
   bool operator==(const FollowTrajectory&) const = default;
 };
 
-/// Shows or hides the robot: what people and cameras see, never the physics.
+/// Shows or hides the robot for people and cameras; physics does not change.
 struct ShowRobot {
   static constexpr CommandName kName{"robot", "shows or hides the robot; physics is not changed"};
   bool is_shown = true;
@@ -321,11 +328,11 @@ struct ShowRobot {
   bool operator==(const ShowRobot&) const = default;
 };
 
-/// More points than these are nobody's.
+/// Maximum number of markers.
 inline constexpr std::size_t kMaxMarkers = 500;
 
-/// Marks points for people, in place of those marked before. They are in views for people only:
-/// no state, no trace and no picture of a robot's camera knows of them.
+/// Marks points for people, replacing earlier ones. They appear in views for people only, not in
+/// any state, trace or picture of a robot's camera.
 struct Markers {
   static constexpr CommandName kName{
       "markers", "marks points for people, in place of those before; the robot does not see them"};
@@ -338,7 +345,7 @@ struct Markers {
   bool operator==(const Markers&) const = default;
 };
 
-/// Changes the robot's face: what people see, never the physics.
+/// Changes the robot's face for people to see; physics does not change.
 struct Face {
   static constexpr CommandName kName{
       "face", "changes the robot's face, for people to see; physics is not changed"};
@@ -351,7 +358,7 @@ struct Face {
   bool operator==(const Face&) const = default;
 };
 
-/// Adds objects where a scene has them; see sim/spawning.h. Nothing else changes.
+/// Adds the objects of a scene at their places; see sim/spawning.h. Nothing else changes.
 struct Spawn {
   static constexpr CommandName kName{"spawn",
                                      "adds the objects of a scene; all else stays as it is"};
@@ -366,7 +373,7 @@ struct Spawn {
   bool operator==(const Spawn&) const = default;
 };
 
-/// Takes an object out of the world that nothing holds.
+/// Removes an object from the world that nothing holds.
 struct Remove {
   static constexpr CommandName kName{
       "remove", "takes an object out of the world, without a hand; none may hold it"};
@@ -378,8 +385,8 @@ struct Remove {
   bool operator==(const Remove&) const = default;
 };
 
-/// Takes all objects out of the world but those that a hand or gripper holds, with what hangs
-/// together with them.
+/// Removes all objects from the world except those that a hand or gripper holds, and those
+/// connected with them.
 struct Clear {
   static constexpr CommandName kName{
       "clear", "takes all objects out of the world but what is held, with what hangs on it"};
@@ -388,11 +395,11 @@ struct Clear {
   bool operator==(const Clear&) const = default;
 };
 
-/// Leaves the present scene for another one at its start, with the same robot in its start
-/// configuration; the tick is 0 again. An undo leads back into the scene that was left.
+/// Replaces the present scene by another one at its start, with the same robot in its start
+/// configuration; the tick is 0 again. An undo leads back into the previous scene.
 ///
-/// A recording is of one scene: while one is made this is refused, and one that is begun later
-/// begins with the loaded scene and what was commanded since.
+/// A recording contains one scene: during a recording this is refused, and a later recording begins
+/// with the loaded scene and the commands since.
 struct Load {
   static constexpr CommandName kName{
       "load", "goes to another scene, at its start; undo leads back into the one that was left"};
@@ -410,7 +417,7 @@ struct Load {
   }
 };
 
-/// Takes back the last action, with everything since; see IsAction().
+/// Takes back the last action and everything since; see IsAction().
 struct Undo {
   static constexpr CommandName kName{"undo", "takes back the last action, with everything since"};
 
@@ -418,7 +425,7 @@ struct Undo {
   bool operator==(const Undo&) const = default;
 };
 
-/// Does the last undone action again, up to the moment at which it was undone.
+/// Repeats the last undone action, up to the moment at which it was undone.
 struct Redo {
   static constexpr CommandName kName{"redo",
                                      "does what was undone last again, up to when it was undone"};
@@ -427,10 +434,10 @@ struct Redo {
   bool operator==(const Redo&) const = default;
 };
 
-/// From now on everything is recorded, into a new directory.
+/// Starts a recording in a new directory.
 struct StartRecording {
   static constexpr CommandName kName{"start", "records from now on, into a new directory"};
-  std::string name;  ///< of the directory; a number is added if it is taken
+  std::string name;  ///< of the directory; a number is added if it exists
   std::string title, notes;
 
   static void VisitFields(auto& command, auto&& visit) {
@@ -445,6 +452,7 @@ struct StartRecording {
   bool operator==(const StartRecording&) const = default;
 };
 
+/// Finishes the recording.
 struct FinishRecording {
   static constexpr CommandName kName{"finish", "finishes the recording"};
 
@@ -452,6 +460,7 @@ struct FinishRecording {
   bool operator==(const FinishRecording&) const = default;
 };
 
+/// Any command. Tools list the kinds in this order.
 using Command = std::variant<Grasp, MoveTo, Plane, Rotate, Release, Destroy, Attend, Point, Trigger,
                              Fasten, Loosen, JointVelocities, JointAngles, TurnJoint, MoveGripper,
                              TakePose, FollowTrajectory, ShowRobot, Face, Markers, Spawn, Remove,

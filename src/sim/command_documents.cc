@@ -12,13 +12,13 @@
 namespace smile::sim {
 namespace {
 
-/// A kind of command.
+/// Description of a kind of command.
 struct CommandForm {
   CommandName about;
   std::vector<CommandField> fields;
 };
 
-/// In the order in which they are listed; last those that are written like a command and are none.
+/// Returns all kinds in the order of Command, then the queries that are written like commands.
 std::vector<CommandForm> FormsOfCommands() {
   std::vector<CommandForm> forms;
   AnyKindOfCommand([&]<class What>(std::type_identity<What>) {
@@ -53,7 +53,7 @@ Json SchemaOf(const CommandForm& form) {
           {"additionalProperties", false}};
 }
 
-/// In a row of a table.
+/// Returns text escaped for a Markdown table.
 std::string InTable(std::string_view text) {
   std::string escaped;
   for (const char letter : text) {
@@ -63,7 +63,7 @@ std::string InTable(std::string_view text) {
   return escaped;
 }
 
-/// `MoveToCommand` of `move_to`.
+/// Returns `MoveToCommand` for `move_to`.
 std::string InterfaceName(std::string_view name) {
   std::string text;
   bool is_first = true;

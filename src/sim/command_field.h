@@ -5,17 +5,18 @@
 
 namespace smile::sim {
 
-/// Longer names and arrays than these are nobody's.
+/// Upper bounds of names and arrays.
 inline constexpr std::size_t kMaxText = 256;
 inline constexpr std::size_t kMaxJoints = 64;
-/// Of a scene in a command [bytes].
+/// Upper bound of a scene in a command [bytes].
 inline constexpr std::size_t kMaxSceneText = std::size_t{1} << 20;
-/// JSON of any language keeps whole numbers up to here.
+/// Greatest integer that JSON implementations represent exactly.
 inline constexpr std::uint64_t kMaxSeed = std::uint64_t{1} << 53;
-/// No length, angle or speed is larger, and no speed limit smaller [units, degrees, rad, per s].
+/// Upper bound of lengths, angles and speeds, and lower bound of speed limits [units, degrees, rad,
+/// per s].
 inline constexpr double kMaxNumber = 1e6, kMinSpeed = 1e-6;
 
-/// What a value of a command is, and with that what is allowed; see internal_value_kinds.cc.
+/// Kind of a value, which determines the allowed values; see internal_value_kinds.cc.
 enum class ValueKind {
   kHand,
   kText,
@@ -37,16 +38,17 @@ enum class ValueKind {
   kSeed
 };
 
-/// In what its numbers are written. Those in units are meters in a command.
+/// Unit of the numbers in the written form. Lengths are in scene units there, in meters in a
+/// command.
 enum class ValueUnit { kNone, kUnits, kUnitsPerSecond, kDegrees, kRadians, kRadiansPerSecond };
 
 enum class Presence {
   kRequired,
-  kOptional,   ///< left out where it says nothing: no value, an empty text, false
-  kDefaulted,  ///< may be left out, and has a value then; is always written
+  kOptional,   ///< left out if it has no meaning: no value, an empty text, false
+  kDefaulted,  ///< may be left out, then has a default; always written
 };
 
-/// One field of a command's written form: all that is said of it, to programs and to people.
+/// One field of a command's written form, for programs and documentation.
 struct CommandField {
   const char* name;
   ValueKind kind;
@@ -55,7 +57,7 @@ struct CommandField {
   Presence presence = Presence::kRequired;
 };
 
-/// What a kind of command is called, as the value of `do`, and what it does.
+/// Name of a kind of command, the value of `do`, and its meaning.
 struct CommandName {
   const char* name;
   const char* meaning;

@@ -23,9 +23,10 @@ std::string NamesOfCommands() {
   return names;
 }
 
-/// What a command still needs once its fields are read.
+/// Completes and checks a command after its fields are read.
 void Complete(auto*) {}
-/// Velocities are told of all points or of none: then they follow from the positions.
+/// Velocities are given for all points or for none; without them they are computed from the
+/// positions.
 void Complete(FollowTrajectory* follow) {
   motion::JointTrajectory* trajectory = &follow->trajectory;
   const bool has_velocities = std::ranges::any_of(

@@ -18,7 +18,7 @@ std::optional<MoveTo> MoveOf(const Drag& drag, const Simulation& simulation, Ref
       drag.hand, {.p_WOrigin = drag.p_WOrigin, .direction_in_world = drag.direction_in_world},
       drag.is_level, refusal);
   if (!p_WH) return std::nullopt;
-  // Where units are tiny, a log could not say it.
+  // In scenes with tiny units, a log could not express a larger number.
   const double limit = scene::FromFileUnits(kMaxNumber, simulation.scene().meters_per_unit);
   if (!(p_WH->cwiseAbs().maxCoeff() <= limit)) {
     *refusal = "the ray meets the motion plane more than 1e6 units away";

@@ -9,18 +9,19 @@
 
 namespace smile::sim {
 
-/// A mouse that drags: the held object goes to where its ray meets the hand's motion plane, or a
-/// level one. No command but a question, which the studio and scripts ask: the answer is a MoveTo.
+/// A drag with the mouse: the held object goes to the point where the mouse ray meets the hand's
+/// motion plane, or a level one. Not a command but a query of the studio and of scripts, which is
+/// turned into a MoveTo.
 struct Drag {
   static constexpr CommandName kName{
       "drag",
       "carries the held object to where a ray meets the hand's plane; for scripts and pages only, "
       "it becomes a move_to"};
   HandName hand = HandName::kAny;
-  Vector3 p_WOrigin = Vector3::Zero();           ///< of the ray [m]
-  Vector3 direction_in_world = Vector3::Zero();  ///< of any length but 0
-  bool is_level = false;        ///< in the level plane through where the hand wants to be
-  std::optional<double> speed;  ///< at most this fast [m/s]
+  Vector3 p_WOrigin = Vector3::Zero();           ///< origin of the ray [m]
+  Vector3 direction_in_world = Vector3::Zero();  ///< of any length except 0
+  bool is_level = false;        ///< true for the level plane through the hand's goal
+  std::optional<double> speed;  ///< greatest speed [m/s]
 
   static void VisitFields(auto& drag, auto&& visit) {
     visit(drag.hand, kHandField);
@@ -37,14 +38,14 @@ struct Drag {
   bool operator==(const Drag&) const = default;
 };
 
-/// Whether something written says `drag`.
+/// Returns true for the written form of a Drag.
 bool IsDrag(const Json& json);
-/// Reads the written form, which is that of a command.
-/// @throws std::invalid_argument saying what was found and what was expected.
+/// Reads the written form, which is like that of a command. @throws std::invalid_argument with what
+/// was found and expected.
 Drag ParseDrag(const Json& json, double meters_per_unit);
 
-/// What a drag means now.
-/// @returns nullopt where it leads nowhere; `refusal` then says why.
+/// Returns the present meaning of a drag. @returns nullopt if it leads nowhere, with the reason in
+/// `refusal`.
 std::optional<MoveTo> MoveOf(const Drag& drag, const Simulation& simulation, Refusal* refusal);
 
 }  // namespace smile::sim

@@ -12,9 +12,9 @@ using model::kEyeCamera;
 using model::kHeadCamera;
 using model::ViewSample;
 
-/// Where a camera is now; see model::EyeView().
+/// Returns the present view of a camera; see model::EyeView().
 CameraView EyeView(const Simulation& simulation, const EyeSpec& spec);
-/// The present moment, as a camera sees it.
+/// Returns the present state and view of a camera.
 ViewSample ViewSampleOf(const Simulation& simulation, const EyeSpec& spec);
 
 }  // namespace smile::sim

@@ -13,13 +13,12 @@
 #include "sim/internal_value_kinds.h"
 #include "sim/internal_written_values.h"
 
-// What follows from the fields that a command lists.
+// Functions that follow from the fields a command lists.
 
 namespace smile::sim {
 
-/// Calls `visit` with a type_identity of every kind of command, in the order in which they are
-/// listed, until it answers true.
-/// @returns whether it did.
+/// Calls `visit` with a type_identity of each kind of command, in the order of Command, until it
+/// returns true. @returns true if it did.
 bool AnyKindOfCommand(auto&& visit) {
   return [&]<class... What>(std::type_identity<std::variant<What...>>) {
     return (visit(std::type_identity<What>()) || ...);
@@ -37,13 +36,14 @@ const std::vector<CommandField>& FieldsOf() {
   return kFields;
 }
 
-/// What a value means, with its unit.
+/// Returns the meaning of a value, with its unit.
 std::string MeaningOf(const CommandField& field);
 
-/// @throws std::invalid_argument if there is a key that is none of its fields.
+/// Checks for unknown keys. @throws std::invalid_argument if a key is not one of the fields.
 void RefuseUnknownKeys(const char* name, const std::vector<CommandField>& fields, const Json& json);
 
-/// @throws std::invalid_argument saying what was found and what was expected.
+/// Reads a command from its written form. @throws std::invalid_argument with what was found and
+/// expected.
 template <class What>
 What ReadFields(const Json& json, double meters_per_unit) {
   What what;
@@ -61,7 +61,7 @@ What ReadFields(const Json& json, double meters_per_unit) {
   return what;
 }
 
-/// @returns whether a value need not be written where it may be left out.
+/// Returns true for a value that need not be written if it is optional.
 inline bool SaysNothing(const std::string& text) { return text.empty(); }
 inline bool SaysNothing(bool flag) { return !flag; }
 template <class T>

@@ -15,7 +15,7 @@
 namespace smile::sim {
 namespace {
 
-/// What is allowed, to programs and to people.
+/// Allowed values, for programs and for people.
 struct Allowed {
   JsonShape shape;
   std::string words;
@@ -30,7 +30,7 @@ JsonShape TrajectoryPointShape(const JsonShape& seconds) {
                             {"velocities", numbers, /*is_required=*/false}});
 }
 
-/// One of these words.
+/// Allows one of these words.
 Allowed WordOf(std::span<const std::string_view> words) {
   return {JsonShape::Word({words.begin(), words.end()}), OneOf(words)};
 }
@@ -82,8 +82,8 @@ const Allowed& AllowedOf(ValueKind kind) {
   return kKinds.at(kind);
 }
 
-/// Their form, one by one. How many numbers a point takes, and when it may be, is a matter of the
-/// whole: motion::CheckShape() has the words for it.
+/// Checks the form of each point. The number of values and the order of times concern the whole
+/// trajectory: motion::CheckShape() reports those.
 void CheckTrajectoryPoints(const CommandField& field, const Json& points) {
   static const JsonShape kPointShape = TrajectoryPointShape(AnyNumber());
   if (!points.is_array() || points.empty() || points.size() > motion::kMaxTrajectoryPoints) {
@@ -111,7 +111,7 @@ void CheckValue(const CommandField& field, const Json& value) {
 }
 
 void ThrowExpected(const std::string& key, const Json& found, const std::string& expected) {
-  // A container may be deep and long: its kind says enough.
+  // A container may be deep and long: name only its type.
   std::string text = found.is_structured() && found.size() > 4 ? found.type_name() : ToText(found);
   if (text.size() > 60) text = text.substr(0, 57) + "...";
   throw std::invalid_argument("\"" + key + "\" is " + text + ", expected " + expected);

@@ -9,19 +9,19 @@
 
 namespace smile::sim {
 
-/// What `arm` of a gripper may be, in the order of MoveGripper::Which.
+/// Values of a gripper's `arm`, in the order of MoveGripper::Which.
 inline constexpr std::array<const char*, 3> kArmNames{"left", "right", "both"};
 
-/// What values of a kind may be.
+/// Returns the allowed values of a kind.
 const JsonShape& ShapeOf(ValueKind kind);
 
 /// The same in words: `a number above 0, at most 1`.
 std::string WordsOf(ValueKind kind);
 
-/// @throws std::invalid_argument saying what was found and what was expected.
+/// Checks a value. @throws std::invalid_argument with what was found and expected.
 void CheckValue(const CommandField& field, const Json& value);
 
-/// `"KEY" is FOUND, expected EXPECTED`.
+/// Throws std::invalid_argument: `"KEY" is FOUND, expected EXPECTED`.
 [[noreturn]] void ThrowExpected(const std::string& key, const Json& found,
                                 const std::string& expected);
 

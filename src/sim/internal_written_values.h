@@ -15,15 +15,15 @@
 #include "sim/command.h"
 #include "sim/internal_value_kinds.h"
 
-// Values of commands in JSON: written, read when they have been checked, and rounded to what can be
+// Values of commands in JSON: writing, reading after a check, and rounding to values that can be
 // written. Lengths are in the scene's unit there.
 
 namespace smile::sim {
 
-/// In what the numbers of a field are written, at a scene.
+/// Unit of the numbers of a field in a scene.
 struct WrittenUnit {
   double meters_per_unit;
-  bool is_length;  ///< else the numbers are written as they are
+  bool is_length;  ///< false: numbers are written unchanged
 
   WrittenUnit(const CommandField& field, double meters)
       : meters_per_unit(meters),
@@ -55,7 +55,7 @@ inline Json Written(robot::FaceExpression face_expression, const WrittenUnit&) {
 inline Json Written(MoveGripper::Which which, const WrittenUnit&) {
   return kArmNames[static_cast<std::size_t>(which)];
 }
-/// Without its name, which a text has not.
+/// Without the scene's name, which a text does not contain.
 inline Json Written(const std::shared_ptr<const scene::SceneSpec>& scene, const WrittenUnit&) {
   return scene_xml::WriteScene(*scene);
 }
@@ -98,7 +98,7 @@ inline void Read(const Json& json, const WrittenUnit&, MoveGripper::Which* which
   const auto name = std::ranges::find(kArmNames, json.get<std::string>());
   *which = static_cast<MoveGripper::Which>(name - kArmNames.begin());
 }
-/// @throws std::invalid_argument if the text is no scene.
+/// Parses a scene. @throws std::invalid_argument if the text is not a scene.
 void Read(const Json& json, const WrittenUnit&, std::shared_ptr<const scene::SceneSpec>* scene);
 inline void Read(const Json& json, const WrittenUnit&, motion::TrajectoryPoint* point) {
   *point = {.seconds = json.at("seconds").get<double>(),
@@ -118,7 +118,7 @@ void Read(const Json& json, const WrittenUnit& unit, std::array<T, N>* values) {
   for (std::size_t i = 0; i < N; ++i) Read(json[i], unit, &(*values)[i]);
 }
 
-/// To the nearest that survives being written and read.
+/// Rounds to the nearest value that is unchanged by writing and reading.
 template <class T>
 void RoundToFileGrid(double meters_per_unit, T* value) {
   if constexpr (std::is_same_v<T, double> || std::is_same_v<T, Vector3>) {

@@ -23,6 +23,8 @@ RunningModel::RunningModel(std::shared_ptr<const model::Model> model)
 std::optional<Refusal> RunningModel::Execute(const Command& command) {
   return std::visit(
       [this]<class What>(const What& what) -> std::optional<Refusal> {
+        // Commands are dispatched by overload: to the robot, to the robot with the tick, or to
+        // this.
         constexpr bool kIsForRobot = requires(SimulatedRobot robot) { robot.Execute(what); };
         constexpr bool kMovesRobot = requires(SimulatedRobot robot) { robot.Execute(what, 0); };
         if constexpr (kIsForRobot || kMovesRobot) {
@@ -93,6 +95,7 @@ std::optional<Refusal> RunningModel::ExecuteOne(const Remove& remove) {
 }
 
 std::optional<Refusal> RunningModel::ExecuteOne(const Clear&) {
+  // Held objects and everything connected with them stay.
   std::vector<physics::BodyId> kept;
   std::vector<const world::Object*> taken;
   for (const world::Object& object : tabletop_.objects()) {
@@ -114,6 +117,7 @@ std::vector<const world::Object*> RunningModel::Tick() {
   std::vector<const world::Object*> fallen;
   if (robot_) robot_->BeforeTick(tick_);
   for (int step = 0; step < kStepsPerTick; ++step) {
+    // Hands act in each physics step, the robot's targets change once per tick.
     demonstrator_.BeforeStep();
     physics_.Step();
     if (robot_) robot_->AfterStep();
@@ -181,6 +185,7 @@ SimulationState RunningModel::Save() const {
 }
 
 void RunningModel::Restore(const SimulationState& state) {
+  // Physics first: the tabletop refers to its bodies.
   physics_.Restore(state.physics);
   tabletop_.Restore(state.tabletop, state.model);
   model_ = state.model;

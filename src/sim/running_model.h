@@ -16,22 +16,21 @@
 
 namespace smile::sim {
 
-/// A model in motion: its physics world with tabletop, hands and robot, and the tick. Carries out
-/// commands and advances; knows no history, no listeners and no recordings.
+/// A model in motion: its physics world with tabletop, hands and robot, and the tick. Applies
+/// commands and advances; it has no history, listeners or recordings.
 ///
-/// Same model, same commands at the same ticks: same bits.
+/// Deterministic: the same model and the same commands at the same ticks give the same bits.
 class RunningModel {
  public:
-  /// The model at its start.
+  /// Starts the model.
   explicit RunningModel(std::shared_ptr<const model::Model> model);
   RunningModel(const RunningModel&) = delete;
   RunningModel& operator=(const RunningModel&) = delete;
 
-  /// Carries out one command for hands, objects or the robot. Others have no effect here.
-  /// @returns why it was refused; everything is then as before.
+  /// Applies one command for hands, objects or the robot. Others have no effect here. @returns the
+  /// reason if it was refused; nothing has then changed.
   std::optional<Refusal> Execute(const Command& command);
-  /// Advances by 1/60 s.
-  /// @returns the objects that fell to the floor, in the order in which they did.
+  /// Advances by 1/60 s. @returns the objects that fell to the floor, in order of time.
   std::vector<const world::Object*> Tick();
 
   std::uint64_t tick() const { return tick_; }
@@ -41,9 +40,9 @@ class RunningModel {
   const world::Tabletop& tabletop() const { return tabletop_; }
   const physics::World& physics() const { return physics_; }
   const demonstrator::Demonstrator& demonstrator() const { return demonstrator_; }
-  /// nullptr without one.
+  /// Returns the robot, or nullptr.
   const SimulatedRobot* robot() const { return robot_ ? &*robot_ : nullptr; }
-  /// The bodies that each gripper holds, by arm; empty without a robot.
+  /// Returns the bodies that each gripper holds, by arm; empty without a robot.
   std::vector<std::vector<physics::BodyId>> HeldByGrippers() const;
   /// See Simulation.
   bool is_still() const;
@@ -52,7 +51,8 @@ class RunningModel {
 
   std::uint64_t state_hash() const;
   SimulationState Save() const;
-  /// @param state  of this or of another one that began with the same scene and robot.
+  /// Restores a saved state. @param state  of this or of another running model that began with the
+  /// same scene and robot.
   void Restore(const SimulationState& state);
 
  private:

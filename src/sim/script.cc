@@ -22,9 +22,9 @@ namespace {
 constexpr std::size_t kMaxBytes = 256u << 20;
 constexpr std::size_t kMaxFindings = 100;
 constexpr double kMaxWaitSeconds = 86400;
-/// Of all trajectories from files together: each line that names a file keeps its points.
+/// Limit for all trajectories from files together: each line that names a file keeps its points.
 constexpr std::size_t kMaxPointsFromFiles = 1'000'000;
-/// Things count as still after a quarter of a second without motion.
+/// Ticks without motion, a quarter of a second, after which objects count as still.
 constexpr int kStillTicks = kTicksPerSecond / 4;
 
 Wait ParseWait(const Json& json) {
@@ -60,7 +60,7 @@ Wait ParseWait(const Json& json) {
   return wait;
 }
 
-/// The names of what touches an object that a hand holds, or what hangs together with it.
+/// Returns the names of objects that touch a held object or its assembly.
 std::vector<std::string> NamesOfTouching(const Simulation& simulation, physics::BodyId held) {
   const physics::World& physics = simulation.physics();
   const std::vector<physics::BodyId> assembly = physics.Assembly(held);
@@ -81,7 +81,7 @@ std::vector<std::string> NamesOfTouching(const Simulation& simulation, physics::
   return names;
 }
 
-/// Of the first hand that has not arrived.
+/// Returns the reason why the first hand that has not arrived is delayed.
 std::string WhyNotArrived(const Simulation& simulation) {
   const demonstrator::Demonstrator& demonstrator = simulation.demonstrator();
   const auto hand = std::ranges::find_if(
@@ -98,6 +98,7 @@ std::string WhyNotArrived(const Simulation& simulation) {
   return all + (names.size() == 1 ? " is" : " are") + " in the way of " + object;
 }
 
+/// Returns the reason why a wait is not over.
 std::string WhyNotOver(const Wait& wait, const Simulation& simulation) {
   if (wait.until == Wait::Until::kStill) return "something still moves";
   if (!simulation.demonstrator().has_arrived()) {
@@ -106,9 +107,8 @@ std::string WhyNotOver(const Wait& wait, const Simulation& simulation) {
   return "the robot is still on its way: its trajectory takes longer";
 }
 
-/// The file that a script means: in one of these folders or below it, all links followed.
-/// @returns its canonical path.
-/// @throws std::invalid_argument if there is none.
+/// Returns the canonical path of a file that a script names: in one of these folders or below it,
+/// after following links. @throws std::invalid_argument if there is no such file.
 std::filesystem::path FindFile(const std::string& name,
                                const std::vector<std::filesystem::path>& folders) {
   for (const std::filesystem::path& folder : folders) {
@@ -124,7 +124,7 @@ std::filesystem::path FindFile(const std::string& name,
 /// Reads the lines of one script.
 class LineReader {
  public:
-  /// @param folders  where the files are that it may name; none: it may name none.
+  /// @param folders  folders of files that the script may name; empty: it may name none.
   LineReader(double meters_per_unit, std::vector<std::filesystem::path> folders)
       : meters_per_unit_(meters_per_unit), folders_(std::move(folders)) {}
 
@@ -150,7 +150,8 @@ class LineReader {
   }
 
  private:
-  /// The lengths of all lines are in the unit of the scene that the script was read for.
+  /// Checks a scene's unit: the lengths of all lines are in the unit of the scene that the script
+  /// was read for.
   void CheckUnit(const Command& command) const {
     const auto* load = std::get_if<Load>(&command);
     if (load == nullptr || load->scene->meters_per_unit == meters_per_unit_) return;
@@ -169,7 +170,7 @@ class LineReader {
     return FollowTrajectory{TrajectoryIn(FileNamedBy(json, "trajectory"))};
   }
 
-  /// The file that a line names in place of what the command has in it.
+  /// Returns the file that a line names instead of inline content.
   std::filesystem::path FileNamedBy(const Json& json, const std::string& name) const {
     for (const auto& item : json.items()) {
       if (item.key() != "do" && item.key() != "tick" && item.key() != "file") {
@@ -185,7 +186,7 @@ class LineReader {
     return FindFile(file.get<std::string>(), folders_);
   }
 
-  /// @param file  its canonical path.
+  /// Returns the trajectory of a file, read once. @param file  canonical path.
   const motion::JointTrajectory& TrajectoryIn(const std::filesystem::path& file) {
     auto known = trajectories_.find(file);
     if (known == trajectories_.end()) {
@@ -241,7 +242,7 @@ Script ReadScript(const std::filesystem::path& path, double meters_per_unit,
 }
 
 Script ScriptOf(motion::JointTrajectory trajectory, std::string file) {
-  // A robot that follows comes to an end of it, whatever is in its way.
+  // A following robot stops at the end of its trajectory, even if it is blocked.
   const Wait to_the_end{.until = Wait::Until::kArrived, .seconds = kMaxWaitSeconds};
   return {
       .file = std::move(file),
@@ -288,6 +289,7 @@ bool ScriptPlayer::IsOver(const Wait& wait, const ScriptLine& line, const Simula
   }
   const auto waited = static_cast<double>(simulation.tick() - *wait_start_);
   const bool is_time_up = waited >= std::round(wait.seconds * kTicksPerSecond);
+  // A wait for a condition fails if its time is up.
   if (wait.until == Wait::Until::kSeconds) return is_time_up;
 
   bool is_over = false;

@@ -14,58 +14,60 @@
 
 namespace smile::sim {
 
-/// Lets time pass between two lines of a script; not a command: it reaches no log.
+/// Pause between two lines of a script. Not a command: it does not appear in logs.
 struct Wait {
   enum class Until { kSeconds, kArrived, kStill };
   Until until = Until::kSeconds;
-  double seconds = 10;  ///< how long; for the other two how long at most
+  double seconds = 10;  ///< duration; for the other two the maximum duration
 
   bool operator==(const Wait&) const = default;
 };
 
+/// One line of a script.
 struct ScriptLine {
-  int line = 0;                       ///< in the file, 1 is the first
-  std::optional<std::uint64_t> tick;  ///< not before this tick
+  int line = 0;                       ///< line number in the file, from 1
+  std::optional<std::uint64_t> tick;  ///< earliest tick
   std::variant<Command, Drag, Add, Wait> what;
 };
 
-/// A demonstration or a test, written down: one command per line as JSON, blank lines and lines
-/// that begin with # between them. Lines without a `tick` follow one another.
+/// A demonstration or a test as a file: one command per line as JSON, with blank lines and comments
+/// that begin with #. Lines without a `tick` follow one another.
 struct Script {
-  std::string file;  ///< as the user named it, for messages
+  std::string file;  ///< name as the user wrote it, for messages
   std::vector<ScriptLine> lines;
 };
 
-/// A script that is in no file; its trajectories have their points with them.
-/// @throws InputError with all findings.
+/// Parses a script that is not a file; its trajectories are inline. @throws InputError with all
+/// findings.
 Script ParseScript(std::string_view text, std::string file, double meters_per_unit);
-/// @param roots  folders in which, or below which, the trajectory files may lie that the script
-///               names, after its own folder.
+/// Reads a script file.
+/// @param roots  folders that may contain the trajectory files that the script names, directly or
+///               below, after its own folder.
 /// @throws InputError with all findings; std::runtime_error if a file cannot be read.
 Script ReadScript(const std::filesystem::path& path, double meters_per_unit,
                   const std::vector<std::filesystem::path>& roots = {});
 
-/// A script that plays a trajectory, from now to its end.
+/// Returns a script that plays a trajectory to its end.
 Script ScriptOf(motion::JointTrajectory trajectory, std::string file);
 
-/// Speaks a script to a simulation, line by line, at its pace.
+/// Plays a script in a simulation, line by line.
 class ScriptPlayer {
  public:
   explicit ScriptPlayer(Script script) : script_(std::move(script)) {}
 
-  /// Applies what is due now. To be called before each tick.
-  /// @throws InputError naming the line when a command is refused or a wait takes too long.
+  /// Applies all lines that are due. Call before each tick. @throws InputError with the line if a
+  /// command is refused or a wait takes too long.
   void Advance(Simulation* simulation);
 
   bool is_finished() const { return next_ == script_.lines.size(); }
-  /// Where it stands: the file and line of what comes next; only while not finished.
+  /// Returns the file and line of the next command; only while not finished.
   std::string place() const {
     return script_.file + ":" + std::to_string(script_.lines[next_].line);
   }
 
  private:
-  /// Executes a line of the script as a command.
-  /// @returns why it was refused; nullopt if it was executed.
+  /// Executes a line of the script as a command. @returns the reason if it was refused; nullopt if
+  /// it was executed.
   static std::optional<Refusal> Execute(const Command& command, Simulation* simulation);
   static std::optional<Refusal> Execute(const Drag& drag, Simulation* simulation);
   static std::optional<Refusal> Execute(const Add& add, Simulation* simulation);

@@ -12,7 +12,7 @@
 
 namespace smile::sim {
 
-/// What can change about a robot apart from its bodies, whose state is the physics world's.
+/// State of a robot apart from its bodies, whose state is part of the physics world.
 struct SimulatedRobotState {
   world::RobotBodyState body;
   FollowerState follower;
@@ -20,7 +20,7 @@ struct SimulatedRobotState {
   robot::FaceExpression face_expression = robot::FaceExpression::kIdle;
 };
 
-/// The robot of a simulation: its body, the trajectories it follows, and what people see of it.
+/// Robot of a simulation: its body, the trajectories it follows, and its appearance.
 class SimulatedRobot {
  public:
   /// Adds the model's robot to `world`, which must outlive this.
@@ -28,8 +28,8 @@ class SimulatedRobot {
   SimulatedRobot(const SimulatedRobot&) = delete;
   SimulatedRobot& operator=(const SimulatedRobot&) = delete;
 
-  /// Carries out a command, at `tick` where it begins a motion.
-  /// @returns why it was refused; the robot is then as before.
+  /// Execute a command, at `tick` if it begins a motion. @returns the reason if it was refused; the
+  /// robot has then not changed.
   std::optional<Refusal> Execute(const JointVelocities& velocities);
   std::optional<Refusal> Execute(const JointAngles& angles);
   std::optional<Refusal> Execute(const TurnJoint& turn);
@@ -39,12 +39,12 @@ class SimulatedRobot {
   std::optional<Refusal> Execute(const ShowRobot& show);
   std::optional<Refusal> Execute(const Face& face);
 
-  /// To be called before the physics steps of a tick and after each of them.
+  /// Call before the physics steps of a tick, and after each of them.
   void BeforeTick(std::uint64_t tick) { follower_.BeforeTick(tick); }
   void AfterStep() { body_.AfterStep(); }
 
   const world::RobotBody& body() const { return body_; }
-  /// True while joints are on their way to a pose or along a trajectory.
+  /// Returns true while joints move to a pose or along a trajectory.
   bool is_following() const { return follower_.is_following(); }
   bool is_shown() const { return is_shown_; }
   robot::FaceExpression face_expression() const { return face_expression_; }
@@ -54,11 +54,11 @@ class SimulatedRobot {
   void AddToHash(StateHash* hash) const;
 
  private:
-  /// Their joints are commanded otherwise: they no longer follow anything.
+  /// End the following of trajectories by joints that get another command.
   void StopFollowingWithArm(int arm);
   void StopFollowingWithGripper(int arm);
   void StopFollowingWithHead();
-  /// Why an arm cannot take these values; nullopt if it can or there are none.
+  /// Returns the reason why an arm cannot take these values; nullopt if it can or there are none.
   std::optional<Refusal> RefuseValues(const std::optional<std::vector<double>>& values,
                                       int arm) const;
 

@@ -16,6 +16,7 @@ Simulation::Simulation(scene::SceneSpec scene, std::optional<RobotPlacement> rob
     : Simulation(std::make_shared<const model::Model>(std::move(scene), std::move(robot))) {}
 
 std::optional<Refusal> Simulation::Apply(const Command& wanted) {
+  // Rounded as in a log, so that a replay applies the same bits.
   const Command command = OnFileGrid(wanted, scene().meters_per_unit);
   std::optional<Refusal> refusal = Refuse(command);
   if (!refusal) {
@@ -65,6 +66,7 @@ void Simulation::TellOfMove(ActionId from) {
 }
 
 std::optional<Refusal> Simulation::Perform(const Command& command) {
+  // The implied releases are actions of their own, before the state for undoing the grasp is saved.
   if (const auto* grasp = std::get_if<Grasp>(&command)) ReleaseFor(*grasp);
   std::optional<SimulationState> before_action;
   if (IsAction(command)) before_action = Save();
@@ -77,6 +79,7 @@ std::optional<Refusal> Simulation::Perform(const Command& command) {
     if (auto refusal = running_->Execute(command)) return refusal;
   }
   has_begun_ = true;
+  // The history changes only after the command succeeded.
   if (before_action) history_.Begin(*std::move(before_action));
   history_.Add({.tick = tick(), .command = command});
   for (Listener* listener : listeners_) listener->OnCommand(*this, command);
@@ -113,6 +116,7 @@ void Simulation::Tick() {
 
 void Simulation::Tell(const Event& event) {
   if (event.kind != EventKind::kCommandRefused) history_.Add(event);
+  // The support is a property of the moment of release.
   std::optional<model::Support> support;
   if (event.kind == EventKind::kReleased) support = SupportOf(*model().FindObject(event.object));
   if (auto summary = SummaryOf(event, support)) {
@@ -128,7 +132,7 @@ void Simulation::Restore(const SimulationState& state) {
 }
 
 void Simulation::RestoreState(const SimulationState& state) {
-  // A state of before or after a load is one of another scene.
+  // Across a load, the state belongs to another scene.
   if (state.start_model != start_model()) {
     running_ = std::make_unique<RunningModel>(state.start_model);
   }

@@ -10,10 +10,10 @@
 
 namespace smile::sim {
 
-/// Everything a simulation needs to go on exactly as it would have.
+/// Complete state of a simulation, from which it continues exactly.
 struct SimulationState {
   std::uint64_t tick = 0;
-  /// With which it began, and that of all that follows: they outlive the simulation.
+  /// Model at the beginning and at present: they outlive the simulation.
   std::shared_ptr<const model::Model> start_model, model;
   physics::Snapshot physics;
   world::TabletopState tabletop;

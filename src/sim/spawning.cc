@@ -16,7 +16,7 @@ namespace {
 
 using world::Refusal;
 
-/// What is no deeper in another thing touches it [m].
+/// Greatest overlap of objects that only touch [m].
 constexpr double kTouching = 0.0005;
 
 std::string Listed(const std::vector<std::string>& names) {
@@ -29,7 +29,8 @@ std::string Listed(const std::vector<std::string>& names) {
   return list;
 }
 
-/// Nothing of the table is added: a text may leave it at what scene files have, or say the same.
+/// Returns true if a text's table is compatible: the default of scene files, or the same as the
+/// scene's.
 bool IsOfTable(const scene::TableSpec& found, const scene::SceneSpec& scene) {
   constexpr double kSame = 1e-9;
   const auto is_span = [&](double span, double own, double units) {
@@ -63,7 +64,7 @@ std::optional<Refusal> RefuseToAdd(const scene::SceneSpec& added, const scene::S
 }  // namespace
 
 scene_xml::SceneReading ReadCommandScene(std::string_view xml, const std::string& name) {
-  // Without folders to look in, it can name no files.
+  // Without search folders it cannot name files.
   return scene_xml::ReadSceneText(xml, name, {.search_roots = {}, .limits = kCommandSceneLimits});
 }
 
@@ -102,7 +103,7 @@ std::optional<Refusal> RefuseOverlap(const model::Model& grown, const world::Tab
     const physics::Overlaps overlaps = world.OverlapsOf(solids, *start.X_WB[i], kTouching);
     std::vector<std::string> blockers;
     for (physics::BodyId body : overlaps.bodies) {
-      // A table and a floor press out what is in them, as those of a scene do.
+      // Overlap with the table or floor is allowed, as in scene files: they push the object out.
       const world::Object* blocker = tabletop.Find(body);
       if (blocker != nullptr) blockers.push_back(world::Named(blocker->id()));
     }

@@ -14,17 +14,17 @@
 namespace smile::sim {
 namespace {
 
-/// Share of what a joint is off that is taken back in a second [1/s]. Measured in November 2026
-/// with all joints swinging by 0.3 rad each second: 5 leaves them 1.6 mrad behind, 20 leaves 0.6.
+/// Gain: fraction of a joint's error that is corrected per second [1/s]. Measured in November 2026
+/// with all joints oscillating by 0.3 rad each second: with 5 they lag by 1.6 mrad, with 20 by 0.6.
 constexpr double kGain = 20;
-/// Nearer than this to where a trajectory begins, it begins at once [rad or m].
+/// A trajectory starts at once if all joints are this close to its start [rad or m].
 constexpr double kNear = 0.02, kNearOpening = 0.002;
-/// Share of full speed on the way there.
+/// Fraction of full speed on the way to the start.
 constexpr double kSpeedToStart = 0.5;
-/// What is told of a limit by measuring and rounding: an arm that was recorded at full speed was
-/// now and then a little faster.
+/// Tolerances of limits for measured trajectories: an arm recorded at full speed is sometimes
+/// slightly faster.
 constexpr double kPositionSlack = 1e-3, kVelocitySlack = 0.01;
-/// A gripper lets go of what it holds when it shall open so much farther than it is [m].
+/// A holding gripper releases if it is commanded to open by this much more than its opening [m].
 constexpr double kLetGo = 0.005;
 
 double ClampedTo(const motion::JointLimits& limits, double q) {
@@ -33,7 +33,7 @@ double ClampedTo(const motion::JointLimits& limits, double q) {
 
 std::uint64_t HashOf(const motion::JointTrajectory& trajectory) {
   StateHash hash;
-  // Lists enter with their lengths, or one could go on where another ends.
+  // Lists are hashed with their lengths, so that their boundaries count.
   const auto add_numbers = [&hash](std::span<const double> numbers) {
     hash.Add(std::uint64_t{numbers.size()});
     hash.Add(numbers);
@@ -49,7 +49,7 @@ std::uint64_t HashOf(const motion::JointTrajectory& trajectory) {
   return hash.value();
 }
 
-/// The limit that is broken, without what measuring and rounding add to it.
+/// Returns the violated limit without the tolerances, for messages.
 double TrueLimit(const motion::LimitBreach& breach, const motion::JointLimits& limits) {
   const bool is_above = breach.value > breach.limit;
   if (breach.quantity == motion::LimitedQuantity::kPosition) {
@@ -114,13 +114,13 @@ motion::JointTrajectory TrajectoryFollower::WithWayToStart(
   }
   if (is_near) return trajectory;
 
-  // A first point that is not at 0 leaves time to get there.
+  // A first point later than 0 leaves time for the motion to the start.
   std::vector<motion::TrajectoryPoint> points =
       motion::MoveStraight(from, to, limits, kSpeedToStart);
   const double delay = std::max(0.0, points.back().seconds - first.seconds);
   for (motion::TrajectoryPoint& point : trajectory.points) point.seconds += delay;
-  // Who is there early rests until the instant before it begins: one cubic from rest to the speed
-  // of the first point would swing back far to gain it.
+  // A robot that arrives early rests until just before the start: a single cubic from rest to the
+  // velocity of the first point would swing far back to gain it.
   motion::TrajectoryPoint rest = points.back();
   rest.seconds = std::nextafter(first.seconds, 0.0);
   if (points.back().seconds >= rest.seconds) points.pop_back();
@@ -219,6 +219,7 @@ void TrajectoryFollower::BeforeTick(std::uint64_t tick) {
 void TrajectoryFollower::Drive(const Following& following, std::uint64_t tick) {
   const std::uint64_t elapsed = tick - following.start_tick;
   const motion::TrajectoryPoint now = SampleAt(*following.trajectory, SecondsOf(elapsed));
+  // The mean velocity over the tick, so that the joint is at the next sample when it ends.
   const motion::TrajectoryPoint next = SampleAt(*following.trajectory, SecondsOf(elapsed + 1));
   const std::vector<double> q = robot_.positions();
   for (const Following::Column& column : following.columns) {
@@ -235,7 +236,7 @@ void TrajectoryFollower::Drive(const Following& following, std::uint64_t tick) {
 }
 
 void TrajectoryFollower::DriveGripper(int arm, double rate, double error) {
-  // What is held is let go of when the gripper shall open, not by a correction.
+  // A held object is released when the trajectory opens the gripper, not by a correction.
   const bool keeps = !robot_.HeldBodies(arm).empty() && !(rate > 0 && error > kLetGo);
   robot_.SetGripperVelocity(arm, keeps ? 0.0 : rate + kGain * error);
 }

@@ -17,9 +17,9 @@ namespace smile::sim {
 
 using world::Refusal;
 
-/// A trajectory on its way.
+/// A trajectory that is being followed.
 struct Following {
-  /// What of the robot follows which column, as long as nobody else commands it.
+  /// A channel of the robot and the column it follows, until it gets another command.
   struct Column {
     std::size_t column = 0;   ///< of the trajectory
     std::size_t channel = 0;  ///< of the robot, see motion::ChannelsOf()
@@ -27,34 +27,34 @@ struct Following {
     bool operator==(const Column&) const = default;
   };
 
-  /// Never changes, may be long, and every saved state on its way has it: these share it.
+  /// Shared, since it never changes, may be long, and is part of each saved state.
   std::shared_ptr<const motion::JointTrajectory> trajectory;
-  std::uint64_t hash = 0;  ///< of it
+  std::uint64_t hash = 0;  ///< of the trajectory
   std::uint64_t start_tick = 0;
   std::vector<Column> columns;
 };
 
-/// What a TrajectoryFollower remembers; part of every saved state.
+/// State of a TrajectoryFollower; part of each saved state.
 struct FollowerState {
   std::vector<Following> followings;  ///< in the order of their starts
 };
 
-/// Makes joints of a robot follow trajectories, by their velocities.
+/// Makes joints of a robot follow trajectories by commanding velocities.
 ///
-/// Each tick a joint gets the velocity that the trajectory has for it, and a share of what it is
-/// off. A joint that is blocked falls behind, and catches up as fast as its limit allows; when the
-/// time is up, it stops, wherever it is. A joint follows one trajectory at a time.
+/// Each tick a joint gets the velocity of the trajectory plus a correction proportional to its
+/// error. A blocked joint falls behind and catches up as fast as its limit allows; when the time is
+/// up, it stops wherever it is. A joint follows one trajectory at a time.
 class TrajectoryFollower {
  public:
-  /// @param robot  outlives this.
+  /// Makes a follower. @param robot  must outlive this.
   explicit TrajectoryFollower(world::RobotBody* robot);
 
-  /// Begins to follow. Joints that are elsewhere first go straight to where it begins.
-  /// @returns why not: an unknown joint, a limit of position or velocity that it breaks.
+  /// Starts to follow. Joints that are elsewhere first move straight to the trajectory's start.
+  /// @returns the reason if refused: an unknown joint, or a violated limit of position or velocity.
   std::optional<Refusal> Follow(const motion::JointTrajectory& trajectory, std::uint64_t tick);
-  /// Begins to move straight to a named pose, grippers excepted.
+  /// Starts to move straight to a named pose, except grippers.
   std::optional<Refusal> MoveTo(const std::string& pose, double speed, std::uint64_t tick);
-  /// Somebody else commands this joint from now on; a left finger stands for its gripper.
+  /// Ends following by a joint that gets another command; a left finger stands for its gripper.
   void Leave(int joint);
 
   /// Commands the joints for the tick that begins.
@@ -72,7 +72,7 @@ class TrajectoryFollower {
                                      std::vector<Following::Column>* columns) const;
   std::optional<Refusal> RefuseBeyondLimits(const motion::JointTrajectory& trajectory,
                                             std::span<const Following::Column> columns) const;
-  /// The trajectory, with the way to where it begins before it.
+  /// Returns the trajectory preceded by the motion to its start.
   motion::JointTrajectory WithWayToStart(motion::JointTrajectory trajectory,
                                          std::span<const Following::Column> columns) const;
   void Start(motion::JointTrajectory trajectory, std::vector<Following::Column> columns,

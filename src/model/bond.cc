@@ -19,6 +19,7 @@ bool LocksDownstreamAt(const Host& host, int tightness) {
 RigidTransform GuestBodyInHostBody(const Host& host, const Guest& guest, int tightness) {
   const scene::TightnessStage* stage = StageAt(host, tightness);
   const RigidTransform X_HStage = stage != nullptr ? stage->X_HS : RigidTransform();
+  // The guest point coincides with the stage's frame in the hole.
   return host.X_BH * (X_HStage * guest.X_BG.inverse());
 }
 

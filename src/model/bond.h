@@ -7,23 +7,23 @@
 
 namespace smile::model {
 
-/// A plug of the scene.
+/// Guest point of the scene: a plug.
 struct Guest {
-  const scene::GuestPoint* point = nullptr;  ///< of the scene; never null in a Model
+  const scene::GuestPoint* point = nullptr;  ///< in the scene; never null in a Model
   ObjectIndex object{0};                     ///< the object it belongs to
   RigidTransform X_BG{};                     ///< in the object's body B
 };
 
-/// A hole of the scene.
+/// Host point of the scene: a hole.
 struct Host {
-  const scene::HostPoint* point = nullptr;  ///< of the scene; never null in a Model
+  const scene::HostPoint* point = nullptr;  ///< in the scene; never null in a Model
   ObjectIndex object{0};                    ///< the object it belongs to
   RigidTransform X_BH{};                    ///< in the object's body B
   std::optional<ControlIndex> downstream{}, downstream_override{};
   std::optional<HostIndex> downstream_lock{};
 };
 
-/// What a host holds, and whether that can change.
+/// State of a host: its guest, and whether that can change.
 struct HostState {
   std::optional<GuestIndex> guest{};  ///< nullopt: none
   int tightness = 0;
@@ -32,13 +32,13 @@ struct HostState {
   bool operator==(const HostState&) const = default;
 };
 
-/// The stage of a host at a tightness; nullptr at 0.
+/// Returns the stage of a host at a tightness; nullptr at 0.
 const scene::TightnessStage* StageAt(const Host& host, int tightness);
-/// The state that a host forces on its `downstream_override` at a tightness; -1: none.
+/// Returns the state that a host forces on its `downstream_override` at a tightness; -1: none.
 int OverrideAt(const Host& host, int tightness);
-/// True where a host locks its `downstream_lock` at a tightness.
+/// Returns true if a host locks its `downstream_lock` at a tightness.
 bool LocksDownstreamAt(const Host& host, int tightness);
-/// Where the guest's body B is in that of the host, A, when it is fastened so far: X_AB.
+/// Returns the pose X_AB of the guest's body B in the host's body A at a tightness.
 RigidTransform GuestBodyInHostBody(const Host& host, const Guest& guest, int tightness);
 
 }  // namespace smile::model

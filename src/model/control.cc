@@ -50,11 +50,12 @@ std::optional<ControlState> WithRecordedState(const Control& control, const Cont
     if (position == state.position) return state;
     return ControlState{.state = (state.state + 1) % toggle->num_states, .position = position};
   }
+  // Names take precedence over numbers.
   const int num_states = scene::NumStatesOf(*control.part);
   for (int number = 0; number < num_states; ++number) {
     if (RecordedState(control, {.state = number}) == recorded) return ControlState{.state = number};
   }
-  // The original gave the numbers of custom controls also where their states have names.
+  // The original program wrote numbers for custom controls even if their states have names.
   for (int number = 0; number < num_states; ++number) {
     if (std::to_string(number) == recorded) return ControlState{.state = number};
   }
@@ -80,7 +81,8 @@ void DriveDownstream(const std::vector<Control>& controls, ControlIndex from,
     ControlIndex control;
     int state;
   };
-  // Depth first, as they are written: the last one waiting is the next.
+  // Depth first in the order of the file, as in the original: the last entry of the stack is the
+  // next, so they are pushed in reverse.
   std::vector<Impulse> waiting;
   const auto drive_from = [&](ControlIndex driver) {
     const int state = EffectiveState((*states)[driver]);

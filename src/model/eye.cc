@@ -11,8 +11,8 @@
 namespace smile::model {
 namespace {
 
-/// Baxter's eye in its base frame at pan 0: lifted 0.2 m above the real camera and tilted down by
-/// 56.05 degrees, as the original's was, to overlook the table.
+/// Returns Baxter's eye in its base frame at pan 0: raised 0.2 m above the real camera and tilted
+/// down by 56.05 degrees, as in the original, to see the whole table.
 RigidTransform EyeInBase() {
   const double tilt = DegreesToRadians(56.05);
   Matrix3 R_BaseC;  // x right, y down, z forward, seen from a base with x forward, y left, z up
@@ -22,12 +22,12 @@ RigidTransform EyeInBase() {
   return {R_BaseC, Vector3(0.18832, 0, 0.95921)};
 }
 
-/// Of the 2015 program, from top to bottom.
+/// Vertical field of view of the 2015 program.
 constexpr double kEyeAngle = DegreesToRadians(60.0);
-/// Of Baxter's three cameras, from left to right: what its makers' own simulator had.
+/// Horizontal field of view of Baxter's three cameras, as in the manufacturer's simulator.
 constexpr double kRobotCameraAngle = DegreesToRadians(80.0);
 
-/// The frame of a robot that is a camera; nullopt if it has none of this name.
+/// Returns the index of a camera's frame on the robot; nullopt if it has no such camera.
 std::optional<int> FrameOf(const robot::RobotModel& robot, std::string_view camera) {
   if (camera == kEyeCamera) return robot.head ? std::optional(robot.head->camera) : std::nullopt;
   if (camera == kHeadCamera) return FindFrame(robot, "head_camera");
@@ -47,12 +47,12 @@ CameraView ViewOf(const scene::CameraSpec& camera, const EyeSpec& spec) {
   CameraView view{.intrinsics = CameraIntrinsics::FromVerticalFieldOfView(
                       spec.width_px, spec.height_px, camera.vertical_field_of_view),
                   .X_WC = LookAt(camera.p_WC, camera.p_WQ, camera.up_in_world)};
-  // What it looks at shall be seen from any distance.
+  // The target must be visible from any distance.
   view.intrinsics.far = std::max(view.intrinsics.far, 2 * (camera.p_WQ - camera.p_WC).norm());
   return view;
 }
 
-/// Where Baxter's eye would be.
+/// Returns the pose of Baxter's eye at the default place.
 RigidTransform EyeWithoutRobot(const Model& model) {
   const RobotPlacement usual;
   return RobotBasePose(model.scene().table, usual.gap, usual.height) * EyeInBase();
@@ -77,7 +77,8 @@ std::vector<std::string> CameraNames(const Model& model) {
     }
   }
   for (const scene::CameraSpec& camera : model.scene().cameras) {
-    // A robot may have an arm whose camera has the name of one of the scene's: EyeView() takes it.
+    // A camera of the robot takes precedence over one of the scene with the same name, as in
+    // EyeView().
     if (std::ranges::find(names, camera.id) == names.end()) names.push_back(camera.id);
   }
   return names;
@@ -108,7 +109,7 @@ std::vector<int> FramesHiddenFromEye(const Model& model, bool is_robot_shown,
   const robot::RobotModel* robot = model.robot();
   if (robot == nullptr) return {};
   if (is_robot_shown) {
-    // The head's cameras sit within it; those of the hands look through a lens that is drawn.
+    // The head's cameras are inside it; those of the hands look through a drawn lens.
     const auto frame = FrameOf(*robot, camera);
     if (!frame) return {};
     return {static_cast<int>(model.frame_of(robot->frames[static_cast<std::size_t>(*frame)]))};

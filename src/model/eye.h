@@ -11,14 +11,14 @@
 
 namespace smile::model {
 
-/// The eye of the 2015 program, raised above the robot's head; present without a robot, too.
+/// Camera of the 2015 program, raised above the robot's head; also present without a robot.
 inline constexpr const char* kEyeCamera = "eye";
-/// The camera in the robot's screen.
+/// Camera in the robot's screen.
 inline constexpr const char* kHeadCamera = "head";
 
-/// Which camera takes pictures, and how large. The angle it sees is the camera's own: 60 degrees
-/// from top to bottom for `eye`, 80 from left to right for the robot's others, as given for the
-/// scene's. Pixels are square.
+/// Selects a camera and the size of its pictures. The field of view is the camera's own: 60 degrees
+/// vertically for `eye`, 80 horizontally for the robot's others, as specified for the scene's.
+/// Pixels are square.
 struct EyeSpec {
   int width_px = 640;
   int height_px = 480;
@@ -27,25 +27,25 @@ struct EyeSpec {
   bool operator==(const EyeSpec&) const = default;
 };
 
-/// The cameras there are: `eye`, then the robot's `head` and one in each hand (`left_hand`), then
-/// those that stand in the scene.
+/// Returns the names of all cameras: `eye`, then the robot's `head` and one in each hand
+/// (`left_hand`), then those of the scene.
 std::vector<std::string> CameraNames(const Model& model);
 
-/// True of a camera that stands in the scene: not `eye`, and none of the robot's.
+/// Returns true for a camera of the scene: not `eye`, and none of the robot's.
 bool IsSceneCamera(const Model& model, std::string_view camera);
 
-/// Where a camera is when the robot's joints are at `q` [rad or m; empty without a robot]. Without
-/// a robot the eye stays where Baxter's would be, so that a demonstration on an empty table is seen
-/// from the same place.
-/// @throws std::invalid_argument listing the cameras there are, if it is none of them.
+/// Returns the view of a camera with the robot's joints at `q` [rad or m; empty without a robot].
+/// Without a robot the eye is where Baxter's would be, so that a demonstration on an empty table
+/// has the same view. @throws std::invalid_argument listing all cameras, if there is no such
+/// camera.
 CameraView EyeView(const Model& model, std::span<const double> q, const EyeSpec& spec);
 
-/// Frames of the visual model that a camera must not see: the link it is fixed to; all of a hidden
-/// robot.
+/// Returns the frames of the visual model that a camera must not see: the link it is fixed to; all
+/// frames of a hidden robot.
 std::vector<int> FramesHiddenFromEye(const Model& model, bool is_robot_shown,
                                      std::string_view camera);
 
-/// The wanted channels of a picture.
+/// Requested channels of a picture.
 struct Channels {
   bool rgb = true, depth = false, id = false;
 

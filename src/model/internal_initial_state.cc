@@ -6,7 +6,7 @@
 namespace smile::model {
 namespace {
 
-/// Fastens guests to hosts as the world does, which also moves the bodies of its physics.
+/// Fastens guests to hosts like world::Bonds, without a physics world.
 class Fastener {
  public:
   explicit Fastener(const Model& model) : model_(model) {
@@ -29,7 +29,7 @@ class Fastener {
     HostState& held = state_.hosts[host_index];
     held.guest = guest_index;
     held.tightness = tightness;
-    // What is downstream of a host follows its tightness.
+    // Controls and hosts downstream follow the tightness.
     if (host.downstream) {
       TakeState(model_.control(*host.downstream), tightness, &state_.controls[*host.downstream]);
     }
@@ -49,7 +49,7 @@ class Fastener {
     ties_.insert({{ObjectIndex(a), ObjectIndex(b)}, {ObjectIndex(b), ObjectIndex(a)}});
   }
 
-  /// From end to end; the ends come first.
+  /// Ties a chain from end to end; both ends come first in the scene.
   void TieChain(const scene::ChainSpec& chain) {
     std::size_t previous = chain.first_object;
     for (std::size_t i = 0; i < chain.link_ids.size(); ++i) {
@@ -60,7 +60,7 @@ class Fastener {
     Tie(previous, chain.first_object + 1);
   }
 
-  /// Moves an object and what is tied to it through anything but what is static.
+  /// Moves an object and everything tied to it, except through static objects.
   void Move(ObjectIndex object, const RigidTransform& X_WB) {
     const RigidTransform X_moved = X_WB * state_.X_WB[object]->inverse();
     std::set<ObjectIndex> found{object};

@@ -4,9 +4,8 @@
 
 namespace smile::model {
 
-/// The state of a scene at the start. What is fastened from the start is where its host has it,
-/// with all that is joined with it.
-/// @param model  complete but for its initial state.
+/// Returns the state of a scene at the start. Fastened guests are at their hosts, together with
+/// everything joined to them. @param model  complete except for its initial state.
 SceneState InitialStateOf(const Model& model);
 
 }  // namespace smile::model

@@ -10,7 +10,7 @@
 namespace smile::model {
 namespace {
 
-/// A look that no visual has: nothing of the choice is visible.
+/// A look that no visual has: no visual of the choice is visible.
 constexpr int kHidden = -1;
 
 template <class Map>
@@ -20,7 +20,7 @@ auto FindIn(const Map& index_of_id, std::string_view id)
   return found != index_of_id.end() ? std::optional(found->second) : std::nullopt;
 }
 
-/// Links are drawn longer than they are, so that a chain has no gaps.
+/// Lengthens a drawn link, so that a chain has no gaps.
 void Lengthen(double padding, scene::Visual* visual) {
   if (auto* block = std::get_if<scene::Block>(&visual->shape)) block->size.y() += 2 * padding;
 }
@@ -97,6 +97,8 @@ void Model::AppendVisuals(ObjectIndex object) {
   for (scene::Visual visual : scene::VisualsOf(scene_.objects[object].whole)) {
     visual.frame = static_cast<int>(frame_of(object));
     visual.object_id = object_id;
+    // The object's own choices follow its presence; visuals without a choice depend on presence
+    // only.
     visual.choice = visual.choice < 0 ? presence : presence + 1 + visual.choice;
     if (chain != nullptr) Lengthen(chain->link_padding, &visual);
     visual_model_.visuals.push_back(std::move(visual));
@@ -161,6 +163,7 @@ std::vector<int> Model::LooksOf(ObjectIndex object, std::span<const ControlState
 scene::VisualState Model::VisualStateOf(const SceneState& state, std::span<const double> q,
                                         robot::FaceExpression face_expression) const {
   scene::VisualState visual;
+  // The order of poses and looks is that of frames and choices; see visual_model().
   visual.poses.reserve(static_cast<std::size_t>(visual_model_.num_frames));
   visual.looks.reserve(static_cast<std::size_t>(visual_model_.num_choices));
   for (ObjectIndex object : objects()) {

@@ -19,32 +19,32 @@
 
 namespace smile::model {
 
-/// What can be seen of the objects at a moment, apart from a robot.
+/// Visible state of the objects at a moment, without the robot.
 struct SceneState {
-  std::vector<std::optional<RigidTransform>> X_WB;  ///< of each object; nullopt: destroyed
+  std::vector<std::optional<RigidTransform>> X_WB;  ///< of each object; nullopt if destroyed
   std::vector<ControlState> controls;               ///< by ControlIndex
   std::vector<HostState> hosts;                     ///< by HostIndex
 };
 
 /// A scene and a robot, compiled once: everything about them that does not change while they are
-/// simulated, shown or compared, as MuJoCo's mjModel and Drake's MultibodyPlant. What changes is a
-/// plain value beside it (a recording::TraceTick, a sim::SimulationState), and what can be seen of
-/// such a value is a pure function of both. Knows no physics: who only looks needs no world.
+/// simulated, shown or compared, like MuJoCo's mjModel and Drake's MultibodyPlant. State is a plain
+/// value beside it (a recording::TraceTick, a sim::SimulationState), and the appearance of such a
+/// value is a pure function of both. It needs no physics world.
 ///
 /// Immutable, and neither copied nor moved, so that any thread may read it and the pointers of its
-/// Controls, Guests and Hosts into its scene stay valid. Shared ownership is for whoever outlives
-/// the maker: a world that runs it, and pages and pictures of that world which are still being made
-/// when it is replaced, own it by `shared_ptr<const Model>`; the last one ends it.
+/// Controls, Guests and Hosts into its scene stay valid. It is owned by `shared_ptr<const Model>`
+/// wherever a user may outlive its maker: a running world, and pages and pictures of that world
+/// that are still being made when it is replaced.
 ///
-/// A model that is to have more objects is another model, which has them behind those of before:
-/// all indices of objects, controls, guests and hosts stay valid. Those of frames and choices are
-/// the model's own.
+/// A model with more objects is another model, which has the new ones behind the old: all indices
+/// of objects, controls, guests and hosts stay valid. Those of frames and choices are the model's
+/// own.
 class Model {
  public:
-  /// @param robot  nullopt for a table without one.
+  /// Compiles a scene. @param robot  nullopt for a table without a robot.
   explicit Model(scene::SceneSpec scene, std::optional<RobotPlacement> robot = std::nullopt);
-  /// Another scene with the same robot, which both models share. If it is to have more objects than
-  /// that of `other`, these are behind its own; see scene::Joined().
+  /// Compiles another scene with the same robot, which both models share. A larger version of the
+  /// scene of `other` has its additional objects behind those of `other`; see scene::Joined().
   Model(const Model& other, scene::SceneSpec scene);
   Model(const Model&) = delete;
   Model& operator=(const Model&) = delete;
@@ -55,14 +55,14 @@ class Model {
   const scene::ObjectSpec& object(ObjectIndex object) const { return scene_.objects[object]; }
   const std::string& id(ObjectIndex object) const { return scene_.objects[object].id(); }
   [[nodiscard]] std::optional<ObjectIndex> FindObject(std::string_view id) const;
-  /// The chain of which an object is a link; nullptr for all others.
+  /// Returns the chain that an object is a link of; nullptr for other objects.
   const scene::ChainSpec* chain_of_link(ObjectIndex object) const;
 
   IndexRange<ControlIndex> controls() const { return IndexRange<ControlIndex>(controls_.size()); }
   const Control& control(ControlIndex control) const { return controls_[control]; }
   const std::vector<Control>& all_controls() const { return controls_; }
   [[nodiscard]] std::optional<ControlIndex> FindControl(std::string_view id) const;
-  /// An object's own.
+  /// Returns the controls of an object.
   IndexRange<ControlIndex> controls_of(ObjectIndex object) const {
     return {first_control_[object], first_control_[object + 1]};
   }
@@ -75,27 +75,27 @@ class Model {
   [[nodiscard]] std::optional<HostIndex> FindHost(std::string_view id) const;
 
   const std::optional<RobotPlacement>& robot_placement() const { return *placement_; }
-  /// nullptr without one.
+  /// Returns the robot, or nullptr.
   const robot::RobotModel* robot() const {
     return robot_placement() ? &robot_placement()->model : nullptr;
   }
-  /// X_WBase; the identity without a robot.
+  /// Returns X_WBase; the identity without a robot.
   const RigidTransform& robot_base_pose() const { return X_WBase_; }
 
-  /// All that may be seen. Its frames are the world's, one per object, then the robot's base and
-  /// links; its choices are per object whether it is there and its controls, then the robot's face
-  /// expression.
+  /// Returns everything that can be visible. Its frames are the world's, one per object, then the
+  /// robot's base and links; its choices are, per object, its presence and its controls, then the
+  /// robot's face expression.
   const scene::VisualModel& visual_model() const { return visual_model_; }
   FrameIndex frame_of(ObjectIndex object) const { return FrameIndex(1 + object); }
-  /// The robot must have such a link.
+  /// Returns the frame of a link, which the robot must have.
   FrameIndex frame_of(LinkIndex link) const;
-  /// The frame that carries a frame of the robot's description.
+  /// Returns the frame that carries a frame of the robot's description.
   FrameIndex frame_of(const robot::Frame& frame) const;
-  /// The base's, then one per link; empty without a robot.
+  /// Returns the frames of the base and of each link; empty without a robot.
   IndexRange<FrameIndex> robot_frames() const;
-  /// The object that a frame belongs to; nullopt for the world's and the robot's.
+  /// Returns the object of a frame; nullopt for frames of the world and the robot.
   [[nodiscard]] std::optional<ObjectIndex> object_of(FrameIndex frame) const;
-  /// Whether an object is there.
+  /// Returns the choice for the presence of an object.
   ChoiceIndex presence_of(ObjectIndex object) const {
     return ChoiceIndex(object + first_control_[object]);
   }
@@ -103,12 +103,12 @@ class Model {
     return ChoiceIndex(controls_[control].object + 1 + control);
   }
 
-  /// The start, with what is fastened from the start where it is then.
+  /// Returns the state at the start, with guests at their initial hosts.
   const SceneState& initial_state() const { return initial_state_; }
-  /// The looks of an object's own controls.
+  /// Returns the looks of an object's own controls.
   std::vector<int> LooksOf(ObjectIndex object, std::span<const ControlState> controls) const;
-  /// What a moment looks like.
-  /// @param q  of the robot's joints [rad or m]; empty without one.
+  /// Returns the visual state of a moment. @param q  of the robot's joints [rad or m]; empty
+  /// without one.
   scene::VisualState VisualStateOf(const SceneState& state, std::span<const double> q,
                                    robot::FaceExpression face_expression) const;
 
@@ -120,7 +120,7 @@ class Model {
   /// @param link  -1: the base.
   FrameIndex FrameOfLink(int link) const;
   void AddMechanismsOf(ObjectIndex object);
-  /// Resolves the ids by which controls and hosts name what is downstream of them.
+  /// Resolves the ids of downstream controls and hosts.
   void ConnectMechanisms();
   void AppendVisuals(ObjectIndex object);
 

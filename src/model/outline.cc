@@ -34,7 +34,7 @@ std::vector<Vector3> CornersOf(const scene::Cylinder& cylinder) {
   return corners;
 }
 
-/// Of a sphere only its height and breadth count: those of a cube's upright edges will not do.
+/// Returns the horizontal great circle of a sphere, in the frame of the solid.
 std::vector<Vector3> CornersOf(const scene::Sphere& sphere, const Matrix3& R_SW) {
   std::vector<Vector3> corners;
   for (int i = 0; i < kRoundCorners; ++i) {
@@ -49,7 +49,7 @@ double CrossOf(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-/// One half of the hull of points that lie in this order, without its last corner.
+/// Appends one half of the hull of sorted points, without its last corner.
 template <class Iterator>
 void AppendHalfHull(Iterator begin, Iterator end, Outline* hull) {
   const std::size_t first = hull->size();
@@ -63,7 +63,8 @@ void AppendHalfHull(Iterator begin, Iterator end, Outline* hull) {
   hull->pop_back();
 }
 
-/// A. M. Andrew, "Another efficient algorithm for convex hulls in two dimensions" (1979).
+/// Returns the convex hull by monotone chains. Source: A. M. Andrew, "Another efficient algorithm
+/// for convex hulls in two dimensions" (1979).
 Outline HullOfPoints(Outline points) {
   std::ranges::sort(points, [](const auto& a, const auto& b) {
     return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
@@ -75,7 +76,8 @@ Outline HullOfPoints(Outline points) {
   return hull;
 }
 
-/// How far `b` reaches over the edges of `a`, at the edge where that is least.
+/// Returns how far `b` reaches inside the edges of `a`, at the edge where this is least: the
+/// separating axis test over the normals of `a`.
 double LeastReachOver(const Outline& a, const Outline& b) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < a.size(); ++i) {

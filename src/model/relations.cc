@@ -12,9 +12,9 @@
 namespace smile::model {
 namespace {
 
-/// Two surfaces touch when they are this near [m].
+/// Greatest distance of surfaces that touch [m].
 constexpr double kContact = 0.005;
-/// What stands on something covers at least so much of it [m].
+/// Least overlap, seen from above, of an object with its support [m].
 constexpr double kFooting = 0.001;
 
 struct Piece {
@@ -22,7 +22,7 @@ struct Piece {
   Outline outline;
 };
 
-/// An object as relations see it.
+/// An object with its pieces, prepared for relations.
 struct Placed {
   const scene::ObjectSpec* object = nullptr;
   std::vector<scene::Solid> solids;
@@ -41,6 +41,8 @@ Placed PlacedOf(const scene::ObjectSpec& object) {
   return placed;
 }
 
+/// Returns true if the bottom of a piece of `upper` touches the top of a piece of `lower`, with
+/// enough overlap.
 bool StandsOn(const Placed& upper, const Placed& lower) {
   if (!upper.bounds.Meets(lower.bounds, kContact)) return false;
   for (const Piece& foot : upper.pieces) {
@@ -55,7 +57,7 @@ bool StandsOn(const Placed& upper, const Placed& lower) {
   return false;
 }
 
-/// True when a cuboid is beside the point, on this side of it along this axis, level with it.
+/// Returns true if a box is beside a point, on this side along this axis, at its height.
 bool IsBeside(const scene::Bounds& piece, const Vector3& p, int axis, bool is_above) {
   const int across = 1 - axis;
   const bool is_on_side = is_above ? piece.low[axis] >= p[axis] : piece.high[axis] <= p[axis];
@@ -63,8 +65,11 @@ bool IsBeside(const scene::Bounds& piece, const Vector3& p, int axis, bool is_ab
          piece.low.z() <= p.z() && p.z() <= piece.high.z();
 }
 
+/// Returns true if pieces of `around` are on all four sides of a point in the lower part of the
+/// object.
 bool LiesIn(const Placed& object, const Placed& around) {
   if (!object.bounds.Meets(around.bounds)) return false;
+  // In the container's own frame, where its walls are along the axes.
   const RigidTransform X_BW = around.object->pose_in_world().inverse();
   const scene::Bounds inner = scene::BoundsOf(object.solids, X_BW * object.object->pose_in_world());
   Vector3 p = inner.center();
@@ -93,7 +98,7 @@ bool SlidesIn(const scene::SceneSpec& scene, const scene::ObjectSpec& drawer,
   });
 }
 
-/// The relations of one object with all the others.
+/// Returns the relations of one object with all others.
 std::vector<Relation> RelationsOfOne(const Placed& one, const std::vector<Placed>& all,
                                      const scene::SceneSpec& scene) {
   std::vector<Relation> relations;
@@ -113,8 +118,8 @@ std::vector<Relation> RelationsOfOne(const Placed& one, const std::vector<Placed
   return relations;
 }
 
-/// How far an object can be lowered until it meets the table or another's top [m]; what it is in up
-/// to kContact does not count as above it.
+/// Returns the distance that an object can be lowered until it meets the table or another object's
+/// top [m]; overlap up to kContact counts as contact.
 double HeightAbove(const Placed& one, const std::vector<Placed>& all,
                    const scene::SceneSpec& scene) {
   double height = std::max(0.0, one.bounds.low.z());
@@ -133,7 +138,7 @@ double HeightAbove(const Placed& one, const std::vector<Placed>& all,
   return height;
 }
 
-/// The relation that says most of where an object is: the innermost container, else the first.
+/// Returns the most informative relation: the innermost container, else the first.
 const Relation& MainOf(const std::vector<Relation>& relations, const std::vector<Placed>& all) {
   const auto size_around = [&all](const Relation& relation) {
     const auto around = std::ranges::find(all, relation.support,
@@ -141,6 +146,7 @@ const Relation& MainOf(const std::vector<Relation>& relations, const std::vector
     const bool is_inside = relation.kind == Relation::Kind::kIn && around != all.end();
     return is_inside ? around->bounds.size().prod() : std::numeric_limits<double>::infinity();
   };
+  // The innermost container is the smallest one.
   return *std::ranges::min_element(relations, {}, size_around);
 }
 

@@ -10,52 +10,53 @@
 
 namespace smile::model {
 
-/// What an object stands on, or lies in. The one definition of both, for all that describes scenes
-/// and demonstrations.
+/// Support relation of an object. The one definition for all descriptions of scenes and
+/// demonstrations.
 struct Relation {
   enum class Kind { kOn, kIn };
 
   std::string object;
   Kind kind = Kind::kOn;
-  std::string support;  ///< id of what is beneath or around; empty: the table
+  std::string support;  ///< id of the object beneath or around it; empty: the table
 
   bool operator==(const Relation&) const = default;
 };
 
-/// The relations of objects where they are, in their order, as far as their convex pieces tell.
+/// Returns the relations of objects at their present poses, in their order, based on their convex
+/// pieces.
 ///
-/// An object stands on all those whose tops it touches with its feet. It lies in what is around it:
-/// in a container, drawer or ring whose pieces are on all four sides of a point a quarter of its
-/// height up, in the other's own directions; then that is not also what it stands on. It stands on
-/// the table when it stands on nothing else and lies in nothing. A drawer stands on what it slides
-/// in, never the other way round.
-/// @param scene    theirs; where they are in it does not matter.
-/// @param objects  those that are there.
+/// An object stands on all objects whose tops it touches with its feet. It lies in an object around
+/// it: in a container, drawer or ring whose pieces are on all four sides of a point at a quarter of
+/// its height, in the container's own directions; it then does not also stand on that object. It
+/// stands on the table if it stands on nothing else and lies in nothing. A drawer stands on the
+/// object it slides in, never the reverse.
+/// @param scene    the scene of the objects; their poses in it do not matter.
+/// @param objects  the objects that are present.
 std::vector<Relation> RelationsOf(const scene::SceneSpec& scene,
                                   const std::vector<scene::ObjectSpec>& objects);
 
-/// What an object would come to stand on or lie in if it were released.
+/// Support of an object if it were released.
 struct Support {
-  std::string object;      ///< its id; empty: the table
-  bool is_inside = false;  ///< it lies in it rather than on it
-  double height = 0;       ///< from there up to the object [m]
+  std::string object;      ///< id of the support; empty: the table
+  bool is_inside = false;  ///< true if it lies in the support rather than on it
+  double height = 0;       ///< from the support up to the object [m]
 
-  /// True when it is as good as there already.
+  /// Returns true if it practically rests there already.
   bool is_near() const { return height < 0.02; }
   bool operator==(const Support&) const = default;
 };
 
-/// The support of one of the objects: its relation, as RelationsOf() has it, once it is lowered
-/// until it meets what is straight beneath. Of several the innermost that it lies in, else the
-/// first that it stands on.
-/// @param scene, objects  as RelationsOf() takes them.
-/// @returns nullopt beyond the table's edge, or when the object is not there.
+/// Returns the support of one of the objects: its relation, as in RelationsOf(), after it is
+/// lowered until it meets what is straight beneath. Of several, the innermost container, else the
+/// first one that it stands on.
+/// @param scene, objects  as in RelationsOf().
+/// @returns nullopt beyond the table's edge, or if the object is not present.
 std::optional<Support> SupportOf(const scene::SceneSpec& scene,
                                  const std::vector<scene::ObjectSpec>& objects,
                                  const std::string& object);
 
-/// The same of a scene at some moment.
-/// @param X_WBs  of the objects of the scene, in its order; nullopt of what is gone.
+/// The same for a scene at a moment. @param X_WBs  of the objects of the scene, in its order;
+/// nullopt for missing ones.
 std::optional<Support> SupportOf(const scene::SceneSpec& scene,
                                  const std::vector<std::optional<RigidTransform>>& X_WBs,
                                  ObjectIndex object);

@@ -63,8 +63,8 @@ classic::ClassicOptions ClassicOptionsOf(const RecorderOptions& options) {
   return {.frames_per_second = options.frames_per_second, .has_symbols = options.has_symbols};
 }
 
-/// What happened before a recording begins, as far as it still matters: what lies on the floor,
-/// what hands hold and what was said of objects.
+/// Returns events from before a recording that still matter: fallen objects, held objects, and
+/// properties that were pointed out.
 std::vector<sim::Event> StandingOf(const sim::Simulation& simulation) {
   using enum sim::EventKind;
   std::vector<sim::Event> standing;
@@ -100,7 +100,7 @@ Recorder::Recorder(const std::filesystem::path& directory, const RecorderOptions
   try {
     Begin(options, eye, simulation);
   } catch (...) {
-    // It never began: nothing is to be left of it.
+    // It never began: leave nothing behind.
     std::error_code error;
     std::filesystem::remove_all(directory, error);
     throw;
@@ -110,7 +110,7 @@ Recorder::Recorder(const std::filesystem::path& directory, const RecorderOptions
 void Recorder::Begin(const RecorderOptions& options, sim::Eye* eye,
                      const sim::Simulation& simulation) {
   recording::BeginningMark mark(directory_);
-  // With what the log tells of what was added since, it is the present one.
+  // With the commands of the log that added objects, it becomes the present model.
   recording::WriteWorld(directory_, *simulation.start_model());
   const recording::TraceTick first = recording::Observe(simulation);
   const std::vector<sim::Event> standing = StandingOf(simulation);
@@ -123,7 +123,7 @@ void Recorder::Begin(const RecorderOptions& options, sim::Eye* eye,
   trace_->Add(first);
   classic_.emplace(directory_, ClassicOptionsOf(options), eye, simulation.shared_model(), first,
                    standing);
-  // Last: whatever has it can be opened.
+  // Written last: a directory that contains it can be opened.
   const recording::HistoryPoint start{.line = num_lines_, .tick = tick_};
   WriteFile(directory_ / "demo.json",
             recording::ToJsonText(InfoOf(options, eye, simulation, start)));
@@ -178,7 +178,7 @@ void Recorder::OnTick(const sim::Simulation& simulation) {
 }
 
 void Recorder::OnMove(const sim::Simulation& simulation, sim::ActionId from, sim::ActionId to) {
-  // Refuse() lets the cursor move only over actions with marks.
+  // Refuse() allows the cursor to move only over actions with marks.
   ActionMark* mark = marks_.Find(std::max(from, to));
   SMILE_DEMAND(mark != nullptr);
   if (to < from) {
@@ -215,7 +215,8 @@ void Recorder::ShowAgain(const ActionMark& redone, const sim::Simulation& simula
                                 .start_model = simulation.start_model(),
                                 .model = simulation.shared_model()},
                                redone.at_undo.place);
-  // On one path, later records are farther behind in the file.
+  // On one path, later records are farther back in the file, so a comparison of places selects
+  // those after the action began.
   while (const auto moment = trace.Next()) {
     if (trace.places()[0] > redone.before.place) classic_->Watch(*moment);
     for (std::size_t i = 0; i < moment->events.size(); ++i) {

@@ -17,26 +17,27 @@
 
 namespace smile::recorder {
 
+/// Options of a recording.
 struct RecorderOptions {
   double frames_per_second = 4;  ///< of the classic view, at most 60
-  bool has_symbols = true;       ///< false: the classic view has pictures only
+  bool has_symbols = true;       ///< false: the classic view contains pictures only
   std::string title, notes;
   recording::Origin origin = recording::Origin::kRecorded;
 };
 
-/// Records a simulation into a new directory (what is in it: docs/recording-format.md). Everything
-/// is written as it happens: whatever ends the program, what was complete stays readable.
+/// Records a simulation into a new directory (contents: docs/recording-format.md). Everything is
+/// written as it happens: if the program ends for any reason, the complete part stays readable.
 ///
-/// Undo and redo lead the recording back and forth with the simulation. What was undone leaves the
-/// classic view and stays in log and trace.
+/// Undo and redo also move the recording. Undone actions leave the classic view, but remain in log
+/// and trace.
 class Recorder : public sim::Listener {
  public:
   /// Begins a recording at the present moment, also while hands hold something. The log begins with
-  /// what led there.
+  /// the commands that led there.
   /// @param eye  takes the pictures of the classic view; nullptr for text only. Must outlive this.
   /// @throws InputError if the directory exists and is not empty: a recording is never overwritten.
   /// @throws std::invalid_argument if the rate is not in (0, 60], or the simulation was restored
-  ///         from a saved state, so that nothing is known of what led there.
+  ///         from a saved state, so that its past is unknown.
   /// @throws std::runtime_error with path and reason if something cannot be written, as do all
   ///         members.
   Recorder(const std::filesystem::path& directory, const RecorderOptions& options, sim::Eye* eye,
@@ -45,9 +46,9 @@ class Recorder : public sim::Listener {
   /// Continues a recording from any point of its history, as a new branch if that is not its end.
   /// The classic view is rebuilt.
   /// @param simulation  fresh, of the recording's scene and robot; is run to the point.
-  /// @param progress    of that, and again of the classic view, which is finished in any case.
-  /// @throws InputError if there is no such point, the recording has no commands, or they do not
-  ///         lead there any more. Nothing is changed then.
+  /// @param progress    of that run, then of the classic view, which is finished in any case.
+  /// @throws InputError if there is no such point, the recording has no commands, or they no longer
+  ///         lead there. Nothing has changed then.
   /// @throws std::runtime_error if another program is recording into it.
   static std::unique_ptr<Recorder> Continue(const std::filesystem::path& directory,
                                             const recording::HistoryPoint& from, sim::Eye* eye,
@@ -71,7 +72,7 @@ class Recorder : public sim::Listener {
     recording::TracePlace place = 0;
     classic::ClassicRecorder::Mark classic;
   };
-  /// What the recording remembers of an action that was begun in it.
+  /// Marks of an action that began during the recording.
   struct ActionMark {
     Mark before;
     Mark at_undo;  ///< valid while the action is undone
@@ -85,7 +86,7 @@ class Recorder : public sim::Listener {
   void Redo(const sim::Simulation& simulation, const ActionMark& redone);
   /// Moves log and trace to another point, where the simulation already is.
   void Return(recording::ReturnKind kind, const Mark& to, const sim::Simulation& simulation);
-  /// Shows again in the classic view what was undone.
+  /// Restores a redone action in the classic view.
   void ShowAgain(const ActionMark& redone, const sim::Simulation& simulation);
   /// Rebuilds the classic view from the trace, and the marks of its actions.
   void Rebuild(const recording::Recording& recording, sim::Eye* eye,
@@ -96,7 +97,7 @@ class Recorder : public sim::Listener {
   std::optional<recording::TraceWriter> trace_;
   std::optional<classic::ClassicRecorder> classic_;
   std::size_t num_lines_ = 0;
-  std::uint64_t tick_ = 0;  ///< the last one recorded
+  std::uint64_t tick_ = 0;  ///< the last recorded tick
   sim::ActionMarks<ActionMark> marks_;
 };
 

@@ -1,4 +1,5 @@
-// Going on with a recording.
+// Continuing a recording: replays it to the chosen point, checks that it is the same, then appends
+// to its files.
 
 #include <algorithm>
 #include <stdexcept>
@@ -138,7 +139,7 @@ std::unique_ptr<Recorder> Recorder::Continue(const std::filesystem::path& direct
                                              sim::Simulation* simulation,
                                              const recording::Progress& progress) {
   if (recording::IsRecording(directory)) RefuseLinks(directory);
-  // The log is locked before it is read.
+  // Lock the log before reading it.
   std::unique_ptr<Recorder> recorder(new Recorder(directory));
   const auto log_path = directory / "commands.jsonl";
   recorder->log_.emplace(log_path, recording::AppendFile::kExisting);
@@ -156,8 +157,8 @@ std::unique_ptr<Recorder> Recorder::Continue(const std::filesystem::path& direct
   const std::vector<recording::LoggedCommand> path = recording.log.PathTo(from.line);
   const Reached reached = ReplayAlong(recording, path, from, simulation).Go(progress);
 
-  // The classic view is rebuilt, whatever happens meanwhile: first the view is removed, then log
-  // and trace continue.
+  // The classic view is removed before log and trace change: it is rebuilt in any case, and an
+  // interruption must not leave an outdated one.
   recording::RemoveClassicView(directory);
   recorder->log_->Cut(BytesOfLines(log_path, num_lines));
   recorder->num_lines_ = num_lines;
@@ -182,7 +183,7 @@ void Recorder::Rebuild(const recording::Recording& recording, sim::Eye* eye,
     if (logged.line <= recording.info.start.line || !IsAction(logged.command)) continue;
     before_actions.push_back({.line = logged.line - 1, .tick = logged.tick});
   }
-  // The simulation has just carried out these last.
+  // These are the last actions that the simulation executed.
   const auto actions = simulation.history().done().last(before_actions.size());
   recording::TraceReader trace(recording);
   while (const auto moment = trace.Next()) {

@@ -124,6 +124,7 @@ void RecordingController::OnMove(const sim::Simulation& simulation, sim::ActionI
 }
 
 void RecordingController::OnTick(const sim::Simulation& simulation) {
+  // Once a second is often enough, and costs little.
   if (recorder_ && simulation.tick() % sim::kTicksPerSecond == 0) EndIfRemoved();
   Record([&](Recorder& recorder) { recorder.OnTick(simulation); });
 }

@@ -12,19 +12,19 @@
 
 namespace smile::recorder {
 
-/// Starts and finishes recordings of a running simulation on command, at any time.
+/// Starts and finishes recordings of a running simulation by command, at any time.
 ///
-/// A disk that is full, or a directory that is removed meanwhile, ends the recording, not the
-/// simulation: see failure().
+/// A full disk, or a directory that is removed meanwhile, ends the recording, not the simulation:
+/// see failure().
 class RecordingController : public sim::Listener, public sim::RecordingControl {
  public:
   struct Options {
-    std::filesystem::path root = "recordings";  ///< where recordings go that are started by name
-    RecorderOptions recording;                  ///< of all; title and notes of those without
+    std::filesystem::path root = "recordings";  ///< parent directory of recordings started by name
+    RecorderOptions recording;                  ///< of all recordings; title and notes are defaults
     sim::Eye* eye = nullptr;                    ///< nullptr for no pictures
   };
 
-  /// @param simulation  this listens to it from now on, and must outlive it, as the eye.
+  /// Attaches itself to a simulation. @param simulation  must outlive this, as must the eye.
   RecordingController(sim::Simulation* simulation, Options options);
   RecordingController(const RecordingController&) = delete;
   RecordingController& operator=(const RecordingController&) = delete;
@@ -37,16 +37,16 @@ class RecordingController : public sim::Listener, public sim::RecordingControl {
   /// nothing is kept.
   std::optional<sim::Refusal> Finish(const sim::Simulation& simulation) override;
 
-  /// Starts a recording in exactly this directory. Throws as Recorder does.
+  /// Starts a recording in exactly this directory. Throws like Recorder.
   void StartIn(const std::filesystem::path& directory, const sim::Simulation& simulation);
-  /// Continues a recording, see Recorder::Continue(). To be called before anything else is done.
+  /// Continues a recording, see Recorder::Continue(). Call before anything else is done.
   void Continue(const std::filesystem::path& directory, const recording::HistoryPoint& from,
                 sim::Simulation* simulation, const recording::Progress& progress = {});
 
   bool is_recording() const { return recorder_ != nullptr; }
   /// Returns the directories of all recordings that were started, in order.
   const std::vector<std::filesystem::path>& directories() const { return directories_; }
-  /// Returns why the last recording ended by itself or could not start: path and reason.
+  /// Returns the reason why the last recording ended by itself or could not start, with the path.
   const std::optional<std::string>& failure() const { return failure_; }
 
   std::optional<sim::Refusal> Refuse(const sim::Simulation& simulation,
@@ -59,14 +59,15 @@ class RecordingController : public sim::Listener, public sim::RecordingControl {
  private:
   void Start(const std::filesystem::path& directory, const RecorderOptions& options,
              const sim::Simulation& simulation);
-  /// Calls part with the recorder, if there is one. If that fails, what was written stays.
+  /// Calls `part` with the recorder, if any. If that fails, the recording ends with what was
+  /// written.
   template <class Part>
   void Record(const Part& part);
-  /// A scene must have the camera of the eye.
+  /// Returns the reason why a scene cannot be loaded that lacks the camera of the eye.
   std::optional<sim::Refusal> RefuseWithoutCamera(const sim::Simulation& simulation,
                                                   const sim::Load& load) const;
-  /// Ends the recording if its directory is missing: files that were removed can still be written
-  /// to, so nothing else reports that.
+  /// Ends the recording if its directory is missing: deleted files can still be written to, so no
+  /// error would report it.
   void EndIfRemoved();
 
   Options options_;

@@ -6,7 +6,7 @@
 
 namespace smile::replay {
 
-/// Collects what happens from each moment on, until the next one, as a trace has it.
+/// Collects the events from each moment to the next, as in a trace.
 class EventCollector : public sim::Listener {
  public:
   void OnEvent(const sim::Simulation&, const sim::Event& event) override {
@@ -15,7 +15,7 @@ class EventCollector : public sim::Listener {
   void OnTick(const sim::Simulation&) override { events_.clear(); }
 
   const std::vector<sim::Event>& events() const { return events_; }
-  /// What is not history any more: everything so far.
+  /// Drops all events so far.
   void Forget() { events_.clear(); }
 
  private:

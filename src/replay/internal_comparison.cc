@@ -11,7 +11,7 @@
 namespace smile::replay {
 namespace {
 
-/// The quantity of a difference that only the hash sees.
+/// Name of the quantity of an invisible difference.
 constexpr const char* kHidden = "state_hash";
 
 std::string Written(const Vector3& v) {

@@ -12,35 +12,36 @@ namespace smile::replay {
 /// Runs the commands of a recording again, each at its tick.
 class LogPlayer {
  public:
+  /// Prepares a replay.
   /// @param commands  in order.
-  /// @param start     where the demonstration begins; see DemoInfo::start.
+  /// @param start     beginning of the demonstration; see DemoInfo::start.
   LogPlayer(std::vector<recording::LoggedCommand> commands, const recording::HistoryPoint& start)
       : commands_(std::move(commands)), start_(start) {}
 
-  /// A command that was carried out when it was recorded.
+  /// A command that was executed when it was recorded, but is now refused.
   struct Failure {
     recording::LoggedCommand command;
     sim::Refusal refusal;
   };
 
-  /// Asked at every tick whether to go on.
+  /// Called at each tick; returns false to stop.
   using GoesOn = std::function<bool(std::uint64_t tick)>;
 
-  /// Runs a fresh simulation to where the demonstration begins. If it shall not go on, it is left
-  /// before that tick.
+  /// Runs a fresh simulation to the beginning of the demonstration, or to the tick at which it is
+  /// stopped.
   [[nodiscard]] std::optional<Failure> RunToStart(sim::Simulation* simulation,
                                                   const GoesOn& goes_on = {});
-  /// Applies what is due at the present tick.
+  /// Applies the commands that are due at the present tick.
   [[nodiscard]] std::optional<Failure> ApplyDue(sim::Simulation* simulation);
 
-  /// What comes next; nullptr after the last one.
+  /// Returns the next command; nullptr after the last one.
   const recording::LoggedCommand* next() const {
     return next_ < commands_.size() ? &commands_[next_] : nullptr;
   }
 
  private:
   std::optional<Failure> ApplyNext(sim::Simulation* simulation);
-  /// False if it shall not go on.
+  /// Returns false if it was stopped.
   static bool RunToTick(std::uint64_t tick, sim::Simulation* simulation, const GoesOn& goes_on);
 
   std::vector<recording::LoggedCommand> commands_;

@@ -11,7 +11,7 @@
 namespace smile::replay {
 namespace {
 
-/// One replay, on its way.
+/// A running replay.
 class ReplayRun {
  public:
   ReplayRun(const recording::Recording& recording, const ReplayOptions& options)
@@ -29,7 +29,7 @@ class ReplayRun {
 
   ReplayReport Go(const std::function<bool(std::uint64_t tick)>& goes_on) {
     while (const auto failure = player_.RunToStart(&simulation_, goes_on)) Note(*failure);
-    if (simulation_.tick() < start_tick_) return std::move(report_);  // it shall not go on
+    if (simulation_.tick() < start_tick_) return std::move(report_);  // stopped
     collector_.Forget();
     while (!is_over() && Step() && !is_over() && goes_on(simulation_.tick())) {
     }
@@ -41,7 +41,7 @@ class ReplayRun {
  private:
   bool is_over() const { return options_.stops_at_difference && has_visible_difference_; }
 
-  /// Goes on by one moment, and compares it; false after the last one.
+  /// Advances by one tick and compares it; returns false after the last one.
   bool Step() {
     const auto recorded = trace_.Next();
     if (!recorded) {
@@ -61,7 +61,7 @@ class ReplayRun {
     return !is_last;
   }
 
-  /// What happened from a moment on. Where the trace ends, some of it may be missing.
+  /// Compares the events since a tick. At the end of the trace some may be missing.
   void CompareEvents(const recording::TraceTick& recorded, bool is_end) {
     if (!trace_.has_events()) return;
     const std::vector<sim::Event>& replayed = collector_.events();
@@ -91,8 +91,8 @@ class ReplayRun {
     report_.state_differences = comparison.States();
   }
 
-  /// What a hand wants differs before anything moves differently: what shows comes first, so that
-  /// the report can name an object.
+  /// Records a difference. Hidden state, such as the goal of a hand, differs before anything
+  /// visible does: a visible difference replaces it, so that the report can name an object.
   void Note(const Difference& difference) {
     const bool is_visible = IsVisible(difference);
     if (!report_.first_difference || (is_visible && !has_visible_difference_)) {
@@ -106,7 +106,7 @@ class ReplayRun {
     Note(Difference{command.tick, "simulation", "command", "carried out", failure.refusal});
   }
 
-  /// The trace has ended.
+  /// Notes the end of the trace; commands that remain are a difference.
   void NoteTheEnd() {
     report_.is_cut = trace_.is_cut();
     if (player_.next() == nullptr || report_.is_cut) return;
@@ -118,7 +118,7 @@ class ReplayRun {
   recording::TickRange range_;
   recording::TraceReader trace_;
   std::uint64_t start_tick_;
-  const model::Model& model_;  ///< with all that was added on the way
+  const model::Model& model_;  ///< with all objects added during the recording
   sim::Simulation simulation_;
   LogPlayer player_;
   EventCollector collector_;

@@ -28,6 +28,7 @@ std::string Demonstrator::WhatHolds(HandName name) const {
   return NameOf(name) + " holds " + Named(tabletop_->Find(hand(name).held)->id());
 }
 
+/// Returns true if one of the hands holds a body; otherwise a carried body is held by the robot.
 bool Demonstrator::IsInAHand(physics::BodyId body) const {
   return std::ranges::any_of(state_.hands, [body](const Hand& one) { return one.held == body; });
 }
@@ -50,6 +51,7 @@ GraspPlan Demonstrator::PlanGrasp(HandName name, std::string_view object_id) con
   GraspPlan plan;
   const physics::BodyId body = tabletop_->Find(object_id)->body;
   for (HandName other : kHandNames) {
+    // Whichever hand holds the object hands it over.
     if (hand(other).held == body) plan.to_release.push_back(other);
   }
   // The rules apply to the situation after the object is handed over.
@@ -63,6 +65,8 @@ GraspPlan Demonstrator::PlanGrasp(HandName name, std::string_view object_id) con
   switch (name) {
     case kLeft:
     case kRight:
+      // A single hand needs one physical hand: not the pair's, and not the one that `any` uses
+      // while the other is busy.
       let_go(kBoth);
       if (holds(name == kLeft ? kRight : kLeft)) let_go(kAny);
       break;
@@ -146,6 +150,7 @@ std::optional<Vector3> Demonstrator::PointOnPlane(HandName name, const Ray& ray,
 std::optional<Refusal> Demonstrator::Rotate(HandName name, const Vector3& angles_deg) {
   if (auto refusal = RefuseIfEmpty(name)) return refusal;
   Hand& turner = MutableHand(name);
+  // Rotates the goal, not the body: the servo turns the body at its own speed.
   turner.X_WB_goal =
       RigidTransform(Matrix3(RotationFromFixedAxes(angles_deg) * turner.X_WB_goal.rotation()),
                      turner.X_WB_goal.translation());
@@ -156,6 +161,7 @@ std::optional<Refusal> Demonstrator::Release(HandName name) {
   if (auto refusal = RefuseIfEmpty(name)) return refusal;
   physics::Body& body = world_->body(hand(name).held);
   body.SetCarried(false);
+  // A released object is not thrown.
   body.SetVelocity(Vector3::Zero(), Vector3::Zero());
   MutableHand(name) = Hand();
   return std::nullopt;
@@ -217,6 +223,7 @@ std::optional<Refusal> Demonstrator::Turn(HandName name, std::string_view object
   const physics::Body& body = world_->body(object->body);
   if (body.is_carried() && !IsInAHand(body.id())) return Named(object_id) + " is held by the robot";
 
+  // Remember where held objects are: fastening may move them with their assemblies.
   std::array<RigidTransform, kHandNames.size()> before;
   for (std::size_t i = 0; i < before.size(); ++i) {
     if (state_.hands[i].is_holding())

@@ -54,6 +54,7 @@ class Maker {
 
 Vector3 Cube(const Maker& maker, double side) { return Vector3::Constant(maker.Meters(side)); }
 
+/// Adds a tower of unit cubes.
 void MakeStack(int count, Maker* maker) {
   for (int i = 0; i < count; ++i) {
     maker->Add("smallblock", "block", scene::Block{Cube(*maker, 1)}, i, maker->RandomColor());
@@ -116,6 +117,7 @@ const std::vector<Recipe>& Recipes() {
   return kRecipes;
 }
 
+/// Returns the recipe of a preset. @throws std::invalid_argument if there is none of this name.
 const Recipe& FindRecipe(const std::string& name) {
   std::vector<std::string_view> known;
   for (const Recipe& recipe : Recipes()) {

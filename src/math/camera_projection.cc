@@ -24,6 +24,7 @@ double FocalLength(const std::string& direction, int size_px, double angle) {
                               " rad, expected between 0 and pi");
 }
 
+/// Returns intrinsics with square pixels and the principal point in the middle of the image.
 CameraIntrinsics Centered(int width_px, int height_px, double focal_length) {
   return {.width_px = width_px,
           .height_px = height_px,

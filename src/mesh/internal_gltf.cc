@@ -72,6 +72,7 @@ std::string FromBase64(std::string_view text) {
     const std::size_t digit = kDigits.find(letter);
     if (letter == '=') break;
     if (digit == std::string_view::npos) throw BadMesh("found a data uri that is not base64");
+    // Six bits per letter; a byte is complete when eight have accumulated.
     bits = bits << 6 | static_cast<std::uint32_t>(digit);
     num_bits += 6;
     if (num_bits < 8) continue;
@@ -220,6 +221,7 @@ class GltfReader {
     const auto moved = node.value("translation", std::array<double, 3>{0, 0, 0});
     const auto turned = node.value("rotation", std::array<double, 4>{0, 0, 0, 1});
     const auto scaled = node.value("scale", std::array<double, 3>{1, 1, 1});
+    // glTF applies scale first, then rotation, then translation.
     place.translate(Eigen::Vector3d(moved[0], moved[1], moved[2]));
     place.rotate(Eigen::Quaterniond(turned[3], turned[0], turned[1], turned[2]).normalized());
     place.scale(Eigen::Vector3d(scaled[0], scaled[1], scaled[2]));
@@ -282,6 +284,7 @@ class GltfReader {
     const std::size_t stride = view.value("byteStride", size);
     const std::size_t begin = accessor.value("byteOffset", std::size_t{0});
     const std::size_t count = accessor.at("count").get<std::size_t>();
+    // Comparisons are written as subtractions, so that no sum can overflow.
     const bool fits_view = view_begin <= all.size() && view_size <= all.size() - view_begin;
     if (!fits_view || stride < size || stride > 4096 || count > all.size() || begin > view_size ||
         (count > 0 && (count - 1) * stride + size > view_size - begin)) {

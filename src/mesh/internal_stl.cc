@@ -17,12 +17,14 @@ static_assert(std::endian::native == std::endian::little, "binary STL is little-
 constexpr std::size_t kHeaderBytes = 84;    // 80 arbitrary bytes and the number of triangles
 constexpr std::size_t kTriangleBytes = 50;  // a normal, three corners and 2 arbitrary bytes
 
+/// Returns the number of triangles in the header.
 std::uint32_t CountIn(std::string_view bytes) {
   std::uint32_t count = 0;
   std::memcpy(&count, bytes.data() + kHeaderBytes - sizeof count, sizeof count);
   return count;
 }
 
+/// Returns true if the size matches the number of triangles in the header.
 bool IsBinaryOfRightSize(std::string_view bytes) {
   return bytes.size() >= kHeaderBytes &&
          bytes.size() - kHeaderBytes == kTriangleBytes * std::size_t{CountIn(bytes)};

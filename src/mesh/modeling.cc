@@ -55,6 +55,7 @@ class Sewing {
   void Close(const Section& section, const Row& row, bool is_top) {
     if (row.count == 1) return;
     for (auto [a, b, c] : internal::Triangulated(section)) {
+      // Triangulated() follows the section; a bottom lid faces the other way.
       if (!is_top) std::swap(b, c);
       surface_.triangles.push_back({row.first + a, row.first + b, row.first + c});
     }
@@ -285,6 +286,7 @@ scene::SurfaceMesh Placed(const RigidTransform& X_AB, scene::SurfaceMesh surface
 
 scene::SurfaceMesh Mirrored(scene::SurfaceMesh surface) {
   for (Eigen::Vector3f& p : surface.vertices) p.y() = -p.y();
+  // The mirror turns triangles inside out: reverse them.
   for (auto& triangle : surface.triangles) std::swap(triangle[1], triangle[2]);
   return surface;
 }

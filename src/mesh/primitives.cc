@@ -20,6 +20,7 @@ std::uint32_t AddCorner(const Vector3f& position, const Vector3f& normal, Triang
   return static_cast<std::uint32_t>(mesh->positions.size() - 1);
 }
 
+/// Makes a unit cube, with four corners of its own per face since normals differ.
 TriangleMesh MakeBlock() {
   TriangleMesh mesh;
   for (int axis = 0; axis < 3; ++axis) {
@@ -63,6 +64,7 @@ void AddCap(const std::vector<Vector3f>& circle, float side, TriangleMesh* mesh)
   }
 }
 
+/// Makes a unit cylinder: smooth sides with radial normals, then both caps.
 TriangleMesh MakeCylinder(int facets) {
   TriangleMesh mesh;
   const std::vector<Vector3f> circle = CircleAboutY(facets);
@@ -81,6 +83,7 @@ TriangleMesh MakeCylinder(int facets) {
   return mesh;
 }
 
+/// Makes a unit sphere from rings of latitude.
 TriangleMesh MakeSphere(int facets) {
   TriangleMesh mesh;
   const std::vector<Vector3f> circle = CircleAboutY(facets);
@@ -122,6 +125,7 @@ TriangleMesh MakeHull(const scene::Polyhedron& polyhedron) {
       AddCorner(polyhedron.corners[corner].cast<float>(), normal, &mesh);
     }
     for (std::uint32_t k = 2; k < face.size(); ++k) {
+      // Faces are convex, so a fan covers them.
       mesh.triangles.push_back({first, first + k - 1, first + k});
     }
   }

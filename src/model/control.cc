@@ -111,6 +111,7 @@ std::vector<ControlState> InitialStates(const std::vector<Control>& controls) {
     states.push_back({.state = scene::InitialStateOf(*control.part),
                       .position = toggle && !toggle->is_left_pressed ? 1 : 0});
   }
+  // Switches drive lights from the start, in the order of the file.
   for (ControlIndex control : IndexRange<ControlIndex>(controls.size())) {
     DriveDownstream(controls, control, &states);
   }

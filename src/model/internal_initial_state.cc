@@ -62,6 +62,7 @@ class Fastener {
 
   /// Moves an object and everything tied to it, except through static objects.
   void Move(ObjectIndex object, const RigidTransform& X_WB) {
+    // Tied objects move rigidly with this one.
     const RigidTransform X_moved = X_WB * state_.X_WB[object]->inverse();
     std::set<ObjectIndex> found{object};
     std::vector<ObjectIndex> to_visit{object};

@@ -41,6 +41,7 @@ Model::Model(const Model& other, scene::SceneSpec scene)
 
 Model::Model(scene::SceneSpec scene, std::shared_ptr<const std::optional<RobotPlacement>> robot)
     : scene_(std::move(scene)), placement_(std::move(robot)) {
+  // All controls and hosts must exist before ids between them can be resolved.
   for (ObjectIndex object : objects()) AddMechanismsOf(object);
   first_control_.emplace_back(controls_.size());
   ConnectMechanisms();
@@ -56,6 +57,7 @@ Model::Model(scene::SceneSpec scene, std::shared_ptr<const std::optional<RobotPl
     robot::AppendVisuals(placement->model, static_cast<int>(*robot_frames().begin()),
                          AddName("robot", &visual_model_), &visual_model_);
   }
+  // Last: it needs everything else.
   initial_state_ = InitialStateOf(*this);
 }
 

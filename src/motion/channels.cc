@@ -46,6 +46,7 @@ std::vector<Channel> ChannelsOf(const robot::RobotModel& model) {
     const auto& gripper = model.arms[arm].gripper;
     if (!gripper) continue;
     channels.push_back(GripperChannel(model, arm));
+    // Fingers have no channels of their own: the opening moves both.
     has_channel[gripper->left_finger] = has_channel[gripper->right_finger] = true;
   }
   if (model.head) add_joint(model.head->joint);

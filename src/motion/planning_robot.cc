@@ -1,3 +1,6 @@
+// Converts between the units, names and matrices of programs and the meters, indices and transforms
+// of the room; the algorithms are in the other files.
+
 #include "motion/planning_robot.h"
 
 #include <algorithm>
@@ -18,12 +21,14 @@ constexpr double kTableThickness = 0.4;
 /// Tolerance of rotation matrices: enough for numbers written with three digits.
 constexpr double kLooseRotation = 1e-3;
 
+/// Returns a valid unit. @throws std::invalid_argument unless it is positive and finite.
 double CheckedUnit(double meters_per_unit) {
   if (meters_per_unit > 0 && std::isfinite(meters_per_unit)) return meters_per_unit;
   throw std::invalid_argument("unit is " + NumberText(meters_per_unit) +
                               ", expected metres per unit, above 0");
 }
 
+/// Returns a table in meters, its top at z = 0.
 scene::Solid TableOf(double width, double depth, double meters_per_unit) {
   const auto is_size = [](double x) { return x > 0 && std::isfinite(x); };
   if (!is_size(width) || !is_size(depth)) {
@@ -96,6 +101,7 @@ std::vector<JointLimits> PlanningRobot::Limits(std::string_view arm) const {
 
 int PlanningRobot::NumRows(std::string_view arm) const {
   if (arm != kBoth) return 1;
+  // Rows of a matrix must have equal lengths.
   const bool are_alike = std::ranges::all_of(
       arms_, [&](const ArmKinematics& each) { return each.num_joints() == arms_[0].num_joints(); });
   return are_alike && !arms_.empty() ? static_cast<int>(arms_.size()) : 1;
@@ -123,6 +129,7 @@ Eigen::Matrix4d PlanningRobot::Forward(std::string_view arm, std::span<const dou
 Eigen::MatrixXd PlanningRobot::Jacobian(std::string_view arm, std::span<const double> q) const {
   ArmJacobian J;
   Find(arm).ToolPose(q, &J);
+  // Linear rows are in meters per second; angular rows have no length.
   J.topRows<3>() /= meters_per_unit_;
   if (!J.allFinite()) throw std::invalid_argument("q is not finite");
   return J;
@@ -166,6 +173,7 @@ std::optional<InvalidMoment> PlanningRobot::FirstInvalid(
   }
   std::vector<scene::Solid> environment;
   if (table) environment.push_back(TableOf(table->first, table->second, meters_per_unit_));
+  // A new probe per call, since it depends on the table.
   physics::ArticulationProbe probe(robot::MakeArticulationSpec(model_, X_WBase_), environment);
   return motion::FirstInvalid(model_, trajectory, q, &probe);
 }

@@ -36,6 +36,7 @@ std::vector<std::string_view> CellsOf(std::string_view line) {
   return cells;
 }
 
+/// Returns the number that a whole cell spells, if it is within the bounds.
 std::optional<double> NumberIn(std::string_view cell) {
   double number = 0;
   const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), number);
@@ -183,6 +184,8 @@ class RosNode {
   std::string place_;
 };
 
+/// Returns a ROS time in seconds. Both parts are combined as an integer of nanoseconds, so that
+/// there is only one rounding.
 double SecondsIn(const RosNode& time) {
   time.ExpectKeys({"secs", "nsecs"});
   const std::int64_t whole =
@@ -191,6 +194,7 @@ double SecondsIn(const RosNode& time) {
   return static_cast<double>(whole * kNanoseconds + rest) / static_cast<double>(kNanoseconds);
 }
 
+/// Reads a point; accelerations and effort are accepted but ignored.
 TrajectoryPoint PointIn(const RosNode& node) {
   node.ExpectKeys({"positions", "velocities", "accelerations", "effort", "time_from_start"});
   TrajectoryPoint point{.seconds = SecondsIn(node.Member("time_from_start")),
@@ -211,12 +215,14 @@ JointTrajectory TrajectoryIn(const RosNode& root) {
   }
   const bool has_velocities = std::ranges::any_of(
       trajectory.points, [](const auto& point) { return !point.velocities.empty(); });
+  // Positions must be valid before velocities are computed from them.
   CheckShape(trajectory, has_velocities);
   if (!has_velocities) SetVelocitiesFromPositions(&trajectory);
   CheckShape(trajectory);
   return trajectory;
 }
 
+/// Returns a time as ROS writes it, rounded to nanoseconds.
 Json RosTime(double seconds) {
   const std::int64_t nanoseconds = std::llround(seconds * static_cast<double>(kNanoseconds));
   return {{"secs", nanoseconds / kNanoseconds}, {"nsecs", nanoseconds % kNanoseconds}};

@@ -27,6 +27,7 @@ btQuaternion QuaternionOf(const Matrix3& R) {
 
 }  // namespace
 
+/// Builds the multibody in three steps: links with joints, then colliders, then motors.
 Articulation::Articulation(ArticulationId id, std::shared_ptr<const scene::ArticulationSpec> spec,
                            const MotorConfig& config)
     : id_(id), spec_(std::move(spec)), config_(config), links_(std::make_unique<Links>()) {
@@ -44,6 +45,7 @@ Articulation::Articulation(ArticulationId id, std::shared_ptr<const scene::Artic
   bullet_->setBaseWorldTransform(ToBullet(spec_->X_WBase));
   bullet_->setHasSelfCollision(true);
   bullet_->setUseGyroTerm(true);
+  // Damping would change the speed that a motor commands; motors hold the joints instead.
   bullet_->setLinearDamping(0);
   bullet_->setAngularDamping(0);
   MakeColliders();
@@ -175,6 +177,7 @@ void Articulation::HoldStill(int joint) {
   position_references_[joint] = bullet_->getJointPos(joint);
 }
 
+/// Moves references along with the joints: otherwise motors would pull them back.
 void Articulation::SetPositions(std::span<const int> joints, std::span<const double> positions) {
   if (positions.size() != joints.size()) {
     throw std::invalid_argument("positions are " + std::to_string(positions.size()) +
@@ -246,6 +249,7 @@ void Articulation::Restore(ByteReader* in) {
 }
 
 void Articulation::AddTo(StateHash* hash) const {
+  // Overloads are not hashed: each step sets them before it uses them.
   hash->Add(positions());
   hash->Add(velocities());
   hash->Add(velocity_targets_);
@@ -266,6 +270,7 @@ void Articulation::AfterStep() {
   UpdateLinkTransforms();
 }
 
+/// Marks all joints from the link to the base: each of them bears its weight.
 void Articulation::NoteOverload(int link) {
   for (int i = link; i >= 0; i = spec_->links[i].parent) is_overloaded_[i] = true;
 }
@@ -278,6 +283,8 @@ void Articulation::DriveKinematicLinks(double step_seconds) {
         std::clamp(q + velocity_targets_[i] * step_seconds, link.lower, link.upper);
     bullet_->setJointVel(i, (position_references_[i] - q) / step_seconds);
   }
+  // Velocities for Bullet: contacts see links that move, although the links are placed by
+  // AfterStep().
   const std::vector<RigidTransform> X_WNow = link_poses(), X_WNext = next_link_poses();
   for (int i = 0; i < num_joints(); ++i) {
     const Links::Link& link = links_->links[i];
@@ -314,6 +321,8 @@ void Articulation::DriveMotors(double step_seconds, double gravity) {
                                              : (reference - position_references_[i]) / step_seconds;
     position_references_[i] = reference;
 
+    // Velocity feedforward plus proportional correction; the solver provides the force, up to the
+    // effort.
     const double return_speed = config_.position_gain * (reference - q) / step_seconds;
     const double effort = link.max_effort * (is_overloaded_[i] ? 1.0 : config_.effort_scale);
     links_->links[i].drive->SetTarget(speed + return_speed, effort * step_seconds);

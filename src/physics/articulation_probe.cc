@@ -29,6 +29,7 @@ struct ArticulationProbe::Parts {
   void Add(int link, const RigidTransform& X_WL, const std::vector<scene::Solid>& solids);
 };
 
+/// Adds the solids of a link, each as a piece of its own.
 void ArticulationProbe::Parts::Add(int link, const RigidTransform& X_WL,
                                    const std::vector<scene::Solid>& solids) {
   // Each shape gets its own pose: parts are tested one pair at a time.
@@ -81,6 +82,7 @@ std::optional<LinkOverlap> ArticulationProbe::FirstOverlap(std::span<const doubl
   for (Parts::Piece& piece : parts_->pieces) {
     if (piece.link >= 0) piece.X_WS = ToBullet(X_WL[piece.link] * piece.X_LS);
   }
+  // Pairs are in the order of links, so the first overlap found is the first one in that order.
   for (const auto& [i, j] : parts_->pairs) {
     const Parts::Piece &a = parts_->pieces[i], &b = parts_->pieces[j];
     const double overlap = parts_->probe.Depth(a.shape.shape(), a.X_WS, b.shape.shape(), b.X_WS);

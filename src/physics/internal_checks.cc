@@ -1,3 +1,6 @@
+// Two kinds of input are checked here: definitions from callers, and whole snapshots, which may
+// come from files that are not trusted.
+
 #include "physics/internal_checks.h"
 
 #include <algorithm>
@@ -21,6 +24,7 @@ void CheckShare(double share, const char* name) {
                               ", expected 0 to 1");
 }
 
+/// Check the numbers of each kind of joint.
 void CheckNumbers(const WeldSpec& weld) {
   if (!IsFinite(weld.X_LB)) throw std::invalid_argument("joint: its frame is not finite");
   if (!(weld.holds_up >= 0)) {
@@ -68,12 +72,14 @@ const Entry& Find(const std::vector<Entry>& entries, Id id, const char* complain
 }
 
 template <class Entry>
+/// Returns true if ids are strictly ascending, so also unique.
 bool IsAscending(const std::vector<Entry>& entries) {
   return std::adjacent_find(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
            return !(a.id < b.id);
          }) == entries.end();
 }
 
+/// Checks the tree and the numbers of an articulation from a snapshot.
 void CheckArticulation(const scene::ArticulationSpec& spec) {
   const int count = static_cast<int>(spec.links.size());
   // A parent comes before its children, so link trees have no cycles.
@@ -97,6 +103,7 @@ void CheckIds(const Snapshot& snapshot) {
   DemandOfSnapshot(IsAscending(snapshot.bodies) && IsAscending(snapshot.articulations) &&
                        IsAscending(snapshot.joints),
                    "its things are out of order");
+  // Bodies and articulations are sorted by id separately; together they must not overlap.
   std::vector<bool> is_link;
   const auto demand_free = [&snapshot, &is_link](std::uint64_t first, std::uint64_t count) {
     DemandOfSnapshot(first > 0 && first + count <= snapshot.next_id, "an id was never given");

@@ -32,6 +32,7 @@ void CollisionExemptions::IgnoreUntilSeparated(BodyId a, BodyId b) {
   Body &body_a = objects_.body(a), &body_b = objects_.body(b);
   if (body_a.is_static() && body_b.is_static()) return;
   if (std::binary_search(ignored_.begin(), ignored_.end(), pair)) return;
+  // A pair is in one of the two lists at most.
   std::erase(close_fits_, pair);
   InsertPair(pair, &ignored_);
   engine_.broadphase.Exclude(body_a.dynamics().bullet(), body_b.dynamics().bullet(),
@@ -78,6 +79,7 @@ bool CollisionExemptions::IsAnyAwake(const BodyPair& pair) const {
   return objects_.body(pair.first).is_awake() || objects_.body(pair.second).is_awake();
 }
 
+/// Returns the overlap of a pair [m], measured without creating contacts.
 double CollisionExemptions::OverlapDepth(const BodyPair& pair) const {
   const btRigidBody& a = objects_.body(pair.first).dynamics().bullet();
   const btRigidBody& b = objects_.body(pair.second).dynamics().bullet();

@@ -17,6 +17,7 @@ btTransform ReadTransform(ByteReader* in) {
 }  // namespace
 
 void MakeKinematic(btRigidBody* object) {
+  // Mass 0 sets Bullet's static flag; replace it by the kinematic one.
   object->setMassProps(0, btVector3(0, 0, 0));
   object->updateInertiaTensor();
   const int flags = object->getCollisionFlags() & ~btCollisionObject::CF_STATIC_OBJECT;

@@ -37,6 +37,8 @@ void JointSet::Insert(const Joint& joint) {
   } else {
     const auto [a, b] = *BodyPairOf(joint.spec);
     Wake({a, b});
+    // Bodies that are joined usually touch: without the exclusion, contacts would work against the
+    // joint.
     if (!DoCollide(joint.spec)) {
       engine_.broadphase.Exclude(objects_.body(a).dynamics().bullet(),
                                  objects_.body(b).dynamics().bullet(), &engine_.dispatcher);
@@ -68,6 +70,7 @@ void JointSet::Remove(JointId id) {
 }
 
 void JointSet::RemoveAllOf(BodyId id) {
+  // Collect first: Remove() changes the list.
   std::vector<JointId> ended;
   for (const Joint& joint : joints_) {
     if (Joins(joint.spec, id)) ended.push_back(joint.id);
@@ -146,6 +149,7 @@ void JointSet::RestoreState(ByteReader* in) {
 
 void JointSet::AddTo(StateHash* hash) const {
   for (const Joint& joint : joints_) {
+    // Hash the serialized form, which contains each field of any kind of joint.
     ByteWriter bytes;
     PutJoint(joint, &bytes);
     // Welds have no state of their own.

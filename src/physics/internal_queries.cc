@@ -20,6 +20,7 @@ std::vector<Contact> FindContacts(const Articulation& articulation, int link,
   engine.world.SortManifolds();
   std::vector<Contact> contacts;
   objects.ForEachManifoldOf(collider, [&](const btPersistentManifold& manifold, Body& body) {
+    // Bullet's normal is on B and points towards A: reverse it if the link is B.
     const bool link_is_a = manifold.getBody0() == collider;
     for (int k = 0; k < manifold.getNumContacts(); ++k) {
       const btManifoldPoint& point = manifold.getContactPoint(k);
@@ -56,6 +57,7 @@ Overlaps FindOverlaps(const Body& moved, const RigidTransform& X_WB, double dept
                       const WorldObjects& objects, Engine& engine) {
   const BodyId id = moved.id();
   const Body::Dynamics& dynamics = moved.dynamics();
+  // Bullet's shape is given in the frame of the center of mass.
   const btTransform X_WBcm = ToBullet(X_WB * dynamics.X_BcmB().inverse());
   const PairFilter& filter = engine.broadphase.filter();
   const auto is_in_the_way = [&](const btCollisionObject& other) {
@@ -68,6 +70,7 @@ Overlaps FindOverlaps(const Body& moved, const RigidTransform& X_WB, double dept
     if (is_in_the_way(other->dynamics().bullet())) overlaps.bodies.push_back(other->id());
   }
   for (const auto& articulation : objects.articulations()) {
+    // -1 is the base.
     for (int link = -1; link < articulation->num_joints(); ++link) {
       const auto* collider = articulation->links().collider(link);
       if (collider && is_in_the_way(*collider)) overlaps.with_articulation = true;

@@ -20,6 +20,7 @@ bool IsEmpty(const btCollisionObject* object) {
          static_cast<const btCompoundShape*>(shape)->getNumChildShapes() == 0;
 }
 
+/// Key of a pair, independent of its order.
 std::pair<int, int> Ordered(int a, int b) { return a < b ? std::pair(a, b) : std::pair(b, a); }
 
 }  // namespace
@@ -60,6 +61,7 @@ btBroadphaseProxy* StatelessBroadphase::createProxy(const btVector3& aabb_min,
                                                     const btVector3& aabb_max, int, void* object,
                                                     int group, int mask, btDispatcher*) {
   auto proxy = std::make_unique<btBroadphaseProxy>(aabb_min, aabb_max, object, group, mask);
+  // Bullet sorts pairs by the unique id, so it must not depend on history.
   proxy->m_uniqueId = OrderOf(ObjectOf(proxy.get()));
   proxies_.push_back(std::move(proxy));
   return proxies_.back().get();

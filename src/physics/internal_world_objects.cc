@@ -98,6 +98,7 @@ void WorldObjects::Insert(std::unique_ptr<Body> fresh) {
 }
 
 void WorldObjects::Insert(std::unique_ptr<Articulation> fresh) {
+  // Base and links are separate collision objects, whose orders follow that of the articulation.
   Articulation& articulation = InsertById(articulations_, std::move(fresh));
   const Articulation::Links& links = articulation.links();
   ExactWorld& world = engine_.world;

@@ -11,6 +11,7 @@ namespace smile::physics {
 namespace {
 
 constexpr std::array kMagic = {'S', 'M', 'I', 'L', 'E', 'S', 'N', 'P'};
+/// Version of the format. Others are refused, since snapshots are exchanged only within one build.
 constexpr std::uint32_t kVersion = 5;
 
 // Walk() names the fields of each type once; the archive writes or reads them. See
@@ -108,6 +109,7 @@ void Walk(Archive& archive, Snapshot& snapshot) {
 
 void PutJoint(const Joint& joint, ByteWriter* out) {
   Writer writer("snapshot");
+  // Walk() serves reading too, so it takes a mutable object.
   Joint copy = joint;
   Walk(writer, copy);
   out->PutBytes(writer.bytes.bytes());
@@ -119,6 +121,7 @@ std::vector<std::byte> Serialize(const Snapshot& snapshot) {
   writer(kVersion);
   Snapshot copy = snapshot;
   Walk(writer, copy);
+  // The state is opaque here: its own reader checks it when it is restored.
   writer.bytes.Put(static_cast<std::uint64_t>(snapshot.state.size()));
   writer.bytes.PutBytes(snapshot.state);
   return writer.bytes.Take();

@@ -30,6 +30,7 @@ World::~World() = default;
 
 BodyId World::AddBody(const BodySpec& spec) { return objects_->AddBody(spec); }
 
+/// Joints and exemptions refer to the body, so they end first.
 void World::RemoveBody(BodyId id) {
   joints_->RemoveAllOf(id);
   exemptions_->EndAllOf(id);
@@ -143,6 +144,7 @@ Snapshot World::Save() const {
   objects_->Save(&snapshot, &state);
   joints_->Save(&snapshot, &state);
   exemptions_->Save(&snapshot);
+  // State of the solver's random numbers.
   state.Put(static_cast<std::uint64_t>(engine_->solver.getRandSeed()));
   SaveContacts(engine_->world, &state);
   snapshot.state = state.Take();

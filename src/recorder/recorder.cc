@@ -14,6 +14,7 @@
 namespace smile::recorder {
 namespace {
 
+/// Checks everything that can be checked before a directory is made.
 void CheckBefore(const std::filesystem::path& directory, const RecorderOptions& options,
                  const sim::Simulation& simulation) {
   if (!(options.frames_per_second > 0 && options.frames_per_second <= sim::kTicksPerSecond)) {
@@ -30,6 +31,7 @@ void CheckBefore(const std::filesystem::path& directory, const RecorderOptions& 
   recording::RequireNewDirectory(directory);
 }
 
+/// Returns the contents of demo.json.
 recording::DemoInfo InfoOf(const RecorderOptions& options, const sim::Eye* eye,
                            const sim::Simulation& simulation,
                            const recording::HistoryPoint& start) {
@@ -159,6 +161,7 @@ std::optional<sim::Refusal> Recorder::Refuse(const sim::Simulation& simulation,
 }
 
 void Recorder::OnCommand(const sim::Simulation& simulation, const sim::Command& command) {
+  // The mark is taken before the line is written: an undo leads back to before the action.
   if (IsAction(command)) marks_.Begin(simulation.history(), {.before = MarkNow(), .at_undo = {}});
   Write({.tick = simulation.tick(), .what = command}, simulation.scene().meters_per_unit);
 }
@@ -198,6 +201,8 @@ void Recorder::Undo(const sim::Simulation& simulation, ActionMark* undone) {
 void Recorder::Redo(const sim::Simulation& simulation, const ActionMark& redone) {
   Return(recording::ReturnKind::kRedo, redone.at_undo, simulation);
   classic_->Use(simulation.shared_model());
+  // The classic view has no undone branches: go back to before the action, then add it again from
+  // the trace.
   classic_->Return(redone.before.classic);
   ShowAgain(redone, simulation);
 }

@@ -21,6 +21,7 @@ RecordingController::RecordingController(sim::Simulation* simulation, Options op
 std::optional<sim::Refusal> RecordingController::Start(const sim::Simulation& simulation,
                                                        const sim::StartRecording& start) {
   std::string name = start.name.empty() ? simulation.scene().name : start.name;
+  // A scene's name need not be a valid name of a directory.
   if (start.name.empty() && !recording::IsRecordingName(name)) name = "recording";
   if (!recording::IsRecordingName(name))
     return "\"name\" is " + Quoted(name) + ", expected " + recording::kNameForm;
@@ -31,6 +32,7 @@ std::optional<sim::Refusal> RecordingController::Start(const sim::Simulation& si
   try {
     Start(recording::NewDirectory(options_.root, name), options, simulation);
   } catch (const InputError& error) {
+    // A fault of the request: the simulation is not affected.
     return error.what();
   } catch (const std::exception& error) {
     failure_ = error.what();

@@ -48,6 +48,7 @@ std::optional<Difference> TickComparison::Pose(model::ObjectIndex i) const {
   const recording::TracePose& was = recorded_.objects[i];
   const recording::TracePose& is = replayed_.objects[i];
   const std::string& id = model_.id(i);
+  // Exact comparison: a replay gives the same bits or it differs.
   if (was.position != is.position) {
     const double unit = model_.scene().meters_per_unit;
     return Difference{recorded_.tick, id, "position",
@@ -95,6 +96,7 @@ std::optional<Difference> TickComparison::FaceExpression() const {
 
 std::optional<Difference> TickComparison::First() const {
   for (model::ObjectIndex i : model_.objects()) {
+    // Visible differences first, the hash last.
     if (auto difference = Presence(i)) return difference;
     if (auto difference = Pose(i)) return difference;
   }
@@ -109,6 +111,7 @@ std::optional<Difference> TickComparison::First() const {
   }
   if (auto difference = RobotShown()) return difference;
   if (auto difference = FaceExpression()) return difference;
+  // Nothing visible differs: compare the hidden state.
   if (recorded_.hash == replayed_.hash) return std::nullopt;
   return Difference{recorded_.tick, "simulation", kHidden, WrittenHash(recorded_.hash),
                     WrittenHash(replayed_.hash)};
@@ -149,6 +152,7 @@ DeviationMeter::DeviationMeter(const model::Model& model) : model_(model) {
 void DeviationMeter::Note(std::size_t index, std::uint64_t tick,
                           const std::optional<recording::PoseGap>& gap) {
   Deviation& deviation = all_[index];
+  // The last gap stays; the largest one is kept with its tick.
   deviation.end = gap;
   if (!gap || gap->size() <= deviation.largest.size()) return;
   deviation.largest = *gap;

@@ -55,6 +55,7 @@ class ReplayRun {
     if (is_over()) return false;
     const bool is_last = recorded->tick == range_.last;
     while (const auto failure = player_.ApplyDue(&simulation_)) Note(*failure);
+    // Events of the last tick of the range are complete if a further record follows.
     const bool has_more = is_last && trace_.Next().has_value();
     if (recorded->tick >= range_.first) CompareEvents(*recorded, is_last && !has_more);
     if (is_last && !has_more) NoteTheEnd();

@@ -110,6 +110,7 @@ class OriginalFinder : public FileFinder {
         return {NameOfKept(from, reference), path,
                 read_.Get(canonical, max_bytes, [&] { return Read(canonical, max_bytes); })};
       }
+      // It exists, but must not be read: the message says so if no other place has it.
       is_outside = true;
     }
     const bool is_package = reference.kind == Reference::Kind::kPackage;

@@ -1,3 +1,7 @@
+// A gripper of a side file is a template: its texts contain placeholders such as `{slot}`, one per
+// choice. The wanted name, for example `electric-wide-2`, selects the gripper and a word for some
+// of its choices.
+
 #include "robot/internal_gripper_choice.h"
 
 #include <algorithm>

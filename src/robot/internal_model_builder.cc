@@ -45,6 +45,7 @@ class ModelBuilder {
     const urdf::ModelInterface& main = parts_[0].document->model();
     model().name = main.getName();
     AddLink(parts_[0], *main.getRoot(), -1, RigidTransform());
+    // Masses are complete only when all fixed attachments have been added.
     for (std::size_t i = 0; i < masses_.size(); ++i) FinishMass(masses_[i], &model().links[i]);
     for (const scene::LinkSpec& link : model().links) {
       model().q_start.push_back(std::clamp(0.0, link.lower, link.upper));
@@ -194,6 +195,7 @@ class ModelBuilder {
     scene::LinkSpec link;
     link.name = part.prefix + branch.child->name;
     link.joint_name = branch.name;
+    // The parent comes earlier in the list, so parents precede children.
     link.parent = parent;
     link.X_PJ = X_PJ;
     if (FindJoint(model(), link.joint_name)) {

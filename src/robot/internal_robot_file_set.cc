@@ -26,6 +26,7 @@ bool IsPlainName(const std::string& name) {
          name.find_first_of("/\\:") == std::string::npos;
 }
 
+/// Returns a mesh scaled along each axis; checks its size.
 scene::SurfaceMesh Scaled(scene::SurfaceMesh mesh, const Vector3& scale) {
   for (Eigen::Vector3f& vertex : mesh.vertices) {
     vertex = vertex.cast<double>().cwiseProduct(scale).cast<float>();
@@ -44,6 +45,7 @@ scene::SurfaceMesh Scaled(scene::SurfaceMesh mesh, const Vector3& scale) {
 void RobotFileSet::Keep(const FoundFile& file) {
   for (const RobotFile& other : files_) {
     if (other.name != file.name) continue;
+    // Kept files share a folder, so two different files must not have one name.
     if (other.bytes == file.bytes || *other.bytes == *file.bytes) return;
     throw BadReference(" would be kept as " + Quoted(file.name) +
                        ", as another file of the robot, expected different names");
@@ -70,6 +72,7 @@ std::optional<FoundFile> RobotFileSet::FetchSideFile(const FoundFile& urdf, std:
 }
 
 scene::SurfaceMesh RobotFileSet::Import(const FoundFile& file) {
+  // The limit on triangles is for the whole robot.
   const mesh::MeshLimits limits{.max_triangles = kMaxTriangles - num_triangles_};
   const std::string extension = file.path.extension().string();
   const auto open = [&](const std::string& name, std::size_t max_bytes) {

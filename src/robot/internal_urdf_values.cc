@@ -24,6 +24,7 @@ RigidTransform UrdfElement::ReadPose(const urdf::Pose& pose) const {
   const Vector3 position(pose.position.x, pose.position.y, pose.position.z);
   for (double part : position) Within(part, -kMaxLength, kMaxLength, "origin");
   const Quaternion q(pose.rotation.w, pose.rotation.x, pose.rotation.y, pose.rotation.z);
+  // NaN in rpy ends up here, too.
   if (!(std::abs(q.norm() - 1) < 1e-6)) Fail("rpy is not a rotation");
   return {q.normalized(), position};
 }

@@ -21,6 +21,7 @@ struct LookPiece {
 };
 using Look = std::vector<LookPiece>;
 
+/// Returns the face expression in a node's extras, if any.
 std::optional<FaceExpression> FaceExpressionOf(const mesh::MeshPiece& piece) {
   const auto it = piece.extras.find("mood");
   if (it == piece.extras.end()) return std::nullopt;
@@ -38,6 +39,7 @@ Look LoadLook(const std::string& name) {
   return look;
 }
 
+/// Returns a look, loaded on first use.
 const Look& LookNamed(std::string_view name) {
   static const std::map<std::string, Look, std::less<>> kLooks = {{"baxter", LoadLook("baxter")},
                                                                   {"classic", LoadLook("classic")}};

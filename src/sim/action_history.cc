@@ -44,6 +44,7 @@ std::size_t ActionHistory::LastLoad() const {
 void ActionHistory::Begin(SimulationState before) {
   DiscardUndone();
   num_state_bytes_ += SizeOf(before);
+  // Read before the state is moved from.
   const std::uint64_t tick = before.tick;
   const std::size_t num_events_before = current().events.size();
   actions_.push_back({.id = {++last_id_},
@@ -68,6 +69,7 @@ void ActionHistory::Add(Event event) { actions_[cursor_].events.push_back(std::m
 const SimulationState& ActionHistory::Undo(SimulationState now) {
   SMILE_DEMAND(can_undo());
   Action& undone = actions_[cursor_];
+  // The action stays in the list, behind the cursor.
   undone.at_undo = std::make_unique<const SimulationState>(std::move(now));
   --cursor_;
   return *undone.before;

@@ -24,6 +24,7 @@ bool ReportsOneOf(const Event& event, const std::variant<Kinds...>*) {
   return (Reports<Kinds>(event) || ...);
 }
 
+/// Returns the id of a single object, or the number of several.
 std::string NameOf(const std::vector<std::string>& objects) {
   if (objects.size() == 1) return objects.front();
   return (objects.empty() ? "" : std::to_string(objects.size()) + " ") + "objects";
@@ -127,6 +128,7 @@ std::string WordsOf(const ActionSummary& summary) {
   if (summary.kind == ActionKind::kClear) return "cleared the table of " + summary.what;
   if (summary.kind == ActionKind::kLoad) return "loaded " + summary.what;
   const bool is_one_hand = summary.hand != HandName::kBoth;
+  // All other actions are those of hands: subject, verb, object.
   std::string words(ToString(*summary.hand));
   words += is_one_hand ? " hand " : " hands ";
   words += ToString(summary.kind);

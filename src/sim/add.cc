@@ -11,6 +11,7 @@
 namespace smile::sim {
 namespace {
 
+/// Returns the present table, objects and ids.
 layout::PlacementContext PlacementContextOf(const Simulation& simulation) {
   const scene::SceneSpec& scene = simulation.scene();
   layout::PlacementContext context{.meters_per_unit = scene.meters_per_unit,

@@ -1,3 +1,6 @@
+// Only state that a command may change is captured before it: capturing all of it would be too
+// expensive for frequent commands.
+
 #include "sim/change_detector.h"
 
 #include <algorithm>
@@ -24,6 +27,7 @@ ChangeDetector::ChangeDetector(const RunningModel* running)
 ChangeDetector::ChangeDetector(const RunningModel* running, const Command& command)
     : ChangeDetector(running) {
   const world::Tabletop& tabletop = running_.tabletop();
+  // After a release or a destruction, the hand no longer knows the object.
   if (const auto hand = HandOf(command)) {
     const world::Object* held = tabletop.Find(running_.demonstrator().hand(*hand).held);
     if (held != nullptr) held_by_hand_ = held->id();
@@ -120,6 +124,7 @@ void ChangeDetector::AppendBonds(const Command& command, std::vector<Event>* eve
     const world::BondState& was = before[host];
     const world::BondState& is = running_.tabletop().bonds().states()[host];
     if (was.tightness == is.tightness) continue;
+    // A host that became free had its guest before.
     const model::GuestIndex guest = is.guest ? *is.guest : *was.guest;
     events->push_back(
         {.kind = is.tightness > was.tightness ? EventKind::kFastened : EventKind::kLoosened,
@@ -140,6 +145,8 @@ void ChangeDetector::AppendControls(std::vector<Event>* events) const {
     if (before[i] == now || !tabletop.IsPresent(i)) continue;
     const model::Control& control = model.control(i);
     const std::string state = RecordedState(control, now);
+    // Recordings write visible states: hidden changes, such as those below an override, are no
+    // events.
     if (state == RecordedState(control, before[i])) continue;
     events->push_back({.kind = EventKind::kControlChanged,
                        .object = model.id(control.object),
@@ -160,6 +167,7 @@ void ChangeDetector::AppendGrippers(std::vector<Event>* events) const {
                            .object = running_.tabletop().Find(body)->id()});
       }
     };
+    // Releases are reported before grasps.
     append_missing(held_by_grippers_[arm], now[arm], EventKind::kGripperLetGo);
     append_missing(now[arm], held_by_grippers_[arm], EventKind::kGripperHolds);
   }

@@ -32,6 +32,7 @@ std::vector<CommandForm> FormsOfCommands() {
 
 bool IsRequired(const CommandField& field) { return field.presence == Presence::kRequired; }
 
+/// Returns the JSON Schema of one kind.
 Json SchemaOf(const CommandForm& form) {
   Json properties = {
       {"do", {{"const", form.about.name}}},
@@ -77,6 +78,7 @@ std::string InterfaceName(std::string_view name) {
   return text + "Command";
 }
 
+/// Returns the TypeScript interface of one kind.
 std::string InterfaceOf(const CommandForm& form) {
   std::string text = "/** It " + std::string(form.about.meaning) + ". */\nexport interface " +
                      InterfaceName(form.about.name) + " {\n  do: \"" + form.about.name + "\";\n";

@@ -14,6 +14,7 @@
 namespace smile::sim {
 namespace {
 
+/// Returns the names of all kinds, for messages.
 std::string NamesOfCommands() {
   std::string names;
   AnyKindOfCommand([&]<class What>(std::type_identity<What>) {
@@ -55,6 +56,7 @@ void RefuseUnknownKeys(const char* name, const std::vector<CommandField>& fields
                        const Json& json) {
   for (const auto& item : json.items()) {
     const std::string& key = item.key();
+    // These belong to the line, not to the command.
     if (key == "do" || key == "tick") continue;
     if (std::ranges::any_of(fields, [&](const auto& field) { return key == field.name; })) continue;
     throw std::invalid_argument("\"" + std::string(name) + "\" has an unknown key \"" + key + "\"");

@@ -113,6 +113,7 @@ void CheckValue(const CommandField& field, const Json& value) {
 void ThrowExpected(const std::string& key, const Json& found, const std::string& expected) {
   // A container may be deep and long: name only its type.
   std::string text = found.is_structured() && found.size() > 4 ? found.type_name() : ToText(found);
+  // Messages stay short, whatever the input.
   if (text.size() > 60) text = text.substr(0, 57) + "...";
   throw std::invalid_argument("\"" + key + "\" is " + text + ", expected " + expected);
 }

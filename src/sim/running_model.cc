@@ -80,6 +80,7 @@ std::optional<Refusal> RunningModel::ExecuteOne(const Markers& markers) {
 
 std::optional<Refusal> RunningModel::ExecuteOne(const Spawn& spawn) {
   Refusal refusal;
+  // All checks come before the first change.
   auto grown = GrownModel(*model_, spawn, &refusal);
   if (grown == nullptr) return refusal;
   if (auto overlap = RefuseOverlap(*grown, tabletop_, physics_)) return overlap;
@@ -140,6 +141,7 @@ bool RunningModel::is_still() const {
   for (const world::Object& object : tabletop_.objects()) {
     if (!tabletop_.IsPresent(object)) continue;
     const physics::Body& body = physics_.body(object.body);
+    // Held objects may move: the question is whether the rest has come to rest.
     if (body.is_carried() || !body.is_awake()) continue;
     if (body.linear_velocity().norm() > kSpeed || body.angular_velocity().norm() > kAngularSpeed) {
       return false;
@@ -166,6 +168,7 @@ scene::VisualState RunningModel::visual_state() const {
 
 std::uint64_t RunningModel::state_hash() const {
   StateHash hash;
+  // Appearance (robot shown, face) is not hashed: it has no effect on the future.
   hash.Add(tick_);
   hash.Add(physics_.state_hash());
   tabletop_.AddToHash(&hash);

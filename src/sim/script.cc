@@ -27,6 +27,7 @@ constexpr std::size_t kMaxPointsFromFiles = 1'000'000;
 /// Ticks without motion, a quarter of a second, after which objects count as still.
 constexpr int kStillTicks = kTicksPerSecond / 4;
 
+/// Reads a wait line. @throws std::invalid_argument with what was found and expected.
 Wait ParseWait(const Json& json) {
   Wait wait;
   for (const auto& [key, value] : json.items()) {
@@ -252,6 +253,7 @@ Script ScriptOf(motion::JointTrajectory trajectory, std::string file) {
 void ScriptPlayer::Advance(Simulation* simulation) {
   for (; !is_finished(); ++next_) {
     const ScriptLine& line = script_.lines[next_];
+    // Lines are in order: a later one waits for this one.
     if (line.tick && *line.tick > simulation->tick()) return;
     if (const auto* wait = std::get_if<Wait>(&line.what)) {
       if (!IsOver(*wait, line, *simulation)) return;
@@ -283,6 +285,7 @@ std::optional<Refusal> ScriptPlayer::Execute(const Drag& drag, Simulation* simul
 }
 
 bool ScriptPlayer::IsOver(const Wait& wait, const ScriptLine& line, const Simulation& simulation) {
+  // The wait begins when its line is reached.
   if (!wait_start_) {
     wait_start_ = simulation.tick();
     still_ticks_ = 0;

@@ -1,3 +1,6 @@
+// Commands of the robot. Each is checked completely before it changes anything; commands of joints
+// end the trajectories that these follow.
+
 #include "sim/simulated_robot.h"
 
 #include <array>
@@ -34,6 +37,7 @@ void SimulatedRobot::StopFollowingWithHead() {
   if (body_.model().head) follower_.Leave(body_.model().head->joint);
 }
 
+/// In commands, arm 0 is left and arm 1 is right.
 std::optional<Refusal> SimulatedRobot::Execute(const JointVelocities& velocities) {
   if (auto refusal = RefuseValues(velocities.left, 0)) return refusal;
   if (auto refusal = RefuseValues(velocities.right, 1)) return refusal;
@@ -72,6 +76,7 @@ std::optional<Refusal> SimulatedRobot::Execute(const JointAngles& angles) {
 
 std::optional<Refusal> SimulatedRobot::Execute(const TurnJoint& turn) {
   const motion::Channel* channel = FindChannel(follower_.channels(), turn.joint);
+  // Fingers move only as a pair, by the gripper command.
   if (channel == nullptr || channel->is_gripper()) {
     std::vector<std::string_view> names;
     for (const motion::Channel& known : follower_.channels()) {
@@ -80,6 +85,7 @@ std::optional<Refusal> SimulatedRobot::Execute(const TurnJoint& turn) {
     return "the robot has no joint " + Quoted(turn.joint) + " to turn" +
            DidYouMean(turn.joint, names);
   }
+  // The last command for a joint wins.
   follower_.Leave(channel->joint);
   body_.SetJointVelocity(channel->joint, turn.velocity);
   return std::nullopt;
@@ -134,6 +140,7 @@ void SimulatedRobot::Restore(const SimulatedRobotState& state) {
 }
 
 void SimulatedRobot::AddToHash(StateHash* hash) const {
+  // The articulation is hashed by physics; appearance has no effect on the future.
   for (const world::GripperState& gripper : body_.state().grippers) {
     hash->Add(gripper.opening_velocity);
     for (physics::JointId weld : gripper.welds) hash->Add(std::uint64_t{weld.value});

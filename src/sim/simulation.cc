@@ -105,6 +105,7 @@ void Simulation::ReleaseFor(const Grasp& grasp) {
 
 void Simulation::Tick() {
   has_begun_ = true;
+  // Grippers may grasp or release during the tick.
   const ChangeDetector changes(running_.get());
   const std::vector<const world::Object*> fallen = running_->Tick();
   for (Listener* listener : listeners_) listener->OnTick(*this);

@@ -95,6 +95,7 @@ std::shared_ptr<const model::Model> GrownModel(const model::Model& model, const 
 
 std::optional<Refusal> RefuseOverlap(const model::Model& grown, const world::Tabletop& tabletop,
                                      const physics::World& world) {
+  // New objects at their initial places, with their controls in their initial states.
   const model::SceneState& start = grown.initial_state();
   for (std::size_t i = tabletop.objects().size(); i < grown.objects().size(); ++i) {
     const model::ObjectIndex object(i);

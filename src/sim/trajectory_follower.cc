@@ -92,6 +92,7 @@ std::optional<Refusal> TrajectoryFollower::RefuseBeyondLimits(
   }
   const std::vector<motion::LimitBreach> breaches = CheckLimits(trajectory, limits);
   if (breaches.empty()) return std::nullopt;
+  // Report the true limit: the tolerance is an implementation detail.
   motion::LimitBreach first = breaches.front();
   first.limit = TrueLimit(first, FindChannel(channels_, first.joint_name)->limits);
   return "at " + NumberText(first.seconds) + " s, " + ToString(first);
@@ -131,6 +132,7 @@ motion::JointTrajectory TrajectoryFollower::WithWayToStart(
 
 void TrajectoryFollower::Start(motion::JointTrajectory trajectory,
                                std::vector<Following::Column> columns, std::uint64_t tick) {
+  // The newest trajectory takes over its joints.
   for (const Following::Column& column : columns) Leave(channels_[column.channel].joint);
   const std::uint64_t hash = HashOf(trajectory);
   state_.followings.push_back(

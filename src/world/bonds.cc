@@ -38,11 +38,13 @@ void Bonds::FastenInitially(GuestIndex first) {
     const scene::GuestPoint& point = *model_->guest(guest).point;
     const auto host = model_->FindHost(point.initial_host);
     if (!host || point.initial_tightness < 1) continue;
+    // Without the checks of RefuseToMove(): the scene file decides.
     world_->MoveAssembly(BodyOf(guest), GuestBodyAt(guest, *host, point.initial_tightness));
     Join(guest, *host, point.initial_tightness);
   }
 }
 
+/// Returns the host that holds a guest, if any.
 std::optional<HostIndex> Bonds::HostOf(GuestIndex guest) const {
   for (HostIndex host : model_->hosts()) {
     if (states_[host].guest == guest) return host;
@@ -50,6 +52,7 @@ std::optional<HostIndex> Bonds::HostOf(GuestIndex guest) const {
   return std::nullopt;
 }
 
+/// Returns the object's guest point nearest to a point, if it has any.
 std::optional<GuestIndex> Bonds::NearestGuest(ObjectIndex object, const Vector3& p_WQ) const {
   std::optional<GuestIndex> nearest;
   double nearest_distance = 0;
@@ -162,6 +165,7 @@ std::optional<Refusal> Bonds::Tighten(GuestIndex guest, HostIndex host, int tigh
   // All reasons to refuse come before the first change.
   if (auto refusal = RefuseToMove(guest, host, X_WB)) return refusal;
 
+  // The present bond ends before the guest moves.
   if (states_[host].joint) world_->RemoveJoint(states_[host].joint);
   states_[host].joint = {};
   world_->MoveAssembly(BodyOf(guest), X_WB);
@@ -247,6 +251,7 @@ void Bonds::EndBondsOf(ObjectIndex object) {
     if (model_->host(host).object != object && model_->guest(*state.guest).object != object)
       continue;
     if (state.joint) world_->RemoveJoint(state.joint);
+    // The lock belongs to the host, not to the bond.
     state = BondState{{.is_locked = state.is_locked}};
     TellDownstream(host);
   }

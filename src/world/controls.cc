@@ -110,6 +110,7 @@ std::optional<Refusal> Controls::Trigger(model::ControlIndex index, std::string_
                    return name + " is a row of lights: it follows others and cannot be triggered";
                  }},
       control.part->shape);
+  // Other controls follow only after the control has changed itself.
   if (!refusal) model::DriveDownstream(model_->all_controls(), index, &states_);
   return refusal;
 }

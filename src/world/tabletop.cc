@@ -35,6 +35,8 @@ Tabletop::Tabletop(physics::World* world, std::shared_ptr<const model::Model> mo
       controls_(*model_),
       object_states_(objects_.size()),
       bonds_(world, *model_, &objects_, &object_states_, &controls_) {
+  // Table and floor come first: their ids precede those of all objects, which fixes the order in
+  // physics.
   const scene::Solid table = scene::TableSolid(model_->scene().table);
   world_->AddBody({.solids = {table}, .restitution = kGroundRestitution});
   floor_ = world_->AddBody({.solids = {FloorSolid()}, .restitution = kGroundRestitution});
@@ -61,6 +63,7 @@ void Tabletop::Grow(std::shared_ptr<const model::Model> model) {
 
 void Tabletop::AddBeyond(const Extent& extent) {
   const scene::SceneSpec& scene = model_->scene();
+  // Bodies before the joints between them; initial bonds last, since they move bodies.
   for (std::size_t i = extent.num_objects; i < objects_.size(); ++i) AddBody(&objects_[i]);
   for (std::size_t i = extent.num_sliders; i < scene.sliders.size(); ++i) {
     AddSliderJoint(scene.sliders[i], objects_, world_);
@@ -73,6 +76,7 @@ void Tabletop::AddBeyond(const Extent& extent) {
   FollowControls(before);
 }
 
+/// Adds the body of an object, in the form of its controls' present states.
 void Tabletop::AddBody(Object* object) {
   const scene::ObjectSpec& spec = *object->spec;
   const std::vector<scene::Solid> solids = SolidsNow(*object);
@@ -203,6 +207,7 @@ TabletopState Tabletop::state() const {
 }
 
 void Tabletop::Restore(const TabletopState& state, std::shared_ptr<const model::Model> model) {
+  // Another model has other specs and may have more objects.
   if (model != model_) objects_ = ObjectsOf(*model, state.bodies);
   for (Object& object : objects_) object.body = state.bodies[object.index];
   object_states_ = state.objects;
@@ -212,6 +217,7 @@ void Tabletop::Restore(const TabletopState& state, std::shared_ptr<const model::
 }
 
 void Tabletop::AddToHash(StateHash* hash) const {
+  // Bodies are hashed by the physics world.
   for (const ControlState& control : controls_.states()) {
     hash->Add(static_cast<std::uint64_t>(control.state));
     hash->Add(static_cast<std::uint64_t>(control.override_state));

@@ -54,6 +54,7 @@ std::vector<const Object*> Tabletop::NoticeFallen() {
     ObjectState& state = object_states_[object.index];
     if (!IsPresent(object) || state.has_fallen) continue;
     const physics::Body& body = world_->body(object.body);
+    // An object that starts on the floor has not fallen; after it was raised it can fall.
     if (body.is_carried() && body.pose_in_world().translation().z() > 0) state.was_raised = true;
     if (!std::ranges::binary_search(on_floor, object.body)) continue;
     if (!HasComeDown(object) || IsHeld(object)) continue;

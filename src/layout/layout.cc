@@ -105,7 +105,8 @@ const T& AnyOf(const std::vector<T>& choice, std::mt19937_64* random) {
 }
 
 /// Adds blocks that no task uses: alternately of a new color, and of a new size with a color of the
-/// scene. @returns their indices.
+/// scene.
+/// @returns their indices.
 std::vector<std::size_t> AddDistractors(std::uint64_t seed, const std::vector<std::size_t>& loose,
                                         scene::SceneSpec* scene) {
   const std::vector<Color> colors = StrangeColors(*scene);

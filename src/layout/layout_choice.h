@@ -14,8 +14,8 @@ struct LayoutChoice {
   LayoutLevel level = LayoutLevel::kScattered;
 };
 
-/// Returns the scene with the chosen starting positions, see RandomLayout(). @throws
-/// std::invalid_argument if such a layout is not possible.
+/// Returns the scene with the chosen starting positions, see RandomLayout().
+/// @throws std::invalid_argument if such a layout is not possible.
 scene::SceneSpec LaidOut(scene::SceneSpec scene, const LayoutChoice& choice);
 
 }  // namespace smile::layout

@@ -117,7 +117,8 @@ const std::vector<Recipe>& Recipes() {
   return kRecipes;
 }
 
-/// Returns the recipe of a preset. @throws std::invalid_argument if there is none of this name.
+/// Returns the recipe of a preset.
+/// @throws std::invalid_argument if there is none of this name.
 const Recipe& FindRecipe(const std::string& name) {
   std::vector<std::string_view> known;
   for (const Recipe& recipe : Recipes()) {

@@ -16,8 +16,8 @@ struct CameraIntrinsics {
   double near = 0.01;     ///< near clipping distance [m]
   double far = 10.0;      ///< far clipping distance [m]
 
-  /// Makes intrinsics with square pixels and the axis in the middle of the image. @throws
-  /// std::invalid_argument unless sizes are 1 to 8192 and the angle [rad] is in (0, pi).
+  /// Makes intrinsics with square pixels and the axis in the middle of the image.
+  /// @throws std::invalid_argument unless sizes are 1 to 8192 and the angle [rad] is in (0, pi).
   static CameraIntrinsics FromVerticalFieldOfView(int width_px, int height_px, double angle);
   /// The same for the horizontal angle.
   static CameraIntrinsics FromHorizontalFieldOfView(int width_px, int height_px, double angle);
@@ -34,9 +34,9 @@ struct CameraView {
 };
 
 /// Returns the pose of a camera at `p_WC` that looks at `p_WQ` with the image's top towards
-/// `up_in_world`. If both are vertical, the image's right side is world +x. @throws
-/// std::invalid_argument if the two points coincide, or another `up_in_world` is along the line of
-/// sight.
+/// `up_in_world`. If both are vertical, the image's right side is world +x.
+/// @throws std::invalid_argument if the two points coincide, or another `up_in_world` is along the
+///         line of sight.
 RigidTransform LookAt(const Vector3& p_WC, const Vector3& p_WQ,
                       const Vector3& up_in_world = Vector3::UnitZ());
 

@@ -52,7 +52,8 @@ class Decomposition {
   Decomposition(LatticeSolid solid, const PieceLimits& limits)
       : solid_(std::move(solid)), limits_(limits) {}
 
-  /// Returns the hulls of all pieces. @param whole  the hull of the solid.
+  /// Returns the hulls of all pieces.
+  /// @param whole  the hull of the solid.
   std::vector<LatticeHull> Run(LatticeHull whole) {
     least_excess_ = kLeastExcess * whole.volume;
     cells_.push_back(

@@ -33,7 +33,8 @@ scene::SurfaceMesh ParseMesh(std::string_view bytes, std::string_view extension,
 /// is named by a triangle, in the order of the triangles, as in an imported mesh.
 std::string StlOf(const scene::SurfaceMesh& mesh);
 
-/// Writes StlOf() to a file. @throws std::runtime_error with the path and the reason.
+/// Writes StlOf() to a file.
+/// @throws std::runtime_error with the path and the reason.
 void WriteStl(const scene::SurfaceMesh& mesh, const std::filesystem::path& path);
 
 }  // namespace smile::mesh

@@ -15,8 +15,8 @@ void ReadStl(std::string_view bytes, TriangleSoup* soup);
 /// Reads `v` and `f` lines of OBJ; a face of more than three corners becomes a fan of triangles.
 void ReadObj(std::string_view bytes, TriangleSoup* soup);
 
-/// Reads all meshes of a glTF scene, each in its place. @param max_bytes  limit for all files
-/// together.
+/// Reads all meshes of a glTF scene, each in its place.
+/// @param max_bytes  limit for all files together.
 void ReadGltf(std::string_view bytes, const OpenNeighbour& open, std::size_t max_bytes,
               TriangleSoup* soup);
 

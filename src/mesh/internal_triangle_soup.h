@@ -28,11 +28,12 @@ class TriangleSoup {
 
   MeshAxes axes() const { return axes_; }
 
-  /// Adds a triangle; drops it if two of its corners are equal. @throws BadMesh beyond the limits,
-  /// or for a coordinate that is not finite or too large.
+  /// Adds a triangle; drops it if two of its corners are equal.
+  /// @throws BadMesh beyond the limits, or for a coordinate that is not finite or too large.
   void Add(const Corner& a, const Corner& b, const Corner& c);
 
-  /// Returns the mesh. @throws BadMesh if it has no triangle.
+  /// Returns the mesh.
+  /// @throws BadMesh if it has no triangle.
   scene::SurfaceMesh Take();
 
  private:

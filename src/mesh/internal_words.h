@@ -17,7 +17,8 @@ class Words {
   /// Moves to the next line; returns false at the end of the text.
   bool NextLine();
 
-  /// Returns the number that a word spells. @throws BadMesh unless it is one.
+  /// Returns the number that a word spells.
+  /// @throws BadMesh unless it is one.
   float Number(std::string_view word) const;
   /// Throws BadMesh with the line.
   [[noreturn]] void Fail(const std::string& found, const std::string& expected) const;

@@ -21,8 +21,8 @@ enum class MeshAxes {
   kAsWritten  ///< (X, Y, Z), whatever the file names as up, as in robot descriptions
 };
 
-/// Reads a file that belongs to a mesh file, by its plain name, at most `max_bytes`. @throws
-/// InputError if it is missing or must not be read.
+/// Reads a file that belongs to a mesh file, by its plain name, at most `max_bytes`.
+/// @throws InputError if it is missing or must not be read.
 using OpenNeighbour = std::function<std::string(const std::string& name, std::size_t max_bytes)>;
 
 }  // namespace smile::mesh

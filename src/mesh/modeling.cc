@@ -50,8 +50,8 @@ class Sewing {
     }
   }
 
-  /// Closes a row by a flat lid. @param is_top  true if its corners run counter-clockwise seen from
-  /// outside.
+  /// Closes a row by a flat lid.
+  /// @param is_top  true if its corners run counter-clockwise seen from outside.
   void Close(const Section& section, const Row& row, bool is_top) {
     if (row.count == 1) return;
     for (auto [a, b, c] : internal::Triangulated(section)) {

@@ -21,12 +21,12 @@ using Section = std::vector<Vector3>;
 /// Returns a circle about the origin, its first corner towards +x.
 Outline CircleOutline(double radius, int sides);
 
-/// Returns two half circles joined by straight lines: `length` along x, `width` along y. @param
-/// sides  corners of both half circles together; even.
+/// Returns two half circles joined by straight lines: `length` along x, `width` along y.
+/// @param sides  corners of both half circles together; even.
 Outline StadiumOutline(double length, double width, int sides);
 
-/// Returns the outline with rounded corners; an arc takes no more than half of a side. @param
-/// corner_sides  chords of each arc.
+/// Returns the outline with rounded corners; an arc takes no more than half of a side.
+/// @param corner_sides  chords of each arc.
 Outline RoundedOutline(const Outline& outline, double radius, int corner_sides);
 
 /// Cross section bounded by a superellipse |x/a|^n + |y/b|^n = 1: exponent 2 is an ellipse, 4
@@ -50,8 +50,8 @@ Section SectionAt(const Outline& outline, double z);
 ///         points, at least three.
 scene::SurfaceMesh Skin(const std::vector<Section>& sections);
 
-/// Returns a body of revolution about the z axis. @param profile  (radius, z) with growing z; a
-/// radius of 0 is a tip.
+/// Returns a body of revolution about the z axis.
+/// @param profile  (radius, z) with growing z; a radius of 0 is a tip.
 scene::SurfaceMesh Lathe(const std::vector<Eigen::Vector2d>& profile, int sides);
 
 /// Returns the outline extruded along z, with rounded upper and lower edges.
@@ -70,8 +70,8 @@ scene::SurfaceMesh Loft(const std::vector<Cut>& cuts, int sides);
 /// @param edge_radius    radius of the edges around top and bottom.
 scene::SurfaceMesh RoundedBox(const Vector3& size, double corner_radius, double edge_radius);
 
-/// Returns a rod of round section along a line of points, with rounded bends. @param bend_radius
-/// radius of the center line in the bends, smaller where space is short.
+/// Returns a rod of round section along a line of points, with rounded bends.
+/// @param bend_radius  radius of the center line in the bends, smaller where space is short.
 scene::SurfaceMesh Tube(const std::vector<Vector3>& path, double radius, double bend_radius,
                         int sides);
 

@@ -49,8 +49,8 @@ double BoundingRadiusOf(const scene::VisualShape& shape);
 /// Makes the triangles. A block has 12 flat triangles; a cylinder (axis y) `facets` smooth ones
 /// around and two flat caps; a sphere `facets` meridians from pole (+y) to pole; a hull flat faces.
 /// Corners of round shapes lie on the true surface. A surface is smooth over edges of less than 30
-/// degrees. @throws std::invalid_argument unless a round shape's facets are within 3 and
-/// kMaxFacets.
+/// degrees.
+/// @throws std::invalid_argument unless a round shape's facets are within 3 and kMaxFacets.
 TriangleMesh MakeMesh(const UnitMesh& unit_mesh);
 
 /// Returns the shape's own mesh, in its true size.

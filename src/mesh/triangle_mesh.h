@@ -20,7 +20,8 @@ struct TriangleMesh {
 };
 
 /// Returns the mesh scaled by a positive factor along each axis; normals stay perpendicular to
-/// their surface. @throws std::invalid_argument unless all factors are positive.
+/// their surface.
+/// @throws std::invalid_argument unless all factors are positive.
 TriangleMesh Scaled(TriangleMesh mesh, const Eigen::Vector3f& factors);
 
 }  // namespace smile::mesh

@@ -38,8 +38,8 @@ std::optional<scene::Button> PressedButtonOf(const Control& control, const Contr
 /// number if it has no name.
 std::string RecordedState(const Control& control, const ControlState& state);
 /// Returns the state after `state` whose RecordedState() is `recorded`; the first one if several
-/// states share the name. A switch advances by one state with each change of its position. @returns
-/// nullopt if the control has no such state.
+/// states share the name. A switch advances by one state with each change of its position.
+/// @returns nullopt if the control has no such state.
 std::optional<ControlState> WithRecordedState(const Control& control, const ControlState& state,
                                               std::string_view recorded);
 
@@ -48,8 +48,8 @@ bool TakeState(const Control& control, int state, ControlState* now);
 /// Forces a visible state; -1, or a state that it does not have, ends that.
 void OverrideState(const Control& control, int state, ControlState* now);
 /// Passes the state of a control on to those downstream, and on from each that takes it. Each
-/// control takes at most one state, so this ends whatever the wiring. @param controls, states  all
-/// of the scene.
+/// control takes at most one state, so this ends whatever the wiring.
+/// @param controls, states  all of the scene.
 void DriveDownstream(const std::vector<Control>& controls, ControlIndex from,
                      std::vector<ControlState>* states);
 /// Returns the states at the start: each control in its initial state, then passed on downstream,

@@ -36,8 +36,8 @@ bool IsSceneCamera(const Model& model, std::string_view camera);
 
 /// Returns the view of a camera with the robot's joints at `q` [rad or m; empty without a robot].
 /// Without a robot the eye is where Baxter's would be, so that a demonstration on an empty table
-/// has the same view. @throws std::invalid_argument listing all cameras, if there is no such
-/// camera.
+/// has the same view.
+/// @throws std::invalid_argument listing all cameras, if there is no such camera.
 CameraView EyeView(const Model& model, std::span<const double> q, const EyeSpec& spec);
 
 /// Returns the frames of the visual model that a camera must not see: the link it is fixed to; all

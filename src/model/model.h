@@ -41,7 +41,8 @@ struct SceneState {
 /// own.
 class Model {
  public:
-  /// Compiles a scene. @param robot  nullopt for a table without a robot.
+  /// Compiles a scene.
+  /// @param robot  nullopt for a table without a robot.
   explicit Model(scene::SceneSpec scene, std::optional<RobotPlacement> robot = std::nullopt);
   /// Compiles another scene with the same robot, which both models share. A larger version of the
   /// scene of `other` has its additional objects behind those of `other`; see scene::Joined().
@@ -107,8 +108,8 @@ class Model {
   const SceneState& initial_state() const { return initial_state_; }
   /// Returns the looks of an object's own controls.
   std::vector<int> LooksOf(ObjectIndex object, std::span<const ControlState> controls) const;
-  /// Returns the visual state of a moment. @param q  of the robot's joints [rad or m]; empty
-  /// without one.
+  /// Returns the visual state of a moment.
+  /// @param q  of the robot's joints [rad or m]; empty without one.
   scene::VisualState VisualStateOf(const SceneState& state, std::span<const double> q,
                                    robot::FaceExpression face_expression) const;
 

@@ -55,8 +55,8 @@ std::optional<Support> SupportOf(const scene::SceneSpec& scene,
                                  const std::vector<scene::ObjectSpec>& objects,
                                  const std::string& object);
 
-/// The same for a scene at a moment. @param X_WBs  of the objects of the scene, in its order;
-/// nullopt for missing ones.
+/// The same for a scene at a moment.
+/// @param X_WBs  of the objects of the scene, in its order; nullopt for missing ones.
 std::optional<Support> SupportOf(const scene::SceneSpec& scene,
                                  const std::vector<std::optional<RigidTransform>>& X_WBs,
                                  ObjectIndex object);

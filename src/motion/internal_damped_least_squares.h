@@ -36,11 +36,12 @@ class DampedLeastSquares {
   IkOptions options_;
 };
 
-/// Check arguments; see SolveInverseKinematics(). @throws std::invalid_argument
+/// Check arguments; see SolveInverseKinematics().
+/// @throws std::invalid_argument
 void CheckGoal(const RigidTransform& X_WG_goal);
 void CheckOptions(const IkOptions& options);
-/// Returns `q` clamped to the limits. @throws std::invalid_argument if the count is wrong or a
-/// value is not finite.
+/// Returns `q` clamped to the limits.
+/// @throws std::invalid_argument if the count is wrong or a value is not finite.
 ArmVector WithinLimits(const ArmKinematics& arm, std::span<const double> q);
 
 }  // namespace smile::motion

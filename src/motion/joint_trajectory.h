@@ -28,7 +28,8 @@ struct JointTrajectory {
 };
 
 /// Returns the state at `seconds`; before the start the first point and after the end the last one,
-/// at rest. @throws std::invalid_argument if it has no points.
+/// at rest.
+/// @throws std::invalid_argument if it has no points.
 TrajectoryPoint SampleAt(const JointTrajectory& trajectory, double seconds);
 
 /// Limits of a joint.
@@ -43,8 +44,8 @@ struct JointLimits {
 /// time. Chosen to be gentle enough for held objects.
 inline constexpr double kSecondsToFullSpeed = 0.5;
 
-/// Returns the limits of some joints, given by their indices. @throws std::invalid_argument if
-/// there is no such joint.
+/// Returns the limits of some joints, given by their indices.
+/// @throws std::invalid_argument if there is no such joint.
 std::vector<JointLimits> LimitsOf(const robot::RobotModel& model, std::span<const int> joints);
 
 /// Returns the fastest straight motion in joint space from rest to rest: all joints start, reach

@@ -21,7 +21,8 @@ constexpr double kTableThickness = 0.4;
 /// Tolerance of rotation matrices: enough for numbers written with three digits.
 constexpr double kLooseRotation = 1e-3;
 
-/// Returns a valid unit. @throws std::invalid_argument unless it is positive and finite.
+/// Returns a valid unit.
+/// @throws std::invalid_argument unless it is positive and finite.
 double CheckedUnit(double meters_per_unit) {
   if (meters_per_unit > 0 && std::isfinite(meters_per_unit)) return meters_per_unit;
   throw std::invalid_argument("unit is " + NumberText(meters_per_unit) +

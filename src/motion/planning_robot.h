@@ -47,7 +47,8 @@ class PlanningRobot {
   /// world's axes.
   Eigen::MatrixXd Jacobian(std::string_view arm, std::span<const double> q) const;
 
-  /// See SolveInverseKinematics(). @param options  its position_tolerance in units.
+  /// See SolveInverseKinematics().
+  /// @param options  its position_tolerance in units.
   std::optional<std::vector<double>> Inverse(std::string_view arm, const Eigen::Matrix4d& goal,
                                              std::span<const double> q_start,
                                              IkOptions options = {}) const;
@@ -86,8 +87,9 @@ class PlanningRobot {
 
 /// Reads a robot's description from a URDF file or from the files that a brain receives.
 ///
-/// @param gripper  name of one of the robot's grippers; empty: the default one. See
-/// robot::ReadRobot() for errors.
+/// @param gripper  name of one of the robot's grippers; empty: the default one.
+///
+/// See robot::ReadRobot() for errors.
 PlanningRobot ReadPlanningRobot(const std::filesystem::path& urdf,
                                 const Eigen::Matrix4d& base_pose = Eigen::Matrix4d::Identity(),
                                 double meters_per_unit = 1, const std::string& gripper = "");

@@ -24,8 +24,8 @@ bool IsName(const std::string& name) {
   return is_plain && ParseJson(ToText(Json(name))) == name;
 }
 
-/// Returns the fault in the values of a point, or an empty text. @param what  `positions` or
-/// `velocities`.
+/// Returns the fault in the values of a point, or an empty text.
+/// @param what  `positions` or `velocities`.
 std::string FaultOfNumbers(const std::vector<double>& numbers, std::size_t expected,
                            const char* what) {
   if (numbers.size() != expected) {

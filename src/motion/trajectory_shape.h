@@ -30,11 +30,12 @@ void CheckShape(const JointTrajectory& trajectory, bool has_velocities = true);
 /// Computes velocities from positions: central differences, one-sided at both ends, limited such
 /// that the cubics stay between the positions that they connect. The motion therefore never exceeds
 /// the points. Source: F. N. Fritsch, R. E. Carlson, "Monotone Piecewise Cubic Interpolation"
-/// (1980), section 4. @param trajectory  its points in strict order of time.
+/// (1980), section 4.
+/// @param trajectory  its points in strict order of time.
 void SetVelocitiesFromPositions(JointTrajectory* trajectory);
 
-/// Scales time: the trajectory then takes `factor` times as long along the same path. @param factor
-/// > 0.
+/// Scales time: the trajectory then takes `factor` times as long along the same path.
+/// @param factor  > 0.
 void ScaleTime(double factor, JointTrajectory* trajectory);
 
 }  // namespace smile::motion

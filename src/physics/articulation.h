@@ -60,8 +60,8 @@ class Articulation {
 
   /// Moves a joint at this speed until the next command [rad/s or m/s]. Clamped to the joint's
   /// velocity limit; at a position limit the joint stops. If the joint is blocked and is commanded
-  /// to stop or to reverse, it does so at once: the lead of its reference is dropped. @throws
-  /// std::invalid_argument if there is no such joint or the velocity is not finite.
+  /// to stop or to reverse, it does so at once: the lead of its reference is dropped.
+  /// @throws std::invalid_argument if there is no such joint or the velocity is not finite.
   void SetVelocityTarget(int joint, double velocity);
   /// Stops a joint at its present position and drops the lead of its reference.
   void HoldStill(int joint);

@@ -50,7 +50,8 @@ class Body {
   bool is_carried() const;
 
   /// Marks the body as carried or no longer carried; either way it wakes, as does everything it
-  /// touches, and keeps its velocity. @throws std::logic_error if the body is static.
+  /// touches, and keeps its velocity.
+  /// @throws std::logic_error if the body is static.
   void SetCarried(bool is_carried);
   /// Puts the body at `X_WB` at once, at rest, and wakes it.
   void SetPose(const RigidTransform& X_WB);

@@ -10,18 +10,19 @@
 
 namespace smile::physics {
 
-/// Checks a body's definition. @throws std::invalid_argument if a number is not finite or out of
-/// range.
+/// Checks a body's definition.
+/// @throws std::invalid_argument if a number is not finite or out of range.
 void CheckBody(const BodySpec& spec);
 
 /// Checks a joint: numbers, existing bodies and links. The two functions throw, each in its own
-/// way, if their argument does not exist. @throws std::invalid_argument if the joint is not
-/// possible.
+/// way, if their argument does not exist.
+/// @throws std::invalid_argument if the joint is not possible.
 void CheckJoint(const JointSpec& spec, const std::function<bool(BodyId)>& is_static,
                 const std::function<int(ArticulationId)>& num_links);
 
 /// Checks that ids are in order and used once, and that joints refer to existing bodies and links.
-/// Does not read `state`. @throws std::invalid_argument if not.
+/// Does not read `state`.
+/// @throws std::invalid_argument if not.
 void CheckSnapshot(const Snapshot& snapshot);
 
 }  // namespace smile::physics

@@ -10,8 +10,8 @@ namespace smile::physics {
 void SaveContacts(ExactWorld& world, ByteWriter* out);
 
 /// Restores saved contact points. The world must contain the saved objects in their saved poses;
-/// its present contacts are dropped. @throws std::invalid_argument if the points do not fit the
-/// world's objects.
+/// its present contacts are dropped.
+/// @throws std::invalid_argument if the points do not fit the world's objects.
 void RestoreContacts(ExactWorld& world, StatelessBroadphase& broadphase, ByteReader* in);
 
 }  // namespace smile::physics

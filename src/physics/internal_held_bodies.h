@@ -17,7 +17,8 @@ class HeldBodies {
   /// All must outlive it.
   HeldBodies(const WorldConfig& config, const WorldObjects& objects, Engine& engine);
 
-  /// Starts to hold a body. @param id  greater than those of all other welds.
+  /// Starts to hold a body.
+  /// @param id  greater than those of all other welds.
   void Hold(JointId id, const WeldSpec& weld);
   void Release(JointId id);
   /// Welds a body again after its form changed.

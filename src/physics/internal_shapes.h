@@ -17,8 +17,8 @@ struct CollisionShape {
   btCollisionShape* shape() const { return compound ? compound.get() : parts.front().get(); }
 };
 
-/// Makes Bullet's shape of some solids. @param X_AB  the solids' frame B in the frame A that Bullet
-/// moves (its principal axes).
+/// Makes Bullet's shape of some solids.
+/// @param X_AB  the solids' frame B in the frame A that Bullet moves (its principal axes).
 CollisionShape MakeCollisionShape(const std::vector<scene::Solid>& solids,
                                   const RigidTransform& X_AB);
 

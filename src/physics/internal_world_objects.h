@@ -64,8 +64,8 @@ class WorldObjects {
     std::vector<BodyId> gone;  ///< replaced or removed, by id
     std::uint32_t next_id = 1;
   };
-  /// Computes the changes without applying them. @throws std::invalid_argument if the snapshot
-  /// lacks an articulation of this world.
+  /// Computes the changes without applying them.
+  /// @throws std::invalid_argument if the snapshot lacks an articulation of this world.
   Replacement ReplacementFor(const Snapshot& snapshot) const;
   void Apply(Replacement replacement);
 

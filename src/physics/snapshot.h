@@ -42,8 +42,8 @@ struct Snapshot {
 /// Returns a self-contained byte string, for a file or another process of the same build.
 std::vector<std::byte> Serialize(const Snapshot& snapshot);
 
-/// Returns the snapshot that Serialize() wrote. @throws std::runtime_error if the bytes are not a
-/// whole snapshot of this format version.
+/// Returns the snapshot that Serialize() wrote.
+/// @throws std::runtime_error if the bytes are not a whole snapshot of this format version.
 Snapshot ParseSnapshot(std::span<const std::byte> bytes);
 
 }  // namespace smile::physics

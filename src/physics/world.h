@@ -33,8 +33,8 @@ class World {
 
   const WorldConfig& config() const { return config_; }
 
-  /// Adds a body. Without solids it passes through everything and floats. @throws
-  /// std::invalid_argument if a number is not finite or a mass negative.
+  /// Adds a body. Without solids it passes through everything and floats.
+  /// @throws std::invalid_argument if a number is not finite or a mass negative.
   BodyId AddBody(const BodySpec& spec);
   /// Removes a body and its joints, and wakes the bodies that it touched.
   void RemoveBody(BodyId id);
@@ -54,8 +54,8 @@ class World {
   /// Removes a joint and wakes its bodies; a body held by a weld is no longer carried.
   void RemoveJoint(JointId id);
   /// Returns all bodies connected with this one through joints other than welds, not through static
-  /// bodies, by id. The body itself is included, static ones are not. @param without  a joint to
-  /// leave out.
+  /// bodies, by id. The body itself is included, static ones are not.
+  /// @param without  a joint to leave out.
   std::vector<BodyId> Assembly(BodyId id, JointId without = {}) const;
   /// Returns true if a joint other than `without` ties its assembly to a static body.
   bool IsAnchored(BodyId id, JointId without = {}) const;

@@ -24,7 +24,8 @@ class RecordingController : public sim::Listener, public sim::RecordingControl {
     sim::Eye* eye = nullptr;                    ///< nullptr for no pictures
   };
 
-  /// Attaches itself to a simulation. @param simulation  must outlive this, as must the eye.
+  /// Attaches itself to a simulation.
+  /// @param simulation  must outlive this, as must the eye.
   RecordingController(sim::Simulation* simulation, Options options);
   RecordingController(const RecordingController&) = delete;
   RecordingController& operator=(const RecordingController&) = delete;

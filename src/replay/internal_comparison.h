@@ -47,7 +47,8 @@ bool IsVisible(const Difference& difference);
 /// Measures how far objects and joints deviate from a recording, tick by tick.
 class DeviationMeter {
  public:
-  /// Makes a meter. @param model  as for TickComparison.
+  /// Makes a meter.
+  /// @param model  as for TickComparison.
   explicit DeviationMeter(const model::Model& model);
 
   void Watch(const recording::TraceTick& recorded, const recording::TraceTick& replayed);

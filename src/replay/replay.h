@@ -58,8 +58,9 @@ struct ReplayReport {
 };
 
 /// Runs a recording again, command by command, and compares each tick: poses, states, joints, state
-/// hash. @throws std::invalid_argument if the range is not within the recording. @throws InputError
-/// if the recording has no commands or its trace cannot be read.
+/// hash.
+/// @throws std::invalid_argument if the range is not within the recording.
+/// @throws InputError if the recording has no commands or its trace cannot be read.
 ReplayReport Replay(const recording::Recording& recording, const ReplayOptions& options = {},
                     const recording::Progress& progress = {});
 

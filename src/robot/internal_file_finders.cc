@@ -77,8 +77,8 @@ fs::path FolderOf(const fs::path& file) {
 /// Cache of files: a mesh may be referred to thousands of times.
 class ReadFiles {
  public:
-  /// Returns the bytes of a file. @param read  reads the bytes or throws; called again if the
-  /// cached file exceeds the limit.
+  /// Returns the bytes of a file.
+  /// @param read  reads the bytes or throws; called again if the cached file exceeds the limit.
   std::shared_ptr<const std::string> Get(const fs::path& path, std::size_t max_bytes,
                                          const std::function<std::string()>& read) {
     std::shared_ptr<const std::string>& bytes = files_[path];

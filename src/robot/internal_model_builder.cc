@@ -64,8 +64,8 @@ class ModelBuilder {
 
   RobotModel& model() { return built_.model; }
 
-  /// Adds a link, its fixed attachments and its joints. @param carrier  the moving link L that
-  /// carries this one, whose frame is F; -1 = the base.
+  /// Adds a link, its fixed attachments and its joints.
+  /// @param carrier  the moving link L that carries this one, whose frame is F; -1 = the base.
   void AddLink(const UrdfPart& part, const urdf::Link& link, int carrier,
                const RigidTransform& X_LF) {
     const std::string name = part.prefix + link.name;

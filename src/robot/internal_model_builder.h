@@ -36,7 +36,8 @@ struct BuiltModel {
 };
 
 /// Builds a robot from the tree of `parts[0]`; branches of the other parts are added as if they
-/// were in the same file. @throws InputError
+/// were in the same file.
+/// @throws InputError
 BuiltModel BuildModel(const std::vector<UrdfPart>& parts, RobotFileSet* files);
 
 }  // namespace smile::robot::internal

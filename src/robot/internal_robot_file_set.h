@@ -44,8 +44,8 @@ class FileFinder {
                                                 std::size_t max_bytes) const = 0;
 };
 
-/// Makes a finder for files in their original folders. @param urdf_path  its folder, that of
-/// `options.side_file` and the package roots may be read.
+/// Makes a finder for files in their original folders.
+/// @param urdf_path  its folder, that of `options.side_file` and the package roots may be read.
 std::unique_ptr<FileFinder> MakeOriginalFinder(const std::filesystem::path& urdf_path,
                                                const RobotReaderOptions& options);
 /// Makes a finder for the files of a kept robot.
@@ -57,7 +57,8 @@ class RobotFileSet {
  public:
   explicit RobotFileSet(std::unique_ptr<FileFinder> finder) : finder_(std::move(finder)) {}
 
-  /// Adds a file. @throws BadReference if another one has the same name.
+  /// Adds a file.
+  /// @throws BadReference if another one has the same name.
   void Keep(const FoundFile& file);
   /// Finds a file and adds it.
   /// @throws BadReference
@@ -69,7 +70,8 @@ class RobotFileSet {
   /// @param scale  along x, y and z.
   /// @throws BadReference
   Mesh FetchDrawn(const FoundFile& from, const std::string& reference, const Vector3& scale);
-  /// Returns a few convex pieces for collisions. @throws BadReference
+  /// Returns a few convex pieces for collisions.
+  /// @throws BadReference
   const std::vector<scene::Hull>& FetchPieces(const FoundFile& from, const std::string& reference,
                                               const Vector3& scale);
 

@@ -22,7 +22,8 @@ struct Mounting {
 /// InputError with the path inside the file, such as `arms/left/joints`.
 class SideFile {
  public:
-  /// Parses a file. @param gripper  name of the wanted gripper; empty: the default one.
+  /// Parses a file.
+  /// @param gripper  name of the wanted gripper; empty: the default one.
   SideFile(const FoundFile& file, const std::string& gripper);
 
   /// Returns the gripper with its choices; empty if the file offers none.
@@ -33,8 +34,8 @@ class SideFile {
   std::vector<Mounting> Mountings() const;
   [[noreturn]] void Fail(const std::string& place, const std::string& message) const;
 
-  /// Applies the file to a robot built with these mountings. @param has_look  false leaves out the
-  /// shipped look.
+  /// Applies the file to a robot built with these mountings.
+  /// @param has_look  false leaves out the shipped look.
   void Apply(BuiltModel* built, bool has_look) const;
 
  private:

@@ -18,8 +18,8 @@ namespace smile::robot::internal {
 /// size and depth.
 class UrdfDocument {
  public:
-  /// Parses a text. @throws InputError if it is not well-formed, too large, or its links do not
-  /// form one tree.
+  /// Parses a text.
+  /// @throws InputError if it is not well-formed, too large, or its links do not form one tree.
   UrdfDocument(const std::string& text, std::string file);
 
   const urdf::ModelInterface& model() const { return *model_; }

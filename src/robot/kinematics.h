@@ -11,15 +11,15 @@ namespace smile::robot {
 /// Returns the poses X_WL of all moving links, in the order of `model.links`, with the base at
 /// `X_WBase` and the joints at `q`.
 ///
-/// @param q  one value per joint [rad or m]; limits are not checked. @throws std::invalid_argument
-/// if `q` has the wrong size, as do all functions here.
+/// @param q  one value per joint [rad or m]; limits are not checked.
+/// @throws std::invalid_argument if `q` has the wrong size, as do all functions here.
 std::vector<RigidTransform> LinkPoses(const RobotModel& model, const RigidTransform& X_WBase,
                                       std::span<const double> q);
 
 /// Returns the pose X_WF of one frame.
 ///
-/// @param frame  index into `model.frames`; see FindFrame(). @throws std::invalid_argument if there
-/// is no such frame.
+/// @param frame  index into `model.frames`; see FindFrame().
+/// @throws std::invalid_argument if there is no such frame.
 RigidTransform FramePose(const RobotModel& model, const RigidTransform& X_WBase,
                          std::span<const double> q, int frame);
 

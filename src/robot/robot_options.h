@@ -31,8 +31,8 @@ struct RobotFile {
   std::shared_ptr<const std::string> bytes;  ///< shared, since robots are copied and files large
 };
 
-/// Returns the bytes of a kept file of a robot; nullopt if there is no such file. @param name  as
-/// RobotFile::name: never leads out of the folder.
+/// Returns the bytes of a kept file of a robot; nullopt if there is no such file.
+/// @param name  as RobotFile::name: never leads out of the folder.
 using OpenRobotFile =
     std::function<std::optional<std::string>(const std::string& name, std::size_t max_bytes)>;
 

@@ -35,7 +35,8 @@ struct RobotReading {
 /// the URDF under its RobotFile::name: kept robots can therefore be read, too.
 ///
 /// @throws InputError with the first finding: file, line, element, what was found and expected.
-/// @throws std::runtime_error if a file cannot be read. Thread-safe; calls wait for each other.
+/// @throws std::runtime_error if a file cannot be read.
+/// Thread-safe; calls wait for each other.
 RobotReading LoadRobot(const std::filesystem::path& urdf_path,
                        const RobotReaderOptions& options = {});
 
@@ -43,8 +44,8 @@ RobotReading LoadRobot(const std::filesystem::path& urdf_path,
 RobotModel ReadRobot(const std::filesystem::path& urdf_path,
                      const RobotReaderOptions& options = {});
 
-/// Reads a robot from its kept files. @param urdf_path  of the URDF among them; its folder is for
-/// messages only.
+/// Reads a robot from its kept files.
+/// @param urdf_path  of the URDF among them; its folder is for messages only.
 RobotReading LoadKeptRobot(const std::filesystem::path& urdf_path, const std::string& gripper,
                            const OpenRobotFile& open);
 

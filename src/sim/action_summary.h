@@ -68,8 +68,9 @@ struct ActionSummary {
   bool operator==(const ActionSummary&) const = default;
 };
 
-/// Returns the summary of an action. @param support  of a released object. @returns nullopt for
-/// events that report no action.
+/// Returns the summary of an action.
+/// @param support  of a released object.
+/// @returns nullopt for events that report no action.
 std::optional<ActionSummary> SummaryOf(const Event& event,
                                        const std::optional<model::Support>& support);
 

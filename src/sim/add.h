@@ -33,11 +33,12 @@ struct Add {
 
 /// Returns true for the written form of an Add.
 bool IsAdd(const Json& json);
-/// Reads the written form. @throws std::invalid_argument with what was found and expected.
+/// Reads the written form.
+/// @throws std::invalid_argument with what was found and expected.
 Add ParseAdd(const Json& json);
 
-/// Returns the command that adds the objects. @returns nullopt if that is not possible, with the
-/// reason in `refusal`.
+/// Returns the command that adds the objects.
+/// @returns nullopt if that is not possible, with the reason in `refusal`.
 std::optional<Spawn> SpawnOf(const Add& add, const Simulation& simulation, Refusal* refusal);
 
 }  // namespace smile::sim

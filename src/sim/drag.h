@@ -40,12 +40,12 @@ struct Drag {
 
 /// Returns true for the written form of a Drag.
 bool IsDrag(const Json& json);
-/// Reads the written form, which is like that of a command. @throws std::invalid_argument with what
-/// was found and expected.
+/// Reads the written form, which is like that of a command.
+/// @throws std::invalid_argument with what was found and expected.
 Drag ParseDrag(const Json& json, double meters_per_unit);
 
-/// Returns the present meaning of a drag. @returns nullopt if it leads nowhere, with the reason in
-/// `refusal`.
+/// Returns the present meaning of a drag.
+/// @returns nullopt if it leads nowhere, with the reason in `refusal`.
 std::optional<MoveTo> MoveOf(const Drag& drag, const Simulation& simulation, Refusal* refusal);
 
 }  // namespace smile::sim

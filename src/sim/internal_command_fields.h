@@ -18,7 +18,8 @@
 namespace smile::sim {
 
 /// Calls `visit` with a type_identity of each kind of command, in the order of Command, until it
-/// returns true. @returns true if it did.
+/// returns true.
+/// @returns true if it did.
 bool AnyKindOfCommand(auto&& visit) {
   return [&]<class... What>(std::type_identity<std::variant<What...>>) {
     return (visit(std::type_identity<What>()) || ...);
@@ -39,11 +40,12 @@ const std::vector<CommandField>& FieldsOf() {
 /// Returns the meaning of a value, with its unit.
 std::string MeaningOf(const CommandField& field);
 
-/// Checks for unknown keys. @throws std::invalid_argument if a key is not one of the fields.
+/// Checks for unknown keys.
+/// @throws std::invalid_argument if a key is not one of the fields.
 void RefuseUnknownKeys(const char* name, const std::vector<CommandField>& fields, const Json& json);
 
-/// Reads a command from its written form. @throws std::invalid_argument with what was found and
-/// expected.
+/// Reads a command from its written form.
+/// @throws std::invalid_argument with what was found and expected.
 template <class What>
 What ReadFields(const Json& json, double meters_per_unit) {
   What what;

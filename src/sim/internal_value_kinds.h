@@ -18,7 +18,8 @@ const JsonShape& ShapeOf(ValueKind kind);
 /// The same in words: `a number above 0, at most 1`.
 std::string WordsOf(ValueKind kind);
 
-/// Checks a value. @throws std::invalid_argument with what was found and expected.
+/// Checks a value.
+/// @throws std::invalid_argument with what was found and expected.
 void CheckValue(const CommandField& field, const Json& value);
 
 /// Throws std::invalid_argument: `"KEY" is FOUND, expected EXPECTED`.

@@ -98,7 +98,8 @@ inline void Read(const Json& json, const WrittenUnit&, MoveGripper::Which* which
   const auto name = std::ranges::find(kArmNames, json.get<std::string>());
   *which = static_cast<MoveGripper::Which>(name - kArmNames.begin());
 }
-/// Parses a scene. @throws std::invalid_argument if the text is not a scene.
+/// Parses a scene.
+/// @throws std::invalid_argument if the text is not a scene.
 void Read(const Json& json, const WrittenUnit&, std::shared_ptr<const scene::SceneSpec>* scene);
 inline void Read(const Json& json, const WrittenUnit&, motion::TrajectoryPoint* point) {
   *point = {.seconds = json.at("seconds").get<double>(),

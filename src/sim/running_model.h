@@ -27,10 +27,11 @@ class RunningModel {
   RunningModel(const RunningModel&) = delete;
   RunningModel& operator=(const RunningModel&) = delete;
 
-  /// Applies one command for hands, objects or the robot. Others have no effect here. @returns the
-  /// reason if it was refused; nothing has then changed.
+  /// Applies one command for hands, objects or the robot. Others have no effect here.
+  /// @returns the reason if it was refused; nothing has then changed.
   std::optional<Refusal> Execute(const Command& command);
-  /// Advances by 1/60 s. @returns the objects that fell to the floor, in order of time.
+  /// Advances by 1/60 s.
+  /// @returns the objects that fell to the floor, in order of time.
   std::vector<const world::Object*> Tick();
 
   std::uint64_t tick() const { return tick_; }
@@ -51,8 +52,8 @@ class RunningModel {
 
   std::uint64_t state_hash() const;
   SimulationState Save() const;
-  /// Restores a saved state. @param state  of this or of another running model that began with the
-  /// same scene and robot.
+  /// Restores a saved state.
+  /// @param state  of this or of another running model that began with the same scene and robot.
   void Restore(const SimulationState& state);
 
  private:

@@ -27,7 +27,8 @@ constexpr std::size_t kMaxPointsFromFiles = 1'000'000;
 /// Ticks without motion, a quarter of a second, after which objects count as still.
 constexpr int kStillTicks = kTicksPerSecond / 4;
 
-/// Reads a wait line. @throws std::invalid_argument with what was found and expected.
+/// Reads a wait line.
+/// @throws std::invalid_argument with what was found and expected.
 Wait ParseWait(const Json& json) {
   Wait wait;
   for (const auto& [key, value] : json.items()) {
@@ -109,7 +110,8 @@ std::string WhyNotOver(const Wait& wait, const Simulation& simulation) {
 }
 
 /// Returns the canonical path of a file that a script names: in one of these folders or below it,
-/// after following links. @throws std::invalid_argument if there is no such file.
+/// after following links.
+/// @throws std::invalid_argument if there is no such file.
 std::filesystem::path FindFile(const std::string& name,
                                const std::vector<std::filesystem::path>& folders) {
   for (const std::filesystem::path& folder : folders) {
@@ -187,7 +189,8 @@ class LineReader {
     return FindFile(file.get<std::string>(), folders_);
   }
 
-  /// Returns the trajectory of a file, read once. @param file  canonical path.
+  /// Returns the trajectory of a file, read once.
+  /// @param file  canonical path.
   const motion::JointTrajectory& TrajectoryIn(const std::filesystem::path& file) {
     auto known = trajectories_.find(file);
     if (known == trajectories_.end()) {

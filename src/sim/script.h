@@ -37,8 +37,8 @@ struct Script {
   std::vector<ScriptLine> lines;
 };
 
-/// Parses a script that is not a file; its trajectories are inline. @throws InputError with all
-/// findings.
+/// Parses a script that is not a file; its trajectories are inline.
+/// @throws InputError with all findings.
 Script ParseScript(std::string_view text, std::string file, double meters_per_unit);
 /// Reads a script file.
 /// @param roots  folders that may contain the trajectory files that the script names, directly or
@@ -55,8 +55,8 @@ class ScriptPlayer {
  public:
   explicit ScriptPlayer(Script script) : script_(std::move(script)) {}
 
-  /// Applies all lines that are due. Call before each tick. @throws InputError with the line if a
-  /// command is refused or a wait takes too long.
+  /// Applies all lines that are due. Call before each tick.
+  /// @throws InputError with the line if a command is refused or a wait takes too long.
   void Advance(Simulation* simulation);
 
   bool is_finished() const { return next_ == script_.lines.size(); }
@@ -66,8 +66,8 @@ class ScriptPlayer {
   }
 
  private:
-  /// Executes a line of the script as a command. @returns the reason if it was refused; nullopt if
-  /// it was executed.
+  /// Executes a line of the script as a command.
+  /// @returns the reason if it was refused; nullopt if it was executed.
   static std::optional<Refusal> Execute(const Command& command, Simulation* simulation);
   static std::optional<Refusal> Execute(const Drag& drag, Simulation* simulation);
   static std::optional<Refusal> Execute(const Add& add, Simulation* simulation);

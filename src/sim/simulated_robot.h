@@ -28,8 +28,8 @@ class SimulatedRobot {
   SimulatedRobot(const SimulatedRobot&) = delete;
   SimulatedRobot& operator=(const SimulatedRobot&) = delete;
 
-  /// Execute a command, at `tick` if it begins a motion. @returns the reason if it was refused; the
-  /// robot has then not changed.
+  /// Execute a command, at `tick` if it begins a motion.
+  /// @returns the reason if it was refused; the robot has then not changed.
   std::optional<Refusal> Execute(const JointVelocities& velocities);
   std::optional<Refusal> Execute(const JointAngles& angles);
   std::optional<Refusal> Execute(const TurnJoint& turn);

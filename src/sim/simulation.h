@@ -54,16 +54,17 @@ class RecordingControl {
 /// from one thread.
 class Simulation {
  public:
-  /// Starts a model, which is shared, so that views of the simulation may outlive it. @param model
-  /// not null.
+  /// Starts a model, which is shared, so that views of the simulation may outlive it.
+  /// @param model  not null.
   explicit Simulation(std::shared_ptr<const model::Model> model);
-  /// Starts a model of its own. @param robot  nullopt for a table without a robot.
+  /// Starts a model of its own.
+  /// @param robot  nullopt for a table without a robot.
   explicit Simulation(scene::SceneSpec scene, std::optional<RobotPlacement> robot = std::nullopt);
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
 
-  /// Applies a command at once, before the next tick. All changes come through here. @returns the
-  /// reason if it was refused; the world has then not changed.
+  /// Applies a command at once, before the next tick. All changes come through here.
+  /// @returns the reason if it was refused; the world has then not changed.
   std::optional<Refusal> Apply(const Command& command);
   /// Returns the reason why a command would be refused, as far as it does not depend on hands,
   /// objects and robot: by listeners, or because there is nothing to undo, to redo or to record

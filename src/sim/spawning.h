@@ -19,8 +19,8 @@ inline constexpr scene_xml::SceneLimits kCommandSceneLimits{.max_elements = 20'0
                                                             .max_objects = 2'000};
 inline constexpr std::size_t kMaxObjects = 10'000;
 
-/// Reads the scene text of a command, which cannot name files. @param name  of the scene, and of
-/// the text in diagnostics.
+/// Reads the scene text of a command, which cannot name files.
+/// @param name  of the scene, and of the text in diagnostics.
 scene_xml::SceneReading ReadCommandScene(std::string_view xml, const std::string& name);
 
 /// Returns a scene with the objects that a command adds behind its own, see scene::Joined().
@@ -31,7 +31,8 @@ scene_xml::SceneReading ReadCommandScene(std::string_view xml, const std::string
 std::optional<scene::SceneSpec> WithSpawned(const scene::SceneSpec& scene, const Spawn& spawn,
                                             world::Refusal* refusal);
 
-/// The same as a model. @returns nullptr if it cannot be added.
+/// The same as a model.
+/// @returns nullptr if it cannot be added.
 std::shared_ptr<const model::Model> GrownModel(const model::Model& model, const Spawn& spawn,
                                                world::Refusal* refusal);
 

@@ -46,7 +46,8 @@ struct FollowerState {
 /// up, it stops wherever it is. A joint follows one trajectory at a time.
 class TrajectoryFollower {
  public:
-  /// Makes a follower. @param robot  must outlive this.
+  /// Makes a follower.
+  /// @param robot  must outlive this.
   explicit TrajectoryFollower(world::RobotBody* robot);
 
   /// Starts to follow. Joints that are elsewhere first move straight to the trajectory's start.

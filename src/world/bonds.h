@@ -27,8 +27,8 @@ class Bonds {
   /// All must outlive this.
   Bonds(physics::World* world, const model::Model& model, const std::vector<Object>* objects,
         const std::vector<ObjectState>* object_states, Controls* controls);
-  /// Adds the hosts that a larger model has behind the present ones, empty. @param model  must
-  /// outlive this, as the one of Restore().
+  /// Adds the hosts that a larger model has behind the present ones, empty.
+  /// @param model  must outlive this, as the one of Restore().
   void Grow(const model::Model& model);
   /// Fastens the guests from `first` on that are fastened from the start. Their objects must
   /// already have bodies.

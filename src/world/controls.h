@@ -19,7 +19,8 @@ using model::ControlState;
 /// propagation ends whatever the wiring.
 class Controls {
  public:
-  /// Starts with model::InitialStates(). @param model  must outlive this.
+  /// Starts with model::InitialStates().
+  /// @param model  must outlive this.
   explicit Controls(const model::Model& model);
 
   const std::vector<ControlState>& states() const { return states_; }  ///< by ControlIndex

@@ -42,12 +42,12 @@ class RobotBody {
   /// @param velocities  one per joint of the arm [rad/s]; clamped to the joints' limits.
   /// @throws std::invalid_argument if the count is wrong or one is not finite.
   void SetArmVelocities(int arm, std::span<const double> velocities);
-  /// Sets the velocity of a gripper. @param velocity  rate of change of the opening [m/s]; a
-  /// positive one releases what is held.
+  /// Sets the velocity of a gripper.
+  /// @param velocity  rate of change of the opening [m/s]; a positive one releases what is held.
   void SetGripperVelocity(int arm, double velocity);
   /// Sets the velocity of any joint except a finger, which its gripper moves [rad/s or m/s];
-  /// clamped to its limits. @throws std::invalid_argument if there is no such joint or the velocity
-  /// is not finite.
+  /// clamped to its limits.
+  /// @throws std::invalid_argument if there is no such joint or the velocity is not finite.
   void SetJointVelocity(int joint, double velocity);
   /// Sets the velocity of the head's pan [rad/s].
   void SetHeadVelocity(double velocity);

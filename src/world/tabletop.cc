@@ -13,7 +13,8 @@ namespace {
 /// even swing.
 constexpr double kLinkAngularDamping = 0.9;
 
-/// Returns the objects of a model. @param bodies  of the first objects; the others have none yet.
+/// Returns the objects of a model.
+/// @param bodies  of the first objects; the others have none yet.
 std::vector<Object> ObjectsOf(const model::Model& model,
                               const std::vector<physics::BodyId>& bodies = {}) {
   std::vector<Object> objects;

@@ -81,8 +81,8 @@ class Tabletop {
   void Destroy(const Object& object);
 
   TabletopState state() const;
-  /// Restores a state. Call after the physics world has been restored. @param model  the one of the
-  /// state.
+  /// Restores a state. Call after the physics world has been restored.
+  /// @param model  the one of the state.
   void Restore(const TabletopState& state, std::shared_ptr<const model::Model> model);
   void AddToHash(StateHash* hash) const;
 

@@ -235,7 +235,7 @@ TEST_F(DemonstratorTest, HandsWorkInterleaved) {
   ASSERT_EQ(hands_->MoveTo(HandName::kRight, {0.3, 0, 0.2}, 0.05), std::nullopt);
   StepSeconds(1);
   EXPECT_NEAR(PositionOf("a").z(), 0.4, 0.001);
-  EXPECT_NEAR(PositionOf("b").z(), 0.1, 0.002);  // 0.05 m in a second, as told
+  EXPECT_NEAR(PositionOf("b").z(), 0.1, 0.002);  // 0.05 m in a second, as commanded
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// What hands do to controls, bonds and whole objects besides carrying them.
+// Hands and controls, bonds and whole objects, except carrying.
 
 #include <gtest/gtest.h>
 
@@ -118,7 +118,7 @@ TEST_F(MechanismHandsTest, AHandWantsWhatItHoldsWhereItFastenedIt) {
   StepSeconds(0.3);
   ASSERT_EQ(Fasten(kLeft, "peg"), "");
   StepSeconds(1);
-  // Were its goal the old one, it would drag the nut there.
+  // With its old goal, it would drag the nut there.
   EXPECT_LT((PositionOf("nut") - Vector3(0, 0, 0.05)).norm(), 0.001);
   EXPECT_LT((PositionOf("peg") - Vector3(0, 0, 0.05 + 0.03 + 0.1)).norm(), 0.001);
   EXPECT_NEAR(YawOf("peg"), 45, 0.2);

@@ -38,7 +38,7 @@ bool StandsOnTable(const scene::ObjectSpec& object) {
   return std::abs(BoundsNow(object).low.z()) < 1e-6;
 }
 
-/// Of the objects that stand on the table, the least between two.
+/// Returns the least distance between two objects on the table [m].
 double LeastGap(const scene::SceneSpec& scene) {
   double least = 1;
   for (const scene::ObjectSpec& a : scene.objects) {
@@ -59,7 +59,7 @@ int NumStacked(const scene::SceneSpec& scene) {
       scene.objects, [](const auto& object) { return !StandsOnTable(object); }));
 }
 
-/// Pairs on the table that a sheet of paper does not fit between.
+/// Returns the number of pairs on the table that are closer than the thickness of a sheet of paper.
 int NumContacts(const scene::SceneSpec& scene) {
   int count = 0;
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
@@ -189,7 +189,7 @@ INSTANTIATE_TEST_SUITE_P(Levels, LayoutProperty, ::testing::Range(0, kNumLevels)
                            return std::string(kLayoutLevelWords[parameter.param]);
                          });
 
-/// Whether an arm takes a thing there straight from above, at a tool height of z.
+/// Returns true if an arm can take an object there vertically, at a tool height of z.
 bool IsReached(const motion::ArmKinematics& arm, const std::vector<double>& start,
                const Footprint& place, double z) {
   for (double turn_deg : {0.0, 180.0}) {
@@ -246,7 +246,7 @@ TEST(RandomLayout, LevelsHaveWhatTheirNamesSay) {
   }
 }
 
-/// The ids of what a layout moves.
+/// Returns the ids of the objects that a layout moves.
 std::set<std::string> MovedIn(const std::string& name) {
   const scene::SceneSpec scene = Shipped(name), layout = RandomLayout(scene, 3);
   std::set<std::string> moved;

@@ -27,7 +27,7 @@ bool Contain(const std::vector<scene::Hull>& pieces, const Vector3& point) {
                              [&](const scene::Hull& piece) { return Contains(piece, point); });
 }
 
-/// Closed, each face outwards and convex: what mass properties and pictures rely on.
+/// Expects a closed hull with convex faces outwards, as mass properties and rendering require.
 void ExpectValid(const std::vector<scene::Hull>& pieces) {
   EXPECT_LE(pieces.size(), 64u);
   for (const scene::Hull& piece : pieces) {
@@ -51,7 +51,7 @@ void ExpectValid(const std::vector<scene::Hull>& pieces) {
   }
 }
 
-/// About z, as a torus of n times m quadrilaterals, turned off the axes.
+/// Returns a torus of n times m quadrilaterals, rotated off the axes.
 scene::SurfaceMesh Torus(std::uint32_t n, std::uint32_t m) {
   using std::numbers::pi;
   const Eigen::Matrix3d R = Eigen::AngleAxisd(0.5, Vector3(1, 2, 3).normalized()).matrix();
@@ -129,7 +129,7 @@ TEST(ConvexPieces, LeavesTheHoleOfARingInAnyPosition) {
   double volume = 0;
   for (const scene::Hull& piece : pieces) volume += MomentsOf(piece).volume;
   EXPECT_NEAR(volume, 2 * std::numbers::pi * std::numbers::pi * 0.09, 0.06);
-  // Same mesh, same bits.
+  // The same mesh gives the same bits.
   EXPECT_TRUE(ConvexPieces(Torus(48, 16)) == pieces);
 }
 

@@ -10,7 +10,7 @@
 
 namespace smile::mesh {
 
-/// A folder of files of its own, gone afterwards.
+/// Folder of test files, removed afterwards.
 class MeshFolder {
  public:
   MeshFolder() {
@@ -32,7 +32,7 @@ class MeshFolder {
   std::filesystem::path path_;
 };
 
-/// A cuboid from one corner to the other, both in the axes of a mesh that was read.
+/// Returns a cuboid from one corner to the other, both in the axes of an imported mesh.
 inline scene::SurfaceMesh Cuboid(const Eigen::Vector3f& low, const Eigen::Vector3f& high) {
   scene::SurfaceMesh mesh;
   for (int i = 0; i < 8; ++i) {

@@ -24,7 +24,8 @@ double Enclosed(const scene::SurfaceMesh& surface) {
   return volume;
 }
 
-/// Every edge is used once in each direction: no hole, and all triangles look to the same side.
+/// Returns true if each edge is used once in each direction: no holes, and all triangles face the
+/// same side.
 bool IsClosed(const scene::SurfaceMesh& surface) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> uses;
   for (const auto& [a, b, c] : surface.triangles) {
@@ -39,13 +40,13 @@ bool IsClosed(const scene::SurfaceMesh& surface) {
   return !uses.empty();
 }
 
-/// Closed, and with this volume [m3]: above 0 only if the triangles look outwards.
+/// Expects a closed surface with this volume [m3]: positive only if the triangles face outwards.
 void ExpectSolid(const scene::SurfaceMesh& surface, double volume, double tolerance) {
   EXPECT_TRUE(IsClosed(surface));
   EXPECT_NEAR(Enclosed(surface), volume, tolerance * volume);
 }
 
-/// Of a regular polygon of so many sides with its corners at `radius`.
+/// Returns the area of a regular polygon with its corners at `radius`.
 double AreaOfPolygon(double radius, int sides) {
   return sides / 2.0 * radius * radius * std::sin(2 * kPi / sides);
 }

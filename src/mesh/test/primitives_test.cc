@@ -28,7 +28,7 @@ class MeshOfShape : public testing::TestWithParam<scene::VisualShape> {};
 INSTANTIATE_TEST_SUITE_P(Primitives, MeshOfShape,
                          testing::Values(kBlock, kCylinder, kPrism, kSphere, kStump, kCone));
 
-/// A number for each place, whatever the number of corners there.
+/// Returns a number for each place, independent of the number of corners there.
 std::vector<int> Places(const TriangleMesh& mesh) {
   std::map<std::tuple<float, float, float>, int> known;
   std::vector<int> places;

@@ -38,7 +38,7 @@ TEST(Relations, AThingLiesInWhatIsAroundIt) {
                  {"above", kOn, "in"},
                  {"ring", kOn, ""},
                  {"peg", kIn, "ring"}}));
-  // A low tray is stood on.
+  // Objects stand on a low tray, not in it.
   EXPECT_EQ(RelationsOf({}, {ObjectAt("tray", scene::Box{{0.4, 0.3, 0.02}, 0.005}, {0, 0, 0.01}),
                              CubeAt("c", {0, 0, 0.055})}),
             (Relations{{"tray", kOn, ""}, {"c", kOn, "tray"}}));

@@ -6,7 +6,8 @@
 namespace smile::model {
 namespace {
 
-/// The support of a cube here, among a block, a crate, a ring and a plank across the table's axes.
+/// Returns the support of a cube at this place, among a block, a crate, a ring and a plank across
+/// the table's axes.
 std::optional<Support> SupportOfCubeAt(const Vector3& p) {
   return SupportOf({},
                    {CubeAt("a", p), CubeAt("b", {0.3, 0, 0.05}),

@@ -9,18 +9,18 @@
 
 namespace smile::motion {
 
-/// The robot we ship; read once.
+/// Returns the shipped robot, read once.
 inline const robot::RobotModel& Baxter() {
   static const robot::RobotModel model = robot::ReadRobot(DataFile("robots/baxter.urdf"));
   return model;
 }
 
-/// One of its arms, seen from the base.
+/// Returns one of its arms, in the base frame.
 inline ArmKinematics ArmOf(const char* name) {
   return ArmKinematics(Baxter(), *robot::FindArm(Baxter(), name));
 }
 
-/// All joints somewhere within the middle `share` of their limits.
+/// Returns random positions within the middle `share` of all limits.
 inline std::vector<double> RandomArm(const ArmKinematics& arm, std::mt19937* random,
                                      double share = 1) {
   std::vector<double> q;
@@ -32,7 +32,7 @@ inline std::vector<double> RandomArm(const ArmKinematics& arm, std::mt19937* ran
   return q;
 }
 
-/// What is between two rotations [rad].
+/// Returns the angle between two rotations [rad].
 inline double AngleBetween(const Matrix3& R_1, const Matrix3& R_2) {
   return Eigen::AngleAxisd(R_1.transpose() * R_2).angle();
 }

@@ -19,7 +19,7 @@ double DistanceFromLine(const Vector3& p, const Vector3& from, const Vector3& to
   return (p - from - share * along).norm();
 }
 
-/// By small differences, not by the cubics' own formulas.
+/// Checks by finite differences instead of the cubics' own formulas.
 void ExpectLimitsAreKept(const JointTrajectory& move, const std::vector<JointLimits>& limits) {
   EXPECT_TRUE(CheckLimits(move, limits).empty());
   constexpr int kSteps = 2000;
@@ -68,7 +68,7 @@ TEST(MoveThrough, MeetsItsWaypointsWithinLimitsAndWithoutStopping) {
       EXPECT_EQ(end.velocities, std::vector<double>(7, 0.0));
     }
   }
-  // On the way through, what goes on in one direction does not stop.
+  // A joint that keeps its direction does not stop on the way.
   std::vector<std::vector<double>> onwards(31, std::vector<double>(7, 0));
   for (int k = 0; k <= 30; ++k) onwards[k][0] = 0.05 * k;
   const double at_once = MoveStraight(onwards.front(), onwards.back(), arm.limits()).back().seconds;
@@ -149,7 +149,7 @@ TEST(MoveAlongLine, KeepsTheToolsSpeedAndTurnsEvenly) {
     const RigidTransform now = arm.ToolPose(SampleAt(move, t).positions);
     const RigidTransform next = arm.ToolPose(SampleAt(move, t + kH).positions);
     EXPECT_LE((next.translation() - now.translation()).norm() / kH, 0.05 * 1.001);
-    // The turn goes with the way.
+    // Rotation is proportional to distance.
     const double share = (now.translation() - X_WG.translation()).norm() / 0.15;
     EXPECT_NEAR(AngleBetween(X_WG.rotation(), now.rotation()), share * 0.4, 1e-3);
   }

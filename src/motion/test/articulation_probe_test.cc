@@ -8,7 +8,7 @@
 namespace smile::robot {
 namespace {
 
-/// By brute force: two that reach into each other by more than `depth` somewhere.
+/// Brute force: returns two links that overlap by more than `depth` somewhere.
 bool IsKnownToOverlap(const std::vector<double>& q, double depth) {
   const RobotModel& model = Baxter();
   const std::vector<RigidTransform> X_BaseL = LinkPoses(model, {}, q);
@@ -38,13 +38,13 @@ TEST(ArticulationProbe, AgreesWithBruteForceOnWhatTouches) {
     const std::vector<double> q = RandomConfiguration(Baxter(), &random);
     const auto overlap = probe.FirstOverlap(q);
     if (!overlap) ++num_free;
-    // Brute force looks at points 3 cm apart: it may miss what is shallow.
+    // Brute force samples points 3 cm apart and may miss shallow overlaps.
     if (IsKnownToOverlap(q, 0.002)) {
       EXPECT_TRUE(overlap) << trial;
     } else if (overlap) {
       EXPECT_LT(overlap->depth, 0.03) << trial;
     }
-    EXPECT_EQ(probe.FirstOverlap(q), overlap);  // whatever was asked before
+    EXPECT_EQ(probe.FirstOverlap(q), overlap);  // independent of earlier queries
   }
   EXPECT_GT(num_free, 30);
   EXPECT_LT(num_free, 120);

@@ -43,7 +43,7 @@ TEST(ArmKinematics, AgreesWithTheWholeRobotsKinematics) {
   }
 }
 
-/// A lift, then an arm of two joints of its own: one slides, one turns about an axis askew.
+/// Robot with a lift, then an arm of two joints: one prismatic, one revolute about an oblique axis.
 robot::RobotModel Crane() {
   robot::RobotModel model{.name = "crane"};
   const auto link = [&](int parent, scene::JointType type, const Vector3& axis) {

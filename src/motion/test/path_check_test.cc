@@ -8,7 +8,7 @@
 namespace smile::motion {
 namespace {
 
-/// The robot where it stands by default, in units of 0.1 m; the table's near edge is at y = -6.
+/// Returns the robot at its default place, in units of 0.1 m; the table's near edge is at y = -6.
 PlanningRobot AtTable() {
   Eigen::Matrix4d base;
   base << 0, -1, 0, 0, 1, 0, 0, -8, 0, 0, 1, 2, 0, 0, 0, 1;

@@ -1,4 +1,4 @@
-// Joints between bodies: how stiff they are, and that a slider does what its numbers say.
+// Joints between bodies: their stiffness, and the parameters of sliders.
 
 #include <cmath>
 #include <numbers>
@@ -8,7 +8,7 @@
 namespace smile::physics {
 namespace {
 
-/// Without the air's damping, so that speeds can be compared.
+/// Config without damping, so that speeds can be compared.
 constexpr WorldConfig kVacuum{.damping = 0};
 
 class JointTest : public ::testing::Test {
@@ -23,7 +23,7 @@ class JointTest : public ::testing::Test {
   JointId Fix(BodyId a, BodyId b) {
     return world_.AddJoint(FixedJointSpec{.a = a, .b = b, .X_AB = Between(a, b)});
   }
-  /// A rail along `axis` of the world on which B can move from where it is now.
+  /// Returns a rail along `axis` of the world on which B can move from its present position.
   SliderJointSpec RailFrom(BodyId a, BodyId b, const Vector3& axis, double lower, double upper) {
     const Quaternion q_WJ = Quaternion::FromTwoVectors(Vector3::UnitX(), axis);
     const RigidTransform X_WJ(q_WJ, Place(b));
@@ -169,7 +169,7 @@ TEST_F(JointTest, WhatIsTooTangledToSolveAtOnceStillHoldsSomehow) {
 
 class SliderTest : public JointTest {
  protected:
-  /// A weightless world of two blocks: nothing but the joint acts.
+  /// A weightless world of two blocks, in which only the joint acts.
   void MakeFree(double mass_a, double mass_b, double lower, double upper, double step = 1.0 / 480) {
     free_ = std::make_unique<World>(WorldConfig{.step_seconds = step, .gravity = 0, .damping = 0});
     const auto add = [this](const Vector3& p_WB, double mass) {
@@ -279,7 +279,7 @@ TEST_F(SliderTest, WithDampingOneItStaysOnAVerticalRailWhateverItCarries) {
   StepSeconds(5);
   EXPECT_NEAR(Place(carriage).z(), 1, 1e-6);
   EXPECT_TRUE(world_.is_at_rest());
-  // A hand moves it freely; where it lets go, it stays.
+  // A hand moves it freely; it stays where the hand releases it.
   world_.body(carriage).SetCarried(true);
   for (int i = 0; i < 480; ++i) {
     world_.body(carriage).SetVelocity({0, 0, 0.1}, {0, 0, 0});
@@ -333,7 +333,7 @@ TEST_F(SliderTest, SoftnessTakesTheSpeedAwayBeforeTheLimitAndNeverPushesBack) {
 }
 
 TEST_F(JointTest, AHandLiftsAHeavyBoxByItsLid) {
-  // As the demonstrator's hand: a velocity servo with 40 N per kg.
+  // Like the demonstrator's hand: a velocity servo with 40 N per kg.
   World world;
   PhysicsWorldBuilder builder;
   const auto add = [&](const Vector3& size, const Vector3& p, double mass) {

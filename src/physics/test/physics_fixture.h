@@ -10,7 +10,7 @@
 
 namespace smile::physics {
 
-/// Verbs that fill and run a world.
+/// Functions that fill and run a world.
 class PhysicsWorldBuilder {
  public:
   static BodySpec BlockSpec(const Vector3& size, const RigidTransform& X_WB, double mass) {
@@ -32,8 +32,7 @@ class PhysicsWorldBuilder {
     }
     return stack;
   }
-  /// Blocks, cylinders, balls, composites, frusta and rings, dropped at random places above the
-  /// table.
+  /// Drops blocks, cylinders, balls, composites, frusta and rings at random places above the table.
   std::vector<BodyId> AddPile(int count, unsigned seed) {
     std::mt19937 random(seed);
     const auto uniform = [&random](double low, double high) {
@@ -73,7 +72,7 @@ class PhysicsWorldBuilder {
     }
     return pile;
   }
-  /// Two arms of four links each, the last joint sliding, over the table.
+  /// Returns two arms of four links each, the last joint prismatic, over the table.
   ArticulationId AddRobot(bool is_kinematic = false) {
     scene::ArticulationSpec spec{.X_WBase = RigidTransform(Vector3(0, -0.5, 0.3)),
                                  .is_kinematic = is_kinematic};
@@ -108,7 +107,7 @@ class PhysicsWorldBuilder {
     }
     return robot_ = world_.AddArticulation(spec);
   }
-  /// Swings all joints of the robot, differently in every call.
+  /// Moves all joints of the robot, differently in each call.
   void SwingRobot(double phase) {
     Articulation& robot = world_.articulation(robot_);
     for (int i = 0; i < robot.num_joints(); ++i) {

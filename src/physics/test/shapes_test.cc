@@ -1,4 +1,4 @@
-// Frusta and rings as bodies: they stand where their faces are, and a hole is a hole.
+// Frusta and rings as bodies: contacts are at their faces, and holes are open.
 
 #include <gtest/gtest.h>
 

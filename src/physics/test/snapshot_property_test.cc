@@ -1,4 +1,4 @@
-// Restore and go on: the same bits as if nothing had happened.
+// A restored world continues with the same bits as the original.
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -20,7 +20,7 @@ namespace {
 constexpr int kTicks = 600;
 constexpr int kStepsPerTick = 8;
 
-/// The full state with contacts, so that a difference shows before it moves anything.
+/// Hash of the full state with contacts, so that a difference shows before anything moves.
 std::uint64_t FullHash(const World& world) {
   StateHash hash;
   hash.Add(world.state_hash());
@@ -28,8 +28,8 @@ std::uint64_t FullHash(const World& world) {
   return hash.value();
 }
 
-/// Goes on for 600 ticks while the robot sweeps through the pile, a weld comes and goes, and bodies
-/// are removed and added; returns the hash of the whole way.
+/// Continues for 600 ticks while the robot sweeps through the pile, a weld is made and removed, and
+/// bodies are removed and added; returns the hash of the whole run.
 std::uint64_t GoOn(World& world, ArticulationId robot, BodyId held, BodyId removed) {
   PhysicsWorldBuilder verbs;
   StateHash way;
@@ -58,7 +58,7 @@ std::uint64_t GoOn(World& world, ArticulationId robot, BodyId held, BodyId remov
   return way.value();
 }
 
-/// A seed, and whether the robot is kinematic.
+/// Seed, and true for a kinematic robot.
 class SnapshotProperty : public ::testing::TestWithParam<std::pair<unsigned, bool>> {
  protected:
   void SetUp() override {
@@ -112,7 +112,7 @@ TEST_P(SnapshotProperty, GoesOnExactlyInAnotherProcess) {
   ASSERT_EQ(pipe(result), 0);
   const pid_t child = fork();
   if (child == 0) {
-    // A process of its own: nothing of this one's worlds is used, only the file.
+    // A separate process uses only the file, nothing of this process's worlds.
     const std::string text = ReadFile(file, 1 << 26);
     World world;
     world.Restore(ParseSnapshot(std::as_bytes(std::span(text.data(), text.size()))));
@@ -152,7 +152,7 @@ class JointedWorld : public PhysicsWorldBuilder {
     StepSeconds(0.02);
   }
 
-  /// Goes on while joints come and go, forms change, hands take and let go.
+  /// Continues while joints are made and removed, forms change, and hands take and release.
   static std::uint64_t GoOn(World& world, const JointedWorld& made) {
     StateHash way;
     const auto& lids = made.lids_;
@@ -180,7 +180,7 @@ class JointedWorld : public PhysicsWorldBuilder {
     }
     way.Add(FullHash(world));
     for (BodyId id : made.boxes_) {
-      // Numbers that are not numbers would be equal too. One may fall off the table.
+      // NaNs would be equal, too. One body may fall off the table.
       EXPECT_LT(world.body(id).pose_in_world().translation().head<2>().norm(), 10);
     }
     return way.value();
@@ -290,7 +290,7 @@ TEST_P(JointedSnapshotProperty, GoesOnExactlyInPlaceInAFreshWorldFromBytesAndInA
   EXPECT_EQ(ways[1], way) << "in a fresh world";
 }
 
-/// Nothing of a step is needed to make a state whole.
+/// A snapshot is complete without running a step.
 TEST(Snapshot, OfABodyThatWasJustPlacedGoesOnTheSame) {
   World world;
   const auto block = [](const Vector3& size, const Vector3& p_WB) {

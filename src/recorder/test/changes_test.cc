@@ -1,5 +1,5 @@
-// What is recorded of changes in which nothing moves, of the end of things, and of a robot that
-// holds what is fastened.
+// Recording of changes without motion, of the end of a recording, and of a robot that holds a
+// fastened object.
 
 #include "painted_eye.h"
 #include "recording/trace_reader.h"
@@ -9,7 +9,7 @@
 namespace smile::recorder {
 namespace {
 
-// All fixed or at rest; the screw forces the lamp on, which is not what the switch says.
+// All objects are fixed or at rest; the screw forces the lamp on, contrary to the switch.
 constexpr const char* kPanelAndScrew =
     R"xml(<tabletop xmlns="http://synapse.cs.umd.edu/tabletop-xml">
   <composite id="panel" location="(0,3,0.2)" mass="0">
@@ -129,7 +129,7 @@ TEST_F(ChangesTest, ARobotThatCarriesWhatIsFastenedReplaysIdentically) {
   EXPECT_EQ(report.first_difference, std::nullopt);
   EXPECT_EQ(report.hash, final_hash_);
 
-  // And there was something to be repeated: both went with the arm, the peg fell.
+  // There was motion to replay: both moved with the arm, and the peg fell.
   recording::TraceReader trace(recording);
   const std::uint64_t gripped = recording.commands[1].tick, loosened = recording.commands[3].tick;
   recording::TraceTick before, after, last;

@@ -1,4 +1,4 @@
-// Whatever ends the program, what was complete opens again.
+// The complete part of a recording opens again, however the program ended.
 
 #include <signal.h>
 #include <sys/resource.h>
@@ -18,7 +18,7 @@ namespace {
 
 class CrashTest : public RecordingFixture {
  protected:
-  /// Two hands at work on the pair of blocks, who often change their mind.
+  /// Two hands work on the pair of blocks at random.
   static void Work(sim::Simulation* simulation, unsigned seed, int num_steps) {
     std::mt19937 random(seed);
     for (int i = 0; i < num_steps; ++i) {
@@ -45,7 +45,7 @@ class CrashTest : public RecordingFixture {
     }
   }
 
-  /// Runs something in a process of its own; answers its id.
+  /// Runs a function in a process of its own; returns its id.
   template <class Part>
   static pid_t Fork(const Part& part) {
     const pid_t child = fork();
@@ -54,7 +54,7 @@ class CrashTest : public RecordingFixture {
     _exit(0);
   }
 
-  /// Opens what is there, and shows that it is sound.
+  /// Opens the recording and checks that it is sound.
   /// @returns the number of ticks; nullopt if the recording had not begun.
   std::optional<std::uint64_t> CheckSound(const std::filesystem::path& demo) {
     if (!recording::IsRecording(demo)) return std::nullopt;
@@ -63,7 +63,7 @@ class CrashTest : public RecordingFixture {
     EXPECT_EQ(report.first_difference, std::nullopt);
     EXPECT_FALSE(recording::HistoryOf(recording).empty());
 
-    // And it can be gone on with.
+    // It can also be continued.
     auto simulation = MakeSimulation(false);
     const std::vector<recording::Segment> steps = recording::HistoryOf(recording);
     std::size_t last = steps.size() - 1;
@@ -109,7 +109,7 @@ TEST_F(CrashTest, AKilledProcessLosesNothingThatWasComplete) {
   EXPECT_GT(most_ticks, 5u);
 }
 
-/// Notes how long log and trace are after every single thing that is written.
+/// Notes the lengths of log and trace after each write.
 class SizeNoter : public sim::Listener {
  public:
   struct Sizes {

@@ -1,4 +1,4 @@
-// Recordings come from anywhere: whatever is in their files, they are read or refused.
+// Recordings are not trusted: damaged files are read or refused.
 
 #include <fstream>
 #include <random>
@@ -20,7 +20,7 @@ namespace {
 
 class DamageProperty : public RecordingFixture, public ::testing::WithParamInterface<const char*> {
  protected:
-  /// One that began late, of one of everything, with undos.
+  /// A recording that began late, of one of each mechanism, with undos.
   std::filesystem::path RecordEverything() {
     const std::string xml = scene_xml::WriteScene(sim::EverythingScene::Make());
     sim::Simulation simulation(*scene_xml::ReadSceneText(xml, "everything.xml").scene);
@@ -34,7 +34,7 @@ class DamageProperty : public RecordingFixture, public ::testing::WithParamInter
     return root_ / "demo";
   }
 
-  /// Looks at all that can be known of a recording without running it.
+  /// Reads everything about a recording that needs no simulation.
   static void LookAtAll(const std::filesystem::path& demo) {
     const recording::Recording recording = recording::OpenRecording(demo);
     (void)recording::AttentionOf(recording);
@@ -59,7 +59,7 @@ TEST_P(DamageProperty, IsReadOrRefusedAndNeverCrashes) {
     if (random() % 4 == 0) damaged.resize(random() % damaged.size());
     for (int k = 0; k < 3 && !damaged.empty(); ++k) {
       char& letter = damaged[random() % damaged.size()];
-      // Mostly of the same kind, so that it gets past the first look.
+      // Mostly of the same kind, to pass the first checks.
       letter = std::isdigit(static_cast<unsigned char>(letter)) != 0
                    ? static_cast<char>('0' + random() % 10)
                    : static_cast<char>(random());

@@ -6,7 +6,7 @@
 
 namespace smile::recorder {
 
-/// An eye that paints what it is told: the number of looks, so that pictures can be told apart.
+/// An eye that paints the number of pictures so far, so that they can be told apart.
 class PaintedEye : public sim::Eye {
  public:
   const Image& Draw(const scene::VisualModel&, const sim::ViewSample&) override {

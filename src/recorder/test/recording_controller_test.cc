@@ -72,7 +72,7 @@ TEST_F(RecordingControllerTest, ARecordingIsOfOneSceneAndBeginsWithTheLoadedOne)
   EXPECT_EQ(take.start_scene(), other);
   EXPECT_EQ(take.info.start.tick, 20u);
   EXPECT_EQ(replay::Replay(take).first_difference, std::nullopt);
-  // Nobody can load in a log: what is seen of a recording is of one scene.
+  // A log contains no load: the visible part of a recording is of one scene.
   WriteFile(root_ / "other/commands.jsonl", R"({"tick":0,"do":"load","xml":""})"
                                             "\n");
   EXPECT_THROW((void)recording::OpenRecording(root_ / "other"), InputError);
@@ -189,7 +189,7 @@ TEST_F(RecordingControllerTest, AStepOnTheWayEndsWhereTheWayGoesOn) {
   const recording::HistoryPoint drop_end = steps()[2].end;
   go_on({.line = 1, .tick = 14}, sim::Release{.hand = HandName::kLeft});
   EXPECT_EQ(steps()[1].end, (recording::HistoryPoint{.line = 3, .tick = 14}));
-  // Back to what was left: nothing of the way there is shorter for what was tried meanwhile.
+  // Back to the abandoned branch: the attempt in between does not shorten the path to it.
   go_on(drop_end, sim::Point{.hand = HandName::kRight, .part = "b"});
   EXPECT_EQ(steps()[1].end, steps()[2].begin);
   EXPECT_EQ(steps()[1].end, (recording::HistoryPoint{.line = 1, .tick = 20}));

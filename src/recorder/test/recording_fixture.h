@@ -19,7 +19,7 @@
 
 namespace smile::recorder {
 
-/// Makes recordings in a directory of the test's own.
+/// Makes recordings in the test's own directory.
 class RecordingFixture : public ::testing::Test {
  protected:
   RecordingFixture() {

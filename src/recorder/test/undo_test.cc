@@ -1,4 +1,4 @@
-// What undo, redo and going on do to a recording.
+// Effects of undo, redo and continuation on a recording.
 
 #include <algorithm>
 #include <cstdlib>
@@ -21,7 +21,7 @@
 namespace smile::recorder {
 namespace {
 
-/// An eye whose pictures tell apart what it sees.
+/// An eye whose pictures differ if the visible state differs.
 class HashingEye : public sim::Eye {
  public:
   const Image& Draw(const scene::VisualModel& model, const sim::ViewSample& sample) override {
@@ -48,7 +48,7 @@ class HashingEye : public sim::Eye {
 
 class UndoTest : public RecordingFixture {
  protected:
-  /// As a scene file has it: what hangs together stands together.
+  /// As in a scene file: connected objects are together.
   static scene::SceneSpec Everything() {
     const std::string xml = scene_xml::WriteScene(sim::EverythingScene::Make());
     return *scene_xml::ReadSceneText(xml, "everything.xml").scene;
@@ -66,7 +66,7 @@ class UndoTest : public RecordingFixture {
     return view;
   }
 
-  /// Records the way the recording ended with, as if nothing had ever been undone.
+  /// Records the path on which the recording ended, as if nothing had ever been undone.
   std::map<std::string, std::string> ViewWithoutUndo(const recording::Recording& recording,
                                                      std::uint64_t last_tick) {
     HashingEye eye;
@@ -110,7 +110,7 @@ class UndoTest : public RecordingFixture {
     ExpectSameSegments(history.done(), recording);
   }
 
-  /// What is done is also what editing cuts a recording into, and the classic view its texts.
+  /// Done actions are also the segments of editing and the texts of the classic view.
   static void ExpectSameSegments(std::span<const sim::Action> done,
                                  const recording::Recording& recording) {
     const recording::Demonstration demonstration = recording::DemonstrationOf(recording);
@@ -128,7 +128,7 @@ class UndoTest : public RecordingFixture {
         recording::SegmentText(recording.directory, static_cast<int>(done.size()))));
   }
 
-  /// Whatever comes to the hands' mind, with undo and redo between.
+  /// Random commands of hands, with undo and redo between them.
   static void ActAtRandom(sim::Simulation* simulation, unsigned seed, int num_steps) {
     sim::RandomHands hands(seed, /*changes_objects=*/true);
     std::mt19937 random(seed);

@@ -26,7 +26,7 @@ class ReplayTest : public recorder::RecordingFixture {
     }
     return "";
   }
-  /// A recording, and then other words in its commands.
+  /// A recording with altered commands.
   recording::Recording RecordAndReword(const std::string& words, const std::string& others) {
     const auto directory = Record();
     std::string commands = Text(directory / "commands.jsonl");
@@ -145,7 +145,7 @@ TEST_F(ReplayTest, ReportsTheDeviationOfEverythingAndWhereItEnds) {
   const ReplayReport report = Replay(recording);
   EXPECT_EQ(report.compared, recording::TicksOf(recording));
   ASSERT_GE(report.deviations.size(), 1u);
-  // On its way down it lags behind; set down, it is as far away as it was sent.
+  // On the way down it lags; after it is set down, its deviation is that of the command.
   const Deviation& a = report.deviations[0];
   EXPECT_EQ(a.object, "a");
   EXPECT_NEAR(a.end->distance, 0.03, 0.002);
@@ -158,7 +158,7 @@ TEST_F(ReplayTest, GoesOnAfterCommandsThatAreRefusedAndTellsThem) {
   const recording::Recording recording = RecordAndReword("\"object\":\"a\"", "\"object\":\"z\"");
   const ReplayReport report = Replay(recording);
   EXPECT_EQ(report.first_difference->quantity, "command");
-  // Nothing was grasped: there is nothing to move or release either.
+  // Nothing was grasped, so there is nothing to move or release.
   ASSERT_EQ(report.refused.size(), recording.commands.size());
   EXPECT_EQ(report.refused[0].line, 1u);
   EXPECT_EQ(report.refused[0].reason, report.first_difference->replayed);

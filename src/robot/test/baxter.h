@@ -9,20 +9,20 @@
 
 namespace smile::robot {
 
-/// The robot we ship; read once.
+/// Returns the shipped robot, read once.
 inline const RobotModel& Baxter() {
   static const RobotModel model = ReadRobot(DataFile("robots/baxter.urdf"));
   return model;
 }
 
-/// All joints at 0 but those of one arm.
+/// Returns a configuration with all joints at 0 except those of one arm.
 inline std::vector<double> WithArmAt(const Arm& arm, const std::vector<double>& angles) {
   std::vector<double> q(Baxter().links.size(), 0.0);
   for (std::size_t i = 0; i < angles.size(); ++i) q[arm.joints[i]] = angles[i];
   return q;
 }
 
-/// Every joint somewhere within its limits.
+/// Returns random positions within limits.
 inline std::vector<double> RandomConfiguration(const RobotModel& model, std::mt19937* random) {
   std::vector<double> q;
   for (const scene::LinkSpec& link : model.links) {

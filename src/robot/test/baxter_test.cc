@@ -12,7 +12,7 @@
 namespace smile::robot {
 namespace {
 
-/// Where the 2015 program put the robot: behind the near edge of a table 1.2 m deep, facing away
+/// Place of the robot in the 2015 program: behind the near edge of a table 1.2 m deep, facing away
 /// from the viewer.
 RigidTransform ClassicBasePose() {
   return {RotationFromFixedAxes({0, 0, 90}), Vector3(0, -0.9, 0.2)};
@@ -84,7 +84,7 @@ TEST(Baxter, EveryLinkCanSpinLikeARealBody) {
     EXPECT_TRUE(link.inertia.isApprox(link.inertia.transpose())) << link.name;
     const Vector3 moments = Eigen::SelfAdjointEigenSolver<Matrix3>(link.inertia).eigenvalues();
     EXPECT_GT(moments[0], 1e-6) << link.name;
-    // No moment exceeds the sum of the others: holds for every spread of mass.
+    // No principal moment exceeds the sum of the other two, for any distribution of mass.
     EXPECT_LE(moments[2], moments[0] + moments[1]) << link.name;
     EXPECT_LT(link.p_LLcm.norm(), 0.25) << link.name;
   }
@@ -200,7 +200,7 @@ TEST(Baxter, BecomesAnArticulation) {
   }
 }
 
-/// Pairs of links, -1 the base, whose solids reach into each other though they may collide.
+/// Returns pairs of links, -1 the base, whose solids overlap although they may collide.
 std::set<std::pair<int, int>> UnexpectedTouches(const std::vector<double>& q) {
   constexpr double kDepth = 0.0005;  // [m]
   const RobotModel& model = Baxter();

@@ -11,7 +11,7 @@
 
 namespace smile::robot {
 
-/// A row of data/baxter_fk_vectors.csv: where independent arithmetic found the left or right hand.
+/// Row of data/baxter_fk_vectors.csv: pose of the left or right hand by independent arithmetic.
 struct FkVector {
   std::string arm, name;
   std::vector<double> q;  ///< s0 … w2 [rad]

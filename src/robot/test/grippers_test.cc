@@ -1,4 +1,4 @@
-// Grippers a robot can choose from.
+// Choices of grippers.
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ RobotReading BaxterWith(const std::string& gripper) {
   return LoadRobot(DataFile("robots/baxter.urdf"), {.gripper = gripper});
 }
 
-/// Between the fingers, closed and open [mm].
+/// Opening between the fingers, closed and open [mm].
 std::pair<double, double> OpeningsOf(const RobotModel& model) {
   const Gripper& gripper = model.arms.at(0).gripper.value();
   const double stroke =
@@ -172,8 +172,8 @@ TEST_F(OwnGripper, TextsThatGrowWithoutEndAreRefused) {
   EXPECT_TRUE(expected_letters(message, "64")) << message;
 }
 
-/// An arm with the fingers of a published description: the right one runs from 0 down, and says
-/// that it follows the left one.
+/// An arm with the fingers of a published description: the right one moves downwards from 0 and
+/// mimics the left one.
 std::string MimicUrdf(const std::string& multiplier) {
   std::string fingers;
   for (const std::string name : {"l", "r"}) {

@@ -11,7 +11,7 @@
 
 namespace smile::robot {
 
-/// A folder of its own for each test, gone afterwards, in which robots are written and read.
+/// Folder per test, removed afterwards, in which robots are written and read.
 class RobotFiles : public testing::Test {
  protected:
   RobotFiles() {
@@ -28,7 +28,7 @@ class RobotFiles : public testing::Test {
     return ReadRobot(folder_ / "r.urdf");
   }
 
-  /// The message the reader answers with, without the folder's name; empty if it is content.
+  /// Returns the reader's message without the folder's name; empty if it succeeds.
   std::string Complaint(const std::string& urdf, const std::string& side_file = "") {
     try {
       Read(urdf, side_file);
@@ -44,7 +44,7 @@ class RobotFiles : public testing::Test {
   std::filesystem::path folder_;
 };
 
-/// A robot of a base and an arm with one turning and one sliding joint; each piece can be replaced
+/// Robot of a base and an arm with one revolute and one prismatic joint; each piece can be replaced
 /// by a broken one.
 struct SmallRobot {
   std::string inertial = R"(<inertial><mass value="2"/>

@@ -17,7 +17,7 @@ const Surface& SurfaceOf(const LinkVisual& visual) {
   return std::get<scene::DrawnMesh>(visual.shape).mesh->surface;
 }
 
-/// Every edge has a triangle on both sides, and what is inside is behind them.
+/// Expects a triangle on both sides of each edge, facing outwards.
 bool IsClosedAndOutwards(const Surface& surface) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> uses;
   double volume = 0;

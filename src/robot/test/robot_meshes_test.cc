@@ -1,4 +1,4 @@
-// Meshes of robots: where they are looked for, how they lie, what they become.
+// Meshes of robots: search paths, axes, and collision pieces.
 
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ std::string TetrahedronStl() {
   return text + "endsolid tetrahedron\n";
 }
 
-/// The same as a DAE file that says what is up and how long a unit is.
+/// The same as a DAE file that specifies its up axis and unit.
 std::string TetrahedronDae(const std::string& up_axis, const std::string& unit = "1") {
   return R"(<?xml version="1.0"?>
 <COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
@@ -50,7 +50,7 @@ class RobotMeshes : public RobotFiles {
     fs::create_directories((folder_ / name).parent_path());
     WriteFile(folder_ / name, bytes);
   }
-  /// A robot whose arm shows and is a mesh.
+  /// Returns a robot whose arm is a mesh, for drawing and collision.
   static std::string UrdfWith(const std::string& reference, const std::string& scale = "") {
     const std::string shape =
         "<geometry><mesh filename=\"" + reference + "\"" + scale + "/></geometry>";
@@ -70,7 +70,7 @@ class RobotMeshes : public RobotFiles {
     }
     return "";
   }
-  /// What is drawn of the arm, around all of it.
+  /// Returns the bounds of the drawn arm.
   static Eigen::AlignedBox3f BoxOf(const RobotModel& model) {
     Eigen::AlignedBox3f box;
     const auto& drawn = std::get<scene::DrawnMesh>(model.visuals.at(0).shape);
@@ -82,7 +82,7 @@ class RobotMeshes : public RobotFiles {
     for (const RobotFile& file : reading.files) names.push_back(file.name);
     return names;
   }
-  /// The robot again, from what is kept of it and nothing else.
+  /// Reads the robot again from its kept files only.
   RobotReading LoadAgain(const RobotReading& reading) {
     return LoadKeptRobot("kept/" + reading.files.at(0).name, reading.gripper,
                          [&](const std::string& name, std::size_t) -> std::optional<std::string> {

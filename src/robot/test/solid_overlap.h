@@ -11,7 +11,8 @@
 
 namespace smile::robot {
 
-/// How deep `p_SQ` lies inside a shape S: the distance to the nearest face [m]; negative outside.
+/// Returns the depth of `p_SQ` inside a shape S: the distance to the nearest face [m]; negative
+/// outside.
 inline double DepthInside(const scene::SolidShape& shape, const Vector3& p_SQ) {
   return std::visit(
       Overloaded{[&](const scene::Block& block) {
@@ -35,7 +36,7 @@ inline double DepthInside(const scene::SolidShape& shape, const Vector3& p_SQ) {
       shape);
 }
 
-/// Half the diagonal of a box around the shape [m].
+/// Returns half the diagonal of a box around the shape [m].
 inline double BoundingRadius(const scene::SolidShape& shape) {
   return std::visit(Overloaded{[](const scene::Block& block) { return block.size.norm() / 2; },
                                [](const scene::Cylinder& cylinder) {
@@ -52,7 +53,8 @@ inline double BoundingRadius(const scene::SolidShape& shape) {
                     shape);
 }
 
-/// Points spread over a shape's surface and its middle, at most about 3 cm apart on arm links.
+/// Returns points spread over a shape's surface and its middle, at most about 3 cm apart on arm
+/// links.
 inline std::vector<Vector3> SamplePoints(const scene::SolidShape& shape) {
   constexpr int kSteps = 8;
   constexpr int kTurns = 16;
@@ -96,8 +98,8 @@ inline std::vector<Vector3> SamplePoints(const scene::SolidShape& shape) {
   return points;
 }
 
-/// True when some sample point of one solid lies deeper than `depth` [m] inside the other. It may
-/// miss overlaps of a centimetre or two at sharp edges; what it reports is real.
+/// Returns true if a sample point of one solid is deeper than `depth` [m] inside the other. It may
+/// miss overlaps of a centimeter or two at sharp edges, but has no false positives.
 inline bool Overlap(const scene::Solid& a, const RigidTransform& X_WA, const scene::Solid& b,
                     const RigidTransform& X_WB, double depth) {
   const RigidTransform X_AB = X_WA.inverse() * X_WB;

@@ -9,7 +9,7 @@ namespace {
 
 class UrdfReaderProperty : public RobotFiles {};
 
-/// The text with a few letters changed, a piece cut out or a piece doubled.
+/// Returns the text with a few letters changed, a piece removed or a piece duplicated.
 std::string Damaged(std::string text, std::mt19937* random) {
   const auto below = [&](std::size_t end) {
     return std::uniform_int_distribution<std::size_t>(0, end - 1)(*random);

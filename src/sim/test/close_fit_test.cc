@@ -34,7 +34,7 @@ scene::ObjectSpec Screw(double shaft_radius) {
           .mass = 0.2};
 }
 
-/// How the hole's axis lies: the plate's angles about fixed axes [degrees].
+/// Orientation of the hole: the plate's angles about fixed axes [degrees].
 class CloseFit : public SimulationFixture,
                  public ::testing::WithParamInterface<std::tuple<double, double>> {
  protected:

@@ -1,4 +1,4 @@
-// Recordings of earlier versions hold commands in these very bytes.
+// Recordings of earlier versions contain commands in exactly these bytes.
 
 #include <gtest/gtest.h>
 
@@ -12,13 +12,13 @@ namespace {
 
 using enum HandName;
 
-/// A command as somebody means it, and the line of a log that it becomes.
+/// A command and its line in a log.
 struct Written {
   Command command;
   const char* text;
 };
 
-/// One or more of every kind, with numbers that no file holds exactly.
+/// One or more commands of each kind, with numbers that no file represents exactly.
 std::vector<Written> ExamplesOfHands() {
   const Vector3 p(0.1 + 0.2, -1.0 / 3, 2e-7);
   return {

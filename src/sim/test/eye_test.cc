@@ -10,7 +10,7 @@
 namespace smile::sim {
 namespace {
 
-constexpr double kTolerance = 1e-5;  // [m]: facts of the robot are told with five digits
+constexpr double kTolerance = 1e-5;  // [m]: the robot's data have five digits
 
 scene::SceneSpec SceneWithCamera() {
   scene::SceneSpec scene{.name = "watched"};

@@ -1,4 +1,4 @@
-// What leaves the table is out of play.
+// Objects that leave the table are out of play.
 
 #include "simulation_fixture.h"
 

@@ -1,4 +1,4 @@
-// What hands do by way of commands: what each implies, and what is told of it.
+// Commands of hands: implied commands and reported events.
 
 #include <algorithm>
 
@@ -11,7 +11,7 @@ namespace {
 
 using enum HandName;
 
-/// Blocks a, b and c, and what the simulation tells of them.
+/// Blocks a, b and c, and the events of the simulation.
 class HandsTest : public SimulationFixture {
  protected:
   HandsTest() {
@@ -36,7 +36,7 @@ class HandsTest : public SimulationFixture {
     std::vector<std::string> lines;
     std::vector<Event> events;
   };
-  /// Empty when it was carried out.
+  /// Returns the refusal; empty if it was executed.
   std::string Do(const Command& command) { return simulation_->Apply(command).value_or(""); }
   std::string DoDrag(const Drag& drag) {
     Refusal refusal;
@@ -81,7 +81,7 @@ TEST_F(HandsTest, HandsLetGoWhenAnotherNeedsThem) {
   EXPECT_EQ(after({{kLeft, "a"}, {kRight, "b"}, {kBoth, "c"}}), "both: c");
   EXPECT_EQ(after({{kRight, "a"}, {kAny, "b"}, {kBoth, "c"}}), "both: c");
   EXPECT_EQ(after({{kLeft, "a"}, {kAny, "b"}}), "left: a, any: b");
-  // Handed over first, the object is in nobody's way.
+  // After the handover, the object blocks no hand.
   EXPECT_EQ(after({{kLeft, "a"}, {kRight, "b"}, {kAny, "a"}}), "right: b, any: a");
   EXPECT_EQ(after({{kRight, "a"}, {kAny, "b"}, {kLeft, "b"}}), "left: b, right: a");
   EXPECT_EQ(after({{kBoth, "a"}, {kAny, "a"}}), "any: a");

@@ -15,7 +15,7 @@ class HistoryProperty : public SimulationFixture, public ::testing::WithParamInt
 INSTANTIATE_TEST_SUITE_P(Seeds, HistoryProperty, testing::Range(21u, 24u));
 
 TEST_P(HistoryProperty, EveryUndoAndRedoIsExact) {
-  // Without what falls beside the table: another scene.
+  // Another scene, without the block beside the table.
   scene::SceneSpec other = EverythingScene::Make();
   other.objects.pop_back();
   const Load load{std::make_shared<const scene::SceneSpec>(other)};
@@ -137,7 +137,7 @@ TEST(ActionHistory, ForgetsTheOldestStatesButNoAction) {
   EXPECT_EQ(history.Redo()->tick, 10u);
   EXPECT_TRUE(history.can_undo());
 
-  // What is discarded makes room for others.
+  // Discarded states make room for others.
   history.Undo(state(10));
   history.Begin(state(9));
   history.Undo(state(10));

@@ -1,4 +1,4 @@
-// Whatever hands do to a scene with one of every mechanism, it can be taken back exactly.
+// Random hands in a scene with one of each mechanism: everything can be undone exactly.
 
 #include <map>
 
@@ -14,7 +14,7 @@ class MechanismsProperty : public SimulationFixture,
 
 INSTANTIATE_TEST_SUITE_P(Seeds, MechanismsProperty, testing::Range(11u, 16u));
 
-/// Counts what it is told.
+/// Counts events by kind.
 struct Counter : Listener {
   void OnEvent(const Simulation&, const Event& event) override { ++num_told[event.kind]; }
   std::map<EventKind, int> num_told;

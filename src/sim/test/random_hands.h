@@ -9,7 +9,7 @@
 
 namespace smile::sim {
 
-/// Hands that do whatever comes to their mind to an EverythingScene.
+/// Random commands of hands in an EverythingScene.
 class RandomHands {
  public:
   /// @param changes_objects  adds, removes and clears objects, too.
@@ -25,7 +25,7 @@ class RandomHands {
     switch (random_() % 15) {
       case 0:
       case 1:
-        // The panel stays: whoever destroys it takes all controls away.
+        // The panel stays: without it there are no controls.
         return Grasp{.hand = hand, .object = object == "panel" ? "ball" : object};
       case 2:
         return MoveTo{.hand = hand, .p_WH = {Uniform(0.6), Uniform(0.4), 0.1 + Uniform(0.1)}};
@@ -79,7 +79,7 @@ class RandomHands {
     return Remove{.object = Pick(simulation.tabletop().objects()).id()};
   }
 
-  /// A scene with ids that were never used, and one of several mechanisms.
+  /// Returns a scene with new ids, and one of several mechanisms.
   std::string SomethingNew() {
     const std::string number = std::to_string(num_spawned_++);
     const double x = Uniform(6), y = Uniform(4);

@@ -10,7 +10,7 @@
 
 namespace smile::sim {
 
-/// A robot that is told whatever comes to somebody's mind; a part of it is refused.
+/// Random commands of a robot, some of which are refused.
 class RandomRobot {
  public:
   explicit RandomRobot(unsigned seed) : random_(seed) {}

@@ -1,4 +1,4 @@
-// A robot that is driven by hand: joints, grippers, poses and trajectories.
+// Manual control of a robot: joints, grippers, poses and trajectories.
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-// Baxter at a table: what stops its arms, and what they move.
+// Baxter at a table: obstacles to its arms, and objects they move.
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +20,7 @@ constexpr RobotBodyOptions kByFriction{.grasps_by_friction = true};
 const std::vector<double> kOverTable = {-0.6, -0.30, 0, 0.95, 0, 0.92, 0};
 const std::vector<double> kStill(7, 0.0);
 
-/// How deep some sample point of one solid lies in the other [m].
+/// Returns the greatest depth of a sample point of one solid in the other [m].
 double DepthOf(const scene::Solid& a, const RigidTransform& X_WA, const scene::Solid& b,
                const RigidTransform& X_WB) {
   const RigidTransform X_AB = X_WA.inverse() * X_WB, X_BA = X_AB.inverse();
@@ -51,7 +51,8 @@ class RobotDynamicsTest : public SimulationFixture {
   static void Grip(Simulation& simulation, double rate) {
     simulation.Apply(JointVelocities{.grippers = {{rate, 0}}});
   }
-  /// Joint velocities of the left arm that move its tool so [m/s], without turning it.
+  /// Returns joint velocities of the left arm that move its tool with this velocity [m/s], without
+  /// rotation.
   static std::vector<double> VelocitiesFor(const Simulation& simulation, const Vector3& v_WG) {
     const world::RobotBody& body = *simulation.robot();
     const robot::Arm& arm = body.model().arms[0];

@@ -12,7 +12,7 @@ namespace {
 
 class ScriptTest : public SimulationFixture {
  protected:
-  /// Plays to the end; returns the first complaint.
+  /// Plays to the end; returns the first error.
   std::string Play(std::string_view text) {
     try {
       ScriptPlayer player(ParseScript(text, "demo.jsonl", scene::kMetersPerUnit));

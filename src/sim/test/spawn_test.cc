@@ -1,4 +1,4 @@
-// What comes into a scene and goes out of it without a hand.
+// Adding and removing objects without a hand.
 
 #include <map>
 
@@ -24,7 +24,7 @@ class SpawnTest : public SimulationFixture {
   std::optional<Refusal> Add(const std::string& content, const std::string& attributes = "") {
     return simulation_->Apply(SpawnOf(content, attributes));
   }
-  /// Says why nothing was added.
+  /// Returns the reason why nothing was added.
   std::string RefusalOf(const std::string& content, const std::string& attributes = "") {
     const std::uint64_t before = simulation_->state_hash();
     const auto refusal = Add(content, attributes);
@@ -75,7 +75,7 @@ TEST_F(SpawnTest, AddThenUndoThenRedoLeadsThereAndBack) {
   ASSERT_EQ(simulation_->Apply(Redo()), std::nullopt);
   EXPECT_EQ(simulation_->state_hash(), after);
   EXPECT_NE(simulation_->tabletop().Find("c"), nullptr);
-  // What is undone has used no id.
+  // Undone actions use no ids.
   ASSERT_EQ(simulation_->Apply(Undo()), std::nullopt);
   EXPECT_EQ(Add("<block id=\"c\" location=\"(5,0,0.5)\"/>"), std::nullopt);
 }
@@ -243,7 +243,7 @@ TEST_P(SpawnProperty, ObjectsComeAndGoAndWhatWasDoneReplays) {
   }
   EXPECT_GT(num_done[Command(Spawn{}).index()], 3);
   EXPECT_GT(num_done[Command(Remove{}).index()], 0);
-  // A model is that of its scene, whatever way the scene came about; and a scene can be written.
+  // A model depends on its scene only, not on the scene's history; and a scene can be written.
   const std::string xml = scene_xml::WriteScene(simulation.scene());
   EXPECT_EQ(scene_xml::ReadSceneText(xml, "everything.xml").scene->objects.size(),
             simulation.scene().objects.size());

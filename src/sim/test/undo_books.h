@@ -9,9 +9,9 @@
 
 namespace smile::sim {
 
-/// Keeps books of its own beside the history of a simulation, and compares: the hash before every
-/// action, also those that a command implied, and at every undo; the actions that are done and
-/// undone; what a listener marked of them.
+/// Independent record of a simulation's history, which is compared with it: the hash before each
+/// action, including implied ones, and at each undo; the done and undone actions; the marks of a
+/// listener.
 class UndoBooks : public Listener {
  public:
   /// Add it as a listener before anything is done.
@@ -75,7 +75,7 @@ class UndoBooks : public Listener {
     undone_.pop_back();
     ++num_redone_;
   }
-  /// Makes sure that the cursor, the marks and these books agree.
+  /// Checks that the cursor, the marks and this record agree.
   void Compare(const ActionHistory& history) {
     ASSERT_EQ(history.done().size(), done_.size() + 1);
     ASSERT_EQ(history.undone().size(), undone_.size());

@@ -1,4 +1,4 @@
-// What bonds do to controls and to other bonds.
+// Effects of bonds on controls and on other bonds.
 
 #include "workshop.h"
 

@@ -1,4 +1,4 @@
-// Where bonds put things, what may be fastened and what refuses to be.
+// Bonds: poses of fastened objects, and refusals.
 
 #include "world/bonds.h"
 
@@ -179,7 +179,7 @@ TEST_F(BondsTest, FromTheStartHoldWhateverTheOrderOfTheObjects) {
 
 class NoRoomTest : public WorkshopTest {
  protected:
-  /// Fastening must be refused for this reason, and nothing may have changed.
+  /// Expects that fastening is refused for this reason and changes nothing.
   void ExpectRefusal(std::string_view id, const std::string& reason) {
     const TabletopState before = tabletop_->state();
     const std::uint64_t hash = world_->state_hash();

@@ -21,7 +21,7 @@ ObjectSpec ObjectWith(Part control) {
   return spec;
 }
 
-/// The controls of a model of their own.
+/// Controls with their own model.
 class Panel {
  public:
   explicit Panel(std::vector<ObjectSpec> objects)
@@ -110,7 +110,7 @@ TEST(Controls, ShowWhatABondForcesUponThemAndPassItOn) {
   EXPECT_EQ(Recorded(controls), (Words{"1", "caution", "red"}));
 }
 
-/// A dial: pressing the hand goes on, the face goes back, the rim leads nowhere.
+/// A dial: pressing the pointer leads on, the face leads back, the rim leads nowhere.
 ObjectSpec Dial() {
   const auto part = [](const char* id, std::optional<int> next,
                        scene::Shape shape = scene::Block{}) {

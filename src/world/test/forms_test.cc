@@ -1,4 +1,4 @@
-// What collides changes with the state of controls.
+// Collision solids change with the state of controls.
 
 #include "workshop.h"
 

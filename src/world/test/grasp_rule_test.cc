@@ -11,7 +11,8 @@ namespace {
 constexpr double kOpening = 0.1;
 const physics::BodyId kBlock{7};
 
-/// What a finger at one side of the opening touches, so far along it and with such a normal.
+/// Returns the contact of a finger on one side of the opening, at this depth along it and with this
+/// normal.
 physics::Contact At(double side, double along, const Vector3& normal_in_world) {
   return {
       .body = kBlock, .p_WQ = {0, side * kOpening / 2, along}, .normal_in_world = normal_in_world};

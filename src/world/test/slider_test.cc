@@ -1,4 +1,4 @@
-// Sliders, from a SliderSpec to what is felt.
+// Sliders, from a SliderSpec to their motion.
 
 #include <algorithm>
 #include <functional>
@@ -19,7 +19,7 @@ class SliderTest : public WorkshopTest {
     scene.sliders = {slider};
     Start(scene);
   }
-  /// A hand carries an object with this velocity for so long.
+  /// Carries an object by hand with this velocity for some time.
   void Carry(std::string_view id, const Vector3& velocity, double seconds) {
     BodyOf(id).SetCarried(true);
     for (int i = 0; i < seconds * 480; ++i) {

@@ -58,7 +58,7 @@ TEST(Tabletop, GrowsBehindWhatIsThereAndGoesBack) {
   EXPECT_EQ(tabletop.objects().size(), 1u);
 }
 
-/// Ids of what came to the floor within so many steps.
+/// Returns the ids of the objects that fell to the floor within some steps.
 std::vector<std::string> FallenWithin(int steps, physics::World* world, Tabletop* tabletop) {
   std::vector<std::string> ids;
   for (int i = 0; i < steps; ++i) {
@@ -152,7 +152,7 @@ TEST(Tabletop, ABallWhoseMassIsBelowItsMiddleStandsUp) {
   EXPECT_TRUE(body.linear_velocity().isApprox(Vector3(0.1, 0.2, 0.3))) << "of the origin";
 }
 
-/// Where an object is after so many seconds; `push` is its velocity at the start [m/s].
+/// Returns the position of an object after some seconds; `push` is its velocity at the start [m/s].
 Vector3 PlaceAfter(double seconds, const scene::ObjectSpec& object, const Vector3& push,
                    const Vector3& spin = Vector3::Zero()) {
   physics::World world;

@@ -22,8 +22,8 @@ inline scene::ObjectSpec ObjectAt(std::string id, scene::Shape shape, const Vect
           .mass = mass};
 }
 
-/// The stages of a screw of 0.2 m whose tip goes into a nut's upper side: a 30th of a metre deeper
-/// and 45 degrees further each.
+/// Returns the stages of a screw of 0.2 m whose tip goes into a nut's upper side: each is 1/30 m
+/// deeper and 45 degrees further.
 inline std::vector<scene::TightnessStage> ScrewStages(int count) {
   std::vector<scene::TightnessStage> stages;
   for (int k = 1; k <= count; ++k) {
@@ -32,7 +32,7 @@ inline std::vector<scene::TightnessStage> ScrewStages(int count) {
   return stages;
 }
 
-/// A nut of 0.11 m height, its hole's upper end the host point ID_hole.
+/// Returns a nut of 0.11 m height; the upper end of its hole is the host point ID_hole.
 inline scene::ObjectSpec Nut(const std::string& id, const Vector3& p_WB, int num_stages = 3,
                              double mass = 1) {
   scene::Composite nut;
@@ -44,7 +44,7 @@ inline scene::ObjectSpec Nut(const std::string& id, const Vector3& p_WB, int num
   return ObjectAt(id, nut, p_WB, mass);
 }
 
-/// A screw with a head, its lower end the guest point ID_tip.
+/// Returns a screw with a head; its lower end is the guest point ID_tip.
 inline scene::ObjectSpec Screw(const std::string& id, const Vector3& p_WB,
                                const std::string& initial_host = "", int initial_tightness = 1) {
   scene::Composite screw;
@@ -64,7 +64,7 @@ inline scene::GuestPoint& GuestPointOf(scene::ObjectSpec& object) {
   return std::get<scene::Composite>(object.whole.shape).guests.front();
 }
 
-/// Lamps in a corner of the table, of states 0, 1, … that differ in nothing but their number.
+/// Returns lamps in a corner of the table, whose states 0, 1, … differ only in their number.
 inline scene::ObjectSpec Lamps(const std::string& id, int num_states,
                                std::vector<std::string> downstream = {}) {
   scene::IndicatorLights lamps{.downstream = std::move(downstream)};
@@ -72,7 +72,7 @@ inline scene::ObjectSpec Lamps(const std::string& id, int num_states,
   return ObjectAt(id, lamps, {-0.8, 0.5, 0.1}, /*mass=*/0);
 }
 
-/// A table on which things are fastened, without hands.
+/// A table on which objects are fastened, without hands.
 class WorkshopTest : public ::testing::Test {
  protected:
   void Start(std::vector<scene::ObjectSpec> objects, double meters_per_unit = 0.1) {
@@ -91,7 +91,7 @@ class WorkshopTest : public ::testing::Test {
   RigidTransform PoseOf(std::string_view id) { return BodyOf(id).pose_in_world(); }
   Vector3 PositionOf(std::string_view id) { return PoseOf(id).translation(); }
 
-  /// "" when it is done, else why not.
+  /// Returns "" if it succeeds, else the refusal.
   std::string Fasten(std::string_view id) {
     return tabletop_->Fasten(*tabletop_->Find(id), PositionOf(id)).value_or("");
   }
@@ -101,7 +101,7 @@ class WorkshopTest : public ::testing::Test {
   std::string Trigger(std::string_view control, std::string_view part = "") {
     return tabletop_->Trigger(control, part).value_or("");
   }
-  /// As recordings have it.
+  /// Returns the state as in recordings.
   std::string StateOf(std::string_view control) {
     const model::ControlIndex index = *tabletop_->model().FindControl(control);
     return RecordedState(tabletop_->model().control(index), tabletop_->controls().states()[index]);

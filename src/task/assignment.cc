@@ -9,7 +9,10 @@ namespace {
 
 constexpr Eigen::Index kNone = -1;
 
-/// Assigns row after row, each by the cheapest way of exchanging what was assigned before.
+/// Assigns one row after another by a shortest augmenting path, found with Dijkstra's algorithm on
+/// reduced costs (cost minus the prices, that is the dual variables, of row and column). Invariant
+/// between two calls of Assign(): no reduced cost is negative, and those of assigned pairs are 0.
+/// So the assignment of the rows so far is optimal. O(rows^2 columns) in total.
 class Assigner {
  public:
   explicit Assigner(const Eigen::MatrixXd& cost)
@@ -18,7 +21,11 @@ class Assigner {
         price_of_row_(Eigen::VectorXd::Zero(cost.rows())),
         price_of_column_(Eigen::VectorXd::Zero(cost.cols())) {}
 
+  /// Adds a row to the assignment; rows assigned before may move to other columns.
   void Assign(Eigen::Index row) {
+    // Dijkstra's algorithm over columns: the length of the shortest path from `row` to each column,
+    // and the column before it on that path. A path enters a column from a row and leaves it for
+    // the row assigned there.
     const Eigen::Index columns = cost_.cols();
     std::vector<bool> is_done(static_cast<std::size_t>(columns), false);
     Eigen::VectorXd way =
@@ -27,7 +34,8 @@ class Assigner {
     Eigen::Index from = kNone, at_row = row;
     double length = 0;
     do {
-      // One step farther along the cheapest way so far.
+      // Relaxes the edges from the row reached last, and selects the nearest column that is not
+      // done. The first of several equally near ones wins, which makes the result deterministic.
       Eigen::Index next = kNone;
       for (Eigen::Index column = 0; column < columns; ++column) {
         if (is_done[static_cast<std::size_t>(column)]) continue;
@@ -44,6 +52,8 @@ class Assigner {
       from = next;
       at_row = row_of_[static_cast<std::size_t>(next)];
     } while (at_row != kNone);
+    // The path ends at a free column. Prices change before the assignment does, since they refer to
+    // the rows that are assigned now.
     Reprice(row, is_done, way, length);
     Swap(row, from, before);
   }
@@ -57,7 +67,8 @@ class Assigner {
   }
 
  private:
-  /// So that what is assigned stays at reduced cost 0 and nothing is below.
+  /// Updates the prices along the search tree so that the invariant holds: all edges of the
+  /// shortest path get reduced cost 0, and no reduced cost becomes negative.
   void Reprice(Eigen::Index row, const std::vector<bool>& is_done, const Eigen::VectorXd& way,
                double length) {
     price_of_row_(row) += length;
@@ -69,6 +80,8 @@ class Assigner {
     }
   }
 
+  /// Augments along the path, from its free column back to `row`: each column takes over the row of
+  /// the column before it.
   void Swap(Eigen::Index row, Eigen::Index column, const std::vector<Eigen::Index>& before) {
     while (column != kNone) {
       const Eigen::Index previous = before[static_cast<std::size_t>(column)];

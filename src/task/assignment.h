@@ -7,8 +7,8 @@
 
 namespace smile::task {
 
-/// One column for each row, no column twice, so that the sum of what that costs is least. Same
-/// costs, same answer.
+/// Returns one column for each row, no column twice, with the least sum of costs. Equal costs give
+/// equal results.
 ///
 /// Source: H. W. Kuhn, "The Hungarian Method for the Assignment Problem" (1955), with the shortest
 /// augmenting paths of Edmonds and Karp (1972).

@@ -12,7 +12,8 @@ const scene::ObjectSpec& ObjectIn(const scene::SceneSpec& scene, const std::stri
   return *std::ranges::find(scene.objects, id, &scene::ObjectSpec::id);
 }
 
-/// In the demonstration's names; what plays no part is left out.
+/// Returns the ids of the demonstration for ids of the scene; objects without a counterpart are
+/// left out.
 std::vector<std::string> InDemoIds(const std::vector<std::string>& scene_ids, const Match& match) {
   std::vector<std::string> ids;
   for (const std::string& scene_id : scene_ids) {
@@ -23,6 +24,8 @@ std::vector<std::string> InDemoIds(const std::vector<std::string>& scene_ids, co
   return ids;
 }
 
+/// Returns the order of placements in terms of the demonstration. Only objects of the structure
+/// count; objects that ended within tolerance without a placement did not need one.
 Order CompareOrder(const Structure& structure, const Episode& outcome,
                    const Comparison& comparison) {
   std::vector<std::string> done = InDemoIds(PlacementsOf(outcome), comparison.match);
@@ -54,6 +57,8 @@ ObjectError Comparison::mean_error() const {
 }
 
 Comparison CompareWith(const Structure& structure, const Episode& outcome) {
+  // Motion and match are optimized together; the match by looks alone is the start, and stays for
+  // objects that only effects refer to.
   const ObjectPoses poses = PosesAt(outcome.scene, outcome.end);
   Placing placing =
       FindPlacing(structure, outcome.scene, poses, MatchObjects(structure, outcome.scene));
@@ -70,14 +75,17 @@ Comparison CompareWith(const Structure& structure, const Episode& outcome) {
     comparison.errors[id].is_held = held.contains(counterpart);
     if (comparison.errors[id].is_within()) ++num_right;
   }
+  // Order and effects refer to the match that was found.
   comparison.order = CompareOrder(structure, outcome, comparison);
   const auto counterpart = [&](const std::string& id) { return comparison.match.at(id); };
   comparison.achieved = AreAchieved(structure.effects, outcome, counterpart, kTolerance);
+  // An object that a hand or gripper still holds inside a container has not been put there.
   for (std::size_t i = 0; i < structure.effects.size(); ++i) {
     if (IsPutInsideStillHeld(structure.effects[i], held, comparison.match)) {
       comparison.achieved[i] = false;
     }
   }
+  // Each object and each effect has the same weight.
   num_right += static_cast<std::size_t>(std::ranges::count(comparison.achieved, true));
   comparison.share = static_cast<double>(num_right) /
                      static_cast<double>(structure.objects.size() + structure.effects.size());

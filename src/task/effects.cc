@@ -15,9 +15,10 @@ namespace {
 
 using model::Relation;
 
-/// What slid less has not moved [m].
+/// Shortest displacement of a slider that counts as an effect [m].
 constexpr double kSlid = 0.01;
 
+/// True if the object exists at that moment: it has been added and not been destroyed.
 bool IsThere(const scene::SceneSpec& scene, const recording::TraceTick& moment,
              const std::string& object) {
   const auto spec = std::ranges::find(scene.objects, object, &scene::ObjectSpec::id);
@@ -25,8 +26,8 @@ bool IsThere(const scene::SceneSpec& scene, const recording::TraceTick& moment,
          moment.objects[static_cast<std::size_t>(spec - scene.objects.begin())].is_present;
 }
 
-/// The controls of all objects in scene order, as the trace has them; `from` as they are, `to`
-/// empty.
+/// Returns the controls of all objects, in the order of the trace (scene order). `from` is the
+/// state at that moment; `to` is empty.
 std::vector<ControlEffect> ControlsAt(const scene::SceneSpec& scene,
                                       const recording::TraceTick& moment) {
   std::vector<ControlEffect> controls;
@@ -51,6 +52,8 @@ struct PointPlace {
   std::string id;
 };
 
+/// Returns the bond points of all objects, in the order of the trace. `points_of` selects guests or
+/// hosts.
 template <class PointsOf>
 std::vector<PointPlace> PointsIn(const scene::SceneSpec& scene, const PointsOf& points_of) {
   std::vector<PointPlace> places;
@@ -68,8 +71,8 @@ bool IsSamePair(const BondEffect& a, const BondEffect& b) {
          a.host_object == b.host_object && a.host_number == b.host_number;
 }
 
-/// How far out a slider's second member is [m]: its way in the first one's frame, along -x of the
-/// rail J.
+/// Returns the offset of a slider [m]: the displacement of its second member B, relative to the
+/// first member A, along -x of the rail frame J.
 double OffsetOf(const scene::SliderSpec& slider, const recording::TraceTick& moment) {
   const RigidTransform X_WA = moment.objects[slider.first_object].pose_in_world();
   const RigidTransform X_WB = moment.objects[slider.first_object + 1].pose_in_world();
@@ -77,6 +80,7 @@ double OffsetOf(const scene::SliderSpec& slider, const recording::TraceTick& mom
   return slider.X_JB.translation().x() - X_JB.translation().x();
 }
 
+/// Returns the relations "object in container" at that moment.
 std::vector<Relation> ContentsAt(const scene::SceneSpec& scene,
                                  const recording::TraceTick& moment) {
   std::vector<Relation> relations = model::RelationsOf(scene, ObjectsAt(scene, moment));
@@ -85,6 +89,7 @@ std::vector<Relation> ContentsAt(const scene::SceneSpec& scene,
   return relations;
 }
 
+/// Appends the controls whose state differs between begin and end, unless their object is gone.
 void AppendControlEffects(const Episode& episode, std::vector<Effect>* effects) {
   std::vector<ControlEffect> controls = ControlsAt(episode.scene, episode.begin);
   const std::vector<ControlEffect> after = ControlsAt(episode.scene, episode.end);
@@ -95,6 +100,8 @@ void AppendControlEffects(const Episode& episode, std::vector<Effect>* effects) 
   }
 }
 
+/// Appends the bonds that are new or have another tightness, in the order of the hosts, then those
+/// that came free. A bond does not count as loosened if one of its objects was destroyed.
 void AppendBondEffects(const Episode& episode, std::vector<Effect>* effects) {
   const std::vector<BondEffect> before = BondsAt(episode.scene, episode.begin);
   const std::vector<BondEffect> after = BondsAt(episode.scene, episode.end);
@@ -112,6 +119,7 @@ void AppendBondEffects(const Episode& episode, std::vector<Effect>* effects) {
   }
 }
 
+/// Appends the sliders that moved by more than kSlid.
 void AppendSlideEffects(const Episode& episode, std::vector<Effect>* effects) {
   for (const scene::SliderSpec& slider : episode.scene.sliders) {
     const std::string& first = episode.scene.objects[slider.first_object].id();
@@ -125,7 +133,8 @@ void AppendSlideEffects(const Episode& episode, std::vector<Effect>* effects) {
   }
 }
 
-/// True of a drawer and what it slides in, and of a screw and its nut: of these other effects tell.
+/// True if a slider or a bond connects the two objects, such as a drawer and its cabinet or a screw
+/// and its nut. The geometric relation "in" between them would repeat the slide or bond effect.
 bool AreJoined(const Relation& relation, const Episode& episode,
                const std::vector<Effect>& effects) {
   const auto are_these = [&](const std::string& a, const std::string& b) {
@@ -143,6 +152,8 @@ bool AreJoined(const Relation& relation, const Episode& episode,
   });
 }
 
+/// Appends the objects that came to lie in a container, then those that left one. Depends on the
+/// bond effects appended before, see AreJoined().
 void AppendContainerEffects(const Episode& episode, std::vector<Effect>* effects) {
   const std::vector<Relation> before = ContentsAt(episode.scene, episode.begin);
   const std::vector<Relation> after = ContentsAt(episode.scene, episode.end);
@@ -161,7 +172,7 @@ void AppendContainerEffects(const Episode& episode, std::vector<Effect>* effects
   append_missing(before, after, /*is_inside=*/false);
 }
 
-/// State at the end of an episode, to be compared with what effects want.
+/// State at the end of an episode, to compare with the goals of effects.
 class Ending {
  public:
   Ending(const Episode& episode, const Counterpart& counterpart, double tolerance)
@@ -179,6 +190,7 @@ class Ending {
     });
   }
 
+  // A bond that came free (tightness 0) is achieved if the pair is not fastened.
   bool IsAs(BondEffect wanted) const {
     wanted.guest_object = counterpart_(wanted.guest_object);
     wanted.host_object = counterpart_(wanted.host_object);
@@ -212,11 +224,14 @@ class Ending {
   std::vector<Relation> contents_;
 };
 
+/// Converts a length [m] to units of the scene file.
 double InUnits(double length, double meters_per_unit) { return length / meters_per_unit; }
 
 }  // namespace
 
 std::vector<BondEffect> BondsAt(const scene::SceneSpec& scene, const recording::TraceTick& moment) {
+  // The trace stores one state per host point, with the index of the guest point that is fastened
+  // to it.
   const std::vector<PointPlace> guests = PointsIn(scene, scene::GuestsOf);
   const std::vector<PointPlace> hosts = PointsIn(scene, scene::HostsOf);
   std::vector<BondEffect> bonds;
@@ -237,6 +252,7 @@ std::vector<BondEffect> BondsAt(const scene::SceneSpec& scene, const recording::
 
 std::vector<Effect> EffectsOf(const Episode& episode) {
   std::vector<Effect> effects;
+  // Container effects come last, since they leave out what bond effects state.
   AppendControlEffects(episode, &effects);
   AppendBondEffects(episode, &effects);
   AppendSlideEffects(episode, &effects);
@@ -279,6 +295,7 @@ std::string WordsOf(const Effect& effect, double meters_per_unit) {
                                              std::to_string(bond.tightness);
           },
           [&](const SlideEffect& slide) {
+            // Adding 0.0 turns -0 into 0.
             const auto tenths = [&](double offset) {
               return NumberText(std::round(10 * InUnits(offset, meters_per_unit)) / 10 + 0.0);
             };

@@ -10,30 +10,30 @@
 
 namespace smile::task {
 
-// What else than its moved objects a demonstration left otherwise than it was. Effects name objects
-// of their own scene; mechanisms of counterparts are found by their number within the object.
+// Effects: changes of a demonstration other than poses of objects. Effects name objects of their
+// own scene; mechanisms of counterparts are found by their number within the object.
 
-/// A switch, light or custom control shows another state.
+/// Change of the state of a switch, light or custom control.
 struct ControlEffect {
-  std::string object;    ///< whose control it is
+  std::string object;    ///< that the control belongs to
   std::size_t number;    ///< of the control within the object, from 0
   std::string control;   ///< id
-  std::string from, to;  ///< as recordings have them, see model::RecordedState()
+  std::string from, to;  ///< in the form of model::RecordedState()
 
   bool operator==(const ControlEffect&) const = default;
 };
 
-/// A plug is fastened to a hole, more or less tightly than before, or no longer.
+/// Change of a bond: a plug was fastened to a hole, tightened, or loosened.
 struct BondEffect {
   std::string guest_object, host_object;
   std::size_t guest_number = 0, host_number = 0;  ///< within their objects
   std::string guest, host;                        ///< ids of the points
-  int tightness = 0;                              ///< in the end; 0: it came free
+  int tightness = 0;                              ///< at the end; 0: it came free
 
   bool operator==(const BondEffect&) const = default;
 };
 
-/// A drawer or lid is farther out or in on its slider.
+/// Displacement of a drawer or lid on its slider.
 struct SlideEffect {
   std::string object;       ///< the second member
   double from = 0, to = 0;  ///< offset [m]
@@ -41,7 +41,7 @@ struct SlideEffect {
   bool operator==(const SlideEffect&) const = default;
 };
 
-/// An object came to lie in a container, or out of it.
+/// Change of containment: an object was put into a container, or taken out of it.
 struct ContainerEffect {
   std::string object, container;
   bool is_inside = true;
@@ -51,28 +51,28 @@ struct ContainerEffect {
 
 using Effect = std::variant<ControlEffect, BondEffect, SlideEffect, ContainerEffect>;
 
-/// In the order of the kinds above, each in scene order.
+/// Returns the effects of an episode, in the order of the kinds above, each in scene order.
 std::vector<Effect> EffectsOf(const Episode& episode);
 
-/// What is fastened at a moment, in the order of the hosts.
+/// Returns the bonds at a moment, in the order of the hosts.
 std::vector<BondEffect> BondsAt(const scene::SceneSpec& scene, const recording::TraceTick& moment);
 
-/// The objects an effect is about.
+/// Returns the ids of the objects that an effect refers to.
 std::vector<std::string> ObjectsOf(const Effect& effect);
 
-/// Who plays an object's part.
+/// Function that maps the id of a demonstrated object to the id of its counterpart.
 using Counterpart = std::function<std::string(const std::string& object)>;
 
-/// Returns for each effect whether, at the end of another episode, it is as the effect wants it: a
-/// control in the same state, a bond as tight, a slider within `tolerance` [m], an object in the
-/// container, or not.
+/// Returns for each effect whether it is achieved at the end of another episode: a control in the
+/// same state, a bond as tight, a slider within `tolerance` [m], an object in the container, or
+/// not.
 std::vector<bool> AreAchieved(const std::vector<Effect>& effects, const Episode& episode,
                               const Counterpart& counterpart, double tolerance);
 
-/// `Lamp from dark to blue`, `Tip fastened to Hole, stage 3`, `Lid slid from 0 to 4 units`, `Cherry
-/// taken out of Chest`.
+/// Returns a description for people: `Lamp from dark to blue`, `Tip fastened to Hole, stage 3`,
+/// `Lid slid from 0 to 4 units`, `Cherry taken out of Chest`.
 std::string WordsOf(const Effect& effect, double meters_per_unit);
-/// With its `kind`: `control`, `bond`, `slide` or `container`; lengths in units.
+/// Returns JSON with a `kind`: `control`, `bond`, `slide` or `container`; lengths in units.
 Json ToJson(const Effect& effect, double meters_per_unit);
 
 }  // namespace smile::task

@@ -9,16 +9,19 @@
 namespace smile::task {
 namespace {
 
-/// Who lets go of an object that is no farther from where it was has not moved it.
+/// Smallest change of pose that counts as a move. An object released nearer to where it was grasped
+/// has not been placed.
 constexpr recording::PoseGap kStayed{.distance = 0.01, .angle = DegreesToRadians(5.0)};
 
+/// True for events that change who holds or fastens an object, and for falls.
 bool IsTouch(sim::EventKind kind) {
   using enum sim::EventKind;
   return kind == kGrasped || kind == kReleased || kind == kFastened || kind == kLoosened ||
          kind == kFell || kind == kGripperHolds || kind == kGripperLetGo;
 }
 
-/// @returns nullopt if the event is no touch of an object of the scene.
+/// Returns the touch of an event with the object's pose at `now`; nullopt for other events and for
+/// objects that are not in the scene.
 std::optional<Touch> TouchOf(const sim::Event& event, const recording::TraceTick& now,
                              const scene::SceneSpec& scene) {
   if (!IsTouch(event.kind)) return std::nullopt;
@@ -28,12 +31,12 @@ std::optional<Touch> TouchOf(const sim::Event& event, const recording::TraceTick
   return Touch{event, now.tick, now.objects[index].pose_in_world()};
 }
 
-/// The actions in the log of an old recording, whose trace contains no events.
+/// Actions from the log of an old recording, whose trace contains no events.
 class LoggedActions {
  public:
   explicit LoggedActions(const recording::Recording& recording) : commands_(recording.commands) {}
 
-  /// Those up to this tick that were not returned yet.
+  /// Returns the events up to this tick that were not returned before.
   std::vector<sim::Event> UpTo(std::uint64_t tick) {
     std::vector<sim::Event> events;
     for (; next_ < commands_.size() && commands_[next_].tick <= tick; ++next_) {
@@ -48,6 +51,7 @@ class LoggedActions {
   recording::CommandedEvents commanded_;
 };
 
+/// Returns a key for the hand or gripper of an event; hands and arms of equal name stay distinct.
 std::string HolderOf(const sim::Event& event) {
   return event.hand ? "hand " + std::string(ToString(*event.hand)) : "arm " + event.arm;
 }
@@ -57,11 +61,13 @@ recording::TracePose TracePoseOf(const RigidTransform& X_WB) {
   return {.position = X_WB.translation(), .rotation = {q.w(), q.x(), q.y(), q.z()}};
 }
 
+/// True if the two poses differ by more than kStayed in position or angle.
 bool HasMoved(const RigidTransform& from, const RigidTransform& to) {
   return GapBetween(TracePoseOf(from), TracePoseOf(to)).IsBeyond(kStayed);
 }
 
-/// Who holds what since when; and what was put where, the latest last.
+/// Replays touches: the pose at which each holder took each object, and the objects that were
+/// placed, the latest last.
 class PlacementOrder {
  public:
   void Note(const Touch& touch) {
@@ -72,6 +78,7 @@ class PlacementOrder {
       case kGripperHolds:
         holds_[{HolderOf(touch.event), object}] = touch.X_WB;
         return;
+      // A release places the object only if the holder has moved it.
       case kReleased:
       case kGripperLetGo: {
         const auto hold = holds_.find({HolderOf(touch.event), object});
@@ -80,6 +87,8 @@ class PlacementOrder {
         holds_.erase(hold);
         return;
       }
+      // A hand turns a fastening in place: that places the guest although nothing was grasped.
+      // Physics can loosen a bond too; such an event has no hand and places nothing.
       case kFastened:
       case kLoosened:
         if (touch.event.hand) Put(object);
@@ -89,6 +98,7 @@ class PlacementOrder {
     }
   }
 
+  // An object that is still held and has moved since has left its last place.
   std::vector<std::string> InTheEnd(const ObjectPoses& end) && {
     for (const auto& [who, X_WB] : holds_) {
       if (HasMoved(X_WB, end.at(who.second))) std::erase(order_, who.second);
@@ -97,6 +107,7 @@ class PlacementOrder {
   }
 
  private:
+  /// Appends the object; a later placement replaces an earlier one.
   void Put(const std::string& object) {
     std::erase(order_, object);
     order_.push_back(object);
@@ -110,6 +121,8 @@ class PlacementOrder {
 
 Episode EpisodeOf(const recording::Recording& recording) {
   recording::TraceReader trace(recording);
+  // The scene at the end of the path has all objects that were ever present on it; objects not yet
+  // added are absent.
   Episode episode{.scene = recording.scene(), .begin = {}, .end = {}, .touches = {}};
   LoggedActions logged(recording);
   const auto note = [&episode](const std::vector<sim::Event>& events) {
@@ -122,6 +135,8 @@ Episode EpisodeOf(const recording::Recording& recording) {
   bool has_begun = false;
   while (const auto moment = trace.Next()) {
     episode.end = *moment;
+    // Holds and falls from before the start still matter: they precede the touches of the first
+    // tick.
     if (!has_begun) {
       episode.begin = *moment;
       note(trace.events_before_start());
@@ -129,6 +144,7 @@ Episode EpisodeOf(const recording::Recording& recording) {
     }
     note(trace.has_events() ? moment->events : logged.UpTo(moment->tick));
   }
+  // A trace without a single whole record: the recording was interrupted at once.
   if (!has_begun) episode.begin = episode.end = recording::StartOf(*recording.model);
   return episode;
 }
@@ -145,6 +161,7 @@ void EpisodeObserver::OnEvent(const sim::Simulation& simulation, const sim::Even
   auto touch = TouchOf(event, recording::Observe(simulation), simulation.scene());
   if (!touch) return;
   const sim::Action& action = simulation.history().current();
+  // Touches belong to the current action, so an undo removes them together with the action.
   touches_[action.id].push_back({*std::move(touch), action.events.size()});
 }
 
@@ -152,14 +169,16 @@ void EpisodeObserver::OnMove(const sim::Simulation& simulation, sim::ActionId fr
                              sim::ActionId to) {
   std::vector<NumberedTouch>* touches = touches_.Find(from);
   if (to < from || touches == nullptr) return;
-  // A redo leads back to where what happened since the undo has not happened.
+  // A redo leads to an action that began before the undo: touches recorded in `from` since then are
+  // not in its past and are removed. The number of events that the history keeps for `from`
+  // identifies them.
   const auto done = simulation.history().done();
   const std::size_t num_events = done[done.size() - 2].events.size();
   std::erase_if(*touches, [&](const NumberedTouch& one) { return one.num_events > num_events; });
 }
 
 Episode EpisodeObserver::episode() const {
-  // What was added since was not there in the beginning.
+  // Objects that were added since the begin are absent in its state.
   Episode episode{.scene = simulation_->scene(),
                   .begin = recording::WithAbsent(begin_, simulation_->model()),
                   .end = recording::Observe(*simulation_),
@@ -216,6 +235,7 @@ std::vector<std::string> TouchedByHands(const Episode& episode) {
 std::vector<std::string> FallenObjects(const Episode& episode) {
   std::vector<std::string> fallen;
   for (const Touch& touch : episode.touches) {
+    // Events of the first tick report objects that lay on the floor before.
     if (touch.event.kind != sim::EventKind::kFell || touch.tick == episode.begin.tick) continue;
     if (std::ranges::find(fallen, touch.event.object) == fallen.end()) {
       fallen.push_back(touch.event.object);
@@ -253,6 +273,7 @@ Work WorkOf(const Episode& episode) {
     const std::string& object = touch.event.object;
     if (touch.event.kind == sim::EventKind::kGripperHolds) {
       ++work.grasps;
+      // A retry is a grasp of an object that was held before and is held by no gripper now.
       const auto held = holders.find(object);
       if (held != holders.end() && held->second == 0) ++work.retries;
       ++holders[object];

@@ -16,11 +16,11 @@ namespace smile::task {
 /// Poses of objects in the world, by id.
 using ObjectPoses = std::map<std::string, RigidTransform>;
 
-/// A hand or a gripper had to do with an object, or it fell.
+/// Contact of a hand or gripper with an object, or the fall of an object.
 struct Touch {
   sim::Event event;
   std::uint64_t tick = 0;
-  RigidTransform X_WB;  ///< of the event's object then
+  RigidTransform X_WB;  ///< of the event's object at that tick
 };
 
 /// Episode of a demonstration or an imitation: the states of the scene at its begin and end, and
@@ -81,8 +81,8 @@ std::set<std::string> HeldInTheEnd(const Episode& episode);
 
 /// Numbers of grasps and retries of a robot's grippers.
 struct Work {
-  int grasps = 0;   ///< that got hold of something
-  int retries = 0;  ///< of what had been held before and was let go of
+  int grasps = 0;   ///< successful ones
+  int retries = 0;  ///< of objects held before and released since
 
   bool operator==(const Work&) const = default;
 };

@@ -9,9 +9,9 @@
 namespace smile::task {
 namespace {
 
-/// What is no farther from where it began was not taken [m].
+/// An object displaced by less than this was not taken [m].
 constexpr double kWhereItBegan = 0.01;
-/// What is farther from its place was not put there: a unit block [m].
+/// An object farther from its goal than this was not placed, only displaced: a unit block [m].
 constexpr double kNear = 0.1;
 
 /// Determines the failure reason from the objects that are not at their goal poses.
@@ -22,6 +22,8 @@ class FailureAnalysis {
         comparison_(comparison),
         start_(StartOf(outcome.scene)),
         end_(PosesAt(outcome.scene, outcome.end)) {
+    // Objects in the order of demonstrated placement, then the rest: the first match names the
+    // reason.
     for (const std::string& id : structure.order) AddIfWrong(id, structure);
     for (const scene::ObjectSpec& object : structure.objects) AddIfWrong(object.id(), structure);
   }
@@ -54,6 +56,7 @@ class FailureAnalysis {
     return OfFirst("toppled", [this](const scene::ObjectSpec& object) -> std::string {
       const RigidTransform& X_WGoal = comparison_.goal.at(object.id());
       const RigidTransform& X_WB = end_.at(IdOf(object));
+      // An object below its goal fell from what it should stand on, even if it landed upright.
       const double below = X_WGoal.translation().z() - X_WB.translation().z();
       if (below > kTolerance) return " lies " + Millimeters(below) + " lower than it should";
       const double tilt = SymmetryOf(object).TiltBetween(X_WGoal.rotation(), X_WB.rotation());
@@ -77,6 +80,7 @@ class FailureAnalysis {
   }
 
  private:
+  /// Appends an object of the structure that is not within tolerance, once.
   void AddIfWrong(const std::string& id, const Structure& structure) {
     const auto object = std::ranges::find(structure.objects, id, &scene::ObjectSpec::id);
     const bool is_known = std::ranges::find(wrong_, &*object) != wrong_.end();
@@ -111,6 +115,7 @@ class FailureAnalysis {
   std::vector<const scene::ObjectSpec*> wrong_;  ///< of the structure
 };
 
+/// Returns the reason for the first effect that is not achieved; nullopt if all are.
 std::optional<FailureReason> ReasonOfMissingEffect(const Structure& structure,
                                                    const Episode& outcome,
                                                    const Comparison& comparison) {
@@ -138,6 +143,8 @@ std::optional<FailureReason> FailureReasonOf(const Structure& structure, const E
   if (HasFailed(program)) {
     return FailureReason{"brain_failed", "the robot program failed: " + program.message};
   }
+  // From the most specific reason to the most general one. A fall comes first, since no time could
+  // mend it; a program that ran out of time comes before reasons that more time might have removed.
   const FailureAnalysis analysis(structure, outcome, comparison);
   if (const auto reason = analysis.Fallen()) return reason;
   if (program.status == "running" || program.status == "stopped") {

@@ -13,8 +13,8 @@ struct ProgramEnd {
   std::string message;  ///< why it failed
 };
 
-/// True when everything was achieved and the program did not fail: it may have failed before it did
-/// anything, where the goal held from the start.
+/// True if everything was achieved and the program did not fail. Both conditions are needed: where
+/// the goal held from the start, a program may fail before it does anything.
 bool IsSuccess(const Comparison& comparison, const ProgramEnd& program);
 
 /// Reason why an imitation failed.

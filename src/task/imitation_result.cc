@@ -9,6 +9,7 @@
 namespace smile::task {
 namespace {
 
+/// Units of `result.json`: millimeters and degrees.
 double MillimetersOf(const ObjectError& error) { return 1000 * error.distance; }
 double DegreesOf(const ObjectError& error) { return RadiansToDegrees(error.angle); }
 
@@ -52,6 +53,8 @@ ProgramEnd EndOf(const Json& brain) {
 
 ImitationTask MakeImitationTask(std::string name, const recording::Recording& demonstration,
                                 scene::SceneSpec scene) {
+  // Matching throws if an object has no counterpart. Its result is discarded: the final match
+  // depends on the outcome, see CompareWith().
   ImitationTask task{
       .name = std::move(name), .structure = StructureOf(demonstration), .scene = std::move(scene)};
   (void)MatchObjects(task.structure, task.scene);
@@ -60,6 +63,8 @@ ImitationTask MakeImitationTask(std::string name, const recording::Recording& de
 
 Json ResultOf(const ImitationTask& task, const Episode& outcome, const RunInfo& run_info) {
   const Structure& structure = task.structure;
+  // Poses and tolerance are in units of the scene file; errors are in millimeters and degrees
+  // whatever the unit.
   const Comparison comparison = CompareWith(structure, outcome);
   const double unit = task.scene.meters_per_unit;
   const ObjectError mean = comparison.mean_error();
@@ -82,6 +87,7 @@ Json ResultOf(const ImitationTask& task, const Episode& outcome, const RunInfo& 
                  {"seconds", run_info.seconds},
                  {"realtime_factor", run_info.realtime_factor},
                  {"brain", run_info.brain}};
+  // Absent for programs that get the demonstration as a whole and do not watch it.
   if (run_info.watched_seconds > 0) {
     result["watched_seconds"] = run_info.watched_seconds;
   }

@@ -25,7 +25,7 @@ ImitationTask MakeImitationTask(std::string name, const recording::Recording& de
 struct RunInfo {
   double seconds = 0;          ///< that it took, simulated, from the end of watching
   double watched_seconds = 0;  ///< before that, in which the program watched the demonstration
-  double realtime_factor = 0;  ///< how much faster than the clock it ran
+  double realtime_factor = 0;  ///< simulated time per wall-clock time
   Json brain;                  ///< with `status` and `message`
 };
 

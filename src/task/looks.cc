@@ -10,7 +10,7 @@ namespace {
 /// Lengths that differ less are equal [m].
 constexpr double kEqualLengths = 1e-6;
 
-/// Each once, in order.
+/// Returns each color once, in order of its first occurrence.
 std::vector<Color> KindsOf(const std::vector<Color>& colors) {
   std::vector<Color> kinds;
   for (const Color& color : colors) {
@@ -19,6 +19,7 @@ std::vector<Color> KindsOf(const std::vector<Color>& colors) {
   return kinds;
 }
 
+/// Returns the size of the bounding box along the object's own axes [m].
 Vector3 ExtentOf(const Looks& looks) {
   return scene::BoundsOf(looks.form, RigidTransform()).size();
 }
@@ -28,19 +29,25 @@ const std::string* DescriptionOf(const Looks& looks, const std::string& name) {
   return found != looks.descriptions.end() ? &found->value : nullptr;
 }
 
+/// Equal if both are missing or both have the same value.
 bool AreEqualDescriptions(const std::string* a, const std::string* b) {
   return a == nullptr || b == nullptr ? a == b : *a == *b;
 }
 
+/// False for the three properties that refer to the placement of an object and not to its
+/// appearance.
 bool IsAboutLooks(const std::string& property) {
   return property != "position" && property != "orientation" && property != "order";
 }
 
+/// True if two objects agree in one property. Color and size are measured; any other property is
+/// compared by description.
 bool Agree(const Looks& a, const Looks& b, const std::string& property) {
   if (property == "color") return KindsOf(a.colors) == KindsOf(b.colors);
   if (property == "size") return (ExtentOf(a) - ExtentOf(b)).cwiseAbs().maxCoeff() < kEqualLengths;
   const std::string* of_a = DescriptionOf(a, property);
   const std::string* of_b = DescriptionOf(b, property);
+  // Without a described shape on both sides, the geometric primitive decides.
   if (property == "shape" && (of_a == nullptr || of_b == nullptr)) {
     return a.shape == b.shape;
   }
@@ -56,6 +63,7 @@ Looks LooksOf(const scene::ObjectSpec& object) {
               .descriptions = object.descriptions};
   for (scene::Solid& solid : looks.form) {
     looks.colors.push_back(solid.color);
+    // Ids and colors are erased so that `form` compares geometry alone.
     solid.color = Color();
     solid.part_id.clear();
   }

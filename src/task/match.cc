@@ -6,8 +6,13 @@
 namespace smile::task {
 namespace {
 
+/// Cost of a pair that does not look alike: more than all alike pairs together, so that as many
+/// objects as possible get a counterpart.
 constexpr double kUnlike = 1e9;
 
+/// Prefers the object of the same id, then the first one in scene order.
+/// @param lateness  position in scene order, from 0 to less than 1. Divided by 1000, all of them
+///                  together weigh less than one equal id.
 double CostOfPart(bool is_alike, bool has_same_id, double lateness) {
   if (!is_alike) return kUnlike;
   return has_same_id ? 0 : 1 + lateness / 1000;
@@ -24,7 +29,8 @@ std::vector<Looks> LooksOfAll(const std::vector<scene::ObjectSpec>& objects) {
 Match MatchObjects(const Structure& structure, const scene::SceneSpec& scene) {
   std::vector<scene::ObjectSpec> wanted = structure.objects;
   wanted.insert(wanted.end(), structure.others.begin(), structure.others.end());
-  // Where the scene has too few objects, some are left without.
+  // If the scene has too few objects, extra columns of cost kUnlike keep the problem solvable; the
+  // objects assigned to them have no counterpart.
   const std::size_t columns = std::max(wanted.size(), scene.objects.size());
   Eigen::MatrixXd costs = Eigen::MatrixXd::Constant(static_cast<Eigen::Index>(wanted.size()),
                                                     static_cast<Eigen::Index>(columns), kUnlike);
@@ -38,6 +44,8 @@ Match MatchObjects(const Structure& structure, const scene::SceneSpec& scene) {
           static_cast<double>(j) / static_cast<double>(looks.size()));
     }
   }
+  // A global optimum is necessary: with attention to different properties, sets of candidates can
+  // overlap in part, and a greedy choice could take the only counterpart of another object.
   const std::vector<std::size_t> assigned = CheapestAssignment(costs);
   Match match;
   std::vector<Diagnostic> findings;

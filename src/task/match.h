@@ -8,11 +8,11 @@
 
 namespace smile::task {
 
-/// Which object of another scene plays the part of which object of a demonstration.
+/// Objects of another scene by the id of the demonstrated object whose counterpart they are.
 using Match = std::map<std::string, std::string>;
 
-/// Before anything is done: the one of the same id if it is alike (see AreAlike(), and what the
-/// demonstrator told of it), else the first that is alike and still free.
+/// Returns a match by appearance, before anything is done: the object of the same id if it is alike
+/// (see AreAlike() and Structure::attention), else the first one that is alike and still free.
 /// @throws InputError naming the objects that have no counterpart.
 Match MatchObjects(const Structure& structure, const scene::SceneSpec& scene);
 

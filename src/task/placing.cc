@@ -10,43 +10,54 @@
 namespace smile::task {
 namespace {
 
-// What an object costs: within tolerance the sum of its errors, in tolerances. What is not weighs
-// more than all others together can; among those, near ones are better.
+// Cost of an object. Within tolerance: the sum of its errors, in tolerances (0 to 2). Outside: more
+// than the errors of all other objects together, so that the number of objects within tolerance
+// decides first; plus a small term by which nearer objects are better. Pairs that do not look alike
+// are never chosen while there is an alternative.
 constexpr double kOutside = 1e6, kPerMeterOutside = 1e-3, kMostMeters = 10;
 constexpr double kUnlikely = 1e12;
 
-/// As many objects suggest motions, those with the fewest look-alikes first.
+/// Maximal number of objects that suggest motions. Those with the fewest candidates come first, as
+/// they suggest the fewest wrong ones.
 constexpr std::size_t kMaxAnchors = 24;
-/// Steps of work after which the best placing so far is good enough: less than a second.
+/// Limit of work, in steps of inner loops (less than a second in total); then the best placing so
+/// far is good enough. Counting steps and not time keeps the result deterministic.
 constexpr double kMaxWork = 1e8;
 
-/// An object that may play a part.
+/// Object of the outcome's scene that may be a counterpart.
 struct Candidate {
   const scene::ObjectSpec* object = nullptr;
   RigidTransform X_WB;
   Looks looks;
 };
 
-/// An object of the structure, and who may play its part.
+/// Object of the structure, with the indices of its candidates in the pool.
 struct Wanted {
   const scene::ObjectSpec* object = nullptr;
   RigidTransform X_WA;
   Symmetry symmetry;
   std::vector<std::size_t> candidates;
-  std::vector<bool> are_of_its_form;  ///< of these: only then is an angle between them
+  std::vector<bool> are_of_its_form;  ///< same form as the candidate, so angles compare
 };
 
+/// Searches for the motion on the table (x, y, yaw) and the match with the least total cost. One or
+/// two corresponding objects determine a motion: the search tries the motions that follow from each
+/// hypothesis "this object is that candidate", evaluates each with an optimal assignment, and
+/// refines the best one by least squares.
 class PlacingSearch {
  public:
   PlacingSearch(const Structure& structure, const scene::SceneSpec& scene,
                 const ObjectPoses& outcome, const Match& match)
       : others_(OthersOf(structure, match)) {
+    // Objects that only effects refer to keep their counterparts; these are not available to
+    // others.
     for (const scene::ObjectSpec& object : scene.objects) {
       const bool is_taken = std::ranges::any_of(
           others_, [&](const auto& other) { return other.second == object.id(); });
       if (!is_taken) pool_.push_back({&object, outcome.at(object.id()), LooksOf(object)});
     }
     for (const scene::ObjectSpec& object : structure.objects) AddWanted(object, structure);
+    // The identity is always a hypothesis: the structure stands where it was demonstrated.
     Consider({});
   }
 
@@ -73,6 +84,7 @@ class PlacingSearch {
     return others;
   }
 
+  /// Adds an object of the structure with the candidates that look alike.
   void AddWanted(const scene::ObjectSpec& object, const Structure& structure) {
     Wanted wanted{.object = &object,
                   .X_WA = object.pose_in_world(),
@@ -89,6 +101,8 @@ class PlacingSearch {
     wanted_.push_back(std::move(wanted));
   }
 
+  /// Returns the cost of an object if the candidate number `which` is its counterpart and X_WGoal
+  /// its goal.
   double CostOf(const Wanted& wanted, std::size_t which, const RigidTransform& X_WGoal) const {
     const Candidate& candidate = pool_[wanted.candidates[which]];
     const double distance = (X_WGoal.translation() - candidate.X_WB.translation()).norm();
@@ -102,7 +116,8 @@ class PlacingSearch {
     return kOutside + kPerMeterOutside * std::min(distance, kMostMeters);
   }
 
-  /// Takes the motion if it is better than the best so far.
+  /// Evaluates a motion and keeps it if it is better than the best one so far. On equal cost the
+  /// earlier one stays, so the order of the hypotheses makes the result deterministic.
   void Consider(const TableMotion& motion) {
     const auto rows = static_cast<Eigen::Index>(wanted_.size());
     Eigen::MatrixXd costs =
@@ -121,7 +136,8 @@ class PlacingSearch {
       least += nearest;
       work_ += static_cast<double>(pool_.size());
     }
-    // Even if all could have their nearest ones it would be no better.
+    // Lower bound: each object has its nearest candidate, even if several share one. It spares most
+    // of the assignments, which are the expensive step.
     if (!best_choice_.empty() && least >= best_cost_) return;
     const std::vector<std::size_t> choice = CheapestAssignment(costs);
     work_ += static_cast<double>(rows * rows * costs.cols());
@@ -137,15 +153,19 @@ class PlacingSearch {
 
   bool IsTired() const { return work_ > kMaxWork; }
 
-  /// Where the fixed objects are, there is the structure.
+  /// Considers only motions that carry fixed objects onto fixed candidates: the structure cannot
+  /// stand elsewhere.
   void SearchFixed() {
     best_choice_.clear();
     for (const Wanted& one : wanted_) {
       if (one.object->is_static()) ConsiderTurnsAbout(one, /*is_fixed=*/true);
     }
+    // A choice is needed for the result even if nothing matches.
     if (best_choice_.empty()) Consider({});
   }
 
+  /// Considers motions from single objects and their orientations first, then from pairs of
+  /// objects.
   void SearchFree() {
     const std::vector<const Wanted*> anchors = Anchors();
     for (const Wanted* one : anchors) ConsiderTurnsAbout(*one, /*is_fixed=*/false);
@@ -156,6 +176,7 @@ class PlacingSearch {
     }
   }
 
+  /// Returns the objects that suggest motions. Stable sorting keeps the scene order among equals.
   std::vector<const Wanted*> Anchors() const {
     std::vector<const Wanted*> anchors;
     for (const Wanted& wanted : wanted_) anchors.push_back(&wanted);
@@ -165,11 +186,12 @@ class PlacingSearch {
     return anchors;
   }
 
-  /// An object that is where it should be is as high as it should be: heights are not shifted.
+  /// A motion on the table keeps heights: a candidate at another height cannot be within tolerance.
   static bool MayBeThere(const Wanted& wanted, const Candidate& candidate) {
     return std::abs(wanted.X_WA.translation().z() - candidate.X_WB.translation().z()) <= kTolerance;
   }
 
+  /// Considers the motions that carry an object exactly onto a candidate, position and yaw.
   void ConsiderTurnsAbout(const Wanted& one, bool is_fixed) {
     for (std::size_t j : one.candidates) {
       if (!is_fixed && !MayBeThere(one, pool_[j])) continue;
@@ -177,6 +199,8 @@ class PlacingSearch {
       const Vector3& to = pool_[j].X_WB.translation();
       const std::vector<double> yaws =
           one.symmetry.YawsBetween(one.X_WA.rotation(), pool_[j].X_WB.rotation());
+      // Every yaw is possible (a sphere, an upright cylinder) or the two do not stand alike: the
+      // position alone is the hypothesis.
       if (yaws.empty()) Consider(MotionTo(0, from, to));
       for (double yaw : yaws) {
         if (IsTired()) return;
@@ -185,7 +209,9 @@ class PlacingSearch {
     }
   }
 
-  /// Two objects that stand apart tell the turn by where they are, which is more exact.
+  /// Considers the motions that two objects determine: the first one's position, and the direction
+  /// from the first to the second. The longer the baseline, the more exact is the yaw, compared
+  /// with that of a single orientation.
   void ConsiderPairs(const Wanted& one, const Wanted& other) {
     const Eigen::Vector2d a = (other.X_WA.translation() - one.X_WA.translation()).head<2>();
     if (a.norm() < kTolerance) return;
@@ -195,6 +221,7 @@ class PlacingSearch {
         if (j == k || !MayBeThere(other, pool_[k])) continue;
         const Eigen::Vector2d b =
             (pool_[k].X_WB.translation() - pool_[j].X_WB.translation()).head<2>();
+        // A motion keeps distances: each object may be off by the tolerance, hence twice that.
         if (std::abs(a.norm() - b.norm()) > 2 * kTolerance || b.norm() < kTolerance) continue;
         if (IsTired()) return;
         Consider(MotionTo(std::atan2(b.y(), b.x()) - std::atan2(a.y(), a.x()),
@@ -203,6 +230,8 @@ class PlacingSearch {
     }
   }
 
+  /// Fits the motion to all objects within tolerance, since one or two objects carry their own
+  /// placement errors into it. Kept only if it is better.
   void Refine() {
     std::vector<PointPair> pairs;
     for (std::size_t i = 0; i < wanted_.size(); ++i) {

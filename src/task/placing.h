@@ -4,18 +4,21 @@
 
 namespace smile::task {
 
-/// Where a structure was built, and of what.
+/// Motion and match with which an outcome is compared to a structure.
 struct Placing {
-  RigidTransform motion;  ///< carries the structure from the demonstration to there
+  RigidTransform motion;  ///< from the demonstrated structure to where it was built
   Match match;            ///< of its objects
 };
 
-/// The best placing of all that one object or two objects suggest; see CompareWith().
-/// @param match  some match, as MatchObjects() finds it; the other objects keep their parts in it.
+/// Returns the best placing of those that single objects or pairs of objects suggest; see
+/// CompareWith().
+/// @param match  from MatchObjects(); objects outside the structure (Structure::others) keep their
+///               counterparts.
 Placing FindPlacing(const Structure& structure, const scene::SceneSpec& scene,
                     const ObjectPoses& outcome, const Match& match);
 
-/// How far an object is from its place in a goal.
+/// Returns the deviation of an object from its goal pose. The angle is 0 if the two have different
+/// forms.
 ObjectError ErrorOf(const scene::ObjectSpec& wanted, const RigidTransform& X_WGoal,
                     const scene::ObjectSpec& counterpart, const RigidTransform& X_WB);
 

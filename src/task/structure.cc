@@ -9,18 +9,20 @@
 namespace smile::task {
 namespace {
 
-/// Comparing takes the longer the more there are, by more than their square.
+/// Limit on the objects of a task: the time for a comparison grows faster than the square of their
+/// number.
 constexpr std::size_t kMaxObjects = 500;
 
 [[noreturn]] void Fail(const recording::Recording& demonstration, const std::string& message) {
   throw InputError({demonstration.directory.string(), 0, "", message});
 }
 
-/// Two objects of which the second belongs to what the first one is part of.
+/// Pair (object, other): if the object is part of a structure, the other one is as well.
 using Belonging = std::pair<std::string, std::string>;
 
-/// What is beneath and around things belongs to them, and what slides in them or is fastened to
-/// them, and the other way round.
+/// Returns the pairs of objects that belong together. A support or container belongs to what it
+/// carries, but not the reverse: other objects on the same plank may be unrelated. Sliders and
+/// bonds connect both ways.
 std::vector<Belonging> BelongingsIn(const Episode& episode,
                                     const std::vector<Relation>& relations) {
   std::vector<Belonging> belongings;
@@ -41,7 +43,7 @@ std::vector<Belonging> BelongingsIn(const Episode& episode,
   return belongings;
 }
 
-/// These, and all that belongs to them.
+/// Returns the ids and everything that belongs to them, directly or not (transitive closure).
 std::set<std::string> WithBelongings(std::set<std::string> ids,
                                      const std::vector<Belonging>& belongings) {
   for (bool has_grown = true; has_grown;) {
@@ -53,6 +55,7 @@ std::set<std::string> WithBelongings(std::set<std::string> ids,
   return ids;
 }
 
+/// Returns the objects that any effect refers to.
 std::set<std::string> ConcernedBy(const std::vector<Effect>& effects) {
   std::set<std::string> concerned;
   for (const Effect& effect : effects) {
@@ -61,6 +64,7 @@ std::set<std::string> ConcernedBy(const std::vector<Effect>& effects) {
   return concerned;
 }
 
+/// Throws if nothing was achieved, or if the structure is too large to compare.
 void RequireATask(const Structure& structure, const recording::Recording& demonstration) {
   if (structure.objects.empty() && structure.effects.empty()) {
     Fail(demonstration,
@@ -96,15 +100,19 @@ Structure StructureOf(const recording::Recording& demonstration) {
                       .attention = recording::AttentionOf(demonstration)};
   structure.relations = model::RelationsOf(episode.scene, structure.objects);
 
+  // The structure consists of what hands touched and what belongs to it.
   const std::vector<std::string> touched = TouchedByHands(episode);
   const std::set<std::string> members =
       WithBelongings({touched.begin(), touched.end()}, BelongingsIn(episode, structure.relations));
   const std::set<std::string> concerned = ConcernedBy(structure.effects);
+  // Objects outside the structure whose state matters need a counterpart, but no place.
   for (const scene::ObjectSpec& object : structure.objects) {
     if (!members.contains(object.id()) && concerned.contains(object.id())) {
       structure.others.push_back(object);
     }
   }
+  // All lists started with the objects of the whole scene; what is not a member of the structure is
+  // removed.
   const auto is_missing = [&](const std::string& id) { return !members.contains(id); };
   std::erase_if(structure.objects, [&](const auto& object) { return is_missing(object.id()); });
   std::erase_if(structure.relations, [&](const auto& one) { return is_missing(one.object); });

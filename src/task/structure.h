@@ -12,27 +12,28 @@ namespace smile::task {
 
 using model::Relation;
 
-/// What a demonstration achieved: the task is to achieve the same elsewhere on the table.
+/// Result of a demonstration: the task is to achieve the same anywhere on the table.
 struct Structure {
-  /// What hands moved, with what these stand on or lie in down to the table, and what slides in
-  /// them or is fastened to them, in scene order, as they lay in the end. None where nothing was
-  /// done but pressing switches.
+  /// Objects that hands moved, their supports and containers down to the table, and objects that
+  /// slide in them or are fastened to them; in scene order, with their final poses. Empty if the
+  /// demonstration only pressed switches.
   std::vector<scene::ObjectSpec> objects;
-  std::vector<Relation> relations;  ///< of these objects, in the end
+  std::vector<Relation> relations;  ///< of these objects, at the end
   std::vector<std::string> order;   ///< of their placements, see PlacementsOf()
   std::vector<Effect> effects;
-  /// What else the effects are about: it has no place in the structure, in scene order.
+  /// Other objects that effects refer to, in scene order; they have no place in the structure.
   std::vector<scene::ObjectSpec> others;
-  /// What fell from the table during the demonstration, in this order.
+  /// Objects that fell from the table during the demonstration, in this order.
   std::vector<std::string> fallen;
-  Attention attention;  ///< what the demonstrator told of the objects
+  Attention attention;  ///< properties of objects that matter, as specified by the demonstrator
 
-  /// True when something of it cannot be moved: then it may stand nowhere else.
+  /// True if some of its objects cannot be moved; then the structure can stand nowhere else.
   bool is_fixed() const;
-  /// What matters of an object; nothing in particular if nothing was told.
+  /// Returns the properties of an object that matter; empty if none were specified.
   std::vector<std::string> AttendedOf(const std::string& object) const;
 };
 
+/// Returns the structure that a demonstration achieved.
 /// @throws InputError if the recording's trace cannot be read, or nothing was achieved.
 Structure StructureOf(const recording::Recording& demonstration);
 

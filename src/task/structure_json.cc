@@ -15,6 +15,7 @@ Json ToJson(const Relation& relation) {
   return {{"object", relation.object}, {is_in ? "in" : "on", relation.support}};
 }
 
+/// Joins words as in a sentence: `a, b and c`.
 std::string Joined(const std::vector<std::string>& words) {
   std::string text;
   for (std::size_t i = 0; i < words.size(); ++i) {
@@ -24,7 +25,8 @@ std::string Joined(const std::vector<std::string>& words) {
   return text;
 }
 
-/// `Red1 on ShortPlank`; an object may stand on several.
+/// Returns the place of an object for people, as `Red1 on ShortPlank`. An object may have several
+/// supports.
 std::string PlaceOf(const std::string& id, const std::vector<Relation>& relations) {
   std::vector<std::string> around, beneath;
   for (const Relation& relation : relations) {
@@ -42,6 +44,7 @@ bool Contains(const std::vector<std::string>& ids, const std::string& id) {
   return std::ranges::find(ids, id) != ids.end();
 }
 
+/// True if the demonstration placed the object.
 bool IsPut(const Structure& structure, const std::string& id) {
   return Contains(structure.order, id);
 }
@@ -78,6 +81,7 @@ Json ToJson(const Structure& structure, double meters_per_unit) {
 
 std::vector<std::string> WordsOf(const Structure& structure, double meters_per_unit) {
   std::vector<std::string> lines;
+  // Numbered steps first, then objects that were never placed, falls, effects and attention.
   for (std::size_t i = 0; i < structure.order.size(); ++i) {
     const std::string& id = structure.order[i];
     lines.push_back(

@@ -5,13 +5,13 @@
 
 namespace smile::task {
 
-/// id -> position [units] and rotation [degrees].
+/// Returns an object from ids to `position` [units] and `rotation` (fixed axes x, y, z) [degrees].
 Json PosesJson(const ObjectPoses& poses, double meters_per_unit);
 
-/// As `smile describe --json` tells it (docs/results.md).
+/// Returns the structure in the format of `smile describe --json` (docs/results.md).
 Json ToJson(const Structure& structure, double meters_per_unit);
 
-/// Line by line, for people: `1. ShortPlank on the table`, …, effects, what matters.
+/// Returns a description for people, line by line:
 std::vector<std::string> WordsOf(const Structure& structure, double meters_per_unit);
 
 }  // namespace smile::task

@@ -10,21 +10,24 @@
 namespace smile::task {
 namespace {
 
-/// Polygons of so many sides look round.
+/// Polygons with at least this many sides look round.
 constexpr int kRoundSides = 24;
-/// Pieces are in the same place when they are this near [m].
+/// Largest deviation at which two pieces coincide [m, and for entries of rotation matrices].
 constexpr double kSamePlace = 1e-5;
-/// So much work is done to find out; what is more complicated has no symmetry.
+/// Limits of work. Objects beyond them count as having no symmetry.
 constexpr std::size_t kMaxPieces = 200, kMaxHullCorners = 200;
-/// Two stand alike when one is tilted less against the other [rad].
+/// Largest tilt between two orientations that counts as standing alike [rad]; a little more than
+/// the tolerance of 15 degrees (kAngleTolerance), so that no orientation within tolerance is lost.
 constexpr double kSameStand = 0.27;
 
-/// The 24 rotations that carry the axes onto one another.
+/// Returns the 24 rotations of a cube: those that map coordinate axes to coordinate axes.
 std::vector<Matrix3> QuarterTurns() {
   std::vector<Matrix3> turns;
   for (int x = 0; x < 3; ++x) {
     for (int y = 0; y < 3; ++y) {
       if (x == y) continue;
+      // Columns 0 and 1 are free choices of axis and sign; the third follows, as determinants are
+      // +1.
       for (int signs = 0; signs < 4; ++signs) {
         Matrix3 turn = Matrix3::Zero();
         turn(x, 0) = signs % 2 == 0 ? 1 : -1;
@@ -42,12 +45,13 @@ Matrix3 TurnAboutZ(double angle) {
 }
 
 bool FillTheSame(const scene::Block& a, const scene::Block& b, const RigidTransform& X_AB) {
-  // The sizes must agree along axes that are parallel, and all of them must be.
+  // |R| must be a permutation matrix, so that the axes are parallel; it permutes the sizes.
   const Matrix3 R = X_AB.rotation().cwiseAbs();
   return ((R.array() < kSamePlace) || (R.array() > 1 - kSamePlace)).all() &&
          (R * b.size - a.size).norm() < kSamePlace;
 }
 
+/// The axis of a cylinder is y; either direction will do.
 bool FillTheSame(const scene::Cylinder& a, const scene::Cylinder& b, const RigidTransform& X_AB) {
   return std::abs(X_AB.rotation()(1, 1)) > 1 - kSamePlace &&
          std::abs(a.radius - b.radius) + std::abs(a.length - b.length) < kSamePlace;
@@ -57,6 +61,7 @@ bool FillTheSame(const scene::Sphere& a, const scene::Sphere& b, const RigidTran
   return std::abs(a.radius - b.radius) < kSamePlace;
 }
 
+/// The corners must coincide in any order; faces follow from the corners, as hulls are convex.
 bool FillTheSame(const scene::Hull& a, const scene::Hull& b, const RigidTransform& X_AB) {
   const std::vector<Vector3>& corners = a.polyhedron().corners;
   if (corners.size() != b.polyhedron().corners.size() || corners.size() > kMaxHullCorners) {
@@ -69,23 +74,27 @@ bool FillTheSame(const scene::Hull& a, const scene::Hull& b, const RigidTransfor
   });
 }
 
+/// Shapes of different or other kinds never coincide.
 template <class A, class B>
 bool FillTheSame(const A&, const B&, const RigidTransform&) {
   return false;
 }
 
-/// True when a piece, carried by X_BB', comes to where another one of its color is.
+/// True if a piece, moved by the rotation `turn` of the body, coincides with another piece of the
+/// same color, control and appearance.
 bool ComesTo(const scene::Solid& moved, const RigidTransform& turn, const scene::Solid& other) {
   if (moved.color != other.color || moved.control != other.control || moved.look != other.look) {
     return false;
   }
   const RigidTransform X = other.X_BS.inverse() * (turn * moved.X_BS);
+  // Corners of hulls are compared in place, so that the origins of their frames do not matter.
   const bool is_hull = std::holds_alternative<scene::Hull>(moved.shape);
   if (!is_hull && X.translation().norm() > kSamePlace) return false;
   return std::visit([&](const auto& a, const auto& b) { return FillTheSame(a, b, X); }, other.shape,
                     moved.shape);
 }
 
+/// True if each piece of the body, turned, coincides with some piece.
 bool LooksTheSame(const std::vector<scene::Solid>& solids, const Matrix3& turn) {
   const RigidTransform X(turn, Vector3::Zero());
   return std::ranges::all_of(solids, [&](const scene::Solid& moved) {
@@ -94,6 +103,7 @@ bool LooksTheSame(const std::vector<scene::Solid>& solids, const Matrix3& turn) 
   });
 }
 
+/// Returns those of the 24 rotations under which the body looks the same.
 Symmetry TriedSymmetry(const scene::Part& whole) {
   Symmetry symmetry;
   if (scene::NumSolidsOf(whole) > kMaxPieces) return symmetry;
@@ -105,19 +115,22 @@ Symmetry TriedSymmetry(const scene::Part& whole) {
   return symmetry;
 }
 
-/// A container looks like a block, as long as its opening is where it was.
+/// Returns the symmetry of a block of the same size, restricted to rotations that keep the opening
+/// (+z) up.
 Symmetry ContainerSymmetry(const scene::Box& box) {
   Symmetry symmetry = TriedSymmetry({.shape = scene::Block{box.size}});
   std::erase_if(symmetry.turns, [](const Matrix3& turn) { return turn(2, 2) < 0.5; });
   return symmetry;
 }
 
-/// Of a regular polygon, its first corner towards +x, drawn out along z.
+/// Returns the symmetry of a regular polygon with its first corner at +x, extruded along z.
 Symmetry PrismSymmetry(int sides, bool is_reversible) {
   if (sides >= kRoundSides) {
     return {.axis = Vector3::UnitZ(), .is_reversible = is_reversible, .turns = {}};
   }
   Symmetry symmetry{.axis = {}, .turns = {}};
+  // A half turn about x maps the polygon onto itself, because it has a corner on x, and exchanges
+  // top and bottom.
   const Matrix3 reversal = Vector3(1, -1, -1).asDiagonal();
   for (int i = 0; i < sides; ++i) {
     const Matrix3 turn = TurnAboutZ(2 * std::numbers::pi * i / sides);
@@ -127,13 +140,19 @@ Symmetry PrismSymmetry(int sides, bool is_reversible) {
   return symmetry;
 }
 
+/// Returns the rotation angle of R, within [0, pi] [rad].
 double AngleOf(const Matrix3& R) { return std::acos(std::clamp((R.trace() - 1) / 2, -1.0, 1.0)); }
 
+/// Returns the angle between the vertical and its image under R [rad]; turns about the vertical do
+/// not change it.
 double TiltOf(const Matrix3& R) { return std::acos(std::clamp(R(2, 2), -1.0, 1.0)); }
 
-/// Of the turn about z nearest to a rotation.
+/// Returns the angle of the turn about z that is nearest to R: it maximizes trace(Rz(angle)^T R)
+/// [rad].
 double NearestYawOf(const Matrix3& R) { return std::atan2(R(1, 0) - R(0, 1), R(0, 0) + R(1, 1)); }
 
+/// Returns the angle between two vectors [rad]; atan2 stays exact near 0 and pi, where acos does
+/// not.
 double AngleOf(const Vector3& a, const Vector3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
@@ -146,6 +165,7 @@ double Symmetry::AngleBetween(const Matrix3& R_WA, const Matrix3& R_WB) const {
     const double angle = AngleOf(Vector3(R_WA * *axis), Vector3(R_WB * *axis));
     return is_reversible ? std::min(angle, std::numbers::pi - angle) : angle;
   }
+  // Equivalent orientations of B are R_WB * turn; the nearest one counts.
   double least = std::numbers::pi;
   for (const Matrix3& turn : turns) {
     least = std::min(least, AngleOf(Matrix3(R_WA.transpose() * R_WB * turn)));
@@ -156,8 +176,10 @@ double Symmetry::AngleBetween(const Matrix3& R_WA, const Matrix3& R_WB) const {
 double Symmetry::TiltBetween(const Matrix3& R_WA, const Matrix3& R_WB) const {
   if (is_sphere) return 0;
   if (axis) {
+    // Up to a turn about the vertical, only the inclination of the axis matters.
     const double a = AngleOf(Vector3(R_WA * *axis), Vector3::UnitZ());
     const double b = AngleOf(Vector3(R_WB * *axis), Vector3::UnitZ());
+    // 4 exceeds every angle, so that a body that is not reversible never uses it.
     const double reversed = is_reversible ? std::abs(a - (std::numbers::pi - b)) : 4;
     return std::min(std::abs(a - b), reversed);
   }
@@ -173,6 +195,7 @@ std::vector<double> Symmetry::YawsBetween(const Matrix3& R_WA, const Matrix3& R_
   if (is_sphere) return yaws;
   if (axis) {
     const Vector3 a = R_WA * *axis, b = R_WB * *axis;
+    // With a vertical axis, a turn about the vertical changes nothing visible.
     if (std::abs(a.z()) > 1 - kSamePlace || std::abs(b.z()) > 1 - kSamePlace) return yaws;
     yaws.push_back(std::atan2(b.y(), b.x()) - std::atan2(a.y(), a.x()));
     if (is_reversible) yaws.push_back(yaws.back() + std::numbers::pi);
@@ -188,6 +211,7 @@ std::vector<double> Symmetry::YawsBetween(const Matrix3& R_WA, const Matrix3& R_
 Symmetry SymmetryOf(const scene::ObjectSpec& object) {
   return std::visit(
       Overloaded{[](const scene::Sphere&) { return Symmetry{.is_sphere = true, .axis = {}}; },
+                 // The axis of a cylinder is y; those of frustums and rings are z.
                  [](const scene::Cylinder&) {
                    return Symmetry{.axis = Vector3::UnitY(), .is_reversible = true, .turns = {}};
                  },

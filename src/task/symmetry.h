@@ -7,27 +7,28 @@
 
 namespace smile::task {
 
-/// The turns of a body B about its origin after which it looks as before.
+/// Symmetry of a body B: the rotations about its origin after which it looks the same.
 struct Symmetry {
   bool is_sphere = false;       ///< any turn
-  std::optional<Vector3> axis;  ///< any turn about this direction of B; nullopt: none
-  bool is_reversible = false;   ///< it may also point the other way
-  std::vector<Matrix3> turns{Matrix3::Identity()};  ///< where there is no axis
+  std::optional<Vector3> axis;  ///< any rotation about this direction of B; nullopt: none
+  bool is_reversible = false;   ///< the axis may also point the other way
+  std::vector<Matrix3> turns{Matrix3::Identity()};  ///< used if there is no axis
 
-  /// How far apart two orientations of the body look, within [0, pi] [rad].
+  /// Returns the smallest angle between two orientations of the body, up to its symmetry, within
+  /// [0, pi] [rad].
   double AngleBetween(const Matrix3& R_WA, const Matrix3& R_WB) const;
-  /// How far, at least, one is tilted against the other, whatever turn about the vertical there is
-  /// between them [rad].
+  /// Returns the smallest tilt between two orientations, up to the symmetry and any turn about the
+  /// vertical [rad].
   double TiltBetween(const Matrix3& R_WA, const Matrix3& R_WB) const;
-  /// The turns about the vertical that may lead from one to the other where both stand alike: none
-  /// where every turn does [rad].
+  /// Returns the angles of turns about the vertical that lead from A to B if both stand alike
+  /// [rad]; empty if every angle does.
   std::vector<double> YawsBetween(const Matrix3& R_WA, const Matrix3& R_WB) const;
 };
 
-/// Of what can be seen of an object. Spheres and cylinders are round, and so are frustums and rings
-/// of 24 sides and more; those with fewer come back after each side. All else is tried on the
-/// quarter turns about its own axes, and the halves and thirds that these make up: a cube comes
-/// back after all 24, a plank of square section after 8.
+/// Returns the symmetry of the visible object. Spheres and cylinders are round, and so are frustums
+/// and rings of 24 sides and more; those with fewer have one rotation per side. All other shapes
+/// are tested with the 24 rotations of a cube: a cube looks the same after all 24, a plank of
+/// square section after 8.
 Symmetry SymmetryOf(const scene::ObjectSpec& object);
 
 }  // namespace smile::task

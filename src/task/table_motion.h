@@ -6,7 +6,8 @@
 
 namespace smile::task {
 
-/// A shift on the table and a turn about the vertical.
+/// Rigid motion on the table: a turn about the vertical through the origin, then a shift along x
+/// and y [m].
 struct TableMotion {
   double angle = 0;  ///< [rad]
   Eigen::Vector2d shift = Eigen::Vector2d::Zero();
@@ -14,16 +15,17 @@ struct TableMotion {
   RigidTransform transform() const;
 };
 
-/// The motion with this turn that carries `from` to where `to` is on the ground; heights stay.
+/// Returns the motion with this angle that carries `from` onto `to` in the plane of the table;
+/// heights stay.
 TableMotion MotionTo(double angle, const Vector3& from, const Vector3& to);
 
-/// Where a point was, and where it is now.
+/// Positions of a point before and after a motion, in the world [m].
 struct PointPair {
   Vector3 p_WA, p_WB;
 };
 
-/// The motion that carries the first points nearest to the second ones, by least squares on the
-/// ground. Pairs that lie above one another say nothing about the turn: then `angle` stays.
+/// Returns the least-squares motion from the first points to the second ones, in the plane of the
+/// table. Pairs that lie above one another do not determine an angle: then `angle` is used.
 TableMotion FitMotion(const std::vector<PointPair>& pairs, double angle);
 
 }  // namespace smile::task

@@ -20,6 +20,8 @@ namespace {
 AppendFile::AppendFile(const std::filesystem::path& path, Existence existence)
     : path_(path),
       file_(std::fopen(path.c_str(), existence == kNew ? "wbxe" : "r+be"), &std::fclose) {
+  // The advisory lock excludes other writers and lasts until the file is closed; readers are not
+  // affected. A lock that is taken fails at once and does not wait.
   if (!file_) Fail(path_);
   if (flock(fileno(file_.get()), LOCK_EX | LOCK_NB) != 0) {
     throw std::runtime_error(path_.string() + ": is being written by another program");
@@ -45,6 +47,7 @@ void AppendFile::Append(std::span<const std::byte> bytes) {
       std::fflush(file_.get()) != 0) {
     Fail(path_);
   }
+  // Reached only if the buffer was flushed to the operating system.
   size_ += bytes.size();
 }
 

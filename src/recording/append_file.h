@@ -10,17 +10,17 @@
 
 namespace smile::recording {
 
-/// A file that grows, and that nobody else makes grow meanwhile. What Append() wrote is with the
-/// operating system when it returns, so a process that dies loses nothing that was complete.
+/// Append-only file, locked against other writers. The bytes of Append() are with the operating
+/// system when it returns, so a process that dies loses nothing that was complete.
 class AppendFile {
  public:
   enum Existence { kNew, kExisting };
 
-  /// @throws std::runtime_error with path and reason, as every other member does: if a new one
-  ///         exists already, or an existing one is being written by somebody else.
+  /// @throws std::runtime_error with path and reason, as every other member does: if a new file
+  ///         exists already, or an existing one is being written by another process.
   explicit AppendFile(const std::filesystem::path& path, Existence existence = kNew);
 
-  /// Takes away what is behind the first `size` bytes.
+  /// Truncates the file to its first `size` bytes.
   void Cut(std::uint64_t size);
   void Append(std::string_view text);
   void Append(std::span<const std::byte> bytes);

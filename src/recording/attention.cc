@@ -9,6 +9,7 @@ std::map<std::string, std::vector<std::string>> AttentionOf(const Recording& rec
   const auto note = [&attention](const std::vector<sim::Event>& events) {
     for (const sim::Event& event : events) {
       if (event.kind != sim::EventKind::kAttended) continue;
+      // The last event on an object counts; one without properties revokes the earlier ones.
       attention.erase(event.object);
       if (!event.properties.empty()) attention[event.object] = event.properties;
     }

@@ -8,7 +8,8 @@
 
 namespace smile::recording {
 
-/// Of the objects of a demonstration, by id: which properties matter in the end, as was told last.
+/// Returns the properties of a demonstration's objects that matter, by object id, as last
+/// specified.
 /// @throws InputError if the recording's trace cannot be read.
 std::map<std::string, std::vector<std::string>> AttentionOf(const Recording& recording);
 

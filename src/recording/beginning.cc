@@ -14,10 +14,11 @@ namespace {
 
 constexpr const char* kMark = ".smile-beginning";
 
-/// The path of the mark in an empty directory.
+/// Makes the directory, without the rest of an abandoned beginning, and returns the path of its
+/// mark.
 std::filesystem::path MakeRoom(const std::filesystem::path& directory) {
   if (IsAbandoned(directory)) {
-    std::error_code error;  // what cannot be deleted is reported when it cannot be written
+    std::error_code error;  // errors are ignored here: writing the mark will report them
     std::filesystem::remove_all(directory, error);
   }
   MakeDirectories(directory);
@@ -36,6 +37,8 @@ void BeginningMark::Remove() {
 
 bool IsAbandoned(const std::filesystem::path& directory) {
   if (IsRecording(directory)) return false;
+  // The process that begins a recording holds an exclusive lock, which ends with the process. A
+  // shared lock is granted only if no such process is alive. O_NOFOLLOW: a link is no mark.
   const int file = open((directory / kMark).c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW);
   if (file < 0) return false;
   const bool is_free = flock(file, LOCK_SH | LOCK_NB) == 0;

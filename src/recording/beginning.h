@@ -6,16 +6,16 @@
 
 namespace smile::recording {
 
-/// Mark of a recording that is being begun: a locked file in its directory, from before anything
-/// else is written there until the recording can be opened. A mark that is not locked tells that
-/// the program was killed in between.
+/// Mark of a recording that is being created: a locked file in its directory, which exists from
+/// before anything else is written there until the recording can be opened. An unlocked mark means
+/// that the program was killed in between.
 class BeginningMark {
  public:
-  /// Makes the directory and the mark, in place of a beginning that was abandoned.
+  /// Makes the directory and the mark, replacing an abandoned beginning.
   /// @throws std::runtime_error if they cannot be written.
   explicit BeginningMark(const std::filesystem::path& directory);
 
-  /// Removes the mark: the recording has begun.
+  /// Removes the mark, once the recording can be opened.
   void Remove();
 
  private:
@@ -23,7 +23,7 @@ class BeginningMark {
   AppendFile lock_;
 };
 
-/// True when a directory holds nothing but a beginning that was abandoned.
+/// True if a directory contains only an abandoned beginning.
 bool IsAbandoned(const std::filesystem::path& directory);
 
 }  // namespace smile::recording

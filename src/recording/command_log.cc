@@ -15,6 +15,7 @@ constexpr std::size_t kMaxLogBytes = std::size_t{1} << 30;
 
 constexpr std::array kReturnKinds = {ReturnKind::kUndo, ReturnKind::kRedo, ReturnKind::kCheckout};
 
+/// Returns the kind of a line that is a return; nullopt for all other lines.
 std::optional<ReturnKind> ParseReturnKind(const Json& json) {
   if (!json.is_object() || !json.contains("do")) return std::nullopt;
   for (ReturnKind kind : kReturnKinds) {
@@ -23,6 +24,8 @@ std::optional<ReturnKind> ParseReturnKind(const Json& json) {
   return std::nullopt;
 }
 
+/// Returns a member of a return's target; throws std::invalid_argument if it is no whole number
+/// from 0.
 std::uint64_t ParseNumber(const Json& json, const char* key) {
   if (!json.is_object() || !json.contains(key) || !json.at(key).is_number_unsigned()) {
     throw std::invalid_argument("\"to\" is " + ToText(json) +
@@ -31,6 +34,7 @@ std::uint64_t ParseNumber(const Json& json, const char* key) {
   return json.at(key).get<std::uint64_t>();
 }
 
+/// Parses one line; throws std::invalid_argument if it is malformed or cannot be in a log.
 LogLine ParseLogLine(std::string_view text, double meters_per_unit) {
   const Json json = sim::ParseLineJson(text);
   const auto tick = sim::ParseTick(json);
@@ -42,6 +46,8 @@ LogLine ParseLogLine(std::string_view text, double meters_per_unit) {
         .what = Return{.kind = *kind,
                        .to = {.line = ParseNumber(to, "line"), .tick = ParseNumber(to, "tick")}}};
   }
+  // Commands that control recording or replace the scene end or begin a recording and are never
+  // part of one.
   sim::Command command = sim::ParseCommand(json, meters_per_unit);
   if (std::holds_alternative<sim::StartRecording>(command) ||
       std::holds_alternative<sim::FinishRecording>(command) ||
@@ -66,11 +72,13 @@ std::string_view ToString(ReturnKind kind) {
 }
 
 void CommandLog::Add(LogLine line) {
+  // Ticks do not decrease along a path; after a return they are compared to the point it leads to.
   const HistoryPoint last = After(lines_.size());
   if (line.tick < last.tick) {
     throw std::invalid_argument("\"tick\" goes back, expected at least " +
                                 std::to_string(last.tick));
   }
+  // A return leads to a line that exists and to a tick not earlier than that line.
   if (const auto* back = std::get_if<Return>(&line.what)) {
     if (back->to.line > lines_.size()) {
       throw std::invalid_argument("\"line\" is " + std::to_string(back->to.line) +
@@ -93,7 +101,8 @@ HistoryPoint CommandLog::After(std::size_t line) const {
 }
 
 std::size_t CommandLog::LineBefore(std::size_t line) const {
-  // A return stands for the point it leads to.
+  // A return is not part of any path: it stands for the point it leads to. Lines decrease strictly,
+  // so this ends.
   std::size_t before = line - 1;
   while (before > 0) {
     const auto* back = std::get_if<Return>(&lines_[before - 1].what);
@@ -105,7 +114,8 @@ std::size_t CommandLog::LineBefore(std::size_t line) const {
 
 std::vector<LoggedCommand> CommandLog::PathTo(std::size_t line) const {
   std::vector<LoggedCommand> path;
-  // One behind the line: its predecessor is the line itself, or what it leads to.
+  // Starts one line later: the predecessor of `line + 1` is the line itself, or the point it leads
+  // to if it is a return.
   for (line = LineBefore(line + 1); line > 0; line = LineBefore(line)) {
     const LogLine& logged = lines_[line - 1];
     path.push_back({line, logged.tick, std::get<sim::Command>(logged.what)});
@@ -131,6 +141,7 @@ CommandLog ReadCommandLog(const std::filesystem::path& path, double meters_per_u
   CommandLog log;
   std::size_t start = 0;
   for (int number = 1; start < text.size(); ++number) {
+    // A line is complete only with its newline: a killed program may leave the last one unfinished.
     const std::size_t end = text.find('\n', start);
     if (end == std::string::npos) {
       *cut = "the last line of commands.jsonl was cut and is left out";
@@ -139,7 +150,8 @@ CommandLog ReadCommandLog(const std::filesystem::path& path, double meters_per_u
     try {
       log.Add(ParseLogLine(std::string_view(text).substr(start, end - start), meters_per_unit));
     } catch (const std::exception& error) {  // of the JSON library or ours
-      // What follows counts this line: more findings would be none.
+      // Later lines refer to lines by number and to the state after this one; findings about them
+      // would be misleading.
       throw InputError({path.string(), number, "", error.what()});
     }
     start = end + 1;

@@ -17,7 +17,7 @@ namespace smile::recording {
 /// Point of a recording's history: the commands of the log up to `line` are executed, and the
 /// simulation has run to `tick`. A line that is a return stands for the point it leads to.
 struct HistoryPoint {
-  std::size_t line = 0;  ///< 1 is the first; 0: nothing is done yet
+  std::size_t line = 0;  ///< 1 is the first; 0: before the first
   std::uint64_t tick = 0;
 
   bool operator==(const HistoryPoint&) const = default;
@@ -26,7 +26,7 @@ struct HistoryPoint {
 enum class ReturnKind { kUndo, kRedo, kCheckout };
 std::string_view ToString(ReturnKind kind);
 
-/// Return: from here on, the recording continues from another point of its history.
+/// Undo, redo or checkout: the recording continues from another point of its history.
 struct Return {
   ReturnKind kind = ReturnKind::kUndo;
   HistoryPoint to;
@@ -36,7 +36,7 @@ struct Return {
 
 /// One line of `commands.jsonl`.
 struct LogLine {
-  std::uint64_t tick = 0;  ///< at which it was written
+  std::uint64_t tick = 0;  ///< of the simulation when the line was written
   std::variant<sim::Command, Return> what;
 };
 
@@ -46,9 +46,9 @@ struct LoggedCommand {
   sim::Command command;
 };
 
-/// `commands.jsonl`, the source of truth: everything that was commanded, in order. An undo, redo or
-/// checkout takes nothing out: it leads back to another point, from where the log continues. So the
-/// log is a tree, and each of its lines is the end of one path from the root.
+/// `commands.jsonl`, the source of truth: all commands in order. An undo, redo or checkout removes
+/// nothing: it leads to another point, from where the log continues. So the log is a tree, and each
+/// of its lines is the end of one path from the root.
 class CommandLog {
  public:
   /// @throws std::invalid_argument if the line cannot follow those before it.
@@ -67,10 +67,10 @@ class CommandLog {
   std::vector<LogLine> lines_;
 };
 
-/// The written form of a line, with its end.
+/// Returns a line as JSON, with its newline.
 std::string ToJsonLine(const LogLine& line, double meters_per_unit);
 
-/// Reads a log. A last line without its end is left out, and `cut` says so.
+/// Reads a log. An incomplete last line is skipped and reported in `cut`.
 /// @throws InputError with the first line that is wrong.
 CommandLog ReadCommandLog(const std::filesystem::path& path, double meters_per_unit,
                           std::optional<std::string>* cut);

@@ -16,6 +16,7 @@ std::optional<sim::Event> CommandedEvents::Next(const sim::Command& command) {
             return event;
           }
           if constexpr (requires { action.hand; }) event.hand = action.hand;
+          // A release does not name its object: it is the one that the hand grasped last.
           if constexpr (std::is_same_v<Kind, sim::Release> || std::is_same_v<Kind, sim::Destroy>) {
             event.object = std::exchange(HeldBy(action.hand), "");
           }

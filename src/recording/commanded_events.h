@@ -12,7 +12,7 @@ namespace smile::recording {
 /// traces of old formats contain no events, and a trace may end before its log.
 class CommandedEvents {
  public:
-  /// To be called for each command, in order.
+  /// Returns the event of the next command; to be called for each command in order.
   /// @returns nullopt unless the command is an action. Fields that only the simulation knew are
   ///          empty.
   std::optional<sim::Event> Next(const sim::Command& command);

@@ -19,7 +19,8 @@ namespace smile::recording {
 namespace {
 
 constexpr std::size_t kMaxInfoBytes = 64u << 10;
-/// Nobody begins a recording after more than a month.
+/// Limits on the start of a recording, about a month of simulated time, to bound the work that a
+/// damaged file can cause.
 constexpr std::uint64_t kMaxStartTick = 31ull * 86400 * sim::kTicksPerSecond;
 constexpr std::uint64_t kMaxStartLine = 1'000'000'000;
 
@@ -62,7 +63,7 @@ Json ToJson(const CameraView& view) {
           {"rotation_wxyz", {q.w(), q.x(), q.y(), q.z()}}};
 }
 
-/// Recordings of ordinary robots say nothing of their bodies.
+/// Writes body options only if they are set, as files of older programs do.
 Json ToJson(const RobotInfo& info) {
   Json json = {{"name", info.name},
                {"gap_m", info.gap},
@@ -93,6 +94,8 @@ CameraView ReadView(const JsonNode& node) {
   intrinsics.cy = node.Member("cy").Number(0, intrinsics.height_px);
   const std::vector<JsonNode> p = node.Member("position_m").Items(3);
   const std::vector<JsonNode> q = node.Member("rotation_wxyz").Items(4);
+  // A quaternion that is not of unit length is no rotation; rejected here, as normalizing would
+  // hide a damaged file. The comparison is written so that NaN fails.
   const Quaternion q_WC(q[0].Number(-1, 1), q[1].Number(-1, 1), q[2].Number(-1, 1),
                         q[3].Number(-1, 1));
   if (!(std::abs(q_WC.norm() - 1) < 1e-6)) {
@@ -104,7 +107,8 @@ CameraView ReadView(const JsonNode& node) {
   return view;
 }
 
-/// There was only one camera once.
+/// Returns the camera of the pictures. Files of old formats lack the member: they had only the
+/// fixed eye.
 std::string ReadEyeCamera(const JsonNode& eye) {
   if (!eye.Has("camera")) return sim::kEyeCamera;
   const std::string camera = eye.Member("camera").String();
@@ -112,6 +116,8 @@ std::string ReadEyeCamera(const JsonNode& eye) {
   eye.Member("camera").Fail("found " + Quoted(camera) + ", expected eye or head");
 }
 
+/// Returns the path of the robot file relative to the recording; it must lie directly in the robot
+/// folder, so that a recording cannot refer to files elsewhere.
 std::string ReadUrdfName(const JsonNode& node) {
   const std::filesystem::path urdf = node.String();
   const bool is_inside = urdf == kOldRobotFile || (urdf.parent_path() == kRobotFolder &&
@@ -137,7 +143,7 @@ RobotInfo ReadRobotInfo(const JsonNode& node) {
   return info;
 }
 
-/// What came with the second format.
+/// Reads the members that format 2 introduced.
 void ReadBeginning(const JsonNode& root, DemoInfo* info) {
   info->origin = ReadOrigin(root.Member("origin"));
   const JsonNode start = root.Member("start");
@@ -159,7 +165,7 @@ DemoInfo ReadInfo(const JsonNode& root) {
   const JsonNode format = root.Member("format");
   const std::string program = root.Member("program").String();
   DemoInfo info{.format = static_cast<int>(format.Whole(0, 1'000'000)), .program = program};
-  // First: another format may have anything else.
+  // The format is checked before any other member, since other formats may have other members.
   if (info.format < kOldestFormatVersion || info.format > kFormatVersion) {
     format.Fail("found " + std::to_string(info.format) + ", expected " +
                 std::to_string(kOldestFormatVersion) + " to " + std::to_string(kFormatVersion) +
@@ -170,9 +176,11 @@ DemoInfo ReadInfo(const JsonNode& root) {
   info.title = root.Member("title").String();
   info.notes = root.Member("notes").String();
   info.meters_per_unit = root.Member("meters_per_unit").Number(1e-9, 1e9);
+  // The simulation has one tick rate; the member exists for readers of the file.
   if (root.Has("ticks_per_second")) {
     (void)root.Member("ticks_per_second").Number(sim::kTicksPerSecond, sim::kTicksPerSecond);
   }
+  // Absent in recordings from before the physics had versions.
   info.physics_version =
       root.Has("physics")
           ? static_cast<int>(root.Member("physics").Whole(1, scene::kPhysicsVersion))
@@ -196,6 +204,7 @@ DemoInfo ReadInfo(const JsonNode& root) {
   return info;
 }
 
+/// Throws std::invalid_argument if a text is longer than allowed.
 void CheckLength(const char* key, const std::string& text, std::size_t max_bytes) {
   if (text.size() <= max_bytes) return;
   throw std::invalid_argument("\"" + std::string(key) + "\" has " + std::to_string(text.size()) +
@@ -267,6 +276,8 @@ void CheckTitle(const std::string& title) {
 void Retitle(const std::filesystem::path& directory, const std::optional<std::string>& title,
              const std::optional<std::string>& notes) {
   const std::filesystem::path path = directory / "demo.json";
+  // Validates the file and then locks the log, so that a recording in progress cannot be changed.
+  // The JSON is edited as it is, which keeps members of newer formats and their order.
   (void)ReadDemoInfo(path);
   const AppendFile hold(directory / "commands.jsonl", AppendFile::kExisting);
   Json json = ParseJson(ReadFile(path, kMaxInfoBytes));

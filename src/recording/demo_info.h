@@ -15,36 +15,37 @@
 
 namespace smile::recording {
 
-/// Written; those from kOldestFormatVersion on are read.
+/// Version that is written; all versions from kOldestFormatVersion on can be read.
 inline constexpr int kFormatVersion = 3, kOldestFormatVersion = 1;
-/// The folder in a recording with all files its robot was read from.
+/// Folder in a recording with all files that its robot was read from.
 inline constexpr const char* kRobotFolder = "robot";
-/// Before there was the folder: the robot, its side file beside it.
+/// Robot file of recordings older than the folder, with its side file beside it.
 inline constexpr const char* kOldRobotFile = "robot.urdf";
 
-/// Where a recording comes from.
+/// Origin of a recording.
 enum class Origin {
   kRecorded,  ///< a simulation
   kEdited,    ///< another recording, and a simulation
-  kImported,  ///< a classic recording: what was seen, without commands
+  kImported,  ///< a classic recording: poses without commands
 };
 
-/// How the demonstrator is seen in pictures.
+/// Appearance of the demonstrator in pictures.
 enum class DemonstratorLook {
-  kInvisible,  ///< not at all: only what it does
+  kInvisible,  ///< not visible; only its effects are
   kGhost,      ///< translucent hands
-  kForearm,    ///< hands and arms of a person, which hide what is behind them
+  kForearm,    ///< hands and arms of a person, which occlude objects behind them
 };
 inline constexpr std::array<std::string_view, 3> kDemonstratorLooks{"invisible", "ghost",
                                                                     "forearm"};
-/// `invisible`, `ghost` or `forearm`.
+/// Returns `invisible`, `ghost` or `forearm`.
 std::string_view ToString(DemonstratorLook look);
-/// @throws std::invalid_argument saying what was found and expected.
+/// Parses the text of ToString().
+/// @throws std::invalid_argument with what was found and expected.
 DemonstratorLook ParseDemonstratorLook(std::string_view text);
 
 struct RobotInfo {
   std::string name;
-  double gap = 0, height = 0;        ///< where it stands, see sim::RobotPlacement [m]
+  double gap = 0, height = 0;        ///< its place, see sim::RobotPlacement [m]
   std::string urdf = kOldRobotFile;  ///< from the recording's directory
   std::string gripper;               ///< see sim::RobotPlacement
   model::RobotBodyOptions body;
@@ -52,7 +53,7 @@ struct RobotInfo {
   bool operator==(const RobotInfo&) const = default;
 };
 
-/// `demo.json`: what a recording is.
+/// Content of `demo.json`: description of a recording.
 struct DemoInfo {
   int format = kFormatVersion;
   std::string program;  ///< that made it; empty = this one
@@ -61,7 +62,7 @@ struct DemoInfo {
   double meters_per_unit = scene::kMetersPerUnit;
   int physics_version = scene::kPhysicsVersion;  ///< see SceneSpec; `physics`, absent = 1
   Origin origin = Origin::kRecorded;
-  HistoryPoint start;              ///< what was done before is no part of the demonstration
+  HistoryPoint start;              ///< actions before it are not part of the demonstration
   double frames_per_second = 4;    ///< of the classic view
   bool has_symbols = true;         ///< in the classic view
   std::optional<RobotInfo> robot;  ///< nullopt for a table without one
@@ -79,13 +80,14 @@ DemoInfo ReadDemoInfo(const std::filesystem::path& path);
 
 inline constexpr std::size_t kMaxTitleBytes = 256, kMaxNotesBytes = 8 << 10;
 inline constexpr const char* kBlankTitle = "title is blank, expected words or nothing";
-/// True of a title that is not empty and shows nothing.
+/// True if a title is not empty but consists of white space.
 bool IsBlank(std::string_view title);
+/// Validates a title.
 /// @throws std::invalid_argument if it is longer than kMaxTitleBytes or blank.
 void CheckTitle(const std::string& title);
 
-/// Says of a recording otherwise; all else in its `demo.json` stays as it is.
-/// @param title, notes  nullopt: as they are.
+/// Changes title and notes of a recording; the rest of its `demo.json` stays as it is.
+/// @param title, notes  nullopt: unchanged.
 /// @throws std::invalid_argument if they are longer than kMaxTitleBytes and kMaxNotesBytes, or
 ///         the title is blank; InputError if it is no recording; std::runtime_error while it is
 ///         being recorded.

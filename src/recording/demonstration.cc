@@ -11,11 +11,12 @@
 namespace smile::recording {
 namespace {
 
-/// Who comes no farther than this rests.
+/// Limits of motion for objects at rest.
 constexpr PoseGap kRest{.distance = 1e-4, .angle = DegreesToRadians(0.1)};
 constexpr double kJointRest = 1e-4;  // [rad or m]
 
-/// True when nothing has come away from where it was at `then`.
+/// True if all controls, bonds, objects and joints are within the limits of rest of their state at
+/// `then`.
 bool IsWhereItWas(const TraceTick& then, const TraceTick& now) {
   if (then.controls != now.controls || then.bonds != now.bonds) return false;
   for (std::size_t i = 0; i < now.objects.size(); ++i) {
@@ -29,10 +30,11 @@ bool IsWhereItWas(const TraceTick& then, const TraceTick& now) {
   return true;
 }
 
-/// What a trace tells an editor.
+/// Facts of a trace that an editor needs.
 struct Watched {
   TraceTick end;
-  /// For each moment, in ticks from the start: since when everything has been where it is.
+  /// For each tick of the trace: the tick since which everything has been at rest, both relative to
+  /// the start.
   std::vector<std::uint64_t> at_rest_since;
 };
 
@@ -42,6 +44,8 @@ Watched Watch(const Recording& recording) {
   TraceTick anchor;
   while (const std::optional<TraceTick> now = trace.Next()) {
     const std::uint64_t moment = watched.at_rest_since.size();
+    // The anchor is the first moment of the present rest. Comparing to it, and not to the previous
+    // tick, detects slow drift.
     const bool rests = moment > 0 && IsWhereItWas(anchor, *now);
     if (!rests) anchor = *now;
     watched.at_rest_since.push_back(rests ? watched.at_rest_since.back() : moment);
@@ -50,7 +54,8 @@ Watched Watch(const Recording& recording) {
   return watched;
 }
 
-/// Makes sure that the commands since the start happen while the trace lasts.
+/// Throws unless the trace has every tick from the start to its end, and the commands since the
+/// start lie within these.
 void CheckAgainstTrace(const Recording& recording, const Watched& watched) {
   const std::uint64_t start = recording.info.start.tick;
   const auto log_path = (recording.directory / "commands.jsonl").string();
@@ -69,7 +74,7 @@ void CheckAgainstTrace(const Recording& recording, const Watched& watched) {
   }
 }
 
-/// The segments with their commands, without pauses.
+/// Returns the segments with their commands, still without pauses.
 std::vector<EditableSegment> EditableSegmentsOf(const Recording& recording,
                                                 std::uint64_t last_tick) {
   std::vector<EditableSegment> editable;
@@ -77,6 +82,8 @@ std::vector<EditableSegment> EditableSegmentsOf(const Recording& recording,
   for (const Segment& segment : OnPath(CutAtActions(recording, last_tick))) {
     editable.push_back({.number = static_cast<int>(editable.size())});
     editable.back().duration = segment.end.tick - segment.begin.tick;
+    // Both lists are in order of lines, so one pass assigns each command to the segment that
+    // contains its line.
     for (; logged != recording.commands.end() && logged->line <= segment.end.line; ++logged) {
       if (logged->line <= segment.begin.line) continue;
       editable.back().commands.push_back({.line = logged->line,
@@ -87,11 +94,14 @@ std::vector<EditableSegment> EditableSegmentsOf(const Recording& recording,
   return editable;
 }
 
-/// Finds where a segment that begins at some tick after the start waits for its next command. What
-/// comes to rest by itself and moves again by itself is physics at work, and no pause.
+/// Finds the pauses of a segment: times at rest before its next command or its end. `begin` is the
+/// segment's first tick, relative to the start. If objects come to rest and start to move again
+/// without a command, that is physics at work and not a pause.
 void FindPauses(std::uint64_t begin, const Watched& watched, EditableSegment* segment) {
   std::uint64_t last = 0;
   const auto add_before = [&](std::uint64_t offset) {
+    // Only the rest that lasts until the command counts, and only its part after the previous
+    // command.
     const std::uint64_t rest = watched.at_rest_since[begin + offset];
     const std::uint64_t from = std::max(last, rest > begin ? rest - begin : 0);
     if (from < offset) segment->pauses.push_back({from, offset});

@@ -30,19 +30,19 @@ struct EditableSegment {
   int number = 0;  ///< of the Segment in the recording
   /// In order. The first one is the action, at offset 0, except in segment 0, which has none.
   std::vector<SegmentCommand> commands;
-  /// When nothing happened any more, until the next command or the end; in order.
+  /// Times at rest until the next command or the end; in order.
   std::vector<TickSpan> pauses;
   std::uint64_t duration = 0;  ///< [ticks]
 
   bool operator==(const EditableSegment&) const = default;
 };
 
-/// What a recording shows, segment by segment:
+/// Demonstration of a recording, segment by segment:
 ///
 ///     past | segment 0 | grasp … | release … | grasp … |
 ///          start                                       end
 struct Demonstration {
-  std::vector<LoggedCommand> past;  ///< what led to the start
+  std::vector<LoggedCommand> past;  ///< commands before the start
   HistoryPoint start;
   std::vector<EditableSegment> segments;
   int num_recorded = 0;  ///< numbers of segments go from 0 to one less, also when some are dropped
@@ -51,7 +51,8 @@ struct Demonstration {
 
   std::uint64_t duration() const;  ///< [ticks]
   std::uint64_t recorded_duration() const { return recorded_end.tick - start.tick; }
-  /// Everything that is to be commanded since the simulation began: past and segments, in order.
+  /// Returns all commands since the simulation began, past and segments, with their ticks, in
+  /// order.
   std::vector<LoggedCommand> Schedule() const;
 };
 

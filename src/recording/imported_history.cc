@@ -9,7 +9,8 @@ namespace smile::recording {
 std::vector<Segment> ImportedHistoryOf(const Recording& recording) {
   std::vector<Segment> steps{
       {.begin = recording.info.start, .end = recording.info.start, .is_on_path = true}};
-  // An action is written with the frame that follows it: there an object lies where it was put.
+  // Actions whose summary is computed again at the next moment: the classic format writes an action
+  // with the frame after it, and only there an object lies where it was put.
   std::vector<std::pair<std::size_t, sim::Event>> of_next_moment;
   TraceReader trace(recording);
   while (const auto moment = trace.Next()) {
@@ -17,6 +18,7 @@ std::vector<Segment> ImportedHistoryOf(const Recording& recording) {
     const auto summary_of = [&](const sim::Event& event) {
       return SummaryOf(event, SupportAt(*moment, event.object, recording.scene()));
     };
+    // Replaces the preliminary summaries; the last action keeps its own if no moment follows.
     for (const auto& [step, event] : of_next_moment) steps[step].summary = summary_of(event);
     of_next_moment.clear();
     steps.back().end = now;

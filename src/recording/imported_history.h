@@ -6,8 +6,8 @@
 
 namespace smile::recording {
 
-/// The history of an imported recording, which has no commands: the actions of its trace, one after
-/// another, after the start.
+/// Returns the history of an imported recording, which has no commands: the actions of its trace,
+/// one after another, after the start.
 /// @throws InputError if the recording's trace cannot be read.
 std::vector<Segment> ImportedHistoryOf(const Recording& recording);
 

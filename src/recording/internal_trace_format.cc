@@ -4,7 +4,7 @@ namespace smile::recording {
 namespace {
 
 constexpr std::uint8_t kNoHand = 255;
-/// More properties than these nobody names.
+/// Limit on the properties that one event can name.
 constexpr std::uint32_t kMaxProperties = 256;
 
 }  // namespace
@@ -46,11 +46,13 @@ void Put(const sim::Event& event, ByteWriter* out) {
     out->Put(number);
   }
   PutNames(event.properties, out);
-  // Only when it says something: older programs know none.
+  // Written only if not empty, since older programs do not know this field.
   if (!event.objects.empty()) PutNames(event.objects, out);
 }
 
 std::optional<sim::Event> GetEvent(ByteReader* in) {
+  // Kinds and hands are checked before the cast: an enumerator that does not exist is undefined to
+  // switch on.
   const auto kind = in->Get<std::uint8_t>();
   const auto hand = in->Get<std::uint8_t>();
   if (kind > static_cast<std::uint8_t>(sim::EventKind::kCleared)) return std::nullopt;
@@ -65,6 +67,7 @@ std::optional<sim::Event> GetEvent(ByteReader* in) {
   event.host = IndexOf<model::HostIndex>(in->Get<int>());
   event.tightness = in->Get<int>();
   event.properties = GetNames(kMaxProperties, in);
+  // An event ends with its record, so remaining bytes mean that the field is there.
   if (in->remaining() > 0) event.objects = GetNames(kMaxNames, in);
   if (!in->ok()) return std::nullopt;
   return event;

@@ -14,12 +14,12 @@
 namespace smile::recording {
 
 inline constexpr std::array kTraceMagic = {'S', 'M', 'I', 'L', 'E', 'T', 'R', 'C'};
-/// Written; those from kOldestTraceVersion on are read. Version 2 had no events, no returns, and
-/// did not know what is awake; in version 3, too, every face is idle; up to version 4, no objects
-/// were added.
+/// Version that is written; all versions from kOldestTraceVersion on can be read. Version 2 had no
+/// events, no returns and no flag kIsAwake; version 3 had no face expressions; up to version 4, no
+/// objects were added.
 inline constexpr std::uint32_t kTraceVersion = 5, kOldestTraceVersion = 2;
 
-// What a record is, or says besides tick, hash and moved objects.
+// Flags of a record: its kind, and the parts it has besides tick, hash and moved objects.
 inline constexpr std::uint8_t kJointsChanged = 1;
 inline constexpr std::uint8_t kRobotHidden = 2;
 inline constexpr std::uint8_t kControlsChanged = 4;
@@ -30,7 +30,7 @@ inline constexpr std::uint8_t kFaceExpressionChanged = 64;
 inline constexpr std::uint8_t kCountsChanged = 128;
 inline constexpr std::uint8_t kTickFlags = 15 | kFaceExpressionChanged | kCountsChanged;
 
-// Of an object in a record.
+// Flags of an object in a record.
 inline constexpr std::uint8_t kIsPresent = 1;
 inline constexpr std::uint8_t kIsAwake = 2;
 
@@ -42,21 +42,21 @@ inline constexpr std::uint64_t kBondRecord = 2 * 4 + 1;
 inline constexpr std::uint64_t kFaceExpressionRecord = 1;
 inline constexpr std::uint64_t kCountsRecord = 3 * 4;
 
-/// Of objects or joints; no trace has more.
+/// Limit on the numbers of objects and of joints.
 inline constexpr std::uint32_t kMaxNames = 1'000'000;
 void PutNames(const std::vector<std::string>& names, ByteWriter* out);
-/// Reads at most so many; what is left of more then is not read.
+/// Reads at most `max_count` names; the rest of a longer list remains unread.
 std::vector<std::string> GetNames(std::uint32_t max_count, ByteReader* in);
 
 void Put(const TraceCounts& counts, ByteWriter* out);
 TraceCounts GetCounts(ByteReader* in);
 
-/// An index as traces have it; -1: none.
+/// Returns an index as traces store it; -1: none.
 template <class I>
 int NumberOf(const std::optional<I>& index) {
   return index ? static_cast<int>(*index) : -1;
 }
-/// The index of a number in a trace; nullopt of those below 0.
+/// Returns the index for a number in a trace; nullopt for negative numbers.
 template <class I>
 std::optional<I> IndexOf(int number) {
   return number < 0 ? std::nullopt : std::optional(I(static_cast<std::size_t>(number)));
@@ -64,8 +64,8 @@ std::optional<I> IndexOf(int number) {
 
 void Put(const sim::Event& event, ByteWriter* out);
 /// @param in  ends with the event.
-/// @returns nullopt if it is cut short, or of no kind or hand there is; what its texts and numbers
-///          say is not checked.
+/// @returns nullopt if it is cut short, or its kind or hand does not exist; texts and indices are
+///          not checked.
 std::optional<sim::Event> GetEvent(ByteReader* in);
 
 }  // namespace smile::recording

@@ -10,9 +10,12 @@
 namespace smile::recording {
 namespace {
 
-/// What limits give when a joint is pushed against them [rad or m].
+/// Largest overshoot of a joint that is pushed against its limit, as the limits are soft [rad or
+/// m].
 constexpr double kGive = 1e-3;
 
+/// Returns the position, or the limit if it lies beyond it by no more than kGive. Larger violations
+/// stay visible.
 double AtItsLimit(const motion::JointLimits& limits, double q) {
   const double clamped = std::clamp(q, limits.lower, limits.upper);
   return std::abs(q - clamped) <= kGive ? clamped : q;
@@ -34,6 +37,7 @@ motion::JointTrajectory JointMotionOf(const Recording& recording,
   while (const auto moment = trace.Next()) {
     if (moment->tick < ticks.first || moment->tick > ticks.last) continue;
     const std::uint64_t since = moment->tick - ticks.first;
+    // The last tick is always included, due or not, so that the motion ends where the robot did.
     const bool is_due = IsFrameDue(frame, since, points_per_second);
     if (!is_due && moment->tick != ticks.last) continue;
     if (is_due) ++frame;

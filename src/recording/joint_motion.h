@@ -8,13 +8,14 @@
 
 namespace smile::recording {
 
-/// How the robot moved in a part of a recording: its positions at the first tick, at the first tick
-/// that is at least k / `points_per_second` later, and at the last; velocities are those of the
-/// positions. A joint that its limit holds may stand a little beyond it; it is told to be at it.
+/// Returns the motion of the robot in a part of a recording: its positions at the first tick, at
+/// the first tick that is at least k / `points_per_second` later (for each k), and at the last;
+/// velocities are derived from the positions. A joint that is pushed slightly beyond its limit is
+/// reported at the limit.
 ///
-/// @param channels  of the recording's robot; what is to be told.
+/// @param channels  channels of the recording's robot to report.
 /// @throws InputError if the recording has no robot or its trace cannot be read;
-///         std::invalid_argument if the range is none of the recording.
+///         std::invalid_argument if the range is not within the recording.
 motion::JointTrajectory JointMotionOf(const Recording& recording,
                                       const std::vector<motion::Channel>& channels,
                                       const TimeRange& range, double points_per_second);

@@ -14,6 +14,7 @@ MarkerTrack::MarkerTrack(const Recording& recording) : changes_(1) {
 }
 
 const std::vector<Vector3>& MarkerTrack::At(std::uint64_t tick) const {
+  // The element before the first later change; the initial element is earlier than any.
   const auto later =
       std::ranges::upper_bound(changes_, tick, {}, [](const auto& change) { return change.first; });
   return std::prev(later)->second;

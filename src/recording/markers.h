@@ -8,12 +8,12 @@
 
 namespace smile::recording {
 
-/// The points that were marked for people during a recording.
+/// Marked points of a recording over time, for people to see.
 class MarkerTrack {
  public:
   explicit MarkerTrack(const Recording& recording);
 
-  /// Those to be seen at a tick [m].
+  /// Returns the points visible at a tick, in the world [m].
   const std::vector<Vector3>& At(std::uint64_t tick) const;
 
  private:

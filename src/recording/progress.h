@@ -4,7 +4,7 @@
 
 namespace smile::recording {
 
-/// Told how far a run is, and of how much [s]; answers whether it shall go on.
+/// Progress callback (done, total) [s]; returns false to cancel.
 using Progress = std::function<bool(double done, double total)>;
 
 }  // namespace smile::recording

@@ -16,8 +16,8 @@
 namespace smile::recording {
 namespace {
 
-/// The last undo, redo or checkout is in the log before it is in the trace. What ended the program
-/// between the two undid it.
+/// Drops a last undo, redo or checkout that is in the log but not in the trace. The log is written
+/// first; a program that died between the two writes has not carried it out.
 void LeaveOutUnfinishedReturn(Recording* recording) {
   const auto& lines = recording->log.lines();
   if (lines.empty() || !std::holds_alternative<Return>(lines.back().what)) return;
@@ -28,8 +28,8 @@ void LeaveOutUnfinishedReturn(Recording* recording) {
   recording->log.RemoveLast();
 }
 
-/// From the folder of its URDF and from nowhere else, links followed; neither may that folder be a
-/// link that leads out of the recording.
+/// Reads the robot of a recording, from the folder of its URDF only. Links are resolved first, so
+/// that neither a file nor the folder itself can lead out of the recording.
 /// @param name  of the URDF, from the recording's directory.
 robot::RobotReading ReadKeptRobot(const std::filesystem::path& directory, const std::string& name,
                                   const std::string& gripper) {
@@ -40,6 +40,8 @@ robot::RobotReading ReadKeptRobot(const std::filesystem::path& directory, const 
   if (!IsWithin(folder, directory)) {
     throw InputError({urdf.string(), 0, "", "lies elsewhere, expected it in the recording"});
   }
+  // Opens a file that the URDF refers to, such as a mesh; nullopt if it is missing or lies
+  // elsewhere.
   const auto open = [&folder](const std::string& file,
                               std::size_t max_bytes) -> std::optional<std::string> {
     std::error_code missing;
@@ -50,7 +52,8 @@ robot::RobotReading ReadKeptRobot(const std::filesystem::path& directory, const 
   return robot::LoadKeptRobot(urdf, gripper, open);
 }
 
-/// Whoever goes on with a recording, or learns from it, takes the eye to be that of the pictures.
+/// Checks that the eye in `demo.json` has the size of the pictures, since programs that continue or
+/// learn from a recording rely on it.
 void CheckEye(const Recording& recording) {
   const auto& eye = recording.info.eye;
   const auto picture = SegmentPictures(recording.directory, 0) / "0.png";
@@ -66,7 +69,8 @@ void CheckEye(const Recording& recording) {
                         text(size->width_px, size->height_px) + " as " + picture.string()});
 }
 
-/// What was commanded before the demonstration is fixed: nothing leads back to it.
+/// Checks that `start` lies in the log, and that no line after it leads to a point before it: the
+/// actions before the demonstration are fixed.
 void CheckStart(const Recording& recording) {
   const HistoryPoint& start = recording.info.start;
   const auto& lines = recording.log.lines();
@@ -92,6 +96,7 @@ void CheckStart(const Recording& recording) {
   }
 }
 
+/// Compiles the model of scene and robot as recorded in the directory.
 std::shared_ptr<const model::Model> ModelOf(const std::filesystem::path& directory,
                                             const DemoInfo& info) {
   scene::SceneSpec scene = scene_xml::LoadScene(directory / "scene.xml");
@@ -136,6 +141,7 @@ bool IsRecording(const std::filesystem::path& directory) {
 
 std::optional<std::filesystem::path> RecordingAround(const std::filesystem::path& path) {
   std::error_code error;
+  // weakly_canonical resolves links and accepts a path that does not exist yet.
   std::filesystem::path around = std::filesystem::weakly_canonical(path, error);
   while (!error && around.has_relative_path()) {
     around = around.parent_path();
@@ -154,6 +160,8 @@ Recording OpenRecording(const std::filesystem::path& directory) {
     throw InputError({directory.string(), 0, "",
                       "is not a recording; expected a directory with a demo.json in it"});
   }
+  // The order matters: the log is parsed in units of the scene; the trace reader needs log and
+  // model; the path is known only after an unfinished return has been dropped.
   Recording recording{.directory = directory, .info = ReadDemoInfo(directory / "demo.json")};
   recording.start_model = recording.model = ModelOf(directory, recording.info);
   CheckEye(recording);
@@ -165,6 +173,7 @@ Recording OpenRecording(const std::filesystem::path& directory) {
   CheckStart(recording);
   recording.commands = recording.log.PathTo(recording.log.lines().size());
   scene::SceneSpec whole = SceneAfter(recording, recording.log.lines().size());
+  // Objects that commands added on the path make a larger scene; most recordings share one model.
   if (whole != recording.start_scene()) {
     recording.model = std::make_shared<const model::Model>(std::move(whole), recording.robot());
   }

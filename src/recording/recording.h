@@ -12,11 +12,11 @@
 
 namespace smile::recording {
 
-/// A recording, opened. It stands for itself: the scene file it was made from is not needed.
+/// Opened recording. It is self-contained: the scene file it was made from is not needed.
 struct Recording {
   std::filesystem::path directory;
   DemoInfo info;
-  /// Of scene.xml and its robot, with which the simulation began. Never null, as the next.
+  /// Model of scene.xml and the robot, with which the simulation began. Never null, like `model`.
   std::shared_ptr<const model::Model> start_model;
   /// The same with all objects that were added on the recording's path; start_model if none was.
   /// It fits each tick of that path: objects not yet added are absent. Compiled once: shared by
@@ -25,7 +25,7 @@ struct Recording {
   CommandLog log;  ///< the whole history
   /// The commands on the recording's path, from the first tick of the simulation on, in order.
   std::vector<LoggedCommand> commands;
-  /// What had to be left out, in words: a last line or tick cut by whatever ended the program.
+  /// Messages about parts left out: a last line or tick that was incomplete when the program ended.
   std::vector<std::string> cuts;
 
   const scene::SceneSpec& start_scene() const { return start_model->scene(); }
@@ -33,16 +33,18 @@ struct Recording {
   const std::optional<model::RobotPlacement>& robot() const { return model->robot_placement(); }
 };
 
-/// True when the directory looks like a recording.
+/// True if the directory looks like a recording.
 bool IsRecording(const std::filesystem::path& directory);
 
-/// The recording within whose directory a path lies, or would lie; nullopt if in none.
+/// Returns the recording whose directory contains a path (which need not exist); nullopt if there
+/// is no such recording.
 std::optional<std::filesystem::path> RecordingAround(const std::filesystem::path& path);
 
 /// Returns the scene at a line of the log, with the objects that were added on the path to it.
-/// @throws InputError if something cannot be added (any more).
+/// @throws InputError if something can no longer be added.
 scene::SceneSpec SceneAfter(const Recording& recording, std::size_t line);
 
+/// Opens and validates a recording.
 /// @throws InputError with all findings, each with its file.
 Recording OpenRecording(const std::filesystem::path& directory);
 

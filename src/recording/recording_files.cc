@@ -10,6 +10,7 @@
 
 namespace smile::recording {
 void RequireNewDirectory(const std::filesystem::path& directory) {
+  // A recording inside another one would become part of it.
   if (const auto around = RecordingAround(directory)) {
     throw InputError({directory.string(), 0, "",
                       "lies within the recording " + around->string() + ", which stays as it is"});
@@ -24,7 +25,7 @@ void RequireNewDirectory(const std::filesystem::path& directory) {
 
 void WriteWorld(const std::filesystem::path& directory, const model::Model& model) {
   MakeDirectories(directory);
-  // What the scene is made of belongs to the recording, which may outlive the original.
+  // Meshes and robot files are copied: the recording may outlive the originals.
   WriteSceneFiles(model.scene(), directory / "scene.xml");
   const auto& placement = model.robot_placement();
   if (!placement) return;

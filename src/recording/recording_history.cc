@@ -14,8 +14,8 @@
 namespace smile::recording {
 namespace {
 
-/// Says of each step what its action was: as the trace reports it, or, where the trace does not, as
-/// the log commands it.
+/// Adds to each step a summary of its action: from the event in the trace or, where the trace has
+/// none, from the command in the log.
 class Summaries {
  public:
   Summaries(const Recording& recording, std::vector<Segment>* steps)
@@ -23,6 +23,8 @@ class Summaries {
 
   /// Reads the trace once for each path through the history.
   void AddToSteps() {
+    // Backwards: the last step of a branch is reached first, and reading the path to it fills the
+    // summaries of its ancestors too.
     for (std::size_t step = steps_.size() - 1; step > 0; --step) {
       if (!steps_[step].summary) AddAlongPathTo(step);
     }
@@ -37,21 +39,23 @@ class Summaries {
     TraceReader trace(recording_, until);
     scene_ = SceneAfter(recording_, until.line);
     std::size_t next = 0;
+    // Events and steps of a path are in the same order, so they are paired one by one.
     while (const auto moment = trace.Next()) {
       for (const sim::Event& event : moment->events) {
         if (BeginsAction(event) && next < path.size()) Add(path[next++], event, &*moment);
       }
+      // A trace of an old version has no events: commands are placed by their ticks.
       while (!trace.has_events() && next < path.size() &&
              steps_[path[next]].begin.tick == moment->tick) {
         Add(path[next], commanded[next], &*moment);
         ++next;
       }
     }
-    // A trace may end before its log.
+    // The log is written before the trace, so the trace may end first.
     for (; next < path.size(); ++next) Add(path[next], commanded[next], nullptr);
   }
 
-  /// The steps from the first action to one, in order.
+  /// Returns the steps from the first action to `last`, in order.
   std::vector<std::size_t> PathTo(std::size_t last) const {
     std::vector<std::size_t> path;
     for (std::size_t step = last; step > 0; step = *steps_[step].parent) path.push_back(step);
@@ -59,7 +63,7 @@ class Summaries {
     return path;
   }
 
-  /// One for each action since the start.
+  /// Returns one event for each action since the start, derived from the commands.
   std::vector<sim::Event> CommandedOnPathTo(std::size_t line) const {
     CommandedEvents commanded;
     std::vector<sim::Event> events;
@@ -73,6 +77,7 @@ class Summaries {
   /// @param moment  at which the action was carried out; nullptr if the trace lacks it.
   void Add(std::size_t step, const sim::Event& event, const TraceTick* moment) {
     if (steps_[step].summary) return;
+    // What an object was put on is known only from the poses at that moment.
     const bool lets_go = event.kind == sim::EventKind::kReleased;
     steps_[step].summary =
         SummaryOf(event, lets_go && moment != nullptr ? SupportAt(*moment, event.object, scene_)
@@ -93,6 +98,8 @@ std::uint64_t LastTick(const Recording& recording) {
 
 }  // namespace
 
+/// One pass over the log. step_of_line[l] is the step that contains the point after line l; a
+/// return continues the step of its target, and an action opens a new step.
 std::vector<Segment> CutAtActions(const Recording& recording, std::uint64_t last_tick) {
   const CommandLog& log = recording.log;
   std::vector<Segment> steps;
@@ -102,6 +109,8 @@ std::vector<Segment> CutAtActions(const Recording& recording, std::uint64_t last
     const LogLine& logged = log.lines()[line - 1];
     const std::size_t step = step_of_line[line - 1];
     const auto* command = std::get_if<sim::Command>(&logged.what);
+    // Each line extends the current step to its tick; only a command that is no action becomes part
+    // of it.
     const bool goes_on = command != nullptr && !IsAction(*command);
     steps[step].end = {.line = goes_on ? line : line - 1, .tick = logged.tick};
     if (command == nullptr || goes_on) {
@@ -118,7 +127,8 @@ std::vector<Segment> CutAtActions(const Recording& recording, std::uint64_t last
   steps[step_of_line[last]].end = {.line = last, .tick = last_tick};
   for (std::optional<std::size_t> step = step_of_line[last]; step; step = steps[*step].parent) {
     steps[*step].is_on_path = true;
-    // Whatever else was tried from there since.
+    // The end of a step on the path is where the path leaves it, whatever branches were tried from
+    // there later.
     if (const auto& parent = steps[*step].parent) steps[*parent].end = steps[*step].begin;
   }
   return steps;
@@ -145,7 +155,7 @@ std::optional<HistoryPoint> HistoryPointIn(const Recording& recording, const Seg
                                            std::uint64_t ticks) {
   if (ticks > step.end.tick - step.begin.tick) return std::nullopt;
   const std::uint64_t tick = step.begin.tick + ticks;
-  // The last line on the path to the step's end that was not yet behind that tick.
+  // Walks back along the path from the step's end to the last line that is not later than the tick.
   std::size_t line = step.end.line;
   while (line > step.begin.line) {
     const LogLine& logged = recording.log.lines()[line - 1];

@@ -12,6 +12,8 @@ namespace {
 constexpr std::size_t kMaxNameBytes = 100;
 constexpr int kMaxSameNames = 100'000;
 
+/// True for letters allowed in names: UTF-8 beyond ASCII, alphanumerics and a few signs. No
+/// separator, no control character.
 bool IsNameLetter(char letter) {
   const auto byte = static_cast<unsigned char>(letter);
   const bool is_ordinary = byte >= 0x80 || std::isalnum(byte) != 0;
@@ -21,6 +23,7 @@ bool IsNameLetter(char letter) {
 }  // namespace
 
 bool IsRecordingName(const std::string& name) {
+  // A leading point would hide the folder or name a parent.
   return !name.empty() && name.size() <= kMaxNameBytes && name.front() != '.' &&
          std::ranges::all_of(name, &IsNameLetter);
 }
@@ -28,7 +31,7 @@ bool IsRecordingName(const std::string& name) {
 std::string RecordingNameFor(const std::string& title) {
   std::string name = title;
   if (name.size() > kMaxNameBytes) {
-    // Not in the middle of a letter of several bytes.
+    // Moves the cut back over UTF-8 continuation bytes (10xxxxxx), so that no character is split.
     std::size_t end = kMaxNameBytes;
     while (end > 0 && (static_cast<unsigned char>(name[end]) & 0xc0) == 0x80) --end;
     name.resize(end);
@@ -37,6 +40,7 @@ std::string RecordingNameFor(const std::string& title) {
     if (!IsNameLetter(letter)) letter = '_';
   }
   if (name.empty()) return "recording";
+  // Cutting may leave nothing of the name, and every name needs a valid first letter.
   if (name.front() == '.') name.front() = '_';
   return name;
 }

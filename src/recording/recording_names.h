@@ -5,17 +5,17 @@
 
 namespace smile::recording {
 
-/// True of a name that stays in its folder on every system.
+/// True if a name is valid on every file system and cannot lead out of its folder.
 bool IsRecordingName(const std::string& name);
-/// What such names are, for messages.
+/// Description of valid names, for messages.
 inline constexpr const char* kNameForm =
     "up to 100 letters, digits, spaces, - _ and ., not . first";
 
-/// Such a name, as like the title as can be: what it may not have becomes `_`.
+/// Returns a valid name similar to the title; invalid letters become `_`.
 std::string RecordingNameFor(const std::string& title);
 
-/// A directory under the root for a new recording: `um`, or `um-2` if that is taken, … One that
-/// holds nothing but a beginning that was abandoned is free.
+/// Returns a directory under the root for a new recording: `um`, or `um-2` if that is taken, … A
+/// directory with an abandoned beginning counts as free.
 std::filesystem::path NewDirectory(const std::filesystem::path& root, const std::string& name);
 
 }  // namespace smile::recording

@@ -6,7 +6,7 @@
 
 namespace smile::recording {
 
-/// Writes the scene as a file that stands for itself, and its meshes into a folder beside it.
+/// Writes a self-contained scene file, and its meshes into a folder beside it.
 /// @throws std::runtime_error if a file cannot be written.
 void WriteSceneFiles(const scene::SceneSpec& scene, const std::filesystem::path& file);
 

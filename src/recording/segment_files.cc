@@ -14,12 +14,14 @@ bool IsNumber(const std::string& name) {
          std::ranges::all_of(name, [](unsigned char letter) { return std::isdigit(letter) != 0; });
 }
 
-/// `12.png`, with any number.
+/// True for names such as `12.png`, with any number.
 bool IsNumbered(const std::filesystem::path& path, const std::string& extension) {
   return path.extension() == extension && IsNumber(path.stem().string());
 }
 
+/// Deletes the numbered pictures of a folder, and the folder if nothing else is in it.
 void RemovePictures(const std::filesystem::path& folder) {
+  // Collected first: deleting while iterating is unspecified.
   std::vector<std::filesystem::path> pictures;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     const bool is_picture = entry.is_regular_file() && IsNumbered(entry.path(), ".png");

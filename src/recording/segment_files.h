@@ -7,9 +7,9 @@ namespace smile::recording {
 std::filesystem::path SegmentText(const std::filesystem::path& directory, int segment);
 std::filesystem::path SegmentPictures(const std::filesystem::path& directory, int segment);
 
-/// Takes away the text of a segment and its pictures; what else lies among these stays.
+/// Removes the text and the pictures of a segment; other files in its folder stay.
 void RemoveSegment(const std::filesystem::path& directory, int segment);
-/// The same of all segments, and `frames.csv`.
+/// Removes texts and pictures of all segments, and `frames.csv`.
 void RemoveClassicView(const std::filesystem::path& directory);
 
 }  // namespace smile::recording

@@ -10,7 +10,8 @@
 namespace smile::recording {
 namespace {
 
-/// Seconds for a message, to the millisecond: near enough to find the tick again.
+/// Returns seconds for a message, rounded to milliseconds: a sixtieth of a second remains
+/// identifiable.
 std::string SecondsText(double seconds) { return NumberText(std::round(seconds * 1000) / 1000); }
 
 }  // namespace
@@ -32,6 +33,7 @@ TickRange TicksOf(const Recording& recording) {
 
 std::uint64_t TickAt(double seconds, const TickRange& whole, const std::string& name) {
   const std::string found = name + " is " + NumberText(seconds) + " s";
+  // Written so that NaN fails.
   if (!(seconds >= 0)) throw std::invalid_argument(found + ", expected 0 or more");
   const double ticks = std::round(seconds * sim::kTicksPerSecond);
   const auto num_ticks = static_cast<double>(whole.last - whole.first);
@@ -59,6 +61,7 @@ double SecondsInto(const Recording& recording, std::uint64_t tick) {
 }
 
 bool IsFrameDue(std::uint64_t frame, std::uint64_t ticks_since_first, double frames_per_second) {
+  // Allows for rounding in the division, so that a frame due exactly at a tick is not late by one.
   constexpr double kRounding = 1e-9;  // [ticks]
   const double due = static_cast<double>(frame) * sim::kTicksPerSecond / frames_per_second;
   return static_cast<double>(ticks_since_first) + kRounding >= due;

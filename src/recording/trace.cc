@@ -30,6 +30,7 @@ TraceTick Observe(const sim::Simulation& simulation) {
                 .hash = simulation.state_hash(),
                 .is_robot_shown = simulation.is_robot_shown(),
                 .face_expression = simulation.face_expression()};
+  // A destroyed object keeps its index, so that indices are stable within a recording.
   now.objects.reserve(simulation.tabletop().objects().size());
   for (const world::Object& object : simulation.tabletop().objects()) {
     if (!simulation.tabletop().IsPresent(object)) {
@@ -55,6 +56,7 @@ TraceTick WithAbsent(TraceTick moment, const model::Model& model) {
 
 TraceTick StartOf(const model::Model& model) {
   const model::SceneState& start = model.initial_state();
+  // Nothing is awake before the first step.
   TraceTick moment{.objects = {}, .controls = start.controls, .bonds = start.hosts};
   for (const auto& X_WB : start.X_WB) {
     moment.objects.push_back(TracePose::At(*X_WB, /*is_awake=*/false));

@@ -12,13 +12,16 @@
 namespace smile::recording {
 namespace {
 
-/// How far a quaternion's length may be from 1.
+/// Largest deviation of a quaternion's length from 1.
 constexpr double kUnitLength = 1e-6;
 constexpr std::size_t kMaxTraceBytes = std::size_t{4} << 30;
 
-// The parts of a record of a tick, in their order. Each is read into `tick`; false if it is
-// damaged.
+// Readers for the parts of a tick's record, in their order. Each updates `tick`, which starts as a
+// copy of the tick before, because a record contains changes only. Each returns false if its part
+// is damaged.
 
+/// Objects are only ever added at the end of the lists, so counts never decrease along a path, and
+/// each count of objects determines the other counts.
 bool ReadCounts(const TraceLimits& limits, TraceCounts* counts, ByteReader* in) {
   const TraceCounts found = GetCounts(in);
   if (found.objects < counts->objects || !limits.Allow(found)) return false;
@@ -26,6 +29,7 @@ bool ReadCounts(const TraceLimits& limits, TraceCounts* counts, ByteReader* in) 
   return true;
 }
 
+/// Every index is checked before use: the file is untrusted input.
 bool ReadMoved(std::uint32_t num_objects, ByteReader* in, TraceTick* tick) {
   const auto num_moved = in->Get<std::uint32_t>();
   if (num_moved > num_objects) return false;
@@ -49,6 +53,7 @@ bool ReadJoints(ByteReader* in, TraceTick* tick) {
   return std::ranges::all_of(tick->joints, [](double q) { return std::isfinite(q); });
 }
 
+/// A record has all controls if any has changed; the same holds for bonds and joints.
 bool ReadControls(const TraceLimits& limits, std::size_t num_controls, ByteReader* in,
                   TraceTick* tick) {
   for (const auto i : IndexRange<model::ControlIndex>(num_controls)) {
@@ -85,6 +90,7 @@ bool ReadFaceExpression(ByteReader* in, TraceTick* tick) {
 
 TraceLimits::TraceLimits(const scene::SceneSpec& scene) {
   counts.emplace_back();
+  // counts[n] are the totals over the first n objects: the only counts that a record may have.
   for (const scene::ObjectSpec& object : scene.objects) {
     for (const scene::Part* control : scene::ControlsOf(object.whole)) {
       num_states.push_back(scene::NumStatesOf(*control));
@@ -105,6 +111,7 @@ bool TraceLimits::Allow(model::ControlIndex control, const model::ControlState& 
 }
 
 bool TraceLimits::Allow(model::HostIndex host, const model::HostState& bond) const {
+  // Tightness is 0 exactly if nothing is fastened.
   return (!bond.guest || *bond.guest < num_guests) && bond.tightness >= 0 &&
          bond.tightness <= max_tightness[host] && bond.guest.has_value() == (bond.tightness > 0);
 }
@@ -133,12 +140,16 @@ TraceReader::TraceReader(const Recording& recording, TracePlace end)
   ReadEventsBeforeStart();
 }
 
+// A point lies on the branch that was current when its line was written: the last segment whose
+// return is not later in the log.
 TraceReader::TraceReader(const Recording& recording, const HistoryPoint& point)
     : TraceReader(recording, SceneAfter(recording, point.line), Unopened()) {
   auto segment =
       std::upper_bound(segments_.begin(), segments_.end(), point.line,
                        [](std::size_t line, const BranchSegment& s) { return line < s.log_line; });
   FindPathTo((--segment)->end);
+  // Several actions may have happened at the same tick. Those on the path to the point are counted,
+  // so that the reader can stop between two events of one tick.
   last_tick_ = point.tick;
   for (const LoggedCommand& logged : recording.log.PathTo(point.line)) {
     const bool is_last = logged.line > recording.info.start.line && logged.tick == point.tick;
@@ -147,6 +158,7 @@ TraceReader::TraceReader(const Recording& recording, const HistoryPoint& point)
   ReadEventsBeforeStart();
 }
 
+// Events before the first tick's record describe the state that the start inherits.
 void TraceReader::ReadEventsBeforeStart() {
   while (IsAtRecord() && FlagsAt(place_) == kIsEvent) {
     events_before_start_.push_back(ReadEvent());
@@ -169,6 +181,7 @@ ByteReader TraceReader::BytesAt(TracePlace place) const {
 void TraceReader::ReadHeader(const Recording& recording, const scene::SceneSpec& scene) {
   ByteReader in = BytesAt(0);
   for (char letter : kTraceMagic) {
+    // A file that is too short yields zeros here, which fail as well.
     if (in.Get<char>() != letter) Fail("this is not a trace of a recording");
   }
   version_ = in.Get<std::uint32_t>();
@@ -179,6 +192,7 @@ void TraceReader::ReadHeader(const Recording& recording, const scene::SceneSpec&
   object_names_ = GetNames(kMaxNames, &in);
   joint_names_ = GetNames(kMaxNames, &in);
   if (!in.ok()) Fail("its header is cut short");
+  // Records begin here; Survey() advances size_ over the complete ones.
   size_ = bytes_.size() - in.remaining();
 
   bool fits = std::ranges::equal(object_names_, recording.start_scene().objects, {}, {},
@@ -187,7 +201,8 @@ void TraceReader::ReadHeader(const Recording& recording, const scene::SceneSpec&
   if (!fits || joint_names_.size() != num_joints) {
     Fail("is of another scene or robot than scene.xml and the robot's files");
   }
-  // What the scene has more was added later.
+  // The header names the objects of the start. Objects that the scene has beyond these were added
+  // later; they are absent until a record's counts include them.
   first_counts_ = limits_.counts[object_names_.size()];
   counts_ = first_counts_;
   for (std::size_t i = object_names_.size(); i < scene.objects.size(); ++i) {
@@ -203,6 +218,8 @@ std::uint8_t TraceReader::FlagsAt(TracePlace place) const {
   return static_cast<std::uint8_t>(bytes_[place + kRecordHead - 1]);
 }
 
+// Records carry no length, except events: the size follows from flags and counts. `counts_` must be
+// those of the record before, and the number of joints never changes.
 std::optional<std::uint64_t> TraceReader::SizeAt(TracePlace place) const {
   ByteReader in = BytesAt(place);
   in.GetBytes(kRecordHead - 1);
@@ -224,10 +241,14 @@ std::optional<std::uint64_t> TraceReader::SizeAt(TracePlace place) const {
     if ((flags & kBondsChanged) != 0) size += kBondRecord * counts.bonds;
     if ((flags & kFaceExpressionChanged) != 0) size += kFaceExpressionRecord;
   }
+  // An incomplete record is the end of a recording that was interrupted.
   if (!in.ok() || size > bytes_.size() - place) return std::nullopt;
   return size;
 }
 
+// First pass: finds the ends of all records and cuts the file at its returns. Each return begins a
+// segment whose past ends at some earlier record, so segments form a tree as the log does. `bounds`
+// is sorted by construction.
 void TraceReader::Survey() {
   segments_.push_back({.begin = size_});
   std::vector<TracePlace> bounds{size_};
@@ -243,12 +264,14 @@ void TraceReader::Survey() {
       }
       continue;
     }
+    // A return ends the segment before it and stores where the past of the next one ends.
     segments_.back().end = place;
     ByteReader in = BytesAt(place);
     BranchSegment next{.begin = size_, .tick = in.Get<std::uint64_t>()};
     in.GetBytes(kRecordHead - 8);
     next.past = in.Get<TracePlace>();
     next.log_line = in.Get<std::uint64_t>();
+    // A place inside a record or in the future would make the reader misinterpret bytes or loop.
     if (next.past > place || !std::binary_search(bounds.begin(), bounds.end(), next.past)) {
       Fail("returns to a place where no record ends, at byte " + std::to_string(place));
     }
@@ -257,13 +280,16 @@ void TraceReader::Survey() {
     }
     segments_.push_back(next);
   }
+  // The counts were advanced in file order; reading starts again with those of the header.
   segments_.back().end = size_;
   counts_ = first_counts_;
 }
 
+// Walks from `end` back to the header. Segments are pushed last first, so the vector works as a
+// stack whose top is the next to be read. Places decrease strictly, so the walk ends.
 void TraceReader::FindPathTo(TracePlace end) {
   while (true) {
-    // The segment that holds what was written just before `end`.
+    // The segment that contains `end`; the path uses it only up to there.
     auto segment =
         std::upper_bound(segments_.begin(), segments_.end(), end,
                          [](TracePlace at, const BranchSegment& s) { return at < s.begin; });
@@ -293,12 +319,16 @@ void TraceReader::ReturnTo(const Bookmark& bookmark) {
   places_ = bookmark.places_;
   place_ = bookmark.place_;
   counts_ = bookmark.counts_;
+  // The stack after reading is always a prefix of the whole path, so its size is enough to restore
+  // it.
   segments_left_.assign(
       path_segments_.begin(),
       path_segments_.begin() + static_cast<std::ptrdiff_t>(bookmark.num_segments_left_));
   has_begun_ = true;
 }
 
+// At the end of a segment, the path continues with the next one, which must begin at the tick where
+// this one stopped.
 bool TraceReader::IsAtRecord() {
   while (!segments_left_.empty() && place_ == segments_left_.back().end) {
     segments_left_.pop_back();
@@ -316,17 +346,20 @@ std::optional<TraceTick> TraceReader::Next() {
   if (!IsAtRecord()) return std::nullopt;
   ReadTick();
   ReadEvents();
+  // The point is reached: what follows on the path is not part of it.
   if (now_.tick == last_tick_) segments_left_.clear();
   return now_;
 }
 
 void TraceReader::ReadEvents() {
+  // Returns may lead between two events of the same tick, so each place is kept.
   places_ = {place_};
   std::size_t num_actions = 0;
   while (IsAtRecord() && FlagsAt(place_) == kIsEvent) {
     sim::Event event = ReadEvent();
     if (BeginsAction(event)) ++num_actions;
-    // Events after the point may be about objects that were added then.
+    // Stops before the first action after the point. Its events are not validated either: they may
+    // refer to objects that only it adds.
     if (now_.tick == last_tick_ && num_actions > num_last_actions_) break;
     if (!IsSound(event)) FailInEvent();
     now_.events.push_back(std::move(event));
@@ -336,6 +369,7 @@ void TraceReader::ReadEvents() {
 
 void TraceReader::ReadTick() {
   ByteReader in = BytesAt(place_);
+  // A copy, so that a damaged record leaves the reader at the last sound tick.
   TraceTick next = now_;
   next.events.clear();
   next.tick = in.Get<std::uint64_t>();
@@ -343,6 +377,8 @@ void TraceReader::ReadTick() {
   const auto flags = in.Get<std::uint8_t>();
   next.is_robot_shown = (flags & kRobotHidden) == 0;
   const auto has = [flags](std::uint8_t part) { return (flags & part) != 0; };
+  // Short-circuit evaluation keeps the order of the parts in the file. Ticks follow each other
+  // without a gap.
   const bool is_sound =
       (flags & ~kTickFlags) == 0 && (!has_begun_ || next.tick == now_.tick + 1) &&
       (!has(kCountsChanged) || ReadCounts(limits_, &counts_, &in)) &&
@@ -353,19 +389,22 @@ void TraceReader::ReadTick() {
   if (!is_sound) Fail("is damaged in the record after tick " + std::to_string(now_.tick));
   has_begun_ = true;
   now_ = std::move(next);
+  // SizeAt() uses the counts that were just read; for this record it reads the same ones again.
   place_ += *SizeAt(place_);
 }
 
+// Events that pass have valid objects and indices, so that users need no checks of their own.
 bool TraceReader::IsSound(const sim::Event& event) const {
   using enum sim::EventKind;
   const auto is_one_of = [](const auto& index, std::size_t count) {
     return index && *index < count;
   };
-  // An imported release may not know of what.
+  // Classic recordings may contain a release without its object.
   const bool may_be_nameless = event.kind == kReleased && event.object.empty();
   const auto is_object = [this](const std::string& id) {
     return std::ranges::find(object_names_, id) != object_names_.end();
   };
+  // Exactly the events that add or remove objects have a list of objects.
   const bool is_of_several =
       event.kind == kAdded || event.kind == kRemoved || event.kind == kCleared;
   if (is_of_several != !event.objects.empty()) return false;
@@ -384,6 +423,7 @@ bool TraceReader::IsSound(const sim::Event& event) const {
     case kTriggered:
     case kAttended:
       return event.hand.has_value();
+    // Refusals change nothing and are never recorded.
     case kCommandRefused:
       return false;
     default:

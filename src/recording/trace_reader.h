@@ -11,10 +11,10 @@
 
 namespace smile::recording {
 
-/// What a trace of a scene may say of its objects, controls and bonds.
+/// Limits on values in a trace: those that objects, controls and bonds of a scene can have.
 struct TraceLimits {
-  std::vector<int> num_states;      ///< of each control
-  std::vector<int> max_tightness;   ///< of each host point
+  std::vector<int> num_states;      ///< for each control
+  std::vector<int> max_tightness;   ///< for each host point
   std::vector<TraceCounts> counts;  ///< that the scene had when its last objects were not yet
                                     ///< added: by the number of objects
   std::size_t num_guests = 0;
@@ -48,13 +48,13 @@ class TraceReader {
   /// Reads the path to a place between two records, where the scene is that of `recording`.
   TraceReader(const Recording& recording, TracePlace end);
   /// Reads the path to a point of the recording's history, with the scene at that point; ends
-  /// before if there is none.
+  /// earlier if the trace does not reach that point.
   TraceReader(const Recording& recording, const HistoryPoint& point);
 
   const std::vector<std::string>& object_names() const { return object_names_; }
   const std::vector<std::string>& joint_names() const { return joint_names_; }
   /// Returns the events before the recording's start that still matter: falls to the floor, grasps
-  /// of what hands held, and what had been said of objects.
+  /// of objects still held, and attention to properties of objects.
   const std::vector<sim::Event>& events_before_start() const { return events_before_start_; }
 
   /// Returns false for traces of old versions, which contain no events.
@@ -63,7 +63,7 @@ class TraceReader {
   /// Returns the next tick; nullopt after the last one.
   /// @throws InputError if a record contradicts the header or the record before it.
   std::optional<TraceTick> Next();
-  /// Returns the places behind the last tick: first before all of its events, then after each.
+  /// Returns the places after the last tick: first before all of its events, then after each.
   const std::vector<TracePlace>& places() const { return places_; }
 
   /// Tick that was read, to which the reader can return.
@@ -84,9 +84,9 @@ class TraceReader {
   /// Makes Next() continue after a tick that this reader marked.
   void ReturnTo(const Bookmark& bookmark);
 
-  /// Returns true if bytes are left over at the end: the recording was interrupted.
+  /// Returns true if the file ends with an incomplete record: the recording was interrupted.
   bool is_cut() const { return size_ < bytes_.size(); }
-  /// Returns the size of what can be read [bytes].
+  /// Returns the size of the complete records and the header [bytes].
   TracePlace size() const { return size_; }
   /// Returns the line of the log of the last return; 0 if there is none.
   std::size_t last_return() const { return segments_.back().log_line; }
@@ -96,20 +96,20 @@ class TraceReader {
   struct Unopened {};
   TraceReader(const Recording& recording, const scene::SceneSpec& scene, Unopened);
   void ReadHeader(const Recording& recording, const scene::SceneSpec& scene);
-  /// Finds the segments, and where the last complete record ends.
+  /// Finds the segments and the end of the last complete record.
   void Survey();
   void FindPathTo(TracePlace end);
   void ReadEventsBeforeStart();
-  /// Reads the events of this tick.
+  /// Reads the events of the current tick.
   void ReadEvents();
   bool IsAtRecord();
-  /// The flags of the record at a place.
+  /// Returns the flags of the record at a place.
   std::uint8_t FlagsAt(TracePlace place) const;
-  /// How long the record at a place is; nullopt if it is not there whole.
+  /// Returns the size of the record at a place [bytes]; nullopt if it is incomplete.
   std::optional<std::uint64_t> SizeAt(TracePlace place) const;
   ByteReader BytesAt(TracePlace place) const;
   void ReadTick();
-  /// Reads an event whatever it says.
+  /// Reads an event without checking its content, see IsSound().
   sim::Event ReadEvent();
   bool IsSound(const sim::Event& event) const;
   [[noreturn]] void Fail(const std::string& message) const;
@@ -125,7 +125,7 @@ class TraceReader {
   std::vector<BranchSegment> segments_;       ///< in the order of the file
   std::vector<BranchSegment> path_segments_;  ///< of the path, the first one last
   std::vector<BranchSegment> segments_left_;  ///< of the path, still to be read, the next one last
-  std::optional<std::uint64_t> last_tick_;    ///< to be read, when not all is
+  std::optional<std::uint64_t> last_tick_;    ///< to be read; nullopt: all
   std::size_t num_last_actions_ = 0;          ///< of it
   TracePlace size_ = 0;
   TracePlace place_ = 0;  ///< of the next record

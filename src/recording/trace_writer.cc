@@ -20,12 +20,16 @@ TraceWriter::TraceWriter(const std::filesystem::path& path, const model::Model& 
   file_.Append(out.bytes());
 }
 
+// last_ stays empty: the first record contains everything, so it does not depend on what was cut
+// off.
 TraceWriter::TraceWriter(const std::filesystem::path& path, std::uint64_t size, std::uint64_t tick)
     : file_(path, AppendFile::kExisting), tick_(tick) {
   file_.Cut(size);
 }
 
 void TraceWriter::Add(const TraceTick& tick) {
+  // A record contains what changed since the tick before. After a change of counts everything is
+  // written, as indices and sizes refer to other lists.
   const TraceCounts counts = CountsOf(tick);
   const bool counts_changed = !last_ || CountsOf(*last_) != counts;
   if (counts_changed) last_.reset();
@@ -42,6 +46,7 @@ void TraceWriter::Add(const TraceTick& tick) {
       (face_expression_changed ? kFaceExpressionChanged : 0) |
       (counts_changed ? kCountsChanged : 0)));
   if (counts_changed) Put(counts, &record);
+  // Sleeping objects keep their poses bit by bit, so most ticks of a quiet scene name no object.
   std::vector<std::uint32_t> moved;
   for (std::uint32_t i = 0; i < tick.objects.size(); ++i) {
     if (!last_ || tick.objects[i] != last_->objects[i]) moved.push_back(i);
@@ -82,6 +87,7 @@ void TraceWriter::Add(const sim::Event& event) {
   Put(event, &content);
   ByteWriter record;
   record.Put(tick_);
+  // Events and returns have no hash; the field keeps the heads of all records alike.
   record.Put(std::uint64_t{0});
   record.Put(kIsEvent);
   record.Put(static_cast<std::uint32_t>(content.size()));
@@ -98,6 +104,7 @@ void TraceWriter::Return(TracePlace place, std::size_t log_line, std::uint64_t t
   record.Put(std::uint64_t{log_line});
   file_.Append(record.bytes());
   tick_ = tick;
+  // The tick before, in the file, is not the one before on the path: write everything.
   last_.reset();
 }
 

@@ -12,7 +12,8 @@ namespace smile::recording {
 /// recording's scene and robot.
 scene::VisualState VisualStateAt(const TraceTick& moment, const model::Model& model);
 
-/// Returns the sample of a recorded tick for a camera, with a robot's camera where its joints were.
+/// Returns the sample of a recorded tick for a camera; a robot's camera is where the joints of that
+/// tick put it.
 model::ViewSample ViewSampleAt(const TraceTick& moment, const model::Model& model,
                                const model::EyeSpec& spec);
 

@@ -27,6 +27,7 @@ AllowedFolders::AllowedFolders(const fs::path* main_file, std::vector<fs::path> 
   for (const fs::path& folder : folders) {
     std::error_code error;
     fs::path canonical = fs::canonical(folder, error);
+    // A folder that does not exist allows nothing.
     if (!error) allowed_.push_back(std::move(canonical));
   }
 }
@@ -44,6 +45,8 @@ AllowedFolders::Search AllowedFolders::Find(const fs::path* folder, const std::s
     for (const fs::path& base : folders) {
       const fs::path name = base / file;
       std::error_code error;
+      // Links and `..` are resolved before the check, so that neither can lead out of the allowed
+      // folders.
       const fs::path canonical = fs::canonical(name, error);
       if (error) continue;
       if (Contain(canonical)) return {.found = FoundFile{name, canonical}};
@@ -59,6 +62,7 @@ AllowedFolders::Search AllowedFolders::Find(const fs::path* folder, const std::s
 std::string AllowedFolders::NameFromScene(const fs::path& canonical) const {
   for (const fs::path& folder : allowed_) {
     if (!IsWithin(canonical, folder)) continue;
+    // The name must lead back to the same file.
     const fs::path name = canonical.lexically_relative(folder);
     // Another file of that name may be found first.
     for (const fs::path& earlier : allowed_) {

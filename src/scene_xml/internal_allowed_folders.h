@@ -7,7 +7,7 @@
 
 namespace smile::scene_xml {
 
-/// The folders a scene may read files from: its own and the search roots, with all below them.
+/// Folders from which a scene may read files: its own and the search roots, with all below them.
 class AllowedFolders {
  public:
   /// @param main_file  nullptr for a text, which lies in no folder.
@@ -25,11 +25,11 @@ class AllowedFolders {
   /// Looks for a file beside the one that names it, then in the search roots. It must lie in an
   /// allowed folder after all links have been followed.
   ///
-  /// @param folder  of the file that names it; nullptr when it has none.
+  /// @param folder  of the file that names it; nullptr if it has none.
   Search Find(const std::filesystem::path* folder, const std::string& file) const;
 
-  /// How the main file would name a file that was found: relative to the first folder from which
-  /// that leads there; absolute when none does.
+  /// Returns the name by which the main file would find this file: relative to the first folder
+  /// from which that leads there; absolute if none does.
   std::string NameFromScene(const std::filesystem::path& canonical) const;
 
  private:
@@ -39,11 +39,11 @@ class AllowedFolders {
   std::vector<std::filesystem::path> allowed_;  // canonical, in the order of the search
 };
 
-/// The folder of a file, as it can be opened.
+/// Returns the folder of a file; `.` for a file without a folder.
 std::filesystem::path FolderOf(const std::filesystem::path& file);
 
-/// The reason in a message of ReadFile(), which begins with the path, for a diagnostic that names
-/// the file itself.
+/// Returns the reason in a message of ReadFile(), without the path at its begin, for a diagnostic
+/// that names the file itself.
 std::string WithoutPath(std::string reason, const std::string& path);
 
 }  // namespace smile::scene_xml

@@ -12,9 +12,10 @@
 namespace smile::scene_xml {
 namespace {
 
-// Of the largest number in a direction: its length can be calculated.
+// Range of the largest absolute component of a direction: its length then neither overflows nor
+// underflows.
 constexpr Range<double> kDirectionSize{1e-6, 1e6};
-// How far the columns of a rotation matrix may be from unit length and right angles.
+// Largest entry of R R^T - I for a matrix that counts as a rotation.
 constexpr double kRotationTolerance = 1e-9;
 
 template <class Number>
@@ -32,12 +33,14 @@ std::string Wording(const Range<Number>& range) {
          PlainNumberText(static_cast<double>(range.most));
 }
 
+// A determinant of -1 would be a reflection.
 bool IsRotation(const Matrix3& R) {
   const Matrix3 error = R * R.transpose() - Matrix3::Identity();
   return error.cwiseAbs().maxCoeff() <= kRotationTolerance && R.determinant() > 0;
 }
 
-/// Without negative zeros, which the formulas make of plain angles: equal matrices, equal bits.
+/// Returns the matrix without negative zeros, which the formulas produce for simple angles: equal
+/// matrices have equal bits.
 Matrix3 WithoutNegativeZeros(const Matrix3& R) { return R.array() + 0.0; }
 
 }  // namespace
@@ -48,6 +51,7 @@ void AttributeReader::AddFinding(const std::string& message) {
 }
 
 void AttributeReader::Refuse(std::string_view name, const std::string& expected) {
+  // A value whose expression failed has a finding already.
   for (const SceneAttribute& attribute : element_.attributes) {
     if (attribute.name == name && attribute.is_faulty) {
       has_findings_ = true;
@@ -95,6 +99,8 @@ std::string AttributeReader::Reference(std::string_view name) {
 
 std::string AttributeReader::ClaimedId() {
   std::string wanted = Id();
+  // An id with # comes from a scene that this program wrote. It must not change, as recordings
+  // refer to it.
   if (!IsRenamedId(wanted)) return reading_.ids.Claim(wanted);
   if (!reading_.ids.ClaimExactly(wanted)) {
     Refuse("id", "one that is not used yet: an id with # is never changed");
@@ -186,6 +192,7 @@ scene::Custom AttributeReader::Custom() {
     AddFinding("found file=" + Quoted(custom.file) + fault);
     return custom;
   }
+  // The range of lengths applies to the mesh as scaled, in units of the scene.
   double farthest_units = 0;
   for (const Eigen::Vector3f& vertex : custom.mesh->surface.vertices) {
     farthest_units = std::max(farthest_units, vertex.cast<double>().cwiseAbs().maxCoeff());
@@ -276,6 +283,7 @@ void AttributeReader::RefuseUnknown() {
   std::sort(known_.begin(), known_.end());
   for (const SceneAttribute& attribute : element_.attributes) {
     if (Contains(known_, attribute.name) || Contains(forbidden_, attribute.name)) continue;
+    // Suggestions for misspelled names are expensive, and would not be listed.
     if (reading_.findings->is_full()) return AddFinding("");  // only notes that there are more
     AddFinding("found attribute " + Quoted(attribute.name) + ", expected " + OneOf(known_) +
                DidYouMean(attribute.name, known_));

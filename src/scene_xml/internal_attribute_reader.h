@@ -13,29 +13,28 @@
 
 namespace smile::scene_xml {
 
-/// Reads the attributes of one element: text to values, with defaults, ranges and units.
+/// Reader of the attributes of one element: text to values, with defaults, ranges and units.
 ///
-/// Each fault becomes a finding and the default is used on, so that the rest of the file is still
-/// looked at. Asking for an attribute makes it known; RefuseUnknown() then reports those nobody
-/// asked for.
+/// Each fault becomes a finding and is replaced by the default, so that the rest of the file is
+/// still read. Asking for an attribute makes it known; RefuseUnknown() reports all others.
 class AttributeReader {
  public:
   AttributeReader(const SceneElement& element, Reading* reading)
       : element_(element), reading_(*reading) {}
 
-  /// As written; nullptr when it is not there.
+  /// Returns the text as written; nullptr if the attribute is missing.
   const std::string* Text(std::string_view name);
-  /// As written, for one that must be there.
+  /// Returns the text of a required attribute.
   std::string RequiredText(std::string_view name);
-  /// As written, for one that must be there and must be a name: letters, digits and `_`.
+  /// Returns the text of a required attribute that must be a name: letters, digits and `_`.
   std::string RequiredName(std::string_view name);
-  /// As written, and a name, if it is there.
+  /// Returns the text of an optional attribute that must be a name; empty if it is missing.
   std::string OptionalName(std::string_view name);
-  /// Letters, digits and `_`, or a name the program gave (`obj#3`).
+  /// Returns the id: letters, digits and `_`, or an id that the program assigned (`obj#3`).
   std::string Id();
-  /// The id of an element that must have one of its own: what the registry makes of Id().
+  /// Returns a unique id for an element that needs one: the registry's answer to Id().
   std::string ClaimedId();
-  /// The id of another element, as Id() has them; may be empty.
+  /// Returns the id of another element, in the form of Id(); may be empty.
   std::string Reference(std::string_view name);
 
   bool Boolean(std::string_view name, bool fallback);
@@ -43,33 +42,35 @@ class AttributeReader {
   double Number(std::string_view name, double fallback, Range<double> range);
   smile::Color Color(std::string_view fallback = "gray");
 
-  /// A positive length; units in the file, metres here.
+  /// Returns a positive length [m]; the file has units.
   double Span(std::string_view name, double fallback_units);
   Vector3 Spans(double fallback_units);  ///< `xspan`, `yspan`, `zspan`
-  /// A length that may be 0 as well.
+  /// Returns a length that is positive or 0 [m].
   double SpanOrZero(std::string_view name, double fallback_units);
-  /// A length that may be negative.
+  /// Returns a length that may be negative [m].
   double Distance(std::string_view name, double fallback_units);
-  /// `(x,y,z)` that must be there.
+  /// Returns a required point `(x,y,z)` [m].
   Vector3 Point(std::string_view name);
-  /// `(x,y,z)` of any length but 0; no unit.
+  /// Returns a direction `(x,y,z)` of any length but 0, without unit.
   Vector3 Direction(std::string_view name, const Vector3& fallback);
-  /// `file`, which must be there, and `scale`: a mesh as large as scenes may have things.
+  /// Returns the mesh of `file`, which is required, scaled by `scale`; its extent must be in the
+  /// range of lengths.
   scene::Custom Custom();
-  /// `location` and `rotation`: this element in its parent.
+  /// Returns X_PE from `location` and `rotation`: the pose of this element E in its parent P [m].
   RigidTransform Pose();
-  /// The same; without a `location` it is at the parent's origin.
+  /// Returns the same pose; without a `location`, the element is at the parent's origin.
   RigidTransform PoseOrOrigin();
 
-  /// Refuses an attribute that belongs elsewhere, with better words than RefuseUnknown() has.
+  /// Refuses an attribute that belongs elsewhere, with a more specific message than
+  /// RefuseUnknown().
   void Forbid(std::string_view name, const std::string& expected);
   void RefuseUnknown();
   /// Adds `found name="value", expected …`, or `found the default of name, …`; nothing for a value
   /// whose expression has been reported.
   void Refuse(std::string_view name, const std::string& expected);
-  /// Adds a fault of the whole element.
+  /// Adds a finding about the whole element.
   void AddFinding(const std::string& message);
-  /// Whether anything was wrong so far: then values are defaults and need not fit together.
+  /// True if there was any fault: then values are defaults and need not be consistent.
   bool has_findings() const { return has_findings_; }
 
  private:

@@ -12,7 +12,7 @@
 namespace smile::scene_xml {
 namespace {
 
-/// A token as XML has them, in ASCII.
+/// Reads a bond type: an ASCII token as in XML.
 std::string ReadType(AttributeReader* attributes) {
   const auto is_token_letter = [](char letter) {
     return IsIdLetter(letter) || letter == '.' || letter == '-' || letter == ':';
@@ -26,7 +26,8 @@ std::string ReadType(AttributeReader* attributes) {
   return type;
 }
 
-/// The ticket of a reference; empty when there is none.
+/// Returns the ticket of a reference, which is resolved when the whole scene has been read; empty
+/// without a reference.
 std::string ReadReference(const SceneElement& element, const char* name, Target target,
                           AttributeReader* attributes, Reading* reading) {
   const std::string id = attributes->Reference(name);
@@ -46,6 +47,7 @@ scene::TightnessStage ReadStage(const SceneElement& element, Reading* reading) {
   return stage;
 }
 
+/// Checks that a guest with an initial host is fastened to some degree.
 void CheckInitialBond(const scene::GuestPoint& guest, AttributeReader* attributes) {
   if (guest.initial_host.empty() || guest.initial_tightness > 0 || attributes->has_findings()) {
     return;
@@ -64,7 +66,8 @@ scene::GuestPoint ReadGuestPoint(const SceneElement& element, Reading* reading) 
   guest.initial_host =
       ReadReference(element, "initBondHostId", Target::kHost, &attributes, reading);
   guest.initial_tightness = attributes.Count("initBondTightness", 0, kTightness);
-  // A guest has nothing downstream; templates for both kinds of points say so all the same.
+  // Guests have nothing downstream. The attributes are accepted because templates for both kinds of
+  // points contain them.
   for (const char* name : {"downstream", "downstreamOverride", "downstreamLock"}) {
     attributes.Reference(name);
   }
@@ -98,6 +101,7 @@ scene::HostPoint ReadHostPoint(const SceneElement& element, Reading* reading) {
     attributes.AddFinding("found " + std::to_string(host.stages.size()) +
                           " tightness elements, expected 1 to " + std::to_string(kMaxStages));
   }
+  // References use the written id, which may differ from the unique one.
   const std::string* written = element.FindAttribute("id");
   reading->references.Declare(Target::kHost, written ? *written : "", host.id);
   return host;

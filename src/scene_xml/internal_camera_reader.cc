@@ -13,9 +13,10 @@
 namespace smile::scene_xml {
 namespace {
 
-/// Sine of the angle below which two directions count as one.
+/// Sine of the angle below which two directions count as parallel.
 constexpr double kParallel = 1e-6;
 
+/// Checks that the id is valid, no built-in camera has it, and no other camera of the scene has it.
 void CheckName(const std::string& id, const std::vector<scene::CameraSpec>& cameras,
                AttributeReader* attributes) {
   if (attributes->has_findings()) return;
@@ -30,6 +31,8 @@ void CheckName(const std::string& id, const std::vector<scene::CameraSpec>& came
   }
 }
 
+/// Checks that the view direction exists and is not parallel to `up`, as its rotation about itself
+/// would be undefined.
 void CheckViewDirection(const scene::CameraSpec& camera, AttributeReader* attributes) {
   if (attributes->has_findings()) return;
   const Vector3 view_direction = camera.p_WQ - camera.p_WC;

@@ -13,6 +13,7 @@ namespace {
 
 constexpr int kMaxDownstreams = 256;
 
+/// Returns the ticket of the control that a `downstream` element refers to; empty after a fault.
 std::string ReadDownstream(const SceneElement& element, Reading* reading) {
   AttributeReader attributes(element, reading);
   const std::string id = attributes.Reference("id");
@@ -35,7 +36,7 @@ scene::Light ReadLight(const SceneElement& element, int num_lights, Reading* rea
   return light;
 }
 
-/// The name of a state; its content is read by the caller.
+/// Returns the name of a state; the caller reads its content.
 std::string ReadStateName(const SceneElement& element, Reading* reading) {
   AttributeReader attributes(element, reading);
   std::string name = attributes.OptionalName("descriptionName");
@@ -74,7 +75,7 @@ scene::CustomControl::State ReadCustomState(const SceneElement& element, int num
   return state;
 }
 
-/// What is in a control, by kind.
+/// Child elements of a control, by kind.
 struct ControlContent {
   std::vector<const SceneElement*> states, downstreams;
 };
@@ -86,6 +87,8 @@ void CheckCount(std::size_t count, std::size_t limit, const std::string& what,
                          std::to_string(limit));
 }
 
+/// Sorts the content of a control by kind, refuses other elements and checks the counts. Toggle
+/// switches have no `state` elements.
 ControlContent Sorted(std::span<const SceneElement* const> content, bool has_states,
                       std::span<const std::string_view> others, AttributeReader* attributes,
                       Reading* reading) {
@@ -126,6 +129,7 @@ void ReadControlContent(std::span<const SceneElement* const> content,
   auto* custom = std::get_if<scene::CustomControl>(control);
   const ControlContent sorted = Sorted(content, !toggle, others, attributes, reading);
   const auto num_states = toggle ? toggle->num_states : static_cast<int>(sorted.states.size());
+  // Already a finding. Reading on would cost time for states that are not kept.
   if (num_states > kMaxStates) return;
   for (const SceneElement* state : sorted.states) {
     if (lights) lights->states.push_back(ReadLightsState(*state, lights->num_lights, reading));
@@ -133,6 +137,7 @@ void ReadControlContent(std::span<const SceneElement* const> content,
   }
   std::visit(
       [&](auto& any) {
+        // Exactly the three kinds of controls have downstreams; other shapes never get here.
         if constexpr (requires { any.downstream; }) {
           CheckInitialState(any.initial_state, num_states, attributes);
           for (const SceneElement* downstream : sorted.downstreams) {

@@ -8,10 +8,10 @@
 
 namespace smile::scene_xml {
 
-/// The states and downstreams of a control, and the checks that need them.
+/// Reads the states and downstreams of a control and makes the checks that need them.
 ///
 /// @param attributes  those of `element`, for the checks.
-/// @param others      words a message should say may stand there too.
+/// @param others  further element names that messages list as expected.
 void ReadControlContent(std::span<const SceneElement* const> content,
                         std::span<const std::string_view> others, AttributeReader* attributes,
                         scene::Shape* control, Reading* reading);

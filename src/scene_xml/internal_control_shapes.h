@@ -5,7 +5,7 @@
 
 namespace smile::scene_xml {
 
-// The attributes each kind of control has of its own.
+// Read the attributes that are specific to each kind of control.
 scene::Shape ReadToggleSwitch(AttributeReader* attributes);
 scene::Shape ReadIndicatorLights(AttributeReader* attributes);
 scene::Shape ReadCustomControl(AttributeReader* attributes);

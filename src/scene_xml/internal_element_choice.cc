@@ -12,7 +12,7 @@ namespace {
 
 using Names = std::span<const std::string_view>;
 
-/// Whether the language has such an element, if not here.
+/// True if the scene language has such an element, here or elsewhere.
 bool IsOfTheLanguage(std::string_view name) {
   constexpr std::array kOthers{std::string_view("camera"),
                                std::string_view("chain"),
@@ -33,6 +33,7 @@ bool IsOfTheLanguage(std::string_view name) {
          std::ranges::find(ShapeElements(), name, &ShapeElement::name) != ShapeElements().end();
 }
 
+/// Adds the finding. A known element in the wrong place gets no spelling suggestion.
 void Refuse(const SceneElement& element, Names expected, Names possible, Reading* reading) {
   const std::string what = expected.empty() ? "nothing inside this element" : OneOf(expected);
   const bool is_misplaced = IsOfTheLanguage(element.name);
@@ -68,7 +69,7 @@ const ShapeElement* FindShape(const SceneElement& element, Container container, 
     names.insert(names.end(), {"guestBondPoint", "hostBondPoint"});
   }
   std::sort(names.begin(), names.end());
-  // Not listed, to keep the message short, but possibly meant.
+  // Candidates for spelling suggestions that the message does not list, to keep it short.
   std::vector<std::string_view> words = names;
   words.insert(words.end(), {"def", "include", "instance", "var"});
   Refuse(element, names, words, reading);

@@ -9,7 +9,7 @@
 
 namespace smile::scene_xml {
 
-/// What an element stands in, which decides what it may be.
+/// Container of an element, which determines the elements that are allowed.
 enum class Container {
   kTabletop,   ///< whole objects, chains, sliders
   kSlider,     ///< whole objects
@@ -21,15 +21,15 @@ inline bool HoldsWholes(Container container) {
   return container == Container::kTabletop || container == Container::kSlider;
 }
 
-/// False, with a finding, when the element is in another namespace than ours. What is inside such
-/// an element is not looked at: one forgotten `xmlns` is one finding.
+/// Returns false, with a finding, if the element is in another namespace. The content of such an
+/// element is not inspected: one forgotten `xmlns` gives one finding.
 bool CheckNamespace(const SceneElement& element, Reading* reading);
 
-/// The reader of an element that should be a shape; nullptr, with a finding, when it is none that
-/// may stand there.
+/// Returns the reader of a shape element; nullptr, with a finding, if the element is not a shape
+/// that is allowed there.
 const ShapeElement* FindShape(const SceneElement& element, Container container, Reading* reading);
 
-/// Adds `found an unknown element, expected …`; no `expected` at all means none may stand there.
+/// Adds `found an unknown element, expected …`; without `expected`, no element is allowed there.
 void RefuseElement(const SceneElement& element, std::span<const std::string_view> expected,
                    Reading* reading);
 

@@ -23,7 +23,7 @@ struct Template {
   std::vector<VariableText> defaults;
   std::vector<SceneElement> content;
   Place place;
-  // What one instance costs.
+  // Cost of one instance.
   int num_elements = 0;
   std::size_t num_bytes = 0;
 };
@@ -37,6 +37,7 @@ struct ExpansionContext {
   int depth;      // of the parent element, the root being 1
 };
 
+/// Adds the elements and bytes of an element and everything in it.
 void AddCost(const SceneElement& element, Template* target) {
   ++target->num_elements;
   for (const SceneAttribute& attribute : element.attributes) {
@@ -57,6 +58,7 @@ VariableText ReadVariable(const SceneElement& element, Reading* reading) {
   return variable;
 }
 
+/// Moves a `def` into the templates. Its content is not expanded here, but for each instance.
 void ReadTemplate(SceneElement def, Reading* reading, Templates* templates) {
   AttributeReader attributes(def, reading);
   const std::string name = attributes.RequiredName("name");
@@ -71,13 +73,14 @@ void ReadTemplate(SceneElement def, Reading* reading, Templates* templates) {
     }
   }
   const auto [entry, is_new] = templates->try_emplace(name, std::move(result));
+  // The first template of a name stays; the second one is a finding.
   if (is_new || name.empty()) return;
   const std::string first = reading->findings->sources().Address(entry->second.place);
   reading->findings->Add(def.place, AddressOf(def),
                          "found a second def of this name, expected one; the first is at " + first);
 }
 
-/// The templates of the scene, taken out of the root.
+/// Removes the templates from the root and returns them. They may be defined after their use.
 Templates TakeTemplates(SceneElement* root, Reading* reading) {
   Templates templates;
   std::vector<SceneElement> content;
@@ -92,6 +95,9 @@ Templates TakeTemplates(SceneElement* root, Reading* reading) {
   return templates;
 }
 
+/// Expands instances by recursive descent with lexical scopes of variables. Three limits keep the
+/// work finite: depth of elements, nesting of instances and the budget of elements and bytes,
+/// without which 60 levels of doubling would make 2^60 elements.
 class Expander {
  public:
   Expander(const SceneLimits& limits, bool has_all_files, Templates templates, Reading* reading)
@@ -114,6 +120,8 @@ class Expander {
     return result;
   }
 
+  /// Appends the expanded content to `target`. Instances are replaced by their content, so no level
+  /// of nesting is added for them.
   void ExpandInto(std::vector<SceneElement>* target, std::vector<SceneElement> content,
                   const ExpansionContext& context) {
     for (SceneElement& element : content) {
@@ -141,6 +149,8 @@ class Expander {
 
   void ExpandInstance(SceneElement instance, const ExpansionContext& context,
                       std::vector<SceneElement>* target) {
+    // The name of the template and its variables may be expressions as well, in the scope around
+    // the instance.
     SubstituteAttributes(&instance, context.scope);
     AttributeReader attributes(instance, &reading_);
     const std::string name = attributes.RequiredName("def");
@@ -152,8 +162,10 @@ class Expander {
     if (!CanOpen(instance, name)) return;
 
     const Template& used = found->second;
+    // Paid before the content is copied.
     if (!budget_.Spend(1 + used.num_elements, used.num_bytes, instance.place)) return;
     const int expansion = reading_.findings->sources().AddExpansion(instance.place);
+    // Findings in the template then name the instance that was expanded.
     std::vector<VariableText> defaults = used.defaults;
     for (VariableText& variable : defaults) variable.place.expansion = expansion;
     Scope scope(context.scope, variables, defaults, &budget_, reading_.findings);
@@ -175,7 +187,8 @@ class Expander {
     return variables;
   }
 
-  /// Whether the template of this name may be used inside those that are open.
+  /// Returns true if a template may be used inside those that are open: not within itself, and not
+  /// too deep.
   bool CanOpen(const SceneElement& instance, const std::string& name) {
     const auto outer = std::find(open_.begin(), open_.end(), name);
     if (outer != open_.end()) {
@@ -194,6 +207,7 @@ class Expander {
   }
 
   void RefuseName(const SceneElement& instance, const std::string& name) {
+    // The template may be in the file that is missing, which is a finding already.
     if (!has_all_files_ || reading_.findings->is_full()) return;
     std::vector<std::string_view> names;
     for (const auto& [known, unused] : templates_) {
@@ -203,6 +217,7 @@ class Expander {
                        DidYouMean(name, names));
   }
 
+  /// True, with a finding, for elements of the template language in the wrong place.
   bool IsMisplaced(const SceneElement& element) {
     if (element.Is("include") || element.Is("def")) {
       Fail(element, "found this element here, expected it directly in <tabletop>");
@@ -220,6 +235,7 @@ class Expander {
       if (budget_.is_spent()) return;
       if (!HoldsExpression(attribute.value)) continue;
       Substitution result = Substitute(attribute.value, budget_.bytes_left(), scope);
+      // An empty fault means that the variable was reported already.
       attribute.is_faulty = result.has_fault;
       if (!result.has_fault) {
         budget_.Spend(0, result.text.size(), element->place);

@@ -6,11 +6,11 @@
 
 namespace smile::scene_xml {
 
-/// Puts the content of its template in the place of each `instance` and values in the place of each
-/// `$…$` expression in an attribute below the root. No `def`, `instance` or `var` is left; what
-/// cannot be expanded is dropped, and is a finding.
+/// Replaces each `instance` by the content of its template and each `$…$` expression in an
+/// attribute below the root by its value. No `def`, `instance` or `var` remains; elements that
+/// cannot be expanded are dropped, with a finding.
 ///
-/// @param has_all_files  else a missing template may just be in a missing file: no finding.
+/// @param has_all_files  if false, a missing template may be in a missing file and is no finding.
 void ExpandTemplates(const SceneLimits& limits, bool has_all_files, SceneElement* root,
                      Reading* reading);
 

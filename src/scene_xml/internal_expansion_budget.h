@@ -8,14 +8,14 @@
 
 namespace smile::scene_xml {
 
-/// What templates may cost: a file of a kilobyte can ask for billions of elements. When it is
+/// Budget of template expansion: a file of a kilobyte can request billions of elements. When it is
 /// spent, expansion ends.
 class ExpansionBudget {
  public:
   ExpansionBudget(const SceneLimits& limits, Findings* findings)
       : limits_(limits), findings_(*findings) {}
 
-  /// False when that is too much; the first time, that is a finding at `place`.
+  /// Returns false if the budget is exceeded; the first time, with a finding at `place`.
   bool Spend(int elements, std::size_t bytes, const Place& place) {
     if (is_spent_) return false;
     num_elements_ += elements;

@@ -26,11 +26,11 @@ std::string_view WithoutGaps(std::string_view text) {
   return text;
 }
 
-/// Digits, perhaps with a point and an exponent, to the nearest float.
+/// Parses digits with optional point and exponent to the nearest float. from_chars() reports
+/// overflow and underflow alike; these become infinity and zero.
 std::optional<float> ParseDecimal(std::string_view text) {
   if (text.empty() || !(IsDigit(text[0]) || text[0] == '.')) return std::nullopt;
-  // Wider than needed only to tell too large from too small, which a float answers with infinity
-  // and zero.
+  // The wider type distinguishes too large from too small; its value is not used otherwise.
   long double wide = 0;
   float number = 0;
   const char* const end = text.data() + text.size();
@@ -43,7 +43,8 @@ std::optional<float> ParseDecimal(std::string_view text) {
   return wide > 1 ? std::numeric_limits<float>::infinity() : 0.0f;
 }
 
-/// A number without sign, as the original reads it: `2`, `.5`, `5.`, `1e-3`, `2d`, `Infinity`.
+/// Parses a number without sign, as the original program (Java) does: `2`, `.5`, `5.`, `1e-3`,
+/// `2d`, `Infinity`.
 std::optional<float> ParseUnsigned(std::string_view text) {
   if (text.size() > kMaxOperandBytes) return std::nullopt;
   if (text == "NaN") return std::numeric_limits<float>::quiet_NaN();
@@ -52,7 +53,7 @@ std::optional<float> ParseUnsigned(std::string_view text) {
   return ParseDecimal(text);
 }
 
-/// A variable's value in arithmetic.
+/// Parses the value of a variable in arithmetic, with optional sign and blanks.
 std::optional<float> ParseValue(std::string_view text) {
   text = WithoutGaps(text);
   const bool is_negative = !text.empty() && text[0] == '-';
@@ -61,13 +62,14 @@ std::optional<float> ParseValue(std::string_view text) {
   return size && is_negative ? -*size : size;
 }
 
-/// Evaluates one expression from left to right. After the first fault all that follows is idle.
+/// Recursive-descent evaluator of the grammar in the header: one function per rule, without
+/// building a tree. After the first fault, functions return without effect.
 class ExpressionReader {
  public:
   ExpressionReader(std::string_view text, Variables* variables)
       : text_(text), variables_(*variables) {}
 
-  /// The text of the value; meaningless when there was a fault.
+  /// Returns the value as text; meaningless after a fault.
   std::string Read() {
     if (const std::string* value = ValueOfLoneName()) return *value;
     if (has_fault_) return {};
@@ -81,6 +83,8 @@ class ExpressionReader {
   const std::string& fault() const { return fault_; }
 
  private:
+  /// Returns the value of an expression that is a single name, which need not be a number; nullptr
+  /// for all other expressions and after a fault.
   const std::string* ValueOfLoneName() {
     const std::string_view name = WithoutGaps(text_);
     for (char letter : name) {
@@ -90,6 +94,7 @@ class ExpressionReader {
     return Find(name);
   }
 
+  /// Returns the value of a variable; nullptr, with a fault, if it is missing or faulty.
   const std::string* Find(std::string_view name) {
     const Variables::Binding binding = variables_.Find(name);
     if (binding.is_faulty) {
@@ -116,6 +121,7 @@ class ExpressionReader {
     return product;
   }
 
+  // A sign binds tighter than * and /, and no blank may follow it.
   float Factor() {
     SkipBlanks();
     const bool is_negative = !text_.empty() && text_[0] == '-';
@@ -151,6 +157,8 @@ class ExpressionReader {
     return number.value_or(0);
   }
 
+  /// Removes and returns the longest token. A sign inside a number is possible only behind an
+  /// exponent's e.
   std::string_view TakeToken() {
     std::size_t size = 0;
     while (size < text_.size() && IsTokenLetter(text_[size])) ++size;
@@ -166,6 +174,7 @@ class ExpressionReader {
     return token;
   }
 
+  /// Removes the next letter, after blanks, if it is one of these; remembers it in accepted_.
   bool Accept(std::string_view letters) {
     SkipBlanks();
     if (has_fault_ || text_.empty() || !IsOneOf(text_[0], letters)) return false;
@@ -198,6 +207,8 @@ struct Group {
   std::size_t begin, end;  // of the two $
 };
 
+/// Returns the next pair of $ on one line, at or after `from`. A $ whose partner is on another line
+/// stays literal.
 std::optional<Group> FindGroup(std::string_view text, std::size_t from) {
   std::size_t begin = text.find('$', from);
   while (begin != std::string_view::npos) {
@@ -234,7 +245,8 @@ Substitution Substitute(std::string_view text, std::size_t max_bytes, Variables*
   if (result.size() > max_bytes) {
     return Faulty(text, "with more text than fits the scene, expected less");
   }
-  // So that a scene, once expanded, means the same when it is written and read again.
+  // Values are not expanded again; a result that contains an expression would mean something else
+  // when the scene is written and read again.
   if (HoldsExpression(result)) {
     return Faulty(text, "with $ in the value of a variable, expected none that makes another " +
                             std::string("expression"));

@@ -7,34 +7,34 @@
 
 namespace smile::scene_xml {
 
-/// The variables an expression can see.
+/// Variables visible to an expression.
 class Variables {
  public:
   virtual ~Variables() = default;
 
   struct Binding {
-    const std::string* value = nullptr;  ///< nullptr when there is no such variable
-    bool is_faulty = false;              ///< there is one, but its value has a fault of its own
+    const std::string* value = nullptr;  ///< nullptr if the variable does not exist
+    bool is_faulty = false;              ///< it exists, but its value is faulty
   };
   virtual Binding Find(std::string_view name) = 0;
-  /// Some of the names, for a suggestion.
+  /// Returns some of the names, for spelling suggestions.
   virtual std::vector<std::string_view> SomeNames() const = 0;
 };
 
-/// A text with values in the place of its expressions.
+/// Result of a substitution: a text with values in place of expressions.
 struct Substitution {
-  std::string text;        ///< as it was when there is a fault
-  bool has_fault = false;  ///< then nothing was put in
-  std::string fault;       ///< `with …, expected …`; empty when a variable is to blame
+  std::string text;        ///< unchanged after a fault
+  bool has_fault = false;  ///< then nothing was substituted
+  std::string fault;  ///< `with …, expected …`; empty if the fault of a variable is the cause
 };
 
-/// Whether the text holds `$…$` within one line. A `$` without another is only itself.
+/// True if the text contains `$…$` within one line. A single `$` is literal.
 bool HoldsExpression(std::string_view text);
 
-/// Puts values in the place of the expressions `$…$` of a text.
+/// Replaces the expressions `$…$` of a text by their values.
 ///
-/// A name alone stands for its value, whatever that is: a color, a location, the id 007. All else
-/// is arithmetic in single precision, the language of the original program:
+/// A single name stands for its value, whatever that is: a color, a location, the id 007. All other
+/// expressions are arithmetic in single precision, as in the original program:
 ///
 ///     expression = term { (+|-) term }
 ///     term       = factor { (*|/) factor }
@@ -46,8 +46,9 @@ bool HoldsExpression(std::string_view text);
 /// @param max_bytes  more text than this is a fault.
 Substitution Substitute(std::string_view text, std::size_t max_bytes, Variables* variables);
 
-/// How the result of arithmetic is written, as the original does: `2` for what is within 1e-6 of an
-/// integer of 32 bits, else `0.33333334`, `1.0E-4`, `1.23456778E10`, `Infinity`, `NaN`.
+/// Returns the text of an arithmetic result, as the original program writes it: `2` for values
+/// within 1e-6 of a 32-bit integer, else `0.33333334`, `1.0E-4`, `1.23456778E10`, `Infinity`,
+/// `NaN`.
 std::string SinglePrecisionText(float number);
 
 }  // namespace smile::scene_xml

@@ -12,6 +12,8 @@ void Findings::Add(const Place& place, std::string element, std::string message)
     return;
   }
   if (place.expansion >= 0) {
+    // The same fault of a template recurs in each instance; only the first one is kept, with a note
+    // on its instance.
     const std::string said = sources_.Address(place) + element + message;
     if (!in_templates_.insert(said).second) return;
     message += sources_.ExpansionNote(place);
@@ -24,6 +26,7 @@ std::vector<Diagnostic> Findings::Take() {
   const auto place_of = [](const Finding& finding) {
     return std::tuple(finding.file, finding.diagnostic.line);
   };
+  // Sorted by file and line; stable, so that findings of one line keep their order.
   std::stable_sort(findings_.begin(), findings_.end(),
                    [&](const Finding& a, const Finding& b) { return place_of(a) < place_of(b); });
   std::vector<Diagnostic> diagnostics;

@@ -5,18 +5,18 @@
 
 namespace smile::scene_xml {
 
-/// Gives every whole object and every pointable part an id of its own.
+/// Registry that gives every whole object and every pointable part a unique id.
 ///
-/// An id that is missing becomes `obj`; one that is taken gets `#` and the next number of one
-/// counter for the whole scene. Recordings and their readers know objects by these names, so the
-/// rule is fixed: objects with the ids -, -, a, a, -, obj become obj, obj#0, a, a#1, obj#2, obj#3.
+/// A missing id becomes `obj`; an id in use gets `#` and the next number of one counter for the
+/// whole scene. Recordings and their readers identify objects by these names, so the rule is fixed:
+/// objects with the ids -, -, a, a, -, obj become obj, obj#0, a, a#1, obj#2, obj#3.
 class IdRegistry {
  public:
-  /// The id to use for an element that asks for `wanted`, which may be empty.
+  /// Returns the id for an element that requests `wanted`, which may be empty.
   std::string Claim(const std::string& wanted);
 
-  /// For an id that already has its `#` (a scene the program wrote): that one or none. False when
-  /// it is taken.
+  /// Claims an id that already has its `#` (from a scene that the program wrote), unchanged.
+  /// Returns false if it is in use.
   [[nodiscard]] bool ClaimExactly(const std::string& id) { return taken_.insert(id).second; }
 
  private:

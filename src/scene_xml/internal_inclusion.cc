@@ -21,6 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Replaces includes depth first. `seen_` contains the canonical names of all files read, including
+/// the main file: each is read once, so circles end by themselves.
 class IncludeResolver {
  public:
   IncludeResolver(const fs::path* main_file, const std::vector<fs::path>& search_roots,
@@ -31,7 +33,7 @@ class IncludeResolver {
     seen_.insert(fs::canonical(*main_file, error));
   }
 
-  /// @param folder  of the file, nullptr when it has none.
+  /// @param folder  of the file; nullptr if it has none.
   void Resolve(const fs::path* folder, SceneElement* root) {
     std::vector<SceneElement> content;
     for (SceneElement& child : root->children) {
@@ -55,7 +57,7 @@ class IncludeResolver {
     reading_.findings->Add(include.place, AddressOf(include), message);
   }
 
-  /// What the file holds; nothing when it was included before.
+  /// Returns the content of an included file; nothing if it was included before.
   std::vector<SceneElement> Include(const fs::path* folder, const SceneElement& include) {
     AttributeReader attributes(include, &reading_);
     const std::string file = attributes.RequiredText("file");
@@ -83,6 +85,8 @@ class IncludeResolver {
     return std::nullopt;
   }
 
+  /// Reads and parses a file and resolves its own includes, relative to its folder. The limits on
+  /// bytes and elements hold for all files together.
   std::vector<SceneElement> ContentOf(const FoundFile& file, const SceneElement& include) {
     std::string text;
     try {

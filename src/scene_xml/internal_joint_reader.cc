@@ -16,9 +16,10 @@ namespace smile::scene_xml {
 namespace {
 
 constexpr double kMinChainUnits = 0.001;
-/// Share of a link by which rounding may spoil a fit.
+/// Tolerance for rounding, as a fraction of a link's length.
 constexpr double kFit = 1e-9;
 
+/// Reads the range of a slider and its initial offset, which defaults to the offset nearest to 0.
 void ReadRange(AttributeReader* attributes, scene::SliderSpec* slider) {
   slider->min_offset = attributes->Distance("min", 0);
   slider->max_offset = attributes->Distance("max", 1);
@@ -48,7 +49,8 @@ scene::SliderSpec ReadSliderAttributes(AttributeReader* attributes) {
   return slider;
 }
 
-/// Links enough to reach from start to end; nullopt, with a finding, when there is no such number.
+/// Returns the number of links: as wanted, if they reach from start to end, or the fewest that do
+/// if 0 is wanted; nullopt, with a finding, if there is no such number.
 std::optional<int> NumLinks(const scene::ChainSpec& chain, int wanted, double meters_per_unit,
                             AttributeReader* attributes) {
   const double distance = (chain.p_WEnd - chain.p_WStart).norm();
@@ -64,6 +66,7 @@ std::optional<int> NumLinks(const scene::ChainSpec& chain, int wanted, double me
                                         " of them reach from start to end");
     return std::nullopt;
   }
+  // Half a link may be missing, since the end pieces bridge the gap.
   if (wanted * length >= distance - length / 2 - kFit * length) return wanted;
   attributes->Refuse("linkCount", NumberText(std::ceil(distance / length - 0.5 - kFit)) +
                                       " or more, to reach from start to end");
@@ -92,6 +95,8 @@ void ReadSlider(const SceneElement& element, Reading* reading, ObjectList* objec
     attributes.AddFinding("found two objects of mass 0, expected one that can move");
   }
   if (!objects->HasRoomFor(2, element.place)) return;
+  // In the file, members are placed relative to the joint frame J; objects of a scene are placed in
+  // the world.
   slider.X_JA = members[0].whole.X_PE;
   slider.X_JB = members[1].whole.X_PE;
   members[0].whole.X_PE = slider.pose_of_first();
@@ -121,6 +126,7 @@ void ReadChain(const SceneElement& element, Reading* reading, ObjectList* object
       NumLinks(chain, wanted, reading->meters_per_unit, &attributes);
   if (!num_links || !objects->HasRoomFor(*num_links + 2, element.place)) return;
 
+  // Ids in the order of the pieces, as the counter of renamed ids depends on it.
   chain.start_id = reading->ids.Claim(chain.id + "-start");
   chain.end_id = reading->ids.Claim(chain.id + "-end");
   for (int i = 0; i < *num_links; ++i) {

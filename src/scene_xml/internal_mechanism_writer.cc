@@ -36,6 +36,7 @@ void WriteStates(const scene::CustomControl& control, XmlText* text) {
   }
 }
 
+/// Writes a reference to another element unless it is empty.
 void WriteReference(std::string_view name, const std::string& id, XmlText* text) {
   if (!id.empty()) text->Attribute(name, id);
 }
@@ -113,6 +114,7 @@ void WriteSlider(const scene::SliderSpec& slider, const scene::ObjectSpec& first
                  const scene::ObjectSpec& second, XmlText* text) {
   text->Open("sliderJoint");
   if (!slider.id.empty()) text->Attribute("id", slider.id);
+  // Members are written relative to the joint frame J, as the reader expects them.
   text->Pose(slider.X_WJ);
   text->Length("min", slider.min_offset);
   text->Length("max", slider.max_offset);

@@ -5,12 +5,12 @@
 
 namespace smile::scene_xml {
 
-// What each kind of control has of its own.
+// Write the attributes that are specific to each kind of control.
 void WriteControlAttributes(const scene::ToggleSwitch& toggle, XmlText* text);
 void WriteControlAttributes(const scene::IndicatorLights& lights, XmlText* text);
 void WriteControlAttributes(const scene::CustomControl& control, XmlText* text);
 
-/// Downstreams and states.
+/// Writes downstreams and states.
 void WriteControlContent(const scene::Shape& control, XmlText* text);
 
 void WriteBondPoints(const scene::Composite& composite, XmlText* text);

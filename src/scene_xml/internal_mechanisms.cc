@@ -13,7 +13,7 @@ namespace {
 
 using scene::Part;
 
-/// Calls `visit` with each part of an object that may be or hold a mechanism.
+/// Calls `visit` with each part of an object that may be or contain a mechanism, parents first.
 template <class Visit>
 void ForEachPart(Part* part, const Visit& visit) {
   visit(part);
@@ -22,14 +22,15 @@ void ForEachPart(Part* part, const Visit& visit) {
   }
 }
 
-/// Objects and the bonds between them.
+/// Disjoint sets (union-find) of objects that bonds connect. Initial bonds must not form a cycle,
+/// since the pose of a guest follows from its host.
 class BondedObjects {
  public:
   explicit BondedObjects(std::size_t num_objects) : of_(num_objects) {
     std::iota(of_.begin(), of_.end(), std::size_t{0});
   }
 
-  /// False when they are connected already.
+  /// Merges the sets of two objects; returns false if they are connected already.
   [[nodiscard]] bool Connect(std::size_t a, std::size_t b) {
     a = RootOf(a);
     b = RootOf(b);
@@ -39,6 +40,7 @@ class BondedObjects {
 
  private:
   std::size_t RootOf(std::size_t object) {
+    // Path halving: every object on the way is attached to its grandparent.
     while (of_[object] != object) object = of_[object] = of_[of_[object]];
     return object;
   }
@@ -52,6 +54,8 @@ class Connector {
       : scene_(*scene), reading_(*reading), bonds_(scene->objects.size()) {}
 
   void Connect() {
+    // Three passes, as references may point forward: controls and hosts are known before anything
+    // refers to them.
     ForEach([this](std::size_t object, Part* part) { Register(object, part); });
     ForEach([this](std::size_t, Part* part) { ConnectControl(part); });
     ForEach([this](std::size_t object, Part* part) { ConnectPoints(object, part); });
@@ -94,6 +98,8 @@ class Connector {
     for (scene::GuestPoint& guest : composite->guests) ConnectGuest(object, &guest);
   }
 
+  /// Resolves the references of a host point and checks that each stage requests a state that the
+  /// overridden control has.
   void ConnectHost(scene::HostPoint* host) {
     host->downstream = Found(host->downstream);
     host->downstream_lock = Found(host->downstream_lock);
@@ -113,6 +119,8 @@ class Connector {
     }
   }
 
+  /// Resolves the initial host of a guest and checks that the bond is possible: same type, existing
+  /// stage, another object, a free host, no cycle.
   void ConnectGuest(std::size_t object, scene::GuestPoint* guest) {
     if (guest->initial_host.empty()) return;
     const Reference reference = reading_.references.Of(guest->initial_host);
@@ -142,7 +150,8 @@ class Connector {
     }
   }
 
-  /// The id in the place of a ticket; empty when there is none.
+  /// Returns the id for a ticket; empty without a ticket, or with a finding if it cannot be
+  /// resolved.
   std::string Found(const std::string& ticket) const {
     if (ticket.empty()) return {};
     return reading_.references.Find(reading_.references.Of(ticket), reading_.findings);

@@ -5,8 +5,9 @@
 
 namespace smile::scene_xml {
 
-/// Puts final ids in the place of the tickets of references, then checks what only the whole scene
-/// tells: that initial bonds can be, and that hosts force states that exist. Faults are findings.
+/// Replaces the tickets of references by final ids, then makes the checks that need the whole
+/// scene: that initial bonds are possible, and that hosts request states that exist. Faults are
+/// findings.
 void ConnectMechanisms(scene::SceneSpec* scene, Reading* reading);
 
 }  // namespace smile::scene_xml

@@ -28,6 +28,7 @@ bool MeshCache::Fetch(const Sources& sources, const Place& place, scene::Custom*
     return false;
   }
   auto entry = entries_.find(search.found->canonical);
+  // Faults are cached as well: a bad file is read once, but reported wherever it is used.
   if (entry == entries_.end()) {
     entry = entries_.emplace(search.found->canonical, Read(*search.found)).first;
   }
@@ -46,6 +47,8 @@ MeshCache::Entry MeshCache::Read(const AllowedFolders::FoundFile& file) {
                      " mesh files in the scene, expected fewer"};
   }
   std::error_code error;
+  // Size and triangles are limited over all meshes, and the size is checked before the file is
+  // read.
   const std::uintmax_t size = fs::file_size(file.canonical, error);
   if (!error && size > limits_.max_mesh_bytes - num_bytes_) {
     return {.fault = "found more than " + std::to_string(limits_.max_mesh_bytes) +
@@ -67,7 +70,7 @@ MeshCache::Entry MeshCache::Read(const AllowedFolders::FoundFile& file) {
                 scene::CustomMesh{std::move(surface), std::move(pieces)})};
   } catch (const InputError& wrong) {
     return {.fault = wrong.diagnostics().front().message};
-  } catch (const std::exception& wrong) {  // no volume; the machine said no
+  } catch (const std::exception& wrong) {  // a mesh without volume, or an I/O error
     return {.fault = WithoutPath(wrong.what(), file.canonical.string())};
   }
 }

@@ -22,11 +22,11 @@ class MeshCache {
   MeshCache(const std::filesystem::path* main_file,
             const std::vector<std::filesystem::path>& search_roots, const SceneLimits& limits);
 
-  /// Looks for `custom->file` as for an included file, puts its mesh there and the name by which
-  /// the scene's own file would find it.
+  /// Finds `custom->file` as for an included file; sets its mesh and the name by which the scene's
+  /// own file would find it.
   ///
-  /// @param place  of the element that names it.
-  /// @returns false, with `fault` in words that follow the file's name, when there is none.
+  /// @param place  of the element that refers to it.
+  /// @returns false, with `fault` in words that follow the file's name, if there is no valid mesh.
   bool Fetch(const Sources& sources, const Place& place, scene::Custom* custom, std::string* fault);
 
  private:

@@ -10,14 +10,14 @@
 
 namespace smile::scene_xml {
 
-/// The objects of a scene and where they were written. A small file can ask for many: a chain has a
-/// thousand links.
+/// Objects of a scene with their places in the files. The number is limited: a small file can
+/// request many, as a chain has up to a thousand links.
 class ObjectList {
  public:
   ObjectList(const SceneLimits& limits, scene::SceneSpec* scene, Findings* findings)
       : limits_(limits), scene_(*scene), findings_(*findings) {}
 
-  /// False when there is no room for so many more; the first time, that is a finding.
+  /// Returns false if `count` more objects exceed the limit; the first time, with a finding.
   [[nodiscard]] bool HasRoomFor(std::size_t count, const Place& place) {
     if (scene_.objects.size() + count <= static_cast<std::size_t>(limits_.max_objects)) return true;
     if (!std::exchange(is_full_, true)) {

@@ -17,11 +17,11 @@ namespace {
 using scene::Description;
 using scene::ObjectSpec;
 
-/// Physics takes no body of more.
+/// Limit of the physics on the convex pieces of one body.
 constexpr std::size_t kMaxPieces = 4096;
 constexpr std::array<std::string_view, 1> kDescription{"description"};
 
-/// A later value of the same name takes the place of the earlier one.
+/// Adds a description; a later value of the same name replaces the earlier one.
 void Describe(Description description, std::vector<Description>* descriptions) {
   for (Description& earlier : *descriptions) {
     if (earlier.name == description.name) {
@@ -40,7 +40,7 @@ Description ReadDescription(const SceneElement& element, Reading* reading) {
   return description;
 }
 
-/// What an object is called in its first description.
+/// Returns the value of an object's first description, `shape`.
 std::string ShapeNameOf(const ShapeElement& shape, const scene::Part& part) {
   const auto* custom = std::get_if<scene::CustomControl>(&part.shape);
   return custom ? custom->name : ShapeWordOf(part.shape, shape.name);
@@ -67,6 +67,7 @@ ObjectSpec ReadObject(const SceneElement& element, const ShapeElement& shape, Co
   if (attributes.Text("centerOfMass")) object.center_of_mass = attributes.Point("centerOfMass");
   object.surface = ReadSurface(&attributes);
   attributes.RefuseUnknown();
+  // The default comes first, so that a description in the file replaces it.
   object.descriptions = {{"shape", ShapeNameOf(shape, object.whole)}};
   std::vector<const SceneElement*> content;
   for (const SceneElement& child : element.children) {

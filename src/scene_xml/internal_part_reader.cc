@@ -12,6 +12,7 @@ namespace {
 
 using scene::Part;
 
+/// Reads `nextStateWhenTriggered`, which only parts inside a state of a custom control have.
 void ReadNextState(const PartPlace& place, AttributeReader* attributes, Part* part) {
   constexpr std::string_view kName = "nextStateWhenTriggered";
   if (place.container != Container::kState) {
@@ -21,6 +22,7 @@ void ReadNextState(const PartPlace& place, AttributeReader* attributes, Part* pa
   }
 }
 
+/// Reads a child of a composite: a bond point, except inside states, or a part.
 void ReadMember(const SceneElement& element, const PartPlace& inside, scene::Composite* composite,
                 Reading* reading) {
   if (inside.container == Container::kComposite && element.Is("guestBondPoint")) {
@@ -38,6 +40,7 @@ Part ReadPartAttributes(const SceneElement& element, const ShapeElement& shape,
                         const PartPlace& place, AttributeReader* attributes, Reading* reading) {
   Part part;
   part.is_pointable = attributes->Boolean("pointable", false);
+  // Other parts may share ids, as nothing refers to them.
   const bool has_own_id = HoldsWholes(place.container) || part.is_pointable || shape.is_control;
   part.id = has_own_id ? attributes->ClaimedId() : attributes->Id();
   part.X_PE = attributes->Pose();
@@ -56,6 +59,7 @@ void ReadContent(const PartPlace& place, std::span<const SceneElement* const> co
                  Reading* reading) {
   if (auto* composite = std::get_if<scene::Composite>(&part->shape)) {
     PartPlace inside = place;
+    // Inside a state, composites keep the restrictions of states.
     if (place.container != Container::kState) inside.container = Container::kComposite;
     for (const SceneElement* child : content) ReadMember(*child, inside, composite, reading);
   } else if (scene::IsControl(part->shape)) {
@@ -70,6 +74,7 @@ Part ReadPart(const SceneElement& element, const ShapeElement& shape, const Part
   AttributeReader attributes(element, reading);
   Part part = ReadPartAttributes(element, shape, place, &attributes, reading);
   for (const char* name : {"mass", "centerOfMass", "friction", "restitution", "rollingFriction"}) {
+    // Mass and surface are properties of rigid bodies, not of their parts.
     attributes.Forbid(name, std::string(name) + " only on the whole object");
   }
   attributes.RefuseUnknown();

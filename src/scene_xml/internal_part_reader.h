@@ -11,26 +11,26 @@
 
 namespace smile::scene_xml {
 
-/// Where a shape stands.
+/// Place of a shape in its container.
 struct PartPlace {
   Container container = Container::kComposite;
-  int num_states = 0;  ///< in a state of a custom control: how many it has
+  int num_states = 0;  ///< in a state of a custom control: number of its states
 };
 
-/// What whole objects and parts have in common: all but content, mass and the check for unknown
-/// attributes. Whole objects, controls and what can be pointed at get an id of their own.
+/// Reads the attributes that whole objects and parts have in common: all but content, mass and the
+/// check for unknown attributes. Whole objects, controls and pointable parts get a unique id.
 scene::Part ReadPartAttributes(const SceneElement& element, const ShapeElement& shape,
                                const PartPlace& place, AttributeReader* attributes,
                                Reading* reading);
 
-/// The content of a shape but for its descriptions: parts, bond points, states, downstreams.
+/// Reads the content of a shape except descriptions: parts, bond points, states, downstreams.
 ///
-/// @param others  words a message should say may stand there too.
+/// @param others  further element names that messages list as expected.
 void ReadContent(const PartPlace& place, std::span<const SceneElement* const> content,
                  std::span<const std::string_view> others, AttributeReader* attributes,
                  scene::Part* part, Reading* reading);
 
-/// A part of a composite or of a state, with all that is in it.
+/// Reads a part of a composite or of a state, with its content.
 scene::Part ReadPart(const SceneElement& element, const ShapeElement& shape, const PartPlace& place,
                      Reading* reading);
 

@@ -54,12 +54,14 @@ void Sizes(const scene::Custom& custom, XmlText* text) {
   text->Attribute("file", text->FileOf(custom));
   text->Length("scale", custom.scale);
 }
+/// A composite has no size of its own.
 void Sizes(const scene::Composite&, XmlText*) {}
 template <class Control>
 void Sizes(const Control& control, XmlText* text) {
   WriteControlAttributes(control, text);
 }
 
+/// True for shapes with one color: lights and states of controls have their own.
 bool HasColor(const scene::Shape& shape) {
   return !std::holds_alternative<scene::Composite>(shape) &&
          (!scene::IsControl(shape) || std::holds_alternative<scene::ToggleSwitch>(shape));
@@ -82,7 +84,7 @@ void WriteContent(const Part& part, XmlText* text) {
   }
 }
 
-/// Only what is not as usual: older programs refuse these attributes.
+/// Writes only values other than the defaults, since older programs refuse these attributes.
 void WriteSurface(const scene::Surface& surface, XmlText* text) {
   const scene::Surface usual;
   if (surface.friction != usual.friction) text->Number("friction", surface.friction);
@@ -90,7 +92,7 @@ void WriteSurface(const scene::Surface& surface, XmlText* text) {
   if (surface.rolling_friction) text->Length("rollingFriction", *surface.rolling_friction);
 }
 
-/// What the reader calls the shape when nothing is written.
+/// Returns the `shape` description that the reader gives to an object without one.
 std::string ShapeWord(const scene::Shape& shape, const XmlText& text) {
   if (const auto* custom = std::get_if<scene::Custom>(&shape)) {
     return WordOfMeshFile(text.FileOf(*custom));
@@ -99,7 +101,7 @@ std::string ShapeWord(const scene::Shape& shape, const XmlText& text) {
   return control ? control->name : std::string(NameOf(shape));
 }
 
-/// All but the `shape` the reader adds by itself.
+/// Writes all descriptions except a `shape` that the reader adds by itself.
 void WriteDescriptions(const ObjectSpec& object, XmlText* text) {
   const std::string shape = ShapeWord(object.whole.shape, *text);
   for (const scene::Description& description : object.descriptions) {

@@ -5,10 +5,11 @@
 
 namespace smile::scene_xml {
 
-/// @param X_PE  where it stands in what is around it: for members of sliders not the world.
+/// @param X_PE  pose of the object in its surroundings: for members of sliders the joint frame,
+///              otherwise the world.
 void WriteObject(const scene::ObjectSpec& object, const RigidTransform& X_PE, XmlText* text);
 
-/// A part of a composite or of a state.
+/// Writes a part of a composite or of a state.
 void WritePart(const scene::Part& part, XmlText* text);
 
 }  // namespace smile::scene_xml

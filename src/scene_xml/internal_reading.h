@@ -8,7 +8,7 @@
 
 namespace smile::scene_xml {
 
-/// What the readers of a scene's elements share while it is read.
+/// State that the readers of a scene's elements share.
 struct Reading {
   Findings* findings = nullptr;
   IdRegistry ids;

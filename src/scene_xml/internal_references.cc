@@ -34,6 +34,7 @@ const Reference& References::Of(const std::string& ticket) const {
 
 std::string References::Find(const Reference& reference, Findings* findings) const {
   const Names& names = NamesOf(reference.target);
+  // A unique id has priority over written ids, which several elements may share.
   if (names.ids.contains(reference.text)) return reference.text;
   const std::string kind(NameOf(reference.target));
   std::string expected = "the id of a " + kind + " in this scene";

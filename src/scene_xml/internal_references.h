@@ -10,10 +10,10 @@
 
 namespace smile::scene_xml {
 
-/// What an element can name by its id.
+/// Kinds of elements that can be referred to by id.
 enum class Target { kControl, kHost };
 
-/// An attribute that names another element, and where it stands.
+/// Attribute that refers to another element, with its place.
 struct Reference {
   Target target = Target::kControl;
   std::string attribute, text;
@@ -21,21 +21,21 @@ struct Reference {
   std::string element;  ///< its address, for messages
 };
 
-/// Who names whom. A scene may name what stands further down, and what the program will call
-/// otherwise than its file does, so names are looked up when all has been read: until then the
-/// scene holds tickets in their place.
+/// References between elements. A scene may refer to elements further down, and to elements that
+/// get another id than the file gives them, so references are resolved after everything has been
+/// read: until then the scene contains tickets in place of ids.
 class References {
  public:
   /// @param written  the id in the file; may be empty.
-  /// @param id       the one it got.
+  /// @param id  the unique id that the element got.
   void Declare(Target target, const std::string& written, const std::string& id);
 
   /// @returns the ticket.
   std::string Add(Reference reference);
   const Reference& Of(const std::string& ticket) const;
 
-  /// The id of the element that is meant: the one that is called so, else the only one that is
-  /// written so. Empty, with a finding, when there is none, or more than one.
+  /// Returns the id of the referenced element: the one with that unique id, else the only one with
+  /// that written id. Empty, with a finding, if there is none or more than one.
   std::string Find(const Reference& reference, Findings* findings) const;
 
  private:

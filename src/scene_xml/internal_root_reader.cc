@@ -23,7 +23,7 @@ bool CheckIsScene(const SceneElement& root, Reading* reading) {
 bool ReadRoot(const SceneElement& root, Reading* reading, scene::SceneSpec* scene) {
   if (!CheckIsScene(root, reading)) return false;
   AttributeReader attributes(root, reading);
-  // The unit first: the spans are measured in it.
+  // The unit comes first, as the spans are measured in it.
   reading->meters_per_unit =
       attributes.Number("metersPerUnit", scene::kMetersPerUnit, kMetersPerUnitRange);
   scene->meters_per_unit = reading->meters_per_unit;
@@ -43,6 +43,7 @@ bool CheckIncludedRoot(const SceneElement& root, Reading* reading) {
     attributes.Refuse("metersPerUnit", "the unit of the scene that includes this file, " +
                                            PlainNumberText(reading->meters_per_unit));
   }
+  // Read only to be known and checked: the table is that of the main file.
   attributes.Span("xspan", 20);
   attributes.Span("yspan", 12);
   attributes.RefuseUnknown();

@@ -6,12 +6,12 @@
 
 namespace smile::scene_xml {
 
-/// The root of the main file: its unit and its table. False, with a finding, when it is no scene
-/// at all.
+/// Reads unit and table from the root of the main file. Returns false, with a finding, if it is not
+/// a scene.
 bool ReadRoot(const SceneElement& root, Reading* reading, scene::SceneSpec* scene);
 
-/// The root of an included file: it says nothing about the table, and its unit must be that of the
-/// scene. False, with a finding, when the file is no scene at all.
+/// Checks the root of an included file: its table is ignored, and its unit must be that of the
+/// scene. Returns false, with a finding, if the file is not a scene.
 bool CheckIncludedRoot(const SceneElement& root, Reading* reading);
 
 }  // namespace smile::scene_xml

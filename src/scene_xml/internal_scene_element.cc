@@ -9,14 +9,14 @@
 namespace smile::scene_xml {
 namespace {
 
-/// The attribute by which a person knows an element.
+/// Returns the attribute by which people identify an element.
 std::string_view NameOfKey(std::string_view element_name) {
   if (element_name == "def" || element_name == "var") return "name";
   if (element_name == "instance") return "def";
   return "id";
 }
 
-/// Depth and size are those of a parsed tree, which are bounded.
+/// Converts a parsed tree. Recursion is safe, as its depth is bounded.
 SceneElement ToSceneElement(xml::Element&& parsed, int file) {
   SceneElement element;
   element.name = std::move(parsed.name);

@@ -10,7 +10,7 @@
 
 namespace smile::scene_xml {
 
-/// The namespace every element of a scene file is in.
+/// Namespace of all elements of a scene file.
 inline constexpr std::string_view kSceneNamespace = "http://synapse.cs.umd.edu/tabletop-xml";
 
 struct SceneAttribute {
@@ -23,27 +23,29 @@ struct SceneAttribute {
 /// of them, while files are included and templates expanded.
 struct SceneElement {
   std::string name;  ///< without prefix
-  Place place;       ///< where its tag begins
+  Place place;       ///< of its tag's begin
   bool is_in_scene_namespace = false;
   std::string found_namespace;  ///< for a message, when it is in another one; empty = in none
   std::vector<SceneAttribute> attributes;
   std::vector<SceneElement> children;
 
-  /// Whether it is this element of the scene language.
+  /// True if it is this element of the scene language.
   bool Is(std::string_view element_name) const {
     return is_in_scene_namespace && name == element_name;
   }
   const std::string* FindAttribute(std::string_view attribute_name) const;
 };
 
-/// How a message addresses an element: `block id="B3"`, `var name="size"`, `instance def="lid"`.
+/// Returns the address of an element in messages: `block id="B3"`, `var name="size"`, `instance
+/// def="lid"`.
 std::string AddressOf(const SceneElement& element);
 
-/// Parses one file of a scene; nullopt, with the reason in `findings`, when it is not well-formed
-/// XML or passes a limit. Text between elements is a finding, but the tree is still returned.
+/// Parses one file of a scene; returns nullopt, with the reason in `findings`, if it is not
+/// well-formed XML or exceeds a limit. Text between elements is a finding, but the tree is still
+/// returned.
 ///
 /// @param file          of the places in it.
-/// @param num_elements  how many the scene has so far; counted on.
+/// @param num_elements  number of elements of the scene so far; increased.
 std::optional<SceneElement> ParseSceneXml(std::string_view text, int file,
                                           const SceneLimits& limits, int* num_elements,
                                           Findings* findings);

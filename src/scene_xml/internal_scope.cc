@@ -19,13 +19,17 @@ Scope::Scope(Scope* enclosing, const std::vector<VariableText>& of_instance,
     : enclosing_(enclosing), budget_(*budget), findings_(*findings) {
   for (const VariableText& text : of_instance) {
     Entry& entry = *variables_.insert_or_assign(text.name, Variable{text.value, text.place}).first;
+    // Values from outside are evaluated in the scope around the instance, before any of this scope
+    // is visible.
     if (!text.is_derived) Evaluate(&entry, enclosing);
   }
-  // Backwards, so that of two with the same name the later one is there first.
+  // Backwards, so that the later of two variables with the same name wins. try_emplace() keeps
+  // values of the instance.
   for (auto text = of_template.rbegin(); text != of_template.rend(); ++text) {
     variables_.try_emplace(text->name, Variable{text->value, text->place});
   }
-  // In the order of the file, where one usually stands behind those it needs.
+  // In the order of the file, where variables usually follow those they need; this keeps the
+  // recursion shallow.
   for (const std::vector<VariableText>* texts : {&of_template, &of_instance}) {
     for (const VariableText& text : *texts) {
       Entry& entry = *variables_.find(text.name);
@@ -39,6 +43,7 @@ Variables::Binding Scope::Find(std::string_view name) {
   if (found == variables_.end()) return FindAround(name);
   Entry& entry = *found;
   if (entry.second.state == State::kInWork) {
+    // A value that refers to its own name means the variable around; a longer cycle is a fault.
     if (in_work_.back() == &entry) return FindAround(name);
     std::string circle;
     for (auto it = std::find(in_work_.begin(), in_work_.end(), &entry); it != in_work_.end();
@@ -67,6 +72,8 @@ std::vector<std::string_view> Scope::SomeNames() const {
   return names;
 }
 
+/// Depth-first evaluation: Find() evaluates the variables that this one needs. in_work_ is the
+/// chain of those that wait.
 void Scope::EvaluateInOrder(Entry* entry) {
   if (in_work_.size() >= kMaxInWork) {
     return Fail(entry, "found more than " + std::to_string(kMaxInWork) +

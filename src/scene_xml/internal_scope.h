@@ -12,26 +12,25 @@
 
 namespace smile::scene_xml {
 
-/// A `var` as it is written.
+/// A `var` as written.
 struct VariableText {
   std::string name, value;
   bool is_derived = false;
   Place place;
 };
 
-/// The variables inside one instance of a template, and through them those around it.
+/// Variables inside one instance of a template, with access to those around it.
 ///
-/// Where both give a name, the instance's value counts, not the template's; and both hide that of
-/// the scope around. The instance speaks from outside: its values are evaluated in the scope around
-/// it, unless they are derived. Derived ones, and those of the template, see one another and are
-/// evaluated in the order in which they need each other. A value that names itself means the
-/// variable around.
+/// If both instance and template define a name, the value of the instance counts; either hides that
+/// of the enclosing scope. Values of the instance are evaluated in the enclosing scope, unless they
+/// are derived. Derived ones, and those of the template, see one another and are evaluated in order
+/// of dependence. A value that refers to its own name means the variable of the enclosing scope.
 class Scope final : public Variables {
  public:
-  /// The scope of the whole scene: there are no variables in it.
+  /// Scope of the whole scene, without variables.
   Scope(ExpansionBudget* budget, Findings* findings) : budget_(*budget), findings_(*findings) {}
 
-  /// The scope of an instance; all values are evaluated, their faults are findings.
+  /// Scope of an instance; evaluates all values, with faults as findings.
   Scope(Scope* enclosing, const std::vector<VariableText>& of_instance,
         const std::vector<VariableText>& of_template, ExpansionBudget* budget, Findings* findings);
 
@@ -50,7 +49,7 @@ class Scope final : public Variables {
   };
   using Entry = std::map<std::string, Variable, std::less<>>::value_type;
 
-  /// @param variables  what the value may refer to.
+  /// @param variables  variables that the value may refer to.
   void Evaluate(Entry* entry, Variables* variables);
   void EvaluateInOrder(Entry* entry);
   void Fail(Entry* entry, const std::string& message);

@@ -20,6 +20,7 @@ Shape ReadBox(AttributeReader* attributes) {
   const scene::Box box{.size = attributes->Spans(1),
                        .thickness = attributes->Span("thickness", 0.05)};
   const double limit = std::min({box.size.x() / 2, box.size.y() / 2, box.size.z()});
+  // A box is open at the top: two walls share x and y, but only the bottom is along z.
   if (box.thickness >= limit && !attributes->has_findings()) {
     attributes->Refuse("thickness", "less than half of xspan and yspan, and less than zspan");
   }

@@ -13,15 +13,15 @@ struct ShapeElement {
   std::string_view name;
   /// Reads the attributes that this kind of shape has of its own.
   scene::Shape (*read)(AttributeReader* attributes);
-  /// Empty: it has no color of its own.
+  /// Empty for shapes without a color of their own.
   std::string_view default_color = "gray";
   bool is_control = false;
 };
 
-/// In alphabetic order.
+/// Returns the shapes in alphabetic order.
 std::span<const ShapeElement> ShapeElements();
 
-/// `friction`, `restitution`, `rollingFriction`: of whole objects only.
+/// Reads `friction`, `restitution` and `rollingFriction`, which only whole objects have.
 scene::Surface ReadSurface(AttributeReader* attributes);
 
 }  // namespace smile::scene_xml

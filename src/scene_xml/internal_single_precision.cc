@@ -8,14 +8,15 @@
 namespace smile::scene_xml {
 namespace {
 
-/// 0.d1d2d3… times ten to the `exponent`.
+/// Decimal number 0.d1d2d3… * 10^exponent.
 struct Decimal {
   std::string digits;
   int exponent;
 };
 
-/// A large integer, rounded to its significant digits. They can be one more than it takes to tell a
-/// float from its neighbours: so the original's runtime (Java 8) counts them.
+/// Returns a large integer rounded to its significant digits. There can be one more digit than
+/// needed to distinguish the float from its neighbors: the original's runtime (Java 8) does the
+/// same.
 Decimal DigitsOfInteger(float number) {
   constexpr double kDigitsPerBit = 0.30102999566398120;  // log10(2)
   constexpr int kFloatBits = 24;
@@ -29,7 +30,8 @@ Decimal DigitsOfInteger(float number) {
   return {digits, exponent};
 }
 
-/// The fewest digits that tell a float from its neighbours.
+/// Returns the fewest digits that distinguish a float from its neighbors (shortest round-trip
+/// form).
 Decimal ShortestDigits(float number) {
   char buffer[32];
   const auto result =
@@ -44,7 +46,7 @@ Decimal ShortestDigits(float number) {
   return {digits, exponent + 1};
 }
 
-/// With a point and at least one digit on each side of it.
+/// Inserts the point, with at least one digit on each side of it.
 std::string WithPoint(std::string digits, int exponent) {
   if (exponent <= 0) digits.insert(0, 1 - exponent, '0');
   const auto before = static_cast<std::size_t>(std::max(exponent, 1));
@@ -60,12 +62,15 @@ std::string SinglePrecisionText(float number) {
   const std::string sign = number < 0 ? "-" : "";
   const float size = std::abs(number);
   if (std::isinf(number)) return sign + "Infinity";
+  // The original writes results that are almost integers as integers.
   if (size < kIntegerLimit) {
     const double nearest = std::round(static_cast<double>(number));
     if (std::abs(number - nearest) < 1e-6) return std::to_string(static_cast<long long>(nearest));
   }
   const bool is_long = size >= kIntegerLimit && size < kLongLimit;
   const Decimal decimal = is_long ? DigitsOfInteger(size) : ShortestDigits(size);
+  // Java's rule for Float.toString(): plain notation from 1e-3 to below 1e7, scientific notation
+  // otherwise.
   if (size >= 1e-3f && size < 1e7f) return sign + WithPoint(decimal.digits, decimal.exponent);
   return sign + WithPoint(decimal.digits, 1) + "E" + std::to_string(decimal.exponent - 1);
 }

@@ -12,7 +12,8 @@ namespace {
 static_assert(std::numeric_limits<long double>::digits >= 64,
               "units are read with more bits than a double has");
 
-/// Dividing by 10 rather than multiplying by 0.1, which no double is: 12 units are exactly 1.2 m.
+/// Inverse of the unit. Lengths are divided by 10 and not multiplied by 0.1, which is not
+/// representable: 12 units are exactly 1.2 m.
 long double UnitsPerMeter(double meters_per_unit) { return 1.0 / meters_per_unit; }
 
 }  // namespace
@@ -24,6 +25,7 @@ double MetersFromUnits(long double units, double meters_per_unit) {
 std::string UnitsText(double meters, double meters_per_unit) {
   const long double units = meters * UnitsPerMeter(meters_per_unit);
   std::string text;
+  // The fewest digits that read back to the same meters, bit by bit; 15 are enough for most.
   for (int num_digits = 15; num_digits <= std::numeric_limits<long double>::max_digits10;
        ++num_digits) {
     char buffer[64];

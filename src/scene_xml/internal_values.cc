@@ -10,7 +10,7 @@
 namespace smile::scene_xml {
 namespace {
 
-constexpr std::size_t kMaxNumberBytes = 100;  // a number nobody writes longer; bounds the work
+constexpr std::size_t kMaxNumberBytes = 100;  // longer than any sensible number; bounds the work
 
 std::string_view Trimmed(std::string_view text) {
   const auto first = text.find_first_not_of(" \t\r\n");
@@ -18,7 +18,7 @@ std::string_view Trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
 }
 
-/// from_chars() knows no leading plus.
+/// Removes a leading plus, which from_chars() does not accept.
 std::string_view WithoutPlus(std::string_view text) {
   return text.size() > 1 && text[0] == '+' && text[1] != '-' ? text.substr(1) : text;
 }

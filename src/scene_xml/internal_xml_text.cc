@@ -29,7 +29,7 @@ std::string Escaped(std::string_view text) {
       case '"':
         escaped += "&quot;";
         break;
-      // A parser would turn these into blanks.
+      // Parsers normalize these to blanks inside attributes.
       case '\t':
         escaped += "&#9;";
         break;
@@ -46,7 +46,8 @@ std::string Escaped(std::string_view text) {
   return escaped;
 }
 
-// Angles come back with an error in their last digits; the number that was meant is round.
+// Numbers of digits to try for angles: conversion leaves an error in the last digits of an angle
+// that was round in the file.
 constexpr int kAngleDigits[] = {9, 12, 13, 14, 15, 17};
 
 std::string Rounded(double angle_deg, int num_digits) {
@@ -56,7 +57,7 @@ std::string Rounded(double angle_deg, int num_digits) {
   return {buffer, end.ptr};
 }
 
-/// The angles as text, when reading it gives back exactly `R`.
+/// Returns the angles of R as text, if reading it returns exactly `R`; nullopt otherwise.
 std::optional<std::string> AnglesText(const Matrix3& R) {
   const Vector3 angles_deg = FixedAxesAngles(R);
   for (int num_digits : kAngleDigits) {
@@ -72,13 +73,16 @@ std::optional<std::string> AnglesText(const Matrix3& R) {
   return std::nullopt;
 }
 
-/// The angle in degrees, so that reading it gives back the same radians if any number does.
+/// Returns an angle in degrees whose conversion returns the same radians, if there is such a
+/// number.
 std::string AngleText(double angle) {
   const double angle_deg = RadiansToDegrees(angle);
   for (int num_digits : kAngleDigits) {
     std::string text = Rounded(angle_deg, num_digits);
     if (DegreesToRadians(*ParseNumber<double>(text)) == angle) return text;
   }
+  // Rounding of the conversion can miss the number by a few units in the last place: tries its
+  // neighbors.
   constexpr int kNeighbours = 8;
   double below = angle_deg, above = angle_deg;
   for (int i = 0; i < kNeighbours; ++i) {
@@ -90,6 +94,7 @@ std::string AngleText(double angle) {
   return NumberText(angle_deg);
 }
 
+/// Returns nine numbers in parentheses, row by row.
 std::string MatrixText(const Matrix3& R) {
   std::string text;
   for (int row = 0; row < 3; ++row) {
@@ -139,6 +144,7 @@ void XmlText::Comment(std::string_view text) {
   Indent();
   text_ += "<!-- ";
   for (char letter : text) {
+    // Two hyphens must not stand together inside an XML comment.
     if (letter == '-' && text_.back() == '-') text_ += ' ';
     text_ += static_cast<unsigned char>(letter) < 0x20 ? '?' : letter;
   }

@@ -9,19 +9,21 @@
 
 namespace smile::scene_xml {
 
-/// Writes elements, indented, in the unit of a scene: metres here, units in the text. Knows under
-/// which names the text finds its meshes.
+/// Writer of indented elements in the unit of a scene: meters here, units in the text. Contains the
+/// names under which the text refers to its meshes.
 class XmlText {
  public:
-  /// @param mesh_files  that are to stand beside the text; others are where they were found.
+  /// @param mesh_files  files beside the text; other meshes keep the names under which they were
+  ///                    found.
   XmlText(double meters_per_unit, std::vector<MeshFile> mesh_files);
 
   void Open(std::string_view name);
   void Close();
-  /// File names come from anywhere: two hyphens would end the comment, or break it.
+  /// Writes a comment. Its text may come from file names: two hyphens, which would end the comment
+  /// or break it, are separated.
   void Comment(std::string_view text);
 
-  // Of the element opened last, before anything is put into it.
+  // Attributes of the element opened last, before it gets content.
   void Attribute(std::string_view name, std::string_view value);
   void Boolean(std::string_view name, bool value);
   void Count(std::string_view name, int value);
@@ -34,14 +36,14 @@ class XmlText {
   void Pose(const RigidTransform& X_PE);
   void Angle(std::string_view name, double angle);  ///< [rad]; degrees in the text
 
-  /// How the text names a mesh.
+  /// Returns the name of a mesh in the text.
   std::string FileOf(const scene::Custom& custom) const;
 
   std::string Take() { return std::move(text_); }
 
  private:
   void Indent();
-  /// The tag opened last gets its end, because something is put into the element.
+  /// Ends the tag opened last, before content is written into its element.
   void EndTag();
   std::string Units(double meters) const;
 

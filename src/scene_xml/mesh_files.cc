@@ -7,6 +7,7 @@
 namespace smile::scene_xml {
 namespace {
 
+/// Collects the distinct meshes of a scene, in the order of their first use.
 class MeshFileCollector {
  public:
   void Append(const scene::Part& part) {
@@ -25,6 +26,7 @@ class MeshFileCollector {
 
  private:
   void Add(const scene::Custom& custom) {
+    // Identity of the shared mesh, not equality: comparing triangles would be slow.
     const auto is_same = [&](const MeshFile& file) { return file.mesh == custom.mesh; };
     if (std::ranges::any_of(files_, is_same)) return;
     const std::string word = TameNameOf(custom.file);
@@ -35,6 +37,7 @@ class MeshFileCollector {
     files_.push_back({name, custom.mesh});
   }
 
+  /// Returns a name that is valid on every file system: other letters become `_`.
   static std::string TameNameOf(const std::string& file) {
     constexpr std::size_t kMaxLength = 60;
     std::string name = WordOfMeshFile(file).substr(0, kMaxLength);

@@ -9,24 +9,24 @@
 
 namespace smile::scene_xml {
 
-/// The folder beside a written scene that its meshes belong into.
+/// Folder for meshes beside a written scene.
 inline constexpr const char* kMeshFolder = "meshes";
 
-/// A mesh of a scene and the name under which the written scene finds it.
+/// Mesh of a scene, with the name under which the written scene refers to it.
 struct MeshFile {
   std::string name;  ///< in kMeshFolder: letters, digits, `_` and `-`, then `.stl`; unique
   std::shared_ptr<const scene::CustomMesh> mesh;
 };
 
-/// What WriteScene()'s text names: mesh::WriteStl() of each makes the scene whole. In the order in
-/// which the scene first has them; a mesh that is used many times is one file.
+/// Returns the mesh files that the text of WriteScene() refers to; write each with
+/// mesh::WriteStl(). In the order of first use; a mesh that is used many times is one file.
 std::vector<MeshFile> MeshFilesOf(const scene::SceneSpec& scene);
 
-/// What the `shape` description of an object says when the file says nothing.
+/// Returns the default value of an object's `shape` description.
 /// @param element  the name of the shape's element.
 std::string ShapeWordOf(const scene::Shape& shape, std::string_view element);
 
-/// Of a mesh: the name of its file up to the first dot.
+/// Returns the name of a mesh file up to the first dot.
 std::string WordOfMeshFile(std::string_view file);
 
 }  // namespace smile::scene_xml

@@ -4,7 +4,8 @@
 
 namespace smile::scene_xml {
 
-/// What a scene file may cost: files come from anywhere. Each limit, when passed, is a diagnostic.
+/// Limits on the cost of a scene file, which is untrusted input. Each limit, if exceeded, is a
+/// diagnostic.
 struct SceneLimits {
   std::size_t max_file_bytes = 32u << 20;  ///< of all files together
   int max_depth = 256;                     ///< elements inside one another; at most 256

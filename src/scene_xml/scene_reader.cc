@@ -39,13 +39,15 @@ SceneReading ReadTree(SceneElement root, const std::filesystem::path* path,
   scene::SceneSpec& scene = result.scene.emplace();
   MeshCache meshes(path, options.search_roots, options.limits);
   Reading reading{.findings = findings, .meshes = &meshes};
+  // The passes in order: unit and table, included files, templates, objects, references. Each needs
+  // the result of the ones before.
   if (!ReadRoot(root, &reading, &scene)) return result;
   const bool has_all_files =
       ResolveIncludes(path, options.search_roots, options.limits, counts, &root, &reading);
   ExpandTemplates(options.limits, has_all_files, &root, &reading);
   ObjectList objects(options.limits, &scene, findings);
   for (const SceneElement& child : root.children) ReadElement(child, &reading, &objects);
-  // What is missing may just be in a missing file.
+  // A missing target may be in a missing file.
   if (has_all_files) ConnectMechanisms(&scene, &reading);
   const Sources& sources = findings->sources();
   for (const Place& place : objects.places()) {
@@ -66,6 +68,7 @@ SceneReading Read(std::string_view xml, const std::filesystem::path* path,
     reading.scene->name = std::filesystem::path(file_name).stem().string();
   }
   reading.diagnostics = findings.Take();
+  // A scene with any fault is not returned, so that users cannot overlook it.
   if (!reading.diagnostics.empty()) reading = {.diagnostics = std::move(reading.diagnostics)};
   return reading;
 }
@@ -82,7 +85,7 @@ SceneReading ReadScene(const std::filesystem::path& path, const SceneReaderOptio
   try {
     text = ReadFile(path, options.limits.max_file_bytes);
   } catch (const std::runtime_error& error) {
-    // Line 1: programs that read diagnostics are promised a line.
+    // Line 1: each diagnostic has a line, for programs that parse them.
     return {.diagnostics = {{path.string(), 1, "", WithoutPath(error.what(), path.string())}}};
   }
   return Read(text, &path, path.string(), options);

@@ -13,18 +13,19 @@
 namespace smile::scene_xml {
 
 struct SceneReaderOptions {
-  /// Where included files and meshes are looked for after the folder of the file that names them.
+  /// Folders to search for included files and meshes, after the folder of the file that refers to
+  /// them.
   std::vector<std::filesystem::path> search_roots;
   SceneLimits limits;
 };
 
-/// A scene, or everything that is wrong with it.
+/// Scene, or all diagnostics.
 struct SceneReading {
-  std::optional<scene::SceneSpec> scene;  ///< empty when there is any diagnostic
+  std::optional<scene::SceneSpec> scene;  ///< empty if there is any diagnostic
   /// In the order of the files, as they were read, and of their lines, which start at 1.
   std::vector<Diagnostic> diagnostics;
-  /// Where each object of the scene was written, for people: `parts/letters.xml:7 (in the instance
-  /// at letters.xml:6)`.
+  /// Place of each object in the files, for people: `parts/letters.xml:7 (in the instance at
+  /// letters.xml:6)`.
   std::vector<std::string> origins;
 };
 
@@ -36,12 +37,12 @@ struct SceneReading {
 /// same of `search_roots`; a link that leads elsewhere is not followed.
 SceneReading ReadScene(const std::filesystem::path& path, const SceneReaderOptions& options = {});
 
-/// The same for a text at hand; `file_name` names it in diagnostics and names the scene. A text
-/// lies in no folder: the files it names are looked for in `search_roots` alone.
+/// Reads a scene from a text; `file_name` is its name in diagnostics and names the scene. A text
+/// has no folder: files that it refers to are found in `search_roots` only.
 SceneReading ReadSceneText(std::string_view xml, const std::string& file_name,
                            const SceneReaderOptions& options = {});
 
-/// For callers who cannot go on without the scene.
+/// Returns the scene of a file, for callers that cannot continue without it.
 /// @throws InputError with all diagnostics.
 scene::SceneSpec LoadScene(const std::filesystem::path& path,
                            const SceneReaderOptions& options = {});

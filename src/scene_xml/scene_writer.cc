@@ -9,7 +9,7 @@
 namespace smile::scene_xml {
 namespace {
 
-/// What stands at the top level: an object, or a mechanism made of objects that follow each other.
+/// Writer of the top level: objects, and mechanisms made of consecutive objects.
 class ElementWriter {
  public:
   ElementWriter(const scene::SceneSpec& scene, std::span<const std::string> origins, XmlText* text)
@@ -20,7 +20,8 @@ class ElementWriter {
   }
 
  private:
-  /// The mechanism that begins with the object, if any.
+  /// Returns the mechanism that begins with the object; nullptr if none does. Mechanisms are in the
+  /// order of their objects, so `next` advances once per mechanism.
   template <class Mechanism>
   static const Mechanism* Beginning(std::size_t object, const std::vector<Mechanism>& mechanisms,
                                     std::size_t* next) {
@@ -28,7 +29,7 @@ class ElementWriter {
     return &mechanisms[(*next)++];
   }
 
-  /// @returns the number of objects it is made of.
+  /// @returns the number of objects of the element.
   std::size_t WriteAt(std::size_t i) {
     if (i < origins_.size()) text_.Comment(origins_[i]);
     if (const auto* slider = Beginning(i, scene_.sliders, &next_slider_)) {
@@ -71,7 +72,8 @@ std::string WriteScene(const scene::SceneSpec& scene, std::span<const std::strin
   text.Attribute("xmlns", kSceneNamespace);
   text.Length("xspan", scene.table.x_span);
   text.Length("yspan", scene.table.y_span);
-  // Only when it says something: programs older than this attribute refuse it.
+  // Written only if it differs from the default, since programs older than this attribute refuse
+  // it.
   if (scene.meters_per_unit != scene::kMetersPerUnit) {
     text.Number("metersPerUnit", scene.meters_per_unit);
   }

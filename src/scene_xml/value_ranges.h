@@ -10,11 +10,11 @@ struct Range {
   Number least, most;
 };
 
-// The values that attributes of the scene language may hold, in the unit of the file. The reader
-// checks with these definitions, and the schemas of values in scenes/schema are generated from
-// them (tests/schema).
+// Ranges of the attributes of the scene language, in the unit of the file. The reader checks with
+// these definitions, and the schemas of values in scenes/schema are generated from them
+// (tests/schema).
 
-// Far beyond any table, near enough that no sum or square of them overflows.
+// Far beyond any table, but small enough that no sum or square of them overflows.
 inline constexpr Range<long double> kSpanUnits{0.001L, 1e6L};
 inline constexpr Range<long double> kLocationUnits{-1e6L, 1e6L};
 inline constexpr Range<double> kMetersPerUnitRange{1e-12, 1000};
@@ -47,7 +47,7 @@ inline constexpr Range<int> kNumLinks{0, kMaxLinks};
 inline constexpr Range<int> kCylinderSides{3, 4096};
 inline constexpr Range<int> kPolygonSides{3, 1024};
 
-inline constexpr std::size_t kMaxIdBytes = 100;  ///< ids stand in every log line and label
+inline constexpr std::size_t kMaxIdBytes = 100;  ///< ids appear in every log line and label
 inline constexpr std::size_t kMaxRenameDigits = 10;
 inline constexpr std::size_t kMaxBondTypeBytes = 100;
 

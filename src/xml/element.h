@@ -19,22 +19,22 @@ struct Attribute {
 struct Element {
   std::string name;            ///< without prefix, unless prefixes are part of names
   std::string namespace_name;  ///< empty for none; of a long one the first 100 bytes
-  int line = 1;                ///< where its tag begins; 1 is the first line
+  int line = 1;                ///< of its tag's begin; 1 is the first line
   std::vector<Attribute> attributes;
   std::string text;  ///< directly inside it, in one piece, when text is kept
   std::vector<Element> children;
 
   bool operator==(const Element&) const = default;
 
-  /// The value of an attribute; nullptr when it is missing.
+  /// Returns the value of an attribute; nullptr if it is missing.
   const std::string* FindAttribute(std::string_view attribute_name) const;
-  /// The first child of that name; nullptr when it is missing.
+  /// Returns the first child of that name; nullptr if it is missing.
   const Element* FindChild(std::string_view child_name) const;
 };
 
-/// How a message addresses an element: `block id="B3"`; a missing key is left out.
+/// Returns the address of an element in messages: `block id="B3"`; a missing key is left out.
 ///
-/// @param key    the name of the attribute by which people know the element; may be empty.
+/// @param key  name of the attribute by which people identify the element; may be empty.
 /// @param value  of that attribute; nullptr when it is missing.
 std::string AddressOf(std::string_view element_name, std::string_view key,
                       const std::string* value);

@@ -15,13 +15,14 @@ int LineAt(std::string_view text, std::size_t offset) {
   return 1 + static_cast<int>(std::count(text.begin(), text.begin() + offset, '\n'));
 }
 
-/// The offset behind the next `mark`, or the end.
+/// Returns the offset after the next `mark`, or the end.
 std::size_t SkipPast(std::string_view text, std::size_t offset, std::string_view mark) {
   const std::size_t found = text.find(mark, offset);
   return found == std::string_view::npos ? text.size() : found + mark.size();
 }
 
-/// Counts the attributes of the tag at `begin` by their `=` outside quotes.
+/// Returns the tag at `begin`. Attributes are counted by their `=` outside quotes; `>` inside
+/// quotes does not end the tag.
 Tag TagAt(std::string_view text, std::size_t begin) {
   Tag tag{.begin = begin, .end = text.size()};
   char quote = 0;
@@ -41,6 +42,8 @@ Tag TagAt(std::string_view text, std::size_t begin) {
   return tag;
 }
 
+/// Returns the first tag with too many attributes. Comments, CDATA and processing instructions are
+/// skipped, as their content is no markup.
 std::optional<Tag> FindOverloadedTag(std::string_view text, int max_attributes) {
   std::size_t offset = 0;
   while ((offset = text.find('<', offset)) != std::string_view::npos) {
@@ -76,6 +79,7 @@ std::optional<Diagnostic> PrecheckFaultOf(std::string_view text, const std::stri
   if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos) {
     return fault(nul, "found a NUL byte, expected XML text in UTF-8");
   }
+  // UTF-16 and other wide encodings fail one of these checks: ASCII text has NUL bytes in them.
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   const std::size_t first = text.find_first_not_of(" \t\r\n");

@@ -15,7 +15,7 @@
 namespace smile::xml {
 namespace {
 
-// Tools put these on any file; they say nothing about its content.
+// Namespaces of attributes that tools add to any file and that do not concern its content.
 constexpr std::string_view kXsiNamespace = "http://www.w3.org/2001/XMLSchema-instance";
 constexpr std::string_view kXmlNamespace = "http://www.w3.org/XML/1998/namespace";
 
@@ -23,7 +23,8 @@ std::string_view View(const xmlChar* text) {
   return text ? std::string_view(reinterpret_cast<const char*>(text)) : std::string_view();
 }
 
-/// A namespace is inherited by every element inside: of a huge one, no more than a message shows.
+/// Returns a namespace, cut to the bytes that a message shows: every element inside inherits it, so
+/// a huge one would be copied many times.
 std::string_view NamespaceView(const xmlChar* uri) {
   constexpr std::size_t kMaxBytes = 100;
   if (!uri) return {};
@@ -38,8 +39,8 @@ std::string WithPrefix(const xmlChar* prefix, const xmlChar* name) {
 
 bool IsBlank(char letter) { return std::strchr(" \t\r\n", letter) != nullptr; }
 
-/// The encodings in which each byte below 0x80 is the letter that it is in ASCII, so that the
-/// pre-check and the parser see the same tags.
+/// True for encodings in which each byte below 0x80 is the ASCII letter, so that the pre-check and
+/// the parser see the same tags.
 bool IsReadableEncoding(std::string_view declared, Strictness strictness) {
   std::string name(declared);
   std::ranges::transform(name, name.begin(),
@@ -51,11 +52,13 @@ bool IsReadableEncoding(std::string_view declared, Strictness strictness) {
          (name.starts_with("ISO-8859-") || name.starts_with("WINDOWS-125"));
 }
 
+/// True for faults that tolerant reading accepts, see Strictness::kTolerant.
 bool IsTolerable(const xmlError& error) {
   return error.domain == XML_FROM_NAMESPACE || error.code == XML_ERR_HYPHEN_IN_COMMENT;
 }
 
-/// Builds the tree from the parser's events. A fault that makes the tree useless stops it.
+/// Builds the tree from libxml2's SAX events, which bound memory by our own limits while parsing. A
+/// fault that makes the tree useless stops the parser.
 class TreeBuilder {
  public:
   TreeBuilder(const std::string& file_name, const ParseOptions& options)
@@ -71,10 +74,10 @@ class TreeBuilder {
       context_ = context.get();
       *context_->sax = Handler();
       context_->userData = this;
-      // "No entities" to libxml2 means: give text in their place. Without a DOCTYPE there are only
-      // the five of XML itself, &amp; and so on.
-      // "Huge" lifts the parser's own limits, which a good file of ten megabytes meets; ours are
-      // tighter where it matters. "Recover" leaves it to us which faults end parsing.
+      // XML_PARSE_NOENT makes libxml2 replace entities by their text. Without a DOCTYPE, only the
+      // five of XML itself exist, such as &amp;. XML_PARSE_HUGE lifts the parser's own limits,
+      // which a valid file of ten megabytes exceeds; ours are tighter where it matters.
+      // XML_PARSE_RECOVER leaves the decision to us which faults end parsing.
       xmlCtxtUseOptions(context_, XML_PARSE_NONET | XML_PARSE_NOENT | XML_PARSE_HUGE |
                                       (is_tolerant() ? XML_PARSE_RECOVER : 0));
       xmlParseDocument(context_);
@@ -140,7 +143,8 @@ class TreeBuilder {
   }
 
   void CheckEncoding() {
-    // One it has to convert from stands with the input, one it knows by itself with the parser.
+    // libxml2 stores an encoding that it converts from with the input, and one that it supports
+    // natively with the parser.
     const std::string_view declared =
         View(context_->input->encoding ? context_->input->encoding : context_->encoding);
     if (IsReadableEncoding(declared, options_.strictness)) return;
@@ -148,12 +152,14 @@ class TreeBuilder {
   }
 
   void CheckInstruction(std::string_view target, std::string_view data) {
+    // Other parsers might read a tag in there.
     if (data.find_first_of("<>") == std::string_view::npos) return;
     Fail("", "found the processing instruction " + Quoted(target) +
                  " with < or > inside, expected none");
   }
 
-  /// The parser reports a tag at its end; its beginning is the `<` before (none can stand inside).
+  /// Returns the line where the current tag begins. The parser reports a tag at its end; it begins
+  /// at the previous `<`, since none can stand inside.
   int LineOfOpenTag() const {
     int line = current_line();
     const xmlChar* const begin = context_->input->base;
@@ -187,7 +193,8 @@ class TreeBuilder {
     Open(std::move(element));
   }
 
-  /// Each attribute comes as name, prefix, namespace, and the two ends of its value.
+  /// Copies attributes. libxml2 passes each as five pointers: name, prefix, namespace, and begin
+  /// and end of its value.
   static void TakeAttributes(int count, const xmlChar** fields, Element* element) {
     for (int i = 0; i < count; ++i, fields += 5) {
       const std::string_view uri = NamespaceView(fields[2]);
@@ -198,7 +205,8 @@ class TreeBuilder {
     }
   }
 
-  /// Pointers to the open elements stay good: only the innermost one's list of children grows.
+  /// Appends an element and opens it. Pointers to open elements stay valid, since only the
+  /// innermost one's list of children grows.
   void Open(Element element) {
     has_refused_text_ = false;
     if (open_.empty()) {
@@ -228,14 +236,14 @@ class TreeBuilder {
     parsed_.comment = text.substr(0, limits_.max_comment_bytes);
   }
 
-  /// A long text arrives in pieces; it is one diagnostic.
+  /// Adds one diagnostic per text, although a long text arrives in pieces.
   void RefuseText(std::string_view text) {
     const auto first = std::ranges::find_if_not(text, IsBlank);
     if (first == text.end() || has_refused_text_) return;
     has_refused_text_ = true;
     if (static_cast<int>(parsed_.diagnostics.size()) >= limits_.max_diagnostics) return;
-    // The parser stands behind the text.
-    // The parser counts no further once it has met an error.
+    // The parser has passed the text already, so its line breaks are subtracted. After an error the
+    // parser stops counting lines, hence the minimum.
     const int line =
         std::max(1, current_line() - static_cast<int>(std::count(first, text.end(), '\n')));
     std::string_view shown = text.substr(first - text.begin());
@@ -243,7 +251,7 @@ class TreeBuilder {
     Add(line, AddressOf(*open_.back()), "found text " + Quoted(shown) + ", expected only elements");
   }
 
-  /// The first one counts; those after it are its consequences.
+  /// Records the first syntax error; later ones are its consequences.
   void TakeSyntaxError(const xmlError& error) {
     constexpr std::size_t kMaxReasonBytes = 200;
     if (has_failed_ || error.level < XML_ERR_ERROR) return;

@@ -11,8 +11,8 @@
 
 namespace smile::xml {
 
-/// Bounds of what a file may cost: files come from anywhere. A file beyond a limit is refused with
-/// a diagnostic.
+/// Limits on the cost of a file, which is untrusted input. A file beyond a limit is refused with a
+/// diagnostic.
 struct Limits {
   std::size_t max_bytes = 32u << 20;
   int max_depth = 256;         ///< elements inside one another; at most 256
@@ -23,17 +23,17 @@ struct Limits {
   std::size_t max_comment_bytes = 4096;  ///< of Parsed::comment; a longer one is cut off
 };
 
-/// What happens to text between tags that is not blank.
+/// Treatment of text between tags that is not blank.
 enum class TextPolicy {
-  kRefuse,  ///< each is a diagnostic; the tree is returned all the same
+  kRefuse,  ///< each is a diagnostic; the tree is still returned
   kSkip,
   kKeep  ///< in Element::text, blanks included
 };
 
 enum class Strictness {
   kStrict,  ///< well-formed XML with namespaces
-  /// Additionally accepts what tools that write URDF and COLLADA are known to leave behind, and
-  /// their readers to accept: prefixes without a namespace (they are then part of all names, and
+  /// Additionally accepts deviations that tools commonly write into URDF and COLLADA files and
+  /// their readers accept: prefixes without a namespace (they are then part of all names, and
   /// namespaces are not reported), two hyphens in a comment, the encodings ISO-8859 and
   /// Windows-125x.
   kTolerant
@@ -44,19 +44,19 @@ struct ParseOptions {
   std::string_view root = "root";  ///< the element that messages about empty files expect
   TextPolicy text = TextPolicy::kKeep;
   Strictness strictness = Strictness::kStrict;
-  /// Of other files, which count towards Limits::max_elements.
+  /// Number of elements of other files, which count towards Limits::max_elements.
   int num_elements_before = 0;
-  /// The attribute by which people know an element of that name, for addresses in diagnostics;
-  /// nullptr leaves it out.
+  /// Returns the attribute by which people identify an element of that name, for addresses in
+  /// diagnostics; nullptr: addresses without it.
   std::string_view (*key_of)(std::string_view element_name) = nullptr;
 };
 
 /// Result of Parse().
 struct Parsed {
-  std::optional<Element> root;  ///< empty when the file is refused; then there is a diagnostic
+  std::optional<Element> root;  ///< empty if the file is refused; then there is a diagnostic
   std::vector<Diagnostic> diagnostics;  ///< in the order they were found
-  /// The first comment before the root, as it stands between its marks; also that of a file that is
-  /// refused for what follows it.
+  /// First comment before the root, without its marks; also present if the file is refused for what
+  /// follows it.
   std::string comment;
   int num_elements = 0;
 };

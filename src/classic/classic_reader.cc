@@ -20,10 +20,10 @@
 namespace smile::classic {
 namespace {
 
-/// Nobody reads more of them.
+/// Limit on reported lines; more do not help to find the cause.
 constexpr std::size_t kMaxMalformed = 100;
 
-/// The lines of a text; those malformed become findings.
+/// Parses the lines of a text; malformed lines become findings.
 ClassicFile ReadSegment(const ClassicText& source, const ClassicLimits& limits,
                         std::vector<Diagnostic>* findings) {
   ClassicFile segment{.file = source.file};
@@ -54,12 +54,13 @@ const ClassicAction* ActionIn(const ClassicLine& line) {
   return std::get_if<ClassicAction>(&line.what);
 }
 
+/// True for an action of a hand.
 bool OpensSegment(const ClassicLine& line) {
   const ClassicAction* action = ActionIn(line);
   return action != nullptr && sim::BeginsAction({.kind = action->kind, .hand = action->hand});
 }
 
-/// An action, or the first of the objects that were added or removed without a hand.
+/// True for an action of a hand, and for objects that were added or removed without a hand.
 bool BeginsSegment(const ClassicLine& line) {
   return OpensSegment(line) || std::holds_alternative<ClassicCreate>(line.what) ||
          std::holds_alternative<ClassicDelete>(line.what);
@@ -70,7 +71,8 @@ bool IsDestroy(const ClassicLine& line) {
   return action != nullptr && action->kind == sim::EventKind::kDestroyed;
 }
 
-/// The original wrote what is gone first, then that a hand destroyed it.
+/// Moves a destroy action before its deletes: the original writes the deletes first, but an action
+/// begins its segment.
 void PutDestroyFirst(ClassicFile* segment) {
   auto& lines = segment->lines;
   const auto action = std::ranges::find_if_not(lines, [](const ClassicLine& line) {
@@ -79,8 +81,8 @@ void PutDestroyFirst(ClassicFile* segment) {
   if (action != lines.end() && IsDestroy(*action)) std::rotate(lines.begin(), action, action + 1);
 }
 
-/// Follows a recording from line to line: is what it says possible? Tells actions what they are
-/// done to where only lines before or behind know.
+/// Simulates the symbolic state (present objects, holds, controls) line by line and rejects what is
+/// impossible. Completes actions whose object only earlier or later lines specify.
 class Consistency {
  public:
   explicit Consistency(const ClassicLimits& limits) : limits_(limits) {}
@@ -94,6 +96,8 @@ class Consistency {
            "found no action, expected grasp, release, destroy, trigger, pointTo, fasten, loosen, "
            "create or delete in the first line of a segment");
     }
+    // Frames never decrease, over all segments; an action may stand only in the first line, except
+    // for holds in segment 0.
     for (std::size_t i = 0; i < segment->lines.size(); ++i) {
       line_ = &segment->lines[i];
       if (line_->frame < frame_) {
@@ -115,7 +119,7 @@ class Consistency {
   }
   [[noreturn]] void Fail(const std::string& message) const { Fail(line_->number, message); }
 
-  /// What a hand holds when the recording begins.
+  /// True for an object that a hand holds when the recording begins.
   static bool IsHold(const ClassicLine& line) {
     return line.frame == 0 && ActionIn(line)->kind == sim::EventKind::kGrasped;
   }
@@ -124,6 +128,7 @@ class Consistency {
     if (!present_.contains(object)) Fail(Quoted(object) + " is not there, expected it created");
   }
 
+  /// Sets the object of a destroy action, which only the following delete specifies.
   void FindDestroyed(std::size_t i) {
     const auto* gone = i + 1 < segment_->lines.size()
                            ? std::get_if<ClassicDelete>(&segment_->lines[i + 1].what)
@@ -144,6 +149,7 @@ class Consistency {
   void Follow(const ClassicDelete* gone) {
     RequirePresent(gone->object);
     present_.erase(gone->object);
+    // The controls of a deleted object are gone as well.
     std::erase_if(object_of_,
                   [gone](const auto& control) { return control.second == gone->object; });
   }
@@ -161,6 +167,7 @@ class Consistency {
   void Follow(ClassicAction* action) {
     using enum sim::EventKind;
     if (action->kind == kReleased || action->kind == kDestroyed) {
+      // A release does not name its object: it is the one that this hand grasped last.
       const auto held = held_.find(action->hand);
       if (held != held_.end()) {
         if (action->object.empty()) action->object = held->second;
@@ -183,7 +190,8 @@ class Consistency {
   std::map<demonstrator::HandName, std::string> held_;
 };
 
-/// `12` of `12.txt`, if it is named as the original does.
+/// Returns 12 for `12.txt`; nullopt for other names, such as `012.txt`, which the original does not
+/// write.
 std::optional<std::uint64_t> NumberOf(const std::filesystem::path& path,
                                       std::string_view extension) {
   const std::string name = path.filename().string();
@@ -199,7 +207,8 @@ std::optional<std::uint64_t> NumberOf(const std::filesystem::path& path,
   throw InputError({path.string(), 0, "", message});
 }
 
-/// A link could lead to anything that whoever sends the recording on would not want to show.
+/// Refuses links: a copy of the recording would contain files from elsewhere, which its sender may
+/// not want to share.
 void RequireNoLink(const std::filesystem::directory_entry& entry) {
   std::error_code error;
   if (entry.is_symlink(error)) Refuse(entry.path(), "is a link, expected the file itself");
@@ -212,6 +221,7 @@ std::filesystem::directory_iterator FilesIn(const std::filesystem::path& directo
   return files;
 }
 
+/// Reads 0.txt, 1.txt, … without gaps, all together within the limit of bytes.
 std::vector<ClassicText> ReadTexts(const std::filesystem::path& directory,
                                    const ClassicLimits& limits) {
   std::set<std::uint64_t> numbers;
@@ -243,6 +253,7 @@ std::vector<ClassicText> ReadTexts(const std::filesystem::path& directory,
   return texts;
 }
 
+/// Lists the numbered pictures of each segment's folder, sorted by segment and frame.
 void FindPictures(const std::filesystem::path& directory, const ClassicLimits& limits,
                   ClassicRecording* recording) {
   std::error_code error;
@@ -269,6 +280,7 @@ void FindPictures(const std::filesystem::path& directory, const ClassicLimits& l
   std::sort(recording->pictures.begin(), recording->pictures.end());
 }
 
+/// Checks that all pictures have the same size, from their headers only.
 void MeasurePictures(const std::filesystem::path& directory, ClassicRecording* recording) {
   for (const ClassicPicture& picture : recording->pictures) {
     const auto path =
@@ -318,6 +330,7 @@ ClassicRecording ReadClassicTexts(std::span<const ClassicText> texts, const Clas
   for (const ClassicText& text : texts) {
     recording.segments.push_back(ReadSegment(text, limits, &findings));
   }
+  // Consistency makes sense only if every line is well-formed.
   if (!findings.empty()) throw InputError(std::move(findings));
   Consistency consistency(limits);
   for (ClassicFile& segment : recording.segments) {

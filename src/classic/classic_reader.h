@@ -44,8 +44,9 @@ struct ClassicControlChange {
 struct ClassicAction {
   sim::EventKind kind = sim::EventKind::kGrasped;
   demonstrator::HandName hand = demonstrator::HandName::kAny;
-  /// It is done to: of a release, what the hand took last, empty where the recording does not tell;
-  /// of a bond, the guest's; of a trigger, the one that has the control.
+  /// Object of the action. For a release, the one that the hand grasped last, empty if the
+  /// recording does not contain it; for a bond, the guest's; for a trigger, the one that has the
+  /// control.
   std::string object;
   std::string part, control;
   std::string host, host_object, guest;
@@ -55,7 +56,7 @@ struct ClassicAction {
 
 struct ClassicLine {
   int number = 0;           ///< in its file; 1 is the first
-  std::uint64_t frame = 0;  ///< of an action: the one to come
+  std::uint64_t frame = 0;  ///< for an action: the following one
   std::variant<ClassicCreate, ClassicDelete, ClassicMove, ClassicControl, ClassicControlChange,
                ClassicAction>
       what;
@@ -74,19 +75,19 @@ struct ClassicPicture {
   auto operator<=>(const ClassicPicture&) const = default;
 };
 
-/// Everything in it is sound: what moves, is grasped or deleted has been created, frames never go
-/// back.
+/// Valid classic recording: objects that move, are grasped or deleted have been created, and frames
+/// never decrease.
 struct ClassicRecording {
   std::vector<ClassicFile> segments;     ///< by their numbers
   std::vector<ClassicPicture> pictures;  ///< sorted; all of one size
   int picture_width_px = 0, picture_height_px = 0;
 
   std::uint64_t last_frame() const;
-  /// Ids, in the order in which they were first created.
+  /// Returns the ids, in the order in which they were first created.
   std::vector<std::string> Objects() const;
 };
 
-/// What a classic recording may cost; each limit, when passed, is an error.
+/// Limits on the cost of a classic recording; each limit, if exceeded, is an error.
 struct ClassicLimits {
   std::size_t max_bytes = 64u << 20;  ///< of all texts together
   std::size_t max_line_bytes = 64u << 10;
@@ -96,11 +97,11 @@ struct ClassicLimits {
   std::uintmax_t max_picture_bytes = 64u << 20;  ///< of each
 };
 
-/// What a classic recording consists of: `0.txt`, `1.txt`, … with a folder of pictures for each.
-/// Links are not followed, other files are not looked at.
+/// Reads a classic recording: `0.txt`, `1.txt`, … with a folder of pictures for each. Links are
+/// refused; other files are ignored.
 /// @throws InputError with all lines that are malformed; if none is, with the first that
 ///         contradicts those before it.
-/// @throws std::runtime_error with path and reason if the machine does not let us read it.
+/// @throws std::runtime_error with path and reason if a file cannot be read.
 ClassicRecording ReadClassic(const std::filesystem::path& directory,
                              const ClassicLimits& limits = {});
 
@@ -109,7 +110,7 @@ struct ClassicText {
   std::string text;
 };
 
-/// The same for the texts of the segments, at hand.
+/// Parses the texts of the segments, without pictures.
 ClassicRecording ReadClassicTexts(std::span<const ClassicText> texts,
                                   const ClassicLimits& limits = {});
 

@@ -18,10 +18,13 @@
 namespace smile::classic {
 namespace {
 
-// An object has moved when it went this far or turned this much since its last line.
+// Thresholds of the original: an object has moved if its position or an angle changed by more since
+// its last line.
 constexpr double kMovedSquared = 0.001;  ///< [units squared]
 constexpr double kTurned_deg = 0.5;
 
+/// True if any angle changed by more than kTurned_deg; remainder() takes the shorter way around the
+/// circle.
 bool HasTurned(const Vector3& from_deg, const Vector3& to_deg) {
   for (int i = 0; i < 3; ++i) {
     if (std::abs(std::remainder(to_deg[i] - from_deg[i], 360.0)) > kTurned_deg) return true;
@@ -29,6 +32,7 @@ bool HasTurned(const Vector3& from_deg, const Vector3& to_deg) {
   return false;
 }
 
+/// Returns texts, escaped, each after a comma.
 std::string Joined(const std::vector<std::string>& texts) {
   std::string joined;
   for (const std::string& text : texts) joined += "," + ClassicValue(text);
@@ -78,6 +82,8 @@ void ClassicRecorder::WriteControl(model::ControlIndex index, const model::Contr
 
 void ClassicRecorder::WriteStart(const recording::TraceTick& first,
                                  const std::vector<sim::Event>& standing) {
+  // Objects that lay on the floor before the start are gone; the order of lines is objects,
+  // controls, holds.
   for (const sim::Event& event : standing) {
     if (event.kind == sim::EventKind::kFell) state_.is_gone[IndexOf(event.object)] = true;
   }
@@ -97,7 +103,7 @@ void ClassicRecorder::WriteStart(const recording::TraceTick& first,
 }
 
 model::ObjectIndex ClassicRecorder::IndexOf(const std::string& object) const {
-  // Events name objects of the scene only.
+  // Events refer to objects of the scene only.
   return *model_->FindObject(object);
 }
 
@@ -137,6 +143,7 @@ void ClassicRecorder::BeginWithoutHand(const sim::Event& event) {
   const bool is_new = event.kind == sim::EventKind::kAdded;
   state_.written.resize(model_->objects().size());
   state_.is_gone.resize(model_->objects().size());
+  // All objects first, then their controls, as at the start.
   for (const std::string& id : event.objects) {
     const model::ObjectIndex object = IndexOf(id);
     if (is_new) {
@@ -158,6 +165,7 @@ void ClassicRecorder::Note(const sim::Event& event) {
   if (event.kind == kAdded || event.kind == kRemoved || event.kind == kCleared) {
     return BeginWithoutHand(event);
   }
+  // The action is the first line of its segment.
   if (BeginsAction(event)) {
     ++state_.segment;
     OpenSegment();
@@ -169,6 +177,7 @@ void ClassicRecorder::Note(const sim::Event& event) {
       state_.has_news = true;
       break;
     case kFell:
+      // A fallen object gets a last position with the next frame, then it is deleted from the view.
       state_.falling.push_back(IndexOf(event.object));
       break;
     case kDestroyed:
@@ -194,6 +203,7 @@ std::string ClassicRecorder::PathOf(std::uint64_t frame) const {
 }
 
 void ClassicRecorder::WriteFrame(const recording::TraceTick& now) {
+  // Lines only for objects that moved; a picture only if anything changed.
   bool has_changed = std::exchange(state_.has_news, false);
   for (const auto i : IndexRange<model::ObjectIndex>(now.objects.size())) {
     if (!now.objects[i].is_present || state_.is_gone[i]) continue;
@@ -224,7 +234,8 @@ bool ClassicRecorder::WriteMove(model::ObjectIndex i, const recording::TracePose
       .is_awake = pose.is_awake};
   std::optional<Written>& last = state_.written[i];
   const bool fell_asleep = last && last->is_awake && !now.is_awake;
-  // Also when it moved between two frames and sleeps again.
+  // Compared to the last line, not to the last tick: detects moves between two frames and slow
+  // drift.
   const bool has_moved = last && ((now.position - last->position).squaredNorm() > kMovedSquared ||
                                   HasTurned(last->angles_deg, now.angles_deg));
   if (last && !fell_asleep && !has_moved && !is_last) return false;
@@ -237,6 +248,8 @@ bool ClassicRecorder::WriteMove(model::ObjectIndex i, const recording::TracePose
   return true;
 }
 
+// Deletes pictures and segments after the mark, then truncates the open text and the index to their
+// sizes at the mark.
 void ClassicRecorder::Return(const Mark& mark) {
   for (std::uint64_t frame = mark.state.frame; frame < state_.frame; ++frame) {
     std::filesystem::remove(recording::SegmentPictures(directory_, mark.state.segment) /

@@ -19,30 +19,31 @@ struct ClassicOptions {
   bool has_symbols = true;       ///< false: pictures only
 };
 
-/// Writes the classic view of a recording, while it happens or from its trace: numbered text
-/// segments, one action in each, and a picture of the robot's eye for every frame in which
+/// Writer of the classic view of a recording, during the simulation or from its trace: numbered
+/// text segments, one action in each, and a picture of the robot's eye for every frame in which
 /// something changed.
 ///
 ///     0.txt  0/0.png      what is there
 ///     1.txt  1/4.png …    `4,grasp,AnyHand,b01`, then what moved
 ///
-/// The layout is the original's (docs/recording-format.md); `frames.csv` is ours and tells tick and
-/// picture of every frame.
+/// The layout is the original's (docs/recording-format.md); `frames.csv` is an addition with tick
+/// and picture of every frame.
 class ClassicRecorder {
  public:
   /// @param eye       takes the pictures; nullptr for text only.
   /// @param model     of the moment's objects and robot. The eye must outlive this.
-  /// @param first     the moment it begins with.
+  /// @param first  its first tick.
   /// @param standing  see TraceReader::events_before_start().
   ClassicRecorder(const std::filesystem::path& directory, const ClassicOptions& options,
                   model::Eye* eye, std::shared_ptr<const model::Model> model,
                   const recording::TraceTick& first, const std::vector<sim::Event>& standing);
 
-  /// What follows is of a model with more objects, or with fewer after what was added is undone.
+  /// Replaces the model for the following ticks: more objects, or fewer after their addition was
+  /// undone.
   void Use(std::shared_ptr<const model::Model> model) { model_ = std::move(model); }
-  /// Something happened. An action of a hand begins a new segment.
+  /// Writes an event. An action of a hand begins a new segment.
   void Note(const sim::Event& event);
-  /// To be called after each tick: writes a frame when one is due.
+  /// To be called after each tick: writes a frame if one is due.
   void Watch(const recording::TraceTick& now);
 
  private:
@@ -51,24 +52,24 @@ class ClassicRecorder {
     Vector3 angles_deg = Vector3::Zero();
     bool is_awake = false;
   };
-  /// What the lines to come depend on.
+  /// State that following lines depend on.
   struct State {
     int segment = 0;
-    std::uint64_t frame = 0;  ///< the next one to be written
+    std::uint64_t frame = 0;  ///< next to be written
     std::vector<std::optional<Written>> written;
     std::vector<model::ObjectIndex> falling;  ///< objects on the floor that have no last line yet
-    std::vector<bool> is_gone;                ///< fell: has no lines any more
-    bool has_news = false;                    ///< something looks different, though nothing moved
+    std::vector<bool> is_gone;                ///< fell: has no more lines
+    bool has_news = false;                    ///< appearance changed although nothing moved
   };
 
  public:
-  /// Where it stands, to return to.
+  /// Position to return to.
   struct Mark {
     State state;
     std::uint64_t text_size = 0, index_size = 0;
   };
   Mark mark() const { return {state_, text_ ? text_->size() : 0, index_.size()}; }
-  /// Takes out everything that was written since.
+  /// Removes everything written since the mark.
   void Return(const Mark& mark);
 
  private:
@@ -77,13 +78,13 @@ class ClassicRecorder {
   void WriteControl(model::ControlIndex control, const model::ControlState& state);
   void WriteStart(const recording::TraceTick& first, const std::vector<sim::Event>& standing);
   model::ObjectIndex IndexOf(const std::string& object) const;
-  /// What a hand did, without the frame: `grasp,LeftHand,b01`.
+  /// Returns the fields of a hand's action, without the frame: `grasp,LeftHand,b01`.
   std::string FieldsOf(const sim::Event& event) const;
-  /// Opens a segment with what was added or removed, which is told object by object.
+  /// Opens a segment with objects that were added or removed, one line for each.
   void BeginWithoutHand(const sim::Event& event);
   void WriteLine(const std::string& fields);
   void WriteFrame(const recording::TraceTick& now);
-  /// Writes where an object is, if that is news.
+  /// Writes the pose of an object if it has changed; returns true if it did.
   bool WriteMove(model::ObjectIndex object, const recording::TracePose& pose, bool is_last = false);
   std::string PathOf(std::uint64_t frame) const;
 

@@ -6,6 +6,8 @@
 namespace smile::classic {
 
 std::string ClassicNumber(double number) {
+  // The original prints Java floats: shortest digits of single precision, plain from 1e-3 to below
+  // 1e7.
   const auto value = static_cast<float>(number);
   if (std::isnan(value)) return "NaN";
   if (std::isinf(value)) return value < 0 ? "-Infinity" : "Infinity";

@@ -8,18 +8,18 @@
 
 namespace smile::classic {
 
-/// A number as the classic text logs write it: the shortest text that reads back to the same
-/// single-precision value, always with a decimal point, with `E` below 1e-3 and from 1e7 on
+/// Returns a number in the form of the classic text logs: the shortest text that reads back to the
+/// same single-precision value, always with a decimal point, with `E` below 1e-3 and from 1e7 on
 /// (`2.0`, `-0.0`, `3.4144908E-4`, `1.0E7`).
 std::string ClassicNumber(double number);
 
-/// A description value with its commas escaped as `\,`.
+/// Returns a description value with its commas escaped as `\,`.
 std::string ClassicValue(std::string_view text);
 
-/// `LeftHand`, `RightHand`, `BothHands`, `AnyHand`.
+/// Returns `LeftHand`, `RightHand`, `BothHands` or `AnyHand`.
 std::string_view ClassicHandName(demonstrator::HandName hand);
 
-/// What hands do, as the lines call it.
+/// Word of the classic format for an action of a hand.
 struct ClassicWord {
   std::string_view word;
   sim::EventKind kind;
@@ -32,7 +32,7 @@ inline constexpr std::array<ClassicWord, 8> kClassicWords{{{"grasp", sim::EventK
                                                            {"fasten", sim::EventKind::kFastened},
                                                            {"loosen", sim::EventKind::kLoosened},
                                                            {"attend", sim::EventKind::kAttended}}};
-/// The word for what an event reports; empty if there is none.
+/// Returns the word for an event; empty if the format has none.
 std::string_view ClassicWordFor(sim::EventKind kind);
 
 }  // namespace smile::classic

@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::size_t kMaxIndexBytes = 256u << 20;
 
-/// Takes a number from the front of a text, and the letter behind it.
+/// Removes a number and the letter after it from the front of a text; nullopt, with the text
+/// unchanged, if they are not there.
 std::optional<std::uint64_t> TakeNumber(std::string_view* text, char letter) {
   std::uint64_t number = 0;
   const auto [end, error] = std::from_chars(text->data(), text->data() + text->size(), number);
@@ -24,7 +25,7 @@ std::optional<std::uint64_t> TakeNumber(std::string_view* text, char letter) {
   return number;
 }
 
-/// Reads `frame,tick,image`.
+/// Parses a line `frame,tick,image`.
 FrameEntry ReadEntry(const std::filesystem::path& csv, int number, std::string_view line) {
   const auto fail = [&](const std::string& expected) {
     throw InputError({csv.string(), number, "",
@@ -51,6 +52,7 @@ std::vector<FrameEntry> ReadFrameIndex(const std::filesystem::path& csv) {
   int number = 0;
   for (std::size_t start = 0;;) {
     const std::size_t end = text.find('\n', start);
+    // A last line without newline was interrupted and is ignored.
     if (end == std::string::npos) return entries;
     const std::string_view line(text.data() + start, end - start);
     start = end + 1;

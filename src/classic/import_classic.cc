@@ -19,14 +19,16 @@
 namespace smile::classic {
 namespace {
 
-/// The original's; its recordings do not tell.
+/// Frame rate of the original program; its recordings do not contain it.
 constexpr double kFramesPerSecond = 4;
 constexpr std::uint64_t kTicksPerFrame = 15;
 static_assert(kTicksPerFrame * kFramesPerSecond == sim::kTicksPerSecond);
 
-/// Where the objects of a recording are in a scene.
+/// Index in a scene for each object of a recording.
 using Places = std::map<std::string, std::size_t>;
 
+/// Returns the places of a recording's objects in its scene; throws InputError with all that are
+/// missing.
 Places PlacesIn(const scene::SceneSpec& scene, const ClassicRecording& recording,
                 const std::filesystem::path& classic) {
   Places in_scene, places;
@@ -52,7 +54,7 @@ Places PlacesOfStandIns(const ClassicRecording& recording) {
   return places;
 }
 
-/// What stand-ins cannot show, and what is only known of them.
+/// Returns remarks on what placeholder objects cannot represent.
 std::vector<std::string> RemarksOnStandIns(const ClassicRecording& recording,
                                            const scene::SceneSpec& scene) {
   std::set<std::string> controls;
@@ -95,7 +97,8 @@ void WriteTrace(const std::filesystem::path& path, ClassicPlayer player,
   recording::TraceWriter trace(path, model);
   recording::TraceTick last;
   for (std::uint64_t frame = 0; auto next = player.Next(); ++frame) {
-    // An action is told with the frame to come: it happened before.
+    // Fills the ticks between two frames with the state of the earlier one. An action is written
+    // with the frame after it, although it happened before: its events go before that frame's tick.
     for (std::uint64_t tick = last.tick + 1; tick < frame * kTicksPerFrame; ++tick) {
       last.tick = tick;
       trace.Add(last);
@@ -105,6 +108,7 @@ void WriteTrace(const std::filesystem::path& path, ClassicPlayer player,
     };
     last = std::move(next->moment);
     last.tick = frame * kTicksPerFrame;
+    // In the first frame, the holds precede the start and the events follow it.
     tell(next->holds);
     if (frame > 0) tell(next->events);
     trace.Add(last);
@@ -118,6 +122,7 @@ void CopyAsItIs(const std::filesystem::path& from, const std::filesystem::path& 
   if (error) throw std::runtime_error(to.string() + ": cannot be written: " + error.message());
 }
 
+/// Copies texts and pictures unchanged and writes `frames.csv`, which the original does not have.
 void CopyView(const std::filesystem::path& classic, const ClassicRecording& recording,
               const std::filesystem::path& directory) {
   std::map<std::uint64_t, std::string> image_of;
@@ -158,7 +163,7 @@ recording::DemoInfo InfoOfImport(const ClassicRecording& recording, const model:
   return info;
 }
 
-/// `demo` of `demo`, `demo/` and `.`.
+/// Returns the name of a folder: `demo` for `demo`, `demo/` and, inside it, `.`.
 std::string NameOfFolder(const std::filesystem::path& folder) {
   const auto path = std::filesystem::weakly_canonical(folder);
   return path.filename().string();
@@ -187,7 +192,7 @@ ImportReport ImportClassic(const std::filesystem::path& classic,
   }
   const model::Model model(scene);
   const ClassicPlayer player(recording, model, places, options.scene.has_value());
-  // Once to see that all goes well, before anything is written.
+  // Rehearses the whole recording, so that nothing is written if a line is invalid.
   for (ClassicPlayer rehearsal = player; rehearsal.Next();) continue;
 
   recording::BeginningMark mark(directory);
@@ -195,7 +200,7 @@ ImportReport ImportClassic(const std::filesystem::path& classic,
   WriteFile(directory / "commands.jsonl", "");
   WriteTrace(directory / "trace.bin", player, model);
   CopyView(classic, recording, directory);
-  // Last: whatever has it can be opened.
+  // Written last: a directory with demo.json can be opened.
   WriteFile(directory / "demo.json",
             recording::ToJsonText(InfoOfImport(recording, model, options)));
   mark.Remove();

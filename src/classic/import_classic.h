@@ -12,8 +12,8 @@
 namespace smile::classic {
 
 struct ImportOptions {
-  /// The scene it was made with, its objects called the same; those the recording lacks are absent.
-  /// nullopt: stand-ins, see MakeStandIns().
+  /// Scene of the recording, with objects of the same ids; those that the recording lacks are
+  /// absent. nullopt: placeholder objects, see MakeStandIns().
   std::optional<scene::SceneSpec> scene;
   std::string title, notes;
 };
@@ -21,12 +21,11 @@ struct ImportOptions {
 struct ImportReport {
   std::uint64_t frames = 0;
   std::size_t segments = 0, objects = 0, pictures = 0;
-  std::vector<std::string> remarks;  ///< what could not be kept, in words
+  std::vector<std::string> remarks;  ///< facts that could not be kept, for people
 };
 
-/// Makes a recording of a classic one, to be looked at: texts and pictures as they are, and a trace
-/// of what they tell (docs/importing.md). Objects stay where they were seen last until they are
-/// seen elsewhere.
+/// Converts a classic recording for viewing: copies texts and pictures and derives a trace from
+/// them (docs/importing.md). Objects stay where they were last seen until they are seen elsewhere.
 /// @throws InputError if something is wrong with the classic recording, the scene is not the one it
 ///         was made with, or `directory` exists and is not empty. Nothing is written then.
 /// @throws std::runtime_error with path and reason if something cannot be written.

@@ -15,7 +15,7 @@ namespace {
 using sim::EventKind;
 
 constexpr std::size_t kMaxIdBytes = 100;
-/// Far beyond the table. What fell off it in the original went on falling.
+/// Far beyond the table: in the original, objects that fell off it continue to fall.
 constexpr double kMaxPosition = 1e9;  ///< [units]
 constexpr double kMaxAngle_deg = 1e6;
 constexpr std::uint64_t kMaxTightness = 1'000'000;
@@ -23,8 +23,8 @@ constexpr std::size_t kMaxAttended = 256, kMaxDescriptions = 256;
 
 [[noreturn]] void Malformed(const std::string& what) { throw std::invalid_argument(what); }
 
-/// The letter of well-formed UTF-8 that `text` begins with, and its bytes; 0 bytes if there is
-/// none.
+/// First character of a text in well-formed UTF-8, with its number of bytes; 0 bytes if it is
+/// malformed.
 struct Letter {
   std::uint32_t code = 0;
   std::size_t num_bytes = 0;
@@ -33,6 +33,7 @@ struct Letter {
 Letter FirstLetter(std::string_view text) {
   const auto first = static_cast<unsigned char>(text[0]);
   if (first < 0x80) return {first, 1};
+  // The first byte determines the length; 0xC0, 0xC1 and those above 0xF4 never occur (RFC 3629).
   const std::size_t num_bytes = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
   if (first < 0xC2 || first > 0xF4 || text.size() < num_bytes) return {};
   std::uint32_t code = first & (0x7Fu >> num_bytes);
@@ -41,13 +42,15 @@ Letter FirstLetter(std::string_view text) {
     if ((next & 0xC0) != 0x80) return {};
     code = code << 6 | (next & 0x3Fu);
   }
+  // Overlong forms, surrogates and codes beyond Unicode are malformed.
   constexpr std::array<std::uint32_t, 5> kLeast = {0, 0, 0x80, 0x800, 0x10000};
   const bool is_surrogate = code >= 0xD800 && code < 0xE000;
   if (code < kLeast[num_bytes] || code > 0x10FFFF || is_surrogate) return {};
   return {code, num_bytes};
 }
 
-/// Descriptions end up in a scene file, which cannot hold everything.
+/// Checks that a text is UTF-8 without control characters and noncharacters: descriptions are
+/// written into a scene file, and XML does not allow these.
 void RequireText(std::string_view text) {
   while (!text.empty()) {
     const Letter letter = FirstLetter(text);
@@ -58,7 +61,7 @@ void RequireText(std::string_view text) {
   }
 }
 
-/// The fields of a line: commas separate, except for those behind a backslash, which are meant.
+/// Splits a line at its commas; a comma after a backslash is part of its field.
 std::vector<std::string> SplitFields(std::string_view line) {
   std::vector<std::string> fields(1);
   for (char letter : line) {
@@ -73,7 +76,8 @@ std::vector<std::string> SplitFields(std::string_view line) {
   return fields;
 }
 
-/// The fields of a line, taken one after the other.
+/// Fields of a line, taken one after the other. Each member throws std::invalid_argument if its
+/// field is missing or invalid.
 class Fields {
  public:
   explicit Fields(std::string_view line) : fields_(SplitFields(line)) {}
@@ -204,7 +208,8 @@ double ParseClassicNumber(std::string_view text, std::string_view what, double l
   double number = 0;
   const char* end = text.data() + text.size();
   const auto result = std::from_chars(text.data(), end, number);
-  // Of NaN no comparison is true. What is too small for a double has another error.
+  // The comparison fails for NaN. Numbers too small for a double are refused, too: from_chars()
+  // reports them as out of range.
   if (result.ec == std::errc() && result.ptr == end && std::abs(number) <= limit) return number;
   Malformed("found " + Quoted(text) + ", expected " + std::string(what) + ": a number within +-" +
             NumberText(limit));

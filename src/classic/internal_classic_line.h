@@ -6,12 +6,12 @@
 
 namespace smile::classic {
 
-/// One line of a classic text, by itself. What only other lines tell is left empty: which object is
-/// released or destroyed, or has a control.
+/// Parses one line of a classic text. Facts that only other lines contain are left empty: which
+/// object is released or destroyed, or has a control.
 /// @throws std::invalid_argument saying what was found and expected.
 ClassicLine ParseClassicLine(std::string_view text, const ClassicLimits& limits);
 
-/// The value of a number that is finite and written to its end.
+/// Parses a number; it must be finite, and the whole text must belong to it.
 /// @throws std::invalid_argument saying what was found and expected.
 double ParseClassicNumber(std::string_view text, std::string_view what, double limit);
 

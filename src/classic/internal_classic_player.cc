@@ -18,6 +18,7 @@ ClassicPlayer::ClassicPlayer(const ClassicRecording& recording, const model::Mod
       has_scene_(has_scene),
       last_frame_(recording.last_frame()) {
   now_.moment = recording::StartOf(model);
+  // Objects appear with their first move.
   for (recording::TracePose& object : now_.moment.objects) object = {.is_present = false};
 }
 
@@ -25,6 +26,7 @@ std::optional<ClassicFrame> ClassicPlayer::Next() {
   if (frame_ > last_frame_) return std::nullopt;
   now_.holds.clear();
   now_.events.clear();
+  // Applies all lines up to this frame; a frame without lines repeats the state before.
   while (segment_ < recording_.segments.size()) {
     const auto& lines = recording_.segments[segment_].lines;
     if (line_ == lines.size()) {
@@ -49,11 +51,12 @@ const std::string& ClassicPlayer::NameOf(const std::string& object) const {
   return model_.id(model::ObjectIndex(objects_.at(object)));
 }
 
-void ClassicPlayer::Follow(const ClassicCreate&) {}  // It is there when it is known where.
+void ClassicPlayer::Follow(const ClassicCreate&) {}  // It becomes present with its first move.
 
 void ClassicPlayer::Follow(const ClassicDelete& gone) {
   const model::ObjectIndex object(objects_.at(gone.object));
   now_.moment.objects[object] = {.is_present = false};
+  // Bonds of a deleted object end on either side.
   for (model::HostIndex host : model_.hosts()) {
     const auto guest = now_.moment.bonds[host].guest;
     if (!guest) continue;
@@ -78,17 +81,18 @@ model::ControlIndex ClassicPlayer::FindControl(const std::string& id) const {
 void ClassicPlayer::SetControl(model::ControlIndex index, const std::string& recorded) {
   const model::Control& control = model_.control(index);
   model::ControlState& state = now_.moment.controls[index];
-  state.override_state = -1;  // what is recorded is what was seen
+  state.override_state = -1;  // the recorded state is the visible one
   const auto next = WithRecordedState(control, state, recorded);
   if (!next) Fail("found state " + Quoted(recorded) + ", which " + control.id() + " does not have");
   state = *next;
 }
 
 void ClassicPlayer::Follow(const ClassicControl& control) {
+  // Placeholder objects have no controls.
   if (!has_scene_) return;
   const model::ControlIndex index = FindControl(control.control);
   const scene::Part& part = *model_.control(index).part;
-  // Of custom controls the original wrote anything.
+  // For custom controls, the original writes names of its own.
   if (!std::holds_alternative<scene::CustomControl>(part.shape) &&
       control.kind != scene::KindOf(part)) {
     Fail(Quoted(control.control) + " is recorded as " + Quoted(control.kind) +
@@ -118,6 +122,7 @@ void ClassicPlayer::Follow(const ClassicAction& action) {
     if (!has_scene_) return;
     FollowBond(action, &event);
   }
+  // A grasp in segment 0 is a hold from before the start.
   const bool is_hold = segment_ == 0 && action.kind == sim::EventKind::kGrasped;
   (is_hold ? now_.holds : now_.events).push_back(std::move(event));
 }
@@ -145,6 +150,7 @@ void ClassicPlayer::FollowBond(const ClassicAction& action, sim::Event* event) {
 void ClassicPlayer::SetBond(model::HostIndex host, const model::HostState& bond) {
   now_.moment.bonds[host] = bond;
   const model::Host& about = model_.host(host);
+  // The stage of a bond may lock or unlock another host point.
   if (!about.downstream_lock) return;
   now_.moment.bonds[*about.downstream_lock].is_locked = LocksDownstreamAt(about, bond.tightness);
 }

@@ -12,15 +12,15 @@
 
 namespace smile::classic {
 
-/// A frame of a classic recording, as far as it is known.
+/// Frame of a classic recording, reconstructed from its lines.
 struct ClassicFrame {
   recording::TraceTick moment;     ///< without tick
   std::vector<sim::Event> holds;   ///< before the first frame
   std::vector<sim::Event> events;  ///< since the frame before; of the first, since then
 };
 
-/// Shows a classic recording with the objects of a model, frame by frame. What a frame does not
-/// mention is as it was.
+/// Player of a classic recording: returns the state of a model frame by frame. State that a frame
+/// does not mention is unchanged.
 class ClassicPlayer {
  public:
   /// @param model       of its scene, or of stand-ins. Must outlive this, as the recording.
@@ -29,7 +29,7 @@ class ClassicPlayer {
   ClassicPlayer(const ClassicRecording& recording, const model::Model& model,
                 std::map<std::string, std::size_t> objects, bool has_scene);
 
-  /// The next frame; nullopt after the last one.
+  /// Returns the next frame; nullopt after the last one.
   /// @throws InputError if a line names what the scene does not have.
   std::optional<ClassicFrame> Next();
 
@@ -41,11 +41,11 @@ class ClassicPlayer {
   void Follow(const ClassicControl& control);
   void Follow(const ClassicControlChange& change);
   void Follow(const ClassicAction& action);
-  /// What the objects of the scene are called may differ from what the recording calls them.
+  /// Returns the id in the scene, which may differ from the id in the recording.
   const std::string& NameOf(const std::string& object) const;
   model::ControlIndex FindControl(const std::string& id) const;
   void SetControl(model::ControlIndex control, const std::string& recorded);
-  /// Fastens or loosens, and tells host and guest.
+  /// Fastens or loosens, and sets host and guest of the event.
   void FollowBond(const ClassicAction& action, sim::Event* event);
   void SetBond(model::HostIndex host, const model::HostState& bond);
 

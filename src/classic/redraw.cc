@@ -28,7 +28,8 @@ void RequireNoLink(const std::filesystem::path& path) {
       {path.string(), 0, "", "is a link; expected a recording whose files are its own to copy it"});
 }
 
-/// Copies a file or a folder, if it is there.
+/// Copies a file or a folder if it exists; links are refused, as they may lead out of the
+/// recording.
 void CopyOf(const std::filesystem::path& from, const std::filesystem::path& to) {
   RequireNoLink(from);
   if (std::filesystem::is_directory(from)) {
@@ -43,6 +44,7 @@ void CopyOf(const std::filesystem::path& from, const std::filesystem::path& to) 
   }
 }
 
+/// Makes the folders of all segments and copies the texts, if wanted. Pictures are drawn later.
 void CopyTexts(const std::filesystem::path& from, const std::filesystem::path& to,
                bool has_symbols) {
   for (int segment = 0; std::filesystem::is_directory(recording::SegmentPictures(from, segment));
@@ -59,6 +61,7 @@ std::size_t DrawAll(const recording::Recording& recording, const std::filesystem
   const std::filesystem::path index = recording.directory / "frames.csv";
   std::vector<FrameEntry> pictures = ReadFrameIndex(index);
   std::erase_if(pictures, [](const FrameEntry& entry) { return entry.image.empty(); });
+  // Pictures are in order of ticks, so one pass through the trace is enough.
   recording::TraceReader trace(recording);
   for (const FrameEntry& picture : pictures) {
     const recording::TraceTick moment = ReadMomentOf(picture, index, &trace);
@@ -92,11 +95,12 @@ std::size_t RedrawInto(const recording::Recording& recording,
   info.format = recording::kFormatVersion;
   info.has_symbols = options.has_symbols;
   info.demonstrator = options.demonstrator;
-  // As it is if it says the same: written anew, a number may end in another bit.
+  // Unchanged information is copied as text, since writing it again could change the last bit of a
+  // number.
   const std::string text = info == recording.info
                                ? ReadFile(recording.directory / "demo.json", kMaxInfoBytes)
                                : recording::ToJsonText(info);
-  // Last: whatever has it can be opened.
+  // Written last: a directory with demo.json can be opened.
   WriteFile(directory / "demo.json", text);
   mark.Remove();
   return num_pictures;
@@ -121,6 +125,7 @@ std::size_t Redraw(const recording::Recording& recording, const std::filesystem:
       std::filesystem::exists(directory, error) && !recording::IsAbandoned(directory);
   try {
     return RedrawInto(recording, directory, options, draw, progress);
+    // Whole or not at all: a failed copy leaves nothing behind.
   } catch (...) {
     if (!was_there) std::filesystem::remove_all(directory, error);
     throw;

@@ -15,7 +15,7 @@
 namespace smile::classic {
 namespace {
 
-// What a scene file can say.
+// Limits of the scene format.
 constexpr double kMaxLocation = 1e6;                ///< [units]
 constexpr double kMinSpan = 0.001, kMaxSpan = 1e6;  ///< [units]
 constexpr std::size_t kMaxName = 100;
@@ -23,7 +23,7 @@ constexpr std::size_t kMaxName = 100;
 constexpr std::array<std::string_view, 9> kPalette = {"red",  "blue",    "yellow", "green", "brown",
                                                       "cyan", "magenta", "orange", "pink"};
 
-/// What a recording first says of an object.
+/// First lines of a recording about an object: its creation and its first move.
 struct FirstAppearance {
   const ClassicCreate* create = nullptr;
   const std::string* file = nullptr;
@@ -46,6 +46,8 @@ std::map<std::string, FirstAppearance> FirstAppearances(const ClassicRecording& 
   return appearances;
 }
 
+/// Returns a length [units]; throws InputError with the line of the object's creation if it is
+/// invalid.
 double SpanOf(const scene::Description& description, const FirstAppearance& appearance) {
   try {
     const double span =
@@ -58,7 +60,7 @@ double SpanOf(const scene::Description& description, const FirstAppearance& appe
   }
 }
 
-/// With `_` for what is no letter, digit or `_`.
+/// Returns the text with `_` for everything but letters, digits and `_`.
 std::string Letters(std::string_view text) {
   std::string letters(text);
   for (char& letter : letters) {
@@ -67,13 +69,14 @@ std::string Letters(std::string_view text) {
   return letters;
 }
 
-/// Without what a scene file would take for an expression.
+/// Returns the value without `$`, which scene files use for expressions.
 std::string Plain(std::string value) {
   std::ranges::replace(value, '$', '_');
   return value;
 }
 
-/// As scene files have them: `shape` first; a later value of the same name holds.
+/// Returns descriptions as scene files have them: `shape` first; a later value of the same name
+/// replaces the earlier one.
 std::vector<scene::Description> DescriptionsOf(const ClassicCreate& create) {
   std::vector<scene::Description> descriptions{{"shape", "block"}};
   for (const scene::Description& given : create.descriptions) {
@@ -88,6 +91,7 @@ std::vector<scene::Description> DescriptionsOf(const ClassicCreate& create) {
   return descriptions;
 }
 
+/// True for ids of the form `obj#3`, which scene files keep.
 bool IsRenamed(const std::string& id, std::size_t hash) {
   if (hash == 0 || hash == std::string::npos) return false;
   const std::string number = id.substr(hash + 1);
@@ -95,7 +99,7 @@ bool IsRenamed(const std::string& id, std::size_t hash) {
          std::ranges::all_of(number, [](unsigned char digit) { return std::isdigit(digit) != 0; });
 }
 
-/// An id a scene file may have, and no other object has.
+/// Returns an id that is valid in a scene file and unique.
 std::string IdFor(const std::string& object, std::set<std::string>* taken) {
   const std::size_t hash = object.find('#');
   const std::string stem = Letters(object.substr(0, hash));

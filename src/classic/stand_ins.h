@@ -5,14 +5,14 @@
 
 namespace smile::classic {
 
-/// A scene for a classic recording whose own is not at hand: a block for every object, in the order
-/// of ClassicRecording::Objects(), where the object is first seen.
+/// Returns a scene of placeholder objects for a classic recording without its own scene: a block
+/// for every object, in the order of ClassicRecording::Objects(), where the object is first seen.
 ///
-/// A block is as large as the descriptions `bboxx`, `bboxy` and `bboxz` say, 1 unit where they say
-/// nothing; has the color its description `color` names, else one of a palette; and the
-/// descriptions the object was first created with. It has the object's id, as far as a scene may
-/// have it: what is no letter, digit or `_` becomes `_`.
-/// @throws InputError if a size is no length.
+/// A block is as large as the descriptions `bboxx`, `bboxy` and `bboxz` specify, 1 unit by default;
+/// has the color of its description `color`, else one of a palette; and has the descriptions of the
+/// object's first creation. It has the object's id, with `_` for letters that a scene does not
+/// allow.
+/// @throws InputError if a size is not a length.
 scene::SceneSpec MakeStandIns(const ClassicRecording& recording);
 
 }  // namespace smile::classic

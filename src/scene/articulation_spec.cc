@@ -11,6 +11,7 @@ std::vector<RigidTransform> LinkPoses(std::span<const LinkSpec> links,
   X_WL.reserve(links.size());
   for (std::size_t i = 0; i < links.size(); ++i) {
     const LinkSpec& link = links[i];
+    // Parents precede their children, so their poses are known.
     const RigidTransform& X_WP = link.parent < 0 ? X_WBase : X_WL[link.parent];
     const RigidTransform X_JL =
         link.joint_type == JointType::kRevolute

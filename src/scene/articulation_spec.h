@@ -11,7 +11,7 @@ namespace smile::scene {
 
 enum class JointType { kRevolute, kPrismatic };
 
-/// One moving link L of an articulation and the joint that carries it.
+/// Moving link L of an articulation and the joint that carries it.
 ///
 /// L's frame in its parent's is X_PJ * Motion(axis, q): the joint frame, then a turn about (or a
 /// slide along) `axis` by q.
@@ -29,7 +29,7 @@ struct LinkSpec {
   double mass = 0;                    ///< [kg], > 0
   Vector3 p_LLcm = Vector3::Zero();   ///< centre of mass [m]
   Matrix3 inertia = Matrix3::Zero();  ///< about the centre of mass, along L's axes [kg m2]
-  std::vector<Solid> solids;          ///< what it collides with; Solid::X_BS is X_LS
+  std::vector<Solid> solids;          ///< collision shapes; Solid::X_BS is X_LS
   double friction = 0.6;
 
   bool operator==(const LinkSpec&) const = default;
@@ -38,18 +38,18 @@ struct LinkSpec {
 /// Links joined by joints on a base that is fixed in the world.
 struct ArticulationSpec {
   RigidTransform X_WBase;
-  std::vector<Solid> base_solids;  ///< what the base collides with; Solid::X_BS is X_BaseS
+  std::vector<Solid> base_solids;  ///< collision shapes of the base; Solid::X_BS is X_BaseS
   std::vector<LinkSpec> links;     ///< parents before children
   /// Pairs of links that always touch and therefore never collide; -1 is the base.
   std::vector<std::pair<int, int>> never_collide;
-  /// Joints move exactly as commanded, with whatever force it takes: links push bodies, and pass
-  /// through what is static, through other such links, and through themselves.
+  /// Joints move exactly as commanded, with unlimited force: links push bodies, and pass through
+  /// static ones, through other kinematic links, and through themselves.
   bool is_kinematic = false;
 
   bool operator==(const ArticulationSpec&) const = default;
 };
 
-/// Forward kinematics: X_WL of every link at joint positions `q` [rad or m], one per link.
+/// Returns X_WL of every link at joint positions `q` [rad or m], one per link (forward kinematics).
 std::vector<RigidTransform> LinkPoses(std::span<const LinkSpec> links,
                                       const RigidTransform& X_WBase, std::span<const double> q);
 

@@ -15,17 +15,17 @@ struct GuestPoint {
   std::string id;    ///< unique among all ids of the scene
   std::string type;  ///< only equal types fit
   RigidTransform X_PG;
-  std::string initial_host;   ///< id of the host it is fastened to from the start; may be empty
+  std::string initial_host;   ///< id of the host to which it is fastened at the start; may be empty
   int initial_tightness = 0;  ///< 1 is the first stage; 0 = not fastened
 
   bool operator==(const GuestPoint&) const = default;
 };
 
-/// Where a guest sits when it is fastened so far: its frame coincides with this one.
+/// Pose of a guest at one stage of tightness: its frame coincides with this one.
 struct TightnessStage {
   RigidTransform X_HS;                  ///< the stage's frame S in the host point H
   std::optional<int> downstream_state;  ///< forced upon the host's `downstream_override`
-  bool locks_downstream = false;        ///< whether the host's `downstream_lock` is locked
+  bool locks_downstream = false;        ///< true if the host's `downstream_lock` is locked
 
   bool operator==(const TightnessStage&) const = default;
 };

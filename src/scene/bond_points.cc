@@ -6,6 +6,7 @@ namespace {
 const RigidTransform& PoseOf(const GuestPoint& guest) { return guest.X_PG; }
 const RigidTransform& PoseOf(const HostPoint& host) { return host.X_PH; }
 
+/// Appends the points of a part and then of its children, with poses in the frame B of the object.
 template <class Point>
 void AppendPoints(const Part& part, std::vector<Point> Composite::*points,
                   const RigidTransform& X_BE, std::vector<PlacedPoint<Point>>* placed) {

@@ -6,15 +6,15 @@
 
 namespace smile::scene {
 
-/// A guest or host point in the frame B of the whole object it belongs to.
+/// Guest or host point in the frame B of its object.
 template <class Point>
 struct PlacedPoint {
   const Point* point;
   RigidTransform X_BP;
 };
 
-/// The bond points of an object, in the order of the file: of a composite first its own, then those
-/// of its parts.
+/// Return the bond points of an object, in the order of the file: for a composite first its own,
+/// then those of its parts.
 std::vector<PlacedPoint<GuestPoint>> GuestsOf(const Part& whole);
 std::vector<PlacedPoint<HostPoint>> HostsOf(const Part& whole);
 

@@ -7,7 +7,8 @@
 namespace smile::scene {
 namespace {
 
-/// Half of the extent along the axes of A of what lies symmetrically about its own origin.
+/// Returns half of the extent, along the axes of A, of a shape that is symmetric about its origin
+/// [m].
 Vector3 HalfExtent(const Block& block, const Matrix3& R_AS) {
   return R_AS.cwiseAbs() * (block.size / 2);
 }
@@ -18,7 +19,8 @@ Vector3 HalfExtent(const Sphere& sphere, const Matrix3&) {
 
 Vector3 HalfExtent(const Cylinder& cylinder, const Matrix3& R_AS) {
   const Vector3 axis = R_AS.col(1);
-  // The circle reaches as far along an axis as that one is across the cylinder's own.
+  // The end circles extend along an axis of A by the radius times the sine of the angle between
+  // that axis and the cylinder's.
   const Vector3 across = (Vector3::Ones() - axis.cwiseAbs2()).cwiseMax(0).cwiseSqrt();
   return axis.cwiseAbs() * (cylinder.length / 2) + across * cylinder.radius;
 }

@@ -6,24 +6,24 @@
 
 namespace smile::scene {
 
-/// A cuboid along the axes of some frame A, which holds something.
+/// Axis-aligned bounding box in some frame A.
 struct Bounds {
-  Vector3 low = Vector3::Constant(1), high = Vector3::Constant(-1);  ///< in A [m]; so: empty
+  Vector3 low = Vector3::Constant(1), high = Vector3::Constant(-1);  ///< in A [m]; default: empty
 
   bool is_empty() const { return (low.array() > high.array()).any(); }
   Vector3 center() const { return (low + high) / 2; }
   Vector3 size() const { return high - low; }
-  /// Grows until it holds the other, too.
+  /// Extends the box to contain the other one.
   void Add(const Bounds& other);
-  /// True when the two have points in common, or are less than `margin` apart along each axis.
+  /// True if the two have points in common, or are less than `margin` apart along each axis.
   bool Meets(const Bounds& other, double margin = 0) const;
 
   bool operator==(const Bounds&) const = default;
 };
 
-/// The smallest about a convex piece S.
+/// Returns the smallest box around a convex piece S.
 Bounds BoundsOf(const SolidShape& shape, const RigidTransform& X_AS);
-/// The smallest about all pieces of a body B; empty without pieces.
+/// Returns the box around all pieces of a body B; empty without pieces.
 Bounds BoundsOf(std::span<const Solid> solids, const RigidTransform& X_AB);
 
 }  // namespace smile::scene

@@ -8,10 +8,12 @@
 namespace smile::scene {
 namespace {
 
-/// y from start to end, z as far up as may be, x level.
+/// Returns the rotation of the pieces: y from start to end, x horizontal, z as far up as possible.
+/// `along` must not be zero.
 Matrix3 Orientation(const Vector3& along) {
   const Vector3 y = along.normalized();
   Vector3 x = y.cross(Vector3::UnitZ());
+  // A vertical chain has no preferred x: takes the world's, made perpendicular to y.
   if (x.norm() < 1e-9) x = Vector3::UnitX() - y * y.x();
   x.normalize();
   Matrix3 R;
@@ -49,6 +51,7 @@ std::vector<ObjectSpec> PiecesOf(const ChainSpec& chain, double meters_per_unit)
 
   const auto num_links = static_cast<double>(chain.link_ids.size());
   for (std::size_t i = 0; i < chain.link_ids.size(); ++i) {
+    // The centers divide the line evenly, whatever the length of a link.
     const double share = (static_cast<double>(i) + 0.5) / num_links;
     ObjectSpec link;
     link.whole = {.id = chain.link_ids[i],

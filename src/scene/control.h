@@ -15,23 +15,23 @@ struct Part;
 // Controls have a state and may drive others downstream. They are shapes: a whole object, or a part
 // of a composite.
 
-/// One of the two buttons of a switch.
+/// Button of a switch.
 enum class Button { kLeft, kRight };
 
 /// A rocker switch of two buttons about a hinge along y at its origin. In position 0 the left
-/// button (-x) lies flat and the right one is raised; in position 1 the other way round.
+/// button (-x) lies flat and the right one is raised; in position 1 vice versa.
 struct ToggleSwitch {
   Vector3 size{0.06, 0.03, 0.01};        ///< x: of both buttons together [m]
   double angle = DegreesToRadians(6.0);  ///< by which a button is raised [rad]
   bool is_left_pressed = true;           ///< position 0 at the start, else 1
-  int num_states = 2;                    ///< pressing goes through them in turn
+  int num_states = 2;                    ///< each press selects the next one
   int initial_state = 0;                 ///< independent of the position
   std::vector<std::string> downstream;   ///< ids of the controls it drives
 
   bool operator==(const ToggleSwitch&) const = default;
 };
 
-/// A light that is on.
+/// Light that is on.
 struct Light {
   int number = 0;  ///< 0 is the leftmost (-x)
   Color color{1, 0, 0};
@@ -43,7 +43,7 @@ struct Light {
 struct IndicatorLights {
   struct State {
     std::string name;           ///< for the log; empty: its number
-    std::vector<Light> lights;  ///< those that are on; the others cannot be seen
+    std::vector<Light> lights;  ///< those that are on; the others are invisible
 
     bool operator==(const State&) const = default;
   };
@@ -59,7 +59,7 @@ struct IndicatorLights {
   bool operator==(const IndicatorLights&) const = default;
 };
 
-/// Something of the author's own that looks, and is, different in each of its states.
+/// Control of the author's own design, with parts for each of its states.
 struct CustomControl {
   struct State {
     std::string name;         ///< for the log; empty: its number

@@ -7,6 +7,7 @@
 namespace smile::scene {
 namespace {
 
+/// Appends the controls of a part in the order of the file. Nothing inside a control is a control.
 void AppendControls(const Part& part, std::vector<const Part*>* controls) {
   if (IsControl(part.shape)) controls->push_back(&part);
   if (const auto* composite = std::get_if<Composite>(&part.shape)) {
@@ -14,7 +15,7 @@ void AppendControls(const Part& part, std::vector<const Part*>* controls) {
   }
 }
 
-/// Calls `of` with the control's own type.
+/// Calls `of` with the control's own type; throws std::logic_error if the part is not a control.
 template <class Result, class Function>
 Result Ask(const Part& control, Function of) {
   return std::visit(

@@ -9,7 +9,7 @@
 
 namespace smile::scene {
 
-/// A surface of triangles. Positions have the precision mesh files have.
+/// Triangle surface. Positions have the precision of mesh files.
 struct SurfaceMesh {
   using Triangle = std::array<std::uint32_t, 3>;  ///< counter-clockwise seen from outside
 
@@ -19,11 +19,11 @@ struct SurfaceMesh {
   bool operator==(const SurfaceMesh&) const = default;
 };
 
-/// What a mesh file is in a scene: its triangles to be seen, and convex pieces to be felt. Both in
-/// units of the file, its axes turned as scenes have them: the file's (X, Y, Z) is (X, -Z, Y).
+/// Content of a mesh file in a scene: triangles to draw and convex pieces to collide. Both in units
+/// of the file, with axes converted to those of scenes: the file's (X, Y, Z) is (X, -Z, Y).
 struct CustomMesh {
   SurfaceMesh surface;
-  std::vector<Hull> pieces;  ///< at least one; none of what is only seen
+  std::vector<Hull> pieces;  ///< at least one; without parts that are only visible
 
   bool operator==(const CustomMesh&) const = default;
 };

@@ -15,17 +15,17 @@
 #include "base/bytes.h"
 #include "scene/articulation_spec.h"
 
-// The binary form of solids and articulations, for snapshots and messages of one build.
+// Binary form of solids and articulations, for snapshots and messages of one build.
 //
-// Each type is written and read by one list of its fields: Walk(archive, value). A FieldWriter puts
-// them, a FieldReader gets them, so the two cannot drift apart. Rooms above derive their archives
-// from these two, and add Walk() for their own types beside them.
+// Each type is written and read by one list of its fields: Walk(archive, value). A FieldWriter
+// writes them, a FieldReader reads them, so the two cannot diverge. Other rooms derive their
+// archives from these two, and add Walk() for their own types.
 
 namespace smile::scene {
 
 class FieldArchive {
  public:
-  /// @param name  of what is read or written, for messages.
+  /// @param name  of the content, for messages.
   explicit FieldArchive(const char* name) : name_(name) {}
   [[noreturn]] void Fail(const std::string& complaint) const {
     throw std::runtime_error(std::string(name_) + ": " + complaint);

@@ -8,6 +8,8 @@
 namespace smile::scene {
 namespace {
 
+/// Throws std::invalid_argument unless all corners are finite and all faces refer to existing
+/// corners.
 void Check(const Polyhedron& polyhedron) {
   const std::size_t num_corners = polyhedron.corners.size();
   for (const Vector3& corner : polyhedron.corners) {
@@ -27,6 +29,7 @@ void Check(const Polyhedron& polyhedron) {
   }
 }
 
+/// Lexicographic comparison of coordinates.
 std::weak_ordering Compare(const Vector3& a, const Vector3& b) {
   for (int i = 0; i < 3; ++i) {
     if (const auto order = std::weak_order(a[i], b[i]); order != 0) return order;
@@ -37,6 +40,8 @@ std::weak_ordering Compare(const Vector3& a, const Vector3& b) {
 }  // namespace
 
 Vector3 Polyhedron::AreaVectorOf(const Face& face) const {
+  // Sum over a fan of triangles from the first corner; each cross product is twice a triangle's
+  // area.
   Vector3 twice = Vector3::Zero();
   const Vector3& a = corners[face[0]];
   for (std::size_t k = 2; k < face.size(); ++k) {
@@ -60,6 +65,7 @@ bool Hull::operator==(const Hull& other) const {
 }
 
 std::weak_ordering Hull::operator<=>(const Hull& other) const {
+  // Shared hulls are common, so the pointer comparison saves most of the work.
   if (shared_ == other.shared_) return std::weak_ordering::equivalent;
   const Polyhedron &a = polyhedron(), &b = other.polyhedron();
   const auto corners = std::lexicographical_compare_three_way(
@@ -75,7 +81,8 @@ Hull Scaled(const Hull& hull, double factor) {
 
 VolumeMoments MomentsOf(const Hull& hull) {
   const Polyhedron& polyhedron = hull.polyhedron();
-  // About a point in the middle, O, so that a body far from its frame loses no digits.
+  // Integrates about the mean of the corners, O, so that a body far from its frame's origin loses
+  // no digits.
   Vector3 p_SO = Vector3::Zero();
   for (const Vector3& corner : polyhedron.corners) p_SO += corner;
   if (!polyhedron.corners.empty()) p_SO /= static_cast<double>(polyhedron.corners.size());
@@ -88,6 +95,8 @@ VolumeMoments MomentsOf(const Hull& hull) {
     for (std::size_t k = 2; k < face.size(); ++k) {
       const Vector3 b = polyhedron.corners[face[k - 1]] - p_SO;
       const Vector3 c = polyhedron.corners[face[k]] - p_SO;
+      // Signed volume of the tetrahedron (O, a, b, c), and the closed forms of its integrals of p
+      // and p p'.
       const double tetrahedron = a.cross(b).dot(c) / 6;
       const Vector3 sum = a + b + c;
       volume += tetrahedron;
@@ -98,6 +107,8 @@ VolumeMoments MomentsOf(const Hull& hull) {
   }
   if (!(volume > 0)) return {};
   const Vector3 p_OCenter = first / volume;
+  // Covariance of the volume about its center; the inertia tensor is trace(covariance) I -
+  // covariance.
   const Matrix3 spread = second / volume - p_OCenter * p_OCenter.transpose();
   return {.volume = volume,
           .center = p_SO + p_OCenter,

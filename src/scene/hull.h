@@ -9,28 +9,28 @@
 
 namespace smile::scene {
 
-/// A body bounded by flat faces.
+/// Body bounded by flat faces.
 struct Polyhedron {
-  /// Numbers of corners, counter-clockwise seen from outside; at least three.
+  /// Indices of corners, counter-clockwise seen from outside; at least three.
   using Face = std::vector<std::uint32_t>;
 
   std::vector<Vector3> corners;  ///< [m]
   std::vector<Face> faces;       ///< flat; together they close the body
 
-  /// Outwards, as long as the face is large [m2].
+  /// Returns the outward normal of a face, with the length of its area [m2].
   Vector3 AreaVectorOf(const Face& face) const;
 
   bool operator==(const Polyhedron&) const = default;
 };
 
-/// A convex polyhedron, in its own frame.
+/// Convex polyhedron, in its own frame.
 ///
-/// It never changes, and copies share it: each solid, visual and picture has a copy, and a ring is
+/// Immutable and shared by its copies: each solid, visual and picture has a copy, and a ring is
 /// made of dozens of equal pieces.
 class Hull {
  public:
   Hull() = default;  ///< without corners
-  /// The caller sees to it that the polyhedron is closed and convex.
+  /// The polyhedron must be closed and convex; this is not checked.
   /// @throws std::invalid_argument if a corner is not finite, or a face has fewer than three
   /// corners
   ///         or one that does not exist.
@@ -39,24 +39,24 @@ class Hull {
   const Polyhedron& polyhedron() const;
 
   bool operator==(const Hull& other) const;
-  /// Some order, for maps.
+  /// Arbitrary strict weak order, for maps.
   std::weak_ordering operator<=>(const Hull& other) const;
 
  private:
   std::shared_ptr<const Polyhedron> shared_;
 };
 
-/// `factor` times as large, about the origin.
+/// Returns the hull scaled by `factor` about the origin.
 Hull Scaled(const Hull& hull, double factor);
 
-/// How the volume of a body lies about its frame S.
+/// Volume of a body and its first and second moments, in its frame S.
 struct VolumeMoments {
   double volume = 0;                       ///< [m3]
   Vector3 center = Vector3::Zero();        ///< of the volume, in S [m]
   Matrix3 unit_inertia = Matrix3::Zero();  ///< about the center, along S's axes, for 1 kg [m2]
 };
 
-/// Exact, by adding up a tetrahedron for each triangle of the faces.
+/// Returns the exact moments, as a sum over tetrahedra from the triangles of all faces.
 VolumeMoments MomentsOf(const Hull& hull);
 
 }  // namespace smile::scene

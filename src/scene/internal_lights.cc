@@ -10,6 +10,7 @@ RigidTransform PoseOfLight(const IndicatorLights& lights, int number) {
   Matrix3 R_EDisc;  // the disc's y is the row's z
   R_EDisc << 1, 0, 0, 0, 0, -1, 0, 1, 0;
   const double radius = lights.light_radius;
+  // The outermost lamps end at the ends of the row; a single one is in its middle.
   const double x = lights.num_lights < 2
                        ? 0
                        : -lights.x_span / 2 + radius +

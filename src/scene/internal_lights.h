@@ -4,10 +4,10 @@
 
 namespace smile::scene {
 
-/// One of the lamps; its axis is **y**, as every cylinder's.
+/// Returns the disc of one lamp; its axis is **y**, as for every cylinder.
 Cylinder DiscOf(const IndicatorLights& lights);
 
-/// Where lamp `number` stands, its axis turned along the lights' z.
+/// Returns the pose of lamp `number`, whose axis is the lights' z.
 RigidTransform PoseOfLight(const IndicatorLights& lights, int number);
 
 }  // namespace smile::scene

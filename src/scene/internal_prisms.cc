@@ -8,8 +8,8 @@
 namespace smile::scene {
 namespace {
 
-/// Physics looks at each pair of pieces. With more sides than this a piece has several, and the
-/// hole is still round within half a percent.
+/// Limit of pieces per ring, since physics tests each pair of pieces. A ring with more sides has
+/// several sides per piece, and the hole is still round within half a percent.
 constexpr int kMaxRingPieces = 64;
 
 using Polygon = std::vector<Vector3>;
@@ -21,7 +21,7 @@ Vector3 CornerAt(double radius, int corner, int sides) {
   return {radius * std::cos(angle), radius * std::sin(angle), 0};
 }
 
-/// Just its middle when the radius is 0.
+/// Returns the corners of a regular polygon; only its center if the radius is 0.
 Polygon RegularPolygon(double radius, int sides) {
   if (radius == 0) return {Vector3::Zero()};
   Polygon polygon;
@@ -29,8 +29,8 @@ Polygon RegularPolygon(double radius, int sides) {
   return polygon;
 }
 
-/// The space between two polygons at z = -height / 2 and +height / 2, counter-clockwise seen from
-/// +z. One of them may be a single point, else they have as many corners.
+/// Returns the hull of two polygons at z = -height / 2 and +height / 2, counter-clockwise seen from
+/// +z. One of them may be a single point; otherwise they have the same number of corners.
 Hull HullBetween(const Polygon& low, const Polygon& high, double height) {
   Polyhedron polyhedron;
   for (const Vector3& p : low) polyhedron.corners.push_back(p - Vector3(0, 0, height / 2));
@@ -39,11 +39,13 @@ Hull HullBetween(const Polygon& low, const Polygon& high, double height) {
   const auto num_low = static_cast<std::uint32_t>(low.size());
   const auto num_high = static_cast<std::uint32_t>(high.size());
   const std::uint32_t sides = std::max(num_low, num_high);
+  // The modulo maps all corners of a single point to it, so that both cases share the loop.
   const auto low_corner = [&](std::uint32_t k) { return k % num_low; };
   const auto high_corner = [&](std::uint32_t k) { return num_low + k % num_high; };
 
   Polyhedron::Face floor, lid;
   for (std::uint32_t k = 0; k < sides; ++k) {
+    // The floor is traversed backwards, so that it is counter-clockwise seen from below.
     floor.push_back(low_corner(sides - 1 - k));
     lid.push_back(high_corner(k));
     Polyhedron::Face side{low_corner(k)};
@@ -57,7 +59,7 @@ Hull HullBetween(const Polygon& low, const Polygon& high, double height) {
   return Hull(std::move(polyhedron));
 }
 
-/// The piece from corner 0 to corner `num_sides` of the ring.
+/// Returns the piece from corner 0 to corner `num_sides` of the ring.
 Hull RingSegment(const Ring& ring, int num_sides) {
   Polygon polygon;
   for (int k = 0; k <= num_sides; ++k) {
@@ -89,7 +91,7 @@ std::vector<RingPiece> PiecesOf(const Ring& ring) {
     return {{HullBetween(disc, disc, ring.height), RigidTransform()}};
   }
   std::vector<RingPiece> pieces;
-  std::map<int, Hull> segments;  // by their number of sides, of which there are two at most
+  std::map<int, Hull> segments;  // by their number of sides; it has two values at most
   const auto num_pieces = static_cast<int>(NumPiecesOf(ring));
   for (int i = 0; i < num_pieces; ++i) {
     const int begin = i * ring.sides / num_pieces, end = (i + 1) * ring.sides / num_pieces;

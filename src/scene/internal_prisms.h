@@ -10,13 +10,13 @@ namespace smile::scene {
 
 Hull HullOf(const Frustum& frustum);
 
-/// A segment of a ring R, in its own frame P, which is turned about the ring's axis.
+/// Segment of a ring R, in its own frame P, which is turned about the ring's axis.
 struct RingPiece {
   Hull hull;
   RigidTransform X_RP;
 };
 
-/// Convex pieces that fill a ring; pieces of the same form share one hull.
+/// Returns convex pieces that fill a ring; pieces of the same form share one hull.
 std::vector<RingPiece> PiecesOf(const Ring& ring);
 std::size_t NumPiecesOf(const Ring& ring);
 

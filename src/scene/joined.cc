@@ -34,6 +34,7 @@ std::set<std::string> IdsOf(const SceneSpec& scene) {
 }
 
 SceneSpec Joined(SceneSpec scene, SceneSpec added) {
+  // Mechanisms refer to objects by index, which is shifted.
   const std::size_t num_objects = scene.objects.size();
   for (ObjectSpec& object : added.objects) scene.objects.push_back(std::move(object));
   for (SliderSpec& slider : added.sliders) {

@@ -11,8 +11,8 @@ namespace smile::scene {
 
 struct ObjectSpec;
 
-/// Two objects of which the second slides along a rail of the first, as a drawer does: no turning,
-/// nothing sideways.
+/// Slider: two objects, of which the second slides along a rail of the first, as a drawer does,
+/// without turning or moving sideways.
 ///
 /// The rail is the x axis of frame J. The offset is the distance of the second object's reference
 /// point from the first's, counted along **-x**; `initial_offset` is where it starts.
@@ -24,12 +24,12 @@ struct SliderSpec {
   std::size_t first_object = 0;  ///< A in SceneSpec::objects; B is the next
   double min_offset = 0, max_offset = 0.1, initial_offset = 0;  ///< [m]
   bool do_members_collide = false;
-  /// Share of the sliding speed lost in a second: 0 slides freely, 1 stays where it is put. While
-  /// one of the two is held, the other is free.
+  /// Fraction of the sliding speed lost in a second: 0 slides freely, 1 stays where it is put.
+  /// While one of the two is held, the other is free.
   double damping = 0;
-  double restitution = 0.7;  ///< share of the speed with which it bounces off its limits
-  /// Share of the way from the middle to a limit that is free; beyond it the limit is felt more and
-  /// more. 1: a hard stop.
+  double restitution = 0.7;  ///< fraction of the speed kept when it bounces off its limits
+  /// Fraction of the range from the middle to a limit that is free; beyond it the resistance
+  /// increases. 1: a hard stop.
   double softness = 1;
 
   RigidTransform pose_of_first() const { return X_WJ * X_JA; }
@@ -39,7 +39,7 @@ struct SliderSpec {
   bool operator==(const SliderSpec&) const = default;
 };
 
-/// A string of links between two fixed ends. Each link is an object of its own.
+/// Chain of links between two fixed ends. Each link is an object of its own.
 struct ChainSpec {
   std::string id;                     ///< unique; those of its pieces begin with it
   std::string start_id, end_id;       ///< of the fixed end pieces
@@ -54,8 +54,8 @@ struct ChainSpec {
   bool operator==(const ChainSpec&) const = default;
 };
 
-/// The pieces of a chain as objects: start, end, links. Ends are static white cubes of one unit's
-/// tenth; a link's local y points from start to end, its z as far up as may be.
+/// Returns the pieces of a chain as objects: start, end, links. Ends are static white cubes of one
+/// tenth of a unit; a link's local y points from start to end, its z as far up as possible.
 std::vector<ObjectSpec> PiecesOf(const ChainSpec& chain, double meters_per_unit);
 
 }  // namespace smile::scene

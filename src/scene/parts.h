@@ -20,7 +20,7 @@ void ForEachChild(const Part& part, const Visit& visit) {
   }
 }
 
-/// Calls `visit` with the part and all within it, outer ones first.
+/// Calls `visit` with the part and everything in it, parents first.
 template <class Visit>
 void ForEachPart(const Part& part, const Visit& visit) {
   visit(part);

@@ -10,37 +10,39 @@
 
 namespace smile::scene {
 
-/// Files use the original's unit; C++ uses metres. 1 unit = 0.1 m unless the scene says otherwise.
+/// Default unit of files, that of the original program; C++ uses meters. 1 unit = 0.1 m unless the
+/// scene says otherwise.
 inline constexpr double kMetersPerUnit = 0.1;
 
-/// Version of the rules by which physics runs. A recording keeps the version it was made with, so
-/// that it replays to the same bits; docs/decisions/physics.md lists what each version changed.
+/// Version of the physics. A recording keeps the version it was made with, so that it replays to
+/// the same bits; docs/decisions/physics.md lists what each version changed.
 inline constexpr int kPhysicsVersion = 2;
 
-/// A free name and value that goes into the recording's symbolic log.
+/// Name and value of the author's choice, for the recording's symbolic log.
 struct Description {
   std::string name, value;
   bool operator==(const Description&) const = default;
 };
 
-/// What an object is like to the touch of others.
+/// Contact properties of an object.
 struct Surface {
-  /// Of two things that touch, the coefficient of friction is the product; the table has 0.6.
+  /// Coefficient of friction; that of a contact is the product of both. The table has 0.6.
   double friction = 0.6;
-  /// The share of its speed with which it bounces off the table; of two objects, the product.
+  /// Fraction of the speed kept when it bounces off the table; between two objects, the product.
   double restitution = 0;
-  /// How far before the middle of its footprint a thing that rolls is supported, which slows it
-  /// [m]. Unset: 1 mm for all that has other parts than blocks and boxes, 0 else.
+  /// Distance by which the support of a rolling object is shifted from the middle of its contact
+  /// towards its motion, which slows it [m]. Unset: 1 mm for objects with parts other than blocks
+  /// and boxes, 0 otherwise.
   std::optional<double> rolling_friction;
 
   bool operator==(const Surface&) const = default;
 };
 
-/// One whole object: a rigid body that can be grasped and is listed in recordings.
+/// Object: a rigid body that can be grasped and is listed in recordings.
 struct ObjectSpec {
   Part whole;         ///< its parent frame is the world W
   double mass = 1.0;  ///< [kg]; 0 = static, it never moves
-  /// Of mass, in the object's frame: its origin unless the author moves it [m].
+  /// Center of mass in the object's frame: its origin by default [m].
   Vector3 center_of_mass = Vector3::Zero();
   std::vector<Description> descriptions;  ///< `shape` first, then as in the file
   Surface surface;
@@ -59,10 +61,10 @@ struct TableSpec {
   bool operator==(const TableSpec&) const = default;
 };
 
-/// What is on the table, as plain values: world frame W, SI units.
+/// Scene as plain values: world frame W, SI units.
 struct SceneSpec {
   std::string name;
-  double meters_per_unit = kMetersPerUnit;  ///< the file's unit [m]
+  double meters_per_unit = kMetersPerUnit;  ///< length of the file's unit [m]
   TableSpec table;
   /// In the order of the file, members of sliders and pieces of chains among them; ids are unique.
   std::vector<ObjectSpec> objects;

@@ -14,17 +14,17 @@
 
 namespace smile::scene {
 
-/// A cuboid about the origin.
+/// Cuboid centered at the origin.
 struct Block {
   Vector3 size{0.1, 0.1, 0.1};  ///< full lengths along x, y, z [m]
   bool operator==(const Block&) const = default;
 };
 
-/// A cylinder about the origin, its axis along **y**.
+/// Cylinder centered at the origin, its axis along **y**.
 struct Cylinder {
   double radius = 0.05;  ///< [m]
   double length = 0.1;   ///< along y [m]
-  int sides = 32;        ///< facets of its picture
+  int sides = 32;        ///< facets when drawn
   bool operator==(const Cylinder&) const = default;
 };
 
@@ -33,15 +33,15 @@ struct Sphere {
   bool operator==(const Sphere&) const = default;
 };
 
-/// A container, open at the top (+z); the origin is the centre of the outer cuboid.
+/// Container, open at the top (+z); the origin is the center of the outer cuboid.
 struct Box {
   Vector3 size{0.1, 0.1, 0.1};  ///< outer lengths [m]
   double thickness = 0.005;     ///< of floor and walls [m]
   bool operator==(const Box&) const = default;
 };
 
-/// A pyramid cut off at the top, closed at both ends: two regular polygons about the **z** axis,
-/// their first corners towards +x. One radius may be 0, then it comes to a point.
+/// Frustum of a pyramid, closed at both ends: two regular polygons about the **z** axis, their
+/// first corners towards +x. One radius may be 0: a pyramid.
 struct Frustum {
   double radius_top = 0.05;     ///< to the corners at z = +height / 2 [m]
   double radius_bottom = 0.05;  ///< to the corners at z = -height / 2 [m]
@@ -50,8 +50,8 @@ struct Frustum {
   bool operator==(const Frustum&) const = default;
 };
 
-/// A ring about the **z** axis with flat ends, really hollow: the space between two regular
-/// polygons, their first corners towards +x. Without an inner radius it is a disc.
+/// Hollow ring about the **z** axis with flat ends: the space between two regular polygons, their
+/// first corners towards +x. With an inner radius of 0 it is a disc.
 struct Ring {
   double radius_outer = 0.1;   ///< to the corners [m]
   double radius_inner = 0.05;  ///< to the corners, less than the outer one [m]
@@ -60,18 +60,18 @@ struct Ring {
   bool operator==(const Ring&) const = default;
 };
 
-/// A triangle mesh from a file, its origin where the file has it.
+/// Triangle mesh from a file, with the origin of the file.
 struct Custom {
-  /// Where it was read, seen from the scene's folder or a search root. Not compared: copies of a
+  /// Name of the file, relative to the scene's folder or a search root. Not compared: copies of a
   /// scene and its meshes are equal.
   std::string file;
   double scale = 0.1;  ///< length of the mesh's unit [m]
-  /// Shared by all that are made of the same file; never null in a scene that was read.
+  /// Shared by all shapes from the same file; never null in a scene that was read.
   std::shared_ptr<const CustomMesh> mesh;
-  bool operator==(const Custom& other) const;  ///< compares the meshes, not where they are
+  bool operator==(const Custom& other) const;  ///< compares the meshes, not their file names
 };
 
-/// Parts joined rigidly; its origin is its centre of mass, wherever the parts are.
+/// Rigidly joined parts; the origin is the center of mass, wherever the parts are.
 struct Composite {
   std::vector<Part> parts;  ///< controls among them
   std::vector<GuestPoint> guests;
@@ -82,14 +82,14 @@ struct Composite {
 using Shape = std::variant<Block, Cylinder, Sphere, Box, Frustum, Ring, Custom, Composite,
                            ToggleSwitch, IndicatorLights, CustomControl>;
 
-/// A shape in its place: the whole of an object, or a part of a composite.
+/// Shape with a pose: the whole of an object, or a part of a composite.
 struct Part {
-  /// Unique for whole objects, controls and what is pointable; else as in the file, or empty.
+  /// Unique for whole objects, controls and pointable parts; otherwise as in the file, or empty.
   std::string id;
   RigidTransform X_PE;        ///< this element E in its parent P (the world for a whole object)
   bool is_pointable = false;  ///< the demonstrator may point at it
-  /// Inside a state of a custom control: the state it leads to when triggered; -1 leads nowhere.
-  /// Unset: what its parent says.
+  /// Inside a state of a custom control: the next state when triggered; -1: no change. Unset:
+  /// inherited from the parent.
   std::optional<int> next_state;
   Color color;  ///< of a simple shape or switch; the others have none of their own
   Shape shape;

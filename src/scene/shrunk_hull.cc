@@ -8,9 +8,9 @@
 namespace smile::scene {
 namespace {
 
-/// How each corner moves when the faces around it move inwards by 1: by x, where normal . x = -1
-/// for each of their normals. Where more than three faces meet there may be no such x; the least
-/// squares one is then lengthened until all faces have moved far enough.
+/// Returns the displacement of each corner when the faces around it move inwards by 1: x with
+/// normal . x = -1 for each of their normals. Where more than three faces meet there may be no such
+/// x; the least-squares solution is then lengthened until all faces have moved far enough.
 std::vector<Vector3> InwardMoves(const Polyhedron& polyhedron) {
   std::vector<std::vector<Vector3>> normals(polyhedron.corners.size());
   for (const Polyhedron::Face& face : polyhedron.faces) {
@@ -25,8 +25,9 @@ std::vector<Vector3> InwardMoves(const Polyhedron& polyhedron) {
       squares += normal * normal.transpose();
       sum += normal;
     }
+    // Normal equations of the least-squares problem normal . x = 1.
     const Vector3 outwards = squares.ldlt().solve(sum);
-    constexpr double kTiny = 1e-9;  // where no direction leads inwards
+    constexpr double kTiny = 1e-9;  // if no direction leads inwards
     double least = 1;
     for (const Vector3& normal : around) least = std::min(least, normal.dot(outwards));
     moves.push_back(-outwards / std::max(least, kTiny));
@@ -40,7 +41,8 @@ std::vector<Vector3> Moved(std::vector<Vector3> corners, const std::vector<Vecto
   return corners;
 }
 
-/// As long as every edge points where it did, the moved faces still meet in the moved corners.
+/// True if every edge keeps its direction: then the moved faces still meet in the moved corners. An
+/// edge that reverses has vanished.
 bool KeepsItsEdges(const Polyhedron& polyhedron, const std::vector<Vector3>& moved) {
   for (const Polyhedron::Face& face : polyhedron.faces) {
     for (std::size_t k = 0; k < face.size(); ++k) {
@@ -57,6 +59,7 @@ bool KeepsItsEdges(const Polyhedron& polyhedron, const std::vector<Vector3>& mov
 ShrunkHull Shrink(const Polyhedron& polyhedron, double max_margin) {
   constexpr double kLeastMargin = 1e-7;
   const std::vector<Vector3> moves = InwardMoves(polyhedron);
+  // Halving the margin finds one within a factor of two of the largest possible.
   for (double margin = max_margin; margin > kLeastMargin; margin /= 2) {
     std::vector<Vector3> corners = Moved(polyhedron.corners, moves, margin);
     if (KeepsItsEdges(polyhedron, corners)) return {std::move(corners), margin};

@@ -11,7 +11,7 @@
 namespace smile::scene {
 namespace {
 
-/// Where a piece belongs: its place in the body, and to which look of which control.
+/// Context of a piece: its pose in the body, and the control and look to which it belongs.
 struct Belonging {
   RigidTransform X_BE;
   int control = -1;
@@ -20,7 +20,7 @@ struct Belonging {
   Belonging Child(const RigidTransform& X_EC) const { return {X_BE * X_EC, control, look}; }
 };
 
-/// Goes through the pieces of a body in the order of the file.
+/// Collects the pieces of a body in the order of the file, numbering controls as ControlsOf() does.
 class SolidCollector {
  public:
   void Append(const Part& part, const Belonging& place) {
@@ -70,6 +70,7 @@ class SolidCollector {
     solids_.push_back({shape, place.X_BE, part.color, part.id, place.control, place.look});
   }
 
+  /// Appends floor and walls of a box.
   void AppendContainer(const Box& box, const Part& part, const Belonging& place) {
     const double X = box.size.x(), Y = box.size.y(), Z = box.size.z(), t = box.thickness;
     const auto wall = [&](const Vector3& size, const Vector3& center) {
@@ -84,6 +85,8 @@ class SolidCollector {
     wall({X, t, Z - t}, {0, -(Y / 2 - t / 2), t / 2});
   }
 
+  /// Appends both buttons of a switch for both of its positions. The width is such that the flat
+  /// and the raised button together span size.x.
   void AppendSwitch(const ToggleSwitch& toggle, const Part& part, const Belonging& place) {
     const int number = num_controls_++;
     const double width = toggle.size.x() / (1 + std::cos(toggle.angle)), height = toggle.size.z();
@@ -110,7 +113,7 @@ class SolidCollector {
   int num_controls_ = 0;
 };
 
-/// Of a shape about its own origin, along its own axes.
+/// Returns the moments of a shape centered at its origin, with principal axes along its own.
 VolumeMoments AboutOrigin(double volume, const Vector3& unit_inertia) {
   return {.volume = volume, .unit_inertia = unit_inertia.asDiagonal()};
 }
@@ -185,7 +188,8 @@ MassProperties MassPropertiesOf(const std::vector<Solid>& solids, double mass,
     volume += moments.back().volume;
   }
   if (volume <= 0) {
-    // Nothing to be felt, as an empty composite: it turns like a ball of one unit.
+    // Without volume, as an empty composite: the inertia of a ball with a radius of half a unit
+    // (0.05 m).
     properties.inertia = mass * 0.4 * 0.05 * 0.05 * Matrix3::Identity();
     return properties;
   }

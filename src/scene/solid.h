@@ -11,38 +11,38 @@
 
 namespace smile::scene {
 
-/// A convex shape that physics collides and a camera draws as it is.
+/// Convex shape that physics collides and a camera draws directly.
 using SolidShape = std::variant<Block, Cylinder, Sphere, Hull>;
 
-/// A convex piece of a body B.
+/// Convex piece of a body B.
 struct Solid {
   SolidShape shape;
   RigidTransform X_BS;
   Color color;
-  std::string part_id;  ///< of the part it belongs to
-  int control = -1;     ///< the control it belongs to, numbered as ControlsOf() has them; -1: none
-  int look = 0;         ///< it is there only while the control looks so
+  std::string part_id;             ///< of the part it belongs to
+  int control = -1;                ///< index of its control, see ControlsOf(); -1: none
+  int look = 0;                    ///< it is present only while the control has this look
   std::optional<Button> button{};  ///< of a switch; nullopt: none
 
   bool operator==(const Solid&) const = default;
 };
 
-/// All convex pieces of an object in its own frame, in the order of the file: what collides. A box
-/// becomes its floor and four walls, a ring its segments, a composite the pieces of its parts, a
-/// control the pieces of all its looks. Lights collide whether they are on or not.
+/// Returns all convex pieces of an object in its own frame, in the order of the file: its collision
+/// shapes. A box becomes its floor and four walls, a ring its segments, a composite the pieces of
+/// its parts, a control the pieces of all its looks. Lights collide whether they are on or not.
 ///
 /// A ring of more than 64 sides has 64 pieces; its outside stays exact, its hole is round within
 /// half a percent.
 std::vector<Solid> SolidsOf(const Part& whole);
 
-/// The table top, in the world.
+/// Returns the table top, in the world.
 Solid TableSolid(const TableSpec& table);
 
-/// How many SolidsOf() would make, without making them.
+/// Returns the number of pieces of SolidsOf(), without making them.
 std::size_t NumSolidsOf(const Part& whole);
 
-/// Mass, and rotational inertia about the centre of mass: the body's origin, whatever its
-/// shape looks like (scene files rely on this). The mass is spread evenly over the pieces' volume.
+/// Mass, and rotational inertia about the center of mass: the body's origin by default, whatever
+/// its shape (scene files rely on this). The mass is spread evenly over the pieces' volume.
 struct MassProperties {
   double mass = 0;                    ///< [kg]
   Vector3 center = Vector3::Zero();   ///< of mass, in the body's frame [m]
@@ -50,7 +50,7 @@ struct MassProperties {
 
   bool operator==(const MassProperties&) const = default;
 };
-/// @param center  of mass, where it is not the origin [m].
+/// @param center  of mass, in the body's frame [m].
 MassProperties MassPropertiesOf(const std::vector<Solid>& solids, double mass,
                                 const Vector3& center = Vector3::Zero());
 

@@ -6,7 +6,8 @@
 namespace smile::scene {
 
 double ToFileUnits(double length, double meters_per_unit) {
-  // Both ways round; one of the product's neighbours may be the number wanted.
+  // Rounding may make the product miss the number that converts back to `length`; one of its
+  // neighbors may be that number.
   constexpr int kNeighbours = 4;
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const double product = length * (1.0 / meters_per_unit);

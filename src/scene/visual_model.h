@@ -11,12 +11,12 @@
 
 namespace smile::scene {
 
-/// Triangles, of a file or made by rule, drawn as they are.
+/// Triangles, from a file or generated, drawn directly.
 struct DrawnMesh {
   std::shared_ptr<const CustomMesh> mesh;
   double scale = 1;  ///< [m] per unit of the mesh
 
-  /// Compares the meshes, not where they are.
+  /// Compares the meshes, not their addresses.
   bool operator==(const DrawnMesh& other) const {
     return scale == other.scale &&
            (mesh == other.mesh || (mesh && other.mesh && *mesh == *other.mesh));
@@ -25,36 +25,35 @@ struct DrawnMesh {
 
 using VisualShape = std::variant<Block, Cylinder, Sphere, Hull, DrawnMesh>;
 
-/// One coloured piece to draw, fixed to a moving frame F.
+/// Colored piece to draw, fixed to a moving frame F.
 struct Visual {
   VisualShape shape;
   Color color;
   RigidTransform X_FV;
-  int frame = 0;                   ///< index into the poses the model is drawn with
+  int frame = 0;                   ///< index into the poses with which the model is drawn
   std::uint32_t object_id = 0;     ///< index into VisualModel::object_names
-  int choice = -1;                 ///< index into VisualState::looks; -1: always to be seen
-  int look = 0;                    ///< to be seen only while the choice is this
+  int choice = -1;                 ///< index into VisualState::looks; -1: always visible
+  int look = 0;                    ///< visible only while the choice has this value
   bool glows = false;              ///< a lamp or screen: shows its own color in any light
-  bool casts_shadow = true;        ///< false for what is only shown to people
+  bool casts_shadow = true;        ///< false for pieces that are shown only to people
   std::string part_id{};           ///< of the innermost part with an id
   std::optional<Button> button{};  ///< of a switch; nullopt: none
 };
 
-/// What is there to be seen, apart from where it is: drawn with one pose per frame, it is a
-/// picture. Cameras, traces and pages share it, so nothing that draws needs to know physics or
-/// robots.
+/// Visible content without poses: drawn with one pose per frame, it is a picture. Cameras, traces
+/// and pages share it, so that drawing depends neither on physics nor on robots.
 struct VisualModel {
   std::vector<Visual> visuals;
   /// Name of each object id; [0] is the empty background, which no visual has.
   std::vector<std::string> object_names{""};
   int num_frames = 1;   ///< frame 0 is the world and never moves
-  int num_choices = 0;  ///< of what is to be seen: objects that may vanish, controls
+  int num_choices = 0;  ///< objects that may vanish, and controls
 };
 
-/// One X_WF per frame of a VisualModel; [0] is the identity.
+/// Poses X_WF, one per frame of a VisualModel; [0] is the identity.
 using FramePoses = std::vector<RigidTransform>;
 
-/// What a VisualModel is drawn with.
+/// State with which a VisualModel is drawn.
 struct VisualState {
   FramePoses poses{RigidTransform()};
   std::vector<int> looks;  ///< one per choice
@@ -62,11 +61,11 @@ struct VisualState {
   bool operator==(const VisualState&) const = default;
 };
 
-/// A solid as it is drawn.
+/// Returns the drawn shape of a solid.
 VisualShape VisualShapeOf(const SolidShape& shape);
 
-/// What there is to be seen of an object, in its own frame: `frame` and `object_id` are 0, `choice`
-/// is the number of the control it belongs to, as ControlsOf() has them, or -1.
+/// Returns the visible pieces of an object, in its own frame: `frame` and `object_id` are 0,
+/// `choice` is the index of the piece's control, see ControlsOf(), or -1.
 std::vector<Visual> VisualsOf(const Part& whole);
 
 }  // namespace smile::scene

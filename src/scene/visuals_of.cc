@@ -8,10 +8,11 @@
 namespace smile::scene {
 namespace {
 
-/// What is drawn otherwise than it is felt: meshes and lights.
+/// Collects the visible pieces. Most are the collision shapes; meshes and lights differ from these.
 class VisualCollector {
  public:
   void Append(const Part& part, Visual place) {
+    // Parts without an id belong to the innermost part that has one.
     if (!part.id.empty()) place.part_id = part.id;
     std::visit(Overloaded{[&](const Composite& composite) { AppendAll(composite.parts, place); },
                           [&](const Custom& custom) {
@@ -52,7 +53,7 @@ class VisualCollector {
     }
   }
 
-  /// The part's own solids; a switch has a look of its own for each of its positions.
+  /// Appends the part's own solids; a switch has a look for each of its positions.
   void AppendAsFelt(const Part& part, const Visual& place, int choice) {
     for (const Solid& solid : SolidsOf(part)) {
       Visual visual = place;

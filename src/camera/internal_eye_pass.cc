@@ -8,7 +8,7 @@ namespace {
 // the side is darker, and differently dark for each of the four sides: -y, -x, +x, +y from bright
 // to dark. The numbers keep any two neighboring faces of a cube at least 20 of 255 steps apart.
 // Brightness scales the color as it is shown on a screen, which leaves hue and saturation alone.
-// What glows shows its color, wherever it looks.
+// Glowing pieces show their color in any orientation.
 constexpr char kEyeVertexShader[] = R"(
 uniform mat4 clip_from_world;
 out vec3 shade;
@@ -39,6 +39,7 @@ void main() {
 }
 )";
 
+/// Clears color, ids and depth of the bound framebuffer.
 void Clear(const Color& background) {
   const GLfloat color[] = {static_cast<GLfloat>(background.red),
                            static_cast<GLfloat>(background.green),
@@ -63,6 +64,7 @@ const Framebuffer& EyePass::Draw(const std::vector<Piece>& visible, const Camera
                                           .height_px = view.intrinsics.height_px,
                                           .color_formats = {GL_RGBA8, GL_R32UI}});
   picture.BindForDrawing();
+  // Outputs that are not requested are not written, which saves bandwidth.
   const GLenum outputs[] = {options.color ? GLenum{GL_COLOR_ATTACHMENT0} : GLenum{GL_NONE},
                             options.ids ? GLenum{GL_COLOR_ATTACHMENT1} : GLenum{GL_NONE}};
   glDrawBuffers(2, outputs);

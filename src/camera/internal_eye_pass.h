@@ -6,13 +6,13 @@
 
 namespace smile::camera::internal {
 
-/// Draws what a robot sees: color, depth and object ids at once, with light worked out per corner.
+/// Draws the view of a robot: color, depth and object ids in one pass, with shading per vertex.
 class EyePass {
  public:
   EyePass();
 
-  /// The picture holds sRGB colors (attachment 0), ids (attachment 1) and depth; attachments that
-  /// `options` does not ask for are left as they were.
+  /// Returns a picture with sRGB colors (attachment 0), ids (attachment 1) and depth; attachments
+  /// that `options` does not request are undefined.
   const Framebuffer& Draw(const std::vector<Piece>& visible, const CameraView& view,
                           const RenderOptions& options, MeshStore* meshes, FramebufferPool* pool);
 

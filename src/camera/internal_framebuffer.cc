@@ -39,6 +39,7 @@ void Framebuffer::BindForDrawing() const {
 const Framebuffer& FramebufferPool::Get(const FramebufferLayout& layout) {
   const auto found = std::ranges::find(framebuffers_, layout, &Framebuffer::layout);
   if (found != framebuffers_.end()) {
+    // The list is in order of last use; splice() keeps references valid.
     framebuffers_.splice(framebuffers_.begin(), framebuffers_, found);
   } else {
     framebuffers_.emplace_front(layout);

@@ -7,7 +7,7 @@
 
 namespace smile::camera::internal {
 
-/// What a picture in memory is made of.
+/// Layout of a framebuffer.
 struct FramebufferLayout {
   int width_px = 0;
   int height_px = 0;
@@ -18,15 +18,15 @@ struct FramebufferLayout {
   bool operator==(const FramebufferLayout&) const = default;
 };
 
-/// A picture in the graphics card's memory.
+/// Framebuffer in the memory of the graphics card.
 class Framebuffer {
  public:
-  /// @throws std::runtime_error when the card refuses, for example for want of memory.
+  /// @throws std::runtime_error if the card refuses, for example because memory is exhausted.
   explicit Framebuffer(const FramebufferLayout& layout);
 
   const FramebufferLayout& layout() const { return layout_; }
   GLuint name() const { return framebuffer_.name(); }
-  /// From now on drawing goes to the whole of this picture.
+  /// Makes the whole framebuffer the target of drawing.
   void BindForDrawing() const;
 
  private:
@@ -37,12 +37,13 @@ class Framebuffer {
   std::vector<Renderbuffer> attachments_;
 };
 
-/// Keeps the pictures used last, since the same cameras draw again and again.
+/// Cache of the framebuffers used last, since the same cameras draw again and again.
 class FramebufferPool {
  public:
   static constexpr std::size_t kMostKept = 6;
 
-  /// Stays valid until kMostKept others have been asked for.
+  /// Returns a framebuffer of this layout; it stays valid until kMostKept others have been
+  /// requested.
   const Framebuffer& Get(const FramebufferLayout& layout);
 
  private:

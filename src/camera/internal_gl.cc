@@ -22,7 +22,7 @@ void Attach(GLuint program, GLenum kind, const std::string& source) {
   glGetShaderiv(shader, GL_COMPILE_STATUS, &is_compiled);
   if (!is_compiled) FailWithLog("glCompileShader", glGetShaderInfoLog, shader);
   glAttachShader(program, shader);
-  glDeleteShader(shader);  // goes with its program
+  glDeleteShader(shader);  // is deleted with its program
 }
 
 std::string NameOf(GLenum error) {
@@ -60,6 +60,7 @@ Program::~Program() { glDeleteProgram(name_); }
 void CheckGl(const char* doing) {
   const GLenum error = glGetError();
   if (error == GL_NO_ERROR) return;
+  // OpenGL may have recorded several errors; later checks must not report these again.
   while (glGetError() != GL_NO_ERROR) continue;
   throw std::runtime_error(std::string("OpenGL: ") + doing + ": " + NameOf(error));
 }

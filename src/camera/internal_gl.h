@@ -7,7 +7,7 @@
 
 namespace smile::camera::internal {
 
-/// Owns the name of one OpenGL object. Made and destroyed while its context is current.
+/// Owner of the name of one OpenGL object. Constructed and destroyed while its context is current.
 template <class Kind>
 class GlObject {
  public:
@@ -54,7 +54,7 @@ using Texture = GlObject<TextureKind>;
 using Renderbuffer = GlObject<RenderbufferKind>;
 using FramebufferName = GlObject<FramebufferKind>;
 
-/// A vertex and a fragment shader, linked.
+/// Program of a vertex and a fragment shader.
 class Program {
  public:
   /// @throws std::runtime_error with the compiler's log.
@@ -70,8 +70,8 @@ class Program {
   GLuint name_;
 };
 
-/// @throws std::runtime_error `OpenGL: <doing>: <reason>` if OpenGL noted an error since the last
-///         check.
+/// @throws std::runtime_error `OpenGL: <doing>: <reason>` if OpenGL has recorded an error since the
+///         last check.
 void CheckGl(const char* doing);
 
 }  // namespace smile::camera::internal

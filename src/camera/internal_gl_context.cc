@@ -22,24 +22,28 @@ namespace {
   Fail(call, reason);
 }
 
-/// epoxy stops the program when a function is called that the driver lacks: ask first.
+/// Throws unless EGL has a client extension. libepoxy aborts the program if a function is called
+/// that the driver lacks.
 void RequireClientExtension(const char* name) {
   if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, name)) {
     Fail("eglQueryString", std::string(name) + " is missing");
   }
 }
 
+/// True if a list of words separated by blanks contains a word.
 bool HasWord(const char* words, const char* word) {
   return words != nullptr &&
          (" " + std::string(words) + " ").find(" " + std::string(word) + " ") != std::string::npos;
 }
 
+/// Returns Mesa's display without window system, which draws in software if necessary.
 EGLDisplay SurfacelessDisplay() {
   RequireClientExtension("EGL_MESA_platform_surfaceless");
   // Not eglGetPlatformDisplay: epoxy 1.5.10 cannot resolve it before there is a display.
   return eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
 }
 
+/// Returns the display of the first graphics card; software devices are skipped.
 EGLDisplay FirstHardwareDisplay() {
   RequireClientExtension("EGL_EXT_platform_device");
   RequireClientExtension("EGL_EXT_device_base");
@@ -57,7 +61,8 @@ EGLDisplay FirstHardwareDisplay() {
   Fail("eglQueryDevicesEXT", "no graphics card");
 }
 
-/// A display is shared by the whole process and never terminated; the context is the caller's.
+/// Makes a context and makes it current. The display is shared by the whole process and never
+/// terminated; the context belongs to the caller.
 EGLContext MakeContext(EGLDisplay display) {
   if (display == EGL_NO_DISPLAY) FailEgl("eglGetPlatformDisplayEXT");
   EGLint major = 0, minor = 0;
@@ -100,6 +105,7 @@ GlContext::GlContext() {
   if (!epoxy_has_egl()) Fail("EGL", "libEGL.so.1 is not installed (Debian: libegl1)");
   const char* wanted = std::getenv("SMILE_EGL_PLATFORM");
   std::string reasons;
+  // Tries hardware first; the error names the reason of each attempt.
   for (const Platform& platform : kPlatforms) {
     if (wanted != nullptr && std::strcmp(wanted, platform.name) != 0) continue;
     try {
@@ -122,8 +128,8 @@ GlContext::~GlContext() {
     eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
   }
   eglDestroyContext(display_, context_);
-  // Frees what EGL keeps for this thread; another context of the thread is made current again
-  // before it draws.
+  // Releases EGL's state of this thread; another context of the thread is made current again before
+  // it draws.
   eglReleaseThread();
 }
 

@@ -4,21 +4,21 @@
 
 namespace smile::camera::internal {
 
-/// An OpenGL 3.3 core context without window or screen, current on the thread that makes it.
+/// OpenGL 3.3 core context without window or screen, current on the thread that makes it.
 ///
-/// Takes the first graphics card there is, else Mesa's software renderer. The environment variable
-/// SMILE_EGL_PLATFORM = `device` or `surfaceless` allows only the one or the other.
+/// Uses the first graphics card, otherwise Mesa's software renderer. The environment variable
+/// SMILE_EGL_PLATFORM = `device` or `surfaceless` allows only one of them.
 class GlContext {
  public:
-  /// @throws std::runtime_error naming for each way tried the EGL call and its reason.
+  /// @throws std::runtime_error with the EGL call and its reason for each attempt.
   GlContext();
   ~GlContext();
   GlContext(const GlContext&) = delete;
   GlContext& operator=(const GlContext&) = delete;
 
-  /// Several contexts may take turns on one thread.
+  /// Makes the context current; several contexts may alternate on one thread.
   void MakeCurrent();
-  /// What draws, for example `llvmpipe (LLVM 15.0.6, 256 bits)`.
+  /// Returns the name of the renderer, for example `llvmpipe (LLVM 15.0.6, 256 bits)`.
   std::string renderer_name() const;
 
  private:

@@ -42,6 +42,7 @@ void DescribeCorners() {
   for (const GLuint location : {0u, 1u}) glEnableVertexAttribArray(location);
 }
 
+/// Describes the attributes per instance (divisor 1): matrix rows, color, object id, glow.
 void DescribeInstances() {
   for (GLuint row = 0; row < 3; ++row) {
     glVertexAttribPointer(2 + row, 4, GL_FLOAT, GL_FALSE, sizeof(Instance),
@@ -89,6 +90,7 @@ MeshStore::Entry MeshStore::Upload(const mesh::UnitMesh& unit_mesh) {
 MeshStore::Entry& MeshStore::EntryFor(const mesh::UnitMesh& unit_mesh) {
   const auto found = entries_.find(unit_mesh);
   if (found != entries_.end()) return found->second;
+  // Forgets everything that the present picture does not need; it is uploaded again when needed.
   if (entries_.size() >= kMaxMeshes) {
     std::erase_if(entries_, [](const auto& entry) { return entry.second.waiting.empty(); });
   }
@@ -97,6 +99,7 @@ MeshStore::Entry& MeshStore::EntryFor(const mesh::UnitMesh& unit_mesh) {
 
 void MeshStore::Draw(const std::vector<Piece>& pieces) {
   for (const Piece& piece : pieces) EntryFor(piece.unit_mesh).waiting.push_back(piece.instance);
+  // One call per unit mesh: instances are uploaded and drawn together.
   for (auto& [unit_mesh, entry] : entries_) {
     if (entry.waiting.empty()) continue;
     glBindVertexArray(entry.vertex_array.name());

@@ -8,13 +8,13 @@
 
 namespace smile::camera::internal {
 
-/// The unit meshes on the graphics card, brought there when first drawn.
+/// Unit meshes on the graphics card, uploaded when first drawn.
 ///
 /// Vertex shaders read: 0 position, 1 normal (of the unit mesh), 2 to 4 the rows of the instance's
-/// matrix, 5 its color as shown on a screen, 6 its object id, 7 whether it glows: 1 or 0.
+/// matrix, 5 its color as shown on a screen, 6 its object id, 7 glow: 1 or 0.
 class MeshStore {
  public:
-  /// Draws with the program in use; pieces that share a unit mesh at one stroke.
+  /// Draws with the program in use; pieces that share a unit mesh are drawn in one call.
   void Draw(const std::vector<Piece>& pieces);
 
  private:
@@ -25,7 +25,7 @@ class MeshStore {
     std::vector<Instance> waiting;  // to be drawn
   };
 
-  /// There is no end to the hulls a long session may show.
+  /// Limit on cached meshes, since a long session may show any number of hulls.
   static constexpr std::size_t kMaxMeshes = 4096;
 
   static Entry Upload(const mesh::UnitMesh& unit_mesh);
@@ -35,8 +35,8 @@ class MeshStore {
   std::map<mesh::UnitMesh, Entry> entries_;
 };
 
-/// What every vertex shader begins with: the inputs above, and
-/// `vec3 PositionInWorld()`, `vec3 NormalInWorld()` of unit length.
+/// Source with which every vertex shader begins: the inputs above, and `vec3 PositionInWorld()`,
+/// `vec3 NormalInWorld()` of unit length.
 extern const char* const kVertexShaderInputs;
 
 }  // namespace smile::camera::internal

@@ -16,6 +16,7 @@ void CheckFrame(int frame, const scene::VisualModel& model, const char* whose) {
                               ", expected 0 to " + std::to_string(model.num_frames - 1));
 }
 
+/// Returns a visual with its transform: rotation times scale of the unit mesh, in single precision.
 Piece Place(const scene::Visual& visual, const RigidTransform& X_WF) {
   const RigidTransform X_WV = X_WF * visual.X_FV;
   const Vector3 scale = mesh::ScaleOf(visual.shape);
@@ -36,7 +37,7 @@ Piece Place(const scene::Visual& visual, const RigidTransform& X_WF) {
   return piece;
 }
 
-/// The space a camera sees, bounded by six planes.
+/// View frustum of a camera, bounded by six planes.
 class Frustum {
  public:
   explicit Frustum(const CameraView& view)
@@ -44,10 +45,14 @@ class Frustum {
     const CameraIntrinsics& c = intrinsics_;
     const double left = -c.cx / c.fx, right = (c.width_px - c.cx) / c.fx;
     const double top = -c.cy / c.fy, bottom = (c.height_px - c.cy) / c.fy;
+    // A point at (x, y, z) is inside a side plane if x / z is beyond that edge of the image plane;
+    // its normal follows.
     side_normals_C_ = {Vector3(1, 0, -left).normalized(), Vector3(-1, 0, right).normalized(),
                        Vector3(0, 1, -top).normalized(), Vector3(0, -1, bottom).normalized()};
   }
 
+  /// True unless the bounding sphere lies completely outside one plane (conservative near the
+  /// corners).
   bool MayShow(const Piece& piece) const {
     const Vector3 p_CV = X_CW_ * piece.p_WV;
     const double radius = piece.bounding_radius;
@@ -56,6 +61,7 @@ class Frustum {
         side_normals_C_, [&](const Vector3& normal_C) { return normal_C.dot(p_CV) < -radius; });
   }
 
+  /// Returns the approximate radius of the bounding sphere in the picture [px].
   double RadiusInPixels(const Piece& piece) const {
     const double distance = std::max((X_CW_ * piece.p_WV).z(), intrinsics_.near);
     return std::max(intrinsics_.fx, intrinsics_.fy) * piece.bounding_radius / distance;
@@ -67,8 +73,9 @@ class Frustum {
   std::array<Vector3, 4> side_normals_C_;  // inwards; the four planes meet in the camera
 };
 
-/// As many that the outline is right within a quarter of a pixel: the middle of a facet lies
-/// radius * (1 - cos(pi / facets)) within the sphere.
+/// Returns the number of facets for which the outline is exact within a quarter of a pixel: the
+/// middle of a facet lies radius * (1 - cos(pi / facets)) within the sphere. A few levels only, so
+/// that meshes are shared.
 int SphereFacetsFor(double radius_px) {
   const double facets = std::numbers::pi * std::sqrt(2 * radius_px);
   for (const int level : {16, 32, 64}) {
@@ -128,7 +135,8 @@ std::vector<Piece> VisiblePieces(const std::vector<Piece>& pieces, const CameraV
 
 Eigen::Matrix4f ClipFromWorld(const CameraView& view) {
   const CameraIntrinsics& c = view.intrinsics;
-  // u = cx + fx x / z runs from 0 to width where OpenGL's x / w runs from -1 to 1; v likewise.
+  // Pinhole projection in homogeneous coordinates: u = cx + fx x / z in [0, width] maps to OpenGL's
+  // x / w in [-1, 1]; v likewise.
   Eigen::Matrix4d clip_from_camera;
   clip_from_camera << 2 * c.fx / c.width_px, 0, 2 * c.cx / c.width_px - 1, 0,             //
       0, 2 * c.fy / c.height_px, 2 * c.cy / c.height_px - 1, 0,                           //

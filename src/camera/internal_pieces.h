@@ -10,7 +10,7 @@
 
 namespace smile::camera::internal {
 
-/// What the graphics card gets to know about one visual; laid out as the shaders read it.
+/// Data of one visual on the graphics card, in the layout of the shaders.
 struct Instance {
   float rows[3][4] = {};  ///< world from unit mesh: the upper three rows
   float color[3] = {};    ///< red, green, blue as shown on a screen
@@ -19,7 +19,7 @@ struct Instance {
 };
 static_assert(sizeof(Instance) == 68);
 
-/// A visual in its place.
+/// Visual with its pose.
 struct Piece {
   mesh::UnitMesh unit_mesh;
   Instance instance;
@@ -28,20 +28,21 @@ struct Piece {
   bool casts_shadow = true;
 };
 
-/// All visuals of the model that are there in this state, in their places, apart from those of
-/// excluded frames.
+/// Returns all visuals of the model that are present in this state, with their poses, apart from
+/// those of excluded frames.
 /// @throws std::invalid_argument unless there is one pose for each frame, one look for each choice,
 ///         and every frame and choice that a visual or the exclusion names exists.
 std::vector<Piece> PlacePieces(const scene::VisualModel& model, const scene::VisualState& state,
                                const std::vector<int>& excluded_frames);
 
-/// The pieces the camera may see. Spheres get as many facets as the picture needs.
+/// Returns the pieces that the camera may see. Spheres get as many facets as the picture needs.
 std::vector<Piece> VisiblePieces(const std::vector<Piece>& pieces, const CameraView& view);
 
-/// The matrix from world to OpenGL's clip space, such that row 0 of the picture is the first row in
-/// memory: +y in clip space is down in the picture.
+/// Returns the matrix from world to OpenGL's clip space, such that row 0 of the picture is the
+/// first row in memory: +y in clip space is down in the picture.
 Eigen::Matrix4f ClipFromWorld(const CameraView& view);
 
+/// Checks the parameters of a camera.
 /// @throws std::invalid_argument unless sizes are 1 to 8192, focal lengths are above 0, all numbers
 ///         are finite and 0 < near < far.
 void CheckIntrinsics(const CameraIntrinsics& intrinsics);

@@ -6,7 +6,7 @@
 namespace smile::camera::internal {
 namespace {
 
-// IEC 61966-2-1: the light that a screen gives off when told to show a color.
+// Decoding of sRGB to linear light (IEC 61966-2-1).
 constexpr char kLightOfScreen[] = R"(
 vec3 LightOfScreen(vec3 color) {
   return mix(pow((color + 0.055) / 1.055, vec3(2.4)), color / 12.92,
@@ -48,7 +48,8 @@ void main() {
 }
 )";
 
-// A lamp with soft shadows, a bright sky above and a dimmer floor below, and a little gloss.
+// Shading with a lamp and soft shadows, a bright sky above and a dimmer floor below (hemisphere
+// lighting), and Blinn-Phong highlights.
 constexpr char kPresentationFragmentShader[] = R"(
 uniform vec3 p_WC, to_lamp;
 uniform sampler2DShadow shadow_map;
@@ -100,7 +101,7 @@ void SetMatrix(const Program& program, const char* name, const Eigen::Matrix4f& 
   glUniformMatrix4fv(program.Uniform(name), 1, GL_FALSE, value.data());
 }
 
-/// Averages the samples of each pixel.
+/// Averages the samples of each pixel (multisample resolve).
 const Framebuffer& Resolve(const Framebuffer& picture, FramebufferPool* pool) {
   const auto [width, height] = std::pair(picture.layout().width_px, picture.layout().height_px);
   const Framebuffer& resolved = pool->Get({.width_px = width,
@@ -132,12 +133,14 @@ const Framebuffer& PresentationPass::Draw(const std::vector<Piece>& pieces,
                                           FramebufferPool* pool) {
   shadow_map_.Draw(pieces, visible, meshes);
 
+  // Shadows first, since drawing the pieces reads the map; the background last, where no piece was
+  // drawn.
   const Framebuffer& picture = pool->Get({.width_px = view.intrinsics.width_px,
                                           .height_px = view.intrinsics.height_px,
                                           .color_formats = {GL_SRGB8_ALPHA8},
                                           .samples = samples_});
   picture.BindForDrawing();
-  glEnable(GL_FRAMEBUFFER_SRGB);  // shaders speak of light; the card encodes and averages it
+  glEnable(GL_FRAMEBUFFER_SRGB);  // shaders compute linear light, the card encodes it
   const GLfloat far_plane = 1;
   glClearBufferfv(GL_DEPTH, 0, &far_plane);
   DrawPieces(visible, view, meshes);
@@ -155,6 +158,8 @@ void PresentationPass::DrawBackground(const std::optional<Color>& background) {
   set("top", background.value_or(Color{0.72, 0.78, 0.85}));
   set("bottom", background.value_or(Color{0.88, 0.90, 0.92}));
   glBindVertexArray(no_vertices_.name());
+  // The triangle lies on the far plane, which passes only with LEQUAL; it is drawn in either
+  // orientation.
   glDepthFunc(GL_LEQUAL);
   glDisable(GL_CULL_FACE);
   glDrawArrays(GL_TRIANGLES, 0, 3);
@@ -169,8 +174,8 @@ void PresentationPass::DrawPieces(const std::vector<Piece>& visible, const Camer
   SetMatrix(program_, "map_from_world", shadow_map_.map_from_world());
   SetVector(program_, "p_WC", view.X_WC.translation());
   SetVector(program_, "to_lamp", DirectionToLamp());
-  // A little below the surface, or light would leak in where a block stands on the table: its far
-  // side, which casts the shadow, lies on the table too.
+  // Looks up the shadow slightly below the surface. Otherwise light would leak in where a block
+  // stands on the table: its far side, which casts the shadow, lies on the table too.
   glUniform1f(program_.Uniform("normal_offset"),
               static_cast<float>(-0.5 * shadow_map_.texel_span()));
   shadow_map_.BindTexture();

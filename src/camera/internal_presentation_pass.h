@@ -7,14 +7,14 @@
 
 namespace smile::camera::internal {
 
-/// Draws pictures for people, light worked out per pixel.
+/// Draws pictures for people, with lighting per pixel.
 class PresentationPass {
  public:
   PresentationPass();
 
-  /// The picture holds sRGB colors (attachment 0) and nothing else.
-  /// @param pieces   everything that is there, seen or casting shadows into view.
-  /// @param visible  what of it the camera may see.
+  /// Returns a picture with sRGB colors (attachment 0) and nothing else.
+  /// @param pieces  all present pieces; those outside the view may cast shadows into it.
+  /// @param visible  pieces that the camera may see.
   const Framebuffer& Draw(const std::vector<Piece>& pieces, const std::vector<Piece>& visible,
                           const CameraView& view, const RenderOptions& options, MeshStore* meshes,
                           FramebufferPool* pool);

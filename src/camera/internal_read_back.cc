@@ -17,7 +17,7 @@ void ReadPixels(const Framebuffer& picture, GLenum format, GLenum type, void* pi
 }  // namespace
 
 void ReadBack::ReadColor(const Framebuffer& picture, Image* image) {
-  // Four bytes per pixel are copied as they lie; three would be converted slowly by the driver.
+  // Reads four bytes per pixel, which needs no conversion; the driver converts to three slowly.
   const std::size_t num_pixels = NumPixels(picture);
   rgba_.resize(4 * num_pixels);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, picture.name());
@@ -27,7 +27,8 @@ void ReadBack::ReadColor(const Framebuffer& picture, Image* image) {
   image->color.resize(3 * num_pixels);
   const std::uint8_t* from = rgba_.data();
   std::uint8_t* to = image->color.data();
-  // Each pixel is copied with one byte too many, which the next pixel covers.
+  // Copies four bytes per pixel, as one fast store; the next pixel overwrites the surplus byte. The
+  // last pixel has no successor.
   for (std::size_t k = 0; k + 1 < num_pixels; ++k, from += 4, to += 3) std::memcpy(to, from, 4);
   std::memcpy(to, from, 3);
 }
@@ -44,8 +45,8 @@ void ReadBack::ReadDepth(const Framebuffer& picture, double near, double far, Im
   glBindFramebuffer(GL_READ_FRAMEBUFFER, picture.name());
   ReadPixels(picture, GL_DEPTH_COMPONENT, GL_FLOAT, image->depth.data());
 
-  // OpenGL keeps d = far / (far - near) * (1 - near / z). Solved for z by way of 1 - d, which is
-  // exact where d is near 1, that is for nearly everything.
+  // OpenGL stores d = far / (far - near) * (1 - near / z). Solves for z by 1 - d, which is exact
+  // for d near 1, that is for nearly all pixels. d = 1 is the background.
   const auto n = static_cast<float>(near), product = static_cast<float>(near * far),
              span = static_cast<float>(far - near);
   for (float& value : image->depth) {

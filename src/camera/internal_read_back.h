@@ -5,14 +5,14 @@
 
 namespace smile::camera::internal {
 
-/// Copies pictures out of the graphics card. Holds the memory it needs on the way.
+/// Copies pictures from the graphics card to memory. Keeps its buffers for the next picture.
 class ReadBack {
  public:
-  /// Red, green, blue of attachment 0 -> image->color.
+  /// Reads red, green and blue of attachment 0 into image->color.
   void ReadColor(const Framebuffer& picture, Image* image);
-  /// Ids of attachment 1 -> image->ids.
+  /// Reads ids of attachment 1 into image->ids.
   void ReadIds(const Framebuffer& picture, Image* image);
-  /// Depth [m] as seen with these planes -> image->depth.
+  /// Reads depth [m] into image->depth; near and far are the camera's planes [m].
   void ReadDepth(const Framebuffer& picture, double near, double far, Image* image);
 
  private:

@@ -16,7 +16,7 @@ void main() { gl_Position = clip_from_world * vec4(PositionInWorld(), 1.0); }
 
 constexpr char kShadowFragmentShader[] = "void main() {}";
 
-/// The lamp's frame: z towards the lamp.
+/// Returns the rotation of the lamp's frame L in the world: z towards the lamp, x horizontal.
 Matrix3 AxesOfLamp() {
   const Vector3 z = DirectionToLamp();
   const Vector3 x = Vector3::UnitZ().cross(z).normalized();
@@ -25,8 +25,8 @@ Matrix3 AxesOfLamp() {
   return R_WL;
 }
 
-/// Grown outwards to whole steps, so that the map keeps its place, and shadows their edges, while
-/// things move.
+/// Returns the bounds of pieces along the lamp's axes, extended outwards to whole steps, so that
+/// the map, and the edges of its shadows, do not shimmer while things move.
 Eigen::AlignedBox3d BoundsAlongLamp(const std::vector<Piece>& pieces) {
   constexpr double kStep = 0.25;  // [m]
   const Matrix3 R_LW = AxesOfLamp().transpose();
@@ -42,6 +42,7 @@ Eigen::AlignedBox3d BoundsAlongLamp(const std::vector<Piece>& pieces) {
           (bounds.max() / kStep).array().ceil() * kStep};
 }
 
+/// Returns the pieces that cast shadows.
 std::vector<Piece> Casters(const std::vector<Piece>& pieces) {
   std::vector<Piece> casters;
   std::ranges::copy_if(pieces, std::back_inserter(casters), &Piece::casts_shadow);
@@ -58,13 +59,14 @@ ShadowMap::ShadowMap()
   glBindTexture(GL_TEXTURE_2D, texture_.name());
   glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, kSize, kSize, 0, GL_DEPTH_COMPONENT,
                GL_UNSIGNED_INT, nullptr);
-  // Whatever lies outside the map is lit.
+  // Everything outside the map is lit.
   const GLfloat lit[] = {1, 1, 1, 1};
   glTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, lit);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  // The card compares depths and filters the results linearly (percentage-closer filtering).
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
@@ -78,6 +80,8 @@ ShadowMap::ShadowMap()
 
 void ShadowMap::FitTo(const std::vector<Piece>& casters, const std::vector<Piece>& receivers) {
   constexpr double kFarthestCaster = 4.0;  // above what is seen; keeps depth precise [m]
+  // The map covers the visible pieces only, for resolution; towards the lamp it includes casters
+  // above these.
   Eigen::AlignedBox3d bounds = BoundsAlongLamp(receivers);
   bounds.max().z() = std::clamp(BoundsAlongLamp(casters).max().z(), bounds.max().z(),
                                 bounds.max().z() + kFarthestCaster);
@@ -95,7 +99,7 @@ void ShadowMap::FitTo(const std::vector<Piece>& casters, const std::vector<Piece
 
 void ShadowMap::Draw(const std::vector<Piece>& pieces, const std::vector<Piece>& visible,
                      MeshStore* meshes) {
-  // The rest receives no place in the map either: shadows are the same without it.
+  // Pieces that cast no shadows do not enlarge the map: shadows are the same with and without them.
   const std::vector<Piece> casters = Casters(pieces);
   FitTo(casters, Casters(visible));
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
@@ -103,8 +107,7 @@ void ShadowMap::Draw(const std::vector<Piece>& pieces, const std::vector<Piece>&
   const GLfloat far_plane = 1;
   glClearBufferfv(GL_DEPTH, 0, &far_plane);
 
-  // The far sides of the solids cast the shadows: their near sides, which are lit, then never
-  // shade themselves through rounding.
+  // Draws back faces: lit front faces then never shade themselves by rounding (shadow acne).
   glFrontFace(GL_CCW);
   glCullFace(GL_FRONT);
   program_.Use();

@@ -4,17 +4,19 @@
 
 namespace smile::camera::internal {
 
-/// Which places the light of the presentation look reaches, as seen from the light.
+/// Shadow map of the presentation look: the places that its lamp reaches.
 class ShadowMap {
  public:
   ShadowMap();
 
-  /// Redraws the map for those that cast shadows, as finely as what a picture shows allows.
+  /// Redraws the map for the pieces that cast shadows, at the resolution that the visible pieces
+  /// allow.
   void Draw(const std::vector<Piece>& pieces, const std::vector<Piece>& visible, MeshStore* meshes);
 
-  /// From world to the map: x, y its texture coordinates, z its depth, each in [0, 1] inside.
+  /// Returns the transform from world to map: x, y are texture coordinates, z is depth, each in [0,
+  /// 1] inside.
   const Eigen::Matrix4f& map_from_world() const { return map_from_world_; }
-  /// One step from texel to texel in the world [m].
+  /// Returns the size of a texel in the world [m].
   double texel_span() const { return texel_span_; }
   void BindTexture() const { glBindTexture(GL_TEXTURE_2D, texture_.name()); }
 
@@ -29,7 +31,7 @@ class ShadowMap {
   double texel_span_ = 0;
 };
 
-/// From anywhere towards the lamp of the presentation look; unit length.
+/// Returns the direction towards the lamp of the presentation look; unit length.
 Vector3 DirectionToLamp();
 
 }  // namespace smile::camera::internal

@@ -8,12 +8,12 @@
 namespace smile::camera {
 
 struct Renderer::State {
-  internal::GlContext context;  // first: everything below lives in it
+  internal::GlContext context;  // first, as everything below lives in it
   internal::MeshStore meshes;
   internal::FramebufferPool framebuffers;
   internal::ReadBack read_back;
   internal::EyePass eye_pass;
-  std::optional<internal::PresentationPass> presentation_pass;  // made when first asked for
+  std::optional<internal::PresentationPass> presentation_pass;  // made on first use
 
   ~State() { context.MakeCurrent(); }
 };
@@ -21,7 +21,7 @@ struct Renderer::State {
 Renderer::Renderer() : state_(std::make_unique<State>()) {
   glEnable(GL_DEPTH_TEST);
   glEnable(GL_CULL_FACE);
-  glFrontFace(GL_CW);  // pictures are drawn top row first, which mirrors triangles
+  glFrontFace(GL_CW);  // pictures are drawn top row first, which reverses orientation
   internal::CheckGl("setting up");
 }
 
@@ -47,6 +47,7 @@ void Renderer::Render(const scene::VisualModel& model, const scene::VisualState&
 
   State& s = *state_;
   s.context.MakeCurrent();
+  // The presentation look provides color only; depth and ids come from the eye pass in either look.
   RenderOptions eye_options = options;
   if (options.color && options.look == Look::kPresentation) {
     if (!s.presentation_pass) s.presentation_pass.emplace();

@@ -12,37 +12,37 @@
 
 namespace smile::camera {
 
-/// How a picture is lit.
+/// Lighting of a picture.
 enum class Look {
-  /// For programs that see: black background, no shadows, no gloss. Each face of a block has one
-  /// color: the scene file's where it looks up, the same hue but darker at the sides.
+  /// For computer vision: black background, no shadows, no gloss. Each face of a block has one
+  /// color: that of the scene file on top, darker with the same hue at the sides.
   kRobotEye,
   /// For people: light background, soft shadows, gloss, smooth edges.
   kPresentation,
 };
 
-/// What a picture shall show.
+/// Content of a picture.
 struct RenderOptions {
   bool color = true;
   bool depth = false;
   bool ids = false;
   Look look = Look::kRobotEye;
-  std::optional<Color> background;   ///< in place of the look's own
-  std::vector<int> excluded_frames;  ///< nothing fixed to these is there, nor casts a shadow
+  std::optional<Color> background;   ///< replaces that of the look
+  std::vector<int> excluded_frames;  ///< nothing fixed to these is drawn or casts a shadow
 };
 
-/// Draws pictures of a scene without window or screen: a simulated camera.
+/// Renderer of a scene without window or screen: a simulated camera.
 ///
 /// Depth and ids belong to the center of their pixel, in either look; ids are never mixed. The same
 /// input gives the same bytes on one machine, in any renderer and process; graphics cards differ
 /// among themselves by rounding.
 ///
-/// Draws on the graphics card if there is one, else in software; the environment variable
-/// SMILE_EGL_PLATFORM = `device` or `surfaceless` allows only the one or the other. Belongs to the
-/// thread that made it: that thread makes all calls and destroys it.
+/// Uses the graphics card if there is one, otherwise software; the environment variable
+/// SMILE_EGL_PLATFORM = `device` or `surfaceless` allows only one of them. Belongs to the thread
+/// that made it: that thread makes all calls and destroys it.
 class Renderer {
  public:
-  /// @throws std::runtime_error naming the call and the reason when nothing can draw here.
+  /// @throws std::runtime_error with the call and the reason if nothing can draw here.
   Renderer();
   ~Renderer();
   Renderer(const Renderer&) = delete;
@@ -51,15 +51,16 @@ class Renderer {
   /// @param state  of the model: one pose for each of its frames, one look for each of its choices.
   /// @throws std::invalid_argument if poses or looks are not that many, a frame or choice does not
   ///         exist, or the camera is impossible (see CameraIntrinsics; sizes are 1 to 8192).
-  /// @throws std::runtime_error if the graphics card gives up, for example for want of memory.
+  /// @throws std::runtime_error if the graphics card fails, for example because memory is
+  ///         exhausted.
   Image Render(const scene::VisualModel& model, const scene::VisualState& state,
                const CameraView& view, const RenderOptions& options = {});
 
-  /// The same into an image of the caller's, whose memory is used again.
+  /// Renders into an image of the caller, whose memory is reused.
   void Render(const scene::VisualModel& model, const scene::VisualState& state,
               const CameraView& view, const RenderOptions& options, Image* image);
 
-  /// What draws, for example `llvmpipe (LLVM 15.0.6, 256 bits)`.
+  /// Returns the name of the renderer, for example `llvmpipe (LLVM 15.0.6, 256 bits)`.
   std::string device_name() const;
 
  private:

@@ -17,6 +17,7 @@ namespace {
 
 using SegmentPlace = std::vector<recording::EditableSegment>::iterator;
 
+/// Converts seconds to ticks; throws std::invalid_argument outside 0 to kMaxSeconds, also for NaN.
 std::uint64_t TicksOf(double seconds) {
   if (!(seconds >= 0 && seconds <= kMaxSeconds)) {
     throw std::invalid_argument("time is " + NumberText(seconds) + " s, expected 0 to " +
@@ -31,6 +32,8 @@ void CheckNumber(const char* what, int found, int low, int high) {
                               std::to_string(low) + " to " + std::to_string(high));
 }
 
+/// Returns the segment with this recorded number; throws std::invalid_argument if it never existed
+/// or was dropped.
 SegmentPlace Find(int number, recording::Demonstration* demonstration) {
   CheckNumber("segment", number, 0, demonstration->num_recorded - 1);
   auto& segments = demonstration->segments;
@@ -43,9 +46,11 @@ SegmentPlace Find(int number, recording::Demonstration* demonstration) {
   return found;
 }
 
-/// Where each moment of a segment goes, in ticks from its begin. What was earlier stays earlier.
+/// Monotone map from old to new offsets in a segment, in ticks from its begin. All edits of time
+/// are such maps.
 using TimeMap = std::function<std::uint64_t(std::uint64_t)>;
 
+/// Applies a map to commands, pauses and duration, so that they stay consistent.
 void Warp(const TimeMap& map, recording::EditableSegment* segment) {
   for (recording::SegmentCommand& command : segment->commands) command.offset = map(command.offset);
   for (recording::TickSpan& pause : segment->pauses) pause = {map(pause.begin), map(pause.end)};
@@ -75,6 +80,7 @@ void Perform(const Move& move, recording::Demonstration* demonstration) {
   CheckNumber("segment", move.segment, 1, demonstration->num_recorded - 1);
   const SegmentPlace from = Find(move.segment, demonstration);
   auto& segments = demonstration->segments;
+  // Segment 0 is the start without an action; places count from the first action.
   const int first_action = segments.front().number == 0 ? 1 : 0;
   CheckNumber("place", move.place, 1, static_cast<int>(segments.size()) - first_action);
   const SegmentPlace to = segments.begin() + first_action + move.place - 1;
@@ -94,6 +100,8 @@ void Perform(const Trim& trim, recording::Demonstration* demonstration) {
                                 NumberText(trim.to) + " s, expected a part of the segment's " +
                                 NumberText(sim::SecondsOf(segment.duration)) + " s");
   }
+  // The action stays, as the segment exists because of it; other commands outside the range are
+  // dropped.
   std::erase_if(segment.commands, [&](const recording::SegmentCommand& command) {
     return !IsAction(command.command) && (command.offset < from || command.offset > to);
   });
@@ -103,6 +111,7 @@ void Perform(const Trim& trim, recording::Demonstration* demonstration) {
 void Perform(const MaxPause& longest, recording::Demonstration* demonstration) {
   const std::uint64_t kept = TicksOf(longest.seconds);
   for (recording::EditableSegment& segment : demonstration->segments) {
+    // A copy, since Warp() changes the pauses while the map still needs the original ones.
     const std::vector<recording::TickSpan> pauses = segment.pauses;
     const auto without_rest_of_pauses = [&](std::uint64_t offset) {
       std::uint64_t removed = 0;
@@ -125,7 +134,8 @@ void Perform(const Retime& retime, recording::Demonstration* demonstration) {
   segment.duration = wanted;
 }
 
-/// A hand where a speed is given, and a robot that follows, are so many times as fast.
+/// Multiplies the speeds of a command by `factor`: of hands where a speed is given, and of the
+/// robot.
 /// @returns true if that changes the command.
 bool SpeedUp(double factor, sim::Command* command) {
   return std::visit(Overloaded{[&](sim::MoveTo& move) {
@@ -156,6 +166,7 @@ bool SpeedUp(double factor, sim::Command* command) {
                                  return true;
                                },
                                [&](sim::FollowTrajectory& follow) {
+                                 // Twice as fast means half of the time.
                                  motion::ScaleTime(1 / factor, &follow.trajectory);
                                  return true;
                                },
@@ -163,7 +174,8 @@ bool SpeedUp(double factor, sim::Command* command) {
                     *command);
 }
 
-/// @throws std::invalid_argument if a speed or time becomes none that can be written down.
+/// Speeds up a command. Writing and parsing it again applies the limits of the command language.
+/// @throws std::invalid_argument if a speed or time leaves the range that the log allows.
 void SpeedUp(double factor, double meters_per_unit, recording::SegmentCommand* command) {
   if (!SpeedUp(factor, &command->command)) return;
   try {
@@ -192,6 +204,7 @@ void Perform(const Speed& speed, recording::Demonstration* demonstration) {
 recording::Demonstration Edited(recording::Demonstration demonstration, const Edit& edit) {
   const std::uint64_t before = demonstration.duration();
   std::visit([&](const auto& what) { Perform(what, &demonstration); }, edit);
+  // An edit may shorten a recording that is longer than the limit, but not lengthen it.
   const std::uint64_t after = demonstration.duration();
   if (after > std::max(before, TicksOf(kMaxSeconds))) {
     throw std::invalid_argument("the demonstration would last " +

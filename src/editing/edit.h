@@ -6,17 +6,17 @@
 
 namespace smile::editing {
 
-// What can be done to a demonstration after the fact. Segments are called by the numbers they have
-// in the recording, whatever was dropped or moved before.
+// Edits of a recorded demonstration. Segments are identified by their numbers in the recording,
+// whatever was dropped or moved before.
 
-/// Leaves out segments.
+/// Drops segments.
 struct Drop {
   int first = 0, last = 0;
 
   bool operator==(const Drop&) const = default;
 };
 
-/// Puts a segment elsewhere: it becomes the action with this number. Segment 0 stays where it is.
+/// Moves a segment: it becomes the action with this number. Segment 0 cannot be moved.
 struct Move {
   int segment = 0;
   int place = 1;  ///< 1 is the first
@@ -24,7 +24,7 @@ struct Move {
   bool operator==(const Move&) const = default;
 };
 
-/// Keeps only a part of a segment, and its action.
+/// Trims a segment to a range of time; its action stays.
 struct Trim {
   int segment = 0;
   double from = 0, to = 0;  ///< [s] from its begin
@@ -32,14 +32,14 @@ struct Trim {
   bool operator==(const Trim&) const = default;
 };
 
-/// Shortens every longer pause, before a command and at the end, to this.
+/// Limits the length of pauses, before commands and at the ends of segments.
 struct MaxPause {
   double seconds = 0;
 
   bool operator==(const MaxPause&) const = default;
 };
 
-/// Makes a segment last this long; its commands spread in proportion.
+/// Sets the duration of a segment; its commands are spread in proportion.
 struct Retime {
   int segment = 0;
   double seconds = 0;
@@ -47,8 +47,8 @@ struct Retime {
   bool operator==(const Retime&) const = default;
 };
 
-/// Makes everything so many times as fast, also the hands where a speed is given, and a robot that
-/// follows a trajectory; to a pose at most at full speed.
+/// Multiplies the speed of everything by a factor, including hands where a speed is given, and a
+/// robot that follows a trajectory; motions to a pose are limited to full speed.
 struct Speed {
   double factor = 1;
 
@@ -57,12 +57,12 @@ struct Speed {
 
 using Edit = std::variant<Drop, Move, Trim, MaxPause, Retime, Speed>;
 
-/// An edited demonstration lasts at most this long, or as long as it did [s].
+/// Longest duration of an edited demonstration, unless it was longer before [s].
 inline constexpr double kMaxSeconds = 86400;
-/// A factor of Speed is between this and its inverse.
+/// Least factor of Speed; the greatest is its inverse.
 inline constexpr double kMinFactor = 0.01;
 
-/// The demonstration after an edit.
+/// Returns the demonstration after an edit.
 /// @throws std::invalid_argument saying what was found and what was expected.
 recording::Demonstration Edited(recording::Demonstration demonstration, const Edit& edit);
 

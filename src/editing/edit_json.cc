@@ -13,7 +13,7 @@
 namespace smile::editing {
 namespace {
 
-/// The fields of an edit, of which each must be known and a number.
+/// Fields of an edit: numbers only, and unknown ones are refused.
 class EditFields {
  public:
   explicit EditFields(const Json& json) : json_(json) {}
@@ -109,7 +109,7 @@ Edit ParseEdit(const Json& json) {
   return edit;
 }
 
-/// Says which of the edits it is about.
+/// Calls a function and adds the index of the edit to its error message.
 template <class Part>
 auto Of(std::size_t index, const Part& part) {
   try {

@@ -10,7 +10,7 @@ namespace smile::editing {
 
 inline constexpr std::size_t kMaxEdits = 1000;
 
-/// Edits as JSON, in the order in which they are done:
+/// Parses a list of edits, in order of application:
 ///
 ///     [{"do":"drop","first":1,"last":2}, {"do":"move","segment":5,"place":2},
 ///      {"do":"trim","segment":3,"from":0.5,"to":2}, {"do":"max_pause","seconds":0.5},
@@ -19,12 +19,12 @@ inline constexpr std::size_t kMaxEdits = 1000;
 /// @throws std::invalid_argument saying which, what was found and what was expected.
 std::vector<Edit> ParseEdits(const Json& json);
 
-/// The demonstration after all of them.
+/// Returns the demonstration after all edits.
 /// @throws std::invalid_argument as Edited(), saying which.
 recording::Demonstration EditedByAll(recording::Demonstration demonstration,
                                      const std::vector<Edit>& edits);
 
-/// As docs/editing.md has it.
+/// Returns the report in the format of docs/editing.md.
 Json ToJson(const EditReport& report);
 
 }  // namespace smile::editing

@@ -19,10 +19,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of each file in a directory and below, by its path from there.
+/// State of each file in a directory and below, by relative path.
 using FileStates = std::map<fs::path, FileState>;
 
-/// nullopt if they do not tell whether a recording changes: one is a link, or cannot be looked at.
+/// Returns the states of all files; nullopt if changes could go unnoticed: a file is a link, or
+/// cannot be inspected.
 std::optional<FileStates> StatesOfFilesIn(const fs::path& directory) {
   FileStates states;
   std::error_code error;
@@ -36,8 +37,8 @@ std::optional<FileStates> StatesOfFilesIn(const fs::path& directory) {
   return states;
 }
 
-/// Takes the place of the eye while a preview is simulated: the recording tells of pictures that
-/// are one pixel each.
+/// Eye for the simulation of a preview: returns pictures of one pixel, so that the recorder runs
+/// the same code without rendering.
 class PlaceholderEye : public sim::Eye {
  public:
   explicit PlaceholderEye(const sim::EyeSpec& spec) : spec_(spec) {}
@@ -50,7 +51,8 @@ class PlaceholderEye : public sim::Eye {
   Image pixel_{.width_px = 1, .height_px = 1, .color = {0, 0, 0}};
 };
 
-/// Makes a recording that tells of the pictures it is to have, and has none.
+/// Makes a recording whose index lists its pictures, but whose folders are empty: saving fills
+/// them.
 EditReport MakePreview(const recording::Recording& recording,
                        const recording::Demonstration& edited, const fs::path& directory,
                        const recording::Progress& progress) {
@@ -70,7 +72,7 @@ EditReport MakePreview(const recording::Recording& recording,
 
 }  // namespace
 
-/// A preview: a recording as it will be saved, but for its pictures.
+/// Preview: a recording as it will be saved, except for its pictures.
 struct EditPreviews::Kept {
   EditRequest request;
   FileStates source;  ///< the files of the edited recording
@@ -86,7 +88,7 @@ EditPreviews::~EditPreviews() = default;
 
 EditReport EditPreviews::Preview(const EditRequest& request, const recording::Progress& progress) {
   RemoveOlderThan({});
-  // Before anything is read, so that whatever changes from now on is noticed.
+  // Before anything is read, so that later changes are noticed.
   auto source = StatesOfFilesIn(request.recording);
   const recording::Recording recording = recording::OpenRecording(request.recording);
   const auto edited = EditedByAll(DemonstrationOf(recording), request.edits);
@@ -107,7 +109,8 @@ EditReport EditPreviews::Preview(const EditRequest& request, const recording::Pr
       return kept->report;
     } catch (const std::runtime_error&) {
       if (!goes_on) throw;
-      // It could not be written, for example as the disk is full. All other errors come again.
+      // The preview could not be written, for example because the disk is full: simulates without
+      // output. All other errors recur there.
     }
   }
   EditReport report = ReSimulate(recording, edited, std::nullopt, watch);
@@ -121,7 +124,7 @@ std::shared_ptr<const EditPreviews::Kept> EditPreviews::Find(const EditRequest& 
     const std::lock_guard lock(mutex_);
     kept = kept_;
   }
-  // Who tidies up temporary files may have taken it.
+  // The temporary directory may have been deleted in the meantime.
   const bool is_usable = kept && kept->request == request &&
                          StatesOfFilesIn(request.recording) == kept->source &&
                          recording::IsRecording(kept->directory());
@@ -133,6 +136,7 @@ EditReport EditPreviews::Save(const EditRequest& request, const fs::path& direct
   const auto kept = Find(request);
   const recording::Recording recording =
       recording::OpenRecording(kept ? kept->directory() : request.recording);
+  // With a preview, only the pictures are missing; otherwise everything is simulated.
   std::unique_ptr<sim::Eye> eye;
   if (const auto spec = EyeOf(recording.info)) eye = make_eye_(*spec);
   if (!kept) {
@@ -157,6 +161,7 @@ void EditPreviews::RemoveOlderThan(std::chrono::steady_clock::duration age) {
   std::shared_ptr<const Kept> old;
   const std::lock_guard lock(mutex_);
   const bool is_old = kept_ && std::chrono::steady_clock::now() - kept_->made >= age;
+  // Declared before the lock, `old` is destroyed after it is released: deleting files takes time.
   if (is_old) old = std::exchange(kept_, nullptr);
 }
 

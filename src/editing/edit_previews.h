@@ -12,7 +12,7 @@
 
 namespace smile::editing {
 
-/// Edits of one recording, in the order in which they are done.
+/// Edits of one recording, in order of application.
 struct EditRequest {
   std::filesystem::path recording;  ///< its directory
   std::vector<Edit> edits;
@@ -21,13 +21,13 @@ struct EditRequest {
 };
 
 /// Previews edits and saves them. The newest preview is kept as a recording without pictures, in a
-/// temporary directory: saving the same edits draws the pictures and simulates nothing, as long as
-/// no file of the edited recording has changed. What is saved is the same either way.
+/// temporary directory: saving the same edits draws the pictures without simulation, provided that
+/// no file of the edited recording has changed. The result is the same either way.
 ///
 /// May be used from several threads at once.
 class EditPreviews {
  public:
-  /// Makes the eye that takes a recording's pictures, in the thread that saves it.
+  /// Function that makes the eye for a recording's pictures, in the thread that saves it.
   using MakeEye = std::function<std::unique_ptr<sim::Eye>(const sim::EyeSpec& spec)>;
 
   explicit EditPreviews(MakeEye make_eye);
@@ -35,11 +35,11 @@ class EditPreviews {
   EditPreviews(const EditPreviews&) = delete;
   EditPreviews& operator=(const EditPreviews&) = delete;
 
-  /// Reports what would become of the recording, which stays as it is.
-  /// @throws as EditedByAll() and ReSimulate(); std::runtime_error if `progress` answers false.
+  /// Reports the effect of edits on the recording, which stays as it is.
+  /// @throws as EditedByAll() and ReSimulate(); std::runtime_error if `progress` returns false.
   EditReport Preview(const EditRequest& request, const recording::Progress& progress = {});
 
-  /// Makes the new recording, whole or not at all, and removes the preview that it was made of.
+  /// Makes the new recording, or nothing on failure, and removes the preview that it was made from.
   /// @param directory  new.
   /// @param progress   of the simulation, or of drawing what the preview simulated.
   /// @throws as Preview(); InputError if the directory exists.
@@ -54,8 +54,8 @@ class EditPreviews {
   std::shared_ptr<const Kept> Find(const EditRequest& request) const;
 
   MakeEye make_eye_;
-  mutable std::mutex mutex_;  ///< of what follows
-  /// Shared with whoever saves it now.
+  mutable std::mutex mutex_;  ///< of the next member
+  /// Shared with a Save() in progress.
   std::shared_ptr<const Kept> kept_;
 };
 

@@ -4,7 +4,7 @@
 
 namespace smile::editing {
 
-/// An empty directory of our own, removed in the end with all that is in it.
+/// Temporary directory of this process, removed with its content on destruction.
 class TemporaryDirectory {
  public:
   /// @throws std::runtime_error with path and reason if it cannot be made.

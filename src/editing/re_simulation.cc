@@ -19,6 +19,7 @@ recorder::RecorderOptions OptionsFor(const recording::Recording& recording) {
           .origin = recording::Origin::kEdited};
 }
 
+/// Reports objects that end elsewhere, and objects that exist only before or only after the edit.
 void CompareObjects(const recording::TraceTick& before, const recording::TraceTick& after,
                     const model::Model& model, EditReport* report) {
   for (std::size_t i = 0; i < after.objects.size(); ++i) {
@@ -35,8 +36,8 @@ void CompareObjects(const recording::TraceTick& before, const recording::TraceTi
   }
 }
 
-/// A moment of a model with some of the same objects, for the recording's model: an edit may leave
-/// out that objects are added, or change the order in which they are. The others are absent.
+/// Converts a tick to the indices of the recording's model, by ids: an edit may drop the addition
+/// of objects, or change its order. Missing objects are absent.
 recording::TraceTick AsOf(const model::Model& recorded, const recording::TraceTick& moment,
                           const model::Model& model) {
   recording::TraceTick same = moment;
@@ -58,7 +59,7 @@ recording::TraceTick AsOf(const model::Model& recorded, const recording::TraceTi
   return same;
 }
 
-/// Of objects that are there before and after.
+/// Compares the controls of objects that are present before and after.
 void CompareControls(const recording::TraceTick& before, const recording::TraceTick& after,
                      const model::Model& model, EditReport* report) {
   for (model::ControlIndex i : model.controls()) {
@@ -82,7 +83,8 @@ void CompareHostPoints(const recording::TraceTick& before, const recording::Trac
   }
 }
 
-/// Runs a fresh simulation to where the demonstration begins.
+/// Runs a new simulation to the start of the demonstration. A refused command is an error, since
+/// the past is not edited.
 void RunToStart(const recording::Recording& recording, replay::LogPlayer* player,
                 sim::Simulation* simulation) {
   const auto failure = player->RunToStart(simulation);
@@ -92,8 +94,9 @@ void RunToStart(const recording::Recording& recording, replay::LogPlayer* player
        "", "was carried out when it was recorded, and is refused now: " + failure->refusal});
 }
 
-/// Goes on for so many ticks, and carries out what is due then.
-/// @returns what was refused.
+/// Runs for a number of ticks and executes the commands that are due, those of the last tick
+/// included.
+/// @returns the commands that were refused.
 std::vector<SkippedCommand> RunFor(std::uint64_t ticks, replay::LogPlayer* player,
                                    sim::Simulation* simulation,
                                    const recording::Progress& progress) {
@@ -108,8 +111,8 @@ std::vector<SkippedCommand> RunFor(std::uint64_t ticks, replay::LogPlayer* playe
   }
 }
 
-/// How the recording ends. A trace does not tell what the commands of its last tick changed; then
-/// it takes another run.
+/// Returns the end of the recording. The trace has the state before the commands of its last tick;
+/// if there are any, the recording is simulated again.
 recording::TraceTick EndOf(const recording::Recording& recording,
                            const recording::Demonstration& edited,
                            const recording::Progress& progress) {
@@ -128,6 +131,7 @@ void CompareJoints(const recording::TraceTick& before, const recording::TraceTic
   for (std::size_t i = 0; i < after.joints.size(); ++i) {
     const scene::LinkSpec& link = model.robot()->links[i];
     const bool slides = link.joint_type == scene::JointType::kPrismatic;
+    // Fingers slide, so their tolerance is a length.
     const double allowed = slides ? kSamePlace.distance : kSameAngle;
     if (std::abs(after.joints[i] - before.joints[i]) > allowed) {
       report->joints.push_back(link.joint_name);
@@ -140,7 +144,7 @@ void CompareJoints(const recording::TraceTick& before, const recording::TraceTic
 EditReport ReSimulate(const recording::Recording& recording, const recording::Demonstration& edited,
                       const std::optional<EditOutput>& output,
                       const recording::Progress& progress) {
-  std::optional<recorder::Recorder> recorder;  // outlives what it listens to
+  std::optional<recorder::Recorder> recorder;  // destroyed after the simulation that it observes
   sim::Simulation simulation(recording.start_model);
   replay::LogPlayer player(edited.Schedule(), edited.start);
   RunToStart(recording, &player, &simulation);
@@ -151,6 +155,7 @@ EditReport ReSimulate(const recording::Recording& recording, const recording::De
   EditReport report{.ticks_before = edited.recorded_duration(), .ticks_after = edited.duration()};
   report.skipped = RunFor(report.ticks_after, &player, &simulation, progress);
   const model::Model& model = *recording.model;
+  // Both ends are compared in terms of the recording's model.
   const recording::TraceTick before = EndOf(recording, edited, progress);
   const recording::TraceTick after =
       AsOf(model, recording::Observe(simulation), simulation.model());
@@ -174,6 +179,7 @@ EditReport MakeEdited(const recording::Recording& recording, const recording::De
     const EditReport report = ReSimulate(recording, edited, output, watch);
     if (!goes_on) throw std::runtime_error("interrupted");
     return report;
+    // A partial recording would look like a complete one.
   } catch (...) {
     if (!was_there) std::filesystem::remove_all(output.directory, error);
     throw;

@@ -5,8 +5,8 @@
 
 namespace smile {
 
-/// What a camera saw. Row 0 is the top row; pixels row by row from left to right.
-/// A channel that was not asked for is empty.
+/// Image of a camera. Row 0 is the top row; pixels row by row from left to right. Channels that
+/// were not requested are empty.
 struct Image {
   int width_px = 0;
   int height_px = 0;

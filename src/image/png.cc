@@ -32,6 +32,7 @@ std::size_t NumPixels(const Image& image) {
   return static_cast<std::size_t>(image.width_px) * image.height_px;
 }
 
+/// Throws std::invalid_argument unless a channel has one value per pixel.
 void RequireChannel(const char* name, std::size_t size, std::size_t expected) {
   if (size == expected && size > 0) return;
   throw std::invalid_argument(std::string("an image to be written has ") + std::to_string(size) +
@@ -39,6 +40,7 @@ void RequireChannel(const char* name, std::size_t size, std::size_t expected) {
                               " and more than 0");
 }
 
+/// Returns the bytes of a PNG with these pixels.
 std::string Encoded(const Image& image, png_uint_32 format, const void* pixels) {
   PngImage png;
   png.width = static_cast<png_uint_32>(image.width_px);
@@ -77,6 +79,7 @@ void WriteDepthPng(const std::filesystem::path& path, const Image& image) {
   RequireChannel("depth", image.depth.size(), NumPixels(image));
   std::vector<std::uint16_t> pixels(image.depth.size());
   std::ranges::transform(image.depth, pixels.begin(), [](float depth) -> std::uint16_t {
+    // 0 stays the mark of background; the nearest hits round up to 1.
     if (!(depth > 0)) return 0;
     return static_cast<std::uint16_t>(std::clamp(std::round(depth * kStepsPerMeter), 1.f, 65535.f));
   });
@@ -109,7 +112,7 @@ Image ReadPng(const std::filesystem::path& path) {
   Image image;
   image.width_px = static_cast<int>(png.width);
   image.height_px = static_cast<int>(png.height);
-  png.format = PNG_FORMAT_RGBA;  // asked for RGB, libpng would blend with a background
+  png.format = PNG_FORMAT_RGBA;  // for RGB, libpng would blend with a background
   std::vector<std::uint8_t> pixels(PNG_IMAGE_SIZE(png));
   if (!png_image_finish_read(&png, nullptr, pixels.data(), 0, nullptr)) {
     png.Fail(path, "is no sound PNG");

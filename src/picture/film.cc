@@ -16,10 +16,10 @@
 namespace smile::picture {
 namespace {
 
-/// Takes a picture of a frame.
+/// Callback for the picture of a frame.
 using AddFrame = std::function<void(std::uint64_t frame, std::uint64_t tick, const Image& image)>;
 
-/// Takes a picture of each frame of a range of a recording.
+/// Renders each frame of a range of a recording.
 /// @returns false if `progress` cancelled it.
 bool ForEachFrame(const recording::Recording& recording, const recording::TickRange& range,
                   const FilmOptions& options, RecordingRenderer* renderer,
@@ -40,7 +40,7 @@ bool ForEachFrame(const recording::Recording& recording, const recording::TickRa
     if (!goes_on(moment->tick)) return false;
     if (moment->tick < range.first || !is_due(frame, moment->tick)) continue;
     const Image& image = renderer->Take(*moment, markers.At(moment->tick));
-    // A rate above the ticks' shows a moment more than once.
+    // A rate above that of the ticks shows a tick more than once.
     for (; is_due(frame, moment->tick); ++frame) {
       add(frame, moment->tick, image);
       if (!goes_on(moment->tick)) return false;
@@ -84,7 +84,7 @@ void Film(const recording::Recording& recording, const std::filesystem::path& mp
   const model::Model& model = *recording.model;
   const auto demonstrator = DemonstratorOf(recording, options.demonstrator);
   RecordingRenderer renderer(model, options.request, demonstrator.get());
-  // Under another name until it is whole: an older film is not lost to half a new one.
+  // Written under another name until complete: an older film is not replaced by a partial one.
   const std::filesystem::path part = mp4.string() + ".part.mp4";
   try {
     FilmInto(part, recording, range, options, progress, &renderer);

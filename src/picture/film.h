@@ -17,21 +17,20 @@ struct FilmOptions {
   recording::DemonstratorLook demonstrator = recording::DemonstratorLook::kInvisible;
 };
 
-// Both film a recording from its trace, without physics. Frame k shows the first tick that is at
-// least k / frames_per_second * speed after the range's start, as the classic view does.
+// Both functions film a recording from its trace, without physics. Frame k shows the first tick
+// that is at least k / frames_per_second * speed after the range's start, as the classic view does.
 
-/// Makes one file for video players. Cancelled by `progress`, it makes none.
-/// @throws std::invalid_argument if the range is not within the recording, or there is no such
-///         camera.
+/// Writes a video file; none if cancelled by `progress`.
+/// @throws std::invalid_argument if the range is not within the recording, or the camera does not
+///         exist.
 /// @throws InputError if the trace cannot be read; std::runtime_error if the film cannot be
 ///         written, or `progress` cancels it.
 void Film(const recording::Recording& recording, const std::filesystem::path& mp4,
           const FilmOptions& options = {}, const recording::Progress& progress = {});
 
-/// Makes a new directory of numbered pictures `000000.png`, one for each frame and channel, with a
-/// `frames.csv` of tick, seconds since the demonstration began and picture of every frame. When
-/// `progress` cancels it, the pictures made until then are kept.
-/// Throws as Film() does, and
+/// Writes a new directory of numbered pictures `000000.png`, one for each frame and channel, with a
+/// `frames.csv` of tick, seconds since the demonstration began and picture of every frame. If
+/// `progress` cancels it, the pictures written so far are kept.
 /// @throws InputError if the directory exists and is not empty.
 void FilmAsPictures(const recording::Recording& recording, const std::filesystem::path& directory,
                     const FilmOptions& options = {}, const recording::Progress& progress = {});

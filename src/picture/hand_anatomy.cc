@@ -13,12 +13,12 @@ namespace {
 
 constexpr int kAround = 20;  ///< corners of round sections
 
-/// One digit: from its first joint on, three bones.
+/// Thumb or finger: three bones from its first joint on.
 struct Digit {
   Vector3 p_HRoot;  ///< of a right hand
   std::array<double, 3> lengths;
   std::array<double, 4> radii;  ///< at the joints and the tip
-  double tip_y;                 ///< where it takes hold, across the hand
+  double tip_y;                 ///< y of its contact in a grip
 };
 
 /// Thumb, index, middle, ring and little finger of a right hand [m]; lengths are of an average man.
@@ -36,14 +36,14 @@ const std::array<Digit, kDigits>& Digits() {
 const Vector3 kWrist(-0.078, 0, 0.082);              ///< in the hand's frame H
 constexpr double kForearm = 0.40, kUpperArm = 0.45;  ///< from joint to joint [m]
 
-/// Left hands are right hands in the mirror.
+/// Returns a point for this side: left hands mirror right hands.
 Vector3 OfSide(Side side, Vector3 p) {
   if (side == Side::kLeft) p.y() = -p.y();
   return p;
 }
 
-/// A frame at a point with its z axis along a direction, and its x axis as near to another one as
-/// can be.
+/// Returns a frame at a point with its z axis along a direction, and its x axis as near as possible
+/// to `x_hint`.
 RigidTransform FrameAlong(const Vector3& p, const Vector3& z_direction, const Vector3& x_hint) {
   Matrix3 R;
   R.col(2) = z_direction.normalized();
@@ -52,7 +52,7 @@ RigidTransform FrameAlong(const Vector3& p, const Vector3& z_direction, const Ve
   return {R, p};
 }
 
-/// A rod along z from the origin, with round ends.
+/// Returns a tapered rod along z from the origin, with hemispherical ends.
 scene::SurfaceMesh Bone(double length, double radius_at_0, double radius_at_end) {
   constexpr int kSteps = 5;
   std::vector<Eigen::Vector2d> profile;
@@ -69,7 +69,7 @@ scene::SurfaceMesh Bone(double length, double radius_at_0, double radius_at_end)
   return mesh::Lathe(profile, kAround);
 }
 
-/// A cut through a limb: so wide along x and so thick along y.
+/// Returns a cross section of a limb: a superellipse with these diameters along x and y [m].
 mesh::Cut Across(double z, double width, double thickness, double exponent = 2.3) {
   return {.z = z,
           .x_min = -width / 2,
@@ -79,7 +79,8 @@ mesh::Cut Across(double z, double width, double thickness, double exponent = 2.3
           .exponent = exponent};
 }
 
-/// From the wrist along z to the knuckles; its width is along x, the thumb's side at +x.
+/// Returns the palm, from the wrist along z to the knuckles; its width is along x, the thumb's side
+/// at +x.
 scene::SurfaceMesh Palm() {
   std::vector<mesh::Cut> cuts{
       Across(-0.024, 0.030, 0.020), Across(-0.018, 0.046, 0.032), Across(0.000, 0.053, 0.037),
@@ -93,7 +94,7 @@ scene::SurfaceMesh Palm() {
   return mesh::Loft(cuts, 2 * kAround);
 }
 
-/// From the wrist along z to the elbow.
+/// Returns the forearm, from the wrist along z to the elbow.
 scene::SurfaceMesh BareForearm() {
   return mesh::Loft(
       {Across(-0.022, 0.026, 0.018), Across(-0.016, 0.044, 0.032), Across(0.000, 0.053, 0.038),
@@ -102,7 +103,7 @@ scene::SurfaceMesh BareForearm() {
       2 * kAround);
 }
 
-/// The same frame: what covers the upper part of the forearm, and the elbow.
+/// Returns the sleeve over the upper part of the forearm and the elbow, in the forearm's frame.
 scene::SurfaceMesh Sleeve() {
   return mesh::Loft(
       {Across(0.158, 0.078, 0.070), Across(0.160, 0.088, 0.081), Across(0.166, 0.092, 0.085),
@@ -112,7 +113,8 @@ scene::SurfaceMesh Sleeve() {
       2 * kAround);
 }
 
-/// The joints and the tip of a digit that reaches for a point, bent away from the palm.
+/// Returns the joints and the tip of a digit that reaches for a point, bent away from the palm:
+/// planar inverse kinematics with one unknown, the bend of the middle joint.
 std::array<Vector3, 4> BentTo(const Vector3& root, const std::array<double, 3>& lengths,
                               const Vector3& tip, const Vector3& outward) {
   // The last joint bends 0.7 times as far as the one before.
@@ -128,12 +130,15 @@ std::array<Vector3, 4> BentTo(const Vector3& root, const std::array<double, 3>& 
     return points;
   };
   const double distance = (tip - root).norm();
+  // Bisection: the distance from root to tip decreases as the bend grows. Points out of reach get a
+  // straight or fully bent digit in their direction.
   double low = 0, high = kMost;
   for (int k = 0; k < 40; ++k) {
     const double middle = (low + high) / 2;
     (chain(middle)[3].norm() > distance ? low : high) = middle;
   }
   const std::array<Eigen::Vector2d, 4> points = chain(low);
+  // Rotates the planar chain so that its tip lies on the line to the target.
   const Eigen::Vector2d along = points[3].normalized();
   const Vector3 e1 = (tip - root).normalized();
   const Vector3 e2 = (outward - outward.dot(e1) * e1).normalized();
@@ -146,13 +151,13 @@ std::array<Vector3, 4> BentTo(const Vector3& root, const std::array<double, 3>& 
   return joints;
 }
 
-/// Of a right hand that grips.
+/// Returns the center of a fingertip of a right hand that grips, in H.
 Vector3 GripTip(std::size_t digit, const HandPosture& posture) {
   const double at = posture.reach[digit] + Digits()[digit].radii[3];
   return GripLine(Side::kRight, digit) + Vector3(digit == 0 ? -at : at, 0, 0);
 }
 
-/// Of a right hand that points.
+/// Returns the center of a fingertip of a right hand that points, in H.
 Vector3 PointingTip(std::size_t digit) {
   switch (digit) {
     case 0:
@@ -164,6 +169,7 @@ Vector3 PointingTip(std::size_t digit) {
   }
 }
 
+/// Returns the fingertip of a right hand between gripping and pointing.
 Vector3 TipOf(std::size_t digit, const HandPosture& posture) {
   return (1 - posture.pointing) * GripTip(digit, posture) + posture.pointing * PointingTip(digit);
 }
@@ -191,7 +197,7 @@ std::vector<ArmPiece> PiecesOf(Side side) {
     mesh->surface = std::move(surface);
     pieces.push_back({.mesh = {.mesh = std::move(mesh)}, .is_sleeve = is_sleeve});
   };
-  // The palm's frame has x to the thumb: in the mirror x is -x, a half turn about z of y = -y.
+  // The palm's frame has x towards the thumb. Mirroring x is mirroring y after a half turn about z.
   scene::SurfaceMesh palm = Palm();
   if (side == Side::kLeft) {
     const Matrix3 half_turn = Eigen::AngleAxisd(std::numbers::pi, Vector3::UnitZ()).matrix();
@@ -230,7 +236,8 @@ std::array<RigidTransform, kArmPieces> PiecePoses(Side side, const HandPosture& 
       poses[1 + 3 * digit + k] = X_WH * FrameAlong(from, to - from, to_thumb);
     }
   }
-  // The shoulder comes level towards the wrist until the arm is long enough.
+  // Moves the shoulder horizontally towards the wrist until the arm, almost stretched, is long
+  // enough.
   constexpr double kStretched = 0.985 * (kForearm + kUpperArm);
   const Vector3 wrist = X_WH * kWrist;
   Vector3 shoulder = ShoulderAt(side, table_edge);
@@ -241,7 +248,8 @@ std::array<RigidTransform, kArmPieces> PiecePoses(Side side, const HandPosture& 
   const double share = std::min(1.0, most_level / level);
   shoulder = wrist + Vector3(back.x() * share, back.y() * share, drop);
   back = shoulder - wrist;
-  // The elbow hangs down and outward.
+  // Two-bone inverse kinematics: the distances determine the elbow up to a rotation about the line
+  // from wrist to shoulder; it hangs down and outward. `along` follows from the law of cosines.
   const double reach = std::clamp(back.norm(), 0.2, kForearm + kUpperArm);
   const double along = (reach * reach + kForearm * kForearm - kUpperArm * kUpperArm) / (2 * reach);
   const double aside = std::sqrt(std::max(0.0, kForearm * kForearm - along * along));

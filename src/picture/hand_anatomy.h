@@ -9,55 +9,55 @@
 
 namespace smile::picture {
 
-/// The hands of a person who looks at the robot across the table: the left one is at +x.
+/// Hands of a person who faces the robot across the table: the left one is at +x.
 enum class Side { kLeft, kRight };
 inline constexpr std::array kSides = {Side::kLeft, Side::kRight};
 
 /// Thumb, index, middle, ring and little finger.
 inline constexpr std::size_t kDigits = 5;
-/// The tip of an index finger is a ball [m].
+/// Radius of the tip of an index finger [m].
 inline constexpr double kFingertipRadius = 0.0072;
-/// Thumb and fingers cannot be farther apart [m].
+/// Largest opening between thumb and fingers [m].
 inline constexpr double kWidestGrip = 0.125;
 
-/// How a hand is held. Its frame H has its origin where thumb and fingers meet what they hold, x
-/// from the thumb to the fingertips, z up to the palm; the thumb is at +y of a right hand, at -y of
-/// a left one.
+/// Posture of a hand. Its frame H has its origin where thumb and fingers meet the object that they
+/// hold, x from the thumb to the fingertips, z up to the palm; the thumb is at +y of a right hand,
+/// at -y of a left one.
 struct HandPosture {
   RigidTransform X_WH;
-  /// How far what each digit touches is from its GripLine(), along x, of the thumb along -x [m].
+  /// Distance of each digit's contact from its GripLine(), along x, for the thumb along -x [m].
   std::array<double, kDigits> reach{0.03, 0.03, 0.03, 0.03, 0.03};
-  double pointing = 0;  ///< 1: the index finger is stretched, the others are not; 0: a grip
+  double pointing = 0;  ///< 1: only the index finger is stretched; 0: a grip
 
   bool operator==(const HandPosture&) const = default;
 };
 
-/// Where the tip of a stretched index finger is, in a hand's frame H [m].
+/// Returns the tip of a stretched index finger, in a hand's frame H [m].
 Vector3 IndexTip(Side side);
 
-/// Where a digit that grips touches: on the line through this point along x of H [m].
+/// Returns a point of the line, along x of H, on which a gripping digit touches [m].
 Vector3 GripLine(Side side, std::size_t digit);
 
-/// The middles of the tips of all digits [m].
+/// Returns the centers of the tips of all digits, in H [m].
 std::array<Vector3, kDigits> FingertipsInHand(Side side, const HandPosture& posture);
 
-/// A piece of a hand or arm, in its own frame.
+/// Piece of a hand or arm, in its own frame.
 struct ArmPiece {
   scene::DrawnMesh mesh;
   bool is_sleeve = false;
 };
 
-/// The pieces that are a hand; those of a forearm with its sleeve and an upper arm come after them.
+/// Number of pieces of a hand; the forearm, its sleeve and the upper arm follow.
 inline constexpr std::size_t kHandPieces = 16, kArmPieces = 19;
 std::vector<ArmPiece> PiecesOf(Side side);
 
-/// The poses in the world of PiecesOf().
+/// Returns the poses of PiecesOf() in the world.
 /// @param table_edge  y of the edge at which the person stands [m]. The shoulder leans over it as
 ///                    far as the arm needs.
 std::array<RigidTransform, kArmPieces> PiecePoses(Side side, const HandPosture& posture,
                                                   double table_edge);
 
-/// Of a person who stands upright [m].
+/// Returns the shoulder of a person who stands upright, in the world [m].
 Vector3 ShoulderAt(Side side, double table_edge);
 
 }  // namespace smile::picture

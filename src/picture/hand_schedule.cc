@@ -17,7 +17,7 @@ namespace {
 
 using demonstrator::HandName;
 
-/// A hand stays so long before and after a moment's touch [ticks].
+/// Time that a hand stays before and after a momentary touch [ticks].
 constexpr std::uint64_t kTouchTicks = 6;
 
 struct NamedInterval {
@@ -25,7 +25,7 @@ struct NamedInterval {
   ContactInterval interval;
 };
 
-/// The ids of a part and of all parts within it.
+/// Returns the ids of a part and of all parts in it.
 std::set<std::string_view> IdsWithin(const scene::Part& whole, std::string_view id) {
   std::set<std::string_view> ids;
   scene::ForEachPart(whole, [&](const scene::Part& part) {
@@ -49,12 +49,14 @@ class ContactCollector {
       throw InputError({(recording_.directory / "trace.bin").string(), 0, "",
                         "is of an old format that does not tell what hands did"});
     }
+    // Holds from before the start begin with the first tick.
     std::vector<sim::Event> events = trace.events_before_start();
     while (const auto moment = trace.Next()) {
       last_tick_ = moment->tick;
       events.insert(events.end(), moment->events.begin(), moment->events.end());
       for (const sim::Event& event : std::exchange(events, {})) Note(*moment, event);
     }
+    // What is still held at the end is held until the last tick.
     for (std::optional<NamedInterval>& held : held_) End(&held);
     std::stable_sort(intervals_.begin(), intervals_.end(),
                      [](const NamedInterval& a, const NamedInterval& b) {
@@ -83,6 +85,7 @@ class ContactCollector {
                         PlaceOf(event, event.control));
       case kFastened:
       case kLoosened:
+        // A hand that holds the guest turns it without letting go; no separate contact.
         if (!event.guest || held) return;
         return AddTouch(moment, event, ContactInterval::Kind::kTurn,
                         model_.guest(*event.guest).X_BG.translation());
@@ -91,6 +94,7 @@ class ContactCollector {
     }
   }
 
+  /// Ends an interval at the present tick.
   void End(std::optional<NamedInterval>* held) {
     if (!*held) return;
     (*held)->interval.last = last_tick_;
@@ -109,6 +113,7 @@ class ContactCollector {
                                      .object = *object,
                                      .frame = model_.frame_of(*object),
                                      .begin = recording::VisualStateAt(moment, model_)}};
+    // The commanded point may lie outside the body, for example in the opening of a box.
     named.interval.p_BQ =
         touch_.PointWithin(named.interval.frame, named.interval.begin.looks, p_BQ);
     return named;
@@ -123,13 +128,13 @@ class ContactCollector {
     intervals_.push_back(*std::move(named));
   }
 
-  /// The log knows at which point a hand took hold; where it does not say, or there is none, it is
-  /// the object's origin.
+  /// Returns the point at which a hand took hold, in the object's frame, from the log; the object's
+  /// origin if the log has none.
   Vector3 GraspedAt(const recording::TraceTick& moment, const sim::Event& event) const {
     const auto object = model_.FindObject(event.object);
     if (!object) return Vector3::Zero();
-    // A recording that begins while a hand holds something may know when it took hold, but not
-    // where the object was then.
+    // For a hold from before the start, the log may have the tick of the grasp, but the object's
+    // pose at that tick is unknown.
     const auto& commands = recording_.commands;
     auto logged =
         std::ranges::lower_bound(commands, moment.tick, {}, &recording::LoggedCommand::tick);
@@ -144,7 +149,7 @@ class ContactCollector {
     return Vector3::Zero();
   }
 
-  /// The middle of what is to be seen of a part or control of an object, in its body.
+  /// Returns the mean position of the visible pieces of a part or control, in its object's frame.
   Vector3 PlaceOf(const sim::Event& event, std::string_view id) const {
     const auto object = model_.FindObject(event.object);
     if (!object || id == event.object) return Vector3::Zero();
@@ -169,7 +174,8 @@ class ContactCollector {
   std::vector<NamedInterval> intervals_;
 };
 
-/// Returns the first tick of an interval at which a hand is busy otherwise; nullopt if it is free.
+/// Returns the first tick of an interval at which a hand has another contact; nullopt if it is
+/// free.
 std::optional<std::uint64_t> BusyFrom(const std::vector<ContactInterval>& others,
                                       const ContactInterval& interval) {
   std::optional<std::uint64_t> busy;
@@ -185,7 +191,8 @@ std::vector<ContactInterval>& Of(Side side, HandSchedule* schedule) {
   return schedule->of[static_cast<std::size_t>(side)];
 }
 
-/// Assigns an interval of the hand `any` to one of the two; in parts, where that one is busy.
+/// Assigns an interval of the hand `any` to the hand that is free longer, on a tie to the one on
+/// the object's side; the rest is assigned again when that hand is busy.
 void AssignToOneHand(ContactInterval interval, HandSchedule* schedule) {
   const Vector3 p_WQ = interval.begin.poses[interval.frame] * interval.p_BQ;
   const Side near = p_WQ.x() > 0 ? Side::kLeft : Side::kRight;
@@ -201,7 +208,7 @@ void AssignToOneHand(ContactInterval interval, HandSchedule* schedule) {
     part.last = until(is_near ? near_busy : far_busy);
     const bool is_done = part.last > interval.last;
     if (is_done) part.last = interval.last;
-    // Both are needed at once only where one of them touches something for a moment.
+    // An empty part is skipped; both hands are busy at once only during a momentary touch.
     if (part.last > part.first || is_done) Of(is_near ? near : far, schedule).push_back(part);
     if (is_done) return;
     interval.first = std::max(part.last, interval.first + 1);
@@ -209,7 +216,8 @@ void AssignToOneHand(ContactInterval interval, HandSchedule* schedule) {
   }
 }
 
-/// Assigns an interval of both hands, which hold the object at its two sides.
+/// Assigns an interval of both hands, which hold the object at its two ends along the world's x
+/// axis.
 void AssignToBoth(const ContactInterval& interval, const Touch& touch, HandSchedule* schedule) {
   constexpr double kInside = 0.02;
   const RigidTransform& X_WB = interval.begin.poses[interval.frame];
@@ -234,7 +242,8 @@ void RemoveOverlaps(std::vector<ContactInterval>* intervals) {
   }
 }
 
-/// Returns the side of the hand that is called `left`.
+/// Returns the side of the hand called `left`: the one for which its objects lie more to its own
+/// side.
 Side CalledLeft(const std::vector<NamedInterval>& all) {
   double balance = 0;
   for (const auto& [hand, interval] : all) {
@@ -251,6 +260,7 @@ HandSchedule HandScheduleOf(const recording::Recording& recording, const Touch& 
   const std::vector<NamedInterval> all = ContactCollector(recording, touch).Collect();
   const Side left = CalledLeft(all), right = left == Side::kLeft ? Side::kRight : Side::kLeft;
   HandSchedule schedule;
+  // Named hands first, since `any` takes the one that is free.
   for (const auto& [hand, interval] : all) {
     if (hand == HandName::kLeft) Of(left, &schedule).push_back(interval);
     if (hand == HandName::kRight) Of(right, &schedule).push_back(interval);

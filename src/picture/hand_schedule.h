@@ -14,7 +14,7 @@ namespace smile::picture {
 /// Interval of time in which a hand is in contact with an object.
 struct ContactInterval {
   enum class Kind {
-    kHold,   ///< takes hold of it
+    kHold,   ///< holds it
     kTouch,  ///< touches it for a moment with the index finger: points, triggers
     kTurn,   ///< fastens or loosens it, for a moment
   };
@@ -23,24 +23,24 @@ struct ContactInterval {
   std::uint64_t first = 0, last = 0;  ///< ticks, both included
   model::ObjectIndex object{0};
   model::FrameIndex frame{0};      ///< the object's
-  Vector3 p_BQ = Vector3::Zero();  ///< the contact point, in the object's body B [m]
+  Vector3 p_BQ = Vector3::Zero();  ///< contact point, in the object's body B [m]
   scene::VisualState begin;        ///< at its begin
 };
 
-/// Contact intervals of each of the two hands, in order of time, not overlapping.
+/// Contact intervals of each of the two hands, in chronological order, not overlapping.
 struct HandSchedule {
   std::array<std::vector<ContactInterval>, kSides.size()> of;
 };
 
-/// Assigns the actions of a recording's demonstrator to two hands, by its trace and its log: `both`
-/// are the two, `any` is the one that is free meanwhile, and if both are, the one on whose side of
-/// the table the object is.
+/// Assigns the actions of a recording's demonstrator to two hands, from its trace and its log:
+/// `both` means the two, `any` the one that is free meanwhile, and if both are, the one on whose
+/// side of the table the object is.
 ///
-/// Some demonstrations call hands as the person would who has them, others as they are seen from
-/// the robot's side of the table. Either way the hand at +x is the person's left; `left` is meant
-/// to be the one with which the arms cross less.
-/// @throws InputError if the trace cannot be read, or is of the old format that does not tell what
-///         hands did.
+/// Some demonstrations name hands from the person's point of view, others from the robot's. Either
+/// way the hand at +x is the person's left; `left` is assigned to the one with which the arms cross
+/// less.
+/// @throws InputError if the trace cannot be read, or its format is too old to contain the actions
+///         of hands.
 HandSchedule HandScheduleOf(const recording::Recording& recording, const Touch& touch);
 
 }  // namespace smile::picture

@@ -15,35 +15,37 @@
 namespace smile::picture {
 namespace {
 
-constexpr double kPeakSpeed = 1.0;  ///< on the way, where there is time [m/s]
-/// From rest to rest with least jerk, the peak is so many times the mean.
-/// Source: T. Flash, N. Hogan, "The Coordination of Arm Movements" (1985).
+constexpr double kPeakSpeed = 1.0;  ///< between contacts, if there is time [m/s]
+/// Ratio of peak to mean speed of a minimum-jerk motion from rest to rest.
 constexpr double kPeakOverMean = 1.875;
 constexpr double kShortestWay = 0.5;     ///< [s]
 constexpr double kShortestRest = 0.6;    ///< [s]
-constexpr double kFastestTurn = 7;       ///< of a hand; more than objects are turned [rad/s]
+constexpr double kFastestTurn = 7;       ///< of a hand; faster than objects are turned [rad/s]
 constexpr double kFastestFinger = 0.35;  ///< [m/s]
 constexpr double kRelaxed = 0.028;       ///< half an opening [m]
-constexpr double kOpened = 0.016;        ///< farther than what is to be taken, on each side [m]
-/// So far a wrist turns with what the hand holds; then this turns within the hand.
+constexpr double kOpened = 0.016;        ///< clearance to the object to be taken, on each side [m]
+/// Largest rotation of a wrist with the object that it holds; beyond it, the object turns within
+/// the hand.
 constexpr double kMostTwist = DegreesToRadians(70);
 
-/// The way from 0 to 1 in a time from 0 to 1 with least jerk.
+/// Returns the minimum-jerk profile: position from 0 to 1 at time u from 0 to 1.
 double Smooth(double u) {
   u = std::clamp(u, 0.0, 1.0);
   return u * u * u * (10 + u * (6 * u - 15));
 }
 
+/// Returns `from`, changed towards `to` by at most `most`.
 double Towards(double from, double to, double most) {
   return from + std::clamp(to - from, -most, most);
 }
 
-/// A hand that lies over the table has its fingers to the robot, or where the arm comes from.
+/// Returns the rotation of a relaxed hand over the table: its fingers point away from the shoulder,
+/// towards the robot.
 Matrix3 NaturalRotation(Side side, const Vector3& p_WH, double table_edge) {
   constexpr double kRaised = DegreesToRadians(14);  // the wrist, above the knuckles
   Vector3 ahead = p_WH - ShoulderAt(side, table_edge + 0.25);
   ahead.z() = 0;
-  // Never back over the shoulder.
+  // Never backwards over the shoulder.
   ahead.y() = std::min(ahead.y(), -0.25);
   ahead.normalize();
   const Vector3 up = Vector3::UnitZ();
@@ -54,19 +56,19 @@ Matrix3 NaturalRotation(Side side, const Vector3& p_WH, double table_edge) {
   return R_WH;
 }
 
-/// A rotation towards another one, by an angle at most.
+/// Returns `from` rotated towards `to` by at most `most` [rad].
 Matrix3 TurnedTowards(const Matrix3& from, const Matrix3& to, double most) {
   const Eigen::AngleAxisd turn(Matrix3(from.transpose() * to));
   if (turn.angle() <= most) return to;
   return from * Eigen::AngleAxisd(most, turn.axis()).toRotationMatrix();
 }
 
-/// The digits about something of this thickness.
+/// Returns the reach of the digits around an object of this thickness [m].
 std::array<double, kDigits> Reach(double thumb, double fingers) {
   return {thumb, fingers, fingers, fingers, fingers};
 }
 
-/// What a hand wants to look like; the place is that of its grip, or of its fingertip.
+/// Desired posture of a hand; p_WQ is the place of its grip, or of its fingertip.
 struct Aim {
   Vector3 p_WQ = Vector3::Zero();
   Matrix3 R_WH = Matrix3::Identity();
@@ -75,7 +77,8 @@ struct Aim {
   double pointing = 0;
 };
 
-/// One hand on its way through time.
+/// Motion of one hand: at each tick it computes the desired posture and follows it within the
+/// limits of speed. Depends only on the schedule and the ticks so far, so it is deterministic.
 class HandPlayer {
  public:
   HandPlayer(Side side, const std::vector<ContactInterval>& intervals, const Touch& touch,
@@ -87,7 +90,7 @@ class HandPlayer {
     LookAhead();
   }
 
-  /// Goes on to a moment.
+  /// Advances to a tick and returns the posture.
   HandPosture GoTo(std::uint64_t tick, const scene::VisualState& state) {
     while (next_ < intervals_.size() && intervals_[next_].first <= tick) {
       now_ = next_++;
@@ -105,7 +108,8 @@ class HandPlayer {
   }
 
  private:
-  /// The speed limits; and all that is felt of objects may jump, a hand does not.
+  /// Follows the aim within the speed limits: measured distances to objects may jump from tick to
+  /// tick, a hand must not.
   void Follow(const Aim& aim, double dt) {
     is_.R_WH = TurnedTowards(is_.R_WH, aim.R_WH, kFastestTurn * dt);
     is_.lift = Towards(is_.lift, aim.lift, kFastestFinger * dt);
@@ -113,11 +117,14 @@ class HandPlayer {
       is_.reach[digit] = Towards(is_.reach[digit], aim.reach[digit], kFastestFinger * dt);
     }
     is_.pointing = Towards(is_.pointing, aim.pointing, 5 * dt);
+    // The aimed place in the hand's frame: between the grip (origin) and the index fingertip, below
+    // by the lift.
     const Vector3 p_HQ = is_.pointing * IndexTip(side_) - Vector3(0, 0, is_.lift);
     const Vector3 step = aim.p_WQ - is_.R_WH * p_HQ - p_WH_;
     p_WH_ += step * std::min(1.0, kFastestHand * dt / std::max(step.norm(), 1e-9));
   }
 
+  /// Returns the posture of rest beyond the table's edge, beside the body.
   Aim Rest() const {
     Aim aim;
     aim.p_WQ = Vector3(side_ == Side::kLeft ? 0.20 : -0.20, edge_ + 0.10, 0.06);
@@ -125,8 +132,9 @@ class HandPlayer {
     return aim;
   }
 
-  /// Turned about the hand's z axis so that what is to be held is thin between thumb and fingers,
-  /// and the wrist not bent too far.
+  /// Returns the rotation about the hand's z axis at which the object is thinnest between thumb and
+  /// fingers, with a cost on bending the wrist. Exhaustive search in steps, since the thickness is
+  /// not smooth.
   double BestYaw(const ContactInterval& interval) const {
     constexpr double kStep = DegreesToRadians(4);
     constexpr double kPerRadian = 0.02;  // of thickness that a bent wrist is worth [m]
@@ -144,7 +152,7 @@ class HandPlayer {
     return best;
   }
 
-  /// Not knowing yet how thick the object is.
+  /// Returns the aim at the begin of a contact, before the object is measured.
   Aim BeginOf(const ContactInterval& interval, double yaw) const {
     Aim aim;
     aim.p_WQ = interval.begin.poses[interval.frame] * interval.p_BQ;
@@ -153,7 +161,8 @@ class HandPlayer {
     return aim;
   }
 
-  /// Closes the hand on an object: as deep as the fingers reach, or onto it where it is too thick.
+  /// Closes the hand on an object: as deep as the fingers reach, or lays it on top if the object is
+  /// too thick.
   void Feel(const ContactInterval& interval, const RigidTransform& X_WB,
             const std::vector<int>& looks, Aim* aim) const {
     constexpr double kDeepest = 0.042;  // fingertips below the top [m]
@@ -171,7 +180,8 @@ class HandPlayer {
     if (across.to - across.from > kWidestGrip) {
       aim->lift = depth + kFingertipRadius;
     } else {
-      // Held near an edge, the hand moves over so that its fingers reach.
+      // Near an edge, shifts the hand towards the middle of the object so that the fingers reach
+      // both sides.
       const double middle = (across.to + across.from) / 2;
       const double room = kWidestGrip / 2 - (across.to - across.from) / 2;
       const double shift = middle - std::clamp(middle, -room, room);
@@ -184,7 +194,7 @@ class HandPlayer {
         if (at > 0) aim->reach[digit] = std::min(at, kWidestGrip);
       }
     }
-    // Not into the table.
+    // Raises the hand so that the fingertips do not enter the table.
     const double lowest = kFingertipRadius - aim->p_WQ.z();
     if (aim->p_WQ.y() < edge_ && aim->p_WQ.z() > -0.05) aim->lift = std::max(aim->lift, lowest);
   }
@@ -193,6 +203,8 @@ class HandPlayer {
     const ContactInterval& interval = intervals_[index];
     const RigidTransform& X_WB = state.poses[interval.frame];
     Aim aim = BeginOf(interval, yaws_[index]);
+    // A holding hand rotates with the object, but no farther than the wrist allows from its natural
+    // rotation.
     if (interval.kind == ContactInterval::Kind::kHold) {
       const Matrix3 R_begin = interval.begin.poses[interval.frame].rotation();
       const Matrix3 R_with_it = X_WB.rotation() * R_begin.transpose() * aim.R_WH;
@@ -205,22 +217,25 @@ class HandPlayer {
     return aim;
   }
 
+  /// Computes the aim at the begin of the next contact, which the motion towards it needs.
   void LookAhead() {
     ahead_ = next_ < intervals_.size() ? std::optional(AimAt(next_, intervals_[next_].begin))
                                        : std::nullopt;
   }
 
+  /// Returns the time for a motion at the desired peak speed [s].
   static double WayTime(const Aim& from, const Aim& to) {
     const double distance = (to.p_WQ - from.p_WQ).norm();
     return std::max(kShortestWay, distance * kPeakOverMean / kPeakSpeed);
   }
 
-  /// Somewhere on the way.
-  /// @param u        share of its time that has passed.
-  /// @param seconds  that it takes.
+  /// Returns the aim on the way between two aims.
+  /// @param u  fraction of its time that has passed.
+  /// @param seconds  duration of the motion.
   static Aim OnTheWay(const Aim& from, const Aim& to, double u, double seconds) {
     constexpr double kRise = 0.4;  // share of the time for going up, and again for going down
     const double s = Smooth(u);
+    // The hand rises at the begin and descends at the end; fingers open by the same profile.
     const double raised = Smooth(u / kRise) * Smooth((1 - u) / kRise);
     Aim aim;
     aim.p_WQ = from.p_WQ + s * (to.p_WQ - from.p_WQ);
@@ -237,7 +252,8 @@ class HandPlayer {
     return aim;
   }
 
-  /// Between two intervals, or before the first, or after the last.
+  /// Returns the aim between two contacts, before the first or after the last: rests in between if
+  /// there is time for both ways, otherwise moves directly.
   Aim AimBetween(std::uint64_t tick) const {
     const Aim rest = Rest();
     const std::optional<Aim>& to = ahead_;
@@ -259,10 +275,10 @@ class HandPlayer {
   double edge_;
   std::vector<double> yaws_;  ///< one per interval
   std::size_t next_ = 0;
-  std::optional<std::size_t> now_;  ///< the last that has begun
-  std::optional<Aim> ahead_;        ///< how the next begins
-  Aim left_;                        ///< how the last left off
-  Aim is_;                          ///< how it is by now; where: p_WH_
+  std::optional<std::size_t> now_;  ///< the last one that has begun
+  std::optional<Aim> ahead_;        ///< at the begin of the next contact
+  Aim left_;                        ///< at the end of the last contact
+  Aim is_;                          ///< present state, except position: p_WH_
   Vector3 p_WH_ = Vector3::Zero();
   std::uint64_t tick_ = 0;
   bool is_begun_ = false;

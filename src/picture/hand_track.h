@@ -10,20 +10,22 @@
 
 namespace smile::picture {
 
-/// A hand that has no time for the way to its next object arrives late rather than faster [m/s].
+/// Speed limit of a hand: without time for the way to its next object, it arrives late and not
+/// faster [m/s].
 inline constexpr double kFastestHand = 1.4;
 
-/// How the two hands of a demonstrator moved whom nobody saw: a function of the recording alone, so
-/// that every view of a moment shows the same.
+/// Plausible motion of a demonstrator's two hands, which were not recorded: a function of the
+/// recording alone, so that every view of a tick shows the same.
 ///
-/// A hand that holds something follows it. From one object to the next it goes in an arc, or back
-/// to where it rests beyond the table's edge when there is time for both ways.
+/// A hand that holds an object follows it. Between objects it moves in an arc, or back to rest
+/// beyond the table's edge if there is time for both ways.
 class HandTrack {
  public:
   /// Throws as HandScheduleOf() does.
   explicit HandTrack(const recording::Recording& recording);
 
-  /// The two hands, left first; of a tick that the trace does not tell, as at the one before.
+  /// Returns the two hands, left first; for a tick that is not in the trace, those at the one
+  /// before.
   const std::array<HandPosture, kSides.size()>& At(std::uint64_t tick) const;
   /// Returns the contacts of the hands, for tests.
   const HandSchedule& schedule() const { return schedule_; }

@@ -11,7 +11,7 @@
 namespace smile::picture {
 namespace {
 
-/// `out/um.png` and "depth" make `out/um.depth.png`.
+/// Returns `out/um.depth.png` for `out/um.png` and "depth".
 std::filesystem::path WithTag(std::filesystem::path path, const std::string& tag) {
   return path.replace_extension("." + tag + path.extension().string());
 }
@@ -57,11 +57,12 @@ const Image& RecordingRenderer::Take(const recording::TraceTick& moment,
   model::ViewSample sample = recording::ViewSampleAt(moment, model_, eye_);
   if (view_for_people_) {
     sample.view = *view_for_people_;
-    // Only the eye does not see the head it sits in.
+    // Only the eye does not see the head that contains it.
     if (moment.is_robot_shown) sample.hidden_frames.clear();
   }
   const bool is_somebody_there = demonstrator_ != nullptr;
   const bool is_ghost = is_somebody_there && demonstrator_->look() == DemonstratorLook::kGhost;
+  // Opaque arms occlude and appear in depth and ids; a ghost is blended over the finished colors.
   if (is_somebody_there && !is_ghost) demonstrator_->AddTo(&sample.state, moment.tick);
   Render(opaque_model(), sample, request_.channels, &image_);
   if (is_ghost && request_.channels.rgb) AddGhost(sample, moment.tick);
@@ -111,6 +112,7 @@ void RecordingRenderer::AddMarkers(const model::ViewSample& sample,
 void RecordingRenderer::Mix(const scene::VisualModel& model, const model::ViewSample& sample) {
   Render(model, sample, {}, &mixed_image_);
   for (std::size_t i = 0; i < image_.color.size(); ++i) {
+    // Mean of both pictures, rounded: equal where they agree, half transparent elsewhere.
     image_.color[i] = static_cast<std::uint8_t>((image_.color[i] + mixed_image_.color[i] + 1) / 2);
   }
 }

@@ -14,25 +14,25 @@ namespace smile::picture {
 
 using model::Channels;
 
-/// `rgb,depth,id` or some of them.
+/// Parses `rgb,depth,id` or some of them.
 /// @throws std::invalid_argument saying what was found and expected.
 Channels ParseChannels(const std::string& text);
 
 /// Request for a picture: camera, size and channels.
 struct RenderRequest {
   std::string camera = "nice";          ///< one of model::CameraNames(), or see FindView()
-  std::string eye = model::kEyeCamera;  ///< which camera is meant by `eye`: a recording has its own
+  std::string eye = model::kEyeCamera;  ///< camera for the name `eye`: that of the recording
   int width_px = 1280, height_px = 720;
   Channels channels;
 };
 
-/// Renders recorded ticks from any viewpoint, without physics. Pictures of the robot's cameras are
-/// bit-identical to the recorded ones; the scene's cameras see as they do.
+/// Renderer of recorded ticks from any viewpoint, without physics. Pictures of the robot's cameras
+/// are bit-identical to the recorded ones; the scene's cameras use the same look.
 class RecordingRenderer {
  public:
   /// @param model         of the recording's scene and robot. Must outlive this.
-  /// @param demonstrator  who is visible; nullptr for none. Must outlive this.
-  /// @throws std::invalid_argument if there is no such camera.
+  /// @param demonstrator  visible demonstrator; nullptr for none. Must outlive this.
+  /// @throws std::invalid_argument if the camera does not exist.
   RecordingRenderer(const model::Model& model, RenderRequest request,
                     const SeenDemonstrator* demonstrator = nullptr);
 
@@ -41,7 +41,7 @@ class RecordingRenderer {
   const Image& Take(const recording::TraceTick& moment, const std::vector<Vector3>& markers = {});
 
  private:
-  /// Returns the model of all that is opaque.
+  /// Returns the model of everything opaque.
   const scene::VisualModel& opaque_model() const;
   void Render(const scene::VisualModel& model, const model::ViewSample& sample,
               const Channels& channels, Image* image);
@@ -61,7 +61,7 @@ class RecordingRenderer {
 
 /// Writes the channels of a picture beside one another: for `um.png`, `um.depth.png` and
 /// `um.id.png`.
-/// @returns what was written, color first.
+/// @returns the files, color first.
 std::vector<std::filesystem::path> WriteChannels(const std::filesystem::path& png,
                                                  const Image& image, const Channels& channels);
 

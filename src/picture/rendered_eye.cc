@@ -3,7 +3,7 @@
 namespace smile::picture {
 namespace {
 
-/// The same as the other, or without channels that the other has.
+/// True if a sample is equal to the other, or has fewer channels.
 bool IsPartOf(const model::ViewSample& sample, const model::ViewSample& other) {
   const auto [rgb, depth, id] = sample.channels;
   const model::Channels& there = other.channels;

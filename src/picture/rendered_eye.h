@@ -7,7 +7,8 @@
 
 namespace smile::picture {
 
-/// The robot's eye, drawn. When nothing moved since the last look, it hands out the last picture.
+/// Eye of the robot that renders. If nothing has changed since the last picture, it returns that
+/// one.
 class RenderedEye : public model::Eye {
  public:
   explicit RenderedEye(const model::EyeSpec& spec) : spec_(spec) {}
@@ -20,7 +21,7 @@ class RenderedEye : public model::Eye {
   camera::Renderer renderer_;
   Image image_;
   std::optional<model::ViewSample> seen_;
-  const scene::VisualModel* model_seen_ = nullptr;  ///< to be compared only
+  const scene::VisualModel* model_seen_ = nullptr;  ///< only compared, never dereferenced
 };
 
 }  // namespace smile::picture

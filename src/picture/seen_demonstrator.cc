@@ -41,6 +41,7 @@ void SeenDemonstrator::AddTo(scene::VisualState* state, std::uint64_t tick) cons
   const auto& hands = track_.At(tick);
   for (const Side side : kSides) {
     const auto poses = PiecePoses(side, hands[static_cast<std::size_t>(side)], table_edge_);
+    // The order of frames is that of AddHand(): all pieces of the left hand, then of the right.
     state->poses.insert(state->poses.end(), poses.begin(),
                         poses.begin() + static_cast<std::ptrdiff_t>(num_pieces()));
   }

@@ -13,16 +13,16 @@ namespace smile::picture {
 
 using recording::DemonstratorLook;
 
-/// The demonstrator of a recording as somebody to be seen: what is added to the visual model of its
-/// scene and robot. Nothing else changes, so that pictures of a moment with and without differ only
-/// where hands and arms are.
+/// Visible demonstrator of a recording: additions to the visual model of its scene and robot.
+/// Nothing else changes, so that pictures of a tick with and without it differ only where hands and
+/// arms are.
 class SeenDemonstrator {
  public:
   /// @param look  not kInvisible.
   /// Throws as HandTrack does.
   SeenDemonstrator(const recording::Recording& recording, DemonstratorLook look);
 
-  /// The recording's visual model with the hands after all else: one frame for each of their
+  /// Returns the recording's visual model with the hands at the end: one frame for each of their
   /// pieces.
   const scene::VisualModel& model() const { return visual_model_; }
   /// Adds the hands to a state of the model.
@@ -30,11 +30,11 @@ class SeenDemonstrator {
 
   DemonstratorLook look() const { return look_; }
   const HandTrack& track() const { return track_; }
-  /// Of each hand, the number that pictures of ids have.
+  /// Id of each hand in pictures of ids.
   std::uint32_t object_id(Side side) const { return object_ids_[static_cast<std::size_t>(side)]; }
 
  private:
-  /// Of each hand; ghosts have no arms.
+  /// Number of pieces of each hand; ghosts have no arms.
   std::size_t num_pieces() const {
     return look_ == DemonstratorLook::kGhost ? kHandPieces : kArmPieces;
   }
@@ -47,7 +47,7 @@ class SeenDemonstrator {
   std::array<std::uint32_t, kSides.size()> object_ids_{};
 };
 
-/// nullptr for an invisible one. Throws as SeenDemonstrator does.
+/// Returns the visible demonstrator; nullptr for an invisible one. Throws as SeenDemonstrator does.
 std::unique_ptr<const SeenDemonstrator> DemonstratorOf(const recording::Recording& recording,
                                                        DemonstratorLook look);
 

@@ -11,11 +11,12 @@
 namespace smile::picture {
 namespace {
 
-/// Lines that graze an edge between two triangles shall not miss both, nor meet both.
+/// Tolerance in barycentric coordinates: a line through an edge between two triangles must not miss
+/// both. Double hits are merged later.
 constexpr double kOnEdge = 1e-9;
 
-/// How far along a line a triangle is.
-/// Source: T. Moeller, B. Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection" (1997).
+/// Returns the parameter of a line at which it meets a triangle, negative ones included; nullopt if
+/// it misses.
 std::optional<double> Meet(const Vector3& p, const Vector3& direction, const Vector3& a,
                            const Vector3& b, const Vector3& c) {
   const Vector3 ab = b - a, ac = c - a;
@@ -30,7 +31,7 @@ std::optional<double> Meet(const Vector3& p, const Vector3& direction, const Vec
   return ac.dot(q) / determinant;
 }
 
-/// Where a line runs within a closed surface.
+/// Returns the parts of a line inside a closed surface, by pairing entries and exits.
 std::vector<Span> Within(const mesh::TriangleMesh& mesh, const Vector3& p,
                          const Vector3& direction) {
   constexpr double kSame = 1e-7;
@@ -42,8 +43,10 @@ std::vector<Span> Within(const mesh::TriangleMesh& mesh, const Vector3& p,
     const Vector3 a = corner(i), b = corner(j), c = corner(k);
     const auto t = Meet(p, direction, a, b, c);
     if (!t) continue;
+    // Against the outward normal, the line enters.
     ((b - a).cross(c - a).dot(direction) < 0 ? in : out).push_back(*t);
   }
+  // Sorts, and merges hits on a shared edge.
   const auto tidy = [](std::vector<double>* values) {
     std::sort(values->begin(), values->end());
     const auto end = std::unique(values->begin(), values->end(),
@@ -87,6 +90,7 @@ std::vector<Span> Touch::Along(model::FrameIndex frame, const std::vector<int>& 
   }
   std::sort(spans.begin(), spans.end(),
             [](const Span& a, const Span& b) { return a.from < b.from; });
+  // Pieces that touch are one body for the hand.
   constexpr double kTouching = 1e-4;
   std::vector<Span> merged;
   for (const Span& span : spans) {
@@ -117,8 +121,9 @@ Vector3 Touch::PointWithin(model::FrameIndex frame, const std::vector<int>& look
   if (up.to > up.from) return p_FQ;
   double nearest = std::numeric_limits<double>::infinity();
   Vector3 found = p_FQ;
-  // 13 lines both ways: along axes, diagonals of faces and of space. Level ones first: of a box the
-  // wall is taken, not the bottom.
+  // Searches along 13 lines in both directions: axes, diagonals of faces and of space, encoded as
+  // ternary numbers (half of the 26 neighbors). Horizontal lines come first: in a box, the wall is
+  // chosen and not the bottom.
   constexpr int kFirst = 14, kFirstSteep = 18, kEnd = 27;
   for (int k = kFirst; k < kEnd; ++k) {
     if (k == kFirstSteep && std::isfinite(nearest)) break;
@@ -129,6 +134,7 @@ Vector3 Touch::PointWithin(model::FrameIndex frame, const std::vector<int>& look
       const double distance = is_ahead ? span.from : -span.to;
       if (distance >= nearest) continue;
       nearest = distance;
+      // A point inside, not on the surface, so that later lines through it have a span.
       const double deep = std::min(kBelow, (span.to - span.from) / 2);
       found = p_FQ + (is_ahead ? span.from + deep : span.to - deep) * direction;
     }

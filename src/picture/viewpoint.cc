@@ -19,7 +19,7 @@ constexpr double kFieldOfView = DegreesToRadians(40);
 
 struct Preset {
   const char* name;
-  Vector3 p_WC, p_WQ;  ///< from where, to what [m]
+  Vector3 p_WC, p_WQ;  ///< position and target [m]
 };
 
 const std::array<Preset, 5>& Presets() {
@@ -35,13 +35,14 @@ const std::array<Preset, 5>& Presets() {
 
 constexpr const char* kClose = "close";
 
-/// A ball around something to be seen, in the world.
+/// Bounding sphere of a visible piece, in the world.
 struct Ball {
   Vector3 center;
   double radius;
 };
 
-/// What the scene's objects are made of, where they are at the start: a film keeps its view.
+/// Returns the bounding spheres of all objects at their initial poses, so that a film keeps its
+/// view.
 std::vector<Ball> BallsOf(const scene::SceneSpec& scene) {
   std::vector<Ball> balls;
   for (const scene::ObjectSpec& object : scene.objects) {
@@ -53,8 +54,9 @@ std::vector<Ball> BallsOf(const scene::SceneSpec& scene) {
   return balls;
 }
 
-/// As near as shows all balls, from above and a little from the side: from where the robot would
-/// stand, or, so that it does not stand in between, from the other side of the table.
+/// Returns the nearest pose that shows all balls, from above and slightly from the side: from the
+/// robot's place, or, so that a visible robot does not stand in between, from the other side of the
+/// table.
 RigidTransform ClosePose(const std::vector<Ball>& balls, const CameraIntrinsics& intrinsics,
                          bool has_robot) {
   constexpr double kNearest = 0.3;  // [m]
@@ -70,7 +72,7 @@ RigidTransform ClosePose(const std::vector<Ball>& balls, const CameraIntrinsics&
   for (const Ball& ball : balls) {
     const Vector3 p_C = R_CW * (ball.center - center);
     const auto fit = [&](double sideways, double half_size_px, double focal_px) {
-      // The edge of the picture, a plane through the camera, must leave the ball inside.
+      // The edge of the picture is a plane through the camera; the ball must lie inside it.
       const double edge = std::atan(half_size_px / focal_px);
       const double needed = (std::abs(sideways) + ball.radius / std::cos(edge)) / std::tan(edge);
       distance = std::max(distance, needed - p_C.z());
@@ -91,7 +93,7 @@ std::vector<std::string_view> Split(std::string_view text, char separator) {
   return words;
 }
 
-/// A camera anywhere, as it was asked for.
+/// Parses a view `FROM:TO[:FOV]` with points in units of the scene and degrees.
 CameraView FreeView(std::string_view camera, double meters_per_unit, const model::EyeSpec& size) {
   constexpr double kFarthest = 1000;  // from the middle of the table [m]
   const auto fail = [camera](const std::string& what) {
@@ -125,7 +127,7 @@ CameraView FreeView(std::string_view camera, double meters_per_unit, const model
   CameraView view{
       .intrinsics = CameraIntrinsics::FromVerticalFieldOfView(size.width_px, size.height_px, angle),
       .X_WC = LookAt(p_WC, p_WQ)};
-  // What it looks at shall be seen from any distance.
+  // The target must be visible from any distance.
   view.intrinsics.far = std::max(view.intrinsics.far, 2 * (p_WQ - p_WC).norm());
   return view;
 }

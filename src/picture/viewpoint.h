@@ -10,15 +10,15 @@
 
 namespace smile::picture {
 
-/// The names of views for people.
+/// Returns the names of views for people.
 std::vector<std::string> ViewNames();
 
-/// A view that stays where it is. By name: `close` shows the scene's objects where they are at
-/// the start, the others the whole table. Or anywhere: `FROM:TO[:FOV]` stands at one point, looks
-/// at another [x,y,z in units of the scene], and sees so many degrees from top to bottom.
-/// @param cameras    other names there are, for the message.
-/// @param has_robot  true when a robot is to be seen, which `close` then looks at from the front.
-/// @throws std::invalid_argument if there is no such view.
+/// Returns a fixed view. By name: `close` shows the scene's objects at their initial poses, the
+/// others the whole table. Or anywhere: `FROM:TO[:FOV]` is at one point, looks at another [x,y,z in
+/// units of the scene], with a vertical field of view in degrees.
+/// @param cameras  other valid names, for the message.
+/// @param has_robot  true if a robot is visible, which `close` then shows from the front.
+/// @throws std::invalid_argument if the view does not exist.
 CameraView FindView(std::string_view camera, const scene::SceneSpec& scene,
                     const model::EyeSpec& size, const std::vector<std::string>& cameras,
                     bool has_robot = false);

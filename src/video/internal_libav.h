@@ -48,10 +48,10 @@ using Output = std::unique_ptr<AVFormatContext, OutputDeleter>;
   throw std::runtime_error(path.string() + ": " + call + ": " + reason);
 }
 
-/// The path as libav's address, or `day:1.mp4` would be a protocol called `day`.
+/// Returns a path as libav's URL; without it, `day:1.mp4` would be a protocol called `day`.
 inline std::string UrlOf(const std::filesystem::path& path) { return "file:" + path.string(); }
 
-/// Fails when `result`, an answer of libav, is an error.
+/// Throws if `result`, a return value of libav, is an error.
 inline int Check(int result, const std::filesystem::path& path, const char* call) {
   if (result >= 0) return result;
   char reason[AV_ERROR_MAX_STRING_SIZE] = "";

@@ -12,12 +12,12 @@ namespace smile::video {
 using internal::Check;
 using internal::CheckMade;
 
-/// The steps of libav from a picture to a piece of the file: pad, convert, encode, interleave.
+/// Pipeline of libav from a picture to the file: pad, convert to YUV, encode, write.
 class VideoWriter::Encoder {
  public:
   Encoder(std::filesystem::path path, int width_px, int height_px, double frames_per_second)
       : path_(std::move(path)), width_px_(width_px), height_px_(height_px) {
-    av_log_set_level(AV_LOG_ERROR);  // x264 tells its life story otherwise
+    av_log_set_level(AV_LOG_ERROR);  // x264 reports statistics otherwise
     OpenOutput();
     OpenCodec(av_d2q(frames_per_second, 1'000'000));
     OpenFile();
@@ -50,7 +50,7 @@ class VideoWriter::Encoder {
     is_finished_ = true;
     Encode(nullptr);
     Check(av_write_trailer(output_.get()), path_, "av_write_trailer");
-    // A full disk may show only now.
+    // A full disk may be reported only here.
     Check(avio_closep(&output_->pb), path_, "avio_close");
   }
 
@@ -66,10 +66,13 @@ class VideoWriter::Encoder {
     stream_ = CheckMade(avformat_new_stream(output_.get(), nullptr), path_, "avformat_new_stream");
   }
 
+  /// Opens the encoder. Every setting that influences the bytes is fixed, so that equal pictures
+  /// give equal files.
   void OpenCodec(AVRational rate) {
     const AVCodec* x264 = CheckMade(avcodec_find_encoder_by_name("libx264"), path_,
                                     "avcodec_find_encoder_by_name(libx264)");
     codec_.reset(CheckMade(avcodec_alloc_context3(x264), path_, "avcodec_alloc_context3"));
+    // 4:2:0 subsampling needs even sizes.
     codec_->width = width_px_ + width_px_ % 2;
     codec_->height = height_px_ + height_px_ % 2;
     codec_->pix_fmt = AV_PIX_FMT_YUV420P;
@@ -97,6 +100,7 @@ class VideoWriter::Encoder {
   void OpenFile() {
     Check(avio_open(&output_->pb, output_->url, AVIO_FLAG_WRITE), path_, "avio_open");
     AVDictionary* options = nullptr;
+    // Moves the index to the front, so that players can start before the whole file is there.
     av_dict_set(&options, "movflags", "+faststart", 0);
     const int result = avformat_write_header(output_.get(), &options);
     av_dict_free(&options);
@@ -113,6 +117,7 @@ class VideoWriter::Encoder {
                        SWS_BILINEAR | SWS_ACCURATE_RND | SWS_BITEXACT, nullptr, nullptr, nullptr),
         path_, "sws_getContext"));
     const int* bt709 = sws_getCoefficients(SWS_CS_ITU709);
+    // From full-range RGB to limited-range BT.709, as the stream declares.
     sws_setColorspaceDetails(scaler_.get(), bt709, 1, bt709, 0, 0, 1 << 16, 1 << 16);
   }
 
@@ -125,6 +130,7 @@ class VideoWriter::Encoder {
     return frame;
   }
 
+  /// Copies the picture row by row; an odd last row or column is repeated.
   void CopyPadded(const Image& image, std::size_t row_bytes) {
     for (int v = 0; v < rgb_->height; ++v) {
       const std::uint8_t* from = image.color.data() + row_bytes * std::min(v, height_px_ - 1);
@@ -134,7 +140,8 @@ class VideoWriter::Encoder {
     }
   }
 
-  /// Hands a frame to the encoder, nullptr for the end, and writes what comes out.
+  /// Passes a frame to the encoder (nullptr: the end) and writes the packets that it returns; the
+  /// encoder may delay them.
   void Encode(const AVFrame* frame) {
     Check(avcodec_send_frame(codec_.get(), frame), path_, "avcodec_send_frame");
     for (;;) {
@@ -180,7 +187,7 @@ VideoWriter::~VideoWriter() {
   try {
     Finish();
   } catch (const std::exception&) {
-    // A destructor has nobody to tell; who wants to know calls Finish().
+    // A destructor cannot report errors; call Finish() for them.
   }
 }
 

@@ -8,17 +8,18 @@
 
 namespace smile::video {
 
-/// Writes pictures as an mp4 film that browsers and players show at once: H.264, 4:2:0, BT.709,
-/// the index in front. Equal pictures give equal bytes.
+/// Writer of an mp4 film that browsers and players show directly: H.264, 4:2:0, BT.709, with the
+/// index in front. Equal pictures give equal bytes.
 ///
-/// The format wants even sizes: an odd picture gets its last column or row a second time.
+/// The format requires even sizes: the last column or row of an odd picture is repeated.
 class VideoWriter {
  public:
   /// @param frames_per_second  above 0, at most 1000.
   /// @throws std::invalid_argument if sizes are not 1 to 8192 or the rate is out of range.
   /// @throws std::runtime_error naming the path and the reason.
   VideoWriter(std::filesystem::path path, int width_px, int height_px, double frames_per_second);
-  /// Finishes the film if nobody did, so that what was added can be watched; swallows errors.
+  /// Finishes the film unless Finish() was called, so that the pictures so far can be watched;
+  /// ignores errors.
   ~VideoWriter();
   VideoWriter(const VideoWriter&) = delete;
   VideoWriter& operator=(const VideoWriter&) = delete;
@@ -41,7 +42,7 @@ class VideoWriter {
   std::unique_ptr<Encoder> encoder_;
 };
 
-/// What a film says of itself.
+/// Properties of a film from its index.
 struct VideoInfo {
   int width_px = 0;
   int height_px = 0;

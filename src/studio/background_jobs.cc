@@ -6,7 +6,7 @@
 namespace smile::studio {
 namespace {
 
-/// One for look-ups, one for simulations.
+/// Number of threads: look-ups stay fast while one simulation runs.
 constexpr int kNumThreads = 2;
 constexpr std::size_t kMaxTasks = 256;
 constexpr int kMaxTasksOfClient = 8;
@@ -35,11 +35,13 @@ void BackgroundJobs::Begin(Job job) {
   {
     const std::lock_guard lock(mutex_);
     if (job.replaces_older) {
+      // Only the newest of such requests matters, as while a slider is dragged.
       const auto is_older = [&newer = job.request](const Job& other) {
         return other.request.client == newer.client && other.request.what == newer.what;
       };
       CancelMatching(is_older, "given up for what was asked for since");
     }
+    // A limit per client, so that one page cannot block the others.
     const auto num_of_client = std::ranges::count_if(tasks_, [&job](const Task& task) {
       return task.job.request.client == job.request.client && task.canceled_because.empty();
     });
@@ -64,6 +66,8 @@ void BackgroundJobs::CancelMatching(const std::function<bool(const Job&)>& is_me
   for (auto task = tasks_.begin(); task != tasks_.end();) {
     if (!is_meant(task->job)) {
       ++task;
+      // A running job notices the cancellation when it next reports progress; a waiting one is
+      // answered now.
     } else if (task->is_running) {
       task->canceled_because = why;
       ++task;
@@ -75,6 +79,7 @@ void BackgroundJobs::CancelMatching(const std::function<bool(const Job&)>& is_me
   }
 }
 
+// `conclude` runs in the session's thread and without the lock.
 std::vector<page::DeferredMessage> BackgroundJobs::TakeDeferred() {
   std::vector<page::DeferredMessage> deferred;
   for (Outgoing& outgoing : TakeOutgoing()) {
@@ -86,6 +91,7 @@ std::vector<page::DeferredMessage> BackgroundJobs::TakeDeferred() {
 
 std::vector<BackgroundJobs::Outgoing> BackgroundJobs::TakeOutgoing() {
   const std::lock_guard lock(mutex_);
+  // At most one progress message per job and call, however often the job reports.
   for (Task& task : tasks_) {
     if (!std::exchange(task.has_progressed, false)) continue;
     outgoing_.push_back({ProgressMessage(task.job.request.what, task.done, task.total), {}});
@@ -147,7 +153,7 @@ bool BackgroundJobs::ReportProgress(Task* task, double done, double total) {
 
 void BackgroundJobs::Finish(Task* task, Json answer) {
   const std::lock_guard lock(mutex_);
-  // Clients that saw it begin see it end, also when it failed.
+  // Clients that saw progress also see its end, even after a failure.
   if (task->has_begun) {
     outgoing_.push_back({ProgressMessage(task->job.request.what, task->total, task->total), {}});
   }

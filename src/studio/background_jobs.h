@@ -16,11 +16,11 @@
 
 namespace smile::studio {
 
-/// Background jobs: carries out slow requests on worker threads, so that no caller waits.
+/// Background jobs: executes slow requests on worker threads, so that no caller waits.
 class BackgroundJobs {
  public:
-  /// Returns or throws the answer to the request. Reports its progress, and ends when `progress`
-  /// returns false.
+  /// Returns or throws the answer to the request. Reports its progress, and ends early if
+  /// `progress` returns false.
   using Work = std::function<Json(const recording::Progress& progress)>;
 
   struct Job {

@@ -11,6 +11,7 @@ bool ClearTableAnimation::IsPossible(const sim::Simulation& simulation) {
 ClearTableAnimation::ClearTableAnimation(const sim::Simulation& simulation)
     : copy_(simulation.start_model()) {
   copy_.Restore(simulation.Save());
+  // Hands release everything, so that the arms can move it.
   for (const sim::HandName hand : demonstrator::kHandNames) {
     if (copy_.demonstrator().hand(hand).is_holding()) (void)copy_.Apply(sim::Release{.hand = hand});
   }
@@ -29,6 +30,7 @@ std::vector<double> ClearTableAnimation::RandomVelocities(int arm) {
 }
 
 void ClearTableAnimation::Tick() {
+  // New random velocities four times a second.
   constexpr int kTicksBetween = sim::kTicksPerSecond / 4;
   if (ticks_ % kTicksBetween == 0) {
     sim::JointVelocities velocities{.left = RandomVelocities(0)};

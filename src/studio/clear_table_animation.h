@@ -6,8 +6,8 @@
 
 namespace smile::studio {
 
-/// Clear-table animation: the robot sweeps the table as in the original's rage, in a copy of the
-/// world, so that nothing has changed when it is over.
+/// Clear-table animation: the robot sweeps the table as in the original program, in a copy of the
+/// world, so that nothing has changed afterwards.
 class ClearTableAnimation {
  public:
   static constexpr int kTicks = 10 * sim::kTicksPerSecond;

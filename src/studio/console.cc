@@ -13,13 +13,14 @@ namespace {
 
 constexpr std::array<std::string_view, 5> kEndings = {".m", ".py", ".cc", ".cpp", ".h"};
 
+/// True for letters of paths in messages; everything beyond ASCII counts.
 bool IsOfPath(char letter) {
   const auto byte = static_cast<unsigned char>(letter);
   return byte >= 0x80 || std::isalnum(byte) != 0 ||
          std::string_view("_-+./#").find(letter) != std::string_view::npos;
 }
 
-/// The number a text begins with; nullopt if it begins with none.
+/// Returns the positive number at the begin of a text; nullopt if there is none.
 std::optional<int> LeadingNumber(std::string_view text) {
   int number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -27,13 +28,14 @@ std::optional<int> LeadingNumber(std::string_view text) {
   return number;
 }
 
-/// The path a text ends with.
+/// Returns the path at the end of a text.
 std::string_view TrailingPath(std::string_view text) {
   std::size_t begin = text.size();
   while (begin > 0 && IsOfPath(text[begin - 1])) --begin;
   return text.substr(begin);
 }
 
+/// True if the path has an extension of a program.
 bool NamesProgram(std::string_view path) {
   return std::ranges::any_of(kEndings, [path](std::string_view ending) {
     return path.size() > ending.size() && path.ends_with(ending);
@@ -42,7 +44,7 @@ bool NamesProgram(std::string_view path) {
 
 using Place = std::pair<std::string, int>;
 
-/// `name.m:12`.
+/// Finds a place of the form `name.m:12`.
 std::optional<Place> PlaceWithColon(std::string_view text) {
   for (std::size_t at = text.find(':'); at != std::string_view::npos; at = text.find(':', at + 1)) {
     const std::string_view path = TrailingPath(text.substr(0, at));
@@ -52,7 +54,7 @@ std::optional<Place> PlaceWithColon(std::string_view text) {
   return std::nullopt;
 }
 
-/// `File "name.py", line 12`.
+/// Finds a place as Python prints it: `File "name.py", line 12`.
 std::optional<Place> PlaceOfPython(std::string_view text) {
   constexpr std::string_view kBegin = "File \"", kMiddle = "\", line ";
   const std::size_t begin = text.find(kBegin);
@@ -65,7 +67,7 @@ std::optional<Place> PlaceOfPython(std::string_view text) {
   return Place(text.substr(first, middle - first), *line);
 }
 
-/// `name at line 12`.
+/// Finds a place as Octave prints it: `name at line 12`.
 std::optional<Place> PlaceOfOctave(std::string_view text) {
   constexpr std::string_view kAt = " at line ";
   const std::size_t at = text.find(kAt);
@@ -92,6 +94,7 @@ ConsoleLine ParseConsoleLine(std::string_view text) {
 void Console::Write(std::string_view text) {
   ConsoleLine line = ParseConsoleLine(text);
   const std::lock_guard lock(mutex_);
+  // The newest lines are kept, as errors come last.
   if (lines_.size() == kMaxLines) {
     lines_.erase(lines_.begin());
     ++num_lost_;

@@ -8,7 +8,7 @@
 
 namespace smile::studio {
 
-/// A line that a robot program printed, and the place in a program it tells of.
+/// Line printed by a robot program, and the place in a program that it refers to.
 struct ConsoleLine {
   std::string text;
   std::string file;  ///< empty: none
@@ -17,17 +17,17 @@ struct ConsoleLine {
   bool operator==(const ConsoleLine&) const = default;
 };
 
-/// Finds the place: `wave/waveCallback.m:12`, `File "wave.py", line 12`, or, as Octave has it,
-/// `waveCallback at line 12`.
+/// Parses a line and its place: `wave/waveCallback.m:12`, `File "wave.py", line 12`, or, from
+/// Octave, `waveCallback at line 12`.
 ConsoleLine ParseConsoleLine(std::string_view text);
 
-/// What a robot program prints, from the thread that reads it to the one that tells it. Of a flood
-/// only the newest lines are kept.
+/// Queue of lines printed by a robot program, from the thread that reads them to the session's. If
+/// there are too many, only the newest are kept.
 class Console {
  public:
   static constexpr std::size_t kMaxLines = 500, kMaxLineBytes = 2'000;
 
-  /// From any thread.
+  /// Adds a line; from any thread.
   void Write(std::string_view line);
   std::vector<ConsoleLine> Take();
 

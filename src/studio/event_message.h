@@ -6,7 +6,7 @@
 
 namespace smile::studio {
 
-/// `{"t":"event",…}`: the kind, and what there is to tell of it.
+/// Returns the message `{"t":"event",…}`: the kind and the fields that the event has.
 /// @param model  of the scene in which it happened.
 Json EventMessage(const sim::Event& event, std::uint64_t tick, const model::Model& model);
 

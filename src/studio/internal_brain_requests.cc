@@ -11,6 +11,7 @@
 namespace smile::studio {
 
 std::vector<library::BrainChoice> BrainRequests::Choices() const {
+  // The user's folders first: a program there hides a shipped one of the same name.
   std::vector<std::filesystem::path> folders = options_->brains;
   for (const char* shipped : {"matlab/examples", "python/examples", "matlab", "python"}) {
     folders.push_back(DataFile(shipped));
@@ -72,6 +73,8 @@ Json BrainRequests::Imitate(const page::RequestFields& fields) {
   }
   const std::string scene = fields.Text("scene");
   const std::filesystem::path directory = library_->DirectoryOf(fields.Text("recording"));
+  // The task is made before the scene is loaded, so that an impossible task leaves the world
+  // unchanged.
   const recording::Recording demonstration = recording::OpenRecording(directory);
   task::ImitationTask imitation_task =
       task::MakeImitationTask(scene, demonstration, source_->Named(scene));
@@ -85,6 +88,7 @@ Json BrainRequests::Imitate(const page::RequestFields& fields) {
 std::filesystem::path BrainRequests::RecordImitation(const recording::Recording& demonstration) {
   constexpr std::string_view kEnd = ", imitated";
   std::string title = demonstration.info.title;
+  // The suffix must fit into the limit of titles.
   if (title.empty() || title.size() + kEnd.size() > recording::kMaxTitleBytes) {
     title = demonstration.directory.filename().string();
   }
@@ -92,6 +96,7 @@ std::filesystem::path BrainRequests::RecordImitation(const recording::Recording&
   LiveWorld& world = states_->world();
   if (const auto refusal = world.Apply(
           sim::StartRecording{.name = recording::RecordingNameFor(title), .title = title})) {
+    // An imitation without a recording could not be evaluated later.
     states_->brain().Stop(&world.simulation());
     throw page::RequestError("the imitation cannot be recorded: " + *refusal);
   }

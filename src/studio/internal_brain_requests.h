@@ -17,7 +17,7 @@
 
 namespace smile::studio {
 
-/// The requests that choose, start and stop robot programs.
+/// Requests that list, start and stop robot programs.
 class BrainRequests {
  public:
   /// All must outlive this.
@@ -33,10 +33,11 @@ class BrainRequests {
 
  private:
   std::vector<library::BrainChoice> Choices() const;
-  /// @throws page::RequestError if there is none of this name.
+  /// Returns the program of this name.
+  /// @throws page::RequestError if there is none.
   library::BrainChoice Find(const std::string& name) const;
   void Run(const library::BrainChoice& choice, const std::filesystem::path& demonstration);
-  /// Begins to record the imitation that starts now. Returns its directory.
+  /// Starts the recording of the imitation. Returns its directory.
   std::filesystem::path RecordImitation(const recording::Recording& demonstration);
 
   const SessionOptions* options_;

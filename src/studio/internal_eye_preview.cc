@@ -6,9 +6,10 @@
 namespace smile::studio {
 
 std::optional<std::string> EyePreview::Look(LiveWorld* world, const SessionState& shown) {
-  constexpr std::uint64_t kTicksPerPicture = 15;  // 4 a second, as classic recordings have them
+  constexpr std::uint64_t kTicksPerPicture = 15;  // 4 a second, as in classic recordings
   ++num_calls_;
   if (eye_ == nullptr || is_broken_) return std::nullopt;
+  // A recorded picture has priority: people see exactly what is recorded, without rendering twice.
   if (auto recorded = world->eye()->Take()) {
     picture_ = Picture{.image = *std::move(recorded), .is_recorded = true};
     seen_ = sim::ViewSampleOf(world->simulation(), eye_->spec());
@@ -16,10 +17,12 @@ std::optional<std::string> EyePreview::Look(LiveWorld* world, const SessionState
   }
   if (num_calls_ % kTicksPerPicture != 0) return std::nullopt;
   sim::ViewSample sample = shown.ViewSampleThrough(eye_->spec());
+  // The picture would be the same.
   if (seen_ == sample) return std::nullopt;
   try {
     picture_ = Picture{.image = eye_->Draw(shown.model().visual_model(), sample)};
   } catch (const std::runtime_error& error) {
+    // Reported once; trying again at every tick would repeat the error.
     is_broken_ = true;
     return error.what();
   }

@@ -11,8 +11,8 @@
 
 namespace smile::studio {
 
-/// What people see through the robot's eye: the pictures that are recorded, and between them up to
-/// four a second when something else is to be seen.
+/// Preview of the robot's eye for people: the recorded pictures, and between them up to four a
+/// second if the view has changed.
 class EyePreview {
  public:
   struct Picture {
@@ -24,20 +24,20 @@ class EyePreview {
   explicit EyePreview(sim::Eye* eye) : eye_(eye) {}
 
   /// To be called after each tick.
-  /// @returns why the eye cannot draw, once.
+  /// @returns the reason why the eye cannot draw, once.
   std::optional<std::string> Look(LiveWorld* world, const SessionState& shown);
-  /// Somebody waits for a picture, whatever was seen before.
+  /// Requests a new picture even if the view has not changed.
   void Forget() const { seen_.reset(); }
-  /// The last picture since this was last asked.
+  /// Returns the last picture since the last call.
   std::optional<Picture> Take() { return std::exchange(picture_, std::nullopt); }
 
  private:
   sim::Eye* eye_;
-  bool is_broken_ = false;  ///< it cannot draw, which was reported
+  bool is_broken_ = false;  ///< it cannot draw; reported already
   std::uint64_t num_calls_ = 0;
   std::optional<Picture> picture_;
   mutable std::optional<sim::ViewSample>
-      seen_;  ///< at last; nullopt when somebody waits for a picture
+      seen_;  ///< view of the last picture; nullopt requests a new one
 };
 
 }  // namespace smile::studio

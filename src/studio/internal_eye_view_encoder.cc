@@ -21,6 +21,7 @@ EyeViewEncoder::~EyeViewEncoder() {
 void EyeViewEncoder::Encode(View view) {
   {
     const std::lock_guard lock(mutex_);
+    // Overwrites a picture that is still waiting: only the newest is of interest.
     next_ = std::move(view);
   }
   changed_.notify_all();

@@ -14,7 +14,10 @@ constexpr double kMaxLateFrames = 6;  // kMaxLateness in frames
 }  // namespace
 
 int FrameTimer::BeginFrame(Time now) {
+  // After a long interruption the schedule restarts near `now`, so that frames do not catch up in a
+  // burst.
   next_frame_ = std::max(next_frame_, now - kMaxLateness) + kFramePeriod;
+  // Fractional ticks accumulate: at factor 0.5, every second frame has a tick.
   owed_ticks_ += factor_;
   const int ticks = static_cast<int>(owed_ticks_);
   owed_ticks_ -= ticks;
@@ -22,9 +25,12 @@ int FrameTimer::BeginFrame(Time now) {
 }
 
 void FrameTimer::EndFrame(int done, int waiting, Time now) {
+  // Ticks that could not be done yet remain due, up to the limit; ticks for which there was no time
+  // are lost.
   owed_ticks_ = std::min(owed_ticks_ + waiting, kMaxLateFrames * std::max(factor_, 1.0));
   ticks_ += done;
   samples_.push_back({now, ticks_});
+  // A sliding window of about one second for the measured speed.
   while (samples_.size() > 2 && now - samples_.front().time > 1s) samples_.pop_front();
 }
 

@@ -14,6 +14,7 @@ constexpr double kMaxSeconds = 1e6;
 Json PlaybackRequests::Show(const page::RequestFields& fields) {
   const std::string id = fields.Text("recording");
   const double seconds = fields.OptionalNumber("seconds", 0, kMaxSeconds).value_or(0);
+  // Showing the same recording again only seeks.
   if (PlaybackState* shown = states_->playback(); shown && shown->playback().id() == id) {
     shown->playback().Seek(seconds);
     return {{"length", shown->playback().length()}};
@@ -47,6 +48,7 @@ Json PlaybackRequests::Branch(const page::RequestFields& fields) {
     restoring->Make(progress);
     return {{"recording", restoring->recording()}};
   };
+  // Runs in the session's thread: only there may the world be replaced.
   const auto conclude = [this] {
     if (auto made = states_->TakeRestored()) states_->Enter(std::move(made));
   };

@@ -11,7 +11,7 @@ namespace smile::studio {
 /// Requests that show a recording, or continue it from a point of its history.
 class PlaybackRequests {
  public:
-  /// All must outlive this. Without background jobs no request may branch.
+  /// All must outlive this. `branch` requires background jobs.
   PlaybackRequests(const SessionOptions* options, const library::Library* library,
                    StateMachine* states)
       : options_(options), library_(library), states_(states) {}

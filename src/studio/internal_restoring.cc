@@ -20,8 +20,9 @@ std::optional<std::string> Restoring::Unmet(Need need) const {
   return "the world goes back to a moment of a recording: wait until it is there";
 }
 
-// The eye of the options belongs to another thread: it is installed last, and pictures of the path
-// there are rendered with a second eye of the same specification.
+// Runs in a worker thread. The eye of the options belongs to another thread (OpenGL contexts are
+// bound to threads): it is installed last, and pictures of the path there are rendered with a
+// second eye of the same specification.
 void Restoring::Make(const recording::Progress& progress) {
   const recording::Recording recording = recording::OpenRecording(directory_);
   const recording::HistoryPoint point = recording::HistoryPointOf(

@@ -16,7 +16,7 @@ namespace smile::studio {
 /// Point of a recording's history, by its step.
 struct BranchPoint {
   std::size_t step = 0;
-  std::optional<double> after;  ///< the step's beginning [s]; nullopt for its end
+  std::optional<double> after;  ///< time since the step's begin [s]; nullopt for its end
 };
 
 /// Activity that continues a recording from a point of its history: the world for it is made in
@@ -28,7 +28,7 @@ class Restoring : public Activity {
   Restoring(std::string recording, std::filesystem::path directory, const BranchPoint& from,
             recorder::RecordingController::Options options);
 
-  /// The id of the recording.
+  /// Returns the id of the recording.
   const std::string& recording() const { return recording_; }
   std::optional<std::string> Unmet(Need need) const override;
 

@@ -7,7 +7,7 @@
 
 namespace smile::studio {
 
-/// The requests that load a scene or check one.
+/// Requests that load or check a scene.
 class SceneRequests {
  public:
   /// Both must outlive this.
@@ -15,7 +15,7 @@ class SceneRequests {
       : source_(source), states_(states) {}
 
   Json Load(const page::RequestFields& fields);
-  /// Begins the scene again in which the world is.
+  /// Loads the start scene of the world again.
   Json Reload(const page::RequestFields& fields);
   Json Check(const page::RequestFields& fields);
 

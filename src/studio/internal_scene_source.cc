@@ -9,7 +9,8 @@
 namespace smile::studio {
 namespace {
 
-/// A scene that came from a page is no larger: it is read while people wait.
+/// Limits of scenes from pages, which are stricter than those of files, since the session waits
+/// while they are read.
 constexpr int kMaxObjects = 2'000, kMaxElements = 20'000;
 constexpr std::size_t kMaxText = std::size_t{1} << 20;
 
@@ -27,7 +28,7 @@ scene::SceneSpec SceneSource::Named(const std::string& name) const {
 scene_xml::SceneReading SceneSource::ReadText(const page::RequestFields& fields) const {
   const std::string text = fields.Text("xml", kMaxText);
   std::string name = fields.OptionalText("name").value_or("scene.xml");
-  // A name, wherever it came from.
+  // A client may send a path; only its last component names the scene.
   name = std::filesystem::path(name).filename().string();
   scene_xml::SceneReaderOptions options = reader_;
   options.search_roots.push_back(scene_folder_);

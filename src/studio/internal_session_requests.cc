@@ -16,6 +16,7 @@ SessionRequests::SessionRequests(const StateMachine* states, std::vector<Request
     entry.is_for_anyone = row.is_for_anyone;
     entry.handle = [&row, on_request](const page::Request& request) {
       on_request();
+      // The callback runs twice: the request must see the present view, and may invalidate it.
       Json answer = row.handle(page::RequestFields(request));
       on_request();
       return answer;
@@ -42,6 +43,7 @@ std::optional<std::string> SessionRequests::RefusalOf(const RequestRow& row,
   return row.refuse ? row.refuse(page::RequestFields(request)) : std::nullopt;
 }
 
+// `try_out` is asked last, as it may simulate the request on a copy of the world.
 std::optional<std::string> SessionRequests::RefusalOf(const Json& wanted) const {
   page::Request request{.fields = wanted};
   const page::RequestFields fields(request);

@@ -21,16 +21,16 @@ struct RequestRow {
   std::function<Json(const page::RequestFields&)> handle;
   std::vector<Need> needs = {};
   bool is_for_anyone = false;
-  RequestRefuser refuse = nullptr;  ///< asked when all needs are met
-  /// Asked by `allowed` alone, after `refuse`: the reasons that `handle` would come upon.
+  RequestRefuser refuse = nullptr;  ///< called if all needs are met
+  /// Called by `allowed` only, after `refuse`: returns the reason for which `handle` would refuse.
   RequestRefuser try_out = nullptr;
 };
 
-/// The requests of a session: those that are carried out, and those that are only asked about, are
-/// refused by the same rules.
+/// Requests of a session. The same rules refuse requests that are executed and requests that are
+/// only asked about.
 class SessionRequests {
  public:
-  /// @param on_request  called before and after a request is carried out.
+  /// @param on_request  called before and after a request is executed.
   SessionRequests(const StateMachine* states, std::vector<RequestRow> rows,
                   const std::function<void()>& on_request);
   SessionRequests(const SessionRequests&) = delete;
@@ -38,12 +38,12 @@ class SessionRequests {
 
   page::RequestTable& table() { return table_; }
   const page::RequestTable& table() const { return table_; }
-  /// The answer to the request `allowed`.
+  /// Answers the request `allowed`.
   Json Allowed(const page::RequestFields& fields) const;
 
  private:
   std::optional<std::string> RefusalOf(const RequestRow& row, const page::Request& request) const;
-  /// The same of a request that is not carried out.
+  /// Returns the reason why a request, given as JSON, would be refused.
   std::optional<std::string> RefusalOf(const Json& wanted) const;
 
   const StateMachine* states_;

@@ -36,6 +36,8 @@ Json LiveState::Describe() const { return DescribeLive(world().simulation()); }
 
 bool LiveState::Tick(bool is_paused) {
   if (is_paused) return true;
+  // A program that thinks stops the simulated time, so that its speed does not influence the
+  // result.
   if (!brain_->Drive(&world().simulation())) return false;
   world().simulation().Tick();
   return true;
@@ -51,6 +53,7 @@ ImitatingState::ImitatingState(task::ImitationTask imitation_task, LiveWorld* wo
 
 bool ImitatingState::Tick(bool is_paused) {
   if (!LiveState::Tick(is_paused)) return false;
+  // The time of watching the demonstration does not count.
   const double limit = experiment::kMaxImitationSeconds + sim::SecondsOf(brain().watched_ticks());
   const double seconds = sim::SecondsOf(world().simulation().tick() - start_tick_);
   if (seconds >= limit) brain().Stop(&world().simulation());
@@ -58,6 +61,7 @@ bool ImitatingState::Tick(bool is_paused) {
 }
 
 std::optional<Json> ImitatingState::End(double measured_speed) {
+  // The user may have finished the recording already, and even started another one.
   const bool is_recorded = world().is_recording() && world().recording_directory() == recording_;
   if (is_recorded) (void)world().Apply(sim::FinishRecording{});
   const double watched = sim::SecondsOf(brain().watched_ticks());
@@ -109,6 +113,7 @@ library::View PlaybackState::view() const {
 }
 
 model::ViewSample PlaybackState::ViewSampleThrough(model::EyeSpec eye) const {
+  // A recording is shown through the camera with which it was made.
   eye.camera = playback_.recording().info.eye_camera;
   return recording::ViewSampleAt(playback_.moment(), playback_.model(), eye);
 }

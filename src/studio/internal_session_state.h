@@ -16,63 +16,64 @@
 #include "studio/live_world.h"
 #include "task/imitation_result.h"
 
-// The states of a session: each shows something, lets something go on while time goes by, and
-// decides which needs of requests are met.
+// States of a session: each has a view, advances with time, and decides which needs of requests are
+// met.
 
 namespace smile::studio {
 
-/// A condition of a request.
+/// Condition of a request.
 enum class Need {
-  kCommands,      ///< the live world takes commands
-  kTime,          ///< its time may be stopped
-  kOtherWorld,    ///< another world may take its place
-  kNewRecording,  ///< a recording of it may begin
+  kCommands,      ///< the live world accepts commands
+  kTime,          ///< its time may be paused
+  kOtherWorld,    ///< it may be replaced by another world
+  kNewRecording,  ///< a recording of it may start
   kShow,          ///< a recording may be shown
-  kPlayback,      ///< one is shown
+  kPlayback,      ///< a recording is shown
   kRobot,
   kProgram,
   kNoProgram,
 };
 
-/// An activity of a session: while it lasts, some needs are not met.
+/// Activity of a session: while it lasts, some needs are not met.
 class Activity {
  public:
   virtual ~Activity() = default;
 
-  /// The reason why a need is not met; nullopt unless this activity stands against it.
+  /// Returns the reason why a need is not met; nullopt unless this activity prevents it.
   virtual std::optional<std::string> Unmet(Need need) const = 0;
 };
 
 class SessionState : public Activity {
  public:
-  /// `mode` of a state message.
+  /// Returns `mode` of a state message.
   virtual const char* mode() const = 0;
 
-  /// Of what is shown.
+  /// Returns the model that is shown.
   virtual const model::Model& model() const = 0;
-  /// `scene` is the caller's to fill in.
+  /// Returns the view; the caller sets its member `scene`.
   virtual library::View view() const = 0;
   virtual model::ViewSample ViewSampleThrough(model::EyeSpec eye) const = 0;
-  /// What a state message says of it: tick, hands, controls, the robot.
+  /// Returns the part of a state message that depends on this state: tick, hands, controls, the
+  /// robot.
   virtual Json Describe() const = 0;
 
-  /// 1/60 s goes by.
-  /// @returns false if the world stood still because a robot program starts or thinks.
+  /// Advances by 1/60 s.
+  /// @returns false if the world waits because a robot program starts or thinks.
   virtual bool Tick(bool is_paused) = 0;
-  /// The live world follows.
+  /// True if the state ends; the live state follows.
   virtual bool is_over() const { return false; }
-  /// Ends it when it is over, or stopped.
-  /// @returns a message for all; nullopt without one.
+  /// Ends the state when it is over or stopped.
+  /// @returns a message for all clients; nullopt without one.
   virtual std::optional<Json> End(double /*measured_speed*/) { return std::nullopt; }
 };
 
-/// A state of the live world.
+/// State of the live world.
 class WorldState : public SessionState {
  public:
   /// `world` must outlive this.
   explicit WorldState(LiveWorld* world) : world_(world) {}
 
-  /// While it is recorded, the world stays, and is shown.
+  /// While it is recorded, the world can neither be replaced nor hidden by playback.
   std::optional<std::string> Unmet(Need need) const override;
 
  protected:
@@ -83,7 +84,7 @@ class WorldState : public SessionState {
   LiveWorld* world_;
 };
 
-/// People and a robot program act in the world.
+/// Live state: people and a robot program act in the world.
 class LiveState : public WorldState {
  public:
   /// Both must outlive this.
@@ -104,15 +105,16 @@ class LiveState : public WorldState {
   LiveBrain* brain_;
 };
 
-/// A robot program imitates a demonstration, recorded, until it ends or its time is over.
+/// Imitation: a robot program imitates a demonstration, recorded, until it ends or exceeds its
+/// time.
 class ImitatingState : public LiveState {
  public:
-  /// The program runs and the recording has begun.
+  /// Requires a running program and a recording in progress.
   ImitatingState(task::ImitationTask imitation_task, LiveWorld* world, LiveBrain* brain);
 
   bool Tick(bool is_paused) override;
   bool is_over() const override { return !brain().is_running(); }
-  /// Finishes the recording, if it still goes on; returns the score.
+  /// Finishes the recording, if it is still in progress; returns the score.
   std::optional<Json> End(double measured_speed) override;
 
  private:
@@ -122,7 +124,7 @@ class ImitatingState : public LiveState {
   std::uint64_t start_tick_ = 0;
 };
 
-/// The robot clears the table, in a copy of the world.
+/// Clear-table animation, in a copy of the world.
 class ClearTableState : public WorldState {
  public:
   /// Requires ClearTableAnimation::IsPossible(). `world` must outlive this.
@@ -141,7 +143,7 @@ class ClearTableState : public WorldState {
   ClearTableAnimation animation_;
 };
 
-/// A recording is shown; the world waits.
+/// Playback: a recording is shown; the world waits.
 class PlaybackState : public SessionState {
  public:
   /// @throws InputError if the recording cannot be read.
@@ -150,17 +152,17 @@ class PlaybackState : public SessionState {
 
   library::Playback& playback() { return playback_; }
   const library::Playback& playback() const { return playback_; }
-  /// `playback` of a state message.
+  /// Returns `playback` of a state message.
   Json DescribePlayback() const;
 
   const char* mode() const override { return "playback"; }
   std::optional<std::string> Unmet(Need need) const override;
   const model::Model& model() const override { return playback_.model(); }
   library::View view() const override;
-  /// With the camera that the recording was made with.
+  /// Returns the sample through the camera of the recording.
   model::ViewSample ViewSampleThrough(model::EyeSpec eye) const override;
   Json Describe() const override;
-  /// A pause is the world's alone.
+  /// Advances the playback; pausing the world does not affect it.
   bool Tick(bool is_paused) override;
 
  private:

@@ -6,10 +6,13 @@
 namespace smile::studio {
 namespace {
 
+/// Returns a state message without the values that change at every tick; differences in these alone
+/// are not sent.
 Json WithoutTime(Json state) {
   state.erase("tick");
   Json& recording = state["recording"];
   if (!recording.is_object()) return state;
+  // The duration of a recording is sent once a second.
   recording["seconds"] = std::floor(recording["seconds"].get<double>());
   recording["segments"].back().erase("seconds");
   return state;

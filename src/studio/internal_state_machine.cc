@@ -21,6 +21,7 @@ std::optional<std::string> StateMachine::Unmet(Need need) const {
     default:
       break;
   }
+  // The first activity that prevents the need gives the reason; playback is the most visible one.
   const std::initializer_list<const Activity*> activities = {playback_.get(), restoring_.get(),
                                                              world_state_.get()};
   for (const Activity* activity : activities) {
@@ -32,6 +33,7 @@ std::optional<std::string> StateMachine::Unmet(Need need) const {
 
 bool StateMachine::Tick() {
   ++num_ticks_;
+  // A program also starts while playback is shown or time is paused.
   brain_.Attend(&world_->simulation());
   SessionState& shown = playback_ ? *playback_ : *world_state_;
   const bool has_ticked = shown.Tick(pace_.is_paused);
@@ -42,13 +44,15 @@ bool StateMachine::Tick() {
 void StateMachine::Enter(std::unique_ptr<LiveWorld> world) {
   LeaveWorld();
   world_ = std::move(world);
-  // Pictures that its recording took while it was restored are not sent.
+  // Discards the picture that was recorded during the restoration.
   if (CapturingEye* eye = world_->eye()) (void)eye->Take();
   BeginWorld();
 }
 
 std::optional<sim::Refusal> StateMachine::Apply(const sim::Command& command) {
   const sim::Simulation& simulation = world_->simulation();
+  // A command may replace the model: another start model is another world (load, or undo of one);
+  // another model with the same start has other objects (spawn, or undo of one).
   const std::shared_ptr<const model::Model> model = simulation.shared_model();
   const std::shared_ptr<const model::Model> start_model = simulation.start_model();
   if (auto refusal = world_->Apply(command)) return refusal;
@@ -62,6 +66,7 @@ std::optional<sim::Refusal> StateMachine::Apply(const sim::Command& command) {
 }
 
 void StateMachine::LeaveWorld() {
+  // In this order, since states refer to the world and the program.
   brain_.Leave();
   playback_.reset();
   world_state_.reset();
@@ -83,6 +88,7 @@ void StateMachine::AnimateClearTable() {
 
 void StateMachine::EndIfOver() {
   if (!world_state_->is_over()) return;
+  // The next state is entered after the score has been computed from the world as it is.
   if (auto score = world_state_->End(pace_.measured_speed)) listener_->OnScore(*std::move(score));
   world_state_ = std::make_unique<LiveState>(world_.get(), &brain_);
 }

@@ -13,33 +13,33 @@
 
 namespace smile::studio {
 
-/// How time goes by in a session.
+/// Time control of a session.
 struct Pace {
   bool is_paused = false;
-  double speed_factor = 1;    ///< wanted, of simulated to real time
+  double speed_factor = 1;    ///< requested ratio of simulated to wall-clock time
   double measured_speed = 1;  ///< over the last second
 };
 
-/// The states of a session and the transitions between them, with the world and the robot program
-/// that they are about.
+/// State machine of a session: the states and the transitions between them, with the world and the
+/// robot program to which they refer.
 ///
 /// The live world is always in one state: live, imitating or clearing the table (rage). Playback
-/// may lie over it, and is shown instead. Restoring goes on beneath both, in another thread.
+/// may be shown in its place. Restoring runs in another thread, independent of both.
 class StateMachine {
  public:
   class Listener {
    public:
     virtual ~Listener() = default;
-    /// Another world is live, or the world is in another scene.
+    /// Called when the live world was replaced, or has another scene.
     virtual void OnOtherWorld() = 0;
-    /// Another scene is shown, maybe that of another world.
+    /// Called when another scene is shown.
     virtual void OnOtherScene() = 0;
-    /// An imitation is over: its score, as a message for all.
+    /// Called at the end of an imitation, with its score as a message for all clients.
     virtual void OnScore(Json score) = 0;
   };
 
-  /// To be used after the first Enter(). `listener` must outlive this.
-  /// @param has_robot  worlds have a robot.
+  /// Requires Enter() before any other call. `listener` must outlive this.
+  /// @param has_robot  true if worlds have a robot.
   StateMachine(bool has_robot, Listener* listener) : has_robot_(has_robot), listener_(listener) {}
   StateMachine(const StateMachine&) = delete;
   StateMachine& operator=(const StateMachine&) = delete;
@@ -51,44 +51,45 @@ class StateMachine {
   Pace& pace() { return pace_; }
   const Pace& pace() const { return pace_; }
 
-  /// The state whose scene is shown.
+  /// Returns the state that is shown.
   const SessionState& shown() const { return playback_ ? *playback_ : *world_state_; }
-  /// nullptr unless a recording is shown.
+  /// Returns the playback; nullptr unless a recording is shown.
   PlaybackState* playback() { return playback_.get(); }
   const PlaybackState* playback() const { return playback_.get(); }
   /// Returns nullptr unless a recording is being continued from a point of its history.
   const Restoring* restoring() const { return restoring_.get(); }
-  /// The reason why a need is not met; nullopt if it is.
+  /// Returns the reason why a need is not met; nullopt if it is met.
   std::optional<std::string> Unmet(Need need) const;
 
-  /// 1/60 s goes by.
-  /// @returns false if the world stood still because a robot program starts or thinks.
+  /// Advances by 1/60 s.
+  /// @returns false if the world waits because a robot program starts or thinks.
   bool Tick();
-  /// Counts the calls of Tick().
+  /// Returns the number of calls of Tick().
   std::uint64_t num_ticks() const { return num_ticks_; }
 
-  /// Another world is live. The robot program ends with the world it was in, and so does playback.
+  /// Replaces the live world. The robot program and playback end.
   void Enter(std::unique_ptr<LiveWorld> world);
-  /// Applies a command to the live world. A load, and the undo of one, is like another world.
-  /// @returns why it was refused.
+  /// Applies a command to the live world. A load, and the undo of one, count as another world.
+  /// @returns the reason of a refusal.
   std::optional<sim::Refusal> Apply(const sim::Command& command);
-  /// The program runs and the recording has begun.
+  /// Starts the imitation state; requires a running program and a recording in progress.
   void Imitate(task::ImitationTask imitation_task);
   /// Starts the clear-table animation, which must be possible.
   void AnimateClearTable();
-  /// The world's state is live if what went on in it is over.
+  /// Returns to the live state if the present state of the world is over.
   void EndIfOver();
   void Show(std::unique_ptr<PlaybackState> playback);
   void GoLive();
-  /// Lasts until TakeRestored(). The object belongs also to the thread that makes the world.
+  /// Starts restoring, until TakeRestored(). The object is shared with the thread that makes the
+  /// world.
   void Restore(std::shared_ptr<Restoring> restoring) { restoring_ = std::move(restoring); }
-  /// Restoring is over. Returns the world that was made; nullptr if that failed.
+  /// Ends restoring. Returns the world that was made; nullptr if that failed.
   std::unique_ptr<LiveWorld> TakeRestored();
 
  private:
-  /// What belongs to the live world ends.
+  /// Ends everything that belongs to the live world.
   void LeaveWorld();
-  /// The live world is another one, or in another scene.
+  /// Starts the live state in a new world or scene.
   void BeginWorld();
 
   const bool has_robot_;

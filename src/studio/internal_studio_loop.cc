@@ -14,6 +14,8 @@ StudioLoop::StudioLoop(SessionInterface* session, page::Server* server)
     : session_(session), server_(server), timer_(Clock::now()), view_encoder_(server) {}
 
 void StudioLoop::Step() {
+  // Order of a frame: requests, ticks, updates, poses; so a command is visible in the frame in
+  // which it arrives.
   timer_.SetFactor(session_->speed_factor());
   const int ticks_due = timer_.BeginFrame(Clock::now());
   CarryOutRequests();
@@ -35,6 +37,8 @@ void StudioLoop::CarryOutRequests() {
 }
 
 void StudioLoop::DoTicks(int count) {
+  // At least one tick per frame, so that a slow simulation advances; a waiting program ends the
+  // loop.
   const Clock::time_point deadline = Clock::now() + FrameTimer::kFramePeriod;
   int done = 0;
   bool is_waiting = false;

@@ -7,14 +7,14 @@
 
 namespace smile::studio {
 
-/// Studio loop: carries out requests, advances the session and sends updates, 60 times a second.
+/// Studio loop: executes requests, advances the session and sends updates, 60 times a second.
 /// Belongs to the thread of the session.
 class StudioLoop {
  public:
   /// Both must outlive this.
   StudioLoop(SessionInterface* session, page::Server* server);
 
-  /// Carries out one 60th of a second.
+  /// Runs one frame of 1/60 s.
   void Step();
   /// Returns the time at which the next step is due.
   FrameTimer::Time next_step() const { return timer_.next_frame(); }

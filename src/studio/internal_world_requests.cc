@@ -14,13 +14,14 @@
 namespace smile::studio {
 namespace {
 
+/// Returns the field `hand`; throws page::RequestError for other words.
 sim::HandName HandOf(const page::RequestFields& fields) {
   constexpr std::array<std::string_view, 4> kHands = {"left", "right", "both", "any"};
-  // One of them, or it has thrown.
+  // Word() returns one of them or throws, so the fallback is never used.
   return demonstrator::ParseHandName(fields.Word("hand", kHands)).value_or(sim::HandName::kAny);
 }
 
-/// Only the world itself has a history and recordings, not a copy of it.
+/// True for commands about history and recordings, which a copy of the world does not have.
 bool IsOfHistory(const sim::Command& command) {
   return std::holds_alternative<sim::Undo>(command) || std::holds_alternative<sim::Redo>(command) ||
          std::holds_alternative<sim::StartRecording>(command) ||
@@ -31,6 +32,7 @@ bool IsOfHistory(const sim::Command& command) {
 
 Json WorldRequests::Command(const page::RequestFields& fields) {
   const sim::Command command = MeantBy(fields.Object("command"), fields.Flag("exact"));
+  // Rules of the session first; the simulation checks the rest itself.
   if (const auto refusal = RefusalInSession(command)) throw page::RequestError(*refusal);
   Apply(command);
   const LiveWorld& world = states_->world();
@@ -54,6 +56,7 @@ Json WorldRequests::Spawn(const page::RequestFields& fields) {
   const sim::Add add{.preset = fields.Text("preset"), .seed = fields.Whole("seed", sim::kMaxSeed)};
   const sim::Simulation& simulation = states_->world().simulation();
   sim::Refusal refusal;
+  // The preset is expanded here, so that the log contains the objects and not the generator.
   const auto spawn = sim::SpawnOf(add, simulation, &refusal);
   if (!spawn) throw page::RequestError(refusal);
   Apply(*spawn);
@@ -140,6 +143,7 @@ sim::Command WorldRequests::MeantBy(const Json& wanted, bool is_exact) {
     if (!spawn) throw page::RequestError(refusal);
     return *spawn;
   }
+  // A drag is a motion of the mouse; the command is the motion of the hand that follows from it.
   if (!sim::IsDrag(wanted)) {
     const sim::Command command = sim::ParseCommand(wanted, meters_per_unit);
     return is_exact ? command : snapper_.Snapped(world, command);
@@ -152,6 +156,7 @@ sim::Command WorldRequests::MeantBy(const Json& wanted, bool is_exact) {
 }
 
 std::optional<std::string> WorldRequests::RefusalInSession(const sim::Command& command) const {
+  // A program cannot be rewound together with the world.
   const bool turns_back =
       std::holds_alternative<sim::Undo>(command) || std::holds_alternative<sim::Redo>(command);
   if (turns_back && states_->brain().is_running()) {

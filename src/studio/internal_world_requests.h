@@ -13,7 +13,7 @@
 
 namespace smile::studio {
 
-/// The requests that command the live world, ask about it, or let its time go by.
+/// Requests that command the live world, query it, or control its time.
 class WorldRequests {
  public:
   /// `states` must outlive this.
@@ -32,22 +32,24 @@ class WorldRequests {
   Json Resume(const page::RequestFields& fields);
   Json SetSpeed(const page::RequestFields& fields);
 
-  /// `commands` in `allowed` of a state message.
+  /// Returns `commands` in `allowed` of a state message.
   Json DescribeAllowedCommands() const;
-  /// `snap` of a state message.
+  /// Returns `snap` of a state message.
   std::vector<std::string> snap() const { return NamesOf(snapper_.to); }
-  /// Another world is live.
+  /// Forgets copies of the world, after it was replaced.
   void Forget();
 
  private:
-  /// Applies it through the one door.
+  /// Applies a command to the live world.
   /// @throws page::RequestError if it is refused.
   void Apply(const sim::Command& command);
-  /// Returns what a page's `command` means now, snapped unless it is to be exact.
+  /// Returns the command that a page's `command` means in the present state, snapped unless it is
+  /// to be exact.
   sim::Command MeantBy(const Json& wanted, bool is_exact);
-  /// Returns why a command is refused, as far as the simulation has no part in it.
+  /// Returns the reason for which the session refuses a command; the simulation may have others.
   std::optional<std::string> RefusalInSession(const sim::Command& command) const;
-  /// The same as far as it does not depend on hands, objects and robot.
+  /// Returns the reason for which a command is refused, except reasons that depend on hands,
+  /// objects and robot.
   std::optional<std::string> RefusalOf(const sim::Command& command) const;
 
   StateMachine* states_;

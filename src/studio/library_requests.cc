@@ -18,9 +18,10 @@
 namespace smile::studio {
 namespace {
 
-/// An older preview of an edit is not kept.
+/// Age at which the preview of an edit is removed.
 constexpr auto kMaxPreviewAge = std::chrono::minutes(10);
 
+/// Returns a text field; nullopt if it is missing or null.
 std::optional<std::string> TextIfGiven(const page::Request& request, const char* key) {
   const auto field = request.fields.find(key);
   if (field == request.fields.end() || field->is_null()) return std::nullopt;
@@ -89,7 +90,7 @@ void AddTidying(const library::Library* library, page::RequestTable* table) {
 }
 
 void AddEditing(const library::Library* library, BackgroundJobs* jobs, page::RequestTable* table) {
-  // Belongs to the table and to the work that is under way: each may be gone before the other.
+  // Shared by the table and running jobs, either of which may be destroyed first.
   const auto previews = std::make_shared<editing::EditPreviews>(
       [](const model::EyeSpec& spec) { return std::make_unique<picture::RenderedEye>(spec); });
   table->entries["try_edit"] = {[=](const page::Request& request) {
@@ -124,14 +125,14 @@ void AddEditing(const library::Library* library, BackgroundJobs* jobs, page::Req
   });
 }
 
-/// Tells everyone when recordings came, went or got other titles, whoever did that: a program or a
-/// person.
+/// Notifies all clients when recordings appear, disappear or change titles, caused by this program
+/// or from outside.
 class LibraryWatch {
  public:
   explicit LibraryWatch(const library::Library* library)
       : library_(library), stamp_(library->Stamp()) {}
 
-  /// To be called 60 times a second; looks once a second.
+  /// To be called 60 times a second; checks once a second.
   std::vector<page::DeferredMessage> TakeDeferred() {
     constexpr int kCallsBetween = 60;
     if (++num_calls_ % kCallsBetween != 0) return {};

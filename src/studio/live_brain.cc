@@ -5,7 +5,8 @@
 namespace smile::studio {
 namespace {
 
-/// Most programs have answered by then; who waits for others has better things to do.
+/// Timeout per frame for the answer of a program: most answer within it, and the session stays
+/// responsive if one does not.
 constexpr std::chrono::milliseconds kMoment(4);
 
 }  // namespace
@@ -33,6 +34,7 @@ void LiveBrain::Attend(sim::Simulation* simulation) {
 }
 
 bool LiveBrain::Drive(sim::Simulation* simulation) {
+  // No tick before the program is ready, and none while a question is open.
   if (is_starting()) return false;
   if (!is_running()) return true;
   if (!is_asked_) Ask(simulation);
@@ -53,7 +55,7 @@ bool LiveBrain::TakeAnswer(std::chrono::nanoseconds patience, sim::Simulation* s
   driver_->Take(*std::move(answer), simulation);
   if (const auto& error = driver_->error()) {
     console_.Write(ToString(*error));
-    thread_->Leave();  // the program may be well, and what it was to be shown not
+    thread_->Leave();  // the program itself may be well; the error may be in the demonstration
   }
   return true;
 }
@@ -62,6 +64,7 @@ void LiveBrain::Stop(sim::Simulation* simulation) {
   if (!is_running()) return;
   Leave();
   was_stopped_ = true;
+  // The last velocities would continue otherwise.
   sim::JointVelocities still{.grippers = {{0, 0}}};
   const world::RobotBody& robot = *simulation->robot();
   still.left = std::vector<double>(robot.ArmAngles(0).size());
@@ -77,6 +80,8 @@ void LiveBrain::Leave() {
   was_stopped_ = is_asked_ = false;
   if (!thread_) return;
   thread_->Leave();
+  // Ending a process takes time; the former program ends in its own thread, and the next one waits
+  // for it.
   former_ = std::move(thread_);
 }
 

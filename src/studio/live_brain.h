@@ -16,8 +16,8 @@
 
 namespace smile::studio {
 
-/// A robot program at work in a simulation, watched by people, who need not wait for it. Belongs to
-/// the thread that runs the simulation.
+/// Robot program that drives a simulation without blocking its session. Belongs to the thread that
+/// runs the simulation.
 ///
 /// While it starts or thinks the simulation must not tick, but may be commanded, except to undo or
 /// redo: its answer is applied to the world as it is then.
@@ -28,44 +28,44 @@ class LiveBrain {
 
   const brain::BrainOptions& limits() const { return limits_; }
 
-  /// Begins to start it, instead of what ran before.
+  /// Starts a program in place of the one before; returns before it is ready.
   /// @throws InputError, std::invalid_argument or std::runtime_error if it cannot be started: see
-  ///         brain::BrainProcess and brain::BrainDriver. What goes wrong later, Describe() tells.
+  ///         brain::BrainProcess and brain::BrainDriver. Describe() reports later errors.
   void Start(const library::BrainChoice& choice, const brain::BrainDriverOptions& options,
              sim::Simulation* simulation);
-  /// Looks whether it has started; to be called often, also while time stands still.
+  /// Checks if the program has started; to be called often, also while time is paused.
   void Attend(sim::Simulation* simulation);
   /// To be called before each tick.
-  /// @returns whether the simulation may tick; false while the program is waited for.
+  /// @returns true if the simulation may tick; false while the program is busy.
   bool Drive(sim::Simulation* simulation);
-  /// The program ends, and the robot stops.
+  /// Ends the program and stops the robot.
   void Stop(sim::Simulation* simulation);
-  /// The program ends with the world it was in.
+  /// Ends the program because its world is replaced.
   void Leave();
 
-  /// Or is about to.
+  /// Returns true while the program runs or starts.
   bool is_running() const { return is_starting() || HasStatus(brain::BrainStatus::kRunning); }
-  /// How long the program that was started last has watched the demonstration.
+  /// Returns how long the last program has watched the demonstration [ticks].
   std::uint64_t watched_ticks() const { return watched_ticks_; }
-  /// `brain` of a state message.
+  /// Returns `brain` of a state message.
   Json Describe() const;
-  /// What was printed since this was last asked.
+  /// Returns the lines printed since the last call.
   std::vector<ConsoleLine> TakeLines() { return console_.Take(); }
 
  private:
   bool HasStatus(brain::BrainStatus status) const { return driver_ && driver_->status() == status; }
   bool is_starting() const { return HasStatus(brain::BrainStatus::kStarting); }
   void Ask(sim::Simulation* simulation);
-  /// False if there is no answer yet.
+  /// Returns false if the program has not answered yet.
   bool TakeAnswer(std::chrono::nanoseconds patience, sim::Simulation* simulation);
 
   brain::BrainOptions limits_;
-  Console console_;  ///< written to by the programs' threads, which end before it
+  Console console_;  ///< written by the programs' threads, which end first
   std::string name_;
   bool was_stopped_ = false;
   bool is_asked_ = false;
   std::uint64_t watched_ticks_ = 0;
-  std::unique_ptr<brain::BrainThread> former_;  ///< left, and maybe about to end
+  std::unique_ptr<brain::BrainThread> former_;  ///< the program before, which may still be ending
   std::unique_ptr<brain::BrainThread> thread_;
   std::optional<brain::BrainDriver> driver_;
 };

@@ -14,7 +14,7 @@ namespace {
 /// Limits the messages of one batch: a brain may be refused continuously.
 constexpr std::size_t kMaxEvents = 200;
 
-/// What pages show changes no more often than they can.
+/// Rounds to tenths, so that displayed values change at most ten times a second.
 double ToTenths(double seconds) { return std::round(10 * seconds) / 10; }
 
 std::optional<CapturingEye> CapturingEyeOf(sim::Eye* eye) {
@@ -44,6 +44,7 @@ void LiveWorld::FollowModel() {
   if (std::exchange(marked_, simulation_.start_model()) != simulation_.start_model()) {
     markers_.clear();
   }
+  // Bounds depend only on shapes, so they are computed once per model.
   if (bounded_ == simulation_.shared_model()) return;
   bounded_ = simulation_.shared_model();
   bounds_.clear();
@@ -53,6 +54,7 @@ void LiveWorld::FollowModel() {
 }
 
 std::optional<sim::Refusal> LiveWorld::Apply(const sim::Command& command) {
+  // The sender of a command gets its refusal as the answer; OnEvent() must not report it again.
   is_applying_ = true;
   auto refusal = simulation_.Apply(command);
   is_applying_ = false;
@@ -68,6 +70,7 @@ std::optional<sim::Refusal> LiveWorld::Apply(const sim::Command& command) {
 void LiveWorld::Continue(const recording::Recording& recording, const recording::HistoryPoint& from,
                          const recording::Progress& progress) {
   controller_.Continue(recording.directory, from, &simulation_, progress);
+  // The recording began after that many actions of its history.
   const auto num_before =
       std::ranges::count_if(recording.log.PathTo(recording.info.start.line),
                             [](const auto& logged) { return sim::IsAction(logged.command); });
@@ -98,7 +101,8 @@ Json LiveWorld::DescribeSegments() const {
     if (actions[i].id < take_.before) continue;
     const bool is_last = i + 1 == actions.size();
     const std::uint64_t end = is_last ? simulation_.tick() : actions[i + 1].tick;
-    // The first one is the rest of an action that began before the recording.
+    // The first segment is the rest of an action that began before the recording; it has no
+    // summary.
     segments.push_back({{"number", segments.size()},
                         {"deed", segments.empty() ? Json() : sim::ToJson(actions[i].summary)},
                         {"seconds", ToTenths(sim::SecondsOf(end - begin))}});

@@ -26,9 +26,10 @@ class LiveWorld : private sim::Listener {
   sim::Simulation& simulation() { return simulation_; }
   const sim::Simulation& simulation() const { return simulation_; }
 
-  /// The one door: `start` and `finish` too. What was refused is no event.
+  /// Applies a command, including `start` and `finish`; all commands pass here. A refusal is not an
+  /// event.
   std::optional<sim::Refusal> Apply(const sim::Command& command);
-  /// Goes on with a recording, see recorder::RecordingController::Continue(). To be called before
+  /// Continues a recording, see recorder::RecordingController::Continue(). To be called before
   /// anything else is done.
   void Continue(const recording::Recording& recording, const recording::HistoryPoint& from,
                 const recording::Progress& progress);
@@ -37,19 +38,20 @@ class LiveWorld : private sim::Listener {
   CapturingEye* eye() { return eye_ ? &*eye_ : nullptr; }
 
   bool is_recording() const { return controller_.is_recording(); }
-  /// Of the last one that was begun; empty before.
+  /// Returns the directory of the last recording; empty before the first.
   std::filesystem::path recording_directory() const;
-  /// `recording` of a state message; null without one.
+  /// Returns `recording` of a state message; null without one.
   Json DescribeRecording() const;
-  /// The recording that ended by itself since this was last asked, as `failure` of a state message;
+  /// Returns the recording that failed since the last call, as `failure` of a state message;
   /// nullopt without one. To be called often.
   std::optional<Json> TakeFailure();
 
-  /// What happened since this was last asked, as messages.
+  /// Returns the events since the last call, as messages.
   std::vector<Json> TakeEvents() { return std::exchange(events_, {}); }
-  /// Points that are marked for people [m].
+  /// Returns the points that are marked for people [m].
   const std::vector<Vector3>& markers() const { return markers_; }
-  /// Of each object in its own frame, whatever its controls look like; in scene order.
+  /// Returns the bounds of each object in its own frame, over all looks of its controls; in scene
+  /// order.
   const std::vector<scene::Bounds>& bounds() const { return bounds_; }
 
  private:
@@ -59,7 +61,8 @@ class LiveWorld : private sim::Listener {
     std::uint64_t start_tick = 0;
   };
 
-  /// Another model has other objects; one of another scene also other markers.
+  /// Updates bounds and markers when the model changes: another model has other objects; one of
+  /// another scene also resets markers.
   void FollowModel();
   /// `segments` of DescribeRecording(), see docs/studio-protocol.md.
   Json DescribeSegments() const;

@@ -11,16 +11,16 @@
 
 namespace smile::studio {
 
-/// The meshes a page needs to draw a visual model: of all that is neither block, cylinder nor
-/// sphere. Equal ones are there once. Never changes, so that any thread may ask.
+/// Meshes that a page needs to draw a visual model: of all shapes except blocks, cylinders and
+/// spheres. Equal meshes are listed once. Immutable, so that any thread may read.
 class PageMeshes {
  public:
   explicit PageMeshes(const scene::VisualModel& model);
 
-  /// nullopt for what a page draws by itself.
+  /// Returns the index of a shape's mesh; nullopt for shapes that a page draws by itself.
   std::optional<std::size_t> NumberOf(const scene::VisualShape& shape) const;
   std::size_t size() const { return meshes_.size(); }
-  /// As docs/studio-protocol.md has them; nullopt if there is no such mesh.
+  /// Returns the bytes of a mesh (docs/studio-protocol.md); nullopt if it does not exist.
   std::optional<std::string> Bytes(std::size_t mesh) const;
 
  private:
@@ -28,7 +28,7 @@ class PageMeshes {
   std::map<mesh::UnitMesh, std::size_t> number_of_;
 };
 
-/// `u32 corners, u32 triangles`, corners, normals, triangles: little-endian.
+/// Returns `u32 corners, u32 triangles`, corners, normals, triangles: little-endian.
 std::string BytesOf(const mesh::TriangleMesh& mesh);
 
 }  // namespace smile::studio

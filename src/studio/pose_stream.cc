@@ -22,6 +22,7 @@ void Append(std::uint32_t frame, const RigidTransform& X_WF, double meters_per_u
 page::Poses PoseStream::Next(const library::View& view) {
   const scene::FramePoses& now = view.state.poses;
   page::Poses poses{.scene = view.scene, .tick = static_cast<std::uint32_t>(view.tick)};
+  // A key message has all frames, so that a client which missed a message recovers within a second.
   poses.is_key =
       view.scene != scene_ || now.size() != sent_.size() || ++since_all_ >= kTicksBetweenAll;
   // Frame 0 is the world, which never moves.

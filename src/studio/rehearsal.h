@@ -7,15 +7,15 @@
 
 namespace smile::studio {
 
-/// A copy of the world, on which is tried what would come of something. The world itself is not
-/// changed.
+/// Copy of the world on which the effects of commands are tried. The world itself is not changed.
 class Rehearsal {
  public:
-  /// The copy as the simulation is now; it lasts until this is called again.
+  /// Returns the copy in the present state of the simulation; valid until the next call.
   sim::Simulation& CopyOf(const sim::Simulation& simulation);
-  /// Why a command to hands, objects or robot would be refused; nullopt if it would not.
+  /// Returns the reason why a command to hands, objects or robot would be refused; nullopt if it
+  /// would be accepted.
   std::optional<sim::Refusal> Try(const sim::Command& command, const sim::Simulation& simulation);
-  /// The simulation will be another one.
+  /// Forgets the copy, before the simulation is replaced.
   void Forget() { copy_.reset(); }
 
  private:

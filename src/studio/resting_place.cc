@@ -7,7 +7,7 @@
 namespace smile::studio {
 namespace {
 
-/// True while a held object, or another one, has not yet come to where it stays.
+/// True while the held object or any other one still moves.
 bool IsAnythingMoving(const sim::Simulation& simulation, sim::HandName hand) {
   constexpr double kSlow = 1e-7, kSlowTurn = 1e-6;  // [m/s, rad/s]
   const physics::BodyId held = simulation.demonstrator().hand(hand).held;
@@ -21,10 +21,11 @@ bool IsAnythingMoving(const sim::Simulation& simulation, sim::HandName hand) {
 
 RestingAttempt FindRestingPlace(const sim::Simulation& simulation, sim::HandName hand,
                                 Rehearsal* rehearsal) {
-  // Measured in November 2026 with blocks that fall onto heaps of 14 things: after two seconds 3 of
-  // 40 are still 0.06 to 1.4 units from where they come to rest, after six none of 100 is by 0.01.
+  // Measured in November 2026 with blocks that fall onto heaps of 14 objects: after two seconds, 3
+  // of 40 are still 0.06 to 1.4 units from where they come to rest; after six, none of 100 is
+  // farther than 0.01.
   constexpr std::uint64_t kMaxTicks = 6 * sim::kTicksPerSecond;
-  // What is slow for a moment may bounce or tip over yet.
+  // A body that is slow for a moment may still bounce or tip over, so it must be slow for a while.
   constexpr int kCalmTicks = sim::kTicksPerSecond / 4;
   constexpr double kSlow = 0.002, kSlowTurn = 0.02;  // as Simulation::is_still() [m/s, rad/s]
   RestingAttempt attempt;
@@ -39,6 +40,7 @@ RestingAttempt FindRestingPlace(const sim::Simulation& simulation, sim::HandName
     const bool is_slow =
         body.linear_velocity().norm() < kSlow && body.angular_velocity().norm() < kSlowTurn;
     num_calm = is_slow ? num_calm + 1 : 0;
+    // Below the table it will not come back.
     if (body.pose_in_world().translation().z() < -simulation.scene().table.thickness) {
       return attempt;
     }
@@ -49,7 +51,8 @@ RestingAttempt FindRestingPlace(const sim::Simulation& simulation, sim::HandName
 
 Json RestingPlace::Answer(const sim::Simulation& simulation, sim::HandName hand, std::uint64_t step,
                           Rehearsal* rehearsal) {
-  // So long as this, and a sixth of what the last one took, none is found anew.
+  // An answer is reused for at least this number of calls, and for a sixth of the ticks that it
+  // took to compute: expensive answers are computed less often.
   constexpr std::uint64_t kMinStepsBetween = 20;
   const bool is_fresh = step < step_ + std::max(kMinStepsBetween, num_ticks_tried_ / 6);
   if (is_fresh && answer_["hand"] == ToString(hand)) {
@@ -60,7 +63,8 @@ Json RestingPlace::Answer(const sim::Simulation& simulation, sim::HandName hand,
   num_ticks_tried_ = num_ticks;
   step_ = step;
   tick_ = simulation.tick();
-  // Where things fall on edges, the last hundredth of a millimeter decides.
+  // While anything moves, the answer is marked as stale: for objects that fall onto edges, a
+  // hundredth of a millimeter decides.
   answer_ = {
       {"hand", ToString(hand)}, {"pose", nullptr}, {"stale", IsAnythingMoving(simulation, hand)}};
   if (X_WB) answer_["pose"] = PoseInUnits(*X_WB, simulation.scene().meters_per_unit);

@@ -9,7 +9,7 @@
 
 namespace smile::studio {
 
-/// The meshes of the scenes that pages may still ask for. Any thread may.
+/// Meshes of the last scenes, which pages may still request. Thread-safe.
 class SceneMeshes {
  public:
   std::shared_ptr<const PageMeshes> Add(std::uint32_t scene, const scene::VisualModel& model) {
@@ -19,8 +19,8 @@ class SceneMeshes {
     while (of_scene_.size() > kMaxScenes) of_scene_.erase(of_scene_.begin());
     return meshes;
   }
-  /// nullptr of a scene that was forgotten or never was. Shared, since whoever asks may still read
-  /// when the scene is gone.
+  /// Returns the meshes of a scene; nullptr if it is forgotten or never existed. Shared, since a
+  /// reader may still use it when the scene is replaced.
   std::shared_ptr<const PageMeshes> Find(std::uint32_t scene) const {
     const std::lock_guard lock(mutex_);
     const auto found = of_scene_.find(scene);

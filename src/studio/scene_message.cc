@@ -15,6 +15,7 @@
 namespace smile::studio {
 namespace {
 
+/// Returns `#rrggbb`.
 std::string HexColor(const Color& color) {
   const auto byte = [](double share) {
     return static_cast<int>(std::lround(255 * std::clamp(share, 0.0, 1.0)));
@@ -61,7 +62,7 @@ Json DescribeVisuals(const model::Model& model, const PageMeshes& meshes) {
   return visuals;
 }
 
-/// Appends the parts with an id, outer ones first; `around` is the id of the part about them.
+/// Appends the parts with an id, parents first; `around` is the id of the enclosing part.
 void DescribePartsIn(const scene::Part& part, const std::string& around, Json* parts) {
   scene::ForEachChild(part, [&](const scene::Part& child) {
     if (child.id.empty()) {
@@ -79,7 +80,7 @@ Json DescribeParts(const scene::Part& whole) {
   return parts;
 }
 
-/// What of a control a hand can trigger.
+/// Describes the controls of an object, with the parts that a hand can trigger.
 Json DescribeControls(const scene::Part& whole) {
   Json controls = Json::array();
   for (const scene::Part* control : scene::ControlsOf(whole)) {
@@ -100,7 +101,7 @@ Json DescribeControls(const scene::Part& whole) {
   return controls;
 }
 
-/// What hands may say that it matters.
+/// Returns the properties of an object that a hand may declare as important.
 Json PropertiesOf(const scene::ObjectSpec& object) {
   Json properties = {"color", "shape", "size", "position", "orientation", "order"};
   for (const scene::Description& description : object.descriptions) {
@@ -153,6 +154,7 @@ Json DescribeRobot(const model::Model& model) {
   const robot::RobotModel& robot = *model.robot();
   Json joints = Json::array(), grippers = Json::array(), poses = Json::array();
   for (int i = 0; i < robot.num_joints(); ++i) {
+    // Fingers are described as grippers.
     if (IsFinger(robot, i)) continue;
     const scene::LinkSpec& link = robot.links[static_cast<std::size_t>(i)];
     joints.push_back({{"name", link.joint_name},

@@ -30,7 +30,7 @@ SessionOptions WithDefaults(SessionOptions options) {
   return options;
 }
 
-/// Binds a member function to its object, which may come into being later.
+/// Binds a member function to its object, which may be constructed later.
 template <class Requests, class Member>
 auto Bound(Requests* requests, Member member) {
   return
@@ -39,7 +39,8 @@ auto Bound(Requests* requests, Member member) {
 
 }  // namespace
 
-/// Connects the parts: states, requests, and the updates of both.
+/// Connects the parts: states, requests, and the updates of both. Every change is collected in
+/// messages_, which TakeUpdates() returns in order.
 class Session::Impl : private StateMachine::Listener {
  public:
   explicit Impl(SessionOptions options);
@@ -55,13 +56,13 @@ class Session::Impl : private StateMachine::Listener {
   }
 
  private:
-  /// All that may be asked for, with what it needs.
+  /// Returns the table of all requests with their needs.
   std::vector<RequestRow> RequestRows();
 
   void OnOtherWorld() override { world_requests_.Forget(); }
   void OnOtherScene() override;
   void OnScore(Json score) override;
-  /// Of a recording that ended by itself.
+  /// Updates `failure` after a recording ended by an error.
   void NoteFailure();
   void SendConsole();
   void SendIfAny(std::optional<Json> message);
@@ -82,9 +83,9 @@ class Session::Impl : private StateMachine::Listener {
   StateAnnouncer state_announcer_;
   EyePreview eye_preview_;
   ConsoleUpdates console_;
-  Json score_;                                 ///< the last one that was sent; null before
+  Json score_;                                 ///< last score that was sent; null before
   Json failure_;                               ///< `failure` of a state message
-  mutable std::optional<library::View> view_;  ///< nullopt when something may have moved since
+  mutable std::optional<library::View> view_;  ///< nullopt if something may have moved since
 };
 
 Session::Impl::Impl(SessionOptions options)
@@ -96,9 +97,10 @@ Session::Impl::Impl(SessionOptions options)
       world_requests_(&states_),
       playback_requests_(&options_, &library_, &states_),
       brain_requests_(&options_, &library_, &scene_source_, &scene_requests_, &states_),
-      // A request may change what is to be seen.
+      // A request may change the view, which is cached per tick.
       requests_(&states_, RequestRows(), [this] { view_.reset(); }),
       eye_preview_(options_.eye) {
+  // Last, as entering a world calls the listener, which needs all members.
   states_.Enter(std::make_unique<LiveWorld>(scene_xml::LoadScene(options_.scene, options_.reader),
                                             options_.robot, RecordingOptionsOf(options_)));
 }
@@ -157,10 +159,13 @@ bool Session::Impl::Tick() {
   const bool has_ticked = states_.Tick();
   NoteFailure();
   SendConsole();
+  // The preview comes after the tick, so that it shows its result.
   if (const auto trouble = eye_preview_.Look(&states_.world(), states_.shown())) {
     messages_.push_back({{"t", "error"}, {"error", *trouble}});
   }
   SendIfAny(scene_announcer_.UpdateLooks(view().state.looks));
+  // State messages are limited in rate; they are sent only if something other than time has
+  // changed.
   if (states_.num_ticks() % kTicksPerState == 0)
     SendIfAny(state_announcer_.Update(DescribeState()));
   return has_ticked;
@@ -170,6 +175,7 @@ void Session::Impl::OnOtherScene() {
   view_.reset();
   eye_preview_.Forget();
   state_announcer_.Forget();
+  // Pages need the scene before its poses and state; the announcer counts it.
   const SessionState& shown = states_.shown();
   messages_.push_back(scene_announcer_.Announce(shown.model(), shown.view().state.looks));
 }
@@ -183,6 +189,7 @@ void Session::Impl::NoteFailure() {
   LiveWorld& world = states_.world();
   if (auto failure = world.TakeFailure()) {
     failure_ = *std::move(failure);
+    // A new recording clears the failure of the one before.
   } else if (world.is_recording()) {
     failure_ = nullptr;
   }
@@ -190,6 +197,7 @@ void Session::Impl::NoteFailure() {
 
 void Session::Impl::SendConsole() {
   const std::vector<ConsoleLine> lines = states_.brain().TakeLines();
+  // The output of a program during a recording belongs to it.
   if (!lines.empty() && states_.world().is_recording()) {
     brain::BrainLog log(states_.world().recording_directory());
     for (const ConsoleLine& line : lines) log.Write(line.text);
@@ -227,7 +235,7 @@ Json Session::Impl::DescribeState() const {
 }
 
 SessionUpdates Session::Impl::TakeUpdates() {
-  // Hands and recordings do something also while time stands still.
+  // Events occur also while time is paused: hands act and recordings start.
   for (Json& event : states_.world().TakeEvents()) messages_.push_back(std::move(event));
   SessionUpdates updates{.messages = std::exchange(messages_, {})};
   if (auto picture = eye_preview_.Take()) {
@@ -238,6 +246,7 @@ SessionUpdates Session::Impl::TakeUpdates() {
 }
 
 std::vector<Json> Session::Impl::Everything() const {
+  // A new client needs a picture even if the view does not change.
   eye_preview_.Forget();
   const std::vector<int>& looks = view().state.looks;
   std::vector<Json> all = {scene_announcer_.Describe(states_.shown().model(), looks),

@@ -21,37 +21,37 @@ struct SessionUpdates {
   bool is_view_recorded = false;
 };
 
-/// Session of one person, without a network: a scene come alive, what is commanded by mouse and
-/// keys, a recording in the making, a recording that is shown, a brain at work.
+/// Session of one user, without a network: a live scene, commands by mouse and keys, recordings in
+/// progress, playback of recordings, and a robot program.
 ///
-/// Belongs to one thread. No wall clock: whoever owns it calls Tick() when it is time.
+/// Belongs to one thread. Has no wall clock: its owner calls Tick() on time.
 class Session {
  public:
-  /// @throws InputError if the scene is wrong.
+  /// @throws InputError if the scene is invalid.
   explicit Session(SessionOptions options);
   ~Session();
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
-  /// All that may be asked of it; others may add what they can do.
+  /// Returns the table of requests; other parts may add theirs.
   page::RequestTable& requests();
   const page::RequestTable& requests() const;
-  /// How fast people want time to go, of real time: the loop that calls Tick() keeps to it.
+  /// Returns the requested ratio of simulated to wall-clock time, for the loop that calls Tick().
   double speed_factor() const;
-  /// What came of that over the last second.
+  /// Sets the ratio that was achieved over the last second.
   void SetMeasuredSpeed(double factor);
-  /// 1/60 s goes by: of the simulation unless it is paused, or of what is shown.
-  /// @returns false if the world stood still because a robot program starts or thinks.
+  /// Advances by 1/60 s: the simulation unless it is paused, or the playback.
+  /// @returns false if the world waits because a robot program starts or thinks.
   bool Tick();
-  /// What is to be seen now.
+  /// Returns the present view.
   library::View view() const;
   /// Returns the updates since the last call.
   SessionUpdates TakeUpdates();
-  /// All a new client has to know: scene, looks, what robot programs printed and achieved, and last
-  /// the state. The eye's picture follows with the updates.
+  /// Returns the messages for a new client: scene, looks, output and score of robot programs, and
+  /// last the state. The eye's picture follows with the updates.
   std::vector<Json> Everything() const;
-  /// Triangles of a mesh of the present scene or one of those shortly before, as
-  /// docs/studio-protocol.md has them; nullopt if there is none. From any thread.
+  /// Returns the triangles of a mesh of the present scene or a recent one
+  /// (docs/studio-protocol.md); nullopt if it does not exist. From any thread.
   std::optional<std::string> MeshBytes(std::uint32_t scene, std::size_t mesh) const;
 
  private:

@@ -13,18 +13,18 @@
 namespace smile::studio {
 
 struct SessionOptions {
-  std::filesystem::path scene;  ///< the first one
+  std::filesystem::path scene;  ///< loaded first
   scene_xml::SceneReaderOptions reader;
   std::optional<sim::RobotPlacement> robot;
   std::filesystem::path recordings = "recordings";
   recorder::RecorderOptions recording;
-  sim::Eye* eye = nullptr;  ///< takes the recorded pictures; must outlive the session
+  sim::Eye* eye = nullptr;  ///< renders the recorded pictures; must outlive the session
   /// Folder of the scenes that clients load by name; empty: the shipped scenes.
   std::filesystem::path scene_folder;
   /// Folders of brains, searched before the shipped ones.
   std::vector<std::filesystem::path> brains;
-  /// Carries out slow requests, which require it; its deferred messages have to be
-  /// taken in the thread of the session. Must outlive the session.
+  /// Executes slow requests, which require it; its deferred messages have to be taken in the thread
+  /// of the session. Must outlive the session.
   BackgroundJobs* jobs = nullptr;
 };
 

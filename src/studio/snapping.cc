@@ -10,16 +10,18 @@
 namespace smile::studio {
 namespace {
 
-/// What is nearer than this to the middle of what is turned may be what it shall be parallel to.
+/// Largest distance of a neighbor whose axes a rotated object may align with [units].
 constexpr double kNearUnits = 2;
 
-/// The best way to follow what is asked for, within a plane: along one direction, and along
-/// another at right angles to it.
+/// Combines wishes for displacements within a plane: the nearest one along one direction, and one
+/// along a direction at right angles to it. Together they place a corner.
 class Shift {
  public:
   Shift(const Vector3& plane_normal, double limit) : plane_normal_(plane_normal), limit_(limit) {}
 
-  /// To move by `distance` along `normal` is asked for.
+  /// Adds a wish for a displacement by `distance` along `normal`. In the drag plane this is a
+  /// displacement by distance / share along the normal's projection. Ignored if it is too far, if
+  /// the plane is nearly parallel to the face, or if the face is inclined.
   void Consider(const Vector3& normal, double distance) {
     constexpr double kUpright = 0.999, kLevel = 0.04, kAcross = 0.5;
     const double height = std::abs(normal.z());
@@ -30,7 +32,7 @@ class Shift {
     wishes_.push_back({.direction = within / share, .distance = distance / share});
   }
 
-  /// Grants the nearest wishes.
+  /// Grants the nearest wishes that are perpendicular to all granted ones, and forgets the rest.
   void Grant() {
     std::ranges::stable_sort(wishes_, {}, &Wish::size);
     for (const Wish& wish : std::exchange(wishes_, {})) {
@@ -42,7 +44,7 @@ class Shift {
     }
   }
 
-  /// All that was granted; only the nearest of it where together that is too far.
+  /// Returns the sum of the granted displacements; only the smallest of them if the sum is too far.
   Vector3 Get() const {
     Vector3 shift = Vector3::Zero();
     for (const Wish& wish : granted_) shift += wish.vector();
@@ -63,15 +65,17 @@ class Shift {
   std::vector<Wish> wishes_, granted_;
 };
 
-/// True when the axes of both run along each other, whichever along which.
+/// True if the axes of both are parallel, in any order.
 bool IsTurnedAlike(const Matrix3& R_NB) {
   constexpr double kAlike = 0.9994;  // cosine of 2 degrees
   return (R_NB.cwiseAbs().colwise().maxCoeff().array() > kAlike).all();
 }
 
-/// What one neighbour N asks for.
+/// Adds the wishes of one neighbor N: faces that touch, edges and centers that are flush.
 void ConsiderNeighbour(const SnapTo& snap, const Carried& carried, const Neighbour& neighbour,
                        double limit, Shift* shift) {
+  // In N's frame, both are axis-aligned boxes: half sizes and the distance of centers say
+  // everything.
   const RigidTransform X_NB = neighbour.X_WB.inverse() * carried.X_WB;
   if (!IsTurnedAlike(X_NB.rotation())) return;
   const Vector3 half = X_NB.rotation().cwiseAbs() * (carried.bounds.size() / 2);
@@ -81,6 +85,7 @@ void ConsiderNeighbour(const SnapTo& snap, const Carried& carried, const Neighbo
     return std::abs(apart[axis]) < half[axis] + half_N[axis] + limit;
   };
   for (int axis = 0; axis < 3; ++axis) {
+    // Faces can touch only if the boxes overlap, or nearly do, in the other two directions.
     if (!is_beside((axis + 1) % 3) || !is_beside((axis + 2) % 3)) continue;
     const Vector3 normal = neighbour.X_WB.rotation().col(axis);
     const double touching = half[axis] + half_N[axis], flush = half_N[axis] - half[axis];
@@ -106,7 +111,8 @@ double DegreesBetween(const Matrix3& a, const Matrix3& b) {
   return RadiansToDegrees(Eigen::AngleAxisd(Matrix3(a.transpose() * b)).angle());
 }
 
-/// The nearest rotation whose axes run along the world's.
+/// Returns the rotation with axes along the world's that is near R: greedy choice of the dominant
+/// axis for x, then for y.
 Matrix3 NearestRightAngle(const Matrix3& R) {
   Eigen::Index first = 0, second = 0;
   R.col(0).cwiseAbs().maxCoeff(&first);
@@ -120,7 +126,7 @@ Matrix3 NearestRightAngle(const Matrix3& R) {
   return nearest;
 }
 
-/// Every object but what this hand carries.
+/// Returns all present objects except the one that the hand holds.
 std::vector<Neighbour> ObjectsBeside(const LiveWorld& world, physics::BodyId held) {
   const sim::Simulation& simulation = world.simulation();
   std::vector<Neighbour> neighbours;
@@ -134,7 +140,7 @@ std::vector<Neighbour> ObjectsBeside(const LiveWorld& world, physics::BodyId hel
   return neighbours;
 }
 
-/// The table, too.
+/// Returns the same objects and the table.
 std::vector<Neighbour> NeighboursOf(const LiveWorld& world, physics::BodyId held) {
   const scene::TableSpec& table = world.simulation().scene().table;
   const Vector3 half(table.x_span / 2, table.y_span / 2, 0);
@@ -144,7 +150,7 @@ std::vector<Neighbour> NeighboursOf(const LiveWorld& world, physics::BodyId held
   return neighbours;
 }
 
-/// Of the table and of the object nearest to what a hand turns.
+/// Returns the rotations of the table and of the object nearest to the one that a hand rotates.
 std::vector<Matrix3> FramesNear(const LiveWorld& world, const demonstrator::Hand& hand) {
   const Vector3 p_WB = hand.X_WB_goal.translation();
   std::vector<Matrix3> frames{Matrix3::Identity()};
@@ -191,6 +197,7 @@ Vector3 SnapShift(const SnapTo& snap, const Carried& carried, std::span<const Ne
   for (const Neighbour& neighbour : neighbours) {
     ConsiderNeighbour(snap, carried, neighbour, limit, &shift);
   }
+  // Faces and edges have priority over the grid, which may fill a remaining direction.
   shift.Grant();
   if (snap.grid) ConsiderGrid(carried.X_WB.translation(), kGridUnits * meters_per_unit, &shift);
   shift.Grant();
@@ -238,6 +245,8 @@ sim::Command Snapper::SnappedRotate(const LiveWorld& world, const sim::Rotate& r
   if (!to.angles || !hand.is_holding()) return rotate;
   const Matrix3& R_now = hand.X_WB_goal.rotation();
   Turn& turn = turns_[static_cast<std::size_t>(rotate.hand)];
+  // Consecutive rotations accumulate without snapping, so that small steps can leave a snapped
+  // angle.
   const bool goes_on = R_now.isApprox(turn.R_snapped, 1e-9);
   turn.R_wanted = RotationFromFixedAxes(rotate.angles_deg) * (goes_on ? turn.R_wanted : R_now);
   turn.R_snapped = SnapTurn(to, turn.R_wanted, FramesNear(world, hand));

@@ -12,7 +12,7 @@
 
 namespace smile::studio {
 
-/// What drags and turns snap to.
+/// Targets to which drags and rotations snap.
 struct SnapTo {
   bool faces = false;   ///< sides of neighbours, to touch them
   bool edges = false;   ///< sides and middles of neighbours, to be flush with them
@@ -24,48 +24,48 @@ struct SnapTo {
 SnapTo SnapToOf(std::span<const std::string> names);
 std::vector<std::string> NamesOf(const SnapTo& snap);
 
-/// So far at most a drag, and so much a turn, is changed.
+/// Largest change of a drag, and of a rotation.
 inline constexpr double kSnapUnits = 0.15, kSnapDegrees = 5, kGridUnits = 0.5;
 
-/// Something to snap to: a cuboid in its own frame B.
+/// Snap target: a cuboid in its own frame B.
 struct Neighbour {
   scene::Bounds bounds;
   RigidTransform X_WB;
 };
 
-/// Something that a hand is to carry somewhere.
+/// Carried object and its desired pose.
 struct Carried {
   scene::Bounds bounds;   ///< in its own frame B
   RigidTransform X_WB;    ///< where it is wanted
   double plane_deg = 0;   ///< it stays in this vertical plane, see sim::Plane
-  bool is_level = false;  ///< but in a level plane if this is true
+  bool is_level = false;  ///< true: it stays in a horizontal plane instead
 };
 
-/// By how much to move a carried thing beyond where it is wanted, within its plane [m]: never more
-/// than kSnapUnits. The nearest of what faces and edges ask for counts; where they ask for nothing,
-/// the grid. A neighbour only counts where the two are turned alike.
+/// Returns the displacement of a carried object from its desired pose, within its plane [m]: at
+/// most kSnapUnits. The nearest wishes of faces and edges count; where there are none, the grid. A
+/// neighbor counts only if the axes of both are parallel.
 Vector3 SnapShift(const SnapTo& snap, const Carried& carried, std::span<const Neighbour> neighbours,
                   double meters_per_unit);
 
-/// Where a turn to `R_wanted` ends: at a right angle to one of `frames` if that is less than
-/// kSnapDegrees away. Of several the nearest.
-/// @param frames  rotations in the world, of the table and of things nearby.
+/// Returns the end of a rotation to `R_wanted`: at a right angle to one of `frames` if that is less
+/// than kSnapDegrees away, the nearest one if there are several.
+/// @param frames  rotations in the world, of the table and of nearby objects.
 Matrix3 SnapTurn(const SnapTo& snap, const Matrix3& R_wanted, std::span<const Matrix3> frames);
 
-/// What the drags and turns of hands mean when they snap.
+/// Snaps the drags and rotations of hands.
 class Snapper {
  public:
   SnapTo to;
 
-  /// Where a drag leads instead.
-  /// @param move  as sim::MoveOf() has it.
+  /// Returns the snapped motion of a drag.
+  /// @param move  from sim::MoveOf().
   sim::MoveTo Snapped(const LiveWorld& world, const sim::Drag& drag, const sim::MoveTo& move) const;
-  /// The command to carry out instead; others are what they were. Turns that follow one another add
-  /// up as if nothing snapped: so whoever turns on gets away from where it did.
+  /// Returns the snapped command; commands other than rotations are unchanged. Consecutive
+  /// rotations add up as if nothing snapped, so that continued rotation leaves a snapped angle.
   sim::Command Snapped(const LiveWorld& world, const sim::Command& command);
 
  private:
-  /// The last one of a hand: where it was to end, and where it did.
+  /// Last rotation of a hand: desired end and snapped end.
   struct Turn {
     Matrix3 R_wanted = Matrix3::Zero(), R_snapped = Matrix3::Zero();
   };

@@ -8,6 +8,7 @@
 namespace smile::studio {
 namespace {
 
+/// Rounds to 1e-4, finer than a page displays, so that noise does not cause messages.
 double Rounded(double number) { return std::round(number * 1e4) / 1e4; }
 
 Json RoundedArray(const Vector3& v) { return {Rounded(v.x()), Rounded(v.y()), Rounded(v.z())}; }

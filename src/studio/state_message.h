@@ -6,12 +6,11 @@
 
 namespace smile::studio {
 
-/// Of a state message what a live simulation says: tick, hands, controls, what is gone, what
-/// matters, the robot. In units, rounded to what can be seen.
+/// Returns the part of a state message about a live simulation: tick, hands, controls, missing
+/// objects, attention, the robot. In units, rounded to visible precision.
 Json DescribeLive(const sim::Simulation& simulation);
 
-/// The same of the moment of a recording that is shown: nothing can be grasped, and of controls and
-/// the robot nothing is told.
+/// Returns the same part for playback: hands are empty, and controls and robot are omitted.
 Json DescribeShown(const library::Playback& playback);
 
 }  // namespace smile::studio

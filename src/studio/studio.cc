@@ -33,7 +33,7 @@ class SessionAdapter : public SessionInterface {
   std::optional<std::string> MeshBytes(std::uint32_t scene, std::size_t mesh) const {
     return session_.MeshBytes(scene, mesh);
   }
-  /// Other parts may add requests.
+  /// Returns the table, to which other parts may add requests.
   page::RequestTable* table() { return &session_.requests(); }
 
  private:
@@ -48,7 +48,7 @@ struct MeshName {
   std::size_t mesh = 0;
 };
 
-/// `/meshes/3/0`.
+/// Parses a path such as `/meshes/3/0`.
 std::optional<MeshName> ParseMeshPath(std::string_view path) {
   constexpr std::string_view kFolder = "/meshes/";
   if (!path.starts_with(kFolder)) return std::nullopt;

@@ -15,18 +15,18 @@ struct StudioOptions {
   page::ServerOptions server;  ///< `get` is the studio's own
 };
 
-/// A session, and the page that shows it in browsers.
+/// Session with a web server and the page for browsers.
 class Studio {
  public:
-  /// @throws InputError if the scene is wrong, and what Server throws.
+  /// @throws InputError if the scene is invalid, and as Server does.
   explicit Studio(StudioOptions options);
   ~Studio();
   Studio(const Studio&) = delete;
   Studio& operator=(const Studio&) = delete;
 
-  /// What to open in a browser.
+  /// Returns the link to open in a browser.
   std::string link() const;
-  /// In real time, until it is over.
+  /// Runs in real time until `is_over` returns true.
   void Run(const std::function<bool()>& is_over);
 
  private:

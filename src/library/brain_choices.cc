@@ -16,10 +16,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The declaration is looked for in so much of a script.
+/// Length of the beginning of a script that is searched for the declaration.
 constexpr std::size_t kMaxDeclarationBytes = 16u << 10;
 
-/// A program, and the path by which people know it: of its folder where it has one of its own.
+/// Program with the path by which people know it: that of its folder if it has one of its own.
 struct FoundProgram {
   fs::path known_as;
   BrainChoice choice;
@@ -30,6 +30,7 @@ bool IsPlainFile(const fs::path& path) {
   return fs::is_regular_file(path, error);
 }
 
+/// Returns the brain at a path, a file or a folder; nullopt if it is none.
 std::optional<BrainChoice> ProgramAt(const fs::path& path) {
   const fs::path octave = path / "agentBehavior.m";
   if (IsPlainFile(octave)) {
@@ -46,7 +47,7 @@ std::optional<BrainChoice> ProgramAt(const fs::path& path) {
                      .imitates = DeclaresImitation(file)};
 }
 
-/// Adds the programs of a folder that are not there yet.
+/// Adds the programs of a folder, sorted by name, except those that are listed already.
 void AddProgramsOf(const fs::path& folder, std::vector<FoundProgram>* all) {
   std::error_code error;
   std::map<std::string, FoundProgram> found;
@@ -56,6 +57,7 @@ void AddProgramsOf(const fs::path& folder, std::vector<FoundProgram>* all) {
   }
   for (auto& entry : found) {
     FoundProgram& program = entry.second;
+    // By identity of the file: folders may overlap, or reach a program by links.
     const bool is_new = std::ranges::none_of(*all, [&](const FoundProgram& other) {
       return fs::equivalent(other.choice.path, program.choice.path, error);
     });
@@ -63,7 +65,7 @@ void AddProgramsOf(const fs::path& folder, std::vector<FoundProgram>* all) {
   }
 }
 
-/// The last parts of a path, or all of it where it has fewer.
+/// Returns the last parts of a path, or all of it if it has fewer.
 fs::path LastPartsOf(const fs::path& path, std::ptrdiff_t num_parts) {
   const std::ptrdiff_t all = std::distance(path.begin(), path.end());
   fs::path end;
@@ -74,7 +76,7 @@ fs::path LastPartsOf(const fs::path& path, std::ptrdiff_t num_parts) {
   return end;
 }
 
-/// The shortest end of a path that no other program's path has.
+/// Returns the shortest end of a path that is unique among all programs.
 std::string ProgramNameOf(const fs::path& path, const std::vector<FoundProgram>& all) {
   const std::ptrdiff_t num_parts = std::distance(path.begin(), path.end());
   for (std::ptrdiff_t count = 1; count < num_parts; ++count) {
@@ -87,7 +89,7 @@ std::string ProgramNameOf(const fs::path& path, const std::vector<FoundProgram>&
   return path;
 }
 
-/// A line of a script without what makes it a comment.
+/// Returns a line of a script without comment marks and surrounding blanks.
 std::string_view UncommentedOf(std::string_view line) {
   const std::size_t begin = line.find_first_not_of("%#/*\"' \t");
   if (begin == std::string_view::npos) return {};

@@ -66,6 +66,7 @@ std::optional<web_server::HttpResponse> ContentRoutes::GetScene(const std::strin
   const auto file = picture ? catalog_.FileOf(*picture) : std::nullopt;
   if (!file) return std::nullopt;
   const scene_xml::SceneReaderOptions reader{.search_roots = {options_.scenes}};
+  // The stamp is part of the key, so a changed file gets a new thumbnail.
   return PngResponse(thumbnails_.Get(file->string() + "|" + StampOf(*file),
                                      [file = *file, reader](ThumbnailRenderer* renderer) {
                                        return renderer->RenderScene(file, reader);
@@ -74,6 +75,7 @@ std::optional<web_server::HttpResponse> ContentRoutes::GetScene(const std::strin
 
 std::optional<web_server::HttpResponse> ContentRoutes::GetRecording(const std::string& name) {
   if (const auto id = Between("", name, ".zip")) {
+    // A recording is packed in memory, one at a time.
     const std::lock_guard lock(packing_);
     return web_server::HttpResponse{
         .type = "application/zip", .body = library_.ZipOf(*id), .file_name = *id + ".zip"};
@@ -89,6 +91,7 @@ std::optional<web_server::HttpResponse> ContentRoutes::GetRecording(const std::s
 
 std::optional<web_server::HttpResponse> ContentRoutes::PictureOf(
     const std::string& id, std::optional<std::size_t> segment) {
+  // A trace only grows or is replaced, so its stamp tells if the thumbnail is up to date.
   const std::filesystem::path directory = library_.DirectoryOf(id);
   const std::string stamp = StampOf(directory / "trace.bin");
   const std::string which = segment ? std::to_string(*segment) : "end";

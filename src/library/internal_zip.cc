@@ -19,6 +19,8 @@ namespace {
 
 constexpr std::size_t kMaxZippedFiles = 100'000;
 
+/// Returns all regular files below a directory, sorted; throws std::runtime_error if they exceed
+/// the limits.
 std::vector<std::filesystem::path> PlainFilesBelow(const std::filesystem::path& directory,
                                                    std::uint64_t max_bytes) {
   std::vector<std::filesystem::path> files;
@@ -37,13 +39,14 @@ std::vector<std::filesystem::path> PlainFilesBelow(const std::filesystem::path& 
   return files;
 }
 
+/// Callback of libarchive: appends the bytes to the string.
 la_ssize_t TakeBytes(archive*, void* zip, const void* bytes, std::size_t count) {
   static_cast<std::string*>(zip)->append(static_cast<const char*>(bytes), count);
   return static_cast<la_ssize_t>(count);
 }
 
-/// While it lives, its thread takes names for UTF-8, whatever the user's language: libarchive marks
-/// them so.
+/// Sets the locale of this thread to UTF-8 during its lifetime, whatever the user's language:
+/// libarchive then marks names as UTF-8.
 class Utf8Names {
  public:
   Utf8Names()
@@ -61,7 +64,7 @@ class Utf8Names {
   locale_t utf8_, before_;
 };
 
-/// Packs files one after another.
+/// Writer of a ZIP file in memory.
 class Zipper {
  public:
   explicit Zipper(std::string* zip) : archive_(archive_write_new(), &archive_write_free) {
@@ -84,7 +87,8 @@ class Zipper {
   void Finish() { Check(archive_write_close(archive_.get())); }
 
  private:
-  /// A warning is about letters of names that another system may not know.
+  /// Throws on errors. Warnings are ignored: they concern letters in names that other systems may
+  /// not know.
   void Check(int result) const {
     if (result >= ARCHIVE_WARN) return;
     const char* reason = archive_error_string(archive_.get());
@@ -102,7 +106,7 @@ std::string Zipped(const std::filesystem::path& directory, std::uint64_t max_byt
   Zipper zipper(&zip);
   std::uint64_t left = max_bytes;
   for (const auto& path : PlainFilesBelow(directory, max_bytes)) {
-    // It may have grown since.
+    // The file may have grown since it was listed; `left` limits all files together.
     const std::string text = ReadFile(path, left);
     left -= text.size();
     zipper.Add((directory.filename() / path.lexically_relative(directory)).string(), text,

@@ -6,9 +6,9 @@
 
 namespace smile::library {
 
-/// A ZIP file of all plain files below a directory, as they are now, in the order of their names,
-/// under the directory's own name. Links are left out.
-/// @throws std::runtime_error with path and reason if they are more than so many bytes, or one
+/// Returns a ZIP file of all regular files below a directory, in their present state, sorted by
+/// name, under the directory's own name. Links are skipped.
+/// @throws std::runtime_error with path and reason if they exceed `max_bytes` in total, or one
 ///         cannot be read.
 std::string Zipped(const std::filesystem::path& directory, std::uint64_t max_bytes);
 

@@ -23,17 +23,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMaxDirectories = 10'000;  ///< looked at in a folder
+constexpr std::size_t kMaxDirectories = 10'000;  ///< examined in a folder
 constexpr std::size_t kMaxIdBytes = 255;
 
-/// Differs after whatever changes what is listed of a recording.
+/// Returns a text that changes whenever the listed facts of a recording change.
 std::string ListingStampOf(const fs::path& directory) {
   return StampOf(directory / "demo.json") + ";" + StampOf(directory / "frames.csv") + ";" +
          StampOf(directory);
 }
 
-/// Visits what is in a folder, so many at most. The order is the file system's, the same as long as
-/// nothing changes there.
+/// Visits the entries of a folder, at most `most`. The order is that of the file system, which is
+/// stable while nothing changes there.
 template <class Visit>
 void ForEachIn(const fs::path& folder, std::size_t most, const Visit& visit) {
   std::error_code error;
@@ -44,16 +44,19 @@ void ForEachIn(const fs::path& folder, std::size_t most, const Visit& visit) {
   }
 }
 
+/// True for names that cannot lead out of a folder; ids come from clients.
 bool IsPlainName(const std::string& id) {
   return !id.empty() && id.size() <= kMaxIdBytes && id.front() != '.' &&
          id.find('/') == std::string::npos && id.find('\0') == std::string::npos;
 }
 
+/// True if a folder contains a recording of this name. StateOf() does not follow links.
 bool IsRecordingIn(const fs::path& folder, const std::string& id) {
   return StateOf(folder).is_directory && StateOf(folder / id).is_directory &&
          StateOf(folder / id / "demo.json").is_file;
 }
 
+/// Returns a time in ISO 8601, UTC.
 std::string TimeText(std::int64_t nanoseconds) {
   const std::time_t seconds = nanoseconds / 1'000'000'000LL;
   std::tm utc{};
@@ -62,8 +65,8 @@ std::string TimeText(std::int64_t nanoseconds) {
   return {text, std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc)};
 }
 
-/// The tick of the last frame of the classic view; nullopt if it has none. Reads the end of
-/// frames.csv only.
+/// Returns the tick of the last frame of the classic view; nullopt if it has none. Reads only the
+/// end of frames.csv, since listing must be fast.
 std::optional<std::uint64_t> LastFrameTick(const fs::path& directory) {
   constexpr std::streamoff kTail = 4096;
   std::ifstream file(directory / "frames.csv", std::ios::binary | std::ios::ate);
@@ -85,7 +88,8 @@ std::optional<std::uint64_t> LastFrameTick(const fs::path& directory) {
   return tick;
 }
 
-/// Of the classic view: they are numbered from 0 on, each with a folder of pictures.
+/// Returns the number of segments of the classic view, which are numbered from 0 and have a folder
+/// of pictures each.
 int NumSegments(const fs::path& directory) {
   constexpr int kMostSegments = 100'000;
   int count = 0;
@@ -93,6 +97,7 @@ int NumSegments(const fs::path& directory) {
   return count;
 }
 
+/// Returns the listed facts of a recording; an `error` if it cannot be read.
 Json EntryOf(const fs::path& directory) {
   try {
     const recording::DemoInfo info = recording::ReadDemoInfo(directory / "demo.json");
@@ -112,7 +117,8 @@ Json EntryOf(const fs::path& directory) {
   throw LibraryError("there is no recording " + Quoted(id));
 }
 
-/// As long as it lives, nobody records there.
+/// Returns a lock that excludes recording there; nullopt if the recording has no log. Throws
+/// LibraryError if it is being recorded.
 std::optional<recording::AppendFile> Hold(const fs::path& directory) {
   if (!StateOf(directory / "commands.jsonl").is_file) return std::nullopt;
   try {
@@ -129,7 +135,7 @@ void Move(const fs::path& from, const fs::path& to) {
   if (error) throw LibraryError(from.string() + " cannot be moved: " + error.message());
 }
 
-/// Without the number it got in the bin.
+/// Returns an id without the number that it got in the bin.
 std::string NameOutsideOfBin(const std::string& id) {
   const std::size_t mark = id.rfind('~');
   const bool is_numbered = mark != std::string::npos && mark > 0 && mark + 1 < id.size() &&
@@ -154,6 +160,7 @@ std::vector<Library::Place> Library::Places() const {
       Place place{
           .id = directory.filename().string(), .directory = directory, .is_binned = is_binned};
       if (!IsPlainName(place.id) || !IsRecordingIn(folder, place.id)) return;
+      // The log changes only by recording, so its time orders recordings; titles may change later.
       const FileState log = StateOf(directory / "commands.jsonl");
       place.recorded = log.is_file ? log.changed : StateOf(directory / "demo.json").changed;
       places.push_back(std::move(place));
@@ -175,6 +182,7 @@ Json Library::List() const {
     Listed& now = listed[place.directory.string()];
     now.stamp = ListingStampOf(place.directory);
     const auto before = listed_.find(place.directory.string());
+    // Unchanged recordings are not read again.
     const bool is_known = before != listed_.end() && before->second.stamp == now.stamp;
     now.entry = is_known ? before->second.entry : EntryOf(place.directory);
     Json entry = {{"id", place.id}};
@@ -191,7 +199,7 @@ std::string Library::Stamp() const {
   StateHash hash;
   for (const fs::path& folder : {root_, bin()}) {
     hash.Add(StampOf(folder));
-    // A folder that stays may cease to be a recording. Looking at 1000 takes 3 ms.
+    // An unchanged folder may still gain or lose a recording's demo.json. Checking 1000 takes 3 ms.
     ForEachIn(folder, kMaxListed, [&](const fs::path& directory) {
       hash.Add(directory.filename().string());
       hash.Add(StampOf(directory / "demo.json"));
@@ -202,7 +210,7 @@ std::string Library::Stamp() const {
 
 fs::path Library::DirectoryOf(const std::string& id) const {
   if (!IsPlainName(id)) FailToFind(id);
-  // The root may be a link; nothing under it may.
+  // The root may be a link; anything below it must not be.
   std::error_code error;
   const fs::path root = fs::canonical(root_, error);
   if (error) FailToFind(id);
@@ -222,12 +230,14 @@ std::string Library::Bin(const std::string& id) const {
   if (directory.parent_path().filename() == bin().filename()) {
     throw LibraryError(Quoted(id) + " is in the bin already");
   }
+  // Held during the move, so that no recording can begin in between.
   const auto hold = Hold(directory);
   std::error_code error;
   fs::create_directory(bin(), error);
   if (error) throw LibraryError(bin().string() + " cannot be made: " + error.message());
   for (int number = 1;; ++number) {
     const std::string name = id + "~" + std::to_string(number);
+    // Unique in both folders, as ids are looked up in both.
     if (fs::exists(bin() / name) || fs::exists(root_ / name)) continue;
     Move(directory, bin() / name);
     return name;

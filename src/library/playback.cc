@@ -14,7 +14,7 @@
 namespace smile::library {
 namespace {
 
-/// Kept of a recording, however long it is.
+/// Maximal number of bookmarks of a recording of any length.
 constexpr std::size_t kMaxBookmarks = 2048;
 
 }  // namespace
@@ -73,7 +73,7 @@ class Playback::Impl {
  private:
   bool is_at_end() const { return at_ >= static_cast<double>(num_ticks_); }
 
-  /// An object that came to the floor, or lay there when the recording began.
+  /// Fall of an object to the floor; tick 0 for objects that lay there at the start.
   struct Fall {
     std::uint64_t tick = 0;
     std::string object;
@@ -85,7 +85,8 @@ class Playback::Impl {
     }
   }
 
-  /// Reads all of it once, to know how long it is, what falls, and to come back quickly.
+  /// Reads the whole trace once for its length, the falls, and the bookmarks. Their spacing doubles
+  /// whenever there are too many, so that memory is bounded and seeking reads at most one spacing.
   void Survey() {
     std::uint64_t spacing = sim::kTicksPerSecond;
     NoteFalls(0, trace_.events_before_start());
@@ -96,7 +97,7 @@ class Playback::Impl {
       if (num_ticks_ % spacing != 0) continue;
       bookmarks_.push_back(trace_.Mark());
       if (bookmarks_.size() < kMaxBookmarks) continue;
-      // Every other one will do.
+      // Keeps every other one, which doubles the spacing.
       for (std::size_t i = 1; 2 * i < bookmarks_.size(); ++i) {
         bookmarks_[i] = std::move(bookmarks_[2 * i]);
       }
@@ -115,6 +116,7 @@ class Playback::Impl {
         bookmarks_.begin(), bookmarks_.end(), tick,
         [](std::uint64_t wanted, const auto& mark) { return wanted < mark.moment().tick; });
     const recording::TraceReader::Bookmark& before = *std::prev(after);
+    // Reading on is cheaper than returning, unless a bookmark lies nearer to the tick.
     const bool can_read_on =
         has_moment_ && moment_.tick <= tick && moment_.tick >= before.moment().tick;
     if (!can_read_on) {

@@ -12,7 +12,7 @@
 namespace smile::library {
 namespace {
 
-/// The beginning of a file; empty if it cannot be read.
+/// Returns the beginning of a file; empty if it cannot be read.
 std::string BeginningOf(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   std::string text(2048, '\0');
@@ -21,15 +21,16 @@ std::string BeginningOf(const std::filesystem::path& path) {
   return text;
 }
 
-/// The comment before the root element, on one line; empty without one.
+/// Returns the comment before the root element, on one line; empty without one.
 std::string CommentOf(const std::filesystem::path& path) {
-  // Parsing ends in a fault where the beginning ends; the comment has been read by then.
+  // The beginning of a file is not well-formed XML, but the comment has been read before that
+  // fault.
   std::string text = xml::Parse(BeginningOf(path), path.string()).comment;
   std::ranges::replace(text, '\n', ' ');
   return Printable(text);
 }
 
-/// Up to where the first sentence, or a part of it that stands alone, ends.
+/// Returns the first sentence, or its first part that can stand alone.
 std::string_view FirstPhraseOf(std::string_view text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     const bool is_stop = std::string_view(".:;").find(text[i]) != std::string_view::npos;
@@ -46,7 +47,7 @@ std::string_view Trimmed(std::string_view text) {
 }
 
 std::string SceneTitleOf(const std::filesystem::path& path) {
-  constexpr std::string_view kAuthor = "Authored for SMILE. ";  // what we ship begins so
+  constexpr std::string_view kAuthor = "Authored for SMILE. ";  // in the shipped scenes
   constexpr std::size_t kMaxTitle = 200;
   const std::string comment = CommentOf(path);
   std::string_view text = Trimmed(comment);
@@ -82,7 +83,7 @@ std::optional<std::filesystem::path> SceneCatalog::FileOf(const std::string& nam
   if (!is_plain) return std::nullopt;
   std::filesystem::path file = folder_ / (name + ".xml");
   std::error_code error;
-  // A link may lead anywhere.
+  // Links are refused, as they may lead out of the folder.
   if (!std::filesystem::is_regular_file(std::filesystem::symlink_status(file, error))) {
     return std::nullopt;
   }

@@ -35,6 +35,7 @@ ThumbnailQueue::Picture ThumbnailQueue::Get(const std::string& key, const Render
 std::shared_future<ThumbnailQueue::Picture> ThumbnailQueue::Enqueue(const std::string& key,
                                                                     const Render& render) {
   const std::lock_guard lock(mutex_);
+  // Finished and pending pictures share one map: equal requests wait for the same future.
   const auto known = pictures_.find(key);
   if (known != pictures_.end()) return known->second;
   if (is_closing_ || jobs_.size() >= kMaxJobs) {
@@ -67,7 +68,7 @@ void ThumbnailQueue::Run(Job job, ThumbnailRenderer* renderer) {
     kept_bytes_ += SizeOf(picture);
     while (kept_.size() > kMaxKept || kept_bytes_ > kMaxKeptBytes) {
       const auto oldest = pictures_.find(kept_.front());
-      // The promise of the newest is not fulfilled yet.
+      // The newest is not set yet; waiting for its future here would block forever.
       if (oldest->first == job.key) break;
       kept_bytes_ -= SizeOf(oldest->second.get());
       pictures_.erase(oldest);

@@ -17,6 +17,7 @@ std::string ThumbnailRenderer::RenderScene(const std::filesystem::path& file,
 std::optional<std::string> ThumbnailRenderer::RenderRecording(
     const std::filesystem::path& directory, const std::string& stamp,
     std::optional<std::size_t> segment) {
+  // A page requests the pictures of all segments of one recording in a row.
   if (!cached_ || cached_->directory != directory || cached_->stamp != stamp) {
     cached_ =
         std::unique_ptr<CachedRecording>(new CachedRecording{.directory = directory,
@@ -34,6 +35,7 @@ std::optional<std::string> ThumbnailRenderer::RenderRecording(
 }
 
 std::string ThumbnailRenderer::Render(const model::Model& model, const scene::VisualState& state) {
+  // Made in the worker thread, to which its OpenGL context belongs.
   if (!renderer_) renderer_ = std::make_unique<camera::Renderer>();
   const CameraView view = picture::FindView(
       "close", model.scene(), model::EyeSpec{.width_px = kWidth, .height_px = kHeight}, {});

@@ -9,6 +9,7 @@
 namespace smile::page {
 
 void AddControlRequests(RequestTable* table) {
+  // A handler answers only its own client; a message to another one is deferred.
   const auto deferred = std::make_shared<std::vector<DeferredMessage>>();
   table->entries["keep_control"] = {[deferred](const Request& request) {
     const auto from = RequestFields(request).Whole("from", std::numeric_limits<ClientId>::max());

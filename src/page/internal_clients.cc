@@ -13,9 +13,10 @@ namespace smile::page {
 namespace {
 
 constexpr int kProtocolVersion = 1;
-/// A client with so many invalid requests is not the page.
+/// Number of invalid requests after which a client is closed: the page sends none.
 constexpr int kMaxMistakes = 10;
-/// Requests of one client that may wait for the session; the next are left in the network.
+/// Maximal number of waiting requests per client; further ones are not read from the network, which
+/// slows the client down.
 constexpr std::size_t kMaxWaitingRequests = 64;
 
 constexpr std::uint8_t kPosesKind = 1, kViewKind = 2;
@@ -69,6 +70,7 @@ Clients::Client* Clients::Find(ClientId id) {
 bool Clients::MakeRoom() {
   const auto is_here = [](const auto& entry) { return !entry.second.is_closing; };
   if (std::ranges::count_if(clients_, is_here) < limits_.clients) return true;
+  // Connections that never said hello are the least valuable, so they cannot exclude real clients.
   const auto silent = std::ranges::find_if(clients_, [](const auto& entry) {
     return !entry.second.is_closing && !entry.second.said_hello;
   });
@@ -86,6 +88,7 @@ bool Clients::Open(ClientId id) {
 
 void Clients::Close(ClientId id) {
   const Lock lock(mutex_);
+  // Only clients that said hello appear in the list of the others.
   const bool was_here = arbiter_.IsHere(id);
   arbiter_.Leave(id);
   std::erase(new_clients_, id);
@@ -101,6 +104,7 @@ void Clients::LimitExceeded(ClientId id, const std::string& reason) {
 }
 
 void Clients::Receive(ClientId id, bool is_text, std::string_view text) {
+  // Parsed before the lock, since it depends on nothing shared.
   std::optional<Request> request;
   std::string error;
   try {
@@ -116,7 +120,9 @@ void Clients::Receive(ClientId id, bool is_text, std::string_view text) {
   if (!client->said_hello && request->what != "hello") {
     return Refuse(client, request->seq, "say hello first");
   }
+  // Pings are sent by the page itself, without its user.
   if (request->what != "ping") arbiter_.NoteSignOfLife(id, Now());
+  // Requests for the session wait for its thread; those about the connection are answered at once.
   if (!own_requests_.entries.contains(request->what)) {
     client->waiting.push_back({std::move(*request), text.size()});
     client->waiting_bytes += text.size();
@@ -124,6 +130,7 @@ void Clients::Receive(ClientId id, bool is_text, std::string_view text) {
   }
   PostJson(client, Answer(own_requests_, *request, arbiter_.controller() == id));
   client->carried_out = std::max(client->carried_out, request->seq);
+  // After the reply, so that the client knows its own number.
   if (std::exchange(must_send_clients_, false)) SendClientList();
 }
 
@@ -172,6 +179,7 @@ Json Clients::TakeControl(const Request& request) {
   const bool by_force = request.fields.value("by_force", Json(false)) == true;
   const std::optional<ClientId> before = arbiter_.controller();
   const bool is_granted = arbiter_.Take(request.client, by_force, Now());
+  // The controller is asked; it may answer with `give_control` or `keep_control`.
   if (!is_granted) {
     PostJson(Find(*before), {{"t", "control_wanted"}, {"by", request.client}});
   } else if (before != request.client) {
@@ -207,7 +215,7 @@ void Clients::SendClientList() {
 
 void Clients::Post(Client* client, OutgoingMessage message) {
   if (client->is_closing) return;
-  // One message is always taken, however long it is.
+  // A single message is always accepted, whatever its length.
   if (!client->outbox.empty() &&
       client->outbox_bytes + message.body->size() > limits_.outbox_bytes) {
     client->outbox.clear();
@@ -251,11 +259,13 @@ std::optional<web_server::OutgoingMessage> Clients::NextMessage(ClientId id) {
 
 Clients::OutgoingMessage Clients::TakeMessage(Client* client) {
   if (!client->outbox.empty()) {
+    // Messages in order come first; poses and views are state, of which only the newest is sent.
     OutgoingMessage message = std::move(client->outbox.front());
     client->outbox.pop_front();
     client->outbox_bytes -= std::min(client->outbox_bytes, message.body->size());
     return message;
   }
+  // Poses acknowledge requests, so they are also sent if nothing has moved.
   const bool wants_poses =
       client->known_poses < poses_.version() || client->acknowledged != client->to_acknowledge;
   return wants_poses ? PosesFor(client) : ViewFor(client);
@@ -292,6 +302,7 @@ std::vector<Request> Clients::TakeRequests() {
   CloseSilentClients();
   std::vector<Request> taken;
   for (auto& [id, client] : clients_) {
+    // One request per watcher and frame: many watchers must not delay the controller.
     const bool takes_all = arbiter_.controller() == id;
     while (!client.waiting.empty()) {
       client.waiting_bytes -= client.waiting.front().bytes;
@@ -320,7 +331,7 @@ void Clients::Send(ClientId id, const Json& message) {
   if (client == nullptr) return;
   PostJson(client, message);
   if (message.value("t", "") == "reply") {
-    // Slow requests are answered after later ones.
+    // The maximum, since slow requests are answered after later ones.
     client->carried_out = std::max(client->carried_out, message.value("seq", 0U));
   }
 }
@@ -337,6 +348,7 @@ void Clients::SendPoses(const Poses& poses) {
   const Lock lock(mutex_);
   poses_.Update(poses);
   for (auto& [id, client] : clients_) {
+    // These poses contain the effects of all requests carried out so far.
     client.to_acknowledge = client.carried_out;
   }
 }

@@ -34,6 +34,8 @@ bool ControlArbiter::Take(ClientId client, bool by_force, Time now) {
   return true;
 }
 
+/// Records that the client asks, unless it asked a short time ago; control is never granted at
+/// once.
 bool ControlArbiter::MayAsk(ClientId client, Time now) {
   const auto asked = asked_.find(client);
   if (asked != asked_.end() && now - asked->second < kAskPause) {
@@ -44,9 +46,12 @@ bool ControlArbiter::MayAsk(ClientId client, Time now) {
   return false;
 }
 
+/// Returns true if the controller has been silent long enough since this client asked. The first
+/// attempt counts as asking.
 bool ControlArbiter::MayForce(ClientId client, Time now) {
   const auto asked = asked_.find(client);
   const bool is_first = asked == asked_.end();
+  // Silence starts with the later one of the question and the controller's last activity.
   const auto silence = now - std::max(is_first ? now : asked->second, last_sign_);
   if (silence >= silence_) return true;
   if (is_first) {

@@ -11,6 +11,7 @@ constexpr std::size_t kValuesPerFrame = 7;
 }  // namespace
 
 void PoseBroadcaster::Update(const Poses& poses) {
+  // Changes make sense only relative to a key of the same scene.
   if (!poses.is_key && (version_ == 0 || poses.scene != scene_)) return;
   scene_ = poses.scene;
   tick_ = poses.tick;
@@ -34,6 +35,7 @@ void PoseBroadcaster::Update(const Poses& poses) {
 }
 
 PoseBroadcaster::Change PoseBroadcaster::Since(Version known) {
+  // Most clients know the same version, so the bytes are shared.
   if (cached_.bytes && cached_for_ == known) return cached_;
   auto bytes = std::make_shared<std::string>();
   Change change{.is_key = known < key_};

@@ -6,7 +6,7 @@
 
 namespace smile::page {
 
-/// Makes what RequestForms() returns.
+/// Returns the table for RequestForms().
 std::vector<RequestForm> MakeRequestForms();
 
 }  // namespace smile::page

@@ -5,7 +5,7 @@
 
 #include "base/json_shape.h"
 
-// The shapes of messages and requests.
+// Shapes of messages and requests.
 
 namespace smile::page {
 
@@ -17,7 +17,7 @@ JsonShape FlagShape();
 JsonShape TextsShape();
 JsonShape NumbersShape();
 JsonShape ObjectShape(std::vector<JsonMember> members);
-/// `t` of a message.
+/// Returns the member `t` of a message.
 JsonMember KindMember(const char* name);
 
 // Named types.
@@ -34,7 +34,7 @@ JsonShape HandShape();
 JsonShape ActionSummaryShape();
 JsonShape SegmentShape();
 JsonShape TimelineShape();
-/// True, or the reason why not.
+/// Shape of true, or of the reason why not.
 JsonShape AllowedShape();
 JsonShape DiagnosticShape();
 JsonShape ConsoleLineShape();

@@ -6,7 +6,7 @@
 
 namespace smile::page {
 
-/// Makes what UpdateForms() returns.
+/// Returns the table for UpdateForms().
 std::vector<UpdateForm> MakeUpdateForms();
 
 }  // namespace smile::page

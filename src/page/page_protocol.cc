@@ -14,7 +14,7 @@ const RequestForm* FindRequest(const std::string& name) {
   return found != RequestForms().end() ? &*found : nullptr;
 }
 
-/// A reply to a request, the `answer` of which only comes where it is carried out.
+/// Returns the first mismatch of a reply; the fields of `answer` are present only after success.
 std::string MisfitOfReply(const Json& reply, const std::string& request) {
   std::vector<JsonMember> members = {
       KindMember("reply"), {"seq", NumberShape()}, {"ok", FlagShape()}};

@@ -8,7 +8,7 @@
 namespace smile::page {
 namespace {
 
-/// `` `factor`: 0.1 to 4, `exact`? ``
+/// Returns the names of members with their meanings: `` `factor`: 0.1 to 4, `exact`? ``.
 std::string NamesIn(const std::vector<JsonMember>& members) {
   std::string text;
   bool has_meaning = false;
@@ -24,13 +24,13 @@ std::string NamesIn(const std::vector<JsonMember>& members) {
 
 std::string TableCell(const std::string& text) { return text.empty() ? " |" : " " + text + " |"; }
 
-/// A type of the page's, with what it is for.
+/// Named type of the page, with its meaning.
 struct NamedShape {
   JsonShape shape;
   std::string meaning = "";
 };
 
-/// What the page's types are made of, and what has a name of its own.
+/// Returns the types that have a name in TypeScript, in the order of their definitions.
 std::vector<NamedShape> NamedShapes() {
   return {{HandNameShape()},
           {MoodShape()},

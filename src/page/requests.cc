@@ -10,6 +10,7 @@ namespace {
 
 Json Failure(const std::string& message) { return {{"ok", false}, {"error", message}}; }
 
+/// Returns a failure with all diagnostics of an input.
 Json Failure(const InputError& error) {
   Json failure = Failure(error.what());
   failure["diagnostics"] = Json::array();
@@ -43,9 +44,11 @@ bool IsLater(const Json& answer) { return answer.is_discarded(); }
 Json Answer(const RequestTable& table, const Request& request, bool is_controller) {
   const auto entry = table.entries.find(request.what);
   if (entry == table.entries.end()) return Reply(request, Unknown(table, request.what));
+  // Watchers learn first that they lack control; other reasons matter only to the controller.
   if (!entry->second.is_for_anyone && !is_controller) {
     return Reply(request, Failure("you are watching: take control first"));
   }
+  // The precondition is checked before the handler, and the same one is reported in `allowed`.
   return AnswerWith(request, [&] {
     const Precondition& refuse = entry->second.refuse;
     const auto refusal = refuse ? refuse(request) : std::nullopt;
@@ -58,6 +61,7 @@ Json AllowedRequests(const RequestTable& table) {
   Json allowed = Json::object();
   for (const auto& [name, entry] : table.entries) {
     if (!entry.refuse) continue;
+    // Preconditions must accept missing fields here.
     const Request request{.what = name, .fields = Json::object()};
     allowed[name] = AllowedUnless(entry.refuse(request));
   }

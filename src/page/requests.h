@@ -16,13 +16,13 @@ namespace smile::page {
 /// Numbers clients from 1 on, in order of arrival.
 using ClientId = int;
 
-/// A request that cannot be carried out: its message is the answer.
+/// Refusal of a request: its message is the answer.
 class RequestError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// One request of a client; docs/studio-protocol.md describes them.
+/// Request of a client, see docs/studio-protocol.md.
 struct Request {
   ClientId client = 0;
   std::uint32_t seq = 0;
@@ -30,12 +30,12 @@ struct Request {
   Json fields;       ///< all of it
 };
 
-/// Carries out a request. What it returns is added to the answer, unless it is AnswersLater(); what
-/// it throws, a RequestError, InputError or std::invalid_argument, is the answer.
+/// Executes a request. The returned JSON is added to the answer, unless it is AnswersLater(); a
+/// thrown RequestError, InputError or std::invalid_argument becomes the answer.
 using RequestHandler = std::function<Json(const Request&)>;
 
-/// Says why a request cannot be carried out as things are now; nullopt if it can. May throw as a
-/// RequestHandler does.
+/// Returns the reason why a request cannot be executed in the present state; nullopt if it can. May
+/// throw as a RequestHandler does.
 using Precondition = std::function<std::optional<std::string>(const Request&)>;
 
 /// Returned for slow requests, which are answered by a DeferredMessage.
@@ -52,8 +52,8 @@ struct DeferredMessage {
 struct RequestTable {
   struct Entry {
     RequestHandler handle;
-    bool is_for_anyone = false;  ///< else only for the controller
-    Precondition refuse = {};    ///< empty if nothing but its fields matters
+    bool is_for_anyone = false;  ///< otherwise only for the controller
+    Precondition refuse = {};    ///< empty if only its fields matter
   };
   std::map<std::string, Entry, std::less<>> entries;
   /// Sources of deferred messages: each returns those since its last call; called 60 times a
@@ -61,17 +61,17 @@ struct RequestTable {
   std::vector<std::function<std::vector<DeferredMessage>()>> deferred;
 };
 
-/// `{"t":"reply",…}`, whatever happens; or IsLater(). An unknown `do` is answered with what there
-/// is.
+/// Returns `{"t":"reply",…}` in any case, or IsLater(). The answer to an unknown `do` lists the
+/// known ones.
 Json Answer(const RequestTable& table, const Request& request, bool is_controller);
 
-/// Of each request with a precondition: may it be sent as things are now, without any field that
-/// may be left out? As AllowedUnless() has it, by name.
+/// Returns for each request with a precondition, by name, if it may be sent now without its
+/// optional fields: the value of AllowedUnless().
 Json AllowedRequests(const RequestTable& table);
-/// True, or the reason why not.
+/// Returns true, or the reason why not.
 Json AllowedUnless(const std::optional<std::string>& refusal);
 
-/// Returns the reply to a request that `carry_out` carries out, in any thread.
+/// Returns the reply to a request that `carry_out` executes, in any thread.
 Json AnswerWith(const Request& request, const std::function<Json()>& carry_out);
 
 /// Returns the deferred messages of all sources, in order.

@@ -48,7 +48,7 @@ std::string Server::link() const { return impl_->web()->link(); }
 
 std::vector<Request> Server::TakeRequests() {
   std::vector<Request> requests = impl_->clients()->TakeRequests();
-  // There is room for more of them.
+  // Clients whose reading was paused may send again.
   impl_->web()->Resume();
   return requests;
 }

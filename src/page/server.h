@@ -14,14 +14,13 @@
 
 namespace smile::page {
 
-/// Limits on what clients may use.
+/// Limits on resources of clients.
 struct ServerLimits {
   std::size_t message_bytes = 1 << 20;
   double requests_per_second = 200;  ///< of one client
   int clients = 64;
-  double hello_seconds =
-      10;                 ///< until the first request; less when the limit of clients is reached
-  int connections = 256;  ///< of clients and of browsers that load the page
+  double hello_seconds = 10;  ///< until the first request; less if the limit of clients is reached
+  int connections = 256;      ///< of clients and of browsers that load the page
   std::size_t outbox_bytes = 8 << 20;  ///< of messages that wait for one client
   double stall_seconds = 10;           ///< for which a client may receive nothing
   double silence_seconds =
@@ -29,7 +28,7 @@ struct ServerLimits {
 };
 
 struct ServerOptions {
-  std::string address = "127.0.0.1";  ///< other than this machine: a token is required
+  std::string address = "127.0.0.1";  ///< reachable from other machines: a token is required
   int port = 0;                       ///< 0: the first free one from 8470 on
   std::filesystem::path page;
   web_server::HttpHandler get;  ///< for all other paths; may be empty
@@ -37,7 +36,7 @@ struct ServerOptions {
   std::optional<web_server::TlsFiles> tls;  ///< the page is at https:// and wss://
 };
 
-/// Poses of the frames that moved; of all frames in a key.
+/// Poses of the frames that moved; a key has all frames.
 struct Poses {
   std::uint32_t scene = 0, tick = 0;
   bool is_key = false;
@@ -49,13 +48,14 @@ struct Poses {
 /// accesses a session.
 class Server {
  public:
-  /// Serves at once. @throws std::runtime_error when no port is free or there is no page.
+  /// Starts to serve.
+  /// @throws std::runtime_error if no port is free or the page is missing.
   explicit Server(ServerOptions options);
   ~Server();
   Server(const Server&) = delete;
   Server& operator=(const Server&) = delete;
 
-  /// `http://127.0.0.1:8470/`, with the token where one is needed.
+  /// Returns the link, such as `http://127.0.0.1:8470/`, with a token if one is required.
   std::string link() const;
 
   /// Returns the requests since the last call: all of the controller, in order, and one of each
@@ -67,13 +67,15 @@ class Server {
   std::vector<ClientId> TakeNewClients();
   bool IsController(ClientId client) const;
 
-  /// A reply marks its request as carried out; poses sent from then on acknowledge it.
+  /// Sends a message. A reply marks its request as executed; poses sent from then on acknowledge
+  /// it.
   void Send(ClientId client, const Json& message);
   /// Sends to all clients that have received everything.
   void SendToAll(const Json& message);
-  /// A client that missed some poses receives each frame that moved since the last one it received.
+  /// Sends poses. A client that missed some receives each frame that moved since the last one it
+  /// received.
   void SendPoses(const Poses& poses);
-  /// Clients that do not keep up miss views.
+  /// Sends a view. Slow clients miss views.
   void SendView(std::uint32_t scene, std::uint32_t tick, std::string png, bool is_recorded);
 
  private:

@@ -5,7 +5,7 @@
 
 namespace smile::page {
 
-/// What drags and turns may snap to; see studio/snapping.h.
+/// Names of snap targets, see studio/snapping.h.
 inline constexpr std::array<std::string_view, 4> kSnapNames = {"faces", "edges", "grid", "angles"};
 
 }  // namespace smile::page

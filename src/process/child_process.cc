@@ -35,7 +35,8 @@ Pipe MakePipe(const std::string& program) {
   return {UniqueFd(ends[0]), UniqueFd(ends[1])};
 }
 
-/// Everything the child needs between fork and exec, made before: there it may not allocate.
+/// Data that the child needs between fork and exec, prepared by the parent: the child must not
+/// allocate.
 struct Launch {
   std::vector<char*> arguments;
   std::vector<char*> environment;
@@ -58,12 +59,13 @@ std::string FindKeeper() {
                            " nor as " SMILE_KEEPER);
 }
 
-/// Runs in the child; calls only functions that are safe after fork in a program with threads.
+/// Runs in the child; calls only async-signal-safe functions, since the parent has threads.
 [[noreturn]] void RunChild(const Launch& launch) {
   ::setpgid(0, 0);
   ::prctl(PR_SET_PDEATHSIG, SIGTERM);            // by which a keeper ends all it keeps
   bool is_ready = ::getppid() == launch.parent;  // else the parent has died already
 
+  // Handlers and masks of the parent must not be inherited by the program.
   struct sigaction plain = {};
   plain.sa_handler = SIG_DFL;
   for (int number = 1; number < NSIG; ++number) ::sigaction(number, &plain, nullptr);
@@ -75,10 +77,13 @@ std::string FindKeeper() {
              ::dup2(launch.output, STDOUT_FILENO) >= 0 &&
              ::dup2(launch.output, STDERR_FILENO) >= 0 && ::chdir(launch.working_directory) == 0;
   if (is_ready) {
+    // Only the standard streams and the failure pipe survive exec.
     ::close_range(kFirstOwnFd, ~0u, CLOSE_RANGE_CLOEXEC);
     ::fcntl(launch.failure, F_SETFD, 0);  // the keeper tells on it, too
     ::execve(launch.arguments[0], launch.arguments.data(), launch.environment.data());
   }
+  // The failure pipe reports errno to the parent. Without failure it closes on exec, and the parent
+  // reads end of file.
   const int error = errno;
   (void)!::write(launch.failure, &error, sizeof error);
   ::_exit(127);
@@ -91,6 +96,7 @@ std::vector<char*> Pointers(std::vector<std::string>& texts) {
   return pointers;
 }
 
+/// Returns the environment of this process with variables added or replaced.
 std::vector<std::string> EnvironmentWith(
     const std::vector<std::pair<std::string, std::string>>& added) {
   std::vector<std::string> lines;
@@ -104,7 +110,7 @@ std::vector<std::string> EnvironmentWith(
   return lines;
 }
 
-/// fork() with all signals held back, so that none of our handlers runs in the child.
+/// fork() with all signals blocked, so that none of the parent's handlers runs in the child.
 pid_t ForkQuietly(const Launch& launch) {
   sigset_t all, before;
   sigfillset(&all);
@@ -146,9 +152,10 @@ ChildProcess::ChildProcess(const ChildCommand& command) {
                       .failure = failure.write_end.get(),
                       .parent = ::getpid()});
   if (pid_ < 0) Fail(program, "cannot be started", errno);
-  ::setpgid(pid_, pid_);  // whoever comes first; the child does the same
+  ::setpgid(pid_, pid_);  // parent and child both do it, so it is done whichever runs first
 
-  // The pipe closes by itself when both have become what they shall be.
+  // Blocks until the pipe closes, that is until both programs have been executed, or one reports
+  // its failure.
   failure.write_end.Close();
   int error = 0;
   ssize_t count = 0;
@@ -166,6 +173,7 @@ ChildProcess::ChildProcess(const ChildCommand& command) {
 bool ChildProcess::HasEnded() const {
   if (pid_ < 0) return true;
   siginfo_t info = {};
+  // WNOWAIT leaves the child in place, so that its number is not reused.
   const int result = ::waitid(P_PID, static_cast<id_t>(pid_), &info, WEXITED | WNOHANG | WNOWAIT);
   return result == 0 ? info.si_pid == pid_ : errno == ECHILD;
 }
@@ -185,9 +193,9 @@ void ChildProcess::SignalGroup(int signal_number) const {
 
 const std::string& ChildProcess::End() {
   if (pid_ < 0) return how_it_ended_;
-  // Until it is collected, the child keeps its number: nobody else is hit.
+  // Until the child is collected, its number is not reused, so no other process is hit.
   ::kill(pid_, SIGHUP);
-  ::kill(pid_, SIGCONT);  // a program may have stopped its keeper
+  ::kill(pid_, SIGCONT);  // the program may have stopped it
   if (!WaitForEnd(WaitLimit(kKeeperSeconds))) ::kill(pid_, SIGKILL);
   int status = 0;
   pid_t collected = -1;

@@ -16,11 +16,11 @@ namespace smile::process {
 
 struct ChildCommand {
   std::vector<std::string> arguments;                            ///< the program's path first
-  std::vector<std::pair<std::string, std::string>> environment;  ///< beside our own
+  std::vector<std::pair<std::string, std::string>> environment;  ///< added to that of this process
   std::filesystem::path working_directory;
 };
 
-/// The system would not run a program.
+/// Error: the system could not execute a program.
 class CannotRun : public std::runtime_error {
  public:
   CannotRun(const std::string& message, int error_number)
@@ -31,33 +31,36 @@ class CannotRun : public std::runtime_error {
   int error_number_;
 };
 
-/// A program in a process group of its own, with nothing on its standard input and its output in a
-/// pipe. It dies with the thread that started it, and with this object; so does every process that
-/// it started, wherever that hid: between us and the program stands `smile-keeper`, which all of
-/// them become children of.
+/// Program in a process group of its own, with empty standard input and its output in a pipe. It
+/// ends with the thread that started it, and with this object; so does every process that it
+/// started, wherever it is: `smile-keeper` runs between this process and the program, and all its
+/// descendants are reparented to it.
 class ChildProcess {
  public:
-  /// @throws CannotRun naming the program and the reason, std::runtime_error when the machine has
-  ///         no room for one more.
+  /// @throws CannotRun with the program and the reason, std::runtime_error if resources for a
+  ///         process are exhausted.
   explicit ChildProcess(const ChildCommand& command);
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
   ~ChildProcess() { End(); }
 
-  /// Standard output and standard error; non-blocking; to be taken once, and read without pause.
+  /// Returns the pipe of standard output and standard error; non-blocking; to be taken once, and
+  /// read continuously.
   UniqueFd TakeOutput() { return std::move(output_); }
 
-  /// Whether the program has ended, and its own children with it.
+  /// Returns true if the program has ended, and its own children with it.
   bool HasEnded() const;
+  /// Waits for the end of the program.
   /// @returns HasEnded(), at the latest when the limit has passed.
   bool WaitForEnd(const WaitLimit& limit) const;
 
   /// Sends SIGUSR2 or SIGINT to the program's group.
   void SignalGroup(int signal_number) const;
 
-  /// Kills what is left, collects the child, and says how it ended: `it ended with exit code 3`.
+  /// Kills remaining processes, collects the child, and returns how it ended: `it ended with exit
+  /// code 3`.
   const std::string& End();
-  /// Of the program, once End() was called; nullopt when a signal ended it.
+  /// Returns the program's exit code, after End() was called; nullopt if a signal ended it.
   std::optional<int> exit_code() const { return exit_code_; }
 
  private:

@@ -6,7 +6,7 @@
 
 namespace smile::process {
 
-/// Owns a file descriptor; movable.
+/// Owner of a file descriptor; movable.
 class UniqueFd {
  public:
   UniqueFd() = default;

@@ -6,8 +6,8 @@
 
 namespace smile::process {
 
-/// How long to wait for somebody else, and who may call it off. Waiting happens in slices, so that
-/// both are noticed soon.
+/// Limit on waiting: a timeout and a cancellation. Waiting happens in slices, so that both are
+/// noticed soon.
 class WaitLimit {
  public:
   using Clock = std::chrono::steady_clock;
@@ -19,7 +19,7 @@ class WaitLimit {
 
   bool HasPassed() const { return Clock::now() >= deadline_; }
   bool IsCancelled() const { return is_cancelled_ && is_cancelled_(); }
-  /// The next slice for poll(), 0 to `longest_ms`.
+  /// Returns the next slice for poll() [ms], 0 to `longest_ms`.
   int SliceMs(int longest_ms) const {
     const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline_ - Clock::now());
     return static_cast<int>(std::clamp<long long>(left.count(), 0, longest_ms));

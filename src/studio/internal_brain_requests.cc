@@ -11,7 +11,7 @@
 namespace smile::studio {
 
 std::vector<library::BrainChoice> BrainRequests::Choices() const {
-  // The user's folders first: a program there hides a shipped one of the same name.
+  // The user's folders come first, since the first match of a name wins.
   std::vector<std::filesystem::path> folders = options_->brains;
   for (const char* shipped : {"matlab/examples", "python/examples", "matlab", "python"}) {
     folders.push_back(DataFile(shipped));

@@ -6,14 +6,14 @@
 
 namespace smile::web_server {
 
-/// Content that a GET is answered with.
+/// Content of the answer to a GET.
 struct HttpResponse {
   std::string type;  ///< media type: `application/json`, `image/png`, …
   std::string body;
   std::string file_name;  ///< name to save it under; empty: the browser displays it
 };
 
-/// Returns the content at a path, nullopt where there is none. The path is decoded, begins with `/`
+/// Returns the content at a path, nullopt if there is none. The path is decoded, begins with `/`
 /// and contains no `.` or `..` segment. Called from several threads at once.
 using HttpHandler = std::function<std::optional<HttpResponse>(const std::string& path)>;
 

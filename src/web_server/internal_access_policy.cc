@@ -11,7 +11,7 @@
 namespace smile::web_server {
 namespace {
 
-/// 128 random bits, as 32 hexadecimal digits.
+/// Returns a token of 128 random bits, as 32 hexadecimal digits.
 std::string RandomToken() {
   constexpr std::string_view kHexDigits = "0123456789abcdef";
   std::array<unsigned char, 16> bytes{};
@@ -30,7 +30,8 @@ std::string NameOfMachine() {
   return LowerCase(name.data());
 }
 
-/// `Host` without its port, which differs behind a tunnel. An IPv6 number loses its brackets.
+/// Returns the host name of a `Host` header without its port, which differs behind a tunnel. An
+/// IPv6 number loses its brackets.
 std::string HostNameIn(std::string_view host) {
   if (host.starts_with('[')) return LowerCase(host.substr(1, host.find(']') - 1));
   return LowerCase(host.substr(0, host.find(':')));
@@ -63,13 +64,14 @@ std::string AccessPolicy::link() const {
 bool AccessPolicy::IsOwnHost(std::string_view host) const {
   const std::string name = HostNameIn(host);
   if (name == "localhost" || name == LowerCase(config_.address)) return true;
-  // A foreign name can be made to lead here, a number cannot.
+  // Protection from DNS rebinding: a foreign name can be made to resolve to this machine, a number
+  // cannot.
   if (!config_.is_loopback) return name == machine_ || IsAddressNumber(name);
   return name == "::1" || (name.starts_with("127.") && IsAddressNumber(name));
 }
 
 bool AccessPolicy::IsToken(std::string_view text) const {
-  // Takes equally long for each wrong one, however much of it is right.
+  // Comparison in constant time: its duration reveals nothing about the matching digits.
   if (text.size() != token_.size()) return false;
   unsigned difference = 0;
   for (std::size_t k = 0; k < token_.size(); ++k) {
@@ -81,6 +83,7 @@ bool AccessPolicy::IsToken(std::string_view text) const {
 void AccessPolicy::Check(const HttpRequest& request) const {
   const std::string_view host = request.Header("host");
   if (!IsOwnHost(host)) throw HttpError(403, "this server is not at the address you asked for");
+  // Browsers send `Origin` with requests from pages; requests of other programs have none.
   const std::string_view origin = request.Header("origin");
   if (!origin.empty() && LowerCase(origin) != scheme() + LowerCase(host)) {
     throw HttpError(403, "pages of other sites have no access to this server");

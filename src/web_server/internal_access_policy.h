@@ -6,14 +6,14 @@
 
 namespace smile::web_server {
 
-/// Decides which requests are answered. Pages of other sites are not, even if the user's own
-/// browser sends them: `Host` must be this machine, so that no foreign name leads here, and
-/// `Origin` must be this server. Where other machines can connect, the token of link() must be
-/// known as well.
+/// Access policy: decides which requests are answered. Pages of other sites are refused, even if
+/// the user's own browser sends them: `Host` must be this machine, so that no foreign name leads
+/// here, and `Origin` must be this server. If other machines can connect, the token of link() is
+/// required as well.
 class AccessPolicy {
  public:
   struct Config {
-    std::string address;  ///< where the server listens
+    std::string address;  ///< at which the server listens
     int port = 0;
     bool is_loopback = false;  ///< no other machine can connect
     bool is_tls = false;
@@ -21,12 +21,12 @@ class AccessPolicy {
   };
   explicit AccessPolicy(Config config);
 
-  /// `http://127.0.0.1:8470/`, with the token where one is needed.
+  /// Returns the link, such as `http://127.0.0.1:8470/`, with the token if one is required.
   std::string link() const;
   /// @throws HttpError if the request must not be answered.
   void Check(const HttpRequest& request) const;
-  /// Value of `Set-Cookie` by which a browser remembers the token in this request's query; empty if
-  /// there is none.
+  /// Returns the value of `Set-Cookie` by which a browser stores the token of this request's query;
+  /// empty if the query has none.
   std::string CookieFor(const HttpRequest& request) const;
 
  private:
@@ -37,7 +37,7 @@ class AccessPolicy {
 
   Config config_;
   std::string machine_;
-  std::string token_;  ///< empty: none is needed
+  std::string token_;  ///< empty: not required
 };
 
 }  // namespace smile::web_server

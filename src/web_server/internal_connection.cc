@@ -8,6 +8,7 @@ namespace smile::web_server {
 bool Connections::MakeRoom() {
   if (all_.size() < max_) return true;
   std::shared_ptr<Connection> longest;
+  // Only idle connections may be closed; a download or WebSocket is not interrupted for a newcomer.
   for (const std::shared_ptr<Connection>& each : all_) {
     if (!each->idle_since()) continue;
     if (!longest || *each->idle_since() < *longest->idle_since()) longest = each;
@@ -23,7 +24,7 @@ void Connections::Remove(const Connection* connection) {
 }
 
 void Connections::Resume() {
-  // A connection that ends meanwhile leaves the list.
+  // A copy, since a connection that ends during the loop leaves the list.
   const std::vector<std::shared_ptr<Connection>> all(all_.begin(), all_.end());
   for (const std::shared_ptr<Connection>& each : all) each->Resume();
 }

@@ -17,30 +17,31 @@
 
 namespace smile::web_server {
 
-/// Time for the other end to read the last message and to end the connection as well.
+/// Time for the other end to read the last message and to close the connection.
 constexpr std::chrono::milliseconds kLastWordTimeout{1000};
 
-/// One connection. Belongs to the server's thread.
+/// Connection. Belongs to the server's thread.
 ///
-/// Shared, because a completion that Asio still has to call may be the last to hold it.
+/// Shared, because a pending completion of Asio may be its last owner.
 class Connection {
  public:
   using Time = std::chrono::steady_clock::time_point;
 
   virtual ~Connection() = default;
-  /// Fails whatever it is doing, so that it ends.
+  /// Fails all pending operations, so that the connection ends.
   virtual void Abort() = 0;
-  /// Sends what is waiting, and reads again where that was paused.
+  /// Sends waiting messages, and continues reading if it was paused.
   virtual void Resume() {}
-  /// Since when it has been waiting for a request or for its end; nullopt while it is being served.
+  /// Returns the time since which it has been waiting for a request or for its end; nullopt while
+  /// it is being served.
   std::optional<Time> idle_since() const { return idle_since_; }
 
  protected:
   void BeginIdle() { idle_since_ = std::chrono::steady_clock::now(); }
   void EndIdle() { idle_since_.reset(); }
-  /// Releases what it holds, and leaves the server.
+  /// Releases its resources and leaves the server.
   virtual void End() = 0;
-  /// Where the machine has no more memory, this connection ends and the others stay.
+  /// Runs an action; if it throws, because memory is exhausted, only this connection ends.
   template <typename Action>
   void EndOnFailure(const Action& action) {
     try {
@@ -54,19 +55,20 @@ class Connection {
   std::optional<Time> idle_since_;
 };
 
-/// All connections of a server, of which there are only so many.
+/// Connections of a server, limited in number.
 class Connections {
  public:
   explicit Connections(int max) : max_(static_cast<std::size_t>(max)) {}
 
-  /// If all places are taken, the longest idle connection is ended. False if none is idle.
+  /// Makes room for one more: if the limit is reached, closes the connection that has been idle
+  /// longest. Returns false if none is idle.
   [[nodiscard]] bool MakeRoom();
   void Add(std::shared_ptr<Connection> connection) { all_.push_back(std::move(connection)); }
   void Remove(const Connection* connection);
   bool is_empty() const { return all_.empty(); }
 
   void Resume();
-  /// Ends those that are idle.
+  /// Closes idle connections.
   void AbortIdle();
 
  private:
@@ -74,7 +76,7 @@ class Connections {
   std::list<std::shared_ptr<Connection>> all_;
 };
 
-/// The server's parts that its connections use.
+/// Parts of the server that its connections use.
 struct Services {
   boost::asio::io_context* context = nullptr;
   boost::asio::thread_pool* workers = nullptr;  ///< for the handler of GETs
@@ -89,7 +91,7 @@ struct Services {
   WebSocketId last_id = 0;
 };
 
-/// Runs `action` at a time, unless it is set again or cleared before.
+/// Timer that runs `action` at a time, unless it is set again or cleared before.
 class Deadline {
  public:
   explicit Deadline(boost::asio::io_context* context) : timer_(*context) {}
@@ -109,7 +111,7 @@ class Deadline {
 
  private:
   boost::asio::steady_timer timer_;
-  /// Counts settings and clearings: a handler that comes late finds another number.
+  /// Counts calls of Set() and Clear(): a late handler finds another number and does nothing.
   std::shared_ptr<unsigned> number_ = std::make_shared<unsigned>(0);
 };
 

@@ -15,6 +15,7 @@ bool IsAlphanumeric(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
 }
 
+/// True if a text has ASCII control characters other than tabs.
 bool HasControlCharacter(std::string_view text) {
   return std::ranges::any_of(
       text, [](char c) { return (static_cast<unsigned char>(c) < ' ' && c != '\t') || c == 0x7F; });
@@ -34,7 +35,7 @@ std::string_view CutAt(std::string_view separator, std::string_view* rest) {
   return first;
 }
 
-/// The value of `name=value` in a list with this separator.
+/// Returns the value of `name=value` in a list with this separator; empty if it is missing.
 std::string_view ValueInPairs(std::string_view name, std::string_view pairs,
                               std::string_view separator) {
   while (!pairs.empty()) {
@@ -44,6 +45,7 @@ std::string_view ValueInPairs(std::string_view name, std::string_view pairs,
   return {};
 }
 
+/// Decodes `%XX`; throws HttpError for incomplete escapes.
 std::string PercentDecoded(std::string_view text) {
   std::string decoded;
   for (std::size_t k = 0; k < text.size(); ++k) {
@@ -63,7 +65,8 @@ std::string PercentDecoded(std::string_view text) {
   return decoded;
 }
 
-/// The decoded path, if each of its segments is a name: none leads out of a folder.
+/// Returns the decoded path; throws HttpError unless each of its segments is a name, so that none
+/// leads out of a folder. The checks follow the decoding, as `%2e%2e` must not pass.
 std::string CheckedPath(std::string_view raw) {
   std::string path = PercentDecoded(raw);
   if (path.empty() || path[0] != '/') throw HttpError(400, "the path does not begin with /");
@@ -103,7 +106,8 @@ HttpRequest ToHttpRequest(const BeastRequest& received) {
   request.path = CheckedPath(CutAt("?", &target));
   request.query = target;
   for (const auto& field : received) {
-    // A second one could be what another program on the way goes by.
+    // Repeated headers are refused, since a proxy on the way might use another one than this
+    // server.
     if (!request.headers.emplace(LowerCase(ToText(field.name_string())), ToText(field.value()))
              .second) {
       throw HttpError(400, "a header is given twice");

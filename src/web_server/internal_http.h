@@ -12,7 +12,7 @@
 
 namespace smile::web_server {
 
-/// A request is refused: with this status and this text.
+/// Refusal of a request, with status and text.
 class HttpError : public std::runtime_error {
  public:
   HttpError(int status, const std::string& message)
@@ -31,7 +31,7 @@ struct HttpRequest {
 
   /// Empty if there is none.
   std::string_view Header(std::string_view name) const;
-  /// Of the query; empty if there is none.
+  /// Returns a parameter of the query; empty if it is missing.
   std::string_view Parameter(std::string_view name) const;
   /// Empty if there is none.
   std::string_view Cookie(std::string_view name) const;
@@ -41,13 +41,13 @@ using BeastRequest = boost::beast::http::request<boost::beast::http::empty_body>
 
 /// @throws HttpError if the path or the headers are ambiguous or unsafe.
 HttpRequest ToHttpRequest(const BeastRequest& request);
-/// Parses all that stands before the empty line, as a connection does.
-/// @throws HttpError that says what is wrong.
+/// Parses the head of a request, up to the empty line, as a connection does.
+/// @throws HttpError with the reason.
 HttpRequest ParseHttpHead(std::string_view head);
-/// What Beast's parser reported.
+/// Converts an error of Beast's parser.
 HttpError ToHttpError(const boost::system::error_code& error);
 
-/// Most bytes of a request up to its empty line.
+/// Maximal size of a request up to its empty line.
 constexpr std::size_t kMaxHeadBytes = 16384;
 
 struct HttpReply {
@@ -56,12 +56,12 @@ struct HttpReply {
   std::shared_ptr<const std::string> body = std::make_shared<const std::string>();
 };
 
-/// A text for people.
+/// Returns a plain text for people.
 HttpReply TextReply(int status, std::string_view text);
 
-/// `a`-`z` for `A`-`Z`.
+/// Returns the text with ASCII letters in lower case.
 std::string LowerCase(std::string_view text);
-/// All but letters, digits and `-._` as `%XX`.
+/// Encodes everything but letters, digits and `-._` as `%XX`.
 std::string PercentEncoded(std::string_view text);
 
 }  // namespace smile::web_server

@@ -18,7 +18,8 @@ std::chrono::milliseconds Milliseconds(double seconds) {
   return std::chrono::milliseconds(std::lround(1000 * seconds));
 }
 
-/// Lets a page load from here only, show pictures that it has in memory, and connect to here.
+/// Returns a Content-Security-Policy: pages load from this server only, may show pictures from
+/// memory, and connect to this server.
 std::string ContentPolicy(const HttpRequest& request, bool is_tls) {
   return "default-src 'self'; img-src 'self' blob: data:; connect-src 'self' blob: " +
          std::string(is_tls ? "wss://" : "ws://") + std::string(request.Header("host")) +
@@ -34,7 +35,7 @@ void AddSafetyHeaders(const HttpRequest& request, const Services& services, Http
       {"Referrer-Policy", "no-referrer"},
       {"Cross-Origin-Resource-Policy", "same-origin"}};
   reply->headers.insert(reply->headers.end(), std::begin(headers), std::end(headers));
-  // From elsewhere than this machine browsers ignore it without TLS, and complain.
+  // Without TLS, browsers ignore this header for other machines and print a warning.
   if (services.is_loopback || is_tls) {
     reply->headers.emplace_back("Cross-Origin-Opener-Policy", "same-origin");
   }
@@ -42,7 +43,8 @@ void AddSafetyHeaders(const HttpRequest& request, const Services& services, Http
 
 HttpReply FileReply(const StaticFiles::File& file, const HttpRequest& request) {
   HttpReply reply;
-  // Browsers ask again each time and learn that nothing changed: a new build shows at once.
+  // Browsers revalidate each time and get 304 if nothing has changed: a new build is visible
+  // immediately.
   reply.headers = {{"Content-Type", file.type}, {"ETag", file.tag}, {"Cache-Control", "no-cache"}};
   if (request.Header("if-none-match") == file.tag) {
     reply.status = 304;
@@ -121,6 +123,7 @@ void HttpConnection::HandleHead(error_code error) {
   deadline_.Clear();
   EndIdle();
   if (!error) return Answer();
+  // The reply to a faulty head must not depend on the request before it.
   request_ = {};
   stays_open_ = false;
   if (has_timed_out_ && parser_->got_some()) {
@@ -128,12 +131,14 @@ void HttpConnection::HandleHead(error_code error) {
   }
   const bool is_end = error == http::error::end_of_stream || error == http::error::partial_message;
   const auto& parser_category = http::make_error_code(http::error::bad_version).category();
+  // Only faults of the request get a reply; a broken connection just ends.
   if (is_end || error.category() != parser_category) return End();
   Send(ErrorReply(ToHttpError(error)));
 }
 
 void HttpConnection::Answer() {
-  // The body of a request is not read: what follows it would not be found.
+  // Bodies are not read, so the begin of a following request would be unknown: the connection
+  // closes after the reply.
   const bool has_body = parser_->chunked() || parser_->content_length().value_or(0) > 0;
   stays_open_ = parser_->keep_alive() && !has_body;
   try {
@@ -148,7 +153,8 @@ void HttpConnection::Answer() {
     }
     const std::string cookie = services_->access->CookieFor(request_);
     if (!cookie.empty() && request_.path == "/") {
-      // Once the browser remembers the token, it need not be seen in its address line.
+      // A redirect removes the token from the address line, once the browser has stored it as a
+      // cookie.
       return Send({.status = 303, .headers = {{"Location", "/"}, {"Set-Cookie", cookie}}});
     }
     const StaticFiles::File* file = services_->files->Find(request_.path);
@@ -160,6 +166,8 @@ void HttpConnection::Answer() {
 }
 
 void HttpConnection::AskHandler() {
+  // The handler may be slow; it runs in a worker thread, and its reply returns to the server's
+  // thread.
   net::post(*services_->workers, [self = shared_from_this()] {
     Services* services = self->services_;
     HttpReply reply = HandlerReply(services->options->get, self->request_.path);
@@ -176,6 +184,7 @@ void HttpConnection::Upgrade() {
   const WebSocketId id = services_->last_id + 1;
   if (!services_->handler->Open(id)) throw HttpError(503, "there are as many clients as can be");
   services_->last_id = id;
+  // Bytes after the head belong to the WebSocket already.
   stream_.PutBack({static_cast<const char*>(buffer_.data().data()), buffer_.size()});
   const auto web_socket = std::make_shared<WebSocket>(std::move(stream_), id, services_);
   services_->connections->Add(web_socket);
@@ -184,7 +193,7 @@ void HttpConnection::Upgrade() {
 }
 
 void HttpConnection::Send(HttpReply reply) {
-  // Where a request was wrong, nobody knows where the next begins.
+  // After a malformed request, the begin of the next one is unknown.
   if (reply.status == 400) stays_open_ = false;
   AddSafetyHeaders(request_, *services_, &reply);
   reply_ = std::move(reply);

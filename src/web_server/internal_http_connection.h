@@ -13,7 +13,7 @@
 
 namespace smile::web_server {
 
-/// A connection that carries requests one after another, until one asks for a WebSocket.
+/// HTTP connection: serves requests one after another, until one upgrades to a WebSocket.
 class HttpConnection : public Connection, public std::enable_shared_from_this<HttpConnection> {
  public:
   HttpConnection(std::unique_ptr<Link> link, Services* services);
@@ -29,12 +29,12 @@ class HttpConnection : public Connection, public std::enable_shared_from_this<Ht
   void HandleHead(error_code error);
   void Answer();
   HttpReply ReplyTo(const HttpRequest& request);
-  /// Has a worker ask the program.
+  /// Calls the program's handler in a worker thread.
   void AskHandler();
   void Upgrade();
   void Send(HttpReply reply);
   void HandleSent(error_code error);
-  /// Waits for the other end to end the connection.
+  /// Waits for the other end to close the connection.
   void Linger();
   void End() override;
 

@@ -22,14 +22,15 @@ void AddEndpointsOf(io_context* context, const std::string& name,
   const auto found = tcp::resolver(*context).resolve(name, "", tcp::resolver::passive, error);
   if (error) throw std::runtime_error("cannot listen at " + name + ": " + error.message());
   for (const auto& entry : found) {
-    // A name may lead to one place in several ways.
+    // A name may resolve to the same address several times.
     if (std::ranges::find(*endpoints, entry.endpoint()) == endpoints->end()) {
       endpoints->push_back(entry.endpoint());
     }
   }
 }
 
-/// To browsers `localhost` is both, whatever the machine's tables say.
+/// Returns the addresses of a name. Browsers take `localhost` for both 127.0.0.1 and ::1, whatever
+/// the machine's tables say.
 std::vector<tcp::endpoint> EndpointsOf(io_context* context, const std::string& name) {
   std::vector<tcp::endpoint> endpoints;
   const bool is_localhost = name == "localhost";
@@ -40,7 +41,7 @@ std::vector<tcp::endpoint> EndpointsOf(io_context* context, const std::string& n
 
 struct Attempt {
   std::vector<tcp::acceptor> acceptors;  ///< none if it failed
-  error_code error;                      ///< why not, or why not everywhere
+  error_code error;                      ///< the reason of a failure, also a partial one
 };
 
 /// Opens an acceptor, or returns the reason.
@@ -53,7 +54,8 @@ error_code Open(tcp::acceptor* acceptor, const tcp::endpoint& endpoint) {
   return error;
 }
 
-/// At all addresses that this machine has; nowhere if the port is not free at one of them.
+/// Listens at all addresses that this machine has; at none if the port is taken at one of them,
+/// since another program would then answer part of the requests.
 Attempt TryToListen(io_context* context, std::vector<tcp::endpoint> endpoints, int port) {
   Attempt attempt;
   for (tcp::endpoint& endpoint : endpoints) {
@@ -76,6 +78,7 @@ Attempt TryToListen(io_context* context, std::vector<tcp::endpoint> endpoints, i
 
 Listening ListenAt(io_context* context, const std::string& address, int port, int first_port) {
   const std::vector<tcp::endpoint> endpoints = EndpointsOf(context, address);
+  // A given port must be free; otherwise the first free one of a range is used.
   const int begin = port == 0 ? first_port : port;
   const int end = port == 0 ? first_port + kNumPortsTried : port + 1;
   error_code error;

@@ -7,7 +7,7 @@
 
 namespace smile::web_server {
 
-/// Acceptors at one port of one address or several.
+/// Acceptors at one port of one or several addresses.
 struct Listening {
   std::vector<boost::asio::ip::tcp::acceptor> acceptors;
   int port = 0;

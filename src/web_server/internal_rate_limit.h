@@ -5,14 +5,14 @@
 
 namespace smile::web_server {
 
-/// Token bucket: allows so many units a second, and as many at once after a quiet second.
+/// Token bucket: allows a number of units per second, and as many at once after a quiet second.
 class RateLimit {
  public:
   using Time = std::chrono::steady_clock::time_point;
 
   RateLimit(double per_second, Time now) : per_second_(per_second), left_(per_second), last_(now) {}
 
-  /// Counts `count` units; false if they came too fast.
+  /// Counts `count` units; returns false if they came too fast.
   [[nodiscard]] bool Allow(double count, Time now) {
     const std::chrono::duration<double> passed = now - last_;
     last_ = now;

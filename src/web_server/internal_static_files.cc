@@ -46,6 +46,7 @@ StaticFiles::StaticFiles(const fs::path& folder) {
   };
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     const fs::path& path = entry.path();
+    // Compressed copies are served in place of their originals, not under their own names.
     if (!entry.is_regular_file() || entry.is_symlink() || path.extension() == ".gz") continue;
     File file{.type = MediaTypeOf(path), .bytes = read(path)};
     const fs::path gzipped = path.string() + ".gz";

@@ -12,6 +12,8 @@ void Stream::Read(net::mutable_buffer buffer, Link::Completion completion) {
     *total += count;
     completion(error, count);
   };
+  // Bytes that were put back come first; they complete later, as completions must not run inside
+  // Read().
   if (put_back_.empty()) return link_->Read(buffer, std::move(counted));
   const std::size_t count = net::buffer_copy(buffer, net::buffer(put_back_));
   put_back_.erase(0, count);
@@ -20,6 +22,7 @@ void Stream::Read(net::mutable_buffer buffer, Link::Completion completion) {
 
 void Stream::Write(const Link::Buffers& buffers, Link::Completion completion) {
   timer_->expires_after(stall_);
+  // The timer must not keep the link alive.
   timer_->async_wait([weak = std::weak_ptr<Link>(link_)](error_code error) {
     const std::shared_ptr<Link> link = weak.lock();
     if (!error && link) link->Close();

@@ -20,22 +20,22 @@ namespace smile::web_server {
 namespace net = boost::asio;
 using boost::system::error_code;
 
-/// A connected pair of byte queues: TCP, TLS over TCP, or memory.
+/// Connected pair of byte queues: TCP, TLS over TCP, or memory.
 ///
 /// At most one operation of each kind is pending. A completion is never called from within the
 /// function that started the operation.
 class Link {
  public:
   using Completion = std::function<void(error_code, std::size_t)>;
-  /// Several pieces of memory to be sent one after the other; unused ones are empty.
+  /// Pieces of memory to be sent one after the other; unused ones are empty.
   using Buffers = std::array<net::const_buffer, 4>;
 
   virtual ~Link() = default;
-  /// Agrees on keys, where the link has some.
+  /// Opens the link: with TLS, performs the handshake.
   virtual void Open(std::function<void(error_code)> completion) = 0;
   virtual void Read(net::mutable_buffer buffer, Completion completion) = 0;
   virtual void Write(const Buffers& buffers, Completion completion) = 0;
-  /// Announces the end of what is sent; completes when the other end has ended as well.
+  /// Announces the end of sending; completes when the other end has ended as well.
   virtual void Finish(std::function<void()> completion) = 0;
   /// Fails the pending read.
   virtual void CancelRead() = 0;
@@ -43,8 +43,8 @@ class Link {
   virtual void Close() = 0;
 };
 
-/// A link as Asio and Beast want one: their templates are instantiated for this type alone,
-/// whatever kind of link it is. A link that accepts nothing for `stall` is closed.
+/// Adapter of a link to Asio and Beast: their templates are instantiated for this type only,
+/// whatever the kind of link. A link that accepts nothing for `stall` is closed.
 class Stream {
  public:
   using executor_type = net::io_context::executor_type;
@@ -57,11 +57,11 @@ class Stream {
 
   executor_type get_executor() const noexcept { return context_->get_executor(); }
   Link& link() { return *link_; }
-  /// Bytes that were read so far.
+  /// Returns the number of bytes read so far.
   std::uint64_t bytes_read() const { return *bytes_read_; }
   /// Called before each read of the link.
   void set_before_read(std::function<void()> before_read) { before_read_ = std::move(before_read); }
-  /// The next reads return these bytes first.
+  /// Makes the next reads return these bytes first.
   void PutBack(std::string_view bytes) { put_back_.insert(0, bytes); }
 
   template <typename Buffers, typename Handler>
@@ -85,7 +85,7 @@ class Stream {
   void Read(net::mutable_buffer buffer, Link::Completion completion);
   void Write(const Link::Buffers& buffers, Link::Completion completion);
 
-  /// Handlers can be moved only; a `std::function` is copied.
+  /// Makes a std::function from a handler that can only be moved.
   template <typename Handler>
   static Link::Completion Erased(Handler&& handler) {
     auto shared = std::make_shared<std::decay_t<Handler>>(std::forward<Handler>(handler));
@@ -99,7 +99,7 @@ class Stream {
     }
     return {};
   }
-  /// As many as are written at once.
+  /// Maximal number of buffers that are written at once.
   template <typename Buffers>
   static Link::Buffers AllOf(const Buffers& buffers) {
     Link::Buffers parts;
@@ -120,14 +120,14 @@ class Stream {
   std::function<void()> before_read_;
 };
 
-/// Beast asks for these at the end of a WebSocket. The connection ends the link itself.
+/// Required by Beast at the end of a WebSocket. The connection ends the link itself.
 void teardown(boost::beast::role_type role, Stream& stream, error_code& error);
 template <typename Handler>
 void async_teardown(boost::beast::role_type, Stream& stream, Handler&& handler) {
   net::post(stream.get_executor(),
             [done = std::forward<Handler>(handler)]() mutable { done(error_code()); });
 }
-/// Beast's own way to end a link at once; part of its interface for streams of other types.
+/// Called by Beast to end a link immediately; part of its interface for streams of other types.
 void beast_close_socket(Stream& stream);
 
 }  // namespace smile::web_server

@@ -10,8 +10,8 @@ namespace {
 
 using net::ip::tcp;
 
-/// Ends a TCP connection: what the other end still sends is read and dropped, since closing with
-/// unread bytes could destroy what is on its way to the other end.
+/// Ends a TCP connection: reads and drops what the other end still sends, since closing with unread
+/// bytes sends a reset, which could destroy the reply on its way.
 class Drain : public std::enable_shared_from_this<Drain> {
  public:
   Drain(tcp::socket* socket, std::function<void()> completion)
@@ -30,6 +30,7 @@ class Drain : public std::enable_shared_from_this<Drain> {
     socket_->async_read_some(net::buffer(dropped_),
                              [self = shared_from_this()](error_code error, std::size_t count) {
                                self->num_dropped_ += count;
+                               // Bounded, as the other end may never stop.
                                const bool is_flood = self->num_dropped_ > kMaxDropped;
                                if (error || is_flood) return self->completion_();
                                self->Read();
@@ -115,7 +116,7 @@ std::shared_ptr<net::ssl::context> LoadTls(const TlsFiles& files) {
   auto tls = std::make_shared<context>(context::tls_server);
   tls->set_options(context::default_workarounds | context::no_sslv2 | context::no_sslv3 |
                    context::no_tlsv1 | context::no_tlsv1_1);
-  // Without this, OpenSSL would ask for the password of a key at the terminal.
+  // Without this, OpenSSL would ask for the password of a key on the terminal.
   tls->set_password_callback([](std::size_t, context::password_purpose) { return std::string(); });
   error_code error;
   tls->use_certificate_chain_file(files.certificate.string(), error);

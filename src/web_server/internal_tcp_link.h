@@ -12,11 +12,11 @@ class context;
 
 namespace smile::web_server {
 
-/// Reads certificate and key.
-/// @throws std::runtime_error naming the file and what is wrong with it.
+/// Reads certificate and key into a TLS context.
+/// @throws std::runtime_error with the file and the fault.
 std::shared_ptr<net::ssl::context> LoadTls(const TlsFiles& files);
 
-/// A connection that was accepted, with TLS if there is a context for it.
+/// Returns a link for an accepted connection, with TLS if a context is given.
 std::unique_ptr<Link> MakeTcpLink(net::ip::tcp::socket socket, net::ssl::context* tls);
 
 }  // namespace smile::web_server

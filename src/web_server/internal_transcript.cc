@@ -12,7 +12,7 @@
 namespace smile::web_server {
 namespace {
 
-/// A link whose other end is a text; what is sent to it is kept.
+/// Link in memory: reads a given text in pieces and records what is sent.
 class MemoryLink : public Link {
  public:
   MemoryLink(net::io_context* context, std::string_view bytes, std::size_t piece_bytes,
@@ -52,7 +52,7 @@ class MemoryLink : public Link {
   std::string* sent_;
 };
 
-/// Keeps the messages of one WebSocket and answers none.
+/// Handler that records the messages of one WebSocket and sends nothing.
 class Listener : public WebSocketHandler {
  public:
   bool Open(WebSocketId) override { return true; }
@@ -80,12 +80,12 @@ BeastRequest UpgradeRequest() {
   return request;
 }
 
-/// The code of a close frame at the end of what was sent.
+/// Returns the code of the close frame at the end of the sent bytes; 0 without one.
 int CloseCodeIn(std::string_view sent) {
   const auto byte = [sent](std::size_t at) { return static_cast<unsigned char>(sent[at]); };
   int code = 0;
   std::size_t at = sent.find("\r\n\r\n") + 4;
-  // Frames to clients are short here: pongs, and the close frame.
+  // Frames to clients are short here (pongs and the close frame), so their length is one byte.
   for (; at + 2 <= sent.size(); at += 2 + byte(at + 1)) {
     const bool has_code = byte(at) == 0x88 && byte(at + 1) >= 2;
     if (has_code) code = byte(at + 2) << 8 | byte(at + 3);

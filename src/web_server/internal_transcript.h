@@ -7,7 +7,7 @@
 
 namespace smile::web_server {
 
-/// What a WebSocket made of a client's bytes.
+/// Effect of a client's bytes on a WebSocket.
 struct Transcript {
   std::vector<std::string> messages;  ///< that were delivered
   int close_code = 0;                 ///< sent to the client; 0 if none was

@@ -12,7 +12,8 @@ namespace websocket = boost::beast::websocket;
 /// Longest head of a frame from a client: two bytes, eight of length, four of mask.
 constexpr double kMaxFrameHeadBytes = 14;
 
-/// Most bytes that are read and dropped after a limit was exceeded, so that the reason arrives.
+/// Maximal number of bytes that are read and dropped after a limit was exceeded, so that the client
+/// receives the reason.
 constexpr std::uint64_t kMaxDroppedBytes = 4 << 20;
 
 std::chrono::steady_clock::time_point Now() { return std::chrono::steady_clock::now(); }
@@ -44,9 +45,11 @@ void WebSocket::Abort() { socket_.next_layer().link().Close(); }
 
 void WebSocket::Resume() {
   if (!is_open_ || is_closing_ || is_lingering_) return;
+  // One write at a time; the handler is asked for the next message when it is complete.
   if (!is_writing_) {
     if (auto message = services_->handler->NextMessage(id_)) Write(std::move(*message));
   }
+  // Flow control: while the handler cannot receive, nothing is read, and TCP slows the client down.
   if (!is_closing_ && !is_reading_ && services_->handler->CanReceive(id_)) Read();
 }
 
@@ -60,7 +63,7 @@ void WebSocket::Read() {
 
 void WebSocket::HandleRead(error_code error, std::size_t count) {
   is_reading_ = false;
-  // Beast has answered violations of the protocol, and the other end's wish to close.
+  // Beast has already answered violations of the protocol and closing by the other end.
   if (error) return Linger();
   if (is_closing_) return;
   EndOnFailure([this, count] {
@@ -85,10 +88,12 @@ void WebSocket::CountOverhead() {
     if (bytes_read > bytes_at_limit_ + kMaxDroppedBytes) Abort();
     return;
   }
+  // Everything that is not payload: a flood of tiny fragments or pings costs work without being a
+  // message.
   const std::uint64_t overhead = bytes_read - first_byte_ - payload_bytes_ - overhead_bytes_;
   overhead_bytes_ += overhead;
   if (overhead_.Allow(static_cast<double>(overhead), Now())) return;
-  // This is called from within a read, which must go on before anything else happens.
+  // Called from within a read, which must complete before anything else happens.
   net::post(*services_->context, [self = shared_from_this()] {
     self->ExceedLimit();
     self->Resume();
@@ -112,7 +117,7 @@ void WebSocket::Write(OutgoingMessage message) {
                                                  net::buffer(*outgoing_.body)};
   socket_.async_write(buffers, [self = shared_from_this()](error_code error, std::size_t) {
     self->is_writing_ = false;
-    // Where a write fails, so does the read that is pending or comes next.
+    // If a write fails, the pending or next read fails as well and ends the connection.
     if (error) return self->Abort();
     self->EndOnFailure([&self] { self->Resume(); });
   });

@@ -12,13 +12,13 @@
 
 namespace smile::web_server {
 
-/// A WebSocket: reads messages piece by piece, within limits, and sends what its handler has.
+/// WebSocket: reads messages piece by piece, within limits, and sends the messages of its handler.
 class WebSocket : public Connection, public std::enable_shared_from_this<WebSocket> {
  public:
-  /// `handler` has opened `id`.
+  /// Requires that the handler has opened `id`.
   WebSocket(Stream stream, WebSocketId id, Services* services);
 
-  /// Accepts the upgrade that `request` asks for.
+  /// Accepts the upgrade that `request` requests.
   void Start(const BeastRequest& request);
   void Abort() override;
   void Resume() override;
@@ -27,12 +27,12 @@ class WebSocket : public Connection, public std::enable_shared_from_this<WebSock
   void Read();
   void HandleRead(error_code error, std::size_t count);
   void TakeMessage();
-  /// Counts what was read and is no payload: frame heads, and the frames of the protocol itself.
+  /// Counts bytes that are not payload: frame heads and control frames.
   void CountOverhead();
   void ExceedLimit();
   void Write(OutgoingMessage message);
   void Close(const OutgoingMessage& message);
-  /// Waits for the other end to end the connection.
+  /// Waits for the other end to close the connection.
   void Linger();
   void NotifyHandlerOfEnd();
   void End() override;
@@ -43,11 +43,11 @@ class WebSocket : public Connection, public std::enable_shared_from_this<WebSock
   Deadline deadline_;
 
   std::array<char, 16384> piece_{};
-  std::string message_;  ///< as much of it as has arrived
+  std::string message_;  ///< the part that has arrived
   std::uint64_t first_byte_, payload_bytes_ = 0, overhead_bytes_ = 0;
   std::uint64_t bytes_at_limit_ = 0;  ///< bytes read when a limit was exceeded
   RateLimit messages_, overhead_;
-  OutgoingMessage outgoing_;  ///< is being written
+  OutgoingMessage outgoing_;  ///< being written
   bool is_open_ = false, is_reading_ = false, is_writing_ = false, is_closing_ = false;
   bool is_limit_exceeded_ = false, is_lingering_ = false;
   bool is_handler_notified_ = false;

@@ -24,12 +24,13 @@ namespace {
 
 using net::ip::tcp;
 
-/// How much may be on its way to a client: what is sent later is fresher.
+/// Size of the send buffer: a small one keeps poses recent, since they are chosen when there is
+/// room.
 constexpr int kSendBufferBytes = 256 * 1024;
 /// Threads that run the handler of GETs.
 constexpr std::size_t kNumWorkers = 8;
 constexpr std::chrono::milliseconds kStopTimeout{500};
-/// After an accept that failed, for example because there are too many open files: that passes.
+/// Pause after a failed accept, for example because too many files are open, which is temporary.
 constexpr std::chrono::milliseconds kAcceptPause{50};
 
 void SetNumber(const tcp::socket& socket, int level, int option, int number) {
@@ -75,7 +76,7 @@ class WebServer::Impl {
   std::string link() const { return access_.link(); }
 
   void Resume() {
-    // One turn of the server's thread is enough for all that happened before it.
+    // One turn of the server's thread handles everything before it, so calls are merged.
     if (is_resuming_.exchange(true)) return;
     net::post(context_, [this] {
       is_resuming_ = false;
@@ -89,7 +90,7 @@ class WebServer::Impl {
       try {
         context_.run();
       } catch (const std::exception&) {
-        // The machine has no more memory: what was being done is lost, the server continues.
+        // Memory is exhausted: the current operation is lost, the server continues.
       }
     }
   }
@@ -112,9 +113,10 @@ class WebServer::Impl {
 
   void Welcome(tcp::socket socket) {
     const auto stall_ms = static_cast<int>(std::lround(1000 * options_.limits.stall_seconds));
+    // Small messages are sent without delay (Nagle's algorithm off).
     SetNumber(socket, IPPROTO_TCP, TCP_NODELAY, 1);
     SetNumber(socket, SOL_SOCKET, SO_SNDBUF, kSendBufferBytes);
-    // A client whose machine is gone acknowledges nothing.
+    // Detects clients whose machine is gone: they acknowledge nothing.
     SetNumber(socket, IPPROTO_TCP, TCP_USER_TIMEOUT, stall_ms);
     const auto connection =
         std::make_shared<HttpConnection>(MakeTcpLink(std::move(socket), tls_.get()), &services_);
@@ -122,7 +124,7 @@ class WebServer::Impl {
     connection->Start();
   }
 
-  /// Lets those that listen hear the last word; the others are not waited for.
+  /// Sends last messages to clients that read; does not wait for the others.
   void Stop() {
     is_stopping_ = true;
     for (tcp::acceptor& acceptor : listening_.acceptors) acceptor.close();

@@ -15,18 +15,18 @@ namespace smile::web_server {
 /// stalls, floods or violates the protocol loses its connection and delays no other.
 class WebServer {
  public:
-  /// Serves at once. `handler` must outlive the server.
-  /// @throws std::runtime_error if no port is free, a file is missing, or a TLS file is wrong.
+  /// Starts to serve. `handler` must outlive the server.
+  /// @throws std::runtime_error if no port is free, a file is missing, or a TLS file is invalid.
   WebServer(WebServerOptions options, WebSocketHandler* handler);
-  /// Sends what the handler still has, for half a second at most.
+  /// Sends the remaining messages of the handler, for half a second at most.
   ~WebServer();
   WebServer(const WebServer&) = delete;
   WebServer& operator=(const WebServer&) = delete;
 
-  /// `http://127.0.0.1:8470/`, with the token where one is needed.
+  /// Returns the link, such as `http://127.0.0.1:8470/`, with the token if one is required.
   std::string link() const;
-  /// Asks the handler for messages to be sent, and whether clients that it made wait may send
-  /// again. May be called from any thread; returns at once.
+  /// Asks the handler for messages, and if paused clients may send again. May be called from any
+  /// thread; returns at once.
   void Resume();
 
  private:

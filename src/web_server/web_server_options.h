@@ -9,7 +9,7 @@
 
 namespace smile::web_server {
 
-/// Bounds on what clients may use.
+/// Limits on resources of clients.
 struct Limits {
   std::size_t message_bytes = 1 << 20;  ///< of a WebSocket message
   double messages_per_second = 200;     ///< of one WebSocket; its frame heads count, too
@@ -26,9 +26,9 @@ struct TlsFiles {
 };
 
 struct WebServerOptions {
-  /// Where to listen: a number like `127.0.0.1` or `::1`, or a name of this machine: then at all
-  /// addresses it resolves to. `localhost` is both of these numbers. Clients of addresses that are
-  /// reachable from other machines need the token in link().
+  /// Address to listen at: a number like `127.0.0.1` or `::1`, or a name of this machine: then at
+  /// all addresses to which it resolves. `localhost` is both of these numbers. Clients of addresses
+  /// that are reachable from other machines need the token in link().
   std::string address = "127.0.0.1";
   int port = 0;  ///< 0: the first free one of `first_port` and the hundred after it
   int first_port = 8470;

@@ -8,7 +8,7 @@
 
 namespace smile::web_server {
 
-/// Numbers WebSockets from 1 up, in the order in which they connected.
+/// Number of a WebSocket, from 1 up, in the order of connection.
 using WebSocketId = int;
 
 /// Reason for closing a WebSocket (RFC 6455, section 7.4.1).
@@ -19,7 +19,7 @@ enum class CloseCode : std::uint16_t {
   kPolicyViolation = 1008,
 };
 
-/// A message to a client, or the end of its WebSocket.
+/// Message to a client, or the end of its WebSocket.
 struct OutgoingMessage {
   enum class Kind { kText, kBinary, kClose };
   Kind kind = Kind::kText;
@@ -28,25 +28,26 @@ struct OutgoingMessage {
   CloseCode code = CloseCode::kNormal;      ///< of kClose; the body is its reason
 };
 
-/// The program's side of all WebSockets. A server calls one function at a time, all from the same
-/// thread; none may wait. Calls of one WebSocket come in this order: Open, any others, Close. After
-/// Receive and Close all WebSockets are asked for their next messages.
+/// Handler of all WebSockets in the program. A server calls one function at a time, all from the
+/// same thread; none may wait. Calls for one WebSocket come in this order: Open, any others, Close.
+/// After Receive and Close, all WebSockets are asked for their next messages.
 class WebSocketHandler {
  public:
   virtual ~WebSocketHandler() = default;
 
-  /// A client asks for a WebSocket. Returns false to refuse it (503).
+  /// Called when a client requests a WebSocket. Returns false to refuse it (503).
   virtual bool Open(WebSocketId id) = 0;
-  /// A message arrived; text is valid UTF-8.
+  /// Called when a message has arrived; text is valid UTF-8.
   virtual void Receive(WebSocketId id, bool is_text, std::string_view message) = 0;
   /// Returns false while no more messages are to be read; see WebServer::Resume().
   virtual bool CanReceive(WebSocketId id) = 0;
-  /// The client exceeded the limit that `reason` names. The handler is expected to close.
+  /// Called when the client has exceeded the limit that `reason` names. The handler is expected to
+  /// close.
   virtual void LimitExceeded(WebSocketId id, const std::string& reason) = 0;
   /// Returns the next message to be sent, once the one before was; nullopt if there is none. After
   /// one of kClose no more are asked for.
   virtual std::optional<OutgoingMessage> NextMessage(WebSocketId id) = 0;
-  /// The WebSocket ended, whoever ended it.
+  /// Called when the WebSocket has ended, by either side.
   virtual void Close(WebSocketId id) = 0;
 };
 

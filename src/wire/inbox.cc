@@ -6,7 +6,7 @@
 namespace smile::wire {
 namespace {
 
-constexpr std::size_t kSmallBytes = 64 << 10;  ///< all but pictures
+constexpr std::size_t kSmallBytes = 64 << 10;  ///< enough for all messages without pictures
 
 }  // namespace
 
@@ -17,6 +17,7 @@ std::span<std::byte> Inbox::Room() {
 
 std::optional<std::variant<MessageView, WireError>> Inbox::TakeMessage() {
   RemoveTaken();
+  // Allocated on first use.
   if (bytes_.empty()) bytes_.resize(kSmallBytes);
   if (!large_) {
     if (filled_ < kHeaderBytes) return std::nullopt;
@@ -24,6 +25,7 @@ std::optional<std::variant<MessageView, WireError>> Inbox::TakeMessage() {
     if (const auto* error = std::get_if<WireError>(&decoded)) return *error;
     const FrameHeader header = std::get<FrameHeader>(decoded);
     const std::size_t size = kHeaderBytes + header.body_bytes;
+    // A small message is decoded in place; it is removed with the next call.
     if (size <= bytes_.size()) {
       if (filled_ < size) return std::nullopt;
       taken_ = size;
@@ -38,6 +40,7 @@ std::optional<std::variant<MessageView, WireError>> Inbox::TakeMessage() {
   return DecodeBody(header, large_body_);
 }
 
+/// Moves the bytes after the last message to the front.
 void Inbox::RemoveTaken() {
   if (taken_ == 0) return;
   std::memmove(bytes_.data(), bytes_.data() + taken_, filled_ - taken_);
@@ -45,7 +48,8 @@ void Inbox::RemoveTaken() {
   taken_ = 0;
 }
 
-/// What has come so far belongs to this message: it has more than there is room for.
+/// Starts a body that exceeds the buffer. All bytes so far belong to this message, as it has more
+/// than fit; they move to the body's own memory, and the rest is read there directly.
 void Inbox::BeginLargeBody(const FrameHeader& header) {
   if (make_room_) {
     large_body_ = make_room_(header.body_bytes);

@@ -11,14 +11,14 @@
 
 namespace smile::wire {
 
-/// Gathers the bytes of a stream until they make a message.
+/// Collects the bytes of a stream until a message is complete.
 ///
-/// Has room for more than one small message, so that a single read brings header and body. The body
-/// of a large one, which is nearly all picture, goes where it is to stay.
+/// Has room for several small messages, so that a single read brings header and body. The body of a
+/// large one, mostly a picture, is read directly into its final memory.
 class Inbox {
  public:
-  /// Returns so many bytes of memory, for the body of one message. They must stay until the message
-  /// that lies in them is not looked at any more.
+  /// Returns memory of a size [bytes] for the body of one message. It must remain valid while the
+  /// message in it is used.
   using MakeRoom = std::function<std::span<std::byte>(std::size_t)>;
 
   /// @param make_room  for each large body; without it they share memory of the inbox.
@@ -26,16 +26,18 @@ class Inbox {
   Inbox(Inbox&&) = default;
   Inbox& operator=(Inbox&&) = default;
 
-  /// Where the next bytes of the stream go: never empty after TakeMessage() gave nothing.
+  /// Returns the memory for the next bytes of the stream: never empty after TakeMessage() returned
+  /// nothing.
   std::span<std::byte> Room();
-  /// So many bytes have been put there.
+  /// Records that a number of bytes was written there.
   void Fill(std::size_t count) { filled_ += count; }
 
-  /// Whether more has come than the messages that were taken.
+  /// Returns true if there are bytes beyond the messages that were taken.
   bool HasBytes() const { return large_ || filled_ > taken_; }
 
-  /// The first message, when all of it is there: it lies in the inbox, or in what `make_room` gave,
-  /// and is gone with the next call. After an error, what follows means nothing.
+  /// Returns the first message if it is complete; it lies in the inbox, or in memory of
+  /// `make_room`, and is invalid after the next call. After an error, the rest of the stream is
+  /// meaningless.
   std::optional<std::variant<MessageView, WireError>> TakeMessage();
 
  private:

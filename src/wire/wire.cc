@@ -15,12 +15,13 @@ constexpr std::uint8_t kRowMajorFlag = 2;
 
 std::size_t Padding(std::size_t size) { return (kAlignment - size % kAlignment) % kAlignment; }
 
-/// Bytes the elements take; nullopt when more than a body may hold.
+/// Returns the size of the elements [bytes]; nullopt if it exceeds that of a body.
 std::optional<std::size_t> DataBytes(ElementType type, std::span<const std::uint32_t> dims) {
   // A zero anywhere means no elements, however large the other dimensions are.
   if (std::ranges::find(dims, 0u) != dims.end()) return 0;
   std::size_t bytes = ElementBytes(type);
   for (const std::uint32_t dim : dims) {
+    // Divides before multiplying, so that nothing overflows.
     if (dim > kMaxBodyBytes / bytes) return std::nullopt;
     bytes *= dim;
   }
@@ -36,7 +37,8 @@ bool IsIdentifier(std::string_view name) {
          std::ranges::all_of(name, [&](char c) { return is_letter(c) || is_digit(c); });
 }
 
-/// Why this array cannot be sent, or empty. Shared by both directions, so that they agree.
+/// Returns the reason why an array cannot be sent; empty if it can. Shared by both directions, so
+/// that they agree.
 std::string WhyUnfit(std::string_view name, ElementType type, std::uint8_t flags,
                      std::span<const std::uint32_t> dims) {
   if (!IsIdentifier(name)) return "an array's name is not an identifier";
@@ -64,11 +66,12 @@ std::variant<ArrayView, WireError> DecodeArray(ByteReader& reader, std::size_t b
   array.type = reader.Get<ElementType>();
   const auto dim_count = reader.Get<std::uint8_t>();
   const auto flags = reader.Get<std::uint8_t>();
-  std::array<std::uint32_t, 255> room;  // as many as a head can have
+  std::array<std::uint32_t, 255> room;  // maximum of an 8-bit count
   const std::span<std::uint32_t> dims = std::span(room).first(dim_count);
   for (std::uint32_t& dim : dims) dim = reader.Get<std::uint32_t>();
   const std::span<const std::byte> letters = reader.GetBytes(name_letters);
   array.name = {reinterpret_cast<const char*>(letters.data()), letters.size()};
+  // Elements begin at multiples of 8 bytes, so that doubles can be read in place.
   SkipPadding(reader, body_bytes);
   if (!reader.ok()) return WireError{"the body ends inside an array's head"};
 
@@ -96,7 +99,7 @@ void CopyToRowMajor(std::span<const std::uint32_t> dims, std::size_t element_byt
   std::size_t at = 0;
   for (std::size_t k = 0; k < to.size(); k += element_bytes) {
     std::memcpy(&to[k], &from[at], element_bytes);
-    // One step on in the last dimension; at its end back to 0 there, and a step in the one before.
+    // Advances the last dimension; at its end returns to 0 there and advances the one before.
     std::size_t stride = from.size();
     for (std::size_t d = dims.size(); d-- > 0;) {
       stride /= dims[d];
@@ -251,6 +254,8 @@ std::span<std::byte> MessageWriter::AddSpace(std::string_view name, ElementType 
 
 std::vector<std::byte> MessageWriter::Finish() {
   const auto body_bytes = static_cast<std::uint32_t>(frame_.size() - kHeaderBytes);
+  // Offset 12 is the length field of the header; the number of arrays is the first field of the
+  // body.
   std::memcpy(&frame_[12], &body_bytes, sizeof body_bytes);
   std::memcpy(&frame_[kHeaderBytes], &array_count_, sizeof array_count_);
   return std::move(frame_);

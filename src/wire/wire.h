@@ -10,9 +10,9 @@
 #include <variant>
 #include <vector>
 
-/// The binary protocol between the simulator and a brain, which both sides speak, as
-/// docs/brain-protocol.md describes it: a frame is a 16-byte header and a body of named arrays.
-/// What arrives is hostile until decoded.
+/// Binary protocol between the simulator and a brain, used by both sides, see
+/// docs/brain-protocol.md: a frame is a 16-byte header and a body of named arrays. Received bytes
+/// are untrusted until decoded.
 namespace smile::wire {
 
 inline constexpr std::uint32_t kMagic = 0x31424d53;  ///< the letters SMB1
@@ -24,7 +24,7 @@ inline constexpr std::size_t kMaxDimensions = 8;
 inline constexpr std::size_t kMaxNameLetters = 63;
 
 enum class MessageType : std::uint32_t {
-  kHello = 1,       ///< brain to simulator: who I am
+  kHello = 1,       ///< brain to simulator: identification of the brain
   kInit = 2,        ///< to the brain: the fields of `aux`
   kInitDone = 3,    ///< to the simulator: what init left in `aux`
   kStep = 4,        ///< to the brain: the fields of `sensor`
@@ -36,7 +36,7 @@ enum class MessageType : std::uint32_t {
 
 enum class ElementType : std::uint8_t { kDouble = 0, kByte = 1, kLogical = 2, kText = 3 };
 
-/// `2x7`.
+/// Returns a shape as text, such as `2x7`.
 std::string ShapeText(std::span<const std::uint32_t> dims);
 
 std::size_t ElementBytes(ElementType type);
@@ -45,25 +45,25 @@ std::size_t ElementBytes(ElementType type);
 void CopyToRowMajor(std::span<const std::uint32_t> dims, std::size_t element_bytes,
                     std::span<const std::byte> from, std::span<std::byte> to);
 
-/// One array with a name.
+/// Array with a name.
 struct NamedArray {
   std::string name;  ///< a letter or _, then letters, digits, _; at most kMaxNameLetters
   ElementType type = ElementType::kDouble;
   bool is_fraction = false;         ///< bytes 0 to 255 that stand for 0 to 1
-  bool is_row_major = false;        ///< the last dimension varies fastest, else the first
+  bool is_row_major = false;        ///< the last dimension varies fastest, otherwise the first
   std::vector<std::uint32_t> dims;  ///< 2 to kMaxDimensions of them
-  std::vector<std::byte> data;      ///< 8 bytes for each double, else 1 byte for each element
+  std::vector<std::byte> data;      ///< 8 bytes for each double, otherwise 1 byte for each element
 
-  /// The elements as numbers, in the order of `data`; nullopt for text. Fractions are divided by
-  /// 255.
+  /// Returns the elements as numbers, in the order of `data`; nullopt for text. Fractions are
+  /// divided by 255.
   std::optional<std::vector<double>> Numbers() const;
-  /// The letters; nullopt when this is not text.
+  /// Returns the letters; nullopt if this is not text.
   std::optional<std::string> Text() const;
 
   bool operator==(const NamedArray&) const = default;
 };
 
-/// One array of a message that lies in bytes which somebody else keeps.
+/// Array of a message, in memory that is owned elsewhere.
 struct ArrayView {
   std::string_view name;
   ElementType type = ElementType::kDouble;
@@ -76,7 +76,7 @@ struct ArrayView {
   std::span<const std::uint32_t> dims() const { return std::span(all_dims).first(dim_count); }
 };
 
-/// A message whose arrays lie in bytes which somebody else keeps.
+/// Message whose arrays are in memory that is owned elsewhere.
 struct MessageView {
   MessageType type = MessageType::kHello;
   std::uint32_t sequence = 0;
@@ -88,9 +88,9 @@ struct Message {
   std::uint32_t sequence = 0;  ///< an answer carries the number of its question
   std::vector<NamedArray> arrays;
 
-  /// Null when there is none of this name.
+  /// Returns the array of this name; nullptr if it is missing.
   const NamedArray* Find(std::string_view name) const;
-  /// Empty when there is no such array or it is no text.
+  /// Returns the text of an array; empty if it is missing or not text.
   std::string TextOf(std::string_view name) const;
 
   bool operator==(const Message&) const = default;
@@ -98,32 +98,32 @@ struct Message {
 
 Message Copied(const MessageView& view);
 
-/// Writes one frame, array by array.
+/// Writer of one frame, array by array.
 ///
-/// Wrong names, shapes that do not fit their data, or too much of anything are mistakes of the
-/// caller and throw std::invalid_argument.
+/// Invalid names, shapes that do not fit their data, and exceeded limits are errors of the caller
+/// and throw std::invalid_argument.
 class MessageWriter {
  public:
-  /// @param expected_bytes  of the body: room made at once, for messages with large arrays.
+  /// @param expected_bytes  of the body: reserved in advance, for messages with large arrays.
   MessageWriter(MessageType type, std::uint32_t sequence, std::size_t expected_bytes = 1000);
 
-  /// Column-major.
+  /// Adds an array in column-major order.
   void AddDoubles(std::string_view name, std::span<const std::uint32_t> dims,
                   std::span<const double> values);
   void AddScalar(std::string_view name, double value);
   void AddLogical(std::string_view name, bool value);
-  /// One row of letters.
+  /// Adds a text: one row of letters.
   void AddText(std::string_view name, std::string_view text);
   void AddArray(const NamedArray& array);
-  /// Makes room for the elements and returns it, for the caller to fill before the next call.
+  /// Adds an array and returns the memory of its elements, to be filled before the next call.
   std::span<std::byte> AddSpace(std::string_view name, ElementType type, bool is_fraction,
                                 std::span<const std::uint32_t> dims, bool is_row_major = false);
 
-  /// The whole frame; the writer is spent.
+  /// Returns the whole frame; the writer cannot be used again.
   std::vector<std::byte> Finish();
 
  private:
-  /// Where in the frame a name stands.
+  /// Position of a name in the frame.
   struct Place {
     std::uint32_t begin, letters;
   };
@@ -138,7 +138,7 @@ class MessageWriter {
   std::array<Place, kMaxArrays> names_ = {};  ///< array_count_ of them
 };
 
-/// What is wrong with bytes that were received.
+/// Fault in received bytes.
 struct WireError {
   std::string message;
 
@@ -151,14 +151,14 @@ struct FrameHeader {
   std::uint32_t body_bytes = 0;  ///< at most kMaxBodyBytes
 };
 
-/// Checks magic, type and length. Never throws.
+/// Decodes and checks magic, type and length. Never throws.
 std::variant<FrameHeader, WireError> DecodeHeader(std::span<const std::byte, kHeaderBytes> bytes);
 
-/// Checks every bound; the arrays lie in `body`. Never throws on any bytes.
+/// Decodes a body with all bounds checked; the arrays lie in `body`. Never throws on any bytes.
 std::variant<MessageView, WireError> DecodeBody(const FrameHeader& header,
                                                 std::span<const std::byte> body);
 
-/// Header and body of exactly one frame.
+/// Decodes header and body of exactly one frame.
 std::variant<Message, WireError> DecodeFrame(std::span<const std::byte> frame);
 
 }  // namespace smile::wire

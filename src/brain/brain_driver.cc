@@ -16,7 +16,7 @@ Eigen::RowVector3d InUnits(const Vector3& p, const sim::Simulation& simulation) 
   return scene::ToFileUnits(p, simulation.scene().meters_per_unit).transpose();
 }
 
-/// What `of_arm` tells of each arm's joints, a row for each arm.
+/// Returns values of each arm's joints, one row per arm. `of_arm` selects angles or velocities.
 LimbJoints OfBothArms(const world::RobotBody& robot,
                       std::vector<double> (world::RobotBody::*of_arm)(int) const) {
   LimbJoints rows;
@@ -27,7 +27,7 @@ LimbJoints OfBothArms(const world::RobotBody& robot,
   return rows;
 }
 
-/// A pose with its translation in units.
+/// Returns a pose as a 4x4 matrix with its translation in units.
 Eigen::Matrix4d MatrixInUnits(const RigidTransform& X_WF, const sim::Simulation& simulation) {
   Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
   matrix.topLeftCorner<3, 3>() = X_WF.rotation();
@@ -45,7 +45,7 @@ CameraDescription DescribeCamera(const CameraView& view, const sim::Simulation& 
           .X_WC = MatrixInUnits(view.X_WC, simulation)};
 }
 
-/// A copy of what was asked for, depth in units.
+/// Returns a copy of the requested channels, with depth in units.
 Image InUnits(const Image& image, const sim::Channels& channels, double meters_per_unit) {
   Image copy{.width_px = image.width_px, .height_px = image.height_px};
   if (channels.rgb) copy.color = image.color;
@@ -57,7 +57,7 @@ Image InUnits(const Image& image, const sim::Channels& channels, double meters_p
   return copy;
 }
 
-/// A gripper may hold several; programs are told of the first.
+/// Returns the object that each gripper holds; the first one if it holds several.
 std::array<std::string, kLimbCount> HeldObjects(const sim::Simulation& simulation) {
   std::array<std::string, kLimbCount> ids;
   for (int arm = 0; arm < kLimbCount; ++arm) {
@@ -67,6 +67,8 @@ std::array<std::string, kLimbCount> HeldObjects(const sim::Simulation& simulatio
   return ids;
 }
 
+/// Throws std::invalid_argument unless the robot has two arms of seven joints, the shape of all
+/// matrices in the protocol.
 void RequireTwoArms(const sim::Simulation& simulation) {
   const world::RobotBody* robot = simulation.robot();
   bool has_arms = robot != nullptr && robot->num_arms() == kLimbCount;
@@ -83,10 +85,11 @@ std::vector<double> RowOf(const LimbJoints& joints, int arm) {
   return {row.data(), row.data() + kJointCount};
 }
 
-/// The named points of the original: shoulders, elbows, wrists, and both ends of each finger.
+/// Returns the named points of the original: shoulders, elbows, wrists, and both ends of each
+/// finger [units].
 std::map<std::string, Eigen::RowVector3d, std::less<>> TrackersOf(
     const sim::Simulation& simulation) {
-  // Of the classic gripper: half the length and thickness of a finger [m].
+  // Half the length and thickness of a finger of the classic gripper [m].
   constexpr double kHalfLength = 0.075, kHalfThickness = 0.015;
   const world::RobotBody& robot = *simulation.robot();
   const scene::FramePoses poses =
@@ -114,6 +117,7 @@ std::map<std::string, Eigen::RowVector3d, std::less<>> TrackersOf(
 bool MayReadTrackers(const std::filesystem::path& brain) {
   constexpr std::size_t kMaxScriptBytes = 4u << 20;
   std::error_code error;
+  // Python files and executables are not searched: there, trackers cost little.
   if (!std::filesystem::is_directory(brain, error)) return true;
   for (const auto& entry : std::filesystem::directory_iterator(brain, error)) {
     if (entry.path().extension() != ".m" || !entry.is_regular_file(error)) continue;
@@ -151,7 +155,9 @@ std::optional<BrainQuestion> BrainDriver::Ask(sim::Simulation* simulation) {
          simulation);
     return Describe(*simulation);
   }
+  // While the brain watches, it gets frames of the demonstration in place of the robot's view.
   if (frame_) return Watch(*simulation);
+  // The schedule of pictures starts with the first step in which the brain acts.
   if (!first_tick_) first_tick_ = simulation->tick();
   Show(robot::FaceExpression::kWorking, simulation);
   return Sense(*simulation);
@@ -218,7 +224,8 @@ Sensor BrainDriver::Sense(const sim::Simulation& simulation) {
 
 std::optional<Sensor> BrainDriver::Watch(const sim::Simulation& simulation) {
   const std::uint64_t tick = simulation.tick();
-  if (tick < begin_tick_) return std::nullopt;  // undone until then; it watches on from there
+  if (tick < begin_tick_)
+    return std::nullopt;  // an undo went back before the start; continues from there
   watched_ticks_ = tick - begin_tick_ + 1;
   if (tick < begin_tick_ + frame_->tick) return std::nullopt;
   Sensor sensor = SenseBody(simulation);
@@ -226,7 +233,7 @@ std::optional<Sensor> BrainDriver::Watch(const sim::Simulation& simulation) {
   last_frame_tick_ = tick;
   sensor.demo_cue = true;
   AddNoise(options_.noise, tick, &sensor);
-  // Shown as it was recorded, without noise.
+  // The recorded picture, without noise.
   sensor.pictures.push_back(
       {.camera = DescribeCamera(frame_->view, simulation), .image = frame_->image});
   return sensor;
@@ -251,6 +258,7 @@ void BrainDriver::TakeNextFrame(sim::Simulation* simulation) {
 bool BrainDriver::IsPictureDue(const sim::Simulation& simulation) const {
   if (options_.eye == nullptr || wishes_.channels == sim::Channels{.rgb = false}) return false;
   const double period = wishes_.image_seconds.value_or(options_.image_seconds);
+  // The tolerance absorbs rounding, so that a picture due exactly now is not late by a tick.
   const double seconds = simulation.seconds() - sim::SecondsOf(first_tick_.value_or(0));
   return seconds + 1e-9 >= static_cast<double>(num_images_) * period;
 }
@@ -269,6 +277,7 @@ void BrainDriver::Look(const sim::Simulation& simulation, Sensor* sensor) {
   sim::EyeSpec spec = options_.eye->spec();
   add(spec, "");
   for (const std::string& camera : wishes_.cameras) {
+    // The same eye renders all cameras; only the name of the camera differs.
     spec.camera = camera;
     add(spec, camera);
   }
@@ -314,7 +323,8 @@ void BrainDriver::MakeStep(const StepReply& reply, sim::Simulation* simulation) 
   Show(robot::FaceExpression::kDone, simulation);
 }
 
-/// Only changes are sent: velocities stay in force, so the log holds one line for a long motion.
+/// Applies a brain's motor command. Only changes are applied: velocities stay in effect, so a long
+/// motion is one line of the log.
 void BrainDriver::Send(const Motor& motor, sim::Simulation* simulation) {
   const double unit = simulation->scene().meters_per_unit;
   sim::JointVelocities velocities{
@@ -324,7 +334,7 @@ void BrainDriver::Send(const Motor& motor, sim::Simulation* simulation) {
                     scene::FromFileUnits(motor.gripper_velocities[1], unit)}},
       .head = motor.head_velocity};
   if (motor.joint_angles) {
-    // Angles go before velocities, as in the original.
+    // Angles take precedence over velocities, as in the original.
     velocities.left = velocities.right = std::vector<double>(kJointCount, 0.0);
     const sim::JointAngles angles{.left = RowOf(*motor.joint_angles, 0),
                                   .right = RowOf(*motor.joint_angles, 1)};

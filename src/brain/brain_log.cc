@@ -12,7 +12,7 @@ BrainLog::BrainLog(const std::filesystem::path& directory) {
 void BrainLog::Open() {
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(path_, error);
-  if (!error) bytes_ = size;  // of a recording that goes on
+  if (!error) bytes_ = size;  // of a recording that is continued
   file_.reset(std::fopen(path_.c_str(), "a"));
   if (!file_) path_.clear();
 }
@@ -22,6 +22,7 @@ void BrainLog::Write(std::string_view line) {
   if (!file_) return;
   std::string text(line);
   bytes_ += text.size() + 1;
+  // The last line says that the log ends; nothing follows it.
   const bool is_full = bytes_ > kMaxBytes;
   if (is_full) text = "... no more is kept";
   text += '\n';

@@ -7,9 +7,9 @@
 
 namespace smile::brain {
 
-/// `brain.log` in a recording: what the robot program printed, and why it failed. The file appears
-/// with its first line and does not grow beyond kMaxBytes. A log that cannot be written is given up
-/// quietly: no run ends because of it.
+/// `brain.log` in a recording: the output of the robot program, and why it failed. The file is
+/// created with its first line and does not grow beyond kMaxBytes. If the log cannot be written, it
+/// is silently abandoned: no run ends because of it.
 class BrainLog {
  public:
   static constexpr std::uintmax_t kMaxBytes = 10'000'000;
@@ -26,7 +26,7 @@ class BrainLog {
 
   void Open();
 
-  std::filesystem::path path_;  ///< empty when nothing more is to be written
+  std::filesystem::path path_;  ///< empty: nothing more is written
   std::unique_ptr<std::FILE, Close> file_;
   std::uintmax_t bytes_ = 0;
 };

@@ -13,7 +13,7 @@
 namespace smile::brain {
 namespace {
 
-/// Beyond this, nothing is on a table [units].
+/// Limit of all numbers from brains, far beyond any table [units].
 constexpr double kFarthest = 1e6;
 constexpr std::size_t kMaxErrorLetters = 2'000;
 constexpr std::size_t kMaxExtraCameras = 8;
@@ -41,7 +41,7 @@ void AddCamera(MessageWriter& writer, const CameraDescription& camera) {
   AddMatrix(writer, "cameraPose", camera.X_WC);
 }
 
-/// Names in one text, a line each.
+/// Adds names as one text, one per line.
 void AddLines(MessageWriter& writer, std::string_view field, std::span<const std::string> names) {
   std::string text;
   for (const std::string& name : names) {
@@ -54,7 +54,7 @@ void AddLines(MessageWriter& writer, std::string_view field, std::span<const std
   writer.AddText(field, text);
 }
 
-/// Positions in the order of the names.
+/// Adds the trackers: names, and positions in the same order.
 void AddTrackers(MessageWriter& writer, const Sensor& sensor) {
   std::vector<std::string> names;
   Eigen::MatrixX3d positions(sensor.tracker_locations.size(), 3);
@@ -66,7 +66,8 @@ void AddTrackers(MessageWriter& writer, const Sensor& sensor) {
   AddMatrix(writer, "trackerPositions", positions);
 }
 
-/// One object a line, with its properties behind it, between commas.
+/// Adds attention as one text: one object per line, followed by its properties, separated by
+/// commas.
 void AddAttention(MessageWriter& writer, const Attention& attention) {
   std::string text;
   for (const auto& [object, properties] : attention) {
@@ -82,7 +83,7 @@ void AddAttention(MessageWriter& writer, const Attention& attention) {
   writer.AddText("attention", text);
 }
 
-/// That a channel has as many values as its picture needs.
+/// Throws std::invalid_argument unless a channel has one value per pixel and component.
 void CheckChannel(const std::string& field, std::size_t found, const Image& image, int depth) {
   const auto width = static_cast<std::size_t>(std::max(0, image.width_px));
   const auto height = static_cast<std::size_t>(std::max(0, image.height_px));
@@ -92,9 +93,9 @@ void CheckChannel(const std::string& field, std::size_t found, const Image& imag
                               std::to_string(depth));
 }
 
-/// Calls `visit(column, first row, end row)` for pieces of all columns, tile by tile: pixels that
-/// are far from each other in rows or in columns are still in the cache when their neighbors' turn
-/// comes.
+/// Calls `visit(column, first row, end row)` for parts of all columns, tile by tile: transposing a
+/// picture touches rows and columns that are far apart in memory; within a tile, both stay in the
+/// cache.
 template <class Visit>
 void VisitColumnsInTiles(std::size_t width, std::size_t height, Visit visit) {
   constexpr std::size_t kTileRows = 64, kTileColumns = 64;
@@ -107,7 +108,8 @@ void VisitColumnsInTiles(std::size_t width, std::size_t height, Visit visit) {
   }
 }
 
-/// From rows of interleaved pixels to Matlab's columns of one color after the other.
+/// Converts rows of interleaved pixels to Matlab's order: one color after the other, each by
+/// columns.
 void FillPlanes(const std::uint8_t* pixels, std::size_t width, std::size_t height,
                 std::byte* planes) {
   const std::size_t plane = width * height;
@@ -137,7 +139,7 @@ void AddColors(MessageWriter& writer, const std::string& field, const Image& ima
   }
 }
 
-/// Depths or ids as numbers.
+/// Adds depths or ids as doubles.
 template <class Value>
 void AddValues(MessageWriter& writer, const std::string& field, const std::vector<Value>& values,
                const Image& image, PixelOrder order) {
@@ -161,7 +163,7 @@ void AddValues(MessageWriter& writer, const std::string& field, const std::vecto
   });
 }
 
-/// How the channels of a picture are called.
+/// Field names of a picture's channels.
 struct PictureFields {
   std::string rgb, depth, segments, pose;
 };
@@ -179,13 +181,14 @@ void AddPicture(MessageWriter& writer, const CameraPicture& picture, PixelOrder 
   if (!image.depth.empty()) AddValues(writer, fields.depth, image.depth, image, order);
   if (!image.ids.empty()) AddValues(writer, fields.segments, image.ids, image, order);
   AddMatrix(writer, fields.pose, picture.camera.X_WC);
-  // The eye's are in `aux`.
+  // The eye's intrinsics are in `aux`, as they never change.
   if (!picture.name.empty()) {
     AddMatrix(writer, "cameras_" + picture.name + "_intrinsics", IntrinsicsOf(picture.camera));
   }
 }
 
-/// What the pictures of a message take, about: names and poses are small.
+/// Returns the approximate size of the pictures of a message [bytes], to reserve memory: names and
+/// poses are small.
 std::size_t PictureBytes(const Sensor& sensor) {
   std::size_t bytes = 0;
   for (const CameraPicture& picture : sensor.pictures) {
@@ -204,8 +207,8 @@ void AddHeld(MessageWriter& writer, const Sensor& sensor) {
   AddLines(writer, "heldObject", sensor.held_objects);
 }
 
-/// A matrix of numbers from outside, none beyond kFarthest: larger ones could be logged but not
-/// read again. `variable` is what the script calls it, for example `motor.`.
+/// Reader of matrices from a brain. Numbers beyond kFarthest are errors, as they could be logged
+/// but not read again. `prefix` is the name of the variable in the script, for example `motor.`.
 class MatrixReader {
  public:
   explicit MatrixReader(std::string prefix) : prefix_(std::move(prefix)) {}
@@ -264,7 +267,7 @@ void ReadMotorField(MatrixReader& reader, const NamedArray& field, Motor* motor)
   if (field.name == "jointVelocities") {
     motor->joint_velocities = reader.Read(field, kLimbCount, kJointCount);
   } else if (field.name == "gripperVelocities") {
-    // A row is taken too: it is what sensor.gripperOpening looks like.
+    // A row is accepted as well, since sensor.gripperOpening is one.
     const bool is_row = field.dims.size() == 2 && field.dims[0] == 1 && field.dims[1] == kLimbCount;
     motor->gripper_velocities = is_row ? Eigen::Vector2d(reader.Read(field, 1, 2).transpose())
                                        : Eigen::Vector2d(reader.Read(field, 2, 1));
@@ -279,7 +282,7 @@ void ReadMotorField(MatrixReader& reader, const NamedArray& field, Motor* motor)
   }
 }
 
-/// The words of a text from outside, between line breaks, commas or blanks.
+/// Returns the words of a text from a brain, separated by line breaks, commas or blanks.
 std::vector<std::string> ReadWords(const NamedArray& array, MatrixReader& reader) {
   const auto text = array.Text();
   if (!text && !array.data.empty()) {
@@ -302,7 +305,7 @@ std::vector<std::string> ReadWords(const NamedArray& array, MatrixReader& reader
   return words;
 }
 
-/// The words, each one of those there are; the first that is not, or is there twice, is an error.
+/// Returns words that must be among `known`, each once; otherwise reports the first error.
 std::vector<std::string> ReadChoice(const NamedArray& array,
                                     std::span<const std::string_view> known, MatrixReader& reader) {
   std::vector<std::string> words = ReadWords(array, reader);
@@ -345,6 +348,7 @@ bool ReadWatch(const NamedArray& array, const Aux& aux, MatrixReader& reader) {
   return watch;
 }
 
+/// Reports an error if the requested pictures do not fit into a message.
 void CheckSize(const PictureWishes& wishes, const Aux& aux, MatrixReader& reader) {
   if (!aux.camera) return;
   const std::size_t pixel_bytes =
@@ -379,7 +383,7 @@ PictureWishes ReadPictureWishes(const Message& message, const Aux& aux, MatrixRe
 }
 
 Points ReadMarkers(const NamedArray& markers, MatrixReader& reader) {
-  // `[]` has no columns; it means no markers.
+  // `[]` has no columns; it stands for no markers.
   if (markers.data.empty() && markers.dims.back() != 3) return Points(0, 3);
   if (markers.dims[0] > sim::kMaxMarkers) {
     reader.Fail("drawMarkers has " + std::to_string(markers.dims[0]) + " rows, expected at most " +
@@ -389,6 +393,7 @@ Points ReadMarkers(const NamedArray& markers, MatrixReader& reader) {
   return reader.Read(markers, -1, 3);
 }
 
+/// Returns the line of an error message; 0 if it is missing or invalid.
 int LineOf(const Message& message) {
   const NamedArray* array = message.Find("line");
   const auto numbers = array ? array->Numbers() : std::nullopt;
@@ -458,6 +463,7 @@ std::variant<StepReply, WireError> DecodeStepReply(const Message& message) {
   MatrixReader reader("motor."), aux_reader("aux.");
   StepReply reply;
   reply.exit = message.type == MessageType::kFinalMotor;
+  // Unknown fields are errors, so that misspelled ones are noticed.
   for (const NamedArray& field : message.arrays) {
     if (field.name == "drawMarkers") {
       reply.draw_markers = ReadMarkers(field, aux_reader);
@@ -487,6 +493,7 @@ std::string PrintableText(std::string_view text, std::size_t max_letters) {
   std::string printable(text.substr(0, max_letters));
   for (char& letter : printable) {
     const auto code = static_cast<unsigned char>(letter);
+    // Control characters could change the state of a terminal.
     if ((code < 0x20 && letter != '\t') || code == 0x7f) letter = letter == '\n' ? ' ' : '?';
   }
   if (text.size() > max_letters) printable += "...";

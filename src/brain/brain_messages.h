@@ -10,8 +10,8 @@
 #include "brain/brain_values.h"
 #include "wire/wire.h"
 
-/// The values of brain_values.h as messages, under the names the scripts know. Reading checks
-/// names, shapes and numbers; a WireError names the variable, what was found and what was expected.
+/// The values of brain_values.h as messages, under the names used in scripts. Reading checks names,
+/// shapes and numbers; a WireError names the variable, what was found and what was expected.
 namespace smile::brain {
 
 using wire::ElementType;
@@ -26,30 +26,32 @@ using wire::WireError;
 /// Limit of all pictures in one message; the rest is for names and numbers.
 inline constexpr std::size_t kMaxPictureBytes = kMaxBodyBytes - (std::size_t{12} << 20);
 
-/// The fields of `aux`; `path` ends in `/`.
-/// @throws std::invalid_argument when the camera is larger than a message.
+/// Encodes the fields of `aux`; `path` ends in `/`.
+/// @throws std::invalid_argument if the camera is larger than a message.
 std::vector<std::byte> EncodeAux(std::uint32_t sequence, const Aux& aux, std::string_view path,
                                  std::string_view robot = "");
 
-/// How the pixels of a picture lie in a message. (Matlab's images are columns, cameras give rows.)
+/// Order of the pixels of a picture in a message. (Matlab's images are columns, cameras give rows.)
 enum class PixelOrder { kColumns, kRows };
 
-/// The fields of `sensor`.
-/// @throws std::invalid_argument if a channel of a picture does not have its size, or a name holds
-///         a line break.
+/// Encodes the fields of `sensor`.
+/// @throws std::invalid_argument if a channel of a picture does not have its size, or a name
+///         contains a line break.
 std::vector<std::byte> EncodeSensor(std::uint32_t sequence, const Sensor& sensor,
                                     PixelOrder order = PixelOrder::kColumns);
 
-/// @param aux  what was told: there may be no wishes beyond it.
+/// Decodes the reply to init.
+/// @param aux  as sent: the reply may request only what it offers.
 std::variant<InitReply, WireError> DecodeInitReply(const Message& message, const Aux& aux);
 
-/// From kMotor or kFinalMotor.
+/// Decodes kMotor or kFinalMotor.
 std::variant<StepReply, WireError> DecodeStepReply(const Message& message);
 
-/// What a kError message tells, its file as the brain named it.
+/// Decodes kError; its file is as the brain named it.
 BrainError DecodeError(const Message& message);
 
-/// Text from a brain, fit for a terminal: control characters replaced, cut after `max_letters`.
+/// Returns text from a brain, safe for a terminal: control characters replaced, cut after
+/// `max_letters`.
 std::string PrintableText(std::string_view text, std::size_t max_letters);
 
 }  // namespace smile::brain

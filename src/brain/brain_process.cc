@@ -21,11 +21,11 @@ namespace smile::brain {
 namespace {
 
 constexpr int kMeetSliceMs = 20;
-constexpr double kForeverSeconds = 1e6;    ///< the longest that process::WaitLimit takes
+constexpr double kForeverSeconds = 1e6;    ///< the longest value of process::WaitLimit
 constexpr double kGoodbyeSeconds = 1.0;    ///< from BYE to SIGKILL
 constexpr double kGuardSeconds = 0.5;      ///< from SIGUSR2 to SIGINT
 constexpr double kInterruptSeconds = 0.3;  ///< from SIGINT to SIGKILL
-constexpr double kSilenceSeconds = 2.0;    ///< before a hello, while somebody else waits
+constexpr double kSilenceSeconds = 2.0;    ///< before a hello, while another connection waits
 
 using Phase = BrainError::Phase;
 
@@ -47,7 +47,7 @@ std::string SecondsText(double seconds) {
   return text.str();
 }
 
-/// In words for whoever wrote the program.
+/// Returns the reason for the author of the program.
 std::string WhyNotRun(const process::CannotRun& refusal) {
   const std::string found = "the brain cannot be run: ";
   switch (refusal.error_number()) {
@@ -64,7 +64,7 @@ std::string WhyNotRun(const process::CannotRun& refusal) {
   }
 }
 
-/// A logical or number that is there and not zero.
+/// True if a field exists and is a nonzero logical or number.
 bool IsTrue(const Message& message, std::string_view name) {
   const NamedArray* array = message.Find(name);
   const auto numbers = array ? array->Numbers() : std::nullopt;
@@ -73,7 +73,7 @@ bool IsTrue(const Message& message, std::string_view name) {
 
 }  // namespace
 
-/// One life of a brain. What was made last is destroyed first: child, its output, the folder.
+/// Run of one brain. Members are destroyed in reverse order: channel, output, child, folder.
 class BrainProcess::Impl {
  public:
   Impl(const std::filesystem::path& brain, BrainOptions options)
@@ -89,16 +89,17 @@ class BrainProcess::Impl {
   enum class State { kNew, kStarting, kRunning, kEnded };
 
   std::optional<BrainError> Start();
-  /// Puts the robot's files where the brain may read them.
-  /// @returns the URDF; empty when there are none.
+  /// Writes the robot's files into the folder of the rendezvous.
+  /// @returns the path of the URDF; empty without files.
   std::string PutOut(const std::vector<robot::RobotFile>& files) const;
   process::ChildCommand CommandWithAddress() const;
   bool HasChildEnded() const { return child_ && child_->HasEnded(); }
   std::optional<BrainError> Meet(const process::WaitLimit& limit);
-  /// Until somebody has come who says what a brain says first. Under a debugger all others are sent
-  /// away: their mistakes are not the brain's.
+  /// Waits for a connection that says hello. Under a debugger, all other connections are rejected:
+  /// their errors are not the brain's.
   std::optional<BrainError> Greet(const process::WaitLimit& limit);
-  /// For a person who starts the brain: one who says nothing must not keep out the next.
+  /// Returns the limit for the hello: under a debugger, a silent connection must not block the next
+  /// one.
   process::WaitLimit LimitOfHello(const process::WaitLimit& limit) const;
   bool TakeHello(const Message& hello);
   /// Sends a question and waits for its answer, which is of type `expected` (or kFinalMotor).
@@ -109,10 +110,10 @@ class BrainProcess::Impl {
   BrainError ExplainFault(const ChannelFault& fault, Phase phase, double limit_seconds);
   BrainError ExplainTimeout(Phase phase, double limit_seconds);
   BrainError ExplainReport(const Message& report, Phase phase) const;
-  /// Ends the process for this reason, and adds what was printed last.
+  /// Ends the process for this reason, and adds the last output.
   BrainError EndWith(BrainError error);
   void EndProcess();
-  /// About the script of this phase.
+  /// Returns an error about the script of this phase.
   BrainError ErrorIn(Phase phase, std::string message) const;
   std::string ScriptOf(Phase phase) const;
   std::string Displayed(const std::string& file) const;
@@ -121,9 +122,9 @@ class BrainProcess::Impl {
   BrainProgram program_;
   State state_ = State::kNew;
   std::uint32_t sequence_ = 0;
-  bool has_guard_ = false;  ///< SIGUSR2 raises an error inside the program
+  bool has_guard_ = false;  ///< SIGUSR2 raises an error within the program
   PixelOrder pixel_order_ = PixelOrder::kColumns;
-  std::string init_file_, callback_file_;  ///< as the brain named them; empty when it did not
+  std::string init_file_, callback_file_;  ///< as named by the brain; empty if unknown
 
   std::optional<Rendezvous> rendezvous_;
   std::optional<process::ChildProcess> child_;
@@ -181,7 +182,7 @@ void BrainProcess::Impl::Stop() {
     const process::WaitLimit limit(kGoodbyeSeconds);
     const auto fault =
         channel_->Send(MessageWriter(MessageType::kBye, ++sequence_).Finish(), limit);
-    channel_.reset();  // who does not understand the word understands the end of the file
+    channel_.reset();  // a program that does not know kBye sees the end of file
     if (!fault && child_) child_->WaitForEnd(limit);
   }
   EndProcess();
@@ -197,7 +198,8 @@ std::optional<BrainError> BrainProcess::Impl::Start() {
   try {
     child_.emplace(command);
   } catch (const process::CannotRun& refusal) {
-    // What runs scripts belongs to the machine; a program is the brain itself.
+    // A missing interpreter is a fault of the installation; a program that cannot run is a fault of
+    // the brain.
     if (command.arguments.front() != program_.main_file) throw;
     return ErrorIn(Phase::kStart, WhyNotRun(refusal));
   }
@@ -282,6 +284,7 @@ OrError<Message> BrainProcess::Impl::Ask(const std::vector<std::byte>& question,
   if (answer.type == MessageType::kError) return ExplainReport(answer, phase);
   const bool is_expected = answer.type == expected || (expected == MessageType::kMotor &&
                                                        answer.type == MessageType::kFinalMotor);
+  // The sequence number rejects answers to earlier questions.
   if (!is_expected || answer.sequence != sequence_) {
     return ExplainFault({ChannelFault::Kind::kNonsense, "this is not an answer to what was asked"},
                         phase, limit_seconds);
@@ -289,7 +292,8 @@ OrError<Message> BrainProcess::Impl::Ask(const std::vector<std::byte>& question,
   return std::move(answer);
 }
 
-/// A child that has ended is not waited for, and whoever is under a debugger as long as it takes.
+/// Returns the limit for an answer. Waiting ends when the child has ended; under a debugger there
+/// is no timeout.
 process::WaitLimit BrainProcess::Impl::LimitOf(double seconds) const {
   return process::WaitLimit(options_.is_attached ? kForeverSeconds : seconds, [this] {
     return HasChildEnded() || (options_.is_cancelled && options_.is_cancelled());
@@ -303,6 +307,8 @@ BrainError BrainProcess::Impl::ExplainFault(const ChannelFault& fault, Phase pha
   if (fault.kind == ChannelFault::Kind::kNonsense) {
     return ErrorIn(phase, "the brain sent nonsense" + during + ": " + fault.message);
   }
+  // A closed connection is usually the end of the process, which follows within moments and
+  // explains more.
   const bool is_closed = fault.kind == ChannelFault::Kind::kClosed;
   if (child_ && child_->WaitForEnd(process::WaitLimit(is_closed ? kGoodbyeSeconds : 0))) {
     return ErrorIn(phase, "the brain ended" + during + ": " + child_->End());
@@ -311,13 +317,14 @@ BrainError BrainProcess::Impl::ExplainFault(const ChannelFault& fault, Phase pha
                                   : "the brain was stopped" + during);
 }
 
-/// First asks for an error from inside, which knows its line; then interrupts; the rest is killed.
+/// Stops a program that exceeded its timeout. First raises an error inside it, which knows its
+/// line; then interrupts; EndProcess() kills the rest.
 BrainError BrainProcess::Impl::ExplainTimeout(Phase phase, double limit_seconds) {
   BrainError error = ErrorIn(
       phase, Name(phase) + " took longer than " + SecondsText(limit_seconds) + " and was stopped");
   if (!child_) return error;
   if (has_guard_ && channel_) {
-    child_->SignalGroup(SIGUSR2);  // a child it waits for ends, too
+    child_->SignalGroup(SIGUSR2);  // also ends a child that it waits for
     auto received = channel_->Receive(LimitOf(kGuardSeconds));
     const Message* report = std::get_if<Message>(&received);
     if (report && report->type == MessageType::kError) {
@@ -363,7 +370,7 @@ std::string BrainProcess::Impl::ScriptOf(Phase phase) const {
   return program_.main_file;
 }
 
-/// Relative to the working directory where possible: `wave/waveInit.m`.
+/// Returns a path for people, relative to the working directory if possible: `wave/waveInit.m`.
 std::string BrainProcess::Impl::Displayed(const std::string& file) const {
   const std::string prefix = (program_.working_directory / "").string();
   return PrintableText(file.starts_with(prefix) ? file.substr(prefix.size()) : file, 1000);

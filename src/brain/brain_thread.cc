@@ -46,6 +46,7 @@ void BrainThread::Leave() {
 }
 
 void BrainThread::WorkerLoop() {
+  // Ends the former program first: two brains must not run at the same time.
   before_.reset();
   while (const auto question = AwaitQuestion()) PutAnswer(AnswerTo(*question));
   process_.Stop();

@@ -13,41 +13,40 @@
 
 namespace smile::brain {
 
-/// A robot program for whoever has other things to do while it starts and thinks: a BrainProcess
-/// on a thread of its own, with which it lives and dies. One question at a time.
+/// BrainProcess on a thread of its own, for callers that must not wait while it starts and
+/// computes. One question at a time.
 class BrainThread {
  public:
-  /// Starts nothing yet.
-  /// @param options  what they call is called on other threads.
-  /// @param before   the program that was there before; this one starts only when that has ended.
-  ///                 nullptr for none. Taken unless this throws.
+  /// Checks the brain without starting it.
+  /// @param options  their callbacks are called on other threads.
+  /// @param before  the former program; this one starts only when that has ended. nullptr for none.
+  ///                Moved from unless this throws.
   /// @throws as BrainProcess does.
   BrainThread(const std::filesystem::path& brain, BrainOptions options,
               std::unique_ptr<BrainThread>&& before);
   BrainThread(const BrainThread&) = delete;
   BrainThread& operator=(const BrainThread&) = delete;
-  /// Leave(), and waits for its end: for a second or so.
+  /// Calls Leave() and waits for the end of the program, about a second.
   ~BrainThread();
 
-  /// The first question starts it. What keeps it from answering is a BrainError, whatever it is.
+  /// Asks a question; the first one starts the program. Any failure becomes a BrainError.
   void Ask(BrainQuestion question);
-  /// nullopt if there is none after so long.
+  /// Returns the answer; nullopt if there is none within this time.
   std::optional<BrainAnswer> WaitForAnswer(std::chrono::nanoseconds patience);
 
-  /// Ends the program, also while it starts or thinks, and does not wait for that. Nothing is to be
-  /// asked any more.
+  /// Ends the program, even while it starts or computes, without waiting. No questions may follow.
   void Leave();
 
  private:
   BrainOptions WithEnd(BrainOptions options);
   void WorkerLoop();
-  /// nullopt when it shall leave.
+  /// Returns nullopt when the program is to end.
   std::optional<BrainQuestion> AwaitQuestion();
   BrainAnswer AnswerTo(const BrainQuestion& question);
   void PutAnswer(BrainAnswer answer);
 
   std::atomic<bool> is_leaving_ = false;
-  BrainProcess process_;  ///< touched by the thread alone, once that runs
+  BrainProcess process_;  ///< used only by the thread, once that runs
   std::unique_ptr<BrainThread> before_;
 
   std::mutex mutex_;  ///< of question and answer

@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* kMainScript = "agentBehavior.m";
 
-/// The client needs no quoting this way: every path travels in the environment.
+/// Start commands for Octave and Matlab. Paths are passed in environment variables, so nothing
+/// needs quoting.
 constexpr const char* kStartClient =
     "addpath(getenv('SMILE_BRAIN_MEX')); addpath(getenv('SMILE_BRAIN_CLIENT')); smile_brain";
 constexpr const char* kPrepareClient =
@@ -39,7 +40,7 @@ bool IsExecutable(const fs::path& file) {
   return fs::is_regular_file(file, error) && ::access(file.c_str(), X_OK) == 0;
 }
 
-/// The program that an environment variable names; nullopt when there is no such variable.
+/// Returns the program that an environment variable names; nullopt if the variable is not set.
 std::optional<fs::path> NamedProgram(const char* variable) {
   const char* named = std::getenv(variable);
   if (named == nullptr || *named == '\0') return std::nullopt;
@@ -57,7 +58,7 @@ std::optional<fs::path> ProgramOnPath(const std::string& name) {
   return std::nullopt;
 }
 
-/// `SMILE_OCTAVE` where it is set, else octave-cli on the PATH.
+/// Returns `SMILE_OCTAVE` if it is set, otherwise octave-cli on the PATH.
 fs::path FindOctave() {
   if (const auto named = NamedProgram("SMILE_OCTAVE")) return *named;
   if (const auto found = ProgramOnPath("octave-cli")) return *found;
@@ -65,8 +66,8 @@ fs::path FindOctave() {
       "octave-cli: not found on the PATH; install GNU Octave, or name it in SMILE_OCTAVE");
 }
 
-/// `SMILE_PYTHON`, else that of the virtual environment we are in, else the system's: the one that
-/// the system's numpy and our own compiled modules are for. Then whatever is on the PATH.
+/// Returns `SMILE_PYTHON`, or the interpreter of the active virtual environment, or the system's,
+/// for which the system's numpy and the compiled modules are built, or else the one on the PATH.
 fs::path FindPython() {
   if (const auto named = NamedProgram("SMILE_PYTHON")) return *named;
   const char* environment = std::getenv("VIRTUAL_ENV");
@@ -80,15 +81,15 @@ fs::path FindPython() {
       "python3: not found on the PATH; install Python and numpy, or name it in SMILE_PYTHON");
 }
 
-/// Where our compiled client lies: where it was built, or beside the plain one when installed.
-/// SMILE_BRAIN_MEX_DIR overrides.
+/// Returns the folder of the compiled client: of the build, or beside the plain one if installed.
+/// SMILE_BRAIN_MEX_DIR overrides both.
 fs::path MexFolder() {
   if (const char* named = std::getenv("SMILE_BRAIN_MEX_DIR")) return fs::absolute(named);
   std::error_code error;
   return fs::exists(SMILE_MEX_DIR, error) ? fs::path(SMILE_MEX_DIR) : DataFile("matlab/client");
 }
 
-/// Scripts are run by Octave, or by the Matlab that `SMILE_MATLAB` names.
+/// Sets up scripts, run by Octave, or by the Matlab that `SMILE_MATLAB` names.
 void UseScripts(BrainTransport transport, BrainProgram* program) {
   const auto matlab = NamedProgram("SMILE_MATLAB");
   const fs::path mex_folder = MexFolder();
@@ -110,12 +111,12 @@ void UseScripts(BrainTransport transport, BrainProgram* program) {
     program->debug_arguments = {octave, "-q", "--norc", "--eval", kPrepareClient, "--persist"};
   }
   program->debug_hint = kOctaveHint;
-  // The guard that ends endless loops serves both ways to talk, so its folder is always given.
+  // The guard against endless loops is used with both transports, so its folder is always passed.
   program->command.environment = {{"SMILE_BRAIN_CLIENT", client.string()},
                                   {"SMILE_BRAIN_MEX", (has_mex ? mex_folder : client).string()}};
 }
 
-/// Our own modules come before those that the person has named.
+/// Returns PYTHONPATH with the shipped modules before those of the user.
 std::string PythonPath() {
   std::string path = DataFile("python").string() + ":" SMILE_PYTHON_BUILD_DIR;
   const char* before = std::getenv("PYTHONPATH");
@@ -140,7 +141,7 @@ void UseExecutable(const fs::path& file, BrainTransport transport, BrainProgram*
   program->debug_hint = kProgramHint;
 }
 
-/// As one word for a shell.
+/// Returns a text as one word for a shell.
 std::string ShellQuoted(const std::string& text) {
   constexpr std::string_view kPlain =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=./:,@%";
@@ -150,7 +151,7 @@ std::string ShellQuoted(const std::string& text) {
   return quoted + "'";
 }
 
-/// Absolute, without `.`, `..` or a trailing slash.
+/// Returns an absolute path without `.`, `..` or a trailing slash.
 fs::path Tidy(const fs::path& path) {
   const fs::path tidy = fs::absolute(path).lexically_normal();
   return tidy.has_filename() ? tidy : tidy.parent_path();

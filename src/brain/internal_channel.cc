@@ -18,7 +18,8 @@ constexpr int kSliceMs = 50;
 constexpr int kPipeBytes = 1 << 20;
 constexpr auto kWatchfulTime = std::chrono::microseconds(50);
 
-/// While it lives, writing to a pipe that nobody reads is an error code instead of a signal.
+/// Blocks SIGPIPE in this thread during its lifetime: writing to a pipe without reader then returns
+/// an error code.
 class BrokenPipeIsQuiet {
  public:
   BrokenPipeIsQuiet() {
@@ -30,7 +31,7 @@ class BrokenPipeIsQuiet {
     ::pthread_sigmask(SIG_BLOCK, &pipe_, &before_);
   }
   ~BrokenPipeIsQuiet() {
-    // A signal that we caused is taken away again before the mask opens.
+    // Removes a signal that was caused meanwhile, before the mask is restored.
     const timespec now = {};
     if (!was_pending_) ::sigtimedwait(&pipe_, nullptr, &now);
     ::pthread_sigmask(SIG_SETMASK, &before_, nullptr);
@@ -47,7 +48,8 @@ void MakeNonBlocking(int fd) { ::fcntl(fd, F_SETFL, ::fcntl(fd, F_GETFL) | O_NON
 
 ChannelFault SystemFault() { return {ChannelFault::Kind::kClosed, std::strerror(errno)}; }
 
-/// Waits a slice for `events`; a fault when waiting is over. What has come by then still counts.
+/// Waits a slice of time for `events`; returns a fault when waiting is over. Events that have
+/// occurred by then still count.
 std::optional<ChannelFault> WaitASlice(int fd, short events, const process::WaitLimit& limit) {
   const bool is_cancelled = limit.IsCancelled();
   const bool is_over = is_cancelled || limit.HasPassed();
@@ -65,7 +67,8 @@ Channel::Channel(process::UniqueFd read_end, process::UniqueFd write_end)
     : read_end_(std::move(read_end)), write_end_(std::move(write_end)) {
   MakeNonBlocking(read_end_.get());
   MakeNonBlocking(write_fd());
-  // A picture in a few pieces. Where the machine gives less, it takes more of them.
+  // A larger buffer transfers a picture in a few pieces; if the system refuses, more pieces are
+  // needed.
   if (!is_socket()) ::fcntl(write_fd(), F_SETPIPE_SZ, kPipeBytes);
 }
 
@@ -93,7 +96,7 @@ std::optional<ChannelFault> Channel::Send(std::span<const std::byte> frame,
 }
 
 std::variant<std::size_t, ChannelFault> Channel::ReadSome() {
-  // A pipe that nobody has opened for writing yet reads as ended, but polls as merely quiet.
+  // A pipe not yet opened for writing reads as ended, but poll() reports it as quiet.
   pollfd watched{read_end_.get(), POLLIN, 0};
   if (!is_socket() && ::poll(&watched, 1, 0) <= 0) return std::size_t{0};
   const std::span<std::byte> room = inbox_.Room();
@@ -116,6 +119,7 @@ std::variant<wire::Message, ChannelFault> Channel::Receive(const process::WaitLi
     if (auto* fault = std::get_if<ChannelFault>(&count)) return std::move(*fault);
     inbox_.Fill(std::get<std::size_t>(count));
     if (std::get<std::size_t>(count) > 0) continue;
+    // Spins for a moment before sleeping, see Channel.
     if (process::WaitLimit::Clock::now() < watchful_until) {
       ::sched_yield();
     } else if (auto fault = WaitASlice(read_end_.get(), POLLIN, limit)) {

@@ -15,7 +15,7 @@
 
 namespace smile::brain {
 
-/// Why there is no message.
+/// Reason why there is no message.
 struct ChannelFault {
   enum class Kind { kTimedOut, kCancelled, kClosed, kNonsense };
 
@@ -23,15 +23,15 @@ struct ChannelFault {
   std::string message;
 };
 
-/// Carries messages to a brain and back, over a socket or a pair of pipes.
+/// Message channel to a brain, over a socket or a pair of pipes.
 ///
-/// Most programs answer within microseconds, and to fall asleep and be woken takes longer than
-/// that: before it sleeps, Receive() lets others work and looks again, for up to kWatchfulTime.
+/// Most programs answer within microseconds, which is less than sleeping and waking takes: before
+/// it sleeps, Receive() yields the processor and polls again, for up to kWatchfulTime.
 class Channel {
  public:
-  /// For pipes. Both ends are made non-blocking.
+  /// Makes a channel of two pipes; sets both ends to non-blocking.
   Channel(process::UniqueFd read_end, process::UniqueFd write_end);
-  /// For a socket, which is both.
+  /// Makes a channel of a socket, which is both ends.
   explicit Channel(process::UniqueFd socket);
 
   std::optional<ChannelFault> Send(std::span<const std::byte> frame,
@@ -39,14 +39,14 @@ class Channel {
   std::variant<wire::Message, ChannelFault> Receive(const process::WaitLimit& limit);
 
  private:
-  /// Reads what has come into the room of `inbox_`; 0 when that is nothing.
+  /// Reads available bytes into `inbox_`; 0 if there are none.
   std::variant<std::size_t, ChannelFault> ReadSome();
   ssize_t WriteSome(std::span<const std::byte> bytes) const;
   bool is_socket() const { return !write_end_; }
   int write_fd() const { return write_end_ ? write_end_.get() : read_end_.get(); }
 
   process::UniqueFd read_end_;
-  process::UniqueFd write_end_;  ///< none when the read end is a socket
+  process::UniqueFd write_end_;  ///< empty if the read end is a socket
   wire::Inbox inbox_;
 };
 

@@ -14,7 +14,7 @@
 namespace smile::brain {
 namespace {
 
-/// A grandchild that escaped and prints forever shall not keep us at the end.
+/// Limit on the output read at once: a descendant that prints without end must not block Finish().
 constexpr std::size_t kMaxLastBytes = std::size_t{1} << 20;
 
 }  // namespace
@@ -30,7 +30,7 @@ OutputDrain::OutputDrain(process::UniqueFd pipe, std::function<void(std::string_
   wake_read_ = process::UniqueFd(ends[0]);
   wake_write_ = process::UniqueFd(ends[1]);
 
-  // Signals belong to the program's own threads.
+  // Signals are handled by the program's own threads.
   sigset_t all, before;
   sigfillset(&all);
   ::pthread_sigmask(SIG_SETMASK, &all, &before);
@@ -54,7 +54,7 @@ void OutputDrain::Run() {
   pollfd watched[] = {{pipe_.get(), POLLIN, 0}, {wake_read_.get(), POLLIN, 0}};
   while (watched[1].revents == 0) {
     if (::poll(watched, 2, -1) < 0 && errno != EINTR) break;
-    // At its end the pipe is always readable; from then on only the wake-up counts.
+    // At end of file the pipe is always readable; from then on only the wake-up is polled.
     if (watched[0].revents != 0 && !ReadAvailable(kMaxLastBytes)) watched[0].fd = -1;
   }
   if (watched[0].fd >= 0) ReadAvailable(kMaxLastBytes);
@@ -79,7 +79,7 @@ bool OutputDrain::ReadAvailable(std::size_t max_bytes) {
 void OutputDrain::TakeText(std::string_view text) {
   while (!text.empty()) {
     const std::size_t length = std::min(text.find('\n'), text.size());
-    // One letter more than the limit tells PrintableText() that the line was cut.
+    // One letter more than the limit lets PrintableText() know that the line was cut.
     const std::size_t room = kMaxLineLetters + 1 - line_.size();
     line_.append(text.substr(0, std::min(length, room)));
     if (length == text.size()) return;

@@ -13,10 +13,11 @@
 
 namespace smile::brain {
 
-/// Reads what a program prints, on a thread of its own, so that the program never waits for us.
+/// Reader of a program's output on a thread of its own, so that the program never blocks on a full
+/// pipe.
 ///
-/// However much there is: a line is cut after kMaxLineLetters, at most kMaxLinesPerSecond are
-/// handed on (with a note how many were left out), and the last kLinesKept are remembered.
+/// Limits any amount of output: a line is cut after kMaxLineLetters, at most kMaxLinesPerSecond are
+/// passed on (with a note on the number of dropped ones), and the last kLinesKept are kept.
 class OutputDrain {
  public:
   static constexpr std::size_t kMaxLineLetters = 1000;
@@ -31,7 +32,7 @@ class OutputDrain {
   OutputDrain& operator=(const OutputDrain&) = delete;
   ~OutputDrain() { Finish(); }
 
-  /// Takes what is in the pipe now, and ends the thread. To be called once the program has ended.
+  /// Reads the rest of the pipe and ends the thread. To be called after the program has ended.
   void Finish();
 
   std::vector<std::string> LastLines() const;
@@ -49,7 +50,7 @@ class OutputDrain {
   process::UniqueFd wake_read_, wake_write_;
   std::function<void(std::string_view)> on_line_;
 
-  std::string line_;  ///< the line that has not ended yet, cut
+  std::string line_;  ///< the incomplete last line, cut
   std::chrono::steady_clock::time_point second_began_;
   int lines_this_second_ = 0;
   std::size_t num_skipped_lines_ = 0;

@@ -22,14 +22,15 @@ namespace {
 
 constexpr std::string_view kPrefix = "smile-brain-";
 constexpr std::string_view kFolderName = "/smile-brain-XXXXXX";
-constexpr auto kLockTime = std::chrono::minutes(1);  ///< from making a folder to locking it
+constexpr auto kLockTime = std::chrono::minutes(1);  ///< allowed from making a folder to locking it
 constexpr std::string_view kSocketName = "/socket";
 
 [[noreturn]] void Fail(const std::filesystem::path& path) {
   throw std::runtime_error(path.string() + ": " + std::strerror(errno));
 }
 
-/// A socket's path has little room (108 letters on Linux); then the short place is taken.
+/// Returns the template of the folder's name. A socket's path is limited (108 letters on Linux); if
+/// the temporary directory is too long, /tmp is used.
 std::string FolderTemplate() {
   std::error_code error;
   std::string base = std::filesystem::temp_directory_path(error).string();
@@ -44,8 +45,8 @@ process::UniqueFd Locked(const std::filesystem::path& folder) {
   return fd;
 }
 
-/// Folders of ours that nobody holds any more. The lock of a process goes when it ends in whatever
-/// way; a number of a process would mean another one in another container.
+/// Removes folders of this user whose process has ended. The lock of a process ends with it in any
+/// case; a process number could belong to another process in another container.
 void RemoveStaleFolders(const std::filesystem::path& base) {
   std::error_code error;
   for (auto entry = std::filesystem::directory_iterator(base, error);
@@ -126,8 +127,8 @@ std::optional<Channel> Rendezvous::Meet(int slice_ms) {
     if (!socket) return std::nullopt;
     return Channel(std::move(socket));
   }
-  if (!from_brain_) MakePipes();  // somebody has the old ones
-  // This open fails until the brain has opened the other end; nothing can be polled for that.
+  if (!from_brain_) MakePipes();  // the former connection has the old ones
+  // Opening fails until the brain has opened the other end; there is no way to poll for that.
   process::UniqueFd to_brain(
       ::open((folder_ / "to_brain").c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC));
   if (to_brain) return Channel(std::move(from_brain_), std::move(to_brain));

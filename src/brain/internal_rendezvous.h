@@ -8,27 +8,29 @@
 
 namespace smile::brain {
 
-/// The place where a brain finds us: a folder only this user can enter, with a socket or a pair of
-/// pipes inside. The folder goes with this object, whatever the brain left in it; what a simulator
-/// left that was killed goes with the next one made.
+/// Meeting place with a brain: a folder that only this user can enter, with a socket or a pair of
+/// pipes inside. The folder is removed with this object, whatever the brain left in it; folders of
+/// simulators that were killed are removed when the next one is made.
 class Rendezvous {
  public:
   enum class Kind { kSocket, kPipes };
 
-  /// @throws std::runtime_error naming the folder and the reason.
+  /// @throws std::runtime_error with the folder and the reason.
   explicit Rendezvous(Kind kind);
   Rendezvous(const Rendezvous&) = delete;
   Rendezvous& operator=(const Rendezvous&) = delete;
   ~Rendezvous();
 
   const std::filesystem::path& folder() const { return folder_; }
-  /// What the brain is told: the socket, or the folder with the pipes `to_brain` and `from_brain`.
+  /// Returns the address for the brain: the socket, or the folder with the pipes `to_brain` and
+  /// `from_brain`.
   std::filesystem::path address() const;
 
-  /// Waits up to `slice_ms` for somebody to come; nullopt when nobody has. Whoever came before is
+  /// Waits up to `slice_ms` for a connection; nullopt if there is none. Earlier connections are
   /// shut out.
   std::optional<Channel> Meet(int slice_ms);
-  /// Whether one more has come and waits; for pipes that cannot be told.
+  /// Returns true if another connection waits; always false for pipes, which cannot be polled for
+  /// that.
   bool HasVisitor() const;
 
  private:
@@ -38,7 +40,7 @@ class Rendezvous {
 
   Kind kind_;
   std::filesystem::path folder_;
-  process::UniqueFd lock_;        ///< on the folder; says that somebody still needs it
+  process::UniqueFd lock_;        ///< on the folder, while it is in use
   process::UniqueFd listener_;    ///< for the socket
   process::UniqueFd from_brain_;  ///< for pipes
 };

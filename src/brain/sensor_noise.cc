@@ -8,14 +8,14 @@
 namespace smile::brain {
 namespace {
 
-/// What measures; part of the seed, so that two sensors never share their noise.
+/// Kind of sensor; part of the seed, so that two sensors never share their noise.
 enum class Measurement : std::uint64_t { kJoints, kColor, kDepth };
 
-/// Nothing is nearer to a camera than this, since 0 stands for nothing [units].
+/// Least noisy depth, since 0 stands for background [units].
 constexpr float kNearest = 1e-6F;
 
-/// Source: G. Steele, D. Lea, C. Flood, "Fast splittable pseudorandom number generators" (2014),
-/// SplitMix64.
+/// SplitMix64 generator. Small and seekable: any seed gives an independent sequence. Source: G.
+/// Steele, D. Lea, C. Flood, "Fast splittable pseudorandom number generators" (2014).
 class Generator {
  public:
   explicit Generator(std::uint64_t state) : state_(state) {}
@@ -27,19 +27,20 @@ class Generator {
     z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
     return z ^ (z >> 31);
   }
-  /// In (0, 1].
+  /// Returns a uniform number in (0, 1]; never 0, so that its logarithm exists.
   double Share() { return (static_cast<double>(Next() >> 11) + 1) * 0x1p-53; }
 
  private:
   std::uint64_t state_;
 };
 
-/// Numbers of mean 0 and standard deviation 1.
-/// Source: G. Box, M. Muller, "A note on the generation of random normal deviates" (1958).
+/// Generator of normal deviates with mean 0 and standard deviation 1, by the Box-Muller transform.
 class Gaussian {
  public:
   Gaussian(std::uint64_t seed, std::uint64_t tick, Measurement what, std::uint64_t which)
       : generator_(0) {
+    // Hashes seed, tick and sensor: noise depends on nothing else, so it does not change with other
+    // sensors or undo.
     std::uint64_t state = seed;
     for (const std::uint64_t part : {tick, static_cast<std::uint64_t>(what), which}) {
       state = Generator(state ^ part).Next();
@@ -71,6 +72,7 @@ void AddToColors(double deviation, Gaussian gaussian, std::span<std::uint8_t> co
 
 void AddToDepths(double deviation, Gaussian gaussian, std::span<float> depths) {
   for (float& depth : depths) {
+    // Drawn for every pixel, so that the noise of one does not depend on the others' visibility.
     const double error = deviation * gaussian.Next();
     if (depth > 0) depth = std::max(kNearest, static_cast<float>(depth + error));
   }

@@ -17,6 +17,8 @@ BoundedLog::BoundedLog(const std::filesystem::path& path) : file_(path, std::ios
 }
 
 void BoundedLog::Add(std::string_view text) {
+  // The beginning goes to the file at once; the end is kept in memory, as its start is known only
+  // at Finish().
   end_ += text;
   const std::size_t beginning = std::min(text.size(), kBeginBytes - begin_bytes_);
   file_ << text.substr(0, beginning) << std::flush;

@@ -53,6 +53,7 @@ std::vector<fs::path> FilesBelow(const fs::path& folder) {
 std::string HashOfFiles(const std::vector<fs::path>& files, const fs::path& folder) {
   StateHash hash;
   for (const fs::path& file : files) {
+    // Names are part of the content: renaming a file changes the hash.
     hash.Add(std::string_view(file.lexically_relative(folder).native()));
     AddFile(file, &hash);
   }
@@ -80,7 +81,7 @@ std::string ContentOfBrain(const fs::path& brain) {
     if (entry.is_regular_file() && entry.path().extension() == ".py") files.push_back(entry.path());
   }
   std::ranges::sort(files);
-  // Two programs in one folder are two.
+  // Added once more, so that two programs in one folder have different hashes.
   files.push_back(fs::absolute(brain));
   return HashOfFiles(files, folder);
 }

@@ -19,6 +19,8 @@ std::string SizeText(int width_px, int height_px) {
   return std::to_string(width_px) + "x" + std::to_string(height_px);
 }
 
+/// Reads the frames of a demonstration: recorded pictures if there are any, otherwise pictures
+/// drawn from the trace by an eye.
 class FrameReader {
  public:
   FrameReader(const std::filesystem::path& demonstration, sim::Eye* eye)
@@ -31,6 +33,8 @@ class FrameReader {
     const auto first = std::find_if(frames_.begin(), frames_.end(), has_image);
     const std::optional<model::EyeSpec> spec = EyeOf(recording_.info);
     has_pictures_ = spec && first != frames_.end();
+    // Frames before the first picture cannot be shown. Later frames without a picture repeat the
+    // one before.
     if (has_pictures_) frames_.erase(frames_.begin(), first);
     if (!has_pictures_ && eye_ == nullptr) {
       throw InputError(
@@ -82,7 +86,8 @@ class FrameReader {
 }  // namespace
 
 brain::DemonstrationFrames FramesOf(std::filesystem::path demonstration, sim::Eye* eye) {
-  // Shared, since a std::function is copied with whatever holds it.
+  // Shared, since a std::function must be copyable. Opened on first use, as many brains do not
+  // watch.
   return [demonstration = std::move(demonstration), eye,
           reader = std::shared_ptr<FrameReader>()]() mutable {
     if (!reader) reader = std::make_shared<FrameReader>(demonstration, eye);

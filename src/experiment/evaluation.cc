@@ -62,7 +62,7 @@ Json CheckAndDescribe(const EvaluationPlan& plan) {
           {"options", plan.settings}};
 }
 
-/// The demonstration with one of the demonstrators.
+/// Demonstration with one of the demonstrators.
 struct Showing {
   std::string demonstrator;  ///< empty: as recorded
   std::filesystem::path demonstration;
@@ -86,7 +86,7 @@ std::vector<Showing> ShowingsOf(const EvaluationPlan& plan, const Json& depends_
   return showings;
 }
 
-/// A robot program of an evaluation with the demonstration that it is given.
+/// Robot program of an evaluation, with its version of the demonstration.
 struct Candidate {
   std::string name, brain;
   Showing showing;
@@ -94,7 +94,7 @@ struct Candidate {
   std::map<std::uint64_t, report::EvaluatedRun> runs;  ///< by seed
 };
 
-/// A run that is not done yet.
+/// Run that is still to be done.
 struct OpenRun {
   Candidate* candidate;
   std::uint64_t seed;
@@ -144,11 +144,15 @@ class StatusCounter {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
+/// Runs an evaluation: finds finished runs on disk, runs the others in parallel processes, and
+/// collects all results. Since every run is a process with its own seed and folder, results do not
+/// depend on the order or number of jobs.
 class Evaluator {
  public:
   Evaluator(const EvaluationPlan& plan, const EvaluationCallbacks& callbacks)
       : plan_(plan), callbacks_(callbacks) {
     const Json depends_on = CheckAndDescribe(plan);
+    // Locked before anything is written, but after the plan was checked.
     lock_.emplace(plan.out);
     const std::vector<Showing> showings = ShowingsOf(plan, depends_on, callbacks.common);
     const std::vector<std::string> names = NamesOf(plan.brains);
@@ -269,6 +273,7 @@ class Evaluator {
 
   /// The result of a run. One without a result is a failure, too.
   const report::EvaluatedRun& Take(const OpenRun& open, const PoolEnd& end) {
+    // Exit codes 0 and 1 mean that a result was written: success and failure of the imitation.
     const bool may_have_result = !end.was_late && (end.exit_code == 0 || end.exit_code == 1);
     report::EvaluatedRun run = FailedRun(open.seed, end, plan_.wall_seconds);
     if (may_have_result) {

@@ -19,7 +19,7 @@ constexpr const char* kAgentFile = "agent.json";
 constexpr const char* kRunFile = "run.json";
 constexpr const char* kRecording = "imitation";
 
-/// Content of a small file; null when it is missing or damaged.
+/// Returns the content of a small file; null if it is missing or damaged.
 Json ReadOwn(const fs::path& path) {
   try {
     return ParseJson(ReadFile(path, kMaxFileBytes));
@@ -36,6 +36,8 @@ void Remove(const fs::path& path) {
   if (error) throw std::runtime_error(path.string() + ": cannot be deleted: " + error.message());
 }
 
+/// Returns the mark of a finished run: its seed and the hash of its result, so that a damaged
+/// result is noticed.
 Json MarkOf(std::uint64_t seed, const fs::path& result) {
   return {{"seed", seed}, {"result", ContentOf(result)}};
 }
@@ -46,6 +48,7 @@ EvaluationFolder::EvaluationFolder(const fs::path& directory, const Json& depend
                                    const Callbacks& callbacks)
     : directory_(directory) {
   std::error_code error;
+  // Results that depend on something else are kept under another name.
   if (fs::exists(directory_, error) && ReadOwn(directory_ / kAgentFile) != depends_on) {
     MoveAside(directory_, callbacks);
   }

@@ -6,9 +6,9 @@
 
 namespace smile::experiment {
 
-/// Exclusive lock of a folder, held as long as this object lives, so that no two evaluations write
-/// the same results. Child processes do not inherit it. It leaves nothing behind, however the
-/// process ends.
+/// Exclusive lock of a folder, held for the lifetime of this object, so that no two evaluations
+/// write the same results. Child processes do not inherit it. It leaves nothing behind, in whatever
+/// way the process ends.
 class FolderLock {
  public:
   /// Makes the folder if it is missing.

@@ -8,6 +8,7 @@
 namespace smile::experiment {
 
 ImitationResult Imitate(const ImitationPlan& plan, const Callbacks& callbacks) {
+  // Made before the run, so that an impossible task fails at once.
   const task::ImitationTask imitation_task =
       task::MakeImitationTask(plan.task, recording::OpenRecording(plan.demonstration), plan.scene);
   const RunResult run = Run({.scene = plan.scene,
@@ -24,6 +25,7 @@ ImitationResult Imitate(const ImitationPlan& plan, const Callbacks& callbacks) {
                              .noise = plan.noise,
                              .label = "the robot builds"},
                             callbacks);
+  // Scored from the recording, so that anyone can repeat the score.
   const task::Episode outcome = task::EpisodeOf(recording::OpenRecording(plan.record));
   Json result = task::ResultOf(imitation_task, outcome,
                                {.seconds = run.seconds - run.watched_seconds,

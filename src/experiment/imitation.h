@@ -37,8 +37,8 @@ struct ImitationResult {
   std::optional<brain::BrainError> brain_error;
 };
 
-/// Runs an imitation and scores it against the demonstration. A cancelled one is scored as far as
-/// it came.
+/// Runs an imitation and scores it against the demonstration. A cancelled run is scored up to that
+/// point.
 /// @throws InputError if demonstration, scene and brain do not fit together.
 ImitationResult Imitate(const ImitationPlan& plan, const Callbacks& callbacks = {});
 

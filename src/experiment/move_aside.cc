@@ -7,7 +7,7 @@
 namespace smile::experiment {
 
 void MoveAside(const std::filesystem::path& named, const Callbacks& callbacks) {
-  // `out/` is `out`, too.
+  // `out/` stands for `out`.
   const std::filesystem::path path = named.has_filename() ? named : named.parent_path();
   std::error_code error;
   if (!std::filesystem::exists(path, error)) return;

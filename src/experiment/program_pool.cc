@@ -78,6 +78,8 @@ void ListenTo(const PoolRuns& runs) {
   for (const auto& run : runs) run->ReadOutput();
 }
 
+/// Interrupts all programs and waits for their end while reading their output, since a full pipe
+/// would block them. Destruction kills the rest.
 void AskToEnd(const PoolRuns& runs) {
   for (const auto& run : runs) run->Interrupt();
   const process::WaitLimit limit(kFarewellSeconds);
@@ -98,6 +100,7 @@ bool RunAll(const std::vector<PoolJob>& jobs, std::size_t at_once, const PoolCal
       AskToEnd(runs);
       return false;
     }
+    // Keeps up to `at_once` programs running.
     while (next < jobs.size() && runs.size() < at_once) {
       calls.on_start(next);
       runs.push_back(std::make_unique<PoolRun>(next, jobs[next]));

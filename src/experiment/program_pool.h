@@ -11,16 +11,16 @@
 
 namespace smile::experiment {
 
-/// One of the programs that a pool runs.
+/// Program to be run by a pool.
 struct PoolJob {
   process::ChildCommand command;
   std::filesystem::path log;  ///< file for its output; long logs lose their middle
   double max_seconds = 3600;  ///< limit of wall-clock time, after which it is ended
 };
 
-/// How one of them ended.
+/// End of a program.
 struct PoolEnd {
-  std::optional<int> exit_code;  ///< nullopt when a signal ended it
+  std::optional<int> exit_code;  ///< nullopt if a signal ended it
   bool was_late = false;         ///< it was ended at its limit
   std::string how;               ///< in words: `it ended with exit code 3`
   std::string last_line;         ///< of its output
@@ -34,8 +34,8 @@ struct PoolCalls {
   std::function<bool()> is_cancelled;  ///< as often
 };
 
-/// Runs all jobs in order, up to `at_once` at a time, each in a process group of its own. None is
-/// left when this returns or throws. When cancelled, the running ones are asked to end, as by
+/// Runs all jobs in order, up to `at_once` at a time, each in a process group of its own. None
+/// remains when this returns or throws. If cancelled, the running ones are interrupted, as by
 /// Ctrl-C, and killed after a while; `on_end` is not called for these.
 /// @param at_once  at least 1.
 /// @returns false when it was cancelled.

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kMaxMarkBytes = 1 << 20;
 
-/// The view of the eye that took the pictures of a recording.
+/// Returns the request for pictures like those of the recording's eye.
 picture::RenderRequest RenderRequestOf(const model::EyeSpec& eye) {
   return {.camera = model::kEyeCamera,
           .eye = eye.camera,
@@ -18,7 +18,7 @@ picture::RenderRequest RenderRequestOf(const model::EyeSpec& eye) {
           .height_px = eye.height_px};
 }
 
-/// True when a copy exists that depends on the same.
+/// True if the mark of a copy has this text: the copy is complete and up to date.
 bool IsMarked(const std::filesystem::path& mark, const std::string& text) {
   std::error_code error;
   return std::filesystem::exists(mark, error) && ReadFile(mark, kMaxMarkBytes) == text;

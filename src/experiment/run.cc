@@ -18,14 +18,15 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// From the end of a robot program to the end of its run, so that films show its last face.
+/// Time from the end of a robot program to the end of its run, so that films show its last face.
 constexpr int kFarewellTicks = sim::kTicksPerSecond / 4;
 
 std::filesystem::path RecordingOf(const RunPlan& plan) {
   return plan.continuation ? plan.continuation->recording : plan.record;
 }
 
-/// Everything alive during one run, in the order in which it must be taken down.
+/// Objects of one run. Members are in the order of construction, which is reversed on destruction:
+/// the brain ends first, the eye last.
 class LiveRun {
  public:
   LiveRun(const RunPlan& plan, const Callbacks& callbacks)
@@ -33,12 +34,12 @@ class LiveRun {
         callbacks_(callbacks),
         simulation_(plan.scene, plan.robot),
         brain_log_(RecordingOf(plan)) {
-    // A brain that does not exist must not leave an empty recording behind.
+    // Found first, so that a missing brain does not leave an empty recording behind.
     if (!plan.brain.empty()) FindBrain();
     const bool records = !plan.record.empty() || plan.continuation || StartsRecordings();
     const bool takes_pictures = records && plan.has_pictures;
     if (takes_pictures || !plan.brain.empty()) {
-      sim::EyeView(simulation_, plan.eye);  // refuses a camera that is not there
+      sim::EyeView(simulation_, plan.eye);  // throws if the camera does not exist
       eye_.emplace(plan.eye);
     }
     if (records) {
@@ -53,13 +54,14 @@ class LiveRun {
                             callbacks_.ProgressOf(plan.label));
     }
     first_tick_ = simulation_.tick();
+    // The recording is started before script and brain, so that it contains their first commands.
     if (plan.script) player_.emplace(*plan.script);
     if (process_) StartBrain();
   }
 
   RunResult Go() {
     const auto start = Clock::now();
-    // Time passes evenly, also when the simulation's goes back by an undo.
+    // Counts the time of the run, which advances evenly even if an undo sets the simulation's back.
     while (!IsOver()) {
       simulation_.Tick();
       passed_ += 1.0 / sim::kTicksPerSecond;
@@ -129,7 +131,7 @@ class LiveRun {
     try {
       player_->Advance(&simulation_);
     } catch (const InputError&) {
-      ThrowIfNotRecorded();  // then that is why
+      ThrowIfNotRecorded();  // a failed recording is the real cause
       if (controller_) {
         for (const auto& directory : controller_->directories()) {
           callbacks_.Say("recorded in " + directory.string());
@@ -153,9 +155,10 @@ class LiveRun {
     ThrowIfNotRecorded();
     auto limit = static_cast<std::uint64_t>(
         std::llround(plan_.seconds.value_or(plan_.max_seconds) * sim::kTicksPerSecond));
-    // What a brain may take counts from the end of watching.
+    // The time limit of a brain counts from the end of watching.
     if (!plan_.seconds && driver_) limit += driver_->watched_ticks();
     if (simulation_.tick() >= first_tick_ + limit) return true;
+    // Script before brain, in every tick, so that runs are deterministic.
     if (player_) AdvanceScript();
     if (is_brain_running()) {
       DriveBrain();
@@ -197,7 +200,7 @@ class LiveRun {
   std::optional<recorder::RecordingController> controller_;
   sim::Simulation simulation_;
   std::uint64_t first_tick_ = 0;
-  int farewell_ticks_ = 0;  ///< to go on, though the brain has ended
+  int farewell_ticks_ = 0;  ///< remaining after the end of the brain
   double passed_ = 0;       ///< simulated since then, also what was undone [s]
   std::uint64_t late_ticks_ = 0;
   double worst_delay_ = 0;

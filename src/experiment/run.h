@@ -17,7 +17,7 @@
 
 namespace smile::experiment {
 
-/// A run without a window: a scene, who acts in it, how long, what is recorded.
+/// Plan of a run without a window: scene, actors, duration and recording.
 struct RunPlan {
   scene::SceneSpec scene;
   std::optional<sim::RobotPlacement> robot;
@@ -47,7 +47,7 @@ struct RunPlan {
   std::string label = "running";  ///< step name in progress reports
 };
 
-/// End state of a run, and how it went.
+/// End state and statistics of a run.
 struct RunResult {
   std::uint64_t ticks = 0;       ///< of the simulation's clock
   double seconds = 0;            ///< the same in seconds

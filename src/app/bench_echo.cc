@@ -43,7 +43,7 @@ Echo::Echo(std::size_t question_bytes, std::size_t answer_bytes)
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) FailEcho("no socket");
   child_ = ::fork();
   if (child_ == 0) {
-    // Only what is safe after fork in a program with threads.
+    // The child calls only async-signal-safe functions, since the program has threads.
     ::close(ends[0]);
     while (ReceiveAll(ends[1], question_) && SendAll(ends[1], answer_)) {
     }

@@ -7,17 +7,17 @@
 
 namespace smile::app {
 
-/// Two processes that hand each other bytes over a socket, as simulator and robot program do, and
-/// nothing else: what the machine itself takes for a round trip.
+/// Two processes that exchange bytes over a socket, as simulator and robot program do, and nothing
+/// else: the machine's own time for a round trip.
 class Echo {
  public:
-  /// @throws std::runtime_error when the machine gives no socket or process.
+  /// @throws std::runtime_error if no socket or process can be made.
   Echo(std::size_t question_bytes, std::size_t answer_bytes);
   Echo(const Echo&) = delete;
   Echo& operator=(const Echo&) = delete;
   ~Echo();
 
-  /// @throws std::runtime_error when the other process has gone.
+  /// @throws std::runtime_error if the other process has ended.
   void RoundTrip();
 
  private:

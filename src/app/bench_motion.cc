@@ -21,7 +21,7 @@ constexpr int kNumPoses = 10'000;
 
 robot::RobotModel Baxter() { return robot::ReadRobot(DataFile("robots/baxter.urdf")); }
 
-/// Anywhere within limits.
+/// Returns random configurations within the joint limits; the same ones in every run.
 std::vector<std::vector<double>> RandomConfigurations(const ArmKinematics& arm) {
   std::mt19937_64 random(1);
   std::vector<std::vector<double>> configurations(kNumPoses);
@@ -49,7 +49,7 @@ void ForwardKinematics(benchmark::State& state) {
   }
 }
 
-/// One iteration is all poses; each is asked for from where the robot starts.
+/// One iteration solves for all poses, each from the robot's initial posture.
 void InverseKinematics(benchmark::State& state, bool any_turn) {
   const robot::RobotModel model = Baxter();
   const ArmKinematics arm(model, model.arms.front());
@@ -75,7 +75,7 @@ void InverseKinematics(benchmark::State& state, bool any_turn) {
   state.counters["p99_us"] = microseconds[kNumPoses * 99 / 100];
 }
 
-/// 0.3 m down to the table, tool speed free.
+/// Plans a motion of 0.3 m down to the table.
 void LineOfTheTool(benchmark::State& state) {
   const robot::RobotModel model = Baxter();
   const ArmKinematics arm(model, model.arms.front());

@@ -2,7 +2,7 @@
 
 namespace smile::app {
 
-/// Adds what we claim of kinematics and of planned motions to the benchmarks.
+/// Adds the benchmarks of kinematics and planned motions.
 void RegisterMotionBenchmarks();
 
 }  // namespace smile::app

@@ -21,7 +21,7 @@ namespace {
 
 using sim::HandName;
 
-/// A folder that goes with its benchmark.
+/// Temporary folder, removed with its benchmark.
 class ScratchFolder {
  public:
   ScratchFolder()
@@ -44,7 +44,7 @@ class ScratchFolder {
 
 scene::SceneSpec LettersScene() { return scene_xml::LoadScene(DataFile("scenes/um.xml")); }
 
-/// A hand carries a block to and fro, and the others lie still.
+/// Moves a block to and fro with a hand; all others are at rest.
 void CarryOn(sim::Simulation* simulation) {
   const std::uint64_t tick = simulation->tick();
   if (tick % 60 != 0) return;
@@ -69,7 +69,7 @@ void TickOfAHandAtWork(benchmark::State& state, bool is_recorded) {
   }
 }
 
-/// Fifty blocks in rows.
+/// Returns a scene of fifty blocks in rows.
 scene::SceneSpec FiftyBlocks() {
   scene::SceneSpec scene{.name = "fifty"};
   for (int i = 0; i < 50; ++i) {
@@ -83,7 +83,7 @@ scene::SceneSpec FiftyBlocks() {
   return scene;
 }
 
-/// Only what the undo takes, of a grasp and a second of carrying.
+/// Measures only the undo, of a grasp and a second of carrying.
 void UndoAmongFiftyBlocks(benchmark::State& state) {
   const ScratchFolder folder;
   sim::Simulation simulation(FiftyBlocks());

@@ -2,7 +2,7 @@
 
 namespace smile::app {
 
-/// Adds what we claim of recording, undo and replay to the benchmarks.
+/// Adds the benchmarks of recording, undo and replay.
 void RegisterRecordingBenchmarks();
 
 }  // namespace smile::app

@@ -1,4 +1,4 @@
-// `smile bench`: the numbers we claim, measured on the machine at hand.
+// `smile bench`: measures the documented performance on the machine at hand.
 
 #include <benchmark/benchmark.h>
 
@@ -28,11 +28,12 @@ scene::SceneSpec UmScene() { return scene_xml::LoadScene(DataFile("scenes/um.xml
 
 std::unique_ptr<sim::Simulation> MakeUm(const RobotOptions& robot) {
   auto simulation = std::make_unique<sim::Simulation>(UmScene(), PlaceRobot(robot));
-  for (int i = 0; i < 3 * sim::kTicksPerSecond; ++i) simulation->Tick();  // falls asleep
+  for (int i = 0; i < 3 * sim::kTicksPerSecond; ++i)
+    simulation->Tick();  // so that all bodies fall asleep
   return simulation;
 }
 
-/// Keeps a world of blocks awake: at rest, but never allowed to sleep.
+/// Returns a world of blocks at rest that never fall asleep.
 std::unique_ptr<physics::World> MakeAwakeBlocks() {
   auto world = std::make_unique<physics::World>(
       physics::WorldConfig{.sleep_linear_speed = 0, .sleep_angular_speed = 0});
@@ -49,7 +50,7 @@ void Swing(sim::Simulation* simulation) {
   simulation->Apply(sim::JointVelocities{.left = velocities, .right = velocities});
 }
 
-/// Simulated seconds per second of CPU time.
+/// Reports simulated seconds per second of CPU time.
 void ReportRealTime(benchmark::State& state, double seconds_per_iteration) {
   state.counters["x_real_time"] = benchmark::Counter(
       seconds_per_iteration * static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
@@ -98,7 +99,7 @@ void SnapshotRestore(benchmark::State& state) {
   for (auto _ : state) simulation->Restore(saved);
 }
 
-/// Color, depth and id in one pass.
+/// Measures color, depth and ids in one pass.
 void EyePicture(benchmark::State& state, bool with_robot) {
   const auto simulation = MakeUm({.no_robot = !with_robot});
   const sim::ViewSample sample =
@@ -120,7 +121,7 @@ struct MeasuredBrain {
   brain::BrainTransport transport = brain::BrainTransport::kAutomatic;
 };
 
-/// The same waving in every language.
+/// Returns the same waving program in every language.
 std::vector<MeasuredBrain> MeasuredBrains() {
   const std::filesystem::path octave = DataFile("matlab/examples/wave");
   return {{"Octave", octave, brain::BrainTransport::kMex},
@@ -129,8 +130,8 @@ std::vector<MeasuredBrain> MeasuredBrains() {
           {"C++", SMILE_CPP_BRAIN}};
 }
 
-/// What a brain is told in a step, with a picture of the size of the benchmark unless that is one
-/// pixel.
+/// Returns the sensor values of a step, with a picture of the size of the benchmark unless that is
+/// one pixel.
 brain::Sensor SensorOf(const benchmark::State& state) {
   const auto simulation = MakeUm({});
   picture::RenderedEye eye({.width_px = static_cast<int>(state.range(0)),
@@ -142,7 +143,7 @@ brain::Sensor SensorOf(const benchmark::State& state) {
   return sensor;
 }
 
-/// As many bytes as a brain gets and gives.
+/// Measures a round trip with as many bytes as a brain receives and sends.
 void BareRoundTrip(benchmark::State& state) {
   constexpr std::size_t kMotorBytes = 250;
   Echo echo(brain::EncodeSensor(1, SensorOf(state)).size(), kMotorBytes);
@@ -202,7 +203,7 @@ int Bench(const std::string& filter, bool json) {
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   int count = static_cast<int>(arguments.size());
-  // Nothing to be kept: Ctrl-C may simply end it.
+  // There is nothing to keep, so Ctrl-C simply ends the program.
   std::signal(SIGINT, SIG_DFL);
   std::signal(SIGTERM, SIG_DFL);
   RegisterAll();

@@ -19,10 +19,10 @@ struct CheckOptions {
   PathOptions path;
 };
 
-/// What there is in a scene.
+/// Numbers of things in a scene.
 struct SceneCounts {
   std::size_t objects = 0, fixed = 0, controls = 0;
-  /// Sliders, those between the pieces of chains, and the bonds there are at the start.
+  /// Sliders, joints between the pieces of chains, and initial bonds.
   std::size_t joints = 0;
 
   void operator+=(const SceneCounts& other) {
@@ -53,7 +53,7 @@ SceneCounts CountsOf(const scene::SceneSpec& scene) {
   return counts;
 }
 
-/// The sums over all files asked for.
+/// Sums over all given files.
 struct Findings {
   SceneCounts counts;
   std::vector<Diagnostic> diagnostics;

@@ -10,7 +10,7 @@
 namespace smile::app {
 namespace {
 
-/// In which form the list of commands is wanted; none of these: for people.
+/// Format of the list of commands; none of these: for people.
 struct CommandList {
   bool schema = false, markdown = false, typescript = false;
 

@@ -18,7 +18,7 @@
 namespace smile::app {
 namespace {
 
-/// An edit, as somebody typed it.
+/// Edit with the text of its option.
 struct TypedEdit {
   std::string text;
   editing::Edit edit;
@@ -107,7 +107,8 @@ void EditDemo(const EditOptions& options) {
   }
 }
 
-/// Takes edits down in the order in which they are typed.
+/// Adds the options of edits, which are collected in the order of the command line, since edits do
+/// not commute.
 void AddEditOptions(CLI::App* edit, const std::shared_ptr<EditOptions>& options) {
   for (const EditOption& option : AllEditOptions()) {
     const auto take = [options, option](const std::string& text) {

@@ -1,4 +1,4 @@
-// `smile evaluate`: robot programs do the same task from the same random starting layouts.
+// `smile evaluate`: runs robot programs on the same task from the same random starting layouts.
 
 #include <CLI/CLI.hpp>
 #include <cmath>

@@ -1,4 +1,4 @@
-// `smile experiment`: the main job. Hands demonstrate a task, the robot does it elsewhere.
+// `smile experiment`: hands demonstrate a task, the robot imitates it elsewhere.
 
 #include <CLI/CLI.hpp>
 #include <cstdio>

@@ -27,7 +27,7 @@ struct ExportOptions {
   bool no_grippers = false, slow_down = false, allow_breaches = false;
 };
 
-/// A trajectory and what its robot can do.
+/// Trajectory with the limits of its robot.
 struct Motion {
   motion::JointTrajectory trajectory;
   std::vector<motion::Channel> channels;
@@ -39,7 +39,7 @@ struct Motion {
   }
 };
 
-/// What a recording can be exported to.
+/// Format of an exported file.
 struct Format {
   const char* name;
   const char* meaning;
@@ -81,9 +81,10 @@ std::vector<motion::Channel> ChosenChannels(const robot::RobotModel& model,
   return chosen;
 }
 
-/// Scales the time of a motion such that no joint exceeds its velocity limit.
-/// @returns how many times as long it takes.
+/// Scales the time of a motion so that no joint exceeds its velocity limit.
+/// @returns the factor by which it takes longer.
 double SlowDown(Motion* motion) {
+  // A little more than exact, so that rounding does not leave a breach.
   constexpr double kRounding = 1 + 1e-9;
   double factor = 1;
   for (const motion::LimitBreach& breach : motion->Breaches()) {
@@ -94,7 +95,7 @@ double SlowDown(Motion* motion) {
   return factor;
 }
 
-/// Tells on stderr where the motion is beyond what the robot can do.
+/// Reports on stderr where the motion exceeds the limits of the robot.
 /// @returns true if a robot would refuse it. Accelerations are only a remark: descriptions of
 ///          robots do not limit them.
 bool TellBreaches(const Motion& motion, const std::string& demo) {
@@ -116,7 +117,7 @@ bool TellBreaches(const Motion& motion, const std::string& demo) {
   return is_refused;
 }
 
-/// Makes sure that what is written can be read and played.
+/// Checks that the exported file can be read and played.
 /// @throws InputError
 void RequireReadable(const motion::JointTrajectory& trajectory, const std::string& demo) {
   try {

@@ -14,7 +14,7 @@
 namespace smile::app {
 namespace {
 
-/// Branches of branches farther right than this share a column.
+/// Largest indentation; deeper branches share a column.
 constexpr int kMaxDepth = 20;
 
 struct HistoryOptions {
@@ -36,8 +36,8 @@ Json ToJson(const recording::Recording& recording, const std::vector<recording::
   return {{"title", recording.info.title}, {"steps", list}};
 }
 
-/// Prints a step and everything that followed upon it: first what was left, one column farther
-/// right each time, then the way on.
+/// Prints the tree of steps: for each step first the branches that were left, one column farther
+/// right each time, then its continuation. Without recursion, as histories can be long.
 void PrintTree(const recording::Recording& recording,
                const std::vector<recording::Segment>& steps) {
   std::vector<std::vector<std::size_t>> children(steps.size());
@@ -55,7 +55,8 @@ void PrintTree(const recording::Recording& recording,
                 std::string(2 * std::min(row.depth, kMaxDepth), ' ').c_str(),
                 step.is_on_path ? "*" : "-", row.step, SecondsInto(recording, step.begin.tick),
                 Printable(WordsOf(step)).c_str(), step.is_on_path ? "" : " (undone)");
-    // The newest child goes on in the same column; it is the one on the way, where there is one.
+    // The continuation stays in the same column: the child on the path, or else the newest one. It
+    // is pushed first, so that it is printed last.
     const auto& next = children[row.step];
     for (std::size_t k = next.size(); k-- > 0;) {
       const bool is_main = steps[next[k]].is_on_path || (k + 1 == next.size() && !step.is_on_path);

@@ -33,7 +33,8 @@ void PrintResult(const experiment::ImitationResult& outcome) {
   std::printf("%s after %.1f s: %.0f %% of the structure, mean error %.1f mm\n",
               outcome.is_rebuilt ? "rebuilt" : "not rebuilt", result["seconds"].get<double>(),
               100 * result["score"].get<double>(), result["mean_error_mm"].get<double>());
-  // What is in its place may have been there from the start: the score alone tells no failure.
+  // Printed even with a full score: objects may have been in place from the start, although the
+  // program failed.
   const Json& cause = result["cause"];
   if (!cause.is_null()) std::printf("%s\n", cause["text"].get<std::string>().c_str());
 }

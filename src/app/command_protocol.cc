@@ -10,7 +10,7 @@
 namespace smile::app {
 namespace {
 
-/// Which table is wanted.
+/// Requested table.
 struct ProtocolTable {
   bool updates = false, typescript = false;
 

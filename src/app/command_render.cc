@@ -31,7 +31,7 @@ struct RenderCommandOptions {
 
 enum class Product { kPicture, kFilm, kPictures };
 
-/// What shall be made, from the look of the path.
+/// Returns the product, from the form of the output path.
 Product ProductOf(const RenderCommandOptions& options) {
   const std::filesystem::path out = options.out;
   std::error_code error;
@@ -53,7 +53,7 @@ void CheckTimes(const RenderCommandOptions& options, Product product) {
   }
 }
 
-/// @param eye  the camera that is meant by `eye`.
+/// @param eye  camera for the name `eye`.
 picture::RenderRequest RenderRequestOf(const RenderCommandOptions& options,
                                        const std::string& eye) {
   const PictureSize size = ParseSize(options.size);

@@ -21,7 +21,7 @@ struct ReplayCommandOptions {
   bool verify = false, json = false;
 };
 
-/// More lines than these of a kind are for programs to read.
+/// Maximal number of printed lines of a kind; more of them are for programs (--json).
 constexpr std::size_t kMaxLines = 10;
 
 Json ToJson(const replay::Difference& difference) {
@@ -119,7 +119,8 @@ void Print(const replay::ReplayReport& report, const recording::Recording& recor
 
 replay::ReplayReport ReplayIt(const recording::Recording& recording,
                               const ReplayCommandOptions& options) {
-  // That another program runs differently is no surprise; how, is what one wants to know.
+  // Recordings of other versions are expected to differ, so the replay continues and shows by how
+  // much.
   const bool is_ours = recording.info.program == ProgramName();
   ProgressLine progress("replaying");
   return replay::Replay(recording,

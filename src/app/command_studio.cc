@@ -1,4 +1,4 @@
-// `smile studio`: a page in the browser, in which a person demonstrates.
+// `smile studio`: a page in the browser for demonstrating.
 
 #include <spawn.h>
 #include <sys/wait.h>
@@ -44,8 +44,8 @@ std::filesystem::path PageFolder() {
   }
 }
 
-/// The user's own browser, if there is a screen to show it on. A shell starts it, so that it is no
-/// child of ours.
+/// Opens the link in the user's browser, if there is a screen. A shell starts it in the background,
+/// so that it is not a child of this process.
 void OpenInBrowser(const std::string& link) {
   if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr) return;
   std::string shell = "sh", option = "-c", line = "xdg-open \"$0\" >/dev/null 2>&1 &", page = link;

@@ -6,10 +6,10 @@ class App;
 
 namespace smile::app {
 
-/// The exit code of the command that ran; each Add…() stores its answer here.
+/// Exit code of the command that ran; each Add…() stores its answer here.
 using ExitAnswer = int*;
 
-// Each adds one command of the program, with its options, help and action.
+// Each function adds one command of the program, with its options, help and action.
 void AddCheck(CLI::App* program, ExitAnswer answer);
 void AddRun(CLI::App* program, ExitAnswer answer);
 void AddStudio(CLI::App* program, ExitAnswer answer);

@@ -10,7 +10,7 @@
 
 namespace smile::app {
 
-/// Reports long work on stderr: a progress line for each step on a terminal, messages as lines.
+/// Reporter of long work on stderr: a progress line for each step on a terminal, messages as lines.
 /// Cancels the work when the user interrupts the program.
 class ConsoleReporter {
  public:
@@ -18,16 +18,16 @@ class ConsoleReporter {
   ConsoleReporter(const ConsoleReporter&) = delete;
   ConsoleReporter& operator=(const ConsoleReporter&) = delete;
 
-  /// Refers to this object.
+  /// Returns callbacks that refer to this object.
   const experiment::Callbacks& callbacks() const { return callbacks_; }
-  /// Wipes the progress line, before results are printed.
+  /// Erases the progress line, before results are printed.
   void Clear();
 
  private:
   void Show(const std::string& step, double done, double total);
   void Print(std::string_view message);
 
-  std::mutex mutex_;  ///< of the rest: messages come from several threads
+  std::mutex mutex_;  ///< guards the rest: messages come from several threads
   std::string step_;
   std::optional<ProgressLine> line_;
   experiment::Callbacks callbacks_;

@@ -8,10 +8,10 @@
 namespace smile::app {
 namespace {
 
-/// Reads numbers and the signs between them, as in `3:0.5-2`.
+/// Parser of numbers and the signs between them, as in `3:0.5-2`.
 class EditText {
  public:
-  /// @param form  what the text should be like.
+  /// @param form  expected form of the text, for messages.
   EditText(const std::string& text, const char* form)
       : text_(text), form_(form), rest_(text_.data()) {}
 

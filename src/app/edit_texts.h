@@ -7,12 +7,12 @@
 
 namespace smile::app {
 
-/// An option of `smile edit` that stands for one edit.
+/// Option of `smile edit` for one kind of edit.
 struct EditOption {
   const char* name;
   const char* form;     ///< of its value
   const char* meaning;  ///< for the help
-  /// @throws std::invalid_argument saying what was found and expected.
+  /// @throws std::invalid_argument with what was found and expected.
   editing::Edit (*parse)(const std::string& text);
 };
 

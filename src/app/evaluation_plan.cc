@@ -15,7 +15,7 @@ const std::map<std::string, experiment::Keep> kKeepWords{{"all", experiment::Kee
                                                          {"failures", experiment::Keep::kFailures},
                                                          {"none", experiment::Keep::kNone}};
 
-/// Options that `smile imitate` is given for every run.
+/// Returns the options of `smile imitate` that are the same for every run.
 std::vector<std::string> OtherArguments(const EvaluateOptions& options) {
   std::vector<std::string> arguments{"--seconds", NumberText(options.max_seconds)};
   const auto add = [&arguments](const char* name, const std::string& value) {
@@ -38,7 +38,7 @@ std::vector<std::string> OtherArguments(const EvaluateOptions& options) {
   return arguments;
 }
 
-/// Arguments of `smile imitate` for a run.
+/// Returns the arguments of `smile imitate` for a run.
 std::vector<std::string> ImitateArguments(const EvaluateOptions& options, const std::string& demo,
                                           const std::string& brain, const std::string& seed,
                                           const std::string& out) {
@@ -50,7 +50,7 @@ std::vector<std::string> ImitateArguments(const EvaluateOptions& options, const 
   return arguments;
 }
 
-/// A word of a line of shell.
+/// Returns a text as one word of a shell command.
 std::string ShellWord(const std::string& word) {
   constexpr std::string_view kPlain =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-._/=,:+";
@@ -60,7 +60,7 @@ std::string ShellWord(const std::string& word) {
   return quoted + "'";
 }
 
-/// The command that repeats a run with pictures, for people.
+/// Returns the command that repeats a run with pictures, for people.
 std::string AgainText(const EvaluateOptions& options, const std::filesystem::path& out) {
   const std::string demo = options.demonstrators.empty()
                                ? options.demo

@@ -25,8 +25,8 @@ struct EvaluateOptions {
   bool json = false;
 };
 
-/// The evaluation that the options describe. Its runs are done by `smile imitate`.
-/// @throws InputError or std::invalid_argument if an option is wrong, before anything is written.
+/// Returns the evaluation that the options describe. Its runs are executed by `smile imitate`.
+/// @throws InputError or std::invalid_argument if an option is invalid, before anything is written.
 experiment::EvaluationPlan PlanOf(const EvaluateOptions& options);
 
 }  // namespace smile::app

@@ -2,12 +2,12 @@
 
 namespace smile::app {
 
-/// What the program answers with; docs and scripts rely on it.
+/// Exit codes of the program; documentation and scripts rely on them.
 enum ExitCode {
   kDone = 0,
-  kInputWrong = 1,   ///< a scene, script, recording or brain is wrong
-  kUsedWrongly = 2,  ///< options make no sense
-  kMachineNo = 3,    ///< a file, a disk, a graphics driver refused
+  kInputWrong = 1,   ///< a scene, script, recording or brain is invalid
+  kUsedWrongly = 2,  ///< invalid options
+  kMachineNo = 3,    ///< error of a file, disk or graphics driver
 };
 
 }  // namespace smile::app

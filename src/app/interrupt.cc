@@ -18,7 +18,7 @@ void CatchInterrupts() {
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
   sigaction(SIGHUP, &action, nullptr);
-  // Writing to a program that went away is an error to report, not a reason to die.
+  // Writing to a program that has ended is an error to report, and does not end this program.
   std::signal(SIGPIPE, SIG_IGN);
 }
 

@@ -2,11 +2,11 @@
 
 namespace smile::app {
 
-/// From now on Ctrl-C, SIGTERM and SIGHUP ask the program to end cleanly instead of killing it. A
-/// second one kills it all the same.
+/// Makes Ctrl-C, SIGTERM and SIGHUP end the program cleanly instead of killing it. A second one
+/// kills it.
 void CatchInterrupts();
 
-/// True once the user has asked to end.
+/// Returns true once the user has interrupted the program.
 bool IsInterrupted();
 
 }  // namespace smile::app

@@ -9,7 +9,7 @@
 
 namespace smile::app {
 
-/// Options of the starting positions of the loose objects of a scene.
+/// Options for random starting positions of the loose objects of a scene.
 struct LayoutOptions {
   std::optional<std::uint64_t> seed;
   std::string level{layout::kLayoutLevelWords.front()};
@@ -19,11 +19,11 @@ struct LayoutOptions {
   }
 };
 
-/// `--seed` and `--level`.
+/// Adds `--seed` and `--level`.
 /// @returns the option `--seed`, which some commands require.
 CLI::Option* AddLayoutOptions(CLI::App* command, LayoutOptions* options);
 
-/// Accepts the words for the levels.
+/// Returns a validator for the names of levels.
 CLI::Validator IsLayoutLevel();
 
 }  // namespace smile::app

@@ -16,8 +16,8 @@
 
 namespace {
 
-/// A program started without stdin, stdout or stderr would open its files in their place, and write
-/// its messages into a recording.
+/// Opens missing standard streams as /dev/null. Otherwise a program started without them would open
+/// its files in their place, and write messages into a recording.
 void FillStandardStreams() {
   int fd = 0;
   while (fd >= 0 && fd <= STDERR_FILENO) fd = open("/dev/null", O_RDWR);
@@ -54,7 +54,7 @@ int main(int argc, char** argv) {
   app::AddBench(&program, &answer);
 
   FillStandardStreams();
-  // A file that may not grow is an error like a full disk, not the program's end.
+  // A file size limit is reported as an error, like a full disk, and does not kill the program.
   signal(SIGXFSZ, SIG_IGN);
   app::CatchInterrupts();
   try {

@@ -6,11 +6,12 @@
 
 namespace smile::app {
 
-/// Opens a recording, and tells on stderr what had to be left out, and that another version of the
-/// program made it.
+/// Opens a recording, and reports on stderr incomplete parts that were dropped, and if another
+/// version of the program made it.
 /// @throws InputError as recording::OpenRecording().
 recording::Recording OpenAndTell(const std::string& demo);
 
+/// Checks an output path.
 /// @throws InputError if a file or directory to be made would lie within a recording.
 void RequireOutsideOfRecordings(const std::string& out);
 

@@ -13,10 +13,10 @@
 namespace smile::app {
 namespace {
 
-/// The original put its robot this far behind the table [m].
+/// Distance of the original's robot from the table [m].
 constexpr double kClassicGap = 0.30;
 
-/// `text` as a number from 0 to `most`.
+/// Parses a number from 0 to `most`.
 template <class Number>
 Number NumberUpTo(Number most, const std::string& text, const std::string& what) {
   Number number = 0;

@@ -14,12 +14,12 @@
 
 namespace smile::app {
 
-/// Lets an option be repeated for several values. Each time it takes one value and leaves what
-/// follows to positional arguments.
-/// @param option  of a vector.
+/// Makes an option repeatable for several values. Each time it takes one value and leaves the rest
+/// to positional arguments.
+/// @param option  option of a vector.
 CLI::Option* Repeatable(CLI::Option* option);
 
-/// `--path DIR…`: where scene files look for what they include, after their own folder.
+/// `--path DIR…`: folders to search for files that scenes refer to, after their own folder.
 struct PathOptions {
   std::vector<std::string> roots;
 
@@ -29,10 +29,10 @@ struct PathOptions {
 };
 void AddPathOption(CLI::App* command, PathOptions* options);
 
-/// Which robot stands where.
+/// Choice and placement of the robot.
 struct RobotOptions {
   bool no_robot = false;
-  bool classic = false;  ///< the robot stands where the original put it
+  bool classic = false;  ///< placed as in the original
   std::string urdf;      ///< empty: Baxter
   std::string side_file, gripper;
   model::RobotBodyOptions body;
@@ -40,59 +40,62 @@ struct RobotOptions {
   bool operator==(const RobotOptions&) const = default;
 };
 
-/// `--no-robot` (where a table without one makes sense), `--classic`, `--robot`, `--side-file`,
+/// Adds `--no-robot` (if a table without one makes sense), `--classic`, `--robot`, `--side-file`,
 /// `--gripper`, `--kinematic` and `--friction-grasp`.
 void AddRobotOptions(CLI::App* command, bool may_be_absent, RobotOptions* options);
 
-/// The robot in its place; nullopt when it is not wanted. Tells on stderr when nothing moves it.
-/// @param path  where the packages of its meshes are.
+/// Returns the robot with its placement; nullopt with `--no-robot`. Reports on stderr if it cannot
+/// move.
+/// @param path  folders with the packages of its meshes.
 std::optional<sim::RobotPlacement> PlaceRobot(const RobotOptions& options,
                                               const PathOptions& path = {});
 
-/// Which robot program, and how it is run.
+/// Robot program and the way it is run.
 struct BrainOptions {
   std::string brain;
   double patience = brain::kCallbackSeconds;
   bool attach = false;
 };
 
-/// `--brain`, `--patience` and `--attach`.
+/// Adds `--brain`, `--patience` and `--attach`.
 /// @returns the option `--brain`, which some commands require.
 CLI::Option* AddBrainOptions(CLI::App* command, BrainOptions* options);
 
 struct PictureSize {
   int width_px = 0, height_px = 0;
 };
-/// `640x480`.
-/// @throws std::invalid_argument saying what was found and expected.
+/// Parses a size such as `640x480`.
+/// @throws std::invalid_argument with what was found and expected.
 PictureSize ParseSize(const std::string& text);
 
-/// Which of its cameras is the robot's eye.
+/// Camera that is the robot's eye.
 struct EyeOptions {
   std::string camera = sim::kEyeCamera;
-  std::string size;  ///< empty: what is usual for the camera
+  std::string size;  ///< empty: the default of the camera
 };
 
-/// `--eye` and `--size`.
+/// Adds `--eye` and `--size`.
 void AddEyeOptions(CLI::App* command, EyeOptions* options);
 
-/// @throws std::invalid_argument if the size is none.
+/// Returns the specification of the eye.
+/// @throws std::invalid_argument if the size is invalid.
 sim::EyeSpec EyeSpecOf(const EyeOptions& options);
 
-/// `joints=0.001,image=0.007,depth=0.02,seed=3`, or some of them; empty for none.
-/// @throws std::invalid_argument saying what was found and expected.
+/// Parses `joints=0.001,image=0.007,depth=0.02,seed=3`, or some of them; empty for none.
+/// @throws std::invalid_argument with what was found and expected.
 brain::SensorNoise ParseNoise(const std::string& text);
 
-/// `--noise`.
+/// Adds `--noise`.
 void AddNoiseOption(CLI::App* command, std::string* text);
 
-/// `--demonstrator`: how the demonstrator is seen in pictures, see recording::DemonstratorLook.
+/// Adds `--demonstrator`: appearance of the demonstrator in pictures, see
+/// recording::DemonstratorLook.
 CLI::Option* AddDemonstratorOption(CLI::App* command, std::string* look);
 
-/// Accepts finite numbers from `low` to `high`; CLI::Range would let NaN pass.
+/// Returns a validator for finite numbers from `low` to `high`; CLI::Range would accept NaN.
 CLI::Validator NumberBetween(double low, double high);
 
-/// Accepts any text but the empty one, which a forgotten variable of a shell leaves.
+/// Returns a validator for any text except the empty one, which an unset shell variable leaves.
 CLI::Validator NotEmpty();
 
 }  // namespace smile::app

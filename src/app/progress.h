@@ -5,25 +5,25 @@
 
 namespace smile::app {
 
-/// One line on a terminal's stderr that tells how far long work is; silent where nobody watches.
+/// Progress line on stderr if it is a terminal; silent otherwise.
 class ProgressLine {
  public:
-  /// @param label  what is being done; empty for silence.
+  /// @param label  name of the work; empty for silence.
   explicit ProgressLine(std::string label);
-  /// Wipes the line.
+  /// Erases the line.
   ~ProgressLine();
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  /// @param total  in the same unit; 0 when unknown.
+  /// @param total  in the same unit; 0 if unknown.
   void Show(double done, double total, const char* unit = "s");
-  /// In words.
+  /// Shows a status text.
   void Say(const std::string& words);
-  /// Wipes the line, for other messages.
+  /// Erases the line, for other messages.
   void Wipe();
 
  private:
-  /// False of what nobody would see: there is no terminal, or it was told a moment ago.
+  /// Returns false if there is no terminal, or if the line was updated a moment ago.
   bool IsDue();
 
   std::string label_;

@@ -15,7 +15,7 @@ namespace smile {
 static_assert(std::endian::native == std::endian::little,
               "files and messages are little-endian and written as they lie in memory");
 
-/// Appends plain values to a byte string, field by field, little-endian, without padding.
+/// Writer of plain values to a byte string, field by field, little-endian, without padding.
 class ByteWriter {
  public:
   template <class T>
@@ -24,7 +24,7 @@ class ByteWriter {
   void PutBytes(std::span<const std::byte> bytes) {
     bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
   }
-  /// Length as u32, then the letters.
+  /// Writes the length as u32, then the letters.
   void PutString(std::string_view text) {
     Put(static_cast<std::uint32_t>(text.size()));
     PutBytes(std::as_bytes(std::span(text.data(), text.size())));
@@ -38,8 +38,8 @@ class ByteWriter {
   std::vector<std::byte> bytes_;
 };
 
-/// Reads what ByteWriter wrote. Never reads past the end: from the first read that would, `ok()` is
-/// false and every read returns zeros, so a caller checks once, after reading.
+/// Reader of the bytes of ByteWriter. Never reads past the end: from the first read that would,
+/// `ok()` is false and every read returns zeros, so a caller can check once, after reading.
 class ByteReader {
  public:
   explicit ByteReader(std::span<const std::byte> bytes) : rest_(bytes) {}
@@ -51,7 +51,7 @@ class ByteReader {
     if (!bytes.empty()) std::memcpy(&value, bytes.data(), sizeof value);
     return value;
   }
-  /// The next `count` bytes; empty, and not `ok()`, when fewer are left.
+  /// Returns the next `count` bytes; empty, and not `ok()`, if fewer are left.
   std::span<const std::byte> GetBytes(std::size_t count) {
     if (count > rest_.size()) {
       is_ok_ = false;

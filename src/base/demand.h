@@ -1,10 +1,10 @@
 #pragma once
 
-/// Stops where one of our own bugs shows, in every build.
+/// Aborts the program if a condition does not hold, which is a bug of its own; in every build.
 #define SMILE_DEMAND(condition) \
   ((condition) ? void(0) : ::smile::internal::FailDemand(#condition, __FILE__, __LINE__))
 
-/// The same, in builds with assertions only.
+/// The same check, only in builds with assertions.
 #ifdef NDEBUG
 #define SMILE_ASSERT(condition) void(0)
 #else

@@ -6,8 +6,7 @@
 
 namespace smile {
 
-/// What the system says of a path itself, not of what a link leads to; zeros where there is
-/// nothing.
+/// State of a path itself, without following links; zeros if it does not exist.
 struct FileState {
   bool is_directory = false, is_file = false;
   std::uint64_t number = 0, size = 0;
@@ -17,7 +16,7 @@ struct FileState {
 };
 FileState StateOf(const std::filesystem::path& path);
 
-/// Differs after whatever changes a file.
+/// Returns a text that changes whenever the file changes.
 std::string StampOf(const std::filesystem::path& path);
 
 }  // namespace smile

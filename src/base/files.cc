@@ -24,7 +24,8 @@ namespace {
 
 std::string SystemReason() { return std::strerror(errno); }
 
-/// @returns why it could not be; empty when all is well.
+/// Writes a file in place.
+/// @returns the reason of a failure; empty after success.
 std::string WriteInto(const std::filesystem::path& path, std::string_view text) {
   std::ofstream file(path, std::ios::binary | std::ios::trunc);
   if (file) file.write(text.data(), static_cast<std::streamsize>(text.size())).flush();
@@ -60,12 +61,12 @@ std::string ReadFile(const std::filesystem::path& path, std::size_t max_bytes) {
 void WriteFile(const std::filesystem::path& path, std::string_view text) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
-  // A device, a pipe: there is nothing to replace.
+  // A device or pipe cannot be replaced, only written.
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
     if (const std::string reason = WriteInto(path, text); !reason.empty()) Fail(path, reason);
     return;
   }
-  // What a link leads to is replaced, not the link.
+  // The target of a link is replaced, not the link.
   std::filesystem::path target = path;
   if (std::filesystem::is_symlink(path, error)) {
     target = std::filesystem::weakly_canonical(path, error);
@@ -76,6 +77,7 @@ void WriteFile(const std::filesystem::path& path, std::string_view text) {
     std::remove(neighbour.c_str());
     Fail(path, reason);
   }
+  // Renaming is atomic: readers see the old file or the new one.
   std::filesystem::rename(neighbour, target, error);
   if (error) Fail(path, "cannot be written: " + error.message());
 }
@@ -91,12 +93,13 @@ bool IsWithin(const std::filesystem::path& path, const std::filesystem::path& fo
   const std::filesystem::path there = std::filesystem::canonical(path, error);
   if (error) return false;
   const std::filesystem::path around = std::filesystem::canonical(folder, error);
-  // Step by step: /a/bc is not within /a/b.
+  // Compared by path elements: /a/bc is not within /a/b.
   return !error && std::mismatch(around.begin(), around.end(), there.begin(), there.end()).first ==
                        around.end();
 }
 
 std::filesystem::path DataFile(std::string_view relative_path) {
+  // The environment variable first, then the installation, then the source tree.
   std::vector<std::filesystem::path> roots;
   if (const char* named = std::getenv("SMILE_DATA_DIR")) roots.emplace_back(named);
   std::error_code error;

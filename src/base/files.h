@@ -7,13 +7,13 @@
 
 namespace smile {
 
-/// The whole file as text.
-/// @throws InputError when there is no such file, it is no plain file or larger than `max_bytes`;
-///         std::runtime_error with path and reason when the machine does not let us read it.
+/// Returns the whole file as text.
+/// @throws InputError if the file does not exist, is not a regular file or is larger than
+///         `max_bytes`; std::runtime_error with path and reason if it cannot be read.
 std::string ReadFile(const std::filesystem::path& path, std::size_t max_bytes);
 
-/// Writes a small file whole: to a neighbour first, then renamed over, so that a reader or a crash
-/// sees the old file or the new one, never half of it.
+/// Writes a small file atomically: to a temporary neighbor first, then renamed, so that a reader or
+/// a crash sees the old file or the new one, never a part of it.
 /// @throws std::runtime_error naming the path and the reason.
 void WriteFile(const std::filesystem::path& path, std::string_view text);
 
@@ -21,14 +21,14 @@ void WriteFile(const std::filesystem::path& path, std::string_view text);
 /// @throws std::runtime_error naming the path and the reason.
 void MakeDirectories(const std::filesystem::path& path);
 
-/// True when a path leads to something in a folder or below it, or to the folder itself, wherever
-/// links and `..` on both lead. False when one of them is not there.
+/// Returns true if a path, after all links and `..` are resolved, lies in a folder or below it, or
+/// is the folder itself. False if one of them does not exist.
 bool IsWithin(const std::filesystem::path& path, const std::filesystem::path& folder);
 
-/// A file that ships with SMILE (`robots/baxter.urdf`, `scenes/…`, `matlab/…`): looked for under
-/// the environment variable SMILE_DATA_DIR, beside the program in `../share/smile`, and in the
-/// source tree the program was built from.
-/// @throws std::runtime_error naming all places looked at.
+/// Returns a file that ships with SMILE (`robots/baxter.urdf`, `scenes/…`, `matlab/…`): searched
+/// under the environment variable SMILE_DATA_DIR, beside the program in `../share/smile`, and in
+/// the source tree from which the program was built.
+/// @throws std::runtime_error with all places searched.
 std::filesystem::path DataFile(std::string_view relative_path);
 
 }  // namespace smile

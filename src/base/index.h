@@ -6,9 +6,9 @@
 
 namespace smile {
 
-/// A position in a list, with a type of its own for each kind of list, so that the index of an
-/// object cannot be passed for that of a control. Made from a number only explicitly; read as one
-/// wherever a list is indexed. After Drake's TypeSafeIndex.
+/// Index into a list, with a type of its own for each kind of list, so that the index of an object
+/// cannot be passed for that of a control. Conversion from a number is explicit; conversion to one
+/// is implicit. After Drake's TypeSafeIndex.
 template <class Tag>
 class Index {
  public:
@@ -31,7 +31,7 @@ class Index {
   std::size_t value_;
 };
 
-/// Consecutive indices from `first` up to, not including, `last`; for range-based loops.
+/// Consecutive indices from `first` up to, but not including, `last`; for range-based loops.
 template <class I>
 class IndexRange {
  public:
@@ -61,7 +61,7 @@ class IndexRange {
   };
 
   IndexRange(I first, I last) : first_(first), last_(last) {}
-  /// All indices of a list of this size.
+  /// Makes the range of all indices of a list of this size.
   explicit IndexRange(std::size_t size) : IndexRange(I(0), I(size)) {}
 
   Iterator begin() const { return Iterator(first_); }

@@ -12,8 +12,9 @@
 namespace smile {
 namespace {
 
-/// Looks at the parser's events and keeps no values. (A callback of the parser that keeps them
-/// looks through the whole array around each of them that ends: hours, for ten megabytes.)
+/// Checks limits from the parser's events without keeping values. (A callback of the parser that
+/// keeps them searches the whole enclosing array whenever a value in it ends: hours, for ten
+/// megabytes.)
 class LimitCheck : public Json::json_sax_t {
  public:
   LimitCheck(std::string_view text, int max_keys) : text_(text), max_keys_(max_keys) {}
@@ -26,7 +27,8 @@ class LimitCheck : public Json::json_sax_t {
   bool string(string_t&) override { return true; }
   bool binary(binary_t&) override { return true; }
   bool key(string_t& name) override {
-    // Each key of an object is looked for among all before it.
+    // Each key of an object is compared to all before it, so the number of keys per object is
+    // limited.
     const int limit = std::min(max_keys_, kMaxJsonKeys);
     Keys& keys = keys_of_object_[depth_];
     if (++num_keys_ > max_keys_ || ++keys.count > limit) {
@@ -65,7 +67,7 @@ class LimitCheck : public Json::json_sax_t {
     return true;
   }
 
-  /// ` in "arms"`: after the next key around this object.
+  /// Returns ` in "arms"`: the nearest key around this object.
   std::string Where() const {
     for (int around = depth_ - 1; around > 0; --around) {
       if (keys_of_object_[around].count > 0) return " in " + Quoted(keys_of_object_[around].last);

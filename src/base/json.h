@@ -6,18 +6,17 @@
 
 namespace smile {
 
-/// JSON with the order of keys as written: logs and results read the way they were meant.
+/// JSON that keeps the order of keys as written, so that logs and results are readable.
 using Json = nlohmann::ordered_json;
 
 inline constexpr int kMaxJsonKeys = 10'000;
 
-/// Reads JSON that nobody vouches for: at most 32 levels deep, and 10,000 keys in any one object,
-/// each once.
+/// Parses untrusted JSON: at most 32 levels deep, and 10,000 keys in any one object, each once.
 /// @param max_keys  in all objects together.
-/// @throws std::invalid_argument saying what is wrong with it.
+/// @throws std::invalid_argument with the fault.
 Json ParseJson(std::string_view text, int max_keys = kMaxJsonKeys);
 
-/// The text of a value; bytes that are not UTF-8 become replacement characters.
+/// Returns the text of a value; bytes that are not UTF-8 become replacement characters.
 /// @param indent  spaces per level; -1 for one line.
 std::string ToText(const Json& json, int indent = -1);
 

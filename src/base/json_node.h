@@ -11,8 +11,8 @@
 
 namespace smile {
 
-/// A value of a JSON file together with its place in the file, as `arms/left/joints`. What it
-/// complains of is an InputError there. The value and the file's name must outlive it.
+/// Value of a JSON file together with its place in the file, as `arms/left/joints`. Faults are
+/// reported as an InputError with that place. The value and the file's name must outlive it.
 class JsonNode {
  public:
   JsonNode(const Json& value, const std::string& file, std::string place)
@@ -21,23 +21,23 @@ class JsonNode {
   [[noreturn]] void Fail(const std::string& message) const;
 
   void ExpectObject() const;
-  /// Refuses members nobody reads: a typing mistake must not pass in silence.
+  /// Refuses unknown members, so that typing errors are noticed.
   void ExpectMembers(std::span<const std::string_view> names) const;
   bool Has(const std::string& name) const { return value_.contains(name); }
   JsonNode Member(const std::string& name) const;
-  /// Names and values of an object.
+  /// Returns names and values of an object.
   std::vector<std::pair<std::string, JsonNode>> Members() const;
   std::vector<JsonNode> Items() const;
-  /// A list of exactly `count` items.
+  /// Returns a list of exactly `count` items.
   std::vector<JsonNode> Items(std::size_t count) const;
   bool IsNull() const { return value_.is_null(); }
   bool IsString() const { return value_.is_string(); }
   std::string String() const;
-  /// A text of at most `max_bytes`: for what is put into many others.
+  /// Returns a text of at most `max_bytes`: for texts that are copied into many others.
   std::string ShortString(std::size_t max_bytes) const;
   bool Flag() const;
   double Number() const;
-  /// A number from `low` to `high`.
+  /// Returns a number from `low` to `high`.
   double Number(double low, double high) const;
   std::uint64_t Whole(std::uint64_t low, std::uint64_t high) const;
   const Json& value() const { return value_; }

@@ -7,9 +7,9 @@
 namespace smile {
 namespace {
 
-/// Longer lists of one length are no tuples.
+/// Longest list of fixed length that is written as a tuple.
 constexpr std::size_t kMaxTuple = 8;
-/// More of what does not fit is not told [bytes].
+/// Length of a misfit in a message [bytes].
 constexpr std::size_t kMaxFound = 80;
 constexpr std::size_t kNoLimit = std::numeric_limits<std::size_t>::max();
 
@@ -161,6 +161,7 @@ bool JsonShape::FitsMembers(const Json& json, std::string* misfit) const {
       return fails(member.name, " is missing");
     }
   }
+  // As many members as known ones: no unknown member exists. Only a misfit needs the search.
   if (num_known == json.size()) return true;
   for (const auto& [key, value] : json.items()) {
     const auto is_it = [&key = key](const JsonMember& member) { return member.name == key; };

@@ -12,15 +12,15 @@ namespace smile {
 
 struct JsonMember;
 
-/// What a JSON value may be. Told once, it checks values and describes them: as a JSON Schema and
-/// as a TypeScript type. A value that can be copied.
+/// Shape of JSON values. One definition checks values and describes them: as a JSON Schema and as a
+/// TypeScript type. Copyable value type.
 class JsonShape {
  public:
   static JsonShape Anything();
-  /// Both limits included.
+  /// Returns the shape of numbers; both limits included.
   static JsonShape Number(double min, double max);
   static JsonShape Number();
-  /// A whole number; both limits included, from 0 on.
+  /// Returns the shape of whole numbers from 0 on; both limits included.
   static JsonShape Whole(std::uint64_t min, std::uint64_t max);
   /// @param max_length  [bytes].
   static JsonShape Text(std::size_t max_length);
@@ -29,28 +29,28 @@ class JsonShape {
   static JsonShape Word(std::vector<std::string> words);
   static JsonShape List(JsonShape item, std::size_t min_count, std::size_t max_count);
   static JsonShape List(JsonShape item);
-  /// With these members and no others.
+  /// Returns the shape of objects with these members and no others.
   static JsonShape Object(std::vector<JsonMember> members);
-  /// An object with any members, all like this.
+  /// Returns the shape of objects with any members of this shape.
   static JsonShape Map(JsonShape value);
 
-  /// The same, or null.
+  /// Returns the same shape, with null allowed.
   JsonShape OrNull() const;
-  /// The same, or true.
+  /// Returns the same shape, with true allowed.
   JsonShape OrTrue() const;
-  /// The same under a name, which TypeScript() then tells instead.
+  /// Returns the same shape with a name, which TypeScript() then uses.
   JsonShape Called(std::string name) const;
 
-  /// @param misfit  told what does not fit, and where: `.hands.left.object is 3`.
+  /// @param misfit  receives the misfit with its place: `.hands.left.object is 3`.
   bool Fits(const Json& json, std::string* misfit = nullptr) const;
-  /// Of an object.
+  /// Returns the members of an object.
   const std::vector<JsonMember>& members() const { return members_; }
-  /// JSON Schema, draft 2020-12.
+  /// Returns a JSON Schema, draft 2020-12.
   Json Schema() const;
-  /// A TypeScript type; lists of one length are tuples.
+  /// Returns a TypeScript type; lists of fixed length are tuples.
   std::string TypeScript() const;
-  /// The type that its name stands for, exported.
-  /// @param meaning  of it all, for a comment; empty: none.
+  /// Returns the exported definition of its named type.
+  /// @param meaning  of the type, for a comment; empty: none.
   std::string TypeScriptDefinition(const std::string& meaning = "") const;
 
  private:
@@ -71,19 +71,19 @@ class JsonShape {
   std::string name_;  ///< empty without one
   bool may_be_null_ = false, may_be_true_ = false;
   double min_ = 0, max_ = 0;                   ///< of a number
-  bool is_whole_ = false;                      ///< of a number: it has no fraction
+  bool is_whole_ = false;                      ///< of a number: without fraction
   std::size_t min_count_ = 0, max_count_ = 0;  ///< of the bytes of a text, the items of a list
-  std::vector<std::string> words_;             ///< one of which it is
-  std::vector<JsonShape> items_;               ///< one shape: of all in a list or map
+  std::vector<std::string> words_;             ///< allowed values
+  std::vector<JsonShape> items_;               ///< one shape, for all items of a list or map
   std::vector<JsonMember> members_;            ///< of an object
 };
 
-/// One member of an object.
+/// Member of an object.
 struct JsonMember {
   std::string name;
   JsonShape shape;
   bool is_required = true;
-  std::string meaning = "";  ///< for people; empty where the name says it
+  std::string meaning = "";  ///< for people; empty if the name suffices
 };
 
 }  // namespace smile

@@ -7,7 +7,7 @@
 
 namespace smile {
 
-/// A 64-bit hash of a state, fed value by value in a fixed order.
+/// 64-bit hash of a state, fed value by value in a fixed order.
 ///
 /// Numbers enter by their bits: two states with equal hashes agree to the last bit of everything
 /// fed (up to a collision, about 1 in 2^64). Not for cryptography. The mixing step is a

@@ -5,7 +5,8 @@
 
 namespace smile {
 
-/// A small number that names one thing of one kind; 0 names nothing. `Tag` keeps kinds apart.
+/// Small number that identifies one thing of one kind; 0 identifies none. `Tag` distinguishes
+/// kinds.
 template <class Tag>
 struct StrongId {
   std::uint32_t value = 0;

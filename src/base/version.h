@@ -4,7 +4,7 @@
 
 namespace smile {
 
-/// `smile 0.1.0`.
+/// Returns `smile 0.1.0`.
 std::string ProgramName();
 
 }  // namespace smile

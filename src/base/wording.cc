@@ -11,15 +11,18 @@ namespace smile {
 namespace {
 
 constexpr std::size_t kMaxQuotedBytes = 60;
-constexpr std::size_t kMaxWordBytes = 40;  // no name of ours is near; keeps the table below small
+constexpr std::size_t kMaxWordBytes =
+    40;  // longer than any known name; keeps the table below small
 
 bool SameLetter(char a, char b) {
   return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
 }
 
-/// How many letters must be added, dropped, changed or swapped with their neighbour to turn one
-/// word into the other (the restricted Damerau-Levenshtein distance); capitals do not count.
+/// Returns how many letters must be added, dropped, changed or swapped with their neighbor to turn
+/// one word into the other (restricted Damerau-Levenshtein distance); case is ignored.
 std::size_t EditDistance(std::string_view a, std::string_view b) {
+  // Dynamic programming: cost[i][j] is the distance of the first i letters of a to the first j
+  // letters of b.
   std::vector<std::vector<std::size_t>> cost(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
   for (std::size_t i = 0; i <= a.size(); ++i) {
     for (std::size_t j = 0; j <= b.size(); ++j) {

@@ -18,6 +18,8 @@ constexpr std::uint64_t kMaxCount = 1'000'000'000;
 constexpr double kMostNumber = 1e12;
 constexpr int kEvaluationFormat = 1;
 
+/// Returns an optional number of a result; nullopt if it is missing or null, as in results of older
+/// versions.
 std::optional<double> NumberIn(const JsonNode& node, const std::string& name) {
   if (!node.Has(name) || node.Member(name).IsNull()) return std::nullopt;
   return node.Member(name).Number(0, kMostNumber);
@@ -64,7 +66,7 @@ EvaluatedRun RunIn(const JsonNode& result, std::uint64_t seed) {
   return run;
 }
 
-/// What the rebuilt ones among the runs say.
+/// Returns the values of one field over the successful runs.
 std::vector<double> OfRebuilt(const std::vector<EvaluatedRun>& runs,
                               std::optional<double> EvaluatedRun::*field) {
   std::vector<double> numbers;
@@ -74,6 +76,9 @@ std::vector<double> OfRebuilt(const std::vector<EvaluatedRun>& runs,
   return numbers;
 }
 
+/// Returns the mean difference of one field over the seeds from which both rebuilt the structure.
+/// Pairing by seed removes the variation between layouts, which is larger than that between
+/// programs.
 std::optional<Mean> MeanDifference(const EvaluatedAgent& first, const EvaluatedAgent& second,
                                    std::optional<double> EvaluatedRun::*field) {
   std::vector<double> differences;
@@ -86,6 +91,7 @@ std::optional<Mean> MeanDifference(const EvaluatedAgent& first, const EvaluatedA
   return MeanOf(differences);
 }
 
+/// Adds a count to a sum, which stays nullopt if no run has the count.
 void AddCount(const std::optional<std::uint64_t>& count, std::optional<std::uint64_t>* sum) {
   if (count) *sum = sum->value_or(0) + *count;
 }
@@ -147,13 +153,15 @@ Json ComparisonJson(const Comparison& comparison) {
           {"seconds", MeanJson(comparison.seconds)}};
 }
 
-/// How wide a text is on a terminal, for texts of ours and names: bytes that begin a letter.
+/// Returns the width of a text on a terminal: the number of bytes that begin a UTF-8 letter.
+/// Sufficient for names and our own texts.
 std::size_t WidthOf(const std::string& text) {
   return static_cast<std::size_t>(std::ranges::count_if(
       text, [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0) != 0x80; }));
 }
 
-/// Rows of cells, each column as wide as its widest cell; the first column to the left.
+/// Returns rows of cells as text, each column as wide as its widest cell; the first column is
+/// left-aligned.
 std::string InColumns(const std::vector<std::vector<std::string>>& rows) {
   std::vector<std::size_t> widths(rows.front().size());
   for (const auto& row : rows) {
@@ -235,6 +243,7 @@ Comparison Compare(const EvaluatedAgent& first, const EvaluatedAgent& second) {
        : b    ? comparison.only_second
               : comparison.neither);
   }
+  // Pairs in which both succeed or both fail cancel out.
   comparison.success_difference =
       (static_cast<double>(comparison.only_first) - static_cast<double>(comparison.only_second)) /
       static_cast<double>(first.runs.size());

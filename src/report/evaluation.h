@@ -14,52 +14,51 @@
 
 namespace smile::report {
 
-/// One imitation: a robot program in one starting layout.
+/// Run of an evaluation: one robot program in one starting layout.
 struct EvaluatedRun {
   std::uint64_t seed = 0;  ///< of the layout
   bool is_rebuilt = false;
-  double score = 0;  ///< share of the structure, 0 to 1
-  // As far as the run came to tell:
+  double score = 0;  ///< fraction of the structure, 0 to 1
+  // Available if the run got that far:
   std::optional<double> error_mm, error_degrees;  ///< mean over the structure
   std::optional<double> seconds;                  ///< simulated
   std::optional<std::uint64_t> grasps, retries;
-  std::optional<double> realtime_factor;              ///< by the clock on the wall
+  std::optional<double> realtime_factor;              ///< simulated time per wall-clock time
   std::optional<task::FailureReason> failure_reason;  ///< of failures, each of which has one
-  std::string recording;  ///< seen from the report; empty where none was kept
+  std::string recording;  ///< path from the report; empty if none was kept
 
   bool operator==(const EvaluatedRun&) const = default;
 };
 
-/// What a `result.json` (docs/results.md) says. Fields that older versions did not have may be
-/// missing.
-/// @throws InputError if there is none, or it contradicts itself.
+/// Reads a `result.json` (docs/results.md). Fields that older versions did not have may be missing.
+/// @throws InputError if it is missing or inconsistent.
 EvaluatedRun ReadRun(const std::filesystem::path& result_json, std::uint64_t seed);
 
-/// A robot program and how it fared.
+/// Robot program with its runs.
 struct EvaluatedAgent {
-  std::string name;                ///< unique among those it is compared with
+  std::string name;                ///< unique in the evaluation
   std::string brain;               ///< as the user named it
   std::vector<EvaluatedRun> runs;  ///< the same seeds for all, in ascending order
-  std::string demonstrator = {};   ///< whom it saw; empty: the recording as it is
+  std::string demonstrator = {};   ///< in its pictures; empty: the recording as it is
 };
 
-/// Robot programs that did the same task from the same starting layouts.
+/// Evaluation: robot programs that did the same task from the same starting layouts.
 struct Evaluation {
   std::string program;            ///< version of the simulator
   std::string demo, scene;        ///< as the user named them
   std::string level;              ///< of the layouts; empty: the usual one
   std::vector<std::string> ways;  ///< other options that each run was given
   std::vector<EvaluatedAgent> agents;
-  std::string again;  ///< what to type for a run with pictures; `NAME`, … stand for what differs
+  std::string again;  ///< command for a run with pictures; `NAME`, … are placeholders
 };
 
-/// Of one agent. What tells how well and how fast is of the rebuilt structures only.
+/// Summary of one robot program. Errors and times are those of the rebuilt structures only.
 struct Summary {
   std::size_t runs = 0, rebuilt = 0;
-  Interval success;  ///< of the share that is rebuilt
+  Interval success;  ///< of the success rate
   std::optional<Mean> error_mm, error_degrees;
   std::optional<double> seconds_p50, seconds_p95;
-  std::optional<std::uint64_t> grasps, retries;     ///< in all runs together that tell
+  std::optional<std::uint64_t> grasps, retries;     ///< sums over all runs that have them
   std::map<std::string, std::size_t> num_failures;  ///< by FailureReason::code
 
   double success_rate() const { return static_cast<double>(rebuilt) / static_cast<double>(runs); }
@@ -67,7 +66,8 @@ struct Summary {
 /// @param agent  with at least one run.
 Summary SummaryOf(const EvaluatedAgent& agent);
 
-/// Of two agents, seed by seed. Differences are of the first less the second, where both rebuilt.
+/// Comparison of two robot programs, seed by seed. Differences are first minus second, where both
+/// rebuilt.
 struct Comparison {
   std::size_t both = 0, only_first = 0, only_second = 0, neither = 0;  ///< rebuilt
   double success_difference = 0;
@@ -77,16 +77,17 @@ struct Comparison {
 /// @param first, second  with the same seeds.
 Comparison Compare(const EvaluatedAgent& first, const EvaluatedAgent& second);
 
-/// Those that have the robot program or the demonstrator in common, each two once. Of others nobody
-/// could say what a difference comes from.
+/// Returns the pairs that have the robot program or the demonstrator in common, each pair once. For
+/// other pairs, the cause of a difference would be unknown.
 std::vector<std::pair<const EvaluatedAgent*, const EvaluatedAgent*>> ComparablePairs(
     const Evaluation& evaluation);
 
-/// `evaluation.json` (docs/experiments.md). The same runs give the same bytes, but for what the
-/// clock on the wall says.
+/// Returns `evaluation.json` (docs/experiments.md). Equal runs give equal bytes, except wall-clock
+/// times.
 Json ToJson(const Evaluation& evaluation);
 
-/// The same for a terminal: a table of agents, their failures, and how they compare.
+/// Returns the evaluation as text for a terminal: a table of robot programs, their failures, and
+/// comparisons.
 std::string ToText(const Evaluation& evaluation);
 
 }  // namespace smile::report

@@ -115,7 +115,7 @@ Markup Map(const Evaluation& evaluation) {
   return SuccessMap(rows, "Success of each seed; the table of seeds below says the same");
 }
 
-/// A number of the rebuilt structures, agent by agent.
+/// Returns the distribution of a number over the rebuilt structures, one row per robot program.
 Markup Distribution(const Evaluation& evaluation, std::optional<double> EvaluatedRun::*field,
                     const std::string& axis, const std::string& words) {
   std::vector<DotRow> rows;

@@ -6,7 +6,7 @@
 
 namespace smile::report {
 
-/// `report.html`: an evaluation for people, as one page that stands for itself.
+/// Returns `report.html`: an evaluation for people, as one self-contained page.
 std::string PageOf(const Evaluation& evaluation);
 
 }  // namespace smile::report

@@ -22,7 +22,8 @@ Markup Captioned(const Markup& picture, const std::string& words) {
   return Element("figure", {}, figure);
 }
 
-/// The first and the last moment, as the robot's eye sees them and as people do.
+/// Returns pictures of the first and the last tick, from a view for people and from the robot's
+/// eye.
 Markup PicturesOf(const recording::Recording& recording, const std::string& whose) {
   const recording::TickRange ticks = TicksOf(recording);
   const model::Model& model = *recording.model;
@@ -46,7 +47,8 @@ Markup PicturesOf(const recording::Recording& recording, const std::string& whos
   return Element("div", {{"class", "gallery"}}, gallery);
 }
 
-/// Why it failed; empty of a success.
+/// Returns the reason of a failure; empty after a success. Results of older versions lack the
+/// reason.
 std::string FailureText(const Json& result) {
   if (result.at("rebuilt").get<bool>()) return {};
   if (result.contains("cause") && !result.at("cause").is_null()) {

@@ -8,24 +8,24 @@
 
 namespace smile::report {
 
-/// A file beside the page.
+/// File beside the page.
 struct Enclosure {
-  std::string file;   ///< its name, or path from there
-  std::string words;  ///< what it is
+  std::string file;   ///< name or relative path
+  std::string words;  ///< description
 };
 
-/// One experiment: somebody showed a task, the robot did it.
+/// Outcome of an experiment: a task was demonstrated, and the robot imitated it.
 struct ExperimentOutcome {
   std::string name;
   const recording::Recording& demonstration;
   const recording::Recording& imitation;
-  const Json& result;  ///< `result.json`, as task::ResultOf() and its caller have made it
+  const Json& result;  ///< `result.json`, see task::ResultOf()
   std::vector<Enclosure> enclosures;
 };
 
-/// `report.html`: an experiment for people, as one page that stands for itself, with pictures.
-/// @throws InputError if a recording's trace cannot be read; std::runtime_error if nothing can draw
-///         here.
+/// Returns `report.html`: an experiment for people, as one self-contained page with pictures.
+/// @throws InputError if a recording's trace cannot be read; std::runtime_error if rendering is
+///         unavailable.
 std::string PageOf(const ExperimentOutcome& outcome);
 
 }  // namespace smile::report

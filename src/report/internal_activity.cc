@@ -11,7 +11,7 @@
 namespace smile::report {
 namespace {
 
-/// Who did it; empty when nobody did.
+/// Returns the hand or gripper of an event; empty if it has none.
 std::string ActorOf(const sim::Event& event) {
   if (!event.arm.empty()) return event.arm + " gripper";
   if (event.hand) return std::string(ToString(*event.hand)) + " hand";
@@ -43,6 +43,7 @@ std::vector<Carry> CarriesOf(const recording::Recording& recording) {
       held.erase(key);
     }
   }
+  // What is still held at the end is held until the last tick.
   for (const auto& [key, begin] : held) carries.push_back({key.second, key.first, begin, now});
   return carries;
 }

@@ -8,19 +8,19 @@
 
 namespace smile::report {
 
-/// Somebody held something.
+/// Interval in which a hand or gripper held an object.
 struct Carry {
   std::string object;
   std::string who;            ///< `right hand`, `left gripper`
   double begin = 0, end = 0;  ///< [s since the demonstration began]
 };
 
-/// What hands and grippers held in a recording, in the order in which it was let go.
+/// Returns what hands and grippers held in a recording, in the order of release.
 /// @throws InputError if its trace cannot be read.
 std::vector<Carry> CarriesOf(const recording::Recording& recording);
 
-/// When each object was held: a row each.
-/// @param seconds  how long all took.
+/// Returns a timeline with a row for each object and a bar for each interval in which it was held.
+/// @param seconds  length of the recording.
 Markup TimelineOf(const std::vector<Carry>& carries, double seconds, const std::string& words);
 
 }  // namespace smile::report

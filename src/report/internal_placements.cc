@@ -26,16 +26,18 @@ RigidTransform PoseIn(const Json& object, double meters_per_unit) {
           scene::FromFileUnits(vector_in("position"), meters_per_unit)};
 }
 
+/// Returns twice the signed area of a triangle; positive if it is counter-clockwise.
 double Cross(const Point& a, const Point& b, const Point& c) {
   return (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
 }
 
-/// Andrew's monotone chain: the smallest convex outline of points.
+/// Returns the convex hull of points in the plane (Andrew's monotone chain algorithm).
 Outline HullOf(Outline points) {
   std::ranges::sort(points, [](const Point& a, const Point& b) {
     return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
   });
   Outline hull;
+  // Lower chain, then upper chain; the last point of each begins the other one.
   for (int pass = 0; pass < 2; ++pass) {
     const std::size_t begin = hull.size();
     for (const Point& point : points) {
@@ -50,17 +52,19 @@ Outline HullOf(Outline points) {
   return hull;
 }
 
+/// Projects a point orthogonally along the view direction of a side.
 Point Seen(const Vector3& p_W, Side side) {
   return side == Side::kTop ? Point(p_W.x(), p_W.y()) : Point(p_W.x(), p_W.z());
 }
 
-/// A piece of an object, seen from one side.
+/// Piece of an object, seen from one side.
 struct Patch {
   Outline outline;
   Color color;
   double nearness = 0;  ///< to the viewer [m]
 };
 
+/// Returns the outlines of an object's visible pieces: convex hulls, an approximation for meshes.
 std::vector<Patch> PatchesOf(const scene::Part& whole, const RigidTransform& X_WB, Side side) {
   std::vector<Patch> patches;
   for (const scene::Visual& visual : scene::VisualsOf(whole)) {
@@ -78,12 +82,12 @@ std::vector<Patch> PatchesOf(const scene::Part& whole, const RigidTransform& X_W
   return patches;
 }
 
-/// From meters to the drawing.
+/// Transform from meters to the drawing, in which y points down.
 class Frame {
  public:
   explicit Frame(Eigen::AlignedBox2d bounds) {
     constexpr double kMostHeight = 300;
-    // However little there is to be seen, some of what is around it is, too.
+    // Small scenes are shown with some surroundings.
     const Point middle = bounds.center();
     bounds.extend(middle - Point(0.3, 0.15)).extend(middle + Point(0.3, 0.15));
     const Point size = bounds.sizes();
@@ -115,7 +119,7 @@ std::string RgbText(const Color& color) {
   return "rgb(" + part(color.red) + " " + part(color.green) + " " + part(color.blue) + ")";
 }
 
-/// 10 cm, for the eye.
+/// Returns a scale bar of 10 cm.
 Markup Ruler(const Frame& frame) {
   constexpr double kRuler = 0.1;  // [m]
   const double y = frame.height() + 12, left = 8, right = left + frame.Length(kRuler);
@@ -193,6 +197,7 @@ Markup DrawPlacements(const scene::SceneSpec& scene, const Json& result,
     }
   }
   const Frame frame(bounds);
+  // Painter's algorithm: nearer pieces are drawn over farther ones.
   std::ranges::stable_sort(reached, {}, &Patch::nearness);
   Markup drawing;
   if (side == Side::kFront) {

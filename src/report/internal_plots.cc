@@ -12,7 +12,7 @@ namespace {
 constexpr double kMargin = 6;
 constexpr std::size_t kSeries = 6;
 
-/// 1, 2 or 5 times a power of ten, for about `wanted` steps in `range`.
+/// Returns 1, 2 or 5 times a power of ten, for about `wanted` steps in `range`.
 double RoundStep(double range, double wanted) {
   const double rough = range / wanted;
   const double power = std::pow(10, std::floor(std::log10(rough)));
@@ -22,11 +22,12 @@ double RoundStep(double range, double wanted) {
   return 10 * power;
 }
 
+/// Returns the digits after the point that the numbers of an axis need.
 int DigitsOf(double step) {
   return std::clamp(static_cast<int>(-std::floor(std::log10(step) + 1e-9)), 0, 6);
 }
 
-/// Where dots lie that would else cover one another: (x, how many are below it).
+/// Returns positions for dots so that none covers another: (x, number of dots below it).
 std::vector<std::pair<double, int>> Stacked(const std::vector<double>& numbers, const Axis& axis,
                                             double width) {
   std::map<long, int> heights;
@@ -57,7 +58,7 @@ Markup Dots(const DotRow& row, const Axis& axis, double base, double height, std
   return drawing;
 }
 
-/// |–|, to be seen on any background.
+/// Returns |–|, with a halo that makes it visible on any background.
 Markup IntervalMark(double low, double high, double y) {
   Markup drawing;
   for (const char* css_class : {"halo", "whisker"}) {
@@ -67,7 +68,7 @@ Markup IntervalMark(double low, double high, double y) {
   return drawing;
 }
 
-/// |–o–|, below the dots.
+/// Returns |–o–|, below the dots.
 Markup MeanMark(const Mean& mean, const Axis& axis, double y, std::size_t series) {
   Markup drawing;
   if (mean.interval) {
@@ -85,7 +86,7 @@ Markup MeanMark(const Mean& mean, const Axis& axis, double y, std::size_t series
 std::string Shortened(const std::string& name, std::size_t letters) {
   if (name.size() <= letters) return name;
   std::size_t end = letters;
-  // Not within a letter of several bytes.
+  // Moves the cut back over UTF-8 continuation bytes.
   while (end > 0 && (static_cast<unsigned char>(name[end]) & 0xC0) == 0x80) --end;
   return name.substr(0, end) + "…";
 }
@@ -129,6 +130,7 @@ Markup SvgRect(double x, double y, double width, double height, std::string_view
 
 Axis::Axis(double low, double high, double left, double right)
     : low_(low), high_(high > low ? high : low + 1), left_(left), right_(right) {
+  // The end is rounded up to a whole number of steps.
   step_ = RoundStep(high_ - low_, 5);
   high_ = low_ + std::ceil((high_ - low_) / step_ - 1e-9) * step_;
 }

@@ -4,8 +4,8 @@
 
 namespace smile::report {
 
-/// How pages look, light and dark. Series of plots are told apart by color and by where they are.
-/// Written without any letter that HTML would have to escape.
+/// Style sheet of pages, light and dark. Series of plots differ by color and by position. Contains
+/// no letter that HTML would have to escape.
 inline constexpr std::string_view kStyle = R"(
 :root { color-scheme: light dark;
   --back: #eef1f5; --card: #ffffff; --well: #f1f3f7; --text: #1b2330; --muted: #566176;

@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::array<std::string_view, 2> kWithoutEnd{"meta", "img"};
 
+/// Escapes a text for HTML content and attribute values.
 std::string Escaped(std::string_view text) {
   std::string html;
   for (char letter : text) {
@@ -58,6 +59,7 @@ std::string PercentEncoded(std::string_view path) {
   return url;
 }
 
+/// Returns bytes in base64 (RFC 4648), with padding.
 std::string Base64Of(std::string_view bytes) {
   constexpr std::string_view kDigits =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -109,7 +111,7 @@ Markup Section(std::string_view headline, const Markup& content) {
 }
 
 Markup LinkTo(std::string_view relative_path, std::string_view words) {
-  // `./` so that a first folder with a colon in its name is no protocol.
+  // `./` prevents a first folder with a colon from being taken for a protocol.
   return Element("a", {{"href", "./" + PercentEncoded(relative_path)}}, words);
 }
 
@@ -122,7 +124,8 @@ std::string Page(std::string_view title, const Markup& body) {
   head +=
       Element("meta", {{"name", "viewport"}, {"content", "width=device-width, initial-scale=1"}});
   head += Element("meta", {{"name", "color-scheme"}, {"content", "light dark"}});
-  // Whatever a name or a message might do: this page runs no program and fetches nothing.
+  // Defense in depth, whatever a name or message contains: the page runs no scripts and fetches
+  // nothing.
   head += Element("meta",
                   {{"http-equiv", "Content-Security-Policy"},
                    {"content", "default-src 'none'; img-src data:; style-src 'unsafe-inline'"}});

@@ -7,8 +7,8 @@
 
 namespace smile::report {
 
-/// A piece of HTML, or of SVG within it. Texts come in through Text() and Element() only, and are
-/// escaped there: names of objects and messages of robot programs may be anything.
+/// Piece of HTML or embedded SVG. Texts enter through Text() and Element() only, and are escaped
+/// there, since names of objects and messages of robot programs are arbitrary.
 class Markup {
  public:
   Markup() = default;
@@ -30,28 +30,29 @@ class Markup {
   std::string html_;
 };
 
-/// `A & B` as itself; control characters become `?`.
+/// Returns a text, escaped; control characters become `?`.
 Markup Text(std::string_view text);
 
 using Attributes = std::initializer_list<std::pair<std::string_view, std::string_view>>;
 
-/// `<tag name="value">content</tag>`; names of tags and attributes are our own, values anybody's.
+/// Returns `<tag name="value">content</tag>`. Names of tags and attributes are not escaped, values
+/// are.
 Markup Element(std::string_view tag, Attributes attributes, const Markup& content = {});
 Markup Element(std::string_view tag, Attributes attributes, std::string_view text);
 
-/// A piece of a page with a headline.
+/// Returns a section of a page with a headline.
 Markup Section(std::string_view headline, const Markup& content);
 
-/// A link to a file beside the page or below it, by its path from there.
+/// Returns a link to a file beside the page or below it, by its relative path.
 Markup LinkTo(std::string_view relative_path, std::string_view words);
 
-/// A picture that travels within the page.
+/// Returns a picture embedded in the page.
 /// @param png  its bytes.
-/// @param words  what it shows, for those who do not see it.
+/// @param words  description for screen readers.
 Markup Picture(std::string_view png, std::string_view words);
 
-/// A whole page that stands for itself: nothing is fetched from anywhere, colors follow the
-/// reader's choice of light or dark, and it is readable on a telephone.
+/// Returns a self-contained page: nothing is fetched, colors follow the reader's choice of light or
+/// dark, and it is readable on a phone.
 std::string Page(std::string_view title, const Markup& body);
 
 }  // namespace smile::report

@@ -12,9 +12,7 @@ constexpr double kNormalQuantile = 1.959963984540054;
 constexpr double kConfidence = 0.95;
 constexpr std::size_t kManyDegrees = 100'000;  ///< t and normal then agree to five digits
 
-/// How probable it is that |T| is at most `t`.
-/// Source: Abramowitz and Stegun, "Handbook of Mathematical Functions", 26.7.3 and 26.7.4: finite
-/// series for whole degrees of freedom.
+/// Returns the probability that |T| is at most `t`.
 double StudentWithin(double t, std::size_t degrees_of_freedom) {
   const auto nu = static_cast<double>(degrees_of_freedom);
   const double theta = std::atan(t / std::sqrt(nu));
@@ -36,6 +34,7 @@ Interval WilsonInterval(std::size_t successes, std::size_t runs) {
   const auto n = static_cast<double>(runs);
   const double rate = static_cast<double>(successes) / n;
   const double z2 = kNormalQuantile * kNormalQuantile;
+  // Center and half width of the score interval; at the ends, rounding must not leave [0, 1].
   const double middle = (rate + z2 / (2 * n)) / (1 + z2 / n);
   const double half =
       kNormalQuantile / (1 + z2 / n) * std::sqrt(rate * (1 - rate) / n + z2 / (4 * n * n));
@@ -44,7 +43,7 @@ Interval WilsonInterval(std::size_t successes, std::size_t runs) {
 
 double StudentQuantile(std::size_t degrees_of_freedom) {
   if (degrees_of_freedom >= kManyDegrees) return kNormalQuantile;
-  double low = 0, high = 20;  // of one degree of freedom it is 12.7, of more it is less
+  double low = 0, high = 20;  // the quantile is 12.7 for one degree of freedom, and less for more
   while (high - low > 1e-12 * high) {
     const double middle = (low + high) / 2;
     (StudentWithin(middle, degrees_of_freedom) < kConfidence ? low : high) = middle;
@@ -60,6 +59,7 @@ std::optional<Mean> MeanOf(std::span<const double> numbers) {
   Mean mean{.value = sum / n, .count = numbers.size()};
   if (numbers.size() == 1) return mean;
   for (double number : numbers) squares += (number - mean.value) * (number - mean.value);
+  // Standard error of the mean, with the unbiased estimate of the variance.
   const double half = StudentQuantile(numbers.size() - 1) * std::sqrt(squares / (n - 1) / n);
   mean.interval = {.low = mean.value - half, .high = mean.value + half};
   return mean;
@@ -79,6 +79,7 @@ double ExactMcNemar(std::size_t only_a, std::size_t only_b) {
   const auto n = static_cast<double>(only_a + only_b);
   double tail = 0;  // of the binomial distribution with equal chances
   for (std::size_t k = 0; k <= std::min(only_a, only_b); ++k) {
+    // Binomial coefficients by logarithms, which do not overflow.
     const auto heads = static_cast<double>(k);
     tail += std::exp(std::lgamma(n + 1) - std::lgamma(heads + 1) - std::lgamma(n - heads + 1) -
                      n * std::numbers::ln2);

@@ -9,7 +9,7 @@ std::string Fixed(double number, int digits) {
   char text[64];
   std::snprintf(text, sizeof text, "%.*f", digits, number);
   const std::string fixed = text;
-  // What rounds to zero has no sign.
+  // A number that rounds to zero has no sign.
   const bool is_zero = fixed.find_first_of("123456789") == std::string::npos;
   return is_zero && fixed.front() == '-' ? fixed.substr(1) : fixed;
 }

@@ -1,5 +1,5 @@
-# cmake --install BUILD --prefix P: the program with what it reads, and the rooms that robot programs
-# in C++ link to. `--component agent` leaves out the program.
+# cmake --install BUILD --prefix P: the program with what it reads, and the rooms that brains in
+# C++ link to. `--component brain_client` installs only these rooms.
 
 # smile_rooms_below(ROOM OUT): the room, and whom it may include, down to the ground.
 function(smile_rooms_below ROOM OUT)
@@ -13,20 +13,22 @@ function(smile_rooms_below ROOM OUT)
   set(${OUT} ${all} PARENT_SCOPE)
 endfunction()
 
-smile_rooms_below(agent agent_rooms)
+smile_rooms_below(brain_client client_rooms)
 smile_rooms_below(motion motion_rooms)
-set(installed_rooms ${agent_rooms} ${motion_rooms})
+set(installed_rooms ${client_rooms} ${motion_rooms})
 list(REMOVE_DUPLICATES installed_rooms)
 foreach(room IN LISTS installed_rooms)
-  install(TARGETS smile_${room} EXPORT smile ARCHIVE DESTINATION lib COMPONENT agent)
-  install(DIRECTORY src/${room} DESTINATION include/smile COMPONENT agent FILES_MATCHING PATTERN "*.h"
+  install(TARGETS smile_${room} EXPORT smile ARCHIVE DESTINATION lib COMPONENT brain_client)
+  install(DIRECTORY src/${room} DESTINATION include/smile COMPONENT brain_client FILES_MATCHING PATTERN "*.h"
           PATTERN "internal_*" EXCLUDE PATTERN "test" EXCLUDE)
 endforeach()
-# For `mex`: what smilelink.cc needs of us.
-install(TARGETS smile_brain_client ARCHIVE DESTINATION lib COMPONENT agent)
+# The header that older brains include.
+install(DIRECTORY cmake/earlier_names/agent DESTINATION include/smile COMPONENT brain_client)
+# The library that smilelink.cc links to when `mex` compiles it.
+install(TARGETS smile_brain_protocol ARCHIVE DESTINATION lib COMPONENT brain_client)
 install(EXPORT smile NAMESPACE smile:: FILE smileTargets.cmake DESTINATION lib/cmake/smile
-        COMPONENT agent)
-install(FILES cmake/smileConfig.cmake DESTINATION lib/cmake/smile COMPONENT agent)
+        COMPONENT brain_client)
+install(FILES cmake/smileConfig.cmake DESTINATION lib/cmake/smile COMPONENT brain_client)
 
 install(TARGETS smile smile_keeper RUNTIME DESTINATION bin)
 install(DIRECTORY robots scenes examples matlab python learner DESTINATION share/smile

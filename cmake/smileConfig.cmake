@@ -1,4 +1,4 @@
-# find_package(smile): smile::agent, for robot programs in C++, and smile::motion, for planning.
+# find_package(smile): smile::brain_client, for brains in C++, and smile::motion, for planning.
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(EIGEN REQUIRED QUIET IMPORTED_TARGET eigen3)
 pkg_check_modules(JSON REQUIRED QUIET IMPORTED_TARGET nlohmann_json)
@@ -9,3 +9,7 @@ pkg_check_modules(LIBXML QUIET IMPORTED_TARGET libxml-2.0)
 pkg_check_modules(BULLET QUIET IMPORTED_TARGET bullet-float64)
 pkg_check_modules(URDF QUIET IMPORTED_TARGET urdfdom)
 include("${CMAKE_CURRENT_LIST_DIR}/smileTargets.cmake")
+# The earlier name.
+if(NOT TARGET smile::agent)
+  add_library(smile::agent ALIAS smile::brain_client)
+endif()

@@ -1,26 +1,26 @@
-// A robot program in C++: waves with both arms, and opens and closes the grippers.
+// A brain in C++: waves with both arms, and opens and closes the grippers.
 
 #include <cmath>
 #include <cstdio>
 
-#include "agent/agent.h"
+#include "brain_client/brain.h"
 
 namespace {
 
 constexpr double kPeriod = 4;   // seconds for one wave
 constexpr double kSpeed = 0.4;  // rad/s at the fastest
 
-class Wave : public smile::agent::Program {
+class Wave : public smile::brain_client::Brain {
  public:
-  void Init(smile::agent::Aux& aux) override {
+  void Init(smile::brain_client::Aux& aux) override {
     Eigen::MatrixXd angles(2, 7);
     angles << 0, -0.5, 0, 1.0, 0, 0.5, 0,  //
         0, -0.5, 0, 1.0, 0, 0.5, 0;
     aux.init_joint_angles = angles;
   }
 
-  void Step(const smile::agent::Sensor& sensor, smile::agent::Motor& motor,
-            smile::agent::Aux& /*aux*/) override {
+  void Step(const smile::brain_client::Sensor& sensor, smile::brain_client::Motor& motor,
+            smile::brain_client::Aux& /*aux*/) override {
     const double time = sensor.Number("simTime");
     const double swing = std::cos(2 * M_PI * time / kPeriod);
     for (const int joint : {0, 4}) {
@@ -43,5 +43,5 @@ class Wave : public smile::agent::Program {
 
 int main() {
   Wave wave;
-  return smile::agent::Run(wave);
+  return smile::brain_client::Run(wave);
 }

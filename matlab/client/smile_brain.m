@@ -1,5 +1,5 @@
 function smile_brain()
-%SMILE_BRAIN  Runs a robot program for the SMILE simulator until the simulator says goodbye.
+%SMILE_BRAIN  Runs a brain for the SMILE simulator until the simulator says goodbye.
 %
 %   The simulator starts this, in Octave or Matlab, and tells it in the environment
 %     SMILE_BRAIN_TRANSPORT  'socket' (through the compiled SMILELINK) or 'pipes' (SMILE_LINK_PLAIN)

@@ -1,4 +1,4 @@
-// SMILELINK  Carries messages between the SMILE simulator and a robot program in Octave or Matlab.
+// SMILELINK  Carries messages between the SMILE simulator and a brain in Octave or Matlab.
 //
 //   smilelink('open', socket_path)
 //   [type, sequence, values, is_other] = smilelink('receive')   type 0: nothing came for 100 ms
@@ -8,8 +8,8 @@
 // in the message before: names, shapes, texts. When the simulator has gone, 'receive' gives its
 // goodbye.
 //
-// A thin door to agent::SimulatorConnection. Uses the documented MEX C API only; in Matlab:
-//   mex -Isrc matlab/client/smilelink.cc -Lbuild/release/src -lsmile_brain_client
+// A thin door to brain_client::SimulatorConnection. Uses the documented MEX C API only; in Matlab:
+//   mex -Isrc matlab/client/smilelink.cc -Lbuild/release/src -lsmile_brain_protocol
 
 #include "mex.h"
 
@@ -25,11 +25,11 @@
 #include <type_traits>
 #include <vector>
 
-#include "agent/message_outline.h"
-#include "agent/simulator_connection.h"
+#include "brain_client/message_outline.h"
+#include "brain_client/simulator_connection.h"
 #include "wire/wire.h"
 
-namespace smile::agent {
+namespace smile::brain_client {
 namespace {
 
 using wire::ArrayView;
@@ -260,10 +260,10 @@ const char* Try(int nlhs, mxArray* plhs[], int nrhs, const mxArray* prhs[], char
 }
 
 }  // namespace
-}  // namespace smile::agent
+}  // namespace smile::brain_client
 
 extern "C" void mexFunction(int nlhs, mxArray* plhs[], int nrhs, const mxArray* prhs[]) {
   static char message[1024];
-  const char* id = smile::agent::Try(nlhs, plhs, nrhs, prhs, message, sizeof message);
+  const char* id = smile::brain_client::Try(nlhs, plhs, nrhs, prhs, message, sizeof message);
   if (id) mexErrMsgIdAndTxt(id, "%s", message);
 }

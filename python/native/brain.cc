@@ -1,4 +1,4 @@
-// smile.messages, the compiled half: a thin door to agent::SimulatorConnection.
+// smile.messages, the compiled half: a thin door to brain_client::SimulatorConnection.
 //
 // Arrays cross it as plain memory, and numpy itself makes arrays of it: so it serves every version
 // of numpy, those that this pybind11 does not know, too.
@@ -14,12 +14,12 @@
 #include <system_error>
 #include <vector>
 
-#include "agent/simulator_connection.h"
+#include "brain_client/simulator_connection.h"
 #include "wire/wire.h"
 
 namespace py = pybind11;
 
-namespace smile::agent {
+namespace smile::brain_client {
 namespace {
 
 using wire::ArrayView;
@@ -314,6 +314,6 @@ Text is str, 1x1 a plain number, all else an array in numpy's own order.)");
 }
 
 }  // namespace
-}  // namespace smile::agent
+}  // namespace smile::brain_client
 
-PYBIND11_MODULE(smile_brain_native, m) { smile::agent::BindBrain(m); }
+PYBIND11_MODULE(smile_brain_native, m) { smile::brain_client::BindBrain(m); }

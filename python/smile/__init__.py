@@ -1,1 +1,1 @@
-"""What robot programs written in Python use of SMILE."""
+"""The client and the motion library for brains in Python."""

@@ -1,10 +1,10 @@
-"""Runs a robot program in Python for the SMILE simulator until the simulator says goodbye.
+"""Runs a brain in Python for the SMILE simulator until the simulator says goodbye.
 
 The simulator starts `python3 -m smile.brain` and tells it in the environment
 
     SMILE_BRAIN_TRANSPORT  `socket`
     SMILE_BRAIN_ADDRESS    the Unix socket to connect to
-    SMILE_BRAIN_PROGRAM    the robot program, a .py file
+    SMILE_BRAIN_PROGRAM    the brain, a .py file
     SMILE_BRAIN_FOLDER     the folder it lies in
 
 The program is a module with a function `step(sensor, motor, aux)` and, if it likes, `init(aux)`.
@@ -59,7 +59,7 @@ class Guard:
 
 
 class Program:
-    """The robot program, and what it has been told and has answered so far."""
+    """The brain, and what it has been told and has answered so far."""
 
     def __init__(self):
         self.file = os.environ["SMILE_BRAIN_PROGRAM"]
@@ -146,7 +146,7 @@ def serve(connection, program, guard):
 
 def main():
     if "SMILE_BRAIN_ADDRESS" not in os.environ:
-        sys.exit("a robot program is started by the simulator: smile run SCENE --brain PROGRAM.py")
+        sys.exit("a brain is started by the simulator: smile run SCENE --brain PROGRAM.py")
     # Modules come from the program's folder, not from the one it happens to be started in.
     os.environ.pop("PYTHONSAFEPATH", None)
     sys.path[:] = [path for path in sys.path if path not in ("", os.getcwd())]

@@ -1,4 +1,4 @@
-"""What a robot program sees: sensor, motor and aux (docs/brains.md)."""
+"""What a brain sees: sensor, motor and aux (docs/brains.md)."""
 
 import math
 

@@ -1,6 +1,6 @@
-"""Messages between simulator and robot program, as docs/brain-protocol.md describes them.
+"""Messages between simulator and brain, as docs/brain-protocol.md describes them.
 
-Connection, frames and checks are those of all languages, in C++ (src/agent, src/wire).
+Connection, frames and checks are those of all languages, in C++ (src/brain_client, src/wire).
 """
 
 from smile.native import load

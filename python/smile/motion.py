@@ -1,4 +1,4 @@
-"""Kinematics and motions of a robot's arms, for robot programs.
+"""Kinematics and motions of a robot's arms, for brains.
 
     from smile.motion import Robot
     robot = Robot("robots/baxter.urdf", unit=0.1)

@@ -7,7 +7,7 @@
 
 namespace smile::app {
 
-/// Two processes that exchange bytes over a socket, as simulator and robot program do, and nothing
+/// Two processes that exchange bytes over a socket, as simulator and brain do, and nothing
 /// else: the machine's own time for a round trip.
 class Echo {
  public:

@@ -1,4 +1,4 @@
-// `smile evaluate`: runs robot programs on the same task from the same random starting layouts.
+// `smile evaluate`: runs brains on the same task from the same random starting layouts.
 
 #include <CLI/CLI.hpp>
 #include <cmath>
@@ -66,14 +66,14 @@ void AddEvaluate(CLI::App* program, ExitAnswer answer) {
   auto options = std::make_shared<EvaluateOptions>();
   CLI::App* evaluate = program->add_subcommand(
       "evaluate",
-      "Robot programs imitate a recording from the same random starting layouts: how well each "
+      "Brains imitate a recording from the same random starting layouts: how well each "
       "does, and how they compare");
   evaluate->add_option("DEMO", options->demo, "directory of a recording")->required();
   evaluate->add_option("--scene", options->scene, "scene file the robot has never seen")
       ->required()
       ->check(NotEmpty());
-  Repeatable(evaluate->add_option("--brain", options->brains,
-                                  "a robot program; repeated for each of several"))
+  Repeatable(
+      evaluate->add_option("--brain", options->brains, "a brain; repeated for each of several"))
       ->required()
       ->check(NotEmpty());
   CLI::Option* demonstrators =

@@ -115,10 +115,9 @@ void AddStudio(CLI::App* program, ExitAnswer answer) {
   studio->add_option("--recordings", options->recordings, "where recordings are kept")
       ->capture_default_str()
       ->check(NotEmpty());
-  Repeatable(
-      studio->add_option("--brains", options->brains,
-                         "folder with robot programs of your own, offered before those we ship; "
-                         "may be repeated"))
+  Repeatable(studio->add_option("--brains", options->brains,
+                                "folder with brains of your own, offered before those we ship; "
+                                "may be repeated"))
       ->check(CLI::ExistingDirectory);
   studio->add_flag("--no-pictures", options->no_pictures,
                    "recordings without the robot's pictures, and no view of its eye");

@@ -56,7 +56,7 @@ void AddRobotOptions(CLI::App* command, bool may_be_absent, RobotOptions* option
 CLI::Option* AddBrainOptions(CLI::App* command, BrainOptions* options) {
   CLI::Option* brain = command->add_option(
       "--brain", options->brain,
-      "robot program: a folder with agentBehavior.m, a Python file, or an executable");
+      "brain (robot program): a folder with agentBehavior.m, a Python file, or an executable");
   command
       ->add_option("--patience", options->patience,
                    "seconds by the clock on the wall that a callback of the brain may take; its "

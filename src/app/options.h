@@ -50,7 +50,7 @@ void AddRobotOptions(CLI::App* command, bool may_be_absent, RobotOptions* option
 std::optional<sim::RobotPlacement> PlaceRobot(const RobotOptions& options,
                                               const PathOptions& path = {});
 
-/// Robot program and the way it is run.
+/// Brain and the way it is run.
 struct BrainOptions {
   std::string brain;
   double patience = brain::kCallbackSeconds;

@@ -7,7 +7,7 @@
 
 namespace smile::brain {
 
-/// `brain.log` in a recording: the output of the robot program, and why it failed. The file is
+/// `brain.log` in a recording: the output of the brain, and why it failed. The file is
 /// created with its first line and does not grow beyond kMaxBytes. If the log cannot be written, it
 /// is silently abandoned: no run ends because of it.
 class BrainLog {

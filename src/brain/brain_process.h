@@ -44,14 +44,14 @@ inline BrainOptions WithTimeout(double callback_seconds) {
   return {.start_seconds = kStartFactor * callback_seconds, .callback_seconds = callback_seconds};
 }
 
-/// Robot program in a process of its own.
+/// Brain in a process of its own.
 ///
 /// A brain is a folder with `agentBehavior.m` (run by GNU Octave or Matlab), a Python file, or an
-/// executable file that speaks the protocol of docs/brain-protocol.md (smile::agent does, for C++).
-/// Its working directory is its folder's parent, it has a process group of its own, and any
-/// misbehavior (crash, endless loop, nonsense, floods of output) becomes a BrainError in bounded
-/// time. After an error the process is gone; it is never started again by itself. The wall clock is
-/// used by the watchdog only: answers do not depend on it.
+/// executable file that speaks the protocol of docs/brain-protocol.md (smile::brain_client does,
+/// for C++). Its working directory is its folder's parent, it has a process group of its own, and
+/// any misbehavior (crash, endless loop, nonsense, floods of output) becomes a BrainError in
+/// bounded time. After an error the process is gone; it is never started again by itself. The wall
+/// clock is used by the watchdog only: answers do not depend on it.
 ///
 /// The process ends with the thread that called Init(), so that nothing outlives a crash: call from
 /// the thread that runs the simulation, or see BrainThread.

@@ -15,7 +15,7 @@
 #include "robot/urdf_reader.h"
 #include "sim/eye.h"
 
-/// Values sent to a robot program and its answers, exactly as its scripts see them: lengths are in
+/// Values sent to a brain and its answers, exactly as its scripts see them: lengths are in
 /// file units (1 unit = 0.1 m) in the world frame of the scene file, angles in radians, row 1 of a
 /// matrix is the left arm. This is the boundary; code that fills these values converts.
 namespace smile::brain {

@@ -18,7 +18,7 @@ std::string HashText(std::uint64_t hash);
 /// @throws std::runtime_error if one cannot be read, or the folder is too large.
 std::string ContentOf(const std::filesystem::path& path);
 
-/// Hash of a robot program: of a folder or a file, and for a Python file also of the others beside
+/// Hash of a brain: of a folder or a file, and for a Python file also of the others beside
 /// it, which it may import.
 std::string ContentOfBrain(const std::filesystem::path& brain);
 

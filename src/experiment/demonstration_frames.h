@@ -7,7 +7,7 @@
 
 namespace smile::experiment {
 
-/// Returns the frames of a demonstration's classic view, for a robot program that watches it.
+/// Returns the frames of a demonstration's classic view, for a brain that watches it.
 ///
 /// A frame without a picture shows the one before; frames before the first picture are left out. A
 /// recording without pictures is drawn, as the given eye would have seen it. Nothing is read before

@@ -27,7 +27,7 @@ namespace {
 constexpr std::size_t kMaxNameLetters = 40;
 constexpr int kRunsFormat = 1;  ///< of agent.json and run.json
 
-/// Short unique names of robot programs, suitable as names of folders.
+/// Short unique names of brains, suitable as names of folders.
 std::vector<std::string> NamesOf(const std::vector<std::string>& brains) {
   constexpr std::string_view kPlain =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
@@ -48,7 +48,7 @@ std::vector<std::string> NamesOf(const std::vector<std::string>& brains) {
 }
 
 /// Finds errors of the plan before any run.
-/// @returns everything the results of a robot program depend on, except the program and the seed.
+/// @returns everything the results of a brain depend on, except the program and the seed.
 Json CheckAndDescribe(const EvaluationPlan& plan) {
   task::MakeImitationTask("", recording::OpenRecording(plan.demonstration), plan.scene);
   for (const std::string& brain : plan.brains) brain::BrainProcess{brain};
@@ -86,7 +86,7 @@ std::vector<Showing> ShowingsOf(const EvaluationPlan& plan, const Json& depends_
   return showings;
 }
 
-/// Robot program of an evaluation, with its version of the demonstration.
+/// Brain of an evaluation, with its version of the demonstration.
 struct Candidate {
   std::string name, brain;
   Showing showing;

@@ -27,14 +27,14 @@ struct ImitationJob {
   std::filesystem::path out;  ///< folder for `result.json` and `imitation/`
 };
 
-/// Several robot programs imitate a demonstration from the same random starting layouts.
+/// Several brains imitate a demonstration from the same random starting layouts.
 struct EvaluationPlan {
   std::filesystem::path demonstration;     ///< recording
   std::string scene_name;                  ///< as the user wrote it
   scene::SceneSpec scene;                  ///< before it is laid out
   std::string level;                       ///< of the layouts; empty: the usual one
   std::vector<robot::RobotFile> robot;     ///< all files of the robot
-  std::vector<std::string> brains;         ///< robot programs, as the user wrote them
+  std::vector<std::string> brains;         ///< as the user wrote them
   std::vector<std::string> demonstrators;  ///< each once; empty: the recording as it is
   bool has_symbols = true;                 ///< in the copies with demonstrators
   std::size_t num_scenes = 10;
@@ -61,7 +61,7 @@ struct EvaluationStatus {
 struct EvaluationCallbacks {
   Callbacks common;
   std::function<void(const EvaluationStatus& status)> on_status;  ///< several times a second
-  /// Called when a run failed, with the unique name of its robot program.
+  /// Called when a run failed, with the unique name of its brain.
   std::function<void(const std::string& brain, const report::EvaluatedRun& run)> on_failed_run;
 };
 

@@ -14,7 +14,7 @@ namespace smile::experiment {
 /// Which recordings are kept at the end.
 enum class Keep { kAll, kFailures, kNone };
 
-/// The runs of one robot program on disk, one folder for each seed:
+/// The runs of one brain on disk, one folder for each seed:
 ///
 ///     NAME/agent.json                everything that all of them depend on
 ///     NAME/seed-0007/result.json     see docs/results.md

@@ -20,7 +20,7 @@ struct ImitationPlan {
   std::string task;                     ///< its name in the result
   std::filesystem::path demonstration;  ///< recording
   scene::SceneSpec scene;
-  std::filesystem::path brain;                        ///< robot program
+  std::filesystem::path brain;
   double callback_seconds = brain::kCallbackSeconds;  ///< timeout per callback, wall clock [s]
   bool is_attached = false;                           ///< a person starts the brain in a debugger
   std::filesystem::path record;               ///< new directory for the recording of the robot

@@ -18,7 +18,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Time from the end of a robot program to the end of its run, so that films show its last face.
+/// Time from the end of a brain to the end of its run, so that films show its last face.
 constexpr int kFarewellTicks = sim::kTicksPerSecond / 4;
 
 std::filesystem::path RecordingOf(const RunPlan& plan) {

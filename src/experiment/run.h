@@ -22,7 +22,7 @@ struct RunPlan {
   scene::SceneSpec scene;
   std::optional<sim::RobotPlacement> robot;
   std::optional<sim::Script> script;
-  std::filesystem::path brain;                        ///< robot program; empty for none
+  std::filesystem::path brain;                        ///< empty for none
   double callback_seconds = brain::kCallbackSeconds;  ///< timeout per callback, wall clock [s]
   bool is_attached = false;                           ///< a person starts the brain in a debugger
   std::filesystem::path demonstration;  ///< recording that the brain is given; empty for none

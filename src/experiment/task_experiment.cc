@@ -14,7 +14,7 @@
 namespace smile::experiment {
 namespace {
 
-/// The robot program that imitates unless another one is given.
+/// The brain that imitates unless another one is given.
 constexpr const char* kLearner = "matlab/um";
 
 /// Timeout per callback: a busy machine is no reason to fail [s].

@@ -23,7 +23,7 @@ struct TaskExperimentPlan {
   std::string task{kTasks.front()};
   std::filesystem::path out;    ///< folder; earlier results in it move aside
   sim::RobotPlacement robot;    ///< stands at both tables
-  std::filesystem::path brain;  ///< robot program; empty: the shipped learner
+  std::filesystem::path brain;  ///< empty: the shipped learner
   layout::LayoutChoice layout;  ///< of the robot's scene
   bool has_films = true;
 };

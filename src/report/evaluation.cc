@@ -44,7 +44,7 @@ task::FailureReason FailureReasonFromStatus(const JsonNode& result) {
   if (status == "failed") {
     return {"brain_failed", brain.Member("message").String().substr(0, kMaxTextBytes)};
   }
-  if (status == "running") return {"time_up", "the robot program was still at work"};
+  if (status == "running") return {"time_up", "the brain was still at work"};
   return {"not_rebuilt", "the structure is not as it was shown"};
 }
 

@@ -14,7 +14,7 @@
 
 namespace smile::report {
 
-/// Run of an evaluation: one robot program in one starting layout.
+/// Run of an evaluation: one brain in one starting layout.
 struct EvaluatedRun {
   std::uint64_t seed = 0;  ///< of the layout
   bool is_rebuilt = false;
@@ -34,7 +34,7 @@ struct EvaluatedRun {
 /// @throws InputError if it is missing or inconsistent.
 EvaluatedRun ReadRun(const std::filesystem::path& result_json, std::uint64_t seed);
 
-/// Robot program with its runs.
+/// Brain with its runs.
 struct EvaluatedAgent {
   std::string name;                ///< unique in the evaluation
   std::string brain;               ///< as the user named it
@@ -42,7 +42,7 @@ struct EvaluatedAgent {
   std::string demonstrator = {};   ///< in its pictures; empty: the recording as it is
 };
 
-/// Evaluation: robot programs that did the same task from the same starting layouts.
+/// Evaluation: brains that did the same task from the same starting layouts.
 struct Evaluation {
   std::string program;            ///< version of the simulator
   std::string demo, scene;        ///< as the user named them
@@ -52,7 +52,7 @@ struct Evaluation {
   std::string again;  ///< command for a run with pictures; `NAME`, … are placeholders
 };
 
-/// Summary of one robot program. Errors and times are those of the rebuilt structures only.
+/// Summary of one brain. Errors and times are those of the rebuilt structures only.
 struct Summary {
   std::size_t runs = 0, rebuilt = 0;
   Interval success;  ///< of the success rate
@@ -66,7 +66,7 @@ struct Summary {
 /// @param agent  with at least one run.
 Summary SummaryOf(const EvaluatedAgent& agent);
 
-/// Comparison of two robot programs, seed by seed. Differences are first minus second, where both
+/// Comparison of two brains, seed by seed. Differences are first minus second, where both
 /// rebuilt.
 struct Comparison {
   std::size_t both = 0, only_first = 0, only_second = 0, neither = 0;  ///< rebuilt
@@ -77,7 +77,7 @@ struct Comparison {
 /// @param first, second  with the same seeds.
 Comparison Compare(const EvaluatedAgent& first, const EvaluatedAgent& second);
 
-/// Returns the pairs that have the robot program or the demonstrator in common, each pair once. For
+/// Returns the pairs that have the brain or the demonstrator in common, each pair once. For
 /// other pairs, the cause of a difference would be unknown.
 std::vector<std::pair<const EvaluatedAgent*, const EvaluatedAgent*>> ComparablePairs(
     const Evaluation& evaluation);
@@ -86,7 +86,7 @@ std::vector<std::pair<const EvaluatedAgent*, const EvaluatedAgent*>> ComparableP
 /// times.
 Json ToJson(const Evaluation& evaluation);
 
-/// Returns the evaluation as text for a terminal: a table of robot programs, their failures, and
+/// Returns the evaluation as text for a terminal: a table of brains, their failures, and
 /// comparisons.
 std::string ToText(const Evaluation& evaluation);
 

@@ -36,7 +36,7 @@ std::string Headline(const Evaluation& evaluation) {
   const std::string count =
       std::to_string(most) + " of " + Plural(best->runs.size(), "starting layout");
   if (evaluation.agents.size() == 1) return best->name + " rebuilt it from " + count;
-  const char* what = best->demonstrator.empty() ? "robot program" : "combination";
+  const char* what = best->demonstrator.empty() ? "brain" : "combination";
   return "Of " + Plural(evaluation.agents.size(), what) + ", " + best->name +
          " rebuilt it from most layouts: " + count;
 }
@@ -46,7 +46,7 @@ Markup HeaderOf(const Evaluation& evaluation) {
   header += Element("h1", {}, Headline(evaluation));
   header += Element("p", {{"class", "lead"}},
                     "A robot watched a demonstration and did the same from random starting "
-                    "layouts, the same ones for every robot program and every demonstrator.");
+                    "layouts, the same ones for every brain and every demonstrator.");
   return Element("header", {}, header);
 }
 
@@ -68,7 +68,7 @@ Markup WhatWasRun(const Evaluation& evaluation) {
 }
 
 Markup SummaryTable(const Evaluation& evaluation) {
-  const Markup head = Row({Head("Robot program"), NumberHead("Rebuilt"), NumberHead("Rate (95 %)"),
+  const Markup head = Row({Head("Brain"), NumberHead("Rebuilt"), NumberHead("Rate (95 %)"),
                            NumberHead("Error, mm (95 %)"), NumberHead("Error, ° (95 %)"),
                            NumberHead("Seconds, median"), NumberHead("Seconds, 95th percentile"),
                            NumberHead("Grasps"), NumberHead("Retries")});
@@ -115,7 +115,7 @@ Markup Map(const Evaluation& evaluation) {
   return SuccessMap(rows, "Success of each seed; the table of seeds below says the same");
 }
 
-/// Returns the distribution of a number over the rebuilt structures, one row per robot program.
+/// Returns the distribution of a number over the rebuilt structures, one row per brain.
 Markup Distribution(const Evaluation& evaluation, std::optional<double> EvaluatedRun::*field,
                     const std::string& axis, const std::string& words) {
   std::vector<DotRow> rows;
@@ -224,7 +224,7 @@ Markup FailureTable(const Evaluation& evaluation) {
     }
   }
   return Table("Every failure.",
-               Row({Head("Robot program"), NumberHead("Seed"), Head("Cause"), Head("What happened"),
+               Row({Head("Brain"), NumberHead("Seed"), Head("Cause"), Head("What happened"),
                     Head("Recording")}),
                rows);
 }

@@ -56,8 +56,8 @@ std::string FailureText(const Json& result) {
            result.at("cause").at("text").get<std::string>();
   }
   const auto status = result.at("brain").at("status").get<std::string>();
-  if (status == "running") return "time was up, the robot program was still at work";
-  return "the robot program " + status + ", and the structure is not as it was shown";
+  if (status == "running") return "time was up, the brain was still at work";
+  return "the brain " + status + ", and the structure is not as it was shown";
 }
 
 Markup HeaderOf(const ExperimentOutcome& outcome) {

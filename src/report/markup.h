@@ -8,7 +8,7 @@
 namespace smile::report {
 
 /// Piece of HTML or embedded SVG. Texts enter through Text() and Element() only, and are escaped
-/// there, since names of objects and messages of robot programs are arbitrary.
+/// there, since names of objects and messages of brains are arbitrary.
 class Markup {
  public:
   Markup() = default;

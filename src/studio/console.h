@@ -8,7 +8,7 @@
 
 namespace smile::studio {
 
-/// Line printed by a robot program, and the place in a program that it refers to.
+/// Line printed by a brain, and the place in a program that it refers to.
 struct ConsoleLine {
   std::string text;
   std::string file;  ///< empty: none
@@ -21,7 +21,7 @@ struct ConsoleLine {
 /// Octave, `waveCallback at line 12`.
 ConsoleLine ParseConsoleLine(std::string_view text);
 
-/// Queue of lines printed by a robot program, from the thread that reads them to the session's. If
+/// Queue of lines printed by a brain, from the thread that reads them to the session's. If
 /// there are too many, only the newest are kept.
 class Console {
  public:

@@ -17,7 +17,7 @@
 
 namespace smile::studio {
 
-/// Requests that list, start and stop robot programs.
+/// Requests that list, start and stop brains.
 class BrainRequests {
  public:
   /// All must outlive this.

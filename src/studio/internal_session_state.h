@@ -58,7 +58,7 @@ class SessionState : public Activity {
   virtual Json Describe() const = 0;
 
   /// Advances by 1/60 s.
-  /// @returns false if the world waits because a robot program starts or thinks.
+  /// @returns false if the world waits because a brain starts or thinks.
   virtual bool Tick(bool is_paused) = 0;
   /// True if the state ends; the live state follows.
   virtual bool is_over() const { return false; }
@@ -84,7 +84,7 @@ class WorldState : public SessionState {
   LiveWorld* world_;
 };
 
-/// Live state: people and a robot program act in the world.
+/// Live state: people and a brain act in the world.
 class LiveState : public WorldState {
  public:
   /// Both must outlive this.
@@ -105,7 +105,7 @@ class LiveState : public WorldState {
   LiveBrain* brain_;
 };
 
-/// Imitation: a robot program imitates a demonstration, recorded, until it ends or exceeds its
+/// Imitation: a brain imitates a demonstration, recorded, until it ends or exceeds its
 /// time.
 class ImitatingState : public LiveState {
  public:

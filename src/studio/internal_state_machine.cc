@@ -15,9 +15,9 @@ std::optional<std::string> StateMachine::Unmet(Need need) const {
     case Need::kRobot:
       return unless(has_robot_, "there is no robot");
     case Need::kProgram:
-      return unless(brain_.is_running(), "no robot program is running");
+      return unless(brain_.is_running(), "no brain is running");
     case Need::kNoProgram:
-      return unless(!brain_.is_running(), "a robot program is running: stop it first");
+      return unless(!brain_.is_running(), "a brain is running: stop it first");
     default:
       break;
   }

@@ -21,7 +21,7 @@ struct Pace {
 };
 
 /// State machine of a session: the states and the transitions between them, with the world and the
-/// robot program to which they refer.
+/// brain to which they refer.
 ///
 /// The live world is always in one state: live, imitating or clearing the table (rage). Playback
 /// may be shown in its place. Restoring runs in another thread, independent of both.
@@ -62,12 +62,12 @@ class StateMachine {
   std::optional<std::string> Unmet(Need need) const;
 
   /// Advances by 1/60 s.
-  /// @returns false if the world waits because a robot program starts or thinks.
+  /// @returns false if the world waits because a brain starts or thinks.
   bool Tick();
   /// Returns the number of calls of Tick().
   std::uint64_t num_ticks() const { return num_ticks_; }
 
-  /// Replaces the live world. The robot program and playback end.
+  /// Replaces the live world. The brain and playback end.
   void Enter(std::unique_ptr<LiveWorld> world);
   /// Applies a command to the live world. A load, and the undo of one, count as another world.
   /// @returns the reason of a refusal.

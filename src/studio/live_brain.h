@@ -16,7 +16,7 @@
 
 namespace smile::studio {
 
-/// Robot program that drives a simulation without blocking its session. Belongs to the thread that
+/// Brain that drives a simulation without blocking its session. Belongs to the thread that
 /// runs the simulation.
 ///
 /// While it starts or thinks the simulation must not tick, but may be commanded, except to undo or

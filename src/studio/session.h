@@ -22,7 +22,7 @@ struct SessionUpdates {
 };
 
 /// Session of one user, without a network: a live scene, commands by mouse and keys, recordings in
-/// progress, playback of recordings, and a robot program.
+/// progress, playback of recordings, and a brain.
 ///
 /// Belongs to one thread. Has no wall clock: its owner calls Tick() on time.
 class Session {
@@ -41,13 +41,13 @@ class Session {
   /// Sets the ratio that was achieved over the last second.
   void SetMeasuredSpeed(double factor);
   /// Advances by 1/60 s: the simulation unless it is paused, or the playback.
-  /// @returns false if the world waits because a robot program starts or thinks.
+  /// @returns false if the world waits because a brain starts or thinks.
   bool Tick();
   /// Returns the present view.
   library::View view() const;
   /// Returns the updates since the last call.
   SessionUpdates TakeUpdates();
-  /// Returns the messages for a new client: scene, looks, output and score of robot programs, and
+  /// Returns the messages for a new client: scene, looks, output and score of brains, and
   /// last the state. The eye's picture follows with the updates.
   std::vector<Json> Everything() const;
   /// Returns the triangles of a mesh of the present scene or a recent one

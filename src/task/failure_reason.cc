@@ -141,14 +141,14 @@ std::optional<FailureReason> FailureReasonOf(const Structure& structure, const E
                                              const ProgramEnd& program) {
   if (IsSuccess(comparison, program)) return std::nullopt;
   if (HasFailed(program)) {
-    return FailureReason{"brain_failed", "the robot program failed: " + program.message};
+    return FailureReason{"brain_failed", "the brain failed: " + program.message};
   }
   // From the most specific reason to the most general one. A fall comes first, since no time could
   // mend it; a program that ran out of time comes before reasons that more time might have removed.
   const FailureAnalysis analysis(structure, outcome, comparison);
   if (const auto reason = analysis.Fallen()) return reason;
   if (program.status == "running" || program.status == "stopped") {
-    return FailureReason{"time_up", "the robot program was still at work when it had to end"};
+    return FailureReason{"time_up", "the brain was still at work when it had to end"};
   }
   if (const auto reason = analysis.StillHeld()) return reason;
   if (const auto reason = analysis.NeverTaken()) return reason;

@@ -7,7 +7,7 @@
 
 namespace smile::task {
 
-/// State of the robot program at the end of an imitation.
+/// State of the brain at the end of an imitation.
 struct ProgramEnd {
   std::string status;   ///< `exited`, `running` or `stopped` (time was up), or `failed`
   std::string message;  ///< why it failed

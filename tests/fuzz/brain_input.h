@@ -5,7 +5,7 @@
 
 namespace smile::fuzz {
 
-/// What is wrong with how we take these bytes as a message from a robot program, in words; empty
+/// What is wrong with how we take these bytes as a message from a brain, in words; empty
 /// when all is well.
 ///
 /// What is no message has the reason told. A message comes back from its own bytes the same, and

@@ -1,4 +1,4 @@
-// Robot programs in Python and C++, and in the style of the original's Matlab scripts.
+// Brains in Python and C++, and in the style of the original's Matlab scripts.
 
 #include "program.h"
 
@@ -32,7 +32,7 @@ TEST_F(BrainLanguages, TheSameProgramMovesTheRobotTheSameWayInAllOfThem) {
 
 TEST_F(BrainLanguages, ExamplesInCppBuildOutsideTheTree) {
   const Answer built = Shell("cmake --install '" SMILE_BUILD_DIR
-                             "' --prefix there --component agent &&"
+                             "' --prefix there --component brain_client &&"
                              "cmake -S '" +
                              Shipped("examples/cpp_brain") +
                              "' -B build -G Ninja -DCMAKE_PREFIX_PATH=\"$PWD/there\" &&"
@@ -41,6 +41,17 @@ TEST_F(BrainLanguages, ExamplesInCppBuildOutsideTheTree) {
   const Answer answer = Smile("run pair.xml --seconds 1 --brain build/my_brain --json");
   EXPECT_EQ(answer.exit_code, 0) << answer.err;
   EXPECT_NE(answer.err.find("brain:   0.0 s: left gripper at"), std::string::npos) << answer.err;
+
+  // The same example as older brains wrote it.
+  const Answer older =
+      Shell("cp -r '" + Shipped("examples/cpp_brain") +
+            "' older && cd older &&"
+            "sed -i 's/brain_client/agent/' CMakeLists.txt &&"
+            "sed -i 's:brain_client/brain.h:agent/agent.h:;"
+            "s/brain_client::Brain/agent::Program/;s/brain_client/agent/g' wave.cc &&"
+            "cmake -B build -G Ninja -DCMAKE_PREFIX_PATH=\"$PWD/../there\" &&"
+            "cmake --build build");
+  EXPECT_EQ(older.exit_code, 0) << older.out << older.err;
 }
 
 TEST_F(BrainLanguages, ScriptsOfTheOriginalRunAsTheyAre) {

@@ -1,4 +1,4 @@
-// Robot programs that are slow, that fail, that somebody looks at with a debugger.
+// Brains that are slow, that fail, that somebody looks at with a debugger.
 
 #include "program.h"
 
@@ -11,7 +11,7 @@ class BrainTrouble : public ProgramTest {
 
   /// A program whose step is this.
   void WriteStep(const std::string& lines) const {
-    Write("agent/think.py",
+    Write("brain/think.py",
           "import os, signal, sys, time\nimport numpy as np\n"
           "def step(sensor, motor, aux):\n  motor.jointVelocities[0, 0] = 0.1\n" +
               lines);
@@ -40,14 +40,14 @@ TEST_F(BrainTrouble, EveryFailureLeavesARecordingThatReplays) {
       {"os.kill(os.getpid(), signal.SIGSTOP)", "took longer than 0.4 s"},
       {"[None for _ in iter(int, 1)]", "took longer than 0.4 s"},
       {"motor.jointVelocities[0, 0] = np.nan", "expected a finite number"},
-      {"os.write(3, b'x' * 100); os.write(4, b'x' * 100)", "agent/think.py"},
+      {"os.write(3, b'x' * 100); os.write(4, b'x' * 100)", "brain/think.py"},
       {"os._exit(0)", "exit code 0"},
   };
   for (const auto& [line, message] : failures) {
     WriteStep(std::string("  if sensor.simTime > 0.2: ") + line + "\n");
     const bool is_late = std::string(message).starts_with("took longer");
     const Answer answer =
-        Shell(std::string("rm -rf demo; smile run pair.xml --brain agent/think.py --patience ") +
+        Shell(std::string("rm -rf demo; smile run pair.xml --brain brain/think.py --patience ") +
               (is_late ? "0.4" : "20") + " --seconds 2 --record demo --no-pictures --json");
     EXPECT_EQ(answer.exit_code, 1) << line;
     EXPECT_EQ(answer.json()["brain"]["status"], "failed") << line;
@@ -60,11 +60,11 @@ TEST_F(BrainTrouble, EveryFailureLeavesARecordingThatReplays) {
 
 TEST_F(BrainTrouble, WhatTheBrainPrintedAndWhyItFailedIsKept) {
   WriteStep("  print('at', sensor.simTime)\n  if sensor.simTime > 0.03: lost\n");
-  const Answer answer = Smile("run pair.xml --brain agent/think.py --record demo --seconds 1");
+  const Answer answer = Smile("run pair.xml --brain brain/think.py --record demo --seconds 1");
   EXPECT_EQ(answer.exit_code, 1);
   const std::string log = Read("demo/brain.log");
   EXPECT_TRUE(log.starts_with("at 0.0\nat 0.016666666666666666\n")) << log;
-  EXPECT_TRUE(log.ends_with("agent/think.py:6: NameError: name 'lost' is not defined\n")) << log;
+  EXPECT_TRUE(log.ends_with("brain/think.py:6: NameError: name 'lost' is not defined\n")) << log;
   EXPECT_NE(answer.err.find("brain: at 0.0\n"), std::string::npos) << answer.err;
   EXPECT_EQ(Smile("replay demo --verify").exit_code, 0);
 }
@@ -76,7 +76,7 @@ TEST_F(BrainTrouble, ASlowBrainIsWaitedForAndItsLateTicksAreCounted) {
       "  if aux.steps < 5: time.sleep(0.05)\n"
       "  if aux.steps == 19: print('all steps')\n");
   const Answer answer =
-      Smile("run pair.xml --brain agent/think.py --seconds 0.3333333 --realtime --json");
+      Smile("run pair.xml --brain brain/think.py --seconds 0.3333333 --realtime --json");
   ASSERT_EQ(answer.exit_code, 0) << answer.err;
   EXPECT_NE(answer.err.find("brain: all steps"), std::string::npos) << answer.err;
   EXPECT_GE(answer.json()["late_ticks"], 5);
@@ -93,7 +93,7 @@ TEST_F(BrainTrouble, NothingIsLeftOfABrainWhoseSimulatorWasKilled) {
   const Answer answer = Shell(
       "mkdir tmp; export TMPDIR=$PWD/tmp\n"
       "\"" SMILE_PROGRAM
-      "\" run pair.xml --brain agent/think.py --patience 60 & simulator=$!\n"
+      "\" run pair.xml --brain brain/think.py --patience 60 & simulator=$!\n"
       "for k in $(seq 600); do [ -e pids ] && break; sleep 0.05; done\n"
       "pids=$(cat pids) && kill -0 $pids && ls tmp | grep -q smile-brain || exit 8\n"
       "kill -KILL $simulator\n"
@@ -105,7 +105,7 @@ TEST_F(BrainTrouble, NothingIsLeftOfABrainWhoseSimulatorWasKilled) {
 
 TEST_F(BrainTrouble, APythonBrainStopsAtABreakPointAndTheSimulationWaits) {
   WriteStep("  aux.exit = sensor.simTime > 0.05\n");
-  const Answer answer = Attached("agent/think.py", "b " + (directory_ / "agent/think.py").string() +
+  const Answer answer = Attached("brain/think.py", "b " + (directory_ / "brain/think.py").string() +
                                                        ":5\nc\nc\np 'time is', sensor.simTime\n"
                                                        "motor.headVelocity = 0.5\n"
                                                        "cl 1\nc\nq\n");
@@ -117,11 +117,11 @@ TEST_F(BrainTrouble, APythonBrainStopsAtABreakPointAndTheSimulationWaits) {
 }
 
 TEST_F(BrainTrouble, AnOctaveBrainStopsAtABreakPointAndTheSimulationWaits) {
-  Write("agent/agentBehavior.m",
+  Write("brain/agentBehavior.m",
         "function [init, callback] = agentBehavior()\ninit = @begin;\ncallback = @act;\n");
-  Write("agent/begin.m", "k = 0;\n");
-  Write("agent/act.m", "k = k + 1;\nmotor.headVelocity = 0.25 * k;\n");
-  const Answer answer = Attached("agent",
+  Write("brain/begin.m", "k = 0;\n");
+  Write("brain/act.m", "k = k + 1;\nmotor.headVelocity = 0.25 * k;\n");
+  const Answer answer = Attached("brain",
                                  "dbstop in act at 2\nsmile_brain\n"
                                  "printf('time is %d\\n', sensor.simTime)\nk = 2;\n"
                                  "dbclear all\ndbcont\nexit\n");
@@ -140,9 +140,9 @@ TEST_F(BrainTrouble, TheFaceThatTheRobotEndsWithIsInTheRecording) {
     const Json face = Json::parse(log.substr(line, log.find('\n', line) - line));
     return replay.json()["ticks"].get<int>() - face["tick"].get<int>();
   };
-  ASSERT_EQ(Smile("run pair.xml --brain agent/think.py --record demo --no-pictures").exit_code, 0);
+  ASSERT_EQ(Smile("run pair.xml --brain brain/think.py --record demo --no-pictures").exit_code, 0);
   EXPECT_EQ(ticks_after("done"), 15);
-  ASSERT_EQ(Shell("rm -r demo; smile run pair.xml --brain agent/think.py --record demo "
+  ASSERT_EQ(Shell("rm -r demo; smile run pair.xml --brain brain/think.py --record demo "
                   "--no-pictures --seconds 0.25")
                 .exit_code,
             0);
@@ -162,7 +162,7 @@ TEST_F(BrainTrouble, WhoeverAttachesAndIsNoBrainIsSentAway) {
         "s.close()\n");
   // One hangs up, one talks of something else, one says nothing and stays.
   const Answer answer =
-      Attached("agent/think.py", "c\nq\n",
+      Attached("brain/think.py", "c\nq\n",
                "export SMILE_BRAIN_ADDRESS=$(echo \"$line\" | grep -o '[^=]*/socket')\n"
                "python3 noise.py SMB\n"
                "python3 noise.py 'GET / HTTP/1.1, and so on for some more words'\n"
@@ -186,7 +186,7 @@ TEST_F(BrainTrouble, ABrainThatCannotBeRunIsWrongInput) {
 
 TEST_F(BrainTrouble, AnAttachedBrainThatHangsUpIsNoticed) {
   WriteStep("  os._exit(1)\n");
-  const Answer answer = Attached("agent/think.py", "c\n");
+  const Answer answer = Attached("brain/think.py", "c\n");
   EXPECT_EQ(answer.exit_code, 1);
   EXPECT_NE(Read("told.txt").find("closed its connection during the callback"), std::string::npos)
       << Read("told.txt") << Read("debugger.txt");

@@ -1,4 +1,4 @@
-// Many runs, several robot programs, and whatever may happen to them meanwhile.
+// Many runs, several brains, and whatever may happen to them meanwhile.
 
 #include "program.h"
 

@@ -29,7 +29,7 @@ TEST_F(Options, ARepeatableOptionTakesOneValueEachTime) {
 TEST_F(Options, ARepeatableOptionLeavesDemonstrationAndSceneAlone) {
   Write("lift.jsonl", "{\"hand\":\"right\",\"do\":\"grasp\",\"object\":\"a\"}\n");
   ASSERT_EQ(Smile("run pair.xml --commands lift.jsonl --record demo --no-pictures").exit_code, 0);
-  // They get as far as the robot program, which is missing.
+  // They get as far as the brain, which is missing.
   for (const char* command :
        {"imitate --brain nowhere --out out --path here demo scene.xml",
         "evaluate --scene pair.xml --out ev --brain nowhere demo",

@@ -1,4 +1,4 @@
-// Robot programs that are started from the page.
+// Brains that are started from the page.
 
 import assert from "node:assert/strict";
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
@@ -34,7 +34,7 @@ def step(sensor, motor, aux):
     pass
 `;
 
-/** A folder with these robot programs. */
+/** A folder with these brains. */
 function brains(t, programs) {
   const folder = mkdtempSync(join(tmpdir(), "smile-brains-"));
   t.after(() => rmSync(folder, { recursive: true }));
@@ -42,7 +42,7 @@ function brains(t, programs) {
   return folder;
 }
 
-test("a robot program runs, its error tells its line, and an imitation its score", async (t) => {
+test("a brain runs, its error tells its line, and an imitation its score", async (t) => {
   const folder = brains(t, { stumbles: STUMBLES, rests: RESTS, trips: TRIPS });
   const { page, witness, person } = await browser.workplace(t, { studio: ["--brains", folder] });
   await person.showPanel("Brain");
@@ -79,7 +79,7 @@ test("a robot program runs, its error tells its line, and an imitation its score
   await person.showPanel("Brain");
   await imitator.selectOption("trips.py");
   await person.press("Imitate");
-  await score.getByText(/^the robot program failed: .*no camera/).waitFor();
+  await score.getByText(/^the brain failed: .*no camera/).waitFor();
   assert.doesNotMatch(await score.textContent(), /in its place/);
 });
 
@@ -115,7 +115,7 @@ test("the shipped learner is chosen, begins, and is recorded", async (t) => {
   assert.equal(await page.getByRole("combobox", { name: "Demonstration" }).inputValue(), id, "not the imitation itself");
 });
 
-test("nobody waits for a robot program that does not get ready", async (t) => {
+test("nobody waits for a brain that does not get ready", async (t) => {
   const folder = brains(t, { dawdles: DAWDLES });
   const { page, witness, person } = await browser.workplace(t, { studio: ["--brains", folder] });
   await person.showPanel("Brain");

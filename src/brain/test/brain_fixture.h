@@ -50,7 +50,7 @@ class BrainProcessTest : public testing::Test {
 
   /// A brain of two scripts in the folder `agent`.
   fs::path Brain(const std::string& init, const std::string& callback) {
-    const fs::path folder = root_ / "agent";
+    const fs::path folder = root_ / "brain";
     MakeDirectories(folder);
     WriteFile(folder / "agentBehavior.m",
               "function [a, b] = agentBehavior()\na = @begin;\nb = @act;\nend\n");
@@ -61,7 +61,7 @@ class BrainProcessTest : public testing::Test {
 
   /// A file with this in it, executable when it begins with `#!`.
   fs::path Program(const std::string& name, const std::string& text) {
-    const fs::path file = root_ / "agent" / name;
+    const fs::path file = root_ / "brain" / name;
     MakeDirectories(file.parent_path());
     WriteFile(file, text);
     if (text.starts_with("#!")) fs::permissions(file, fs::perms::owner_all);

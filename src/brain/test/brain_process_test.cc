@@ -67,7 +67,7 @@ TEST_F(BrainProcessTest, TellsAuxAndTakesItsAnswer) {
   aux.demonstration = "out/demo";
   aux.attention = {{"a", {"color", "size"}}, {"b", {"shape"}}};
   BrainProcess brain(
-      Brain("assert(aux.path, 'agent/'); assert(exist([aux.path 'begin.m'], 'file') == 2);\n"
+      Brain("assert(aux.path, 'brain/'); assert(exist([aux.path 'begin.m'], 'file') == 2);\n"
             "assert([aux.numLimbs aux.numJoints], [2 7]);\n"
             "assert(aux.cameraSize, [150 200]); assert(aux.cameraIntrinsics(1, 1), 130);\n"
             "assert(aux.cameraPose, eye(4)); assert(aux.demonstration, 'out/demo');\n"
@@ -238,50 +238,50 @@ TEST_F(BrainProcessTest, TellsOfMarkersWhenTheyChange) {
 // ---- mistakes in scripts ------------------------------------------------------------------------
 
 TEST_F(BrainProcessTest, NamesTheLineOfAnUndefinedVariable) {
-  EXPECT_EQ(ErrorOfStep(Brain("", "y = 1;\n\nz = y + lost;")), "agent/act.m:3: 'lost' undefined");
+  EXPECT_EQ(ErrorOfStep(Brain("", "y = 1;\n\nz = y + lost;")), "brain/act.m:3: 'lost' undefined");
 }
 
 TEST_F(BrainProcessTest, PlainClientNamesTheLineToo) {
   EXPECT_EQ(
       ErrorOfStep(Brain("", "y = 1;\n\nz = y + lost;"), {.transport = BrainTransport::kPlain}),
-      "agent/act.m:3: 'lost' undefined");
+      "brain/act.m:3: 'lost' undefined");
 }
 
 TEST_F(BrainProcessTest, NamesTheLineOfAMistakeInInit) {
-  EXPECT_EQ(ErrorOfInit(Brain("x = 1;\nerror('no luck');", "")), "agent/begin.m:2: no luck");
+  EXPECT_EQ(ErrorOfInit(Brain("x = 1;\nerror('no luck');", "")), "brain/begin.m:2: no luck");
 }
 
 TEST_F(BrainProcessTest, NamesTheLineOfAParseError) {
-  EXPECT_EQ(ErrorOfInit(Brain("", "x = 1;\nx = = 2;")), "agent/act.m:2: syntax error: x = = 2;");
+  EXPECT_EQ(ErrorOfInit(Brain("", "x = 1;\nx = = 2;")), "brain/act.m:2: syntax error: x = = 2;");
 }
 
 TEST_F(BrainProcessTest, BlamesTheScriptAndNotTheLibrary) {
-  EXPECT_EQ(ErrorOfStep(Brain("", "x = 1;\nstrjoin(5);")).substr(0, 14), "agent/act.m:2:");
+  EXPECT_EQ(ErrorOfStep(Brain("", "x = 1;\nstrjoin(5);")).substr(0, 14), "brain/act.m:2:");
 }
 
 TEST_F(BrainProcessTest, NamesAScriptThatIsMissing) {
   const fs::path folder = Brain("", "");
   fs::remove(folder / "act.m");
   EXPECT_EQ(ErrorOfInit(folder),
-            "agent/agentBehavior.m: agentBehavior names act, but there is no act.m");
+            "brain/agentBehavior.m: agentBehavior names act, but there is no act.m");
 }
 
 TEST_F(BrainProcessTest, RefusesWrongShapesWithBothShapesNamed) {
   EXPECT_EQ(ErrorOfStep(Brain("", "motor.jointVelocities = zeros(7, 2);")),
-            "agent/act.m: motor.jointVelocities is 7x2, expected 2x7");
+            "brain/act.m: motor.jointVelocities is 7x2, expected 2x7");
   EXPECT_EQ(ErrorOfInit(Brain("aux.initJointAngles = 1;", "")),
-            "agent/begin.m: aux.initJointAngles is 1x1, expected 2x7");
+            "brain/begin.m: aux.initJointAngles is 1x1, expected 2x7");
 }
 
 TEST_F(BrainProcessTest, RefusesWhatIsNotANumberByName) {
   for (const auto transport : {BrainTransport::kMex, BrainTransport::kPlain}) {
     const BrainOptions options{.transport = transport};
     EXPECT_EQ(ErrorOfStep(Brain("", "motor.jointVelocities = {1};"), options),
-              "agent/act.m: motor.jointVelocities is a cell, expected real numbers");
+              "brain/act.m: motor.jointVelocities is a cell, expected real numbers");
     EXPECT_EQ(ErrorOfStep(Brain("", "motor = 7;"), options),
-              "agent/act.m: motor is not a struct any more");
+              "brain/act.m: motor is not a struct any more");
     EXPECT_EQ(ErrorOfStep(Brain("", "aux = 7;"), options),
-              "agent/act.m: aux is not a struct any more");
+              "brain/act.m: aux is not a struct any more");
   }
 }
 
@@ -291,8 +291,8 @@ TEST_F(BrainProcessTest, StopsAnEndlessLoopAndNamesItsLine) {
   const fs::path folder = Brain("", "x = 1;\nwhile true\n  x = x + 1;\nend");
   std::string error;
   EXPECT_LT(SecondsOf([&] { error = ErrorOfStep(folder, {.callback_seconds = 0.5}); }), 3);
-  EXPECT_TRUE(error == "agent/act.m:2: the callback took longer than 0.5 s and was stopped" ||
-              error == "agent/act.m:3: the callback took longer than 0.5 s and was stopped")
+  EXPECT_TRUE(error == "brain/act.m:2: the callback took longer than 0.5 s and was stopped" ||
+              error == "brain/act.m:3: the callback took longer than 0.5 s and was stopped")
       << error;
 }
 
@@ -300,7 +300,7 @@ TEST_F(BrainProcessTest, StopsASleeperAndItsChildren) {
   const fs::path folder = Brain("", "system('sleep 30 & sleep 30');");
   std::string error;
   EXPECT_LT(SecondsOf([&] { error = ErrorOfStep(folder, {.callback_seconds = 0.3}); }), 3);
-  EXPECT_EQ(error, "agent/act.m:1: the callback took longer than 0.3 s and was stopped");
+  EXPECT_EQ(error, "brain/act.m:1: the callback took longer than 0.3 s and was stopped");
 }
 
 TEST_F(BrainProcessTest, KillsWhatRefusesToListen) {
@@ -313,17 +313,17 @@ TEST_F(BrainProcessTest, KillsWhatRefusesToListen) {
 TEST_F(BrainProcessTest, StopsAnEndlessInit) {
   const fs::path folder = Brain("while true, end", "");
   EXPECT_EQ(ErrorOfInit(folder, {.start_seconds = 4}),
-            "agent/begin.m:1: init took longer than 4 s and was stopped");
+            "brain/begin.m:1: init took longer than 4 s and was stopped");
 }
 
 TEST_F(BrainProcessTest, TellsHowACrashedProgramEnded) {
   for (const auto transport : {BrainTransport::kMex, BrainTransport::kPlain}) {
     EXPECT_EQ(ErrorOfStep(Brain("", "kill(getpid(), 9);"), {.transport = transport}),
-              "agent/act.m: the brain ended during the callback: it was ended by signal 9 "
+              "brain/act.m: the brain ended during the callback: it was ended by signal 9 "
               "(Killed)");
   }
   EXPECT_EQ(ErrorOfStep(Brain("", "exit(3);")),
-            "agent/act.m: the brain ended during the callback: it ended with exit code 3");
+            "brain/act.m: the brain ended during the callback: it ended with exit code 3");
 }
 
 TEST_F(BrainProcessTest, ShowsTheLastLinesBesideAnError) {
@@ -362,7 +362,7 @@ TEST_F(BrainProcessTest, IsCalledOffAtOnce) {
   options.is_cancelled = [] { return true; };
   const fs::path folder = Brain("", "");
   EXPECT_EQ(ErrorOfInit(folder, options),
-            "agent/agentBehavior.m: the brain was stopped during the start");
+            "brain/agentBehavior.m: the brain was stopped during the start");
 }
 
 // ---- hostile bytes ------------------------------------------------------------------------------

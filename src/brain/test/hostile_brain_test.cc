@@ -1,4 +1,4 @@
-// Robot programs that break every rule: each ends soon, with a clear message, and leaves nothing.
+// Brains that break every rule: each ends soon, with a clear message, and leaves nothing.
 
 #include <signal.h>
 
@@ -138,7 +138,7 @@ class HostileBrains : public BrainProcessTest, public testing::WithParamInterfac
 TEST_P(HostileBrains, EndSoonAndAreExplained) {
   std::string error;
   EXPECT_LT(SecondsOf([&] { error = ErrorOf(GetParam()); }), kSecondsAtMost);
-  EXPECT_TRUE(error.starts_with("agent/hostile")) << error;
+  EXPECT_TRUE(error.starts_with("brain/hostile")) << error;
   EXPECT_NE(error.find(GetParam().message), std::string::npos) << error;
 }
 
@@ -157,7 +157,7 @@ TEST_F(BrainLeftovers, NoChildSurvivesWhereverItHides) {
                              "  open(aux.path + 'pid', 'w').write(str(child.pid))\n"));
   Started(brain);
   Stepped(brain);
-  const std::string pid = ReadFile(root_ / "agent/pid", 100);
+  const std::string pid = ReadFile(root_ / "brain/pid", 100);
   EXPECT_TRUE(IsAlive(pid));
   brain.Stop();
   EXPECT_FALSE(IsAlive(pid));

@@ -1,4 +1,4 @@
-// Robot programs in Python, through the client in python/smile/brain.py.
+// Brains in Python, through the client in python/smile/brain.py.
 
 #include <mutex>
 #include <vector>
@@ -52,7 +52,7 @@ TEST_F(PythonBrainTest, IsToldWhatTheScriptsAreTold) {
   aux.attention = {{"a", {"color", "size"}}, {"b", {}}};
   BrainProcess brain(Python(
       "def init(aux):\n"
-      "  assert aux.path == 'agent/' and (aux.numLimbs, aux.numJoints) == (2, 7)\n"
+      "  assert aux.path == 'brain/' and (aux.numLimbs, aux.numJoints) == (2, 7)\n"
       "  assert aux.maxJointAngles[1, 6] == 3 and aux.minJointAngles.shape == (2, 7)\n"
       "  assert aux.cameraSize.tolist() == [[3, 4]] and (aux.cameraPose == np.eye(4)).all()\n"
       "  assert aux.demonstration == 'out/demo'\n"
@@ -120,18 +120,18 @@ TEST_F(PythonBrainTest, IsToldApartWhatIsEquallyLong) {
 
 TEST_F(PythonBrainTest, NamesTheLineOfItsOwnFiles) {
   EXPECT_EQ(ErrorOfStep(Step("  y = 1\n  return y + lost\n")),
-            "agent/think.py:4: NameError: name 'lost' is not defined");
+            "brain/think.py:4: NameError: name 'lost' is not defined");
   EXPECT_EQ(ErrorOfInit(Python("def init(aux): raise ValueError('no luck')\ndef step(*_): pass")),
-            "agent/think.py:2: ValueError: no luck");
-  EXPECT_EQ(ErrorOfInit(Python("x = = 2")), "agent/think.py:2: SyntaxError: invalid syntax");
+            "brain/think.py:2: ValueError: no luck");
+  EXPECT_EQ(ErrorOfInit(Python("x = = 2")), "brain/think.py:2: SyntaxError: invalid syntax");
   EXPECT_EQ(ErrorOfInit(Python("x = 1")),
-            "agent/think.py: NameError: there is no function step(sensor, motor, aux)");
+            "brain/think.py: NameError: there is no function step(sensor, motor, aux)");
   // The line that called numpy, not one inside it; and that of a module beside the program.
   EXPECT_EQ(ErrorOfStep(Step("  x = 1\n  np.linalg.inv(np.zeros((2, 2)))\n")),
-            "agent/think.py:4: LinAlgError: Singular matrix");
+            "brain/think.py:4: LinAlgError: Singular matrix");
   Program("helper.py", "def help():\n  return 1 / 0\n");
   EXPECT_EQ(ErrorOfStep(Step("  import helper\n  helper.help()\n")),
-            "agent/helper.py:2: ZeroDivisionError: division by zero");
+            "brain/helper.py:2: ZeroDivisionError: division by zero");
 }
 
 TEST_F(PythonBrainTest, RefusesWhatNoMotorTakes) {
@@ -151,16 +151,16 @@ TEST_F(PythonBrainTest, RefusesWhatNoMotorTakes) {
   };
   for (const auto& [line, message] : mistakes) {
     const std::string error = ErrorOfStep(Step(std::string("  ") + line + "\n"));
-    EXPECT_TRUE(error.starts_with(std::string("agent/think.py") + message)) << error;
+    EXPECT_TRUE(error.starts_with(std::string("brain/think.py") + message)) << error;
   }
 }
 
 TEST_F(PythonBrainTest, StopsEndlessLoopsAndNamesTheirLine) {
   const BrainOptions hasty{.callback_seconds = 0.3};
   const std::string late = ": the callback took longer than 0.3 s and was stopped";
-  EXPECT_EQ(ErrorOfStep(Step("  while True: pass\n"), hasty), "agent/think.py:3" + late);
+  EXPECT_EQ(ErrorOfStep(Step("  while True: pass\n"), hasty), "brain/think.py:3" + late);
   EXPECT_EQ(ErrorOfStep(Step("  import time\n  time.sleep(30)\n"), hasty),
-            "agent/think.py:4" + late);
+            "brain/think.py:4" + late);
   // One that swallows what it can is ended all the same.
   const fs::path stubborn =
       Step("  while True:\n    try:\n      while True: pass\n    except BaseException: pass\n");
@@ -176,7 +176,7 @@ TEST_F(PythonBrainTest, ShowsWhatItPrintsAndItsTraceback) {
   ASSERT_GE(output.size(), 4u);
   EXPECT_EQ(output[0], "nearly there");
   EXPECT_EQ(output[1], "Traceback (most recent call last):");
-  EXPECT_NE(output[2].find("agent/think.py\", line 4, in step"), std::string::npos) << output[2];
+  EXPECT_NE(output[2].find("brain/think.py\", line 4, in step"), std::string::npos) << output[2];
 }
 
 TEST_F(PythonBrainTest, SaysWhatItsPythonLacks) {

@@ -1,4 +1,4 @@
-// Frames of demonstrations, as robot programs watch them.
+// Frames of demonstrations, as brains watch them.
 
 #include "experiment/demonstration_frames.h"
 

@@ -16,7 +16,7 @@ namespace smile::experiment {
 
 namespace fs = std::filesystem;
 
-/// A directory for each test, and small scenes, scripts and robot programs in it.
+/// A directory for each test, and small scenes, scripts and brains in it.
 class ExperimentTest : public ::testing::Test {
  protected:
   ExperimentTest() {
@@ -80,7 +80,7 @@ class ExperimentTest : public ::testing::Test {
     static const robot::RobotReading kBaxter = robot::LoadRobot(DataFile("robots/baxter.urdf"));
     return {.model = kBaxter.model, .gripper = kBaxter.gripper, .files = kBaxter.files};
   }
-  /// A robot program in Python with these lines in its callback.
+  /// A brain in Python with these lines in its callback.
   fs::path Python(const std::string& lines) const {
     return Write("brain/brain.py", "def step(sensor, motor, aux):\n" + lines);
   }

@@ -1,4 +1,4 @@
-// Runs with robot programs, which are given pictures.
+// Runs with brains, which are given pictures.
 
 #include "base/diagnostic.h"
 #include "experiment/imitation.h"

@@ -25,7 +25,7 @@ EvaluatedRun Failed(std::uint64_t seed, const std::string& word) {
           .recording = "runs/" + std::to_string(seed)};
 }
 
-/// Two robot programs, five layouts.
+/// Two brains, five layouts.
 Evaluation Pair() {
   return {.program = "smile 1",
           .demo = "shown",
@@ -127,10 +127,9 @@ TEST(Evaluation, RefusesResultsThatAreNone) {
 
 TEST(EvaluationPage, ShowsEveryAgentAndLinksToEveryFailure) {
   const std::string page = PageOf(Pair());
-  for (const char* text :
-       {"Of 2 robot programs, new rebuilt it from most layouts: 4 of 5 starting layouts",
-        "40.0 % (11.8 to 76.9 %)", "href=\"./runs/2\"", "−40.0 points", "p = 0.500",
-        "smile imitate", "seed 5: time up", "for some reason"}) {
+  for (const char* text : {"Of 2 brains, new rebuilt it from most layouts: 4 of 5 starting layouts",
+                           "40.0 % (11.8 to 76.9 %)", "href=\"./runs/2\"", "−40.0 points",
+                           "p = 0.500", "smile imitate", "seed 5: time up", "for some reason"}) {
     EXPECT_NE(page.find(text), std::string::npos) << text;
   }
 }

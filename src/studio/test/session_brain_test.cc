@@ -1,4 +1,4 @@
-// Robot programs in a session, which does not wait for those that take their time.
+// Brains in a session, which does not wait for those that take their time.
 
 #include "brain/brain_driver.h"
 #include "recorder/test/painted_eye.h"
@@ -49,7 +49,7 @@ class SessionBrainTest : public SessionFixture {
   }
 };
 
-TEST_F(SessionBrainTest, ARobotProgramRunsAndItsErrorHasAPlace) {
+TEST_F(SessionBrainTest, ABrainRunsAndItsErrorHasAPlace) {
   WritePython("wave.py",
               "def step(sensor, motor, aux):\n"
               "  motor.headVelocity = 0.5\n"

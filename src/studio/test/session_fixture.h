@@ -150,7 +150,7 @@ class SessionFixture : public ::testing::Test {
   void TickSeconds(double seconds) {
     for (int i = 0; i < seconds * sim::kTicksPerSecond; ++i) TickOnce();
   }
-  /// However long a robot program is waited for.
+  /// However long a brain is waited for.
   void TickOnce() {
     while (!session_->Tick()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     Take();

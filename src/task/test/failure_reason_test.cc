@@ -35,7 +35,7 @@ TEST(FailureReason, IsNoneOfWhatIsRight) {
 
 TEST(FailureReason, AProgramThatFailedNeverSucceeds) {
   EXPECT_EQ(WordOf(EndingAt({0.01, 0, 0.15}), {.status = "failed", .message = "in init"}),
-            "brain_failed: the robot program failed: in init");
+            "brain_failed: the brain failed: in init");
 }
 
 TEST(FailureReason, WhatIsStillHeldIsNotPlaced) {
@@ -53,7 +53,7 @@ TEST(FailureReason, IsTheFirstThatFits) {
   untouched.end.objects[1] = untouched.begin.objects[1];
   EXPECT_EQ(WordOf(untouched), "never_taken: high still lies where it began");
   EXPECT_EQ(WordOf(untouched, {.status = "running"}),
-            "time_up: the robot program was still at work when it had to end");
+            "time_up: the brain was still at work when it had to end");
   EXPECT_EQ(WordOf(EndingAt({0.2, 0, 0.05})), "toppled: high lies 100 mm lower than it should");
   EXPECT_EQ(WordOf(EndingAt({0, 0, 0.15}, {40, 0, 0})), "toppled: high lies tilted by 40 degrees");
   EXPECT_EQ(WordOf(EndingAt({0.04, 0, 0.15})),
@@ -64,7 +64,7 @@ TEST(FailureReason, IsTheFirstThatFits) {
   fallen.touches.push_back({{.kind = sim::EventKind::kFell, .object = "high"}, 3, {}});
   EXPECT_EQ(WordOf(fallen, {.status = "running"}), "fell_off_table: high fell off the table");
   EXPECT_EQ(WordOf(fallen, {.status = "failed", .message = "no"}),
-            "brain_failed: the robot program failed: no");
+            "brain_failed: the brain failed: no");
 }
 
 TEST(FailureReason, AMissingEffectIsOne) {

@@ -18,7 +18,7 @@ export const mayAct = computed(() => may("command") === true);
 export const mayControl = computed(() => mayControlNow() === true);
 export const liveSegments = settled(() => state.value?.recording?.segments ?? []);
 export const brain = settled(() => state.value?.brain ?? null);
-/** A robot program is at work, or is about to. */
+/** A brain is at work, or is about to. */
 export const isBrainAtWork = computed(() => ["starting", "running"].includes(brain.value?.status ?? ""));
 /** The last recording, if it ended by itself. */
 export const failedRecording = settled(() => state.value?.failure ?? null);

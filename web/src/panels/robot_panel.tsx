@@ -191,7 +191,7 @@ function General({ robot }: { robot: RobotDescription }) {
   );
 }
 
-/** Points that a robot program marked for people. */
+/** Points that a brain marked for people. */
 function Markers() {
   const number = state.value?.markers.length ?? 0;
   if (number === 0) return null;

@@ -1,10 +1,10 @@
-#include "agent/fields.h"
+#include "brain_client/fields.h"
 
 #include <algorithm>
 #include <span>
 #include <stdexcept>
 
-namespace smile::agent {
+namespace smile::brain_client {
 namespace {
 
 [[noreturn]] void Reject(const wire::NamedArray& array, const char* expected) {
@@ -70,4 +70,4 @@ Image Fields::Picture(std::string_view name) const {
   return image;
 }
 
-}  // namespace smile::agent
+}  // namespace smile::brain_client

@@ -1,6 +1,6 @@
-#include "agent/message_outline.h"
+#include "brain_client/message_outline.h"
 
-namespace smile::agent {
+namespace smile::brain_client {
 namespace {
 
 template <class Value>
@@ -29,4 +29,4 @@ bool MessageOutline::Changes(const wire::MessageView& message) {
   return outline_ != last_;
 }
 
-}  // namespace smile::agent
+}  // namespace smile::brain_client

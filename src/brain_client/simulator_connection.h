@@ -10,35 +10,35 @@
 #include "wire/inbox.h"
 #include "wire/wire.h"
 
-namespace smile::agent {
+namespace smile::brain_client {
 
-/// The simulator has gone in the middle of a conversation.
+/// The simulator closed the connection without a goodbye.
 struct SimulatorGone : std::runtime_error {
   SimulatorGone() : std::runtime_error("the simulator has gone") {}
 };
 
-/// What arrives is no message.
+/// Received bytes are not a message.
 struct ProtocolError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A robot program as it introduces itself.
+/// What a brain reports about itself in its first message.
 struct Introduction {
   std::string_view client;    ///< the language, for people
   std::string_view language;  ///< its version; may be empty
-  bool has_guard = false;     ///< SIGUSR2 ends what takes too long, and ERROR tells its line
+  bool has_guard = false;     ///< SIGUSR2 ends a slow callback, and ERROR has its line
   bool takes_rows = false;    ///< pictures may come in row-major order
 };
 
-/// A robot program's end of the socket to the simulator: docs/brain-protocol.md.
+/// A brain's end of the socket to the simulator: docs/brain-protocol.md.
 ///
-/// The one core under the clients for C++, Python, and Octave or Matlab: hence it knows nothing but
-/// bytes. Waits as long as it takes: time is the simulator's business.
+/// Shared core of the clients for C++, Python, and Octave or Matlab: it therefore handles bytes
+/// only. It waits without a limit, since the simulator enforces timeouts.
 class SimulatorConnection {
  public:
   struct Options {
     wire::Inbox::MakeRoom make_room = {};  ///< for each large body
-    /// Called when a signal has come while it waits; what it throws ends the waiting.
+    /// Called when a signal arrives during a wait; an exception from it ends the wait.
     std::function<void()> on_signal = {};
   };
 
@@ -54,10 +54,10 @@ class SimulatorConnection {
   /// @throws SimulatorGone
   void Send(std::span<const std::byte> frame);
 
-  /// Whether there is something to receive, be it the end; waits for so many milliseconds at most,
-  /// and no longer than until a signal comes.
+  /// Returns true if a message or the end of the connection can be received. Waits up to
+  /// `milliseconds`, or until a signal arrives.
   bool HasArrivals(int milliseconds) const;
-  /// The next message, which is gone with the next call; nullopt when the simulator has gone.
+  /// Returns the next message, valid until the next call; nullopt if the connection is closed.
   /// @throws ProtocolError
   std::optional<wire::MessageView> Receive();
 
@@ -67,4 +67,4 @@ class SimulatorConnection {
   wire::Inbox inbox_;
 };
 
-}  // namespace smile::agent
+}  // namespace smile::brain_client

@@ -1,4 +1,4 @@
-#include "agent/agent.h"
+#include "brain_client/brain.h"
 
 #include <gtest/gtest.h>
 
@@ -7,15 +7,15 @@
 
 #include "wire/test/wire_verbs.h"
 
-namespace smile::agent {
+namespace smile::brain_client {
 namespace {
 
-/// What a simulator may tell.
+/// Fields of a step.
 Fields SampleFields() {
   wire::MessageWriter writer(wire::MessageType::kStep, 1);
   writer.AddScalar("simTime", 2.5);
   writer.AddDoubles("gripperOpening", std::array{1u, 2u}, std::array{0.5, 1.5});
-  writer.AddText("path", "agents/");
+  writer.AddText("path", "brains/");
   const auto planes =
       writer.AddSpace("rgbVision", wire::ElementType::kByte, true, std::array{2u, 3u, 3u});
   for (std::size_t k = 0; k < planes.size(); ++k) planes[k] = std::byte(k);
@@ -36,12 +36,12 @@ TEST(Fields, AreReadByName) {
   const Fields fields = SampleFields();
   EXPECT_EQ(fields.Number("simTime"), 2.5);
   EXPECT_EQ(fields.Matrix("gripperOpening"), Eigen::RowVector2d(0.5, 1.5));
-  EXPECT_EQ(fields.Text("path"), "agents/");
+  EXPECT_EQ(fields.Text("path"), "brains/");
   EXPECT_TRUE(fields.Has("simTime"));
   EXPECT_FALSE(fields.Has("depth"));
 }
 
-TEST(Fields, ShowAPictureRowByRow) {
+TEST(Fields, ConvertPicturesToRowMajor) {
   const Image image = SampleFields().Picture("rgbVision");
   EXPECT_EQ(image.width_px, 3);
   EXPECT_EQ(image.height_px, 2);
@@ -51,7 +51,7 @@ TEST(Fields, ShowAPictureRowByRow) {
   EXPECT_EQ(image.color[9], 1);
 }
 
-TEST(Fields, TakeRowsAsWell) {
+TEST(Fields, AcceptRowMajorArrays) {
   wire::MessageWriter writer(wire::MessageType::kStep, 1);
   const auto pixels = writer.AddSpace("rgbVision", wire::ElementType::kByte, true,
                                       std::array{1u, 2u, 3u}, /*is_row_major=*/true);
@@ -64,7 +64,7 @@ TEST(Fields, TakeRowsAsWell) {
   EXPECT_EQ(fields.Matrix("depthVision")(0, 1), 1);
 }
 
-TEST(Fields, SayWhatThereIsInstead) {
+TEST(Fields, ErrorsNameTheAvailableFields) {
   EXPECT_EQ(ErrorOf([](const Fields& fields) { fields.Number("time"); }),
             "there is no time, only simTime, gripperOpening, path, rgbVision");
   EXPECT_EQ(ErrorOf([](const Fields& fields) { fields.Number("gripperOpening"); }),
@@ -76,4 +76,4 @@ TEST(Fields, SayWhatThereIsInstead) {
 }
 
 }  // namespace
-}  // namespace smile::agent
+}  // namespace smile::brain_client

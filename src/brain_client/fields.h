@@ -8,13 +8,13 @@
 #include "image/image.h"
 #include "wire/wire.h"
 
-namespace smile::agent {
+namespace smile::brain_client {
 
-/// What the simulator tells: arrays by the names, shapes and units of docs/brains.md, the same for
-/// all languages. Fields that a newer simulator adds are simply there.
+/// Fields of a message from the simulator: arrays with the names, shapes and units of
+/// docs/brains.md, the same for all languages. Includes fields that a newer simulator adds.
 ///
-/// Asking for what is not there, or is of another kind, throws std::invalid_argument saying what
-/// there is.
+/// Reading a field that is missing, or of another kind, throws std::invalid_argument that names
+/// what is available.
 class Fields {
  public:
   Fields() = default;
@@ -24,7 +24,7 @@ class Fields {
   double Number(std::string_view name) const;
   Eigen::MatrixXd Matrix(std::string_view name) const;
   std::string Text(std::string_view name) const;
-  /// Colors, row by row from the top: height x width x 3 bytes.
+  /// Returns colors row by row from the top: height x width x 3 bytes.
   Image Picture(std::string_view name) const;
 
  private:
@@ -33,4 +33,4 @@ class Fields {
   wire::Message message_;
 };
 
-}  // namespace smile::agent
+}  // namespace smile::brain_client

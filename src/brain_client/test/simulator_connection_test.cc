@@ -1,4 +1,4 @@
-#include "agent/simulator_connection.h"
+#include "brain_client/simulator_connection.h"
 
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -15,22 +15,22 @@
 #include <thread>
 #include <vector>
 
-#include "agent/agent.h"
-#include "agent/message_outline.h"
+#include "brain_client/brain.h"
+#include "brain_client/message_outline.h"
 #include "wire/test/wire_verbs.h"
 
-namespace smile::agent {
+namespace smile::brain_client {
 namespace {
 
 using wire::ElementType;
 using wire::MessageType;
 using wire::MessageWriter;
 
-/// This test as the simulator of a program.
+/// Plays the simulator of a brain.
 class SimulatorConnectionTest : public testing::Test {
  protected:
   SimulatorConnectionTest() {
-    std::string name = (std::filesystem::temp_directory_path() / "agent-XXXXXX").string();
+    std::string name = (std::filesystem::temp_directory_path() / "brain-client-XXXXXX").string();
     folder_ = ::mkdtemp(name.data());
     sockaddr_un address = {};
     address.sun_family = AF_UNIX;
@@ -78,7 +78,7 @@ std::vector<std::byte> Step(std::uint32_t sequence) {
   return writer.Finish();
 }
 
-TEST_F(SimulatorConnectionTest, GreetsAsTheProtocolSays) {
+TEST_F(SimulatorConnectionTest, GreetingFollowsTheProtocol) {
   SimulatorConnection connection(Address());
   Accept();
   connection.Greet({.client = "lua", .language = "5.4", .takes_rows = true});
@@ -132,7 +132,7 @@ TEST_F(SimulatorConnectionTest, LeavesPicturesWhereTheyWereReceived) {
   EXPECT_EQ(data.data() + data.size(), room.data() + room.size());
 }
 
-TEST_F(SimulatorConnectionTest, RefusesNonsenseBeforeThereIsRoomForIt) {
+TEST_F(SimulatorConnectionTest, RefusesInvalidMessagesBeforeAllocatingMemory) {
   bool has_made_room = false;
   SimulatorConnection connection(Address(), {.make_room = [&](std::size_t) {
                                    has_made_room = true;
@@ -151,7 +151,7 @@ TEST_F(SimulatorConnectionTest, RefusesNonsenseBeforeThereIsRoomForIt) {
   EXPECT_FALSE(has_made_room);
 }
 
-TEST_F(SimulatorConnectionTest, LetsASignalEndTheWaiting) {
+TEST_F(SimulatorConnectionTest, ASignalEndsAWait) {
   struct sigaction quiet = {}, before = {};
   quiet.sa_handler = [](int) {};
   ::sigaction(SIGALRM, &quiet, &before);
@@ -168,7 +168,7 @@ TEST_F(SimulatorConnectionTest, LetsASignalEndTheWaiting) {
   EXPECT_EQ(connection.Receive()->sequence, 5u);
 }
 
-TEST(SimulatorConnection, SaysWhereNobodyIs) {
+TEST(SimulatorConnection, NamesTheAddressThatItCannotConnectTo) {
   try {
     SimulatorConnection connection("/nowhere/socket");
     ADD_FAILURE() << "connected";
@@ -179,7 +179,7 @@ TEST(SimulatorConnection, SaysWhereNobodyIs) {
 }
 
 /// Watches whenever there is something to be watched, then turns its head.
-class Watcher : public Program {
+class Watcher : public Brain {
   void Init(Aux& aux) override {
     aux.watch = aux.Has("demonstration");
     aux.image_seconds = 2;
@@ -189,11 +189,11 @@ class Watcher : public Program {
   }
 };
 
-TEST_F(SimulatorConnectionTest, AProgramInCppWishesAndAnswers) {
+TEST_F(SimulatorConnectionTest, ABrainInCppSendsItsSettingsAndAnswers) {
   ::setenv("SMILE_BRAIN_ADDRESS", Address().c_str(), 1);
-  Watcher program;
+  Watcher brain;
   int result = -1;
-  std::thread thread([&] { result = agent::Run(program); });
+  std::thread thread([&] { result = brain_client::Run(brain); });
   Accept();
   EXPECT_EQ(Hear().type, MessageType::kHello);
   MessageWriter init(MessageType::kInit, 1);
@@ -242,4 +242,4 @@ TEST(MessageOutline, ChangesWithAllButNumbers) {
 }
 
 }  // namespace
-}  // namespace smile::agent
+}  // namespace smile::brain_client

@@ -1,4 +1,4 @@
-#include "agent/agent.h"
+#include "brain_client/brain.h"
 
 #include <array>
 #include <cstdio>
@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
-#include "agent/simulator_connection.h"
+#include "brain_client/simulator_connection.h"
 
-namespace smile::agent {
+namespace smile::brain_client {
 namespace {
 
 using wire::MessageType;
@@ -35,13 +35,13 @@ std::vector<std::byte> ErrorFrame(std::uint32_t sequence, std::string_view messa
   return writer.Finish();
 }
 
-/// One program in conversation with one simulator.
-class Conversation {
+/// Answers the messages of one simulator for one brain.
+class ProtocolSession {
  public:
-  Conversation(Program* program, SimulatorConnection* connection)
-      : program_(program), connection_(connection) {}
+  ProtocolSession(Brain* brain, SimulatorConnection* connection)
+      : brain_(brain), connection_(connection) {}
 
-  void Go() {
+  void Run() {
     connection_->Greet({.client = "c++", .language = {}, .takes_rows = true});
     while (const auto message = connection_->Receive()) {
       if (message->type == MessageType::kBye) return;
@@ -58,7 +58,7 @@ class Conversation {
     } catch (const std::exception& error) {
       return ErrorFrame(sequence, error.what());
     } catch (...) {
-      return ErrorFrame(sequence, "something was thrown that is no std::exception");
+      return ErrorFrame(sequence, "an exception that is no std::exception");
     }
   }
 
@@ -69,7 +69,7 @@ class Conversation {
     const auto joints = static_cast<Eigen::Index>(aux_.Number("numJoints"));
     motor_.joint_velocities.setZero(limbs, joints);
     motor_.gripper_velocities.setZero(limbs);
-    program_->Init(aux_);
+    brain_->Init(aux_);
     if (aux_.init_joint_angles) AddMatrix(writer, "initJointAngles", *aux_.init_joint_angles);
     if (!aux_.channels.empty()) writer.AddText("channels", InOneLine(aux_.channels));
     if (!aux_.cameras.empty()) writer.AddText("cameras", InOneLine(aux_.cameras));
@@ -81,7 +81,7 @@ class Conversation {
 
   std::vector<std::byte> Step(wire::Message message) {
     const std::uint32_t sequence = message.sequence;
-    program_->Step(Sensor(std::move(message)), motor_, aux_);
+    brain_->Step(Sensor(std::move(message)), motor_, aux_);
     MessageWriter writer(aux_.exit ? MessageType::kFinalMotor : MessageType::kMotor, sequence);
     AddMatrix(writer, "jointVelocities", motor_.joint_velocities);
     AddMatrix(writer, "gripperVelocities", motor_.gripper_velocities);
@@ -98,7 +98,7 @@ class Conversation {
     sent_markers_ = markers;
   }
 
-  Program* program_;
+  Brain* brain_;
   SimulatorConnection* connection_;
   Aux aux_;
   Motor motor_;
@@ -107,18 +107,17 @@ class Conversation {
 
 }  // namespace
 
-int Run(Program& program) {
-  // What a program prints shall be seen when it happens; into a pipe it would come in lumps.
+int Run(Brain& brain) {
+  // A pipe would be fully buffered: lines appear when they are printed.
   std::setvbuf(stdout, nullptr, _IOLBF, 0);
   try {
     const char* address = std::getenv("SMILE_BRAIN_ADDRESS");
     if (address == nullptr) {
       throw std::runtime_error(
-          "a robot program is started by the simulator: smile run SCENE "
-          "--brain PROGRAM");
+          "a brain is started by the simulator: smile run SCENE --brain PROGRAM");
     }
     SimulatorConnection connection(address);
-    Conversation(&program, &connection).Go();
+    ProtocolSession(&brain, &connection).Run();
     return 0;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
@@ -126,4 +125,4 @@ int Run(Program& program) {
   }
 }
 
-}  // namespace smile::agent
+}  // namespace smile::brain_client

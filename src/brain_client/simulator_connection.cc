@@ -1,4 +1,4 @@
-#include "agent/simulator_connection.h"
+#include "brain_client/simulator_connection.h"
 
 #include <poll.h>
 #include <sys/socket.h>
@@ -8,7 +8,7 @@
 #include <cerrno>
 #include <system_error>
 
-namespace smile::agent {
+namespace smile::brain_client {
 namespace {
 
 [[noreturn]] void FailToConnect(int reason, const std::string& address) {
@@ -79,4 +79,4 @@ std::optional<wire::MessageView> SimulatorConnection::Receive() {
   }
 }
 
-}  // namespace smile::agent
+}  // namespace smile::brain_client

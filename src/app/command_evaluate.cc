@@ -108,11 +108,7 @@ void AddEvaluate(CLI::App* program, ExitAnswer answer) {
                    "by the clock on the wall, at most, each run: then it counts as hung")
       ->capture_default_str()
       ->check(NumberBetween(0.1, 1e6));
-  evaluate
-      ->add_option("--patience", options->patience,
-                   "as for `imitate`; more for more jobs than cores")
-      ->capture_default_str()
-      ->check(NumberBetween(0.01, 86400.0));
+  AddTimeoutOption(evaluate, /*brain=*/nullptr, &options->timeout);
   evaluate->add_option("--out", options->out,
                        "directory for the results; out/evaluate/SCENE if not given");
   evaluate->add_option("--keep", options->keep, "which recordings stay: all, failures or none")

@@ -48,7 +48,7 @@ int ImitateDemo(const ImitateOptions& options) {
        .scene = layout::LaidOut(scene_xml::LoadScene(options.scene, options.path.reader()),
                                 options.layout.choice()),
        .brain = options.brain.brain,
-       .callback_seconds = options.brain.patience,
+       .callback_seconds = options.brain.timeout,
        .is_attached = options.brain.attach,
        .record = out / "imitation",
        .has_pictures = !options.no_pictures,

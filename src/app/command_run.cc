@@ -49,7 +49,7 @@ int RunScene(const RunOptions& options) {
     plan.script = sim::ScriptOf(motion::ReadTrajectory(options.trajectory), options.trajectory);
   }
   plan.brain = options.brain.brain;
-  plan.callback_seconds = options.brain.patience;
+  plan.callback_seconds = options.brain.timeout;
   plan.is_attached = options.brain.attach;
   plan.seconds = options.seconds;
   plan.record = options.record;

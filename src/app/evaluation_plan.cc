@@ -24,7 +24,7 @@ std::vector<std::string> OtherArguments(const EvaluateOptions& options) {
   const auto add_flag = [&arguments](const char* name, bool is_set) {
     if (is_set) arguments.emplace_back(name);
   };
-  add("--patience", NumberText(options.patience));
+  add("--timeout", NumberText(options.timeout));
   if (options.eye.camera != EyeOptions().camera) add("--eye", options.eye.camera);
   add("--size", options.eye.size);
   add("--noise", options.noise);

@@ -17,7 +17,7 @@ struct EvaluateOptions {
   bool no_symbols = false;
   std::size_t scenes = 10, jobs = 0;
   std::uint64_t seed = 1;
-  double max_seconds = 600, wall_seconds = 3600, patience = 60;
+  double max_seconds = 600, wall_seconds = 3600, timeout = 60;
   EyeOptions eye;
   std::string noise;
   RobotOptions robot;

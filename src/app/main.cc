@@ -45,7 +45,7 @@ int main(int argc, char** argv) {
   app::AddExport(&program, &answer);
   app::AddRender(&program, &answer);
   app::AddLayout(&program, &answer);
-  app::AddDress(&program, &answer);
+  app::AddRerender(&program, &answer);
   app::AddImitate(&program, &answer);
   app::AddEvaluate(&program, &answer);
   app::AddExperiment(&program, &answer);

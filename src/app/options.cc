@@ -53,17 +53,23 @@ void AddRobotOptions(CLI::App* command, bool may_be_absent, RobotOptions* option
       ->excludes(kinematic);
 }
 
+void AddTimeoutOption(CLI::App* command, CLI::Option* brain, double* seconds) {
+  CLI::Option* timeout = command->add_option(
+      "--timeout", *seconds,
+      "timeout per callback in seconds of wall-clock time; init has 12 times as "
+      "long");
+  CLI::Option* earlier = command->add_option("--patience", *seconds)->group("");
+  for (CLI::Option* option : {timeout, earlier}) {
+    option->capture_default_str()->check(NumberBetween(0.01, 86400.0));
+    if (brain != nullptr) option->needs(brain);
+  }
+}
+
 CLI::Option* AddBrainOptions(CLI::App* command, BrainOptions* options) {
   CLI::Option* brain = command->add_option(
       "--brain", options->brain,
       "brain (robot program): a folder with agentBehavior.m, a Python file, or an executable");
-  command
-      ->add_option("--patience", options->patience,
-                   "seconds by the clock on the wall that a callback of the brain may take; its "
-                   "init may take twelve times as long")
-      ->capture_default_str()
-      ->check(NumberBetween(0.01, 86400.0))
-      ->needs(brain);
+  AddTimeoutOption(command, brain, &options->timeout);
   command
       ->add_flag("--attach", options->attach,
                  "do not start the brain: say how to start it in a debugger, and wait for it as "

@@ -53,11 +53,16 @@ std::optional<sim::RobotPlacement> PlaceRobot(const RobotOptions& options,
 /// Brain and the way it is run.
 struct BrainOptions {
   std::string brain;
-  double patience = brain::kCallbackSeconds;
+  double timeout = brain::kCallbackSeconds;  ///< of a callback [s of wall-clock time]
   bool attach = false;
 };
 
-/// Adds `--brain`, `--patience` and `--attach`.
+/// Adds `--timeout`, and its earlier name `--patience`, which `--help` does not list.
+/// @param brain    option that both need; may be null.
+/// @param seconds  the default, and then the value.
+void AddTimeoutOption(CLI::App* command, CLI::Option* brain, double* seconds);
+
+/// `--brain`, `--timeout` and `--attach`.
 /// @returns the option `--brain`, which some commands require.
 CLI::Option* AddBrainOptions(CLI::App* command, BrainOptions* options);
 

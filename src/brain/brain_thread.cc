@@ -31,9 +31,9 @@ void BrainThread::Ask(BrainQuestion question) {
   changed_.notify_all();
 }
 
-std::optional<BrainAnswer> BrainThread::WaitForAnswer(std::chrono::nanoseconds patience) {
+std::optional<BrainAnswer> BrainThread::WaitForAnswer(std::chrono::nanoseconds timeout) {
   std::unique_lock lock(mutex_);
-  changed_.wait_for(lock, patience, [this] { return answer_.has_value(); });
+  changed_.wait_for(lock, timeout, [this] { return answer_.has_value(); });
   return std::exchange(answer_, std::nullopt);
 }
 

@@ -32,7 +32,7 @@ class BrainThread {
   /// Asks a question; the first one starts the program. Any failure becomes a BrainError.
   void Ask(BrainQuestion question);
   /// Returns the answer; nullopt if there is none within this time.
-  std::optional<BrainAnswer> WaitForAnswer(std::chrono::nanoseconds patience);
+  std::optional<BrainAnswer> WaitForAnswer(std::chrono::nanoseconds timeout);
 
   /// Ends the program, even while it starts or computes, without waiting. No questions may follow.
   void Leave();

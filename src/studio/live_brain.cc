@@ -48,8 +48,8 @@ void LiveBrain::Ask(sim::Simulation* simulation) {
   if (question) thread_->Ask(*std::move(question));
 }
 
-bool LiveBrain::TakeAnswer(std::chrono::nanoseconds patience, sim::Simulation* simulation) {
-  auto answer = thread_->WaitForAnswer(patience);
+bool LiveBrain::TakeAnswer(std::chrono::nanoseconds timeout, sim::Simulation* simulation) {
+  auto answer = thread_->WaitForAnswer(timeout);
   if (!answer) return false;
   is_asked_ = false;
   driver_->Take(*std::move(answer), simulation);

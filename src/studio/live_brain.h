@@ -57,7 +57,7 @@ class LiveBrain {
   bool is_starting() const { return HasStatus(brain::BrainStatus::kStarting); }
   void Ask(sim::Simulation* simulation);
   /// Returns false if the program has not answered yet.
-  bool TakeAnswer(std::chrono::nanoseconds patience, sim::Simulation* simulation);
+  bool TakeAnswer(std::chrono::nanoseconds timeout, sim::Simulation* simulation);
 
   brain::BrainOptions limits_;
   Console console_;  ///< written by the programs' threads, which end first

@@ -47,7 +47,7 @@ TEST_F(BrainTrouble, EveryFailureLeavesARecordingThatReplays) {
     WriteStep(std::string("  if sensor.simTime > 0.2: ") + line + "\n");
     const bool is_late = std::string(message).starts_with("took longer");
     const Answer answer =
-        Shell(std::string("rm -rf demo; smile run pair.xml --brain brain/think.py --patience ") +
+        Shell(std::string("rm -rf demo; smile run pair.xml --brain brain/think.py --timeout ") +
               (is_late ? "0.4" : "20") + " --seconds 2 --record demo --no-pictures --json");
     EXPECT_EQ(answer.exit_code, 1) << line;
     EXPECT_EQ(answer.json()["brain"]["status"], "failed") << line;
@@ -93,7 +93,7 @@ TEST_F(BrainTrouble, NothingIsLeftOfABrainWhoseSimulatorWasKilled) {
   const Answer answer = Shell(
       "mkdir tmp; export TMPDIR=$PWD/tmp\n"
       "\"" SMILE_PROGRAM
-      "\" run pair.xml --brain brain/think.py --patience 60 & simulator=$!\n"
+      "\" run pair.xml --brain brain/think.py --timeout 60 & simulator=$!\n"
       "for k in $(seq 600); do [ -e pids ] && break; sleep 0.05; done\n"
       "pids=$(cat pids) && kill -0 $pids && ls tmp | grep -q smile-brain || exit 8\n"
       "kill -KILL $simulator\n"

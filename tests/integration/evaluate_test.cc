@@ -111,7 +111,7 @@ TEST_F(Evaluate, ARunThatCrashesOrHangsIsAFailureWithACause) {
              "  if seed == 4: os.kill(simulator, signal.SIGSTOP); time.sleep(60)\n");
   ASSERT_EQ(Smile("run pair.xml --commands stack.jsonl --record stacked --no-pictures").exit_code,
             0);
-  const std::string arguments = "--brain shaky/shaky.py --patience 100 ";
+  const std::string arguments = "--brain shaky/shaky.py --timeout 100 ";
   const Answer answer = EvaluateOf("stacked", arguments + "--scenes 3");
   ASSERT_EQ(answer.exit_code, 0) << answer.err;
   Json runs = answer.json()["agents"][0]["runs"];
@@ -155,7 +155,7 @@ TEST_F(Evaluate, AnInterruptedEvaluationGoesOnWhereItWas) {
   WriteBrain("slow", "  while seed > 1 and not os.path.exists('" + (directory_ / "go").string() +
                          "'): time.sleep(0.02)\n");
   const std::string command =
-      "evaluate lifted --scene pair.xml --out ev --brain slow/slow.py --scenes 3 --patience 100";
+      "evaluate lifted --scene pair.xml --out ev --brain slow/slow.py --scenes 3 --timeout 100";
   // SIGTERM reaches the evaluation only; its runs are in groups of their own.
   const Answer cut = Shell(
       SMILE_PROGRAM " " + command +

@@ -59,7 +59,7 @@ TEST_P(LearnerWithNoise, BuildsThoughItsJointsAreMeasuredInexactly) {
                 .exit_code,
             0);
   const Answer answer = Smile("imitate shown '" + Shipped("scenes/tower_robot.xml") +
-                              "' --seed 3 --noise joints=0.001 --no-pictures --patience 60 "
+                              "' --seed 3 --noise joints=0.001 --no-pictures --timeout 60 "
                               "--out out --json --brain '" +
                               Shipped(GetParam()) + "'");
   ASSERT_EQ(answer.exit_code, 0) << answer.err;

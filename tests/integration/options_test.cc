@@ -40,6 +40,20 @@ TEST_F(Options, ARepeatableOptionLeavesDemonstrationAndSceneAlone) {
   }
 }
 
+TEST_F(Options, EarlierNamesWorkAndHelpDoesNotListThem) {
+  for (const std::string option : {"--timeout", "--patience"}) {
+    const Answer answer = Smile("run pair.xml --brain nowhere " + option + " 2");
+    EXPECT_EQ(answer.exit_code, 1) << answer.err;
+    EXPECT_NE(answer.err.find("nowhere: no such brain"), std::string::npos) << answer.err;
+  }
+  for (const char* command : {"--help", "--help-all", "run --help", "evaluate --help"}) {
+    const std::string help = Smile(command).out;
+    EXPECT_EQ(help.find("patience"), std::string::npos) << help;
+    EXPECT_EQ(help.find("\ndress"), std::string::npos) << help;
+    EXPECT_EQ(help.find("  dress"), std::string::npos) << help;
+  }
+}
+
 TEST_F(Options, ABlankTitleIsRefused) {
   const Answer answer = Smile("run pair.xml --seconds 0 --record demo --title '  '");
   EXPECT_EQ(answer.exit_code, 2);

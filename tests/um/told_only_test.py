@@ -39,7 +39,7 @@ def main(smile, source, brain, *command):
             f"'{word}'" for word in (sys.executable, __file__, "--listen", folder, brain, *command)))
         listener.chmod(0o755)
         subprocess.run([smile, "imitate", "shown", f"{source}/scenes/tower_robot.xml", "--seed", "3",
-                        "--brain", "./listener", "--out", "built", "--no-pictures", "--patience",
+                        "--brain", "./listener", "--out", "built", "--no-pictures", "--timeout",
                         "60"], check=True)
         result = json.loads(Path("built/result.json").read_text())
         assert result["rebuilt"], "the tower was not rebuilt"

@@ -7,7 +7,7 @@
 namespace smile {
 namespace {
 
-class DressAsUsed : public ProgramTest {
+class Rerender : public ProgramTest {
  protected:
   void SetUp() override {
     Write("pair.xml", PairOfBlocks());
@@ -43,15 +43,15 @@ class DressAsUsed : public ProgramTest {
   }
 };
 
-TEST_F(DressAsUsed, DrawsAnInvisibleOneToTheLastBit) {
-  const Answer answer = Smile("dress demo --demonstrator invisible --out same");
+TEST_F(Rerender, InvisibleGivesIdenticalPictures) {
+  const Answer answer = Smile("rerender demo --demonstrator invisible --out same");
   EXPECT_EQ(answer.exit_code, 0) << answer.err;
   EXPECT_EQ(Differing("demo", "same"), std::set<std::string>());
 }
 
-TEST_F(DressAsUsed, ChangesNothingButPictures) {
+TEST_F(Rerender, ChangesOnlyPictures) {
   for (const std::string look : {"ghost", "forearm"}) {
-    const Answer answer = Smile("dress demo --demonstrator " + look + " --json --out " + look);
+    const Answer answer = Smile("rerender demo --demonstrator " + look + " --json --out " + look);
     ASSERT_EQ(answer.exit_code, 0) << answer.err;
     int num_pictures = 0;
     for (const std::string& path : Differing("demo", look)) {
@@ -74,41 +74,41 @@ TEST_F(DressAsUsed, ChangesNothingButPictures) {
           .exit_code,
       0);
   EXPECT_TRUE(Read("f/000004.png") == Read("forearm/1/4.png"));
-  // And from the copy everything else can be made.
+  // A copy can be rendered again, here by the earlier name of the command.
   ASSERT_EQ(Smile("dress forearm --demonstrator invisible --out back").exit_code, 0);
   EXPECT_EQ(Differing("demo", "back"), std::set<std::string>());
 }
 
-TEST_F(DressAsUsed, LeavesOutTheTextsForThoseWhoLearnByWatching) {
-  ASSERT_EQ(Smile("dress demo --demonstrator forearm --no-symbols --out mute").exit_code, 0);
+TEST_F(Rerender, OmitsTextsOnRequest) {
+  ASSERT_EQ(Smile("rerender demo --demonstrator forearm --no-symbols --out mute").exit_code, 0);
   for (const auto& [path, text] : FilesOf("mute")) EXPECT_FALSE(path.ends_with(".txt")) << path;
   EXPECT_EQ(Json::parse(Read("mute/demo.json"))["has_symbols"], false);
   EXPECT_TRUE(Read("mute/frames.csv") == Read("demo/frames.csv"));
   EXPECT_EQ(Smile("replay mute --verify").exit_code, 0);
-  EXPECT_NE(Smile("dress mute --demonstrator ghost --out texts").err.find("has no texts"),
+  EXPECT_NE(Smile("rerender mute --demonstrator ghost --out texts").err.find("has no texts"),
             std::string::npos);
 }
 
-TEST_F(DressAsUsed, SaysWhatItCannotDo) {
-  EXPECT_EQ(Smile("dress demo --demonstrator gost --out x").err,
+TEST_F(Rerender, ReportsInvalidRequests) {
+  EXPECT_EQ(Smile("rerender demo --demonstrator gost --out x").err,
             "smile: demonstrator is \"gost\", expected invisible, ghost or forearm\n");
-  EXPECT_EQ(Smile("dress demo --demonstrator ghost --out demo").exit_code, 1);
-  EXPECT_EQ(Smile("dress demo --demonstrator ghost --out demo/new").exit_code, 1);
+  EXPECT_EQ(Smile("rerender demo --demonstrator ghost --out demo").exit_code, 1);
+  EXPECT_EQ(Smile("rerender demo --demonstrator ghost --out demo/new").exit_code, 1);
   EXPECT_EQ(Smile("render pair.xml --demonstrator ghost --out x.png").err,
             "smile: --demonstrator needs a recording, but 'pair.xml' is none\n");
   ASSERT_EQ(Smile("run pair.xml --seconds 1 --no-pictures --record blind").exit_code, 0);
-  EXPECT_NE(Smile("dress blind --demonstrator ghost --out x").err.find("has no pictures"),
+  EXPECT_NE(Smile("rerender blind --demonstrator ghost --out x").err.find("has no pictures"),
             std::string::npos);
-  ASSERT_EQ(Smile("dress demo --demonstrator ghost --out ghost").exit_code, 0);
+  ASSERT_EQ(Smile("rerender demo --demonstrator ghost --out ghost").exit_code, 0);
   const Answer on = Smile("checkout ghost --seconds 1");
   EXPECT_EQ(on.exit_code, 1);
   EXPECT_EQ(on.err,
             "ghost: shows its demonstrator; go on with the recording that it is a copy of\n");
   Write("demo/frames.csv", "frame,tick,image\n0,0,../../x.png\n");
-  EXPECT_EQ(Smile("dress demo --demonstrator ghost --out x").err,
+  EXPECT_EQ(Smile("rerender demo --demonstrator ghost --out x").err,
             "demo/frames.csv:2: found \"0,0,../../x.png\", expected a picture like 3/14.png\n");
   Write("demo/frames.csv", "frame,tick,image\n0,999999,0/0.png\n");
-  EXPECT_EQ(Smile("dress demo --demonstrator ghost --out x").exit_code, 1);
+  EXPECT_EQ(Smile("rerender demo --demonstrator ghost --out x").exit_code, 1);
   EXPECT_FALSE(Exists("x"));
 }
 

@@ -13,12 +13,12 @@
 namespace smile::app {
 namespace {
 
-struct DressOptions {
+struct RerenderOptions {
   std::string demo, out, demonstrator;
   bool no_symbols = false, json = false;
 };
 
-int DressOne(const DressOptions& options) {
+int RerenderRecording(const RerenderOptions& options) {
   const classic::RedrawOptions copy{
       .demonstrator = recording::ParseDemonstratorLook(options.demonstrator),
       .has_symbols = !options.no_symbols};
@@ -39,18 +39,24 @@ int DressOne(const DressOptions& options) {
   return kDone;
 }
 
+CLI::App* AddNamed(const char* name, CLI::App* program, ExitAnswer answer) {
+  auto options = std::make_shared<RerenderOptions>();
+  CLI::App* rerender =
+      program->add_subcommand(name, "Copy a recording with another demonstrator in its pictures");
+  rerender->add_option("DEMO", options->demo, "directory of a recording")->required();
+  AddDemonstratorOption(rerender, &options->demonstrator)->required();
+  rerender->add_option("--out", options->out, "directory to make")->required()->check(NotEmpty());
+  rerender->add_flag("--no-symbols", options->no_symbols, "without the texts of the classic view");
+  rerender->add_flag("--json", options->json, "print one JSON object on stdout");
+  rerender->callback([options, answer] { *answer = RerenderRecording(*options); });
+  return rerender;
+}
+
 }  // namespace
 
-void AddDress(CLI::App* program, ExitAnswer answer) {
-  auto options = std::make_shared<DressOptions>();
-  CLI::App* dress = program->add_subcommand(
-      "dress", "Copy a recording with another demonstrator in its pictures");
-  dress->add_option("DEMO", options->demo, "directory of a recording")->required();
-  AddDemonstratorOption(dress, &options->demonstrator)->required();
-  dress->add_option("--out", options->out, "directory to make")->required()->check(NotEmpty());
-  dress->add_flag("--no-symbols", options->no_symbols, "without the texts of the classic view");
-  dress->add_flag("--json", options->json, "print one JSON object on stdout");
-  dress->callback([options, answer] { *answer = DressOne(*options); });
+void AddRerender(CLI::App* program, ExitAnswer answer) {
+  AddNamed("rerender", program, answer);
+  AddNamed("dress", program, answer)->group("");  // the earlier name; --help does not list it
 }
 
 }  // namespace smile::app

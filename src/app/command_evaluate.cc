@@ -21,8 +21,8 @@ constexpr std::size_t kMaxScenes = 100'000, kMaxJobs = 1024;
 
 std::string StatusText(const experiment::EvaluationStatus& status) {
   std::string text = std::to_string(status.done) + " of " + std::to_string(status.runs) +
-                     " runs, " + std::to_string(status.rebuilt) + " rebuilt, " +
-                     std::to_string(status.done - status.rebuilt) + " failed";
+                     " runs, " + std::to_string(status.successes) + " rebuilt, " +
+                     std::to_string(status.done - status.successes) + " failed";
   if (status.seconds_left) {
     const bool is_long = *status.seconds_left >= 90;
     text += ", about " + NumberText(std::ceil(*status.seconds_left / (is_long ? 60 : 1))) +

@@ -27,7 +27,7 @@ void PrintSummary(const experiment::ImitationResult& outcome, const std::filesys
   const Json& result = outcome.json;
   std::printf("\nThe robot watched the task '%s' and %s.\n",
               result["task"].get<std::string>().c_str(),
-              outcome.is_rebuilt ? "did it, too" : "did not manage to do it");
+              outcome.has_succeeded ? "did it, too" : "did not manage to do it");
   for (const auto& [id, goal] : result["goal"]["objects"].items()) {
     const std::string scene_id = result["match"][id];
     const Json& at = result["final"]["objects"][scene_id]["position"];
@@ -75,7 +75,7 @@ int RunExperiment(const ExperimentOptions& options) {
     std::fprintf(stderr, "%s\n", ToString(*outcome.brain_error).c_str());
     return kInputWrong;
   }
-  return outcome.is_rebuilt ? kDone : kInputWrong;
+  return outcome.has_succeeded ? kDone : kInputWrong;
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ namespace smile::experiment {
 namespace {
 
 constexpr std::size_t kMaxNameLetters = 40;
-constexpr int kRunsFormat = 1;  ///< of agent.json and run.json
+constexpr int kRunsFormat = 2;  ///< of brain.json and run.json
 
 /// Short unique names of brains, suitable as names of folders.
 std::vector<std::string> NamesOf(const std::vector<std::string>& brains) {
@@ -125,7 +125,7 @@ class StatusCounter {
 
   void Count(const report::EvaluatedRun& run) {
     ++status_.done;
-    if (run.is_rebuilt) ++status_.rebuilt;
+    if (run.has_succeeded) ++status_.successes;
   }
 
   EvaluationStatus status() const {
@@ -196,10 +196,10 @@ class Evaluator {
                                   .scene = plan_.scene_name,
                                   .level = plan_.level,
                                   .ways = plan_.settings,
-                                  .agents = {},
+                                  .brains = {},
                                   .again = plan_.again};
     for (Candidate& candidate : candidates_) {
-      report::EvaluatedAgent evaluated{.name = candidate.name,
+      report::EvaluatedBrain evaluated{.name = candidate.name,
                                        .brain = candidate.brain,
                                        .runs = {},
                                        .demonstrator = candidate.showing.demonstrator};
@@ -207,7 +207,7 @@ class Evaluator {
         candidate.folder.Tidy(plan_.keep, plan_.out, &run);
         evaluated.runs.push_back(run);
       }
-      evaluation.agents.push_back(std::move(evaluated));
+      evaluation.brains.push_back(std::move(evaluated));
     }
     return evaluation;
   }

@@ -54,7 +54,7 @@ struct EvaluationPlan {
 
 /// How far an evaluation is.
 struct EvaluationStatus {
-  std::size_t runs = 0, done = 0, rebuilt = 0;
+  std::size_t runs = 0, done = 0, successes = 0;
   std::optional<double> seconds_left;  ///< estimate [s of wall-clock time]; nullopt if unknown
 };
 

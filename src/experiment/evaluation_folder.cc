@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMaxFileBytes = 1 << 20;
-constexpr const char* kAgentFile = "agent.json";
+constexpr const char* kBrainFile = "brain.json";
 constexpr const char* kRunFile = "run.json";
 constexpr const char* kRecording = "imitation";
 
@@ -49,11 +49,11 @@ EvaluationFolder::EvaluationFolder(const fs::path& directory, const Json& depend
     : directory_(directory) {
   std::error_code error;
   // Results that depend on something else are kept under another name.
-  if (fs::exists(directory_, error) && ReadOwn(directory_ / kAgentFile) != depends_on) {
+  if (fs::exists(directory_, error) && ReadOwn(directory_ / kBrainFile) != depends_on) {
     MoveAside(directory_, callbacks);
   }
   MakeDirectories(directory_);
-  WriteFile(directory_ / kAgentFile, ToText(depends_on, 2) + "\n");
+  WriteFile(directory_ / kBrainFile, ToText(depends_on, 2) + "\n");
 }
 
 fs::path EvaluationFolder::FolderOf(std::uint64_t seed) const {
@@ -92,7 +92,7 @@ report::EvaluatedRun EvaluationFolder::CompleteRun(std::uint64_t seed) const {
 void EvaluationFolder::Tidy(Keep keep, const fs::path& report_folder,
                             report::EvaluatedRun* run) const {
   const fs::path recording = FolderOf(run->seed) / kRecording;
-  const bool is_kept = keep == Keep::kAll || (keep == Keep::kFailures && !run->is_rebuilt);
+  const bool is_kept = keep == Keep::kAll || (keep == Keep::kFailures && !run->has_succeeded);
   std::error_code error;
   if (!is_kept) Remove(recording);
   if (fs::exists(recording, error)) {

@@ -16,7 +16,7 @@ enum class Keep { kAll, kFailures, kNone };
 
 /// The runs of one brain on disk, one folder for each seed:
 ///
-///     NAME/agent.json                everything that all of them depend on
+///     NAME/brain.json                everything that all of them depend on
 ///     NAME/seed-0007/result.json     see docs/results.md
 ///     NAME/seed-0007/run.json        written last: marks a finished run
 ///     NAME/seed-0007/log.txt         its output

@@ -32,8 +32,9 @@ ImitationResult Imitate(const ImitationPlan& plan, const Callbacks& callbacks) {
                                 .watched_seconds = run.watched_seconds,
                                 .realtime_factor = run.realtime_factor,
                                 .brain = BrainJson(run)});
-  const bool is_rebuilt = result["rebuilt"].get<bool>();
-  return {.json = std::move(result), .is_rebuilt = is_rebuilt, .brain_error = run.brain_error};
+  const bool has_succeeded = result["success"].get<bool>();
+  return {
+      .json = std::move(result), .has_succeeded = has_succeeded, .brain_error = run.brain_error};
 }
 
 }  // namespace smile::experiment

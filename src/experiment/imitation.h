@@ -32,8 +32,8 @@ struct ImitationPlan {
 };
 
 struct ImitationResult {
-  Json json;  ///< `result.json`, see docs/results.md
-  bool is_rebuilt = false;
+  Json json;                   ///< `result.json`, see docs/results.md
+  bool has_succeeded = false;  ///< the structure is rebuilt, and the brain did not fail
   std::optional<brain::BrainError> brain_error;
 };
 

@@ -8,6 +8,7 @@
 #include "base/json_node.h"
 #include "base/wording.h"
 #include "report/wording.h"
+#include "task/imitation_result.h"
 
 namespace smile::report {
 namespace {
@@ -16,7 +17,7 @@ constexpr std::size_t kMaxResultBytes = 16 << 20;
 constexpr std::size_t kMaxWordBytes = 64, kMaxTextBytes = 4096;
 constexpr std::uint64_t kMaxCount = 1'000'000'000;
 constexpr double kMostNumber = 1e12;
-constexpr int kEvaluationFormat = 1;
+constexpr int kEvaluationFormat = 2;
 
 /// Returns an optional number of a result; nullopt if it is missing or null, as in results of older
 /// versions.
@@ -51,7 +52,7 @@ task::FailureReason FailureReasonFromStatus(const JsonNode& result) {
 EvaluatedRun RunIn(const JsonNode& result, std::uint64_t seed) {
   result.ExpectObject();
   EvaluatedRun run{.seed = seed,
-                   .is_rebuilt = result.Member("rebuilt").Flag(),
+                   .has_succeeded = task::ReadSuccess(result),
                    .score = result.Member("score").Number(0, 1),
                    .error_mm = NumberIn(result, "mean_error_mm"),
                    .error_degrees = NumberIn(result, "mean_error_degrees"),
@@ -61,17 +62,18 @@ EvaluatedRun RunIn(const JsonNode& result, std::uint64_t seed) {
     run.grasps = CountIn(result.Member("work"), "grasps");
     run.retries = CountIn(result.Member("work"), "retries");
   }
-  if (!run.is_rebuilt) run.failure_reason = FailureReasonIn(result);
-  if (!run.is_rebuilt && !run.failure_reason) run.failure_reason = FailureReasonFromStatus(result);
+  if (!run.has_succeeded) run.failure_reason = FailureReasonIn(result);
+  if (!run.has_succeeded && !run.failure_reason)
+    run.failure_reason = FailureReasonFromStatus(result);
   return run;
 }
 
-/// Returns the values of one field over the successful runs.
-std::vector<double> OfRebuilt(const std::vector<EvaluatedRun>& runs,
-                              std::optional<double> EvaluatedRun::*field) {
+/// Returns the values of a field in the successful runs that report it.
+std::vector<double> OfSuccesses(const std::vector<EvaluatedRun>& runs,
+                                std::optional<double> EvaluatedRun::*field) {
   std::vector<double> numbers;
   for (const EvaluatedRun& run : runs) {
-    if (run.is_rebuilt && run.*field) numbers.push_back(*(run.*field));
+    if (run.has_succeeded && run.*field) numbers.push_back(*(run.*field));
   }
   return numbers;
 }
@@ -79,12 +81,12 @@ std::vector<double> OfRebuilt(const std::vector<EvaluatedRun>& runs,
 /// Returns the mean difference of one field over the seeds from which both rebuilt the structure.
 /// Pairing by seed removes the variation between layouts, which is larger than that between
 /// programs.
-std::optional<Mean> MeanDifference(const EvaluatedAgent& first, const EvaluatedAgent& second,
+std::optional<Mean> MeanDifference(const EvaluatedBrain& first, const EvaluatedBrain& second,
                                    std::optional<double> EvaluatedRun::*field) {
   std::vector<double> differences;
   for (std::size_t i = 0; i < first.runs.size(); ++i) {
     const EvaluatedRun &a = first.runs[i], &b = second.runs[i];
-    if (a.is_rebuilt && b.is_rebuilt && a.*field && b.*field) {
+    if (a.has_succeeded && b.has_succeeded && a.*field && b.*field) {
       differences.push_back(*(a.*field) - *(b.*field));
     }
   }
@@ -113,9 +115,9 @@ Json SummaryJson(const Summary& summary) {
   Json causes = Json::object();
   for (const auto& [word, count] : summary.num_failures) causes[word] = count;
   return {{"runs", summary.runs},
-          {"rebuilt", summary.rebuilt},
+          {"successes", summary.successes},
           {"success_rate", summary.success_rate()},
-          {"success_interval", {summary.success.low, summary.success.high}},
+          {"success_interval", {summary.success_interval.low, summary.success_interval.high}},
           {"error_mm", MeanJson(summary.error_mm)},
           {"error_degrees", MeanJson(summary.error_degrees)},
           {"seconds_p50", OrNull(summary.seconds_p50)},
@@ -127,7 +129,7 @@ Json SummaryJson(const Summary& summary) {
 
 Json RunJson(const EvaluatedRun& run) {
   return {{"seed", run.seed},
-          {"rebuilt", run.is_rebuilt},
+          {"success", run.has_succeeded},
           {"score", run.score},
           {"error_mm", OrNull(run.error_mm)},
           {"error_degrees", OrNull(run.error_degrees)},
@@ -186,7 +188,7 @@ std::string FailureCountsText(const Summary& summary) {
   return text;
 }
 
-std::string ComparisonText(const EvaluatedAgent& first, const EvaluatedAgent& second) {
+std::string ComparisonText(const EvaluatedBrain& first, const EvaluatedBrain& second) {
   const Comparison comparison = Compare(first, second);
   const std::string a = Printable(first.name), b = Printable(second.name);
   std::string text = a + " less " + b + ", on the same " + Plural(first.runs.size(), "layout") +
@@ -217,27 +219,27 @@ EvaluatedRun ReadRun(const std::filesystem::path& result_json, std::uint64_t see
   }
 }
 
-Summary SummaryOf(const EvaluatedAgent& agent) {
-  Summary summary{.runs = agent.runs.size()};
-  for (const EvaluatedRun& run : agent.runs) {
-    if (run.is_rebuilt) ++summary.rebuilt;
+Summary SummaryOf(const EvaluatedBrain& brain) {
+  Summary summary{.runs = brain.runs.size()};
+  for (const EvaluatedRun& run : brain.runs) {
+    if (run.has_succeeded) ++summary.successes;
     if (run.failure_reason) ++summary.num_failures[run.failure_reason->code];
     AddCount(run.grasps, &summary.grasps);
     AddCount(run.retries, &summary.retries);
   }
-  summary.success = WilsonInterval(summary.rebuilt, summary.runs);
-  summary.error_mm = MeanOf(OfRebuilt(agent.runs, &EvaluatedRun::error_mm));
-  summary.error_degrees = MeanOf(OfRebuilt(agent.runs, &EvaluatedRun::error_degrees));
-  const std::vector<double> seconds = OfRebuilt(agent.runs, &EvaluatedRun::seconds);
+  summary.success_interval = WilsonInterval(summary.successes, summary.runs);
+  summary.error_mm = MeanOf(OfSuccesses(brain.runs, &EvaluatedRun::error_mm));
+  summary.error_degrees = MeanOf(OfSuccesses(brain.runs, &EvaluatedRun::error_degrees));
+  const std::vector<double> seconds = OfSuccesses(brain.runs, &EvaluatedRun::seconds);
   summary.seconds_p50 = Quantile(seconds, 0.5);
   summary.seconds_p95 = Quantile(seconds, 0.95);
   return summary;
 }
 
-Comparison Compare(const EvaluatedAgent& first, const EvaluatedAgent& second) {
+Comparison Compare(const EvaluatedBrain& first, const EvaluatedBrain& second) {
   Comparison comparison;
   for (std::size_t i = 0; i < first.runs.size(); ++i) {
-    const bool a = first.runs[i].is_rebuilt, b = second.runs[i].is_rebuilt;
+    const bool a = first.runs[i].has_succeeded, b = second.runs[i].has_succeeded;
     ++(a && b ? comparison.both
        : a    ? comparison.only_first
        : b    ? comparison.only_second
@@ -254,12 +256,12 @@ Comparison Compare(const EvaluatedAgent& first, const EvaluatedAgent& second) {
   return comparison;
 }
 
-std::vector<std::pair<const EvaluatedAgent*, const EvaluatedAgent*>> ComparablePairs(
+std::vector<std::pair<const EvaluatedBrain*, const EvaluatedBrain*>> ComparablePairs(
     const Evaluation& evaluation) {
-  std::vector<std::pair<const EvaluatedAgent*, const EvaluatedAgent*>> pairs;
-  for (std::size_t i = 0; i < evaluation.agents.size(); ++i) {
-    for (std::size_t k = i + 1; k < evaluation.agents.size(); ++k) {
-      const EvaluatedAgent &first = evaluation.agents[i], &second = evaluation.agents[k];
+  std::vector<std::pair<const EvaluatedBrain*, const EvaluatedBrain*>> pairs;
+  for (std::size_t i = 0; i < evaluation.brains.size(); ++i) {
+    for (std::size_t k = i + 1; k < evaluation.brains.size(); ++k) {
+      const EvaluatedBrain &first = evaluation.brains[i], &second = evaluation.brains[k];
       if (first.brain == second.brain || first.demonstrator == second.demonstrator) {
         pairs.emplace_back(&first, &second);
       }
@@ -269,15 +271,15 @@ std::vector<std::pair<const EvaluatedAgent*, const EvaluatedAgent*>> ComparableP
 }
 
 Json ToJson(const Evaluation& evaluation) {
-  Json agents = Json::array(), comparisons = Json::array();
-  for (const EvaluatedAgent& agent : evaluation.agents) {
+  Json brains = Json::array(), comparisons = Json::array();
+  for (const EvaluatedBrain& brain : evaluation.brains) {
     Json runs = Json::array();
-    for (const EvaluatedRun& run : agent.runs) runs.push_back(RunJson(run));
-    agents.push_back(
-        {{"name", agent.name},
-         {"brain", agent.brain},
-         {"demonstrator", agent.demonstrator.empty() ? Json() : Json(agent.demonstrator)},
-         {"summary", SummaryJson(SummaryOf(agent))},
+    for (const EvaluatedRun& run : brain.runs) runs.push_back(RunJson(run));
+    brains.push_back(
+        {{"name", brain.name},
+         {"brain", brain.brain},
+         {"demonstrator", brain.demonstrator.empty() ? Json() : Json(brain.demonstrator)},
+         {"summary", SummaryJson(SummaryOf(brain))},
          {"runs", runs}});
   }
   for (const auto& [first, second] : ComparablePairs(evaluation)) {
@@ -291,7 +293,7 @@ Json ToJson(const Evaluation& evaluation) {
           {"scene", evaluation.scene},
           {"level", evaluation.level.empty() ? Json() : Json(evaluation.level)},
           {"options", evaluation.ways},
-          {"agents", agents},
+          {"brains", brains},
           {"comparisons", comparisons}};
 }
 
@@ -299,11 +301,11 @@ std::string ToText(const Evaluation& evaluation) {
   std::vector<std::vector<std::string>> rows{{"", "rebuilt", "", "95 %", "error mm (95 %)",
                                               "error deg (95 %)", "s p50", "s p95", "retries"}};
   std::string failures, comparisons;
-  for (const EvaluatedAgent& agent : evaluation.agents) {
-    const Summary summary = SummaryOf(agent);
-    const std::string name = Printable(agent.name);
-    rows.push_back({name, std::to_string(summary.rebuilt) + "/" + std::to_string(summary.runs),
-                    Percent(summary.success_rate()), PercentRange(summary.success),
+  for (const EvaluatedBrain& brain : evaluation.brains) {
+    const Summary summary = SummaryOf(brain);
+    const std::string name = Printable(brain.name);
+    rows.push_back({name, std::to_string(summary.successes) + "/" + std::to_string(summary.runs),
+                    Percent(summary.success_rate()), PercentRange(summary.success_interval),
                     WithInterval(summary.error_mm, 2), WithInterval(summary.error_degrees, 2),
                     Fixed(summary.seconds_p50, 1), Fixed(summary.seconds_p95, 1),
                     Count(summary.retries)});

@@ -17,9 +17,9 @@ namespace smile::report {
 /// Run of an evaluation: one brain in one starting layout.
 struct EvaluatedRun {
   std::uint64_t seed = 0;  ///< of the layout
-  bool is_rebuilt = false;
+  bool has_succeeded = false;
   double score = 0;  ///< fraction of the structure, 0 to 1
-  // Available if the run got that far:
+  // Only if the run reported them:
   std::optional<double> error_mm, error_degrees;  ///< mean over the structure
   std::optional<double> seconds;                  ///< simulated
   std::optional<std::uint64_t> grasps, retries;
@@ -34,9 +34,9 @@ struct EvaluatedRun {
 /// @throws InputError if it is missing or inconsistent.
 EvaluatedRun ReadRun(const std::filesystem::path& result_json, std::uint64_t seed);
 
-/// Brain with its runs.
-struct EvaluatedAgent {
-  std::string name;                ///< unique in the evaluation
+/// The runs of a brain with one demonstrator.
+struct EvaluatedBrain {
+  std::string name;                ///< unique among those it is compared with
   std::string brain;               ///< as the user named it
   std::vector<EvaluatedRun> runs;  ///< the same seeds for all, in ascending order
   std::string demonstrator = {};   ///< in its pictures; empty: the recording as it is
@@ -48,38 +48,38 @@ struct Evaluation {
   std::string demo, scene;        ///< as the user named them
   std::string level;              ///< of the layouts; empty: the usual one
   std::vector<std::string> ways;  ///< other options that each run was given
-  std::vector<EvaluatedAgent> agents;
+  std::vector<EvaluatedBrain> brains;
   std::string again;  ///< command for a run with pictures; `NAME`, … are placeholders
 };
 
 /// Summary of one brain. Errors and times are those of the rebuilt structures only.
 struct Summary {
-  std::size_t runs = 0, rebuilt = 0;
-  Interval success;  ///< of the success rate
+  std::size_t runs = 0, successes = 0;
+  Interval success_interval;  ///< of the success rate
   std::optional<Mean> error_mm, error_degrees;
   std::optional<double> seconds_p50, seconds_p95;
   std::optional<std::uint64_t> grasps, retries;     ///< sums over all runs that have them
   std::map<std::string, std::size_t> num_failures;  ///< by FailureReason::code
 
-  double success_rate() const { return static_cast<double>(rebuilt) / static_cast<double>(runs); }
+  double success_rate() const { return static_cast<double>(successes) / static_cast<double>(runs); }
 };
-/// @param agent  with at least one run.
-Summary SummaryOf(const EvaluatedAgent& agent);
+/// @param brain  with at least one run.
+Summary SummaryOf(const EvaluatedBrain& brain);
 
 /// Comparison of two brains, seed by seed. Differences are first minus second, where both
 /// rebuilt.
 struct Comparison {
-  std::size_t both = 0, only_first = 0, only_second = 0, neither = 0;  ///< rebuilt
+  std::size_t both = 0, only_first = 0, only_second = 0, neither = 0;  ///< succeeded
   double success_difference = 0;
   double p_value = 1;  ///< exact McNemar
   std::optional<Mean> error_mm, error_degrees, seconds;
 };
 /// @param first, second  with the same seeds.
-Comparison Compare(const EvaluatedAgent& first, const EvaluatedAgent& second);
+Comparison Compare(const EvaluatedBrain& first, const EvaluatedBrain& second);
 
-/// Returns the pairs that have the brain or the demonstrator in common, each pair once. For
-/// other pairs, the cause of a difference would be unknown.
-std::vector<std::pair<const EvaluatedAgent*, const EvaluatedAgent*>> ComparablePairs(
+/// Returns each pair with the same brain or the same demonstrator once. In other pairs the cause of
+/// a difference would be ambiguous.
+std::vector<std::pair<const EvaluatedBrain*, const EvaluatedBrain*>> ComparablePairs(
     const Evaluation& evaluation);
 
 /// Returns `evaluation.json` (docs/experiments.md). Equal runs give equal bytes, except wall-clock

@@ -14,30 +14,30 @@ namespace {
 constexpr const char* kWhatIntervalsAre =
     "Intervals are of 95 %: Wilson's for rates, Student's t for means and differences.";
 
-Markup AgentHead(const std::string& name, std::size_t series) {
+Markup BrainHead(const std::string& name, std::size_t series) {
   Markup head = Element("span", {{"class", "chip " + SeriesClass(series)}}, Markup());
   head += Text(name);
   return Element("th", {{"scope", "row"}}, head);
 }
 
 std::string SeedsText(const Evaluation& evaluation) {
-  const std::vector<EvaluatedRun>& runs = evaluation.agents.front().runs;
+  const std::vector<EvaluatedRun>& runs = evaluation.brains.front().runs;
   return std::to_string(runs.front().seed) + " to " + std::to_string(runs.back().seed);
 }
 
 std::string Headline(const Evaluation& evaluation) {
-  const EvaluatedAgent* best = nullptr;
+  const EvaluatedBrain* best = nullptr;
   std::size_t most = 0;
-  for (const EvaluatedAgent& agent : evaluation.agents) {
-    const std::size_t rebuilt = SummaryOf(agent).rebuilt;
-    if (best == nullptr || rebuilt > most) best = &agent;
+  for (const EvaluatedBrain& brain : evaluation.brains) {
+    const std::size_t rebuilt = SummaryOf(brain).successes;
+    if (best == nullptr || rebuilt > most) best = &brain;
     most = std::max(most, rebuilt);
   }
   const std::string count =
       std::to_string(most) + " of " + Plural(best->runs.size(), "starting layout");
-  if (evaluation.agents.size() == 1) return best->name + " rebuilt it from " + count;
+  if (evaluation.brains.size() == 1) return best->name + " rebuilt it from " + count;
   const char* what = best->demonstrator.empty() ? "brain" : "combination";
-  return "Of " + Plural(evaluation.agents.size(), what) + ", " + best->name +
+  return "Of " + Plural(evaluation.brains.size(), what) + ", " + best->name +
          " rebuilt it from most layouts: " + count;
 }
 
@@ -59,10 +59,10 @@ Markup WhatWasRun(const Evaluation& evaluation) {
   std::string ways;
   for (const std::string& way : evaluation.ways) ways += (ways.empty() ? "" : " ") + way;
   if (!ways.empty()) facts += Fact("Options", ways);
-  for (const EvaluatedAgent& agent : evaluation.agents) {
-    facts += Fact(agent.name, agent.demonstrator.empty()
-                                  ? agent.brain
-                                  : agent.brain + ", demonstrator " + agent.demonstrator);
+  for (const EvaluatedBrain& brain : evaluation.brains) {
+    facts += Fact(brain.name, brain.demonstrator.empty()
+                                  ? brain.brain
+                                  : brain.brain + ", demonstrator " + brain.demonstrator);
   }
   return Section("What was run", Element("dl", {{"class", "facts"}}, facts));
 }
@@ -73,16 +73,17 @@ Markup SummaryTable(const Evaluation& evaluation) {
                            NumberHead("Seconds, median"), NumberHead("Seconds, 95th percentile"),
                            NumberHead("Grasps"), NumberHead("Retries")});
   Markup rows;
-  for (std::size_t i = 0; i < evaluation.agents.size(); ++i) {
-    const Summary summary = SummaryOf(evaluation.agents[i]);
-    rows += Row(
-        {AgentHead(evaluation.agents[i].name, i),
-         NumberCell(std::to_string(summary.rebuilt) + " of " + std::to_string(summary.runs)),
-         NumberCell(Percent(summary.success_rate()) + " (" + PercentRange(summary.success) + ")"),
-         NumberCell(WithInterval(summary.error_mm, 2)),
-         NumberCell(WithInterval(summary.error_degrees, 2)),
-         NumberCell(Fixed(summary.seconds_p50, 1)), NumberCell(Fixed(summary.seconds_p95, 1)),
-         NumberCell(Count(summary.grasps)), NumberCell(Count(summary.retries))});
+  for (std::size_t i = 0; i < evaluation.brains.size(); ++i) {
+    const Summary summary = SummaryOf(evaluation.brains[i]);
+    rows +=
+        Row({BrainHead(evaluation.brains[i].name, i),
+             NumberCell(std::to_string(summary.successes) + " of " + std::to_string(summary.runs)),
+             NumberCell(Percent(summary.success_rate()) + " (" +
+                        PercentRange(summary.success_interval) + ")"),
+             NumberCell(WithInterval(summary.error_mm, 2)),
+             NumberCell(WithInterval(summary.error_degrees, 2)),
+             NumberCell(Fixed(summary.seconds_p50, 1)), NumberCell(Fixed(summary.seconds_p95, 1)),
+             NumberCell(Count(summary.grasps)), NumberCell(Count(summary.retries))});
   }
   return Table(
       "Errors and times are of rebuilt structures only; grasps and retries are of all runs "
@@ -93,22 +94,22 @@ Markup SummaryTable(const Evaluation& evaluation) {
 Markup Bars(const Evaluation& evaluation) {
   std::vector<RateRow> rows;
   std::string words = "Rebuilt structures:";
-  for (const EvaluatedAgent& agent : evaluation.agents) {
-    const Summary summary = SummaryOf(agent);
-    rows.push_back({agent.name, summary.rebuilt, summary.runs, summary.success});
-    words += " " + agent.name + " " + Percent(summary.success_rate()) + ";";
+  for (const EvaluatedBrain& brain : evaluation.brains) {
+    const Summary summary = SummaryOf(brain);
+    rows.push_back({brain.name, summary.successes, summary.runs, summary.success_interval});
+    words += " " + brain.name + " " + Percent(summary.success_rate()) + ";";
   }
   return RateBars(rows, words);
 }
 
 Markup Map(const Evaluation& evaluation) {
   std::vector<MapRow> rows;
-  for (const EvaluatedAgent& agent : evaluation.agents) {
-    MapRow row{.name = agent.name, .cells = {}};
-    for (const EvaluatedRun& run : agent.runs) {
+  for (const EvaluatedBrain& brain : evaluation.brains) {
+    MapRow row{.name = brain.name, .cells = {}};
+    for (const EvaluatedRun& run : brain.runs) {
       row.cells.push_back(
-          {run.is_rebuilt, "seed " + std::to_string(run.seed) + ": " +
-                               (run.failure_reason ? run.failure_reason->code : "rebuilt")});
+          {run.has_succeeded, "seed " + std::to_string(run.seed) + ": " +
+                                  (run.failure_reason ? run.failure_reason->code : "rebuilt")});
     }
     rows.push_back(row);
   }
@@ -119,10 +120,10 @@ Markup Map(const Evaluation& evaluation) {
 Markup Distribution(const Evaluation& evaluation, std::optional<double> EvaluatedRun::*field,
                     const std::string& axis, const std::string& words) {
   std::vector<DotRow> rows;
-  for (const EvaluatedAgent& agent : evaluation.agents) {
-    DotRow row{.name = agent.name, .numbers = {}, .mean = {}};
-    for (const EvaluatedRun& run : agent.runs) {
-      if (run.is_rebuilt && run.*field) row.numbers.push_back(*(run.*field));
+  for (const EvaluatedBrain& brain : evaluation.brains) {
+    DotRow row{.name = brain.name, .numbers = {}, .mean = {}};
+    for (const EvaluatedRun& run : brain.runs) {
+      if (run.has_succeeded && run.*field) row.numbers.push_back(*(run.*field));
     }
     row.mean = MeanOf(row.numbers);
     rows.push_back(row);
@@ -133,9 +134,9 @@ Markup Distribution(const Evaluation& evaluation, std::optional<double> Evaluate
 Markup Retries(const Evaluation& evaluation) {
   std::vector<DotRow> rows;
   bool are_known = false;
-  for (const EvaluatedAgent& agent : evaluation.agents) {
-    DotRow row{.name = agent.name, .numbers = {}, .mean = {}};
-    for (const EvaluatedRun& run : agent.runs) {
+  for (const EvaluatedBrain& brain : evaluation.brains) {
+    DotRow row{.name = brain.name, .numbers = {}, .mean = {}};
+    for (const EvaluatedRun& run : brain.runs) {
       if (run.retries) row.numbers.push_back(static_cast<double>(*run.retries));
     }
     are_known |= !row.numbers.empty();
@@ -149,13 +150,13 @@ Markup Retries(const Evaluation& evaluation) {
 Markup CauseTable(const Evaluation& evaluation) {
   std::set<std::string> words;
   std::vector<Summary> summaries;
-  for (const EvaluatedAgent& agent : evaluation.agents) {
-    summaries.push_back(SummaryOf(agent));
+  for (const EvaluatedBrain& brain : evaluation.brains) {
+    summaries.push_back(SummaryOf(brain));
     for (const auto& [word, count] : summaries.back().num_failures) words.insert(word);
   }
   if (words.empty()) return {};
   Markup head = Head("Cause");
-  for (const EvaluatedAgent& agent : evaluation.agents) head += NumberHead(agent.name);
+  for (const EvaluatedBrain& brain : evaluation.brains) head += NumberHead(brain.name);
   Markup rows;
   for (const std::string& word : words) {
     Markup row = RowHead(word);
@@ -213,11 +214,11 @@ Markup Comparisons(const Evaluation& evaluation) {
 
 Markup FailureTable(const Evaluation& evaluation) {
   Markup rows;
-  for (std::size_t i = 0; i < evaluation.agents.size(); ++i) {
-    for (const EvaluatedRun& run : evaluation.agents[i].runs) {
+  for (std::size_t i = 0; i < evaluation.brains.size(); ++i) {
+    for (const EvaluatedRun& run : evaluation.brains[i].runs) {
       if (!run.failure_reason) continue;
       rows += Row(
-          {AgentHead(evaluation.agents[i].name, i), NumberCell(std::to_string(run.seed)),
+          {BrainHead(evaluation.brains[i].name, i), NumberCell(std::to_string(run.seed)),
            Cell(run.failure_reason->code), WideCell(run.failure_reason->text),
            Element("td", {},
                    run.recording.empty() ? Text("not kept") : LinkTo(run.recording, "recording"))});
@@ -231,8 +232,8 @@ Markup FailureTable(const Evaluation& evaluation) {
 
 Markup Failures(const Evaluation& evaluation) {
   bool is_any = false;
-  for (const EvaluatedAgent& agent : evaluation.agents) {
-    for (const EvaluatedRun& run : agent.runs) is_any |= run.failure_reason.has_value();
+  for (const EvaluatedBrain& brain : evaluation.brains) {
+    for (const EvaluatedRun& run : brain.runs) is_any |= run.failure_reason.has_value();
   }
   if (!is_any) return Section("Failures", Element("p", {}, "None."));
   Markup content = FailureTable(evaluation);
@@ -245,21 +246,21 @@ Markup Failures(const Evaluation& evaluation) {
 
 Markup SeedTable(const Evaluation& evaluation) {
   Markup head = NumberHead("Seed");
-  for (const EvaluatedAgent& agent : evaluation.agents) {
-    head += Head(agent.name);
+  for (const EvaluatedBrain& brain : evaluation.brains) {
+    head += Head(brain.name);
     for (const char* name : {"Error, mm", "Error, °", "Seconds", "Retries", "× real time"}) {
       head += NumberHead(name);
     }
   }
   Markup rows;
-  for (std::size_t k = 0; k < evaluation.agents.front().runs.size(); ++k) {
+  for (std::size_t k = 0; k < evaluation.brains.front().runs.size(); ++k) {
     Markup row = Element("th", {{"scope", "row"}, {"class", "number"}},
-                         std::to_string(evaluation.agents.front().runs[k].seed));
-    for (const EvaluatedAgent& agent : evaluation.agents) {
-      const EvaluatedRun& run = agent.runs[k];
-      row +=
-          Element("td", {},
-                  Badge(run.is_rebuilt, run.failure_reason ? run.failure_reason->code : "rebuilt"));
+                         std::to_string(evaluation.brains.front().runs[k].seed));
+    for (const EvaluatedBrain& brain : evaluation.brains) {
+      const EvaluatedRun& run = brain.runs[k];
+      row += Element(
+          "td", {},
+          Badge(run.has_succeeded, run.failure_reason ? run.failure_reason->code : "rebuilt"));
       row += NumberCell(Fixed(run.error_mm, 2));
       row += NumberCell(Fixed(run.error_degrees, 2));
       row += NumberCell(Fixed(run.seconds, 1));

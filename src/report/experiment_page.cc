@@ -10,6 +10,7 @@
 #include "report/markup.h"
 #include "report/wording.h"
 #include "scene/units.h"
+#include "task/imitation_result.h"
 
 namespace smile::report {
 namespace {
@@ -47,10 +48,13 @@ Markup PicturesOf(const recording::Recording& recording, const std::string& whos
   return Element("div", {{"class", "gallery"}}, gallery);
 }
 
-/// Returns the reason of a failure; empty after a success. Results of older versions lack the
-/// reason.
+bool HasSucceeded(const Json& result) {
+  static const std::string file = "result.json";
+  return task::ReadSuccess(JsonNode(result, file, ""));
+}
+
+/// Returns the reason of a failure.
 std::string FailureText(const Json& result) {
-  if (result.at("rebuilt").get<bool>()) return {};
   if (result.contains("cause") && !result.at("cause").is_null()) {
     return result.at("cause").at("word").get<std::string>() + ": " +
            result.at("cause").at("text").get<std::string>();
@@ -61,13 +65,13 @@ std::string FailureText(const Json& result) {
 }
 
 Markup HeaderOf(const ExperimentOutcome& outcome) {
-  const bool is_rebuilt = outcome.result.at("rebuilt").get<bool>();
+  const bool has_succeeded = HasSucceeded(outcome.result);
   Markup header = Element("p", {{"class", "eyebrow"}}, "SMILE experiment: " + outcome.name);
   header += Element("h1", {},
-                    is_rebuilt ? "The robot watched, and built one of its own"
-                               : "The robot watched, and did not manage to rebuild it");
-  header += Badge(is_rebuilt, is_rebuilt ? "rebuilt" : "not rebuilt");
-  if (!is_rebuilt) {
+                    has_succeeded ? "The robot watched, and built one of its own"
+                                  : "The robot watched, and did not manage to rebuild it");
+  header += Badge(has_succeeded, has_succeeded ? "rebuilt" : "not rebuilt");
+  if (!has_succeeded) {
     header += Element("p", {{"class", "lead"}}, FailureText(outcome.result));
     const auto message = outcome.result.at("brain").at("message").get<std::string>();
     if (!message.empty()) header += Element("pre", {}, message);

@@ -34,7 +34,7 @@ struct Comparison {
   std::vector<bool> achieved;  ///< for each effect
   double share = 0;            ///< fraction of objects within tolerance and effects achieved
 
-  bool is_rebuilt() const { return share == 1; }
+  bool is_achieved() const { return share == 1; }
   ObjectError mean_error() const;  ///< over all objects; 0 without any
 };
 

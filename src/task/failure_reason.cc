@@ -133,7 +133,7 @@ bool HasFailed(const ProgramEnd& program) { return program.status == "failed"; }
 }  // namespace
 
 bool IsSuccess(const Comparison& comparison, const ProgramEnd& program) {
-  return comparison.is_rebuilt() && !HasFailed(program);
+  return comparison.is_achieved() && !HasFailed(program);
 }
 
 std::optional<FailureReason> FailureReasonOf(const Structure& structure, const Episode& outcome,

@@ -9,6 +9,8 @@
 namespace smile::task {
 namespace {
 
+constexpr int kResultFormat = 2;
+
 /// Units of `result.json`: millimeters and degrees.
 double MillimetersOf(const ObjectError& error) { return 1000 * error.distance; }
 double DegreesOf(const ObjectError& error) { return RadiansToDegrees(error.angle); }
@@ -69,8 +71,9 @@ Json ResultOf(const ImitationTask& task, const Episode& outcome, const RunInfo& 
   const double unit = task.scene.meters_per_unit;
   const ObjectError mean = comparison.mean_error();
   const ProgramEnd program = EndOf(run_info.brain);
-  Json result = {{"task", task.name},
-                 {"rebuilt", IsSuccess(comparison, program)},
+  Json result = {{"format", kResultFormat},
+                 {"task", task.name},
+                 {"success", IsSuccess(comparison, program)},
                  {"score", comparison.share},
                  {"tolerance", kTolerance / unit},
                  {"match", comparison.match},
@@ -92,6 +95,13 @@ Json ResultOf(const ImitationTask& task, const Episode& outcome, const RunInfo& 
     result["watched_seconds"] = run_info.watched_seconds;
   }
   return result;
+}
+
+bool ReadSuccess(const JsonNode& result) {
+  // Format 1 has no field `format`.
+  if (result.Has("rebuilt") && !result.Has("format")) return result.Member("rebuilt").Flag();
+  result.Member("format").Number(kResultFormat, kResultFormat);
+  return result.Member("success").Flag();
 }
 
 }  // namespace smile::task

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "base/json.h"
+#include "base/json_node.h"
 #include "task/episode.h"
 #include "task/structure.h"
 
@@ -32,5 +33,9 @@ struct RunInfo {
 /// Returns the result of an imitation, the content of `result.json` (docs/results.md).
 /// @param outcome  the episode of the imitation, in the task's scene.
 Json ResultOf(const ImitationTask& task, const Episode& outcome, const RunInfo& run_info);
+
+/// Returns the field `success` of a `result.json`; in format 1 it is called `rebuilt`.
+/// @throws InputError if the format is newer than this program, or the field is missing.
+bool ReadSuccess(const JsonNode& result);
 
 }  // namespace smile::task

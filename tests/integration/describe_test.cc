@@ -38,7 +38,7 @@ TEST_F(Describe, OfASwitchIsATaskThatARobotCanMiss) {
   const Answer answer = Smile("imitate shown " + scene + " --brain idle.py --out out --json");
   ASSERT_EQ(answer.exit_code, 0) << answer.err;
   const Json result = answer.json();
-  EXPECT_FALSE(result["rebuilt"]);
+  EXPECT_FALSE(result["success"]);
   EXPECT_EQ(result["score"], 0);
   EXPECT_TRUE(result["errors"].empty());
   ASSERT_FALSE(result["effects"].empty());

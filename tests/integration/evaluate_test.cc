@@ -49,9 +49,9 @@ TEST_F(Evaluate, CountsComparesAndRunsNothingTwice) {
   const Answer answer = EvaluateOf("lifted", arguments + " --scenes 3 --jobs 2");
   ASSERT_EQ(answer.exit_code, 0) << answer.err;
   const Json evaluation = answer.json();
-  EXPECT_EQ(evaluation["agents"][0]["summary"]["rebuilt"], 3);
-  EXPECT_EQ(evaluation["agents"][1]["name"], "other");
-  EXPECT_EQ(evaluation["agents"][1]["runs"][2]["seed"], 9);
+  EXPECT_EQ(evaluation["brains"][0]["summary"]["successes"], 3);
+  EXPECT_EQ(evaluation["brains"][1]["name"], "other");
+  EXPECT_EQ(evaluation["brains"][1]["runs"][2]["seed"], 9);
   EXPECT_EQ(evaluation["comparisons"][0]["both"], 3);
   EXPECT_EQ(Started(), "idle 7;idle 8;idle 9;other 7;other 8;other 9;");
   EXPECT_FALSE(Exists("ev/idle/seed-0007/imitation"));  // successes are not kept
@@ -61,7 +61,7 @@ TEST_F(Evaluate, CountsComparesAndRunsNothingTwice) {
   EXPECT_EQ(EvaluateOf("lifted", arguments + " --scenes 3").out, answer.out);
   EXPECT_EQ(Started(), "");
   const Json longer = EvaluateOf("lifted", arguments + " --scenes 4").json();
-  EXPECT_EQ(longer["agents"][0]["runs"].size(), 4u);
+  EXPECT_EQ(longer["brains"][0]["runs"].size(), 4u);
   EXPECT_EQ(Started(), "idle 10;other 10;");
 }
 
@@ -88,8 +88,8 @@ TEST_F(Evaluate, ComparesDemonstratorsInCopiesThatItKeeps) {
   const Answer answer = EvaluateOf("shown", arguments + " --no-symbols");
   ASSERT_EQ(answer.exit_code, 0) << answer.err;
   const Json evaluation = answer.json();
-  EXPECT_EQ(evaluation["agents"][1]["name"], "shy.forearm");
-  EXPECT_EQ(evaluation["agents"][1]["demonstrator"], "forearm");
+  EXPECT_EQ(evaluation["brains"][1]["name"], "shy.forearm");
+  EXPECT_EQ(evaluation["brains"][1]["demonstrator"], "forearm");
   EXPECT_EQ(evaluation["comparisons"].size(), 1u);
   EXPECT_EQ(evaluation["comparisons"][0]["only_first"], 2);
   EXPECT_EQ(Started(), "shy 1;shy 1;shy 2;shy 2;");
@@ -100,7 +100,7 @@ TEST_F(Evaluate, ComparesDemonstratorsInCopiesThatItKeeps) {
   EXPECT_EQ(EvaluateOf("shown", arguments + " --no-symbols").out, answer.out);
   EXPECT_EQ(Started(), "shy 1;shy 2;");  // those that crashed
   EXPECT_EQ(drawn(), before);
-  EXPECT_EQ(EvaluateOf("shown", arguments).json()["agents"][0]["summary"]["rebuilt"], 0);
+  EXPECT_EQ(EvaluateOf("shown", arguments).json()["brains"][0]["summary"]["successes"], 0);
   EXPECT_TRUE(Exists("ev/demonstrators/forearm.1") && Exists("ev/shy.invisible.1"));
 }
 
@@ -114,9 +114,9 @@ TEST_F(Evaluate, ARunThatCrashesOrHangsIsAFailureWithACause) {
   const std::string arguments = "--brain shaky/shaky.py --timeout 100 ";
   const Answer answer = EvaluateOf("stacked", arguments + "--scenes 3");
   ASSERT_EQ(answer.exit_code, 0) << answer.err;
-  Json runs = answer.json()["agents"][0]["runs"];
+  Json runs = answer.json()["brains"][0]["runs"];
   runs.push_back(EvaluateOf("stacked", arguments + "--seed 4 --scenes 1 --wall-seconds 2")
-                     .json()["agents"][0]["runs"][0]);
+                     .json()["brains"][0]["runs"][0]);
   const std::pair<const char*, const char*> causes[] = {{"crashed", "signal 9"},
                                                         {"brain_failed", "exit code 3"},
                                                         {"never_taken", ""},
@@ -125,7 +125,7 @@ TEST_F(Evaluate, ARunThatCrashesOrHangsIsAFailureWithACause) {
     EXPECT_EQ(runs[i]["cause"]["word"], causes[i].first);
     EXPECT_NE(runs[i]["cause"]["text"].get<std::string>().find(causes[i].second), std::string::npos)
         << runs[i];
-    EXPECT_FALSE(runs[i]["rebuilt"]);
+    EXPECT_FALSE(runs[i]["success"]);
   }
   EXPECT_NE(Read("ev/shaky/seed-0002/log.txt").find("I give up"), std::string::npos);
   EXPECT_TRUE(Exists("ev/" + runs[2]["recording"].get<std::string>() + "/demo.json"));
@@ -141,11 +141,11 @@ TEST_F(Evaluate, ACrashAtTheStartIsNoSuccessWhereNothingHadToBeDone) {
         "def step(sensor, motor, aux): pass\n");
   const Answer answer = EvaluateOf("lifted", "--brain crashes.py --scenes 2");
   ASSERT_EQ(answer.exit_code, 0) << answer.err;
-  const Json crashes = answer.json()["agents"][0];
-  EXPECT_EQ(crashes["summary"]["rebuilt"], 0);
+  const Json crashes = answer.json()["brains"][0];
+  EXPECT_EQ(crashes["summary"]["successes"], 0);
   for (const Json& run : crashes["runs"]) {
     EXPECT_EQ(run["score"], 1);
-    EXPECT_EQ(run["rebuilt"], false);
+    EXPECT_EQ(run["success"], false);
     EXPECT_EQ(run["cause"]["word"], "brain_failed");
     EXPECT_NE(run["cause"]["text"].get<std::string>().find("no camera"), std::string::npos) << run;
   }
@@ -176,7 +176,7 @@ TEST_F(Evaluate, AnInterruptedEvaluationGoesOnWhereItWas) {
   Write("go", "");
   const Answer whole = Smile(command + " --json");
   ASSERT_EQ(whole.exit_code, 0) << whole.err;
-  EXPECT_EQ(whole.json()["agents"][0]["summary"]["rebuilt"], 3);
+  EXPECT_EQ(whole.json()["brains"][0]["summary"]["successes"], 3);
   EXPECT_EQ(Started(), "slow 2;slow 3;");
 }
 

@@ -12,7 +12,7 @@ TEST_F(Learner, RebuildsTheLettersItWasShown) {
   ASSERT_EQ(answer.exit_code, 0) << answer.err;
   const Json result = answer.json();
   EXPECT_EQ(result["task"], "um");
-  EXPECT_TRUE(result["rebuilt"]);
+  EXPECT_TRUE(result["success"]);
   EXPECT_EQ(result["goal"]["objects"].size(), 12u);
   EXPECT_LT(result["mean_error_mm"], 5);
   EXPECT_TRUE(result["order"]["kept"]);
@@ -37,7 +37,7 @@ TEST_P(LearnerOf, DoesItInASceneItHasNeverSeen) {
   const Answer answer = Smile("experiment " + std::string(task) + " --out out --no-films --json " +
                               layout + " --brain " + Shipped(brain));
   ASSERT_EQ(answer.exit_code, 0) << answer.err;
-  EXPECT_TRUE(answer.json()["rebuilt"]);
+  EXPECT_TRUE(answer.json()["success"]);
   EXPECT_LT(answer.json()["mean_error_mm"], 5);
 }
 
@@ -63,7 +63,7 @@ TEST_P(LearnerWithNoise, BuildsThoughItsJointsAreMeasuredInexactly) {
                               "--out out --json --brain '" +
                               Shipped(GetParam()) + "'");
   ASSERT_EQ(answer.exit_code, 0) << answer.err;
-  EXPECT_TRUE(answer.json()["rebuilt"]) << answer.err;
+  EXPECT_TRUE(answer.json()["success"]) << answer.err;
   EXPECT_LT(answer.json()["mean_error_mm"], 5);
 }
 

@@ -24,7 +24,7 @@ class EvaluationTest : public ExperimentTest {
   void Imitator(const std::string& lines) const {
     Write("imitate", "#!/bin/sh\nseed=$1 out=$2\necho \"$3 $seed\" >>" +
                          (root_ / "started.txt").string() + "\nmkdir $out/imitation\n" + lines +
-                         "\necho '{\"rebuilt\":true,\"score\":1,\"seconds\":'$seed'}' "
+                         "\necho '{\"format\":2,\"success\":true,\"score\":1,\"seconds\":'$seed'}' "
                          ">$out/result.json\n");
   }
   EvaluationPlan PlanOf(std::size_t num_scenes, std::size_t jobs = 2) const {
@@ -52,11 +52,11 @@ class EvaluationTest : public ExperimentTest {
 TEST_F(EvaluationTest, RunsEachBrainInEachLayout) {
   const report::Evaluation evaluation = Evaluate(PlanOf(2, 1));
   EXPECT_EQ(Started(), "one 1\ntwo 1\none 2\ntwo 2\n");
-  ASSERT_EQ(evaluation.agents.size(), 2u);
-  EXPECT_EQ(evaluation.agents[1].name, "two");
-  ASSERT_EQ(evaluation.agents[1].runs.size(), 2u);
-  EXPECT_TRUE(evaluation.agents[1].runs[1].is_rebuilt);
-  EXPECT_EQ(evaluation.agents[1].runs[1].seconds, 2);
+  ASSERT_EQ(evaluation.brains.size(), 2u);
+  EXPECT_EQ(evaluation.brains[1].name, "two");
+  ASSERT_EQ(evaluation.brains[1].runs.size(), 2u);
+  EXPECT_TRUE(evaluation.brains[1].runs[1].has_succeeded);
+  EXPECT_EQ(evaluation.brains[1].runs[1].seconds, 2);
   EXPECT_EQ(Read("out/evaluation.json"), ToText(ToJson(evaluation), 2) + "\n");
   EXPECT_TRUE(Exists("out/report.html"));
 }
@@ -68,6 +68,16 @@ TEST_F(EvaluationTest, SkipsWhatIsDone) {
   EXPECT_EQ(Started(), "");
   Evaluate(PlanOf(3, 1));
   EXPECT_EQ(Started(), "one 3\ntwo 3\n");
+}
+
+TEST_F(EvaluationTest, RunsOfAnEarlierVersionMoveAside) {
+  Evaluate(PlanOf(1));
+  Started();
+  fs::rename(root_ / "out/one/brain.json", root_ / "out/one/agent.json");
+  Write("out/one/seed-0001/result.json", R"({"rebuilt":true,"score":1})");
+  EXPECT_TRUE(Evaluate(PlanOf(1)).brains[0].runs[0].has_succeeded);
+  EXPECT_EQ(Started(), "one 1\n");
+  EXPECT_TRUE(Exists("out/one.1/agent.json"));
 }
 
 TEST_F(EvaluationTest, DoesADamagedRunAgain) {
@@ -116,7 +126,7 @@ TEST_F(EvaluationTest, ACancelledOneContinuesWhereItWas) {
   }
   EXPECT_EQ(Started(), "one 1\none 2\n");
   Write("go", "");
-  EXPECT_EQ(Evaluate(plan).agents[0].runs.size(), 3u);
+  EXPECT_EQ(Evaluate(plan).brains[0].runs.size(), 3u);
   EXPECT_EQ(Started(), "one 2\none 3\n");
 }
 
@@ -134,7 +144,7 @@ TEST_F(EvaluationTest, AFailedRunHasACause) {
                             EXPECT_EQ(brain, "one");
                             failed.push_back(run.seed);
                           }})
-          .agents[0]
+          .brains[0]
           .runs;
   EXPECT_EQ(failed.size(), 4u);
   const std::pair<const char*, const char*> causes[] = {{"no_result", "exit code 3"},
@@ -153,7 +163,7 @@ TEST_F(EvaluationTest, KeepsTheRecordingsOfFailures) {
   Imitator("[ $seed = 2 ] && exit 3");
   EvaluationPlan plan = PlanOf(2);
   plan.brains.pop_back();
-  const auto runs = Evaluate(plan).agents[0].runs;
+  const auto runs = Evaluate(plan).brains[0].runs;
   EXPECT_FALSE(Exists("out/one/seed-0001/imitation"));
   EXPECT_EQ(runs[1].recording, "one/seed-0002/imitation");
   plan.keep = Keep::kNone;
@@ -178,8 +188,8 @@ TEST_F(EvaluationTest, BrainsOfOneNameHaveDifferentFolders) {
   EvaluationPlan plan = PlanOf(1);
   plan.brains = {(root_ / "one").string(), (root_ / "other/one").string()};
   const report::Evaluation evaluation = Evaluate(plan);
-  EXPECT_EQ(evaluation.agents[0].name, "one");
-  EXPECT_EQ(evaluation.agents[1].name, "one-2");
+  EXPECT_EQ(evaluation.brains[0].name, "one");
+  EXPECT_EQ(evaluation.brains[1].name, "one-2");
 }
 
 TEST_F(EvaluationTest, ErrorsOfThePlanAreFoundBeforeAnyRun) {

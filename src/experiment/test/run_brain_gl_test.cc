@@ -97,7 +97,7 @@ class ImitationTest : public ExperimentTest {
 
 TEST_F(ImitationTest, IsScoredAgainstTheDemonstration) {
   const ImitationResult result = Imitate(PlanWith(Python("  aux.exit = True\n")));
-  EXPECT_FALSE(result.is_rebuilt);
+  EXPECT_FALSE(result.has_succeeded);
   EXPECT_FALSE(result.brain_error);
   EXPECT_EQ(result.json["task"], "stack");
   EXPECT_EQ(result.json["brain"]["status"], "exited");
@@ -112,7 +112,7 @@ TEST_F(ImitationTest, ACancelledOneIsScoredAsFarAsItCame) {
       plan,
       {.is_cancelled = [&] { return has_begun; },
        .on_progress = [&](const std::string&, double done, double) { has_begun = done > 0.3; }});
-  EXPECT_FALSE(result.is_rebuilt);
+  EXPECT_FALSE(result.has_succeeded);
   EXPECT_NEAR(result.json["seconds"].get<double>(), 0.3, 0.05);
   EXPECT_TRUE(recording::IsRecording(root_ / "imitation"));
 }

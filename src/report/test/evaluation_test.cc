@@ -12,7 +12,7 @@ namespace {
 
 EvaluatedRun Rebuilt(std::uint64_t seed, double error_mm, double seconds) {
   return {.seed = seed,
-          .is_rebuilt = true,
+          .has_succeeded = true,
           .score = 1,
           .error_mm = error_mm,
           .seconds = seconds,
@@ -30,7 +30,7 @@ Evaluation Pair() {
   return {.program = "smile 1",
           .demo = "shown",
           .scene = "pair.xml",
-          .agents = {{"old",
+          .brains = {{"old",
                       "brains/old",
                       {Rebuilt(1, 4, 30), Failed(2, "fell"), Rebuilt(3, 6, 34), Failed(4, "fell"),
                        Failed(5, "time up")}},
@@ -42,8 +42,8 @@ Evaluation Pair() {
 }
 
 TEST(Evaluation, SummarizesRebuiltStructuresAndCountsCauses) {
-  const Summary summary = SummaryOf(Pair().agents[0]);
-  EXPECT_EQ(summary.rebuilt, 2u);
+  const Summary summary = SummaryOf(Pair().brains[0]);
+  EXPECT_EQ(summary.successes, 2u);
   EXPECT_EQ(summary.success_rate(), 0.4);
   EXPECT_EQ(summary.error_mm.value_or(Mean{}).value, 5);
   EXPECT_EQ(summary.seconds_p50, 32);
@@ -55,7 +55,7 @@ TEST(Evaluation, SummarizesRebuiltStructuresAndCountsCauses) {
 
 TEST(Evaluation, ComparesSeedBySeed) {
   const Evaluation pair = Pair();
-  const Comparison comparison = Compare(pair.agents[0], pair.agents[1]);
+  const Comparison comparison = Compare(pair.brains[0], pair.brains[1]);
   EXPECT_EQ(comparison.both, 2u);
   EXPECT_EQ(comparison.only_first, 0u);
   EXPECT_EQ(comparison.only_second, 2u);
@@ -69,9 +69,9 @@ TEST(Evaluation, ComparesSeedBySeed) {
 
 TEST(Evaluation, JsonHoldsSummariesRunsAndComparisons) {
   const Json json = ToJson(Pair());
-  EXPECT_EQ(json["agents"][0]["summary"]["rebuilt"], 2);
-  EXPECT_EQ(json["agents"][1]["runs"][4]["cause"]["word"], "time up");
-  EXPECT_EQ(json["agents"][0]["runs"][0]["recording"], nullptr);
+  EXPECT_EQ(json["brains"][0]["summary"]["successes"], 2);
+  EXPECT_EQ(json["brains"][1]["runs"][4]["cause"]["word"], "time up");
+  EXPECT_EQ(json["brains"][0]["runs"][0]["recording"], nullptr);
   EXPECT_EQ(json["comparisons"][0]["second"], "new");
   EXPECT_EQ(json["comparisons"][0]["p_value"], 0.5);
 }
@@ -98,7 +98,7 @@ EvaluatedRun Read(const std::string& text) {
   return ReadRun(path, 7);
 }
 
-TEST(Evaluation, ReadsResultsOfAllVersions) {
+TEST(Evaluation, ReadsResultsOfBothFormats) {
   const EvaluatedRun old = Read(
       R"({"rebuilt": false, "score": 0.5, "mean_error_mm": 30, "seconds": 12,
           "realtime_factor": 9, "brain": {"status": "failed", "message": "oh"}})");
@@ -106,7 +106,7 @@ TEST(Evaluation, ReadsResultsOfAllVersions) {
   EXPECT_EQ(old.error_mm, 30);
   EXPECT_EQ(old.seed, 7u);
   const EvaluatedRun now = Read(
-      R"({"rebuilt": false, "score": 0.5, "mean_error_mm": 30, "mean_error_degrees": 2,
+      R"({"format": 2, "success": false, "score": 0.5, "mean_error_mm": 30, "mean_error_degrees": 2,
           "seconds": 12, "realtime_factor": 9, "work": {"grasps": 5, "retries": 2},
           "brain": {"status": "exited", "message": ""},
           "cause": {"word": "fell", "text": "b1 fell to the floor"}})");
@@ -114,18 +114,23 @@ TEST(Evaluation, ReadsResultsOfAllVersions) {
             (task::FailureReason{.code = "fell", .text = "b1 fell to the floor"}));
   EXPECT_EQ(now.retries, 2u);
   EXPECT_EQ(now.error_degrees, 2);
+  EXPECT_TRUE(Read(R"({"rebuilt": true, "score": 1})").has_succeeded);
+  EXPECT_TRUE(Read(R"({"format": 2, "success": true, "score": 1})").has_succeeded);
 }
 
 TEST(Evaluation, RefusesResultsThatAreNone) {
-  for (const char* text : {"", "[]", "{}", R"({"rebuilt": true, "score": 2})",
-                           R"({"rebuilt": true, "score": 1, "mean_error_mm": "near"})",
-                           R"({"rebuilt": true, "score": 1, "work": {"retries": -1}})",
-                           R"({"rebuilt": false, "score": 0, "cause": {"word": 3, "text": ""}})"}) {
+  for (const char* text :
+       {"", "[]", "{}", R"({"rebuilt": true, "score": 2})",
+        R"({"format": 2, "rebuilt": true, "score": 1})",
+        R"({"format": 3, "success": true, "score": 1})", R"({"success": true, "score": 1})",
+        R"({"rebuilt": true, "score": 1, "mean_error_mm": "near"})",
+        R"({"rebuilt": true, "score": 1, "work": {"retries": -1}})",
+        R"({"rebuilt": false, "score": 0, "cause": {"word": 3, "text": ""}})"}) {
     EXPECT_THROW(Read(text), InputError) << text;
   }
 }
 
-TEST(EvaluationPage, ShowsEveryAgentAndLinksToEveryFailure) {
+TEST(EvaluationPage, ShowsEachBrainAndLinksToEveryFailure) {
   const std::string page = PageOf(Pair());
   for (const char* text : {"Of 2 brains, new rebuilt it from most layouts: 4 of 5 starting layouts",
                            "40.0 % (11.8 to 76.9 %)", "href=\"./runs/2\"", "−40.0 points",
@@ -140,10 +145,10 @@ TEST(EvaluationPage, HostileNamesAndMessagesAreTextsOnly) {
   evaluation.demo = evaluation.scene = evaluation.level = evaluation.again = hostile;
   evaluation.program = hostile;
   evaluation.ways = {hostile};
-  for (EvaluatedAgent& agent : evaluation.agents) {
-    agent.name += hostile;
-    agent.brain = hostile;
-    for (EvaluatedRun& run : agent.runs) {
+  for (EvaluatedBrain& brain : evaluation.brains) {
+    brain.name += hostile;
+    brain.brain = hostile;
+    for (EvaluatedRun& run : brain.runs) {
       if (run.failure_reason) *run.failure_reason = {hostile, hostile};
       run.recording = hostile;
     }

@@ -22,8 +22,9 @@ scene::SceneSpec OneBlock() {
 Json Pose(double x) { return {{"position", {x, 0, 0.5}}, {"rotation", {0, 0, 0}}}; }
 
 Json ResultOf(const Json& final_objects) {
-  return {{"task", kHostile},
-          {"rebuilt", false},
+  return {{"format", 2},
+          {"task", kHostile},
+          {"success", false},
           {"score", 0.0},
           {"tolerance", 0.25},
           {"match", {{kBlock, kBlock}}},

@@ -100,7 +100,7 @@ TEST_F(SessionBrainTest, AnImitationIsScoredAndRecorded) {
   EXPECT_EQ(replay::Replay(recording).first_difference, std::nullopt);
   const Json result = Latest("score")["result"];
   EXPECT_EQ(result["task"], "pair_elsewhere");
-  EXPECT_FALSE(result["rebuilt"].get<bool>());
+  EXPECT_FALSE(result["success"].get<bool>());
   EXPECT_EQ(result["match"]["a"], "a");
   EXPECT_EQ(result["cause"]["word"], "never_taken");
   EXPECT_EQ(result["brain"]["status"], "exited");

@@ -49,7 +49,7 @@ TEST(Comparison, IsPerfectAfterAnyMotionAndExchangeOfLookAlikes) {
     outcome.push_back(CubeAt("distractor", {0, 0.9, 0.05}, kRed));
 
     const Comparison comparison = CompareWith(structure, EpisodeTo(outcome));
-    ASSERT_TRUE(comparison.is_rebuilt()) << "trial " << trial;
+    ASSERT_TRUE(comparison.is_achieved()) << "trial " << trial;
     EXPECT_LT(comparison.mean_error().distance, 1e-9);
     EXPECT_LT(comparison.mean_error().angle, 1e-6);
     std::set<std::string> used;
@@ -63,9 +63,9 @@ TEST(Comparison, SwappedColorsAreNotRebuilt) {
                                   CubeAt("s", {0.3, 0, 0.05}, kRed)}};
   std::vector<scene::ObjectSpec> outcome = structure.objects;
   std::swap(outcome[0].whole.X_PE, outcome[2].whole.X_PE);
-  EXPECT_TRUE(CompareWith(structure, EpisodeTo(outcome)).is_rebuilt());
+  EXPECT_TRUE(CompareWith(structure, EpisodeTo(outcome)).is_achieved());
   std::swap(outcome[0].whole.X_PE, outcome[1].whole.X_PE);
-  EXPECT_FALSE(CompareWith(structure, EpisodeTo(outcome)).is_rebuilt());
+  EXPECT_FALSE(CompareWith(structure, EpisodeTo(outcome)).is_achieved());
 }
 
 TEST(Comparison, TakesForAlikeWhatAgreesInTheAttendedProperties) {
@@ -74,12 +74,12 @@ TEST(Comparison, TakesForAlikeWhatAgreesInTheAttendedProperties) {
                                   ObjectAt("p", scene::Block{{0.1, 0.3, 0.1}}, {0, 0.3, 0.05})}};
   std::vector<scene::ObjectSpec> outcome = structure.objects;
   std::swap(outcome[0].whole.X_PE, outcome[1].whole.X_PE);
-  EXPECT_FALSE(CompareWith(structure, EpisodeTo(outcome)).is_rebuilt());
+  EXPECT_FALSE(CompareWith(structure, EpisodeTo(outcome)).is_achieved());
   structure.attention = {{"r", {"size", "position"}}, {"b", {"size"}}};
-  EXPECT_TRUE(CompareWith(structure, EpisodeTo(outcome)).is_rebuilt());
+  EXPECT_TRUE(CompareWith(structure, EpisodeTo(outcome)).is_achieved());
   // Placing alone says nothing of looks.
   structure.attention = {{"r", {"position"}}, {"b", {"order"}}};
-  EXPECT_FALSE(CompareWith(structure, EpisodeTo(outcome)).is_rebuilt());
+  EXPECT_FALSE(CompareWith(structure, EpisodeTo(outcome)).is_achieved());
 }
 
 TEST(Comparison, OneFallenBlockDoesNotBlameTheOthers) {
@@ -100,7 +100,7 @@ TEST(Comparison, SmallErrorsAreMeasured) {
   std::vector<scene::ObjectSpec> outcome = Tower().objects;
   outcome[3].whole.X_PE = RigidTransform(Vector3(0.41, 0.1, 0.05));
   const Comparison comparison = CompareWith(Tower(), EpisodeTo(outcome));
-  EXPECT_TRUE(comparison.is_rebuilt());
+  EXPECT_TRUE(comparison.is_achieved());
   EXPECT_GT(comparison.mean_error().distance, 0.001);
   EXPECT_LT(comparison.mean_error().distance, 0.005);
 }
@@ -117,9 +117,9 @@ TEST(Comparison, ATurnOfAPartIsAnErrorUnlessItLooksTheSame) {
     return CompareWith(structure, EpisodeTo(Moved(outcome, 77, {0.1, 0.1, 0})));
   };
   EXPECT_LT(with_turns(180, 90).mean_error().angle, 1e-6);
-  EXPECT_TRUE(with_turns(180, 90).is_rebuilt());
+  EXPECT_TRUE(with_turns(180, 90).is_achieved());
   const Comparison crossed = with_turns(90, 0);
-  EXPECT_FALSE(crossed.is_rebuilt());
+  EXPECT_FALSE(crossed.is_achieved());
   EXPECT_NEAR(crossed.errors.at("q").angle + crossed.errors.at("p").angle, DegreesToRadians(90.0),
               1e-6);
 }
@@ -130,10 +130,10 @@ TEST(Comparison, AStructureOnSomethingFixedMayStandNowhereElse) {
   structure.objects[0].mass = 0;
   EXPECT_TRUE(structure.is_fixed());
   std::vector<scene::ObjectSpec> outcome = Moved(structure.objects, 30, {0.2, 0, 0});
-  EXPECT_TRUE(CompareWith(structure, EpisodeTo(outcome)).is_rebuilt());
+  EXPECT_TRUE(CompareWith(structure, EpisodeTo(outcome)).is_achieved());
   // A tray is the same the other way round, but not so long as it is broad.
   outcome[1].whole.X_PE = outcome[0].pose_in_world() * RigidTransform(Vector3(-0.1, 0, 0.1));
-  EXPECT_TRUE(CompareWith(structure, EpisodeTo(outcome)).is_rebuilt());
+  EXPECT_TRUE(CompareWith(structure, EpisodeTo(outcome)).is_achieved());
   outcome[1].whole.X_PE = outcome[0].pose_in_world() * RigidTransform(Vector3(0, 0.1, 0.1));
   const Comparison aside = CompareWith(structure, EpisodeTo(outcome));
   EXPECT_EQ(aside.share, 0.5);
@@ -167,7 +167,7 @@ TEST(Comparison, WhatAHandOrAGripperHoldsDoesNotCount) {
   EXPECT_EQ(CompareWith(tower, episode).share, 0.5) << "the other arm has it";
   touch({.kind = kGripperLetGo, .arm = "right", .object = "c"});
   touch({.kind = kReleased, .hand = sim::HandName::kRight, .object = "d"});
-  EXPECT_TRUE(CompareWith(tower, episode).is_rebuilt());
+  EXPECT_TRUE(CompareWith(tower, episode).is_achieved());
 }
 
 TEST(Comparison, WhatIsHeldInAContainerIsNotPutInto) {
@@ -176,7 +176,7 @@ TEST(Comparison, WhatIsHeldInAContainerIsNotPutInto) {
                       .others = {CubeAt("high", {0.5, 0.3, 0.05})}};
   Episode episode = EpisodeBetween({structure.objects[0], CubeAt("high", {0, 0, 0.05})},
                                    {structure.objects[0], structure.others[0]});
-  ASSERT_TRUE(CompareWith(structure, episode).is_rebuilt());
+  ASSERT_TRUE(CompareWith(structure, episode).is_achieved());
   episode.touches.push_back(
       {{.kind = sim::EventKind::kGripperHolds, .arm = "left", .object = "high"}, 1, {}});
   EXPECT_EQ(CompareWith(structure, episode).share, 0.5);

@@ -134,7 +134,7 @@ function StartProgram() {
   );
 }
 
-/** Why it is not rebuilt, in words: all may be in its place from the start, and the program have failed. */
+/** Returns the cause of a failure in words: the brain may fail although all objects are in place. */
 function causeOf(result: Record<string, unknown>): string {
   const cause = result.cause as { text?: unknown } | null | undefined;
   return typeof cause?.text === "string" ? cause.text : words.notRebuilt;
@@ -147,9 +147,9 @@ function Score() {
   const error = typeof result.mean_error_mm === "number" ? words.meanError(result.mean_error_mm) : null;
   const took = typeof result.seconds === "number" ? words.took(result.seconds) : null;
   return (
-    <div class={`score ${result.rebuilt === true ? "good" : ""}`} role="status" aria-label={words.score}>
+    <div class={`score ${result.success === true ? "good" : ""}`} role="status" aria-label={words.score}>
       <strong>{words.scored(Math.round(100 * score))}</strong>
-      <span>{result.rebuilt === true ? words.rebuilt : causeOf(result)}</span>
+      <span>{result.success === true ? words.rebuilt : causeOf(result)}</span>
       <small>{[error, took].filter((text) => text !== null).join(" · ")}</small>
     </div>
   );

@@ -30,7 +30,7 @@ install(EXPORT smile NAMESPACE smile:: FILE smileTargets.cmake DESTINATION lib/c
         COMPONENT brain_client)
 install(FILES cmake/smileConfig.cmake DESTINATION lib/cmake/smile COMPONENT brain_client)
 
-install(TARGETS smile smile_keeper RUNTIME DESTINATION bin)
+install(TARGETS smile smile_supervisor RUNTIME DESTINATION bin)
 install(DIRECTORY robots scenes examples matlab python learner DESTINATION share/smile
         PATTERN "__pycache__" EXCLUDE)
 # The studio's page, where it was built.

@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kFirstOwnFd = 3;
 constexpr int kPollSliceMs = 2;
-constexpr double kKeeperSeconds = 2;  ///< for ending all that it keeps; a busy machine is slow
+constexpr double kSupervisorSeconds = 2;  ///< for ending all that it keeps; a busy machine is slow
 
 [[noreturn]] void Fail(const std::string& program, const char* what, int error) {
   throw std::runtime_error(program + ": " + what + ": " + std::strerror(error));
@@ -47,22 +47,22 @@ struct Launch {
   pid_t parent;
 };
 
-/// `smile-keeper`: beside the program that runs, or where it was built.
+/// `smile-supervisor`: beside the program that runs, or where it was built.
 /// @throws std::runtime_error when there is none.
-std::string FindKeeper() {
+std::string FindSupervisor() {
   std::error_code error;
   const auto self = std::filesystem::read_symlink("/proc/self/exe", error);
-  const auto beside = self.parent_path() / "smile-keeper";
+  const auto beside = self.parent_path() / "smile-supervisor";
   if (std::filesystem::exists(beside, error)) return beside.string();
-  if (std::filesystem::exists(SMILE_KEEPER, error)) return SMILE_KEEPER;
-  throw std::runtime_error("smile-keeper: found neither as " + beside.string() +
-                           " nor as " SMILE_KEEPER);
+  if (std::filesystem::exists(SMILE_SUPERVISOR, error)) return SMILE_SUPERVISOR;
+  throw std::runtime_error("smile-supervisor: found neither as " + beside.string() +
+                           " nor as " SMILE_SUPERVISOR);
 }
 
 /// Runs in the child; calls only async-signal-safe functions, since the parent has threads.
 [[noreturn]] void RunChild(const Launch& launch) {
   ::setpgid(0, 0);
-  ::prctl(PR_SET_PDEATHSIG, SIGTERM);            // by which a keeper ends all it keeps
+  ::prctl(PR_SET_PDEATHSIG, SIGTERM);            // by which a supervisor ends all it keeps
   bool is_ready = ::getppid() == launch.parent;  // else the parent has died already
 
   // Handlers and masks of the parent must not be inherited by the program.
@@ -79,7 +79,7 @@ std::string FindKeeper() {
   if (is_ready) {
     // Only the standard streams and the failure pipe survive exec.
     ::close_range(kFirstOwnFd, ~0u, CLOSE_RANGE_CLOEXEC);
-    ::fcntl(launch.failure, F_SETFD, 0);  // the keeper tells on it, too
+    ::fcntl(launch.failure, F_SETFD, 0);  // the supervisor tells on it, too
     ::execve(launch.arguments[0], launch.arguments.data(), launch.environment.data());
   }
   // The failure pipe reports errno to the parent. Without failure it closes on exec, and the parent
@@ -142,7 +142,7 @@ ChildProcess::ChildProcess(const ChildCommand& command) {
   if (!input) Fail(program, "/dev/null", errno);
   Pipe output = MakePipe(program);
   Pipe failure = MakePipe(program);
-  std::vector<std::string> arguments{FindKeeper(), std::to_string(failure.write_end.get())};
+  std::vector<std::string> arguments{FindSupervisor(), std::to_string(failure.write_end.get())};
   arguments.insert(arguments.end(), command.arguments.begin(), command.arguments.end());
   pid_ = ForkQuietly({.arguments = Pointers(arguments),
                       .environment = Pointers(environment),
@@ -188,15 +188,15 @@ bool ChildProcess::WaitForEnd(const WaitLimit& limit) const {
 }
 
 void ChildProcess::SignalGroup(int signal_number) const {
-  if (pid_ > 0) ::kill(pid_, signal_number);  // the keeper hands it on
+  if (pid_ > 0) ::kill(pid_, signal_number);  // the supervisor hands it on
 }
 
 const std::string& ChildProcess::End() {
   if (pid_ < 0) return how_it_ended_;
   // Until the child is collected, its number is not reused, so no other process is hit.
   ::kill(pid_, SIGHUP);
-  ::kill(pid_, SIGCONT);  // the program may have stopped it
-  if (!WaitForEnd(WaitLimit(kKeeperSeconds))) ::kill(pid_, SIGKILL);
+  ::kill(pid_, SIGCONT);  // a program may have stopped its supervisor
+  if (!WaitForEnd(WaitLimit(kSupervisorSeconds))) ::kill(pid_, SIGKILL);
   int status = 0;
   pid_t collected = -1;
   do {

@@ -64,7 +64,7 @@ class ChildProcess {
   std::optional<int> exit_code() const { return exit_code_; }
 
  private:
-  pid_t pid_ = -1;  ///< of its keeper
+  pid_t pid_ = -1;  ///< of its supervisor
   std::optional<int> exit_code_;
   UniqueFd output_;
   std::string how_it_ended_;

@@ -21,13 +21,13 @@ class Evaluate : public ProgramTest {
   void WriteBrain(const std::string& name, const std::string& lines) const {
     Write(name + "/" + name + ".py",
           "import os, signal, time\n"
-          "keeper = os.getppid()\n"
-          "simulator = int(open(f'/proc/{keeper}/stat').read().split(') ')[1].split()[1])\n"
+          "supervisor = os.getppid()\n"
+          "simulator = int(open(f'/proc/{supervisor}/stat').read().split(') ')[1].split()[1])\n"
           "words = open(f'/proc/{simulator}/cmdline').read().split('\\0')\n"
           "seed = int(words[words.index('--seed') + 1])\n"
           "open('" +
               directory_.string() +
-              "/processes.txt', 'a').write(f'{os.getpid()} {keeper} {simulator}\\n')\n"
+              "/processes.txt', 'a').write(f'{os.getpid()} {supervisor} {simulator}\\n')\n"
               "def step(sensor, motor, aux):\n"
               "  open('" +
               directory_.string() + "/started.txt', 'a').write(f'" + name + " {seed}\\n')\n" +

@@ -78,8 +78,8 @@ const std::vector<Hostile>& AllHostile() {
            "[os.write(n, b'x' * 100) for n in range(3, 20) if os.path.exists(f'/proc/self/fd/{n}') "
            "and 'socket' in os.readlink(f'/proc/self/fd/{n}')]",
            "what arrived is not a message"),
-      Step("StopsItsKeeper", "os.kill(os.getppid(), signal.SIGSTOP); time.sleep(60)", kTooLong),
-      Step("KillsItsKeeper", "os.kill(os.getppid(), signal.SIGKILL); time.sleep(60)",
+      Step("StopsItsSupervisor", "os.kill(os.getppid(), signal.SIGSTOP); time.sleep(60)", kTooLong),
+      Step("KillsItsSupervisor", "os.kill(os.getppid(), signal.SIGKILL); time.sleep(60)",
            "it was ended by signal 9 (Killed)"),
       Step("LeavesAChild", "os.fork() or time.sleep(60); os._exit(0)", "it ended with exit code 0"),
       Raw("ExitsInInit", "s.sendall(hello()); read(s); sys.exit(0)",

@@ -1,4 +1,4 @@
-// smile-keeper FD PROGRAM ARGUMENTS...: runs a program and leaves nothing of it behind.
+// smile-supervisor FD PROGRAM ARGUMENTS...: runs a program and leaves nothing of it behind.
 //
 // Whatever the program starts becomes a child of this process when its parent ends, also what left
 // the program's process group. So all of it can be found and ended: when the program ends, at
@@ -32,13 +32,13 @@ sigset_t KeptSignals() {
   return signals;
 }
 
-[[noreturn]] void BecomeProgram(char** command, pid_t keeper, int failure) {
+[[noreturn]] void BecomeProgram(char** command, pid_t supervisor, int failure) {
   ::setpgid(0, 0);
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   sigset_t none;
   sigemptyset(&none);
   ::sigprocmask(SIG_SETMASK, &none, nullptr);
-  if (::getppid() == keeper) ::execv(command[0], command);
+  if (::getppid() == supervisor) ::execv(command[0], command);
   const int error = errno;
   (void)!::write(failure, &error, sizeof error);
   ::_exit(127);
@@ -125,9 +125,9 @@ int main(int argc, char** argv) {
   const sigset_t signals = KeptSignals();
   ::sigprocmask(SIG_BLOCK, &signals, nullptr);
 
-  const pid_t keeper = ::getpid();
+  const pid_t supervisor = ::getpid();
   const pid_t program = ::fork();
-  if (program == 0) BecomeProgram(argv + 2, keeper, failure);
+  if (program == 0) BecomeProgram(argv + 2, supervisor, failure);
   if (program < 0) {
     const int error = errno;
     (void)!::write(failure, &error, sizeof error);

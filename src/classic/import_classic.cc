@@ -9,7 +9,7 @@
 #include "base/files.h"
 #include "base/wording.h"
 #include "classic/internal_classic_player.h"
-#include "classic/stand_ins.h"
+#include "classic/placeholder_objects.h"
 #include "model/eye.h"
 #include "recording/beginning.h"
 #include "recording/recording.h"
@@ -48,15 +48,15 @@ Places PlacesIn(const scene::SceneSpec& scene, const ClassicRecording& recording
        "is about objects that the scene " + Quoted(scene.name) + " does not have: " + missing});
 }
 
-Places PlacesOfStandIns(const ClassicRecording& recording) {
+Places PlacesOfPlaceholders(const ClassicRecording& recording) {
   Places places;
   for (const std::string& object : recording.Objects()) places.insert({object, places.size()});
   return places;
 }
 
-/// Returns remarks on what placeholder objects cannot represent.
-std::vector<std::string> RemarksOnStandIns(const ClassicRecording& recording,
-                                           const scene::SceneSpec& scene) {
+/// What placeholder objects cannot show, and what is only known of them.
+std::vector<std::string> RemarksOnPlaceholders(const ClassicRecording& recording,
+                                               const scene::SceneSpec& scene) {
   std::set<std::string> controls;
   std::size_t num_bonds = 0;
   for (const ClassicFile& segment : recording.segments) {
@@ -185,10 +185,10 @@ ImportReport ImportClassic(const std::filesystem::path& classic,
     scene = *options.scene;
     places = PlacesIn(scene, recording, classic);
   } else {
-    scene = MakeStandIns(recording);
+    scene = MakePlaceholders(recording);
     scene.name = NameOfFolder(classic);
-    places = PlacesOfStandIns(recording);
-    report.remarks = RemarksOnStandIns(recording, scene);
+    places = PlacesOfPlaceholders(recording);
+    report.remarks = RemarksOnPlaceholders(recording, scene);
   }
   const model::Model model(scene);
   const ClassicPlayer player(recording, model, places, options.scene.has_value());

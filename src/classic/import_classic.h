@@ -13,7 +13,7 @@ namespace smile::classic {
 
 struct ImportOptions {
   /// Scene of the recording, with objects of the same ids; those that the recording lacks are
-  /// absent. nullopt: placeholder objects, see MakeStandIns().
+  /// absent. nullopt: placeholder objects, see MakePlaceholders().
   std::optional<scene::SceneSpec> scene;
   std::string title, notes;
 };

@@ -23,9 +23,10 @@ struct ClassicFrame {
 /// does not mention is unchanged.
 class ClassicPlayer {
  public:
-  /// @param model       of its scene, or of stand-ins. Must outlive this, as the recording.
+  /// @param model       of its scene, or of placeholder objects. Must outlive this, as the
+  /// recording.
   /// @param objects     for each of the recording's, its place in the scene.
-  /// @param has_scene   false for stand-ins, which have neither controls nor bond points.
+  /// @param has_scene   false for placeholder objects, which have neither controls nor bond points.
   ClassicPlayer(const ClassicRecording& recording, const model::Model& model,
                 std::map<std::string, std::size_t> objects, bool has_scene);
 

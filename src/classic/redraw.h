@@ -13,7 +13,7 @@ namespace smile::classic {
 
 /// Options for a copy of a recording.
 struct RedrawOptions {
-  recording::DemonstratorLook demonstrator = recording::DemonstratorLook::kInvisible;
+  recording::DemonstratorAppearance demonstrator = recording::DemonstratorAppearance::kInvisible;
   bool has_symbols = true;  ///< false: the classic view has pictures only
 };
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "base/diagnostic.h"
-#include "classic/stand_ins.h"
+#include "classic/placeholder_objects.h"
 #include "scene_xml/scene_reader.h"
 #include "scene_xml/scene_writer.h"
 
@@ -24,7 +24,7 @@ classic::ClassicRecording ReadSegments(std::string_view text) {
 std::string FaultWithClassic(std::string_view text) {
   scene::SceneSpec scene;
   try {
-    scene = classic::MakeStandIns(ReadSegments(text));
+    scene = classic::MakePlaceholders(ReadSegments(text));
   } catch (const InputError& error) {
     for (const Diagnostic& finding : error.diagnostics()) {
       if (!finding.file.ends_with(".txt")) return "refused without a place";
@@ -32,9 +32,10 @@ std::string FaultWithClassic(std::string_view text) {
     }
     return {};
   }
-  const auto reading = scene_xml::ReadSceneText(scene_xml::WriteScene(scene), "stand_ins.xml");
-  if (!reading.scene) return "stand-ins are no scene: " + ToString(reading.diagnostics.front());
-  return reading.scene->objects == scene.objects ? "" : "stand-ins come back as others";
+  const auto reading = scene_xml::ReadSceneText(scene_xml::WriteScene(scene), "placeholders.xml");
+  if (!reading.scene)
+    return "placeholder objects are no scene: " + ToString(reading.diagnostics.front());
+  return reading.scene->objects == scene.objects ? "" : "placeholder objects come back as others";
 }
 
 }  // namespace smile::fuzz

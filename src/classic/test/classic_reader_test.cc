@@ -8,7 +8,7 @@
 
 #include "base/diagnostic.h"
 #include "base/files.h"
-#include "classic/stand_ins.h"
+#include "classic/placeholder_objects.h"
 #include "damage.h"
 #include "image/png.h"
 #include "scene_xml/scene_reader.h"
@@ -242,8 +242,8 @@ TEST_F(ClassicDirectory, HasSoundPicturesOfOneSize) {
   EXPECT_EQ(Answer(), "/1/3.png: is no readable PNG of at most 8192 pixels along a side");
 }
 
-TEST(StandIns, ShowWhatTheDescriptionsSay) {
-  const scene::SceneSpec scene = MakeStandIns(ReadClassicTexts(kEvening));
+TEST(Placeholders, ShowWhatTheDescriptionsSay) {
+  const scene::SceneSpec scene = MakePlaceholders(ReadClassicTexts(kEvening));
   ASSERT_EQ(scene.objects.size(), 3u);
   const scene::ObjectSpec& cup = scene.objects[0];
   EXPECT_EQ(std::get<scene::Block>(cup.whole.shape).size, Vector3(0.2, 0.1, 0.05));
@@ -254,20 +254,20 @@ TEST(StandIns, ShowWhatTheDescriptionsSay) {
   EXPECT_NE(cup.whole.color, scene.objects[2].whole.color);
 }
 
-TEST(StandIns, HaveIdsASceneMayHave) {
-  const scene::SceneSpec scene = MakeStandIns(ReadClassicTexts(std::vector<ClassicText>{
+TEST(Placeholders, HaveIdsASceneMayHave) {
+  const scene::SceneSpec scene = MakePlaceholders(ReadClassicTexts(std::vector<ClassicText>{
       {"0.txt", "0,create,rope-start\n0,create,rope_start\n0,create,b#2\n0,create,#\n"}}));
   std::vector<std::string> ids;
   for (const auto& object : scene.objects) ids.push_back(object.id());
   EXPECT_EQ(ids, (std::vector<std::string>{"rope_start", "rope_start#0", "b#2", "_"}));
 }
 
-TEST(StandIns, SayWhichSizeIsNone) {
+TEST(Placeholders, SayWhichSizeIsNone) {
   for (const std::string size : {"big", "0", "-1", "1e9"}) {
     const auto recording = ReadClassicTexts(
         std::vector<ClassicText>{{"0.txt", "0,create,a\n0,create,b,bboxy," + size + "\n"}});
     try {
-      MakeStandIns(recording);
+      MakePlaceholders(recording);
       ADD_FAILURE() << size;
     } catch (const InputError& error) {
       EXPECT_EQ(error.diagnostics().at(0).line, 2) << error.what();
@@ -288,8 +288,9 @@ TEST_P(DamagedTexts, AreRefusedWithAPlaceOrRead) {
       Damage(&texts[random() % texts.size()].text, &random);
     }
     try {
-      const scene::SceneSpec scene = MakeStandIns(ReadClassicTexts(texts));
-      const auto reading = scene_xml::ReadSceneText(scene_xml::WriteScene(scene), "stand_ins.xml");
+      const scene::SceneSpec scene = MakePlaceholders(ReadClassicTexts(texts));
+      const auto reading =
+          scene_xml::ReadSceneText(scene_xml::WriteScene(scene), "placeholders.xml");
       ASSERT_TRUE(reading.scene) << ToString(reading.diagnostics.at(0));
       EXPECT_EQ(reading.scene->objects, scene.objects);
       ++num_read;

@@ -13,6 +13,6 @@ namespace smile::classic {
 /// object's first creation. It has the object's id, with `_` for letters that a scene does not
 /// allow.
 /// @throws InputError if a size is not a length.
-scene::SceneSpec MakeStandIns(const ClassicRecording& recording);
+scene::SceneSpec MakePlaceholders(const ClassicRecording& recording);
 
 }  // namespace smile::classic

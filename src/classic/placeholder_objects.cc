@@ -1,4 +1,4 @@
-#include "classic/stand_ins.h"
+#include "classic/placeholder_objects.h"
 
 #include <algorithm>
 #include <array>
@@ -110,7 +110,7 @@ std::string IdFor(const std::string& object, std::set<std::string>* taken) {
   return id;
 }
 
-scene::ObjectSpec StandIn(const FirstAppearance& appearance, std::size_t index) {
+scene::ObjectSpec Placeholder(const FirstAppearance& appearance, std::size_t index) {
   scene::ObjectSpec object;
   Vector3 spans(1, 1, 1);
   object.whole.color = *ParseColor(kPalette[index % kPalette.size()]);
@@ -133,12 +133,12 @@ scene::ObjectSpec StandIn(const FirstAppearance& appearance, std::size_t index) 
 
 }  // namespace
 
-scene::SceneSpec MakeStandIns(const ClassicRecording& recording) {
+scene::SceneSpec MakePlaceholders(const ClassicRecording& recording) {
   scene::SceneSpec scene;
   const auto appearances = FirstAppearances(recording);
   std::set<std::string> taken;
   for (const std::string& id : recording.Objects()) {
-    scene.objects.push_back(StandIn(appearances.at(id), scene.objects.size()));
+    scene.objects.push_back(Placeholder(appearances.at(id), scene.objects.size()));
     scene.objects.back().whole.id = IdFor(id, &taken);
   }
   return scene;

@@ -26,14 +26,14 @@ constexpr double kSoftness = 1e-9;
 /// breaks into a tangle; with 0.1 it bends. It does not increase a sag of 0.1 um, since velocities
 /// are exact.
 constexpr double kReturnSoftness = 0.1;
-/// Upper bound of multiplications per factorization, about 30 ms. 300 guests on a hub take a
+/// Upper bound of multiplications per factorization, about 30 ms. 300 guests on a supernode take a
 /// hundredth of it.
 constexpr double kMaxWork = 3e7;
 
 /// Unknowns of a hub: linear and angular velocity change.
-constexpr int kHubRows = 6;
-/// A body with more joints than this is a hub.
-constexpr std::size_t kMaxJointsOfLight = 2;
+constexpr int kSupernodeRows = 6;
+/// A body with more joints than this is a supernode.
+constexpr std::size_t kMaxJointsOfLowDegree = 2;
 
 /// The part of a row that acts on one of its two bodies: Jacobian (linear, angular) and the angular
 /// velocity change per unit impulse.
@@ -54,11 +54,11 @@ double Response(const btSolverConstraint& row, const btSolverConstraint& other, 
   return a.normal.dot(b.normal) * inverse_mass + a.turn.dot(b.turning);
 }
 
-/// Scales a hub's velocity change by the root R of its inverse inertia (R R^T = W), so that its own
-/// block of the matrix is -I.
-class HubScale {
+/// Scales a supernode's velocity change by the root R of its inverse inertia (R R^T = W), so that
+/// its own block of the matrix is -I.
+class SupernodeScale {
  public:
-  explicit HubScale(const btSolverBody& body)
+  explicit SupernodeScale(const btSolverBody& body)
       : root_inverse_mass_(std::sqrt(body.internalGetInvMass().x())) {
     // Cholesky factor of the inverse inertia; a body that cannot rotate has zeros here.
     const btMatrix3x3& inverse = body.m_originalBody->getInvInertiaTensorWorld();
@@ -76,7 +76,7 @@ class HubScale {
   }
 
   /// Returns the row of B: the derivative of the speed along a row by each unknown of the hub.
-  std::array<double, kHubRows> SpeedsOf(const Side& side) const {
+  std::array<double, kSupernodeRows> SpeedsOf(const Side& side) const {
     const btVector3 linear = side.normal * root_inverse_mass_;
     const btVector3 angular = side.turn * root_;  // transposed times turn
     return {linear.x(), linear.y(), linear.z(), angular.x(), angular.y(), angular.z()};
@@ -148,8 +148,8 @@ void JointBlock::Factor(btAlignedObjectArray<btSolverBody>& bodies) {
 void JointBlock::FindJointsOfBodies(const btAlignedObjectArray<btSolverBody>& bodies) {
   joints_of_.resize(std::max<std::size_t>(joints_of_.size(), bodies.size()));
   for (auto& joints : joints_of_) joints.clear();
-  light_bodies_.clear();
-  hubs_.clear();
+  low_degree_bodies_.clear();
+  supernodes_.clear();
   for (std::size_t joint = 0; joint < joints_.size(); ++joint) {
     const btSolverConstraint& row = *rows_[joints_[joint].first].constraint;
     for (int body : {row.m_solverBodyIdA, row.m_solverBodyIdB}) {
@@ -157,34 +157,35 @@ void JointBlock::FindJointsOfBodies(const btAlignedObjectArray<btSolverBody>& bo
       if (bodies[body].internalGetInvMass().x() == 0) continue;
       joints_of_[body].push_back(static_cast<int>(joint));
       const std::size_t count = joints_of_[body].size();
-      if (count == 1) light_bodies_.push_back(body);
-      if (count == kMaxJointsOfLight + 1) hubs_.push_back(body);
+      if (count == 1) low_degree_bodies_.push_back(body);
+      if (count == kMaxJointsOfLowDegree + 1) supernodes_.push_back(body);
     }
   }
-  std::erase_if(light_bodies_,
-                [this](int body) { return joints_of_[body].size() > kMaxJointsOfLight; });
+  std::erase_if(low_degree_bodies_,
+                [this](int body) { return joints_of_[body].size() > kMaxJointsOfLowDegree; });
 }
 
 /// Builds the graph of the matrix. Nodes are the joints, followed by the hubs.
 void JointBlock::FindGraph() {
   graph_.sizes.clear();
   for (const JointRows& joint : joints_) graph_.sizes.push_back(joint.count);
-  graph_.sizes.resize(joints_.size() + hubs_.size(), kHubRows);
+  graph_.sizes.resize(joints_.size() + supernodes_.size(), kSupernodeRows);
   graph_.neighbours.assign(graph_.sizes.size(), {});
-  graph_.waits.assign(graph_.sizes.size(), false);
+  graph_.is_deferred.assign(graph_.sizes.size(), false);
   // A joint without a light body has a zero block in A and must wait for a hub.
-  std::fill_n(graph_.waits.begin(), joints_.size(), true);
+  std::fill_n(graph_.is_deferred.begin(), joints_.size(), true);
   const auto connect = [this](int a, int b) {
     graph_.neighbours[a].push_back(b);
     graph_.neighbours[b].push_back(a);
   };
-  for (int body : light_bodies_) {
+  for (int body : low_degree_bodies_) {
     const std::vector<int>& joints = joints_of_[body];
-    for (int joint : joints) graph_.waits[joint] = false;
+    for (int joint : joints) graph_.is_deferred[joint] = false;
     if (joints.size() == 2) connect(joints[0], joints[1]);
   }
-  for (std::size_t i = 0; i < hubs_.size(); ++i) {
-    for (int joint : joints_of_[hubs_[i]]) connect(joint, static_cast<int>(joints_.size() + i));
+  for (std::size_t i = 0; i < supernodes_.size(); ++i) {
+    for (int joint : joints_of_[supernodes_[i]])
+      connect(joint, static_cast<int>(joints_.size() + i));
   }
   for (auto& neighbours : graph_.neighbours) {
     std::sort(neighbours.begin(), neighbours.end());
@@ -208,19 +209,19 @@ void JointBlock::PlaceRows() {
 
 /// Fills in A through light bodies, and B through hubs.
 void JointBlock::Assemble(const btAlignedObjectArray<btSolverBody>& bodies) {
-  for (int body : light_bodies_) {
+  for (int body : low_degree_bodies_) {
     const double inverse_mass = bodies[body].internalGetInvMass().x();
     const std::vector<int>& joints = joints_of_[body];
     for (int joint : joints) AssemblePair(joint, joint, body, inverse_mass);
     if (joints.size() == 2) AssemblePair(joints[0], joints[1], body, inverse_mass);
   }
-  for (std::size_t i = 0; i < hubs_.size(); ++i) {
-    AssembleHub(static_cast<int>(joints_.size() + i), hubs_[i], bodies[hubs_[i]]);
+  for (std::size_t i = 0; i < supernodes_.size(); ++i) {
+    AssembleSupernode(static_cast<int>(joints_.size() + i), supernodes_[i], bodies[supernodes_[i]]);
   }
 }
 
-/// Adds the responses between the rows of two joints through a light body. Only blocks on and below
-/// the diagonal exist, so the joint that is eliminated first is the column.
+/// Adds the responses between the rows of two joints through a low-degree body. Only blocks on and
+/// below the diagonal exist, so the joint that is eliminated first is the column.
 void JointBlock::AssemblePair(int joint, int other, int body, double inverse_mass) {
   int place = elimination_.place_of_node[joint], other_place = elimination_.place_of_node[other];
   if (place < 0) return;
@@ -238,12 +239,12 @@ void JointBlock::AssemblePair(int joint, int other, int body, double inverse_mas
   }
 }
 
-/// Fills in -I and the blocks of B or B^T, depending on whether the joint or the hub comes first.
-void JointBlock::AssembleHub(int node, int body, const btSolverBody& solver_body) {
+/// The supernode's unknowns are its velocity change, scaled so that its inertia is 1.
+void JointBlock::AssembleSupernode(int node, int body, const btSolverBody& solver_body) {
   const int place = elimination_.place_of_node[node];
   if (place < 0) return;
-  const HubScale scale(solver_body);
-  for (int i = 0; i < kHubRows; ++i) matrix_.diagonal(place, i) = -1;
+  const SupernodeScale scale(solver_body);
+  for (int i = 0; i < kSupernodeRows; ++i) matrix_.diagonal(place, i) = -1;
   for (int joint : joints_of_[body]) {
     const int joint_place = elimination_.place_of_node[joint];
     const JointRows rows = joints_[joint];
@@ -252,8 +253,8 @@ void JointBlock::AssembleHub(int node, int body, const btSolverBody& solver_body
         is_joint_first ? matrix_.block(place, joint_place) : matrix_.block(joint_place, place);
     for (int i = 0; i < rows.count; ++i) {
       const auto speeds = scale.SpeedsOf(Side(*rows_[rows.first + i].constraint, body));
-      for (int k = 0; k < kHubRows; ++k) {
-        block[is_joint_first ? k * rows.count + i : i * kHubRows + k] = speeds[k];
+      for (int k = 0; k < kSupernodeRows; ++k) {
+        block[is_joint_first ? k * rows.count + i : i * kSupernodeRows + k] = speeds[k];
       }
     }
   }
@@ -262,7 +263,7 @@ void JointBlock::AssembleHub(int node, int body, const btSolverBody& solver_body
 /// Factors with a softness: each joint row is regularized by this fraction of its own response. Hub
 /// pivots stay at or below -1.
 void JointBlock::FactorSoftened(double softness, sparse::BlockMatrix* matrix) {
-  least_pivots_.assign(matrix->num_rows(), -1);  // hubs
+  least_pivots_.assign(matrix->num_rows(), -1);  // supernodes
   for (const Row& row : rows_) least_pivots_[row.unknown] = softness * row.self_response;
   matrix->Factor(least_pivots_);
 }

@@ -58,14 +58,14 @@ class JointBlock {
   void PlaceRows();
   void Assemble(const btAlignedObjectArray<btSolverBody>& bodies);
   void AssemblePair(int joint, int other, int body, double inverse_mass);
-  void AssembleHub(int node, int body, const btSolverBody& solver_body);
+  void AssembleSupernode(int node, int body, const btSolverBody& solver_body);
   void ReduceReturns();
   void FactorSoftened(double softness, sparse::BlockMatrix* matrix);
 
   std::vector<Row> rows_;
   std::vector<JointRows> joints_;
-  std::vector<std::vector<int>> joints_of_;   ///< joints of each movable body, ascending
-  std::vector<int> light_bodies_, hubs_;      ///< in the order of their first joints
+  std::vector<std::vector<int>> joints_of_;          ///< joints of each movable body, ascending
+  std::vector<int> low_degree_bodies_, supernodes_;  ///< in the order of their first joints
   sparse::BlockGraph graph_, ordered_graph_;  ///< of this step, and the one of `elimination_`
   sparse::Elimination elimination_;
   sparse::BlockMatrix matrix_, softened_;

@@ -82,7 +82,7 @@ class Eliminator {
     return {rows, node};
   }
   void PutInQueue(int node) {
-    if (!graph_.waits[node]) queue_.insert(KeyOf(node));
+    if (!graph_.is_deferred[node]) queue_.insert(KeyOf(node));
   }
 
   /// Removes a node and returns its neighbors, which become neighbors of each other.
@@ -96,7 +96,7 @@ class Eliminator {
       EraseFrom(&theirs, other);
       EraseFrom(&theirs, node);
       // The Schur complement of the eliminated node makes this one's diagonal block nonsingular.
-      graph_.waits[other] = false;
+      graph_.is_deferred[other] = false;
     }
     for (int other : touched) PutInQueue(other);
     return touched;

@@ -8,11 +8,11 @@ namespace smile::sparse {
 /// Sparsity pattern of a symmetric block matrix: a node per block row, an edge per nonzero block
 /// off the diagonal.
 struct BlockGraph {
-  std::vector<int> sizes;                    ///< number of scalar rows of each node
-  std::vector<std::vector<int>> neighbours;  ///< of each node, ascending; symmetric
-  /// True for each node that must not be eliminated before its first neighbor, since its own
-  /// diagonal block is zero until then. Such nodes are not neighbors of each other.
-  std::vector<bool> waits;
+  std::vector<int> sizes;                    ///< of each node: its number of scalar rows
+  std::vector<std::vector<int>> neighbours;  ///< of each node, ascending, both ways
+  /// Deferred nodes, by node: such a node has no pivots of its own before its first neighbor is
+  /// eliminated. Deferred nodes are not neighbors of each other.
+  std::vector<bool> is_deferred;
 
   bool operator==(const BlockGraph&) const = default;
 };

@@ -17,7 +17,7 @@ constexpr double kEnough = 1e9;
 BlockGraph Graph(int count, const std::vector<std::pair<int, int>>& ties) {
   BlockGraph graph{.sizes = std::vector<int>(count, 6),
                    .neighbours = std::vector<std::vector<int>>(count),
-                   .waits = std::vector<bool>(count, false)};
+                   .is_deferred = std::vector<bool>(count, false)};
   for (const auto& [a, b] : ties) {
     graph.neighbours[a].push_back(b);
     graph.neighbours[b].push_back(a);
@@ -54,7 +54,7 @@ TEST(Elimination, GrowsLinearlyWithARing) {
 TEST(Elimination, LeavesOutAnIslandThatIsTooMuchWorkAndKeepsTheOthers) {
   BlockGraph graph = Complete(40);
   graph.sizes.resize(43, 6);
-  graph.waits.resize(43, false);
+  graph.is_deferred.resize(43, false);
   graph.neighbours.push_back({41});
   graph.neighbours.push_back({40, 42});
   graph.neighbours.push_back({41});
@@ -67,7 +67,7 @@ TEST(Elimination, LeavesOutAnIslandThatIsTooMuchWorkAndKeepsTheOthers) {
 TEST(Elimination, LetsANodeWaitForANeighbour) {
   BlockGraph graph = Graph(3, {{0, 1}, {0, 2}, {1, 2}});
   graph.sizes = {1, 6, 6};
-  graph.waits[1] = graph.waits[2] = true;
+  graph.is_deferred[1] = graph.is_deferred[2] = true;
   EXPECT_EQ(OrderElimination(graph, kEnough).steps.front().node, 0);
 }
 

@@ -30,11 +30,11 @@ struct ExportOptions {
 /// Trajectory with the limits of its robot.
 struct Motion {
   motion::JointTrajectory trajectory;
-  std::vector<motion::Channel> channels;
+  std::vector<motion::TrajectoryChannel> channels;
 
   std::vector<motion::LimitBreach> Breaches() const {
     std::vector<motion::JointLimits> limits;
-    for (const motion::Channel& channel : channels) limits.push_back(channel.limits);
+    for (const motion::TrajectoryChannel& channel : channels) limits.push_back(channel.limits);
     return CheckLimits(trajectory, limits);
   }
 };
@@ -58,7 +58,7 @@ const Format& FormatOf(const ExportOptions& options) {
   throw std::invalid_argument("--to is " + Quoted(options.format) + ", expected " + OneOf(names));
 }
 
-bool IsOfPart(const motion::Channel& channel, const robot::RobotModel& model,
+bool IsOfPart(const motion::TrajectoryChannel& channel, const robot::RobotModel& model,
               const std::string& part) {
   if (part == "all") return true;
   if (model.head && channel.joint == model.head->joint) return part == "head";
@@ -71,10 +71,10 @@ bool IsOfPart(const motion::Channel& channel, const robot::RobotModel& model,
   return false;
 }
 
-std::vector<motion::Channel> ChosenChannels(const robot::RobotModel& model,
-                                            const ExportOptions& options) {
-  std::vector<motion::Channel> chosen;
-  for (const motion::Channel& channel : motion::ChannelsOf(model)) {
+std::vector<motion::TrajectoryChannel> ChosenChannels(const robot::RobotModel& model,
+                                                      const ExportOptions& options) {
+  std::vector<motion::TrajectoryChannel> chosen;
+  for (const motion::TrajectoryChannel& channel : motion::ChannelsOf(model)) {
     if (options.no_grippers && channel.is_gripper()) continue;
     if (IsOfPart(channel, model, options.part)) chosen.push_back(channel);
   }

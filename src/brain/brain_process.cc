@@ -12,7 +12,7 @@
 
 #include "brain/brain_messages.h"
 #include "brain/internal_brain_program.h"
-#include "brain/internal_channel.h"
+#include "brain/internal_message_channel.h"
 #include "brain/internal_output_drain.h"
 #include "brain/internal_rendezvous.h"
 #include "process/child_process.h"
@@ -129,7 +129,7 @@ class BrainProcess::Impl {
   std::optional<Rendezvous> rendezvous_;
   std::optional<process::ChildProcess> child_;
   std::optional<OutputDrain> drain_;
-  std::optional<Channel> channel_;
+  std::optional<MessageChannel> channel_;
 };
 
 OrError<InitReply> BrainProcess::Impl::Init(const Aux& aux) {

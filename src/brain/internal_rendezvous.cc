@@ -119,19 +119,19 @@ void Rendezvous::MakePipes() {
   if (!from_brain_) Fail(folder_ / "from_brain");
 }
 
-std::optional<Channel> Rendezvous::Meet(int slice_ms) {
+std::optional<MessageChannel> Rendezvous::Meet(int slice_ms) {
   if (kind_ == Kind::kSocket) {
     pollfd watched{listener_.get(), POLLIN, 0};
     ::poll(&watched, 1, slice_ms);
     process::UniqueFd socket(::accept4(listener_.get(), nullptr, nullptr, SOCK_CLOEXEC));
     if (!socket) return std::nullopt;
-    return Channel(std::move(socket));
+    return MessageChannel(std::move(socket));
   }
   if (!from_brain_) MakePipes();  // the former connection has the old ones
   // Opening fails until the brain has opened the other end; there is no way to poll for that.
   process::UniqueFd to_brain(
       ::open((folder_ / "to_brain").c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC));
-  if (to_brain) return Channel(std::move(from_brain_), std::move(to_brain));
+  if (to_brain) return MessageChannel(std::move(from_brain_), std::move(to_brain));
   std::this_thread::sleep_for(std::chrono::milliseconds(std::min(slice_ms, 5)));
   return std::nullopt;
 }

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "brain/internal_channel.h"
+#include "brain/internal_message_channel.h"
 #include "process/unique_fd.h"
 
 namespace smile::brain {
@@ -28,7 +28,7 @@ class Rendezvous {
 
   /// Waits up to `slice_ms` for a connection; nullopt if there is none. Earlier connections are
   /// shut out.
-  std::optional<Channel> Meet(int slice_ms);
+  std::optional<MessageChannel> Meet(int slice_ms);
   /// Returns true if another connection waits; always false for pipes, which cannot be polled for
   /// that.
   bool HasVisitor() const;

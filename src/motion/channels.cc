@@ -9,14 +9,14 @@ JointLimits LimitsOfJoint(const robot::RobotModel& model, int joint) {
   return LimitsOf(model, std::span(&joint, 1)).front();
 }
 
-Channel JointChannel(const robot::RobotModel& model, int joint) {
+TrajectoryChannel JointChannel(const robot::RobotModel& model, int joint) {
   return {
       .name = model.links[joint].joint_name, .joint = joint, .limits = LimitsOfJoint(model, joint)};
 }
 
 /// Returns the channel of a gripper. Its opening is the sum of both fingers' positions and of the
 /// gap that remains when both are at 0; both fingers move at the speed of the slower one.
-Channel GripperChannel(const robot::RobotModel& model, int arm) {
+TrajectoryChannel GripperChannel(const robot::RobotModel& model, int arm) {
   const robot::Gripper& gripper = *model.arms[arm].gripper;
   const JointLimits left = LimitsOfJoint(model, gripper.left_finger);
   const JointLimits right = LimitsOfJoint(model, gripper.right_finger);
@@ -33,8 +33,8 @@ Channel GripperChannel(const robot::RobotModel& model, int arm) {
 
 }  // namespace
 
-std::vector<Channel> ChannelsOf(const robot::RobotModel& model) {
-  std::vector<Channel> channels;
+std::vector<TrajectoryChannel> ChannelsOf(const robot::RobotModel& model) {
+  std::vector<TrajectoryChannel> channels;
   std::vector<bool> has_channel(model.links.size());
   const auto add_joint = [&](int joint) {
     if (has_channel[joint]) return;
@@ -54,12 +54,13 @@ std::vector<Channel> ChannelsOf(const robot::RobotModel& model) {
   return channels;
 }
 
-const Channel* FindChannel(std::span<const Channel> channels, std::string_view name) {
-  const auto found = std::ranges::find(channels, name, &Channel::name);
+const TrajectoryChannel* FindChannel(std::span<const TrajectoryChannel> channels,
+                                     std::string_view name) {
+  const auto found = std::ranges::find(channels, name, &TrajectoryChannel::name);
   return found == channels.end() ? nullptr : &*found;
 }
 
-double PositionOf(const Channel& channel, const robot::RobotModel& model,
+double PositionOf(const TrajectoryChannel& channel, const robot::RobotModel& model,
                   std::span<const double> q) {
   if (!channel.is_gripper()) return q[channel.joint];
   const robot::Gripper& gripper = *model.arms[channel.gripper_of].gripper;

@@ -11,7 +11,7 @@ namespace smile::motion {
 
 /// Column of a trajectory: a joint of a robot, or the opening of a gripper (the free width between
 /// its two fingers, which move as one).
-struct Channel {
+struct TrajectoryChannel {
   std::string name;     ///< name of the joint; `left_gripper`, `right_gripper`
   int joint = -1;       ///< index into RobotModel::links; of a gripper, its left finger
   int gripper_of = -1;  ///< index of the gripper's arm; -1 for a joint
@@ -21,13 +21,14 @@ struct Channel {
 };
 
 /// Returns the joints and gripper of each arm, left first, then the head, then all other joints.
-std::vector<Channel> ChannelsOf(const robot::RobotModel& model);
+std::vector<TrajectoryChannel> ChannelsOf(const robot::RobotModel& model);
 
 /// Returns the channel of that name, or nullptr.
-[[nodiscard]] const Channel* FindChannel(std::span<const Channel> channels, std::string_view name);
+[[nodiscard]] const TrajectoryChannel* FindChannel(std::span<const TrajectoryChannel> channels,
+                                                   std::string_view name);
 
 /// Returns its position at a configuration `q` of its robot [rad or m].
-double PositionOf(const Channel& channel, const robot::RobotModel& model,
+double PositionOf(const TrajectoryChannel& channel, const robot::RobotModel& model,
                   std::span<const double> q);
 
 }  // namespace smile::motion

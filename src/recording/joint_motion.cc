@@ -24,14 +24,15 @@ double AtItsLimit(const motion::JointLimits& limits, double q) {
 }  // namespace
 
 motion::JointTrajectory JointMotionOf(const Recording& recording,
-                                      const std::vector<motion::Channel>& channels,
+                                      const std::vector<motion::TrajectoryChannel>& channels,
                                       const TimeRange& range, double points_per_second) {
   if (!recording.robot()) {
     throw InputError({recording.directory.string(), 0, "", "was made without a robot"});
   }
   const TickRange ticks = TicksOf(range, recording);
   motion::JointTrajectory trajectory;
-  for (const motion::Channel& channel : channels) trajectory.joint_names.push_back(channel.name);
+  for (const motion::TrajectoryChannel& channel : channels)
+    trajectory.joint_names.push_back(channel.name);
   TraceReader trace(recording);
   std::uint64_t frame = 0;
   while (const auto moment = trace.Next()) {
@@ -42,7 +43,7 @@ motion::JointTrajectory JointMotionOf(const Recording& recording,
     if (!is_due && moment->tick != ticks.last) continue;
     if (is_due) ++frame;
     motion::TrajectoryPoint point{.seconds = sim::SecondsOf(since)};
-    for (const motion::Channel& channel : channels) {
+    for (const motion::TrajectoryChannel& channel : channels) {
       const double q = PositionOf(channel, recording.robot()->model, moment->joints);
       point.positions.push_back(AtItsLimit(channel.limits, q));
     }

@@ -17,7 +17,7 @@ namespace smile::recording {
 /// @throws InputError if the recording has no robot or its trace cannot be read;
 ///         std::invalid_argument if the range is not within the recording.
 motion::JointTrajectory JointMotionOf(const Recording& recording,
-                                      const std::vector<motion::Channel>& channels,
+                                      const std::vector<motion::TrajectoryChannel>& channels,
                                       const TimeRange& range, double points_per_second);
 
 }  // namespace smile::recording

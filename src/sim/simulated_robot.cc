@@ -75,11 +75,11 @@ std::optional<Refusal> SimulatedRobot::Execute(const JointAngles& angles) {
 }
 
 std::optional<Refusal> SimulatedRobot::Execute(const TurnJoint& turn) {
-  const motion::Channel* channel = FindChannel(follower_.channels(), turn.joint);
+  const motion::TrajectoryChannel* channel = FindChannel(follower_.channels(), turn.joint);
   // Fingers move only as a pair, by the gripper command.
   if (channel == nullptr || channel->is_gripper()) {
     std::vector<std::string_view> names;
-    for (const motion::Channel& known : follower_.channels()) {
+    for (const motion::TrajectoryChannel& known : follower_.channels()) {
       if (!known.is_gripper()) names.push_back(known.name);
     }
     return "the robot has no joint " + Quoted(turn.joint) + " to turn" +

@@ -66,10 +66,10 @@ TrajectoryFollower::TrajectoryFollower(world::RobotBody* robot)
 std::optional<Refusal> TrajectoryFollower::FindColumns(
     const motion::JointTrajectory& trajectory, std::vector<Following::Column>* columns) const {
   std::vector<std::string_view> names;
-  for (const motion::Channel& channel : channels_) names.push_back(channel.name);
+  for (const motion::TrajectoryChannel& channel : channels_) names.push_back(channel.name);
   for (std::size_t i = 0; i < trajectory.joint_names.size(); ++i) {
     const std::string& name = trajectory.joint_names[i];
-    const motion::Channel* channel = FindChannel(channels_, name);
+    const motion::TrajectoryChannel* channel = FindChannel(channels_, name);
     if (channel == nullptr) {
       return "the robot has no joint " + Quoted(name) + DidYouMean(name, names);
     }
@@ -106,7 +106,7 @@ motion::JointTrajectory TrajectoryFollower::WithWayToStart(
   std::vector<motion::JointLimits> limits;
   bool is_near = true;
   for (const Following::Column& column : columns) {
-    const motion::Channel& channel = channels_[column.channel];
+    const motion::TrajectoryChannel& channel = channels_[column.channel];
     from.push_back(ClampedTo(channel.limits, PositionOf(channel, robot_.model(), q)));
     to.push_back(ClampedTo(channel.limits, first.positions[column.column]));
     limits.push_back(channel.limits);
@@ -181,7 +181,7 @@ std::optional<Refusal> TrajectoryFollower::MoveTo(const std::string& pose, doubl
   std::vector<double> from, to;
   std::vector<motion::JointLimits> limits;
   for (std::size_t i = 0; i < channels_.size(); ++i) {
-    const motion::Channel& channel = channels_[i];
+    const motion::TrajectoryChannel& channel = channels_[i];
     if (channel.is_gripper() || !belongs_to_pose[channel.joint]) continue;
     columns.push_back({.column = columns.size(), .channel = i});
     trajectory.joint_names.push_back(channel.name);
@@ -225,7 +225,7 @@ void TrajectoryFollower::Drive(const Following& following, std::uint64_t tick) {
   const motion::TrajectoryPoint next = SampleAt(*following.trajectory, SecondsOf(elapsed + 1));
   const std::vector<double> q = robot_.positions();
   for (const Following::Column& column : following.columns) {
-    const motion::Channel& channel = channels_[column.channel];
+    const motion::TrajectoryChannel& channel = channels_[column.channel];
     const double at = now.positions[column.column];
     const double rate = (next.positions[column.column] - at) * kTicksPerSecond;
     const double error = at - PositionOf(channel, robot_.model(), q);
@@ -245,7 +245,7 @@ void TrajectoryFollower::DriveGripper(int arm, double rate, double error) {
 
 void TrajectoryFollower::Stop(const Following& following) {
   for (const Following::Column& column : following.columns) {
-    const motion::Channel& channel = channels_[column.channel];
+    const motion::TrajectoryChannel& channel = channels_[column.channel];
     if (channel.is_gripper()) {
       robot_.SetGripperVelocity(channel.gripper_of, 0);
     } else {

@@ -62,7 +62,7 @@ class TrajectoryFollower {
   void BeforeTick(std::uint64_t tick);
 
   bool is_following() const { return !state_.followings.empty(); }
-  std::span<const motion::Channel> channels() const { return channels_; }
+  std::span<const motion::TrajectoryChannel> channels() const { return channels_; }
 
   const FollowerState& state() const { return state_; }
   void Restore(const FollowerState& state) { state_ = state; }
@@ -83,7 +83,7 @@ class TrajectoryFollower {
   void Stop(const Following& following);
 
   world::RobotBody& robot_;
-  std::vector<motion::Channel> channels_;
+  std::vector<motion::TrajectoryChannel> channels_;
   FollowerState state_;
 };
 

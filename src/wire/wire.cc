@@ -178,7 +178,7 @@ void MessageWriter::Put(Value value) {
 void MessageWriter::PutPadding() { frame_.resize(frame_.size() + Padding(frame_.size())); }
 
 bool MessageWriter::HasArray(std::string_view name) const {
-  return std::any_of(names_.begin(), names_.begin() + array_count_, [&](const Place& place) {
+  return std::any_of(names_.begin(), names_.begin() + array_count_, [&](const NameSpan& place) {
     return place.letters == name.size() &&
            std::memcmp(&frame_[place.begin], name.data(), name.size()) == 0;
   });

@@ -124,7 +124,7 @@ class MessageWriter {
 
  private:
   /// Position of a name in the frame.
-  struct Place {
+  struct NameSpan {
     std::uint32_t begin, letters;
   };
 
@@ -135,7 +135,7 @@ class MessageWriter {
 
   std::vector<std::byte> frame_;
   std::uint32_t array_count_ = 0;
-  std::array<Place, kMaxArrays> names_ = {};  ///< array_count_ of them
+  std::array<NameSpan, kMaxArrays> names_ = {};  ///< array_count_ of them
 };
 
 /// Fault in received bytes.

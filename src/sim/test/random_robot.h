@@ -45,7 +45,7 @@ class RandomRobot {
     const std::vector<double> q = simulation.robot()->positions();
     motion::JointTrajectory wave;
     motion::TrajectoryPoint point{.seconds = random_() % 2 == 0 ? 0.0 : 0.2};
-    for (const motion::Channel& channel : motion::ChannelsOf(model)) {
+    for (const motion::TrajectoryChannel& channel : motion::ChannelsOf(model)) {
       if (random_() % 3 == 0) continue;
       wave.joint_names.push_back(channel.name);
       point.positions.push_back(PositionOf(channel, model, q));

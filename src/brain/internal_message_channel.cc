@@ -1,4 +1,4 @@
-#include "brain/internal_channel.h"
+#include "brain/internal_message_channel.h"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -63,7 +63,7 @@ std::optional<ChannelFault> WaitASlice(int fd, short events, const process::Wait
 
 }  // namespace
 
-Channel::Channel(process::UniqueFd read_end, process::UniqueFd write_end)
+MessageChannel::MessageChannel(process::UniqueFd read_end, process::UniqueFd write_end)
     : read_end_(std::move(read_end)), write_end_(std::move(write_end)) {
   MakeNonBlocking(read_end_.get());
   MakeNonBlocking(write_fd());
@@ -72,16 +72,17 @@ Channel::Channel(process::UniqueFd read_end, process::UniqueFd write_end)
   if (!is_socket()) ::fcntl(write_fd(), F_SETPIPE_SZ, kPipeBytes);
 }
 
-Channel::Channel(process::UniqueFd socket) : Channel(std::move(socket), process::UniqueFd()) {}
+MessageChannel::MessageChannel(process::UniqueFd socket)
+    : MessageChannel(std::move(socket), process::UniqueFd()) {}
 
-ssize_t Channel::WriteSome(std::span<const std::byte> bytes) const {
+ssize_t MessageChannel::WriteSome(std::span<const std::byte> bytes) const {
   if (is_socket()) return ::send(write_fd(), bytes.data(), bytes.size(), MSG_NOSIGNAL);
   const BrokenPipeIsQuiet quiet;
   return ::write(write_fd(), bytes.data(), bytes.size());
 }
 
-std::optional<ChannelFault> Channel::Send(std::span<const std::byte> frame,
-                                          const process::WaitLimit& limit) {
+std::optional<ChannelFault> MessageChannel::Send(std::span<const std::byte> frame,
+                                                 const process::WaitLimit& limit) {
   while (!frame.empty()) {
     const ssize_t count = WriteSome(frame);
     if (count >= 0) {
@@ -95,7 +96,7 @@ std::optional<ChannelFault> Channel::Send(std::span<const std::byte> frame,
   return std::nullopt;
 }
 
-std::variant<std::size_t, ChannelFault> Channel::ReadSome() {
+std::variant<std::size_t, ChannelFault> MessageChannel::ReadSome() {
   // A pipe not yet opened for writing reads as ended, but poll() reports it as quiet.
   pollfd watched{read_end_.get(), POLLIN, 0};
   if (!is_socket() && ::poll(&watched, 1, 0) <= 0) return std::size_t{0};
@@ -107,7 +108,7 @@ std::variant<std::size_t, ChannelFault> Channel::ReadSome() {
   return SystemFault();
 }
 
-std::variant<wire::Message, ChannelFault> Channel::Receive(const process::WaitLimit& limit) {
+std::variant<wire::Message, ChannelFault> MessageChannel::Receive(const process::WaitLimit& limit) {
   const auto watchful_until = process::WaitLimit::Clock::now() + kWatchfulTime;
   while (true) {
     if (auto received = inbox_.TakeMessage()) {

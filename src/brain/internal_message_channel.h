@@ -27,12 +27,12 @@ struct ChannelFault {
 ///
 /// Most programs answer within microseconds, which is less than sleeping and waking takes: before
 /// it sleeps, Receive() yields the processor and polls again, for up to kWatchfulTime.
-class Channel {
+class MessageChannel {
  public:
   /// Makes a channel of two pipes; sets both ends to non-blocking.
-  Channel(process::UniqueFd read_end, process::UniqueFd write_end);
+  MessageChannel(process::UniqueFd read_end, process::UniqueFd write_end);
   /// Makes a channel of a socket, which is both ends.
-  explicit Channel(process::UniqueFd socket);
+  explicit MessageChannel(process::UniqueFd socket);
 
   std::optional<ChannelFault> Send(std::span<const std::byte> frame,
                                    const process::WaitLimit& limit);

@@ -7,7 +7,7 @@
 
 #include "math/color.h"
 #include "math/rigid_transform.h"
-#include "scene_xml/internal_reading.h"
+#include "scene_xml/internal_reading_context.h"
 #include "scene_xml/internal_scene_element.h"
 #include "scene_xml/value_ranges.h"
 
@@ -19,7 +19,7 @@ namespace smile::scene_xml {
 /// still read. Asking for an attribute makes it known; RefuseUnknown() reports all others.
 class AttributeReader {
  public:
-  AttributeReader(const SceneElement& element, Reading* reading)
+  AttributeReader(const SceneElement& element, ReadingContext* reading)
       : element_(element), reading_(*reading) {}
 
   /// Returns the text as written; nullptr if the attribute is missing.
@@ -78,7 +78,7 @@ class AttributeReader {
   Matrix3 RotationMatrix();
 
   const SceneElement& element_;
-  Reading& reading_;
+  ReadingContext& reading_;
   std::vector<std::string_view> known_, forbidden_;  // literals of the callers
   bool has_findings_ = false;
 };

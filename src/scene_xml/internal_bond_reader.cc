@@ -29,13 +29,13 @@ std::string ReadType(AttributeReader* attributes) {
 /// Returns the ticket of a reference, which is resolved when the whole scene has been read; empty
 /// without a reference.
 std::string ReadReference(const SceneElement& element, const char* name, Target target,
-                          AttributeReader* attributes, Reading* reading) {
+                          AttributeReader* attributes, ReadingContext* reading) {
   const std::string id = attributes->Reference(name);
   if (id.empty()) return {};
   return reading->references.Add({target, name, id, element.place, AddressOf(element)});
 }
 
-scene::TightnessStage ReadStage(const SceneElement& element, Reading* reading) {
+scene::TightnessStage ReadStage(const SceneElement& element, ReadingContext* reading) {
   AttributeReader attributes(element, reading);
   scene::TightnessStage stage{.X_HS = attributes.PoseOrOrigin()};
   if (attributes.Text("downstreamState")) {
@@ -58,7 +58,7 @@ void CheckInitialBond(const scene::GuestPoint& guest, AttributeReader* attribute
 
 }  // namespace
 
-scene::GuestPoint ReadGuestPoint(const SceneElement& element, Reading* reading) {
+scene::GuestPoint ReadGuestPoint(const SceneElement& element, ReadingContext* reading) {
   AttributeReader attributes(element, reading);
   scene::GuestPoint guest{.id = attributes.ClaimedId(),
                           .type = ReadType(&attributes),
@@ -78,7 +78,7 @@ scene::GuestPoint ReadGuestPoint(const SceneElement& element, Reading* reading) 
   return guest;
 }
 
-scene::HostPoint ReadHostPoint(const SceneElement& element, Reading* reading) {
+scene::HostPoint ReadHostPoint(const SceneElement& element, ReadingContext* reading) {
   AttributeReader attributes(element, reading);
   scene::HostPoint host{.id = attributes.ClaimedId(),
                         .type = ReadType(&attributes),

@@ -1,12 +1,12 @@
 #pragma once
 
 #include "scene/bond.h"
-#include "scene_xml/internal_reading.h"
+#include "scene_xml/internal_reading_context.h"
 #include "scene_xml/internal_scene_element.h"
 
 namespace smile::scene_xml {
 
-scene::GuestPoint ReadGuestPoint(const SceneElement& element, Reading* reading);
-scene::HostPoint ReadHostPoint(const SceneElement& element, Reading* reading);
+scene::GuestPoint ReadGuestPoint(const SceneElement& element, ReadingContext* reading);
+scene::HostPoint ReadHostPoint(const SceneElement& element, ReadingContext* reading);
 
 }  // namespace smile::scene_xml

@@ -47,7 +47,7 @@ void CheckViewDirection(const scene::CameraSpec& camera, AttributeReader* attrib
 
 }  // namespace
 
-void ReadCamera(const SceneElement& element, Reading* reading,
+void ReadCamera(const SceneElement& element, ReadingContext* reading,
                 std::vector<scene::CameraSpec>* cameras) {
   AttributeReader attributes(element, reading);
   scene::CameraSpec camera{.id = attributes.RequiredName("id")};

@@ -14,7 +14,7 @@ namespace {
 constexpr int kMaxDownstreams = 256;
 
 /// Returns the ticket of the control that a `downstream` element refers to; empty after a fault.
-std::string ReadDownstream(const SceneElement& element, Reading* reading) {
+std::string ReadDownstream(const SceneElement& element, ReadingContext* reading) {
   AttributeReader attributes(element, reading);
   const std::string id = attributes.Reference("id");
   if (attributes.RequiredText("id").empty() && attributes.Text("id")) {
@@ -26,7 +26,7 @@ std::string ReadDownstream(const SceneElement& element, Reading* reading) {
   return reading->references.Add({Target::kControl, "id", id, element.place, AddressOf(element)});
 }
 
-scene::Light ReadLight(const SceneElement& element, int num_lights, Reading* reading) {
+scene::Light ReadLight(const SceneElement& element, int num_lights, ReadingContext* reading) {
   AttributeReader attributes(element, reading);
   attributes.RequiredText("id");
   scene::Light light{.number = attributes.Count("id", 0, {0, num_lights - 1})};
@@ -37,7 +37,7 @@ scene::Light ReadLight(const SceneElement& element, int num_lights, Reading* rea
 }
 
 /// Returns the name of a state; the caller reads its content.
-std::string ReadStateName(const SceneElement& element, Reading* reading) {
+std::string ReadStateName(const SceneElement& element, ReadingContext* reading) {
   AttributeReader attributes(element, reading);
   std::string name = attributes.OptionalName("descriptionName");
   attributes.RefuseUnknown();
@@ -45,7 +45,7 @@ std::string ReadStateName(const SceneElement& element, Reading* reading) {
 }
 
 scene::IndicatorLights::State ReadLightsState(const SceneElement& element, int num_lights,
-                                              Reading* reading) {
+                                              ReadingContext* reading) {
   scene::IndicatorLights::State state{ReadStateName(element, reading), {}};
   std::vector<bool> is_on(num_lights);
   for (const SceneElement& child : element.children) {
@@ -64,7 +64,7 @@ scene::IndicatorLights::State ReadLightsState(const SceneElement& element, int n
 }
 
 scene::CustomControl::State ReadCustomState(const SceneElement& element, int num_states,
-                                            Reading* reading) {
+                                            ReadingContext* reading) {
   scene::CustomControl::State state{ReadStateName(element, reading), {}};
   const PartPlace inside{Container::kState, num_states};
   for (const SceneElement& child : element.children) {
@@ -91,7 +91,7 @@ void CheckCount(std::size_t count, std::size_t limit, const std::string& what,
 /// switches have no `state` elements.
 ControlContent Sorted(std::span<const SceneElement* const> content, bool has_states,
                       std::span<const std::string_view> others, AttributeReader* attributes,
-                      Reading* reading) {
+                      ReadingContext* reading) {
   std::vector<std::string_view> expected(others.begin(), others.end());
   expected.push_back("downstream");
   if (has_states) expected.push_back("state");
@@ -123,7 +123,7 @@ void CheckInitialState(int initial_state, int num_states, AttributeReader* attri
 
 void ReadControlContent(std::span<const SceneElement* const> content,
                         std::span<const std::string_view> others, AttributeReader* attributes,
-                        scene::Shape* control, Reading* reading) {
+                        scene::Shape* control, ReadingContext* reading) {
   auto* toggle = std::get_if<scene::ToggleSwitch>(control);
   auto* lights = std::get_if<scene::IndicatorLights>(control);
   auto* custom = std::get_if<scene::CustomControl>(control);

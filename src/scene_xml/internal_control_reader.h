@@ -14,6 +14,6 @@ namespace smile::scene_xml {
 /// @param others  further element names that messages list as expected.
 void ReadControlContent(std::span<const SceneElement* const> content,
                         std::span<const std::string_view> others, AttributeReader* attributes,
-                        scene::Shape* control, Reading* reading);
+                        scene::Shape* control, ReadingContext* reading);
 
 }  // namespace smile::scene_xml

@@ -34,7 +34,7 @@ bool IsOfTheLanguage(std::string_view name) {
 }
 
 /// Adds the finding. A known element in the wrong place gets no spelling suggestion.
-void Refuse(const SceneElement& element, Names expected, Names possible, Reading* reading) {
+void Refuse(const SceneElement& element, Names expected, Names possible, ReadingContext* reading) {
   const std::string what = expected.empty() ? "nothing inside this element" : OneOf(expected);
   const bool is_misplaced = IsOfTheLanguage(element.name);
   reading->findings->Add(element.place, AddressOf(element),
@@ -45,7 +45,7 @@ void Refuse(const SceneElement& element, Names expected, Names possible, Reading
 
 }  // namespace
 
-bool CheckNamespace(const SceneElement& element, Reading* reading) {
+bool CheckNamespace(const SceneElement& element, ReadingContext* reading) {
   if (element.is_in_scene_namespace) return true;
   const std::string found = element.found_namespace.empty()
                                 ? "found no namespace"
@@ -55,7 +55,8 @@ bool CheckNamespace(const SceneElement& element, Reading* reading) {
   return false;
 }
 
-const ShapeElement* FindShape(const SceneElement& element, Container container, Reading* reading) {
+const ShapeElement* FindShape(const SceneElement& element, Container container,
+                              ReadingContext* reading) {
   if (!CheckNamespace(element, reading)) return nullptr;
   std::vector<std::string_view> names;
   for (const ShapeElement& shape : ShapeElements()) {
@@ -77,11 +78,11 @@ const ShapeElement* FindShape(const SceneElement& element, Container container, 
 }
 
 void RefuseElement(const SceneElement& element, std::span<const std::string_view> expected,
-                   Reading* reading) {
+                   ReadingContext* reading) {
   if (CheckNamespace(element, reading)) Refuse(element, expected, expected, reading);
 }
 
-void RefuseContent(const SceneElement& element, Reading* reading) {
+void RefuseContent(const SceneElement& element, ReadingContext* reading) {
   for (const SceneElement& child : element.children) RefuseElement(child, {}, reading);
 }
 

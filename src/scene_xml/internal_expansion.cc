@@ -22,7 +22,7 @@ constexpr std::size_t kMaxSuggestedTemplates = 100;
 struct Template {
   std::vector<VariableText> defaults;
   std::vector<SceneElement> content;
-  Place place;
+  SourceLocation place;
   // Cost of one instance.
   int num_elements = 0;
   std::size_t num_bytes = 0;
@@ -46,7 +46,7 @@ void AddCost(const SceneElement& element, Template* target) {
   for (const SceneElement& child : element.children) AddCost(child, target);
 }
 
-VariableText ReadVariable(const SceneElement& element, Reading* reading) {
+VariableText ReadVariable(const SceneElement& element, ReadingContext* reading) {
   AttributeReader attributes(element, reading);
   // One by one: the order of findings is that of these lines.
   VariableText variable{.place = element.place};
@@ -59,7 +59,7 @@ VariableText ReadVariable(const SceneElement& element, Reading* reading) {
 }
 
 /// Moves a `def` into the templates. Its content is not expanded here, but for each instance.
-void ReadTemplate(SceneElement def, Reading* reading, Templates* templates) {
+void ReadTemplate(SceneElement def, ReadingContext* reading, Templates* templates) {
   AttributeReader attributes(def, reading);
   const std::string name = attributes.RequiredName("name");
   attributes.RefuseUnknown();
@@ -81,7 +81,7 @@ void ReadTemplate(SceneElement def, Reading* reading, Templates* templates) {
 }
 
 /// Removes the templates from the root and returns them. They may be defined after their use.
-Templates TakeTemplates(SceneElement* root, Reading* reading) {
+Templates TakeTemplates(SceneElement* root, ReadingContext* reading) {
   Templates templates;
   std::vector<SceneElement> content;
   for (SceneElement& child : root->children) {
@@ -100,7 +100,8 @@ Templates TakeTemplates(SceneElement* root, Reading* reading) {
 /// without which 60 levels of doubling would make 2^60 elements.
 class Expander {
  public:
-  Expander(const SceneLimits& limits, bool has_all_files, Templates templates, Reading* reading)
+  Expander(const SceneLimits& limits, bool has_all_files, Templates templates,
+           ReadingContext* reading)
       : limits_(limits),
         has_all_files_(has_all_files),
         templates_(std::move(templates)),
@@ -254,7 +255,7 @@ class Expander {
   const SceneLimits& limits_;
   bool has_all_files_;
   Templates templates_;
-  Reading& reading_;
+  ReadingContext& reading_;
   ExpansionBudget budget_;
   std::vector<std::string> open_;  // the templates being expanded, from the outside inwards
 };
@@ -262,7 +263,7 @@ class Expander {
 }  // namespace
 
 void ExpandTemplates(const SceneLimits& limits, bool has_all_files, SceneElement* root,
-                     Reading* reading) {
+                     ReadingContext* reading) {
   Templates templates = TakeTemplates(root, reading);
   Expander(limits, has_all_files, std::move(templates), reading).Expand(root);
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scene_xml/internal_reading.h"
+#include "scene_xml/internal_reading_context.h"
 #include "scene_xml/internal_scene_element.h"
 #include "scene_xml/scene_limits.h"
 
@@ -12,6 +12,6 @@ namespace smile::scene_xml {
 ///
 /// @param has_all_files  if false, a missing template may be in a missing file and is no finding.
 void ExpandTemplates(const SceneLimits& limits, bool has_all_files, SceneElement* root,
-                     Reading* reading);
+                     ReadingContext* reading);
 
 }  // namespace smile::scene_xml

@@ -16,7 +16,7 @@ class ExpansionBudget {
       : limits_(limits), findings_(*findings) {}
 
   /// Returns false if the budget is exceeded; the first time, with a finding at `place`.
-  bool Spend(int elements, std::size_t bytes, const Place& place) {
+  bool Spend(int elements, std::size_t bytes, const SourceLocation& place) {
     if (is_spent_) return false;
     num_elements_ += elements;
     num_bytes_ += bytes;
@@ -32,7 +32,7 @@ class ExpansionBudget {
   std::size_t bytes_left() const { return is_spent_ ? 0 : limits_.max_file_bytes - num_bytes_; }
 
  private:
-  void Refuse(const std::string& what, const std::string& limit, const Place& place) {
+  void Refuse(const std::string& what, const std::string& limit, const SourceLocation& place) {
     is_spent_ = true;
     findings_.Add(place, "",
                   "found more than " + limit + " " + what + " out of templates, expected fewer");

@@ -6,7 +6,7 @@
 
 namespace smile::scene_xml {
 
-void Findings::Add(const Place& place, std::string element, std::string message) {
+void Findings::Add(const SourceLocation& place, std::string element, std::string message) {
   if (is_full()) {
     has_dropped_ = true;
     return;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/diagnostic.h"
-#include "scene_xml/internal_place.h"
+#include "scene_xml/internal_sources.h"
 
 namespace smile::scene_xml {
 
@@ -19,7 +19,7 @@ class Findings {
   /// Adds a finding. A fault of a template counts once, however often the template is used.
   ///
   /// @param element  as it is shown between angle brackets; may be empty.
-  void Add(const Place& place, std::string element, std::string message);
+  void Add(const SourceLocation& place, std::string element, std::string message);
 
   /// True if further findings are dropped; then there is no need to compose their messages.
   bool is_full() const { return static_cast<int>(findings_.size()) >= max_count_; }

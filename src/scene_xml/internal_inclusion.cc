@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 class IncludeResolver {
  public:
   IncludeResolver(const fs::path* main_file, const std::vector<fs::path>& search_roots,
-                  const SceneLimits& limits, const ReadCounts& counts, Reading* reading)
+                  const SceneLimits& limits, const ReadCounts& counts, ReadingContext* reading)
       : limits_(limits), counts_(counts), reading_(*reading), folders_(main_file, search_roots) {
     if (!main_file) return;
     std::error_code error;
@@ -113,7 +113,7 @@ class IncludeResolver {
 
   const SceneLimits& limits_;
   ReadCounts counts_;
-  Reading& reading_;
+  ReadingContext& reading_;
   AllowedFolders folders_;
   std::set<fs::path> seen_;  // canonical
   bool has_all_ = true;
@@ -123,7 +123,7 @@ class IncludeResolver {
 
 bool ResolveIncludes(const fs::path* main_file, const std::vector<fs::path>& search_roots,
                      const SceneLimits& limits, const ReadCounts& counts, SceneElement* root,
-                     Reading* reading) {
+                     ReadingContext* reading) {
   IncludeResolver resolver(main_file, search_roots, limits, counts, reading);
   const fs::path folder = main_file ? FolderOf(*main_file) : fs::path();
   resolver.Resolve(main_file ? &folder : nullptr, root);

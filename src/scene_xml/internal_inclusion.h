@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "scene_xml/internal_reading.h"
+#include "scene_xml/internal_reading_context.h"
 #include "scene_xml/internal_scene_element.h"
 #include "scene_xml/scene_limits.h"
 
@@ -29,6 +29,6 @@ struct ReadCounts {
 bool ResolveIncludes(const std::filesystem::path* main_file,
                      const std::vector<std::filesystem::path>& search_roots,
                      const SceneLimits& limits, const ReadCounts& counts, SceneElement* root,
-                     Reading* reading);
+                     ReadingContext* reading);
 
 }  // namespace smile::scene_xml

@@ -75,11 +75,11 @@ std::optional<int> NumLinks(const scene::ChainSpec& chain, int wanted, double me
 
 }  // namespace
 
-void ReadSlider(const SceneElement& element, Reading* reading, ObjectList* objects) {
+void ReadSlider(const SceneElement& element, ReadingContext* reading, ObjectList* objects) {
   AttributeReader attributes(element, reading);
   scene::SliderSpec slider = ReadSliderAttributes(&attributes);
   std::vector<scene::ObjectSpec> members;
-  std::vector<Place> places;
+  std::vector<SourceLocation> places;
   for (const SceneElement& child : element.children) {
     if (const ShapeElement* shape = FindShape(child, Container::kSlider, reading)) {
       members.push_back(ReadObject(child, *shape, Container::kSlider, reading));
@@ -106,7 +106,7 @@ void ReadSlider(const SceneElement& element, Reading* reading, ObjectList* objec
   objects->scene().sliders.push_back(std::move(slider));
 }
 
-void ReadChain(const SceneElement& element, Reading* reading, ObjectList* objects) {
+void ReadChain(const SceneElement& element, ReadingContext* reading, ObjectList* objects) {
   AttributeReader attributes(element, reading);
   scene::ChainSpec chain{.id = attributes.ClaimedId()};
   chain.color = attributes.Color();

@@ -50,7 +50,7 @@ class BondedObjects {
 
 class Connector {
  public:
-  Connector(scene::SceneSpec* scene, Reading* reading)
+  Connector(scene::SceneSpec* scene, ReadingContext* reading)
       : scene_(*scene), reading_(*reading), bonds_(scene->objects.size()) {}
 
   void Connect() {
@@ -158,7 +158,7 @@ class Connector {
   }
 
   scene::SceneSpec& scene_;
-  Reading& reading_;
+  ReadingContext& reading_;
   std::map<std::string, int> num_states_;  // of the controls
   std::map<std::string, Host> hosts_;
   std::set<std::string> taken_hosts_;
@@ -167,7 +167,7 @@ class Connector {
 
 }  // namespace
 
-void ConnectMechanisms(scene::SceneSpec* scene, Reading* reading) {
+void ConnectMechanisms(scene::SceneSpec* scene, ReadingContext* reading) {
   Connector(scene, reading).Connect();
 }
 

@@ -18,7 +18,7 @@ MeshCache::MeshCache(const fs::path* main_file, const std::vector<fs::path>& sea
                      const SceneLimits& limits)
     : has_folder_(main_file != nullptr), folders_(main_file, search_roots), limits_(limits) {}
 
-bool MeshCache::Fetch(const Sources& sources, const Place& place, scene::Custom* custom,
+bool MeshCache::Fetch(const Sources& sources, const SourceLocation& place, scene::Custom* custom,
                       std::string* fault) {
   const bool is_text = place.file == 0 && !has_folder_;
   const fs::path folder = FolderOf(sources.FileOf(place));

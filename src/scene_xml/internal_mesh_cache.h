@@ -9,7 +9,7 @@
 
 #include "scene/shape.h"
 #include "scene_xml/internal_allowed_folders.h"
-#include "scene_xml/internal_place.h"
+#include "scene_xml/internal_sources.h"
 
 namespace smile::scene_xml {
 
@@ -27,7 +27,8 @@ class MeshCache {
   ///
   /// @param place  of the element that refers to it.
   /// @returns false, with `fault` in words that follow the file's name, if there is no valid mesh.
-  bool Fetch(const Sources& sources, const Place& place, scene::Custom* custom, std::string* fault);
+  bool Fetch(const Sources& sources, const SourceLocation& place, scene::Custom* custom,
+             std::string* fault);
 
  private:
   struct Entry {

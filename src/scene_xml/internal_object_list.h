@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "scene/scene_spec.h"
-#include "scene_xml/internal_reading.h"
+#include "scene_xml/internal_reading_context.h"
 #include "scene_xml/scene_limits.h"
 
 namespace smile::scene_xml {
@@ -18,7 +18,7 @@ class ObjectList {
       : limits_(limits), scene_(*scene), findings_(*findings) {}
 
   /// Returns false if `count` more objects exceed the limit; the first time, with a finding.
-  [[nodiscard]] bool HasRoomFor(std::size_t count, const Place& place) {
+  [[nodiscard]] bool HasRoomFor(std::size_t count, const SourceLocation& place) {
     if (scene_.objects.size() + count <= static_cast<std::size_t>(limits_.max_objects)) return true;
     if (!std::exchange(is_full_, true)) {
       findings_.Add(place, "",
@@ -28,19 +28,19 @@ class ObjectList {
     return false;
   }
 
-  void Add(scene::ObjectSpec object, const Place& place) {
+  void Add(scene::ObjectSpec object, const SourceLocation& place) {
     scene_.objects.push_back(std::move(object));
     places_.push_back(place);
   }
 
   scene::SceneSpec& scene() { return scene_; }
-  const std::vector<Place>& places() const { return places_; }
+  const std::vector<SourceLocation>& places() const { return places_; }
 
  private:
   const SceneLimits& limits_;
   scene::SceneSpec& scene_;
   Findings& findings_;
-  std::vector<Place> places_;
+  std::vector<SourceLocation> places_;
   bool is_full_ = false;
 };
 

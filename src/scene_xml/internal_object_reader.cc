@@ -32,7 +32,7 @@ void Describe(Description description, std::vector<Description>* descriptions) {
   descriptions->push_back(std::move(description));
 }
 
-Description ReadDescription(const SceneElement& element, Reading* reading) {
+Description ReadDescription(const SceneElement& element, ReadingContext* reading) {
   AttributeReader attributes(element, reading);
   Description description{attributes.RequiredName("name"), attributes.RequiredText("value")};
   attributes.RefuseUnknown();
@@ -58,7 +58,7 @@ void CheckPieces(const scene::Part& whole, AttributeReader* attributes) {
 }  // namespace
 
 ObjectSpec ReadObject(const SceneElement& element, const ShapeElement& shape, Container container,
-                      Reading* reading) {
+                      ReadingContext* reading) {
   AttributeReader attributes(element, reading);
   const PartPlace place{.container = container};
   ObjectSpec object;

@@ -10,6 +10,6 @@ namespace smile::scene_xml {
 ///
 /// @param container  of whole objects.
 scene::ObjectSpec ReadObject(const SceneElement& element, const ShapeElement& shape,
-                             Container container, Reading* reading);
+                             Container container, ReadingContext* reading);
 
 }  // namespace smile::scene_xml

@@ -24,7 +24,7 @@ void ReadNextState(const PartPlace& place, AttributeReader* attributes, Part* pa
 
 /// Reads a child of a composite: a bond point, except inside states, or a part.
 void ReadMember(const SceneElement& element, const PartPlace& inside, scene::Composite* composite,
-                Reading* reading) {
+                ReadingContext* reading) {
   if (inside.container == Container::kComposite && element.Is("guestBondPoint")) {
     composite->guests.push_back(ReadGuestPoint(element, reading));
   } else if (inside.container == Container::kComposite && element.Is("hostBondPoint")) {
@@ -37,7 +37,8 @@ void ReadMember(const SceneElement& element, const PartPlace& inside, scene::Com
 }  // namespace
 
 Part ReadPartAttributes(const SceneElement& element, const ShapeElement& shape,
-                        const PartPlace& place, AttributeReader* attributes, Reading* reading) {
+                        const PartPlace& place, AttributeReader* attributes,
+                        ReadingContext* reading) {
   Part part;
   part.is_pointable = attributes->Boolean("pointable", false);
   // Other parts may share ids, as nothing refers to them.
@@ -56,7 +57,7 @@ Part ReadPartAttributes(const SceneElement& element, const ShapeElement& shape,
 
 void ReadContent(const PartPlace& place, std::span<const SceneElement* const> content,
                  std::span<const std::string_view> others, AttributeReader* attributes, Part* part,
-                 Reading* reading) {
+                 ReadingContext* reading) {
   if (auto* composite = std::get_if<scene::Composite>(&part->shape)) {
     PartPlace inside = place;
     // Inside a state, composites keep the restrictions of states.
@@ -70,7 +71,7 @@ void ReadContent(const PartPlace& place, std::span<const SceneElement* const> co
 }
 
 Part ReadPart(const SceneElement& element, const ShapeElement& shape, const PartPlace& place,
-              Reading* reading) {
+              ReadingContext* reading) {
   AttributeReader attributes(element, reading);
   Part part = ReadPartAttributes(element, shape, place, &attributes, reading);
   for (const char* name : {"mass", "centerOfMass", "friction", "restitution", "rollingFriction"}) {

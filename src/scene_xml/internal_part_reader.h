@@ -21,17 +21,17 @@ struct PartPlace {
 /// check for unknown attributes. Whole objects, controls and pointable parts get a unique id.
 scene::Part ReadPartAttributes(const SceneElement& element, const ShapeElement& shape,
                                const PartPlace& place, AttributeReader* attributes,
-                               Reading* reading);
+                               ReadingContext* reading);
 
 /// Reads the content of a shape except descriptions: parts, bond points, states, downstreams.
 ///
 /// @param others  further element names that messages list as expected.
 void ReadContent(const PartPlace& place, std::span<const SceneElement* const> content,
                  std::span<const std::string_view> others, AttributeReader* attributes,
-                 scene::Part* part, Reading* reading);
+                 scene::Part* part, ReadingContext* reading);
 
 /// Reads a part of a composite or of a state, with its content.
 scene::Part ReadPart(const SceneElement& element, const ShapeElement& shape, const PartPlace& place,
-                     Reading* reading);
+                     ReadingContext* reading);
 
 }  // namespace smile::scene_xml

@@ -17,7 +17,7 @@ enum class Target { kControl, kHost };
 struct Reference {
   Target target = Target::kControl;
   std::string attribute, text;
-  Place place;
+  SourceLocation place;
   std::string element;  ///< its address, for messages
 };
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kTableThicknessUnits = 4;
 
-bool CheckIsScene(const SceneElement& root, Reading* reading) {
+bool CheckIsScene(const SceneElement& root, ReadingContext* reading) {
   if (!CheckNamespace(root, reading)) return false;
   if (root.name == "tabletop") return true;
   reading->findings->Add(root.place, AddressOf(root), "found this element, expected <tabletop>");
@@ -20,7 +20,7 @@ bool CheckIsScene(const SceneElement& root, Reading* reading) {
 
 }  // namespace
 
-bool ReadRoot(const SceneElement& root, Reading* reading, scene::SceneSpec* scene) {
+bool ReadRoot(const SceneElement& root, ReadingContext* reading, scene::SceneSpec* scene) {
   if (!CheckIsScene(root, reading)) return false;
   AttributeReader attributes(root, reading);
   // The unit comes first, as the spans are measured in it.
@@ -34,7 +34,7 @@ bool ReadRoot(const SceneElement& root, Reading* reading, scene::SceneSpec* scen
   return true;
 }
 
-bool CheckIncludedRoot(const SceneElement& root, Reading* reading) {
+bool CheckIncludedRoot(const SceneElement& root, ReadingContext* reading) {
   if (!CheckIsScene(root, reading)) return false;
   AttributeReader attributes(root, reading);
   const double unit =

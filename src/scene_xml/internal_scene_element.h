@@ -22,8 +22,8 @@ struct SceneAttribute {
 /// Element of a scene: as xml::Parse() returned it from one of the files, with its place among all
 /// of them, while files are included and templates expanded.
 struct SceneElement {
-  std::string name;  ///< without prefix
-  Place place;       ///< of its tag's begin
+  std::string name;      ///< without prefix
+  SourceLocation place;  ///< of its tag's begin
   bool is_in_scene_namespace = false;
   std::string found_namespace;  ///< for a message, when it is in another one; empty = in none
   std::vector<SceneAttribute> attributes;

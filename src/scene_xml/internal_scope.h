@@ -8,7 +8,7 @@
 
 #include "scene_xml/internal_expansion_budget.h"
 #include "scene_xml/internal_expression.h"
-#include "scene_xml/internal_place.h"
+#include "scene_xml/internal_sources.h"
 
 namespace smile::scene_xml {
 
@@ -16,7 +16,7 @@ namespace smile::scene_xml {
 struct VariableText {
   std::string name, value;
   bool is_derived = false;
-  Place place;
+  SourceLocation place;
 };
 
 /// Variables inside one instance of a template, with access to those around it.
@@ -44,7 +44,7 @@ class Scope final : public Variables {
   enum class State { kText, kInWork, kDone, kFaulty };
   struct Variable {
     std::string value;
-    Place place;
+    SourceLocation place;
     State state = State::kText;
   };
   using Entry = std::map<std::string, Variable, std::less<>>::value_type;

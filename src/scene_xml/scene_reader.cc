@@ -18,7 +18,7 @@
 namespace smile::scene_xml {
 namespace {
 
-void ReadElement(const SceneElement& element, Reading* reading, ObjectList* objects) {
+void ReadElement(const SceneElement& element, ReadingContext* reading, ObjectList* objects) {
   if (element.Is("chain")) {
     ReadChain(element, reading, objects);
   } else if (element.Is("sliderJoint")) {
@@ -38,7 +38,7 @@ SceneReading ReadTree(SceneElement root, const std::filesystem::path* path,
   SceneReading result;
   scene::SceneSpec& scene = result.scene.emplace();
   MeshCache meshes(path, options.search_roots, options.limits);
-  Reading reading{.findings = findings, .meshes = &meshes};
+  ReadingContext reading{.findings = findings, .meshes = &meshes};
   // The passes in order: unit and table, included files, templates, objects, references. Each needs
   // the result of the ones before.
   if (!ReadRoot(root, &reading, &scene)) return result;
@@ -50,7 +50,7 @@ SceneReading ReadTree(SceneElement root, const std::filesystem::path* path,
   // A missing target may be in a missing file.
   if (has_all_files) ConnectMechanisms(&scene, &reading);
   const Sources& sources = findings->sources();
-  for (const Place& place : objects.places()) {
+  for (const SourceLocation& place : objects.places()) {
     result.origins.push_back(sources.Address(place) + sources.ExpansionNote(place));
   }
   return result;

@@ -9,7 +9,7 @@
 namespace smile::scene_xml {
 
 /// State that the readers of a scene's elements share.
-struct Reading {
+struct ReadingContext {
   Findings* findings = nullptr;
   IdRegistry ids;
   References references;

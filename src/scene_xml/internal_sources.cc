@@ -1,4 +1,4 @@
-#include "scene_xml/internal_place.h"
+#include "scene_xml/internal_sources.h"
 
 namespace smile::scene_xml {
 
@@ -7,21 +7,21 @@ int Sources::AddFile(std::string name) {
   return static_cast<int>(files_.size()) - 1;
 }
 
-int Sources::AddExpansion(const Place& instance) {
+int Sources::AddExpansion(const SourceLocation& instance) {
   expansions_.push_back(instance);
   return static_cast<int>(expansions_.size()) - 1;
 }
 
-std::string Sources::Address(const Place& place) const {
+std::string Sources::Address(const SourceLocation& place) const {
   return FileOf(place) + ":" + std::to_string(place.line);
 }
 
-std::string Sources::ExpansionNote(const Place& place) const {
+std::string Sources::ExpansionNote(const SourceLocation& place) const {
   if (place.expansion < 0) return {};
-  const Place& inner = expansions_[place.expansion];
+  const SourceLocation& inner = expansions_[place.expansion];
   std::string note = " (in the instance at " + Address(inner);
   if (inner.expansion >= 0) {
-    Place outer = inner;
+    SourceLocation outer = inner;
     while (outer.expansion >= 0) outer = expansions_[outer.expansion];
     note += ", within that at " + Address(outer);
   }

@@ -64,7 +64,7 @@ class Playback::Impl {
     if (is_at_end()) rate_ = 0;
   }
 
-  View view() const {
+  DisplayedState view() const {
     return {.model = &model().visual_model(),
             .state = recording::VisualStateAt(moment_, model()),
             .tick = moment_.tick};
@@ -159,6 +159,6 @@ void Playback::Seek(double seconds) { impl_->Seek(seconds); }
 void Playback::Tick() { impl_->Tick(); }
 const recording::TraceTick& Playback::moment() const { return impl_->moment(); }
 std::vector<std::string> Playback::fallen() const { return impl_->fallen(); }
-View Playback::view() const { return impl_->view(); }
+DisplayedState Playback::view() const { return impl_->view(); }
 
 }  // namespace smile::library

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "library/view.h"
+#include "library/displayed_state.h"
 #include "model/model.h"
 #include "recording/recording.h"
 #include "recording/trace.h"
@@ -50,7 +50,7 @@ class Playback {
   /// that are gone since; empty if the recording does not contain them.
   std::vector<std::string> fallen() const;
   /// Returns the view, whose `scene` the caller sets. Its model is valid as long as this object.
-  View view() const;
+  DisplayedState view() const;
 
  private:
   class Impl;

@@ -80,7 +80,7 @@ class Clients : public web_server::WebSocketHandler {
     std::uint32_t acknowledged = 0;
     bool is_closing = false;
   };
-  struct View {
+  struct EyeView {
     std::uint64_t number = 0;
     std::uint32_t scene = 0, tick = 0;
     bool is_recorded = false;
@@ -116,7 +116,7 @@ class Clients : public web_server::WebSocketHandler {
   bool must_send_clients_ = false;  ///< after the reply
   std::vector<ClientId> new_clients_;
   PoseBroadcaster poses_;
-  View view_;
+  EyeView view_;
 };
 
 }  // namespace smile::page

@@ -25,9 +25,9 @@ JsonShape HandNameShape() {
   return JsonShape::Word(names).Called("HandName");
 }
 
-JsonShape MoodShape() {
+JsonShape FaceExpressionShape() {
   return JsonShape::Word({robot::kFaceExpressionNames.begin(), robot::kFaceExpressionNames.end()})
-      .Called("Mood");
+      .Called("FaceExpression");
 }
 
 JsonShape SnapNameShape() {

@@ -23,7 +23,7 @@ JsonMember KindMember(const char* name);
 // Named types.
 
 JsonShape HandNameShape();
-JsonShape MoodShape();
+JsonShape FaceExpressionShape();
 JsonShape SnapNameShape();
 JsonShape PointShape();
 JsonShape PoseShape();

@@ -31,7 +31,7 @@ JsonShape HandsNowShape() {
 
 JsonShape RobotNowShape() {
   return ObjectShape({{"shown", FlagShape()},
-                      {"mood", MoodShape()},
+                      {"mood", FaceExpressionShape()},
                       {"following", FlagShape()},
                       {"joints", JsonShape::Map(NumberShape())},
                       {"grippers", NumbersShape()},

@@ -33,7 +33,7 @@ struct NamedShape {
 /// Returns the types that have a name in TypeScript, in the order of their definitions.
 std::vector<NamedShape> NamedShapes() {
   return {{HandNameShape()},
-          {MoodShape()},
+          {FaceExpressionShape()},
           {SnapNameShape()},
           {PointShape()},
           {PoseShape(), "x, y, z, then the quaternion x, y, z, w."},

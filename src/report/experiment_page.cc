@@ -126,13 +126,13 @@ Markup Places(const ExperimentOutcome& outcome) {
       1000 * scene.meters_per_unit * outcome.result.at("tolerance").get<double>();
   const std::vector<Placement> placements = PlacementsOf(outcome.result, scene.meters_per_unit);
   const std::string note = "Filled: as it is in the end. Dashed: as it was wanted.";
-  const auto view = [&](Side side) {
-    Markup content = DrawPlacements(scene, outcome.result, placements, side);
+  const auto view = [&](ViewDirection direction) {
+    Markup content = DrawPlacements(scene, outcome.result, placements, direction);
     content += Element("p", {{"class", "note"}}, note);
     return content;
   };
-  Markup pair = Section("From above", view(Side::kTop));
-  pair += Section("From the front", view(Side::kFront));
+  Markup pair = Section("From above", view(ViewDirection::kTop));
+  pair += Section("From the front", view(ViewDirection::kFront));
   Markup content = Element("div", {{"class", "pair"}}, pair);
   Markup table = PlacementTable(placements, scene.meters_per_unit, tolerance_mm);
   table += ErrorBars(placements, tolerance_mm);

@@ -53,8 +53,8 @@ Outline HullOf(Outline points) {
 }
 
 /// Projects a point orthogonally along the view direction of a side.
-Point Seen(const Vector3& p_W, Side side) {
-  return side == Side::kTop ? Point(p_W.x(), p_W.y()) : Point(p_W.x(), p_W.z());
+Point Seen(const Vector3& p_W, ViewDirection direction) {
+  return direction == ViewDirection::kTop ? Point(p_W.x(), p_W.y()) : Point(p_W.x(), p_W.z());
 }
 
 /// Piece of an object, seen from one side.
@@ -65,7 +65,8 @@ struct Patch {
 };
 
 /// Returns the outlines of an object's visible pieces: convex hulls, an approximation for meshes.
-std::vector<Patch> PatchesOf(const scene::Part& whole, const RigidTransform& X_WB, Side side) {
+std::vector<Patch> PatchesOf(const scene::Part& whole, const RigidTransform& X_WB,
+                             ViewDirection direction) {
   std::vector<Patch> patches;
   for (const scene::Visual& visual : scene::VisualsOf(whole)) {
     if (visual.choice >= 0 && visual.look != 0) continue;
@@ -74,8 +75,8 @@ std::vector<Patch> PatchesOf(const scene::Part& whole, const RigidTransform& X_W
     double nearness = -1e9;
     for (const Eigen::Vector3f& corner : mesh::MeshOf(visual.shape).positions) {
       const Vector3 p_W = X_WV * Vector3(corner.cast<double>());
-      points.push_back(Seen(p_W, side));
-      nearness = std::max(nearness, side == Side::kTop ? p_W.z() : -p_W.y());
+      points.push_back(Seen(p_W, direction));
+      nearness = std::max(nearness, direction == ViewDirection::kTop ? p_W.z() : -p_W.y());
     }
     if (points.size() >= 3) patches.push_back({HullOf(points), visual.color, nearness});
   }
@@ -174,7 +175,7 @@ Markup ErrorBars(const std::vector<Placement>& placements, double tolerance_mm) 
 }
 
 Markup DrawPlacements(const scene::SceneSpec& scene, const Json& result,
-                      const std::vector<Placement>& placements, Side side) {
+                      const std::vector<Placement>& placements, ViewDirection direction) {
   std::map<std::string, const scene::Part*> parts;
   std::vector<Patch> reached, wanted;
   for (const scene::ObjectSpec& object : scene.objects) {
@@ -182,11 +183,12 @@ Markup DrawPlacements(const scene::SceneSpec& scene, const Json& result,
     const Json& objects = result.at("final").at("objects");
     if (!objects.contains(object.id())) continue;
     const RigidTransform X_WB = PoseIn(objects.at(object.id()), scene.meters_per_unit);
-    for (Patch& patch : PatchesOf(object.whole, X_WB, side)) reached.push_back(std::move(patch));
+    for (Patch& patch : PatchesOf(object.whole, X_WB, direction))
+      reached.push_back(std::move(patch));
   }
   for (const Placement& placement : placements) {
     if (!parts.contains(placement.object)) continue;
-    for (Patch& patch : PatchesOf(*parts.at(placement.object), placement.X_WWanted, side)) {
+    for (Patch& patch : PatchesOf(*parts.at(placement.object), placement.X_WWanted, direction)) {
       wanted.push_back(std::move(patch));
     }
   }
@@ -200,7 +202,7 @@ Markup DrawPlacements(const scene::SceneSpec& scene, const Json& result,
   // Painter's algorithm: nearer pieces are drawn over farther ones.
   std::ranges::stable_sort(reached, {}, &Patch::nearness);
   Markup drawing;
-  if (side == Side::kFront) {
+  if (direction == ViewDirection::kFront) {
     drawing += SvgLine(0, frame.y(0), kPlotWidth, frame.y(0), "axis");
   }
   for (const Patch& patch : reached) {
@@ -215,8 +217,10 @@ Markup DrawPlacements(const scene::SceneSpec& scene, const Json& result,
         "polygon", {{"class", "wanted"}, {"points", PointsText(patch.outline, frame)}}, Markup());
   }
   drawing += Ruler(frame);
-  return Drawing(kPlotWidth, frame.height() + 24,
-                 side == Side::kTop ? "The table from above" : "The table from the front", drawing);
+  return Drawing(
+      kPlotWidth, frame.height() + 24,
+      direction == ViewDirection::kTop ? "The table from above" : "The table from the front",
+      drawing);
 }
 
 }  // namespace smile::report

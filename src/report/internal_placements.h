@@ -27,10 +27,10 @@ std::vector<Placement> PlacementsOf(const Json& result, double meters_per_unit);
 /// Returns bars of the position errors, with a line at the tolerance.
 Markup ErrorBars(const std::vector<Placement>& placements, double tolerance_mm);
 
-enum class Side { kTop, kFront };
+enum class ViewDirection { kTop, kFront };
 /// Returns a drawing of all final poses, filled, and of the goal poses, dashed. From above, or from
 /// the front (seen along +y).
 Markup DrawPlacements(const scene::SceneSpec& scene, const Json& result,
-                      const std::vector<Placement>& placements, Side side);
+                      const std::vector<Placement>& placements, ViewDirection direction);
 
 }  // namespace smile::report

@@ -18,16 +18,16 @@ EyeViewEncoder::~EyeViewEncoder() {
   thread_.join();
 }
 
-void EyeViewEncoder::Encode(View view) {
+void EyeViewEncoder::Encode(Picture picture) {
   {
     const std::lock_guard lock(mutex_);
     // Overwrites a picture that is still waiting: only the newest is of interest.
-    next_ = std::move(view);
+    next_ = std::move(picture);
   }
   changed_.notify_all();
 }
 
-std::optional<EyeViewEncoder::View> EyeViewEncoder::Next() {
+std::optional<EyeViewEncoder::Picture> EyeViewEncoder::Next() {
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [this] { return is_over_ || next_; });
   if (is_over_) return std::nullopt;
@@ -35,8 +35,9 @@ std::optional<EyeViewEncoder::View> EyeViewEncoder::Next() {
 }
 
 void EyeViewEncoder::WorkerLoop() {
-  while (const std::optional<View> view = Next()) {
-    server_->SendView(view->scene, view->tick, EncodePng(view->image), view->is_recorded);
+  while (const std::optional<Picture> picture = Next()) {
+    server_->SendView(picture->scene, picture->tick, EncodePng(picture->image),
+                      picture->is_recorded);
   }
 }
 

@@ -20,23 +20,23 @@ class EyeViewEncoder {
   EyeViewEncoder(const EyeViewEncoder&) = delete;
   EyeViewEncoder& operator=(const EyeViewEncoder&) = delete;
 
-  struct View {
+  struct Picture {
     Image image;
     bool is_recorded = false;
     std::uint32_t scene = 0, tick = 0;
   };
   /// Encodes and sends a picture; returns at once.
-  void Encode(View view);
+  void Encode(Picture picture);
 
  private:
   void WorkerLoop();
   /// Returns nullopt when this object is destroyed.
-  std::optional<View> Next();
+  std::optional<Picture> Next();
 
   page::Server* server_;
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::optional<View> next_;
+  std::optional<Picture> next_;
   bool is_over_ = false;
   std::thread thread_;
 };

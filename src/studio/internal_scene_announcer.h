@@ -23,7 +23,7 @@ class SceneAnnouncer {
   /// Returns the message with these looks; nullopt if they were sent last.
   std::optional<Json> UpdateLooks(const std::vector<int>& looks);
 
-  /// Counts up with each model; see library::View::scene.
+  /// Counts up with each model; see library::DisplayedState::scene.
   std::uint32_t number() const { return number_; }
   /// See Session::MeshBytes(). From any thread.
   std::optional<std::string> MeshBytes(std::uint32_t scene, std::size_t mesh) const;

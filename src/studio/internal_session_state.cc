@@ -11,7 +11,7 @@
 namespace smile::studio {
 namespace {
 
-library::View ViewOf(const sim::Simulation& simulation) {
+library::DisplayedState ViewOf(const sim::Simulation& simulation) {
   return {.model = &simulation.model().visual_model(),
           .state = simulation.visual_state(),
           .tick = simulation.tick(),
@@ -26,7 +26,7 @@ std::optional<std::string> WorldState::Unmet(Need need) const {
   return "a recording is in the making: finish it first";
 }
 
-library::View LiveState::view() const { return ViewOf(world().simulation()); }
+library::DisplayedState LiveState::view() const { return ViewOf(world().simulation()); }
 
 model::ViewSample LiveState::ViewSampleThrough(model::EyeSpec eye) const {
   return sim::ViewSampleOf(world().simulation(), eye);
@@ -80,7 +80,7 @@ std::optional<std::string> ClearTableState::Unmet(Need need) const {
   return "the robot clears the table: wait until it is over";
 }
 
-library::View ClearTableState::view() const { return ViewOf(animation_.simulation()); }
+library::DisplayedState ClearTableState::view() const { return ViewOf(animation_.simulation()); }
 
 model::ViewSample ClearTableState::ViewSampleThrough(model::EyeSpec eye) const {
   return sim::ViewSampleOf(animation_.simulation(), eye);
@@ -106,8 +106,8 @@ std::optional<std::string> PlaybackState::Unmet(Need need) const {
   return "a recording is shown: go back to the live world first";
 }
 
-library::View PlaybackState::view() const {
-  library::View view = playback_.view();
+library::DisplayedState PlaybackState::view() const {
+  library::DisplayedState view = playback_.view();
   view.meters_per_unit = playback_.recording().info.meters_per_unit;
   return view;
 }

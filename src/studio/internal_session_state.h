@@ -7,8 +7,8 @@
 #include <string>
 
 #include "base/json.h"
+#include "library/displayed_state.h"
 #include "library/playback.h"
-#include "library/view.h"
 #include "model/eye.h"
 #include "model/model.h"
 #include "studio/clear_table_animation.h"
@@ -51,7 +51,7 @@ class SessionState : public Activity {
   /// Returns the model that is shown.
   virtual const model::Model& model() const = 0;
   /// Returns the view; the caller sets its member `scene`.
-  virtual library::View view() const = 0;
+  virtual library::DisplayedState view() const = 0;
   virtual model::ViewSample ViewSampleThrough(model::EyeSpec eye) const = 0;
   /// Returns the part of a state message that depends on this state: tick, hands, controls, the
   /// robot.
@@ -92,7 +92,7 @@ class LiveState : public WorldState {
 
   const char* mode() const override { return "live"; }
   const model::Model& model() const override { return world().simulation().model(); }
-  library::View view() const override;
+  library::DisplayedState view() const override;
   model::ViewSample ViewSampleThrough(model::EyeSpec eye) const override;
   Json Describe() const override;
   bool Tick(bool is_paused) override;
@@ -133,7 +133,7 @@ class ClearTableState : public WorldState {
   const char* mode() const override { return "rage"; }
   std::optional<std::string> Unmet(Need need) const override;
   const model::Model& model() const override { return animation_.simulation().model(); }
-  library::View view() const override;
+  library::DisplayedState view() const override;
   model::ViewSample ViewSampleThrough(model::EyeSpec eye) const override;
   Json Describe() const override;
   bool Tick(bool is_paused) override;
@@ -158,7 +158,7 @@ class PlaybackState : public SessionState {
   const char* mode() const override { return "playback"; }
   std::optional<std::string> Unmet(Need need) const override;
   const model::Model& model() const override { return playback_.model(); }
-  library::View view() const override;
+  library::DisplayedState view() const override;
   /// Returns the sample through the camera of the recording.
   model::ViewSample ViewSampleThrough(model::EyeSpec eye) const override;
   Json Describe() const override;

@@ -19,7 +19,7 @@ void Append(std::uint32_t frame, const RigidTransform& X_WF, double meters_per_u
 
 }  // namespace
 
-page::Poses PoseStream::Next(const library::View& view) {
+page::Poses PoseStream::Next(const library::DisplayedState& view) {
   const scene::FramePoses& now = view.state.poses;
   page::Poses poses{.scene = view.scene, .tick = static_cast<std::uint32_t>(view.tick)};
   // A key message has all frames, so that a client which missed a message recovers within a second.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "library/view.h"
+#include "library/displayed_state.h"
 #include "page/server.h"
 
 namespace smile::studio {
@@ -10,7 +10,7 @@ namespace smile::studio {
 class PoseStream {
  public:
   /// Returns the poses to send; called 60 times a second. Without frames nothing has to be sent.
-  page::Poses Next(const library::View& view);
+  page::Poses Next(const library::DisplayedState& view);
 
  private:
   scene::FramePoses sent_;

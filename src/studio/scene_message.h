@@ -11,7 +11,7 @@ namespace smile::studio {
 
 /// Returns the constant facts about a scene and its robot, in the scene's units; see
 /// docs/studio-protocol.md.
-/// @param number  see View::scene.
+/// @param number  see DisplayedState::scene.
 Json SceneMessage(std::uint32_t number, const model::Model& model, const PageMeshes& meshes,
                   const std::vector<int>& looks);
 

@@ -48,7 +48,7 @@ class Session::Impl : private StateMachine::Listener {
   SessionRequests& requests() { return requests_; }
   Pace& pace() { return states_.pace(); }
   bool Tick();
-  const library::View& view() const;
+  const library::DisplayedState& view() const;
   SessionUpdates TakeUpdates();
   std::vector<Json> Everything() const;
   std::optional<std::string> MeshBytes(std::uint32_t scene, std::size_t mesh) const {
@@ -83,9 +83,10 @@ class Session::Impl : private StateMachine::Listener {
   StateAnnouncer state_announcer_;
   EyePreview eye_preview_;
   ConsoleUpdates console_;
-  Json score_;                                 ///< last score that was sent; null before
-  Json failure_;                               ///< `failure` of a state message
-  mutable std::optional<library::View> view_;  ///< nullopt if something may have moved since
+  Json score_;    ///< last score that was sent; null before
+  Json failure_;  ///< `failure` of a state message
+  mutable std::optional<library::DisplayedState>
+      view_;  ///< nullopt if something may have moved since
 };
 
 Session::Impl::Impl(SessionOptions options)
@@ -146,7 +147,7 @@ std::vector<RequestRow> Session::Impl::RequestRows() {
   };
 }
 
-const library::View& Session::Impl::view() const {
+const library::DisplayedState& Session::Impl::view() const {
   if (!view_) {
     view_ = states_.shown().view();
     view_->scene = scene_announcer_.number();
@@ -264,7 +265,7 @@ const page::RequestTable& Session::requests() const { return impl_->requests().t
 double Session::speed_factor() const { return impl_->pace().speed_factor; }
 void Session::SetMeasuredSpeed(double factor) { impl_->pace().measured_speed = factor; }
 bool Session::Tick() { return impl_->Tick(); }
-library::View Session::view() const { return impl_->view(); }
+library::DisplayedState Session::view() const { return impl_->view(); }
 SessionUpdates Session::TakeUpdates() { return impl_->TakeUpdates(); }
 std::vector<Json> Session::Everything() const { return impl_->Everything(); }
 std::optional<std::string> Session::MeshBytes(std::uint32_t scene, std::size_t mesh) const {

@@ -8,7 +8,7 @@
 
 #include "base/json.h"
 #include "image/image.h"
-#include "library/view.h"
+#include "library/displayed_state.h"
 #include "page/requests.h"
 #include "studio/session_options.h"
 
@@ -44,7 +44,7 @@ class Session {
   /// @returns false if the world waits because a brain starts or thinks.
   bool Tick();
   /// Returns the present view.
-  library::View view() const;
+  library::DisplayedState view() const;
   /// Returns the updates since the last call.
   SessionUpdates TakeUpdates();
   /// Returns the messages for a new client: scene, looks, output and score of brains, and

@@ -4,7 +4,7 @@ import type { Command } from "./commands";
 
 export type HandName = "left" | "right" | "both" | "any";
 
-export type Mood = "idle" | "watching" | "working" | "puzzled" | "done";
+export type FaceExpression = "idle" | "watching" | "working" | "puzzled" | "done";
 
 export type SnapName = "faces" | "edges" | "grid" | "angles";
 
@@ -179,7 +179,7 @@ export interface StateMessage {
   /** on the floor, out of play */
   fallen: string[];
   attention: Record<string, string[]>;
-  robot: { shown: boolean; mood: Mood; following: boolean; joints: Record<string, number>; grippers: number[]; head: number } | null;
+  robot: { shown: boolean; mood: FaceExpression; following: boolean; joints: Record<string, number>; grippers: number[]; head: number } | null;
   brain: { name: string; status: "none" | "starting" | "running" | "exited" | "failed" | "stopped"; message: string; file: string; line: number };
   snap: SnapName[];
   markers: Point[];

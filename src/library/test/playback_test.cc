@@ -19,7 +19,7 @@ class PlaybackTest : public recorder::RecordingFixture {
   }
 
   static void ExpectShows(const recording::TraceTick& moment, const Playback& playback) {
-    const View view = playback.view();
+    const DisplayedState view = playback.view();
     ASSERT_EQ(view.tick, moment.tick);
     ASSERT_EQ(view.state.poses.size(), static_cast<std::size_t>(view.model->num_frames));
     for (std::size_t i = 0; i < moment.objects.size(); ++i) {

@@ -98,7 +98,7 @@ TEST(SceneMessage, NamesTheJointOfTheHead) {
 
 TEST(PoseStream, SendsMovedFramesAndSometimesAll) {
   scene::VisualModel model{.num_frames = 3};
-  library::View view{.model = &model, .scene = 1};
+  library::DisplayedState view{.model = &model, .scene = 1};
   view.state.poses.resize(3);
   PoseStream stream;
   EXPECT_TRUE(stream.Next(view).is_key);

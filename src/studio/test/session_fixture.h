@@ -177,7 +177,7 @@ class SessionFixture : public ::testing::Test {
     return all;
   }
   Vector3 PositionOf(const std::string& id) {
-    const library::View view = session_->view();
+    const library::DisplayedState view = session_->view();
     const Json scene = Scene();
     for (const Json& object : scene["objects"]) {
       if (object["id"] != id) continue;

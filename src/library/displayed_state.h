@@ -7,8 +7,8 @@
 
 namespace smile::library {
 
-/// View: the displayed state of the simulation or of a recording.
-struct View {
+/// Displayed state of the simulation or of a recording.
+struct DisplayedState {
   const scene::VisualModel* model = nullptr;
   scene::VisualState state;
   std::uint64_t tick = 0;

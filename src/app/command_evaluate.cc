@@ -82,8 +82,9 @@ void AddEvaluate(CLI::App* program, ExitAnswer answer) {
                                "who is seen in the pictures of the recording, to be compared: "
                                "some of invisible, ghost and forearm, with commas between them"))
           ->delimiter(',')
-          ->check(CLI::IsMember(std::vector<std::string>(recording::kDemonstratorLooks.begin(),
-                                                         recording::kDemonstratorLooks.end())));
+          ->check(
+              CLI::IsMember(std::vector<std::string>(recording::kDemonstratorAppearances.begin(),
+                                                     recording::kDemonstratorAppearances.end())));
   evaluate
       ->add_flag("--no-symbols", options->no_symbols,
                  "with --demonstrators: without the texts of the classic view")

@@ -64,8 +64,8 @@ picture::RenderRequest RenderRequestOf(const RenderCommandOptions& options,
           .channels = picture::ParseChannels(options.channels)};
 }
 
-recording::DemonstratorLook LookOf(const RenderCommandOptions& options) {
-  return recording::ParseDemonstratorLook(options.demonstrator);
+recording::DemonstratorAppearance LookOf(const RenderCommandOptions& options) {
+  return recording::ParseDemonstratorAppearance(options.demonstrator);
 }
 
 void RenderPicture(const model::Model& model, const recording::TraceTick& moment,
@@ -85,7 +85,7 @@ void RenderScene(const RenderCommandOptions& options, Product product) {
   const std::string but = ", but '" + options.subject + "' is none";
   if (product != Product::kPicture) throw std::invalid_argument("a film needs a recording" + but);
   if (options.at) throw std::invalid_argument("--at needs a recording" + but);
-  if (LookOf(options) != recording::DemonstratorLook::kInvisible) {
+  if (LookOf(options) != recording::DemonstratorAppearance::kInvisible) {
     throw std::invalid_argument("--demonstrator needs a recording" + but);
   }
   RenderPicture(model, recording::StartOf(model), {}, options, model::kEyeCamera, nullptr);

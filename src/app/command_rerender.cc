@@ -20,7 +20,7 @@ struct RerenderOptions {
 
 int RerenderRecording(const RerenderOptions& options) {
   const classic::RedrawOptions copy{
-      .demonstrator = recording::ParseDemonstratorLook(options.demonstrator),
+      .demonstrator = recording::ParseDemonstratorAppearance(options.demonstrator),
       .has_symbols = !options.no_symbols};
   const recording::Recording recording = OpenAndTell(options.demo);
   ConsoleReporter console;

@@ -94,7 +94,7 @@ brain::SensorNoise ParseNoise(const std::string& text);
 void AddNoiseOption(CLI::App* command, std::string* text);
 
 /// Adds `--demonstrator`: appearance of the demonstrator in pictures, see
-/// recording::DemonstratorLook.
+/// recording::DemonstratorAppearance.
 CLI::Option* AddDemonstratorOption(CLI::App* command, std::string* look);
 
 /// Returns a validator for finite numbers from `low` to `high`; CLI::Range would accept NaN.

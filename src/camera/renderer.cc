@@ -49,7 +49,7 @@ void Renderer::Render(const scene::VisualModel& model, const scene::VisualState&
   s.context.MakeCurrent();
   // The presentation look provides color only; depth and ids come from the eye pass in either look.
   RenderOptions eye_options = options;
-  if (options.color && options.look == Look::kPresentation) {
+  if (options.color && options.style == RenderStyle::kPresentation) {
     if (!s.presentation_pass) s.presentation_pass.emplace();
     s.read_back.ReadColor(
         s.presentation_pass->Draw(pieces, visible, view, options, &s.meshes, &s.framebuffers),

@@ -13,7 +13,7 @@
 namespace smile::camera {
 
 /// Lighting of a picture.
-enum class Look {
+enum class RenderStyle {
   /// For computer vision: black background, no shadows, no gloss. Each face of a block has one
   /// color: that of the scene file on top, darker with the same hue at the sides.
   kRobotEye,
@@ -26,16 +26,16 @@ struct RenderOptions {
   bool color = true;
   bool depth = false;
   bool ids = false;
-  Look look = Look::kRobotEye;
-  std::optional<Color> background;   ///< replaces that of the look
-  std::vector<int> excluded_frames;  ///< nothing fixed to these is drawn or casts a shadow
+  RenderStyle style = RenderStyle::kRobotEye;
+  std::optional<Color> background;   ///< in place of that of the style
+  std::vector<int> excluded_frames;  ///< nothing fixed to these is there, nor casts a shadow
 };
 
 /// Renderer of a scene without window or screen: a simulated camera.
 ///
-/// Depth and ids belong to the center of their pixel, in either look; ids are never mixed. The same
-/// input gives the same bytes on one machine, in any renderer and process; graphics cards differ
-/// among themselves by rounding.
+/// Depth and ids belong to the center of their pixel, in either style; ids are never mixed. The
+/// same input gives the same bytes on one machine, in any renderer and process; graphics cards
+/// differ among themselves by rounding.
 ///
 /// Uses the graphics card if there is one, otherwise software; the environment variable
 /// SMILE_EGL_PLATFORM = `device` or `surfaceless` allows only one of them. Belongs to the thread

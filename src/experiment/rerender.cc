@@ -53,7 +53,7 @@ std::vector<std::filesystem::path> MakeCopies(const DemonstratorCopies& copies,
     if (!exists || !IsMarked(mark, text)) {
       if (exists) MoveAside(copy, callbacks);
       Rerender(recording::OpenRecording(copies.demonstration), copy,
-               {.demonstrator = recording::ParseDemonstratorLook(look),
+               {.demonstrator = recording::ParseDemonstratorAppearance(look),
                 .has_symbols = copies.has_symbols},
                callbacks);
       WriteFile(mark, text);

@@ -21,9 +21,10 @@ std::size_t Rerender(const recording::Recording& recording, const std::filesyste
 /// Copies of a recording, one for each demonstrator.
 struct DemonstratorCopies {
   std::filesystem::path demonstration;
-  std::vector<std::string> demonstrators;  ///< words of recording::DemonstratorLook, each once
-  bool has_symbols = true;                 ///< the texts of the classic view
-  Json depends_on;  ///< everything the copies depend on, except the demonstrator
+  std::vector<std::string>
+      demonstrators;        ///< words of recording::DemonstratorAppearance, each once
+  bool has_symbols = true;  ///< the texts of the classic view
+  Json depends_on;          ///< everything the copies depend on, except the demonstrator
 };
 
 /// Makes the copies in a folder:

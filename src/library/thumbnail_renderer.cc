@@ -39,7 +39,7 @@ std::string ThumbnailRenderer::Render(const model::Model& model, const scene::Vi
   if (!renderer_) renderer_ = std::make_unique<camera::Renderer>();
   const CameraView view = picture::FindView(
       "close", model.scene(), model::EyeSpec{.width_px = kWidth, .height_px = kHeight}, {});
-  camera::RenderOptions options{.look = camera::Look::kPresentation};
+  camera::RenderOptions options{.style = camera::RenderStyle::kPresentation};
   for (model::FrameIndex frame : model.robot_frames()) {
     options.excluded_frames.push_back(static_cast<int>(frame));
   }

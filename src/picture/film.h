@@ -14,7 +14,7 @@ struct FilmOptions {
   double frames_per_second = 30;
   double speed = 1;            ///< 2 shows two seconds in one
   recording::TimeRange range;  ///< of the demonstration
-  recording::DemonstratorLook demonstrator = recording::DemonstratorLook::kInvisible;
+  recording::DemonstratorAppearance demonstrator = recording::DemonstratorAppearance::kInvisible;
 };
 
 // Both functions film a recording from its trace, without physics. Frame k shows the first tick

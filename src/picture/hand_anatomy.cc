@@ -37,8 +37,8 @@ const Vector3 kWrist(-0.078, 0, 0.082);              ///< in the hand's frame H
 constexpr double kForearm = 0.40, kUpperArm = 0.45;  ///< from joint to joint [m]
 
 /// Returns a point for this side: left hands mirror right hands.
-Vector3 OfSide(Side side, Vector3 p) {
-  if (side == Side::kLeft) p.y() = -p.y();
+Vector3 OfSide(HandSide side, Vector3 p) {
+  if (side == HandSide::kLeft) p.y() = -p.y();
   return p;
 }
 
@@ -154,7 +154,7 @@ std::array<Vector3, 4> BentTo(const Vector3& root, const std::array<double, 3>& 
 /// Returns the center of a fingertip of a right hand that grips, in H.
 Vector3 GripTip(std::size_t digit, const HandPosture& posture) {
   const double at = posture.reach[digit] + Digits()[digit].radii[3];
-  return GripLine(Side::kRight, digit) + Vector3(digit == 0 ? -at : at, 0, 0);
+  return GripLine(HandSide::kRight, digit) + Vector3(digit == 0 ? -at : at, 0, 0);
 }
 
 /// Returns the center of a fingertip of a right hand that points, in H.
@@ -176,21 +176,21 @@ Vector3 TipOf(std::size_t digit, const HandPosture& posture) {
 
 }  // namespace
 
-Vector3 GripLine(Side side, std::size_t digit) {
+Vector3 GripLine(HandSide side, std::size_t digit) {
   // The little finger is short.
   constexpr std::array<double, kDigits> kHeights{0, 0, 0, 0.002, 0.010};
   return OfSide(side, {0, Digits()[digit].tip_y, kHeights[digit]});
 }
 
-Vector3 IndexTip(Side side) { return OfSide(side, PointingTip(1)); }
+Vector3 IndexTip(HandSide side) { return OfSide(side, PointingTip(1)); }
 
-std::array<Vector3, kDigits> FingertipsInHand(Side side, const HandPosture& posture) {
+std::array<Vector3, kDigits> FingertipsInHand(HandSide side, const HandPosture& posture) {
   std::array<Vector3, kDigits> tips;
   for (std::size_t k = 0; k < tips.size(); ++k) tips[k] = OfSide(side, TipOf(k, posture));
   return tips;
 }
 
-std::vector<ArmPiece> PiecesOf(Side side) {
+std::vector<ArmPiece> PiecesOf(HandSide side) {
   std::vector<ArmPiece> pieces;
   const auto add = [&](scene::SurfaceMesh surface, bool is_sleeve = false) {
     auto mesh = std::make_shared<scene::CustomMesh>();
@@ -199,7 +199,7 @@ std::vector<ArmPiece> PiecesOf(Side side) {
   };
   // The palm's frame has x towards the thumb. Mirroring x is mirroring y after a half turn about z.
   scene::SurfaceMesh palm = Palm();
-  if (side == Side::kLeft) {
+  if (side == HandSide::kLeft) {
     const Matrix3 half_turn = Eigen::AngleAxisd(std::numbers::pi, Vector3::UnitZ()).matrix();
     palm = mesh::Mirrored(mesh::Placed({half_turn, Vector3::Zero()}, std::move(palm)));
   }
@@ -215,11 +215,11 @@ std::vector<ArmPiece> PiecesOf(Side side) {
   return pieces;
 }
 
-Vector3 ShoulderAt(Side side, double table_edge) {
-  return {side == Side::kLeft ? 0.19 : -0.19, table_edge + 0.25, 0.46};
+Vector3 ShoulderAt(HandSide side, double table_edge) {
+  return {side == HandSide::kLeft ? 0.19 : -0.19, table_edge + 0.25, 0.46};
 }
 
-std::array<RigidTransform, kArmPieces> PiecePoses(Side side, const HandPosture& posture,
+std::array<RigidTransform, kArmPieces> PiecePoses(HandSide side, const HandPosture& posture,
                                                   double table_edge) {
   std::array<RigidTransform, kArmPieces> poses;
   const RigidTransform& X_WH = posture.X_WH;
@@ -254,7 +254,7 @@ std::array<RigidTransform, kArmPieces> PiecePoses(Side side, const HandPosture& 
   const double along = (reach * reach + kForearm * kForearm - kUpperArm * kUpperArm) / (2 * reach);
   const double aside = std::sqrt(std::max(0.0, kForearm * kForearm - along * along));
   const Vector3 e1 = back.normalized();
-  const Vector3 hang(side == Side::kLeft ? 0.8 : -0.8, 0, -0.6);
+  const Vector3 hang(side == HandSide::kLeft ? 0.8 : -0.8, 0, -0.6);
   const Vector3 e2 = (hang - hang.dot(e1) * e1).normalized();
   const Vector3 elbow = wrist + along * e1 + aside * e2;
   const Vector3 across = X_WH.rotation().col(1);

@@ -10,8 +10,8 @@
 namespace smile::picture {
 
 /// Hands of a person who faces the robot across the table: the left one is at +x.
-enum class Side { kLeft, kRight };
-inline constexpr std::array kSides = {Side::kLeft, Side::kRight};
+enum class HandSide { kLeft, kRight };
+inline constexpr std::array kHandSides = {HandSide::kLeft, HandSide::kRight};
 
 /// Thumb, index, middle, ring and little finger.
 inline constexpr std::size_t kDigits = 5;
@@ -33,13 +33,13 @@ struct HandPosture {
 };
 
 /// Returns the tip of a stretched index finger, in a hand's frame H [m].
-Vector3 IndexTip(Side side);
+Vector3 IndexTip(HandSide side);
 
 /// Returns a point of the line, along x of H, on which a gripping digit touches [m].
-Vector3 GripLine(Side side, std::size_t digit);
+Vector3 GripLine(HandSide side, std::size_t digit);
 
 /// Returns the centers of the tips of all digits, in H [m].
-std::array<Vector3, kDigits> FingertipsInHand(Side side, const HandPosture& posture);
+std::array<Vector3, kDigits> FingertipsInHand(HandSide side, const HandPosture& posture);
 
 /// Piece of a hand or arm, in its own frame.
 struct ArmPiece {
@@ -49,15 +49,15 @@ struct ArmPiece {
 
 /// Number of pieces of a hand; the forearm, its sleeve and the upper arm follow.
 inline constexpr std::size_t kHandPieces = 16, kArmPieces = 19;
-std::vector<ArmPiece> PiecesOf(Side side);
+std::vector<ArmPiece> PiecesOf(HandSide side);
 
 /// Returns the poses of PiecesOf() in the world.
 /// @param table_edge  y of the edge at which the person stands [m]. The shoulder leans over it as
 ///                    far as the arm needs.
-std::array<RigidTransform, kArmPieces> PiecePoses(Side side, const HandPosture& posture,
+std::array<RigidTransform, kArmPieces> PiecePoses(HandSide side, const HandPosture& posture,
                                                   double table_edge);
 
 /// Returns the shoulder of a person who stands upright, in the world [m].
-Vector3 ShoulderAt(Side side, double table_edge);
+Vector3 ShoulderAt(HandSide side, double table_edge);
 
 }  // namespace smile::picture

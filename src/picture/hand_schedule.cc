@@ -40,8 +40,8 @@ std::set<std::string_view> IdsWithin(const scene::Part& whole, std::string_view 
 /// Collects contact intervals along the trace.
 class ContactCollector {
  public:
-  ContactCollector(const recording::Recording& recording, const Touch& touch)
-      : recording_(recording), model_(*recording.model), touch_(touch) {}
+  ContactCollector(const recording::Recording& recording, const SurfaceProbe& probe)
+      : recording_(recording), model_(*recording.model), probe_(probe) {}
 
   std::vector<NamedInterval> Collect() {
     recording::TraceReader trace(recording_);
@@ -115,7 +115,7 @@ class ContactCollector {
                                      .begin = recording::VisualStateAt(moment, model_)}};
     // The commanded point may lie outside the body, for example in the opening of a box.
     named.interval.p_BQ =
-        touch_.PointWithin(named.interval.frame, named.interval.begin.looks, p_BQ);
+        probe_.PointWithin(named.interval.frame, named.interval.begin.looks, p_BQ);
     return named;
   }
 
@@ -168,7 +168,7 @@ class ContactCollector {
 
   const recording::Recording& recording_;
   const model::Model& model_;
-  const Touch& touch_;
+  const SurfaceProbe& probe_;
   std::uint64_t last_tick_ = 0;
   std::array<std::optional<NamedInterval>, demonstrator::kHandNames.size()> held_;
   std::vector<NamedInterval> intervals_;
@@ -187,7 +187,7 @@ std::optional<std::uint64_t> BusyFrom(const std::vector<ContactInterval>& others
   return busy;
 }
 
-std::vector<ContactInterval>& Of(Side side, HandSchedule* schedule) {
+std::vector<ContactInterval>& Of(HandSide side, HandSchedule* schedule) {
   return schedule->of[static_cast<std::size_t>(side)];
 }
 
@@ -195,8 +195,8 @@ std::vector<ContactInterval>& Of(Side side, HandSchedule* schedule) {
 /// the object's side; the rest is assigned again when that hand is busy.
 void AssignToOneHand(ContactInterval interval, HandSchedule* schedule) {
   const Vector3 p_WQ = interval.begin.poses[interval.frame] * interval.p_BQ;
-  const Side near = p_WQ.x() > 0 ? Side::kLeft : Side::kRight;
-  const Side far = near == Side::kLeft ? Side::kRight : Side::kLeft;
+  const HandSide near = p_WQ.x() > 0 ? HandSide::kLeft : HandSide::kRight;
+  const HandSide far = near == HandSide::kLeft ? HandSide::kRight : HandSide::kLeft;
   for (;;) {
     const auto near_busy = BusyFrom(Of(near, schedule), interval),
                far_busy = BusyFrom(Of(far, schedule), interval);
@@ -218,15 +218,16 @@ void AssignToOneHand(ContactInterval interval, HandSchedule* schedule) {
 
 /// Assigns an interval of both hands, which hold the object at its two ends along the world's x
 /// axis.
-void AssignToBoth(const ContactInterval& interval, const Touch& touch, HandSchedule* schedule) {
+void AssignToBoth(const ContactInterval& interval, const SurfaceProbe& probe,
+                  HandSchedule* schedule) {
   constexpr double kInside = 0.02;
   const RigidTransform& X_WB = interval.begin.poses[interval.frame];
   const Vector3 x_B = X_WB.rotation().transpose() * Vector3::UnitX();
-  const Span span = touch.Around(interval.frame, interval.begin.looks, interval.p_BQ, x_B);
-  for (const Side side : kSides) {
+  const Span span = probe.Around(interval.frame, interval.begin.looks, interval.p_BQ, x_B);
+  for (const HandSide side : kHandSides) {
     ContactInterval half = interval;
-    const double at =
-        side == Side::kLeft ? std::max(0.0, span.to - kInside) : std::min(0.0, span.from + kInside);
+    const double at = side == HandSide::kLeft ? std::max(0.0, span.to - kInside)
+                                              : std::min(0.0, span.from + kInside);
     half.p_BQ += at * x_B;
     Of(side, schedule).push_back(half);
   }
@@ -244,32 +245,33 @@ void RemoveOverlaps(std::vector<ContactInterval>* intervals) {
 
 /// Returns the side of the hand called `left`: the one for which its objects lie more to its own
 /// side.
-Side CalledLeft(const std::vector<NamedInterval>& all) {
+HandSide CalledLeft(const std::vector<NamedInterval>& all) {
   double balance = 0;
   for (const auto& [hand, interval] : all) {
     const double x = interval.begin.poses[interval.frame].translation().x();
     if (hand == HandName::kLeft) balance += x;
     if (hand == HandName::kRight) balance -= x;
   }
-  return balance >= 0 ? Side::kLeft : Side::kRight;
+  return balance >= 0 ? HandSide::kLeft : HandSide::kRight;
 }
 
 }  // namespace
 
-HandSchedule HandScheduleOf(const recording::Recording& recording, const Touch& touch) {
-  const std::vector<NamedInterval> all = ContactCollector(recording, touch).Collect();
-  const Side left = CalledLeft(all), right = left == Side::kLeft ? Side::kRight : Side::kLeft;
+HandSchedule HandScheduleOf(const recording::Recording& recording, const SurfaceProbe& probe) {
+  const std::vector<NamedInterval> all = ContactCollector(recording, probe).Collect();
+  const HandSide left = CalledLeft(all),
+                 right = left == HandSide::kLeft ? HandSide::kRight : HandSide::kLeft;
   HandSchedule schedule;
   // Named hands first, since `any` takes the one that is free.
   for (const auto& [hand, interval] : all) {
     if (hand == HandName::kLeft) Of(left, &schedule).push_back(interval);
     if (hand == HandName::kRight) Of(right, &schedule).push_back(interval);
-    if (hand == HandName::kBoth) AssignToBoth(interval, touch, &schedule);
+    if (hand == HandName::kBoth) AssignToBoth(interval, probe, &schedule);
   }
   for (const auto& [hand, interval] : all) {
     if (hand == HandName::kAny) AssignToOneHand(interval, &schedule);
   }
-  for (const Side side : kSides) RemoveOverlaps(&Of(side, &schedule));
+  for (const HandSide side : kHandSides) RemoveOverlaps(&Of(side, &schedule));
   return schedule;
 }
 

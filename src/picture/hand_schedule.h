@@ -6,7 +6,7 @@
 
 #include "model/model.h"
 #include "picture/hand_anatomy.h"
-#include "picture/touch.h"
+#include "picture/surface_probe.h"
 #include "recording/recording.h"
 
 namespace smile::picture {
@@ -29,7 +29,7 @@ struct ContactInterval {
 
 /// Contact intervals of each of the two hands, in chronological order, not overlapping.
 struct HandSchedule {
-  std::array<std::vector<ContactInterval>, kSides.size()> of;
+  std::array<std::vector<ContactInterval>, kHandSides.size()> of;
 };
 
 /// Assigns the actions of a recording's demonstrator to two hands, from its trace and its log:
@@ -41,6 +41,6 @@ struct HandSchedule {
 /// less.
 /// @throws InputError if the trace cannot be read, or its format is too old to contain the actions
 ///         of hands.
-HandSchedule HandScheduleOf(const recording::Recording& recording, const Touch& touch);
+HandSchedule HandScheduleOf(const recording::Recording& recording, const SurfaceProbe& probe);
 
 }  // namespace smile::picture

@@ -8,7 +8,7 @@
 
 #include "base/diagnostic.h"
 #include "math/angles.h"
-#include "picture/touch.h"
+#include "picture/surface_probe.h"
 #include "recording/trace_reader.h"
 #include "recording/view_sample.h"
 
@@ -41,7 +41,7 @@ double Towards(double from, double to, double most) {
 
 /// Returns the rotation of a relaxed hand over the table: its fingers point away from the shoulder,
 /// towards the robot.
-Matrix3 NaturalRotation(Side side, const Vector3& p_WH, double table_edge) {
+Matrix3 NaturalRotation(HandSide side, const Vector3& p_WH, double table_edge) {
   constexpr double kRaised = DegreesToRadians(14);  // the wrist, above the knuckles
   Vector3 ahead = p_WH - ShoulderAt(side, table_edge + 0.25);
   ahead.z() = 0;
@@ -81,9 +81,9 @@ struct Aim {
 /// limits of speed. Depends only on the schedule and the ticks so far, so it is deterministic.
 class HandPlayer {
  public:
-  HandPlayer(Side side, const std::vector<ContactInterval>& intervals, const Touch& touch,
-             double table_edge)
-      : side_(side), intervals_(intervals), touch_(touch), edge_(table_edge) {
+  HandPlayer(HandSide side, const std::vector<ContactInterval>& intervals,
+             const SurfaceProbe& probe, double table_edge)
+      : side_(side), intervals_(intervals), probe_(probe), edge_(table_edge) {
     for (const ContactInterval& interval : intervals_) {
       yaws_.push_back(interval.kind == ContactInterval::Kind::kTouch ? 0 : BestYaw(interval));
     }
@@ -127,7 +127,7 @@ class HandPlayer {
   /// Returns the posture of rest beyond the table's edge, beside the body.
   Aim Rest() const {
     Aim aim;
-    aim.p_WQ = Vector3(side_ == Side::kLeft ? 0.20 : -0.20, edge_ + 0.10, 0.06);
+    aim.p_WQ = Vector3(side_ == HandSide::kLeft ? 0.20 : -0.20, edge_ + 0.10, 0.06);
     aim.R_WH = NaturalRotation(side_, aim.p_WQ, edge_);
     return aim;
   }
@@ -168,7 +168,7 @@ class HandPlayer {
     constexpr double kDeepest = 0.042;  // fingertips below the top [m]
     const Matrix3 R_BH = X_WB.rotation().transpose() * aim->R_WH;
     const Vector3 p_BQ = X_WB.inverse() * aim->p_WQ;
-    const double depth = touch_.Around(interval.frame, looks, p_BQ, R_BH.col(2)).to;
+    const double depth = probe_.Around(interval.frame, looks, p_BQ, R_BH.col(2)).to;
     if (interval.kind == ContactInterval::Kind::kTouch) {
       aim->lift = depth;
       aim->pointing = 1;
@@ -176,7 +176,7 @@ class HandPlayer {
     }
     aim->lift = std::max(0.0, depth - kDeepest);
     const Vector3 p_BH = p_BQ + aim->lift * R_BH.col(2);
-    const Span across = touch_.Around(interval.frame, looks, p_BH, R_BH.col(0));
+    const Span across = probe_.Around(interval.frame, looks, p_BH, R_BH.col(0));
     if (across.to - across.from > kWidestGrip) {
       aim->lift = depth + kFingertipRadius;
     } else {
@@ -189,7 +189,7 @@ class HandPlayer {
       aim->reach = Reach(shift - across.from, across.to - shift);
       for (std::size_t digit = 0; digit < kDigits; ++digit) {
         const Vector3 p_BDigit = p_BH + R_BH * (GripLine(side_, digit) + Vector3(shift, 0, 0));
-        const Span along = touch_.Around(interval.frame, looks, p_BDigit, R_BH.col(0));
+        const Span along = probe_.Around(interval.frame, looks, p_BDigit, R_BH.col(0));
         const double at = digit == 0 ? -along.from : along.to;
         if (at > 0) aim->reach[digit] = std::min(at, kWidestGrip);
       }
@@ -269,9 +269,9 @@ class HandPlayer {
     return rest;
   }
 
-  Side side_;
+  HandSide side_;
   const std::vector<ContactInterval>& intervals_;
-  const Touch& touch_;
+  const SurfaceProbe& probe_;
   double edge_;
   std::vector<double> yaws_;  ///< one per interval
   std::size_t next_ = 0;
@@ -288,11 +288,11 @@ class HandPlayer {
 
 HandTrack::HandTrack(const recording::Recording& recording) {
   const model::Model& model = *recording.model;
-  const Touch touch(model);
-  schedule_ = HandScheduleOf(recording, touch);
+  const SurfaceProbe probe(model);
+  schedule_ = HandScheduleOf(recording, probe);
   const double edge = recording.scene().table.y_span / 2;
-  HandPlayer left(Side::kLeft, schedule_.of[0], touch, edge);
-  HandPlayer right(Side::kRight, schedule_.of[1], touch, edge);
+  HandPlayer left(HandSide::kLeft, schedule_.of[0], probe, edge);
+  HandPlayer right(HandSide::kRight, schedule_.of[1], probe, edge);
   recording::TraceReader trace(recording);
   while (const auto moment = trace.Next()) {
     const scene::VisualState state = recording::VisualStateAt(*moment, model);
@@ -304,7 +304,7 @@ HandTrack::HandTrack(const recording::Recording& recording) {
   }
 }
 
-const std::array<HandPosture, kSides.size()>& HandTrack::At(std::uint64_t tick) const {
+const std::array<HandPosture, kHandSides.size()>& HandTrack::At(std::uint64_t tick) const {
   const auto after = std::upper_bound(
       samples_.begin(), samples_.end(), tick,
       [](std::uint64_t value, const Sample& sample) { return value < sample.tick; });

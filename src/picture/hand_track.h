@@ -26,14 +26,14 @@ class HandTrack {
 
   /// Returns the two hands, left first; for a tick that is not in the trace, those at the one
   /// before.
-  const std::array<HandPosture, kSides.size()>& At(std::uint64_t tick) const;
+  const std::array<HandPosture, kHandSides.size()>& At(std::uint64_t tick) const;
   /// Returns the contacts of the hands, for tests.
   const HandSchedule& schedule() const { return schedule_; }
 
  private:
   struct Sample {
     std::uint64_t tick = 0;
-    std::array<HandPosture, kSides.size()> hands;
+    std::array<HandPosture, kHandSides.size()> hands;
   };
 
   HandSchedule schedule_;

@@ -61,7 +61,8 @@ const Image& RecordingRenderer::Take(const recording::TraceTick& moment,
     if (moment.is_robot_shown) sample.hidden_frames.clear();
   }
   const bool is_somebody_there = demonstrator_ != nullptr;
-  const bool is_ghost = is_somebody_there && demonstrator_->look() == DemonstratorLook::kGhost;
+  const bool is_ghost =
+      is_somebody_there && demonstrator_->appearance() == DemonstratorAppearance::kGhost;
   // Opaque arms occlude and appear in depth and ids; a ghost is blended over the finished colors.
   if (is_somebody_there && !is_ghost) demonstrator_->AddTo(&sample.state, moment.tick);
   Render(opaque_model(), sample, request_.channels, &image_);
@@ -72,20 +73,20 @@ const Image& RecordingRenderer::Take(const recording::TraceTick& moment,
 
 const scene::VisualModel& RecordingRenderer::opaque_model() const {
   const bool has_arms =
-      demonstrator_ != nullptr && demonstrator_->look() == DemonstratorLook::kForearm;
+      demonstrator_ != nullptr && demonstrator_->appearance() == DemonstratorAppearance::kForearm;
   return has_arms ? demonstrator_->model() : model_.visual_model();
 }
 
 void RecordingRenderer::Render(const scene::VisualModel& model, const model::ViewSample& sample,
                                const Channels& channels, Image* image) {
-  renderer_.Render(
-      model, sample.state, sample.view,
-      {.color = channels.rgb,
-       .depth = channels.depth,
-       .ids = channels.id,
-       .look = view_for_people_ ? camera::Look::kPresentation : camera::Look::kRobotEye,
-       .excluded_frames = sample.hidden_frames},
-      image);
+  renderer_.Render(model, sample.state, sample.view,
+                   {.color = channels.rgb,
+                    .depth = channels.depth,
+                    .ids = channels.id,
+                    .style = view_for_people_ ? camera::RenderStyle::kPresentation
+                                              : camera::RenderStyle::kRobotEye,
+                    .excluded_frames = sample.hidden_frames},
+                   image);
 }
 
 void RecordingRenderer::AddGhost(model::ViewSample sample, std::uint64_t tick) {

@@ -19,7 +19,7 @@ const Image& RenderedEye::Draw(const scene::VisualModel& model, const model::Vie
                    {.color = sample.channels.rgb,
                     .depth = sample.channels.depth,
                     .ids = sample.channels.id,
-                    .look = camera::Look::kRobotEye,
+                    .style = camera::RenderStyle::kRobotEye,
                     .excluded_frames = sample.hidden_frames},
                    &image_);
   seen_ = sample;

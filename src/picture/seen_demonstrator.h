@@ -11,16 +11,16 @@
 
 namespace smile::picture {
 
-using recording::DemonstratorLook;
+using recording::DemonstratorAppearance;
 
 /// Visible demonstrator of a recording: additions to the visual model of its scene and robot.
 /// Nothing else changes, so that pictures of a tick with and without it differ only where hands and
 /// arms are.
 class SeenDemonstrator {
  public:
-  /// @param look  not kInvisible.
+  /// @param appearance  not kInvisible.
   /// Throws as HandTrack does.
-  SeenDemonstrator(const recording::Recording& recording, DemonstratorLook look);
+  SeenDemonstrator(const recording::Recording& recording, DemonstratorAppearance appearance);
 
   /// Returns the recording's visual model with the hands at the end: one frame for each of their
   /// pieces.
@@ -28,27 +28,29 @@ class SeenDemonstrator {
   /// Adds the hands to a state of the model.
   void AddTo(scene::VisualState* state, std::uint64_t tick) const;
 
-  DemonstratorLook look() const { return look_; }
+  DemonstratorAppearance appearance() const { return appearance_; }
   const HandTrack& track() const { return track_; }
   /// Id of each hand in pictures of ids.
-  std::uint32_t object_id(Side side) const { return object_ids_[static_cast<std::size_t>(side)]; }
+  std::uint32_t object_id(HandSide side) const {
+    return object_ids_[static_cast<std::size_t>(side)];
+  }
 
  private:
   /// Number of pieces of each hand; ghosts have no arms.
   std::size_t num_pieces() const {
-    return look_ == DemonstratorLook::kGhost ? kHandPieces : kArmPieces;
+    return appearance_ == DemonstratorAppearance::kGhost ? kHandPieces : kArmPieces;
   }
-  void AddHand(Side side);
+  void AddHand(HandSide side);
 
-  DemonstratorLook look_;
+  DemonstratorAppearance appearance_;
   double table_edge_;
   HandTrack track_;
   scene::VisualModel visual_model_;
-  std::array<std::uint32_t, kSides.size()> object_ids_{};
+  std::array<std::uint32_t, kHandSides.size()> object_ids_{};
 };
 
 /// Returns the visible demonstrator; nullptr for an invisible one. Throws as SeenDemonstrator does.
 std::unique_ptr<const SeenDemonstrator> DemonstratorOf(const recording::Recording& recording,
-                                                       DemonstratorLook look);
+                                                       DemonstratorAppearance appearance);
 
 }  // namespace smile::picture

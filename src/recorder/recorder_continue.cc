@@ -147,7 +147,7 @@ std::unique_ptr<Recorder> Recorder::Continue(const std::filesystem::path& direct
   if (recording.info.origin == recording::Origin::kImported) {
     Fail(recording, "was imported from a classic recording; it has no commands to go on from");
   }
-  if (recording.info.demonstrator != recording::DemonstratorLook::kInvisible) {
+  if (recording.info.demonstrator != recording::DemonstratorAppearance::kInvisible) {
     Fail(recording, "shows its demonstrator; go on with the recording that it is a copy of");
   }
   const std::size_t num_lines = recording.log.lines().size();

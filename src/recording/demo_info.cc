@@ -153,9 +153,9 @@ void ReadBeginning(const JsonNode& root, DemoInfo* info) {
   info->has_symbols = root.Member("has_symbols").Flag();
 }
 
-DemonstratorLook ReadLook(const JsonNode& node) {
+DemonstratorAppearance ReadDemonstrator(const JsonNode& node) {
   try {
-    return ParseDemonstratorLook(node.String());
+    return ParseDemonstratorAppearance(node.String());
   } catch (const std::invalid_argument& error) {
     node.Fail(error.what());
   }
@@ -197,7 +197,7 @@ DemoInfo ReadInfo(const JsonNode& root) {
     if (info.eye_camera == sim::kHeadCamera && !info.robot) {
       eye.Member("camera").Fail("found head and no robot, expected eye");
     }
-    if (root.Has("demonstrator")) info.demonstrator = ReadLook(root.Member("demonstrator"));
+    if (root.Has("demonstrator")) info.demonstrator = ReadDemonstrator(root.Member("demonstrator"));
   } else if (root.Has("demonstrator")) {
     root.Member("demonstrator").Fail("found in a recording without pictures");
   }
@@ -213,17 +213,17 @@ void CheckLength(const char* key, const std::string& text, std::size_t max_bytes
 
 }  // namespace
 
-std::string_view ToString(DemonstratorLook look) {
-  return kDemonstratorLooks[static_cast<std::size_t>(look)];
+std::string_view ToString(DemonstratorAppearance appearance) {
+  return kDemonstratorAppearances[static_cast<std::size_t>(appearance)];
 }
 
-DemonstratorLook ParseDemonstratorLook(std::string_view text) {
-  const auto found = std::ranges::find(kDemonstratorLooks, text);
-  if (found != kDemonstratorLooks.end()) {
-    return static_cast<DemonstratorLook>(found - kDemonstratorLooks.begin());
+DemonstratorAppearance ParseDemonstratorAppearance(std::string_view text) {
+  const auto found = std::ranges::find(kDemonstratorAppearances, text);
+  if (found != kDemonstratorAppearances.end()) {
+    return static_cast<DemonstratorAppearance>(found - kDemonstratorAppearances.begin());
   }
   throw std::invalid_argument("demonstrator is " + Quoted(std::string(text)) + ", expected " +
-                              OneOf(kDemonstratorLooks));
+                              OneOf(kDemonstratorAppearances));
 }
 
 std::string ToJsonText(const DemoInfo& info) {
@@ -247,7 +247,7 @@ std::string ToJsonText(const DemoInfo& info) {
                {"has_symbols", info.has_symbols},
                {"robot", robot},
                {"eye", eye}};
-  if (info.demonstrator != DemonstratorLook::kInvisible) {
+  if (info.demonstrator != DemonstratorAppearance::kInvisible) {
     json["demonstrator"] = ToString(info.demonstrator);
   }
   return ToText(json, 2) + "\n";

@@ -30,18 +30,18 @@ enum class Origin {
 };
 
 /// Appearance of the demonstrator in pictures.
-enum class DemonstratorLook {
+enum class DemonstratorAppearance {
   kInvisible,  ///< not visible; only its effects are
   kGhost,      ///< translucent hands
   kForearm,    ///< hands and arms of a person, which occlude objects behind them
 };
-inline constexpr std::array<std::string_view, 3> kDemonstratorLooks{"invisible", "ghost",
-                                                                    "forearm"};
+inline constexpr std::array<std::string_view, 3> kDemonstratorAppearances{"invisible", "ghost",
+                                                                          "forearm"};
 /// Returns `invisible`, `ghost` or `forearm`.
-std::string_view ToString(DemonstratorLook look);
+std::string_view ToString(DemonstratorAppearance appearance);
 /// Parses the text of ToString().
 /// @throws std::invalid_argument with what was found and expected.
-DemonstratorLook ParseDemonstratorLook(std::string_view text);
+DemonstratorAppearance ParseDemonstratorAppearance(std::string_view text);
 
 struct RobotInfo {
   std::string name;
@@ -68,7 +68,7 @@ struct DemoInfo {
   std::optional<RobotInfo> robot;  ///< nullopt for a table without one
   std::optional<CameraView> eye;   ///< of the pictures; nullopt for text only
   std::string eye_camera = sim::kEyeCamera;  ///< which camera that is; see model::CameraNames()
-  DemonstratorLook demonstrator = DemonstratorLook::kInvisible;  ///< in the pictures
+  DemonstratorAppearance demonstrator = DemonstratorAppearance::kInvisible;  ///< in the pictures
 
   bool operator==(const DemoInfo&) const = default;
 };

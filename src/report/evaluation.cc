@@ -143,7 +143,7 @@ Json RunJson(const EvaluatedRun& run) {
           {"realtime_factor", OrNull(run.realtime_factor)}};
 }
 
-Json ComparisonJson(const Comparison& comparison) {
+Json ComparisonJson(const BrainComparison& comparison) {
   return {{"both", comparison.both},
           {"only_first", comparison.only_first},
           {"only_second", comparison.only_second},
@@ -189,7 +189,7 @@ std::string FailureCountsText(const Summary& summary) {
 }
 
 std::string ComparisonText(const EvaluatedBrain& first, const EvaluatedBrain& second) {
-  const Comparison comparison = Compare(first, second);
+  const BrainComparison comparison = Compare(first, second);
   const std::string a = Printable(first.name), b = Printable(second.name);
   std::string text = a + " less " + b + ", on the same " + Plural(first.runs.size(), "layout") +
                      ":\n  rebuilt  " + Signed(100 * comparison.success_difference, 1) +
@@ -236,8 +236,8 @@ Summary SummaryOf(const EvaluatedBrain& brain) {
   return summary;
 }
 
-Comparison Compare(const EvaluatedBrain& first, const EvaluatedBrain& second) {
-  Comparison comparison;
+BrainComparison Compare(const EvaluatedBrain& first, const EvaluatedBrain& second) {
+  BrainComparison comparison;
   for (std::size_t i = 0; i < first.runs.size(); ++i) {
     const bool a = first.runs[i].has_succeeded, b = second.runs[i].has_succeeded;
     ++(a && b ? comparison.both

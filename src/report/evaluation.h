@@ -68,14 +68,14 @@ Summary SummaryOf(const EvaluatedBrain& brain);
 
 /// Comparison of two brains, seed by seed. Differences are first minus second, where both
 /// rebuilt.
-struct Comparison {
+struct BrainComparison {
   std::size_t both = 0, only_first = 0, only_second = 0, neither = 0;  ///< succeeded
   double success_difference = 0;
   double p_value = 1;  ///< exact McNemar
   std::optional<Mean> error_mm, error_degrees, seconds;
 };
 /// @param first, second  with the same seeds.
-Comparison Compare(const EvaluatedBrain& first, const EvaluatedBrain& second);
+BrainComparison Compare(const EvaluatedBrain& first, const EvaluatedBrain& second);
 
 /// Returns each pair with the same brain or the same demonstrator once. In other pairs the cause of
 /// a difference would be ambiguous.

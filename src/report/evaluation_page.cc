@@ -188,7 +188,7 @@ Markup Plots(const Evaluation& evaluation) {
 Markup Comparisons(const Evaluation& evaluation) {
   Markup rows;
   for (const auto& [first, second] : ComparablePairs(evaluation)) {
-    const Comparison comparison = Compare(*first, *second);
+    const BrainComparison comparison = Compare(*first, *second);
     rows +=
         Row({RowHead(first->name + " − " + second->name),
              NumberCell(Signed(100 * comparison.success_difference, 1) + " points"),

@@ -11,7 +11,7 @@
 #include "base/diagnostic.h"
 #include "base/wording.h"
 #include "robot/kinematics.h"
-#include "robot/robot_look.h"
+#include "robot/robot_appearance.h"
 
 namespace smile::robot::internal {
 namespace {
@@ -107,7 +107,7 @@ class SideFileReader {
       model_.q_start = start->q;
     }
     if (root.Has("look")) {
-      ReadLook(root.Member("look"), "baxter", "");
+      ReadAppearance(root.Member("look"), "baxter", "");
     }
   }
 
@@ -185,7 +185,7 @@ class SideFileReader {
         }
       }
       if (gripper_->Has("look")) {
-        ReadLook(gripper_->Member("look"), "classic", prefix);
+        ReadAppearance(gripper_->Member("look"), "classic", prefix);
       }
     }
     // Trajectories use this name for the gripper.
@@ -384,7 +384,7 @@ class SideFileReader {
   }
 
   /// Adds a shipped look, for links whose names begin with `prefix`.
-  void ReadLook(const JsonNode& node, std::string_view known, const std::string& prefix) {
+  void ReadAppearance(const JsonNode& node, std::string_view known, const std::string& prefix) {
     if (!has_look_) return;
     const std::string name = node.String();
     if (name != known) {
@@ -392,7 +392,7 @@ class SideFileReader {
                 DidYouMean(name, std::span(&known, 1)));
     }
     try {
-      AddLook(name, prefix, &model_);
+      AddAppearance(name, prefix, &model_);
     } catch (const std::invalid_argument& error) {
       node.Fail(error.what());
     }

@@ -27,7 +27,7 @@ std::vector<std::string> InDemoIds(const std::vector<std::string>& scene_ids, co
 /// Returns the order of placements in terms of the demonstration. Only objects of the structure
 /// count; objects that ended within tolerance without a placement did not need one.
 Order CompareOrder(const Structure& structure, const Episode& outcome,
-                   const Comparison& comparison) {
+                   const StructureComparison& comparison) {
   std::vector<std::string> done = InDemoIds(PlacementsOf(outcome), comparison.match);
   std::erase_if(done, [&](const std::string& id) { return !comparison.errors.contains(id); });
   std::set<std::string> in_place;
@@ -46,7 +46,7 @@ bool IsPutInsideStillHeld(const Effect& effect, const std::set<std::string>& hel
 
 }  // namespace
 
-ObjectError Comparison::mean_error() const {
+ObjectError StructureComparison::mean_error() const {
   ObjectError mean;
   const auto count = static_cast<double>(errors.size());
   for (const auto& [id, error] : errors) {
@@ -56,13 +56,13 @@ ObjectError Comparison::mean_error() const {
   return mean;
 }
 
-Comparison CompareWith(const Structure& structure, const Episode& outcome) {
+StructureComparison CompareWith(const Structure& structure, const Episode& outcome) {
   // Motion and match are optimized together; the match by looks alone is the start, and stays for
   // objects that only effects refer to.
   const ObjectPoses poses = PosesAt(outcome.scene, outcome.end);
   Placing placing =
       FindPlacing(structure, outcome.scene, poses, MatchObjects(structure, outcome.scene));
-  Comparison comparison{
+  StructureComparison comparison{
       .match = std::move(placing.match), .goal = {}, .errors = {}, .order = {}, .achieved = {}};
   const std::set<std::string> held = HeldInTheEnd(outcome);
   std::size_t num_right = 0;
@@ -87,7 +87,7 @@ Comparison CompareWith(const Structure& structure, const Episode& outcome) {
   }
   // Each object and each effect has the same weight.
   num_right += static_cast<std::size_t>(std::ranges::count(comparison.achieved, true));
-  comparison.share = static_cast<double>(num_right) /
+  comparison.score = static_cast<double>(num_right) /
                      static_cast<double>(structure.objects.size() + structure.effects.size());
   return comparison;
 }

@@ -26,15 +26,15 @@ struct ObjectError {
 };
 
 /// Comparison of an outcome with a demonstrated structure, wherever on the table it was built.
-struct Comparison {
+struct StructureComparison {
   Match match;       ///< of the structure's objects, and of others that its effects refer to
   ObjectPoses goal;  ///< poses of the structure in this scene, by demo id
   std::map<std::string, ObjectError> errors;  ///< by demo id
   Order order;
   std::vector<bool> achieved;  ///< for each effect
-  double share = 0;            ///< fraction of objects within tolerance and effects achieved
+  double score = 0;            ///< fraction of objects within tolerance and effects achieved
 
-  bool is_achieved() const { return share == 1; }
+  bool is_achieved() const { return score == 1; }
   ObjectError mean_error() const;  ///< over all objects; 0 without any
 };
 
@@ -42,6 +42,6 @@ struct Comparison {
 /// about z, and up to an exchange of objects that look alike. Motion and match are chosen together
 /// so that as many objects as possible are within tolerance, then with least errors among these. A
 /// structure with fixed objects stands where these are in the scene.
-Comparison CompareWith(const Structure& structure, const Episode& outcome);
+StructureComparison CompareWith(const Structure& structure, const Episode& outcome);
 
 }  // namespace smile::task

@@ -14,21 +14,20 @@ namespace {
 constexpr recording::PoseGap kStayed{.distance = 0.01, .angle = DegreesToRadians(5.0)};
 
 /// True for events that change who holds or fastens an object, and for falls.
-bool IsTouch(sim::EventKind kind) {
+bool IsContact(sim::EventKind kind) {
   using enum sim::EventKind;
   return kind == kGrasped || kind == kReleased || kind == kFastened || kind == kLoosened ||
          kind == kFell || kind == kGripperHolds || kind == kGripperLetGo;
 }
 
-/// Returns the touch of an event with the object's pose at `now`; nullopt for other events and for
-/// objects that are not in the scene.
-std::optional<Touch> TouchOf(const sim::Event& event, const recording::TraceTick& now,
-                             const scene::SceneSpec& scene) {
-  if (!IsTouch(event.kind)) return std::nullopt;
+/// @returns nullopt if the event is no contact with an object of the scene.
+std::optional<ContactEvent> ContactOf(const sim::Event& event, const recording::TraceTick& now,
+                                      const scene::SceneSpec& scene) {
+  if (!IsContact(event.kind)) return std::nullopt;
   const auto object = std::ranges::find(scene.objects, event.object, &scene::ObjectSpec::id);
   if (object == scene.objects.end()) return std::nullopt;
   const auto index = static_cast<std::size_t>(object - scene.objects.begin());
-  return Touch{event, now.tick, now.objects[index].pose_in_world()};
+  return ContactEvent{event, now.tick, now.objects[index].pose_in_world()};
 }
 
 /// Actions from the log of an old recording, whose trace contains no events.
@@ -70,20 +69,20 @@ bool HasMoved(const RigidTransform& from, const RigidTransform& to) {
 /// placed, the latest last.
 class PlacementOrder {
  public:
-  void Note(const Touch& touch) {
+  void Note(const ContactEvent& contact) {
     using enum sim::EventKind;
-    const std::string& object = touch.event.object;
-    switch (touch.event.kind) {
+    const std::string& object = contact.event.object;
+    switch (contact.event.kind) {
       case kGrasped:
       case kGripperHolds:
-        holds_[{HolderOf(touch.event), object}] = touch.X_WB;
+        holds_[{HolderOf(contact.event), object}] = contact.X_WB;
         return;
       // A release places the object only if the holder has moved it.
       case kReleased:
       case kGripperLetGo: {
-        const auto hold = holds_.find({HolderOf(touch.event), object});
+        const auto hold = holds_.find({HolderOf(contact.event), object});
         if (hold == holds_.end()) return;
-        if (HasMoved(hold->second, touch.X_WB)) Put(object);
+        if (HasMoved(hold->second, contact.X_WB)) Put(object);
         holds_.erase(hold);
         return;
       }
@@ -91,7 +90,7 @@ class PlacementOrder {
       // Physics can loosen a bond too; such an event has no hand and places nothing.
       case kFastened:
       case kLoosened:
-        if (touch.event.hand) Put(object);
+        if (contact.event.hand) Put(object);
         return;
       default:
         return;
@@ -123,12 +122,12 @@ Episode EpisodeOf(const recording::Recording& recording) {
   recording::TraceReader trace(recording);
   // The scene at the end of the path has all objects that were ever present on it; objects not yet
   // added are absent.
-  Episode episode{.scene = recording.scene(), .begin = {}, .end = {}, .touches = {}};
+  Episode episode{.scene = recording.scene(), .begin = {}, .end = {}, .contacts = {}};
   LoggedActions logged(recording);
   const auto note = [&episode](const std::vector<sim::Event>& events) {
     for (const sim::Event& event : events) {
-      if (auto touch = TouchOf(event, episode.end, episode.scene)) {
-        episode.touches.push_back(*std::move(touch));
+      if (auto contact = ContactOf(event, episode.end, episode.scene)) {
+        episode.contacts.push_back(*std::move(contact));
       }
     }
   };
@@ -157,24 +156,23 @@ EpisodeObserver::EpisodeObserver(sim::Simulation* simulation)
 EpisodeObserver::~EpisodeObserver() { simulation_->RemoveListener(this); }
 
 void EpisodeObserver::OnEvent(const sim::Simulation& simulation, const sim::Event& event) {
-  if (!IsTouch(event.kind)) return;
-  auto touch = TouchOf(event, recording::Observe(simulation), simulation.scene());
-  if (!touch) return;
+  if (!IsContact(event.kind)) return;
+  auto contact = ContactOf(event, recording::Observe(simulation), simulation.scene());
+  if (!contact) return;
   const sim::Action& action = simulation.history().current();
-  // Touches belong to the current action, so an undo removes them together with the action.
-  touches_[action.id].push_back({*std::move(touch), action.events.size()});
+  contacts_[action.id].push_back({*std::move(contact), action.events.size()});
 }
 
 void EpisodeObserver::OnMove(const sim::Simulation& simulation, sim::ActionId from,
                              sim::ActionId to) {
-  std::vector<NumberedTouch>* touches = touches_.Find(from);
-  if (to < from || touches == nullptr) return;
+  std::vector<NumberedContact>* contacts = contacts_.Find(from);
+  if (to < from || contacts == nullptr) return;
   // A redo leads to an action that began before the undo: touches recorded in `from` since then are
   // not in its past and are removed. The number of events that the history keeps for `from`
   // identifies them.
   const auto done = simulation.history().done();
   const std::size_t num_events = done[done.size() - 2].events.size();
-  std::erase_if(*touches, [&](const NumberedTouch& one) { return one.num_events > num_events; });
+  std::erase_if(*contacts, [&](const NumberedContact& one) { return one.num_events > num_events; });
 }
 
 Episode EpisodeObserver::episode() const {
@@ -182,11 +180,11 @@ Episode EpisodeObserver::episode() const {
   Episode episode{.scene = simulation_->scene(),
                   .begin = recording::WithAbsent(begin_, simulation_->model()),
                   .end = recording::Observe(*simulation_),
-                  .touches = {}};
+                  .contacts = {}};
   for (const sim::Action& action : simulation_->history().done()) {
-    const std::vector<NumberedTouch>* touches = touches_.Find(action.id);
-    if (touches == nullptr) continue;
-    for (const NumberedTouch& one : *touches) episode.touches.push_back(one.touch);
+    const std::vector<NumberedContact>* contacts = contacts_.Find(action.id);
+    if (contacts == nullptr) continue;
+    for (const NumberedContact& one : *contacts) episode.contacts.push_back(one.contact);
   }
   return episode;
 }
@@ -220,13 +218,13 @@ ObjectPoses StartOf(const scene::SceneSpec& scene) {
 
 std::vector<std::string> TouchedByHands(const Episode& episode) {
   std::vector<std::string> touched;
-  for (const Touch& touch : episode.touches) {
-    const bool counts = touch.event.kind == sim::EventKind::kGrasped ||
-                        touch.event.kind == sim::EventKind::kFastened ||
-                        touch.event.kind == sim::EventKind::kLoosened;
-    if (!counts || !touch.event.hand) continue;
-    if (std::ranges::find(touched, touch.event.object) == touched.end()) {
-      touched.push_back(touch.event.object);
+  for (const ContactEvent& contact : episode.contacts) {
+    const bool counts = contact.event.kind == sim::EventKind::kGrasped ||
+                        contact.event.kind == sim::EventKind::kFastened ||
+                        contact.event.kind == sim::EventKind::kLoosened;
+    if (!counts || !contact.event.hand) continue;
+    if (std::ranges::find(touched, contact.event.object) == touched.end()) {
+      touched.push_back(contact.event.object);
     }
   }
   return touched;
@@ -234,11 +232,11 @@ std::vector<std::string> TouchedByHands(const Episode& episode) {
 
 std::vector<std::string> FallenObjects(const Episode& episode) {
   std::vector<std::string> fallen;
-  for (const Touch& touch : episode.touches) {
+  for (const ContactEvent& contact : episode.contacts) {
     // Events of the first tick report objects that lay on the floor before.
-    if (touch.event.kind != sim::EventKind::kFell || touch.tick == episode.begin.tick) continue;
-    if (std::ranges::find(fallen, touch.event.object) == fallen.end()) {
-      fallen.push_back(touch.event.object);
+    if (contact.event.kind != sim::EventKind::kFell || contact.tick == episode.begin.tick) continue;
+    if (std::ranges::find(fallen, contact.event.object) == fallen.end()) {
+      fallen.push_back(contact.event.object);
     }
   }
   return fallen;
@@ -246,9 +244,9 @@ std::vector<std::string> FallenObjects(const Episode& episode) {
 
 std::set<std::string> HeldInTheEnd(const Episode& episode) {
   std::set<std::pair<std::string, std::string>> holds;  // holder and object
-  for (const Touch& touch : episode.touches) {
-    const std::pair hold(HolderOf(touch.event), touch.event.object);
-    switch (touch.event.kind) {
+  for (const ContactEvent& contact : episode.contacts) {
+    const std::pair hold(HolderOf(contact.event), contact.event.object);
+    switch (contact.event.kind) {
       case sim::EventKind::kGrasped:
       case sim::EventKind::kGripperHolds:
         holds.insert(hold);
@@ -269,15 +267,15 @@ std::set<std::string> HeldInTheEnd(const Episode& episode) {
 Work WorkOf(const Episode& episode) {
   Work work;
   std::map<std::string, int> holders;  // of what was ever held: by how many grippers now
-  for (const Touch& touch : episode.touches) {
-    const std::string& object = touch.event.object;
-    if (touch.event.kind == sim::EventKind::kGripperHolds) {
+  for (const ContactEvent& contact : episode.contacts) {
+    const std::string& object = contact.event.object;
+    if (contact.event.kind == sim::EventKind::kGripperHolds) {
       ++work.grasps;
       // A retry is a grasp of an object that was held before and is held by no gripper now.
       const auto held = holders.find(object);
       if (held != holders.end() && held->second == 0) ++work.retries;
       ++holders[object];
-    } else if (touch.event.kind == sim::EventKind::kGripperLetGo) {
+    } else if (contact.event.kind == sim::EventKind::kGripperLetGo) {
       holders[object] = std::max(0, holders[object] - 1);
     }
   }
@@ -286,7 +284,7 @@ Work WorkOf(const Episode& episode) {
 
 std::vector<std::string> PlacementsOf(const Episode& episode) {
   PlacementOrder order;
-  for (const Touch& touch : episode.touches) order.Note(touch);
+  for (const ContactEvent& contact : episode.contacts) order.Note(contact);
   return std::move(order).InTheEnd(PosesAt(episode.scene, episode.end));
 }
 

@@ -17,7 +17,7 @@ namespace smile::task {
 using ObjectPoses = std::map<std::string, RigidTransform>;
 
 /// Contact of a hand or gripper with an object, or the fall of an object.
-struct Touch {
+struct ContactEvent {
   sim::Event event;
   std::uint64_t tick = 0;
   RigidTransform X_WB;  ///< of the event's object at that tick
@@ -28,7 +28,7 @@ struct Touch {
 struct Episode {
   scene::SceneSpec scene;
   recording::TraceTick begin, end;
-  std::vector<Touch> touches;  ///< in order
+  std::vector<ContactEvent> contacts;  ///< in order
 };
 
 /// Reads the episode of a recording.
@@ -50,14 +50,14 @@ class EpisodeObserver : public sim::Listener {
   Episode episode() const;
 
  private:
-  struct NumberedTouch {
-    Touch touch;
+  struct NumberedContact {
+    ContactEvent contact;
     std::size_t num_events = 0;  ///< of the action up to and with this one
   };
 
   sim::Simulation* simulation_;
   recording::TraceTick begin_;
-  sim::ActionMarks<std::vector<NumberedTouch>> touches_;
+  sim::ActionMarks<std::vector<NumberedContact>> contacts_;
 };
 
 /// Returns the objects that are present, with their poses of that moment.

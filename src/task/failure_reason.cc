@@ -17,7 +17,8 @@ constexpr double kNear = 0.1;
 /// Determines the failure reason from the objects that are not at their goal poses.
 class FailureAnalysis {
  public:
-  FailureAnalysis(const Structure& structure, const Episode& outcome, const Comparison& comparison)
+  FailureAnalysis(const Structure& structure, const Episode& outcome,
+                  const StructureComparison& comparison)
       : outcome_(outcome),
         comparison_(comparison),
         start_(StartOf(outcome.scene)),
@@ -31,9 +32,10 @@ class FailureAnalysis {
   std::optional<FailureReason> Fallen() const {
     return OfFirst("fell_off_table", [this](const scene::ObjectSpec& object) -> std::string {
       const std::string& id = IdOf(object);
-      const bool has_fallen = std::ranges::any_of(outcome_.touches, [&](const Touch& touch) {
-        return touch.event.kind == sim::EventKind::kFell && touch.event.object == id;
-      });
+      const bool has_fallen =
+          std::ranges::any_of(outcome_.contacts, [&](const ContactEvent& contact) {
+            return contact.event.kind == sim::EventKind::kFell && contact.event.object == id;
+          });
       return has_fallen ? " fell off the table" : "";
     });
   }
@@ -110,7 +112,7 @@ class FailureAnalysis {
   }
 
   const Episode& outcome_;
-  const Comparison& comparison_;
+  const StructureComparison& comparison_;
   ObjectPoses start_, end_;
   std::vector<const scene::ObjectSpec*> wrong_;  ///< of the structure
 };
@@ -118,7 +120,7 @@ class FailureAnalysis {
 /// Returns the reason for the first effect that is not achieved; nullopt if all are.
 std::optional<FailureReason> ReasonOfMissingEffect(const Structure& structure,
                                                    const Episode& outcome,
-                                                   const Comparison& comparison) {
+                                                   const StructureComparison& comparison) {
   for (std::size_t i = 0; i < structure.effects.size(); ++i) {
     if (comparison.achieved[i]) continue;
     return FailureReason{
@@ -132,12 +134,12 @@ bool HasFailed(const ProgramEnd& program) { return program.status == "failed"; }
 
 }  // namespace
 
-bool IsSuccess(const Comparison& comparison, const ProgramEnd& program) {
+bool IsSuccess(const StructureComparison& comparison, const ProgramEnd& program) {
   return comparison.is_achieved() && !HasFailed(program);
 }
 
 std::optional<FailureReason> FailureReasonOf(const Structure& structure, const Episode& outcome,
-                                             const Comparison& comparison,
+                                             const StructureComparison& comparison,
                                              const ProgramEnd& program) {
   if (IsSuccess(comparison, program)) return std::nullopt;
   if (HasFailed(program)) {

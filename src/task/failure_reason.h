@@ -15,7 +15,7 @@ struct ProgramEnd {
 
 /// True if everything was achieved and the program did not fail. Both conditions are needed: where
 /// the goal held from the start, a program may fail before it does anything.
-bool IsSuccess(const Comparison& comparison, const ProgramEnd& program);
+bool IsSuccess(const StructureComparison& comparison, const ProgramEnd& program);
 
 /// Reason why an imitation failed.
 struct FailureReason {
@@ -30,7 +30,7 @@ struct FailureReason {
 /// If it applies to several objects, the text names the one that was to be placed first.
 /// @returns nullopt after a success, see IsSuccess().
 std::optional<FailureReason> FailureReasonOf(const Structure& structure, const Episode& outcome,
-                                             const Comparison& comparison,
+                                             const StructureComparison& comparison,
                                              const ProgramEnd& program);
 
 }  // namespace smile::task

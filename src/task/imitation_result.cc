@@ -26,7 +26,7 @@ Json ErrorsJson(const std::map<std::string, ObjectError>& errors) {
 
 Json ToJson(const Order& order) {
   return {{"kept", order.is_kept()},
-          {"share", order.share},
+          {"share", order.fraction},
           {"demonstrated", order.demonstrated},
           {"done", order.done}};
 }
@@ -67,14 +67,14 @@ Json ResultOf(const ImitationTask& task, const Episode& outcome, const RunInfo& 
   const Structure& structure = task.structure;
   // Poses and tolerance are in units of the scene file; errors are in millimeters and degrees
   // whatever the unit.
-  const Comparison comparison = CompareWith(structure, outcome);
+  const StructureComparison comparison = CompareWith(structure, outcome);
   const double unit = task.scene.meters_per_unit;
   const ObjectError mean = comparison.mean_error();
   const ProgramEnd program = EndOf(run_info.brain);
   Json result = {{"format", kResultFormat},
                  {"task", task.name},
                  {"success", IsSuccess(comparison, program)},
-                 {"score", comparison.share},
+                 {"score", comparison.score},
                  {"tolerance", kTolerance / unit},
                  {"match", comparison.match},
                  {"goal", {{"objects", PosesJson(comparison.goal, unit)}}},

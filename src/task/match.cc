@@ -18,9 +18,9 @@ double CostOfPart(bool is_alike, bool has_same_id, double lateness) {
   return has_same_id ? 0 : 1 + lateness / 1000;
 }
 
-std::vector<Looks> LooksOfAll(const std::vector<scene::ObjectSpec>& objects) {
-  std::vector<Looks> looks;
-  for (const scene::ObjectSpec& object : objects) looks.push_back(LooksOf(object));
+std::vector<Appearance> AppearancesOfAll(const std::vector<scene::ObjectSpec>& objects) {
+  std::vector<Appearance> looks;
+  for (const scene::ObjectSpec& object : objects) looks.push_back(AppearanceOf(object));
   return looks;
 }
 
@@ -34,9 +34,9 @@ Match MatchObjects(const Structure& structure, const scene::SceneSpec& scene) {
   const std::size_t columns = std::max(wanted.size(), scene.objects.size());
   Eigen::MatrixXd costs = Eigen::MatrixXd::Constant(static_cast<Eigen::Index>(wanted.size()),
                                                     static_cast<Eigen::Index>(columns), kUnlike);
-  const std::vector<Looks> looks = LooksOfAll(scene.objects);
+  const std::vector<Appearance> looks = AppearancesOfAll(scene.objects);
   for (std::size_t i = 0; i < wanted.size(); ++i) {
-    const Looks wanted_looks = LooksOf(wanted[i]);
+    const Appearance wanted_looks = AppearanceOf(wanted[i]);
     const std::vector<std::string> properties = structure.AttendedOf(wanted[i].id());
     for (std::size_t j = 0; j < scene.objects.size(); ++j) {
       costs(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = CostOfPart(

@@ -24,8 +24,8 @@ Order OrderOf(std::vector<std::string> demonstrated, std::vector<std::string> do
       if (first && second && *first <= *second) ++num_kept;
     }
   }
-  const double share = num_pairs == 0 ? 1 : static_cast<double>(num_kept) / num_pairs;
-  return {.demonstrated = std::move(demonstrated), .done = std::move(done), .share = share};
+  const double fraction = num_pairs == 0 ? 1 : static_cast<double>(num_kept) / num_pairs;
+  return {.demonstrated = std::move(demonstrated), .done = std::move(done), .fraction = fraction};
 }
 
 }  // namespace smile::task

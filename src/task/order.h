@@ -11,9 +11,9 @@ struct Order {
   std::vector<std::string> demonstrated, done;
   /// Fraction of the pairs of demonstrated placements that were done in the same order, 0 to 1; 1
   /// with fewer than two placements.
-  double share = 1;
+  double fraction = 1;
 
-  bool is_kept() const { return share == 1; }
+  bool is_kept() const { return fraction == 1; }
   bool operator==(const Order&) const = default;
 };
 

@@ -28,7 +28,7 @@ constexpr double kMaxWork = 1e8;
 struct Candidate {
   const scene::ObjectSpec* object = nullptr;
   RigidTransform X_WB;
-  Looks looks;
+  Appearance looks;
 };
 
 /// Object of the structure, with the indices of its candidates in the pool.
@@ -54,7 +54,7 @@ class PlacingSearch {
     for (const scene::ObjectSpec& object : scene.objects) {
       const bool is_taken = std::ranges::any_of(
           others_, [&](const auto& other) { return other.second == object.id(); });
-      if (!is_taken) pool_.push_back({&object, outcome.at(object.id()), LooksOf(object)});
+      if (!is_taken) pool_.push_back({&object, outcome.at(object.id()), AppearanceOf(object)});
     }
     for (const scene::ObjectSpec& object : structure.objects) AddWanted(object, structure);
     // The identity is always a hypothesis: the structure stands where it was demonstrated.
@@ -91,7 +91,7 @@ class PlacingSearch {
                   .symmetry = SymmetryOf(object),
                   .candidates = {},
                   .are_of_its_form = {}};
-    const Looks looks = LooksOf(object);
+    const Appearance looks = AppearanceOf(object);
     const std::vector<std::string> properties = structure.AttendedOf(object.id());
     for (std::size_t i = 0; i < pool_.size(); ++i) {
       if (!AreAlike(looks, pool_[i].looks, properties)) continue;
@@ -264,7 +264,7 @@ Placing FindPlacing(const Structure& structure, const scene::SceneSpec& scene,
 ObjectError ErrorOf(const scene::ObjectSpec& wanted, const RigidTransform& X_WGoal,
                     const scene::ObjectSpec& counterpart, const RigidTransform& X_WB) {
   ObjectError error{.distance = (X_WGoal.translation() - X_WB.translation()).norm()};
-  if (LooksOf(wanted).form == LooksOf(counterpart).form) {
+  if (AppearanceOf(wanted).form == AppearanceOf(counterpart).form) {
     error.angle = SymmetryOf(wanted).AngleBetween(X_WGoal.rotation(), X_WB.rotation());
   }
   return error;

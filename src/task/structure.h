@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "model/relations.h"
+#include "task/appearance.h"
 #include "task/effects.h"
 #include "task/episode.h"
-#include "task/looks.h"
 
 namespace smile::task {
 

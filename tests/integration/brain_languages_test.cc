@@ -171,7 +171,7 @@ TEST_F(BrainWatches, InPython) {
 }
 
 TEST_F(BrainLanguages, MatlabIsStartedTheWayItsManualSays) {
-  // No Matlab: a stand-in that takes the same arguments and lets Octave do the work.
+  // No Matlab: a placeholder object that takes the same arguments and lets Octave do the work.
   Write("matlab", "#!/bin/sh\n[ \"$1\" = -batch ] || exit 9\nexec octave-cli -q --eval \"$2\"\n");
   Write("brain/agentBehavior.m",
         "function [init, callback] = agentBehavior()\ninit = @begin;\ncallback = @act;\n");

@@ -18,7 +18,7 @@ namespace smile::camera {
 namespace {
 
 const RenderOptions kAllChannels{.color = true, .depth = true, .ids = true};
-const RenderOptions kPresented{.look = Look::kPresentation};
+const RenderOptions kPresented{.style = RenderStyle::kPresentation};
 
 std::array<int, 3> ColorAt(const Image& image, int u, int v) {
   const std::uint8_t* pixel = &image.color[3 * (static_cast<std::size_t>(v) * image.width_px + u)];
@@ -162,7 +162,7 @@ TEST_F(RendererTest, DepthIsZeroWhereNothingIs) {
 TEST_F(RendererTest, DepthAndIdsAreTheSameAndPureInTheSmoothLook) {
   const Image eye = Render(TableScene(), HeadView(321, 241));
   RenderOptions options = kAllChannels;
-  options.look = Look::kPresentation;
+  options.style = RenderStyle::kPresentation;
   const Image presented = Render(TableScene(), HeadView(321, 241), options);
   EXPECT_EQ(presented.ids, eye.ids);
   EXPECT_EQ(presented.depth, eye.depth);
@@ -188,9 +188,9 @@ TEST_F(RendererTest, RowZeroIsTheTopAndColumnZeroTheLeft) {
 TEST_F(RendererTest, TwoRenderersDrawTheSameBytes) {
   Renderer other;
   const SmallScene scene = TableScene();
-  for (const Look look : {Look::kRobotEye, Look::kPresentation}) {
+  for (const RenderStyle style : {RenderStyle::kRobotEye, RenderStyle::kPresentation}) {
     RenderOptions options = kAllChannels;
-    options.look = look;
+    options.style = style;
     const Image first = Render(scene, HeadView(320, 240), options);
     EXPECT_TRUE(first == Render(scene, HeadView(320, 240), options));
     EXPECT_TRUE(first == other.Render(scene.model, scene.state, HeadView(320, 240), options));
@@ -236,9 +236,9 @@ TEST_F(RendererTest, DifferentFocalLengthsStretchTheImage) {
 TEST_F(RendererTest, AnySizeWorks) {
   for (const auto& [width, height] :
        {std::pair{1, 1}, {7, 3}, {641, 479}, {8192, 1}, {1, 8192}, {1023, 2}}) {
-    for (const Look look : {Look::kRobotEye, Look::kPresentation}) {
+    for (const RenderStyle style : {RenderStyle::kRobotEye, RenderStyle::kPresentation}) {
       RenderOptions options = kAllChannels;
-      options.look = look;
+      options.style = style;
       const Image image = Render(TableScene(), HeadView(width, height), options);
       const auto num_pixels = static_cast<std::size_t>(width) * height;
       EXPECT_EQ(image.width_px, width);
@@ -305,8 +305,8 @@ TEST_F(RendererTest, FacesOfACubeDifferInBrightnessAndKeepTheirHue) {
 TEST_F(RendererTest, BackgroundIsBlackForTheRobotUnlessChosen) {
   const SmallScene nothing;
   EXPECT_EQ(ColorAt(Render(nothing, HeadView(3, 3)), 1, 1), (std::array{0, 0, 0}));
-  for (const Look look : {Look::kRobotEye, Look::kPresentation}) {
-    const RenderOptions options{.look = look, .background = Color{1, 0.5, 0}};
+  for (const RenderStyle style : {RenderStyle::kRobotEye, RenderStyle::kPresentation}) {
+    const RenderOptions options{.style = style, .background = Color{1, 0.5, 0}};
     const auto color = ColorAt(Render(nothing, HeadView(3, 3), options), 1, 1);
     EXPECT_EQ(color[0], 255);
     EXPECT_NEAR(color[1], 128, 1);
@@ -343,11 +343,11 @@ TEST_F(RendererTest, WhatGlowsShowsItsColorWhateverTheLight) {
   scene.Add(scene::Block{{1, 1, 0.02}}, kWhite, Vector3(0, 0, 0.2));
   CameraView view = HeadView(41, 41);
   view.X_WC = LookAt({0, 0.6, 0}, {0, 0, 0});
-  for (const Look look : {Look::kRobotEye, Look::kPresentation}) {
+  for (const RenderStyle style : {RenderStyle::kRobotEye, RenderStyle::kPresentation}) {
     scene.model.visuals[0].glows = false;
-    EXPECT_LT(ColorAt(Render(scene, view, {.look = look}), 20, 20)[0], 170);
+    EXPECT_LT(ColorAt(Render(scene, view, {.style = style}), 20, 20)[0], 170);
     scene.model.visuals[0].glows = true;
-    const auto color = ColorAt(Render(scene, view, {.look = look}), 20, 20);
+    const auto color = ColorAt(Render(scene, view, {.style = style}), 20, 20);
     EXPECT_EQ(color[0], 255);
     EXPECT_NEAR(color[1], 128, 1);
     EXPECT_EQ(color[2], 64);

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "picture/touch.h"
+#include "picture/surface_probe.h"
 #include "recorder/test/recording_fixture.h"
 #include "recording/trace_reader.h"
 #include "recording/view_sample.h"
@@ -68,7 +68,7 @@ TEST_F(HandTrackTest, NeverJumpsNorHurries) {
   std::optional<std::array<HandPosture, 2>> before;
   while (const auto moment = trace.Next()) {
     const auto now = track.At(moment->tick);
-    for (const Side side : kSides) {
+    for (const HandSide side : kHandSides) {
       if (!before) continue;
       const auto k = static_cast<std::size_t>(side);
       const auto from = FingertipsInHand(side, (*before)[k]), to = FingertipsInHand(side, now[k]);
@@ -101,7 +101,7 @@ TEST_F(HandTrackTest, TouchesWhatItHolds) {
   recording::TraceReader trace(*recording_);
   int num_held = 0;
   while (const auto moment = trace.Next()) {
-    for (const Side side : kSides) {
+    for (const HandSide side : kHandSides) {
       const auto k = static_cast<std::size_t>(side);
       for (const ContactInterval& interval : track.schedule().of[k]) {
         const bool is_held = interval.kind == ContactInterval::Kind::kHold &&
@@ -198,15 +198,15 @@ TEST_F(HandTrackTest, FindsMaterialToTakeHoldOf) {
   <box id="bin" location="(0, 0, 1)" xspan="4" yspan="4" zspan="2"/>
 </tabletop>)xml");
   const model::Model& model = *recording_->model;
-  const Touch touch(model);
+  const SurfaceProbe probe(model);
   const auto looks = recording::VisualStateAt(recording::StartOf(model), model).looks;
   const model::FrameIndex bin = model.frame_of(*model.FindObject("bin"));
   const Vector3 hollow(0, 0, 0.05);
-  EXPECT_EQ(touch.Around(bin, looks, hollow, Vector3::UnitX()).to, 0);
-  const Vector3 wall = touch.PointWithin(bin, looks, hollow);
-  const Span through = touch.Around(bin, looks, wall, Vector3::UnitZ());
+  EXPECT_EQ(probe.Around(bin, looks, hollow, Vector3::UnitX()).to, 0);
+  const Vector3 wall = probe.PointWithin(bin, looks, hollow);
+  const Span through = probe.Around(bin, looks, wall, Vector3::UnitZ());
   EXPECT_GT(through.to - through.from, 0.015);
-  EXPECT_EQ(touch.PointWithin(bin, looks, wall), wall);
+  EXPECT_EQ(probe.PointWithin(bin, looks, wall), wall);
 }
 
 }  // namespace

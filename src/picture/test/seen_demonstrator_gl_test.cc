@@ -12,7 +12,7 @@ namespace smile::picture {
 namespace {
 
 using SeenDemonstratorTest = recorder::RecordingFixture;
-using enum DemonstratorLook;
+using enum DemonstratorAppearance;
 
 constexpr Channels kAll{.rgb = true, .depth = true, .id = true};
 
@@ -38,8 +38,8 @@ TEST_F(SeenDemonstratorTest, ChangesPicturesOnlyWhereHandsAre) {
             image.color.begin() + static_cast<std::ptrdiff_t>(3 * i),
             image.color.begin() + static_cast<std::ptrdiff_t>(3 * i + 3));
       };
-      const bool is_hand = with.ids[i] == person.object_id(Side::kLeft) ||
-                           with.ids[i] == person.object_id(Side::kRight);
+      const bool is_hand = with.ids[i] == person.object_id(HandSide::kLeft) ||
+                           with.ids[i] == person.object_id(HandSide::kRight);
       num_seen += with.ids[i] == 2;  // block a, after background and table
       if (is_hand) {
         ++num_changed;
@@ -67,8 +67,8 @@ TEST_F(SeenDemonstratorTest, IsTheSameAgainFromEverywhere) {
   const model::Model& model = *recording.model;
   const auto moment = recording::MomentAt(recording, 60);
   ASSERT_TRUE(moment);
-  for (const DemonstratorLook look : {kGhost, kForearm}) {
-    const SeenDemonstrator one(recording, look), other(recording, look);
+  for (const DemonstratorAppearance appearance : {kGhost, kForearm}) {
+    const SeenDemonstrator one(recording, appearance), other(recording, appearance);
     for (const char* camera : {"eye", "nice"}) {
       const RenderRequest request{.camera = camera, .width_px = 160, .height_px = 120};
       const Image nobody = RecordingRenderer(model, request).Take(*moment);

@@ -31,7 +31,7 @@ class DemoInfoTest : public recorder::RecordingFixture {
         .eye = CameraView{.intrinsics = CameraIntrinsics::FromVerticalFieldOfView(8, 6, 1),
                           .X_WC = RigidTransform(Vector3(0, -1, 1))},
         .eye_camera = sim::kHeadCamera,
-        .demonstrator = DemonstratorLook::kForearm};
+        .demonstrator = DemonstratorAppearance::kForearm};
     info.robot->body.grasps_by_friction = true;
     return info;
   }

@@ -55,7 +55,7 @@ TEST(Evaluation, SummarizesRebuiltStructuresAndCountsCauses) {
 
 TEST(Evaluation, ComparesSeedBySeed) {
   const Evaluation pair = Pair();
-  const Comparison comparison = Compare(pair.brains[0], pair.brains[1]);
+  const BrainComparison comparison = Compare(pair.brains[0], pair.brains[1]);
   EXPECT_EQ(comparison.both, 2u);
   EXPECT_EQ(comparison.only_first, 0u);
   EXPECT_EQ(comparison.only_second, 2u);

@@ -29,7 +29,7 @@ Structure Colored(Structure structure) {
   return structure;
 }
 
-TEST(Comparison, IsPerfectAfterAnyMotionAndExchangeOfLookAlikes) {
+TEST(StructureComparison, IsPerfectAfterAnyMotionAndExchangeOfLookAlikes) {
   std::mt19937_64 random(1);
   for (int trial = 0; trial < 60; ++trial) {
     Structure structure;
@@ -48,7 +48,7 @@ TEST(Comparison, IsPerfectAfterAnyMotionAndExchangeOfLookAlikes) {
     for (std::size_t i = 0; i < outcome.size(); ++i) outcome[i].whole.X_PE = poses[i];
     outcome.push_back(CubeAt("distractor", {0, 0.9, 0.05}, kRed));
 
-    const Comparison comparison = CompareWith(structure, EpisodeTo(outcome));
+    const StructureComparison comparison = CompareWith(structure, EpisodeTo(outcome));
     ASSERT_TRUE(comparison.is_achieved()) << "trial " << trial;
     EXPECT_LT(comparison.mean_error().distance, 1e-9);
     EXPECT_LT(comparison.mean_error().angle, 1e-6);
@@ -58,7 +58,7 @@ TEST(Comparison, IsPerfectAfterAnyMotionAndExchangeOfLookAlikes) {
   }
 }
 
-TEST(Comparison, SwappedColorsAreNotRebuilt) {
+TEST(StructureComparison, SwappedColorsAreNotRebuilt) {
   Structure structure{.objects = {CubeAt("r", {0, 0, 0.05}, kRed), CubeAt("b", {0, 0, 0.15}, kBlue),
                                   CubeAt("s", {0.3, 0, 0.05}, kRed)}};
   std::vector<scene::ObjectSpec> outcome = structure.objects;
@@ -68,7 +68,7 @@ TEST(Comparison, SwappedColorsAreNotRebuilt) {
   EXPECT_FALSE(CompareWith(structure, EpisodeTo(outcome)).is_achieved());
 }
 
-TEST(Comparison, TakesForAlikeWhatAgreesInTheAttendedProperties) {
+TEST(StructureComparison, TakesForAlikeWhatAgreesInTheAttendedProperties) {
   Structure structure{.objects = {CubeAt("r", {0, 0, 0.05}, kRed),
                                   CubeAt("b", {0.3, 0, 0.05}, kBlue),
                                   ObjectAt("p", scene::Block{{0.1, 0.3, 0.1}}, {0, 0.3, 0.05})}};
@@ -82,30 +82,30 @@ TEST(Comparison, TakesForAlikeWhatAgreesInTheAttendedProperties) {
   EXPECT_FALSE(CompareWith(structure, EpisodeTo(outcome)).is_achieved());
 }
 
-TEST(Comparison, OneFallenBlockDoesNotBlameTheOthers) {
+TEST(StructureComparison, OneFallenBlockDoesNotBlameTheOthers) {
   std::vector<scene::ObjectSpec> outcome = Moved(Tower().objects, 20, {0.2, 0.1, 0});
   outcome[2].whole.X_PE = RigidTransform(Vector3(0.7, 0.7, 0.05));
-  const Comparison comparison = CompareWith(Tower(), EpisodeTo(outcome));
-  EXPECT_DOUBLE_EQ(comparison.share, 0.75);
+  const StructureComparison comparison = CompareWith(Tower(), EpisodeTo(outcome));
+  EXPECT_DOUBLE_EQ(comparison.score, 0.75);
   EXPECT_LT(comparison.errors.at("a").distance, 0.001);
   EXPECT_GT(comparison.errors.at("c").distance, 0.2);
 }
 
-TEST(Comparison, HeightsAreNotShifted) {
+TEST(StructureComparison, HeightsAreNotShifted) {
   const auto outcome = Moved(Tower().objects, 0, {0, 0, 0.4});
-  EXPECT_EQ(CompareWith(Tower(), EpisodeTo(outcome)).share, 0);
+  EXPECT_EQ(CompareWith(Tower(), EpisodeTo(outcome)).score, 0);
 }
 
-TEST(Comparison, SmallErrorsAreMeasured) {
+TEST(StructureComparison, SmallErrorsAreMeasured) {
   std::vector<scene::ObjectSpec> outcome = Tower().objects;
   outcome[3].whole.X_PE = RigidTransform(Vector3(0.41, 0.1, 0.05));
-  const Comparison comparison = CompareWith(Tower(), EpisodeTo(outcome));
+  const StructureComparison comparison = CompareWith(Tower(), EpisodeTo(outcome));
   EXPECT_TRUE(comparison.is_achieved());
   EXPECT_GT(comparison.mean_error().distance, 0.001);
   EXPECT_LT(comparison.mean_error().distance, 0.005);
 }
 
-TEST(Comparison, ATurnOfAPartIsAnErrorUnlessItLooksTheSame) {
+TEST(StructureComparison, ATurnOfAPartIsAnErrorUnlessItLooksTheSame) {
   const scene::Block plank{{0.4, 0.1, 0.1}};
   const Structure structure{.objects = {ObjectAt("p", plank, {0, 0, 0.05}),
                                         ObjectAt("q", plank, {0, 0, 0.15}, kRed),
@@ -118,13 +118,13 @@ TEST(Comparison, ATurnOfAPartIsAnErrorUnlessItLooksTheSame) {
   };
   EXPECT_LT(with_turns(180, 90).mean_error().angle, 1e-6);
   EXPECT_TRUE(with_turns(180, 90).is_achieved());
-  const Comparison crossed = with_turns(90, 0);
+  const StructureComparison crossed = with_turns(90, 0);
   EXPECT_FALSE(crossed.is_achieved());
   EXPECT_NEAR(crossed.errors.at("q").angle + crossed.errors.at("p").angle, DegreesToRadians(90.0),
               1e-6);
 }
 
-TEST(Comparison, AStructureOnSomethingFixedMayStandNowhereElse) {
+TEST(StructureComparison, AStructureOnSomethingFixedMayStandNowhereElse) {
   Structure structure{.objects = {ObjectAt("tray", scene::Block{{0.4, 0.3, 0.1}}, {0, 0, 0.05}),
                                   CubeAt("c", {0.1, 0, 0.15})}};
   structure.objects[0].mass = 0;
@@ -135,12 +135,12 @@ TEST(Comparison, AStructureOnSomethingFixedMayStandNowhereElse) {
   outcome[1].whole.X_PE = outcome[0].pose_in_world() * RigidTransform(Vector3(-0.1, 0, 0.1));
   EXPECT_TRUE(CompareWith(structure, EpisodeTo(outcome)).is_achieved());
   outcome[1].whole.X_PE = outcome[0].pose_in_world() * RigidTransform(Vector3(0, 0.1, 0.1));
-  const Comparison aside = CompareWith(structure, EpisodeTo(outcome));
-  EXPECT_EQ(aside.share, 0.5);
+  const StructureComparison aside = CompareWith(structure, EpisodeTo(outcome));
+  EXPECT_EQ(aside.score, 0.5);
   EXPECT_EQ(aside.errors.at("tray").distance, 0);
 }
 
-TEST(Comparison, EndsSoonWhereAllLooksTheSame) {
+TEST(StructureComparison, EndsSoonWhereAllLooksTheSame) {
   Structure structure;
   for (int i = 0; i < 200; ++i) {
     structure.objects.push_back(
@@ -148,41 +148,41 @@ TEST(Comparison, EndsSoonWhereAllLooksTheSame) {
   }
   std::vector<scene::ObjectSpec> outcome = structure.objects;
   outcome[0].whole.X_PE = RigidTransform(Vector3(0.5, -0.5, 0.05));
-  EXPECT_GE(CompareWith(structure, EpisodeTo(outcome)).share, 0.9);
+  EXPECT_GE(CompareWith(structure, EpisodeTo(outcome)).score, 0.9);
 }
 
-TEST(Comparison, WhatAHandOrAGripperHoldsDoesNotCount) {
+TEST(StructureComparison, WhatAHandOrAGripperHoldsDoesNotCount) {
   using enum sim::EventKind;
   const Structure tower = Colored(Tower());
   Episode episode = EpisodeTo(tower.objects);
-  const auto touch = [&episode](const sim::Event& event) {
-    episode.touches.push_back({event, 1, {}});
+  const auto contact = [&episode](const sim::Event& event) {
+    episode.contacts.push_back({event, 1, {}});
   };
-  touch({.kind = kGripperHolds, .arm = "left", .object = "c"});
-  touch({.kind = kGrasped, .hand = sim::HandName::kRight, .object = "d"});
-  EXPECT_EQ(CompareWith(tower, episode).share, 0.5);
+  contact({.kind = kGripperHolds, .arm = "left", .object = "c"});
+  contact({.kind = kGrasped, .hand = sim::HandName::kRight, .object = "d"});
+  EXPECT_EQ(CompareWith(tower, episode).score, 0.5);
   EXPECT_TRUE(CompareWith(tower, episode).errors.at("c").is_held);
-  touch({.kind = kGripperHolds, .arm = "right", .object = "c"});
-  touch({.kind = kGripperLetGo, .arm = "left", .object = "c"});
-  EXPECT_EQ(CompareWith(tower, episode).share, 0.5) << "the other arm has it";
-  touch({.kind = kGripperLetGo, .arm = "right", .object = "c"});
-  touch({.kind = kReleased, .hand = sim::HandName::kRight, .object = "d"});
+  contact({.kind = kGripperHolds, .arm = "right", .object = "c"});
+  contact({.kind = kGripperLetGo, .arm = "left", .object = "c"});
+  EXPECT_EQ(CompareWith(tower, episode).score, 0.5) << "the other arm has it";
+  contact({.kind = kGripperLetGo, .arm = "right", .object = "c"});
+  contact({.kind = kReleased, .hand = sim::HandName::kRight, .object = "d"});
   EXPECT_TRUE(CompareWith(tower, episode).is_achieved());
 }
 
-TEST(Comparison, WhatIsHeldInAContainerIsNotPutInto) {
+TEST(StructureComparison, WhatIsHeldInAContainerIsNotPutInto) {
   Structure structure{.objects = {ObjectAt("box", scene::Box{}, {0.5, 0.3, 0.05})},
                       .effects = {ContainerEffect{"high", "box", true}},
                       .others = {CubeAt("high", {0.5, 0.3, 0.05})}};
   Episode episode = EpisodeBetween({structure.objects[0], CubeAt("high", {0, 0, 0.05})},
                                    {structure.objects[0], structure.others[0]});
   ASSERT_TRUE(CompareWith(structure, episode).is_achieved());
-  episode.touches.push_back(
+  episode.contacts.push_back(
       {{.kind = sim::EventKind::kGripperHolds, .arm = "left", .object = "high"}, 1, {}});
-  EXPECT_EQ(CompareWith(structure, episode).share, 0.5);
+  EXPECT_EQ(CompareWith(structure, episode).score, 0.5);
 }
 
-TEST(Comparison, TellsWhichPlacementsCameInTheOrderShown) {
+TEST(StructureComparison, TellsWhichPlacementsCameInTheOrderShown) {
   const Structure tower = Colored(Tower());
   Episode episode = EpisodeTo(tower.objects);
   const auto carry = [&](std::size_t i) {
@@ -196,7 +196,7 @@ TEST(Comparison, TellsWhichPlacementsCameInTheOrderShown) {
   Order order = CompareWith(tower, episode).order;
   EXPECT_EQ(order.done, (std::vector<std::string>{"b", "a", "c", "d"}));
   EXPECT_FALSE(order.is_kept());
-  EXPECT_DOUBLE_EQ(order.share, 5.0 / 6);
+  EXPECT_DOUBLE_EQ(order.fraction, 5.0 / 6);
   // Only the last time counts.
   carry(1);
   carry(2);
@@ -205,10 +205,10 @@ TEST(Comparison, TellsWhichPlacementsCameInTheOrderShown) {
 }
 
 TEST(Order, WhatWasInPlaceAlreadyCameFirst) {
-  EXPECT_EQ(OrderOf({"a", "b"}, {"b"}, {"a"}).share, 1);
-  EXPECT_EQ(OrderOf({"a", "b"}, {"a"}, {"b"}).share, 0);
-  EXPECT_EQ(OrderOf({"a", "b"}, {"b"}, {}).share, 0);
-  EXPECT_EQ(OrderOf({"a"}, {}, {}).share, 1);
+  EXPECT_EQ(OrderOf({"a", "b"}, {"b"}, {"a"}).fraction, 1);
+  EXPECT_EQ(OrderOf({"a", "b"}, {"a"}, {"b"}).fraction, 0);
+  EXPECT_EQ(OrderOf({"a", "b"}, {"b"}, {}).fraction, 0);
+  EXPECT_EQ(OrderOf({"a"}, {}, {}).fraction, 1);
 }
 
 TEST(MatchObjects, PrefersIdsThenLooks) {

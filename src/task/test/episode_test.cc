@@ -26,7 +26,8 @@ class EpisodeObserverTest : public ::testing::Test {
   void Do(const sim::Command& command) { ASSERT_EQ(simulation_.Apply(command), std::nullopt); }
   std::vector<EventKind> Touches() const {
     std::vector<EventKind> kinds;
-    for (const Touch& touch : observer_.episode().touches) kinds.push_back(touch.event.kind);
+    for (const ContactEvent& contact : observer_.episode().contacts)
+      kinds.push_back(contact.event.kind);
     return kinds;
   }
 
@@ -98,8 +99,9 @@ TEST_F(EpisodeProperty, AnObserverReportsWhatTheRecordingShows) {
     for (unsigned ticks = random() % 3 * 4; ticks > 0; --ticks) simulation.Tick();
   }
   EXPECT_GT(num_redone, 0);
-  const std::vector<Touch> told = observer.episode().touches;
-  const std::vector<Touch> shown = EpisodeOf(recording::OpenRecording(root_ / "demo")).touches;
+  const std::vector<ContactEvent> told = observer.episode().contacts;
+  const std::vector<ContactEvent> shown =
+      EpisodeOf(recording::OpenRecording(root_ / "demo")).contacts;
   EXPECT_GT(told.size(), 5u);
   ASSERT_EQ(told.size(), shown.size());
   for (std::size_t i = 0; i < told.size(); ++i) {

@@ -43,9 +43,9 @@ TEST(FailureReason, WhatIsStillHeldIsNotPlaced) {
   Carry("high", episode.begin.objects[1].pose_in_world(), episode.end.objects[1].pose_in_world(),
         &episode);
   EXPECT_EQ(WordOf(episode), "");
-  episode.touches.pop_back();
+  episode.contacts.pop_back();
   EXPECT_EQ(WordOf(episode), "still_held: high is still held");
-  EXPECT_EQ(CompareWith(Pair(), episode).share, 0.5);
+  EXPECT_EQ(CompareWith(Pair(), episode).score, 0.5);
 }
 
 TEST(FailureReason, IsTheFirstThatFits) {
@@ -61,7 +61,7 @@ TEST(FailureReason, IsTheFirstThatFits) {
   EXPECT_EQ(WordOf(EndingAt({0.3, 0, 0.15})), "not_placed: high is 300 mm from its place");
 
   Episode fallen = EndingAt({0, -3, -0.5});
-  fallen.touches.push_back({{.kind = sim::EventKind::kFell, .object = "high"}, 3, {}});
+  fallen.contacts.push_back({{.kind = sim::EventKind::kFell, .object = "high"}, 3, {}});
   EXPECT_EQ(WordOf(fallen, {.status = "running"}), "fell_off_table: high fell off the table");
   EXPECT_EQ(WordOf(fallen, {.status = "failed", .message = "no"}),
             "brain_failed: the brain failed: no");
@@ -72,7 +72,7 @@ TEST(FailureReason, AMissingEffectIsOne) {
   structure.objects.push_back(ObjectAt("box", scene::Box{}, {0.5, 0.3, 0.05}));
   structure.effects = {ContainerEffect{"high", "box", true}};
   const Episode episode = EpisodeTo(structure.objects);
-  EXPECT_DOUBLE_EQ(CompareWith(structure, episode).share, 0.75);
+  EXPECT_DOUBLE_EQ(CompareWith(structure, episode).score, 0.75);
   EXPECT_EQ(WordOf(episode, {.status = "exited"}, structure),
             "effect_missing: not achieved: high put into box");
 }

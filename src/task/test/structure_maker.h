@@ -58,8 +58,8 @@ inline std::vector<scene::ObjectSpec> Moved(std::vector<scene::ObjectSpec> objec
 inline void Carry(const std::string& object, const RigidTransform& from, const RigidTransform& to,
                   Episode* episode) {
   using enum sim::EventKind;
-  episode->touches.push_back({{.kind = kGripperHolds, .arm = "left", .object = object}, 1, from});
-  episode->touches.push_back({{.kind = kGripperLetGo, .arm = "left", .object = object}, 2, to});
+  episode->contacts.push_back({{.kind = kGripperHolds, .arm = "left", .object = object}, 1, from});
+  episode->contacts.push_back({{.kind = kGripperLetGo, .arm = "left", .object = object}, 2, to});
 }
 
 }  // namespace smile::task

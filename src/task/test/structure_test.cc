@@ -134,8 +134,8 @@ TEST_F(StructureTest, IsAchievedByItselfAndNotByDoingNothing) {
     const recording::Recording recording = Play(scene);
     const Structure structure = StructureOf(recording);
     const Episode episode = EpisodeOf(recording);
-    const Comparison itself = CompareWith(structure, episode);
-    EXPECT_EQ(itself.share, 1) << scene;
+    const StructureComparison itself = CompareWith(structure, episode);
+    EXPECT_EQ(itself.score, 1) << scene;
     EXPECT_LT(itself.mean_error().distance, 1e-9) << scene;
     EXPECT_TRUE(itself.order.is_kept()) << scene;
     EXPECT_EQ(FailureReasonOf(structure, episode, itself, {.status = "exited"}), std::nullopt);
@@ -144,8 +144,8 @@ TEST_F(StructureTest, IsAchievedByItselfAndNotByDoingNothing) {
 
     Episode idle = episode;
     idle.end = episode.begin;
-    idle.touches.clear();
-    const Comparison nothing = CompareWith(structure, idle);
+    idle.contacts.clear();
+    const StructureComparison nothing = CompareWith(structure, idle);
     EXPECT_FALSE(nothing.is_achieved()) << scene;
     EXPECT_FALSE(std::ranges::all_of(nothing.achieved, std::identity())) << scene;
     const auto reason = FailureReasonOf(structure, idle, nothing, {.status = "exited"});
@@ -163,7 +163,7 @@ Episode ThreeBlocks() {
 
 void Note(EventKind kind, const std::string& object, const Vector3& p, Episode* episode,
           const std::string& arm = "left") {
-  episode->touches.push_back({{.kind = kind, .arm = arm, .object = object}, 1, RigidTransform(p)});
+  episode->contacts.push_back({{.kind = kind, .arm = arm, .object = object}, 1, RigidTransform(p)});
 }
 
 TEST(Episode, WhatIsNotMovedIsNotPlacedAndWhatIsHeldNotYet) {

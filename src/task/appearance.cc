@@ -1,4 +1,4 @@
-#include "task/looks.h"
+#include "task/appearance.h"
 
 #include <algorithm>
 
@@ -20,11 +20,11 @@ std::vector<Color> KindsOf(const std::vector<Color>& colors) {
 }
 
 /// Returns the size of the bounding box along the object's own axes [m].
-Vector3 ExtentOf(const Looks& looks) {
+Vector3 ExtentOf(const Appearance& looks) {
   return scene::BoundsOf(looks.form, RigidTransform()).size();
 }
 
-const std::string* DescriptionOf(const Looks& looks, const std::string& name) {
+const std::string* DescriptionOf(const Appearance& looks, const std::string& name) {
   const auto found = std::ranges::find(looks.descriptions, name, &scene::Description::name);
   return found != looks.descriptions.end() ? &found->value : nullptr;
 }
@@ -36,13 +36,13 @@ bool AreEqualDescriptions(const std::string* a, const std::string* b) {
 
 /// False for the three properties that refer to the placement of an object and not to its
 /// appearance.
-bool IsAboutLooks(const std::string& property) {
+bool IsAboutAppearance(const std::string& property) {
   return property != "position" && property != "orientation" && property != "order";
 }
 
 /// True if two objects agree in one property. Color and size are measured; any other property is
 /// compared by description.
-bool Agree(const Looks& a, const Looks& b, const std::string& property) {
+bool Agree(const Appearance& a, const Appearance& b, const std::string& property) {
   if (property == "color") return KindsOf(a.colors) == KindsOf(b.colors);
   if (property == "size") return (ExtentOf(a) - ExtentOf(b)).cwiseAbs().maxCoeff() < kEqualLengths;
   const std::string* of_a = DescriptionOf(a, property);
@@ -56,11 +56,11 @@ bool Agree(const Looks& a, const Looks& b, const std::string& property) {
 
 }  // namespace
 
-Looks LooksOf(const scene::ObjectSpec& object) {
-  Looks looks{.form = scene::SolidsOf(object.whole),
-              .colors = {},
-              .shape = object.whole.shape.index(),
-              .descriptions = object.descriptions};
+Appearance AppearanceOf(const scene::ObjectSpec& object) {
+  Appearance looks{.form = scene::SolidsOf(object.whole),
+                   .colors = {},
+                   .shape = object.whole.shape.index(),
+                   .descriptions = object.descriptions};
   for (scene::Solid& solid : looks.form) {
     looks.colors.push_back(solid.color);
     // Ids and colors are erased so that `form` compares geometry alone.
@@ -70,12 +70,13 @@ Looks LooksOf(const scene::ObjectSpec& object) {
   return looks;
 }
 
-bool AreAlike(const Looks& wanted, const Looks& other, const std::vector<std::string>& properties) {
-  if (std::ranges::none_of(properties, IsAboutLooks)) {
+bool AreAlike(const Appearance& wanted, const Appearance& other,
+              const std::vector<std::string>& properties) {
+  if (std::ranges::none_of(properties, IsAboutAppearance)) {
     return wanted.form == other.form && wanted.colors == other.colors;
   }
   return std::ranges::all_of(properties, [&](const std::string& property) {
-    return !IsAboutLooks(property) || Agree(wanted, other, property);
+    return !IsAboutAppearance(property) || Agree(wanted, other, property);
   });
 }
 

@@ -18,6 +18,6 @@ namespace smile::robot {
 /// @param prefix  put before the names of links: `left_`.
 /// @throws std::invalid_argument naming the link that is missing.
 /// @throws std::runtime_error or InputError if the file is missing or damaged.
-void AddLook(std::string_view name, const std::string& prefix, RobotModel* model);
+void AddAppearance(std::string_view name, const std::string& prefix, RobotModel* model);
 
 }  // namespace smile::robot

@@ -13,12 +13,12 @@ struct Span {
   double from = 0, to = 0;
 };
 
-/// Probe of object surfaces: measures the objects of a model along lines, for hands that take hold
-/// of them.
-class Touch {
+/// Surface probe: intersects lines and points with the objects of a model, to place the fingers of
+/// a hand.
+class SurfaceProbe {
  public:
   /// @param model  must outlive this. Its robot is ignored.
-  explicit Touch(const model::Model& model);
+  explicit SurfaceProbe(const model::Model& model);
 
   /// Returns the parts of a line inside the pieces fixed to a frame F, in order; touching parts are
   /// merged.

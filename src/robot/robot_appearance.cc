@@ -1,4 +1,4 @@
-#include "robot/robot_look.h"
+#include "robot/robot_appearance.h"
 
 #include <map>
 #include <optional>
@@ -13,13 +13,13 @@ namespace smile::robot {
 namespace {
 
 /// Piece of a link in one color.
-struct LookPiece {
+struct AppearancePiece {
   std::string link;
   Color color;
   std::shared_ptr<const scene::CustomMesh> mesh;
   std::optional<FaceExpression> face_expression;  ///< visible only with this face expression
 };
-using Look = std::vector<LookPiece>;
+using Appearance = std::vector<AppearancePiece>;
 
 /// Returns the face expression in a node's extras, if any.
 std::optional<FaceExpression> FaceExpressionOf(const mesh::MeshPiece& piece) {
@@ -27,29 +27,29 @@ std::optional<FaceExpression> FaceExpressionOf(const mesh::MeshPiece& piece) {
   if (it == piece.extras.end()) return std::nullopt;
   const auto face_expression = ParseFaceExpression(it->get<std::string>());
   if (!face_expression)
-    throw std::runtime_error("a look shows the unknown mood " + Quoted(it->dump()));
+    throw std::runtime_error("an appearance has the unknown face expression " + Quoted(it->dump()));
   return face_expression;
 }
 
-Look LoadLook(const std::string& name) {
-  Look look;
+Appearance LoadAppearance(const std::string& name) {
+  Appearance appearance;
   for (mesh::MeshPiece& piece : mesh::ImportPieces(DataFile("robots/looks/" + name + ".glb"))) {
-    look.push_back({piece.node, piece.color, std::move(piece.mesh), FaceExpressionOf(piece)});
+    appearance.push_back({piece.node, piece.color, std::move(piece.mesh), FaceExpressionOf(piece)});
   }
-  return look;
+  return appearance;
 }
 
 /// Returns a look, loaded on first use.
-const Look& LookNamed(std::string_view name) {
-  static const std::map<std::string, Look, std::less<>> kLooks = {{"baxter", LoadLook("baxter")},
-                                                                  {"classic", LoadLook("classic")}};
-  return kLooks.at(std::string(name));
+const Appearance& AppearanceNamed(std::string_view name) {
+  static const std::map<std::string, Appearance, std::less<>> kAppearances = {
+      {"baxter", LoadAppearance("baxter")}, {"classic", LoadAppearance("classic")}};
+  return kAppearances.at(std::string(name));
 }
 
 }  // namespace
 
-void AddLook(std::string_view name, const std::string& prefix, RobotModel* model) {
-  for (const LookPiece& piece : LookNamed(name)) {
+void AddAppearance(std::string_view name, const std::string& prefix, RobotModel* model) {
+  for (const AppearancePiece& piece : AppearanceNamed(name)) {
     const auto frame = FindFrame(*model, prefix + piece.link);
     if (!frame) {
       throw std::invalid_argument("the robot has no link " + Quoted(prefix + piece.link));

@@ -1,4 +1,4 @@
-#include "picture/touch.h"
+#include "picture/surface_probe.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -67,7 +67,7 @@ std::vector<Span> Within(const mesh::TriangleMesh& mesh, const Vector3& p,
 
 }  // namespace
 
-Touch::Touch(const model::Model& model) : visual_model_(model.visual_model()) {
+SurfaceProbe::SurfaceProbe(const model::Model& model) : visual_model_(model.visual_model()) {
   for (const scene::Visual& visual : visual_model_.visuals) {
     const model::FrameIndex frame(static_cast<std::size_t>(visual.frame));
     const bool is_felt = model.object_of(frame).has_value();
@@ -75,8 +75,8 @@ Touch::Touch(const model::Model& model) : visual_model_(model.visual_model()) {
   }
 }
 
-std::vector<Span> Touch::Along(model::FrameIndex frame, const std::vector<int>& looks,
-                               const Vector3& p_FQ, const Vector3& direction) const {
+std::vector<Span> SurfaceProbe::Along(model::FrameIndex frame, const std::vector<int>& looks,
+                                      const Vector3& p_FQ, const Vector3& direction) const {
   std::vector<Span> spans;
   for (std::size_t i = 0; i < meshes_.size(); ++i) {
     const scene::Visual& visual = visual_model_.visuals[i];
@@ -103,8 +103,8 @@ std::vector<Span> Touch::Along(model::FrameIndex frame, const std::vector<int>& 
   return merged;
 }
 
-Span Touch::Around(model::FrameIndex frame, const std::vector<int>& looks, const Vector3& p_FQ,
-                   const Vector3& direction) const {
+Span SurfaceProbe::Around(model::FrameIndex frame, const std::vector<int>& looks,
+                          const Vector3& p_FQ, const Vector3& direction) const {
   constexpr double kOnSurface = 1e-3;
   for (const Span& span : Along(frame, looks, p_FQ, direction)) {
     if (span.from <= kOnSurface && span.to >= -kOnSurface) {
@@ -114,8 +114,8 @@ Span Touch::Around(model::FrameIndex frame, const std::vector<int>& looks, const
   return {};
 }
 
-Vector3 Touch::PointWithin(model::FrameIndex frame, const std::vector<int>& looks,
-                           const Vector3& p_FQ) const {
+Vector3 SurfaceProbe::PointWithin(model::FrameIndex frame, const std::vector<int>& looks,
+                                  const Vector3& p_FQ) const {
   constexpr double kBelow = 0.012;
   const Span up = Around(frame, looks, p_FQ, Vector3::UnitZ());
   if (up.to > up.from) return p_FQ;

@@ -12,22 +12,23 @@ namespace smile::task {
 /// Properties that matter, by object id, as the demonstrator specified.
 using Attention = std::map<std::string, std::vector<std::string>>;
 
-/// Appearance of an object, apart from where it is and what it is called.
-struct Looks {
+/// Appearance of an object, without its pose and id.
+struct Appearance {
   std::vector<scene::Solid> form;  ///< its pieces, without ids and colors
   std::vector<Color> colors;       ///< of the pieces
   std::size_t shape = 0;           ///< index of the alternative of scene::Shape
   std::vector<scene::Description> descriptions;
 };
-Looks LooksOf(const scene::ObjectSpec& object);
+Appearance AppearanceOf(const scene::ObjectSpec& object);
 
 /// True if one object can be the counterpart of another: without their ids they are
 /// indistinguishable.
 ///
-/// @param properties  that matter of `wanted`. Only `color`, `size` (its extent along its own
-///                    axes), `shape` (as described: a plank is a block) and its descriptions are
-///                    about appearance. If none of these is specified, everything visible counts.
-bool AreAlike(const Looks& wanted, const Looks& other,
+/// @param properties  that matter of `wanted`. Of these only `color`, `size` (its extent along its
+///                    own axes), `shape` (as described: a plank is a block) and its descriptions
+///                    concern the appearance. If none of these is given, all visible properties
+///                    count.
+bool AreAlike(const Appearance& wanted, const Appearance& other,
               const std::vector<std::string>& properties = {});
 
 }  // namespace smile::task

@@ -1,4 +1,4 @@
-#include "robot/robot_look.h"
+#include "robot/robot_appearance.h"
 
 #include <gtest/gtest.h>
 
@@ -32,14 +32,14 @@ bool IsClosedAndOutwards(const Surface& surface) {
   return volume > 0;
 }
 
-TEST(RobotLook, IsMadeOfClosedShells) {
+TEST(RobotAppearance, IsMadeOfClosedShells) {
   for (const LinkVisual& visual : Baxter().visuals) {
     if (visual.face_expression) continue;  // the display is flat
     EXPECT_TRUE(IsClosedAndOutwards(SurfaceOf(visual))) << "link " << visual.link;
   }
 }
 
-TEST(RobotLook, IsRichAndYetDrawnQuickly) {
+TEST(RobotAppearance, IsRichAndYetDrawnQuickly) {
   std::size_t triangles = 0;
   std::set<const scene::CustomMesh*> meshes;
   for (const LinkVisual& visual : Baxter().visuals) {
@@ -52,7 +52,7 @@ TEST(RobotLook, IsRichAndYetDrawnQuickly) {
   EXPECT_LT(meshes.size(), 45u) << "both arms share theirs";
 }
 
-TEST(RobotLook, IsAsLargeAsTheRealRobot) {
+TEST(RobotAppearance, IsAsLargeAsTheRealRobot) {
   constexpr double kHeight = 1.80, kTolerance = 0.01;  // on its pedestal [m]
   Eigen::Vector3d low = Vector3::Zero(), high = Vector3::Zero();
   for (const LinkVisual& visual : Baxter().visuals) {
@@ -68,7 +68,7 @@ TEST(RobotLook, IsAsLargeAsTheRealRobot) {
   EXPECT_NEAR(high.y() - low.y(), 0.81, kTolerance);
 }
 
-TEST(RobotLook, FingersLieWithinTheBoxesThatCollide) {
+TEST(RobotAppearance, FingersLieWithinTheBoxesThatCollide) {
   constexpr double kRound = 1e-6;  // single precision
   for (const Arm& arm : Baxter().arms) {
     for (const int finger : {arm.gripper->left_finger, arm.gripper->right_finger}) {
@@ -85,7 +85,7 @@ TEST(RobotLook, FingersLieWithinTheBoxesThatCollide) {
   }
 }
 
-TEST(RobotLook, HasAFaceForEveryExpression) {
+TEST(RobotAppearance, HasAFaceForEveryExpression) {
   std::map<FaceExpression, std::set<const scene::CustomMesh*>> faces;
   for (const LinkVisual& visual : Baxter().visuals) {
     if (!visual.face_expression) continue;
@@ -102,13 +102,13 @@ TEST(RobotLook, HasAFaceForEveryExpression) {
   EXPECT_EQ(faces.size(), kFaceExpressions.size());
 }
 
-TEST(RobotLook, IsRefusedToARobotWithoutItsArms) {
+TEST(RobotAppearance, IsRefusedToARobotWithoutItsArms) {
   RobotModel model = Baxter();
   std::erase_if(model.frames, [](const Frame& frame) { return frame.name == "right_wrist"; });
-  EXPECT_THROW(AddLook("baxter", "", &model), std::invalid_argument);
+  EXPECT_THROW(AddAppearance("baxter", "", &model), std::invalid_argument);
 }
 
-TEST(RobotLook, OfAGripperIsThatOfItsOwnDescription) {
+TEST(RobotAppearance, OfAGripperIsThatOfItsOwnDescription) {
   const auto shows = [](const RobotModel& model, bool as_mesh) {
     return std::ranges::any_of(model.visuals, [&](const LinkVisual& visual) {
       return visual.link == model.arms[1].gripper->left_finger &&

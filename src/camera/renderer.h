@@ -28,7 +28,7 @@ struct RenderOptions {
   bool ids = false;
   RenderStyle style = RenderStyle::kRobotEye;
   std::optional<Color> background;   ///< in place of that of the style
-  std::vector<int> excluded_frames;  ///< nothing fixed to these is there, nor casts a shadow
+  std::vector<int> excluded_frames;  ///< nothing fixed to these is drawn or casts a shadow
 };
 
 /// Renderer of a scene without window or screen: a simulated camera.

@@ -54,7 +54,7 @@ Places PlacesOfPlaceholders(const ClassicRecording& recording) {
   return places;
 }
 
-/// What placeholder objects cannot show, and what is only known of them.
+/// Returns remarks on what placeholder objects cannot represent.
 std::vector<std::string> RemarksOnPlaceholders(const ClassicRecording& recording,
                                                const scene::SceneSpec& scene) {
   std::set<std::string> controls;

@@ -1,13 +1,13 @@
 // Assembly and solution of the joint equations. In block form, with the joint impulses x and the
-// scaled velocity changes u of the hubs,
+// scaled velocity changes u of the supernodes,
 //
 //     [ A    B ] [ x ]   [ wanted speeds ]
 //     [ B^T -I ] [ u ] = [ 0             ]
 //
-// A holds the responses through light bodies, B = J_hub R with W_hub = R R^T. Eliminating u gives
-// A + B B^T = J W J^T. The matrix is quasidefinite, so L D L^T exists for each order in which a
-// joint with a zero block in A comes after one of its hubs. docs/decisions/physics.md has the
-// measurements.
+// A holds the responses through low-degree bodies, B = J_hub R with W_hub = R R^T. Eliminating u
+// gives A + B B^T = J W J^T. The matrix is quasidefinite, so L D L^T exists for each order in which
+// a joint with a zero block in A comes after one of its supernodes. docs/decisions/physics.md has
+// the measurements.
 
 #include "physics/internal_joint_block.h"
 
@@ -30,7 +30,7 @@ constexpr double kReturnSoftness = 0.1;
 /// hundredth of it.
 constexpr double kMaxWork = 3e7;
 
-/// Unknowns of a hub: linear and angular velocity change.
+/// Unknowns of a supernode: linear and angular velocity change.
 constexpr int kSupernodeRows = 6;
 /// A body with more joints than this is a supernode.
 constexpr std::size_t kMaxJointsOfLowDegree = 2;
@@ -75,7 +75,8 @@ class SupernodeScale {
     }
   }
 
-  /// Returns the row of B: the derivative of the speed along a row by each unknown of the hub.
+  /// Returns the row of B: the derivative of the speed along a row by each unknown of the
+  /// supernode.
   std::array<double, kSupernodeRows> SpeedsOf(const Side& side) const {
     const btVector3 linear = side.normal * root_inverse_mass_;
     const btVector3 angular = side.turn * root_;  // transposed times turn
@@ -144,7 +145,7 @@ void JointBlock::Factor(btAlignedObjectArray<btSolverBody>& bodies) {
   FactorSoftened(kSoftness, &matrix_);
 }
 
-/// Sorts movable bodies into light ones and hubs, in the order of their joints.
+/// Sorts movable bodies into low-degree ones and supernodes, in the order of their joints.
 void JointBlock::FindJointsOfBodies(const btAlignedObjectArray<btSolverBody>& bodies) {
   joints_of_.resize(std::max<std::size_t>(joints_of_.size(), bodies.size()));
   for (auto& joints : joints_of_) joints.clear();
@@ -165,14 +166,14 @@ void JointBlock::FindJointsOfBodies(const btAlignedObjectArray<btSolverBody>& bo
                 [this](int body) { return joints_of_[body].size() > kMaxJointsOfLowDegree; });
 }
 
-/// Builds the graph of the matrix. Nodes are the joints, followed by the hubs.
+/// Builds the graph of the matrix. Nodes are the joints, followed by the supernodes.
 void JointBlock::FindGraph() {
   graph_.sizes.clear();
   for (const JointRows& joint : joints_) graph_.sizes.push_back(joint.count);
   graph_.sizes.resize(joints_.size() + supernodes_.size(), kSupernodeRows);
   graph_.neighbours.assign(graph_.sizes.size(), {});
   graph_.is_deferred.assign(graph_.sizes.size(), false);
-  // A joint without a light body has a zero block in A and must wait for a hub.
+  // A joint without a low-degree body has a zero block in A and must wait for a supernode.
   std::fill_n(graph_.is_deferred.begin(), joints_.size(), true);
   const auto connect = [this](int a, int b) {
     graph_.neighbours[a].push_back(b);
@@ -207,7 +208,7 @@ void JointBlock::PlaceRows() {
   }
 }
 
-/// Fills in A through light bodies, and B through hubs.
+/// Fills in A through low-degree bodies, and B through supernodes.
 void JointBlock::Assemble(const btAlignedObjectArray<btSolverBody>& bodies) {
   for (int body : low_degree_bodies_) {
     const double inverse_mass = bodies[body].internalGetInvMass().x();
@@ -239,7 +240,8 @@ void JointBlock::AssemblePair(int joint, int other, int body, double inverse_mas
   }
 }
 
-/// The supernode's unknowns are its velocity change, scaled so that its inertia is 1.
+/// Fills in -I and the blocks of B or B^T, depending on whether the joint or the supernode comes
+/// first.
 void JointBlock::AssembleSupernode(int node, int body, const btSolverBody& solver_body) {
   const int place = elimination_.place_of_node[node];
   if (place < 0) return;

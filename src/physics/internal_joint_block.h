@@ -16,9 +16,10 @@ namespace smile::physics {
 ///
 /// With the rows' Jacobian J and the inverse masses W, the impulses x satisfy (J W J^T) x = wanted
 /// velocity changes. In this matrix the joints of one body form a full block. For a body with more
-/// than two joints, a hub, that block would be large, so the velocity change of a hub is an unknown
-/// of its own, which has entries in common only with its joints. The matrix is factored once per
-/// step and used in every iteration. The cost of chains, trees and hubs is linear in their size.
+/// than two joints, a supernode, that block would be large, so the velocity change of a supernode
+/// is an unknown of its own, which has entries in common only with its joints. The matrix is
+/// factored once per step and used in every iteration. The cost of chains, trees and supernodes is
+/// linear in their size.
 ///
 /// Velocity errors can always be removed; position errors may not be, as in a taut chain that is
 /// too long for its ends: solved exactly, that would demand unbounded impulses. The speeds with

@@ -33,7 +33,7 @@ class CannotRun : public std::runtime_error {
 
 /// Program in a process group of its own, with empty standard input and its output in a pipe. It
 /// ends with the thread that started it, and with this object; so does every process that it
-/// started, wherever it is: `smile-keeper` runs between this process and the program, and all its
+/// started, wherever it is: `smile-supervisor` runs between this process and the program, and all its
 /// descendants are reparented to it.
 class ChildProcess {
  public:

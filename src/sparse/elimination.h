@@ -8,8 +8,8 @@ namespace smile::sparse {
 /// Sparsity pattern of a symmetric block matrix: a node per block row, an edge per nonzero block
 /// off the diagonal.
 struct BlockGraph {
-  std::vector<int> sizes;                    ///< of each node: its number of scalar rows
-  std::vector<std::vector<int>> neighbours;  ///< of each node, ascending, both ways
+  std::vector<int> sizes;                    ///< number of scalar rows of each node
+  std::vector<std::vector<int>> neighbours;  ///< of each node, ascending; symmetric
   /// Deferred nodes, by node: such a node has no pivots of its own before its first neighbor is
   /// eliminated. Deferred nodes are not neighbors of each other.
   std::vector<bool> is_deferred;

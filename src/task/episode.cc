@@ -20,7 +20,8 @@ bool IsContact(sim::EventKind kind) {
          kind == kFell || kind == kGripperHolds || kind == kGripperLetGo;
 }
 
-/// @returns nullopt if the event is no contact with an object of the scene.
+/// Returns the contact of an event with the object's pose at `now`; nullopt for other events and
+/// for objects that are not in the scene.
 std::optional<ContactEvent> ContactOf(const sim::Event& event, const recording::TraceTick& now,
                                       const scene::SceneSpec& scene) {
   if (!IsContact(event.kind)) return std::nullopt;
@@ -160,6 +161,7 @@ void EpisodeObserver::OnEvent(const sim::Simulation& simulation, const sim::Even
   auto contact = ContactOf(event, recording::Observe(simulation), simulation.scene());
   if (!contact) return;
   const sim::Action& action = simulation.history().current();
+  // Contacts belong to the current action, so an undo removes them together with the action.
   contacts_[action.id].push_back({*std::move(contact), action.events.size()});
 }
 

@@ -38,6 +38,7 @@ class Maker {
   void Add(const std::string& id, const std::string& word, const scene::Shape& shape, double bottom,
            const Color& color, double mass = 1, double x = 0) {
     scene::ObjectSpec object{.whole = {.id = id, .color = color, .shape = shape}, .mass = mass};
+    // The lowest point depends on the shape.
     const scene::Bounds bounds = scene::BoundsOf(scene::SolidsOf(object.whole), RigidTransform());
     object.whole.X_PE = RigidTransform(Vector3(Meters(x), 0, Meters(bottom) - bounds.low.z()));
     object.descriptions = {{"shape", word}, {"color", ToString(color)}};
@@ -156,6 +157,7 @@ class PlaceFinder {
       const double x = Uniform(random, -context_.table.x_span / 2, context_.table.x_span / 2);
       const double y = Uniform(random, -context_.table.y_span / 2, context_.table.y_span / 2);
       const RigidTransform X_WA(RotationFromFixedAxes({0, 0, Uniform(random, 0, 90)}), {x, y, 0});
+      // The common bounds of all objects, which move as one.
       scene::Bounds bounds;
       for (const scene::ObjectSpec& thing : things) bounds.Add(BoundsIn(thing, X_WA));
       if (IsFree(bounds)) return X_WA;

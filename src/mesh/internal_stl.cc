@@ -44,6 +44,7 @@ void ReadBinary(std::string_view bytes, TriangleSoup* soup) {
   }
   for (std::size_t i = 0; i < count; ++i) {
     std::array<TriangleSoup::Corner, 4> rows;  // the first is the normal
+    // Without the 2 bytes of attributes at the end.
     static_assert(sizeof rows == 48);
     std::memcpy(rows.data(), bytes.data() + kHeaderBytes + kTriangleBytes * i, sizeof rows);
     soup->Add(rows[1], rows[2], rows[3]);
@@ -110,6 +111,7 @@ std::string StlOf(const scene::SurfaceMesh& mesh) {
   for (const scene::SurfaceMesh::Triangle& triangle : mesh.triangles) {
     const Eigen::Vector3f &a = mesh.vertices.at(triangle[0]), &b = mesh.vertices.at(triangle[1]),
                           &c = mesh.vertices.at(triangle[2]);
+    // The normal is in the mesh's axes; Append() converts it.
     const Eigen::Vector3d normal = (b - a).cast<double>().cross((c - a).cast<double>());
     Append(normal.normalized().cast<float>(), &bytes);
     for (const Eigen::Vector3f& corner : {a, b, c}) Append(corner, &bytes);

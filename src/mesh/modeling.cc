@@ -127,6 +127,7 @@ Outline StadiumOutline(double length, double width, int sides) {
   for (int end : {1, -1}) {
     for (int k = 0; k <= half; ++k) {
       const double angle = std::numbers::pi * (static_cast<double>(k) / half - 0.5);
+      // Half a circle about either center; both run counter-clockwise.
       outline.emplace_back(end * (shift + radius * std::cos(angle)),
                            end * radius * std::sin(angle));
     }
@@ -157,6 +158,7 @@ Outline SuperellipseOutline(const Cut& cut, int sides) {
   const Vector2d center((cut.x_min + cut.x_max) / 2, (cut.y_min + cut.y_max) / 2);
   const Vector2d half((cut.x_max - cut.x_min) / 2, (cut.y_max - cut.y_min) / 2);
   const auto bulged = [&](double share) {
+    // Parametric form: the angle is evenly spaced, the point is not.
     return std::copysign(std::pow(std::abs(share), 2 / cut.exponent), share);
   };
   Outline outline;
@@ -211,6 +213,7 @@ scene::SurfaceMesh Extrusion(const Outline& outline, double z_min, double z_max,
   for (int end : {0, 1}) {
     for (int k = 0; k <= edge_sides; ++k) {
       const double angle = std::numbers::pi / 2 * (end == 0 ? k : edge_sides - k) / edge_sides;
+      // A quarter circle in the plane of the edge's cross section.
       const double inset = edge_radius * (1 - std::sin(angle));
       const double rise = edge_radius * (1 - std::cos(angle));
       add(inset, end == 0 ? z_min + rise : z_max - rise);

@@ -60,6 +60,7 @@ void AddCap(const std::vector<Vector3f>& circle, float side, TriangleMesh* mesh)
   const auto facets = static_cast<std::uint32_t>(circle.size());
   for (std::uint32_t k = 0; k < facets; ++k) {
     const std::uint32_t here = center + 1 + k, next = center + 1 + (k + 1) % facets;
+    // Counter-clockwise seen from outside: the lower cap is reversed.
     mesh->triangles.push_back({center, side > 0 ? here : next, side > 0 ? next : here});
   }
 }
@@ -95,6 +96,7 @@ TriangleMesh MakeSphere(int facets) {
   // Corners: south pole, rings from south to north, north pole.
   const std::uint32_t south = add(-Vector3f::UnitY());
   for (int ring = 1; ring <= num_rings; ++ring) {
+    // Rings at equal angles of latitude, without the poles.
     const double latitude = std::numbers::pi * (static_cast<double>(ring) / (num_rings + 1) - 0.5);
     const auto width = static_cast<float>(std::cos(latitude));
     const auto height = static_cast<float>(std::sin(latitude));
@@ -147,6 +149,7 @@ std::weak_ordering SharedSurface::operator<=>(const SharedSurface& other) const 
   if (mesh == other.mesh) return std::weak_ordering::equivalent;
   if (!mesh || !other.mesh) return !mesh <=> !other.mesh;
   const scene::SurfaceMesh &a = mesh->surface, &b = other.mesh->surface;
+  // Sizes first: a cheap test that separates most surfaces.
   if (const auto order = a.vertices.size() <=> b.vertices.size(); order != 0) return order;
   const auto vertices = std::lexicographical_compare_three_way(
       a.vertices.begin(), a.vertices.end(), b.vertices.begin(), b.vertices.end(), Compare);

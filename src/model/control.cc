@@ -47,6 +47,7 @@ std::optional<ControlState> WithRecordedState(const Control& control, const Cont
   if (const auto* toggle = std::get_if<ToggleSwitch>(&control.part->shape)) {
     if (recorded != "0" && recorded != "1") return std::nullopt;
     const int position = recorded == "1" ? 1 : 0;
+    // A change of position is one press of the switch, and so one state further.
     if (position == state.position) return state;
     return ControlState{.state = (state.state + 1) % toggle->num_states, .position = position};
   }

@@ -69,6 +69,7 @@ class Fastener {
     while (!to_visit.empty()) {
       const ObjectIndex from = to_visit.back();
       to_visit.pop_back();
+      // A static object ends the search: it does not move, and connects no others.
       if (model_.object(from).is_static()) continue;
       for (auto tie = ties_.lower_bound({from, ObjectIndex(0)});
            tie != ties_.end() && tie->first == from; ++tie) {

@@ -138,6 +138,7 @@ FrameIndex Model::frame_of(LinkIndex link) const { return FrameOfLink(static_cas
 
 FrameIndex Model::frame_of(const robot::Frame& frame) const { return FrameOfLink(frame.link); }
 
+/// The robot's frames follow those of all objects.
 FrameIndex Model::FrameOfLink(int link) const {
   return FrameIndex(*robot_frames().begin() + static_cast<std::size_t>(robot::VisualFrameOf(link)));
 }

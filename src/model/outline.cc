@@ -82,6 +82,7 @@ double LeastReachOver(const Outline& a, const Outline& b) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < a.size(); ++i) {
     const Eigen::Vector2d edge = a[(i + 1) % a.size()] - a[i];
+    // A degenerate edge has no normal.
     if (edge.norm() < 1e-9) continue;
     const Eigen::Vector2d outwards = Eigen::Vector2d(edge.y(), -edge.x()).normalized();
     double reach = -std::numeric_limits<double>::infinity();

@@ -45,6 +45,7 @@ TrajectoryPoint SampleAt(const JointTrajectory& trajectory, double seconds) {
   const auto after =
       std::upper_bound(points.begin(), points.end(), seconds,
                        [](double t, const TrajectoryPoint& point) { return t < point.seconds; });
+  // Outside the trajectory the joints rest at its ends.
   if (after == points.begin()) return AtRest(points.front());
   if (after == points.end()) return AtRest(points.back());
 
@@ -104,6 +105,7 @@ std::vector<TrajectoryPoint> MoveStraight(std::span<const double> from, std::spa
   // without the middle part.
   const bool has_even_part = rate < std::sqrt(growth);
   const double top = has_even_part ? rate : std::sqrt(growth);
+  // A ramp takes top / growth seconds and covers half of top * ramp of the way.
   const double ramp = top / growth;
   const double even = has_even_part ? std::max(0.0, 1 / top - ramp) : 0.0;
   std::vector<TrajectoryPoint> points{point(0, 0, 0), point(ramp, top * ramp / 2, top)};

@@ -37,6 +37,7 @@ void Check(const JointTrajectory& trajectory, std::size_t num_limits) {
     throw std::invalid_argument("there are " + std::to_string(num_limits) + " limits, expected " +
                                 std::to_string(trajectory.joint_names.size()));
   }
+  // Times must be strictly ascending: spans of zero length have no derivative.
   double before = -HUGE_VAL;
   for (const TrajectoryPoint& point : trajectory.points) {
     CheckPoint(point, num_limits, before);
@@ -135,6 +136,7 @@ std::vector<LimitBreach> CheckLimits(const JointTrajectory& trajectory,
         const double seconds = from.seconds + u * cubic.seconds;
         position.See(seconds, cubic.At(u));
         velocity.See(seconds, cubic.DerivativeAt(u));
+        // The acceleration jumps at points, so each span is evaluated at both of its ends.
         acceleration.See(seconds, cubic.SecondDerivativeAt(u));
       }
     }

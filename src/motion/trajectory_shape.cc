@@ -108,6 +108,7 @@ void SetVelocitiesFromPositions(JointTrajectory* trajectory) {
     return (points[to].positions[joint] - points[from].positions[joint]) /
            (points[to].seconds - points[from].seconds);
   };
+  // Each joint by itself: its interior points have a secant on either side.
   const std::size_t last = points.size() - 1;
   for (std::size_t i = 0; i < num_joints; ++i) {
     points[0].velocities[i] = chord(0, 1, i);

@@ -13,10 +13,12 @@ Body::Body(BodyId id, std::shared_ptr<const BodySpec> spec)
 
 Body::~Body() = default;
 
+/// Bullet's transform is that of the center of mass.
 RigidTransform Body::pose_in_world() const {
   return FromBullet(dynamics_->bullet().getWorldTransform()) * dynamics_->X_BcmB();
 }
 Vector3 Body::linear_velocity() const {
+  // Bullet's velocity is that of the center of mass; the origin also moves by the rotation.
   return FromBullet(dynamics_->bullet().getLinearVelocity()) +
          angular_velocity().cross(dynamics_->p_BcmB_W());
 }
@@ -36,7 +38,8 @@ void Body::SetCarried(bool is_carried) {
 
 void Body::SetPose(const RigidTransform& X_WB) {
   dynamics_->SetPose(X_WB);
-  dynamics_->bullet().updateInertiaTensor();  // it turns with the body: the next step uses it
+  // the world inertia follows the rotation; the next step uses it
+  dynamics_->bullet().updateInertiaTensor();
   SetVelocity(Vector3::Zero(), Vector3::Zero());
 }
 

@@ -20,6 +20,7 @@ bool IsRound(const BodySpec& spec) {
 
 bool IsStatic(const BodySpec& spec) { return spec.mass.mass == 0; }
 
+/// Returns Bullet's parameters of a body, with its pose given for the center of mass.
 btRigidBody::btRigidBodyConstructionInfo ConstructionInfoOf(const BodySpec& spec,
                                                             const RigidTransform& X_BcmB,
                                                             const Vector3& moments,
@@ -41,6 +42,7 @@ Body::Dynamics::Dynamics(BodyId id, const BodySpec& spec)
 Body::Dynamics::Dynamics(BodyId id, const BodySpec& spec, const PrincipalInertia& inertia)
     : mass_(spec.mass.mass),
       moments_(inertia.moments),
+      // A static body has no center of mass: its origin serves as one.
       X_BcmB_(RigidTransform(inertia.axes, IsStatic(spec) ? Vector3::Zero() : spec.mass.center)
                   .inverse()),
       collision_(MakeCollisionShape(spec.solids, X_BcmB_)),
@@ -70,6 +72,7 @@ void Body::Dynamics::SetKinematic(bool is_kinematic) {
     MakeKinematic(&bullet_);
     return;
   }
+  // Dynamic again: it needs its mass, which MakeKinematic() removed.
   bullet_.setCollisionFlags(bullet_.getCollisionFlags() & ~btCollisionObject::CF_KINEMATIC_OBJECT);
   UpdateMass();
 }
@@ -108,6 +111,7 @@ void Body::Dynamics::AddTo(StateHash* hash) const {
   const auto add_vector = [hash](const btVector3& v) {
     for (int i = 0; i < 3; ++i) hash->Add(static_cast<double>(v[i]));
   };
+  // The pose that Bullet integrates, without conversion: equal hashes mean equal bits.
   const btTransform& X_WBcm = bullet_.getWorldTransform();
   for (int row = 0; row < 3; ++row) add_vector(X_WBcm.getBasis()[row]);
   add_vector(X_WBcm.getOrigin());

@@ -86,6 +86,7 @@ void CheckArticulation(const scene::ArticulationSpec& spec) {
   bool is_sound = IsFinite(spec.X_WBase);
   for (int i = 0; i < count; ++i) {
     const scene::LinkSpec& link = spec.links[i];
+    // Mass and friction are tested by comparisons that are false for NaN.
     is_sound = is_sound && link.parent >= -1 && link.parent < i && IsFinite(link.X_PJ) &&
                link.axis.allFinite() && link.p_LLcm.allFinite() && link.inertia.allFinite() &&
                std::isfinite(link.mass) && link.mass > 0 && std::isfinite(link.friction) &&
@@ -99,6 +100,7 @@ void CheckArticulation(const scene::ArticulationSpec& spec) {
 
 /// Checks that no two objects share an id. Bodies and links share one counter.
 void CheckIds(const Snapshot& snapshot) {
+  // Ids are stored as Bullet's user index, an int.
   DemandOfSnapshot(snapshot.next_id <= std::numeric_limits<int>::max(), "its ids run out");
   DemandOfSnapshot(IsAscending(snapshot.bodies) && IsAscending(snapshot.articulations) &&
                        IsAscending(snapshot.joints),

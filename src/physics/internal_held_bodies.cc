@@ -36,6 +36,7 @@ void HeldBodies::Hold(JointId id, const WeldSpec& spec) {
 
 void HeldBodies::Release(JointId id) {
   const auto found = welds_.find(id);
+  // Keep the weld alive until its constraint has left Bullet's world.
   const Weld weld = std::move(found->second);
   welds_.erase(found);
   const BodyId body = weld.spec.body;
@@ -61,6 +62,7 @@ void HeldBodies::Rejoin(BodyId id) {
     if (IsKinematic(weld.spec)) {
       SetKinematic(id, true);
     } else {
+      // The constraint refers to Bullet's object of the body, which has changed.
       auto fresh = MakeConstraint(weld.spec);
       engine_.world.ReplaceConstraint(weld.constraint.get(), fresh.get());
       weld.constraint = std::move(fresh);

@@ -82,7 +82,7 @@ void LoadCarriedBodies(const WorldObjects& objects, const JointSet& joints) {
 }
 
 void DampSliders(const WorldObjects& objects, const JointSet& joints, double step_seconds) {
-  std::optional<JointGroups> rigid;  // worked out when a slider moves
+  std::optional<JointGroups> rigid;  // computed when a slider moves
   std::vector<double> inverse_masses;
   for (const Joint& joint : joints.joints()) {
     const auto* slider = std::get_if<SliderJointSpec>(&joint.spec);

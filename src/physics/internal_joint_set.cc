@@ -60,6 +60,7 @@ void JointSet::Remove(JointId id) {
       engine_.broadphase.filter().Include(static_cast<int>(pair->first.value),
                                           static_cast<int>(pair->second.value));
     }
+    // Bullet's world does not own constraints: remove, then destroy.
     engine_.world.RemoveConstraintInOrder(constraints_.at(id).get());
     constraints_.erase(id);
     Wake(*pair);

@@ -139,6 +139,7 @@ void WorldObjects::ChangeForm(BodyId id, const std::vector<scene::Solid>& solids
   if ((mass.mass == 0) != old.is_static()) {
     throw std::invalid_argument("body: another form cannot make it static, or end that");
   }
+  // Everything that can throw is done before the old body is removed.
   auto fresh = std::make_unique<Body>(id, spec);
   fresh->dynamics().set_is_carried(old.is_carried());
   fresh->SetPose(old.pose_in_world());
@@ -230,6 +231,7 @@ WorldObjects::Replacement WorldObjects::ReplacementFor(const Snapshot& snapshot)
     if (is_there) result.gone.push_back(entry.id);
     result.fresh_bodies.push_back(std::make_unique<Body>(entry.id, entry.spec));
   }
+  // Bodies behind the snapshot's last one were added later.
   while (old != bodies_.end()) result.gone.push_back((*old++)->id());
   return result;
 }

@@ -192,6 +192,7 @@ void Recorder::OnMove(const sim::Simulation& simulation, sim::ActionId from, sim
 }
 
 void Recorder::Undo(const sim::Simulation& simulation, ActionMark* undone) {
+  // A redo returns here, to the state at the undo.
   undone->at_undo = MarkNow();
   Return(recording::ReturnKind::kUndo, undone->before, simulation);
   classic_->Use(simulation.shared_model());

@@ -67,6 +67,7 @@ std::optional<sim::Refusal> RecordingController::Finish(const sim::Simulation&) 
   return std::nullopt;
 }
 
+/// demo.json is the last file of a new recording, so it exists as long as the directory does.
 void RecordingController::EndIfRemoved() {
   const std::filesystem::path file = directories_.back() / "demo.json";
   std::error_code error;
@@ -79,6 +80,7 @@ template <class Part>
 void RecordingController::Record(const Part& part) {
   if (!recorder_) return;
   try {
+    // Errors of the disk end the recording, not the simulation.
     part(*recorder_);
   } catch (const std::exception& error) {
     failure_ = error.what();
@@ -94,6 +96,7 @@ std::optional<sim::Refusal> RecordingController::Refuse(const sim::Simulation& s
   if (std::holds_alternative<sim::FinishRecording>(command) && !recorder_) {
     return "nothing is being recorded";
   }
+  // A recording has its own reasons to refuse; without one, only the camera matters.
   if (recorder_) return recorder_->Refuse(simulation, command);
   const auto* load = std::get_if<sim::Load>(&command);
   return load != nullptr ? RefuseWithoutCamera(simulation, *load) : std::nullopt;

@@ -137,10 +137,12 @@ std::optional<recording::PoseGap> TickComparison::GapOf(model::ObjectIndex i) co
 
 recording::PoseGap TickComparison::GapOfJoint(model::LinkIndex i) const {
   const double gap = std::abs(replayed_.joints[i] - recorded_.joints[i]);
+  // A prismatic joint deviates by a distance, a revolute one by an angle.
   const bool slides = model_.robot()->links[i].joint_type == scene::JointType::kPrismatic;
   return slides ? recording::PoseGap{.distance = gap} : recording::PoseGap{.angle = gap};
 }
 
+/// One entry per object, then one per joint; Note() counts in this order.
 DeviationMeter::DeviationMeter(const model::Model& model) : model_(model) {
   for (const scene::ObjectSpec& object : model.scene().objects) {
     all_.push_back({.object = object.id()});

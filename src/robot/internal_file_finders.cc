@@ -40,6 +40,7 @@ Reference Parse(const std::string& text) {
     const fs::path path = slash == std::string::npos ? "" : rest.substr(slash + 1);
     if (package.empty() || package == "." || package == ".." || path.empty() ||
         path.is_absolute() || HasStepsUp(path)) {
+      // Steps up could leave the package.
       throw BadReference(": expected package://PACKAGE/PATH without steps up");
     }
     return {Reference::Kind::kPackage, package, path.lexically_normal()};

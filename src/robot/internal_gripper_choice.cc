@@ -106,6 +106,7 @@ std::string Replaced(std::string text, const std::vector<Choice>& choices,
 }
 
 void ReplaceIn(Json* json, const std::vector<Choice>& choices, const JsonNode& gripper) {
+  // Placeholders may be in any text of the gripper, at any depth.
   if (json->is_string()) *json = Replaced(json->get<std::string>(), choices, gripper);
   if (!json->is_structured()) return;
   for (Json& child : *json) ReplaceIn(&child, choices, gripper);

@@ -188,6 +188,7 @@ class ModelBuilder {
     const UrdfPart& part = *branch.part;
     const urdf::Joint& joint = *branch.joint;
     const UrdfElement element(*part.document, "joint", joint.name);
+    // P is the moving link that carries the joint, and F the frame of the parent link in the file.
     const RigidTransform X_PJ = X_PF * element.ReadPose(joint.parent_to_joint_origin_transform);
     // A link behind a fixed joint merges with the link that carries it.
     if (joint.type == urdf::Joint::FIXED) return AddLink(part, *branch.child, parent, X_PJ);
@@ -198,6 +199,7 @@ class ModelBuilder {
     // The parent comes earlier in the list, so parents precede children.
     link.parent = parent;
     link.X_PJ = X_PJ;
+    // Prefixes of attached parts could make names equal.
     if (FindJoint(model(), link.joint_name)) {
       element.Fail("there is a joint " + Quoted(link.joint_name) + " already");
     }

@@ -94,6 +94,7 @@ scene::SurfaceMesh RobotFileSet::Import(const FoundFile& file) {
 
 std::pair<RobotFileSet::Key, RobotFileSet::Mesh> RobotFileSet::FetchSurface(
     const FoundFile& from, const std::string& reference, const Vector3& scale) {
+  // Fetched even if the mesh is known, since its key contains the file's name.
   const FoundFile file = Fetch(from, reference, mesh::MeshLimits().max_file_bytes);
   const Key key{file.name, scale.x(), scale.y(), scale.z()};
   auto entry = drawn_.find(key);

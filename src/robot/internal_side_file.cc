@@ -116,6 +116,7 @@ class SideFileReader {
   void ReadFrame(const std::string& name, const JsonNode& node) {
     node.ExpectMembers(kFrameMembers);
     if (FindFrame(model_, name)) node.Fail("there is a link or frame of that name already");
+    // A copy, since the list of frames grows below.
     const Frame link = model_.frames[FrameNamedBy(node.Member("on"))];
     const Vector3 p = ReadVector(node, "xyz"), rpy = ReadVector(node, "rpy");
     // Fixed axes x, y, z as in URDF.
@@ -272,6 +273,7 @@ class SideFileReader {
 
   /// Shifts the origins of fingers that would overlap when closed, such that they meet at 0.
   void LetMeetAtZero(Gripper* gripper, const JsonNode& node) {
+    // Half of the overlap for either finger.
     const double way = -gripper->closed_opening / 2;
     for (int finger : {gripper->left_finger, gripper->right_finger}) {
       scene::LinkSpec& link = model_.links[finger];
@@ -313,6 +315,7 @@ class SideFileReader {
   void CheckMimics(const JsonNode& root) const {
     for (const Mimic& mimic : built_.mimics) {
       if (!IsDriven(mimic.joint) && !IsDriven(mimic.master)) continue;
+      // A reversed axis changes the sign of a mimic relation.
       const double sign = std::ranges::count(turned_, mimic.joint) == 0 ? 1 : -1;
       const double master_sign = std::ranges::count(turned_, mimic.master) == 0 ? 1 : -1;
       const bool mirrors = std::ranges::any_of(model_.arms, [&](const Arm& arm) {

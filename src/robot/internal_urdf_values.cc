@@ -87,6 +87,7 @@ void UrdfElement::ReadMotion(const urdf::Joint& joint, scene::LinkSpec* link) co
   link->joint_type = is_revolute ? scene::JointType::kRevolute : scene::JointType::kPrismatic;
 
   const Vector3 axis(joint.axis.x, joint.axis.y, joint.axis.z);
+  // Descriptions need not normalize the axis, but it must have a direction.
   if (!(axis.norm() > 1e-9 && axis.norm() < kMaxLength)) {
     Fail("axis has the length " + NumberText(axis.norm()) + ", expected a direction");
   }
@@ -95,6 +96,7 @@ void UrdfElement::ReadMotion(const urdf::Joint& joint, scene::LinkSpec* link) co
   if (!joint.limits) Fail("has no <limit>, expected lower, upper, velocity and effort");
   link->max_velocity = Positive(joint.limits->velocity, kMaxRate, "velocity limit");
   link->max_effort = Positive(joint.limits->effort, kMaxEffort, "effort limit");
+  // Wide limits instead of none: everything that uses limits then works unchanged.
   if (is_continuous) {
     link->lower = -kContinuous;
     link->upper = kContinuous;

@@ -69,6 +69,7 @@ class PartReader {
 };
 
 RobotReading Read(const FoundFile& urdf, const RobotReaderOptions& options, RobotFileSet* files) {
+  // The URDF is the first of the kept files.
   files->Keep(urdf);
   std::vector<UrdfPart> parts{
       {urdf, std::make_shared<const UrdfDocument>(*urdf.bytes, urdf.path.string()), "", ""}};

@@ -6,6 +6,7 @@ namespace {
 /// A release is a put, a drop or a plain release, depending on the support.
 ActionSummary SummaryOfRelease(const Event& event, const std::optional<model::Support>& support) {
   ActionSummary summary{.kind = ActionKind::kRelease, .hand = event.hand, .what = event.object};
+  // Beyond the table's edge it is neither put nor dropped.
   if (!support) return summary;
   summary.kind = support->is_near() ? ActionKind::kPut : ActionKind::kDrop;
   summary.onto = support;

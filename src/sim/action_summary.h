@@ -59,10 +59,10 @@ std::string_view ToString(ActionKind kind);
 /// Summary of an action.
 struct ActionSummary {
   ActionKind kind = ActionKind::kTake;
-  std::optional<HandName> hand;        ///< nullopt if no hand did it
-  std::string what;                    ///< id of the object, or part pointed at, or control; where
-                                       ///< there are several objects, how many: `5 objects`; or
-                                       ///< the name of the scene
+  std::optional<HandName> hand;  ///< nullopt if no hand did it
+  /// id of the object, part or control; the number of several objects: `5 objects`; or the name of
+  /// the scene
+  std::string what;                    ///< id of the obj
   std::optional<model::Support> onto;  ///< for a put or dropped object
 
   bool operator==(const ActionSummary&) const = default;

@@ -95,6 +95,7 @@ Json ToJson(const Command& command, double meters_per_unit) {
 
 Command OnFileGrid(Command command, double meters_per_unit) {
   const auto round = [&](auto& value, const CommandField& field) {
+    // Other numbers are written as they are, so they already read back to the same bits.
     if (WrittenUnit(field, meters_per_unit).is_length) RoundToFileGrid(meters_per_unit, &value);
   };
   std::visit([&]<class What>(What& what) { What::VisitFields(what, round); }, command);

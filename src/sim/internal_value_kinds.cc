@@ -23,6 +23,7 @@ struct Allowed {
 
 JsonShape AnyNumber() { return JsonShape::Number(-kMaxNumber, kMaxNumber); }
 
+/// Returns the form of a point, with its allowed times.
 JsonShape TrajectoryPointShape(const JsonShape& seconds) {
   const JsonShape numbers = JsonShape::List(AnyNumber(), 1, kMaxJoints);
   return JsonShape::Object({{"seconds", seconds},

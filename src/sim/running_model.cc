@@ -108,6 +108,7 @@ std::optional<Refusal> RunningModel::ExecuteOne(const Clear&) {
     if (tabletop_.IsPresent(object) && !is_kept) taken.push_back(&object);
   }
   if (taken.empty()) return "there is nothing to clear away";
+  // Nothing is refused here: held objects are not among them.
   for (const world::Object* object : taken) {
     if (auto refusal = demonstrator_.Remove(*object)) return refusal;
   }

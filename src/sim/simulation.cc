@@ -43,6 +43,7 @@ std::optional<Refusal> Simulation::Refuse(const Command& command) const {
   if (std::holds_alternative<sim::Redo>(command) && !history_.can_redo()) {
     return "there is nothing to do again";
   }
+  // Last: a listener has already refused what the recorder's state forbids.
   const bool is_of_recording = std::holds_alternative<StartRecording>(command) ||
                                std::holds_alternative<FinishRecording>(command);
   if (is_of_recording && recording_control_ == nullptr) return "nobody records this simulation";

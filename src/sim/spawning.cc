@@ -49,6 +49,7 @@ std::optional<Refusal> RefuseToAdd(const scene::SceneSpec& added, const scene::S
   if (!IsOfTable(added.table, scene)) return "what is to be added has a table of another size";
   if (!added.cameras.empty()) return "a camera cannot be added";
   if (added.objects.empty()) return "there is no object to add";
+  // Ids of destroyed objects stay in the scene, so they are refused, too.
   const std::set<std::string> known = scene::IdsOf(scene), ids = scene::IdsOf(added);
   std::vector<std::string> taken;
   std::ranges::set_intersection(known, ids, std::back_inserter(taken));

@@ -182,6 +182,7 @@ std::optional<Refusal> TrajectoryFollower::MoveTo(const std::string& pose, doubl
   std::vector<motion::JointLimits> limits;
   for (std::size_t i = 0; i < channels_.size(); ++i) {
     const motion::TrajectoryChannel& channel = channels_[i];
+    // Poses move arms and head only.
     if (channel.is_gripper() || !belongs_to_pose[channel.joint]) continue;
     columns.push_back({.column = columns.size(), .channel = i});
     trajectory.joint_names.push_back(channel.name);

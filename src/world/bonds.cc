@@ -111,6 +111,7 @@ std::optional<HostIndex> Bonds::HostInReach(GuestIndex guest, double reach,
         !IsInPlay(hole.object)) {
       continue;
     }
+    // The distance from point to point decides, not that of the objects.
     const double distance = (point_in_world(hole.object, hole.X_BH) - p_WG).norm();
     if (distance >= nearest_distance) continue;
     // Locked hosts are noted for the message, but not used.

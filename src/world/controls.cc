@@ -77,6 +77,7 @@ std::optional<Refusal> Controls::Trigger(model::ControlIndex index, std::string_
     if (!part.empty() && part != left && part != right) {
       return name + " has no button " + Named(part) + ", expected " + left + " or " + right;
     }
+    // Only the raised button can be pressed.
     if (!part.empty() && part != raised) {
       return Named(part) + " is pressed already; press " + Named(raised);
     }

@@ -162,6 +162,7 @@ void RobotBody::CloseAround(int arm) {
   double payload = model().arms[arm].payload;
   for (physics::BodyId id : GraspedBodies(left, right, ToolPose(arm), GripperOpening(arm))) {
     const physics::Body& body = world_->body(id);
+    // A body held by a hand or the other gripper is not taken from it.
     if (body.is_static() || body.is_carried()) continue;
     state_.grippers[arm].welds.push_back(world_->AddJoint(
         physics::WeldSpec{.articulation = articulation_,

@@ -34,6 +34,7 @@ void NoteBonds(const scene::Part& part, std::set<std::string>* hosts, bool* has_
   for (const scene::Part& child : composite->parts) NoteBonds(child, hosts, has_fastened_guest);
 }
 
+/// Returns true if a part, or one inside it, has one of these hosts.
 bool HasHost(const scene::Part& part, const std::set<std::string>& hosts) {
   const auto* composite = std::get_if<scene::Composite>(&part.shape);
   if (!composite) return false;

@@ -62,6 +62,7 @@ void MakeStack(int count, Maker* maker) {
   }
 }
 
+/// Adds five dominoes, one unit apart, so that one topples the next.
 void MakeDominoes(Maker* maker) {
   const Vector3 size(maker->Meters(0.3), maker->Meters(1), maker->Meters(2));
   for (int i = 0; i < 5; ++i) {

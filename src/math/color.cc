@@ -32,6 +32,7 @@ constexpr std::array<NamedColor, 14> kNamedColors{{
     {"yellow", {1, 1, 0}},
 }};
 
+/// Returns text without surrounding blanks.
 std::string_view Trimmed(std::string_view text) {
   const auto first = text.find_first_not_of(" \t\r\n");
   if (first == std::string_view::npos) return {};

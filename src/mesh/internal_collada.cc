@@ -131,6 +131,8 @@ void AddNode(const aiScene& scene, const aiNode& node, const aiMatrix4x4& X_SP, 
   }
 }
 
+/// Reads a DAE file by the library. Called in the child process only.
+/// @throws BadMesh if it cannot be read.
 Corners CornersOf(std::string_view bytes, MeshAxes axes) {
   Assimp::Importer importer;
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION,
@@ -147,6 +149,7 @@ Corners CornersOf(std::string_view bytes, MeshAxes axes) {
   return corners;
 }
 
+/// Writes to a pipe; gives up silently if the reader is gone.
 void WriteAll(int to, const void* bytes, std::size_t size) {
   const char* next = static_cast<const char*>(bytes);
   while (size > 0) {
@@ -158,6 +161,7 @@ void WriteAll(int to, const void* bytes, std::size_t size) {
   }
 }
 
+/// Reads a pipe to its end, or until there is more than expected.
 std::string ReadAll(int from, std::size_t max_bytes) {
   std::string bytes;
   char buffer[1 << 16];

@@ -62,6 +62,8 @@ Container Open(std::string_view bytes) {
   return container;
 }
 
+/// Decodes base64 up to its padding.
+/// @throws BadMesh for any other letter.
 std::string FromBase64(std::string_view text) {
   std::string bytes;
   std::uint32_t bits = 0;

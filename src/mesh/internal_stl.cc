@@ -30,6 +30,7 @@ bool IsBinaryOfRightSize(std::string_view bytes) {
          bytes.size() - kHeaderBytes == kTriangleBytes * std::size_t{CountIn(bytes)};
 }
 
+/// Reads binary STL; the size must match the number of triangles.
 void ReadBinary(std::string_view bytes, TriangleSoup* soup) {
   if (bytes.size() < kHeaderBytes) {
     throw BadMesh("found " + std::to_string(bytes.size()) +
@@ -64,6 +65,7 @@ TriangleSoup::Corner ReadCorner(Words* words) {
   return corner;
 }
 
+/// Reads text STL up to `endsolid`.
 void ReadText(std::string_view bytes, TriangleSoup* soup) {
   Words words(bytes);
   Expect("solid", &words);
@@ -88,6 +90,7 @@ void ReadText(std::string_view bytes, TriangleSoup* soup) {
   }
 }
 
+/// Appends a vector as three floats in the file's axes.
 void Append(const Eigen::Vector3f& v, std::string* bytes) {
   const std::array<float, 3> row{v.x(), v.z(), -v.y()};  // inverse of MeshAxes::kStanding
   bytes->append(reinterpret_cast<const char*>(row.data()), sizeof row);

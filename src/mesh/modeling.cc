@@ -69,6 +69,7 @@ class Sewing {
   scene::SurfaceMesh surface_;
 };
 
+/// Checks that all sections have the same number of points.
 void CheckSections(const std::vector<Section>& sections) {
   if (sections.size() < 2) throw std::invalid_argument("a skin needs two sections or more");
   for (const Section& section : sections) {

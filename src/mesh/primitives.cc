@@ -118,6 +118,7 @@ TriangleMesh MakeSphere(int facets) {
   return mesh;
 }
 
+/// Makes a mesh of flat faces; each face has corners of its own.
 TriangleMesh MakeHull(const scene::Polyhedron& polyhedron) {
   TriangleMesh mesh;
   for (const scene::Polyhedron::Face& face : polyhedron.faces) {

@@ -43,6 +43,7 @@ const scene::CameraSpec* FindSceneCamera(const Model& model, std::string_view ca
   return found == cameras.end() ? nullptr : &*found;
 }
 
+/// Returns the view of a camera of the scene.
 CameraView ViewOf(const scene::CameraSpec& camera, const EyeSpec& spec) {
   CameraView view{.intrinsics = CameraIntrinsics::FromVerticalFieldOfView(
                       spec.width_px, spec.height_px, camera.vertical_field_of_view),

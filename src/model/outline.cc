@@ -22,6 +22,7 @@ std::vector<Vector3> CornersOf(const scene::Block& block) {
   return corners;
 }
 
+/// The rims of a cylinder (axis y) as polygons.
 std::vector<Vector3> CornersOf(const scene::Cylinder& cylinder) {
   std::vector<Vector3> corners;
   for (int i = 0; i < kRoundCorners; ++i) {

@@ -84,6 +84,7 @@ bool LiesIn(const Placed& object, const Placed& around) {
   return std::ranges::all_of(sides, [](bool is_closed) { return is_closed; });
 }
 
+/// Returns true if an object's lowest point is on the table top and its center above the table.
 bool StandsOnTable(const Placed& object, const scene::TableSpec& table) {
   const Vector3 center = object.bounds.center();
   return !object.bounds.is_empty() && std::abs(object.bounds.low.z()) < kContact &&

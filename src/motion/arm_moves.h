@@ -23,6 +23,7 @@ namespace smile::motion {
 std::vector<TrajectoryPoint> MoveThrough(std::span<const std::vector<double>> waypoints,
                                          std::span<const JointLimits> limits, double speed = 1);
 
+/// Options of MoveAlongLine().
 struct LineOptions {
   double speed = 1;  ///< 0 < speed <= 1, fraction of the joints' limits of velocity
   double tool_speed = std::numeric_limits<double>::infinity();  ///< > 0, upper bound [m/s]

@@ -1,8 +1,8 @@
 // Time-optimal path parameterization by reachability analysis (TOPP-RA), in terms of the squared
-// path velocity x = s'^2 and the path acceleration u = s''. Joint accelerations q'' = dq_ds u +
-// d2q_ds2 x are linear in both, and x is linear in s for a constant u, so each span is a small
-// linear problem. Limits at the places do not imply limits between them; a few rounds lower the
-// velocity where that matters.
+// path velocity x = s'^2 and the path acceleration u = s''. Joint accelerations
+// q'' = dq_ds u + d2q_ds2 x are linear in both, and x is linear in s for a constant u, so each span
+// is a small linear problem. Limits at the places do not imply limits between them; a few rounds
+// lower the velocity where that matters.
 
 #include "motion/internal_time_parameterize.h"
 

@@ -15,6 +15,7 @@ namespace {
 /// Relative excess that counts as rounding.
 constexpr double kRoundingShare = 1e-9;
 
+/// Checks the size and numbers of a point, and that it follows the one before.
 void CheckPoint(const TrajectoryPoint& point, std::size_t num_joints, double seconds_before) {
   const auto is_finite = [](double x) { return std::isfinite(x); };
   if (point.positions.size() != num_joints || point.velocities.size() != num_joints) {

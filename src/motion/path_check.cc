@@ -15,6 +15,8 @@ constexpr double kLookEvery = 0.02;
 /// Bounds the work for a trajectory that oscillates.
 constexpr int kMostLooksPerSpan = 10'000;
 
+/// Returns the joint indices of a trajectory's columns.
+/// @throws std::invalid_argument if the robot lacks one.
 std::vector<int> JointsOf(const robot::RobotModel& model, const JointTrajectory& trajectory) {
   std::vector<int> joints;
   for (const std::string& name : trajectory.joint_names) {

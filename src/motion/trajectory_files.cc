@@ -203,6 +203,7 @@ TrajectoryPoint PointIn(const RosNode& node) {
   return point;
 }
 
+/// Reads a whole trajectory; computes velocities if no point has any.
 JointTrajectory TrajectoryIn(const RosNode& root) {
   root.ExpectKeys({"header", "joint_names", "points"});
   JointTrajectory trajectory;

@@ -24,8 +24,8 @@ struct MotorConfig {
   double position_gain = 0.1;
   /// The reference leads the joint by at most this: a blocked arm stays gentle and resumes without
   /// a jump.
-  double max_lead_angle = 0.05;    ///< of a turning joint [rad]
-  double max_lead_length = 0.002;  ///< of a sliding one [m]
+  double max_lead_angle = 0.05;    ///< of a revolute joint [rad]
+  double max_lead_length = 0.002;  ///< of a prismatic one [m]
   /// Multiple of the listed effort that motors may use: velocity commands arrive without
   /// acceleration limits, which the real controller would smooth. It is 1 while they bear an
   /// overload, see WeldSpec::holds_up.

@@ -18,6 +18,7 @@ bool IsFinite(const RigidTransform& X) {
   return X.rotation().allFinite() && X.translation().allFinite();
 }
 
+/// Checks a fraction from 0 to 1.
 void CheckShare(double share, const char* name) {
   if (share >= 0 && share <= 1) return;
   throw std::invalid_argument("joint: " + std::string(name) + " is " + std::to_string(share) +
@@ -52,6 +53,7 @@ void CheckNumbers(const SliderJointSpec& slider) {
   CheckShare(slider.softness, "softness");
 }
 
+/// Checks the number of a link, from `least` (0, or -1 for the base) to below `num_links`.
 void CheckLink(int link, int least, int num_links) {
   if (link >= least && link < num_links) return;
   throw std::invalid_argument("joint: link " + std::to_string(link) + " does not exist, expected " +

@@ -3,6 +3,7 @@
 namespace smile::physics {
 namespace {
 
+/// Writes a rotation row by row, then the origin; exact, unlike a quaternion.
 void WriteTransform(const btTransform& X, ByteWriter* out) {
   for (int row = 0; row < 3; ++row) WriteVector(X.getBasis()[row], out);
   WriteVector(X.getOrigin(), out);

@@ -37,6 +37,7 @@ void ForEachField(Point& point, Field field) {
 
 using ManifoldKey = std::tuple<int, int, int>;  ///< order of both objects, then their pair of parts
 
+/// Returns the key that identifies a manifold in any process.
 ManifoldKey KeyOf(const btPersistentManifold* manifold) {
   return {OrderOf(manifold->getBody0()), OrderOf(manifold->getBody1()), PartPairOf(manifold)};
 }

@@ -15,6 +15,7 @@ constexpr double kCylinderMargin = 0.0005;
 /// Distance by which hulls are shrunk; Bullet adds it again as margin [m].
 constexpr double kHullMargin = 0.0005;
 
+/// Makes a hull whose faces, with Bullet's margin, are those of the polyhedron.
 std::unique_ptr<btCollisionShape> MakeHull(const scene::Polyhedron& polyhedron) {
   const scene::ShrunkHull shrunk = scene::Shrink(polyhedron, kHullMargin);
   auto shape = std::make_unique<btConvexHullShape>();
@@ -26,6 +27,7 @@ std::unique_ptr<btCollisionShape> MakeHull(const scene::Polyhedron& polyhedron) 
   return shape;
 }
 
+/// Makes the shape of one solid in its own frame S.
 std::unique_ptr<btCollisionShape> MakePart(const scene::SolidShape& solid) {
   return std::visit(
       Overloaded{[](const scene::Block& block) -> std::unique_ptr<btCollisionShape> {

@@ -9,6 +9,7 @@ const btCollisionObject* ObjectOf(const btBroadphaseProxy* proxy) {
   return static_cast<const btCollisionObject*>(proxy->m_clientObject);
 }
 
+/// Returns true if two bounding boxes overlap.
 bool Overlap(const btBroadphaseProxy* a, const btBroadphaseProxy* b) {
   return TestAabbAgainstAabb2(a->m_aabbMin, a->m_aabbMax, b->m_aabbMin, b->m_aabbMax);
 }

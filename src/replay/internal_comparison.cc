@@ -14,6 +14,7 @@ namespace {
 /// Name of the quantity of an invisible difference.
 constexpr const char* kHidden = "state_hash";
 
+/// Write values for reports.
 std::string Written(const Vector3& v) {
   return "(" + NumberText(v.x()) + ", " + NumberText(v.y()) + ", " + NumberText(v.z()) + ")";
 }

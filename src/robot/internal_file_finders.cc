@@ -29,6 +29,8 @@ struct Reference {
 
 bool HasStepsUp(const fs::path& path) { return std::ranges::find(path, "..") != path.end(); }
 
+/// Parses a reference.
+/// @throws BadReference unless it is a package, an absolute or a relative path.
 Reference Parse(const std::string& text) {
   if (text.empty() || text.size() > kMaxReference || text.find('\0') != std::string::npos) {
     throw BadReference(": expected the name of a file");

@@ -39,6 +39,7 @@ void ExpectShortName(const std::string& name, const JsonNode& parent) {
               std::to_string(kMaxShortText) + " letters");
 }
 
+/// Reads the choices of a gripper, none made yet. Words must not contain the separator.
 std::vector<Choice> ReadChoices(const JsonNode& gripper) {
   std::vector<Choice> choices;
   if (!gripper.Has("choices")) return choices;
@@ -72,6 +73,7 @@ bool Choose(const std::string& word, std::vector<Choice>* choices) {
   return false;
 }
 
+/// Reports a word that selects nothing: used twice, excluded by another word, or unknown.
 [[noreturn]] void FailForWord(const JsonNode& gripper, const std::string& word,
                               const std::vector<Choice>& choices) {
   for (const Choice& choice : choices) {
@@ -105,6 +107,7 @@ std::string Replaced(std::string text, const std::vector<Choice>& choices,
   return text;
 }
 
+/// Replaces placeholders in all texts of a JSON value.
 void ReplaceIn(Json* json, const std::vector<Choice>& choices, const JsonNode& gripper) {
   // Placeholders may be in any text of the gripper, at any depth.
   if (json->is_string()) *json = Replaced(json->get<std::string>(), choices, gripper);

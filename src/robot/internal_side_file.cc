@@ -37,6 +37,7 @@ constexpr std::array<std::string_view, 2> kPlaceMembers{"gap", "height"};
 constexpr std::array<std::string_view, 3> kFrameMembers{"on", "xyz", "rpy"};
 constexpr std::array<std::string_view, 4> kLimitMembers{"lower", "upper", "velocity", "effort"};
 
+/// Parses JSON; a syntax error becomes an InputError.
 Json ParsedWithLimits(const std::string& text, const std::string& file) {
   try {
     return ParseJson(text);

@@ -37,6 +37,8 @@ class LogCollector : public console_bridge::OutputHandler {
   std::string text_;
 };
 
+/// Parses XML with limits on depth, elements and attributes.
+/// @throws InputError with the first findings.
 xml::Element ParseTree(const std::string& text, const std::string& file) {
   const xml::ParseOptions options{
       .limits = {.max_depth = 32,

@@ -68,6 +68,8 @@ class PartReader {
   std::map<std::string, std::pair<FoundFile, std::shared_ptr<const UrdfDocument>>> documents_;
 };
 
+/// Reads a robot in this order: side file for the attached parts, then the model of all parts, then
+/// the rest of the side file.
 RobotReading Read(const FoundFile& urdf, const RobotReaderOptions& options, RobotFileSet* files) {
   // The URDF is the first of the kept files.
   files->Keep(urdf);

@@ -37,6 +37,7 @@ bool IsAction(const Command& command);
 /// Returns true for the event that reports an action. Each action has exactly one.
 bool BeginsAction(const Event& event);
 
+/// Kind of an action. Releases are distinguished by the support of the object.
 enum class ActionKind {
   kTake,
   kPut,      ///< released where it already lay

@@ -42,6 +42,7 @@ enum class ValueKind {
 /// command.
 enum class ValueUnit { kNone, kUnits, kUnitsPerSecond, kDegrees, kRadians, kRadiansPerSecond };
 
+/// Rules for leaving out a field.
 enum class Presence {
   kRequired,
   kOptional,   ///< left out if it has no meaning: no value, an empty text, false

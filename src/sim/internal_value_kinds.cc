@@ -42,6 +42,7 @@ Allowed HandsAllowed() {
   return WordOf(names);
 }
 
+/// Returns the table of all kinds: their form for programs, and the same in words.
 std::map<ValueKind, Allowed> MakeKinds() {
   using enum ValueKind;
   const JsonShape text = JsonShape::Text(kMaxText);

@@ -210,6 +210,7 @@ class LineReader {
   std::size_t num_points_ = 0;  ///< of the lines that name files
 };
 
+/// Reads all lines and collects findings, so that one run reports as many as possible.
 Script ParseWith(LineReader reader, std::string_view text, std::string file) {
   Script script{.file = std::move(file)};
   std::vector<Diagnostic> findings;

@@ -19,6 +19,7 @@ using world::Refusal;
 /// Greatest overlap of objects that only touch [m].
 constexpr double kTouching = 0.0005;
 
+/// Returns a list of names for a message, shortened after ten.
 std::string Listed(const std::vector<std::string>& names) {
   constexpr std::size_t kMaxListed = 10;
   std::string list;
@@ -41,6 +42,7 @@ bool IsOfTable(const scene::TableSpec& found, const scene::SceneSpec& scene) {
          is_span(found.y_span, scene.table.y_span, 12);
 }
 
+/// Returns the reason why a parsed scene cannot be added to another.
 std::optional<Refusal> RefuseToAdd(const scene::SceneSpec& added, const scene::SceneSpec& scene) {
   if (added.meters_per_unit != scene.meters_per_unit) {
     return "what is to be added has " + NumberText(added.meters_per_unit) +

@@ -31,6 +31,7 @@ double ClampedTo(const motion::JointLimits& limits, double q) {
   return std::clamp(q, limits.lower, limits.upper);
 }
 
+/// Returns a hash of a trajectory, computed once when it starts.
 std::uint64_t HashOf(const motion::JointTrajectory& trajectory) {
   StateHash hash;
   // Lists are hashed with their lengths, so that their boundaries count.

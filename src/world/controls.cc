@@ -40,6 +40,7 @@ std::vector<Target> TargetsOf(const CustomControl& control, int state) {
   return targets;
 }
 
+/// Returns the names of parts for a message, sorted and unique.
 std::string NamesOf(const std::vector<Target>& targets) {
   std::set<std::string> names;
   for (const Target& target : targets) {

@@ -321,6 +321,7 @@ std::vector<scene::Hull> ConvexPieces(const scene::SurfaceMesh& mesh, const Piec
                                 std::to_string(limits.max_triangles) + " to make convex pieces of");
   }
   const LatticeSolid solid(mesh);
+  // The hull of all vertices decides whether there is anything to cut.
   std::optional<LatticeHull> whole = HullOf(VerticesOf(solid), limits.max_corners, kExactTolerance);
   if (!whole) {
     throw std::invalid_argument("found all triangles in a plane, expected a body with a volume");
@@ -331,6 +332,7 @@ std::vector<scene::Hull> ConvexPieces(const scene::SurfaceMesh& mesh, const Piec
   if (!has_inside || whole->volume - solid.volume() <= kConvexExcess * whole->volume) {
     pieces.push_back(*std::move(whole));
   } else {
+    // The hull comes from the full mesh; cutting works on a simplified one.
     pieces = Decomposition(solid.Simplified(kMaxTrianglesToCut), limits).Run(*std::move(whole));
   }
   std::vector<scene::Hull> hulls;

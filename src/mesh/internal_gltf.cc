@@ -50,6 +50,7 @@ Container Open(std::string_view bytes) {
                   std::to_string(WordAt(bytes, 8)) + " it says it has");
   }
   Container container;
+  // After the header of 12 bytes: chunks, each with its size and kind. Unknown kinds are skipped.
   for (std::size_t offset = 12; offset < bytes.size();) {
     const std::size_t size = WordAt(bytes, offset);
     const std::uint32_t kind = WordAt(bytes, offset + 4);
@@ -114,6 +115,7 @@ class GltfReader {
     std::map<std::size_t, std::vector<MeshPiece>> pieces_of_mesh;
     for (const Json& number : RootNodes()) {
       const Json& node = At("nodes", number.get<std::size_t>());
+      // Shipped pieces are in the frames of their links, so transforms are not supported.
       for (const char* key : {"matrix", "translation", "rotation", "scale", "children"}) {
         if (node.contains(key)) {
           throw BadMesh("found a node with " + Quoted(key) + ", expected a mesh and its link only");

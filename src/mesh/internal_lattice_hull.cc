@@ -298,6 +298,8 @@ class FaceJoiner {
       for (int i = 0; i < 3; ++i) {
         const int next = across_.at({corners[(i + 1) % 3], corners[i]});
         const Eigen::Vector3i& others = hull_.triangles[next];
+        // All corners must be near the plane of the seed, so that errors do not accumulate from
+        // neighbor to neighbor.
         const auto is_flat = [&](int corner) {
           return std::abs(static_cast<double>(normal.dot(hull_.corners[corner] - origin))) <=
                  allowed;

@@ -48,6 +48,7 @@ void ReadObj(std::string_view bytes, TriangleSoup* soup) {
         if (face.size() > kMaxFaceCorners) words.Fail("a face of more corners", "at most 1000");
       }
       if (face.size() < 3) words.Fail("a face of fewer corners", "at least 3");
+      // Faces are assumed to be convex.
       for (std::size_t k = 2; k < face.size(); ++k) {
         soup->Add(vertices[face[0]], vertices[face[k - 1]], vertices[face[k]]);
       }

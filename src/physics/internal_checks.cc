@@ -171,6 +171,7 @@ void CheckSnapshot(const Snapshot& snapshot) {
   const auto find_body = [&snapshot](BodyId id) {
     return Find(snapshot.bodies, id, "a joint is of an unknown body").spec;
   };
+  // Ids are sound from here on, so bodies and articulations can be looked up.
   for (const auto& [id, spec] : snapshot.bodies) {
     DemandOfSnapshot(spec != nullptr, "a body is nothing");
     CheckBody(*spec);

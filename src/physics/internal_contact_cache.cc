@@ -65,6 +65,7 @@ std::vector<SavedManifold> ReadManifolds(ByteReader* in) {
     for (int k = 0; k < manifold.count; ++k) {
       manifold.points[k] =
           btManifoldPoint(btVector3(0, 0, 0), btVector3(0, 0, 0), btVector3(0, 0, 0), 0);
+      // Fields that are not saved have the values of a new point.
       ForEachField(manifold.points[k], [in]<class T>(T& value) { value = in->Get<T>(); });
     }
   }

@@ -475,6 +475,7 @@ std::vector<Mounting> SideFile::Mountings() const {
   for (const auto& [arm, node] : arms) {
     ExpectArmName(arm, root.Member("arms"));
     node.ExpectMembers(kArmMembers);
+    // An arm without a flange has its gripper in the URDF itself.
     if (!node.Has("flange")) continue;
     const JsonNode flange = node.Member("flange");
     if (!gripper_) flange.Fail("there are no grippers, expected the member grippers");

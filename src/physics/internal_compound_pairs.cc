@@ -5,7 +5,7 @@
 namespace smile::physics {
 namespace {
 
-/// Base of the pair number: more parts than any body has.
+/// Base of the pair number, which is unique while the second object has fewer parts.
 constexpr int kMaxParts = 4096;
 
 /// A shape that is not a compound counts as its own single part.

@@ -1,8 +1,8 @@
 // Assembly and solution of the joint equations. In block form, with the joint impulses x and the
 // scaled velocity changes u of the supernodes,
 //
-//     [ A    B ] [ x ]   [ wanted speeds ]
-//     [ B^T -I ] [ u ] = [ 0             ]
+//     [ A    B ] [ x ]   [ wanted changes of speed ]
+//     [ B^T -I ] [ u ] = [ 0                       ]
 //
 // A holds the responses through low-degree bodies, B = J_hub R with W_hub = R R^T. Eliminating u
 // gives A + B B^T = J W J^T. The matrix is quasidefinite, so L D L^T exists for each order in which
@@ -285,8 +285,8 @@ void JointBlock::ReduceReturns() {
   }
 }
 
-/// Solves for the impulses that close the gap between each row's wanted speed and the speed gained
-/// so far. Bullet's m_rhs is that speed times m_jacDiagABInv.
+/// Solves for the impulses that make up the difference between each row's wanted change of speed
+/// (m_rhs / m_jacDiagABInv) and its change so far.
 void JointBlock::Solve(btAlignedObjectArray<btSolverBody>& bodies) {
   unknowns_.assign(matrix_.num_rows(), 0);
   for (const Row& row : rows_) {

@@ -69,7 +69,7 @@ std::vector<std::string> ChangeDetector::ChangedObjects() const {
 
 void ChangeDetector::AppendOwn(const Command& command, std::vector<Event>* events) const {
   const world::Tabletop& tabletop = running_.tabletop();
-  // One event per kind of action; commands without an event of their own report nothing here.
+  // At most one event per command; commands without one of their own report nothing here.
   const auto event = std::visit(
       Overloaded{
           [](const Grasp& grasp) -> std::optional<Event> {

@@ -7,6 +7,7 @@
 //   blank
 //                  for any number of blanks
 
+#include <map>
 #include <regex>
 #include <sstream>
 #include <vector>
@@ -168,6 +169,18 @@ TEST_F(ProgramTest, TheCppExampleOfMotionIsCompiled) {
   EXPECT_EQ(example->text, ReadFile(SMILE_SOURCE_DIR "/tests/motion/example.cc", 1 << 16));
 }
 
+// A reader who leaves out the tutorial finds its robot program among the examples.
+TEST_F(ProgramTest, TheRobotProgramOfTheTutorialIsAnExample) {
+  std::map<std::string, std::string> last_version;
+  for (const Block& block : BlocksOf("docs/tutorials/robot-program.md")) {
+    if (IsFile(block)) last_version[block.purpose] = block.text;
+  }
+  EXPECT_FALSE(last_version.empty());
+  for (const auto& [file, text] : last_version) {
+    EXPECT_EQ(text, ReadFile(Shipped("python/examples/" + file), 1 << 16)) << file;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(
     All, Documents,
     ::testing::Values("README.md", "docs/architecture.md", "docs/brains.md",
@@ -176,7 +189,8 @@ INSTANTIATE_TEST_SUITE_P(
                       "docs/importing.md", "docs/learner.md", "docs/motion.md",
                       "docs/recording-format.md", "docs/results.md", "docs/robot.md",
                       "docs/scene-format.md", "docs/scenes.md", "docs/studio.md",
-                      "docs/studio-protocol.md", "docs/tutorials/first-demonstration.md"));
+                      "docs/studio-protocol.md", "docs/tutorials/first-demonstration.md",
+                      "docs/tutorials/robot-program.md"));
 
 }  // namespace
 }  // namespace smile

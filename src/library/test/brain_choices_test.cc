@@ -87,9 +87,11 @@ TEST_F(BrainChoicesTest, TheShippedLearnersImitateAndTheWavesDoNot) {
                 DataFile("python/examples")});
   std::map<std::string, bool> imitates;
   for (const BrainChoice& choice : choices) imitates[choice.name] = choice.imitates;
-  EXPECT_EQ(imitates,
-            (std::map<std::string, bool>{
-                {"matlab/um", true}, {"python/um", true}, {"wave", false}, {"wave.py", false}}));
+  EXPECT_EQ(imitates, (std::map<std::string, bool>{{"matlab/um", true},
+                                                   {"python/um", true},
+                                                   {"stack", false},
+                                                   {"wave", false},
+                                                   {"wave.py", false}}));
   EXPECT_EQ(choices.front().name, "matlab/um");
 }
 

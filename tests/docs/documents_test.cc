@@ -190,8 +190,8 @@ INSTANTIATE_TEST_SUITE_P(
                       "docs/recording-format.md", "docs/results.md", "docs/robot.md",
                       "docs/scene-format.md", "docs/scenes.md", "docs/studio.md",
                       "docs/studio-protocol.md", "docs/tutorials/first-demonstration.md",
-                      "docs/tutorials/robot-program.md",
-                      "docs/tutorials/evaluate-two-learners.md"));
+                      "docs/tutorials/robot-program.md", "docs/tutorials/evaluate-two-learners.md",
+                      "docs/tutorials/scene-with-a-mechanism.md"));
 
 }  // namespace
 }  // namespace smile

@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { readFileSync, readdirSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { Browser, programSays, replay } from "./workbench.mjs";
+import { Browser, programSays, replay, sceneFile } from "./workbench.mjs";
 
 const browser = new Browser();
 before(() => browser.start());
@@ -48,4 +48,27 @@ test("a first demonstration is recorded as the tutorial describes", async (t) =>
     assert.ok(text.includes(`**${name}**`), `the tutorial names ${name}`);
     await person.press(name);
   }
+});
+
+test("the switch and the drawer of the tutorial's scene work by mouse", async (t) => {
+  const [, xml] = /```xml cabinet.xml\n(.*?)```/s.exec(tutorial("scene-with-a-mechanism"));
+  const { page, witness, person } = await browser.workplace(t, {
+    studio: [sceneFile(t, "cabinet", xml), "--no-robot", "--no-pictures"],
+  });
+  const menu = await person.menuAt([-3.7, 0, 0.75]);
+  await person.entry("Trigger", menu).click();
+  await witness.until(() => witness.state.controls.Lamp === "on", "the lamp is on");
+
+  const knob = await person.placeOnPage([2.4, 0, 0.75]);
+  await person.click(knob);
+  await witness.until(() => witness.isHeld("Drawer"), "the drawer is held by its knob");
+  await person.look();
+  await person.pointer.press(knob);
+  await person.pointer.moveTo(await person.placeOnPage([0.4, 0, 0.75]));
+  await person.look();
+  await person.pointer.lift();
+  const isOpen = () => witness.positionOf("Drawer")[0] < 2 && witness.positionOf("Cube")[0] < 2.3;
+  await witness.until(isOpen, "the drawer is open, and the cube in it");
+  await person.click(await person.placeOnPage([-6, -4, 0]));
+  await witness.until(() => !witness.isHolding, "a click elsewhere releases it");
 });

@@ -34,7 +34,8 @@ class Generator {
   std::uint64_t state_;
 };
 
-/// Generator of normal deviates with mean 0 and standard deviation 1, by the Box-Muller transform.
+/// Generator of normal deviates with mean 0 and standard deviation 1. Source: G. Box, M. Muller, "A
+/// note on the generation of random normal deviates" (1958).
 class Gaussian {
  public:
   Gaussian(std::uint64_t seed, std::uint64_t tick, Measurement what, std::uint64_t which)

@@ -16,7 +16,8 @@ namespace smile::picture {
 namespace {
 
 constexpr double kPeakSpeed = 1.0;  ///< between contacts, if there is time [m/s]
-/// Ratio of peak to mean speed of a minimum-jerk motion from rest to rest.
+/// Ratio of peak to mean speed of a minimum-jerk motion from rest to rest. Source: T. Flash, N.
+/// Hogan, "The Coordination of Arm Movements" (1985).
 constexpr double kPeakOverMean = 1.875;
 constexpr double kShortestWay = 0.5;     ///< [s]
 constexpr double kShortestRest = 0.6;    ///< [s]

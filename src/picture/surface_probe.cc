@@ -16,7 +16,8 @@ namespace {
 constexpr double kOnEdge = 1e-9;
 
 /// Returns the parameter of a line at which it meets a triangle, negative ones included; nullopt if
-/// it misses.
+/// it misses. Source: T. Moeller, B. Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection"
+/// (1997).
 std::optional<double> Meet(const Vector3& p, const Vector3& direction, const Vector3& a,
                            const Vector3& b, const Vector3& c) {
   const Vector3 ab = b - a, ac = c - a;

@@ -12,7 +12,8 @@ constexpr double kNormalQuantile = 1.959963984540054;
 constexpr double kConfidence = 0.95;
 constexpr std::size_t kManyDegrees = 100'000;  ///< t and normal then agree to five digits
 
-/// Returns the probability that |T| is at most `t`.
+/// Returns the probability that |T| is at most `t`. Source: Abramowitz and Stegun, "Handbook of
+/// Mathematical Functions", 26.7.3 and 26.7.4: finite series for whole degrees of freedom.
 double StudentWithin(double t, std::size_t degrees_of_freedom) {
   const auto nu = static_cast<double>(degrees_of_freedom);
   const double theta = std::atan(t / std::sqrt(nu));

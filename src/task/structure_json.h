@@ -11,7 +11,8 @@ Json PosesJson(const ObjectPoses& poses, double meters_per_unit);
 /// Returns the structure in the format of `smile describe --json` (docs/results.md).
 Json ToJson(const Structure& structure, double meters_per_unit);
 
-/// Returns a description for people, line by line:
+/// Returns a description for people, line by line: `1. ShortPlank on the table`, …, effects,
+/// attention.
 std::vector<std::string> WordsOf(const Structure& structure, double meters_per_unit);
 
 }  // namespace smile::task

@@ -26,6 +26,7 @@ namespace {
 
 scene::SceneSpec UmScene() { return scene_xml::LoadScene(DataFile("scenes/um.xml")); }
 
+/// Returns a simulation of the scene `um`, three simulated seconds after its start.
 std::unique_ptr<sim::Simulation> MakeUm(const RobotOptions& robot) {
   auto simulation = std::make_unique<sim::Simulation>(UmScene(), PlaceRobot(robot));
   for (int i = 0; i < 3 * sim::kTicksPerSecond; ++i)
@@ -56,12 +57,14 @@ void ReportRealTime(benchmark::State& state, double seconds_per_iteration) {
       seconds_per_iteration * static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
 }
 
+/// Measures a physics step in which no body sleeps, without the rest of a tick.
 void TwelveBlocksAwake(benchmark::State& state) {
   const auto world = MakeAwakeBlocks();
   for (auto _ : state) world->Step();
   ReportRealTime(state, world->config().step_seconds);
 }
 
+/// Measures a tick in which nothing happens, including the hash of the state.
 void TwelveBlocksAsleep(benchmark::State& state) {
   const auto simulation = MakeUm({.no_robot = true});
   for (auto _ : state) {
@@ -80,12 +83,14 @@ void TwelveBlocksAndAMovingRobot(benchmark::State& state, bool is_kinematic) {
   ReportRealTime(state, 1.0 / sim::kTicksPerSecond);
 }
 
+/// Measures a tick in which the robot gets no commands.
 void TwelveBlocksAndARestingRobot(benchmark::State& state) {
   const auto simulation = MakeUm({});
   for (auto _ : state) simulation->Tick();
   ReportRealTime(state, 1.0 / sim::kTicksPerSecond);
 }
 
+/// Measures the copy of a state; reports the bytes of its physics.
 void SnapshotSave(benchmark::State& state) {
   const auto simulation = MakeUm({});
   for (auto _ : state) benchmark::DoNotOptimize(simulation->Save());
@@ -107,6 +112,7 @@ void EyePicture(benchmark::State& state, bool with_robot) {
                                       .height_px = static_cast<int>(state.range(1))});
   const camera::RenderOptions options{
       .depth = true, .ids = true, .excluded_frames = sample.hidden_frames};
+  // The renderer and the image are reused, as in a recording.
   camera::Renderer renderer;
   Image image;
   for (auto _ : state) {
@@ -115,6 +121,7 @@ void EyePicture(benchmark::State& state, bool with_robot) {
   state.SetLabel(renderer.device_name());
 }
 
+/// Robot program of a benchmark.
 struct MeasuredBrain {
   const char* language;
   std::filesystem::path brain;
@@ -150,11 +157,13 @@ void BareRoundTrip(benchmark::State& state) {
   for (auto _ : state) echo.RoundTrip();
 }
 
+/// Measures a step of a robot program: encoding, both ways through the transport, and decoding.
 void BrainRoundTrip(benchmark::State& state, const MeasuredBrain& measured) {
   const brain::Sensor sensor = SensorOf(state);
   brain::BrainProcess process(measured.brain, {.transport = measured.transport});
   auto reply = process.Init({});
   if (const auto* error = std::get_if<brain::BrainError>(&reply)) {
+    // A missing interpreter is not an error of the benchmark.
     state.SkipWithError(ToString(*error).c_str());
     return;
   }
@@ -186,6 +195,7 @@ void RegisterAll() {
   }
   RegisterRecordingBenchmarks();
   RegisterMotionBenchmarks();
+  // A picture of 1 x 1 px stands for no picture. Real time, as the work is done in another process.
   const auto with_pictures = [](benchmark::internal::Benchmark* round_trip) {
     round_trip->Args({1, 1})->Args({200, 150})->Args({640, 480})->UseRealTime()->Unit(kMicrosecond);
   };
@@ -197,6 +207,7 @@ void RegisterAll() {
 }
 
 int Bench(const std::string& filter, bool json) {
+  // The benchmark library reads its options from a command line only.
   std::vector<std::string> words{"smile bench"};
   if (!filter.empty()) words.push_back("--benchmark_filter=" + filter);
   if (json) words.push_back("--benchmark_format=json");

@@ -33,6 +33,7 @@ struct SceneCounts {
   }
 };
 
+/// Returns the number of guest points of a part and its children that are bound at the start.
 std::size_t NumInitialBonds(const scene::Part& part) {
   const auto* composite = std::get_if<scene::Composite>(&part.shape);
   if (!composite) return 0;
@@ -49,6 +50,7 @@ SceneCounts CountsOf(const scene::SceneSpec& scene) {
     counts.controls += scene::ControlsOf(object.whole).size();
     counts.joints += NumInitialBonds(object.whole);
   }
+  // A chain of n links has a joint at each end and n - 1 between them.
   for (const scene::ChainSpec& chain : scene.chains) counts.joints += chain.link_ids.size() + 1;
   return counts;
 }
@@ -59,6 +61,7 @@ struct Findings {
   std::vector<Diagnostic> diagnostics;
 };
 
+/// Returns a number with a noun: `1 joint`, `2 joints`.
 std::string Counted(std::size_t count, const std::string& noun) {
   return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
@@ -76,6 +79,7 @@ Json ToJson(const Findings& findings) {
           {"joints", findings.counts.joints},   {"diagnostics", diagnostics}};
 }
 
+/// Checks all files, even after one with an error. Diagnostics go to stderr, all else to stdout.
 int Check(const CheckOptions& options) {
   Findings findings;
   for (const std::string& file : options.scenes) {

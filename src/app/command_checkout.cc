@@ -27,16 +27,20 @@ struct CheckoutOptions {
 recording::HistoryPoint HistoryPointOf(const CheckoutOptions& options,
                                        const recording::Recording& recording) {
   const std::vector<recording::Segment> steps = recording::HistoryOf(recording);
+  // By default from the last step that was not undone; the first step is always on the path.
   std::size_t at = steps.size() - 1;
   while (!options.at && !steps[at].is_on_path) --at;
   return recording::HistoryPointOf(recording, steps, options.at.value_or(at), options.after);
 }
 
+/// Continues a recording from a point of its history, and records what follows into it.
 int CheckOut(const CheckoutOptions& options) {
   const recording::Recording recording = OpenAndTell(options.demo);
   const recording::HistoryPoint from = HistoryPointOf(options, recording);
   experiment::RunPlan plan{.scene = recording.start_scene(),
                            .robot = recording.robot(),
+                           // Without a script and a duration, the recording only goes back to the
+                           // point.
                            .seconds = options.commands.empty()
                                           ? std::optional(options.seconds.value_or(0))
                                           : options.seconds,
@@ -58,6 +62,7 @@ int CheckOut(const CheckoutOptions& options) {
                 recording::SecondsInto(recording, from.tick),
                 recording::SecondsInto(recording, outcome.ticks),
                 experiment::HashText(outcome.state_hash).c_str());
+    // The first recording is the continued one; others were started by the script.
     for (std::size_t i = 1; i < outcome.recordings.size(); ++i) {
       std::printf("recorded in %s\n", outcome.recordings[i].c_str());
     }

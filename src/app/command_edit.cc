@@ -60,6 +60,7 @@ void Print(const editing::EditReport& report) {
   if (report.ends_the_same()) std::printf("everything ends as it did\n");
 }
 
+/// Performs the edits in order. An error begins with the text of its option.
 recording::Demonstration Perform(const std::vector<TypedEdit>& edits,
                                  recording::Demonstration demonstration) {
   for (const TypedEdit& typed : edits) {
@@ -72,8 +73,10 @@ recording::Demonstration Perform(const std::vector<TypedEdit>& edits,
   return demonstration;
 }
 
+/// Simulates the edited demonstration from its start. Records it unless this is a dry run.
 editing::EditReport Simulate(const recording::Recording& recording,
                              const recording::Demonstration& edited, const EditOptions& options) {
+  // Only an actual recording needs a renderer.
   std::optional<picture::RenderedEye> eye;
   std::optional<editing::EditOutput> output;
   if (!options.dry_run) {
@@ -119,6 +122,7 @@ void AddEditOptions(CLI::App* edit, const std::shared_ptr<EditOptions>& options)
         throw std::invalid_argument(std::string(option.name) + ": " + error.what());
       }
     };
+    // A callback of every occurrence, since CLI11 otherwise groups the values by option.
     edit->add_option_function<std::string>(option.name, take, option.meaning)
         ->type_name(option.form)
         ->trigger_on_parse();

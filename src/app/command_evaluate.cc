@@ -16,9 +16,11 @@
 namespace smile::app {
 namespace {
 
+/// Up to here all integers are exact in JSON numbers.
 constexpr std::uint64_t kMaxSeed = std::uint64_t{1} << 53;
 constexpr std::size_t kMaxScenes = 100'000, kMaxJobs = 1024;
 
+/// Returns the progress line. The remaining time is in minutes from 90 s on.
 std::string StatusText(const experiment::EvaluationStatus& status) {
   std::string text = std::to_string(status.done) + " of " + std::to_string(status.runs) +
                      " runs, " + std::to_string(status.successes) + " rebuilt, " +

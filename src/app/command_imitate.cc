@@ -58,6 +58,7 @@ int ImitateDemo(const ImitateOptions& options) {
        .robot = PlaceRobot(options.robot, options.path)},
       console.callbacks());
   console.Clear();
+  // The result is written even after an interrupt or an error of the program.
   WriteFile(out / "result.json", ToText(outcome.json, 2) + "\n");
   if (options.json) {
     std::printf("%s\n", ToText(outcome.json, 2).c_str());

@@ -29,6 +29,7 @@ struct RenderCommandOptions {
   PathOptions path;
 };
 
+/// Output of the command: one picture, a film, or a film as numbered pictures.
 enum class Product { kPicture, kFilm, kPictures };
 
 /// Returns the product, from the form of the output path.
@@ -68,6 +69,7 @@ recording::DemonstratorAppearance LookOf(const RenderCommandOptions& options) {
   return recording::ParseDemonstratorAppearance(options.demonstrator);
 }
 
+/// Draws a moment and writes a file per channel; prints their paths.
 void RenderPicture(const model::Model& model, const recording::TraceTick& moment,
                    const std::vector<Vector3>& markers, const RenderCommandOptions& options,
                    const std::string& eye, const picture::SeenDemonstrator* demonstrator) {
@@ -79,6 +81,7 @@ void RenderPicture(const model::Model& model, const recording::TraceTick& moment
   }
 }
 
+/// Draws a scene file in its initial state, with its robot in its initial pose.
 void RenderScene(const RenderCommandOptions& options, Product product) {
   const model::Model model(scene_xml::LoadScene(options.subject, options.path.reader()),
                            PlaceRobot(options.robot, options.path));
@@ -91,6 +94,7 @@ void RenderScene(const RenderCommandOptions& options, Product product) {
   RenderPicture(model, recording::StartOf(model), {}, options, model::kEyeCamera, nullptr);
 }
 
+/// Draws a recording at the time `--at`, or at its end.
 void RenderMoment(const recording::Recording& recording, const RenderCommandOptions& options) {
   const recording::TickRange whole = TicksOf(recording);
   const std::uint64_t tick = options.at ? TickAt(*options.at, whole, "at") : whole.last;
@@ -105,6 +109,7 @@ void RenderMoment(const recording::Recording& recording, const RenderCommandOpti
 void RenderFilm(const recording::Recording& recording, const RenderCommandOptions& options,
                 Product product) {
   if (product == Product::kFilm && options.channels != "rgb") {
+    // Films are compressed with loss, which would change depths and ids.
     throw std::invalid_argument("a film has the channel rgb only; pictures, DIR/, have all");
   }
   const picture::FilmOptions film{.request = RenderRequestOf(options, recording.info.eye_camera),

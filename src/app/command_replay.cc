@@ -65,6 +65,7 @@ Json ToJson(const replay::ReplayReport& report, const recording::Recording& reco
           {"refused", ArrayOf(report.refused)}};
 }
 
+/// Returns a difference of poses, with three significant digits.
 std::string GapText(const recording::PoseGap& gap) {
   char text[64];
   std::snprintf(text, sizeof text, "%.3g mm and %.3g degrees", gap.millimeters(), gap.degrees());
@@ -86,6 +87,7 @@ std::string LineOf(const replay::RefusedCommand& command) {
 }
 
 template <typename T>
+/// Prints the first lines of a list, and the number of the others.
 void PrintSome(const std::vector<T>& all) {
   for (std::size_t i = 0; i < all.size() && i < kMaxLines; ++i) {
     std::printf("  %s\n", LineOf(all[i]).c_str());
@@ -117,6 +119,7 @@ void Print(const replay::ReplayReport& report, const recording::Recording& recor
   PrintSome(report.deviations);
 }
 
+/// Replays with a progress line.
 replay::ReplayReport ReplayIt(const recording::Recording& recording,
                               const ReplayCommandOptions& options) {
   // Recordings of other versions are expected to differ, so the replay continues and shows by how
@@ -135,6 +138,7 @@ int ReplayDemo(const ReplayCommandOptions& options) {
   const recording::Recording recording = OpenAndTell(options.demo);
   const replay::ReplayReport report = ReplayIt(recording, options);
   if (IsInterrupted()) throw std::runtime_error("interrupted");
+  // A program that was killed while it recorded leaves an incomplete last tick.
   if (report.is_cut) {
     std::fprintf(stderr, "%s: the last tick of trace.bin was cut and is left out\n",
                  options.demo.c_str());

@@ -18,6 +18,7 @@ struct RerenderOptions {
   bool no_symbols = false, json = false;
 };
 
+/// Copies a recording with another demonstrator in its pictures.
 int RerenderRecording(const RerenderOptions& options) {
   const classic::RedrawOptions copy{
       .demonstrator = recording::ParseDemonstratorAppearance(options.demonstrator),

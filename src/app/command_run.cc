@@ -29,6 +29,7 @@ struct RunOptions {
   PathOptions path;
 };
 
+/// Runs a scene without a window, by a script, a trajectory or a robot program.
 int RunScene(const RunOptions& options) {
   experiment::RunPlan plan{.scene = scene_xml::LoadScene(options.scene, options.path.reader())};
   if (!options.seconds && options.brain.brain.empty() && options.commands.empty() &&
@@ -41,6 +42,7 @@ int RunScene(const RunOptions& options) {
     throw std::invalid_argument("--brain needs a robot, but --no-robot was given");
   }
   if (!options.commands.empty()) {
+    // Files that commands name are searched in the same folders as those of the scene.
     const auto& roots = options.path.roots;
     plan.script =
         sim::ReadScript(options.commands, plan.scene.meters_per_unit, {roots.begin(), roots.end()});

@@ -36,6 +36,8 @@ struct StudioCommand {
   PathOptions path;
 };
 
+/// Returns the folder of the built page.
+/// @throws std::runtime_error if it has not been built.
 std::filesystem::path PageFolder() {
   try {
     return DataFile("build/page");
@@ -74,6 +76,7 @@ int RunStudio(const StudioCommand& options) {
   }
   studio::Studio studio(std::move(plan));
   std::printf("%s\n", studio.link().c_str());
+  // stdout is buffered if it is a pipe, and would stay so until the studio ends.
   std::fflush(stdout);
   std::fprintf(stderr, "smile: the studio is open at this link; Ctrl-C closes it\n");
   if (!options.no_open) OpenInBrowser(studio.link());

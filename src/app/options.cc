@@ -81,6 +81,7 @@ CLI::Option* AddBrainOptions(CLI::App* command, BrainOptions* options) {
 std::optional<sim::RobotPlacement> PlaceRobot(const RobotOptions& options,
                                               const PathOptions& path) {
   if (options.no_robot) {
+    // With `--no-robot`, any other option of the robot would have no effect, and is an error.
     if (options == RobotOptions{.no_robot = true}) return std::nullopt;
     throw std::invalid_argument("--no-robot leaves nothing to choose of a robot");
   }
@@ -90,6 +91,7 @@ std::optional<sim::RobotPlacement> PlaceRobot(const RobotOptions& options,
       robot::LoadRobot(urdf, {.side_file = options.side_file,
                               .package_roots = {path.roots.begin(), path.roots.end()},
                               .gripper = options.gripper});
+  // A URDF file alone describes links and joints, but not which of them are arms or grippers.
   if (!reading.has_side_file) {
     std::fprintf(stderr, "%s: without a side file, the robot stands there and nothing moves it\n",
                  urdf.c_str());
@@ -98,12 +100,14 @@ std::optional<sim::RobotPlacement> PlaceRobot(const RobotOptions& options,
                                 .gripper = std::move(reading.gripper),
                                 .files = std::move(reading.files),
                                 .body = options.body};
+  // The side file may set where the robot stands; otherwise the defaults of RobotPlacement apply.
   placement.gap = reading.gap.value_or(placement.gap);
   placement.height = reading.height.value_or(placement.height);
   if (options.classic) placement.gap = kClassicGap;
   return placement;
 }
 
+// CLI11 otherwise takes all following words as further values, even positional ones.
 CLI::Option* Repeatable(CLI::Option* option) { return option->allow_extra_args(false); }
 
 void AddPathOption(CLI::App* command, PathOptions* options) {
@@ -169,6 +173,7 @@ brain::SensorNoise ParseNoise(const std::string& text) {
   constexpr std::uint64_t kMostSeed = std::uint64_t{1} << 53;
   constexpr std::array<std::string_view, 4> kKeys{"depth", "image", "joints", "seed"};
   brain::SensorNoise noise;
+  // A part is KEY=VALUE; without `=`, the value is empty and its number cannot be parsed.
   std::istringstream parts(text);
   for (std::string part; std::getline(parts, part, ',');) {
     const std::size_t equals = std::min(part.find('='), part.size());

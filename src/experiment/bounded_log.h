@@ -19,7 +19,7 @@ class BoundedLog {
   void Add(std::string_view text);
   /// Writes the end.
   void Finish();
-  /// The last line that is not blank, cleaned for a terminal; empty if there is none.
+  /// Returns the last line that is not blank, cleaned for a terminal; empty if there are no lines.
   std::string last_line() const;
 
  private:

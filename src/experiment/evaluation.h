@@ -52,7 +52,7 @@ struct EvaluationPlan {
   std::string again;  ///< command that repeats a run, for the report
 };
 
-/// How far an evaluation is.
+/// Progress of an evaluation.
 struct EvaluationStatus {
   std::size_t runs = 0, done = 0, successes = 0;
   std::optional<double> seconds_left;  ///< estimate [s of wall-clock time]; nullopt if unknown

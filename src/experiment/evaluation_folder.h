@@ -40,7 +40,7 @@ class EvaluationFolder {
   /// Makes an empty folder for a run, in place of the one that an interrupted run left.
   void BeginRun(std::uint64_t seed) const;
   /// Reads the result that a run wrote, and marks the run as finished.
-  /// @throws InputError if there is none, or it is damaged.
+  /// @throws InputError if it is missing or damaged.
   report::EvaluatedRun CompleteRun(std::uint64_t seed) const;
 
   /// Deletes the recording unless it is to be kept; else stores its path in the run.

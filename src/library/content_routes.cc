@@ -91,7 +91,7 @@ std::optional<web_server::HttpResponse> ContentRoutes::GetRecording(const std::s
 
 std::optional<web_server::HttpResponse> ContentRoutes::PictureOf(
     const std::string& id, std::optional<std::size_t> segment) {
-  // A trace only grows or is replaced, so its stamp tells if the thumbnail is up to date.
+  // A trace only grows or is replaced, so its stamp shows if the thumbnail is up to date.
   const std::filesystem::path directory = library_.DirectoryOf(id);
   const std::string stamp = StampOf(directory / "trace.bin");
   const std::string which = segment ? std::to_string(*segment) : "end";

@@ -8,7 +8,7 @@
 namespace smile::page {
 namespace {
 
-/// A value as messages tell it: numbers and flags themselves, of all else what it is.
+/// Returns a value as messages name it: numbers and flags themselves, anything else by its type.
 std::string Found(const Json& value) {
   if (value.is_number()) return NumberText(value.get<double>());
   if (value.is_boolean()) return value.get<bool>() ? "true" : "false";

@@ -47,8 +47,8 @@ struct Launch {
   pid_t parent;
 };
 
-/// `smile-supervisor`: beside the program that runs, or where it was built.
-/// @throws std::runtime_error when there is none.
+/// Returns the path of `smile-supervisor`: next to the running program, or where it was built.
+/// @throws std::runtime_error if it is in neither place.
 std::string FindSupervisor() {
   std::error_code error;
   const auto self = std::filesystem::read_symlink("/proc/self/exe", error);

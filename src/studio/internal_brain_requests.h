@@ -34,7 +34,7 @@ class BrainRequests {
  private:
   std::vector<library::BrainChoice> Choices() const;
   /// Returns the program of this name.
-  /// @throws page::RequestError if there is none.
+  /// @throws page::RequestError if there is no such program.
   library::BrainChoice Find(const std::string& name) const;
   void Run(const library::BrainChoice& choice, const std::filesystem::path& demonstration);
   /// Starts the recording of the imitation. Returns its directory.

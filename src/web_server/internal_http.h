@@ -29,11 +29,11 @@ struct HttpRequest {
   std::string query;  ///< as received
   std::map<std::string, std::string, std::less<>> headers;  ///< names in lower case
 
-  /// Empty if there is none.
+  /// Returns a header, by its name in lower case; empty if it is missing.
   std::string_view Header(std::string_view name) const;
   /// Returns a parameter of the query; empty if it is missing.
   std::string_view Parameter(std::string_view name) const;
-  /// Empty if there is none.
+  /// Returns a cookie; empty if it is missing.
   std::string_view Cookie(std::string_view name) const;
 };
 

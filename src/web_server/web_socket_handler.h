@@ -44,8 +44,8 @@ class WebSocketHandler {
   /// Called when the client has exceeded the limit that `reason` names. The handler is expected to
   /// close.
   virtual void LimitExceeded(WebSocketId id, const std::string& reason) = 0;
-  /// Returns the next message to be sent, once the one before was; nullopt if there is none. After
-  /// one of kClose no more are asked for.
+  /// Returns the next message to be sent; nullopt if nothing is to be sent. Called once the message
+  /// before has been sent; not called again after a message of kClose.
   virtual std::optional<OutgoingMessage> NextMessage(WebSocketId id) = 0;
   /// Called when the WebSocket has ended, by either side.
   virtual void Close(WebSocketId id) = 0;

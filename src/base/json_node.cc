@@ -15,6 +15,7 @@ void JsonNode::ExpectMembers(std::span<const std::string_view> names) const {
   ExpectObject();
   for (const auto& [key, value] : value_.items()) {
     if (std::ranges::find(names, key) != names.end()) continue;
+    // Unknown members are refused, since a misspelled optional one would otherwise have no effect.
     Fail("unknown member " + Quoted(key) + ", expected " + OneOf(names) + DidYouMean(key, names));
   }
 }

@@ -13,6 +13,7 @@ constexpr std::size_t kMaxTuple = 8;
 constexpr std::size_t kMaxFound = 80;
 constexpr std::size_t kNoLimit = std::numeric_limits<std::size_t>::max();
 
+/// Returns the limits of a count as keywords of JSON Schema. A minimum of 0 is its default.
 Json CountsFrom(const char* min_key, std::size_t min, const char* max_key, std::size_t max) {
   Json counts = Json::object();
   if (min > 0) counts[min_key] = min;
@@ -100,6 +101,7 @@ JsonShape JsonShape::Object(std::vector<JsonMember> members) {
 }
 
 bool JsonShape::Fits(const Json& json, std::string* misfit) const {
+  // The alternatives come first, since they are allowed whatever the type.
   if (may_be_null_ && json.is_null()) return true;
   if (may_be_true_ && json == true) return true;
   if (!FitsAlone(json)) {
@@ -114,6 +116,7 @@ bool JsonShape::FitsAlone(const Json& json) const {
     case Type::kAnything:
       return true;
     case Type::kNumber:
+      // The text of a whole number has no fraction: 1.0 is refused, too.
       if (is_whole_ && !json.is_number_unsigned()) return false;
       return json.is_number() && min_ <= json.get<double>() && json.get<double>() <= max_;
     case Type::kText:
@@ -135,6 +138,8 @@ bool JsonShape::FitsAlone(const Json& json) const {
 bool JsonShape::FitsWithin(const Json& json, std::string* misfit) const {
   if (type_ == Type::kObject) return FitsMembers(json, misfit);
   if (type_ != Type::kList && type_ != Type::kMap) return true;
+  // The keys of an array's items are their indices. The path to the misfit grows from the inside
+  // out: `.list.3 is …`.
   for (const auto& [key, item] : json.items()) {
     if (items_[0].Fits(item, misfit)) continue;
     if (misfit != nullptr) *misfit = "." + key + *misfit;
@@ -172,6 +177,7 @@ bool JsonShape::FitsMembers(const Json& json, std::string* misfit) const {
 
 Json JsonShape::Schema() const {
   if (may_be_null_ || may_be_true_) {
+    // The schema without the alternatives is one of them.
     JsonShape itself = *this;
     itself.may_be_null_ = itself.may_be_true_ = false;
     Json any = Json::array({itself.Schema()});

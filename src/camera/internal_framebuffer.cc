@@ -13,6 +13,7 @@ Framebuffer::Framebuffer(const FramebufferLayout& layout) : layout_(layout) {
     draw_buffers.push_back(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(draw_buffers.size()));
     Attach(draw_buffers.back(), format);
   }
+  // Depths of 32-bit floats keep their precision at a distance.
   if (layout.has_depth) Attach(GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT32F);
   glDrawBuffers(static_cast<GLsizei>(draw_buffers.size()), draw_buffers.data());
   CheckGl("glRenderbufferStorage");

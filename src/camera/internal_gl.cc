@@ -7,12 +7,15 @@ namespace {
 
 using GetLog = void (*)(GLuint, GLsizei, GLsizei*, GLchar*);
 
+/// Throws std::runtime_error with the log of the driver's compiler.
 [[noreturn]] void FailWithLog(const char* call, GetLog get_log, GLuint name) {
   char log[2048] = "";
   get_log(name, sizeof log, nullptr, log);
   throw std::runtime_error(std::string("OpenGL: ") + call + ": " + log);
 }
 
+/// Compiles a shader and adds it to a program.
+/// @throws std::runtime_error
 void Attach(GLuint program, GLenum kind, const std::string& source) {
   const GLuint shader = glCreateShader(kind);
   const char* text = source.c_str();

@@ -15,6 +15,7 @@ struct Renderer::State {
   internal::EyePass eye_pass;
   std::optional<internal::PresentationPass> presentation_pass;  // made on first use
 
+  // Members are deleted after this; OpenGL deletes objects of the current context.
   ~State() { context.MakeCurrent(); }
 };
 
@@ -41,6 +42,7 @@ void Renderer::Render(const scene::VisualModel& model, const scene::VisualState&
   const auto visible = internal::VisiblePieces(pieces, view);
   image->width_px = view.intrinsics.width_px;
   image->height_px = view.intrinsics.height_px;
+  // Clearing keeps the memory, which is reused for the next picture of the same size.
   image->color.clear();
   image->depth.clear();
   image->ids.clear();

@@ -16,9 +16,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Limits of a folder that is hashed. More indicates a wrong folder, such as the home folder.
 constexpr std::size_t kMaxFiles = 100'000;
 constexpr std::uintmax_t kMaxBytes = std::uintmax_t{4} << 30;
 
+/// Adds the bytes of a file in pieces, so that large files need little memory.
+/// @throws std::runtime_error
 void AddFile(const fs::path& path, StateHash* hash) {
   std::ifstream file(path, std::ios::binary);
   std::array<char, 1 << 16> buffer;
@@ -34,6 +37,8 @@ bool IsLeftOver(const fs::path& path) {
   return path.extension() == ".pyc" || path.filename() == "__pycache__";
 }
 
+/// Returns the regular files in a folder and its subfolders. They are sorted, since directories are
+/// read in any order.
 std::vector<fs::path> FilesBelow(const fs::path& folder) {
   std::vector<fs::path> files;
   std::uintmax_t bytes = 0;
@@ -78,6 +83,7 @@ std::string ContentOfBrain(const fs::path& brain) {
   const fs::path folder = fs::absolute(brain).parent_path();
   std::vector<fs::path> files;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    // A Python program may import any module next to it.
     if (entry.is_regular_file() && entry.path().extension() == ".py") files.push_back(entry.path());
   }
   std::ranges::sort(files);

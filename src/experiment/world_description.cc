@@ -10,6 +10,8 @@ Json ArrayOf(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
 
 }  // namespace
 
+/// Returns the poses of the objects that have not gone: positions in units of the scene, rotations
+/// as angles about the fixed axes x, y, z [degrees].
 Json DescribeObjects(const sim::Simulation& simulation) {
   Json json = Json::object();
   for (const world::Object& object : simulation.tabletop().objects()) {
@@ -22,6 +24,7 @@ Json DescribeObjects(const sim::Simulation& simulation) {
   return json;
 }
 
+/// Returns the states of the controls, as in recordings.
 Json DescribeControls(const sim::Simulation& simulation) {
   Json json = Json::object();
   const world::Tabletop& tabletop = simulation.tabletop();
@@ -33,6 +36,8 @@ Json DescribeControls(const sim::Simulation& simulation) {
   return json;
 }
 
+/// Returns the robot's joints [rad], and its grippers and hands in units of the scene; null without
+/// a robot.
 Json DescribeRobot(const sim::Simulation& simulation) {
   const world::RobotBody* robot = simulation.robot();
   if (robot == nullptr) return nullptr;

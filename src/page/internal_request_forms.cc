@@ -5,6 +5,8 @@
 namespace smile::page {
 namespace {
 
+/// Requests about the connection and who controls the world. A form is: the name, the request's
+/// members, the reply's members, remarks, and if it is also open to clients without control.
 std::vector<RequestForm> ConnectionRequests() {
   return {
       {"hello",
@@ -31,6 +33,7 @@ std::vector<RequestForm> ConnectionRequests() {
   };
 }
 
+/// Requests that change or ask about the live world.
 std::vector<RequestForm> WorldRequests() {
   return {
       {"command",
@@ -75,6 +78,7 @@ std::vector<RequestForm> WorldRequests() {
   };
 }
 
+/// Requests that replace the scene, or add and remove objects.
 std::vector<RequestForm> SceneRequests() {
   return {
       {"load",
@@ -101,6 +105,7 @@ std::vector<RequestForm> SceneRequests() {
   };
 }
 
+/// Requests about recordings and their edits.
 std::vector<RequestForm> LibraryRequests() {
   const JsonMember recording{"recording", TextShape()};
   const JsonMember edits{"edits", JsonShape::List(JsonShape::Anything()), true, "see below"};
@@ -145,6 +150,7 @@ std::vector<RequestForm> LibraryRequests() {
   };
 }
 
+/// Requests that show a recording in place of the live world.
 std::vector<RequestForm> PlaybackRequests() {
   const JsonMember recording{"recording", TextShape()};
   return {
@@ -167,6 +173,7 @@ std::vector<RequestForm> PlaybackRequests() {
   };
 }
 
+/// Requests about robot programs.
 std::vector<RequestForm> BrainRequests() {
   const JsonShape brain = ObjectShape({{"name", TextShape()},
                                        {"kind", JsonShape::Word({"octave", "python", "program"})},

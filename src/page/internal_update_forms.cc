@@ -6,6 +6,7 @@
 namespace smile::page {
 namespace {
 
+/// The scene, sent once per scene. Poses of frames come separately, as binary messages.
 JsonShape SceneUpdateShape() {
   return ObjectShape({KindMember("scene"),
                       {"scene", NumberShape(), true, "counts up"},
@@ -21,6 +22,7 @@ JsonShape SceneUpdateShape() {
       .Called("SceneMessage");
 }
 
+/// State of both hands, in StateUpdateShape().
 JsonShape HandsNowShape() {
   std::vector<JsonMember> hands;
   for (const auto hand : demonstrator::kHandNames) {
@@ -29,6 +31,7 @@ JsonShape HandsNowShape() {
   return ObjectShape(hands);
 }
 
+/// State of the robot, in StateUpdateShape().
 JsonShape RobotNowShape() {
   return ObjectShape({{"shown", FlagShape()},
                       {"mood", FaceExpressionShape()},
@@ -38,6 +41,7 @@ JsonShape RobotNowShape() {
                       {"head", NumberShape()}});
 }
 
+/// State of the running robot program, in StateUpdateShape().
 JsonShape BrainNowShape() {
   return ObjectShape(
       {{"name", TextShape()},
@@ -88,6 +92,7 @@ JsonShape StateUpdateShape() {
       .Called("StateMessage");
 }
 
+/// An event. Its kind decides which of the optional members it has.
 JsonShape EventUpdateShape() {
   return ObjectShape({KindMember("event"),
                       {"kind", TextShape()},

@@ -17,6 +17,8 @@ std::string Found(const Json& value) {
   return value.is_null() ? "null" : "an object";
 }
 
+/// Refuses a field, in the form "found, expected" of all error messages.
+/// @throws RequestError
 [[noreturn]] void Expected(const std::string& name, const std::string& found,
                            const std::string& expected) {
   throw RequestError("\"" + name + "\" is " + found + ", expected " + expected);
@@ -52,6 +54,7 @@ std::string RequestFields::Text(const char* name, std::size_t max_bytes) const {
 std::optional<std::string> RequestFields::OptionalText(const char* name,
                                                        std::size_t max_bytes) const {
   const Json* value = Find(name);
+  // An empty text is the same as a missing one here.
   if (value == nullptr || *value == "") return std::nullopt;
   return Text(name, max_bytes);
 }
@@ -96,6 +99,7 @@ std::vector<std::string> RequestFields::Words(const char* name,
   const std::string expected = "a list of any of " + OneOf(known);
   const Json& list = Get(name, expected);
   if (!list.is_array()) Expected(name, Found(list), expected);
+  // Checked before the words, so that a huge list is refused at once.
   if (list.size() > known.size()) Expected(name, Size(list.size()) + " words long", expected);
   std::vector<std::string> words;
   for (const Json& item : list) {
@@ -104,6 +108,7 @@ std::vector<std::string> RequestFields::Words(const char* name,
     if (std::ranges::find(known, word) == known.end()) {
       Expected(name, "a list with " + Quoted(word), expected + DidYouMean(word, known));
     }
+    // A repeated word counts once.
     if (std::ranges::find(words, word) == words.end()) words.push_back(std::move(word));
   }
   return words;

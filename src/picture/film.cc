@@ -26,6 +26,7 @@ bool ForEachFrame(const recording::Recording& recording, const recording::TickRa
                   const recording::Progress& progress, const AddFrame& add) {
   const double rate = options.frames_per_second / options.speed;
   const double total = recording::SecondsInto(recording, range.last);
+  // Frames per second of the recording, not of the film.
   const auto is_due = [&](std::uint64_t frame, std::uint64_t tick) {
     return recording::IsFrameDue(frame, tick - range.first, rate);
   };
@@ -49,6 +50,8 @@ bool ForEachFrame(const recording::Recording& recording, const recording::TickRa
   return true;
 }
 
+/// Makes a directory; an existing empty one will do.
+/// @throws InputError if it has content.
 void MakeNewDirectory(const std::filesystem::path& directory) {
   std::error_code error;
   if (std::filesystem::exists(directory, error) && !std::filesystem::is_empty(directory, error)) {
@@ -64,6 +67,8 @@ std::string NumberedName(std::uint64_t frame) {
   return name;
 }
 
+/// Encodes the frames.
+/// @throws std::runtime_error if `progress` cancels it.
 void FilmInto(const std::filesystem::path& mp4, const recording::Recording& recording,
               const recording::TickRange& range, const FilmOptions& options,
               const recording::Progress& progress, RecordingRenderer* renderer) {

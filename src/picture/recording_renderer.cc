@@ -20,6 +20,7 @@ std::filesystem::path WithTag(std::filesystem::path path, const std::string& tag
 
 Channels ParseChannels(const std::string& text) {
   Channels channels{.rgb = false};
+  // Reaches the end also for an empty name behind the last comma, which is refused.
   for (std::size_t start = 0; start <= text.size();) {
     const std::size_t end = std::min(text.find(',', start), text.size());
     const std::string name = text.substr(start, end - start);
@@ -89,6 +90,7 @@ void RecordingRenderer::Render(const scene::VisualModel& model, const model::Vie
                    image);
 }
 
+// Renders the scene a second time with solid hands, and takes the mean of both pictures.
 void RecordingRenderer::AddGhost(model::ViewSample sample, std::uint64_t tick) {
   demonstrator_->AddTo(&sample.state, tick);
   Mix(demonstrator_->model(), sample);
@@ -101,6 +103,7 @@ void RecordingRenderer::AddMarkers(const model::ViewSample& sample,
   scene::Visual marker;
   marker.shape = scene::Sphere{.radius = kRadiusUnits * model_.scene().meters_per_unit};
   marker.color = {.red = 1, .green = 0, .blue = 1};
+  // Any object will do, as ids are not rendered here.
   marker.object_id = 1;
   marker.casts_shadow = false;
   for (const Vector3& p_WM : markers) {

@@ -26,6 +26,7 @@ void SeenDemonstrator::AddHand(HandSide side) {
   visual_model_.object_names.push_back(side == HandSide::kLeft ? "demonstrator's left hand"
                                                                : "demonstrator's right hand");
   std::vector<ArmPiece> pieces = PiecesOf(side);
+  // A ghost has hands only, which are the first pieces.
   pieces.resize(num_pieces());
   for (ArmPiece& piece : pieces) {
     scene::Visual visual;

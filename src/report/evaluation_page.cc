@@ -14,17 +14,20 @@ namespace {
 constexpr const char* kWhatIntervalsAre =
     "Intervals are of 95 %: Wilson's for rates, Student's t for means and differences.";
 
+/// Returns the head of a robot program's row: a chip in the color of its series, and its name.
 Markup BrainHead(const std::string& name, std::size_t series) {
   Markup head = Element("span", {{"class", "chip " + SeriesClass(series)}}, Markup());
   head += Text(name);
   return Element("th", {{"scope", "row"}}, head);
 }
 
+/// Returns the range of the seeds. All robot programs ran the same ones, in ascending order.
 std::string SeedsText(const Evaluation& evaluation) {
   const std::vector<EvaluatedRun>& runs = evaluation.brains.front().runs;
   return std::to_string(runs.front().seed) + " to " + std::to_string(runs.back().seed);
 }
 
+/// Returns the result in one sentence. The first of equally good robot programs is named.
 std::string Headline(const Evaluation& evaluation) {
   const EvaluatedBrain* best = nullptr;
   std::size_t most = 0;
@@ -50,6 +53,7 @@ Markup HeaderOf(const Evaluation& evaluation) {
   return Element("header", {}, header);
 }
 
+/// Returns the settings of the evaluation: recording, scene, seeds, options and robot programs.
 Markup WhatWasRun(const Evaluation& evaluation) {
   Markup facts = Fact("Demonstration", evaluation.demo);
   facts += Fact("Scene", evaluation.scene);
@@ -67,6 +71,7 @@ Markup WhatWasRun(const Evaluation& evaluation) {
   return Section("What was run", Element("dl", {{"class", "facts"}}, facts));
 }
 
+/// Returns one row per robot program, with intervals of 95 %.
 Markup SummaryTable(const Evaluation& evaluation) {
   const Markup head = Row({Head("Brain"), NumberHead("Rebuilt"), NumberHead("Rate (95 %)"),
                            NumberHead("Error, mm (95 %)"), NumberHead("Error, ° (95 %)"),
@@ -91,6 +96,7 @@ Markup SummaryTable(const Evaluation& evaluation) {
       head, rows);
 }
 
+/// Returns the rates of success as bars with their intervals.
 Markup Bars(const Evaluation& evaluation) {
   std::vector<RateRow> rows;
   std::string words = "Rebuilt structures:";
@@ -102,6 +108,7 @@ Markup Bars(const Evaluation& evaluation) {
   return RateBars(rows, words);
 }
 
+/// Returns one cell per run: a row per robot program, a column per seed.
 Markup Map(const Evaluation& evaluation) {
   std::vector<MapRow> rows;
   for (const EvaluatedBrain& brain : evaluation.brains) {
@@ -131,6 +138,7 @@ Markup Distribution(const Evaluation& evaluation, std::optional<double> Evaluate
   return DotPlot(rows, axis, words);
 }
 
+/// Returns the distribution of retries; empty if no run has counted them.
 Markup Retries(const Evaluation& evaluation) {
   std::vector<DotRow> rows;
   bool are_known = false;
@@ -147,6 +155,7 @@ Markup Retries(const Evaluation& evaluation) {
                                     "How often grasps were repeated, run by run"));
 }
 
+/// Returns the number of failures for each cause; empty without failures.
 Markup CauseTable(const Evaluation& evaluation) {
   std::set<std::string> words;
   std::vector<Summary> summaries;
@@ -185,6 +194,8 @@ Markup Plots(const Evaluation& evaluation) {
   return Element("div", {{"class", "pair"}}, pair);
 }
 
+/// Returns the comparison of each comparable pair of robot programs, by their runs from the same
+/// seeds; empty without such a pair.
 Markup Comparisons(const Evaluation& evaluation) {
   Markup rows;
   for (const auto& [first, second] : ComparablePairs(evaluation)) {
@@ -212,6 +223,7 @@ Markup Comparisons(const Evaluation& evaluation) {
                        head, rows));
 }
 
+/// Returns one row per failure, with a link to its recording if that was kept.
 Markup FailureTable(const Evaluation& evaluation) {
   Markup rows;
   for (std::size_t i = 0; i < evaluation.brains.size(); ++i) {
@@ -244,6 +256,7 @@ Markup Failures(const Evaluation& evaluation) {
   return Section("Failures", content);
 }
 
+/// Returns one row per seed, with a group of columns per robot program.
 Markup SeedTable(const Evaluation& evaluation) {
   Markup head = NumberHead("Seed");
   for (const EvaluatedBrain& brain : evaluation.brains) {

@@ -17,6 +17,7 @@ namespace {
 
 constexpr int kPictureWidth = 560, kPictureHeight = 420;
 
+/// Returns a picture with words below it.
 Markup Captioned(const Markup& picture, const std::string& words) {
   Markup figure = picture;
   figure += Element("figcaption", {}, words);
@@ -31,6 +32,7 @@ Markup PicturesOf(const recording::Recording& recording, const std::string& whos
   Markup gallery;
   for (const char* camera : {"nice", model::kEyeCamera}) {
     const bool is_eye = camera == std::string_view(model::kEyeCamera);
+    // The eye is a camera of the robot.
     if (is_eye && !recording.robot()) continue;
     picture::RecordingRenderer renderer(model, {.camera = camera,
                                                 .eye = recording.info.eye_camera,
@@ -79,6 +81,7 @@ Markup HeaderOf(const ExperimentOutcome& outcome) {
   return Element("header", {}, header);
 }
 
+/// Returns the score, the mean errors and the duration.
 Markup Numbers(const Json& result) {
   const auto number = [&result](const char* name) { return result.at(name).get<double>(); };
   Markup facts = Fact("Structure in place", Percent(number("score")));
@@ -92,11 +95,13 @@ Markup Numbers(const Json& result) {
   return Element("section", {}, Element("dl", {{"class", "facts figure"}}, facts));
 }
 
+/// Returns a position as in scene files, to 0.01 units.
 std::string PositionText(const RigidTransform& X_WB, double meters_per_unit) {
   const Vector3 p = scene::ToFileUnits(X_WB.translation(), meters_per_unit);
   return Fixed(p.x(), 2) + ", " + Fixed(p.y(), 2) + ", " + Fixed(p.z(), 2);
 }
 
+/// Returns one row per object: where it was wanted, where it is, and if that is near enough.
 Markup PlacementTable(const std::vector<Placement>& placements, double meters_per_unit,
                       double tolerance_mm) {
   Markup rows;
@@ -120,6 +125,7 @@ Markup PlacementTable(const std::vector<Placement>& placements, double meters_pe
       rows);
 }
 
+/// Returns the wanted and the reached poses: two views, a table and the errors as bars.
 Markup Places(const ExperimentOutcome& outcome) {
   const scene::SceneSpec& scene = outcome.imitation.scene();
   const double tolerance_mm =
@@ -140,6 +146,7 @@ Markup Places(const ExperimentOutcome& outcome) {
   return content;
 }
 
+/// Returns what the demonstrator did. Undone steps and those without an action are left out.
 Markup StepsOf(const recording::Recording& recording) {
   Markup rows;
   for (const recording::Segment& step : recording::HistoryOf(recording)) {
@@ -150,6 +157,7 @@ Markup StepsOf(const recording::Recording& recording) {
   return Table("What the hands did, step by step.", Row({NumberHead("At"), Head("Step")}), rows);
 }
 
+/// Returns the times in which grippers held objects.
 Markup RobotStepsOf(const std::vector<Carry>& carries) {
   Markup rows;
   for (const Carry& carry : carries) {
@@ -160,6 +168,7 @@ Markup RobotStepsOf(const std::vector<Carry>& carries) {
                Row({NumberHead("From"), NumberHead("To"), Head("Step")}), rows);
 }
 
+/// Returns the demonstration and the imitation, side by side, each as timeline and table.
 Markup Work(const ExperimentOutcome& outcome) {
   const auto length = [](const recording::Recording& recording) {
     return SecondsInto(recording, TicksOf(recording).last);
@@ -176,6 +185,7 @@ Markup Work(const ExperimentOutcome& outcome) {
   return Element("div", {{"class", "pair"}}, pair);
 }
 
+/// Returns links to files next to the page; empty without any.
 Markup Enclosures(const std::vector<Enclosure>& enclosures) {
   Markup list;
   for (const Enclosure& enclosure : enclosures) {

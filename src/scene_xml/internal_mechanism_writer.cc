@@ -8,11 +8,13 @@ namespace smile::scene_xml {
 namespace {
 
 template <class State>
+/// Begins a state of a control, which has a name or not.
 void OpenState(const State& state, XmlText* text) {
   text->Open("state");
   if (!state.name.empty()) text->Attribute("descriptionName", state.name);
 }
 
+/// The states of a switch have no content; their number is an attribute.
 void WriteStates(const scene::ToggleSwitch&, XmlText*) {}
 
 void WriteStates(const scene::IndicatorLights& lights, XmlText* text) {
@@ -41,6 +43,7 @@ void WriteReference(std::string_view name, const std::string& id, XmlText* text)
   if (!id.empty()) text->Attribute(name, id);
 }
 
+/// Writes a stage of tightness of a host point.
 void WriteStage(const scene::TightnessStage& stage, XmlText* text) {
   text->Open("tightness");
   text->Pose(stage.X_HS);
@@ -72,9 +75,11 @@ void WriteControlAttributes(const scene::CustomControl& control, XmlText* text) 
   text->Count("initState", control.initial_state);
 }
 
+/// Writes the controls that are driven and the states; nothing for shapes that are not controls.
 void WriteControlContent(const scene::Shape& control, XmlText* text) {
   std::visit(
       [&](const auto& any) {
+        // Exactly the controls have this member.
         if constexpr (requires { any.downstream; }) {
           for (const std::string& id : any.downstream) {
             text->Open("downstream");

@@ -12,6 +12,7 @@ namespace {
 using scene::ObjectSpec;
 using scene::Part;
 
+/// Returns the name of the element.
 std::string_view NameOf(const scene::Shape& shape) {
   return std::visit(Overloaded{[](const scene::Block&) { return "block"; },
                                [](const scene::Cylinder&) { return "cylinder"; },
@@ -67,6 +68,8 @@ bool HasColor(const scene::Shape& shape) {
          (!scene::IsControl(shape) || std::holds_alternative<scene::ToggleSwitch>(shape));
 }
 
+/// Writes the attributes that objects and parts share.
+/// @param X_PE  pose in the enclosing element.
 void WriteShapeAttributes(const Part& part, const RigidTransform& X_PE, XmlText* text) {
   if (!part.id.empty()) text->Attribute("id", part.id);
   text->Pose(X_PE);
@@ -75,6 +78,7 @@ void WriteShapeAttributes(const Part& part, const RigidTransform& X_PE, XmlText*
   if (part.next_state) text->Count("nextStateWhenTriggered", *part.next_state);
 }
 
+/// Writes the children.
 void WriteContent(const Part& part, XmlText* text) {
   if (const auto* composite = std::get_if<scene::Composite>(&part.shape)) {
     for (const Part& child : composite->parts) WritePart(child, text);

@@ -23,6 +23,7 @@ void References::Declare(Target target, const std::string& written, const std::s
   if (!written.empty()) names.ids_of_written[written].push_back(id);
 }
 
+// The ticket is an index as text.
 std::string References::Add(Reference reference) {
   references_.push_back(std::move(reference));
   return std::to_string(references_.size() - 1);
@@ -46,6 +47,7 @@ std::string References::Find(const Reference& reference, Findings* findings) con
     if (shown.size() > kMaxNamesShown) shown.resize(kMaxNamesShown);
     expected =
         OneOf(shown) + ": the file calls " + std::to_string(ids.size()) + " " + kind + "s so";
+    // A suggestion compares with many ids, which is wasted on a finding that is not shown.
   } else if (!findings->is_full()) {
     std::vector<std::string_view> known;
     for (const std::string& id : names.ids) {

@@ -42,6 +42,7 @@ Shape ReadFrustum(AttributeReader* attributes) {
                                .radius_bottom = attributes->SpanOrZero("radiusBottom", 0.5),
                                .height = attributes->Span("zspan", 1),
                                .sides = attributes->Count("sides", 3, kPolygonSides)};
+  // One radius of 0 is a cone.
   if (frustum.radius_top == 0 && frustum.radius_bottom == 0) {
     attributes->Refuse("radiusTop", "radiusTop or radiusBottom above 0");
   }
@@ -63,6 +64,7 @@ Shape ReadSphere(AttributeReader* attributes) {
   return scene::Sphere{.radius = attributes->Span("radius", 0.5)};
 }
 
+/// All elements that are shapes. An empty color is that of elements without a color of their own.
 constexpr std::array<ShapeElement, 11> kShapeElements{{
     {"block", ReadBlock},
     {"box", ReadBox},

@@ -44,6 +44,7 @@ std::optional<std::array<Float, N>> ParseNumbers(std::string_view text) {
   std::array<Float, N> numbers;
   for (std::size_t i = 0; i < N; ++i) {
     const std::size_t comma = text.find(',');
+    // Only the last number has no comma behind it.
     if ((comma == std::string_view::npos) != (i + 1 == N)) return std::nullopt;
     const std::optional<Float> number = ParseNumber<Float>(text.substr(0, comma));
     if (!number) return std::nullopt;

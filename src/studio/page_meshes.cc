@@ -5,6 +5,7 @@
 namespace smile::studio {
 namespace {
 
+/// Returns true for shapes that a page makes from their sizes, so that no mesh is transferred.
 bool IsDrawnByPages(const scene::VisualShape& shape) {
   return !std::holds_alternative<scene::Hull>(shape) &&
          !std::holds_alternative<scene::DrawnMesh>(shape);
@@ -22,6 +23,7 @@ PageMeshes::PageMeshes(const scene::VisualModel& model) {
   for (const scene::Visual& visual : model.visuals) {
     if (IsDrawnByPages(visual.shape)) continue;
     const mesh::UnitMesh unit_mesh = mesh::UnitMeshOf(visual.shape);
+    // Equal meshes of several visuals are transferred once; visuals differ in scale only.
     if (number_of_.emplace(unit_mesh, meshes_.size()).second) meshes_.push_back(unit_mesh);
   }
 }
@@ -37,6 +39,8 @@ std::optional<std::string> PageMeshes::Bytes(std::size_t mesh) const {
   return BytesOf(mesh::MakeMesh(meshes_[mesh]));
 }
 
+// Numbers of vertices and triangles, then positions, normals and triangles, all of 32 bits. Pages
+// view them as typed arrays without a copy.
 std::string BytesOf(const mesh::TriangleMesh& mesh) {
   ByteWriter writer;
   writer.Put(static_cast<std::uint32_t>(mesh.positions.size()));

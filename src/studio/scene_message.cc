@@ -26,6 +26,8 @@ std::string HexColor(const Color& color) {
   return text;
 }
 
+/// Adds the shape to the description of a visual, in units of the scene. Meshes are transferred
+/// once, so only their number and scale are here.
 void DescribeShape(const scene::VisualShape& shape, double unit, const PageMeshes& meshes,
                    Json* visual) {
   const auto units = [unit](double length) { return scene::ToFileUnits(length, unit); };
@@ -43,6 +45,8 @@ void DescribeShape(const scene::VisualShape& shape, double unit, const PageMeshe
   if (const auto number = meshes.NumberOf(shape)) (*visual)["mesh"] = *number;
 }
 
+/// Returns all visuals of the model. Their poses are in their frames, which move; the page draws a
+/// visual with a choice only while that choice has the visual's look.
 Json DescribeVisuals(const model::Model& model, const PageMeshes& meshes) {
   const double unit = model.scene().meters_per_unit;
   Json visuals = Json::array();
@@ -74,6 +78,7 @@ void DescribePartsIn(const scene::Part& part, const std::string& around, Json* p
   });
 }
 
+/// Returns the parts with an id, at any depth, parents first.
 Json DescribeParts(const scene::Part& whole) {
   Json parts = Json::array();
   DescribePartsIn(whole, whole.id, &parts);
@@ -114,6 +119,8 @@ Json PropertiesOf(const scene::ObjectSpec& object) {
   return properties;
 }
 
+/// Returns all objects of the model. The shape's name is for people: the value of the first
+/// description.
 Json DescribeObjects(const model::Model& model) {
   Json objects = Json::array();
   for (model::ObjectIndex index : model.objects()) {
@@ -131,12 +138,14 @@ Json DescribeObjects(const model::Model& model) {
   return objects;
 }
 
+/// Returns true if a joint moves a finger of a gripper.
 bool IsFinger(const robot::RobotModel& robot, int joint) {
   return std::ranges::any_of(robot.arms, [joint](const robot::Arm& arm) {
     return arm.gripper && (arm.gripper->left_finger == joint || arm.gripper->right_finger == joint);
   });
 }
 
+/// Returns the name of the arm that a joint belongs to; empty without one.
 std::string ArmOf(const robot::RobotModel& robot, int joint) {
   for (const robot::Arm& arm : robot.arms) {
     if (std::ranges::find(arm.joints, joint) != arm.joints.end()) return arm.name;
@@ -144,6 +153,7 @@ std::string ArmOf(const robot::RobotModel& robot, int joint) {
   return "";
 }
 
+/// Returns the largest opening of a gripper [m]: each finger moves from 0 to its upper limit.
 double StrokeOf(const robot::RobotModel& robot, const robot::Gripper& gripper) {
   return gripper.closed_opening + robot.links[static_cast<std::size_t>(gripper.left_finger)].upper +
          robot.links[static_cast<std::size_t>(gripper.right_finger)].upper;

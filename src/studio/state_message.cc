@@ -13,6 +13,7 @@ double Rounded(double number) { return std::round(number * 1e4) / 1e4; }
 
 Json RoundedArray(const Vector3& v) { return {Rounded(v.x()), Rounded(v.y()), Rounded(v.z())}; }
 
+/// Returns the state of both hands. Positions are in units of the scene, angles in degrees.
 Json DescribeHands(const sim::Simulation& simulation) {
   Json hands = Json::object();
   for (const sim::HandName name : demonstrator::kHandNames) {
@@ -33,6 +34,7 @@ Json DescribeHands(const sim::Simulation& simulation) {
   return hands;
 }
 
+/// Returns the states of controls whose object has not gone, by their ids.
 Json DescribeControls(const model::Model& model, const world::Tabletop& tabletop) {
   Json controls = Json::object();
   for (model::ControlIndex i : model.controls()) {
@@ -43,6 +45,7 @@ Json DescribeControls(const model::Model& model, const world::Tabletop& tabletop
   return controls;
 }
 
+/// Returns the ids of the objects that were removed or destroyed.
 Json DescribeGone(const world::Tabletop& tabletop) {
   Json gone = Json::array();
   for (const world::Object& object : tabletop.objects()) {
@@ -51,6 +54,7 @@ Json DescribeGone(const world::Tabletop& tabletop) {
   return gone;
 }
 
+/// Returns the ids of the objects that fell on the floor and are still there.
 Json DescribeFallen(const world::Tabletop& tabletop) {
   Json fallen = Json::array();
   for (const world::Object& object : tabletop.objects()) {
@@ -76,6 +80,7 @@ Json DescribeFallen(const library::Playback& playback) {
   return fallen;
 }
 
+/// Returns the properties that the demonstrator marked as important, by object.
 Json DescribeAttention(const sim::Simulation& simulation) {
   Json attention = Json::object();
   for (const world::Object& object : simulation.tabletop().objects()) {
@@ -85,6 +90,8 @@ Json DescribeAttention(const sim::Simulation& simulation) {
   return attention;
 }
 
+/// Returns the state of the robot; null without one. Its joints are in rad or m, the openings of
+/// its grippers in units of the scene.
 Json DescribeRobot(const sim::Simulation& simulation) {
   const world::RobotBody* robot = simulation.robot();
   if (robot == nullptr) return nullptr;
@@ -98,6 +105,7 @@ Json DescribeRobot(const sim::Simulation& simulation) {
     if (!gripper) continue;
     grippers.push_back(Rounded(
         scene::ToFileUnits(robot->GripperOpening(arm), simulation.scene().meters_per_unit)));
+    // The opening stands for both fingers.
     for (const int finger : {gripper->left_finger, gripper->right_finger}) {
       joints.erase(robot->model().links[static_cast<std::size_t>(finger)].joint_name);
     }
@@ -112,6 +120,7 @@ Json DescribeRobot(const sim::Simulation& simulation) {
 
 }  // namespace
 
+/// Returns the state of the live world.
 Json DescribeLive(const sim::Simulation& simulation) {
   return {{"tick", simulation.tick()},
           {"hands", DescribeHands(simulation)},
@@ -123,6 +132,8 @@ Json DescribeLive(const sim::Simulation& simulation) {
           {"robot", DescribeRobot(simulation)}};
 }
 
+/// Returns the state of a played moment, with the same members as DescribeLive(). Those about
+/// hands, controls, important properties and the robot are empty.
 Json DescribeShown(const library::Playback& playback) {
   const recording::TraceTick& moment = playback.moment();
   Json hands = Json::object();

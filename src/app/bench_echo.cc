@@ -13,6 +13,7 @@
 namespace smile::app {
 namespace {
 
+/// Sends all bytes; false if the other end is closed.
 bool SendAll(int socket, std::span<const std::byte> bytes) {
   while (!bytes.empty()) {
     const ssize_t count = ::send(socket, bytes.data(), bytes.size(), MSG_NOSIGNAL);
@@ -22,6 +23,7 @@ bool SendAll(int socket, std::span<const std::byte> bytes) {
   return true;
 }
 
+/// Receives until the buffer is full; false if the other end is closed.
 bool ReceiveAll(int socket, std::span<std::byte> bytes) {
   while (!bytes.empty()) {
     const ssize_t count = ::recv(socket, bytes.data(), bytes.size(), 0);

@@ -33,6 +33,7 @@ std::vector<std::vector<double>> RandomConfigurations(const ArmKinematics& arm) 
   return configurations;
 }
 
+/// Returns the initial configuration of an arm.
 std::vector<double> StartOf(const robot::RobotModel& model, const robot::Arm& arm) {
   std::vector<double> q;
   for (const int joint : arm.joints) q.push_back(model.q_start[joint]);
@@ -89,6 +90,7 @@ void LineOfTheTool(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(MoveAlongLine(arm, *q, goal));
 }
 
+/// Measures the test of a configuration for contact between links.
 void LookForTouching(benchmark::State& state) {
   const robot::RobotModel model = Baxter();
   physics::ArticulationProbe probe(robot::MakeArticulationSpec(model, {}));

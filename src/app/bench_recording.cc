@@ -55,6 +55,7 @@ void CarryOn(sim::Simulation* simulation) {
   simulation->Apply(sim::MoveTo{.hand = HandName::kLeft, .p_WH = {x, -0.1, 0.3}, .speed = 0.4});
 }
 
+/// Measures a tick while a hand moves a block, with or without the recording of it.
 void TickOfAHandAtWork(benchmark::State& state, bool is_recorded) {
   const ScratchFolder folder;
   sim::Simulation simulation(LettersScene());
@@ -100,6 +101,7 @@ void UndoAmongFiftyBlocks(benchmark::State& state) {
   }
 }
 
+/// Measures the replay of a recording, and reports its size per hour of demonstrating.
 void ReplayUm(benchmark::State& state, bool with_robot) {
   const ScratchFolder folder;
   const auto demo = folder.path() / "demo";

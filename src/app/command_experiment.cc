@@ -22,6 +22,7 @@ struct ExperimentOptions {
   bool no_films = false, json = false;
 };
 
+/// Prints the reached and the wanted positions in units of the scene, the errors, and the files.
 void PrintSummary(const experiment::ImitationResult& outcome, const std::filesystem::path& out,
                   bool has_films) {
   const Json& result = outcome.json;
@@ -75,6 +76,7 @@ int RunExperiment(const ExperimentOptions& options) {
     std::fprintf(stderr, "%s\n", ToString(*outcome.brain_error).c_str());
     return kInputWrong;
   }
+  // Scripts see from the exit status if the robot succeeded.
   return outcome.has_succeeded ? kDone : kInputWrong;
 }
 

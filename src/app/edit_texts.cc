@@ -15,6 +15,8 @@ class EditText {
   EditText(const std::string& text, const char* form)
       : text_(text), form_(form), rest_(text_.data()) {}
 
+  /// Parses a number at this place.
+  /// @throws std::invalid_argument
   template <class T>
   T Number() {
     T number{};
@@ -23,6 +25,7 @@ class EditText {
     rest_ = end;
     return number;
   }
+  /// Skips the sign if it is next.
   bool Take(char sign) {
     if (rest_ == end() || *rest_ != sign) return false;
     ++rest_;
@@ -97,6 +100,7 @@ editing::Edit ParseSpeed(const std::string& text) {
   return speed;
 }
 
+/// All options for edits, in the order of the help text.
 constexpr EditOption kEditOptions[] = {
     {"--drop", "N[-M]", "leave out segments", &ParseDrop},
     {"--move", "N:K", "put segment N elsewhere: it becomes the K-th action", &ParseMove},

@@ -84,6 +84,7 @@ experiment::EvaluationPlan PlanOf(const EvaluateOptions& options) {
       options.demonstrators.size()) {
     throw std::invalid_argument("--demonstrators names one of them twice");
   }
+  // Checks all inputs now, since an error in a run would appear as many times as there are runs.
   OpenAndTell(options.demo);
   EyeSpecOf(options.eye);
   ParseNoise(options.noise);

@@ -16,6 +16,7 @@ BrainThread::~BrainThread() {
   thread_.join();
 }
 
+// Cancels the start and callbacks once Leave() was called.
 BrainOptions BrainThread::WithEnd(BrainOptions options) {
   options.is_cancelled = [this, is_cancelled = std::move(options.is_cancelled)] {
     return is_leaving_ || (is_cancelled && is_cancelled());
@@ -33,6 +34,7 @@ void BrainThread::Ask(BrainQuestion question) {
 
 std::optional<BrainAnswer> BrainThread::WaitForAnswer(std::chrono::nanoseconds timeout) {
   std::unique_lock lock(mutex_);
+  // The answer is taken, so that it is returned once.
   changed_.wait_for(lock, timeout, [this] { return answer_.has_value(); });
   return std::exchange(answer_, std::nullopt);
 }
@@ -52,6 +54,7 @@ void BrainThread::WorkerLoop() {
   process_.Stop();
 }
 
+// Leaving has priority over a question that waits.
 std::optional<BrainQuestion> BrainThread::AwaitQuestion() {
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [this] { return is_leaving_ || question_.has_value(); });
@@ -63,6 +66,7 @@ BrainAnswer BrainThread::AnswerTo(const BrainQuestion& question) {
   try {
     return process_.Answer(question);
   } catch (const std::exception& error) {
+    // The state of the program is unknown after an exception, so it must not be asked again.
     process_.Stop();
     const bool is_start = std::holds_alternative<Aux>(question);
     return BrainError{.phase = is_start ? BrainError::Phase::kStart : BrainError::Phase::kCallback,

@@ -40,6 +40,7 @@ OutputDrain::OutputDrain(process::UniqueFd pipe, std::function<void(std::string_
 
 void OutputDrain::Finish() {
   if (!thread_.joinable()) return;
+  // The reading end of the pipe sees its end, which wakes the thread.
   wake_write_.Close();
   thread_.join();
   pipe_.Close();

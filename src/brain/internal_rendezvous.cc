@@ -39,6 +39,7 @@ std::string FolderTemplate() {
   return base + std::string(kFolderName);
 }
 
+/// Opens and locks a folder; empty if another process has locked it.
 process::UniqueFd Locked(const std::filesystem::path& folder) {
   process::UniqueFd fd(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
   if (!fd || ::flock(fd.get(), LOCK_EX | LOCK_NB) != 0) return {};

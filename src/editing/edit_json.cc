@@ -18,11 +18,15 @@ class EditFields {
  public:
   explicit EditFields(const Json& json) : json_(json) {}
 
+  /// Returns a finite number.
+  /// @throws std::invalid_argument
   double Number(const char* key) {
     const Json& value = Find(key);
     if (!value.is_number() || !std::isfinite(value.get<double>())) Expected(key, "a number");
     return value.get<double>();
   }
+  /// Returns a number without a fraction, within the range of int.
+  /// @throws std::invalid_argument
   int Integer(const char* key) {
     const double number = Number(key);
     constexpr int kMost = std::numeric_limits<int>::max();
@@ -31,6 +35,7 @@ class EditFields {
   }
   bool Has(const char* key) const { return json_.contains(key); }
 
+  /// Refuses all fields that have not been asked for.
   void RequireNoMore() const {
     for (const auto& [key, value] : json_.items()) {
       if (std::ranges::find(known_, key) != known_.end()) continue;
@@ -59,6 +64,7 @@ class EditFields {
 
 Edit ReadDrop(EditFields* in) {
   Drop drop{.first = in->Integer("first")};
+  // A single segment may be written without its end.
   drop.last = in->Has("last") ? in->Integer("last") : drop.first;
   return drop;
 }
@@ -84,6 +90,7 @@ struct EditKind {
   std::string_view name;
   Edit (*read)(EditFields*);
 };
+/// All edits, by the value of `do`.
 constexpr std::array<EditKind, 6> kEditKinds{{{"drop", &ReadDrop},
                                               {"move", &ReadMove},
                                               {"trim", &ReadTrim},

@@ -30,6 +30,8 @@ Json ReadOwn(const fs::path& path) {
   }
 }
 
+/// Deletes a file or folder; one that does not exist is fine.
+/// @throws std::runtime_error
 void Remove(const fs::path& path) {
   std::error_code error;
   fs::remove_all(path, error);
@@ -79,12 +81,14 @@ std::optional<report::EvaluatedRun> EvaluationFolder::FindRun(std::uint64_t seed
 }
 
 void EvaluationFolder::BeginRun(std::uint64_t seed) const {
+  // Remains of a run that was interrupted.
   Remove(FolderOf(seed));
   MakeDirectories(FolderOf(seed));
 }
 
 report::EvaluatedRun EvaluationFolder::CompleteRun(std::uint64_t seed) const {
   const report::EvaluatedRun run = report::ReadRun(ResultOf(seed), seed);
+  // Written last: a run without this mark is not finished.
   WriteFile(FolderOf(seed) / kRunFile, ToText(MarkOf(seed, ResultOf(seed)), 2) + "\n");
   return run;
 }

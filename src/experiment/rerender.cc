@@ -56,6 +56,7 @@ std::vector<std::filesystem::path> MakeCopies(const DemonstratorCopies& copies,
                {.demonstrator = recording::ParseDemonstratorAppearance(look),
                 .has_symbols = copies.has_symbols},
                callbacks);
+      // Written after the copy, so that a partial copy has no mark.
       WriteFile(mark, text);
     }
     paths.push_back(copy);

@@ -21,6 +21,7 @@ using Clock = std::chrono::steady_clock;
 /// Time from the end of a brain to the end of its run, so that films show its last face.
 constexpr int kFarewellTicks = sim::kTicksPerSecond / 4;
 
+/// Returns the directory in which the run records; empty if it does not record from the start.
 std::filesystem::path RecordingOf(const RunPlan& plan) {
   return plan.continuation ? plan.continuation->recording : plan.record;
 }
@@ -77,6 +78,7 @@ class LiveRun {
   }
 
  private:
+  /// Finds the robot program, which starts later. Its output goes to the callbacks and its log.
   void FindBrain() {
     brain::BrainOptions options = brain::WithTimeout(plan_.callback_seconds);
     options.on_output = [this](std::string_view line) {
@@ -91,6 +93,7 @@ class LiveRun {
     process_.emplace(plan_.brain, std::move(options));
   }
 
+  /// Waits until a time, or notes by how much it has passed already.
   template <class Time>
   void WaitUntil(Time due) {
     const std::chrono::duration<double> delay = Clock::now() - due;
@@ -109,6 +112,7 @@ class LiveRun {
     DriveBrain();
   }
 
+  /// Exchanges sensor and motor values with the program if its next step is due.
   void DriveBrain() {
     driver_->Drive(&*process_, &simulation_);
     LogBrainError();
@@ -118,6 +122,7 @@ class LiveRun {
     if (driver_->error()) brain_log_.Write(ToString(*driver_->error()));
   }
 
+  /// Returns true if the script contains a command that begins a recording.
   bool StartsRecordings() const {
     if (!plan_.script) return false;
     for (const sim::ScriptLine& line : plan_.script->lines) {
@@ -127,6 +132,7 @@ class LiveRun {
     return false;
   }
 
+  /// Applies the commands that are due. On a faulty line, names what has been recorded until then.
   void AdvanceScript() {
     try {
       player_->Advance(&simulation_);
@@ -141,6 +147,8 @@ class LiveRun {
     }
   }
 
+  /// Throws the failure of a recording, for example on a full disk: the run has no purpose any
+  /// more.
   void ThrowIfNotRecorded() const {
     if (controller_ && controller_->failure()) throw std::runtime_error(*controller_->failure());
   }

@@ -20,6 +20,7 @@ constexpr const char* kLearner = "matlab/um";
 /// Timeout per callback: a busy machine is no reason to fail [s].
 constexpr double kPatientCallbackSeconds = 60;
 
+/// Performs the shipped script of the task with the hands of the demonstrator, and records it.
 void RecordDemonstration(const TaskExperimentPlan& plan, const std::filesystem::path& directory,
                          const Callbacks& callbacks) {
   RunPlan run{.scene = scene_xml::LoadScene(DataFile("scenes/" + plan.task + ".xml")),
@@ -32,6 +33,7 @@ void RecordDemonstration(const TaskExperimentPlan& plan, const std::filesystem::
   (void)Run(run, callbacks);
 }
 
+/// Films the demonstration and the imitation, from the usual view for people.
 void FilmBoth(const std::filesystem::path& out, const Callbacks& callbacks) {
   for (const char* name : {"demonstration", "imitation"}) {
     if (callbacks.IsCancelled()) return;
@@ -43,6 +45,7 @@ void FilmBoth(const std::filesystem::path& out, const Callbacks& callbacks) {
   }
 }
 
+/// Writes the page with pictures, numbers, and links to the other files.
 void WriteReport(const TaskExperimentPlan& plan, const Json& result, const Callbacks& callbacks) {
   if (callbacks.IsCancelled()) return;
   std::vector<report::Enclosure> enclosures;

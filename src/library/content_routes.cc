@@ -23,6 +23,7 @@ std::optional<std::string> Between(std::string_view begin, std::string_view text
   return std::string(text.substr(begin.size(), text.size() - begin.size() - end.size()));
 }
 
+/// Returns the number that a text consists of; nullopt for any other text.
 std::optional<std::size_t> NumberIn(const std::string& text) {
   std::size_t number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -30,6 +31,7 @@ std::optional<std::size_t> NumberIn(const std::string& text) {
   return number;
 }
 
+/// Returns the response with a picture; nullopt if it could not be rendered.
 std::optional<web_server::HttpResponse> PngResponse(ThumbnailQueue::Picture picture) {
   if (!picture) return std::nullopt;
   return web_server::HttpResponse{.type = "image/png", .body = *std::move(picture)};

@@ -49,6 +49,7 @@ class Playback::Impl {
       throw std::invalid_argument("rate is " + NumberText(rate) + ", expected 0 to " +
                                   NumberText(kMaxRate));
     }
+    // Playing at the end begins again.
     if (rate > 0 && is_at_end()) GoTo(0);
     rate_ = rate;
   }
@@ -79,6 +80,7 @@ class Playback::Impl {
     std::string object;
   };
 
+  /// Stores the falls among the events of a tick.
   void NoteFalls(std::uint64_t tick, const std::vector<sim::Event>& events) {
     for (const sim::Event& event : events) {
       if (event.kind == sim::EventKind::kFell) falls_.push_back({tick, event.object});

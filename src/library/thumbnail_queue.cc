@@ -8,6 +8,7 @@
 namespace smile::library {
 namespace {
 
+/// Limits: jobs that wait, and pictures that are kept.
 constexpr std::size_t kMaxJobs = 256;
 constexpr std::size_t kMaxKept = 2000;
 constexpr std::size_t kMaxKeptBytes = 64 << 20;

@@ -9,6 +9,7 @@
 namespace smile::page {
 namespace {
 
+/// Returns the form of a request; null if it is unknown.
 const RequestForm* FindRequest(const std::string& name) {
   const auto found = std::ranges::find(RequestForms(), name, &RequestForm::name);
   return found != RequestForms().end() ? &*found : nullptr;

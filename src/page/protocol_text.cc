@@ -22,6 +22,7 @@ std::string NamesIn(const std::vector<JsonMember>& members) {
   return text;
 }
 
+/// Returns a cell of a Markdown table, with the bar on its right.
 std::string TableCell(const std::string& text) { return text.empty() ? " |" : " " + text + " |"; }
 
 /// Named type of the page, with its meaning.
@@ -84,6 +85,7 @@ std::string ProtocolTypeScript() {
     text += "\n" + form.shape.TypeScriptDefinition();
     names += "\n  | " + form.shape.TypeScript();
   }
+  // A union, in which TypeScript can tell the messages apart by `t`.
   text += "\n/** Messages that are not replies. */\nexport type Update =" + names + ";\n";
   text +=
       "\n/** What may be asked for, and what is answered beside `ok`. */\n"

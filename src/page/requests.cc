@@ -23,6 +23,7 @@ Json Failure(const InputError& error) {
   return failure;
 }
 
+/// Returns the failure for a name that is not in the table.
 Json Unknown(const RequestTable& table, const std::string& what) {
   std::vector<std::string_view> known;
   for (const auto& [name, entry] : table.entries) known.push_back(name);
@@ -30,6 +31,7 @@ Json Unknown(const RequestTable& table, const std::string& what) {
                  DidYouMean(what, known));
 }
 
+/// Returns a reply, which has the sequence number of its request.
 Json Reply(const Request& request, const Json& fields) {
   Json answer = {{"t", "reply"}, {"seq", request.seq}};
   answer.update(fields);

@@ -8,6 +8,8 @@
 namespace smile::page {
 namespace {
 
+/// Returns the options of the web server below.
+/// @throws std::runtime_error if the page is missing.
 web_server::WebServerOptions WebOptions(ServerOptions options) {
   if (!std::filesystem::is_regular_file(options.page / "index.html")) {
     throw std::runtime_error(options.page.string() +
@@ -38,6 +40,7 @@ class Server::Impl {
 
  private:
   Clients clients_;
+  // Destroyed first, as its threads call `clients_`.
   web_server::WebServer web_;
 };
 
@@ -56,6 +59,7 @@ std::vector<Request> Server::TakeRequests() {
 std::vector<ClientId> Server::TakeNewClients() { return impl_->clients()->TakeNewClients(); }
 bool Server::IsController(ClientId client) const { return impl_->clients()->IsController(client); }
 
+// The web server sends queued messages only when it is resumed.
 void Server::Send(ClientId client, const Json& message) {
   impl_->clients()->Send(client, message);
   impl_->web()->Resume();

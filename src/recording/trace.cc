@@ -47,6 +47,7 @@ TraceTick Observe(const sim::Simulation& simulation) {
   return now;
 }
 
+// Objects that are added later have no entry in earlier ticks. All are added at the end.
 TraceTick WithAbsent(TraceTick moment, const model::Model& model) {
   moment.objects.resize(model.objects().size(), TracePose{.is_present = false});
   moment.controls.resize(model.controls().size());

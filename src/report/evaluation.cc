@@ -13,6 +13,7 @@
 namespace smile::report {
 namespace {
 
+/// Limits on results, which other programs may have written.
 constexpr std::size_t kMaxResultBytes = 16 << 20;
 constexpr std::size_t kMaxWordBytes = 64, kMaxTextBytes = 4096;
 constexpr std::uint64_t kMaxCount = 1'000'000'000;
@@ -26,11 +27,13 @@ std::optional<double> NumberIn(const JsonNode& node, const std::string& name) {
   return node.Member(name).Number(0, kMostNumber);
 }
 
+/// Returns an optional count of a result.
 std::optional<std::uint64_t> CountIn(const JsonNode& node, const std::string& name) {
   if (!node.Has(name)) return std::nullopt;
   return node.Member(name).Whole(0, kMaxCount);
 }
 
+/// Returns the reason in a result; nullopt in results of older versions, and after a success.
 std::optional<task::FailureReason> FailureReasonIn(const JsonNode& result) {
   if (!result.Has("cause") || result.Member("cause").IsNull()) return std::nullopt;
   const JsonNode cause = result.Member("cause");
@@ -49,6 +52,8 @@ task::FailureReason FailureReasonFromStatus(const JsonNode& result) {
   return {"not_rebuilt", "the structure is not as it was shown"};
 }
 
+/// Returns the run of a result.
+/// @throws InputError if a member is missing or wrong.
 EvaluatedRun RunIn(const JsonNode& result, std::uint64_t seed) {
   result.ExpectObject();
   EvaluatedRun run{.seed = seed,
@@ -98,6 +103,7 @@ void AddCount(const std::optional<std::uint64_t>& count, std::optional<std::uint
   if (count) *sum = sum->value_or(0) + *count;
 }
 
+/// Returns a number as JSON, null without one.
 template <class Number>
 Json OrNull(const std::optional<Number>& number) {
   return number ? Json(*number) : Json();
@@ -180,6 +186,7 @@ std::string InColumns(const std::vector<std::vector<std::string>>& rows) {
   return text;
 }
 
+/// Returns the number of failures for each cause: `2 x brain_failed, 1 x time_up`.
 std::string FailureCountsText(const Summary& summary) {
   std::string text;
   for (const auto& [word, count] : summary.num_failures) {
@@ -188,6 +195,8 @@ std::string FailureCountsText(const Summary& summary) {
   return text;
 }
 
+/// Returns lines that compare two robot programs. Errors and times are left out if no seed has them
+/// from both.
 std::string ComparisonText(const EvaluatedBrain& first, const EvaluatedBrain& second) {
   const BrainComparison comparison = Compare(first, second);
   const std::string a = Printable(first.name), b = Printable(second.name);

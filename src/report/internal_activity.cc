@@ -18,9 +18,11 @@ std::string ActorOf(const sim::Event& event) {
   return {};
 }
 
+/// Returns true for events after which a hand or gripper holds an object.
 bool IsTake(sim::EventKind kind) {
   return kind == sim::EventKind::kGrasped || kind == sim::EventKind::kGripperHolds;
 }
+/// Returns true for events after which an object is not held any more.
 bool IsLetGo(sim::EventKind kind) {
   return kind == sim::EventKind::kReleased || kind == sim::EventKind::kGripperLetGo ||
          kind == sim::EventKind::kDestroyed;
@@ -49,6 +51,7 @@ std::vector<Carry> CarriesOf(const recording::Recording& recording) {
 }
 
 Markup TimelineOf(const std::vector<Carry>& carries, double seconds, const std::string& words) {
+  // One row per object and one color per actor, each in the order of appearance.
   constexpr double kRow = 22, kLabels = 100, kBar = 13;
   std::vector<std::string> objects, actors;
   for (const Carry& carry : carries) {
@@ -70,6 +73,7 @@ Markup TimelineOf(const std::vector<Carry>& carries, double seconds, const std::
     Markup bar = Element("title", {},
                          carry.object + ": " + carry.who + ", " + Fixed(carry.begin, 1) + " to " +
                              Fixed(carry.end, 1) + " s");
+    // Short grasps stay visible.
     bar += SvgRect(axis.x(carry.begin), y, std::max(1.5, axis.x(carry.end) - axis.x(carry.begin)),
                    kBar, "fill " + SeriesClass(place(actors, carry.who)));
     drawing += Element("g", {}, bar);

@@ -17,6 +17,8 @@ namespace {
 using Point = Eigen::Vector2d;
 using Outline = std::vector<Point>;
 
+/// Returns the pose X_WB of an object in a result: its position in units of the scene, its rotation
+/// as angles about fixed axes [degrees].
 RigidTransform PoseIn(const Json& object, double meters_per_unit) {
   const auto vector_in = [&object](const char* name) {
     const Json& list = object.at(name);
@@ -69,6 +71,7 @@ std::vector<Patch> PatchesOf(const scene::Part& whole, const RigidTransform& X_W
                              ViewDirection direction) {
   std::vector<Patch> patches;
   for (const scene::Visual& visual : scene::VisualsOf(whole)) {
+    // Controls are drawn in their first state.
     if (visual.choice >= 0 && visual.look != 0) continue;
     const RigidTransform X_WV = X_WB * visual.X_FV;
     Outline points;

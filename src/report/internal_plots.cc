@@ -9,7 +9,9 @@
 namespace smile::report {
 namespace {
 
+/// Margin at the left and right of drawings, in the units of kPlotWidth.
 constexpr double kMargin = 6;
+/// Number of colors of series; more series use the colors again.
 constexpr std::size_t kSeries = 6;
 
 /// Returns 1, 2 or 5 times a power of ten, for about `wanted` steps in `range`.
@@ -39,6 +41,7 @@ std::vector<std::pair<double, int>> Stacked(const std::vector<double>& numbers, 
   return dots;
 }
 
+/// Returns a histogram of dots above `base`; high columns are compressed into `height`.
 Markup Dots(const DotRow& row, const Axis& axis, double base, double height, std::size_t series) {
   constexpr double kRadius = 2.6;
   const auto dots = Stacked(row.numbers, axis, 2 * kRadius);
@@ -83,6 +86,7 @@ Markup MeanMark(const Mean& mean, const Axis& axis, double y, std::size_t series
   return drawing;
 }
 
+/// Returns at most this many bytes of a name, and an ellipsis if it was cut.
 std::string Shortened(const std::string& name, std::size_t letters) {
   if (name.size() <= letters) return name;
   std::size_t end = letters;
@@ -141,6 +145,7 @@ Markup Axis::Draw(double top, double y, std::string_view name) const {
   for (long k = 0; k <= count; ++k) {
     const double value = low_ + static_cast<double>(k) * step_;
     drawing += SvgLine(x(value), top, x(value), y, "rule");
+    // The first and the last number are aligned so that they do not extend beyond the drawing.
     const char* anchor = k == 0 ? "" : k == count ? "end" : "middle";
     drawing += SvgText(x(value), y + 13, anchor, Fixed(value, DigitsOf(step_)));
   }
@@ -203,6 +208,7 @@ Markup SuccessMap(const std::vector<MapRow>& rows, const std::string& words) {
       const MapCell& cell = row.cells[k];
       Markup field = Element("title", {}, cell.words);
       field += SvgRect(x, y, kCell, kCell, cell.is_good ? "yes" : "no");
+      // A cross in addition to the color, for people who do not distinguish red and green.
       if (!cell.is_good) {
         field += SvgLine(x + 4, y + 4, x + kCell - 4, y + kCell - 4, "cross");
         field += SvgLine(x + 4, y + kCell - 4, x + kCell - 4, y + 4, "cross");

@@ -20,6 +20,7 @@ template <class Result, class Function>
 Result Ask(const Part& control, Function of) {
   return std::visit(
       [&](const auto& shape) -> Result {
+        // Exactly the controls have this member.
         if constexpr (requires { shape.initial_state; }) {
           return of(shape);
         } else {

@@ -53,7 +53,7 @@ struct ObjectSpec {
   bool operator==(const ObjectSpec&) const = default;
 };
 
-/// The table top: z = 0 is its surface, the world origin its centre.
+/// The table top: z = 0 is its surface, the world origin its center.
 struct TableSpec {
   double x_span = 2.0;     ///< [m]
   double y_span = 1.2;     ///< [m]

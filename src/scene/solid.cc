@@ -161,6 +161,8 @@ std::size_t NumSolidsOf(const Part& whole) {
     return count;
   };
   return std::visit(
+      // Must agree with SolidCollector; it needs no geometry, so that limits are checked before
+      // work.
       Overloaded{[](const Box&) -> std::size_t { return 5; },
                  [](const Ring& ring) { return NumPiecesOf(ring); },
                  [](const Custom& custom) { return custom.mesh ? custom.mesh->pieces.size() : 0; },
@@ -197,7 +199,7 @@ MassProperties MassPropertiesOf(const std::vector<Solid>& solids, double mass,
     const double share = mass * moments[i].volume / volume;
     const Matrix3& R = solids[i].X_BS.rotation();
     const Vector3 p = solids[i].X_BS * moments[i].center - center;
-    // Parallel-axis theorem: the piece's own inertia, turned, plus that of its mass at its centre.
+    // Parallel-axis theorem: the piece's own inertia, turned, plus that of its mass at its center.
     properties.inertia += share * (R * moments[i].unit_inertia * R.transpose());
     properties.inertia += share * (p.squaredNorm() * Matrix3::Identity() - p * p.transpose());
   }

@@ -15,11 +15,14 @@ class VisualCollector {
     // Parts without an id belong to the innermost part that has one.
     if (!part.id.empty()) place.part_id = part.id;
     std::visit(Overloaded{[&](const Composite& composite) { AppendAll(composite.parts, place); },
+                          // Drawn as its exact surface, while collisions use convex pieces.
                           [&](const Custom& custom) {
                             place.shape = DrawnMesh{custom.mesh, custom.scale};
                             place.color = part.color;
                             visuals_.push_back(place);
                           },
+                          // Lights and the parts of a custom control are visible only in their
+                          // state.
                           [&](const IndicatorLights& lights) {
                             place.choice = num_controls_++;
                             for (std::size_t look = 0; look < lights.states.size(); ++look) {
@@ -62,6 +65,7 @@ class VisualCollector {
       visual.X_FV = place.X_FV * solid.X_BS;
       visual.choice = choice;
       if (solid.control >= 0) visual.look = solid.look;
+      // The button's id is made of that of the switch.
       if (!part.id.empty()) visual.button = solid.button;
       visuals_.push_back(visual);
     }

@@ -26,6 +26,7 @@ std::string ReadDownstream(const SceneElement& element, ReadingContext* reading)
   return reading->references.Add({Target::kControl, "id", id, element.place, AddressOf(element)});
 }
 
+/// Reads a light, by its number from 0.
 scene::Light ReadLight(const SceneElement& element, int num_lights, ReadingContext* reading) {
   AttributeReader attributes(element, reading);
   attributes.RequiredText("id");
@@ -44,6 +45,7 @@ std::string ReadStateName(const SceneElement& element, ReadingContext* reading) 
   return name;
 }
 
+/// Reads a state of lights: those that are on, and their colors.
 scene::IndicatorLights::State ReadLightsState(const SceneElement& element, int num_lights,
                                               ReadingContext* reading) {
   scene::IndicatorLights::State state{ReadStateName(element, reading), {}};
@@ -63,6 +65,7 @@ scene::IndicatorLights::State ReadLightsState(const SceneElement& element, int n
   return state;
 }
 
+/// Reads a state of a custom control: the parts that exist in it.
 scene::CustomControl::State ReadCustomState(const SceneElement& element, int num_states,
                                             ReadingContext* reading) {
   scene::CustomControl::State state{ReadStateName(element, reading), {}};
@@ -80,6 +83,7 @@ struct ControlContent {
   std::vector<const SceneElement*> states, downstreams;
 };
 
+/// Adds a finding if there are more than allowed.
 void CheckCount(std::size_t count, std::size_t limit, const std::string& what,
                 AttributeReader* attributes) {
   if (count <= limit) return;
@@ -113,6 +117,7 @@ ControlContent Sorted(std::span<const SceneElement* const> content, bool has_sta
   return sorted;
 }
 
+/// Refuses an initial state that does not exist. Without any states there is another finding.
 void CheckInitialState(int initial_state, int num_states, AttributeReader* attributes) {
   if (num_states == 0 || initial_state < num_states) return;
   attributes->Refuse("initState",

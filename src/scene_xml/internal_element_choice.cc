@@ -45,6 +45,7 @@ void Refuse(const SceneElement& element, Names expected, Names possible, Reading
 
 }  // namespace
 
+/// Returns false, with a finding, for an element of another namespace.
 bool CheckNamespace(const SceneElement& element, ReadingContext* reading) {
   if (element.is_in_scene_namespace) return true;
   const std::string found = element.found_namespace.empty()
@@ -60,6 +61,7 @@ const ShapeElement* FindShape(const SceneElement& element, Container container,
   if (!CheckNamespace(element, reading)) return nullptr;
   std::vector<std::string_view> names;
   for (const ShapeElement& shape : ShapeElements()) {
+    // A control inside of another one's state would exist only at times.
     if (shape.is_control && container == Container::kState) continue;
     if (shape.name == element.name) return &shape;
     names.push_back(shape.name);

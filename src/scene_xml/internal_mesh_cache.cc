@@ -20,6 +20,7 @@ MeshCache::MeshCache(const fs::path* main_file, const std::vector<fs::path>& sea
 
 bool MeshCache::Fetch(const Sources& sources, const SourceLocation& place, scene::Custom* custom,
                       std::string* fault) {
+  // The main file may be a text without a folder, unlike included files.
   const bool is_text = place.file == 0 && !has_folder_;
   const fs::path folder = FolderOf(sources.FileOf(place));
   AllowedFolders::Search search = folders_.Find(is_text ? nullptr : &folder, custom->file);

@@ -84,6 +84,7 @@ Json WorldRequests::SetSnap(const page::RequestFields& fields) {
   return Json::object();
 }
 
+// Neither member if the object is in the air, on the floor or gone.
 Json WorldRequests::FindSupport(const page::RequestFields& fields) {
   const sim::Simulation& simulation = states_->world().simulation();
   const std::string id = fields.Text("object");

@@ -13,6 +13,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMaxFileBytes = 32 << 20;
 
+/// Returns the type in the header `Content-Type`, by the file's extension.
 std::string MediaTypeOf(const fs::path& file) {
   static const std::map<std::string, std::string> kTypes = {
       {".html", "text/html; charset=utf-8"},
@@ -27,6 +28,7 @@ std::string MediaTypeOf(const fs::path& file) {
   return type == kTypes.end() ? "application/octet-stream" : type->second;
 }
 
+/// Returns the tag by which a browser asks if its copy is up to date: a hash of the content.
 std::string EntityTagOf(std::string_view bytes) {
   StateHash hash;
   hash.Add(bytes);

@@ -43,6 +43,7 @@ class Drain : public std::enable_shared_from_this<Drain> {
   std::size_t num_dropped_ = 0;
 };
 
+/// Unencrypted connection.
 class TcpLink : public Link {
  public:
   explicit TcpLink(tcp::socket socket) : socket_(std::move(socket)) {}
@@ -73,6 +74,7 @@ class TcpLink : public Link {
   tcp::socket socket_;
 };
 
+/// Encrypted connection.
 class TlsLink : public Link {
  public:
   TlsLink(tcp::socket socket, net::ssl::context* tls) : stream_(std::move(socket), *tls) {}
@@ -87,6 +89,7 @@ class TlsLink : public Link {
     stream_.async_write_some(buffers, std::move(completion));
   }
   void Finish(std::function<void()> completion) override {
+    // TLS has an end of its own, which must be sent before that of TCP.
     stream_.async_shutdown([this, completion = std::move(completion)](error_code) {
       std::make_shared<Drain>(&stream_.next_layer(), completion)->Start();
     });
@@ -104,6 +107,7 @@ class TlsLink : public Link {
   net::ssl::stream<tcp::socket> stream_;
 };
 
+/// Throws std::runtime_error that names the file.
 [[noreturn]] void FailTls(const std::filesystem::path& file, const std::string& expected,
                           const error_code& error) {
   throw std::runtime_error(file.string() + ": " + error.message() + ", expected " + expected);

@@ -27,6 +27,7 @@ class MemoryLink : public Link {
     net::buffer_copy(buffer, net::buffer(bytes_.data(), count));
     bytes_.remove_prefix(count);
     const error_code error = count == 0 ? net::error::eof : error_code();
+    // Completed by the event loop, as by a real link, and not within this call.
     Complete(std::move(completion), error, count);
   }
   void Write(const Buffers& buffers, Completion completion) override {
@@ -70,6 +71,8 @@ class Listener : public WebSocketHandler {
   std::vector<std::string> messages_;
 };
 
+/// Returns the request that turns an HTTP connection into a WebSocket. The key is the example of
+/// RFC 6455.
 BeastRequest UpgradeRequest() {
   BeastRequest request(boost::beast::http::verb::get, "/ws", 11);
   request.set("Host", "localhost");

@@ -10,9 +10,11 @@ namespace smile::wire {
 namespace {
 
 constexpr std::size_t kAlignment = 8;
+/// Flags of an array: its bytes stand for 0 to 1; its elements are in row-major order.
 constexpr std::uint8_t kFractionFlag = 1;
 constexpr std::uint8_t kRowMajorFlag = 2;
 
+/// Returns the number of bytes up to the next multiple of the alignment.
 std::size_t Padding(std::size_t size) { return (kAlignment - size % kAlignment) % kAlignment; }
 
 /// Returns the size of the elements [bytes]; nullopt if it exceeds that of a body.
@@ -28,6 +30,7 @@ std::optional<std::size_t> DataBytes(ElementType type, std::span<const std::uint
   return bytes;
 }
 
+/// Returns true for identifiers: letters, digits and `_`, no digit first, of limited length.
 bool IsIdentifier(std::string_view name) {
   const auto is_letter = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
@@ -56,10 +59,12 @@ std::string WhyUnfit(std::string_view name, ElementType type, std::uint8_t flags
   return {};
 }
 
+/// Skips the padding; alignment counts from the begin of the body.
 void SkipPadding(ByteReader& reader, std::size_t body_bytes) {
   reader.GetBytes(Padding(body_bytes - reader.remaining()));
 }
 
+/// Decodes the next array. Its elements stay in the body.
 std::variant<ArrayView, WireError> DecodeArray(ByteReader& reader, std::size_t body_bytes) {
   ArrayView array;
   const auto name_letters = reader.Get<std::uint8_t>();
@@ -73,6 +78,7 @@ std::variant<ArrayView, WireError> DecodeArray(ByteReader& reader, std::size_t b
   array.name = {reinterpret_cast<const char*>(letters.data()), letters.size()};
   // Elements begin at multiples of 8 bytes, so that doubles can be read in place.
   SkipPadding(reader, body_bytes);
+  // Reading beyond the end returns zeros, so one check suffices for the whole head.
   if (!reader.ok()) return WireError{"the body ends inside an array's head"};
 
   const std::string unfit = WhyUnfit(array.name, array.type, flags, dims);
@@ -96,6 +102,7 @@ std::size_t ElementBytes(ElementType type) { return type == ElementType::kDouble
 void CopyToRowMajor(std::span<const std::uint32_t> dims, std::size_t element_bytes,
                     std::span<const std::byte> from, std::span<std::byte> to) {
   std::array<std::size_t, kMaxDimensions> index = {};
+  // Source offset of the element with this index; the source is in column-major order.
   std::size_t at = 0;
   for (std::size_t k = 0; k < to.size(); k += element_bytes) {
     std::memcpy(&to[k], &from[at], element_bytes);
@@ -124,6 +131,7 @@ std::optional<std::vector<double>> NamedArray::Numbers() const {
     if (!numbers.empty()) std::memcpy(numbers.data(), data.data(), data.size());
     return numbers;
   }
+  // A fraction is a byte divided by 255.
   const double scale = is_fraction ? 255.0 : 1.0;
   std::ranges::transform(data, numbers.begin(),
                          [scale](std::byte value) { return std::to_integer<int>(value) / scale; });
@@ -175,6 +183,7 @@ void MessageWriter::Put(Value value) {
   frame_.insert(frame_.end(), bytes, bytes + sizeof value);
 }
 
+// The header's size is a multiple of the alignment, so this aligns elements in the body, too.
 void MessageWriter::PutPadding() { frame_.resize(frame_.size() + Padding(frame_.size())); }
 
 bool MessageWriter::HasArray(std::string_view name) const {
@@ -272,6 +281,7 @@ std::variant<FrameHeader, WireError> DecodeHeader(std::span<const std::byte, kHe
     return WireError{"unknown message type " +
                      std::to_string(static_cast<std::uint32_t>(header.type))};
   }
+  // Checked before the body is received, as no memory must be reserved for a faulty length.
   if (header.body_bytes > kMaxBodyBytes) {
     return WireError{"a message of " + std::to_string(header.body_bytes) +
                      " bytes, expected at most " + std::to_string(kMaxBodyBytes)};

@@ -16,6 +16,7 @@ std::string JoinLines(const std::vector<Diagnostic>& diagnostics) {
 
 }  // namespace
 
+// `scene.xml:12: <block id="b">: found …`, without the parts that are not known.
 std::string ToString(const Diagnostic& diagnostic) {
   std::string text = diagnostic.file;
   if (diagnostic.line > 0) text += ":" + std::to_string(diagnostic.line);

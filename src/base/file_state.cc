@@ -6,6 +6,7 @@ namespace smile {
 
 FileState StateOf(const std::filesystem::path& path) {
   struct stat found {};
+  // A link itself is examined and not its target, so that its replacement is noticed.
   if (lstat(path.c_str(), &found) != 0) return {};
   return {.is_directory = S_ISDIR(found.st_mode),
           .is_file = S_ISREG(found.st_mode),

@@ -18,6 +18,7 @@
 namespace smile {
 namespace {
 
+/// Throws std::runtime_error for a failure of the system, unlike InputError for wrong input.
 [[noreturn]] void Fail(const std::filesystem::path& path, const std::string& what) {
   throw std::runtime_error(path.string() + ": " + what);
 }
@@ -49,6 +50,7 @@ std::string ReadFile(const std::filesystem::path& path, std::size_t max_bytes) {
   std::string text;
   char buffer[1 << 16];
   while (const std::size_t count = std::fread(buffer, 1, sizeof buffer, file.get())) {
+    // Counted while reading, since the size of a growing file is known only at its end.
     if (text.size() + count > max_bytes) {
       throw wrong("is larger than " + std::to_string(max_bytes) + " bytes");
     }
@@ -72,6 +74,7 @@ void WriteFile(const std::filesystem::path& path, std::string_view text) {
     target = std::filesystem::weakly_canonical(path, error);
     if (error) Fail(path, "cannot be written: " + error.message());
   }
+  // In the same folder, and thus on the same file system, as renaming requires.
   const std::filesystem::path neighbour = target.string() + ".part";
   if (const std::string reason = WriteInto(neighbour, text); !reason.empty()) {
     std::remove(neighbour.c_str());

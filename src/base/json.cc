@@ -29,6 +29,7 @@ class LimitCheck : public Json::json_sax_t {
   bool key(string_t& name) override {
     // Each key of an object is compared to all before it, so the number of keys per object is
     // limited.
+    // A key that occurs twice is refused, since readers disagree about which value counts.
     const int limit = std::min(max_keys_, kMaxJsonKeys);
     Keys& keys = keys_of_object_[depth_];
     if (++num_keys_ > max_keys_ || ++keys.count > limit) {
@@ -94,11 +95,13 @@ class LimitCheck : public Json::json_sax_t {
 
 Json ParseJson(std::string_view text, int max_keys) {
   LimitCheck limits(text, max_keys);
+  // The second pass builds the value. It cannot fail, as it reads the same text.
   Json::sax_parse(text, &limits);
   return Json::parse(text);
 }
 
 std::string ToText(const Json& json, int indent) {
+  // Bytes that are not UTF-8 are replaced, as exceptions would prevent any message about them.
   return json.dump(indent, ' ', false, Json::error_handler_t::replace);
 }
 

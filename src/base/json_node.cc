@@ -23,6 +23,7 @@ void JsonNode::ExpectMembers(std::span<const std::string_view> names) const {
 JsonNode JsonNode::Member(const std::string& name) const {
   ExpectObject();
   if (!Has(name)) Fail("has no member " + Quoted(name));
+  // Places are paths such as `arms/0/joints`, as messages display them.
   return {value_[name], file_, place_.empty() ? name : place_ + "/" + name};
 }
 

@@ -11,6 +11,7 @@ namespace {
 constexpr std::size_t kMaxTuple = 8;
 /// Length of a misfit in a message [bytes].
 constexpr std::size_t kMaxFound = 80;
+/// Count that no JSON reaches.
 constexpr std::size_t kNoLimit = std::numeric_limits<std::size_t>::max();
 
 /// Returns the limits of a count as keywords of JSON Schema. A minimum of 0 is its default.
@@ -212,6 +213,7 @@ Json JsonShape::ListSchema() const {
   return schema;
 }
 
+// Unknown members are refused, as by Fits().
 Json JsonShape::ObjectSchema() const {
   Json properties = Json::object();
   Json required = Json::array();
@@ -276,6 +278,7 @@ std::string JsonShape::UnnamedTypeScript() const {
 std::string JsonShape::ListTypeScript() const {
   const std::string item = items_[0].TypeScript();
   if (min_count_ != max_count_ || max_count_ > kMaxTuple) {
+    // A union needs parentheses in front of `[]`.
     return item.find(" | ") == std::string::npos ? item + "[]" : "(" + item + ")[]";
   }
   std::string text = "[";

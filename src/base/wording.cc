@@ -46,6 +46,7 @@ std::string NumberText(double number) {
   if (std::isnan(number)) return "NaN";
   if (std::isinf(number)) return number > 0 ? "Inf" : "-Inf";
   char buffer[32];
+  // The shortest text that reads back as the same number.
   const auto result = std::to_chars(buffer, buffer + sizeof buffer, number);
   return {buffer, result.ptr};
 }
@@ -87,6 +88,7 @@ std::string DidYouMean(std::string_view word, std::span<const std::string_view> 
   std::size_t best_distance = allowed + 1;
   for (std::string_view candidate : known) {
     const std::size_t distance = EditDistance(word, candidate);
+    // The first of equally near words is suggested. A word of which every letter differs is not.
     if (distance < best_distance && distance < candidate.size()) {
       best = candidate;
       best_distance = distance;

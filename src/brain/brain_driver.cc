@@ -35,6 +35,7 @@ Eigen::Matrix4d MatrixInUnits(const RigidTransform& X_WF, const sim::Simulation&
   return matrix;
 }
 
+/// Returns the pinhole parameters [px] and the pose of a camera, with its position in units.
 CameraDescription DescribeCamera(const CameraView& view, const sim::Simulation& simulation) {
   return {.width_px = view.intrinsics.width_px,
           .height_px = view.intrinsics.height_px,
@@ -80,6 +81,7 @@ void RequireTwoArms(const sim::Simulation& simulation) {
   }
 }
 
+/// Returns the values of one arm.
 std::vector<double> RowOf(const LimbJoints& joints, int arm) {
   const Eigen::Matrix<double, 1, kJointCount> row = joints.row(arm);
   return {row.data(), row.data() + kJointCount};
@@ -99,6 +101,7 @@ std::map<std::string, Eigen::RowVector3d, std::less<>> TrackersOf(
     const std::string side = arm == 0 ? "l" : "r";
     const auto& joints = robot.model().arms[arm].joints;
     for (const auto& [name, index] : {std::pair("S1", 1), std::pair("E1", 3), std::pair("W1", 5)}) {
+      // Frame 0 of a robot is its base; link i has frame i + 1.
       trackers[side + "-" + name] = InUnits(poses[1 + joints[index]].translation(), simulation);
     }
     const double y = robot.GripperOpening(arm) / 2 + kHalfThickness;
@@ -114,6 +117,7 @@ std::map<std::string, Eigen::RowVector3d, std::less<>> TrackersOf(
 
 }  // namespace
 
+// Trackers are computed for each step, so they are left out if no script mentions them.
 bool MayReadTrackers(const std::filesystem::path& brain) {
   constexpr std::size_t kMaxScriptBytes = 4u << 20;
   std::error_code error;
@@ -196,6 +200,7 @@ Aux BrainDriver::Describe(const sim::Simulation& simulation) const {
   return aux;
 }
 
+// Everything but pictures: lengths in units, angles in rad, times in seconds.
 Sensor BrainDriver::SenseBody(const sim::Simulation& simulation) const {
   const world::RobotBody& robot = *simulation.robot();
   Sensor sensor{.time_elapsed = 1.0 / sim::kTicksPerSecond, .sim_time = simulation.seconds()};
@@ -282,6 +287,7 @@ void BrainDriver::Look(const sim::Simulation& simulation, Sensor* sensor) {
     add(spec, camera);
   }
   if (wishes_.channels.id) {
+    // Id 0 is the background, so names begin with that of id 1.
     sensor->segment_names.assign(model.object_names.begin() + 1, model.object_names.end());
   }
 }
@@ -299,6 +305,7 @@ void BrainDriver::Begin(const InitReply& reply, sim::Simulation* simulation) {
 }
 
 void BrainDriver::ShowMarkers(const Points& markers, sim::Simulation* simulation) {
+  // Without this, each step would add an empty command to the log.
   if (markers.rows() == 0 && !has_markers_) return;
   sim::Markers shown;
   for (Eigen::Index i = 0; i < markers.rows(); ++i) {
@@ -313,6 +320,7 @@ void BrainDriver::MakeStep(const StepReply& reply, sim::Simulation* simulation) 
   if (reply.draw_markers) ShowMarkers(*reply.draw_markers, simulation);
   const bool is_watching = frame_.has_value();
   if (!is_watching) Send(reply.motor, simulation);
+  // While watching, each reply asks for the next frame, and motor values are ignored.
   if (!reply.exit) {
     if (is_watching) TakeNextFrame(simulation);
     return;

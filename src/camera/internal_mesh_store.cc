@@ -30,12 +30,15 @@ vec3 NormalInWorld() {
 
 namespace {
 
+/// Vertex in the buffer of a mesh.
 struct Corner {
   Eigen::Vector3f position, normal;
 };
 
+/// Returns an offset in a buffer as OpenGL expects it: a pointer, for historical reasons.
 const void* Offset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }
 
+/// Describes the attributes per vertex: position and normal.
 void DescribeCorners() {
   glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Corner), Offset(0));
   glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, sizeof(Corner), Offset(sizeof(float) * 3));

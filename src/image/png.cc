@@ -28,6 +28,7 @@ struct PngImage : png_image {
 
 constexpr png_uint_32 kMaxSize = 8192;  ///< [pixels]
 
+/// Returns the number of pixels, in std::size_t to avoid an overflow of int.
 std::size_t NumPixels(const Image& image) {
   return static_cast<std::size_t>(image.width_px) * image.height_px;
 }

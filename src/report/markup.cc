@@ -8,6 +8,7 @@
 namespace smile::report {
 namespace {
 
+/// Void elements of HTML, which have no end tag.
 constexpr std::array<std::string_view, 2> kWithoutEnd{"meta", "img"};
 
 /// Escapes a text for HTML content and attribute values.
@@ -42,6 +43,7 @@ std::string Escaped(std::string_view text) {
   return html;
 }
 
+/// Returns a path as part of a URL (RFC 3986): all bytes but unreserved ones and `/` are encoded.
 std::string PercentEncoded(std::string_view path) {
   constexpr std::string_view kPlain =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-._~/";

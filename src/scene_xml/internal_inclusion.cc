@@ -52,6 +52,7 @@ class IncludeResolver {
  private:
   using FoundFile = AllowedFolders::FoundFile;
 
+  /// Adds a finding. References to the missing content are not reported in addition.
   void Fail(const SceneElement& include, const std::string& message) {
     has_all_ = false;
     reading_.findings->Add(include.place, AddressOf(include), message);
@@ -77,6 +78,7 @@ class IncludeResolver {
     return ContentOf(*found, include);
   }
 
+  /// Finds the file in the folder of the including file or a search root.
   std::optional<FoundFile> Find(const fs::path* folder, const std::string& file,
                                 const SceneElement& include) {
     AllowedFolders::Search search = folders_.Find(folder, file);

@@ -46,6 +46,7 @@ std::string ShapeNameOf(const ShapeElement& shape, const scene::Part& part) {
   return custom ? custom->name : ShapeWordOf(part.shape, shape.name);
 }
 
+/// Refuses an object of too many convex pieces.
 void CheckPieces(const scene::Part& whole, AttributeReader* attributes) {
   const std::size_t count = scene::NumSolidsOf(whole);
   if (count <= kMaxPieces) return;

@@ -11,6 +11,7 @@
 namespace smile::studio {
 namespace {
 
+/// Returns what pages draw of a simulation.
 library::DisplayedState ViewOf(const sim::Simulation& simulation) {
   return {.model = &simulation.model().visual_model(),
           .state = simulation.visual_state(),
@@ -94,6 +95,7 @@ bool ClearTableState::Tick(bool is_paused) {
 }
 
 Json PlaybackState::DescribePlayback() const {
+  // Rounded to milliseconds.
   return {{"recording", playback_.id()},
           {"seconds", std::round(1000 * playback_.seconds()) / 1000},
           {"length", playback_.length()},
@@ -120,6 +122,7 @@ model::ViewSample PlaybackState::ViewSampleThrough(model::EyeSpec eye) const {
 
 Json PlaybackState::Describe() const { return DescribeShown(playback_); }
 
+// `pause` is about the live world; playback has a rate of its own.
 bool PlaybackState::Tick(bool /*is_paused*/) {
   playback_.Tick();
   return true;

@@ -32,12 +32,16 @@ std::optional<std::string> TextIfGiven(const page::Request& request, const char*
   return field->get<std::string>();
 }
 
+/// Returns a text field.
+/// @throws page::RequestError if it is missing.
 std::string TextOf(const page::Request& request, const char* key) {
   auto text = TextIfGiven(request, key);
   if (!text) throw page::RequestError("\"" + std::string(key) + "\" is missing");
   return *std::move(text);
 }
 
+/// Returns the recording and the edits of a request.
+/// @throws page::RequestError or std::invalid_argument for faulty ones.
 editing::EditRequest EditsOf(const library::Library& library, const page::Request& request) {
   auto directory = library.DirectoryOf(TextOf(request, "recording"));
   const auto field = request.fields.find("edits");
@@ -55,6 +59,7 @@ Json MakeEdits(editing::EditPreviews* previews, const editing::EditRequest& edit
   return {{"recording", made.filename().string()}, {"report", ToJson(report)}};
 }
 
+/// Adds requests that only read. They run in the background, since they read files.
 void AddLookUps(const library::Library* library, BackgroundJobs* jobs, page::RequestTable* table) {
   const auto list = [library, jobs](const page::Request& request) {
     const auto work = [library](const recording::Progress&) -> Json {
@@ -75,6 +80,7 @@ void AddLookUps(const library::Library* library, BackgroundJobs* jobs, page::Req
   table->entries["open"] = {open, /*is_for_anyone=*/true};
 }
 
+/// Adds requests that change titles and move recordings to and from the bin.
 void AddTidying(const library::Library* library, page::RequestTable* table) {
   table->entries["rename"] = {[library](const page::Request& request) {
     library->Rename(TextOf(request, "recording"), TextIfGiven(request, "title"),
@@ -89,6 +95,7 @@ void AddTidying(const library::Library* library, page::RequestTable* table) {
   }};
 }
 
+/// Adds the requests about edits. Edits are simulated in the background.
 void AddEditing(const library::Library* library, BackgroundJobs* jobs, page::RequestTable* table) {
   // Shared by the table and running jobs, either of which may be destroyed first.
   const auto previews = std::make_shared<editing::EditPreviews>(
@@ -104,6 +111,7 @@ void AddEditing(const library::Library* library, BackgroundJobs* jobs, page::Req
   }};
   table->entries["edit"] = {[=](const page::Request& request) {
     const std::string title = TextOf(request, "name");
+    // Checked now, so that a wrong title is not reported after a long simulation.
     recording::CheckTitle(title);
     const auto work = [previews, edits = EditsOf(*library, request), root = library->root(),
                        title](const recording::Progress& progress) {

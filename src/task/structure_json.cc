@@ -10,6 +10,7 @@ namespace {
 
 constexpr const char* kFellText = " fell to the floor";
 
+/// Returns `{"object": "Red1", "on": "Plank"}`; `in` instead of `on` within a container.
 Json ToJson(const Relation& relation) {
   const bool is_in = relation.kind == Relation::Kind::kIn;
   return {{"object", relation.object}, {is_in ? "in" : "on", relation.support}};
@@ -51,6 +52,7 @@ bool IsPut(const Structure& structure, const std::string& id) {
 
 }  // namespace
 
+/// Returns positions in units of the scene, and rotations as angles about fixed axes [degrees].
 Json PosesJson(const ObjectPoses& poses, double meters_per_unit) {
   Json json = Json::object();
   for (const auto& [id, X_WB] : poses) {

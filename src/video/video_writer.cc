@@ -37,6 +37,7 @@ class VideoWriter::Encoder {
           std::to_string(height_px_) + " pixels with 3 bytes each");
     }
     CopyPadded(image, row_bytes);
+    // The encoder may still refer to the former content of the frame.
     Check(av_frame_make_writable(yuv_.get()), path_, "av_frame_make_writable");
     sws_scale(scaler_.get(), rgb_->data, rgb_->linesize, 0, rgb_->height, yuv_->data,
               yuv_->linesize);
@@ -48,6 +49,7 @@ class VideoWriter::Encoder {
     if (is_finished_) return;
     if (num_frames_ == 0) throw std::logic_error(path_.string() + ": a film needs a picture");
     is_finished_ = true;
+    // Writes the pictures that the encoder has delayed.
     Encode(nullptr);
     Check(av_write_trailer(output_.get()), path_, "av_write_trailer");
     // A full disk may be reported only here.
@@ -78,6 +80,7 @@ class VideoWriter::Encoder {
     codec_->pix_fmt = AV_PIX_FMT_YUV420P;
     codec_->framerate = rate;
     codec_->time_base = av_inv_q(rate);
+    // BT.709 in limited range: what players assume of films in high definition.
     codec_->color_range = AVCOL_RANGE_MPEG;
     codec_->colorspace = AVCOL_SPC_BT709;
     codec_->color_primaries = AVCOL_PRI_BT709;

@@ -33,8 +33,8 @@ class CannotRun : public std::runtime_error {
 
 /// Program in a process group of its own, with empty standard input and its output in a pipe. It
 /// ends with the thread that started it, and with this object; so does every process that it
-/// started, wherever it is: `smile-supervisor` runs between this process and the program, and all its
-/// descendants are reparented to it.
+/// started, wherever it is: `smile-supervisor` runs between this process and the program, and all
+/// its descendants are reparented to it.
 class ChildProcess {
  public:
   /// @throws CannotRun with the program and the reason, std::runtime_error if resources for a

@@ -23,7 +23,6 @@ struct LayoutCommandOptions {
 
 /// Demands that nothing exists at this path, so that nothing is overwritten.
 /// @throws InputError if something does.
-/// @throws InputError
 void RequireNew(const std::filesystem::path& path) {
   std::error_code error;
   if (!std::filesystem::exists(path, error)) return;

@@ -16,7 +16,7 @@ class EditText {
       : text_(text), form_(form), rest_(text_.data()) {}
 
   /// Parses a number at this place.
-  /// @throws std::invalid_argument
+  /// @throws std::invalid_argument if another letter is there.
   template <class T>
   T Number() {
     T number{};

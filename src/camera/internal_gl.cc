@@ -15,7 +15,7 @@ using GetLog = void (*)(GLuint, GLsizei, GLsizei*, GLchar*);
 }
 
 /// Compiles a shader and adds it to a program.
-/// @throws std::runtime_error
+/// @throws std::runtime_error with the compiler's log.
 void Attach(GLuint program, GLenum kind, const std::string& source) {
   const GLuint shader = glCreateShader(kind);
   const char* text = source.c_str();

@@ -19,14 +19,14 @@ class EditFields {
   explicit EditFields(const Json& json) : json_(json) {}
 
   /// Returns a finite number.
-  /// @throws std::invalid_argument
+  /// @throws std::invalid_argument if it is missing or something else.
   double Number(const char* key) {
     const Json& value = Find(key);
     if (!value.is_number() || !std::isfinite(value.get<double>())) Expected(key, "a number");
     return value.get<double>();
   }
   /// Returns a number without a fraction, within the range of int.
-  /// @throws std::invalid_argument
+  /// @throws std::invalid_argument if it is missing or something else.
   int Integer(const char* key) {
     const double number = Number(key);
     constexpr int kMost = std::numeric_limits<int>::max();

@@ -21,7 +21,7 @@ constexpr std::size_t kMaxFiles = 100'000;
 constexpr std::uintmax_t kMaxBytes = std::uintmax_t{4} << 30;
 
 /// Adds the bytes of a file in pieces, so that large files need little memory.
-/// @throws std::runtime_error
+/// @throws std::runtime_error if it cannot be read.
 void AddFile(const fs::path& path, StateHash* hash) {
   std::ifstream file(path, std::ios::binary);
   std::array<char, 1 << 16> buffer;

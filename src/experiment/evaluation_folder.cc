@@ -31,7 +31,7 @@ Json ReadOwn(const fs::path& path) {
 }
 
 /// Deletes a file or folder; one that does not exist is fine.
-/// @throws std::runtime_error
+/// @throws std::runtime_error if it cannot be deleted.
 void Remove(const fs::path& path) {
   std::error_code error;
   fs::remove_all(path, error);

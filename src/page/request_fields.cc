@@ -18,7 +18,7 @@ std::string Found(const Json& value) {
 }
 
 /// Refuses a field, in the form "found, expected" of all error messages.
-/// @throws RequestError
+/// @throws RequestError in any case.
 [[noreturn]] void Expected(const std::string& name, const std::string& found,
                            const std::string& expected) {
   throw RequestError("\"" + name + "\" is " + found + ", expected " + expected);

@@ -5,7 +5,9 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 build=${1:-build/asan}
-[[ -f $build/build.ninja ]] || cmake --preset asan -B "$build"
-find "$build/src" -path '*Unity/unity_*_cxx.cxx' -not -path '*_test.dir/*' -printf '%s %p\n' |
-  sort -k1,1nr -k2 | cut -d' ' -f2- | xargs -P "$(nproc)" -n 1 clang-tidy --quiet --config-file=.clang-tidy -p "$build" --header-filter='/src/[a-z_]+/[^/]+$' \
-    --extra-arg=-Wno-unknown-warning-option
+cmake --preset asan -B "$build"  # the rooms may have changed since
+mapfile -t files < <(grep -oP '"file": "\K[^"]*/src/CMakeFiles/[^"]*/Unity/unity_[^"]*_cxx.cxx' "$build/compile_commands.json" |
+  grep -v '_test[.]dir/' | xargs stat -c '%s %n' | sort -k1,1nr -k2 | cut -d' ' -f2-)
+for i in "${!files[@]}"; do printf '%s\n' "$((i + 1))/${#files[@]}" "${files[i]}"; done |
+  xargs -P "$(nproc)" -n 2 bash -c 'clang-tidy --quiet --config-file=.clang-tidy -p "$0" --header-filter="/src/[a-z_]+/[^/]+$" \
+    --extra-arg=-Wno-unknown-warning-option "$2" && echo "[$1] $2"' "$build"

@@ -1,24 +1,69 @@
 # Shared by ./run and ./test: installs missing packages and builds. Sourced, not run.
-# Says what it does; shows the output of a step only when the step fails.
+# Says what it does and how far it is; shows the output of a step only when the step fails.
 
 project=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 # say WORDS: one line on stderr, so that stdout stays the program's own.
 say() { echo "smile: $*" >&2; }
 
-# quietly WHAT COMMAND...: runs it; on failure shows all it printed and ends.
+# in_words SECONDS: a duration for people.
+in_words() {
+  if (($1 < 90)); then echo "$1 s"; else echo "$((($1 + 30) / 60)) min"; fi
+}
+
+# show_progress WHAT: reads a step's output. Where a line begins with a count, as those of ninja and
+# ctest do, shows how far the step is and how long the rest will take at this pace: in a terminal on
+# one line, elsewhere on a line of its own every minute.
+show_progress() {
+  local what=$1 line text started=$SECONDS shown=$SECONDS
+  while IFS= read -r line; do
+    [[ $line =~ ^[[:space:]]*\[?([0-9]+)/([0-9]+)[^0-9] ]] || continue
+    local done=${BASH_REMATCH[1]} total=${BASH_REMATCH[2]} passed=$((SECONDS - started))
+    text="smile: $what: $done of $total"
+    if ((passed >= 5 && done > 0)); then
+      text+=", about $(in_words $((passed * (total - done) / done))) left"
+    fi
+    if [[ -t 2 ]]; then
+      printf '\r%s\033[K' "$text" >&2
+    elif ((SECONDS - shown >= 60)); then
+      echo "$text" >&2
+      shown=$SECONDS
+    fi
+  done
+  if [[ -t 2 ]]; then printf '\r\033[K' >&2; fi
+}
+
+# quietly WHAT COMMAND...: runs it and shows its progress; on failure shows all it printed and ends.
 quietly() {
   local what=$1 log started=$SECONDS
   shift
   log=$(mktemp)
-  if ! "$@" >"$log" 2>&1; then
+  if ! "$@" 2>&1 | tee "$log" | show_progress "$what"; then
     cat "$log" >&2
     rm -f "$log"
     say "$what failed: $*"
     exit 3
   fi
   rm -f "$log"
-  if ((SECONDS - started > 1)); then say "$what took $((SECONDS - started)) s"; fi
+  if ((SECONDS - started > 1)); then say "$what took $(in_words $((SECONDS - started)))"; fi
+}
+
+# run_tests PRESET [OPTION...]: runs the tests that ctest finds. In a terminal it shows how far it
+# is, and of the output only what failed; elsewhere a line for each test.
+run_tests() {
+  local log
+  if [[ ! -t 1 ]]; then
+    ctest --preset "$@"
+    return
+  fi
+  log=$(mktemp)
+  if ! ctest --preset "$@" 2>&1 | tee "$log" | show_progress "testing ($1)"; then
+    grep -vE '^ *(Start +[0-9]+:|[0-9]+/[0-9]+ Test +#.* Passed )' "$log" || true
+    rm -f "$log"
+    exit 8
+  fi
+  tail -n 4 "$log"
+  rm -f "$log"
 }
 
 # list_packages [PART]: names from packages.txt, of the beginning and of the [PART] asked for.
@@ -64,7 +109,7 @@ build() {
     (cd "$project" && quietly "configuring" cmake --fresh --preset "$preset")
   fi
   if [[ ! -f $dir/.built ]]; then say "building ($preset); the first time takes a few minutes"; fi
-  (cd "$project" && quietly "building" cmake --build --preset "$preset" "${targets[@]}")
+  (cd "$project" && quietly "building ($preset)" cmake --build --preset "$preset" "${targets[@]}")
   touch "$dir/.built"
   exec 9>&-
 }

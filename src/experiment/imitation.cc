@@ -23,7 +23,8 @@ ImitationResult Imitate(const ImitationPlan& plan, const Callbacks& callbacks) {
                              .has_pictures = plan.has_pictures,
                              .eye = plan.eye,
                              .noise = plan.noise,
-                             .label = "the robot builds"},
+                             .label = "the robot builds",
+                             .goal = &imitation_task.structure},
                             callbacks);
   // Scored from the recording, so that anyone can repeat the score.
   const task::Episode outcome = task::EpisodeOf(recording::OpenRecording(plan.record));

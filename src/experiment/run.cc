@@ -12,6 +12,7 @@
 #include "experiment/content_hash.h"
 #include "experiment/world_description.h"
 #include "picture/rendered_eye.h"
+#include "task/comparison.h"
 
 namespace smile::experiment {
 namespace {
@@ -54,6 +55,7 @@ class LiveRun {
       controller_->Continue(plan.continuation->recording, plan.continuation->from, &simulation_,
                             callbacks_.ProgressOf(plan.label));
     }
+    if (plan.goal != nullptr) episode_.emplace(&simulation_);
     first_tick_ = simulation_.tick();
     // The recording is started before script and brain, so that it contains their first commands.
     if (plan.script) player_.emplace(*plan.script);
@@ -66,7 +68,7 @@ class LiveRun {
     while (!IsOver()) {
       simulation_.Tick();
       passed_ += 1.0 / sim::kTicksPerSecond;
-      callbacks_.Report(plan_.label, passed_, plan_.seconds.value_or(0));
+      ReportProgress();
       if (plan_.is_realtime) WaitUntil(start + std::chrono::duration<double>(passed_));
     }
     const std::chrono::duration<double> wall = Clock::now() - start;
@@ -94,6 +96,23 @@ class LiveRun {
   }
 
   /// Waits until a time, or notes by how much it has passed already.
+  /// Reports how long the run has lasted, and how many objects of its goal are in place.
+  void ReportProgress() {
+    // Comparing takes milliseconds: once per simulated second is often enough for people.
+    if (episode_ && simulation_.tick() % sim::kTicksPerSecond == 0) {
+      const task::Episode episode = episode_->episode();
+      const task::StructureComparison comparison = task::CompareWith(*plan_.goal, episode);
+      // The structure may stand anywhere: before the first contact, one object is always in place.
+      std::size_t num_placed = 0;
+      if (!episode.contacts.empty()) {
+        for (const auto& [id, error] : comparison.errors) num_placed += error.is_within();
+      }
+      label_ = plan_.label + ", " + std::to_string(num_placed) + " of " +
+               std::to_string(comparison.errors.size()) + " objects in place";
+    }
+    callbacks_.Report(label_, passed_, plan_.seconds.value_or(0));
+  }
+
   template <class Time>
   void WaitUntil(Time due) {
     const std::chrono::duration<double> delay = Clock::now() - due;
@@ -147,8 +166,8 @@ class LiveRun {
     }
   }
 
-  /// Throws the failure of a recording, for example on a full disk: the run has no purpose any
-  /// more.
+  /// Throws the failure of a recording, for example on a full disk, without which the run is
+  /// useless.
   void ThrowIfNotRecorded() const {
     if (controller_ && controller_->failure()) throw std::runtime_error(*controller_->failure());
   }
@@ -209,7 +228,9 @@ class LiveRun {
   sim::Simulation simulation_;
   std::uint64_t first_tick_ = 0;
   int farewell_ticks_ = 0;  ///< remaining after the end of the brain
-  double passed_ = 0;       ///< simulated since then, also what was undone [s]
+  std::string label_ = plan_.label;
+  std::optional<task::EpisodeObserver> episode_;  ///< if there is a goal
+  double passed_ = 0;  ///< simulated since then, also what was undone [s]
   std::uint64_t late_ticks_ = 0;
   double worst_delay_ = 0;
   std::optional<sim::ScriptPlayer> player_;

@@ -14,6 +14,7 @@
 #include "sim/eye.h"
 #include "sim/script.h"
 #include "sim/simulation.h"
+#include "task/structure.h"
 
 namespace smile::experiment {
 
@@ -45,6 +46,8 @@ struct RunPlan {
   double image_seconds = 0.25;    ///< between pictures for the brain
   bool is_realtime = false;       ///< paced by the wall clock, which changes no result
   std::string label = "running";  ///< step name in progress reports
+  /// Structure of which progress reports count the objects in place; null for none.
+  const task::Structure* goal = nullptr;
 };
 
 /// End state and statistics of a run.

@@ -1,6 +1,7 @@
 #include "experiment/run.h"
 
 #include <limits>
+#include <set>
 #include <vector>
 
 #include "base/diagnostic.h"
@@ -57,6 +58,16 @@ TEST_F(RunTest, ReportsProgressOfItsStep) {
   ASSERT_EQ(times.size(), 6u);
   EXPECT_TRUE(std::ranges::is_sorted(times));
   EXPECT_NEAR(times.back(), 0.1, 1e-12);
+}
+
+TEST_F(RunTest, ProgressCountsTheObjectsInPlace) {
+  const task::Structure goal = task::StructureOf(recording::OpenRecording(RecordStacking()));
+  std::set<std::string> steps;
+  experiment::Run(
+      {.scene = Pair(), .script = Stacking(), .seconds = 6, .goal = &goal},
+      {.on_progress = [&](const std::string& step, double, double) { steps.insert(step); }});
+  EXPECT_TRUE(steps.contains("running, 1 of 2 objects in place")) << "while `a` is carried";
+  EXPECT_TRUE(steps.contains("running, 2 of 2 objects in place"));
 }
 
 TEST_F(RunTest, RecordingAndPacingChangeNoResult) {

@@ -35,6 +35,10 @@ Vector3 FixedAxesAngles(const Matrix3& R) {
   return angles * (180.0 / std::numbers::pi);
 }
 
+Quaternion SmallestRotation(const Vector3& from, const Vector3& to) {
+  return Quaternion::FromTwoVectors(from, to);
+}
+
 Vector3 RotationVectorBetween(const Quaternion& from, const Quaternion& to) {
   // q and -q are the same rotation; the one with w >= 0 has the smaller angle.
   Quaternion turn = to * from.conjugate();

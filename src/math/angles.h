@@ -18,6 +18,11 @@ Matrix3 RotationFromFixedAxes(const Vector3& angles_deg);
 /// 90]. If |R31| > 0.999999, only a - c or a + c is determined; then a = 0.
 Vector3 FixedAxesAngles(const Matrix3& R);
 
+/// Returns the smallest rotation that turns the direction `from` to the direction `to`; of opposite
+/// directions, about an axis at a right angle to them. (Eigen's, compiled once: it contains a
+/// singular value decomposition.)
+Quaternion SmallestRotation(const Vector3& from, const Vector3& to);
+
 /// Returns the rotation vector (axis times angle [rad], angle within [0, pi]) that rotates `from`
 /// to `to`, along the common outer frame: to = exp(v) * from.
 Vector3 RotationVectorBetween(const Quaternion& from, const Quaternion& to);

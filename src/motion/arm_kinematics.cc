@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "math/angles.h"
+
 namespace smile::motion {
 namespace {
 
@@ -21,7 +23,7 @@ std::vector<int> CarriersOf(const robot::RobotModel& model, const robot::Frame& 
 
 /// Returns a frame at the same origin whose z axis is `axis`.
 RigidTransform TurnedTowards(const Vector3& axis) {
-  return {Quaternion::FromTwoVectors(Vector3::UnitZ(), axis), Vector3::Zero()};
+  return {SmallestRotation(Vector3::UnitZ(), axis), Vector3::Zero()};
 }
 
 /// Returns the transform that a joint's motion by q adds.

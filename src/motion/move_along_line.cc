@@ -42,7 +42,7 @@ class ToolLine {
     if (any_turn) {
       // The smallest rotation that aligns the axes; the rotation about the axis is free.
       const Vector3 z_from = from_.rotation().col(2), z_to = to_.rotation().col(2);
-      q_to_ = Quaternion::FromTwoVectors(z_from, z_to) * q_from_;
+      q_to_ = SmallestRotation(z_from, z_to) * q_from_;
     }
     turn_ = RotationVectorBetween(q_from_, q_to_);
   }

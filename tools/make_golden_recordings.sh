@@ -75,8 +75,8 @@ fi
 # A robot that imitates: it grasps, carries and releases. Its commands are in the log, so it replays without its program.
 # The first part of it is enough: it ends before the tower stands, and `imitate` says so.
 if [[ ! -e $golden/imitation ]]; then
-  "$program" experiment tower --brain python/um/um.py --no-films --out "$scratch/whole"
-  "$program" imitate "$scratch/whole/demonstration" scenes/tower_robot.xml --brain python/um/um.py --seconds 11 \
+  "$program" experiment tower --brain python/learner/learner.py --no-films --out "$scratch/whole"
+  "$program" imitate "$scratch/whole/demonstration" scenes/tower_robot.xml --brain python/learner/learner.py --seconds 11 \
              --no-pictures --out "$scratch/out" || true
   golden imitation check scenes/tower_robot.xml
 fi

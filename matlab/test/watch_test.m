@@ -1,10 +1,10 @@
-% Tests how the brain of the letters understands pictures of a demonstration, without the simulator:
+% Tests how the learner reconstructs a demonstration from pictures, without the simulator:
 %
 %   octave-cli matlab/test/watch_test.m
 %
-% prints "ok", or what is wrong, and exits with 0 or 1.
+% prints "ok" or the first wrong claim, and exits with 0 or 1.
 here = fileparts(mfilename('fullpath'));
-addpath(fullfile(here, '..', 'um'));
+addpath(fullfile(here, '..', 'learner'));
 
 function check(is_true, claim)
   if ~is_true, error('not so: %s', claim); end
@@ -21,7 +21,7 @@ function eye = someEye()
 end
 
 function picture = draw(blocks, eye)
-% A white table in the dark, and blocks, those behind first; tops have their color, sides are darker.
+% Renders a white table on black, and blocks, the rear ones first: tops have the true color, sides are darker.
   picture = zeros(480, 640, 3);
   picture(60:end, :, :) = 1;
   for block = blocks
@@ -55,9 +55,9 @@ end
 function check_regions()
   number = labelRegions([5, 5, 0; 0, 3, 3; 5, 0, 3; 5, 5, 3]);
   check(isequal(sort(unique(number(:)))', 0:3) && all(number([3, 4, 8]) == number(3)), ...
-        'pixels of one region are equal and touch');
-  check(number(1) ~= number(3) && number(1, 2) ~= number(2, 2), 'what differs is another region');
-  check(isequal(labelRegions(false(2)), zeros(2)), 'nothing has no regions');
+        'pixels of one region are equal and connected');
+  check(number(1) ~= number(3) && number(1, 2) ~= number(2, 2), 'different pixels form different regions');
+  check(isequal(labelRegions(false(2)), zeros(2)), 'an empty mask has no regions');
 end
 
 function check_picture()
@@ -66,24 +66,24 @@ function check_picture()
   plank = blockAt([0.3, 0.2, 0.1], [4, 1, 1.5], [2, 1.5, 0.75], -0.2);
   picture = draw([plank, red], eye);
   table = tableColor(picture);
-  tops = topsIn(picture, table);
+  tops = segmentTopFaces(picture, table);
   check(numel(tops) == 2, 'sides are not taken for tops');
-  kinds = learnKinds(tops, picture, eye, table);
+  kinds = learnBlockKinds(tops, picture, eye, table);
   for wanted = [plank, red]
     kind = kinds(arrayfun(@(kind) sameColor(kind.color, wanted.color), kinds));
-    check(max(abs(kind.size - wanted.size)) < 0.06, 'a block that lies by itself tells how large it is');
+    check(max(abs(kind.size - wanted.size)) < 0.06, 'the size of a single block is measured');
   end
 
-  % One that hides another's foot tells nothing of that one, and an unknown color has a known size.
+  % A block with a hidden foot cannot be measured; a block of an unknown color has a known size.
   blue = blockAt([0, 0, 1], [1, 1, 1], [1.5, 0, 1.5], 0.1);
   picture = draw([plank, blockAt([0, 1, 0], [1, 1, 1], [1.5, 0, 0.5], 0), blue], eye);
-  tops = topsIn(picture, table);
-  check(~any(arrayfun(@(kind) sameColor(kind.color, plank.color), learnKinds(tops, picture, eye, table))), ...
-        'the height of what stands behind is not guessed');
+  tops = segmentTopFaces(picture, table);
+  check(~any(arrayfun(@(kind) sameColor(kind.color, plank.color), learnBlockKinds(tops, picture, eye, table))), ...
+        'the height of a partly hidden block is not guessed');
   top = tops(arrayfun(@(top) sameColor(top.color, blue.color), tops));
   [kinds.color] = deal(blue.color);
   block = fitBlocks(top.row, top.column, eye, kinds, [], @(block) true);
-  check(norm(block.position - blue.position) < 0.05, 'an upper block is found where it is');
+  check(norm(block.position - blue.position) < 0.05, 'an upper block is located');
 end
 
 function check_tracking()
@@ -93,30 +93,30 @@ function check_tracking()
   no = @(block) false;
   yes = @(block) true;
   objects = trackBlocks(trackBlocks(), [red([-3, 0, 0.5]), red([3, 0, 0.5]), blue([0, 0, 0.5])], no, no);
-  check(numel(objects) == 3 && ~any([objects.placed]), 'what is seen first was not moved');
+  check(numel(objects) == 3 && ~any([objects.placed]), 'objects in the first picture have not moved');
 
-  % The blue one is held, then laid onto the left red one; the right red one hides behind the hand.
+  % The blue block is held, then put onto the left red one; the hand occludes the right red one.
   objects = trackBlocks(objects, [red([-3, 0, 0.5]), blue([-3, 0, 2.5])], no, no);
-  check(objects(3).position(3) == 0.5, 'what is held is nowhere yet');
+  check(objects(3).position(3) == 0.5, 'a held block keeps its old place');
   objects = trackBlocks(objects, blue([-3, 0, 1.5]), yes, no);
-  check(objects(3).position(3) == 1.5 && objects(3).placed == 1, 'what is laid onto another was moved');
+  check(objects(3).position(3) == 1.5 && objects(3).placed == 1, 'a block on another one was moved');
 
-  % A red one at a new place: the left one is nearer, but the blue one lies on it.
+  % A red block at a new place: the left one was closer, but the blue one lies on it.
   objects = trackBlocks(objects, [blue([-3, 0, 1.5]), red([-1.5, 0, 0.5])], no, no);
-  check(objects(2).position(1) == -1.5 && objects(1).position(1) == -3, 'nobody takes one from below');
-  check(objects(2).placed == 2 && numel(objects) == 3, 'it is the one that could be taken');
+  check(objects(2).position(1) == -1.5 && objects(1).position(1) == -3, 'a covered block cannot have moved');
+  check(objects(2).placed == 2 && numel(objects) == 3, 'the uncovered one has');
 
-  % One that was hidden so far has not moved; one that was not there has.
+  % A block that was hidden so far has not moved; one whose place was empty has.
   green = @(x) blockAt([0, 1, 0], unit, [x, 2, 0.5], 0);
   objects = trackBlocks(objects, green(0), no, @(block) block.position(1) > 1);
   objects = trackBlocks(objects, [green(0), green(2)], no, @(block) block.position(1) > 1);
-  check(isequal([objects(4:5).placed], [0, 3]), 'what comes into sight was moved if its place was empty');
+  check(isequal([objects(4:5).placed], [0, 3]), 'a new block was moved if its place was empty');
 
-  % A part of it is hidden: it stays where it was seen as a whole.
+  % A partly hidden block stays where it was entirely visible.
   part = green(2.2);
   part.pixels = 900;
   objects = trackBlocks(objects, part, no, no);
-  check(objects(5).position(1) == 2, 'what is half hidden does not move');
+  check(objects(5).position(1) == 2, 'a partly hidden block does not move');
 end
 
 try

@@ -77,7 +77,8 @@ void AddEvaluate(CLI::App* program, ExitAnswer answer) {
   Repeatable(
       evaluate->add_option("--brain", options->brains, "a brain; repeated for each of several"))
       ->required()
-      ->check(NotEmpty());
+      ->check(NotEmpty())
+      ->transform(PresentBrain());
   CLI::Option* demonstrators =
       Repeatable(
           evaluate->add_option("--demonstrators", options->demonstrators,

@@ -91,7 +91,8 @@ void AddExperiment(CLI::App* program, ExitAnswer answer) {
       ->check(CLI::IsMember(
           std::vector<std::string>(experiment::kTasks.begin(), experiment::kTasks.end())));
   experiment->add_option("--out", options->out, "directory for the results; out/NAME if not given");
-  experiment->add_option("--brain", options->brain, "the brain; matlab/um if not given");
+  experiment->add_option("--brain", options->brain, "the brain; matlab/learner if not given")
+      ->transform(PresentBrain());
   AddLayoutOptions(experiment, &options->layout);
   experiment->add_flag("--no-films", options->no_films, "leave out the mp4 files");
   experiment->add_flag("--json", options->json, "print result.json on stdout");

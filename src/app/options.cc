@@ -8,6 +8,7 @@
 
 #include "base/files.h"
 #include "base/wording.h"
+#include "library/brain_choices.h"
 #include "robot/urdf_reader.h"
 
 namespace smile::app {
@@ -66,9 +67,12 @@ void AddTimeoutOption(CLI::App* command, CLI::Option* brain, double* seconds) {
 }
 
 CLI::Option* AddBrainOptions(CLI::App* command, BrainOptions* options) {
-  CLI::Option* brain = command->add_option(
-      "--brain", options->brain,
-      "brain (robot program): a folder with agentBehavior.m, a Python file, or an executable");
+  CLI::Option* brain =
+      command
+          ->add_option("--brain", options->brain,
+                       "brain (robot program): a folder with agentBehavior.m, a Python file, or an "
+                       "executable")
+          ->transform(PresentBrain());
   AddTimeoutOption(command, brain, &options->timeout);
   command
       ->add_flag("--attach", options->attach,
@@ -202,6 +206,15 @@ void AddNoiseOption(CLI::App* command, std::string* text) {
                    "Gaussian noise in what the brain is told: standard deviations "
                    "joints=RAD,image=SHARE,depth=UNITS and seed=N, or some of them")
       ->needs("--brain");
+}
+
+CLI::Validator PresentBrain() {
+  return CLI::Validator(
+      [](std::string& brain) {
+        brain = library::PresentBrainPath(brain).string();
+        return std::string();
+      },
+      "");
 }
 
 CLI::Validator NotEmpty() {

@@ -100,6 +100,10 @@ CLI::Option* AddDemonstratorOption(CLI::App* command, std::string* look);
 /// Returns a validator for finite numbers from `low` to `high`; CLI::Range would accept NaN.
 CLI::Validator NumberBetween(double low, double high);
 
+/// Returns a validator that replaces the former path of a shipped brain by the present one: see
+/// library::PresentBrainPath().
+CLI::Validator PresentBrain();
+
 /// Returns a validator for any text except the empty one, which an unset shell variable leaves.
 CLI::Validator NotEmpty();
 

@@ -15,7 +15,7 @@ namespace smile::experiment {
 namespace {
 
 /// The brain that imitates unless another one is given.
-constexpr const char* kLearner = "matlab/um";
+constexpr const char* kLearner = "matlab/learner";
 
 /// Timeout per callback: a busy machine is no reason to fail [s].
 constexpr double kPatientCallbackSeconds = 60;

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <map>
 #include <optional>
@@ -18,6 +19,13 @@ namespace fs = std::filesystem;
 
 /// Length of the beginning of a script that is searched for the declaration.
 constexpr std::size_t kMaxDeclarationBytes = 16u << 10;
+
+/// Former paths of shipped brains, and the present ones.
+constexpr std::array<std::pair<const char*, const char*>, 3> kRenamedBrains{{
+    {"matlab/um", "matlab/learner"},
+    {"python/um", "python/learner"},
+    {"python/um/um.py", "python/learner/learner.py"},
+}};
 
 /// Program with the path by which people know it: that of its folder if it has one of its own.
 struct FoundProgram {
@@ -114,7 +122,26 @@ const BrainChoice* BrainNamed(const std::vector<BrainChoice>& choices, const std
   if (exact != choices.end()) return &*exact;
   const auto last = std::ranges::find_if(
       choices, [&](const BrainChoice& choice) { return choice.name.ends_with("/" + name); });
-  return last == choices.end() || name.empty() ? nullptr : &*last;
+  if (last != choices.end() && !name.empty()) return &*last;
+  for (const auto& [former, present] : kRenamedBrains) {
+    if (name == former) return BrainNamed(choices, present);
+  }
+  return nullptr;
+}
+
+fs::path PresentBrainPath(const fs::path& brain) {
+  std::error_code error;
+  if (fs::exists(brain, error)) return brain;
+  const fs::path path = brain.has_filename() ? brain : brain.parent_path();
+  for (const auto& [former, present] : kRenamedBrains) {
+    const fs::path end = former;
+    const std::ptrdiff_t num_parts = std::distance(end.begin(), end.end());
+    if (LastPartsOf(path, num_parts) != end) continue;
+    fs::path folder = path;
+    for (std::ptrdiff_t i = 0; i < num_parts; ++i) folder = folder.parent_path();
+    if (fs::exists(folder / present, error)) return folder / present;
+  }
+  return brain;
 }
 
 bool DeclaresImitation(const fs::path& script) {

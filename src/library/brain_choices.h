@@ -8,7 +8,7 @@ namespace smile::library {
 
 /// A brain that can be started.
 struct BrainChoice {
-  /// Shortest end of its path that no other brain has: `wave.py`, `matlab/um`.
+  /// Shortest end of its path that no other brain has: `wave.py`, `matlab/learner`.
   std::string name;
   std::string kind;            ///< `octave`, `python` or `program`
   std::filesystem::path path;  ///< for brain::BrainProcess
@@ -20,9 +20,14 @@ struct BrainChoice {
 /// folders are skipped; duplicates are listed once.
 std::vector<BrainChoice> BrainsIn(const std::vector<std::filesystem::path>& folders);
 
-/// Returns the first choice with this name or with a path that ends with it; nullptr if none
-/// matches.
+/// Returns the first choice with this name or with a path that ends with it, also for a former name
+/// of a shipped brain; nullptr if none matches.
 const BrainChoice* BrainNamed(const std::vector<BrainChoice>& choices, const std::string& name);
+
+/// Returns the present path of a shipped brain if `brain` is its former path (`matlab/um` is now
+/// `matlab/learner`) and no longer exists; otherwise returns `brain`. Scripts with former paths
+/// continue to work.
+std::filesystem::path PresentBrainPath(const std::filesystem::path& brain);
 
 /// Returns true if a brain declares that it reads demonstrations: one of the first lines of its
 /// script, in a comment or a docstring, is `smile: imitates` (docs/brains.md).

@@ -41,15 +41,18 @@ TEST_P(LearnerOf, DoesItInASceneItHasNeverSeen) {
   EXPECT_LT(answer.json()["mean_error_mm"], 5);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Tasks, LearnerOf,
-    ::testing::Values(Lesson{"tower", "matlab/um"}, Lesson{"tower", "python/um/um.py"},
-                      Lesson{"row", "python/um/um.py"}, Lesson{"bridge", "matlab/um"},
-                      Lesson{"box", "python/um/um.py"}, Lesson{"hatch", "matlab/um", ""}),
-    [](const auto& lesson) {
-      const std::string brain = lesson.param.brain;
-      return std::string(lesson.param.task) + (brain.starts_with("python") ? "_python" : "_octave");
-    });
+INSTANTIATE_TEST_SUITE_P(Tasks, LearnerOf,
+                         ::testing::Values(Lesson{"tower", "matlab/learner"},
+                                           Lesson{"tower", "python/learner/learner.py"},
+                                           Lesson{"row", "python/learner/learner.py"},
+                                           Lesson{"bridge", "matlab/learner"},
+                                           Lesson{"box", "python/learner/learner.py"},
+                                           Lesson{"hatch", "matlab/learner", ""}),
+                         [](const auto& lesson) {
+                           const std::string brain = lesson.param.brain;
+                           return std::string(lesson.param.task) +
+                                  (brain.starts_with("python") ? "_python" : "_octave");
+                         });
 
 class LearnerWithNoise : public ProgramTest, public ::testing::WithParamInterface<const char*> {};
 
@@ -68,7 +71,7 @@ TEST_P(LearnerWithNoise, BuildsThoughItsJointsAreMeasuredInexactly) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Twins, LearnerWithNoise,
-                         ::testing::Values("matlab/um", "python/um/um.py"));
+                         ::testing::Values("matlab/learner", "python/learner/learner.py"));
 
 }  // namespace
 }  // namespace smile

@@ -55,7 +55,7 @@ TEST_F(AnyRobot, OfOneArmIsDrivenByAScript) {
   EXPECT_NEAR(answer.json()["robot"]["left"]["end_effector"][2].get<double>(), 2, 0.01);
   EXPECT_EQ(Smile("render pair.xml --out a.png --size 64x48" + std::string(kRobot)).exit_code, 0);
 
-  const Answer brain = Smile("run pair.xml --brain '" + Shipped("matlab/um") + "'" + kRobot);
+  const Answer brain = Smile("run pair.xml --brain '" + Shipped("matlab/learner") + "'" + kRobot);
   EXPECT_NE(brain.err.find("a brain drives a robot with two arms of seven joints each"),
             std::string::npos)
       << brain.err;

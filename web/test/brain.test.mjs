@@ -65,7 +65,7 @@ test("a brain runs, its error tells its line, and an imitation its score", async
   // What does not read demonstrations is not offered for them.
   const imitator = page.getByRole("combobox", { name: "Program that imitates" });
   const offered = await imitator.getByRole("option").allTextContents();
-  assert.deepEqual(offered, ["rests.py (python)", "trips.py (python)", "matlab/um (octave)", "python/um (python)"]);
+  assert.deepEqual(offered, ["rests.py (python)", "trips.py (python)", "matlab/learner (octave)", "python/learner (python)"]);
   assert.equal(await imitator.inputValue(), "rests.py", "one's own comes first");
   await person.press("Imitate");
   const score = page.getByRole("status", { name: "Score" });
@@ -102,13 +102,13 @@ test("the shipped learner is chosen, begins, and is recorded", async (t) => {
   });
   await person.showPanel("Brain");
   const imitator = page.getByRole("combobox", { name: "Program that imitates" });
-  assert.equal(await imitator.inputValue(), "matlab/um");
+  assert.equal(await imitator.inputValue(), "matlab/learner");
   await person.press("Imitate");
   await witness.until(() => witness.state.recording !== null, "the imitation is recorded");
   assert.notEqual(witness.state.recording.id, id);
   const hasBegun = await witness.within(60_000, () => witness.state.brain.status !== "starting");
   assert.ok(hasBegun && witness.state.brain.status === "running", JSON.stringify(witness.state.brain));
-  assert.equal(witness.state.brain.name, "matlab/um");
+  assert.equal(witness.state.brain.name, "matlab/learner");
   await person.press("Stop");
   await page.getByRole("status", { name: "Score" }).waitFor();
   await witness.until(() => witness.state.recording === null, "the recording ends with the imitation");

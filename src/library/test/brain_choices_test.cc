@@ -39,13 +39,13 @@ class BrainChoicesTest : public ::testing::Test {
 using Names = std::vector<std::string>;
 
 TEST_F(BrainChoicesTest, DistinguishesProgramsOfOneNameByTheirPaths) {
-  Write("matlab/um/agentBehavior.m");
-  Write("python/um/um.py");
-  Write("python/um/parts.py");
+  Write("matlab/learner/agentBehavior.m");
+  Write("python/learner/learner.py");
+  Write("python/learner/parts.py");
   Write("matlab/sway/agentBehavior.m");
-  EXPECT_EQ(NamesIn({"matlab", "python"}), (Names{"sway", "matlab/um", "python/um"}));
-  EXPECT_EQ(NamesIn({"python"}), Names{"um"});
-  EXPECT_EQ(In({"python"})[0].path, root_ / "python/um/um.py");
+  EXPECT_EQ(NamesIn({"matlab", "python"}), (Names{"matlab/learner", "sway", "python/learner"}));
+  EXPECT_EQ(NamesIn({"python"}), Names{"learner"});
+  EXPECT_EQ(In({"python"})[0].path, root_ / "python/learner/learner.py");
   EXPECT_EQ(In({"python"})[0].kind, "python");
 }
 
@@ -62,6 +62,21 @@ TEST_F(BrainChoicesTest, FindsAProgramByTheEndOfItsPath) {
   EXPECT_EQ(BrainNamed(choices, "wave.py"), &choices[0]) << "the first folder's";
   EXPECT_EQ(BrainNamed(choices, "ave.py"), nullptr);
   EXPECT_EQ(BrainNamed(choices, ""), nullptr);
+}
+
+TEST_F(BrainChoicesTest, FindsTheLearnerByItsFormerName) {
+  Write("matlab/learner/agentBehavior.m");
+  Write("python/learner/learner.py");
+  const std::vector<BrainChoice> choices = In({"matlab", "python"});
+  EXPECT_EQ(BrainNamed(choices, "matlab/um"), &choices[0]);
+  EXPECT_EQ(BrainNamed(choices, "python/um"), &choices[1]);
+  EXPECT_EQ(BrainNamed(choices, "mine/um"), nullptr);
+  EXPECT_EQ(PresentBrainPath(root_ / "matlab/um"), root_ / "matlab/learner");
+  EXPECT_EQ(PresentBrainPath(root_ / "matlab/um/"), root_ / "matlab/learner");
+  EXPECT_EQ(PresentBrainPath(root_ / "python/um/um.py"), root_ / "python/learner/learner.py");
+  EXPECT_EQ(PresentBrainPath(root_ / "mine/um"), root_ / "mine/um");
+  Write("matlab/um/agentBehavior.m");
+  EXPECT_EQ(PresentBrainPath(root_ / "matlab/um"), root_ / "matlab/um") << "exists";
 }
 
 TEST_F(BrainChoicesTest, ImitatesWhoSaysSoInACommentOfItsScript) {
@@ -87,12 +102,12 @@ TEST_F(BrainChoicesTest, TheShippedLearnersImitateAndTheWavesDoNot) {
                 DataFile("python/examples")});
   std::map<std::string, bool> imitates;
   for (const BrainChoice& choice : choices) imitates[choice.name] = choice.imitates;
-  EXPECT_EQ(imitates, (std::map<std::string, bool>{{"matlab/um", true},
-                                                   {"python/um", true},
+  EXPECT_EQ(imitates, (std::map<std::string, bool>{{"matlab/learner", true},
+                                                   {"python/learner", true},
                                                    {"stack", false},
                                                    {"wave", false},
                                                    {"wave.py", false}}));
-  EXPECT_EQ(choices.front().name, "matlab/um");
+  EXPECT_EQ(choices.front().name, "matlab/learner");
 }
 
 }  // namespace

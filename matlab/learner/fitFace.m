@@ -1,0 +1,35 @@
+function face = fitFace(x, y, area, yaw)
+% Fits a rectangle in a plane to small pieces of it, by their moments.
+%   x, y, area   of the pieces, Nx1 [units, units squared]
+%   yaw          of its first side [rad]; estimated if missing
+%   face.center  1x2 [units]
+%   face.yaw     [rad]
+%   face.sides   length along the direction of yaw, and across it, 1x2 [units]
+%   face.misfit  relative difference between the area of the pieces and that of the rectangle
+  total = sum(area);
+  face.center = [sum(x .* area), sum(y .* area)] / total;
+  x = x - face.center(1);
+  y = y - face.center(2);
+  if nargin < 4, yaw = yawOf(x, y, area); end
+  along = x * cos(yaw) + y * sin(yaw);
+  across = y * cos(yaw) - x * sin(yaw);
+  % The variance of the points of a rectangle along a side is the side squared, divided by 12.
+  face.yaw = yaw;
+  face.sides = sqrt(12 * [sum(along .^ 2 .* area), sum(across .^ 2 .* area)] / total);
+  face.misfit = abs(prod(face.sides) / total - 1);
+end
+
+function yaw = yawOf(x, y, area)
+% Estimates the yaw of a rectangle around the origin [rad]. Multiplying complex numbers adds their angles:
+% the squares of the points of an elongated rectangle point about the same way, at twice its yaw.
+  z = x + 1i * y;
+  direction = sum(area .* z .^ 2);
+  spread = sum(area .* abs(z) .^ 2);
+  if abs(direction) > constants().perception.elongated * spread
+    yaw = angle(direction) / 2;
+  else
+    % A square has no long side; its fourth powers have a direction. The corners are farthest out and
+    % weigh most; at yaw 0 they lie at 45 degrees, and four times that is 180, hence the minus.
+    yaw = angle(-sum(area .* z .^ 4)) / 4;
+  end
+end

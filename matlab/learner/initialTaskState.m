@@ -1,0 +1,20 @@
+function state = initialTaskState(steps, container)
+% Returns the state of the learner at the beginning of a task.
+%   steps      see inferTask; once a site is chosen, at their places in this scene
+%   container  that some of them go into, see measureContainer; once a site is chosen, in this scene
+%   hasSite    true once a site is chosen
+%   known      beliefs: the blocks at the places where they were last seen; see noBlocks
+%   unknownObjects  appearances of blocks that belong to no step; their places are among known
+%   done       whether each step's block is in its place, 1xN logical
+%   attempts   number of times that each step's block was carried there, 1xN
+%   numTemporary  number of blocks that were put at a temporary place so far
+%   placementErrors  of each block when last seen: [units, rad], Nx2
+%   numBlocked  number of successive steps for which no plan was found
+%   firstFailure  why the first of them failed
+%   summary    one line for people, at the end
+  n = numel(steps);
+  state = struct('steps', steps, 'container', {container}, 'hasSite', false, 'known', noBlocks(), ...
+                 'unknownObjects', noBlocks(), 'done', false(1, n), 'attempts', zeros(1, n), ...
+                 'numTemporary', 0, 'placementErrors', NaN(n, 2), 'numBlocked', 0, ...
+                 'firstFailure', '', 'summary', '');
+end

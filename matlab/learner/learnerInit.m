@@ -1,0 +1,21 @@
+% Init: infers the task from the demonstration. This scene is unknown before the first picture.
+if ~isfield(aux, 'demonstration')
+  error('this brain needs a demonstration: smile imitate DEMO SCENE --brain matlab/learner');
+end
+if exist(fullfile(aux.demonstration, '0.txt'), 'file')
+  demo = readDemonstration(aux.demonstration);
+else  % a recording without texts: from its pictures alone
+  demo = watchDemonstration(aux.demonstration);
+end
+[steps, container] = inferTask(demo, aux.attention);
+printSteps(steps);
+
+robot = smileRobot(aux);
+eye = struct('intrinsics', aux.cameraIntrinsics, 'pose', aux.cameraPose);
+state = initialTaskState(steps, container);  % beliefs about this scene, and progress
+actions = {struct('kind', 'observe')};  % the next actions, in this order
+is_recovering = false;                  % true after a failed action
+
+aux.imageSeconds = constants().execution.image_period_s;
+% The arms start outside the picture.
+aux.initJointAngles = [parkedAngles(1); parkedAngles(2)];

@@ -1,0 +1,29 @@
+function container = measureContainer(demo, steps)
+% Measures the open box that the blocks of steps were put into, in the first picture of the demonstration;
+% [] if all of them stand on the table or on each other, or if there are no texts.
+%   name      of the object in the demonstration, for messages
+%   color     1x3, red green blue, 0 to 1
+%   size      its longer side, the shorter one, and its height [units]
+%   position  of its center, 1x3 [units]
+%   yaw       of its longer side [rad]
+%   floor     height of its floor above the table [units]
+  container = [];
+  c = constants().task_model;
+  bottoms = arrayfun(@(step) step.position(3) - step.size(3) / 2, steps);
+  is_carried = cellfun(@isempty, {steps.displacement});
+  inside = steps(bottoms > c.min_inside_bottom & cellfun(@isempty, {steps.on}) & is_carried);
+  if isempty(inside) || isempty(demo.moves), return; end
+  for n = setdiff(1:numel(demo.ids), demo.placed)
+    height = 2 * demo.start(n, 3);  % it stands on the table
+    picture = readPicture(demo, demo.moves(find(demo.moves(:, 2) == n, 1), 1));
+    color = colorAt(picture, demo.eye, demo.start(n, 1:3) + [0, 0, height / 2]);
+    for face = detectRims(picture, demo.eye, color, height)
+      if norm(face.center - demo.start(n, 1:2)) > c.max_container_error, continue; end
+      container = struct('name', demo.ids{n}, 'color', color, 'size', [face.sides, height], ...
+                         'position', [face.center, height / 2], 'yaw', face.yaw, ...
+                         'floor', min(bottoms(bottoms > c.min_inside_bottom)));
+      if all(arrayfun(@(step) isInside(container, step.position), inside)), return; end
+    end
+  end
+  error('no picture of the demonstration shows the container of %s', inside(1).name);
+end

@@ -1,0 +1,92 @@
+function [actions, place, reason] = planTemporaryPlacement(robot, eye, block, others, sites, q, goal)
+% Plans the actions that bring a block to a free place on the table, within the eye's view. Returns them
+% and that place; {} and a reason if there is none.
+%   others  obstacles, as blocks
+%   sites   cell of lists of blocks to keep clear of, existing or planned; the first list that leaves a
+%           place counts
+%   q       2x7, joint angles of the arms [rad]
+%   goal    to which the other arm shall bring it from there at once (a handover), or []
+  actions = {};
+  place = noBlocks();
+  reason = 'there is no free place on the table';
+  arms = candidateArms(robot, block, goal);
+  if isempty(arms)
+    reason = 'no arm reaches it';
+    return
+  end
+  for site = sites
+    attempts = constants().task_planning.max_place_attempts;
+    for place = freePlacements(block, [others, site{1}], goal)
+      if ~isInView(place, eye) || isGraspBlocked(place, site{1}) || ...
+         ~canHandOver(robot, arms, place, goal)
+        continue
+      end
+      can_continue = isempty(goal) || ~isempty(planPickAndPlace(robot, place, goal, others, q));
+      if can_continue, [actions, reason] = planPickAndPlace(robot, block, place, others, q); end
+      attempts = attempts - 1;
+      if ~isempty(actions), return; end
+      if attempts == 0, break; end
+    end
+  end
+end
+
+function places = freePlacements(block, taken, goal)
+% Returns free places for a block on the table, the best first, up to max_places: with room for its
+% fingers and for those of its neighbors.
+  c = constants().task_planning;
+  [x, y, yaw] = ndgrid(c.place_x(1):c.place_x(2):c.place_x(3), c.place_y(1):c.place_y(2):c.place_y(3), ...
+                       [0, pi / 2, pi / 4, -pi / 4]);
+  x = x(:);
+  y = y(:);
+  covered = [x, y, repmat(block.size(1:2), numel(x), 1) + c.place_margin, yaw(:)];
+  with_fingers = covered + [0, 0, 0, c.place_fingers, 0];
+  free = true(numel(x), 1);
+  margin = constants().clearance.site_margin;
+  for rectangle = footprint(taken, margin)', free = free & ~overlap(rectangle', with_fingers); end
+  % Square blocks can also be held across the other sides.
+  is_long = ~arrayfun(@hasEqualSides, taken);
+  for rectangle = gripperClearance(taken(is_long))', free = free & ~overlap(rectangle', covered); end
+
+  if isempty(goal)
+    % The middle, where both arms reach, is for handovers.
+    cost = sqrt((x - block.position(1)) .^ 2 + (y - block.position(2)) .^ 2) + ...
+           max(c.handover_half_width - abs(x), 0);
+  else
+    cost = abs(x) + c.handover_y_cost * abs(y - c.handover_y);
+  end
+  cost(~free) = Inf;
+  [~, order] = sort(cost);
+  places = repmat(block, 1, min(c.max_places, sum(free)));
+  for i = 1:numel(places)
+    places(i).position = [covered(order(i), 1:2), block.size(3) / 2];
+    places(i).yaw = covered(order(i), 5);
+  end
+end
+
+function yes = isInView(place, eye)
+% Returns true if the whole top of a block at a place is in the eye's picture.
+  yes = true;
+  margin = constants().task_planning.picture_margin_pixels;
+  for corner = [1, 1, -1, -1; 1, -1, -1, 1] / 2
+    along = corner(1) * place.size(1) * [cos(place.yaw), sin(place.yaw)];
+    across = corner(2) * place.size(2) * [-sin(place.yaw), cos(place.yaw)];
+    pixel = toPixel([place.position(1:2) + along + across, place.size(3)], eye);
+    yes = yes && all(pixel > margin) && all(pixel < 2 * eye.intrinsics(1:2, 3)' - margin);
+  end
+end
+
+function arms = candidateArms(robot, block, goal)
+% Returns the arms, 1 or 2, that reach a block; with a goal, only those whose other arm reaches the goal.
+  arms = find([isReachable(robot, 1, block), isReachable(robot, 2, block)]);
+  if isempty(goal), return; end
+  arms = arms(arrayfun(@(arm) isReachable(robot, 3 - arm, goal), arms));
+end
+
+function yes = canHandOver(robot, arms, place, goal)
+% Returns true if one of these arms reaches a place; with a goal, also the other arm for the handover.
+  yes = false;
+  for arm = arms
+    yes = yes || (isReachable(robot, arm, place) && ...
+                  (isempty(goal) || isReachable(robot, 3 - arm, place)));
+  end
+end

@@ -1,0 +1,11 @@
+function printSteps(steps)
+% Prints the inferred steps.
+  for k = 1:numel(steps)
+    if isempty(steps(k).on)
+      place = 'on the table';
+    else
+      place = ['on ', strjoin({steps(steps(k).on).name}, ', ')];
+    end
+    fprintf('shown: %d. %s %s\n', k, describeStep(steps(k)), place);
+  end
+end

@@ -1,0 +1,40 @@
+function moves = proposeMoves(state, k, free)
+% Proposes the moves that may come next for step k, the best first: a 1xN struct array of
+%   block  number of a known block
+%   goal   the step, or [] for a temporary placement
+% free contains the numbers of the known blocks that are in no step's place.
+  moves = struct('block', {}, 'goal', {});
+  step = state.steps(k);
+  known = state.known;
+  fits = free(arrayfun(@(i) isSameKind(known(i), step), free));
+  obstructing = free(overlap(gripperClearance(step), footprint(known(free), 0)));
+  blocked = free(arrayfun(@(i) isGraspBlocked(known(i), state.steps), free));
+
+  % First the blocks that later steps make hard to reach, and the closest matching ones.
+  distance = arrayfun(@(i) norm(known(i).position - step.position), fits);
+  distance(ismember(fits, [blocked, obstructing])) = 0;
+  [~, order] = sort(distance);
+  fits = fits(order);
+  for i = setdiff([obstructing, blocked], fits, 'stable'), moves(end + 1) = temporary(i); end
+  for i = intersect(obstructing, fits(2:end)), moves(end + 1) = temporary(i); end
+  for i = fits
+    if isempty(setdiff(obstructing, i)), moves(end + 1) = struct('block', i, 'goal', step); end
+  end
+  % Then the blocks that lie on others: a matching block may be below them.
+  for i = free
+    if known(i).position(3) > known(i).size(3), moves(end + 1) = temporary(i); end
+  end
+  % A block with others on top has to wait.
+  is_covered = arrayfun(@(move) ~isempty(objectsOn(move.block)), moves);
+  moves(is_covered) = [];
+
+  function on_top = objectsOn(i)
+    least = known(i).position(3) + constants().task_planning.min_height_difference;
+    higher = free(arrayfun(@(j) known(j).position(3) > least, free));
+    on_top = higher(overlap(footprint(known(i), 0), footprint(known(higher), 0)));
+  end
+end
+
+function move = temporary(i)
+  move = struct('block', i, 'goal', []);
+end

@@ -1,0 +1,8 @@
+function rotation = yawDifference(block, yaw)
+% Returns the smallest rotation of a block to a yaw [rad]: a block with four equal sides looks the same
+% every 90 degrees, any other every 180.
+  period = pi;
+  if hasEqualSides(block), period = pi / 2; end
+  rotation = yaw - block.yaw;
+  rotation = rotation - period * round(rotation / period);
+end

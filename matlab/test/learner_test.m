@@ -1,0 +1,328 @@
+% Tests the parts of the learner in matlab/learner, without the simulator:
+%
+%   octave-cli matlab/test/learner_test.m
+%
+% prints "ok" or the first wrong claim, and exits with 0 or 1. python/test/learner_test.py contains the same
+% claims about the Python twin.
+here = fileparts(mfilename('fullpath'));
+addpath(fullfile(here, '..', 'learner'));
+
+function check(is_true, claim)
+  if ~is_true, error('not so: %s', claim); end
+end
+
+function eye = robotEye()
+% Returns a camera like the robot's, tilted 56 degrees downward.
+  f = 240 / tan(pi / 6);
+  tilt = 56.05 * pi / 180;
+  eye.intrinsics = [f, 0, 320; 0, f, 240; 0, 0, 1];
+  eye.pose = [1, 0, 0, 0; 0, -sin(tilt), cos(tilt), -6.1168; 0, -cos(tilt), -sin(tilt), 11.5921; ...
+              0, 0, 0, 1];
+end
+
+function it = block(color, size, x, y, bottom, yaw)
+  it = struct('color', color, 'size', size, 'position', [x, y, bottom + size(3) / 2], 'yaw', yaw);
+end
+
+function picture = pictureOf(blocks)
+% Renders blocks as the eye sees them, lower ones first: 480x640x3.
+  [column, row] = meshgrid(1:640, 1:480);
+  flat = repmat([0.6, 0.5, 0.4], 480 * 640, 1);
+  for it = blocks
+    % Rectangles below each other form the sides. The top is drawn last.
+    for height = it.position(3) + it.size(3) * (-5:2:5) / 10
+      [x, y] = ontoPlane(row(:), column(:), robotEye(), height);
+      x = x - it.position(1);
+      y = y - it.position(2);
+      along = abs(x * cos(it.yaw) + y * sin(it.yaw));
+      across = abs(y * cos(it.yaw) - x * sin(it.yaw));
+      hit = along <= it.size(1) / 2 & across <= it.size(2) / 2;
+      shade = 0.7;
+      if height == it.position(3) + it.size(3) / 2, shade = 1; end
+      flat(hit, :) = repmat(shade * it.color, sum(hit), 1);
+    end
+  end
+  picture = reshape(flat, 480, 640, 3);
+end
+
+function check_perception()
+  red = [1, 0, 0]; green = [0, 1, 0]; blue = [0, 0, 1];
+  cube = [1, 1, 1]; plank = [4, 1, 1];
+  blocks = [block(red, plank, -2.5, -1.2, 0, 0.4), block(green, cube, 2, -3.1, 0, -0.3), ...
+            block(red, cube, 4, -2, 0, 0), block(blue, cube, 4, -2, 1, 0.2), ...
+            block(green, plank, 0.2, -2.6, 0, pi / 2 - 0.1)];
+  found = detectBlocks(pictureOf(blocks), robotEye(), blocks, []);
+  blocks(3) = [];
+  check(numel(found) == numel(blocks), 'all are detected except the one below another');
+  for it = blocks
+    same = found(arrayfun(@(other) norm(other.position - it.position) < 0.01, found));
+    check(numel(same) == 1, 'a block is detected within a hundredth of a unit');
+    check(isequal(same.size, it.size), 'with its size');
+    check(abs(yawDifference(it, same.yaw)) < 0.5 * pi / 180, 'and its yaw');
+  end
+
+  seen = [block(red, cube, 1, -2, 0, 0), block(red, [2.5, 1, 1], -2, -2, 0, 0), ...
+          block(blue, cube, 3, -2, 0, 0)];
+  check(isequal({detectBlocks(pictureOf(seen), robotEye(), seen(1), []).color}, {red}), ...
+        'only blocks of the wanted size and color are detected');
+  found = detectBlocks(pictureOf(seen), robotEye(), block([], cube, 0, 0, 0, 0), []);
+  check(isequal({found.color}, {blue, red}), 'of any color where color does not matter');
+
+  row = [block(red, cube, -2, -2, 0, 0.3), ...
+         block(red, cube, -2 + cos(0.3), -2 + sin(0.3), 0, 0.3)];
+  found = detectBlocks(pictureOf(row), robotEye(), row, []);
+  check(numel(found) == 2 && norm(found(1).position - row(1).position) < 0.02 && ...
+        norm(found(2).position - row(2).position) < 0.02, 'two blocks that touch are separated');
+
+  % The eye sees a large cube like a small one higher up; but nothing would support the small one.
+  large = block(red, [1.3, 1.3, 1.25], 2, -3, 0, 0.2);
+  picture = pictureOf([large, block(blue, cube, -2, -2, 0, 0)]);
+  found = detectBlocks(picture, robotEye(), block(red, cube, 0, 0, 0, 0), []);
+  check(isempty(found), 'a larger cube is not taken for a small one higher up');
+  found = detectUnknownObjects(picture, robotEye(), block(blue, cube, -2, -2, 0, 0));
+  check(numel(found) == 1 && norm(found.position - large.position) < 0.03 && ...
+        max(abs(found.size - large.size)) < 0.05, 'an unknown object is detected, too');
+
+  mask = logical([0, 1, 0, 1; 1, 1, 0, 1; 0, 0, 1, 0; 1, 0, 1, 1]);
+  check(isequal(labelRegions(mask), [0, 1, 0, 4; 1, 1, 0, 4; 0, 0, 3, 0; 2, 0, 3, 3]), ...
+        'regions are numbered by their first pixel');
+end
+
+function check_clearance()
+  [a, b] = meshgrid((-20:20) / 40);
+  share = [a(:), b(:)];
+  one = [0.3, -0.2, 2.0, 0.7, 0.4];
+  many = [5 * halton(200, 2) - 2.5, 5 * halton(200, 3) - 2.5, 0.5 + 2.5 * halton(200, 5), ...
+          0.5 + 2.5 * halton(200, 7), 8 * halton(200, 11) - 4];
+  answers = overlap(one, many);
+  for i = 1:rows(many)
+    % Points lie up to 0.08 apart, so rectangles as much larger or smaller bracket the truth.
+    if haveCommonPoint(one, many(i, :), share, -0.15), check(answers(i), 'these overlap'); end
+    if ~haveCommonPoint(one, many(i, :), share, 0.15), check(~answers(i), 'these are apart'); end
+  end
+  check(sum(answers) > 30 && sum(~answers) > 30, 'both answers occur');
+
+  red = [1, 0, 0];
+  middle = block(red, [1, 1, 1], 0, -2, 0, 0);
+  beside = [block(red, [1, 1, 1], -1.1, -2, 0, 0), block(red, [1, 1, 1], 1.1, -2, 0, 0)];
+  before = block(red, [1, 1, 1], 0, -3.1, 0, 0);
+  check(numel(graspYaws(middle, noBlocks())) == 4, 'a single cube can be grasped with four yaws');
+  yaws = graspYaws(middle, beside);
+  check(numel(yaws) == 2 && all(abs(cos(yaws)) < 1e-9), 'between two others in one direction');
+  check(isempty(graspYaws(block(red, [4, 1, 1], 0, -3.1, 0, 0), middle)), 'and sometimes not at all');
+  check(isGraspBlocked(middle, [beside, before]), 'with a third block in front, the grasp is blocked');
+  check(~isGraspBlocked(middle, block(red, [1, 1, 1], 4, -2, 0, 0)), 'but not by a distant block');
+end
+
+function numbers = halton(count, base)
+% Returns numbers between 0 and 1 of low discrepancy (Halton's sequence).
+  numbers = zeros(count, 1);
+  for i = 1:count
+    share = 1;
+    rest = i;
+    while rest > 0
+      share = share / base;
+      numbers(i) = numbers(i) + share * mod(rest, base);
+      rest = floor(rest / base);
+    end
+  end
+end
+
+function yes = haveCommonPoint(one, other, share, grow)
+  c = cos(other(5));
+  s = sin(other(5));
+  points = (share .* (other(3:4) + grow)) * [c, s; -s, c] + other(1:2) - one(1:2);
+  c = cos(one(5));
+  s = sin(one(5));
+  yes = any(all(abs(points * [c, -s; s, c]) <= (one(3:4) + grow) / 2, 2));
+end
+
+function check_inference()
+% A plank stays; a red cube is put on it, another stays, and a blue cube is moved twice.
+  names = {'Plank', 'Red', 'Other', 'Blue'};
+  objects = [block([0, 1, 0], [1, 4, 1], -2, -2, 0, 0.2), block([1, 0, 0], [1, 1, 1], 3, -3, 0, 0), ...
+             block([1, 0, 0], [1, 1, 1], 3, -1, 0, 0), block([0, 0, 1], [1, 1, 1], 1, -4, 0, 0)];
+  [folder, remove] = newRecording({pictureOf(objects)});
+  lines = {};
+  for i = 1:4, lines{end + 1} = sprintf('0,create,%s,shape,block', names{i}); end
+  for i = 1:4
+    lines{end + 1} = sprintf('0,move,%s,%.3f,%.3f,%.3f,0.0,-0.0,%.12f', names{i}, ...
+                             objects(i).position, objects(i).yaw * 180 / pi);
+  end
+  write(folder, '0.txt', lines);
+  write(folder, '1.txt', {'3,grasp,LeftHand,Blue', '5,move,Blue,0.0,-4.0,2.0,0.0,0.0,0.0', ...
+                          '6,release,LeftHand', '6,move,Blue,0.0,-4.0,0.5,0.0,0.0,0.0'});
+  write(folder, '2.txt', {'7,grasp,AnyHand,Red', '9,release,AnyHand', ...
+                          '9,move,Red,-2.0,-1.5,1.5,1.0E-4,0.0,95.0', '10,grasp,LeftHand,Blue', ...
+                          '11,release,LeftHand', '11,move,Blue,-2.0,-1.5,2.5,0.0,0.0,0.0'});
+
+  demo = readDemonstration(folder);
+  steps = inferTask(demo, struct('object', {'Blue'}, 'properties', {{'size'}}));
+  check(isequal({steps.name}, {'Plank', 'Red', 'Blue'}), 'steps come in the order of building');
+  check(isequal({steps.on}, {[], 1, 2}), 'each stands on the one before');
+  check(max(abs(steps(1).size - [4, 1, 1])) < 0.03, 'the longer side of the plank comes first');
+  check(abs(yawDifference(steps(1), 0.2 + pi / 2)) < 1e-9, 'and determines its yaw');
+  check(norm(steps(2).position - [-2, -1.5, 1.5]) < 1e-9, 'the last move determines the position');
+  check(abs(steps(2).yaw - 95 * pi / 180) < 1e-9, 'and the yaw');
+  check(max(abs(steps(2).color - [1, 0, 0])) < 0.01, 'the color is read from the picture');
+  check(isempty(steps(3).color), 'the demonstrator specified that only the size of Blue matters');
+
+  delete(fullfile(folder, 'rgb', '0.png'));
+  message = '';
+  try
+    inferTask(demo, []);
+  catch problem
+    message = problem.message;
+  end
+  check(~isempty(strfind(message, 'no picture of the demonstration shows Plank')), ...
+        'an invisible object is reported');
+end
+
+function [folder, remove] = newRecording(pictures)
+% Creates a folder for the texts of a recording, with these pictures; clearing `remove` deletes it.
+  folder = tempname();
+  mkdir(folder);
+  mkdir(folder, 'rgb');
+  remove = onCleanup(@() removeFolder(folder));
+  for i = 1:numel(pictures)
+    imwrite(uint8(255 * pictures{i}), fullfile(folder, 'rgb', sprintf('%d.png', i - 1)));
+  end
+  eye = robotEye();
+  tilt = -(90 + 56.05) / 2 * pi / 180;
+  info.meters_per_unit = 0.1;
+  info.eye = struct('fx', eye.intrinsics(1, 1), 'fy', eye.intrinsics(2, 2), 'cx', 320, 'cy', 240, ...
+                    'position_m', eye.pose(1:3, 4)' / 10, ...
+                    'rotation_wxyz', [cos(tilt), sin(tilt), 0, 0]);
+  write(folder, 'demo.json', {jsonencode(info)});
+end
+
+function removeFolder(folder)
+  confirm_recursive_rmdir(false, 'local');
+  rmdir(folder, 's');
+end
+
+function write(folder, name, lines)
+  file = fopen(fullfile(folder, name), 'w');
+  fprintf(file, '%s\n', lines{:});
+  fclose(file);
+end
+
+function check_container()
+% A blue cube is put into a box whose floor is 0.2 high. Then the box is detected elsewhere, rotated.
+  brown = [0.5, 0.3, 0.2]; blue = [0, 0, 1];
+  cube = block(blue, [1, 1, 1], 3, -3, 0, 0);
+  [folder, remove] = newRecording({pictureOf([emptyBox(brown, -1, -1, 0), cube])});
+  write(folder, '0.txt', {'0,create,Case,shape,box', '0,create,Blue,shape,block', ...
+                          '0,move,Case,-1.0,-1.0,0.45,0.0,0.0,0.0', ...
+                          '0,move,Blue,3.0,-3.0,0.5,0.0,0.0,0.0'});
+  write(folder, '1.txt', {'1,grasp,LeftHand,Blue', '2,release,LeftHand', ...
+                          '2,move,Blue,0.5,-1.3,0.7,0.0,0.0,0.0'});
+  [steps, container] = inferTask(readDemonstration(folder), []);
+  check(norm(container.position - [-1, -1, 0.45]) < 0.03, 'the box is measured where it stands');
+  check(max(abs(container.size - [5, 2.6, 0.9])) < 0.05, 'with its size');
+  check(abs(container.floor - 0.2) < 1e-9, 'the height of its content determines that of its floor');
+
+  there = block(blue, [1, 1, 1], 0.9, -1.6, 0.2, 0.3);
+  picture = pictureOf([emptyBox(brown, 1, -2, 0.3), there]);
+  [found, turn] = detectContainer(picture, robotEye(), container);
+  check(norm(found.position - [1, -2, 0.45]) < 0.03, 'the box is detected elsewhere');
+  check(abs(turn - 0.3) < 0.02, 'with its rotation');
+  seen = detectBlocks(picture, robotEye(), steps, found);
+  check(abs(seen.position(3) - 0.7) < 1e-9, 'a block in it lies on its floor');
+  walls = containerWalls(found);
+  there.position = found.position + [0, 0, 0.25];
+  check(isequal(graspYaws(there, walls), there.yaw + [pi / 2, -pi / 2, 0, pi]), ...
+        'there is room for the fingers in the middle');
+  there.position = found.position + [1.7 * [cos(0.3), sin(0.3)], 0.25];
+  check(isequal(graspYaws(there, walls), there.yaw + [pi / 2, -pi / 2]), 'but not at the end');
+end
+
+function blocks = emptyBox(color, x, y, yaw)
+% Returns blocks that look like an open box: its rim, a dark side inside, and its floor.
+  blocks = [block(color, [5, 2.6, 0.9], x, y, 0, yaw), block(0.7 * color, [4.6, 2.2, 0], x, y, 0.9, yaw), ...
+            block(color, [4.2, 1.8, 0], x, y, 0.9, yaw)];
+end
+
+function check_dragging()
+% A door with a post on it is dragged by 2 and 1; another post of the same color stays.
+  yellow = [0.9, 0.7, 0.1]; red = [0.7, 0.3, 0.2];
+  door = @(x, y) [block(yellow, [3, 2, 2], x, y, 0, 0.5), block(red, [1, 0.6, 1.2], x, y, 2, 0.5)];
+  other = block(red, [1, 0.6, 1.2], 4, -4, 0, 0);
+  [folder, remove] = newRecording({pictureOf([other, door(-2, -3)]), pictureOf([other, door(0, -2)])});
+  write(folder, '0.txt', {'0,create,Door,shape,composite', '0,move,Door,-2.2,-3.1,1.9,0.0,0.0,0.0'});
+  write(folder, '1.txt', {'1,grasp,LeftHand,Door', '1,move,Door,-0.2,-2.1,1.9,0.0,0.0,0.0', ...
+                          '1,release,LeftHand'});
+  [step, container] = inferTask(readDemonstration(folder), []);
+  check(isempty(container), 'there is no container');
+  check(norm(step.displacement - [2, 1]) < 1e-9, 'it was dragged');
+  check(abs(step.position(3) + step.size(3) / 2 - 3.2) < 0.05, 'its displacement in the pictures determines the height');
+  check(norm(step.position(1:2) - [-2, -3]) < 0.03 && max(abs(step.size(1:2) - [1, 0.6])) < 0.03, ...
+        'its post is the handle');
+
+  state = initialTaskState(step, []);
+  state.known = block(step.color, step.size, 3, -2, 0, 0.8);
+  state = chooseSite(state, [], [], []);
+  turn = [cos(0.3), sin(0.3); -sin(0.3), cos(0.3)];
+  check(state.hasSite && norm(state.steps.position(1:2) - [3, -2] - [2, 1] * turn) < 0.01, ...
+        'the displacement of a rotated door is rotated');
+  state = initialTaskState(step, []);
+  state = chooseSite(state, [], [], []);
+  check(~state.hasSite && ~isempty(strfind(state.summary, '0 visible objects look like')), ...
+        'an invisible door is not dragged');
+  delete(fullfile(folder, 'rgb', '1.png'));
+  message = '';
+  try
+    inferTask(readDemonstration(folder), []);
+  catch problem
+    message = problem.message;
+  end
+  check(~isempty(strfind(message, 'the handle of Door')), 'an invisible handle is reported');
+end
+
+function check_planning()
+  red = [1, 0, 0]; green = [0, 1, 0]; blue = [0, 0, 1];
+  cube = [1, 1, 1];
+  steps = [asStep(block(red, cube, 0, -2, 0, 0)), asStep(block(green, cube, 0, -2, 1, 0)), ...
+           asStep(block(green, cube, -3, -2, 0, 0))];
+  state = initialTaskState(steps, []);
+  state.known = [block(red, cube, 0.1, -2, 0, 0), block(red, cube, 0.05, -2, 0, pi), ...
+                    block(red, cube, 0, -2, 1, 0)];
+  [state, used] = assessProgress(state);
+  check(isequal(used, logical([0, 1, 0])), 'a block close to its place is in it');
+  check(isequal(state.done, logical([1, 0, 0])), 'so the step is done');
+
+  state.known = [block(red, cube, 4, -3, 0, 0), block(red, cube, 3, -2, 0, 0), ...
+                    block(blue, cube, 0.3, -2.2, 0, 0), block(blue, cube, 3, -2, 1, 0)];
+  moves = proposeMoves(state, 1, 1:4);
+  check(isequal([moves.block], [3, 4]), 'obstructing blocks come first, without a goal');
+  check(all(cellfun(@isempty, {moves.goal})), 'neither goes to the place of a red one');
+  moves = proposeMoves(state, 1, [1, 2, 4]);
+  check(isequal([moves.block], [1, 4]), 'then a matching block; a covered one waits');
+  check(isequal(cellfun(@isempty, {moves.goal}), logical([0, 1])), 'only red ones have a goal');
+
+  tower = [block(red, cube, 0, -4, 0, 0), block(green, cube, 0, -4, 1, 0)];
+  missing = block(blue, cube, 3, -2, 0, 0);
+  known = updateBeliefs([tower(1), missing], tower(2), pictureOf(tower), robotEye());
+  check(isequal(known, tower([2, 1])), 'a hidden block is remembered, a missing one is not');
+end
+
+function step = asStep(it)
+  step = it;
+  step.name = 'step';
+  step.on = [];
+  step.displacement = [];
+end
+
+try
+  check_perception();
+  check_clearance();
+  check_inference();
+  check_container();
+  check_dragging();
+  check_planning();
+catch err
+  fprintf('%s\n', err.message);
+  exit(1);
+end
+fprintf('ok\n');
+exit(0);

@@ -1,8 +1,0 @@
-function blocks = noBlocks()
-% An empty list of blocks, 1x0; each has
-%   color     1x3, red green blue, 0 to 1
-%   size      its longer side, the shorter one, and its height [units]
-%   position  of its centre, 1x3 [units]
-%   yaw       of its longer side [rad]
-  blocks = struct('color', {}, 'size', {}, 'position', {}, 'yaw', {});
-end

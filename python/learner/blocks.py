@@ -1,0 +1,57 @@
+"""Blocks as the learner sees them."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from constants import BLOCKS
+
+
+@dataclass(eq=False)
+class Block:
+    """A detected block."""
+
+    color: np.ndarray  # red green blue, 3 numbers from 0 to 1
+    size: np.ndarray  # its longer side, the shorter one, and its height [units]
+    position: np.ndarray  # of its center, x y z [units]
+    yaw: float  # of its longer side [rad]
+
+    @property
+    def top(self):
+        """Height of its top [units]."""
+        return self.position[2] + self.size[2] / 2
+
+    @property
+    def bottom(self):
+        """Height of its bottom [units]."""
+        return self.position[2] - self.size[2] / 2
+
+
+def is_same_kind(block, step):
+    """Returns true if a detected block has the color and the size of a step."""
+    return same_color(step.color, block.color) and same_size(step.size, block.size)
+
+
+def same_color(wanted, color):
+    """Returns true if a color is the wanted one; None accepts any."""
+    return wanted is None or np.abs(wanted - color).max() < BLOCKS.same_color
+
+
+def same_size(a, b):
+    """Returns true if two sizes are equal within the accuracy of pictures."""
+    return np.abs(a / b - 1).max() < BLOCKS.same_size
+
+
+def has_equal_sides(block):
+    """Returns true if the sides of a block's top are equal within the accuracy of pictures: then it
+    looks the same every 90 degrees, and can be held either way."""
+    return block.size[0] < BLOCKS.equal_sides * block.size[1]
+
+
+def yaw_difference(block, yaw):
+    """Returns the smallest rotation of a block to a yaw [rad]: a block with four equal sides looks
+    the same every 90 degrees, any other every 180."""
+    period = math.pi / 2 if has_equal_sides(block) else math.pi
+    rotation = yaw - block.yaw
+    return rotation - period * round(rotation / period)

@@ -1,0 +1,28 @@
+"""The constants of the learner, shared with its twin in Octave: learner/constants.json.
+
+Lengths are in units, colors from 0 to 1; suffixes name other units: _rad, _s, _of_255, _pixels.
+Three numbers of places and heights are a range: first, step, last.
+"""
+
+import json
+from pathlib import Path
+from types import SimpleNamespace
+
+import numpy as np
+
+_FILE = Path(__file__).resolve().parents[2] / "learner" / "constants.json"
+_GROUPS = {name: SimpleNamespace(**numbers)
+           for name, numbers in json.loads(_FILE.read_text()).items()}
+
+BLOCKS = _GROUPS["blocks"]
+PERCEPTION = _GROUPS["perception"]
+CLEARANCE = _GROUPS["clearance"]
+TASK_MODEL = _GROUPS["task_model"]
+TASK_PLANNING = _GROUPS["task_planning"]
+MOTION_PLANNING = _GROUPS["motion_planning"]
+EXECUTION = _GROUPS["execution"]
+
+
+def numbers_of(first, step, last):
+    """Returns all numbers of a range, including its last one."""
+    return np.arange(first, last + step / 2, step)

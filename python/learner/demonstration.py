@@ -1,0 +1,68 @@
+"""Reads recordings of demonstrations."""
+
+import json
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from PIL import Image
+
+from perception import Eye
+
+
+@dataclass
+class Demonstration:
+    """A recording: the content of its text files (0.txt, 1.txt, ...), and the folder of its
+    pictures."""
+
+    folder: Path
+    ids: list  # names of the objects
+    moves: list  # of each object, Mx7: frame, x y z of its center [units], angles about x, y, z
+    #              [degrees]; the first row is its initial pose
+    placed: list  # numbers of the released objects, in the order of release
+    eye: Eye  # camera of the observing robot
+
+
+def read_demonstration(folder):
+    """Reads a recording.
+
+    Raises FileNotFoundError if the folder contains none.
+    """
+    folder = Path(folder)
+    ids, moves, placed = [], [], []
+    held = {}  # number of the object in each hand
+    segment = 0
+    while (file := folder / f"{segment}.txt").exists():
+        for line in file.read_text().splitlines():
+            frame, event, *fields = line.split(",")
+            if event == "create":
+                ids.append(fields[0])
+                moves.append([])
+            elif event == "move":
+                moves[ids.index(fields[0])].append([float(it) for it in [frame, *fields[1:7]]])
+            elif event == "grasp":
+                held[fields[0]] = ids.index(fields[1])
+            elif event == "release":
+                placed.append(held[fields[0]])
+        segment += 1
+    if segment == 0:
+        raise FileNotFoundError(f"there is no recording in {folder}: it has no 0.txt")
+    info = json.loads((folder / "demo.json").read_text())
+    return Demonstration(folder, ids, [np.array(rows) for rows in moves], placed, eye_of(info))
+
+
+def eye_of(info):
+    """Returns the Eye that demo.json describes."""
+    eye = info["eye"]
+    w, x, y, z = eye["rotation_wxyz"]  # a unit quaternion
+    v = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])  # v @ a is the cross product with a
+    pose = np.eye(4)
+    pose[:3, :3] += 2 * w * v + 2 * v @ v
+    pose[:3, 3] = np.array(eye["position_m"]) / info["meters_per_unit"]
+    return Eye(np.array([[eye["fx"], 0, eye["cx"]], [0, eye["fy"], eye["cy"]], [0, 0, 1]]), pose)
+
+
+def read_picture(demo, frame):
+    """Reads the picture of a frame: HxWx3, 0 to 1; None if there is none."""
+    found = sorted(demo.folder.glob(f"*/{int(frame)}.png"))
+    return np.asarray(Image.open(found[0]).convert("RGB")) / 255 if found else None

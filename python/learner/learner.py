@@ -1,0 +1,59 @@
+"""Learner: rebuilds in a new scene what a demonstration shows (letters, towers, rows, bridges).
+
+    smile imitate DEMO SCENE --brain python/learner/learner.py
+
+docs/learner.md describes its twin in Octave, matlab/learner; both choose the same actions.
+
+smile: imitates
+"""
+
+from smile.motion import robot_of
+
+from constants import EXECUTION
+from demonstration import read_demonstration
+from execution import Action, execute_action
+from motion_planning import PARKED, retreat
+from perception import Eye
+from task_model import infer_task
+from task_planning import TaskState, choose_actions
+
+
+def init(aux):
+    """Infers the task from the demonstration. This scene is unknown before the first picture."""
+    if "demonstration" not in aux:
+        raise ValueError("this brain needs a demonstration: "
+                         "smile imitate DEMO SCENE --brain python/learner/learner.py")
+    steps, container = infer_task(read_demonstration(aux.demonstration), aux.attention)
+    for k, step in enumerate(steps):
+        place = ", ".join(steps[lower].name for lower in step.on) or "the table"
+        print(f"shown: {k + 1}. {step} on {place}")
+
+    aux.planner = robot_of(aux)
+    aux.eye = Eye(aux.cameraIntrinsics, aux.cameraPose)
+    aux.state = TaskState(steps, container)  # beliefs about this scene, and progress
+    aux.actions = [Action("observe")]  # the next actions, in this order
+    aux.is_recovering = False  # true after a failed action
+
+    # The arms start outside the picture.
+    aux.imageSeconds = EXECUTION.image_period_s
+    aux.initJointAngles = PARKED
+
+
+def step(sensor, motor, aux):
+    """Continues the first action. After the last one, a picture of the table determines the
+    next."""
+    status = execute_action(aux.actions[0], sensor, motor)
+    if status == "done":
+        aux.actions.pop(0)
+        if not aux.actions:
+            aux.is_recovering = False
+            aux.actions = choose_actions(aux.state, sensor, aux.eye, aux.planner)
+            if not aux.actions:
+                print(f"{sensor.simTime:5.1f} s: {aux.state.summary}")
+                aux.exit = True
+    elif status != "busy":
+        print(f"{sensor.simTime:5.1f} s: {status}")
+        if aux.is_recovering:
+            raise RuntimeError("the arm is stuck")
+        aux.actions = retreat(aux.planner, aux.actions[0].arm, sensor.jointAngles)
+        aux.is_recovering = True

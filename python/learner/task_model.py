@@ -1,0 +1,224 @@
+"""Infers from a demonstration what is to be done."""
+
+import math
+from dataclasses import dataclass
+from itertools import product
+from typing import Optional
+
+import numpy as np
+
+from blocks import Block, same_size
+from clearance import footprint, is_inside, overlap
+from constants import BLOCKS, PERCEPTION, TASK_MODEL as C
+from demonstration import read_picture
+from perception import (color_mask, detect_rims, fit_face, frequent_colors, label_regions,
+                        onto_plane, pixel_at)
+
+
+@dataclass(eq=False)
+class Step(Block):
+    """A block at its place in the finished building. Its color is None where that does not
+    matter."""
+
+    name: str  # of the object in the demonstration, for messages
+    on: list  # numbers of the steps that it stands on; empty for the table
+    displacement: Optional[np.ndarray] = None  # x y [units] of a dragged object, whose color and
+    #                                            size are those of its handle
+
+    def __str__(self):
+        return "%s (%.3g x %.3g x %.3g)" % (self.name, *self.size)
+
+
+@dataclass(eq=False)
+class Container(Block):
+    """An open box that blocks were put into."""
+
+    name: str  # of the object in the demonstration, for messages
+    floor: float  # height of its floor above the table [units]
+
+
+def is_dragged(goal):
+    """Returns true if a goal (a Step or a Block) is for an object that is dragged there, not
+    carried."""
+    return getattr(goal, "displacement", None) is not None
+
+
+def infer_task(demo, attention):
+    """Returns a list of Steps in the order shown, one for each object that takes part, and the
+    Container that some of them were put into, or None.
+
+    attention: the properties of objects that matter, if the demonstrator specified some, as in aux
+    """
+    steps = []
+    pictures = {}  # cache
+    for n in participating_objects(demo):
+        name = demo.ids[n]
+        if was_dragged(demo.moves[n]):
+            steps.append(measure_handle(demo, n))
+            continue
+        color, size = measure_object(demo, n, pictures)
+        if not color_matters(attention, name):
+            color = None
+        _, x, y, z, _, _, degrees = demo.moves[n][-1]
+        yaw = math.radians(degrees)
+        if size[1] > BLOCKS.equal_sides * size[0]:
+            size = size[[1, 0, 2]]
+            yaw += math.pi / 2
+        step = Step(color, size, np.array([x, y, z]), yaw, name, [])
+        step.on = [k for k, lower in enumerate(steps) if stands_on(step, lower)]
+        steps.append(step)
+    return steps, measure_container(demo, steps)
+
+
+def participating_objects(demo):
+    """Returns the numbers of the objects that take part, in the order of building: first the
+    objects that were not moved but support others, then the moved ones, in the order of their last
+    release."""
+    last = {n: when for when, n in enumerate(demo.placed)}
+    moved = sorted(last, key=last.get)
+    if not moved:
+        raise ValueError("in this demonstration no hand moved anything")
+    final = np.array([rows[-1, 1:4] for rows in demo.moves])
+    below = []
+    for n in range(len(demo.ids)):
+        gap = final[moved] - final[n]
+        least, most = C.support_heights
+        is_above = np.hypot(gap[:, 0], gap[:, 1]) < C.support_distance
+        carries = (gap[:, 2] > least) & (gap[:, 2] < most) & is_above
+        if n not in moved and carries.any():
+            below.append(n)
+    return below + moved
+
+
+def measure_object(demo, n, pictures):
+    """Measures the appearance of an object of the demonstration in its pictures: the texts contain
+    the pose of each object in each picture, so its top can be found there.
+
+    Returns its color, 3 numbers from 0 to 1, and its size along its own x, y and z axes [units].
+    """
+    height = 2 * demo.moves[n][0, 3]  # it stood on the table at the start
+    for frame, *pose in select_frames(demo.moves[n]):
+        if frame not in pictures:
+            pictures[frame] = read_picture(demo, frame)
+        top = measure_top(pictures[frame], demo.eye, np.array(pose), height)
+        if top:
+            color, sides = top
+            return color, np.append(sides, height)
+    raise ValueError(f"no picture of the demonstration shows {demo.ids[n]} entirely")
+
+
+def select_frames(moves):
+    """Returns the rows of moves after which an object may be entirely visible: its first, and those
+    where it was highest."""
+    highest = np.argsort(-moves[:, 3], kind="stable")[:C.num_highest_frames]
+    return moves[[0, *highest]]
+
+
+def measure_top(picture, eye, pose, height):
+    """Measures the top of an upright object: its color, and its sides along the object's x and y
+    axes [units]; None if it is not entirely visible.
+
+    pose: x y z of its center [units], angles about x, y, z [degrees]
+    """
+    top = pose[:3] + [0, 0, height / 2]
+    pixel = pixel_at(picture, eye, top) if picture is not None else None
+    if pixel is None:
+        return None
+    color = picture[pixel]
+    number = label_regions(color_mask(picture, color))
+    row, column = np.nonzero(number == number[pixel])
+    face = fit_face(*onto_plane(row, column, eye, top[2]), math.radians(pose[5]))
+    off = np.hypot(*(face.center - top[:2]))
+    is_whole = off < C.max_center_error and face.misfit < PERCEPTION.misfit
+    return (color, face.sides) if is_whole else None
+
+
+def was_dragged(moves):
+    """Returns true if an object was only dragged, like a door, and never lifted or rotated."""
+    distance = np.hypot(*(moves[-1, 1:3] - moves[0, 1:3]))
+    deviation = np.abs(moves[:, 3:] - moves[0, 3:]).max()
+    return distance > C.min_drag_distance and deviation < C.max_drag_deviation
+
+
+def measure_handle(demo, n):
+    """Measures the handle by which object n of a demonstration was dragged, as a Step: the highest
+    flat top with the same displacement as the object. The closer to the eye a top is, the farther
+    it moves in the picture; so its displacement in the picture determines its height."""
+    moves = demo.moves[n]
+    pictures = [read_picture(demo, moves[i, 0]) for i in (0, -1)]
+    displacement = moves[-1, 1:3] - moves[0, 1:3]
+    eye_height = demo.eye.pose[2, 3]
+    step = None
+    has_pictures = all(picture is not None for picture in pictures)
+    for color in frequent_colors(pictures[0]) if has_pictures else []:
+        masks = [color_mask(picture, color) for picture in pictures]
+        for before, after in product(displaced_regions(*masks), displaced_regions(*masks[::-1])):
+            def centers(height):
+                faces = [fit_face(*onto_plane(*pixels, demo.eye, height))
+                         for pixels in (before, after)]
+                return faces, faces[1].center - faces[0].center
+
+            _, on_table = centers(0)
+            height = eye_height * (1 - (displacement @ displacement) / (displacement @ on_table))
+            if not C.min_handle_height < height < eye_height / 2:
+                continue
+            (face, later), moved = centers(height)
+            if (np.hypot(*(moved - displacement)) < C.max_handle_error
+                    and face.misfit < PERCEPTION.misfit and same_size(face.sides, later.sides)
+                    and (step is None or height > step.top)):
+                step = Step(color, np.append(face.sides, height),
+                            np.append(face.center, height / 2), face.yaw, demo.ids[n], [],
+                            displacement)
+    if step is None:
+        raise ValueError(f"no picture of the demonstration shows the handle of {demo.ids[n]}")
+    return step
+
+
+def displaced_regions(mask, other):
+    """Returns the connected regions of a mask that are mostly outside another mask: a list of rows
+    and columns."""
+    number = label_regions(mask)
+    displaced = []
+    for region in np.flatnonzero(np.bincount(number.ravel()) >= PERCEPTION.min_top_pixels):
+        if region and other[number == region].mean() < C.max_remaining_fraction:
+            displaced.append(np.nonzero(number == region))
+    return displaced
+
+
+def measure_container(demo, steps):
+    """Measures the open box that the blocks of steps were put into, in the first picture of the
+    demonstration; None if all of them stand on the table or on each other."""
+    inside = [step for step in steps
+              if step.bottom > C.min_inside_bottom and not step.on and step.displacement is None]
+    if not inside:
+        return None
+    for n, moves in enumerate(demo.moves):
+        if n in demo.placed:
+            continue
+        frame, x, y, z = moves[0, :4]
+        height = 2 * z  # it stands on the table
+        picture = read_picture(demo, frame)
+        pixel = pixel_at(picture, demo.eye, [x, y, height]) if picture is not None else None
+        if pixel is None:
+            continue
+        for face in detect_rims(picture, demo.eye, picture[pixel], height):
+            container = Container(picture[pixel], np.append(face.sides, height),
+                                  np.append(face.center, z), face.yaw, demo.ids[n],
+                                  min(step.bottom for step in inside))
+            is_there = np.hypot(*(face.center - [x, y])) < C.max_container_error
+            if is_there and all(is_inside(container, step.position) for step in inside):
+                return container
+    raise ValueError(f"no picture of the demonstration shows the container of {inside[0].name}")
+
+
+def stands_on(upper, lower):
+    """Returns true if the bottom of a block touches the top of another one."""
+    gap = upper.bottom - lower.top
+    [one] = footprint([upper], 0)
+    return abs(gap) < C.max_support_gap and overlap(one, footprint([lower], 0)).any()
+
+
+def color_matters(attention, name):
+    """Returns true unless the demonstrator specified the properties of an object that matter,
+    without color."""
+    return "color" in (attention.get(name) or ["color"])

@@ -1,0 +1,384 @@
+"""Chooses the next actions from the demonstrated steps and the beliefs about the scene."""
+
+import math
+from dataclasses import dataclass, field, replace
+from typing import NamedTuple, Optional
+
+import numpy as np
+
+from blocks import Block, has_equal_sides, is_same_kind, yaw_difference
+from clearance import container_walls, footprint, gripper_clearance, is_grasp_blocked, overlap
+from constants import CLEARANCE, PERCEPTION, TASK_PLANNING as C, numbers_of
+from execution import Action
+from motion_planning import is_reachable, plan_pick_and_place
+from perception import (detect_blocks, detect_container, detect_unknown_objects, pixel_at,
+                        table_color, to_pixel)
+from task_model import Container, Step, is_dragged
+
+
+@dataclass
+class TaskState:
+    """Progress and beliefs of the learner during a task."""
+
+    steps: list  # of the demonstration; once a site is chosen, at their places in this scene
+    container: Optional[Container] = None  # of some steps; once a site is chosen, in this scene
+    has_site: bool = False
+    known: list = field(default_factory=list)  # beliefs: Blocks at their last seen places
+    unknown_objects: list = field(default_factory=list)  # appearances of blocks of no step; their
+    #                                                      places are among the known
+    done: list = field(init=False)  # whether each step's block is in its place
+    attempts: list = field(init=False)  # number of times that each step's block was carried there
+    num_temporary: int = 0  # number of blocks that were put at a temporary place so far
+    placement_errors: dict = field(default_factory=dict)  # of a step's block: [units], [rad]
+    num_blocked: int = 0  # number of successive steps for which no plan was found
+    first_failure: str = ""  # why the first of them failed
+    summary: str = ""  # one line for people, at the end
+
+    def __post_init__(self):
+        self.done = [False] * len(self.steps)
+        self.attempts = [0] * len(self.steps)
+
+
+class Move(NamedTuple):
+    """A move that may come next."""
+
+    block: Block  # a known one
+    goal: Optional[Step] = None  # None: a temporary placement
+
+
+def choose_actions(state, sensor, eye, robot):
+    """Updates the beliefs from a picture and plans the next actions: a list; [] when everything is
+    built or no plan is found (state.summary says which)."""
+    picture = sensor.rgbVision / 255
+    # The place of the container is not known before a site is chosen.
+    container = state.container if state.has_site else None
+    seen = detect_blocks(picture, eye, state.steps + state.unknown_objects, container)
+    if not state.has_site or state.num_blocked > 0:
+        state.unknown_objects += detect_unknown_objects(picture, eye, seen + state.known)
+        seen = detect_blocks(picture, eye, state.steps + state.unknown_objects, container)
+    state.known = update_beliefs(state.known, seen, picture, eye)
+    if not state.has_site:
+        choose_site(state, robot, picture, eye)
+        if not state.has_site:
+            return []
+
+    used = assess_progress(state)
+    steps = open_steps(state)
+    if not steps:
+        distance, angle = np.max(list(state.placement_errors.values()), axis=0)
+        state.summary = "built, as seen within %.2f units and %.1f degrees" % (
+            distance, math.degrees(angle))
+        return []
+
+    # The next step in the demonstrated order; while that is blocked, one of the other open steps.
+    k = steps[state.num_blocked % len(steps)]
+    step = state.steps[k]
+    reason = "no matching block is visible"
+    if state.attempts[k] >= C.max_attempts:
+        reason = f"{C.max_attempts} attempts failed"
+    elif state.num_temporary >= C.max_temporary_placements:
+        reason = f"blocks were put aside {C.max_temporary_placements} times already"
+    else:
+        free = [block for block in state.known if block not in used]
+        for move in propose_moves(state, step, free):
+            actions, place, reason = plan_move(state, step, move, eye, robot,
+                                               sensor.jointAngles)
+            if not actions:
+                continue
+            if place:
+                state.num_temporary += 1
+            else:
+                state.attempts[k] += 1
+            state.known.remove(move.block)
+            state.known += place
+            state.num_blocked = 0
+            return actions
+    if state.num_blocked == 0:
+        state.first_failure = f"{step}: {reason}"
+    state.num_blocked += 1
+    if state.num_blocked > len(steps) + 1:
+        state.summary = f"gave up at {state.first_failure}"
+        return []
+    return [Action("observe")]
+
+
+def open_steps(state):
+    """Returns the numbers of the steps that are not done and whose supports are done, in
+    demonstrated order."""
+    return [k for k, step in enumerate(state.steps)
+            if not state.done[k] and all(state.done[lower] for lower in step.on)]
+
+
+def update_beliefs(known, seen, picture, eye):
+    """Returns the known blocks after an observation, a list: those seen, and those that were known
+    before and may be occluded now. A block is forgotten where the table is visible."""
+    table = table_color(picture)
+    now = list(seen)
+    for block in known:
+        distances = [np.linalg.norm(it.position - block.position) for it in now]
+        same = any(distance < C.same_block_distance for distance in distances)
+        if not same and not is_table_visible(picture, eye, block, table):
+            now.append(block)
+    return now
+
+
+def is_table_visible(picture, eye, block, table):
+    """Returns true if the pixel at the middle of a block's top shows the table, of a color."""
+    pixel = pixel_at(picture, eye, [*block.position[:2], block.top])
+    return pixel is not None and np.abs(picture[pixel] - table).max() < PERCEPTION.table_tolerance
+
+
+def choose_site(state, robot, picture, eye):
+    """Chooses the site of the building and moves the steps there: steps for a container to where it
+    is detected, dragged steps to the detected object, all others to a free site on the table. If
+    there is no such site, state.has_site stays false and state.summary says why."""
+    try:
+        carried = [step for step in state.steps if not is_dragged(step)]
+        if state.container:
+            carried, state.container = place_in_container(carried, state.container, picture, eye)
+        elif carried:
+            carried = place_on_table(carried, state.known, robot)
+        carried = iter(carried)
+        state.steps = [place_dragged(step, state.known) if is_dragged(step)
+                       else next(carried) for step in state.steps]
+        state.has_site = True
+    except NoSite as problem:
+        state.summary = str(problem)
+
+
+class NoSite(Exception):
+    """No site was found for the building."""
+
+
+def place_dragged(step, known):
+    """Moves a dragged step to the one known block that looks like it; rotates its displacement
+    likewise."""
+    found = [block for block in known if is_same_kind(block, step)]
+    if len(found) != 1:
+        raise NoSite(f"{len(found)} visible objects look like {step}")
+    rotation = yaw_difference(step, found[0].yaw)
+    displacement = rotated(step.displacement, rotation)
+    return replace(step, displacement=displacement, yaw=step.yaw + rotation,
+                   position=found[0].position + [*displacement, 0])
+
+
+def place_in_container(steps, container, picture, eye):
+    """Moves steps together with their container to where it is detected. Returns both."""
+    found, rotation = detect_container(picture, eye, container)
+    if not found:
+        raise NoSite(f"the container {container.name} is not visible")
+    moved = []
+    for step in steps:
+        displacement = rotated(step.position[:2] - container.position[:2], rotation)
+        position = np.append(found.position[:2] + displacement, step.position[2])
+        moved.append(replace(step, position=position, yaw=step.yaw + rotation))
+    return moved, found
+
+
+def rotated(v, angle):
+    """Returns a vector, x y, rotated by an angle [rad]."""
+    c, s = math.cos(angle), math.sin(angle)
+    return np.array([v[0] * c - v[1] * s, v[0] * s + v[1] * c])
+
+
+def place_on_table(steps, known, robot):
+    """Moves steps to the site with the lowest cost at which the arms reach every place."""
+    demonstrated = np.array([step.position[:2] for step in steps])
+    center = (demonstrated.min(axis=0) + demonstrated.max(axis=0)) / 2
+    sites = []
+    for y in numbers_of(*C.site_y):
+        for x in numbers_of(*C.site_x):
+            moved = shifted(steps, [x, y] - center)
+            blocked = [block for block in known if is_grasp_blocked(block, moved)]
+            # Far from the robot the building occludes little; close to it the arms reach more.
+            cost = C.far_site_cost * abs(y - C.best_site_y)
+            cost += C.side_site_cost * abs(x) + sum(block.size[0] for block in blocked)
+            sites.append((cost, moved))
+    for _, moved in sorted(sites, key=lambda site: site[0]):
+        if all(is_reachable(robot, int(step.position[0] > 0), step) for step in moved):
+            return moved
+    raise NoSite("the building is not within reach anywhere on the table")
+
+
+def shifted(steps, displacement):
+    """Returns the steps displaced by x, y [units]."""
+    return [replace(step, position=step.position + [*displacement, 0]) for step in steps]
+
+
+def assess_progress(state):
+    """Compares the known blocks with the steps: updates state.done and state.placement_errors.
+    Returns the blocks that are in the place of a step, a list."""
+    used = []
+    for k, step in enumerate(state.steps):
+        state.done[k] = False
+        for block in state.known:
+            distance = np.linalg.norm(block.position - step.position)
+            angle = abs(yaw_difference(step, block.yaw))
+            is_there = distance < C.position_tolerance and angle < C.yaw_tolerance_rad
+            if block not in used and is_same_kind(block, step) and is_there:
+                state.placement_errors[k] = distance, angle
+                state.done[k] = True
+                used.append(block)
+                break
+    return used
+
+
+def propose_moves(state, step, free):
+    """Proposes the moves that may come next for a step, the best first: a list of Moves.
+
+    free: the known blocks that are in no step's place
+    """
+    fits = [block for block in free if is_same_kind(block, step)]
+    obstructing = [block for block in free if is_obstructing(block, step)]
+    blocked = [block for block in free if is_grasp_blocked(block, state.steps)]
+
+    # First the blocks that later steps make hard to reach, and the closest matching ones.
+    def distance(block):
+        if block in obstructing + blocked:
+            return 0
+        return np.linalg.norm(block.position - step.position)
+
+    fits.sort(key=distance)
+    moves = [Move(block) for block in distinct(obstructing + blocked) if block not in fits]
+    moves += [Move(block) for block in obstructing if block in fits[1:]]
+    moves += [Move(block, step) for block in fits if not set(obstructing) - {block}]
+    # Then the blocks that lie on others: a matching block may be below them.
+    moves += [Move(block) for block in free if block.position[2] > block.size[2]]
+    # A block with others on top has to wait.
+    return [move for move in moves if not has_objects_on(move.block, free)]
+
+
+def is_obstructing(block, step):
+    """Returns true if a block is in the place of a step, or where the fingers need room there."""
+    [room] = gripper_clearance([step])
+    return overlap(room, footprint([block], 0)).any()
+
+
+def distinct(blocks):
+    """Returns blocks without repetitions, a list."""
+    return list(dict.fromkeys(blocks))
+
+
+def has_objects_on(block, others):
+    """Returns true if one of the others lies on a block."""
+    higher = [it for it in others if it.position[2] > block.position[2] + C.min_height_difference]
+    [covered] = footprint([block], 0)
+    return overlap(covered, footprint(higher, 0)).any()
+
+
+def plan_move(state, step, move, eye, robot, q):
+    """Plans one move: straight to its goal, if it has one and an arm reaches both places; otherwise
+    to a temporary place, if necessary where a later step will be.
+
+    q: 2x7, joint angles of the arms [rad]
+    Returns actions; the block at its temporary place, which may be hidden there, in a list (empty
+    for a block that is built in, because there it must be seen); and the reason if there are no
+    actions.
+    """
+    others = [block for block in state.known if block is not move.block]
+    others += assumed_support(move.block) + container_walls(state.container)
+    container = [state.container] if state.container else []
+    standing = [step for step, done in zip(state.steps, state.done) if done] + container
+    sites = [state.steps + container]
+    if move.goal:
+        sites.append(standing)
+        actions, reason = plan_pick_and_place(robot, move.block, move.goal, others, q)
+        if actions:
+            return actions, [], None
+    elif is_obstructing(move.block, step):
+        sites.append(standing + [step])
+    return plan_temporary_placement(robot, eye, move.block, others, sites, q, move.goal)
+
+
+def assumed_support(block):
+    """Returns the support of a block that does not stand on the table, as one Block from the table
+    to its bottom: something must carry it, even if it is hidden. A list, empty for a block on the
+    table."""
+    if block.bottom < C.min_support_height:
+        return []
+    x, y, _ = block.position
+    return [replace(block, size=np.append(block.size[:2], block.bottom),
+                    position=np.array([x, y, block.bottom / 2]))]
+
+
+def plan_temporary_placement(robot, eye, block, others, sites, q, goal):
+    """Plans the actions that bring a block to a free place on the table, within the eye's view.
+
+    others: obstacles, as Blocks
+    sites:  lists of blocks to keep clear of, existing or planned; the first list that leaves a
+            place counts
+    q:      2x7, joint angles of the arms [rad]
+    goal:   to which the other arm shall bring it from there at once (a handover), or None
+    Returns actions, that place in a list, and None; or [], [] and a reason if there is none.
+    """
+    arms = candidate_arms(robot, block, goal)
+    if not arms:
+        return [], [], "no arm reaches it"
+    reason = "there is no free place on the table"
+    for site in sites:
+        attempts = C.max_place_attempts
+        for place in free_placements(block, others + site, goal):
+            if (not is_in_view(place, eye) or is_grasp_blocked(place, site)
+                    or not can_hand_over(robot, arms, place, goal)):
+                continue
+            if goal is None or plan_pick_and_place(robot, place, goal, others, q)[0]:
+                actions, reason = plan_pick_and_place(robot, block, place, others, q)
+                if actions:
+                    return actions, [place], None
+            attempts -= 1
+            if attempts == 0:
+                break
+    return [], [], reason
+
+
+def free_placements(block, taken, goal):
+    """Returns free places for a block on the table, a list of up to max_places, the best first:
+    with room for its fingers and for those of its neighbors."""
+    yaw, y, x = (it.ravel() for it in np.meshgrid(
+        [0, math.pi / 2, math.pi / 4, -math.pi / 4], numbers_of(*C.place_y),
+        numbers_of(*C.place_x), indexing="ij"))
+    sides = np.ones_like(x)[:, None] * (block.size[:2] + C.place_margin)
+    covered = np.column_stack([x, y, sides, yaw])
+    with_fingers = covered + [0, 0, 0, C.place_fingers, 0]
+    free = np.ones(len(x), bool)
+    for rectangle in footprint(taken, CLEARANCE.site_margin):
+        free &= ~overlap(rectangle, with_fingers)
+    # Square blocks can also be held across the other sides.
+    for rectangle in gripper_clearance([it for it in taken if not has_equal_sides(it)]):
+        free &= ~overlap(rectangle, covered)
+
+    if goal is None:
+        # The middle, where both arms reach, is for handovers.
+        cost = np.hypot(x - block.position[0], y - block.position[1])
+        cost += np.maximum(C.handover_half_width - np.abs(x), 0)
+    else:
+        cost = np.abs(x) + C.handover_y_cost * np.abs(y - C.handover_y)
+    num_places = min(C.max_places, free.sum())
+    best = np.argsort(np.where(free, cost, np.inf), kind="stable")[:num_places]
+    return [replace(block, position=np.array([x[i], y[i], block.size[2] / 2]), yaw=yaw[i])
+            for i in best]
+
+
+def is_in_view(place, eye):
+    """Returns true if the whole top of a block at a place is in the eye's picture."""
+    along = place.size[0] / 2 * np.array([math.cos(place.yaw), math.sin(place.yaw), 0])
+    across = place.size[1] / 2 * np.array([-math.sin(place.yaw), math.cos(place.yaw), 0])
+    middle = np.array([*place.position[:2], place.size[2]])
+    corners = [middle + a * along + b * across for a in (1, -1) for b in (1, -1)]
+    pixels = np.array([to_pixel(corner, eye) for corner in corners])
+    margin = C.picture_margin_pixels
+    return ((pixels > margin) & (pixels < 2 * eye.intrinsics[:2, 2] - margin)).all()
+
+
+def candidate_arms(robot, block, goal):
+    """Returns the arms that reach a block, a list; with a goal, only those whose other arm reaches
+    the goal."""
+    return [arm for arm in (0, 1) if is_reachable(robot, arm, block)
+            and (goal is None or is_reachable(robot, 1 - arm, goal))]
+
+
+def can_hand_over(robot, arms, place, goal):
+    """Returns true if one of these arms reaches a place; with a goal, also the other arm for the
+    handover."""
+    return any(is_reachable(robot, arm, place)
+               and (goal is None or is_reachable(robot, 1 - arm, place)) for arm in arms)

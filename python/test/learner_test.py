@@ -1,0 +1,344 @@
+"""Tests the parts of the learner in python/learner, without the simulator: learner_test.py, with
+python/learner on the path. matlab/test/learner_test.m contains the same claims about its twin.
+"""
+
+import json
+import math
+import tempfile
+import unittest
+from pathlib import Path
+
+import numpy as np
+from PIL import Image
+
+from blocks import Block, yaw_difference
+from clearance import container_walls, grasp_yaws, is_grasp_blocked, overlap
+from demonstration import read_demonstration
+from perception import (Eye, detect_blocks, detect_container, detect_unknown_objects,
+                        label_regions, to_pixel)
+from task_model import Step, infer_task
+from task_planning import (Move, TaskState, assess_progress, choose_site, open_steps,
+                           propose_moves, update_beliefs)
+
+RED, GREEN, BLUE = np.eye(3)
+CUBE = np.array([1.0, 1, 1])
+PLANK = np.array([4.0, 1, 1])
+BROWN = np.array([0.5, 0.3, 0.2])
+TABLE = np.array([0.6, 0.5, 0.4])
+TILT = math.radians(56.05)  # of the robot's eye, downwards
+EYE = Eye(np.array([[240 / math.tan(math.pi / 6), 0, 320], [0, 240 / math.tan(math.pi / 6), 240],
+                    [0, 0, 1]]),
+          np.array([[1, 0, 0, 0], [0, -math.sin(TILT), math.cos(TILT), -6.1168],
+                    [0, -math.cos(TILT), -math.sin(TILT), 11.5921], [0, 0, 0, 1]]))
+
+
+def block(color, size, x, y, bottom=0.0, yaw=0.0):
+    return Block(color, size, np.array([x, y, bottom + size[2] / 2]), yaw)
+
+
+def step(it, on):
+    return Step(it.color, it.size, it.position, it.yaw, "step", on)
+
+
+def picture_of(blocks):
+    """Renders blocks as the eye sees them, lower ones first: 480x640x3."""
+    picture = np.tile(TABLE, (480, 640, 1))
+    row, column = np.indices((480, 640))
+    ray = EYE.pose[:3, :3] @ [
+        (column.ravel() + 0.5 - 320) / EYE.intrinsics[0, 0],
+        (row.ravel() + 0.5 - 240) / EYE.intrinsics[1, 1], np.ones(row.size)]
+    for it in blocks:
+        # Rectangles below each other form the sides. The top is drawn last.
+        for height in np.linspace(it.top - it.size[2], it.top, 6):
+            x, y, _ = EYE.pose[:3, 3:] + ray * (height - EYE.pose[2, 3]) / ray[2]
+            x, y = x - it.position[0], y - it.position[1]
+            along = abs(x * math.cos(it.yaw) + y * math.sin(it.yaw))
+            across = abs(y * math.cos(it.yaw) - x * math.sin(it.yaw))
+            hit = ((along <= it.size[0] / 2) & (across <= it.size[1] / 2)).reshape(480, 640)
+            picture[hit] = it.color * (1 if height == it.top else 0.7)
+    return picture
+
+
+class PerceptionTest(unittest.TestCase):
+    def assert_found(self, found, expected):
+        same = [it for it in found if np.linalg.norm(it.position - expected.position) < 0.01]
+        self.assertEqual(len(same), 1, f"{expected} is not among {found}")
+        np.testing.assert_allclose(same[0].size, expected.size)
+        self.assertLess(abs(yaw_difference(expected, same[0].yaw)), math.radians(0.5))
+
+    def test_blocks_are_detected_within_a_hundredth_of_a_unit(self):
+        blocks = [block(RED, PLANK, -2.5, -1.2, yaw=0.4), block(GREEN, CUBE, 2, -3.1, yaw=-0.3),
+                  block(RED, CUBE, 4, -2), block(BLUE, CUBE, 4, -2, bottom=1, yaw=0.2),
+                  block(GREEN, PLANK, 0.2, -2.6, yaw=math.pi / 2 - 0.1)]
+        found = detect_blocks(picture_of(blocks), EYE, blocks)
+        hidden = blocks.pop(2)
+        for expected in blocks:
+            self.assert_found(found, expected)
+        self.assertEqual(len(found), len(blocks), f"{hidden} is below another")
+
+    def test_only_wanted_blocks_are_detected(self):
+        seen = [block(RED, CUBE, 1, -2), block(RED, np.array([2.5, 1, 1]), -2, -2),
+                block(BLUE, CUBE, 3, -2)]
+        [found] = detect_blocks(picture_of(seen), EYE, seen[:1])
+        np.testing.assert_allclose(found.position, [1, -2, 0.5], atol=0.01)
+        any_cube = block(None, CUBE, 0, 0)
+        found = detect_blocks(picture_of(seen), EYE, [any_cube])
+        self.assertEqual([it.color.tolist() for it in found], [[0, 0, 1], [1, 0, 0]])
+
+    def test_two_blocks_that_touch_are_separated(self):
+        row = [block(RED, CUBE, -2, -2, yaw=0.3),
+               block(RED, CUBE, -2 + math.cos(0.3), -2 + math.sin(0.3), yaw=0.3)]
+        found = detect_blocks(picture_of(row), EYE, row)
+        self.assertEqual(len(found), 2)
+        for one, expected in zip(found, row):
+            np.testing.assert_allclose(one.position, expected.position, atol=0.02)
+
+    def test_an_unknown_object_is_not_taken_for_a_block_higher_up(self):
+        large = block(RED, np.array([1.3, 1.3, 1.25]), 2, -3, yaw=0.2)
+        other = block(BLUE, CUBE, -2, -2)
+        picture = picture_of([large, other])
+        self.assertEqual(detect_blocks(picture, EYE, [block(RED, CUBE, 0, 0)]), [])
+        [found] = detect_unknown_objects(picture, EYE, [other])
+        np.testing.assert_allclose(found.position, large.position, atol=0.03)
+        np.testing.assert_allclose(found.size, large.size, atol=0.05)
+
+    def test_regions_are_numbered_by_their_first_pixel(self):
+        mask = np.array([[0, 1, 0, 1], [1, 1, 0, 1], [0, 0, 1, 0], [1, 0, 1, 1]], bool)
+        np.testing.assert_array_equal(
+            label_regions(mask), [[0, 1, 0, 4], [1, 1, 0, 4], [0, 0, 3, 0], [2, 0, 3, 3]])
+
+    def test_regions_that_meet_late_are_one(self):
+        spiral = np.zeros((40, 40), bool)
+        spiral[::2] = True
+        self.assertEqual(label_regions(spiral).max(), 20)
+        spiral[:, 39] = True
+        self.assertEqual(label_regions(spiral).max(), 1)
+
+
+class ClearanceTest(unittest.TestCase):
+    def test_overlap_agrees_with_points_inside_both(self):
+        random = np.random.default_rng(1)
+        share = np.stack(np.meshgrid(*[np.linspace(-0.5, 0.5, 41)] * 2), -1).reshape(-1, 2)
+        one = np.array([0.3, -0.2, 2.0, 0.7, 0.4])
+        many = np.column_stack([random.uniform(-2.5, 2.5, (300, 2)),
+                                random.uniform(0.5, 3, (300, 2)), random.uniform(-4, 4, 300)])
+        answers = overlap(one, many)
+        for rectangle, answer in zip(many, answers):
+            def has_common_point(grow):
+                sides = rectangle[2:4] + grow
+                c, s = np.cos(rectangle[4]), np.sin(rectangle[4])
+                points = (share * sides) @ [[c, s], [-s, c]] + rectangle[:2] - one[:2]
+                c, s = np.cos(one[4]), np.sin(one[4])
+                inside = np.abs(points @ [[c, -s], [s, c]]) <= (one[2:4] + grow) / 2
+                return inside.all(axis=1).any()
+
+            # Points lie up to 0.08 apart, so as much larger or smaller ones bracket the truth.
+            if has_common_point(-0.15):
+                self.assertTrue(answer, rectangle)
+            if not has_common_point(0.15):
+                self.assertFalse(answer, rectangle)
+        self.assertGreater(answers.sum(), 50)
+        self.assertGreater((~answers).sum(), 50)
+
+    def test_grasp_yaws_avoid_other_blocks(self):
+        middle = block(RED, CUBE, 0, -2)
+        left, right = block(GREEN, CUBE, -1.1, -2), block(GREEN, CUBE, 1.1, -2)
+        self.assertEqual(len(grasp_yaws(middle, [])), 4)
+        np.testing.assert_allclose(np.sin(grasp_yaws(middle, [left, right])), [1, -1])
+        self.assertEqual(grasp_yaws(block(RED, PLANK, 0, -3.1), [middle]), [])
+        self.assertTrue(is_grasp_blocked(middle, [left, right, block(BLUE, CUBE, 0, -3.1)]))
+        self.assertFalse(is_grasp_blocked(middle, [block(BLUE, CUBE, 4, -2)]))
+
+
+class RecordingTest(unittest.TestCase):
+    def record(self, *pictures):
+        """Creates a folder for the texts of a recording, with these pictures."""
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+        (self.folder / "rgb").mkdir()
+        for i, picture in enumerate(pictures):
+            Image.fromarray((picture * 255).round().astype("u1")).save(self.folder / f"rgb/{i}.png")
+        tilt = -(math.pi / 2 + TILT) / 2
+        (self.folder / "demo.json").write_text(json.dumps({"meters_per_unit": 0.1, "eye": {
+            "fx": EYE.intrinsics[0, 0], "fy": EYE.intrinsics[1, 1], "cx": 320.0, "cy": 240.0,
+            "position_m": list(EYE.pose[:3, 3] / 10),
+            "rotation_wxyz": [math.cos(tilt), math.sin(tilt), 0.0, 0.0]}}))
+
+    def write(self, segment, lines):
+        (self.folder / f"{segment}.txt").write_text("\n".join(lines) + "\n")
+
+    def infer_task(self, attention=None):
+        return infer_task(read_demonstration(self.folder), attention or {})
+
+
+class InferenceTest(RecordingTest):
+    """A plank stays; a red cube is put on it, another stays, and a blue cube is moved twice."""
+
+    def setUp(self):
+        quarter = np.array([1.0, 4, 1])  # a plank that is longer along its y axis
+        self.objects = {"Plank": block(GREEN, quarter, -2, -2, yaw=0.2),
+                        "Red": block(RED, CUBE, 3, -3), "Other": block(RED, CUBE, 3, -1),
+                        "Blue": block(BLUE, CUBE, 1, -4)}
+        self.record(picture_of(self.objects.values()))
+        self.write(0, [f"0,create,{name},shape,block" for name in self.objects] + [
+            f"0,move,{name},{it.position[0]},{it.position[1]},{it.position[2]},0.0,-0.0,"
+            f"{math.degrees(it.yaw)}" for name, it in self.objects.items()])
+        self.write(1, ["3,grasp,LeftHand,Blue", "5,move,Blue,0.0,-4.0,2.0,0.0,0.0,0.0",
+                       "6,release,LeftHand", "6,move,Blue,0.0,-4.0,0.5,0.0,0.0,0.0"])
+        self.write(2, ["7,grasp,AnyHand,Red", "9,release,AnyHand",
+                       "9,move,Red,-2.0,-1.5,1.5,1.0E-4,0.0,95.0",
+                       "10,grasp,LeftHand,Blue", "11,release,LeftHand",
+                       "11,move,Blue,-2.0,-1.5,2.5,0.0,0.0,0.0"])
+
+    def test_steps_come_in_the_order_of_building(self):
+        steps, container = self.infer_task({"Blue": ["size"]})
+        self.assertIsNone(container)
+        self.assertEqual([step.name for step in steps], ["Plank", "Red", "Blue"])
+        plank, red, blue = steps
+        self.assertEqual([step.on for step in steps], [[], [0], [1]])
+        np.testing.assert_allclose(plank.size, [4, 1, 1], atol=0.03)  # the longer side comes first
+        self.assertLess(abs(yaw_difference(plank, 0.2 + math.pi / 2)), 1e-9)
+        np.testing.assert_allclose(red.position, [-2, -1.5, 1.5])
+        self.assertAlmostEqual(red.yaw, math.radians(95))
+        np.testing.assert_allclose(red.color, RED)
+        self.assertIsNone(blue.color, "the demonstrator specified that only its size matters")
+
+    def test_what_cannot_be_inferred_is_reported(self):
+        with self.assertRaisesRegex(FileNotFoundError, "there is no recording in .*0.txt"):
+            read_demonstration(self.folder / "rgb")
+        demo = read_demonstration(self.folder)
+        demo.placed.clear()
+        with self.assertRaisesRegex(ValueError, "no hand moved anything"):
+            infer_task(demo, {})
+        (self.folder / "rgb/0.png").unlink()
+        with self.assertRaisesRegex(ValueError, "no picture of the demonstration shows Plank"):
+            self.infer_task()
+
+
+class ContainerTest(RecordingTest):
+    """A blue cube is put into a box whose floor is 0.2 high."""
+
+    def setUp(self):
+        cube = block(BLUE, CUBE, 3, -3)
+        self.record(picture_of([*empty_box(-1, -1, 0), cube]))
+        self.write(0, ["0,create,Case,shape,box", "0,create,Blue,shape,block",
+                       "0,move,Case,-1.0,-1.0,0.45,0.0,0.0,0.0",
+                       "0,move,Blue,3.0,-3.0,0.5,0.0,0.0,0.0"])
+        self.write(1, ["1,grasp,LeftHand,Blue", "2,release,LeftHand",
+                       "2,move,Blue,0.5,-1.3,0.7,0.0,0.0,0.0"])
+        self.steps, self.container = self.infer_task()
+
+    def test_it_is_measured_where_it_stands(self):
+        np.testing.assert_allclose(self.container.position, [-1, -1, 0.45], atol=0.03)
+        np.testing.assert_allclose(self.container.size, [5, 2.6, 0.9], atol=0.05)
+        self.assertAlmostEqual(self.container.floor, 0.2)
+
+    def test_it_is_detected_elsewhere_with_its_content(self):
+        there = block(BLUE, CUBE, 0.9, -1.6, bottom=0.2, yaw=0.3)
+        picture = picture_of([*empty_box(1, -2, 0.3), there])
+        found, turn = detect_container(picture, EYE, self.container)
+        np.testing.assert_allclose(found.position, [1, -2, 0.45], atol=0.03)
+        self.assertAlmostEqual(turn, 0.3, delta=0.02)
+        [seen] = detect_blocks(picture, EYE, self.steps, found)
+        self.assertAlmostEqual(seen.position[2], 0.7)
+        there.position = found.position + [0, 0, 0.25]
+        self.assertEqual(len(grasp_yaws(there, container_walls(found))), 4)
+        there.position = found.position + [1.7 * math.cos(0.3), 1.7 * math.sin(0.3), 0.25]
+        self.assertEqual(len(grasp_yaws(there, container_walls(found))), 2)
+
+
+def empty_box(x, y, yaw):
+    """Returns blocks that look like an open box: its rim, a dark side inside, and its floor."""
+    return [block(BROWN, np.array([5, 2.6, 0.9]), x, y, yaw=yaw),
+            block(0.7 * BROWN, np.array([4.6, 2.2, 0]), x, y, bottom=0.9, yaw=yaw),
+            block(BROWN, np.array([4.2, 1.8, 0]), x, y, bottom=0.9, yaw=yaw)]
+
+
+class DraggingTest(RecordingTest):
+    """A door with a post on it is dragged by 2 and 1; another post of the same color stays."""
+
+    def setUp(self):
+        def scene(x, y):
+            yellow, red, post = BROWN * 1.5, RED * 0.7, np.array([1, 0.6, 1.2])
+            return picture_of([block(red, post, 4, -4),
+                               block(yellow, np.array([3.0, 2, 2]), x, y, yaw=0.5),
+                               block(red, post, x, y, bottom=2, yaw=0.5)])
+        self.record(scene(-2, -3), scene(0, -2))
+        self.write(0, ["0,create,Door,shape,composite", "0,move,Door,-2.2,-3.1,1.9,0.0,0.0,0.0"])
+        self.write(1, ["1,grasp,LeftHand,Door", "1,move,Door,-0.2,-2.1,1.9,0.0,0.0,0.0",
+                       "1,release,LeftHand"])
+
+    def test_its_post_is_the_handle(self):
+        [step], container = self.infer_task()
+        self.assertIsNone(container)
+        np.testing.assert_allclose(step.displacement, [2, 1])
+        self.assertAlmostEqual(step.top, 3.2, delta=0.05)  # by its displacement
+        np.testing.assert_allclose(step.position[:2], [-2, -3], atol=0.03)
+        np.testing.assert_allclose(step.size[:2], [1, 0.6], atol=0.03)
+
+    def test_an_invisible_handle_is_reported(self):
+        (self.folder / "rgb/1.png").unlink()
+        with self.assertRaisesRegex(ValueError, "the handle of Door"):
+            self.infer_task()
+
+    def test_the_displacement_of_a_rotated_one_is_rotated(self):
+        [step], _ = self.infer_task()
+        state = TaskState([step])
+        choose_site(state, None, None, None)
+        self.assertFalse(state.has_site)
+        self.assertRegex(state.summary, "0 visible objects look like Door")
+        state.known = [block(step.color, step.size, 3, -2, yaw=0.8)]
+        choose_site(state, None, None, None)
+        self.assertTrue(state.has_site)
+        c, s = math.cos(0.3), math.sin(0.3)
+        np.testing.assert_allclose(state.steps[0].position[:2],
+                                   [3 + 2 * c - s, -2 + 2 * s + c], atol=0.01)
+
+
+class TaskPlanningTest(unittest.TestCase):
+    def setUp(self):
+        self.steps = [step(block(RED, CUBE, 0, -2), []),
+                      step(block(GREEN, CUBE, 0, -2, bottom=1), [0]),
+                      step(block(GREEN, CUBE, -3, -2), [])]
+
+    def test_a_block_in_its_place_makes_the_step_done(self):
+        state = TaskState(self.steps)
+        there, elsewhere = block(RED, CUBE, 0.05, -2, yaw=math.pi), block(RED, CUBE, 0.1, -2)
+        state.known = [elsewhere, there, block(RED, CUBE, 0, -2, bottom=1)]
+        self.assertEqual(assess_progress(state), [there])
+        self.assertEqual(state.done, [True, False, False])
+        self.assertAlmostEqual(state.placement_errors[0][0], 0.05)
+
+    def test_a_step_is_open_when_its_supports_are_done(self):
+        state = TaskState(self.steps)
+        self.assertEqual(open_steps(state), [0, 2])
+        state.done[0] = True
+        self.assertEqual(open_steps(state), [1, 2])
+
+    def test_obstructing_blocks_come_first_and_covered_ones_wait(self):
+        near, far = block(RED, CUBE, 3, -2), block(RED, CUBE, 4, -3)
+        obstructing = block(BLUE, CUBE, 0.3, -2.2)
+        on_near = block(BLUE, CUBE, 3, -2, bottom=1)
+        state = TaskState(self.steps)
+        state.known = [far, near, obstructing, on_near]
+        moves = propose_moves(state, self.steps[0], state.known)
+        self.assertEqual(moves, [Move(obstructing), Move(on_near)])
+        state.known.remove(obstructing)
+        moves = propose_moves(state, self.steps[0], state.known)
+        self.assertEqual(moves, [Move(far, self.steps[0]), Move(on_near)])
+
+    def test_hidden_blocks_are_remembered_but_not_missing_ones(self):
+        tower = block(RED, CUBE, 0, -4), block(GREEN, CUBE, 0, -4, bottom=1)
+        missing = block(BLUE, CUBE, 3, -2)
+        known = [tower[0], missing]
+        known = update_beliefs(known, [tower[1]], picture_of(tower), EYE)
+        self.assertEqual(known, [tower[1], tower[0]])
+
+    def test_a_point_ahead_is_in_the_middle_of_the_picture(self):
+        ahead = EYE.pose[:3, 3] + 9 * EYE.pose[:3, 2]
+        np.testing.assert_allclose(to_pixel(ahead, EYE), [320, 240])
+
+
+if __name__ == "__main__":
+    unittest.main()

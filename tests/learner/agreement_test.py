@@ -1,0 +1,55 @@
+"""The learner's functions in Python and in Octave return the same numbers.
+
+    agreement_test.py OCTAVE...     the command that runs agreement.m, with the same inputs
+"""
+
+import math
+import subprocess
+import sys
+
+import numpy as np
+
+from blocks import Block, yaw_difference
+from clearance import grasp_yaws, is_grasp_blocked, overlap
+from perception import Eye, fit_face, onto_plane, to_pixel
+
+
+def answers():
+    c, s = math.cos(2.55), math.sin(2.55)
+    eye = Eye(np.array([[415.7, 0, 320], [0, 415.7, 240], [0, 0, 1]]),
+              np.array([[1, 0, 0, 0.1], [0, c, -s, -6.1], [0, s, c, 11.6], [0, 0, 0, 1]]))
+    rectangles = []
+    for k in range(40):
+        column, row = np.meshgrid(100 + 9 * k + np.arange(4 + k % 5), 120 + 7 * k + np.arange(10))
+        column, row = (column + row // 4).T.ravel(), row.T.ravel()
+        x, y, area = onto_plane(row, column, eye, 0.1 * k)
+        yield np.column_stack([x, y, area])
+        face = fit_face(x, y, area)
+        yield [*face.center, face.yaw, *face.sides, face.misfit]
+        face = fit_face(x, y, area, 0.1 * k)
+        yield [face.yaw, *face.sides, face.misfit]
+        yield to_pixel([x[0], y[0], 0.1 * k], eye)
+
+        rectangles.append([37 * k % 11 / 2, 23 * k % 7 / 2, 0.5 + k % 4, 1, 0.3 * k])
+        yield overlap(rectangles[-1], rectangles)
+        x, y, side, _, yaw = rectangles[-1]
+        size = np.array([side + 1, 1, 1])
+        place = Block(None, size, np.array([x, y, 0.5]), yaw)
+        other = Block(None, size, np.array([2, 1, 0.5 + k % 3]), yaw)
+        yield grasp_yaws(place, [other])
+        yield is_grasp_blocked(place, [other])
+        yield yaw_difference(place, 1 - 0.2 * k)
+
+
+def main():
+    expected = subprocess.run(sys.argv[1:], check=True, stdout=subprocess.PIPE, text=True).stdout
+    expected = np.array(expected.split(), float)
+    found = np.concatenate([np.ravel(answer) for answer in answers()]).astype(float)
+    assert len(expected) == len(found) > 5000, f"{len(found)} answers, {len(expected)} expected"
+    wrong = np.flatnonzero(~np.isclose(found, expected, rtol=1e-9, atol=1e-9))
+    for i in wrong[:10]:
+        print(f"answer {i} is {found[i]}, in Octave {expected[i]}")
+    sys.exit(len(wrong) > 0)
+
+
+main()

@@ -1,0 +1,124 @@
+"""The learner chooses the same actions in Python and in Octave: from the same demonstration and the
+same picture of a scene, both infer the same steps, detect the same blocks, choose the same site and
+plan the same actions.
+
+    decisions_test.py SMILE SOURCE OCTAVE...
+
+SMILE is the program, SOURCE the folder of the project, OCTAVE the command that runs decisions.m, with
+the same inputs.
+"""
+
+import os
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import numpy as np
+from PIL import Image
+from smile.motion import robot_of
+
+from demonstration import read_demonstration
+from execution import ARMS
+from motion_planning import PARKED
+from task_model import infer_task
+from task_planning import TaskState, choose_actions
+
+# Task, and the layout of the robot's scene; [] keeps the scene as it is.
+CASES = [("tower", ["--seed", "1"]), ("tower", ["--seed", "2", "--level", "distractors"]),
+         ("tower", ["--seed", "4", "--level", "stacked"]), ("row", ["--seed", "1"]),
+         ("bridge", ["--seed", "3"]),
+         ("um", ["--seed", "2", "--level", "touching"]), ("box", ["--seed", "1"]), ("hatch", [])]
+TOLERANCE = 1e-6  # of units and radians
+# Of the tool's pose at the end of a path: the residual of inverse kinematics. Joints may differ
+# more, where rounding decides which of many solutions is found.
+TOOL_TOLERANCE = 1e-3
+# Pose of the robot at a table 12 units deep.
+BASE = np.array([[0, -1, 0, 0], [1, 0, 0, -8], [0, 0, 1, 2], [0, 0, 0, 1.0]])
+
+
+class Sensor:
+    def __init__(self, picture):
+        self.rgbVision = picture
+        self.jointAngles = PARKED
+
+
+def main(smile, source, *octave):
+    with tempfile.TemporaryDirectory() as folder:
+        os.chdir(folder)
+        cases = [prepare(smile, source, k, *case) for k, case in enumerate(CASES)]
+        urdf = f"{source}/robots/baxter.urdf"
+        expected = subprocess.run([*octave, urdf, *cases], check=True, stdout=subprocess.PIPE,
+                                  text=True).stdout.splitlines()
+        robot = robot_of({"robot": urdf, "robotBase": BASE, "unit": 0.1})
+        found = [line for case in cases for line in decisions(case, robot)]
+    case = ""
+    wrong = len(found) != len(expected)
+    for one, other in zip(found, expected):
+        case = one if one.startswith("case") else case
+        if not agree(one, other):
+            print(f"{case}: in Python {one}\n{' ' * len(case)}  in Octave {other}")
+            wrong = True
+    assert sum(line.startswith("action") for line in found) > 50
+    sys.exit(wrong)
+
+
+def prepare(smile, source, k, task, layout):
+    """Records the demonstration and takes a picture of the scene. Returns their folder."""
+    case = Path(f"case{k}")
+    case.mkdir()
+    scene = f"{source}/scenes/{task}_robot.xml"
+    shown = f"{source}/scenes/{task}.xml"
+    subprocess.run([smile, "run", shown, "--commands", f"{source}/examples/{task}.jsonl",
+                    "--record", case / "shown"], check=True, stdout=subprocess.DEVNULL)
+    if layout:
+        subprocess.run([smile, "layout", scene, *layout, "--out", case / "scene.xml"], check=True,
+                       stdout=subprocess.DEVNULL)
+        scene = case / "scene.xml"
+    subprocess.run([smile, "render", scene, "--camera", "eye", "--no-robot", "--size", "640x480",
+                    "--out", case / "look.png"], check=True, stdout=subprocess.DEVNULL)
+    print(f"{case}: {task} {' '.join(layout)}")
+    return str(case)
+
+
+def decisions(case, robot):
+    """Returns the results of the learner for a case: lines of words and numbers."""
+    demo = read_demonstration(f"{case}/shown")
+    steps, container = infer_task(demo, {})
+    building = TaskState(steps, container)
+    lines = [f"case {case}"]
+    lines += [fact("step", step.name, *step.color, *step.size, *step.position, step.yaw, *step.on)
+              for step in steps]
+    picture = np.asarray(Image.open(f"{case}/look.png").convert("RGB"))
+    actions = choose_actions(building, Sensor(picture), demo.eye, robot)
+    known = sorted(([*it.position, *it.color, *it.size, it.yaw] for it in building.known),
+                   key=lambda row: [round(number, 4) for number in row[:3]])
+    lines += [fact("known", *row) for row in known]
+    lines += [fact("site", *step.position, step.yaw) for step in building.steps]
+    for action in actions:
+        lines.append(fact("action", action.kind, action.arm, action.to, action.width))
+        if action.kind == "follow":
+            tool = robot.forward(ARMS[action.arm], action.path.positions[-1])
+            lines.append(fact("tool", *tool[:3, 3], *tool[:3, 1]))
+    return lines
+
+
+def fact(*words):
+    return " ".join(word if isinstance(word, str) else f"{word:.9f}" for word in words)
+
+
+def agree(found, expected):
+    words, others = found.split(), expected.split()
+    tolerance = TOOL_TOLERANCE if words[0] == "tool" else TOLERANCE
+    return len(words) == len(others) and all(
+        is_same(*pair, tolerance) for pair in zip(words, others))
+
+
+def is_same(word, other, tolerance):
+    try:
+        return abs(float(word) - float(other)) <= tolerance
+    except ValueError:
+        return word == other
+
+
+main(*sys.argv[1:])

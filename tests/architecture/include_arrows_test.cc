@@ -229,7 +229,7 @@ TEST(Architecture, NoKnotHasMoreThanThreeFiles) {
   EXPECT_GT(num_units, 200u);
 }
 
-TEST(Architecture, WhoLooksAtModelsAndRobotsSeesNoPhysics) {
+TEST(Architecture, ModelsAndRobotsDoNotIncludePhysics) {
   const Rooms table = TableOfTheBuild();
   EXPECT_FALSE(VisibleFrom("model", table).contains("physics"));
   EXPECT_FALSE(VisibleFrom("robot", table).contains("physics"));

@@ -54,7 +54,7 @@ std::set<std::string> IdentifiersIn(std::string_view text) {
   return found;
 }
 
-TEST(Names, RetiredOnesDoNotComeBack) {
+TEST(Names, RetiredOnesStayAway) {
   EXPECT_EQ(IdentifiersIn("a_b(C2).d"), (std::set<std::string>{"a_b", "C2", "d"}));
   const auto retired = RetiredNames();
   ASSERT_GT(retired.size(), 20u);

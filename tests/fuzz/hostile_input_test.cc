@@ -87,7 +87,7 @@ class HostileInput : public ::testing::TestWithParam<HostileReader> {
   fs::path Corpus() const { return kProject / "tests/fuzz/corpus" / GetParam().name; }
 };
 
-TEST_P(HostileInput, KeptFilesAreHandledWell) {
+TEST_P(HostileInput, KeptFilesAreReadOrRefused) {
   for (const fs::path& file : FilesBelow(Corpus())) ExpectHandledWell(file);
   // Inputs that once failed, if there were any.
   const fs::path found = kProject / "tests/fuzz/found" / GetParam().name;
@@ -97,7 +97,7 @@ TEST_P(HostileInput, KeptFilesAreHandledWell) {
 
 class ShippedInput : public HostileInput {};
 
-TEST_P(ShippedInput, IsHandledWell) {
+TEST_P(ShippedInput, IsReadOrRefused) {
   int num_files = 0;
   for (const fs::path& file : FilesBelow(kProject / GetParam().shipped_folder)) {
     const std::string extension = GetParam().shipped_extension;

@@ -34,7 +34,7 @@ TEST_F(FilesBelowTest, AMissingFolderIsAnError) {
   EXPECT_EQ(ComplaintAbout("nowhere"), ": no such folder");
 }
 
-TEST_F(FilesBelowTest, AnEmptyFolderIsAnErrorWhateverWasExpected) {
+TEST_F(FilesBelowTest, AnEmptyFolderIsAlwaysAnError) {
   EXPECT_EQ(ComplaintAbout("empty"), ": found 0 files, expected at least 1");
   EXPECT_EQ(ComplaintAbout("empty", 0), ": found 0 files, expected at least 1");
 }

@@ -94,7 +94,7 @@ TEST_F(BrainAsUsed, SeesThingsWhereItsCamerasAre) {
   }
 }
 
-TEST_F(BrainAsUsed, IsToldWhichCamerasThereAre) {
+TEST_F(BrainAsUsed, ReceivesTheListOfCameras) {
   WriteBrain("", "aux.cameras = 'left_hnd';");
   const Answer answer = Smile("run pair.xml --brain brain --seconds 1");
   EXPECT_EQ(answer.exit_code, 1);
@@ -157,7 +157,7 @@ TEST_F(BrainAsUsed, AnErrorNamesFileAndLineAndKeepsTheRecording) {
   EXPECT_NE(log.find("puzzled"), std::string::npos) << "the face when it failed";
 }
 
-TEST_F(BrainAsUsed, CrashesLoopsAndNonsenseHarmNobody) {
+TEST_F(BrainAsUsed, CrashesLoopsAndInvalidRepliesDoNoHarm) {
   WriteBrain("kill(getpid(), 9);");
   EXPECT_EQ(Smile("run pair.xml --brain brain --seconds 1 --record crash").exit_code, 1);
   EXPECT_EQ(Smile("replay crash --verify").exit_code, 0);
@@ -173,7 +173,7 @@ TEST_F(BrainAsUsed, CrashesLoopsAndNonsenseHarmNobody) {
   EXPECT_NE(nonsense.err.find("jointVelocities"), std::string::npos) << nonsense.err;
 }
 
-TEST_F(BrainAsUsed, ABrainThatDoesNotExistIsSaidSo) {
+TEST_F(BrainAsUsed, AMissingBrainIsReported) {
   const Answer answer = Smile("run pair.xml --brain nobody --seconds 1");
   EXPECT_EQ(answer.exit_code, 1);
   EXPECT_NE(answer.err.find("nobody"), std::string::npos) << answer.err;

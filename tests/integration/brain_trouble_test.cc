@@ -58,7 +58,7 @@ TEST_F(BrainTrouble, EveryFailureLeavesARecordingThatReplays) {
   }
 }
 
-TEST_F(BrainTrouble, WhatTheBrainPrintedAndWhyItFailedIsKept) {
+TEST_F(BrainTrouble, OutputAndErrorOfABrainAreKept) {
   WriteStep("  print('at', sensor.simTime)\n  if sensor.simTime > 0.03: lost\n");
   const Answer answer = Smile("run pair.xml --brain brain/think.py --record demo --seconds 1");
   EXPECT_EQ(answer.exit_code, 1);
@@ -83,7 +83,7 @@ TEST_F(BrainTrouble, ASlowBrainIsWaitedForAndItsLateTicksAreCounted) {
   EXPECT_GE(answer.json()["worst_delay"], 0.1);
 }
 
-TEST_F(BrainTrouble, NothingIsLeftOfABrainWhoseSimulatorWasKilled) {
+TEST_F(BrainTrouble, ABrainEndsWithAKilledSimulator) {
   WriteStep(
       "  import subprocess\n"
       "  child = subprocess.Popen(['sleep', '60'], start_new_session=True)\n"
@@ -149,7 +149,7 @@ TEST_F(BrainTrouble, TheFaceThatTheRobotEndsWithIsInTheRecording) {
   EXPECT_EQ(ticks_after("done"), 2) << "the time is what was said";
 }
 
-TEST_F(BrainTrouble, WhoeverAttachesAndIsNoBrainIsSentAway) {
+TEST_F(BrainTrouble, AnAttachedProgramThatIsNoBrainIsRejected) {
   WriteStep("");
   Write("noise.py",
         "import os, socket, sys, time\n"

@@ -7,7 +7,7 @@ namespace {
 
 class Describe : public ProgramTest {};
 
-TEST_F(Describe, TellsWhatWasBuiltInWhichOrder) {
+TEST_F(Describe, ReportsTheOrderOfConstruction) {
   ASSERT_EQ(Smile("run '" + Shipped("scenes/um.xml") + "' --commands '" +
                   Shipped("examples/um.jsonl") + "' --no-robot --no-pictures --record um")
                 .exit_code,
@@ -28,7 +28,7 @@ TEST_F(Describe, TellsWhatWasBuiltInWhichOrder) {
   EXPECT_EQ(json["fixed"], false);
 }
 
-TEST_F(Describe, OfASwitchIsATaskThatARobotCanMiss) {
+TEST_F(Describe, ASwitchIsATaskThatARobotCanMiss) {
   const std::string scene = "'" + Shipped("scenes/controls.xml") + "'";
   ASSERT_EQ(Smile("run " + scene + " --commands '" + Shipped("examples/scenes/controls.jsonl") +
                   "' --no-pictures --record shown")
@@ -47,7 +47,7 @@ TEST_F(Describe, OfASwitchIsATaskThatARobotCanMiss) {
   EXPECT_EQ(result["work"], Json({{"grasps", 0}, {"retries", 0}}));
 }
 
-TEST_F(Describe, WhyItIsNotRebuiltIsPrintedAlsoWhereAllIsInItsPlace) {
+TEST_F(Describe, TheCauseOfAFailureIsPrintedEvenIfAllObjectsAreInPlace) {
   Write("pair.xml", PairOfBlocks());
   Write("lift.jsonl", LiftAndPutBack());
   ASSERT_EQ(Smile("run pair.xml --commands lift.jsonl --record lifted --no-pictures").exit_code, 0);

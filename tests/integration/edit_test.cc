@@ -14,7 +14,7 @@ class EditAsUsed : public ProgramTest {
   }
 };
 
-TEST_F(EditAsUsed, MakesANewRecordingAndTellsWhatCameOfIt) {
+TEST_F(EditAsUsed, MakesANewRecordingAndReportsTheResult) {
   const Answer brisk = Smile("edit demo --max-pause 0.1 --retime 1:9 --out brisk --json");
   EXPECT_EQ(brisk.exit_code, 0) << brisk.err;
   EXPECT_TRUE(brisk.json()["ends_the_same"]);
@@ -52,7 +52,7 @@ TEST_F(EditAsUsed, ADryRunWritesNothing) {
   EXPECT_FALSE(Exists("new"));
 }
 
-TEST_F(EditAsUsed, SaysWhichEditMakesNoSense) {
+TEST_F(EditAsUsed, ReportsInvalidEdits) {
   const auto complaint = [this](const std::string& arguments) {
     const Answer answer = Smile("edit demo " + arguments);
     EXPECT_EQ(answer.exit_code, 2) << arguments;

@@ -43,7 +43,7 @@ class Evaluate : public ProgramTest {
   }
 };
 
-TEST_F(Evaluate, CountsComparesAndRunsNothingTwice) {
+TEST_F(Evaluate, CountsComparesAndRunsEachSeedOnce) {
   WriteBrain("other", "");
   const std::string arguments = "--brain idle/idle.py --brain other/other.py --seed 7";
   const Answer answer = EvaluateOf("lifted", arguments + " --scenes 3 --jobs 2");
@@ -65,7 +65,7 @@ TEST_F(Evaluate, CountsComparesAndRunsNothingTwice) {
   EXPECT_EQ(Started(), "idle 10;other 10;");
 }
 
-TEST_F(Evaluate, AChangedProgramStartsAfreshBesideTheOld) {
+TEST_F(Evaluate, AChangedProgramStartsANewFolder) {
   ASSERT_EQ(EvaluateOf("lifted", "--brain idle/idle.py --scenes 1").exit_code, 0);
   const std::string before = Read("ev/idle/seed-0001/result.json");
   Started();
@@ -104,7 +104,7 @@ TEST_F(Evaluate, ComparesDemonstratorsInCopiesThatItKeeps) {
   EXPECT_TRUE(Exists("ev/demonstrators/forearm.1") && Exists("ev/shy.invisible.1"));
 }
 
-TEST_F(Evaluate, ARunThatCrashesOrHangsIsAFailureWithACause) {
+TEST_F(Evaluate, ACrashedOrHungRunIsAFailureWithACause) {
   WriteBrain("shaky",
              "  if seed == 1: os.kill(simulator, signal.SIGKILL); time.sleep(60)\n"
              "  if seed == 2: print('I give up', flush=True); os._exit(3)\n"
@@ -135,7 +135,7 @@ TEST_F(Evaluate, ARunThatCrashesOrHangsIsAFailureWithACause) {
   EXPECT_EQ(Started(), "shaky 1;");
 }
 
-TEST_F(Evaluate, ACrashAtTheStartIsNoSuccessWhereNothingHadToBeDone) {
+TEST_F(Evaluate, ACrashAtTheStartIsAFailureEvenIfTheGoalIsReached) {
   Write("crashes.py",
         "def init(aux): raise RuntimeError('no camera')\n"
         "def step(sensor, motor, aux): pass\n");
@@ -151,7 +151,7 @@ TEST_F(Evaluate, ACrashAtTheStartIsNoSuccessWhereNothingHadToBeDone) {
   }
 }
 
-TEST_F(Evaluate, AnInterruptedEvaluationGoesOnWhereItWas) {
+TEST_F(Evaluate, AnInterruptedEvaluationContinues) {
   WriteBrain("slow", "  while seed > 1 and not os.path.exists('" + (directory_ / "go").string() +
                          "'): time.sleep(0.02)\n");
   const std::string command =
@@ -180,7 +180,7 @@ TEST_F(Evaluate, AnInterruptedEvaluationGoesOnWhereItWas) {
   EXPECT_EQ(Started(), "slow 2;slow 3;");
 }
 
-TEST_F(Evaluate, WhatCannotWorkIsToldBeforeAnythingIsRun) {
+TEST_F(Evaluate, ImpossiblePlansAreReportedBeforeAnyRun) {
   Write("one.xml", SceneOf("<block id=\"b\" color=\"blue\" location=\"(2, -3, 0.5)\"/>"));
   const std::pair<const char*, const char*> wrong[] = {
       {"lifted --scene pair.xml --brain nowhere", "nowhere"},

@@ -44,7 +44,7 @@ class Exports : public ProgramTest {
   }
 };
 
-TEST_F(Exports, ComeBackAsTheSameMotionInBothFormats) {
+TEST_F(Exports, RoundTripInBothFormats) {
   constexpr double kTolerance = 0.003;  // [rad and m], where joints start and stop abruptly
   Record(kDrive);
   for (const auto& [format, file] :
@@ -70,7 +70,7 @@ TEST_F(Exports, ComeBackAsTheSameMotionInBothFormats) {
   }
 }
 
-TEST_F(Exports, AGraspComesBackWithTheMotion) {
+TEST_F(Exports, AGraspIsExportedWithTheMotion) {
   // A block on a pillar between the fingers, as the robot stands at the start.
   Write("held.xml",
         SceneOf("<block id=\"pillar\" xspan=\"0.6\" yspan=\"0.6\" zspan=\"2.188\" mass=\"0\" "
@@ -96,7 +96,7 @@ TEST_F(Exports, AGraspComesBackWithTheMotion) {
   }
 }
 
-TEST_F(Exports, TellTheNamesTimesAndPartsThatWereAskedFor) {
+TEST_F(Exports, ContainTheRequestedNamesTimesAndParts) {
   Record(kDrive);
   ASSERT_EQ(Smile("export demo --to trajectory-csv --arm left --no-grippers --from 1 --to-time 2 "
                   "--rate 10 --out left.csv")
@@ -116,7 +116,7 @@ TEST_F(Exports, TellTheNamesTimesAndPartsThatWereAskedFor) {
   EXPECT_EQ(message["points"][60]["time_from_start"], (Json{{"secs", 1}, {"nsecs", 0}}));
 }
 
-TEST_F(Exports, WhatARobotWouldRefuseIsLoudAndCanBeSlowedDown) {
+TEST_F(Exports, LimitViolationsAreReportedAndCanBeSlowedDown) {
   Record(R"({"do":"joint_velocities","left":[-2,0,0,0,0,0,0]}
 {"do":"wait","seconds":0.6}
 {"do":"joint_velocities","left":[0,0,0,0,0,0,0]}
@@ -138,7 +138,7 @@ TEST_F(Exports, WhatARobotWouldRefuseIsLoudAndCanBeSlowedDown) {
   EXPECT_EQ(Smile("run pair.xml --trajectory fast.csv").exit_code, 0);
 }
 
-TEST_F(Exports, WriteNothingThatIsTooLongToBePlayed) {
+TEST_F(Exports, RefuseMotionsThatAreTooLong) {
   Write("pair.xml", PairOfBlocks());
   ASSERT_EQ(Smile("run pair.xml --seconds 170 --record demo --no-pictures").exit_code, 0);
   const Answer refused = Smile("export demo --to trajectory-csv --out long.csv");
@@ -149,7 +149,7 @@ TEST_F(Exports, WriteNothingThatIsTooLongToBePlayed) {
   EXPECT_EQ(Smile("export demo --to trajectory-csv --out long.csv --rate 50").exit_code, 0);
 }
 
-TEST_F(Exports, SayWhatIsWrong) {
+TEST_F(Exports, ReportErrors) {
   Write("pair.xml", PairOfBlocks());
   ASSERT_EQ(Smile("run pair.xml --no-robot --seconds 0 --record demo --no-pictures").exit_code, 0);
   EXPECT_EQ(Smile("export demo --to trajectory-csv --out x.csv").err,

@@ -44,7 +44,7 @@ TEST_F(HistoryAsUsed, AScriptStartsUndoesRedoesAndFinishes) {
   EXPECT_FALSE(Exists("kept/take/3.txt"));
 }
 
-TEST_F(HistoryAsUsed, ACheckoutGoesOnFromAnyStepAndLosesNone) {
+TEST_F(HistoryAsUsed, ACheckoutContinuesFromAnyStepAndKeepsAllOthers) {
   Write("thoughts.jsonl", kSecondThoughts);
   Write("more.jsonl", R"({"hand":"right","do":"grasp","object":"b"}
 {"do":"wait","seconds":0.2}
@@ -78,7 +78,7 @@ TEST_F(HistoryAsUsed, PicturesAndSymbolsMayBeLeftOut) {
   EXPECT_TRUE(Exists("seen/0/0.png"));
 }
 
-TEST_F(HistoryAsUsed, AFileThatMayNotGrowIsSaidAndWhatWasCompleteOpens) {
+TEST_F(HistoryAsUsed, AFileSizeLimitIsReportedAndTheCompletePartOpens) {
   // The shell's limit counts kilobytes of one file.
   const Answer full = Shell(
       "ulimit -f 60; smile run pair.xml --seconds 60 --record demo "
@@ -90,7 +90,7 @@ TEST_F(HistoryAsUsed, AFileThatMayNotGrowIsSaidAndWhatWasCompleteOpens) {
   EXPECT_NE(replay.err.find("was cut"), std::string::npos);
 }
 
-TEST_F(HistoryAsUsed, AFullDiskIsSaidAndWhatWasCompleteOpens) {
+TEST_F(HistoryAsUsed, AFullDiskIsReportedAndTheCompletePartOpens) {
   if (Shell("unshare -rm true").exit_code != 0) GTEST_SKIP() << "file systems cannot be made here";
   Write("fill.sh", R"(mkdir small && mount -t tmpfs -o size=400k tmpfs small || exit 99
 smile() { ")" SMILE_PROGRAM R"(" "$@"; }

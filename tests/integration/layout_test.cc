@@ -22,7 +22,7 @@ TEST_F(Layout, ASeedGivesTheSameSceneAndNothingIsOverwritten) {
   EXPECT_EQ(Read("a.xml"), before);
 }
 
-TEST_F(Layout, MeshesComeAlong) {
+TEST_F(Layout, MeshesAreIncluded) {
   std::filesystem::create_directories(directory_ / "new");
   ASSERT_EQ(Smile("layout " + Shipped("scenes/meshes.xml") + " --seed 1 --out new/m.xml").exit_code,
             0);
@@ -32,7 +32,7 @@ TEST_F(Layout, MeshesComeAlong) {
   EXPECT_FALSE(Exists("new/n.xml"));
 }
 
-TEST_F(Layout, WrongUseIsToldApart) {
+TEST_F(Layout, MisuseHasItsOwnExitCode) {
   const std::string scene = Shipped("scenes/row_robot.xml");
   EXPECT_EQ(Smile("layout " + scene + " --out a.xml").exit_code, 2);
   EXPECT_EQ(Smile("layout " + scene + " --seed 1 --level hard --out a.xml").exit_code, 2);

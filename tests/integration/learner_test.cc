@@ -7,7 +7,7 @@ namespace {
 
 class Learner : public ProgramTest {};
 
-TEST_F(Learner, RebuildsTheLettersItWasShown) {
+TEST_F(Learner, RebuildsTheDemonstratedLetters) {
   const Answer answer = Smile("experiment --out um --no-films --json --seed 20");
   ASSERT_EQ(answer.exit_code, 0) << answer.err;
   const Json result = answer.json();

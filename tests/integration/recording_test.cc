@@ -45,7 +45,7 @@ TEST_F(RecordingAsUsed, ADifferenceIsNamedAndIsExitCodeOne) {
   EXPECT_EQ(Smile("replay demo").exit_code, 0);
 }
 
-TEST_F(RecordingAsUsed, AnotherProgramsRecordingIsToldHowItDiffers) {
+TEST_F(RecordingAsUsed, DifferencesToAnotherVersionAreReported) {
   ASSERT_EQ(Smile("run pair.xml --commands stack.jsonl --record demo").exit_code, 0);
   ASSERT_EQ(Shell("sed -i 's/-3.0,2.5/-3.0,2.6/' demo/commands.jsonl").exit_code, 0);
   // This program's own recording ends at the first difference.
@@ -62,7 +62,7 @@ TEST_F(RecordingAsUsed, AnotherProgramsRecordingIsToldHowItDiffers) {
             std::string::npos);
 }
 
-TEST_F(RecordingAsUsed, ComparesARangeAndSaysWhich) {
+TEST_F(RecordingAsUsed, ComparesARangeAndReportsIt) {
   ASSERT_EQ(Smile("run pair.xml --seconds 2 --record demo").exit_code, 0);
   EXPECT_EQ(Smile("replay demo --verify --from 0.5 --to 1.5").out,
             "demo: identical, 60 ticks from 0.50 s to 1.50 s\n");
@@ -101,7 +101,7 @@ TEST_F(RecordingAsUsed, SurvivesBeingKilledAndEndsCleanlyWhenAsked) {
   EXPECT_EQ(Smile("replay asked --verify").exit_code, 0);
 }
 
-TEST_F(RecordingAsUsed, WhatTheOriginalWouldHaveLeftCanBeImportedAndRendered) {
+TEST_F(RecordingAsUsed, RecordingsOfTheOriginalCanBeImportedAndRendered) {
   ASSERT_EQ(Smile("run pair.xml --commands stack.jsonl --record demo").exit_code, 0);
   ASSERT_EQ(Shell("mkdir classic; cp -r demo/[0-9]* classic").exit_code, 0);
   const Answer blocks = Smile("import classic --out blocks");
@@ -123,7 +123,7 @@ TEST_F(RecordingAsUsed, WhatTheOriginalWouldHaveLeftCanBeImportedAndRendered) {
   EXPECT_FALSE(Exists("wrong"));
 }
 
-TEST_F(RecordingAsUsed, WhatIsNoRecordingIsSaidSo) {
+TEST_F(RecordingAsUsed, AFolderWithoutARecordingIsReported) {
   const Answer answer = Smile("replay . --verify");
   EXPECT_EQ(answer.exit_code, 1);
   EXPECT_EQ(answer.err, ".: is not a recording; expected a directory with a demo.json in it\n");

@@ -125,7 +125,7 @@ TEST_F(RenderAsUsed, FilmsARangeOfARecordingThatBeganLate) {
   EXPECT_GT(std::filesystem::file_size(directory_ / "late.mp4"), 1000u);
 }
 
-TEST_F(RenderAsUsed, SaysWhatItCannotDo) {
+TEST_F(RenderAsUsed, ReportsInvalidRequests) {
   Write("pair.xml", PairOfBlocks());
   const Answer camera = Smile("render pair.xml --out x.png --camera moon");
   EXPECT_EQ(camera.exit_code, 2);

@@ -45,7 +45,7 @@ class AnyRobot : public ProgramTest {
   static constexpr const char* kRobot = " --robot my/arm.urdf --path ws ";
 };
 
-TEST_F(AnyRobot, OfOneArmIsDrivenByAScript) {
+TEST_F(AnyRobot, WithOneArmIsDrivenByAScript) {
   const Answer answer = Smile("run pair.xml --commands wave.jsonl --json" + std::string(kRobot));
   ASSERT_EQ(answer.exit_code, 0) << answer.err;
   const Json joints = answer.json()["robot"]["left"]["joints"];
@@ -61,7 +61,7 @@ TEST_F(AnyRobot, OfOneArmIsDrivenByAScript) {
       << brain.err;
 }
 
-TEST_F(AnyRobot, WithoutASideFileStandsThereAndSaysSo) {
+TEST_F(AnyRobot, WithoutASideFileIsLoadedWithAWarning) {
   std::filesystem::remove(directory_ / "my/arm.robot.json");
   const Answer answer = Smile("run pair.xml --seconds 0.1 --json" + std::string(kRobot));
   EXPECT_EQ(answer.exit_code, 0);
@@ -98,7 +98,7 @@ TEST_F(AnyRobot, StaysInItsRecordingWhenItsFilesAreGone) {
             "");
 }
 
-TEST_F(AnyRobot, OfOlderRecordingsIsStillFound) {
+TEST_F(AnyRobot, IsFoundInOlderRecordings) {
   ASSERT_EQ(Smile("run pair.xml --seconds 0.2 --record demo --no-pictures" + std::string(kRobot))
                 .exit_code,
             0);
@@ -114,7 +114,7 @@ TEST_F(AnyRobot, OfOlderRecordingsIsStillFound) {
   EXPECT_EQ(answer.exit_code, 0) << answer.err;
 }
 
-TEST_F(AnyRobot, OfARecordingLiesInTheRecording) {
+TEST_F(AnyRobot, IsStoredInTheRecording) {
   ASSERT_EQ(Smile("run pair.xml --seconds 0.2 --record demo --no-pictures" + std::string(kRobot))
                 .exit_code,
             0);

@@ -37,7 +37,7 @@ TEST_F(Run, RecordingPacingAndProcessesNeverChangeTheHash) {
   EXPECT_EQ(Smile(base + " --realtime").json()["hash"], hash);
 }
 
-TEST_F(Run, StdoutIsOneJsonObjectAndNothingElse) {
+TEST_F(Run, StdoutIsExactlyOneJsonObject) {
   const Answer answer = Smile("run pair.xml --seconds 1 --record demo --json");
   EXPECT_NO_THROW(answer.json()) << answer.out;
 }

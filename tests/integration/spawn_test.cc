@@ -15,7 +15,7 @@ class SpawnAsUsed : public ProgramTest {
   }
 };
 
-TEST_F(SpawnAsUsed, TheRecordingReplaysAndTellsWhatCameAndWent) {
+TEST_F(SpawnAsUsed, TheRecordingReplaysAndReportsAddedAndRemovedObjects) {
   Record();
   const Answer replay = Smile("replay spawn --verify --json");
   ASSERT_EQ(replay.exit_code, 0) << replay.err << replay.out;

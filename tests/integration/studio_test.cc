@@ -24,7 +24,7 @@ class StudioProgram : public ProgramTest {
   }
 };
 
-TEST_F(StudioProgram, ServesItsPageUntilItIsTold) {
+TEST_F(StudioProgram, ServesItsPageUntilASignal) {
   WritePage();
   Write("pair.xml", PairOfBlocks());
   const Answer answer = WhileOpen("pair.xml --no-robot --no-pictures", "get /");
@@ -69,7 +69,7 @@ TEST_F(StudioProgram, RefusesHalfOfWhatTlsNeeds) {
   EXPECT_NE(answer.err.find("cert.pem: "), std::string::npos) << answer.err;
 }
 
-TEST_F(StudioProgram, SaysWhatIsMissing) {
+TEST_F(StudioProgram, ReportsMissingParts) {
   Write("build/page/nothing", "");
   EXPECT_NE(Shell("export SMILE_DATA_DIR=\"$PWD\"; smile studio --no-open")
                 .err.find("the studio's page is not built; ./run studio builds it"),

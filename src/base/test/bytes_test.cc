@@ -5,7 +5,7 @@
 namespace smile {
 namespace {
 
-TEST(Bytes, ComeBackInTheOrderTheyWereWritten) {
+TEST(Bytes, AreReadInTheOrderOfWriting) {
   ByteWriter writer;
   writer.Put(std::uint8_t{7});
   writer.Put(-0.5);

@@ -12,7 +12,7 @@ TEST(Diagnostic, BeginsWithItsAddress) {
   EXPECT_EQ(ToString({"", 0, "", "is empty"}), "is empty");
 }
 
-TEST(InputError, SaysEveryFindingOnALineOfItsOwn) {
+TEST(InputError, HasEachFindingOnItsOwnLine) {
   const InputError error({{"a", 1, "", "first"}, {"a", 2, "", "second"}});
   EXPECT_STREQ(error.what(), "a:1: first\na:2: second");
   EXPECT_EQ(error.diagnostics().size(), 2u);

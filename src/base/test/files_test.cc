@@ -63,13 +63,13 @@ TEST_F(Files, LargerThanAllowedAreNotRead) {
             (folder_ / "a").string() + ": is larger than 4 bytes");
 }
 
-TEST_F(Files, ThatCannotBeReadSayWhy) {
+TEST_F(Files, ThatCannotBeReadReportWhy) {
   EXPECT_EQ(ReasonOf([&] { ReadFile(folder_ / "none", 9); }),
             (folder_ / "none").string() + ": no such file");
   EXPECT_EQ(ReasonOf([&] { ReadFile(folder_, 9); }), folder_.string() + ": is not a plain file");
 }
 
-TEST_F(Files, ThatCannotBeWrittenSayWhy) {
+TEST_F(Files, ThatCannotBeWrittenReportWhy) {
   EXPECT_EQ(ReasonOf([&] { WriteFile(folder_ / "none" / "a", "text"); }),
             (folder_ / "none" / "a").string() + ": cannot be written: No such file or directory");
   WriteFile(folder_ / "a", "text");

@@ -16,12 +16,12 @@ JsonShape Table() {
 
 bool Fits(const char* text) { return Table().Fits(ParseJson(text)); }
 
-TEST(JsonShape, FitsWhatIsAsItTells) {
+TEST(JsonShape, AcceptsMatchingValues) {
   EXPECT_TRUE(Fits(R"({"name":"four","kind":"round","place":[-2,0.5,2]})"));
   EXPECT_TRUE(Fits(R"({"free":false,"tags":["b"],"place":[0,0,0],"kind":"square","name":""})"));
 }
 
-TEST(JsonShape, FitsNothingElse) {
+TEST(JsonShape, RefusesOtherValues) {
   EXPECT_FALSE(Fits(R"({"kind":"round","place":[0,0,0]})")) << "no name";
   EXPECT_FALSE(Fits(R"({"name":"a","kind":"round","place":[0,0,0],"size":1})")) << "unknown";
   EXPECT_FALSE(Fits(R"({"name":"fours","kind":"round","place":[0,0,0]})")) << "too long";
@@ -35,7 +35,7 @@ TEST(JsonShape, FitsNothingElse) {
   EXPECT_FALSE(Fits(R"(["name"])"));
 }
 
-TEST(JsonShape, TellsWhatDoesNotFitAndWhere) {
+TEST(JsonShape, ReportsMismatchesWithTheirLocation) {
   const auto misfit = [](const JsonShape& shape, const char* text) {
     std::string told;
     EXPECT_FALSE(shape.Fits(ParseJson(text), &told));
@@ -78,7 +78,7 @@ TEST(JsonShape, MayBeTrue) {
   EXPECT_EQ(shape.Schema()["anyOf"][1], Json({{"const", true}}));
 }
 
-TEST(JsonShape, TellsItsSchema) {
+TEST(JsonShape, ReturnsItsSchema) {
   const Json schema = Table().Schema();
   EXPECT_EQ(schema["required"], ParseJson(R"(["name","kind","place"])"));
   EXPECT_EQ(schema["additionalProperties"], false);
@@ -88,7 +88,7 @@ TEST(JsonShape, TellsItsSchema) {
   EXPECT_EQ(ToText(schema["properties"]["kind"]), R"({"enum":["round","square"]})");
 }
 
-TEST(JsonShape, TellsItsTypeScriptType) {
+TEST(JsonShape, ReturnsItsTypeScriptType) {
   EXPECT_EQ(Table().TypeScript(),
             "{ name: string; kind: \"round\" | \"square\"; place: [number, number, number]; "
             "tags?: (\"a\" | \"b\")[]; free?: boolean }");

@@ -22,7 +22,7 @@ TEST(StateHash, SeesTheLastBitAndTheOrder) {
   EXPECT_NE(HashOf(0.0), HashOf(-0.0)) << "numbers enter by their bits";
 }
 
-TEST(StateHash, TellsWhereATextEnds) {
+TEST(StateHash, DependsOnWhereATextEnds) {
   using std::string_view_literals::operator""sv;
   EXPECT_NE(HashOf("ab"sv, "c"sv), HashOf("a"sv, "bc"sv));
 }

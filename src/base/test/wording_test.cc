@@ -35,7 +35,7 @@ TEST(DidYouMean, SuggestsTheNearestWord) {
   EXPECT_EQ(DidYouMean("compositum", kShapes), "; did you mean \"composite\"?");
 }
 
-TEST(DidYouMean, KeepsQuietWhenNothingIsNear) {
+TEST(DidYouMean, SuggestsNothingWithoutANearWord) {
   for (const char* word : {"", "x", "chain", "def", "cylinder"}) {
     EXPECT_EQ(DidYouMean(word, kShapes), "") << word;
   }

@@ -76,7 +76,7 @@ class BrainDriverTest : public ::testing::Test {
   BrainDriver driver_{{.eye = &eye_}};
 };
 
-TEST_F(BrainDriverTest, PicturesComeAtTheirRateInAnOldSimulation) {
+TEST_F(BrainDriverTest, PicturesKeepTheirRateInAnOldSimulation) {
   TickSeconds(2);
   Start();
   std::vector<int> steps_with_picture;
@@ -126,7 +126,7 @@ TEST_F(BrainDriverTest, ShowsThePicturesAsRecordedWhenSensorsAreNoisy) {
   EXPECT_GT(sensor.joint_angles.norm(), 0.01);
 }
 
-TEST_F(BrainDriverTest, ABrainThatDoesNotAskIsNotShownTheDemonstration) {
+TEST_F(BrainDriverTest, ADemonstrationIsShownOnlyOnRequest) {
   driver_ = BrainDriver({.demonstration = "demo", .frames = [] { return FrameAt(0, 1); }});
   Start();
   EXPECT_FALSE(Step().value().demo_cue);
@@ -140,7 +140,7 @@ TEST_F(BrainDriverTest, ABrainMayExitWhileItWatches) {
   EXPECT_EQ(simulation_.face_expression(), robot::FaceExpression::kDone);
 }
 
-TEST_F(BrainDriverTest, ADemonstrationThatCannotBeShownEndsTheBrain) {
+TEST_F(BrainDriverTest, AnUnreadableDemonstrationEndsTheBrain) {
   driver_ =
       BrainDriver({.demonstration = "demo", .frames = []() -> std::optional<DemonstrationFrame> {
                      throw std::runtime_error("demo/0/0.png: no such file");

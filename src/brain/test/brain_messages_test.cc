@@ -62,7 +62,7 @@ TEST(DecodeStepReply, ReadsColumnMajorVelocities) {
   EXPECT_FALSE(reply.exit);
 }
 
-TEST(DecodeStepReply, TakesGripperVelocitiesAsARowToo) {
+TEST(DecodeStepReply, AlsoAcceptsGripperVelocitiesAsARow) {
   const std::array dims{1u, 2u};
   const StepReply reply = MotorMessage().Velocities().Grippers(dims, std::array{3.0, 4.0}).Reply();
   EXPECT_EQ(reply.motor.gripper_velocities, Eigen::Vector2d(3, 4));
@@ -197,7 +197,7 @@ TEST(DecodeInitReply, RefusesWishesThatCannotBe) {
             "pictures, or fewer of them");
 }
 
-TEST(DecodeInitReply, TakesTheWishToWatchWhereThereIsADemonstration) {
+TEST(DecodeInitReply, AcceptsARequestToWatchOnlyWithADemonstration) {
   const Aux with_demonstration{.demonstration = "out/demo"};
   EXPECT_TRUE(WishMessage().Watch(true).Reply(with_demonstration).watch);
   EXPECT_FALSE(WishMessage().Reply(with_demonstration).watch);
@@ -253,7 +253,7 @@ TEST(EncodeSensor, LeavesRowsAsTheyAreForWhoTakesThem) {
   EXPECT_FALSE(message.Find("jointAngles")->is_row_major);
 }
 
-TEST(EncodeSensor, TurnsPicturesLargerThanATileToo) {
+TEST(EncodeSensor, AlsoTransposesPicturesLargerThanATile) {
   Image image{.width_px = 130, .height_px = 70};
   for (int k = 0; k < 130 * 70; ++k) {
     for (const int color : {0, 1, 2}) image.color.push_back(std::uint8_t(k * 7 + color * 50));
@@ -284,7 +284,7 @@ TEST(DecodeStepReply, ReadsRowMajorVelocities) {
   EXPECT_EQ(reply.motor.joint_velocities(0, 1), 2) << "the left arm's second joint";
 }
 
-TEST(EncodeSensor, SendsAnImageOnlyWhenThereIsOne) {
+TEST(EncodeSensor, SendsAnImageOnlyIfOneWasTaken) {
   EXPECT_EQ(Decoded(EncodeSensor(1, {})).Find("rgbVision"), nullptr);
 }
 
@@ -308,7 +308,7 @@ TEST(EncodeSensor, NamesTheChannelsOfEachCamera) {
   }
 }
 
-TEST(EncodeSensor, TellsWhatTheGrippersHold) {
+TEST(EncodeSensor, ReportsHeldObjects) {
   Sensor sensor;
   sensor.held_objects[1] = "cube";
   const Message message = Decoded(EncodeSensor(1, sensor));
@@ -330,7 +330,7 @@ TEST(EncodeAux, DescribesTheCamera) {
   EXPECT_EQ(ShapeText(message.Find("cameraPose")->dims), "4x4");
 }
 
-TEST(EncodeAux, TellsWhatMatters) {
+TEST(EncodeAux, ReportsAttention) {
   const Message message =
       Decoded(EncodeAux(1, {.attention = {{"a", {"color", "size"}}, {"b", {"shape"}}}}, "wave/"));
   EXPECT_EQ(message.Find("attention")->Text(), "a,color,size\nb,shape");

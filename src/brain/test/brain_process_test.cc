@@ -59,7 +59,7 @@ TEST_F(BrainProcessTest, KeepsVariablesAndMotorBetweenSteps) {
   EXPECT_EQ(reply.motor.joint_velocities(0, 0), 3);
 }
 
-TEST_F(BrainProcessTest, TellsAuxAndTakesItsAnswer) {
+TEST_F(BrainProcessTest, SendsAuxAndReadsTheReply) {
   Aux aux;
   aux.min_joint_angles.setConstant(-1);
   aux.max_joint_angles(1, 6) = 3;
@@ -102,7 +102,7 @@ TEST_F(BrainProcessTest, SensorHasTheShapesOfTheScripts) {
   Stepped(brain, sensor);
 }
 
-TEST_F(BrainProcessTest, EndsWhenTheScriptSaysSo) {
+TEST_F(BrainProcessTest, EndsOnRequestOfTheScript) {
   BrainProcess brain(Brain("aux.exit = false;",
                            "if sensor.simTime > 1, aux.exit = true; end\n"
                            "motor.gripperVelocities = [5; 5];"));
@@ -199,7 +199,7 @@ TEST_F(BrainProcessTest, BothTransportsBringWhatItAskedFor) {
   }
 }
 
-TEST_F(BrainProcessTest, BothTransportsTellApartWhatIsEquallyLong) {
+TEST_F(BrainProcessTest, BothTransportsDistinguishValuesOfEqualLength) {
   const fs::path folder =
       Brain("held = {'ab', 'cd', 'ab'};",
             "assert(sensor.heldObject, {held{sensor.simTime}, ''});\n"
@@ -224,7 +224,7 @@ TEST_F(BrainProcessTest, BothTransportsTellApartWhatIsEquallyLong) {
   }
 }
 
-TEST_F(BrainProcessTest, TellsOfMarkersWhenTheyChange) {
+TEST_F(BrainProcessTest, ReportsMarkersWhenTheyChange) {
   BrainProcess brain(Brain("aux.drawMarkers = [1 2 3];",
                            "if sensor.simTime == 2, aux.drawMarkers = [4 5 6; 7 8 9]; end\n"
                            "if sensor.simTime == 4, aux = rmfield(aux, 'drawMarkers'); end"));
@@ -241,7 +241,7 @@ TEST_F(BrainProcessTest, NamesTheLineOfAnUndefinedVariable) {
   EXPECT_EQ(ErrorOfStep(Brain("", "y = 1;\n\nz = y + lost;")), "brain/act.m:3: 'lost' undefined");
 }
 
-TEST_F(BrainProcessTest, PlainClientNamesTheLineToo) {
+TEST_F(BrainProcessTest, PlainClientAlsoNamesTheLine) {
   EXPECT_EQ(
       ErrorOfStep(Brain("", "y = 1;\n\nz = y + lost;"), {.transport = BrainTransport::kPlain}),
       "brain/act.m:3: 'lost' undefined");
@@ -316,7 +316,7 @@ TEST_F(BrainProcessTest, StopsAnEndlessInit) {
             "brain/begin.m:1: init took longer than 4 s and was stopped");
 }
 
-TEST_F(BrainProcessTest, TellsHowACrashedProgramEnded) {
+TEST_F(BrainProcessTest, ReportsHowACrashedProgramEnded) {
   for (const auto transport : {BrainTransport::kMex, BrainTransport::kPlain}) {
     EXPECT_EQ(ErrorOfStep(Brain("", "kill(getpid(), 9);"), {.transport = transport}),
               "brain/act.m: the brain ended during the callback: it was ended by signal 9 "
@@ -357,7 +357,7 @@ TEST_F(BrainProcessTest, AChattyProgramNeitherBlocksNorFloods) {
   EXPECT_NE(lines.back().find("more lines were not shown"), std::string::npos) << lines.back();
 }
 
-TEST_F(BrainProcessTest, IsCalledOffAtOnce) {
+TEST_F(BrainProcessTest, IsCanceledAtOnce) {
   BrainOptions options;
   options.is_cancelled = [] { return true; };
   const fs::path folder = Brain("", "");
@@ -424,7 +424,7 @@ TEST_F(BrainProcessTest, AnExecutableMaySpeakTheProtocol) {
   EXPECT_TRUE(reply.exit);
 }
 
-TEST_F(BrainProcessTest, NoticesAProgramThatSaysNothing) {
+TEST_F(BrainProcessTest, NoticesASilentProgram) {
   BrainOptions options = kOverPipes;
   options.start_seconds = 0.3;
   EXPECT_NE(ErrorOfInit(Talker("sleep 30", {}), options).find("the start took longer than 0.3 s"),
@@ -461,7 +461,7 @@ TEST_F(BrainProcessTest, RefusesWhatIsNoBrain) {
                 "file or an executable file (chmod +x makes it one)");
 }
 
-TEST_F(BrainProcessTest, SaysWhenOctaveIsMissing) {
+TEST_F(BrainProcessTest, ReportsAMissingOctave) {
   const fs::path folder = Brain("", "");
   ::setenv("SMILE_OCTAVE", "/nowhere/octave-cli", 1);
   EXPECT_THROW(

@@ -135,7 +135,7 @@ class HostileBrains : public BrainProcessTest, public testing::WithParamInterfac
   }
 };
 
-TEST_P(HostileBrains, EndSoonAndAreExplained) {
+TEST_P(HostileBrains, EndSoonWithAnExplanation) {
   std::string error;
   EXPECT_LT(SecondsOf([&] { error = ErrorOf(GetParam()); }), kSecondsAtMost);
   EXPECT_TRUE(error.starts_with("brain/hostile")) << error;
@@ -149,7 +149,7 @@ class BrainLeftovers : public BrainProcessTest {};
 
 bool IsAlive(const std::string& pid) { return ::kill(std::stoi(pid), 0) == 0 || errno != ESRCH; }
 
-TEST_F(BrainLeftovers, NoChildSurvivesWhereverItHides) {
+TEST_F(BrainLeftovers, NoChildProcessSurvives) {
   BrainProcess brain(Program("parent.py",
                              "import subprocess\n"
                              "def step(sensor, motor, aux):\n"
@@ -163,7 +163,7 @@ TEST_F(BrainLeftovers, NoChildSurvivesWhereverItHides) {
   EXPECT_FALSE(IsAlive(pid));
 }
 
-TEST_F(BrainLeftovers, AFloodOfOutputHurtsNobody) {
+TEST_F(BrainLeftovers, AFloodOfOutputDoesNoHarm) {
   BrainProcess brain(Program("chatty.py",
                              "import sys\n"
                              "def step(sensor, motor, aux):\n"

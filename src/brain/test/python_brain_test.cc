@@ -42,7 +42,7 @@ TEST_F(PythonBrainTest, MovesJointsByWhatItSenses) {
   EXPECT_FALSE(brain.is_running());
 }
 
-TEST_F(PythonBrainTest, IsToldWhatTheScriptsAreTold) {
+TEST_F(PythonBrainTest, ReceivesTheSameValuesAsScripts) {
   Aux aux;
   aux.max_joint_angles(1, 6) = 3;
   aux.camera = CameraDescription{.width_px = 4, .height_px = 3};
@@ -96,7 +96,7 @@ TEST_F(PythonBrainTest, IsToldWhatTheScriptsAreTold) {
   EXPECT_EQ(step.draw_markers->rows(), 0);
 }
 
-TEST_F(PythonBrainTest, IsToldApartWhatIsEquallyLong) {
+TEST_F(PythonBrainTest, DistinguishesValuesOfEqualLength) {
   // Messages of the same length, but not laid out alike; and arrays that are kept stay as they are.
   BrainProcess brain(
       Step("  held = [0, 'ab', 'cd', 'ab'][int(sensor.simTime)]\n"
@@ -179,7 +179,7 @@ TEST_F(PythonBrainTest, ShowsWhatItPrintsAndItsTraceback) {
   EXPECT_NE(output[2].find("brain/think.py\", line 4, in step"), std::string::npos) << output[2];
 }
 
-TEST_F(PythonBrainTest, SaysWhatItsPythonLacks) {
+TEST_F(PythonBrainTest, ReportsMissingPythonModules) {
   const std::string source = fs::path(SMILE_SOURCE_DIR) / "python";
   const std::pair<std::string, const char*> pythons[] = {
       {"exec /usr/bin/python3 -S", "has no numpy; install it, or name another Python"},

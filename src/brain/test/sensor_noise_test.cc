@@ -65,7 +65,7 @@ TEST(SensorNoise, DependsOnSeedTickAndSensorAlone) {
   EXPECT_EQ(Noisy(other, 7).joint_angles, sensor.joint_angles) << "sensors share no noise";
 }
 
-TEST(SensorNoise, IsNoneUnlessAskedFor) {
+TEST(SensorNoise, IsZeroByDefault) {
   const Sensor sensor = Noisy({.seed = 9}, 1);
   EXPECT_EQ(sensor.pictures[0].image, GraySensor().pictures[0].image);
   EXPECT_TRUE(sensor.joint_angles.isZero());

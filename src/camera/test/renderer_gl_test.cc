@@ -151,7 +151,7 @@ TEST_F(RendererTest, DepthOfTheTableAgreesWithGeometry) {
   }
 }
 
-TEST_F(RendererTest, DepthIsZeroWhereNothingIs) {
+TEST_F(RendererTest, DepthIsZeroInTheBackground) {
   const Image image = Render(TableScene(), HeadView(200, 150));
   EXPECT_EQ(IdAt(image, 0, 0), 0u);
   for (std::size_t k = 0; k < image.ids.size(); ++k) {
@@ -159,7 +159,7 @@ TEST_F(RendererTest, DepthIsZeroWhereNothingIs) {
   }
 }
 
-TEST_F(RendererTest, DepthAndIdsAreTheSameAndPureInTheSmoothLook) {
+TEST_F(RendererTest, DepthAndIdsAreTheSameAndPureInBothStyles) {
   const Image eye = Render(TableScene(), HeadView(321, 241));
   RenderOptions options = kAllChannels;
   options.style = RenderStyle::kPresentation;
@@ -197,7 +197,7 @@ TEST_F(RendererTest, TwoRenderersDrawTheSameBytes) {
   }
 }
 
-TEST_F(RendererTest, WhatWasDrawnBeforeLeavesNoTrace) {
+TEST_F(RendererTest, EarlierPicturesLeaveNoTrace) {
   const Image first = Render(TableScene(), HeadView(320, 240));
   SmallScene other;
   other.Add(scene::Cylinder{.sides = 5}, kGreen, Vector3(0, 0, 0));
@@ -266,7 +266,7 @@ TEST_F(RendererTest, ExcludedFramesAreNotSeen) {
   EXPECT_EQ(std::set(image.ids.begin(), image.ids.end()), (std::set<std::uint32_t>{0, 1, 3}));
 }
 
-TEST_F(RendererTest, NothingNearerThanNearOrFartherThanFarIsSeen) {
+TEST_F(RendererTest, TheNearAndFarPlanesClip) {
   CameraView view = HeadView(20, 20);
   view.intrinsics.near = 1.0;
   view.intrinsics.far = 1.1;
@@ -335,7 +335,7 @@ TEST_F(RendererTest, PresentationHasShadowsAndTheRobotsEyeHasNone) {
   EXPECT_NEAR(brightness(alone, shaded), brightness(alone, lit), 8);
 }
 
-TEST_F(RendererTest, WhatGlowsShowsItsColorWhateverTheLight) {
+TEST_F(RendererTest, GlowingPartsKeepTheirColorInAnyLight) {
   const Color orange{1, 0.5, 0.25};
   SmallScene scene;
   scene.Add(scene::Block{kCubeSize}, orange, Vector3(0, 0, 0));
@@ -354,7 +354,7 @@ TEST_F(RendererTest, WhatGlowsShowsItsColorWhateverTheLight) {
   }
 }
 
-TEST_F(RendererTest, WhatCastsNoShadowChangesNoOther) {
+TEST_F(RendererTest, APartWithoutShadowChangesNoOther) {
   SmallScene scene = TableScene();
   const CameraView view = HeadView(160, 120);
   const Image before = Render(scene, view, kPresented);

@@ -87,7 +87,7 @@ TEST(ClassicReader, ReadsEveryLineAsWhatItSays) {
   EXPECT_EQ(fasten.tightness, 2);
 }
 
-TEST(ClassicReader, KnowsWhatIsReleasedAndDestroyedAsFarAsItIsTold) {
+TEST(ClassicReader, ReadsReleasesAndDestructionsThatAreRecorded) {
   const ClassicRecording evening = ReadClassicTexts(kEvening);
   EXPECT_EQ(At<ClassicAction>(evening, 2, 0).object, "Cup");
   const auto& destroy = At<ClassicAction>(evening, 7, 0);
@@ -97,7 +97,7 @@ TEST(ClassicReader, KnowsWhatIsReleasedAndDestroyedAsFarAsItIsTold) {
   EXPECT_EQ(At<ClassicAction>(evening, 8, 0).object, "");
 }
 
-TEST(ClassicReader, SaysWhereWhatWasFoundAndWhatWasExpected) {
+TEST(ClassicReader, ReportsWhereWhatWasFoundAndExpected) {
   const auto refused = [](const std::string& line) {
     return Refusal({{"0.txt", "0,create,a\n" + line + "\n"}});
   };
@@ -152,7 +152,7 @@ TEST(ClassicReader, RefusesWhatContradictsTheLinesBefore) {
   EXPECT_EQ(refused("", "1,move,a,0,0,0,0,0,0\n"), "1.txt:1: " + no_action);
 }
 
-TEST(ClassicReader, TakesNoMoreThanItsLimits) {
+TEST(ClassicReader, RespectsItsLimits) {
   EXPECT_EQ(
       Refusal({{"0.txt", "0,create,a,label," + std::string(100, 'x')}}, {.max_line_bytes = 100}),
       "0.txt:1: is longer than 100 bytes");
@@ -211,7 +211,7 @@ TEST_F(ClassicDirectory, HasTextsAndPicturesAndMayHaveOtherThings) {
   EXPECT_EQ(recording.last_frame(), 12u);
 }
 
-TEST_F(ClassicDirectory, IsCompleteAndNoRecordingOfOurs) {
+TEST_F(ClassicDirectory, IsCompleteAndIsNoRecording) {
   Write("3.txt", "");
   EXPECT_EQ(Answer(), ": has 3.txt, but no 2.txt");
   Write("demo.json", "{}");
@@ -224,7 +224,7 @@ TEST_F(ClassicDirectory, IsCompleteAndNoRecordingOfOurs) {
             "pictures for each");
 }
 
-TEST_F(ClassicDirectory, LeadsNowhereElse) {
+TEST_F(ClassicDirectory, DoesNotFollowLinks) {
   std::filesystem::create_symlink("/etc/hostname", root_ / "0/1.png");
   EXPECT_EQ(Answer(), "/0/1.png: is a link, expected the file itself");
   std::filesystem::create_symlink("/etc/hostname", root_ / "2.txt");
@@ -262,7 +262,7 @@ TEST(Placeholders, HaveIdsASceneMayHave) {
   EXPECT_EQ(ids, (std::vector<std::string>{"rope_start", "rope_start#0", "b#2", "_"}));
 }
 
-TEST(Placeholders, SayWhichSizeIsNone) {
+TEST(Placeholders, ReportInvalidSizes) {
   for (const std::string size : {"big", "0", "-1", "1e9"}) {
     const auto recording = ReadClassicTexts(
         std::vector<ClassicText>{{"0.txt", "0,create,a\n0,create,b,bboxy," + size + "\n"}});

@@ -60,7 +60,7 @@ TEST_F(ClassicRecorderTest, OnlyFramesInWhichSomethingMovedHaveAPicture) {
   EXPECT_LT(pictures, static_cast<int>(index.size()) - 4);
 }
 
-TEST_F(ClassicRecorderTest, WhatMovedAndCameToRestBetweenTwoFramesHasALine) {
+TEST_F(ClassicRecorderTest, AMotionBetweenTwoFramesHasALine) {
   // Frames every 4 s: it sleeps at 4 s, goes a unit to the left, and sleeps again at 8 s.
   const auto demo = Record(R"({"do":"wait","seconds":4.2}
 {"hand":"left","do":"grasp","object":"a"}
@@ -81,7 +81,7 @@ constexpr const char* kThrowAway = R"({"hand":"left","do":"grasp","object":"a"}
 {"hand":"left","do":"release"}
 {"do":"wait","seconds":2})";
 
-TEST_F(ClassicRecorderTest, WhatMattersAndWhatFellIsTold) {
+TEST_F(ClassicRecorderTest, AttentionAndFallsAreWritten) {
   const auto demo = Record(kThrowAway);
   EXPECT_EQ(Lines(demo / "1.txt")[1], "1,attend,LeftHand,a,color,size");
   // One last move, then it is gone.

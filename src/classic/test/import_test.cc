@@ -131,7 +131,7 @@ TEST_F(ImportTest, TakesThePlaceOfOneThatWasKilled) {
   EXPECT_THROW(ImportClassic(classic, root_ / "imported", {}), InputError);
 }
 
-TEST_F(ImportTest, EveryFrameIsAsItWasAndNothingIsBetween) {
+TEST_F(ImportTest, EveryFrameIsKeptAndNoneIsAdded) {
   const auto demo = Record();
   const auto recorded = Moments(recording::OpenRecording(demo));
   for (const bool has_scene : {true, false}) {
@@ -244,7 +244,7 @@ TEST_F(ImportTest, ControlsAndBondsAreAsTheyWere) {
   EXPECT_TRUE(report_.remarks.empty());
 }
 
-TEST_F(ImportTest, StandInsSayWhatTheyCannotShow) {
+TEST_F(ImportTest, PlaceholdersReportWhatTheyCannotShow) {
   const recording::Recording imported = Import(Strip(Record(kShift, false, nullptr, kWorkbench)));
   EXPECT_EQ(report_.remarks,
             (std::vector<std::string>{
@@ -254,7 +254,7 @@ TEST_F(ImportTest, StandInsSayWhatTheyCannotShow) {
   EXPECT_EQ(ActionsIn(Moments(imported)).size(), 6u);
 }
 
-TEST_F(ImportTest, StandInsMayBeCalledOtherwise) {
+TEST_F(ImportTest, PlaceholdersMayHaveOtherIds) {
   const recording::Recording imported = Import(
       WriteTexts({"0,create,rope-start\n"
                   "0,create,rope-end\n"
@@ -268,7 +268,7 @@ TEST_F(ImportTest, StandInsMayBeCalledOtherwise) {
   }
 }
 
-TEST_F(ImportTest, WhatHappenedBeforeAFrameIsToldBeforeIt) {
+TEST_F(ImportTest, EventsBeforeAFrameAreReportedBeforeIt) {
   const recording::Recording imported =
       Import(WriteTexts({"0,create,a\n"
                          "0,grasp,LeftHand,a\n"

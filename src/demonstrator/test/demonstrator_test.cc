@@ -201,7 +201,7 @@ TEST_F(DemonstratorTest, AReleasedObjectDoesNotJump) {
   EXPECT_LE(PositionOf("a").z(), height);
 }
 
-TEST_F(DemonstratorTest, WhatWasPressedOnTheTableSettlesWithoutAJump) {
+TEST_F(DemonstratorTest, AnObjectPressedOnTheTableSettlesWithoutAJump) {
   Grasp("a");
   MoveTo({0, 0, -1});
   StepSeconds(1);

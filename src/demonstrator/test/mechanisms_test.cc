@@ -74,7 +74,7 @@ class MechanismHandsTest : public ::testing::Test {
   std::unique_ptr<Demonstrator> hands_;
 };
 
-TEST_F(MechanismHandsTest, WhatIsDestroyedIsGoneAndTheHandFree) {
+TEST_F(MechanismHandsTest, ADestroyedObjectIsRemovedAndFreesTheHand) {
   EXPECT_EQ(hands_->Destroy(kLeft), "the left hand holds nothing");
   StepSeconds(2);
   Grasp(kLeft, "base");
@@ -157,7 +157,7 @@ TEST_F(MechanismHandsTest, AHandThatHoldsSomethingElseDoesNotFasten) {
   EXPECT_EQ(hands_->Loosen(kRight, "gone", std::nullopt), "there is no object 'gone'");
 }
 
-TEST_F(MechanismHandsTest, WhatTwoHandsHoldTogetherComesApartWhenLoosened) {
+TEST_F(MechanismHandsTest, LooseningSeparatesObjectsHeldByTwoHands) {
   ASSERT_EQ(Fasten(kLeft, "peg"), "");
   Grasp(kLeft, "peg");
   Grasp(kRight, "nut");
@@ -245,7 +245,7 @@ TEST_F(MechanismHandsTest, HandsCannotReachWhatFellToTheFloor) {
             "nothing that fits 'peg_tip' and is free is less than two units away");
 }
 
-TEST_F(MechanismHandsTest, WhatIsFastenedToSomethingFixedCanBeGrasped) {
+TEST_F(MechanismHandsTest, AnObjectFastenedToAFixedOneCanBeGrasped) {
   scene::SceneSpec scene{.name = "test"};
   for (const world::Object& object : tabletop_->objects()) scene.objects.push_back(*object.spec);
   scene.objects[0].mass = 0;

@@ -169,7 +169,7 @@ TEST_F(EditPreviewsTest, KeepsOneThatIsNotOld) {
   EXPECT_TRUE(IsSimulatedToSave({Drop{2, 2}}));
 }
 
-TEST_F(EditPreviewsTest, LeavesNothingOfWhatIsCanceled) {
+TEST_F(EditPreviewsTest, ACanceledPreviewLeavesNoFiles) {
   recorder::PaintedEye eye;
   Record(kStackAOnB, false, &eye);
   const auto stop = [](double, double) { return false; };
@@ -183,7 +183,7 @@ TEST_F(EditPreviewsTest, LeavesNothingOfWhatIsCanceled) {
   EXPECT_FALSE(IsSimulatedToSave(request.edits)) << "the preview is there for another try";
 }
 
-TEST_F(EditPreviewsTest, ReportsAlsoWhereNothingCanBeKept) {
+TEST_F(EditPreviewsTest, ReportsEvenWithoutSpaceForFiles) {
   Record();
   const Json kept = ToJson(Preview({Drop{1, 1}}));
   setenv("TMPDIR", (root_ / "missing").c_str(), 1);
@@ -191,7 +191,7 @@ TEST_F(EditPreviewsTest, ReportsAlsoWhereNothingCanBeKept) {
   EXPECT_TRUE(IsSimulatedToSave({Drop{1, 1}}));
 }
 
-TEST_F(EditPreviewsTest, SimulatesWhatSomebodyTookAway) {
+TEST_F(EditPreviewsTest, SimulatesADeletedPreviewAgain) {
   Record();
   Preview({Drop{1, 1}});
   for (const auto& kept : std::filesystem::directory_iterator(temporary())) {

@@ -75,7 +75,7 @@ class EditProperty : public recorder::RecordingFixture,
 
 INSTANTIATE_TEST_SUITE_P(Seeds, EditProperty, testing::Range(1u, 4u));
 
-TEST_P(EditProperty, NoEditChangesNothing) {
+TEST_P(EditProperty, WithoutEditsNothingChanges) {
   const recording::Recording recording = RecordAtRandom();
   const EditReport report =
       ReSimulate(recording, recording::DemonstrationOf(recording), EditOutput{root_ / "same"});

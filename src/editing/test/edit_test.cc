@@ -111,7 +111,7 @@ TEST_F(EditTest, SpeedIsAlsoThatOfTheHand) {
   EXPECT_EQ(Edited(edited, MaxPause{0.5}).segments[1], edited.segments[1]);
 }
 
-TEST_F(EditTest, SaysWhatItFoundAndExpected) {
+TEST_F(EditTest, ReportsWhatWasFoundAndExpected) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(Complaint(Drop{3, 3}), "segment is 3, expected 0 to 2");
   EXPECT_EQ(Complaint(Drop{-1, 1}), "segment is -1, expected 0 to 2");
@@ -204,7 +204,7 @@ TEST_F(EditTest, CommandsThatAreRefusedAreSkippedAndReported) {
 }
 
 // All of it in the last tick, which the trace does not show.
-TEST_F(EditTest, TellsOfStatesAndOfWhoIsThereAgain) {
+TEST_F(EditTest, ReportsStatesAndRestoredObjects) {
   constexpr const char* kPanel =
       R"xml(<tabletop xmlns="http://synapse.cs.umd.edu/tabletop-xml">
   <composite id="panel" location="(0,3,0.2)">
@@ -251,7 +251,7 @@ TEST_F(EditTest, ARobotsCommandsAreEditedLikeOthers) {
   EXPECT_EQ(replay::Replay(edited).first_difference, std::nullopt);
 }
 
-TEST_F(EditTest, WhatWasImportedHasNothingToEdit) {
+TEST_F(EditTest, ImportedRecordingsHaveNothingToEdit) {
   recording::Recording recording = recording::OpenRecording(Record());
   recording.info.origin = recording::Origin::kImported;
   EXPECT_THROW(recording::DemonstrationOf(recording), InputError);

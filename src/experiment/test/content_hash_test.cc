@@ -31,14 +31,14 @@ TEST_F(ContentHash, OfAPythonProgramIncludesItsNeighboursButNotItsCache) {
   EXPECT_NE(ContentOfBrain(root_ / "a/helper.py"), ContentOfBrain(brain));
 }
 
-TEST_F(ContentHash, OfAFolderIgnoresWhatRunningItLeaves) {
+TEST_F(ContentHash, OfAFolderIgnoresCaches) {
   Write("a/brain.py", "1");
   const std::string before = ContentOf(root_ / "a");
   Write("a/brain.pyc", "1");
   EXPECT_EQ(ContentOf(root_ / "a"), before);
 }
 
-TEST_F(ContentHash, OfScenesDiffersWhereTheyDo) {
+TEST_F(ContentHash, DiffersForDifferentScenes) {
   scene::SceneSpec scene = Pair();
   const std::string before = ContentOf(scene);
   EXPECT_EQ(ContentOf(Pair()), before);

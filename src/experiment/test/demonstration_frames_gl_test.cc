@@ -82,7 +82,7 @@ TEST_F(DemonstrationFrames, BeginWithTheFirstPicture) {
   EXPECT_EQ(frames[1].tick, 15u);
 }
 
-TEST_F(DemonstrationFrames, SayWhyTheyCannotBeShown) {
+TEST_F(DemonstrationFrames, ReportWhyTheyAreUnavailable) {
   const fs::path demo = Record(/*has_pictures=*/true);
   const std::string index = "frame,tick,image\n0,0,0/0.png\n1,15,0/1.png\n";
   Write("demo/frames.csv", index);

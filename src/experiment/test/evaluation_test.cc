@@ -61,7 +61,7 @@ TEST_F(EvaluationTest, RunsEachBrainInEachLayout) {
   EXPECT_TRUE(Exists("out/report.html"));
 }
 
-TEST_F(EvaluationTest, SkipsWhatIsDone) {
+TEST_F(EvaluationTest, SkipsFinishedRuns) {
   Evaluate(PlanOf(2));
   Started();
   Evaluate(PlanOf(2));
@@ -80,7 +80,7 @@ TEST_F(EvaluationTest, RunsOfAnEarlierVersionMoveAside) {
   EXPECT_TRUE(Exists("out/one.1/agent.json"));
 }
 
-TEST_F(EvaluationTest, DoesADamagedRunAgain) {
+TEST_F(EvaluationTest, RepeatsADamagedRun) {
   Evaluate(PlanOf(2));
   Started();
   Write("out/two/seed-0002/result.json", "{\"rebuilt\":tr");

@@ -47,7 +47,7 @@ TEST_F(RunBrain, AFailureIsReportedAndTheRecordingKept) {
   EXPECT_NE(Read("run/brain.log").find("no idea"), std::string::npos);
 }
 
-TEST_F(RunBrain, OneThatEndsByItselfEndsTheRun) {
+TEST_F(RunBrain, ABrainThatEndsEndsTheRun) {
   const RunResult result = experiment::Run(PlanWith(Python("  aux.exit = sensor.simTime > 0.2\n")));
   EXPECT_EQ(result.brain_status, brain::BrainStatus::kExited);
   EXPECT_FALSE(result.brain_error);
@@ -72,7 +72,7 @@ TEST_F(RunBrain, StartMayTakeTwelveTimesAsLongAsACallback) {
       << result.brain_error->message;
 }
 
-TEST_F(RunBrain, ThereIsNothingToWatchWithoutADemonstration) {
+TEST_F(RunBrain, WatchingNeedsADemonstration) {
   const RunResult result = experiment::Run(
       PlanWith(Write("brain/watcher.py",
                      "def init(aux): aux.watch = True\ndef step(sensor, motor, aux): pass\n")));

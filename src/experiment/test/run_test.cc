@@ -28,7 +28,7 @@ TEST_F(RunTest, EndsAfterExactlyTheTicksOfItsSeconds) {
   EXPECT_EQ(start.objects["b"]["position"], Json({2.0, -3.0, 0.5}));
 }
 
-TEST_F(RunTest, EndsWithItsScriptUnlessItsSecondsSayOtherwise) {
+TEST_F(RunTest, EndsWithItsScriptUnlessSecondsAreGiven) {
   const sim::Script script = ScriptOf("{\"do\":\"wait\",\"seconds\":0.25}\n");
   EXPECT_EQ(experiment::Run({.scene = Pair(), .script = script}).ticks, 15u);
   EXPECT_EQ(experiment::Run({.scene = Pair(), .script = script, .seconds = 1}).ticks, 60u);
@@ -105,7 +105,7 @@ TEST_F(RunTest, ACancelledRunIsAShorterOne) {
   EXPECT_EQ(experiment::Run({.scene = Pair(), .seconds = 0.2}).state_hash, cancelled.state_hash);
 }
 
-TEST_F(RunTest, ContinuesARecordingWhereItIsToldTo) {
+TEST_F(RunTest, ContinuesARecordingAtTheGivenStep) {
   const fs::path demo = root_ / "demo";
   experiment::Run({.scene = Pair(), .seconds = 0.5, .record = demo, .has_pictures = false});
   const recording::Recording recording = recording::OpenRecording(demo);

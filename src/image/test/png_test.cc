@@ -117,7 +117,7 @@ TEST_F(PngTest, NamesThePathAndTheReasonWhenItCannotWrite) {
             path + ": cannot be written: No such file or directory");
 }
 
-TEST_F(PngTest, SaysSoWhenTheDiskTakesNoMore) {
+TEST_F(PngTest, ReportsAFullDisk) {
   rlimit limit;
   ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &limit), 0);
   const rlimit small{.rlim_cur = 1000, .rlim_max = limit.rlim_max};

@@ -103,7 +103,7 @@ TEST(RandomLayout, IsTheSameForTheSameSeedAndLevel) {
   }
 }
 
-TEST(RandomLayout, OneSmallThingLessLeavesTheOthers) {
+TEST(RandomLayout, RemovingASmallObjectKeepsTheOthers) {
   scene::SceneSpec scene = Shipped("tower_robot");
   const scene::SceneSpec all = RandomLayout(scene, 7);
   scene.objects.pop_back();
@@ -162,7 +162,7 @@ TEST_P(LayoutProperty, EachBlockOfAGroupIsInReach) {
   }
 }
 
-TEST_P(LayoutProperty, NothingMovesByItself) {
+TEST_P(LayoutProperty, ObjectsStayAtRest) {
   for (std::uint64_t seed = 0; seed < 3; ++seed) {
     const scene::SceneSpec layout = RandomLayout(Shipped("um_robot"), seed, level());
     sim::Simulation simulation(layout);
@@ -256,7 +256,7 @@ std::set<std::string> MovedIn(const std::string& name) {
   return moved;
 }
 
-TEST(RandomLayout, GoesAlongWithTheTablesNearEdge) {
+TEST(RandomLayout, FollowsTheNearEdgeOfTheTable) {
   scene::SceneSpec scene = Shipped("um_robot");
   const scene::SceneSpec usual = RandomLayout(scene, 2);
   scene.table.y_span += 0.4;
@@ -296,7 +296,7 @@ TEST(RandomLayout, MovesOnlyWhatStandsLooseOnTheTable) {
   EXPECT_THROW(MovedIn("dial"), std::invalid_argument) << "no controls";
 }
 
-TEST(RandomLayout, SaysWhenItCannot) {
+TEST(RandomLayout, ReportsFailure) {
   EXPECT_THROW(RandomLayout({.name = "bare"}, 1), std::invalid_argument);
   try {
     RandomLayout(Shipped("um_robot"), 1, LayoutLevel::kScattered, {.most_depth = 0.15});

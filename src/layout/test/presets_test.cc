@@ -17,7 +17,7 @@ scene::Bounds BoundsOfAll(const scene::SceneSpec& scene) {
   return bounds;
 }
 
-TEST(Presets, StandOnTheTableWhereNothingIsYet) {
+TEST(Presets, StandOnFreePlacesOfTheTable) {
   PlacementContext context;
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     for (const Preset& preset : Presets()) {
@@ -41,7 +41,7 @@ TEST(Presets, StandOnTheTableWhereNothingIsYet) {
   }
 }
 
-TEST(Presets, SayWhenThereIsNoRoomOrNoSuchPreset) {
+TEST(Presets, ReportMissingSpaceAndUnknownPresets) {
   PlacementContext full;
   full.taken = {{.low = {-2, -2, 0}, .high = {2, 2, 1}}};
   EXPECT_EQ(MakePreset("ball", full, 1), std::nullopt);

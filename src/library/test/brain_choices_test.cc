@@ -49,7 +49,7 @@ TEST_F(BrainChoicesTest, DistinguishesProgramsOfOneNameByTheirPaths) {
   EXPECT_EQ(In({"python"})[0].kind, "python");
 }
 
-TEST_F(BrainChoicesTest, ListsAProgramOnceHoweverOftenItsFolderIsNamed) {
+TEST_F(BrainChoicesTest, ListsAProgramOnceIfItsFolderIsNamedTwice) {
   Write("own/a.py");
   EXPECT_EQ(NamesIn({"own", "own/../own", "none"}), Names{"a.py"});
 }
@@ -79,7 +79,7 @@ TEST_F(BrainChoicesTest, FindsTheLearnerByItsFormerName) {
   EXPECT_EQ(PresentBrainPath(root_ / "matlab/um"), root_ / "matlab/um") << "exists";
 }
 
-TEST_F(BrainChoicesTest, ImitatesWhoSaysSoInACommentOfItsScript) {
+TEST_F(BrainChoicesTest, AScriptIsAnImitatorIfItsCommentDeclaresIt) {
   Write("own/comment.py", "import os\n  # smile: imitates \r\n");
   Write("own/docstring.py", "\"\"\"Learns.\n\nsmile: imitates\n\"\"\"\n");
   Write("own/octave/agentBehavior.m", "function f()\n% smile: imitates\nend\n");

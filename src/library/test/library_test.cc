@@ -76,7 +76,7 @@ TEST_F(LibraryTest, ListsTheNewestFirstAndWhatCannotBeRead) {
   EXPECT_EQ(list[2]["made"].get<std::string>().size(), std::string("2026-01-01T00:00:00Z").size());
 }
 
-TEST_F(LibraryTest, RenamesForGoodAndChangesNothingElse) {
+TEST_F(LibraryTest, RenamesPermanentlyAndChangesNothingElse) {
   const auto demo = RecordAs("demo2");
   const auto before = recording::ReadDemoInfo(demo / "demo.json");
   ASSERT_EQ(EntryOf("demo2")["title"], "");
@@ -91,7 +91,7 @@ TEST_F(LibraryTest, RenamesForGoodAndChangesNothingElse) {
   EXPECT_THROW(library_.Rename("demo2", std::string(300, 'x'), {}), std::invalid_argument);
 }
 
-TEST_F(LibraryTest, LeavesWhatIsBeingRecordedAlone) {
+TEST_F(LibraryTest, DoesNotTouchARecordingInProgress) {
   auto simulation = MakeSimulation(/*with_robot=*/false);
   const recorder::Recorder recorder(root_ / "now", {}, nullptr, *simulation);
   EXPECT_EQ(EntryOf("now")["binned"], false);
@@ -100,7 +100,7 @@ TEST_F(LibraryTest, LeavesWhatIsBeingRecordedAlone) {
   EXPECT_EQ(EntryOf("now")["title"], "");
 }
 
-TEST_F(LibraryTest, TakesBackFromTheBinEvenWhenTheNameIsTaken) {
+TEST_F(LibraryTest, RestoresFromTheBinEvenIfTheNameIsInUse) {
   RecordAs("um");
   EXPECT_EQ(library_.Bin("um"), "um~1");
   EXPECT_EQ(EntryOf("um~1")["binned"], true);

@@ -31,7 +31,7 @@ TEST(FixedAxes, AreExactAtQuarterTurns) {
   EXPECT_EQ(RotationFromFixedAxes({360, -720, 450}), expected);
 }
 
-TEST(FixedAxes, ComeBackAsTheAnglesTheyWere) {
+TEST(FixedAxes, RoundTripAsTheSameAngles) {
   std::mt19937 random(1);
   std::uniform_real_distribution<> turn(-179.9, 179.9), tilt(-89, 89);
   for (int i = 0; i < 1000; ++i) {
@@ -84,7 +84,7 @@ TEST(RotationVector, TurnsTheOneIntoTheOther) {
   }
 }
 
-TEST(RotationVector, IsSteadyWhenNothingTurns) {
+TEST(RotationVector, IsSteadyWithoutRotation) {
   const Quaternion q = Quaternion(1, 2, 3, 4).normalized();
   EXPECT_LT(RotationVectorBetween(q, q).norm(), 1e-15);
   const Quaternion same(-q.w(), -q.x(), -q.y(), -q.z());

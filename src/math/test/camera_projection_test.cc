@@ -21,7 +21,7 @@ TEST(CameraIntrinsics, PutTheFieldOfViewFromTheTopEdgeToTheBottomEdge) {
   EXPECT_NEAR(ProjectToPixel(camera, {half_height * 640 / 480, 0, 1}).x(), 640, kPixelTolerance);
 }
 
-TEST(CameraIntrinsics, ShowTheAxisInTheMiddleWhateverTheDistance) {
+TEST(CameraIntrinsics, ShowTheAxisInTheMiddleAtAnyDistance) {
   const auto camera = CameraIntrinsics::FromVerticalFieldOfView(200, 150, 1);
   for (double z : {0.1, 1.0, 100.0}) {
     EXPECT_EQ(ProjectToPixel(camera, {0, 0, z}), Eigen::Vector2d(100, 75));

@@ -7,7 +7,7 @@
 namespace smile {
 namespace {
 
-TEST(Color, HasFourteenNamesThatComeBack) {
+TEST(Color, HasFourteenNamesThatRoundTrip) {
   EXPECT_EQ(ColorNames().size(), 14u);
   EXPECT_TRUE(std::ranges::is_sorted(ColorNames()));
   for (std::string_view name : ColorNames()) {
@@ -22,7 +22,7 @@ TEST(Color, IsReadFromHexadecimalDigits) {
   EXPECT_EQ(ParseColor(" red "), (Color{1, 0, 0}));
 }
 
-TEST(Color, IsWrittenSoThatItComesBack) {
+TEST(Color, RoundTrips) {
   for (int red = 0; red < 256; ++red) {
     const Color color{red / 255.0, 17 / 255.0, (255 - red) / 255.0};
     EXPECT_EQ(ParseColor(ToString(color)), color);

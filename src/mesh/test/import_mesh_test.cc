@@ -101,7 +101,7 @@ TEST(ImportMesh, ReadsBackWhatItWroteToTheLastBit) {
   EXPECT_EQ(StlOf(again), StlOf(mesh));
 }
 
-TEST(ImportMesh, SaysWhatIsWrongWithAnStl) {
+TEST(ImportMesh, ReportsErrorsOfAnStl) {
   const std::string good = StlOf(ParseMesh(kTetrahedronText, "stl"));
   EXPECT_EQ(good.size(), 284u);
   EXPECT_EQ(FaultOf(good.substr(0, 283), "stl"),

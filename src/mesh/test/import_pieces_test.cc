@@ -60,7 +60,7 @@ TEST_F(ImportPiecesTest, KeepsNamesColorsAndExtrasAndSharesMeshes) {
   EXPECT_EQ(pieces[0].mesh->surface.triangles.size(), 1u);
 }
 
-TEST_F(ImportPiecesTest, RefusesWhatItWouldDrawElsewhereOrOtherwise) {
+TEST_F(ImportPiecesTest, RefusesUnsupportedFiles) {
   EXPECT_NE(ErrorOf(TwoNodes(R"(,"translation":[0,0,1])")).find("\"translation\""),
             std::string::npos);
   std::string text = TwoNodes("");

@@ -17,7 +17,7 @@ std::optional<Support> SupportOfCubeAt(const Vector3& p) {
                    "a");
 }
 
-TEST(Support, IsTheHighestThingStraightBeneath) {
+TEST(Support, IsTheHighestObjectBeneath) {
   EXPECT_EQ(SupportOfCubeAt({0, 0, 0.05}), Support());
   EXPECT_EQ(SupportOfCubeAt({0.35, 0.05, 0.16})->object, "b");
   EXPECT_TRUE(SupportOfCubeAt({0.35, 0.05, 0.16})->is_near());
@@ -27,7 +27,7 @@ TEST(Support, IsTheHighestThingStraightBeneath) {
   EXPECT_EQ(SupportOf({}, {}, "a"), std::nullopt);
 }
 
-TEST(Support, OfAThingAboveAContainerIsItsInside) {
+TEST(Support, AboveAContainerIsItsInside) {
   for (double z : {0.1, 0.4}) {
     const Support support = *SupportOfCubeAt({-0.4, 0, z});
     EXPECT_EQ(support.object, "crate");
@@ -39,7 +39,7 @@ TEST(Support, OfAThingAboveAContainerIsItsInside) {
   EXPECT_FALSE(on_wall.is_inside) << "it lies on the crate's wall";
 }
 
-TEST(Support, IsWhatRelationsSayOnceItIsThere) {
+TEST(Support, AgreesWithTheRelationsAfterwards) {
   const Support in_ring = *SupportOfCubeAt({0, 0.4, 0.3});
   EXPECT_EQ(in_ring.object, "ring");
   EXPECT_TRUE(in_ring.is_inside);

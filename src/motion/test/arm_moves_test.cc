@@ -155,7 +155,7 @@ TEST(MoveAlongLine, KeepsTheToolsSpeedAndTurnsEvenly) {
   }
 }
 
-TEST(MoveAlongLine, TellsHowFarItComes) {
+TEST(MoveAlongLine, ReportsHowFarItGets) {
   const ArmKinematics arm = ArmOf("left");
   const RigidTransform X_WG = arm.ToolPose(kReady);
   const RigidTransform goal(X_WG.rotation(), X_WG.translation() + Vector3(2, 0, 0));

@@ -88,7 +88,7 @@ TEST(ArmKinematics, TakesJointsOfAllKindsInAnyOrder) {
   EXPECT_THROW(ArmKinematics(two_arms, two_arms.arms[0]), std::invalid_argument);
 }
 
-TEST(InverseKinematics, ReachesWhateverSomeConfigurationReaches) {
+TEST(InverseKinematics, ReachesEveryPoseThatSomeConfigurationReaches) {
   for (const char* name : {"left", "right"}) {
     const ArmKinematics arm = ArmOf(name);
     std::mt19937 random(2);
@@ -173,7 +173,7 @@ TEST(InverseKinematics, GivesTheMirroredAnswerToTheMirroredQuestion) {
   }
 }
 
-TEST(InverseKinematics, SaysNoAfterItsBudgetAndTheSameEachTime) {
+TEST(InverseKinematics, FailsDeterministicallyAfterItsBudget) {
   const ArmKinematics arm = ArmOf("left");
   const RigidTransform too_far(Vector3(3, 0, 0));
   EXPECT_EQ(SolveInverseKinematics(arm, too_far, kUntucked), std::nullopt);

@@ -52,7 +52,7 @@ TEST(Answer, LetsWatchersOnlyWatch) {
   EXPECT_EQ(answer["error"], "you are watching: take control first");
 }
 
-TEST(Answer, MayComeLaterAsADeferredMessage) {
+TEST(Answer, MayBeDeferred) {
   RequestTable table = MakeTable();
   table.entries["dig"] = {[](const Request&) { return AnswersLater(); }};
   table.deferred.emplace_back([] {

@@ -87,12 +87,12 @@ std::uint32_t AckIn(const WebClient::Message& message) {
   return reader.Get<std::uint32_t>();
 }
 
-TEST_F(ServerTest, SaysHowAMissingPageIsBuilt) {
+TEST_F(ServerTest, ExplainsHowToBuildAMissingPage) {
   options_.page = folder_ / "nowhere";
   EXPECT_THROW(server(), std::runtime_error);
 }
 
-TEST_F(ServerTest, OneControlsAndHandsOver) {
+TEST_F(ServerTest, AControllerCanHandOver) {
   WebClient first = Join(), second = Join();
   const Json client = first.Ask({{"do", "take_control"}});
   EXPECT_EQ(client["granted"], true);
@@ -108,7 +108,7 @@ TEST_F(ServerTest, OneControlsAndHandsOver) {
   EXPECT_TRUE(server().IsController(2));
 }
 
-TEST_F(ServerTest, SaysWhatTheTablesTell) {
+TEST_F(ServerTest, SendsMessagesThatMatchTheTables) {
   const auto expect_fits_protocol = [](const Json& message, const std::string& request = "") {
     EXPECT_TRUE(message.is_object());
     EXPECT_EQ(MisfitOf(message, request), "") << ToText(message);
@@ -165,7 +165,7 @@ TEST_F(ServerTest, HandsOverTheControllersRequestsAndOneOfEachWatcher) {
   EXPECT_EQ(server().TakeRequests().front().seq, 3u);
 }
 
-TEST_F(ServerTest, UpdatesGoOnlyToClientsThatKnowTheScene) {
+TEST_F(ServerTest, UpdatesAreSentOnlyToClientsThatKnowTheScene) {
   WebClient client = Join(/*knows_everything=*/false);
   server().SendToAll({{"t", "event"}, {"kind", "early"}});
   EXPECT_EQ(server().TakeNewClients(), std::vector<ClientId>{1});
@@ -174,7 +174,7 @@ TEST_F(ServerTest, UpdatesGoOnlyToClientsThatKnowTheScene) {
   EXPECT_EQ(client.Await("event")["kind"], "late");
 }
 
-TEST_F(ServerTest, PosesTellWhatMovedAndAcknowledgeWhatWasDone) {
+TEST_F(ServerTest, PosesContainMovedFramesAndAcknowledgeRequests) {
   WebClient client = Join();
   server().SendPoses(PosesOf({1, 2, 3}, 0, /*is_key=*/true));
   std::optional<WebClient::Message> poses = client.Next();
@@ -193,7 +193,7 @@ TEST_F(ServerTest, PosesTellWhatMovedAndAcknowledgeWhatWasDone) {
   EXPECT_EQ(AckIn(*poses), 7u);
 }
 
-TEST_F(ServerTest, WhoTakesNothingIsSentAwayAndHarmsNobody) {
+TEST_F(ServerTest, AClientThatReadsNothingIsDisconnectedWithoutHarm) {
   WebClient stalled = Join(), other = Join();
   other.Await("clients");  // both
   const std::string long_text(200'000, 'x');
@@ -287,7 +287,7 @@ TEST_F(ServerTest, ClientsWithoutHelloMakeRoomForOthers) {
   EXPECT_EQ(controller.Ask({{"do", "ping"}})["ok"], true) << "not those who said hello";
 }
 
-TEST_F(ServerTest, ThereIsAnEndToClients) {
+TEST_F(ServerTest, TheNumberOfClientsIsLimited) {
   options_.limits.clients = 3;
   std::vector<WebClient> clients;
   for (int k = 0; k < 3; ++k) clients.push_back(Join());
@@ -302,7 +302,7 @@ TEST_F(ServerTest, ThereIsAnEndToClients) {
   EXPECT_EQ(status, 101);
 }
 
-TEST_F(ServerTest, EndsSoonWhoeverIsThere) {
+TEST_F(ServerTest, EndsSoonWithConnectedClients) {
   WebClient listens = Join(), stalled = Join(), silent = Connect();
   const std::string long_text(200'000, 'x');
   for (int k = 0; k < 30; ++k) {

@@ -154,7 +154,7 @@ TEST_F(JointTest, ATumblingRingOfHubsStaysWhole) {
   EXPECT_GT(world_.body(hubs[0]).angular_velocity().norm(), 0.1);
 }
 
-TEST_F(JointTest, WhatIsTooTangledToSolveAtOnceStillHoldsSomehow) {
+TEST_F(JointTest, JointsTooTangledForTheDirectSolverStillHold) {
   std::vector<BodyId> tangle;
   for (int i = 0; i < 90; ++i) {
     tangle.push_back(Add({0.2 * (i % 10), 0.2 * (i / 10), 1}, 1, 0.1));
@@ -224,7 +224,7 @@ TEST_F(SliderTest, LimitsHoldHardOnAVerticalRail) {
   EXPECT_NEAR(Place(carriage).z(), 0.7, 1e-5);
 }
 
-TEST_F(SliderTest, DampingTakesItsShareOfTheSpeedWhateverTheMassesAndTheStep) {
+TEST_F(SliderTest, DampingReducesTheSpeedByItsFractionForAnyMassAndStep) {
   for (const double mass_b : {0.1, 1.0, 10.0}) {
     for (const double step : {1.0 / 480, 1.0 / 120}) {
       MakeFree(1, mass_b, -10, 10, step);
@@ -245,7 +245,7 @@ TEST_F(SliderTest, DampingTakesItsShareOfTheSpeedWhateverTheMassesAndTheStep) {
   }
 }
 
-TEST_F(SliderTest, WhatIsFixedToItIsDampedToo) {
+TEST_F(SliderTest, ObjectsFixedToItAreDamped) {
   const BodyId post = Add({0, 0, 1}, 0), base = Add({0.2, 0, 1}, 1),
                carriage = Add({0.4, 0, 1}, 10), load = Add({0.6, 0, 1}, 5);
   Fix(post, base);
@@ -269,7 +269,7 @@ TEST_F(SliderTest, DampedItStillFallsAlongTheRail) {
   EXPECT_NEAR(world_.body(carriage).linear_velocity().z(), -9.81 / k * (1 - 0.4), 0.02);
 }
 
-TEST_F(SliderTest, WithDampingOneItStaysOnAVerticalRailWhateverItCarries) {
+TEST_F(SliderTest, WithDampingOneItStaysOnAVerticalRailUnderAnyLoad) {
   const BodyId post = Add({0, 0, 1}, 0), carriage = Add({0.2, 0, 1}, 1),
                load = Add({0.3, 0, 1}, 1000);
   SliderJointSpec rail = RailFrom(post, carriage, Vector3::UnitZ(), -0.3, 0.3);
@@ -293,7 +293,7 @@ TEST_F(SliderTest, WithDampingOneItStaysOnAVerticalRailWhateverItCarries) {
   EXPECT_NEAR(Place(carriage).z(), moved, 1e-4);
 }
 
-TEST_F(SliderTest, ComesBackFromALimitWithItsRestitution) {
+TEST_F(SliderTest, BouncesOffALimitWithItsRestitution) {
   for (const double restitution : {0.0, 0.5, 1.0}) {
     MakeFree(1, 3, -0.1, 0.1);
     rail_.restitution = restitution;
@@ -395,7 +395,7 @@ TEST_F(JointTest, JoinedBodiesDoNotCollideUntilTheLastReasonEnds) {
   EXPECT_GT(Place(b).x(), 0.099) << "and does not come in again";
 }
 
-TEST_F(JointTest, WhatOverlapsElsewhereIsToldWithoutATrace) {
+TEST_F(JointTest, OverlapsElsewhereAreReportedWithoutSideEffects) {
   const BodyId table = Add({0, 0, -0.5}, 0, 1.0), box = Add({0.2, 0, 0.05}, 1),
                cube = Add({0, 0, 0.05}, 1);
   StepSeconds(0.2);
@@ -417,7 +417,7 @@ TEST_F(JointTest, WhatOverlapsElsewhereIsToldWithoutATrace) {
   EXPECT_EQ(Serialize(world_.Save()), before);
 }
 
-TEST_F(JointTest, ARobotMayBeInTheWayToo) {
+TEST_F(JointTest, ARobotMayAlsoBeInTheWay) {
   PhysicsWorldBuilder builder;
   builder.AddRobot();
   World& world = builder.world_;
@@ -473,7 +473,7 @@ TEST_F(JointTest, AngularDampingIsItsOwn) {
   EXPECT_NEAR(world_.body(id).angular_velocity().z(), 0.5, 1e-6);
 }
 
-TEST_F(JointTest, WhatHasNoInertiaMayBeJoined) {
+TEST_F(JointTest, BodiesWithoutInertiaMayBeJoined) {
   const BodyId post = Add({0, 0, 1}, 0);
   const BodyId point =
       world_.AddBody({.mass = {.mass = 1}, .X_WB = RigidTransform(Vector3(0.1, 0, 1))});

@@ -5,7 +5,7 @@
 namespace smile::physics {
 namespace {
 
-TEST(Overlap, IsPushedApartAtAWalkHoweverDeepItIs) {
+TEST(Overlap, IsResolvedAtWalkingSpeedAtAnyDepth) {
   PhysicsWorldBuilder builder;
   for (const double depth : {0.01, 0.03, 0.09}) {
     World world;

@@ -58,7 +58,7 @@ TEST_F(ShapesTest, ABallFallsThroughTheHoleOfALyingRing) {
   EXPECT_LT((PlaceOf(ring) - Vector3(0, 0, 0.025)).norm(), kSettled);
 }
 
-TEST_F(ShapesTest, AStaticRingIsHollowToo) {
+TEST_F(ShapesTest, AStaticRingIsHollow) {
   AddTable();
   const BodyId ring = AddShape(kLyingRing, {0, 0, 0.3}, /*mass=*/0);
   const BodyId ball = AddShape(scene::Sphere{0.04}, {0, 0, 0.6});

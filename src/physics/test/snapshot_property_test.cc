@@ -88,20 +88,20 @@ class SnapshotProperty : public ::testing::TestWithParam<std::pair<unsigned, boo
   std::uint64_t way_ = 0;
 };
 
-TEST_P(SnapshotProperty, GoesOnExactlyInPlace) {
+TEST_P(SnapshotProperty, ContinuesExactlyInPlace) {
   builder_.world_.Restore(snapshot_);
   EXPECT_EQ(FullHash(builder_.world_), full_hash_);
   EXPECT_EQ(GoOn(builder_.world_, builder_.robot_, pile_[1], pile_[0]), way_);
 }
 
-TEST_P(SnapshotProperty, GoesOnExactlyInAFreshWorld) {
+TEST_P(SnapshotProperty, ContinuesExactlyInAFreshWorld) {
   World fresh;
   fresh.Restore(snapshot_);
   EXPECT_EQ(FullHash(fresh), full_hash_);
   EXPECT_EQ(GoOn(fresh, builder_.robot_, pile_[1], pile_[0]), way_);
 }
 
-TEST_P(SnapshotProperty, GoesOnExactlyInAnotherProcess) {
+TEST_P(SnapshotProperty, ContinuesExactlyInAnotherProcess) {
   const auto file = std::filesystem::temp_directory_path() /
                     ("smile_snapshot_" + std::to_string(getpid()) + ".bin");
   const std::vector<std::byte> bytes = Serialize(snapshot_);
@@ -267,7 +267,7 @@ class JointedWorld : public PhysicsWorldBuilder {
 
 class JointedSnapshotProperty : public ::testing::TestWithParam<unsigned> {};
 
-TEST_P(JointedSnapshotProperty, GoesOnExactlyInPlaceInAFreshWorldFromBytesAndInAThread) {
+TEST_P(JointedSnapshotProperty, ContinuesExactlyInPlaceInAFreshWorldFromBytesAndInAThread) {
   JointedWorld made(GetParam());
   const Snapshot saved = made.world_.Save();
   EXPECT_FALSE(saved.passing.empty()) << "or the test tests less than it says";
@@ -291,7 +291,7 @@ TEST_P(JointedSnapshotProperty, GoesOnExactlyInPlaceInAFreshWorldFromBytesAndInA
 }
 
 /// A snapshot is complete without running a step.
-TEST(Snapshot, OfABodyThatWasJustPlacedGoesOnTheSame) {
+TEST(Snapshot, OfAJustPlacedBodyContinuesTheSame) {
   World world;
   const auto block = [](const Vector3& size, const Vector3& p_WB) {
     return PhysicsWorldBuilder::BlockSpec(size, RigidTransform(p_WB), 0.2);
@@ -324,7 +324,7 @@ TEST_P(JointedSnapshotProperty, SavesWhatItRestored) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, JointedSnapshotProperty, ::testing::Range(1u, 7u));
 
-TEST(StateHash, ToldFromAnotherByAPressedLimit) {
+TEST(StateHash, DependsOnAPressedLimit) {
   World world;
   PhysicsWorldBuilder verbs;
   const BodyId a = world.AddBody(verbs.CubeSpec({0, 0, 1}, 0.1));
@@ -343,7 +343,7 @@ TEST(StateHash, ToldFromAnotherByAPressedLimit) {
   EXPECT_EQ(world.Save().state, pressed.state) << "nothing else was touched";
 }
 
-TEST(StateHash, ToldFromAnotherByHowAWeldHolds) {
+TEST(StateHash, DependsOnTheStateOfAWeld) {
   const auto hash_of = [](double y, const std::vector<int>& links_not_colliding) {
     PhysicsWorldBuilder builder;
     builder.AddRobot();

@@ -44,7 +44,7 @@ TEST_F(WorldTest, ABlockFallsLikeAStone) {
   EXPECT_NEAR(10 - world_.body(block).pose_in_world().translation().z(), 9.81 / 2, 0.35);
 }
 
-TEST_F(WorldTest, WhatLeanedOnARemovedBodyWakesUp) {
+TEST_F(WorldTest, ABodyThatLeanedOnARemovedOneWakesUp) {
   AddTable();
   const std::vector<BodyId> stack = AddStack({0, 0, 0}, 3);
   StepSeconds(4);
@@ -108,7 +108,7 @@ TEST_F(WorldTest, KnowsWhoTouchesWhom) {
   EXPECT_EQ(world_.BodiesTouching(low), (std::vector{table, high}));
 }
 
-TEST_F(WorldTest, WhatBouncesHasTouchedHoweverShortly) {
+TEST_F(WorldTest, ABounceCountsAsContact) {
   for (int i = 0; i < 30; ++i) {
     World world;
     BodySpec ground = BlockSpec({1, 1, 0.1}, RigidTransform(Vector3(0, 0, -0.05)), 0);
@@ -123,7 +123,7 @@ TEST_F(WorldTest, WhatBouncesHasTouchedHoweverShortly) {
   }
 }
 
-TEST_F(WorldTest, AJointTurnsThoughItsLinkHasNothingToTouch) {
+TEST_F(WorldTest, AJointTurnsWithoutContacts) {
   scene::LinkSpec link{.max_velocity = 2, .max_effort = 50, .mass = 1};
   link.lower = -2;
   link.upper = 2;

@@ -186,7 +186,7 @@ TEST_F(HandTrackTest, ArrivesLateRatherThanJumps) {
   EXPECT_LT(distance(right[1].first + 30), 0.05);
 }
 
-TEST_F(HandTrackTest, IsTheSameAgain) {
+TEST_F(HandTrackTest, IsReproducible) {
   const HandTrack one = TrackOf(kWork), other = TrackOf(kWork);
   for (std::uint64_t tick = 0; tick < 1200; ++tick) EXPECT_EQ(one.At(tick), other.At(tick));
 }

@@ -62,7 +62,7 @@ TEST_F(SeenDemonstratorTest, ChangesPicturesOnlyWhereHandsAre) {
   EXPECT_LT(least_seen, most_seen * 7 / 10);
 }
 
-TEST_F(SeenDemonstratorTest, IsTheSameAgainFromEverywhere) {
+TEST_F(SeenDemonstratorTest, IsReproducibleFromAnyView) {
   const recording::Recording recording = recording::OpenRecording(Record());
   const model::Model& model = *recording.model;
   const auto moment = recording::MomentAt(recording, 60);

@@ -62,7 +62,7 @@ TEST_F(BeginningTest, AnAbandonedOneIsNamedAndMayBeBegunAgain) {
   }
 }
 
-TEST_F(BeginningTest, OneUnderWayIsNotTakenOver) {
+TEST_F(BeginningTest, ARecordingInProgressIsNotReplaced) {
   const recording::BeginningMark mark(demo_);
   EXPECT_FALSE(recording::IsAbandoned(demo_));
   EXPECT_THROW(Record(), InputError);

@@ -81,7 +81,7 @@ class CrashTest : public RecordingFixture {
   }
 };
 
-TEST_F(CrashTest, AKilledProcessLosesNothingThatWasComplete) {
+TEST_F(CrashTest, AKilledProcessLosesNoCompleteRecord) {
   std::mt19937 random(1);
   int num_begun = 0;
   std::uint64_t most_ticks = 0;
@@ -144,7 +144,7 @@ class SizeNoter : public sim::Listener {
   std::vector<Sizes> sizes_;
 };
 
-TEST_F(CrashTest, WhateverWasWrittenLastIsTheEnd) {
+TEST_F(CrashTest, TheLastCompleteRecordIsTheEnd) {
   const auto demo = root_ / "demo", cut = root_ / "cut";
   std::vector<SizeNoter::Sizes> sizes;
   {

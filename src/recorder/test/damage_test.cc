@@ -87,7 +87,7 @@ class DamagedRobot : public RecordingFixture {
   }
 };
 
-TEST_F(DamagedRobot, IsReadFromTheRecordingAndFromNowhereElse) {
+TEST_F(DamagedRobot, IsReadOnlyFromTheRecording) {
   namespace fs = std::filesystem;
   const fs::path robot = Record("", /*with_robot=*/true) / "robot", outside = root_ / "outside";
   ASSERT_EQ(Complaint(), "");

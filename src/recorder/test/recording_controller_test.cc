@@ -98,7 +98,7 @@ TEST_F(RecordingControllerTest, ABlankTitleIsRefused) {
                std::invalid_argument);
 }
 
-TEST_F(RecordingControllerTest, WhatWasUndoneBeforeTheStartIsNoPartOfThePast) {
+TEST_F(RecordingControllerTest, ActionsUndoneBeforeTheStartAreOmitted) {
   Do(sim::Grasp{.hand = HandName::kLeft, .object = "a"}, 20);
   Do(sim::Undo());
   Do(sim::Grasp{.hand = HandName::kRight, .object = "b"}, 20);
@@ -124,7 +124,7 @@ TEST_F(RecordingControllerTest, AfterTheFinishTheWorldCanBeUndoneButNotTheRecord
   EXPECT_EQ(replay::Replay(recording::OpenRecording(root_ / "take")).ticks(), 5u);
 }
 
-TEST_F(RecordingControllerTest, NobodyGoesOnWithWhatIsBeingRecorded) {
+TEST_F(RecordingControllerTest, ARecordingInProgressCannotBeContinued) {
   Do(sim::StartRecording{.name = "take"}, 10);
   auto other = MakeSimulation(false);
   const auto go_on = [&] {
@@ -136,7 +136,7 @@ TEST_F(RecordingControllerTest, NobodyGoesOnWithWhatIsBeingRecorded) {
   EXPECT_NE(go_on(), nullptr);
 }
 
-TEST_F(RecordingControllerTest, TheHistoryTellsEveryStepAlsoWhatWasUndone) {
+TEST_F(RecordingControllerTest, TheHistoryIncludesUndoneSteps) {
   Do(sim::StartRecording{.name = "take"}, 10);
   Do(sim::Grasp{.hand = HandName::kLeft, .object = "a"}, 10);
   Do(sim::Release{.hand = HandName::kLeft}, 10);
@@ -171,7 +171,7 @@ TEST_F(RecordingControllerTest, TheHistoryNamesFromTheLogWhatTheTraceLacks) {
   EXPECT_EQ(recording::WordsOf(steps[2]), "left hand releases a");
 }
 
-TEST_F(RecordingControllerTest, AStepOnTheWayEndsWhereTheWayGoesOn) {
+TEST_F(RecordingControllerTest, AStepOnThePathEndsWhereTheNextBegins) {
   Do(sim::StartRecording{.name = "take"}, 10);
   Do(sim::Grasp{.hand = HandName::kLeft, .object = "a"}, 10);
   Do(sim::Release{.hand = HandName::kLeft}, 10);

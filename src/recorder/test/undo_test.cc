@@ -153,7 +153,7 @@ class UndoProperty : public UndoTest, public ::testing::WithParamInterface<unsig
 
 INSTANTIATE_TEST_SUITE_P(Seeds, UndoProperty, testing::Range(1u, 4u));
 
-TEST_P(UndoProperty, WhatWasUndoneLeavesTheViewAndTheRestReplays) {
+TEST_P(UndoProperty, UndoneActionsLeaveTheViewAndTheRestReplays) {
   HashingEye eye;
   sim::Simulation simulation(Everything());
   Recorder recorder(root_ / "demo", {.frames_per_second = 12}, &eye, simulation);
@@ -170,7 +170,7 @@ TEST_P(UndoProperty, WhatWasUndoneLeavesTheViewAndTheRestReplays) {
   ExpectOneHistory(simulation.history(), recording);
 }
 
-TEST_P(UndoProperty, GoesOnFromAnyMomentAsIfItHadNeverStopped) {
+TEST_P(UndoProperty, ContinuesFromAnyMomentAsIfNeverStopped) {
   {
     HashingEye eye;
     sim::Simulation simulation(Everything());
@@ -291,7 +291,7 @@ TEST_F(UndoTest, BeginsAnyTimeAlsoWhileHolding) {
   EXPECT_EQ(report.hash, simulation->state_hash());
 }
 
-TEST_F(UndoTest, DoesNotBeginWhereNobodyKnowsWhatLedThere) {
+TEST_F(UndoTest, DoesNotBeginWithoutTheHistoryOfTheState) {
   auto simulation = MakeSimulation(false);
   simulation->Restore(simulation->Save());
   EXPECT_THROW(Recorder(root_ / "none", {}, nullptr, *simulation), std::invalid_argument);
@@ -310,7 +310,7 @@ TEST_F(UndoTest, AnUndoThatDidNotReachTheTraceIsLeftOut) {
   EXPECT_EQ(replay::Replay(recording).first_difference, std::nullopt);
 }
 
-TEST_F(UndoTest, NamesTheLineOfAReturnToNowhere) {
+TEST_F(UndoTest, NamesTheLineOfAnInvalidReturn) {
   const auto demo = Record();
   for (const auto& [line, message] : std::map<std::string, std::string>{
            {R"({"do":"undo","tick":9999,"to":{"line":99,"tick":3}})", "\"line\" is 99"},

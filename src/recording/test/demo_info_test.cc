@@ -57,7 +57,7 @@ class DemoInfoTest : public recorder::RecordingFixture {
   }
 };
 
-TEST_F(DemoInfoTest, ComesBackAsWritten) {
+TEST_F(DemoInfoTest, RoundTrips) {
   EXPECT_EQ(Read(ToJsonText(Everything())), Everything());
   DemoInfo plain;
   plain.program = "smile 0";

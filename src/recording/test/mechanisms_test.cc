@@ -130,7 +130,7 @@ TEST_F(MechanismsRecordingTest, ReplaysFromFilesAsTheyUsedToBe) {
   EXPECT_EQ(report.hash, final_hash_);
 }
 
-TEST_F(MechanismsRecordingTest, TellsWhatEndsOtherwise) {
+TEST_F(MechanismsRecordingTest, ReportsWhatEndsDifferently) {
   const auto demo = RecordWork();
   std::string commands = ReadFile(demo / "commands.jsonl", 1 << 20);
   // Another knob is turned: the switch stays as it was.
@@ -145,7 +145,7 @@ TEST_F(MechanismsRecordingTest, TellsWhatEndsOtherwise) {
   EXPECT_EQ(otherwise, (std::vector<std::string>{"power.state", "lamps.state"}));
 }
 
-TEST_F(MechanismsRecordingTest, TellsEveryActionAndEveryControlInTheClassicView) {
+TEST_F(MechanismsRecordingTest, WritesEveryActionAndControlToTheClassicView) {
   const auto demo = RecordWork();
   EXPECT_TRUE(HasLine(demo / "0.txt", "initializeControl,power,toggleSwitch,panel,0"));
   EXPECT_TRUE(HasLine(demo / "0.txt", "initializeControl,lamps,indicatorLights,panel,off"));

@@ -154,7 +154,7 @@ TEST_F(ReplayTest, ReportsTheDeviationOfEverythingAndWhereItEnds) {
   EXPECT_TRUE(report.refused.empty());
 }
 
-TEST_F(ReplayTest, GoesOnAfterCommandsThatAreRefusedAndTellsThem) {
+TEST_F(ReplayTest, ContinuesAfterRefusedCommandsAndReportsThem) {
   const recording::Recording recording = RecordAndReword("\"object\":\"a\"", "\"object\":\"z\"");
   const ReplayReport report = Replay(recording);
   EXPECT_EQ(report.first_difference->quantity, "command");
@@ -182,7 +182,7 @@ TEST_F(ReplayTest, ComparesOnlyTheRangeAskedFor) {
   EXPECT_LE(after.deviations.at(0).tick, tick + 12);
 }
 
-TEST_F(ReplayTest, SaysWhatIsWrongWithARange) {
+TEST_F(ReplayTest, ReportsInvalidRanges) {
   const recording::Recording recording =
       recording::OpenRecording(Record("{\"do\":\"wait\",\"seconds\":2.05}"));
   EXPECT_EQ(ComplaintAbout({.from = 1, .to = 2.05}, recording), "");
@@ -215,7 +215,7 @@ TEST_F(ReplayTest, ABeginningThatIsNotTheTracesIsDamage) {
   EXPECT_THROW(Replay(recording::OpenRecording(directory)), InputError);
 }
 
-TEST_F(ReplayTest, OpensWhatACrashCutShortAndSaysSo) {
+TEST_F(ReplayTest, OpensARecordingTruncatedByACrashAndReportsIt) {
   const auto directory = Record();
   const std::string commands = Text(directory / "commands.jsonl");
   Overwrite(directory / "commands.jsonl", commands.substr(0, commands.size() - 5));
@@ -266,7 +266,7 @@ TEST_F(ReplayTest, NoticesACommandAfterTheEnd) {
   EXPECT_EQ(Replay(recording::OpenRecording(directory)).first_difference->quantity, "command");
 }
 
-TEST_F(ReplayTest, SaysWhatIsWrongWithAFileThatIsNoRecording) {
+TEST_F(ReplayTest, ReportsInvalidFiles) {
   EXPECT_EQ(Complaint(root_),
             root_.string() + ": is not a recording; expected a directory with a demo.json in it");
   const auto directory = Record();

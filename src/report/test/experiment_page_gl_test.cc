@@ -76,7 +76,7 @@ TEST_F(ExperimentPage, ShowsPicturesPlacesAndErrors) {
   EXPECT_NE(page.find("100.0"), std::string::npos);  // one unit off [mm]
 }
 
-TEST_F(ExperimentPage, TellsOfWhatIsGone) {
+TEST_F(ExperimentPage, ReportsMissingObjects) {
   const std::string page = PageWith(ResultOf(Json::object()));
   EXPECT_NE(page.find("gone"), std::string::npos);
   EXPECT_EQ(page.find("too far"), std::string::npos);

@@ -49,7 +49,7 @@ TEST(Statistics, TheMeanOfStudentsSleepersHasItsInterval) {
   EXPECT_NEAR(mean->interval->high, 2.4599, 1e-4);
 }
 
-TEST(Statistics, OneNumberHasNoIntervalAndNoneHasNoMean) {
+TEST(Statistics, OneNumberHasNoIntervalAndZeroNumbersHaveNoMean) {
   const std::vector<double> one{3};
   EXPECT_EQ(MeanOf(one), (Mean{.value = 3, .count = 1}));
   EXPECT_EQ(MeanOf({}), std::nullopt);

@@ -106,7 +106,7 @@ TEST_F(RobotMeshes, AreDrawnWholeAndFeltAsPieces) {
   EXPECT_NEAR(scene::MomentsOf(hull).volume, 1, 1e-6);
 }
 
-TEST_F(RobotMeshes, LieAsTheirFileHasThemWhateverItCallsUp) {
+TEST_F(RobotMeshes, LieAsInTheirFileWithAnyUpAxis) {
   for (const char* up : {"X_UP", "Y_UP", "Z_UP"}) {
     Write("robot/a.dae", TetrahedronDae(up));
     const Eigen::AlignedBox3f box = BoxOf(Load(UrdfWith("a.dae")).model);
@@ -185,7 +185,7 @@ TEST_F(RobotMeshes, AreFoundWhereTheyAreKept) {
   }
 }
 
-TEST_F(RobotMeshes, AreReadOnceHoweverOftenTheyAreNamed) {
+TEST_F(RobotMeshes, AreReadOnceIfNamedRepeatedly) {
   std::string urdf = UrdfWith("a.stl");
   for (const std::string reference : {"b/../a.stl", "./a.stl"}) {
     urdf.insert(urdf.find("<visual>"),

@@ -189,7 +189,7 @@ TEST_F(SideFile, RefusesPosesTheRobotCannotTake) {
             "r.robot.json: <poses/p/tail>: expected the name of an arm, head or opening");
 }
 
-TEST_F(SideFile, SaysWhereItIsNotJson) {
+TEST_F(SideFile, ReportsWhereItIsNotJson) {
   EXPECT_EQ(ComplaintAbout("{\"format\": 1,\n\"arms\": }"),
             "r.robot.json: this is not JSON from line 2 on");
   EXPECT_EQ(ComplaintAbout(R"({"format": 1, "arms": {"a": {}, "a": {}}})"),

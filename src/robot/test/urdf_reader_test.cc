@@ -69,7 +69,7 @@ TEST_F(UrdfReader, MergesWhatIsFixedIntoTheLinkThatCarriesIt) {
   EXPECT_EQ(model.visuals[0].color, (Color{1, 0, 0}));
 }
 
-TEST_F(UrdfReader, ListsParentsBeforeChildrenWhateverTheFilesOrder) {
+TEST_F(UrdfReader, ListsParentsBeforeChildrenInAnyFileOrder) {
   const RobotModel model = Read(SmallRobot{.extra = R"(
   <joint name="a_slide" type="prismatic"><parent link="arm"/><child link="finger"/>
     <axis xyz="1 0 0"/><limit lower="0.25" upper="1" velocity="1" effort="1"/></joint>
@@ -107,7 +107,7 @@ TEST_F(UrdfReader, RefusesNumbersThatAreNone) {
   }
 }
 
-TEST_F(UrdfReader, RefusesAColorNobodyDefined) {
+TEST_F(UrdfReader, RefusesAnUndefinedColor) {
   EXPECT_EQ(Complaint(SmallRobot{.extra = R"(<link name="x"><visual><geometry>
 <sphere radius="1"/></geometry><material name="mauve"/></visual></link>
 <joint name="weld" type="fixed"><parent link="arm"/><child link="x"/></joint>)"}
@@ -225,7 +225,7 @@ TEST_F(UrdfReader, BoundsDepthAndSize) {
             "r.urdf:1: <a49999>: found more than 50000 elements, expected fewer");
 }
 
-TEST_F(UrdfReader, SaysWhichFileIsMissing) {
+TEST_F(UrdfReader, NamesTheMissingFile) {
   try {
     ReadRobot(folder_ / "none.urdf");
     FAIL() << "read a file that is not there";

@@ -48,7 +48,7 @@ TEST(ChainPieces, AreTwoFixedCubesAndThenTheLinks) {
                                                               {"color", "red"}}));
 }
 
-TEST(ChainPieces, HaveARotationWhereverTheChainGoes) {
+TEST(ChainPieces, HaveARotationInAnyDirectionOfTheChain) {
   for (const Vector3& direction : {Vector3(0, 0, 1), Vector3(0, 0, -1), Vector3(1, 0, 0),
                                    Vector3(1e-12, 0, 1), Vector3(-0.3, 0.2, -2)}) {
     const Matrix3 R = PiecesOf(ChainOf(1, {0, 0, 0}, direction), 0.1)[2].pose_in_world().rotation();

@@ -63,7 +63,7 @@ TEST(MassProperties, OfSimpleShapesFollowTheTextbook) {
       << "the axis is y";
 }
 
-TEST(MassProperties, OfNothingAreThoseOfABallOfOneUnit) {
+TEST(MassProperties, OfAnEmptyShapeAreThoseOfAUnitBall) {
   const MassProperties properties = MassPropertiesOf({}, 2);
   EXPECT_EQ(properties.mass, 2);
   const Part ball{.shape = Sphere{0.05}};
@@ -161,7 +161,7 @@ TEST(MassProperties, OfFrustaAndRingsAgreeWithCountingCells) {
   EXPECT_LT((inertia - inertia.transpose()).norm(), 1e-15);
 }
 
-TEST(MassProperties, OfManySidesAreThoseOfRoundThings) {
+TEST(MassProperties, OfManySidesApproachThoseOfRoundShapes) {
   const auto inertia_of = [](const Shape& shape) {
     return Vector3(MassPropertiesOf(SolidsOf(Part{.shape = shape}), 12).inertia.diagonal());
   };

@@ -65,7 +65,7 @@ TEST(BondReader, TakesPointsAndStagesFromTemplates) {
   EXPECT_EQ(hosts[1].stages[0].X_HS, RigidTransform(Vector3(0, 0, 0.2)));
 }
 
-TEST(BondFaults, TellWhyABondCannotBe) {
+TEST(BondFaults, ReportWhyABondIsImpossible) {
   EXPECT_EQ(FaultOfBond(GuestBody("initBondHostId='H'")),
             "test.xml:3: <guestBondPoint>: found the default of initBondTightness, expected 1 or "
             "more with an initBondHostId: at 0 they are not fastened");
@@ -105,7 +105,7 @@ TEST(BondFaults, NameTheStageThatForcesAStateThatIsNone) {
             "expected a state of L, from 0 to 0");
 }
 
-TEST(BondFaults, TellWhatBondPointsMustHave) {
+TEST(BondFaults, ReportWhatBondPointsRequire) {
   EXPECT_EQ(FaultOf(SceneText(Body("<hostBondPoint type='a'/>"))),
             "test.xml:3: <hostBondPoint>: found 0 tightness elements, expected 1 to 256");
   EXPECT_EQ(FaultOf(SceneText(Body("<guestBondPoint/>"))),

@@ -131,7 +131,7 @@ TEST(ControlFaults, NameTheLightThatIsNone) {
             "\"light\"?");
 }
 
-TEST(ControlFaults, TellWhatMayStandWhere) {
+TEST(ControlFaults, ReportWhichElementsAreAllowedWhere) {
   const std::string toggle = "<toggleSwitch" + kAtOrigin + "/>";
   EXPECT_EQ(FaultOfControl("<customControl" + kAtOrigin + "><state>" + toggle +
                            "</state></customControl>"),
@@ -174,7 +174,7 @@ TEST(ControlFaults, BoundWhatAControlHas) {
             "to 64, expected at most 4096 in an object");
 }
 
-TEST(References, FindControlsWhereverTheyStandAndHoweverTheyAreRenamed) {
+TEST(References, FindControlsAnywhereAndRenamed) {
   const std::string scene = "<toggleSwitch id='S'" + kAtOrigin +
                             "><downstream id='L'/><downstream id='block'/>"
                             "<downstream id='S#1'/></toggleSwitch>"
@@ -187,7 +187,7 @@ TEST(References, FindControlsWhereverTheyStandAndHoweverTheyAreRenamed) {
             (std::vector<std::string>{"L#2", "block#0", "S#1"}));
 }
 
-TEST(References, AreFaultsWhenNobodyOrManyAreMeant) {
+TEST(References, AreFaultsIfTheyMatchNoneOrSeveral) {
   const std::string toggle = "<toggleSwitch id='S'" + kAtOrigin + ">\n<downstream id='";
   EXPECT_EQ(FaultOfControl(toggle + "LAMP'/></toggleSwitch><indicatorLights id='Lamp'" + kAtOrigin +
                            "><state/></indicatorLights>"),

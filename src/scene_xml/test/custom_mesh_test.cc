@@ -49,7 +49,7 @@ class CustomMesh : public testing::Test {
   fs::path folder_;
 };
 
-TEST_F(CustomMesh, ReadsAFileOnceAndTellsItsName) {
+TEST_F(CustomMesh, ReadsAFileOnceAndReportsItsName) {
   const scene::SceneSpec scene = LoadScene(Scene(
       Custom("meshes/gem.glb", "scale='2.5' color='red'") + Custom("./meshes/../meshes/gem.glb")));
   const auto& first = std::get<scene::Custom>(scene.objects[0].whole.shape);
@@ -62,7 +62,7 @@ TEST_F(CustomMesh, ReadsAFileOnceAndTellsItsName) {
   EXPECT_EQ(scene.objects[0].descriptions, (std::vector<scene::Description>{{"shape", "gem"}}));
 }
 
-TEST_F(CustomMesh, IsLookedForBesideTheFileThatNamesItAndInTheRoots) {
+TEST_F(CustomMesh, IsSearchedBesideTheFileThatNamesItAndInTheRoots) {
   Scene(Custom("gem.glb"), "in/meshes/part.xml");
   fs::copy(folder_ / "in/meshes/cup.stl", folder_ / "in/cup.stl");
   const fs::path main =
@@ -88,7 +88,7 @@ TEST_F(CustomMesh, IsNotReadFromElsewhere) {
             "folder or below these");
 }
 
-TEST_F(CustomMesh, SaysWhatIsWrongWithIt) {
+TEST_F(CustomMesh, ReportsErrors) {
   WriteFile(folder_ / "in/bad.stl", "solid\nfacet");
   EXPECT_EQ(MeshFaultOf(Custom("bad.stl")),
             "found file=\"bad.stl\" (in/bad.stl): line 2: found the end, expected normal");
@@ -109,7 +109,7 @@ TEST_F(CustomMesh, SaysWhatIsWrongWithIt) {
   EXPECT_EQ(MeshFaultOf("<custom location='(0,0,0)'/>"), "found no file, expected file=\"…\"");
 }
 
-TEST_F(CustomMesh, IsTheSameOnceWrittenAndReadElsewhere) {
+TEST_F(CustomMesh, RoundTripsToAnotherFolder) {
   fs::copy(folder_ / "in/meshes/cup.stl", folder_ / "in/cup.v2 (old).stl");
   const scene::SceneSpec scene =
       LoadScene(Scene("<composite location='(0,0,1)'>" + Custom("meshes/cup.stl", "scale='0.3'") +

@@ -63,7 +63,7 @@ TEST(Expression, GivesTheResultsOfTheOriginal) {
   EXPECT_EQ(ValueOf("cost $5"), "cost $5");
 }
 
-TEST(Expression, KeepsTheTextOfANameAlone) {
+TEST(Expression, KeepsTheTextOfASingleName) {
   EXPECT_EQ(ValueOf("$id$"), "007");
   EXPECT_EQ(ValueOf("$ id $"), "007");
   EXPECT_EQ(ValueOf("$id+0$"), "7");
@@ -118,7 +118,7 @@ TEST(Expression, TakesOnlyPairsOnOneLine) {
   EXPECT_EQ(ValueOf("$5\n$a$"), "$5\n2");
 }
 
-TEST(Expression, SaysWhatItCannotRead) {
+TEST(Expression, ReportsSyntaxErrors) {
   EXPECT_EQ(FaultIn("$widht/2$"),
             "with the unknown variable \"widht\", expected one of the instance, of its def or of "
             "an instance around it; did you mean \"width\"?");

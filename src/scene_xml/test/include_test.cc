@@ -69,14 +69,14 @@ TEST_F(Include, PutsTheContentOfAFileInItsPlace) {
   EXPECT_EQ(LoadScene(main).table.x_span, 2) << "the table is that of the scene";
 }
 
-TEST_F(Include, FindsADefWhereverItIs) {
+TEST_F(Include, FindsADefInAnyPlace) {
   File("def.xml", "<def name='one'><block id='$id$' location='(0,0,0)'/></def>");
   EXPECT_EQ(Read(File("main.xml", "<instance def='one'><var name='id' value='x'/></instance>" +
                                       IncludeOf("def.xml"))),
             Lines{"x"});
 }
 
-TEST_F(Include, TakesEachFileOnceHoweverItIsNamed) {
+TEST_F(Include, ReadsEachFileOnceUnderAnyName) {
   File("a.xml", Block("a"));
   fs::create_symlink("a.xml", folder_ / "link.xml");
   MakeDirectories(folder_ / "sub");
@@ -86,12 +86,12 @@ TEST_F(Include, TakesEachFileOnceHoweverItIsNamed) {
       Lines{"a"});
 }
 
-TEST_F(Include, ComesToAnEndInACircle) {
+TEST_F(Include, StopsAtACycle) {
   File("b.xml", IncludeOf("main.xml") + Block("b") + IncludeOf("b.xml"));
   EXPECT_EQ(Read(File("main.xml", IncludeOf("b.xml") + Block("a"))), (Lines{"b", "a"}));
 }
 
-TEST_F(Include, LooksInTheRootsAfterTheFolderOfTheFile) {
+TEST_F(Include, SearchesTheRootsAfterTheFolderOfTheFile) {
   File("root/tablesetup/x.xml", Block("root") + IncludeOf("tablesetup/y.xml"));
   File("root/tablesetup/y.xml", Block("also_root"));
   const fs::path main = File("scenes/main.xml", IncludeOf("tablesetup/x.xml"));
@@ -100,7 +100,7 @@ TEST_F(Include, LooksInTheRootsAfterTheFolderOfTheFile) {
   EXPECT_EQ(Read(main, {folder_ / "root"}), Lines{"near"});
 }
 
-TEST_F(Include, LooksForTheFilesOfATextInTheRootsAlone) {
+TEST_F(Include, SearchesFilesOfATextOnlyInTheRoots) {
   File("x.xml", Block("x"));
   const std::string text = SceneText(IncludeOf("x.xml"));
   const SceneReaderOptions options{.search_roots = {folder_}};

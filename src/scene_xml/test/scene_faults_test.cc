@@ -52,7 +52,7 @@ TEST(SceneFaults, NamesLinesBeyondSixtyFiveThousand) {
             "test.xml:100000: <block>: found no location, expected location=\"(x,y,z)\"");
 }
 
-TEST(SceneFaults, TellsWhichNamespaceIsExpected) {
+TEST(SceneFaults, ReportsTheExpectedNamespace) {
   const std::string expected = ", expected xmlns=\"http://synapse.cs.umd.edu/tabletop-xml\"";
   EXPECT_EQ(FaultOf("<tabletop><block/></tabletop>"),
             "test.xml:1: <tabletop>: found no namespace" + expected);
@@ -111,7 +111,7 @@ TEST(SceneFaults, RefusesOtherValuesOfTheWrongKind) {
   }
 }
 
-TEST(SceneFaults, RefusesARenamedIdThatIsTaken) {
+TEST(SceneFaults, RefusesARenamedIdThatIsInUse) {
   EXPECT_EQ(FaultOf(SceneText("<block id='a#1' location='(0,0,0)'/>\n"
                               "<block id='a#1' location='(0,0,0)'/>")),
             "test.xml:4: <block id=\"a#1\">: found id=\"a#1\", expected one that is not used yet: "
@@ -159,7 +159,7 @@ TEST(SceneFaults, RefusesIncompleteDescriptions) {
                 "test.xml:5: <description>: found no value, expected value=\"…\""}));
 }
 
-TEST(SceneFaults, RefusesAUnitOfNothing) {
+TEST(SceneFaults, RefusesAUnitOfZero) {
   EXPECT_EQ(FaultOf(SceneText("", " metersPerUnit='0'")),
             "test.xml:2: <tabletop>: found metersPerUnit=\"0\", expected a number from "
             "0.000000000001 to 1000");

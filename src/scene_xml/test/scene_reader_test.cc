@@ -129,7 +129,7 @@ TEST(SceneReader, ClaimsTheIdOfACompositeBeforeThoseOfItsParts) {
   EXPECT_EQ(parts[1].id, "a");
 }
 
-TEST(SceneReader, TakesAnIdTheProgramGaveAsItIs) {
+TEST(SceneReader, AcceptsGeneratedIds) {
   const std::string at = " location='(0,0,0)'/>";
   EXPECT_EQ(IdsOf(MustRead(SceneText("<block id='obj#7'" + at + "<block id='obj#0'" + at +
                                      "<block" + at + "<block" + at))),

@@ -21,7 +21,7 @@ TEST(Frustum, HasTheDefaultsOfTheLanguage) {
             (scene::Frustum{.radius_top = 0.05, .radius_bottom = 0.05, .height = 0.1, .sides = 3}));
 }
 
-TEST(Frustum, MayComeToAPointAtOneEnd) {
+TEST(Frustum, MayEndInAPoint) {
   const std::string at = "<frustum location='(0,0,0)' ";
   EXPECT_EQ(MustReadShape<scene::Frustum>(at + "radiusTop='0' sides='4'/>"),
             (scene::Frustum{.radius_top = 0, .sides = 4}));
@@ -65,7 +65,7 @@ TEST(FrustumAndRing, AreRefusedWithNumbersOutOfRange) {
 }
 
 /// Written and read again, over all scales and units.
-TEST(FrustumAndRing, ComeBackToTheLastBit) {
+TEST(FrustumAndRing, RoundTripExactly) {
   std::mt19937 random(1);
   const auto uniform = [&](double least, double most) {
     return std::uniform_real_distribution<>(least, most)(random);

@@ -7,7 +7,7 @@
 namespace smile::scene_xml {
 namespace {
 
-TEST(ShippedScenes, BeginWithALineThatSaysWhatTheyShow) {
+TEST(ShippedScenes, BeginWithALineThatDescribesThem) {
   for (const char* folder : {"scenes", "scenes/parts"}) {
     int num_scenes = 0;
     for (const auto& entry : std::filesystem::directory_iterator(DataFile(folder))) {

@@ -6,7 +6,7 @@
 namespace smile::scene_xml {
 namespace {
 
-TEST(SurfaceOfAnObject, IsTheUsualOneUnlessTheFileSaysMore) {
+TEST(SurfaceOfAnObject, IsTheDefaultUnlessTheFileSpecifiesIt) {
   EXPECT_TRUE(MustReadObject("<block location='(0,0,0)'/>").surface == scene::Surface{});
   EXPECT_TRUE(MustReadObject("<ring location='(0,0,0)' friction='0.2' restitution='0.5' "
                              "rollingFriction='0'/>")
@@ -18,7 +18,7 @@ TEST(SurfaceOfAnObject, IsTheUsualOneUnlessTheFileSaysMore) {
       << "a length, in the units of the file";
 }
 
-TEST(SurfaceOfAnObject, ComesBackAsItWasWritten) {
+TEST(SurfaceOfAnObject, RoundTrips) {
   const scene::SceneSpec scene =
       MustRead(SceneText("<block location='(0,0,0)' friction='0.1' restitution='0.3' "
                          "rollingFriction='0.07'/><ring location='(0,0,2)'/>"));
@@ -28,7 +28,7 @@ TEST(SurfaceOfAnObject, ComesBackAsItWasWritten) {
       << "programs without these attributes can still read ordinary scenes";
 }
 
-TEST(CenterOfMass, IsTheOriginUnlessTheFileMovesItAndComesBack) {
+TEST(CenterOfMass, IsTheOriginUnlessSpecifiedAndRoundTrips) {
   EXPECT_EQ(MustReadObject("<block location='(0,0,0)'/>").center_of_mass, Vector3(0, 0, 0));
   const scene::SceneSpec scene =
       MustRead(SceneText("<ring location='(0,0,1)' centerOfMass='(0.1,-2,0.3)'/>"));

@@ -34,7 +34,7 @@ std::string Instance(const std::string& def, const std::string& variables = "") 
 
 using Texts = std::vector<std::string>;
 
-TEST(Template, IsPutWhereItsInstanceStands) {
+TEST(Template, ReplacesItsInstance) {
   const scene::SceneSpec scene = MustRead(
       SceneText("<block id='before' location='(0,0,0)'/>"
                 "<instance def='pair'><var name='id' value='p'/></instance>"
@@ -91,7 +91,7 @@ TEST(Template, TakesTheNameOfATemplateFromAVariable) {
             Texts{"b"});
 }
 
-TEST(Template, IgnoresVariablesNobodyAsksFor) {
+TEST(Template, IgnoresUnusedVariables) {
   EXPECT_EQ(NotesOf(Def("t", Note("n")) + Instance("t", Var("rocation", "(90, 0, 90)"))),
             Texts{"n"});
 }
@@ -102,7 +102,7 @@ TEST(Template, CountsTheLaterOfTwoValues) {
             Texts{"2 4"});
 }
 
-TEST(Template, LeavesTheRuleOfIdsAlone) {
+TEST(Template, KeepsTheRulesOfIds) {
   const scene::SceneSpec scene =
       MustRead(SceneText(Def("t", "<block id='a' location='(0,0,0)'/>") + Instance("t") +
                          Instance("t") + "<block location='(0,0,0)'/>" + Instance("t")));
@@ -111,7 +111,7 @@ TEST(Template, LeavesTheRuleOfIdsAlone) {
   EXPECT_EQ(ids, (Texts{"a", "a#0", "obj", "a#1"}));
 }
 
-TEST(Template, EvaluatesOutsideOfTemplatesToo) {
+TEST(Template, EvaluatesOutsideOfTemplates) {
   EXPECT_EQ(NotesOf(Note("$1+1$ for $5")), Texts{"2 for $5"});
 }
 
@@ -152,7 +152,7 @@ TEST(TemplateFaults, NameTheTemplateAndTheInstance) {
              "in this scene; did you mean \"cube\"?"}));
 }
 
-TEST(TemplateFaults, NameTheOutermostInstanceToo) {
+TEST(TemplateFaults, AlsoNameTheOutermostInstance) {
   EXPECT_EQ(FaultOf(SceneText("<def name='a'>\n<block location='$at$'/></def>\n"
                               "<def name='b'>\n<instance def='a'/></def>\n"
                               "<def name='c'>\n<instance def='b'/></def>\n"
@@ -161,7 +161,7 @@ TEST(TemplateFaults, NameTheOutermostInstanceToo) {
             "-1000000 to 1000000 (in the instance at test.xml:6, within that at test.xml:9)");
 }
 
-TEST(TemplateFaults, AreReportedOnceForAVariableAndAllThatUseIt) {
+TEST(TemplateFaults, AreReportedOnceForAVariableAndItsUses) {
   EXPECT_EQ(FaultOf(SceneText("<def name='t'><var name='a' value='$nothing$'/>\n"
                               "<var name='b' value='$a*2$'/>\n"
                               "<block xspan='$a$' yspan='$b$' location='($b$,0,0)'/></def>\n"

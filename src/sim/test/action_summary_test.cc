@@ -9,7 +9,7 @@ ActionSummary SummaryOfARelease(HandName hand, const std::optional<model::Suppor
   return *SummaryOf({.kind = EventKind::kReleased, .hand = hand, .object = "a"}, support);
 }
 
-TEST(ActionSummary, TellsWhereSomethingWasLetGo) {
+TEST(ActionSummary, ReportsWhereAnObjectWasReleased) {
   const model::Support crate{.object = "crate", .is_inside = true};
   EXPECT_EQ(WordsOf(SummaryOfARelease(HandName::kBoth, crate)), "both hands put a into crate");
   EXPECT_EQ(WordsOf(SummaryOfARelease(HandName::kLeft, model::Support{.height = 0.1})),
@@ -31,7 +31,7 @@ TEST(ActionSummary, HasItsFieldsForOtherLanguages) {
           R"({"do":"drop","hand":"left","what":"a","on":"","words":"left hand drops a on the table"})"));
 }
 
-TEST(ActionSummary, IsOfHandsOnly) {
+TEST(ActionSummary, DescribesOnlyActionsOfHands) {
   EXPECT_EQ(SummaryOf({.kind = EventKind::kCommandRefused}, std::nullopt), std::nullopt);
   const auto pointing = SummaryOf(
       {.kind = EventKind::kPointed, .hand = HandName::kRight, .part = "lid"}, std::nullopt);

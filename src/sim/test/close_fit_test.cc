@@ -83,7 +83,7 @@ TEST_P(CloseFit, CollidesAgainOnceItIsOut) {
   EXPECT_GT((PositionOf(*simulation_, "screw") - p_WInside).norm(), kPlateThickness / 2);
 }
 
-TEST_P(CloseFit, GoesOnExactlyFromASavedState) {
+TEST_P(CloseFit, ContinuesExactlyFromASavedState) {
   Loosen();
   PullOut();
   TickSeconds(*simulation_, 0.1);

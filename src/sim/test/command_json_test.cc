@@ -78,7 +78,7 @@ TEST(CommandJson, RoundTripsEveryKindToTheLastBit) {
   }
 }
 
-TEST(CommandJson, SaysWhatWasFoundAndExpected) {
+TEST(CommandJson, ReportsWhatWasFoundAndExpected) {
   EXPECT_EQ(MessageOf(R"({"do":"grasp","object":"b"})"),
             "\"grasp\" lacks \"hand\": which of the demonstrator's hands");
   EXPECT_EQ(MessageOf(R"({"do":"grab","hand":"left"})"),
@@ -104,7 +104,7 @@ TEST(CommandJson, RefusesMarkersThatAreNoPoints) {
   EXPECT_NE(MessageOf(many.dump().c_str()), "");
 }
 
-TEST(CommandJson, RefusesNumbersThatMeanNothingAndDepthsThatKill) {
+TEST(CommandJson, RefusesInvalidNumbersAndExcessiveDepth) {
   EXPECT_NE(MessageOf(R"({"hand":"left","do":"move_to","position":[2e307,0,0]})"), "");
   EXPECT_NE(MessageOf(R"({"hand":"left","do":"move_to","position":[0,0,0],"speed":5e-324})"), "");
   const std::string deep = R"({"do":"grasp","hand":"left","object":)" + std::string(200'000, '[') +
@@ -122,7 +122,7 @@ TEST(CommandJson, ATrajectoryWithoutVelocitiesGetsThoseOfItsPositions) {
   }
 }
 
-TEST(CommandJson, SaysWhatIsWrongWithATrajectory) {
+TEST(CommandJson, ReportsErrorsOfATrajectory) {
   const auto with_points = [](const std::string& points) {
     return MessageOf((R"({"do":"trajectory","joints":["a"],"points":)" + points + "}").c_str());
   };

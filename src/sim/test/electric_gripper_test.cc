@@ -58,7 +58,7 @@ TEST_F(ElectricGripper, WithWideFingersInSlotTwoLiftsABlock) {
   EXPECT_NEAR(PositionOf(*simulation_, "block").z() - before, 0.05, 0.01);
 }
 
-TEST_F(ElectricGripper, FollowsTheOpeningThatItTells) {
+TEST_F(ElectricGripper, FollowsTheOpeningThatItReports) {
   StandAbove("electric-wide-2");  // whose fingers are 0.091 m apart where they are closed
   const double open = simulation_->robot()->GripperOpening(0), wanted = open - 0.02;
   const motion::JointTrajectory close{{"left_gripper"}, {{0, {open}, {0}}, {1, {wanted}, {0}}}};

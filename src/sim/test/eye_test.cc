@@ -32,7 +32,7 @@ TEST(Cameras, AreTheRobotsAndTheScenes) {
             (std::vector<std::string>{"eye", "overhead"}));
 }
 
-TEST(Cameras, OfARobotComeBeforeThoseOfTheSceneWithTheirNames) {
+TEST(Cameras, OfARobotPrecedeThoseOfTheScene) {
   scene::SceneSpec scene = SceneWithCamera();
   scene.cameras.front().id = "left_hand";  // no reader lets Baxter's pass, but those of others
   const Simulation simulation(std::move(scene), Baxter());
@@ -53,7 +53,7 @@ TEST(Cameras, AreNamedWhenAnotherIsAskedFor) {
   }
 }
 
-TEST(Cameras, OfTheHeadLookWhereTheRealOneDoes) {
+TEST(Cameras, OfTheHeadHaveTheRealViewDirection) {
   const Simulation simulation(SceneWithCamera(), Baxter());
   const CameraView view =
       EyeView(simulation, {.width_px = 640, .height_px = 400, .camera = kHeadCamera});
@@ -96,7 +96,7 @@ TEST(Cameras, DoNotSeeTheLinkTheyAreFixedTo) {
             10u);
 }
 
-TEST(Cameras, OfASceneSeeFromAfar) {
+TEST(Cameras, OfASceneSeeFar) {
   const CameraView view = EyeView(Simulation(SceneWithCamera()), {.camera = "overhead"});
   EXPECT_EQ(view.X_WC, LookAt({0.1, 0, 30}, {0.1, 0, 0}));
   EXPECT_EQ(view.intrinsics.far, 60);

@@ -23,7 +23,7 @@ class FloorTest : public SimulationFixture {
   std::unique_ptr<Simulation> simulation_;
 };
 
-TEST_F(FloorTest, AFallIsToldOnceAndForgottenByAnEarlierState) {
+TEST_F(FloorTest, AFallIsReportedOnceAndResetByAnEarlierState) {
   const SimulationState start = simulation_->Save();
   TickSeconds(*simulation_, 2);
   ASSERT_EQ(ear_.fell.size(), 1u);
@@ -48,7 +48,7 @@ TEST_F(FloorTest, AFallIsToldOnceAndForgottenByAnEarlierState) {
   EXPECT_EQ(ear_.fell.size(), 1u) << "it lies there already";
 }
 
-TEST_F(FloorTest, WhatIsHeldAgainstTheFloorHasNotFallenUntilReleased) {
+TEST_F(FloorTest, AnObjectHeldAgainstTheFloorFallsOnlyWhenReleased) {
   ASSERT_EQ(simulation_->Apply(Grasp{.hand = HandName::kLeft, .object = "b"}), std::nullopt);
   ASSERT_EQ(simulation_->Apply(MoveTo{.hand = HandName::kLeft, .p_WH = {1.5, 0, -1}}),
             std::nullopt);

@@ -65,7 +65,7 @@ class HandsTest : public SimulationFixture {
   std::unique_ptr<Simulation> simulation_;
 };
 
-TEST_F(HandsTest, HandsLetGoWhenAnotherNeedsThem) {
+TEST_F(HandsTest, HandsReleaseForAnotherCommand) {
   const auto after = [this](std::vector<std::pair<HandName, const char*>> grasps) {
     const SimulationState start = simulation_->Save();
     for (const auto& [hand, object] : grasps) EXPECT_EQ(Grab(hand, object), "");
@@ -135,7 +135,7 @@ TEST_F(HandsTest, ARefusedGraspReleasesNothing) {
   EXPECT_EQ(Holding(), "left: a, right: b");
 }
 
-TEST_F(HandsTest, WhatIsHandedOverStaysWhereItIs) {
+TEST_F(HandsTest, AHandOverDoesNotMoveTheObject) {
   ASSERT_EQ(Grab(kLeft, "a"), "");
   ASSERT_EQ(Do(MoveTo{.hand = kLeft, .p_WH = {0, 0, 0.4}}), "");
   ASSERT_EQ(Do(Rotate{.hand = kLeft, .angles_deg = {30, 20, 10}}), "");
@@ -175,7 +175,7 @@ TEST_F(HandsTest, TwoHandsInterleavedCarryAsEachAlone) {
   EXPECT_GT(both.second.z(), 0.3);
 }
 
-TEST_F(HandsTest, ADragGoesWhereTheRayMeetsThePlane) {
+TEST_F(HandsTest, ADragFollowsTheRayInThePlane) {
   ASSERT_EQ(Do(Grasp{.hand = kLeft, .object = "a", .p_WQ = Vector3(0, 0, 0.1)}), "");
   const auto drag = [this](const Vector3& origin, const Vector3& direction) {
     return DoDrag(Drag{.hand = kLeft, .p_WOrigin = origin, .direction_in_world = direction});
@@ -218,7 +218,7 @@ TEST_F(HandsTest, ADragGoesWhereTheRayMeetsThePlane) {
   EXPECT_EQ(simulation_->state_hash(), hash);
 }
 
-TEST_F(HandsTest, ADragOnlyGoesWhereALogCanSayIt) {
+TEST_F(HandsTest, ADragStaysWithinTheRangeOfTheLog) {
   scene::SceneSpec scene{.name = "tiny", .meters_per_unit = 1e-6};
   scene.objects = {BlockAt("a", {0, 0, 0.05})};
   Simulation tiny(scene);
@@ -232,7 +232,7 @@ TEST_F(HandsTest, ADragOnlyGoesWhereALogCanSayIt) {
   EXPECT_EQ(refusal, "the ray meets the motion plane more than 1e6 units away");
 }
 
-TEST_F(HandsTest, AnUndoneHandOverIsTakenBackInTwo) {
+TEST_F(HandsTest, AHandOverIsUndoneInTwoSteps) {
   ASSERT_EQ(Grab(kLeft, "a"), "");
   const std::uint64_t hash = simulation_->state_hash();
   ASSERT_EQ(Grab(kRight, "a"), "");
@@ -254,7 +254,7 @@ TEST_F(HandsTest, EachHandKeepsItsPlaneFromGraspToGrasp) {
   EXPECT_EQ(simulation_->demonstrator().plane_angle_deg(kLeft), 0);
 }
 
-TEST_F(HandsTest, HandsTellWhatMattersOfWhatTheyHold) {
+TEST_F(HandsTest, HandsMarkPropertiesOfHeldObjects) {
   const auto attend = [this](std::vector<std::string> properties) {
     return Do(Attend{.hand = kLeft, .properties = std::move(properties)});
   };

@@ -63,7 +63,7 @@ TEST_P(HistoryProperty, EveryUndoAndRedoIsExact) {
 
 class HistoryTest : public SimulationFixture {};
 
-TEST_F(HistoryTest, WhoeverWatchesMayForbidAndIsToldOfTheReturn) {
+TEST_F(HistoryTest, ListenersMayRefuseAndAreNotifiedOfTheReturn) {
   class Watcher : public Listener {
    public:
     std::optional<Refusal> Refuse(const Simulation&, const Command& command) override {

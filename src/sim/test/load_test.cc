@@ -22,7 +22,7 @@ class LoadTest : public SimulationFixture {
   }
 };
 
-TEST_F(LoadTest, ALoadedSceneRunsAsIfItHadBeenTheFirst) {
+TEST_F(LoadTest, ALoadedSceneRunsLikeAFirstScene) {
   const auto simulation = MakeSimulation({BlockAt("a", {0, 0, 0.05})}, /*with_robot=*/true);
   ASSERT_EQ(simulation->Apply(Grasp{.hand = HandName::kLeft, .object = "a"}), std::nullopt);
   ASSERT_EQ(simulation->Apply(JointVelocities{.left = {{0.3, 0, 0, 0, 0, 0, 0}}}), std::nullopt);

@@ -107,7 +107,7 @@ TEST_F(RobotCommands, JointsFollowATrajectoryWithinOneMilliradian) {
   EXPECT_LT(farthest, 1e-3);
 }
 
-TEST_F(RobotCommands, WhoIsElsewhereFirstGoesToWhereATrajectoryBegins) {
+TEST_F(RobotCommands, ADistantRobotFirstMovesToTheStartOfTheTrajectory) {
   const motion::JointTrajectory there{{"left_s0"}, {{0, {-0.5}, {0}}, {1, {-0.5}, {0}}}};
   const auto way = motion::MoveStraight(std::vector{0.25}, std::vector{-0.5},
                                         std::vector{motion::JointLimits{-2, 2, 1.5, 3}}, 0.5);
@@ -119,7 +119,7 @@ TEST_F(RobotCommands, WhoIsElsewhereFirstGoesToWhereATrajectoryBegins) {
   EXPECT_FALSE(simulation_->is_robot_following());
 }
 
-TEST_F(RobotCommands, WhoIsEarlyRestsUntilATrajectoryBegins) {
+TEST_F(RobotCommands, AnEarlyRobotRestsUntilTheTrajectoryBegins) {
   // From rest to this speed in one cubic, it would swing back by more than 0.5 rad.
   const motion::JointTrajectory passing{{"left_s0"}, {{5, {-0.2}, {1}}, {6, {0.3}, {0}}}};
   ASSERT_EQ(simulation_->Apply(FollowTrajectory{passing}), std::nullopt);
@@ -133,7 +133,7 @@ TEST_F(RobotCommands, WhoIsEarlyRestsUntilATrajectoryBegins) {
   EXPECT_NEAR(JointAt(*simulation_, "left_s0"), 0.3, 5e-3);
 }
 
-TEST_F(RobotCommands, ALaterCommandTakesOverItsJointsAndTheOthersGoOn) {
+TEST_F(RobotCommands, ALaterCommandTakesOverItsJointsAndTheOthersContinue) {
   simulation_->Apply(TakePose{.name = "ready"});
   TickSeconds(*simulation_, 0.5);
   simulation_->Apply(TurnJoint{.joint = "left_s0", .velocity = 0});
@@ -170,7 +170,7 @@ TEST_F(RobotCommands, ABlockedArmStopsWhenItsTimeIsUp) {
   EXPECT_NEAR(JointAt(*blocked, "left_e1"), stopped_at, 1e-3);
 }
 
-TEST_F(RobotCommands, WhatCannotBeDoneIsRefusedInWords) {
+TEST_F(RobotCommands, ImpossibleCommandsAreRefusedWithAReason) {
   const auto refusal = [this](const Command& command) {
     const std::uint64_t hash = simulation_->state_hash();
     const std::string words = simulation_->Apply(command).value_or("");
@@ -225,7 +225,7 @@ TEST_F(DrivenGripper, APoseKeepsWhatIsHeld) {
   EXPECT_EQ(simulation_->robot()->HeldBodies(0).size(), 1u);
 }
 
-TEST_F(DrivenGripper, ATrajectoryTakesHoldAndLetsGo) {
+TEST_F(DrivenGripper, ATrajectoryGraspsAndReleases) {
   const motion::JointTrajectory grip{
       {"left_gripper"}, {{0, {0.2}, {0}}, {1, {0.1}, {0}}, {3, {0.1}, {0}}, {4, {0.2}, {0}}}};
   ASSERT_EQ(simulation_->Apply(FollowTrajectory{grip}), std::nullopt);
@@ -243,7 +243,7 @@ class RobotCommandsProperty : public SimulationFixture,
 
 INSTANTIATE_TEST_SUITE_P(Seeds, RobotCommandsProperty, testing::Range(31u, 33u));
 
-TEST_P(RobotCommandsProperty, WhateverItFollowsCanBeTakenBackAndDoneAgain) {
+TEST_P(RobotCommandsProperty, EveryMotionCanBeUndoneAndRedone) {
   const auto make = [] {
     return std::make_unique<Simulation>(EverythingScene::Make(), RobotPlacement{.model = Baxter()});
   };

@@ -140,7 +140,7 @@ TEST_F(RobotDynamicsTest, AtRestItStaysWhereItIsForAMinute) {
 }
 
 /// Commands of full speed, changed twice a second: arms ram the table, each other and the body.
-TEST_F(RobotDynamicsTest, WhateverIsCommandedItStaysWithinLimitsAndOutOfThings) {
+TEST_F(RobotDynamicsTest, StaysWithinLimitsAndOutOfContactUnderAnyCommand) {
   constexpr double kDeepest = 0.02;  // [m]; measured: 17 mm, of the fingers; links 8 mm
   for (const unsigned seed : {2u, 5u, 6u}) {
     auto simulation = AtATable({BlockAt("a", {-0.2, -0.3, 0.05}), BlockAt("b", {0.2, -0.3, 0.05}),
@@ -248,7 +248,7 @@ TEST_F(RobotDynamicsTest, AUnitCubeIsHeldWhereTheOriginalHeldIt) {
   }
 }
 
-TEST_F(RobotDynamicsTest, WhatItHoldsPushesOthersAndIsStoppedByTheTable) {
+TEST_F(RobotDynamicsTest, AHeldObjectPushesOthersAndIsStoppedByTheTable) {
   const auto other = BlockAt("other", {-0.30, -0.05, 0.05});
   auto simulation = HoldingABlock(1, {}, {other});
   const Vector3 p_WHeld = PositionOf(*simulation, "held");
@@ -278,7 +278,7 @@ TEST_F(RobotDynamicsTest, ItTakesTwoBlocksAtOnceAndAnyOpeningLetsBothGo) {
   EXPECT_TRUE(simulation->robot()->HeldBodies(0).empty());
 }
 
-TEST_F(RobotDynamicsTest, WithinItsPayloadABlockWeighsNothingAndTooMuchIsNotLifted) {
+TEST_F(RobotDynamicsTest, LoadsUpToThePayloadAreLiftedAndHeavierOnesAreNot) {
   auto light = HoldingABlock(1.6, {});
   EXPECT_NEAR(PositionOf(*light, "held").z(), 0.1, 0.003);
   TickSeconds(*light, 1);
@@ -320,7 +320,7 @@ TEST_F(RobotDynamicsTest, FrictionHoldsAUnitBlockThatIsMovedAboutAndLetsItGo) {
   EXPECT_LT(PositionOf(*simulation, "held").z(), z - 0.02);
 }
 
-TEST_F(RobotDynamicsTest, WithEveryKindOfBodyARestoredSimulationGoesOnExactly) {
+TEST_F(RobotDynamicsTest, ARestoredSimulationContinuesExactlyWithEachKindOfBody) {
   for (const RobotBodyOptions& body : {RobotBodyOptions(), kKinematic, kByFriction}) {
     const auto go_on = [](Simulation& simulation) {
       MoveTool(simulation, {0.05, 0, 0.03}, 0.5);

@@ -68,7 +68,7 @@ TEST_F(ScriptTest, ADragIsTheMoveThatItMeans) {
   EXPECT_EQ(ear.log[1], Command(MoveTo{.p_WH = {0.1, 0, 0.2}, .speed = 0.3}));
 }
 
-TEST_F(ScriptTest, SaysWhatIsWrongWithADrag) {
+TEST_F(ScriptTest, ReportsErrorsOfADrag) {
   EXPECT_EQ(Play(R"({"hand": "any", "do": "drag", "origin": [1, -5, 2]})"),
             "demo.jsonl:1: \"drag\" lacks \"direction\": of the ray, of any length but 0");
   EXPECT_EQ(Play(R"({"hand": "any", "do": "drag", "origin": [1, -5, 2], "direction": [0, 0, 0]})"),
@@ -87,7 +87,7 @@ TEST_F(ScriptTest, NamesTheLineOfARefusedCommand) {
             "demo.jsonl:2: there is no object 'x'");
 }
 
-TEST_F(ScriptTest, SaysWhenAHandCannotArrive) {
+TEST_F(ScriptTest, ReportsAHandThatCannotArrive) {
   EXPECT_EQ(Play(R"({"hand": "any", "do": "grasp", "object": "a"}
 {"hand": "any", "do": "move_to", "position": [0, 0, -1]}
 {"do": "wait", "until": "arrived", "seconds": 2})"),
@@ -176,7 +176,7 @@ TEST_F(ScriptTest, CannotFillTheMemoryByNamingALongFileOnManyLines) {
   std::filesystem::remove_all(folder);
 }
 
-TEST_F(ScriptTest, SaysThatATrajectoryTakesLongerThanTheWait) {
+TEST_F(ScriptTest, ReportsATrajectoryThatIsLongerThanTheWait) {
   simulation_ = MakeSimulation({}, true);
   EXPECT_EQ(Play(R"({"do": "pose", "name": "ready", "speed": 0.05}
 {"do": "wait", "until": "arrived", "seconds": 2})"),

@@ -52,7 +52,7 @@ TEST_F(SimulationTest, SameCommandsGiveTheSameBits) {
   EXPECT_EQ(MakeBusy()->state_hash(), MakeBusy()->state_hash());
 }
 
-TEST_F(SimulationTest, RestoredItGoesOnExactlyInPlaceAndElsewhere) {
+TEST_F(SimulationTest, ContinuesExactlyAfterRestoringInPlaceAndElsewhere) {
   auto simulation = MakeBusy();
   const SimulationState state = simulation->Save();
   const std::uint64_t hash = simulation->state_hash();
@@ -68,7 +68,7 @@ TEST_F(SimulationTest, RestoredItGoesOnExactlyInPlaceAndElsewhere) {
   EXPECT_EQ(RunBusySecond(*elsewhere, 1), way);
 }
 
-TEST_F(SimulationTest, ARefusedCommandChangesNothingAndIsTold) {
+TEST_F(SimulationTest, ARefusedCommandChangesNothingAndIsReported) {
   struct Ear : Listener {
     void OnCommand(const Simulation&, const Command&) override { ++commands; }
     void OnEvent(const Simulation&, const Event& event) override { reason = event.reason; }
@@ -116,14 +116,14 @@ TEST_F(SimulationTest, TheFaceIsSeenAndKeptAndChangesNoPhysics) {
   EXPECT_EQ(plain->face_expression(), robot::FaceExpression::kPuzzled);
 }
 
-TEST_F(SimulationTest, WithoutARobotThereIsNoFace) {
+TEST_F(SimulationTest, AFaceNeedsARobot) {
   auto simulation = MakeSimulation({}, false);
   EXPECT_EQ(simulation->Apply(Face{.face_expression = robot::FaceExpression::kDone}),
             "there is no robot in this simulation");
   EXPECT_EQ(simulation->face_expression(), robot::FaceExpression::kIdle);
 }
 
-TEST_F(SimulationTest, TheRobotStandsStillUnlessTold) {
+TEST_F(SimulationTest, TheRobotStandsStillWithoutCommands) {
   auto simulation = MakeSimulation({}, true);
   const std::vector<double> before = simulation->robot()->positions();
   TickSeconds(*simulation, 2);
@@ -182,7 +182,7 @@ TEST_F(GripperTest, ClosingHoldsTheBlockAndOpeningLetsItGo) {
   EXPECT_LT(PositionOf(*simulation_, "block").z(), carried.z() - 0.02);
 }
 
-TEST_F(GripperTest, WhatItHoldsStaysInPlaceInTheGripper) {
+TEST_F(GripperTest, AHeldObjectStaysInPlaceInTheGripper) {
   Grip(-0.1);
   TickSeconds(*simulation_, 1.5);
   const auto in_gripper = [this] {

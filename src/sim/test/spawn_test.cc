@@ -37,7 +37,7 @@ class SpawnTest : public SimulationFixture {
       MakeSimulation({BlockAt("a", {0, 0, 0.05}), BlockAt("b", {0.3, 0, 0.4})}, false);
 };
 
-TEST_F(SpawnTest, WhatIsThereKeepsItsStateToTheLastBit) {
+TEST_F(SpawnTest, PresentObjectsKeepTheirStateExactly) {
   ASSERT_FALSE(simulation_->Apply(Grasp{.hand = HandName::kLeft, .object = "a"}));
   ASSERT_FALSE(simulation_->Apply(MoveTo{.hand = HandName::kLeft, .p_WH = {0, 0.2, 0.3}}));
   TickSeconds(*simulation_, 0.2);  // `b` falls
@@ -101,7 +101,7 @@ TEST_F(SpawnTest, MechanismsWorkAsThoseOfTheStart) {
   EXPECT_EQ(simulation_->Apply(Loosen{.hand = HandName::kAny, .object = "screw"}), std::nullopt);
 }
 
-TEST_F(SpawnTest, SaysWhyNothingIsAdded) {
+TEST_F(SpawnTest, ReportsWhyNothingIsAdded) {
   EXPECT_EQ(RefusalOf("<bloc id=\"c\"/>").substr(0, 50),
             "what is to be added is no scene: added:1: <bloc id");
   EXPECT_EQ(simulation_->Apply(Spawn{.xml = "{}"})->substr(0, 31),
@@ -130,7 +130,7 @@ TEST_F(SpawnTest, SaysWhyNothingIsAdded) {
   EXPECT_EQ(RefusalOf(std::string(kMaxSceneText, ' ')), "what is to be added is longer than 1 MiB");
 }
 
-TEST_F(SpawnTest, RemoveTakesAwayWhatNothingHolds) {
+TEST_F(SpawnTest, RemoveRemovesFreeObjects) {
   ASSERT_FALSE(simulation_->Apply(Grasp{.hand = HandName::kLeft, .object = "a"}));
   EXPECT_EQ(*simulation_->Apply(Remove{.object = "a"}),
             "the left hand holds 'a'; it must be released first");
@@ -166,7 +166,7 @@ TEST_F(SpawnTest, ClearLeavesWhatIsHeldAndWhatHangsOnIt) {
   EXPECT_EQ(simulation.state_hash(), before);
 }
 
-TEST_F(SpawnTest, AStateWithAddedObjectsGoesOnInASimulationOfTheStart) {
+TEST_F(SpawnTest, AStateWithAddedObjectsContinuesInAFreshSimulation) {
   ASSERT_EQ(Add("<block id=\"c\" location=\"(-5,0,2)\"/>"), std::nullopt);
   ASSERT_EQ(simulation_->Apply(Remove{.object = "a"}), std::nullopt);
   TickSeconds(*simulation_, 0.1);
@@ -186,7 +186,7 @@ TEST_F(SpawnTest, AStateWithAddedObjectsGoesOnInASimulationOfTheStart) {
   }
 }
 
-TEST_F(SpawnTest, ReadyMadeObjectsGoWhereThereIsRoom) {
+TEST_F(SpawnTest, ReadyMadeObjectsGoToFreeSpace) {
   struct Ear : Listener {
     void OnCommand(const Simulation&, const Command& command) override { log.push_back(command); }
     std::vector<Command> log;
@@ -210,7 +210,7 @@ TEST_F(SpawnTest, ReadyMadeObjectsGoWhereThereIsRoom) {
   EXPECT_EQ(refusal.substr(0, 31), "\"preset\" is \"tower\", expected b");
 }
 
-TEST_F(SpawnTest, AStateWithAddedObjectsIsTakenOverWithTheRobot) {
+TEST_F(SpawnTest, AStateWithAddedObjectsIsRestoredWithTheRobot) {
   simulation_ = MakeSimulation({BlockAt("a", {0, 0, 0.05})}, /*with_robot=*/true);
   ASSERT_EQ(Add("<block id=\"c\" location=\"(-5,2,2)\"/>"), std::nullopt);
   TickSeconds(*simulation_, 0.1);
@@ -227,7 +227,7 @@ class SpawnProperty : public SimulationFixture, public ::testing::WithParamInter
 
 INSTANTIATE_TEST_SUITE_P(Seeds, SpawnProperty, testing::Range(31u, 34u));
 
-TEST_P(SpawnProperty, ObjectsComeAndGoAndWhatWasDoneReplays) {
+TEST_P(SpawnProperty, AddingAndRemovingObjectsReplays) {
   Simulation simulation(EverythingScene::Make());
   RandomHands hands(GetParam(), /*changes_objects=*/true);
   std::map<std::size_t, int> num_done;

@@ -34,7 +34,7 @@ BlockGraph Complete(int count) {
   return Graph(count, ties);
 }
 
-TEST(Elimination, PutsAHubLastAndFillsNothingIn) {
+TEST(Elimination, EliminatesASupernodeLastWithoutFillIn) {
   std::vector<std::pair<int, int>> ties;
   for (int i = 1; i < 500; ++i) ties.emplace_back(0, i);
   const Elimination elimination = OrderElimination(Graph(500, ties), kEnough);
@@ -51,7 +51,7 @@ TEST(Elimination, GrowsLinearlyWithARing) {
   EXPECT_EQ(entries(1000) - entries(500), 500u * 36 * 3);
 }
 
-TEST(Elimination, LeavesOutAnIslandThatIsTooMuchWorkAndKeepsTheOthers) {
+TEST(Elimination, SkipsAnIslandThatIsTooExpensiveAndKeepsTheOthers) {
   BlockGraph graph = Complete(40);
   graph.sizes.resize(43, 6);
   graph.is_deferred.resize(43, false);

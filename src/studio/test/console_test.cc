@@ -5,7 +5,7 @@
 namespace smile::studio {
 namespace {
 
-TEST(Console, FindsThePlaceALineTellsOf) {
+TEST(Console, FindsTheFileAndLineThatALineNames) {
   const auto place = [](const char* text) {
     const ConsoleLine line = ParseConsoleLine(text);
     return line.file + ":" + std::to_string(line.line);
@@ -18,7 +18,7 @@ TEST(Console, FindsThePlaceALineTellsOf) {
   EXPECT_EQ(place(""), ":0");
 }
 
-TEST(Console, OfAFloodKeepsTheNewest) {
+TEST(Console, KeepsTheNewestLinesOfAFlood) {
   Console console;
   for (std::size_t i = 0; i < Console::kMaxLines + 5; ++i) console.Write(std::to_string(i));
   const std::vector<ConsoleLine> lines = console.Take();

@@ -67,7 +67,7 @@ TEST_F(LibraryRequestsTest, TidyUp) {
   EXPECT_EQ(Ask("open", Json::object())["error"], R"("recording" is missing)");
 }
 
-TEST_F(LibraryRequestsTest, OpensATimelineForWatchersToo) {
+TEST_F(LibraryRequestsTest, OpensATimelineForEachClient) {
   Record();
   const Json answer = Ask("open", {{"recording", "demo"}}, /*is_controller=*/false);
   EXPECT_EQ(answer["timeline"], library_.TimelineOf("demo"));
@@ -130,7 +130,7 @@ TEST_F(LibraryRequestsTest, SavesWhatItsPreviewSimulated) {
   EXPECT_EQ(FilesThatDiffer("short", "short-2"), std::vector<std::string>());
 }
 
-TEST_F(LibraryRequestsTest, PreviewsAndSavesNothingThatIsCanceled) {
+TEST_F(LibraryRequestsTest, CanceledPreviewsAndSavesLeaveNoFiles) {
   Record();
   for (const char* what : {"try_edit", "edit"}) {
     const page::Request request{
@@ -159,7 +159,7 @@ TEST_F(LibraryRequestsTest, PreviewsAndSavesNothingThatIsCanceled) {
             "\"request\" is -1, expected a number from 0 to 4294967295");
 }
 
-TEST_F(LibraryRequestsTest, SaysWhichEditIsWrong) {
+TEST_F(LibraryRequestsTest, NamesInvalidEdits) {
   Record(R"({"do":"wait","seconds":0.2})");
   const auto error_of = [&](const Json& edits) {
     return Ask("try_edit", {{"recording", "demo"}, {"edits", edits}})["error"];

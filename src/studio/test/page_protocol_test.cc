@@ -30,7 +30,7 @@ TEST_F(PageProtocol, NamesEveryRequestAndWhoMaySendIt) {
   EXPECT_EQ(described, done);
 }
 
-TEST(PageProtocolTable, SaysWhatIsWrongWithAMessage) {
+TEST(PageProtocolTable, ReportsErrorsOfAMessage) {
   EXPECT_EQ(page::MisfitOf({{"t", "looks"}, {"looks", {1, 2}}}), "");
   EXPECT_EQ(page::MisfitOf({{"t", "looks"}, {"looks", {1, "2"}}}), ".looks.1 is \"2\"");
   EXPECT_EQ(page::MisfitOf({{"t", "nothing"}}), "there is no message \"nothing\"");

@@ -25,7 +25,7 @@ sim::Simulation SlopeAndBall() {
   return sim::Simulation(scene);
 }
 
-TEST(RestingPlace, IsWhereAThingComesToRestAlsoWhenThatTakesLong) {
+TEST(RestingPlace, IsWhereAnObjectComesToRestEvenAfterALongTime) {
   sim::Simulation simulation = SlopeAndBall();
   const auto hand = sim::HandName::kLeft;
   ASSERT_FALSE(simulation.Apply(sim::Grasp{.hand = hand, .object = "ball"}));

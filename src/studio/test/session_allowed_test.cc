@@ -9,7 +9,7 @@ using Names = std::set<std::string>;
 
 class SessionAllowed : public SessionFixture {};
 
-TEST_F(SessionAllowed, AStateTellsWhatIsRefusedAndWhy) {
+TEST_F(SessionAllowed, AStateReportsRefusedRequestsWithReasons) {
   Begin();
   const Names live = {"command", "resting_place", "load",  "reload",  "spawn", "clear",
                       "show",    "branch",        "start", "support", "pause", "resume"};
@@ -39,7 +39,7 @@ TEST_F(SessionAllowed, DuringTheRobotsRageOnlyScenesMayChange) {
   EXPECT_EQ(AllowedNow(), (Names{"load", "reload", "branch", "imitate", "pause", "resume"}));
 }
 
-TEST_F(SessionAllowed, WhileAMomentIsRestoredNothingElseIsLoadedOrRecorded) {
+TEST_F(SessionAllowed, LoadingAndRecordingWaitForARestoredMoment) {
   Begin();
   Command(R"({"do":"start","name":"take"})");
   PutAOnB();
@@ -81,7 +81,7 @@ TEST_F(SessionAllowed, CommandsAreTriedWithoutEffect) {
   }
 }
 
-TEST_F(SessionAllowed, OfASwitchTheRaisedButtonMayBePressedWhateverItsState) {
+TEST_F(SessionAllowed, TheRaisedButtonOfASwitchMayBePressedInAnyState) {
   Begin();
   const std::string scene = R"xml(<tabletop xmlns="http://synapse.cs.umd.edu/tabletop-xml">
   <toggleSwitch id="s" numStates="3" location="(0, 0, 0.1)"/>

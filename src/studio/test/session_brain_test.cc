@@ -141,7 +141,7 @@ TEST_F(SessionBrainTest, AProgramThatAsksWatchesTheDemonstrationFirst) {
             "shown 1 " + std::to_string(num_frames) + "\n");
 }
 
-TEST_F(SessionBrainTest, ReportsADemonstrationThatCannotBeShown) {
+TEST_F(SessionBrainTest, ReportsAnUnreadableDemonstration) {
   WritePython("watcher.py",
               "def init(aux): aux.watch = True\ndef step(sensor, motor, aux): pass\n");
   Do(R"({"do":"start_brain","brain":"watcher.py"})");
@@ -174,7 +174,7 @@ TEST_F(SessionBrainTest, ImitationWantsAProgramThatReadsDemonstrations) {
   EXPECT_EQ(State()["brain"]["status"], "none");
 }
 
-TEST_F(SessionBrainTest, ImitationWantsASceneWithTheObjectsShown) {
+TEST_F(SessionBrainTest, ImitationNeedsASceneWithTheDemonstratedObjects) {
   WritePython("lazy.py", "# smile: imitates\ndef step(sensor, motor, aux): aux.exit = True\n");
   WriteFile(root_ / "scenes/other.xml",
             R"xml(<tabletop xmlns="http://synapse.cs.umd.edu/tabletop-xml">
@@ -211,7 +211,7 @@ TEST_F(SessionBrainTest, AnImitationThatIsStoppedIsRecordedTillThen) {
               std::filesystem::exists(root_ / "recordings/take_ imitated/demo.json"));
 }
 
-TEST_F(SessionBrainTest, NobodyButTheWorldWaitsWhileAProgramStarts) {
+TEST_F(SessionBrainTest, OnlyTheWorldWaitsWhileAProgramStarts) {
   WriteGated("slow.py",
              "def init(aux):\n  gate()\n"
              "  aux.initJointAngles = np.full((2, 7), 0.25)\n"
@@ -233,7 +233,7 @@ TEST_F(SessionBrainTest, NobodyButTheWorldWaitsWhileAProgramStarts) {
   EXPECT_EQ(Status(), "exited") << ToText(State()["brain"]);
 }
 
-TEST_F(SessionBrainTest, NobodyButTheWorldWaitsWhileAProgramThinks) {
+TEST_F(SessionBrainTest, OnlyTheWorldWaitsWhileAProgramThinks) {
   WriteGated("slow.py",
              "def step(sensor, motor, aux):\n"
              "  motor.headVelocity = 0.5\n"
@@ -299,7 +299,7 @@ TEST(LiveBrain, GivesProgramsTheDocumentedTime) {
   EXPECT_EQ(LiveBrain().limits().callback_seconds, 5);
 }
 
-TEST_F(SessionBrainTest, ARunThatNobodyWaitsForIsTheSameRun) {
+TEST_F(SessionBrainTest, ARunWithoutWaitingIsTheSameRun) {
   WritePython("dance.py",
               "import time\n"
               "import numpy as np\n"

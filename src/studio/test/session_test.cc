@@ -47,7 +47,7 @@ TEST_F(SessionTest, ADemonstrationIsRecordedAndReplays) {
   EXPECT_EQ(WordsOf(recording::HistoryOf(kept)[2]), "left hand puts a on b");
 }
 
-TEST_F(SessionTest, AFullDiskEndsTheRecordingAndTheStateTellsIt) {
+TEST_F(SessionTest, AFullDiskEndsTheRecordingAndTheStateReportsIt) {
   Begin();
   Command(R"({"do":"start","name":"take"})");
   EXPECT_TRUE(State()["failure"].is_null());
@@ -108,7 +108,7 @@ TEST_F(SessionTest, ARecordingIsGoneOnWithFromAnyOfItsSteps) {
   EXPECT_EQ(replay::Replay(kept).first_difference, std::nullopt);
 }
 
-TEST_F(SessionTest, TheWorldGoesOnUntilTheOneOfARecordingIsMade) {
+TEST_F(SessionTest, TheWorldContinuesUntilThatOfARecordingIsReady) {
   Begin();
   Command(R"({"do":"start","name":"take"})");
   PutAOnB();
@@ -140,7 +140,7 @@ TEST_F(SessionTest, TheWorldGoesOnUntilTheOneOfARecordingIsMade) {
 }
 
 // The world is left while another one is in the making.
-TEST_F(SessionTest, WhatIsInTheMakingHarmsNobodyWhenTheSessionEnds) {
+TEST_F(SessionTest, UnfinishedJobsEndWithTheSession) {
   Begin();
   Command(R"({"do":"start","name":"take"})");
   PutAOnB();
@@ -149,7 +149,7 @@ TEST_F(SessionTest, WhatIsInTheMakingHarmsNobodyWhenTheSessionEnds) {
   session_.reset();
 }
 
-TEST_F(SessionTest, ABrokenSceneChangesNothingAndTellsItsLines) {
+TEST_F(SessionTest, ABrokenSceneChangesNothingAndIsReportedWithLines) {
   Begin();
   TickSeconds(0.1);
   const Json before = session_->Everything();
@@ -211,7 +211,7 @@ TEST_F(SessionTest, AnUndoLeadsBackIntoTheSceneThatWasLeft) {
   EXPECT_EQ(PositionOf("a"), place);
 }
 
-TEST_F(SessionTest, WhatIsAddedCanBeUndoneAndIsRecorded) {
+TEST_F(SessionTest, AddedObjectsAreRecordedAndCanBeUndone) {
   Begin();
   Command(R"({"do":"grasp","hand":"left","object":"a","point":[0,-2,1]})");
   Command(R"({"do":"move_to","hand":"left","position":[0,-2,4]})");
@@ -248,7 +248,7 @@ TEST_F(SessionTest, WhatIsAddedCanBeUndoneAndIsRecorded) {
   EXPECT_EQ(session_->view().state.looks, (std::vector<int>{0, 0, -1, -1})) << "not yet added";
 }
 
-TEST_F(SessionTest, PresetsComeToFreePlacesThatTheSeedDecides) {
+TEST_F(SessionTest, PresetsGoToFreePlacesThatDependOnTheSeed) {
   Begin();
   Command(R"({"do":"grasp","hand":"right","object":"b","point":[3,-2,1]})");
   Command(R"({"do":"move_to","hand":"right","position":[5,-2,4]})");
@@ -328,7 +328,7 @@ TEST_F(SessionTest, ScenesThatWereUsedTakeMoreObjects) {
 }
 
 // A nut and a plate with holes wait for screws: they cannot be fastened themselves.
-TEST_F(SessionTest, OnlyWhatGoesIntoHolesIsOfferedToBeFastened) {
+TEST_F(SessionTest, OnlyObjectsThatFitHolesAreOfferedForFastening) {
   const std::filesystem::path scenes = root_ / "scenes";
   WriteFile(scenes / "screws.xml", ReadFile(DataFile("scenes/screws.xml"), 1 << 20));
   std::filesystem::copy(DataFile("scenes/parts"), scenes / "parts");
@@ -342,7 +342,7 @@ TEST_F(SessionTest, OnlyWhatGoesIntoHolesIsOfferedToBeFastened) {
   EXPECT_EQ(offered, (std::vector<std::string>{"BrassScrew", "SteelScrew"}));
 }
 
-TEST_F(SessionTest, WhatIsShownCannotBeGrasped) {
+TEST_F(SessionTest, ObjectsOfAShownRecordingCannotBeGrasped) {
   Begin();
   Command(R"({"do":"start","name":"take"})");
   PutAOnB();

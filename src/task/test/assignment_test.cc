@@ -20,7 +20,7 @@ double CostOfChoice(const Eigen::MatrixXd& cost, const std::vector<std::size_t>&
   return sum;
 }
 
-TEST(CheapestAssignment, IsTheBestOfAllThereAre) {
+TEST(CheapestAssignment, IsOptimal) {
   std::mt19937_64 random(3);
   for (int trial = 0; trial < 200; ++trial) {
     const auto rows = static_cast<Eigen::Index>(1 + trial % 5);

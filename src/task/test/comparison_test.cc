@@ -29,7 +29,7 @@ Structure Colored(Structure structure) {
   return structure;
 }
 
-TEST(StructureComparison, IsPerfectAfterAnyMotionAndExchangeOfLookAlikes) {
+TEST(StructureComparison, IsPerfectAfterAnyMotionAndExchangeOfEqualObjects) {
   std::mt19937_64 random(1);
   for (int trial = 0; trial < 60; ++trial) {
     Structure structure;
@@ -82,7 +82,7 @@ TEST(StructureComparison, TakesForAlikeWhatAgreesInTheAttendedProperties) {
   EXPECT_FALSE(CompareWith(structure, EpisodeTo(outcome)).is_achieved());
 }
 
-TEST(StructureComparison, OneFallenBlockDoesNotBlameTheOthers) {
+TEST(StructureComparison, OneFallenBlockDoesNotAffectTheOthers) {
   std::vector<scene::ObjectSpec> outcome = Moved(Tower().objects, 20, {0.2, 0.1, 0});
   outcome[2].whole.X_PE = RigidTransform(Vector3(0.7, 0.7, 0.05));
   const StructureComparison comparison = CompareWith(Tower(), EpisodeTo(outcome));
@@ -124,7 +124,7 @@ TEST(StructureComparison, ATurnOfAPartIsAnErrorUnlessItLooksTheSame) {
               1e-6);
 }
 
-TEST(StructureComparison, AStructureOnSomethingFixedMayStandNowhereElse) {
+TEST(StructureComparison, AStructureOnAFixedObjectHasOnePlace) {
   Structure structure{.objects = {ObjectAt("tray", scene::Block{{0.4, 0.3, 0.1}}, {0, 0, 0.05}),
                                   CubeAt("c", {0.1, 0, 0.15})}};
   structure.objects[0].mass = 0;
@@ -140,7 +140,7 @@ TEST(StructureComparison, AStructureOnSomethingFixedMayStandNowhereElse) {
   EXPECT_EQ(aside.errors.at("tray").distance, 0);
 }
 
-TEST(StructureComparison, EndsSoonWhereAllLooksTheSame) {
+TEST(StructureComparison, EndsSoonWithIdenticalObjects) {
   Structure structure;
   for (int i = 0; i < 200; ++i) {
     structure.objects.push_back(
@@ -151,7 +151,7 @@ TEST(StructureComparison, EndsSoonWhereAllLooksTheSame) {
   EXPECT_GE(CompareWith(structure, EpisodeTo(outcome)).score, 0.9);
 }
 
-TEST(StructureComparison, WhatAHandOrAGripperHoldsDoesNotCount) {
+TEST(StructureComparison, HeldObjectsDoNotCount) {
   using enum sim::EventKind;
   const Structure tower = Colored(Tower());
   Episode episode = EpisodeTo(tower.objects);
@@ -170,7 +170,7 @@ TEST(StructureComparison, WhatAHandOrAGripperHoldsDoesNotCount) {
   EXPECT_TRUE(CompareWith(tower, episode).is_achieved());
 }
 
-TEST(StructureComparison, WhatIsHeldInAContainerIsNotPutInto) {
+TEST(StructureComparison, AHeldObjectIsNotInAContainer) {
   Structure structure{.objects = {ObjectAt("box", scene::Box{}, {0.5, 0.3, 0.05})},
                       .effects = {ContainerEffect{"high", "box", true}},
                       .others = {CubeAt("high", {0.5, 0.3, 0.05})}};
@@ -182,7 +182,7 @@ TEST(StructureComparison, WhatIsHeldInAContainerIsNotPutInto) {
   EXPECT_EQ(CompareWith(structure, episode).score, 0.5);
 }
 
-TEST(StructureComparison, TellsWhichPlacementsCameInTheOrderShown) {
+TEST(StructureComparison, ReportsPlacementsInTheDemonstratedOrder) {
   const Structure tower = Colored(Tower());
   Episode episode = EpisodeTo(tower.objects);
   const auto carry = [&](std::size_t i) {
@@ -204,7 +204,7 @@ TEST(StructureComparison, TellsWhichPlacementsCameInTheOrderShown) {
   EXPECT_TRUE(CompareWith(tower, episode).order.is_kept());
 }
 
-TEST(Order, WhatWasInPlaceAlreadyCameFirst) {
+TEST(Order, ObjectsInPlaceFromTheStartComeFirst) {
   EXPECT_EQ(OrderOf({"a", "b"}, {"b"}, {"a"}).fraction, 1);
   EXPECT_EQ(OrderOf({"a", "b"}, {"a"}, {"b"}).fraction, 0);
   EXPECT_EQ(OrderOf({"a", "b"}, {"b"}, {}).fraction, 0);

@@ -61,7 +61,7 @@ TEST_F(EpisodeObserverTest, AnUndoTakesOnlyItsOwnAction) {
 }
 
 /// The object falls to the floor after the undo; a redo leads back to where it is still held.
-TEST_F(EpisodeObserverTest, WhatHappenedBetweenUndoAndRedoIsLeftOut) {
+TEST_F(EpisodeObserverTest, EventsBetweenUndoAndRedoAreOmitted) {
   Do(sim::Grasp{.hand = HandName::kLeft, .object = "a"});
   Do(sim::MoveTo{.hand = HandName::kLeft, .p_WH = {1.5, 0, 0.3}});
   for (int i = 0; i < 300; ++i) simulation_.Tick();

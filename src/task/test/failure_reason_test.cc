@@ -27,7 +27,7 @@ Episode EndingAt(const Vector3& p, const Vector3& angles_deg = {0, 0, 0}) {
   return EpisodeTo(outcome);
 }
 
-TEST(FailureReason, IsNoneOfWhatIsRight) {
+TEST(FailureReason, IsEmptyForASuccess) {
   for (const char* status : {"exited", "stopped", "running"}) {
     EXPECT_EQ(WordOf(EndingAt({0.01, 0, 0.15}), {.status = status}), "");
   }
@@ -38,7 +38,7 @@ TEST(FailureReason, AProgramThatFailedNeverSucceeds) {
             "brain_failed: the brain failed: in init");
 }
 
-TEST(FailureReason, WhatIsStillHeldIsNotPlaced) {
+TEST(FailureReason, HeldObjectsAreNotPlaced) {
   Episode episode = EndingAt({0, 0, 0.15});
   Carry("high", episode.begin.objects[1].pose_in_world(), episode.end.objects[1].pose_in_world(),
         &episode);
@@ -48,7 +48,7 @@ TEST(FailureReason, WhatIsStillHeldIsNotPlaced) {
   EXPECT_EQ(CompareWith(Pair(), episode).score, 0.5);
 }
 
-TEST(FailureReason, IsTheFirstThatFits) {
+TEST(FailureReason, IsTheFirstThatApplies) {
   Episode untouched = EndingAt({0, 0, 0.15});
   untouched.end.objects[1] = untouched.begin.objects[1];
   EXPECT_EQ(WordOf(untouched), "never_taken: high still lies where it began");

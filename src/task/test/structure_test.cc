@@ -45,7 +45,7 @@ class StructureTest : public recorder::RecordingFixture {
   Episode observed_;
 };
 
-TEST_F(StructureTest, IsWhatHandsMovedAndWhatThatStandsOn) {
+TEST_F(StructureTest, ContainsMovedObjectsAndTheirSupports) {
   const Structure structure = StructureOf(recording::OpenRecording(Record()));
   EXPECT_EQ(structure.order, Ids{"a"});
   EXPECT_EQ(structure.relations, (std::vector<Relation>{{"a", Relation::Kind::kOn, "b"},
@@ -55,7 +55,7 @@ TEST_F(StructureTest, IsWhatHandsMovedAndWhatThatStandsOn) {
   EXPECT_FALSE(structure.is_fixed());
 }
 
-TEST_F(StructureTest, SaysOfAPlacementWhatTheHistorySays) {
+TEST_F(StructureTest, PlacementsAgreeWithTheHistory) {
   // A ring has no floor, so that what lies in it lies on the table, too.
   const recording::Recording demo = recording::OpenRecording(Record(
       R"({"hand":"left","do":"grasp","object":"a"}
@@ -77,7 +77,7 @@ TEST_F(StructureTest, SaysOfAPlacementWhatTheHistorySays) {
   EXPECT_EQ(WordsOf(*history.back().summary), "left hand puts a into ring");
 }
 
-TEST_F(StructureTest, TellsWhatMatters) {
+TEST_F(StructureTest, ReportsAttention) {
   const Structure structure = StructureOf(recording::OpenRecording(Record(
       R"({"hand":"left","do":"grasp","object":"a"}
 {"hand":"left","do":"attend","properties":["color","size"]}
@@ -86,7 +86,7 @@ TEST_F(StructureTest, TellsWhatMatters) {
   EXPECT_EQ(TextOf(structure), "as it was: a on the table\nof a matters its color and size\n");
 }
 
-TEST_F(StructureTest, TellsWhatFellToTheFloor) {
+TEST_F(StructureTest, ReportsFallenObjects) {
   const Structure structure = StructureOf(recording::OpenRecording(Record(
       R"({"hand":"left","do":"grasp","object":"a"}
 {"hand":"left","do":"move_to","position":[-9.7,0,3]}
@@ -102,12 +102,12 @@ TEST_F(StructureTest, TellsWhatFellToTheFloor) {
   EXPECT_EQ(ToJson(structure, 0.1)["fallen"], Json({"a"}));
 }
 
-TEST_F(StructureTest, IsNoneWhereNothingWasDone) {
+TEST_F(StructureTest, IsEmptyWithoutActions) {
   const auto demo = Record(R"({"do":"wait","seconds":0.1})");
   EXPECT_THROW(StructureOf(recording::OpenRecording(demo)), InputError);
 }
 
-TEST_F(StructureTest, OfMechanismsTellsTheirEffects) {
+TEST_F(StructureTest, ReportsEffectsOfMechanisms) {
   EXPECT_EQ(TextOf(StructureOf(Play("lidbox"))),
             "1. Cherry on the table\n"
             "2. ChestLid on Chest\n"
@@ -129,7 +129,7 @@ TEST_F(StructureTest, OfMechanismsTellsTheirEffects) {
   EXPECT_EQ(WordsOf(screws.effects[0], 0.1), "BrassScrewTip fastened to NutHole, stage 3");
 }
 
-TEST_F(StructureTest, IsAchievedByItselfAndNotByDoingNothing) {
+TEST_F(StructureTest, IsAchievedByItselfAndNotByAnIdleRun) {
   for (const char* scene : {"lidbox", "controls", "screws", "panel", "trapdoor", "dock"}) {
     const recording::Recording recording = Play(scene);
     const Structure structure = StructureOf(recording);
@@ -166,7 +166,7 @@ void Note(EventKind kind, const std::string& object, const Vector3& p, Episode* 
   episode->contacts.push_back({{.kind = kind, .arm = arm, .object = object}, 1, RigidTransform(p)});
 }
 
-TEST(Episode, WhatIsNotMovedIsNotPlacedAndWhatIsHeldNotYet) {
+TEST(Episode, UnmovedAndHeldObjectsAreNotPlaced) {
   Episode episode = ThreeBlocks();
   Note(EventKind::kGripperHolds, "a", {0, 0.3, 0}, &episode);
   Note(EventKind::kGripperLetGo, "a", {-0.3, 0, 0.05}, &episode);

@@ -166,12 +166,12 @@ TEST_F(VideoWriterTest, FinishesWhenItIsDestroyed) {
   EXPECT_EQ(ReadVideoInfo(File()), (VideoInfo{32, 32, 30.0, 1}));
 }
 
-TEST_F(VideoWriterTest, RefusesToFinishAFilmOfNothing) {
+TEST_F(VideoWriterTest, RefusesToFinishAnEmptyFilm) {
   VideoWriter writer(File(), 32, 32, 30);
   EXPECT_EQ(MessageOf([&] { writer.Finish(); }), File().string() + ": a film needs a picture");
 }
 
-TEST_F(VideoWriterTest, RefusesPicturesOfAnotherSizeAndGoesOn) {
+TEST_F(VideoWriterTest, RefusesPicturesOfAnotherSizeAndContinues) {
   VideoWriter writer(File(), 32, 32, 30);
   EXPECT_THROW(writer.Add(FrameOfFilm(32, 31, 0)), std::invalid_argument);
   EXPECT_THROW(writer.Add(Image{.width_px = 32, .height_px = 32}), std::invalid_argument);
@@ -195,7 +195,7 @@ TEST_F(VideoWriterTest, NamesThePathAndTheReasonWhenItCannotWrite) {
             path.string() + ": avio_open: No such file or directory");
 }
 
-TEST_F(VideoWriterTest, SaysSoWhenTheDiskTakesNoMore) {
+TEST_F(VideoWriterTest, ReportsAFullDisk) {
   rlimit limit;
   ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &limit), 0);
   const rlimit small{.rlim_cur = 2000, .rlim_max = limit.rlim_max};

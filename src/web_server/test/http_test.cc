@@ -20,7 +20,7 @@ TEST_F(WebServerTest, ServesThePageAndNothingElse) {
   EXPECT_EQ(Connect().Get("/studio.js", "", "HEAD").find("studio()"), std::string::npos);
 }
 
-TEST_F(WebServerTest, NobodyClimbsOutOfThePagesFolder) {
+TEST_F(WebServerTest, PathsCannotLeaveTheFolderOfThePage) {
   for (const char* path :
        {"/../secret.txt", "/%2e%2e/secret.txt", "/x/../../secret.txt", "/..%2fsecret.txt",
         "//etc/passwd", "/..%5csecret.txt", "/index.html%00", "/%2", "secret.txt", "*"}) {
@@ -173,7 +173,7 @@ TEST_F(WebServerTest, AnIdleConnectionIsClosed) {
   EXPECT_EQ(client.ReadAll(), "");
 }
 
-TEST_F(WebServerTest, HalfOpenRequestsKeepNobodyOut) {
+TEST_F(WebServerTest, HalfOpenRequestsDoNotBlockOtherClients) {
   options_.limits.connections = 20;
   std::vector<WebClient> half;
   for (int k = 0; k < 200; ++k) {

@@ -90,13 +90,13 @@ TEST_F(TlsTest, TheTokensCookieTravelsOverTlsOnly) {
   EXPECT_NE(answer.find("; Secure"), std::string::npos);
 }
 
-TEST_F(TlsTest, WithoutTlsOrWithAnOldOneNothingIsServed) {
+TEST_F(TlsTest, RefusesPlainAndOutdatedConnections) {
   EXPECT_EQ(Connect().Get("/").find("the page"), std::string::npos);
   const std::string old = Get("/", "-tls1_1");
   EXPECT_EQ(old.find("the page"), std::string::npos);
 }
 
-TEST_F(TlsTest, SilentHandshakesKeepNobodyOut) {
+TEST_F(TlsTest, SilentHandshakesDoNotBlockOtherClients) {
   options_.limits.connections = 20;
   std::vector<WebClient> silent;
   for (int k = 0; k < 100; ++k) silent.push_back(Connect());

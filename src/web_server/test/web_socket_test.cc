@@ -42,7 +42,7 @@ TEST_F(WebServerTest, EchoesTextAndBytes) {
   EXPECT_EQ(client.CloseCode(), 1000);
 }
 
-TEST_F(WebServerTest, FramesMayComeWithTheRequestForThem) {
+TEST_F(WebServerTest, FramesMayFollowTheirRequestInOnePacket) {
   WebClient client = Connect();
   client.SendRequest("/ws",
                      "Upgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Version: 13\r\n"
@@ -87,7 +87,7 @@ TEST_F(WebServerTest, TextThatIsNoUtf8EndsWith1007) {
   EXPECT_EQ(client.Next()->payload, "\xc3\xa4");
 }
 
-TEST_F(WebServerTest, WhatIsNoWebSocketIsClosed) {
+TEST_F(WebServerTest, OtherProtocolsAreClosed) {
   const auto code_for = [this](const std::string& bytes) {
     WebClient client = Join();
     client.SendBytes(bytes);
@@ -104,7 +104,7 @@ TEST_F(WebServerTest, WhatIsNoWebSocketIsClosed) {
   EXPECT_TRUE(IsStatus(Connect().Get("/ws"), 426));
 }
 
-TEST_F(WebServerTest, AFloodIsClosedWhateverItIsOf) {
+TEST_F(WebServerTest, AnyFloodEndsTheConnection) {
   const auto code_for = [this](const std::string& first, const std::string& again) {
     WebClient client = Join();
     std::string flood = first;

@@ -47,7 +47,7 @@ std::vector<std::byte> Encoded(const Message& message) {
   return writer.Finish();
 }
 
-TEST(Wire, WhatWasWrittenIsRead) {
+TEST(Wire, MessagesRoundTrip) {
   const Message message = Decoded(SampleFrame());
   EXPECT_EQ(message.type, MessageType::kStep);
   EXPECT_EQ(message.sequence, 41u);
@@ -154,7 +154,7 @@ TEST(Wire, RefusesToWriteWhatItWouldNotRead) {
   EXPECT_EQ(Decoded(writer.Finish()).arrays.size(), 1u);
 }
 
-TEST(Wire, HoldsSixtyFourArraysAndNoMore) {
+TEST(Wire, HoldsAtMostSixtyFourArrays) {
   MessageWriter writer(MessageType::kInit, 1);
   for (int k = 0; k < 64; ++k) writer.AddScalar("a" + std::to_string(k), k);
   EXPECT_THROW(writer.AddScalar("one_more", 1), std::invalid_argument);
@@ -192,7 +192,7 @@ TEST(WireProperty, SurvivesAnyChangeOfItsBytes) {
   EXPECT_GT(accepted, 300);
 }
 
-TEST(WireProperty, RandomMessagesComeBackUnchanged) {
+TEST(WireProperty, RandomMessagesRoundTrip) {
   std::mt19937 random(7);
   for (int round = 0; round < 2000; ++round) {
     Message message{.type = MessageType::kMotor,
@@ -280,7 +280,7 @@ TEST(Inbox, PutsLargeBodiesWhereTheyAreToStay) {
   }
 }
 
-TEST(Inbox, SaysWhatIsNoMessageByItsHeader) {
+TEST(Inbox, RefusesInvalidHeaders) {
   Inbox inbox;
   EXPECT_FALSE(inbox.TakeMessage());
   std::ranges::fill(inbox.Room().first(kHeaderBytes), std::byte{7});

@@ -79,7 +79,7 @@ TEST_F(ValveTest, ALockedHostIsNeitherFastenedNorLoosened) {
   EXPECT_EQ(Fasten("valve"), "");
 }
 
-TEST_F(ValveTest, WhoIsDestroyedForcesAndLocksNoMore) {
+TEST_F(ValveTest, ADestroyedValveForcesAndLocksNothing) {
   EXPECT_EQ(Fasten("ball"), "");
   EXPECT_EQ(Fasten("stepper"), "");
   EXPECT_EQ(Fasten("stepper"), "");

@@ -54,7 +54,7 @@ TEST_F(BondsTest, PointsMayLieAndPointAnywhere) {
   EXPECT_LT((PositionOf("peg") - Vector3(0.2, 0.1, 0.5)).norm(), 1e-4) << "it is held";
 }
 
-TEST_F(BondsTest, TheNutIsNotKickedByWhatComesFreeInItsHole) {
+TEST_F(BondsTest, ReleasingAScrewDoesNotPushTheNut) {
   // The thread: a shaft wider than the hole, and a host point in the middle of the nut.
   scene::ObjectSpec nut = Nut("nut", {0, 0, 0.055});
   HostPointOf(nut).X_PH = {};
@@ -97,7 +97,7 @@ TEST_F(BondsTest, AGuestReachesLessThanTwoUnits) {
   EXPECT_EQ(fasten_from(0.101, 0.05), too_far);
 }
 
-TEST_F(BondsTest, AGuestGoesToTheNearestHostThatFitsAndIsFree) {
+TEST_F(BondsTest, AGuestGoesToTheNearestFreeHostThatFits) {
   scene::ObjectSpec nearest = Nut("m6", {0, 0, 0.055});
   HostPointOf(nearest).type = "m6";
   Start({nearest, Nut("far", {0.15, 0, 0.055}), Nut("near", {0, 0.13, 0.055}),
@@ -156,7 +156,7 @@ TEST_F(BondsTest, NothingIsFastenedToItselfOrInALoop) {
   EXPECT_EQ(Fasten("a"), "");
 }
 
-TEST_F(BondsTest, FromTheStartHoldWhateverTheOrderOfTheObjects) {
+TEST_F(BondsTest, HoldFromTheStartInAnyOrderOfObjects) {
   const std::vector<scene::ObjectSpec> bricks = {
       Brick("a", {0.3, 0.2, 0.05}), Brick("b", {-0.5, 0, 0.05}, "a_top"),
       Brick("c", {-0.3, 0, 0.05}, "b_top"), Brick("d", {0, 0, 0.5}, "c_top")};
@@ -205,7 +205,7 @@ TEST_F(NoRoomTest, NothingIsPutIntoTheTable) {
   ExpectRefusal("screw", "is in the way");
 }
 
-TEST_F(NoRoomTest, WhatHangsOnTheGuestNeedsRoomToo) {
+TEST_F(NoRoomTest, ObjectsAttachedToTheGuestNeedSpace) {
   // A brick hangs low on the side of the screw's head.
   scene::ObjectSpec screw = Screw("screw", {0, 0, 0.3});
   auto& parts = std::get<scene::Composite>(screw.whole.shape);
@@ -235,7 +235,7 @@ TEST_F(NoRoomTest, NorIsItPutIntoWhatHangsOnTheSameHost) {
   ExpectRefusal("one", "there is no room for 'one': 'two' is in the way");
 }
 
-TEST_F(NoRoomTest, WhatIsFixedGoesNowhere) {
+TEST_F(NoRoomTest, FixedObjectsDoNotMove) {
   scene::ObjectSpec screw = Screw("screw", {0, 0, 0.24});
   screw.mass = 0;
   Start({Nut("nut", {0, 0, 0.055}), screw, ObjectAt("b", scene::Block{}, {0.5, 0, 0.05})});
@@ -243,7 +243,7 @@ TEST_F(NoRoomTest, WhatIsFixedGoesNowhere) {
   ExpectRefusal("b", "'b' has no guestBondPoint to fasten it by");
 }
 
-TEST_F(NoRoomTest, WhatIsOnARailOfSomethingFixedStaysOnIt) {
+TEST_F(NoRoomTest, ASliderOnAFixedRailStaysOnIt) {
   scene::SceneSpec scene{.name = "rail"};
   scene.objects = {ObjectAt("rail", scene::Block{{0.5, 0.02, 0.02}}, {0, 0, 0.5}, /*mass=*/0),
                    Screw("cart", {0, 0, 0.24}), Nut("nut", {0.05, 0, 0.055})};
@@ -256,7 +256,7 @@ TEST_F(NoRoomTest, WhatIsOnARailOfSomethingFixedStaysOnIt) {
   ExpectRefusal("cart", "'cart' hangs on something fixed and cannot be put there");
 }
 
-TEST_F(BondsTest, WhatHangsOnTheGuestComesAlong) {
+TEST_F(BondsTest, ObjectsAttachedToTheGuestMoveAlong) {
   Start({Brick("a", {0, 0, 0.051}), Brick("b", {0.1, 0.1, 0.2}),
          Brick("c", {0.1, 0.1, 0.5}, "b_top")});
   ExpectPose("c", {0.11, 0.1, 0.301}, {0, 0, 10});

@@ -90,7 +90,7 @@ TEST(Controls, AreSetByThoseUpstreamAtTheStart) {
   EXPECT_EQ(Recorded(controls), (Words{"off", "0"}));
 }
 
-TEST(Controls, OfAKindThatCannotBeTriggeredSaySo) {
+TEST(Controls, ThatCannotBeTriggeredReportIt) {
   Panel controls = TrafficLights();
   EXPECT_EQ(controls.Trigger(1, ""),
             "'L1' is a row of lights: it follows others and cannot be triggered");
@@ -126,7 +126,7 @@ ObjectSpec Dial() {
   return ObjectWith({.id = "dial", .shape = dial});
 }
 
-TEST(CustomControl, GoesWhereTheTriggeredPartOrItsParentLeads) {
+TEST(CustomControl, ChangesToTheStateOfTheTriggeredPartOrItsParent) {
   Panel controls({Dial()});
   EXPECT_EQ(controls.Trigger(0, "hand"), "");
   EXPECT_EQ(Recorded(controls), Words{"middle"});
@@ -138,7 +138,7 @@ TEST(CustomControl, GoesWhereTheTriggeredPartOrItsParentLeads) {
             "parts of 'dial' lead to different states; name one: 'face', 'group' or 'hand'");
 }
 
-TEST(Controls, EndWhateverTheWiring) {
+TEST(Controls, EndWithAnyWiring) {
   std::mt19937 random(7);
   for (int round = 0; round < 200; ++round) {
     const int count = 2 + static_cast<int>(random() % 6);

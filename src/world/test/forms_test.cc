@@ -40,7 +40,7 @@ TEST_F(FormsTest, AnOpenGateLetsABallPass) {
   }
 }
 
-TEST_F(FormsTest, AGateThatIsPartOfSomethingHeavyOpensToo) {
+TEST_F(FormsTest, AGateThatIsPartOfAHeavyObjectOpens) {
   scene::Composite bridge;
   bridge.parts = {
       BlockPart({0.1, 0.1, 0.4}, {0, -0.4, 0}),
@@ -75,7 +75,7 @@ TEST_F(FormsTest, ASwitchIsFeltInItsPosition) {
   EXPECT_FALSE(is_felt_at(0.08));
 }
 
-TEST_F(FormsTest, WhatStandsOnAControlWakesAndFalls) {
+TEST_F(FormsTest, AnObjectOnAControlWakesAndFalls) {
   scene::CustomControl lift{.name = "lift"};
   for (double height : {0.2, 0.1}) {
     scene::Part platform = BlockPart({0.2, 0.2, height}, {0, 0, height / 2});
@@ -108,7 +108,7 @@ TEST_F(FormsTest, ABondFlipsWhatItSetsFromTheStartAndLater) {
   EXPECT_LT(PositionOf("ball").x(), -0.06);
 }
 
-TEST_F(FormsTest, WhatIsDestroyedCanNeitherBeTriggeredNorFelt) {
+TEST_F(FormsTest, DestroyedObjectsCanNeitherBeTriggeredNorTouched) {
   Start({ObjectAt("gate", GateThat("upwards"), {0, 0, 0.06}, /*mass=*/0), Ball()});
   tabletop_->Destroy(*tabletop_->Find("gate"));
   EXPECT_EQ(Trigger("gate"), "there is no control 'gate'");

@@ -34,7 +34,7 @@ TEST(Tabletop, TheFloorCatchesWhatLeavesTheTable) {
               -kFloorDepth + 0.05, 1e-3);
 }
 
-TEST(Tabletop, GrowsBehindWhatIsThereAndGoesBack) {
+TEST(Tabletop, AppendsObjectsAndRemovesThemAgain) {
   physics::World world;
   const auto small = std::make_shared<const model::Model>(SceneWith({BlockAt("a", {0, 0, 0.3})}));
   Tabletop tabletop(&world, small);
@@ -85,7 +85,7 @@ TEST(Tabletop, NoticesOnceWhatFellToTheFloor) {
   EXPECT_EQ(tabletop.RefuseToReach("stands_there"), std::nullopt);
 }
 
-TEST(Tabletop, WhatIsHeldOrHangsOnSomethingHeldHasNotFallen) {
+TEST(Tabletop, HeldObjectsAndThoseAttachedToThemHaveNotFallen) {
   physics::World world;
   const scene::SceneSpec scene =
       SceneWith({BlockAt("held", {1.5, 0, -0.5}), BlockAt("low", {1.5, 0, -0.7})});
@@ -104,7 +104,7 @@ TEST(Tabletop, WhatIsHeldOrHangsOnSomethingHeldHasNotFallen) {
   EXPECT_EQ(FallenWithin(1, &world, &tabletop), std::vector<std::string>{"low"});
 }
 
-TEST(Tabletop, WhatStoodOnTheFloorFallsOnceItWasCarriedUp) {
+TEST(Tabletop, AnObjectOfTheFloorCanFallAfterItWasLifted) {
   physics::World world;
   Tabletop tabletop(&world, SceneWith({BlockAt("b", {1.5, 0, -0.85})}));
   physics::Body& body = world.body(tabletop.Find("b")->body);
@@ -115,7 +115,7 @@ TEST(Tabletop, WhatStoodOnTheFloorFallsOnceItWasCarriedUp) {
   EXPECT_EQ(FallenWithin(480, &world, &tabletop), std::vector<std::string>{"b"});
 }
 
-TEST(Tabletop, SaysWhyAnObjectCannotBeReached) {
+TEST(Tabletop, ReportsWhyAnObjectCannotBeReached) {
   physics::World world;
   scene::Composite tray;
   tray.parts = {{.id = "rim", .X_PE = {}, .shape = scene::Block{}}};
@@ -163,7 +163,7 @@ Vector3 PlaceAfter(double seconds, const scene::ObjectSpec& object, const Vector
   return body.pose_in_world().translation();
 }
 
-TEST(Tabletop, FrictionSaysHowFarABlockSlides) {
+TEST(Tabletop, FrictionDeterminesHowFarABlockSlides) {
   scene::ObjectSpec block = BlockAt("b", {-0.5, 0, 0.05});
   const auto slides = [&] { return PlaceAfter(1, block, {1, 0, 0}).x() + 0.5; };
   // v2 / (2 mu g) with the product of 0.6 and the table's 0.6.
@@ -174,7 +174,7 @@ TEST(Tabletop, FrictionSaysHowFarABlockSlides) {
   EXPECT_NEAR(slides(), 1 / (2 * 0.6 * 9.81), 0.01);
 }
 
-TEST(Tabletop, RestitutionSaysHowHighABallBounces) {
+TEST(Tabletop, RestitutionDeterminesHowHighABallBounces) {
   scene::ObjectSpec ball = BlockAt("b", {0, 0, 0.55});
   ball.whole.shape = scene::Sphere{0.05};
   // It falls 0.5 m in 0.32 s; 0.8 of the speed takes it up 0.32 m within 0.26 s more.
@@ -184,7 +184,7 @@ TEST(Tabletop, RestitutionSaysHowHighABallBounces) {
   EXPECT_NEAR(bounces_to(), 0.32, 0.05);
 }
 
-TEST(Tabletop, RollingFrictionSaysHowFarABallRolls) {
+TEST(Tabletop, RollingFrictionDeterminesHowFarABallRolls) {
   scene::ObjectSpec ball = BlockAt("b", {-0.8, 0, 0.05});
   ball.whole.shape = scene::Sphere{0.05};
   const auto rolls = [&] { return PlaceAfter(3, ball, {0.5, 0, 0}, {0, 10, 0}).x() + 0.8; };

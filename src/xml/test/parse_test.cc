@@ -183,7 +183,7 @@ TEST(Parse, CountsElementsOfOtherFiles) {
             "f.xml:1: <c>: found more than 10 elements, expected fewer");
 }
 
-TEST(Parse, EndsSoonWhateverTheSize) {
+TEST(Parse, EndsSoonAtAnySize) {
   EXPECT_EQ(FaultOf(Repeated("<a>", 1'000'000)).substr(0, 30), "f.xml:1: <a>: found more than ");
   std::string tag = "<a";
   for (int i = 0; i < 1'000'000; ++i) tag += " a" + std::to_string(i) + "=''";

@@ -6,7 +6,7 @@ import type { ConsoleLine, Requests } from "../protocol";
 import { texts } from "../texts";
 import { Button } from "../ui/buttons";
 import { Card, Empty } from "../ui/card";
-import { gallery } from "./gallery";
+import { sceneCatalog } from "./scene_catalog";
 import { brain, isBrainAtWork } from "./derived_signals";
 import { toImitate } from "./page";
 import { recordings, titleOf } from "./recordings";
@@ -191,7 +191,7 @@ function Imitation() {
         <span class="field-label">{words.scene}</span>
         <select value={where.value} onChange={(event) => (where.value = event.currentTarget.value)}>
           <option value="">{words.sceneHere}</option>
-          {(gallery.value?.scenes ?? []).map(({ name, title }) => (
+          {(sceneCatalog.value?.scenes ?? []).map(({ name, title }) => (
             <option key={name} value={name}>
               {title}
             </option>

@@ -9,7 +9,7 @@ import { Button } from "../ui/buttons";
 import { Card, Empty, isFound, Picture, SearchField } from "../ui/card";
 import { NumberField } from "../ui/number_field";
 import { switchPreference } from "../ui/preference";
-import { gallery, isGalleryLost, pictureOfScene, refreshGallery, textOfScene } from "./gallery";
+import { sceneCatalog, isSceneCatalogLost, pictureOfScene, refreshSceneCatalog, textOfScene } from "./scene_catalog";
 import { fallen, holders, isPlayback, objectsHere } from "./derived_signals";
 import { chosenObject, draft, editedScene, showPanel, world } from "./page";
 import { useAllowed } from "./use_allowed";
@@ -17,7 +17,7 @@ import { useAllowed } from "./use_allowed";
 const { objects: words } = texts;
 const isListOpen = switchPreference("list-open", true);
 const isAddOpen = switchPreference("add-open", true);
-const isGalleryOpen = switchPreference("gallery-open", true);
+const isSceneListOpen = switchPreference("gallery-open", true);
 const MAX_FILE_BYTES = 1e6;
 
 async function take(object: string): Promise<void> {
@@ -123,7 +123,7 @@ function ObjectNote({ object }: { object: SceneObject }) {
 function AddObjects() {
   const preset = useSignal("");
   const seed = useSignal(1);
-  const presets = gallery.value?.presets ?? [];
+  const presets = sceneCatalog.value?.presets ?? [];
   const chosen = preset.value || (presets[0]?.name ?? "");
   const [mayRage] = useAllowed([{ do: "clear", rage: true }]);
   const spawn = async () => {
@@ -180,7 +180,7 @@ function AddObjects() {
   );
 }
 
-function SceneGallery() {
+function SceneList() {
   const search = useSignal("");
   const busy = useSignal<string | null>(null);
   const mayLoad = when(may("load"));
@@ -189,19 +189,19 @@ function SceneGallery() {
     await ask("load", { scene: name });
     busy.value = null;
   };
-  if (isGalleryLost.value) {
+  if (isSceneCatalogLost.value) {
     return (
       <Empty icon="warning" text={words.noGallery}>
-        <Button label={words.reload} icon="reload" onClick={() => void refreshGallery()} />
+        <Button label={words.reload} icon="reload" onClick={() => void refreshSceneCatalog()} />
       </Empty>
     );
   }
-  const scenes = (gallery.value?.scenes ?? []).filter(({ name, title }) => isFound(search.value, name, title));
+  const scenes = (sceneCatalog.value?.scenes ?? []).filter(({ name, title }) => isFound(search.value, name, title));
   return (
     <>
       <SearchField label={words.search} text={search} />
-      {gallery.value === null && <span class="spinner" />}
-      {gallery.value !== null && scenes.length === 0 && <Empty icon="search" text={words.noScenes} />}
+      {sceneCatalog.value === null && <span class="spinner" />}
+      {sceneCatalog.value !== null && scenes.length === 0 && <Empty icon="search" text={words.noScenes} />}
       <ul class="gallery" aria-label={words.scenes} title={mayLoad.title}>
         {scenes.map(({ name, title }) => (
           <li key={name}>
@@ -285,7 +285,7 @@ export function ObjectsPanel() {
       <Card title={words.add} isOpen={isAddOpen}>
         <AddObjects />
       </Card>
-      <Card title={words.scenes} isOpen={isGalleryOpen}>
+      <Card title={words.scenes} isOpen={isSceneListOpen}>
         <SceneActions />
         {draft.value && (
           <Button
@@ -294,7 +294,7 @@ export function ObjectsPanel() {
             onClick={() => (editedScene.value = draft.value)}
           />
         )}
-        <SceneGallery />
+        <SceneList />
       </Card>
     </>
   );

@@ -7,7 +7,7 @@ import { Banners } from "./banners";
 import { BrainPanel } from "./brain_panel";
 import { ContextMenu } from "./context_menu";
 import { EyeView } from "./eye_view";
-import { refreshGallery } from "./gallery";
+import { refreshSceneCatalog } from "./scene_catalog";
 import { HandsPanel } from "./hands_panel";
 import { Help } from "./help";
 import { LibraryPanel } from "./library_panel";
@@ -29,7 +29,7 @@ import { Tour } from "./tour";
 function useRefresh(): void {
   useSignalEffect(() => {
     if (!isConnected.value) return;
-    void refreshGallery();
+    void refreshSceneCatalog();
     void refreshRecordings();
   });
   useEffect(() => {

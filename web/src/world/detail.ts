@@ -12,7 +12,7 @@ const STILL_MS = 250;
 const SHARE = 0.08;
 
 /** Watches how long pictures take, and gives up detail where that is too long. */
-export class DetailKeeper {
+export class DetailController {
   private mode: "auto" | "low" | "high" = "auto";
   private slow = 0;
   private last = 0;

@@ -4,7 +4,7 @@ import { listenToKeys } from "../keys";
 import type { Poses } from "../protocol";
 import { currentHand, heldObject, isController, looks, poseListeners, scene, state } from "../studio";
 import { DragGuides } from "./drag_guides";
-import { DetailKeeper } from "./detail";
+import { DetailController } from "./detail";
 import { Hands } from "./hands";
 import { actionsOf } from "./key_actions";
 import { Markers } from "./markers";
@@ -56,7 +56,7 @@ class DrawnWorld implements World {
   private readonly hands: Hands;
   private readonly dragGuides: DragGuides;
   private readonly pointers: Pointers;
-  private readonly detail = new DetailKeeper(
+  private readonly detail = new DetailController(
     (isLow) => this.setDetail(isLow),
     (isCoarse) => this.setCoarse(isCoarse),
   );

@@ -1,26 +1,26 @@
 import { signal } from "@preact/signals";
 
-export interface Gallery {
+export interface SceneCatalog {
   scenes: { name: string; title: string; picture: string | null }[];
   presets: { name: string; title: string }[];
 }
 
-/** Null until it is there. */
-export const gallery = signal<Gallery | null>(null);
-export const isGalleryLost = signal(false);
+/** Scenes and presets that the server offers; null before the first answer. */
+export const sceneCatalog = signal<SceneCatalog | null>(null);
+export const isSceneCatalogLost = signal(false);
 
-export async function refreshGallery(): Promise<void> {
+export async function refreshSceneCatalog(): Promise<void> {
   try {
     const answer = await fetch("/scenes");
     if (!answer.ok) throw new Error(answer.statusText);
-    gallery.value = (await answer.json()) as Gallery;
-    isGalleryLost.value = false;
+    sceneCatalog.value = (await answer.json()) as SceneCatalog;
+    isSceneCatalogLost.value = false;
   } catch {
-    isGalleryLost.value = gallery.value === null;
+    isSceneCatalogLost.value = sceneCatalog.value === null;
   }
 }
 
-/** A scene's text; null where it has none that can be read. */
+/** Returns the XML text of a scene; null if it cannot be read. */
 export async function textOfScene(name: string): Promise<string | null> {
   try {
     const answer = await fetch(`/scenes/${encodeURIComponent(name)}.xml`);

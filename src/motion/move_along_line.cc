@@ -50,18 +50,18 @@ class ToolLine {
   double length() const { return (to_.translation() - from_.translation()).norm(); }
   double angle() const { return turn_.norm(); }
 
-  RigidTransform At(double share) const {
-    const Vector3 p = from_.translation() + share * (to_.translation() - from_.translation());
+  RigidTransform At(double fraction) const {
+    const Vector3 p = from_.translation() + fraction * (to_.translation() - from_.translation());
     if (angle() == 0) return {from_.rotation(), p};
-    const Quaternion turned(Eigen::AngleAxisd(share * angle(), turn_ / angle()));
+    const Quaternion turned(Eigen::AngleAxisd(fraction * angle(), turn_ / angle()));
     return {turned * q_from_, p};
   }
   /// Returns the distance of a point from the line [m].
   double Distance(const Vector3& p) const {
     if (length() == 0) return (p - from_.translation()).norm();
     const Vector3 along = (to_.translation() - from_.translation()) / length();
-    const double share = std::clamp((p - from_.translation()).dot(along), 0.0, length());
-    return (p - from_.translation() - share * along).norm();
+    const double distance = std::clamp((p - from_.translation()).dot(along), 0.0, length());
+    return (p - from_.translation() - distance * along).norm();
   }
 
  private:
@@ -89,8 +89,8 @@ std::variant<JointPath, LineFault> Follow(const ArmKinematics& arm, const ArmVec
   JointPath path{.q = {q_from}};
   for (int k = 1; k <= num_spans; ++k) {
     const bool is_end = k == num_spans;
-    const double share = static_cast<double>(k) / num_spans;
-    const RigidTransform X_WG = is_end ? X_WG_goal : line.At(share);
+    const double fraction = static_cast<double>(k) / num_spans;
+    const RigidTransform X_WG = is_end ? X_WG_goal : line.At(fraction);
     const auto fault = [&](const std::string& reason) {
       return LineFault{static_cast<double>(k - 1) / num_spans, X_WG, reason};
     };

@@ -62,8 +62,8 @@ class MonotonePath {
     double s = 0;
     for (std::size_t k = 0; k < spans_.size(); ++k) {
       for (int part = 0; part <= between; ++part) {
-        const double share = static_cast<double>(part) / between;
-        PathPlace place = PlaceIn(k, share, s + share * spans_[k]);
+        const double fraction = static_cast<double>(part) / between;
+        PathPlace place = PlaceIn(k, fraction, s + fraction * spans_[k]);
         if (part == 0 && k > 0) {  // also the end of the span before
           places.back().d2q_ds2_after = place.d2q_ds2_after;
         } else {
@@ -84,16 +84,16 @@ class MonotonePath {
     if (k == spans_.size()) return Secant(k - 1, i);
     return MonotoneTangent(Secant(k - 1, i), Secant(k, i), spans_[k - 1], spans_[k]);
   }
-  PathPlace PlaceIn(std::size_t k, double share, double s) const {
+  PathPlace PlaceIn(std::size_t k, double fraction, double s) const {
     const auto count = static_cast<Eigen::Index>(waypoints_[k].size());
     PathPlace place{.s = s, .q = Eigen::VectorXd(count), .dq_ds = Eigen::VectorXd(count)};
     place.d2q_ds2_before = Eigen::VectorXd(count);
     for (Eigen::Index j = 0; j < count; ++j) {
       const Cubic cubic{waypoints_[k][j], waypoints_[k + 1][j], tangents_[k][j],
                         tangents_[k + 1][j], spans_[k]};
-      place.q[j] = share == 0 ? cubic.from : share == 1 ? cubic.to : cubic.At(share);
-      place.dq_ds[j] = cubic.DerivativeAt(share);
-      place.d2q_ds2_before[j] = cubic.SecondDerivativeAt(share);
+      place.q[j] = fraction == 0 ? cubic.from : fraction == 1 ? cubic.to : cubic.At(fraction);
+      place.dq_ds[j] = cubic.DerivativeAt(fraction);
+      place.d2q_ds2_before[j] = cubic.SecondDerivativeAt(fraction);
     }
     place.d2q_ds2_after = place.d2q_ds2_before;
     return place;

@@ -43,12 +43,12 @@ Watched Watch(const Recording& recording) {
   Watched watched;
   TraceTick anchor;
   while (const std::optional<TraceTick> now = trace.Next()) {
-    const std::uint64_t moment = watched.at_rest_since.size();
+    const std::uint64_t tick = watched.at_rest_since.size();
     // The anchor is the first moment of the present rest. Comparing to it, and not to the previous
     // tick, detects slow drift.
-    const bool rests = moment > 0 && IsWhereItWas(anchor, *now);
+    const bool rests = tick > 0 && IsWhereItWas(anchor, *now);
     if (!rests) anchor = *now;
-    watched.at_rest_since.push_back(rests ? watched.at_rest_since.back() : moment);
+    watched.at_rest_since.push_back(rests ? watched.at_rest_since.back() : tick);
     watched.end = *now;
   }
   return watched;

@@ -119,7 +119,7 @@ std::string PointsText(const Outline& outline, const Frame& frame) {
 }
 
 std::string RgbText(const Color& color) {
-  const auto part = [](double share) { return Fixed(255 * std::clamp(share, 0.0, 1.0), 0); };
+  const auto part = [](double value) { return Fixed(255 * std::clamp(value, 0.0, 1.0), 0); };
   return "rgb(" + part(color.red) + " " + part(color.green) + " " + part(color.blue) + ")";
 }
 

@@ -66,11 +66,11 @@ std::optional<Mean> MeanOf(std::span<const double> numbers) {
   return mean;
 }
 
-std::optional<double> Quantile(std::span<const double> numbers, double share) {
+std::optional<double> Quantile(std::span<const double> numbers, double fraction) {
   if (numbers.empty()) return std::nullopt;
   std::vector<double> sorted(numbers.begin(), numbers.end());
   std::ranges::sort(sorted);
-  const double place = share * static_cast<double>(sorted.size() - 1);
+  const double place = fraction * static_cast<double>(sorted.size() - 1);
   const auto below = static_cast<std::size_t>(place);
   const std::size_t above = std::min(below + 1, sorted.size() - 1);
   return sorted[below] + (place - static_cast<double>(below)) * (sorted[above] - sorted[below]);

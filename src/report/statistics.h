@@ -36,10 +36,10 @@ struct Mean {
 /// Returns mean and interval; nullopt without numbers.
 std::optional<Mean> MeanOf(std::span<const double> numbers);
 
-/// Returns the quantile below which a fraction `share` of the numbers lies, interpolated linearly
+/// Returns the quantile below which a given fraction of the numbers lies, interpolated linearly
 /// (Hyndman and Fan's type 7, as in R and numpy); nullopt without numbers.
-/// @param share  0 to 1.
-std::optional<double> Quantile(std::span<const double> numbers, double share);
+/// @param fraction  0 to 1.
+std::optional<double> Quantile(std::span<const double> numbers, double fraction);
 
 /// Returns the p-value of McNemar's exact test: the probability that two equally good programs
 /// differ at least this much, by a sign test of the pairs in which only one of them succeeded.

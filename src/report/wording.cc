@@ -28,10 +28,10 @@ std::string Count(const std::optional<std::uint64_t>& count) {
   return count ? std::to_string(*count) : kNone;
 }
 
-std::string Percent(double share) { return Fixed(100 * share, 1) + " %"; }
+std::string Percent(double fraction) { return Fixed(100 * fraction, 1) + " %"; }
 
-std::string PercentRange(const Interval& shares) {
-  return Fixed(100 * shares.low, 1) + " to " + Percent(shares.high);
+std::string PercentRange(const Interval& fractions) {
+  return Fixed(100 * fractions.low, 1) + " to " + Percent(fractions.high);
 }
 
 std::string WithInterval(const std::optional<Mean>& mean, int digits) {

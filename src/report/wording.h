@@ -20,9 +20,9 @@ std::string Fixed(const std::optional<double>& number, int digits);
 std::string Signed(double number, int digits);
 std::string Count(const std::optional<std::uint64_t>& count);
 /// Returns `90.0 %`.
-std::string Percent(double share);
+std::string Percent(double fraction);
 /// Returns `69.9 to 97.2 %`.
-std::string PercentRange(const Interval& shares);
+std::string PercentRange(const Interval& fractions);
 /// Returns `3.2 (2.9 to 3.5)`; differences have signs.
 std::string WithInterval(const std::optional<Mean>& mean, int digits);
 std::string DifferenceWithInterval(const std::optional<Mean>& mean, int digits);

@@ -121,7 +121,7 @@ void EyePicture(benchmark::State& state, bool with_robot) {
   state.SetLabel(renderer.device_name());
 }
 
-/// Robot program of a benchmark.
+/// Brain of a benchmark.
 struct MeasuredBrain {
   const char* language;
   std::filesystem::path brain;
@@ -157,7 +157,7 @@ void BareRoundTrip(benchmark::State& state) {
   for (auto _ : state) echo.RoundTrip();
 }
 
-/// Measures a step of a robot program: encoding, both ways through the transport, and decoding.
+/// Measures a step of a brain: encoding, both ways through the transport, and decoding.
 void BrainRoundTrip(benchmark::State& state, const MeasuredBrain& measured) {
   const brain::Sensor sensor = SensorOf(state);
   brain::BrainProcess process(measured.brain, {.transport = measured.transport});

@@ -29,7 +29,7 @@ struct RunOptions {
   PathOptions path;
 };
 
-/// Runs a scene without a window, by a script, a trajectory or a robot program.
+/// Runs a scene without a window, by a script, a trajectory or a brain.
 int RunScene(const RunOptions& options) {
   experiment::RunPlan plan{.scene = scene_xml::LoadScene(options.scene, options.path.reader())};
   if (!options.seconds && options.brain.brain.empty() && options.commands.empty() &&

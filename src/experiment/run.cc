@@ -80,7 +80,7 @@ class LiveRun {
   }
 
  private:
-  /// Finds the robot program, which starts later. Its output goes to the callbacks and its log.
+  /// Finds the brain, which starts later. Its output goes to the callbacks and its log.
   void FindBrain() {
     brain::BrainOptions options = brain::WithTimeout(plan_.callback_seconds);
     options.on_output = [this](std::string_view line) {

@@ -173,7 +173,7 @@ std::vector<RequestForm> PlaybackRequests() {
   };
 }
 
-/// Requests about robot programs.
+/// Requests about brains.
 std::vector<RequestForm> BrainRequests() {
   const JsonShape brain = ObjectShape({{"name", TextShape()},
                                        {"kind", JsonShape::Word({"octave", "python", "program"})},

@@ -41,7 +41,7 @@ JsonShape RobotNowShape() {
                       {"head", NumberShape()}});
 }
 
-/// State of the running robot program, in StateUpdateShape().
+/// State of the running brain, in StateUpdateShape().
 JsonShape BrainNowShape() {
   return ObjectShape(
       {{"name", TextShape()},

@@ -195,7 +195,7 @@ std::string FailureCountsText(const Summary& summary) {
   return text;
 }
 
-/// Returns lines that compare two robot programs. Errors and times are left out if no seed has them
+/// Returns lines that compare two brains. Errors and times are left out if no seed has them
 /// from both.
 std::string ComparisonText(const EvaluatedBrain& first, const EvaluatedBrain& second) {
   const BrainComparison comparison = Compare(first, second);

@@ -14,20 +14,20 @@ namespace {
 constexpr const char* kWhatIntervalsAre =
     "Intervals are of 95 %: Wilson's for rates, Student's t for means and differences.";
 
-/// Returns the head of a robot program's row: a chip in the color of its series, and its name.
+/// Returns the head of a brain's row: a chip in the color of its series, and its name.
 Markup BrainHead(const std::string& name, std::size_t series) {
   Markup head = Element("span", {{"class", "chip " + SeriesClass(series)}}, Markup());
   head += Text(name);
   return Element("th", {{"scope", "row"}}, head);
 }
 
-/// Returns the range of the seeds. All robot programs ran the same ones, in ascending order.
+/// Returns the range of the seeds. All brains ran the same ones, in ascending order.
 std::string SeedsText(const Evaluation& evaluation) {
   const std::vector<EvaluatedRun>& runs = evaluation.brains.front().runs;
   return std::to_string(runs.front().seed) + " to " + std::to_string(runs.back().seed);
 }
 
-/// Returns the result in one sentence. The first of equally good robot programs is named.
+/// Returns the result in one sentence. The first of equally good brains is named.
 std::string Headline(const Evaluation& evaluation) {
   const EvaluatedBrain* best = nullptr;
   std::size_t most = 0;
@@ -53,7 +53,7 @@ Markup HeaderOf(const Evaluation& evaluation) {
   return Element("header", {}, header);
 }
 
-/// Returns the settings of the evaluation: recording, scene, seeds, options and robot programs.
+/// Returns the settings of the evaluation: recording, scene, seeds, options and brains.
 Markup WhatWasRun(const Evaluation& evaluation) {
   Markup facts = Fact("Demonstration", evaluation.demo);
   facts += Fact("Scene", evaluation.scene);
@@ -71,7 +71,7 @@ Markup WhatWasRun(const Evaluation& evaluation) {
   return Section("What was run", Element("dl", {{"class", "facts"}}, facts));
 }
 
-/// Returns one row per robot program, with intervals of 95 %.
+/// Returns one row per brain, with intervals of 95 %.
 Markup SummaryTable(const Evaluation& evaluation) {
   const Markup head = Row({Head("Brain"), NumberHead("Rebuilt"), NumberHead("Rate (95 %)"),
                            NumberHead("Error, mm (95 %)"), NumberHead("Error, ° (95 %)"),
@@ -108,7 +108,7 @@ Markup Bars(const Evaluation& evaluation) {
   return RateBars(rows, words);
 }
 
-/// Returns one cell per run: a row per robot program, a column per seed.
+/// Returns one cell per run: a row per brain, a column per seed.
 Markup Map(const Evaluation& evaluation) {
   std::vector<MapRow> rows;
   for (const EvaluatedBrain& brain : evaluation.brains) {
@@ -194,7 +194,7 @@ Markup Plots(const Evaluation& evaluation) {
   return Element("div", {{"class", "pair"}}, pair);
 }
 
-/// Returns the comparison of each comparable pair of robot programs, by their runs from the same
+/// Returns the comparison of each comparable pair of brains, by their runs from the same
 /// seeds; empty without such a pair.
 Markup Comparisons(const Evaluation& evaluation) {
   Markup rows;
@@ -256,7 +256,7 @@ Markup Failures(const Evaluation& evaluation) {
   return Section("Failures", content);
 }
 
-/// Returns one row per seed, with a group of columns per robot program.
+/// Returns one row per seed, with a group of columns per brain.
 Markup SeedTable(const Evaluation& evaluation) {
   Markup head = NumberHead("Seed");
   for (const EvaluatedBrain& brain : evaluation.brains) {

@@ -169,7 +169,7 @@ TEST_F(ProgramTest, TheCppExampleOfMotionIsCompiled) {
   EXPECT_EQ(example->text, ReadFile(SMILE_SOURCE_DIR "/tests/motion/example.cc", 1 << 16));
 }
 
-// A reader who leaves out the tutorial finds its robot program among the examples.
+// A reader who leaves out the tutorial finds its brain among the examples.
 TEST_F(ProgramTest, TheRobotProgramOfTheTutorialIsAnExample) {
   std::map<std::string, std::string> last_version;
   for (const Block& block : BlocksOf("docs/tutorials/robot-program.md")) {

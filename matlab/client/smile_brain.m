@@ -1,14 +1,14 @@
 function smile_brain()
-%SMILE_BRAIN  Runs a brain for the SMILE simulator until the simulator says goodbye.
+%SMILE_BRAIN  Runs a brain for the SMILE simulator until the simulator closes the connection.
 %
-%   The simulator starts this, in Octave or Matlab, and tells it in the environment
+%   The simulator starts this function in Octave or Matlab, with these environment variables:
 %     SMILE_BRAIN_TRANSPORT  'socket' (through the compiled SMILELINK) or 'pipes' (SMILE_LINK_PLAIN)
 %     SMILE_BRAIN_ADDRESS    the socket, or the folder with the two pipes
 %     SMILE_BRAIN_FOLDER     the folder with agentBehavior.m
 %     SMILE_BRAIN_SCRATCH    a folder for temporary files; the simulator removes it
 %
 %   agentBehavior returns handles of two scripts, init and callback. Both run in the base
-%   workspace, so that their variables, and sensor, motor and aux, live on between calls.
+%   workspace, so that their variables, and sensor, motor and aux, remain between calls.
 %   docs/brain-protocol.md describes the messages.
 
   mlock();  % "clear all" in a program clears the program's things, not ours
@@ -147,7 +147,7 @@ function report = describe(err, callback, answer)
   names = {'motor', 'aux'};
   for k = numel(answer):-1:1
     if ~isstruct(answer{k}) || ~isscalar(answer{k})
-      report.message = [names{k} ' is not a struct any more'];
+      report.message = [names{k} ' is no longer a struct'];
     end
   end
 end
@@ -175,7 +175,7 @@ end
 
 function file = script_file(name)
   file = strrep(which(name), getenv('SMILE_BRAIN_SCRATCH'), getenv('SMILE_BRAIN_FOLDER'));
-  if isempty(file), error('agentBehavior names %s, but there is no %s.m', name, name); end
+  if isempty(file), error('agentBehavior names %s, but %s.m is missing', name, name); end
 end
 
 function sensor = with_tracker_map(sensor)
@@ -231,7 +231,7 @@ function aux = base_aux()
   % A program may have cleared it: then it wishes nothing.
   aux = struct();
   if evalin('base', 'exist(''aux'', ''var'')'), aux = evalin('base', 'aux'); end
-  if ~isstruct(aux) || ~isscalar(aux), error('aux is not a struct any more'); end
+  if ~isstruct(aux) || ~isscalar(aux), error('aux is no longer a struct'); end
 end
 
 function values = wishes(aux, values)
@@ -244,11 +244,11 @@ function values = wishes(aux, values)
 end
 
 function text = in_one_line(names, field)
-  % Of a cell of names, or of one name; numbers are left for the simulator to refuse.
+  % Of a cell array of names, or of one name; numbers are left for the simulator to refuse.
   text = names;
   if isempty(names), text = ''; end
   if iscell(names) && ~isempty(names)
-    if ~iscellstr(names), error('aux.%s is a cell of other things than names', field); end
+    if ~iscellstr(names), error('aux.%s is not a cell array of names', field); end
     text = strjoin(names(:).', ',');
   end
 end

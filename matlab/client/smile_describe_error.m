@@ -1,6 +1,6 @@
 function report = smile_describe_error(err, script, variable)
-%SMILE_DESCRIBE_ERROR  What went wrong and where, for people.
-%   SCRIPT is the one that was running, VARIABLE the struct whose fields it answers with. The place is
+%SMILE_DESCRIBE_ERROR  Message and place of an error, for people.
+%   SCRIPT is the running script, VARIABLE the struct with its results. The place is
 %   the innermost line of the program's own folder: an error raised inside a library function
 %   belongs to the line that called it.
 

@@ -5,8 +5,8 @@ function [type, sequence, values, is_other] = smile_link_plain(command, varargin
 %   [type, sequence, values, is_other] = smile_link_plain('receive')
 %   smile_link_plain('send', type, sequence, values)
 %
-%   VALUES is a scalar struct of real arrays and text; IS_OTHER unless all but its numbers is as in
-%   the message before: names, shapes, texts. When the simulator has gone, 'receive' gives its
+%   VALUES is a scalar struct of real arrays and text; IS_OTHER is false if names, shapes and texts equal
+%   those of the previous message. After the simulator has closed the connection, 'receive' returns its
 %   goodbye. docs/brain-protocol.md describes the bytes.
 
   persistent from_simulator to_simulator is_octave
@@ -37,14 +37,14 @@ function pipe = open_pipe(path, mode)
 end
 
 function [type, sequence, values, is_other] = receive(pipe)
-  type = 8;  % goodbye, when there is nobody any more
+  type = 8;  % goodbye, after the simulator has ended
   sequence = 0;
   values = struct();
   is_other = true;
   header = fread(pipe, 16, '*uint8');
   if numel(header) < 16, return; end
   header = double(typecast(header, 'uint32'));
-  if header(1) ~= magic(), error('smile:protocol', 'what arrived is not a message'); end
+  if header(1) ~= magic(), error('smile:protocol', 'the received bytes are not a message'); end
   body = fread(pipe, header(4), '*uint8');
   if numel(body) < header(4), return; end
   type = header(2);

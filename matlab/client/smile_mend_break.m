@@ -1,8 +1,8 @@
 function mended = smile_mend_break(err)
 %SMILE_MEND_BREAK  Makes a script with a `break` outside any loop acceptable to Octave.
-%   Matlab takes such a `break` as the end of the script; Octave calls it a parse error, ERR. A copy
-%   that says `return` there is put before the original on the path. TRUE when another try is
-%   worthwhile. To be used before the program runs, so that nothing happens twice.
+%   Matlab ends the script at such a `break`; Octave reports a parse error, ERR. Puts a copy with
+%   `return` instead before the original on the path. Returns TRUE if another attempt can succeed. Call
+%   it before the brain runs, so that nothing happens twice.
 
   mended = false;
   place = regexp(err.message, 'parse error near line (\d+) of file ([^\n]*)', 'tokens', 'once');

@@ -1,14 +1,15 @@
 // SMILELINK  Carries messages between the SMILE simulator and a brain in Octave or Matlab.
 //
 //   smilelink('open', socket_path)
-//   [type, sequence, values, is_other] = smilelink('receive')   type 0: nothing came for 100 ms
+//   [type, sequence, values, is_other] = smilelink('receive')   type 0: no message for 100 ms
 //   smilelink('send', type, sequence, values)
 //
-// `values` is a scalar struct of real arrays and text; `is_other` unless all but its numbers is as
-// in the message before: names, shapes, texts. When the simulator has gone, 'receive' gives its
-// goodbye.
+// `values` is a scalar struct of real arrays and text; `is_other` is false if names,
+// shapes and texts equal those of the previous message. After the simulator has closed the
+// connection, 'receive' returns its goodbye.
 //
-// A thin door to brain_client::SimulatorConnection. Uses the documented MEX C API only; in Matlab:
+// A thin wrapper of brain_client::SimulatorConnection. Uses the documented MEX C API only; in
+// Matlab:
 //   mex -Isrc matlab/client/smilelink.cc -Lbuild/release/src -lsmile_brain_protocol
 
 #include "mex.h"
@@ -79,7 +80,7 @@ mxArray* ValueOf(const ArrayView& array) {
     return mxCreateString(
         std::string(reinterpret_cast<const char*>(array.data.data()), array.data.size()).c_str());
   }
-  if (array.is_row_major) throw ProtocolError("rows of pixels, which nobody has asked for");
+  if (array.is_row_major) throw ProtocolError("row-major pixels, which were not requested");
   std::array<mwSize, wire::kMaxDimensions> dims = {};
   std::copy(array.dims().begin(), array.dims().end(), dims.begin());
   return NumbersOf(array, static_cast<mwSize>(array.dim_count), dims.data());
@@ -115,8 +116,8 @@ std::span<std::byte> AddSpace(wire::MessageWriter& writer, const char* name, Ele
   try {
     return writer.AddSpace(name, type, false, dims);
   } catch (const std::invalid_argument&) {
-    throw MexError("smile:value",
-                   std::string(name) + " is " + wire::ShapeText(dims) + ", which no message takes");
+    throw MexError("smile:value", std::string(name) + " is " + wire::ShapeText(dims) +
+                                      ", which messages cannot contain");
   }
 }
 
@@ -226,7 +227,7 @@ void Carry(int nlhs, mxArray* plhs[], int nrhs, const mxArray* prhs[]) {
   const std::string_view word = command;
   if (nrhs == 2 && word == "open") return Open(prhs[1]);
   if ((word == "receive" || word == "send") && !connection) {
-    throw MexError("smile:usage", "there is no connection yet: 'open' comes first");
+    throw MexError("smile:usage", "not connected; call 'open' first");
   }
   if (nrhs == 1 && word == "receive") return Receive(nlhs, plhs);
   if (nrhs == 4 && word == "send") {

@@ -1,17 +1,17 @@
 function moment = smileFirstInvalid(robot, trajectory, varargin)
-%SMILEFIRSTINVALID  When a motion stops being one that the robot can make.
+%SMILEFIRSTINVALID  First moment at which a motion becomes invalid.
 %
 %   moment = smileFirstInvalid(robot, trajectory)
 %   moment = smileFirstInvalid(robot, trajectory, 'qBoth', sensor.jointAngles, 'table', [20 12])
 %
 %   robot       from smileRobot
 %   trajectory  from smileMoveJoints or smileMoveLine
-%   moment      [] when all of it is valid; else a struct: seconds since the start, and reason. A
-%               joint breaks a limit, or the robot would touch itself or the table.
+%   moment      [] if the trajectory is valid; else a struct: seconds since the start, and reason: a
+%               joint exceeds a limit, or the robot would touch itself or the table.
 %
 %   Options, by name:
-%     qBoth  2x7, where the arms stand that do not move [rad]; else where the robot starts
-%     table  [width depth] of a table whose top is z = 0 around the origin [units]
+%     qBoth  2x7, angles of the arms that do not move [rad]; default: the robot's start angles
+%     table  [width depth] of a table centered at the origin, with its top at z = 0 [units]
   if nargin < 2, error('smileFirstInvalid: expected robot, trajectory'); end
   moment = smilemotion('smileFirstInvalid', robot, trajectory, varargin{:});
 end

@@ -1,5 +1,5 @@
 function pose = smileForward(robot, arm, q)
-%SMILEFORWARD  Where an arm's joints bring its tool.
+%SMILEFORWARD  Pose of an arm's tool at given joint angles.
 %
 %   pose = smileForward(robot, arm, q)
 %

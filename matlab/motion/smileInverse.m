@@ -1,5 +1,5 @@
 function q = smileInverse(robot, arm, goal, qStart, varargin)
-%SMILEINVERSE  Angles that bring an arm's tool to a pose.
+%SMILEINVERSE  Joint angles that put an arm's tool at a pose.
 %
 %   q = smileInverse(robot, arm, goal, qStart)
 %   q = smileInverse(robot, arm, goal, qStart, 'anyTurn', true)
@@ -7,17 +7,17 @@ function q = smileInverse(robot, arm, goal, qStart, varargin)
 %   robot   from smileRobot
 %   arm     'left' or 'right'
 %   goal    4x4, wanted pose of the tool in the world [units]
-%   qStart  1x7 angles near which to look first [rad]
-%   q       1x7 within the limits [rad]; [] when none were found
+%   qStart  1x7 angles at which the search starts [rad]
+%   q       1x7 within the limits [rad]; [] if no solution is found
 %
 %   Options, by name:
-%     anyTurn            false   the tool may be turned about its own axis z as the arm likes
+%     anyTurn            false   any rotation of the tool about its own axis z is accepted
 %     positionTolerance  1e-6    [units]
 %     angleTolerance     1e-6    [rad]
-%     maxIterations      2000    of all attempts together
-%     seed               1       of the places where further attempts start
+%     maxIterations      2000    limit for all attempts together
+%     seed               1       seed of the start angles of further attempts
 %
-%   The same question has the same answer, in C++ and Python, too.
+%   Equal inputs give equal results, also in C++ and Python.
   if nargin < 4, error('smileInverse: expected robot, arm, goal, qStart'); end
   q = smilemotion('smileInverse', robot, arm, goal, qStart, varargin{:});
 end

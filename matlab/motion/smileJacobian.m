@@ -1,5 +1,5 @@
 function jacobian = smileJacobian(robot, arm, q)
-%SMILEJACOBIAN  How fast each joint of an arm moves its tool.
+%SMILEJACOBIAN  Velocity of an arm's tool per joint velocity.
 %
 %   jacobian = smileJacobian(robot, arm, q)
 %

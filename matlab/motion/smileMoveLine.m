@@ -1,20 +1,20 @@
 function [trajectory, fault] = smileMoveLine(robot, arm, qFrom, goal, varargin)
-%SMILEMOVELINE  A motion of the tool along a straight line.
+%SMILEMOVELINE  Plans a motion of the tool along a straight line.
 %
 %   [trajectory, fault] = smileMoveLine(robot, arm, qFrom, goal)
 %   [trajectory, fault] = smileMoveLine(robot, arm, qFrom, goal, 'toolSpeed', 2, 'anyTurn', true)
 %
 %   robot      from smileRobot
 %   arm        'left' or 'right'
-%   qFrom      1x7, where the arm is [rad]
-%   goal       4x4, where the tool shall be in the world [units]
-%   trajectory for smileSample; [] when the arm cannot go along the line
-%   fault      then a struct: share tells how far it comes (0 to 1), reason why not further; else []
+%   qFrom      1x7, start angles [rad]
+%   goal       4x4, goal pose of the tool in the world [units]
+%   trajectory for smileSample; [] if the arm cannot follow the line
+%   fault      [], or a struct if it cannot: share is the completed fraction (0 to 1), reason the cause
 %
 %   Options, by name:
-%     speed      1      share of the joints' greatest velocities, above 0, at most 1
-%     toolSpeed  Inf    at most [units/s]
-%     anyTurn    false  the tool may turn about its own axis z on the way and at the end
+%     speed      1      fraction of the joints' maximum velocities, above 0, at most 1
+%     toolSpeed  Inf    maximum speed of the tool [units/s]
+%     anyTurn    false  the tool may rotate about its own axis z during the motion and at its end
   if nargin < 4, error('smileMoveLine: expected robot, arm, qFrom, goal'); end
   [trajectory, fault] = smilemotion('smileMoveLine', robot, arm, qFrom, goal, varargin{:});
 end

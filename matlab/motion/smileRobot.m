@@ -1,14 +1,14 @@
 function robot = smileRobot(aux, base, unit, gripper)
-%SMILEROBOT  The robot, for smileForward, smileInverse, smileMoveJoints, smileMoveLine, ...
+%SMILEROBOT  Robot model for smileForward, smileInverse, smileMoveJoints, smileMoveLine, ...
 %
-%   robot = smileRobot(aux)                in a brain: the robot that aux tells of, where it stands
-%   robot = smileRobot(file)               a URDF file; lengths in metres, the world is its base
-%   robot = smileRobot(file, base, unit)   base 4x4 where it stands in the world [units],
-%                                          unit metres per unit
-%   robot = smileRobot(file, base, unit, gripper)   which of its grippers; '' for the usual one
+%   robot = smileRobot(aux)                in a brain: the robot of aux, at its place
+%   robot = smileRobot(file)               a URDF file; lengths in meters, the world is its base
+%   robot = smileRobot(file, base, unit)   base 4x4, its pose in the world [units],
+%                                          unit in meters per unit
+%   robot = smileRobot(file, base, unit, gripper)   name of its gripper; '' for the default
 %
 %   robot.minJointAngles, robot.maxJointAngles   2x7 limits [rad]; row 1 left, row 2 right
-%   robot.poses.untucked, ...                    2x7 poses that come with the robot [rad]
+%   robot.poses.untucked, ...                    2x7 named poses of the robot [rad]
 %
 %   Lengths are in the scene's unit, angles in radians. A pose is 4x4, of the tool in the world: z is
 %   the approach direction, y goes across the fingers. Arms are 'left' and 'right'.

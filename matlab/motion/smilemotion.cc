@@ -256,7 +256,7 @@ JointTrajectory TrajectoryFrom(const mxArray* value, std::size_t* num_rows) {
   const auto field = [&](const char* name) { return FieldOf(value, name, "trajectory"); };
   JointTrajectory trajectory;
   const mxArray* names = field("jointNames");
-  if (!mxIsCell(names)) Reject("trajectory.jointNames", "a cell of names");
+  if (!mxIsCell(names)) Reject("trajectory.jointNames", "a cell array of names");
   for (std::size_t i = 0; i < mxGetNumberOfElements(names); ++i) {
     trajectory.joint_names.push_back(
         TextFrom(mxGetCell(names, static_cast<mwIndex>(i)), "trajectory.jointNames"));
@@ -529,7 +529,7 @@ bool Try(int num_outputs, mxArray** outputs, int num_inputs, const mxArray** inp
   } catch (const std::exception& error) {
     std::snprintf(message, size, "%s: %s", function.c_str(), error.what());
   } catch (...) {
-    std::snprintf(message, size, "%s: something went wrong", function.c_str());
+    std::snprintf(message, size, "%s: unknown error", function.c_str());
   }
   return false;
 }

@@ -283,7 +283,7 @@ std::unique_ptr<Connection> Connected(const std::string& address) {
 }
 
 void BindBrain(py::module_& m) {
-  m.doc() = "The compiled half of smile.messages.";
+  m.doc() = "Compiled part of smile.messages.";
   py::register_exception<ProtocolError>(m, "ProtocolError", PyExc_ValueError);
   py::register_exception<SimulatorGone>(m, "SimulatorGone", PyExc_BrokenPipeError);
 
@@ -296,21 +296,22 @@ void BindBrain(py::module_& m) {
   for (const auto& [name, type] : kTypes) m.attr(name) = static_cast<int>(type);
 
   m.def("encode", &Encode, py::arg("kind"), py::arg("sequence"), py::arg("values"),
-        R"(A message as bytes.
+        R"(Returns a message as bytes.
 
-values: dict from names to text, or numbers and arrays of them, which travel as doubles.)");
+values: dict from names to str, numbers or arrays of numbers; numbers are sent as doubles.)");
   m.def("decode", &Decode, py::arg("frame"),
-        R"(Type, sequence and values of a message given as bytes.
+        R"(Returns type, sequence and values of a message given as bytes.
 
-Text is str, 1x1 a plain number, all else an array in numpy's own order.)");
+Text becomes str, 1x1 a number, everything else an array in numpy's order.)");
   py::class_<Connection>(m, "Connection", "The socket to the simulator.")
       .def(py::init(&Connected), py::arg("address"))
       .def("greet", &Connection::Greet, py::arg("client"), py::arg("language"), py::arg("guard"),
-           "Sends HELLO. guard: SIGUSR2 ends what takes too long.")
+           "Sends HELLO. guard: SIGUSR2 interrupts a brain that takes too long.")
       .def("send", &Connection::Send, py::arg("kind"), py::arg("sequence"), py::arg("values"),
-           "Sends a message, of values as encode() takes them.")
+           "Sends a message; values as for encode().")
       .def("receive", &Connection::Receive,
-           "Type, sequence and values of the next message; a goodbye when the simulator has gone.");
+           "Returns type, sequence and values of the next message; BYE when the simulator has "
+           "closed the connection.");
 }
 
 }  // namespace

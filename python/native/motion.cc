@@ -111,13 +111,13 @@ Array Stacked(const RowedTrajectory& trajectory, std::vector<double> TrajectoryP
 }
 
 void BindTrajectory(py::module_& m) {
-  py::class_<RowedTrajectory>(m, "Trajectory", R"(How the joints of an arm, or of both, move.
+  py::class_<RowedTrajectory>(m, "Trajectory", R"(Motion of the joints of an arm, or of both arms.
 
-Between its points each joint follows the cubic with their positions and velocities.)")
+Between points, each joint follows the cubic through their positions and velocities.)")
       .def_readonly("arm", &RowedTrajectory::arm, "'left', 'right' or 'both'")
       .def_property_readonly(
           "joint_names", [](const RowedTrajectory& t) { return t.joints.joint_names; },
-          "list of n names; for 'both' the left arm's first")
+          "list of n names; for 'both', first those of the left arm")
       .def_property_readonly(
           "duration", [](const RowedTrajectory& t) { return t.joints.seconds(); }, "seconds")
       .def_property_readonly(
@@ -127,7 +127,7 @@ Between its points each joint follows the cubic with their positions and velocit
             for (const TrajectoryPoint& point : t.joints.points) times.push_back(point.seconds);
             return ArrayOf(times, {static_cast<py::ssize_t>(times.size())});
           },
-          "K seconds since the start, rising")
+          "K times since the start, increasing [s]")
       .def_property_readonly(
           "positions",
           [](const RowedTrajectory& t) { return Stacked(t, &TrajectoryPoint::positions); },
@@ -145,19 +145,20 @@ Between its points each joint follows the cubic with their positions and velocit
                                   ArrayOf(point.velocities, shape));
           },
           py::arg("seconds"),
-          R"(The angles [rad] and velocities [rad/s] at a moment, each 7, or 2x7 for 'both'.
+          R"(Angles [rad] and velocities [rad/s] at a time, each 7, or 2x7 for 'both'.
 
-Before the start it is the first point, after the end the last one, at rest.)");
+The arm rests at the first point before the start, and at the last point after the end.)");
 }
 
 void BindAnswers(py::module_& m) {
-  py::class_<LineFault>(m, "LineFault", "Why the tool cannot go along a line.")
-      .def_readonly("share", &LineFault::share, "how far it comes, from 0 to 1")
+  py::class_<LineFault>(m, "LineFault", "Reason why the tool cannot follow a line.")
+      .def_readonly("share", &LineFault::share, "completed fraction, from 0 to 1")
       .def_readonly("reason", &LineFault::reason)
       .def("__repr__", [](const LineFault& fault) {
         return "<LineFault at " + std::to_string(fault.share) + ": " + fault.reason + ">";
       });
-  py::class_<InvalidMoment>(m, "InvalidMoment", "When and why a motion cannot be made.")
+  py::class_<InvalidMoment>(m, "InvalidMoment",
+                            "Time and reason at which a motion becomes invalid.")
       .def_readonly("seconds", &InvalidMoment::seconds, "since the start")
       .def_readonly("reason", &InvalidMoment::reason)
       .def("__repr__", [](const InvalidMoment& moment) {
@@ -192,7 +193,7 @@ py::tuple MoveLine(const PlanningRobot& robot, const std::string& arm, const Arr
 using RobotClass = py::class_<PlanningRobot>;
 
 RobotClass BindRobot(py::module_& m) {
-  RobotClass robot_class(m, "Robot", R"(A robot as programs plan with it.
+  RobotClass robot_class(m, "Robot", R"(Robot model for planning.
 
 Lengths are in the scene's unit, angles in radians; poses are 4x4 matrices of the tool in the world:
 z is the approach direction, y goes across the fingers. Arms are 'left' and 'right'.)");
@@ -208,11 +209,11 @@ z is the approach direction, y goes across the fingers. Arms are 'left' and 'rig
            py::arg("gripper") = "",
            R"(Reads a URDF file, and the .robot.json beside it.
 
-base: 4x4, where the robot's base stands in the world [units]; the world is the base without it.
-unit: metres per unit; a brain is told it as aux.unit.
-gripper: which of the robot's grippers; the usual one without it.)")
+base: 4x4, pose of the robot's base in the world [units]; by default the world is the base.
+unit: meters per unit; brains receive it as aux.unit.
+gripper: name of the robot's gripper; by default its default gripper.)")
       .def("joint_names", &PlanningRobot::JointNames, py::arg("arm"),
-           "Names of an arm's joints; of all for 'both'.")
+           "Names of an arm's joints; for 'both', of all joints.")
       .def(
           "limits",
           [](const PlanningRobot& robot, const std::string& arm) {
@@ -225,7 +226,7 @@ gripper: which of the robot's grippers; the usual one without it.)")
             return py::make_tuple(ArrayOf(lower, shape), ArrayOf(upper, shape));
           },
           py::arg("arm"),
-          "The least and the greatest angles: two arrays of 7, 2x7 for 'both' [rad].")
+          "Lower and upper limits of the angles: two arrays of 7, or 2x7 for 'both' [rad].")
       .def(
           "pose",
           [](const PlanningRobot& robot, const std::string& arm, const std::string& name) {
@@ -233,8 +234,8 @@ gripper: which of the robot's grippers; the usual one without it.)")
             return q ? py::object(ArrayOf(*q, ShapeFor(robot, arm))) : py::none();
           },
           py::arg("arm"), py::arg("name"),
-          "The angles of a pose that comes with the robot, such as 'untucked'; None if it has none "
-          "of that name.");
+          "Angles of a named pose of the robot, such as 'untucked'; None if it has no pose of that "
+          "name.");
   return robot_class;
 }
 
@@ -246,27 +247,27 @@ void BindKinematics(RobotClass& robot_class) {
           [](const PlanningRobot& robot, const std::string& arm, const Array& q) {
             return ArrayOf(robot.Forward(arm, ConfigurationFrom("q", q, ShapeFor(robot, arm))));
           },
-          py::arg("arm"), py::arg("q"), "Where 7 angles bring the tool: 4x4.")
+          py::arg("arm"), py::arg("q"), "Pose of the tool at 7 joint angles: 4x4.")
       .def(
           "jacobian",
           [](const PlanningRobot& robot, const std::string& arm, const Array& q) {
             return ArrayOf(robot.Jacobian(arm, ConfigurationFrom("q", q, ShapeFor(robot, arm))));
           },
           py::arg("arm"), py::arg("q"),
-          "6x7: how each joint moves the tool, rows 0..2 along x y z [units/s per rad/s], rows "
-          "3..5 "
-          "about x y z.")
+          "Velocity of the tool per joint velocity: 6x7, rows 0..2 along x y z [units/s per "
+          "rad/s], "
+          "rows 3..5 about x y z.")
       .def(
           "inverse", &Inverse, py::arg("arm"), py::arg("goal"), py::arg("q_start"), py::kw_only(),
           py::arg("any_turn") = ik.any_turn, py::arg("position_tolerance") = ik.position_tolerance,
           py::arg("angle_tolerance") = ik.angle_tolerance,
           py::arg("max_iterations") = ik.max_iterations, py::arg("seed") = ik.seed,
-          R"(Angles that bring the tool to `goal` (4x4), within limits: 7, or None when none are found.
+          R"(7 joint angles within the limits that put the tool at `goal` (4x4), or None if none are found.
 
-q_start: 7 angles near which to look first.
-any_turn: the tool may be turned about its own axis as the arm likes.
+q_start: 7 angles at which the search starts.
+any_turn: any rotation of the tool about its own axis is accepted.
 position_tolerance [units], angle_tolerance [rad].
-max_iterations: of all attempts together, about 1.5 microseconds each.)");
+max_iterations: limit for all attempts together; about 1.5 microseconds each.)");
 }
 
 void BindPlanning(RobotClass& robot_class) {
@@ -280,22 +281,22 @@ void BindPlanning(RobotClass& robot_class) {
                 robot.MoveJoints(arm, WaypointsFrom(waypoints, ShapeFor(robot, arm)), speed)};
           },
           py::arg("arm"), py::arg("waypoints"), py::kw_only(), py::arg("speed") = 1.0,
-          R"(A motion through waypoints, from rest to rest, within all limits: a Trajectory.
+          R"(Plans a motion through waypoints, from rest to rest, within all limits: a Trajectory.
 
 arm: may be 'both'.
 waypoints: Kx7, or Kx2x7 for 'both' [rad].
-speed: share of the joints' greatest velocities, above 0, at most 1.)")
+speed: fraction of the joints' maximum velocities, above 0, at most 1.)")
       .def("move_line", &MoveLine, py::arg("arm"), py::arg("q_from"), py::arg("goal"),
            py::kw_only(), py::arg("speed") = 1.0,
            py::arg("tool_speed") = std::numeric_limits<double>::infinity(),
            py::arg("any_turn") = false,
            R"(Moves the tool along a straight line to `goal` (4x4): (Trajectory, None), or
-(None, LineFault) where the arm cannot.
+(None, LineFault) if the arm cannot follow the line.
 
-q_from: 7, where the arm is [rad].
-speed: share of the joints' greatest velocities, above 0, at most 1.
-tool_speed: at most [units/s].
-any_turn: the tool may turn about its own axis on the way.)")
+q_from: 7, start angles [rad].
+speed: fraction of the joints' maximum velocities, above 0, at most 1.
+tool_speed: maximum speed of the tool [units/s].
+any_turn: the tool may rotate about its own axis during the motion.)")
       .def(
           "first_invalid",
           [](const PlanningRobot& robot, const RowedTrajectory& trajectory,
@@ -306,15 +307,15 @@ any_turn: the tool may turn about its own axis on the way.)")
           },
           py::arg("trajectory"), py::kw_only(), py::arg("q_both") = py::none(),
           py::arg("table") = py::none(),
-          R"(The first InvalidMoment of a Trajectory, None when there is none.
+          R"(First InvalidMoment of a Trajectory, or None if the trajectory is valid.
 
-Invalid is what breaks a joint's limit, and where the robot would touch itself or the table.
-q_both: 2x7, where the arms stand that do not move [rad]; without it where the robot starts.
-table: (width, depth) of a table whose top is z = 0 around the origin [units].)");
+A moment is invalid if a joint exceeds a limit, or if the robot touches itself or the table.
+q_both: 2x7, angles of the arms that do not move [rad]; default: the robot's start angles.
+table: (width, depth) of a table centered at the origin, with its top at z = 0 [units].)");
 }
 
 void BindMotion(py::module_& m) {
-  m.doc() = "The compiled half of smile.motion.";
+  m.doc() = "Compiled part of smile.motion.";
   py::register_exception_translator([](std::exception_ptr raised) {
     try {
       if (raised) std::rethrow_exception(raised);

@@ -1,1 +1,1 @@
-"""The client and the motion library for brains in Python."""
+"""Python client of SMILE, for brains."""

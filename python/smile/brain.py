@@ -1,14 +1,14 @@
-"""Runs a brain in Python for the SMILE simulator until the simulator says goodbye.
+"""Runs a brain in Python for the SMILE simulator until the simulator closes the connection.
 
-The simulator starts `python3 -m smile.brain` and tells it in the environment
+The simulator starts `python3 -m smile.brain` with these environment variables:
 
     SMILE_BRAIN_TRANSPORT  `socket`
     SMILE_BRAIN_ADDRESS    the Unix socket to connect to
     SMILE_BRAIN_PROGRAM    the brain, a .py file
-    SMILE_BRAIN_FOLDER     the folder it lies in
+    SMILE_BRAIN_FOLDER     the folder of that file
 
-The program is a module with a function `step(sensor, motor, aux)` and, if it likes, `init(aux)`.
-docs/brains.md tells what these are, docs/brain-protocol.md describes the messages. Needs numpy, and
+The brain is a module with a function `step(sensor, motor, aux)` and optionally `init(aux)`.
+docs/brains.md describes these functions, docs/brain-protocol.md the messages. Requires numpy and
 the compiled module smile_brain_native.
 """
 
@@ -22,7 +22,7 @@ import traceback
 try:
     import numpy as np
 except ImportError:
-    sys.exit(f"{sys.executable} has no numpy; install it, or name another Python in SMILE_PYTHON")
+    sys.exit(f"{sys.executable} has no numpy; install numpy, or set SMILE_PYTHON to another Python")
 
 try:
     from smile.messages import (
@@ -36,11 +36,11 @@ NO_MARKERS = np.zeros((0, 3))
 
 
 class TookTooLong(BaseException):
-    """Raised in a program that is late. No Exception: `except Exception` shall not swallow it."""
+    """Raised in a brain that is late; `except Exception` does not catch it."""
 
 
 class Guard:
-    """Turns SIGUSR2 into TookTooLong, while the program runs and not in the middle of a message."""
+    """Turns SIGUSR2 into TookTooLong while the brain runs, but not during a message."""
 
     def __init__(self):
         self.is_watching = False
@@ -59,7 +59,7 @@ class Guard:
 
 
 class Program:
-    """The brain, and what it has been told and has answered so far."""
+    """The brain with its state: module, aux, motor and the markers sent last."""
 
     def __init__(self):
         self.file = os.environ["SMILE_BRAIN_PROGRAM"]
@@ -67,14 +67,14 @@ class Program:
 
     def start(self, values):
         """INIT -> INIT_DONE"""
-        # The name of the file, so that its classes can be pickled and its helpers import it.
+        # The module is named like the file, so that pickle and helper modules find it.
         name = os.path.splitext(os.path.basename(self.file))[0]
         spec = importlib.util.spec_from_file_location(name, self.file)
         self.module = importlib.util.module_from_spec(spec)
         sys.modules[name] = self.module
         spec.loader.exec_module(self.module)
         if not callable(getattr(self.module, "step", None)):
-            raise NameError("there is no function step(sensor, motor, aux)")
+            raise NameError("function step(sensor, motor, aux) is missing")
         self.aux = aux_of(values)
         self.motor = Motor(self.aux.numLimbs, self.aux.numJoints)
         if hasattr(self.module, "init"):
@@ -90,7 +90,7 @@ class Program:
         return FINAL_MOTOR if is_last else MOTOR, self.motor.values() | self.new_markers()
 
     def new_markers(self):
-        """aux.drawMarkers, when they are others than those sent last."""
+        """Returns aux.drawMarkers if they differ from those sent last."""
         if "drawMarkers" not in self.aux and not len(self.markers):
             return {}  # most programs have none, and array_equal is slow
         markers = wish_of(self.aux, "drawMarkers") if "drawMarkers" in self.aux else NO_MARKERS
@@ -100,7 +100,7 @@ class Program:
         return {"drawMarkers": self.markers}
 
     def describe(self, error):
-        """An exception as the arrays of ERROR: what, and where in the program's own folder."""
+        """Returns an exception as the arrays of ERROR: message, file and line of the brain."""
         file, line = self.place_of(error)
         message = f"{type(error).__name__}: {error}" if str(error) else type(error).__name__
         if isinstance(error, SyntaxError):
@@ -135,19 +135,19 @@ def serve(connection, program, guard):
         try:
             with guard:
                 kind, values = program.start(values) if kind == INIT else program.step(values)
-        except BaseException as error:  # whatever it is, the simulator is told
+        except BaseException as error:  # every failure is reported to the simulator
             program.show(error)
             kind, values = ERROR, program.describe(error)
         try:
             connection.send(kind, sequence, values)
-        except ValueError as error:  # too much for a message, or no letters
+        except ValueError as error:  # too large for a message, or invalid text
             connection.send(ERROR, sequence, program.describe(error))
 
 
 def main():
     if "SMILE_BRAIN_ADDRESS" not in os.environ:
         sys.exit("a brain is started by the simulator: smile run SCENE --brain PROGRAM.py")
-    # Modules come from the program's folder, not from the one it happens to be started in.
+    # Modules are imported from the brain's folder, not from the working directory.
     os.environ.pop("PYTHONSAFEPATH", None)
     sys.path[:] = [path for path in sys.path if path not in ("", os.getcwd())]
     sys.path.insert(0, os.environ["SMILE_BRAIN_FOLDER"])

@@ -1,4 +1,4 @@
-"""What a brain sees: sensor, motor and aux (docs/brains.md)."""
+"""The values of a brain: sensor, motor and aux (docs/brains.md)."""
 
 import math
 
@@ -6,9 +6,9 @@ import numpy as np
 
 
 class Fields:
-    """What the simulator tells, each array as an attribute: `sensor.jointAngles`.
+    """Values from the simulator, each array as an attribute: `sensor.jointAngles`.
 
-    A field that comes only sometimes is asked for with `"rgbVision" in sensor`.
+    For optional fields, test `"rgbVision" in sensor`.
     """
 
     def __init__(self, values):
@@ -17,19 +17,19 @@ class Fields:
     def __contains__(self, name):
         return name in self.__dict__
 
-    def __getattr__(self, name):  # only asked when there is none
-        raise AttributeError(f"there is no {name}, only {', '.join(self.__dict__) or 'nothing'}")
+    def __getattr__(self, name):  # called only for missing names
+        raise AttributeError(f"{name} is unknown, expected {', '.join(self.__dict__) or 'nothing'}")
 
     def __repr__(self):
         return "\n".join(f"{name}: {brief(value)}" for name, value in self.__dict__.items())
 
 
 class Motor:
-    """What the robot shall do. Keeps its fields until they are changed; others cannot be made.
+    """Commands to the robot. Fields keep their values until changed; new fields cannot be added.
 
     jointVelocities    limbs x joints [rad/s]
-    gripperVelocities  a number for each limb [units/s]
-    jointAngles        None, or limbs x joints: be there at once [rad]
+    gripperVelocities  one number per limb [units/s]
+    jointAngles        None, or limbs x joints: immediate joint angles [rad]
     headVelocity       None, or a number [rad/s]
     """
 
@@ -60,7 +60,7 @@ class Motor:
         expected = self.shapes[name]
         array = real_numbers(f"motor.{name}", value)
         if name == "gripperVelocities" and array.size == expected[0]:
-            array = array.reshape(expected)  # a row, a column: all the same
+            array = array.reshape(expected)  # rows and columns are accepted
         if name == "headVelocity" and array.size == 1:
             array = array.reshape(())
         if array.shape != expected:
@@ -69,7 +69,7 @@ class Motor:
         return array
 
     def values(self):
-        """As the message has them; checked once more, since elements can be set as well."""
+        """Returns the fields for the message, checked again because elements can be set as well."""
         values = {}
         for name, shape in self.shapes.items():
             array = self.__dict__[name]
@@ -143,7 +143,7 @@ def aux_of(values):
 
 
 def wishes_of(aux):
-    """What init left in aux for the simulator."""
+    """Returns the requests to the simulator that init set in aux."""
     values = {}
     for name in ("initJointAngles", "drawMarkers", "imageSeconds", "watch"):
         if name in aux:

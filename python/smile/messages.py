@@ -1,6 +1,6 @@
-"""Messages between simulator and brain, as docs/brain-protocol.md describes them.
+"""Messages between simulator and brain (docs/brain-protocol.md).
 
-Connection, frames and checks are those of all languages, in C++ (src/brain_client, src/wire).
+All languages share the C++ implementation of connection, frames and checks (src/brain_client, src/wire).
 """
 
 from smile.native import load

@@ -4,8 +4,8 @@
     robot = Robot("robots/baxter.urdf", unit=0.1)
     q = robot.inverse("left", goal, q_start)
 
-All runs in this process, without a simulator. Lengths are in the scene's unit, angles in radians,
-poses 4x4 matrices in the world; docs/motion.md teaches it.
+Runs in this process, without a simulator. Lengths are in the scene's unit, angles in radians; poses
+are 4x4 matrices in the world. See docs/motion.md.
 """
 
 from smile.native import load
@@ -18,7 +18,7 @@ __all__ = ["InvalidMoment", "LineFault", "Robot", "Trajectory", "robot_of"]
 
 
 def robot_of(aux):
-    """The robot that a brain's `aux` tells of: aux.robot, aux.robotBase, aux.unit, aux.robotGripper.
+    """Returns the robot of a brain's `aux`: aux.robot, aux.robotBase, aux.unit, aux.robotGripper.
 
     `aux` may be an object with these attributes or a dict.
     """

@@ -96,7 +96,7 @@ class ConnectionTest(unittest.TestCase):
         self.assertEqual(messages.decode(self.simulator.recv(4096)), (messages.MOTOR, 6, {"c": 2.0}))
         self.simulator.close()
         self.assertEqual(self.connection.receive(), (messages.BYE, 0, {}))
-        with self.assertRaisesRegex(BrokenPipeError, "the simulator has gone"):
+        with self.assertRaisesRegex(BrokenPipeError, "the simulator has closed the connection"):
             self.connection.send(messages.MOTOR, 7, {})
 
     def test_leaves_a_picture_in_the_memory_it_was_received_into(self):
@@ -154,7 +154,7 @@ class NativeTest(unittest.TestCase):
     def test_that_is_missing_is_explained(self):
         text = how_to_get("smile_brain_native", "no such thing")
         self.assertIn(f"{sys.executable} (Python ", text)
-        self.assertIn("for another Python: name that one in SMILE_PYTHON", text)
+        self.assertIn("is built for another Python: set SMILE_PYTHON", text)
         self.assertIn(f"-DPython3_EXECUTABLE={sys.executable}", text)
         self.assertIn("must be on PYTHONPATH", how_to_get("smile_other_native", "no such thing"))
 

@@ -11,7 +11,7 @@ function id_and_message(id, pattern, varargin)
   error('no error, expected %s', pattern);
 end
 
-id_and_message('smile:usage', 'there is no connection yet', 'receive');
+id_and_message('smile:usage', 'not connected; call', 'receive');
 id_and_message('smile:usage', 'expected ''open'', ''receive'' or ''send''', 'shout');
 id_and_message('smile:closed', 'cannot connect to /nowhere/door: No such file', 'open', '/nowhere/door');
 smilelink('open', getenv('SMILE_BRAIN_ADDRESS'));
@@ -35,14 +35,14 @@ assert({sequence, is_other}, {6, false});
 
 id_and_message('smile:value', 'c is a cell, expected real numbers', 'send', 5, 6, struct('c', {{1}}));
 id_and_message('smile:value', 'z is a complex double, expected', 'send', 5, 6, struct('z', 1i));
-id_and_message('smile:value', 'big is 100000x100000, which no message takes', ...
+id_and_message('smile:value', 'big is 100000x100000, which messages cannot contain', ...
                'send', 5, 6, struct('big', sparse(1e5, 1e5)));
 id_and_message('smile:usage', 'expected a scalar struct', 'send', 5, 6, 7);
 smilelink('send', 5, 6, struct('after', 1));  % what was refused has left nothing behind
 
-id_and_message('smile:protocol', 'rows of pixels, which nobody has asked for', 'receive');
+id_and_message('smile:protocol', 'row-major pixels, which were not requested', 'receive');
 id_and_message('smile:protocol', 'a message of 4294967295 bytes, expected at most', 'receive');
 smilelink('open', getenv('SMILE_BRAIN_ADDRESS'));  % a new one
-assert(smilelink('receive'), 8);  % the simulator has gone
-id_and_message('smile:closed', 'the simulator has gone', 'send', 5, 6, struct());
+assert(smilelink('receive'), 8);  % the simulator has closed the connection
+id_and_message('smile:closed', 'the simulator has closed the connection', 'send', 5, 6, struct());
 disp('all is well');

@@ -48,8 +48,8 @@ task::FailureReason FailureReasonFromStatus(const JsonNode& result) {
   if (status == "failed") {
     return {"brain_failed", brain.Member("message").String().substr(0, kMaxTextBytes)};
   }
-  if (status == "running") return {"time_up", "the brain was still at work"};
-  return {"not_rebuilt", "the structure is not as it was shown"};
+  if (status == "running") return {"time_up", "the brain was still running when the episode ended"};
+  return {"not_rebuilt", "the structure differs from the demonstration"};
 }
 
 /// Returns the run of a result.

@@ -12,7 +12,8 @@ namespace smile::report {
 namespace {
 
 constexpr const char* kWhatIntervalsAre =
-    "Intervals are of 95 %: Wilson's for rates, Student's t for means and differences.";
+    "All intervals are 95 % confidence intervals: Wilson's for rates, Student's t for means and "
+    "differences.";
 
 /// Returns the head of a brain's row: a chip in the color of its series, and its name.
 Markup BrainHead(const std::string& name, std::size_t series) {
@@ -48,8 +49,8 @@ Markup HeaderOf(const Evaluation& evaluation) {
   Markup header = Element("p", {{"class", "eyebrow"}}, "SMILE evaluation");
   header += Element("h1", {}, Headline(evaluation));
   header += Element("p", {{"class", "lead"}},
-                    "A robot watched a demonstration and did the same from random starting "
-                    "layouts, the same ones for every brain and every demonstrator.");
+                    "A robot watched a demonstration and imitated it from random starting layouts. "
+                    "All brains and demonstrators have the same layouts.");
   return Element("header", {}, header);
 }
 
@@ -57,7 +58,7 @@ Markup HeaderOf(const Evaluation& evaluation) {
 Markup WhatWasRun(const Evaluation& evaluation) {
   Markup facts = Fact("Demonstration", evaluation.demo);
   facts += Fact("Scene", evaluation.scene);
-  facts += Fact("Level", evaluation.level.empty() ? "the usual one" : evaluation.level);
+  facts += Fact("Level", evaluation.level.empty() ? "default" : evaluation.level);
   facts += Fact("Seeds", SeedsText(evaluation));
   facts += Fact("Program", evaluation.program);
   std::string ways;
@@ -68,7 +69,7 @@ Markup WhatWasRun(const Evaluation& evaluation) {
                                   ? brain.brain
                                   : brain.brain + ", demonstrator " + brain.demonstrator);
   }
-  return Section("What was run", Element("dl", {{"class", "facts"}}, facts));
+  return Section("Setup", Element("dl", {{"class", "facts"}}, facts));
 }
 
 /// Returns one row per brain, with intervals of 95 %.
@@ -91,8 +92,7 @@ Markup SummaryTable(const Evaluation& evaluation) {
              NumberCell(Count(summary.grasps)), NumberCell(Count(summary.retries))});
   }
   return Table(
-      "Errors and times are of rebuilt structures only; grasps and retries are of all runs "
-      "together.",
+      "Errors and times include rebuilt structures only; grasps and retries include all runs.",
       head, rows);
 }
 
@@ -120,7 +120,7 @@ Markup Map(const Evaluation& evaluation) {
     }
     rows.push_back(row);
   }
-  return SuccessMap(rows, "Success of each seed; the table of seeds below says the same");
+  return SuccessMap(rows, "Success of each seed; the table of seeds below contains the same data");
 }
 
 /// Returns the distribution of a number over the rebuilt structures, one row per brain.
@@ -151,8 +151,8 @@ Markup Retries(const Evaluation& evaluation) {
     rows.push_back(row);
   }
   if (!are_known) return {};
-  return Section("Retries", DotPlot(rows, "grasps of what had been held before, in a run",
-                                    "How often grasps were repeated, run by run"));
+  return Section("Retries", DotPlot(rows, "repeated grasps of an object per run",
+                                    "Number of repeated grasps in each run"));
 }
 
 /// Returns the number of failures for each cause; empty without failures.
@@ -174,13 +174,13 @@ Markup CauseTable(const Evaluation& evaluation) {
     rows += Element("tr", {}, row);
   }
   return Section("Failures by cause",
-                 Table("How many runs failed for what.", Element("tr", {}, head), rows));
+                 Table("Number of failed runs for each cause.", Element("tr", {}, head), rows));
 }
 
 Markup Plots(const Evaluation& evaluation) {
-  const std::string note = "One dot is one rebuilt structure; below, the mean and its interval.";
+  const std::string note = "Each dot is a rebuilt structure; below, the mean and its interval.";
   Markup pair = Section("Success", Bars(evaluation));
-  pair += Section("Success, seed by seed", Map(evaluation));
+  pair += Section("Success by seed", Map(evaluation));
   Markup errors = Distribution(evaluation, &EvaluatedRun::error_mm, "mean error [mm]",
                                "Placement errors of rebuilt structures");
   errors += Element("p", {{"class", "note"}}, note);
@@ -212,15 +212,13 @@ Markup Comparisons(const Evaluation& evaluation) {
              NumberCell(DifferenceWithInterval(comparison.seconds, 1))});
   }
   if (rows.is_empty()) return {};
-  const Markup head =
-      Row({Head("Difference"), NumberHead("Rebuilt"), NumberHead("Exact McNemar"),
-           NumberHead("Both"), NumberHead("Only the first"), NumberHead("Only the second"),
-           NumberHead("Neither"), NumberHead("Error, mm (95 %)"), NumberHead("Error, ° (95 %)"),
-           NumberHead("Seconds (95 %)")});
-  return Section("Side by side",
-                 Table("The same seeds, pair by pair. Differences of errors and times are of seeds "
-                       "from which both rebuilt it.",
-                       head, rows));
+  const Markup head = Row({Head("Difference"), NumberHead("Rebuilt"), NumberHead("Exact McNemar"),
+                           NumberHead("Both"), NumberHead("First only"), NumberHead("Second only"),
+                           NumberHead("Neither"), NumberHead("Error, mm (95 %)"),
+                           NumberHead("Error, ° (95 %)"), NumberHead("Seconds (95 %)")});
+  return Section("Comparison", Table("Pairwise comparison on the same seeds. Differences of errors "
+                                     "and times include only seeds that both rebuilt.",
+                                     head, rows));
 }
 
 /// Returns one row per failure, with a link to its recording if that was kept.
@@ -236,8 +234,8 @@ Markup FailureTable(const Evaluation& evaluation) {
                    run.recording.empty() ? Text("not kept") : LinkTo(run.recording, "recording"))});
     }
   }
-  return Table("Every failure.",
-               Row({Head("Brain"), NumberHead("Seed"), Head("Cause"), Head("What happened"),
+  return Table("All failures.",
+               Row({Head("Brain"), NumberHead("Seed"), Head("Cause"), Head("Description"),
                     Head("Recording")}),
                rows);
 }
@@ -249,9 +247,9 @@ Markup Failures(const Evaluation& evaluation) {
   }
   if (!is_any) return Section("Failures", Element("p", {}, "None."));
   Markup content = FailureTable(evaluation);
-  content +=
-      Element("p", {{"class", "note"}},
-              "To see one with the robot's pictures, run it again, with its words in capitals:");
+  content += Element(
+      "p", {{"class", "note"}},
+      "To watch a failure with the robot's pictures, run it again; replace the words in capitals:");
   content += Element("pre", {}, evaluation.again);
   return Section("Failures", content);
 }
@@ -282,10 +280,9 @@ Markup SeedTable(const Evaluation& evaluation) {
     }
     rows += Element("tr", {}, row);
   }
-  return Section("Every seed",
-                 Table("Robot time is simulated; how much faster than real time it ran is told by "
-                       "the clock on the wall, and differs from machine to machine.",
-                       Element("tr", {}, head), rows));
+  return Section("All seeds", Table("Robot time is simulated time. The factor to real time is "
+                                    "measured in wall-clock time and depends on the machine.",
+                                    Element("tr", {}, head), rows));
 }
 
 }  // namespace

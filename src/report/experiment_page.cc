@@ -42,8 +42,8 @@ Markup PicturesOf(const recording::Recording& recording, const std::string& whos
     for (std::uint64_t tick : {ticks.first, ticks.last}) {
       const auto moment = MomentAt(recording, tick);
       if (!moment) continue;
-      const std::string words = whose + (tick == ticks.first ? ", the beginning" : ", the end") +
-                                (is_eye ? ", as the robot's eye sees it" : "");
+      const std::string words = whose + (tick == ticks.first ? ", start" : ", end") +
+                                (is_eye ? ", view of the robot's eye" : "");
       gallery += Captioned(Picture(EncodePng(renderer.Take(*moment)), words), words);
     }
   }
@@ -62,16 +62,16 @@ std::string FailureText(const Json& result) {
            result.at("cause").at("text").get<std::string>();
   }
   const auto status = result.at("brain").at("status").get<std::string>();
-  if (status == "running") return "time was up, the brain was still at work";
-  return "the brain " + status + ", and the structure is not as it was shown";
+  if (status == "running") return "the brain was still running when the episode ended";
+  return "the brain " + status + ", and the structure differs from the demonstration";
 }
 
 Markup HeaderOf(const ExperimentOutcome& outcome) {
   const bool has_succeeded = HasSucceeded(outcome.result);
   Markup header = Element("p", {{"class", "eyebrow"}}, "SMILE experiment: " + outcome.name);
   header += Element("h1", {},
-                    has_succeeded ? "The robot watched, and built one of its own"
-                                  : "The robot watched, and did not manage to rebuild it");
+                    has_succeeded ? "The robot watched and rebuilt the structure"
+                                  : "The robot watched but failed to rebuild the structure");
   header += Badge(has_succeeded, has_succeeded ? "rebuilt" : "not rebuilt");
   if (!has_succeeded) {
     header += Element("p", {{"class", "lead"}}, FailureText(outcome.result));
@@ -87,11 +87,10 @@ Markup Numbers(const Json& result) {
   Markup facts = Fact("Structure in place", Percent(number("score")));
   facts += Fact("Mean error", Fixed(number("mean_error_mm"), 1) + " mm");
   if (result.contains("mean_error_degrees") && !result.at("mean_error_degrees").is_null()) {
-    facts += Fact("Turned off, mean", Fixed(number("mean_error_degrees"), 1) + "°");
+    facts += Fact("Mean rotation error", Fixed(number("mean_error_degrees"), 1) + "°");
   }
   facts += Fact("Robot time", Fixed(number("seconds"), 1) + " s");
-  facts +=
-      Fact("Speed, by the clock on the wall", Fixed(number("realtime_factor"), 1) + " × real time");
+  facts += Fact("Speed, wall-clock", Fixed(number("realtime_factor"), 1) + " × real time");
   return Element("section", {}, Element("dl", {{"class", "facts figure"}}, facts));
 }
 
@@ -110,18 +109,18 @@ Markup PlacementTable(const std::vector<Placement>& placements, double meters_pe
     rows += Row(
         {RowHead(placement.object), NumberCell(PositionText(placement.X_WWanted, meters_per_unit)),
          NumberCell(placement.X_WReached ? PositionText(*placement.X_WReached, meters_per_unit)
-                                         : "gone"),
+                                         : "missing"),
          NumberCell(Fixed(placement.error_mm, 1)), NumberCell(Fixed(placement.error_degrees, 1)),
          Element("td", {},
                  Badge(is_near, is_near                ? "in place"
                                 : placement.X_WReached ? "too far"
-                                                       : "gone"))});
+                                                       : "missing"))});
   }
   return Table(
-      "Positions x, y, z in units of the scene; the structure may stand anywhere, so what is "
-      "wanted is where it stands best.",
+      "Positions x, y, z in units of the scene. The structure may be built anywhere, so the wanted "
+      "positions are those of the best fit.",
       Row({Head("Object"), NumberHead("Wanted"), NumberHead("Reached"), NumberHead("Error, mm"),
-           NumberHead("Turned off, °"), Head("")}),
+           NumberHead("Rotation error, °"), Head("")}),
       rows);
 }
 
@@ -131,7 +130,7 @@ Markup Places(const ExperimentOutcome& outcome) {
   const double tolerance_mm =
       1000 * scene.meters_per_unit * outcome.result.at("tolerance").get<double>();
   const std::vector<Placement> placements = PlacementsOf(outcome.result, scene.meters_per_unit);
-  const std::string note = "Filled: as it is in the end. Dashed: as it was wanted.";
+  const std::string note = "Filled: final pose. Dashed: wanted pose.";
   const auto view = [&](ViewDirection direction) {
     Markup content = DrawPlacements(scene, outcome.result, placements, direction);
     content += Element("p", {{"class", "note"}}, note);
@@ -154,7 +153,7 @@ Markup StepsOf(const recording::Recording& recording) {
     rows += Row({NumberCell(Fixed(SecondsInto(recording, step.begin.tick), 1) + " s"),
                  WideCell(WordsOf(step))});
   }
-  return Table("What the hands did, step by step.", Row({NumberHead("At"), Head("Step")}), rows);
+  return Table("Steps of the hands.", Row({NumberHead("At"), Head("Step")}), rows);
 }
 
 /// Returns the times in which grippers held objects.
@@ -164,7 +163,7 @@ Markup RobotStepsOf(const std::vector<Carry>& carries) {
     rows += Row({NumberCell(Fixed(carry.begin, 1) + " s"), NumberCell(Fixed(carry.end, 1) + " s"),
                  WideCell(carry.who + " carries " + carry.object)});
   }
-  return Table("What the robot's grippers held.",
+  return Table("Objects held by the robot's grippers.",
                Row({NumberHead("From"), NumberHead("To"), Head("Step")}), rows);
 }
 
@@ -175,13 +174,13 @@ Markup Work(const ExperimentOutcome& outcome) {
   };
   const std::vector<Carry> carries = CarriesOf(outcome.imitation);
   Markup shown = TimelineOf(CarriesOf(outcome.demonstration), length(outcome.demonstration),
-                            "When the hands held each object");
+                            "Times at which the hands held each object");
   shown += StepsOf(outcome.demonstration);
-  Markup done =
-      TimelineOf(carries, length(outcome.imitation), "When the robot's grippers held each object");
+  Markup done = TimelineOf(carries, length(outcome.imitation),
+                           "Times at which the robot's grippers held each object");
   done += RobotStepsOf(carries);
-  Markup pair = Section("How it was shown", shown);
-  pair += Section("How the robot did it", done);
+  Markup pair = Section("Demonstration", shown);
+  pair += Section("Imitation", done);
   return Element("div", {{"class", "pair"}}, pair);
 }
 
@@ -191,7 +190,7 @@ Markup Enclosures(const std::vector<Enclosure>& enclosures) {
   for (const Enclosure& enclosure : enclosures) {
     list += Element("li", {}, LinkTo(enclosure.file, enclosure.words));
   }
-  return list.is_empty() ? Markup() : Section("Beside this page", Element("ul", {}, list));
+  return list.is_empty() ? Markup() : Section("Files", Element("ul", {}, list));
 }
 
 }  // namespace
@@ -200,7 +199,7 @@ std::string PageOf(const ExperimentOutcome& outcome) {
   Markup body = HeaderOf(outcome);
   body += Numbers(outcome.result);
   body += Section("The demonstration", PicturesOf(outcome.demonstration, "The demonstration"));
-  body += Section("The robot's work", PicturesOf(outcome.imitation, "The robot's work"));
+  body += Section("The imitation", PicturesOf(outcome.imitation, "The imitation"));
   body += Places(outcome);
   body += Work(outcome);
   body += Enclosures(outcome.enclosures);

@@ -161,7 +161,7 @@ Markup ErrorBars(const std::vector<Placement>& placements, double tolerance_mm) 
   }
   const Axis axis(0, most, kLabels, kPlotWidth - kValues);
   const double bottom = kRow * static_cast<double>(placements.size()) + 6;
-  Markup drawing = axis.Draw(0, bottom, "distance from where it was wanted [mm]");
+  Markup drawing = axis.Draw(0, bottom, "distance from the wanted position [mm]");
   for (std::size_t i = 0; i < placements.size(); ++i) {
     const Placement& placement = placements[i];
     const double y = kRow * static_cast<double>(i) + 5;
@@ -170,7 +170,7 @@ Markup ErrorBars(const std::vector<Placement>& placements, double tolerance_mm) 
     drawing += SvgRect(kLabels, y, std::max(1.0, end - kLabels), kBar,
                        placement.IsWithin(tolerance_mm) ? "yes" : "no");
     drawing += SvgText(end + 4, y + 10, "value",
-                       placement.error_mm ? Fixed(placement.error_mm, 1) : "gone");
+                       placement.error_mm ? Fixed(placement.error_mm, 1) : "missing");
   }
   const double limit = axis.x(tolerance_mm);
   drawing += SvgLine(limit, 0, limit, bottom, "limit");

@@ -78,7 +78,7 @@ TEST_F(ExperimentPage, ShowsPicturesPlacesAndErrors) {
 
 TEST_F(ExperimentPage, ReportsMissingObjects) {
   const std::string page = PageWith(ResultOf(Json::object()));
-  EXPECT_NE(page.find("gone"), std::string::npos);
+  EXPECT_NE(page.find("missing"), std::string::npos);
   EXPECT_EQ(page.find("too far"), std::string::npos);
 }
 

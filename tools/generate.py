@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Writes anew what the documents and the studio's page have from the program's tables.
+"""Regenerates the parts of the documents and of the studio's page that come from the program's tables.
 
-In docs/ that is what stands between a line `<!-- smile ARGUMENTS -->` and the next `<!-- -->`.
+In docs/, such a part lies between a line `<!-- smile ARGUMENTS -->` and the next `<!-- -->`.
 
-    tools/generate.py [PROGRAM]    build/dev/bin/smile if not given
+    tools/generate.py [PROGRAM]    default: build/dev/bin/smile
 """
 
 import pathlib
@@ -22,14 +22,14 @@ FILES = {
 def main():
     program = sys.argv[1] if len(sys.argv) > 1 else ROOT / "build/dev/bin/smile"
 
-    def told(arguments):
+    def output(arguments):
         return subprocess.run([program, *arguments.split()], check=True, capture_output=True, text=True).stdout
 
     for file, arguments in FILES.items():
-        (ROOT / file).write_text(told(arguments))
+        (ROOT / file).write_text(output(arguments))
     for document in sorted((ROOT / "docs").glob("*.md")):
         text = document.read_text()
-        new = PART.sub(lambda part: f"{part[1]}{part[2]}\n{told(part[1])}\n", text)
+        new = PART.sub(lambda part: f"{part[1]}{part[2]}\n{output(part[1])}\n", text)
         if new != text:
             document.write_text(new)
 

@@ -40,7 +40,7 @@ test("nothing serious stands in anybody's way, in light and in dark", async (t) 
   await person.showPanel("Objects");
   await person.showPanel("Brain");
   await person.press("Edit");
-  await page.getByRole("textbox", { name: "Text of the scene" }).fill("<tabletop>");
+  await page.getByRole("textbox", { name: "Scene text" }).fill("<tabletop>");
   await page.getByRole("button", { name: /^Line 1/ }).first().waitFor();
   await holdsNothingAgainst("a scene with errors");
   await person.press("Discard");

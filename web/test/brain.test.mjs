@@ -46,7 +46,7 @@ test("a brain runs, its error tells its line, and an imitation its score", async
   const folder = brains(t, { stumbles: STUMBLES, rests: RESTS, trips: TRIPS });
   const { page, witness, person } = await browser.workplace(t, { studio: ["--brains", folder] });
   await person.showPanel("Brain");
-  const program = page.getByRole("combobox", { name: "Program" });
+  const program = page.getByRole("combobox", { name: "Brain" });
   await program.selectOption("stumbles.py");
   await person.press("Start");
   const log = page.getByRole("log", { name: "Console" });
@@ -63,7 +63,7 @@ test("a brain runs, its error tells its line, and an imitation its score", async
   await witness.until(() => witness.state.recording === null, "the end of the recording");
   await person.showPanel("Brain");
   // What does not read demonstrations is not offered for them.
-  const imitator = page.getByRole("combobox", { name: "Program that imitates" });
+  const imitator = page.getByRole("combobox", { name: "Imitating brain" });
   const offered = await imitator.getByRole("option").allTextContents();
   assert.deepEqual(offered, ["rests.py (python)", "trips.py (python)", "matlab/learner (octave)", "python/learner (python)"]);
   assert.equal(await imitator.inputValue(), "rests.py", "one's own comes first");
@@ -101,7 +101,7 @@ test("the shipped learner is chosen, begins, and is recorded", async (t) => {
     await witness.until(() => witness.positionOf("RedBlock")[2] < 0.51, "it lies on the table");
   });
   await person.showPanel("Brain");
-  const imitator = page.getByRole("combobox", { name: "Program that imitates" });
+  const imitator = page.getByRole("combobox", { name: "Imitating brain" });
   assert.equal(await imitator.inputValue(), "matlab/learner");
   await person.press("Imitate");
   await witness.until(() => witness.state.recording !== null, "the imitation is recorded");
@@ -119,7 +119,7 @@ test("nobody waits for a brain that does not get ready", async (t) => {
   const folder = brains(t, { dawdles: DAWDLES });
   const { page, witness, person } = await browser.workplace(t, { studio: ["--brains", folder] });
   await person.showPanel("Brain");
-  await page.getByRole("combobox", { name: "Program" }).selectOption("dawdles.py");
+  await page.getByRole("combobox", { name: "Brain" }).selectOption("dawdles.py");
   await person.press("Start");
   const status = page.getByRole("status");
   await status.getByText("starting…").waitFor();

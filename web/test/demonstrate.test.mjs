@@ -146,8 +146,8 @@ test("requests for control stop no drag, and all who are refused are told", asyn
   const at = await person.take("RedBlock");
   await page.mouse.move(at.x, at.y - 30, { steps: 3 });
   await other.press("Take control");
-  const banner = page.getByRole("status", { name: "Somebody asks for control" });
-  await banner.getByText(/Visitor \d+ asks for control/).waitFor();
+  const banner = page.getByRole("status", { name: "Control requested" });
+  await banner.getByText(/Visitor \d+ requests control/).waitFor();
   const before = await person.restOf("RedBlock");
   await page.mouse.move(at.x, at.y - 90, { steps: 3 });
   await witness.until(() => witness.handOf("RedBlock").place[2] > before[2] + 0.3, "it is dragged on");
@@ -155,16 +155,16 @@ test("requests for control stop no drag, and all who are refused are told", asyn
 
   await page.waitForTimeout(PAUSE_MS);
   await another.press("Take control");
-  await banner.getByText(/Visitors \d+ and \d+ ask for control/).waitFor();
+  await banner.getByText(/Visitors \d+ and \d+ request control/).waitFor();
   await person.press("Keep control", banner);
   await second.getByText(/Visitor \d+ keeps control/).waitFor();
   await third.getByText(/Visitor \d+ keeps control/).waitFor();
   assert.equal(await banner.count(), 0);
   await another.press("Take control");
-  await third.getByText(/you may ask again in \d+ s/).waitFor();
-  await third.getByRole("button", { name: "Who controls" }).click();
-  await third.getByRole("menuitem", { name: "Take control though nobody answers" }).click();
-  await third.getByText(/control may be taken after a silence of 30 s/).waitFor();
+  await third.getByText(/you can ask again in \d+ s/).waitFor();
+  await third.getByRole("button", { name: "Control", exact: true }).click();
+  await third.getByRole("menuitem", { name: "Take control from an inactive controller" }).click();
+  await third.getByText(/control can be taken after inactivity of 30 s/).waitFor();
   assert.equal(await banner.count(), 0, "nobody is asked so often");
   assert.ok(witness.isHeld("RedBlock"));
   await person.release();
@@ -172,18 +172,18 @@ test("requests for control stop no drag, and all who are refused are told", asyn
 
 test("of several who ask, one is chosen to have control", async (t) => {
   const { studio, page, person } = await browser.workplace(t, { studio: ["--no-robot", "--no-pictures"] });
-  const banner = page.getByRole("status", { name: "Somebody asks for control" });
+  const banner = page.getByRole("status", { name: "Control requested" });
   const askers = [await browser.open(studio), await browser.open(studio)];
   for (const asker of askers) {
     await asker.getByRole("button", { name: "Take control" }).click();
-    await asker.getByText("Asked for control").waitFor();
+    await asker.getByText("Control requested").waitFor();
     await page.waitForTimeout(PAUSE_MS);
   }
-  const [, first, second] = /Visitors (\d+) and (\d+) ask/.exec(await banner.textContent());
+  const [, first, second] = /Visitors (\d+) and (\d+) request/.exec(await banner.textContent());
   assert.notEqual(first, second);
   await person.press("Hand over", banner);
   await page.getByRole("menuitem", { name: `Give control to visitor ${first}` }).click();
-  await askers[0].getByText(/^You control/).first().waitFor();
+  await askers[0].getByText(/^In control/).first().waitFor();
   await banner.waitFor({ state: "detached" });
   await page.getByText("You are watching.").waitFor();
   assert.equal(await askers[1].getByText("You are watching.").count(), 1);

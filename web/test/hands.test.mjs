@@ -99,14 +99,14 @@ test("a right click triggers and points; what cannot be done is grey, and tells 
   const [raised, lamp, wall] = [[-4.87, -0.65, 1.1], [-4.9, 0, 0.98], [-5.9, 4, 2.9]];
   const switches = () => [1, 2, 3, 4].map((number) => witness.state.controls[`DockSwitch${number}`]);
   await person.press("Top");
-  await isRefused("Trigger", lamp, "follows others and cannot be triggered");
-  await isRefused("Trigger", wall, "It is no part of a control");
+  await isRefused("Trigger", lamp, "follows other controls and cannot be triggered");
+  await isRefused("Trigger", wall, "It is not part of a control");
 
   await choose("Trigger", raised);
   await witness.until(() => switches()[2] === "1", "the third switch is over");
   assert.deepEqual(switches(), ["0", "0", "1", "0"], "and no other");
   assert.equal(witness.state.controls.DockLight3, "off");
-  await isRefused("Trigger", raised, "is pressed already");
+  await isRefused("Trigger", raised, "is already pressed");
   await choose("Point to", raised);
   await witness.until(() => witness.events.some(({ kind, part }) => kind === "pointed" && part === "DockPanel3"), "it is pointed at");
 
@@ -144,7 +144,7 @@ test("screws are fastened and loosened, nuts are not", async (t) => {
   assert.deepEqual(turns.map(({ kind, tightness }) => [kind, tightness]), [["fastened", 2], ["loosened", 1]]);
 
   const menu = await person.menuAt([-4.5, -2.9, 1.2]);
-  assert.equal(await menu.getAttribute("aria-label"), "What to do with Nut");
+  assert.equal(await menu.getAttribute("aria-label"), "Actions for Nut");
   const reasons = { Fasten: "has no guestBondPoint to fasten it by", Loosen: "is not fastened there" };
   for (const [name, reason] of Object.entries(reasons)) {
     const entry = person.entry(name, menu);
@@ -169,7 +169,7 @@ test("what matters is told; what was destroyed comes back by Undo, into the hand
   await person.press("Record");
   await witness.until(() => witness.state.recording !== null, "a recording");
   await person.grasp("RedBlock");
-  const chips = page.getByRole("group", { name: "What matters about it" });
+  const chips = page.getByRole("group", { name: "Relevant properties" });
   for (const property of ["color", "position"]) {
     await person.press(property, chips);
     await witness.until(() => witness.state.attention.RedBlock?.includes(property), `${property} matters`);
@@ -215,7 +215,7 @@ test("a drag ends flush with a face where faces are snapped to; Escape lets the 
   assert.ok(witness.isHeld("Coming"));
 
   async function turnPlaneTo(degrees) {
-    const field = page.getByRole("spinbutton", { name: "Angle of the plane" });
+    const field = page.getByRole("spinbutton", { name: "Plane angle" });
     await field.fill(`${degrees}`);
     await field.press("Enter");
     await witness.until(() => Math.abs(witness.handOf("Coming").plane - degrees) < 1e-6, "the plane is turned");
@@ -240,7 +240,7 @@ test("while recording nothing is loaded: it is grey, tells why, and what was wri
   await person.press("Record");
   await witness.until(() => witness.state.recording !== null, "a recording");
   await person.grasp("RedBlock");
-  const why = "a recording is in the making: finish it first";
+  const why = "a recording is in progress; finish it first";
   for (const name of ["Rage", "Reload"]) await isGrey(person.button(name));
   const gallery = page.getByRole("list", { name: "Scenes" });
   await gallery.getByRole("button", { disabled: true }).first().waitFor();
@@ -248,17 +248,17 @@ test("while recording nothing is loaded: it is grey, tells why, and what was wri
   assert.equal(await gallery.getAttribute("title"), why);
 
   await page.locator("input[type=file]").setInputFiles({ name: "pair.xml", mimeType: "text/xml", buffer: Buffer.from(SIDE_BY_SIDE) });
-  const editor = page.getByRole("dialog", { name: "Scene as text" });
+  const editor = page.getByRole("dialog", { name: "Scene editor" });
   await editor.getByText("No errors").waitFor();
   await isGrey(person.button("Load this scene", editor));
-  await editor.getByRole("textbox", { name: "Text of the scene" }).fill(SIDE_BY_SIDE.replace("Coming", "Late"));
-  await person.press("Go on later", editor);
+  await editor.getByRole("textbox", { name: "Scene text" }).fill(SIDE_BY_SIDE.replace("Coming", "Late"));
+  await person.press("Continue later", editor);
   assert.equal(witness.scene.name, "tower");
   assert.ok(witness.state.recording !== null && witness.isHeld("RedBlock"), "nothing was lost");
 
   await person.press("Finish");
   await witness.until(() => witness.state.recording === null, "the end of the recording");
-  await person.press("Go on editing “pair”");
+  await person.press("Continue editing “pair”");
   await person.press("Load this scene", editor);
   await witness.until(() => witness.scene.name === "pair", "the scene is there");
   assert.deepEqual(witness.ids, ["Resting", "Late"]);

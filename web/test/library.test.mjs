@@ -69,17 +69,17 @@ test("a recording is shown, played, edited, renamed, binned and taken back", asy
   const picture = card("Two blocks").locator("img");
   await picture.scrollIntoViewIfNeeded();
   await picture.evaluate((image) => image.decode());
-  await choose("Two blocks", "Into the bin");
+  await choose("Two blocks", "Move to the bin");
   await card("Two blocks").waitFor({ state: "detached" });
   assert.ok(!existsSync(join(studio.recordings, made[0])), "it is gone");
   await person.press("Show the bin");
-  await person.press("Take back", card("Two blocks"));
+  await person.press("Restore", card("Two blocks"));
   await person.press("Show the bin");
   await card("Two blocks").waitFor();
   assert.ok(existsSync(join(studio.recordings, made[0])), "it is back");
 
   async function choose(title, entry) {
-    await person.press(`More to do with “${title}”`);
+    await person.press(`Actions for “${title}”`);
     await page.getByRole("menuitem", { name: entry }).click();
   }
 });

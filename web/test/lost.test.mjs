@@ -25,9 +25,9 @@ test("when the program dies, the page claims nothing that it cannot know", async
   const alert = page.getByRole("alert").filter({ hasText: "Connection lost" });
   await alert.waitFor();
   assert.equal((await alert.textContent()).trim(), "Connection lost. Reconnecting…");
-  const doubt = page.getByRole("alert").filter({ hasText: "The program does not answer" });
+  const doubt = page.getByRole("alert").filter({ hasText: "The program does not respond" });
   await doubt.waitFor();
-  assert.match(await doubt.textContent(), /A recording that was going on may lack its last moments\.$/);
+  assert.match(await doubt.textContent(), /A recording in progress may lack its last moments\.$/);
 });
 
 test("a full disk ends the recording, and that is told once, till it is read", async (t) => {
@@ -41,9 +41,9 @@ test("a full disk ends the recording, and that is told once, till it is read", a
   }
   await witness.until(() => witness.state.recording === null, "its end");
   const alert = await onlyAlert(page);
-  assert.match(await alert.textContent(), /“tower” is no longer recorded.*is in the library.*File too large/);
+  assert.match(await alert.textContent(), /Recording of “tower” has stopped.*are in the library.*File too large/);
   assert.equal(replay(join(studio.recordings, id)).identical, true);
-  await person.press("Understood");
+  await person.press("OK");
   await alert.waitFor({ state: "detached" });
 });
 
@@ -59,7 +59,7 @@ test("a recording whose folder is removed is told to be lost, not to be in the l
   const alert = await onlyAlert(page);
   assert.match(await alert.textContent(), /“tower” is lost.*was removed during the recording/);
   assert.ok(!existsSync(join(studio.recordings, id)));
-  await person.press("Understood");
+  await person.press("OK");
   await person.press("Record");
   await witness.until(() => witness.state.recording !== null, "the next one");
   assert.equal(witness.state.failure, null);

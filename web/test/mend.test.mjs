@@ -29,14 +29,14 @@ test("a recording goes on from any moment, also from what was left", async (t) =
   // Where a segment ends, the next action is not done yet.
   await person.segments.nth(1).click();
   await witness.until(() => witness.state.mode === "playback", "the end of the first action");
-  await goOn(() => person.press("Go on from here", timeline));
+  await goOn(() => person.press("Continue from here", timeline));
   assert.ok(witness.isHeld("RedBlock"), "it is not let go of yet");
   await person.finish();
   assert.deepEqual(await undone(), [false, false, true]);
 
   // In its middle; and now something else is done.
   await person.slideTo(moment, (taking.begin + taking.end) / 2);
-  await goOn(() => person.press("Go on from here", timeline));
+  await goOn(() => person.press("Continue from here", timeline));
   assert.ok(witness.isHeld("RedBlock"), "as it was then");
   await person.release();
   await person.finish();
@@ -51,7 +51,7 @@ test("a recording goes on from any moment, also from what was left", async (t) =
   await person.finish();
   assert.deepEqual(await undone(), [false, false, false, true, false, false]);
   await person.slideTo(moment, taking.end - 0.2);
-  await goOn(() => person.press("Go on from here", timeline));
+  await goOn(() => person.press("Continue from here", timeline));
   assert.ok(witness.isHeld("RedBlock"), "as it was then");
   await witness.until(() => witness.positionOf("RedBlock")[2] > 2.9, "lifted as far as then");
   await person.finish();
@@ -106,7 +106,7 @@ test("what an edit does is told before it is done, and what is told becomes true
   const dropped = programSays(["edit", join(studio.recordings, id), "--drop", "3", "--dry-run"]);
   assert.equal(dropped.left_out.length, 1, JSON.stringify(dropped));
   await tells(dropped, "GreenBlock");
-  await dialog.getByText("cannot be carried out any more").waitFor();
+  await dialog.getByText("can no longer be carried out").waitFor();
   await person.press("Cancel", dialog);
   await dialog.waitFor({ state: "detached" });
   assert.deepEqual((await witness.request("library")).recordings, listed.recordings, "nothing was done");
@@ -139,7 +139,7 @@ test("what an edit does is told before it is done, and what is told becomes true
   /** The dialog tells as many effects as the program does, and how far off the block ends. */
   async function tells(report, block) {
     const centimeters = (report.displaced.find((one) => one.id === block).distance_mm / 10).toFixed(0);
-    await dialog.getByRole("status").getByText(`${block} ends ${centimeters} cm away`).waitFor();
+    await dialog.getByRole("status").getByText(`${block} ends ${centimeters} cm from its previous place`).waitFor();
     const effects = ["left_out", "gone", "there_again", "displaced", "controls", "host_points", "joints"];
     const number = effects.reduce((sum, kind) => sum + report[kind].length, 0);
     assert.equal(await dialog.getByRole("listitem").count(), number, JSON.stringify(report));
@@ -148,8 +148,8 @@ test("what an edit does is told before it is done, and what is told becomes true
   /** Where an object is in the last moment of a recording. */
   async function endOf(block, recording) {
     const { title } = (await witness.request("library")).recordings.find((one) => one.id === recording);
-    await person.press(`More to do with “${title || recording}”`);
-    await page.getByRole("menuitem", { name: "Show its end" }).click();
+    await person.press(`Actions for “${title || recording}”`);
+    await page.getByRole("menuitem", { name: "Show the end" }).click();
     const isAtEnd = ({ playback }) =>
       playback?.recording === recording && Math.abs(playback.seconds - playback.length) < 1e-3;
     await witness.until(() => isAtEnd(witness.state), `the end of ${recording}`);
@@ -212,7 +212,7 @@ test("an edit is canceled while it is written, or is seen at once, from its star
 
   async function tryDelete() {
     await person.press("Delete", timeline);
-    await dialog.getByText(/^It lasts/).waitFor();
+    await dialog.getByText(/^The new duration/).waitFor();
   }
 
   async function recordings() {
@@ -241,7 +241,7 @@ test("who comes while a recording is shown finds its timeline", async (t) => {
   await finds(watcher);
   await person.press("Close this recording", person.timeline);
   await witness.until(() => witness.state.mode === "live", "the table");
-  await person.timeline.getByText("Press Record and show something").waitFor();
+  await person.timeline.getByText("Press Record and demonstrate a task").waitFor();
 
   async function finds(visitor) {
     await visitor.segments.nth(numSegments - 1).waitFor();
@@ -299,7 +299,7 @@ test("a recording is scrubbed and played while the table waits as it was left", 
 
 /** The picture of the robot's eye, once it stays the same for a second: four a second are drawn. */
 async function seenByRobot(page) {
-  const eye = page.getByAltText("What the robot’s eye sees");
+  const eye = page.getByAltText("View of the robot’s eye");
   const draw = async (image) => {
     await image.decode();
     const size = { width: image.naturalWidth, height: image.naturalHeight };

@@ -19,7 +19,7 @@ const RIGHT = WRONG.replace("(here)", "(3,0,0.5)");
 test("a wrong scene changes nothing and shows where it is wrong; a right one is loaded", async (t) => {
   const { page, witness, person } = await browser.workplace(t, { studio: ["--no-robot", "--no-pictures"] });
   await page.locator("input[type=file]").setInputFiles({ name: "two.xml", mimeType: "text/xml", buffer: Buffer.from(WRONG) });
-  const editor = page.getByRole("dialog", { name: "Scene as text" });
+  const editor = page.getByRole("dialog", { name: "Scene editor" });
   await editor.getByRole("button", { name: /^Line 3 .*location/ }).click();
   assert.equal(await editor.locator(".editor-gutter .wrong").textContent(), "3");
   const selected = () => page.evaluate(() => document.activeElement.value.slice(document.activeElement.selectionStart, document.activeElement.selectionEnd));
@@ -27,7 +27,7 @@ test("a wrong scene changes nothing and shows where it is wrong; a right one is 
   assert.ok(await person.button("Load this scene", editor).isDisabled());
   assert.equal(witness.scene.name, "tower", "the table stays as it is");
 
-  await editor.getByRole("textbox", { name: "Text of the scene" }).fill(RIGHT);
+  await editor.getByRole("textbox", { name: "Scene text" }).fill(RIGHT);
   await editor.getByText("No errors").waitFor();
   await person.press("Load this scene", editor);
   await witness.until(() => witness.scene.name === "two", "the scene is there");
@@ -68,7 +68,7 @@ test("the robot's rage leaves all as it was", async (t) => {
   const left = await witness.settled(tableNow, "it hangs still", 500);
   await person.press("Rage");
   await witness.until(() => witness.state.mode === "rage", "the rage");
-  await page.getByText("The robot has had enough.").first().waitFor();
+  await page.getByText("The robot is clearing the table.").first().waitFor();
   await witness.until(() => !witness.isHeld("RedBlock") && witness.positionOf("RedBlock")[2] < 1, "nothing is held then");
   for (const name of ["Add", "Clear", "Rage", "Undo"]) assert.ok(await person.button(name).isDisabled(), name);
   await witness.until(() => witness.state.mode === "live", "the end of it");

@@ -126,7 +126,7 @@ export class Person {
   }
 
   async openMenu() {
-    const menu = this.page.getByRole("menu", { name: /^What to do with/ });
+    const menu = this.page.getByRole("menu", { name: /^Actions for/ });
     await menu.waitFor();
     return menu;
   }

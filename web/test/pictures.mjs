@@ -80,7 +80,7 @@ async function atTheTable() {
   await person.showPanel("Objects");
   await person.press("Reload");
   await person.showPanel("Brain");
-  await page.getByRole("combobox", { name: "Program" }).selectOption("wave.py");
+  await page.getByRole("combobox", { name: "Brain" }).selectOption("wave.py");
   await person.press("Start");
   await page.getByRole("log", { name: "Console" }).getByText("left gripper").first().waitFor();
   await shoot(desk, "brain");
@@ -89,7 +89,7 @@ async function atTheTable() {
   await shoot(desk, "robot");
 
   await person.press("Edit");
-  const text = page.getByRole("textbox", { name: "Text of the scene" });
+  const text = page.getByRole("textbox", { name: "Scene text" });
   await text.fill((await text.inputValue()).replace("(0.4,-3.8,0.5)", "(0.4,-3.8)"));
   await page.getByRole("button", { name: /^Line/ }).first().waitFor();
   await shoot(desk, "editor");

@@ -44,13 +44,13 @@ test("the tour leads from nothing to a demonstration that a robot can use", asyn
   await person.carryAbove("RedBlock", [x, y, 2.3]);
   await person.dragTo("RedBlock", [null, null, 1.5]);
   await person.release();
-  await says("Take it back");
+  await says("Undo");
   await person.press("Undo");
-  await says("Do it again");
+  await says("Redo");
   await person.press("Redo");
   await says("Finish");
   await person.press("Finish");
-  await says("That is all");
+  await says("Tour complete");
   await person.press("Done");
   assert.equal(await page.locator(".tour").count(), 0);
 
@@ -92,5 +92,5 @@ test("the tour takes no stack that was there before for the person's own", async
   await person.grasp("Free");
   await person.carryOnto("Free", [4, 1, 2.55]);
   await person.release();
-  await says("Take it back");
+  await says("Undo");
 });

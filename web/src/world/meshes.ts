@@ -14,7 +14,7 @@ export async function fetchMesh(scene: number, mesh: number): Promise<BufferGeom
 function decodeMesh(bytes: ArrayBuffer): BufferGeometry {
   const [corners = 0, triangles = 0] = new Uint32Array(bytes, 0, 2);
   if (bytes.byteLength !== HEADER_BYTES + corners * CORNER_BYTES + triangles * TRIANGLE_BYTES) {
-    throw new Error("a mesh of another size than it says");
+    throw new Error("mesh file: its size differs from its header");
   }
   const floats = (at: number) => new Float32Array(bytes, HEADER_BYTES + at * 12 * corners, 3 * corners);
   const numbers = new Uint32Array(bytes, HEADER_BYTES + corners * CORNER_BYTES, 3 * triangles);

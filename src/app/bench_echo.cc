@@ -42,7 +42,8 @@ bool ReceiveAll(int socket, std::span<std::byte> bytes) {
 Echo::Echo(std::size_t question_bytes, std::size_t answer_bytes)
     : question_(question_bytes), answer_(answer_bytes) {
   int ends[2];
-  if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) FailEcho("no socket");
+  if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
+    FailEcho("cannot create a socket");
   child_ = ::fork();
   if (child_ == 0) {
     // The child calls only async-signal-safe functions, since the program has threads.
@@ -53,7 +54,7 @@ Echo::Echo(std::size_t question_bytes, std::size_t answer_bytes)
   }
   ::close(ends[1]);
   socket_ = ends[0];
-  if (child_ < 0) FailEcho("no process");
+  if (child_ < 0) FailEcho("cannot create a process");
 }
 
 Echo::~Echo() {
@@ -62,7 +63,8 @@ Echo::~Echo() {
 }
 
 void Echo::RoundTrip() {
-  if (!SendAll(socket_, question_) || !ReceiveAll(socket_, answer_)) FailEcho("the echo has gone");
+  if (!SendAll(socket_, question_) || !ReceiveAll(socket_, answer_))
+    FailEcho("the echo process has ended");
 }
 
 }  // namespace smile::app

@@ -84,7 +84,7 @@ void LineOfTheTool(benchmark::State& state) {
   const auto q = SolveInverseKinematics(arm, down, StartOf(model, model.arms.front()));
   const RigidTransform goal(down.rotation(), down.translation() - Vector3(0, 0, 0.3));
   if (!q || std::holds_alternative<motion::LineFault>(MoveAlongLine(arm, *q, goal))) {
-    state.SkipWithError("the arm cannot go there");
+    state.SkipWithError("the arm cannot reach the goal");
     return;
   }
   for (auto _ : state) benchmark::DoNotOptimize(MoveAlongLine(arm, *q, goal));
@@ -101,17 +101,16 @@ void LookForTouching(benchmark::State& state) {
 
 void RegisterMotionBenchmarks() {
   using benchmark::RegisterBenchmark;
-  RegisterBenchmark("forward kinematics, an arm", &ForwardKinematics)
+  RegisterBenchmark("forward kinematics, one arm", &ForwardKinematics)
       ->Unit(benchmark::kMicrosecond);
   for (const bool any_turn : {false, true}) {
-    RegisterBenchmark(any_turn ? "inverse kinematics, an arm, any turn, 10000 poses"
-                               : "inverse kinematics, an arm, 10000 poses",
+    RegisterBenchmark(any_turn ? "inverse kinematics, one arm, any rotation, 10000 poses"
+                               : "inverse kinematics, one arm, 10000 poses",
                       &InverseKinematics, any_turn)
         ->Unit(benchmark::kMillisecond);
   }
-  RegisterBenchmark("a line of the tool, 0.3 m", &LineOfTheTool)->Unit(benchmark::kMicrosecond);
-  RegisterBenchmark("whether a configuration touches itself", &LookForTouching)
-      ->Unit(benchmark::kMicrosecond);
+  RegisterBenchmark("straight tool motion, 0.3 m", &LineOfTheTool)->Unit(benchmark::kMicrosecond);
+  RegisterBenchmark("self-collision check", &LookForTouching)->Unit(benchmark::kMicrosecond);
 }
 
 }  // namespace smile::app

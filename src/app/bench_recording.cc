@@ -95,7 +95,7 @@ void UndoAmongFiftyBlocks(benchmark::State& state) {
     simulation.Apply(sim::MoveTo{.hand = HandName::kLeft, .p_WH = {0, 0, 0.3}});
     for (int i = 0; i < sim::kTicksPerSecond; ++i) simulation.Tick();
     const auto start = std::chrono::steady_clock::now();
-    if (simulation.Apply(sim::Undo())) state.SkipWithError("there was nothing to undo");
+    if (simulation.Apply(sim::Undo())) state.SkipWithError("nothing to undo");
     state.SetIterationTime(
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
   }
@@ -134,7 +134,7 @@ void ReplayUm(benchmark::State& state, bool with_robot) {
 void RegisterRecordingBenchmarks() {
   using benchmark::RegisterBenchmark;
   for (const bool is_recorded : {false, true}) {
-    RegisterBenchmark(is_recorded ? "a hand at work, recorded, a tick" : "a hand at work, a tick",
+    RegisterBenchmark(is_recorded ? "moving hand, recorded, per tick" : "moving hand, per tick",
                       &TickOfAHandAtWork, is_recorded)
         ->Unit(benchmark::kMicrosecond);
   }

@@ -174,15 +174,15 @@ void RegisterAll() {
   using benchmark::kMicrosecond;
   using benchmark::kMillisecond;
   using benchmark::RegisterBenchmark;
-  RegisterBenchmark("12 blocks awake, a step", &TwelveBlocksAwake)->Unit(kMicrosecond);
-  RegisterBenchmark("12 blocks asleep, a tick", &TwelveBlocksAsleep)->Unit(kMicrosecond);
+  RegisterBenchmark("12 blocks awake, per step", &TwelveBlocksAwake)->Unit(kMicrosecond);
+  RegisterBenchmark("12 blocks asleep, per tick", &TwelveBlocksAsleep)->Unit(kMicrosecond);
   for (const bool is_kinematic : {false, true}) {
-    RegisterBenchmark(is_kinematic ? "12 blocks and a moving kinematic robot, a tick"
-                                   : "12 blocks and a moving robot, a tick",
+    RegisterBenchmark(is_kinematic ? "12 blocks and a moving kinematic robot, per tick"
+                                   : "12 blocks and a moving robot, per tick",
                       &TwelveBlocksAndAMovingRobot, is_kinematic)
         ->Unit(kMicrosecond);
   }
-  RegisterBenchmark("12 blocks and a resting robot, a tick", &TwelveBlocksAndARestingRobot)
+  RegisterBenchmark("12 blocks and a resting robot, per tick", &TwelveBlocksAndARestingRobot)
       ->Unit(kMicrosecond);
   RegisterBenchmark("snapshot save, UM with robot", &SnapshotSave)->Unit(kMicrosecond);
   RegisterBenchmark("snapshot restore, UM with robot", &SnapshotRestore)->Unit(kMicrosecond);
@@ -231,9 +231,11 @@ void AddBench(CLI::App* program, ExitAnswer answer) {
     bool json = false;
   };
   auto options = std::make_shared<Options>();
-  CLI::App* bench = program->add_subcommand("bench", "Measure the numbers we claim, here and now");
-  bench->add_option("--filter", options->filter, "only those whose name matches this expression");
-  bench->add_flag("--json", options->json, "print JSON on stdout");
+  CLI::App* bench = program->add_subcommand(
+      "bench", "Measure the performance figures of the documentation on this machine");
+  bench->add_option("--filter", options->filter,
+                    "regular expression; only benchmarks with a matching name (default: all)");
+  bench->add_flag("--json", options->json, "result as JSON on stdout");
   bench->callback([options, answer] { *answer = Bench(options->filter, options->json); });
 }
 

@@ -112,10 +112,10 @@ int Check(const CheckOptions& options) {
 void AddCheck(CLI::App* program, ExitAnswer answer) {
   auto options = std::make_shared<CheckOptions>();
   CLI::App* check = program->add_subcommand(
-      "check", "Check scene files: every error as file:line: <element>: found, expected");
+      "check", "Check scene files; report each error as file:line: <element>: found, expected");
   check->add_option("SCENE", options->scenes, "scene files (docs/scene-format.md)")->required();
-  auto* json = check->add_flag("--json", options->json, "print one JSON object on stdout");
-  check->add_flag("--expand", options->expand, "print the scene with every value written out")
+  auto* json = check->add_flag("--json", options->json, "result as one JSON object on stdout");
+  check->add_flag("--expand", options->expand, "the scene with all values written out, on stdout")
       ->excludes(json);
   AddPathOption(check, &options->path);
   check->callback([options, answer] { *answer = Check(*options); });

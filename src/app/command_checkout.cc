@@ -46,7 +46,7 @@ int CheckOut(const CheckoutOptions& options) {
                                           : options.seconds,
                            .has_pictures = recording.info.eye.has_value(),
                            .eye = EyeOf(recording.info).value_or(sim::EyeSpec()),
-                           .label = "going on"};
+                           .label = "continuing"};
   plan.recordings = options.recordings;
   if (!options.commands.empty()) {
     plan.script = sim::ReadScript(options.commands, plan.scene.meters_per_unit);
@@ -58,7 +58,7 @@ int CheckOut(const CheckoutOptions& options) {
   if (options.json) {
     std::printf("%s\n", ToText(ToJson(outcome), 2).c_str());
   } else {
-    std::printf("%s: went on from %.2f s, ends at %.2f s, state %s\n", options.demo.c_str(),
+    std::printf("%s: continued from %.2f s, ends at %.2f s, state %s\n", options.demo.c_str(),
                 recording::SecondsInto(recording, from.tick),
                 recording::SecondsInto(recording, outcome.ticks),
                 experiment::HashText(outcome.state_hash).c_str());
@@ -75,28 +75,24 @@ int CheckOut(const CheckoutOptions& options) {
 void AddCheckout(CLI::App* program, ExitAnswer answer) {
   auto options = std::make_shared<CheckoutOptions>();
   CLI::App* checkout = program->add_subcommand(
-      "checkout",
-      "Go on with a recording from any of its steps; what followed stays in its history");
+      "checkout", "Continue a recording from any of its steps; later steps remain in its history");
   checkout->add_option("DEMO", options->demo, "directory of a recording")->required();
   checkout
       ->add_option("--at", options->at,
-                   "step to go on from, as smile history numbers them; the last if not given")
+                   "number of the step to continue from, as in smile history (default: the last)")
       ->check(NumberBetween(0, 1e9));
-  checkout
-      ->add_option("--after", options->after,
-                   "so many seconds after that step began; its end if not given")
+  checkout->add_option("--after", options->after, "time within that step [s] (default: its end)")
       ->check(NumberBetween(0.0, 86400.0));
-  checkout->add_option("--commands", options->commands, "script of commands to go on with");
+  checkout->add_option("--commands", options->commands, "script of commands to continue with");
   checkout
-      ->add_option("--seconds", options->seconds,
-                   "go on for exactly so long; otherwise until the script ends")
+      ->add_option("--seconds", options->seconds, "duration [s] (default: until the script ends)")
       ->check(NumberBetween(0.0, 86400.0));
   checkout
       ->add_option("--recordings", options->recordings,
-                   "where recordings go that the script starts, by their names")
+                   "folder of the recordings that the script starts")
       ->capture_default_str()
       ->check(NotEmpty());
-  checkout->add_flag("--json", options->json, "print one JSON object on stdout");
+  checkout->add_flag("--json", options->json, "result as one JSON object on stdout");
   checkout->callback([options, answer] { *answer = CheckOut(*options); });
 }
 

@@ -25,12 +25,11 @@ struct CommandList {
 
 void AddCommands(CLI::App* program, ExitAnswer answer) {
   auto list = std::make_shared<CommandList>();
-  CLI::App* commands =
-      program->add_subcommand("commands", "List the commands that scripts and logs are made of");
+  CLI::App* commands = program->add_subcommand("commands", "List the commands of scripts and logs");
   CLI::App* form = commands->add_option_group("form");
-  form->add_flag("--schema", list->schema, "as a JSON Schema");
-  form->add_flag("--markdown", list->markdown, "as the table of docs/commands.md");
-  form->add_flag("--typescript", list->typescript, "as the studio page's types");
+  form->add_flag("--schema", list->schema, "JSON Schema, on stdout");
+  form->add_flag("--markdown", list->markdown, "table of docs/commands.md, on stdout");
+  form->add_flag("--typescript", list->typescript, "types of the studio's page, on stdout");
   form->require_option(0, 1);
   commands->callback([list, answer] {
     std::printf("%s", list->Text().c_str());

@@ -35,9 +35,9 @@ int DescribeDemo(const DescribeOptions& options) {
 void AddDescribe(CLI::App* program, ExitAnswer answer) {
   auto options = std::make_shared<DescribeOptions>();
   CLI::App* describe = program->add_subcommand(
-      "describe", "Tell what a recording achieved: what was put where, in which order");
+      "describe", "Describe the result of a recording: placed objects in order, and other effects");
   describe->add_option("DEMO", options->demo, "directory of a recording")->required();
-  describe->add_flag("--json", options->json, "print one JSON object on stdout");
+  describe->add_flag("--json", options->json, "result as one JSON object on stdout");
   describe->callback([options, answer] { *answer = DescribeDemo(*options); });
 }
 

@@ -34,17 +34,17 @@ void Print(const editing::EditReport& report) {
   std::printf("lasts %.2f s, was %.2f s\n", sim::SecondsOf(report.ticks_after),
               sim::SecondsOf(report.ticks_before));
   for (const editing::SkippedCommand& command : report.skipped) {
-    std::printf("line %zu of the log is left out: %s\n", command.line, command.reason.c_str());
+    std::printf("line %zu of the log is skipped: %s\n", command.line, command.reason.c_str());
   }
   for (const editing::Displaced& object : report.displaced) {
-    std::printf("%s ends %.1f mm and %.1f degrees from where it did\n", object.id.c_str(),
+    std::printf("%s ends %.1f mm and %.1f degrees from its previous pose\n", object.id.c_str(),
                 object.gap.millimeters(), object.gap.degrees());
   }
   for (const std::string& id : report.gone) {
-    std::printf("%s is gone in the end\n", id.c_str());
+    std::printf("%s is missing at the end\n", id.c_str());
   }
   for (const std::string& id : report.there_again) {
-    std::printf("%s was gone in the end, and is there\n", id.c_str());
+    std::printf("%s is present at the end; it was missing before\n", id.c_str());
   }
   for (const editing::ChangedState& control : report.controls) {
     std::printf("%s ends in state %s, was %s\n", control.id.c_str(), control.after.c_str(),
@@ -55,9 +55,9 @@ void Print(const editing::EditReport& report) {
                 host.before.c_str());
   }
   for (const std::string& joint : report.joints) {
-    std::printf("the robot's %s ends elsewhere\n", joint.c_str());
+    std::printf("the robot's %s ends in another position\n", joint.c_str());
   }
-  if (report.ends_the_same()) std::printf("everything ends as it did\n");
+  if (report.ends_the_same()) std::printf("the final state is unchanged\n");
 }
 
 /// Performs the edits in order. An error begins with the text of its option.
@@ -97,7 +97,7 @@ editing::EditReport Simulate(const recording::Recording& recording,
 
 void EditDemo(const EditOptions& options) {
   if (options.out.empty() && !options.dry_run) {
-    throw std::invalid_argument("nothing says where the result goes: give --out or --dry-run");
+    throw std::invalid_argument("the result has no destination: give --out or --dry-run");
   }
   const recording::Recording recording = OpenAndTell(options.demo);
   const auto edited = Perform(options.edits, DemonstrationOf(recording));
@@ -134,13 +134,14 @@ void AddEditOptions(CLI::App* edit, const std::shared_ptr<EditOptions>& options)
 void AddEdit(CLI::App* program, ExitAnswer) {
   auto options = std::make_shared<EditOptions>();
   CLI::App* edit = program->add_subcommand(
-      "edit", "Edit a recording into a new one; segments are those of its N.txt");
-  edit->add_option("DEMO", options->demo, "directory of a recording; stays as it is")->required();
+      "edit", "Edit a recording into a new one; segment N is that of N.txt");
+  edit->add_option("DEMO", options->demo, "directory of a recording; it is not changed")
+      ->required();
   edit->add_option("--out", options->out, "new directory for the result")->check(NotEmpty());
   AddEditOptions(edit, options);
-  edit->add_flag("--dry-run", options->dry_run, "only say what would come of it, write nothing");
+  edit->add_flag("--dry-run", options->dry_run, "report the effect only; write nothing");
   edit->add_flag("--no-pictures", options->no_pictures, "text only");
-  edit->add_flag("--json", options->json, "print one JSON object on stdout");
+  edit->add_flag("--json", options->json, "result as one JSON object on stdout");
   edit->callback([options] { EditDemo(*options); });
 }
 

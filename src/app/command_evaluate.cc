@@ -66,59 +66,62 @@ int Evaluate(const EvaluateOptions& options) {
 
 void AddEvaluate(CLI::App* program, ExitAnswer answer) {
   auto options = std::make_shared<EvaluateOptions>();
-  CLI::App* evaluate = program->add_subcommand(
-      "evaluate",
-      "Brains imitate a recording from the same random starting layouts: how well each "
-      "does, and how they compare");
+  CLI::App* evaluate =
+      program->add_subcommand("evaluate",
+                              "Run brains that imitate a recording from the same random starting "
+                              "layouts, and compare their results");
   evaluate->add_option("DEMO", options->demo, "directory of a recording")->required();
-  evaluate->add_option("--scene", options->scene, "scene file the robot has never seen")
+  evaluate->add_option("--scene", options->scene, "scene file in which the robot imitates")
       ->required()
       ->check(NotEmpty());
   Repeatable(
-      evaluate->add_option("--brain", options->brains, "a brain; repeated for each of several"))
+      evaluate->add_option("--brain", options->brains, "brain; may be repeated to compare several"))
       ->required()
       ->check(NotEmpty())
       ->transform(PresentBrain());
   CLI::Option* demonstrators =
       Repeatable(
           evaluate->add_option("--demonstrators", options->demonstrators,
-                               "who is seen in the pictures of the recording, to be compared: "
-                               "some of invisible, ghost and forearm, with commas between them"))
+                               "demonstrators to draw into the pictures of the recording and "
+                               "compare: comma-separated list of invisible, ghost and forearm"))
           ->delimiter(',')
           ->check(
               CLI::IsMember(std::vector<std::string>(recording::kDemonstratorAppearances.begin(),
                                                      recording::kDemonstratorAppearances.end())));
   evaluate
       ->add_flag("--no-symbols", options->no_symbols,
-                 "with --demonstrators: without the texts of the classic view")
+                 "classic view without texts, with --demonstrators")
       ->needs(demonstrators);
-  evaluate->add_option("--scenes", options->scenes, "how many starting layouts")
+  evaluate->add_option("--scenes", options->scenes, "number of starting layouts")
       ->capture_default_str()
       ->check(CLI::Range(std::size_t{1}, kMaxScenes));
-  evaluate->add_option("--seed", options->seed, "of the first layout; the others follow")
+  evaluate
+      ->add_option("--seed", options->seed,
+                   "seed of the first layout; the following layouts have the following seeds")
       ->capture_default_str()
       ->check(CLI::Range(std::uint64_t{0}, kMaxSeed));
-  evaluate->add_option("--level", options->level, "how hard the layouts are")
+  evaluate->add_option("--level", options->level, "difficulty of the layouts (docs/experiments.md)")
       ->check(IsLayoutLevel());
   evaluate
-      ->add_option("--jobs", options->jobs,
-                   "how many runs at once; as many as there are cores if not given")
+      ->add_option("--jobs", options->jobs, "number of concurrent runs (default: number of cores)")
       ->check(CLI::Range(std::size_t{1}, kMaxJobs));
-  evaluate->add_option("--seconds", options->max_seconds, "simulated, at most, each run")
+  evaluate
+      ->add_option("--seconds", options->max_seconds,
+                   "time limit per run in seconds of simulated time")
       ->capture_default_str()
       ->check(NumberBetween(0.0, 86400.0));
   evaluate
       ->add_option("--wall-seconds", options->wall_seconds,
-                   "by the clock on the wall, at most, each run: then it counts as hung")
+                   "time limit per run in seconds of wall-clock time; a longer run counts as hung")
       ->capture_default_str()
       ->check(NumberBetween(0.1, 1e6));
   AddTimeoutOption(evaluate, /*brain=*/nullptr, &options->timeout);
   evaluate->add_option("--out", options->out,
-                       "directory for the results; out/evaluate/SCENE if not given");
-  evaluate->add_option("--keep", options->keep, "which recordings stay: all, failures or none")
+                       "directory for the results (default: out/evaluate/SCENE)");
+  evaluate->add_option("--keep", options->keep, "recordings to keep: all, failures or none")
       ->capture_default_str()
       ->check(CLI::IsMember({"all", "failures", "none"}));
-  evaluate->add_flag("--json", options->json, "print evaluation.json on stdout");
+  evaluate->add_flag("--json", options->json, "evaluation.json on stdout");
   AddEyeOptions(evaluate, &options->eye);
   AddNoiseOption(evaluate, &options->noise);
   AddRobotOptions(evaluate, /*may_be_absent=*/false, &options->robot);

@@ -28,7 +28,7 @@ void PrintSummary(const experiment::ImitationResult& outcome, const std::filesys
   const Json& result = outcome.json;
   std::printf("\nThe robot watched the task '%s' and %s.\n",
               result["task"].get<std::string>().c_str(),
-              outcome.has_succeeded ? "did it, too" : "did not manage to do it");
+              outcome.has_succeeded ? "repeated it" : "failed to repeat it");
   for (const auto& [id, goal] : result["goal"]["objects"].items()) {
     const std::string scene_id = result["match"][id];
     const Json& at = result["final"]["objects"][scene_id]["position"];
@@ -43,14 +43,14 @@ void PrintSummary(const experiment::ImitationResult& outcome, const std::filesys
   std::printf("  mean error %.1f mm; %.1f s of robot time, %.1f x faster than real time\n\n",
               result["mean_error_mm"].get<double>(), result["seconds"].get<double>(),
               result["realtime_factor"].get<double>());
-  std::printf("  %s/demonstration   the recording of the hands\n", out.c_str());
-  std::printf("  %s/imitation       the recording of the robot\n", out.c_str());
+  std::printf("  %s/demonstration   recording of the hands\n", out.c_str());
+  std::printf("  %s/imitation       recording of the robot\n", out.c_str());
   if (has_films) {
     std::printf("  %s/demonstration.mp4, %s/imitation.mp4   films, at %gx speed\n", out.c_str(),
                 out.c_str(), experiment::kFilmSpeed);
   }
-  std::printf("  %s/result.json, %s/report.html   the same for programs and for people\n",
-              out.c_str(), out.c_str());
+  std::printf("  %s/result.json, %s/report.html   the result, as data and as a page\n", out.c_str(),
+              out.c_str());
 }
 
 int RunExperiment(const ExperimentOptions& options) {
@@ -84,18 +84,20 @@ int RunExperiment(const ExperimentOptions& options) {
 
 void AddExperiment(CLI::App* program, ExitAnswer answer) {
   auto options = std::make_shared<ExperimentOptions>();
-  CLI::App* experiment = program->add_subcommand(
-      "experiment", "Show a task with invisible hands, let the robot do it elsewhere, score it");
-  experiment->add_option("NAME", options->name, "which one")
+  CLI::App* experiment =
+      program->add_subcommand("experiment",
+                              "Demonstrate a task with invisible hands, let the robot imitate it "
+                              "in another layout, and score the result");
+  experiment->add_option("NAME", options->name, "name of the task")
       ->capture_default_str()
       ->check(CLI::IsMember(
           std::vector<std::string>(experiment::kTasks.begin(), experiment::kTasks.end())));
-  experiment->add_option("--out", options->out, "directory for the results; out/NAME if not given");
-  experiment->add_option("--brain", options->brain, "the brain; matlab/learner if not given")
+  experiment->add_option("--out", options->out, "directory for the results (default: out/NAME)");
+  experiment->add_option("--brain", options->brain, "brain (default: matlab/learner)")
       ->transform(PresentBrain());
   AddLayoutOptions(experiment, &options->layout);
-  experiment->add_flag("--no-films", options->no_films, "leave out the mp4 files");
-  experiment->add_flag("--json", options->json, "print result.json on stdout");
+  experiment->add_flag("--no-films", options->no_films, "no mp4 files");
+  experiment->add_flag("--json", options->json, "result.json on stdout");
   experiment->callback([options, answer] { *answer = RunExperiment(*options); });
 }
 

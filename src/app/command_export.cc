@@ -46,7 +46,7 @@ struct Format {
   std::string (*text_of)(const motion::JointTrajectory&);
 };
 constexpr std::array kFormats{
-    Format{"trajectory-csv", "time and joint positions, a line a moment", &motion::ToCsv},
+    Format{"trajectory-csv", "time and joint positions, one line per point", &motion::ToCsv},
     Format{"ros-trajectory", "trajectory_msgs/JointTrajectory as JSON", &motion::ToRosJson}};
 
 const Format& FormatOf(const ExportOptions& options) {
@@ -142,8 +142,10 @@ int Export(const ExportOptions& options) {
   RequireReadable(motion.trajectory, options.demo);
   const bool is_refused = TellBreaches(motion, options.demo);
   if (is_refused && !options.allow_breaches) {
-    std::fprintf(stderr, "%s: a robot would refuse this; see --slow-down and --allow-breaches\n",
-                 options.demo.c_str());
+    std::fprintf(
+        stderr,
+        "%s: the motion exceeds the limits of the robot; see --slow-down and --allow-breaches\n",
+        options.demo.c_str());
     return kInputWrong;
   }
   WriteFile(options.out, format.text_of(motion.trajectory));
@@ -157,8 +159,8 @@ int Export(const ExportOptions& options) {
 
 void AddExport(CLI::App* program, ExitAnswer answer) {
   auto options = std::make_shared<ExportOptions>();
-  CLI::App* command = program->add_subcommand(
-      "export", "Make a file of what a recording holds, for other programs");
+  CLI::App* command =
+      program->add_subcommand("export", "Export the robot's motion of a recording to a file");
   command->add_option("DEMO", options->demo, "directory of a recording")->required();
   std::string formats;
   for (const Format& format : kFormats) {
@@ -166,19 +168,23 @@ void AddExport(CLI::App* program, ExitAnswer answer) {
   }
   command->add_option("--to", options->format, formats)->required();
   command->add_option("--out", options->out, "file to write")->required()->check(NotEmpty());
-  command->add_option("--from", options->range.from, "begin [s]");
-  command->add_option("--to-time", options->range.to, "end [s]");
-  command->add_option("--arm", options->part, "left, right, both, head, or all that moves")
+  command->add_option("--from", options->range.from,
+                      "start [s] (default: the start of the recording)");
+  command->add_option("--to-time", options->range.to,
+                      "end [s] (default: the end of the recording)");
+  command
+      ->add_option("--arm", options->part,
+                   "joints to export: left, right, both, head, or all movable joints")
       ->capture_default_str()
       ->check(CLI::IsMember({"left", "right", "both", "head", "all"}));
-  command->add_flag("--no-grippers", options->no_grippers, "without the grippers' openings");
+  command->add_flag("--no-grippers", options->no_grippers, "no gripper openings");
   command->add_option("--rate", options->rate, "points per second")
       ->capture_default_str()
       ->check(NumberBetween(0.001, sim::kTicksPerSecond));
   command->add_flag("--slow-down", options->slow_down,
-                    "stretch the time until no joint is faster than it can");
+                    "stretch the time until no joint exceeds its velocity limit");
   command->add_flag("--allow-breaches", options->allow_breaches,
-                    "also write what the robot would refuse");
+                    "write the file even if the motion exceeds the limits of the robot");
   command->callback([options, answer] { *answer = Export(*options); });
 }
 

@@ -84,10 +84,10 @@ int ShowHistory(const HistoryOptions& options) {
 
 void AddHistory(CLI::App* program, ExitAnswer answer) {
   auto options = std::make_shared<HistoryOptions>();
-  CLI::App* history = program->add_subcommand(
-      "history", "Show the steps of a recording, also those that were undone");
+  CLI::App* history =
+      program->add_subcommand("history", "List the steps of a recording, including undone ones");
   history->add_option("DEMO", options->demo, "directory of a recording")->required();
-  history->add_flag("--json", options->json, "print one JSON object on stdout");
+  history->add_flag("--json", options->json, "result as one JSON object on stdout");
   history->callback([options, answer] { *answer = ShowHistory(*options); });
 }
 

@@ -66,7 +66,7 @@ int ImitateDemo(const ImitateOptions& options) {
     PrintResult(outcome);
     std::printf("%s\n", (out / "result.json").c_str());
   }
-  if (IsInterrupted()) throw std::runtime_error("interrupted; what was recorded is kept");
+  if (IsInterrupted()) throw std::runtime_error("interrupted; the recording so far is kept");
   if (!outcome.brain_error) return kDone;
   std::fprintf(stderr, "%s\n", ToString(*outcome.brain_error).c_str());
   return kInputWrong;
@@ -77,21 +77,23 @@ int ImitateDemo(const ImitateOptions& options) {
 void AddImitate(CLI::App* program, ExitAnswer answer) {
   auto options = std::make_shared<ImitateOptions>();
   CLI::App* imitate = program->add_subcommand(
-      "imitate", "The robot watches a recording and acts in a scene; the result is scored");
+      "imitate",
+      "Run a brain that watches a recording and imitates it in a scene, and score the result");
   imitate->add_option("DEMO", options->demo, "directory of a recording")->required();
-  imitate->add_option("SCENE", options->scene, "scene file the robot has never seen")->required();
+  imitate->add_option("SCENE", options->scene, "scene file in which the robot imitates")
+      ->required();
   AddBrainOptions(imitate, &options->brain)->required();
   imitate->add_option("--out", options->out, "directory for imitation/ and result.json")
       ->required();
-  imitate->add_option("--seconds", options->max_seconds, "simulated, at most")
+  imitate->add_option("--seconds", options->max_seconds, "time limit in seconds of simulated time")
       ->capture_default_str()
       ->check(NumberBetween(0.0, 86400.0));
   AddLayoutOptions(imitate, &options->layout);
   imitate->add_flag("--no-pictures", options->no_pictures,
-                    "a recording without the robot's pictures");
+                    "recording without the robot's pictures");
   AddEyeOptions(imitate, &options->eye);
   AddNoiseOption(imitate, &options->noise);
-  imitate->add_flag("--json", options->json, "print result.json on stdout");
+  imitate->add_flag("--json", options->json, "result.json on stdout");
   AddRobotOptions(imitate, /*may_be_absent=*/false, &options->robot);
   AddPathOption(imitate, &options->path);
   imitate->callback([options, answer] { *answer = ImitateDemo(*options); });

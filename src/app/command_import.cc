@@ -47,16 +47,16 @@ int Import(ImportCommandOptions* options) {
 
 void AddImport(CLI::App* program, ExitAnswer answer) {
   auto options = std::make_shared<ImportCommandOptions>();
-  CLI::App* import = program->add_subcommand(
-      "import", "Make a recording of a classic one, to look at and render it");
+  CLI::App* import =
+      program->add_subcommand("import", "Import a classic recording, for viewing and rendering");
   import->add_option("CLASSIC", options->classic, "directory with 0.txt, 0/, 1.txt, …")->required();
-  import->add_option("--out", options->out, "directory to make")->required()->check(NotEmpty());
+  import->add_option("--out", options->out, "new directory")->required()->check(NotEmpty());
   import->add_option("--scene", options->scene,
-                     "scene file it was made with; without it, objects are shown as blocks");
+                     "scene file of the recording; without it, objects are shown as blocks");
   AddPathOption(import, &options->path);
   import->add_option("--title", options->import.title, "title of the recording");
   import->add_option("--notes", options->import.notes, "notes about the recording");
-  import->add_flag("--json", options->json, "print one JSON object on stdout");
+  import->add_flag("--json", options->json, "result as one JSON object on stdout");
   import->callback([options, answer] { *answer = Import(options.get());
 });
 }  // namespace smile::app

@@ -26,7 +26,7 @@ struct LayoutCommandOptions {
 void RequireNew(const std::filesystem::path& path) {
   std::error_code error;
   if (!std::filesystem::exists(path, error)) return;
-  throw InputError({path.string(), 0, "", "exists already; name a new file in another folder"});
+  throw InputError({path.string(), 0, "", "exists already, expected a new file in another folder"});
 }
 
 int WriteLayout(const LayoutCommandOptions& options) {
@@ -48,7 +48,7 @@ int WriteLayout(const LayoutCommandOptions& options) {
 void AddLayout(CLI::App* program, ExitAnswer answer) {
   auto options = std::make_shared<LayoutCommandOptions>();
   CLI::App* layout = program->add_subcommand(
-      "layout", "Write a scene with its loose objects at random starting positions");
+      "layout", "Write a scene with its movable objects at random starting positions");
   layout->add_option("SCENE", options->scene, "scene file")->required();
   AddLayoutOptions(layout, &options->layout)->required();
   layout->add_option("--out", options->out, "new scene file")->required()->check(NotEmpty());

@@ -25,10 +25,10 @@ struct ProtocolTable {
 void AddProtocol(CLI::App* program, ExitAnswer answer) {
   auto table = std::make_shared<ProtocolTable>();
   CLI::App* protocol =
-      program->add_subcommand("protocol", "List what the studio's page may ask for");
+      program->add_subcommand("protocol", "List the requests of the studio's page");
   CLI::App* form = protocol->add_option_group("form");
-  form->add_flag("--news", table->updates, "what it is told instead");
-  form->add_flag("--typescript", table->typescript, "both, as the page's types");
+  form->add_flag("--news", table->updates, "messages to the page instead");
+  form->add_flag("--typescript", table->typescript, "both as types of the page");
   form->require_option(0, 1);
   protocol->callback([table, answer] {
     std::printf("%s", table->Text().c_str());

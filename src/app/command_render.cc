@@ -85,7 +85,7 @@ void RenderPicture(const model::Model& model, const recording::TraceTick& moment
 void RenderScene(const RenderCommandOptions& options, Product product) {
   const model::Model model(scene_xml::LoadScene(options.subject, options.path.reader()),
                            PlaceRobot(options.robot, options.path));
-  const std::string but = ", but '" + options.subject + "' is none";
+  const std::string but = ", but '" + options.subject + "' is not one";
   if (product != Product::kPicture) throw std::invalid_argument("a film needs a recording" + but);
   if (options.at) throw std::invalid_argument("--at needs a recording" + but);
   if (LookOf(options) != recording::DemonstratorAppearance::kInvisible) {
@@ -99,7 +99,7 @@ void RenderMoment(const recording::Recording& recording, const RenderCommandOpti
   const recording::TickRange whole = TicksOf(recording);
   const std::uint64_t tick = options.at ? TickAt(*options.at, whole, "at") : whole.last;
   const auto moment = MomentAt(recording, tick);
-  if (!moment) throw InputError({options.subject, 0, "", "its trace holds no moment"});
+  if (!moment) throw InputError({options.subject, 0, "", "its trace contains no moment"});
   const model::Model& model = *recording.model;
   const auto demonstrator = picture::DemonstratorOf(recording, LookOf(options));
   RenderPicture(model, *moment, recording::MarkerTrack(recording).At(tick), options,
@@ -110,7 +110,8 @@ void RenderFilm(const recording::Recording& recording, const RenderCommandOption
                 Product product) {
   if (product == Product::kFilm && options.channels != "rgb") {
     // Films are compressed with loss, which would change depths and ids.
-    throw std::invalid_argument("a film has the channel rgb only; pictures, DIR/, have all");
+    throw std::invalid_argument(
+        "a film has the channel rgb only; numbered pictures (DIR/) have all");
   }
   const picture::FilmOptions film{.request = RenderRequestOf(options, recording.info.eye_camera),
                                   .frames_per_second = options.rate,
@@ -134,7 +135,7 @@ int Render(const RenderCommandOptions& options) {
   }
   if (options.robot != RobotOptions() || !options.path.roots.empty()) {
     throw std::invalid_argument(
-        "the robot's options and --path are of scenes; a recording has its own robot and files");
+        "the robot's options and --path are for scenes; a recording has its own robot and files");
   }
   const recording::Recording recording = OpenAndTell(options.subject);
   if (product == Product::kPicture) {
@@ -150,34 +151,41 @@ int Render(const RenderCommandOptions& options) {
 void AddRender(CLI::App* program, ExitAnswer answer) {
   auto options = std::make_shared<RenderCommandOptions>();
   CLI::App* render = program->add_subcommand(
-      "render", "Draw a scene or a moment of a recording, or film a recording");
-  render->add_option("SUBJECT", options->subject, "scene file or directory of a recording")
+      "render",
+      "Render a picture of a scene or of a moment of a recording, or a film of a recording");
+  render->add_option("SUBJECT", options->subject, "scene file, or directory of a recording")
       ->required();
   render
       ->add_option("--out", options->out,
-                   "what to write: .png, .mp4, or DIR/ for a film as numbered pictures")
+                   "output: .png, .mp4, or DIR/ for a film as numbered pictures")
       ->required()
       ->check(NotEmpty());
-  render->add_flag("--frames", options->as_pictures, "a film as numbered pictures, also in DIR");
-  render->add_option("--at", options->at, "moment of a picture [s]; the end if not given");
-  render->add_option("--from", options->range.from, "begin of a film [s]");
-  render->add_option("--to", options->range.to, "end of a film [s]");
+  render->add_flag("--frames", options->as_pictures,
+                   "film as numbered pictures, also if --out does not end in /");
+  render->add_option("--at", options->at, "time of the picture [s] (default: the end)");
+  render->add_option("--from", options->range.from,
+                     "start of the film [s] (default: the start of the recording)");
+  render->add_option("--to", options->range.to,
+                     "end of the film [s] (default: the end of the recording)");
   std::string names;
   for (const std::string& name : picture::ViewNames()) names += name + ", ";
   render
-      ->add_option("--camera", options->camera,
-                   "for people: " + names +
-                       "or FROM:TO[:FOV] with points x,y,z and degrees; the robot's: eye, head, "
-                       "left_hand, right_hand; or the id of one in the scene")
+      ->add_option(
+          "--camera", options->camera,
+          "camera: " + names +
+              "or FROM:TO[:FOV] with points x,y,z in units and FOV in degrees; of the robot: eye, "
+              "head, left_hand, right_hand; or the id of a camera of the scene")
       ->capture_default_str();
-  render->add_option("--size", options->size, "WIDTHxHEIGHT")->capture_default_str();
-  render->add_option("--channels", options->channels, "of pictures: rgb,depth,id")
+  render->add_option("--size", options->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
+  render
+      ->add_option("--channels", options->channels,
+                   "channels of numbered pictures: comma-separated list of rgb, depth and id")
       ->capture_default_str();
   AddDemonstratorOption(render, &options->demonstrator)->capture_default_str();
-  render->add_option("--rate", options->rate, "film frames per second")
+  render->add_option("--rate", options->rate, "frames per second of the film")
       ->capture_default_str()
       ->check(NumberBetween(0.001, 240.0));
-  render->add_option("--speed", options->speed, "of a film: 2 is twice as fast")
+  render->add_option("--speed", options->speed, "speed of the film; 2 is twice real time")
       ->capture_default_str()
       ->check(NumberBetween(0.01, 100.0));
   AddRobotOptions(render, /*may_be_absent=*/true, &options->robot);

@@ -75,7 +75,7 @@ std::string GapText(const recording::PoseGap& gap) {
 std::string LineOf(const replay::Deviation& deviation) {
   return deviation.object + ": " + GapText(deviation.largest) + " apart at tick " +
          std::to_string(deviation.tick) + ", " +
-         (deviation.end ? GapText(*deviation.end) + " in the end" : "gone in the end");
+         (deviation.end ? GapText(*deviation.end) + " at the end" : "missing at the end");
 }
 std::string LineOf(const replay::Difference& difference) {
   return difference.object + ": " + difference.quantity + ": ends as " + difference.replayed +
@@ -140,7 +140,7 @@ int ReplayDemo(const ReplayCommandOptions& options) {
   if (IsInterrupted()) throw std::runtime_error("interrupted");
   // A program that was killed while it recorded leaves an incomplete last tick.
   if (report.is_cut) {
-    std::fprintf(stderr, "%s: the last tick of trace.bin was cut and is left out\n",
+    std::fprintf(stderr, "%s: the last tick of trace.bin was cut and is skipped\n",
                  options.demo.c_str());
   }
   if (options.json) {
@@ -156,13 +156,15 @@ int ReplayDemo(const ReplayCommandOptions& options) {
 void AddReplay(CLI::App* program, ExitAnswer answer) {
   auto options = std::make_shared<ReplayCommandOptions>();
   CLI::App* replay = program->add_subcommand(
-      "replay", "Run a recording again and compare it with what was recorded, tick by tick");
+      "replay", "Replay a recording and compare it with the recorded states, tick by tick");
   replay->add_option("DEMO", options->demo, "directory of a recording")->required();
   replay->add_flag("--verify", options->verify,
-                   "exit 1 on a difference, and stop at the first one that can be seen");
-  replay->add_option("--from", options->range.from, "compare from here on [s]");
-  replay->add_option("--to", options->range.to, "compare to here [s]");
-  replay->add_flag("--json", options->json, "print one JSON object on stdout");
+                   "stop at the first visible difference; exit code 1 on any difference");
+  replay->add_option("--from", options->range.from,
+                     "start of the comparison [s] (default: the start of the recording)");
+  replay->add_option("--to", options->range.to,
+                     "end of the comparison [s] (default: the end of the recording)");
+  replay->add_flag("--json", options->json, "result as one JSON object on stdout");
   replay->callback([options, answer] { *answer = ReplayDemo(*options); });
 }
 

@@ -43,12 +43,12 @@ int RerenderRecording(const RerenderOptions& options) {
 CLI::App* AddNamed(const char* name, CLI::App* program, ExitAnswer answer) {
   auto options = std::make_shared<RerenderOptions>();
   CLI::App* rerender =
-      program->add_subcommand(name, "Copy a recording with another demonstrator in its pictures");
+      program->add_subcommand(name, "Copy a recording, with another demonstrator in its pictures");
   rerender->add_option("DEMO", options->demo, "directory of a recording")->required();
   AddDemonstratorOption(rerender, &options->demonstrator)->required();
-  rerender->add_option("--out", options->out, "directory to make")->required()->check(NotEmpty());
-  rerender->add_flag("--no-symbols", options->no_symbols, "without the texts of the classic view");
-  rerender->add_flag("--json", options->json, "print one JSON object on stdout");
+  rerender->add_option("--out", options->out, "new directory")->required()->check(NotEmpty());
+  rerender->add_flag("--no-symbols", options->no_symbols, "classic view without texts");
+  rerender->add_flag("--json", options->json, "result as one JSON object on stdout");
   rerender->callback([options, answer] { *answer = RerenderRecording(*options); });
   return rerender;
 }

@@ -35,7 +35,7 @@ int RunScene(const RunOptions& options) {
   if (!options.seconds && options.brain.brain.empty() && options.commands.empty() &&
       options.trajectory.empty()) {
     throw std::invalid_argument(
-        "nothing says when the run ends: give --seconds, --commands, --trajectory or --brain");
+        "the run has no end: give --seconds, --commands, --trajectory or --brain");
   }
   plan.robot = PlaceRobot(options.robot, options.path);
   if (!options.brain.brain.empty() && !plan.robot) {
@@ -76,7 +76,7 @@ int RunScene(const RunOptions& options) {
                 plan.scene.name.c_str(), outcome.seconds, outcome.wall_seconds,
                 outcome.realtime_factor, experiment::HashText(outcome.state_hash).c_str());
     if (outcome.late_ticks > 0) {
-      std::printf("%llu of %llu ticks came late, by up to %.0f ms\n",
+      std::printf("%llu of %llu ticks were late, by up to %.0f ms\n",
                   static_cast<unsigned long long>(outcome.late_ticks),
                   static_cast<unsigned long long>(outcome.ticks), 1000 * outcome.worst_delay);
     }
@@ -96,31 +96,33 @@ void AddRun(CLI::App* program, ExitAnswer answer) {
   CLI::App* run = program->add_subcommand("run", "Run a scene without a window");
   run->add_option("SCENE", options->scene, "scene file")->required();
   run->add_option("--commands", options->commands,
-                  "script of commands, one JSON object a line (see: smile commands)");
+                  "script of commands, one JSON object per line (see: smile commands)");
   run->add_option("--trajectory", options->trajectory,
-                  "lets the robot follow the .csv or .json file (see: smile export)")
+                  ".csv or .json file with a trajectory for the robot (see: smile export)")
       ->excludes("--commands");
   AddBrainOptions(run, &options->brain);
-  run->add_option("--seconds", options->seconds,
-                  "exactly this long; otherwise until the script or the brain ends")
+  run->add_option(
+         "--seconds", options->seconds,
+         "duration in seconds of simulated time (default: until the script or the brain ends)")
       ->check(NumberBetween(0.0, 86400.0));
-  run->add_option("--record", options->record, "record into this new directory")->check(NotEmpty());
+  run->add_option("--record", options->record, "new directory for a recording of the run")
+      ->check(NotEmpty());
   run->add_option("--recordings", options->recordings,
-                  "where recordings go that the script starts, by their names")
+                  "folder of the recordings that the script starts")
       ->capture_default_str()
       ->check(NotEmpty());
   run->add_flag("--no-pictures", options->no_pictures, "recordings without the robot's pictures");
   run->add_flag("--no-symbols", options->no_symbols,
-                "recordings whose classic view has pictures only");
-  run->add_option("--title", options->title, "of the recording");
-  run->add_option("--notes", options->notes, "about the recording");
+                "recordings without texts in the classic view");
+  run->add_option("--title", options->title, "title of the recording");
+  run->add_option("--notes", options->notes, "notes about the recording");
   run->add_option("--rate", options->rate, "pictures per second of the recording")
       ->capture_default_str()
       ->check(NumberBetween(0.001, sim::kTicksPerSecond));
   AddEyeOptions(run, &options->eye);
   AddNoiseOption(run, &options->noise);
-  run->add_flag("--realtime", options->realtime, "as fast as the clock, not faster");
-  run->add_flag("--json", options->json, "print one JSON object on stdout");
+  run->add_flag("--realtime", options->realtime, "run at real time, not faster");
+  run->add_flag("--json", options->json, "result as one JSON object on stdout");
   AddRobotOptions(run, /*may_be_absent=*/true, &options->robot);
   AddPathOption(run, &options->path);
   run->callback([options, answer] { *answer = RunScene(*options); });

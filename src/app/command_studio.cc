@@ -42,7 +42,7 @@ std::filesystem::path PageFolder() {
   try {
     return DataFile("build/page");
   } catch (const std::runtime_error&) {
-    throw std::runtime_error("the studio's page is not built; ./run studio builds it");
+    throw std::runtime_error("the studio's page is not built; run ./run studio to build it");
   }
 }
 
@@ -88,25 +88,25 @@ int RunStudio(const StudioCommand& options) {
 
 void AddStudio(CLI::App* program, ExitAnswer answer) {
   auto options = std::make_shared<StudioCommand>();
-  CLI::App* studio =
-      program->add_subcommand("studio", "Demonstrate, edit and watch in a page of the browser");
-  studio->add_option("SCENE", options->scene, "scene file [the shipped tower.xml]")
+  CLI::App* studio = program->add_subcommand(
+      "studio", "Open the studio in a browser: demonstrate, edit and watch");
+  studio->add_option("SCENE", options->scene, "scene file (default: the shipped tower.xml)")
       ->check(NotEmpty());
   studio
       ->add_option("--port", options->port,
-                   "where the page is; 0 for the first free one from 8470 on")
+                   "port of the page; 0 for the first free port from 8470 on")
       ->capture_default_str()
       ->check(CLI::Range(0, 65535));
   studio
       ->add_option("--listen", options->address,
-                   "lets other machines in, with the token of the printed link: an address of this "
-                   "one, or 0.0.0.0 for all")
+                   "address on which other machines can connect, with the token of the printed "
+                   "link; 0.0.0.0 for all addresses of this machine")
       ->capture_default_str()
       ->check(NotEmpty());
   CLI::Option* certificate =
       studio
           ->add_option("--tls-cert", options->tls_certificate,
-                       "certificate chain in PEM format: the page is at https:// only")
+                       "certificate chain in PEM format; the page is served at https:// only")
           ->check(CLI::ExistingFile);
   CLI::Option* key = studio
                          ->add_option("--tls-key", options->tls_key,
@@ -115,15 +115,15 @@ void AddStudio(CLI::App* program, ExitAnswer answer) {
                          ->needs(certificate);
   certificate->needs(key);
   studio->add_flag("--no-open", options->no_open, "do not open the browser");
-  studio->add_option("--recordings", options->recordings, "where recordings are kept")
+  studio->add_option("--recordings", options->recordings, "folder of the recordings")
       ->capture_default_str()
       ->check(NotEmpty());
-  Repeatable(studio->add_option("--brains", options->brains,
-                                "folder with brains of your own, offered before those we ship; "
-                                "may be repeated"))
+  Repeatable(studio->add_option(
+                 "--brains", options->brains,
+                 "folder with your own brains, listed before the shipped ones; may be repeated"))
       ->check(CLI::ExistingDirectory);
   studio->add_flag("--no-pictures", options->no_pictures,
-                   "recordings without the robot's pictures, and no view of its eye");
+                   "recordings without the robot's pictures; no view of the robot's eye");
   studio->add_option("--rate", options->rate, "pictures per second of recordings")
       ->capture_default_str()
       ->check(NumberBetween(0.001, sim::kTicksPerSecond));

@@ -50,7 +50,7 @@ class EditText {
 };
 
 editing::Edit ParseDrop(const std::string& text) {
-  EditText in(text, "the number of a segment, or two like 2-4");
+  EditText in(text, "the number of a segment, or a range like 2-4");
   editing::Drop drop{.first = in.Number<int>()};
   drop.last = in.Take('-') ? in.Number<int>() : drop.first;
   in.ExpectEnd();
@@ -102,12 +102,13 @@ editing::Edit ParseSpeed(const std::string& text) {
 
 /// All options for edits, in the order of the help text.
 constexpr EditOption kEditOptions[] = {
-    {"--drop", "N[-M]", "leave out segments", &ParseDrop},
-    {"--move", "N:K", "put segment N elsewhere: it becomes the K-th action", &ParseMove},
-    {"--trim", "N:FROM-TO", "keep only these seconds of segment N, and its action", &ParseTrim},
-    {"--max-pause", "S", "shorten every longer pause to S seconds", &ParseMaxPause},
-    {"--retime", "N:SECONDS", "make segment N last that long", &ParseRetime},
-    {"--speed", "F", "make everything F times as fast", &ParseSpeed},
+    {"--drop", "N[-M]", "remove segments N to M", &ParseDrop},
+    {"--move", "N:K", "move segment N so that it becomes the K-th action", &ParseMove},
+    {"--trim", "N:FROM-TO", "keep only this time range of segment N [s], and its action",
+     &ParseTrim},
+    {"--max-pause", "S", "shorten longer pauses to S seconds", &ParseMaxPause},
+    {"--retime", "N:SECONDS", "change the duration of segment N to this time [s]", &ParseRetime},
+    {"--speed", "F", "increase the speed of all segments by the factor F", &ParseSpeed},
 };
 
 }  // namespace

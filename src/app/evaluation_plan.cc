@@ -82,7 +82,7 @@ experiment::EvaluationPlan PlanOf(const EvaluateOptions& options) {
   RequireOutsideOfRecordings(out.string());
   if (std::set<std::string>(options.demonstrators.begin(), options.demonstrators.end()).size() <
       options.demonstrators.size()) {
-    throw std::invalid_argument("--demonstrators names one of them twice");
+    throw std::invalid_argument("--demonstrators contains a demonstrator twice");
   }
   // Checks all inputs now, since an error in a run would appear as many times as there are runs.
   OpenAndTell(options.demo);

@@ -13,10 +13,11 @@ CLI::Option* AddLayoutOptions(CLI::App* command, LayoutOptions* options) {
   CLI::Option* seed =
       command
           ->add_option("--seed", options->seed,
-                       "random starting positions instead of those of the scene; the same seed "
-                       "gives the same")
+                       "seed of random starting positions, which replace those of the scene")
           ->check(CLI::NonNegativeNumber);
-  command->add_option("--level", options->level, "how hard they make it (docs/experiments.md)")
+  command
+      ->add_option("--level", options->level,
+                   "difficulty of the random starting positions (docs/experiments.md)")
       ->capture_default_str()
       ->check(IsLayoutLevel())
       ->needs(seed);

@@ -14,7 +14,7 @@ recording::Recording OpenAndTell(const std::string& demo) {
     std::fprintf(stderr, "%s: %s\n", demo.c_str(), cut.c_str());
   }
   if (recording.info.program != ProgramName()) {
-    std::fprintf(stderr, "%s: was made by %s, this is %s\n", demo.c_str(),
+    std::fprintf(stderr, "%s: was made by %s; this program is %s\n", demo.c_str(),
                  Printable(recording.info.program).c_str(), ProgramName().c_str());
   }
   return recording;
@@ -24,7 +24,7 @@ void RequireOutsideOfRecordings(const std::string& out) {
   const auto around = recording::RecordingAround(out);
   if (!around) return;
   throw InputError(
-      {out, 0, "", "lies within the recording " + around->string() + ", which stays as it is"});
+      {out, 0, "", "is inside the recording " + around->string() + ", which is not changed"});
 }
 
 }  // namespace smile::app

@@ -32,25 +32,26 @@ Number NumberUpTo(Number most, const std::string& text, const std::string& what)
 
 void AddRobotOptions(CLI::App* command, bool may_be_absent, RobotOptions* options) {
   if (may_be_absent) {
-    command->add_flag("--no-robot", options->no_robot, "a table without a robot");
+    command->add_flag("--no-robot", options->no_robot, "no robot at the table");
   }
-  command->add_flag("--classic", options->classic, "the robot where the original put it");
-  command->add_option("--robot", options->urdf, "another robot than Baxter: a URDF file")
+  command->add_flag("--classic", options->classic, "robot at the position of the 2015 program");
+  command->add_option("--robot", options->urdf, "URDF file of the robot (default: Baxter)")
       ->check(NotEmpty());
   command
       ->add_option("--side-file", options->side_file,
-                   "what names its arms, grippers and poses; NAME.robot.json beside NAME.urdf if "
-                   "not given")
+                   "file that names the robot's arms, grippers and poses (default: NAME.robot.json "
+                   "beside NAME.urdf)")
       ->check(NotEmpty());
   command
       ->add_option("--gripper", options->gripper,
-                   "which of the robot's grippers; Baxter's are classic, electric and none")
+                   "gripper of the robot; for Baxter: classic, electric or none")
       ->check(NotEmpty());
-  CLI::Option* kinematic = command->add_flag("--kinematic", options->body.is_kinematic,
-                                             "a robot that nothing stops; it costs less time");
+  CLI::Option* kinematic =
+      command->add_flag("--kinematic", options->body.is_kinematic,
+                        "kinematic robot: faster to simulate, not stopped by obstacles");
   command
       ->add_flag("--friction-grasp", options->body.grasps_by_friction,
-                 "grippers hold by friction alone")
+                 "grippers that hold by friction alone")
       ->excludes(kinematic);
 }
 
@@ -70,14 +71,12 @@ CLI::Option* AddBrainOptions(CLI::App* command, BrainOptions* options) {
   CLI::Option* brain =
       command
           ->add_option("--brain", options->brain,
-                       "brain (robot program): a folder with agentBehavior.m, a Python file, or an "
-                       "executable")
+                       "brain: a folder with agentBehavior.m, a Python file, or an executable")
           ->transform(PresentBrain());
   AddTimeoutOption(command, brain, &options->timeout);
   command
       ->add_flag("--attach", options->attach,
-                 "do not start the brain: say how to start it in a debugger, and wait for it as "
-                 "long as it takes")
+                 "print how to start the brain in a debugger, and wait for it without a time limit")
       ->needs(brain);
   return brain;
 }
@@ -87,7 +86,7 @@ std::optional<sim::RobotPlacement> PlaceRobot(const RobotOptions& options,
   if (options.no_robot) {
     // With `--no-robot`, any other option of the robot would have no effect, and is an error.
     if (options == RobotOptions{.no_robot = true}) return std::nullopt;
-    throw std::invalid_argument("--no-robot leaves nothing to choose of a robot");
+    throw std::invalid_argument("--no-robot excludes all other options of the robot");
   }
   const std::filesystem::path urdf =
       options.urdf.empty() ? DataFile("robots/baxter.urdf") : std::filesystem::path(options.urdf);
@@ -97,8 +96,7 @@ std::optional<sim::RobotPlacement> PlaceRobot(const RobotOptions& options,
                               .gripper = options.gripper});
   // A URDF file alone describes links and joints, but not which of them are arms or grippers.
   if (!reading.has_side_file) {
-    std::fprintf(stderr, "%s: without a side file, the robot stands there and nothing moves it\n",
-                 urdf.c_str());
+    std::fprintf(stderr, "%s: the robot has no side file and cannot be moved\n", urdf.c_str());
   }
   sim::RobotPlacement placement{.model = std::move(reading.model),
                                 .gripper = std::move(reading.gripper),
@@ -115,15 +113,15 @@ std::optional<sim::RobotPlacement> PlaceRobot(const RobotOptions& options,
 CLI::Option* Repeatable(CLI::Option* option) { return option->allow_extra_args(false); }
 
 void AddPathOption(CLI::App* command, PathOptions* options) {
-  Repeatable(command->add_option(
-      "--path", options->roots,
-      "folder to look in for files a scene or a robot names, after their own; may be repeated"));
+  Repeatable(command->add_option("--path", options->roots,
+                                 "folder in which to search for files of scenes and robots, after "
+                                 "their own folders; may be repeated"));
 }
 
 CLI::Option* AddDemonstratorOption(CLI::App* command, std::string* look) {
   return command->add_option("--demonstrator", *look,
-                             "how the demonstrator is seen: invisible, ghost (translucent hands) "
-                             "or forearm (hands and arms that hide what is behind them)");
+                             "appearance of the demonstrator: invisible, ghost (translucent hands) "
+                             "or forearm (opaque hands and arms)");
 }
 
 CLI::Validator NumberBetween(double low, double high) {
@@ -156,12 +154,14 @@ PictureSize ParseSize(const std::string& text) {
 
 void AddEyeOptions(CLI::App* command, EyeOptions* options) {
   command
-      ->add_option("--eye", options->camera,
-                   "the robot's eye: `eye` as in 2015, above its head, or `head`, the real camera")
+      ->add_option(
+          "--eye", options->camera,
+          "camera of the robot: `eye`, above its head as in 2015, or `head`, the real head camera")
       ->capture_default_str()
       ->check(CLI::IsMember({sim::kEyeCamera, sim::kHeadCamera}));
-  command->add_option("--size", options->size,
-                      "of the robot's pictures [640x480; 640x400 for the eye `head`]");
+  command->add_option(
+      "--size", options->size,
+      "size of the robot's pictures (default: 640x480; 640x400 for the eye `head`)");
 }
 
 sim::EyeSpec EyeSpecOf(const EyeOptions& options) {
@@ -203,8 +203,8 @@ brain::SensorNoise ParseNoise(const std::string& text) {
 void AddNoiseOption(CLI::App* command, std::string* text) {
   command
       ->add_option("--noise", *text,
-                   "Gaussian noise in what the brain is told: standard deviations "
-                   "joints=RAD,image=SHARE,depth=UNITS and seed=N, or some of them")
+                   "Gaussian noise in the sensors of the brain: any of the standard deviations "
+                   "joints=RAD, image=FRACTION and depth=UNITS, and seed=N, comma-separated")
       ->needs("--brain");
 }
 

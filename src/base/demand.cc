@@ -6,7 +6,7 @@
 namespace smile::internal {
 
 void FailDemand(const char* condition, const char* file, int line) {
-  std::fprintf(stderr, "%s:%d: this must hold: %s (a bug in SMILE)\n", file, line, condition);
+  std::fprintf(stderr, "%s:%d: assertion failed: %s (a bug in SMILE)\n", file, line, condition);
   std::abort();
 }
 

@@ -43,7 +43,7 @@ std::string ReadFile(const std::filesystem::path& path, std::size_t max_bytes) {
   const auto status = std::filesystem::status(path, error);
   if (status.type() == std::filesystem::file_type::not_found) throw wrong("no such file");
   if (error) Fail(path, "cannot be read: " + error.message());
-  if (!std::filesystem::is_regular_file(status)) throw wrong("is not a plain file");
+  if (!std::filesystem::is_regular_file(status)) throw wrong("is not a regular file");
 
   std::unique_ptr<FILE, int (*)(FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
   if (!file) Fail(path, "cannot be opened: " + SystemReason());

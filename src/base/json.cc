@@ -39,7 +39,7 @@ class LimitCheck : public Json::json_sax_t {
     }
     keys.last = name;
     if (!keys.names.insert(std::move(name)).second) {
-      throw std::invalid_argument("the key " + Quoted(keys.last) + " is there twice" + Where());
+      throw std::invalid_argument("the key " + Quoted(keys.last) + " appears twice" + Where());
     }
     return true;
   }

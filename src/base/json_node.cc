@@ -50,14 +50,14 @@ std::vector<JsonNode> JsonNode::Items(std::size_t count) const {
 }
 
 std::string JsonNode::String() const {
-  if (!value_.is_string()) Fail("found " + Kind() + ", expected a text");
+  if (!value_.is_string()) Fail("found " + Kind() + ", expected a string");
   return value_.get<std::string>();
 }
 
 std::string JsonNode::ShortString(std::size_t max_bytes) const {
   std::string text = String();
   if (text.size() <= max_bytes) return text;
-  Fail("found " + Quoted(text) + ", expected at most " + std::to_string(max_bytes) + " letters");
+  Fail("found " + Quoted(text) + ", expected at most " + std::to_string(max_bytes) + " characters");
 }
 
 bool JsonNode::Flag() const {

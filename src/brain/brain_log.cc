@@ -24,7 +24,7 @@ void BrainLog::Write(std::string_view line) {
   bytes_ += text.size() + 1;
   // The last line says that the log ends; nothing follows it.
   const bool is_full = bytes_ > kMaxBytes;
-  if (is_full) text = "... no more is kept";
+  if (is_full) text = "... further output is not kept";
   text += '\n';
   std::fwrite(text.data(), 1, text.size(), file_.get());
   std::fflush(file_.get());

@@ -46,7 +46,7 @@ void AddLines(MessageWriter& writer, std::string_view field, std::span<const std
   std::string text;
   for (const std::string& name : names) {
     if (name.find('\n') != std::string::npos) {
-      throw std::invalid_argument(std::string(field) + ": '" + name + "' holds a line break");
+      throw std::invalid_argument(std::string(field) + ": '" + name + "' contains a line break");
     }
     if (&name != &names.front()) text += "\n";
     text += name;
@@ -76,7 +76,7 @@ void AddAttention(MessageWriter& writer, const Attention& attention) {
     const auto num_commas = static_cast<std::size_t>(std::count(line.begin(), line.end(), ','));
     if (line.find('\n') != std::string::npos || num_commas != properties.size()) {
       throw std::invalid_argument("'" + object +
-                                  "' or a property of it holds a comma or line break");
+                                  "' or one of its properties contains a comma or line break");
     }
     text += (text.empty() ? "" : "\n") + line;
   }
@@ -290,7 +290,7 @@ std::vector<std::string> ReadWords(const NamedArray& array, MatrixReader& reader
     return {};
   }
   if (text && !text->empty() && (array.dims.size() != 2 || array.dims[0] != 1)) {
-    reader.Fail(array.name + " is " + ShapeText(array.dims) + " letters, expected one line");
+    reader.Fail(array.name + " is " + ShapeText(array.dims) + " characters, expected one line");
     return {};
   }
   std::vector<std::string> words(1);
@@ -343,7 +343,7 @@ double ReadImageSeconds(const NamedArray& array, MatrixReader& reader) {
 bool ReadWatch(const NamedArray& array, const Aux& aux, MatrixReader& reader) {
   const bool watch = reader.Read(array, 1, 1)(0, 0) != 0;
   if (watch && aux.demonstration.empty()) {
-    reader.Fail(array.name + " is true, but there is no demonstration to watch");
+    reader.Fail(array.name + " is true, but no demonstration is given");
   }
   return watch;
 }
@@ -357,9 +357,9 @@ void CheckSize(const PictureWishes& wishes, const Aux& aux, MatrixReader& reader
                             static_cast<std::size_t>(aux.camera->height_px) *
                             (1 + wishes.cameras.size());
   if (bytes <= kMaxPictureBytes) return;
-  reader.Fail("channels and cameras ask for " + std::to_string(bytes >> 20) +
-              " MiB at a time, expected at most " + std::to_string(kMaxPictureBytes >> 20) +
-              ": smaller pictures, or fewer of them");
+  reader.Fail("channels and cameras require " + std::to_string(bytes >> 20) +
+              " MiB per image time, expected at most " + std::to_string(kMaxPictureBytes >> 20) +
+              "; request smaller or fewer pictures");
 }
 
 PictureWishes ReadPictureWishes(const Message& message, const Aux& aux, MatrixReader& reader) {

@@ -53,12 +53,12 @@ std::string WhyNotRun(const process::CannotRun& refusal) {
   switch (refusal.error_number()) {
     case ENOENT:
       return found +
-             "what shall run it is not there, expected it in the first line of a script, "
-             "as #!/usr/bin/python3";
+             "its interpreter does not exist, expected one in the first line of the script, like "
+             "#!/usr/bin/python3";
     case ENOEXEC:
       return found +
-             "it is no program, expected one for this machine, or a script with a first "
-             "line like #!/usr/bin/python3";
+             "it is not a program, expected one for this machine, or a script with a first line "
+             "like #!/usr/bin/python3";
     default:
       return found + std::strerror(refusal.error_number());
   }
@@ -133,7 +133,7 @@ class BrainProcess::Impl {
 };
 
 OrError<InitReply> BrainProcess::Impl::Init(const Aux& aux) {
-  if (state_ != State::kNew) throw std::logic_error("BrainProcess::Init: it was started before");
+  if (state_ != State::kNew) throw std::logic_error("BrainProcess::Init: it was already started");
   state_ = State::kStarting;
   if (auto error = Start()) return EndWith(std::move(*error));
   const process::WaitLimit limit = LimitOf(options_.start_seconds);
@@ -243,10 +243,10 @@ std::optional<BrainError> BrainProcess::Impl::Greet(const process::WaitLimit& li
                                                           " of the protocol");
     if (!options_.is_attached || limit.IsCancelled()) return error;
     if (fault && fault->kind == ChannelFault::Kind::kCancelled) {
-      error = ErrorIn(Phase::kStart, "it said nothing, and the next one came");
+      error = ErrorIn(Phase::kStart, "it sent nothing, and another client has connected");
     }
     channel_.reset();
-    if (options_.on_waiting) options_.on_waiting("sent somebody away: " + error.message);
+    if (options_.on_waiting) options_.on_waiting("rejected a client: " + error.message);
   }
 }
 
@@ -286,7 +286,7 @@ OrError<Message> BrainProcess::Impl::Ask(const std::vector<std::byte>& question,
                                                        answer.type == MessageType::kFinalMotor);
   // The sequence number rejects answers to earlier questions.
   if (!is_expected || answer.sequence != sequence_) {
-    return ExplainFault({ChannelFault::Kind::kNonsense, "this is not an answer to what was asked"},
+    return ExplainFault({ChannelFault::Kind::kNonsense, "this is not an answer to the request"},
                         phase, limit_seconds);
   }
   return std::move(answer);
@@ -305,7 +305,7 @@ BrainError BrainProcess::Impl::ExplainFault(const ChannelFault& fault, Phase pha
   if (fault.kind == ChannelFault::Kind::kTimedOut) return ExplainTimeout(phase, limit_seconds);
   const std::string during = " during " + Name(phase);
   if (fault.kind == ChannelFault::Kind::kNonsense) {
-    return ErrorIn(phase, "the brain sent nonsense" + during + ": " + fault.message);
+    return ErrorIn(phase, "the brain sent an invalid message" + during + ": " + fault.message);
   }
   // A closed connection is usually the end of the process, which follows within moments and
   // explains more.

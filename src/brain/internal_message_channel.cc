@@ -57,8 +57,8 @@ std::optional<ChannelFault> WaitASlice(int fd, short events, const process::Wait
   const int ready = ::poll(&watched, 1, is_over ? 0 : limit.SliceMs(kSliceMs));
   if (ready < 0 && errno != EINTR) return SystemFault();
   if (ready > 0 || !is_over) return std::nullopt;
-  if (is_cancelled) return ChannelFault{ChannelFault::Kind::kCancelled, "called off"};
-  return ChannelFault{ChannelFault::Kind::kTimedOut, "out of time"};
+  if (is_cancelled) return ChannelFault{ChannelFault::Kind::kCancelled, "canceled"};
+  return ChannelFault{ChannelFault::Kind::kTimedOut, "timed out"};
 }
 
 }  // namespace

@@ -58,7 +58,7 @@ class ProtocolSession {
     } catch (const std::exception& error) {
       return ErrorFrame(sequence, error.what());
     } catch (...) {
-      return ErrorFrame(sequence, "an exception that is no std::exception");
+      return ErrorFrame(sequence, "unknown exception, not a std::exception");
     }
   }
 

@@ -22,7 +22,7 @@ const wire::NamedArray& Fields::At(std::string_view name) const {
   for (const wire::NamedArray& array : message_.arrays) {
     names += (names.empty() ? "" : ", ") + array.name;
   }
-  throw std::invalid_argument("there is no " + std::string(name) + ", only " +
+  throw std::invalid_argument(std::string(name) + " is missing, found " +
                               (names.empty() ? "nothing" : names));
 }
 

@@ -14,7 +14,7 @@ namespace smile::brain_client {
 
 /// The simulator closed the connection without a goodbye.
 struct SimulatorGone : std::runtime_error {
-  SimulatorGone() : std::runtime_error("the simulator has gone") {}
+  SimulatorGone() : std::runtime_error("the simulator has closed the connection") {}
 };
 
 /// Received bytes are not a message.

@@ -20,7 +20,7 @@ Framebuffer::Framebuffer(const FramebufferLayout& layout) : layout_(layout) {
   if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
     throw std::runtime_error("OpenGL: glCheckFramebufferStatus: no picture of " +
                              std::to_string(layout.width_px) + "x" +
-                             std::to_string(layout.height_px) + " pixels can be made");
+                             std::to_string(layout.height_px) + " pixels can be created");
   }
 }
 

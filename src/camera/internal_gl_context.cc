@@ -120,7 +120,7 @@ GlContext::GlContext() {
     Fail("SMILE_EGL_PLATFORM",
          "is \"" + std::string(wanted) + "\", expected device or surfaceless");
   }
-  Fail("OpenGL 3.3", "no way to draw without a screen:" + reasons);
+  Fail("OpenGL 3.3", "cannot render without a screen:" + reasons);
 }
 
 GlContext::~GlContext() {

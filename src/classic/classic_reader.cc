@@ -106,7 +106,7 @@ class Consistency {
       }
       frame_ = line_->frame;
       if (OpensSegment(*line_) && !(is_first ? IsHold(*line_) : i == 0)) {
-        Fail("found another action, expected one in a segment, in its first line");
+        Fail("found another action, expected one per segment, in its first line");
       }
       if (IsDestroy(*line_)) FindDestroyed(i);
       std::visit([this](auto& what) { Follow(&what); }, line_->what);
@@ -125,7 +125,8 @@ class Consistency {
   }
 
   void RequirePresent(const std::string& object) const {
-    if (!present_.contains(object)) Fail(Quoted(object) + " is not there, expected it created");
+    if (!present_.contains(object))
+      Fail(Quoted(object) + " does not exist, expected a create line before");
   }
 
   /// Sets the object of a destroy action, which only the following delete specifies.
@@ -133,17 +134,17 @@ class Consistency {
     const auto* gone = i + 1 < segment_->lines.size()
                            ? std::get_if<ClassicDelete>(&segment_->lines[i + 1].what)
                            : nullptr;
-    if (gone == nullptr) Fail("found no delete beside destroy, expected one: of what?");
+    if (gone == nullptr) Fail("found no delete after destroy, expected one that names the object");
     std::get<ClassicAction>(line_->what).object = gone->object;
   }
 
   void Follow(const ClassicCreate* create) {
     if (!present_.insert(create->object).second) {
-      Fail(Quoted(create->object) + " is created, but it is there already");
+      Fail(Quoted(create->object) + " is created, but already exists");
     }
     created_.insert(create->object);
     if (created_.size() > limits_.max_objects) {
-      Fail("is about more than " + std::to_string(limits_.max_objects) + " objects");
+      Fail("contains more than " + std::to_string(limits_.max_objects) + " objects");
     }
   }
   void Follow(const ClassicDelete* gone) {
@@ -162,7 +163,7 @@ class Consistency {
   const std::string& ObjectOf(const std::string& control) const {
     const auto found = object_of_.find(control);
     if (found != object_of_.end()) return found->second;
-    Fail(Quoted(control) + " is no control, expected it initialized");
+    Fail(Quoted(control) + " is not a control, expected its initialization before");
   }
   void Follow(ClassicAction* action) {
     using enum sim::EventKind;
@@ -262,14 +263,14 @@ void FindPictures(const std::filesystem::path& directory, const ClassicLimits& l
     if (!folder.exists(error)) continue;
     RequireNoLink(folder);
     if (!folder.is_directory(error))
-      Refuse(folder.path(), "is no folder, expected one of pictures");
+      Refuse(folder.path(), "is not a folder, expected a folder of pictures");
     for (const auto& entry : FilesIn(folder.path())) {
       const auto frame = NumberOf(entry.path(), ".png");
       if (!frame) continue;
       RequireNoLink(entry);
       if (*frame > limits.max_frame || !entry.is_regular_file(error) ||
           entry.file_size(error) > limits.max_picture_bytes) {
-        Refuse(entry.path(), "is no picture of a frame, expected a file of at most " +
+        Refuse(entry.path(), "is not a picture of a frame, expected a file of at most " +
                                  std::to_string(limits.max_picture_bytes) +
                                  " bytes and a frame of at most " +
                                  std::to_string(limits.max_frame));
@@ -286,7 +287,7 @@ void MeasurePictures(const std::filesystem::path& directory, ClassicRecording* r
     const auto path =
         directory / std::to_string(picture.segment) / (std::to_string(picture.frame) + ".png");
     const std::optional<PngSize> size = ReadPngSize(path);
-    if (!size) Refuse(path, "is no readable PNG of at most 8192 pixels along a side");
+    if (!size) Refuse(path, "is not a readable PNG of at most 8192 pixels per side");
     const bool is_first = recording->picture_width_px == 0;
     if (!is_first && (size->width_px != recording->picture_width_px ||
                       size->height_px != recording->picture_height_px)) {
@@ -342,10 +343,10 @@ ClassicRecording ReadClassicTexts(std::span<const ClassicText> texts, const Clas
 ClassicRecording ReadClassic(const std::filesystem::path& directory, const ClassicLimits& limits) {
   std::error_code error;
   if (!std::filesystem::is_directory(directory, error)) {
-    Refuse(directory, "is no directory, expected that of a classic recording");
+    Refuse(directory, "is not a directory, expected the directory of a classic recording");
   }
   if (recording::IsRecording(directory)) {
-    Refuse(directory, "has a demo.json: it is a recording already and need not be imported");
+    Refuse(directory, "has a demo.json: it is already a recording and does not need an import");
   }
   ClassicRecording recording = ReadClassicTexts(ReadTexts(directory, limits), limits);
   FindPictures(directory, limits, &recording);

@@ -74,7 +74,7 @@ recording::TraceTick ReadMomentOf(const FrameEntry& frame, const std::filesystem
   if (moment && moment->tick == frame.tick) return *std::move(moment);
   throw InputError(
       {csv.string(), 0, "",
-       "has a frame of tick " + std::to_string(frame.tick) + ", which the trace does not have"});
+       "has a frame of tick " + std::to_string(frame.tick) + ", which is missing in the trace"});
 }
 
 }  // namespace smile::classic

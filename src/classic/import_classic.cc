@@ -45,7 +45,7 @@ Places PlacesIn(const scene::SceneSpec& scene, const ClassicRecording& recording
   if (missing.empty()) return places;
   throw InputError(
       {classic.string(), 0, "",
-       "is about objects that the scene " + Quoted(scene.name) + " does not have: " + missing});
+       "contains objects that the scene " + Quoted(scene.name) + " does not have: " + missing});
 }
 
 Places PlacesOfPlaceholders(const ClassicRecording& recording) {
@@ -72,11 +72,11 @@ std::vector<std::string> RemarksOnPlaceholders(const ClassicRecording& recording
       "without its scene, every object is shown as a block; name the scene with --scene"};
   if (!controls.empty()) {
     remarks.push_back("blocks have no controls: the states of " + std::to_string(controls.size()) +
-                      " are in the texts only");
+                      " appear in the texts only");
   }
   if (num_bonds > 0) {
     remarks.push_back("blocks have no bond points: " + std::to_string(num_bonds) +
-                      " times fasten or loosen are in the texts only");
+                      " fasten and loosen actions appear in the texts only");
   }
   const std::vector<std::string> objects = recording.Objects();
   std::string renamed;
@@ -86,8 +86,8 @@ std::vector<std::string> RemarksOnPlaceholders(const ClassicRecording& recording
     if (id != objects[i] && ++num_renamed == 1) renamed = objects[i] + " is now " + id;
   }
   if (num_renamed > 0) {
-    remarks.push_back("scene files cannot have all ids: " + std::to_string(num_renamed) +
-                      " are changed, as " + renamed);
+    remarks.push_back("not all ids are valid in scene files: " + std::to_string(num_renamed) +
+                      " are changed, for example " + renamed);
   }
   return remarks;
 }

@@ -56,7 +56,7 @@ void RequireText(std::string_view text) {
     const Letter letter = FirstLetter(text);
     const bool is_plain = letter.num_bytes > 0 && letter.code >= 0x20 && letter.code != 0x7F &&
                           letter.code != 0xFFFE && letter.code != 0xFFFF;
-    if (!is_plain) Malformed("found a byte that is no text, expected UTF-8");
+    if (!is_plain) Malformed("found an invalid byte, expected UTF-8");
     text.remove_prefix(letter.num_bytes);
   }
 }
@@ -92,7 +92,7 @@ class Fields {
     const auto is_ok = [](char letter) { return letter > ' ' && letter < 0x7F && letter != ','; };
     if (!id.empty() && id.size() <= kMaxIdBytes && std::ranges::all_of(id, is_ok)) return id;
     Malformed("found " + Quoted(id) + ", expected " + std::string(what) +
-              ": 1 to 100 letters without blanks");
+              ": 1 to 100 characters without blanks");
   }
   double TakeNumber(std::string_view what, double limit) {
     return ParseClassicNumber(Take(what), what, limit);

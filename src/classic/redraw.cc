@@ -25,7 +25,7 @@ constexpr std::size_t kMaxInfoBytes = 1u << 20;
 void RequireNoLink(const std::filesystem::path& path) {
   if (!std::filesystem::is_symlink(path)) return;
   throw InputError(
-      {path.string(), 0, "", "is a link; expected a recording whose files are its own to copy it"});
+      {path.string(), 0, "", "is a link; only a recording with its own files can be copied"});
 }
 
 /// Copies a file or a folder if it exists; links are refused, as they may lead out of the
@@ -114,11 +114,11 @@ std::size_t Redraw(const recording::Recording& recording, const std::filesystem:
   recording::RequireNewDirectory(directory);
   if (draw && !recording.info.eye) {
     throw InputError({recording.directory.string(), 0, "",
-                      "has no pictures; expected a recording with some to draw them again"});
+                      "has no pictures, expected a recording with pictures"});
   }
   if (options.has_symbols && !recording.info.has_symbols) {
     throw std::invalid_argument(recording.directory.string() +
-                                ": has no texts, its copy can have none");
+                                ": has no texts, so a copy cannot have texts");
   }
   std::error_code error;
   const bool was_there =

@@ -88,8 +88,7 @@ std::optional<Refusal> Demonstrator::Grasp(HandName name, std::string_view objec
                                            const std::optional<Vector3>& p_WQ) {
   const GraspPlan plan = PlanGrasp(name, object_id);
   if (plan.refusal) return plan.refusal;
-  if (!plan.to_release.empty())
-    return WhatHolds(plan.to_release.front()) + "; it must let go first";
+  if (!plan.to_release.empty()) return WhatHolds(plan.to_release.front()) + "; release it first";
   physics::Body& body = world_->body(tabletop_->Find(object_id)->body);
   const RigidTransform X_WB = body.pose_in_world();
   body.SetCarried(true);
@@ -138,10 +137,10 @@ std::optional<Vector3> Demonstrator::PointOnPlane(HandName name, const Ray& ray,
   // Intersection of the ray with the plane through the hand's goal.
   const double approach = normal.dot(direction);
   const std::string plane =
-      std::string(is_level ? "the level plane of " : "the motion plane of ") + NameOf(name);
+      std::string(is_level ? "the horizontal plane of " : "the motion plane of ") + NameOf(name);
   if (!(std::abs(approach) > kParallel)) return no("the ray is parallel to " + plane);
   const double distance = normal.dot(p_WH - ray.p_WOrigin) / approach;
-  if (!(distance >= 0)) return no("the ray runs away from " + plane);
+  if (!(distance >= 0)) return no("the ray points away from " + plane);
   const Vector3 p_WHit = ray.p_WOrigin + distance * direction;
   if (!(distance <= kFar)) return no("the ray meets " + plane + " more than 100 m away");
   return p_WHit;
@@ -178,7 +177,7 @@ std::optional<Refusal> Demonstrator::Destroy(HandName name) {
 
 std::optional<Refusal> Demonstrator::Remove(const world::Object& object) {
   for (HandName name : kHandNames) {
-    if (hand(name).held == object.body) return WhatHolds(name) + "; it must be released first";
+    if (hand(name).held == object.body) return WhatHolds(name) + "; release it first";
   }
   if (world_->body(object.body).is_carried()) return Named(object.id()) + " is held by the robot";
   state_.attention.erase(object.body);

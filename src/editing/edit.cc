@@ -41,7 +41,7 @@ SegmentPlace Find(int number, recording::Demonstration* demonstration) {
       std::find_if(segments.begin(), segments.end(),
                    [&](const recording::EditableSegment& s) { return s.number == number; });
   if (found == segments.end()) {
-    throw std::invalid_argument("segment " + std::to_string(number) + " is dropped already");
+    throw std::invalid_argument("segment " + std::to_string(number) + " is already dropped");
   }
   return found;
 }
@@ -96,7 +96,7 @@ void Perform(const Trim& trim, recording::Demonstration* demonstration) {
   const std::uint64_t from = TicksOf(trim.from);
   const std::uint64_t to = std::min(TicksOf(trim.to), segment.duration);
   if (from > to) {
-    throw std::invalid_argument("what is to be kept is from " + NumberText(trim.from) + " to " +
+    throw std::invalid_argument("the range to keep is from " + NumberText(trim.from) + " to " +
                                 NumberText(trim.to) + " s, expected a part of the segment's " +
                                 NumberText(sim::SecondsOf(segment.duration)) + " s");
   }

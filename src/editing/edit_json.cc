@@ -100,7 +100,7 @@ constexpr std::array<EditKind, 6> kEditKinds{{{"drop", &ReadDrop},
 
 Edit ParseEdit(const Json& json) {
   if (!json.is_object() || !json.contains("do") || !json["do"].is_string()) {
-    throw std::invalid_argument(R"(is no edit, expected one like {"do":"drop","first":1})");
+    throw std::invalid_argument(R"(is not an edit, expected one like {"do":"drop","first":1})");
   }
   const std::string& name = json["do"].get_ref<const std::string&>();
   const auto* kind = std::ranges::find(kEditKinds, name, &EditKind::name);
@@ -138,7 +138,7 @@ Json ToJson(const std::vector<ChangedState>& changes) {
 
 std::vector<Edit> ParseEdits(const Json& json) {
   if (!json.is_array() || json.size() > kMaxEdits) {
-    throw std::invalid_argument("\"edits\" is no list of at most " + std::to_string(kMaxEdits));
+    throw std::invalid_argument("\"edits\" is not a list of at most " + std::to_string(kMaxEdits));
   }
   std::vector<Edit> edits;
   for (std::size_t i = 0; i < json.size(); ++i) {

@@ -13,7 +13,7 @@ namespace smile::editing {
 TemporaryDirectory::TemporaryDirectory() {
   std::string path = (std::filesystem::temp_directory_path() / "smile-edit-XXXXXX").string();
   if (::mkdtemp(path.data()) == nullptr) {
-    throw std::runtime_error(path + ": cannot be made: " + std::strerror(errno));
+    throw std::runtime_error(path + ": cannot be created: " + std::strerror(errno));
   }
   path_ = path;
 }

@@ -89,9 +89,9 @@ void RunToStart(const recording::Recording& recording, replay::LogPlayer* player
                 sim::Simulation* simulation) {
   const auto failure = player->RunToStart(simulation);
   if (!failure) return;
-  throw InputError(
-      {(recording.directory / "commands.jsonl").string(), static_cast<int>(failure->command.line),
-       "", "was carried out when it was recorded, and is refused now: " + failure->refusal});
+  throw InputError({(recording.directory / "commands.jsonl").string(),
+                    static_cast<int>(failure->command.line), "",
+                    "was carried out in the recording, but is refused now: " + failure->refusal});
 }
 
 /// Runs for a number of ticks and executes the commands that are due, those of the last tick

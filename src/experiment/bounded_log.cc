@@ -30,7 +30,7 @@ void BoundedLog::Add(std::string_view text) {
 void BoundedLog::Finish() {
   const std::size_t kept = std::min({unwritten_bytes_, kEndBytes, end_.size()});
   if (unwritten_bytes_ > kept) {
-    file_ << "\n... " << unwritten_bytes_ - kept << " bytes are left out ...\n";
+    file_ << "\n... " << unwritten_bytes_ - kept << " bytes are omitted ...\n";
   }
   file_ << end_.substr(end_.size() - kept);
   file_.close();

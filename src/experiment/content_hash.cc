@@ -47,8 +47,9 @@ std::vector<fs::path> FilesBelow(const fs::path& folder) {
     files.push_back(it->path());
     bytes += it->file_size();
     if (files.size() > kMaxFiles || bytes > kMaxBytes) {
-      throw std::runtime_error(folder.string() + ": holds more than " + std::to_string(kMaxFiles) +
-                               " files or 4 GiB; give it a folder of its own");
+      throw std::runtime_error(folder.string() + ": contains more than " +
+                               std::to_string(kMaxFiles) +
+                               " files or 4 GiB, expected a folder of its own");
     }
   }
   std::ranges::sort(files);

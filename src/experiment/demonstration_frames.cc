@@ -38,7 +38,7 @@ class FrameReader {
     if (has_pictures_) frames_.erase(frames_.begin(), first);
     if (!has_pictures_ && eye_ == nullptr) {
       throw InputError(
-          {demonstration.string(), 0, "", "has no pictures, and there is no eye to draw them"});
+          {demonstration.string(), 0, "", "has no pictures, and no eye to render them is given"});
     }
     spec_ = spec ? *spec : eye_->spec();
   }

@@ -103,8 +103,8 @@ struct OpenRun {
 report::EvaluatedRun FailedRun(std::uint64_t seed, const PoolEnd& end, double wall_seconds) {
   report::EvaluatedRun run{.seed = seed};
   if (end.was_late) {
-    run.failure_reason = {
-        "hung", "no end after " + NumberText(wall_seconds) + " s by the clock on the wall"};
+    run.failure_reason = {"hung",
+                          "no end after " + NumberText(wall_seconds) + " s of wall-clock time"};
   } else {
     run.failure_reason = {end.exit_code ? "no_result" : "crashed", end.how};
   }
@@ -187,7 +187,7 @@ class Evaluator {
     if (is_done) return;
     throw std::runtime_error("interrupted; " + std::to_string(counter.status().done) + " of " +
                              std::to_string(num_runs()) +
-                             " runs are done and kept: the same command goes on with the others");
+                             " runs are done and kept; the same command continues with the others");
   }
 
   report::Evaluation Outcome() {

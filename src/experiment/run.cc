@@ -74,7 +74,7 @@ class LiveRun {
     const std::chrono::duration<double> wall = Clock::now() - start;
     ThrowIfNotRecorded();
     if (player_ && !player_->is_finished() && !callbacks_.IsCancelled()) {
-      callbacks_.Say(player_->place() + ": time was up before this line");
+      callbacks_.Say(player_->place() + ": the time limit was reached before this line");
     }
     return Describe(wall.count());
   }

@@ -55,7 +55,7 @@ void WriteReport(const TaskExperimentPlan& plan, const Json& result, const Callb
   }
   enclosures.push_back({"demonstration", "recording of the demonstration"});
   enclosures.push_back({"imitation", "recording of the robot"});
-  enclosures.push_back({"result.json", "the result, for programs"});
+  enclosures.push_back({"result.json", "result as data"});
   const recording::Recording demonstration = recording::OpenRecording(plan.out / "demonstration");
   const recording::Recording imitation = recording::OpenRecording(plan.out / "imitation");
   WriteFile(plan.out / "report.html", report::PageOf({.name = plan.task,
@@ -71,7 +71,8 @@ ImitationResult RunTaskExperiment(const TaskExperimentPlan& plan, const Callback
   MoveAside(plan.out, callbacks);
   MakeDirectories(plan.out);
   RecordDemonstration(plan, plan.out / "demonstration", callbacks);
-  if (callbacks.IsCancelled()) throw std::runtime_error("interrupted; what was recorded is kept");
+  if (callbacks.IsCancelled())
+    throw std::runtime_error("interrupted; the recording so far is kept");
 
   const scene::SceneSpec scene = layout::LaidOut(
       scene_xml::LoadScene(DataFile("scenes/" + plan.task + "_robot.xml")), plan.layout);

@@ -103,7 +103,7 @@ Image ReadPng(const std::filesystem::path& path) {
   const std::string bytes = ReadFile(path, kMaxBytes);
   PngImage png;
   if (!png_image_begin_read_from_memory(&png, bytes.data(), bytes.size())) {
-    png.Fail(path, "is no readable PNG");
+    png.Fail(path, "is not a readable PNG");
   }
   if (png.width > kMaxSize || png.height > kMaxSize) {
     throw std::runtime_error(path.string() + ": is " + std::to_string(png.width) + "x" +
@@ -116,7 +116,7 @@ Image ReadPng(const std::filesystem::path& path) {
   png.format = PNG_FORMAT_RGBA;  // for RGB, libpng would blend with a background
   std::vector<std::uint8_t> pixels(PNG_IMAGE_SIZE(png));
   if (!png_image_finish_read(&png, nullptr, pixels.data(), 0, nullptr)) {
-    png.Fail(path, "is no sound PNG");
+    png.Fail(path, "is not a valid PNG");
   }
   image.color.resize(3 * NumPixels(image));
   for (std::size_t k = 0; k < NumPixels(image); ++k) {

@@ -226,8 +226,8 @@ scene::SceneSpec RandomLayout(scene::SceneSpec scene, std::uint64_t seed, Layout
                               const LayoutRegion& region) {
   const std::vector<std::size_t> loose = LooseObjects(scene);
   if (loose.empty()) {
-    throw std::invalid_argument("layout: nothing in '" + scene.name +
-                                "' stands loose on the table, so nothing can be moved");
+    throw std::invalid_argument("layout: no object in '" + scene.name +
+                                "' stands loose on the table, so no object can be moved");
   }
   LayoutRules rules{.table = scene.table, .region = region, .obstacles = ObstaclesOf(scene, loose)};
   std::vector<ObjectGroup> groups = ObjectGroupsOf(scene, loose, seed, level);

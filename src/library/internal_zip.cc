@@ -31,7 +31,7 @@ std::vector<std::filesystem::path> PlainFilesBelow(const std::filesystem::path& 
     bytes += entry.file_size();
     if (bytes > max_bytes || files.size() > kMaxZippedFiles) {
       throw std::runtime_error(Quoted(directory.filename().string()) + " is larger than " +
-                               std::to_string(max_bytes >> 20) + " MiB: copy it from " +
+                               std::to_string(max_bytes >> 20) + " MiB; copy it from " +
                                directory.string());
     }
   }

@@ -228,13 +228,13 @@ void Library::Rename(const std::string& id, const std::optional<std::string>& ti
 std::string Library::Bin(const std::string& id) const {
   const fs::path directory = DirectoryOf(id);
   if (directory.parent_path().filename() == bin().filename()) {
-    throw LibraryError(Quoted(id) + " is in the bin already");
+    throw LibraryError(Quoted(id) + " is already in the bin");
   }
   // Held during the move, so that no recording can begin in between.
   const auto hold = Hold(directory);
   std::error_code error;
   fs::create_directory(bin(), error);
-  if (error) throw LibraryError(bin().string() + " cannot be made: " + error.message());
+  if (error) throw LibraryError(bin().string() + " cannot be created: " + error.message());
   for (int number = 1;; ++number) {
     const std::string name = id + "~" + std::to_string(number);
     // Unique in both folders, as ids are looked up in both.

@@ -107,7 +107,8 @@ class Playback::Impl {
       spacing *= 2;
     }
     if (bookmarks_.empty()) {
-      throw InputError({(recording_.directory / "trace.bin").string(), 0, "", "holds no moment"});
+      throw InputError(
+          {(recording_.directory / "trace.bin").string(), 0, "", "contains no moment"});
     }
   }
 

@@ -40,7 +40,7 @@ std::shared_future<ThumbnailQueue::Picture> ThumbnailQueue::Enqueue(const std::s
   const auto known = pictures_.find(key);
   if (known != pictures_.end()) return known->second;
   if (is_closing_ || jobs_.size() >= kMaxJobs) {
-    throw std::runtime_error("too many pictures are asked for at once");
+    throw std::runtime_error("too many pictures are requested at once");
   }
   jobs_.push_back({.key = key, .render = render});
   changed_.notify_one();

@@ -56,7 +56,8 @@ RigidTransform LookAt(const Vector3& p_WC, const Vector3& p_WQ, const Vector3& u
   // The line of sight is parallel to the up direction.
   if (x.norm() < 1e-9 * up_in_world.norm()) {
     x = Vector3::UnitX();
-    if (std::abs(z.dot(x)) > 1e-9) throw std::invalid_argument("a camera's top points forward");
+    if (std::abs(z.dot(x)) > 1e-9)
+      throw std::invalid_argument("the up direction of the camera points forward");
   }
   x.normalize();
   Matrix3 R_WC;

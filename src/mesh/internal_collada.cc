@@ -33,7 +33,7 @@ constexpr std::size_t kMaxBytes = 16u << 20;
 /// Exit status of a child whose output is an error message; no library uses it.
 constexpr int kRefused = 42;
 constexpr const char* kTooMuch =
-    "is no DAE that can be read: it is damaged or takes too much time or memory";
+    "is not a readable DAE: it is damaged or needs too much time or memory";
 
 /// Read-only file in memory.
 class MemoryStream : public Assimp::IOStream {
@@ -120,7 +120,7 @@ void AddNode(const aiScene& scene, const aiNode& node, const aiMatrix4x4& X_SP, 
       // A mirrored node turns its triangles inside out: swap two corners.
       for (const int c : {0, is_mirrored ? 2 : 1, is_mirrored ? 1 : 2}) {
         const unsigned number = face.mIndices[c];
-        if (number >= mesh.mNumVertices) throw BadMesh("found a corner that is none");
+        if (number >= mesh.mNumVertices) throw BadMesh("found an invalid corner");
         const aiVector3D p = X_SN * mesh.mVertices[number];
         corners->push_back({p.x, p.y, p.z});
       }
@@ -142,7 +142,7 @@ Corners CornersOf(std::string_view bytes, MeshAxes axes) {
   if (!scene || !scene->mRootNode) {
     const std::string reason = importer.GetErrorString();
     if (reason.find("bad_alloc") != std::string::npos) throw BadMesh(kTooMuch);
-    throw BadMesh("is no DAE that can be read: " + Quoted(reason));
+    throw BadMesh("is not a readable DAE: " + Quoted(reason));
   }
   Corners corners;
   AddNode(*scene, *scene->mRootNode, aiMatrix4x4(), &corners);
@@ -218,7 +218,7 @@ void ReadCollada(std::string_view bytes, TriangleSoup* soup) {
   CheckCost(bytes);
   // The library crashes on some damaged files (seen with 5.2.5): run it in a process of its own.
   int ends[2];
-  if (pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error("no pipe to read a DAE with");
+  if (pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error("cannot create a pipe to read a DAE");
   const pid_t child = fork();
   if (child == 0) {
     close(ends[0]);
@@ -228,7 +228,7 @@ void ReadCollada(std::string_view bytes, TriangleSoup* soup) {
   // Read to the end before waiting: a full pipe would block the child.
   const std::string answer = child > 0 ? ReadAll(ends[0], kMaxAnswer) : "";
   close(ends[0]);
-  if (child < 0) throw std::runtime_error("no process to read a DAE in");
+  if (child < 0) throw std::runtime_error("cannot start a process to read a DAE");
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }

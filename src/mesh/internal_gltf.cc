@@ -26,7 +26,7 @@ constexpr int kMaxDepth = 64;
 /// Returns a little-endian 32-bit number.
 std::uint32_t WordAt(std::string_view bytes, std::size_t offset) {
   if (offset > bytes.size() || bytes.size() - offset < sizeof(std::uint32_t)) {
-    throw BadMesh("found the end in the middle of a number: it is cut short");
+    throw BadMesh("found the end of the file within a number: it is truncated");
   }
   std::uint32_t word = 0;
   std::memcpy(&word, bytes.data() + offset, sizeof word);
@@ -47,7 +47,7 @@ Container Open(std::string_view bytes) {
   }
   if (WordAt(bytes, 8) != bytes.size()) {
     throw BadMesh("found " + std::to_string(bytes.size()) + " bytes, expected the " +
-                  std::to_string(WordAt(bytes, 8)) + " it says it has");
+                  std::to_string(WordAt(bytes, 8)) + " given in its header");
   }
   Container container;
   // After the header of 12 bytes: chunks, each with its size and kind. Unknown kinds are skipped.
@@ -55,7 +55,7 @@ Container Open(std::string_view bytes) {
     const std::size_t size = WordAt(bytes, offset);
     const std::uint32_t kind = WordAt(bytes, offset + 4);
     offset += 8;
-    if (size > bytes.size() - offset) throw BadMesh("found a chunk that is cut short");
+    if (size > bytes.size() - offset) throw BadMesh("found a truncated chunk");
     if (kind == kJsonChunk && container.json.empty()) container.json = bytes.substr(offset, size);
     if (kind == kBinaryChunk && !container.binary) container.binary = bytes.substr(offset, size);
     offset += size;
@@ -166,7 +166,7 @@ class GltfReader {
       for (const TriangleSoup::Corner& p : PositionsOf(primitive, Eigen::Affine3d::Identity())) {
         surface.vertices.emplace_back(p[0], p[1], p[2]);
         if (!surface.vertices.back().allFinite())
-          throw BadMesh("found a position that is no number");
+          throw BadMesh("found a position that is not a number");
       }
       const auto order =
           Indices(primitive.at("indices").get<std::size_t>(), surface.vertices.size());
@@ -187,7 +187,7 @@ class GltfReader {
     const auto linear =
         material.at("pbrMetallicRoughness").at("baseColorFactor").get<std::array<double, 4>>();
     const auto on_screen = [](double channel) {
-      if (!(channel >= 0 && channel <= 1)) throw BadMesh("found a color beyond 0 to 1");
+      if (!(channel >= 0 && channel <= 1)) throw BadMesh("found a color outside 0 to 1");
       return channel <= 0.0031308 ? 12.92 * channel : 1.055 * std::pow(channel, 1 / 2.4) - 0.055;
     };
     return {on_screen(linear[0]), on_screen(linear[1]), on_screen(linear[2])};
@@ -293,7 +293,7 @@ class GltfReader {
     if (!fits_view || stride < size || stride > 4096 || count > all.size() || begin > view_size ||
         (count > 0 && (count - 1) * stride + size > view_size - begin)) {
       throw BadMesh("found accessor " + std::to_string(number) +
-                    " that reaches beyond its buffer, expected it within: it is cut short");
+                    " that extends beyond its buffer, expected it inside: it is truncated");
     }
     return {all.data() + view_begin + begin, stride, count, type};
   }
@@ -315,7 +315,7 @@ class GltfReader {
   std::vector<std::uint32_t> Indices(std::size_t number, std::size_t num_corners) {
     const Elements elements = Access(number, "SCALAR", 1);
     if (elements.type != kByte && elements.type != kShort && elements.type != kInt) {
-      throw BadMesh("found corner numbers of another type, expected whole ones");
+      throw BadMesh("found corner indices of another type, expected integers");
     }
     CountWork(elements.count);
     const std::size_t size = elements.type == kByte ? 1 : elements.type == kShort ? 2 : 4;
@@ -384,9 +384,9 @@ auto WithReader(std::string_view bytes, const OpenNeighbour& open, std::size_t m
     GltfReader reader(bytes, open, max_bytes);
     return read(reader);
   } catch (const Json::exception& error) {  // a key is missing or of another type
-    throw BadMesh(std::string("is no glTF we can read: ") + error.what());
+    throw BadMesh(std::string("is not a readable glTF: ") + error.what());
   } catch (const std::invalid_argument& error) {  // no JSON at all
-    throw BadMesh(std::string("is no glTF: ") + error.what());
+    throw BadMesh(std::string("is not glTF: ") + error.what());
   }
 }
 

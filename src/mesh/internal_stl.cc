@@ -34,14 +34,14 @@ bool IsBinaryOfRightSize(std::string_view bytes) {
 void ReadBinary(std::string_view bytes, TriangleSoup* soup) {
   if (bytes.size() < kHeaderBytes) {
     throw BadMesh("found " + std::to_string(bytes.size()) +
-                  " bytes, expected an STL file: it is cut short or something else");
+                  " bytes, expected an STL file: it is truncated or has another format");
   }
   const std::size_t count = CountIn(bytes), expected = kHeaderBytes + kTriangleBytes * count;
   if (bytes.size() != expected) {
     throw BadMesh("found " + std::to_string(bytes.size()) + " bytes, expected " +
                   std::to_string(expected) + " for the " + std::to_string(count) +
-                  " triangles it says it has" +
-                  (bytes.size() < expected ? ": it is cut short or no STL file" : ""));
+                  " triangles given in its header" +
+                  (bytes.size() < expected ? ": it is truncated or not an STL file" : ""));
   }
   for (std::size_t i = 0; i < count; ++i) {
     std::array<TriangleSoup::Corner, 4> rows;  // the first is the normal
@@ -73,7 +73,7 @@ void ReadText(std::string_view bytes, TriangleSoup* soup) {
   while (true) {
     const std::string_view word = words.Next();
     if (IsSameWord(word, "endsolid")) return;
-    if (word.empty()) words.Fail("the end", "facet or endsolid: it is cut short");
+    if (word.empty()) words.Fail("the end", "facet or endsolid: it is truncated");
     if (!IsSameWord(word, "facet")) words.Fail(Quoted(word), "facet or endsolid");
     Expect("normal", &words);
     for (int i = 0; i < 3; ++i) words.Next();  // the normal; some programs write "nan" here

@@ -6,7 +6,7 @@ namespace smile::mesh {
 
 TriangleMesh Scaled(TriangleMesh mesh, const Eigen::Vector3f& factors) {
   if (!(factors.minCoeff() > 0)) {
-    throw std::invalid_argument("a mesh is stretched by " + std::to_string(factors.minCoeff()) +
+    throw std::invalid_argument("a mesh is scaled by " + std::to_string(factors.minCoeff()) +
                                 ", expected factors above 0");
   }
   for (Eigen::Vector3f& position : mesh.positions) position = position.cwiseProduct(factors);

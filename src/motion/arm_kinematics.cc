@@ -74,7 +74,7 @@ ArmKinematics::ArmKinematics(const robot::RobotModel& model, const robot::Arm& a
   }
   X_LastTool_ = X * tool.X_LF;
   if (steps_.size() != arm.joints.size()) {
-    throw std::invalid_argument("arm " + arm.name + " has joints that do not carry its tool");
+    throw std::invalid_argument("arm " + arm.name + " has joints that do not move its tool");
   }
 }
 

@@ -48,7 +48,8 @@ void CheckGoal(const RigidTransform& X_WG_goal) {
   const bool is_pose = X_WG_goal.translation().allFinite() && R.allFinite() &&
                        (R * R.transpose() - Matrix3::Identity()).cwiseAbs().maxCoeff() < kLoose &&
                        R.determinant() > 0;
-  if (!is_pose) throw std::invalid_argument("the goal is no pose: not finite, or no rotation");
+  if (!is_pose)
+    throw std::invalid_argument("the goal is not a pose: not finite, or not a rotation");
 }
 
 void CheckOptions(const IkOptions& options) {

@@ -76,7 +76,7 @@ void CheckConfiguration(std::span<const double> q, std::span<const JointLimits> 
   }
   for (std::size_t i = 0; i < limits.size(); ++i) {
     if (q[i] >= limits[i].lower && q[i] <= limits[i].upper) continue;
-    throw std::invalid_argument(what + ": joint " + std::to_string(i) + " would stand at " +
+    throw std::invalid_argument(what + ": joint " + std::to_string(i) + " would be at " +
                                 NumberText(q[i]) + ", expected " + NumberText(limits[i].lower) +
                                 " to " + NumberText(limits[i].upper));
   }

@@ -27,9 +27,9 @@ void CheckMove(std::span<const double> from, std::span<const double> to,
   for (std::size_t i = 0; i < limits.size(); ++i) {
     for (const double q : {from[i], to[i]}) {
       if (q >= limits[i].lower && q <= limits[i].upper) continue;
-      throw std::invalid_argument("joint " + std::to_string(i) + " would stand at " +
-                                  NumberText(q) + ", expected " + NumberText(limits[i].lower) +
-                                  " to " + NumberText(limits[i].upper));
+      throw std::invalid_argument("joint " + std::to_string(i) + " would be at " + NumberText(q) +
+                                  ", expected " + NumberText(limits[i].lower) + " to " +
+                                  NumberText(limits[i].upper));
     }
   }
   if (!(speed > 0 && speed <= 1)) {

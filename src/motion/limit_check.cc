@@ -29,7 +29,7 @@ void CheckPoint(const TrajectoryPoint& point, std::size_t num_joints, double sec
     throw std::invalid_argument("a point of the trajectory is not finite");
   }
   if (point.seconds <= seconds_before) {
-    throw std::invalid_argument("the points of the trajectory are not in order of time");
+    throw std::invalid_argument("the points of the trajectory are not in time order");
   }
 }
 

@@ -109,7 +109,7 @@ class MonotonePath {
 std::vector<TrajectoryPoint> MoveThrough(std::span<const std::vector<double>> waypoints,
                                          std::span<const JointLimits> limits, double speed) {
   CheckSpeed(speed);
-  if (waypoints.empty()) throw std::invalid_argument("there are no waypoints");
+  if (waypoints.empty()) throw std::invalid_argument("no waypoints are given");
   const std::vector<std::vector<double>> distinct = Distinct(waypoints, limits);
   if (distinct.size() < 3) return MoveStraight(distinct.front(), distinct.back(), limits, speed);
   return TimeParameterize(MonotonePath(distinct, limits).Places(), limits, speed);

@@ -30,7 +30,7 @@ std::vector<int> JointsOf(const robot::RobotModel& model, const JointTrajectory&
 /// Returns a sentence that names the overlapping links.
 std::string Tell(const robot::RobotModel& model, const physics::LinkOverlap& overlap) {
   const auto name = [&](int link) -> std::string {
-    if (link == physics::kEnvironment) return "what stands around";
+    if (link == physics::kEnvironment) return "an obstacle";
     return link < 0 ? "the base" : model.links[link].name;
   };
   return name(overlap.link) + " would touch " + name(overlap.other);

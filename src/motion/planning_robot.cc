@@ -67,9 +67,9 @@ RigidTransform PlanningRobot::FromUnits(const Eigen::Matrix4d& pose, const char*
       (R * R.transpose() - Matrix3::Identity()).cwiseAbs().maxCoeff() < kLooseRotation &&
       R.determinant() > 0;
   if (!is_pose) {
-    throw std::invalid_argument(std::string(what) +
-                                " is no pose, expected 4x4 with a rotation, a place and a last row "
-                                "0 0 0 1");
+    throw std::invalid_argument(
+        std::string(what) +
+        " is not a pose, expected 4x4 with a rotation, a position and a last row 0 0 0 1");
   }
   return {Quaternion(R).normalized(),
           scene::FromFileUnits(Vector3(pose.topRightCorner<3, 1>()), meters_per_unit_)};

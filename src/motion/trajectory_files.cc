@@ -68,7 +68,7 @@ class CsvReader {
       }
     }
     if (findings_.empty() && trajectory_.points.empty()) {
-      Note(0, has_header_ ? "there is no line below the header, expected points"
+      Note(0, has_header_ ? "no line follows the header, expected points"
                           : "the file is empty, expected a header like time,left_s0");
     }
     if (!findings_.empty()) throw InputError(std::move(findings_));
@@ -142,7 +142,7 @@ class RosNode {
   }
   bool Has(const char* key) const { return value_.is_object() && value_.contains(key); }
   void ExpectKeys(std::initializer_list<const char*> keys) const {
-    if (!value_.is_object()) Fail("is no object");
+    if (!value_.is_object()) Fail("is not an object");
     for (const auto& item : value_.items()) {
       const bool is_known =
           std::ranges::any_of(keys, [&](const char* known) { return item.key() == known; });
@@ -150,20 +150,20 @@ class RosNode {
     }
   }
   std::size_t size() const {
-    if (!value_.is_array()) Fail("is no array");
+    if (!value_.is_array()) Fail("is not an array");
     return value_.size();
   }
   RosNode operator[](std::size_t i) const {
     return {value_.at(i), place_ + "[" + std::to_string(i) + "]"};
   }
   std::string Text() const {
-    if (!value_.is_string()) Fail("is no text");
+    if (!value_.is_string()) Fail("is not a string");
     return value_.get<std::string>();
   }
   std::vector<double> Numbers() const {
     std::vector<double> numbers;
     for (std::size_t i = 0; i < size(); ++i) {
-      if (!value_[i].is_number()) Fail("holds something else than numbers");
+      if (!value_[i].is_number()) Fail("contains values other than numbers");
       numbers.push_back(value_[i].get<double>());
     }
     return numbers;
@@ -171,7 +171,7 @@ class RosNode {
   std::int64_t Whole(std::int64_t most) const {
     if (!value_.is_number_unsigned() ||
         value_.get<std::uint64_t>() > static_cast<std::uint64_t>(most)) {
-      Fail("is no whole number from 0 to " + std::to_string(most));
+      Fail("is not a whole number from 0 to " + std::to_string(most));
     }
     return value_.get<std::int64_t>();
   }
@@ -275,8 +275,7 @@ JointTrajectory ParseTrajectoryRosJson(std::string_view text, const std::string&
 JointTrajectory ReadTrajectory(const std::filesystem::path& path) {
   const bool is_json = path.extension() == ".json";
   if (!is_json && path.extension() != ".csv") {
-    throw InputError(
-        {path.string(), 0, "", "is no trajectory's name, expected a .csv or .json file"});
+    throw InputError({path.string(), 0, "", "is not a trajectory file, expected .csv or .json"});
   }
   const std::string text = ReadFile(path, kMaxFileBytes);
   return (is_json ? ParseTrajectoryRosJson : ParseTrajectoryCsv)(text, path.string());

@@ -69,10 +69,10 @@ std::string FaultOfNames(const std::vector<std::string>& names) {
   for (auto name = names.begin(); name != names.end(); ++name) {
     if (!IsName(*name)) {
       return "the name of a joint is " + Quoted(*name) +
-             ", expected 1 to 256 letters in UTF-8 without commas";
+             ", expected 1 to 256 characters in UTF-8 without commas";
     }
     if (std::find(names.begin(), name, *name) != name) {
-      return "joint " + Quoted(*name) + " is there twice";
+      return "joint " + Quoted(*name) + " appears twice";
     }
   }
   return names.empty() ? "there are no joints" : "";

@@ -75,7 +75,8 @@ bool Clients::MakeRoom() {
     return !entry.second.is_closing && !entry.second.said_hello;
   });
   if (silent == clients_.end()) return false;
-  CloseNow(&silent->second, CloseCode::kPolicyViolation, "no hello came, and others are waiting");
+  CloseNow(&silent->second, CloseCode::kPolicyViolation,
+           "no hello arrived, and other clients are waiting");
   return true;
 }
 
@@ -118,7 +119,7 @@ void Clients::Receive(ClientId id, bool is_text, std::string_view text) {
   if (!is_text) return CloseNow(client, CloseCode::kUnsupported, "requests are text");
   if (!request) return Refuse(client, /*seq=*/0, error);
   if (!client->said_hello && request->what != "hello") {
-    return Refuse(client, request->seq, "say hello first");
+    return Refuse(client, request->seq, "send hello first");
   }
   // Pings are sent by the page itself, without its user.
   if (request->what != "ping") arbiter_.NoteSignOfLife(id, Now());
@@ -144,7 +145,7 @@ bool Clients::CanReceive(ClientId id) {
 void Clients::Refuse(Client* client, std::uint32_t seq, const std::string& error) {
   PostJson(client, {{"t", "reply"}, {"seq", seq}, {"ok", false}, {"error", error}});
   if (++client->mistakes >= kMaxMistakes) {
-    CloseNow(client, CloseCode::kPolicyViolation, "too many wrong requests");
+    CloseNow(client, CloseCode::kPolicyViolation, "too many invalid requests");
   }
 }
 
@@ -219,7 +220,8 @@ void Clients::Post(Client* client, OutgoingMessage message) {
   if (!client->outbox.empty() &&
       client->outbox_bytes + message.body->size() > limits_.outbox_bytes) {
     client->outbox.clear();
-    return CloseNow(client, CloseCode::kPolicyViolation, "too slow: too much waits for you");
+    return CloseNow(client, CloseCode::kPolicyViolation,
+                    "too slow: too much data is waiting for this client");
   }
   client->outbox_bytes += message.body->size();
   client->outbox.push_back(std::move(message));
@@ -240,7 +242,8 @@ void Clients::CloseNow(Client* client, CloseCode code, std::string_view reason) 
 void Clients::CloseAll() {
   const Lock lock(mutex_);
   is_open_ = false;
-  for (auto& [id, client] : clients_) CloseNow(&client, CloseCode::kGoingAway, "the studio ends");
+  for (auto& [id, client] : clients_)
+    CloseNow(&client, CloseCode::kGoingAway, "the studio is closing");
 }
 
 bool Clients::HasMessage(const Client& client) const {
@@ -293,7 +296,7 @@ void Clients::CloseSilentClients() {
   const std::chrono::duration<double> longest(limits_.hello_seconds);
   for (auto& [id, client] : clients_) {
     if (client.said_hello || Now() - client.since < longest) continue;
-    CloseNow(&client, CloseCode::kPolicyViolation, "no hello came");
+    CloseNow(&client, CloseCode::kPolicyViolation, "no hello arrived");
   }
 }
 

@@ -39,7 +39,7 @@ bool ControlArbiter::Take(ClientId client, bool by_force, Time now) {
 bool ControlArbiter::MayAsk(ClientId client, Time now) {
   const auto asked = asked_.find(client);
   if (asked != asked_.end() && now - asked->second < kAskPause) {
-    throw RequestError("the controller was asked already; you may ask again in " +
+    throw RequestError("the controller has already been asked; you can ask again in " +
                        SecondsText(kAskPause - (now - asked->second)));
   }
   NoteAsked(client, now);
@@ -58,14 +58,14 @@ bool ControlArbiter::MayForce(ClientId client, Time now) {
     NoteAsked(client, now);
     return false;
   }
-  throw RequestError("the controller was asked; control may be taken after a silence of " +
-                     SecondsText(silence_) + ", which is over in " +
-                     SecondsText(silence_ - silence) + " at the earliest");
+  throw RequestError("the controller has been asked; control can be taken after inactivity of " +
+                     SecondsText(silence_) + ", in " + SecondsText(silence_ - silence) +
+                     " at the earliest");
 }
 
 void ControlArbiter::NoteAsked(ClientId client, Time now) {
   if (last_asked_ && now - *last_asked_ < kAskPauseOfAll) {
-    throw RequestError("the controller was asked by another; you may ask in " +
+    throw RequestError("another client has asked the controller; you can ask in " +
                        SecondsText(kAskPauseOfAll - (now - *last_asked_)));
   }
   asked_[client] = now;
@@ -73,7 +73,7 @@ void ControlArbiter::NoteAsked(ClientId client, Time now) {
 }
 
 void ControlArbiter::Give(ClientId from, std::optional<ClientId> to, Time now) {
-  if (controller_ != from) throw RequestError("you are watching: there is no control to give");
+  if (controller_ != from) throw RequestError("you are watching and have no control to give");
   if (to && !IsHere(*to)) {
     throw RequestError("there is no client " + std::to_string(*to) + " to give control to");
   }

@@ -14,21 +14,22 @@ std::vector<RequestForm> ConnectionRequests() {
        {{"client", NumberShape()},
         {"controller", NumberShape().OrNull()},
         {"program", TextShape()}},
-       "then everything below is told",
+       "afterwards all messages of the next table are sent",
        true},
       {"ping", {}, {}, "", true},
       {"take_control",
        {{"by_force", FlagShape(), kOptional}},
        {{"granted", FlagShape()}},
-       "granted when nobody controls, else the controller is asked by `control_wanted`; one client "
-       "asks at most once in 10 s, all together once in 3 s. By force it is taken from a "
-       "controller whom this client has asked, and who has asked for nothing (but pings) for 30 s "
-       "since; else the request asks, or fails and reports how long it takes",
+       "granted if no client has control; otherwise the controller is asked by `control_wanted`. "
+       "Each client may ask at most once in 10 s, and all clients together once in 3 s. `by_force` "
+       "takes control from a controller that this client has asked and that has sent no request "
+       "(except `ping`) in the 30 s since; otherwise the request asks, or fails and reports the "
+       "remaining time",
        true},
       {"keep_control",
-       {{"from", NumberShape(), true, "a client who asked"}},
+       {{"from", NumberShape(), true, "a client that asked"}},
        {},
-       "that client is sent `control_kept`"},
+       "`control_kept` is sent to that client"},
       {"give_control", {{"to", NumberShape().OrNull(), kOptional, "client or null"}}, {}, ""},
   };
 }
@@ -38,43 +39,45 @@ std::vector<RequestForm> WorldRequests() {
   return {
       {"command",
        {{"command", JsonShape::Anything().Called("Command"), true,
-         "as docs/commands.md has it, or `drag`"},
-        {"exact", FlagShape(), kOptional, "it does not snap"}},
-       {{"recording", TextShape(), kOptional, "that was begun"},
-        {"deed", ActionSummaryShape(), kOptional, "the action that was done, as in a timeline"}},
+         "see docs/commands.md; also `drag`"},
+        {"exact", FlagShape(), kOptional, "no snapping"}},
+       {{"recording", TextShape(), kOptional, "the started recording"},
+        {"deed", ActionSummaryShape(), kOptional, "the resulting action, as in a timeline"}},
        ""},
       {"allowed",
        {{"requests", JsonShape::List(JsonShape::Map(JsonShape::Anything()), 0, 16), true,
-         "requests, at most 16, that are not carried out"}},
+         "at most 16 requests, which are not carried out"}},
        {{"allowed", JsonShape::List(AllowedShape())}},
-       "of each in order: true, or why it would be refused. Also a command to a hand, an object or "
-       "the robot is tried, on a copy of the world"},
+       "for each request in order: true, or the reason why it would be refused. Commands to a "
+       "hand, an object or the robot are tried on a copy of the world"},
       {"pause",
        {},
        {},
-       "time stands still; commands are still carried out. Refused in playback, as `resume` is"},
+       "stops time; commands are still carried out. Refused in playback, like `resume`"},
       {"resume", {}, {}, ""},
-      {"speed", {{"factor", NumberShape(), true, "0.1 to 4"}}, {}, "of simulated to real time"},
+      {"speed",
+       {{"factor", NumberShape(), true, "0.1 to 4"}},
+       {},
+       "sets the ratio of simulated to real time"},
       {"snap",
        {{"to", JsonShape::List(SnapNameShape()), true,
          "any of `faces`, `edges`, `grid`, `angles`"}},
        {},
-       "what drags and turns snap to from now on: by at most 0.15 units within the plane of the "
-       "drag, and 5 degrees. Faces and edges count of objects that are turned alike; `angles` are "
-       "right angles to the table and to the nearest object"},
+       "sets what drags and turns snap to: by at most 0.15 units in the plane of the drag, and by "
+       "at most 5 degrees. `faces` and `edges` are those of objects with the same orientation; "
+       "`angles` are right angles to the table and to the nearest object"},
       {"support",
-       {{"object", TextShape(), true, "its id"}},
+       {{"object", TextShape(), true, "id of the object"}},
        {{"on", TextShape(), kOptional}, {"into", TextShape(), kOptional}},
-       "id of what the object stands on (`on`) or lies in (`into`) now, empty for the table; "
-       "neither while it is in the air, on the floor or gone"},
+       "id of the object on which (`on`) or in which (`into`) the object rests now, empty for the "
+       "table; neither if it is in the air, on the floor or removed"},
       {"resting_place",
        {{"hand", HandNameShape()}},
        {{"hand", HandNameShape()},
         {"pose", PoseShape().OrNull()},
         {"stale", FlagShape(), kOptional}},
-       "where the held object would come to rest if it were released now, or null; `stale`: found "
-       "a "
-       "moment ago, as that takes long, or something still moves: ask again"},
+       "pose in which the held object would come to rest if it were released now, or null; "
+       "`stale`: the pose was computed earlier, or something still moves: ask again"},
   };
 }
 
@@ -83,25 +86,25 @@ std::vector<RequestForm> SceneRequests() {
   return {
       {"load",
        {{"scene", TextShape(), kOptional, "name in the gallery"},
-        {"xml", TextShape(), kOptional, "in place of it, with `name`"},
+        {"xml", TextShape(), kOptional, "instead of `scene`, with `name`"},
         {"name", TextShape(), kOptional}},
        {},
-       "refused while recording; nothing changes when the scene is wrong"},
-      {"reload", {}, {}, "the scene as it was loaded"},
+       "loads a scene. Refused while recording; a scene with errors changes nothing"},
+      {"reload", {}, {}, "loads the present scene again"},
       {"check",
        {{"xml", TextShape()}, {"name", TextShape()}},
        {{"diagnostics", JsonShape::List(DiagnosticShape())}},
-       "empty when all is well",
+       "empty if the scene has no errors",
        true},
       {"spawn",
        {{"preset", TextShape(), true, "one of the gallery's presets"}, {"seed", NumberShape()}},
        {{"objects", TextsShape()}},
-       "puts new objects at free places and tells their ids: the command `spawn`"},
+       "puts new objects at free places, by the command `spawn`, and returns their ids"},
       {"clear",
        {{"rage", FlagShape(), kOptional}},
        {},
-       "takes away all that nothing holds: the command `clear`. With rage the robot does it, and "
-       "after 10 s all is as before; that is refused while recording"},
+       "removes all objects that are not held, by the command `clear`. With `rage`, the robot "
+       "clears the table, and after 10 s everything is restored; refused while recording"},
   };
 }
 
@@ -114,38 +117,37 @@ std::vector<RequestForm> LibraryRequests() {
       {"library",
        {},
        {{"recordings", JsonShape::List(LibraryEntryShape())}},
-       "the newest 1000, newest first, see below",
+       "the newest 1000 recordings, newest first; see below",
        true},
       {"rename",
        {recording,
         {"title", TextShape().OrNull(), kOptional},
         {"notes", TextShape().OrNull(), kOptional}},
        {},
-       "at most 256 and 8192 bytes; refused while it is being recorded"},
+       "title and notes of at most 256 and 8192 bytes. Refused for a recording in progress"},
       {"bin",
        {recording},
        {recording},
-       "into the bin; answered with what it is called from now on. Refused while it is being "
-       "recorded"},
-      {"unbin", {recording}, {recording}, "back out of it"},
+       "moves a recording to the bin and returns its new id. Refused for a recording in progress"},
+      {"unbin",
+       {recording},
+       {recording},
+       "moves a recording out of the bin and returns its new id"},
       {"open",
        {recording},
        {{"timeline", TimelineShape()}},
-       "see below; the world is not touched",
+       "see below; does not change the world",
        true},
-      {"try_edit",
-       {recording, edits},
-       {report},
-       "what would become of it, as docs/editing.md has it"},
+      {"try_edit", {recording, edits}, {report}, "effect of the edits, see docs/editing.md"},
       {"edit",
        {recording, edits, {"name", TextShape()}},
        {recording, report},
-       "writes the edited demonstration as a new recording with this title; what the newest "
-       "`try_edit` simulated is not simulated again"},
+       "writes the edited demonstration as a new recording with this title; reuses the simulation "
+       "of the newest `try_edit`"},
       {"cancel",
        {{"request", NumberShape(), true, "`seq` of a `try_edit` or `edit` of this client"}},
        {},
-       "it fails at once, and writes nothing, unless it is done already",
+       "the request fails immediately and writes nothing, unless it is already done",
        true},
   };
 }
@@ -157,19 +159,19 @@ std::vector<RequestForm> PlaybackRequests() {
       {"show",
        {recording, {"seconds", NumberShape(), kOptional}},
        {{"length", NumberShape()}},
-       "the world shows this moment of it, and nothing can be grasped (`mode` is `playback`); "
-       "refused while recording"},
+       "shows this moment of the recording; nothing can be grasped (`mode` is `playback`). Refused "
+       "while recording"},
       {"play",
        {{"rate", NumberShape(), kOptional}},
        {},
-       "playback goes on from where it is; `rate` 0 stops it"},
-      {"live", {}, {}, "back to the world as it was left"},
+       "continues playback from the present moment; `rate` 0 stops it"},
+      {"live", {}, {}, "returns from playback to the unchanged world"},
       {"branch",
        {recording, {"step", NumberShape()}, {"after", NumberShape(), kOptional}},
        {recording},
-       "goes on from this moment of its history (docs/editing.md), recording; refused while "
-       "recording. Until it is answered all goes on as before, but nothing else can be recorded or "
-       "loaded"},
+       "continues the recording from this moment of its history (docs/editing.md). Refused while "
+       "recording. Until the answer, the present world continues, but nothing else can be recorded "
+       "or loaded"},
   };
 }
 
@@ -182,8 +184,7 @@ std::vector<RequestForm> BrainRequests() {
       {"brains",
        {},
        {{"brains", JsonShape::List(brain)}},
-       "the programs that may be started; `kind` is `octave`, `python` or `program`; `imitates`: "
-       "it "
+       "brains that can be started; `kind` is `octave`, `python` or `program`; `imitates`: it "
        "reads demonstrations (docs/brains.md)",
        true},
       {"start_brain",
@@ -191,16 +192,15 @@ std::vector<RequestForm> BrainRequests() {
         {"demonstration", TextShape(), kOptional, "a recording"},
         {"scene", TextShape(), kOptional}},
        {},
-       "loads the scene if one is given; answered when the program begins to start. What goes "
-       "wrong "
-       "with it then is in its `status`, and on the console"},
-      {"stop_brain", {}, {}, "at once, also while it starts or thinks"},
+       "loads the scene if one is given, and starts the brain. Answered when the start begins; "
+       "later errors are in `status` and on the console"},
+      {"stop_brain", {}, {}, "stops the brain immediately, also while it starts or computes"},
       {"imitate",
        {{"recording", TextShape()}, {"brain", TextShape()}, {"scene", TextShape()}},
        {{"recording", TextShape()}},
-       "the brain, one that `imitates`, watches the recording and acts in the scene, live and "
-       "recorded; answered with the imitation's recording. When the brain ends, the recording ends "
-       "and the score comes as `{\"t\":\"score\",...}`"},
+       "starts a brain with `imitates` that watches the recording and imitates it in the scene; "
+       "returns the recording of the imitation. When the brain ends, the recording ends, and "
+       "`{\"t\":\"score\",...}` is sent"},
   };
 }
 

@@ -38,22 +38,22 @@ JsonShape PointShape() { return JsonShape::List(NumberShape(), 3, 3).Called("Poi
 JsonShape PoseShape() { return JsonShape::List(NumberShape(), 7, 7).Called("Pose"); }
 
 JsonShape VisualShape() {
-  return ObjectShape(
-             {{"frame", NumberShape(), true, "0 is the world"},
-              {"object", NumberShape()},
-              {"part", TextShape(), kOptional, "id of the innermost part it is of that has one"},
-              {"button", TextShape(), kOptional, "of a switch: its name in commands"},
-              {"pose", PoseShape()},
-              {"color", TextShape(), true, "#rrggbb"},
-              {"choice", NumberShape(), true, "-1: it is always seen"},
-              {"look", NumberShape(), true, "it is seen when `looks[choice]` is this"},
-              {"glows", FlagShape(), kOptional},
-              {"block", PointShape(), kOptional, "full lengths"},
-              {"cylinder", JsonShape::List(NumberShape(), 3, 3), kOptional,
-               "radius, height, sides; its axis is y"},
-              {"sphere", NumberShape(), kOptional, "its radius"},
-              {"mesh", NumberShape(), kOptional, "its number, with `scale`"},
-              {"scale", NumberShape(), kOptional}})
+  return ObjectShape({{"frame", NumberShape(), true, "0 is the world"},
+                      {"object", NumberShape()},
+                      {"part", TextShape(), kOptional,
+                       "id of the innermost part with an id that contains it"},
+                      {"button", TextShape(), kOptional, "name of a switch's button in commands"},
+                      {"pose", PoseShape()},
+                      {"color", TextShape(), true, "#rrggbb"},
+                      {"choice", NumberShape(), true, "-1: always visible"},
+                      {"look", NumberShape(), true, "visible when `looks[choice]` has this value"},
+                      {"glows", FlagShape(), kOptional},
+                      {"block", PointShape(), kOptional, "full lengths"},
+                      {"cylinder", JsonShape::List(NumberShape(), 3, 3), kOptional,
+                       "radius, height, sides; its axis is y"},
+                      {"sphere", NumberShape(), kOptional, "radius"},
+                      {"mesh", NumberShape(), kOptional, "number of the mesh, with `scale`"},
+                      {"scale", NumberShape(), kOptional}})
       .Called("Visual");
 }
 
@@ -66,18 +66,18 @@ JsonShape SceneObjectShape() {
              {{"id", TextShape()},
               {"frame", NumberShape()},
               {"shape", TextShape()},
-              {"fixed", FlagShape(), true, "it cannot be taken"},
+              {"fixed", FlagShape(), true, "it cannot be grasped"},
               {"parts", JsonShape::List(part), true,
-               "outer ones first; `within` is the id of the part, or the object, around it"},
+               "outer parts first; `within` is the id of the part or object that contains it"},
               {"controls", JsonShape::List(control)},
               {"bonds", FlagShape(), true, "it can be fastened to others"},
-              {"properties", TextsShape(), true, "that may matter"}})
+              {"properties", TextsShape(), true, "properties that can be marked as relevant"}})
       .Called("SceneObject");
 }
 
 JsonShape RobotDescriptionShape() {
   const JsonShape joint = ObjectShape({{"name", TextShape()},
-                                       {"arm", TextShape(), true, "empty: of none"},
+                                       {"arm", TextShape(), true, "empty: of no arm"},
                                        {"is_head", FlagShape(), true, "it turns the head"},
                                        {"lower", NumberShape()},
                                        {"upper", NumberShape()},
@@ -93,31 +93,33 @@ JsonShape RobotDescriptionShape() {
 }
 
 JsonShape HandShape() {
-  return ObjectShape({{"object", TextShape().OrNull(), true, "null: it holds nothing"},
-                      {"goal", PointShape(), kOptional, "where it wants the grasped point"},
-                      {"place", PointShape(), kOptional, "where the object's origin is then"},
-                      {"plane", NumberShape()},
-                      {"angles", PointShape(), kOptional, "how it wants the object turned"}})
+  return ObjectShape(
+             {{"object", TextShape().OrNull(), true, "null: the hand is empty"},
+              {"goal", PointShape(), kOptional, "target of the grasped point"},
+              {"place", PointShape(), kOptional, "position of the object's origin at the target"},
+              {"plane", NumberShape()},
+              {"angles", PointShape(), kOptional, "target orientation of the object [degrees]"}})
       .Called("Hand");
 }
 
 JsonShape ActionSummaryShape() {
-  return ObjectShape({{"do", JsonShape::Word({"take", "put", "drop", "release", "destroy", "point",
-                                              "trigger", "fasten", "loosen", "add", "remove",
-                                              "clear", "load"})},
-                      {"hand", HandNameShape().OrNull(), true, "null of what no hand did"},
-                      {"what", TextShape(), true, "an id, `5 objects`, or the name of a scene"},
-                      {"on", TextShape(), kOptional, "id of what is beneath, empty for the table"},
-                      {"into", TextShape(), kOptional},
-                      {"words", TextShape(), true, "all of it, for people"}})
+  return ObjectShape(
+             {{"do",
+               JsonShape::Word({"take", "put", "drop", "release", "destroy", "point", "trigger",
+                                "fasten", "loosen", "add", "remove", "clear", "load"})},
+              {"hand", HandNameShape().OrNull(), true, "null for an action without a hand"},
+              {"what", TextShape(), true, "an id, `5 objects`, or the name of a scene"},
+              {"on", TextShape(), kOptional, "id of the object beneath, empty for the table"},
+              {"into", TextShape(), kOptional},
+              {"words", TextShape(), true, "description of the action"}})
       .Called("ActionSummary");
 }
 
 JsonShape SegmentShape() {
-  return ObjectShape(
-             {{"number", NumberShape()},
-              {"deed", ActionSummaryShape().OrNull(), true, "what began it; null of the first"},
-              {"seconds", NumberShape()}})
+  return ObjectShape({{"number", NumberShape()},
+                      {"deed", ActionSummaryShape().OrNull(), true,
+                       "the action that began it; null for the first"},
+                      {"seconds", NumberShape()}})
       .Called("Segment");
 }
 
@@ -156,15 +158,17 @@ JsonShape ConsoleLineShape() {
 }
 
 JsonShape LibraryEntryShape() {
-  return ObjectShape({{"id", TextShape()},
-                      {"title", TextShape(), kOptional},
-                      {"notes", TextShape(), kOptional},
-                      {"scene", TextShape(), kOptional},
-                      {"seconds", NumberShape(), kOptional, "to its last frame"},
-                      {"segments", NumberShape(), kOptional},
-                      {"error", TextShape(), kOptional, "in place of all these: it cannot be read"},
-                      {"made", TextShape(), true, "when it was last recorded into"},
-                      {"binned", FlagShape()}})
+  return ObjectShape(
+             {{"id", TextShape()},
+              {"title", TextShape(), kOptional},
+              {"notes", TextShape(), kOptional},
+              {"scene", TextShape(), kOptional},
+              {"seconds", NumberShape(), kOptional, "time of the last frame"},
+              {"segments", NumberShape(), kOptional},
+              {"error", TextShape(), kOptional,
+               "replaces all these members if the recording cannot be read"},
+              {"made", TextShape(), true, "time of the last change by recording (ISO 8601, UTC)"},
+              {"binned", FlagShape()}})
       .Called("LibraryEntry");
 }
 

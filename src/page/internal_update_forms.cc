@@ -9,12 +9,12 @@ namespace {
 /// The scene, sent once per scene. Poses of frames come separately, as binary messages.
 JsonShape SceneUpdateShape() {
   return ObjectShape({KindMember("scene"),
-                      {"scene", NumberShape(), true, "counts up"},
+                      {"scene", NumberShape(), true, "number of the scene, increasing"},
                       {"name", TextShape()},
                       {"metersPerUnit", NumberShape()},
-                      {"table", ObjectShape({{"size", PointShape()}}), true, "its top is z = 0"},
+                      {"table", ObjectShape({{"size", PointShape()}}), true, "its top is at z = 0"},
                       {"numFrames", NumberShape()},
-                      {"robotFrame", NumberShape().OrNull(), true, "first of the robot's"},
+                      {"robotFrame", NumberShape().OrNull(), true, "first frame of the robot"},
                       {"visuals", JsonShape::List(VisualShape())},
                       {"looks", NumbersShape()},
                       {"objects", JsonShape::List(SceneObjectShape())},
@@ -60,30 +60,32 @@ JsonShape StateUpdateShape() {
                                           {"seconds", NumberShape()},
                                           {"length", NumberShape()},
                                           {"rate", NumberShape()}});
-  const JsonShape failure = ObjectShape({{"recording", TextShape()},
-                                         {"title", TextShape()},
-                                         {"error", TextShape()},
-                                         {"kept", FlagShape(), true, "it is in the library"}});
+  const JsonShape failure =
+      ObjectShape({{"recording", TextShape()},
+                   {"title", TextShape()},
+                   {"error", TextShape()},
+                   {"kept", FlagShape(), true, "the recording is in the library"}});
   const JsonShape allowed = ObjectShape(
       {{"requests", JsonShape::Map(AllowedShape())}, {"commands", JsonShape::Map(AllowedShape())}});
   return ObjectShape(
              {KindMember("state"),
               {"tick", NumberShape()},
               {"mode", JsonShape::Word({"live", "playback", "rage"})},
-              {"allowed", allowed, true, "what may be asked for now, else why not"},
+              {"allowed", allowed, true,
+               "true, or the reason why not, for each request and command"},
               {"paused", FlagShape()},
-              {"speed", NumberShape(), true, "simulated per real second, over the last one"},
+              {"speed", NumberShape(), true, "simulated time per real time, over the last second"},
               {"hands", HandsNowShape()},
               {"still", FlagShape()},
               {"recording", recording.OrNull()},
               {"playback", playback.OrNull()},
               {"restoring", TextShape().OrNull(), true,
-               "the recording to a moment of which the world goes back"},
-              {"failure", failure.OrNull(), true, "the last recording ended by itself"},
+               "the recording of which a moment is being restored"},
+              {"failure", failure.OrNull(), true, "reason why the last recording ended by itself"},
               {"controls", JsonShape::Map(TextShape()), true,
-               "states as recordings have them; of a switch its position"},
+               "states as in recordings; for a switch, its position"},
               {"gone", TextsShape()},
-              {"fallen", TextsShape(), true, "on the floor, out of play"},
+              {"fallen", TextsShape(), true, "objects on the floor, out of play"},
               {"attention", JsonShape::Map(TextsShape())},
               {"robot", RobotNowShape().OrNull()},
               {"brain", BrainNowShape()},
@@ -108,7 +110,7 @@ JsonShape EventUpdateShape() {
                       {"host", TextShape(), kOptional},
                       {"tightness", NumberShape(), kOptional},
                       {"properties", TextsShape(), kOptional},
-                      {"objects", TextsShape(), kOptional, "that were added or removed"}})
+                      {"objects", TextsShape(), kOptional, "the added or removed objects"}})
       .Called("EventMessage");
 }
 
@@ -134,28 +136,28 @@ std::vector<UpdateForm> MakeUpdateForms() {
       {"looks",
        ObjectShape({KindMember("looks"), {"looks", NumbersShape()}}).Called("LooksMessage"),
        "one number per choice"},
-      {"state", StateUpdateShape(), "see below; at most 20 a second"},
-      {"event", EventUpdateShape(), "as docs/recording-format.md has them"},
-      {"console", console, "lines of the brain; with `all`: true instead of those told before"},
-      {"clients", clients, "their numbers"},
+      {"state", StateUpdateShape(), "see below; at most 20 per second"},
+      {"event", EventUpdateShape(), "see docs/recording-format.md"},
+      {"console", console, "output of the brain; if `all` is true, replaces all earlier lines"},
+      {"clients", clients, "numbers of the clients"},
       {"score",
        ObjectShape({KindMember("score"), {"result", JsonShape::Map(JsonShape::Anything())}})
            .Called("ScoreMessage"),
-       "as docs/results.md has it"},
+       "see docs/results.md"},
       {"progress", progress,
-       "`what`: the request's `do`; `done` and `total` in seconds, the same at the end"},
+       "`what`: `do` of the request; `done` and `total` in seconds, equal at the end"},
       {"control_wanted",
        ObjectShape({KindMember("control_wanted"), {"by", NumberShape()}})
            .Called("ControlWantedMessage"),
-       "to the controller alone"},
+       "sent to the controller only"},
       {"control_kept",
        ObjectShape({KindMember("control_kept"), {"by", NumberShape()}})
            .Called("ControlKeptMessage"),
-       "`by`: the controller; to a client who asked for control"},
+       "`by`: the controller; sent to each client that asked for control"},
       {"library", ObjectShape({KindMember("library")}).Called("LibraryMessage"),
-       "recordings came, went or got other titles: ask for `library` again"},
+       "the list of recordings has changed: request `library` again"},
       {"error", ObjectShape({KindMember("error"), {"error", TextShape()}}).Called("ErrorMessage"),
-       "something went wrong that was nobody's request, for example the eye cannot draw"},
+       "an error outside any request, for example of the eye's renderer"},
   };
 }
 

@@ -56,7 +56,7 @@ std::string MisfitOf(const Json& message, const std::string& request) {
 
 std::string MisfitOfRequest(const Json& request) {
   const RequestForm* form = FindRequest(request.value("do", ""));
-  if (form == nullptr) return "there is no such request";
+  if (form == nullptr) return "unknown request";
   std::vector<JsonMember> members = {{"do", TextShape()}, {"seq", NumberShape(), kOptional}};
   members.insert(members.end(), form->fields.begin(), form->fields.end());
   std::string misfit;

@@ -42,7 +42,7 @@ const Json& RequestFields::Get(const char* name, const std::string& expected) co
 bool RequestFields::Has(const char* name) const { return Find(name) != nullptr; }
 
 std::string RequestFields::Text(const char* name, std::size_t max_bytes) const {
-  const std::string expected = "a text of 1 to " + Size(max_bytes) + " letters";
+  const std::string expected = "a string of 1 to " + Size(max_bytes) + " characters";
   const Json& value = Get(name, expected);
   if (!value.is_string()) Expected(name, Found(value), expected);
   auto text = value.get<std::string>();

@@ -48,7 +48,7 @@ Json Answer(const RequestTable& table, const Request& request, bool is_controlle
   if (entry == table.entries.end()) return Reply(request, Unknown(table, request.what));
   // Watchers learn first that they lack control; other reasons matter only to the controller.
   if (!entry->second.is_for_anyone && !is_controller) {
-    return Reply(request, Failure("you are watching: take control first"));
+    return Reply(request, Failure("you are watching; take control first"));
   }
   // The precondition is checked before the handler, and the same one is reported in `allowed`.
   return AnswerWith(request, [&] {

@@ -13,7 +13,7 @@ namespace {
 web_server::WebServerOptions WebOptions(ServerOptions options) {
   if (!std::filesystem::is_regular_file(options.page / "index.html")) {
     throw std::runtime_error(options.page.string() +
-                             ": the studio's page is not built; ./run studio builds it");
+                             ": the studio's page is not built; run ./run studio to build it");
   }
   return {.address = options.address,
           .port = options.port,

@@ -97,27 +97,27 @@ void CheckArticulation(const scene::ArticulationSpec& spec) {
   for (const auto& [a, b] : spec.never_collide) {
     is_sound = is_sound && a >= -1 && b >= -1 && a < count && b < count;
   }
-  DemandOfSnapshot(is_sound, "a robot's links contradict each other");
+  DemandOfSnapshot(is_sound, "the links of a robot are inconsistent");
 }
 
 /// Checks that no two objects share an id. Bodies and links share one counter.
 void CheckIds(const Snapshot& snapshot) {
   // Ids are stored as Bullet's user index, an int.
-  DemandOfSnapshot(snapshot.next_id <= std::numeric_limits<int>::max(), "its ids run out");
+  DemandOfSnapshot(snapshot.next_id <= std::numeric_limits<int>::max(), "its next id is too large");
   DemandOfSnapshot(IsAscending(snapshot.bodies) && IsAscending(snapshot.articulations) &&
                        IsAscending(snapshot.joints),
-                   "its things are out of order");
+                   "its bodies, robots or joints are not in the order of their ids");
   // Bodies and articulations are sorted by id separately; together they must not overlap.
   std::vector<bool> is_link;
   const auto demand_free = [&snapshot, &is_link](std::uint64_t first, std::uint64_t count) {
-    DemandOfSnapshot(first > 0 && first + count <= snapshot.next_id, "an id was never given");
+    DemandOfSnapshot(first > 0 && first + count <= snapshot.next_id, "an id was never assigned");
     for (std::uint64_t id = first; id < std::min<std::uint64_t>(first + count, is_link.size());
          ++id) {
-      DemandOfSnapshot(!is_link[id], "two things have the same id");
+      DemandOfSnapshot(!is_link[id], "two objects have the same id");
     }
   };
   for (const auto& [id, spec] : snapshot.articulations) {
-    DemandOfSnapshot(spec != nullptr, "a robot is nothing");
+    DemandOfSnapshot(spec != nullptr, "a robot is missing");
     const std::uint64_t end = id.value + std::uint64_t{spec->links.size()} + 1;
     demand_free(id.value, spec->links.size() + 1);
     is_link.resize(std::max<std::uint64_t>(is_link.size(), end), false);
@@ -127,7 +127,7 @@ void CheckIds(const Snapshot& snapshot) {
   if (snapshot.joints.empty()) return;
   DemandOfSnapshot(snapshot.joints.front().id.value > 0 &&
                        snapshot.joints.back().id.value < snapshot.next_joint_id,
-                   "a joint's id was never given");
+                   "a joint's id was never assigned");
 }
 
 }  // namespace
@@ -173,7 +173,7 @@ void CheckSnapshot(const Snapshot& snapshot) {
   };
   // Ids are sound from here on, so bodies and articulations can be looked up.
   for (const auto& [id, spec] : snapshot.bodies) {
-    DemandOfSnapshot(spec != nullptr, "a body is nothing");
+    DemandOfSnapshot(spec != nullptr, "a body is missing");
     CheckBody(*spec);
   }
   for (const auto& [id, spec] : snapshot.articulations) CheckArticulation(*spec);
@@ -192,7 +192,7 @@ void CheckSnapshot(const Snapshot& snapshot) {
       find_body(b);
     }
   }
-  DemandOfSnapshot(std::ranges::is_sorted(snapshot.close_fits), "its close fits are in disorder");
+  DemandOfSnapshot(std::ranges::is_sorted(snapshot.close_fits), "its close fits are not sorted");
 }
 
 }  // namespace smile::physics

@@ -69,7 +69,7 @@ std::vector<SavedManifold> ReadManifolds(ByteReader* in) {
       ForEachField(manifold.points[k], [in]<class T>(T& value) { value = in->Get<T>(); });
     }
   }
-  if (!in->ok()) throw std::invalid_argument("snapshot: its contacts are cut short");
+  if (!in->ok()) throw std::invalid_argument("snapshot: its contacts are truncated");
   return manifolds;
 }
 

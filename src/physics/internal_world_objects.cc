@@ -137,7 +137,7 @@ void WorldObjects::ChangeForm(BodyId id, const std::vector<scene::Solid>& solids
   CheckBody(*spec);
   // Joints and carrying rely on this.
   if ((mass.mass == 0) != old.is_static()) {
-    throw std::invalid_argument("body: another form cannot make it static, or end that");
+    throw std::invalid_argument("body: a new form cannot change whether it is static");
   }
   // Everything that can throw is done before the old body is removed.
   auto fresh = std::make_unique<Body>(id, spec);

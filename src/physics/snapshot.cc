@@ -140,7 +140,7 @@ Snapshot ParseSnapshot(std::span<const std::byte> bytes) {
   Snapshot snapshot;
   Walk(reader, snapshot);
   const auto state = reader.bytes.GetBytes(reader.bytes.Get<std::uint64_t>());
-  if (!reader.bytes.ok()) reader.Fail("it is cut short");
+  if (!reader.bytes.ok()) reader.Fail("it is truncated");
   snapshot.state.assign(state.begin(), state.end());
   return snapshot;
 }

@@ -56,7 +56,7 @@ void MakeNewDirectory(const std::filesystem::path& directory) {
   std::error_code error;
   if (std::filesystem::exists(directory, error) && !std::filesystem::is_empty(directory, error)) {
     throw InputError({directory.string(), 0, "",
-                      "exists already; pictures are never overwritten, name a new directory"});
+                      "exists already, expected a new directory; pictures are never overwritten"});
   }
   MakeDirectories(directory);
 }

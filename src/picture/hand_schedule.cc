@@ -47,7 +47,7 @@ class ContactCollector {
     recording::TraceReader trace(recording_);
     if (!trace.has_events()) {
       throw InputError({(recording_.directory / "trace.bin").string(), 0, "",
-                        "is of an old format that does not tell what hands did"});
+                        "has an old format without the actions of the hands"});
     }
     // Holds from before the start begin with the first tick.
     std::vector<sim::Event> events = trace.events_before_start();

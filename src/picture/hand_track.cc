@@ -301,7 +301,7 @@ HandTrack::HandTrack(const recording::Recording& recording) {
         {moment->tick, {left.GoTo(moment->tick, state), right.GoTo(moment->tick, state)}});
   }
   if (samples_.empty()) {
-    throw InputError({(recording.directory / "trace.bin").string(), 0, "", "holds no moment"});
+    throw InputError({(recording.directory / "trace.bin").string(), 0, "", "contains no moment"});
   }
 }
 

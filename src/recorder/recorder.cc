@@ -147,15 +147,15 @@ std::optional<sim::Refusal> Recorder::Refuse(const sim::Simulation& simulation,
                                              const sim::Command& command) {
   const sim::ActionHistory& history = simulation.history();
   if (std::holds_alternative<sim::Undo>(command) && marks_.Find(history.current().id) == nullptr) {
-    return std::string("there is nothing to undo in this recording") +
-           (history.can_undo() ? "; finish it to undo what was before its start" : "");
+    return std::string("nothing to undo in this recording") +
+           (history.can_undo() ? "; finish it to undo earlier actions" : "");
   }
   if (std::holds_alternative<sim::Redo>(command) &&
       (!history.can_redo() || marks_.Find(history.undone().front().id) == nullptr)) {
-    return "there is nothing to do again in this recording";
+    return "nothing to redo in this recording";
   }
   if (std::holds_alternative<sim::Load>(command)) {
-    return "a recording is in progress, which is of one scene; finish it first";
+    return "a recording is in progress and contains one scene only; finish it first";
   }
   return std::nullopt;
 }

@@ -53,8 +53,7 @@ class ReplayAlong {
       if (!does) throw std::runtime_error("interrupted");
       return does;
     };
-    if (!trace_.has_events())
-      Fail(recording_, "is of an older format, which cannot be gone on with");
+    if (!trace_.has_events()) Fail(recording_, "has an older format and cannot be continued");
     if (player_.RunToStart(simulation_, goes_on)) FailAsDifferent();
     collector_.Forget();
     while (Step()) goes_on(simulation_->tick());
@@ -66,7 +65,7 @@ class ReplayAlong {
 
  private:
   [[noreturn]] void FailAsDifferent() const {
-    Fail(recording_, "cannot go on: run again, it differs at tick " +
+    Fail(recording_, "cannot be continued: its replay differs at tick " +
                          std::to_string(simulation_->tick()) + " (it was made by " +
                          recording_.info.program + ")");
   }
@@ -100,7 +99,7 @@ class ReplayAlong {
       return logged.line > recording_.info.start.line && IsAction(logged.command);
     };
     if (std::ranges::count_if(path_, is_action) != num_actions_) {
-      Fail(recording_, "has other actions in its trace than in its log");
+      Fail(recording_, "has different actions in its trace and in its log");
     }
   }
 
@@ -128,7 +127,7 @@ void RefuseLinks(const std::filesystem::path& directory) {
   for (const auto& entry : std::filesystem::directory_iterator(directory)) {
     if (!entry.is_symlink()) continue;
     throw InputError({entry.path().string(), 0, "",
-                      "is a link; expected a recording whose files are its own to go on with it"});
+                      "is a link; only a recording with its own files can be continued"});
   }
 }
 
@@ -145,10 +144,11 @@ std::unique_ptr<Recorder> Recorder::Continue(const std::filesystem::path& direct
   recorder->log_.emplace(log_path, recording::AppendFile::kExisting);
   const recording::Recording recording = recording::OpenRecording(directory);
   if (recording.info.origin == recording::Origin::kImported) {
-    Fail(recording, "was imported from a classic recording; it has no commands to go on from");
+    Fail(recording, "was imported from a classic recording and has no commands to continue from");
   }
   if (recording.info.demonstrator != recording::DemonstratorAppearance::kInvisible) {
-    Fail(recording, "shows its demonstrator; go on with the recording that it is a copy of");
+    Fail(recording,
+         "is a copy that shows its demonstrator; continue the original recording instead");
   }
   const std::size_t num_lines = recording.log.lines().size();
   if (from.line > num_lines) {

@@ -91,10 +91,10 @@ void RecordingController::Record(const Part& part) {
 std::optional<sim::Refusal> RecordingController::Refuse(const sim::Simulation& simulation,
                                                         const sim::Command& command) {
   if (std::holds_alternative<sim::StartRecording>(command) && recorder_) {
-    return "already recording into " + directories_.back().string() + "; finish that first";
+    return "already recording into " + directories_.back().string() + "; finish it first";
   }
   if (std::holds_alternative<sim::FinishRecording>(command) && !recorder_) {
-    return "nothing is being recorded";
+    return "no recording is in progress";
   }
   // A recording has its own reasons to refuse; without one, only the camera matters.
   if (recorder_) return recorder_->Refuse(simulation, command);
@@ -111,7 +111,7 @@ std::optional<sim::Refusal> RecordingController::RefuseWithoutCamera(
   if (std::ranges::find(cameras, camera, &scene::CameraSpec::id) != cameras.end()) {
     return std::nullopt;
   }
-  return "the scene to load lacks the camera " + Quoted(camera) + ", which takes the pictures";
+  return "the scene to load lacks the camera " + Quoted(camera) + ", which the recording uses";
 }
 
 void RecordingController::OnCommand(const sim::Simulation& simulation,

@@ -38,7 +38,7 @@ std::uint64_t ParseNumber(const Json& json, const char* key) {
 LogLine ParseLogLine(std::string_view text, double meters_per_unit) {
   const Json json = sim::ParseLineJson(text);
   const auto tick = sim::ParseTick(json);
-  if (!tick) throw std::invalid_argument("\"tick\" is missing, expected when it was applied");
+  if (!tick) throw std::invalid_argument("\"tick\" is missing, expected the tick of execution");
   if (const auto kind = ParseReturnKind(json)) {
     const Json to = json.value("to", Json());
     return {
@@ -52,7 +52,8 @@ LogLine ParseLogLine(std::string_view text, double meters_per_unit) {
   if (std::holds_alternative<sim::StartRecording>(command) ||
       std::holds_alternative<sim::FinishRecording>(command) ||
       std::holds_alternative<sim::Load>(command)) {
-    throw std::invalid_argument("\"do\" is " + ToText(json.at("do")) + ", which is in no log");
+    throw std::invalid_argument("\"do\" is " + ToText(json.at("do")) +
+                                ", which never appears in a log");
   }
   return {.tick = *tick, .what = std::move(command)};
 }
@@ -75,7 +76,7 @@ void CommandLog::Add(LogLine line) {
   // Ticks do not decrease along a path; after a return they are compared to the point it leads to.
   const HistoryPoint last = After(lines_.size());
   if (line.tick < last.tick) {
-    throw std::invalid_argument("\"tick\" goes back, expected at least " +
+    throw std::invalid_argument("\"tick\" decreases, expected at least " +
                                 std::to_string(last.tick));
   }
   // A return leads to a line that exists and to a tick not earlier than that line.
@@ -144,7 +145,7 @@ CommandLog ReadCommandLog(const std::filesystem::path& path, double meters_per_u
     // A line is complete only with its newline: a killed program may leave the last one unfinished.
     const std::size_t end = text.find('\n', start);
     if (end == std::string::npos) {
-      *cut = "the last line of commands.jsonl was cut and is left out";
+      *cut = "the last line of commands.jsonl was cut and is skipped";
       break;
     }
     try {

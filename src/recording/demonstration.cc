@@ -134,7 +134,7 @@ std::vector<LoggedCommand> Demonstration::Schedule() const {
 Demonstration DemonstrationOf(const Recording& recording) {
   if (recording.info.origin == Origin::kImported) {
     throw InputError({recording.directory.string(), 0, "",
-                      "was imported from a classic recording; it has no commands to edit"});
+                      "was imported from a classic recording and has no commands to edit"});
   }
   const Watched watched = Watch(recording);
   CheckAgainstTrace(recording, watched);

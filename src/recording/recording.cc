@@ -24,7 +24,7 @@ void LeaveOutUnfinishedReturn(Recording* recording) {
   if (TraceReader(*recording).last_return() >= lines.size()) return;
   recording->cuts.push_back("the last " +
                             std::string(ToString(std::get<Return>(lines.back().what).kind)) +
-                            " was cut and is left out");
+                            " was cut and is skipped");
   recording->log.RemoveLast();
 }
 
@@ -38,7 +38,7 @@ robot::RobotReading ReadKeptRobot(const std::filesystem::path& directory, const 
   const auto folder = std::filesystem::canonical(urdf.parent_path(), error);
   if (error) throw InputError({urdf.string(), 0, "", "no such file"});
   if (!IsWithin(folder, directory)) {
-    throw InputError({urdf.string(), 0, "", "lies elsewhere, expected it in the recording"});
+    throw InputError({urdf.string(), 0, "", "is outside the recording, expected inside"});
   }
   // Opens a file that the URDF refers to, such as a mesh; nullopt if it is missing or lies
   // elsewhere.
@@ -60,7 +60,7 @@ void CheckEye(const Recording& recording) {
   std::error_code error;
   if (!eye || !std::filesystem::is_regular_file(picture, error)) return;
   const std::optional<PngSize> size = ReadPngSize(picture);
-  if (!size) throw InputError({picture.string(), 0, "", "is no picture, expected a PNG"});
+  if (!size) throw InputError({picture.string(), 0, "", "is not a picture, expected a PNG"});
   const auto [width, height] = std::pair(eye->intrinsics.width_px, eye->intrinsics.height_px);
   if (size->width_px == width && size->height_px == height) return;
   const auto text = [](int x, int y) { return std::to_string(x) + "x" + std::to_string(y); };
@@ -77,7 +77,7 @@ void CheckStart(const Recording& recording) {
   const auto fail = [&recording](const std::string& message) {
     throw InputError({(recording.directory / "demo.json").string(), 1, "", message});
   };
-  if (start.line > lines.size()) fail("\"start\" is behind the end of commands.jsonl");
+  if (start.line > lines.size()) fail("\"start\" is after the end of commands.jsonl");
   if (recording.log.After(start.line).tick > start.tick) {
     fail("\"start\" is tick " + std::to_string(start.tick) + ", but its line is later");
   }
@@ -87,7 +87,7 @@ void CheckStart(const Recording& recording) {
     if (back != nullptr &&
         (is_before || back->to.line < start.line || back->to.tick < start.tick)) {
       throw InputError({(recording.directory / "commands.jsonl").string(), static_cast<int>(line),
-                        "", "leads back to before the start of the demonstration"});
+                        "", "returns to a moment before the start of the demonstration"});
     }
     if (!is_before && lines[line - 1].tick < start.tick) {
       throw InputError({(recording.directory / "commands.jsonl").string(), static_cast<int>(line),
@@ -153,8 +153,8 @@ std::optional<std::filesystem::path> RecordingAround(const std::filesystem::path
 Recording OpenRecording(const std::filesystem::path& directory) {
   if (IsAbandoned(directory)) {
     throw InputError({directory.string(), 0, "",
-                      "holds no recording: the program was killed before it had begun one; a new "
-                      "recording may take its place"});
+                      "contains no recording: the program was killed before the recording began; a "
+                      "new recording can replace it"});
   }
   if (!IsRecording(directory)) {
     throw InputError({directory.string(), 0, "",

@@ -13,13 +13,14 @@ void RequireNewDirectory(const std::filesystem::path& directory) {
   // A recording inside another one would become part of it.
   if (const auto around = RecordingAround(directory)) {
     throw InputError({directory.string(), 0, "",
-                      "lies within the recording " + around->string() + ", which stays as it is"});
+                      "is inside the recording " + around->string() + ", which is not changed"});
   }
   if (IsAbandoned(directory)) return;
   std::error_code error;
   if (std::filesystem::exists(directory, error) && !std::filesystem::is_empty(directory, error)) {
-    throw InputError({directory.string(), 0, "",
-                      "exists already; a recording is never overwritten, name a new directory"});
+    throw InputError(
+        {directory.string(), 0, "",
+         "exists already, expected a new directory; recordings are never overwritten"});
   }
 }
 

@@ -179,7 +179,7 @@ HistoryPoint HistoryPointOf(const Recording& recording, const std::vector<Segmen
   throw std::invalid_argument(
       "step " + std::to_string(step) + " lasted " +
       NumberText(sim::SecondsOf(steps[step].end.tick - steps[step].begin.tick)) +
-      " s, expected a moment that is no later");
+      " s, expected a time within it");
 }
 
 }  // namespace smile::recording

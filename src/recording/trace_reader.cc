@@ -191,7 +191,7 @@ void TraceReader::ReadHeader(const Recording& recording, const scene::SceneSpec&
   }
   object_names_ = GetNames(kMaxNames, &in);
   joint_names_ = GetNames(kMaxNames, &in);
-  if (!in.ok()) Fail("its header is cut short");
+  if (!in.ok()) Fail("its header is truncated");
   // Records begin here; Survey() advances size_ over the complete ones.
   size_ = bytes_.size() - in.remaining();
 
@@ -199,7 +199,7 @@ void TraceReader::ReadHeader(const Recording& recording, const scene::SceneSpec&
                                  &scene::ObjectSpec::id);
   const std::size_t num_joints = recording.robot() ? recording.robot()->model.links.size() : 0;
   if (!fits || joint_names_.size() != num_joints) {
-    Fail("is of another scene or robot than scene.xml and the robot's files");
+    Fail("belongs to another scene or robot than scene.xml and the robot's files");
   }
   // The header names the objects of the start. Objects that the scene has beyond these were added
   // later; they are absent until a record's counts include them.
@@ -273,7 +273,8 @@ void TraceReader::Survey() {
     next.log_line = in.Get<std::uint64_t>();
     // A place inside a record or in the future would make the reader misinterpret bytes or loop.
     if (next.past > place || !std::binary_search(bounds.begin(), bounds.end(), next.past)) {
-      Fail("returns to a place where no record ends, at byte " + std::to_string(place));
+      Fail("returns to a position that is not the end of a record, at byte " +
+           std::to_string(place));
     }
     if (next.log_line <= segments_.back().log_line) {
       Fail("returns in another order than the log, at byte " + std::to_string(place));
@@ -335,8 +336,8 @@ bool TraceReader::IsAtRecord() {
     if (segments_left_.empty()) break;
     place_ = segments_left_.back().begin;
     if (has_begun_ && now_.tick != segments_left_.back().tick) {
-      Fail("returns to tick " + std::to_string(segments_left_.back().tick) + ", but there it is " +
-           std::to_string(now_.tick));
+      Fail("returns to tick " + std::to_string(segments_left_.back().tick) +
+           ", but the record there has tick " + std::to_string(now_.tick));
     }
   }
   return !segments_left_.empty();

@@ -134,7 +134,7 @@ ReplayReport Replay(const recording::Recording& recording, const ReplayOptions& 
                     const recording::Progress& progress) {
   if (recording.info.origin == recording::Origin::kImported) {
     throw InputError({recording.directory.string(), 0, "",
-                      "was imported from a classic recording; it has no commands to run again"});
+                      "was imported from a classic recording and has no commands to replay"});
   }
   ReplayRun run(recording, options);
   const double total = recording::SecondsInto(recording, run.range().last);

@@ -43,7 +43,7 @@ Reference Parse(const std::string& text) {
     if (package.empty() || package == "." || package == ".." || path.empty() ||
         path.is_absolute() || HasStepsUp(path)) {
       // Steps up could leave the package.
-      throw BadReference(": expected package://PACKAGE/PATH without steps up");
+      throw BadReference(": expected package://PACKAGE/PATH without ..");
     }
     return {Reference::Kind::kPackage, package, path.lexically_normal()};
   }
@@ -118,8 +118,8 @@ class OriginalFinder : public FileFinder {
     }
     const bool is_package = reference.kind == Reference::Kind::kPackage;
     throw BadReference(
-        std::string(is_outside ? " lies elsewhere, expected it in " : ": expected a file in ") +
-        (is_package ? "a --path folder that holds the folder " + Quoted(reference.package)
+        std::string(is_outside ? " is outside, expected inside " : ": expected a file in ") +
+        (is_package ? "a --path folder that contains the folder " + Quoted(reference.package)
                     : "the folder of the robot, in a --path folder or below these"));
   }
 
@@ -134,8 +134,8 @@ class OriginalFinder : public FileFinder {
       if (error) return std::nullopt;
       if (!IsAllowed(canonical)) {
         throw InputError({path.string(), 0, "",
-                          "lies elsewhere, expected it in the folder of the robot, in a --path "
-                          "folder or named by --side-file"});
+                          "is outside, expected inside the folder of the robot, in a --path folder "
+                          "or named by --side-file"});
       }
     }
     // Its kept name is beside the URDF, wherever it lies.

@@ -36,7 +36,7 @@ std::vector<std::string> SplitAtDashes(const std::string& text) {
 void ExpectShortName(const std::string& name, const JsonNode& parent) {
   if (name.size() <= kMaxShortText) return;
   parent.Fail("found the name " + Quoted(name) + ", expected at most " +
-              std::to_string(kMaxShortText) + " letters");
+              std::to_string(kMaxShortText) + " characters");
 }
 
 /// Reads the choices of a gripper, none made yet. Words must not contain the separator.
@@ -100,8 +100,8 @@ std::string Replaced(std::string text, const std::vector<Choice>& choices,
          at = text.find(pattern, at + choice.chosen->size())) {
       text.replace(at, pattern.size(), *choice.chosen);
       if (text.size() <= kMaxMadeText) continue;
-      gripper.Fail("with what is chosen, a text becomes " + Quoted(text) + ", expected at most " +
-                   std::to_string(kMaxMadeText) + " letters");
+      gripper.Fail("with the choice, a string becomes " + Quoted(text) + ", expected at most " +
+                   std::to_string(kMaxMadeText) + " characters");
     }
   }
   return text;
@@ -129,7 +129,7 @@ GripperChoice ChooseGripper(const JsonNode& grippers, const std::string& wanted)
   }
   if (best.empty()) {
     const std::vector<std::string_view> known(names.begin(), names.end());
-    grippers.Fail("found the wish for " + Quoted(wanted) + ", expected " + OneOf(known) +
+    grippers.Fail("found the choice " + Quoted(wanted) + ", expected " + OneOf(known) +
                   DidYouMean(wanted, known));
   }
   const JsonNode gripper = grippers.Member(best);

@@ -71,7 +71,7 @@ class ModelBuilder {
     const std::string name = part.prefix + link.name;
     const UrdfElement element(*part.document, "link", link.name);
     const bool is_new = names_.insert(name).second;
-    if (!is_new) element.Fail("there is a link " + Quoted(name) + " already");
+    if (!is_new) element.Fail("link " + Quoted(name) + " already exists");
     if (names_.size() > kMaxFrames) {
       element.Fail("the robot has more than " + std::to_string(kMaxFrames) + " links");
     }
@@ -146,7 +146,7 @@ class ModelBuilder {
                        const urdf::Visual& visual) {
     const std::string& material = visual.material_name;
     if (!material.empty() && !part.document->model().getMaterial(material)) {
-      element.Fail("material " + Quoted(material) + " is nowhere defined");
+      element.Fail("material " + Quoted(material) + " is not defined");
     }
     // Textures are not read; the parser's color beside one is black unless it is specified.
     if (!visual.material || !visual.material->texture_filename.empty()) return {};
@@ -201,7 +201,7 @@ class ModelBuilder {
     link.X_PJ = X_PJ;
     // Prefixes of attached parts could make names equal.
     if (FindJoint(model(), link.joint_name)) {
-      element.Fail("there is a joint " + Quoted(link.joint_name) + " already");
+      element.Fail("joint " + Quoted(link.joint_name) + " already exists");
     }
     element.ReadMotion(joint, &link);
     if (joint.mimic) {

@@ -47,12 +47,12 @@ void RobotFileSet::Keep(const FoundFile& file) {
     if (other.name != file.name) continue;
     // Kept files share a folder, so two different files must not have one name.
     if (other.bytes == file.bytes || *other.bytes == *file.bytes) return;
-    throw BadReference(" would be kept as " + Quoted(file.name) +
-                       ", as another file of the robot, expected different names");
+    throw BadReference(" would be stored as " + Quoted(file.name) +
+                       ", like another file of the robot, expected different names");
   }
   num_bytes_ += file.bytes->size();
   if (files_.size() >= kMaxFiles || num_bytes_ > kMaxBytes) {
-    throw BadReference(" is too much: expected at most " + std::to_string(kMaxFiles) +
+    throw BadReference(" exceeds the limit, expected at most " + std::to_string(kMaxFiles) +
                        " files and " + std::to_string(kMaxBytes) + " bytes for a robot");
   }
   files_.push_back({file.name, file.bytes});
@@ -77,7 +77,7 @@ scene::SurfaceMesh RobotFileSet::Import(const FoundFile& file) {
   const std::string extension = file.path.extension().string();
   const auto open = [&](const std::string& name, std::size_t max_bytes) {
     if (!IsPlainName(name)) {
-      throw BadReference(": it names " + Quoted(name) + ", expected a file beside it");
+      throw BadReference(": it refers to " + Quoted(name) + ", expected a file beside it");
     }
     return *Fetch(file, name, max_bytes).bytes;
   };

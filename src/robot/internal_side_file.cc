@@ -116,7 +116,7 @@ class SideFileReader {
   /// Reads a frame on a link for which the URDF has no name.
   void ReadFrame(const std::string& name, const JsonNode& node) {
     node.ExpectMembers(kFrameMembers);
-    if (FindFrame(model_, name)) node.Fail("there is a link or frame of that name already");
+    if (FindFrame(model_, name)) node.Fail("a link or frame of that name already exists");
     // A copy, since the list of frames grows below.
     const Frame link = model_.frames[FrameNamedBy(node.Member("on"))];
     const Vector3 p = ReadVector(node, "xyz"), rpy = ReadVector(node, "rpy");
@@ -158,7 +158,7 @@ class SideFileReader {
     narrow("velocity", 0, link.max_velocity, &link.max_velocity);
     narrow("effort", 0, link.max_effort, &link.max_effort);
     const bool moves = link.lower < link.upper && link.max_velocity > 0 && link.max_effort > 0;
-    if (!moves) node.Fail("it leaves no motion, expected lower below upper, the others above 0");
+    if (!moves) node.Fail("it permits no motion, expected lower below upper, the others above 0");
   }
 
   void ReadArm(const std::string& name, const JsonNode& node) {
@@ -192,7 +192,7 @@ class SideFileReader {
     }
     // Trajectories use this name for the gripper.
     if (const std::string own = name + "_gripper"; arm.gripper && FindJoint(model_, own)) {
-      node.Fail("there is a joint " + Quoted(own) + ", expected that name for the gripper alone");
+      node.Fail("there is a joint " + Quoted(own) + ", expected that name for the gripper only");
     }
     if (node.Has("payload")) arm.payload = node.Member("payload").Number(0, kMaxPayload);
     model_.arms.push_back(std::move(arm));
@@ -210,23 +210,23 @@ class SideFileReader {
     const int last = arm.joints.back();
     while (link > last) link = model_.links[link].parent;  // parents come before children
     if (link == last) return;
-    node.Fail("found " + Quoted(node.String()) + ", which does not hang on joint " +
+    node.Fail("found " + Quoted(node.String()) + ", which is not attached to joint " +
               Quoted(model_.links[last].joint_name) +
-              ", expected one behind it: joints in their order from the shoulder to the wrist, "
-              "then the gripper");
+              ", expected one after it in the chain: joints in order from the shoulder to the "
+              "wrist, then the gripper");
   }
 
   /// Claims a joint: an arm, a finger and the head must not share one.
   void Take(int joint, const JsonNode& node) {
     if (taken_.insert(joint).second) return;
     node.Fail("joint " + Quoted(model_.links[joint].joint_name) +
-              " is named already, expected each in one arm, as one finger or in the head");
+              " is already used, expected each joint once: in an arm, as a finger or in the head");
   }
 
   static void ExpectNothingOfItsOwn(const JsonNode& arm) {
     for (const char* own : {"tool", "fingers", "closed_opening", "pads"}) {
       if (arm.Has(own))
-        arm.Member(own).Fail("the arm has a flange, expected the gripper to say it");
+        arm.Member(own).Fail("the arm has a flange, expected this member in the gripper");
     }
   }
 
@@ -238,7 +238,8 @@ class SideFileReader {
     const std::vector<JsonNode> names = fingers.Items(2);
     Gripper gripper{.left_finger = JointNamedBy(names[0], prefix),
                     .right_finger = JointNamedBy(names[1], prefix)};
-    if (gripper.left_finger == gripper.right_finger) fingers.Fail("both are one, expected two");
+    if (gripper.left_finger == gripper.right_finger)
+      fingers.Fail("both are the same joint, expected two");
     Take(gripper.left_finger, names[0]);
     Take(gripper.right_finger, names[1]);
     ExpectOnArm(gripper.left_finger, arm, names[0]);
@@ -252,7 +253,7 @@ class SideFileReader {
       gripper.closed_opening = GapBetween(node.Member("pads"), prefix, arm.tool);
     }
     if (!(std::abs(gripper.closed_opening) < 100)) {
-      fingers.Fail("would stand " + NumberText(gripper.closed_opening) +
+      fingers.Fail("would be " + NumberText(gripper.closed_opening) +
                    " m apart when closed, expected less than 100");
     }
     if (gripper.closed_opening < 0) LetMeetAtZero(&gripper, fingers);
@@ -269,7 +270,7 @@ class SideFileReader {
     }
     if (link->joint_type == scene::JointType::kPrismatic && link->lower == 0) return;
     node.Fail("joint \"" + link->joint_name +
-              "\" does not slide from 0 on, expected a finger that does");
+              "\" does not slide from 0, expected a finger that slides from 0");
   }
 
   /// Shifts the origins of fingers that would overlap when closed, such that they meet at 0.
@@ -278,7 +279,7 @@ class SideFileReader {
     const double way = -gripper->closed_opening / 2;
     for (int finger : {gripper->left_finger, gripper->right_finger}) {
       scene::LinkSpec& link = model_.links[finger];
-      if (!(link.upper > way)) node.Fail("never open, expected joints that slide farther");
+      if (!(link.upper > way)) node.Fail("never open, expected joints with a longer range");
       link.X_PJ = link.X_PJ * RigidTransform(Vector3(link.axis * way));
       link.upper -= way;
     }
@@ -307,7 +308,9 @@ class SideFileReader {
     const std::vector<JsonNode> names = node.Items(2);
     const int first = model_.frames[FrameNamedBy(names[0], prefix)].link;
     const int second = model_.frames[FrameNamedBy(names[1], prefix)].link;
-    if (first == second) node.Fail("both move as one, expected two links that move apart");
+    if (first == second)
+      node.Fail(
+          "both are the same rigid body, expected two links that move relative to each other");
     model_.never_collide.emplace_back(std::min(first, second), std::max(first, second));
   }
 
@@ -328,7 +331,7 @@ class SideFileReader {
       });
       if (mirrors && mimic.offset == 0 && sign * master_sign * mimic.multiplier == 1) continue;
       root.Fail("joint " + Quoted(mimic.joint) + " mimics " + Quoted(mimic.master) +
-                ", expected that only of two fingers that open alike");
+                ", expected a mimic only between two fingers that open symmetrically");
     }
   }
   bool IsDriven(const std::string& name) const {
@@ -405,8 +408,8 @@ class SideFileReader {
   void SetJoint(int joint, double q, const JsonNode& node, NamedPose* pose) const {
     const scene::LinkSpec& link = model_.links[joint];
     if (!(q >= link.lower && q <= link.upper)) {
-      node.Fail("joint \"" + link.joint_name + "\" would stand at " + NumberText(q) +
-                ", expected " + NumberText(link.lower) + " to " + NumberText(link.upper));
+      node.Fail("joint \"" + link.joint_name + "\" would be at " + NumberText(q) + ", expected " +
+                NumberText(link.lower) + " to " + NumberText(link.upper));
     }
     pose->q[joint] = q;
   }
@@ -449,7 +452,7 @@ SideFile::SideFile(const FoundFile& file, const std::string& gripper) : file_(fi
     gripper_ = ChooseGripper(root.Member("grippers"), wanted);
     JsonNode(gripper_->value, file_, gripper_->place).ExpectMembers(kGripperMembers);
   } else if (!gripper.empty()) {
-    root.Fail("offers no grippers, found the wish for " + Quoted(gripper));
+    root.Fail("offers no grippers, found the choice " + Quoted(gripper));
   }
 }
 

@@ -86,14 +86,14 @@ RobotReading Read(const FoundFile& urdf, const RobotReaderOptions& options, Robo
   } else if (!options.gripper.empty()) {
     throw InputError(
         {urdf.path.string(), 0, "",
-         "has no side file that offers grippers, found the wish for " + Quoted(options.gripper)});
+         "has no side file that offers grippers, found the choice " + Quoted(options.gripper)});
   }
   internal::BuiltModel built = internal::BuildModel(parts, files);
   // Part 0 is the robot itself.
   for (std::size_t i = 0; i < mountings.size(); ++i) {
     if (built.is_used[i + 1]) continue;
-    side_file->Fail(mountings[i].place,
-                    "would hang on " + Quoted(mountings[i].to) + ", expected the name of a link");
+    side_file->Fail(mountings[i].place, "would be attached to " + Quoted(mountings[i].to) +
+                                            ", expected the name of a link");
   }
   if (side_file) {
     side_file->Apply(&built, options.has_look);

@@ -24,7 +24,7 @@ Result Ask(const Part& control, Function of) {
         if constexpr (requires { shape.initial_state; }) {
           return of(shape);
         } else {
-          throw std::logic_error("part '" + control.id + "' is no control");
+          throw std::logic_error("part '" + control.id + "' is not a control");
         }
       },
       control.shape);

@@ -60,7 +60,7 @@ struct FieldReader : FieldArchive {
   std::uint32_t Count(std::size_t) {
     constexpr std::uint32_t kMaxCount = 1'000'000;  // more of anything is not one of ours
     const auto count = bytes.Get<std::uint32_t>();
-    if (!bytes.ok() || count > kMaxCount) Fail("it is cut short");
+    if (!bytes.ok() || count > kMaxCount) Fail("it is truncated");
     return count;
   }
 

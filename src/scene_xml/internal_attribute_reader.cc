@@ -199,8 +199,8 @@ scene::Custom AttributeReader::Custom() {
   }
   farthest_units *= custom.scale / reading_.meters_per_unit;
   if (!Contains(kSpanUnits, static_cast<long double>(farthest_units))) {
-    Refuse("scale", "one with which the mesh reaches " + Wording(kSpanUnits) +
-                        " units from its origin; its own reach and scale make " +
+    Refuse("scale", "a scale with which the mesh extends " + Wording(kSpanUnits) +
+                        " units from its origin; its present extent is " +
                         PlainNumberText(farthest_units));
   }
   return custom;

@@ -22,10 +22,10 @@ void CheckName(const std::string& id, const std::vector<scene::CameraSpec>& came
   if (attributes->has_findings()) return;
   if (IsDigit(id[0]) || id.size() > scene::kMaxCameraLetters) {
     attributes->Refuse("id", "a letter first, and at most " +
-                                 std::to_string(scene::kMaxCameraLetters) + " letters");
+                                 std::to_string(scene::kMaxCameraLetters) + " characters");
   } else if (std::ranges::find(scene::kTakenCameraNames, id) != scene::kTakenCameraNames.end()) {
-    attributes->Refuse(
-        "id", "none of " + OneOf(scene::kTakenCameraNames) + ", which there are without it");
+    attributes->Refuse("id",
+                       "none of " + OneOf(scene::kTakenCameraNames) + ", which are predefined");
   } else if (std::ranges::find(cameras, id, &scene::CameraSpec::id) != cameras.end()) {
     attributes->Refuse("id", "one that no other camera has");
   }

@@ -195,7 +195,7 @@ class Expander {
     if (outer != open_.end()) {
       std::string circle;
       for (auto it = outer; it != open_.end(); ++it) circle += *it + ", ";
-      Fail(instance, "found templates that hold each other in a circle (" + circle + name +
+      Fail(instance, "found templates that contain each other in a cycle (" + circle + name +
                          "), expected an end");
       return false;
     }

@@ -75,7 +75,7 @@ class ExpressionReader {
     if (has_fault_) return {};
     const float number = Expression();
     SkipBlanks();
-    if (!text_.empty()) Fail(Quoted(text_) + " behind a value", "an operator + - * /");
+    if (!text_.empty()) Fail(Quoted(text_) + " after a value", "an operator + - * /");
     return has_fault_ ? std::string() : SinglePrecisionText(number);
   }
 
@@ -187,7 +187,7 @@ class ExpressionReader {
     while (!text_.empty() && IsGap(text_[0])) text_.remove_prefix(1);
   }
 
-  std::string WhatFollows() const { return text_.empty() ? "an early end" : Quoted(text_); }
+  std::string WhatFollows() const { return text_.empty() ? "the end" : Quoted(text_); }
 
   void Fail(const std::string& found, const std::string& expected) {
     if (has_fault_) return;
@@ -243,13 +243,13 @@ Substitution Substitute(std::string_view text, std::size_t max_bytes, Variables*
   }
   result += text.substr(from);
   if (result.size() > max_bytes) {
-    return Faulty(text, "with more text than fits the scene, expected less");
+    return Faulty(text, "with a text that exceeds the limits of a scene, expected less");
   }
   // Values are not expanded again; a result that contains an expression would mean something else
   // when the scene is written and read again.
   if (HoldsExpression(result)) {
-    return Faulty(text, "with $ in the value of a variable, expected none that makes another " +
-                            std::string("expression"));
+    return Faulty(
+        text, "with $ in the value of a variable, expected no nested " + std::string("expression"));
   }
   return {std::move(result)};
 }

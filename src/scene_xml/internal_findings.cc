@@ -34,7 +34,7 @@ std::vector<Diagnostic> Findings::Take() {
   if (has_dropped_) {
     diagnostics.push_back(
         {diagnostics.back().file, diagnostics.back().line, "",
-         "found more faults than the " + std::to_string(max_count_) + " listed, expected none"});
+         "found more errors than the " + std::to_string(max_count_) + " listed, expected none"});
   }
   return diagnostics;
 }

@@ -45,8 +45,8 @@ std::string References::Find(const Reference& reference, Findings* findings) con
     if (ids.size() == 1) return ids.front();
     std::vector<std::string_view> shown(ids.begin(), ids.end());
     if (shown.size() > kMaxNamesShown) shown.resize(kMaxNamesShown);
-    expected =
-        OneOf(shown) + ": the file calls " + std::to_string(ids.size()) + " " + kind + "s so";
+    expected = OneOf(shown) + ": the file has " + std::to_string(ids.size()) + " " + kind +
+               "s with this id";
     // A suggestion compares with many ids, which is wasted on a finding that is not shown.
   } else if (!findings->is_full()) {
     std::vector<std::string_view> known;

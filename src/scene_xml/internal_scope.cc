@@ -50,7 +50,7 @@ Variables::Binding Scope::Find(std::string_view name) {
          ++it) {
       circle += (*it)->first + ", ";
     }
-    Fail(&entry, "found variables that need each other in a circle (" + circle + entry.first +
+    Fail(&entry, "found variables that depend on each other in a cycle (" + circle + entry.first +
                      "), expected one of them to have a value of its own");
   }
   if (entry.second.state == State::kText) EvaluateInOrder(&entry);
@@ -77,7 +77,7 @@ std::vector<std::string_view> Scope::SomeNames() const {
 void Scope::EvaluateInOrder(Entry* entry) {
   if (in_work_.size() >= kMaxInWork) {
     return Fail(entry, "found more than " + std::to_string(kMaxInWork) +
-                           " variables that need one another, expected fewer");
+                           " variables that depend on one another, expected fewer");
   }
   in_work_.push_back(entry);
   entry->second.state = State::kInWork;

@@ -15,8 +15,8 @@ namespace smile::sim {
 /// command, but not one: the result depends on the present objects, so it is turned into a Spawn,
 /// as a Drag into a MoveTo.
 struct Add {
-  static constexpr CommandName kName{"add",
-                                     "adds ready-made objects at a free place; becomes a spawn"};
+  static constexpr CommandName kName{
+      "add", "adds ready-made objects at a free place; is logged as `spawn`"};
   std::string preset;
   std::uint64_t seed = 0;
 
@@ -24,9 +24,11 @@ struct Add {
     visit(add.preset, CommandField{"preset", ValueKind::kText,
                                    "big_block, stack_3, stack_5, stack_8, box, ball, prism, ring "
                                    "or dominoes"});
-    visit(add.seed, CommandField{"seed", ValueKind::kSeed,
-                                 "same objects there and same seed: same place and colors",
-                                 ValueUnit::kNone, Presence::kDefaulted});
+    visit(
+        add.seed,
+        CommandField{"seed", ValueKind::kSeed,
+                     "seed of the place and colors; the same seed and objects give the same result",
+                     ValueUnit::kNone, Presence::kDefaulted});
   }
   bool operator==(const Add&) const = default;
 };

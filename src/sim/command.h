@@ -27,12 +27,11 @@ using demonstrator::HandName;
 // all others after it.
 
 /// Field for the hand of a command.
-inline constexpr CommandField kHandField{"hand", ValueKind::kHand,
-                                         "which of the demonstrator's hands"};
+inline constexpr CommandField kHandField{"hand", ValueKind::kHand, "hand of the demonstrator"};
 
 /// Takes an object.
 struct Grasp {
-  static constexpr CommandName kName{"grasp", "takes hold of an object"};
+  static constexpr CommandName kName{"grasp", "grasps an object"};
   HandName hand = HandName::kAny;
   std::string object;
   std::optional<Vector3> p_WQ;  ///< point where it is grasped; the object's origin if not given [m]
@@ -40,27 +39,27 @@ struct Grasp {
   static void VisitFields(auto& command, auto&& visit) {
     visit(command.hand, kHandField);
     visit(command.object, CommandField{"object", ValueKind::kText, "id of a whole object"});
-    visit(command.p_WQ, CommandField{"point", ValueKind::kPoint,
-                                     "where to take hold of it; its origin if not given",
-                                     ValueUnit::kUnits, Presence::kOptional});
+    visit(command.p_WQ,
+          CommandField{"point", ValueKind::kPoint, "point to grasp it at (default: its origin)",
+                       ValueUnit::kUnits, Presence::kOptional});
   }
   bool operator==(const Grasp&) const = default;
 };
 
 /// Meaning of the `speed` of a hand.
-inline constexpr const char* kSpeedMeaning = "at most this fast; 10 if not given";
+inline constexpr const char* kSpeedMeaning = "maximum speed (default: 10)";
 
 /// Carries the held object.
 struct MoveTo {
-  static constexpr CommandName kName{"move_to", "carries the held object"};
+  static constexpr CommandName kName{"move_to", "moves the held object"};
   HandName hand = HandName::kAny;
   Vector3 p_WH = Vector3::Zero();  ///< goal of the grasped point [m]
   std::optional<double> speed;     ///< greatest speed [m/s]
 
   static void VisitFields(auto& command, auto&& visit) {
     visit(command.hand, kHandField);
-    visit(command.p_WH, CommandField{"position", ValueKind::kPoint,
-                                     "where the grasped point shall go", ValueUnit::kUnits});
+    visit(command.p_WH, CommandField{"position", ValueKind::kPoint, "target of the grasped point",
+                                     ValueUnit::kUnits});
     visit(command.speed, CommandField{"speed", ValueKind::kSpeed, kSpeedMeaning,
                                       ValueUnit::kUnitsPerSecond, Presence::kOptional});
   }
@@ -69,8 +68,7 @@ struct MoveTo {
 
 /// Rotates the vertical plane in which the hand is dragged.
 struct Plane {
-  static constexpr CommandName kName{"plane",
-                                     "turns the vertical plane in which the hand is dragged"};
+  static constexpr CommandName kName{"plane", "turns the vertical plane of motion of the hand"};
   HandName hand = HandName::kAny;
   double angle_deg = 0;  ///< from the x axis, counterclockwise seen from above
 
@@ -79,7 +77,7 @@ struct Plane {
     visit(command.angle_deg,
           CommandField{
               "angle", ValueKind::kNumber,
-              "of its horizontal direction from the x axis, counterclockwise seen from above",
+              "angle from the x axis to its horizontal direction, counterclockwise seen from above",
               ValueUnit::kDegrees});
   }
   bool operator==(const Plane&) const = default;
@@ -87,22 +85,22 @@ struct Plane {
 
 /// Rotates the held object.
 struct Rotate {
-  static constexpr CommandName kName{"rotate", "turns the held object about its origin"};
+  static constexpr CommandName kName{"rotate", "rotates the held object about its origin"};
   HandName hand = HandName::kAny;
   Vector3 angles_deg = Vector3::Zero();  ///< about the world's x, then y, then z axis
 
   static void VisitFields(auto& command, auto&& visit) {
     visit(command.hand, kHandField);
     visit(command.angles_deg,
-          CommandField{"angles", ValueKind::kPoint, "about the world's x, then y, then z axis",
-                       ValueUnit::kDegrees});
+          CommandField{"angles", ValueKind::kPoint,
+                       "angles about the world's x, then y, then z axis", ValueUnit::kDegrees});
   }
   bool operator==(const Rotate&) const = default;
 };
 
 /// Releases the held object.
 struct Release {
-  static constexpr CommandName kName{"release", "lets go of the held object"};
+  static constexpr CommandName kName{"release", "releases the held object"};
   HandName hand = HandName::kAny;
 
   static void VisitFields(auto& command, auto&& visit) { visit(command.hand, kHandField); }
@@ -111,7 +109,7 @@ struct Release {
 
 /// Removes the held object from the world.
 struct Destroy {
-  static constexpr CommandName kName{"destroy", "takes the held object out of the world"};
+  static constexpr CommandName kName{"destroy", "removes the held object from the world"};
   HandName hand = HandName::kAny;
 
   static void VisitFields(auto& command, auto&& visit) { visit(command.hand, kHandField); }
@@ -121,8 +119,7 @@ struct Destroy {
 /// Sets the properties of the held object that matter; empty: none in particular.
 struct Attend {
   static constexpr CommandName kName{
-      "attend",
-      "tells which properties of the held object matter, instead of what was told before"};
+      "attend", "sets the relevant properties of the held object; replaces earlier ones"};
   HandName hand = HandName::kAny;
   std::vector<std::string> properties;  ///< see Demonstrator::Attend()
 
@@ -137,8 +134,8 @@ struct Attend {
 
 /// Points at an object or a pointable part; changes only the log.
 struct Point {
-  static constexpr CommandName kName{"point",
-                                     "points at an object or a pointable part; only the log knows"};
+  static constexpr CommandName kName{
+      "point", "points at an object or a pointable part; recorded, without effect on the world"};
   HandName hand = HandName::kAny;
   std::string part;  ///< id of the object or part
 
@@ -152,7 +149,7 @@ struct Point {
 /// Presses a switch or triggers a custom control.
 struct Trigger {
   static constexpr CommandName kName{
-      "trigger", "presses a switch or triggers a custom control, with an empty hand"};
+      "trigger", "presses a switch or triggers a custom control; needs an empty hand"};
   HandName hand = HandName::kAny;
   std::string control;
   /// button, or part of a custom control; empty: any that leads to another state
@@ -162,28 +159,30 @@ struct Trigger {
     visit(command.hand, kHandField);
     visit(command.control, CommandField{"control", ValueKind::kText, "id of the control"});
     visit(command.part,
-          CommandField{"part", ValueKind::kText,
-                       "its button (ID-b1 or ID-b2) or part; whatever leads on if not given",
-                       ValueUnit::kNone, Presence::kOptional});
+          CommandField{
+              "part", ValueKind::kText,
+              "its button (ID-b1 or ID-b2) or part (default: the one that leads to the next state)",
+              ValueUnit::kNone, Presence::kOptional});
   }
   bool operator==(const Trigger&) const = default;
 };
 
 /// Meaning of the `point` of fasten and loosen.
 inline constexpr const char* kGuestMeaning =
-    "near its guest point that is meant; the object's origin if not given";
+    "point near its guest point (default: the object's origin)";
 
 /// Fastens the object's guest point nearest to a point by one stage.
 struct Fasten {
-  static constexpr CommandName kName{"fasten", "fastens an object one stage tighter"};
+  static constexpr CommandName kName{"fasten", "tightens an object by one stage"};
   HandName hand = HandName::kAny;
   std::string object;
   std::optional<Vector3> p_WQ;  ///< the object's origin if not given [m]
 
   static void VisitFields(auto& command, auto&& visit) {
     visit(command.hand, kHandField);
-    visit(command.object, CommandField{"object", ValueKind::kText,
-                                       "id of the object; the held one if the hand holds any"});
+    visit(command.object,
+          CommandField{"object", ValueKind::kText,
+                       "id of the object; must be the held object if the hand holds one"});
     visit(command.p_WQ, CommandField{"point", ValueKind::kPoint, kGuestMeaning, ValueUnit::kUnits,
                                      Presence::kOptional});
   }
@@ -192,15 +191,16 @@ struct Fasten {
 
 /// Loosens the object's guest point nearest to a point by one stage.
 struct Loosen {
-  static constexpr CommandName kName{"loosen", "loosens an object one stage"};
+  static constexpr CommandName kName{"loosen", "loosens an object by one stage"};
   HandName hand = HandName::kAny;
   std::string object;
   std::optional<Vector3> p_WQ;  ///< the object's origin if not given [m]
 
   static void VisitFields(auto& command, auto&& visit) {
     visit(command.hand, kHandField);
-    visit(command.object, CommandField{"object", ValueKind::kText,
-                                       "id of the object; the held one if the hand holds any"});
+    visit(command.object,
+          CommandField{"object", ValueKind::kText,
+                       "id of the object; must be the held object if the hand holds one"});
     visit(command.p_WQ, CommandField{"point", ValueKind::kPoint, kGuestMeaning, ValueUnit::kUnits,
                                      Presence::kOptional});
   }
@@ -210,7 +210,7 @@ struct Loosen {
 /// Sets velocities that the robot keeps until the next command; omitted ones stay unchanged.
 struct JointVelocities {
   static constexpr CommandName kName{"joint_velocities",
-                                     "sets the robot's speeds until the next such command"};
+                                     "sets the robot's velocities until the next such command"};
   std::optional<std::vector<double>> left, right;  ///< one per arm joint [rad/s]
   std::optional<std::array<double, 2>> grippers;   ///< rates of the openings, left, right [m/s]
   std::optional<double> head;                      ///< [rad/s]
@@ -231,7 +231,7 @@ struct JointVelocities {
 
 /// Sets joint angles at once; omitted ones stay unchanged.
 struct JointAngles {
-  static constexpr CommandName kName{"joint_angles", "puts the robot's joints there at once"};
+  static constexpr CommandName kName{"joint_angles", "sets the robot's joint angles immediately"};
   std::optional<std::vector<double>> left, right;  ///< one per arm joint [rad]
   std::optional<double> head;                      ///< [rad]
 
@@ -249,15 +249,16 @@ struct JointAngles {
 /// Sets the velocity of one joint; the others keep theirs.
 struct TurnJoint {
   static constexpr CommandName kName{
-      "turn", "turns one joint of the robot until it is told otherwise; the others go on"};
+      "turn", "turns one joint of the robot until the next command for it; other joints continue"};
   std::string joint;    ///< name of a joint, not of a finger
   double velocity = 0;  ///< [rad/s or m/s]; 0 stops it
 
   static void VisitFields(auto& command, auto&& visit) {
-    visit(command.joint,
-          CommandField{"joint", ValueKind::kText, "its name, like left_e1; no finger"});
+    visit(command.joint, CommandField{"joint", ValueKind::kText,
+                                      "name of the joint, like left_e1; not of a finger"});
     visit(command.velocity,
-          CommandField{"velocity", ValueKind::kNumber, "0 stops it", ValueUnit::kRadiansPerSecond});
+          CommandField{"velocity", ValueKind::kNumber, "velocity; 0 stops the joint",
+                       ValueUnit::kRadiansPerSecond});
   }
   bool operator==(const TurnJoint&) const = default;
 };
@@ -265,7 +266,7 @@ struct TurnJoint {
 /// Opens or closes a gripper.
 struct MoveGripper {
   static constexpr CommandName kName{
-      "gripper", "opens or closes a gripper of the robot until it is told otherwise"};
+      "gripper", "opens or closes a gripper of the robot until the next command for it"};
   enum class Which { kLeft, kRight, kBoth };
   Which which = Which::kBoth;
   double velocity = 0;  ///< rate of change of the opening, > 0 opens [m/s]
@@ -283,16 +284,16 @@ struct MoveGripper {
 /// are, so that nothing is dropped.
 struct TakePose {
   static constexpr CommandName kName{
-      "pose", "moves the robot's arms and head straight to a named pose; grippers stay"};
+      "pose", "moves the robot's arms and head directly to a named pose; the grippers do not move"};
   static constexpr double kSpeed = 0.5;
   std::string name;
   double speed = kSpeed;  ///< fraction of the joints' limits of velocity, 0 < speed <= 1
 
   static void VisitFields(auto& command, auto&& visit) {
     visit(command.name,
-          CommandField{"name", ValueKind::kText, "one of the poses in the robot's side file"});
+          CommandField{"name", ValueKind::kText, "name of a pose in the robot's side file"});
     visit(command.speed, CommandField{"speed", ValueKind::kShare,
-                                      "share of the joints' full speed; 0.5 if not given",
+                                      "fraction of the joints' maximum speed (default: 0.5)",
                                       ValueUnit::kNone, Presence::kDefaulted});
   }
   bool operator==(const TakePose&) const = default;
@@ -301,17 +302,16 @@ struct TakePose {
 /// Makes joints follow a trajectory, see TrajectoryFollower. A gripper's column is its opening.
 struct FollowTrajectory {
   static constexpr CommandName kName{
-      "trajectory",
-      "lets joints of the robot follow a trajectory; a script may name a file in place of it"};
+      "trajectory", "moves joints of the robot along a trajectory; scripts may use `file` instead"};
   motion::JointTrajectory trajectory;
 
   static void VisitFields(auto& command, auto&& visit) {
     visit(command.trajectory.joint_names,
           CommandField{"joints", ValueKind::kJointNames,
-                       "their names; left_gripper and right_gripper are openings"});
+                       "names of the joints; left_gripper and right_gripper are openings"});
     visit(command.trajectory.points,
           CommandField{"points", ValueKind::kTrajectoryPoints,
-                       "seconds since it began, positions [rad; an opening in m], velocities (in "
+                       "time from the start [s], positions [rad; openings in m], velocities (in "
                        "all points or in none)"});
   }
   bool operator==(const FollowTrajectory&) const = default;
@@ -319,7 +319,8 @@ struct FollowTrajectory {
 
 /// Shows or hides the robot for people and cameras; physics does not change.
 struct ShowRobot {
-  static constexpr CommandName kName{"robot", "shows or hides the robot; physics is not changed"};
+  static constexpr CommandName kName{"robot",
+                                     "shows or hides the robot; does not change the physics"};
   bool is_shown = true;
 
   static void VisitFields(auto& command, auto&& visit) {
@@ -335,20 +336,20 @@ inline constexpr std::size_t kMaxMarkers = 500;
 /// any state, trace or picture of a robot's camera.
 struct Markers {
   static constexpr CommandName kName{
-      "markers", "marks points for people, in place of those before; the robot does not see them"};
+      "markers", "marks points for people and replaces earlier marks; the robot does not see them"};
   std::vector<Vector3> points_in_world;  ///< at most kMaxMarkers [m]
 
   static void VisitFields(auto& command, auto&& visit) {
     visit(command.points_in_world,
-          CommandField{"points", ValueKind::kPoints, "where; [] = none", ValueUnit::kUnits});
+          CommandField{"points", ValueKind::kPoints, "positions; [] = none", ValueUnit::kUnits});
   }
   bool operator==(const Markers&) const = default;
 };
 
 /// Changes the robot's face for people to see; physics does not change.
 struct Face {
-  static constexpr CommandName kName{
-      "face", "changes the robot's face, for people to see; physics is not changed"};
+  static constexpr CommandName kName{"face",
+                                     "changes the face of the robot; does not change the physics"};
   robot::FaceExpression face_expression = robot::FaceExpression::kIdle;
 
   static void VisitFields(auto& command, auto&& visit) {
@@ -360,15 +361,13 @@ struct Face {
 
 /// Adds the objects of a scene at their places; see sim/spawning.h. Nothing else changes.
 struct Spawn {
-  static constexpr CommandName kName{"spawn",
-                                     "adds the objects of a scene; all else stays as it is"};
+  static constexpr CommandName kName{"spawn", "adds the objects of a scene; nothing else changes"};
   std::string xml;
 
   static void VisitFields(auto& command, auto&& visit) {
-    visit(command.xml,
-          CommandField{"xml", ValueKind::kSceneText,
-                       "a scene file (docs/scene-format.md) in the unit of the scene, which names "
-                       "no files and has none of the ids that were used before"});
+    visit(command.xml, CommandField{"xml", ValueKind::kSceneText,
+                                    "a scene file (docs/scene-format.md) in the unit of the scene, "
+                                    "without references to files and with new ids only"});
   }
   bool operator==(const Spawn&) const = default;
 };
@@ -376,7 +375,7 @@ struct Spawn {
 /// Removes an object from the world that nothing holds.
 struct Remove {
   static constexpr CommandName kName{
-      "remove", "takes an object out of the world, without a hand; none may hold it"};
+      "remove", "removes an object from the world, without a hand; no hand may hold it"};
   std::string object;
 
   static void VisitFields(auto& command, auto&& visit) {
@@ -389,7 +388,8 @@ struct Remove {
 /// connected with them.
 struct Clear {
   static constexpr CommandName kName{
-      "clear", "takes all objects out of the world but what is held, with what hangs on it"};
+      "clear",
+      "removes all objects from the world except held objects and objects connected to them"};
 
   static void VisitFields(auto&, auto&&) {}
   bool operator==(const Clear&) const = default;
@@ -401,15 +401,14 @@ struct Clear {
 /// A recording contains one scene: during a recording this is refused, and a later recording begins
 /// with the loaded scene and the commands since.
 struct Load {
-  static constexpr CommandName kName{
-      "load", "goes to another scene, at its start; undo leads back into the one that was left"};
+  static constexpr CommandName kName{"load",
+                                     "loads another scene; undo returns to the present one"};
   std::shared_ptr<const scene::SceneSpec> scene;  ///< never null in a command that is applied
 
   static void VisitFields(auto& command, auto&& visit) {
-    visit(command.scene,
-          CommandField{"xml", ValueKind::kSceneText,
-                       "a scene file (docs/scene-format.md) that names no files; a script may "
-                       "have the name of a `file` in its place"});
+    visit(command.scene, CommandField{"xml", ValueKind::kSceneText,
+                                      "a scene file (docs/scene-format.md) without references to "
+                                      "files; scripts may use `file` instead"});
   }
   bool operator==(const Load& other) const {
     return scene == other.scene ||
@@ -419,7 +418,7 @@ struct Load {
 
 /// Takes back the last action and everything since; see IsAction().
 struct Undo {
-  static constexpr CommandName kName{"undo", "takes back the last action, with everything since"};
+  static constexpr CommandName kName{"undo", "reverts the last action and everything after it"};
 
   static void VisitFields(auto&, auto&&) {}
   bool operator==(const Undo&) const = default;
@@ -427,8 +426,7 @@ struct Undo {
 
 /// Repeats the last undone action, up to the moment at which it was undone.
 struct Redo {
-  static constexpr CommandName kName{"redo",
-                                     "does what was undone last again, up to when it was undone"};
+  static constexpr CommandName kName{"redo", "repeats what the last undo reverted"};
 
   static void VisitFields(auto&, auto&&) {}
   bool operator==(const Redo&) const = default;
@@ -436,17 +434,17 @@ struct Redo {
 
 /// Starts a recording in a new directory.
 struct StartRecording {
-  static constexpr CommandName kName{"start", "records from now on, into a new directory"};
+  static constexpr CommandName kName{"start", "starts a recording in a new directory"};
   std::string name;  ///< of the directory; a number is added if it exists
   std::string title, notes;
 
   static void VisitFields(auto& command, auto&& visit) {
-    visit(command.name,
-          CommandField{"name", ValueKind::kText, "of the directory; the scene's if not given",
-                       ValueUnit::kNone, Presence::kOptional});
-    visit(command.title, CommandField{"title", ValueKind::kText, "of the recording",
+    visit(command.name, CommandField{"name", ValueKind::kText,
+                                     "name of the directory (default: the name of the scene)",
+                                     ValueUnit::kNone, Presence::kOptional});
+    visit(command.title, CommandField{"title", ValueKind::kText, "title of the recording",
                                       ValueUnit::kNone, Presence::kOptional});
-    visit(command.notes, CommandField{"notes", ValueKind::kText, "about the recording",
+    visit(command.notes, CommandField{"notes", ValueKind::kText, "notes about the recording",
                                       ValueUnit::kNone, Presence::kOptional});
   }
   bool operator==(const StartRecording&) const = default;

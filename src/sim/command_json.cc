@@ -42,7 +42,7 @@ void Complete(FollowTrajectory* follow) {
 void Read(const Json& json, const WrittenUnit&, std::shared_ptr<const scene::SceneSpec>* scene) {
   scene_xml::SceneReading reading = ReadCommandScene(json.get<std::string>(), "scene");
   if (!reading.scene) {
-    throw std::invalid_argument("\"xml\" is no scene: " + ToString(reading.diagnostics.front()));
+    throw std::invalid_argument("\"xml\" is not a scene: " + ToString(reading.diagnostics.front()));
   }
   *scene = std::make_shared<const scene::SceneSpec>(*std::move(reading.scene));
 }

@@ -15,8 +15,8 @@ namespace smile::sim {
 struct Drag {
   static constexpr CommandName kName{
       "drag",
-      "carries the held object to where a ray meets the hand's plane; for scripts and pages only, "
-      "it becomes a move_to"};
+      "moves the held object to the intersection of a ray and the hand's plane; for scripts and "
+      "pages only; is logged as `move_to`"};
   HandName hand = HandName::kAny;
   Vector3 p_WOrigin = Vector3::Zero();           ///< origin of the ray [m]
   Vector3 direction_in_world = Vector3::Zero();  ///< of any length except 0
@@ -26,11 +26,11 @@ struct Drag {
   static void VisitFields(auto& drag, auto&& visit) {
     visit(drag.hand, kHandField);
     visit(drag.p_WOrigin,
-          CommandField{"origin", ValueKind::kPoint, "where the ray begins", ValueUnit::kUnits});
-    visit(drag.direction_in_world,
-          CommandField{"direction", ValueKind::kDirection, "of the ray, of any length but 0"});
+          CommandField{"origin", ValueKind::kPoint, "origin of the ray", ValueUnit::kUnits});
+    visit(drag.direction_in_world, CommandField{"direction", ValueKind::kDirection,
+                                                "direction of the ray, of any length but 0"});
     visit(drag.is_level,
-          CommandField{"level", ValueKind::kFlag, "in a level plane instead; false if not given",
+          CommandField{"level", ValueKind::kFlag, "use a horizontal plane instead (default: false)",
                        ValueUnit::kNone, Presence::kOptional});
     visit(drag.speed, CommandField{"speed", ValueKind::kSpeed, kSpeedMeaning,
                                    ValueUnit::kUnitsPerSecond, Presence::kOptional});

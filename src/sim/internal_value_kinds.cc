@@ -51,7 +51,7 @@ std::map<ValueKind, Allowed> MakeKinds() {
   const std::vector<std::string_view> arms(kArmNames.begin(), kArmNames.end());
   return {
       {kHand, HandsAllowed()},
-      {kText, {text, "a text of at most 256 letters"}},
+      {kText, {text, "a string of at most 256 characters"}},
       {kPoint, {point, point_words}},
       {kPoints,
        {JsonShape::List(point, 0, kMaxMarkers),
@@ -66,7 +66,7 @@ std::map<ValueKind, Allowed> MakeKinds() {
       {kProperties,
        {JsonShape::List(JsonShape::Text(demonstrator::kMaxPropertyLength), 0,
                         demonstrator::kMaxProperties),
-        "at most 32 names of properties of at most 256 letters"}},
+        "at most 32 names of properties of at most 256 characters"}},
       {kArm, WordOf(arms)},
       {kShare, {JsonShape::Number(kMinSpeed, 1), "a number above 0, at most 1"}},
       {kJointNames, {JsonShape::List(text, 1, kMaxJoints), "1 to 64 names of joints"}},
@@ -74,7 +74,7 @@ std::map<ValueKind, Allowed> MakeKinds() {
        {JsonShape::List(TrajectoryPointShape(JsonShape::Number(0, motion::kMaxTrajectorySeconds)),
                         1, motion::kMaxTrajectoryPoints),
         "1 to 10000 points"}},
-      {kSceneText, {JsonShape::Text(kMaxSceneText), "a text of at most 1048576 letters"}},
+      {kSceneText, {JsonShape::Text(kMaxSceneText), "a string of at most 1048576 characters"}},
       {kSeed, {JsonShape::Whole(0, kMaxSeed), "a whole number from 0 to 2^53"}},
   };
 }

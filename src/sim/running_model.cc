@@ -107,7 +107,7 @@ std::optional<Refusal> RunningModel::ExecuteOne(const Clear&) {
     const bool is_kept = std::ranges::find(kept, object.body) != kept.end();
     if (tabletop_.IsPresent(object) && !is_kept) taken.push_back(&object);
   }
-  if (taken.empty()) return "there is nothing to clear away";
+  if (taken.empty()) return "nothing to clear";
   // Nothing is refused here: held objects are not among them.
   for (const world::Object* object : taken) {
     if (auto refusal = demonstrator_.Remove(*object)) return refusal;

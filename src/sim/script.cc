@@ -91,7 +91,7 @@ std::string WhyNotArrived(const Simulation& simulation) {
   const physics::BodyId held = demonstrator.hand(*hand).held;
   const std::string object = world::Named(simulation.tabletop().Find(held)->id());
   const std::vector<std::string> names = NamesOfTouching(simulation, held);
-  if (names.empty()) return object + " is still on its way, and no object touches it";
+  if (names.empty()) return object + " is still moving, and no object touches it";
   std::string all;
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (i > 0) all += i + 1 < names.size() ? ", " : " and ";
@@ -106,7 +106,7 @@ std::string WhyNotOver(const Wait& wait, const Simulation& simulation) {
   if (!simulation.demonstrator().has_arrived()) {
     return "a hand has not arrived: " + WhyNotArrived(simulation);
   }
-  return "the robot is still on its way: its trajectory takes longer";
+  return "the robot is still moving: its trajectory takes longer";
 }
 
 /// Returns the canonical path of a file that a script names: in one of these folders or below it,
@@ -184,7 +184,7 @@ class LineReader {
     const Json& file = json.at("file");
     if (!file.is_string() || folders_.empty()) {
       throw std::invalid_argument("\"file\" is " + ToText(file) +
-                                  ", expected the name of a file, in a script that is one");
+                                  ", expected the name of a file, in a script file");
     }
     return FindFile(file.get<std::string>(), folders_);
   }

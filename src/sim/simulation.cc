@@ -38,15 +38,15 @@ std::optional<Refusal> Simulation::Refuse(const Command& command) const {
     if (auto refusal = listener->Refuse(*this, command)) return refusal;
   }
   if (std::holds_alternative<sim::Undo>(command) && !history_.can_undo()) {
-    return "there is nothing to undo";
+    return "nothing to undo";
   }
   if (std::holds_alternative<sim::Redo>(command) && !history_.can_redo()) {
-    return "there is nothing to do again";
+    return "nothing to redo";
   }
   // Last: a listener has already refused what the recorder's state forbids.
   const bool is_of_recording = std::holds_alternative<StartRecording>(command) ||
                                std::holds_alternative<FinishRecording>(command);
-  if (is_of_recording && recording_control_ == nullptr) return "nobody records this simulation";
+  if (is_of_recording && recording_control_ == nullptr) return "no recorder is attached";
   return std::nullopt;
 }
 

@@ -45,10 +45,10 @@ bool IsOfTable(const scene::TableSpec& found, const scene::SceneSpec& scene) {
 /// Returns the reason why a parsed scene cannot be added to another.
 std::optional<Refusal> RefuseToAdd(const scene::SceneSpec& added, const scene::SceneSpec& scene) {
   if (added.meters_per_unit != scene.meters_per_unit) {
-    return "what is to be added has " + NumberText(added.meters_per_unit) +
+    return "the objects to add have " + NumberText(added.meters_per_unit) +
            " meters per unit, expected those of the scene, " + NumberText(scene.meters_per_unit);
   }
-  if (!IsOfTable(added.table, scene)) return "what is to be added has a table of another size";
+  if (!IsOfTable(added.table, scene)) return "the objects to add have a table of another size";
   if (!added.cameras.empty()) return "a camera cannot be added";
   if (added.objects.empty()) return "there is no object to add";
   // Ids of destroyed objects stay in the scene, so they are refused, too.
@@ -56,7 +56,7 @@ std::optional<Refusal> RefuseToAdd(const scene::SceneSpec& added, const scene::S
   std::vector<std::string> taken;
   std::ranges::set_intersection(known, ids, std::back_inserter(taken));
   if (!taken.empty()) {
-    return "what is to be added has ids that were used before: " + Listed(taken);
+    return "the objects to add have ids that were used before: " + Listed(taken);
   }
   if (scene.objects.size() + added.objects.size() > kMaxObjects) {
     return "there would be more than " + std::to_string(kMaxObjects) + " objects";
@@ -74,12 +74,12 @@ scene_xml::SceneReading ReadCommandScene(std::string_view xml, const std::string
 std::optional<scene::SceneSpec> WithSpawned(const scene::SceneSpec& scene, const Spawn& spawn,
                                             Refusal* refusal) {
   if (spawn.xml.size() > kMaxSceneText) {
-    *refusal = "what is to be added is longer than 1 MiB";
+    *refusal = "the objects to add are longer than 1 MiB";
     return std::nullopt;
   }
   const scene_xml::SceneReading reading = ReadCommandScene(spawn.xml, "added");
   if (!reading.scene) {
-    *refusal = "what is to be added is no scene: " + ToString(reading.diagnostics.front());
+    *refusal = "the objects to add are not a scene: " + ToString(reading.diagnostics.front());
     return std::nullopt;
   }
   if (auto why = RefuseToAdd(*reading.scene, scene)) {

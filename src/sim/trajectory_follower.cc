@@ -191,7 +191,7 @@ std::optional<Refusal> TrajectoryFollower::MoveTo(const std::string& pose, doubl
     from.push_back(ClampedTo(channel.limits, q[channel.joint]));
     to.push_back(ClampedTo(channel.limits, found->q[channel.joint]));
   }
-  if (columns.empty()) return "the robot has no joints that poses move";
+  if (columns.empty()) return "the robot has no joints for poses";
   trajectory.points = motion::MoveStraight(from, to, limits, speed);
   Start(std::move(trajectory), std::move(columns), tick);
   return std::nullopt;

@@ -25,7 +25,7 @@ BackgroundJobs::~BackgroundJobs() {
   {
     const std::lock_guard lock(mutex_);
     is_closing_ = true;
-    for (Task& task : tasks_) task.canceled_because = "the program ends";
+    for (Task& task : tasks_) task.canceled_because = "the program is closing";
   }
   changed_.notify_all();
   for (std::thread& thread : threads_) thread.join();
@@ -39,14 +39,14 @@ void BackgroundJobs::Begin(Job job) {
       const auto is_older = [&newer = job.request](const Job& other) {
         return other.request.client == newer.client && other.request.what == newer.what;
       };
-      CancelMatching(is_older, "given up for what was asked for since");
+      CancelMatching(is_older, "canceled by a newer request");
     }
     // A limit per client, so that one page cannot block the others.
     const auto num_of_client = std::ranges::count_if(tasks_, [&job](const Task& task) {
       return task.job.request.client == job.request.client && task.canceled_because.empty();
     });
     if (tasks_.size() >= kMaxTasks || num_of_client >= kMaxTasksOfClient) {
-      throw page::RequestError("too much is asked for at once: wait a bit");
+      throw page::RequestError("too many requests at once; wait a moment");
     }
     tasks_.push_back({.job = std::move(job)});
   }

@@ -107,7 +107,7 @@ std::vector<ConsoleLine> Console::Take() {
   std::vector<ConsoleLine> taken = std::exchange(lines_, {});
   const std::size_t num_lost = std::exchange(num_lost_, 0);
   if (num_lost > 0) {
-    taken.insert(taken.begin(), {.text = "... " + std::to_string(num_lost) + " lines left out"});
+    taken.insert(taken.begin(), {.text = "... " + std::to_string(num_lost) + " lines omitted"});
   }
   return taken;
 }

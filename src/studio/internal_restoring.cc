@@ -17,7 +17,7 @@ Restoring::Restoring(std::string recording, std::filesystem::path directory,
 std::optional<std::string> Restoring::Unmet(Need need) const {
   const bool is_bound = need == Need::kOtherWorld || need == Need::kNewRecording;
   if (!is_bound) return std::nullopt;
-  return "the world goes back to a moment of a recording: wait until it is there";
+  return "a moment of a recording is being restored; wait until it is done";
 }
 
 // Runs in a worker thread. The eye of the options belongs to another thread (OpenGL contexts are

@@ -51,7 +51,7 @@ std::optional<std::string> SessionRequests::RefusalOf(const Json& wanted) const 
   const auto row = std::ranges::find_if(
       rows_, [&request](const RequestRow& one) { return one.what == request.what; });
   if (row == rows_.end()) {
-    throw page::RequestError("whether " + Quoted(request.what) + " is allowed is not known");
+    throw page::RequestError("cannot determine whether " + Quoted(request.what) + " is allowed");
   }
   if (auto reason = RefusalOf(*row, request)) return reason;
   return row->try_out ? row->try_out(fields) : std::nullopt;

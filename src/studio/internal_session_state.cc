@@ -24,7 +24,7 @@ library::DisplayedState ViewOf(const sim::Simulation& simulation) {
 std::optional<std::string> WorldState::Unmet(Need need) const {
   const bool is_bound = need == Need::kOtherWorld || need == Need::kShow;
   if (!is_bound || !world_->is_recording()) return std::nullopt;
-  return "a recording is in the making: finish it first";
+  return "a recording is in progress; finish it first";
 }
 
 library::DisplayedState LiveState::view() const { return ViewOf(world().simulation()); }
@@ -78,7 +78,7 @@ std::optional<Json> ImitatingState::End(double measured_speed) {
 std::optional<std::string> ClearTableState::Unmet(Need need) const {
   const bool must_wait = need == Need::kCommands || need == Need::kShow;
   if (!must_wait) return WorldState::Unmet(need);
-  return "the robot clears the table: wait until it is over";
+  return "the robot is clearing the table; wait until it is done";
 }
 
 library::DisplayedState ClearTableState::view() const { return ViewOf(animation_.simulation()); }
@@ -105,7 +105,7 @@ Json PlaybackState::DescribePlayback() const {
 std::optional<std::string> PlaybackState::Unmet(Need need) const {
   const bool is_of_world = need == Need::kCommands || need == Need::kTime;
   if (!is_of_world) return std::nullopt;
-  return "a recording is shown: go back to the live world first";
+  return "a recording is shown; return to the live world first";
 }
 
 library::DisplayedState PlaybackState::view() const {

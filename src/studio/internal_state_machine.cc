@@ -17,7 +17,7 @@ std::optional<std::string> StateMachine::Unmet(Need need) const {
     case Need::kProgram:
       return unless(brain_.is_running(), "no brain is running");
     case Need::kNoProgram:
-      return unless(!brain_.is_running(), "a brain is running: stop it first");
+      return unless(!brain_.is_running(), "a brain is running; stop it first");
     default:
       break;
   }

@@ -161,7 +161,7 @@ std::optional<std::string> WorldRequests::RefusalInSession(const sim::Command& c
   const bool turns_back =
       std::holds_alternative<sim::Undo>(command) || std::holds_alternative<sim::Redo>(command);
   if (turns_back && states_->brain().is_running()) {
-    return "a brain is running and cannot turn back in time: stop it first";
+    return "a brain is running and cannot go back in time; stop it first";
   }
   if (std::holds_alternative<sim::StartRecording>(command)) {
     return states_->Unmet(Need::kNewRecording);

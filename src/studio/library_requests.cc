@@ -27,7 +27,7 @@ std::optional<std::string> TextIfGiven(const page::Request& request, const char*
   if (field == request.fields.end() || field->is_null()) return std::nullopt;
   if (!field->is_string()) {
     throw page::RequestError("\"" + std::string(key) + "\" is " + field->type_name() +
-                             ", expected a text");
+                             ", expected a string");
   }
   return field->get<std::string>();
 }

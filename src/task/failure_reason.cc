@@ -50,7 +50,7 @@ class FailureAnalysis {
     return OfFirst("never_taken", [this](const scene::ObjectSpec& object) -> std::string {
       const std::string& id = IdOf(object);
       const double way = (end_.at(id).translation() - start_.at(id).translation()).norm();
-      return way < kWhereItBegan ? " still lies where it began" : "";
+      return way < kWhereItBegan ? " is still at its start position" : "";
     });
   }
 
@@ -62,7 +62,7 @@ class FailureAnalysis {
       const double below = X_WGoal.translation().z() - X_WB.translation().z();
       if (below > kTolerance) return " lies " + Millimeters(below) + " lower than it should";
       const double tilt = SymmetryOf(object).TiltBetween(X_WGoal.rotation(), X_WB.rotation());
-      return tilt > kAngleTolerance ? " lies tilted by " + Degrees(tilt) : "";
+      return tilt > kAngleTolerance ? " is tilted by " + Degrees(tilt) : "";
     });
   }
 
@@ -150,7 +150,7 @@ std::optional<FailureReason> FailureReasonOf(const Structure& structure, const E
   const FailureAnalysis analysis(structure, outcome, comparison);
   if (const auto reason = analysis.Fallen()) return reason;
   if (program.status == "running" || program.status == "stopped") {
-    return FailureReason{"time_up", "the brain was still at work when it had to end"};
+    return FailureReason{"time_up", "the brain was still running when the episode ended"};
   }
   if (const auto reason = analysis.StillHeld()) return reason;
   if (const auto reason = analysis.NeverTaken()) return reason;

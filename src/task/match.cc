@@ -56,7 +56,7 @@ Match MatchObjects(const Structure& structure, const scene::SceneSpec& scene) {
     } else {
       findings.push_back(
           {scene.name, 0, "",
-           "has nothing that looks like '" + wanted[i].id() + "' of the demonstration"});
+           "has no object that looks like '" + wanted[i].id() + "' of the demonstration"});
     }
   }
   if (!findings.empty()) throw InputError(std::move(findings));

@@ -68,12 +68,12 @@ std::set<std::string> ConcernedBy(const std::vector<Effect>& effects) {
 void RequireATask(const Structure& structure, const recording::Recording& demonstration) {
   if (structure.objects.empty() && structure.effects.empty()) {
     Fail(demonstration,
-         "no hand moved anything in this recording that is still there, and nothing else changed, "
-         "so there is nothing to imitate");
+         "contains nothing to imitate: no hand moved an object that remains at the end, and "
+         "nothing else changed");
   }
   const std::size_t count = structure.objects.size() + structure.others.size();
   if (count > kMaxObjects) {
-    Fail(demonstration, std::to_string(count) + " objects have to do with what was achieved, " +
+    Fail(demonstration, std::to_string(count) + " objects are part of the task, " +
                             "expected at most " + std::to_string(kMaxObjects));
   }
 }

@@ -26,7 +26,7 @@ class VideoWriter::Encoder {
 
   void Add(const Image& image) {
     if (is_finished_)
-      throw std::logic_error(path_.string() + ": is finished, no more can be added");
+      throw std::logic_error(path_.string() + ": is finished; no more pictures can be added");
     const std::size_t row_bytes = std::size_t{3} * width_px_;
     if (image.width_px != width_px_ || image.height_px != height_px_ ||
         image.color.size() != row_bytes * height_px_) {

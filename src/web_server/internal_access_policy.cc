@@ -16,7 +16,7 @@ std::string RandomToken() {
   constexpr std::string_view kHexDigits = "0123456789abcdef";
   std::array<unsigned char, 16> bytes{};
   if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) {
-    throw std::runtime_error("the machine has no random numbers for a token");
+    throw std::runtime_error("no random numbers are available for a token");
   }
   std::string token;
   for (const unsigned char byte : bytes)
@@ -82,7 +82,7 @@ bool AccessPolicy::IsToken(std::string_view text) const {
 
 void AccessPolicy::Check(const HttpRequest& request) const {
   const std::string_view host = request.Header("host");
-  if (!IsOwnHost(host)) throw HttpError(403, "this server is not at the address you asked for");
+  if (!IsOwnHost(host)) throw HttpError(403, "this server does not have the requested address");
   // Browsers send `Origin` with requests from pages; requests of other programs have none.
   const std::string_view origin = request.Header("origin");
   if (!origin.empty() && LowerCase(origin) != scheme() + LowerCase(host)) {

@@ -71,7 +71,7 @@ std::string CheckedPath(std::string_view raw) {
   std::string path = PercentDecoded(raw);
   if (path.empty() || path[0] != '/') throw HttpError(400, "the path does not begin with /");
   if (HasControlCharacter(path) || path.find('\\') != std::string::npos) {
-    throw HttpError(400, "the path has characters that no name has");
+    throw HttpError(400, "the path has invalid characters");
   }
   std::string_view rest = std::string_view(path).substr(1);
   while (!rest.empty()) {

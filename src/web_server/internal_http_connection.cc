@@ -127,7 +127,7 @@ void HttpConnection::HandleHead(error_code error) {
   request_ = {};
   stays_open_ = false;
   if (has_timed_out_ && parser_->got_some()) {
-    return Send(TextReply(408, "the request does not end"));
+    return Send(TextReply(408, "the request is incomplete"));
   }
   const bool is_end = error == http::error::end_of_stream || error == http::error::partial_message;
   const auto& parser_category = http::make_error_code(http::error::bad_version).category();
@@ -147,7 +147,7 @@ void HttpConnection::Answer() {
     services_->access->Check(request_);
     if (request_.path == services_->options->web_socket_path) return Upgrade();
     if (request_.method != "GET" && request_.method != "HEAD") {
-      HttpReply reply = TextReply(405, "only GET and HEAD are understood");
+      HttpReply reply = TextReply(405, "only GET and HEAD are supported");
       reply.headers.emplace_back("Allow", "GET, HEAD");
       return Send(std::move(reply));
     }
@@ -182,7 +182,7 @@ void HttpConnection::Upgrade() {
     throw HttpError(426, "this is the address of a WebSocket");
   }
   const WebSocketId id = services_->last_id + 1;
-  if (!services_->handler->Open(id)) throw HttpError(503, "there are as many clients as can be");
+  if (!services_->handler->Open(id)) throw HttpError(503, "too many clients are connected");
   services_->last_id = id;
   // Bytes after the head belong to the WebSocket already.
   stream_.PutBack({static_cast<const char*>(buffer_.data().data()), buffer_.size()});

@@ -93,7 +93,7 @@ Listening ListenAt(io_context* context, const std::string& address, int port, in
     if (error != errc::address_in_use) break;
   }
   throw std::runtime_error("cannot listen at " + address + ", port " + std::to_string(begin) +
-                           (port == 0 ? " and those after it" : "") + ": " + error.message());
+                           (port == 0 ? " and the following ports" : "") + ": " + error.message());
 }
 
 }  // namespace smile::web_server

@@ -236,7 +236,7 @@ std::span<std::byte> MessageWriter::AddSpace(std::string_view name, ElementType 
                                                (is_row_major ? kRowMajorFlag : 0));
   std::string unfit = WhyUnfit(name, type, flags, dims);
   if (HasArray(name)) unfit = "is there twice";
-  if (array_count_ == kMaxArrays) unfit = "is one array too many";
+  if (array_count_ == kMaxArrays) unfit = "exceeds the maximum number of arrays";
   if (!unfit.empty()) {
     throw std::invalid_argument("message array '" + std::string(name) + "': " + unfit);
   }
@@ -272,7 +272,8 @@ std::vector<std::byte> MessageWriter::Finish() {
 
 std::variant<FrameHeader, WireError> DecodeHeader(std::span<const std::byte, kHeaderBytes> bytes) {
   ByteReader reader(bytes);
-  if (reader.Get<std::uint32_t>() != kMagic) return WireError{"what arrived is not a message"};
+  if (reader.Get<std::uint32_t>() != kMagic)
+    return WireError{"the received bytes are not a message"};
   FrameHeader header;
   header.type = reader.Get<MessageType>();
   header.sequence = reader.Get<std::uint32_t>();
@@ -291,7 +292,7 @@ std::variant<FrameHeader, WireError> DecodeHeader(std::span<const std::byte, kHe
 
 std::variant<MessageView, WireError> DecodeBody(const FrameHeader& header,
                                                 std::span<const std::byte> body) {
-  if (body.size() != header.body_bytes) return WireError{"the body is not as long as announced"};
+  if (body.size() != header.body_bytes) return WireError{"the body length differs from the header"};
   ByteReader reader(body);
   const auto count = reader.Get<std::uint32_t>();
   reader.Get<std::uint32_t>();
@@ -306,7 +307,7 @@ std::variant<MessageView, WireError> DecodeBody(const FrameHeader& header,
     const auto& array = std::get<ArrayView>(decoded);
     const bool is_double = std::any_of(message.arrays.begin(), message.arrays.end(),
                                        [&](const ArrayView& it) { return it.name == array.name; });
-    if (is_double) return WireError{"array '" + std::string(array.name) + "' is there twice"};
+    if (is_double) return WireError{"array '" + std::string(array.name) + "' appears twice"};
     message.arrays.push_back(array);
   }
   if (reader.remaining() > 0) return WireError{"bytes are left over after the last array"};

@@ -123,9 +123,9 @@ std::optional<HostIndex> Bonds::HostInReach(GuestIndex guest, double reach,
     nearest_distance = distance;
   }
   if (!nearest) {
-    *refusal = is_any_locked ? "what fits " + Named(plug.point->id) + " is locked"
-                             : "nothing that fits " + Named(plug.point->id) +
-                                   " and is free is less than two units away";
+    *refusal = is_any_locked
+                   ? "the point that fits " + Named(plug.point->id) + " is locked"
+                   : "no free point that fits " + Named(plug.point->id) + " is within two units";
   }
   return nearest;
 }
@@ -142,7 +142,7 @@ std::optional<Refusal> Bonds::Fasten(ObjectIndex object, const Vector3& p_WQ) {
   if (const auto host = HostOf(*guest)) {
     const int tightness = states_[*host].tightness;
     if (tightness == static_cast<int>(model_->host(*host).point->stages.size())) {
-      return name + " is fastened as tightly as it can be";
+      return name + " is already at its tightest stage";
     }
     return Tighten(*guest, *host, tightness + 1);
   }
@@ -181,11 +181,11 @@ std::optional<Refusal> Bonds::RefuseToMove(GuestIndex guest, HostIndex host,
   if (world_->body(body).is_static()) return NameOf(body) + " is fixed (its mass is 0)";
   // The bond itself does not count: it is about to change.
   if (world_->IsAnchored(body, bond)) {
-    return NameOf(body) + " hangs on something fixed and cannot be put there";
+    return NameOf(body) + " is connected to a fixed object and cannot move there";
   }
   const std::vector<physics::BodyId> moved = world_->Assembly(body, bond);
   if (std::ranges::binary_search(moved, holder)) {
-    return NameOf(body) + " and " + NameOf(holder) + " are joined in another way too";
+    return NameOf(body) + " and " + NameOf(holder) + " are also joined in another way";
   }
   const RigidTransform X_moved = X_WB * world_->body(body).pose_in_world().inverse();
   for (physics::BodyId member : moved) {

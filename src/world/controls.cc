@@ -80,7 +80,7 @@ std::optional<Refusal> Controls::Trigger(model::ControlIndex index, std::string_
     }
     // Only the raised button can be pressed.
     if (!part.empty() && part != raised) {
-      return Named(part) + " is pressed already; press " + Named(raised);
+      return Named(part) + " is already pressed; press " + Named(raised);
     }
     // The lowered button comes up and the other one goes down; the state advances either way.
     state.position = 1 - state.position;
@@ -92,11 +92,12 @@ std::optional<Refusal> Controls::Trigger(model::ControlIndex index, std::string_
     if (!part.empty()) {
       std::erase_if(targets, [part](const Target& target) { return target.part != part; });
       if (targets.empty()) {
-        return "nothing would happen: " + Named(part) + " is no part of " + name +
-               " as it is now, or leads nowhere";
+        return "nothing would happen: " + Named(part) + " is not a part of " + name +
+               " in its present state, or leads to no state";
       }
     }
-    if (targets.empty()) return "nothing would happen: no part of " + name + " leads on";
+    if (targets.empty())
+      return "nothing would happen: no part of " + name + " leads to another state";
     // Without a named part, all parts must agree.
     const bool is_one = std::ranges::all_of(targets, [&](const Target& target) {
       return target.next_state == targets.front().next_state;
@@ -109,7 +110,8 @@ std::optional<Refusal> Controls::Trigger(model::ControlIndex index, std::string_
   auto refusal = std::visit(
       Overloaded{press, go_on,
                  [&](const auto&) -> std::optional<Refusal> {
-                   return name + " is a row of lights: it follows others and cannot be triggered";
+                   return name +
+                          " is a row of lights: it follows other controls and cannot be triggered";
                  }},
       control.part->shape);
   // Other controls follow only after the control has changed itself.

@@ -21,8 +21,8 @@ bool HasPart(const scene::Part& whole, std::string_view id) {
 }  // namespace
 
 std::optional<Refusal> Tabletop::RefuseToReach(const Object& object) const {
-  if (!IsPresent(object)) return Named(object.id()) + " is gone: it was destroyed";
-  if (HasFallen(object)) return Named(object.id()) + " fell to the floor; undo brings it back";
+  if (!IsPresent(object)) return Named(object.id()) + " no longer exists: it was destroyed";
+  if (HasFallen(object)) return Named(object.id()) + " fell to the floor; undo restores it";
   return std::nullopt;
 }
 
@@ -34,7 +34,7 @@ std::optional<Refusal> Tabletop::RefuseToReach(std::string_view id) const {
   }
   for (const Object& object : objects_) {
     if (!id.empty() && IsPresent(object) && HasPart(object.spec->whole, id)) {
-      return Named(id) + " is a part of " + Named(object.id()) + ", which goes as a whole";
+      return Named(id) + " is a part of " + Named(object.id()) + ", which is handled as a whole";
     }
   }
   return "there is no object " + Named(id) + DidYouMean(id, known);
@@ -44,7 +44,7 @@ std::optional<Refusal> Tabletop::RefuseToPoint(std::string_view id) const {
   if (const Object* object = FindPointable(id)) return RefuseToReach(*object);
   const auto gone = std::ranges::find(objects_, id, &Object::id);
   if (gone != objects_.end()) return RefuseToReach(*gone);
-  return "there is no object " + Named(id) + ", nor a part so called that is pointable";
+  return "there is no object " + Named(id) + ", and no pointable part with this id";
 }
 
 std::vector<const Object*> Tabletop::NoticeFallen() {

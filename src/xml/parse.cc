@@ -100,7 +100,7 @@ class TreeBuilder {
     handler.initialized = XML_SAX2_MAGIC;
     handler.startDocument = [](void* self) { Self(self).CheckEncoding(); };
     handler.internalSubset = [](void* self, const xmlChar*, const xmlChar*, const xmlChar*) {
-      Self(self).Fail("", "found a DOCTYPE, expected none: a file stands for itself");
+      Self(self).Fail("", "found a DOCTYPE, expected none: files must be self-contained");
     };
     handler.processingInstruction = [](void* self, const xmlChar* target, const xmlChar* data) {
       Self(self).CheckInstruction(View(target), View(data));
@@ -257,12 +257,12 @@ class TreeBuilder {
     if (has_failed_ || error.level < XML_ERR_ERROR) return;
     if (is_tolerant() && IsTolerable(error)) return;
     has_failed_ = true;
-    std::string reason = error.message ? error.message : "unknown fault";
+    std::string reason = error.message ? error.message : "unknown error";
     while (!reason.empty() && IsBlank(reason.back())) reason.pop_back();
     std::ranges::replace(reason, '\n', ' ');
     if (reason.size() > kMaxReasonBytes) reason = reason.substr(0, kMaxReasonBytes) + "…";
     Add(std::max(1, error.line), "",
-        "found a fault in the XML (" + reason + "), expected well-formed XML");
+        "found an error in the XML (" + reason + "), expected well-formed XML");
     xmlStopParser(context_);
   }
 

@@ -171,7 +171,7 @@ TEST_F(BrainTrouble, AnAttachedProgramThatIsNoBrainIsRejected) {
   EXPECT_EQ(answer.exit_code, 0) << Read("told.txt") << Read("debugger.txt");
   EXPECT_EQ(Json::parse(Read("result.json"))["ticks"], 6);
   const std::string told = Read("told.txt");
-  for (const char* why : {"closed its connection", "sent nonsense", "it said nothing"}) {
+  for (const char* why : {"closed its connection", "sent an invalid message", "it sent nothing"}) {
     EXPECT_NE(told.find(why), std::string::npos) << told;
   }
 }

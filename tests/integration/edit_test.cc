@@ -29,7 +29,7 @@ TEST_F(EditAsUsed, MakesANewRecordingAndReportsTheResult) {
   const Answer again = Smile("edit brisk --drop 1 --out brisk");
   EXPECT_EQ(again.exit_code, 1);
   EXPECT_EQ(again.err,
-            "brisk: exists already; a recording is never overwritten, name a new directory\n");
+            "brisk: exists already, expected a new directory; recordings are never overwritten\n");
 }
 
 TEST_F(EditAsUsed, EditsInTheOrderTyped) {
@@ -43,10 +43,10 @@ TEST_F(EditAsUsed, EditsInTheOrderTyped) {
 TEST_F(EditAsUsed, ADryRunWritesNothing) {
   const Answer answer = Smile("edit demo --drop 1 --out new --dry-run");
   EXPECT_EQ(answer.exit_code, 0) << answer.err;
-  EXPECT_NE(answer.out.find("line 5 of the log is left out: the right hand holds nothing\n"),
+  EXPECT_NE(answer.out.find("line 5 of the log is skipped: the right hand holds nothing\n"),
             std::string::npos)
       << answer.out;
-  EXPECT_NE(answer.out.find("a ends 223.6 mm and 0.0 degrees from where it did\n"),
+  EXPECT_NE(answer.out.find("a ends 223.6 mm and 0.0 degrees from its previous pose\n"),
             std::string::npos)
       << answer.out;
   EXPECT_FALSE(Exists("new"));
@@ -65,7 +65,7 @@ TEST_F(EditAsUsed, ReportsInvalidEdits) {
   EXPECT_EQ(complaint("--dry-run --speed nan"),
             "smile: --speed nan: factor is NaN, expected 0.01 to 100\n");
   EXPECT_EQ(complaint("--drop 1"),
-            "smile: nothing says where the result goes: give --out or --dry-run\n");
+            "smile: the result has no destination: give --out or --dry-run\n");
 }
 
 }  // namespace

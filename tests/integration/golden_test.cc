@@ -12,7 +12,7 @@
 namespace smile {
 namespace {
 
-/// An imported recording holds what was seen, but no commands to run again.
+/// An imported recording holds what was seen, but no commands to replay.
 constexpr const char* kImported = "imported";
 
 std::filesystem::path GoldenFolder() {
@@ -44,7 +44,7 @@ class GoldenRecording : public ProgramTest, public ::testing::WithParamInterface
 TEST_P(GoldenRecording, ReplaysToTheSameBits) {
   const Answer replay = Smile("replay " + Recording() + " --verify --json");
   if (GetParam() == kImported) {
-    EXPECT_NE(replay.err.find("no commands to run again"), std::string::npos) << replay.err;
+    EXPECT_NE(replay.err.find("no commands to replay"), std::string::npos) << replay.err;
     return;
   }
   ASSERT_EQ(replay.exit_code, 0) << replay.err << replay.out;

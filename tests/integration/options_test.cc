@@ -57,7 +57,7 @@ TEST_F(Options, EarlierNamesWorkAndHelpDoesNotListThem) {
 TEST_F(Options, ABlankTitleIsRefused) {
   const Answer answer = Smile("run pair.xml --seconds 0 --record demo --title '  '");
   EXPECT_EQ(answer.exit_code, 2);
-  EXPECT_EQ(answer.err, "smile: recording: title is blank, expected words or nothing\n");
+  EXPECT_EQ(answer.err, "smile: recording: title is blank, expected text or no title\n");
   EXPECT_FALSE(Exists("demo"));
   EXPECT_EQ(Smile("import nothing --out demo --title ' '").exit_code, 2);
 }

@@ -53,7 +53,7 @@ TEST_F(RecordingAsUsed, DifferencesToAnotherVersionAreReported) {
   ASSERT_EQ(Shell("sed -i 's/\"smile [^\"]*/\"smile 0.0.1/' demo/demo.json").exit_code, 0);
   const Answer answer = Smile("replay demo --verify --json");
   EXPECT_EQ(answer.exit_code, 1);
-  EXPECT_EQ(answer.err.find("demo: was made by smile 0.0.1, this is smile "), 0u);
+  EXPECT_EQ(answer.err.find("demo: was made by smile 0.0.1; this program is smile "), 0u);
   const Json difference = answer.json()["differences"][0];
   EXPECT_EQ(difference["object"], "a");
   EXPECT_NEAR(difference["largest_mm"].get<double>(), 10, 0.5);
@@ -76,7 +76,7 @@ TEST_F(RecordingAsUsed, IsNeverOverwritten) {
   const Answer again = Smile("run pair.xml --seconds 1 --record demo");
   EXPECT_EQ(again.exit_code, 1);
   EXPECT_EQ(again.err,
-            "demo: exists already; a recording is never overwritten, name a new directory\n");
+            "demo: exists already, expected a new directory; recordings are never overwritten\n");
 }
 
 TEST_F(RecordingAsUsed, AFailedScriptKeepsWhatWasRecorded) {

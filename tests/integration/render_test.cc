@@ -143,14 +143,14 @@ TEST_F(RenderAsUsed, ReportsInvalidRequests) {
   EXPECT_EQ(complaint("pair.xml --out x.png --camera 1,2,3:1,2,3"),
             "smile: camera is \"1,2,3:1,2,3\": it looks at its own position\n");
   EXPECT_EQ(complaint("pair.xml --out x.png --at 1"),
-            "smile: --at needs a recording, but 'pair.xml' is none\n");
+            "smile: --at needs a recording, but 'pair.xml' is not one\n");
   ASSERT_EQ(Smile("run pair.xml --seconds 1 --record demo").exit_code, 0);
   EXPECT_EQ(complaint("demo --out x.png --at 1.5"),
             "smile: at is 1.5 s, but the recording is 1 s long\n");
   EXPECT_EQ(complaint("demo --out x.mp4 --at 1"),
             "smile: --at is for a picture; a film has --from and --to\n");
   EXPECT_EQ(complaint("demo --out demo"),
-            "demo: exists already; pictures are never overwritten, name a new directory\n");
+            "demo: exists already, expected a new directory; pictures are never overwritten\n");
   EXPECT_EQ(complaint("demo --out new --frames --camera moon").find("smile: camera is"), 0u);
   EXPECT_FALSE(Exists("new"));
   EXPECT_EQ(Smile("render pair.xml --out x.gif").exit_code, 2);

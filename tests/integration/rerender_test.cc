@@ -95,15 +95,16 @@ TEST_F(Rerender, ReportsInvalidRequests) {
   EXPECT_EQ(Smile("rerender demo --demonstrator ghost --out demo").exit_code, 1);
   EXPECT_EQ(Smile("rerender demo --demonstrator ghost --out demo/new").exit_code, 1);
   EXPECT_EQ(Smile("render pair.xml --demonstrator ghost --out x.png").err,
-            "smile: --demonstrator needs a recording, but 'pair.xml' is none\n");
+            "smile: --demonstrator needs a recording, but 'pair.xml' is not one\n");
   ASSERT_EQ(Smile("run pair.xml --seconds 1 --no-pictures --record blind").exit_code, 0);
   EXPECT_NE(Smile("rerender blind --demonstrator ghost --out x").err.find("has no pictures"),
             std::string::npos);
   ASSERT_EQ(Smile("rerender demo --demonstrator ghost --out ghost").exit_code, 0);
   const Answer on = Smile("checkout ghost --seconds 1");
   EXPECT_EQ(on.exit_code, 1);
-  EXPECT_EQ(on.err,
-            "ghost: shows its demonstrator; go on with the recording that it is a copy of\n");
+  EXPECT_EQ(
+      on.err,
+      "ghost: is a copy that shows its demonstrator; continue the original recording instead\n");
   Write("demo/frames.csv", "frame,tick,image\n0,0,../../x.png\n");
   EXPECT_EQ(Smile("rerender demo --demonstrator ghost --out x").err,
             "demo/frames.csv:2: found \"0,0,../../x.png\", expected a picture like 3/14.png\n");

@@ -72,7 +72,7 @@ TEST_F(StudioProgram, RefusesHalfOfWhatTlsNeeds) {
 TEST_F(StudioProgram, ReportsMissingParts) {
   Write("build/page/nothing", "");
   EXPECT_NE(Shell("export SMILE_DATA_DIR=\"$PWD\"; smile studio --no-open")
-                .err.find("the studio's page is not built; ./run studio builds it"),
+                .err.find("the studio's page is not built; run ./run studio to build it"),
             std::string::npos);
   WritePage();
   const Answer answer = Shell("export SMILE_DATA_DIR=\"$PWD\"; smile studio nowhere.xml --no-open");

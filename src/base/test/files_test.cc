@@ -66,7 +66,7 @@ TEST_F(Files, LargerThanAllowedAreNotRead) {
 TEST_F(Files, ThatCannotBeReadReportWhy) {
   EXPECT_EQ(ReasonOf([&] { ReadFile(folder_ / "none", 9); }),
             (folder_ / "none").string() + ": no such file");
-  EXPECT_EQ(ReasonOf([&] { ReadFile(folder_, 9); }), folder_.string() + ": is not a plain file");
+  EXPECT_EQ(ReasonOf([&] { ReadFile(folder_, 9); }), folder_.string() + ": is not a regular file");
 }
 
 TEST_F(Files, ThatCannotBeWrittenReportWhy) {

@@ -38,10 +38,10 @@ TEST(Json, IsBoundedInDepthAndKeys) {
 
 TEST(Json, HasNoKeyTwiceInOneObject) {
   EXPECT_EQ(FaultOf(R"({"a":{"a":1},"b":[{"a":1},{"a":1}]})"), "");
-  EXPECT_EQ(FaultOf(R"({"a":1,"b":2,"a":1})"), "the key \"a\" is there twice");
-  EXPECT_EQ(FaultOf(R"({"a":1,"\u0061":2})"), "the key \"a\" is there twice");
+  EXPECT_EQ(FaultOf(R"({"a":1,"b":2,"a":1})"), "the key \"a\" appears twice");
+  EXPECT_EQ(FaultOf(R"({"a":1,"\u0061":2})"), "the key \"a\" appears twice");
   EXPECT_EQ(FaultOf(R"({"x":0,"arms":[0,{"left":{},"tool":1,"left":{}}]})"),
-            "the key \"left\" is there twice in \"arms\"");
+            "the key \"left\" appears twice in \"arms\"");
 }
 
 TEST(Json, TakesTimeInProportionToItsLength) {

@@ -177,9 +177,9 @@ TEST(DecodeInitReply, TakesWishesForPictures) {
 }
 
 TEST(DecodeInitReply, RefusesWishesThatCannotBe) {
-  EXPECT_EQ(WishMessage().Text("cameras", "overhed").Error(),
-            "aux.cameras names \"overhed\", expected eye, head or overhead; did you mean "
-            "\"overhead\"?");
+  EXPECT_EQ(
+      WishMessage().Text("cameras", "overhed").Error(),
+      "aux.cameras names \"overhed\", expected eye, head or overhead; did you mean \"overhead\"?");
   EXPECT_EQ(WishMessage().Text("cameras", "head head").Error(),
             "aux.cameras names \"head\" twice, expected it once");
   EXPECT_EQ(WishMessage().Text("channels", "rgb,color").Error(),
@@ -193,8 +193,8 @@ TEST(DecodeInitReply, RefusesWishesThatCannotBe) {
   Aux large = AuxWithCameras();
   large.camera->width_px = large.camera->height_px = 2000;
   EXPECT_EQ(WishMessage().Text("channels", "rgb,depth").Text("cameras", "head").Error(large),
-            "aux.channels and cameras ask for 83 MiB at a time, expected at most 52: smaller "
-            "pictures, or fewer of them");
+            "aux.channels and cameras require 83 MiB per image time, expected at most 52; request "
+            "smaller or fewer pictures");
 }
 
 TEST(DecodeInitReply, AcceptsARequestToWatchOnlyWithADemonstration) {
@@ -202,8 +202,7 @@ TEST(DecodeInitReply, AcceptsARequestToWatchOnlyWithADemonstration) {
   EXPECT_TRUE(WishMessage().Watch(true).Reply(with_demonstration).watch);
   EXPECT_FALSE(WishMessage().Reply(with_demonstration).watch);
   EXPECT_FALSE(WishMessage().Watch(false).Reply({}).watch);
-  EXPECT_EQ(WishMessage().Watch(true).Error(),
-            "aux.watch is true, but there is no demonstration to watch");
+  EXPECT_EQ(WishMessage().Watch(true).Error(), "aux.watch is true, but no demonstration is given");
   EXPECT_EQ(WishMessage().Text("watch", "yes").Error(with_demonstration),
             "aux.watch is text, expected a 1x1 matrix");
 }

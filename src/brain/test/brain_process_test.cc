@@ -263,7 +263,7 @@ TEST_F(BrainProcessTest, NamesAScriptThatIsMissing) {
   const fs::path folder = Brain("", "");
   fs::remove(folder / "act.m");
   EXPECT_EQ(ErrorOfInit(folder),
-            "brain/agentBehavior.m: agentBehavior names act, but there is no act.m");
+            "brain/agentBehavior.m: agentBehavior names act, but act.m is missing");
 }
 
 TEST_F(BrainProcessTest, RefusesWrongShapesWithBothShapesNamed) {
@@ -279,9 +279,9 @@ TEST_F(BrainProcessTest, RefusesWhatIsNotANumberByName) {
     EXPECT_EQ(ErrorOfStep(Brain("", "motor.jointVelocities = {1};"), options),
               "brain/act.m: motor.jointVelocities is a cell, expected real numbers");
     EXPECT_EQ(ErrorOfStep(Brain("", "motor = 7;"), options),
-              "brain/act.m: motor is not a struct any more");
+              "brain/act.m: motor is no longer a struct");
     EXPECT_EQ(ErrorOfStep(Brain("", "aux = 7;"), options),
-              "brain/act.m: aux is not a struct any more");
+              "brain/act.m: aux is no longer a struct");
   }
 }
 
@@ -384,8 +384,8 @@ const BrainOptions kOverPipes{.transport = BrainTransport::kPlain};
 TEST_F(BrainProcessTest, RefusesNoise) {
   EXPECT_EQ(ErrorOfInit(Talker("head -c 100000 /dev/zero >&4; sleep 5", {}), kOverPipes),
             root_.filename().string() +
-                "/talker: the brain sent nonsense during the start: "
-                "what arrived is not a message");
+                "/talker: the brain sent an invalid message during the start: the received bytes "
+                "are not a message");
 }
 
 TEST_F(BrainProcessTest, RefusesAGiantLength) {
@@ -406,7 +406,7 @@ TEST_F(BrainProcessTest, RefusesAnotherVersion) {
 TEST_F(BrainProcessTest, RefusesAnswersToWhatWasNotAsked) {
   const auto frames = Joined(Hello(), MessageWriter(MessageType::kInitDone, 77).Finish());
   EXPECT_NE(ErrorOfInit(Talker(kSendAll, frames), kOverPipes)
-                .find("this is not an answer to what was asked"),
+                .find("this is not an answer to the request"),
             std::string::npos);
 }
 

@@ -125,7 +125,7 @@ TEST_F(PythonBrainTest, NamesTheLineOfItsOwnFiles) {
             "brain/think.py:2: ValueError: no luck");
   EXPECT_EQ(ErrorOfInit(Python("x = = 2")), "brain/think.py:2: SyntaxError: invalid syntax");
   EXPECT_EQ(ErrorOfInit(Python("x = 1")),
-            "brain/think.py: NameError: there is no function step(sensor, motor, aux)");
+            "brain/think.py: NameError: function step(sensor, motor, aux) is missing");
   // The line that called numpy, not one inside it; and that of a module beside the program.
   EXPECT_EQ(ErrorOfStep(Step("  x = 1\n  np.linalg.inv(np.zeros((2, 2)))\n")),
             "brain/think.py:4: LinAlgError: Singular matrix");
@@ -145,7 +145,7 @@ TEST_F(PythonBrainTest, RefusesWhatNoMotorTakes) {
       {"motor.jointVelocity = 1",
        ":3: AttributeError: motor.jointVelocity is unknown, expected jointVelocities, "
        "gripperVelocities, jointAngles, headVelocity"},
-      {"sensor.jointAngels", ":3: AttributeError: there is no jointAngels, only timeElapsed, "},
+      {"sensor.jointAngels", ":3: AttributeError: jointAngels is unknown, expected timeElapsed, "},
       {"aux.exit = motor.jointVelocities = None",
        ":3: ValueError: motor.jointVelocities is None, expected numbers"},
   };
@@ -182,7 +182,7 @@ TEST_F(PythonBrainTest, ShowsWhatItPrintsAndItsTraceback) {
 TEST_F(PythonBrainTest, ReportsMissingPythonModules) {
   const std::string source = fs::path(SMILE_SOURCE_DIR) / "python";
   const std::pair<std::string, const char*> pythons[] = {
-      {"exec /usr/bin/python3 -S", "has no numpy; install it, or name another Python"},
+      {"exec /usr/bin/python3 -S", "has no numpy; install numpy, or set SMILE_PYTHON"},
       {"PYTHONPATH=" + source + " exec /usr/bin/python3", "cannot load smile_brain_native"}};
   for (const auto& [command, message] : pythons) {
     const fs::path bare = Program("bare", "#!/bin/sh\n" + command + " \"$@\"\n");

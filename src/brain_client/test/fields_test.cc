@@ -66,7 +66,7 @@ TEST(Fields, AcceptRowMajorArrays) {
 
 TEST(Fields, ErrorsNameTheAvailableFields) {
   EXPECT_EQ(ErrorOf([](const Fields& fields) { fields.Number("time"); }),
-            "there is no time, only simTime, gripperOpening, path, rgbVision");
+            "time is missing, found simTime, gripperOpening, path, rgbVision");
   EXPECT_EQ(ErrorOf([](const Fields& fields) { fields.Number("gripperOpening"); }),
             "gripperOpening is 1x2, expected one number");
   EXPECT_EQ(ErrorOf([](const Fields& fields) { fields.Matrix("path"); }),

@@ -113,9 +113,8 @@ TEST(ClassicReader, ReportsWhereWhatWasFoundAndExpected) {
   EXPECT_EQ(refused("0,grasp,Lefthand,a"),
             "0.txt:2: found \"Lefthand\", expected LeftHand, RightHand, BothHands or AnyHand");
   EXPECT_EQ(refused("0,create,"),
-            "0.txt:2: found \"\", expected an object: 1 to 100 letters without blanks");
-  EXPECT_EQ(refused("0,create,b,label,\xff"),
-            "0.txt:2: found a byte that is no text, expected UTF-8");
+            "0.txt:2: found \"\", expected an object: 1 to 100 characters without blanks");
+  EXPECT_EQ(refused("0,create,b,label,\xff"), "0.txt:2: found an invalid byte, expected UTF-8");
   EXPECT_NE(refused("0,moved,a").find("0.txt:2: found \"moved\", expected create, delete, move,"),
             std::string::npos);
   EXPECT_NE(refused("0,moved,a").find("did you mean \"move\"?"), std::string::npos);
@@ -131,20 +130,20 @@ TEST(ClassicReader, RefusesWhatContradictsTheLinesBefore) {
     return Refusal({{"0.txt", "0,create,a\n" + start}, {"1.txt", next}});
   };
   EXPECT_EQ(refused("0,move,b,0,0,0,0,0,0\n", "1,grasp,AnyHand,a\n"),
-            "0.txt:2: \"b\" is not there, expected it created");
+            "0.txt:2: \"b\" does not exist, expected a create line before");
   EXPECT_EQ(refused("0,delete,a\n", "1,grasp,AnyHand,a\n"),
-            "1.txt:1: \"a\" is not there, expected it created");
+            "1.txt:1: \"a\" does not exist, expected a create line before");
   EXPECT_EQ(refused("0,create,a\n", "1,grasp,AnyHand,a\n"),
-            "0.txt:2: \"a\" is created, but it is there already");
+            "0.txt:2: \"a\" is created, but already exists");
   EXPECT_EQ(refused("", "1,trigger,AnyHand,s\n"),
-            "1.txt:1: \"s\" is no control, expected it initialized");
+            "1.txt:1: \"s\" is not a control, expected its initialization before");
   EXPECT_EQ(refused("3,delete,a\n", "2,release,AnyHand\n"), "1.txt:1: found frame 2 after frame 3");
   EXPECT_EQ(refused("", "1,destroy,AnyHand\n"),
-            "1.txt:1: found no delete beside destroy, expected one: of what?");
+            "1.txt:1: found no delete after destroy, expected one that names the object");
   EXPECT_EQ(refused("", "1,release,AnyHand\n1,release,LeftHand\n"),
-            "1.txt:2: found another action, expected one in a segment, in its first line");
+            "1.txt:2: found another action, expected one per segment, in its first line");
   EXPECT_EQ(refused("5,grasp,AnyHand,a\n", ""),
-            "0.txt:2: found another action, expected one in a segment, in its first line");
+            "0.txt:2: found another action, expected one per segment, in its first line");
   const std::string no_action =
       "found no action, expected grasp, release, destroy, trigger, pointTo, fasten, loosen, "
       "create or delete in the first line of a segment";
@@ -157,7 +156,7 @@ TEST(ClassicReader, RespectsItsLimits) {
       Refusal({{"0.txt", "0,create,a,label," + std::string(100, 'x')}}, {.max_line_bytes = 100}),
       "0.txt:1: is longer than 100 bytes");
   EXPECT_EQ(Refusal({{"0.txt", "0,create,a\n0,create,b\n"}}, {.max_objects = 1}),
-            "0.txt:2: is about more than 1 objects");
+            "0.txt:2: contains more than 1 objects");
   EXPECT_EQ(Refusal({{"0.txt", "0,create,a\n100001,delete,a\n"}}),
             "0.txt:2: found \"100001\", expected a frame: 0 to 100000");
   std::string lines;
@@ -215,9 +214,9 @@ TEST_F(ClassicDirectory, IsCompleteAndIsNoRecording) {
   Write("3.txt", "");
   EXPECT_EQ(Answer(), ": has 3.txt, but no 2.txt");
   Write("demo.json", "{}");
-  EXPECT_EQ(Answer(), ": has a demo.json: it is a recording already and need not be imported");
+  EXPECT_EQ(Answer(), ": has a demo.json: it is already a recording and does not need an import");
   std::filesystem::remove_all(root_);
-  EXPECT_EQ(Answer(), ": is no directory, expected that of a classic recording");
+  EXPECT_EQ(Answer(), ": is not a directory, expected the directory of a classic recording");
   std::filesystem::create_directories(root_);
   EXPECT_EQ(Answer(),
             ": has no 0.txt, expected a classic recording: 0.txt, 1.txt, … and a folder of "
@@ -239,7 +238,7 @@ TEST_F(ClassicDirectory, HasSoundPicturesOfOneSize) {
   WritePng(root_ / "1/3.png", {.width_px = 1, .height_px = 1, .color = {1, 2, 3}});
   EXPECT_EQ(Answer(), "/1/3.png: is 1x1 pixels, expected 2x1 as the first picture");
   Write("1/3.png", "no picture");
-  EXPECT_EQ(Answer(), "/1/3.png: is no readable PNG of at most 8192 pixels along a side");
+  EXPECT_EQ(Answer(), "/1/3.png: is not a readable PNG of at most 8192 pixels per side");
 }
 
 TEST(Placeholders, ShowWhatTheDescriptionsSay) {

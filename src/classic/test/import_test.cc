@@ -246,11 +246,12 @@ TEST_F(ImportTest, ControlsAndBondsAreAsTheyWere) {
 
 TEST_F(ImportTest, PlaceholdersReportWhatTheyCannotShow) {
   const recording::Recording imported = Import(Strip(Record(kShift, false, nullptr, kWorkbench)));
-  EXPECT_EQ(report_.remarks,
-            (std::vector<std::string>{
-                "without its scene, every object is shown as a block; name the scene with --scene",
-                "blocks have no controls: the states of 3 are in the texts only",
-                "blocks have no bond points: 3 times fasten or loosen are in the texts only"}));
+  EXPECT_EQ(
+      report_.remarks,
+      (std::vector<std::string>{
+          "without its scene, every object is shown as a block; name the scene with --scene",
+          "blocks have no controls: the states of 3 appear in the texts only",
+          "blocks have no bond points: 3 fasten and loosen actions appear in the texts only"}));
   EXPECT_EQ(ActionsIn(Moments(imported)).size(), 6u);
 }
 
@@ -261,7 +262,8 @@ TEST_F(ImportTest, PlaceholdersMayHaveOtherIds) {
                   "0,move,rope-end,1,0,1,0,0,0\n",
                   "1,grasp,LeftHand,rope-end\n", "1,pointTo,RightHand,rope-end,rope-end\n"}));
   EXPECT_EQ(report_.remarks.at(1),
-            "scene files cannot have all ids: 2 are changed, as rope-start is now rope_start");
+            "not all ids are valid in scene files: 2 are changed, for example rope-start is now "
+            "rope_start");
   for (const sim::Event& action : ActionsIn(Moments(imported))) {
     EXPECT_EQ(action.object, "rope_end");
     EXPECT_EQ(action.part, action.kind == sim::EventKind::kPointed ? "rope_end" : "");
@@ -323,7 +325,7 @@ TEST_F(ImportTest, TheSceneMustHaveWhatTheRecordingIsAbout) {
     return "";
   };
   EXPECT_EQ(answer({"0,create,cup\n0,create,nut\n0,create,jug\n"}),
-            ": is about objects that the scene \"scene\" does not have: cup, jug");
+            ": contains objects that the scene \"scene\" does not have: cup, jug");
   const std::string start = "0,create,panel\n";
   EXPECT_EQ(answer({start + "0,initializeControl,knob,knob,panel,1\n"}),
             "/0.txt:2: the scene has no control \"knob\"");

@@ -223,7 +223,7 @@ TEST_F(DemonstratorTest, RefusesWithAReason) {
   EXPECT_EQ(hands_->Release(HandName::kLeft), "the left hand holds nothing");
   Grasp("a");
   EXPECT_EQ(hands_->Grasp(HandName::kLeft, "a", std::nullopt),
-            "the hand 'any' holds 'a'; it must let go first");
+            "the hand 'any' holds 'a'; release it first");
   EXPECT_EQ(hands_->Grasp(HandName::kAny, "b", std::nullopt),
             "the hand 'any' already holds 'a'; release it first");
 }

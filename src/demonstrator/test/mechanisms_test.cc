@@ -83,8 +83,9 @@ TEST_F(MechanismHandsTest, ADestroyedObjectIsRemovedAndFreesTheHand) {
   EXPECT_EQ(tabletop_->Find("base"), nullptr);
   EXPECT_FALSE(hands_->hand(kLeft).is_holding());
   EXPECT_TRUE(hands_->hand(kRight).is_holding());
-  EXPECT_EQ(hands_->Grasp(kLeft, "base", std::nullopt), "'base' is gone: it was destroyed");
-  EXPECT_EQ(hands_->PointAt(kLeft, "base"), "'base' is gone: it was destroyed");
+  EXPECT_EQ(hands_->Grasp(kLeft, "base", std::nullopt),
+            "'base' no longer exists: it was destroyed");
+  EXPECT_EQ(hands_->PointAt(kLeft, "base"), "'base' no longer exists: it was destroyed");
   Grasp(kLeft, "nut");
   StepSeconds(1);
   EXPECT_NEAR(PositionOf("top").z(), 0.05, 0.001) << "nothing carries it any more";
@@ -94,7 +95,7 @@ TEST_F(MechanismHandsTest, AnEmptyHandPointsAtObjectsAndPointableParts) {
   EXPECT_EQ(hands_->PointAt(kLeft, "top"), std::nullopt);
   EXPECT_EQ(hands_->PointAt(kLeft, "plate"), std::nullopt);
   EXPECT_EQ(hands_->PointAt(kLeft, "back"),
-            "there is no object 'back', nor a part so called that is pointable");
+            "there is no object 'back', and no pointable part with this id");
   Grasp(kLeft, "top");
   EXPECT_EQ(hands_->PointAt(kLeft, "plate"),
             "the left hand holds 'top'; it must be empty to point");
@@ -178,7 +179,7 @@ TEST_F(MechanismHandsTest, HandOverLeavesBondsAndPlaces) {
   ASSERT_EQ(hands_->MoveTo(kLeft, {0, 0, 0.4}, std::nullopt), std::nullopt);
   StepSeconds(1.5);
   EXPECT_EQ(hands_->Grasp(kRight, "peg", std::nullopt),
-            "the left hand holds 'peg'; it must let go first");
+            "the left hand holds 'peg'; release it first");
   EXPECT_TRUE(hands_->hand(kLeft).is_holding()) << "a refusal lets nothing fall";
   ASSERT_EQ(hands_->Release(kLeft), std::nullopt);
   Grasp(kRight, "peg");
@@ -228,7 +229,7 @@ TEST_F(MechanismHandsTest, HandsCannotReachWhatFellToTheFloor) {
     }
     ASSERT_TRUE(tabletop_->HasFallen(*tabletop_->Find(id)));
   };
-  const std::string nut_fell = "'nut' fell to the floor; undo brings it back";
+  const std::string nut_fell = "'nut' fell to the floor; undo restores it";
   fall("nut", 1.5);
   EXPECT_EQ(hands_->Grasp(kLeft, "nut", std::nullopt), nut_fell);
   EXPECT_EQ(hands_->PointAt(kLeft, "nut"), nut_fell);
@@ -242,7 +243,7 @@ TEST_F(MechanismHandsTest, HandsCannotReachWhatFellToTheFloor) {
     ASSERT_TRUE(hands_->has_arrived());
   }
   EXPECT_EQ(hands_->Fasten(kLeft, "peg", std::nullopt),
-            "nothing that fits 'peg_tip' and is free is less than two units away");
+            "no free point that fits 'peg_tip' is within two units");
 }
 
 TEST_F(MechanismHandsTest, AnObjectFastenedToAFixedOneCanBeGrasped) {

@@ -120,7 +120,7 @@ TEST_F(EditTest, ReportsWhatWasFoundAndExpected) {
   EXPECT_EQ(Complaint(Move{0, 1}), "segment is 0, expected 1 to 2");
   EXPECT_EQ(Complaint(Move{1, 3}), "place is 3, expected 1 to 2");
   EXPECT_EQ(Complaint(Trim{1, 3, 4}),
-            "what is to be kept is from 3 to 4 s, expected a part of the segment's 2 s");
+            "the range to keep is from 3 to 4 s, expected a part of the segment's 2 s");
   EXPECT_EQ(Complaint(MaxPause{kNan}), "time is NaN s, expected 0 to 86400");
   EXPECT_EQ(Complaint(Retime{1, 1e300}), "time is 1e+300 s, expected 0 to 86400");
   EXPECT_EQ(Complaint(Retime{1, 86400}),

@@ -96,7 +96,7 @@ TEST_F(DemonstrationFrames, ReportWhyTheyAreUnavailable) {
   EXPECT_NE(ErrorOf(FramesOf(demo, nullptr)).find("has a frame of tick 99999"), std::string::npos);
   fs::remove_all(demo);
   EXPECT_EQ(ErrorOf(FramesOf(Record(/*has_pictures=*/false), nullptr)),
-            demo.string() + ": has no pictures, and there is no eye to draw them");
+            demo.string() + ": has no pictures, and no eye to render them is given");
 }
 
 }  // namespace

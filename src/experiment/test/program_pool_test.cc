@@ -72,7 +72,7 @@ TEST(BoundedLog, KeepsTheBeginningAndTheEnd) {
   fs::remove(path);
   EXPECT_LT(text.size(), BoundedLog::kBeginBytes + BoundedLog::kEndBytes + 100);
   EXPECT_TRUE(text.starts_with("begin\n") && text.ends_with("end\n\n"));
-  EXPECT_NE(text.find(" bytes are left out "), std::string::npos);
+  EXPECT_NE(text.find(" bytes are omitted "), std::string::npos);
 }
 
 }  // namespace

@@ -77,7 +77,7 @@ TEST_F(RunBrain, WatchingNeedsADemonstration) {
       PlanWith(Write("brain/watcher.py",
                      "def init(aux): aux.watch = True\ndef step(sensor, motor, aux): pass\n")));
   EXPECT_EQ(ToString(result.brain_error.value()),
-            "brain/watcher.py: aux.watch is true, but there is no demonstration to watch");
+            "brain/watcher.py: aux.watch is true, but no demonstration is given");
   EXPECT_EQ(result.ticks, 0u);
 }
 

@@ -43,7 +43,8 @@ TEST_F(RunTest, ReportsTheLineThatTimeWasTooShortFor) {
       {.scene = Pair(), .script = script, .seconds = 0.5},
       {.on_message = [&](std::string_view message) { messages.emplace_back(message); }});
   ASSERT_EQ(messages.size(), 1u);
-  EXPECT_NE(messages[0].find("script.jsonl:1: time was up before this line"), std::string::npos)
+  EXPECT_NE(messages[0].find("script.jsonl:1: the time limit was reached before this line"),
+            std::string::npos)
       << messages[0];
 }
 

@@ -132,8 +132,9 @@ TEST_F(PngTest, ReportsAFullDisk) {
 TEST_F(PngTest, NamesThePathOfAFileThatIsMissingOrNoPng) {
   EXPECT_EQ(MessageOf([&] { ReadPng(File()); }), File().string() + ": no such file");
   WriteBytes("these are not pixels");
-  EXPECT_TRUE(
-      MessageOf([&] { ReadPng(File()); }).starts_with(File().string() + ": is no readable PNG: "));
+  EXPECT_TRUE(MessageOf([&] {
+                ReadPng(File());
+              }).starts_with(File().string() + ": is not a readable PNG: "));
 }
 
 TEST_F(PngTest, SurvivesEveryTruncationAndFlippedByte) {

@@ -105,14 +105,14 @@ TEST(ImportMesh, ReportsErrorsOfAnStl) {
   const std::string good = StlOf(ParseMesh(kTetrahedronText, "stl"));
   EXPECT_EQ(good.size(), 284u);
   EXPECT_EQ(FaultOf(good.substr(0, 283), "stl"),
-            "found 283 bytes, expected 284 for the 4 triangles it says it has: it is cut short or "
-            "no STL file");
+            "found 283 bytes, expected 284 for the 4 triangles given in its header: it is "
+            "truncated or not an STL file");
   EXPECT_EQ(FaultOf(good + "x", "stl"),
-            "found 285 bytes, expected 284 for the 4 triangles it says it has");
+            "found 285 bytes, expected 284 for the 4 triangles given in its header");
   EXPECT_EQ(FaultOf("", "stl"),
-            "found 0 bytes, expected an STL file: it is cut short or something else");
+            "found 0 bytes, expected an STL file: it is truncated or has another format");
   EXPECT_EQ(FaultOf(kTetrahedronText.substr(0, 192), "stl"),
-            "line 16: found the end, expected facet or endsolid: it is cut short");
+            "line 16: found the end, expected facet or endsolid: it is truncated");
   EXPECT_EQ(FaultOf("solid\nfacet normal 0 0 0 outer loop vertex 1 1 1_", "stl"),
             "line 2: found \"1_\", expected a number");
   EXPECT_EQ(FaultOf("solid a\nendsolid a", "stl"), "found no triangles, expected at least one");
@@ -181,7 +181,7 @@ TEST(ImportMesh, ReadsTheBuffersOfAGltfFromItsOwnFolderOnly) {
             "found the uri \"places.bin\", expected all in one file");
   folder.Write("in/places.bin", ThreePlaces().substr(1));
   EXPECT_EQ(import("places.bin"),
-            "found accessor 0 that reaches beyond its buffer, expected it within: it is cut short");
+            "found accessor 0 that extends beyond its buffer, expected it inside: it is truncated");
 }
 
 TEST(ImportMesh, PutsThePartsOfAGltfInTheirPlaces) {
@@ -201,7 +201,7 @@ TEST(ImportMesh, PutsThePartsOfAGltfInTheirPlaces) {
 
 TEST(ImportMesh, BoundsWhatADaeMayCost) {
   EXPECT_EQ(FaultOf("<!DOCTYPE a [<!ENTITY b \"c\">]><a/>", "dae"),
-            "line 1: found a DOCTYPE, expected none: a file stands for itself");
+            "line 1: found a DOCTYPE, expected none: files must be self-contained");
   EXPECT_EQ(FaultOf("<a>\n<instance_node url='#a'/></a>", "dae"),
             "line 2: found <instance_node>, expected each node in its place");
   std::string deep;
@@ -212,8 +212,8 @@ TEST(ImportMesh, BoundsWhatADaeMayCost) {
   for (int i = 0; i < 200'000; ++i) many += "<b/>";
   EXPECT_EQ(FaultOf(many, "dae"), "line 1: <b>: found more than 200000 elements, expected fewer");
   const std::string cut = FaultOf("<a>\n<b", "dae");
-  EXPECT_TRUE(cut.starts_with("line 2: found a fault in the XML (")) << cut;
-  EXPECT_EQ(FaultOf("<a/>", "dae").substr(0, 26), "is no DAE that can be read");
+  EXPECT_TRUE(cut.starts_with("line 2: found an error in the XML (")) << cut;
+  EXPECT_EQ(FaultOf("<a/>", "dae").substr(0, 21), "is not a readable DAE");
 }
 
 TEST(ImportMesh, SurvivesDamage) {

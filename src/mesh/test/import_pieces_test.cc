@@ -65,7 +65,7 @@ TEST_F(ImportPiecesTest, RefusesUnsupportedFiles) {
             std::string::npos);
   std::string text = TwoNodes("");
   text.replace(text.find("\"count\":3"), 9, "\"count\":9");
-  EXPECT_NE(ErrorOf(text).find("cut short"), std::string::npos);
+  EXPECT_NE(ErrorOf(text).find("truncated"), std::string::npos);
   EXPECT_NE(ErrorOf("{}").find("no scene"), std::string::npos);
 }
 

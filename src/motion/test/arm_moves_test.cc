@@ -85,7 +85,7 @@ TEST(MoveThrough, CountsEqualWaypointsOnceAndNamesBadOnes) {
     MoveThrough(beyond, arm.limits());
     FAIL();
   } catch (const std::invalid_argument& error) {
-    EXPECT_STREQ(error.what(), "waypoint 1: joint 3 would stand at 3, expected -0.05 to 2.618");
+    EXPECT_STREQ(error.what(), "waypoint 1: joint 3 would be at 3, expected -0.05 to 2.618");
   }
   EXPECT_THROW(MoveThrough({}, arm.limits()), std::invalid_argument);
   EXPECT_THROW(MoveThrough(same, arm.limits(), 1.5), std::invalid_argument);

@@ -75,7 +75,7 @@ TEST(JointTrajectory, NamesTheJointThatWouldLeaveItsLimits) {
     Straight({0, 0}, {0, 4});
     FAIL();
   } catch (const std::invalid_argument& error) {
-    EXPECT_STREQ(error.what(), "joint 1 would stand at 4, expected -3 to 3");
+    EXPECT_STREQ(error.what(), "joint 1 would be at 4, expected -3 to 3");
   }
   EXPECT_THROW(Straight({0, 0}, {0, NAN}), std::invalid_argument);
   EXPECT_THROW(Straight({0, 0}, {1, 1}, 0), std::invalid_argument);

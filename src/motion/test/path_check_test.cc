@@ -32,7 +32,7 @@ TEST(FirstInvalid, FindsWhenTheHandWouldTouchTheTable) {
   const auto touch = robot.FirstInvalid(down, {}, std::pair(20.0, 12.0));
   ASSERT_TRUE(touch);
   EXPECT_NE(touch->reason.find("left_gripper"), std::string::npos) << touch->reason;
-  EXPECT_NE(touch->reason.find("would touch what stands around"), std::string::npos);
+  EXPECT_NE(touch->reason.find("would touch an obstacle"), std::string::npos);
   const double z = robot.Forward("left", SampleAt(down, touch->seconds).positions)(2, 3);
   EXPECT_NEAR(z, 0.75, 0.15);
 }
@@ -105,7 +105,7 @@ TEST(PlanningRobot, NamesWhatItCannotTake) {
   EXPECT_EQ(message([&] { (void)robot.Forward("left", std::vector<double>(6, 0.0)); }),
             "q has 6 values, expected 7");
   EXPECT_EQ(message([&] { (void)robot.Inverse("left", 2 * Eigen::Matrix4d::Identity(), zero); }),
-            "goal is no pose, expected 4x4 with a rotation, a place and a last row 0 0 0 1");
+            "goal is not a pose, expected 4x4 with a rotation, a position and a last row 0 0 0 1");
   EXPECT_EQ(message([&] { PlanningRobot(Baxter(), Eigen::Matrix4d::Identity(), 0); }),
             "unit is 0, expected metres per unit, above 0");
   EXPECT_EQ(robot.NamedPose("left", "nonsense"), std::nullopt);

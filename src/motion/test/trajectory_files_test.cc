@@ -82,12 +82,12 @@ TEST(TrajectoryFiles, VelocitiesFromPositionsAreTheSlopesOfASmoothMotion) {
 
 TEST(TrajectoryFiles, NameTheLineThatIsWrong) {
   EXPECT_EQ(FaultOfCsv(""), "wave.csv: the file is empty, expected a header like time,left_s0");
-  EXPECT_EQ(FaultOfCsv("time,a\n"), "wave.csv: there is no line below the header, expected points");
+  EXPECT_EQ(FaultOfCsv("time,a\n"), "wave.csv: no line follows the header, expected points");
   EXPECT_EQ(
       FaultOfCsv("left_s0\n0\n"),
       "wave.csv:1: the header begins with \"left_s0\", expected time and the names of joints: "
       "time,left_s0");
-  EXPECT_EQ(FaultOfCsv("time,a,a\n"), "wave.csv:1: joint \"a\" is there twice");
+  EXPECT_EQ(FaultOfCsv("time,a,a\n"), "wave.csv:1: joint \"a\" appears twice");
   EXPECT_EQ(FaultOfCsv("time,a\n\n0,1\r\n1,x\n2,3,4\n0,5\n-1,5\n"),
             "wave.csv:4: found \"x\", expected a number of at most 1e6\n"
             "wave.csv:5: there are 3 cells, expected 2, as in the header\n"
@@ -109,9 +109,9 @@ TEST(TrajectoryFiles, NameTheFieldThatIsWrong) {
   EXPECT_EQ(with_points(R"({"positions":[1],"time_from_start":{"secs":0,"nsecs":0}})"),
             "wave.json: points[0]: there are 1 positions, expected 2");
   EXPECT_EQ(with_points(R"({"positions":[1,2],"time_from_start":{"secs":0,"nsecs":1000000000}})"),
-            "wave.json: points[0].time_from_start.nsecs is no whole number from 0 to 999999999");
+            "wave.json: points[0].time_from_start.nsecs is not a whole number from 0 to 999999999");
   EXPECT_EQ(with_points(R"({"positions":[1,"x"],"time_from_start":{"secs":0,"nsecs":0}})"),
-            "wave.json: points[0].positions holds something else than numbers");
+            "wave.json: points[0].positions contains values other than numbers");
   EXPECT_EQ(FaultOfJson("[1,"), "wave.json: this is not JSON");
 }
 

@@ -49,7 +49,7 @@ TEST(Answer, ReportsTheFailedPrecondition) {
 
 TEST(Answer, LetsWatchersOnlyWatch) {
   const Json answer = Answer(MakeTable(), {.what = "load"}, /*is_controller=*/false);
-  EXPECT_EQ(answer["error"], "you are watching: take control first");
+  EXPECT_EQ(answer["error"], "you are watching; take control first");
 }
 
 TEST(Answer, MayBeDeferred) {

@@ -243,7 +243,7 @@ TEST_F(ServerTest, ReportsTheLimitToFloodingClientsAndClosesThem) {
 TEST_F(ServerTest, WrongRequestsAreAnsweredAndManyAreEnough) {
   WebClient client = Connect();
   client.Upgrade();
-  EXPECT_EQ(client.Ask({{"do", "ping"}})["error"], "say hello first");
+  EXPECT_EQ(client.Ask({{"do", "ping"}})["error"], "send hello first");
   EXPECT_EQ(client.Ask({{"do", "hello"}, {"version", 2}})["error"], "found version 2, expected 1");
   client.SendText(std::string(100'000, '['));
   EXPECT_EQ(client.Await("reply")["error"], "this JSON is nested deeper than 32 levels");

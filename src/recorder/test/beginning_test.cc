@@ -49,8 +49,8 @@ TEST_F(BeginningTest, AnAbandonedOneIsNamedAndMayBeBegunAgain) {
   } catch (const InputError& error) {
     EXPECT_EQ(std::string(error.what()),
               demo_.string() +
-                  ": holds no recording: the program was killed before it had begun one; a new "
-                  "recording may take its place");
+                  ": contains no recording: the program was killed before the recording began; a "
+                  "new recording can replace it");
   }
   EXPECT_EQ(recording::NewDirectory(root_, "demo"), demo_);
   EXPECT_EQ(Record(), demo_);

@@ -97,7 +97,7 @@ TEST_F(DamagedRobot, IsReadOnlyFromTheRecording) {
   EXPECT_EQ(Complaint(), "no such file");
   fs::current_path(before);
   fs::create_directory_symlink(outside, robot);
-  EXPECT_EQ(Complaint(), "lies elsewhere, expected it in the recording");
+  EXPECT_EQ(Complaint(), "is outside the recording, expected inside");
   fs::remove(robot);
   fs::create_directory(robot);
   fs::create_symlink(outside / "baxter.urdf", robot / "baxter.urdf");

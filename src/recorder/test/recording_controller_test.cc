@@ -25,7 +25,7 @@ class RecordingControllerTest : public RecordingFixture {
 };
 
 TEST_F(RecordingControllerTest, EveryRecordingHasADirectoryOfItsOwn) {
-  EXPECT_EQ(*simulation_->Apply(sim::FinishRecording()), "nothing is being recorded");
+  EXPECT_EQ(*simulation_->Apply(sim::FinishRecording()), "no recording is in progress");
   Do(sim::StartRecording{.name = "take", .title = "first"}, 3);
   EXPECT_NE(simulation_->Apply(sim::StartRecording())->find("already recording"),
             std::string::npos);
@@ -64,7 +64,7 @@ TEST_F(RecordingControllerTest, ARecordingIsOfOneSceneAndBeginsWithTheLoadedOne)
   Do(sim::Grasp{.hand = HandName::kRight, .object = "a"}, 10);
   Do(sim::StartRecording(), 10);
   EXPECT_EQ(*simulation_->Apply(load),
-            "a recording is in progress, which is of one scene; finish it first");
+            "a recording is in progress and contains one scene only; finish it first");
   EXPECT_NE(simulation_->Apply(sim::Undo()), std::nullopt);
   Do(sim::Release{.hand = HandName::kRight}, 30);
   Do(sim::FinishRecording());

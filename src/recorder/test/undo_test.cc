@@ -255,7 +255,7 @@ TEST_F(UndoTest, TheLogKeepsWhatWasUndone) {
   ASSERT_FALSE(simulation->Apply(sim::Undo()));
   EXPECT_EQ(simulation->tick(), 0u);
   ASSERT_FALSE(simulation->Apply(sim::Grasp{.hand = HandName::kRight, .object = "b"}));
-  EXPECT_EQ(*simulation->Apply(sim::Redo()), "there is nothing to do again in this recording");
+  EXPECT_EQ(*simulation->Apply(sim::Redo()), "nothing to redo in this recording");
 
   EXPECT_EQ(Lines(root_ / "demo" / "commands.jsonl"),
             (std::vector<std::string>{R"({"tick":0,"hand":"left","do":"grasp","object":"a"})",
@@ -305,7 +305,7 @@ TEST_F(UndoTest, AnUndoThatDidNotReachTheTraceIsLeftOut) {
       << R"({"do":"undo","tick":9999,"to":{"line":1,"tick":3}})"
       << "\n";
   const recording::Recording recording = recording::OpenRecording(demo);
-  EXPECT_EQ(recording.cuts, (std::vector<std::string>{"the last undo was cut and is left out"}));
+  EXPECT_EQ(recording.cuts, (std::vector<std::string>{"the last undo was cut and is skipped"}));
   EXPECT_EQ(recording.commands.size(), num_commands);
   EXPECT_EQ(replay::Replay(recording).first_difference, std::nullopt);
 }

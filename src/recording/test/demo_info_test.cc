@@ -75,7 +75,7 @@ TEST_F(DemoInfoTest, ComplaintsNameThePlaceWhatWasFoundAndWhatWasExpected) {
   const std::pair<const char*, std::pair<const char*, const char*>> complaints[] = {
       {"/format", {"4", "<format>: found 4, expected 1 to 3 (made by smile 0)"}},
       {"/format", {"\"3\"", "<format>: found string, expected a whole number from 0 to 1000000"}},
-      {"/scene", {"[]", "<scene>: found array, expected a text"}},
+      {"/scene", {"[]", "<scene>: found array, expected a string"}},
       {"/meters_per_unit", {"0", "<meters_per_unit>: found 0, expected 1e-09 to 1e+09"}},
       {"/ticks_per_second", {"30", "<ticks_per_second>: found 30, expected 60 to 60"}},
       {"/physics", {"3", "<physics>: found 3, expected a whole number from 1 to 2"}},
@@ -89,7 +89,7 @@ TEST_F(DemoInfoTest, ComplaintsNameThePlaceWhatWasFoundAndWhatWasExpected) {
       {"/robot/gap_m", {"101", "<robot/gap_m>: found 101, expected -100 to 100"}},
       {"/robot/urdf",
        {"\"robot/..\"", "<robot/urdf>: found \"robot/..\", expected a file in robot/"}},
-      {"/robot/gripper", {"null", "<robot/gripper>: found null, expected a text"}},
+      {"/robot/gripper", {"null", "<robot/gripper>: found null, expected a string"}},
       {"/robot/kinematic",
        {"true", "<robot>: found both kinematic and friction_grasp, expected one at most"}},
       {"/eye/width_px", {"0", "<eye/width_px>: found 0, expected a whole number from 1 to 8192"}},
@@ -119,7 +119,7 @@ TEST_F(DemoInfoTest, ComplaintsNameThePlaceWhatWasFoundAndWhatWasExpected) {
   }
   EXPECT_EQ(ComplaintOf("{}"), "has no member \"format\"");
   EXPECT_EQ(ComplaintOf("{"), "this is not JSON");
-  EXPECT_EQ(ComplaintOf(R"({"format":3,"format":1})"), "the key \"format\" is there twice");
+  EXPECT_EQ(ComplaintOf(R"({"format":3,"format":1})"), "the key \"format\" appears twice");
 }
 
 TEST_F(DemoInfoTest, TheEyeIsThatOfThePictures) {

@@ -224,7 +224,7 @@ TEST_F(ReplayTest, OpensARecordingTruncatedByACrashAndReportsIt) {
 
   const recording::Recording recording = recording::OpenRecording(directory);
   EXPECT_EQ(recording.cuts,
-            (std::vector<std::string>{"the last line of commands.jsonl was cut and is left out"}));
+            (std::vector<std::string>{"the last line of commands.jsonl was cut and is skipped"}));
   const ReplayReport report = Replay(recording);
   EXPECT_FALSE(report.first_difference.has_value());
   EXPECT_TRUE(report.is_cut);
@@ -283,7 +283,7 @@ TEST_F(ReplayTest, NeverOverwritesARecording) {
     FAIL() << "it overwrote a recording";
   } catch (const InputError& error) {
     EXPECT_EQ(error.diagnostics().front().message,
-              "exists already; a recording is never overwritten, name a new directory");
+              "exists already, expected a new directory; recordings are never overwritten");
   }
 }
 

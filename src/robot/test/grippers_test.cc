@@ -91,7 +91,7 @@ TEST(Grippers, AWishForAnotherOneIsAnswered) {
     return std::string();
   };
   EXPECT_EQ(complaint("electrik"),
-            "baxter.robot.json: <grippers>: found the wish for \"electrik\", expected classic, "
+            "baxter.robot.json: <grippers>: found the choice \"electrik\", expected classic, "
             "electric or none; did you mean \"electric\"?");
   EXPECT_EQ(complaint("electric-huge"),
             "baxter.robot.json: <grippers/electric>: found the word \"huge\", expected one of "
@@ -137,12 +137,12 @@ TEST_F(OwnGripper, ComplaintsNameThePlace) {
             "r.robot.json: <grippers/g/parts/0/urdf>: found \"none.urdf\": expected a file in the "
             "folder of the robot, in a --path folder or below these");
   EXPECT_EQ(ComplaintAbout(R"({"urdf": "g.urdf", "to": "palm"})"),
-            "r.robot.json: <grippers/g/parts/0>: would hang on \"a_palm\", expected the name of a "
-            "link");
+            "r.robot.json: <grippers/g/parts/0>: would be attached to \"a_palm\", expected the "
+            "name of a link");
   EXPECT_EQ(ComplaintAbout(R"({"urdf": "g.urdf"}, {"urdf": "g.urdf", "to": "finger"})"),
-            "g.urdf:2: <joint name=\"slide\">: there is a joint \"a_slide\" already");
+            "g.urdf:2: <joint name=\"slide\">: joint \"a_slide\" already exists");
   EXPECT_EQ(ComplaintAbout(R"({"urdf": "g.urdf"})", R"(, "fingers": ["slide", "slide"])"),
-            "r.robot.json: <grippers/g/fingers>: both are one, expected two");
+            "r.robot.json: <grippers/g/fingers>: both are the same joint, expected two");
 }
 
 TEST_F(OwnGripper, TextsThatGrowWithoutEndAreRefused) {
@@ -152,14 +152,14 @@ TEST_F(OwnGripper, TextsThatGrowWithoutEndAreRefused) {
                           R"(, "choices": {")" + name + R"(": [")" + word + "\"]}");
   };
   const auto expected_letters = [](const std::string& message, const std::string& count) {
-    return message.ends_with(", expected at most " + count + " letters");
+    return message.ends_with(", expected at most " + count + " characters");
   };
   const std::string word(64, 'w'), place = "r.robot.json: <grippers/g";
   std::string full = "{n}";
   for (int i = 0; i < 4; ++i) full += full;
   EXPECT_EQ(complaint("n", "g", "{n}.urdf"), "");
   std::string message = complaint("n", word, full);  // 16 times 64
-  EXPECT_TRUE(message.starts_with(place + ">: with what is chosen, a text becomes")) << message;
+  EXPECT_TRUE(message.starts_with(place + ">: with the choice, a string becomes")) << message;
   EXPECT_TRUE(expected_letters(message, "1000")) << message;
   message = complaint("n", word + "w", "g.urdf");
   EXPECT_TRUE(message.starts_with(place + "/choices/n/0>: found")) << message;
@@ -210,7 +210,8 @@ TEST_F(MimicFingers, OpenTogetherWhicheverWayTheirJointsRun) {
 
 TEST_F(MimicFingers, AreTheOnlyOnesThatMayMimic) {
   const std::string complaint =
-      "r.robot.json: joint \"r\" mimics \"l\", expected that only of two fingers that open alike";
+      "r.robot.json: joint \"r\" mimics \"l\", expected a mimic only between two fingers that open "
+      "symmetrically";
   EXPECT_EQ(Complaint(MimicUrdf("-2"), kSideFile), complaint);
   EXPECT_EQ(Complaint(MimicUrdf("-1"), R"({"format": 1,
 "arms": {"a": {"joints": ["l"], "tool": "l"}}})"),
@@ -223,7 +224,7 @@ TEST_F(MimicFingers, LimitsOnlyBecomeNarrower) {
   EXPECT_EQ(Complaint(MimicUrdf("-1"), R"({"format": 1, "limits": {"l": {"velocity": 6}}})"),
             "r.robot.json: <limits/l/velocity>: found 6, expected 0 to 5, as the URDF has it");
   EXPECT_EQ(Complaint(MimicUrdf("-1"), R"({"format": 1, "limits": {"l": {"upper": 0}}})"),
-            "r.robot.json: <limits/l>: it leaves no motion, expected lower below upper, the "
+            "r.robot.json: <limits/l>: it permits no motion, expected lower below upper, the "
             "others above 0");
 }
 

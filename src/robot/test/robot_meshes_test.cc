@@ -219,7 +219,7 @@ TEST_F(RobotMeshes, OutsideTheFoldersAreRefused) {
   fs::create_symlink(folder_ / "secret/a.stl", folder_ / "robot/link.stl");
   fs::create_symlink(folder_ / "secret", folder_ / "ws/p/meshes");
   const std::string elsewhere =
-      " lies elsewhere, expected it in the folder of the robot, in a --path folder or below these";
+      " is outside, expected inside the folder of the robot, in a --path folder or below these";
   const auto complaint = [&](const std::string& reference) {
     return LoadComplaint(UrdfWith(reference), {folder_ / "ws"});
   };
@@ -234,13 +234,13 @@ TEST_F(RobotMeshes, OutsideTheFoldersAreRefused) {
   EXPECT_EQ(
       complaint("package://p/meshes/a.stl"),
       expected("package://p/meshes/a.stl",
-               " lies elsewhere, expected it in a --path folder that holds the folder \"p\""));
+               " is outside, expected inside a --path folder that contains the folder \"p\""));
   EXPECT_EQ(complaint("package://q/a.stl"),
             expected("package://q/a.stl",
-                     ": expected a file in a --path folder that holds the folder \"q\""));
-  EXPECT_EQ(complaint("package://p/../../secret/a.stl"),
-            expected("package://p/../../secret/a.stl",
-                     ": expected package://PACKAGE/PATH without steps up"));
+                     ": expected a file in a --path folder that contains the folder \"q\""));
+  EXPECT_EQ(
+      complaint("package://p/../../secret/a.stl"),
+      expected("package://p/../../secret/a.stl", ": expected package://PACKAGE/PATH without .."));
   EXPECT_EQ(complaint("https://example.org/a.stl"),
             expected("https://example.org/a.stl", ": expected package://, file:// or a path"));
 }
@@ -253,8 +253,8 @@ TEST_F(RobotMeshes, TheUsualSideFileMayBeALinkThatStaysInside) {
   fs::remove(folder_ / "robot/r.robot.json");
   fs::create_symlink("../secret/s.json", folder_ / "robot/r.robot.json");
   EXPECT_EQ(LoadComplaint(SmallRobot().Text()),
-            "r.robot.json: lies elsewhere, expected it in the folder of the robot, in a --path "
-            "folder or named by --side-file");
+            "r.robot.json: is outside, expected inside the folder of the robot, in a --path folder "
+            "or named by --side-file");
   EXPECT_TRUE(LoadRobot(folder_ / "robot/r.urdf", {.side_file = folder_ / "robot/r.robot.json"})
                   .has_side_file);
 }

@@ -53,7 +53,7 @@ TEST_F(SideFile, NamesPlacesTheUrdfHasNoNameFor) {
   EXPECT_EQ(eye.X_LF.translation(), Vector3(1, 2, 3));
   EXPECT_LT((eye.X_LF.rotation().col(0) - Vector3::UnitY()).norm(), 1e-12);
   EXPECT_EQ(ComplaintAbout(R"({"format": 1, "frames": {"arm": {"on": "base"}}})"),
-            "r.robot.json: <frames/arm>: there is a link or frame of that name already");
+            "r.robot.json: <frames/arm>: a link or frame of that name already exists");
 }
 
 TEST_F(SideFile, MayBeMissing) {
@@ -73,12 +73,12 @@ TEST_F(SideFile, ComplaintsNameThePlace) {
   EXPECT_EQ(ComplaintAbout(R"({"format": 1, "arms": {"a": {"joints": ["spin"], "tool": "arm"}}})"),
             "r.robot.json: <arms/a/joints/0>: found \"spin\", expected a joint that moves");
   EXPECT_EQ(ComplaintAbout(R"({"format": 1, "arms": {"a": {"joints": [7], "tool": "arm"}}})"),
-            "r.robot.json: <arms/a/joints/0>: found number, expected a text");
+            "r.robot.json: <arms/a/joints/0>: found number, expected a string");
   EXPECT_EQ(ComplaintAbout(R"({"format": 1, "arms": {"a": {"joints": [], "tool": "leg"}}})"),
             "r.robot.json: <arms/a/tool>: found \"leg\", expected the name of a link");
   EXPECT_EQ(ComplaintAbout(WithArm(R"(, "never_collide": [["arm", "arm"]])")),
-            "r.robot.json: <never_collide/0>: both move as one, expected two links that move "
-            "apart");
+            "r.robot.json: <never_collide/0>: both are the same rigid body, expected two links "
+            "that move relative to each other");
   EXPECT_EQ(ComplaintAbout(WithArm(R"(, "start": "nowhere")")),
             "r.robot.json: <start>: found \"nowhere\", expected one of the poses");
 }
@@ -113,13 +113,13 @@ TEST_F(SideFile, RefusesNamesOfArmsThatMeanSomethingElse) {
   urdf.replace(urdf.find("\"yaw\""), 5, "\"only_gripper\"");
   EXPECT_EQ(Complaint(urdf, WithArm()),
             "r.robot.json: <arms/only>: there is a joint \"only_gripper\", expected that name for "
-            "the gripper alone");
+            "the gripper only");
 }
 
 TEST_F(SideFile, RefusesJointsThatTwoMove) {
   const auto complaint = [](const std::string& place, const std::string& joint) {
     return "r.robot.json: <" + place + ">: joint \"" + joint +
-           "\" is named already, expected each in one arm, as one finger or in the head";
+           "\" is already used, expected each joint once: in an arm, as a finger or in the head";
   };
   EXPECT_EQ(ComplaintAbout(R"({"format": 1, "arms": {"a":
 {"joints": ["turn", "turn"], "tool": "arm"}}})"),
@@ -138,9 +138,9 @@ TEST_F(SideFile, RefusesArmsThatAreNoChain) {
   const auto complaint = [](const std::string& place, const std::string& name,
                             const std::string& last) {
     return "r.robot.json: <arms/a/" + place + ">: found \"" + name +
-           "\", which does not hang on joint \"" + last +
-           "\", expected one behind it: joints in their order from the shoulder to the wrist, then "
-           "the gripper";
+           "\", which is not attached to joint \"" + last +
+           "\", expected one after it in the chain: joints in order from the shoulder to the "
+           "wrist, then the gripper";
   };
   const auto arm = [](const std::string& text) {
     return R"({"format": 1, "arms": {"a": )" + text + "}}";
@@ -173,8 +173,8 @@ TEST_F(SideFile, RefusesLooksThatAreNoneOrDoNotFit) {
 TEST_F(SideFile, RefusesFingersThatAreNone) {
   EXPECT_EQ(ComplaintAbout(R"({"format": 1, "arms": {"a":
 {"joints": [], "tool": "arm", "fingers": ["f1", "turn"]}}})"),
-            "r.robot.json: <arms/a/fingers>: joint \"turn\" does not slide from 0 on, expected "
-            "a finger that does");
+            "r.robot.json: <arms/a/fingers>: joint \"turn\" does not slide from 0, expected a "
+            "finger that slides from 0");
   EXPECT_EQ(ComplaintAbout(R"({"format": 1, "arms": {"a":
 {"joints": [], "tool": "arm", "fingers": ["f1"]}}})"),
             "r.robot.json: <arms/a/fingers>: length is 1, expected 2");
@@ -182,7 +182,7 @@ TEST_F(SideFile, RefusesFingersThatAreNone) {
 
 TEST_F(SideFile, RefusesPosesTheRobotCannotTake) {
   EXPECT_EQ(ComplaintAbout(WithArm(R"(, "poses": {"p": {"only": [3]}})")),
-            "r.robot.json: <poses/p/only/0>: joint \"turn\" would stand at 3, expected -1 to 2");
+            "r.robot.json: <poses/p/only/0>: joint \"turn\" would be at 3, expected -1 to 2");
   EXPECT_EQ(ComplaintAbout(WithArm(R"(, "poses": {"p": {"only": [0, 0]}})")),
             "r.robot.json: <poses/p/only>: length is 2, expected 1");
   EXPECT_EQ(ComplaintAbout(WithArm(R"(, "poses": {"p": {"tail": 1}})")),
@@ -193,7 +193,7 @@ TEST_F(SideFile, ReportsWhereItIsNotJson) {
   EXPECT_EQ(ComplaintAbout("{\"format\": 1,\n\"arms\": }"),
             "r.robot.json: this is not JSON from line 2 on");
   EXPECT_EQ(ComplaintAbout(R"({"format": 1, "arms": {"a": {}, "a": {}}})"),
-            "r.robot.json: the key \"a\" is there twice in \"arms\"");
+            "r.robot.json: the key \"a\" appears twice in \"arms\"");
 }
 
 }  // namespace

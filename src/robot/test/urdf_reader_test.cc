@@ -112,7 +112,7 @@ TEST_F(UrdfReader, RefusesAnUndefinedColor) {
 <sphere radius="1"/></geometry><material name="mauve"/></visual></link>
 <joint name="weld" type="fixed"><parent link="arm"/><child link="x"/></joint>)"}
                           .Text()),
-            "r.urdf:9: <link name=\"x\">: material \"mauve\" is nowhere defined");
+            "r.urdf:9: <link name=\"x\">: material \"mauve\" is not defined");
 }
 
 TEST_F(UrdfReader, RefusesAMovingLinkWithoutARealMass) {
@@ -178,12 +178,12 @@ TEST_F(UrdfReader, RefusesTextThatIsNoUrdf) {
   EXPECT_TRUE(Complaint("<robot/>").starts_with("r.urdf: "));
   for (const char* broken : {"<link name=base/></robot>", "<!-- <link/>", "<link></lnk></robot>"}) {
     const std::string message = Complaint("<robot name=\"r\">\n" + std::string(broken));
-    EXPECT_TRUE(message.starts_with("r.urdf:2: found a fault in the XML (")) << message;
+    EXPECT_TRUE(message.starts_with("r.urdf:2: found an error in the XML (")) << message;
   }
   EXPECT_EQ(Complaint(std::string("<robot\n\0/>", 10)),
             "r.urdf:2: found a NUL byte, expected XML text in UTF-8");
   EXPECT_EQ(Complaint("<!DOCTYPE robot [<!ENTITY a \"b\">]><robot name=\"r\"/>"),
-            "r.urdf:1: found a DOCTYPE, expected none: a file stands for itself");
+            "r.urdf:1: found a DOCTYPE, expected none: files must be self-contained");
 }
 
 TEST_F(UrdfReader, ReadsWhatOtherToolsLeaveBehind) {

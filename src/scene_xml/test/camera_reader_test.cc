@@ -53,10 +53,10 @@ TEST(CameraFaults, NameWhatDoesNotFit) {
   }
   EXPECT_EQ(FaultOf(Camera("id='eye'" + place)),
             found("eye",
-                  "id=\"eye\", expected none of close, eye, front, head, left, left_hand, "
-                  "nice, right, right_hand or top, which there are without it"));
+                  "id=\"eye\", expected none of close, eye, front, head, left, left_hand, nice, "
+                  "right, right_hand or top, which are predefined"));
   EXPECT_EQ(FaultOf(Camera("id='3d'" + place)),
-            found("3d", "id=\"3d\", expected a letter first, and at most 40 letters"));
+            found("3d", "id=\"3d\", expected a letter first, and at most 40 characters"));
   EXPECT_EQ(FaultOf(Camera("id='a'" + place + "/><camera id='a'" + place)),
             found("a", "id=\"a\", expected one that no other camera has"));
   EXPECT_NE(

@@ -197,7 +197,7 @@ TEST(References, AreFaultsIfTheyMatchNoneOrSeveral) {
   EXPECT_EQ(FaultOfControl("<block id='L'" + kAtOrigin + "/>" + toggle + "L'/></toggleSwitch>" +
                            lamp + lamp),
             "test.xml:4: <downstream id=\"L\">: found id=\"L\", expected L#0 or L#1: the file "
-            "calls 2 controls so");
+            "has 2 controls with this id");
   EXPECT_EQ(FaultOfControl(toggle + "'/></toggleSwitch>"),
             "test.xml:4: <downstream id=\"\">: found id=\"\", expected the id of a control");
   EXPECT_EQ(

@@ -122,13 +122,13 @@ TEST(Expression, ReportsSyntaxErrors) {
   EXPECT_EQ(FaultIn("$widht/2$"),
             "with the unknown variable \"widht\", expected one of the instance, of its def or of "
             "an instance around it; did you mean \"width\"?");
-  EXPECT_EQ(FaultIn("$a b$"), "with \"b\" behind a value, expected an operator + - * /");
-  EXPECT_EQ(FaultIn("$a)$"), "with \")\" behind a value, expected an operator + - * /");
-  EXPECT_EQ(FaultIn("$a%b$"), "with \"%b\" behind a value, expected an operator + - * /");
+  EXPECT_EQ(FaultIn("$a b$"), "with \"b\" after a value, expected an operator + - * /");
+  EXPECT_EQ(FaultIn("$a)$"), "with \")\" after a value, expected an operator + - * /");
+  EXPECT_EQ(FaultIn("$a%b$"), "with \"%b\" after a value, expected an operator + - * /");
   EXPECT_EQ(FaultIn("$- a$"), "with \" a\", expected a number, a variable or (");
-  EXPECT_EQ(FaultIn("$a*$"), "with an early end, expected a number, a variable or (");
-  EXPECT_EQ(FaultIn("$$"), "with an early end, expected a number, a variable or (");
-  EXPECT_EQ(FaultIn("$(a+b$"), "with an early end, expected an operator + - * / or )");
+  EXPECT_EQ(FaultIn("$a*$"), "with the end, expected a number, a variable or (");
+  EXPECT_EQ(FaultIn("$$"), "with the end, expected a number, a variable or (");
+  EXPECT_EQ(FaultIn("$(a+b$"), "with the end, expected an operator + - * / or )");
   EXPECT_EQ(FaultIn("$s*2$"), "with s=\"red\" in arithmetic, expected a number");
   EXPECT_EQ(FaultIn("$empty+1$"), "with empty=\"\" in arithmetic, expected a number");
 }
@@ -136,7 +136,7 @@ TEST(Expression, ReportsSyntaxErrors) {
 TEST(Expression, RefusesAValueThatWouldMakeAnother) {
   EXPECT_EQ(ValueOf("$cash$"), "5$");
   EXPECT_EQ(FaultIn("$cash$ and $cash$"),
-            "with $ in the value of a variable, expected none that makes another expression");
+            "with $ in the value of a variable, expected no nested expression");
 }
 
 TEST(Expression, BoundsWhatItDoes) {
@@ -145,7 +145,7 @@ TEST(Expression, BoundsWhatItDoes) {
             "with more than 64 parentheses inside one another, expected fewer");
   std::string text;
   for (int i = 0; i < 500; ++i) text += "$loc$";
-  EXPECT_EQ(FaultIn(text), "with more text than fits the scene, expected less");
+  EXPECT_EQ(FaultIn(text), "with a text that exceeds the limits of a scene, expected less");
 }
 
 }  // namespace

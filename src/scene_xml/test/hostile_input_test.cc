@@ -35,7 +35,7 @@ TEST(HostileInput, RefusesWhatIsNotXml) {
 
 TEST(HostileInput, RefusesBrokenXmlWithTheLineAndTheParsersReason) {
   const std::string fault = FaultOf(std::string(kRoot) + "\n<block>\n</blok></tabletop>");
-  EXPECT_TRUE(fault.starts_with("test.xml:3: found a fault in the XML (Opening and ending tag"))
+  EXPECT_TRUE(fault.starts_with("test.xml:3: found an error in the XML (Opening and ending tag"))
       << fault;
   EXPECT_TRUE(fault.ends_with("), expected well-formed XML")) << fault;
   for (const char* broken :
@@ -49,7 +49,7 @@ TEST(HostileInput, RefusesBrokenXmlWithTheLineAndTheParsersReason) {
 TEST(HostileInput, RefusesADoctypeAndWithItEveryEntity) {
   EXPECT_EQ(FaultOf("<?xml version='1.0'?>\n<!DOCTYPE tabletop [<!ENTITY a 'aaaa'>"
                     "<!ENTITY b SYSTEM 'file:///etc/passwd'>]><tabletop>&a;&b;</tabletop>"),
-            "test.xml:2: found a DOCTYPE, expected none: a file stands for itself");
+            "test.xml:2: found a DOCTYPE, expected none: files must be self-contained");
 }
 
 TEST(HostileInput, RefusesOtherEncodings) {
@@ -100,7 +100,7 @@ TEST(HostileInput, DoesNotRefuseAGoodFileForItsSize) {
 TEST(HostileInput, BoundsTheNumberOfDiagnostics) {
   const std::vector<std::string> faults = FaultsOf(kRoot + Repeated("<a/>", 5'000) + "</tabletop>");
   EXPECT_EQ(faults.size(), 1'001u);
-  EXPECT_EQ(faults.back(), "test.xml:1: found more faults than the 1000 listed, expected none");
+  EXPECT_EQ(faults.back(), "test.xml:1: found more errors than the 1000 listed, expected none");
 }
 
 TEST(HostileInput, ShortensWhatItQuotes) {
@@ -123,7 +123,7 @@ TEST(HostileInput, RefusesFoldersAndMissingFiles) {
   const auto message = [](const std::filesystem::path& path) {
     return ToString(ReadScene(path).diagnostics.at(0));
   };
-  EXPECT_EQ(message("/"), "/:1: is not a plain file");
+  EXPECT_EQ(message("/"), "/:1: is not a regular file");
   EXPECT_EQ(message("no-such.xml"), "no-such.xml:1: no such file");
 }
 

@@ -123,7 +123,7 @@ TEST_F(Include, NamesTheFileAndLineOfEveryFault) {
                            kExpectedPlace);
   EXPECT_EQ(faults[2], "main.xml:6: <include>: found no file, expected file=\"…\"");
   EXPECT_TRUE(faults[3].starts_with("bad.xml:4: <blok>: found an unknown element"));
-  EXPECT_TRUE(faults[4].starts_with("worse.xml:2: found a fault in the XML"));
+  EXPECT_TRUE(faults[4].starts_with("worse.xml:2: found an error in the XML"));
 }
 
 TEST_F(Include, NamesTheInstanceInTheOtherFile) {
@@ -163,7 +163,7 @@ TEST_F(Include, StaysInsideTheFoldersItWasGiven) {
 
 TEST_F(Include, ReadsNeitherFoldersNorDevicesNorEndlessNames) {
   fs::create_directories(folder_ / "sub");
-  EXPECT_NE(Read(File("main.xml", IncludeOf("sub")))[0].find("which is not a plain file"),
+  EXPECT_NE(Read(File("main.xml", IncludeOf("sub")))[0].find("which is not a regular file"),
             std::string::npos);
   EXPECT_EQ(Read(File("main.xml", IncludeOf("/dev/zero"))).size(), 1u);
   EXPECT_EQ(Read(File("main.xml", IncludeOf(""))).size(), 1u);

@@ -172,16 +172,16 @@ TEST(TemplateFaults, AreReportedOnceForAVariableAndItsUses) {
 }
 
 TEST(TemplateFaults, NameTheCircle) {
-  EXPECT_EQ(FaultOf(SceneText("<def name='a'>\n<instance def='b'/></def>\n"
-                              "<def name='b'>\n<instance def='a'/></def>\n<instance def='a'/>")),
-            "test.xml:6: <instance def=\"a\">: found templates that hold each other in a circle "
-            "(a, b, a), expected an end (in the instance at test.xml:4, within that at "
-            "test.xml:7)");
-  EXPECT_EQ(FaultOf(SceneText("<def name='t'><var name='a' value='$b$'/>\n"
-                              "<var name='b' value='$a$'/></def><instance def='t'/>")),
-            "test.xml:3: <var name=\"a\">: found variables that need each other in a circle "
-            "(a, b, a), expected one of them to have a value of its own (in the instance at "
-            "test.xml:4)");
+  EXPECT_EQ(
+      FaultOf(SceneText("<def name='a'>\n<instance def='b'/></def>\n"
+                        "<def name='b'>\n<instance def='a'/></def>\n<instance def='a'/>")),
+      "test.xml:6: <instance def=\"a\">: found templates that contain each other in a cycle (a, b, "
+      "a), expected an end (in the instance at test.xml:4, within that at test.xml:7)");
+  EXPECT_EQ(
+      FaultOf(SceneText("<def name='t'><var name='a' value='$b$'/>\n"
+                        "<var name='b' value='$a$'/></def><instance def='t'/>")),
+      "test.xml:3: <var name=\"a\">: found variables that depend on each other in a cycle (a, b, "
+      "a), expected one of them to have a value of its own (in the instance at test.xml:4)");
 }
 
 TEST(TemplateFaults, NameASecondDefAndMisplacedOnes) {
@@ -226,8 +226,9 @@ TEST(HostileTemplates, CannotMakeMoreTextThanTheLimit) {
     const std::string before = "$v" + std::to_string(i - 1) + "$";
     variables += Var("v" + std::to_string(i), before + before);
   }
-  EXPECT_NE(FaultOf(SceneText(Def("t", variables) + Instance("t"))).find("with more text than"),
-            std::string::npos);
+  EXPECT_NE(
+      FaultOf(SceneText(Def("t", variables) + Instance("t"))).find("exceeds the limits of a scene"),
+      std::string::npos);
   std::string instances;
   for (int i = 0; i < 2'000; ++i) instances += Instance("t");
   EXPECT_NE(FaultOf(SceneText(Def("t", Note(std::string(100'000, 'x'))) + instances))

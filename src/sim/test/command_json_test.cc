@@ -80,7 +80,7 @@ TEST(CommandJson, RoundTripsEveryKindToTheLastBit) {
 
 TEST(CommandJson, ReportsWhatWasFoundAndExpected) {
   EXPECT_EQ(MessageOf(R"({"do":"grasp","object":"b"})"),
-            "\"grasp\" lacks \"hand\": which of the demonstrator's hands");
+            "\"grasp\" lacks \"hand\": hand of the demonstrator");
   EXPECT_EQ(MessageOf(R"({"do":"grab","hand":"left"})"),
             "\"do\" is \"grab\", expected one of grasp, move_to, plane, rotate, release, "
             "destroy, attend, point, trigger, fasten, loosen, "

@@ -30,7 +30,7 @@ TEST_F(FloorTest, AFallIsReportedOnceAndResetByAnEarlierState) {
   EXPECT_EQ(ear_.fell[0].first, "b");
   EXPECT_NEAR(static_cast<double>(ear_.fell[0].second), 26, 1) << "0.9 m down take 0.43 s";
   EXPECT_EQ(simulation_->Apply(Grasp{.hand = HandName::kLeft, .object = "b"}),
-            "'b' fell to the floor; undo brings it back");
+            "'b' fell to the floor; undo restores it");
 
   const SimulationState end = simulation_->Save();
   const std::uint64_t hash = simulation_->state_hash();

@@ -207,10 +207,10 @@ TEST_F(HandsTest, ADragFollowsTheRayInThePlane) {
 
   const std::uint64_t hash = simulation_->state_hash();
   EXPECT_EQ(drag_level({0, -2, 0.2}, {0, 1, 0}),
-            "the ray is parallel to the level plane of the left hand");
+            "the ray is parallel to the horizontal plane of the left hand");
   const std::string plane = "the motion plane of the left hand";
   EXPECT_EQ(drag({0, -2, 0.2}, {1, 1, 3}), "the ray is parallel to " + plane);
-  EXPECT_EQ(drag({0, -2, 0.2}, {0, -1, 0}), "the ray runs away from " + plane);
+  EXPECT_EQ(drag({0, -2, 0.2}, {0, -1, 0}), "the ray points away from " + plane);
   EXPECT_EQ(drag({0, -2, 0.2}, {1, 1.01, 0}), "the ray meets " + plane + " more than 100 m away");
   EXPECT_EQ(drag({0, -2, 0.2}, {0, 0, 0}), "the ray has no direction");
   EXPECT_EQ(drag({0, -2, 0.2}, {0, std::nan(""), 0}), "the ray has no direction");

@@ -82,14 +82,14 @@ TEST_F(HistoryTest, ListenersMayRefuseAndAreNotifiedOfTheReturn) {
   Simulation simulation(EverythingScene::Make());
   Watcher watcher;
   simulation.AddListener(&watcher);
-  EXPECT_EQ(*simulation.Apply(Undo()), "there is nothing to undo");
+  EXPECT_EQ(*simulation.Apply(Undo()), "nothing to undo");
   ASSERT_FALSE(simulation.Apply(Grasp{.hand = HandName::kLeft, .object = "ball"}));
   simulation.Tick();
   ASSERT_FALSE(simulation.Apply(Undo()));
   EXPECT_EQ(watcher.num_commands, 1);
   EXPECT_EQ(watcher.tick_after_undo, 0u);
   EXPECT_EQ(*simulation.Apply(Redo()), "not while I watch");
-  EXPECT_EQ(*simulation.Apply(StartRecording()), "nobody records this simulation");
+  EXPECT_EQ(*simulation.Apply(StartRecording()), "no recorder is attached");
 }
 
 TEST_F(HistoryTest, ACommandAfterAnUndoDiscardsWhatWasUndone) {
@@ -97,7 +97,7 @@ TEST_F(HistoryTest, ACommandAfterAnUndoDiscardsWhatWasUndone) {
   ASSERT_FALSE(simulation.Apply(Grasp{.hand = HandName::kLeft, .object = "ball"}));
   ASSERT_FALSE(simulation.Apply(Undo()));
   ASSERT_FALSE(simulation.Apply(Plane{.hand = HandName::kLeft, .angle_deg = 30}));
-  EXPECT_EQ(*simulation.Apply(Redo()), "there is nothing to do again");
+  EXPECT_EQ(*simulation.Apply(Redo()), "nothing to redo");
   ASSERT_FALSE(simulation.Apply(Grasp{.hand = HandName::kLeft, .object = "ball"}));
   const ActionHistory& history = simulation.history();
   ASSERT_EQ(history.done().size(), 2u);
@@ -114,7 +114,7 @@ TEST_F(HistoryTest, KnowsWhetherAnythingIsMissing) {
   simulation.Restore(simulation.Save());
   EXPECT_FALSE(simulation.history().is_complete());
   EXPECT_EQ(simulation.history().current().tick, 1u);
-  EXPECT_EQ(*simulation.Apply(Undo()), "there is nothing to undo");
+  EXPECT_EQ(*simulation.Apply(Undo()), "nothing to undo");
 }
 
 TEST(ActionHistory, ForgetsTheOldestStatesButNoAction) {

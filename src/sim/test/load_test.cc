@@ -97,8 +97,8 @@ TEST_F(LoadTest, AScriptNamesAFileOrHasTheScene) {
   EXPECT_EQ(read(R"({"do": "load", "file": "inches.xml"})"),
             "the scene to load has 0.0254 meters per unit, expected those of the script's scene, "
             "0.1");
-  EXPECT_EQ(read(R"({"do": "load", "xml": "<block/>"})").substr(0, 32),
-            "\"xml\" is no scene: scene:1: <blo");
+  EXPECT_EQ(read(R"({"do": "load", "xml": "<block/>"})").substr(0, 35),
+            "\"xml\" is not a scene: scene:1: <blo");
   EXPECT_EQ(read(R"({"do": "load", "file": "../other.xml"})").substr(0, 41),
             "\"file\" is \"../other.xml\", expected a file");
   std::filesystem::remove_all(folder);

@@ -200,7 +200,7 @@ TEST_F(RobotCommands, ImpossibleCommandsAreRefusedWithAReason) {
   without_arms.arms.clear();
   without_arms.head.reset();
   Simulation still({}, RobotPlacement{.model = std::move(without_arms)});
-  EXPECT_EQ(still.Apply(TakePose{.name = "ready"}), "the robot has no joints that poses move");
+  EXPECT_EQ(still.Apply(TakePose{.name = "ready"}), "the robot has no joints for poses");
 }
 
 /// A block on a pillar between the left fingers, as the robot stands at the start.

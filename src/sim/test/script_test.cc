@@ -69,8 +69,9 @@ TEST_F(ScriptTest, ADragIsTheMoveThatItMeans) {
 }
 
 TEST_F(ScriptTest, ReportsErrorsOfADrag) {
-  EXPECT_EQ(Play(R"({"hand": "any", "do": "drag", "origin": [1, -5, 2]})"),
-            "demo.jsonl:1: \"drag\" lacks \"direction\": of the ray, of any length but 0");
+  EXPECT_EQ(
+      Play(R"({"hand": "any", "do": "drag", "origin": [1, -5, 2]})"),
+      "demo.jsonl:1: \"drag\" lacks \"direction\": direction of the ray, of any length but 0");
   EXPECT_EQ(Play(R"({"hand": "any", "do": "drag", "origin": [1, -5, 2], "direction": [0, 0, 0]})"),
             "demo.jsonl:1: \"direction\" is [0,0,0], expected three numbers [x, y, z] of at most "
             "1e6, not all 0");
@@ -180,8 +181,7 @@ TEST_F(ScriptTest, ReportsATrajectoryThatIsLongerThanTheWait) {
   simulation_ = MakeSimulation({}, true);
   EXPECT_EQ(Play(R"({"do": "pose", "name": "ready", "speed": 0.05}
 {"do": "wait", "until": "arrived", "seconds": 2})"),
-            "demo.jsonl:2: waited 2 s, but the robot is still on its way: its trajectory takes "
-            "longer");
+            "demo.jsonl:2: waited 2 s, but the robot is still moving: its trajectory takes longer");
 }
 
 TEST_F(ScriptTest, CollectsEveryFindingBeforeAnythingMoves) {

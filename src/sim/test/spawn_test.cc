@@ -102,12 +102,12 @@ TEST_F(SpawnTest, MechanismsWorkAsThoseOfTheStart) {
 }
 
 TEST_F(SpawnTest, ReportsWhyNothingIsAdded) {
-  EXPECT_EQ(RefusalOf("<bloc id=\"c\"/>").substr(0, 50),
-            "what is to be added is no scene: added:1: <bloc id");
-  EXPECT_EQ(simulation_->Apply(Spawn{.xml = "{}"})->substr(0, 31),
-            "what is to be added is no scene");
+  EXPECT_EQ(RefusalOf("<bloc id=\"c\"/>").substr(0, 53),
+            "the objects to add are not a scene: added:1: <bloc id");
+  EXPECT_EQ(simulation_->Apply(Spawn{.xml = "{}"})->substr(0, 34),
+            "the objects to add are not a scene");
   EXPECT_EQ(RefusalOf("<block id=\"b\" location=\"(5,0,1)\"/>"),
-            "what is to be added has ids that were used before: b");
+            "the objects to add have ids that were used before: b");
   EXPECT_EQ(RefusalOf("<block id=\"c\" location=\"(0.5,0,1)\"/>"),
             "there is no room for 'c': 'a' is in the way");
   EXPECT_EQ(
@@ -117,30 +117,30 @@ TEST_F(SpawnTest, ReportsWhyNothingIsAdded) {
   EXPECT_EQ(RefusalOf("<camera id=\"c\" location=\"(1,0,1)\" target=\"(0,0,0)\"/>"),
             "a camera cannot be added");
   EXPECT_EQ(RefusalOf("<block id=\"c\" location=\"(5,0,1)\"/>", " metersPerUnit=\"0.2\""),
-            "what is to be added has 0.2 meters per unit, expected those of the scene, 0.1");
+            "the objects to add have 0.2 meters per unit, expected those of the scene, 0.1");
   EXPECT_EQ(RefusalOf("<block id=\"c\" location=\"(5,0,1)\"/>", " xspan=\"7\""),
-            "what is to be added has a table of another size");
-  EXPECT_NE(RefusalOf("<customMesh id=\"c\" file=\"scene.stl\"/>").find("no scene"),
+            "the objects to add have a table of another size");
+  EXPECT_NE(RefusalOf("<customMesh id=\"c\" file=\"scene.stl\"/>").find("not a scene"),
             std::string::npos);
-  EXPECT_NE(RefusalOf("<include file=\"/etc/passwd\"/>").find("no scene"), std::string::npos);
+  EXPECT_NE(RefusalOf("<include file=\"/etc/passwd\"/>").find("not a scene"), std::string::npos);
   std::string many;
   for (int i = 0; i <= kCommandSceneLimits.max_objects; ++i)
     many += "<block location=\"(0,0,0)\"/>";
   EXPECT_NE(RefusalOf(many).find("2000"), std::string::npos);
-  EXPECT_EQ(RefusalOf(std::string(kMaxSceneText, ' ')), "what is to be added is longer than 1 MiB");
+  EXPECT_EQ(RefusalOf(std::string(kMaxSceneText, ' ')), "the objects to add are longer than 1 MiB");
 }
 
 TEST_F(SpawnTest, RemoveRemovesFreeObjects) {
   ASSERT_FALSE(simulation_->Apply(Grasp{.hand = HandName::kLeft, .object = "a"}));
   EXPECT_EQ(*simulation_->Apply(Remove{.object = "a"}),
-            "the left hand holds 'a'; it must be released first");
+            "the left hand holds 'a'; release it first");
   EXPECT_EQ(*simulation_->Apply(Remove{.object = "c"}), "there is no object 'c'");
   const std::uint64_t before = simulation_->state_hash();
   ASSERT_EQ(simulation_->Apply(Remove{.object = "b"}), std::nullopt);
   EXPECT_EQ(simulation_->tabletop().Find("b"), nullptr);
   EXPECT_EQ(WordsOf(*simulation_->history().current().summary), "removed b");
   EXPECT_EQ(Add("<block id=\"b\" location=\"(5,0,1)\"/>"),
-            "what is to be added has ids that were used before: b")
+            "the objects to add have ids that were used before: b")
       << "an id names one object for ever";
   ASSERT_EQ(simulation_->Apply(Undo()), std::nullopt);
   EXPECT_EQ(simulation_->state_hash(), before);
@@ -160,7 +160,7 @@ TEST_F(SpawnTest, ClearLeavesWhatIsHeldAndWhatHangsOnIt) {
   const Event& cleared = simulation.history().current().events.front();
   EXPECT_EQ(cleared.kind, EventKind::kCleared);
   EXPECT_EQ(cleared.objects.size(), simulation.model().objects().size() - 2);
-  EXPECT_EQ(*simulation.Apply(Clear()), "there is nothing to clear away");
+  EXPECT_EQ(*simulation.Apply(Clear()), "nothing to clear");
   TickSeconds(simulation, 0.1);
   ASSERT_EQ(simulation.Apply(Undo()), std::nullopt);
   EXPECT_EQ(simulation.state_hash(), before);

@@ -22,7 +22,7 @@ TEST(Console, KeepsTheNewestLinesOfAFlood) {
   Console console;
   for (std::size_t i = 0; i < Console::kMaxLines + 5; ++i) console.Write(std::to_string(i));
   const std::vector<ConsoleLine> lines = console.Take();
-  EXPECT_EQ(lines.front().text, "... 5 lines left out");
+  EXPECT_EQ(lines.front().text, "... 5 lines omitted");
   EXPECT_EQ(lines.back().text, std::to_string(Console::kMaxLines + 4));
   EXPECT_TRUE(console.Take().empty());
 }

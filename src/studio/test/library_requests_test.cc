@@ -62,7 +62,7 @@ TEST_F(LibraryRequestsTest, TidyUp) {
   EXPECT_EQ(Ask("bin", {{"recording", "demo"}})["recording"], "demo~1");
   EXPECT_EQ(Ask("unbin", {{"recording", "demo~1"}})["recording"], "demo");
   EXPECT_EQ(Ask("rename", {{"recording", 7}})["error"],
-            R"("recording" is number, expected a text)");
+            R"("recording" is number, expected a string)");
   EXPECT_EQ(Ask("bin", {{"recording", "../demo"}})["error"], R"(there is no recording "../demo")");
   EXPECT_EQ(Ask("open", Json::object())["error"], R"("recording" is missing)");
 }
@@ -176,7 +176,7 @@ TEST_F(LibraryRequestsTest, NamesInvalidEdits) {
             "edits[0]: there is no field \"last\", expected do or factor");
   EXPECT_EQ(error_of({sound, {{"do", "drop"}, {"first", 4}}}),
             "edits[1]: segment is 4, expected 0 to 0");
-  EXPECT_EQ(error_of(7), "\"edits\" is no list of at most 1000");
+  EXPECT_EQ(error_of(7), "\"edits\" is not a list of at most 1000");
 }
 
 TEST(BackgroundJobs, CancelsReplacedJobs) {
@@ -201,7 +201,7 @@ TEST(BackgroundJobs, CancelsReplacedJobs) {
       if (deferred.client == 1) answers[deferred.message["seq"]] = deferred.message;
     }
   }
-  EXPECT_EQ(answers[1]["error"], "given up for what was asked for since");
+  EXPECT_EQ(answers[1]["error"], "canceled by a newer request");
   EXPECT_EQ(answers[2]["is"], "newest");
 }
 

@@ -94,7 +94,7 @@ TEST_F(SessionAllowed, TheRaisedButtonOfASwitchMayBePressedInAnyState) {
   for (int presses = 0; presses < 3; ++presses) {
     const Json allowed = AllowedCommands("[" + press(raised) + "," + press(pressed) + "]");
     EXPECT_EQ(allowed[0], true);
-    EXPECT_NE(allowed[1].dump().find("is pressed already"), std::string::npos) << allowed;
+    EXPECT_NE(allowed[1].dump().find("is already pressed"), std::string::npos) << allowed;
     Command(press(raised));
     std::swap(raised, pressed);
   }

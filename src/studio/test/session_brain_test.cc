@@ -147,8 +147,7 @@ TEST_F(SessionBrainTest, ReportsAnUnreadableDemonstration) {
   Do(R"({"do":"start_brain","brain":"watcher.py"})");
   TickSeconds(0.1);
   EXPECT_EQ(Status(), "failed");
-  EXPECT_EQ(State()["brain"]["message"],
-            "aux.watch is true, but there is no demonstration to watch");
+  EXPECT_EQ(State()["brain"]["message"], "aux.watch is true, but no demonstration is given");
   // Without an eye nothing is recorded, and nothing can be drawn.
   Command(R"({"do":"start","name":"take"})");
   PutAOnB();
@@ -156,7 +155,7 @@ TEST_F(SessionBrainTest, ReportsAnUnreadableDemonstration) {
   Do(R"({"do":"start_brain","brain":"watcher.py","demonstration":"take"})");
   TickSeconds(0.1);
   EXPECT_EQ(Status(), "failed");
-  EXPECT_NE(State()["brain"]["message"].get<std::string>().find("there is no eye"),
+  EXPECT_NE(State()["brain"]["message"].get<std::string>().find("no eye to render them"),
             std::string::npos);
   Do(R"({"do":"load","scene":"pair"})");
   EXPECT_EQ(Status(), "none");

@@ -122,7 +122,7 @@ TEST_F(SessionTest, TheWorldContinuesUntilThatOfARecordingIsReady) {
   for (const char* what :
        {R"({"do":"command","command":{"do":"start"}})", R"({"do":"load","scene":"pair"})",
         R"({"do":"branch","recording":"take","step":1})"}) {
-    EXPECT_NE(Refused(what).find("wait until it is there"), std::string::npos);
+    EXPECT_NE(Refused(what).find("wait until it is done"), std::string::npos);
   }
   seq_ = seq;
   const Json answer = LaterAnswer();
@@ -522,7 +522,7 @@ TEST_F(SessionTest, TheRobotsRageLeavesAllAsItWas) {
   EXPECT_EQ(State()["mode"], "rage");
   EXPECT_NE(State()["robot"]["joints"], before["robot"]["joints"]);
   EXPECT_NE(Refused(R"({"do":"command","command":{"do":"grasp","hand":"left","object":"a"}})")
-                .find("until it is over"),
+                .find("wait until it is done"),
             std::string::npos);
   TickSeconds(8);
   EXPECT_EQ(PositionOf("a"), a_before);

@@ -51,11 +51,11 @@ TEST(FailureReason, HeldObjectsAreNotPlaced) {
 TEST(FailureReason, IsTheFirstThatApplies) {
   Episode untouched = EndingAt({0, 0, 0.15});
   untouched.end.objects[1] = untouched.begin.objects[1];
-  EXPECT_EQ(WordOf(untouched), "never_taken: high still lies where it began");
+  EXPECT_EQ(WordOf(untouched), "never_taken: high is still at its start position");
   EXPECT_EQ(WordOf(untouched, {.status = "running"}),
-            "time_up: the brain was still at work when it had to end");
+            "time_up: the brain was still running when the episode ended");
   EXPECT_EQ(WordOf(EndingAt({0.2, 0, 0.05})), "toppled: high lies 100 mm lower than it should");
-  EXPECT_EQ(WordOf(EndingAt({0, 0, 0.15}, {40, 0, 0})), "toppled: high lies tilted by 40 degrees");
+  EXPECT_EQ(WordOf(EndingAt({0, 0, 0.15}, {40, 0, 0})), "toppled: high is tilted by 40 degrees");
   EXPECT_EQ(WordOf(EndingAt({0.04, 0, 0.15})),
             "misplaced: high is 40 mm from its place, turned by 0 degrees");
   EXPECT_EQ(WordOf(EndingAt({0.3, 0, 0.15})), "not_placed: high is 300 mm from its place");

@@ -95,11 +95,11 @@ TEST(Wire, NamesWhatIsWrong) {
   auto frame = SampleFrame();
   EXPECT_EQ(ErrorOf(std::span(frame).first(7)), "the frame ends inside its header");
   EXPECT_EQ(ErrorOf(std::span(frame).first(frame.size() - 8)),
-            "the body is not as long as announced");
+            "the body length differs from the header");
 
   auto wrong = frame;
   Overwrite(wrong, 0, std::uint32_t{7});
-  EXPECT_EQ(ErrorOf(wrong), "what arrived is not a message");
+  EXPECT_EQ(ErrorOf(wrong), "the received bytes are not a message");
   wrong = frame;
   Overwrite(wrong, 4, std::uint32_t{9});
   EXPECT_EQ(ErrorOf(wrong), "unknown message type 9");
@@ -287,7 +287,7 @@ TEST(Inbox, RefusesInvalidHeaders) {
   inbox.Fill(kHeaderBytes);
   const auto message = inbox.TakeMessage();
   ASSERT_TRUE(message);
-  EXPECT_EQ(std::get<WireError>(*message).message, "what arrived is not a message");
+  EXPECT_EQ(std::get<WireError>(*message).message, "the received bytes are not a message");
 }
 
 }  // namespace

@@ -102,7 +102,7 @@ TEST_F(BondEffectsTest, ALockedHostIsPassedOverForAnother) {
   EXPECT_EQ(TightnessOf("other_hole"), 1);
   EXPECT_EQ(Loosen("screw"), "");
   tabletop_->Destroy(*tabletop_->Find("other"));
-  EXPECT_EQ(Fasten("screw"), "what fits 'screw_tip' is locked");
+  EXPECT_EQ(Fasten("screw"), "the point that fits 'screw_tip' is locked");
 }
 
 TEST_F(BondEffectsTest, AGuestIsFreeWhenItsHostIsDestroyed) {
@@ -118,8 +118,7 @@ TEST_F(BondEffectsTest, AGuestIsFreeWhenItsHostIsDestroyed) {
   EXPECT_EQ(TightnessOf("other_hole"), 1) << "from the first stage on";
   EXPECT_EQ(TightnessOf("nut_hole"), 0);
   tabletop_->Destroy(*tabletop_->Find("other"));
-  EXPECT_EQ(Fasten("screw"),
-            "nothing that fits 'screw_tip' and is free is less than two units away");
+  EXPECT_EQ(Fasten("screw"), "no free point that fits 'screw_tip' is within two units");
   StepSeconds(0.5);
   EXPECT_LT(PositionOf("screw").z(), 0.13) << "it falls";
 }

@@ -21,7 +21,7 @@ TEST_F(BondsTest, EachStagePutsTheGuestWhereItSays) {
   ExpectPose("screw", {0.2, 0.1, 0.21 - 2 / 30.0}, {0, 0, 30 + 90});
   EXPECT_EQ(Fasten("screw"), "");
   ExpectPose("screw", {0.2, 0.1, 0.21 - 3 / 30.0}, {0, 0, 30 + 135});
-  EXPECT_EQ(Fasten("screw"), "'screw' is fastened as tightly as it can be");
+  EXPECT_EQ(Fasten("screw"), "'screw' is already at its tightest stage");
   EXPECT_EQ(TightnessOf("nut_hole"), 3);
   for (int k : {2, 1}) {
     EXPECT_EQ(Loosen("screw"), "");
@@ -87,7 +87,7 @@ TEST_F(BondsTest, AGuestReachesLessThanTwoUnits) {
           meters_per_unit);
     return Fasten("screw");
   };
-  const char* too_far = "nothing that fits 'screw_tip' and is free is less than two units away";
+  const char* too_far = "no free point that fits 'screw_tip' is within two units";
   EXPECT_EQ(fasten_from(0.126, 0.1), "");
   ExpectPose("screw", {0, 0, 0.21 - 1 / 30.0}, {0, 0, 45});
   EXPECT_EQ(fasten_from(0.199, 0.1), "");
@@ -117,7 +117,7 @@ TEST_F(BondsTest, TheGuestPointNearestToTheHandIsMeant) {
   Start({Nut("nut", {0, 0, 0.055}), rod});
   const Object& object = *tabletop_->Find("rod");
   EXPECT_EQ(tabletop_->Fasten(object, {0, 0, 0.4}),
-            "nothing that fits 'rod_end' and is free is less than two units away");
+            "no free point that fits 'rod_end' is within two units");
   EXPECT_EQ(tabletop_->Fasten(object, {0, 0, 0.2}), std::nullopt);
   EXPECT_EQ(tabletop_->Loosen(object, {0, 0, 0.4}), "'rod' is not fastened there");
   EXPECT_EQ(TightnessOf("nut_hole"), 1);
@@ -141,7 +141,7 @@ scene::ObjectSpec Brick(const std::string& id, const Vector3& p_WB,
 }
 
 TEST_F(BondsTest, NothingIsFastenedToItselfOrInALoop) {
-  const char* nothing = "nothing that fits 'a_bottom' and is free is less than two units away";
+  const char* nothing = "no free point that fits 'a_bottom' is within two units";
   Start({Brick("a", {0, 0, 0.051}), Brick("b", {0, 0, 0.5})});
   EXPECT_EQ(Fasten("a"), nothing) << "its own hole is not meant";
   BodyOf("b").SetPose(RigidTransform(Vector3(0, 0, 0.16)));
@@ -253,7 +253,7 @@ TEST_F(NoRoomTest, ASliderOnAFixedRailStaysOnIt) {
                     .max_offset = 0.2,
                     .initial_offset = 0}};
   Start(scene);
-  ExpectRefusal("cart", "'cart' hangs on something fixed and cannot be put there");
+  ExpectRefusal("cart", "'cart' is connected to a fixed object and cannot move there");
 }
 
 TEST_F(BondsTest, ObjectsAttachedToTheGuestMoveAlong) {

@@ -93,8 +93,8 @@ TEST(Controls, AreSetByThoseUpstreamAtTheStart) {
 TEST(Controls, ThatCannotBeTriggeredReportIt) {
   Panel controls = TrafficLights();
   EXPECT_EQ(controls.Trigger(1, ""),
-            "'L1' is a row of lights: it follows others and cannot be triggered");
-  EXPECT_EQ(controls.Trigger(0, "S1-b2"), "'S1-b2' is pressed already; press 'S1-b1'");
+            "'L1' is a row of lights: it follows other controls and cannot be triggered");
+  EXPECT_EQ(controls.Trigger(0, "S1-b2"), "'S1-b2' is already pressed; press 'S1-b1'");
   EXPECT_EQ(controls.Trigger(0, "left"), "'S1' has no button 'left', expected S1-b1 or S1-b2");
   EXPECT_EQ(Recorded(controls), (Words{"1", "stop", "red"})) << "a refusal changes nothing";
 }
@@ -133,7 +133,8 @@ TEST(CustomControl, ChangesToTheStateOfTheTriggeredPartOrItsParent) {
   EXPECT_EQ(controls.Trigger(0, "face"), "") << "what the composite around it says";
   EXPECT_EQ(Recorded(controls), Words{"0"});
   EXPECT_EQ(controls.Trigger(0, "rim"),
-            "nothing would happen: 'rim' is no part of 'dial' as it is now, or leads nowhere");
+            "nothing would happen: 'rim' is not a part of 'dial' in its present state, or leads to "
+            "no state");
   EXPECT_EQ(controls.Trigger(0, ""),
             "parts of 'dial' lead to different states; name one: 'face', 'group' or 'hand'");
 }

@@ -81,7 +81,7 @@ TEST(Tabletop, NoticesOnceWhatFellToTheFloor) {
   EXPECT_EQ(FallenWithin(2400, &world, &tabletop),
             (std::vector<std::string>{"comes_down", "falls", "ball"}));
   EXPECT_TRUE(tabletop.HasFallen(*tabletop.Find("falls")));
-  EXPECT_EQ(tabletop.RefuseToReach("falls"), "'falls' fell to the floor; undo brings it back");
+  EXPECT_EQ(tabletop.RefuseToReach("falls"), "'falls' fell to the floor; undo restores it");
   EXPECT_EQ(tabletop.RefuseToReach("stands_there"), std::nullopt);
 }
 
@@ -124,9 +124,10 @@ TEST(Tabletop, ReportsWhyAnObjectCannotBeReached) {
   Tabletop tabletop(&world, SceneWith({BlockAt("b01", {0, 0, 0.05}), whole}));
   EXPECT_EQ(tabletop.RefuseToReach("b01"), std::nullopt);
   EXPECT_EQ(tabletop.RefuseToReach("b1"), "there is no object 'b1'; did you mean \"b01\"?");
-  EXPECT_EQ(tabletop.RefuseToReach("rim"), "'rim' is a part of 'tray', which goes as a whole");
+  EXPECT_EQ(tabletop.RefuseToReach("rim"),
+            "'rim' is a part of 'tray', which is handled as a whole");
   tabletop.Destroy(*tabletop.Find("b01"));
-  EXPECT_EQ(tabletop.RefuseToReach("b01"), "'b01' is gone: it was destroyed");
+  EXPECT_EQ(tabletop.RefuseToReach("b01"), "'b01' no longer exists: it was destroyed");
 }
 
 TEST(Tabletop, AStaticObjectStaysInTheAir) {

@@ -55,7 +55,7 @@ TEST(PageProtocolTable, KnowsEveryKindOfAction) {
 
 TEST(PageProtocolTable, DescribesRequestsAndUpdates) {
   EXPECT_NE(page::RequestMarkdown().find(
-                "| `speed` | `factor`: 0.1 to 4 | | of simulated to real time |\n"),
+                "| `speed` | `factor`: 0.1 to 4 | | sets the ratio of simulated to real time |\n"),
             std::string::npos);
   EXPECT_NE(page::UpdateMarkdown().find("| `looks` | `looks` | one number per choice |\n"),
             std::string::npos);

@@ -35,7 +35,7 @@ recording::HistoryPoint HistoryPointOf(const CheckoutOptions& options,
 
 /// Continues a recording from a point of its history, and records what follows into it.
 int CheckOut(const CheckoutOptions& options) {
-  const recording::Recording recording = OpenAndTell(options.demo);
+  const recording::Recording recording = OpenAndReport(options.demo);
   const recording::HistoryPoint from = HistoryPointOf(options, recording);
   experiment::RunPlan plan{.scene = recording.start_scene(),
                            .robot = recording.robot(),

@@ -17,7 +17,7 @@ struct DescribeOptions {
 };
 
 int DescribeDemo(const DescribeOptions& options) {
-  const recording::Recording recording = OpenAndTell(options.demo);
+  const recording::Recording recording = OpenAndReport(options.demo);
   const task::Structure structure = task::StructureOf(recording);
   const double unit = recording.scene().meters_per_unit;
   if (options.json) {

@@ -99,7 +99,7 @@ void EditDemo(const EditOptions& options) {
   if (options.out.empty() && !options.dry_run) {
     throw std::invalid_argument("the result has no destination: give --out or --dry-run");
   }
-  const recording::Recording recording = OpenAndTell(options.demo);
+  const recording::Recording recording = OpenAndReport(options.demo);
   const auto edited = Perform(options.edits, DemonstrationOf(recording));
   const editing::EditReport report = Simulate(recording, edited, options);
   if (options.json) {

@@ -23,7 +23,7 @@ constexpr std::size_t kMaxScenes = 100'000, kMaxJobs = 1024;
 /// Returns the progress line. The remaining time is in minutes from 90 s on.
 std::string StatusText(const experiment::EvaluationStatus& status) {
   std::string text = std::to_string(status.done) + " of " + std::to_string(status.runs) +
-                     " runs, " + std::to_string(status.successes) + " rebuilt, " +
+                     " runs, " + std::to_string(status.successes) + " succeeded, " +
                      std::to_string(status.done - status.successes) + " failed";
   if (status.seconds_left) {
     const bool is_long = *status.seconds_left >= 90;

@@ -131,7 +131,7 @@ void RequireReadable(const motion::JointTrajectory& trajectory, const std::strin
 int Export(const ExportOptions& options) {
   const Format& format = FormatOf(options);
   RequireOutsideOfRecordings(options.out);
-  const recording::Recording recording = OpenAndTell(options.demo);
+  const recording::Recording recording = OpenAndReport(options.demo);
   Motion motion;
   if (recording.robot()) motion.channels = ChosenChannels(recording.robot()->model, options);
   if (recording.robot() && motion.channels.empty()) {

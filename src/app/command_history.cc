@@ -70,7 +70,7 @@ void PrintTree(const recording::Recording& recording,
 }
 
 int ShowHistory(const HistoryOptions& options) {
-  const recording::Recording recording = OpenAndTell(options.demo);
+  const recording::Recording recording = OpenAndReport(options.demo);
   const std::vector<recording::Segment> steps = recording::HistoryOf(recording);
   if (options.json) {
     std::printf("%s\n", ToText(ToJson(recording, steps), 2).c_str());

@@ -31,7 +31,7 @@ struct ImitateOptions {
 void PrintResult(const experiment::ImitationResult& outcome) {
   const Json& result = outcome.json;
   std::printf("%s after %.1f s: %.0f %% of the structure, mean error %.1f mm\n",
-              outcome.has_succeeded ? "rebuilt" : "not rebuilt", result["seconds"].get<double>(),
+              outcome.has_succeeded ? "success" : "failure", result["seconds"].get<double>(),
               100 * result["score"].get<double>(), result["mean_error_mm"].get<double>());
   // Printed even with a full score: objects may have been in place from the start, although the
   // program failed.

@@ -137,7 +137,7 @@ int Render(const RenderCommandOptions& options) {
     throw std::invalid_argument(
         "the robot's options and --path are for scenes; a recording has its own robot and files");
   }
-  const recording::Recording recording = OpenAndTell(options.subject);
+  const recording::Recording recording = OpenAndReport(options.subject);
   if (product == Product::kPicture) {
     RenderMoment(recording, options);
   } else {

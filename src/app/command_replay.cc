@@ -135,7 +135,7 @@ replay::ReplayReport ReplayIt(const recording::Recording& recording,
 }
 
 int ReplayDemo(const ReplayCommandOptions& options) {
-  const recording::Recording recording = OpenAndTell(options.demo);
+  const recording::Recording recording = OpenAndReport(options.demo);
   const replay::ReplayReport report = ReplayIt(recording, options);
   if (IsInterrupted()) throw std::runtime_error("interrupted");
   // A program that was killed while it recorded leaves an incomplete last tick.

@@ -23,7 +23,7 @@ int RerenderRecording(const RerenderOptions& options) {
   const classic::RedrawOptions copy{
       .demonstrator = recording::ParseDemonstratorAppearance(options.demonstrator),
       .has_symbols = !options.no_symbols};
-  const recording::Recording recording = OpenAndTell(options.demo);
+  const recording::Recording recording = OpenAndReport(options.demo);
   ConsoleReporter console;
   const std::size_t num_pictures =
       experiment::Rerender(recording, options.out, copy, console.callbacks());

@@ -85,7 +85,7 @@ experiment::EvaluationPlan PlanOf(const EvaluateOptions& options) {
     throw std::invalid_argument("--demonstrators contains a demonstrator twice");
   }
   // Checks all inputs now, since an error in a run would appear as many times as there are runs.
-  OpenAndTell(options.demo);
+  OpenAndReport(options.demo);
   EyeSpecOf(options.eye);
   ParseNoise(options.noise);
   experiment::EvaluationPlan plan{

@@ -8,7 +8,7 @@
 
 namespace smile::app {
 
-recording::Recording OpenAndTell(const std::string& demo) {
+recording::Recording OpenAndReport(const std::string& demo) {
   recording::Recording recording = recording::OpenRecording(demo);
   for (const std::string& cut : recording.cuts) {
     std::fprintf(stderr, "%s: %s\n", demo.c_str(), cut.c_str());

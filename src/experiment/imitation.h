@@ -33,7 +33,7 @@ struct ImitationPlan {
 
 struct ImitationResult {
   Json json;                   ///< `result.json`, see docs/results.md
-  bool has_succeeded = false;  ///< the structure is rebuilt, and the brain did not fail
+  bool has_succeeded = false;  ///< the structure is built, and the brain did not fail
   std::optional<brain::BrainError> brain_error;
 };
 

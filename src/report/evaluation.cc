@@ -83,7 +83,7 @@ std::vector<double> OfSuccesses(const std::vector<EvaluatedRun>& runs,
   return numbers;
 }
 
-/// Returns the mean difference of one field over the seeds from which both rebuilt the structure.
+/// Returns the mean difference of one field over the seeds from which both succeeded.
 /// Pairing by seed removes the variation between layouts, which is larger than that between
 /// programs.
 std::optional<Mean> MeanDifference(const EvaluatedBrain& first, const EvaluatedBrain& second,
@@ -201,7 +201,7 @@ std::string ComparisonText(const EvaluatedBrain& first, const EvaluatedBrain& se
   const BrainComparison comparison = Compare(first, second);
   const std::string a = Printable(first.name), b = Printable(second.name);
   std::string text = a + " less " + b + ", on the same " + Plural(first.runs.size(), "layout") +
-                     ":\n  rebuilt  " + Signed(100 * comparison.success_difference, 1) +
+                     ":\n  success  " + Signed(100 * comparison.success_difference, 1) +
                      " points; both " + std::to_string(comparison.both) + ", only " + a + " " +
                      std::to_string(comparison.only_first) + ", only " + b + " " +
                      std::to_string(comparison.only_second) + ", neither " +
@@ -307,7 +307,7 @@ Json ToJson(const Evaluation& evaluation) {
 }
 
 std::string ToText(const Evaluation& evaluation) {
-  std::vector<std::vector<std::string>> rows{{"", "rebuilt", "", "95 %", "error mm (95 %)",
+  std::vector<std::vector<std::string>> rows{{"", "success", "", "95 %", "error mm (95 %)",
                                               "error deg (95 %)", "s p50", "s p95", "retries"}};
   std::string failures, comparisons;
   for (const EvaluatedBrain& brain : evaluation.brains) {

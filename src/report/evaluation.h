@@ -52,7 +52,7 @@ struct Evaluation {
   std::string again;  ///< command for a run with pictures; `NAME`, … are placeholders
 };
 
-/// Summary of one brain. Errors and times are those of the rebuilt structures only.
+/// Summary of one brain. Errors and times are those of successful runs only.
 struct Summary {
   std::size_t runs = 0, successes = 0;
   Interval success_interval;  ///< of the success rate

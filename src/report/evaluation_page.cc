@@ -33,16 +33,16 @@ std::string Headline(const Evaluation& evaluation) {
   const EvaluatedBrain* best = nullptr;
   std::size_t most = 0;
   for (const EvaluatedBrain& brain : evaluation.brains) {
-    const std::size_t rebuilt = SummaryOf(brain).successes;
-    if (best == nullptr || rebuilt > most) best = &brain;
-    most = std::max(most, rebuilt);
+    const std::size_t successes = SummaryOf(brain).successes;
+    if (best == nullptr || successes > most) best = &brain;
+    most = std::max(most, successes);
   }
   const std::string count =
       std::to_string(most) + " of " + Plural(best->runs.size(), "starting layout");
-  if (evaluation.brains.size() == 1) return best->name + " rebuilt it from " + count;
+  if (evaluation.brains.size() == 1) return best->name + " succeeded from " + count;
   const char* what = best->demonstrator.empty() ? "brain" : "combination";
   return "Of " + Plural(evaluation.brains.size(), what) + ", " + best->name +
-         " rebuilt it from most layouts: " + count;
+         " succeeded from most layouts: " + count;
 }
 
 Markup HeaderOf(const Evaluation& evaluation) {
@@ -74,7 +74,7 @@ Markup WhatWasRun(const Evaluation& evaluation) {
 
 /// Returns one row per brain, with intervals of 95 %.
 Markup SummaryTable(const Evaluation& evaluation) {
-  const Markup head = Row({Head("Brain"), NumberHead("Rebuilt"), NumberHead("Rate (95 %)"),
+  const Markup head = Row({Head("Brain"), NumberHead("Successes"), NumberHead("Rate (95 %)"),
                            NumberHead("Error, mm (95 %)"), NumberHead("Error, ° (95 %)"),
                            NumberHead("Seconds, median"), NumberHead("Seconds, 95th percentile"),
                            NumberHead("Grasps"), NumberHead("Retries")});
@@ -92,14 +92,14 @@ Markup SummaryTable(const Evaluation& evaluation) {
              NumberCell(Count(summary.grasps)), NumberCell(Count(summary.retries))});
   }
   return Table(
-      "Errors and times include rebuilt structures only; grasps and retries include all runs.",
-      head, rows);
+      "Errors and times include successful runs only; grasps and retries include all runs.", head,
+      rows);
 }
 
 /// Returns the rates of success as bars with their intervals.
 Markup Bars(const Evaluation& evaluation) {
   std::vector<RateRow> rows;
-  std::string words = "Rebuilt structures:";
+  std::string words = "Successes:";
   for (const EvaluatedBrain& brain : evaluation.brains) {
     const Summary summary = SummaryOf(brain);
     rows.push_back({brain.name, summary.successes, summary.runs, summary.success_interval});
@@ -116,14 +116,14 @@ Markup Map(const Evaluation& evaluation) {
     for (const EvaluatedRun& run : brain.runs) {
       row.cells.push_back(
           {run.has_succeeded, "seed " + std::to_string(run.seed) + ": " +
-                                  (run.failure_reason ? run.failure_reason->code : "rebuilt")});
+                                  (run.failure_reason ? run.failure_reason->code : "success")});
     }
     rows.push_back(row);
   }
   return SuccessMap(rows, "Success of each seed; the table of seeds below contains the same data");
 }
 
-/// Returns the distribution of a number over the rebuilt structures, one row per brain.
+/// Returns the distribution of a number over successful runs, one row per brain.
 Markup Distribution(const Evaluation& evaluation, std::optional<double> EvaluatedRun::*field,
                     const std::string& axis, const std::string& words) {
   std::vector<DotRow> rows;
@@ -178,15 +178,15 @@ Markup CauseTable(const Evaluation& evaluation) {
 }
 
 Markup Plots(const Evaluation& evaluation) {
-  const std::string note = "Each dot is a rebuilt structure; below, the mean and its interval.";
+  const std::string note = "Each dot is a successful run; below, the mean and its interval.";
   Markup pair = Section("Success", Bars(evaluation));
   pair += Section("Success by seed", Map(evaluation));
   Markup errors = Distribution(evaluation, &EvaluatedRun::error_mm, "mean error [mm]",
-                               "Placement errors of rebuilt structures");
+                               "Placement errors of successful runs");
   errors += Element("p", {{"class", "note"}}, note);
   pair += Section("Placement errors", errors);
   Markup times = Distribution(evaluation, &EvaluatedRun::seconds, "robot time [s]",
-                              "Robot time of rebuilt structures");
+                              "Robot time of successful runs");
   times += Element("p", {{"class", "note"}}, note);
   pair += Section("Robot time", times);
   pair += Retries(evaluation);
@@ -212,12 +212,12 @@ Markup Comparisons(const Evaluation& evaluation) {
              NumberCell(DifferenceWithInterval(comparison.seconds, 1))});
   }
   if (rows.is_empty()) return {};
-  const Markup head = Row({Head("Difference"), NumberHead("Rebuilt"), NumberHead("Exact McNemar"),
+  const Markup head = Row({Head("Difference"), NumberHead("Success"), NumberHead("Exact McNemar"),
                            NumberHead("Both"), NumberHead("First only"), NumberHead("Second only"),
                            NumberHead("Neither"), NumberHead("Error, mm (95 %)"),
                            NumberHead("Error, ° (95 %)"), NumberHead("Seconds (95 %)")});
   return Section("Comparison", Table("Pairwise comparison on the same seeds. Differences of errors "
-                                     "and times include only seeds that both rebuilt.",
+                                     "and times include only seeds with which both succeeded.",
                                      head, rows));
 }
 
@@ -271,7 +271,7 @@ Markup SeedTable(const Evaluation& evaluation) {
       const EvaluatedRun& run = brain.runs[k];
       row += Element(
           "td", {},
-          Badge(run.has_succeeded, run.failure_reason ? run.failure_reason->code : "rebuilt"));
+          Badge(run.has_succeeded, run.failure_reason ? run.failure_reason->code : "success"));
       row += NumberCell(Fixed(run.error_mm, 2));
       row += NumberCell(Fixed(run.error_degrees, 2));
       row += NumberCell(Fixed(run.seconds, 1));

@@ -72,7 +72,7 @@ Markup HeaderOf(const ExperimentOutcome& outcome) {
   header += Element("h1", {},
                     has_succeeded ? "The robot watched and rebuilt the structure"
                                   : "The robot watched but failed to rebuild the structure");
-  header += Badge(has_succeeded, has_succeeded ? "rebuilt" : "not rebuilt");
+  header += Badge(has_succeeded, has_succeeded ? "success" : "failure");
   if (!has_succeeded) {
     header += Element("p", {{"class", "lead"}}, FailureText(outcome.result));
     const auto message = outcome.result.at("brain").at("message").get<std::string>();

@@ -158,7 +158,7 @@ Markup RateBars(const std::vector<RateRow>& rows, const std::string& words) {
   constexpr double kRow = 42, kBar = 15;
   const double bottom = kRow * static_cast<double>(rows.size()) + 4;
   const Axis axis(0, 100, kMargin, kPlotWidth - kMargin);
-  Markup drawing = axis.Draw(0, bottom, "rebuilt [%]");
+  Markup drawing = axis.Draw(0, bottom, "success [%]");
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const RateRow& row = rows[i];
     const double top = kRow * static_cast<double>(i), y = top + 20;

@@ -25,7 +25,7 @@ Markup Table(std::string_view caption, const Markup& head, const Markup& rows);
 /// Returns `name` above `value`, in a list of such facts.
 Markup Fact(std::string_view name, std::string_view value);
 
-/// Returns a text such as `rebuilt`, in good or bad colors.
+/// Returns a text such as `success`, in good or bad colors.
 Markup Badge(bool is_good, std::string_view text);
 
 }  // namespace smile::report

@@ -10,9 +10,9 @@
 
 namespace smile::task {
 
-/// Largest distance from its goal at which an object counts as rebuilt: a quarter of a unit block.
+/// Largest distance from its goal at which an object is in place: a quarter of a unit block.
 inline constexpr double kTolerance = 0.025;  ///< [m]
-/// Largest visible rotation from its goal at which an object counts as rebuilt.
+/// Largest visible rotation from its goal at which an object is in place.
 inline constexpr double kAngleTolerance = DegreesToRadians(15.0);  ///< [rad]
 
 /// Deviation of an object from its goal pose.

@@ -57,11 +57,11 @@ TEST_F(Describe, TheCauseOfAFailureIsPrintedEvenIfAllObjectsAreInPlace) {
         "def step(sensor, motor, aux): pass\n");
   const Answer done = Smile("imitate lifted pair.xml --brain idle.py --out idle");
   EXPECT_EQ(done.exit_code, 0);
-  EXPECT_TRUE(done.out.starts_with("rebuilt after ")) << done.out;
+  EXPECT_TRUE(done.out.starts_with("success after ")) << done.out;
   EXPECT_EQ(std::ranges::count(done.out, '\n'), 2) << done.out;
   const Answer failed = Smile("imitate lifted pair.xml --brain crashes.py --out crashed");
   EXPECT_EQ(failed.exit_code, 1);
-  EXPECT_TRUE(failed.out.starts_with("not rebuilt after ")) << failed.out;
+  EXPECT_TRUE(failed.out.starts_with("failure after ")) << failed.out;
   const std::string cause = Json::parse(Read("crashed/result.json"))["cause"]["text"];
   EXPECT_NE(failed.out.find("\n" + cause + "\n"), std::string::npos) << failed.out;
 }

@@ -10,7 +10,7 @@
 namespace smile::report {
 namespace {
 
-EvaluatedRun Rebuilt(std::uint64_t seed, double error_mm, double seconds) {
+EvaluatedRun Success(std::uint64_t seed, double error_mm, double seconds) {
   return {.seed = seed,
           .has_succeeded = true,
           .score = 1,
@@ -32,16 +32,16 @@ Evaluation Pair() {
           .scene = "pair.xml",
           .brains = {{"old",
                       "brains/old",
-                      {Rebuilt(1, 4, 30), Failed(2, "fell"), Rebuilt(3, 6, 34), Failed(4, "fell"),
+                      {Success(1, 4, 30), Failed(2, "fell"), Success(3, 6, 34), Failed(4, "fell"),
                        Failed(5, "time up")}},
                      {"new",
                       "brains/new",
-                      {Rebuilt(1, 3, 20), Rebuilt(2, 3, 20), Rebuilt(3, 3, 22), Rebuilt(4, 3, 20),
+                      {Success(1, 3, 20), Success(2, 3, 20), Success(3, 3, 22), Success(4, 3, 20),
                        Failed(5, "time up")}}},
           .again = "smile imitate"};
 }
 
-TEST(Evaluation, SummarizesRebuiltStructuresAndCountsCauses) {
+TEST(Evaluation, SummarizesSuccessesAndCountsCauses) {
   const Summary summary = SummaryOf(Pair().brains[0]);
   EXPECT_EQ(summary.successes, 2u);
   EXPECT_EQ(summary.success_rate(), 0.4);
@@ -62,7 +62,7 @@ TEST(Evaluation, ComparesSeedBySeed) {
   EXPECT_EQ(comparison.neither, 1u);
   EXPECT_DOUBLE_EQ(comparison.success_difference, -0.4);
   EXPECT_EQ(comparison.p_value, 0.5);  // two coins that fall alike
-  // Of seeds 1 and 3 only, which both rebuilt: 4 - 3 and 6 - 3; 30 - 20 and 34 - 22.
+  // Of seeds 1 and 3 only, with which both succeeded: 4 - 3 and 6 - 3; 30 - 20 and 34 - 22.
   EXPECT_EQ(comparison.error_mm.value_or(Mean{}).value, 2);
   EXPECT_EQ(comparison.seconds.value_or(Mean{}).value, 11);
 }
@@ -78,7 +78,7 @@ TEST(Evaluation, JsonHoldsSummariesRunsAndComparisons) {
 
 TEST(Evaluation, TheTableLinesUp) {
   EXPECT_EQ(ToText(Pair()).substr(0, ToText(Pair()).find("old failed")),
-            "      rebuilt                      95 %         error mm (95 %)   error deg (95 %)   "
+            "      success                      95 %         error mm (95 %)   error deg (95 %)   "
             "s p50   s p95   retries\n"
             "old       2/5   40.0 %   11.8 to 76.9 %   5.00 (-7.71 to 17.71)                  –   "
             " 32.0    33.8         2\n"
@@ -132,7 +132,7 @@ TEST(Evaluation, RefusesResultsThatAreNone) {
 
 TEST(EvaluationPage, ShowsEachBrainAndLinksToEveryFailure) {
   const std::string page = PageOf(Pair());
-  for (const char* text : {"Of 2 brains, new rebuilt it from most layouts: 4 of 5 starting layouts",
+  for (const char* text : {"Of 2 brains, new succeeded from most layouts: 4 of 5 starting layouts",
                            "40.0 % (11.8 to 76.9 %)", "href=\"./runs/2\"", "−40.0 points",
                            "p = 0.500", "smile imitate", "seed 5: time up", "for some reason"}) {
     EXPECT_NE(page.find(text), std::string::npos) << text;
